@@ -1,0 +1,44 @@
+// Typed element handles: four bytes each, one type per kind of element, so that a vertex never compares with a face.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+namespace ryosen {
+
+inline constexpr std::uint32_t no_index = 0xffffffffu;
+
+// A slot number in the columns of a mesh, or none. Kind tags the element; handles of different kinds do not mix.
+// A handle stays valid while its element lives; slots are never reused, so a stale handle names a dead element.
+template <class Kind>
+struct Handle {
+  std::uint32_t index = no_index;
+
+  constexpr Handle() = default;
+  constexpr explicit Handle(std::uint32_t slot) : index(slot) {}
+  constexpr explicit Handle(std::size_t slot) : index(static_cast<std::uint32_t>(slot)) {}
+
+  constexpr bool is_none() const { return index == no_index; }
+  constexpr explicit operator bool() const { return index != no_index; }
+  friend constexpr auto operator<=>(Handle, Handle) = default;
+};
+
+using Vertex = Handle<struct VertexKind>;
+using Halfedge = Handle<struct HalfedgeKind>;
+using Edge = Handle<struct EdgeKind>;
+using Face = Handle<struct FaceKind>;
+
+// Halfedges lie in pairs, so twin and edge need no memory.
+constexpr Halfedge twin(Halfedge h) { return Halfedge(h.index ^ 1u); }
+constexpr Edge edge(Halfedge h) { return Edge(h.index >> 1u); }
+// The halfedge of an edge with the even (side 0) or odd (side 1) slot.
+constexpr Halfedge halfedge(Edge e, unsigned side = 0) { return Halfedge((e.index << 1u) | side); }
+
+}  // namespace ryosen
+
+template <class Kind>
+struct std::hash<ryosen::Handle<Kind>> {
+  std::size_t operator()(ryosen::Handle<Kind> h) const noexcept { return std::hash<std::uint32_t>()(h.index); }
+};

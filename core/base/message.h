@@ -1,0 +1,35 @@
+// Sentences for the user in both languages, and where in a file they belong.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace ryosen {
+
+enum class Language { english, japanese };
+
+// One sentence in English and in Japanese; both are always present.
+struct Text {
+  std::string en;
+  std::string ja;
+
+  const std::string& in(Language language) const { return language == Language::japanese ? ja : en; }
+};
+
+enum class Severity { info, warning, error };
+
+// A message about an input or an output. At most one of line (from 1), byte (from 0) and face (number) is set; column
+// (from 1) goes with line. `code` is a stable identifier that tests and scripts may rely on.
+struct Message {
+  Severity severity = Severity::error;
+  std::string code;
+  Text text;
+  std::optional<std::uint64_t> line;
+  std::optional<std::uint64_t> column;
+  std::optional<std::uint64_t> byte;
+  std::optional<std::uint64_t> face;
+};
+
+}  // namespace ryosen

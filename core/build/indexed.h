@@ -1,0 +1,58 @@
+// A mesh as files hold it: points and, per face, the numbers of its corners. Readers make it, from_indexed connects it,
+// and to_indexed gives it back for writing.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/handle.h"
+#include "core/base/message.h"
+
+namespace ryosen {
+
+// A face that cannot take part in the connectivity. It keeps its number, so the numbering of the file stays.
+struct QuarantinedFace {
+  std::uint32_t face = 0;                // its number in the file, from 0
+  std::vector<std::int64_t> corners;     // vertex numbers from 0; out of range values (negative, too large) are kept
+  std::uint64_t line = 0;                // from 1; 0 when the format has no lines
+  std::string code;                      // stable cause: face_too_few_corners, index_out_of_range, repeated_corner
+  Text cause;
+};
+
+// Values given per corner through a pool, as OBJ does for texture coordinates and normals.
+struct CornerValues {
+  std::vector<glm::dvec3> pool;
+  std::vector<std::uint32_t> index;  // one per corner, no_index where the corner has none; empty when unused
+  int components = 3;                // how many of the three numbers the file gives
+};
+
+// A number per face that names an entry of a table of names (material, group, object, smoothing group).
+struct FaceNames {
+  std::vector<std::string> names;
+  std::vector<std::uint32_t> index;  // one per face (quarantined ones too), no_index for none; empty when unused
+};
+
+struct IndexedMesh {
+  std::vector<glm::dvec3> positions;
+  std::vector<std::uint32_t> corners;       // vertex numbers, face after face
+  std::vector<std::uint32_t> face_offsets{0};  // faces + 1 entries; a quarantined face has an empty range
+  std::vector<QuarantinedFace> quarantine;  // ascending by face
+  std::vector<std::uint32_t> face_lines;    // line of each face, from 1; empty when the format has no lines
+
+  CornerValues texcoords;
+  CornerValues normals;
+  std::vector<glm::dvec4> vertex_colours;   // empty when unused
+  int colour_components = 3;
+  FaceNames materials, groups, objects, smoothing;
+
+  std::size_t face_count() const { return face_offsets.size() - 1; }
+  std::span<const std::uint32_t> face(std::size_t f) const {
+    return {corners.data() + face_offsets[f], face_offsets[f + 1] - face_offsets[f]};
+  }
+};
+
+}  // namespace ryosen

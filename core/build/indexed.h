@@ -16,10 +16,10 @@ namespace ryosen {
 
 // A face that cannot take part in the connectivity. It keeps its number, so the numbering of the file stays.
 struct QuarantinedFace {
-  std::uint32_t face = 0;                // its number in the file, from 0
-  std::vector<std::int64_t> corners;     // vertex numbers from 0; out of range values (negative, too large) are kept
-  std::uint64_t line = 0;                // from 1; 0 when the format has no lines
-  std::string code;                      // stable cause: face_too_few_corners, index_out_of_range, repeated_corner
+  std::uint32_t face = 0;             // its number in the file, from 0
+  std::vector<std::int64_t> corners;  // vertex numbers from 0; out of range values (negative, too large) are kept
+  std::uint64_t line = 0;             // from 1; 0 when the format has no lines
+  std::string code;                   // stable cause: face_too_few_corners, index_out_of_range, repeated_corner
   Text cause;
 };
 
@@ -38,14 +38,14 @@ struct FaceNames {
 
 struct IndexedMesh {
   std::vector<glm::dvec3> positions;
-  std::vector<std::uint32_t> corners;       // vertex numbers, face after face
+  std::vector<std::uint32_t> corners;          // vertex numbers, face after face
   std::vector<std::uint32_t> face_offsets{0};  // faces + 1 entries; a quarantined face has an empty range
-  std::vector<QuarantinedFace> quarantine;  // ascending by face
-  std::vector<std::uint32_t> face_lines;    // line of each face, from 1; empty when the format has no lines
+  std::vector<QuarantinedFace> quarantine;     // ascending by face
+  std::vector<std::uint32_t> face_lines;       // line of each face, from 1; empty when the format has no lines
 
   CornerValues texcoords;
   CornerValues normals;
-  std::vector<glm::dvec4> vertex_colours;   // empty when unused
+  std::vector<glm::dvec4> vertex_colours;  // empty when unused
   int colour_components = 3;
   FaceNames materials, groups, objects, smoothing;
 

@@ -1,0 +1,89 @@
+// The plain columns that make up a mesh, their lengths, and the names by which the journal addresses their cells.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "core/base/handle.h"
+
+namespace ryosen {
+
+// 16 bytes, so the two halves of an edge share half a cache line. face is none outside the surface.
+struct HalfedgeLinks {
+  Vertex from;
+  Halfedge next;
+  Halfedge prev;
+  Face face;
+
+  friend bool operator==(const HalfedgeLinks&, const HalfedgeLinks&) = default;
+};
+
+// In vertex_halfedge and face_halfedge: the element is deleted. A dead edge has `dead_from` as origin of its even half.
+inline constexpr Halfedge dead_halfedge{0xfffffffeu};
+inline constexpr Vertex dead_from{0xfffffffeu};
+
+enum class ElementKind : std::uint8_t { vertex, corner, face, pool };
+
+// A column that files brought along: `words` 32-bit words per vertex, corner (= halfedge) or face, or a pool of values
+// that grows at its end and is named by index from another column.
+struct AttributeColumn {
+  std::string name;
+  ElementKind element = ElementKind::vertex;
+  std::uint32_t words = 1;
+  std::vector<std::uint32_t> data;
+  std::vector<std::uint32_t> fill;  // the value of a new element, `words` long
+
+  friend bool operator==(const AttributeColumn&, const AttributeColumn&) = default;
+};
+
+inline constexpr std::size_t max_pools = 4;
+
+struct ColumnLengths {
+  std::uint32_t vertices = 0;
+  std::uint32_t halfedges = 0;
+  std::uint32_t faces = 0;
+  std::uint32_t copies = 0;  // length of next_copy: 0 or the number of vertices
+  std::array<std::uint32_t, max_pools> pools{};
+
+  friend bool operator==(const ColumnLengths&, const ColumnLengths&) = default;
+};
+
+// Live elements as the kernel counts them: every copy and every cut edge for itself.
+struct ElementCounts {
+  std::uint32_t vertices = 0;
+  std::uint32_t edges = 0;
+  std::uint32_t faces = 0;
+
+  friend bool operator==(const ElementCounts&, const ElementCounts&) = default;
+};
+
+struct MeshColumns {
+  std::vector<Halfedge> vertex_halfedge;
+  std::vector<HalfedgeLinks> halfedges;
+  std::vector<Halfedge> face_halfedge;
+  std::vector<glm::dvec3> positions;
+  std::vector<Vertex> next_copy;  // cycle of the copies of a point; empty while the mesh has none
+  std::vector<AttributeColumn> attributes;
+  ElementCounts live;
+  std::uint32_t file_vertices = 0;  // vertex numbers below this come from the file
+
+  friend bool operator==(const MeshColumns&, const MeshColumns&) = default;
+};
+
+// Columns as the journal names them; attribute k of a mesh is first_attribute + k.
+enum class Column : std::uint8_t {
+  vertex_halfedge,
+  from,
+  next,
+  prev,
+  face,
+  face_halfedge,
+  position,
+  next_copy,
+  first_attribute
+};
+
+}  // namespace ryosen

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <compare>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -17,8 +18,8 @@ struct Handle {
   std::uint32_t index = no_index;
 
   constexpr Handle() = default;
-  constexpr explicit Handle(std::uint32_t slot) : index(slot) {}
-  constexpr explicit Handle(std::size_t slot) : index(static_cast<std::uint32_t>(slot)) {}
+  template <std::integral Number>
+  constexpr explicit Handle(Number slot) : index(static_cast<std::uint32_t>(slot)) {}
 
   constexpr bool is_none() const { return index == no_index; }
   constexpr explicit operator bool() const { return index != no_index; }

@@ -1,0 +1,68 @@
+#include "core/mesh/copies.h"
+
+#include <algorithm>
+
+#include "core/mesh/circulate.h"
+
+namespace ryosen {
+
+Vertex point(const Mesh& mesh, Vertex v) {
+  Vertex smallest = v;
+  for_each_copy(mesh, v, [&](Vertex copy) { smallest = std::min(smallest, copy); });
+  return smallest;
+}
+
+std::vector<Halfedge> sheets_between(const Mesh& mesh, Vertex a, Vertex b) {
+  std::vector<Halfedge> sheets;
+  for_each_copy(mesh, a, [&](Vertex copy) {
+    for (Halfedge h : outgoing(mesh, copy))
+      if (same_point(mesh, mesh.to(h), b)) sheets.push_back(h);
+  });
+  return sheets;
+}
+
+PointEdge point_edge(const Mesh& mesh, Halfedge h) {
+  PointEdge result;
+  const auto count = [&](Halfedge sheet) {
+    result.forward += !mesh.is_outside(sheet);
+    result.backward += !mesh.is_outside(twin(sheet));
+  };
+  const Vertex a = mesh.from(h), b = mesh.to(h);
+  if (!has_copies(mesh, a) || !has_copies(mesh, b)) {
+    count(h);
+  } else {
+    for (Halfedge sheet : sheets_between(mesh, a, b)) count(sheet);
+  }
+  return result;
+}
+
+bool is_cut_on_points(const Mesh& mesh, Halfedge h) {
+  if (!has_copies(mesh, mesh.from(h)) || !has_copies(mesh, mesh.to(h))) return false;
+  return !point_edge(mesh, h).is_regular();
+}
+
+void move_point(Edit& edit, Vertex v, const glm::dvec3& position) {
+  for_each_copy(edit.mesh(), v, [&](Vertex copy) { edit.set_position(copy, position); });
+}
+
+ElementCounts counts_on_points(const Mesh& mesh) {
+  ElementCounts counts = mesh.live();
+  if (!mesh.has_copies()) return counts;
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+    const Vertex v(i);
+    if (mesh.is_alive(v) && point(mesh, v) != v) --counts.vertices;
+  }
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+    const Edge e(i);
+    if (!mesh.is_alive(e)) continue;
+    const auto [a, b] = ends(mesh, e);
+    if (!has_copies(mesh, a) || !has_copies(mesh, b)) continue;
+    const std::vector<Halfedge> sheets = sheets_between(mesh, a, b);
+    const bool is_first =
+        std::all_of(sheets.begin(), sheets.end(), [&](Halfedge h) { return edge(h).index >= e.index; });
+    if (!is_first) --counts.edges;
+  }
+  return counts;
+}
+
+}  // namespace ryosen

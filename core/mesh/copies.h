@@ -1,0 +1,57 @@
+// Points and their copies: several vertices that stand for one point of the file, each with a fan of faces of its own.
+//
+//      \ f |            the point 5 of a file with a bow-tie is two vertices, 5 and a further one, in one cycle;
+//     f \ | /  g        figures, names and files speak of the point, the kernel of its copies
+//        5
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/edit.h"
+#include "core/mesh/mesh.h"
+
+namespace ryosen {
+
+// The copy that names the point: the one with the smallest number. O(copies).
+Vertex point(const Mesh& mesh, Vertex v);
+inline bool has_copies(const Mesh& mesh, Vertex v) { return mesh.next_copy(v) != v; }
+inline bool same_point(const Mesh& mesh, Vertex a, Vertex b) {
+  return a == b || (has_copies(mesh, a) && has_copies(mesh, b) && point(mesh, a) == point(mesh, b));
+}
+
+// All copies of a point, v first.
+template <class Visit>
+void for_each_copy(const Mesh& mesh, Vertex v, Visit visit) {
+  Vertex copy = v;
+  do {
+    visit(copy);
+    copy = mesh.next_copy(copy);
+  } while (copy != v);
+}
+
+// The outgoing halfedges of all copies of a to copies of b, those along a face and those outside: one per edge.
+std::vector<Halfedge> sheets_between(const Mesh& mesh, Vertex a, Vertex b);
+
+// What runs between the two points of an edge, over all sheets.
+struct PointEdge {
+  std::uint32_t forward = 0;   // faces that run it in the direction of the halfedge
+  std::uint32_t backward = 0;  // and against it
+
+  std::uint32_t faces() const { return forward + backward; }
+  bool is_nonmanifold() const { return faces() >= 3; }
+  bool is_misoriented() const { return faces() == 2 && forward != 1; }
+  bool is_boundary() const { return faces() == 1; }
+  bool is_regular() const { return !is_nonmanifold() && !is_misoriented(); }
+};
+PointEdge point_edge(const Mesh& mesh, Halfedge h);
+
+// Whether the points of the halfedge are joined by a non-manifold or misoriented edge. O(1) where an end has no copies.
+bool is_cut_on_points(const Mesh& mesh, Halfedge h);
+
+// Moves all copies of a point.
+void move_point(Edit& edit, Vertex v, const glm::dvec3& position);
+
+// Live points and the point pairs joined by an edge, as files and figures count them.
+ElementCounts counts_on_points(const Mesh& mesh);
+
+}  // namespace ryosen

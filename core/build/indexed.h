@@ -7,6 +7,7 @@
 #include <glm/vec4.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/handle.h"
@@ -16,11 +17,14 @@ namespace ryosen {
 
 // A face that cannot take part in the connectivity. It keeps its number, so the numbering of the file stays.
 struct QuarantinedFace {
-  std::uint32_t face = 0;             // its number in the file, from 0
+  std::uint32_t face = 0;  // its number in the file, from 0
+  std::uint64_t line = 0;  // from 1; 0 when the format has no lines
+  std::string_view code;   // stable cause: face_too_few_corners, index_out_of_range, repeated_corner (static)
   std::vector<std::int64_t> corners;  // vertex numbers from 0; out of range values (negative, too large) are kept
-  std::uint64_t line = 0;             // from 1; 0 when the format has no lines
-  std::string code;                   // stable cause: face_too_few_corners, index_out_of_range, repeated_corner
-  Text cause;
+  std::vector<std::uint32_t> texcoords, normals;  // as in CornerValues::index; empty when the face has none
+
+  // The sentence for the user, made from the code and the corners.
+  Text cause() const;
 };
 
 // Values given per corner through a pool, as OBJ does for texture coordinates and normals.
@@ -36,6 +40,12 @@ struct FaceNames {
   std::vector<std::uint32_t> index;  // one per face (quarantined ones too), no_index for none; empty when unused
 };
 
+// Colours given per face, as OFF does: up to four numbers as the file gives them (one is a colour map's entry).
+struct FaceColours {
+  std::vector<glm::dvec4> values;   // one per face (quarantined ones too); empty when unused
+  std::vector<std::uint8_t> count;  // how many of the four numbers the face has: 0, 1, 3 or 4
+};
+
 struct IndexedMesh {
   std::vector<glm::dvec3> positions;
   std::vector<std::uint32_t> corners;          // vertex numbers, face after face
@@ -45,8 +55,11 @@ struct IndexedMesh {
 
   CornerValues texcoords;
   CornerValues normals;
-  std::vector<glm::dvec4> vertex_colours;  // empty when unused
-  int colour_components = 3;
+  // Red, green, blue, alpha in 0..1, one per vertex; red is NaN where a vertex has none. Empty when unused.
+  std::vector<glm::dvec4> vertex_colours;
+  int colour_components = 3;           // 4 when the file gives alpha
+  std::vector<double> vertex_weights;  // the w of OBJ, NaN where a vertex has none; empty when unused
+  FaceColours face_colours;
   FaceNames materials, groups, objects, smoothing;
 
   std::size_t face_count() const { return face_offsets.size() - 1; }

@@ -1,0 +1,91 @@
+#include "core/base/reasons.h"
+
+#include <array>
+#include <cstddef>
+
+namespace ryosen {
+
+namespace {
+
+constexpr auto refuse = RuleSeverity::refuse;
+constexpr auto warn = RuleSeverity::warn;
+
+constexpr std::array rules{
+    RuleText{Rule::deleted, "deleted", refuse, "collapse swap split orient", "The element has been deleted.",
+             "要素はすでに削除されています。", "undo brings it back", "元に戻すと復活します"},
+    RuleText{Rule::copies, "copies", refuse, "collapse swap",
+             "The edge lies at a non-manifold or misoriented place: its points have copies on other sheets.",
+             "稜線が非多様体または向きの不一致な場所にあり、端点が他のシートに複製を持っています。",
+             "orient the faces, or split the edges that lead there", "面の向きを揃えるか、そこへ至る稜線を細分します"},
+    RuleText{Rule::isolated_apex, "isolated_apex", refuse, "collapse",
+             "The vertex opposite the edge belongs to this triangle alone and would be left without a face.",
+             "稜線の向かいの頂点はこの三角形だけに属し、面を失って孤立します。", "split one of its two other edges",
+             "その頂点の他の稜線を細分します"},
+    RuleText{Rule::vanishes, "vanishes", refuse, "collapse",
+             "Both triangles at the edge have the same third vertex; nothing would be left of them.",
+             "稜線の両側の三角形が同じ第3の頂点を持ち、何も残りません。", "split the edge to the third vertex",
+             "第3の頂点への稜線を細分します"},
+    RuleText{Rule::closes_hole, "closes_hole", refuse, "collapse",
+             "The edge bounds a hole of three edges, which would close and change the topology.",
+             "稜線は三辺の穴の縁にあり、削除すると穴が閉じて位相が変わります。", "split another edge of the hole",
+             "穴の他の稜線を細分します"},
+    RuleText{Rule::common_neighbour, "common_neighbour", refuse, "collapse",
+             "The ends have a common neighbour that is not the apex of a triangle at the edge; two edges would fall "
+             "together.",
+             "両端点に、稜線の三角形の頂点ではない共通の隣接頂点があり、二本の稜線が重なります。",
+             "split the edge to the common neighbour", "共通の隣接頂点への稜線を細分します"},
+    RuleText{Rule::common_face, "common_face", refuse, "collapse",
+             "A face holds both ends although the edge is not one of its sides; it would visit one vertex twice.",
+             "ある面が稜線を辺に持たないまま両端点を含み、同じ頂点を二度通ることになります。",
+             "divide that face between the ends", "両端点の間でその面を分割します"},
+    RuleText{
+        Rule::inner_edge, "inner_edge", refuse, "collapse",
+        "The edge runs through the inside between two boundary vertices; the surface would be pinched to one point.",
+        "稜線は内部を通って二つの境界頂点を結び、曲面が一点にくびれます。",
+        "split the edge first, then collapse one half", "先に稜線を細分し、その半分を削除します"},
+    RuleText{Rule::duplicate_face, "duplicate_face", refuse, "collapse swap",
+             "Two faces would have the same vertices (a hanging pair when they lie back to back).",
+             "二つの面が同じ頂点を持つことになります（背中合わせなら縮退）。", "split an edge of one of the two faces",
+             "どちらかの面の稜線を細分します"},
+    RuleText{Rule::boundary, "boundary", refuse, "swap", "The edge has a face on one side only.",
+             "稜線の片側にしか面がありません。", "never on a boundary edge", "境界の稜線では不可能です"},
+    RuleText{Rule::edge_exists, "edge_exists", refuse, "swap", "The new edge exists already.",
+             "交換後の稜線がすでに存在します。", "split the edge that exists", "既存の稜線を細分します"},
+    RuleText{Rule::corner_twice, "corner_twice", refuse, "swap", "A face would visit one vertex twice.",
+             "面が同じ頂点を二度通ることになります。", "split one of the edges the faces share",
+             "面が共有する稜線を細分します"},
+    RuleText{Rule::loses_duplicate, "loses_duplicate", refuse, "swap",
+             "One of the faces has a duplicate on the same vertices, and the two would come apart.",
+             "一方の面に同じ頂点を持つ重複面があり、両者が食い違います。", "split an edge of the duplicate",
+             "重複面の稜線を細分します"},
+    RuleText{Rule::same_apex, "same_apex", refuse, "split",
+             "Two triangles that would be cut have the same third vertex; the new edges would fall together.",
+             "切られる二つの三角形が同じ第3の頂点を持ち、新しい稜線が重なります。", "delete one of the two triangles",
+             "どちらかの三角形を削除します"},
+    RuleText{Rule::oriented, "oriented", refuse, "orient", "All neighbouring faces already agree where they can.",
+             "隣り合う面の向きはすでに可能な限り揃っています。", "nothing to do", "何もする必要がありません"},
+    RuleText{Rule::normal_turns, "normal_turns", warn, "collapse swap",
+             "The normal of a face turns by 90 degrees or more.", "面の法線が90度以上変わります。",
+             "choose another position", "別の位置を選びます"},
+    RuleText{Rule::degenerate, "degenerate", warn, "collapse swap split",
+             "A face becomes degenerate: its corners lie on a line.", "面が縮退し、角が一直線に並びます。",
+             "choose another position", "別の位置を選びます"},
+    RuleText{Rule::seam, "seam", warn, "collapse swap",
+             "The edge is a seam: corner values differ between its two sides.",
+             "稜線は継ぎ目で、両側の角の値が異なります。", "collapse along the seam", "継ぎ目に沿って操作します"},
+};
+
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < rules.size(); ++i)
+    if (static_cast<std::size_t>(rules[i].rule) != i) return false;
+  return true;
+}
+static_assert(in_order(), "the table has one row per rule, in the order of the enumeration");
+
+}  // namespace
+
+std::span<const RuleText> rule_table() { return rules; }
+
+const RuleText& text_of(Rule rule) { return rules[static_cast<std::size_t>(rule)]; }
+
+}  // namespace ryosen

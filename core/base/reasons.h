@@ -1,0 +1,47 @@
+// The one table of rules: why an operator is refused or warned about, in both languages, and what helps.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace ryosen {
+
+enum class Rule : std::uint8_t {
+  deleted,
+  copies,
+  isolated_apex,
+  vanishes,
+  closes_hole,
+  common_neighbour,
+  common_face,
+  inner_edge,
+  duplicate_face,
+  boundary,
+  edge_exists,
+  corner_twice,
+  loses_duplicate,
+  same_apex,
+  oriented,
+  normal_turns,
+  degenerate,
+  seam,
+};
+
+enum class RuleSeverity : std::uint8_t { refuse, warn };
+
+struct RuleText {
+  Rule rule;
+  std::string_view id;  // as in JSON and scripts
+  RuleSeverity severity;
+  std::string_view operators;  // ids, separated by spaces
+  std::string_view en;         // one sentence; the witnesses are named behind it
+  std::string_view ja;
+  std::string_view remedy_en;  // what would make it legal, or why nothing does
+  std::string_view remedy_ja;
+};
+
+std::span<const RuleText> rule_table();
+const RuleText& text_of(Rule rule);
+
+}  // namespace ryosen

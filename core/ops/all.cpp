@@ -1,0 +1,61 @@
+#include "core/ops/all.h"
+
+#include <cassert>
+
+namespace ryosen {
+
+namespace {
+
+// Calls visit(std::type_identity<Op>) for the operator with this id.
+template <class Visit, std::size_t... I>
+bool visit_op(std::string_view id, Visit visit, std::index_sequence<I...>) {
+  return ((std::variant_alternative_t<I, AnyOp>::info.id == id
+               ? (visit(std::type_identity<std::variant_alternative_t<I, AnyOp>>()), true)
+               : false) ||
+          ...);
+}
+
+constexpr auto indices = std::make_index_sequence<std::variant_size_v<AnyOp>>();
+
+template <std::size_t... I>
+std::vector<OpInfo> collect(std::index_sequence<I...>) {
+  return {std::variant_alternative_t<I, AnyOp>::info...};
+}
+
+}  // namespace
+
+const std::vector<OpInfo>& all_ops() {
+  static const std::vector<OpInfo> ops = collect(indices);
+  return ops;
+}
+
+const OpInfo* find_op(std::string_view id) {
+  for (const OpInfo& info : all_ops())
+    if (info.id == id) return &info;
+  return nullptr;
+}
+
+Parsed<AnyOp> parse_op(const Mesh& mesh, std::string_view id, std::span<const std::string_view> arguments) {
+  Parsed<AnyOp> out;
+  [[maybe_unused]] const bool known = visit_op(
+      id,
+      [&]<class Op>(std::type_identity<Op>) {
+        Parsed<Op> parsed = Op::parse(mesh, arguments);
+        if (parsed.op) out.op = *parsed.op;
+        out.error = parsed.error;
+        out.sentence = std::move(parsed.sentence);
+      },
+      indices);
+  assert(known);
+  return out;
+}
+
+AnyOp op_at(const Mesh& mesh, std::string_view id, const OpTarget& target) {
+  AnyOp op;
+  [[maybe_unused]] const bool known = visit_op(
+      id, [&]<class Op>(std::type_identity<Op>) { op = Op::at(mesh, target); }, indices);
+  assert(known);
+  return op;
+}
+
+}  // namespace ryosen

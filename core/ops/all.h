@@ -1,0 +1,44 @@
+// The list of operators. Menus, keys, scripts, the command line, previews and tests read it; a new operator adds a
+// word.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/ops/collapse_edge.h"
+#include "core/ops/orient.h"
+#include "core/ops/split_edge.h"
+#include "core/ops/swap_edge.h"
+
+namespace ryosen {
+
+using AnyOp = std::variant<CollapseEdge, SwapEdge, SplitEdge, Orient>;
+
+// One row per operator, in the order above.
+const std::vector<OpInfo>& all_ops();
+const OpInfo* find_op(std::string_view id);
+
+// The operator with this id, from the arguments of a script line or from what the pointer is on. The id must be in the
+// list.
+Parsed<AnyOp> parse_op(const Mesh& mesh, std::string_view id, std::span<const std::string_view> arguments);
+AnyOp op_at(const Mesh& mesh, std::string_view id, const OpTarget& target);
+
+inline const OpInfo& info_of(const AnyOp& op) {
+  return std::visit([](const auto& o) -> const OpInfo& { return o.info; }, op);
+}
+inline Verdict check(const Mesh& mesh, const AnyOp& op) {
+  return std::visit([&](const auto& o) { return o.check(mesh); }, op);
+}
+inline std::vector<Reason> warnings(const Mesh& mesh, const AnyOp& op) {
+  return std::visit([&](const auto& o) { return o.warnings(mesh); }, op);
+}
+inline OpEffect apply(Edit& edit, const AnyOp& op) {
+  return std::visit([&](const auto& o) { return o.apply(edit); }, op);
+}
+inline std::string command_of(const Mesh& mesh, const AnyOp& op) {
+  return std::visit([&](const auto& o) { return o.command(mesh); }, op);
+}
+
+}  // namespace ryosen

@@ -1,0 +1,157 @@
+#include <algorithm>
+
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/ops/collapse_edge.h"
+
+namespace ryosen {
+
+namespace {
+
+// Judges one collapse: `h` runs from the vertex that goes to the one that stays; the one that goes has no copies.
+class CollapseJudge {
+ public:
+  CollapseJudge(const Mesh& mesh, Halfedge h) : m_(mesh), h_(h), gone_(mesh.from(h)), kept_(mesh.to(h)) {
+    for (Halfedge side : {h_, twin(h_)})
+      if (!m_.is_outside(side) && is_triangle(m_, side)) apexes_[apex_count_++] = m_.to(m_.next(side));
+  }
+
+  Verdict judge() {
+    check_inner_edge();
+    check_apexes();
+    check_holes();
+    check_common_neighbours();
+    check_common_faces();
+    if (verdict_.legal()) check_duplicates();
+    return std::move(verdict_);
+  }
+
+ private:
+  bool is_apex(Vertex v) const { return std::find(apexes_, apexes_ + apex_count_, v) != apexes_ + apex_count_; }
+  bool is_at_edge(Face f) const { return f == m_.face(h_) || f == m_.face(twin(h_)); }
+  bool is_dropped(Halfedge corner) const { return is_at_edge(m_.face(corner)) && is_triangle(m_, corner); }
+
+  void check_inner_edge() {
+    if (m_.is_outside(h_) || m_.is_outside(twin(h_))) return;
+    if (m_.is_boundary(gone_) && m_.is_boundary(kept_)) verdict_.refuse(Rule::inner_edge, {gone_, kept_});
+  }
+
+  void check_apexes() {
+    for (Halfedge side : {h_, twin(h_)}) {
+      if (m_.is_outside(side) || !is_triangle(m_, side)) continue;
+      if (m_.is_outside(twin(m_.next(side))) && m_.is_outside(twin(m_.prev(side))))
+        verdict_.refuse(Rule::isolated_apex, {m_.to(m_.next(side)), m_.face(side)});
+    }
+    if (apex_count_ == 2 && apexes_[0] == apexes_[1])
+      verdict_.refuse(Rule::vanishes, {apexes_[0], m_.face(h_), m_.face(twin(h_))});
+  }
+
+  bool is_tip_of_three_edge_hole(Vertex v) const {
+    for (Halfedge side : {h_, twin(h_)})
+      if (m_.is_outside(side) && is_triangle(m_, side) && m_.to(m_.next(side)) == v) return true;
+    return false;
+  }
+
+  void check_holes() {
+    for (Halfedge side : {h_, twin(h_)})
+      if (m_.is_outside(side) && is_triangle(m_, side))
+        verdict_.refuse(Rule::closes_hole, {m_.to(m_.next(side)), edge(m_.next(side)), edge(m_.prev(side))});
+  }
+
+  // Neighbours of the vertex that goes which some copy of the other point reaches too.
+  void check_common_neighbours() {
+    std::vector<std::pair<Vertex, Halfedge>> reached;  // point, and the halfedge from a copy of kept
+    for_each_copy(m_, kept_, [&](Vertex copy) {
+      for (Halfedge k : outgoing(m_, copy)) reached.emplace_back(point(m_, m_.to(k)), k);
+    });
+    std::sort(reached.begin(), reached.end());
+    for (Halfedge g : outgoing(m_, gone_)) {
+      const Vertex x = m_.to(g);
+      if (x == kept_ || is_apex(x) || is_tip_of_three_edge_hole(x)) continue;
+      const Vertex p = point(m_, x);
+      const auto found = std::lower_bound(reached.begin(), reached.end(), std::pair(p, Halfedge(0)));
+      if (found != reached.end() && found->first == p)
+        verdict_.refuse(Rule::common_neighbour, {x, edge(g), edge(found->second)});
+    }
+  }
+
+  void check_common_faces() {
+    for (Halfedge g : outgoing(m_, gone_)) {
+      if (m_.is_outside(g) || is_at_edge(m_.face(g))) continue;
+      for (Halfedge corner : loop(m_, g))
+        if (same_point(m_, m_.from(corner), kept_)) verdict_.refuse(Rule::common_face, {m_.face(g)});
+    }
+  }
+
+  std::uint32_t corners_after(Face f) const { return corner_count(m_, f) - is_at_edge(f); }
+
+  // The points of a face as they will be, sorted.
+  std::vector<Vertex> points_after(Face f) const {
+    std::vector<Vertex> points;
+    for (Vertex v : vertices_around(m_, f)) points.push_back(point(m_, v == gone_ ? kept_ : v));
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points;
+  }
+  std::vector<Vertex> points_before(Face f) const {
+    std::vector<Vertex> points;
+    for (Vertex v : vertices_around(m_, f)) points.push_back(point(m_, v));
+    std::sort(points.begin(), points.end());
+    return points;
+  }
+
+  // Two faces away from the edge, both triangles, share all points only if both other corners of one are common
+  // neighbours, and those are the apexes by now; so most pairs need no look.
+  bool may_coincide(Halfedge at_gone, Face other) const {
+    const Face f = m_.face(at_gone);
+    if (is_at_edge(f) || !is_triangle(m_, at_gone)) return true;
+    if (apex_count_ == 2) return is_apex(m_.to(at_gone)) && is_apex(m_.from(m_.prev(at_gone)));
+    return is_at_edge(other);
+  }
+
+  void check_duplicates() {
+    for (Halfedge g : outgoing(m_, gone_)) {
+      if (m_.is_outside(g) || is_dropped(g)) continue;
+      for_each_copy(m_, kept_, [&](Vertex copy) {
+        for (Halfedge k : outgoing(m_, copy))
+          if (!m_.is_outside(k) && !is_dropped(k) && may_coincide(g, m_.face(k))) compare(m_.face(g), m_.face(k));
+      });
+    }
+  }
+
+  void compare(Face f, Face g) {
+    if (f == g || corners_after(f) != corners_after(g)) return;
+    if (is_at_edge(f) && is_at_edge(g) && f < g) return;  // met twice
+    if (points_after(f) == points_after(g) && points_before(f) != points_before(g))
+      verdict_.refuse(Rule::duplicate_face, {std::min(f, g), std::max(f, g)});
+  }
+
+  const Mesh& m_;
+  Halfedge h_;
+  Vertex gone_, kept_;
+  Vertex apexes_[2];
+  int apex_count_ = 0;
+  Verdict verdict_;
+};
+
+}  // namespace
+
+Halfedge CollapseEdge::directed(const Mesh& mesh) const {
+  return has_copies(mesh, mesh.from(halfedge)) ? twin(halfedge) : halfedge;
+}
+
+Verdict CollapseEdge::check(const Mesh& mesh) const {
+  Verdict verdict;
+  if (!mesh.exists(halfedge) || !mesh.is_alive(halfedge)) {
+    verdict.refuse(Rule::deleted, {edge(halfedge)});
+    return verdict;
+  }
+  const Vertex a = mesh.from(halfedge), b = mesh.to(halfedge);
+  if (has_copies(mesh, a) && has_copies(mesh, b)) {
+    verdict.refuse(Rule::copies, {point(mesh, a), point(mesh, b)});
+    return verdict;
+  }
+  return CollapseJudge(mesh, directed(mesh)).judge();
+}
+
+}  // namespace ryosen

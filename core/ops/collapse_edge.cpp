@@ -1,0 +1,221 @@
+#include "core/ops/collapse_edge.h"
+
+#include <algorithm>
+#include <cassert>
+#include <glm/geometric.hpp>
+
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/ops/corner_values.h"
+#include "core/ops/face_geometry.h"
+
+namespace ryosen {
+
+namespace {
+
+std::optional<glm::dvec3> parse_point(std::string_view text) {
+  glm::dvec3 p{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t comma = text.find(',');
+    if ((comma == std::string_view::npos) != (axis == 2)) return std::nullopt;
+    const auto value = parse_double(text.substr(0, comma));
+    if (!value) return std::nullopt;
+    p[axis] = *value;
+    if (axis < 2) text.remove_prefix(comma + 1);
+  }
+  return p;
+}
+
+// The corner values around the edge: corners in the chart of a side take the value at the chosen place of the edge.
+void blend_corners(Edit& edit, Halfedge h, double along) {
+  CornerWriter corners(edit);
+  const Mesh& m = edit.mesh();
+  for (std::size_t k = 0; k < corners.count(); ++k) {
+    struct Chart {
+      std::uint32_t gone, kept, blended;
+    };
+    std::vector<Chart> charts;
+    for (Halfedge side : {h, twin(h)}) {
+      if (m.is_outside(side)) continue;
+      const Halfedge at_gone = side == h ? side : m.next(side), at_kept = side == h ? m.next(side) : side;
+      const std::uint32_t gone = corners.index(k, at_gone), kept = corners.index(k, at_kept);
+      if (std::none_of(charts.begin(), charts.end(), [&](const Chart& c) { return c.gone == gone && c.kept == kept; }))
+        charts.push_back({gone, kept, corners.blend(k, gone, kept, along)});
+    }
+    const auto update = [&](Vertex v, std::uint32_t Chart::*old) {
+      for (Halfedge corner : outgoing(m, v)) {
+        if (m.is_outside(corner)) continue;
+        for (const Chart& chart : charts) {
+          if (chart.*old != corners.index(k, corner)) continue;
+          corners.set(k, corner, chart.blended);
+          break;
+        }
+      }
+    };
+    update(m.from(h), &Chart::gone);
+    update(m.to(h), &Chart::kept);
+  }
+}
+
+// A triangle at the edge has become a face of two sides: `going` leads from or to the vertex that went, `staying` is
+// the other side. `staying` takes the place of the twin of `going` in the face (or outside loop) beyond.
+void close_two_gon(Edit& edit, Halfedge going, Halfedge staying, OpEffect& effect) {
+  const Mesh& m = edit.mesh();
+  const Halfedge beyond = twin(going);
+  const Face dropped = m.face(staying), face = m.face(beyond);
+  const Vertex apex = m.from(going) == m.to(staying) ? m.from(going) : m.to(going);
+  const Halfedge from_apex = m.from(going) == apex ? going : beyond;
+  CornerWriter corners(edit);
+  for (std::size_t k = 0; k < corners.count(); ++k) corners.set(k, staying, corners.index(k, beyond));
+  edit.connect(m.prev(beyond), staying);
+  edit.connect(staying, m.next(beyond));
+  edit.set_face(staying, face);
+  if (face && m.halfedge(face) == beyond) edit.set_halfedge(face, staying);
+  if (m.halfedge(apex) == from_apex) edit.set_halfedge(apex, m.from(staying) == apex ? staying : twin(staying));
+  edit.remove(edge(going));
+  edit.remove(dropped);
+  effect.deleted.push_back(edge(going));
+  effect.deleted.push_back(dropped);
+}
+
+}  // namespace
+
+Parsed<CollapseEdge> CollapseEdge::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  Parsed<CollapseEdge> out;
+  const auto h = parse_edge_argument(mesh, arguments, out);
+  if (!h) return out;
+  CollapseEdge op{*h};
+  if (arguments.size() >= 2) {
+    const std::string_view word = arguments[1];
+    const auto p = parse_point(word);
+    if (word == "start")
+      op.place = Place::start;
+    else if (word == "end")
+      op.place = Place::end;
+    else if (word == "mid")
+      op.place = Place::middle;
+    else if (p)
+      op.place = Place::point, op.target = *p;
+    else
+      return malformed_argument<CollapseEdge>(word, "start, end, mid or X,Y,Z");
+  }
+  if (arguments.size() > 2) return malformed_argument<CollapseEdge>(arguments[2], info.syntax);
+  out.op = op;
+  return out;
+}
+
+CollapseEdge CollapseEdge::at(const Mesh&, const OpTarget& target) {
+  // A is the end nearer to the pointer.
+  return {target.along <= 0.5 ? target.halfedge : twin(target.halfedge), Place::middle};
+}
+
+std::string CollapseEdge::command(const Mesh& mesh) const {
+  std::string text = "collapse " + name_of(mesh, halfedge);
+  switch (place) {
+    case Place::automatic:
+      return text;
+    case Place::start:
+      return text + " start";
+    case Place::end:
+      return text + " end";
+    case Place::middle:
+      return text + " mid";
+    case Place::point:
+      break;
+  }
+  return text + " " + format_double(target.x) + "," + format_double(target.y) + "," + format_double(target.z);
+}
+
+glm::dvec3 CollapseEdge::position(const Mesh& mesh) const {
+  const glm::dvec3 &a = mesh.position(mesh.from(halfedge)), &b = mesh.position(mesh.to(halfedge));
+  switch (place) {
+    case Place::automatic:
+      return mesh.position(mesh.to(directed(mesh)));
+    case Place::start:
+      return a;
+    case Place::end:
+      return b;
+    case Place::middle:
+      return a + 0.5 * (b - a);
+    case Place::point:
+      break;
+  }
+  return target;
+}
+
+std::vector<Reason> CollapseEdge::warnings(const Mesh& mesh) const {
+  const Halfedge h = directed(mesh);
+  const glm::dvec3 place_after = position(mesh);
+  std::vector<Reason> found;
+  if (is_seam(mesh, h)) found.push_back({Rule::seam, {edge(h)}});
+  const Vertex gone = mesh.from(h), kept = mesh.to(h);
+  std::vector<Element> turned, degenerate;
+  const auto look = [&](Face f) {
+    FaceGeometry before, after;
+    for (Vertex v : vertices_around(mesh, f)) {
+      before.add(mesh.position(v));
+      const bool moves = v == gone || same_point(mesh, v, kept);
+      if (v != gone || (f != mesh.face(h) && f != mesh.face(twin(h))))
+        after.add(moves ? place_after : mesh.position(v));
+    }
+    if (after.corners() < 3) return;
+    if (!before.is_degenerate() && after.is_degenerate())
+      degenerate.push_back(f);
+    else if (before.turns_against(after))
+      turned.push_back(f);
+  };
+  for (Halfedge g : outgoing(mesh, gone))
+    if (!mesh.is_outside(g)) look(mesh.face(g));
+  for_each_copy(mesh, kept, [&](Vertex copy) {
+    for (Halfedge k : outgoing(mesh, copy))
+      if (!mesh.is_outside(k) && mesh.face(k) != mesh.face(h) && mesh.face(k) != mesh.face(twin(h))) look(mesh.face(k));
+  });
+  if (!turned.empty()) found.push_back({Rule::normal_turns, turned});
+  if (!degenerate.empty()) found.push_back({Rule::degenerate, degenerate});
+  return found;
+}
+
+OpEffect CollapseEdge::apply(Edit& edit) const {
+  const Mesh& m = edit.mesh();
+  assert(check(m).legal());
+  const Halfedge h = directed(m), o = twin(h);
+  const Vertex gone = m.from(h), kept = m.to(h);
+  const glm::dvec3 place_after = position(m);
+  OpEffect effect;
+  effect.deleted = {gone, edge(h)};
+
+  blend_corners(edit, h, closest_parameter(m.position(gone), m.position(kept), place_after));
+  std::vector<Halfedge> around_gone;
+  for (Halfedge g : outgoing(m, gone)) around_gone.push_back(g);
+  const bool left_two_gon = !m.is_outside(h) && is_triangle(m, h),
+             right_two_gon = !m.is_outside(o) && is_triangle(m, o);
+  const Halfedge h_next = m.next(h), h_prev = m.prev(h), o_next = m.next(o), o_prev = m.prev(o);
+  for (Halfedge side : {h, o}) {
+    const Face f = m.face(side);
+    if (f && m.halfedge(f) == side) edit.set_halfedge(f, m.next(side));
+    edit.connect(m.prev(side), m.next(side));
+  }
+  for (Halfedge g : around_gone)
+    if (g != h && !(left_two_gon && g == twin(h_prev)) && !(right_two_gon && g == o_next)) edit.set_from(g, kept);
+  if (left_two_gon) close_two_gon(edit, h_prev, h_next, effect);
+  if (right_two_gon) close_two_gon(edit, o_next, o_prev, effect);
+
+  // The vertex that stays holds its outside halfedge, if it has one.
+  const Halfedge some = h_next;
+  Halfedge hold = m.halfedge(kept) != o ? m.halfedge(kept) : some;
+  if (!m.is_alive(hold) || m.from(hold) != kept) hold = some;
+  Halfedge g = some;
+  do {
+    if (m.is_outside(g)) hold = g;
+    g = m.counter_clockwise(g);
+  } while (g != some);
+  edit.set_halfedge(kept, hold);
+  edit.remove(edge(h));
+  edit.remove(gone);
+  move_point(edit, kept, place_after);
+  for (Halfedge around : outgoing(m, kept))
+    if (!m.is_outside(around)) effect.changed.push_back(m.face(around));
+  return effect;
+}
+
+}  // namespace ryosen

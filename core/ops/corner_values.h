@@ -1,0 +1,34 @@
+// How corner attributes (texture coordinates, normals) follow an operator.
+#pragma once
+
+#include "core/mesh/attribute.h"
+#include "core/mesh/edit.h"
+
+namespace ryosen {
+
+// The corner attributes of the mesh under edit, addressed by the halfedge that leaves the corner's vertex in its face.
+class CornerWriter {
+ public:
+  explicit CornerWriter(Edit& edit) : edit_(edit), attributes_(corner_attributes(edit.mesh())) {}
+
+  std::size_t count() const { return attributes_.size(); }
+  std::uint32_t index(std::size_t attribute, Halfedge corner) const;
+  void set(std::size_t attribute, Halfedge corner, std::uint32_t index);
+  // The index of a value at a + t (b - a): a or b itself at the ends, a new one between; none if one end has none.
+  std::uint32_t blend(std::size_t attribute, std::uint32_t a, std::uint32_t b, double t);
+
+ private:
+  Edit& edit_;
+  std::vector<CornerAttribute> attributes_;
+};
+
+// Whether the values at the two ends of an edge differ between its two faces.
+bool is_seam(const Mesh& mesh, Halfedge h);
+
+// A new face takes the material, group and other face values of the face it was cut from.
+void copy_face_values(Edit& edit, Face from, Face to);
+// A new vertex takes the vertex values (colours) at a + t (b - a); columns of doubles are blended, others copied from
+// a.
+void blend_vertex_values(Edit& edit, Vertex a, Vertex b, double t, Vertex to);
+
+}  // namespace ryosen

@@ -1,0 +1,89 @@
+// What all operators have in common: how one is described, parsed, judged and applied.
+//
+// An operator is a small struct with these members:
+//   static constexpr OpInfo info;
+//   static Parsed<Op> parse(const Mesh&, std::span<const std::string_view> arguments);   from a script line
+//   static Op at(const Mesh&, const OpTarget&);           what a click on the target does
+//   std::string command(const Mesh&) const;               the script line that does the same
+//   Verdict check(const Mesh&) const;                      every broken rule, pure
+//   std::vector<Reason> warnings(const Mesh&) const;       geometric rules; only asked when the check is legal
+//   OpEffect apply(Edit&) const;                           the check must be legal
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/message.h"
+#include "core/base/verdict.h"
+#include "core/mesh/edit.h"
+#include "core/mesh/names.h"
+
+namespace ryosen {
+
+enum class OpTargetKind { none, edge };
+
+struct OpInfo {
+  std::string_view id;
+  std::string_view name_en, name_ja;
+  std::string_view syntax;  // arguments of the script line
+  std::string_view help_en, help_ja;
+  char key;  // selects the tool in the editor
+  OpTargetKind target;
+};
+
+// What the pointer is on: a halfedge and the place along it, 0 at its origin and 1 at its end.
+struct OpTarget {
+  Halfedge halfedge;
+  double along = 0.5;
+};
+
+// A parsed operator, or why the line does not say one.
+template <class Op>
+struct Parsed {
+  std::optional<Op> op;
+  NameError error = NameError::none;
+  Text sentence;
+};
+
+// What an operator did. `changed` holds the faces whose corners differ now, new ones included.
+struct OpEffect {
+  std::vector<Element> created;
+  std::vector<Element> deleted;
+  std::vector<Face> changed;
+};
+
+// Reads the edge that an operator is about, and passes a failure on.
+template <class Op>
+std::optional<Halfedge> parse_edge_argument(const Mesh& mesh, std::span<const std::string_view> arguments,
+                                            Parsed<Op>& out) {
+  if (arguments.empty()) {
+    out.error = NameError::malformed;
+    out.sentence = {"an edge A-B is missing", "稜線 A-B の指定がありません"};
+    return std::nullopt;
+  }
+  const Named<Halfedge> edge = find_edge(mesh, arguments[0]);
+  if (edge.ok()) return edge.element;
+  out.error = edge.error;
+  out.sentence = edge.sentence;
+  return std::nullopt;
+}
+
+template <class Op>
+Parsed<Op> malformed_argument(std::string_view argument, std::string_view expected) {
+  const std::string a(argument), e(expected);
+  return {
+      std::nullopt,
+      NameError::malformed,
+      {"'" + a + "' is not understood; expected " + e, "「" + a + "」は解釈できません。" + e + " を指定してください"}};
+}
+
+// A finite number that takes up the whole text.
+std::optional<double> parse_double(std::string_view text);
+// The shortest decimal that reads back as the same double.
+std::string format_double(double value);
+
+}  // namespace ryosen

@@ -1,0 +1,170 @@
+#include "core/ops/split_edge.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/ops/corner_values.h"
+#include "core/ops/face_geometry.h"
+
+namespace ryosen {
+
+namespace {
+
+// The halves that one split cuts: one per sheet, from a copy of A to a copy of B, the sheet with the lowest face first.
+std::vector<Halfedge> sheets_of(const Mesh& m, Halfedge h) {
+  if (!is_cut_on_points(m, h)) return {h};
+  std::vector<Halfedge> sheets = sheets_between(m, m.from(h), m.to(h));
+  const auto lowest = [&](Halfedge s) { return std::min(m.face(s), m.face(twin(s))); };
+  std::sort(sheets.begin(), sheets.end(), [&](Halfedge x, Halfedge y) { return lowest(x) < lowest(y); });
+  return sheets;
+}
+
+bool is_triangle_side(const Mesh& m, Halfedge side) { return !m.is_outside(side) && is_triangle(m, side); }
+
+// Cuts the triangle at `side` from the new vertex `m` to the third corner. The side enters or leaves m: `into` ends at
+// m and `out` begins there. The part that holds the origin of the edge A keeps the face.
+//
+//            third                      part of A: a -> m -> third
+//           /  |  \                     other:     m -> b -> third
+//          a---m---b
+Face cut_triangle(Edit& edit, Halfedge into, Halfedge out, bool origin_keeps, OpEffect& effect) {
+  const Mesh& mesh = edit.mesh();
+  const Face old = mesh.face(into);
+  const Halfedge after_out = mesh.next(out), before_into = mesh.prev(into);
+  const Vertex m = mesh.from(out), third = mesh.from(before_into);
+  const Halfedge down = edit.add_edge(m, third), up = twin(down);  // down closes the part before m, up the part after
+  edit.connect(into, down);
+  edit.connect(down, before_into);
+  edit.connect(after_out, up);
+  edit.connect(up, out);
+  const Face fresh = edit.add_face(origin_keeps ? out : into);
+  copy_face_values(edit, old, fresh);
+  const Face before_m = origin_keeps ? old : fresh, after_m = origin_keeps ? fresh : old;
+  for (Halfedge h : {into, down, before_into}) edit.set_face(h, before_m);
+  for (Halfedge h : {out, after_out, up}) edit.set_face(h, after_m);
+  // The new corner takes the place of the end that the old face lost.
+  const Halfedge lost = origin_keeps ? after_out : into;
+  if (origin_keeps && mesh.halfedge(old) == lost) edit.set_halfedge(old, down);
+  if (!origin_keeps) {
+    if (mesh.halfedge(old) == into)
+      edit.set_halfedge(old, out);
+    else if (mesh.halfedge(old) == before_into)
+      edit.set_halfedge(old, up);
+  }
+  CornerWriter corners(edit);
+  for (std::size_t k = 0; k < corners.count(); ++k) {
+    corners.set(k, down, corners.index(k, out));
+    corners.set(k, up, corners.index(k, before_into));
+  }
+  effect.created.push_back(edge(down));
+  effect.created.push_back(fresh);
+  return fresh;
+}
+
+// Puts the vertex m on one sheet: h becomes a -> m, a new edge runs m -> b.
+Vertex cut_sheet(Edit& edit, Halfedge h, double along, const glm::dvec3& position, OpEffect& effect) {
+  const Mesh& mesh = edit.mesh();
+  const Halfedge o = twin(h), h_next = mesh.next(h), o_prev = mesh.prev(o);
+  const Vertex a = mesh.from(h), b = mesh.from(o);
+  const bool cut_left = is_triangle_side(mesh, h), cut_right = is_triangle_side(mesh, o);
+  const Vertex m = edit.add_vertex(position);
+  blend_vertex_values(edit, a, b, along, m);
+  const Halfedge fresh = edit.add_edge(m, b), fresh_twin = twin(fresh);
+  effect.created.push_back(m);
+  effect.created.push_back(edge(fresh));
+
+  CornerWriter corners(edit);
+  for (std::size_t k = 0; k < corners.count(); ++k) {
+    if (!mesh.is_outside(h))
+      corners.set(k, fresh, corners.blend(k, corners.index(k, h), corners.index(k, h_next), along));
+    if (mesh.is_outside(o)) continue;
+    corners.set(k, fresh_twin, corners.index(k, o));
+    corners.set(k, o, corners.blend(k, corners.index(k, mesh.next(o)), corners.index(k, o), along));
+  }
+  edit.set_from(o, m);
+  edit.connect(h, fresh);
+  edit.connect(fresh, h_next);
+  edit.connect(o_prev, fresh_twin);
+  edit.connect(fresh_twin, o);
+  edit.set_face(fresh, mesh.face(h));
+  edit.set_face(fresh_twin, mesh.face(o));
+  if (mesh.halfedge(b) == o) edit.set_halfedge(b, fresh_twin);
+  if (const Face right = mesh.face(o); right && mesh.halfedge(right) == o) edit.set_halfedge(right, fresh_twin);
+  edit.set_halfedge(m, mesh.is_outside(o) ? o : fresh);
+
+  for (Halfedge side : {h, o})
+    if (!mesh.is_outside(side)) effect.changed.push_back(mesh.face(side));
+  if (cut_left) effect.changed.push_back(cut_triangle(edit, h, fresh, true, effect));
+  if (cut_right) effect.changed.push_back(cut_triangle(edit, fresh_twin, o, false, effect));
+  return m;
+}
+
+}  // namespace
+
+Parsed<SplitEdge> SplitEdge::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  Parsed<SplitEdge> out;
+  const auto h = parse_edge_argument(mesh, arguments, out);
+  if (!h) return out;
+  SplitEdge op{*h};
+  if (arguments.size() >= 2) {
+    const auto t = parse_double(arguments[1]);
+    if (!t) return malformed_argument<SplitEdge>(arguments[1], "a number t");
+    op.along = *t;
+  }
+  if (arguments.size() > 2) return malformed_argument<SplitEdge>(arguments[2], info.syntax);
+  out.op = op;
+  return out;
+}
+
+SplitEdge SplitEdge::at(const Mesh&, const OpTarget& target) { return {target.halfedge, 0.5}; }
+
+std::string SplitEdge::command(const Mesh& mesh) const {
+  return "split " + name_of(mesh, halfedge) + (along == 0.5 ? "" : " " + format_double(along));
+}
+
+Verdict SplitEdge::check(const Mesh& m) const {
+  Verdict verdict;
+  if (!m.exists(halfedge) || !m.is_alive(halfedge)) {
+    verdict.refuse(Rule::deleted, {edge(halfedge)});
+    return verdict;
+  }
+  std::vector<std::pair<Vertex, Face>> apexes;
+  for (Halfedge sheet : sheets_of(m, halfedge))
+    for (Halfedge side : {sheet, twin(sheet)})
+      if (is_triangle_side(m, side)) apexes.emplace_back(point(m, m.from(m.prev(side))), m.face(side));
+  std::sort(apexes.begin(), apexes.end());
+  for (std::size_t i = 1; i < apexes.size(); ++i)
+    if (apexes[i].first == apexes[i - 1].first)
+      verdict.refuse(Rule::same_apex, {apexes[i].first, apexes[i - 1].second, apexes[i].second});
+  return verdict;
+}
+
+std::vector<Reason> SplitEdge::warnings(const Mesh& m) const {
+  const glm::dvec3 &a = m.position(m.from(halfedge)), &b = m.position(m.to(halfedge));
+  const glm::dvec3 p = a + along * (b - a);
+  if (p != a && p != b) return {};
+  std::vector<Element> degenerate;
+  for (Halfedge sheet : sheets_of(m, halfedge))
+    for (Halfedge side : {sheet, twin(sheet)})
+      if (is_triangle_side(m, side)) degenerate.push_back(m.face(side));
+  if (degenerate.empty()) return {};
+  return {{Rule::degenerate, degenerate}};
+}
+
+OpEffect SplitEdge::apply(Edit& edit) const {
+  const Mesh& m = edit.mesh();
+  assert(check(m).legal());
+  const std::vector<Halfedge> sheets = sheets_of(m, halfedge);
+  const glm::dvec3 a = m.position(m.from(halfedge)), b = m.position(m.to(halfedge));
+  const glm::dvec3 p = a + along * (b - a);
+  OpEffect effect;
+  std::vector<Vertex> copies;
+  for (Halfedge sheet : sheets) copies.push_back(cut_sheet(edit, sheet, along, p, effect));
+  if (copies.size() > 1)
+    for (std::size_t i = 0; i < copies.size(); ++i) edit.set_next_copy(copies[i], copies[(i + 1) % copies.size()]);
+  return effect;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,47 @@
+// Split: a new vertex on an edge.
+//
+//        c                     c
+//       / \                   /|\                                                          .
+//      /   \                 / | \                                                         .
+//     a --> b       =>      a--m--b        each side for itself: a triangle is cut in two, another face gets a corner
+//      \   /                 \ | /
+//       \ /                   \|/
+//        d                     d
+//
+// on the list: every face with the side a-b gets m there; a triangle (a, b, c) becomes (a, m, c) and (m, b, c). The
+// part
+//              that holds A keeps the old number; new faces are numbered with the one left of A-B first.
+// needs: two triangles that would be cut do not have the same third point.
+// changes: V + 1, E + 1 + k, F + k with k = triangles at the edge. At a non-manifold or misoriented edge all its halves
+// are
+//          split at once and the new point has one copy per sheet.
+// inverse: collapse m-b end.
+#pragma once
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct SplitEdge {
+  Halfedge halfedge;
+  double along = 0.5;  // the new vertex lies at A + along (B - A)
+
+  static constexpr OpInfo info{"split",
+                               "Split edge",
+                               "辺細分",
+                               "A-B [t]",
+                               "puts a vertex at A + t (B - A), 0.5 without t",
+                               "A + t(B − A) に頂点を置く（t を省くと 0.5）",
+                               'D',
+                               OpTargetKind::edge};
+
+  static Parsed<SplitEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static SplitEdge at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,249 @@
+#include "core/ops/swap_edge.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/ops/corner_values.h"
+#include "core/ops/face_geometry.h"
+
+namespace ryosen {
+
+namespace {
+
+// The edge a-b with what each side loses and gains: the face at `side` loses `loses` and gains `gains`, the end of the
+// new edge that the other face brings.
+struct Turn {
+  Halfedge side;
+  Vertex loses, gains;
+};
+
+std::pair<Turn, Turn> turns(const Mesh& m, Halfedge h, bool back) {
+  const Halfedge o = twin(h);
+  if (back) return {{h, m.from(h), m.from(m.prev(o))}, {o, m.from(o), m.from(m.prev(h))}};
+  return {{h, m.to(h), m.to(m.next(o))}, {o, m.to(o), m.to(m.next(h))}};
+}
+
+std::vector<Vertex> sorted_points(const Mesh& m, Face f) {
+  std::vector<Vertex> points;
+  for (Vertex v : vertices_around(m, f)) points.push_back(point(m, v));
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+std::vector<Vertex> sorted_points_after(const Mesh& m, const Turn& turn) {
+  std::vector<Vertex> points;
+  for (Halfedge corner : loop(m, turn.side))
+    points.push_back(point(m, m.from(corner) == turn.loses ? turn.gains : m.from(corner)));
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+// Another face on exactly these points, around one of their copies; `except` are the two faces at the edge.
+template <class IsExcluded>
+Face find_face_on(const Mesh& m, const std::vector<Vertex>& points, Vertex around, IsExcluded is_excluded) {
+  Face found;
+  for_each_copy(m, around, [&](Vertex copy) {
+    for (Halfedge h : outgoing(m, copy)) {
+      const Face f = m.face(h);
+      if (f && !is_excluded(f) && corner_count(m, f) == points.size() && sorted_points(m, f) == points) found = f;
+    }
+  });
+  return found;
+}
+
+void check_side(const Mesh& m, const Turn& turn, const Turn& other, Verdict& verdict) {
+  for (Halfedge corner : loop(m, turn.side)) {
+    const Vertex v = m.from(corner);
+    if (v != turn.loses && same_point(m, v, turn.gains)) verdict.refuse(Rule::corner_twice, {m.face(turn.side), v});
+  }
+  const Face f = m.face(turn.side), g = m.face(other.side);
+  const auto at_edge = [&](Face face) { return face == f || face == g; };
+  if (const Face twin_face = find_face_on(m, sorted_points_after(m, turn), turn.gains, at_edge))
+    verdict.refuse(Rule::duplicate_face, {std::min(f, twin_face), std::max(f, twin_face)});
+  const auto is_itself = [&](Face face) { return face == f; };
+  if (const Face old_twin = find_face_on(m, sorted_points(m, f), turn.loses, is_itself))
+    verdict.refuse(Rule::loses_duplicate, {f, old_twin});
+}
+
+}  // namespace
+
+Parsed<SwapEdge> SwapEdge::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  Parsed<SwapEdge> out;
+  const auto h = parse_edge_argument(mesh, arguments, out);
+  if (!h) return out;
+  const bool back = arguments.size() >= 2;
+  if (back && (arguments[1] != "back" || arguments.size() > 2))
+    return malformed_argument<SwapEdge>(arguments.back(), info.syntax);
+  out.op = SwapEdge{*h, back};
+  return out;
+}
+
+SwapEdge SwapEdge::at(const Mesh&, const OpTarget& target) { return {target.halfedge, false}; }
+
+std::string SwapEdge::command(const Mesh& mesh) const {
+  return "swap " + name_of(mesh, halfedge) + (back ? " back" : "");
+}
+
+Verdict SwapEdge::check(const Mesh& m) const {
+  Verdict verdict;
+  const Halfedge h = halfedge, o = twin(h);
+  if (!m.exists(h) || !m.is_alive(h)) {
+    verdict.refuse(Rule::deleted, {edge(h)});
+    return verdict;
+  }
+  if (is_cut_on_points(m, h)) {
+    verdict.refuse(Rule::copies, {point(m, m.from(h)), point(m, m.to(h))});
+    return verdict;
+  }
+  if (m.is_outside(h) || m.is_outside(o)) {
+    verdict.refuse(Rule::boundary, {edge(h)});
+    return verdict;
+  }
+  const auto [left, right] = turns(m, h, back);
+  // With one face on both sides, or one vertex opposite on both, there is no second edge to turn to.
+  if (m.face(h) == m.face(o) || same_point(m, left.gains, right.gains)) {
+    verdict.refuse(Rule::corner_twice, {m.face(h), right.gains});
+    return verdict;
+  }
+  const std::vector<Halfedge> existing = sheets_between(m, left.gains, right.gains);
+  if (!existing.empty()) verdict.refuse(Rule::edge_exists, {edge(existing.front())});
+  check_side(m, left, right, verdict);
+  check_side(m, right, left, verdict);
+  return verdict;
+}
+
+std::vector<Reason> SwapEdge::warnings(const Mesh& m) const {
+  std::vector<Reason> found;
+  if (is_seam(m, halfedge)) found.push_back({Rule::seam, {edge(halfedge)}});
+  std::vector<Element> turned, degenerate;
+  const auto [left, right] = turns(m, halfedge, back);
+  // The two new faces against the two old ones: each must agree with both.
+  for (const Turn& turn : {left, right}) {
+    FaceGeometry after;
+    const Halfedge first = turn.side;
+    for (Halfedge corner : loop(m, first)) {
+      const bool lost = m.from(corner) == turn.loses;
+      after.add(m.position(lost ? turn.gains : m.from(corner)));
+    }
+    bool turns_face = false;
+    for (Halfedge side : {halfedge, twin(halfedge)}) {
+      FaceGeometry before;
+      for (Halfedge corner : loop(m, side)) before.add(m.position(m.from(corner)));
+      turns_face |= before.turns_against(after);
+    }
+    if (after.is_degenerate())
+      degenerate.push_back(m.face(turn.side));
+    else if (turns_face)
+      turned.push_back(m.face(turn.side));
+  }
+  if (!turned.empty()) found.push_back({Rule::normal_turns, turned});
+  if (!degenerate.empty()) found.push_back({Rule::degenerate, degenerate});
+  return found;
+}
+
+namespace {
+
+struct SwapLinks {
+  Halfedge h, o, n, p, no, po, nn, pp, nno, ppo;
+  Vertex a, b;
+  Face left, right;
+
+  SwapLinks(const Mesh& m, Halfedge edge_half)
+      : h(edge_half),
+        o(twin(h)),
+        n(m.next(h)),
+        p(m.prev(h)),
+        no(m.next(o)),
+        po(m.prev(o)),
+        nn(m.next(n)),
+        pp(m.prev(p)),
+        nno(m.next(no)),
+        ppo(m.prev(po)),
+        a(m.from(h)),
+        b(m.from(o)),
+        left(m.face(h)),
+        right(m.face(o)) {}
+};
+
+void turn_forward(Edit& edit, const SwapLinks& s) {
+  const Mesh& m = edit.mesh();
+  CornerWriter corners(edit);
+  for (std::size_t k = 0; k < corners.count(); ++k) {
+    const std::uint32_t a_left = corners.index(k, s.h), b_right = corners.index(k, s.o);
+    const std::uint32_t d_right = corners.index(k, s.nno), c_left = corners.index(k, s.nn);
+    corners.set(k, s.no, a_left);
+    corners.set(k, s.n, b_right);
+    corners.set(k, s.h, d_right);
+    corners.set(k, s.o, c_left);
+  }
+  const Vertex c = m.from(s.nn), d = m.from(s.nno);
+  edit.connect(s.h, s.nn);
+  edit.connect(s.p, s.no);
+  edit.connect(s.no, s.h);
+  edit.connect(s.o, s.nno);
+  edit.connect(s.po, s.n);
+  edit.connect(s.n, s.o);
+  edit.set_face(s.no, s.left);
+  edit.set_face(s.n, s.right);
+  edit.set_from(s.h, d);
+  edit.set_from(s.o, c);
+  // The corner that a face gains takes the place of the one it loses.
+  if (m.halfedge(s.left) == s.n)
+    edit.set_halfedge(s.left, s.h);
+  else if (m.halfedge(s.left) == s.h)
+    edit.set_halfedge(s.left, s.no);
+  if (m.halfedge(s.right) == s.no)
+    edit.set_halfedge(s.right, s.o);
+  else if (m.halfedge(s.right) == s.o)
+    edit.set_halfedge(s.right, s.n);
+  if (m.halfedge(s.a) == s.h) edit.set_halfedge(s.a, s.no);
+  if (m.halfedge(s.b) == s.o) edit.set_halfedge(s.b, s.n);
+}
+
+void turn_back(Edit& edit, const SwapLinks& s) {
+  const Mesh& m = edit.mesh();
+  CornerWriter corners(edit);
+  for (std::size_t k = 0; k < corners.count(); ++k) {
+    corners.set(k, s.h, corners.index(k, s.p));
+    corners.set(k, s.o, corners.index(k, s.po));
+  }
+  const Vertex l = m.from(s.p), r = m.from(s.po);
+  edit.connect(s.pp, s.h);
+  edit.connect(s.h, s.po);
+  edit.connect(s.po, s.n);
+  edit.connect(s.ppo, s.o);
+  edit.connect(s.o, s.p);
+  edit.connect(s.p, s.no);
+  edit.set_face(s.po, s.left);
+  edit.set_face(s.p, s.right);
+  edit.set_from(s.h, l);
+  edit.set_from(s.o, r);
+  if (m.halfedge(s.left) == s.h)
+    edit.set_halfedge(s.left, s.po);
+  else if (m.halfedge(s.left) == s.p)
+    edit.set_halfedge(s.left, s.h);
+  if (m.halfedge(s.right) == s.o)
+    edit.set_halfedge(s.right, s.p);
+  else if (m.halfedge(s.right) == s.po)
+    edit.set_halfedge(s.right, s.o);
+  if (m.halfedge(s.a) == s.h) edit.set_halfedge(s.a, s.no);
+  if (m.halfedge(s.b) == s.o) edit.set_halfedge(s.b, s.n);
+}
+
+}  // namespace
+
+OpEffect SwapEdge::apply(Edit& edit) const {
+  assert(check(edit.mesh()).legal());
+  const SwapLinks links(edit.mesh(), halfedge);
+  if (back)
+    turn_back(edit, links);
+  else
+    turn_forward(edit, links);
+  OpEffect effect;
+  effect.changed = {links.left, links.right};
+  return effect;
+}
+
+}  // namespace ryosen

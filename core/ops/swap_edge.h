@@ -1,0 +1,45 @@
+// Swap (flip): an edge turns by one corner inside its two faces.
+//
+//        c                     c
+//       / \                   /|\                                                          .
+//      / L \                 / | \                                                         .
+//     a --> b       =>      a L|R b        polygons: (a,b,c,..l) and (b,a,d,..r) become (c,..l,a,d) and (d,..r,b,c)
+//      \ R /                 \ | /
+//       \ /                   \|/
+//        d                     d
+//
+// on the list: face (a, b, c, ...) becomes (c, ..., a, d), face (b, a, d, ...) becomes (d, ..., b, c). `back` turns the
+//              other way: (a, b, ..., l) and (b, a, ..., r) become (r, b, ..., l) and (l, a, ..., r).
+// needs: two different faces; the new edge does not exist; no face visits a point twice; no face gains or loses a
+//        duplicate; the edge is not non-manifold or misoriented on points.
+// changes: nothing in number.
+// inverse: the swap of the new edge the other way.
+#pragma once
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct SwapEdge {
+  Halfedge halfedge;
+  bool back = false;
+
+  static constexpr OpInfo info{"swap",
+                               "Swap edge",
+                               "稜線交換",
+                               "A-B [back]",
+                               "turns the edge by one corner in its two faces",
+                               "稜線を両側の面の中で一角ぶん回す",
+                               'S',
+                               OpTargetKind::edge};
+
+  static Parsed<SwapEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static SwapEdge at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,122 @@
+#include <gtest/gtest.h>
+
+#include "core/analysis/invariants.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/ops/all.h"
+#include "tests/support/core/shapes.h"
+
+namespace ryosen {
+namespace {
+
+using namespace test;
+
+AnyOp parse(const Mesh& mesh, std::string_view id, std::vector<std::string_view> arguments) {
+  const Parsed<AnyOp> parsed = parse_op(mesh, id, arguments);
+  EXPECT_TRUE(parsed.op) << parsed.sentence.en;
+  return *parsed.op;
+}
+
+// Applies a legal operator and expects sound columns, exact undo and exact redo.
+void apply_and_prove(Mesh& mesh, const AnyOp& op) {
+  ASSERT_TRUE(check(mesh, op).legal()) << text_of(check(mesh, op).reasons[0].rule).id;
+  Journal journal;
+  const MeshColumns before = mesh.columns();
+  {
+    Edit preview(mesh, &journal);
+    apply(preview, op);
+  }
+  EXPECT_EQ(mesh.columns(), before);
+  {
+    Edit edit(mesh, &journal);
+    apply(edit, op);
+    edit.commit();
+  }
+  const auto broken = check_invariants(mesh);
+  EXPECT_FALSE(broken) << broken->sentence;
+  const MeshColumns after = mesh.columns();
+  journal.undo(mesh);
+  EXPECT_EQ(mesh.columns(), before);
+  journal.redo(mesh);
+  EXPECT_EQ(mesh.columns(), after);
+}
+
+TEST(collapse, torus_edge_goes_with_its_triangles) {
+  Mesh mesh = make_mesh(torus_grid(5, 5));
+  const ElementCounts before = mesh.live();
+  apply_and_prove(mesh, parse(mesh, "collapse", {"0-1"}));
+  EXPECT_EQ(mesh.live(), (ElementCounts{before.vertices - 1, before.edges - 3, before.faces - 2}));
+  EXPECT_FALSE(mesh.is_alive(Vertex(0)));
+}
+
+TEST(collapse, quads_lose_a_corner) {
+  Mesh mesh = make_mesh(two_quads());
+  apply_and_prove(mesh, parse(mesh, "collapse", {"2-3"}));
+  EXPECT_EQ(polygons_of(mesh), (Polygons{{0, 1, 3}, {1, 0, 4, 5}}));
+}
+
+TEST(collapse, places) {
+  for (const auto& [word, expected] :
+       {std::pair{"start", 2.0}, {"end", 3.0}, {"mid", 2.5}, {"2.25,0,0", 2.25}}) {
+    Mesh mesh = make_mesh(two_quads());
+    apply_and_prove(mesh, parse(mesh, "collapse", {"2-3", word}));
+    EXPECT_EQ(mesh.position(Vertex(3)).x, expected) << word;
+  }
+}
+
+TEST(collapse, tetrahedron_is_refused) {
+  const Mesh mesh = make_mesh(tetrahedron());
+  EXPECT_TRUE(check(mesh, parse(mesh, "collapse", {"0-1"})).has(Rule::duplicate_face));
+}
+
+TEST(swap, two_triangles_change_diagonal_and_back) {
+  Mesh mesh = make_mesh({{0, 1, 2}, {1, 0, 3}});
+  const Polygons before = polygons_of(mesh);
+  apply_and_prove(mesh, parse(mesh, "swap", {"0-1"}));
+  EXPECT_EQ(polygons_of(mesh), (Polygons{{0, 3, 2}, {1, 2, 3}}));
+  apply_and_prove(mesh, parse(mesh, "swap", {"2-3", "back"}));
+  EXPECT_EQ(polygons_of(mesh), before);
+}
+
+TEST(swap, turns_by_one_corner_between_quads) {
+  Mesh mesh = make_mesh(two_quads());
+  apply_and_prove(mesh, parse(mesh, "swap", {"0-1"}));
+  EXPECT_EQ(polygons_of(mesh), (Polygons{{0, 4, 2, 3}, {1, 2, 4, 5}}));
+}
+
+TEST(swap, boundary_and_existing_edge_are_refused) {
+  const Mesh mesh = make_mesh(tetrahedron());
+  EXPECT_TRUE(check(mesh, parse(mesh, "swap", {"0-1"})).has(Rule::edge_exists));
+  const Mesh open = make_mesh(bow_tie());
+  EXPECT_TRUE(check(open, parse(open, "swap", {"1-2"})).has(Rule::boundary));
+}
+
+TEST(split, cuts_triangles_and_lengthens_polygons) {
+  Mesh triangles = make_mesh({{0, 1, 2}, {1, 0, 3}});
+  apply_and_prove(triangles, parse(triangles, "split", {"0-1", "0.25"}));
+  EXPECT_EQ(polygons_of(triangles), (Polygons{{0, 4, 2}, {4, 0, 3}, {4, 1, 2}, {1, 4, 3}}));
+  EXPECT_EQ(triangles.position(Vertex(4)).x, 0.25);
+  Mesh quads = make_mesh(two_quads());
+  apply_and_prove(quads, parse(quads, "split", {"0-1"}));
+  EXPECT_EQ(polygons_of(quads), (Polygons{{0, 6, 1, 2, 3}, {1, 6, 0, 4, 5}}));
+}
+
+TEST(split, cuts_all_sheets_of_a_fin) {
+  Mesh mesh = make_mesh(fin());
+  const ElementCounts before = counts_on_points(mesh);
+  apply_and_prove(mesh, parse(mesh, "split", {"0-1@f1"}));
+  EXPECT_EQ(counts_on_points(mesh), (ElementCounts{before.vertices + 1, before.edges + 4, before.faces + 3}));
+}
+
+TEST(orient, turns_a_flipped_face_and_leaves_a_seam_on_a_moebius_strip) {
+  Mesh flipped = make_mesh({{0, 1, 2}, {1, 2, 3}, {2, 3, 4}});
+  apply_and_prove(flipped, Orient{});
+  EXPECT_FALSE(flipped.live().vertices != 5);
+  EXPECT_TRUE(Orient{}.check(flipped).has(Rule::oriented));
+  Mesh strip = make_mesh(moebius_strip());
+  apply_and_prove(strip, Orient{});
+  EXPECT_TRUE(Orient{}.check(strip).has(Rule::oriented));
+}
+
+}  // namespace
+}  // namespace ryosen

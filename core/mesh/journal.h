@@ -35,6 +35,10 @@ class Journal {
   // Replaced columns mean that everything may have changed.
   std::vector<TouchedCell> touched(std::size_t i) const;
   const ColumnLengths& lengths_before(std::size_t i) const { return transactions_[i].before; }
+  // The lengths after it; `mesh` must be in the state right before or right after transaction i.
+  ColumnLengths lengths_after(const Mesh& mesh, std::size_t i) const {
+    return i < position_ ? mesh.lengths() : transactions_[i].after;
+  }
   bool replaces_everything(std::size_t i) const { return transactions_[i].replaced != nullptr; }
 
   // Bytes appended to the history so far, without columns replaced whole.

@@ -1,0 +1,48 @@
+// The faces of a mesh as triangles with stable slots, kept current through edits: what is drawn and what is picked.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "core/mesh/touched.h"
+
+namespace ryosen {
+
+// Every live face of n finite corners has n - 2 triangles of vertex numbers. A slot that is not in use holds three
+// equal corners and no face. Views are valid until the next update.
+class SurfaceTriangles {
+ public:
+  explicit SurfaceTriangles(const Mesh& mesh);
+
+  // Brings the triangles of the touched faces up to date and returns the slots that changed, corners or places,
+  // ascending. Cost: the faces touched. Call it with everything to start anew; all slots are then returned.
+  std::vector<std::uint32_t> update(const Mesh& mesh, const TouchedElements& touched);
+
+  std::span<const std::array<std::uint32_t, 3>> triangles() const { return triangles_; }
+  std::span<const std::uint32_t> faces() const { return face_; }          // of each triangle; no_index when not in use
+  std::span<const std::uint8_t> edge_bits() const { return edge_bits_; }  // bit k: the side from corner k is an edge
+  // The slots of a face.
+  std::vector<std::uint32_t> slots_of(Face f) const;
+
+ private:
+  void rebuild(const Mesh& mesh);
+  void release(Face f, std::vector<std::uint32_t>& changed);
+  void fill(const Mesh& mesh, Face f, std::vector<std::uint32_t>& changed);
+  std::uint32_t take_slot();
+
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+  std::vector<std::uint32_t> face_;
+  std::vector<std::uint8_t> edge_bits_;
+  std::vector<std::uint32_t> next_of_face_;   // chain of slots of a face
+  std::vector<std::uint32_t> first_of_face_;  // per face slot
+  std::vector<std::uint32_t> free_;           // slots not in use, the last is taken first
+  // Scratch of fill.
+  std::vector<std::uint32_t> corners_;
+  std::vector<glm::dvec3> places_;
+  std::vector<std::array<std::uint32_t, 3>> local_;
+};
+
+}  // namespace ryosen

@@ -276,7 +276,7 @@ Reasons Judge::reasons(const Operation& operation) const {
   if (pair < 0) return {"no such edge"};
   if (operation.kind == Kind::split)
     return has_same_apex(points_, sides_, pair) ? Reasons{"two triangles with the same third point"} : Reasons{};
-  if (!is_one_edge(sides_, pair)) return {"the edge is non-manifold or misoriented on points"};
+  if (!is_one_edge(sides_, pair)) return {not_one_edge};
   if (operation.kind == Kind::collapse) {
     const bool from_stays = copies_of(list_, operation.from) > 1;
     if (from_stays && copies_of(list_, operation.to) > 1) return {"both points have copies"};

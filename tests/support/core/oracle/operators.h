@@ -65,6 +65,9 @@ struct Facts {
 // Empty: legal. Otherwise why not, in the order of the rules.
 using Reasons = std::vector<std::string>;
 
+// The reason against collapse and swap where faces run between the two points in any way but as one edge.
+inline const std::string not_one_edge = "the edge is non-manifold or misoriented on points";
+
 // Judges operations on one list.
 class Judge {
  public:

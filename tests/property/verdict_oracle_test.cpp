@@ -1,0 +1,218 @@
+// The kernel's verdicts and results held against the brute-force oracle on many small random meshes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/analysis/invariants.h"
+#include "core/build/from_indexed.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/mesh/edit.h"
+#include "core/mesh/journal.h"
+#include "core/ops/collapse_edge.h"
+#include "core/ops/split_edge.h"
+#include "core/ops/swap_edge.h"
+#include "tests/support/core/oracle/comparison.h"
+#include "tests/support/core/random_meshes.h"
+
+namespace ryosen {
+namespace {
+
+using oracle::Kind;
+using oracle::Operation;
+using oracle::PolygonList;
+
+constexpr int max_reports = 10;
+
+Mesh kernel_mesh(const PolygonList& points, std::uint64_t seed) {
+  Dice dice(seed);
+  IndexedMesh indexed;
+  for (int p = 0; p < points.size(); ++p) indexed.positions.emplace_back(dice.unit(), dice.unit(), dice.unit());
+  for (const oracle::Corners& face : points.faces) {
+    for (int p : face) indexed.corners.push_back(static_cast<std::uint32_t>(p));
+    indexed.face_offsets.push_back(static_cast<std::uint32_t>(indexed.corners.size()));
+  }
+  return from_indexed(std::move(indexed));
+}
+
+// The mesh as a list over vertex slots, each copy for itself or each read as its point.
+PolygonList list_of(const Mesh& mesh, bool on_points) {
+  PolygonList list;
+  const auto number = [&](Vertex v) { return static_cast<int>((on_points ? point(mesh, v) : v).index); };
+  list.live.assign(mesh.vertex_slots(), 0);
+  for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v)
+    if (mesh.is_alive(Vertex(v))) list.live[number(Vertex(v))] = 1;
+  for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    list.faces.emplace_back();
+    if (!mesh.is_alive(Face(f))) continue;
+    for (Vertex v : vertices_around(mesh, Face(f))) list.faces.back().push_back(number(v));
+  }
+  return list;
+}
+
+// The halfedge from -> to of the edge at the face that the operation names.
+Halfedge halfedge_of(const Mesh& mesh, const Operation& operation) {
+  for (Halfedge h : halfedges_around(mesh, Face(static_cast<std::uint32_t>(operation.face)))) {
+    const int a = static_cast<int>(point(mesh, mesh.from(h)).index),
+              b = static_cast<int>(point(mesh, mesh.to(h)).index);
+    if (a == operation.from && b == operation.to) return h;
+    if (b == operation.from && a == operation.to) return twin(h);
+  }
+  return Halfedge();
+}
+
+template <class Visit>
+auto with_operator(const Mesh& mesh, const Operation& operation, Visit visit) {
+  const Halfedge h = halfedge_of(mesh, operation);
+  if (operation.kind == Kind::collapse) return visit(CollapseEdge{h});
+  if (operation.kind == Kind::split) return visit(SplitEdge{h});
+  return visit(SwapEdge{h, operation.kind == Kind::swap_back});
+}
+
+bool kernel_verdict(const Mesh& mesh, const Operation& operation) {
+  return with_operator(mesh, operation, [&](const auto& op) { return op.check(mesh).legal(); });
+}
+
+void kernel_apply(Mesh& mesh, Journal& journal, const Operation& operation, bool commit) {
+  with_operator(mesh, operation, [&](const auto& op) {
+    Edit edit(mesh, &journal);
+    op.apply(edit);
+    if (commit) edit.commit();
+  });
+}
+
+// Faces up to where they start. New faces of a split of several sheets may come in any order; where the kernel numbers
+// the new point is its own affair as long as the number was free.
+bool same_result(PolygonList expected, const PolygonList& found, const PolygonList& before, bool any_order) {
+  const auto point_number = [&](const PolygonList& list) {
+    for (int p = 0; p < list.size(); ++p)
+      if (list.live[p] && (p >= before.size() || !before.live[p])) return p;
+    return -1;
+  };
+  const int expected_number = point_number(expected), found_number = point_number(found);
+  for (oracle::Corners& face : expected.faces) std::replace(face.begin(), face.end(), expected_number, found_number);
+  for (int p = 0; p < before.size(); ++p)
+    if (expected.live[p] != found.live[p]) return false;
+  if (std::count(expected.live.begin(), expected.live.end(), 1) != std::count(found.live.begin(), found.live.end(), 1))
+    return false;
+  if (expected.faces.size() != found.faces.size()) return false;
+  std::vector<oracle::Corners> one, other;
+  for (const oracle::Corners& face : expected.faces) one.push_back(oracle::rotated(face));
+  for (const oracle::Corners& face : found.faces) other.push_back(oracle::rotated(face));
+  if (any_order) {
+    const auto new_faces = static_cast<std::ptrdiff_t>(before.faces.size());
+    std::sort(one.begin() + new_faces, one.end());
+    std::sort(other.begin() + new_faces, other.end());
+  }
+  return one == other;
+}
+
+// What is wrong with the kernel after doing one legal operation, empty if nothing. The mesh is left as it was.
+std::string judge_result(Mesh& mesh, const oracle::Judge& judge, const PolygonList& points,
+                         const Operation& operation) {
+  const MeshColumns before = mesh.columns();
+  Journal journal;
+  kernel_apply(mesh, journal, operation, false);
+  if (!(mesh.columns() == before)) return "an edit without commit leaves a trace";
+  kernel_apply(mesh, journal, operation, true);
+  if (const auto broken = check_invariants(mesh)) return "invariant " + broken->sentence;
+  const PolygonList found = list_of(mesh, true);
+  const PolygonList expected = oracle::points_of(*oracle::apply(judge.list(), operation));
+  const bool cut = judge.reasons({Kind::swap, operation.from, operation.to}) == oracle::Reasons{oracle::not_one_edge};
+  std::string wrong;
+  if (!same_result(expected, found, points, cut)) {
+    wrong = "result " + to_text(found) + "\n    expected " + to_text(expected);
+  } else if (oracle::fans_as_listed(list_of(mesh, false)) != oracle::fans_as_read(found)) {
+    wrong = "reading the points of the result gives other fans: " + to_text(list_of(mesh, false));
+  }
+  const MeshColumns after = mesh.columns();
+  journal.undo(mesh);
+  if (!(mesh.columns() == before)) return "undo is not exact";
+  journal.redo(mesh);
+  if (!(mesh.columns() == after)) return "redo is not exact";
+  journal.undo(mesh);
+  return wrong;
+}
+
+PolygonList random_list(std::uint64_t seed) {
+  RandomMesh mesh = random_mesh(seed);
+  return oracle::polygon_list(mesh.points, std::move(mesh.faces));
+}
+
+TEST(VerdictOracle, ReadingGivesTheSameCopies) {
+  for (std::uint64_t seed = 0; seed < 20000; ++seed) {
+    const PolygonList points = random_list(seed);
+    const oracle::CopyList expected = oracle::read_copies(points);
+    const Mesh mesh = kernel_mesh(points, seed);
+    ASSERT_TRUE(same_list(list_of(mesh, false), expected.list)) << "seed " << seed << " " << to_text(points);
+    for (int v = 0; v < expected.list.size(); ++v)
+      ASSERT_EQ(static_cast<int>(point(mesh, Vertex(static_cast<std::uint32_t>(v))).index), expected.point_of[v]);
+    ASSERT_FALSE(check_invariants(mesh)) << "seed " << seed;
+  }
+}
+
+TEST(VerdictOracle, EveryOperationOnEveryEdge) {
+  int meshes = 0, verdicts = 0, reports = 0;
+  for (std::uint64_t seed = 0; seed < 20000 && reports < max_reports; ++seed) {
+    const PolygonList points = random_list(seed);
+    const Mesh mesh = kernel_mesh(points, seed);
+    const auto kernel = [&](const Operation& operation) {
+      ++verdicts;
+      return kernel_verdict(mesh, operation);
+    };
+    for (const oracle::Disagreement& disagreement : compare(points, kernel)) {
+      if (++reports > max_reports) break;
+      ADD_FAILURE() << "seed " << seed << ": " << to_text(disagreement);
+    }
+    ++meshes;
+  }
+  EXPECT_EQ(meshes, 20000);
+  EXPECT_GT(verdicts, 1000000);
+}
+
+TEST(VerdictOracle, LegalOperationsGiveTheListOfTheOracle) {
+  int reports = 0, applied = 0;
+  for (std::uint64_t seed = 0; seed < 5000 && reports < max_reports; ++seed) {
+    const PolygonList points = random_list(seed);
+    Mesh mesh = kernel_mesh(points, seed);
+    const oracle::Judge judge(oracle::read_copies(points));
+    for (const Operation& operation : oracle::operations_of(points)) {
+      if (!kernel_verdict(mesh, operation) || !judge.legal(operation)) continue;
+      ++applied;
+      const std::string wrong = judge_result(mesh, judge, points, operation);
+      if (wrong.empty()) continue;
+      if (++reports > max_reports) break;
+      ADD_FAILURE() << "seed " << seed << ": " << to_text(operation) << " on " << to_text(points) << "\n    " << wrong;
+    }
+  }
+  EXPECT_GT(applied, 50000);
+}
+
+// After edits the mesh has dead slots and copies in other slots than a reader gives them; verdicts depend on the points
+// alone.
+TEST(VerdictOracle, VerdictsAfterEditsAreThoseOfTheSavedMesh) {
+  int reports = 0, steps = 0;
+  for (std::uint64_t seed = 0; seed < 400 && reports < max_reports; ++seed) {
+    Mesh mesh = kernel_mesh(random_list(seed), seed);
+    Journal journal;
+    Dice dice(seed);
+    for (int step = 0; step < 12 && reports < max_reports; ++step) {
+      const PolygonList points = list_of(mesh, true);
+      const auto found = compare(points, [&](const Operation& operation) { return kernel_verdict(mesh, operation); });
+      for (const oracle::Disagreement& disagreement : found) {
+        if (++reports > max_reports) break;
+        ADD_FAILURE() << "seed " << seed << " step " << step << ": " << to_text(disagreement);
+      }
+      std::vector<Operation> legal;
+      for (const Operation& operation : oracle::operations_of(points))
+        if (kernel_verdict(mesh, operation)) legal.push_back(operation);
+      if (legal.empty()) break;
+      kernel_apply(mesh, journal, legal[dice.below(static_cast<int>(legal.size()))], true);
+      ++steps;
+    }
+  }
+  EXPECT_GT(steps, 2000);
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -1,0 +1,125 @@
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+#include <cstring>
+#include <vector>
+
+#include "render/context/backends.h"
+#include "render/gl/api.h"
+
+namespace ryosen {
+namespace {
+
+struct Library {
+  LoadedLibrary file = open_library({"libEGL.so.1", "libEGL.so"});
+  decltype(&eglGetProcAddress) get_proc_address = nullptr;
+
+  Library() {
+    if (file.handle) get_proc_address = find_function<decltype(&eglGetProcAddress)>(file, "eglGetProcAddress");
+  }
+  // EGL's own functions come from the library; extensions and client functions from eglGetProcAddress.
+  template <class Function>
+  Function function(const char* name) const {
+    if (void* symbol = find_symbol(file, name)) return reinterpret_cast<Function>(symbol);
+    return reinterpret_cast<Function>(get_proc_address(name));
+  }
+};
+
+const Library& library() {
+  static const Library loaded;
+  return loaded;
+}
+
+struct Functions {
+  decltype(&eglQueryString) query_string = library().function<decltype(&eglQueryString)>("eglQueryString");
+  decltype(&eglInitialize) initialize = library().function<decltype(&eglInitialize)>("eglInitialize");
+  decltype(&eglBindAPI) bind_api = library().function<decltype(&eglBindAPI)>("eglBindAPI");
+  decltype(&eglChooseConfig) choose_config = library().function<decltype(&eglChooseConfig)>("eglChooseConfig");
+  decltype(&eglCreateContext) create_context = library().function<decltype(&eglCreateContext)>("eglCreateContext");
+  decltype(&eglDestroyContext) destroy_context = library().function<decltype(&eglDestroyContext)>("eglDestroyContext");
+  decltype(&eglMakeCurrent) make_current = library().function<decltype(&eglMakeCurrent)>("eglMakeCurrent");
+  PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display =
+      library().function<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
+  PFNEGLQUERYDEVICESEXTPROC query_devices = library().function<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+};
+
+const Functions& functions() {
+  static const Functions found;
+  return found;
+}
+
+class EglContext : public Context {
+ public:
+  EglContext(EGLDisplay display, EGLContext context) : display_(display), context_(context) {}
+  ~EglContext() override {
+    functions().make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    functions().destroy_context(display_, context_);
+  }
+
+  bool make_current() override {
+    if (!functions().make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) return false;
+    return load_gl([](const char* name) { return reinterpret_cast<GLADapiproc>(library().get_proc_address(name)); });
+  }
+  std::string_view name() const override { return "egl"; }
+
+ private:
+  EGLDisplay display_;
+  EGLContext context_;
+};
+
+// Displays that need no window system: Mesa's surfaceless platform, then each device the drivers list.
+std::vector<EGLDisplay> headless_displays() {
+  std::vector<EGLDisplay> displays;
+  if (!functions().get_platform_display) return displays;
+  const auto add = [&](EGLenum platform, void* native) {
+    EGLDisplay display = functions().get_platform_display(platform, native, nullptr);
+    if (display != EGL_NO_DISPLAY && functions().initialize(display, nullptr, nullptr)) displays.push_back(display);
+  };
+  const char* client = functions().query_string(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+  if (client && std::strstr(client, "EGL_MESA_platform_surfaceless")) add(EGL_PLATFORM_SURFACELESS_MESA, nullptr);
+  if (functions().query_devices) {
+    EGLDeviceEXT devices[16];
+    EGLint count = 0;
+    if (!functions().query_devices(16, devices, &count)) count = 0;
+    for (EGLint i = 0; i < count; ++i) add(EGL_PLATFORM_DEVICE_EXT, devices[i]);
+  }
+  return displays;
+}
+
+std::unique_ptr<Context> make_context(EGLDisplay display) {
+  const char* extensions = functions().query_string(display, EGL_EXTENSIONS);
+  if (!extensions || !std::strstr(extensions, "EGL_KHR_surfaceless_context")) return nullptr;
+  if (!functions().bind_api(EGL_OPENGL_API)) return nullptr;
+  const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+  EGLConfig config = EGL_NO_CONFIG_KHR;
+  EGLint count = 0;
+  if (!functions().choose_config(display, wanted, &config, 1, &count) || count == 0) config = EGL_NO_CONFIG_KHR;
+  const EGLint attributes[] = {
+      EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  EGLContext handle = functions().create_context(display, config, EGL_NO_CONTEXT, attributes);
+  if (handle == EGL_NO_CONTEXT) return nullptr;
+  auto context = std::make_unique<EglContext>(display, handle);
+  if (!context->make_current()) return nullptr;
+  return context;
+}
+
+}  // namespace
+
+Attempt make_egl_context() {
+  Attempt attempt;
+  if (!library().file.handle || !library().get_proc_address) {
+    attempt.problem = no_library("libEGL");
+    return attempt;
+  }
+  attempt.library = library().file.file;
+  for (EGLDisplay display : headless_displays()) {
+    attempt.context = make_context(display);
+    if (attempt.context) return attempt;
+  }
+  attempt.problem = {"libEGL offers no OpenGL 3.3 core context without a surface",
+                     "libEGL でサーフェスなしの OpenGL 3.3 コアのコンテキストを作れません"};
+  return attempt;
+}
+
+}  // namespace ryosen

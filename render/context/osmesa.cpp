@@ -1,0 +1,86 @@
+#include <array>
+
+#include "render/context/backends.h"
+#include "render/gl/api.h"
+// clang-format off
+#include <GL/osmesa.h>
+// clang-format on
+
+namespace ryosen {
+namespace {
+
+using GetProcAddress = decltype(&OSMesaGetProcAddress);
+using CreateContextAttribs = decltype(&OSMesaCreateContextAttribs);
+using MakeCurrent = decltype(&OSMesaMakeCurrent);
+using DestroyContext = decltype(&OSMesaDestroyContext);
+
+struct Library {
+  LoadedLibrary file = open_library({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"});
+  GetProcAddress get_proc_address = nullptr;
+  CreateContextAttribs create_context_attribs = nullptr;
+  MakeCurrent make_current = nullptr;
+  DestroyContext destroy_context = nullptr;
+
+  Library() {
+    if (!file.handle) return;
+    get_proc_address = find_function<GetProcAddress>(file, "OSMesaGetProcAddress");
+    create_context_attribs = find_function<CreateContextAttribs>(file, "OSMesaCreateContextAttribs");
+    make_current = find_function<MakeCurrent>(file, "OSMesaMakeCurrent");
+    destroy_context = find_function<DestroyContext>(file, "OSMesaDestroyContext");
+  }
+  bool complete() const { return get_proc_address && create_context_attribs && make_current && destroy_context; }
+};
+
+const Library& library() {
+  static const Library loaded;
+  return loaded;
+}
+
+class OsmesaContext : public Context {
+ public:
+  explicit OsmesaContext(OSMesaContext context) : context_(context) {}
+  ~OsmesaContext() override { library().destroy_context(context_); }
+
+  bool make_current() override {
+    constexpr int side = 4;  // of the window-system buffer that OSMesa insists on and nothing is drawn into
+    if (!library().make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, side, side)) return false;
+    return load_gl([](const char* name) { return library().get_proc_address(name); });
+  }
+  std::string_view name() const override { return "osmesa"; }
+
+ private:
+  OSMesaContext context_;
+  std::array<unsigned char, 4 * 4 * 4> buffer_{};
+};
+
+}  // namespace
+
+Attempt make_osmesa_context() {
+  Attempt attempt;
+  if (!library().file.handle) {
+    attempt.problem = no_library("libOSMesa");
+    return attempt;
+  }
+  attempt.library = library().file.file;
+  const int attributes[] = {OSMESA_FORMAT,
+                            OSMESA_RGBA,
+                            OSMESA_PROFILE,
+                            OSMESA_CORE_PROFILE,
+                            OSMESA_CONTEXT_MAJOR_VERSION,
+                            3,
+                            OSMESA_CONTEXT_MINOR_VERSION,
+                            3,
+                            0};
+  OSMesaContext handle = library().complete() ? library().create_context_attribs(attributes, nullptr) : nullptr;
+  std::unique_ptr<Context> context;
+  if (handle) context = std::make_unique<OsmesaContext>(handle);
+  if (context && context->make_current()) {
+    attempt.context = std::move(context);
+  } else {
+    attempt.problem = {"libOSMesa offers no OpenGL 3.3 core context",
+                       "libOSMesa で OpenGL 3.3 コアのコンテキストを作れません"};
+  }
+  return attempt;
+}
+
+}  // namespace ryosen

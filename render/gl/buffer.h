@@ -1,0 +1,78 @@
+// Growing arrays in OpenGL memory, as vertex data and as textures that shaders read by index.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <type_traits>
+
+#include "render/gl/object.h"
+
+namespace ryosen {
+
+// An array of T in OpenGL memory with room to grow. Writing costs what is written; growing beyond the room copies.
+template <class T>
+class GpuArray;
+
+// The untyped part of GpuArray; sizes and offsets in bytes.
+class Buffer {
+ public:
+  explicit Buffer(const char* label) : label_(label), object_(label) {}
+
+  // Makes room for at least `bytes`, keeping what is there. True when the storage, and so id(), changed.
+  bool reserve(std::size_t bytes);
+  void write(std::size_t offset, const void* data, std::size_t bytes);
+  GLuint id() const { return object_.id(); }
+  std::size_t capacity() const { return capacity_; }
+
+ private:
+  std::string label_;
+  GlObject<BufferKind> object_;
+  std::size_t capacity_ = 0;
+};
+
+template <class T>
+class GpuArray {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  explicit GpuArray(const char* label) : buffer_(label) {}
+
+  // Writes `values` from element `first` on and makes room for them when they reach past the end.
+  // True when the storage changed.
+  bool write(std::size_t first, std::span<const T> values) {
+    if (values.empty()) return false;
+    const bool moved = buffer_.reserve((first + values.size()) * sizeof(T));
+    buffer_.write(first * sizeof(T), values.data(), values.size_bytes());
+    return moved;
+  }
+  GLuint id() const { return buffer_.id(); }
+
+ private:
+  Buffer buffer_;
+};
+
+// A GpuArray that shaders read with texelFetch. `format` is the texel format, one texel per T.
+template <class T>
+class TexelArray {
+ public:
+  TexelArray(const char* label, GLenum format) : array_(label), texture_(label), format_(format) {}
+
+  void write(std::size_t first, std::span<const T> values) {
+    if (array_.write(first, values)) {
+      glBindTexture(GL_TEXTURE_BUFFER, texture_.id());
+      glTexBuffer(GL_TEXTURE_BUFFER, format_, array_.id());
+    }
+  }
+  void bind(GLuint unit) const {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_BUFFER, texture_.id());
+  }
+
+ private:
+  GpuArray<T> array_;
+  GlObject<BufferTextureKind> texture_;
+  GLenum format_;
+};
+
+}  // namespace ryosen

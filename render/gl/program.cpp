@@ -1,0 +1,70 @@
+#include "render/gl/program.h"
+
+#include <string>
+
+#include "render/gl/shader_sources.h"
+
+namespace ryosen {
+
+GLuint ProgramKind::create() { return glCreateProgram(); }
+void ProgramKind::destroy(GLuint id) { glDeleteProgram(id); }
+
+namespace {
+
+Failure refused_by_driver(const std::string& name, const std::string& log) {
+  Failure failure;
+  failure.exit_code = ExitCode::no_backend;
+  failure.message.code = "shader_refused";
+  failure.message.text = {"The graphics driver refuses the shader " + name + ": " + log,
+                          "グラフィックスドライバーがシェーダー " + name + " を受け付けません: " + log};
+  return failure;
+}
+
+// Compiles one shader and attaches it; the driver's words when it fails, else empty.
+std::string attach(GLuint program, GLenum stage, const char* name) {
+  for (const ShaderSource& source : shader_sources()) {
+    if (source.name != name) continue;
+    const GLuint shader = glCreateShader(stage);
+    const char* text = source.text.data();
+    const auto length = static_cast<GLint>(source.text.size());
+    glShaderSource(shader, 1, &text, &length);
+    glCompileShader(shader);
+    GLint compiled = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    std::string log(compiled ? 0 : 1000, '\0');
+    if (!compiled) {
+      GLsizei written = 0;
+      glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &written, log.data());
+      log.resize(static_cast<std::size_t>(written));
+      if (log.empty()) log = "unknown error";
+    }
+    glAttachShader(program, shader);
+    glDeleteShader(shader);
+    return log;
+  }
+  return "no such shader";
+}
+
+}  // namespace
+
+Result<Program> Program::make(const char* vertex, const char* fragment) {
+  Program program(vertex);
+  const GLuint id = program.object_.id();
+  if (const std::string log = attach(id, GL_VERTEX_SHADER, vertex); !log.empty()) return refused_by_driver(vertex, log);
+  if (const std::string log = attach(id, GL_FRAGMENT_SHADER, fragment); !log.empty()) {
+    return refused_by_driver(fragment, log);
+  }
+  glLinkProgram(id);
+  GLint linked = 0;
+  glGetProgramiv(id, GL_LINK_STATUS, &linked);
+  if (!linked) {
+    std::string log(1000, '\0');
+    GLsizei written = 0;
+    glGetProgramInfoLog(id, static_cast<GLsizei>(log.size()), &written, log.data());
+    log.resize(static_cast<std::size_t>(written));
+    return refused_by_driver(std::string(vertex) + " + " + fragment, log);
+  }
+  return program;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,44 @@
+// Shader programs made from the embedded shaders.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "core/base/result.h"
+#include "render/gl/object.h"
+
+namespace ryosen {
+
+struct ProgramKind {
+  static constexpr GLenum identifier = GL_PROGRAM;
+  static GLuint create();
+  static void destroy(GLuint id);
+};
+
+// A linked program. Uniforms are set by name after use(); a name the shaders do not use is ignored.
+class Program {
+ public:
+  // Compiles `vertex` and `fragment`, names of files in shaders/. Fails with ExitCode::no_backend and the driver's
+  // words when the driver does not accept them.
+  static Result<Program> make(const char* vertex, const char* fragment);
+
+  void use() const { glUseProgram(object_.id()); }
+  void set(const char* name, int value) const { glUniform1i(location(name), value); }
+  void set(const char* name, float value) const { glUniform1f(location(name), value); }
+  void set(const char* name, glm::vec2 value) const { glUniform2f(location(name), value.x, value.y); }
+  void set(const char* name, glm::vec3 value) const { glUniform3f(location(name), value.x, value.y, value.z); }
+  void set(const char* name, glm::vec4 value) const { glUniform4f(location(name), value.x, value.y, value.z, value.w); }
+  void set(const char* name, const glm::mat4& value) const {
+    glUniformMatrix4fv(location(name), 1, GL_FALSE, &value[0][0]);
+  }
+
+ private:
+  explicit Program(const char* label) : object_(label) {}
+  GLint location(const char* name) const { return glGetUniformLocation(object_.id(), name); }
+
+  GlObject<ProgramKind> object_;
+};
+
+}  // namespace ryosen

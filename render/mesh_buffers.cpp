@@ -1,0 +1,212 @@
+#include "render/mesh_buffers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/space_order.h"
+
+namespace ryosen {
+namespace {
+
+constexpr glm::uvec4 not_drawn(0);
+
+bool is_drawn(const glm::uvec4& triangle) { return triangle.x != triangle.y || triangle.y != triangle.z; }
+
+// Calls write(first, count) for runs that together cover the sorted numbers; small gaps are written along.
+template <class Write>
+void for_runs(std::vector<std::uint32_t> numbers, const Write& write) {
+  constexpr std::uint32_t small_gap = 64;
+  if (!std::is_sorted(numbers.begin(), numbers.end())) std::sort(numbers.begin(), numbers.end());
+  for (std::size_t i = 0; i < numbers.size();) {
+    const std::uint32_t first = numbers[i];
+    std::uint32_t last = first;
+    while (i < numbers.size() && numbers[i] - last <= small_gap) last = numbers[i++];
+    write(first, last - first + 1);
+  }
+}
+
+}  // namespace
+
+MeshBuffers::MeshBuffers()
+    : gpu_positions_("mesh positions", GL_RGBA32F),
+      gpu_triangles_("mesh triangles", GL_RGBA32UI),
+      gpu_flags_("face flags", GL_R8UI) {}
+
+void MeshBuffers::set(const TriangleSource& source, const glm::dvec3& origin) {
+  origin_ = origin;
+  positions_.clear();
+  triangles_.clear();
+  flags_.clear();
+  slot_of_source_.clear();
+  source_of_slot_.clear();
+  clusters_.clear();
+  source_positions_ = source_triangles_ = source_flags_ = 0;
+  write_positions(source, {});
+
+  std::vector<glm::vec3> middles(source.triangles.size(), glm::vec3(0));
+  for (std::size_t i = 0; i < middles.size(); ++i) {
+    const auto& corner = source.triangles[i];
+    if (!drawable(corner[0]) || !drawable(corner[1]) || !drawable(corner[2])) continue;
+    middles[i] = glm::vec3(positions_[corner[0]] + positions_[corner[1]] + positions_[corner[2]]) / 3.0f;
+  }
+  source_of_slot_ = space_order(middles);
+  slot_of_source_.resize(source_of_slot_.size());
+  for (std::uint32_t slot = 0; slot < source_of_slot_.size(); ++slot) slot_of_source_[source_of_slot_[slot]] = slot;
+  triangles_.assign(source_of_slot_.size(), not_drawn);
+  source_triangles_ = source.triangles.size();
+  write_flags(source, {});
+  write_triangles(source, source_of_slot_);
+}
+
+void MeshBuffers::update(const TriangleSource& source, std::span<const std::uint32_t> vertices,
+                         std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces,
+                         std::vector<FloatBox>& touched) {
+  const std::vector<std::uint32_t> changed = changed_triangles(source, triangles);
+  const auto note_boxes = [&] {
+    for (const std::uint32_t triangle : changed) {
+      if (triangle >= slot_of_source_.size()) continue;
+      const FloatBox box = box_of_slot(slot_of_source_[triangle]);
+      if (!box.empty()) touched.push_back(box);
+    }
+  };
+  note_boxes();
+  for (auto i = static_cast<std::uint32_t>(slot_of_source_.size()); i < source.triangles.size(); ++i) {
+    slot_of_source_.push_back(i);
+    source_of_slot_.push_back(i);
+    triangles_.push_back(not_drawn);
+  }
+  write_positions(source, vertices);
+  write_flags(source, faces);
+  write_triangles(source, changed);
+  source_triangles_ = source.triangles.size();
+  note_boxes();
+}
+
+void MeshBuffers::bind() const {
+  gpu_positions_.bind(0);
+  gpu_triangles_.bind(1);
+  gpu_flags_.bind(2);
+}
+
+FloatBox MeshBuffers::bounds() const {
+  FloatBox box;
+  for (const Cluster& cluster : clusters_) box.add(cluster.box);
+  return box;
+}
+
+bool MeshBuffers::drawable(std::uint32_t vertex) const {
+  if (vertex >= source_positions_) return false;
+  const glm::vec4& p = positions_[vertex];
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+glm::uvec4 MeshBuffers::converted(const TriangleSource& source, std::uint32_t triangle) const {
+  if (triangle >= source.triangles.size()) return not_drawn;
+  const auto& corner = source.triangles[triangle];
+  if (corner[0] == corner[1] && corner[1] == corner[2]) return not_drawn;
+  for (const std::uint32_t vertex : corner) {
+    if (!drawable(vertex)) return not_drawn;
+  }
+  return {corner[0], corner[1], corner[2], source.triangle_face[triangle] * 8 + source.triangle_edge_bits[triangle]};
+}
+
+FloatBox MeshBuffers::box_of_slot(std::uint32_t slot) const {
+  const glm::uvec4& triangle = triangles_[slot];
+  FloatBox box;
+  if (!is_drawn(triangle)) return box;
+  for (int k = 0; k < 3; ++k) box.add(glm::vec3(positions_[triangle[k]]));
+  return box;
+}
+
+std::vector<std::uint32_t> MeshBuffers::changed_triangles(const TriangleSource& source,
+                                                          std::span<const std::uint32_t> named) const {
+  const std::size_t now = source.triangles.size();
+  std::vector<std::uint32_t> changed;
+  for (const std::uint32_t triangle : named) {
+    if (triangle < std::min(now, source_triangles_)) changed.push_back(triangle);
+  }
+  for (std::size_t i = std::min(now, source_triangles_); i < std::max(now, source_triangles_); ++i) {
+    changed.push_back(static_cast<std::uint32_t>(i));
+  }
+  return changed;
+}
+
+void MeshBuffers::write_positions(const TriangleSource& source, std::span<const std::uint32_t> vertices) {
+  const auto convert = [&](std::size_t vertex) {
+    positions_[vertex] = glm::vec4(glm::vec3(source.positions[vertex] - origin_), 0.0f);
+  };
+  const std::size_t now = source.positions.size();
+  const std::size_t before = std::min(source_positions_, now);
+  std::vector<std::uint32_t> moved;
+  for (const std::uint32_t vertex : vertices) {
+    if (vertex < before) moved.push_back(vertex);
+  }
+  for (const std::uint32_t vertex : moved) convert(vertex);
+  for_runs(std::move(moved), [&](std::uint32_t first, std::uint32_t count) {
+    gpu_positions_.write(first, {positions_.data() + first, count});
+  });
+  if (positions_.size() < now) positions_.resize(now);
+  for (std::size_t vertex = before; vertex < now; ++vertex) convert(vertex);
+  gpu_positions_.write(before, {positions_.data() + before, now - before});
+  source_positions_ = now;
+}
+
+void MeshBuffers::write_triangles(const TriangleSource& source, std::span<const std::uint32_t> triangles) {
+  std::vector<std::uint32_t> slots;
+  slots.reserve(triangles.size());
+  std::uint32_t faces = static_cast<std::uint32_t>(flags_.size());
+  for (const std::uint32_t triangle : triangles) {
+    const std::uint32_t slot = slot_of_source_[triangle];
+    triangles_[slot] = converted(source, triangle);
+    slots.push_back(slot);
+    faces = std::max(faces, (triangles_[slot].w >> 3) + 1);
+  }
+  if (faces > flags_.size()) {
+    const std::size_t before = flags_.size();
+    flags_.resize(faces, 0);
+    gpu_flags_.write(before, {flags_.data() + before, flags_.size() - before});
+  }
+  while (clusters_.size() * cluster_size < triangles_.size()) clusters_.emplace_back();
+  std::vector<std::uint32_t> touched_clusters;
+  for (const std::uint32_t slot : slots) touched_clusters.push_back(slot / cluster_size);
+  for_runs(std::move(slots), [&](std::uint32_t first, std::uint32_t count) {
+    gpu_triangles_.write(first, {triangles_.data() + first, count});
+  });
+  std::sort(touched_clusters.begin(), touched_clusters.end());
+  touched_clusters.erase(std::unique(touched_clusters.begin(), touched_clusters.end()), touched_clusters.end());
+  for (const std::uint32_t cluster : touched_clusters) refresh(cluster);
+}
+
+void MeshBuffers::refresh(std::uint32_t number) {
+  Cluster& cluster = clusters_[number];
+  cluster.first = number * cluster_size;
+  cluster.count = std::min(cluster_size, static_cast<std::uint32_t>(triangles_.size()) - cluster.first);
+  cluster.box = {};
+  for (std::uint32_t i = 0; i < cluster.count; ++i) {
+    const glm::uvec4& triangle = triangles_[cluster.first + i];
+    if (!is_drawn(triangle)) continue;
+    for (int k = 0; k < 3; ++k) cluster.box.add(glm::vec3(positions_[triangle[k]]));
+  }
+}
+
+void MeshBuffers::write_flags(const TriangleSource& source, std::span<const std::uint32_t> faces) {
+  const std::size_t now = source.face_flags.size();
+  const std::size_t before = std::min(source_flags_, now);
+  if (flags_.size() < now) flags_.resize(now, 0);
+  std::vector<std::uint32_t> changed;
+  for (const std::uint32_t face : faces) {
+    if (face >= before) continue;
+    flags_[face] = source.face_flags[face];
+    changed.push_back(face);
+  }
+  for_runs(std::move(changed), [&](std::uint32_t first, std::uint32_t count) {
+    gpu_flags_.write(first, {flags_.data() + first, count});
+  });
+  for (std::size_t face = before; face < now; ++face) flags_[face] = source.face_flags[face];
+  for (std::size_t face = now; face < source_flags_; ++face) flags_[face] = 0;
+  const std::size_t end = std::max(now, source_flags_);
+  gpu_flags_.write(before, {flags_.data() + before, end - before});
+  source_flags_ = now;
+}
+
+}  // namespace ryosen

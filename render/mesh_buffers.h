@@ -1,0 +1,88 @@
+// The drawn copy of a mesh in OpenGL memory: positions, triangles in small clusters, and a byte per face.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+#include "render/gl/buffer.h"
+#include "render/screen.h"
+
+namespace ryosen {
+
+// A mesh as triangles, owned by the caller. A triangle whose corners are all equal is not drawn, its face not read.
+struct TriangleSource {
+  std::span<const glm::dvec3> positions;
+  std::span<const std::array<std::uint32_t, 3>> triangles;  // vertex numbers, counterclockwise seen from the front
+  std::span<const std::uint32_t> triangle_face;             // the face of each triangle, below 2^29
+  std::span<const std::uint8_t> triangle_edge_bits;  // bit k: the side from corner k to k+1 is an edge of the polygon
+  std::span<const std::uint8_t> face_flags;          // FaceFlag bits; faces past the end have none
+};
+
+// Triangles that lie together, in consecutive slots, with the box around them. Invalid numbers of vertices and
+// non-finite positions are drawn nowhere.
+struct Cluster {
+  FloatBox box;
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
+
+// Keeps positions in single precision relative to the origin given with set(). Triangles are stored in the order of a
+// space-filling curve, so that a cluster is small and a part of the view needs few clusters.
+// set() is linear; update() costs what it is told has changed.
+class MeshBuffers {
+ public:
+  static constexpr std::uint32_t cluster_size = 256;
+
+  MeshBuffers();
+
+  void set(const TriangleSource& source, const glm::dvec3& origin);
+
+  // Brings the copy up to date after a change. `vertices` names the vertices with a new position, `triangles` the
+  // triangles with other corners, face, edge bits or flags and those with a moved corner, `faces` the faces with other
+  // flags. What lies past the old ends of the arrays, or is cut off at their ends, need not be named.
+  // For each triangle touched the box of its old and then of its new place is appended to `touched`.
+  void update(const TriangleSource& source, std::span<const std::uint32_t> vertices,
+              std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces,
+              std::vector<FloatBox>& touched);
+
+  // Binds positions, triangles and flags to texture units 0, 1 and 2.
+  void bind() const;
+
+  const glm::dvec3& origin() const { return origin_; }
+  std::span<const Cluster> clusters() const { return clusters_; }
+  FloatBox bounds() const;
+  // The number in the source of the triangle in a slot, and its face.
+  std::uint32_t source_of_slot(std::uint32_t slot) const { return source_of_slot_[slot]; }
+  std::uint32_t face_of_slot(std::uint32_t slot) const { return triangles_[slot].w >> 3; }
+
+ private:
+  bool drawable(std::uint32_t vertex) const;
+  glm::uvec4 converted(const TriangleSource& source, std::uint32_t triangle) const;
+  FloatBox box_of_slot(std::uint32_t slot) const;
+  void refresh(std::uint32_t cluster);
+  std::vector<std::uint32_t> changed_triangles(const TriangleSource& source,
+                                               std::span<const std::uint32_t> named) const;
+  void write_positions(const TriangleSource& source, std::span<const std::uint32_t> vertices);
+  void write_triangles(const TriangleSource& source, std::span<const std::uint32_t> triangles);
+  void write_flags(const TriangleSource& source, std::span<const std::uint32_t> faces);
+
+  glm::dvec3 origin_{0};
+  std::vector<glm::vec4> positions_;   // as uploaded; w is 0
+  std::vector<glm::uvec4> triangles_;  // by slot, as uploaded: corners, then face * 8 + edge bits
+  std::vector<std::uint8_t> flags_;    // as uploaded; one for every face that a triangle names, or more
+  std::vector<std::uint32_t> slot_of_source_;
+  std::vector<std::uint32_t> source_of_slot_;
+  std::vector<Cluster> clusters_;
+  std::size_t source_positions_ = 0;
+  std::size_t source_triangles_ = 0;
+  std::size_t source_flags_ = 0;
+  TexelArray<glm::vec4> gpu_positions_;
+  TexelArray<glm::uvec4> gpu_triangles_;
+  TexelArray<std::uint8_t> gpu_flags_;
+};
+
+}  // namespace ryosen

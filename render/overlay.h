@@ -1,0 +1,55 @@
+// What is drawn over the surface: lines, points and ghosts, as plain data.
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "render/colour.h"
+
+namespace ryosen {
+
+enum class LineStyle { solid, dashed, dash_dot, dotted };
+enum class PointShape { disc, ring, cross, diamond, square };
+
+// How strongly an element shows through the surface that hides it: 0 not at all, 1 as if in front.
+inline constexpr float faintly = 0.22f;
+
+struct Line {
+  glm::dvec3 a{0};
+  glm::dvec3 b{0};
+  Rgba colour{};
+  LineStyle style = LineStyle::solid;
+  float width_px = 2;
+  float hidden = faintly;
+  bool arrow = false;  // with a head at b
+  friend bool operator==(const Line&, const Line&) = default;
+};
+
+struct Point {
+  glm::dvec3 at{0};
+  Rgba colour{};
+  PointShape shape = PointShape::disc;
+  float radius_px = 4;
+  float hidden = faintly;
+  friend bool operator==(const Point&, const Point&) = default;
+};
+
+// A translucent triangle, seen from both sides.
+struct GhostTriangle {
+  std::array<glm::dvec3, 3> corners{};
+  Rgba colour{};
+  float hidden = faintly;
+  friend bool operator==(const GhostTriangle&, const GhostTriangle&) = default;
+};
+
+// Drawn in this order: ghosts, lines, points; within one list in its own order.
+struct Overlay {
+  std::vector<GhostTriangle> ghosts;
+  std::vector<Line> lines;
+  std::vector<Point> points;
+
+  bool empty() const { return ghosts.empty() && lines.empty() && points.empty(); }
+};
+
+}  // namespace ryosen

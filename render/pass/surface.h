@@ -1,0 +1,31 @@
+// Draws the triangles of a mesh: flat shaded, both sides, with the wireframe and the tints of face flags.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "core/base/result.h"
+#include "render/gl/program.h"
+#include "render/mesh_buffers.h"
+#include "render/pass/frame.h"
+
+namespace ryosen {
+
+class SurfacePass {
+ public:
+  static Result<SurfacePass> make();
+
+  // Draws the clusters of the given numbers in that order into the bound framebuffer.
+  void draw(const Frame& frame, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters) const;
+
+ private:
+  explicit SurfacePass(Program program);
+
+  Program program_;
+  VertexArray no_attributes_;
+};
+
+// Issues the triangles of clusters as vertices 3 * slot + corner; a vertex array must be bound.
+void draw_clusters(const MeshBuffers& mesh, std::span<const std::uint32_t> clusters);
+
+}  // namespace ryosen

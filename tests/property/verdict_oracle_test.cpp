@@ -13,6 +13,7 @@
 #include "core/ops/split_edge.h"
 #include "core/ops/swap_edge.h"
 #include "tests/support/core/oracle/comparison.h"
+#include "tests/support/core/oracle/figures.h"
 #include "tests/support/core/random_meshes.h"
 
 namespace ryosen {
@@ -168,6 +169,22 @@ TEST(VerdictOracle, EveryOperationOnEveryEdge) {
   }
   EXPECT_EQ(meshes, 20000);
   EXPECT_GT(verdicts, 1000000);
+}
+
+TEST(VerdictOracle, LargerManifolds) {
+  int reports = 0;
+  for (std::uint64_t seed = 0; seed < 30 && reports < max_reports; ++seed) {
+    RandomMesh random = random_manifold(seed, 30 + static_cast<int>(seed));
+    const PolygonList points = oracle::polygon_list(random.points, std::move(random.faces));
+    const oracle::Figures figures = oracle::figures_of(points);
+    ASSERT_TRUE(figures.manifold && figures.misoriented_edges == 0 && figures.faces >= 30 + static_cast<int>(seed) - 1);
+    const Mesh mesh = kernel_mesh(points, seed);
+    const auto found = compare(points, [&](const Operation& operation) { return kernel_verdict(mesh, operation); });
+    for (const oracle::Disagreement& disagreement : found) {
+      if (++reports > max_reports) break;
+      ADD_FAILURE() << "seed " << seed << ": " << to_text(disagreement);
+    }
+  }
 }
 
 TEST(VerdictOracle, LegalOperationsGiveTheListOfTheOracle) {

@@ -350,7 +350,7 @@ struct Row {
 using Base = Row<Draft (*)(Dice&)>;
 using Change = Row<void (*)(Draft&, Dice&)>;
 
-constexpr std::array<Base, 16> bases{{{"tetrahedron", 2, tetrahedron},
+constexpr std::array<Base, 15> bases{{{"tetrahedron", 2, tetrahedron},
                                       {"sphere", 6, sphere},
                                       {"octahedron", 2, octahedron},
                                       {"torus", 1, torus},
@@ -359,16 +359,15 @@ constexpr std::array<Base, 16> bases{{{"tetrahedron", 2, tetrahedron},
                                       {"fan", 4, fan},
                                       {"polygon", 1, polygon},
                                       {"pillow", 2, pillow},
-                                      {"strip", 3, strip},
+                                      {"strip", 4, strip},
                                       {"prism", 3, prism},
                                       {"book", 3, book},
                                       {"lampion", 4, lampion},
                                       {"soup", 4, soup},
-                                      {"grown soup", 5, grown_soup},
-                                      {"strip", 1, strip}}};
+                                      {"grown soup", 5, grown_soup}}};
 
-constexpr std::array<Change, 12> changes{{{"flip", 2, flip},
-                                          {"dissolve", 6, dissolve_edge},
+constexpr std::array<Change, 11> changes{{{"flip", 2, flip},
+                                          {"dissolve", 8, dissolve_edge},
                                           {"point on edge", 3, point_on_edge},
                                           {"point in face", 2, point_in_face},
                                           {"remove", 6, remove_face},
@@ -377,8 +376,7 @@ constexpr std::array<Change, 12> changes{{{"flip", 2, flip},
                                           {"face on edge", 3, face_on_edge},
                                           {"glue points", 2, glue_points},
                                           {"glue edges", 2, glue_edges},
-                                          {"isolated", 1, add_isolated_point},
-                                          {"dissolve", 2, dissolve_edge}}};
+                                          {"isolated", 1, add_isolated_point}}};
 
 template <class Table>
 const auto& draw(const Table& table, Dice& dice) {

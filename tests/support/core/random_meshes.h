@@ -36,7 +36,8 @@ class Dice {
 // points glued, parts side by side, isolated points; at last all numbers are shuffled.
 RandomMesh random_mesh(std::uint64_t seed);
 
-// A mesh without non-manifold points or misoriented edges, closed or with boundary, of at least `faces` faces.
+// A mesh without non-manifold points or misoriented edges, closed or with one face taken out, of at least `faces` - 1
+// faces.
 RandomMesh random_manifold(std::uint64_t seed, int faces);
 
 }  // namespace ryosen

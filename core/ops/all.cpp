@@ -1,5 +1,6 @@
 #include "core/ops/all.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace ryosen {
@@ -48,6 +49,23 @@ Parsed<AnyOp> parse_op(const Mesh& mesh, std::string_view id, std::span<const st
       indices);
   assert(known);
   return out;
+}
+
+std::vector<std::string_view> split_words(std::string_view line) {
+  constexpr std::string_view blanks = " \t\r\n";
+  std::vector<std::string_view> words;
+  for (std::size_t begin = line.find_first_not_of(blanks); begin != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
+    words.push_back(line.substr(begin, end - begin));
+    begin = line.find_first_not_of(blanks, end);
+  }
+  return words;
+}
+
+Parsed<AnyOp> parse_line(const Mesh& mesh, std::string_view line) {
+  const std::vector<std::string_view> words = split_words(line);
+  if (words.empty() || !find_op(words[0])) return malformed_argument<AnyOp>(line, "an operator");
+  return parse_op(mesh, words[0], std::span(words).subspan(1));
 }
 
 AnyOp op_at(const Mesh& mesh, std::string_view id, const OpTarget& target) {

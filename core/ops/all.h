@@ -23,6 +23,9 @@ const OpInfo* find_op(std::string_view id);
 // The operator with this id, from the arguments of a script line or from what the pointer is on. The id must be in the
 // list.
 Parsed<AnyOp> parse_op(const Mesh& mesh, std::string_view id, std::span<const std::string_view> arguments);
+// The same from a whole line: the id and its arguments, separated by blanks. An unknown id is malformed.
+Parsed<AnyOp> parse_line(const Mesh& mesh, std::string_view line);
+std::vector<std::string_view> split_words(std::string_view line);
 AnyOp op_at(const Mesh& mesh, std::string_view id, const OpTarget& target);
 
 inline const OpInfo& info_of(const AnyOp& op) {

@@ -50,48 +50,48 @@ std::vector<AnyOp> candidates_for(const Mesh& m, const Reason& reason) {
   return candidates;
 }
 
-// Whether the candidate leaves fewer reasons; the edge that the operator is about must stay as it is.
-bool helps(Mesh& mesh, Journal& scratch, const AnyOp& op, const AnyOp& candidate, std::size_t reasons) {
-  const auto* split = std::get_if<SplitEdge>(&candidate);
-  const auto about = std::visit(
-      [](const auto& o) {
-        if constexpr (requires { o.halfedge; })
-          return edge(o.halfedge);
-        else
-          return Edge();
-      },
-      op);
-  if (split && edge(split->halfedge) == about) return false;
+// The reasons against the operator that a script line names, as the mesh is now; none when it names none any more.
+std::optional<std::size_t> reasons_against(const Mesh& mesh, const std::string& line) {
+  const Parsed<AnyOp> parsed = parse_line(mesh, line);
+  if (!parsed.op) return std::nullopt;
+  return check(mesh, *parsed.op).reasons.size();
+}
+
+bool helps(Mesh& mesh, const std::string& line, const AnyOp& candidate, std::size_t reasons) {
   if (!check(mesh, candidate).legal()) return false;
+  Journal scratch;
   Edit trial(mesh, &scratch);
   apply(trial, candidate);
-  return check(mesh, op).reasons.size() < reasons;
+  const auto left = reasons_against(mesh, line);
+  return left && *left < reasons;
 }
 
 }  // namespace
 
 std::vector<std::string> find_remedy(Mesh& mesh, const AnyOp& op) {
+  // Remedies may renumber edges, so the operator is spoken of by its script line.
+  const std::string line = command_of(mesh, op);
   Journal steps;
   std::vector<std::string> commands;
-  Verdict verdict = check(mesh, op);
-  bool found = true;
-  while (!verdict.legal() && found && commands.size() < longest_remedy) {
-    found = false;
+  const auto take_one_step = [&](const Verdict& verdict) {
     for (const Reason& reason : verdict.reasons) {
       for (const AnyOp& candidate : candidates_for(mesh, reason)) {
-        if (!helps(mesh, steps, op, candidate, verdict.reasons.size())) continue;
+        if (!helps(mesh, line, candidate, verdict.reasons.size())) continue;
         commands.push_back(command_of(mesh, candidate));
         Edit edit(mesh, &steps);
         apply(edit, candidate);
         edit.commit();
-        found = true;
-        break;
+        return true;
       }
-      if (found) break;
     }
-    verdict = check(mesh, op);
+    return false;
+  };
+  bool legal = false;
+  while (!legal && commands.size() < longest_remedy) {
+    const Parsed<AnyOp> now = parse_line(mesh, line);
+    if (!now.op || !take_one_step(check(mesh, *now.op))) break;
+    legal = reasons_against(mesh, line) == 0u;
   }
-  const bool legal = verdict.legal();
   while (steps.can_undo()) steps.undo(mesh);
   return legal ? commands : std::vector<std::string>();
 }

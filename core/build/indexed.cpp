@@ -33,9 +33,14 @@ Text QuarantinedFace::cause() const {
             "面 " + name + " を除けておきます: 頂点が " + count + " 個しかありません(3 個以上必要です)。"};
   }
   if (code == "index_out_of_range") {
-    const std::string number = std::to_string(stray_corner(corners));
-    return {"Face " + name + " is set aside: it names vertex " + number + " (counted from 0), which does not exist.",
-            "面 " + name + " を除けておきます: 存在しない頂点 " + number + "(0 から数えて)を参照しています。"};
+    const std::int64_t stray = stray_corner(corners);
+    if (stray < 0) {
+      return {"Face " + name + " is set aside: it names a vertex before the first one.",
+              "面 " + name + " を除けておきます: 最初の頂点より前の番号を参照しています。"};
+    }
+    const std::string vertex = "v" + std::to_string(stray);
+    return {"Face " + name + " is set aside: it names vertex " + vertex + ", which does not exist.",
+            "面 " + name + " を除けておきます: 存在しない頂点 " + vertex + " を参照しています。"};
   }
   const std::string vertex = "v" + std::to_string(repeated_corner(corners));
   return {"Face " + name + " is set aside: it visits vertex " + vertex + " more than once.",

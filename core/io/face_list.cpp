@@ -1,0 +1,109 @@
+#include "core/io/face_list.h"
+
+#include <algorithm>
+
+namespace ryosen {
+namespace {
+
+// Removes from `values` (parallel to the corners) the ranges of the faces in `removed`.
+void remove_ranges(std::vector<std::uint32_t>& values, const std::vector<std::uint32_t>& offsets,
+                   const std::vector<QuarantinedFace>& removed) {
+  if (values.empty()) return;
+  auto out = values.begin() + offsets[removed.front().face];
+  for (std::size_t i = 0; i < removed.size(); ++i) {
+    const auto begin = values.begin() + offsets[removed[i].face + 1];
+    const auto end = i + 1 < removed.size() ? values.begin() + offsets[removed[i + 1].face] : values.end();
+    out = std::copy(begin, end, out);
+  }
+  values.erase(out, values.end());
+}
+
+}  // namespace
+
+bool FaceList::repeats_corner(std::size_t begin, std::size_t end) {
+  const std::uint32_t* const c = mesh_.corners.data();
+  if (end - begin == 3) {
+    return c[begin] == c[begin + 1] || c[begin + 1] == c[begin + 2] || c[begin + 2] == c[begin];
+  }
+  if (end - begin <= 8) {
+    for (std::size_t i = begin + 1; i < end; ++i) {
+      if (std::find(c + begin, c + i, c[i]) != c + i) return true;
+    }
+    return false;
+  }
+  stamps_.resize(mesh_.positions.size(), no_index);
+  const auto stamp = static_cast<std::uint32_t>(begin);  // differs from face to face
+  for (std::size_t i = begin; i < end; ++i) {
+    if (std::exchange(stamps_[c[i]], stamp) == stamp) return true;
+  }
+  return false;
+}
+
+FaceList::Flaw FaceList::flaw(std::size_t face) {
+  const std::size_t begin = mesh_.face_offsets[face], end = mesh_.face_offsets[face + 1];
+  const std::size_t vertex_count = mesh_.positions.size();
+  if (end - begin < 3) return Flaw::too_few_corners;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (mesh_.corners[i] >= vertex_count) return Flaw::index_out_of_range;
+  }
+  return repeats_corner(begin, end) ? Flaw::repeated_corner : Flaw::none;
+}
+
+QuarantinedFace FaceList::set_aside(std::size_t face, Flaw flaw) const {
+  constexpr std::string_view codes[] = {"", "face_too_few_corners", "index_out_of_range", "repeated_corner"};
+  const std::size_t begin = mesh_.face_offsets[face], end = mesh_.face_offsets[face + 1];
+  QuarantinedFace out;
+  out.face = static_cast<std::uint32_t>(face);
+  out.line = mesh_.face_lines[face];
+  out.code = codes[static_cast<std::size_t>(flaw)];
+  out.corners.assign(mesh_.corners.begin() + begin, mesh_.corners.begin() + end);
+  auto wide = std::lower_bound(wide_.begin(), wide_.end(), std::pair<std::size_t, std::int64_t>(begin, INT64_MIN));
+  for (; wide != wide_.end() && wide->first < end; ++wide) out.corners[wide->first - begin] = wide->second;
+  const auto copy_values = [&](const std::vector<std::uint32_t>& from, std::vector<std::uint32_t>& to) {
+    if (from.empty()) return;
+    const auto first = from.begin() + begin, last = from.begin() + end;
+    if (std::any_of(first, last, [](std::uint32_t value) { return value != no_index; })) to.assign(first, last);
+  };
+  copy_values(mesh_.texcoords.index, out.texcoords);
+  copy_values(mesh_.normals.index, out.normals);
+  return out;
+}
+
+void FaceList::close_gaps(const std::vector<QuarantinedFace>& removed) {
+  remove_ranges(mesh_.texcoords.index, mesh_.face_offsets, removed);
+  remove_ranges(mesh_.normals.index, mesh_.face_offsets, removed);
+  remove_ranges(mesh_.corners, mesh_.face_offsets, removed);
+  std::uint32_t shift = 0;
+  auto next = removed.begin();
+  std::uint32_t begin = 0;  // of the face in the old numbering
+  for (std::size_t face = 0; face + 1 < mesh_.face_offsets.size(); ++face) {
+    const std::uint32_t end = mesh_.face_offsets[face + 1];
+    if (next != removed.end() && next->face == face) {
+      shift += end - begin;
+      ++next;
+    }
+    mesh_.face_offsets[face + 1] = end - shift;
+    begin = end;
+  }
+}
+
+void FaceList::finish(Reporter& reporter) {
+  std::vector<Flaw> flaws(mesh_.face_count());
+  std::size_t flawed = 0;
+  for (std::size_t face = 0; face < flaws.size(); ++face) {
+    flaws[face] = flaw(face);
+    if (flaws[face] != Flaw::none) ++flawed;
+  }
+  stamps_ = {};
+  if (flawed == 0) return;
+  mesh_.quarantine.reserve(flawed);
+  for (std::size_t face = 0; face < flaws.size(); ++face) {
+    if (flaws[face] == Flaw::none) continue;
+    const QuarantinedFace& aside = mesh_.quarantine.emplace_back(set_aside(face, flaws[face]));
+    reporter.warn(aside.code, FilePlace::at_line(aside.line), [&] { return aside.cause(); });
+  }
+  close_gaps(mesh_.quarantine);
+  wide_ = {};
+}
+
+}  // namespace ryosen

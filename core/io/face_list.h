@@ -1,0 +1,54 @@
+// Gathers faces as a file gives them and sets the unusable ones aside once all vertices are known.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/build/indexed.h"
+#include "core/io/reporter.h"
+
+namespace ryosen {
+
+// Appends to the corners, face_offsets and face_lines of a mesh, which must outlive it. Vertex numbers may be anything
+// until finish(). Memory: 4 bytes per corner, and 16 more for one that is negative or beyond 32 bits.
+class FaceList {
+ public:
+  explicit FaceList(IndexedMesh& mesh) : mesh_(mesh) {}
+
+  void add_corner(std::int64_t vertex) {
+    if (vertex >= 0 && vertex < static_cast<std::int64_t>(no_index)) {
+      mesh_.corners.push_back(static_cast<std::uint32_t>(vertex));
+    } else {
+      wide_.emplace_back(mesh_.corners.size(), vertex);
+      mesh_.corners.push_back(no_index);
+    }
+  }
+
+  // Ends the face; its corners are those added since the last call.
+  void end_face(std::uint64_t line) {
+    mesh_.face_offsets.push_back(static_cast<std::uint32_t>(mesh_.corners.size()));
+    mesh_.face_lines.push_back(line < no_index ? static_cast<std::uint32_t>(line) : no_index);
+  }
+
+  // Whether one more line of `bytes` bytes could lead past the 32 bits of the numbering.
+  bool is_full(std::size_t bytes) const { return mesh_.corners.size() + bytes >= no_index; }
+
+  // Moves every face with fewer than three corners, an index out of range or a repeated corner into the quarantine,
+  // with its texture coordinates and normals, and reports each. Needs the final positions. Cost: O(corners).
+  void finish(Reporter& reporter);
+
+ private:
+  enum class Flaw : std::uint8_t { none, too_few_corners, index_out_of_range, repeated_corner };
+
+  Flaw flaw(std::size_t face);
+  bool repeats_corner(std::size_t begin, std::size_t end);
+  QuarantinedFace set_aside(std::size_t face, Flaw flaw) const;
+  void close_gaps(const std::vector<QuarantinedFace>& removed);
+
+  IndexedMesh& mesh_;
+  std::vector<std::pair<std::size_t, std::int64_t>> wide_;  // place in corners and the number, ascending
+  std::vector<std::uint32_t> stamps_;                       // per vertex, the face that visited it last
+};
+
+}  // namespace ryosen

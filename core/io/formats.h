@@ -1,0 +1,55 @@
+// The table of file formats, and reading and writing through it. A new format is one pair of files and one row.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/io/mesh_file.h"
+
+namespace ryosen {
+
+// How much the first bytes of a file look like a format.
+enum class Likeness { no, maybe, sure };
+
+struct Format {
+  std::string_view id;                       // stable, for --format and JSON
+  Text name;                                 // for menus and help
+  std::vector<std::string_view> extensions;  // lower case with the dot; the first is the usual one
+  Likeness (*sniff)(std::string_view head);  // gets at most sniffed_bytes
+  Result<MeshFile> (*read)(std::string_view bytes, const std::filesystem::path& path);
+  std::string (*write)(const MeshFile& file);            // the bytes of the file; null if the format is only read
+  std::vector<Message> (*losses)(const MeshFile& file);  // what the format cannot hold of a mesh, one warning each
+};
+
+inline constexpr std::size_t sniffed_bytes = 4096;
+
+std::span<const Format> formats();
+// By id or by the extension of a path (in any case); null if there is none.
+const Format* find_format(std::string_view id);
+const Format* format_of_extension(const std::filesystem::path& path);
+
+// The format of a file by its content, else by its extension. Refuses, each with its own code, files that are empty
+// (empty_file), compressed (compressed_file), UTF-16 (utf16), full of zeros (zeros), binary of no known kind
+// (binary_content), of a known format that cannot be read (unsupported_format), or of none (unknown_format).
+Result<const Format*> recognise(std::string_view bytes, const std::filesystem::path& path);
+
+// Reads the file at `path`. A path that is missing, unreadable or a folder fails with exit code input_missing, content
+// that cannot be read with input_malformed. MeshFile::format is set, warnings are in MeshFile::messages.
+Result<MeshFile> read_mesh_file(const std::filesystem::path& path);
+
+// The same for bytes of a known format; `path` may be empty.
+Result<MeshFile> read_mesh(std::string_view bytes, const Format& format, const std::filesystem::path& path = {});
+
+struct WriteOptions {
+  const Format* format = nullptr;  // null: by the extension of the path
+};
+
+// Writes the file whole or not at all (see safe_write). An extension of no format in the table that can be written is a
+// failure with exit code usage and code unknown_format.
+Status write_mesh_file(const std::filesystem::path& path, const MeshFile& file, const WriteOptions& options = {});
+
+}  // namespace ryosen

@@ -1,0 +1,23 @@
+// Reads a whole file into memory, or says why it cannot.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+
+#include "core/base/result.h"
+
+namespace ryosen {
+
+struct FileBytes {
+  std::unique_ptr<char[]> data;
+  std::size_t size = 0;
+
+  std::string_view view() const { return {data.get(), size}; }
+};
+
+// Failures have the exit code input_missing and one of the codes input_missing, input_is_folder, input_unreadable.
+Result<FileBytes> read_whole_file(const std::filesystem::path& path);
+
+}  // namespace ryosen

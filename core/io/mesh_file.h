@@ -1,0 +1,43 @@
+// A mesh as it was read from a file, with what belongs to the file rather than to the mesh.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/handle.h"
+#include "core/base/message.h"
+#include "core/build/indexed.h"
+
+namespace ryosen {
+
+struct Format;
+
+// A polyline or a list of points between the faces of a file (`l` and `p` of OBJ). The last four are entries of the
+// name tables of the mesh, no_index for none.
+struct LineElement {
+  bool is_points = false;
+  std::uint32_t before_face = 0;  // how many faces of the file come before it
+  std::uint32_t first = 0;        // its range in ElementList::vertices
+  std::uint32_t count = 0;
+  std::uint32_t line = 0;  // in the file, from 1
+  std::uint32_t object = no_index, group = no_index, material = no_index, smoothing = no_index;
+};
+
+struct ElementList {
+  std::vector<LineElement> items;        // in the order of the file
+  std::vector<std::int64_t> vertices;    // from 0; numbers out of range are kept as they are
+  std::vector<std::uint32_t> texcoords;  // one per vertex above, no_index for none; empty when unused
+};
+
+struct MeshFile {
+  IndexedMesh mesh;
+  const Format* format = nullptr;               // how it was read; null for a mesh that comes from no file
+  std::vector<std::string> head_comments;       // lines of the comment at the head, with their #
+  std::vector<std::string> material_libraries;  // what stands after each mtllib, without repetitions
+  ElementList elements;
+  bool byte_colours = false;  // OFF: the file gives vertex colours as 0..255
+  std::vector<Message> messages;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,27 @@
+// Wavefront OBJ.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/io/mesh_file.h"
+
+namespace ryosen {
+
+// Reads an OBJ file. `path` only tells the folder in which material libraries are looked for (they are never opened)
+// and may be empty. An unreadable number is an error with line and column; faces that cannot be used go to the
+// quarantine, texture and normal indices out of range are dropped, numbers that are not finite stay: each with a
+// warning. An index may name a vertex that comes later in the file. Cost: O(bytes), one pass.
+Result<MeshFile> read_obj(std::string_view bytes, const std::filesystem::path& path);
+
+// The bytes of an OBJ file from which read_obj makes the same polygons, values and names, to the last bit. Faces in
+// quarantine are written in their place and are quarantined again for the same cause.
+std::string write_obj(const MeshFile& file);
+
+// What an OBJ file cannot hold of this mesh, one warning each.
+std::vector<Message> obj_losses(const MeshFile& file);
+
+}  // namespace ryosen

@@ -1,0 +1,276 @@
+#include "core/io/obj_builder.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/io/numbers.h"
+
+namespace ryosen {
+namespace {
+
+constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+
+// An index as OBJ counts (from 1, or back from the end) as a number from 0. Index 0, which OBJ does not have, and
+// indices before the first one come out negative.
+std::int64_t resolve(std::int64_t index, std::size_t count) {
+  if (index > 0) return index - 1;
+  return index == 0 ? -1 : static_cast<std::int64_t>(count) + index;
+}
+
+// Reads the next index of a corner: none at the end or before a slash. False if it is no whole number.
+bool read_index(const char*& at, const char* end, std::int64_t& value, bool& has) {
+  has = at != end && *at != '/';
+  if (!has) return true;
+  const auto [stop, error] = std::from_chars(at, end, value);
+  if (error == std::errc() && (stop == end || *stop == '/')) {
+    at = stop;
+    return true;
+  }
+  const char* const slash = std::find(at, end, '/');
+  const bool readable = read_integer({at, static_cast<std::size_t>(slash - at)}, value);
+  at = slash;
+  return readable;
+}
+
+}  // namespace
+
+ObjBuilder::ObjBuilder(const TextLines& lines, const std::filesystem::path& model)
+    : lines_(lines), model_(model), mesh_(file_.mesh), faces_(mesh_) {
+  FaceNames* const targets[] = {&mesh_.objects, &mesh_.groups, &mesh_.materials, &mesh_.smoothing};
+  for (std::size_t i = 0; i < 4; ++i) names_[i].target = targets[i];
+  mesh_.texcoords.components = 0;
+}
+
+void ObjBuilder::fail(std::string_view code, Text text, const char* at) {
+  if (!failure_) failure_ = malformed(code, std::move(text), lines_.place(at));
+}
+
+void ObjBuilder::fail_number(std::string_view word) {
+  fail("unreadable_number", {shown(word) + " is not a number.", shown(word) + " は数として読めません。"}, word.data());
+}
+
+// Whether the 32-bit numbering has room for a line of this length; fails otherwise.
+bool ObjBuilder::has_room(std::size_t bytes) {
+  const std::size_t most = std::max({mesh_.positions.size(), mesh_.face_count(), file_.elements.vertices.size(),
+                                     mesh_.texcoords.pool.size(), mesh_.normals.pool.size()});
+  if (!faces_.is_full(bytes) && most + bytes < no_index) return true;
+  if (!failure_) {
+    failure_ = malformed("too_many_elements",
+                         {"The file has more vertices, faces or corners than fit in 32-bit numbers.",
+                          "頂点・面・面の頂点の総数が 32 ビットの番号に収まりません。"},
+                         FilePlace::at_line(lines_.count()));
+  }
+  return false;
+}
+
+void ObjBuilder::comment(std::string_view line) {
+  if (in_head_) file_.head_comments.emplace_back(line);
+}
+
+bool ObjBuilder::read_value(std::string_view word, double& value) {
+  const NumberRead read = read_real(word, value);
+  if (read == NumberRead::unreadable) {
+    fail_number(word);
+    return false;
+  }
+  if (read == NumberRead::non_finite) {
+    reporter_.warn("nonfinite_number", lines_.place(word.data()), [&] {
+      return Text{shown(word) + " is not a finite number.", shown(word) + " は有限の数ではありません。"};
+    });
+  }
+  return true;
+}
+
+// Reads at least `wanted` numbers and keeps the first `most`; `count` is how many the line has. False after a failure.
+bool ObjBuilder::read_reals(std::string_view text, double* values, std::size_t wanted, std::size_t most,
+                            std::size_t& count) {
+  in_head_ = false;
+  has_known_line_ = true;
+  count = 0;
+  double ignored = 0;
+  while (true) {
+    const std::string_view word = take_word(text);
+    if (word.empty() || word[0] == '#') {
+      if (count >= wanted) return true;
+      const std::string number = std::to_string(wanted);
+      fail("missing_number",
+           {"The line has " + std::to_string(count) + " numbers where " + number + " are needed.",
+            "数が " + number + " 個必要な行に " + std::to_string(count) + " 個しかありません。"},
+           word.data());
+      return false;
+    }
+    if (!read_value(word, count < most ? values[count] : ignored)) return false;
+    ++count;
+  }
+}
+
+void ObjBuilder::warn_extra_values(std::size_t count) {
+  reporter_.warn("extra_values", FilePlace::at_line(lines_.first_line()), [&] {
+    const std::string number = std::to_string(count);
+    return Text{"A line with " + number + " numbers has no meaning here; those at the end are left out.",
+                number + " 個の数が並ぶ行は意味を持たないため、末尾の数を無視しました。"};
+  });
+}
+
+void ObjBuilder::vertex(std::string_view values) {
+  double v[7];
+  std::size_t count = 0;
+  if (!has_room(1) || !read_reals(values, v, 3, 7, count)) return;
+  const std::size_t number = mesh_.positions.size();
+  mesh_.positions.emplace_back(v[0], v[1], v[2]);
+  if (count == 4 && mesh_.vertex_weights.empty()) mesh_.vertex_weights.assign(number, absent);
+  if (count == 4 || !mesh_.vertex_weights.empty()) mesh_.vertex_weights.push_back(count == 4 ? v[3] : absent);
+  const bool has_colour = count == 6 || count == 7;
+  if (has_colour && mesh_.vertex_colours.empty()) {
+    mesh_.vertex_colours.assign(number, glm::dvec4(absent, absent, absent, 1));
+  }
+  if (has_colour) {
+    mesh_.vertex_colours.emplace_back(v[3], v[4], v[5], count == 7 ? v[6] : 1.0);
+    if (count == 7) mesh_.colour_components = 4;
+  } else if (!mesh_.vertex_colours.empty()) {
+    mesh_.vertex_colours.emplace_back(absent, absent, absent, 1);
+  }
+  if (count == 5 || count > 7) warn_extra_values(count);
+}
+
+void ObjBuilder::texcoord(std::string_view values) {
+  double v[3] = {0, 0, 0};
+  std::size_t count = 0;
+  if (!has_room(1) || !read_reals(values, v, 1, 3, count)) return;
+  mesh_.texcoords.pool.emplace_back(v[0], v[1], v[2]);
+  mesh_.texcoords.components = std::max(mesh_.texcoords.components, static_cast<int>(std::min<std::size_t>(count, 3)));
+  if (count > 3) warn_extra_values(count);
+}
+
+void ObjBuilder::normal(std::string_view values) {
+  double v[3];
+  std::size_t count = 0;
+  if (!has_room(1) || !read_reals(values, v, 3, 3, count)) return;
+  mesh_.normals.pool.emplace_back(v[0], v[1], v[2]);
+  if (count > 3) warn_extra_values(count);
+}
+
+// Reads a, a/b, a//c or a/b/c. False after a failure.
+bool ObjBuilder::read_corner(std::string_view word, Corner& corner) {
+  const char* at = word.data();
+  const char* const end = at + word.size();
+  bool has_vertex = false;
+  corner.has_texcoord = corner.has_normal = false;
+  bool readable = read_index(at, end, corner.vertex, has_vertex) && has_vertex;
+  if (readable && at != end) readable = read_index(++at, end, corner.texcoord, corner.has_texcoord);
+  if (readable && at != end) readable = read_index(++at, end, corner.normal, corner.has_normal);
+  if (readable && at == end) return true;
+  fail("unreadable_index",
+       {shown(word) + " is not a corner: vertex, vertex/texture, vertex//normal or vertex/texture/normal is meant.",
+        shown(word) + " は面の頂点として読めません(頂点、頂点/テクスチャ、頂点//法線、頂点/テクスチャ/法線)。"},
+       word.data());
+  return false;
+}
+
+void ObjBuilder::face(std::string_view corners) {
+  in_head_ = false;
+  has_known_line_ = true;
+  if (!has_room(corners.size() + 1)) return;
+  Corner corner;
+  while (true) {
+    const std::string_view word = take_word(corners);
+    if (word.empty() || word[0] == '#') break;
+    if (!read_corner(word, corner)) return;
+    push_value(mesh_.texcoords.index, corner.has_texcoord, corner.texcoord, mesh_.texcoords.pool.size(), false);
+    push_value(mesh_.normals.index, corner.has_normal, corner.normal, mesh_.normals.pool.size(), true);
+    faces_.add_corner(resolve(corner.vertex, mesh_.positions.size()));
+  }
+  faces_.end_face(lines_.first_line());
+  end_names();
+}
+
+void ObjBuilder::push_value(std::vector<std::uint32_t>& indices, bool has, std::int64_t index, std::size_t pool,
+                            bool is_normal) {
+  if (!has && indices.empty()) return;
+  if (indices.empty()) indices.assign(mesh_.corners.size(), no_index);
+  indices.push_back(has ? resolve_value(index, pool, is_normal) : no_index);
+}
+
+// The place in the pool that an index of a corner names, no_index with a warning if there can be none.
+std::uint32_t ObjBuilder::resolve_value(std::int64_t index, std::size_t pool, bool is_normal) {
+  const std::int64_t place = resolve(index, pool);
+  if (place >= 0 && place < static_cast<std::int64_t>(no_index)) return static_cast<std::uint32_t>(place);
+  reporter_.warn(is_normal ? "normal_index_out_of_range" : "texture_index_out_of_range",
+                 FilePlace::at_line(lines_.first_line()), [&] { return stray_value_text(is_normal, index); });
+  return no_index;
+}
+
+void ObjBuilder::end_names() {
+  const std::size_t faces = mesh_.face_count();
+  for (NameTable& table : names_) {
+    std::vector<std::uint32_t>& index = table.target->index;
+    if (table.current == no_index && index.empty()) continue;
+    if (index.empty()) index.assign(faces - 1, no_index);
+    index.push_back(table.current);
+  }
+}
+
+void ObjBuilder::element(bool is_points, std::string_view corners) {
+  in_head_ = false;
+  has_known_line_ = true;
+  if (!has_room(corners.size() + 1)) return;
+  ElementList& elements = file_.elements;
+  LineElement item;
+  item.is_points = is_points;
+  item.before_face = static_cast<std::uint32_t>(mesh_.face_count());
+  item.first = static_cast<std::uint32_t>(elements.vertices.size());
+  item.line = static_cast<std::uint32_t>(std::min<std::uint64_t>(lines_.first_line(), no_index));
+  Corner corner;
+  while (true) {
+    const std::string_view word = take_word(corners);
+    if (word.empty() || word[0] == '#') break;
+    if (!read_corner(word, corner)) return;
+    if (corner.has_texcoord && elements.texcoords.empty())
+      elements.texcoords.assign(elements.vertices.size(), no_index);
+    if (corner.has_texcoord || !elements.texcoords.empty()) {
+      elements.texcoords.push_back(
+          corner.has_texcoord ? resolve_value(corner.texcoord, mesh_.texcoords.pool.size(), false) : no_index);
+    }
+    elements.vertices.push_back(resolve(corner.vertex, mesh_.positions.size()));
+  }
+  item.count = static_cast<std::uint32_t>(elements.vertices.size()) - item.first;
+  std::uint32_t* const names[] = {&item.object, &item.group, &item.material, &item.smoothing};
+  for (std::size_t i = 0; i < 4; ++i) *names[i] = names_[i].current;
+  elements.items.push_back(item);
+}
+
+void ObjBuilder::name(NameKind kind, std::string_view text) {
+  in_head_ = false;
+  has_known_line_ = true;
+  NameTable& table = names_[static_cast<std::size_t>(kind)];
+  std::string key(trimmed(text));
+  if (key.empty() && kind == NameKind::smoothing) key = "off";
+  if (key.empty()) {
+    table.current = no_index;
+    return;
+  }
+  const auto number = static_cast<std::uint32_t>(table.target->names.size());
+  const auto [found, is_new] = table.numbers.try_emplace(std::move(key), number);
+  if (is_new) table.target->names.push_back(found->first);
+  table.current = found->second;
+}
+
+void ObjBuilder::unknown(std::string_view keyword) {
+  constexpr std::size_t most = 16;
+  in_head_ = false;
+  const std::string text = shown(keyword);
+  for (UnknownKeyword& known : unknown_) {
+    if (known.text == text) {
+      ++known.count;
+      return;
+    }
+  }
+  if (unknown_.size() < most) {
+    unknown_.push_back({text, lines_.first_line(), 1});
+  } else {
+    ++other_unknown_;
+  }
+}
+
+}  // namespace ryosen

@@ -1,0 +1,147 @@
+// What the lines of an OBJ file only tell once all of them are read, and the library lines.
+#include <algorithm>
+
+#include "core/io/material_libraries.h"
+#include "core/io/obj_builder.h"
+
+namespace ryosen {
+namespace {
+
+// How many different library lines are looked up on the disk.
+constexpr std::size_t most_libraries = 100;
+
+}  // namespace
+
+void ObjBuilder::material_library(std::string_view text) {
+  in_head_ = false;
+  has_known_line_ = true;
+  const std::string_view name = trimmed(text);
+  const FilePlace place = FilePlace::at_line(lines_.first_line());
+  if (name.empty()) {
+    reporter_.warn("material_library_missing", place, [] {
+      return Text{"The line mtllib names no file.", "mtllib の行にファイル名がありません。"};
+    });
+    return;
+  }
+  if (!libraries_.insert(std::string(name)).second) return;
+  file_.material_libraries.emplace_back(name);
+  if (model_.empty() || libraries_.size() > most_libraries) return;
+  const MaterialLibraries libraries = look_for_libraries(name, model_.parent_path());
+  for (const std::string& missing : libraries.missing) {
+    reporter_.warn("material_library_missing", place, [&] {
+      return Text{"The material library " + shown(missing) + " is not there; the names of its materials are kept.",
+                  "マテリアルファイル " + shown(missing) + " が見つかりません(マテリアル名は保持します)。"};
+    });
+  }
+  for (const std::string& outside : libraries.outside) {
+    reporter_.warn("material_library_outside", place, [&] {
+      return Text{"The material library " + shown(outside) + " lies outside the model's folder and is not opened.",
+                  "マテリアルファイル " + shown(outside) + " はモデルのフォルダーの外にあるため開きません。"};
+    });
+  }
+}
+
+Text ObjBuilder::stray_value_text(bool is_normal, std::int64_t index) {
+  const std::string number = std::to_string(index);
+  if (is_normal) {
+    return {"Normal " + number + " does not exist; the face is kept and its corner has no normal.",
+            "法線 " + number + " は存在しません。面は残し、その頂点の法線は外します。"};
+  }
+  return {"Texture coordinate " + number + " does not exist; the face is kept and its corner has none.",
+          "テクスチャ座標 " + number + " は存在しません。面は残し、その頂点の座標は外します。"};
+}
+
+// Drops the indices past the end of the pool. Needs the faces as they are before any is set aside.
+void ObjBuilder::drop_stray_values(CornerValues& values, bool is_normal) {
+  const std::size_t pool = values.pool.size();
+  const auto is_stray = [&](std::uint32_t index) { return index != no_index && index >= pool; };
+  if (std::none_of(values.index.begin(), values.index.end(), is_stray)) return;
+  const char* const code = is_normal ? "normal_index_out_of_range" : "texture_index_out_of_range";
+  for (std::size_t face = 0; face < mesh_.face_count(); ++face) {
+    for (std::size_t i = mesh_.face_offsets[face]; i < mesh_.face_offsets[face + 1]; ++i) {
+      if (!is_stray(values.index[i])) continue;
+      const std::int64_t index = std::int64_t{values.index[i]} + 1;
+      reporter_.warn(code, FilePlace::at_line(mesh_.face_lines[face]),
+                     [&] { return stray_value_text(is_normal, index); });
+      values.index[i] = no_index;
+    }
+  }
+}
+
+void ObjBuilder::check_elements() {
+  ElementList& elements = file_.elements;
+  const auto vertex_count = static_cast<std::int64_t>(mesh_.positions.size());
+  for (const LineElement& item : elements.items) {
+    const auto begin = elements.vertices.begin() + item.first;
+    const auto stray = std::find_if(begin, begin + item.count,
+                                    [&](std::int64_t vertex) { return vertex < 0 || vertex >= vertex_count; });
+    if (stray != begin + item.count) {
+      reporter_.warn("element_index_out_of_range", FilePlace::at_line(item.line), [&] {
+        const std::string number = std::to_string(*stray);
+        return Text{"A line or point element names vertex " + number + " (counted from 0), which does not exist.",
+                    "線または点の要素が、存在しない頂点 " + number + "(0 から数えて)を参照しています。"};
+      });
+    }
+    if (elements.texcoords.empty()) continue;
+    for (std::size_t i = item.first; i < item.first + item.count; ++i) {
+      std::uint32_t& index = elements.texcoords[i];
+      if (index == no_index || index < mesh_.texcoords.pool.size()) continue;
+      const std::int64_t number = std::int64_t{index} + 1;
+      reporter_.warn("texture_index_out_of_range", FilePlace::at_line(item.line),
+                     [&] { return stray_value_text(false, number); });
+      index = no_index;
+    }
+  }
+}
+
+void ObjBuilder::report_unknown() {
+  for (const UnknownKeyword& keyword : unknown_) {
+    const std::string count = std::to_string(keyword.count);
+    const bool one = keyword.count == 1;
+    reporter_.warn("unknown_keyword", FilePlace::at_line(keyword.line), [&] {
+      return Text{(one ? "One line that begins" : count + " lines that begin") + std::string(" with ") + keyword.text +
+                      (one ? " is" : " are") + " not understood and left out.",
+                  keyword.text + " で始まる行(" + count + " 行)は解釈できないため読み飛ばしました。"};
+    });
+  }
+  if (other_unknown_ == 0) return;
+  reporter_.warn("unknown_keyword", {}, [&] {
+    const std::string count = std::to_string(other_unknown_);
+    return Text{count + " lines with other unknown words at their beginning are left out.",
+                "ほかにも、未知の語で始まる " + count + " 行を読み飛ばしました。"};
+  });
+}
+
+void ObjBuilder::report_whole_file() {
+  if (mesh_.positions.empty()) {
+    reporter_.warn("no_vertices", {}, [] { return Text{"The file has no vertices.", "ファイルに頂点がありません。"}; });
+  }
+  if (mesh_.face_count() == 0) {
+    reporter_.warn("no_faces", {}, [] { return Text{"The file has no faces.", "ファイルに面がありません。"}; });
+  }
+}
+
+Result<MeshFile> ObjBuilder::finish() {
+  if (failure_) return std::move(*failure_);
+  if (!has_known_line_ && !unknown_.empty()) {
+    return malformed("not_obj",
+                     {"No line of the file is one of OBJ; the first begins with " + unknown_.front().text + ".",
+                      "OBJ の行が 1 つもありません。最初の行は " + unknown_.front().text + " で始まります。"},
+                     FilePlace::at_line(unknown_.front().line));
+  }
+  if (!has_known_line_ && file_.head_comments.empty()) {
+    return malformed("empty_file", {"The file is empty, it has no vertices.", "ファイルが空です。頂点がありません。"},
+                     FilePlace::at_byte(0));
+  }
+  drop_stray_values(mesh_.texcoords, false);
+  drop_stray_values(mesh_.normals, true);
+  check_elements();
+  faces_.finish(reporter_);
+  report_unknown();
+  report_whole_file();
+  if (mesh_.texcoords.components == 0) mesh_.texcoords.components = 3;
+  file_.messages = reporter_.take();
+  return std::move(file_);
+}
+
+}  // namespace ryosen

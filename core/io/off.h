@@ -1,0 +1,39 @@
+// OFF, the Object File Format of Geomview, with its variants COFF, NOFF, STOFF and any mixture of them.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/io/mesh_file.h"
+
+namespace ryosen {
+
+// What the first word of an OFF file announces for each vertex.
+struct OffKind {
+  bool has_texcoords = false;        // ST
+  bool has_colours = false;          // C
+  bool has_normals = false;          // N
+  bool is_three_dimensional = true;  // neither 4 nor n
+
+  // None if the word is not one of the format.
+  static std::optional<OffKind> from_word(std::string_view word);
+};
+
+// Reads an OFF file, text or binary. The counts of its head are claims that must fit the size of the file. A number
+// that cannot be read, a line with too few of them and an early end are errors; faces that cannot be used go to the
+// quarantine, lines beyond the claimed counts are left out: each with a warning. Values per vertex are put in the pools
+// of the corners, one entry per vertex. `path` is not used. Cost: O(bytes), one pass.
+Result<MeshFile> read_off(std::string_view bytes, const std::filesystem::path& path);
+
+// The bytes of an OFF file (text) with the same polygons, quarantined ones in their place, colours, and the texture
+// coordinates and normals that are the same at all corners of each vertex.
+std::string write_off(const MeshFile& file);
+
+// What an OFF file cannot hold of this mesh, one warning each.
+std::vector<Message> off_losses(const MeshFile& file);
+
+}  // namespace ryosen

@@ -1,0 +1,90 @@
+#include "core/io/off_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ryosen {
+namespace {
+
+constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+constexpr double byte_scale = 255.0;
+
+}  // namespace
+
+void OffBuilder::reserve(std::size_t vertices, std::size_t faces) {
+  file_.mesh.positions.reserve(vertices);
+  file_.mesh.face_offsets.reserve(faces + 1);
+  file_.mesh.face_lines.reserve(faces);
+}
+
+bool OffBuilder::add_vertex(const double* values, std::size_t count) {
+  IndexedMesh& mesh = file_.mesh;
+  const std::size_t before = numbers_before_colour(), after = numbers_after_colour();
+  mesh.positions.emplace_back(values[0], values[1], values[2]);
+  if (kind_.has_normals) mesh.normals.pool.emplace_back(values[3], values[4], values[5]);
+  std::size_t colours = count - before - after;
+  const bool has_meaning = kind_.has_colours ? colours == 0 || colours == 3 || colours == 4 : colours == 0;
+  if (!has_meaning) colours = 0;
+  if (kind_.has_colours) add_colour(values + before, colours);
+  // With numbers of no meaning in between, the texture coordinates are those that follow the normal.
+  const double* const texcoord = values + before + colours;
+  if (kind_.has_texcoords) mesh.texcoords.pool.emplace_back(texcoord[0], texcoord[1], 0.0);
+  return has_meaning;
+}
+
+void OffBuilder::add_colour(const double* values, std::size_t count) {
+  IndexedMesh& mesh = file_.mesh;
+  if (count == 4) mesh.colour_components = 4;
+  if (count == 0) {
+    mesh.vertex_colours.emplace_back(absent, absent, absent, 1.0);
+  } else {
+    mesh.vertex_colours.emplace_back(values[0], values[1], values[2], count == 4 ? values[3] : absent);
+  }
+}
+
+bool OffBuilder::end_face(std::uint64_t line, const double* colour, std::size_t count) {
+  FaceColours& colours = file_.mesh.face_colours;
+  const std::size_t face = file_.mesh.face_count();
+  faces_.end_face(line);
+  const bool has_meaning = count <= 4 && count != 2;
+  if (!has_meaning) count = 0;
+  if (count == 0 && colours.values.empty()) return has_meaning;
+  colours.values.resize(face + 1, glm::dvec4(0.0));
+  colours.count.resize(face + 1, 0);
+  for (std::size_t i = 0; i < count; ++i) colours.values[face][static_cast<int>(i)] = colour[i];
+  colours.count[face] = static_cast<std::uint8_t>(count);
+  return has_meaning;
+}
+
+// A file in which any colour number is above one counts colours from 0 to 255.
+void OffBuilder::scale_byte_colours() {
+  std::vector<glm::dvec4>& colours = file_.mesh.vertex_colours;
+  const auto is_large = [](const glm::dvec4& c) { return c.x > 1 || c.y > 1 || c.z > 1 || c.w > 1; };
+  file_.byte_colours = std::any_of(colours.begin(), colours.end(), is_large);
+  for (glm::dvec4& colour : colours) {
+    if (file_.byte_colours) colour /= byte_scale;
+    if (std::isnan(colour.w)) colour.w = 1.0;
+  }
+}
+
+MeshFile OffBuilder::finish() {
+  IndexedMesh& mesh = file_.mesh;
+  faces_.finish(reporter_);
+  if (kind_.has_normals) mesh.normals.index = mesh.corners;
+  if (kind_.has_texcoords) {
+    mesh.texcoords.index = mesh.corners;
+    mesh.texcoords.components = 2;
+  }
+  scale_byte_colours();
+  if (mesh.positions.empty()) {
+    reporter_.warn("no_vertices", {}, [] { return Text{"The file has no vertices.", "ファイルに頂点がありません。"}; });
+  }
+  if (mesh.face_count() == 0) {
+    reporter_.warn("no_faces", {}, [] { return Text{"The file has no faces.", "ファイルに面がありません。"}; });
+  }
+  file_.messages = reporter_.take();
+  return std::move(file_);
+}
+
+}  // namespace ryosen

@@ -1,0 +1,284 @@
+#include <algorithm>
+#include <cstring>
+
+#include "core/io/numbers.h"
+#include "core/io/off.h"
+#include "core/io/off_binary.h"
+#include "core/io/off_builder.h"
+#include "core/io/text_lines.h"
+
+namespace ryosen {
+namespace {
+
+// Reads the text form. Every step returns false after the first failure.
+class OffTextReader {
+ public:
+  OffTextReader(std::string_view bytes, TextLines& lines, OffKind kind)
+      : bytes_(bytes), lines_(lines), builder_(kind) {}
+
+  // Takes over the comments that stand before the line read last.
+  void keep_comments(std::vector<std::string> comments) { builder_.file().head_comments = std::move(comments); }
+
+  // `head` is what follows the first word; the counts may stand there or on the next line.
+  Result<MeshFile> read(std::string_view head) {
+    rest_ = head;
+    const bool done = read_counts() && read_vertices() && read_faces();
+    if (!done) return std::move(*failure_);
+    count_extra_lines();
+    return builder_.finish();
+  }
+
+ private:
+  bool fail(std::string_view code, Text text, FilePlace place) {
+    failure_ = malformed(code, std::move(text), place);
+    return false;
+  }
+
+  // Goes on to the next line with something besides a comment on it.
+  bool next_line() {
+    TextLine line;
+    while (lines_.next(line)) {
+      const std::size_t comment = std::min(line.text.find('#'), line.text.size());
+      rest_ = line.text.substr(0, comment);
+      if (in_head_ && comment != line.text.size()) {
+        builder_.file().head_comments.emplace_back(line.text.substr(comment));
+      }
+      if (rest_.find_first_not_of(" \t") != std::string_view::npos) return true;
+    }
+    return false;
+  }
+
+  bool fail_at_end(const std::string& what_en, const std::string& what_ja) {
+    return fail("unexpected_end",
+                {"The file ends too early: " + what_en + ".", "ファイルが途中で終わっています: " + what_ja + "。"},
+                FilePlace::at_line(lines_.count() + 1));
+  }
+
+  bool read_count(std::string_view word, std::size_t bytes_each, std::size_t& count) {
+    std::int64_t value = 0;
+    if (word.empty()) {
+      return fail("missing_number",
+                  {"The counts of vertices and faces are meant here.", "ここには頂点と面の個数が必要です。"},
+                  lines_.place(word.data()));
+    }
+    if (!read_integer(word, value)) {
+      return fail("unreadable_number", {shown(word) + " is not a count.", shown(word) + " は個数として読めません。"},
+                  lines_.place(word.data()));
+    }
+    if (value < 0) {
+      return fail("negative_count",
+                  {"The count " + shown(word) + " is negative.", "個数 " + shown(word) + " が負です。"},
+                  lines_.place(word.data()));
+    }
+    const std::size_t room = (bytes_.size() - lines_.next_byte() + 1) / bytes_each;
+    if (static_cast<std::uint64_t>(value) > room || static_cast<std::uint64_t>(value) >= no_index) {
+      return fail("count_too_large",
+                  {"The count " + shown(word) + " is more than a file of this size can hold.",
+                   "個数 " + shown(word) + " は、このファイルの大きさに収まりません。"},
+                  lines_.place(word.data()));
+    }
+    count = static_cast<std::size_t>(value);
+    return true;
+  }
+
+  bool read_counts() {
+    if (rest_.find_first_not_of(" \t") == std::string_view::npos && !next_line()) {
+      return fail_at_end("it has no counts of vertices and faces", "頂点と面の個数がありません");
+    }
+    // The shortest vertex is "0 0 0" and a line end, the shortest face "0" and a line end. The third count, of edges,
+    // is often wrong and never needed.
+    constexpr std::size_t least_vertex_bytes = 6, least_face_bytes = 2;
+    if (!read_count(take_word(rest_), least_vertex_bytes, vertex_count_)) return false;
+    if (!read_count(take_word(rest_), least_face_bytes, face_count_)) return false;
+    in_head_ = false;
+    builder_.reserve(vertex_count_, face_count_);
+    return true;
+  }
+
+  // Reads the numbers up to the end of the line into values_.
+  bool read_reals() {
+    values_.clear();
+    for (std::string_view word = take_word(rest_); !word.empty(); word = take_word(rest_)) {
+      double value = 0;
+      const NumberRead read = read_real(word, value);
+      if (read == NumberRead::unreadable) {
+        return fail("unreadable_number", {shown(word) + " is not a number.", shown(word) + " は数として読めません。"},
+                    lines_.place(word.data()));
+      }
+      if (read == NumberRead::non_finite) {
+        builder_.reporter().warn("nonfinite_number", lines_.place(word.data()), [&] {
+          return Text{shown(word) + " is not a finite number.", shown(word) + " は有限の数ではありません。"};
+        });
+      }
+      values_.push_back(value);
+    }
+    return true;
+  }
+
+  void warn_extra_values() {
+    builder_.reporter().warn("extra_values", FilePlace::at_line(lines_.count()), [] {
+      return Text{"The line has more numbers than have a meaning; those too many are left out.",
+                  "この行には意味のある個数より多くの数があるため、余分な数を無視しました。"};
+    });
+  }
+
+  bool read_vertices() {
+    const std::size_t wanted = builder_.numbers_before_colour() + builder_.numbers_after_colour();
+    for (std::size_t v = 0; v < vertex_count_; ++v) {
+      if (!next_line()) {
+        const std::string there = std::to_string(v), claimed = std::to_string(vertex_count_);
+        return fail_at_end("it has " + there + " of " + claimed + " vertices",
+                           "頂点 " + claimed + " 個のうち " + there + " 個しかありません");
+      }
+      if (!read_reals()) return false;
+      if (values_.size() < wanted) {
+        return fail("missing_number",
+                    {"The vertex has " + std::to_string(values_.size()) + " numbers where " + std::to_string(wanted) +
+                         " are needed.",
+                     "数が " + std::to_string(wanted) + " 個必要な頂点に " + std::to_string(values_.size()) +
+                         " 個しかありません。"},
+                    lines_.place(rest_.data()));
+      }
+      if (!builder_.add_vertex(values_.data(), values_.size())) warn_extra_values();
+    }
+    return true;
+  }
+
+  bool read_index(std::string_view word, std::int64_t& value) {
+    if (read_integer(word, value)) return true;
+    return fail("unreadable_index",
+                {shown(word) + " is not a whole number.", shown(word) + " は整数として読めません。"},
+                lines_.place(word.data()));
+  }
+
+  bool read_face() {
+    std::int64_t corners = 0;
+    if (!read_index(take_word(rest_), corners)) return false;
+    if (corners < 0) {
+      return fail("negative_count", {"The number of corners is negative.", "面の頂点の個数が負です。"},
+                  FilePlace::at_line(lines_.count()));
+    }
+    for (std::int64_t i = 0; i < corners; ++i) {
+      const std::string_view word = take_word(rest_);
+      std::int64_t vertex = 0;
+      if (word.empty()) {
+        return fail(
+            "short_face",
+            {"The face announces " + std::to_string(corners) + " corners and has " + std::to_string(i) + ".",
+             "面の頂点は " + std::to_string(corners) + " 個のはずですが " + std::to_string(i) + " 個しかありません。"},
+            lines_.place(word.data()));
+      }
+      if (!read_index(word, vertex)) return false;
+      builder_.add_corner(vertex);
+    }
+    if (!read_reals()) return false;
+    if (!builder_.end_face(lines_.count(), values_.data(), values_.size())) warn_extra_values();
+    return true;
+  }
+
+  bool read_faces() {
+    for (std::size_t f = 0; f < face_count_; ++f) {
+      if (!next_line()) {
+        const std::string there = std::to_string(f), claimed = std::to_string(face_count_);
+        return fail_at_end("it has " + there + " of " + claimed + " faces",
+                           "面 " + claimed + " 個のうち " + there + " 個しかありません");
+      }
+      if (builder_.is_full(rest_.size())) {
+        return fail("too_many_elements",
+                    {"The file has more corners than fit in 32-bit numbers.",
+                     "面の頂点の総数が 32 ビットの番号に収まりません。"},
+                    FilePlace::at_line(lines_.count()));
+      }
+      if (!read_face()) return false;
+    }
+    return true;
+  }
+
+  void count_extra_lines() {
+    if (!next_line()) return;
+    const std::uint64_t first = lines_.count();
+    std::uint64_t count = 1;
+    while (next_line()) ++count;
+    builder_.reporter().warn("extra_data", FilePlace::at_line(first), [&] {
+      const std::string number = std::to_string(count);
+      return Text{number + (count == 1 ? " line" : " lines") + " after the last announced face left out.",
+                  "宣言された最後の面より後の " + number + " 行を無視しました。"};
+    });
+  }
+
+  std::string_view bytes_;
+  TextLines& lines_;
+  OffBuilder builder_;
+  std::optional<Failure> failure_;
+  std::string_view rest_;  // what is left of the current line, without its comment
+  std::vector<double> values_;
+  std::size_t vertex_count_ = 0, face_count_ = 0;
+  bool in_head_ = true;  // the counts have not come yet
+};
+
+Failure not_off(std::string_view word, FilePlace place) {
+  return malformed("not_off",
+                   {"The file begins with " + shown(word) + ", which is not OFF.",
+                    "ファイルが " + shown(word) + " で始まっており、OFF ではありません。"},
+                   place);
+}
+
+}  // namespace
+
+std::optional<OffKind> OffKind::from_word(std::string_view word) {
+  OffKind kind;
+  const auto take = [&](std::string_view prefix) {
+    if (!word.starts_with(prefix)) return false;
+    word.remove_prefix(prefix.size());
+    return true;
+  };
+  kind.has_texcoords = take("ST");
+  kind.has_colours = take("C");
+  kind.has_normals = take("N");
+  const bool has_fourth = take("4"), has_dimension = take("n");
+  kind.is_three_dimensional = !has_fourth && !has_dimension;
+  if (word != "OFF") return std::nullopt;
+  return kind;
+}
+
+Result<MeshFile> read_off(std::string_view bytes, const std::filesystem::path&) {
+  TextLines lines(bytes, false);
+  TextLine line;
+  std::vector<std::string> comments;
+  std::string_view rest, word;
+  while (word.empty() && lines.next(line)) {
+    const std::size_t comment = std::min(line.text.find('#'), line.text.size());
+    if (comment != line.text.size()) comments.emplace_back(line.text.substr(comment));
+    rest = line.text.substr(0, comment);
+    word = take_word(rest);
+  }
+  if (word.empty()) {
+    return malformed("empty_file", {"The file is empty, it has no vertices.", "ファイルが空です。頂点がありません。"},
+                     FilePlace::at_byte(0));
+  }
+  std::optional<OffKind> kind = OffKind::from_word(word);
+  // The word may be left out; then the counts come first.
+  std::int64_t count = 0;
+  const bool begins_with_counts = !kind && read_integer(word, count);
+  if (!kind && !begins_with_counts) return not_off(word, lines.place(word.data()));
+  if (begins_with_counts) {
+    kind = OffKind{};
+    rest = {word.data(), static_cast<std::size_t>(rest.data() + rest.size() - word.data())};
+  }
+  if (!kind->is_three_dimensional) {
+    return malformed("unsupported_dimension",
+                     {"Only OFF with three coordinates is supported, not " + shown(word) + ".",
+                      "3 次元の OFF だけに対応しています(" + shown(word) + " には未対応)。"},
+                     lines.place(word.data()));
+  }
+  std::string_view after = rest;
+  if (take_word(after) == "BINARY") return read_off_binary(bytes, lines.next_byte(), *kind);
+  if (const void* nul = std::memchr(bytes.data(), 0, bytes.size())) {
+    return nul_byte_failure(static_cast<std::uint64_t>(static_cast<const char*>(nul) - bytes.data()));
+  }
+  OffTextReader reader(bytes, lines, *kind);
+  reader.keep_comments(std::move(comments));
+  return reader.read(rest);
+}
+
+}  // namespace ryosen

@@ -1,0 +1,91 @@
+#include "core/io/reporter.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ryosen {
+namespace {
+
+// Bytes of the UTF-8 character that begins here, 0 if it is broken or a control character.
+std::size_t character_length(std::string_view text) {
+  const auto first = static_cast<unsigned char>(text[0]);
+  if (first < 0x20 || first == 0x7f) return 0;
+  if (first < 0x80) return 1;
+  const std::size_t length = first >= 0xf0 && first < 0xf5 ? 4 : first >= 0xe0 ? 3 : 2;
+  if (first < 0xc2 || first >= 0xf5 || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) return 0;
+  }
+  const auto second = static_cast<unsigned char>(text[1]);
+  const bool overlong = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
+  const bool outside = (first == 0xed && second >= 0xa0) || (first == 0xf4 && second >= 0x90);
+  return overlong || outside ? 0 : length;
+}
+
+std::uint64_t order_of(const Message& message) {
+  constexpr std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
+  return message.line.value_or(message.byte.value_or(last));
+}
+
+}  // namespace
+
+Message make_message(Severity severity, std::string_view code, Text text, FilePlace place) {
+  Message message;
+  message.severity = severity;
+  message.code = code;
+  message.text = std::move(text);
+  if (place.line != 0) message.line = place.line;
+  if (place.column != 0) message.column = place.column;
+  if (place.byte_given) message.byte = place.byte;
+  return message;
+}
+
+Failure malformed(std::string_view code, Text text, FilePlace place) {
+  return {ExitCode::input_malformed, make_message(Severity::error, code, std::move(text), place)};
+}
+
+Failure nul_byte_failure(std::uint64_t byte) {
+  return malformed("nul_byte",
+                   {"The file holds a NUL byte; it is not a text file or it is damaged.",
+                    "ファイルに NUL バイトがあります。テキストファイルでないか、壊れています。"},
+                   FilePlace::at_byte(byte));
+}
+
+std::string shown(std::string_view token) {
+  constexpr std::size_t limit = 40;
+  std::string out = "\"";
+  while (!token.empty() && out.size() <= limit) {
+    const std::size_t length = character_length(token);
+    if (length == 0) {
+      out += '?';
+    } else {
+      out += token.substr(0, length);
+    }
+    token.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return out + (token.empty() ? "\"" : "...\"");
+}
+
+std::size_t Reporter::count(std::string_view code) {
+  for (auto& [known, number] : counts_) {
+    if (known == code) return ++number;
+  }
+  counts_.emplace_back(code, 1);
+  return 1;
+}
+
+std::vector<Message> Reporter::take() {
+  std::stable_sort(messages_.begin(), messages_.end(),
+                   [](const Message& a, const Message& b) { return order_of(a) < order_of(b); });
+  for (const auto& [code, number] : counts_) {
+    if (number <= listed_per_code) continue;
+    const std::string rest = std::to_string(number - listed_per_code);
+    messages_.push_back(make_message(Severity::warning, code,
+                                     {rest + " more warnings of the kind " + std::string(code) + " are not listed.",
+                                      "同じ種類(" + std::string(code) + ")の警告がほかに " + rest + " 件あります。"}));
+  }
+  counts_.clear();
+  return std::move(messages_);
+}
+
+}  // namespace ryosen

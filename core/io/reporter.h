@@ -1,0 +1,60 @@
+// Collects the warnings of a reader, with a limit per kind, so that a broken file cannot fill the memory with
+// sentences.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/base/message.h"
+#include "core/base/result.h"
+
+namespace ryosen {
+
+// Where in a file a message belongs; zero means not given (byte: see byte_given).
+struct FilePlace {
+  std::uint64_t line = 0;    // from 1
+  std::uint64_t column = 0;  // from 1, in bytes
+  std::uint64_t byte = 0;    // from 0
+  bool byte_given = false;
+
+  static FilePlace at_line(std::uint64_t line, std::uint64_t column = 0) { return {line, column, 0, false}; }
+  static FilePlace at_byte(std::uint64_t byte) { return {0, 0, byte, true}; }
+};
+
+Message make_message(Severity severity, std::string_view code, Text text, FilePlace place = {});
+
+// The failure of a file whose content cannot be read; exit code input_malformed.
+Failure malformed(std::string_view code, Text text, FilePlace place = {});
+
+// The failure of a text file that holds a NUL byte there.
+Failure nul_byte_failure(std::uint64_t byte);
+
+// A token as it may be shown in a sentence: quoted, shortened to 40 bytes, without control characters or broken UTF-8.
+std::string shown(std::string_view token);
+
+class Reporter {
+ public:
+  static constexpr std::size_t listed_per_code = 20;
+
+  // Adds a warning; `text` is a function that makes the sentence and is only called when the warning is listed.
+  // `code` must be a string that lives on.
+  template <class MakeText>
+  void warn(std::string_view code, FilePlace place, MakeText&& text) {
+    if (count(code) <= listed_per_code) {
+      messages_.push_back(make_message(Severity::warning, code, std::forward<MakeText>(text)(), place));
+    }
+  }
+
+  // The warnings in the order of the file, then per kind one sentence with the number of those not listed.
+  std::vector<Message> take();
+
+ private:
+  std::size_t count(std::string_view code);
+
+  std::vector<Message> messages_;
+  std::vector<std::pair<std::string_view, std::size_t>> counts_;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,159 @@
+#include "core/io/safe_write.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace ryosen {
+namespace {
+
+Failure not_writable(const std::filesystem::path& path, std::string_view code, int error) {
+  const std::string reason = std::generic_category().message(error);
+  Message message;
+  message.code = code;
+  message.text = {"Cannot write " + path.string() + ": " + reason + ".",
+                  path.string() + " に書き込めません: " + reason + "。"};
+  return {ExitCode::output_not_writable, std::move(message)};
+}
+
+// Closes a file descriptor at the end of its life, unless closed before.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() { close(); }
+
+  int number() const { return number_; }
+  bool is_open() const { return number_ >= 0; }
+  // False if the system reports a late error.
+  bool close() { return number_ < 0 || ::close(std::exchange(number_, -1)) == 0; }
+
+ private:
+  int number_;
+};
+
+bool write_all(int descriptor, std::string_view bytes) {
+  constexpr std::size_t most = std::size_t{1} << 30;
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), std::min(bytes.size(), most));
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+bool synchronise(int descriptor) {
+  // Some file systems cannot; what was written is then as safe as it gets there.
+  return ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP;
+}
+
+// Where the bytes go in the end, through any chain of links, the last of which may point to nothing yet.
+std::filesystem::path follow_links(std::filesystem::path path, int& error) {
+  constexpr int most_links = 40;
+  error = 0;
+  for (int i = 0; i < most_links; ++i) {
+    std::error_code code;
+    if (!std::filesystem::is_symlink(std::filesystem::symlink_status(path, code))) return path;
+    const std::filesystem::path target = std::filesystem::read_symlink(path, code);
+    if (code) {
+      error = code.value();
+      return path;
+    }
+    path = target.is_absolute() ? target : path.parent_path() / target;
+  }
+  error = ELOOP;
+  return path;
+}
+
+Status write_through(const std::filesystem::path& path, const std::filesystem::path& target, std::string_view bytes) {
+  Descriptor out(::open(target.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
+  if (!out.is_open() || !write_all(out.number(), bytes) || !out.close()) {
+    return not_writable(path, "output_not_writable", errno);
+  }
+  return success();
+}
+
+// The temporary file beside the target, removed unless it is renamed.
+class Beside {
+ public:
+  explicit Beside(const std::filesystem::path& target)
+      : name_(target.parent_path()), descriptor_(open_beside(target)) {}
+  Beside(const Beside&) = delete;
+  Beside& operator=(const Beside&) = delete;
+  ~Beside() {
+    if (exists_) ::unlink(name_.c_str());
+  }
+
+  bool exists() const { return exists_; }
+  int descriptor() const { return descriptor_.number(); }
+  bool rename_to(const std::filesystem::path& target) {
+    if (!descriptor_.close() || std::rename(name_.c_str(), target.c_str()) != 0) return false;
+    exists_ = false;
+    return true;
+  }
+
+ private:
+  // Takes the first free name, with the permissions that a new file gets here.
+  int open_beside(const std::filesystem::path& target) {
+    constexpr int most_tries = 1000;
+    const std::string stem = "." + target.filename().string().substr(0, 200) + "." + std::to_string(::getpid()) + ".";
+    int descriptor = -1;
+    for (int i = 0; i < most_tries && descriptor < 0; ++i) {
+      name_ = target.parent_path() / (stem + std::to_string(i));
+      descriptor = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (descriptor < 0 && errno != EEXIST) break;
+    }
+    exists_ = descriptor >= 0;
+    return descriptor;
+  }
+
+  std::filesystem::path name_;
+  bool exists_ = false;
+  Descriptor descriptor_;
+};
+
+// Gives the new file the permissions, and where possible the owner, of the one that it replaces.
+bool take_over_rights(int descriptor, const struct stat& old) {
+  struct stat now;
+  if (::fstat(descriptor, &now) == 0 && (now.st_uid != old.st_uid || now.st_gid != old.st_gid) &&
+      ::fchown(descriptor, old.st_uid, old.st_gid) != 0 && errno != EPERM) {
+    return false;
+  }
+  return ::fchmod(descriptor, old.st_mode & 07777) == 0;
+}
+
+}  // namespace
+
+Status safe_write(const std::filesystem::path& path, std::string_view bytes) {
+  int link_error = 0;
+  const std::filesystem::path target = follow_links(path, link_error);
+  if (link_error != 0) return not_writable(path, "output_not_writable", link_error);
+  struct stat old;
+  const bool replaces = ::stat(target.c_str(), &old) == 0;
+  if (replaces && S_ISDIR(old.st_mode)) return not_writable(path, "output_is_folder", EISDIR);
+  if (target.filename().empty()) return not_writable(path, "output_not_writable", ENOENT);
+  if (replaces && !S_ISREG(old.st_mode)) return write_through(path, target, bytes);
+  if (replaces && ::access(target.c_str(), W_OK) != 0) return not_writable(path, "output_not_writable", errno);
+
+  const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
+  Beside beside(folder / target.filename());
+  if (!beside.exists() || (replaces && !take_over_rights(beside.descriptor(), old)) ||
+      !write_all(beside.descriptor(), bytes) || !synchronise(beside.descriptor()) || !beside.rename_to(target)) {
+    return not_writable(path, "output_not_writable", errno);
+  }
+  // The new file is complete and in its place; a folder that cannot be opened or synchronised changes nothing in that.
+  Descriptor folder_descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder_descriptor.is_open()) synchronise(folder_descriptor.number());
+  return success();
+}
+
+}  // namespace ryosen

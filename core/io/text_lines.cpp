@@ -1,0 +1,103 @@
+#include "core/io/text_lines.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace ryosen {
+namespace {
+
+const char* find(const char* begin, const char* end, char wanted) {
+  const void* found = begin == end ? nullptr : std::memchr(begin, wanted, static_cast<std::size_t>(end - begin));
+  return found ? static_cast<const char*>(found) : end;
+}
+
+bool is_comment(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first != std::string_view::npos && text[first] == '#';
+}
+
+}  // namespace
+
+TextLines::TextLines(std::string_view bytes, bool join_continuations)
+    : begin_(bytes.data()),
+      end_(bytes.data() + bytes.size()),
+      at_(begin_),
+      line_begin_(begin_),
+      next_cr_(find(begin_, end_, '\r')),
+      join_continuations_(join_continuations) {
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  if (bytes.starts_with(byte_order_mark)) at_ += byte_order_mark.size();
+}
+
+// The next physical line.
+std::string_view TextLines::take() {
+  const char* const begin = at_;
+  const char* stop = find(begin, end_, '\n');
+  if (next_cr_ < begin) next_cr_ = find(begin, end_, '\r');
+  if (next_cr_ < stop && next_cr_ + 1 != stop) {  // ended by CR alone
+    stop = next_cr_;
+    at_ = stop + 1;
+    has_plain_end_ = false;
+  } else {
+    at_ = stop == end_ ? end_ : stop + 1;
+    has_plain_end_ = stop != end_;
+    if (next_cr_ < stop) --stop;
+  }
+  ++count_;
+  return {begin, static_cast<std::size_t>(stop - begin)};
+}
+
+// Gathers a line and its continuations in joined_.
+void TextLines::join(std::string_view first) {
+  joined_.clear();
+  pieces_.clear();
+  std::string_view text = first;
+  while (true) {
+    pieces_.push_back({joined_.size(), count_});
+    const bool goes_on = join_continuations_ && !text.empty() && text.back() == '\\';
+    joined_ += goes_on ? text.substr(0, text.size() - 1) : text;
+    if (!goes_on || at_ == end_) break;
+    joined_ += ' ';
+    text = take();
+  }
+  joined_ += '\n';
+}
+
+bool TextLines::next(TextLine& line) {
+  if (at_ == end_) return false;
+  line_begin_ = at_;
+  const std::string_view text = take();
+  line.number = count_;
+  const bool goes_on = join_continuations_ && !text.empty() && text.back() == '\\' && !is_comment(text);
+  is_joined_ = goes_on || !has_plain_end_;
+  if (!is_joined_) {
+    line.text = text;
+    return true;
+  }
+  if (goes_on) {
+    join(text);
+  } else {
+    joined_.assign(text);
+    joined_ += '\n';
+    pieces_.assign(1, Piece{0, count_});
+  }
+  line.text = std::string_view(joined_).substr(0, joined_.size() - 1);
+  return true;
+}
+
+FilePlace TextLines::place(const char* at) const {
+  if (!is_joined_) return FilePlace::at_line(count_, static_cast<std::uint64_t>(at - line_begin_) + 1);
+  const auto offset = static_cast<std::size_t>(at - joined_.data());
+  const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), offset,
+                                      [](std::size_t wanted, const Piece& piece) { return wanted < piece.offset; });
+  const Piece& piece = *(after - 1);
+  return FilePlace::at_line(piece.number, offset - piece.offset + 1);
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+}  // namespace ryosen

@@ -1,0 +1,75 @@
+// Splits the bytes of a text file into lines, ended by LF, CRLF or CR.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/io/reporter.h"
+
+namespace ryosen {
+
+// One line without its end. `text` stays valid until the next line is read, and the character after it is a line end:
+// LF, or CR followed by LF.
+struct TextLine {
+  std::string_view text;
+  std::uint64_t number = 0;  // from 1; of the first one where several were joined
+};
+
+// Walks over a text once. With `join_continuations` a line that ends in a backslash goes on in the next one, with a
+// space in between; a line whose first character is # never does. Cost: O(bytes), no allocation for ordinary lines.
+class TextLines {
+ public:
+  TextLines(std::string_view bytes, bool join_continuations);
+
+  bool next(TextLine& line);
+
+  // Where a character of the line read last lies in the file; `at` may be one past its end.
+  FilePlace place(const char* at) const;
+
+  // The line number of the line read last; of its first one where several were joined.
+  std::uint64_t first_line() const { return is_joined_ ? pieces_.front().number : count_; }
+  // The lines read so far.
+  std::uint64_t count() const { return count_; }
+  // Where the line read last begins, and where the next one begins, in bytes of the file.
+  std::uint64_t line_byte() const { return static_cast<std::uint64_t>(line_begin_ - begin_); }
+  std::uint64_t next_byte() const { return static_cast<std::uint64_t>(at_ - begin_); }
+
+ private:
+  struct Piece {
+    std::size_t offset = 0;  // in joined_
+    std::uint64_t number = 0;
+  };
+
+  std::string_view take();
+  void join(std::string_view first);
+
+  const char* begin_;
+  const char* end_;
+  const char* at_;
+  const char* line_begin_;
+  const char* next_cr_;  // the first CR at or after at_, end_ if there is none
+  bool join_continuations_;
+  bool is_joined_ = false;
+  bool has_plain_end_ = false;  // the line read last ends in LF or CRLF
+  std::uint64_t count_ = 0;
+  std::string joined_;
+  std::vector<Piece> pieces_;
+};
+
+// Takes the next word off the front of `text`: characters up to a space or tab. Empty at the end.
+inline std::string_view take_word(std::string_view& text) {
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (at != end && (*at == ' ' || *at == '\t')) ++at;
+  const char* const begin = at;
+  while (at != end && *at != ' ' && *at != '\t') ++at;
+  text = {at, static_cast<std::size_t>(end - at)};
+  return {begin, static_cast<std::size_t>(at - begin)};
+}
+
+// `text` without the spaces and tabs at both ends.
+std::string_view trimmed(std::string_view text);
+
+}  // namespace ryosen

@@ -1,0 +1,63 @@
+// Gathers the text of a file in memory: words, whole numbers, and decimals that read back to the same bits.
+#pragma once
+
+#include <charconv>
+#include <concepts>
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace ryosen {
+
+class TextOut {
+ public:
+  explicit TextOut(std::size_t expected_bytes = 0) { text_.resize(expected_bytes + most_per_number); }
+
+  TextOut& operator<<(std::string_view text) {
+    make_room(text.size());
+    if (!text.empty()) std::memcpy(text_.data() + size_, text.data(), text.size());
+    size_ += text.size();
+    return *this;
+  }
+  TextOut& operator<<(char c) {
+    make_room(1);
+    text_[size_++] = c;
+    return *this;
+  }
+  // The shortest decimal that std::from_chars reads as the same double; nan, -nan, inf, -inf.
+  TextOut& operator<<(double value) { return put(value); }
+  template <std::integral Integer>
+  TextOut& operator<<(Integer value) {
+    return put(value);
+  }
+
+  std::string take() {
+    text_.resize(size_);
+    return std::move(text_);
+  }
+
+ private:
+  static constexpr std::size_t most_per_number = 32;
+
+  template <class Number>
+  TextOut& put(Number value) {
+    make_room(most_per_number);
+    char* const begin = text_.data() + size_;
+    size_ += static_cast<std::size_t>(std::to_chars(begin, begin + most_per_number, value).ptr - begin);
+    return *this;
+  }
+
+  void make_room(std::size_t bytes) {
+    if (text_.size() - size_ < bytes) text_.resize(2 * text_.size() + bytes);
+  }
+
+  std::string text_;
+  std::size_t size_ = 0;
+};
+
+// `text` with every control character turned into a space, so that it stays on one line of a file.
+std::string on_one_line(std::string_view text);
+
+}  // namespace ryosen

@@ -18,6 +18,7 @@ class CollapseJudge {
 
   Verdict judge() {
     check_inner_edge();
+    check_closed_cuts();
     check_apexes();
     check_holes();
     check_common_neighbours();
@@ -34,6 +35,14 @@ class CollapseJudge {
   void check_inner_edge() {
     if (m_.is_outside(h_) || m_.is_outside(twin(h_))) return;
     if (m_.is_boundary(gone_) && m_.is_boundary(kept_)) verdict_.refuse(Rule::inner_edge, {gone_, kept_});
+  }
+
+  // An edge that is non-manifold on points but closed again hangs together only around a vertex without a gap; the
+  // boundary of the vertex that goes would open it.
+  void check_closed_cuts() {
+    if (!m_.is_boundary(gone_) || m_.is_boundary(kept_)) return;
+    for (Halfedge k : outgoing(m_, kept_))
+      if (is_cut_on_points(m_, k)) verdict_.refuse(Rule::copies, {edge(k)});
   }
 
   void check_apexes() {

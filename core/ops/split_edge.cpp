@@ -12,7 +12,7 @@ namespace ryosen {
 
 namespace {
 
-// The halves that one split cuts: one per sheet, from a copy of A to a copy of B, the sheet with the lowest face first.
+// The halves that one split cuts, from a copy of A to a copy of B, the one with the lowest face first.
 std::vector<Halfedge> sheets_of(const Mesh& m, Halfedge h) {
   if (!is_cut_on_points(m, h)) return {h};
   std::vector<Halfedge> sheets = sheets_between(m, m.from(h), m.to(h));
@@ -101,6 +101,35 @@ Vertex cut_sheet(Edit& edit, Halfedge h, double along, const glm::dvec3& positio
   return m;
 }
 
+// Gives the faces on both sides of a non-manifold edge that is closed again an edge each, as they had before it was
+// closed: with a new point on it, its outside loop has four halves and stays open.
+//
+//     a ==h/o== b     =>     a --h-- b        h keeps its face, o runs outside
+//                            a --k-- b        k takes the place of o
+void open_closed_cut(Edit& edit, Halfedge h, OpEffect& effect) {
+  const Mesh& m = edit.mesh();
+  const Halfedge o = twin(h);
+  if (m.is_outside(h) || m.is_outside(o)) return;
+  const Vertex a = m.from(h), b = m.from(o);
+  const Halfedge k = edit.add_edge(b, a), outside = twin(k);
+  const Face right = m.face(o);
+  CornerWriter corners(edit);
+  for (std::size_t c = 0; c < corners.count(); ++c) {
+    corners.set(c, k, corners.index(c, o));
+    corners.set(c, o, no_index);
+  }
+  edit.connect(m.prev(o), k);
+  edit.connect(k, m.next(o));
+  edit.set_face(k, right);
+  if (m.halfedge(right) == o) edit.set_halfedge(right, k);
+  edit.connect(o, outside);
+  edit.connect(outside, o);
+  edit.set_face(o, Face());
+  edit.set_halfedge(a, outside);
+  edit.set_halfedge(b, o);
+  effect.created.push_back(edge(k));
+}
+
 }  // namespace
 
 Parsed<SplitEdge> SplitEdge::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
@@ -156,10 +185,12 @@ std::vector<Reason> SplitEdge::warnings(const Mesh& m) const {
 OpEffect SplitEdge::apply(Edit& edit) const {
   const Mesh& m = edit.mesh();
   assert(check(m).legal());
-  const std::vector<Halfedge> sheets = sheets_of(m, halfedge);
   const glm::dvec3 a = m.position(m.from(halfedge)), b = m.position(m.to(halfedge));
   const glm::dvec3 p = a + along * (b - a);
   OpEffect effect;
+  if (is_cut_on_points(m, halfedge))
+    for (Halfedge sheet : sheets_of(m, halfedge)) open_closed_cut(edit, sheet, effect);
+  const std::vector<Halfedge> sheets = sheets_of(m, halfedge);
   std::vector<Vertex> copies;
   for (Halfedge sheet : sheets) copies.push_back(cut_sheet(edit, sheet, along, p, effect));
   if (copies.size() > 1)

@@ -8,13 +8,11 @@
 //       \ /                   \|/
 //        d                     d
 //
-// on the list: every face with the side a-b gets m there; a triangle (a, b, c) becomes (a, m, c) and (m, b, c). The
-// part
+// on the list: every face with the side a-b gets m there; a triangle (a, b, c) becomes (a, m, c) and (m, b, c). The part
 //              that holds A keeps the old number; new faces are numbered with the one left of A-B first.
 // needs: two triangles that would be cut do not have the same third point.
-// changes: V + 1, E + 1 + k, F + k with k = triangles at the edge. At a non-manifold or misoriented edge all its halves
-// are
-//          split at once and the new point has one copy per sheet.
+// changes: V + 1, E + 1 + k, F + k with k = triangles at the edge, counted on points. A non-manifold or misoriented edge
+//          is split in all its faces at once, and the new point has one copy per face.
 // inverse: collapse m-b end.
 #pragma once
 

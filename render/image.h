@@ -8,7 +8,7 @@
 
 #include "core/base/result.h"
 #include "render/colour.h"
-#include "render/size.h"
+#include "core/pick/size.h"
 
 namespace ryosen {
 

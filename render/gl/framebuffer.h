@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/gl/object.h"
-#include "render/size.h"
+#include "core/pick/size.h"
 
 namespace ryosen {
 

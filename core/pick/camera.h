@@ -9,7 +9,7 @@
 #include <span>
 #include <string_view>
 
-#include "render/size.h"
+#include "core/pick/size.h"
 
 namespace ryosen {
 

@@ -1,4 +1,4 @@
-#include "render/camera.h"
+#include "core/pick/camera.h"
 
 #include <algorithm>
 #include <array>

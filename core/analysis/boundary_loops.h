@@ -1,0 +1,29 @@
+// Boundary loops on points: boundary edges chained through the fan of faces at each vertex.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/analysis/index_set.h"
+#include "core/analysis/neighbourhood.h"
+
+namespace ryosen {
+
+// Loops by their lowest edge; each as the halfedges without a face, in the order in which a walk meets the edges (at a
+// misoriented edge the walk goes on against them).
+struct BoundaryLoops {
+  std::vector<Halfedge> halfedges;
+  std::vector<std::uint32_t> offsets{0};  // one more than there are loops
+
+  std::size_t size() const { return offsets.size() - 1; }
+  std::span<const Halfedge> operator[](std::size_t loop) const {
+    return {halfedges.data() + offsets[loop], offsets[loop + 1] - offsets[loop]};
+  }
+};
+
+// `boundary` holds the edges with one face on points (the set of ProblemKind::boundary_loop). A chain that ends at a
+// non-manifold edge is no loop. Cost: the boundary edges, and the fans at their points where there are copies.
+BoundaryLoops find_boundary_loops(Neighbourhood& around, const IndexSet& boundary);
+
+}  // namespace ryosen

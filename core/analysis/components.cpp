@@ -1,0 +1,105 @@
+#include "core/analysis/components.h"
+
+#include "core/analysis/disjoint_sets.h"
+
+namespace ryosen {
+
+namespace {
+
+DisjointSets join_faces(Neighbourhood& around) {
+  const Mesh& mesh = around.mesh();
+  DisjointSets sets(mesh.face_slots());
+  std::vector<Face> faces;
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+    const Edge e(i);
+    if (!mesh.is_alive(e)) continue;
+    const Face f = mesh.face(halfedge(e, 0)), g = mesh.face(halfedge(e, 1));
+    if (f && g) sets.join(f.index, g.index);
+    if (!mesh.has_copies() || around.is_single_sheet(halfedge(e)) || !around.is_first_sheet(e)) continue;
+    around.faces_at(halfedge(e), faces);
+    for (Face other : faces) sets.join(faces[0].index, other.index);
+  }
+  return sets;
+}
+
+// Faces with the parity of turns between each and the root of its set.
+class TurnSets {
+ public:
+  explicit TurnSets(std::uint32_t faces) : parent_(faces), turned_(faces, false) {
+    for (std::uint32_t i = 0; i < faces; ++i) parent_[i] = i;
+  }
+  // Records that exactly one of the two must be turned, or none or both. False if that contradicts what is known.
+  bool join(std::uint32_t f, std::uint32_t g, bool against) {
+    const auto [root_f, turn_f] = root(f);
+    const auto [root_g, turn_g] = root(g);
+    const bool turn = (turn_f != turn_g) != against;
+    if (root_f == root_g) return !turn;
+    parent_[root_g] = root_f;
+    turned_[root_g] = turn;
+    return true;
+  }
+
+ private:
+  std::pair<std::uint32_t, bool> root(std::uint32_t i) {
+    std::uint32_t top = i;
+    bool turn = false;
+    for (; parent_[top] != top; top = parent_[top]) turn = turn != turned_[top];
+    // Second walk: everything on the way hangs on the top directly.
+    for (bool rest = turn; parent_[i] != top && i != top;) {
+      const std::uint32_t up = parent_[i];
+      const bool own = turned_[i];
+      parent_[i] = top;
+      turned_[i] = rest;
+      rest = rest != own;
+      i = up;
+    }
+    return {top, turn};
+  }
+
+  std::vector<std::uint32_t> parent_;
+  std::vector<bool> turned_;  // against the parent
+};
+
+}  // namespace
+
+std::uint32_t count_face_components(Neighbourhood& around) {
+  const Mesh& mesh = around.mesh();
+  return join_faces(around).count() - (mesh.face_slots() - mesh.live().faces);
+}
+
+FaceComponents find_face_components(Neighbourhood& around) {
+  const Mesh& mesh = around.mesh();
+  DisjointSets sets = join_faces(around);
+  FaceComponents components;
+  components.of_face.assign(mesh.face_slots(), no_index);
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+    if (!mesh.is_alive(Face(i))) continue;
+    const std::uint32_t root = sets.root(i);  // the lowest face, so it is met first
+    components.of_face[i] = root == i ? components.count++ : components.of_face[root];
+  }
+  return components;
+}
+
+bool is_orientable(Neighbourhood& around) {
+  const Mesh& mesh = around.mesh();
+  TurnSets sets(mesh.face_slots());
+  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.is_alive(h) || mesh.is_outside(h)) continue;
+    const Halfedge other = around.across(h);
+    if (!other || other < h) continue;
+    if (!sets.join(mesh.face(h).index, mesh.face(other).index, around.edge(h).is_misoriented())) return false;
+  }
+  return true;
+}
+
+std::uint32_t count_kernel_components(const Mesh& mesh) {
+  DisjointSets sets(mesh.vertex_slots());
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+    const Edge e(i);
+    if (mesh.is_alive(e)) sets.join(mesh.from(halfedge(e, 0)).index, mesh.from(halfedge(e, 1)).index);
+  }
+  return sets.count() - (mesh.vertex_slots() - mesh.live().vertices);
+}
+
+}  // namespace ryosen

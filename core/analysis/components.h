@@ -1,0 +1,26 @@
+// Connected parts of a mesh, on points and in the kernel, and whether its faces can be turned to agree.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/analysis/neighbourhood.h"
+
+namespace ryosen {
+
+// Faces joined through any edge on points that they share.
+struct FaceComponents {
+  std::uint32_t count = 0;
+  std::vector<std::uint32_t> of_face;  // per slot, numbered by lowest face; no_index for dead slots
+};
+FaceComponents find_face_components(Neighbourhood& around);
+// Only how many. O(edges).
+std::uint32_t count_face_components(Neighbourhood& around);
+
+// Whether the faces joined through edges with exactly two faces can be turned so that all agree. O(edges).
+bool is_orientable(Neighbourhood& around);
+
+// Vertices of the kernel joined by its edges: every copy for itself, an isolated vertex is one. O(edges).
+std::uint32_t count_kernel_components(const Mesh& mesh);
+
+}  // namespace ryosen

@@ -1,0 +1,44 @@
+// Union-find over the numbers 0 to n-1.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace ryosen {
+
+// The smallest number of a set is its root. Amortized cost per call: O(log n) at most, nearly constant in practice.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t n) : parent_(n), count_(static_cast<std::uint32_t>(n)) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
+
+  std::uint32_t root(std::uint32_t i) {
+    while (parent_[i] != i) {
+      parent_[i] = parent_[parent_[i]];
+      i = parent_[i];
+    }
+    return i;
+  }
+  // Returns whether the two were apart.
+  bool join(std::uint32_t i, std::uint32_t j) {
+    i = root(i);
+    j = root(j);
+    if (i == j) return false;
+    if (j < i) std::swap(i, j);
+    parent_[j] = i;
+    --count_;
+    return true;
+  }
+  // Number of sets, single numbers included.
+  std::uint32_t count() const { return count_; }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+  std::uint32_t count_;
+};
+
+}  // namespace ryosen

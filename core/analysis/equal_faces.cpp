@@ -1,0 +1,163 @@
+#include "core/analysis/equal_faces.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/mesh/circulate.h"
+
+namespace ryosen {
+
+namespace {
+
+// Quick refusal by links alone. A triangle on the same three points lies across all three edges. A quad on the same
+// four points has, at each corner, an edge in common with this one. Both hold where one edge joins two points, so not
+// beside copies.
+bool may_have_equal_face(const Mesh& mesh, Face f) {
+  const Halfedge a = mesh.halfedge(f), b = mesh.next(a), c = mesh.next(b), d = mesh.next(c);
+  const bool is_triangle = d == a;
+  if (!is_triangle && mesh.next(d) != a) return true;
+  for (Halfedge h : {a, b, c, d})
+    if (has_copies(mesh, mesh.from(h))) return true;
+  const Face fa = mesh.face(twin(a)), fb = mesh.face(twin(b)), fc = mesh.face(twin(c));
+  if (is_triangle) return fa && fa == fb && fb == fc;
+  const Face fd = mesh.face(twin(d));
+  const auto is_shared = [](Face x, Face y) { return x && x == y; };
+  return is_shared(fa, fb) || is_shared(fa, fc) || is_shared(fd, fb) || is_shared(fd, fc);
+}
+
+// A walk over the outgoing halfedges of all copies of a point.
+class PointWalk {
+ public:
+  PointWalk(const Mesh& mesh, Vertex v)
+      : mesh_(&mesh), first_copy_(v), copy_(v), first_(mesh.halfedge(v)), h_(first_) {}
+  // False once the last one has been passed.
+  bool step() {
+    if (first_) {
+      h_ = mesh_->counter_clockwise(h_);
+      if (h_ != first_) return true;
+    }
+    copy_ = mesh_->next_copy(copy_);
+    first_ = h_ = mesh_->halfedge(copy_);
+    return copy_ != first_copy_;
+  }
+
+ private:
+  const Mesh* mesh_;
+  Vertex first_copy_, copy_;
+  Halfedge first_, h_;
+};
+
+// The corner whose point has the fewest edges; all are counted side by side, so that a hub costs nothing.
+Vertex loneliest_corner(const Mesh& mesh, Face f) {
+  std::vector<std::pair<Vertex, PointWalk>> walks;
+  for (Vertex v : vertices_around(mesh, f)) walks.emplace_back(v, PointWalk(mesh, v));
+  for (;;)
+    for (auto& [v, walk] : walks)
+      if (!walk.step()) return v;
+}
+
+bool has_corner_count(const Mesh& mesh, Face f, std::size_t expected) {
+  std::size_t n = 0;
+  const Halfedge start = mesh.halfedge(f);
+  Halfedge h = start;
+  do {
+    if (++n > expected) return false;
+    h = mesh.next(h);
+  } while (h != start);
+  return n == expected;
+}
+
+// Faces under a number that is equal for equal point sets.
+struct Filed {
+  std::uint64_t key;
+  std::uint32_t face;
+  friend bool operator<(const Filed& a, const Filed& b) { return a.key != b.key ? a.key < b.key : a.face < b.face; }
+};
+
+std::uint64_t mix(std::uint64_t x) {
+  x = (x + 0x9e3779b97f4a7c15ull) * 0xbf58476d1ce4e5b9ull;
+  x = (x ^ (x >> 29)) * 0x94d049bb133111ebull;
+  return x ^ (x >> 32);
+}
+
+std::vector<Filed> file_faces(Neighbourhood& around) {
+  const Mesh& mesh = around.mesh();
+  std::vector<Filed> filed;
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+    if (!mesh.is_alive(Face(i)) || !may_have_equal_face(mesh, Face(i))) continue;
+    Filed entry{0, i};
+    for (Vertex v : vertices_around(mesh, Face(i))) entry.key += mix(around.point(v).index);
+    filed.push_back(entry);
+  }
+  std::sort(filed.begin(), filed.end());
+  return filed;
+}
+
+// Equal keys almost always mean equal sets; this looks. Adds all but the first face of each set.
+void find_in_group(Neighbourhood& around, const Filed* begin, const Filed* end, std::vector<std::uint32_t>& found) {
+  std::vector<std::pair<std::vector<Vertex>, std::uint32_t>> sets;
+  for (const Filed* i = begin; i < end; ++i) {
+    sets.emplace_back();
+    sets.back().second = i->face;
+    points_of_face(around, Face(i->face), sets.back().first);
+    std::sort(sets.back().first.begin(), sets.back().first.end());
+  }
+  std::sort(sets.begin(), sets.end());
+  for (std::size_t i = 1; i < sets.size(); ++i)
+    if (sets[i].first == sets[i - 1].first) found.push_back(sets[i].second);
+}
+
+}  // namespace
+
+bool has_lower_equal_face(Neighbourhood& around, Face f) {
+  const Mesh& mesh = around.mesh();
+  if (!may_have_equal_face(mesh, f)) return false;
+  std::vector<Vertex> mine, theirs;
+  points_of_face(around, f, mine);
+  std::sort(mine.begin(), mine.end());
+  bool found = false;
+  for_each_copy(mesh, loneliest_corner(mesh, f), [&](Vertex copy) {
+    if (found || mesh.is_isolated(copy)) return;
+    for (Face g : faces_around(mesh, copy)) {
+      if (!g || g >= f || !has_corner_count(mesh, g, mine.size())) continue;
+      points_of_face(around, g, theirs);
+      std::sort(theirs.begin(), theirs.end());
+      found |= mine == theirs;
+      if (found) return;
+    }
+  });
+  return found;
+}
+
+std::vector<std::uint32_t> find_duplicate_faces(Neighbourhood& around) {
+  const std::vector<Filed> filed = file_faces(around);
+  std::vector<std::uint32_t> found;
+  for (std::size_t begin = 0; begin < filed.size();) {
+    std::size_t end = begin + 1;
+    while (end < filed.size() && filed[end].key == filed[begin].key) ++end;
+    if (end - begin > 1) find_in_group(around, filed.data() + begin, filed.data() + end, found);
+    begin = end;
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+Face hanging_partner(Neighbourhood& around, Face f) {
+  const Mesh& mesh = around.mesh();
+  const Halfedge a = mesh.halfedge(f), b = mesh.next(a), c = mesh.next(b);
+  if (mesh.next(c) != a) return Face();
+  // A triangle that shares two edges shares all three points; an edge with a third face leads nowhere.
+  Face candidates[3];
+  for (int i = 0; Halfedge h : {a, b, c}) {
+    const Halfedge other = around.across(h);
+    if (other && is_triangle(mesh, other) && around.point(mesh.from(other)) == around.point(mesh.to(h)))
+      candidates[i] = mesh.face(other);
+    ++i;
+  }
+  const Face g = candidates[0] == candidates[1] || candidates[0] == candidates[2] ? candidates[0] : candidates[1];
+  return g && (candidates[0] == candidates[1] || g == candidates[2]) && g < f ? g : Face();
+}
+
+bool closes_hanging_pair(Neighbourhood& around, Face f) { return static_cast<bool>(hanging_partner(around, f)); }
+
+}  // namespace ryosen

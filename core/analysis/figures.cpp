@@ -1,0 +1,165 @@
+#include "core/analysis/figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <vector>
+
+#include "core/analysis/boundary_loops.h"
+#include "core/analysis/components.h"
+#include "core/geometry/polygon_normal.h"
+#include "core/mesh/circulate.h"
+
+namespace ryosen {
+
+namespace {
+
+void count_corners(std::uint64_t corners, Figures& figures) {
+  figures.corners += corners;
+  figures.triangles += corners == 3;
+  figures.quads += corners == 4;
+  figures.polygons += corners >= 5;
+}
+
+void count_quarantine(const Mesh& mesh, std::span<const QuarantinedFace> quarantine, Figures& figures) {
+  const auto repeats = row_of(ProblemKind::degenerate_repeat).quarantined;
+  for (const QuarantinedFace& face : quarantine) {
+    count_corners(face.corners.size(), figures);
+    figures.degenerate_repeat += repeats(face, mesh.file_vertices());
+  }
+  figures.quarantined = quarantine.size();
+}
+
+void take_counts(const HighlightSets& sets, Figures& figures) {
+  figures.boundary_edges = sets.count(ProblemKind::boundary_loop);
+  figures.nonmanifold_edges = sets.count(ProblemKind::nonmanifold_edge);
+  figures.nonmanifold_vertices = sets.count(ProblemKind::nonmanifold_vertex);
+  figures.misoriented_edges = sets.count(ProblemKind::misoriented_edge);
+  figures.degenerate_area = sets.count(ProblemKind::degenerate_area);
+  figures.duplicate_faces = sets.count(ProblemKind::duplicate_face);
+  figures.hanging_pairs = sets.count(ProblemKind::hanging_pair);
+  figures.isolated_vertices = sets.count(ProblemKind::isolated_vertex);
+  figures.nonfinite_vertices = sets.count(ProblemKind::nonfinite_vertex);
+}
+
+void count_edges(Neighbourhood& around, Figures& figures) {
+  const Mesh& mesh = around.mesh();
+  std::uint64_t most = 0;
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+    const Edge e(i);
+    if (!mesh.is_alive(e) || !around.is_first_sheet(e)) continue;
+    ++figures.edges;
+    most = std::max<std::uint64_t>(most, around.edge(halfedge(e)).faces());
+  }
+  figures.max_edge_faces = most;
+}
+
+void count_vertices(Neighbourhood& around, const HighlightSets& sets, Figures& figures) {
+  const Mesh& mesh = around.mesh();
+  figures.vertices = mesh.live().vertices;
+  if (mesh.has_copies())
+    for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+      figures.vertices -= mesh.is_alive(Vertex(i)) && around.point(Vertex(i)) != Vertex(i);
+  sets.of(ProblemKind::nonmanifold_vertex).for_each([&](std::uint32_t i) {
+    figures.bowtie_vertices += around.fans(Vertex(i)) > 1;
+  });
+}
+
+// Bounds, area and volume of faces as they come.
+class Measure {
+ public:
+  void add(std::span<const glm::dvec3> polygon) {
+    const std::array<glm::dvec3, 2> before{low_, high_};
+    for (const glm::dvec3& p : polygon) {
+      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+        all_finite_ = false;
+        low_ = before[0];
+        high_ = before[1];
+        return;
+      }
+      low_ = glm::min(low_, p);
+      high_ = glm::max(high_, p);
+    }
+    if (!has_faces_) apex_ = polygon[0];
+    has_faces_ = true;
+    if (polygon.size() == 3 && add_triangle(polygon[0], polygon[1], polygon[2])) return;
+    area_ += polygon_area(polygon);
+    volume_ += polygon_volume(polygon, apex_);
+  }
+
+  void report(Figures& figures) const {
+    if (has_faces_) figures.bounds = {low_, high_};
+    figures.area = area_;
+    if (figures.closed && figures.manifold && figures.misoriented_edges == 0 && all_finite_) figures.volume = volume_;
+  }
+
+ private:
+  // False where the squares leave the range of doubles.
+  bool add_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    const double square = glm::dot(normal, normal);
+    if (!(square > 1e-280 && square < 1e+280)) return false;
+    area_ += 0.5 * std::sqrt(square);
+    volume_ += glm::dot(normal, a - apex_) / 6;
+    return true;
+  }
+
+  glm::dvec3 low_{std::numeric_limits<double>::infinity()};
+  glm::dvec3 high_{-std::numeric_limits<double>::infinity()};
+  glm::dvec3 apex_{0.0};
+  double area_ = 0, volume_ = 0;
+  bool has_faces_ = false;
+  bool all_finite_ = true;
+};
+
+void measure_faces(const Mesh& mesh, Figures& figures) {
+  Measure measure;
+  std::vector<glm::dvec3> polygon;
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+    if (!mesh.is_alive(Face(i))) continue;
+    polygon.clear();
+    const Halfedge start = mesh.halfedge(Face(i));
+    Halfedge h = start;
+    do {
+      polygon.push_back(mesh.position(mesh.from(h)));
+      h = mesh.next(h);
+    } while (h != start);
+    count_corners(polygon.size(), figures);
+    measure.add(polygon);
+  }
+  measure.report(figures);
+}
+
+}  // namespace
+
+Figures compute_figures(const Mesh& mesh, const HighlightSets& sets, std::span<const QuarantinedFace> quarantine) {
+  Neighbourhood around(mesh, Neighbourhood::Reach::whole);
+  Figures figures;
+  take_counts(sets, figures);
+  count_quarantine(mesh, quarantine, figures);
+  count_vertices(around, sets, figures);
+  count_edges(around, figures);
+  const std::uint64_t usable = mesh.live().faces;
+  figures.faces = usable + quarantine.size();
+  figures.boundary_loops = find_boundary_loops(around, sets.of(ProblemKind::boundary_loop)).size();
+  figures.components = count_face_components(around);
+  figures.euler_characteristic = static_cast<std::int64_t>(figures.vertices - figures.isolated_vertices + usable) -
+                                 static_cast<std::int64_t>(figures.edges + figures.rings);
+  figures.manifold = figures.nonmanifold_edges == 0 && figures.bowtie_vertices == 0;
+  figures.closed = usable > 0 && figures.boundary_edges == 0 && figures.nonmanifold_edges == 0;
+  figures.orientable = figures.misoriented_edges == 0 || is_orientable(around);
+  if (figures.manifold && figures.orientable && usable > 0)
+    figures.genus = (2 * static_cast<std::int64_t>(figures.components) - figures.euler_characteristic -
+                     static_cast<std::int64_t>(figures.boundary_loops)) /
+                    2;
+  measure_faces(mesh, figures);
+  return figures;
+}
+
+Figures compute_figures(const Mesh& mesh, std::span<const QuarantinedFace> quarantine) {
+  return compute_figures(mesh, HighlightSets(mesh), quarantine);
+}
+
+}  // namespace ryosen

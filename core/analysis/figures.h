@@ -1,0 +1,52 @@
+// The figures of a mesh as `check` reports them, counted on points and undirected edges.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+
+#include "core/analysis/highlights.h"
+#include "core/build/indexed.h"
+#include "core/mesh/mesh.h"
+
+namespace ryosen {
+
+struct Figures {
+  // Of the file: quarantined faces and their corners count.
+  std::uint64_t vertices = 0, corners = 0, faces = 0;
+  std::uint64_t triangles = 0, quads = 0, polygons = 0;  // polygons: five or more corners
+  std::uint64_t quarantined = 0;
+  std::uint64_t degenerate_repeat = 0;  // quarantined faces, all corners in range, one repeated
+
+  // Of the faces that take part in the mesh. Edges without a face do not count.
+  std::uint64_t edges = 0;
+  std::uint64_t rings = 0;
+  std::uint64_t boundary_edges = 0, boundary_loops = 0;
+  std::uint64_t nonmanifold_edges = 0, max_edge_faces = 0;
+  std::uint64_t nonmanifold_vertices = 0, bowtie_vertices = 0;
+  std::uint64_t misoriented_edges = 0;
+  std::uint64_t degenerate_area = 0;
+  std::uint64_t duplicate_faces = 0, hanging_pairs = 0;
+  std::uint64_t isolated_vertices = 0, nonfinite_vertices = 0;
+  std::uint64_t components = 0;
+  std::int64_t euler_characteristic = 0;
+  std::optional<std::int64_t> genus;  // only where manifold, orientable and not empty
+  bool manifold = true;
+  bool closed = false;
+  bool orientable = true;
+
+  // Of the faces with finite coordinates.
+  std::optional<std::array<glm::dvec3, 2>> bounds;  // smallest and largest coordinates
+  double area = 0;
+  std::optional<double> volume;  // only where closed, manifold, consistently oriented and all finite
+
+  friend bool operator==(const Figures&, const Figures&) = default;
+};
+
+// O(corners), and a logarithm beside copies. `sets` are those of the mesh as it is.
+Figures compute_figures(const Mesh& mesh, const HighlightSets& sets, std::span<const QuarantinedFace> quarantine);
+Figures compute_figures(const Mesh& mesh, std::span<const QuarantinedFace> quarantine = {});
+
+}  // namespace ryosen

@@ -1,0 +1,82 @@
+// A set of slot numbers as bits, visited in ascending order.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace ryosen {
+
+// Two levels of bits: a summary bit per word that is not zero, so that sparse sets are quick to visit. insert, erase
+// and contains are O(1), a visit costs the members plus one step per 4096 slots. Grows on insertion.
+class IndexSet {
+ public:
+  bool contains(std::uint32_t i) const {
+    const std::size_t word = i / 64;
+    return word < words_.size() && (words_[word] >> (i % 64) & 1u) != 0;
+  }
+  std::uint32_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+
+  // Returns whether the set changed.
+  bool insert(std::uint32_t i) {
+    const std::size_t word = i / 64;
+    if (word >= words_.size()) grow(word + 1);
+    const std::uint64_t bit = std::uint64_t{1} << (i % 64);
+    if ((words_[word] & bit) != 0) return false;
+    words_[word] |= bit;
+    summary_[word / 64] |= std::uint64_t{1} << (word % 64);
+    ++size_;
+    return true;
+  }
+  bool erase(std::uint32_t i) {
+    if (!contains(i)) return false;
+    const std::size_t word = i / 64;
+    words_[word] &= ~(std::uint64_t{1} << (i % 64));
+    if (words_[word] == 0) summary_[word / 64] &= ~(std::uint64_t{1} << (word % 64));
+    --size_;
+    return true;
+  }
+  void clear() { *this = IndexSet(); }
+
+  // Ascending. The set must not change meanwhile.
+  template <class Visit>
+  void for_each(Visit visit) const {
+    for_each_from(0, visit);
+  }
+  // Those that are not smaller than first.
+  template <class Visit>
+  void for_each_from(std::uint32_t first, Visit visit) const {
+    for (std::size_t s = first / 4096; s < summary_.size(); ++s)
+      for (std::uint64_t words = summary_[s]; words != 0; words &= words - 1) {
+        const std::size_t word = s * 64 + static_cast<std::size_t>(std::countr_zero(words));
+        for (std::uint64_t bits = words_[word]; bits != 0; bits &= bits - 1) {
+          const auto i = static_cast<std::uint32_t>(word * 64 + static_cast<std::size_t>(std::countr_zero(bits)));
+          if (i >= first) visit(i);
+        }
+      }
+  }
+  std::vector<std::uint32_t> to_vector() const {
+    std::vector<std::uint32_t> members;
+    members.reserve(size_);
+    for_each([&](std::uint32_t i) { members.push_back(i); });
+    return members;
+  }
+
+  friend bool operator==(const IndexSet& a, const IndexSet& b) {
+    return a.size_ == b.size_ && a.to_vector() == b.to_vector();
+  }
+
+ private:
+  void grow(std::size_t words) {
+    words_.resize(words, 0);
+    summary_.resize((words + 63) / 64, 0);
+  }
+
+  std::vector<std::uint64_t> words_;
+  std::vector<std::uint64_t> summary_;  // one bit per word
+  std::uint32_t size_ = 0;
+};
+
+}  // namespace ryosen

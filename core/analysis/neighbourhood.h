@@ -1,0 +1,100 @@
+// What lies around the points of a mesh, over all their copies: faces per edge, fans of faces, boundary chains.
+//
+// Figures and problems speak of points and of undirected edges between them; the kernel holds copies and cut edges. A
+// Neighbourhood answers for points. Where neither end of an edge has copies the answer is read from the links;
+// elsewhere from the star of the point, which is gathered once and kept.
+#pragma once
+
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "core/mesh/copies.h"
+#include "core/mesh/mesh.h"
+
+namespace ryosen {
+
+// An edge on points, seen from the star's point.
+struct StarEdge {
+  Vertex neighbour;              // a point
+  PointEdge faces;               // forward: away from the star's point
+  Edge first_sheet;              // the lowest slot among the sheets with a face
+  Face last_face;                // the highest face on it
+  std::uint32_t first_side = 0;  // its sides are those from here on, faces.faces() of them
+};
+
+// The corners of faces at a point. Corner c has two sides: 2c along corners[c], and 2c + 1 along the halfedge before
+// it.
+struct Star {
+  std::vector<Halfedge> corners;            // they leave the point; ascending
+  std::vector<StarEdge> edges;              // ascending by neighbour
+  std::vector<std::uint32_t> sides;         // of all corners, edge after edge
+  std::vector<std::uint32_t> edge_of_side;  // into edges
+  std::uint32_t fans = 0;                   // groups of corners that shared edges join, whatever their direction
+  bool has_nonmanifold_edge = false;
+
+  // The edge to a point, or null.
+  const StarEdge* edge_to(Vertex neighbour_point) const;
+  // Where a boundary side leads on through its fan: the boundary side at the other end, or no_index where an edge with
+  // three or more faces ends the fan.
+  std::uint32_t other_boundary_side(std::uint32_t side) const;
+};
+
+// A boundary edge, met on the way along a boundary: the side with the face, left over its end or over its origin.
+struct BoundaryStep {
+  Halfedge inside;
+  bool at_end = true;
+};
+
+// Views of the mesh, which must outlive it and stay as it is.
+class Neighbourhood {
+ public:
+  // `whole` prepares for questions about every element: O(vertices) where the mesh has copies. Without it each question
+  // costs the stars that it touches, never the mesh.
+  enum class Reach { local, whole };
+  explicit Neighbourhood(const Mesh& mesh, Reach reach = Reach::local);
+
+  const Mesh& mesh() const { return mesh_; }
+
+  Vertex point(Vertex v);
+  // Whether a vertex is its point alone and holds at most one gap; then it is one fan of faces, or none.
+  bool is_plain(Vertex v) const;
+  // Whether the edge between the two points is this one sheet, by the rule that one edge joins two vertices.
+  bool is_single_sheet(Halfedge h) const {
+    return !has_copies(mesh_, mesh_.from(h)) && !has_copies(mesh_, mesh_.to(h));
+  }
+
+  // Gathered over all copies. Cost: the corners there, once. The reference holds until the next call of any member.
+  const Star& star(Vertex v);
+
+  // The faces between the points of h, forward along h.
+  PointEdge edge(Halfedge h);
+  // Whether e is the sheet that stands for its edge on points: the lowest slot with a face.
+  bool is_first_sheet(Edge e);
+  // The highest face at the edge on points.
+  Face last_face(Halfedge h);
+  // All faces on it, one entry per side.
+  void faces_at(Halfedge h, std::vector<Face>& faces);
+  // Where exactly two faces share the edge of h (which has a face): the halfedge of the other one. Else none.
+  Halfedge across(Halfedge h);
+  // Fans of faces at the point.
+  std::uint32_t fans(Vertex v);
+
+  // The next boundary edge of the chain through the fan of faces at the end; `inside` none where the chain stops at a
+  // non-manifold edge.
+  BoundaryStep next_boundary(BoundaryStep step);
+
+ private:
+  const StarEdge& star_edge(Halfedge h, bool& reversed);
+
+  const Mesh& mesh_;
+  std::vector<Vertex> points_;  // of every vertex, when the whole mesh is asked
+  std::unordered_map<Vertex, Vertex> known_points_;
+  std::unordered_map<Vertex, Star> stars_;
+  std::size_t kept_sides_ = 0;
+};
+
+// The corners of face f as points.
+void points_of_face(Neighbourhood& around, Face f, std::vector<Vertex>& points);
+
+}  // namespace ryosen

@@ -1,0 +1,258 @@
+#include "core/analysis/problem_kinds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "core/analysis/equal_faces.h"
+#include "core/geometry/predicates.h"
+#include "core/mesh/circulate.h"
+
+namespace ryosen {
+
+namespace {
+
+bool is_boundary_edge(Neighbourhood& around, Edge e) {
+  const Mesh& mesh = around.mesh();
+  const Halfedge h = halfedge(e);
+  if (around.is_single_sheet(h)) return mesh.is_boundary(e);
+  return around.edge(h).is_boundary() && around.is_first_sheet(e);
+}
+
+bool is_nonmanifold_edge(Neighbourhood& around, Edge e) {
+  const Halfedge h = halfedge(e);
+  return !around.is_single_sheet(h) && around.edge(h).is_nonmanifold() && around.is_first_sheet(e);
+}
+
+bool is_misoriented_edge(Neighbourhood& around, Edge e) {
+  const Halfedge h = halfedge(e);
+  return !around.is_single_sheet(h) && around.edge(h).is_misoriented() && around.is_first_sheet(e);
+}
+
+bool is_nonmanifold_vertex(Neighbourhood& around, Vertex v) {
+  if (around.is_plain(v) || around.point(v) != v) return false;
+  const Star& star = around.star(v);
+  return star.fans > 1 || star.has_nonmanifold_edge;
+}
+
+bool is_isolated_vertex(Neighbourhood& around, Vertex v) {
+  if (around.mesh().is_isolated(v) && !has_copies(around.mesh(), v)) return true;
+  return around.mesh().is_boundary(v) && around.point(v) == v && around.fans(v) == 0;
+}
+
+bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+bool is_nonfinite_vertex(Neighbourhood& around, Vertex v) {
+  return !is_finite(around.mesh().position(v)) && around.point(v) == v;
+}
+
+// A difference of products too large for rounding to have made it: the bound of orient2d (predicates.cpp).
+bool differ(double left, double right) {
+  const double size = std::abs(left) + std::abs(right);
+  return size > 1e-280 && size <= 1e+300 && std::abs(left - right) > 4e-16 * size;
+}
+
+bool surely_not_collinear(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const glm::dvec3 u = b - a, v = c - a;
+  return differ(u.y * v.z, u.z * v.y) || differ(u.z * v.x, u.x * v.z) || differ(u.x * v.y, u.y * v.x);
+}
+
+bool is_degenerate_face(Neighbourhood& around, Face f) {
+  const Mesh& mesh = around.mesh();
+  const Halfedge first = mesh.halfedge(f), second = mesh.next(first);
+  const glm::dvec3& a = mesh.position(mesh.from(first));
+  if (surely_not_collinear(a, mesh.position(mesh.from(second)), mesh.position(mesh.to(second)))) {
+    // Not degenerate, and a coordinate that is not finite makes no difference to that.
+    return false;
+  }
+  glm::dvec3 b = a;
+  for (Vertex v : vertices_around(mesh, f)) {
+    const glm::dvec3& p = mesh.position(v);
+    if (!is_finite(p)) return false;
+    if (b == a) b = p;
+  }
+  for (Vertex v : vertices_around(mesh, f))
+    if (!are_collinear(a, b, mesh.position(v))) return false;
+  return true;
+}
+
+bool is_quarantined(const QuarantinedFace&, std::uint32_t) { return true; }
+
+bool repeats_corner(const QuarantinedFace& face, std::uint32_t file_vertices) {
+  if (face.corners.size() < 3) return false;
+  std::vector<std::int64_t> sorted = face.corners;
+  std::sort(sorted.begin(), sorted.end());
+  return sorted.front() >= 0 && sorted.back() < std::int64_t{file_vertices} &&
+         std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+}
+
+constexpr auto problem = ProblemSeverity::problem;
+constexpr auto info = ProblemSeverity::info;
+
+constexpr std::array<ProblemRow, problem_kinds> rows{{
+    {.kind = ProblemKind::nonmanifold_edge,
+     .id = "nonmanifold_edge",
+     .highlight = "nonmanifold",
+     .severity = problem,
+     .name_en = "Non-manifold edge",
+     .name_ja = "非多様体の稜線",
+     .one_en = "One edge carries three or more faces.",
+     .many_en = "# edges carry three or more faces.",
+     .many_ja = "三つ以上の面が接する稜線が # 本あります。",
+     .edge = is_nonmanifold_edge},
+    {.kind = ProblemKind::nonmanifold_vertex,
+     .id = "nonmanifold_vertex",
+     .highlight = "nonmanifold",
+     .severity = problem,
+     .name_en = "Non-manifold vertex",
+     .name_ja = "非多様体の頂点",
+     .one_en = "The faces at one vertex do not form a single fan, or it ends a non-manifold edge.",
+     .many_en = "The faces at # vertices do not form a single fan, or they end non-manifold edges.",
+     .many_ja = "周りの面が一つの扇にならないか、非多様体の稜線の端にある頂点が # 個あります。",
+     .vertex = is_nonmanifold_vertex},
+    {.kind = ProblemKind::misoriented_edge,
+     .id = "misoriented_edge",
+     .highlight = "misoriented",
+     .severity = problem,
+     .name_en = "Misoriented edge",
+     .name_ja = "向きの不一致な稜線",
+     .one_en = "The two faces at one edge are turned against each other.",
+     .many_en = "The two faces at each of # edges are turned against each other.",
+     .many_ja = "両側の面の向きが食い違う稜線が # 本あります。",
+     .edge = is_misoriented_edge},
+    {.kind = ProblemKind::degenerate_repeat,
+     .id = "degenerate_repeat",
+     .highlight = "",
+     .severity = problem,
+     .name_en = "Face with a repeated corner",
+     .name_ja = "同じ頂点を繰り返す面",
+     .one_en = "One face visits a vertex more than once.",
+     .many_en = "# faces visit a vertex more than once.",
+     .many_ja = "同じ頂点を二度以上通る面が # 個あります。",
+     .quarantined = repeats_corner},
+    {.kind = ProblemKind::degenerate_area,
+     .id = "degenerate_area",
+     .highlight = "degenerate",
+     .severity = problem,
+     .name_en = "Degenerate face",
+     .name_ja = "面積ゼロの面",
+     .one_en = "The corners of one face lie exactly on a line.",
+     .many_en = "The corners of # faces lie exactly on a line.",
+     .many_ja = "角がちょうど一直線に並び、面積がゼロの面が # 個あります。",
+     .face = is_degenerate_face},
+    {.kind = ProblemKind::duplicate_face,
+     .id = "duplicate_face",
+     .highlight = "duplicate",
+     .severity = problem,
+     .name_en = "Duplicate face",
+     .name_ja = "重複面",
+     .one_en = "One face has the same vertices as an earlier one.",
+     .many_en = "# faces have the same vertices as an earlier one.",
+     .many_ja = "前の面と同じ頂点を持つ重複面が # 個あります。",
+     .face = has_lower_equal_face,
+     .find_all = find_duplicate_faces},
+    {.kind = ProblemKind::hanging_pair,
+     .id = "hanging_pair",
+     .highlight = "hanging",
+     .severity = problem,
+     .name_en = "Hanging pair",
+     .name_ja = "縮退（背中合わせの三角形）",
+     .one_en = "Two triangles lie back to back and hang on one edge at most.",
+     .many_en = "# pairs of triangles lie back to back and hang on one edge at most.",
+     .many_ja = "背中合わせに重なり、高々一本の稜線でつながる三角形の組（縮退）が # 組あります。",
+     .face = closes_hanging_pair},
+    {.kind = ProblemKind::isolated_vertex,
+     .id = "isolated_vertex",
+     .highlight = "isolated",
+     .severity = problem,
+     .name_en = "Isolated vertex",
+     .name_ja = "孤立頂点",
+     .one_en = "One vertex belongs to no face.",
+     .many_en = "# vertices belong to no face.",
+     .many_ja = "どの面にも属さない頂点が # 個あります。",
+     .vertex = is_isolated_vertex},
+    {.kind = ProblemKind::nonfinite_vertex,
+     .id = "nonfinite_vertex",
+     .highlight = "",
+     .severity = problem,
+     .name_en = "Vertex without a place",
+     .name_ja = "座標が有限でない頂点",
+     .one_en = "One vertex has a coordinate that is not a finite number.",
+     .many_en = "# vertices have a coordinate that is not a finite number.",
+     .many_ja = "座標が有限の数でない頂点が # 個あります。",
+     .vertex = is_nonfinite_vertex},
+    {.kind = ProblemKind::quarantined_face,
+     .id = "quarantined_face",
+     .highlight = "",
+     .severity = problem,
+     .name_en = "Quarantined face",
+     .name_ja = "隔離された面",
+     .one_en = "One face of the file cannot be connected and is kept aside.",
+     .many_en = "# faces of the file cannot be connected and are kept aside.",
+     .many_ja = "接続できず隔離されたファイル中の面が # 個あります。",
+     .quarantined = is_quarantined},
+    {.kind = ProblemKind::boundary_loop,
+     .id = "boundary_loop",
+     .highlight = "boundary",
+     .severity = info,
+     .name_en = "Boundary loop",
+     .name_ja = "境界ループ",
+     .one_en = "The surface has one boundary loop.",
+     .many_en = "The surface has # boundary loops.",
+     .many_ja = "曲面に境界ループが # 本あります。",
+     .edge = is_boundary_edge},
+}};
+
+constexpr std::array highlights{
+    HighlightRow{"boundary", "Boundary", "境界", true},
+    HighlightRow{"nonmanifold", "Non-manifold", "非多様体", true},
+    HighlightRow{"misoriented", "Misoriented", "向きの不一致", true},
+    HighlightRow{"degenerate", "Degenerate", "面積ゼロの面", true},
+    HighlightRow{"duplicate", "Duplicate", "重複面", false},
+    HighlightRow{"hanging", "Hanging pairs", "縮退", false},
+    HighlightRow{"isolated", "Isolated", "孤立頂点", false},
+};
+
+constexpr bool rows_are_in_order() {
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (static_cast<std::size_t>(rows[i].kind) != i) return false;
+  return true;
+}
+static_assert(rows_are_in_order(), "the table has one row per kind, in the order of the enumeration");
+
+constexpr bool highlights_exist() {
+  for (const ProblemRow& row : rows) {
+    bool found = row.highlight.empty();
+    for (const HighlightRow& h : highlights) found |= h.id == row.highlight;
+    if (!found) return false;
+  }
+  return true;
+}
+static_assert(highlights_exist(), "a kind is drawn by a highlight that the table has");
+
+std::string with_number(std::string_view sentence, std::size_t number) {
+  std::string text(sentence);
+  if (const std::size_t place = text.find('#'); place != std::string::npos)
+    text.replace(place, 1, std::to_string(number));
+  return text;
+}
+
+}  // namespace
+
+Text ProblemRow::sentence(std::size_t count) const {
+  return {with_number(count == 1 ? one_en : many_en, count), with_number(many_ja, count)};
+}
+
+std::span<const ProblemRow> problem_table() { return rows; }
+const ProblemRow& row_of(ProblemKind kind) { return rows[static_cast<std::size_t>(kind)]; }
+
+const ProblemRow* find_problem_row(std::string_view id) {
+  for (const ProblemRow& row : rows)
+    if (row.id == id) return &row;
+  return nullptr;
+}
+
+std::span<const HighlightRow> highlight_table() { return highlights; }
+
+}  // namespace ryosen

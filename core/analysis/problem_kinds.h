@@ -1,0 +1,71 @@
+// The one table of what Ryosen finds in a mesh: what each kind is called, how it is told from one element, how it
+// reads.
+//
+// To add a kind, write its predicate and its row. Panels, reports, highlights and figures read the table.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/analysis/neighbourhood.h"
+#include "core/base/message.h"
+#include "core/build/indexed.h"
+
+namespace ryosen {
+
+// In the order of reports. The elements of boundary_loop are boundary edges; reports count their loops.
+enum class ProblemKind : std::uint8_t {
+  nonmanifold_edge,
+  nonmanifold_vertex,
+  misoriented_edge,
+  degenerate_repeat,
+  degenerate_area,
+  duplicate_face,
+  hanging_pair,
+  isolated_vertex,
+  nonfinite_vertex,
+  quarantined_face,
+  boundary_loop,
+};
+inline constexpr std::size_t problem_kinds = 11;
+
+enum class ProblemSeverity : std::uint8_t { info, problem };
+
+// Exactly one of the four predicates is set. Those of mesh elements are asked about live elements and look no further
+// than the faces at their points; an edge or vertex that is several in the kernel answers yes for one only: the lowest
+// sheet with a face, the lowest copy. A duplicate is any face but the lowest, a hanging pair its higher face.
+struct ProblemRow {
+  ProblemKind kind;
+  std::string_view id;         // as in reports
+  std::string_view highlight;  // id of the highlight that draws it; empty where there is nothing to draw
+  ProblemSeverity severity;
+  std::string_view name_en, name_ja;
+  std::string_view one_en, many_en, many_ja;  // sentences; # stands for the number
+
+  bool (*vertex)(Neighbourhood&, Vertex) = nullptr;
+  bool (*edge)(Neighbourhood&, Edge) = nullptr;
+  bool (*face)(Neighbourhood&, Face) = nullptr;
+  bool (*quarantined)(const QuarantinedFace&, std::uint32_t file_vertices) = nullptr;
+  // Finds all at once where that is quicker than asking one by one; ascending.
+  std::vector<std::uint32_t> (*find_all)(Neighbourhood&) = nullptr;
+
+  bool is_local() const { return vertex || edge || face; }
+  Text sentence(std::size_t count) const;
+};
+
+std::span<const ProblemRow> problem_table();
+const ProblemRow& row_of(ProblemKind kind);
+// By id; null when there is none.
+const ProblemRow* find_problem_row(std::string_view id);
+
+// What the viewer can show and hide, each drawing the kinds that name it.
+struct HighlightRow {
+  std::string_view id;  // as in `shot --show`
+  std::string_view name_en, name_ja;
+  bool is_default;  // shown unless the user says otherwise
+};
+std::span<const HighlightRow> highlight_table();
+
+}  // namespace ryosen

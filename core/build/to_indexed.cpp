@@ -1,0 +1,215 @@
+#include "core/build/to_indexed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <optional>
+
+#include "core/mesh/attribute.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+
+namespace ryosen {
+
+namespace {
+
+// Nearest live point to a place, by a sweep to both sides of it along x.
+class NearestPoint {
+ public:
+  explicit NearestPoint(const Mesh& mesh) : mesh_(mesh) {
+    for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+      const Vertex v(i);
+      if (!mesh.is_alive(v) || point(mesh, v) != v) continue;
+      if (!lowest_) lowest_ = v;
+      if (std::isfinite(mesh.position(v).x)) by_x_.push_back(v);
+    }
+    std::sort(by_x_.begin(), by_x_.end(), [&](Vertex a, Vertex b) { return x(a) != x(b) ? x(a) < x(b) : a < b; });
+  }
+
+  // None where the mesh has no point; the lowest where no place compares.
+  Vertex to(const glm::dvec3& place) const {
+    best_ = Vertex();
+    distance_ = std::numeric_limits<double>::infinity();
+    const auto middle =
+        std::lower_bound(by_x_.begin(), by_x_.end(), place.x, [&](Vertex v, double value) { return x(v) < value; });
+    for (auto i = middle; i != by_x_.end() && !(x(*i) - place.x > distance_); ++i) consider(*i, place);
+    for (auto i = middle; i != by_x_.begin() && !(place.x - x(i[-1]) > distance_); --i) consider(i[-1], place);
+    return best_ ? best_ : lowest_;
+  }
+
+ private:
+  double x(Vertex v) const { return mesh_.position(v).x; }
+  void consider(Vertex v, const glm::dvec3& place) const {
+    const double d = glm::distance(mesh_.position(v), place);
+    if (d > distance_ || !(d < std::numeric_limits<double>::infinity()) || (d == distance_ && best_ < v)) return;
+    best_ = v;
+    distance_ = d;
+  }
+
+  const Mesh& mesh_;
+  std::vector<Vertex> by_x_;
+  Vertex lowest_;
+  mutable Vertex best_;
+  mutable double distance_ = 0;
+};
+
+void number_vertices(const Mesh& mesh, CompactMesh& out) {
+  out.vertex_number.assign(mesh.vertex_slots(), no_index);
+  out.mesh.positions.reserve(mesh.live().vertices);
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+    const Vertex v(i);
+    if (!mesh.is_alive(v) || out.vertex_number[i] != no_index) continue;  // a copy of a point met before
+    const auto number = static_cast<std::uint32_t>(out.mesh.positions.size());
+    for_each_copy(mesh, v, [&](Vertex copy) { out.vertex_number[copy.index] = number; });
+    out.mesh.positions.push_back(mesh.position(v));
+  }
+}
+
+// The column's index of each corner, where the mesh has the column.
+class CornerColumn {
+ public:
+  CornerColumn(const Mesh& mesh, std::string_view index_name, std::string_view pool_name, int components,
+               CornerValues& values)
+      : values_(values) {
+    values.components = components;
+    const int index = mesh.find_attribute(index_name), pool = mesh.find_attribute(pool_name);
+    if (pool >= 0) {
+      const AttributeColumn& column = mesh.attributes()[static_cast<std::size_t>(pool)];
+      values.pool.resize(column.data.size() / column.words);
+      if (!values.pool.empty()) std::memcpy(values.pool.data(), column.data.data(), column.data.size() * 4);
+    }
+    if (index < 0) return;
+    data_ = mesh.attributes()[static_cast<std::size_t>(index)].data.data();
+    values.index.reserve(std::size_t{2} * mesh.live().edges);
+  }
+  void add(Halfedge corner) {
+    if (!data_) return;
+    values_.index.push_back(data_[corner.index]);
+    any_ |= data_[corner.index] != no_index;
+  }
+  // A list without a single value is an unused one.
+  void finish() {
+    if (!any_) values_.index.clear();
+  }
+
+ private:
+  CornerValues& values_;
+  const std::uint32_t* data_ = nullptr;
+  bool any_ = false;
+};
+
+void write_faces(const Mesh& mesh, const FileTables& tables, CompactMesh& out) {
+  IndexedMesh& m = out.mesh;
+  out.face_number.assign(mesh.face_slots(), no_index);
+  m.corners.reserve(std::size_t{2} * mesh.live().edges);
+  m.face_offsets.reserve(std::size_t{mesh.live().faces} + tables.quarantine.size() + 1);
+  CornerColumn texcoords(mesh, attribute_names::texcoord, attribute_names::texcoord_pool, tables.texcoord_components,
+                         m.texcoords);
+  CornerColumn normals(mesh, attribute_names::normal, attribute_names::normal_pool, tables.normal_components,
+                       m.normals);
+  auto aside = tables.quarantine.begin();
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+    const bool is_aside = aside != tables.quarantine.end() && aside->face == i;
+    if (is_aside) ++aside;
+    if (!is_aside && !mesh.is_alive(Face(i))) continue;
+    out.face_number[i] = static_cast<std::uint32_t>(m.face_count());
+    if (!is_aside)
+      for (Halfedge h : halfedges_around(mesh, Face(i))) {
+        m.corners.push_back(out.vertex_number[mesh.from(h).index]);
+        texcoords.add(h);
+        normals.add(h);
+      }
+    m.face_offsets.push_back(static_cast<std::uint32_t>(m.corners.size()));
+  }
+  texcoords.finish();
+  normals.finish();
+}
+
+void write_quarantine(const Mesh& mesh, const FileTables& tables, CompactMesh& out) {
+  const std::int64_t end = mesh.file_vertices();
+  const auto new_end = static_cast<std::int64_t>(out.mesh.positions.size());
+  const auto is_lost = [&](std::int64_t c) { return c >= 0 && c < end && !mesh.is_alive(Vertex(c)); };
+  std::optional<NearestPoint> nearest;
+  const auto new_number = [&](std::int64_t corner) -> std::int64_t {
+    if (corner < 0) return corner;
+    if (corner >= end) return corner - end + new_end;
+    if (new_end == 0) return corner;
+    if (!is_lost(corner)) return out.vertex_number[static_cast<std::size_t>(corner)];
+    if (!nearest) nearest.emplace(mesh);
+    return out.vertex_number[nearest->to(mesh.position(Vertex(corner))).index];
+  };
+  out.mesh.quarantine = tables.quarantine;
+  for (QuarantinedFace& face : out.mesh.quarantine) {
+    face.face = out.face_number[face.face];
+    face.line = 0;
+    for (std::int64_t& corner : face.corners) corner = new_number(corner);
+  }
+}
+
+// Moves one value per slot to the numbers of the list; slots from values.size() on take `fill`.
+template <class Value>
+std::vector<Value> renumbered(const std::vector<Value>& values, const std::vector<std::uint32_t>& number,
+                              std::size_t count, const Value& fill) {
+  std::vector<Value> result(count, fill);
+  // Downwards, so that of the copies of a point the one that names it decides.
+  for (std::size_t i = std::min(values.size(), number.size()); i-- > 0;)
+    if (number[i] != no_index) result[number[i]] = values[i];
+  return result;
+}
+
+void write_vertex_values(const Mesh& mesh, const FileTables& tables, CompactMesh& out) {
+  const std::size_t count = out.mesh.positions.size();
+  if (const int colour = mesh.find_attribute(attribute_names::colour); colour >= 0) {
+    const AttributeColumn& column = mesh.attributes()[static_cast<std::size_t>(colour)];
+    std::vector<glm::dvec4> values(column.data.size() / column.words);
+    if (!values.empty()) std::memcpy(values.data(), column.data.data(), column.data.size() * 4);
+    out.mesh.vertex_colours = renumbered(values, out.vertex_number, count, glm::dvec4(0.0));
+  }
+  out.mesh.colour_components = tables.colour_components;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (!tables.vertex_weights.empty())
+    out.mesh.vertex_weights = renumbered(tables.vertex_weights, out.vertex_number, count, none);
+}
+
+void write_face_names(const Mesh& mesh, std::string_view name, const std::vector<std::string>& names,
+                      const CompactMesh& out, FaceNames& result) {
+  result.names = names;
+  const int column = mesh.find_attribute(name);
+  if (column < 0) return;
+  result.index = renumbered(mesh.attributes()[static_cast<std::size_t>(column)].data, out.face_number,
+                            out.mesh.face_count(), no_index);
+}
+
+void write_face_values(const Mesh& mesh, const FileTables& tables, CompactMesh& out) {
+  IndexedMesh& m = out.mesh;
+  write_face_names(mesh, attribute_names::material, tables.materials, out, m.materials);
+  write_face_names(mesh, attribute_names::group, tables.groups, out, m.groups);
+  write_face_names(mesh, attribute_names::object, tables.objects, out, m.objects);
+  write_face_names(mesh, attribute_names::smoothing, tables.smoothing, out, m.smoothing);
+  if (tables.face_colours.values.empty()) return;
+  const std::size_t count = m.face_count();
+  m.face_colours.values = renumbered(tables.face_colours.values, out.face_number, count, glm::dvec4(0.0));
+  m.face_colours.count = renumbered(tables.face_colours.count, out.face_number, count, std::uint8_t{0});
+}
+
+}  // namespace
+
+FileTables file_tables(const IndexedMesh& source) {
+  return {source.quarantine,           source.face_lines,         source.vertex_weights,   source.face_colours,
+          source.materials.names,      source.groups.names,       source.objects.names,    source.smoothing.names,
+          source.texcoords.components, source.normals.components, source.colour_components};
+}
+
+CompactMesh to_indexed(const Mesh& mesh, const FileTables& tables) {
+  CompactMesh out;
+  number_vertices(mesh, out);
+  write_faces(mesh, tables, out);
+  write_quarantine(mesh, tables, out);
+  write_vertex_values(mesh, tables, out);
+  write_face_values(mesh, tables, out);
+  return out;
+}
+
+}  // namespace ryosen

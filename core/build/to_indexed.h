@@ -1,0 +1,42 @@
+// The way back from a mesh to the polygon list that a file holds.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/build/indexed.h"
+#include "core/mesh/mesh.h"
+
+namespace ryosen {
+
+// What a file gives and the mesh does not carry. Numbers are those of the file, which never change while it is open.
+struct FileTables {
+  std::vector<QuarantinedFace> quarantine;  // ascending by face; without those that the user dropped
+  std::vector<std::uint32_t> face_lines;
+  std::vector<double> vertex_weights;
+  FaceColours face_colours;
+  std::vector<std::string> materials, groups, objects, smoothing;  // the names that the face columns number
+  int texcoord_components = 3;
+  int normal_components = 3;
+  int colour_components = 3;
+};
+// Copies them, so ask before from_indexed takes the list.
+FileTables file_tables(const IndexedMesh& source);
+
+struct CompactMesh {
+  IndexedMesh mesh;
+  // Number in the list by slot, no_index for what is not in it. All copies of a point have the point's number, a
+  // quarantined face has one.
+  std::vector<std::uint32_t> vertex_number;
+  std::vector<std::uint32_t> face_number;
+};
+
+// Live points (isolated ones too) and live and quarantined faces in the order of their numbers without gaps; each face
+// from its first corner; pools as they are. Face lines are left out. from_indexed gives the same polygons again.
+// A quarantined face keeps its cause: a corner follows its vertex; a deleted one is replaced by the nearest live point
+// (the lowest of equally near ones), as a rule the one that it was collapsed into; a number past the end is written as
+// far past the new end; a negative one as it was. Only where no point is left, numbers past the end are all there is.
+// O(corners), and a sort of the points when a quarantined face has lost one.
+CompactMesh to_indexed(const Mesh& mesh, const FileTables& tables = {});
+
+}  // namespace ryosen

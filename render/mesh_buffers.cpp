@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/ext/matrix_transform.hpp>
 
 #include "render/space_order.h"
 
@@ -27,13 +28,30 @@ void for_runs(std::vector<std::uint32_t> numbers, const Write& write) {
 
 }  // namespace
 
+glm::dmat4 BufferSpace::to_mesh() const {
+  return glm::scale(glm::translate(glm::dmat4(1.0), origin), glm::dvec3(1 / scale));
+}
+
+BufferSpace buffer_space(const glm::dvec3& low, const glm::dvec3& high) {
+  const glm::dvec3 size = high - low;
+  const double largest = std::max({size.x, size.y, size.z});
+  BufferSpace space;
+  space.origin = 0.5 * low + 0.5 * high;
+  if (largest > 0 && std::isfinite(largest)) {
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    space.scale = std::ldexp(1.0, std::clamp(-exponent, -1000, 1000));
+  }
+  return space;
+}
+
 MeshBuffers::MeshBuffers()
     : gpu_positions_("mesh positions", GL_RGBA32F),
       gpu_triangles_("mesh triangles", GL_RGBA32UI),
       gpu_flags_("face flags", GL_R8UI) {}
 
-void MeshBuffers::set(const TriangleSource& source, const glm::dvec3& origin) {
-  origin_ = origin;
+void MeshBuffers::set(const TriangleSource& source, const BufferSpace& space) {
+  space_ = space;
   positions_.clear();
   triangles_.clear();
   flags_.clear();
@@ -88,6 +106,13 @@ void MeshBuffers::bind() const {
   gpu_flags_.bind(2);
 }
 
+void MeshBuffers::set_units(const Program& program) {
+  program.use();
+  program.set("positions", 0);
+  program.set("triangles", 1);
+  program.set("face_flags", 2);
+}
+
 FloatBox MeshBuffers::bounds() const {
   FloatBox box;
   for (const Cluster& cluster : clusters_) box.add(cluster.box);
@@ -133,7 +158,7 @@ std::vector<std::uint32_t> MeshBuffers::changed_triangles(const TriangleSource& 
 
 void MeshBuffers::write_positions(const TriangleSource& source, std::span<const std::uint32_t> vertices) {
   const auto convert = [&](std::size_t vertex) {
-    positions_[vertex] = glm::vec4(glm::vec3(source.positions[vertex] - origin_), 0.0f);
+    positions_[vertex] = glm::vec4(space_.from_mesh(source.positions[vertex]), 0.0f);
   };
   const std::size_t now = source.positions.size();
   const std::size_t before = std::min(source_positions_, now);
@@ -182,10 +207,12 @@ void MeshBuffers::refresh(std::uint32_t number) {
   cluster.first = number * cluster_size;
   cluster.count = std::min(cluster_size, static_cast<std::uint32_t>(triangles_.size()) - cluster.first);
   cluster.box = {};
+  cluster.flagged = false;
   for (std::uint32_t i = 0; i < cluster.count; ++i) {
     const glm::uvec4& triangle = triangles_[cluster.first + i];
     if (!is_drawn(triangle)) continue;
     for (int k = 0; k < 3; ++k) cluster.box.add(glm::vec3(positions_[triangle[k]]));
+    if (flags_[triangle.w >> 3] != 0) cluster.flagged = true;
   }
 }
 

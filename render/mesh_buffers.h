@@ -3,12 +3,14 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <span>
 #include <vector>
 
 #include "render/gl/buffer.h"
+#include "render/gl/program.h"
 #include "render/screen.h"
 
 namespace ryosen {
@@ -22,16 +24,28 @@ struct TriangleSource {
   std::span<const std::uint8_t> face_flags;          // FaceFlag bits; faces past the end have none
 };
 
-// Triangles that lie together, in consecutive slots, with the box around them. Invalid numbers of vertices and
-// non-finite positions are drawn nowhere.
+// Triangles that lie together, in consecutive slots, with the box around them.
 struct Cluster {
   FloatBox box;
   std::uint32_t first = 0;
   std::uint32_t count = 0;
+  bool flagged = false;  // some face of it carries a flag
 };
 
-// Keeps positions in single precision relative to the origin given with set(). Triangles are stored in the order of a
-// space-filling curve, so that a cluster is small and a part of the view needs few clusters.
+// From mesh space to buffer space: moved to an origin near the mesh and scaled by a power of two to about unit size.
+struct BufferSpace {
+  glm::dvec3 origin{0};
+  double scale = 1;
+
+  glm::vec3 from_mesh(const glm::dvec3& p) const { return glm::vec3((p - origin) * scale); }
+  glm::dmat4 to_mesh() const;
+};
+// The space that suits a mesh within a box.
+BufferSpace buffer_space(const glm::dvec3& low, const glm::dvec3& high);
+
+// Positions are kept in single precision in the buffer space given with set(). Triangles are stored in the order of a
+// space-filling curve, so that a cluster is small and a part of the view needs few clusters. Triangles with a number
+// that is no vertex or with a position that is not finite are not drawn.
 // set() is linear; update() costs what it is told has changed.
 class MeshBuffers {
  public:
@@ -39,7 +53,7 @@ class MeshBuffers {
 
   MeshBuffers();
 
-  void set(const TriangleSource& source, const glm::dvec3& origin);
+  void set(const TriangleSource& source, const BufferSpace& space);
 
   // Brings the copy up to date after a change. `vertices` names the vertices with a new position, `triangles` the
   // triangles with other corners, face, edge bits or flags and those with a moved corner, `faces` the faces with other
@@ -49,10 +63,11 @@ class MeshBuffers {
               std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces,
               std::vector<FloatBox>& touched);
 
-  // Binds positions, triangles and flags to texture units 0, 1 and 2.
+  // Binds the textures that mesh.glsl reads, to the units that set_units() tells a program.
   void bind() const;
+  static void set_units(const Program& program);
 
-  const glm::dvec3& origin() const { return origin_; }
+  const BufferSpace& space() const { return space_; }
   std::span<const Cluster> clusters() const { return clusters_; }
   FloatBox bounds() const;
   // The number in the source of the triangle in a slot, and its face.
@@ -70,7 +85,7 @@ class MeshBuffers {
   void write_triangles(const TriangleSource& source, std::span<const std::uint32_t> triangles);
   void write_flags(const TriangleSource& source, std::span<const std::uint32_t> faces);
 
-  glm::dvec3 origin_{0};
+  BufferSpace space_;
   std::vector<glm::vec4> positions_;   // as uploaded; w is 0
   std::vector<glm::uvec4> triangles_;  // by slot, as uploaded: corners, then face * 8 + edge bits
   std::vector<std::uint8_t> flags_;    // as uploaded; one for every face that a triangle names, or more

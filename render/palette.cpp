@@ -30,25 +30,25 @@ constexpr Row rows[role_count] = {
 };
 
 constexpr Palette dark_palette = {
-    .background_top = rgb(0x2B323D),
-    .background_bottom = rgb(0x14181E),
-    .front = rgb(0xC9CDD3),
-    .back = rgb(0x8A5A44),
-    .key = rgb(0xFFF3E2),
-    .fill = rgb(0x7E9BC8),
-    .rim = rgb(0x6F8FB8),
-    .wire = rgb(0x0E1420, 150),
+    .background_top = rgb(0x323A46),
+    .background_bottom = rgb(0x15191F),
+    .front = rgb(0xC4C6CA),
+    .back = rgb(0x9C6148),
+    .key = rgb(0xFFF0DC),
+    .fill = rgb(0x5D7399),
+    .rim = rgb(0x3C4E66),
+    .wire = rgb(0x0C1018, 170),
 };
 
 constexpr Palette light_palette = {
-    .background_top = rgb(0xFBFCFD),
-    .background_bottom = rgb(0xD5DCE5),
-    .front = rgb(0xDADDE2),
-    .back = rgb(0xC08A6E),
-    .key = rgb(0xFFF6EA),
-    .fill = rgb(0x93AAD0),
-    .rim = rgb(0x8AA4C6),
-    .wire = rgb(0x1A2230, 140),
+    .background_top = rgb(0xFAFBFC),
+    .background_bottom = rgb(0xD3DAE3),
+    .front = rgb(0xD2D4D8),
+    .back = rgb(0xBE8467),
+    .key = rgb(0xFFF4E6),
+    .fill = rgb(0x6F86AC),
+    .rim = rgb(0x2C3A4C),
+    .wire = rgb(0x141A26, 150),
 };
 
 }  // namespace

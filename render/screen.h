@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-#include "render/size.h"
+#include "core/pick/size.h"
 
 namespace ryosen {
 

@@ -1,7 +1,37 @@
 // Reads a mesh from texture buffers: vertex number n of a draw is corner n % 3 of the triangle in slot n / 3.
-uniform samplerBuffer positions;   // relative to the origin of the buffers
+uniform samplerBuffer positions;   // in buffer space
 uniform usamplerBuffer triangles;  // three vertex numbers, then face * 8 + edge bits
 uniform usamplerBuffer face_flags;
+uniform mat4 clip_from_buffer;
 
 const uint flag_hidden = 128u;
 const vec4 nowhere = vec4(2.0, 2.0, 2.0, 1.0);  // outside of the view
+
+struct Corner {
+  int slot;
+  int number;      // 0, 1 or 2
+  vec3 places[3];  // of all corners of the triangle
+  uint face;
+  uint edge_bits;
+  uint flags;
+};
+
+Corner read_corner() {
+  Corner corner;
+  corner.slot = gl_VertexID / 3;
+  corner.number = gl_VertexID - 3 * corner.slot;
+  uvec4 triangle = texelFetch(triangles, corner.slot);
+  corner.places[0] = texelFetch(positions, int(triangle.x)).xyz;
+  corner.places[1] = texelFetch(positions, int(triangle.y)).xyz;
+  corner.places[2] = texelFetch(positions, int(triangle.z)).xyz;
+  corner.face = triangle.w >> 3u;
+  corner.edge_bits = triangle.w & 7u;
+  corner.flags = texelFetch(face_flags, int(corner.face)).r;
+  return corner;
+}
+
+// The same expression in every pass, so that equal places get equal depths.
+vec4 clip_place(Corner corner) {
+  vec3 place = corner.number == 0 ? corner.places[0] : corner.number == 1 ? corner.places[1] : corner.places[2];
+  return (corner.flags & flag_hidden) != 0u ? nowhere : clip_from_buffer * vec4(place, 1.0);
+}

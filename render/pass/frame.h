@@ -4,17 +4,17 @@
 #include <glm/mat4x4.hpp>
 
 #include "render/palette.h"
-#include "render/size.h"
+#include "core/pick/size.h"
 
 namespace ryosen {
 
-// Matrices take positions relative to the origin of the buffers. Sizes and rectangles are in rendered pixels, of which
-// pixel_scale make one pixel of the picture.
+// Buffer space is the mesh moved to an origin and scaled evenly to about unit size, so that single precision serves.
+// Sizes and rectangles are in rendered pixels, of which pixel_scale make one pixel of the picture.
 struct Frame {
-  glm::mat4 clip_from_mesh{1};
-  glm::mat4 view_from_mesh{1};
+  glm::mat4 clip_from_buffer{1};
+  glm::mat4 view_from_buffer{1};  // of the scale of the buffers
   bool ortho = false;
-  float units_per_pixel = 0;  // at distance 1 from the eye; everywhere when ortho
+  float units_per_pixel = 0;  // in buffer space, at distance 1 from the eye; everywhere when ortho
   Size size;
   PixelRect rect;  // the part to draw; the scissor is set to it
   float pixel_scale = 1;

@@ -1,4 +1,5 @@
-// Draws the triangles of a mesh: flat shaded, both sides, with the wireframe and the tints of face flags.
+// Draws the triangles of a mesh: flat shaded, both sides, with the wireframe and the tints of face flags. Lighting is
+// done per triangle, because a software renderer has to pay for every pixel.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +20,10 @@ class SurfacePass {
   void draw(const Frame& frame, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters) const;
 
  private:
-  explicit SurfacePass(Program program);
+  SurfacePass(Program surface, Program tint);
 
-  Program program_;
+  Program surface_;
+  Program tint_;
   VertexArray no_attributes_;
 };
 

@@ -48,14 +48,14 @@ Extent extent_of(std::span<const glm::dvec3> points, const CameraAxes& a, const 
 
 }  // namespace
 
-Box bounds_of(std::span<const glm::dvec3> points) {
-  Box box{glm::dvec3(infinity), glm::dvec3(-infinity)};
+Bounds bounds_of(std::span<const glm::dvec3> points) {
+  Bounds bounds{glm::dvec3(infinity), glm::dvec3(-infinity)};
   for (const glm::dvec3& p : points) {
     if (!std::isfinite(p.x + p.y + p.z)) continue;
-    box.min = glm::min(box.min, p);
-    box.max = glm::max(box.max, p);
+    bounds.min = glm::min(bounds.min, p);
+    bounds.max = glm::max(bounds.max, p);
   }
-  return box.min.x <= box.max.x ? box : Box{};
+  return bounds.min.x <= bounds.max.x ? bounds : Bounds{};
 }
 
 CameraAxes axes(const Camera& camera) {
@@ -123,10 +123,11 @@ Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double a
   return result;
 }
 
-Camera fitted(const Camera& camera, const Box& box, double aspect, double margin) {
+Camera fitted(const Camera& camera, const Bounds& bounds, double aspect, double margin) {
   std::array<glm::dvec3, 8> corners;
   for (std::size_t i = 0; i < 8; ++i) {
-    corners[i] = {(i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y, (i & 4) ? box.max.z : box.min.z};
+    corners[i] = {(i & 1) ? bounds.max.x : bounds.min.x, (i & 2) ? bounds.max.y : bounds.min.y,
+                  (i & 4) ? bounds.max.z : bounds.min.z};
   }
   return fitted(camera, corners, aspect, margin);
 }

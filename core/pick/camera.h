@@ -9,11 +9,12 @@
 #include <span>
 #include <string_view>
 
+#include "core/pick/ray.h"
 #include "core/pick/size.h"
 
 namespace ryosen {
 
-struct Box {
+struct Bounds {
   glm::dvec3 min{0};
   glm::dvec3 max{0};
 
@@ -21,7 +22,7 @@ struct Box {
 };
 
 // The box around finite points; a box at the origin when there is none.
-Box bounds_of(std::span<const glm::dvec3> points);
+Bounds bounds_of(std::span<const glm::dvec3> points);
 
 // Perspective, or orthographic when ortho_height is set. eye != target, up not parallel to target - eye.
 struct Camera {
@@ -52,7 +53,7 @@ inline constexpr double default_margin = 0.06;
 // The camera with the same direction that shows all points, centred, as large as the margin allows. The target comes to
 // lie in the depth of the middle of their box. Points at a single place are shown with a view one unit high. Linear.
 Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double aspect, double margin = default_margin);
-Camera fitted(const Camera& camera, const Box& box, double aspect, double margin = default_margin);
+Camera fitted(const Camera& camera, const Bounds& box, double aspect, double margin = default_margin);
 // front looks along -Z with +Y up, right along -X, top along -Y with -Z up, iso along (-1,-1,-1); fitted.
 Camera named_view(NamedView view, std::span<const glm::dvec3> points, double aspect);
 
@@ -77,10 +78,6 @@ std::optional<ScreenPoint> project(const Camera& camera, Size view, const glm::d
 // How many mesh units one pixel shows at a depth.
 double units_per_pixel(const Camera& camera, Size view, double depth);
 
-struct Ray {
-  glm::dvec3 origin;
-  glm::dvec3 direction;  // of length 1
-};
 // The ray of the mesh points that appear at a pixel, from the eye; in orthographic from the plane of the eye.
 Ray ray_through(const Camera& camera, Size view, glm::dvec2 pixel);
 

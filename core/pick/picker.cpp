@@ -1,0 +1,200 @@
+#include "core/pick/picker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/pick/screen_segment.h"
+
+namespace ryosen {
+
+namespace {
+
+// Triangles and isolated vertices share the slots of the tree: even and odd ones.
+std::uint32_t tree_slot_of_triangle(std::uint32_t slot) { return 2 * slot; }
+std::uint32_t tree_slot_of_vertex(Vertex v) { return 2 * v.index + 1; }
+
+struct Candidate {
+  double distance_px, depth;
+  bool under_pointer;  // belongs to the face that the pointer is on
+  std::uint32_t number;
+  Vertex a, b;  // b none for a vertex
+  Face face;
+  glm::dvec3 place;
+  double along;
+
+  friend bool operator<(const Candidate& x, const Candidate& y) {
+    if (x.distance_px != y.distance_px) return x.distance_px < y.distance_px;
+    if (x.depth != y.depth) return x.depth < y.depth;
+    if (x.under_pointer != y.under_pointer) return x.under_pointer;
+    return x.number < y.number;
+  }
+};
+
+// One question: gathers what is near the pointer and then asks in order what is hidden.
+class PickQuery {
+ public:
+  PickQuery(const Mesh& mesh, const SurfaceTriangles& triangles, const Bvh& tree, const Camera& camera, Size view,
+            glm::dvec2 pixel)
+      : m_(mesh),
+        triangles_(triangles),
+        tree_(tree),
+        camera_(camera),
+        view_(view),
+        pixel_(pixel),
+        screen_(camera, view) {
+    const Ray ray = ray_through(camera, view, pixel);
+    if (const auto hit = tree_.cast(m_.positions(), ray)) {
+      under_ = Face(tree_.primitive(hit->slot).owner);
+      place_ = ray.origin + hit->t * ray.direction;
+    }
+  }
+
+  std::optional<Picked> face() const {
+    if (!under_) return std::nullopt;
+    return Picked{under_, Halfedge(), 0.5, under_, place_, 0};
+  }
+
+  std::optional<Picked> nearest(bool vertices) {
+    gather(vertices);
+    std::sort(candidates_.begin(), candidates_.end());
+    for (const Candidate& c : candidates_)
+      if (!is_hidden(c)) return vertices ? vertex_result(c) : edge_result(c);
+    return std::nullopt;
+  }
+
+ private:
+  void gather(bool vertices) {
+    const glm::dmat4 clip_from_mesh = screen_.clip_from_mesh();
+    const Frustum frustum =
+        frustum_around_pixel(clip_from_mesh, {view_.width, view_.height}, pixel_, pick_radius_px + 0.5);
+    tree_.visit_frustum(m_.positions(), frustum, [&](std::uint32_t slot) {
+      const Primitive primitive = tree_.primitive(slot);
+      if (slot % 2 == 1) {
+        if (vertices) add_vertex(Vertex(primitive.owner), Face());
+        return;
+      }
+      const Face face(primitive.owner);
+      for (unsigned k = 0; k < 3; ++k) {
+        const Vertex a(primitive.vertices[k]), b(primitive.vertices[(k + 1) % 3]);
+        if (vertices)
+          add_vertex(a, face);
+        else if ((triangles_.edge_bits()[slot / 2] >> k & 1u) != 0)
+          add_edge(a, b, face);
+      }
+    });
+  }
+
+  void add_vertex(Vertex v, Face face) {
+    const auto at = screen_.project(m_.position(v));
+    if (!at) return;
+    const double distance = glm::length(at->pixel - pixel_);
+    if (distance > pick_radius_px) return;
+    candidates_.push_back({distance, at->depth, face == under_, v.index, v, Vertex(), face, m_.position(v), 0});
+  }
+
+  void add_edge(Vertex a, Vertex b, Face face) {
+    // Both faces of an edge must find the very same place: measure from the smaller vertex.
+    const bool swapped = b < a;
+    const glm::dvec3 &p = m_.position(swapped ? b : a), &q = m_.position(swapped ? a : b);
+    const auto near = screen_.nearest_on_segment(p, q, pixel_);
+    if (!near || near->distance_px > pick_radius_px) return;
+    candidates_.push_back({near->distance_px, near->depth, face == under_, face.index, a, b, face,
+                           p + near->along * (q - p), swapped ? 1 - near->along : near->along});
+  }
+
+  // Whether a surface lies clearly in front of the candidate's place, on the ray through it.
+  bool is_hidden(const Candidate& c) const {
+    const auto at = screen_.project(c.place);
+    if (!at) return true;
+    const Ray ray = ray_through(camera_, view_, at->pixel);
+    const auto hit = tree_.cast(m_.positions(), ray);
+    if (!hit) return false;
+    const double t = glm::dot(c.place - ray.origin, ray.direction);
+    constexpr double tolerance = 1e-7;
+    return hit->t < t - tolerance * std::abs(t);
+  }
+
+  Picked edge_result(const Candidate& c) const {
+    Picked picked;
+    picked.halfedge = find_halfedge(m_, c.a, c.b);
+    picked.along = c.along;
+    picked.element = edge(picked.halfedge);
+    picked.face = under_;
+    picked.place = c.place;
+    picked.distance_px = c.distance_px;
+    return picked;
+  }
+
+  Picked vertex_result(const Candidate& c) const { return {c.a, m_.halfedge(c.a), 0, under_, c.place, c.distance_px}; }
+
+  const Mesh& m_;
+  const SurfaceTriangles& triangles_;
+  const Bvh& tree_;
+  const Camera& camera_;
+  Size view_;
+  glm::dvec2 pixel_;
+  ScreenProjection screen_;
+  Face under_;
+  glm::dvec3 place_{0};
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace
+
+Picker::Picker(const Mesh& mesh) : triangles_(mesh) { build(mesh); }
+
+void Picker::build(const Mesh& mesh) {
+  const auto triangles = triangles_.triangles();
+  std::vector<Primitive> primitives(2 * std::max(triangles.size(), std::size_t{mesh.vertex_slots()}) + 1);
+  for (std::uint32_t slot = 0; slot < triangles.size(); ++slot) {
+    if (triangles_.faces()[slot] == no_index) continue;
+    const auto& t = triangles[slot];
+    primitives[tree_slot_of_triangle(slot)] = Primitive::triangle(t[0], t[1], t[2], triangles_.faces()[slot]);
+  }
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+    const Vertex v(i);
+    if (mesh.is_alive(v) && mesh.is_isolated(v)) primitives[tree_slot_of_vertex(v)] = Primitive::point(i);
+  }
+  tree_.build(mesh.positions(), std::move(primitives));
+}
+
+void Picker::put_triangle(const Mesh& mesh, std::uint32_t slot) {
+  const auto& t = triangles_.triangles()[slot];
+  const std::uint32_t face = triangles_.faces()[slot];
+  if (face == no_index)
+    tree_.erase(tree_slot_of_triangle(slot));
+  else
+    tree_.insert(mesh.positions(), tree_slot_of_triangle(slot), Primitive::triangle(t[0], t[1], t[2], face));
+}
+
+void Picker::put_vertex(const Mesh& mesh, Vertex v) {
+  tree_.erase(tree_slot_of_vertex(v));
+  if (mesh.exists(v) && mesh.is_alive(v) && mesh.is_isolated(v))
+    tree_.insert(mesh.positions(), tree_slot_of_vertex(v), Primitive::point(v.index));
+}
+
+std::vector<std::uint32_t> Picker::update(const Mesh& mesh, const TouchedElements& touched) {
+  std::vector<std::uint32_t> changed = triangles_.update(mesh, touched);
+  if (touched.everything) {
+    build(mesh);
+    return changed;
+  }
+  for (std::uint32_t slot : changed) put_triangle(mesh, slot);
+  for (Vertex v : touched.vertices) put_vertex(mesh, v);
+  if (tree_.is_worn()) tree_.rebuild(mesh.positions());
+  return changed;
+}
+
+std::optional<Picked> Picker::pick(const Mesh& mesh, const Camera& camera, Size view, glm::dvec2 pixel,
+                                   PickMode mode) const {
+  PickQuery query(mesh, triangles_, tree_, camera, view, pixel);
+  if (mode == PickMode::face) return query.face();
+  std::optional<Picked> picked = query.nearest(mode == PickMode::vertex);
+  if (picked && mode == PickMode::halfedge) picked->element = picked->halfedge;
+  return picked;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,141 @@
+#include "app/editor/document.h"
+
+#include "core/build/from_indexed.h"
+
+namespace ryosen {
+
+namespace {
+
+Text join(const std::vector<Text>& texts) {
+  Text all;
+  for (const Text& text : texts) {
+    all.en += (all.en.empty() ? "" : " ") + text.en;
+    all.ja += text.ja;
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::string> names_of(const Mesh& mesh, const std::vector<Element>& elements) {
+  std::vector<std::string> names;
+  names.reserve(elements.size());
+  for (const Element& element : elements) names.push_back(name_of(mesh, element));
+  return names;
+}
+
+Text describe(const Mesh& mesh, const Reason& reason) {
+  const RuleText& rule = text_of(reason.rule);
+  Text text{std::string(rule.en), std::string(rule.ja)};
+  std::string witnesses;
+  for (const std::string& name : names_of(mesh, reason.witnesses)) witnesses += (witnesses.empty() ? "" : ", ") + name;
+  if (witnesses.empty()) return text;
+  text.en += " (" + witnesses + ")";
+  text.ja += "（" + witnesses + "）";
+  return text;
+}
+
+Document::Document() : Document(MeshFile()) {}
+
+Document::Document(MeshFile file, std::filesystem::path path)
+    : tables_(file_tables(file.mesh)), path_(std::move(path)) {
+  mesh_ = from_indexed(std::move(file.mesh));
+  file.mesh = {};
+  file_ = std::move(file);
+}
+
+Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& path) {
+  Result<MeshFile> file = read_mesh_file(path);
+  if (!file) return file.failure();
+  return std::make_unique<Document>(std::move(file).value(), path);
+}
+
+Outcome Document::refuse(const AnyOp& op, std::vector<Reason> reasons) {
+  Outcome outcome;
+  outcome.kind = Outcome::Kind::refused;
+  outcome.exit_code = ExitCode::refused;
+  std::vector<Text> sentences;
+  for (const Reason& reason : reasons) sentences.push_back(describe(mesh_, reason));
+  const std::string command = command_of(mesh_, op);
+  outcome.sentence = join(sentences);
+  outcome.sentence.en = command + " is refused: " + outcome.sentence.en;
+  outcome.sentence.ja = command + " は実行できません：" + outcome.sentence.ja;
+  outcome.reasons = std::move(reasons);
+  return outcome;
+}
+
+Outcome Document::apply(const AnyOp& op, bool strict) {
+  Preview before = preview(op);
+  if (!before.verdict.legal()) return refuse(op, std::move(before.verdict.reasons));
+  if (strict && !before.warnings.empty()) return refuse(op, std::move(before.warnings));
+  Outcome outcome;
+  outcome.warnings = std::move(before.warnings);
+  outcome.deleted = names_of(mesh_, before.deleted);
+  const std::string command = command_of(mesh_, op);
+  {
+    Edit edit(mesh_, &journal_);
+    ryosen::apply(edit, op);
+    edit.commit();
+  }
+  outcome.created = names_of(mesh_, before.created);
+  history_.resize(journal_.position() - 1);
+  history_.push_back({command});
+  if (saved_position_ >= journal_.position()) saved_position_ = no_index;  // that place can no longer be reached
+  notify(journal_.position() - 1);
+  return outcome;
+}
+
+void Document::notify(std::size_t transaction) {
+  ++revision_;
+  for (const Listener& listener : listeners_) listener(transaction);
+}
+
+bool Document::undo() {
+  if (!journal_.can_undo()) return false;
+  journal_.undo(mesh_);
+  notify(journal_.position());
+  return true;
+}
+
+bool Document::redo() {
+  if (!journal_.can_redo()) return false;
+  journal_.redo(mesh_);
+  notify(journal_.position() - 1);
+  return true;
+}
+
+void Document::go_to(std::size_t position) {
+  while (journal_.position() > position && undo()) {
+  }
+  while (journal_.position() < position && redo()) {
+  }
+}
+
+bool Document::edge_existed(std::string_view name) {
+  const std::size_t now = journal_.position();
+  bool found = false;
+  while (!found && journal_.can_undo()) {
+    journal_.undo(mesh_);
+    const Named<Halfedge> edge = find_edge(mesh_, name);
+    found = edge.ok() || edge.error == NameError::ambiguous;
+  }
+  while (journal_.position() < now) journal_.redo(mesh_);
+  return found;
+}
+
+MeshFile Document::contents() const {
+  MeshFile file = file_;
+  file.mesh = to_indexed(mesh_, tables_).mesh;
+  return file;
+}
+
+Status Document::save(const std::filesystem::path& path, const WriteOptions& options) {
+  const std::filesystem::path target = path.empty() ? path_ : path;
+  Status status = write_mesh_file(target, contents(), options);
+  if (!status) return status;
+  path_ = target;
+  saved_position_ = journal_.position();
+  return status;
+}
+
+}  // namespace ryosen

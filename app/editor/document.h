@@ -1,0 +1,101 @@
+// An open mesh with its history: every change goes through here, as an operator that is one entry of the history.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/build/to_indexed.h"
+#include "core/io/formats.h"
+#include "core/mesh/touched.h"
+#include "core/ops/preview.h"
+#include "core/ops/remedy.h"
+
+namespace ryosen {
+
+// How an operator or a command went.
+struct Outcome {
+  enum class Kind { done, refused, failed };
+  Kind kind = Kind::done;
+  ExitCode exit_code = ExitCode::done;
+  Text sentence;  // for refused and failed: names the element and the remedy
+  std::vector<Reason> reasons;
+  std::vector<Reason> warnings;
+  std::vector<std::string> created;  // names, as of after the operator
+  std::vector<std::string> deleted;  // names, as of before it
+
+  bool done() const { return kind == Kind::done; }
+};
+
+struct HistoryEntry {
+  std::string command;  // the script line that does the same
+};
+
+class Document {
+ public:
+  // Empty, without a file.
+  Document();
+  static Result<std::unique_ptr<Document>> open(const std::filesystem::path& path);
+  explicit Document(MeshFile file, std::filesystem::path path = {});
+
+  const Mesh& mesh() const { return mesh_; }
+  const Journal& journal() const { return journal_; }
+  // What belongs to the file (comments, libraries, messages), and the tables that go with its numbers (names, lines,
+  // quarantine). The mesh of the file has been taken out.
+  const MeshFile& file() const { return file_; }
+  const FileTables& tables() const { return tables_; }
+  const std::filesystem::path& path() const { return path_; }
+
+  // Applies an operator as one entry of the history. Refused: nothing changes. strict: warnings refuse too.
+  Outcome apply(const AnyOp& op, bool strict = false);
+  // The verdict, and the ghost of the result. The document is unchanged.
+  Preview preview(const AnyOp& op) { return ryosen::preview(mesh_, journal_, op); }
+  // Script lines that would make a refused operator legal; empty means never.
+  std::vector<std::string> remedy(const AnyOp& op) { return find_remedy(mesh_, op); }
+
+  // Step through the history; false where there is nothing to undo or redo.
+  bool undo();
+  bool redo();
+  // Goes to a place in the history: 0 is the file as it was read.
+  void go_to(std::size_t position);
+  const std::vector<HistoryEntry>& history() const { return history_; }
+  std::size_t position() const { return journal_.position(); }
+
+  // Whether an edge between these two points was there at some earlier place of the history. O(history).
+  bool edge_existed(std::string_view name);
+
+  bool is_modified() const { return saved_position_ != journal_.position(); }
+  // Writes all live elements; an empty path means the file that was opened.
+  // The document as it would be written.
+  MeshFile contents() const;
+  Status save(const std::filesystem::path& path, const WriteOptions& options = {});
+
+  // Called after every commit, undo and redo, with the transaction of journal() that it was about.
+  using Listener = std::function<void(std::size_t transaction)>;
+  void add_listener(Listener listener) { listeners_.push_back(std::move(listener)); }
+  // Grows with every change, also by undo and redo.
+  std::uint64_t revision() const { return revision_; }
+
+ private:
+  Outcome refuse(const AnyOp& op, std::vector<Reason> reasons);
+  void notify(std::size_t transaction);
+
+  Mesh mesh_;
+  Journal journal_;
+  MeshFile file_;
+  FileTables tables_;
+  std::filesystem::path path_;
+  std::vector<HistoryEntry> history_;
+  std::size_t saved_position_ = 0;
+  std::uint64_t revision_ = 0;
+  std::vector<Listener> listeners_;
+};
+
+// The sentence of a reason with its witnesses named: "... (v7, 5-9)".
+Text describe(const Mesh& mesh, const Reason& reason);
+std::vector<std::string> names_of(const Mesh& mesh, const std::vector<Element>& elements);
+
+}  // namespace ryosen

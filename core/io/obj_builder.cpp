@@ -1,6 +1,7 @@
 #include "core/io/obj_builder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -119,9 +120,10 @@ void ObjBuilder::vertex(std::string_view values) {
   if (!has_room(1) || !read_reals(values, v, 3, 7, count)) return;
   const std::size_t number = mesh_.positions.size();
   mesh_.positions.emplace_back(v[0], v[1], v[2]);
-  if (count == 4 && mesh_.vertex_weights.empty()) mesh_.vertex_weights.assign(number, absent);
-  if (count == 4 || !mesh_.vertex_weights.empty()) mesh_.vertex_weights.push_back(count == 4 ? v[3] : absent);
-  const bool has_colour = count == 6 || count == 7;
+  const bool has_weight = count == 4 && !std::isnan(v[3]);
+  if (has_weight && mesh_.vertex_weights.empty()) mesh_.vertex_weights.assign(number, absent);
+  if (has_weight || !mesh_.vertex_weights.empty()) mesh_.vertex_weights.push_back(has_weight ? v[3] : absent);
+  const bool has_colour = (count == 6 || count == 7) && !std::isnan(v[3]);
   if (has_colour && mesh_.vertex_colours.empty()) {
     mesh_.vertex_colours.assign(number, glm::dvec4(absent, absent, absent, 1));
   }
@@ -177,8 +179,12 @@ void ObjBuilder::face(std::string_view corners) {
     const std::string_view word = take_word(corners);
     if (word.empty() || word[0] == '#') break;
     if (!read_corner(word, corner)) return;
-    push_value(mesh_.texcoords.index, corner.has_texcoord, corner.texcoord, mesh_.texcoords.pool.size(), false);
-    push_value(mesh_.normals.index, corner.has_normal, corner.normal, mesh_.normals.pool.size(), true);
+    if (corner.has_texcoord || !mesh_.texcoords.index.empty()) {
+      push_value(mesh_.texcoords.index, corner.has_texcoord, corner.texcoord, mesh_.texcoords.pool.size(), false);
+    }
+    if (corner.has_normal || !mesh_.normals.index.empty()) {
+      push_value(mesh_.normals.index, corner.has_normal, corner.normal, mesh_.normals.pool.size(), true);
+    }
     faces_.add_corner(resolve(corner.vertex, mesh_.positions.size()));
   }
   faces_.end_face(lines_.first_line());
@@ -187,7 +193,6 @@ void ObjBuilder::face(std::string_view corners) {
 
 void ObjBuilder::push_value(std::vector<std::uint32_t>& indices, bool has, std::int64_t index, std::size_t pool,
                             bool is_normal) {
-  if (!has && indices.empty()) return;
   if (indices.empty()) indices.assign(mesh_.corners.size(), no_index);
   indices.push_back(has ? resolve_value(index, pool, is_normal) : no_index);
 }

@@ -10,6 +10,11 @@ namespace {
 // How many different library lines are looked up on the disk.
 constexpr std::size_t most_libraries = 100;
 
+// Empties indices that name nothing, as if the file had none.
+void drop_if_all_none(std::vector<std::uint32_t>& indices) {
+  if (std::all_of(indices.begin(), indices.end(), [](std::uint32_t index) { return index == no_index; })) indices = {};
+}
+
 }  // namespace
 
 void ObjBuilder::material_library(std::string_view text) {
@@ -137,6 +142,9 @@ Result<MeshFile> ObjBuilder::finish() {
   drop_stray_values(mesh_.normals, true);
   check_elements();
   faces_.finish(reporter_);
+  drop_if_all_none(mesh_.texcoords.index);
+  drop_if_all_none(mesh_.normals.index);
+  drop_if_all_none(file_.elements.texcoords);
   report_unknown();
   report_whole_file();
   if (mesh_.texcoords.components == 0) mesh_.texcoords.components = 3;

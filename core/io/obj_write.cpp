@@ -76,6 +76,7 @@ class ObjWriter {
     pool("vn", mesh_.normals);
     faces_and_elements();
     for (NameWriter* names : all_names()) names->finish();
+    if (out_.is_empty()) out_ << "# no vertices\n";  // an empty file would be taken for a damaged one
     return out_.take();
   }
 
@@ -88,7 +89,6 @@ class ObjWriter {
       out_ << on_one_line(comment) << '\n';
     }
     for (const std::string& library : file_.material_libraries) out_ << "mtllib " << line_end_text(library) << '\n';
-    if (mesh_.positions.empty() && mesh_.face_count() == 0 && file_.head_comments.empty()) out_ << "# no vertices\n";
   }
 
   void vertices() {

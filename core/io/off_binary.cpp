@@ -60,28 +60,26 @@ std::optional<Counts> plausible_counts(Words& words, OffKind kind) {
   return counts;
 }
 
-enum class Fit { no, with_rest, exact };
-
-// Whether all faces stay inside the file and name vertices that exist.
-Fit fit(std::string_view data, OffKind kind, Layout layout) {
+// How many bytes are left over if all faces stay inside the file and name vertices that exist, else none.
+std::optional<std::size_t> bytes_over(std::string_view data, OffKind kind, Layout layout) {
   Words words(data, layout.is_big_endian);
   const std::optional<Counts> counts = plausible_counts(words, kind);
-  if (!counts) return Fit::no;
+  if (!counts) return std::nullopt;
   words.skip(counts->vertices * words_per_vertex(kind));
   for (std::uint32_t f = 0; f < counts->faces; ++f) {
-    if (words.left() == 0) return Fit::no;
+    if (words.left() == 0) return std::nullopt;
     const std::uint32_t corners = words.take();
-    if (corners > words.left()) return Fit::no;
+    if (corners > words.left()) return std::nullopt;
     for (std::uint32_t i = 0; i < corners; ++i) {
-      if (words.take() >= counts->vertices) return Fit::no;
+      if (words.take() >= counts->vertices) return std::nullopt;
     }
     if (!layout.has_face_colours) continue;
-    if (words.left() == 0) return Fit::no;
+    if (words.left() == 0) return std::nullopt;
     const std::uint32_t colours = words.take();
-    if (colours > 4 || colours > words.left()) return Fit::no;
+    if (colours > 4 || colours > words.left()) return std::nullopt;
     words.skip(colours);
   }
-  return words.left_bytes() == 0 ? Fit::exact : Fit::with_rest;
+  return words.left_bytes();
 }
 
 void warn_non_finite(OffBuilder& builder, std::uint64_t byte) {
@@ -136,13 +134,15 @@ MeshFile read_as(std::string_view bytes, std::uint64_t start, OffKind kind, Layo
 
 Result<MeshFile> read_off_binary(std::string_view bytes, std::uint64_t start, OffKind kind) {
   const std::string_view data = bytes.substr(start);
-  std::optional<Layout> with_rest;
+  std::optional<std::size_t> least;
+  Layout best{};
   for (const Layout layout : layouts) {
-    const Fit how = fit(data, kind, layout);
-    if (how == Fit::exact) return read_as(bytes, start, kind, layout);
-    if (how == Fit::with_rest && !with_rest) with_rest = layout;
+    const std::optional<std::size_t> over = bytes_over(data, kind, layout);
+    if (!over || (least && *over >= *least)) continue;
+    least = over;
+    best = layout;
   }
-  if (with_rest) return read_as(bytes, start, kind, *with_rest);
+  if (least) return read_as(bytes, start, kind, best);
   return malformed("count_too_large",
                    {"The file is shorter than its binary counts claim, or its indices make no sense.",
                     "バイナリーの個数に対してファイルが短すぎるか、番号が不正です。"},

@@ -35,8 +35,9 @@ bool OffBuilder::add_vertex(const double* values, std::size_t count) {
 
 void OffBuilder::add_colour(const double* values, std::size_t count) {
   IndexedMesh& mesh = file_.mesh;
-  if (count == 4) mesh.colour_components = 4;
-  if (count == 0) {
+  const bool is_absent = count == 0 || std::isnan(values[0]);
+  if (count == 4 && !is_absent) mesh.colour_components = 4;
+  if (is_absent) {
     mesh.vertex_colours.emplace_back(absent, absent, absent, 1.0);
   } else {
     mesh.vertex_colours.emplace_back(values[0], values[1], values[2], count == 4 ? values[3] : absent);

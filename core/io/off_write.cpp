@@ -1,5 +1,6 @@
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/io/off.h"
 #include "core/io/reporter.h"
@@ -9,10 +10,10 @@ namespace ryosen {
 namespace {
 
 // The place in the pool for each vertex if all corners of a vertex have the same value; none if some differ, if corners
-// lack a value, or if there are no values at all. A vertex without a face takes the entry of its own number when the
+// lack a value, or if no vertex has one. A vertex without a face takes the entry of its own number when the
 // pool has one entry per vertex, as readers of values per vertex make it.
 std::optional<std::vector<std::uint32_t>> per_vertex(const IndexedMesh& mesh, const CornerValues& values) {
-  if (values.index.empty() || values.pool.empty() || values.index.size() != mesh.corners.size()) return std::nullopt;
+  if (values.pool.empty() || values.index.size() != mesh.corners.size()) return std::nullopt;
   const std::size_t count = mesh.positions.size();
   std::vector<std::uint32_t> out(count, no_index);
   for (std::size_t i = 0; i < mesh.corners.size(); ++i) {
@@ -25,6 +26,7 @@ std::optional<std::vector<std::uint32_t>> per_vertex(const IndexedMesh& mesh, co
   for (std::size_t v = 0; v < count; ++v) {
     if (out[v] == no_index && values.pool.size() == count) out[v] = static_cast<std::uint32_t>(v);
   }
+  if (std::all_of(out.begin(), out.end(), [](std::uint32_t index) { return index == no_index; })) return std::nullopt;
   return out;
 }
 
@@ -78,14 +80,20 @@ class OffWriter {
     for (int i = 0; i < count; ++i) out_ << ' ' << value[i];
   }
 
+  // The number from 0 to 255 that reading divides back into the component, a whole one if there is.
+  static double as_byte(double component) {
+    constexpr double scale = 255.0, infinity = std::numeric_limits<double>::infinity();
+    const double scaled = component * scale;
+    for (const double candidate : {std::nearbyint(scaled), scaled, std::nextafter(scaled, infinity)}) {
+      if (candidate / scale == component) return candidate;
+    }
+    return std::nextafter(scaled, -infinity);
+  }
+
   void colour(const glm::dvec4& value) {
     if (std::isnan(value.x)) return;
-    for (int i = 0; i < (mesh_.colour_components == 4 ? 4 : 3); ++i) {
-      constexpr double scale = 255.0, tolerance = 1e-9;
-      const double scaled = file_.byte_colours ? value[i] * scale : value[i];
-      const double whole = std::nearbyint(scaled);
-      out_ << ' ' << (file_.byte_colours && std::abs(scaled - whole) < tolerance ? whole : scaled);
-    }
+    const int count = mesh_.colour_components == 4 ? 4 : 3;
+    for (int i = 0; i < count; ++i) out_ << ' ' << (file_.byte_colours ? as_byte(value[i]) : value[i]);
   }
 
   void vertex(std::size_t v) {
@@ -135,6 +143,10 @@ std::vector<Message> off_losses(const MeshFile& file) {
        "loses_normals",
        {"OFF cannot hold normals that differ between the corners of a vertex.",
         "OFF は、同じ頂点でも面ごとに異なる法線を保持できません。"}},
+      {!mesh.texcoords.pool.empty() && mesh.texcoords.components == 3,
+       "loses_third_texcoord",
+       {"OFF cannot hold the third number of texture coordinates.",
+        "OFF はテクスチャ座標の 3 番目の数を保持できません。"}},
       {!mesh.vertex_weights.empty(),
        "loses_weights",
        {"OFF cannot hold weights of vertices.", "OFF は頂点の重みを保持できません。"}},

@@ -5,7 +5,7 @@ namespace ryosen {
 std::string on_one_line(std::string_view text) {
   std::string out(text);
   for (char& c : out) {
-    if ((static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f) c = ' ';
+    if (c == '\n' || c == '\r' || c == '\0') c = ' ';
   }
   return out;
 }

@@ -33,6 +33,7 @@ class TextOut {
     return put(value);
   }
 
+  bool is_empty() const { return size_ == 0; }
   std::string take() {
     text_.resize(size_);
     return std::move(text_);
@@ -57,7 +58,7 @@ class TextOut {
   std::size_t size_ = 0;
 };
 
-// `text` with every control character turned into a space, so that it stays on one line of a file.
+// `text` with every line end and NUL turned into a space, so that it stays on one line of a file.
 std::string on_one_line(std::string_view text);
 
 }  // namespace ryosen

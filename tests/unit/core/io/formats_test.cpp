@@ -1,0 +1,134 @@
+#include "core/io/formats.h"
+
+#include <unistd.h>
+
+#include "tests/unit/core/io/io_helpers.h"
+
+namespace ryosen {
+namespace {
+
+using io_test::TemporaryFolder;
+using io_test::whole_file;
+
+constexpr std::string_view obj_text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+constexpr std::string_view off_text = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+
+// The id of the format that a file of this name and content is read as, or the code of the refusal.
+std::string recognised(std::string_view bytes, const std::string& name) {
+  const Result<const Format*> format = recognise(bytes, name);
+  return format ? std::string((*format)->id) : format.failure().message.code;
+}
+
+TEST(Formats, TheTableIsComplete) {
+  for (const Format& format : formats()) {
+    EXPECT_EQ(find_format(format.id), &format);
+    EXPECT_FALSE(format.name.en.empty());
+    EXPECT_FALSE(format.name.ja.empty());
+    ASSERT_FALSE(format.extensions.empty());
+    for (const std::string_view extension : format.extensions) {
+      EXPECT_EQ(format_of_extension("x" + std::string(extension)), &format);
+    }
+    EXPECT_NE(format.sniff, nullptr);
+    EXPECT_NE(format.read, nullptr);
+  }
+  EXPECT_EQ(find_format("nosuch"), nullptr);
+  EXPECT_EQ(format_of_extension("a.OBJ"), find_format("obj"));
+  EXPECT_EQ(format_of_extension("obj"), nullptr);
+}
+
+TEST(Formats, ContentComesBeforeTheName) {
+  EXPECT_EQ(recognised(obj_text, "a.obj"), "obj");
+  EXPECT_EQ(recognised(obj_text, "a"), "obj");
+  EXPECT_EQ(recognised(obj_text, "a.off"), "obj");
+  EXPECT_EQ(recognised(off_text, "a.obj"), "off");
+  EXPECT_EQ(recognised("# c\n\nSTCNOFF\n", "a"), "off");
+  EXPECT_EQ(recognised("# only a comment\n", "a.off"), "off");
+  EXPECT_EQ(recognised("# only a comment\n", "a.obj"), "obj");
+  EXPECT_EQ(recognised("3 1\n", "a.off"), "off");
+  EXPECT_EQ(recognised("g a\n", "a"), "obj");
+  EXPECT_EQ(recognised("mtllib a.mtl\n", "a"), "obj");
+  EXPECT_EQ(recognised("hello\n", "a"), "unknown_format");
+  EXPECT_EQ(recognised("v for vendetta\n", "a"), "obj");
+  EXPECT_EQ(recognised("vector\n", "a"), "unknown_format");
+}
+
+TEST(Formats, EveryKindOfBadContentHasItsCode) {
+  using namespace std::string_view_literals;
+  EXPECT_EQ(recognised("", "a.obj"), "empty_file");
+  EXPECT_EQ(recognised("\x1f\x8b\x08\0\0\x01\x02"sv, "a.obj"), "compressed_file");
+  EXPECT_EQ(recognised("PK\x03\x04", "a.off"), "compressed_file");
+  EXPECT_EQ(recognised("\xff\xfev\0 \0000\0"sv, "a.obj"), "utf16");
+  EXPECT_EQ(recognised("\xfe\xff\0v"sv, "a.obj"), "utf16");
+  EXPECT_EQ(recognised("v\0 \0000\0 \0000\0 \0000\0\n\0"sv, "a.obj"), "utf16");
+  EXPECT_EQ(recognised(std::string(4096, '\0'), "a.obj"), "zeros");
+  EXPECT_EQ(recognised("ab\x01\x02\x03\0\xff"sv, "a.obj"), "binary_content");
+  EXPECT_EQ(recognised("hello\0world"sv, "a.obj"), "nul_byte");
+  EXPECT_EQ(recognised("solid x\n", "a.stl"), "unsupported_format");
+}
+
+TEST(Formats, PathsThatCannotBeReadHaveTheirCodes) {
+  const TemporaryFolder folder;
+  const auto code = [](const std::filesystem::path& path) {
+    const Result<MeshFile> file = read_mesh_file(path);
+    EXPECT_FALSE(file.ok()) << path;
+    EXPECT_EQ(file.failure().exit_code, ExitCode::input_missing) << path;
+    EXPECT_FALSE(file.failure().message.text.ja.empty());
+    return file.failure().message.code;
+  };
+  EXPECT_EQ(code(folder / "gone.obj"), "input_missing");
+  EXPECT_EQ(code(folder.path()), "input_is_folder");
+  std::ofstream(folder / "file.obj") << obj_text;
+  EXPECT_EQ(code(folder / "file.obj/x.obj"), "input_missing");
+  if (::geteuid() == 0) return;
+  std::filesystem::permissions(folder / "file.obj", std::filesystem::perms::none);
+  EXPECT_EQ(code(folder / "file.obj"), "input_unreadable");
+}
+
+TEST(Formats, ReadsAndWritesByName) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "in.obj") << obj_text;
+  const Result<MeshFile> file = read_mesh_file(folder / "in.obj");
+  ASSERT_TRUE(file.ok());
+  EXPECT_EQ(file->format, find_format("obj"));
+  ASSERT_TRUE(write_mesh_file(folder / "out.OFF", *file).ok());
+  EXPECT_EQ(whole_file(folder / "out.OFF"), off_text);
+  WriteOptions options;
+  options.format = find_format("obj");
+  ASSERT_TRUE(write_mesh_file(folder / "out.txt", *file, options).ok());
+  EXPECT_EQ(whole_file(folder / "out.txt"), obj_text);
+  const Status nameless = write_mesh_file(folder / "out", *file);
+  ASSERT_FALSE(nameless.ok());
+  EXPECT_EQ(nameless.failure().exit_code, ExitCode::usage);
+  const Status nowhere = write_mesh_file(folder / "no/out.obj", *file);
+  ASSERT_FALSE(nowhere.ok());
+  EXPECT_EQ(nowhere.failure().exit_code, ExitCode::output_not_writable);
+  EXPECT_EQ(folder.entry_count(), 3u);
+}
+
+TEST(Formats, ANameThatSaysAnotherFormatIsReported) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "a.obj") << off_text;
+  const Result<MeshFile> file = read_mesh_file(folder / "a.obj");
+  ASSERT_TRUE(file.ok());
+  EXPECT_EQ(file->format, find_format("off"));
+  EXPECT_NE(io_test::find_message(*file, "content_mismatch"), nullptr);
+}
+
+TEST(Formats, OwnFilesComeBackTheSameInEveryFormatThatHoldsThem) {
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(RYOSEN_SOURCE_DIR "/tests/data/io")) {
+    const Result<MeshFile> file = read_mesh_file(entry.path());
+    ASSERT_TRUE(file.ok()) << entry.path();
+    ++files;
+    for (const Format& format : formats()) {
+      if (!format.write || (&format != file->format && !format.losses(*file).empty())) continue;
+      MeshFile expected = *file;
+      if (&format != file->format) expected.head_comments.clear(), expected.byte_colours = false;
+      EXPECT_EQ(io_test::difference_after_round_trip(expected, format.id), "") << entry.path() << " as " << format.id;
+    }
+  }
+  EXPECT_GE(files, 4u);
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -1,0 +1,151 @@
+// What the tests of the file layer share: reading from strings and comparing two meshes bit by bit.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include "core/io/formats.h"
+
+namespace ryosen::io_test {
+
+inline Result<MeshFile> read_text(std::string_view id, std::string_view text) {
+  return read_mesh(text, *find_format(id));
+}
+
+// The file, which must be readable.
+inline MeshFile read_sound(std::string_view id, std::string_view text) {
+  Result<MeshFile> file = read_text(id, text);
+  EXPECT_TRUE(file.ok()) << text << "\n" << (file ? "" : file.failure().message.text.en);
+  return file ? std::move(*file) : MeshFile{};
+}
+
+// The refusal of a text that must not be readable.
+inline Failure read_refused(std::string_view id, std::string_view text) {
+  const Result<MeshFile> file = read_text(id, text);
+  EXPECT_FALSE(file.ok()) << text;
+  return file ? Failure{} : file.failure();
+}
+
+inline const Message* find_message(const MeshFile& file, std::string_view code) {
+  for (const Message& message : file.messages) {
+    if (message.code == code) return &message;
+  }
+  return nullptr;
+}
+
+inline std::string whole_file(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream out;
+  out << stream.rdbuf();
+  return out.str();
+}
+
+// A folder of its own for a test, removed at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "ryosen_io_XXXXXX").string();
+    path_ = ::mkdtemp(name.data());
+  }
+  ~TemporaryFolder() {
+    std::error_code error;
+    std::filesystem::remove_all(path_, error);
+  }
+  std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
+  const std::filesystem::path& path() const { return path_; }
+  std::size_t entry_count() const {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+
+template <class Vector>
+bool same_bits(const std::vector<Vector>& a, const std::vector<Vector>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if constexpr (std::is_same_v<Vector, double>) {
+      if (!same_bits(a[i], b[i])) return false;
+    } else {
+      for (int k = 0; k < Vector::length(); ++k) {
+        if (!same_bits(a[i][k], b[i][k])) return false;
+      }
+    }
+  }
+  return true;
+}
+
+inline bool same_values(const CornerValues& a, const CornerValues& b) {
+  return same_bits(a.pool, b.pool) && a.index == b.index && a.components == b.components;
+}
+
+inline bool same_names(const FaceNames& a, const FaceNames& b) { return a.names == b.names && a.index == b.index; }
+
+inline bool same_quarantine(const std::vector<QuarantinedFace>& a, const std::vector<QuarantinedFace>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i].face != b[i].face || a[i].code != b[i].code || a[i].corners != b[i].corners ||
+        a[i].texcoords != b[i].texcoords || a[i].normals != b[i].normals) {
+      return false;
+    }
+  }
+  return true;
+}
+
+inline bool same_elements(const ElementList& a, const ElementList& b) {
+  if (a.items.size() != b.items.size() || a.vertices != b.vertices || a.texcoords != b.texcoords) return false;
+  for (std::size_t i = 0; i < a.items.size(); ++i) {
+    const LineElement &x = a.items[i], &y = b.items[i];
+    if (x.is_points != y.is_points || x.before_face != y.before_face || x.first != y.first || x.count != y.count ||
+        x.object != y.object || x.group != y.group || x.material != y.material || x.smoothing != y.smoothing) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// What differs between two files besides their line numbers and messages, empty if nothing does.
+inline std::string difference(const MeshFile& a, const MeshFile& b) {
+  const IndexedMesh &x = a.mesh, &y = b.mesh;
+  std::string out;
+  const auto compare = [&](bool same, const char* what) {
+    if (!same) out += std::string(out.empty() ? "" : ", ") + what;
+  };
+  compare(same_bits(x.positions, y.positions), "positions");
+  compare(x.corners == y.corners && x.face_offsets == y.face_offsets, "faces");
+  compare(same_quarantine(x.quarantine, y.quarantine), "quarantine");
+  compare(same_values(x.texcoords, y.texcoords), "texcoords");
+  compare(same_values(x.normals, y.normals), "normals");
+  compare(same_bits(x.vertex_colours, y.vertex_colours) && x.colour_components == y.colour_components, "colours");
+  compare(same_bits(x.vertex_weights, y.vertex_weights), "weights");
+  compare(same_bits(x.face_colours.values, y.face_colours.values) && x.face_colours.count == y.face_colours.count,
+          "face colours");
+  compare(same_names(x.materials, y.materials), "materials");
+  compare(same_names(x.groups, y.groups), "groups");
+  compare(same_names(x.objects, y.objects), "objects");
+  compare(same_names(x.smoothing, y.smoothing), "smoothing");
+  compare(same_elements(a.elements, b.elements), "elements");
+  compare(a.head_comments == b.head_comments, "comments");
+  compare(a.material_libraries == b.material_libraries, "libraries");
+  return out;
+}
+
+// Writes in a format, reads again, and tells what differs.
+inline std::string difference_after_round_trip(const MeshFile& file, std::string_view id) {
+  const Result<MeshFile> again = read_text(id, find_format(id)->write(file));
+  if (!again) return "unreadable: " + again.failure().message.text.en;
+  return difference(file, *again);
+}
+
+}  // namespace ryosen::io_test

@@ -1,0 +1,115 @@
+// Files that are not part of the project: malformed ones with the duty of a reader for each, and real meshes with their
+// true figures. Without them these tests have nothing to do; the other tests of this folder cover the same ground.
+#include <map>
+#include <set>
+
+#include "tests/unit/core/io/io_helpers.h"
+
+namespace ryosen {
+namespace {
+
+namespace fs = std::filesystem;
+using io_test::whole_file;
+
+// The raw text of a value in a line of JSON without nested objects, without its quotes; empty if there is no such key.
+std::string json_value(const std::string& line, const std::string& key) {
+  const std::size_t found = line.find("\"" + key + "\":");
+  if (found == std::string::npos) return "";
+  std::size_t begin = found + key.size() + 3;
+  while (line[begin] == ' ') ++begin;
+  if (line[begin] == '"') return line.substr(begin + 1, line.find('"', begin + 1) - begin - 1);
+  return line.substr(begin, line.find_first_of(",}", begin) - begin);
+}
+
+std::vector<std::string> json_lines(const fs::path& path) {
+  std::vector<std::string> out;
+  std::ifstream stream(path);
+  for (std::string line; std::getline(stream, line);) out.push_back(line);
+  return out;
+}
+
+// Rows whose warning is about the shape of the mesh, which the analysis finds and not the reader.
+const std::set<std::string> found_by_analysis = {"obj_40_dup_face_same.obj", "obj_42_three_on_edge.obj",
+                                                 "off_26_nonmanifold_edge_opposed.off"};
+
+bool is_at(const Message& message, const std::string& where) {
+  if (where == "whole file") return !message.line && !message.byte && !message.face;
+  const std::size_t space = where.find(' ');
+  const std::uint64_t number = std::stoull(where.substr(space + 1));
+  return where.substr(0, space) == "line" ? message.line == number : message.byte == number;
+}
+
+TEST(SharedFiles, MalformedFilesGetWhatTheyMust) {
+  const fs::path folder = fs::path(RYOSEN_SHARED_DIR) / "malformed";
+  for (const std::string& row : json_lines(folder / "manifest.jsonl")) {
+    const std::string name = json_value(row, "file"), expect = json_value(row, "expect"),
+                      where = json_value(row, "where");
+    if (!name.starts_with("obj_") && !name.starts_with("off_") && !name.starts_with("x_")) continue;
+    if (!fs::exists(folder / name) || name.starts_with("x_04")) continue;
+    SCOPED_TRACE(name);
+    const Result<MeshFile> file = read_mesh_file(folder / name);
+    ASSERT_EQ(file.ok(), expect != "error");
+    if (!file) {
+      EXPECT_EQ(file.failure().exit_code, ExitCode::input_malformed);
+      EXPECT_TRUE(is_at(file.failure().message, where)) << file.failure().message.text.en;
+      EXPECT_FALSE(file.failure().message.text.en.empty());
+      EXPECT_FALSE(file.failure().message.text.ja.empty());
+      continue;
+    }
+    EXPECT_EQ(std::to_string(file->mesh.positions.size()), json_value(row, "V"));
+    EXPECT_EQ(std::to_string(file->mesh.face_count() - file->mesh.quarantine.size()), json_value(row, "F"));
+    EXPECT_EQ(io_test::difference_after_round_trip(*file, file->format->id), "");
+    if (expect == "ok" || found_by_analysis.contains(name)) {
+      EXPECT_TRUE(file->messages.empty()) << file->messages.front().text.en;
+      continue;
+    }
+    const auto at_place = [&](const Message& message) { return is_at(message, where); };
+    EXPECT_TRUE(std::any_of(file->messages.begin(), file->messages.end(), at_place)) << where;
+  }
+}
+
+// The figures of truth.jsonl that a reader decides, by the definitions that stand beside it.
+std::map<std::string, std::string> figures(const MeshFile& file) {
+  const IndexedMesh& mesh = file.mesh;
+  std::size_t by_corners[3] = {0, 0, 0}, repeated = 0;
+  const auto count_corners = [&](std::size_t corners) {
+    if (corners >= 3) ++by_corners[std::min<std::size_t>(corners, 5) - 3];
+  };
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) count_corners(mesh.face(f).size());
+  for (const QuarantinedFace& face : mesh.quarantine) {
+    count_corners(face.corners.size());
+    if (face.code == "repeated_corner") ++repeated;
+  }
+  return {{"V_file", std::to_string(mesh.positions.size())},
+          {"F_file", std::to_string(mesh.face_count())},
+          {"F", std::to_string(mesh.face_count() - mesh.quarantine.size())},
+          {"tri", std::to_string(by_corners[0])},
+          {"quad", std::to_string(by_corners[1])},
+          {"poly5plus", std::to_string(by_corners[2])},
+          {"deg_repeat", std::to_string(repeated)}};
+}
+
+void compare_with_truth(const fs::path& folder) {
+  for (const std::string& row : json_lines(folder / "truth.jsonl")) {
+    const fs::path path = folder / json_value(row, "file");
+    if ((path.extension() != ".obj" && path.extension() != ".off") || !fs::exists(path)) continue;
+    SCOPED_TRACE(path);
+    const Result<MeshFile> file = read_mesh_file(path);
+    ASSERT_EQ(file.ok(), json_value(row, "status") == "ok") << (file ? "" : file.failure().message.text.en);
+    if (!file) continue;
+    for (const auto& [key, value] : figures(*file)) {
+      if (json_value(row, key).empty()) continue;
+      EXPECT_EQ(value, json_value(row, key)) << key;
+    }
+    EXPECT_EQ(io_test::difference_after_round_trip(*file, file->format->id), "");
+  }
+}
+
+TEST(SharedFiles, RealMeshesHaveTheirTrueFigures) { compare_with_truth(fs::path(RYOSEN_SHARED_DIR) / "meshes"); }
+
+TEST(SharedFiles, KnownMeshesHaveTheirTrueFigures) {
+  compare_with_truth(fs::path(RYOSEN_SHARED_DIR) / "meshes" / "known");
+}
+
+}  // namespace
+}  // namespace ryosen

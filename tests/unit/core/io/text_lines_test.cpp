@@ -1,0 +1,67 @@
+#include "core/io/text_lines.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace ryosen {
+namespace {
+
+std::vector<std::string> lines_of(std::string_view text, bool join) {
+  std::vector<std::string> out;
+  TextLines lines(text, join);
+  TextLine line;
+  while (lines.next(line)) {
+    const char end = *(line.text.data() + line.text.size());
+    EXPECT_TRUE(end == '\n' || end == '\r');
+    out.push_back(std::to_string(line.number) + ":" + std::string(line.text));
+  }
+  return out;
+}
+
+using Lines = std::vector<std::string>;
+
+TEST(TextLines, EveryLineEnd) {
+  EXPECT_EQ(lines_of("a\nb\n", true), (Lines{"1:a", "2:b"}));
+  EXPECT_EQ(lines_of("a\r\nb\r\n", true), (Lines{"1:a", "2:b"}));
+  EXPECT_EQ(lines_of("a\rb\r", true), (Lines{"1:a", "2:b"}));
+  EXPECT_EQ(lines_of("a\rb\nc\r\n\r\rd", true), (Lines{"1:a", "2:b", "3:c", "4:", "5:", "6:d"}));
+  EXPECT_EQ(lines_of("", true), Lines{});
+  EXPECT_EQ(lines_of("\n", true), Lines{"1:"});
+}
+
+TEST(TextLines, ByteOrderMarkIsNoText) { EXPECT_EQ(lines_of("\xef\xbb\xbfv 1", true), Lines{"1:v 1"}); }
+
+TEST(TextLines, JoinsContinuationsExceptComments) {
+  EXPECT_EQ(lines_of("f 1 \\\n 2\\\r\n3\nv", true), (Lines{"1:f 1   2 3", "4:v"}));
+  EXPECT_EQ(lines_of("# a \\\nv\n", true), (Lines{"1:# a \\", "2:v"}));
+  EXPECT_EQ(lines_of("f 1\\", true), Lines{"1:f 1"});
+  EXPECT_EQ(lines_of("f \\\nv\n", false), (Lines{"1:f \\", "2:v"}));
+}
+
+TEST(TextLines, PlacesLieInThePhysicalLine) {
+  TextLines lines("x\nf 1 \\\n  2 zz\n", true);
+  TextLine line;
+  ASSERT_TRUE(lines.next(line));
+  ASSERT_TRUE(lines.next(line));
+  const auto place = [&](char c) { return lines.place(line.text.data() + line.text.find(c)); };
+  EXPECT_EQ(place('1').line, 2u);
+  EXPECT_EQ(place('1').column, 3u);
+  EXPECT_EQ(place('z').line, 3u);
+  EXPECT_EQ(place('z').column, 5u);
+  EXPECT_EQ(lines.first_line(), 2u);
+  EXPECT_EQ(lines.count(), 3u);
+}
+
+TEST(TextLines, Words) {
+  std::string_view text = "  ab\tc  ";
+  EXPECT_EQ(take_word(text), "ab");
+  EXPECT_EQ(take_word(text), "c");
+  EXPECT_EQ(take_word(text), "");
+  EXPECT_EQ(trimmed(" \ta b\t "), "a b");
+  EXPECT_EQ(trimmed(" \t "), "");
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -1,0 +1,31 @@
+// The table of commands: what a script line, a key, a menu entry or a click may say. Operators are commands too, read
+// from their own list.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/editor/session.h"
+
+namespace ryosen {
+
+struct CommandRow {
+  std::string_view id;
+  std::string_view syntax;
+  std::string_view help_en, help_ja;
+  bool changes_mesh;  // undo, redo, open: goes into the log even where it is not an operator
+  Outcome (*run)(Session& session, std::span<const std::string_view> arguments, std::string_view whole);
+};
+
+std::span<const CommandRow> command_table();
+const CommandRow* find_command(std::string_view id);
+
+// All ids, operators included: for completion and for "did you mean".
+std::vector<std::string> command_ids();
+// Not a command: usage, with the closest id named.
+Outcome unknown_command(std::string_view id);
+Outcome usage_error(std::string en, std::string ja);
+
+}  // namespace ryosen

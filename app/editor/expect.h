@@ -1,0 +1,19 @@
+// The `expect` command: what a script claims about the mesh.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "app/editor/session.h"
+
+namespace ryosen {
+
+// V, E, F on points and undirected edges, the verdict on a command, or the hash. A claim that does not hold fails with
+// exit code 1 and says what was found.
+Outcome run_expect(Session& session, std::span<const std::string_view> arguments, std::string_view whole);
+
+// The hash as reports print it: 16 hexadecimal digits.
+std::string hash_text(const Mesh& mesh);
+
+}  // namespace ryosen

@@ -1,0 +1,21 @@
+// The text form of commands: one per line or separated by `;`, `#` begins a comment.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ryosen {
+
+struct ScriptLine {
+  int line = 1;      // in the script, from 1
+  std::string text;  // one command, without blanks around it
+};
+
+// The commands of a script in order; empty ones are left out. A `;` or `#` inside braces or quotes belongs to the text.
+std::vector<ScriptLine> split_script(std::string_view script);
+
+// The known word that is closest to a misspelt one, or empty when none is close.
+std::string closest_word(std::string_view word, const std::vector<std::string>& known);
+
+}  // namespace ryosen

@@ -1,0 +1,191 @@
+#include "app/editor/session.h"
+
+#include "app/editor/commands.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+
+namespace ryosen {
+
+Session::Session(std::unique_ptr<Document> document) {
+  for (const HighlightRow& row : highlight_table())
+    if (row.is_default) shown.insert(std::string(row.id));
+  set_document(std::move(document));
+}
+
+void Session::set_document(std::unique_ptr<Document> document) {
+  document_ = std::move(document);
+  document_->add_listener([this](std::size_t transaction) { follow(transaction); });
+  picker_.reset();
+  highlights_.reset();
+  euler_.reset();
+  hover_.reset();
+  selection.clear();
+  log_.clear();
+  drawn_changes_ = DrawnChanges();
+  frame_all();
+  touch();
+}
+
+void Session::follow(std::size_t transaction) {
+  const Mesh& m = mesh();
+  const TouchedElements touched = touched_elements(m, document_->journal(), transaction);
+  if (picker_) {
+    const std::vector<std::uint32_t> slots = picker_->update(m, touched);
+    drawn_changes_.everything |= touched.everything;
+    drawn_changes_.triangles.insert(drawn_changes_.triangles.end(), slots.begin(), slots.end());
+    for (Vertex v : touched.moved) drawn_changes_.vertices.push_back(v.index);
+    for (Face f : touched.faces) drawn_changes_.faces.push_back(f.index);
+  }
+  if (highlights_) highlights_->update(m, document_->journal(), transaction);
+  if (euler_) {
+    if (touched.everything) {
+      euler_.reset();
+    } else {
+      // The operators that write cells leave the boundary, the rings, the parts and their handles as they are.
+      euler_->vertices = m.live().vertices;
+      euler_->edges = m.live().edges;
+      euler_->faces = m.live().faces;
+      if (euler_->left() != euler_->right()) euler_.reset();
+    }
+  }
+  std::erase_if(selection, [&](const Element& e) {
+    switch (e.kind) {
+      case Element::Kind::vertex:
+        return !m.exists(e.vertex()) || !m.is_alive(e.vertex());
+      case Element::Kind::face:
+        return !m.exists(e.face()) || !m.is_alive(e.face());
+      case Element::Kind::edge:
+        return !m.exists(e.edge()) || !m.is_alive(e.edge());
+      default:
+        return !m.exists(e.halfedge()) || !m.is_alive(e.halfedge());
+    }
+  });
+  if (hover_) point_at(hover_->pixel);
+}
+
+Outcome Session::run(const std::string& line) {
+  const std::vector<std::string_view> words = split_words(line);
+  if (words.empty()) return {};
+  const std::span arguments = std::span(words).subspan(1);
+  if (const CommandRow* row = find_command(words[0])) {
+    const std::size_t after_id = static_cast<std::size_t>(words[0].data() - line.data()) + words[0].size();
+    Outcome outcome = row->run(*this, arguments, std::string_view(line).substr(after_id));
+    touch();
+    if (outcome.done() && row->changes_mesh) log_.push_back(line);
+    return outcome;
+  }
+  if (!find_op(words[0])) return unknown_command(words[0]);
+  const Parsed<AnyOp> parsed = parse_op(mesh(), words[0], arguments);
+  if (!parsed.op) {
+    const bool deleted = parsed.error == NameError::deleted ||
+                         (parsed.error == NameError::never_existed && document_->edge_existed(arguments[0]));
+    if (!deleted)
+      return usage_error(std::string(words[0]) + ": " + parsed.sentence.en,
+                         std::string(words[0]) + "：" + parsed.sentence.ja);
+    Outcome outcome;
+    outcome.kind = Outcome::Kind::refused;
+    outcome.exit_code = ExitCode::refused;
+    outcome.reasons.push_back({Rule::deleted, {}});
+    const RuleText& rule = text_of(Rule::deleted);
+    outcome.sentence = {line + " is refused: " + std::string(rule.en) + " (" + parsed.sentence.en + ")",
+                        line + " は実行できません：" + std::string(rule.ja) + "（" + parsed.sentence.ja + "）"};
+    return outcome;
+  }
+  Outcome outcome = document_->apply(*parsed.op, strict);
+  if (outcome.done()) log_.push_back(document_->history().back().command);
+  return outcome;
+}
+
+void Session::point_at(glm::dvec2 pixel) {
+  hover_.reset();
+  const auto picked = picker().pick(mesh(), camera, view, pixel, tool.empty() ? mode : PickMode::edge);
+  if (!picked) return;
+  Hover hover;
+  hover.pixel = pixel;
+  hover.picked = *picked;
+  const OpInfo* info = find_op(tool);
+  if (info && (info->target == OpTargetKind::none || picked->halfedge)) {
+    hover.op = op_at(mesh(), tool, {picked->halfedge, picked->along});
+    hover.preview = document_->preview(*hover.op);
+  }
+  hover_ = std::move(hover);
+}
+
+void Session::find_hover_remedy() {
+  if (hover_ && hover_->op && !hover_->preview.verdict.legal() && hover_->remedy.empty())
+    hover_->remedy = document_->remedy(*hover_->op);
+}
+
+Outcome Session::apply_at(const OpTarget& target, const std::string& id) {
+  return run(command_of(mesh(), op_at(mesh(), id, target)));
+}
+
+Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool) {
+  const OpInfo* info = find_op(with_tool);
+  const auto picked = picker().pick(mesh(), camera, view, pixel, info ? PickMode::edge : mode);
+  if (!picked) {
+    selection.clear();
+    touch();
+    Outcome nothing;
+    nothing.kind = Outcome::Kind::failed;
+    nothing.exit_code = ExitCode::found_problems;
+    nothing.sentence = {"there is nothing under the pointer", "ポインタの下に何もありません"};
+    if (!info) nothing = Outcome();
+    return nothing;
+  }
+  if (info) return apply_at({picked->halfedge, picked->along}, with_tool);
+  return run("select " + name_of(mesh(), picked->element));
+}
+
+const Picker& Session::picker() {
+  if (!picker_) picker_.emplace(mesh());
+  return *picker_;
+}
+
+const HighlightSets& Session::highlights() {
+  if (!highlights_) highlights_.emplace(mesh());
+  return *highlights_;
+}
+
+const EulerPoincare& Session::euler_terms() {
+  if (!euler_) euler_ = euler_poincare(mesh());
+  return *euler_;
+}
+
+void Session::frame_all() {
+  std::vector<glm::dvec3> places;
+  places.reserve(mesh().vertex_slots());
+  for (std::uint32_t i = 0; i < mesh().vertex_slots(); ++i)
+    if (mesh().is_alive(Vertex(i)) && !mesh().is_isolated(Vertex(i))) places.push_back(mesh().position(Vertex(i)));
+  if (places.empty())
+    for (std::uint32_t i = 0; i < mesh().vertex_slots(); ++i)
+      if (mesh().is_alive(Vertex(i))) places.push_back(mesh().position(Vertex(i)));
+  camera = fitted(camera, places, static_cast<double>(view.width) / view.height);
+  touch();
+}
+
+void Session::frame_selection() {
+  std::vector<glm::dvec3> places;
+  const auto add = [&](Vertex v) { places.push_back(mesh().position(v)); };
+  for (const Element& e : selection) {
+    if (e.kind == Element::Kind::vertex) add(e.vertex());
+    if (e.kind == Element::Kind::face)
+      for (Vertex v : vertices_around(mesh(), e.face())) add(v);
+    if (e.kind == Element::Kind::edge || e.kind == Element::Kind::halfedge) {
+      const Edge at = e.kind == Element::Kind::edge ? e.edge() : edge(e.halfedge());
+      add(ends(mesh(), at).first);
+      add(ends(mesh(), at).second);
+    }
+  }
+  if (places.empty()) return frame_all();
+  camera = fitted(camera, places, static_cast<double>(view.width) / view.height, 0.3);
+  touch();
+}
+
+Session::DrawnChanges Session::take_drawn_changes() {
+  DrawnChanges changes = std::move(drawn_changes_);
+  drawn_changes_ = {false, {}, {}, {}};
+  return changes;
+}
+
+}  // namespace ryosen

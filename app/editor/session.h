@@ -1,0 +1,102 @@
+// The editor without window and picture: a document, what is selected and shown, where the camera is, what the pointer is
+// on. The window, the command line, scripts and tests change it by the same command lines.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/editor/document.h"
+#include "core/analysis/euler_poincare.h"
+#include "core/analysis/highlights.h"
+#include "core/pick/picker.h"
+
+namespace ryosen {
+
+// What the pointer is on and what a click there would do.
+struct Hover {
+  glm::dvec2 pixel{0};
+  Picked picked;
+  std::optional<AnyOp> op;  // with a tool that works on what was picked
+  Preview preview;          // of that operator
+  std::vector<std::string> remedy;
+};
+
+class Session {
+ public:
+  explicit Session(std::unique_ptr<Document> document);
+
+  Document& document() { return *document_; }
+  const Document& document() const { return *document_; }
+  const Mesh& mesh() const { return document_->mesh(); }
+
+  // Carries out one command line (see commands.h) and logs it when it was done. Never throws for what a user types.
+  Outcome run(const std::string& line);
+  // The command lines done so far: a script that leads to the same state.
+  const std::vector<std::string>& log() const { return log_; }
+
+  // The state that commands change.
+  Camera camera;
+  Size view{1280, 720};
+  std::string tool;  // id of an operator, or empty: select
+  PickMode mode = PickMode::edge;
+  std::set<std::string> shown;  // ids of the highlight table
+  std::vector<Element> selection;
+
+  // May a script's save replace the file that was opened? And does it, or only the user, decide about warnings?
+  bool may_overwrite_input = true;
+  bool strict = false;
+  // Makes a picture of the session; set by whoever can draw. Commands that need it fail without.
+  std::function<Status(const std::filesystem::path&)> take_picture;
+  // Ends the session; set by the window.
+  std::function<void()> quit;
+
+  // Pointing. The picker is built when first asked for and then follows every edit.
+  void point_at(glm::dvec2 pixel);
+  void point_away() { hover_.reset(); }
+  const std::optional<Hover>& hover() const { return hover_; }
+  // Remedies are looked for on demand: they are tried out, which costs more than a verdict.
+  void find_hover_remedy();
+  // A click: applies the tool to what is under the pixel, or selects it.
+  Outcome click(glm::dvec2 pixel, const std::string& with_tool);
+
+  const Picker& picker();
+  const HighlightSets& highlights();
+  // The terms of the Euler–Poincaré sum. Kept through operators that leave B, H, S and G alone, else O(edges).
+  const EulerPoincare& euler_terms();
+
+  // Replaces the document; the selection, hover and log start anew.
+  void set_document(std::unique_ptr<Document> document);
+  void frame_all();
+  void frame_selection();
+  // Grows when anything that is drawn may have changed.
+  std::uint64_t picture_revision() const { return document_->revision() + changes_; }
+  void touch() { ++changes_; }
+
+  // Triangle slots changed since the last call, for what mirrors them; everything when the flag is set.
+  struct DrawnChanges {
+    bool everything = true;
+    std::vector<std::uint32_t> triangles;
+    std::vector<std::uint32_t> vertices;
+    std::vector<std::uint32_t> faces;
+  };
+  DrawnChanges take_drawn_changes();
+
+ private:
+  void follow(std::size_t transaction);
+  Outcome apply_at(const OpTarget& target, const std::string& id);
+
+  std::unique_ptr<Document> document_;
+  std::optional<Picker> picker_;
+  std::optional<HighlightSets> highlights_;
+  std::optional<EulerPoincare> euler_;
+  std::optional<Hover> hover_;
+  std::vector<std::string> log_;
+  DrawnChanges drawn_changes_;
+  std::uint64_t changes_ = 0;
+};
+
+}  // namespace ryosen

@@ -36,7 +36,12 @@ void Session::follow(std::size_t transaction) {
     for (Vertex v : touched.moved) drawn_changes_.vertices.push_back(v.index);
     for (Face f : touched.faces) drawn_changes_.faces.push_back(f.index);
   }
-  if (highlights_) highlights_->update(m, document_->journal(), transaction);
+  if (highlights_) {
+    highlights_->update(m, document_->journal(), transaction);
+    drawn_changes_.everything |= highlights_->changed_everything();
+    for (const HighlightSets::Change& change : highlights_->changes())
+      if (row_of(change.kind).face) drawn_changes_.faces.push_back(change.index);
+  }
   if (euler_) {
     if (touched.everything) {
       euler_.reset();

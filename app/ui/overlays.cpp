@@ -1,0 +1,131 @@
+#include "app/ui/overlays.h"
+
+#include <array>
+
+#include "core/geometry/triangulate.h"
+#include "core/mesh/circulate.h"
+
+namespace ryosen {
+
+namespace {
+
+// Adds elements to an overlay in one style.
+class Painter {
+ public:
+  Painter(const Mesh& mesh, Overlay& overlay, const Style& style, float hidden = faintly)
+      : m_(mesh), overlay_(overlay), style_(style), hidden_(hidden) {}
+
+  void line(const glm::dvec3& a, const glm::dvec3& b, bool arrow = false) {
+    overlay_.lines.push_back({a, b, style_.colour, style_.line, style_.width_px, hidden_, arrow});
+  }
+  void point(const glm::dvec3& at) {
+    overlay_.points.push_back({at, style_.colour, style_.point, style_.radius_px, hidden_});
+  }
+  void draw(Vertex v) { point(m_.position(v)); }
+  void draw(Edge e) { line(m_.position(ends(m_, e).first), m_.position(ends(m_, e).second)); }
+  void draw(Halfedge h) { line(m_.position(m_.from(h)), m_.position(m_.to(h)), true); }
+  // The outline of a face and a mark in its middle, so that a face without area is seen too.
+  void draw(Face f, bool mark = true) {
+    glm::dvec3 sum{};
+    double corners = 0;
+    for (Halfedge h : halfedges_around(m_, f)) {
+      draw(edge(h));
+      sum += m_.position(m_.from(h));
+      ++corners;
+    }
+    if (mark) point(sum / corners);
+  }
+  void draw(const Element& e) {
+    switch (e.kind) {
+      case Element::Kind::vertex:
+        return draw(e.vertex());
+      case Element::Kind::halfedge:
+        return draw(e.halfedge());
+      case Element::Kind::edge:
+        return draw(e.edge());
+      case Element::Kind::face:
+        return draw(e.face(), false);
+    }
+  }
+
+ private:
+  const Mesh& m_;
+  Overlay& overlay_;
+  Style style_;
+  float hidden_;
+};
+
+void draw_kind(const Session& session, const HighlightSets& sets, const ProblemRow& row, Painter& painter) {
+  const Mesh& m = session.mesh();
+  sets.of(row.kind).for_each([&](std::uint32_t i) {
+    if (row.vertex && m.is_alive(Vertex(i))) painter.draw(Vertex(i));
+    if (row.edge && m.is_alive(Edge(i))) painter.draw(Edge(i));
+    if (row.face && m.is_alive(Face(i))) painter.draw(Face(i));
+  });
+}
+
+void add_ghost(const Preview& preview, Theme theme, Overlay& overlay) {
+  const Style ghost = style(Role::ghost, theme);
+  std::vector<CornerTriangle> triangles;
+  for (const GhostFace& face : preview.faces) {
+    triangulate(face.corners, triangles);
+    for (const CornerTriangle& t : triangles)
+      overlay.ghosts.push_back({{face.corners[t[0]], face.corners[t[1]], face.corners[t[2]]}, ghost.colour, 0});
+    for (std::size_t i = 0; i < face.corners.size(); ++i)
+      overlay.lines.push_back({face.corners[i], face.corners[(i + 1) % face.corners.size()],
+                               style(Role::legal, theme).colour, LineStyle::solid, 1.2f, faintly, false});
+  }
+}
+
+}  // namespace
+
+Role role_of_highlight(std::string_view id) {
+  constexpr std::array<std::pair<std::string_view, Role>, 7> roles{{{"boundary", Role::boundary},
+                                                                    {"nonmanifold", Role::nonmanifold},
+                                                                    {"misoriented", Role::misoriented},
+                                                                    {"degenerate", Role::degenerate},
+                                                                    {"duplicate", Role::duplicate},
+                                                                    {"hanging", Role::hanging},
+                                                                    {"isolated", Role::isolated}}};
+  for (const auto& [name, role] : roles)
+    if (name == id) return role;
+  return Role::selected;
+}
+
+Overlay highlight_overlay(Session& session, Theme theme) {
+  Overlay overlay;
+  const HighlightSets& sets = session.highlights();
+  for (const ProblemRow& row : problem_table()) {
+    if (!row.is_local() || !session.shown.contains(std::string(row.highlight))) continue;
+    Painter painter(session.mesh(), overlay, style(role_of_highlight(row.highlight), theme));
+    draw_kind(session, sets, row, painter);
+  }
+  return overlay;
+}
+
+Overlay selection_overlay(const Session& session, Theme theme) {
+  Overlay overlay;
+  Painter painter(session.mesh(), overlay, style(Role::selected, theme));
+  for (const Element& e : session.selection) painter.draw(e);
+  return overlay;
+}
+
+Overlay hover_overlay(const Session& session, Theme theme) {
+  Overlay overlay;
+  if (!session.hover()) return overlay;
+  const Hover& hover = *session.hover();
+  const Mesh& m = session.mesh();
+  if (!hover.op) {
+    Painter(m, overlay, style(Role::hover, theme), 1).draw(hover.picked.element);
+    return overlay;
+  }
+  const bool legal = hover.preview.verdict.legal();
+  if (legal) add_ghost(hover.preview, theme, overlay);
+  Painter witness(m, overlay, style(Role::witness, theme), 0.6f);
+  for (const Reason& reason : hover.preview.verdict.reasons)
+    for (const Element& e : reason.witnesses) witness.draw(e);
+  Painter(m, overlay, style(legal ? Role::legal : Role::refused, theme), 1).draw(hover.picked.element);
+  return overlay;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,18 @@
+// What the layers of the view hold: highlights, selection, the element under the pointer and the preview of a click.
+#pragma once
+
+#include "app/editor/session.h"
+#include "render/overlay.h"
+#include "render/palette.h"
+
+namespace ryosen {
+
+Overlay highlight_overlay(Session& session, Theme theme);
+Overlay selection_overlay(const Session& session, Theme theme);
+// Without a tool the element itself; with one, green with the ghost of the result or red with the witnesses.
+Overlay hover_overlay(const Session& session, Theme theme);
+
+// The role that a highlight of the table is drawn in.
+Role role_of_highlight(std::string_view id);
+
+}  // namespace ryosen

@@ -1,0 +1,50 @@
+// The drawn view of a session: brings the mesh, the highlights, the selection and the preview of the pointer to the
+// renderer, and only what has changed.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "app/editor/session.h"
+#include "render/view.h"
+
+namespace ryosen {
+
+class Viewport {
+ public:
+  // Needs a current context, which must outlive it.
+  static Result<std::unique_ptr<Viewport>> make();
+
+  // Takes over whatever changed in the session since the last call: size, camera, mesh, overlays. Cheap when nothing did.
+  void follow(Session& session);
+  // Draws what changed; the rectangle is empty when nothing did.
+  PixelRect draw() { return view_->draw(); }
+
+  void set_theme(Theme theme);
+  void set_transparent(bool transparent) { view_->set_transparent(transparent); }
+  void set_supersample(int samples);
+  // Forgets the document, so that the next follow() takes everything anew.
+  void forget() { mesh_of_ = nullptr; }
+
+  View& view() { return *view_; }
+  Theme theme() const { return theme_; }
+
+ private:
+  explicit Viewport(std::unique_ptr<View> view) : view_(std::move(view)) {}
+  void follow_mesh(Session& session);
+  void follow_overlays(Session& session);
+
+  std::unique_ptr<View> view_;
+  Theme theme_ = Theme::dark;
+  int supersample_ = 1;
+  Size size_{};
+  const Document* mesh_of_ = nullptr;
+  std::vector<std::uint8_t> face_flags_;
+  std::uint64_t mesh_revision_ = 0;
+  std::set<std::string> shown_;
+  bool highlights_stale_ = true;
+  std::vector<Element> selection_;
+};
+
+}  // namespace ryosen

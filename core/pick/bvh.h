@@ -1,0 +1,148 @@
+// A tree of boxes over triangles, segments and points: ray casting, picking around a pixel and nearest places, kept
+// current while single primitives come, move and go.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "core/pick/float_box.h"
+#include "core/pick/frustum.h"
+#include "core/pick/primitive.h"
+#include "core/pick/ray.h"
+
+namespace ryosen {
+
+struct RayHit {
+  std::uint32_t slot = no_index;
+  double t = 0.0;
+  glm::dvec3 barycentric{0.0};  // weights of the triangle's vertices
+};
+
+struct NearestHit {
+  std::uint32_t slot = no_index;
+  double distance = 0.0;
+  glm::dvec3 place{0.0};
+  glm::dvec3 barycentric{0.0};  // weights of the primitive's vertices
+};
+
+// Primitives live in slots, numbers that the caller chooses and that stay. The tree keeps vertex numbers, not
+// positions: every call gets the same column of positions, which the caller owns and may let grow.
+//
+// Answers do not depend on the tree's shape, hence not on the order of edits. Boxes are rounded outwards, so none is
+// missed. A primitive with a position that is not finite keeps its slot but is found by no query.
+// Cost: build O(n log n) by surface areas in bins [Wald07]; queries and single changes O(depth). The tree is kept good
+// by local rotations [Kopta12]; after many changes a rebuild makes it as good as new.
+class Bvh {
+ public:
+  // Drops everything and takes primitive i into slot i; those of kind none leave their slot empty.
+  void build(std::span<const glm::dvec3> positions, std::vector<Primitive> primitives);
+  // Builds again from the primitives held; is_worn tells when it pays: after changes to a third of them.
+  void rebuild(std::span<const glm::dvec3> positions);
+  bool is_worn() const { return changes_ > 64 && changes_ > live_ / 3; }
+
+  // Puts a primitive into a slot, free or taken; slots may be any numbers, but memory grows with the largest.
+  void insert(std::span<const glm::dvec3> positions, std::uint32_t slot, const Primitive& primitive);
+  // Empties a slot; nothing happens if it is empty.
+  void erase(std::uint32_t slot);
+  // Follows changed positions of the slot's vertices.
+  void update(std::span<const glm::dvec3> positions, std::uint32_t slot);
+  // Follows changed positions of any vertices: O(n), but without a new tree.
+  void update_all(std::span<const glm::dvec3> positions);
+
+  // The first triangle that the ray meets, from either side; at equal t the one with the smallest slot. Segments and
+  // points are never hit.
+  std::optional<RayHit> cast(std::span<const glm::dvec3> positions, const Ray& ray) const;
+
+  // Calls visit(slot) for all primitives whose box meets the frustum, in no particular order. Boxes near an edge of
+  // the frustum may be visited although they miss it.
+  template <class Visit>
+  void visit_frustum(std::span<const glm::dvec3> positions, const Frustum& frustum, Visit&& visit) const {
+    visit_frustum_nodes(
+        positions, frustum,
+        [](void* target, std::uint32_t slot) { (*static_cast<std::remove_reference_t<Visit>*>(target))(slot); },
+        &visit);
+  }
+
+  // The place of any primitive nearest to a point, at most max_distance away; on a tie the smallest slot.
+  std::optional<NearestHit> nearest(std::span<const glm::dvec3> positions, const glm::dvec3& point,
+                                    double max_distance) const;
+
+  // The primitive in a slot; of kind none for an empty one.
+  Primitive primitive(std::uint32_t slot) const { return slot < primitives_.size() ? primitives_[slot] : Primitive{}; }
+  std::size_t slot_count() const { return primitives_.size(); }
+  std::size_t size() const { return live_; }  // primitives in the tree
+  std::size_t bytes() const;
+  // Names the first broken relation between nodes, boxes and slots, or returns null. For tests; O(n).
+  const char* find_defect(std::span<const glm::dvec3> positions) const;
+
+ private:
+  static constexpr std::uint32_t leaf_capacity = 4;
+  friend class BvhBuilder;
+
+  // Boxes are floats in the tree's own frame, (p - origin_) * scale_, of magnitude about one.
+  struct alignas(16) Node {
+    std::array<float, 3> lowest;
+    std::uint32_t first;  // inner: number of the left child, the right one follows; leaf: block of slots
+    std::array<float, 3> highest;
+    std::uint32_t count;  // primitives of a leaf, 0 for an inner node
+
+    // The three bounds with whatever number comes behind them in the last lane.
+    Float4 lower_lanes() const { return Float4::load(lowest.data()); }
+    Float4 upper_lanes() const { return Float4::load(highest.data()); }
+  };
+  struct alignas(64) NodePair {
+    std::array<Node, 2> side;
+  };
+  struct LocalRay;
+  using SlotBlock = std::array<std::uint32_t, leaf_capacity>;
+
+  // Node 0 is the root; node 1 is never used.
+  Node& node(std::uint32_t i) { return pairs_[i >> 1u].side[i & 1u]; }
+  const Node& node(std::uint32_t i) const { return pairs_[i >> 1u].side[i & 1u]; }
+  std::uint32_t parent(std::uint32_t i) const { return parents_[i >> 1u]; }
+  FloatBox box(std::uint32_t i) const;
+  void set_box(std::uint32_t i, const FloatBox& box);
+
+  FloatBox local_box(std::span<const glm::dvec3> positions, std::uint32_t slot) const;
+  static bool is_finite(std::span<const glm::dvec3> positions, const Primitive& primitive);
+  void choose_frame(std::span<const glm::dvec3> positions);
+
+  void link_slot(std::span<const glm::dvec3> positions, std::uint32_t slot);
+  void unlink_slot(std::uint32_t slot);
+  std::uint32_t best_sibling(const FloatBox& box) const;
+  void add_to_leaf(std::uint32_t leaf, std::uint32_t slot);
+  void split_off(std::uint32_t at, std::uint32_t slot, const FloatBox& box);
+  void move_node(std::uint32_t from, std::uint32_t to);
+  void adopt(std::uint32_t i);
+  void rotate(std::uint32_t i);
+  void exchange(std::uint32_t a, std::uint32_t b);
+  FloatBox leaf_box(std::span<const glm::dvec3> positions, const Node& leaf) const;
+  void refit_upwards(std::uint32_t i, bool with_rotations);
+  std::uint32_t new_pair();
+  std::uint32_t new_block();
+  const char* find_defect_below(std::span<const glm::dvec3> positions, std::uint32_t top, std::size_t& seen) const;
+
+  void cast_leaf(std::span<const glm::dvec3> positions, const RayCaster& caster, const Node& leaf, RayHit& best) const;
+  using SlotVisitor = void (*)(void*, std::uint32_t);
+  void visit_frustum_nodes(std::span<const glm::dvec3> positions, const Frustum& frustum, SlotVisitor visit,
+                           void* target) const;
+
+  std::vector<Primitive> primitives_;   // by slot
+  std::vector<std::uint32_t> leaf_of_;  // by slot: its leaf, no_index if it is in no leaf
+  std::vector<NodePair> pairs_;
+  std::vector<std::uint32_t> parents_;  // by pair: the node whose children they are
+  std::vector<SlotBlock> blocks_;
+  std::vector<std::uint32_t> free_pairs_, free_blocks_;
+  glm::dvec3 origin_{0.0};
+  double scale_ = 1.0;
+  double reach_ = 0.0;  // largest magnitude in any box so far, in the tree's frame
+  std::size_t live_ = 0;
+  std::size_t changes_ = 0;
+};
+
+}  // namespace ryosen

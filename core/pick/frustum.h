@@ -1,0 +1,30 @@
+// Convex pieces of space given by planes, and the one around a pixel.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace ryosen {
+
+// The points p with dot(plane.xyz, p) + plane.w >= 0 for the first `count` planes; without planes all of space.
+// Planes need no unit length.
+struct Frustum {
+  std::array<glm::dvec4, 6> planes{};
+  std::size_t count = 0;
+
+  void add(const glm::dvec4& plane) { planes[count++] = plane; }
+};
+
+// What is seen between two corners of a rectangle on the screen, in normalized device coordinates (-1 to 1, y up), in
+// front of the near plane of an OpenGL projection; the far plane does not bound it.
+Frustum frustum_of_rectangle(const glm::dmat4& clip_from_world, const glm::dvec2& lowest, const glm::dvec2& highest);
+
+// The square of half side `radius_px` around a pixel position (y down, in a viewport of `size_px`).
+Frustum frustum_around_pixel(const glm::dmat4& clip_from_world, const glm::dvec2& size_px, const glm::dvec2& pixel,
+                             double radius_px);
+
+}  // namespace ryosen

@@ -1,0 +1,52 @@
+// What a bounding volume hierarchy holds: a triangle, a segment or a point, by the numbers of its vertices.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "core/base/handle.h"
+
+namespace ryosen {
+
+enum class PrimitiveKind : std::uint8_t { none, triangle, segment, point };
+
+// `owner` is the caller's: the face of a triangle, the edge of a segment, the vertex of a point.
+struct Primitive {
+  std::array<std::uint32_t, 3> vertices{no_index, no_index, no_index};
+  std::uint32_t owner = no_index;
+
+  static Primitive triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t face) {
+    return {{a, b, c}, face};
+  }
+  static Primitive segment(std::uint32_t a, std::uint32_t b, std::uint32_t edge) { return {{a, b, no_index}, edge}; }
+  static Primitive point(std::uint32_t vertex) { return {{vertex, no_index, no_index}, vertex}; }
+
+  PrimitiveKind kind() const { return static_cast<PrimitiveKind>(size() == 0 ? 0 : 4 - size()); }
+  // How many vertices it has, 0 for none.
+  int size() const {
+    if (vertices[0] == no_index) return 0;
+    if (vertices[1] == no_index) return 1;
+    return vertices[2] == no_index ? 2 : 3;
+  }
+};
+
+// An axis-parallel box; the corners of a primitive's box are exact.
+struct Box {
+  glm::dvec3 lowest{0.0};
+  glm::dvec3 highest{0.0};
+};
+
+inline Box box_of(std::span<const glm::dvec3> positions, const Primitive& primitive) {
+  Box box{positions[primitive.vertices[0]], positions[primitive.vertices[0]]};
+  for (int i = 1; i < primitive.size(); ++i) {
+    const glm::dvec3& p = positions[primitive.vertices[static_cast<std::size_t>(i)]];
+    box.lowest = glm::min(box.lowest, p);
+    box.highest = glm::max(box.highest, p);
+  }
+  return box;
+}
+
+}  // namespace ryosen

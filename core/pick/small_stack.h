@@ -1,0 +1,48 @@
+// A stack whose first entries need no allocation.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace ryosen {
+
+template <class T, std::size_t Inline = 64>
+class SmallStack {
+ public:
+  bool empty() const { return size_ == 0; }
+
+  void push(const T& value) {
+    if (size_ < Inline) {
+      first_[size_] = value;
+    } else {
+      rest_.push_back(value);
+    }
+    ++size_;
+  }
+
+  T pop() {
+    --size_;
+    if (size_ < Inline) return first_[size_];
+    const T value = rest_.back();
+    rest_.pop_back();
+    return value;
+  }
+
+  // Pops until an entry is wanted and returns that, or `otherwise` when none is left.
+  template <class Wanted>
+  T pop_until(Wanted&& wanted, const T& otherwise) {
+    while (!empty()) {
+      const T value = pop();
+      if (wanted(value)) return value;
+    }
+    return otherwise;
+  }
+
+ private:
+  std::array<T, Inline> first_;
+  std::vector<T> rest_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace ryosen

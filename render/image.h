@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "render/colour.h"
 #include "core/pick/size.h"
+#include "render/colour.h"
 
 namespace ryosen {
 

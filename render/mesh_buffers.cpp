@@ -78,12 +78,12 @@ void MeshBuffers::set(const TriangleSource& source, const BufferSpace& space) {
 
 void MeshBuffers::update(const TriangleSource& source, std::span<const std::uint32_t> vertices,
                          std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces,
-                         std::vector<FloatBox>& touched) {
+                         std::vector<DrawBox>& touched) {
   const std::vector<std::uint32_t> changed = changed_triangles(source, triangles);
   const auto note_boxes = [&] {
     for (const std::uint32_t triangle : changed) {
       if (triangle >= slot_of_source_.size()) continue;
-      const FloatBox box = box_of_slot(slot_of_source_[triangle]);
+      const DrawBox box = box_of_slot(slot_of_source_[triangle]);
       if (!box.empty()) touched.push_back(box);
     }
   };
@@ -113,8 +113,8 @@ void MeshBuffers::set_units(const Program& program) {
   program.set("face_flags", 2);
 }
 
-FloatBox MeshBuffers::bounds() const {
-  FloatBox box;
+DrawBox MeshBuffers::bounds() const {
+  DrawBox box;
   for (const Cluster& cluster : clusters_) box.add(cluster.box);
   return box;
 }
@@ -135,9 +135,9 @@ glm::uvec4 MeshBuffers::converted(const TriangleSource& source, std::uint32_t tr
   return {corner[0], corner[1], corner[2], source.triangle_face[triangle] * 8 + source.triangle_edge_bits[triangle]};
 }
 
-FloatBox MeshBuffers::box_of_slot(std::uint32_t slot) const {
+DrawBox MeshBuffers::box_of_slot(std::uint32_t slot) const {
   const glm::uvec4& triangle = triangles_[slot];
-  FloatBox box;
+  DrawBox box;
   if (!is_drawn(triangle)) return box;
   for (int k = 0; k < 3; ++k) box.add(glm::vec3(positions_[triangle[k]]));
   return box;

@@ -26,7 +26,7 @@ struct TriangleSource {
 
 // Triangles that lie together, in consecutive slots, with the box around them.
 struct Cluster {
-  FloatBox box;
+  DrawBox box;
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   bool flagged = false;  // some face of it carries a flag
@@ -61,7 +61,7 @@ class MeshBuffers {
   // For each triangle touched the box of its old and then of its new place is appended to `touched`.
   void update(const TriangleSource& source, std::span<const std::uint32_t> vertices,
               std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces,
-              std::vector<FloatBox>& touched);
+              std::vector<DrawBox>& touched);
 
   // Binds the textures that mesh.glsl reads, to the units that set_units() tells a program.
   void bind() const;
@@ -69,7 +69,7 @@ class MeshBuffers {
 
   const BufferSpace& space() const { return space_; }
   std::span<const Cluster> clusters() const { return clusters_; }
-  FloatBox bounds() const;
+  DrawBox bounds() const;
   // The number in the source of the triangle in a slot, and its face.
   std::uint32_t source_of_slot(std::uint32_t slot) const { return source_of_slot_[slot]; }
   std::uint32_t face_of_slot(std::uint32_t slot) const { return triangles_[slot].w >> 3; }
@@ -77,7 +77,7 @@ class MeshBuffers {
  private:
   bool drawable(std::uint32_t vertex) const;
   glm::uvec4 converted(const TriangleSource& source, std::uint32_t triangle) const;
-  FloatBox box_of_slot(std::uint32_t slot) const;
+  DrawBox box_of_slot(std::uint32_t slot) const;
   void refresh(std::uint32_t cluster);
   std::vector<std::uint32_t> changed_triangles(const TriangleSource& source,
                                                std::span<const std::uint32_t> named) const;

@@ -38,6 +38,7 @@ constexpr Palette dark_palette = {
     .fill = rgb(0x5D7399),
     .rim = rgb(0x3C4E66),
     .wire = rgb(0x0C1018, 170),
+    .outline = rgb(0x0C1018, 220),
 };
 
 constexpr Palette light_palette = {
@@ -49,6 +50,7 @@ constexpr Palette light_palette = {
     .fill = rgb(0x6F86AC),
     .rim = rgb(0x2C3A4C),
     .wire = rgb(0x141A26, 150),
+    .outline = rgb(0x202630, 220),
 };
 
 }  // namespace

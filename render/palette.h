@@ -57,6 +57,7 @@ struct Palette {
   Rgba front, back;     // the two sides of the surface
   Rgba key, fill, rim;  // light from the upper left, from the right, and at grazing angles
   Rgba wire;            // its alpha is the strength of the wireframe
+  Rgba outline;         // around points, to set them off from any ground
 };
 const Palette& palette(Theme theme);
 

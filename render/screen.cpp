@@ -7,12 +7,12 @@
 
 namespace ryosen {
 
-void FloatBox::add(const glm::vec3& p) {
+void DrawBox::add(const glm::vec3& p) {
   min = glm::min(min, p);
   max = glm::max(max, p);
 }
 
-void FloatBox::add(const FloatBox& b) {
+void DrawBox::add(const DrawBox& b) {
   min = glm::min(min, b.min);
   max = glm::max(max, b.max);
 }
@@ -43,7 +43,7 @@ PixelRect screen_bounds(std::span<const glm::vec3> points, const glm::mat4& clip
           high(y1 + margin, view.height)};
 }
 
-PixelRect screen_bounds(const FloatBox& box, const glm::mat4& clip_from_mesh, Size view, float reach) {
+PixelRect screen_bounds(const DrawBox& box, const glm::mat4& clip_from_mesh, Size view, float reach) {
   if (box.empty()) return {};
   std::array<glm::vec3, 8> corners;
   for (std::size_t i = 0; i < 8; ++i) {

@@ -26,7 +26,7 @@ struct Keyed {
 }  // namespace
 
 std::vector<std::uint32_t> space_order(std::span<const glm::vec3> points) {
-  FloatBox box;
+  DrawBox box;
   for (const glm::vec3& p : points) box.add(p);
   constexpr float cells = float((1u << bits_per_axis) - 1);
   const glm::vec3 size = box.max - box.min;

@@ -52,7 +52,7 @@ class GpuArray {
   Buffer buffer_;
 };
 
-// A GpuArray that shaders read with texelFetch. `format` is the texel format, one texel per T.
+// A GpuArray that shaders read with texelFetch; `format` is that of a texel, T one texel or several.
 template <class T>
 class TexelArray {
  public:

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "render/gl/object.h"
 #include "core/pick/size.h"
+#include "render/gl/object.h"
 
 namespace ryosen {
 

@@ -3,8 +3,8 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "render/palette.h"
 #include "core/pick/size.h"
+#include "render/palette.h"
 
 namespace ryosen {
 
@@ -12,9 +12,11 @@ namespace ryosen {
 // Sizes and rectangles are in rendered pixels, of which pixel_scale make one pixel of the picture.
 struct Frame {
   glm::mat4 clip_from_buffer{1};
-  glm::mat4 view_from_buffer{1};  // of the scale of the buffers
+  glm::mat4 view_from_buffer{1};  // of the scale of the buffers: lengths stay
+  glm::mat4 clip_from_view{1};
   bool ortho = false;
-  float units_per_pixel = 0;  // in buffer space, at distance 1 from the eye; everywhere when ortho
+  float near_distance = 0;    // of the near plane
+  float units_per_pixel = 0;  // at distance 1 from the eye; everywhere when ortho
   Size size;
   PixelRect rect;  // the part to draw; the scissor is set to it
   float pixel_scale = 1;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "render/gl/vertex_runs.h"
 #include "render/pass/linear.h"
 
 namespace ryosen {
@@ -88,20 +89,12 @@ void SurfacePass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<co
 }
 
 void draw_clusters(const MeshBuffers& mesh, std::span<const std::uint32_t> clusters) {
-  std::vector<GLint> first;
-  std::vector<GLsizei> count;
+  VertexRuns runs;
   for (const std::uint32_t number : clusters) {
     const Cluster& cluster = mesh.clusters()[number];
-    const auto start = static_cast<GLint>(3 * cluster.first);
-    const auto length = static_cast<GLsizei>(3 * cluster.count);
-    if (!first.empty() && first.back() + count.back() == start) {
-      count.back() += length;
-    } else {
-      first.push_back(start);
-      count.push_back(length);
-    }
+    runs.add(3 * cluster.first, 3 * cluster.count);
   }
-  if (!first.empty()) glMultiDrawArrays(GL_TRIANGLES, first.data(), count.data(), static_cast<GLsizei>(first.size()));
+  if (!runs.empty()) runs.draw();
 }
 
 }  // namespace ryosen

@@ -1,0 +1,34 @@
+// Ranges of vertices drawn with one call.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/gl/api.h"
+
+namespace ryosen {
+
+class VertexRuns {
+ public:
+  // Appends vertices, joined with the last range where they follow it.
+  void add(std::uint32_t first, std::uint32_t count) {
+    const auto start = static_cast<GLint>(first);
+    if (!first_.empty() && first_.back() + count_.back() == start) {
+      count_.back() += static_cast<GLsizei>(count);
+    } else {
+      first_.push_back(start);
+      count_.push_back(static_cast<GLsizei>(count));
+    }
+  }
+  bool empty() const { return first_.empty(); }
+  // Draws the ranges in order, as triangles.
+  void draw() const {
+    glMultiDrawArrays(GL_TRIANGLES, first_.data(), count_.data(), static_cast<GLsizei>(first_.size()));
+  }
+
+ private:
+  std::vector<GLint> first_;
+  std::vector<GLsizei> count_;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,32 @@
+// Draws which triangle is seen at each pixel, and how far away: the measure by which picking is tested.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "core/base/result.h"
+#include "render/gl/framebuffer.h"
+#include "render/gl/program.h"
+#include "render/mesh_buffers.h"
+#include "render/pass/frame.h"
+
+namespace ryosen {
+
+class IdsPass {
+ public:
+  static Result<IdsPass> make();
+
+  // Draws into its own framebuffer of the frame's size: image 0 holds slot + 1 of the triangle, 0 where there is none,
+  // image 1 the distance along the view direction in buffer space.
+  const Framebuffer& draw(const Frame& frame, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters);
+
+ private:
+  explicit IdsPass(Program program);
+
+  Program program_;
+  VertexArray no_attributes_;
+  Framebuffer target_;
+};
+
+}  // namespace ryosen

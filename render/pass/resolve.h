@@ -1,0 +1,24 @@
+// Shrinks a picture that was rendered several times as large.
+#pragma once
+
+#include "core/base/result.h"
+#include "render/gl/framebuffer.h"
+#include "render/gl/program.h"
+
+namespace ryosen {
+
+class ResolvePass {
+ public:
+  static Result<ResolvePass> make();
+
+  // Fills a rectangle of `target` from `rendered`, which is `factor` times as large.
+  void draw(const Framebuffer& rendered, int factor, const Framebuffer& target, const PixelRect& rect) const;
+
+ private:
+  explicit ResolvePass(Program program) : program_(std::move(program)), no_attributes_("resolve") {}
+
+  Program program_;
+  VertexArray no_attributes_;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,269 @@
+#include "render/view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/ext/matrix_transform.hpp>
+#include <limits>
+
+namespace ryosen {
+namespace {
+
+constexpr PixelFormat picture_formats[] = {PixelFormat::rgba8};
+
+// From buffer space to view space, without a change of scale.
+glm::dmat4 view_from_buffer(const Camera& camera, const BufferSpace& space) {
+  return glm::scale(glm::dmat4(1.0), glm::dvec3(space.scale)) * view_from_mesh(camera) * space.to_mesh();
+}
+
+Camera in_buffer_scale(Camera camera, double scale) {
+  if (camera.ortho_height) *camera.ortho_height *= scale;
+  return camera;
+}
+
+bool is_same(const Camera& a, const Camera& b) {
+  return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fov_y_deg == b.fov_y_deg &&
+         a.ortho_height == b.ortho_height;
+}
+
+struct DepthRange {
+  double nearest = std::numeric_limits<double>::infinity();
+  double farthest = -std::numeric_limits<double>::infinity();
+
+  void add(const DrawBox& box, const glm::dmat4& view) {
+    if (box.empty()) return;
+    const glm::dvec4 depth_row(view[0][2], view[1][2], view[2][2], view[3][2]);
+    for (unsigned i = 0; i < 8; ++i) {
+      const glm::dvec4 corner((i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y,
+                              (i & 4) ? box.max.z : box.min.z, 1.0);
+      const double depth = -glm::dot(depth_row, corner);
+      nearest = std::min(nearest, depth);
+      farthest = std::max(farthest, depth);
+    }
+  }
+};
+
+}  // namespace
+
+Result<std::unique_ptr<View>> View::make() {
+  Result<SurfacePass> surface = SurfacePass::make();
+  if (!surface) return surface.failure();
+  Result<BackgroundPass> background = BackgroundPass::make();
+  if (!background) return background.failure();
+  Result<OverlayPass> overlay = OverlayPass::make();
+  if (!overlay) return overlay.failure();
+  Result<ResolvePass> resolve = ResolvePass::make();
+  if (!resolve) return resolve.failure();
+  Result<IdsPass> ids = IdsPass::make();
+  if (!ids) return ids.failure();
+  return std::unique_ptr<View>(new View(
+      {std::move(*surface), std::move(*background), std::move(*overlay), std::move(*resolve), std::move(*ids)}));
+}
+
+View::View(Passes passes)
+    : passes_(std::move(passes)),
+      overlays_{OverlayBuffer("highlights"), OverlayBuffer("selection"), OverlayBuffer("hover"),
+                OverlayBuffer("preview")},
+      rendered_("rendered", picture_formats, true),
+      resolved_("resolved", picture_formats, false) {
+  resize(size_);
+}
+
+void View::all_changed() { dirty_ = PixelRect::all(size_); }
+
+void View::resize(Size size, int supersample) {
+  size_ = {std::max(size.width, 1), std::max(size.height, 1)};
+  supersample_ = std::clamp(supersample, 1, 8);
+  rendered_.resize({size_.width * supersample_, size_.height * supersample_});
+  if (supersample_ > 1) resolved_.resize(size_);
+  planes_stale_ = true;
+  all_changed();
+}
+
+void View::set_theme(Theme theme) {
+  if (theme == theme_) return;
+  theme_ = theme;
+  all_changed();
+}
+
+void View::set_transparent(bool transparent) {
+  if (transparent == transparent_) return;
+  transparent_ = transparent;
+  all_changed();
+}
+
+void View::set_camera(const Camera& camera) {
+  if (is_same(camera, camera_)) return;
+  camera_ = camera;
+  planes_stale_ = true;
+  all_changed();
+}
+
+void View::set_overlay(Layer layer, const Overlay& overlay) {
+  std::vector<TouchedBox> touched;
+  overlays_[static_cast<std::size_t>(layer)].set(overlay, mesh_.space(), touched);
+  changed(touched);
+}
+
+void View::set_mesh(const TriangleSource& source) {
+  const Bounds box = bounds_of(source.positions);
+  mesh_.set(source, buffer_space(box.min, box.max));
+  std::vector<TouchedBox> nothing_left;
+  for (OverlayBuffer& overlay : overlays_) overlay.set({}, mesh_.space(), nothing_left);
+  planes_stale_ = true;
+  all_changed();
+}
+
+void View::update_mesh(const TriangleSource& source, std::span<const std::uint32_t> vertices,
+                       std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces) {
+  std::vector<DrawBox> boxes;
+  mesh_.update(source, vertices, triangles, faces, boxes);
+  while (order_.size() < mesh_.clusters().size()) order_.push_back(static_cast<std::uint32_t>(order_.size()));
+  std::vector<TouchedBox> touched;
+  for (const DrawBox& box : boxes) touched.push_back({box, 0});
+  changed(touched);
+}
+
+void View::changed(std::span<const TouchedBox> touched) {
+  if (planes_stale_ || touched.empty()) return;
+  const Frame whole = frame(PixelRect::all(size_), 1);
+  DepthRange range;
+  for (const TouchedBox& t : touched) {
+    dirty_ = united(dirty_, screen_bounds(t.box, whole.clip_from_buffer, size_, t.reach_px + 1));
+    range.add(t.box, glm::dmat4(whole.view_from_buffer));
+  }
+  // What comes to lie before the near or behind the far plane needs other planes, and so another picture.
+  if (range.farthest > far_ || (range.nearest < near_ && range.nearest > 0)) {
+    planes_stale_ = true;
+    all_changed();
+  }
+}
+
+void View::place_planes() {
+  const glm::dmat4 view = view_from_buffer(camera_, mesh_.space());
+  DepthRange range;
+  for (const Cluster& cluster : mesh_.clusters()) range.add(cluster.box, view);
+  for (const OverlayBuffer& overlay : overlays_) range.add(overlay.bounds(), view);
+  const double target = glm::length(camera_.target - camera_.eye) * mesh_.space().scale;
+  if (!(range.nearest <= range.farthest)) range = {0.5 * target, 1.5 * target};
+  const double slack = 0.01 * (range.farthest - range.nearest) + 1e-3 * target;
+  far_ = range.farthest + slack;
+  near_ = range.nearest - slack;
+  if (!camera_.ortho_height) {
+    // Perspective needs a near plane in front of the eye. The closer the eye is to its target, the closer that plane.
+    far_ = std::max(far_, 1e-6 * target);
+    near_ = std::max(near_, std::min(0.01 * target, 0.5 * far_));
+  }
+  sort_clusters();
+  planes_stale_ = false;
+}
+
+// From near to far, so that what is hidden costs no shading. The order stays until the next full picture, because where
+// two triangles lie in the same place the first one is seen.
+void View::sort_clusters() {
+  const std::span<const Cluster> clusters = mesh_.clusters();
+  const glm::dmat4 view = view_from_buffer(camera_, mesh_.space());
+  std::vector<double> depth(clusters.size(), 0.0);
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    if (clusters[i].box.empty()) continue;
+    const glm::dvec3 centre = 0.5 * (glm::dvec3(clusters[i].box.min) + glm::dvec3(clusters[i].box.max));
+    depth[i] = -(view * glm::dvec4(centre, 1.0)).z;
+  }
+  order_.resize(clusters.size());
+  for (std::uint32_t i = 0; i < order_.size(); ++i) order_[i] = i;
+  std::stable_sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) { return depth[a] < depth[b]; });
+}
+
+Frame View::frame(const PixelRect& rect, int scale) const {
+  const double aspect = double(size_.width) / double(size_.height);
+  const Camera camera = in_buffer_scale(camera_, mesh_.space().scale);
+  const glm::dmat4 view = view_from_buffer(camera_, mesh_.space());
+  const glm::dmat4 clip = clip_from_view(camera, aspect, near_, far_);
+  Frame f;
+  f.clip_from_buffer = glm::mat4(clip * view);
+  f.view_from_buffer = glm::mat4(view);
+  f.clip_from_view = glm::mat4(clip);
+  f.ortho = camera.ortho_height.has_value();
+  f.near_distance = static_cast<float>(near_);
+  f.size = {size_.width * scale, size_.height * scale};
+  f.units_per_pixel = static_cast<float>(units_per_pixel(camera, f.size, 1));
+  f.rect = {rect.x0 * scale, rect.y0 * scale, rect.x1 * scale, rect.y1 * scale};
+  f.pixel_scale = static_cast<float>(scale);
+  f.theme = theme_;
+  return f;
+}
+
+std::vector<std::uint32_t> View::clusters_in(const Frame& frame) const {
+  std::vector<std::uint32_t> inside;
+  for (const std::uint32_t cluster : order_) {
+    const DrawBox& box = mesh_.clusters()[cluster].box;
+    if (overlap(screen_bounds(box, frame.clip_from_buffer, frame.size, 1), frame.rect)) inside.push_back(cluster);
+  }
+  return inside;
+}
+
+PixelRect View::draw() {
+  const PixelRect rect = dirty_;
+  if (!rect.empty()) draw(rect);
+  return rect;
+}
+
+void View::draw(const PixelRect& asked) {
+  PixelRect rect = intersection(asked, PixelRect::all(size_));
+  if (planes_stale_) {
+    place_planes();
+    rect = PixelRect::all(size_);
+  }
+  if (rect.empty()) return;
+  const Frame f = frame(rect, supersample_);
+  rendered_.bind(f.rect);
+  glDepthMask(GL_TRUE);
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+
+  passes_.surface.draw(f, mesh_, clusters_in(f));
+  if (!transparent_) passes_.background.draw(f);
+  for (const OverlayBuffer& overlay : overlays_) passes_.overlay.draw(f, overlay);
+  if (supersample_ > 1) passes_.resolve.draw(rendered_, supersample_, resolved_, rect);
+
+  if (intersection(dirty_, rect) == dirty_) dirty_ = {};
+}
+
+Image View::read_pixels() const {
+  Image image(size_);
+  picture().read(0, PixelRect::all(size_), image.pixels.data());
+  if (!transparent_) return image;
+  for (Rgba& p : image.pixels) {
+    if (p[3] == 0 || p[3] == 255) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      p[c] = static_cast<std::uint8_t>(std::min(255, (int(p[c]) * 255 + p[3] / 2) / p[3]));
+    }
+  }
+  return image;
+}
+
+IdImage View::read_ids() {
+  if (planes_stale_) {
+    place_planes();
+    all_changed();
+  }
+  const Frame f = frame(PixelRect::all(size_), 1);
+  const Framebuffer& target = passes_.ids.draw(f, mesh_, clusters_in(f));
+  const auto count = static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height);
+  IdImage image{size_, std::vector<std::uint32_t>(count), std::vector<std::uint32_t>(count, no_index),
+                std::vector<float>(count)};
+  target.read(0, f.rect, image.triangle.data());
+  target.read(1, f.rect, image.depth.data());
+  for (std::size_t i = 0; i < count; ++i) {
+    image.depth[i] = static_cast<float>(image.depth[i] / mesh_.space().scale);
+    if (image.triangle[i] == 0) {
+      image.triangle[i] = no_index;
+      continue;
+    }
+    const std::uint32_t slot = image.triangle[i] - 1;
+    image.triangle[i] = mesh_.source_of_slot(slot);
+    image.face[i] = mesh_.face_of_slot(slot);
+  }
+  return image;
+}
+
+}  // namespace ryosen

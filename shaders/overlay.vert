@@ -1,0 +1,107 @@
+#version 330 core
+// Lines, points and ghost triangles. Vertex number n of a draw is corner n % 6 of two triangles that hold element n / 6.
+uniform samplerBuffer elements;  // four texels each, see OverlayElement
+uniform mat4 view_from_buffer;
+uniform mat4 clip_from_view;
+uniform vec2 size_px;
+uniform float pixel_scale;      // rendered pixels per pixel of the picture
+uniform float perspective;      // 1, or 0 when all rays are parallel
+uniform float units_per_pixel;  // in view space, at distance 1 in perspective
+uniform float near_distance;
+uniform float hidden_pass;      // 1 while drawing what the surface hides, else 0
+
+flat out vec4 colour;
+flat out vec4 places;    // of the two ends in rendered pixels
+flat out vec3 measures;  // half the width or the radius in rendered pixels, kind, style
+
+const int kind_ghost = 0, kind_line = 1, kind_arrow = 2, kind_point = 3;
+const vec4 nowhere = vec4(2.0, 2.0, 2.0, 1.0);
+
+vec3 view_place(vec3 place) { return (view_from_buffer * vec4(place, 1.0)).xyz; }
+
+// Moves a place towards the eye, so that what lies on the surface is not hidden by it; the pixel stays the same.
+vec3 lifted(vec3 place, float pixels) {
+  float shift = pixels * pixel_scale * units_per_pixel;
+  return perspective > 0.5 ? place * max(1.0 - shift - 1e-5, 0.5) : place + vec3(0.0, 0.0, shift);
+}
+
+// What was lifted before the near plane is put on it.
+vec4 clip_from(vec3 place) {
+  vec4 clip = clip_from_view * vec4(place, 1.0);
+  clip.z = max(clip.z, -clip.w);
+  return clip;
+}
+
+// Pixel, and the depth from -1 to 1.
+vec3 on_screen(vec3 place) {
+  vec4 clip = clip_from(place);
+  return vec3((clip.xy / clip.w * 0.5 + 0.5) * size_px, clip.z / clip.w);
+}
+
+vec4 clip_place(vec2 pixel, float depth) { return vec4(pixel / size_px * 2.0 - 1.0, depth, 1.0); }
+
+vec4 ghost(vec4 texel[3], int corner) {
+  vec3 a = view_place(texel[0].xyz), b = view_place(texel[1].xyz), c = view_place(texel[2].xyz);
+  vec3 normal = cross(b - a, c - a);
+  colour.rgb *= 0.7 + 0.3 * abs(normal.z) / max(length(normal), 1e-30);
+  measures = vec3(0.0, float(kind_ghost), 0.0);
+  vec3 place = corner == 0 ? a : corner == 1 ? b : c;
+  return corner > 2 ? nowhere : clip_from(lifted(place, 1.0));
+}
+
+vec4 line(vec3 from, vec3 to, float width, int kind, int corner) {
+  vec3 a = view_place(from), b = view_place(to);
+  float limit = -near_distance * 1.0001;
+  if (perspective > 0.5 && (a.z > limit || b.z > limit)) {
+    if (a.z > limit && b.z > limit) return nowhere;
+    vec3 cut = mix(a, b, (limit - a.z) / (b.z - a.z));
+    if (a.z > limit) a = cut; else b = cut;
+  }
+  float lift = 2.0 + 0.5 * width;
+  vec3 pa = on_screen(lifted(a, lift)), pb = on_screen(lifted(b, lift));
+  vec2 along = pb.xy - pa.xy;
+  along = dot(along, along) > 1e-8 ? normalize(along) : vec2(1.0, 0.0);
+  vec2 across = vec2(-along.y, along.x);
+  float half_width = 0.5 * width * pixel_scale;
+  float reach = (kind == kind_arrow ? 4.0 * half_width + 3.0 * pixel_scale : half_width) + 1.0;
+  bool at_end = corner == 1 || corner == 2 || corner == 4;
+  float side = corner == 0 || corner == 1 || corner == 3 ? -1.0 : 1.0;
+  vec3 end = at_end ? pb : pa;
+  places = vec4(pa.xy, pb.xy);
+  return clip_place(end.xy + across * side * reach + along * (at_end ? reach : -reach), end.z);
+}
+
+vec4 point(vec3 at, float radius, int corner) {
+  vec3 place = view_place(at);
+  if (perspective > 0.5 && place.z > -near_distance) return nowhere;
+  vec3 p = on_screen(lifted(place, 2.0 + 0.7 * radius));
+  float reach = (radius + 2.0) * pixel_scale + 1.0;
+  float x = corner == 1 || corner == 2 || corner == 4 ? 1.0 : -1.0;
+  float y = corner == 0 || corner == 1 || corner == 3 ? -1.0 : 1.0;
+  places = vec4(p.xy, p.xy);
+  return clip_place(p.xy + reach * vec2(x, y), p.z);
+}
+
+void main() {
+  int element = gl_VertexID / 6;
+  int corner = gl_VertexID - 6 * element;
+  vec4 texel[3];
+  for (int i = 0; i < 3; ++i) texel[i] = texelFetch(elements, 4 * element + i);
+  colour = texelFetch(elements, 4 * element + 3);
+  int kind = int(texel[2].w) & 3;
+  float size = texel[0].w, hidden = texel[1].w;
+  measures = vec3(0.5 * size * pixel_scale, float(kind), floor(texel[2].w / 4.0));
+  places = vec4(0.0);
+  if (kind == kind_ghost) {
+    gl_Position = ghost(texel, corner);
+  } else if (kind == kind_point) {
+    measures.x = size * pixel_scale;
+    gl_Position = point(texel[0].xyz, size, corner);
+  } else {
+    gl_Position = line(texel[0].xyz, texel[1].xyz, size, kind, corner);
+  }
+  if (hidden_pass > 0.5) {
+    colour.a *= hidden;
+    if (hidden <= 0.0) gl_Position = nowhere;
+  }
+}

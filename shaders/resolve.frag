@@ -1,0 +1,13 @@
+#version 330 core
+// The mean of the factor x factor rendered pixels of each pixel of the picture.
+uniform sampler2D rendered;
+uniform int factor;
+layout(location = 0) out vec4 colour;
+void main() {
+  ivec2 corner = ivec2(gl_FragCoord.xy) * factor;
+  vec4 sum = vec4(0.0);
+  for (int y = 0; y < factor; ++y) {
+    for (int x = 0; x < factor; ++x) sum += texelFetch(rendered, corner + ivec2(x, y), 0);
+  }
+  colour = sum / float(factor * factor);
+}

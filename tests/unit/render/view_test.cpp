@@ -1,0 +1,339 @@
+#include "render/view.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/support/render/scene.h"
+
+namespace ryosen {
+namespace {
+
+constexpr Size view_size{320, 240};
+
+// The picture after drawing all of it anew.
+Image full_picture(View& view) {
+  view.draw_all();
+  return view.read_pixels();
+}
+
+Rgba pixel_at(const Image& image, int x, int y) { return image.at(x, y); }
+
+int surface_pixels(View& view) {
+  const IdImage ids = view.read_ids();
+  int count = 0;
+  for (const std::uint32_t t : ids.triangle) count += t != no_index;
+  return count;
+}
+
+TEST(view, draws_the_mesh_where_it_is) {
+  const Scene scene = square_scene(1);
+  const auto view = front_view(scene, view_size, 4);  // the square covers 120 x 120 pixels in the middle
+  EXPECT_EQ(surface_pixels(*view), 120 * 120);
+  const IdImage ids = view->read_ids();
+  EXPECT_EQ(ids.triangle[static_cast<std::size_t>(100 * 320 + 130)], 1u);  // above the diagonal from lower left
+  EXPECT_EQ(ids.triangle[static_cast<std::size_t>(150 * 320 + 190)], 0u);
+  EXPECT_NEAR(ids.depth[static_cast<std::size_t>(120 * 320 + 160)], 5.0, 1e-4);
+}
+
+TEST(view, nothing_to_draw_when_nothing_changed) {
+  const auto view = front_view(square_scene(1), view_size, 4);
+  EXPECT_TRUE(view->needs_drawing());
+  EXPECT_EQ(view->draw(), PixelRect::all(view_size));
+  EXPECT_FALSE(view->needs_drawing());
+  view->set_camera(view->camera());
+  view->set_overlay(Layer::hover, {});
+  EXPECT_FALSE(view->needs_drawing());
+}
+
+TEST(view, back_faces_look_different) {
+  Scene scene = square_scene(1);
+  const auto view = front_view(scene, view_size, 4);
+  view->draw();
+  const Rgba front = pixel_at(view->read_pixels(), 140, 110);
+  for (auto& t : scene.triangles) std::swap(t[1], t[2]);
+  view->set_mesh(scene.source());
+  view->draw();
+  const Rgba back = pixel_at(view->read_pixels(), 140, 110);
+  EXPECT_GT(int(back[0]) - int(back[2]), 40);
+  EXPECT_LT(std::abs(int(front[0]) - int(front[2])), 30);
+}
+
+TEST(view, wireframe_leaves_out_diagonals_of_polygons) {
+  Scene scene = square_scene(1);
+  const auto lit_pixels = [&](std::uint8_t first, std::uint8_t second) {
+    scene.edge_bits = {first, second};
+    const auto view = front_view(scene, view_size, 4);
+    view->draw();
+    const Image image = view->read_pixels();
+    // Pixels on the diagonal that look like the plain surface.
+    const Rgba plain = pixel_at(image, 130, 100);
+    int alike = 0;
+    for (int i = 20; i < 100; ++i) alike += std::abs(int(pixel_at(image, 100 + i, 179 - i)[0]) - int(plain[0])) < 4;
+    return alike;
+  };
+  EXPECT_EQ(lit_pixels(7, 7), 0);
+  EXPECT_EQ(lit_pixels(3, 6), 80);  // without side 2 of the first and side 0 of the second triangle
+}
+
+TEST(view, solid_line_covers_its_length_times_its_width) {
+  const auto view = front_view(square_scene(1), view_size, 4);
+  Overlay overlay;
+  const Rgba blue = style(Role::boundary, Theme::dark).colour;
+  overlay.lines.push_back({{-0.5, 0.1, 0}, {0.5, 0.1, 0}, blue, LineStyle::solid, 6});
+  view->set_overlay(Layer::highlights, overlay);
+  view->draw();
+  const int pixels = count_pixels(view->read_pixels(), blue, 2);
+  EXPECT_GE(pixels, 60 * 5);
+  EXPECT_LE(pixels, 66 * 6);
+}
+
+TEST(view, styles_differ_in_what_they_cover) {
+  const auto view = front_view(square_scene(1), view_size, 4);
+  const Rgba colour = rgb(0xFF00FF);
+  const auto pixels_of = [&](LineStyle style) {
+    Overlay overlay;
+    overlay.lines.push_back({{-0.9, 0.1, 0}, {0.9, 0.1, 0}, colour, style, 4});
+    view->set_overlay(Layer::highlights, overlay);
+    view->draw();
+    return count_pixels(view->read_pixels(), colour, 30);
+  };
+  const int solid = pixels_of(LineStyle::solid), dashed = pixels_of(LineStyle::dashed);
+  const int dash_dot = pixels_of(LineStyle::dash_dot), dotted = pixels_of(LineStyle::dotted);
+  EXPECT_NEAR(dashed / double(solid), 2 / 3.4, 0.12);
+  EXPECT_NEAR(dash_dot / double(solid), 3.8 / 6, 0.14);
+  EXPECT_LT(dotted, dashed);
+  EXPECT_GT(dotted, solid / 8);
+}
+
+TEST(view, lines_behind_the_surface_are_faint_or_absent) {
+  const auto view = front_view(square_scene(1), view_size, 4);
+  const Rgba colour = rgb(0xFF00FF);
+  const auto picture_with = [&](double z, float hidden) {
+    Overlay overlay;
+    overlay.lines.push_back({{-0.5, 0.1, z}, {0.5, 0.1, z}, colour, LineStyle::solid, 6, hidden});
+    view->set_overlay(Layer::highlights, overlay);
+    view->draw();
+    return view->read_pixels();
+  };
+  view->draw();
+  const Image without = view->read_pixels();
+  EXPECT_GT(count_pixels(picture_with(0, 0), colour), 250);
+  EXPECT_EQ(picture_with(-0.5, 0), without);
+  const Image faint = picture_with(-0.5, faintly);
+  EXPECT_EQ(count_pixels(faint, colour), 0);
+  EXPECT_NE(faint, without);
+}
+
+TEST(view, points_have_their_shapes) {
+  const auto view = front_view(square_scene(1), view_size, 4);
+  const Rgba colour = rgb(0xFF00FF);
+  const auto pixels_of = [&](PointShape shape) {
+    Overlay overlay;
+    overlay.points.push_back({{0.2, 0.2, 0}, colour, shape, 10});
+    view->set_overlay(Layer::highlights, overlay);
+    view->draw();
+    return count_pixels(view->read_pixels(), colour, 4);
+  };
+  EXPECT_NEAR(pixels_of(PointShape::disc), 314, 40);
+  EXPECT_NEAR(pixels_of(PointShape::square), 256, 40);
+  const int ring = pixels_of(PointShape::ring);
+  EXPECT_GT(ring, 100);
+  EXPECT_LT(ring, 250);
+  EXPECT_GT(pixels_of(PointShape::cross), 60);
+  EXPECT_GT(pixels_of(PointShape::diamond), 150);
+}
+
+TEST(view, faces_with_flags_are_tinted_and_hidden_ones_absent) {
+  Scene scene = square_scene(2);
+  const auto view = front_view(scene, view_size, 4);
+  view->draw();
+  const Image plain = view->read_pixels();
+  const std::uint32_t face[] = {0};
+  scene.flags[0] = FaceFlag::hovered;
+  view->update_mesh(scene.source(), {}, face, face);
+  const PixelRect rect = view->draw();
+  EXPECT_LT(rect.width() * rect.height(), 80 * 80);
+  const Rgba before = plain.at(145, 170), after = view->read_pixels().at(145, 170);
+  EXPECT_GT(int(after[0]) - int(after[2]), int(before[0]) - int(before[2]) + 40);  // towards yellow
+  scene.flags[0] = FaceFlag::hidden;
+  view->update_mesh(scene.source(), {}, face, face);
+  view->draw();
+  EXPECT_NEAR(surface_pixels(*view), 120 * 120 - 60 * 60 / 2, 70);
+  EXPECT_EQ(view->read_pixels(), full_picture(*view));
+}
+
+// Changes of every kind, in a random order: each partial picture must be the full one.
+TEST(view, partial_redraw_equals_full_redraw) {
+  Scene scene = sphere_scene(24);
+  const auto view = front_view(scene, view_size, 2.4);
+  Camera camera;
+  camera.eye = {0.7, 0.9, 3.4};
+  view->set_camera(camera);
+  view->draw();
+  std::mt19937 random(3);
+  const auto below = [&](std::size_t n) { return static_cast<std::uint32_t>(random() % n); };
+  const auto shift = [&] { return 0.1 * (double(below(1000)) / 1000 - 0.5); };
+  int partial = 0;
+  for (int step = 0; step < 60; ++step) {
+    std::vector<std::uint32_t> vertices, triangles, faces;
+    if (step % 3 == 0) {
+      const std::uint32_t vertex = below(scene.positions.size());
+      scene.positions[vertex] += glm::dvec3(shift(), shift(), shift());
+      vertices = {vertex};
+      for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) {
+        for (const std::uint32_t corner : scene.triangles[t]) {
+          if (corner == vertex) triangles.push_back(t);
+        }
+      }
+    } else if (step % 3 == 1) {
+      const std::uint32_t t = below(scene.triangles.size());
+      triangles = faces = {t};
+      scene.flags[t] = static_cast<std::uint8_t>(1u << below(8));
+      if (step % 2 == 0) scene.triangles[below(scene.triangles.size())] = scene.triangles[t];
+      if (step % 2 == 0) triangles.clear();
+      if (step % 2 == 0) {
+        for (std::uint32_t i = 0; i < scene.triangles.size(); ++i) triangles.push_back(i);
+      }
+      if (step % 5 == 0) scene.add(below(400), below(400), below(400));
+    } else {
+      Overlay overlay;
+      for (std::uint32_t i = 0; i < 1 + below(4); ++i) {
+        const auto& t = scene.triangles[below(scene.triangles.size())];
+        const auto at = [&](std::size_t k) { return scene.positions[t[k]]; };
+        overlay.lines.push_back(
+            {at(0), at(1), rgb(0xE69F00), static_cast<LineStyle>(below(4)), 3.5f, faintly, below(3) == 0});
+        overlay.points.push_back({at(2), rgb(0x56B4E9), static_cast<PointShape>(below(5)), 6});
+        overlay.ghosts.push_back({{at(0), 1.05 * at(1), at(2)}, rgb(0x009E73, 100)});
+      }
+      view->set_overlay(static_cast<Layer>(below(4)), overlay);
+    }
+    view->update_mesh(scene.source(), vertices, triangles, faces);
+    const PixelRect rect = view->draw();
+    partial += !rect.empty() && rect != PixelRect::all(view_size);
+    const Image picture = view->read_pixels();
+    ASSERT_EQ(picture, full_picture(*view)) << "step " << step;
+  }
+  EXPECT_GT(partial, 30);
+}
+
+TEST(view, a_rectangle_drawn_again_changes_nothing) {
+  const auto view = front_view(sphere_scene(16), view_size, 2.4);
+  view->draw();
+  const Image before = view->read_pixels();
+  std::mt19937 random(5);
+  for (int i = 0; i < 20; ++i) {
+    const int x = int(random() % 300), y = int(random() % 220);
+    view->draw({x, y, x + 1 + int(random() % 60), y + 1 + int(random() % 60)});
+  }
+  EXPECT_EQ(view->read_pixels(), before);
+}
+
+TEST(view, appended_and_cut_off_triangles) {
+  Scene scene = square_scene(8);
+  const auto view = front_view(scene, view_size, 6);  // 40 pixels per unit
+  view->draw();
+  const int before = surface_pixels(*view);
+  const auto first = static_cast<std::uint32_t>(scene.positions.size());
+  scene.positions.insert(scene.positions.end(), {{1.5, -1, 0}, {2.5, -1, 0}, {2.5, 1, 0}});
+  scene.add(first, first + 1, first + 2);
+  view->update_mesh(scene.source(), {}, {}, {});
+  view->draw();
+  EXPECT_NEAR(surface_pixels(*view), before + 40 * 80 / 2, 60);
+  EXPECT_EQ(view->read_pixels(), full_picture(*view));
+  scene.positions.resize(first);
+  scene.triangles.resize(scene.triangles.size() - 1);
+  scene.faces.pop_back();
+  scene.edge_bits.pop_back();
+  scene.flags.pop_back();
+  view->update_mesh(scene.source(), {}, {}, {});
+  view->draw();
+  EXPECT_EQ(surface_pixels(*view), before);
+  EXPECT_EQ(view->read_pixels(), full_picture(*view));
+}
+
+TEST(view, unfit_triangles_are_left_out) {
+  Scene scene = square_scene(1);
+  const double nan = std::nan("");
+  scene.positions.insert(scene.positions.end(), {{nan, 0, 0}, {1e300, 1e300, 0}});
+  scene.add(0, 1, 4);
+  scene.add(0, 1, 77);
+  scene.add(2, 2, 2);
+  scene.faces.back() = no_index;
+  const auto view = front_view(scene, view_size, 4);
+  EXPECT_EQ(view->draw(), PixelRect::all(view_size));
+  EXPECT_EQ(view->read_ids().size, view_size);
+}
+
+TEST(view, empty_mesh_shows_the_background) {
+  const auto view = front_view({}, view_size, 4);
+  view->draw();
+  const Image image = view->read_pixels();
+  const Rgba top = palette(Theme::dark).background_top;
+  EXPECT_EQ(count_pixels(image, image.at(0, 0), 60), 320 * 240);
+  EXPECT_NEAR(image.at(0, 0)[0], top[0], 2);
+}
+
+TEST(view, huge_tiny_and_far_meshes_look_the_same) {
+  const Scene scene = sphere_scene(12);
+  const auto picture = [&](double scale, glm::dvec3 origin) {
+    Scene moved = scene;
+    for (glm::dvec3& p : moved.positions) p = origin + scale * p;
+    const auto view = front_view(moved, view_size, 1);
+    Camera camera;
+    camera.eye = origin + scale * glm::dvec3(0.7, 0.9, 3.4);
+    camera.target = origin;
+    view->set_camera(camera);
+    view->draw();
+    return view->read_pixels();
+  };
+  const Image plain = picture(1, {0, 0, 0});
+  EXPECT_LT(compare(plain, picture(1e-12, {0, 0, 0}))->share, 0.002);
+  EXPECT_LT(compare(plain, picture(1e12, {0, 0, 0}))->share, 0.002);
+  EXPECT_LT(compare(plain, picture(1, {1e6, -2e6, 5e5}))->share, 0.002);
+}
+
+TEST(view, supersampling_smooths_the_silhouette) {
+  const Scene scene = square_scene(1);
+  const auto view = front_view(scene, view_size, 4);
+  Camera camera = view->camera();
+  camera.up = {0.2, 1, 0};
+  view->set_camera(camera);
+  view->draw();
+  const Image plain = view->read_pixels();
+  view->resize(view_size, 4);
+  view->draw();
+  const Image smooth = view->read_pixels();
+  EXPECT_EQ(smooth.size, view_size);
+  const Result<ImageDifference> difference = compare(plain, smooth);
+  EXPECT_GT(difference->pixels, 100u);
+  EXPECT_LT(difference->share, 0.05);
+}
+
+TEST(view, transparent_picture_has_alpha_around_the_mesh) {
+  const auto view = front_view(square_scene(1), view_size, 4);
+  view->set_transparent(true);
+  view->draw();
+  const Image image = view->read_pixels();
+  EXPECT_EQ(image.at(5, 5), (Rgba{0, 0, 0, 0}));
+  EXPECT_EQ(image.at(160, 100)[3], 255);
+}
+
+TEST(view, perspective_line_through_the_near_plane_is_cut) {
+  const auto view = front_view(square_scene(1), view_size, 4);
+  Camera camera;
+  camera.eye = {0, 0.3, 2};
+  view->set_camera(camera);
+  const Rgba colour = rgb(0xFF00FF);
+  Overlay overlay;
+  overlay.lines.push_back({{0, 0, 0}, {0, 0, 10}, colour, LineStyle::solid, 4});
+  view->set_overlay(Layer::highlights, overlay);
+  view->draw();
+  const Image image = view->read_pixels();
+  EXPECT_GT(count_pixels(image, colour), 100);
+  EXPECT_EQ(image, full_picture(*view));
+}
+
+}  // namespace
+}  // namespace ryosen

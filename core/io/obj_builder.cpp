@@ -13,10 +13,11 @@ namespace {
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 // An index as OBJ counts (from 1, or back from the end) as a number from 0. Index 0, which OBJ does not have, and
-// indices before the first one come out negative.
+// indices before the first one come out negative, but not so far that counting back from another end would overflow.
 std::int64_t resolve(std::int64_t index, std::size_t count) {
+  constexpr std::int64_t least = -(std::int64_t{1} << 62);
   if (index > 0) return index - 1;
-  return index == 0 ? -1 : static_cast<std::int64_t>(count) + index;
+  return index == 0 ? -1 : std::max(static_cast<std::int64_t>(count) + index, least);
 }
 
 // Reads the next index of a corner: none at the end or before a slash. False if it is no whole number.

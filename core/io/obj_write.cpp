@@ -16,18 +16,13 @@ std::string line_end_text(std::string_view text) {
   return out;
 }
 
-// Writes the lines that change one kind of name (o, g, usemtl, s). Names without a face are written just before the
-// next name of the table that has one, so that reading the file gives the same table again.
+// Writes the lines that change one kind of name (o, g, usemtl, s). A name of the table comes no later than the next one,
+// if need be in a line that the next line overrides, so that reading the file gives the same table again.
 class NameWriter {
  public:
   NameWriter(TextOut& out, std::string_view keyword, std::string_view none, const FaceNames& names)
-      : out_(out), keyword_(keyword), none_(none), names_(names), is_used_(names.names.size(), false) {
-    for (const std::uint32_t index : names.index) use(index);
-  }
+      : out_(out), keyword_(keyword), none_(none), names_(names) {}
 
-  void use(std::uint32_t index) {
-    if (index < is_used_.size()) is_used_[index] = true;
-  }
   std::uint32_t of_face(std::size_t face) const { return face < names_.index.size() ? names_.index[face] : no_index; }
   void change_to(std::uint32_t index) {
     if (index >= names_.names.size()) index = no_index;
@@ -35,26 +30,24 @@ class NameWriter {
     current_ = index;
     if (index == no_index) {
       out_ << keyword_ << none_ << '\n';
-      return;
+    } else if (index < written_) {
+      write(index);
+    } else {
+      write_up_to(index + std::size_t{1});
     }
-    write_unused_before(index);
-    write(index);
   }
-  void finish() { write_unused_before(names_.names.size()); }
+  void finish() { write_up_to(names_.names.size()); }
 
  private:
   void write(std::size_t index) { out_ << keyword_ << ' ' << line_end_text(names_.names[index]) << '\n'; }
-  void write_unused_before(std::size_t end) {
-    for (; written_ < end; ++written_) {
-      if (!is_used_[written_]) write(written_);
-    }
+  void write_up_to(std::size_t end) {
+    for (; written_ < end; ++written_) write(written_);
   }
 
   TextOut& out_;
   std::string_view keyword_, none_;
   const FaceNames& names_;
-  std::vector<bool> is_used_;
-  std::size_t written_ = 0;  // names before this one have their line, if only because a face has it
+  std::size_t written_ = 0;  // names before this one have had a line
   std::uint32_t current_ = no_index;
 };
 
@@ -117,7 +110,7 @@ class ObjWriter {
   // An index as OBJ counts it. What is out of range stays so: 0 for -1, and counted back past the first vertex below.
   void vertex_index(std::int64_t vertex) {
     if (vertex >= 0) {
-      out_ << vertex + 1;
+      out_ << static_cast<std::uint64_t>(vertex) + 1;
     } else if (vertex == -1) {
       out_ << '0';
     } else {
@@ -169,12 +162,6 @@ class ObjWriter {
 
   void faces_and_elements() {
     const std::vector<LineElement>& items = file_.elements.items;
-    for (const LineElement& item : items) {
-      objects_.use(item.object);
-      groups_.use(item.group);
-      materials_.use(item.material);
-      smoothing_.use(item.smoothing);
-    }
     auto item = items.begin();
     auto aside = mesh_.quarantine.begin();
     for (std::size_t f = 0; f < mesh_.face_count(); ++f) {

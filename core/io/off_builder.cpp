@@ -73,7 +73,7 @@ MeshFile OffBuilder::finish() {
   IndexedMesh& mesh = file_.mesh;
   faces_.finish(reporter_);
   if (kind_.has_normals) mesh.normals.index = mesh.corners;
-  if (kind_.has_texcoords) {
+  if (!mesh.texcoords.pool.empty()) {
     mesh.texcoords.index = mesh.corners;
     mesh.texcoords.components = 2;
   }

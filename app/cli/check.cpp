@@ -1,0 +1,171 @@
+// `check`: figures and problems of files and folders.
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "app/cli/check_report.h"
+#include "app/cli/commands.h"
+#include "app/cli/did_you_mean.h"
+#include "app/cli/inputs.h"
+
+namespace ryosen::cli {
+
+namespace {
+
+struct Options {
+  std::optional<std::vector<std::string>> fail_on;  // ids of kinds
+  std::size_t jobs = 1;
+  bool unordered = false;
+};
+
+std::optional<Failure> read_fail_on(const std::string& list, std::vector<std::string>& kinds) {
+  if (list == "none") return std::nullopt;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    const std::string kind = list.substr(begin, end - begin);
+    if (!find_problem_row(kind)) {
+      std::vector<std::string> known{"none"};
+      for (const ProblemRow& row : problem_table()) known.emplace_back(row.id);
+      const Text hint = did_you_mean(kind, known);
+      return usage_failure("bad_value", {"--fail-on: '" + kind + "' is not a kind of problem." + hint.en,
+                                         "--fail-on：「" + kind + "」という種類の問題はありません。" + hint.ja});
+    }
+    kinds.push_back(kind);
+    begin = end + 1;
+  }
+  return std::nullopt;
+}
+
+Result<Options> read_options(const Arguments& arguments) {
+  Options options;
+  options.unordered = arguments.has("--unordered");
+  options.jobs = std::max(1u, std::thread::hardware_concurrency());
+  if (const std::string* const jobs = arguments.value("--jobs")) {
+    const char* const end = jobs->data() + jobs->size();
+    const auto [stop, error] = std::from_chars(jobs->data(), end, options.jobs);
+    if (error != std::errc() || stop != end || options.jobs < 1 || options.jobs > 1024)
+      return usage_failure("bad_value", {"--jobs is a number from 1 to 1024, not '" + *jobs + "'.",
+                                         "--jobs は 1 から 1024 の数です（「" + *jobs + "」は使えません）。"});
+  }
+  if (const std::string* const list = arguments.value("--fail-on"))
+    if (auto failure = read_fail_on(*list, options.fail_on.emplace())) return std::move(*failure);
+  return options;
+}
+
+ExitCode code_of(const CheckReport& report, const Options& options) {
+  if (report.failure) return report.failure->exit_code;
+  if (!options.fail_on) return report.status() == "ok" ? ExitCode::done : ExitCode::found_problems;
+  const bool found = std::any_of(report.problems.begin(), report.problems.end(), [&](const NamedProblem& p) {
+    return std::find(options.fail_on->begin(), options.fail_on->end(), p.problem.row().id) != options.fail_on->end();
+  });
+  return found ? ExitCode::found_problems : ExitCode::done;
+}
+
+// Checks files on several threads and hands each result to the calling thread.
+class Checker {
+ public:
+  struct Done {
+    std::string output;
+    std::vector<Message> messages;
+    ExitCode code = ExitCode::done;
+  };
+
+  Checker(const std::vector<Input>& inputs, const Options& options, const Console& console)
+      : inputs_(inputs), options_(options), console_(console), done_(inputs.size()), order_() {}
+
+  // Visits (index, result) in the order of the inputs, or as they are done.
+  template <class Visit>
+  void run(Visit visit) {
+    std::vector<std::thread> threads;
+    for (std::size_t i = 0; i < std::min(options_.jobs, inputs_.size()); ++i) threads.emplace_back([this] { work(); });
+    for (std::size_t i = 0; i < inputs_.size(); ++i) {
+      const std::size_t index = wait_for(i);
+      visit(index, *done_[index]);
+      done_[index]->output = {};
+    }
+    for (std::thread& thread : threads) thread.join();
+  }
+
+ private:
+  void work() {
+    for (std::size_t i = next_++; i < inputs_.size(); i = next_++) {
+      Done result = check(inputs_[i]);
+      const std::lock_guard lock(mutex_);
+      done_[i] = std::move(result);
+      order_.push_back(i);
+      changed_.notify_one();
+    }
+  }
+
+  Done check(const Input& input) const {
+    CheckReport report;
+    try {
+      if (input.failure) {
+        report.file = input.path;
+        report.failure = input.failure;
+      } else {
+        report = check_file(input.path);
+      }
+    } catch (const std::exception& error) {
+      report = {};
+      report.file = input.path;
+      report.failure = Failure();
+      report.failure->message.code = "internal_error";
+      report.failure->message.text = {std::string("Internal error: ") + error.what(),
+                                      std::string("内部エラー：") + error.what()};
+    }
+    Done done{console_.json ? line_of(to_json(report)) : to_text(report, console_), std::move(report.messages),
+              code_of(report, options_)};
+    if (report.failure) done.messages.push_back(report.failure->message);
+    return done;
+  }
+
+  std::size_t wait_for(std::size_t i) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return options_.unordered ? order_.size() > i : done_[i].has_value(); });
+    return options_.unordered ? order_[i] : i;
+  }
+
+  const std::vector<Input>& inputs_;
+  const Options& options_;
+  const Console& console_;
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<std::optional<Done>> done_;
+  std::vector<std::size_t> order_;
+};
+
+void print_summary(const std::vector<ExitCode>& codes, const Console& console) {
+  const auto count = [&](ExitCode code) { return std::count(codes.begin(), codes.end(), code); };
+  const auto good = count(ExitCode::done), bad = count(ExitCode::found_problems);
+  const auto failed = static_cast<std::ptrdiff_t>(codes.size()) - good - bad;
+  console.print(
+      console.text(Text{std::to_string(codes.size()) + " files: " + std::to_string(good) + " good, " +
+                            std::to_string(bad) + " with problems, " + std::to_string(failed) + " not read\n",
+                        std::to_string(codes.size()) + " ファイル：問題なし " + std::to_string(good) + "、問題あり " +
+                            std::to_string(bad) + "、読めないもの " + std::to_string(failed) + "\n"}));
+}
+
+}  // namespace
+
+ExitCode check_command(const Arguments& arguments, const Console& console) {
+  const Result<Options> options = read_options(arguments);
+  if (!options) return console.fail(options.failure());
+  const std::vector<Input> inputs = find_inputs(arguments.operands());
+  std::vector<ExitCode> codes(inputs.size());
+  Checker(inputs, *options, console).run([&](std::size_t i, const Checker::Done& done) {
+    codes[i] = done.code;
+    console.print(done.output);
+    std::fflush(stdout);
+    for (const Message& message : done.messages) console.show(message, inputs[i].path);
+  });
+  if (inputs.size() > 1 && !console.json) print_summary(codes, console);
+  return combine(codes);
+}
+
+}  // namespace ryosen::cli

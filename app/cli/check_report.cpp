@@ -1,0 +1,128 @@
+#include "app/cli/check_report.h"
+
+#include <algorithm>
+
+#include "app/editor/expect.h"
+#include "core/build/from_indexed.h"
+#include "core/io/formats.h"
+#include "core/io/input_file.h"
+
+namespace ryosen::cli {
+
+namespace {
+
+// The format that a refused file was taken for, if any.
+std::string format_of(const std::string& path) {
+  const Result<FileBytes> bytes = read_whole_file(path);
+  if (!bytes) return {};
+  const Result<const Format*> format = recognise(bytes->view(), path);
+  return format ? std::string((*format)->id) : std::string();
+}
+
+Json place(const std::optional<glm::dvec3>& where) { return where ? to_json(*where) : Json(); }
+
+Json problem_object(const NamedProblem& named) {
+  const Problem& problem = named.problem;
+  Json json;
+  json["kind"] = problem.row().id;
+  json["severity"] = problem.row().severity == ProblemSeverity::problem ? "problem" : "info";
+  json["count"] = problem.count();
+  json["elements"] = named.names;
+  json["where"] = place(problem.where);
+  json["line"] = problem.line ? Json(problem.line) : Json();
+  json["en"] = problem.text.en;
+  json["ja"] = problem.text.ja;
+  return json;
+}
+
+Json bounds(const Figures& f) {
+  return f.bounds ? Json::array({to_json((*f.bounds)[0]), to_json((*f.bounds)[1])}) : Json();
+}
+
+void add_figures(const Figures& f, Json& json) {
+  json["vertices"] = f.vertices;
+  json["corners"] = f.corners;
+  json["faces"] = f.faces;
+  json["edges"] = f.edges;
+  json["triangles"] = f.triangles;
+  json["quads"] = f.quads;
+  json["polygons"] = f.polygons;
+  json["quarantined"] = f.quarantined;
+  json["rings"] = f.rings;
+  json["boundary_edges"] = f.boundary_edges;
+  json["boundary_loops"] = f.boundary_loops;
+  json["nonmanifold_edges"] = f.nonmanifold_edges;
+  json["max_edge_faces"] = f.max_edge_faces;
+  json["nonmanifold_vertices"] = f.nonmanifold_vertices;
+  json["bowtie_vertices"] = f.bowtie_vertices;
+  json["misoriented_edges"] = f.misoriented_edges;
+  json["degenerate_repeat"] = f.degenerate_repeat;
+  json["degenerate_area"] = f.degenerate_area;
+  json["duplicate_faces"] = f.duplicate_faces;
+  json["hanging_pairs"] = f.hanging_pairs;
+  json["isolated_vertices"] = f.isolated_vertices;
+  json["nonfinite_vertices"] = f.nonfinite_vertices;
+  json["components"] = f.components;
+  json["euler_characteristic"] = f.euler_characteristic;
+  json["genus"] = f.genus ? Json(*f.genus) : Json();
+  json["manifold"] = f.manifold;
+  json["closed"] = f.closed;
+  json["orientable"] = f.orientable;
+  json["bounds"] = bounds(f);
+  json["area"] = f.area;
+  json["volume"] = f.volume ? Json(*f.volume) : Json();
+}
+
+}  // namespace
+
+std::string_view CheckReport::status() const {
+  if (failure) return "error";
+  const bool has_problem = std::any_of(problems.begin(), problems.end(), [](const NamedProblem& p) {
+    return p.problem.row().severity == ProblemSeverity::problem;
+  });
+  const bool has_warning =
+      std::any_of(messages.begin(), messages.end(), [](const Message& m) { return m.severity == Severity::warning; });
+  return has_problem || has_warning ? "warnings" : "ok";
+}
+
+CheckReport check_file(const std::string& path) {
+  CheckReport report;
+  report.file = path;
+  Result<MeshFile> file = read_mesh_file(path);
+  if (!file) {
+    report.failure = file.failure();
+    if (report.failure->exit_code == ExitCode::input_malformed) report.format = format_of(path);
+    return report;
+  }
+  report.format = file->format->id;
+  report.messages = std::move(file->messages);
+  const std::vector<QuarantinedFace> quarantine = file->mesh.quarantine;
+  const std::vector<std::uint32_t> lines = file->mesh.face_lines;
+  const Mesh mesh = from_indexed(std::move(file->mesh));
+  const HighlightSets sets(mesh);
+  report.figures = compute_figures(mesh, sets, quarantine);
+  report.hash = hash_text(mesh);
+  for (Problem& problem : find_problems(mesh, sets, {quarantine, lines})) {
+    NamedProblem named{std::move(problem), {}};
+    named.names.reserve(named.problem.count());
+    for (const Element& element : named.problem.elements) named.names.push_back(name_on_points(mesh, element));
+    report.problems.push_back(std::move(named));
+  }
+  return report;
+}
+
+Json to_json(const CheckReport& report) {
+  if (report.failure) return error_object(report.failure->message, report.file, report.format);
+  Json json;
+  json["file"] = report.file;
+  json["format"] = report.format;
+  json["status"] = report.status();
+  add_figures(report.figures, json);
+  json["hash"] = report.hash;
+  json["problems"] = Json::array();
+  for (const NamedProblem& problem : report.problems) json["problems"].push_back(problem_object(problem));
+  json["messages"] = to_json(report.messages);
+  return json;
+}
+
+}  // namespace ryosen::cli

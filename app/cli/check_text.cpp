@@ -1,0 +1,117 @@
+// The report of `check` for people.
+#include <algorithm>
+#include <cstdio>
+
+#include "app/cli/check_report.h"
+#include "core/ops/op.h"
+
+namespace ryosen::cli {
+
+namespace {
+
+constexpr std::size_t names_shown = 8;
+
+struct Cell {
+  std::string_view en, ja;
+  std::string value;
+};
+
+// Columns of a terminal that a text takes: letters of Japanese take two.
+std::size_t width_of(std::string_view text) {
+  std::size_t width = 0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80)
+      width += 1;
+    else if (byte >= 0xe0)
+      width += 2;
+    else if (byte >= 0xc0)
+      width += 1;
+  }
+  return width;
+}
+
+std::string spaces(std::size_t wanted, std::size_t used) { return std::string(wanted > used ? wanted - used : 1, ' '); }
+
+// One row of three figures.
+std::string row(const Console& console, const std::vector<Cell>& cells) {
+  std::string line = " ";
+  for (const Cell& cell : cells) {
+    const std::string label(console.text(cell.en, cell.ja));
+    line += " " + label + spaces(20, width_of(label) + width_of(cell.value)) + cell.value + "   ";
+  }
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+std::string number(std::uint64_t n) { return std::to_string(n); }
+
+std::string short_number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
+}
+
+std::string place(const glm::dvec3& p) {
+  return "(" + short_number(p.x) + ", " + short_number(p.y) + ", " + short_number(p.z) + ")";
+}
+
+std::string figures_text(const Figures& f, const Console& console) {
+  const auto yes_no = [&](bool yes) {
+    return std::string(yes ? console.text("yes", "はい") : console.text("no", "いいえ"));
+  };
+  std::string text = row(console, {{"vertices", "頂点", number(f.vertices)},
+                                   {"edges", "稜線", number(f.edges)},
+                                   {"faces", "面", number(f.faces)}}) +
+                     row(console, {{"triangles", "三角形", number(f.triangles)},
+                                   {"quads", "四角形", number(f.quads)},
+                                   {"polygons", "多角形", number(f.polygons)}}) +
+                     row(console, {{"boundary edges", "境界稜線", number(f.boundary_edges)},
+                                   {"boundary loops", "境界ループ", number(f.boundary_loops)},
+                                   {"components", "連結成分", number(f.components)}}) +
+                     row(console, {{"Euler char.", "オイラー標数", std::to_string(f.euler_characteristic)},
+                                   {"genus", "種数", f.genus ? std::to_string(*f.genus) : "-"},
+                                   {"rings", "面の穴", number(f.rings)}}) +
+                     row(console, {{"manifold", "多様体", yes_no(f.manifold)},
+                                   {"closed", "閉じている", yes_no(f.closed)},
+                                   {"orientable", "向き付け可能", yes_no(f.orientable)}}) +
+                     row(console, {{"area", "面積", short_number(f.area)},
+                                   {"volume", "体積", f.volume ? short_number(*f.volume) : "-"},
+                                   {"quarantined", "隔離された面", number(f.quarantined)}});
+  if (f.bounds)
+    text += "  " + std::string(console.text("bounds ", "範囲 ")) + place((*f.bounds)[0]) + " .. " +
+            place((*f.bounds)[1]) + "\n";
+  return text;
+}
+
+std::string problem_text(const NamedProblem& named, const Console& console) {
+  const Problem& problem = named.problem;
+  const bool is_info = problem.row().severity == ProblemSeverity::info;
+  std::string text = "  " + std::string(is_info ? console.text("info", "情報") : console.text("PROBLEM", "問題")) +
+                     " " + std::string(problem.row().id) + " x" + number(problem.count()) + ": " +
+                     console.text(problem.text) + "\n    ";
+  const std::size_t shown = console.verbose ? named.names.size() : std::min(named.names.size(), names_shown);
+  for (std::size_t i = 0; i < shown; ++i) text += (i ? ", " : "") + named.names[i];
+  if (shown < named.names.size()) {
+    const std::string rest = number(named.names.size() - shown);
+    text += console.text(", and " + rest + " more (-v names all)", "、ほか " + rest + " 個（-v ですべて表示）");
+  }
+  if (problem.where) text += std::string(console.text("; first at ", "；最初の位置 ")) + place(*problem.where);
+  if (problem.line) text += std::string(console.text(", line ", "、行 ")) + number(problem.line);
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string to_text(const CheckReport& report, const Console& console) {
+  std::string text = report.file;
+  if (!report.format.empty()) text += " (" + report.format + ")";
+  if (report.failure) return text + console.text(": refused\n", "：読み込めません\n").data();
+  text +=
+      report.status() == "ok" ? console.text(": ok\n", "：問題なし\n") : console.text(": warnings\n", "：警告あり\n");
+  text += figures_text(report.figures, console);
+  for (const NamedProblem& problem : report.problems) text += problem_text(problem, console);
+  return text;
+}
+
+}  // namespace ryosen::cli

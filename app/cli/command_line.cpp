@@ -1,0 +1,143 @@
+#include "app/cli/command_line.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/cli/did_you_mean.h"
+
+namespace ryosen::cli {
+
+namespace {
+
+std::string in_quotes(std::string_view word) { return "'" + std::string(word) + "'"; }
+
+Text operator+(Text a, const Text& b) { return {a.en + b.en, a.ja + b.ja}; }
+
+class Reader {
+ public:
+  explicit Reader(const std::vector<std::string>& words) : words_(words) {
+    line_.console.language = language_of_environment();
+  }
+
+  CommandLine read() {
+    for (; next_ < words_.size(); ++next_) {
+      const std::string& word = words_[next_];
+      if (!flags_ended_ && word == "--")
+        flags_ended_ = true;
+      else if (!flags_ended_ && word.size() > 1 && word[0] == '-' && !is_command_named_like_flag(word))
+        read_flag(word);
+      else if (!command_seen_)
+        read_command(word);
+      else
+        line_.arguments.add_operand(word);
+    }
+    apply_common_flags();
+    if (line_.command && !line_.wants_help) check_operands();
+    return std::move(line_);
+  }
+
+ private:
+  void fail(std::string_view code, Text text) {
+    if (!line_.failure) line_.failure = usage_failure(code, std::move(text));
+  }
+
+  bool is_command_named_like_flag(const std::string& word) const { return !command_seen_ && find_command(word); }
+
+  void read_command(const std::string& word) {
+    command_seen_ = true;
+    line_.command = find_command(word);
+    if (line_.command) return;
+    const bool is_file = word.find_first_of("./\\") != std::string::npos || std::filesystem::exists(word);
+    if (is_file && find_command("view")) {
+      line_.command = find_command("view");
+      line_.arguments.add_operand(word);
+      return;
+    }
+    std::vector<std::string> known;
+    for (const Command& command : commands()) known.emplace_back(command.id);
+    fail("unknown_command",
+         Text{in_quotes(word) + " is not a command.", "「" + word + "」というコマンドはありません。"} +
+             did_you_mean(word, known));
+  }
+
+  const Flag* find_flag(std::string_view name) const {
+    if (line_.command)
+      for (const Flag& flag : line_.command->flags)
+        if (flag.name == name) return &flag;
+    for (const Flag& flag : common_flags())
+      if (flag.name == name) return &flag;
+    return nullptr;
+  }
+
+  void read_flag(const std::string& word) {
+    const std::size_t equals = word.starts_with("--") ? word.find('=') : std::string::npos;
+    const std::string name = word.substr(0, equals);
+    const Flag* const flag = find_flag(name);
+    if (!flag) return unknown_flag(name);
+    const bool has_value = equals != std::string::npos;
+    if (flag->value.empty()) {
+      if (has_value)
+        fail("flag_takes_no_value", {name + " takes no value.", name + " は値を取りません。"});
+      else
+        line_.arguments.add_flag(*flag, {});
+      return;
+    }
+    if (!has_value && next_ + 1 == words_.size()) {
+      const std::string expected(flag->value);
+      return fail("value_missing", {name + " needs a value: " + expected, name + " には値が必要です：" + expected});
+    }
+    if (!flag->repeatable && line_.arguments.has(flag->name))
+      fail("flag_repeated", {name + " is given twice.", name + " が二度指定されています。"});
+    line_.arguments.add_flag(*flag, has_value ? word.substr(equals + 1) : words_[++next_]);
+  }
+
+  void unknown_flag(const std::string& name) {
+    std::vector<std::string> known;
+    if (line_.command)
+      for (const Flag& flag : line_.command->flags) known.emplace_back(flag.name);
+    for (const Flag& flag : common_flags()) known.emplace_back(flag.name);
+    const std::string command(line_.command ? line_.command->id : "ryosen");
+    fail("unknown_flag", Text{command + " has no flag " + in_quotes(name) + ".",
+                              command + " に「" + name + "」という指定はありません。"} +
+                             did_you_mean(name, known));
+  }
+
+  void apply_common_flags() {
+    Console& console = line_.console;
+    const Arguments& given = line_.arguments;
+    console.json = given.has("--json");
+    console.quiet = given.has("-q");
+    console.verbose = given.has("-v");
+    line_.wants_help = given.has("--help");
+    const std::string* const language = given.value("--lang");
+    if (!language) return;
+    if (*language != "en" && *language != "ja")
+      return fail("bad_value", {"--lang is en or ja, not " + in_quotes(*language) + ".",
+                                "--lang は en か ja です（「" + *language + "」は使えません）。"});
+    console.language = *language == "ja" ? Language::japanese : Language::english;
+  }
+
+  void check_operands() {
+    const Command& command = *line_.command;
+    const std::size_t count = line_.arguments.operands().size();
+    const std::string usage = "ryosen " + std::string(command.id) + " " + std::string(command.operands);
+    if (count < command.least_operands)
+      fail("operand_missing", {"Something is missing: " + usage, "引数が足りません：" + usage});
+    if (count > command.most_operands) {
+      const std::string& first = line_.arguments.operands()[command.most_operands];
+      fail("operand_too_many", {in_quotes(first) + " is too much: " + usage, "「" + first + "」は余分です：" + usage});
+    }
+  }
+
+  const std::vector<std::string>& words_;
+  std::size_t next_ = 0;
+  bool flags_ended_ = false;
+  bool command_seen_ = false;
+  CommandLine line_;
+};
+
+}  // namespace
+
+CommandLine read_command_line(const std::vector<std::string>& arguments) { return Reader(arguments).read(); }
+
+}  // namespace ryosen::cli

@@ -1,0 +1,24 @@
+// Reads the program's arguments against the table of commands.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/command_table.h"
+
+namespace ryosen::cli {
+
+struct CommandLine {
+  const Command* command = nullptr;
+  Arguments arguments;
+  Console console;  // also set as far as it can be where there is a failure
+  std::optional<Failure> failure;
+  bool wants_help = false;
+};
+
+// Common flags may stand before the command, all flags anywhere after it; `--` ends them. `--flag=value` and
+// `--flag value` are the same.
+CommandLine read_command_line(const std::vector<std::string>& arguments);
+
+}  // namespace ryosen::cli

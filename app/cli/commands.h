@@ -1,0 +1,18 @@
+// The commands of the program, one file each. They get arguments that fit their row of the table.
+#pragma once
+
+#include "app/cli/command_table.h"
+
+namespace ryosen::cli {
+
+ExitCode check_command(const Arguments& arguments, const Console& console);
+ExitCode why_command(const Arguments& arguments, const Console& console);
+ExitCode formats_command(const Arguments& arguments, const Console& console);
+ExitCode doctor_command(const Arguments& arguments, const Console& console);
+ExitCode help_command(const Arguments& arguments, const Console& console);
+ExitCode version_command(const Arguments& arguments, const Console& console);
+
+// The help of one command, or of the program.
+ExitCode show_help(const Command* command, const Console& console);
+
+}  // namespace ryosen::cli

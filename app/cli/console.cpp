@@ -1,0 +1,49 @@
+#include "app/cli/console.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "app/cli/json.h"
+
+namespace ryosen::cli {
+
+Language language_of_environment() {
+  for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
+    const char* const value = std::getenv(name);
+    if (value && *value) return std::string_view(value).starts_with("ja") ? Language::japanese : Language::english;
+  }
+  return Language::english;
+}
+
+void Console::print(std::string_view text) const { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+void Console::note(const Text& message) const {
+  if (!quiet) std::fprintf(stderr, "%s\n", text(message).c_str());
+}
+
+void Console::show(const Message& message, std::string_view file) const {
+  if (message.severity != Severity::error && (quiet || json)) return;
+  std::string line(file.empty() ? "ryosen" : file);
+  if (message.line) line += ":" + std::to_string(*message.line);
+  if (message.line && message.column) line += ":" + std::to_string(*message.column);
+  line += message.severity == Severity::error ? text(": error: ", "：エラー：") : text(": warning: ", "：警告：");
+  if (message.byte) line.append(text("byte ", "バイト位置 ")) += std::to_string(*message.byte) + ": ";
+  if (message.face) line += "f" + std::to_string(*message.face) + ": ";
+  std::fprintf(stderr, "%s%s\n", line.c_str(), text(message.text).c_str());
+}
+
+ExitCode Console::fail(const Failure& failure, std::optional<std::string_view> file, std::string_view format) const {
+  if (json) print(line_of(error_object(failure.message, file, format)));
+  show(failure.message, file.value_or(std::string_view()));
+  return failure.exit_code;
+}
+
+Failure usage_failure(std::string_view code, Text text) {
+  Failure failure;
+  failure.exit_code = ExitCode::usage;
+  failure.message.code = code;
+  failure.message.text = std::move(text);
+  return failure;
+}
+
+}  // namespace ryosen::cli

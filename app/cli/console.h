@@ -1,0 +1,41 @@
+// Where a command writes: results to stdout, messages to stderr, both as the user asked for them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/base/message.h"
+#include "core/base/result.h"
+
+namespace ryosen::cli {
+
+// The language of the environment (LC_ALL, LC_MESSAGES, LANG).
+Language language_of_environment();
+
+struct Console {
+  Language language = Language::english;
+  bool json = false;     // stdout carries JSON only, one object per line
+  bool quiet = false;    // errors alone reach stderr
+  bool verbose = false;  // nothing is shortened
+
+  const std::string& text(const Text& t) const { return t.in(language); }
+  std::string_view text(std::string_view en, std::string_view ja) const {
+    return language == Language::japanese ? ja : en;
+  }
+
+  // Appends to stdout.
+  void print(std::string_view text) const;
+  // A line on stderr, unless quiet.
+  void note(const Text& text) const;
+  // A message about a file, or about the command line when `file` is empty. Errors are always shown, warnings neither
+  // when quiet nor with JSON, which carries them.
+  void show(const Message& message, std::string_view file = {}) const;
+  // Shows the failure and, with JSON, prints the object that stands for a file without figures. Returns its exit code.
+  ExitCode fail(const Failure& failure, std::optional<std::string_view> file = {}, std::string_view format = {}) const;
+};
+
+// A usage error; `code` is a stable id.
+Failure usage_failure(std::string_view code, Text text);
+
+}  // namespace ryosen::cli

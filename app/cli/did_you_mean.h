@@ -1,0 +1,20 @@
+// The hint behind a word that is not known.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/editor/script.h"
+#include "core/base/message.h"
+
+namespace ryosen::cli {
+
+// " Did you mean 'x'?", or nothing where no known word is close.
+inline Text did_you_mean(std::string_view word, const std::vector<std::string>& known) {
+  const std::string best = closest_word(word.substr(0, 64), known);
+  if (best.empty()) return {};
+  return {" Did you mean '" + best + "'?", "「" + best + "」のことですか。"};
+}
+
+}  // namespace ryosen::cli

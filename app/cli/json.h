@@ -1,0 +1,33 @@
+// What the commands' JSON is made of.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/message.h"
+#include "core/base/verdict.h"
+#include "core/mesh/mesh.h"
+
+namespace ryosen::cli {
+
+// Keys stay in the order of insertion. NaN and infinity are written as null.
+using Json = nlohmann::ordered_json;
+
+// One line with its line end; bytes that are not UTF-8 (file names) become U+FFFD.
+std::string line_of(const Json& json);
+
+Json to_json(const glm::dvec3& p);
+Json to_json(const Message& message);
+Json to_json(const std::vector<Message>& messages);
+// With its witnesses named as the mesh is now.
+Json to_json(const Mesh& mesh, const Reason& reason);
+Json to_json(const Mesh& mesh, const std::vector<Reason>& reasons);
+
+// The object for a file that was refused, or for a command line that was (no file, no format).
+Json error_object(const Message& message, std::optional<std::string_view> file, std::string_view format = {});
+
+}  // namespace ryosen::cli

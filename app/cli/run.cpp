@@ -1,0 +1,56 @@
+#include "app/cli/run.h"
+
+#include <cstdio>
+#include <exception>
+
+#include "app/cli/command_line.h"
+#include "app/cli/commands.h"
+
+namespace ryosen::cli {
+
+namespace {
+
+Failure internal_failure(const std::string& what) {
+  Failure failure;
+  failure.exit_code = ExitCode::internal_error;
+  failure.message.code = "internal_error";
+  failure.message.text = {"Internal error: " + what, "内部エラー：" + what};
+  return failure;
+}
+
+ExitCode run_command(const CommandLine& line) {
+  if (line.wants_help) return show_help(line.command, line.console);
+  if (line.failure) {
+    const ExitCode code = line.console.fail(*line.failure);
+    const std::string of = line.command ? " " + std::string(line.command->id) : std::string();
+    line.console.note({"See: ryosen help" + of, "使い方は ryosen help" + of + " で見られます。"});
+    return code;
+  }
+  if (line.command) return line.command->run(line.arguments, line.console);
+  show_help(nullptr, line.console);
+  return ExitCode::usage;
+}
+
+// What was printed may still be on its way; a full disk shows only here.
+ExitCode finish_output(const Console& console, ExitCode code) {
+  if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
+  Message message;
+  message.code = "output_not_writable";
+  message.text = {"The output cannot be written.", "出力を書き込めません。"};
+  console.show(message);
+  return ExitCode::output_not_writable;
+}
+
+}  // namespace
+
+ExitCode run(const std::vector<std::string>& arguments) noexcept {
+  CommandLine line;
+  try {
+    line = read_command_line(arguments);
+    return finish_output(line.console, run_command(line));
+  } catch (const std::exception& error) {
+    return line.console.fail(internal_failure(error.what()));
+  }
+}
+
+}  // namespace ryosen::cli

@@ -1,0 +1,77 @@
+#include "render/canvas.h"
+
+namespace ryosen {
+namespace {
+
+constexpr PixelFormat formats[] = {PixelFormat::rgba8};
+
+}  // namespace
+
+Result<std::unique_ptr<Canvas>> Canvas::make() {
+  Result<UiPass> ui = UiPass::make();
+  if (!ui) return ui.failure();
+  return std::unique_ptr<Canvas>(new Canvas(std::move(*ui)));
+}
+
+Canvas::Canvas(UiPass ui) : ui_(std::move(ui)), target_("window", formats, false) { resize({1, 1}); }
+
+void Canvas::resize(Size size) {
+  target_.resize({std::max(size.width, 1), std::max(size.height, 1)});
+  damage_.forget();
+}
+
+void Canvas::set_fonts(ImFontAtlas& atlas) {
+  ui_.set_fonts(atlas);
+  damage_.forget();
+}
+
+std::int64_t Canvas::compose(View& view, int x, int y, const ImDrawData& ui) {
+  const PixelRect all = PixelRect::all(target_.size());
+  const PixelRect place{x, y, x + view.size().width, y + view.size().height};
+  if (place != placed_) damage_.forget();
+  placed_ = place;
+  const PixelRect redrawn = view.draw();
+  const PixelRect moved = intersection({redrawn.x0 + x, redrawn.y0 + y, redrawn.x1 + x, redrawn.y1 + y}, all);
+  std::int64_t pixels = 0;
+  const auto draw_once = [&](const PixelRect& rect) {
+    if (rect.empty()) return;
+    draw(rect, view, ui);
+    pixels += std::int64_t{rect.width()} * rect.height();
+  };
+  bool inside = false;
+  for (const PixelRect& rect : damage_.update(ui, target_.size())) {
+    draw_once(rect);
+    inside = inside || intersection(rect, moved) == moved;
+  }
+  if (!inside) draw_once(moved);
+  return pixels;
+}
+
+void Canvas::draw(const PixelRect& rect, const View& view, const ImDrawData& ui) {
+  target_.bind(rect);
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  const int height = target_.size().height;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, view.picture().id());
+  glReadBuffer(GL_COLOR_ATTACHMENT0);
+  glBlitFramebuffer(0, 0, view.size().width, view.size().height, placed_.x0, height - placed_.y1, placed_.x1,
+                    height - placed_.y0, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  ui_.draw(ui, target_, rect);
+}
+
+void Canvas::present(GLuint framebuffer) const {
+  const Size size = target_.size();
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, target_.id());
+  glReadBuffer(GL_COLOR_ATTACHMENT0);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+  glDisable(GL_SCISSOR_TEST);
+  glBlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+Image Canvas::read_pixels() const {
+  Image image(target_.size());
+  target_.read(0, PixelRect::all(target_.size()), image.pixels.data());
+  return image;
+}
+
+}  // namespace ryosen

@@ -70,7 +70,8 @@ struct MeshColumns {
   ElementCounts live;
   std::uint32_t file_vertices = 0;  // vertex numbers below this come from the file
 
-  friend bool operator==(const MeshColumns&, const MeshColumns&) = default;
+  // To the byte: a NaN equals itself, 0 and -0 differ.
+  friend bool operator==(const MeshColumns& a, const MeshColumns& b);
 };
 
 // Columns as the journal names them; attribute k of a mesh is first_attribute + k.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/mesh/circulate.h"
+#include "tests/support/core/random_meshes.h"
 
 namespace ryosen::test {
 
@@ -24,6 +25,13 @@ IndexedMesh indexed(const Polygons& faces, std::size_t points) {
 }
 
 Mesh make_mesh(const Polygons& faces, std::size_t points) { return from_indexed(indexed(faces, points)); }
+
+SeededMesh seeded_mesh(std::uint64_t seed) {
+  const RandomMesh random = random_mesh(seed);
+  SeededMesh mesh{{}, static_cast<std::size_t>(random.points)};
+  for (const auto& face : random.faces) mesh.faces.emplace_back(face.begin(), face.end());
+  return mesh;
+}
 
 Polygons tetrahedron() { return {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}; }
 

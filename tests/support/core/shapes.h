@@ -14,6 +14,13 @@ using Polygons = std::vector<std::vector<std::uint32_t>>;
 IndexedMesh indexed(const Polygons& faces, std::size_t points = 0);
 Mesh make_mesh(const Polygons& faces, std::size_t points = 0);
 
+// A random mesh by its seed (random_meshes.h), as these tests speak of meshes.
+struct SeededMesh {
+  Polygons faces;
+  std::size_t points = 0;
+};
+SeededMesh seeded_mesh(std::uint64_t seed);
+
 Polygons tetrahedron();
 Polygons cube();
 Polygons torus_grid(std::uint32_t rows, std::uint32_t columns);

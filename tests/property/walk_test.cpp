@@ -1,0 +1,138 @@
+// Random walks of edits, undos and redos: every state is sound, every way back exact.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <random>
+
+#include "core/analysis/invariants.h"
+#include "core/build/from_indexed.h"
+#include "core/io/formats.h"
+#include "core/ops/all.h"
+#include "tests/support/core/shapes.h"
+
+namespace ryosen {
+namespace {
+
+using namespace test;
+
+bool is_long() { return std::getenv("RYOSEN_LONG") != nullptr; }
+
+// A random operator on a random live edge, or orient once in a while.
+AnyOp random_op(const Mesh& mesh, std::mt19937& random) {
+  if (random() % 200 == 0) return Orient{};
+  Halfedge h;
+  do h = Halfedge(random() % mesh.halfedge_slots());
+  while (!mesh.is_alive(h));
+  switch (random() % 4) {
+    case 0:
+      return CollapseEdge{h, random() % 2 ? CollapseEdge::Place::middle : CollapseEdge::Place::automatic};
+    case 1:
+      return SwapEdge{h, random() % 2 == 0};
+    case 2:
+      return SplitEdge{h, 0.25 * static_cast<double>(1 + random() % 3)};
+    default:
+      return CollapseEdge{h};
+  }
+}
+
+struct WalkCount {
+  std::size_t done = 0, refused = 0, undone = 0, redone = 0;
+};
+
+void expect_sound(const Mesh& mesh, const std::string& what) {
+  const auto broken = check_invariants(mesh);
+  ASSERT_FALSE(broken) << what << ": " << broken->rule << ": " << broken->sentence;
+}
+
+// One step of the walk; a refused operator must leave no trace.
+void step(Mesh& mesh, Journal& journal, std::mt19937& random, WalkCount& count) {
+  const auto dice = static_cast<std::uint32_t>(random() % 10);
+  if (dice == 0 && journal.can_undo()) {
+    journal.undo(mesh);
+    ++count.undone;
+  } else if (dice == 1 && journal.can_redo()) {
+    journal.redo(mesh);
+    ++count.redone;
+  } else if (mesh.live().edges > 0) {
+    const AnyOp op = random_op(mesh, random);
+    const std::uint64_t before = mesh.hash();
+    if (!check(mesh, op).legal()) {
+      ++count.refused;
+      ASSERT_EQ(mesh.hash(), before);
+      return;
+    }
+    Edit edit(mesh, &journal);
+    apply(edit, op);
+    if (random() % 8 == 0) return;  // rolled back
+    edit.commit();
+    ++count.done;
+  }
+}
+
+void walk(Mesh mesh, const std::string& name, std::uint32_t seed, std::size_t steps, std::uint32_t checked_size,
+          WalkCount& count) {
+  std::mt19937 random(seed);
+  Journal journal;
+  const MeshColumns start = mesh.columns();
+  for (std::size_t i = 0; i < steps; ++i) {
+    ASSERT_NO_FATAL_FAILURE(step(mesh, journal, random, count));
+    if (mesh.halfedge_slots() > checked_size && i % 1000 != 0) continue;
+    ASSERT_NO_FATAL_FAILURE(expect_sound(mesh, name + " seed " + std::to_string(seed) + " step " + std::to_string(i)));
+  }
+  ASSERT_NO_FATAL_FAILURE(expect_sound(mesh, name));
+  while (journal.can_redo()) journal.redo(mesh);
+  const MeshColumns end = mesh.columns();
+  while (journal.can_undo()) journal.undo(mesh);
+  EXPECT_EQ(mesh.columns(), start) << name << " seed " << seed;
+  while (journal.can_redo()) journal.redo(mesh);
+  EXPECT_EQ(mesh.columns(), end) << name << " seed " << seed;
+}
+
+void report(const WalkCount& count) {
+  std::cout << "done " << count.done << ", refused " << count.refused << ", undone " << count.undone << ", redone "
+            << count.redone << "\n";
+  EXPECT_GT(count.done, 0u);
+  EXPECT_GT(count.refused, 0u);
+}
+
+TEST(walk, named_shapes) {
+  WalkCount count;
+  for (std::uint32_t seed = 1; seed <= (is_long() ? 40u : 4u); ++seed)
+    for (const Polygons& faces : {tetrahedron(), cube(), torus_grid(5, 4), two_quads(), closed_fan(6), bow_tie(), fin(),
+                                  moebius_strip(), two_tetrahedra_on_an_edge()})
+      walk(make_mesh(faces), "shape", seed, 400, 2000, count);
+  report(count);
+}
+
+TEST(walk, random_polygon_meshes) {
+  WalkCount count;
+  for (std::uint32_t seed = 1; seed <= (is_long() ? 20000u : 600u); ++seed) {
+    const SeededMesh random = seeded_mesh(seed);
+    walk(make_mesh(random.faces, random.points), "random", seed, 60, 2000, count);
+  }
+  report(count);
+}
+
+TEST(walk, real_meshes) {
+  WalkCount count;
+  std::vector<std::filesystem::path> files{RYOSEN_SOURCE_DIR "/assets/stanford_bunny.obj"};
+  const std::filesystem::path shared = RYOSEN_SHARED_DIR "/meshes";
+  if (std::filesystem::exists(shared))
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(shared))
+      if (entry.path().extension() == ".off" || entry.path().extension() == ".obj") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  const std::size_t steps = (is_long() ? 1000000 : 100000) / files.size();
+  for (const auto& path : files) {
+    Result<MeshFile> file = read_mesh_file(path);
+    if (!file || file->mesh.corners.empty()) continue;
+    walk(from_indexed(std::move(file->mesh)), path.string(), 7, steps, 1000, count);
+  }
+  report(count);
+}
+
+}  // namespace
+}  // namespace ryosen

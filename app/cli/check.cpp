@@ -162,7 +162,8 @@ ExitCode check_command(const Arguments& arguments, const Console& console) {
     codes[i] = done.code;
     console.print(done.output);
     std::fflush(stdout);
-    for (const Message& message : done.messages) console.show(message, inputs[i].path);
+    for (const Message& message : done.messages)  // the JSON carries the warnings
+      if (!console.json || message.severity == Severity::error) console.show(message, inputs[i].path);
   });
   if (inputs.size() > 1 && !console.json) print_summary(codes, console);
   return combine(codes);

@@ -22,7 +22,7 @@ void Console::note(const Text& message) const {
 }
 
 void Console::show(const Message& message, std::string_view file) const {
-  if (message.severity != Severity::error && (quiet || json)) return;
+  if (message.severity != Severity::error && quiet) return;
   std::string line(file.empty() ? "ryosen" : file);
   if (message.line) line += ":" + std::to_string(*message.line);
   if (message.line && message.column) line += ":" + std::to_string(*message.column);

@@ -1,0 +1,23 @@
+// One answer of `why`: the verdict on an operator with reasons, warnings and remedy.
+#pragma once
+
+#include <string>
+
+#include "app/cli/console.h"
+#include "core/ops/all.h"
+
+namespace ryosen::cli {
+
+struct VerdictReport {
+  std::string_view op;
+  std::string edge;  // empty where the operator has none
+  Verdict verdict;
+  std::vector<Reason> warnings;
+  std::vector<std::string> remedy;  // for a refused one; empty means never
+};
+
+// One line of JSON.
+std::string to_json_line(const Mesh& mesh, const VerdictReport& report);
+std::string to_text(const Mesh& mesh, const VerdictReport& report, const Console& console);
+
+}  // namespace ryosen::cli

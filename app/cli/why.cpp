@@ -1,0 +1,169 @@
+// `why`: may an operator be done, and if not, why not, and what would help.
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/cli/did_you_mean.h"
+#include "app/cli/edge_sides.h"
+#include "app/cli/remedies.h"
+#include "app/cli/verdict_report.h"
+#include "app/editor/script.h"
+#include "core/build/from_indexed.h"
+#include "core/io/formats.h"
+
+namespace ryosen::cli {
+
+namespace {
+
+// The operator with this id on an edge, without further words.
+AnyOp on_edge(std::string_view id, Halfedge h) {
+  AnyOp op;
+  const auto choose = [&]<class Op>(Op candidate) {
+    if constexpr (requires { candidate.halfedge; }) {
+      if (Op::info.id != id) return;
+      candidate.halfedge = h;
+      op = candidate;
+    }
+  };
+  [&]<std::size_t... I>(std::index_sequence<I...>) { (choose(std::variant_alternative_t<I, AnyOp>()), ...); }
+  (std::make_index_sequence<std::variant_size_v<AnyOp>>());
+  return op;
+}
+
+class Why {
+ public:
+  Why(std::string file, Mesh mesh, const Console& console)
+      : file_(std::move(file)), mesh_(std::move(mesh)), console_(console) {}
+
+  ExitCode answer_line(const std::string& line) {
+    const std::vector<std::string_view> words = split_words(line);
+    const OpInfo* const info = find_op(words[0]);
+    const Parsed<AnyOp> parsed = parse_op(mesh_, info->id, std::span(words).subspan(1));
+    const std::string edge = info->target == OpTargetKind::edge && words.size() > 1 ? std::string(words[1]) : "";
+    return answer(*info, edge, parsed);
+  }
+
+  ExitCode answer_edge(const OpInfo& info, const std::string& name) {
+    const std::string_view argument = name;
+    return answer(info, name, parse_op(mesh_, info.id, {&argument, 1}));
+  }
+
+  ExitCode answer_all(const OpInfo& info, bool geometry) {
+    std::size_t questions = 0;
+    for (const EdgeSide& side : find_edge_sides(mesh_)) {
+      ask(info, name_of(side), on_edge(info.id, side.halfedge), geometry);
+      ++questions;
+      if (info.id != CollapseEdge::info.id) continue;
+      ask(info, name_of(side, true), on_edge(info.id, twin(side.halfedge)), geometry);
+      ++questions;
+    }
+    const std::string legal = std::to_string(legal_), all = std::to_string(questions);
+    if (!console_.json)
+      console_.print(console_.text(Text{legal + " of " + all + " legal\n", all + " のうち " + legal + " が可能\n"}));
+    return ExitCode::done;
+  }
+
+ private:
+  ExitCode answer(const OpInfo& info, const std::string& edge, const Parsed<AnyOp>& parsed) {
+    if (parsed.op) {
+      ask(info, edge, *parsed.op, true);
+      return ExitCode::done;
+    }
+    if (parsed.error != NameError::deleted)
+      return console_.fail(usage_failure(code_of(parsed.error), parsed.sentence), file_);
+    VerdictReport report{info.id, edge, {}, {}, {}};
+    report.verdict.refuse(Rule::deleted, {});
+    print(report);
+    return ExitCode::done;
+  }
+
+  static std::string_view code_of(NameError error) {
+    switch (error) {
+      case NameError::never_existed:
+        return "element_unknown";
+      case NameError::ambiguous:
+        return "name_ambiguous";
+      default:
+        return "line_malformed";
+    }
+  }
+
+  void ask(const OpInfo& info, std::string edge, const AnyOp& op, bool geometry) {
+    VerdictReport report{info.id, std::move(edge), check(mesh_, op), {}, {}};
+    if (report.verdict.legal()) {
+      if (geometry) report.warnings = warnings(mesh_, op);
+      ++legal_;
+    } else {
+      report.remedy = remedies_.find(op, report.verdict);
+    }
+    print(report);
+  }
+
+  void print(const VerdictReport& report) const {
+    console_.print(console_.json ? to_json_line(mesh_, report) : to_text(mesh_, report, console_));
+  }
+
+  std::string file_;
+  Mesh mesh_;
+  const Console& console_;
+  Remedies remedies_{mesh_};
+  std::size_t legal_ = 0;
+};
+
+// The operator of --op, or the one that a line begins with.
+Result<const OpInfo*> operator_named(const std::string& id, bool needs_edge) {
+  const OpInfo* const info = find_op(id);
+  if (info && (!needs_edge || info->target == OpTargetKind::edge)) return info;
+  std::vector<std::string> known;
+  for (const OpInfo& row : all_ops())
+    if (!needs_edge || row.target == OpTargetKind::edge) known.emplace_back(row.id);
+  const Text hint = did_you_mean(id, known);
+  return usage_failure("unknown_operator", {"'" + id + "' is not an operator here." + hint.en,
+                                            "「" + id + "」という操作はここでは使えません。" + hint.ja});
+}
+
+// What is asked for, checked as far as that goes without the mesh.
+struct Question {
+  const OpInfo* info = nullptr;
+  std::string line;  // of --do
+  std::string edge;  // of --edge
+};
+
+Result<Question> read_question(const Arguments& arguments) {
+  const std::string *op = arguments.value("--op"), *line = arguments.value("--do"), *edge = arguments.value("--edge");
+  const bool all = arguments.has("--all");
+  const bool by_op = op && !line && (edge != nullptr) != all;
+  const bool by_line = line && !op && !edge && !all;
+  if (!by_op && !by_line)
+    return usage_failure("usage", {"why needs either --op with --edge or --all, or --do.",
+                                   "why には --op と --edge か --all の一方、または --do を指定してください。"});
+  Question question;
+  if (by_line) {
+    const std::vector<ScriptLine> lines = split_script(*line);
+    if (lines.size() != 1)
+      return usage_failure("line_malformed", {"--do takes one command here.", "--do に書ける操作はここでは一つです。"});
+    question.line = lines[0].text;
+  }
+  const std::string id = by_line ? std::string(split_words(question.line)[0]) : *op;
+  const Result<const OpInfo*> info = operator_named(id, by_op);
+  if (!info) return info.failure();
+  question.info = *info;
+  if (edge) question.edge = *edge;
+  return question;
+}
+
+}  // namespace
+
+ExitCode why_command(const Arguments& arguments, const Console& console) {
+  const Result<Question> question = read_question(arguments);
+  if (!question) return console.fail(question.failure());
+  const std::string& path = arguments.operands()[0];
+  Result<MeshFile> file = read_mesh_file(path);
+  if (!file) return console.fail(file.failure(), path);
+  for (const Message& message : file->messages) console.show(message, path);
+  Why why(path, from_indexed(std::move(file->mesh)), console);
+  if (!question->line.empty()) return why.answer_line(question->line);
+  if (!question->edge.empty()) return why.answer_edge(*question->info, question->edge);
+  return why.answer_all(*question->info, arguments.has("--geometry"));
+}
+
+}  // namespace ryosen::cli

@@ -6,9 +6,13 @@
 namespace ryosen {
 namespace {
 
+// Longer names cannot be of files; looking at their parts would only cost time.
+constexpr std::size_t longest_name = 4096;
+
 enum class Library { found, missing, outside };
 
 Library look_for(std::string name, const std::filesystem::path& folder) {
+  if (name.size() > longest_name) return Library::missing;
   std::replace(name.begin(), name.end(), '\\', '/');
   const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
   const bool has_drive = name.size() >= 2 && name[1] == ':';

@@ -24,6 +24,7 @@ TextLines::TextLines(std::string_view bytes, bool join_continuations)
       at_(begin_),
       line_begin_(begin_),
       next_cr_(find(begin_, end_, '\r')),
+      next_lf_(find(begin_, end_, '\n')),
       join_continuations_(join_continuations) {
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
   if (bytes.starts_with(byte_order_mark)) at_ += byte_order_mark.size();
@@ -32,7 +33,8 @@ TextLines::TextLines(std::string_view bytes, bool join_continuations)
 // The next physical line.
 std::string_view TextLines::take() {
   const char* const begin = at_;
-  const char* stop = find(begin, end_, '\n');
+  if (next_lf_ < begin) next_lf_ = find(begin, end_, '\n');
+  const char* stop = next_lf_;
   if (next_cr_ < begin) next_cr_ = find(begin, end_, '\r');
   if (next_cr_ < stop && next_cr_ + 1 != stop) {  // ended by CR alone
     stop = next_cr_;

@@ -49,7 +49,9 @@ class TextLines {
   const char* end_;
   const char* at_;
   const char* line_begin_;
-  const char* next_cr_;  // the first CR at or after at_, end_ if there is none
+  // The first CR and LF at or after at_, end_ if there is none; remembered, so that a file without one is searched once.
+  const char* next_cr_;
+  const char* next_lf_;
   bool join_continuations_;
   bool is_joined_ = false;
   bool has_plain_end_ = false;  // the line read last ends in LF or CRLF

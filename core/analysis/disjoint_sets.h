@@ -12,8 +12,12 @@ namespace ryosen {
 // The smallest number of a set is its root. Amortized cost per call: O(log n) at most, nearly constant in practice.
 class DisjointSets {
  public:
-  explicit DisjointSets(std::size_t n) : parent_(n), count_(static_cast<std::uint32_t>(n)) {
+  explicit DisjointSets(std::size_t n = 0) { reset(n); }
+  // Every number by itself again; keeps the memory.
+  void reset(std::size_t n) {
+    parent_.resize(n);
     std::iota(parent_.begin(), parent_.end(), 0u);
+    count_ = static_cast<std::uint32_t>(n);
   }
 
   std::uint32_t root(std::uint32_t i) {
@@ -38,7 +42,7 @@ class DisjointSets {
 
  private:
   std::vector<std::uint32_t> parent_;
-  std::uint32_t count_;
+  std::uint32_t count_ = 0;
 };
 
 }  // namespace ryosen

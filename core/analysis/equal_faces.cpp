@@ -144,6 +144,7 @@ std::vector<std::uint32_t> find_duplicate_faces(Neighbourhood& around) {
 
 Face hanging_partner(Neighbourhood& around, Face f) {
   const Mesh& mesh = around.mesh();
+  if (!may_have_equal_face(mesh, f)) return Face();
   const Halfedge a = mesh.halfedge(f), b = mesh.next(a), c = mesh.next(b);
   if (mesh.next(c) != a) return Face();
   // A triangle that shares two edges shares all three points; an edge with a third face leads nowhere.

@@ -134,8 +134,8 @@ void measure_faces(const Mesh& mesh, Figures& figures) {
 
 }  // namespace
 
-Figures compute_figures(const Mesh& mesh, const HighlightSets& sets, std::span<const QuarantinedFace> quarantine) {
-  Neighbourhood around(mesh, Neighbourhood::Reach::whole);
+Figures compute_figures(Neighbourhood& around, const HighlightSets& sets, std::span<const QuarantinedFace> quarantine) {
+  const Mesh& mesh = around.mesh();
   Figures figures;
   take_counts(sets, figures);
   count_quarantine(mesh, quarantine, figures);
@@ -158,8 +158,14 @@ Figures compute_figures(const Mesh& mesh, const HighlightSets& sets, std::span<c
   return figures;
 }
 
+Figures compute_figures(const Mesh& mesh, const HighlightSets& sets, std::span<const QuarantinedFace> quarantine) {
+  Neighbourhood around(mesh, Neighbourhood::Reach::whole);
+  return compute_figures(around, sets, quarantine);
+}
+
 Figures compute_figures(const Mesh& mesh, std::span<const QuarantinedFace> quarantine) {
-  return compute_figures(mesh, HighlightSets(mesh), quarantine);
+  Neighbourhood around(mesh, Neighbourhood::Reach::whole);
+  return compute_figures(around, HighlightSets(around), quarantine);
 }
 
 }  // namespace ryosen

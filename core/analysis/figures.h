@@ -46,7 +46,9 @@ struct Figures {
 };
 
 // O(corners), and a logarithm beside copies. `sets` are those of the mesh as it is.
+Figures compute_figures(Neighbourhood& around, const HighlightSets& sets, std::span<const QuarantinedFace> quarantine);
 Figures compute_figures(const Mesh& mesh, const HighlightSets& sets, std::span<const QuarantinedFace> quarantine);
+// Searches for itself.
 Figures compute_figures(const Mesh& mesh, std::span<const QuarantinedFace> quarantine = {});
 
 }  // namespace ryosen

@@ -96,8 +96,13 @@ Reach reach_of(const Mesh& mesh, std::span<const TouchedCell> cells, const Colum
 
 }  // namespace
 
-HighlightSets::HighlightSets(const Mesh& mesh) : had_copies_(mesh.has_copies()) {
+HighlightSets::HighlightSets(const Mesh& mesh) {
   Neighbourhood around(mesh, Neighbourhood::Reach::whole);
+  *this = HighlightSets(around);
+}
+
+HighlightSets::HighlightSets(Neighbourhood& around) : had_copies_(around.mesh().has_copies()) {
+  const Mesh& mesh = around.mesh();
   for (const ProblemRow& row : problem_table()) {
     IndexSet& set = sets_[static_cast<std::size_t>(row.kind)];
     if (row.find_all) {

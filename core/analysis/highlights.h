@@ -17,6 +17,8 @@ class HighlightSets {
   HighlightSets() = default;
   // Asks every element of the mesh. O(corners), and a logarithm beside copies.
   explicit HighlightSets(const Mesh& mesh);
+  // The same with a neighbourhood that others ask as well.
+  explicit HighlightSets(Neighbourhood& around);
 
   // After transaction i of the journal was committed, undone or redone on the mesh: the sets are those of a fresh
   // search. Asks the stars of the points that it touched, so the mesh's size does not matter; only a transaction that

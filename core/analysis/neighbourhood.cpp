@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/analysis/disjoint_sets.h"
 #include "core/mesh/circulate.h"
 
 namespace ryosen {
@@ -23,40 +22,8 @@ std::uint32_t Star::other_boundary_side(std::uint32_t side) const {
   }
 }
 
-namespace {
-
-void gather_corners(const Mesh& mesh, Vertex v, Star& star) {
-  for_each_copy(mesh, v, [&](Vertex copy) {
-    if (mesh.is_isolated(copy)) return;
-    for (Halfedge h : outgoing(mesh, copy))
-      if (!mesh.is_outside(h)) star.corners.push_back(h);
-  });
-  std::sort(star.corners.begin(), star.corners.end());
-}
-
-void add_side(const Mesh& mesh, const Star& star, std::uint32_t side, StarEdge& e) {
-  const bool arrives = (side & 1u) != 0;
-  const Halfedge corner = star.corners[side / 2];
-  ++(arrives ? e.faces.backward : e.faces.forward);
-  e.first_sheet = std::min(e.first_sheet, edge(arrives ? mesh.prev(corner) : corner));  // none is the largest
-  const Face face = mesh.face(corner);
-  if (!e.last_face || face > e.last_face) e.last_face = face;
-}
-
-void join_fans(Star& star) {
-  DisjointSets fans(star.corners.size());
-  for (const StarEdge& e : star.edges) {
-    for (std::uint32_t i = 1; i < e.faces.faces(); ++i)
-      fans.join(star.sides[e.first_side] / 2, star.sides[e.first_side + i] / 2);
-    star.has_nonmanifold_edge |= e.faces.is_nonmanifold();
-  }
-  star.fans = fans.count();
-}
-
-}  // namespace
-
-Neighbourhood::Neighbourhood(const Mesh& mesh, Reach reach) : mesh_(mesh) {
-  if (reach == Reach::local || !mesh.has_copies()) return;
+Neighbourhood::Neighbourhood(const Mesh& mesh, Reach reach) : mesh_(mesh), is_whole_(reach == Reach::whole) {
+  if (!is_whole_ || !mesh.has_copies()) return;
   points_.assign(mesh.vertex_slots(), Vertex());
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
     // Ascending, so the first copy met is the one that names the point.
@@ -83,45 +50,92 @@ bool Neighbourhood::is_plain(Vertex v) const {
   return true;
 }
 
-const Star& Neighbourhood::star(Vertex v) {
-  const Vertex p = point(v);
-  if (const auto known = stars_.find(p); known != stars_.end()) return known->second;
-  // Elements are asked in an order that stays near, so what was gathered long ago may go.
-  constexpr std::size_t most_kept = 2'000'000;
-  if (kept_sides_ > most_kept) {
-    stars_.clear();
-    kept_sides_ = 0;
-  }
-  Star star;
-  gather_corners(mesh_, p, star);
-  const auto side_count = static_cast<std::uint32_t>(2 * star.corners.size());
-  std::vector<std::pair<Vertex, std::uint32_t>> order(side_count);
-  for (std::uint32_t side = 0; side < side_count; ++side) {
-    const Halfedge corner = star.corners[side / 2];
-    order[side] = {point((side & 1u) != 0 ? mesh_.from(mesh_.prev(corner)) : mesh_.to(corner)), side};
-  }
-  std::sort(order.begin(), order.end());
-  star.sides.resize(side_count);
-  star.edge_of_side.resize(side_count);
-  for (std::uint32_t i = 0; i < side_count; ++i) {
-    const auto [neighbour, side] = order[i];
-    if (i == 0 || order[i - 1].first != neighbour) star.edges.push_back({neighbour, {}, {}, {}, i});
-    add_side(mesh_, star, side, star.edges.back());
-    star.sides[i] = side;
-    star.edge_of_side[side] = static_cast<std::uint32_t>(star.edges.size() - 1);
-  }
-  join_fans(star);
-  kept_sides_ += side_count + 16;
-  return stars_.emplace(p, std::move(star)).first->second;
+void Neighbourhood::gather_corners(Vertex p, StarRecord& record) {
+  record.first_corner = static_cast<std::uint32_t>(corners_.size());
+  for_each_copy(mesh_, p, [&](Vertex copy) {
+    if (mesh_.is_isolated(copy)) return;
+    for (Halfedge h : outgoing(mesh_, copy))
+      if (!mesh_.is_outside(h)) corners_.push_back(h);
+  });
+  record.corners = static_cast<std::uint32_t>(corners_.size()) - record.first_corner;
+  std::sort(corners_.begin() + record.first_corner, corners_.end());
 }
 
-const StarEdge& Neighbourhood::star_edge(Halfedge h, bool& reversed) {
-  static const StarEdge no_faces;
+void Neighbourhood::gather_edges(StarRecord& record) {
+  const Halfedge* corners = corners_.data() + record.first_corner;
+  order_.clear();
+  for (std::uint32_t side = 0; side < 2 * record.corners; ++side) {
+    const Halfedge corner = corners[side / 2];
+    order_.emplace_back(point((side & 1u) != 0 ? mesh_.from(mesh_.prev(corner)) : mesh_.to(corner)), side);
+  }
+  std::sort(order_.begin(), order_.end());
+  record.first_edge = static_cast<std::uint32_t>(edges_.size());
+  edge_of_side_.resize(2 * corners_.size());
+  for (std::uint32_t i = 0; i < order_.size(); ++i) {
+    const auto [neighbour, side] = order_[i];
+    if (i == 0 || order_[i - 1].first != neighbour) edges_.push_back({neighbour, {}, {}, {}, i});
+    StarEdge& e = edges_.back();
+    const bool arrives = (side & 1u) != 0;
+    const Halfedge corner = corners[side / 2];
+    ++(arrives ? e.faces.backward : e.faces.forward);
+    // None is the largest number.
+    e.first_sheet = std::min(e.first_sheet, ryosen::edge(arrives ? mesh_.prev(corner) : corner));
+    const Face face = mesh_.face(corner);
+    if (!e.last_face || face > e.last_face) e.last_face = face;
+    sides_.push_back(side);
+    edge_of_side_[2 * std::size_t{record.first_corner} + side] =
+        static_cast<std::uint32_t>(edges_.size() - 1 - record.first_edge);
+  }
+  record.edges = static_cast<std::uint32_t>(edges_.size()) - record.first_edge;
+}
+
+void Neighbourhood::join_fans(StarRecord& record) {
+  fans_.reset(record.corners);
+  const Star star = view(record);
+  for (const StarEdge& e : star.edges) {
+    for (std::uint32_t i = 1; i < e.faces.faces(); ++i)
+      fans_.join(star.sides[e.first_side] / 2, star.sides[e.first_side + i] / 2);
+    record.has_nonmanifold_edge |= e.faces.is_nonmanifold();
+  }
+  record.fans = fans_.count();
+}
+
+Star Neighbourhood::view(const StarRecord& r) const {
+  const std::size_t first_side = 2 * std::size_t{r.first_corner}, sides = 2 * std::size_t{r.corners};
+  return {{corners_.data() + r.first_corner, r.corners},
+          {edges_.data() + r.first_edge, r.edges},
+          {sides_.data() + first_side, sides},
+          {edge_of_side_.data() + first_side, sides},
+          r.fans,
+          r.has_nonmanifold_edge};
+}
+
+std::uint32_t& Neighbourhood::record_of(Vertex p) {
+  if (!is_whole_) return known_records_.try_emplace(p, no_index).first->second;
+  if (record_of_point_.empty()) record_of_point_.assign(mesh_.vertex_slots(), no_index);
+  return record_of_point_[p.index];
+}
+
+Star Neighbourhood::star(Vertex v) {
+  const Vertex p = point(v);
+  std::uint32_t& number = record_of(p);
+  if (number == no_index) {
+    StarRecord record;
+    gather_corners(p, record);
+    gather_edges(record);
+    join_fans(record);
+    number = static_cast<std::uint32_t>(records_.size());
+    records_.push_back(record);
+  }
+  return view(records_[number]);
+}
+
+StarEdge Neighbourhood::star_edge(Halfedge h, bool& reversed) {
   const Vertex a = point(mesh_.from(h)), b = point(mesh_.to(h));
   // The smaller point's star serves all its edges, which lie side by side.
   reversed = b < a;
   const StarEdge* found = star(std::min(a, b)).edge_to(std::max(a, b));
-  return found ? *found : no_faces;
+  return found ? *found : StarEdge();
 }
 
 PointEdge Neighbourhood::edge(Halfedge h) {
@@ -155,7 +169,7 @@ void Neighbourhood::faces_at(Halfedge h, std::vector<Face>& faces) {
     return;
   }
   const Vertex a = point(mesh_.from(h)), b = point(mesh_.to(h));
-  const Star& s = star(std::min(a, b));
+  const Star s = star(std::min(a, b));
   const StarEdge* e = s.edge_to(std::max(a, b));
   if (!e) return;
   for (std::uint32_t i = 0; i < e->faces.faces(); ++i)
@@ -164,7 +178,7 @@ void Neighbourhood::faces_at(Halfedge h, std::vector<Face>& faces) {
 
 Halfedge Neighbourhood::across(Halfedge h) {
   if (is_single_sheet(h)) return mesh_.is_outside(twin(h)) ? Halfedge() : twin(h);
-  const Star& s = star(mesh_.from(h));
+  const Star s = star(mesh_.from(h));
   const auto corner = std::lower_bound(s.corners.begin(), s.corners.end(), h);
   const auto side = static_cast<std::uint32_t>(2 * (corner - s.corners.begin()));
   const StarEdge& e = s.edges[s.edge_of_side[side]];
@@ -188,7 +202,7 @@ BoundaryStep Neighbourhood::next_boundary(BoundaryStep step) {
     return {twin(step.at_end ? mesh_.prev(outside) : mesh_.next(outside)), step.at_end};
   }
   const Vertex other_end = point(step.at_end ? mesh_.from(step.inside) : mesh_.to(step.inside));
-  const Star& s = star(v);
+  const Star s = star(v);
   const std::uint32_t side = s.other_boundary_side(s.sides[s.edge_to(other_end)->first_side]);
   if (side == no_index) return {Halfedge(), true};
   const Halfedge corner = s.corners[side / 2];

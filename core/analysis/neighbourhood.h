@@ -7,8 +7,10 @@
 
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
+#include "core/analysis/disjoint_sets.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/mesh.h"
 
@@ -23,14 +25,14 @@ struct StarEdge {
   std::uint32_t first_side = 0;  // its sides are those from here on, faces.faces() of them
 };
 
-// The corners of faces at a point. Corner c has two sides: 2c along corners[c], and 2c + 1 along the halfedge before
-// it.
+// The corners of faces at a point. Corner c has two sides: 2c along corners[c], and 2c + 1 along the halfedge before it.
+// A view into a Neighbourhood.
 struct Star {
-  std::vector<Halfedge> corners;            // they leave the point; ascending
-  std::vector<StarEdge> edges;              // ascending by neighbour
-  std::vector<std::uint32_t> sides;         // of all corners, edge after edge
-  std::vector<std::uint32_t> edge_of_side;  // into edges
-  std::uint32_t fans = 0;                   // groups of corners that shared edges join, whatever their direction
+  std::span<const Halfedge> corners;            // they leave the point; ascending
+  std::span<const StarEdge> edges;              // ascending by neighbour
+  std::span<const std::uint32_t> sides;         // of all corners, edge after edge
+  std::span<const std::uint32_t> edge_of_side;  // into edges
+  std::uint32_t fans = 0;                       // groups of corners that shared edges join, whatever their direction
   bool has_nonmanifold_edge = false;
 
   // The edge to a point, or null.
@@ -64,8 +66,8 @@ class Neighbourhood {
     return !has_copies(mesh_, mesh_.from(h)) && !has_copies(mesh_, mesh_.to(h));
   }
 
-  // Gathered over all copies. Cost: the corners there, once. The reference holds until the next call of any member.
-  const Star& star(Vertex v);
+  // Gathered over all copies. Cost: the corners there, once. The view holds until the next call of any member.
+  Star star(Vertex v);
 
   // The faces between the points of h, forward along h.
   PointEdge edge(Halfedge h);
@@ -85,13 +87,33 @@ class Neighbourhood {
   BoundaryStep next_boundary(BoundaryStep step);
 
  private:
-  const StarEdge& star_edge(Halfedge h, bool& reversed);
+  // A star's parts in the pools.
+  struct StarRecord {
+    std::uint32_t first_corner = 0, corners = 0, first_edge = 0, edges = 0, fans = 0;
+    bool has_nonmanifold_edge = false;
+  };
+
+  StarEdge star_edge(Halfedge h, bool& reversed);
+  std::uint32_t& record_of(Vertex p);
+  void gather_corners(Vertex p, StarRecord& record);
+  void gather_edges(StarRecord& record);
+  void join_fans(StarRecord& record);
+  Star view(const StarRecord& record) const;
 
   const Mesh& mesh_;
-  std::vector<Vertex> points_;  // of every vertex, when the whole mesh is asked
+  // By slot when the whole mesh is asked, by number otherwise.
+  std::vector<Vertex> points_;
+  std::vector<std::uint32_t> record_of_point_;
   std::unordered_map<Vertex, Vertex> known_points_;
-  std::unordered_map<Vertex, Star> stars_;
-  std::size_t kept_sides_ = 0;
+  std::unordered_map<Vertex, std::uint32_t> known_records_;
+
+  std::vector<StarRecord> records_;
+  std::vector<Halfedge> corners_;
+  std::vector<std::uint32_t> sides_, edge_of_side_;  // two per corner
+  std::vector<StarEdge> edges_;
+  std::vector<std::pair<Vertex, std::uint32_t>> order_;  // sides by neighbour, of the star being gathered
+  DisjointSets fans_;
+  bool is_whole_;
 };
 
 // The corners of face f as points.

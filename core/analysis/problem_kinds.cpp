@@ -32,7 +32,7 @@ bool is_misoriented_edge(Neighbourhood& around, Edge e) {
 
 bool is_nonmanifold_vertex(Neighbourhood& around, Vertex v) {
   if (around.is_plain(v) || around.point(v) != v) return false;
-  const Star& star = around.star(v);
+  const Star star = around.star(v);
   return star.fans > 1 || star.has_nonmanifold_edge;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -249,6 +250,30 @@ TEST(figures, agree_with_the_oracle_on_random_meshes) {
   for (std::uint64_t seed = 1; seed <= 20000 && !HasFailure(); ++seed) {
     const RandomMesh mesh = random_mesh(seed);
     expect_as_oracle(mesh, compute_figures(mesh_of(mesh)));
+  }
+}
+
+// Without some faces: their edges stay, as wires where no face is left, and a vertex may keep several fans or none.
+TEST(figures, see_only_faces_whatever_deleting_them_leaves) {
+  for (std::uint64_t seed = 1; seed <= 5000 && !HasFailure(); ++seed) {
+    RandomMesh mesh = random_mesh(seed);
+    MeshColumns columns = mesh_of(mesh).columns();
+    Dice dice(seed);
+    for (std::uint32_t f = 0; f < columns.face_halfedge.size(); ++f) {
+      if (!dice.one_in(3)) continue;
+      const Halfedge start = columns.face_halfedge[f];
+      Halfedge h = start;
+      do {
+        HalfedgeLinks& links = columns.halfedges[h.index];
+        links.face = Face();
+        columns.vertex_halfedge[links.from.index] = h;
+        h = links.next;
+      } while (h != start);
+      columns.face_halfedge[f] = dead_halfedge;
+      --columns.live.faces;
+      mesh.faces[f].clear();
+    }
+    expect_as_oracle(mesh, compute_figures(Mesh(std::move(columns))));
   }
 }
 

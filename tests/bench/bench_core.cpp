@@ -1,0 +1,128 @@
+// Building, judging and editing, without a picture. RYOSEN_DRAGON=FILE.ply.gz adds the dragon.
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <random>
+
+#include "core/build/from_indexed.h"
+#include "core/ops/all.h"
+#include "tests/bench/bench_meshes.h"
+
+namespace ryosen::bench {
+namespace {
+
+using Source = const IndexedMesh& (*)();
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+void build(benchmark::State& state, Source source) {
+  if (source().positions.empty()) return state.SkipWithError("RYOSEN_DRAGON is not set");
+  Mesh mesh;
+  for (auto _ : state) {
+    IndexedMesh copy = source();
+    const auto start = Clock::now();
+    mesh = from_indexed(std::move(copy));
+    state.SetIterationTime(seconds_since(start));
+  }
+  state.counters["Mfaces/s"] =
+      benchmark::Counter(1e-6 * mesh.live().faces, benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["bytes/triangle"] = static_cast<double>(mesh.core_bytes()) / mesh.live().faces;
+}
+
+// Random edges, the same every time.
+std::vector<Halfedge> random_halfedges(const Mesh& mesh, std::size_t count) {
+  std::mt19937 random(1);
+  std::vector<Halfedge> halfedges;
+  for (std::size_t i = 0; i < count; ++i) halfedges.emplace_back(random() % mesh.halfedge_slots());
+  return halfedges;
+}
+
+template <class Op>
+void judge(benchmark::State& state, Source source) {
+  if (source().positions.empty()) return state.SkipWithError("RYOSEN_DRAGON is not set");
+  const Mesh mesh = from_indexed(source());
+  const std::vector<Halfedge> halfedges = random_halfedges(mesh, 100000);
+  std::size_t i = 0, legal = 0;
+  for (auto _ : state) {
+    legal += Op{halfedges[i]}.check(mesh).legal();
+    i = (i + 1) % halfedges.size();
+  }
+  benchmark::DoNotOptimize(legal);
+  state.SetItemsProcessed(state.iterations());
+}
+
+// Random legal operators, committed with the journal; taken back outside the measured time.
+template <class Op>
+void edit_with_journal(benchmark::State& state, Source source) {
+  if (source().positions.empty()) return state.SkipWithError("RYOSEN_DRAGON is not set");
+  Mesh mesh = from_indexed(source());
+  const std::vector<Halfedge> halfedges = random_halfedges(mesh, 20000);
+  std::size_t done = 0;
+  double bytes = 0;
+  for (auto _ : state) {
+    Journal journal;
+    double seconds = 0;
+    std::size_t count = 0;
+    for (Halfedge h : halfedges) {
+      const Op op{h};
+      if (!mesh.is_alive(h) || !op.check(mesh).legal()) continue;
+      const auto start = Clock::now();
+      Edit edit(mesh, &journal);
+      op.apply(edit);
+      edit.commit();
+      seconds += seconds_since(start);
+      if (++count == 2000) break;
+    }
+    bytes = static_cast<double>(journal.bytes()) / static_cast<double>(count);
+    while (journal.can_undo()) journal.undo(mesh);
+    state.SetIterationTime(seconds / static_cast<double>(count));
+    ++done;
+  }
+  state.counters["bytes/edit"] = bytes;
+}
+
+void undo(benchmark::State& state, Source source) {
+  if (source().positions.empty()) return state.SkipWithError("RYOSEN_DRAGON is not set");
+  Mesh mesh = from_indexed(source());
+  Journal journal;
+  for (Halfedge h : random_halfedges(mesh, 5000)) {
+    const CollapseEdge op{h};
+    if (!mesh.is_alive(h) || !op.check(mesh).legal()) continue;
+    Edit edit(mesh, &journal);
+    op.apply(edit);
+    edit.commit();
+  }
+  for (auto _ : state) {
+    const auto start = Clock::now();
+    while (journal.can_undo()) journal.undo(mesh);
+    const double seconds = seconds_since(start);
+    while (journal.can_redo()) journal.redo(mesh);
+    state.SetIterationTime(seconds / static_cast<double>(journal.size()));
+  }
+}
+
+void register_all(const std::string& mesh, Source source) {
+  const auto add = [&](const std::string& name, void (*run)(benchmark::State&, Source)) {
+    return benchmark::RegisterBenchmark((name + "/" + mesh).c_str(), run, source);
+  };
+  constexpr auto ms = benchmark::kMillisecond;
+  constexpr auto us = benchmark::kMicrosecond;
+  add("build", build)->UseManualTime()->Unit(ms);
+  add("check collapse", judge<CollapseEdge>);
+  add("check swap", judge<SwapEdge>);
+  add("collapse with journal", edit_with_journal<CollapseEdge>)->UseManualTime()->Unit(us)->Iterations(20);
+  add("swap with journal", edit_with_journal<SwapEdge>)->UseManualTime()->Unit(us)->Iterations(20);
+  add("split with journal", edit_with_journal<SplitEdge>)->UseManualTime()->Unit(us)->Iterations(20);
+  add("undo collapse", undo)->UseManualTime()->Unit(us)->Iterations(20);
+}
+
+}  // namespace
+}  // namespace ryosen::bench
+
+int main(int argc, char** argv) {
+  ryosen::bench::register_all("bunny", ryosen::bench::bunny);
+  ryosen::bench::register_all("dragon", ryosen::bench::dragon);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,0 +1,30 @@
+#!/bin/sh
+# Builds and runs the benchmarks, then times the whole program from start to picture.
+#   tests/bench/run.sh [DRAGON.ply.gz]
+set -eu
+root=$(cd "$(dirname "$0")/../.." && pwd)
+. "$root/app/setup.sh"
+# shellcheck disable=SC2086
+ensure_packages $build_packages $test_packages libbenchmark-dev
+[ $# = 0 ] || export RYOSEN_DRAGON=$1
+cmake -S "$root" -B "$root/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DRYOSEN_BENCH=ON >&2
+cmake --build "$root/build/release" --target bench_core bench_editor ryosen >&2
+"$root/build/release/bin/bench_core"
+"$root/build/release/bin/bench_editor"
+
+# median_of_11 COMMAND... prints the median wall time of 11 runs after one that is not counted, in milliseconds.
+median_of_11() {
+  "$@" >/dev/null
+  for _ in 1 2 3 4 5 6 7 8 9 10 11; do
+    begin=$(date +%s%N)
+    "$@" >/dev/null
+    end=$(date +%s%N)
+    echo $(((end - begin) / 1000000))
+  done | sort -n | sed -n 6p
+}
+picture=$(mktemp --suffix=.png)
+trap 'rm -f "$picture"' EXIT
+program=$root/build/release/bin/ryosen
+bunny=$root/assets/stanford_bunny.obj
+echo "bunny to picture, ms: $(median_of_11 "$program" shot "$bunny" -o "$picture" --overwrite)"
+echo "bunny to picture with panels, ms: $(median_of_11 "$program" shot "$bunny" --panels -o "$picture" --overwrite)"

@@ -92,6 +92,13 @@ bool ObjBuilder::read_reals(std::string_view text, double* values, std::size_t w
   count = 0;
   double ignored = 0;
   while (true) {
+    double& value = count < most ? values[count] : ignored;
+    std::string_view rest = text;
+    if (take_number(rest, value) && std::isfinite(value)) {
+      text = rest;
+      ++count;
+      continue;
+    }
     const std::string_view word = take_word(text);
     if (word.empty() || word[0] == '#') {
       if (count >= wanted) return true;
@@ -102,7 +109,7 @@ bool ObjBuilder::read_reals(std::string_view text, double* values, std::size_t w
            word.data());
       return false;
     }
-    if (!read_value(word, count < most ? values[count] : ignored)) return false;
+    if (!read_value(word, value)) return false;
     ++count;
   }
 }
@@ -177,9 +184,12 @@ void ObjBuilder::face(std::string_view corners) {
   if (!has_room(corners.size() + 1)) return;
   Corner corner;
   while (true) {
-    const std::string_view word = take_word(corners);
-    if (word.empty() || word[0] == '#') break;
-    if (!read_corner(word, corner)) return;
+    corner.has_texcoord = corner.has_normal = false;
+    if (!take_number(corners, corner.vertex)) {
+      const std::string_view word = take_word(corners);
+      if (word.empty() || word[0] == '#') break;
+      if (!read_corner(word, corner)) return;
+    }
     if (corner.has_texcoord || !mesh_.texcoords.index.empty()) {
       push_value(mesh_.texcoords.index, corner.has_texcoord, corner.texcoord, mesh_.texcoords.pool.size(), false);
     }

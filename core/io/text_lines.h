@@ -1,6 +1,7 @@
 // Splits the bytes of a text file into lines, ended by LF, CRLF or CR.
 #pragma once
 
+#include <charconv>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -69,6 +70,19 @@ inline std::string_view take_word(std::string_view& text) {
   while (at != end && *at != ' ' && *at != '\t') ++at;
   text = {at, static_cast<std::size_t>(end - at)};
   return {begin, static_cast<std::size_t>(at - begin)};
+}
+
+// Takes the next word off the front of `text` if std::from_chars reads all of it; else leaves `text` as it is. The quick
+// way for ordinary numbers, one pass over the characters.
+template <class Number>
+bool take_number(std::string_view& text, Number& value) {
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (at != end && (*at == ' ' || *at == '\t')) ++at;
+  const auto [stop, error] = std::from_chars(at, end, value);
+  if (error != std::errc() || (stop != end && *stop != ' ' && *stop != '\t')) return false;
+  text = {stop, static_cast<std::size_t>(end - stop)};
+  return true;
 }
 
 // `text` without the spaces and tabs at both ends.

@@ -1,0 +1,166 @@
+#include "app/editor/session.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "app/editor/commands.h"
+#include "app/editor/expect.h"
+#include "app/editor/keys.h"
+#include "core/analysis/invariants.h"
+
+namespace ryosen {
+namespace {
+
+// A flat sheet of 6 x 6 squares, each cut in two, seen from above.
+std::unique_ptr<Session> sheet_session() {
+  constexpr std::uint32_t n = 6;
+  MeshFile file;
+  for (std::uint32_t j = 0; j <= n; ++j)
+    for (std::uint32_t i = 0; i <= n; ++i) file.mesh.positions.push_back({i, j, 0.0});
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    file.mesh.corners.insert(file.mesh.corners.end(), {a, b, c});
+    file.mesh.face_offsets.push_back(static_cast<std::uint32_t>(file.mesh.corners.size()));
+  };
+  for (std::uint32_t j = 0; j < n; ++j) {
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t a = j * (n + 1) + i, b = a + 1, c = a + n + 2, d = a + n + 1;
+      add(a, b, c);
+      add(a, c, d);
+    }
+  }
+  auto session = std::make_unique<Session>(std::make_unique<Document>(std::move(file)));
+  EXPECT_TRUE(session->run("view front").done());
+  return session;
+}
+
+glm::dvec2 pixel_of(const Session& session, const glm::dvec3& place) {
+  return project(session.camera, session.view, place)->pixel;
+}
+
+TEST(session, a_click_sends_the_command_of_the_edge_under_it) {
+  const auto clicked = sheet_session(), typed = sheet_session();
+  // A quarter along the edge from vertex 24 at (3,3) to 25 at (4,3): 24 is nearer and goes.
+  const glm::dvec2 pixel = pixel_of(*clicked, {3.25, 3, 0});
+  EXPECT_TRUE(clicked->click(pixel, "collapse").done());
+  EXPECT_TRUE(typed->run("collapse 24-25 mid").done());
+  EXPECT_EQ(clicked->mesh().hash(), typed->mesh().hash());
+  EXPECT_EQ(clicked->log(), std::vector<std::string>{"collapse 24-25 mid"});
+}
+
+TEST(session, hovering_shows_the_verdict_and_leaves_the_mesh_alone) {
+  const auto session = sheet_session();
+  const MeshColumns before = session->mesh().columns();
+  EXPECT_TRUE(session->run("tool collapse").done());
+  session->point_at(pixel_of(*session, {3.5, 3, 0}));
+  ASSERT_TRUE(session->hover() && session->hover()->op);
+  EXPECT_TRUE(session->hover()->preview.verdict.legal());
+  EXPECT_FALSE(session->hover()->preview.faces.empty());
+  EXPECT_EQ(session->mesh().columns(), before);
+  EXPECT_TRUE(session->run("tool swap").done());
+  session->point_at(pixel_of(*session, {3.5, 0, 0}));
+  ASSERT_TRUE(session->hover() && session->hover()->op);
+  EXPECT_TRUE(session->hover()->preview.verdict.has(Rule::boundary));
+}
+
+TEST(session, a_refused_click_changes_nothing_and_says_why) {
+  const auto session = sheet_session();
+  const std::uint64_t before = session->mesh().hash();
+  const Outcome outcome = session->click(pixel_of(*session, {3.5, 0, 0}), "swap");
+  EXPECT_EQ(outcome.kind, Outcome::Kind::refused);
+  EXPECT_EQ(outcome.exit_code, ExitCode::refused);
+  EXPECT_NE(outcome.sentence.en.find("one side"), std::string::npos);
+  EXPECT_FALSE(outcome.sentence.ja.empty());
+  EXPECT_EQ(session->mesh().hash(), before);
+  EXPECT_TRUE(session->log().empty());
+}
+
+TEST(session, picker_highlights_and_totals_follow_edits_as_if_made_anew) {
+  const auto session = sheet_session();
+  session->picker();
+  session->highlights();
+  session->euler_terms();
+  const std::vector<std::string> lines{"collapse 24-25 mid", "split 9-10", "swap 16-24", "collapse 0-1", "undo", "undo",
+                                       "split 3-4 0.25",     "undo 2",     "redo"};
+  for (const std::string& line : lines) {
+    session->run(line);
+    EXPECT_FALSE(check_invariants(session->mesh())) << line;
+    EXPECT_EQ(session->highlights(), HighlightSets(session->mesh())) << line;
+    EXPECT_EQ(session->euler_terms(), euler_poincare(session->mesh())) << line;
+    Picker anew(session->mesh());
+    for (double x = 0.3; x < 6; x += 0.7) {
+      for (double y = 0.2; y < 6; y += 0.9) {
+        const glm::dvec2 pixel = pixel_of(*session, {x, y, 0});
+        for (const PickMode mode : {PickMode::face, PickMode::edge, PickMode::vertex}) {
+          const auto a = session->picker().pick(session->mesh(), session->camera, session->view, pixel, mode);
+          const auto b = anew.pick(session->mesh(), session->camera, session->view, pixel, mode);
+          ASSERT_EQ(a.has_value(), b.has_value()) << line;
+          if (a) EXPECT_EQ(a->element, b->element) << line;
+        }
+      }
+    }
+  }
+}
+
+TEST(session, its_log_is_a_script_that_leads_to_the_same_mesh) {
+  const auto session = sheet_session();
+  for (const char* line : {"collapse 24-25 mid", "split 9-10", "undo", "swap 16-23", "split 3-4 0.25"})
+    session->run(line);
+  const auto replay = sheet_session();
+  for (const std::string& line : session->log()) EXPECT_TRUE(replay->run(line).done()) << line;
+  EXPECT_EQ(replay->mesh().hash(), session->mesh().hash());
+}
+
+TEST(session, exit_codes_of_commands) {
+  const auto session = sheet_session();
+  const auto code = [&](const char* line) { return session->run(line).exit_code; };
+  EXPECT_EQ(code("colapse 0-1"), ExitCode::usage);
+  EXPECT_NE(session->run("colapse 0-1").sentence.en.find("did you mean collapse"), std::string::npos);
+  EXPECT_EQ(code("collapse 0-999"), ExitCode::usage);
+  EXPECT_EQ(code("collapse 0-40"), ExitCode::usage);
+  EXPECT_EQ(code("collapse 8-9 sideways"), ExitCode::usage);
+  EXPECT_EQ(code("swap 0-1"), ExitCode::refused);
+  EXPECT_EQ(code("expect V 50"), ExitCode::found_problems);
+  EXPECT_EQ(code("expect V 49"), ExitCode::done);
+  EXPECT_EQ(code("expect legal collapse 24-25"), ExitCode::done);
+  EXPECT_EQ(code("expect refused swap 0-1"), ExitCode::done);
+  EXPECT_EQ(code("undo"), ExitCode::refused);
+  EXPECT_EQ(code("collapse 24-25"), ExitCode::done);
+  EXPECT_EQ(code("swap 24-31"), ExitCode::refused);
+  EXPECT_TRUE(session->run("swap 24-31").reasons[0].rule == Rule::deleted);
+  EXPECT_EQ(code("swap 8-16"), ExitCode::done);
+  EXPECT_TRUE(session->run("swap 8-16").reasons[0].rule == Rule::deleted) << "the edge was there before the swap";
+  EXPECT_EQ(code("camera {\"eye\":[0,0,5],\"target\":[0,0,0],\"up\":[0,1,0]}"), ExitCode::done);
+  EXPECT_EQ(code("camera {\"eye\":[0,0,0],\"target\":[0,0,0]}"), ExitCode::usage);
+  EXPECT_EQ(code("select v0 f3 8-9"), ExitCode::done);
+  EXPECT_EQ(session->selection.size(), 3u);
+  EXPECT_EQ(code("show nonsense"), ExitCode::usage);
+  EXPECT_EQ(code("shot x.png"), ExitCode::no_backend);
+}
+
+TEST(session, every_key_sends_a_command_that_exists) {
+  for (const KeyRow& key : key_table()) {
+    const std::string_view id = split_words(key.command)[0];
+    EXPECT_TRUE(find_command(id) || find_op(id)) << key.chord << ": " << key.command;
+    EXPECT_FALSE(key.help_en.empty() || key.help_ja.empty());
+    EXPECT_EQ(find_key(key.chord), &key) << "the chord stands twice: " << key.chord;
+  }
+}
+
+TEST(document, saves_what_it_holds_and_knows_whether_it_is_modified) {
+  const auto session = sheet_session();
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / "ryosen_session_test.obj";
+  EXPECT_TRUE(session->run("collapse 24-25 mid").done());
+  EXPECT_TRUE(session->document().is_modified());
+  EXPECT_TRUE(session->run("save " + path.string()).done());
+  EXPECT_FALSE(session->document().is_modified());
+  EXPECT_TRUE(session->run("undo").done());
+  EXPECT_TRUE(session->document().is_modified());
+  const auto again = Document::open(path);
+  ASSERT_TRUE(again);
+  EXPECT_EQ((*again)->mesh().live(), (ElementCounts{48, 117, 70}));
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace ryosen

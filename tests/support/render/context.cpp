@@ -20,3 +20,9 @@ Context& test_context() {
 }
 
 }  // namespace ryosen
+
+#if defined(__SANITIZE_ADDRESS__)
+// What the software renderer allocates once and never frees.
+extern "C" const char* __lsan_default_suppressions();
+const char* __lsan_default_suppressions() { return "leak:libOSMesa.so\nleak:libEGL.so\nleak:swrast_dri.so\n"; }
+#endif

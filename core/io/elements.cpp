@@ -1,0 +1,44 @@
+#include "core/io/elements.h"
+
+#include <algorithm>
+
+namespace ryosen {
+
+ElementList renumbered(const ElementList& elements, std::span<const std::uint32_t> vertex_number,
+                       std::span<const std::uint32_t> face_number, std::size_t old_vertices, std::size_t new_vertices) {
+  const auto old_end = static_cast<std::int64_t>(std::min(old_vertices, vertex_number.size()));
+  const std::int64_t shift = static_cast<std::int64_t>(new_vertices) - static_cast<std::int64_t>(old_vertices);
+  ElementList out;
+  std::size_t face = 0;
+  std::uint32_t faces_before = 0;  // faces below `face` that are still there
+  for (LineElement item : elements.items) {
+    for (; face < std::min<std::size_t>(item.before_face, face_number.size()); ++face) {
+      if (face_number[face] != no_index) ++faces_before;
+    }
+    item.before_face = faces_before;
+    const std::uint32_t first = item.first, count = item.count;
+    item.first = static_cast<std::uint32_t>(out.vertices.size());
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      std::int64_t vertex = elements.vertices[i];
+      if (vertex >= static_cast<std::int64_t>(old_vertices)) {
+        vertex += shift;
+      } else if (vertex >= 0) {
+        if (vertex >= old_end || vertex_number[static_cast<std::size_t>(vertex)] == no_index) continue;
+        vertex = vertex_number[static_cast<std::size_t>(vertex)];
+      }
+      out.vertices.push_back(vertex);
+      if (!elements.texcoords.empty()) out.texcoords.push_back(elements.texcoords[i]);
+    }
+    item.count = static_cast<std::uint32_t>(out.vertices.size()) - item.first;
+    const std::uint32_t least = item.is_points ? 1 : 2;
+    if (item.count < count && item.count < least) {
+      out.vertices.resize(item.first);
+      if (!elements.texcoords.empty()) out.texcoords.resize(item.first);
+    } else {
+      out.items.push_back(item);
+    }
+  }
+  return out;
+}
+
+}  // namespace ryosen

@@ -118,8 +118,10 @@ class Checker {
       report.failure->message.text = {std::string("Internal error: ") + error.what(),
                                       std::string("内部エラー：") + error.what()};
     }
-    Done done{console_.json ? line_of(to_json(report)) : to_text(report, console_), std::move(report.messages),
-              code_of(report, options_)};
+    Done done;
+    done.output = console_.json ? line_of(to_json(report)) : to_text(report, console_);
+    done.code = code_of(report, options_);
+    done.messages = std::move(report.messages);
     if (report.failure) done.messages.push_back(report.failure->message);
     return done;
   }

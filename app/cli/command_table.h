@@ -45,9 +45,9 @@ struct Command {
   std::string_view id;
   std::string_view operands;  // as in the help
   std::size_t least_operands, most_operands;
-  std::string_view en, ja;            // one line
-  std::vector<Flag> flags;            // besides the common ones
-  std::string_view more_en, more_ja;  // further lines of the help; may be empty
+  std::string_view en, ja;        // one line
+  std::vector<Flag> flags;        // besides the common ones
+  std::string (*more)(Language);  // further lines of the help; may be null
   ExitCode (*run)(const Arguments& arguments, const Console& console);
 };
 

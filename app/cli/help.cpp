@@ -1,6 +1,5 @@
 // `help` and `--version`, read from the table of commands.
-#include <algorithm>
-
+#include "app/cli/columns.h"
 #include "app/cli/commands.h"
 #include "app/cli/did_you_mean.h"
 #include "app/cli/json.h"
@@ -36,23 +35,6 @@ std::string usage_of(const Command& command) {
   return usage;
 }
 
-// Rows of two columns, the second one aligned.
-class Columns {
- public:
-  void add(std::string left, std::string_view right) { rows_.emplace_back(std::move(left), right); }
-  std::string text() const {
-    std::size_t width = 0;
-    for (const auto& row : rows_) width = std::max(width, row.first.size());
-    std::string all;
-    for (const auto& [left, right] : rows_)
-      all += "  " + left + std::string(width - left.size() + 2, ' ') + right + "\n";
-    return all;
-  }
-
- private:
-  std::vector<std::pair<std::string, std::string>> rows_;
-};
-
 std::string flag_texts(std::span<const Flag> flags, const Console& console) {
   Columns columns;
   for (const Flag& flag : flags) {
@@ -67,8 +49,7 @@ std::string help_of(const Command& command, const Console& console) {
   std::string text = usage_of(command) + "\n" + std::string(console.text(command.en, command.ja)) + "\n";
   if (!command.flags.empty()) text += "\n" + flag_texts(command.flags, console);
   text += "\n" + std::string(console.text("Common:", "共通：")) + "\n" + flag_texts(common_flags(), console);
-  const std::string_view more = console.text(command.more_en, command.more_ja);
-  if (!more.empty()) text += "\n" + std::string(more) + "\n";
+  if (command.more) text += "\n" + command.more(console.language);
   return text;
 }
 

@@ -1,0 +1,158 @@
+// `doctor`: what the program was built with and what this machine offers it.
+#include <imgui.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <glm/glm.hpp>
+#include <map>
+#include <sstream>
+#include <thread>
+
+#include "app/cli/columns.h"
+#include "app/cli/commands.h"
+#include "app/cli/json.h"
+#include "render/context/context.h"
+
+namespace ryosen::cli {
+
+namespace {
+
+struct Version {
+  std::string of, version;
+};
+
+std::vector<Version> versions() {
+  const auto three = [](int a, int b, int c) {
+    return std::to_string(a) + "." + std::to_string(b) + "." + std::to_string(c);
+  };
+  return {
+      {"ryosen", RYOSEN_VERSION},
+      {"build", RYOSEN_BUILD_TYPE},
+#ifdef __clang__
+      {"compiler", __VERSION__},
+#else
+      {"compiler", "GCC " __VERSION__},
+#endif
+      {"dear imgui", IMGUI_VERSION},
+      {"glm",
+       three(GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH) + "." + std::to_string(GLM_VERSION_REVISION)},
+      {"nlohmann json", three(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)}};
+}
+
+struct Font {
+  std::string_view purpose_en, purpose_ja;
+  std::string path;
+};
+
+const Font fonts[] = {
+    {"Japanese texts", "日本語の文字", "/usr/share/fonts/opentype/ipaexfont-gothic/ipaexg.ttf"},
+};
+
+bool is_readable(const std::string& path) { return access(path.c_str(), R_OK) == 0; }
+
+// Installed version by package, from the records of dpkg; empty on other systems.
+std::map<std::string, std::string> installed_packages() {
+  std::map<std::string, std::string> installed;
+  std::ifstream records("/var/lib/dpkg/status");
+  std::string line, name;
+  bool is_installed = false;
+  while (std::getline(records, line)) {
+    if (line.empty())
+      is_installed = false;
+    else if (line.starts_with("Package: "))
+      name = line.substr(9);
+    else if (line.starts_with("Status: "))
+      is_installed = line.ends_with(" installed");
+    else if (line.starts_with("Version: ") && is_installed)
+      installed[name] = line.substr(9);
+  }
+  return installed;
+}
+
+// The packages that building needs, in the order of the scripts; the version is empty where one is missing.
+std::vector<Version> packages() {
+  const std::map<std::string, std::string> installed = installed_packages();
+  std::vector<Version> all;
+  std::istringstream names(RYOSEN_BUILD_PACKAGES);
+  for (std::string name; names >> name;) {
+    const auto found = installed.find(name);
+    all.push_back({name, found == installed.end() ? std::string() : found->second});
+  }
+  return all;
+}
+
+std::string display() {
+  for (const char* name : {"WAYLAND_DISPLAY", "DISPLAY"}) {
+    const char* const value = std::getenv(name);
+    if (value && *value) return value;
+  }
+  return {};
+}
+
+struct Diagnosis {
+  std::vector<BackendReport> backends = report_backends();
+  std::vector<Version> packages = cli::packages();
+  std::string display = cli::display();
+
+  bool can_draw() const {
+    for (const BackendReport& backend : backends)
+      if (backend.works()) return true;
+    return false;
+  }
+};
+
+Json to_json(const Diagnosis& d) {
+  Json json;
+  for (const Version& v : versions()) json["versions"][v.of] = v.version;
+  json["processors"] = std::thread::hardware_concurrency();
+  json["display"] = d.display.empty() ? Json() : Json(d.display);
+  json["backends"] = Json::array();
+  for (const BackendReport& backend : d.backends) {
+    Json row;
+    row["backend"] = backend.name;
+    row["works"] = backend.works();
+    row["library"] = backend.library.empty() ? Json() : Json(backend.library);
+    row["version"] = backend.works() ? Json(backend.version) : Json();
+    row["renderer"] = backend.works() ? Json(backend.renderer) : Json();
+    if (!backend.works()) row["en"] = backend.problem.en;
+    if (!backend.works()) row["ja"] = backend.problem.ja;
+    json["backends"].push_back(row);
+  }
+  json["fonts"] = Json::array();
+  for (const Font& font : fonts) json["fonts"].push_back({{"file", font.path}, {"found", is_readable(font.path)}});
+  json["packages"] = Json::array();
+  for (const Version& p : d.packages)
+    json["packages"].push_back({{"package", p.of}, {"version", p.version.empty() ? Json() : Json(p.version)}});
+  return json;
+}
+
+std::string to_text(const Diagnosis& d, const Console& console) {
+  const std::string missing(console.text("missing", "なし"));
+  Columns columns;
+  for (const Version& v : versions()) columns.add(v.of, v.version);
+  columns.add("display", d.display.empty() ? missing : d.display);
+  for (const BackendReport& backend : d.backends)
+    columns.add("render: " + backend.name, backend.works() ? backend.renderer + ", OpenGL " + backend.version
+                                                           : missing + ": " + console.text(backend.problem));
+  for (const Font& font : fonts)
+    columns.add("font", std::string(console.text(font.purpose_en, font.purpose_ja)) + ": " +
+                            (is_readable(font.path) ? font.path : missing + " (" + font.path + ")"));
+  for (const Version& p : d.packages)
+    if (console.verbose || p.version.empty()) columns.add("package " + p.of, p.version.empty() ? missing : p.version);
+  std::string text = columns.text();
+  if (!d.can_draw())
+    text += console.text("No render backend works: pictures and the editor are not available.\n",
+                         "描画できるバックエンドがないため、画像とエディタは使えません。\n");
+  return text;
+}
+
+}  // namespace
+
+ExitCode doctor_command(const Arguments&, const Console& console) {
+  const Diagnosis diagnosis;
+  console.print(console.json ? line_of(to_json(diagnosis)) : to_text(diagnosis, console));
+  return diagnosis.can_draw() ? ExitCode::done : ExitCode::found_problems;
+}
+
+}  // namespace ryosen::cli

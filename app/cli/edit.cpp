@@ -1,0 +1,229 @@
+// `edit`: runs commands on a mesh and writes the result, or nothing at all.
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/cli/edit_script.h"
+#include "app/cli/json.h"
+#include "app/editor/expect.h"
+#include "app/editor/session.h"
+#include "core/analysis/figures.h"
+
+namespace ryosen::cli {
+
+namespace {
+
+// How one command went, in the words of the report.
+struct Step {
+  ScriptLine line;
+  std::string_view result = "skipped";
+  Outcome outcome;
+  Json reasons = Json::array(), warnings = Json::array();
+  std::string rules;   // ids of the broken ones
+  std::string remedy;  // for the reader of a refusal; may be empty
+};
+
+struct Totals {
+  std::uint64_t vertices, edges, faces, rings;
+};
+
+class EditRun {
+ public:
+  EditRun(std::unique_ptr<Document> document, EditFiles files, const EditScript& script, bool skip_refused, bool strict,
+          const Console& console)
+      : files_(std::move(files)),
+        script_(script),
+        skip_refused_(skip_refused),
+        console_(console),
+        session_(std::move(document)) {
+    session_.strict = strict;
+    session_.may_overwrite_input = true;  // the faults were found before
+    session_.quit = [this] { stopped_ = true; };
+  }
+
+  ExitCode run() {
+    const Totals before = totals();
+    for (const ScriptLine& line : script_.lines) {
+      Step step;
+      step.line = line;
+      if (!stopped_) take(step);
+      report(step);
+    }
+    if (may_write() && files_.output) write();
+    finish(before);
+    return code_;
+  }
+
+ private:
+  bool may_write() const { return code_ == ExitCode::done || (code_ == ExitCode::found_problems && !failed_); }
+
+  void take(Step& step) {
+    // A warning names elements as they are before the operator.
+    const Parsed<AnyOp> parsed =
+        find_op(split_words(step.line.text)[0]) ? parse_line(session_.mesh(), step.line.text) : Parsed<AnyOp>();
+    const bool legal = parsed.op && check(session_.mesh(), *parsed.op).legal();
+    if (legal) step.warnings = to_json(session_.mesh(), ryosen::warnings(session_.mesh(), *parsed.op));
+    step.outcome = session_.run(step.line.text);
+    if (step.outcome.done()) {
+      step.result = "done";
+      ++applied_;
+      if (split_words(step.line.text)[0] == "save") written_ = session_.document().path().string();
+      return;
+    }
+    if (step.outcome.exit_code != ExitCode::refused) {
+      step.result = "failed";
+      failed_ = stopped_ = true;
+      code_ = step.outcome.exit_code;
+      return;
+    }
+    step.result = "refused";
+    ++refused_;
+    describe_refusal(step, parsed);
+    code_ = skip_refused_ ? ExitCode::found_problems : ExitCode::refused;
+    stopped_ = !skip_refused_;
+  }
+
+  void describe_refusal(Step& step, const Parsed<AnyOp>& parsed) {
+    step.reasons = to_json(session_.mesh(), step.outcome.reasons);
+    for (const Reason& reason : step.outcome.reasons)
+      step.rules += (step.rules.empty() ? "" : ", ") + std::string(text_of(reason.rule).id);
+    if (!parsed.op) return;
+    for (const std::string& line : session_.document().remedy(*parsed.op))
+      step.remedy += (step.remedy.empty() ? "" : "; ") + line;
+  }
+
+  Message message_of(const Step& step) const {
+    Message message;
+    message.severity = step.result == "refused" && skip_refused_ ? Severity::warning : Severity::error;
+    message.code = step.result == "refused" ? "refused" : "command_failed";
+    message.text = step.outcome.sentence;
+    if (!step.rules.empty()) {
+      message.text.en += " [" + step.rules + "]";
+      message.text.ja += " [" + step.rules + "]";
+    }
+    if (!step.remedy.empty()) {
+      message.text.en += " Remedy: " + step.remedy;
+      message.text.ja += " 対処：" + step.remedy;
+    }
+    message.line = static_cast<std::uint64_t>(step.line.line);
+    return message;
+  }
+
+  void report(const Step& step) {
+    const bool has_message = step.result == "refused" || step.result == "failed";
+    if (has_message) console_.show(message_of(step), script_.place());
+    if (console_.json)
+      print_json(step, has_message);
+    else if (console_.verbose)
+      console_.print(step.line.text + ": " + std::string(step.result) + "\n");
+  }
+
+  void print_json(const Step& step, bool has_message) {
+    Json json;
+    json["line"] = step.line.line;
+    json["command"] = step.line.text;
+    json["result"] = step.result;
+    json["created"] = step.outcome.created;
+    json["deleted"] = step.outcome.deleted;
+    json["reasons"] = step.reasons;
+    json["warnings"] = step.warnings;
+    if (has_message) json["messages"] = Json::array({to_json(message_of(step))});
+    console_.print(line_of(json));
+  }
+
+  void write() {
+    const Status status = session_.document().save(*files_.output);
+    if (status) {
+      written_ = *files_.output;
+      return;
+    }
+    code_ = status.failure().exit_code;
+    failed_ = true;
+    write_failure_ = status.failure().message;
+    console_.show(*write_failure_, *files_.output);
+  }
+
+  Totals totals() {
+    const Figures figures = compute_figures(session_.mesh(), session_.document().tables().quarantine);
+    return {figures.vertices, figures.edges, figures.faces, figures.rings};
+  }
+
+  void finish(const Totals& before) {
+    const Totals now = totals();
+    if (console_.json)
+      print_json(now);
+    else
+      print_text(before, now);
+  }
+
+  void print_json(const Totals& now) {
+    Json json;
+    json["file"] = files_.input;
+    json["output"] = written_ ? Json(*written_) : Json();
+    json["status"] = code_ == ExitCode::done ? "ok" : may_write() ? "warnings" : "error";
+    json["vertices"] = now.vertices;
+    json["edges"] = now.edges;
+    json["faces"] = now.faces;
+    json["rings"] = now.rings;
+    json["hash"] = hash_text(session_.mesh());
+    json["applied"] = applied_;
+    json["refused"] = refused_;
+    if (write_failure_) json["messages"] = Json::array({to_json(*write_failure_)});
+    console_.print(line_of(json));
+  }
+
+  void print_text(const Totals& before, const Totals& now) {
+    const auto count = [](std::string_view label, std::uint64_t then, std::uint64_t n) {
+      const auto change = static_cast<std::int64_t>(n) - static_cast<std::int64_t>(then);
+      return std::string(label) + " " + std::to_string(n) + " (" + (change > 0 ? "+" : "") + std::to_string(change) +
+             ")";
+    };
+    const std::string a = std::to_string(applied_), r = std::to_string(refused_);
+    const std::string counts = count("V", before.vertices, now.vertices) + "  " + count("E", before.edges, now.edges) +
+                               "  " + count("F", before.faces, now.faces);
+    console_.print(console_.text(Text{a + " done, " + r + " refused: ", a + " 件実行、" + r + " 件不可："}) + counts +
+                   "\n");
+    if (written_)
+      console_.print(console_.text(Text{"written: ", "書き出し："}) + *written_ + "\n");
+    else
+      console_.print(console_.text("nothing written\n", "書き出しなし\n"));
+  }
+
+  EditFiles files_;
+  const EditScript& script_;
+  bool skip_refused_;
+  const Console& console_;
+  Session session_;
+  bool stopped_ = false;
+  bool failed_ = false;
+  std::optional<std::string> written_;  // the last file
+  std::optional<Message> write_failure_;
+  ExitCode code_ = ExitCode::done;
+  std::size_t applied_ = 0, refused_ = 0;
+};
+
+}  // namespace
+
+ExitCode edit_command(const Arguments& arguments, const Console& console) {
+  EditFiles files{arguments.operands()[0], {}, arguments.has("--overwrite")};
+  if (const std::string* const output = arguments.value("-o")) files.output = *output;
+  const std::string* const on_refuse = arguments.value("--on-refuse");
+  if (on_refuse && *on_refuse != "skip")
+    return console.fail(
+        usage_failure("bad_value", {"--on-refuse is skip, not '" + *on_refuse + "'.",
+                                    "--on-refuse は skip です（「" + *on_refuse + "」は使えません）。"}));
+  const std::string* const script_file = arguments.value("--script");
+  const Result<EditScript> script = read_edit_script(script_file, arguments.values("--do"));
+  if (!script && script.failure().exit_code == ExitCode::usage) return console.fail(script.failure());
+  if (!script) return console.fail(script.failure(), *script_file);
+  if (const auto fault = find_fault(*script, files)) {
+    if (console.json) console.print(line_of(error_object(fault->message, files.input)));
+    console.show(fault->message, fault->message.line ? script->place() : files.input);
+    return fault->exit_code;
+  }
+  Result<std::unique_ptr<Document>> document = Document::open(files.input);
+  if (!document) return console.fail(document.failure(), files.input);
+  for (const Message& message : (*document)->file().messages) console.show(message, files.input);
+  return EditRun(std::move(*document), files, *script, on_refuse != nullptr, arguments.has("--strict"), console).run();
+}
+
+}  // namespace ryosen::cli

@@ -1,0 +1,34 @@
+// The commands that `edit` is to run, and what can be said against them before any of them runs.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/editor/script.h"
+#include "core/base/result.h"
+
+namespace ryosen::cli {
+
+struct EditScript {
+  std::vector<ScriptLine> lines;
+  std::string file;  // where they were read from; empty for lines of the command line
+
+  // What messages about a line name as its place.
+  std::string_view place() const { return file.empty() ? std::string_view("--do") : file; }
+};
+
+// From the script file, or else from the given lines, which are numbered one after the other.
+Result<EditScript> read_edit_script(const std::string* script_file, const std::vector<std::string>& lines);
+
+struct EditFiles {
+  std::string input;
+  std::optional<std::string> output;
+  bool may_overwrite_input = false;
+};
+
+// An unknown command, an output in no known format, or an output or `save` that would replace what was read.
+std::optional<Failure> find_fault(const EditScript& script, const EditFiles& files);
+
+}  // namespace ryosen::cli

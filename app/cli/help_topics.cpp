@@ -1,0 +1,52 @@
+#include "app/cli/help_topics.h"
+
+#include <string_view>
+
+#include "app/cli/columns.h"
+#include "app/editor/commands.h"
+#include "core/analysis/problem_kinds.h"
+
+namespace ryosen::cli {
+
+namespace {
+
+std::string_view choose(Language language, std::string_view en, std::string_view ja) {
+  return language == Language::japanese ? ja : en;
+}
+
+void add(Columns& columns, std::string_view id, std::string_view syntax, std::string_view help) {
+  std::string left(id);
+  if (!syntax.empty()) left.append(" ").append(syntax);
+  columns.add(std::move(left), help);
+}
+
+void add_operators(Columns& columns, Language language) {
+  for (const OpInfo& op : all_ops()) add(columns, op.id, op.syntax, choose(language, op.help_en, op.help_ja));
+}
+
+}  // namespace
+
+std::string problem_kinds_topic(Language language) {
+  Columns columns;
+  for (const ProblemRow& row : problem_table())
+    columns.add(std::string(row.id), choose(language, row.name_en, row.name_ja));
+  return std::string(choose(language, "Kinds:\n", "種類：\n")) + columns.text();
+}
+
+std::string operators_topic(Language language) {
+  Columns columns;
+  add_operators(columns, language);
+  return std::string(choose(language, "Operators:\n", "操作：\n")) + columns.text();
+}
+
+std::string script_commands_topic(Language language) {
+  Columns columns;
+  add_operators(columns, language);
+  for (const CommandRow& row : command_table())
+    add(columns, row.id, row.syntax, choose(language, row.help_en, row.help_ja));
+  return std::string(choose(language, "Commands, one per line or separated by ; (# begins a comment):\n",
+                            "コマンド（一行に一つ、または ; 区切り。# 以降は注釈）：\n")) +
+         columns.text();
+}
+
+}  // namespace ryosen::cli

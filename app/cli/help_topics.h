@@ -1,0 +1,17 @@
+// What the help of a command says besides its flags, read from the tables of core and editor.
+#pragma once
+
+#include <string>
+
+#include "core/base/message.h"
+
+namespace ryosen::cli {
+
+// The kinds of problems that `check` knows.
+std::string problem_kinds_topic(Language language);
+// The commands of scripts: operators, then those of the editor.
+std::string script_commands_topic(Language language);
+// The operators alone.
+std::string operators_topic(Language language);
+
+}  // namespace ryosen::cli

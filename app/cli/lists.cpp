@@ -1,0 +1,45 @@
+// `formats` and `keys`: the tables of core and editor, printed.
+#include "app/cli/columns.h"
+#include "app/cli/commands.h"
+#include "app/cli/json.h"
+#include "app/editor/keys.h"
+#include "core/io/formats.h"
+
+namespace ryosen::cli {
+
+ExitCode formats_command(const Arguments&, const Console& console) {
+  Columns columns;
+  for (const Format& format : formats()) {
+    if (console.json) {
+      console.print(line_of({{"format", format.id},
+                             {"extensions", format.extensions},
+                             {"read", format.read != nullptr},
+                             {"write", format.write != nullptr},
+                             {"en", format.name.en},
+                             {"ja", format.name.ja}}));
+      continue;
+    }
+    std::string text = console.text(format.name) + " (";
+    for (std::size_t i = 0; i < format.extensions.size(); ++i) text.append(i ? " " : "").append(format.extensions[i]);
+    text.append(console.text("); read", "）読み込み"));
+    if (format.write) text.append(console.text(", write", "・書き出し"));
+    columns.add(std::string(format.id), text);
+  }
+  if (!console.json) console.print(columns.text());
+  return ExitCode::done;
+}
+
+ExitCode keys_command(const Arguments&, const Console& console) {
+  Columns columns;
+  for (const KeyRow& key : key_table()) {
+    if (console.json)
+      console.print(line_of({{"key", key.chord}, {"command", key.command}, {"en", key.help_en}, {"ja", key.help_ja}}));
+    else
+      columns.add(std::string(key.chord),
+                  std::string(console.text(key.help_en, key.help_ja)) + " [" + std::string(key.command) + "]");
+  }
+  if (!console.json) console.print(columns.text());
+  return ExitCode::done;
+}
+
+}  // namespace ryosen::cli

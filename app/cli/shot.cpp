@@ -1,0 +1,132 @@
+// `shot`: a picture of a mesh or of the whole editor, written or compared with another.
+#include <future>
+
+#include "app/cli/commands.h"
+#include "app/cli/json.h"
+#include "app/cli/shot_options.h"
+
+namespace ryosen::cli {
+
+namespace {
+
+class Shot {
+ public:
+  Shot(const ShotOptions& options, Session& session, Headless& headless, const Console& console)
+      : options_(options), session_(session), headless_(headless), console_(console) {}
+
+  ExitCode run() {
+    session_.take_picture = [this](const std::filesystem::path& path) {
+      return write_png(headless_.picture(session_), path);
+    };
+    session_.language = console_.language;
+    session_.light_theme = options_.light_theme;
+    if (options_.shown) session_.shown = *options_.shown;
+    headless_.place_view(session_);
+    steps();
+    // A line or name that says nothing leaves no picture; a refusal and a claim that failed do.
+    if (code_ != ExitCode::done && code_ != ExitCode::refused && code_ != ExitCode::found_problems) return finish();
+    if (options_.hover) session_.point_at(*options_.hover);
+    session_.find_hover_remedy();
+    const Image picture = headless_.picture(session_);
+    if (options_.output) write(write_png(picture, *options_.output), *options_.output);
+    if (options_.reference) compare_with_reference(picture);
+    return finish();
+  }
+
+ private:
+  void steps() {
+    if (options_.view) take("view " + *options_.view);
+    if (options_.camera) take("camera " + *options_.camera);
+    if (!options_.tool.empty()) take("tool " + options_.tool);
+    for (const ScriptLine& line : options_.script.lines) take(line.text, line.line);
+    if (!options_.selected.empty()) {
+      std::string line = "select";
+      for (const std::string& name : options_.selected) line += " " + name;
+      take(line);
+    }
+    for (const ShotClick& click : options_.clicks)
+      if (code_ == ExitCode::done) note(session_.click(click.pixel, click.tool), 0);
+  }
+
+  void take(const std::string& line, int number = 0) {
+    if (code_ == ExitCode::done) note(session_.run(line), number);
+  }
+
+  void note(const Outcome& outcome, int line) {
+    if (outcome.done()) return;
+    code_ = outcome.exit_code;
+    Message message;
+    message.code = outcome.exit_code == ExitCode::refused ? "refused" : "command_failed";
+    message.text = outcome.sentence;
+    if (line > 0) message.line = static_cast<std::uint64_t>(line);
+    console_.show(message, line > 0 ? options_.script.file : std::string());
+    messages_.push_back(message);
+  }
+
+  void write(const Status& status, const std::string& path) {
+    if (status) {
+      if (!console_.json && !console_.quiet && console_.verbose) console_.print(path + "\n");
+      return;
+    }
+    code_ = status.failure().exit_code;
+    console_.show(status.failure().message);
+    messages_.push_back(status.failure().message);
+  }
+
+  void compare_with_reference(const Image& picture) {
+    const Result<Image> reference = read_png(*options_.reference);
+    if (!reference) return write(reference.failure(), {});
+    const Result<ImageDifference> difference = compare(*reference, picture);
+    if (!difference) return write(difference.failure(), {});
+    percent_ = 100 * difference->share;
+    if (options_.difference) write(write_png(difference->picture, *options_.difference), *options_.difference);
+    if (*percent_ <= options_.tolerance_percent) return;
+    Message message;
+    message.code = "pictures_differ";
+    const std::string share = format_double(*percent_), allowed = format_double(options_.tolerance_percent);
+    message.text = {share + " % of the pixels differ, " + allowed + " % are allowed.",
+                    "画素の " + share + " % が異なります（許容 " + allowed + " %）。"};
+    write(Failure{ExitCode::found_problems, message}, {});
+  }
+
+  ExitCode finish() const {
+    if (!console_.json) return code_;
+    Json json;
+    json["file"] = options_.file;
+    json["output"] = options_.output ? Json(*options_.output) : Json();
+    json["status"] = code_ == ExitCode::done ? "ok" : "error";
+    json["size"] = {options_.picture.size.width, options_.picture.size.height};
+    json["backend"] = headless_.backend();
+    json["reference"] = options_.reference ? Json(*options_.reference) : Json();
+    json["different_percent"] = percent_ ? Json(*percent_) : Json();
+    json["messages"] = to_json(messages_);
+    console_.print(line_of(json));
+    return code_;
+  }
+
+  const ShotOptions& options_;
+  Session& session_;
+  Headless& headless_;
+  const Console& console_;
+  ExitCode code_ = ExitCode::done;
+  std::optional<double> percent_;
+  std::vector<Message> messages_;
+};
+
+}  // namespace
+
+ExitCode shot_command(const Arguments& arguments, const Console& console) {
+  const Result<ShotOptions> options = read_shot_options(arguments);
+  if (!options) return console.fail(options.failure());
+  // Reading and making a context take about as long as each other and know nothing of each other.
+  std::future<Result<std::unique_ptr<Document>>> reading =
+      std::async(std::launch::async, [&] { return Document::open(options->file); });
+  Result<std::unique_ptr<Headless>> headless = Headless::make(options->picture);
+  Result<std::unique_ptr<Document>> document = reading.get();
+  if (!document) return console.fail(document.failure(), options->file);
+  if (!headless) return console.fail(headless.failure());
+  Session session(std::move(document).value());
+  return Shot(*options, session, **headless, console).run();
+}
+
+}  // namespace ryosen::cli

@@ -1,0 +1,222 @@
+#include "app/cli/shot_options.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+#include "app/cli/did_you_mean.h"
+#include "app/editor/camera_text.h"
+#include "core/analysis/problem_kinds.h"
+
+namespace ryosen::cli {
+
+namespace {
+
+// Reads all flags and keeps the first failure.
+class OptionsReader {
+ public:
+  explicit OptionsReader(const Arguments& arguments) : arguments_(arguments) {
+    options_.file = arguments.operands()[0];
+  }
+
+  Result<ShotOptions> read() {
+    options_.output = text("-o");
+    options_.reference = text("--compare");
+    options_.difference = text("--diff");
+    options_.view = text("--view");
+    options_.camera = text("--camera");
+    options_.picture.panels = arguments_.has("--panels");
+    options_.picture.transparent = arguments_.has("--transparent");
+    read_size();
+    read_supersample();
+    read_tolerance();
+    read_words();
+    read_highlights();
+    read_names();
+    read_pointer();
+    check_outputs();
+    if (failure_) return *failure_;
+    Result<EditScript> script = read_edit_script(arguments_.value("--script"), {});
+    if (!script) return script.failure();
+    options_.script = std::move(script).value();
+    if (auto fault = find_fault(options_.script, {options_.file, std::nullopt, arguments_.has("--overwrite")}))
+      return *fault;
+    return std::move(options_);
+  }
+
+ private:
+  std::optional<std::string> text(std::string_view flag) const {
+    const std::string* const value = arguments_.value(flag);
+    return value ? std::optional(*value) : std::nullopt;
+  }
+
+  void fail(Failure failure) {
+    if (!failure_) failure_ = std::move(failure);
+  }
+  void bad_value(const std::string& flag, const std::string& value, const std::string& en, const std::string& ja) {
+    fail(usage_failure("bad_value", {flag + " is " + en + ", not '" + value + "'.",
+                                     flag + " は" + ja + "です（「" + value + "」は使えません）。"}));
+  }
+
+  // A whole number from the text, or nothing.
+  static std::optional<int> number(std::string_view word) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+    return value;
+  }
+
+  void read_size() {
+    const auto value = text("--size");
+    if (!value) return;
+    const std::size_t cross = value->find('x');
+    const auto width = number(std::string_view(*value).substr(0, cross));
+    const auto height = cross == std::string::npos ? std::nullopt : number(std::string_view(*value).substr(cross + 1));
+    if (!width || !height || *width < 1 || *height < 1 || *width > largest_side || *height > largest_side)
+      return bad_value("--size", *value, "WIDTHxHEIGHT, each from 1 to 16384", "幅x高さ（1 から 16384）");
+    options_.picture.size = {*width, *height};
+  }
+
+  void read_supersample() {
+    const auto value = text("--supersample");
+    if (!value) return;
+    const auto n = number(*value);
+    const Size size = options_.picture.size;
+    if (!n || *n < 1 || *n > 8 || *n * std::max(size.width, size.height) > largest_side)
+      return bad_value("--supersample", *value, "from 1 to 8, with at most 16384 rendered pixels a side",
+                       " 1 から 8（描画は一辺 16384 画素まで）");
+    options_.picture.supersample = *n;
+  }
+
+  void read_tolerance() {
+    const auto value = text("--tolerance");
+    if (!value) return;
+    const auto percent = parse_double(*value);
+    if (!percent || *percent < 0 || *percent > 100)
+      return bad_value("--tolerance", *value, "a percentage from 0 to 100", " 0 から 100 の百分率");
+    options_.tolerance_percent = *percent;
+  }
+
+  void read_words() {
+    if (const auto theme = text("--theme")) {
+      if (*theme != "dark" && *theme != "light") bad_value("--theme", *theme, "dark or light", " dark か light ");
+      options_.light_theme = *theme == "light";
+    }
+    if (const auto backend = text("--backend")) {
+      if (*backend == "osmesa")
+        options_.picture.backend = Backend::osmesa;
+      else if (*backend == "egl")
+        options_.picture.backend = Backend::egl;
+      else if (*backend != "auto")
+        bad_value("--backend", *backend, "auto, osmesa or egl", " auto、osmesa、egl のいずれか");
+    }
+    if (options_.view && !named_view_of(*options_.view))
+      bad_value("--view", *options_.view, "front, back, left, right, top, bottom or iso",
+                " front、back、left、right、top、bottom、iso のいずれか");
+    Text error;
+    if (options_.camera && !camera_from_json(*options_.camera, {}, error))
+      fail(usage_failure("bad_value", {"--camera: " + error.en + ".", "--camera：" + error.ja + "。"}));
+    if (options_.camera && options_.view)
+      fail(usage_failure("flags_exclude",
+                         {"--view and --camera exclude each other.", "--view と --camera は同時に指定できません。"}));
+    options_.tool = read_tool(text("--tool").value_or(""));
+  }
+
+  std::string read_tool(const std::string& id) {
+    if (id.empty() || find_op(id)) return id;
+    std::vector<std::string_view> known;
+    for (const OpInfo& op : all_ops()) known.push_back(op.id);
+    const Text close = did_you_mean(id, known);
+    fail(usage_failure("unknown_tool", {"There is no tool '" + id + "'." + close.en,
+                                        "「" + id + "」というツールはありません。" + close.ja}));
+    return id;
+  }
+
+  // The parts of a list that is written with commas or blanks.
+  static std::vector<std::string> parts(const std::string& list) {
+    std::vector<std::string> found;
+    std::string current;
+    for (const char c : list + ",") {
+      if (c != ',' && c != ' ') {
+        current += c;
+      } else if (!current.empty()) {
+        found.push_back(std::move(current));
+        current.clear();
+      }
+    }
+    return found;
+  }
+
+  void read_highlights() {
+    const auto value = text("--show");
+    if (!value) return;
+    std::vector<std::string_view> known;
+    for (const HighlightRow& row : highlight_table()) known.push_back(row.id);
+    std::set<std::string> shown;
+    for (const std::string& id : parts(*value)) {
+      if (id == "none") continue;
+      if (id == "all") {
+        shown.insert(known.begin(), known.end());
+      } else if (std::find(known.begin(), known.end(), id) != known.end()) {
+        shown.insert(id);
+      } else {
+        const Text close = did_you_mean(id, known);
+        fail(usage_failure("unknown_highlight", {"There is no highlight '" + id + "'." + close.en,
+                                                 "「" + id + "」という強調表示はありません。" + close.ja}));
+      }
+    }
+    options_.shown = std::move(shown);
+  }
+
+  void read_names() {
+    if (const auto value = text("--select")) options_.selected = parts(*value);
+  }
+
+  void read_pointer() {
+    if (const auto value = text("--hover")) {
+      options_.hover = parse_pixel(*value);
+      if (!options_.hover) bad_value("--hover", *value, "a pixel X,Y", "画素 X,Y ");
+    }
+    for (const std::string& value : arguments_.values("--click")) {
+      const std::size_t comma = value.find(',');
+      const std::size_t second = comma == std::string::npos ? comma : value.find(',', comma + 1);
+      const auto pixel = parse_pixel(value.substr(0, second));
+      if (!pixel) return bad_value("--click", value, "a pixel X,Y or X,Y,TOOL", "画素 X,Y または X,Y,TOOL ");
+      options_.clicks.push_back(
+          {*pixel, second == std::string::npos ? options_.tool : read_tool(value.substr(second + 1))});
+    }
+  }
+
+  void check_outputs() {
+    if (!options_.output && !options_.reference)
+      fail(usage_failure("output_missing",
+                         {"-o PNG or --compare REF.png is needed.", "-o PNG か --compare REF.png が必要です。"}));
+    if (options_.difference && !options_.reference)
+      fail(usage_failure("flag_missing", {"--diff goes with --compare.", "--diff は --compare と共に使います。"}));
+    for (const auto& written : {options_.output, options_.difference}) {
+      for (const auto& read : {std::optional(options_.file), options_.reference}) {
+        std::error_code ignored;
+        if (!written || !read || arguments_.has("--overwrite") ||
+            !std::filesystem::equivalent(*written, *read, ignored))
+          continue;
+        Failure failure =
+            usage_failure("output_is_input", {*written + " is an input; --overwrite allows to replace it.",
+                                              *written + " は入力です。置き換えるには --overwrite を"
+                                                         "指定してください。"});
+        failure.exit_code = ExitCode::output_not_writable;
+        fail(std::move(failure));
+      }
+    }
+  }
+
+  static constexpr int largest_side = 16384;
+  const Arguments& arguments_;
+  ShotOptions options_;
+  std::optional<Failure> failure_;
+};
+
+}  // namespace
+
+Result<ShotOptions> read_shot_options(const Arguments& arguments) { return OptionsReader(arguments).read(); }
+
+}  // namespace ryosen::cli

@@ -1,0 +1,37 @@
+// What a picture shall show and be compared with, read from the flags of `shot`.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/cli/command_table.h"
+#include "app/cli/edit_script.h"
+#include "app/ui/headless.h"
+
+namespace ryosen::cli {
+
+struct ShotClick {
+  glm::dvec2 pixel;
+  std::string tool;  // empty: that of --tool, or a selection
+};
+
+struct ShotOptions {
+  std::string file;
+  std::optional<std::string> output, reference, difference;
+  double tolerance_percent = 0.2;
+  Headless::Options picture;
+  bool light_theme = false;
+  std::optional<std::string> view, camera;  // words of the commands with these names
+  std::optional<std::set<std::string>> shown;
+  std::vector<std::string> selected;
+  std::string tool;
+  std::optional<glm::dvec2> hover;
+  std::vector<ShotClick> clicks;
+  EditScript script;
+};
+
+Result<ShotOptions> read_shot_options(const Arguments& arguments);
+
+}  // namespace ryosen::cli

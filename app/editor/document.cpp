@@ -1,6 +1,7 @@
 #include "app/editor/document.h"
 
 #include "core/build/from_indexed.h"
+#include "core/io/elements.h"
 
 namespace ryosen {
 
@@ -125,7 +126,10 @@ bool Document::edge_existed(std::string_view name) {
 
 MeshFile Document::contents() const {
   MeshFile file = file_;
-  file.mesh = to_indexed(mesh_, tables_).mesh;
+  CompactMesh compact = to_indexed(mesh_, tables_);
+  file.elements = renumbered(file_.elements, compact.vertex_number, compact.face_number, mesh_.file_vertices(),
+                             compact.mesh.positions.size());
+  file.mesh = std::move(compact.mesh);
   return file;
 }
 

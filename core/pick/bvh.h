@@ -108,7 +108,7 @@ class Bvh {
   FloatBox box(std::uint32_t i) const;
   void set_box(std::uint32_t i, const FloatBox& box);
 
-  FloatBox local_box(std::span<const glm::dvec3> positions, std::uint32_t slot) const;
+  FloatBox local_box(const Box& box) const;
   static bool is_finite(std::span<const glm::dvec3> positions, const Primitive& primitive);
   void choose_frame(std::span<const glm::dvec3> positions);
 

@@ -14,7 +14,7 @@ class BvhBuilder {
     for (std::uint32_t slot = 0; slot < bvh.primitives_.size(); ++slot) {
       const Primitive& primitive = bvh.primitives_[slot];
       if (primitive.size() == 0 || !Bvh::is_finite(positions, primitive)) continue;
-      items_.push_back({bvh.local_box(positions, slot), slot});
+      items_.push_back({bvh.local_box(box_of(positions, primitive)), slot});
     }
   }
 

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/pick/bvh.h"
+#include "core/pick/small_stack.h"
 
 namespace ryosen {
 namespace {
@@ -56,10 +58,17 @@ void Bvh::update_all(std::span<const glm::dvec3> positions) {
     const bool belongs = primitives_[slot].size() != 0 && is_finite(positions, primitives_[slot]);
     if (belongs != (leaf_of_[slot] != no_index)) return rebuild(positions);
   }
-  std::vector<std::uint32_t> order = {0};
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const Node& here = node(order[i]);
-    if (here.count == 0) order.insert(order.end(), {here.first, here.first + 1});
+  // Parents before children and depth first, the order in which a build lays nodes out; then backwards through it.
+  std::vector<std::uint32_t> order;
+  order.reserve(2 * pairs_.size());
+  SmallStack<std::uint32_t> open;
+  open.push(0);
+  while (!open.empty()) {
+    order.push_back(open.pop());
+    const Node& here = node(order.back());
+    if (here.count != 0) continue;
+    open.push(here.first + 1);
+    open.push(here.first);
   }
   for (std::size_t i = order.size(); i-- > 0;) {
     const Node& here = node(order[i]);
@@ -71,28 +80,32 @@ void Bvh::update_all(std::span<const glm::dvec3> positions) {
 }
 
 bool Bvh::is_finite(std::span<const glm::dvec3> positions, const Primitive& primitive) {
+  // Zero times anything finite is zero; one sum for all coordinates spares a branch each.
+  double sum = 0.0;
   for (int i = 0; i < primitive.size(); ++i) {
     const glm::dvec3& p = positions[primitive.vertices[static_cast<std::size_t>(i)]];
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return false;
+    sum += p.x * 0.0 + p.y * 0.0 + p.z * 0.0;
   }
-  return true;
+  return sum == 0.0;
 }
 
-FloatBox Bvh::local_box(std::span<const glm::dvec3> positions, std::uint32_t slot) const {
-  const Box box = box_of(positions, primitives_[slot]);
+FloatBox Bvh::local_box(const Box& box) const {
   const glm::dvec3 limit(1e37);
   return rounded_outwards(glm::clamp((box.lowest - origin_) * scale_, -limit, limit),
                           glm::clamp((box.highest - origin_) * scale_, -limit, limit));
 }
 
 FloatBox Bvh::leaf_box(std::span<const glm::dvec3> positions, const Node& leaf) const {
-  FloatBox result = empty_box();
+  Box result{glm::dvec3(std::numeric_limits<double>::infinity()), glm::dvec3(-std::numeric_limits<double>::infinity())};
   for (std::uint32_t i = 0; i < leaf.count; ++i) {
     // A primitive that has lost its place leaves the tree with its own update, which may be still to come.
-    const std::uint32_t slot = blocks_[leaf.first][i];
-    if (is_finite(positions, primitives_[slot])) grow(result, local_box(positions, slot));
+    const Primitive& primitive = primitives_[blocks_[leaf.first][i]];
+    if (!is_finite(positions, primitive)) continue;
+    const Box box = box_of(positions, primitive);
+    result.lowest = glm::min(result.lowest, box.lowest);
+    result.highest = glm::max(result.highest, box.highest);
   }
-  return result;
+  return local_box(result);
 }
 
 FloatBox Bvh::box(std::uint32_t i) const { return {node(i).lower_lanes(), node(i).upper_lanes()}; }
@@ -105,7 +118,7 @@ void Bvh::set_box(std::uint32_t i, const FloatBox& box) {
 }
 
 void Bvh::link_slot(std::span<const glm::dvec3> positions, std::uint32_t slot) {
-  const FloatBox added = local_box(positions, slot);
+  const FloatBox added = local_box(box_of(positions, primitives_[slot]));
   if (live_ == 0 || !(largest_magnitude(added) < largest_local)) return rebuild(positions);
   ++changes_;
   ++live_;

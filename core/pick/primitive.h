@@ -40,13 +40,12 @@ struct Box {
 };
 
 inline Box box_of(std::span<const glm::dvec3> positions, const Primitive& primitive) {
-  Box box{positions[primitive.vertices[0]], positions[primitive.vertices[0]]};
-  for (int i = 1; i < primitive.size(); ++i) {
-    const glm::dvec3& p = positions[primitive.vertices[static_cast<std::size_t>(i)]];
-    box.lowest = glm::min(box.lowest, p);
-    box.highest = glm::max(box.highest, p);
-  }
-  return box;
+  // Missing vertices repeat the first one, which keeps the common case free of branches.
+  const std::array<std::uint32_t, 3>& v = primitive.vertices;
+  const glm::dvec3& a = positions[v[0]];
+  const glm::dvec3& b = positions[v[1] == no_index ? v[0] : v[1]];
+  const glm::dvec3& c = positions[v[2] == no_index ? v[0] : v[2]];
+  return {glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c)};
 }
 
 }  // namespace ryosen

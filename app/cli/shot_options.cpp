@@ -36,6 +36,7 @@ class OptionsReader {
     read_pointer();
     check_outputs();
     if (failure_) return *failure_;
+    if (!arguments_.has("--script")) return std::move(options_);
     Result<EditScript> script = read_edit_script(arguments_.value("--script"), {});
     if (!script) return script.failure();
     options_.script = std::move(script).value();
@@ -124,8 +125,8 @@ class OptionsReader {
 
   std::string read_tool(const std::string& id) {
     if (id.empty() || find_op(id)) return id;
-    std::vector<std::string_view> known;
-    for (const OpInfo& op : all_ops()) known.push_back(op.id);
+    std::vector<std::string> known;
+    for (const OpInfo& op : all_ops()) known.emplace_back(op.id);
     const Text close = did_you_mean(id, known);
     fail(usage_failure("unknown_tool", {"There is no tool '" + id + "'." + close.en,
                                         "「" + id + "」というツールはありません。" + close.ja}));
@@ -150,8 +151,8 @@ class OptionsReader {
   void read_highlights() {
     const auto value = text("--show");
     if (!value) return;
-    std::vector<std::string_view> known;
-    for (const HighlightRow& row : highlight_table()) known.push_back(row.id);
+    std::vector<std::string> known;
+    for (const HighlightRow& row : highlight_table()) known.emplace_back(row.id);
     std::set<std::string> shown;
     for (const std::string& id : parts(*value)) {
       if (id == "none") continue;

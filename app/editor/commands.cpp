@@ -246,6 +246,41 @@ Outcome run_shot(Session& session, Arguments, std::string_view whole) {
   return status ? Outcome() : failed(status.failure());
 }
 
+// Which of the words the one argument is.
+std::optional<std::size_t> one_of(Arguments arguments, std::initializer_list<std::string_view> words) {
+  const auto found = arguments.size() == 1 ? std::find(words.begin(), words.end(), arguments[0]) : words.end();
+  if (found == words.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - words.begin());
+}
+
+Outcome run_panel(Session& session, Arguments arguments, std::string_view) {
+  if (!one_of(arguments, {"none", "keys", "open", "save", "unsaved"})) return wrong_arguments("panel");
+  session.open_panel = arguments[0] == "none" ? "" : std::string(arguments[0]);
+  return {};
+}
+
+Outcome run_language(Session& session, Arguments arguments, std::string_view) {
+  const auto which = one_of(arguments, {"en", "ja"});
+  if (!which) return wrong_arguments("language");
+  session.language = *which == 1 ? Language::japanese : Language::english;
+  return {};
+}
+
+Outcome run_theme(Session& session, Arguments arguments, std::string_view) {
+  const auto which = one_of(arguments, {"dark", "light"});
+  if (!which) return wrong_arguments("theme");
+  session.light_theme = *which == 1;
+  return {};
+}
+
+// One step out of what was begun: first the open panel, then the tool, then the selection.
+Outcome run_cancel(Session& session, Arguments arguments, std::string_view) {
+  if (!arguments.empty()) return wrong_arguments("cancel");
+  if (!session.open_panel.empty()) return session.run("panel none");
+  if (!session.tool.empty()) return session.run("tool none");
+  return session.run("select none");
+}
+
 Outcome run_quit(Session& session, Arguments, std::string_view) {
   if (session.quit) session.quit();
   return {};
@@ -276,6 +311,12 @@ constexpr std::array rows{
     CommandRow{"shot", "[FILE]", "writes a picture", "画像を書き出す", false, run_shot},
     CommandRow{"expect", "V N|E N|F N|legal COMMAND|refused COMMAND|hash H", "fails the script unless it holds",
                "成り立たなければスクリプトを失敗にする", false, run_expect},
+    CommandRow{"panel", "keys|open|save|unsaved|none", "opens or closes a panel over the view",
+               "画面に重なるパネルを開閉する", false, run_panel},
+    CommandRow{"language", "en|ja", "sets the language of the window", "画面の言語を選ぶ", false, run_language},
+    CommandRow{"theme", "dark|light", "sets the colours of the window", "画面の配色を選ぶ", false, run_theme},
+    CommandRow{"cancel", "", "closes the open panel, else puts the tool away, else selects nothing",
+               "パネル、ツール、選択の順に取り消す", false, run_cancel},
     CommandRow{"quit", "", "ends the program", "終了する", false, run_quit},
 };
 

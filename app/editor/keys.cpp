@@ -12,7 +12,7 @@ namespace ryosen {
 namespace {
 
 constexpr std::array fixed_keys{
-    KeyRow{"Escape", "tool none", "select; cancel", "選択・取り消し"},
+    KeyRow{"Escape", "cancel", "close, put the tool away, select nothing", "閉じる・ツールを置く・選択解除"},
     KeyRow{"1", "mode vertex", "pick vertices", "頂点モード"},
     KeyRow{"2", "mode edge", "pick edges", "稜線モード"},
     KeyRow{"3", "mode face", "pick faces", "面モード"},
@@ -20,7 +20,9 @@ constexpr std::array fixed_keys{
     KeyRow{"Ctrl+Z", "undo", "undo", "元に戻す"},
     KeyRow{"Ctrl+Shift+Z", "redo", "redo", "やり直す"},
     KeyRow{"Ctrl+Y", "redo", "redo", "やり直す"},
+    KeyRow{"Ctrl+O", "panel open", "open a file", "ファイルを開く"},
     KeyRow{"Ctrl+S", "save", "save", "保存"},
+    KeyRow{"Ctrl+Shift+S", "panel save", "save under another name", "名前を付けて保存"},
     KeyRow{"Home", "frame all", "frame all", "全体を表示"},
     KeyRow{".", "frame selected", "frame the selection", "選択を表示"},
     KeyRow{"Numpad1", "view front", "front view", "正面図"},

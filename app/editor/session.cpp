@@ -6,6 +6,17 @@
 
 namespace ryosen {
 
+namespace {
+
+// From the front, a little from above and from the right, so that an unknown shape shows three of its sides.
+Camera first_camera() {
+  Camera camera;
+  camera.eye = {0.42, 0.36, 1};
+  return camera;
+}
+
+}  // namespace
+
 Session::Session(std::unique_ptr<Document> document) {
   for (const HighlightRow& row : highlight_table())
     if (row.is_default) shown.insert(std::string(row.id));
@@ -22,6 +33,7 @@ void Session::set_document(std::unique_ptr<Document> document) {
   selection.clear();
   log_.clear();
   drawn_changes_ = DrawnChanges();
+  camera = first_camera();
   frame_all();
   touch();
 }
@@ -103,7 +115,7 @@ Outcome Session::run(const std::string& line) {
 
 void Session::point_at(glm::dvec2 pixel) {
   hover_.reset();
-  const auto picked = picker().pick(mesh(), camera, view, pixel, tool.empty() ? mode : PickMode::edge);
+  const auto picked = pick(pixel, tool.empty() ? mode : PickMode::edge);
   if (!picked) return;
   Hover hover;
   hover.pixel = pixel;
@@ -127,7 +139,7 @@ Outcome Session::apply_at(const OpTarget& target, const std::string& id) {
 
 Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool) {
   const OpInfo* info = find_op(with_tool);
-  const auto picked = picker().pick(mesh(), camera, view, pixel, info ? PickMode::edge : mode);
+  const auto picked = pick(pixel, info ? PickMode::edge : mode);
   if (!picked) {
     selection.clear();
     touch();
@@ -142,7 +154,13 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool) {
   return run("select " + name_of(mesh(), picked->element));
 }
 
-const Picker& Session::picker() {
+std::optional<Picked> Session::pick(glm::dvec2 pixel, PickMode what) {
+  const glm::dvec2 inside = pixel - view_origin;
+  if (inside.x < 0 || inside.y < 0 || inside.x >= view.width || inside.y >= view.height) return std::nullopt;
+  return picker().pick(mesh(), camera, view, inside, what);
+}
+
+Picker& Session::picker() {
   if (!picker_) picker_.emplace(mesh());
   return *picker_;
 }

@@ -41,10 +41,15 @@ class Session {
   // The state that commands change.
   Camera camera;
   Size view{1280, 720};
+  glm::dvec2 view_origin{0};  // where the view begins in the picture or window that pixels are given in
   std::string tool;  // id of an operator, or empty: select
   PickMode mode = PickMode::edge;
   std::set<std::string> shown;  // ids of the highlight table
   std::vector<Element> selection;
+  // The state of the user interface that commands change; it is kept, without effect, where there is none.
+  Language language = Language::english;
+  bool light_theme = false;
+  std::string open_panel;  // the panel that lies over the others: keys, open, save, quit; or none
 
   // May a script's save replace the file that was opened? And does it, or only the user, decide about warnings?
   bool may_overwrite_input = true;
@@ -54,7 +59,7 @@ class Session {
   // Ends the session; set by the window.
   std::function<void()> quit;
 
-  // Pointing. The picker is built when first asked for and then follows every edit.
+  // Pointing, at pixels from the upper left corner of the picture or window. The picker follows every edit.
   void point_at(glm::dvec2 pixel);
   void point_away() { hover_.reset(); }
   const std::optional<Hover>& hover() const { return hover_; }
@@ -63,7 +68,9 @@ class Session {
   // A click: applies the tool to what is under the pixel, or selects it.
   Outcome click(glm::dvec2 pixel, const std::string& with_tool);
 
-  const Picker& picker();
+  // What lies under a pixel; nothing outside of the view.
+  std::optional<Picked> pick(glm::dvec2 pixel, PickMode what);
+  Picker& picker();
   const HighlightSets& highlights();
   // The terms of the Euler–Poincaré sum. Kept through operators that leave B, H, S and G alone, else O(edges).
   const EulerPoincare& euler_terms();

@@ -94,6 +94,7 @@ Role role_of_highlight(std::string_view id) {
 
 Overlay highlight_overlay(Session& session, Theme theme) {
   Overlay overlay;
+  if (session.shown.empty()) return overlay;
   const HighlightSets& sets = session.highlights();
   for (const ProblemRow& row : problem_table()) {
     if (!row.is_local() || !session.shown.contains(std::string(row.highlight))) continue;

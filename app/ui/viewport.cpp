@@ -1,6 +1,7 @@
 #include "app/ui/viewport.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "app/ui/overlays.h"
 
@@ -12,14 +13,26 @@ TriangleSource source_of(const Mesh& mesh, const SurfaceTriangles& triangles, st
   return {mesh.positions(), triangles.triangles(), triangles.faces(), triangles.edge_bits(), flags};
 }
 
-// The tint of a face, from the sets it is in.
-std::uint8_t flags_of(const HighlightSets& sets, const std::set<std::string>& shown, std::uint32_t face) {
-  std::uint8_t flags = 0;
-  if (shown.contains("duplicate") && sets.of(ProblemKind::duplicate_face).contains(face)) flags |= FaceFlag::duplicate;
-  if (shown.contains("degenerate") && sets.of(ProblemKind::degenerate_area).contains(face))
-    flags |= FaceFlag::degenerate;
-  return flags;
-}
+// The tints of faces, from the highlights that are shown and the sets the faces are in.
+class FaceTints {
+ public:
+  explicit FaceTints(Session& session) {
+    const auto add = [&](const char* highlight, ProblemKind kind, std::uint8_t flag) {
+      if (session.shown.contains(highlight)) shown_.push_back({&session.highlights().of(kind), flag});
+    };
+    add("duplicate", ProblemKind::duplicate_face, FaceFlag::duplicate);
+    add("degenerate", ProblemKind::degenerate_area, FaceFlag::degenerate);
+  }
+  std::uint8_t of(std::uint32_t face) const {
+    std::uint8_t flags = 0;
+    for (const auto& [set, flag] : shown_)
+      if (set->contains(face)) flags |= flag;
+    return flags;
+  }
+
+ private:
+  std::vector<std::pair<const IndexSet*, std::uint8_t>> shown_;
+};
 
 }  // namespace
 
@@ -27,12 +40,6 @@ Result<std::unique_ptr<Viewport>> Viewport::make() {
   auto view = View::make();
   if (!view) return view.failure();
   return std::unique_ptr<Viewport>(new Viewport(std::move(view).value()));
-}
-
-void Viewport::set_theme(Theme theme) {
-  theme_ = theme;
-  view_->set_theme(theme);
-  highlights_stale_ = true;
 }
 
 void Viewport::set_supersample(int samples) {
@@ -43,6 +50,10 @@ void Viewport::set_supersample(int samples) {
 void Viewport::follow(Session& session) {
   if (session.view != size_) view_->resize(session.view, supersample_);
   size_ = session.view;
+  const Theme theme = session.light_theme ? Theme::light : Theme::dark;
+  if (theme != theme_) highlights_stale_ = true;
+  theme_ = theme;
+  view_->set_theme(theme);
   view_->set_camera(session.camera);
   follow_mesh(session);
   follow_overlays(session);
@@ -51,23 +62,24 @@ void Viewport::follow(Session& session) {
 void Viewport::follow_mesh(Session& session) {
   const Mesh& mesh = session.mesh();
   const SurfaceTriangles& triangles = session.picker().triangles();
-  const HighlightSets& sets = session.highlights();
+  const FaceTints tints(session);
   Session::DrawnChanges changes = session.take_drawn_changes();
   const bool anew = mesh_of_ != &session.document() || changes.everything;
-  if (!anew && mesh_revision_ == session.document().revision() && shown_ == session.shown) return;
-  if (anew || shown_ != session.shown) {
-    face_flags_.assign(mesh.face_slots(), 0);
-    for (std::uint32_t f = 0; f < face_flags_.size(); ++f) face_flags_[f] = flags_of(sets, session.shown, f);
-  }
+  const bool other_highlights = shown_ != session.shown;
+  if (!anew && !other_highlights && mesh_revision_ == session.document().revision()) return;
+  face_flags_.resize(mesh.face_slots());
+  if (anew || other_highlights)
+    for (std::uint32_t f = 0; f < face_flags_.size(); ++f) face_flags_[f] = tints.of(f);
   if (anew) {
     view_->set_mesh(source_of(mesh, triangles, face_flags_));
   } else {
-    face_flags_.resize(mesh.face_slots());
-    if (shown_ != session.shown)
-      for (std::uint32_t f = 0; f < face_flags_.size(); ++f) changes.faces.push_back(f);
     std::erase_if(changes.faces, [&](std::uint32_t f) { return f >= face_flags_.size(); });
     std::erase_if(changes.vertices, [&](std::uint32_t v) { return v >= mesh.vertex_slots(); });
-    for (std::uint32_t f : changes.faces) face_flags_[f] = flags_of(sets, session.shown, f);
+    for (std::uint32_t f : changes.faces) face_flags_[f] = tints.of(f);
+    if (other_highlights) {
+      changes.faces.resize(face_flags_.size());
+      std::iota(changes.faces.begin(), changes.faces.end(), 0u);
+    }
     view_->update_mesh(source_of(mesh, triangles, face_flags_), changes.vertices, changes.triangles, changes.faces);
   }
   mesh_of_ = &session.document();

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "app/editor/session.h"
@@ -16,19 +18,18 @@ class Viewport {
   // Needs a current context, which must outlive it.
   static Result<std::unique_ptr<Viewport>> make();
 
-  // Takes over whatever changed in the session since the last call: size, camera, mesh, overlays. Cheap when nothing did.
+  // Takes over whatever changed in the session since the last call: size, theme, camera, mesh, overlays. Cheap when
+  // nothing did.
   void follow(Session& session);
   // Draws what changed; the rectangle is empty when nothing did.
   PixelRect draw() { return view_->draw(); }
 
-  void set_theme(Theme theme);
   void set_transparent(bool transparent) { view_->set_transparent(transparent); }
   void set_supersample(int samples);
   // Forgets the document, so that the next follow() takes everything anew.
   void forget() { mesh_of_ = nullptr; }
 
   View& view() { return *view_; }
-  Theme theme() const { return theme_; }
 
  private:
   explicit Viewport(std::unique_ptr<View> view) : view_(std::move(view)) {}

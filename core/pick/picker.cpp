@@ -144,8 +144,6 @@ class PickQuery {
 
 }  // namespace
 
-Picker::Picker(const Mesh& mesh) : triangles_(mesh) { build(mesh); }
-
 void Picker::build(const Mesh& mesh) {
   const auto triangles = triangles_.triangles();
   std::vector<Primitive> primitives(2 * std::max(triangles.size(), std::size_t{mesh.vertex_slots()}) + 1);
@@ -159,6 +157,7 @@ void Picker::build(const Mesh& mesh) {
     if (mesh.is_alive(v) && mesh.is_isolated(v)) primitives[tree_slot_of_vertex(v)] = Primitive::point(i);
   }
   tree_.build(mesh.positions(), std::move(primitives));
+  has_tree_ = true;
 }
 
 void Picker::put_triangle(const Mesh& mesh, std::uint32_t slot) {
@@ -178,6 +177,7 @@ void Picker::put_vertex(const Mesh& mesh, Vertex v) {
 
 std::vector<std::uint32_t> Picker::update(const Mesh& mesh, const TouchedElements& touched) {
   std::vector<std::uint32_t> changed = triangles_.update(mesh, touched);
+  if (!has_tree_) return changed;
   if (touched.everything) {
     build(mesh);
     return changed;
@@ -189,7 +189,8 @@ std::vector<std::uint32_t> Picker::update(const Mesh& mesh, const TouchedElement
 }
 
 std::optional<Picked> Picker::pick(const Mesh& mesh, const Camera& camera, Size view, glm::dvec2 pixel,
-                                   PickMode mode) const {
+                                   PickMode mode) {
+  if (!has_tree_) build(mesh);
   PickQuery query(mesh, triangles_, tree_, camera, view, pixel);
   if (mode == PickMode::face) return query.face();
   std::optional<Picked> picked = query.nearest(mode == PickMode::vertex);

@@ -28,16 +28,17 @@ struct Picked {
 };
 
 // Keeps the triangles of a mesh and a tree over them and over the isolated vertices. Every call gets the same mesh.
+// The tree is built by the first pick: a picture that nobody points at does without.
 class Picker {
  public:
-  explicit Picker(const Mesh& mesh);
+  explicit Picker(const Mesh& mesh) : triangles_(mesh) {}
 
   // Follows a change of the mesh; returns the triangle slots that changed. Cost: what was touched.
   std::vector<std::uint32_t> update(const Mesh& mesh, const TouchedElements& touched);
 
   // Of the elements within pick_radius_px that no nearer surface hides at their place: the one with the smallest
   // distance on the screen, then the least depth, then the smallest number. Pixels count from the upper left corner.
-  std::optional<Picked> pick(const Mesh& mesh, const Camera& camera, Size view, glm::dvec2 pixel, PickMode mode) const;
+  std::optional<Picked> pick(const Mesh& mesh, const Camera& camera, Size view, glm::dvec2 pixel, PickMode mode);
 
   const SurfaceTriangles& triangles() const { return triangles_; }
 
@@ -48,6 +49,7 @@ class Picker {
 
   SurfaceTriangles triangles_;
   Bvh tree_;
+  bool has_tree_ = false;
 };
 
 }  // namespace ryosen

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
 
 #include "core/pick/nearest.h"
 #include "core/pick/small_stack.h"

@@ -26,6 +26,7 @@ enum class Rule : std::uint8_t {
   normal_turns,
   degenerate,
   seam,
+  intersects,
 };
 
 enum class RuleSeverity : std::uint8_t { refuse, warn };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/cli/commands.h"
 #include "app/cli/did_you_mean.h"
 
 namespace ryosen::cli {
@@ -41,7 +42,10 @@ class Reader {
     if (!line_.failure) line_.failure = usage_failure(code, std::move(text));
   }
 
-  bool is_command_named_like_flag(const std::string& word) const { return !command_seen_ && find_command(word); }
+  // `--version` is a command; `help` takes it as an operand.
+  bool is_command_named_like_flag(const std::string& word) const {
+    return find_command(word) && (!command_seen_ || (line_.command && line_.command->run == help_command));
+  }
 
   void read_command(const std::string& word) {
     command_seen_ = true;
@@ -82,7 +86,7 @@ class Reader {
         line_.arguments.add_flag(*flag, {});
       return;
     }
-    if (!has_value && next_ + 1 == words_.size()) {
+    if (!has_value && (next_ + 1 == words_.size() || find_flag(words_[next_ + 1]))) {
       const std::string expected(flag->value);
       return fail("value_missing", {name + " needs a value: " + expected, name + " には値が必要です：" + expected});
     }

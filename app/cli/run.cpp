@@ -22,8 +22,9 @@ ExitCode run_command(const CommandLine& line) {
   if (line.wants_help) return show_help(line.command, line.console);
   if (line.failure) {
     const ExitCode code = line.console.fail(*line.failure);
-    const std::string of = line.command ? " " + std::string(line.command->id) : std::string();
-    line.console.note({"See: ryosen help" + of, "使い方は ryosen help" + of + " で見られます。"});
+    std::string help = "ryosen help";
+    if (line.command) help.append(" ").append(line.command->id);
+    line.console.note({"See: " + help, "使い方は " + help + " で見られます。"});
     return code;
   }
   if (line.command) return line.command->run(line.arguments, line.console);

@@ -1,0 +1,74 @@
+// Edits of the bunny: the counts that each operator states, inside and on the boundary, and refusals that leave nothing.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/app/program.h"
+
+namespace ryosen::test {
+namespace {
+
+struct EditCase {
+  const char* name;
+  const char* command;
+  int vertices, edges, faces;  // changes
+};
+
+class BunnyEdit : public testing::TestWithParam<EditCase> {};
+
+TEST_P(BunnyEdit, ChangesCountsInTheWrittenFile) {
+  const TemporaryFolder folder;
+  const std::string bunny = asset("stanford_bunny.obj");
+  const ProgramRun edit =
+      run_program({"edit", bunny, "--do", GetParam().command, "-o", "out.obj", "--json"}, folder.path());
+  ASSERT_EQ(edit.exit_code, 0) << edit.err;
+  const Json last = edit.lines().back();
+  const Json written = run_program({"check", folder.at("out.obj"), "--json"}).line();
+  for (const Json* report : {&last, &written}) {
+    EXPECT_EQ((*report)["vertices"], 34834 + GetParam().vertices);
+    EXPECT_EQ((*report)["edges"], 104288 + GetParam().edges);
+    EXPECT_EQ((*report)["faces"], 69451 + GetParam().faces);
+  }
+  EXPECT_EQ(written["status"], "ok");
+  EXPECT_EQ(written["boundary_loops"], 5);
+  EXPECT_EQ(written["euler_characteristic"], -3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Bunny, BunnyEdit,
+                         testing::Values(EditCase{"collapse_inside", "collapse 8640-8282", -1, -3, -2},
+                                         EditCase{"collapse_on_boundary", "collapse 1-2 mid", -1, -2, -1},
+                                         EditCase{"swap", "swap 8640-8282", 0, 0, 0},
+                                         EditCase{"split_inside", "split 8640-8282 0.25", 1, 3, 2},
+                                         EditCase{"split_on_boundary", "split 1-2", 1, 2, 1}),
+                         [](const auto& info) { return info.param.name; });
+
+struct RefusedCase {
+  const char* name;
+  const char* command;
+  const char* rule;
+};
+
+class BunnyRefusal : public testing::TestWithParam<RefusedCase> {};
+
+TEST_P(BunnyRefusal, NamesTheRuleAndWritesNothing) {
+  const TemporaryFolder folder;
+  const ProgramRun run =
+      run_program({"edit", asset("stanford_bunny.obj"), "--do", GetParam().command, "-o", "out.obj"}, folder.path());
+  EXPECT_EQ(run.exit_code, 6);
+  EXPECT_NE(run.err.find(GetParam().rule), std::string::npos) << run.err;
+  EXPECT_TRUE(folder.names().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Bunny, BunnyRefusal,
+                         testing::Values(RefusedCase{"collapse", "collapse 3167-3168", "common_neighbour"},
+                                         RefusedCase{"swap", "swap 1-2", "boundary"}),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(Bunny, EveryEdgeIsJudged) {
+  const ProgramRun run = run_program({"why", asset("stanford_bunny.obj"), "--op", "collapse", "--all", "--json"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 2 * 104288);
+}
+
+}  // namespace
+}  // namespace ryosen::test

@@ -1,0 +1,200 @@
+// `check`: options, folders, several inputs, and the shape of its JSON.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/app/program.h"
+
+namespace ryosen::test {
+namespace {
+
+constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+std::vector<std::string> keys_of(const Json& json) {
+  std::vector<std::string> keys;
+  for (const auto& item : json.items()) keys.push_back(item.key());
+  return keys;
+}
+
+std::vector<std::string> files_of(const std::vector<Json>& lines) {
+  std::vector<std::string> files;
+  for (const Json& line : lines) files.push_back(line["file"]);
+  return files;
+}
+
+TEST(Check, JsonHasTheKeysOfTheContractInOrder) {
+  const Json report = run_program({"check", asset("fin.obj"), "--json"}).line();
+  EXPECT_EQ(keys_of(report), (std::vector<std::string>{"file",
+                                                       "format",
+                                                       "status",
+                                                       "vertices",
+                                                       "corners",
+                                                       "faces",
+                                                       "edges",
+                                                       "triangles",
+                                                       "quads",
+                                                       "polygons",
+                                                       "quarantined",
+                                                       "rings",
+                                                       "boundary_edges",
+                                                       "boundary_loops",
+                                                       "nonmanifold_edges",
+                                                       "max_edge_faces",
+                                                       "nonmanifold_vertices",
+                                                       "bowtie_vertices",
+                                                       "misoriented_edges",
+                                                       "degenerate_repeat",
+                                                       "degenerate_area",
+                                                       "duplicate_faces",
+                                                       "hanging_pairs",
+                                                       "isolated_vertices",
+                                                       "nonfinite_vertices",
+                                                       "components",
+                                                       "euler_characteristic",
+                                                       "genus",
+                                                       "manifold",
+                                                       "closed",
+                                                       "orientable",
+                                                       "bounds",
+                                                       "area",
+                                                       "volume",
+                                                       "hash",
+                                                       "problems",
+                                                       "messages"}));
+  ASSERT_FALSE(report["problems"].empty());
+  const Json& problem = report["problems"][0];
+  EXPECT_EQ(keys_of(problem),
+            (std::vector<std::string>{"kind", "severity", "count", "elements", "where", "line", "en", "ja"}));
+  EXPECT_EQ(problem["kind"], "nonmanifold_edge");
+  EXPECT_EQ(problem["elements"], Json::array({"0-1"}));
+  EXPECT_EQ(problem["line"], 9);
+  EXPECT_EQ(problem["where"], Json::array({0.5, 0.0, 0.0}));
+}
+
+TEST(Check, NumbersThatAreNotFiniteBecomeNull) {
+  const TemporaryFolder folder;
+  folder.write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\n");
+  const ProgramRun run = run_program({"check", folder.at("nan.obj"), "--json"});
+  EXPECT_EQ(run.exit_code, 1);
+  const Json report = run.line();
+  EXPECT_TRUE(report["bounds"].is_null());
+  EXPECT_EQ(report["nonfinite_vertices"], 1);
+  const auto& problems = report["problems"];
+  const auto found =
+      std::find_if(problems.begin(), problems.end(), [](const Json& p) { return p["kind"] == "nonfinite_vertex"; });
+  ASSERT_NE(found, problems.end());
+  EXPECT_TRUE((*found)["where"].is_null());
+}
+
+TEST(Check, QuarantinedFaceIsNamedWithItsLine) {
+  const TemporaryFolder folder;
+  folder.write("q.obj", std::string(triangle) + "f 1 2\n");
+  const ProgramRun run = run_program({"check", folder.at("q.obj"), "--json"});
+  EXPECT_EQ(run.exit_code, 1);
+  const Json report = run.line();
+  EXPECT_EQ(report["faces"], 2);
+  EXPECT_EQ(report["quarantined"], 1);
+  EXPECT_EQ(report["problems"][0]["kind"], "quarantined_face");
+  EXPECT_EQ(report["problems"][0]["elements"], Json::array({"f1"}));
+  EXPECT_EQ(report["problems"][0]["line"], 5);
+  ASSERT_EQ(report["messages"].size(), 1u);
+  EXPECT_EQ(report["messages"][0]["severity"], "warning");
+  EXPECT_EQ(report["messages"][0]["line"], 5);
+}
+
+TEST(Check, FailOnChoosesTheKindsThatCount) {
+  const std::string fin = asset("fin.obj"), fan = asset("fan.obj");
+  EXPECT_EQ(run_program({"check", fin, "--fail-on", "none"}).exit_code, 0);
+  EXPECT_EQ(run_program({"check", fin, "--fail-on", "isolated_vertex"}).exit_code, 0);
+  EXPECT_EQ(run_program({"check", fin, "--fail-on", "isolated_vertex,nonmanifold_edge"}).exit_code, 1);
+  EXPECT_EQ(run_program({"check", fan}).exit_code, 0);
+  EXPECT_EQ(run_program({"check", fan, "--fail-on=boundary_loop"}).exit_code, 1);
+  const ProgramRun wrong = run_program({"check", fan, "--fail-on", "boundary_lop"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("'boundary_loop'"), std::string::npos) << wrong.err;
+}
+
+TEST(Check, WarningsOfTheReaderCountAsProblems) {
+  const TemporaryFolder folder;
+  folder.write("m.obj", "mtllib nowhere.mtl\n" + std::string(triangle));
+  const ProgramRun run = run_program({"check", folder.at("m.obj"), "--json"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.line()["status"], "warnings");
+  EXPECT_EQ(run.err, "") << "the JSON carries them";
+  EXPECT_NE(run_program({"check", folder.at("m.obj")}).err.find("m.obj:1: warning: "), std::string::npos);
+}
+
+TEST(Check, WalksFoldersInByteOrder) {
+  const TemporaryFolder folder;
+  for (const char* name : {"b.obj", "a/z.obj", "a.obj", "B.OBJ", "a/c/k.off", "notes.txt"})
+    folder.write(name, std::string(name).ends_with("off") ? "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n" : triangle);
+  const ProgramRun run = run_program({"check", ".", "--json"}, folder.path());
+  EXPECT_EQ(run.exit_code, 0) << run.out;
+  EXPECT_EQ(files_of(run.lines()),
+            (std::vector<std::string>{"./B.OBJ", "./a.obj", "./a/c/k.off", "./a/z.obj", "./b.obj"}));
+}
+
+TEST(Check, EmptyFolderIsMissingInput) {
+  const TemporaryFolder folder;
+  const ProgramRun run = run_program({"check", folder.path().string(), "--json"});
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_EQ(run.line()["status"], "error");
+  EXPECT_TRUE(run.line()["format"].is_null());
+}
+
+TEST(Check, LinesComeInInputOrderHoweverManyJobs) {
+  std::vector<std::string> arguments{"check", "--json", "--jobs", "4", asset("stanford_bunny.obj")};
+  for (int i = 0; i < 20; ++i) arguments.push_back(asset(i % 2 ? "cube.obj" : "torus.off"));
+  const std::vector<std::string> inputs(arguments.begin() + 4, arguments.end());
+  EXPECT_EQ(files_of(run_program(arguments).lines()), inputs);
+  arguments.push_back("--unordered");
+  std::vector<std::string> files = files_of(run_program(arguments).lines());
+  EXPECT_TRUE(std::is_permutation(files.begin(), files.end(), inputs.begin(), inputs.end()));
+}
+
+TEST(Check, JobsMustBeANumber) {
+  for (const char* jobs : {"0", "-1", "two", "3x", ""})
+    EXPECT_EQ(run_program({"check", asset("cube.obj"), "--jobs", jobs}).exit_code, 2) << jobs;
+}
+
+TEST(Check, SaysTheFormatOfARefusedFileAndOfAMisnamedOne) {
+  const TemporaryFolder folder;
+  folder.write("empty.obj", "");
+  folder.write("cube.off", read_file(asset("cube.obj")));
+  const ProgramRun empty = run_program({"check", folder.at("empty.obj"), "--json"});
+  EXPECT_EQ(empty.exit_code, 4);
+  EXPECT_EQ(empty.line()["messages"][0]["code"], "empty_file");
+  const Json misnamed = run_program({"check", folder.at("cube.off"), "--json"}).line();
+  EXPECT_EQ(misnamed["format"], "obj");
+  EXPECT_EQ(misnamed["status"], "warnings");
+}
+
+TEST(Check, ReportForPeopleNamesElementsPlaceAndLine) {
+  const ProgramRun run = run_program({"check", asset("fin.obj")});
+  for (const char* part : {"fin.obj (obj): warnings", "vertices", "nonmanifold_edge x1", "0-1", "line 9"})
+    EXPECT_NE(run.out.find(part), std::string::npos) << part << "\n" << run.out;
+  const ProgramRun japanese = run_program({"check", asset("fin.obj"), "--lang", "ja"});
+  EXPECT_NE(japanese.out.find("三つ以上の面が接する稜線"), std::string::npos) << japanese.out;
+}
+
+TEST(Check, ManyElementsAreShortenedForPeopleOnly) {
+  const TemporaryFolder folder;
+  std::string points;
+  for (int i = 0; i < 50; ++i) points += "v " + std::to_string(i) + " 5 5\n";
+  folder.write("p.obj", std::string(triangle) + points);
+  const std::string path = folder.at("p.obj");
+  EXPECT_EQ(run_program({"check", path}).out.find("v52"), std::string::npos);
+  EXPECT_NE(run_program({"check", path, "-v"}).out.find("v52"), std::string::npos);
+  EXPECT_EQ(run_program({"check", path, "--json"}).line()["problems"][0]["elements"].size(), 50u);
+}
+
+TEST(Check, NamesThatAreNotUtf8StayJson) {
+  const TemporaryFolder folder;
+  folder.write("\xff.obj", triangle);
+  const ProgramRun run = run_program({"check", folder.path().string(), "--json"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.line()["status"], "ok");
+}
+
+}  // namespace
+}  // namespace ryosen::test

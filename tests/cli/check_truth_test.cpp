@@ -1,0 +1,150 @@
+// The figures of `check` against those of meshes that others made, and its answers to malformed files. Both collections
+// lie beside the project; where they do not, the assets alone are compared with what is known of them.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/app/program.h"
+
+namespace ryosen::test {
+namespace {
+
+struct KeyPair {
+  const char *reported, *known;
+};
+
+constexpr KeyPair keys[] = {
+    {"vertices", "V_file"},
+    {"faces", "F_file"},
+    {"edges", "E"},
+    {"triangles", "tri"},
+    {"quads", "quad"},
+    {"polygons", "poly5plus"},
+    {"boundary_edges", "boundary_edges"},
+    {"boundary_loops", "boundary_loops"},
+    {"nonmanifold_edges", "nm_edges"},
+    {"max_edge_faces", "max_edge_faces"},
+    {"nonmanifold_vertices", "nm_vertices"},
+    {"bowtie_vertices", "bowtie_vertices"},
+    {"misoriented_edges", "inconsistent_edges"},
+    {"degenerate_repeat", "deg_repeat"},
+    {"degenerate_area", "deg_zero_area"},
+    {"duplicate_faces", "dup_faces"},
+    {"isolated_vertices", "isolated_v"},
+    {"nonfinite_vertices", "nonfinite_v"},
+    {"components", "components"},
+    {"euler_characteristic", "chi"},
+    {"genus", "genus"},
+    {"manifold", "manifold"},
+    {"closed", "closed"},
+    {"orientable", "orientable"},
+};
+
+std::vector<Json> read_lines(const std::string& path) {
+  std::vector<Json> rows;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) rows.push_back(Json::parse(line));
+  return rows;
+}
+
+bool is_read(const std::string& name) { return name.ends_with(".obj") || name.ends_with(".off"); }
+
+void compare_with_truth(const std::string& folder) {
+  const std::string truth = shared_file(folder + "/truth.jsonl");
+  if (truth.empty()) return;
+  std::vector<std::string> arguments{"check", "--json"};
+  std::vector<Json> rows;
+  for (Json& row : read_lines(truth)) {
+    const std::string file = shared_file(folder + "/" + std::string(row["file"]));
+    if (!is_read(row["file"]) || file.empty()) continue;
+    arguments.push_back(file);
+    rows.push_back(std::move(row));
+  }
+  const std::vector<Json> reports = run_program(arguments).lines();
+  ASSERT_EQ(reports.size(), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i]["status"] != "ok") {
+      EXPECT_NE(reports[i]["status"], "ok") << rows[i]["file"];
+      continue;
+    }
+    ASSERT_NE(reports[i]["status"], "error") << reports[i];
+    for (const KeyPair& key : keys)
+      EXPECT_EQ(reports[i][key.reported], rows[i][key.known]) << rows[i]["file"] << key.known;
+  }
+}
+
+TEST(CheckTruth, RealMeshes) { compare_with_truth("meshes"); }
+TEST(CheckTruth, KnownMeshes) { compare_with_truth("meshes/known"); }
+
+// The place that a row of the manifest names is among those of the messages and problems.
+bool names_place(const Json& report, const std::string& where) {
+  if (where.rfind("line ", 0) != 0) return true;
+  const int line = std::stoi(where.substr(5));
+  for (const char* list : {"messages", "problems"})
+    if (report.contains(list))
+      for (const Json& entry : report[list])
+        if (entry.contains("line") && entry["line"] == line) return true;
+  return false;
+}
+
+TEST(CheckTruth, MalformedFiles) {
+  const std::string manifest = shared_file("malformed/manifest.jsonl");
+  if (manifest.empty()) return;
+  for (const Json& row : read_lines(manifest)) {
+    const std::string name = row["file"];
+    const std::string file = shared_file("malformed/" + name);
+    if ((name.rfind("obj_", 0) != 0 && name.rfind("off_", 0) != 0) || file.empty()) continue;
+    const ProgramRun run = run_program({"check", file, "--json"});
+    const Json report = run.line();
+    EXPECT_TRUE(names_place(report, row["where"])) << row << report;
+    if (row["expect"] == "error") {
+      EXPECT_EQ(run.exit_code, 4) << row;
+      EXPECT_EQ(report["status"], "error") << row;
+      continue;
+    }
+    EXPECT_EQ(report["vertices"], row["V"]) << row;
+    EXPECT_EQ(static_cast<int>(report["faces"]) - static_cast<int>(report["quarantined"]), row["F"]) << row;
+    if (row["expect"] == "warn") EXPECT_EQ(run.exit_code, 1) << row;
+    if (row["expect"] == "ok") EXPECT_EQ(report["messages"], Json::array()) << row;
+  }
+}
+
+struct AssetFigures {
+  const char* name;
+  int vertices, edges, faces, euler, boundary_loops;
+  std::vector<std::string> problems;
+};
+
+TEST(CheckTruth, Assets) {
+  const AssetFigures assets[] = {
+      {"tetrahedron.off", 4, 6, 4, 2, 0, {}},
+      {"cube.obj", 8, 12, 6, 2, 0, {}},
+      {"fan.obj", 7, 12, 6, 1, 1, {}},
+      {"two_quads.obj", 6, 7, 2, 1, 1, {}},
+      {"bow_tie.obj", 5, 6, 2, 1, 2, {"nonmanifold_vertex"}},
+      {"fin.obj", 5, 7, 3, 1, 0, {"nonmanifold_edge", "nonmanifold_vertex"}},
+      {"moebius.off", 18, 36, 18, 0, 1, {"misoriented_edge"}},
+      {"misoriented.obj", 4, 5, 2, 1, 1, {"misoriented_edge"}},
+      {"sliver.obj", 5, 8, 4, 1, 1, {}},
+      {"collinear.obj", 5, 8, 4, 1, 1, {"degenerate_area"}},
+      {"duplicate_face.obj", 4, 4, 2, 2, 0, {"misoriented_edge", "duplicate_face"}},
+      {"hanging_pair.obj", 4, 5, 3, 2, 0, {"nonmanifold_edge", "nonmanifold_vertex", "duplicate_face", "hanging_pair"}},
+      {"isolated_vertex.obj", 4, 3, 1, 1, 1, {"isolated_vertex"}},
+      {"torus.off", 48, 144, 96, 0, 0, {}},
+  };
+  for (const AssetFigures& known : assets) {
+    const Json report = run_program({"check", asset(known.name), "--json"}).line();
+    EXPECT_EQ(report["vertices"], known.vertices) << known.name;
+    EXPECT_EQ(report["edges"], known.edges) << known.name;
+    EXPECT_EQ(report["faces"], known.faces) << known.name;
+    EXPECT_EQ(report["euler_characteristic"], known.euler) << known.name;
+    EXPECT_EQ(report["boundary_loops"], known.boundary_loops) << known.name;
+    std::vector<std::string> problems;
+    for (const Json& problem : report["problems"])
+      if (problem["severity"] == "problem") problems.push_back(problem["kind"]);
+    EXPECT_EQ(problems, known.problems) << known.name;
+  }
+}
+
+}  // namespace
+}  // namespace ryosen::test

@@ -1,0 +1,146 @@
+// Commands, flags, languages and what the program says about itself.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/app/program.h"
+
+namespace ryosen::test {
+namespace {
+
+TEST(CommandLine, UnknownWordsAreUsageErrorsWithAHint) {
+  const ProgramRun command = run_program({"chekc", "a.obj"});
+  EXPECT_EQ(command.exit_code, 2);
+  EXPECT_NE(command.err.find("'check'"), std::string::npos) << command.err;
+  const ProgramRun flag = run_program({"check", "--fail-no", "none", asset("cube.obj")});
+  EXPECT_EQ(flag.exit_code, 2);
+  EXPECT_NE(flag.err.find("'--fail-on'"), std::string::npos) << flag.err;
+}
+
+TEST(CommandLine, JsonIsPureOnEveryUsageError) {
+  const std::vector<std::vector<std::string>> wrong = {
+      {"--json", "nonsense"},
+      {"check", "--json"},
+      {"check", "--json=1", "x", "--json"},
+      {"check", "x", "--jobs", "--json"},
+      {"why", "--json", "--edge"},
+      {"edit", "a", "b", "--json"},
+      {"help", "nonsense", "--json"},
+      {"check", "x", "--lang", "de", "--json"},
+  };
+  for (const auto& arguments : wrong) {
+    const ProgramRun run = run_program(arguments);
+    EXPECT_EQ(run.exit_code, 2) << testing::PrintToString(arguments);
+    const Json line = run.line();
+    EXPECT_TRUE(line["file"].is_null()) << line;
+    EXPECT_EQ(line["status"], "error");
+    EXPECT_FALSE(std::string(line["messages"][0]["ja"]).empty());
+  }
+}
+
+TEST(CommandLine, FlagsMayStandAnywhere) {
+  const std::string cube = asset("cube.obj");
+  EXPECT_EQ(run_program({"--json", "check", cube}).line()["status"], "ok");
+  EXPECT_EQ(run_program({"check", cube, "--json"}).line()["status"], "ok");
+  EXPECT_EQ(run_program({"check", "--json", "--", cube}).line()["status"], "ok");
+  const TemporaryFolder folder;
+  folder.copy(cube, "--json");
+  EXPECT_EQ(run_program({"check", "--json", "--", "--json"}, folder.path()).line()["file"], "--json");
+}
+
+TEST(CommandLine, LanguageComesFromTheFlagElseFromTheEnvironment) {
+  const std::string missing = "ファイル";
+  const auto speaks_japanese = [&](const std::vector<std::string>& further, const std::string& variable) {
+    std::vector<std::string> arguments{"check", "nosuch.obj"};
+    arguments.insert(arguments.end(), further.begin(), further.end());
+    return run_program(arguments, {}, {variable}).err.find(missing) != std::string::npos;
+  };
+  EXPECT_FALSE(speaks_japanese({}, "LC_ALL=C"));
+  EXPECT_TRUE(speaks_japanese({}, "LC_ALL=ja_JP.UTF-8"));
+  EXPECT_TRUE(speaks_japanese({"--lang", "ja"}, "LC_ALL=C"));
+  EXPECT_FALSE(speaks_japanese({"--lang=en"}, "LC_ALL=ja_JP.UTF-8"));
+}
+
+TEST(CommandLine, QuietLeavesErrorsOnly) {
+  const TemporaryFolder folder;
+  folder.write("w.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2\n");
+  EXPECT_NE(run_program({"check", folder.at("w.obj")}).err, "");
+  EXPECT_EQ(run_program({"check", folder.at("w.obj"), "-q"}).err, "");
+  EXPECT_NE(run_program({"check", "nosuch.obj", "-q"}).err, "");
+}
+
+TEST(Help, NamesEveryCommandAndEachHasItsOwn) {
+  const std::vector<Json> rows = run_program({"help", "--json"}).lines();
+  ASSERT_GE(rows.size(), 8u);
+  const std::string overview = run_program({"help"}).out;
+  for (const Json& row : rows) {
+    const std::string id = row["command"];
+    EXPECT_NE(overview.find("ryosen " + id), std::string::npos) << id;
+    EXPECT_FALSE(std::string(row["en"]).empty());
+    EXPECT_FALSE(std::string(row["ja"]).empty());
+    const ProgramRun own = run_program({"help", id, "--lang", "ja"});
+    EXPECT_EQ(own.exit_code, 0);
+    for (const Json& flag : row["flags"]) {
+      EXPECT_NE(own.out.find(flag["flag"]), std::string::npos) << id << flag;
+      EXPECT_NE(own.out.find(flag["ja"]), std::string::npos) << id << flag;
+    }
+  }
+}
+
+TEST(Help, CoversTheContract) {
+  std::vector<std::string> ids;
+  for (const Json& row : run_program({"help", "--json"}).lines()) ids.push_back(row["command"]);
+  for (const char* id : {"check", "why", "edit", "formats", "keys", "doctor", "help", "--version"})
+    EXPECT_NE(std::find(ids.begin(), ids.end(), id), ids.end()) << id;
+  EXPECT_EQ(run_program({"check", "--help"}).out, run_program({"help", "check"}).out);
+}
+
+TEST(Version, IsOneLine) {
+  const ProgramRun run = run_program({"--version"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.out.rfind("ryosen ", 0), 0u);
+  EXPECT_EQ("ryosen " + std::string(run_program({"--version", "--json"}).line()["version"]) + "\n", run.out);
+}
+
+TEST(Formats, ListsWhatIsReadAndWritten) {
+  std::vector<std::string> ids;
+  for (const Json& row : run_program({"formats", "--json"}).lines()) {
+    ids.push_back(row["format"]);
+    EXPECT_TRUE(row["read"] == true || row["write"] == true);
+    EXPECT_FALSE(row["extensions"].empty());
+  }
+  for (const char* id : {"obj", "off"}) EXPECT_NE(std::find(ids.begin(), ids.end(), id), ids.end()) << id;
+}
+
+TEST(Keys, EachSendsACommand) {
+  const std::vector<Json> rows = run_program({"keys", "--json"}).lines();
+  EXPECT_GT(rows.size(), 10u);
+  for (const Json& row : rows) EXPECT_FALSE(std::string(row["command"]).empty()) << row;
+}
+
+TEST(Doctor, ReportsBackendsFontsAndPackages) {
+  const ProgramRun run = run_program({"doctor", "--json"});
+  const Json report = run.line();
+  bool works = false;
+  for (const Json& backend : report["backends"]) works |= static_cast<bool>(backend["works"]);
+  EXPECT_EQ(run.exit_code, works ? 0 : 1);
+  EXPECT_TRUE(report["display"].is_null());
+  EXPECT_FALSE(report["fonts"].empty());
+  EXPECT_GT(report["packages"].size(), 10u);
+  EXPECT_TRUE(report["versions"].contains("compiler"));
+}
+
+// The commands that only look at meshes leave the graphics libraries alone.
+TEST(CommandLine, LoadsNoGraphics) {
+  const std::string cube = asset("cube.obj");
+  const std::vector<std::vector<std::string>> commands = {
+      {"check", cube}, {"why", cube, "--op", "swap", "--all"}, {"edit", cube, "--do", "split 0-1"}};
+  for (const auto& arguments : commands) {
+    const ProgramRun run = run_program(arguments, {}, {"LD_DEBUG=files"});
+    for (const char* library : {"libOSMesa", "libGL.so", "libEGL", "libX11"})
+      EXPECT_EQ(run.err.find(library), std::string::npos) << library;
+  }
+}
+
+}  // namespace
+}  // namespace ryosen::test

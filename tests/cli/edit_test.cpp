@@ -1,0 +1,209 @@
+// `edit`: scripts, refusals, what is written and what never is.
+#include <gtest/gtest.h>
+
+#include "tests/support/app/program.h"
+
+namespace ryosen::test {
+namespace {
+
+TEST(Edit, ReportsEveryCommandThenTheWhole) {
+  const TemporaryFolder folder;
+  const ProgramRun run = run_program({"edit", asset("fan.obj"), "--do", "collapse 0-1", "--do", "# nothing", "--do",
+                                      "split 2-3 0.25; expect V 7", "-o", "o.obj", "--json"},
+                                     folder.path());
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const std::vector<Json> lines = run.lines();
+  ASSERT_EQ(lines.size(), 4u);
+  std::vector<std::string> keys;
+  for (const auto& item : lines[0].items()) keys.push_back(item.key());
+  EXPECT_EQ(keys, (std::vector<std::string>{"line", "command", "result", "created", "deleted", "reasons", "warnings"}));
+  EXPECT_EQ(lines[0]["command"], "collapse 0-1");
+  EXPECT_EQ(lines[0]["line"], 1);
+  EXPECT_EQ(lines[1]["line"], 3);
+  EXPECT_NE(lines[0]["deleted"].dump().find("\"v0\""), std::string::npos) << lines[0];
+  EXPECT_NE(lines[1]["created"].dump().find("\"v7\""), std::string::npos) << lines[1];
+  keys.clear();
+  for (const auto& item : lines[3].items()) keys.push_back(item.key());
+  EXPECT_EQ(keys, (std::vector<std::string>{"file", "output", "status", "vertices", "edges", "faces", "rings", "hash",
+                                            "applied", "refused"}));
+  EXPECT_EQ(lines[3]["output"], "o.obj");
+  EXPECT_EQ(lines[3]["status"], "ok");
+  EXPECT_EQ(lines[3]["applied"], 3);
+  EXPECT_EQ(lines[3]["refused"], 0);
+}
+
+TEST(Edit, RunsScriptsWithCommentsAndUndoesThem) {
+  const TemporaryFolder folder;
+  folder.write("s.txt", "# a trial\ncollapse 0-1 mid ; swap 2-3\n\nundo 2\nexpect V 8; expect E 12; expect F 6\n");
+  const std::string hash = run_program({"check", asset("cube.obj"), "--json"}).line()["hash"];
+  const ProgramRun run = run_program({"edit", asset("cube.obj"), "--script", folder.at("s.txt"), "--json"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.lines().back()["hash"], hash);
+  EXPECT_EQ(run_program({"edit", asset("cube.obj"), "--do", "split 0-1; undo; expect hash " + hash}).exit_code, 0);
+}
+
+TEST(Edit, StopsAtARefusalAndSkipsTheRest) {
+  const TemporaryFolder folder;
+  const ProgramRun run = run_program(
+      {"edit", asset("tetrahedron.off"), "--do", "split 0-1; collapse 2-3; split 1-2", "-o", "o.off", "--json"},
+      folder.path());
+  EXPECT_EQ(run.exit_code, 6);
+  const std::vector<Json> lines = run.lines();
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_EQ(lines[0]["result"], "done");
+  EXPECT_EQ(lines[1]["result"], "refused");
+  EXPECT_FALSE(lines[1]["reasons"].empty());
+  EXPECT_EQ(lines[2]["result"], "skipped");
+  EXPECT_EQ(lines[3]["status"], "error");
+  EXPECT_EQ(lines[3]["refused"], 1);
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Edit, GoesOnAfterARefusalWhenAsked) {
+  const TemporaryFolder folder;
+  const ProgramRun run = run_program({"edit", asset("tetrahedron.off"), "--do", "collapse 0-1; split 1-2", "-o",
+                                      "o.off", "--on-refuse", "skip", "--json"},
+                                     folder.path());
+  EXPECT_EQ(run.exit_code, 1);
+  const Json last = run.lines().back();
+  EXPECT_EQ(last["status"], "warnings");
+  EXPECT_EQ(last["applied"], 1);
+  EXPECT_EQ(last["refused"], 1);
+  EXPECT_EQ(run_program({"check", folder.at("o.off"), "--json"}).line()["vertices"], 5);
+}
+
+TEST(Edit, AFailedExpectationIsNoRefusal) {
+  const TemporaryFolder folder;
+  const ProgramRun run =
+      run_program({"edit", asset("cube.obj"), "--do", "expect V 9; split 0-1", "-o", "o.obj", "--on-refuse", "skip"},
+                  folder.path());
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Edit, UnknownElementStopsEvenWhenSkipping) {
+  const ProgramRun run =
+      run_program({"edit", asset("cube.obj"), "--do", "split 0-1; collapse 0-77", "--on-refuse", "skip"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("v77"), std::string::npos) << run.err;
+}
+
+TEST(Edit, EdgeThatIsGoneIsRefusedAndOneThatNeverWasIsUsage) {
+  const std::string cube = asset("cube.obj");
+  const ProgramRun gone = run_program({"edit", cube, "--do", "swap 0-1; collapse 0-1", "--json"});
+  EXPECT_EQ(gone.exit_code, 6);
+  EXPECT_EQ(gone.lines()[1]["reasons"][0]["rule"], "deleted");
+  EXPECT_EQ(run_program({"edit", cube, "--do", "collapse 0-6"}).exit_code, 2);
+}
+
+TEST(Edit, StrictTurnsWarningsIntoRefusals) {
+  const TemporaryFolder folder;
+  // The top of a low pyramid is pulled through its base.
+  const std::vector<std::string> edit{"edit", asset("fan.obj"), "--do", "collapse 0-1 9,9,9", "-o", "o.obj", "--json"};
+  const ProgramRun plain = run_program(edit, folder.path());
+  EXPECT_EQ(plain.exit_code, 0);
+  ASSERT_FALSE(plain.lines()[0]["warnings"].empty());
+  EXPECT_EQ(plain.lines()[0]["warnings"][0]["severity"], "warn");
+  std::filesystem::remove(folder.at("o.obj"));
+  std::vector<std::string> strict = edit;
+  strict.push_back("--strict");
+  const ProgramRun run = run_program(strict, folder.path());
+  EXPECT_EQ(run.exit_code, 6);
+  EXPECT_EQ(run.lines()[0]["reasons"][0]["rule"], plain.lines()[0]["warnings"][0]["rule"]);
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Edit, SaveInAScript) {
+  const TemporaryFolder folder;
+  folder.copy(asset("cube.obj"), "a.obj");
+  EXPECT_EQ(
+      run_program({"edit", "a.obj", "--do", "split 0-1; save b.off; split 1-2; save c.obj"}, folder.path()).exit_code,
+      0);
+  EXPECT_EQ(run_program({"check", folder.at("b.off"), "--json"}).line()["vertices"], 9);
+  EXPECT_EQ(run_program({"check", folder.at("c.obj"), "--json"}).line()["vertices"], 10);
+}
+
+TEST(Edit, NothingRunsWhenAnInputWouldBeReplaced) {
+  const TemporaryFolder folder;
+  folder.copy(asset("cube.obj"), "a.obj");
+  folder.copy(asset("fan.obj"), "b.obj");
+  folder.write("s.obj", "split 0-1\n");
+  std::filesystem::create_symlink("a.obj", folder.at("link.obj"));
+  const std::string cube = read_file(asset("cube.obj"));
+  const std::vector<std::vector<std::string>> wrong = {
+      {"--do", "save; save new.obj"},
+      {"--do", "split 0-1; save new.obj; save a.obj"},
+      {"--do", "split 0-1; save new.obj; save ./a.obj"},
+      {"--do", "split 0-1; save new.obj; save link.obj"},
+      {"--do", "save new.obj; open b.obj; save"},
+      {"--do", "save new.obj; key Ctrl+S", "-o", "a.obj"},
+      {"--do", "save new.obj", "-o", "link.obj"},
+      {"--script", "s.obj", "-o", "s.obj"},
+  };
+  for (const auto& further : wrong) {
+    std::vector<std::string> arguments{"edit", "a.obj"};
+    arguments.insert(arguments.end(), further.begin(), further.end());
+    EXPECT_EQ(run_program(arguments, folder.path()).exit_code, 5) << testing::PrintToString(arguments);
+    EXPECT_FALSE(folder.has("new.obj")) << testing::PrintToString(arguments);
+    EXPECT_EQ(read_file(folder.at("a.obj")), cube);
+  }
+  EXPECT_EQ(run_program({"edit", "a.obj", "--do", "split 0-1; save", "--overwrite"}, folder.path()).exit_code, 0);
+  EXPECT_EQ(run_program({"check", folder.at("a.obj"), "--json"}).line()["vertices"], 9);
+}
+
+TEST(Edit, OutputThatCannotBeWritten) {
+  const TemporaryFolder folder;
+  const std::string cube = asset("cube.obj");
+  const ProgramRun no_folder =
+      run_program({"edit", cube, "--do", "split 0-1", "-o", "no/such/folder/o.obj", "--json"}, folder.path());
+  EXPECT_EQ(no_folder.exit_code, 5);
+  EXPECT_EQ(no_folder.lines().back()["status"], "error");
+  EXPECT_TRUE(no_folder.lines().back()["output"].is_null());
+  EXPECT_EQ(run_program({"edit", cube, "--do", "split 0-1", "-o", "o.xyz"}, folder.path()).exit_code, 2);
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Edit, MistakesAreFoundBeforeAnythingRuns) {
+  const TemporaryFolder folder;
+  folder.write("s.txt", "save first.obj\n\n  splitt 0-1\n");
+  const ProgramRun run =
+      run_program({"edit", asset("cube.obj"), "--script", "s.txt", "-o", "o.obj", "--json"}, folder.path());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.line()["messages"][0]["line"], 3);
+  EXPECT_NE(run.err.find("s.txt:3: error: "), std::string::npos) << run.err;
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"s.txt"});
+}
+
+TEST(Edit, UsageErrors) {
+  const std::string cube = asset("cube.obj");
+  const std::vector<std::vector<std::string>> wrong = {
+      {"edit", cube},
+      {"edit", cube, "--do", "split 0-1", "--script", "s.txt"},
+      {"edit", cube, "--do", "split 0-1", "--on-refuse", "stop"},
+      {"edit", cube, "--do", "split 0-1", "-o", "a.obj", "-o", "b.obj"},
+      {"edit", "--do", "split 0-1"},
+      {"edit", cube, cube, "--do", "split 0-1"},
+  };
+  for (const auto& arguments : wrong)
+    EXPECT_EQ(run_program(arguments).exit_code, 2) << testing::PrintToString(arguments);
+  EXPECT_EQ(run_program({"edit", cube, "--script", "nosuch.txt"}).exit_code, 3);
+  EXPECT_EQ(run_program({"edit", "nosuch.obj", "--do", "split 0-1"}).exit_code, 3);
+}
+
+TEST(Edit, KeepsWhatTheFileHolds) {
+  const TemporaryFolder folder;
+  folder.write("a.obj",
+               "# made by hand\nmtllib m.mtl\ng left\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nvt 0 0\nvt 1 0\n"
+               "vt 1 1\nusemtl red\nf 1/1 2/2 3/3 4\nusemtl blue\nf 2 5 3\nf 1 2 2\n");
+  folder.write("m.mtl", "newmtl red\nnewmtl blue\n");
+  EXPECT_EQ(run_program({"edit", "a.obj", "--do", "split 1-2", "-o", "o.obj"}, folder.path()).exit_code, 0);
+  const std::string written = read_file(folder.at("o.obj"));
+  for (const char* part : {"# made by hand", "mtllib m.mtl", "g left", "usemtl red", "usemtl blue", "vt 1 1"})
+    EXPECT_NE(written.find(part), std::string::npos) << part << "\n" << written;
+  const Json report = run_program({"check", folder.at("o.obj"), "--json"}).line();
+  EXPECT_EQ(report["quarantined"], 1);
+  EXPECT_EQ(report["degenerate_repeat"], 1);
+}
+
+}  // namespace
+}  // namespace ryosen::test

@@ -1,0 +1,167 @@
+// `why`: which lines it prints, in which order, and that its remedies hold.
+#include <gtest/gtest.h>
+
+#include "tests/support/app/program.h"
+
+namespace ryosen::test {
+namespace {
+
+std::vector<std::string> edges_of(const ProgramRun& run) {
+  std::vector<std::string> edges;
+  for (const Json& line : run.lines()) edges.push_back(line["edge"]);
+  return edges;
+}
+
+TEST(Why, CollapseGoesBothWaysInOrder) {
+  const ProgramRun run = run_program({"why", asset("misoriented.obj"), "--op", "collapse", "--all", "--json"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(edges_of(run), (std::vector<std::string>{"0-1@f0", "1-0@f0", "0-1@f1", "1-0@f1", "0-2", "2-0", "0-3", "3-0",
+                                                     "1-2", "2-1", "1-3", "3-1"}));
+}
+
+TEST(Why, OrdersByNumberNotByText) {
+  const std::vector<std::string> edges =
+      edges_of(run_program({"why", asset("torus.off"), "--op", "split", "--all", "--json"}));
+  ASSERT_EQ(edges.size(), 144u);
+  const auto number = [](const std::string& edge) {
+    return std::pair(std::stoi(edge), std::stoi(edge.substr(edge.find('-') + 1)));
+  };
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    EXPECT_LT(number(edges[i]).first, number(edges[i]).second);
+    if (i > 0) EXPECT_LT(number(edges[i - 1]), number(edges[i]));
+  }
+}
+
+// Two tetrahedra on a common edge are closed again in the kernel; on points the edge has four faces.
+TEST(Why, NamesTheSidesOfAnEdgeThatWasClosedAgain) {
+  const TemporaryFolder folder;
+  folder.write("two.off",
+               "OFF\n6 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n0 0 -1\n"
+               "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 0 1 4\n3 0 5 1\n3 1 5 4\n3 0 4 5\n");
+  const ProgramRun run = run_program({"why", folder.at("two.off"), "--op", "swap", "--all", "--json"});
+  const std::vector<Json> lines = run.lines();
+  ASSERT_EQ(lines.size(), 10u + 4u);
+  const char* sides[] = {"0-1@f0", "0-1@f1", "0-1@f4", "0-1@f5"};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(lines[i]["edge"], sides[i]);
+    EXPECT_EQ(lines[i]["legal"], false);
+    EXPECT_EQ(lines[i]["reasons"][0]["rule"], "copies");
+  }
+  EXPECT_EQ(lines[4]["edge"], "0-2");
+}
+
+TEST(Why, LineHasTheKeysOfTheContract) {
+  const ProgramRun run = run_program({"why", asset("tetrahedron.off"), "--op", "collapse", "--edge", "1-0", "--json"});
+  EXPECT_EQ(run.exit_code, 0);
+  const Json line = run.line();
+  std::vector<std::string> keys;
+  for (const auto& item : line.items()) keys.push_back(item.key());
+  EXPECT_EQ(keys, (std::vector<std::string>{"op", "edge", "legal", "reasons", "warnings", "remedy"}));
+  EXPECT_EQ(line["op"], "collapse");
+  EXPECT_EQ(line["edge"], "1-0");
+  ASSERT_EQ(line["reasons"].size(), 1u);
+  const Json& reason = line["reasons"][0];
+  EXPECT_EQ(reason["rule"], "duplicate_face");
+  EXPECT_EQ(reason["severity"], "refuse");
+  EXPECT_EQ(reason["witnesses"], Json::array({"f2", "f3"}));
+  EXPECT_FALSE(std::string(reason["en"]).empty());
+  EXPECT_FALSE(std::string(reason["ja"]).empty());
+}
+
+TEST(Why, LegalHasNoRemedyToOffer) {
+  const Json line = run_program({"why", asset("fan.obj"), "--do", "collapse 0-1 mid", "--json"}).line();
+  EXPECT_EQ(line["legal"], true);
+  EXPECT_EQ(line["reasons"], Json::array());
+  EXPECT_EQ(line["remedy"], Json::array());
+}
+
+TEST(Why, SaysNeverWhereNothingHelps) {
+  const Json line = run_program({"why", asset("fan.obj"), "--op", "swap", "--edge", "1-2", "--json"}).line();
+  EXPECT_EQ(line["reasons"][0]["rule"], "boundary");
+  EXPECT_EQ(line["remedy"], "never");
+}
+
+TEST(Why, RemediesMakeTheOperatorLegal) {
+  std::size_t tried = 0;
+  for (const char* name : {"tetrahedron.off", "sliver.obj", "misoriented.obj", "hanging_pair.obj", "moebius.off"}) {
+    for (const char* op : {"collapse", "swap"}) {
+      for (const Json& line : run_program({"why", asset(name), "--op", op, "--all", "--json"}).lines()) {
+        if (!line["remedy"].is_array() || line["remedy"].empty() || ++tried % 4 != 0) continue;
+        std::string script;
+        for (const Json& step : line["remedy"]) script += std::string(step) + ";";
+        script += std::string(op) + " " + std::string(line["edge"]);
+        EXPECT_EQ(run_program({"edit", asset(name), "--do", script}).exit_code, 0) << name << ": " << script;
+      }
+    }
+  }
+  EXPECT_GT(tried, 20u);
+}
+
+TEST(Why, GeometryAddsWarningsUnderAll) {
+  const auto warned = [](const std::vector<std::string>& arguments) {
+    std::size_t count = 0;
+    for (const Json& line : run_program(arguments).lines()) count += !line["warnings"].empty();
+    return count;
+  };
+  EXPECT_EQ(warned({"why", asset("sliver.obj"), "--op", "collapse", "--all", "--json"}), 0u);
+  EXPECT_GT(warned({"why", asset("sliver.obj"), "--op", "collapse", "--all", "--geometry", "--json"}), 0u);
+}
+
+TEST(Why, OrientHasNoEdge) {
+  const ProgramRun run = run_program({"why", asset("cube.obj"), "--do", "orient", "--json"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_TRUE(run.line()["edge"].is_null());
+  EXPECT_EQ(run.line()["reasons"][0]["rule"], "oriented");
+}
+
+TEST(Why, NameThatFitsSeveralIsUsage) {
+  const ProgramRun run = run_program({"why", asset("fin.obj"), "--op", "swap", "--edge", "0-1"});
+  EXPECT_EQ(run.exit_code, 2);
+  for (const char* side : {"@f0", "@f1", "@f2"}) EXPECT_NE(run.err.find(side), std::string::npos) << run.err;
+  for (const char* name : {"0-1@f1", "1-0@f1", "~0-1@f1"})
+    EXPECT_EQ(run_program({"why", asset("fin.obj"), "--op", "swap", "--edge", name}).exit_code, 0) << name;
+}
+
+TEST(Why, QuarantinedFaceIsDeleted) {
+  const TemporaryFolder folder;
+  folder.write("q.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 2\n");
+  const ProgramRun run = run_program({"why", folder.at("q.obj"), "--op", "split", "--edge", "0-1@f1", "--json"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.line()["legal"], false);
+  EXPECT_EQ(run.line()["reasons"][0]["rule"], "deleted");
+  EXPECT_EQ(run.line()["remedy"], "never");
+}
+
+TEST(Why, UsageErrors) {
+  const std::string mesh = asset("cube.obj");
+  const std::vector<std::vector<std::string>> wrong = {
+      {"why", mesh},
+      {"why", mesh, "--op", "collapse"},
+      {"why", mesh, "--op", "collapse", "--all", "--edge", "0-1"},
+      {"why", mesh, "--op", "colapse", "--all"},
+      {"why", mesh, "--op", "orient", "--all"},
+      {"why", mesh, "--do", "collapse 0-1", "--all"},
+      {"why", mesh, "--do", ""},
+      {"why", mesh, "--do", "collapse 0-1; collapse 1-2"},
+      {"why", mesh, "--do", "collapse 0-1 middle"},
+      {"why", mesh, "--do", "collapse"},
+      {"why", mesh, "--do", "undo"},
+      {"why", mesh, "--op", "collapse", "--edge", "0~1"},
+      {"why", mesh, "--op", "collapse", "--edge", "0-6"},
+      {"why", "--op", "collapse", "--all"},
+  };
+  for (std::vector<std::string> arguments : wrong) {
+    arguments.push_back("--json");
+    const ProgramRun run = run_program(arguments);
+    EXPECT_EQ(run.exit_code, 2) << testing::PrintToString(arguments);
+    EXPECT_EQ(run.line()["status"], "error") << testing::PrintToString(arguments);
+  }
+}
+
+TEST(Why, InputsThatCannotBeRead) {
+  EXPECT_EQ(run_program({"why", "nosuch.obj", "--op", "swap", "--all"}).exit_code, 3);
+  EXPECT_EQ(run_program({"why", asset("obj_16_text_coord.obj"), "--op", "swap", "--all"}).exit_code, 4);
+}
+
+}  // namespace
+}  // namespace ryosen::test

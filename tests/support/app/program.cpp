@@ -1,0 +1,140 @@
+#include "tests/support/app/program.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+extern char** environ;
+
+namespace ryosen::test {
+
+namespace {
+
+std::vector<char*> pointers(std::vector<std::string>& words) {
+  std::vector<char*> all;
+  for (std::string& word : words) all.push_back(word.data());
+  all.push_back(nullptr);
+  return all;
+}
+
+// The environment of the tests without what would make runs differ.
+std::vector<std::string> plain_environment(const std::vector<std::string>& further) {
+  std::vector<std::string> all{"LC_ALL=C"};
+  for (char** entry = environ; *entry; ++entry) {
+    const std::string text(*entry);
+    const auto is = [&](const char* prefix) { return text.rfind(prefix, 0) == 0; };
+    if (!is("DISPLAY=") && !is("WAYLAND_DISPLAY=") && !is("LC_") && !is("LANG")) all.push_back(text);
+  }
+  for (const std::string& entry : further) {
+    const std::string name = entry.substr(0, entry.find('=') + 1);
+    std::erase_if(all, [&](const std::string& other) { return other.rfind(name, 0) == 0; });
+    all.push_back(entry);
+  }
+  return all;
+}
+
+}  // namespace
+
+ProgramRun run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                       const std::vector<std::string>& environment) {
+  const TemporaryFolder outputs;
+  const std::string out = outputs.at("out"), err = outputs.at("err");
+  std::vector<std::string> words{RYOSEN_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<std::string> variables = plain_environment(environment);
+
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+
+  ProgramRun run;
+  pid_t child = 0;
+  const int error =
+      posix_spawn(&child, RYOSEN_PROGRAM, &actions, nullptr, pointers(words).data(), pointers(variables).data());
+  posix_spawn_file_actions_destroy(&actions);
+  if (error != 0) {
+    ADD_FAILURE() << "cannot start " << RYOSEN_PROGRAM;
+    return run;
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  run.out = read_file(out);
+  run.err = read_file(err);
+  return run;
+}
+
+std::vector<Json> ProgramRun::lines() const {
+  std::vector<Json> all;
+  std::istringstream text(out);
+  for (std::string line; std::getline(text, line);) {
+    Json json = Json::parse(line, nullptr, false);
+    if (json.is_discarded())
+      ADD_FAILURE() << "not JSON: " << line;
+    else
+      all.push_back(std::move(json));
+  }
+  return all;
+}
+
+Json ProgramRun::line() const {
+  std::vector<Json> all = lines();
+  EXPECT_EQ(all.size(), 1u) << out << err;
+  return all.size() == 1 ? all[0] : Json::object();
+}
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "ryosen-test-XXXXXX").string();
+  if (!mkdtemp(name.data())) ADD_FAILURE() << "cannot make a temporary folder";
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::string TemporaryFolder::write(const std::string& name, const std::string& text) const {
+  std::filesystem::create_directories((path_ / name).parent_path());
+  std::ofstream(path_ / name, std::ios::binary) << text;
+  return at(name);
+}
+
+std::string TemporaryFolder::copy(const std::filesystem::path& file, const std::string& name) const {
+  std::filesystem::copy_file(file, path_ / name);
+  return at(name);
+}
+
+std::vector<std::string> TemporaryFolder::names() const {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(path_))
+    if (entry.is_regular_file()) names.push_back(std::filesystem::relative(entry.path(), path_).string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string read_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string asset(const std::string& name) { return std::string(RYOSEN_SOURCE_DIR) + "/assets/" + name; }
+
+std::string shared_file(const std::string& name) {
+  const std::string path = std::string(RYOSEN_SHARED_DIR) + "/" + name;
+  return std::filesystem::exists(path) ? path : std::string();
+}
+
+}  // namespace ryosen::test

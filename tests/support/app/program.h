@@ -1,0 +1,54 @@
+// Runs the built program as a user does, and looks at what it leaves.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace ryosen::test {
+
+using Json = nlohmann::ordered_json;
+
+struct ProgramRun {
+  int exit_code = -1;  // 128 + signal where the program was killed
+  std::string out, err;
+
+  // stdout as JSON, one value per line. A line that is not JSON fails the test and is left out.
+  std::vector<Json> lines() const;
+  // The only line; fails the test when there are more or fewer.
+  Json line() const;
+};
+
+// Without a display, in English, in the folder (the current one when empty). `environment` holds further NAME=VALUE.
+ProgramRun run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder = {},
+                       const std::vector<std::string>& environment = {});
+
+// A folder of its own, removed with everything in it.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  // Writes a file and returns its path.
+  std::string write(const std::string& name, const std::string& text) const;
+  std::string copy(const std::filesystem::path& file, const std::string& name) const;
+  std::string at(const std::string& name) const { return (path_ / name).string(); }
+  bool has(const std::string& name) const { return std::filesystem::exists(path_ / name); }
+  // Names of all files, sorted.
+  std::vector<std::string> names() const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string read_file(const std::filesystem::path& path);
+// A mesh of the assets folder.
+std::string asset(const std::string& name);
+// A file of the folder that lies beside the project; empty where it does not.
+std::string shared_file(const std::string& name);
+
+}  // namespace ryosen::test

@@ -80,14 +80,13 @@ class Checker {
   // Visits (index, result) in the order of the inputs, or as they are done.
   template <class Visit>
   void run(Visit visit) {
-    std::vector<std::thread> threads;
+    std::vector<std::jthread> threads;  // joined at the end of the block
     for (std::size_t i = 0; i < std::min(options_.jobs, inputs_.size()); ++i) threads.emplace_back([this] { work(); });
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
       const std::size_t index = wait_for(i);
       visit(index, *done_[index]);
       done_[index]->output = {};
     }
-    for (std::thread& thread : threads) thread.join();
   }
 
  private:

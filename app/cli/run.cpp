@@ -27,7 +27,9 @@ ExitCode run_command(const CommandLine& line) {
     line.console.note({"See: " + help, "使い方は " + help + " で見られます。"});
     return code;
   }
-  if (line.command) return line.command->run(line.arguments, line.console);
+  // Without a command the program is the editor.
+  if (const Command* const command = line.command ? line.command : find_command("view"))
+    return command->run(line.arguments, line.console);
   show_help(nullptr, line.console);
   return ExitCode::usage;
 }

@@ -83,11 +83,11 @@ TEST(highlights, rows_have_stable_ids_and_one_predicate) {
   EXPECT_EQ(find_problem_row("no_such_kind"), nullptr);
 }
 
-// Takes out a face whose corners are all inside, so that a hole stays.
+// Takes out a face whose corners are all inside and have no copies, so that a hole stays as reading would make it.
 void make_hole(const Mesh& mesh, Edit& edit, Face f) {
   std::vector<Halfedge> sides;
   for (Halfedge h : halfedges_around(mesh, f)) {
-    if (mesh.is_boundary(mesh.from(h))) return;
+    if (mesh.is_boundary(mesh.from(h)) || has_copies(mesh, mesh.from(h))) return;
     sides.push_back(h);
   }
   for (Halfedge h : sides) {

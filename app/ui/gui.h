@@ -1,0 +1,60 @@
+// The window's content: the panels laid out around the view by Dear ImGui. Knows neither GL nor the window; whoever has
+// them gives it input and draws what it lays out.
+#pragma once
+
+#include <string>
+
+#include "app/ui/panels.h"
+
+struct ImGuiContext;
+struct ImDrawData;
+struct ImFontAtlas;
+
+namespace ryosen {
+
+// Owns a Dear ImGui context, which is the current one from construction on.
+class Gui {
+ public:
+  // `scale` is that of the display: 1 for about 96 pixels an inch.
+  explicit Gui(float scale);
+  ~Gui();
+  Gui(const Gui&) = delete;
+  Gui& operator=(const Gui&) = delete;
+
+  // The part of a window that the view has.
+  PixelRect view_area(Size window) const;
+  // Gives the session that part.
+  void place_view(Session& session, Size window) const;
+
+  // Takes over theme and language. True when the glyphs have changed: their texture must be made anew before the frame.
+  bool prepare(const Session& session);
+  // Lays out one frame; prepare() comes first. Input has been written to ImGui's io before. The very first frame shows
+  // nothing and a panel may need two more to find its size, so a picture takes three.
+  void frame(Session& session, Size window, double seconds);
+  const ImDrawData& draw_data() const;
+  ImFontAtlas& fonts() const;
+
+  // Is the pointer, or are the keys, meant for a panel?
+  bool wants_pointer() const;
+  bool wants_keys() const;
+
+  // As panels do: with the outcome kept for the status line.
+  Outcome run(Session& session, const std::string& line);
+  Outcome click(Session& session, glm::dvec2 pixel);
+  void leave(Session& session, PendingLeave where);
+  void say(Outcome::Kind kind, Text text);
+  bool wants_quit() const { return state_.wants_quit; }
+
+ private:
+  PanelContext context(Session& session);
+  void follow(Session& session);
+
+  ImGuiContext* imgui_;
+  float scale_;
+  GuiState state_;
+  Fonts fonts_;
+  bool has_fonts_ = false, has_japanese_ = false;
+  Theme theme_ = Theme::dark;
+};
+
+}  // namespace ryosen

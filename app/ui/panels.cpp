@@ -1,0 +1,61 @@
+#include "app/ui/panels.h"
+
+#include <array>
+
+#include "app/ui/panels/all.h"
+
+namespace ryosen {
+
+namespace {
+
+constexpr std::array list{
+    Panel{UiText::tools, Side::left, draw_tools},          Panel{UiText::highlights, Side::left, draw_highlights},
+    Panel{UiText::totals, Side::left, draw_totals},        Panel{UiText::pointer, Side::right, draw_verdict},
+    Panel{UiText::inspector, Side::right, draw_inspector}, Panel{UiText::problems, Side::right, draw_problems},
+    Panel{UiText::history, Side::right, draw_history},
+};
+
+}  // namespace
+
+std::span<const Panel> panels() { return list; }
+
+Outcome PanelContext::run(const std::string& line) {
+  Outcome outcome = session.run(line);
+  state.last_kind = outcome.kind;
+  state.last_outcome = outcome.done() ? Text{line + ": " + ryosen::text(UiText::done, Language::english),
+                                             line + "：" + ryosen::text(UiText::done, Language::japanese)}
+                                      : outcome.sentence;
+  return outcome;
+}
+
+Outcome PanelContext::click(glm::dvec2 pixel) {
+  const std::size_t before = session.document().position();
+  const std::vector<Element> selected = session.selection;
+  Outcome outcome = session.click(pixel, session.tool);
+  state.last_kind = outcome.kind;
+  if (!outcome.done()) {
+    state.last_outcome = outcome.sentence;
+  } else if (session.document().position() != before) {
+    const std::string& line = session.document().history().back().command;
+    state.last_outcome = {line + ": " + ryosen::text(UiText::done, Language::english),
+                          line + "：" + ryosen::text(UiText::done, Language::japanese)};
+  } else {
+    state.last_outcome = {};
+  }
+  return outcome;
+}
+
+void PanelContext::leave(PendingLeave where) {
+  if (session.document().is_modified()) {
+    state.pending = std::move(where);
+    session.open_panel = "unsaved";
+    return;
+  }
+  session.open_panel.clear();
+  if (where.quits)
+    state.wants_quit = true;
+  else
+    run("open " + where.opens.string());
+}
+
+}  // namespace ryosen

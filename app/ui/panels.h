@@ -1,0 +1,93 @@
+// The panels of the window and what they share. A new panel is one file in panels/ and one line in the list.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/editor/session.h"
+#include "app/ui/fonts.h"
+#include "app/ui/style.h"
+#include "app/ui/texts.h"
+#include "core/analysis/problems.h"
+
+namespace ryosen {
+
+// What waits for the answer to "there are changes that are not saved".
+struct PendingLeave {
+  bool quits = false;
+  std::filesystem::path opens;
+};
+
+// The file browser: a folder, what is in it, and the name in the field.
+struct FileBrowser {
+  struct Entry {
+    std::string name;
+    bool is_folder = false;
+  };
+  std::filesystem::path folder;
+  std::vector<Entry> entries;  // folders first, by name
+  std::string name;
+  bool is_open = false;
+};
+
+// What the window remembers between frames beside the session.
+struct GuiState {
+  Text last_outcome;  // of the last command that was sent from here
+  Outcome::Kind last_kind = Outcome::Kind::done;
+  bool wants_quit = false;  // confirmed
+  PendingLeave pending;
+  FileBrowser browser;
+  std::size_t scrolled_position = 0;  // the place of the history that the list was scrolled to
+
+  // Found again whenever the document has changed.
+  const Document* known_document = nullptr;
+  std::uint64_t known_revision = 0;
+  std::vector<Problem> problems;
+  std::optional<ElementCounts> on_points;  // where they differ from the kernel's
+};
+
+// One frame of one panel.
+struct PanelContext {
+  Session& session;
+  GuiState& state;
+  Fonts fonts;
+  Theme theme;
+  float scale;
+
+  Language language() const { return session.language; }
+  const char* text(UiText id) const { return ryosen::text(id, session.language); }
+  const char* text(std::string_view en, std::string_view ja) const {
+    return session.language == Language::japanese ? ja.data() : en.data();
+  }
+  const UiColours& colours() const { return ui_colours(theme); }
+
+  // Sends a command line and keeps its outcome for the status line.
+  Outcome run(const std::string& line);
+  // A click of the current tool, or a selection, at a pixel of the window.
+  Outcome click(glm::dvec2 pixel);
+  // Opens a file or ends the program, after a question where changes would be lost.
+  void leave(PendingLeave where);
+};
+
+enum class Side { left, right };
+
+struct Panel {
+  UiText title;
+  Side side;
+  void (*draw)(PanelContext& context);  // the content, within the column
+};
+std::span<const Panel> panels();
+
+// The parts around the columns.
+void draw_menu(PanelContext& context);
+void draw_status(PanelContext& context);
+// What lies over the view: the tip beside the pointer, and the panel that session.open_panel names.
+void draw_pointer_tip(PanelContext& context);
+void draw_keys_window(PanelContext& context);
+void draw_file_window(PanelContext& context);
+void draw_unsaved_window(PanelContext& context);
+
+}  // namespace ryosen

@@ -1,0 +1,151 @@
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "app/ui/panels/all.h"
+#include "app/ui/widgets.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+
+namespace ryosen {
+
+namespace {
+
+std::string place_text(const glm::dvec3& p) {
+  return short_number(p.x) + "  " + short_number(p.y) + "  " + short_number(p.z);
+}
+
+std::vector<glm::dvec3> corner_places(const Mesh& m, Face f) {
+  std::vector<glm::dvec3> places;
+  for (Vertex v : vertices_around(m, f)) places.push_back(m.position(v));
+  return places;
+}
+
+// The vector of the area: normal to the face, as long as its area.
+glm::dvec3 area_vector(const Mesh& m, Face f) {
+  const std::vector<glm::dvec3> p = corner_places(m, f);
+  glm::dvec3 sum(0);
+  for (std::size_t i = 1; i + 1 < p.size(); ++i) sum += glm::cross(p[i] - p[0], p[i + 1] - p[0]);
+  return 0.5 * sum;
+}
+
+class Inspector {
+ public:
+  explicit Inspector(PanelContext& context) : context_(context), m_(context.session.mesh()) {}
+
+  void draw(const Element& element) {
+    ImGui::PushFont(context_.fonts.bold);
+    ImGui::TextUnformatted(name_of(m_, element).c_str());
+    ImGui::PopFont();
+    switch (element.kind) {
+      case Element::Kind::vertex:
+        return draw(element.vertex());
+      case Element::Kind::edge:
+        return draw(element.edge());
+      case Element::Kind::halfedge:
+        return draw(element.halfedge());
+      case Element::Kind::face:
+        return draw(element.face());
+    }
+  }
+
+ private:
+  void value(UiText label, const std::string& text) { labelled(context_, context_.text(label), text); }
+  void note(UiText text) { coloured_text(context_.colours().warning, context_.text(text)); }
+
+  void links(UiText label, const std::vector<Element>& elements) {
+    dim_text(context_, context_.text(label));
+    if (elements.empty()) return;
+    element_links(context_, elements);
+  }
+  void link_to(UiText label, Element element) {
+    ImGui::TextColored(context_.colours().dim, "%s", context_.text(label));
+    ImGui::SameLine(5 * ImGui::GetFontSize());
+    if (element.index == no_index) return ImGui::TextUnformatted(context_.text(UiText::outside));
+    ImGui::PushID(static_cast<int>(label));
+    if (link(context_, name_of(m_, element).c_str())) context_.run("select " + name_of(m_, element));
+    ImGui::PopID();
+  }
+
+  void draw(Vertex v) {
+    value(UiText::position, place_text(m_.position(v)));
+    if (has_copies(m_, v)) {
+      std::vector<Element> copies;
+      for_each_copy(m_, v, [&](Vertex copy) { copies.push_back(copy); });
+      links(UiText::copies, copies);
+    }
+    if (m_.is_isolated(v)) return note(UiText::isolated);
+    if (m_.is_boundary(v)) note(UiText::boundary);
+    std::vector<Element> around, sides;
+    for (Vertex w : neighbours(m_, v)) around.push_back(w);
+    for (Face f : faces_around(m_, v))
+      if (!f.is_none()) sides.push_back(f);
+    value(UiText::degree, std::to_string(around.size()));
+    links(UiText::neighbours, around);
+    links(UiText::faces, sides);
+  }
+
+  void draw(Edge e) {
+    const auto [a, b] = ends(m_, e);
+    const auto [left, right] = faces(m_, e);
+    value(UiText::length, short_number(glm::length(m_.position(b) - m_.position(a))));
+    if (m_.is_boundary(e)) note(UiText::boundary);
+    if (!left.is_none() && !right.is_none()) value(UiText::angle, angle_text(halfedge(e), left, right));
+    links(UiText::vertices, {a, b});
+    std::vector<Element> sides;
+    for (Face f : {left, right})
+      if (!f.is_none()) sides.push_back(f);
+    links(UiText::faces, sides);
+    links(UiText::halfedges, {halfedge(e, 0), halfedge(e, 1)});
+  }
+
+  // 180 degrees where the faces lie in one plane, less in a ridge, more in a valley.
+  std::string angle_text(Halfedge h, Face left, Face right) const {
+    const glm::dvec3 n = area_vector(m_, left), o = area_vector(m_, right);
+    const double size = glm::length(n) * glm::length(o);
+    if (!(size > 0)) return "\u2013";
+    const glm::dvec3 along = m_.position(m_.to(h)) - m_.position(m_.from(h));
+    const double turn = std::atan2(glm::dot(glm::cross(n, o), along) / glm::length(along), glm::dot(n, o));
+    return short_number(180 - turn * 180 / std::numbers::pi) + "°";
+  }
+
+  void draw(Halfedge h) {
+    link_to(UiText::from, m_.from(h));
+    link_to(UiText::to, m_.to(h));
+    link_to(UiText::next, m_.next(h));
+    link_to(UiText::prev, m_.prev(h));
+    link_to(UiText::twin, twin(h));
+    link_to(UiText::face, m_.face(h));
+    link_to(UiText::edge, edge(h));
+  }
+
+  void draw(Face f) {
+    const glm::dvec3 n = area_vector(m_, f);
+    const double area = glm::length(n);
+    value(UiText::area, short_number(area));
+    if (area > 0) value(UiText::normal, place_text(n / area));
+    std::vector<Element> corners, around;
+    for (Vertex v : vertices_around(m_, f)) corners.push_back(v);
+    for (Face g : neighbour_faces(m_, f))
+      if (!g.is_none()) around.push_back(g);
+    const std::vector<std::uint32_t>& lines = context_.session.document().tables().face_lines;
+    if (f.index < lines.size() && lines[f.index] > 0) value(UiText::line_in_file, std::to_string(lines[f.index]));
+    links(UiText::corners, corners);
+    links(UiText::neighbours, around);
+  }
+
+  PanelContext& context_;
+  const Mesh& m_;
+};
+
+}  // namespace
+
+void draw_inspector(PanelContext& context) {
+  const Session& session = context.session;
+  if (session.selection.empty() && !session.hover()) return dim_text(context, context.text(UiText::nothing_picked));
+  const Element element = session.selection.empty() ? session.hover()->picked.element : session.selection[0];
+  Inspector(context).draw(element);
+  if (session.selection.size() > 1) ImGui::TextDisabled("+%zu", session.selection.size() - 1);
+}
+
+}  // namespace ryosen

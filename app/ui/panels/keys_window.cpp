@@ -1,0 +1,80 @@
+#include "app/editor/keys.h"
+#include "app/ui/panels/all.h"
+#include "app/ui/widgets.h"
+
+namespace ryosen {
+
+namespace {
+
+void pair_row(PanelContext& context, const char* chord, const char* help) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextColored(context.colours().accent, "%s", chord);
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(help);
+}
+
+void draw_mouse(PanelContext& context) {
+  const std::string middle = std::string(context.text(UiText::does_orbit)) +
+                             " (Shift: " + context.text(UiText::does_pan) +
+                             ", Ctrl: " + context.text(UiText::does_zoom) + ")";
+  pair_row(context, context.text(UiText::left_button), context.text(UiText::does_orbit));
+  pair_row(context, context.text(UiText::right_button), context.text(UiText::does_pan));
+  pair_row(context, context.text(UiText::middle_button), middle.c_str());
+  pair_row(context, context.text(UiText::wheel), context.text(UiText::does_zoom));
+  pair_row(context, context.text(UiText::double_click), context.text(UiText::does_centre));
+}
+
+}  // namespace
+
+void draw_keys_window(PanelContext& context) {
+  if (!begin_over(context, "keys", context.text(UiText::keys), {760, 520})) return;
+  const auto table = [&](const char* id, auto fill) {
+    if (!ImGui::BeginTable(id, 2)) return;
+    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthStretch, 1);
+    ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch, 1.6f);
+    fill();
+    ImGui::EndTable();
+  };
+  const float half = ImGui::GetContentRegionAvail().x / 2 - 8 * context.scale;
+  ImGui::BeginChild("keys", {half, 0});
+  dim_text(context, context.text(UiText::key));
+  table("keys", [&] {
+    for (const KeyRow& key : key_table()) pair_row(context, key.chord.data(), context.text(key.help_en, key.help_ja));
+  });
+  ImGui::EndChild();
+  ImGui::SameLine(0, 16 * context.scale);
+  ImGui::BeginChild("mouse", {half, 0});
+  dim_text(context, context.text(UiText::mouse));
+  table("mouse", [&] { draw_mouse(context); });
+  ImGui::EndChild();
+  end_over();
+}
+
+void draw_unsaved_window(PanelContext& context) {
+  const PendingLeave where = context.state.pending;
+  if (!begin_over(context, "unsaved", context.session.document().path().filename().c_str(), {440, 130})) return;
+  ImGui::TextUnformatted(context.text(UiText::unsaved_question));
+  ImGui::Dummy({0, 10 * context.scale});
+  const ImVec2 size{120 * context.scale, 0};
+  const auto go = [&] {
+    context.run("panel none");
+    if (where.quits)
+      context.state.wants_quit = true;
+    else
+      context.run("open " + where.opens.string());
+  };
+  if (ImGui::Button(context.text(UiText::save), size)) {
+    if (context.session.document().path().empty())
+      context.run("panel save");
+    else if (context.run("save").done())
+      go();
+  }
+  ImGui::SameLine();
+  if (ImGui::Button(context.text(UiText::discard), size)) go();
+  ImGui::SameLine();
+  if (ImGui::Button(context.text(UiText::cancel), size)) context.run("panel none");
+  end_over();
+}
+
+}  // namespace ryosen

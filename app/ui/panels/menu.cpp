@@ -1,0 +1,123 @@
+#include "app/ui/panels/all.h"
+#include "app/ui/widgets.h"
+
+namespace ryosen {
+
+namespace {
+
+void item(PanelContext& context, const char* name, const std::string& line, bool enabled = true, bool ticked = false) {
+  if (ImGui::MenuItem(name, chord_of(line), ticked, enabled)) context.run(line);
+}
+void item(PanelContext& context, UiText name, const std::string& line, bool enabled = true, bool ticked = false) {
+  item(context, context.text(name), line, enabled, ticked);
+}
+
+void draw_file_menu(PanelContext& context) {
+  item(context, UiText::open, "panel open");
+  ImGui::Separator();
+  item(context, UiText::save, "save", !context.session.document().path().empty());
+  item(context, UiText::save_as, "panel save");
+  ImGui::Separator();
+  item(context, UiText::quit, "quit");
+}
+
+void draw_edit_menu(PanelContext& context) {
+  const Document& document = context.session.document();
+  item(context, UiText::undo, "undo", document.position() > 0);
+  item(context, UiText::redo, "redo", document.position() < document.history().size());
+  ImGui::Separator();
+  for (const OpInfo& op : all_ops()) {
+    const std::string id(op.id);
+    const bool is_tool = op.target != OpTargetKind::none;
+    item(context, context.text(op.name_en, op.name_ja), is_tool ? "tool " + id : id, true, context.session.tool == id);
+  }
+  ImGui::Separator();
+  item(context, UiText::select_none, "select none", !context.session.selection.empty());
+}
+
+void draw_view_menu(PanelContext& context) {
+  item(context, UiText::frame_all, "frame all");
+  item(context, UiText::frame_selected, "frame selected", !context.session.selection.empty());
+  ImGui::Separator();
+  constexpr std::pair<UiText, const char*> views[] = {
+      {UiText::front, "view front"},   {UiText::back, "view back"}, {UiText::left, "view left"},
+      {UiText::right, "view right"},   {UiText::top, "view top"},   {UiText::bottom, "view bottom"},
+      {UiText::isometric, "view iso"},
+  };
+  for (const auto& [name, line] : views) item(context, name, line);
+  ImGui::Separator();
+  item(context, UiText::projection, "projection toggle", true, context.session.camera.ortho_height.has_value());
+  ImGui::Separator();
+  item(context, UiText::theme_dark, "theme dark", true, !context.session.light_theme);
+  item(context, UiText::theme_light, "theme light", true, context.session.light_theme);
+}
+
+void draw_name(PanelContext& context) {
+  const Document& document = context.session.document();
+  const std::string name = (document.is_modified() ? "* " : "") + document.path().filename().string();
+  const float width = ImGui::CalcTextSize(name.c_str()).x;
+  ImGui::SameLine((ImGui::GetIO().DisplaySize.x - width) / 2);
+  ImGui::TextColored(context.colours().dim, "%s", name.c_str());
+}
+
+}  // namespace
+
+void draw_menu(PanelContext& context) {
+  if (!ImGui::BeginMainMenuBar()) return;
+  const auto menu = [&](UiText title, void (*draw)(PanelContext&)) {
+    if (!ImGui::BeginMenu(context.text(title))) return;
+    draw(context);
+    ImGui::EndMenu();
+  };
+  menu(UiText::menu_file, draw_file_menu);
+  menu(UiText::menu_edit, draw_edit_menu);
+  menu(UiText::menu_view, draw_view_menu);
+  menu(UiText::menu_help, [](PanelContext& c) { item(c, UiText::keys, "panel keys"); });
+  draw_name(context);
+  const char* const other = context.text(UiText::language_other);
+  const float width = ImGui::CalcTextSize(other).x + 3 * ImGui::GetStyle().ItemSpacing.x;
+  ImGui::SameLine(ImGui::GetIO().DisplaySize.x - width);
+  if (ImGui::MenuItem(other)) context.run(context.language() == Language::english ? "language ja" : "language en");
+  ImGui::EndMainMenuBar();
+}
+
+void draw_status(PanelContext& context) {
+  const float height = ImGui::GetFrameHeight();
+  const ImVec2 all = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0, all.y - height});
+  ImGui::SetNextWindowSize({all.x, height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12 * context.scale, (height - ImGui::GetFontSize()) / 2});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
+  ImGui::Begin("##status", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing);
+  const OpInfo* const op = find_op(context.session.tool);
+  const std::string click = op ? context.text(op->name_en, op->name_ja) : context.text(UiText::does_pick);
+  const auto hint = [&](const char* button, const std::string& does) {
+    ImGui::TextColored(context.colours().dim, "%s", button);
+    ImGui::SameLine(0, 0.4f * ImGui::GetFontSize());
+    ImGui::TextUnformatted(does.c_str());
+    ImGui::SameLine(0, 1.4f * ImGui::GetFontSize());
+  };
+  hint(context.text("Click", "クリック"), click);
+  hint(context.text("Drag", "ドラッグ"), context.text(UiText::does_orbit));
+  hint(context.text("Right drag", "右ドラッグ"), context.text(UiText::does_pan));
+  hint(context.text(UiText::wheel), context.text(UiText::does_zoom));
+  const std::string& said = context.state.last_outcome.in(context.language());
+  if (!said.empty()) {
+    const ImVec4 colour = context.state.last_kind == Outcome::Kind::done      ? context.colours().legal
+                          : context.state.last_kind == Outcome::Kind::refused ? context.colours().refused
+                                                                              : context.colours().warning;
+    const float width = ImGui::CalcTextSize(said.c_str()).x;
+    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), all.x - width - 12 * context.scale));
+    ImGui::TextColored(colour, "%s", said.c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", said.c_str());
+  }
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(3);
+}
+
+}  // namespace ryosen

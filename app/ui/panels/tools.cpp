@@ -1,0 +1,68 @@
+#include "app/editor/commands.h"
+#include "app/ui/panels/all.h"
+#include "app/ui/widgets.h"
+
+namespace ryosen {
+
+namespace {
+
+void tip(PanelContext& context, std::string_view text) {
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(20 * ImGui::GetFontSize());
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  (void)context;
+}
+
+void draw_operator(PanelContext& context, const OpInfo& op) {
+  const std::string id(op.id), key(1, op.key);
+  const bool is_tool = op.target != OpTargetKind::none;
+  if (row(context, context.text(op.name_en, op.name_ja), key.c_str(), context.session.tool == id))
+    context.run(!is_tool ? id : context.session.tool == id ? "tool none" : "tool " + id);
+  tip(context, context.text(op.help_en, op.help_ja));
+}
+
+void draw_modes(PanelContext& context) {
+  struct Mode {
+    PickMode mode;
+    UiText name;
+    const char* line;
+  };
+  constexpr Mode modes[] = {{PickMode::vertex, UiText::vertex, "mode vertex"},
+                            {PickMode::edge, UiText::edge, "mode edge"},
+                            {PickMode::face, UiText::face, "mode face"},
+                            {PickMode::halfedge, UiText::halfedge, "mode halfedge"}};
+  const float gap = 4 * context.scale, width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  for (std::size_t i = 0; i < std::size(modes); ++i) {
+    const bool is_active = context.session.mode == modes[i].mode;
+    if (i % 2 == 1) ImGui::SameLine(0, gap);
+    if (is_active) {
+      ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_FrameBgActive));
+      ImGui::PushStyleColor(ImGuiCol_Text, context.colours().accent);
+    }
+    if (ImGui::Button(context.text(modes[i].name), {width, 0})) context.run(modes[i].line);
+    if (is_active) ImGui::PopStyleColor(2);
+  }
+}
+
+}  // namespace
+
+void draw_tools(PanelContext& context) {
+  ImGui::PushID("select");
+  if (row(context, context.text(UiText::select_tool), "Esc", context.session.tool.empty())) context.run("tool none");
+  ImGui::PopID();
+  for (const OpInfo& op : all_ops()) {
+    ImGui::PushID(op.id.data());
+    draw_operator(context, op);
+    ImGui::PopID();
+  }
+  // Tools work on edges; what a click selects is chosen without a tool.
+  ImGui::BeginDisabled(!context.session.tool.empty());
+  dim_text(context, context.text(UiText::pick));
+  draw_modes(context);
+  ImGui::EndDisabled();
+}
+
+}  // namespace ryosen

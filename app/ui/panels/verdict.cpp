@@ -1,0 +1,112 @@
+#include <array>
+
+#include "app/ui/panels/all.h"
+#include "app/ui/widgets.h"
+
+namespace ryosen {
+
+namespace {
+
+void draw_reason(PanelContext& context, const Reason& reason, const ImVec4& colour) {
+  const RuleText& rule = text_of(reason.rule);
+  coloured_text(colour, context.text(rule.en, rule.ja));
+  if (!reason.witnesses.empty()) element_links(context, reason.witnesses);
+}
+
+// "removes 1 V, 3 E, 2 F": what the operator takes away or makes.
+void draw_change(PanelContext& context, UiText word, const std::vector<Element>& elements) {
+  std::array<std::size_t, 4> n{};
+  for (const Element& e : elements) ++n[static_cast<std::size_t>(e.kind)];
+  std::string line;
+  const auto add = [&](Element::Kind kind, const char* letter) {
+    const std::size_t count = n[static_cast<std::size_t>(kind)];
+    if (count > 0) line += (line.empty() ? "" : ", ") + std::to_string(count) + " " + letter;
+  };
+  add(Element::Kind::vertex, "V");
+  add(Element::Kind::edge, "E");
+  add(Element::Kind::face, "F");
+  if (!line.empty()) labelled(context, context.text(word), line);
+}
+
+void draw_remedy(PanelContext& context, const Hover& hover) {
+  dim_text(context, context.text(UiText::remedy));
+  if (hover.remedy.empty()) {
+    ImGui::TextUnformatted(context.text(UiText::no_remedy));
+    return;
+  }
+  std::string chosen;
+  for (const std::string& line : hover.remedy)
+    if (ImGui::Button(line.c_str())) chosen = line;
+  if (!chosen.empty()) context.run(chosen);
+}
+
+}  // namespace
+
+void draw_verdict(PanelContext& context) {
+  if (!context.session.hover()) return dim_text(context, context.text(UiText::nothing_under_pointer));
+  const Hover hover = *context.session.hover();
+  const OpInfo* const op = hover.op ? &info_of(*hover.op) : nullptr;
+  const std::string line =
+      op ? command_of(context.session.mesh(), *hover.op) : name_of(context.session.mesh(), hover.picked.element);
+  if (!op) {
+    ImGui::TextUnformatted(line.c_str());
+    return;
+  }
+  const bool legal = hover.preview.verdict.legal();
+  const ImVec4 colour = legal ? context.colours().legal : context.colours().refused;
+  ImGui::PushFont(context.fonts.bold);
+  coloured_text(colour, (std::string(legal ? "\u2713 " : "\u2717 ") + context.text(op->name_en, op->name_ja) + ": " +
+                         context.text(legal ? UiText::legal : UiText::refused))
+                            .c_str());
+  ImGui::PopFont();
+  dim_text(context, line.c_str());
+  if (legal) {
+    draw_change(context, UiText::clears, hover.preview.deleted);
+    draw_change(context, UiText::adds, hover.preview.created);
+    for (const Reason& warning : hover.preview.warnings) {
+      dim_text(context, context.text(UiText::warning));
+      draw_reason(context, warning, context.colours().warning);
+    }
+    return;
+  }
+  for (const Reason& reason : hover.preview.verdict.reasons)
+    draw_reason(context, reason, ImGui::GetStyleColorVec4(ImGuiCol_Text));
+  draw_remedy(context, hover);
+}
+
+void draw_pointer_tip(PanelContext& context) {
+  if (!context.session.hover() || !context.session.hover()->op) return;
+  const Hover& hover = *context.session.hover();
+  const bool legal = hover.preview.verdict.legal();
+  if (legal && hover.preview.warnings.empty()) return;
+  const Mesh& mesh = context.session.mesh();
+  const float width = 21 * ImGui::GetFontSize();
+  const ImVec2 offset{18 * context.scale, 16 * context.scale};
+  const ImVec2 all = ImGui::GetIO().DisplaySize;
+  const ImVec2 at{static_cast<float>(hover.pixel.x), static_cast<float>(hover.pixel.y)};
+  const bool leftwards = at.x + offset.x + width > all.x - 300 * context.scale;
+  ImGui::SetNextWindowPos({leftwards ? at.x - offset.x : at.x + offset.x, at.y + offset.y}, 0,
+                          {leftwards ? 1.f : 0.f, at.y > 0.72f * all.y ? 1.f : 0.f});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::PushStyleColor(ImGuiCol_Border, legal ? context.colours().warning : context.colours().refused);
+  ImGui::Begin("##tip", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::PushTextWrapPos(width);
+  const std::vector<Reason>& reasons = legal ? hover.preview.warnings : hover.preview.verdict.reasons;
+  for (const Reason& reason : reasons) ImGui::TextUnformatted(describe(mesh, reason).in(context.language()).c_str());
+  if (!legal) {
+    std::string help;
+    for (const std::string& line : hover.remedy) help += (help.empty() ? "" : "; ") + line;
+    help = help.empty() ? context.text(UiText::no_remedy) : context.text(UiText::remedy) + (": " + help);
+    ImGui::PushStyleColor(ImGuiCol_Text, context.colours().accent);
+    ImGui::TextUnformatted(help.c_str());
+    ImGui::PopStyleColor();
+  }
+  ImGui::PopTextWrapPos();
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace ryosen

@@ -1,0 +1,138 @@
+#include "app/ui/texts.h"
+
+#include <array>
+#include <cstddef>
+
+namespace ryosen {
+
+namespace {
+
+struct Row {
+  UiText id;
+  const char* en;
+  const char* ja;
+};
+
+using T = UiText;
+
+constexpr std::array<Row, static_cast<std::size_t>(UiText::count)> rows{{
+    {T::tools, "Tools", "ツール"},
+    {T::totals, "Totals", "要素数"},
+    {T::highlights, "Highlights", "強調表示"},
+    {T::history, "History", "履歴"},
+    {T::pointer, "Under the pointer", "ポインタの下"},
+    {T::inspector, "Inspector", "要素の詳細"},
+    {T::problems, "Problems", "問題点"},
+    {T::keys, "Keys and mouse", "キーとマウス"},
+    {T::menu_file, "File", "ファイル"},
+    {T::menu_edit, "Edit", "編集"},
+    {T::menu_view, "View", "表示"},
+    {T::menu_help, "Help", "ヘルプ"},
+    {T::open, "Open...", "開く..."},
+    {T::save, "Save", "保存"},
+    {T::save_as, "Save as...", "名前を付けて保存..."},
+    {T::quit, "Quit", "終了"},
+    {T::undo, "Undo", "元に戻す"},
+    {T::redo, "Redo", "やり直す"},
+    {T::select_none, "Select nothing", "選択を解除"},
+    {T::frame_all, "Show all", "全体を表示"},
+    {T::frame_selected, "Show the selection", "選択を表示"},
+    {T::projection, "Orthographic", "平行投影"},
+    {T::theme_dark, "Dark", "暗い配色"},
+    {T::theme_light, "Light", "明るい配色"},
+    {T::front, "Front", "正面"},
+    {T::back, "Back", "背面"},
+    {T::left, "Left", "左"},
+    {T::right, "Right", "右"},
+    {T::top, "Top", "上"},
+    {T::bottom, "Bottom", "下"},
+    {T::isometric, "Diagonal", "斜め"},
+    {T::select_tool, "Select", "選択"},
+    {T::pick, "Pick", "対象"},
+    {T::vertex, "Vertex", "頂点"},
+    {T::edge, "Edge", "稜線"},
+    {T::face, "Face", "面"},
+    {T::halfedge, "Halfedge", "半稜線"},
+    {T::halfedges, "halfedges", "半稜線"},
+    {T::vertices, "vertices", "頂点"},
+    {T::edges, "edges", "稜線"},
+    {T::faces, "faces", "面"},
+    {T::boundaries, "boundary loops", "境界の輪"},
+    {T::rings, "rings of faces", "面の穴"},
+    {T::components, "components", "連結成分"},
+    {T::genus, "handles", "種数"},
+    {T::on_points, "on points", "点で数えると"},
+    {T::on_points_reason,
+     "The mesh is not manifold everywhere: some points have several copies and some edges are cut, each counted for "
+     "itself so that the sum holds. On points there are fewer.",
+     "非多様体の箇所で点が複製され、稜線が切り離されています。和が成り立つよう別々に数えるため、点で数えた値より多くな"
+     "ります。"},
+    {T::as_read, "as read", "読み込み直後"},
+    {T::nothing_under_pointer, "Point at the mesh.", "メッシュを指してください。"},
+    {T::nothing_picked, "Point at an element or click one.", "要素を指すかクリックしてください。"},
+    {T::legal, "possible", "可能"},
+    {T::refused, "refused", "不可"},
+    {T::warning, "Warning", "警告"},
+    {T::remedy, "What would help", "対処"},
+    {T::no_remedy, "Nothing nearby makes it possible.", "近くの操作では可能になりません。"},
+    {T::clears, "removes", "削除"},
+    {T::adds, "adds", "追加"},
+    {T::no_problems, "No problems found.", "問題はありません。"},
+    {T::position, "position", "座標"},
+    {T::degree, "degree", "次数"},
+    {T::neighbours, "neighbours", "隣接"},
+    {T::length, "length", "長さ"},
+    {T::angle, "dihedral angle", "二面角"},
+    {T::area, "area", "面積"},
+    {T::corners, "corners", "角"},
+    {T::normal, "normal", "法線"},
+    {T::from, "from", "始点"},
+    {T::to, "to", "終点"},
+    {T::next, "next", "次"},
+    {T::prev, "prev", "前"},
+    {T::twin, "twin", "対"},
+    {T::boundary, "on the boundary", "境界上"},
+    {T::outside, "outside", "外側"},
+    {T::isolated, "isolated", "孤立"},
+    {T::copies, "copies", "複製"},
+    {T::line_in_file, "line", "行"},
+    {T::more, "more", "件以上"},
+    {T::mouse, "Mouse", "マウス"},
+    {T::key, "Keys", "キー"},
+    {T::left_button, "Left drag", "左ドラッグ"},
+    {T::right_button, "Right drag, Shift + left drag", "右ドラッグ、Shift+左ドラッグ"},
+    {T::middle_button, "Middle drag", "中ドラッグ"},
+    {T::wheel, "Wheel", "ホイール"},
+    {T::double_click, "Double click", "ダブルクリック"},
+    {T::does_orbit, "orbit", "回転"},
+    {T::does_pan, "pan", "移動"},
+    {T::does_zoom, "zoom", "拡大"},
+    {T::does_centre, "set the centre", "中心を決める"},
+    {T::does_pick, "select", "選択"},
+    {T::does_apply, "apply", "実行"},
+    {T::folder_up, "Folder above", "上のフォルダ"},
+    {T::file_name, "File name", "ファイル名"},
+    {T::cancel, "Cancel", "取り消し"},
+    {T::close, "Close", "閉じる"},
+    {T::discard, "Discard", "破棄"},
+    {T::unsaved_question, "There are changes that are not saved.", "保存していない変更があります。"},
+    {T::done, "done", "実行しました"},
+    {T::clicked_nothing, "Nothing there; nothing was changed.", "そこには何もありません。何も変えていません。"},
+    {T::language_other, "日本語", "English"},
+}};
+
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (static_cast<std::size_t>(rows[i].id) != i || !rows[i].en || !rows[i].ja) return false;
+  return true;
+}
+static_assert(in_order(), "one row per text, in the order of the enumeration, in both languages");
+
+}  // namespace
+
+const char* text(UiText id, Language language) {
+  const Row& row = rows[static_cast<std::size_t>(id)];
+  return language == Language::japanese ? row.ja : row.en;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,37 @@
+// Small pieces that the panels are made of.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "app/ui/panels.h"
+
+namespace ryosen {
+
+// Text in a colour, broken at the panel's edge; dim text likewise.
+void coloured_text(const ImVec4& colour, const char* text);
+void dim_text(PanelContext& context, const char* text);
+// A dim word and a value in two columns, the second at `column` font heights or behind a longer word.
+void labelled(PanelContext& context, const char* label, const std::string& value, float column = 5);
+// A row that looks and acts like a link; true when clicked.
+bool link(PanelContext& context, const char* text);
+// Links to elements, separated by blanks, broken at the panel's edge; a click selects one.
+void element_links(PanelContext& context, const std::vector<Element>& elements);
+// A whole-width row with a text to the left and a dim one to the right; true when clicked.
+bool row(PanelContext& context, const char* label, const char* right, bool is_active);
+// The line style and mark of a highlight, as the view draws it.
+void swatch(const Style& style, float width_px);
+
+// The panel with this id, in the middle over everything else, while session.open_panel names it. False when there is
+// nothing to fill; else end_over() must follow.
+bool begin_over(PanelContext& context, const char* id, const char* title, ImVec2 size);
+void end_over();
+
+// The chord of the key that sends a command, or null.
+const char* chord_of(std::string_view command);
+// 34834 as 34,834.
+std::string grouped(std::int64_t n);
+// Six significant digits.
+std::string short_number(double value);
+
+}  // namespace ryosen

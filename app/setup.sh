@@ -1,7 +1,7 @@
 # Read by app/run.sh and tests/run.sh: installs the Debian packages that are missing, configures and builds.
 
 build_packages="g++ cmake ninja-build pkg-config python3-glad libglfw3-dev libimgui-dev libglm-dev libtinyobjloader-dev
-  libosmesa6-dev libegl-dev libstb-dev zlib1g-dev libfreetype-dev nlohmann-json3-dev libcli11-dev libgl1-mesa-dri
+  libosmesa6-dev libegl-dev libstb-dev zlib1g-dev libfreetype-dev nlohmann-json3-dev libgl1-mesa-dri
   fonts-dejavu-core fonts-ipaexfont-gothic"
 test_packages="libgtest-dev xvfb xauth xdotool"
 

@@ -60,8 +60,7 @@ class EditRun {
     // A warning names elements as they are before the operator.
     const Parsed<AnyOp> parsed =
         find_op(split_words(step.line.text)[0]) ? parse_line(session_.mesh(), step.line.text) : Parsed<AnyOp>();
-    const bool legal = parsed.op && check(session_.mesh(), *parsed.op).legal();
-    if (legal) step.warnings = to_json(session_.mesh(), ryosen::warnings(session_.mesh(), *parsed.op));
+    if (parsed.op) step.warnings = to_json(session_.mesh(), session_.document().preview(*parsed.op).warnings);
     step.outcome = session_.run(step.line.text);
     if (step.outcome.done()) {
       step.result = "done";

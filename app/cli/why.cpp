@@ -9,6 +9,7 @@
 #include "app/editor/script.h"
 #include "core/build/from_indexed.h"
 #include "core/io/formats.h"
+#include "core/ops/preview.h"
 
 namespace ryosen::cli {
 
@@ -90,7 +91,7 @@ class Why {
   void ask(const OpInfo& info, std::string edge, const AnyOp& op, bool geometry) {
     VerdictReport report{info.id, std::move(edge), check(mesh_, op), {}, {}};
     if (report.verdict.legal()) {
-      if (geometry) report.warnings = warnings(mesh_, op);
+      if (geometry) report.warnings = preview(mesh_, journal_, op).warnings;
       ++legal_;
     } else {
       report.remedy = remedies_.find(op, report.verdict);
@@ -105,6 +106,7 @@ class Why {
   std::string file_;
   Mesh mesh_;
   const Console& console_;
+  Journal journal_;  // of previews; nothing is committed
   Remedies remedies_{mesh_};
   std::size_t legal_ = 0;
 };

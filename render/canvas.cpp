@@ -30,20 +30,17 @@ std::int64_t Canvas::compose(View& view, int x, int y, const ImDrawData& ui) {
   const PixelRect place{x, y, x + view.size().width, y + view.size().height};
   if (place != placed_) damage_.forget();
   placed_ = place;
-  const PixelRect redrawn = view.draw();
-  const PixelRect moved = intersection({redrawn.x0 + x, redrawn.y0 + y, redrawn.x1 + x, redrawn.y1 + y}, all);
+  view.draw();
+  DirtyRects dirty;
+  for (const PixelRect& rect : view.redrawn()) {
+    dirty.add(intersection({rect.x0 + x, rect.y0 + y, rect.x1 + x, rect.y1 + y}, all));
+  }
+  for (const PixelRect& rect : damage_.update(ui, target_.size())) dirty.add(rect);
   std::int64_t pixels = 0;
-  const auto draw_once = [&](const PixelRect& rect) {
-    if (rect.empty()) return;
+  for (const PixelRect& rect : dirty.rects()) {
     draw(rect, view, ui);
     pixels += std::int64_t{rect.width()} * rect.height();
-  };
-  bool inside = false;
-  for (const PixelRect& rect : damage_.update(ui, target_.size())) {
-    draw_once(rect);
-    inside = inside || intersection(rect, moved) == moved;
   }
-  if (!inside) draw_once(moved);
   return pixels;
 }
 

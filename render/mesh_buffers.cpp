@@ -76,15 +76,15 @@ void MeshBuffers::set(const TriangleSource& source, const BufferSpace& space) {
   write_triangles(source, source_of_slot_);
 }
 
-void MeshBuffers::update(const TriangleSource& source, std::span<const std::uint32_t> vertices,
-                         std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces,
-                         std::vector<DrawBox>& touched) {
+MeshChange MeshBuffers::update(const TriangleSource& source, std::span<const std::uint32_t> vertices,
+                               std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces) {
+  MeshChange change;
   const std::vector<std::uint32_t> changed = changed_triangles(source, triangles);
   const auto note_boxes = [&] {
     for (const std::uint32_t triangle : changed) {
       if (triangle >= slot_of_source_.size()) continue;
       const DrawBox box = box_of_slot(slot_of_source_[triangle]);
-      if (!box.empty()) touched.push_back(box);
+      if (!box.empty()) change.boxes.push_back(box);
     }
   };
   note_boxes();
@@ -95,9 +95,10 @@ void MeshBuffers::update(const TriangleSource& source, std::span<const std::uint
   }
   write_positions(source, vertices);
   write_flags(source, faces);
-  write_triangles(source, changed);
+  change.clusters = write_triangles(source, changed);
   source_triangles_ = source.triangles.size();
   note_boxes();
+  return change;
 }
 
 void MeshBuffers::bind() const {
@@ -176,7 +177,8 @@ void MeshBuffers::write_positions(const TriangleSource& source, std::span<const 
   source_positions_ = now;
 }
 
-void MeshBuffers::write_triangles(const TriangleSource& source, std::span<const std::uint32_t> triangles) {
+std::vector<std::uint32_t> MeshBuffers::write_triangles(const TriangleSource& source,
+                                                        std::span<const std::uint32_t> triangles) {
   std::vector<std::uint32_t> slots;
   slots.reserve(triangles.size());
   std::uint32_t faces = static_cast<std::uint32_t>(flags_.size());
@@ -200,6 +202,7 @@ void MeshBuffers::write_triangles(const TriangleSource& source, std::span<const 
   std::sort(touched_clusters.begin(), touched_clusters.end());
   touched_clusters.erase(std::unique(touched_clusters.begin(), touched_clusters.end()), touched_clusters.end());
   for (const std::uint32_t cluster : touched_clusters) refresh(cluster);
+  return touched_clusters;
 }
 
 void MeshBuffers::refresh(std::uint32_t number) {

@@ -32,6 +32,12 @@ struct Cluster {
   bool flagged = false;  // some face of it carries a flag
 };
 
+// What an update touched: the boxes of the triangles as they were and as they are, and the numbers of their clusters.
+struct MeshChange {
+  std::vector<DrawBox> boxes;
+  std::vector<std::uint32_t> clusters;
+};
+
 // From mesh space to buffer space: moved to an origin near the mesh and scaled by a power of two to about unit size.
 struct BufferSpace {
   glm::dvec3 origin{0};
@@ -49,7 +55,7 @@ BufferSpace buffer_space(const glm::dvec3& low, const glm::dvec3& high);
 // set() is linear; update() costs what it is told has changed.
 class MeshBuffers {
  public:
-  static constexpr std::uint32_t cluster_size = 256;
+  static constexpr std::uint32_t cluster_size = 128;
 
   MeshBuffers();
 
@@ -58,10 +64,8 @@ class MeshBuffers {
   // Brings the copy up to date after a change. `vertices` names the vertices with a new position, `triangles` the
   // triangles with other corners, face, edge bits or flags and those with a moved corner, `faces` the faces with other
   // flags. What lies past the old ends of the arrays, or is cut off at their ends, need not be named.
-  // For each triangle touched the box of its old and then of its new place is appended to `touched`.
-  void update(const TriangleSource& source, std::span<const std::uint32_t> vertices,
-              std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces,
-              std::vector<DrawBox>& touched);
+  MeshChange update(const TriangleSource& source, std::span<const std::uint32_t> vertices,
+                    std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces);
 
   // Binds the textures that mesh.glsl reads, to the units that set_units() tells a program.
   void bind() const;
@@ -82,7 +86,8 @@ class MeshBuffers {
   std::vector<std::uint32_t> changed_triangles(const TriangleSource& source,
                                                std::span<const std::uint32_t> named) const;
   void write_positions(const TriangleSource& source, std::span<const std::uint32_t> vertices);
-  void write_triangles(const TriangleSource& source, std::span<const std::uint32_t> triangles);
+  // Returns the numbers of the clusters written to.
+  std::vector<std::uint32_t> write_triangles(const TriangleSource& source, std::span<const std::uint32_t> triangles);
   void write_flags(const TriangleSource& source, std::span<const std::uint32_t> faces);
 
   BufferSpace space_;

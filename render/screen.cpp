@@ -20,7 +20,8 @@ void DrawBox::add(const DrawBox& b) {
 PixelRect screen_bounds(std::span<const glm::vec3> points, const glm::mat4& clip_from_mesh, Size view, float reach) {
   if (points.empty()) return {};
   const float width = static_cast<float>(view.width), height = static_cast<float>(view.height);
-  float x0 = width, y0 = height, x1 = 0, y1 = 0;
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  float x0 = infinity, y0 = infinity, x1 = -infinity, y1 = -infinity;
   for (const glm::vec3& point : points) {
     const glm::vec4 clip = clip_from_mesh * glm::vec4(point, 1.0f);
     if (!(clip.w > 0 && clip.z >= -clip.w)) return PixelRect::all(view);

@@ -18,6 +18,31 @@ std::uint32_t spread(std::uint32_t value) {
   return (value | (value << 2)) & 0x09249249u;
 }
 
+// The place of a cell along a Hilbert curve: turns the bits of the axes into those of the curve, from the coarsest level
+// down [Skilling04]. Unlike a Z curve it never jumps, so a run of it has a small box.
+std::uint32_t place_on_curve(glm::uvec3 cell) {
+  std::uint32_t axis[3] = {cell.x, cell.y, cell.z};
+  for (std::uint32_t level = 1u << (bits_per_axis - 1); level > 1; level >>= 1) {
+    const std::uint32_t below = level - 1;
+    for (std::uint32_t& a : axis) {
+      if (a & level) {
+        axis[0] ^= below;
+      } else {
+        const std::uint32_t exchanged = (axis[0] ^ a) & below;
+        axis[0] ^= exchanged;
+        a ^= exchanged;
+      }
+    }
+  }
+  axis[1] ^= axis[0];
+  axis[2] ^= axis[1];
+  std::uint32_t turned = 0;
+  for (std::uint32_t level = 1u << (bits_per_axis - 1); level > 1; level >>= 1) {
+    if (axis[2] & level) turned ^= level - 1;
+  }
+  return (spread(axis[0] ^ turned) << 2) | (spread(axis[1] ^ turned) << 1) | spread(axis[2] ^ turned);
+}
+
 struct Keyed {
   std::uint32_t key;
   std::uint32_t number;
@@ -34,8 +59,7 @@ std::vector<std::uint32_t> space_order(std::span<const glm::vec3> points) {
   const float scale = largest > 0 ? cells / largest : 0;
   std::vector<Keyed> items(points.size()), other(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const glm::uvec3 cell((points[i] - box.min) * scale);
-    items[i] = {spread(cell.x) | (spread(cell.y) << 1) | (spread(cell.z) << 2), i};
+    items[i] = {place_on_curve(glm::uvec3((points[i] - box.min) * scale)), i};
   }
   constexpr std::uint32_t digit_bits = 10, digits = 1u << digit_bits;
   for (std::uint32_t shift = 0; shift < 3 * bits_per_axis; shift += digit_bits) {

@@ -8,7 +8,7 @@
 
 namespace ryosen {
 
-// The numbers of the points in the order of a Z curve through their box; equal places keep their order. Linear.
+// The numbers of the points in the order of a Hilbert curve through their box; equal places keep their order. Linear.
 std::vector<std::uint32_t> space_order(std::span<const glm::vec3> points);
 
 }  // namespace ryosen

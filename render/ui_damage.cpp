@@ -7,26 +7,6 @@
 #include <limits>
 
 namespace ryosen {
-namespace {
-
-// Adds a rectangle, merged with those it overlaps.
-void add(std::vector<PixelRect>& rects, PixelRect rect) {
-  if (rect.empty()) return;
-  for (std::size_t i = 0; i < rects.size();) {
-    if (overlap(rects[i], rect)) {
-      rect = united(rects[i], rect);
-      rects[i] = rects.back();
-      rects.pop_back();
-      i = 0;
-    } else {
-      ++i;
-    }
-  }
-  rects.push_back(rect);
-}
-
-}  // namespace
-
 UiDamage::List UiDamage::copied(const ImDrawList& list) {
   List copy;
   copy.vertices.reserve(static_cast<std::size_t>(list.VtxBuffer.Size));
@@ -103,7 +83,7 @@ std::vector<PixelRect> UiDamage::update(const ImDrawData& data, Size size) {
     for (std::size_t i = 0; i < std::max(now.size(), lists_.size()); ++i) {
       const List& before = i < lists_.size() ? lists_[i] : nothing;
       const PixelRect rect = difference(before, i < now.size() ? now[i] : nothing);
-      add(rects, intersection(rect, PixelRect::all(size)));
+      rects.push_back(intersection(rect, PixelRect::all(size)));
     }
   }
   lists_ = std::move(now);

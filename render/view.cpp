@@ -68,7 +68,10 @@ View::View(Passes passes)
   resize(size_);
 }
 
-void View::all_changed() { dirty_ = PixelRect::all(size_); }
+void View::all_changed() {
+  dirty_.clear();
+  dirty_.add(PixelRect::all(size_));
+}
 
 void View::resize(Size size, int supersample) {
   size_ = {std::max(size.width, 1), std::max(size.height, 1)};
@@ -115,11 +118,14 @@ void View::set_mesh(const TriangleSource& source) {
 
 void View::update_mesh(const TriangleSource& source, std::span<const std::uint32_t> vertices,
                        std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces) {
-  std::vector<DrawBox> boxes;
-  mesh_.update(source, vertices, triangles, faces, boxes);
-  while (order_.size() < mesh_.clusters().size()) order_.push_back(static_cast<std::uint32_t>(order_.size()));
+  const MeshChange change = mesh_.update(source, vertices, triangles, faces);
+  if (planes_stale_) return;
+  const Frame whole = frame(PixelRect::all(size_), 1);
+  for (auto i = static_cast<std::uint32_t>(order_.size()); i < mesh_.clusters().size(); ++i) order_.push_back(i);
+  cluster_places_.resize(order_.size());
+  for (const std::uint32_t cluster : change.clusters) place_cluster(cluster, whole);
   std::vector<TouchedBox> touched;
-  for (const DrawBox& box : boxes) touched.push_back({box, 0});
+  for (const DrawBox& box : change.boxes) touched.push_back({box, 0});
   changed(touched);
 }
 
@@ -128,7 +134,7 @@ void View::changed(std::span<const TouchedBox> touched) {
   const Frame whole = frame(PixelRect::all(size_), 1);
   DepthRange range;
   for (const TouchedBox& t : touched) {
-    dirty_ = united(dirty_, screen_bounds(t.box, whole.clip_from_buffer, size_, t.reach_px + 1));
+    dirty_.add(screen_bounds(t.box, whole.clip_from_buffer, size_, t.reach_px + 1));
     range.add(t.box, glm::dmat4(whole.view_from_buffer));
   }
   // What comes to lie before the near or behind the far plane needs other planes, and so another picture.
@@ -154,6 +160,9 @@ void View::place_planes() {
     near_ = std::max(near_, std::min(0.01 * target, 0.5 * far_));
   }
   sort_clusters();
+  const Frame whole = frame(PixelRect::all(size_), 1);
+  cluster_places_.resize(order_.size());
+  for (const std::uint32_t cluster : order_) place_cluster(cluster, whole);
   planes_stale_ = false;
 }
 
@@ -192,19 +201,23 @@ Frame View::frame(const PixelRect& rect, int scale) const {
   return f;
 }
 
-std::vector<std::uint32_t> View::clusters_in(const Frame& frame) const {
+void View::place_cluster(std::uint32_t cluster, const Frame& whole) {
+  cluster_places_[cluster] = screen_bounds(mesh_.clusters()[cluster].box, whole.clip_from_buffer, size_, 1);
+}
+
+std::vector<std::uint32_t> View::clusters_in(const PixelRect& rect) const {
   std::vector<std::uint32_t> inside;
   for (const std::uint32_t cluster : order_) {
-    const DrawBox& box = mesh_.clusters()[cluster].box;
-    if (overlap(screen_bounds(box, frame.clip_from_buffer, frame.size, 1), frame.rect)) inside.push_back(cluster);
+    if (overlap(cluster_places_[cluster], rect)) inside.push_back(cluster);
   }
   return inside;
 }
 
 PixelRect View::draw() {
-  const PixelRect rect = dirty_;
-  if (!rect.empty()) draw(rect);
-  return rect;
+  if (planes_stale_) all_changed();
+  redrawn_ = dirty_;
+  for (const PixelRect& rect : redrawn_.rects()) draw(rect);
+  return redrawn_.bounds();
 }
 
 void View::draw(const PixelRect& asked) {
@@ -220,12 +233,12 @@ void View::draw(const PixelRect& asked) {
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
-  passes_.surface.draw(f, mesh_, clusters_in(f));
+  passes_.surface.draw(f, mesh_, clusters_in(rect));
   if (!transparent_) passes_.background.draw(f);
   for (const OverlayBuffer& overlay : overlays_) passes_.overlay.draw(f, overlay);
   if (supersample_ > 1) passes_.resolve.draw(rendered_, supersample_, resolved_, rect);
 
-  if (intersection(dirty_, rect) == dirty_) dirty_ = {};
+  dirty_.remove_inside(rect);
 }
 
 Image View::read_pixels() const {
@@ -247,7 +260,7 @@ IdImage View::read_ids() {
     all_changed();
   }
   const Frame f = frame(PixelRect::all(size_), 1);
-  const Framebuffer& target = passes_.ids.draw(f, mesh_, clusters_in(f));
+  const Framebuffer& target = passes_.ids.draw(f, mesh_, clusters_in(PixelRect::all(size_)));
   const auto count = static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height);
   IdImage image{size_, std::vector<std::uint32_t>(count), std::vector<std::uint32_t>(count, no_index),
                 std::vector<float>(count)};

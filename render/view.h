@@ -11,6 +11,7 @@
 #include "core/base/handle.h"
 #include "core/base/result.h"
 #include "core/pick/camera.h"
+#include "render/dirty_rects.h"
 #include "render/gl/framebuffer.h"
 #include "render/image.h"
 #include "render/mesh_buffers.h"
@@ -59,9 +60,11 @@ class View {
 
   // True when draw() would draw something.
   bool needs_drawing() const { return !dirty_.empty(); }
-  // Draws the rectangle that has changed since the last draw and returns it. The picture is the same, pixel by pixel,
-  // as if all of it had been drawn.
+  // Draws what has changed since the last draw, in a few rectangles, and returns the box around them. The picture is
+  // the same, pixel by pixel, as if all of it had been drawn.
   PixelRect draw();
+  // The rectangles that the last draw() drew.
+  std::span<const PixelRect> redrawn() const { return redrawn_.rects(); }
   // Draws a rectangle, changed or not.
   void draw(const PixelRect& rect);
   void draw_all() { draw(PixelRect::all(size_)); }
@@ -90,7 +93,8 @@ class View {
   void place_planes();
   void sort_clusters();
   Frame frame(const PixelRect& rect, int scale) const;
-  std::vector<std::uint32_t> clusters_in(const Frame& frame) const;
+  void place_cluster(std::uint32_t cluster, const Frame& whole);
+  std::vector<std::uint32_t> clusters_in(const PixelRect& rect) const;
 
   Passes passes_;
   MeshBuffers mesh_;
@@ -102,10 +106,11 @@ class View {
   int supersample_ = 1;
   Theme theme_ = Theme::dark;
   bool transparent_ = false;
-  PixelRect dirty_{0, 0, 1, 1};
-  bool planes_stale_ = true;          // near, far and the order of clusters belong to another camera or mesh
-  double near_ = 0.1, far_ = 1;       // in buffer space
-  std::vector<std::uint32_t> order_;  // clusters from near to far
+  DirtyRects dirty_, redrawn_;
+  bool planes_stale_ = true;               // near, far and the order of clusters belong to another camera or mesh
+  double near_ = 0.1, far_ = 1;            // in buffer space
+  std::vector<std::uint32_t> order_;       // clusters from near to far
+  std::vector<PixelRect> cluster_places_;  // where each cluster may be seen, in pixels of the picture
 };
 
 }  // namespace ryosen

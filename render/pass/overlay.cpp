@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/gl/vertex_runs.h"
 #include "render/pass/linear.h"
 
 namespace ryosen {
@@ -120,15 +119,35 @@ OverlayPass::OverlayPass(Program program) : program_(std::move(program)), no_att
   program_.set("elements", 0);
 }
 
-void OverlayPass::draw(const Frame& frame, const OverlayBuffer& overlay) const {
-  VertexRuns all, behind;
+OverlayPass::Selection OverlayPass::select(const Frame& frame, const OverlayBuffer& overlay) {
+  const bool partial = frame.rect != PixelRect::all(frame.size);
+  const auto touched = [&](const DrawBox& box, float reach_px) {
+    const float reach = reach_px * frame.pixel_scale;
+    return overlap(screen_bounds(box, frame.clip_from_buffer, frame.size, reach), frame.rect);
+  };
+  Selection selection;
+  const auto add = [&](std::uint32_t first, std::uint32_t count, bool shows_hidden) {
+    selection.all.add(6 * first, 6 * count);
+    if (shows_hidden) selection.behind.add(6 * first, 6 * count);
+  };
   for (const OverlayBuffer::Group& group : overlay.groups()) {
-    const float reach = group.bounds.reach_px * frame.pixel_scale;
-    if (!overlap(screen_bounds(group.bounds.box, frame.clip_from_buffer, frame.size, reach), frame.rect)) continue;
-    all.add(6 * group.first, 6 * group.count);
-    if (group.shows_hidden) behind.add(6 * group.first, 6 * group.count);
+    if (!touched(group.bounds.box, group.bounds.reach_px)) continue;
+    if (!partial) {
+      add(group.first, group.count, group.shows_hidden);
+      continue;
+    }
+    // Elements of a group may lie far apart, so of a small rectangle each is asked.
+    for (std::uint32_t i = group.first; i < group.first + group.count; ++i) {
+      const OverlayElement& element = overlay.elements()[i];
+      if (touched(element.box(), element.reach_px())) add(i, 1, group.shows_hidden);
+    }
   }
-  if (all.empty()) return;
+  return selection;
+}
+
+void OverlayPass::draw(const Frame& frame, const OverlayBuffer& overlay) const {
+  const Selection selection = select(frame, overlay);
+  if (selection.all.empty()) return;
   program_.use();
   program_.set("view_from_buffer", frame.view_from_buffer);
   program_.set("clip_from_view", frame.clip_from_view);
@@ -145,14 +164,14 @@ void OverlayPass::draw(const Frame& frame, const OverlayBuffer& overlay) const {
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_FALSE);
-  if (!behind.empty()) {
+  if (!selection.behind.empty()) {
     glDepthFunc(GL_GREATER);
     program_.set("hidden_pass", 1.0f);
-    behind.draw();
+    selection.behind.draw();
   }
   glDepthFunc(GL_LEQUAL);
   program_.set("hidden_pass", 0.0f);
-  all.draw();
+  selection.all.draw();
 }
 
 }  // namespace ryosen

@@ -8,6 +8,7 @@
 #include "core/base/result.h"
 #include "render/gl/buffer.h"
 #include "render/gl/program.h"
+#include "render/gl/vertex_runs.h"
 #include "render/mesh_buffers.h"
 #include "render/overlay.h"
 #include "render/pass/frame.h"
@@ -48,6 +49,7 @@ class OverlayBuffer {
     bool shows_hidden = false;  // some element of it is drawn where the surface hides it
   };
   std::span<const Group> groups() const { return groups_; }
+  std::span<const OverlayElement> elements() const { return elements_; }
   DrawBox bounds() const;
 
  private:
@@ -62,10 +64,15 @@ class OverlayPass {
  public:
   static Result<OverlayPass> make();
 
-  // Draws the groups that can touch the frame's rectangle: first faintly what the surface hides, then the rest.
+  // Draws what can touch the frame's rectangle: first faintly what the surface hides, then the rest.
   void draw(const Frame& frame, const OverlayBuffer& overlay) const;
 
  private:
+  struct Selection {
+    VertexRuns all, behind;  // everything, and what shows where it is hidden
+  };
+  static Selection select(const Frame& frame, const OverlayBuffer& overlay);
+
   explicit OverlayPass(Program program);
 
   Program program_;

@@ -1,0 +1,49 @@
+#include "render/space_order.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace ryosen {
+namespace {
+
+TEST(space_order, names_every_point_once) {
+  std::vector<glm::vec3> points;
+  for (int i = 0; i < 1000; ++i) points.push_back({float(i * 37 % 101), float(i * 53 % 97), float(i % 7)});
+  std::vector<std::uint32_t> order = space_order(points);
+  std::sort(order.begin(), order.end());
+  for (std::uint32_t i = 0; i < order.size(); ++i) ASSERT_EQ(order[i], i);
+  EXPECT_EQ(order.size(), points.size());
+}
+
+// On a full grid a Hilbert curve only takes steps to a neighbour.
+TEST(space_order, steps_along_a_grid_are_short) {
+  constexpr int side = 8;
+  std::vector<glm::vec3> points;
+  for (int x = 0; x < side; ++x) {
+    for (int y = 0; y < side; ++y) {
+      // The last cells reach to the end of the axes, so that each point has a cell of its own at the coarse levels.
+      for (int z = 0; z < side; ++z) points.push_back(glm::vec3(x, y, z) * (1023.0f / side) + 60.0f);
+    }
+  }
+  points.push_back(glm::vec3(0));
+  points.push_back(glm::vec3(1023));
+  const std::vector<std::uint32_t> order = space_order(points);
+  std::vector<std::uint32_t> inner;
+  for (const std::uint32_t i : order) {
+    if (i < side * side * side) inner.push_back(i);
+  }
+  for (std::size_t i = 1; i < inner.size(); ++i) {
+    ASSERT_NEAR(glm::length(points[inner[i]] - points[inner[i - 1]]), 1023.0f / side, 0.5f) << i;
+  }
+}
+
+TEST(space_order, equal_places_keep_their_order) {
+  const std::vector<glm::vec3> points(5, glm::vec3(2, 3, 4));
+  EXPECT_EQ(space_order(points), (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
+  EXPECT_TRUE(space_order({}).empty());
+}
+
+}  // namespace
+}  // namespace ryosen

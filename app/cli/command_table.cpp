@@ -22,6 +22,15 @@ const std::array common{
 
 const std::vector<Command>& table() {
   static const std::vector<Command> rows{
+      Command{"view",
+              "[FILE]",
+              0,
+              1,
+              "the editor; also what ryosen does without a command",
+              "エディタ（コマンドを省いたときもこれ）",
+              {},
+              nullptr,
+              view_command},
       Command{"check",
               "FILE|FOLDER...",
               1,

@@ -8,6 +8,7 @@ namespace ryosen::cli {
 ExitCode check_command(const Arguments& arguments, const Console& console);
 ExitCode why_command(const Arguments& arguments, const Console& console);
 ExitCode edit_command(const Arguments& arguments, const Console& console);
+ExitCode view_command(const Arguments& arguments, const Console& console);
 ExitCode shot_command(const Arguments& arguments, const Console& console);
 ExitCode formats_command(const Arguments& arguments, const Console& console);
 ExitCode keys_command(const Arguments& arguments, const Console& console);

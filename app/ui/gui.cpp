@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <cmath>
+#include <utility>
 
 #include "core/mesh/copies.h"
 
@@ -11,6 +12,7 @@ namespace ryosen {
 namespace {
 
 constexpr float font_px = 15;
+constexpr float frame_padding_px = 4;
 constexpr float left_px = 240, right_px = 292;  // widths of the columns at scale 1
 
 constexpr ImGuiWindowFlags column_flags =
@@ -34,7 +36,7 @@ void draw_column(PanelContext& context, Side side, float x, float y, float width
     ImGui::PushID(title.c_str());
     panel.draw(context);
     ImGui::PopID();
-    ImGui::Dummy({0, 3 * context.scale});
+    ImGui::Dummy({0, 2 * context.scale});
   }
   ImGui::End();
 }
@@ -47,6 +49,7 @@ Gui::Gui(float scale) : imgui_(ImGui::CreateContext()), scale_(scale) {
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
   io.MousePos = {-1e9f, -1e9f};
+  for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
   apply_style(theme_, scale_);
 }
@@ -56,7 +59,8 @@ Gui::~Gui() { ImGui::DestroyContext(imgui_); }
 PixelRect Gui::view_area(Size window) const {
   const int left = static_cast<int>(std::lround(left_px * scale_)),
             right = static_cast<int>(std::lround(right_px * scale_));
-  const int bar = static_cast<int>(std::lround((font_px + 8) * scale_));
+  // As high as ImGui makes a menu bar: the font and the padding of the style above and below.
+  const int bar = static_cast<int>(std::round(font_px * scale_) + 2 * std::floor(frame_padding_px * scale_));
   PixelRect area{left, bar, window.width - right, window.height - bar};
   // Of a window that is too small for the columns the view keeps at least a corner.
   area.x1 = std::max(area.x1, area.x0 + 1);
@@ -112,6 +116,7 @@ void Gui::frame(Session& session, Size window, double seconds) {
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(window.width), static_cast<float>(window.height)};
   io.DeltaTime = static_cast<float>(std::max(seconds, 1e-4));
+  for (int i = 0; i < 3; ++i) io.MouseDown[i] = is_down_[i] || std::exchange(was_pressed_[i], false);
   ImGui::NewFrame();
   PanelContext panel_context = context(session);
   draw_menu(panel_context);
@@ -138,17 +143,56 @@ ImFontAtlas& Gui::fonts() const {
   return *ImGui::GetIO().Fonts;
 }
 
-bool Gui::wants_pointer() const {
+void Gui::pointer(glm::dvec2 pixel) {
   ImGui::SetCurrentContext(imgui_);
-  return ImGui::GetIO().WantCaptureMouse;
+  ImGui::GetIO().MousePos = {static_cast<float>(pixel.x), static_cast<float>(pixel.y)};
 }
 
-bool Gui::wants_keys() const {
+void Gui::button(int number, bool is_down) {
+  if (number < 0 || number > 2) return;
+  is_down_[number] = is_down;
+  was_pressed_[number] = was_pressed_[number] || is_down;
+}
+
+void Gui::wheel(double steps) {
+  ImGui::SetCurrentContext(imgui_);
+  ImGui::GetIO().MouseWheel += static_cast<float>(steps);
+}
+
+void Gui::character(unsigned code) {
+  ImGui::SetCurrentContext(imgui_);
+  ImGui::GetIO().AddInputCharacter(code);
+}
+
+void Gui::key(int imgui_key, bool is_down) {
+  ImGui::SetCurrentContext(imgui_);
+  ImGui::GetIO().KeysDown[imgui_key] = is_down;
+}
+
+void Gui::modifiers(bool shift, bool ctrl) {
+  ImGui::SetCurrentContext(imgui_);
+  ImGui::GetIO().KeyShift = shift;
+  ImGui::GetIO().KeyCtrl = ctrl;
+}
+
+bool Gui::owns_pointer(const Session& session, Size window, glm::dvec2 pixel) const {
+  ImGui::SetCurrentContext(imgui_);
+  const PixelRect area = view_area(window);
+  const bool inside = pixel.x >= area.x0 && pixel.x < area.x1 && pixel.y >= area.y0 && pixel.y < area.y1;
+  return !inside || !session.open_panel.empty() || ImGui::IsAnyItemActive() ||
+         ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+}
+
+bool Gui::owns_keys() const {
   ImGui::SetCurrentContext(imgui_);
   return ImGui::GetIO().WantTextInput;
 }
 
-Outcome Gui::run(Session& session, const std::string& line) { return context(session).run(line); }
+Outcome Gui::run(Session& session, const std::string& line) {
+  // A mesh without a file is saved under a name first.
+  if (line == "save" && session.document().path().empty()) return context(session).run("panel save");
+  return context(session).run(line);
+}
 Outcome Gui::click(Session& session, glm::dvec2 pixel) { return context(session).click(pixel); }
 void Gui::leave(Session& session, PendingLeave where) { context(session).leave(std::move(where)); }
 

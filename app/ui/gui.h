@@ -2,6 +2,7 @@
 // them gives it input and draws what it lays out.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <string>
 
 #include "app/ui/panels.h"
@@ -28,15 +29,22 @@ class Gui {
 
   // Takes over theme and language. True when the glyphs have changed: their texture must be made anew before the frame.
   bool prepare(const Session& session);
-  // Lays out one frame; prepare() comes first. Input has been written to ImGui's io before. The very first frame shows
-  // nothing and a panel may need two more to find its size, so a picture takes three.
+  // Lays out one frame; prepare() comes first. The very first frame shows nothing and a panel may need two more to find
+  // its size, so a picture takes three.
   void frame(Session& session, Size window, double seconds);
   const ImDrawData& draw_data() const;
   ImFontAtlas& fonts() const;
 
-  // Is the pointer, or are the keys, meant for a panel?
-  bool wants_pointer() const;
-  bool wants_keys() const;
+  // Input. Presses are kept until a frame has seen them, however short they are. Keys are those that edit text.
+  void pointer(glm::dvec2 pixel);
+  void button(int number, bool is_down);
+  void wheel(double steps);
+  void character(unsigned code);
+  void key(int imgui_key, bool is_down);
+  void modifiers(bool shift, bool ctrl);
+  // Is a pixel the panels', or are the keys?
+  bool owns_pointer(const Session& session, Size window, glm::dvec2 pixel) const;
+  bool owns_keys() const;
 
   // As panels do: with the outcome kept for the status line.
   Outcome run(Session& session, const std::string& line);
@@ -55,6 +63,7 @@ class Gui {
   Fonts fonts_;
   bool has_fonts_ = false, has_japanese_ = false;
   Theme theme_ = Theme::dark;
+  bool is_down_[3] = {}, was_pressed_[3] = {};
 };
 
 }  // namespace ryosen

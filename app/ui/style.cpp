@@ -86,9 +86,9 @@ const UiColours& ui_colours(Theme theme) {
 
 void apply_style(Theme theme, float scale) {
   ImGuiStyle style;
-  style.WindowPadding = {12, 10};
+  style.WindowPadding = {12, 8};
   style.FramePadding = {6, 4};
-  style.ItemSpacing = {8, 5};
+  style.ItemSpacing = {8, 4};
   style.ItemInnerSpacing = {8, 4};
   style.CellPadding = {4, 2};
   style.IndentSpacing = 14;

@@ -78,6 +78,7 @@ enum class UiText {
   prev,
   twin,
   boundary,
+  nonmanifold,
   outside,
   isolated,
   copies,

@@ -89,7 +89,9 @@ class Inspector {
     const auto [a, b] = ends(m_, e);
     const auto [left, right] = faces(m_, e);
     value(UiText::length, short_number(glm::length(m_.position(b) - m_.position(a))));
-    if (m_.is_boundary(e)) note(UiText::boundary);
+    const PointEdge on_points = point_edge(m_, halfedge(e));
+    if (on_points.is_boundary()) note(UiText::boundary);
+    if (!on_points.is_regular()) note(UiText::nonmanifold);
     if (!left.is_none() && !right.is_none()) value(UiText::angle, angle_text(halfedge(e), left, right));
     links(UiText::vertices, {a, b});
     std::vector<Element> sides;

@@ -1,0 +1,291 @@
+#include "app/window.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+
+#include "app/editor/keys.h"
+#include "app/ui/gui.h"
+#include "app/ui/navigation.h"
+#include "app/ui/viewport.h"
+#include "app/window_keys.h"
+#include "render/canvas.h"
+#include "render/gl/api.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace ryosen {
+
+namespace {
+
+Failure no_window(std::string cause) {
+  Failure failure;
+  failure.exit_code = ExitCode::no_backend;
+  failure.message.code = "no_display";
+  if (cause.empty()) cause = "no display";
+  failure.message.text = {
+      "No window can be opened here (" + cause + "). `ryosen shot FILE -o PNG --panels` makes a picture without one.",
+      "ここではウィンドウを開けません（" + cause +
+          "）。`ryosen shot FILE -o PNG --panels` なら画面なしで画像を作れます。"};
+  return failure;
+}
+
+std::string glfw_error() {
+  const char* words = nullptr;
+  glfwGetError(&words);
+  return words ? words : "";
+}
+
+// GLFW and one window with its OpenGL 3.3 context, current on this thread.
+class GlfwWindow {
+ public:
+  static Result<std::unique_ptr<GlfwWindow>> make() {
+    std::unique_ptr<GlfwWindow> made(new GlfwWindow);
+    made->is_up_ = glfwInit() == GLFW_TRUE;
+    if (!made->is_up_) return no_window(glfw_error());
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    made->handle_ = glfwCreateWindow(1280, 800, "Ryosen", nullptr, nullptr);
+    if (!made->handle_) return no_window(glfw_error());
+    glfwMakeContextCurrent(made->handle_);
+    glfwSwapInterval(1);
+    if (!load_gl(glfwGetProcAddress)) return no_window("no OpenGL 3.3");
+    return made;
+  }
+  ~GlfwWindow() {
+    if (handle_) glfwDestroyWindow(handle_);
+    if (is_up_) glfwTerminate();
+  }
+
+  GLFWwindow* handle() const { return handle_; }
+  Size size() const {
+    Size size;
+    glfwGetFramebufferSize(handle_, &size.width, &size.height);
+    return {std::max(size.width, 1), std::max(size.height, 1)};
+  }
+  float scale() const {
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(handle_, &x, &y);
+    return std::max(1.f, x);
+  }
+  // Places come in screen coordinates, of which a display may have fewer than pixels.
+  glm::dvec2 to_pixels(double x, double y) const {
+    int width = 1, height = 1;
+    glfwGetWindowSize(handle_, &width, &height);
+    const Size pixels = size();
+    return {x * pixels.width / std::max(width, 1), y * pixels.height / std::max(height, 1)};
+  }
+  glm::dvec2 pointer() const {
+    double x = 0, y = 0;
+    glfwGetCursorPos(handle_, &x, &y);
+    return to_pixels(x, y);
+  }
+
+ private:
+  GlfwWindow() = default;
+  GLFWwindow* handle_ = nullptr;
+  bool is_up_ = false;
+};
+
+class Editor {
+ public:
+  Editor(GlfwWindow& window, std::unique_ptr<Document> document, std::unique_ptr<Viewport> viewport,
+         std::unique_ptr<Canvas> canvas, Language language)
+      : window_(window),
+        session_(std::move(document)),
+        viewport_(std::move(viewport)),
+        canvas_(std::move(canvas)),
+        gui_(window.scale()) {
+    session_.language = language;
+    session_.quit = [this] { gui_.leave(session_, {true, {}}); };
+    session_.take_picture = [this](const std::filesystem::path& path) {
+      return write_png(canvas_->read_pixels(), path);
+    };
+    if (const char* const path = std::getenv("RYOSEN_FRAME_LOG")) log_.open(path, std::ios::app);
+    set_callbacks();
+    resize();
+    session_.frame_all();
+  }
+
+  void run() {
+    while (!gui_.wants_quit()) {
+      for (int i = 0; i < settling_frames; ++i) show();
+      // The text cursor blinks; everything else waits for something to happen.
+      if (gui_.owns_keys())
+        glfwWaitEventsTimeout(0.5);
+      else
+        glfwWaitEvents();
+    }
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr int settling_frames = 3;  // a panel may need that many to find its size
+
+  static Editor& of(GLFWwindow* window) { return *static_cast<Editor*>(glfwGetWindowUserPointer(window)); }
+
+  void set_callbacks() {
+    GLFWwindow* const w = window_.handle();
+    glfwSetWindowUserPointer(w, this);
+    glfwSetFramebufferSizeCallback(w, [](GLFWwindow* x, int, int) { of(x).resize(); });
+    glfwSetWindowRefreshCallback(w, [](GLFWwindow* x) { of(x).must_present_ = true; });
+    glfwSetWindowCloseCallback(w, [](GLFWwindow* x) {
+      glfwSetWindowShouldClose(x, GLFW_FALSE);
+      of(x).session_.quit();
+    });
+    glfwSetCursorPosCallback(w,
+                             [](GLFWwindow* x, double px, double py) { of(x).move(of(x).window_.to_pixels(px, py)); });
+    glfwSetCursorEnterCallback(w, [](GLFWwindow* x, int entered) {
+      if (!entered) of(x).leave();
+    });
+    glfwSetMouseButtonCallback(
+        w, [](GLFWwindow* x, int button, int action, int mods) { of(x).button(button, action == GLFW_PRESS, mods); });
+    glfwSetScrollCallback(w, [](GLFWwindow* x, double, double steps) { of(x).wheel(steps); });
+    glfwSetKeyCallback(w, [](GLFWwindow* x, int key, int, int action, int mods) { of(x).key(key, action, mods); });
+    glfwSetCharCallback(w, [](GLFWwindow* x, unsigned code) { of(x).gui_.character(code); });
+    glfwSetDropCallback(w, [](GLFWwindow* x, int count, const char** paths) {
+      if (count > 0) of(x).gui_.leave(of(x).session_, {false, paths[0]});
+    });
+  }
+
+  void resize() {
+    const Size size = window_.size();
+    canvas_->resize(size);
+    gui_.place_view(session_, size);
+    session_.touch();
+  }
+
+  bool is_over_view(glm::dvec2 pixel) const { return !gui_.owns_pointer(session_, window_.size(), pixel); }
+
+  // Over a panel the last element stays, so that what is said of it there can be read and clicked.
+  void point(glm::dvec2 pixel) {
+    if (navigation_.is_dragging() || !is_over_view(pixel)) return;
+    session_.point_at(pixel);
+    session_.find_hover_remedy();
+  }
+
+  void move(glm::dvec2 pixel) {
+    gui_.pointer(pixel);
+    if (navigation_.move(session_, pixel))
+      session_.point_away();
+    else
+      point(pixel);
+  }
+
+  void leave() {
+    gui_.pointer({-1e9, -1e9});
+    session_.point_away();
+  }
+
+  void button(int number, bool is_down, int modifiers) {
+    const glm::dvec2 pixel = window_.pointer();
+    if (number > GLFW_MOUSE_BUTTON_MIDDLE) return;
+    const auto which = static_cast<MouseButton>(number);  // GLFW's order
+    if (is_down && is_over_view(pixel))
+      navigation_.press(which, pixel, {(modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0});
+    else if (is_down || !navigation_.is_dragging())
+      gui_.button(number, is_down);
+    if (is_down) return;
+    if (const auto click = navigation_.release(which, pixel, glfwGetTime())) {
+      if (click->is_double && session_.tool.empty())
+        set_centre(session_, click->pixel);
+      else
+        gui_.click(session_, click->pixel);
+    }
+    point(pixel);
+  }
+
+  void wheel(double steps) {
+    const glm::dvec2 pixel = window_.pointer();
+    if (!is_over_view(pixel)) return gui_.wheel(steps);
+    navigation_.wheel(session_, pixel, steps);
+    point(pixel);
+  }
+
+  void key(int key, int action, int modifiers) {
+    gui_.modifiers((modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0);
+    if (const int edits = imgui_key_of_glfw(key); edits >= 0) gui_.key(edits, action != GLFW_RELEASE);
+    if (action == GLFW_RELEASE) return;
+    const std::string chord = chord_of_glfw(key, modifiers);
+    const KeyRow* const row = find_key(chord);
+    // An open panel, and a field for text, leave only the way out.
+    if (!row || ((gui_.owns_keys() || !session_.open_panel.empty()) && chord != "Escape" && chord != "F1")) return;
+    gui_.run(session_, std::string(row->command));
+    point(window_.pointer());
+  }
+
+  // Lays out, draws what has changed, and shows it if anything has.
+  void show() {
+    const Clock::time_point start = Clock::now();
+    if (gui_.prepare(session_)) canvas_->set_fonts(gui_.fonts());
+    gui_.frame(session_, canvas_->size(), std::chrono::duration<double>(start - last_frame_).count());
+    last_frame_ = start;
+    viewport_->follow(session_);
+    const PixelRect area = gui_.view_area(canvas_->size());
+    const std::int64_t pixels = canvas_->compose(viewport_->view(), area.x0, area.y0, gui_.draw_data());
+    show_title();
+    if (pixels == 0 && !must_present_) return;
+    canvas_->present(0);
+    must_present_ = false;
+    glFinish();
+    const double took_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    glfwSwapBuffers(window_.handle());
+    log_frame(pixels, took_ms);
+  }
+
+  void show_title() {
+    const Document& document = session_.document();
+    const std::string name = document.path().filename().string();
+    const std::string title = (document.is_modified() ? "* " : "") + (name.empty() ? "Ryosen" : name + " - Ryosen");
+    if (title == title_) return;
+    glfwSetWindowTitle(window_.handle(), title.c_str());
+    title_ = title;
+  }
+
+  void log_frame(std::int64_t pixels, double took_ms) {
+    if (!log_.is_open()) return;
+    const ElementCounts live = session_.mesh().live();
+    log_ << "frame " << ++frames_ << " pixels " << pixels << " ms " << took_ms << " V " << live.vertices << " E "
+         << live.edges << " F " << live.faces << " history " << session_.document().position() << " hover "
+         << (session_.hover() ? name_of(session_.mesh(), session_.hover()->picked.element) : "-") << std::endl;
+  }
+
+  GlfwWindow& window_;
+  Session session_;
+  std::unique_ptr<Viewport> viewport_;
+  std::unique_ptr<Canvas> canvas_;
+  Gui gui_;
+  Navigation navigation_;
+  std::string title_;
+  std::ofstream log_;
+  std::uint64_t frames_ = 0;
+  Clock::time_point last_frame_ = Clock::now();
+  bool must_present_ = true;
+};
+
+}  // namespace
+
+Status run_window(const WindowOptions& options) {
+  auto document = std::make_unique<Document>();
+  if (!options.file.empty()) {
+    Result<std::unique_ptr<Document>> opened = Document::open(options.file);
+    if (!opened) return opened.failure();
+    document = std::move(opened).value();
+  }
+  Result<std::unique_ptr<GlfwWindow>> window = GlfwWindow::make();
+  if (!window) return window.failure();
+  Result<std::unique_ptr<Viewport>> viewport = Viewport::make();
+  if (!viewport) return viewport.failure();
+  Result<std::unique_ptr<Canvas>> canvas = Canvas::make();
+  if (!canvas) return canvas.failure();
+  Editor(**window, std::move(document), std::move(viewport).value(), std::move(canvas).value(), options.language).run();
+  return success();
+}
+
+}  // namespace ryosen

@@ -79,7 +79,8 @@ void MeshBuffers::set(const TriangleSource& source, const BufferSpace& space) {
 MeshChange MeshBuffers::update(const TriangleSource& source, std::span<const std::uint32_t> vertices,
                                std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces) {
   MeshChange change;
-  const std::vector<std::uint32_t> changed = changed_triangles(source, triangles);
+  std::vector<std::uint32_t> changed = changed_triangles(source, triangles);
+  add_triangles_of(source, write_flags(source, faces), changed);
   const auto note_boxes = [&] {
     for (const std::uint32_t triangle : changed) {
       if (triangle >= slot_of_source_.size()) continue;
@@ -94,7 +95,6 @@ MeshChange MeshBuffers::update(const TriangleSource& source, std::span<const std
     triangles_.push_back(not_drawn);
   }
   write_positions(source, vertices);
-  write_flags(source, faces);
   change.clusters = write_triangles(source, changed);
   source_triangles_ = source.triangles.size();
   note_boxes();
@@ -219,24 +219,47 @@ void MeshBuffers::refresh(std::uint32_t number) {
   }
 }
 
-void MeshBuffers::write_flags(const TriangleSource& source, std::span<const std::uint32_t> faces) {
+std::vector<std::uint32_t> MeshBuffers::write_flags(const TriangleSource& source,
+                                                    std::span<const std::uint32_t> faces) {
   const std::size_t now = source.face_flags.size();
-  const std::size_t before = std::min(source_flags_, now);
-  if (flags_.size() < now) flags_.resize(now, 0);
-  std::vector<std::uint32_t> changed;
+  const std::size_t before = std::min(source_flags_, now), end = std::max(source_flags_, now);
+  if (flags_.size() < end) flags_.resize(end, 0);
+  std::vector<std::uint32_t> written;
+  const auto write = [&](std::uint32_t face, std::uint8_t flags) {
+    if (flags_[face] == flags) return;
+    flags_[face] = flags;
+    written.push_back(face);
+  };
   for (const std::uint32_t face : faces) {
-    if (face >= before) continue;
-    flags_[face] = source.face_flags[face];
-    changed.push_back(face);
+    if (face < before) write(face, source.face_flags[face]);
   }
-  for_runs(std::move(changed), [&](std::uint32_t first, std::uint32_t count) {
+  for_runs(written, [&](std::uint32_t first, std::uint32_t count) {
     gpu_flags_.write(first, {flags_.data() + first, count});
   });
-  for (std::size_t face = before; face < now; ++face) flags_[face] = source.face_flags[face];
-  for (std::size_t face = now; face < source_flags_; ++face) flags_[face] = 0;
-  const std::size_t end = std::max(now, source_flags_);
+  for (std::size_t face = before; face < end; ++face) {
+    write(static_cast<std::uint32_t>(face), face < now ? source.face_flags[face] : std::uint8_t{0});
+  }
   gpu_flags_.write(before, {flags_.data() + before, end - before});
   source_flags_ = now;
+  return written;
+}
+
+void MeshBuffers::add_triangles_of(const TriangleSource& source, std::vector<std::uint32_t> faces,
+                                   std::vector<std::uint32_t>& triangles) const {
+  if (faces.empty()) return;
+  std::vector<std::uint32_t> named;
+  for (const std::uint32_t triangle : triangles) {
+    if (triangle < source.triangles.size()) named.push_back(source.triangle_face[triangle]);
+    if (triangle < slot_of_source_.size()) named.push_back(face_of_slot(slot_of_source_[triangle]));
+  }
+  std::sort(named.begin(), named.end());
+  std::erase_if(faces, [&](std::uint32_t f) { return std::binary_search(named.begin(), named.end(), f); });
+  if (faces.empty()) return;
+  std::vector<std::uint8_t> wanted(flags_.size(), 0);
+  for (const std::uint32_t face : faces) wanted[face] = 1;
+  for (std::uint32_t slot = 0; slot < triangles_.size(); ++slot) {
+    if (is_drawn(triangles_[slot]) && wanted[face_of_slot(slot)] != 0) triangles.push_back(source_of_slot_[slot]);
+  }
 }
 
 }  // namespace ryosen

@@ -62,8 +62,10 @@ class MeshBuffers {
   void set(const TriangleSource& source, const BufferSpace& space);
 
   // Brings the copy up to date after a change. `vertices` names the vertices with a new position, `triangles` the
-  // triangles with other corners, face, edge bits or flags and those with a moved corner, `faces` the faces with other
-  // flags. What lies past the old ends of the arrays, or is cut off at their ends, need not be named.
+  // triangles with other corners, face or edge bits and those with a moved corner, `faces` the faces with other flags.
+  // What lies past the old ends of the arrays, or is cut off at their ends, need not be named. Looking for the triangles
+  // of faces with other flags takes a pass over all triangles, unless some triangle of each such face is named; then all
+  // of them must be.
   MeshChange update(const TriangleSource& source, std::span<const std::uint32_t> vertices,
                     std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces);
 
@@ -88,7 +90,10 @@ class MeshBuffers {
   void write_positions(const TriangleSource& source, std::span<const std::uint32_t> vertices);
   // Returns the numbers of the clusters written to.
   std::vector<std::uint32_t> write_triangles(const TriangleSource& source, std::span<const std::uint32_t> triangles);
-  void write_flags(const TriangleSource& source, std::span<const std::uint32_t> faces);
+  // Returns the faces whose flags are different now.
+  std::vector<std::uint32_t> write_flags(const TriangleSource& source, std::span<const std::uint32_t> faces);
+  void add_triangles_of(const TriangleSource& source, std::vector<std::uint32_t> faces,
+                        std::vector<std::uint32_t>& triangles) const;
 
   BufferSpace space_;
   std::vector<glm::vec4> positions_;   // as uploaded; w is 0

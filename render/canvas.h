@@ -18,8 +18,8 @@ class Canvas {
   // See UiPass::set_fonts.
   void set_fonts(ImFontAtlas& atlas);
 
-  // Draws what the view has to draw, puts its picture at (x, y), and `ui`, in pixels of the window, over it. Returns how
-  // many pixels were drawn anew; 0 when nothing changed. What neither covers is black.
+  // Draws what the view has to draw, puts its picture at (x, y), and `ui`, in pixels of the window, over it. Returns
+  // how many pixels were drawn anew; 0 when nothing changed. What neither covers is black.
   std::int64_t compose(View& view, int x, int y, const ImDrawData& ui);
 
   // Copies the picture to another framebuffer of the same size, the window's being number 0.

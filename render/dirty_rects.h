@@ -8,8 +8,8 @@
 
 namespace ryosen {
 
-// A few rectangles that do not overlap. Near ones are merged, far ones are kept apart, so that little is drawn twice and
-// little in vain.
+// A few rectangles that do not overlap. Near ones are merged, far ones are kept apart, so that little is drawn twice
+// and little in vain.
 class DirtyRects {
  public:
   void add(PixelRect rect);

@@ -63,9 +63,9 @@ class MeshBuffers {
 
   // Brings the copy up to date after a change. `vertices` names the vertices with a new position, `triangles` the
   // triangles with other corners, face or edge bits and those with a moved corner, `faces` the faces with other flags.
-  // What lies past the old ends of the arrays, or is cut off at their ends, need not be named. Looking for the triangles
-  // of faces with other flags takes a pass over all triangles, unless some triangle of each such face is named; then all
-  // of them must be.
+  // What lies past the old ends of the arrays, or is cut off at their ends, need not be named. Looking for the
+  // triangles of faces with other flags takes a pass over all triangles, unless some triangle of each such face is
+  // named; then all of them must be.
   MeshChange update(const TriangleSource& source, std::span<const std::uint32_t> vertices,
                     std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces);
 

@@ -18,8 +18,8 @@ std::uint32_t spread(std::uint32_t value) {
   return (value | (value << 2)) & 0x09249249u;
 }
 
-// The place of a cell along a Hilbert curve: turns the bits of the axes into those of the curve, from the coarsest level
-// down [Skilling04]. Unlike a Z curve it never jumps, so a run of it has a small box.
+// The place of a cell along a Hilbert curve: turns the bits of the axes into those of the curve, from the coarsest
+// level down [Skilling04]. Unlike a Z curve it never jumps, so a run of it has a small box.
 std::uint32_t place_on_curve(glm::uvec3 cell) {
   std::uint32_t axis[3] = {cell.x, cell.y, cell.z};
   for (std::uint32_t level = 1u << (bits_per_axis - 1); level > 1; level >>= 1) {

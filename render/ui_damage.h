@@ -15,8 +15,8 @@ namespace ryosen {
 // Remembers the triangles of the last draw data and compares them with the next, list by list, from both ends.
 class UiDamage {
  public:
-  // The rectangles, cut to `size`, some perhaps empty, outside of which both draw data give the same pixels. Textures are taken as
-  // unchanged. Linear in the triangles.
+  // The rectangles, cut to `size`, some perhaps empty, outside of which both draw data give the same pixels. Textures
+  // are taken as unchanged. Linear in the triangles.
   std::vector<PixelRect> update(const ImDrawData& data, Size size);
   // Makes the next update return everything.
   void forget() { known_ = false; }

@@ -7,7 +7,7 @@ uniform vec3 rim_colour;
 uniform vec3 front_colour;
 uniform vec3 back_colour;
 
-const vec3 key_direction = normalize(vec3(-0.50, 0.62, 0.60));
+const vec3 key_direction = normalize(vec3(-0.42, 0.60, 0.68));
 const vec3 fill_direction = normalize(vec3(0.80, -0.10, 0.45));
 
 // What a white triangle would look like; seen_front says which side the eye sees.
@@ -22,5 +22,5 @@ vec3 light_on(Corner corner, out float grazing, out bool seen_front) {
   float key = max(dot(normal, key_direction), 0.0);
   float fill = max(dot(normal, fill_direction), 0.0);
   float sky = 0.5 + 0.5 * normal.y;
-  return 0.85 * key * key_colour + fill * fill_colour + mix(vec3(0.035, 0.032, 0.030), vec3(0.11, 0.125, 0.15), sky);
+  return 1.05 * key * key_colour + fill * fill_colour + mix(vec3(0.035, 0.032, 0.030), vec3(0.11, 0.125, 0.15), sky);
 }

@@ -1,5 +1,5 @@
 #version 330 core
-// Lines, points and ghost triangles. Vertex number n of a draw is corner n % 6 of two triangles that hold element n / 6.
+// Lines, points and ghost triangles. Vertex number n of a draw is corner n % 6 of the two triangles of element n / 6.
 uniform samplerBuffer elements;  // four texels each, see OverlayElement
 uniform mat4 view_from_buffer;
 uniform mat4 clip_from_view;

@@ -152,7 +152,8 @@ TEST(OffRead, BinaryInEitherByteOrder) {
       EXPECT_EQ(file.mesh.corners, (Corners{0, 1, 2}));
       EXPECT_EQ(file.mesh.face_colours.values.size(), face_colours ? 1u : 0u);
       EXPECT_TRUE(file.messages.empty());
-      const Message* extra = find_message(read_sound("off", bytes + "abc"), "extra_data");
+      const MeshFile longer = read_sound("off", bytes + "abc");
+      const Message* extra = find_message(longer, "extra_data");
       ASSERT_NE(extra, nullptr);
       EXPECT_EQ(extra->byte, bytes.size());
       const Failure cut = read_refused("off", bytes.substr(0, bytes.size() - 9));

@@ -196,9 +196,4 @@ Outcome Gui::run(Session& session, const std::string& line) {
 Outcome Gui::click(Session& session, glm::dvec2 pixel) { return context(session).click(pixel); }
 void Gui::leave(Session& session, PendingLeave where) { context(session).leave(std::move(where)); }
 
-void Gui::say(Outcome::Kind kind, Text text) {
-  state_.last_kind = kind;
-  state_.last_outcome = std::move(text);
-}
-
 }  // namespace ryosen

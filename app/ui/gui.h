@@ -50,7 +50,8 @@ class Gui {
   Outcome run(Session& session, const std::string& line);
   Outcome click(Session& session, glm::dvec2 pixel);
   void leave(Session& session, PendingLeave where);
-  void say(Outcome::Kind kind, Text text);
+  // What the status line says of the last command.
+  const Text& said() const { return state_.last_outcome; }
   bool wants_quit() const { return state_.wants_quit; }
 
  private:

@@ -27,6 +27,10 @@ class Headless {
   // hover are those of the picture from then on.
   void place_view(Session& session) const;
   Image picture(Session& session);
+  // What is seen where, in pixels of the view, as of the last picture.
+  IdImage read_ids() { return viewport_->view().read_ids(); }
+  // Makes the next picture take everything of its session anew.
+  void forget() { viewport_->forget(); }
   std::string_view backend() const { return context_->name(); }
 
  private:

@@ -73,7 +73,7 @@ void add_ghost(const Preview& preview, Theme theme, Overlay& overlay) {
       overlay.ghosts.push_back({{face.corners[t[0]], face.corners[t[1]], face.corners[t[2]]}, ghost.colour, 0});
     for (std::size_t i = 0; i < face.corners.size(); ++i)
       overlay.lines.push_back({face.corners[i], face.corners[(i + 1) % face.corners.size()],
-                               style(Role::legal, theme).colour, LineStyle::solid, 1.2f, faintly, false});
+                               with_alpha(ghost.colour, 255), LineStyle::solid, ghost.width_px, faintly, false});
   }
 }
 

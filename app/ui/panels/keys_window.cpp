@@ -9,9 +9,11 @@ namespace {
 void pair_row(PanelContext& context, const char* chord, const char* help) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  ImGui::TextColored(context.colours().accent, "%s", chord);
+  coloured_text(context.colours().accent, chord);
   ImGui::TableNextColumn();
+  ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(help);
+  ImGui::PopTextWrapPos();
 }
 
 void draw_mouse(PanelContext& context) {
@@ -29,24 +31,24 @@ void draw_mouse(PanelContext& context) {
 
 void draw_keys_window(PanelContext& context) {
   if (!begin_over(context, "keys", context.text(UiText::keys), {760, 520})) return;
-  const auto table = [&](const char* id, auto fill) {
+  const auto table = [&](const char* id, float help_share, auto fill) {
     if (!ImGui::BeginTable(id, 2)) return;
     ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthStretch, 1);
-    ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch, 1.6f);
+    ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch, help_share);
     fill();
     ImGui::EndTable();
   };
   const float half = ImGui::GetContentRegionAvail().x / 2 - 8 * context.scale;
   ImGui::BeginChild("keys", {half, 0});
   dim_text(context, context.text(UiText::key));
-  table("keys", [&] {
+  table("keys", 2.4f, [&] {
     for (const KeyRow& key : key_table()) pair_row(context, key.chord.data(), context.text(key.help_en, key.help_ja));
   });
   ImGui::EndChild();
   ImGui::SameLine(0, 16 * context.scale);
   ImGui::BeginChild("mouse", {half, 0});
   dim_text(context, context.text(UiText::mouse));
-  table("mouse", [&] { draw_mouse(context); });
+  table("mouse", 1, [&] { draw_mouse(context); });
   ImGui::EndChild();
   end_over();
 }

@@ -1,0 +1,156 @@
+// Pictures of the program held against those that were looked at and found good. RYOSEN_UPDATE_GOLDEN=1 writes them
+// anew; look at each before committing it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "render/image.h"
+#include "render/palette.h"
+#include "tests/support/app/program.h"
+
+namespace ryosen {
+namespace {
+
+// What must be seen: at least this many pixels about as the role is coloured.
+struct Seen {
+  Role role;
+  int least;
+};
+
+struct Golden {
+  std::string name, mesh;
+  std::vector<std::string> flags;
+  std::vector<Seen> seen;
+  std::vector<Role> unseen = {};
+  Theme theme = Theme::dark;
+
+  friend void PrintTo(const Golden& golden, std::ostream* out) { *out << golden.name; }
+};
+
+const std::string small = "480x360";
+const std::string close_to_the_eye =
+    R"({"eye":[-0.045,0.155,0.072],"target":[-0.064,0.142,0.03],"up":[0,1,0],"fov_y_deg":35})";
+
+const std::vector<Golden> goldens{
+    {"bunny", "stanford_bunny.obj", {"--size", small}, {}, {Role::nonmanifold, Role::degenerate}},
+    {"bunny_boundary", "stanford_bunny.obj", {"--size", small, "--view", "bottom"}, {{Role::boundary, 400}}},
+    {"bunny_legal",
+     "stanford_bunny.obj",
+     {"--size", small, "--camera", close_to_the_eye, "--tool", "collapse", "--hover", "247,180"},
+     {{Role::legal, 30}, {Role::ghost, 50}},
+     {Role::refused}},
+    {"bunny_selected",
+     "stanford_bunny.obj",
+     {"--size", small, "--camera", close_to_the_eye, "--click", "247,180", "--hover", "225,150"},
+     {{Role::selected, 30}, {Role::hover, 30}},
+     {Role::legal, Role::refused}},
+    {"boundary", "two_quads.obj", {"--size", small, "--show", "boundary"}, {{Role::boundary, 1000}}},
+    {"nonmanifold_edge",
+     "fin.obj",
+     {"--size", small, "--show", "nonmanifold"},
+     {{Role::nonmanifold, 200}},
+     {Role::boundary}},
+    {"nonmanifold_vertex",
+     "bow_tie.obj",
+     {"--size", small, "--show", "nonmanifold"},
+     {{Role::nonmanifold, 40}},
+     {Role::boundary}},
+    {"misoriented", "misoriented.obj", {"--size", small, "--show", "misoriented"}, {{Role::misoriented, 200}}},
+    {"degenerate", "collinear.obj", {"--size", small, "--show", "degenerate"}, {{Role::degenerate, 250}}},
+    {"duplicate", "duplicate_face.obj", {"--size", small, "--show", "duplicate"}, {{Role::duplicate, 500}}},
+    {"hanging", "hanging_pair.obj", {"--size", small, "--show", "hanging"}, {{Role::hanging, 150}}},
+    {"isolated", "isolated_vertex.obj", {"--size", small, "--show", "isolated"}, {{Role::isolated, 20}}},
+    {"nothing_shown",
+     "fin.obj",
+     {"--size", small, "--show", "none"},
+     {},
+     {Role::boundary, Role::nonmanifold, Role::degenerate}},
+    {"split_legal",
+     "torus.off",
+     {"--size", "640x480", "--theme", "light", "--tool", "split", "--hover", "322,393"},
+     {{Role::legal, 300}},
+     {Role::refused},
+     Theme::light},
+    {"collapse_refused",
+     "tetrahedron.off",
+     {"--size", small, "--view", "iso", "--tool", "collapse", "--hover", "240,338"},
+     {{Role::refused, 300}},
+     {Role::legal, Role::ghost}},
+    {"boundary_refused",
+     "two_quads.obj",
+     {"--size", small, "--theme", "light", "--tool", "swap", "--hover", "320,282"},
+     {{Role::refused, 300}},
+     {Role::legal},
+     Theme::light},
+    {"panels_english",
+     "torus.off",
+     {"--panels", "--tool", "split", "--hover", "609,560"},
+     {{Role::legal, 300}, {Role::boundary, 60}, {Role::nonmanifold, 20}}},
+    {"panels_japanese",
+     "fin.obj",
+     {"--panels", "--lang", "ja", "--theme", "light", "--tool", "collapse", "--hover", "610,380"},
+     {{Role::boundary, 1000}, {Role::refused, 300}},
+     {Role::legal},
+     Theme::light},
+};
+
+int count_coloured(const Image& picture, Role role, Theme theme) {
+  const Rgba colour = style(role, theme).colour;
+  int n = 0;
+  for (const Rgba& pixel : picture.pixels) {
+    bool is_near = true;
+    for (std::size_t c = 0; c < 3; ++c) is_near = is_near && std::abs(int{pixel[c]} - int{colour[c]}) <= 10;
+    n += is_near;
+  }
+  return n;
+}
+
+class GoldenTest : public testing::TestWithParam<Golden> {};
+
+TEST_P(GoldenTest, LooksAsItDid) {
+  const Golden& golden = GetParam();
+  const test::TemporaryFolder folder;
+  const std::string reference = std::string(RYOSEN_SOURCE_DIR) + "/assets/golden/" + golden.name + ".png";
+  const std::string written = folder.at("picture.png");
+  const bool updates = std::getenv("RYOSEN_UPDATE_GOLDEN") != nullptr;
+  std::vector<std::string> arguments{"shot", test::asset(golden.mesh), "--backend", "osmesa", "-o", written};
+  arguments.insert(arguments.end(), golden.flags.begin(), golden.flags.end());
+  if (!updates) arguments.insert(arguments.end(), {"--compare", reference});
+  const test::ProgramRun run = test::run_program(arguments);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+
+  const Result<Image> picture = read_png(written);
+  ASSERT_TRUE(picture);
+  for (const Seen& seen : golden.seen)
+    EXPECT_GE(count_coloured(*picture, seen.role, golden.theme), seen.least) << "role " << static_cast<int>(seen.role);
+  for (const Role role : golden.unseen)
+    EXPECT_EQ(count_coloured(*picture, role, golden.theme), 0) << "role " << static_cast<int>(role);
+  if (updates) ASSERT_TRUE(write_png(*picture, reference));
+}
+
+INSTANTIATE_TEST_SUITE_P(Pictures, GoldenTest, testing::ValuesIn(goldens),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(Compare, TellsAnotherPictureFromTheReference) {
+  const test::TemporaryFolder folder;
+  const std::string reference = std::string(RYOSEN_SOURCE_DIR) + "/assets/golden/nonmanifold_edge.png";
+  const std::string mesh = test::asset("fin.obj");
+  const auto shot = [&](std::vector<std::string> flags) {
+    flags.insert(flags.begin(), {"shot", mesh, "--compare", reference, "--size", "480x360"});
+    return test::run_program(flags);
+  };
+  EXPECT_EQ(shot({"--show", "nonmanifold"}).exit_code, 0);
+  const test::ProgramRun other = shot({"--show", "none", "--diff", folder.at("difference.png")});
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_TRUE(folder.has("difference.png"));
+  EXPECT_EQ(shot({"--show", "none", "--tolerance", "100"}).exit_code, 0);
+  EXPECT_EQ(test::run_program({"shot", mesh, "--compare", reference, "--size", "300x200"}).exit_code, 1);
+  EXPECT_EQ(test::run_program({"shot", mesh, "--compare", folder.at("none.png")}).exit_code, 3);
+}
+
+}  // namespace
+}  // namespace ryosen

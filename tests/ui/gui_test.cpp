@@ -1,0 +1,134 @@
+// The panels, laid out and clicked without a window.
+#include "app/ui/gui.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include "app/editor/keys.h"
+#include "tests/support/app/program.h"
+
+namespace ryosen {
+namespace {
+
+constexpr Size window{1280, 720};
+
+// A session in panels, with frames laid out and nothing drawn.
+class Laid {
+ public:
+  explicit Laid(const std::string& asset) : session(std::make_unique<Document>()) {
+    auto document = Document::open(test::asset(asset));
+    EXPECT_TRUE(document) << asset;
+    session.set_document(std::move(document).value());
+    gui.place_view(session, window);
+    session.frame_all();
+    frames(3);
+  }
+
+  void frames(int n) {
+    for (int i = 0; i < n; ++i) {
+      gui.prepare(session);
+      gui.frame(session, window, 0.02);
+    }
+  }
+  void click(glm::dvec2 pixel) {
+    gui.pointer(pixel);
+    frames(2);
+    gui.button(0, true);
+    frames(1);
+    gui.button(0, false);
+    frames(2);
+  }
+
+  Session session;
+  Gui gui{1};
+};
+
+TEST(Texts, AreThereInBothLanguages) {
+  for (int i = 0; i < static_cast<int>(UiText::count); ++i) {
+    const auto id = static_cast<UiText>(i);
+    EXPECT_STRNE(text(id, Language::english), "");
+    EXPECT_STRNE(text(id, Language::japanese), "");
+    EXPECT_STRNE(text(id, Language::english), text(id, Language::japanese)) << text(id, Language::english);
+  }
+  for (const KeyRow& key : key_table()) {
+    EXPECT_FALSE(key.help_en.empty()) << key.chord;
+    EXPECT_FALSE(key.help_ja.empty()) << key.chord;
+  }
+}
+
+TEST(Gui, LaysOutSomethingInEveryLanguageAndTheme) {
+  Laid laid("fin.obj");
+  for (const char* line : {"language ja", "theme light", "language en", "theme dark"}) {
+    ASSERT_TRUE(laid.session.run(line).done());
+    laid.frames(2);
+    EXPECT_GT(laid.gui.draw_data().TotalVtxCount, 2000) << line;
+  }
+}
+
+TEST(Gui, TheViewLiesBetweenTheColumns) {
+  const Laid laid("cube.obj");
+  const PixelRect area = laid.gui.view_area(window);
+  EXPECT_EQ(laid.session.view, (Size{area.width(), area.height()}));
+  EXPECT_EQ(laid.session.view_origin, glm::dvec2(area.x0, area.y0));
+  EXPECT_FALSE(laid.gui.owns_pointer(laid.session, window, {640, 360}));
+  EXPECT_TRUE(laid.gui.owns_pointer(laid.session, window, {100, 360}));
+  EXPECT_TRUE(laid.gui.owns_pointer(laid.session, window, {1200, 360}));
+  EXPECT_TRUE(laid.gui.owns_pointer(laid.session, window, {640, 5}));
+}
+
+TEST(Gui, AClickOnAToolTakesItAndAnotherPutsItAway) {
+  Laid laid("torus.off");
+  const glm::dvec2 second_row(100, 90);
+  laid.click(second_row);
+  EXPECT_EQ(laid.session.tool, "collapse");
+  laid.click(second_row);
+  EXPECT_EQ(laid.session.tool, "");
+}
+
+TEST(Gui, AHighlightIsSwitchedInItsPanel) {
+  Laid laid("fin.obj");
+  ASSERT_TRUE(laid.session.shown.contains("boundary"));
+  laid.click({20, 287});
+  EXPECT_FALSE(laid.session.shown.contains("boundary"));
+  EXPECT_TRUE(laid.session.shown.contains("nonmanifold"));
+}
+
+TEST(Gui, AnOpenPanelTakesThePointerAndEscapeGivesItBack) {
+  Laid laid("cube.obj");
+  for (const char* panel : {"keys", "open", "save", "unsaved"}) {
+    ASSERT_TRUE(laid.gui.run(laid.session, std::string("panel ") + panel).done());
+    laid.frames(2);
+    EXPECT_TRUE(laid.gui.owns_pointer(laid.session, window, {640, 360})) << panel;
+    ASSERT_TRUE(laid.gui.run(laid.session, "cancel").done());
+    laid.frames(3);
+    EXPECT_FALSE(laid.gui.owns_pointer(laid.session, window, {640, 360})) << panel;
+  }
+}
+
+TEST(Gui, AsksBeforeChangesAreLost) {
+  Laid laid("torus.off");
+  laid.gui.leave(laid.session, {true, {}});
+  EXPECT_TRUE(laid.gui.wants_quit()) << "nothing to lose";
+
+  Laid changed("torus.off");
+  ASSERT_TRUE(changed.session.run("split 0-1").done());
+  changed.gui.leave(changed.session, {true, {}});
+  EXPECT_FALSE(changed.gui.wants_quit());
+  EXPECT_EQ(changed.session.open_panel, "unsaved");
+  changed.frames(2);
+  changed.click({640, 378});  // discard
+  EXPECT_TRUE(changed.gui.wants_quit());
+}
+
+TEST(Gui, NothingIsSaidToBeDoneThatWasNot) {
+  Laid laid("tetrahedron.off");
+  const std::uint64_t before = laid.session.mesh().hash();
+  const Outcome outcome = laid.gui.run(laid.session, "collapse 0-1");
+  EXPECT_EQ(outcome.kind, Outcome::Kind::refused);
+  EXPECT_EQ(laid.session.mesh().hash(), before);
+  EXPECT_NE(laid.gui.said().en.find("refused"), std::string::npos);
+  EXPECT_EQ(laid.gui.said().en.find("done"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ryosen

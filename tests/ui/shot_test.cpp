@@ -1,0 +1,97 @@
+// The flags and exit codes of `shot`.
+#include <gtest/gtest.h>
+
+#include "render/image.h"
+#include "tests/support/app/program.h"
+
+namespace ryosen {
+namespace {
+
+using test::asset;
+using test::run_program;
+
+int shot(const std::string& mesh, const std::string& output, std::vector<std::string> flags) {
+  flags.insert(flags.begin(), {"shot", mesh, "-o", output, "--size", "320x240"});
+  return run_program(flags).exit_code;
+}
+
+TEST(Shot, WritesAPictureOfTheSizeAskedFor) {
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(shot(asset("cube.obj"), folder.at("a.png"), {}), 0);
+  const Result<Image> picture = read_png(folder.at("a.png"));
+  ASSERT_TRUE(picture);
+  EXPECT_EQ(picture->size, (Size{320, 240}));
+}
+
+TEST(Shot, GivesEqualBytesForEqualQuestions) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"a.png", "b.png"})
+    EXPECT_EQ(shot(asset("torus.off"), folder.at(name), {"--panels", "--lang", "ja"}), 0);
+  EXPECT_TRUE(test::read_file(folder.at("a.png")) == test::read_file(folder.at("b.png")));
+}
+
+TEST(Shot, EveryFlagChangesThePicture) {
+  const test::TemporaryFolder folder;
+  const std::string mesh = asset("fin.obj"), script = folder.write("s.txt", "split 0-1@f0 0.3\n");
+  ASSERT_EQ(shot(mesh, folder.at("plain.png"), {}), 0);
+  const std::string plain = test::read_file(folder.at("plain.png"));
+  const std::vector<std::vector<std::string>> changes{
+      {"--view", "top"},      {"--camera", R"({"eye":[1,1,3],"target":[0,0,0],"up":[0,1,0]})"},
+      {"--show", "none"},     {"--select", "f0"},
+      {"--hover", "173,130"}, {"--script", script},
+      {"--panels"},           {"--transparent"},
+      {"--supersample", "2"}, {"--theme", "light"},
+  };
+  for (const std::vector<std::string>& flags : changes) {
+    EXPECT_EQ(shot(mesh, folder.at("other.png"), flags), 0) << flags[0];
+    EXPECT_TRUE(test::read_file(folder.at("other.png")) != plain) << flags[0];
+  }
+}
+
+TEST(Shot, EndsAsTheContractSays) {
+  const test::TemporaryFolder folder;
+  const std::string mesh = asset("tetrahedron.off"), out = folder.at("o.png");
+  EXPECT_EQ(run_program({"shot", mesh}).exit_code, 2);
+  EXPECT_EQ(shot(mesh, out, {"--size", "0x7"}), 2);
+  EXPECT_EQ(shot(mesh, out, {"--view", "sideways"}), 2);
+  EXPECT_EQ(shot(mesh, out, {"--show", "bondary"}), 2);
+  EXPECT_EQ(shot(mesh, out, {"--tool", "colapse"}), 2);
+  EXPECT_EQ(shot(mesh, out, {"--select", "v99"}), 2);
+  EXPECT_EQ(shot(mesh, out, {"--hover", "left"}), 2);
+  EXPECT_FALSE(folder.has("o.png"));
+  EXPECT_EQ(shot(asset("nosuch.obj"), out, {}), 3);
+  EXPECT_EQ(shot(asset("obj_16_text_coord.obj"), out, {}), 4);
+  EXPECT_EQ(shot(mesh, folder.at("no/folder/o.png"), {}), 5);
+  EXPECT_EQ(shot(folder.copy(mesh, "m.off"), folder.at("m.off"), {}), 5);
+  EXPECT_FALSE(folder.has("o.png"));
+}
+
+TEST(Shot, MakesThePictureOfARefusedClick) {
+  const test::TemporaryFolder folder;
+  const std::vector<std::string> click{"shot", asset("tetrahedron.off"), "--size", "480x360", "--view",          "iso",
+                                       "-o",   folder.at("a.png"),       "--json", "--click", "240,338,collapse"};
+  const test::ProgramRun run = run_program(click);
+  EXPECT_EQ(run.exit_code, 6);
+  EXPECT_TRUE(folder.has("a.png"));
+  EXPECT_EQ(run.line()["messages"][0]["code"], "refused");
+}
+
+TEST(Shot, ClicksBeforeThePictureIsTaken) {
+  const test::TemporaryFolder folder;
+  const std::string mesh = asset("torus.off");
+  EXPECT_EQ(run_program({"shot", mesh, "-o", folder.at("after.png"), "--size", "640x480", "--click", "322,393,split"})
+                .exit_code,
+            0);
+  EXPECT_EQ(run_program({"shot", mesh, "-o", folder.at("same.png"), "--size", "640x480"}).exit_code, 0);
+  EXPECT_TRUE(test::read_file(folder.at("after.png")) != test::read_file(folder.at("same.png")));
+}
+
+TEST(Shot, TheEditorNamesItWhereThereIsNoDisplay) {
+  const test::ProgramRun run = run_program({asset("cube.obj")});
+  EXPECT_EQ(run.exit_code, 7);
+  EXPECT_NE(run.err.find("ryosen shot"), std::string::npos);
+  EXPECT_EQ(run_program({"view", asset("nosuch.obj")}).exit_code, 3);
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -1,0 +1,164 @@
+// The real window on a display of its own: the pointer hovers and clicks an edge, the mesh changes, Ctrl+Z restores it.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <functional>
+#include <sstream>
+#include <thread>
+
+#include "tests/support/app/program.h"
+
+namespace ryosen {
+namespace {
+
+using namespace std::chrono_literals;
+
+// A program that runs until it is told to end.
+class Process {
+ public:
+  Process(std::vector<std::string> arguments, const std::vector<std::string>& environment,
+          const std::string& output = "/dev/null") {
+    id_ = fork();
+    if (id_ != 0) return;
+    for (const std::string& variable : environment) putenv(strdup(variable.c_str()));
+    if (!freopen(output.c_str(), "w", stdout) || !freopen("/dev/null", "w", stderr)) _exit(126);
+    std::vector<char*> words;
+    for (std::string& word : arguments) words.push_back(word.data());
+    words.push_back(nullptr);
+    execvp(words[0], words.data());
+    _exit(127);
+  }
+  ~Process() {
+    if (id_ <= 0 || is_over()) return;
+    kill(id_, SIGTERM);
+    waitpid(id_, nullptr, 0);
+  }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  bool is_over() { return is_over_ || (is_over_ = waitpid(id_, &status_, WNOHANG) == id_); }
+  int exit_code() const { return WIFEXITED(status_) ? WEXITSTATUS(status_) : -1; }
+
+ private:
+  pid_t id_ = -1;
+  int status_ = 0;
+  bool is_over_ = false;
+};
+
+bool wait_for(const std::function<bool()>& condition, std::chrono::seconds limit = 15s) {
+  const auto end = std::chrono::steady_clock::now() + limit;
+  while (std::chrono::steady_clock::now() < end) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(20ms);
+  }
+  return condition();
+}
+
+bool is_installed(const char* program) {
+  return std::system(("command -v " + std::string(program) + " >/dev/null 2>&1").c_str()) == 0;
+}
+
+// What the editor says about the picture it showed last (RYOSEN_FRAME_LOG).
+struct Frame {
+  long number = 0, pixels = 0;
+  double took_ms = 0;
+  long vertices = 0, history = -1;
+  std::string hover;
+};
+
+class WindowTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* program : {"Xvfb", "xdotool"})
+      if (!is_installed(program)) GTEST_SKIP() << program << " is not installed; tests/run.sh installs it";
+    display_ = std::make_unique<Process>(
+        std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", "1400x900x24", "-nolisten", "tcp"},
+        std::vector<std::string>{}, folder_.at("display"));
+    ASSERT_TRUE(wait_for([&] { return !test::read_file(folder_.at("display")).empty(); })) << "Xvfb did not start";
+    number_ = std::to_string(std::stoi(test::read_file(folder_.at("display"))));
+  }
+
+  void open(const std::string& mesh) {
+    editor_ = std::make_unique<Process>(
+        std::vector<std::string>{RYOSEN_PROGRAM, mesh},
+        std::vector<std::string>{"DISPLAY=:" + number_, "RYOSEN_FRAME_LOG=" + folder_.at("frames"), "LC_ALL=C"});
+    ASSERT_TRUE(wait_for([&] { return last().number > 0; })) << "no picture appeared";
+  }
+
+  void xdotool(const std::string& words) const {
+    ASSERT_EQ(std::system(("DISPLAY=:" + number_ + " xdotool " + words).c_str()), 0) << words;
+  }
+
+  Frame last() const {
+    if (!folder_.has("frames")) return {};
+    const std::string log = test::read_file(folder_.at("frames"));
+    const std::size_t end = log.rfind('\n');
+    if (end == std::string::npos) return {};
+    const std::size_t begin = end == 0 ? std::string::npos : log.rfind('\n', end - 1);
+    std::istringstream line(log.substr(begin == std::string::npos ? 0 : begin + 1));
+    Frame frame;
+    std::string word;
+    long ignored = 0;
+    line >> word >> frame.number >> word >> frame.pixels >> word >> frame.took_ms >> word >> frame.vertices >> word >>
+        ignored >> word >> ignored >> word >> frame.history >> word >> frame.hover;
+    return frame;
+  }
+
+  test::TemporaryFolder folder_;
+  std::unique_ptr<Process> display_, editor_;
+  std::string number_;
+};
+
+TEST_F(WindowTest, HoverClickAndUndo) {
+  open(test::asset("stanford_bunny.obj"));
+  const long vertices = last().vertices;
+  EXPECT_EQ(vertices, 34834);
+  xdotool("mousemove 600 420");
+  xdotool("mousemove 604 424");
+  ASSERT_TRUE(wait_for([&] { return last().hover != "-" && !last().hover.empty(); })) << "nothing is hovered";
+  const long before_tool = last().number;
+  xdotool("key c");
+  ASSERT_TRUE(wait_for([&] { return last().number > before_tool; }));
+  EXPECT_EQ(last().history, 0);
+
+  // Not every edge may collapse; a few pixels on there is one that may.
+  for (int i = 0; i < 12 && last().history == 0; ++i) {
+    xdotool("mousemove " + std::to_string(604 + 7 * i) + " " + std::to_string(424 + 5 * i) + " click 1");
+    wait_for([&] { return last().history > 0; }, 2s);
+  }
+  ASSERT_EQ(last().history, 1) << "no click collapsed an edge";
+  EXPECT_EQ(last().vertices, vertices - 1);
+
+  xdotool("key ctrl+z");
+  ASSERT_TRUE(wait_for([&] { return last().history == 0; }));
+  EXPECT_EQ(last().vertices, vertices);
+  xdotool("key ctrl+shift+z");
+  ASSERT_TRUE(wait_for([&] { return last().history == 1; }));
+}
+
+TEST_F(WindowTest, DrawsNothingWhenNothingChanges) {
+  open(test::asset("torus.off"));
+  xdotool("mousemove 640 400");
+  std::this_thread::sleep_for(600ms);  // until it has settled
+  const long before = last().number;
+  std::this_thread::sleep_for(700ms);
+  EXPECT_EQ(last().number, before);
+  // A drag turns the view: several pictures of all of it.
+  xdotool("mousemove 640 400 mousedown 1 mousemove 660 410 mousemove 690 420 mouseup 1");
+  EXPECT_TRUE(wait_for([&] { return last().number > before; }));
+  EXPECT_EQ(last().history, 0) << "a drag is no click";
+}
+
+TEST_F(WindowTest, EndsWhenAskedTo) {
+  open(test::asset("torus.off"));
+  xdotool("mousemove 640 400 key ctrl+q");
+  ASSERT_TRUE(wait_for([&] { return editor_->is_over(); }));
+  EXPECT_EQ(editor_->exit_code(), 0);
+}
+
+}  // namespace
+}  // namespace ryosen

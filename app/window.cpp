@@ -5,15 +5,13 @@
 #include <fstream>
 
 #include "app/editor/keys.h"
+#include "app/glfw.h"
 #include "app/ui/gui.h"
 #include "app/ui/navigation.h"
 #include "app/ui/viewport.h"
 #include "app/window_keys.h"
 #include "render/canvas.h"
 #include "render/gl/api.h"
-
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 
 namespace ryosen {
 
@@ -31,9 +29,12 @@ Failure no_window(std::string cause) {
   return failure;
 }
 
+// Only used once load_glfw() has answered.
+const Glfw& glfw() { return *load_glfw(); }
+
 std::string glfw_error() {
   const char* words = nullptr;
-  glfwGetError(&words);
+  glfw().get_error(&words);
   return words ? words : "";
 }
 
@@ -41,49 +42,50 @@ std::string glfw_error() {
 class GlfwWindow {
  public:
   static Result<std::unique_ptr<GlfwWindow>> make() {
+    if (!load_glfw()) return no_window("libglfw.so.3 is missing");
     std::unique_ptr<GlfwWindow> made(new GlfwWindow);
-    made->is_up_ = glfwInit() == GLFW_TRUE;
+    made->is_up_ = glfw().init() == GLFW_TRUE;
     if (!made->is_up_) return no_window(glfw_error());
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfwWindowHint(GLFW_DEPTH_BITS, 0);
-    glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    made->handle_ = glfwCreateWindow(1280, 800, "Ryosen", nullptr, nullptr);
+    glfw().window_hint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfw().window_hint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfw().window_hint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfw().window_hint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfw().window_hint(GLFW_DEPTH_BITS, 0);
+    glfw().window_hint(GLFW_STENCIL_BITS, 0);
+    glfw().window_hint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    made->handle_ = glfw().create_window(1280, 800, "Ryosen", nullptr, nullptr);
     if (!made->handle_) return no_window(glfw_error());
-    glfwMakeContextCurrent(made->handle_);
-    glfwSwapInterval(1);
-    if (!load_gl(glfwGetProcAddress)) return no_window("no OpenGL 3.3");
+    glfw().make_context_current(made->handle_);
+    glfw().swap_interval(1);
+    if (!load_gl(glfw().get_proc_address)) return no_window("no OpenGL 3.3");
     return made;
   }
   ~GlfwWindow() {
-    if (handle_) glfwDestroyWindow(handle_);
-    if (is_up_) glfwTerminate();
+    if (handle_) glfw().destroy_window(handle_);
+    if (is_up_) glfw().terminate();
   }
 
   GLFWwindow* handle() const { return handle_; }
   Size size() const {
     Size size;
-    glfwGetFramebufferSize(handle_, &size.width, &size.height);
+    glfw().get_framebuffer_size(handle_, &size.width, &size.height);
     return {std::max(size.width, 1), std::max(size.height, 1)};
   }
   float scale() const {
     float x = 1, y = 1;
-    glfwGetWindowContentScale(handle_, &x, &y);
+    glfw().get_window_content_scale(handle_, &x, &y);
     return std::max(1.f, x);
   }
   // Places come in screen coordinates, of which a display may have fewer than pixels.
   glm::dvec2 to_pixels(double x, double y) const {
     int width = 1, height = 1;
-    glfwGetWindowSize(handle_, &width, &height);
+    glfw().get_window_size(handle_, &width, &height);
     const Size pixels = size();
     return {x * pixels.width / std::max(width, 1), y * pixels.height / std::max(height, 1)};
   }
   glm::dvec2 pointer() const {
     double x = 0, y = 0;
-    glfwGetCursorPos(handle_, &x, &y);
+    glfw().get_cursor_pos(handle_, &x, &y);
     return to_pixels(x, y);
   }
 
@@ -118,9 +120,9 @@ class Editor {
       for (int i = 0; i < settling_frames; ++i) show();
       // The text cursor blinks; everything else waits for something to happen.
       if (gui_.owns_keys())
-        glfwWaitEventsTimeout(0.5);
+        glfw().wait_events_timeout(0.5);
       else
-        glfwWaitEvents();
+        glfw().wait_events();
     }
   }
 
@@ -128,28 +130,28 @@ class Editor {
   using Clock = std::chrono::steady_clock;
   static constexpr int settling_frames = 3;  // a panel may need that many to find its size
 
-  static Editor& of(GLFWwindow* window) { return *static_cast<Editor*>(glfwGetWindowUserPointer(window)); }
+  static Editor& of(GLFWwindow* window) { return *static_cast<Editor*>(glfw().get_window_user_pointer(window)); }
 
   void set_callbacks() {
     GLFWwindow* const w = window_.handle();
-    glfwSetWindowUserPointer(w, this);
-    glfwSetFramebufferSizeCallback(w, [](GLFWwindow* x, int, int) { of(x).resize(); });
-    glfwSetWindowRefreshCallback(w, [](GLFWwindow* x) { of(x).must_present_ = true; });
-    glfwSetWindowCloseCallback(w, [](GLFWwindow* x) {
-      glfwSetWindowShouldClose(x, GLFW_FALSE);
+    glfw().set_window_user_pointer(w, this);
+    glfw().set_framebuffer_size_callback(w, [](GLFWwindow* x, int, int) { of(x).resize(); });
+    glfw().set_window_refresh_callback(w, [](GLFWwindow* x) { of(x).must_present_ = true; });
+    glfw().set_window_close_callback(w, [](GLFWwindow* x) {
+      glfw().set_window_should_close(x, GLFW_FALSE);
       of(x).session_.quit();
     });
-    glfwSetCursorPosCallback(w,
-                             [](GLFWwindow* x, double px, double py) { of(x).move(of(x).window_.to_pixels(px, py)); });
-    glfwSetCursorEnterCallback(w, [](GLFWwindow* x, int entered) {
+    glfw().set_cursor_pos_callback(
+        w, [](GLFWwindow* x, double px, double py) { of(x).move(of(x).window_.to_pixels(px, py)); });
+    glfw().set_cursor_enter_callback(w, [](GLFWwindow* x, int entered) {
       if (!entered) of(x).leave();
     });
-    glfwSetMouseButtonCallback(
+    glfw().set_mouse_button_callback(
         w, [](GLFWwindow* x, int button, int action, int mods) { of(x).button(button, action == GLFW_PRESS, mods); });
-    glfwSetScrollCallback(w, [](GLFWwindow* x, double, double steps) { of(x).wheel(steps); });
-    glfwSetKeyCallback(w, [](GLFWwindow* x, int key, int, int action, int mods) { of(x).key(key, action, mods); });
-    glfwSetCharCallback(w, [](GLFWwindow* x, unsigned code) { of(x).gui_.character(code); });
-    glfwSetDropCallback(w, [](GLFWwindow* x, int count, const char** paths) {
+    glfw().set_scroll_callback(w, [](GLFWwindow* x, double, double steps) { of(x).wheel(steps); });
+    glfw().set_key_callback(w, [](GLFWwindow* x, int key, int, int action, int mods) { of(x).key(key, action, mods); });
+    glfw().set_char_callback(w, [](GLFWwindow* x, unsigned code) { of(x).gui_.character(code); });
+    glfw().set_drop_callback(w, [](GLFWwindow* x, int count, const char** paths) {
       if (count > 0) of(x).gui_.leave(of(x).session_, {false, paths[0]});
     });
   }
@@ -192,7 +194,7 @@ class Editor {
     else if (is_down || !navigation_.is_dragging())
       gui_.button(number, is_down);
     if (is_down) return;
-    if (const auto click = navigation_.release(which, pixel, glfwGetTime())) {
+    if (const auto click = navigation_.release(which, pixel, glfw().get_time())) {
       if (click->is_double && session_.tool.empty())
         set_centre(session_, click->pixel);
       else
@@ -235,7 +237,7 @@ class Editor {
     must_present_ = false;
     glFinish();
     const double took_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    glfwSwapBuffers(window_.handle());
+    glfw().swap_buffers(window_.handle());
     log_frame(pixels, took_ms);
   }
 
@@ -244,7 +246,7 @@ class Editor {
     const std::string name = document.path().filename().string();
     const std::string title = (document.is_modified() ? "* " : "") + (name.empty() ? "Ryosen" : name + " - Ryosen");
     if (title == title_) return;
-    glfwSetWindowTitle(window_.handle(), title.c_str());
+    glfw().set_window_title(window_.handle(), title.c_str());
     title_ = title;
   }
 

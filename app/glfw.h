@@ -1,0 +1,49 @@
+// GLFW, loaded when the first window is wanted: commands without a window neither need nor load it.
+#pragma once
+
+#include <string>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace ryosen {
+
+// The functions of the library that the window uses, by their names without the prefix.
+struct Glfw {
+  decltype(&glfwCreateWindow) create_window = nullptr;
+  decltype(&glfwDestroyWindow) destroy_window = nullptr;
+  decltype(&glfwGetCursorPos) get_cursor_pos = nullptr;
+  decltype(&glfwGetError) get_error = nullptr;
+  decltype(&glfwGetFramebufferSize) get_framebuffer_size = nullptr;
+  decltype(&glfwGetProcAddress) get_proc_address = nullptr;
+  decltype(&glfwGetTime) get_time = nullptr;
+  decltype(&glfwGetWindowContentScale) get_window_content_scale = nullptr;
+  decltype(&glfwGetWindowSize) get_window_size = nullptr;
+  decltype(&glfwGetWindowUserPointer) get_window_user_pointer = nullptr;
+  decltype(&glfwInit) init = nullptr;
+  decltype(&glfwMakeContextCurrent) make_context_current = nullptr;
+  decltype(&glfwSetCharCallback) set_char_callback = nullptr;
+  decltype(&glfwSetCursorEnterCallback) set_cursor_enter_callback = nullptr;
+  decltype(&glfwSetCursorPosCallback) set_cursor_pos_callback = nullptr;
+  decltype(&glfwSetDropCallback) set_drop_callback = nullptr;
+  decltype(&glfwSetFramebufferSizeCallback) set_framebuffer_size_callback = nullptr;
+  decltype(&glfwSetKeyCallback) set_key_callback = nullptr;
+  decltype(&glfwSetMouseButtonCallback) set_mouse_button_callback = nullptr;
+  decltype(&glfwSetScrollCallback) set_scroll_callback = nullptr;
+  decltype(&glfwSetWindowCloseCallback) set_window_close_callback = nullptr;
+  decltype(&glfwSetWindowRefreshCallback) set_window_refresh_callback = nullptr;
+  decltype(&glfwSetWindowShouldClose) set_window_should_close = nullptr;
+  decltype(&glfwSetWindowTitle) set_window_title = nullptr;
+  decltype(&glfwSetWindowUserPointer) set_window_user_pointer = nullptr;
+  decltype(&glfwSwapBuffers) swap_buffers = nullptr;
+  decltype(&glfwSwapInterval) swap_interval = nullptr;
+  decltype(&glfwTerminate) terminate = nullptr;
+  decltype(&glfwWaitEvents) wait_events = nullptr;
+  decltype(&glfwWaitEventsTimeout) wait_events_timeout = nullptr;
+  decltype(&glfwWindowHint) window_hint = nullptr;
+};
+
+// Null where the library or one of its functions is missing. It stays loaded.
+const Glfw* load_glfw();
+
+}  // namespace ryosen

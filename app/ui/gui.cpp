@@ -95,24 +95,9 @@ bool Gui::prepare(const Session& session) {
   return true;
 }
 
-void Gui::follow(Session& session) {
-  const Document& document = session.document();
-  if (state_.known_document == &document && state_.known_revision == document.revision()) return;
-  const Mesh& mesh = session.mesh();
-  state_.problems =
-      find_problems(mesh, session.highlights(), {document.tables().quarantine, document.tables().face_lines});
-  state_.on_points.reset();
-  if (mesh.has_copies()) {
-    const ElementCounts counts = counts_on_points(mesh);
-    if (counts.vertices != mesh.live().vertices || counts.edges != mesh.live().edges) state_.on_points = counts;
-  }
-  state_.known_document = &document;
-  state_.known_revision = document.revision();
-}
-
 void Gui::frame(Session& session, Size window, double seconds) {
   ImGui::SetCurrentContext(imgui_);
-  follow(session);
+  state_.follow(session);
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(window.width), static_cast<float>(window.height)};
   io.DeltaTime = static_cast<float>(std::max(seconds, 1e-4));

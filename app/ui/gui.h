@@ -56,7 +56,6 @@ class Gui {
 
  private:
   PanelContext context(Session& session);
-  void follow(Session& session);
 
   ImGuiContext* imgui_;
   float scale_;

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "app/ui/panels/all.h"
+#include "core/mesh/copies.h"
 
 namespace ryosen {
 
@@ -19,8 +20,23 @@ constexpr std::array list{
 
 std::span<const Panel> panels() { return list; }
 
+void GuiState::follow(Session& session) {
+  const Document& document = session.document();
+  if (known_document == document.serial() && known_revision == document.revision()) return;
+  const Mesh& mesh = session.mesh();
+  problems = find_problems(mesh, session.highlights(), {document.tables().quarantine, document.tables().face_lines});
+  on_points.reset();
+  if (mesh.has_copies()) {
+    const ElementCounts counts = counts_on_points(mesh);
+    if (counts.vertices != mesh.live().vertices || counts.edges != mesh.live().edges) on_points = counts;
+  }
+  known_document = document.serial();
+  known_revision = document.revision();
+}
+
 Outcome PanelContext::run(const std::string& line) {
   Outcome outcome = session.run(line);
+  state.follow(session);  // what is drawn after this in the same frame must speak of elements that still exist
   state.last_kind = outcome.kind;
   state.last_outcome = outcome.done() ? Text{line + ": " + ryosen::text(UiText::done, Language::english),
                                              line + "：" + ryosen::text(UiText::done, Language::japanese)}
@@ -32,6 +48,7 @@ Outcome PanelContext::click(glm::dvec2 pixel) {
   const std::size_t before = session.document().position();
   const std::vector<Element> selected = session.selection;
   Outcome outcome = session.click(pixel, session.tool);
+  state.follow(session);
   state.last_kind = outcome.kind;
   if (!outcome.done()) {
     state.last_outcome = outcome.sentence;

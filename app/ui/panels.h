@@ -31,6 +31,7 @@ struct FileBrowser {
   std::vector<Entry> entries;  // folders first, by name
   std::string name;
   bool is_open = false;
+  std::filesystem::path replaces;  // an existing file that the next press of the button replaces
 };
 
 // What the window remembers between frames beside the session.
@@ -43,7 +44,8 @@ struct GuiState {
   std::size_t scrolled_position = 0;  // the place of the history that the list was scrolled to
 
   // Found again whenever the document has changed.
-  const Document* known_document = nullptr;
+  void follow(Session& session);
+  std::uint64_t known_document = 0;  // its serial number
   std::uint64_t known_revision = 0;
   std::vector<Problem> problems;
   std::optional<ElementCounts> on_points;  // where they differ from the kernel's

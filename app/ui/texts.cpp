@@ -113,6 +113,8 @@ constexpr std::array<Row, static_cast<std::size_t>(UiText::count)> rows{{
     {T::does_apply, "apply", "実行"},
     {T::folder_up, "Folder above", "上のフォルダ"},
     {T::file_name, "File name", "ファイル名"},
+    {T::replace_question, "This file exists; save again to replace it.",
+     "同じ名前のファイルがあります。もう一度保存すると置き換えます。"},
     {T::cancel, "Cancel", "取り消し"},
     {T::close, "Close", "閉じる"},
     {T::discard, "Discard", "破棄"},

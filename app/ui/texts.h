@@ -99,6 +99,7 @@ enum class UiText {
   does_apply,
   folder_up,
   file_name,
+  replace_question,
   cancel,
   close,
   discard,

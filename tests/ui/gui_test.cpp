@@ -120,6 +120,29 @@ TEST(Gui, AsksBeforeChangesAreLost) {
   EXPECT_TRUE(changed.gui.wants_quit());
 }
 
+TEST(Gui, AnExistingFileIsReplacedOnlyOnTheSecondPress) {
+  const test::TemporaryFolder folder;
+  Laid laid("torus.off");
+  const std::string path = folder.copy(test::asset("cube.obj"), "other.obj"), before = test::read_file(path);
+  ASSERT_TRUE(laid.session.run("open " + path).done());
+  ASSERT_TRUE(laid.session.run("split 0-1").done());
+  ASSERT_TRUE(laid.gui.run(laid.session, "panel save").done());
+  laid.frames(3);
+  const glm::dvec2 button(370, 570);
+  laid.click(button);
+  EXPECT_EQ(test::read_file(path), before);
+  EXPECT_EQ(laid.session.open_panel, "save");
+  laid.click(button);
+  EXPECT_NE(test::read_file(path), before);
+  EXPECT_EQ(laid.session.open_panel, "");
+}
+
+TEST(Gui, ScalesWithTheDisplay) {
+  const PixelRect once = Gui(1).view_area({1280, 720}), twice = Gui(2).view_area({2560, 1440});
+  EXPECT_EQ(twice, (PixelRect{2 * once.x0, 2 * once.y0, 2 * once.x1, 2 * once.y1}));
+  EXPECT_FALSE(Gui(1).view_area({100, 20}).empty());
+}
+
 TEST(Gui, NothingIsSaidToBeDoneThatWasNot) {
   Laid laid("tetrahedron.off");
   const std::uint64_t before = laid.session.mesh().hash();

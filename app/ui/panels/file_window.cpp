@@ -33,6 +33,7 @@ void begin(PanelContext& context) {
   FileBrowser& browser = context.state.browser;
   if (browser.is_open) return;
   browser.is_open = true;
+  browser.replaces.clear();
   std::error_code ignored;
   const fs::path& path = context.session.document().path();
   browser.folder = path.empty() ? fs::current_path(ignored) : fs::absolute(path, ignored).parent_path();
@@ -68,10 +69,15 @@ bool draw_entries(PanelContext& context) {
 }
 
 void accept(PanelContext& context, bool saves) {
-  const FileBrowser& browser = context.state.browser;
+  FileBrowser& browser = context.state.browser;
   const fs::path path = browser.folder / browser.name;
   if (browser.name.empty()) return;
   if (!saves) return context.leave({false, path});
+  std::error_code ignored;
+  if (fs::exists(path, ignored) && path != browser.replaces) {
+    browser.replaces = path;
+    return;
+  }
   if (context.run("save " + path.string()).done()) context.session.open_panel.clear();
 }
 
@@ -98,6 +104,10 @@ void draw_file_window(PanelContext& context) {
     accepted |= ImGui::Button(title);
     ImGui::SameLine();
     const bool cancelled = ImGui::Button(context.text(UiText::cancel));
+    if (saves && browser.replaces == browser.folder / browser.name) {
+      ImGui::SameLine();
+      ImGui::TextColored(context.colours().warning, "%s", context.text(UiText::replace_question));
+    }
     end_over();
     if (accepted) accept(context, saves);
     if (cancelled) context.run("panel none");

@@ -6,14 +6,13 @@ namespace ryosen {
 
 namespace {
 
-void tip(PanelContext& context, std::string_view text) {
+void tip(std::string_view text) {
   if (!ImGui::IsItemHovered()) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(20 * ImGui::GetFontSize());
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
-  (void)context;
 }
 
 void draw_operator(PanelContext& context, const OpInfo& op) {
@@ -21,7 +20,7 @@ void draw_operator(PanelContext& context, const OpInfo& op) {
   const bool is_tool = op.target != OpTargetKind::none;
   if (row(context, context.text(op.name_en, op.name_ja), key.c_str(), context.session.tool == id))
     context.run(!is_tool ? id : context.session.tool == id ? "tool none" : "tool " + id);
-  tip(context, context.text(op.help_en, op.help_ja));
+  tip(context.text(op.help_en, op.help_ja));
 }
 
 void draw_modes(PanelContext& context) {

@@ -28,14 +28,15 @@ void draw_change(PanelContext& context, UiText word, const std::vector<Element>&
   if (!line.empty()) labelled(context, context.text(word), line);
 }
 
-void draw_remedy(PanelContext& context, const Hover& hover) {
+void draw_remedy(PanelContext& context) {
+  const std::vector<std::string> remedy = context.session.hover_remedy();
   dim_text(context, context.text(UiText::remedy));
-  if (hover.remedy.empty()) {
+  if (remedy.empty()) {
     ImGui::TextUnformatted(context.text(UiText::no_remedy));
     return;
   }
   std::string chosen;
-  for (const std::string& line : hover.remedy)
+  for (const std::string& line : remedy)
     if (ImGui::Button(line.c_str())) chosen = line;
   if (!chosen.empty()) context.run(chosen);
 }
@@ -71,7 +72,7 @@ void draw_verdict(PanelContext& context) {
   }
   for (const Reason& reason : hover.preview.verdict.reasons)
     draw_reason(context, reason, ImGui::GetStyleColorVec4(ImGuiCol_Text));
-  draw_remedy(context, hover);
+  draw_remedy(context);
 }
 
 void draw_pointer_tip(PanelContext& context) {
@@ -97,7 +98,7 @@ void draw_pointer_tip(PanelContext& context) {
   for (const Reason& reason : reasons) ImGui::TextUnformatted(describe(mesh, reason).in(context.language()).c_str());
   if (!legal) {
     std::string help;
-    for (const std::string& line : hover.remedy) help += (help.empty() ? "" : "; ") + line;
+    for (const std::string& line : context.session.hover_remedy()) help += (help.empty() ? "" : "; ") + line;
     help = help.empty() ? context.text(UiText::no_remedy) : context.text(UiText::remedy) + (": " + help);
     ImGui::PushStyleColor(ImGuiCol_Text, context.colours().accent);
     ImGui::TextUnformatted(help.c_str());

@@ -169,7 +169,6 @@ class Editor {
   void point(glm::dvec2 pixel) {
     if (navigation_.is_dragging() || !is_over_view(pixel)) return;
     session_.point_at(pixel);
-    session_.find_hover_remedy();
   }
 
   void move(glm::dvec2 pixel) {

@@ -26,7 +26,6 @@ class Shot {
     // A line or name that says nothing leaves no picture; a refusal and a claim that failed do.
     if (code_ != ExitCode::done && code_ != ExitCode::refused && code_ != ExitCode::found_problems) return finish();
     if (options_.hover) session_.point_at(*options_.hover);
-    session_.find_hover_remedy();
     const Image picture = headless_.picture(session_);
     if (options_.output) write(write_png(picture, *options_.output), *options_.output);
     if (options_.reference) compare_with_reference(picture);

@@ -19,6 +19,9 @@ if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
   [ "$status" = 7 ] || exit "$status"
 fi
 picture=$(pwd)/bunny.png
-[ $# = 0 ] || picture=$(pwd)/$(basename "${file%.*}").png
+if [ $# != 0 ]; then
+  name=$(basename "$file")
+  picture=$(pwd)/${name%.*}.png
+fi
 "$program" shot "$file" --panels -o "$picture"
 echo "no display: the picture is in $picture"

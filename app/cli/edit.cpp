@@ -36,7 +36,6 @@ class EditRun {
         console_(console),
         session_(std::move(document)) {
     session_.strict = strict;
-    session_.may_overwrite_input = true;  // the faults were found before
     session_.quit = [this] { stopped_ = true; };
   }
 
@@ -60,7 +59,8 @@ class EditRun {
     // A warning names elements as they are before the operator.
     const Parsed<AnyOp> parsed =
         find_op(split_words(step.line.text)[0]) ? parse_line(session_.mesh(), step.line.text) : Parsed<AnyOp>();
-    if (parsed.op) step.warnings = to_json(session_.mesh(), session_.document().preview(*parsed.op).warnings);
+    if (parsed.op && console_.json)
+      step.warnings = to_json(session_.mesh(), session_.document().preview(*parsed.op).warnings);
     step.outcome = session_.run(step.line.text);
     if (step.outcome.done()) {
       step.result = "done";

@@ -45,25 +45,28 @@ std::optional<std::uint32_t> count_of(Arguments arguments) {
   return n;
 }
 
-Outcome step_history(Session& session, Arguments arguments, std::string_view id, bool (Document::*step)()) {
+// Goes N entries through the history, or nowhere when there are not so many.
+Outcome step_history(Session& session, Arguments arguments, std::string_view id, bool back) {
   const auto n = count_of(arguments);
   if (!n || arguments.size() > 1) return wrong_arguments(id);
-  for (std::uint32_t i = 0; i < *n; ++i) {
-    if ((session.document().*step)()) continue;
-    Outcome outcome;
-    outcome.kind = Outcome::Kind::failed;
-    outcome.exit_code = ExitCode::refused;
-    outcome.sentence = {
-        "there is nothing to " + std::string(id) + " (" + std::to_string(i) + " of " + std::to_string(*n) + " done)",
-        "これ以上 " + std::string(id) + " できません（" + std::to_string(*n) + " のうち " + std::to_string(i) +
-            " を実行）"};
-    return outcome;
+  Document& document = session.document();
+  const std::size_t possible = back ? document.position() : document.history().size() - document.position();
+  if (*n <= possible) {
+    document.go_to(back ? document.position() - *n : document.position() + *n);
+    return {};
   }
-  return {};
+  Outcome outcome;
+  outcome.kind = Outcome::Kind::failed;
+  outcome.exit_code = ExitCode::refused;
+  const std::string wanted = std::to_string(*n), there = std::to_string(possible), verb(id);
+  outcome.sentence = possible == 0 ? Text{"there is nothing to " + verb, verb + " できる操作がありません"}
+                                   : Text{"there are only " + there + " edits to " + verb + ", not " + wanted,
+                                          verb + " できる操作は " + there + " 件だけです（" + wanted + " 件の指定）"};
+  return outcome;
 }
 
-Outcome run_undo(Session& s, Arguments a, std::string_view) { return step_history(s, a, "undo", &Document::undo); }
-Outcome run_redo(Session& s, Arguments a, std::string_view) { return step_history(s, a, "redo", &Document::redo); }
+Outcome run_undo(Session& s, Arguments a, std::string_view) { return step_history(s, a, "undo", true); }
+Outcome run_redo(Session& s, Arguments a, std::string_view) { return step_history(s, a, "redo", false); }
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(" \t");
@@ -86,15 +89,6 @@ Outcome run_save(Session& session, Arguments, std::string_view whole) {
   const std::filesystem::path named(trimmed(whole));
   const std::filesystem::path target = named.empty() ? document.path() : named;
   if (target.empty()) return usage_error("save needs a file name here", "保存先のファイル名を指定してください");
-  std::error_code error;
-  if (!session.may_overwrite_input && std::filesystem::equivalent(target, document.path(), error)) {
-    Outcome outcome;
-    outcome.kind = Outcome::Kind::failed;
-    outcome.exit_code = ExitCode::output_not_writable;
-    outcome.sentence = {target.string() + " is the input; --overwrite allows to replace it",
-                        target.string() + " は入力ファイルです。置き換えるには --overwrite を指定してください"};
-    return outcome;
-  }
   const Status status = document.save(target);
   return status ? Outcome() : failed(status.failure());
 }
@@ -130,9 +124,22 @@ Outcome run_select(Session& session, Arguments arguments, std::string_view) {
   return {};
 }
 
+// An operator that works on what the pointer is on.
+const OpInfo* find_tool(std::string_view id) {
+  const OpInfo* op = find_op(id);
+  return op && op->target != OpTargetKind::none ? op : nullptr;
+}
+
+Outcome not_a_tool(std::string_view id) {
+  if (!find_op(id)) return unknown_command(id);
+  const std::string name(id);
+  return usage_error(name + " works on the whole mesh; say it as a command",
+                     name + " はメッシュ全体に働くので、コマンドとして実行してください");
+}
+
 Outcome run_tool(Session& session, Arguments arguments, std::string_view) {
   if (arguments.size() != 1) return wrong_arguments("tool");
-  if (arguments[0] != "none" && !find_op(arguments[0])) return unknown_command(arguments[0]);
+  if (arguments[0] != "none" && !find_tool(arguments[0])) return not_a_tool(arguments[0]);
   session.tool = arguments[0] == "none" ? "" : std::string(arguments[0]);
   if (session.hover()) session.point_at(session.hover()->pixel);
   return {};
@@ -174,10 +181,8 @@ Outcome run_show(Session& session, Arguments arguments, std::string_view) {
 Outcome run_view(Session& session, Arguments arguments, std::string_view) {
   const auto view = arguments.size() == 1 ? named_view_of(arguments[0]) : std::nullopt;
   if (!view) return wrong_arguments("view");
-  std::vector<glm::dvec3> places;
-  for (std::uint32_t i = 0; i < session.mesh().vertex_slots(); ++i)
-    if (session.mesh().is_alive(Vertex(i))) places.push_back(session.mesh().position(Vertex(i)));
-  session.camera = named_view(*view, places, static_cast<double>(session.view.width) / session.view.height);
+  session.camera =
+      named_view(*view, session.places_to_frame(), static_cast<double>(session.view.width) / session.view.height);
   return {};
 }
 
@@ -210,7 +215,7 @@ Outcome run_projection(Session& session, Arguments arguments, std::string_view) 
 Outcome run_click(Session& session, Arguments arguments, std::string_view) {
   const auto at = arguments.empty() ? std::nullopt : parse_pixel(arguments[0]);
   if (!at || arguments.size() > 2) return wrong_arguments("click");
-  if (arguments.size() == 2 && !find_op(arguments[1])) return unknown_command(arguments[1]);
+  if (arguments.size() == 2 && !find_tool(arguments[1])) return not_a_tool(arguments[1]);
   return session.click(*at, arguments.size() == 2 ? std::string(arguments[1]) : session.tool);
 }
 

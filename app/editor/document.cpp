@@ -1,5 +1,9 @@
 #include "app/editor/document.h"
 
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+
 #include "core/build/from_indexed.h"
 #include "core/io/elements.h"
 
@@ -14,6 +18,11 @@ Text join(const std::vector<Text>& texts) {
     all.ja += text.ja;
   }
   return all;
+}
+
+std::uint64_t next_serial() {
+  static std::atomic<std::uint64_t> last = 0;
+  return ++last;
 }
 
 }  // namespace
@@ -39,7 +48,7 @@ Text describe(const Mesh& mesh, const Reason& reason) {
 Document::Document() : Document(MeshFile()) {}
 
 Document::Document(MeshFile file, std::filesystem::path path)
-    : tables_(file_tables(file.mesh)), path_(std::move(path)) {
+    : tables_(file_tables(file.mesh)), path_(std::move(path)), serial_(next_serial()) {
   mesh_ = from_indexed(std::move(file.mesh));
   file.mesh = {};
   file_ = std::move(file);
@@ -110,6 +119,22 @@ void Document::go_to(std::size_t position) {
   }
   while (journal_.position() < position && redo()) {
   }
+}
+
+bool Document::names_quarantined_face(std::string_view name) const {
+  const std::size_t at = name.find_last_of('f');
+  std::uint32_t number = 0;
+  if (at == std::string_view::npos ||
+      std::from_chars(name.data() + at + 1, name.data() + name.size(), number).ec != std::errc())
+    return false;
+  return std::any_of(tables_.quarantine.begin(), tables_.quarantine.end(),
+                     [&](const QuarantinedFace& face) { return face.face == number; });
+}
+
+bool Document::speaks_of_deleted(NameError error, std::span<const std::string_view> arguments) {
+  if (arguments.empty()) return false;
+  if (error == NameError::deleted) return !names_quarantined_face(arguments[0]);
+  return error == NameError::never_existed && edge_existed(arguments[0]);
 }
 
 bool Document::edge_existed(std::string_view name) {

@@ -64,13 +64,14 @@ class Document {
   const std::vector<HistoryEntry>& history() const { return history_; }
   std::size_t position() const { return journal_.position(); }
 
-  // Whether an edge between these two points was there at some earlier place of the history. O(history).
-  bool edge_existed(std::string_view name);
+  // Whether arguments that name no element (with this error) speak of one that an edit has deleted: the answer is then a
+  // refusal, not a slip of the pen. A face that was set aside when the file was read is not deleted. O(history).
+  bool speaks_of_deleted(NameError error, std::span<const std::string_view> arguments);
 
   bool is_modified() const { return saved_position_ != journal_.position(); }
-  // Writes all live elements; an empty path means the file that was opened.
-  // The document as it would be written.
+  // The document as it would be written: all live elements and what belongs to the file.
   MeshFile contents() const;
+  // An empty path means the file that was opened.
   Status save(const std::filesystem::path& path, const WriteOptions& options = {});
 
   // Called after every commit, undo and redo, with the transaction of journal() that it was about.
@@ -78,10 +79,14 @@ class Document {
   void add_listener(Listener listener) { listeners_.push_back(std::move(listener)); }
   // Grows with every change, also by undo and redo.
   std::uint64_t revision() const { return revision_; }
+  // Different for every document that this process opens; never 0.
+  std::uint64_t serial() const { return serial_; }
 
  private:
   Outcome refuse(const AnyOp& op, std::vector<Reason> reasons);
   void notify(std::size_t transaction);
+  bool edge_existed(std::string_view name);
+  bool names_quarantined_face(std::string_view name) const;
 
   Mesh mesh_;
   Journal journal_;
@@ -91,6 +96,7 @@ class Document {
   std::vector<HistoryEntry> history_;
   std::size_t saved_position_ = 0;
   std::uint64_t revision_ = 0;
+  std::uint64_t serial_;
   std::vector<Listener> listeners_;
 };
 

@@ -30,6 +30,7 @@ void Session::set_document(std::unique_ptr<Document> document) {
   highlights_.reset();
   euler_.reset();
   hover_.reset();
+  remedy_line_.clear();
   selection.clear();
   log_.clear();
   drawn_changes_ = DrawnChanges();
@@ -66,6 +67,9 @@ void Session::follow(std::size_t transaction) {
     }
   }
   std::erase_if(selection, [&](const Element& e) {
+    // Columns replaced whole number edges and copies anew: only points and faces keep their meaning.
+    const bool keeps_number = e.kind == Element::Kind::face || (e.kind == Element::Kind::vertex && !m.has_copies());
+    if (touched.everything && !keeps_number) return true;
     switch (e.kind) {
       case Element::Kind::vertex:
         return !m.exists(e.vertex()) || !m.is_alive(e.vertex());
@@ -94,9 +98,7 @@ Outcome Session::run(const std::string& line) {
   if (!find_op(words[0])) return unknown_command(words[0]);
   const Parsed<AnyOp> parsed = parse_op(mesh(), words[0], arguments);
   if (!parsed.op) {
-    const bool deleted = parsed.error == NameError::deleted ||
-                         (parsed.error == NameError::never_existed && document_->edge_existed(arguments[0]));
-    if (!deleted)
+    if (!document_->speaks_of_deleted(parsed.error, arguments))
       return usage_error(std::string(words[0]) + ": " + parsed.sentence.en,
                          std::string(words[0]) + "：" + parsed.sentence.ja);
     Outcome outcome;
@@ -128,9 +130,16 @@ void Session::point_at(glm::dvec2 pixel) {
   hover_ = std::move(hover);
 }
 
-void Session::find_hover_remedy() {
-  if (hover_ && hover_->op && !hover_->preview.verdict.legal() && hover_->remedy.empty())
-    hover_->remedy = document_->remedy(*hover_->op);
+const std::vector<std::string>& Session::hover_remedy() {
+  static const std::vector<std::string> none;
+  if (!hover_ || !hover_->op || hover_->preview.verdict.legal()) return none;
+  std::string line = command_of(mesh(), *hover_->op);
+  if (line != remedy_line_ || remedy_revision_ != document_->revision()) {
+    remedy_ = document_->remedy(*hover_->op);
+    remedy_line_ = std::move(line);
+    remedy_revision_ = document_->revision();
+  }
+  return remedy_;
 }
 
 Outcome Session::apply_at(const OpTarget& target, const std::string& id) {
@@ -175,15 +184,18 @@ const EulerPoincare& Session::euler_terms() {
   return *euler_;
 }
 
-void Session::frame_all() {
-  std::vector<glm::dvec3> places;
+std::vector<glm::dvec3> Session::places_to_frame() const {
+  std::vector<glm::dvec3> places, isolated;
   places.reserve(mesh().vertex_slots());
-  for (std::uint32_t i = 0; i < mesh().vertex_slots(); ++i)
-    if (mesh().is_alive(Vertex(i)) && !mesh().is_isolated(Vertex(i))) places.push_back(mesh().position(Vertex(i)));
-  if (places.empty())
-    for (std::uint32_t i = 0; i < mesh().vertex_slots(); ++i)
-      if (mesh().is_alive(Vertex(i))) places.push_back(mesh().position(Vertex(i)));
-  camera = fitted(camera, places, static_cast<double>(view.width) / view.height);
+  for (std::uint32_t i = 0; i < mesh().vertex_slots(); ++i) {
+    const Vertex v(i);
+    if (mesh().is_alive(v)) (mesh().is_isolated(v) ? isolated : places).push_back(mesh().position(v));
+  }
+  return places.empty() ? isolated : places;
+}
+
+void Session::frame_all() {
+  camera = fitted(camera, places_to_frame(), static_cast<double>(view.width) / view.height);
   touch();
 }
 

@@ -22,7 +22,6 @@ struct Hover {
   Picked picked;
   std::optional<AnyOp> op;  // with a tool that works on what was picked
   Preview preview;          // of that operator
-  std::vector<std::string> remedy;
 };
 
 class Session {
@@ -42,7 +41,7 @@ class Session {
   Camera camera;
   Size view{1280, 720};
   glm::dvec2 view_origin{0};  // where the view begins in the picture or window that pixels are given in
-  std::string tool;  // id of an operator, or empty: select
+  std::string tool;           // id of an operator, or empty: select
   PickMode mode = PickMode::edge;
   std::set<std::string> shown;  // ids of the highlight table
   std::vector<Element> selection;
@@ -51,9 +50,7 @@ class Session {
   bool light_theme = false;
   std::string open_panel;  // the panel that lies over the others: keys, open, save, quit; or none
 
-  // May a script's save replace the file that was opened? And does it, or only the user, decide about warnings?
-  bool may_overwrite_input = true;
-  bool strict = false;
+  bool strict = false;  // warnings refuse too
   // Makes a picture of the session; set by whoever can draw. Commands that need it fail without.
   std::function<Status(const std::filesystem::path&)> take_picture;
   // Ends the session; set by the window.
@@ -63,8 +60,9 @@ class Session {
   void point_at(glm::dvec2 pixel);
   void point_away() { hover_.reset(); }
   const std::optional<Hover>& hover() const { return hover_; }
-  // Remedies are looked for on demand: they are tried out, which costs more than a verdict.
-  void find_hover_remedy();
+  // What would make the operator under the pointer legal; empty means never. Looked for when asked, because remedies are
+  // tried out, and remembered while neither the operator nor the mesh changes.
+  const std::vector<std::string>& hover_remedy();
   // A click: applies the tool to what is under the pixel, or selects it.
   Outcome click(glm::dvec2 pixel, const std::string& with_tool);
 
@@ -77,10 +75,10 @@ class Session {
 
   // Replaces the document; the selection, hover and log start anew.
   void set_document(std::unique_ptr<Document> document);
+  // Where the mesh is: its vertices without the isolated ones, unless there are no others.
+  std::vector<glm::dvec3> places_to_frame() const;
   void frame_all();
   void frame_selection();
-  // Grows when anything that is drawn may have changed.
-  std::uint64_t picture_revision() const { return document_->revision() + changes_; }
   void touch() { ++changes_; }
 
   // Triangle slots changed since the last call, for what mirrors them; everything when the flag is set.
@@ -102,6 +100,9 @@ class Session {
   std::optional<EulerPoincare> euler_;
   std::optional<Hover> hover_;
   std::vector<std::string> log_;
+  std::vector<std::string> remedy_;  // of the operator that remedy_line_ says, at remedy_revision_
+  std::string remedy_line_;
+  std::uint64_t remedy_revision_ = 0;
   DrawnChanges drawn_changes_;
   std::uint64_t changes_ = 0;
 };

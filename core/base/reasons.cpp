@@ -64,7 +64,7 @@ constexpr std::array rules{
              "どちらかの三角形を削除します"},
     RuleText{Rule::oriented, "oriented", refuse, "orient", "All neighbouring faces already agree where they can.",
              "隣り合う面の向きはすでに可能な限り揃っています。", "nothing to do", "何もする必要がありません"},
-    RuleText{Rule::normal_turns, "normal_turns", warn, "collapse swap",
+    RuleText{Rule::normal_turns, "normal_turns", warn, "collapse swap split",
              "The normal of a face turns by 90 degrees or more.", "面の法線が90度以上変わります。",
              "choose another position", "別の位置を選びます"},
     RuleText{Rule::degenerate, "degenerate", warn, "collapse swap split",

@@ -56,7 +56,7 @@ Named<Handle> check_slot(const Mesh& m, Handle handle, const std::string& name) 
   if (!m.exists(handle))
     return fail<Handle>(NameError::never_existed, name + " does not exist", name + " は存在しません");
   if (!m.is_alive(handle))
-    return fail<Handle>(NameError::deleted, name + " has been deleted", name + " はすでに削除されています");
+    return fail<Handle>(NameError::deleted, name + " is no longer in the mesh", name + " はメッシュに含まれていません");
   return {handle, NameError::none, {}};
 }
 

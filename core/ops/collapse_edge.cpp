@@ -136,7 +136,7 @@ glm::dvec3 CollapseEdge::position(const Mesh& mesh) const {
     case Place::end:
       return b;
     case Place::middle:
-      return a + 0.5 * (b - a);
+      return point_between(a, b, 0.5);
     case Place::point:
       break;
   }

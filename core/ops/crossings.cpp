@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <glm/common.hpp>
+#include <unordered_set>
 
 #include "core/geometry/triangles_cross.h"
 #include "core/geometry/triangulate.h"
@@ -56,14 +57,33 @@ std::vector<Face> sorted(std::vector<Face> faces) {
   return faces;
 }
 
-// The faces, and all that share a vertex with one of them.
-std::vector<Face> grown(const Mesh& mesh, const std::vector<Face>& faces) {
-  std::vector<Face> all = faces;
-  for (Face f : faces)
-    for (Vertex v : vertices_around(mesh, f))
-      for (Face g : faces_around(mesh, v))
-        if (g) all.push_back(g);
-  return sorted(std::move(all));
+// The faces and those within two rings of them, each star visited once; nothing once they have too many corners.
+std::vector<Face> two_rings_around(const Mesh& mesh, const std::vector<Face>& faces) {
+  std::vector<Face> all;
+  std::unordered_set<Face> seen;
+  std::unordered_set<Vertex> stars;
+  std::size_t corners = 0;
+  const auto add = [&](Face f) {
+    if (!f || !seen.insert(f).second) return;
+    all.push_back(f);
+    for ([[maybe_unused]] Halfedge h : halfedges_around(mesh, f))
+      if (++corners > most_corners) break;
+  };
+  for (Face f : faces) add(f);
+  std::size_t begin = 0;
+  for (int ring = 0; ring < 2; ++ring) {
+    const std::size_t end = all.size();
+    for (; begin < end; ++begin) {
+      for (Vertex v : vertices_around(mesh, all[begin])) {
+        if (!stars.insert(v).second) continue;
+        for (Face g : faces_around(mesh, v)) {
+          add(g);
+          if (corners > most_corners) return {};
+        }
+      }
+    }
+  }
+  return all;
 }
 
 }  // namespace
@@ -74,12 +94,7 @@ std::vector<Crossing> crossings_near(const Mesh& mesh, std::span<const Face> fac
     if (mesh.exists(f) && mesh.is_alive(f)) live.push_back(f);
   live = sorted(std::move(live));
   std::vector<Shape> shapes;
-  std::size_t corners = 0;
-  for (Face f : grown(mesh, grown(mesh, live))) {
-    corners += corner_count(mesh, f);
-    if (corners > most_corners) return {};
-    shapes.push_back(shape_of(mesh, f));
-  }
+  for (Face f : two_rings_around(mesh, live)) shapes.push_back(shape_of(mesh, f));
   std::vector<Crossing> found;
   for (const Shape& a : shapes) {
     if (!std::binary_search(live.begin(), live.end(), a.face)) continue;

@@ -1,6 +1,7 @@
 #include "core/ops/face_geometry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "core/geometry/predicates.h"
@@ -20,6 +21,13 @@ bool FaceGeometry::turns_against(const FaceGeometry& after) const {
   const glm::dvec3 n = area_vector(), n_after = after.area_vector();
   if (n == glm::dvec3() || n_after == glm::dvec3()) return false;
   return glm::dot(n, n_after) <= 0;
+}
+
+bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+glm::dvec3 point_between(const glm::dvec3& a, const glm::dvec3& b, double t) {
+  const glm::dvec3 p = a + t * (b - a);
+  return is_finite(p) ? p : (1 - t) * a + t * b;
 }
 
 double closest_parameter(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& p) {

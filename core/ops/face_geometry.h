@@ -2,12 +2,15 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <utility>
 #include <vector>
 
 namespace ryosen {
 
 class FaceGeometry {
  public:
+  FaceGeometry() = default;
+  explicit FaceGeometry(std::vector<glm::dvec3> corners) : corners_(std::move(corners)) {}
   void add(const glm::dvec3& corner) { corners_.push_back(corner); }
   std::size_t corners() const { return corners_.size(); }
   // All corners exactly on one line or at one place.
@@ -21,6 +24,10 @@ class FaceGeometry {
 
   std::vector<glm::dvec3> corners_;
 };
+
+// a + t (b - a), also where b - a is too large for a double.
+glm::dvec3 point_between(const glm::dvec3& a, const glm::dvec3& b, double t);
+bool is_finite(const glm::dvec3& p);
 
 // The parameter in [0, 1] of the point of the segment a-b that lies nearest to p; 1 where the segment has no length.
 double closest_parameter(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& p);

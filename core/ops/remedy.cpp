@@ -1,6 +1,7 @@
 #include "core/ops/remedy.h"
 
 #include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
 
 namespace ryosen {
 
@@ -25,12 +26,28 @@ void add_splits_of_edges(const Reason& reason, std::vector<AnyOp>& candidates) {
     if (witness.kind == Element::Kind::edge) candidates.push_back(SplitEdge{halfedge(witness.edge())});
 }
 
+// Turning faces helps only where some edge at the points of the witnesses is misoriented.
+bool is_beside_misoriented_edge(const Mesh& m, const Reason& reason) {
+  for (const Element& witness : reason.witnesses) {
+    const Vertex v = witness.kind == Element::Kind::vertex ? witness.vertex()
+                     : witness.kind == Element::Kind::edge ? m.from(halfedge(witness.edge()))
+                                                           : Vertex();
+    if (!v) continue;
+    bool found = false;
+    for_each_copy(m, v, [&](Vertex copy) {
+      for (Halfedge h : outgoing(m, copy)) found = found || point_edge(m, h).is_misoriented();
+    });
+    if (found) return true;
+  }
+  return false;
+}
+
 // What may help against a reason; each is tried before it is named.
 std::vector<AnyOp> candidates_for(const Mesh& m, const Reason& reason) {
   std::vector<AnyOp> candidates;
   switch (reason.rule) {
     case Rule::copies:
-      candidates.push_back(Orient{});
+      if (is_beside_misoriented_edge(m, reason)) candidates.push_back(Orient{});
       break;
     case Rule::closes_hole:
     case Rule::common_neighbour:

@@ -141,6 +141,9 @@ Parsed<SplitEdge> SplitEdge::parse(const Mesh& mesh, std::span<const std::string
     const auto t = parse_double(arguments[1]);
     if (!t) return malformed_argument<SplitEdge>(arguments[1], "a number t");
     op.along = *t;
+    const glm::dvec3 &a = mesh.position(mesh.from(*h)), &b = mesh.position(mesh.to(*h));
+    if (is_finite(a) && is_finite(b) && !is_finite(point_between(a, b, *t)))
+      return malformed_argument<SplitEdge>(arguments[1], "a t that leaves the new vertex at a finite place");
   }
   if (arguments.size() > 2) return malformed_argument<SplitEdge>(arguments[2], info.syntax);
   out.op = op;
@@ -171,22 +174,32 @@ Verdict SplitEdge::check(const Mesh& m) const {
 }
 
 std::vector<Reason> SplitEdge::warnings(const Mesh& m) const {
-  const glm::dvec3 &a = m.position(m.from(halfedge)), &b = m.position(m.to(halfedge));
-  const glm::dvec3 p = a + along * (b - a);
-  if (p != a && p != b) return {};
-  std::vector<Element> degenerate;
-  for (Halfedge sheet : sheets_of(m, halfedge))
-    for (Halfedge side : {sheet, twin(sheet)})
-      if (is_triangle_side(m, side)) degenerate.push_back(m.face(side));
-  if (degenerate.empty()) return {};
-  return {{Rule::degenerate, degenerate}};
+  const glm::dvec3 p = point_between(m.position(m.from(halfedge)), m.position(m.to(halfedge)), along);
+  std::vector<Element> turned, degenerate;
+  for (Halfedge sheet : sheets_of(m, halfedge)) {
+    for (Halfedge side : {sheet, twin(sheet)}) {
+      if (!is_triangle_side(m, side)) continue;
+      const glm::dvec3 &a = m.position(m.from(side)), &b = m.position(m.to(side));
+      const glm::dvec3& third = m.position(m.from(m.prev(side)));
+      const FaceGeometry before{{a, b, third}}, first{{a, p, third}}, second{{p, b, third}};
+      if (before.is_degenerate()) continue;
+      if (first.is_degenerate() || second.is_degenerate())
+        degenerate.push_back(m.face(side));
+      else if (before.turns_against(first) || before.turns_against(second))
+        turned.push_back(m.face(side));
+    }
+  }
+  std::vector<Reason> found;
+  if (!turned.empty()) found.push_back({Rule::normal_turns, turned});
+  if (!degenerate.empty()) found.push_back({Rule::degenerate, degenerate});
+  return found;
 }
 
 OpEffect SplitEdge::apply(Edit& edit) const {
   const Mesh& m = edit.mesh();
   assert(check(m).legal());
   const glm::dvec3 a = m.position(m.from(halfedge)), b = m.position(m.to(halfedge));
-  const glm::dvec3 p = a + along * (b - a);
+  const glm::dvec3 p = point_between(a, b, along);
   OpEffect effect;
   if (is_cut_on_points(m, halfedge))
     for (Halfedge sheet : sheets_of(m, halfedge)) open_closed_cut(edit, sheet, effect);

@@ -138,6 +138,44 @@ TEST(session, exit_codes_of_commands) {
   EXPECT_EQ(code("shot x.png"), ExitCode::no_backend);
 }
 
+TEST(session, more_undo_than_there_is_changes_nothing) {
+  const auto session = sheet_session();
+  session->run("split 8-9");
+  session->run("split 9-10");
+  const std::uint64_t before = session->mesh().hash();
+  EXPECT_EQ(session->run("undo 5").exit_code, ExitCode::refused);
+  EXPECT_EQ(session->mesh().hash(), before);
+  EXPECT_TRUE(session->run("undo 2").done());
+  EXPECT_EQ(session->run("redo 3").exit_code, ExitCode::refused);
+  EXPECT_TRUE(session->run("redo 2").done());
+  EXPECT_EQ(session->mesh().hash(), before);
+}
+
+TEST(session, expect_knows_that_a_deleted_edge_is_refused) {
+  const auto session = sheet_session();
+  session->run("split 8-9");
+  EXPECT_TRUE(session->run("expect refused swap 8-9").done());
+  EXPECT_EQ(session->run("expect legal swap 8-9").exit_code, ExitCode::found_problems);
+  EXPECT_EQ(session->run("expect refused swap 0-40").exit_code, ExitCode::usage);
+}
+
+TEST(session, an_operator_on_the_whole_mesh_is_no_tool) {
+  const auto session = sheet_session();
+  EXPECT_EQ(session->run("tool orient").exit_code, ExitCode::usage);
+  EXPECT_EQ(session->run("click 640,360 orient").exit_code, ExitCode::usage);
+}
+
+TEST(session, orienting_keeps_only_selected_points_and_faces) {
+  MeshFile file;
+  file.mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  file.mesh.corners = {0, 1, 2, 1, 2, 3};
+  file.mesh.face_offsets = {0, 3, 6};
+  Session session(std::make_unique<Document>(std::move(file)));
+  EXPECT_TRUE(session.run("select 0-1 f1").done());
+  EXPECT_TRUE(session.run("orient").done());
+  EXPECT_EQ(session.selection, std::vector<Element>{Face(1)});
+}
+
 TEST(session, every_key_sends_a_command_that_exists) {
   for (const KeyRow& key : key_table()) {
     const std::string_view id = split_words(key.command)[0];

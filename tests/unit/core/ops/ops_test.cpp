@@ -56,8 +56,7 @@ TEST(collapse, quads_lose_a_corner) {
 }
 
 TEST(collapse, places) {
-  for (const auto& [word, expected] :
-       {std::pair{"start", 2.0}, {"end", 3.0}, {"mid", 2.5}, {"2.25,0,0", 2.25}}) {
+  for (const auto& [word, expected] : {std::pair{"start", 2.0}, {"end", 3.0}, {"mid", 2.5}, {"2.25,0,0", 2.25}}) {
     Mesh mesh = make_mesh(two_quads());
     apply_and_prove(mesh, parse(mesh, "collapse", {"2-3", word}));
     EXPECT_EQ(mesh.position(Vertex(3)).x, expected) << word;
@@ -106,6 +105,22 @@ TEST(split, cuts_all_sheets_of_a_fin) {
   const ElementCounts before = counts_on_points(mesh);
   apply_and_prove(mesh, parse(mesh, "split", {"0-1@f1"}));
   EXPECT_EQ(counts_on_points(mesh), (ElementCounts{before.vertices + 1, before.edges + 4, before.faces + 3}));
+}
+
+TEST(split, stays_finite_or_says_so) {
+  IndexedMesh source = indexed({{0, 1, 2}});
+  source.positions = {{-1e308, 0, 0}, {1e308, 0, 0}, {0, 1, 0}};
+  Mesh mesh = from_indexed(std::move(source));
+  apply_and_prove(mesh, parse(mesh, "split", {"0-1"}));
+  EXPECT_EQ(mesh.position(Vertex(3)).x, 0);
+  const std::vector<std::string_view> far{"0-2", "1e308"};
+  EXPECT_EQ(parse_op(mesh, "split", far).error, NameError::malformed);
+}
+
+TEST(split, warns_of_faces_that_turn_over) {
+  const Mesh mesh = make_mesh({{0, 1, 2}, {1, 0, 3}});
+  EXPECT_TRUE(warnings(mesh, parse(mesh, "split", {"0-1", "0.5"})).empty());
+  EXPECT_EQ(warnings(mesh, parse(mesh, "split", {"0-1", "5"}))[0].rule, Rule::normal_turns);
 }
 
 TEST(orient, turns_a_flipped_face_and_leaves_a_seam_on_a_moebius_strip) {

@@ -61,6 +61,13 @@ TEST(preview, warns_of_faces_that_would_cut_through_others) {
   EXPECT_TRUE(warns(preview(mesh, journal, far), Rule::intersects));
 }
 
+TEST(preview, costs_little_beside_a_vertex_of_many_faces) {
+  // Visiting the hub once per neighbour would take minutes and gigabytes here.
+  Mesh mesh = make_mesh(closed_fan(50000));
+  Journal journal;
+  EXPECT_TRUE(preview(mesh, journal, SplitEdge{find_halfedge(mesh, Vertex(1), Vertex(2))}).verdict.legal());
+}
+
 TEST(preview, warns_of_turned_and_degenerate_faces) {
   Mesh mesh = sheet_with_spike();
   Journal journal;

@@ -142,7 +142,8 @@ Status safe_write(const std::filesystem::path& path, std::string_view bytes) {
   if (replaces && S_ISDIR(old.st_mode)) return not_writable(path, "output_is_folder", EISDIR);
   if (target.filename().empty()) return not_writable(path, "output_not_writable", ENOENT);
   if (replaces && !S_ISREG(old.st_mode)) return write_through(path, target, bytes);
-  if (replaces && ::access(target.c_str(), W_OK) != 0) return not_writable(path, "output_not_writable", errno);
+  if (replaces && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0)
+    return not_writable(path, "output_not_writable", errno);
 
   const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
   Beside beside(folder / target.filename());

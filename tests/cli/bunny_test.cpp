@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(Bunny, BunnyEdit,
                                          EditCase{"swap", "swap 8640-8282", 0, 0, 0},
                                          EditCase{"split_inside", "split 8640-8282 0.25", 1, 3, 2},
                                          EditCase{"split_on_boundary", "split 1-2", 1, 2, 1}),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& test) { return test.param.name; });
 
 struct RefusedCase {
   const char* name;
@@ -62,7 +62,7 @@ TEST_P(BunnyRefusal, NamesTheRuleAndWritesNothing) {
 INSTANTIATE_TEST_SUITE_P(Bunny, BunnyRefusal,
                          testing::Values(RefusedCase{"collapse", "collapse 3167-3168", "common_neighbour"},
                                          RefusedCase{"swap", "swap 1-2", "boundary"}),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& test) { return test.param.name; });
 
 TEST(Bunny, EveryEdgeIsJudged) {
   const ProgramRun run = run_program({"why", asset("stanford_bunny.obj"), "--op", "collapse", "--all", "--json"});

@@ -104,8 +104,12 @@ TEST(CheckTruth, MalformedFiles) {
     }
     EXPECT_EQ(report["vertices"], row["V"]) << row;
     EXPECT_EQ(static_cast<int>(report["faces"]) - static_cast<int>(report["quarantined"]), row["F"]) << row;
-    if (row["expect"] == "warn") EXPECT_EQ(run.exit_code, 1) << row;
-    if (row["expect"] == "ok") EXPECT_EQ(report["messages"], Json::array()) << row;
+    if (row["expect"] == "warn") {
+      EXPECT_EQ(run.exit_code, 1) << row;
+    }
+    if (row["expect"] == "ok") {
+      EXPECT_EQ(report["messages"], Json::array()) << row;
+    }
   }
 }
 

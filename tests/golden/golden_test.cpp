@@ -129,11 +129,13 @@ TEST_P(GoldenTest, LooksAsItDid) {
     EXPECT_GE(count_coloured(*picture, seen.role, golden.theme), seen.least) << "role " << static_cast<int>(seen.role);
   for (const Role role : golden.unseen)
     EXPECT_EQ(count_coloured(*picture, role, golden.theme), 0) << "role " << static_cast<int>(role);
-  if (updates) ASSERT_TRUE(write_png(*picture, reference));
+  if (updates) {
+    ASSERT_TRUE(write_png(*picture, reference));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Pictures, GoldenTest, testing::ValuesIn(goldens),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& test) { return test.param.name; });
 
 TEST(Compare, TellsAnotherPictureFromTheReference) {
   const test::TemporaryFolder folder;

@@ -124,7 +124,7 @@ TEST(Pointing, PicksTheNearestEdgeThatIsSeen) {
     const auto session = session_of(name);
     const IdImage ids = ids_of(*session);
     for (int i = 0; i < 600; ++i) {
-      const glm::dvec2 pixel(random() % 320u + 0.5, random() % 240u + 0.5);
+      const glm::dvec2 pixel(static_cast<double>(random() % 320u) + 0.5, static_cast<double>(random() % 240u) + 0.5);
       const auto expected = nearest_seen_edge(*session, ids, pixel);
       if (!expected) continue;
       const auto picked = session->pick(pixel, PickMode::edge);

@@ -59,9 +59,12 @@ void step(Mesh& mesh, Journal& journal, std::mt19937& random, WalkCount& count) 
     ++count.redone;
   } else if (mesh.live().edges > 0) {
     const AnyOp op = random_op(mesh, random);
-    const std::uint64_t before = mesh.hash();
+    // The hash costs the whole mesh: on a large one every hundredth refusal is looked at.
+    const bool is_looked_at = mesh.halfedge_slots() <= 2000 || random() % 100 == 0;
+    const std::uint64_t before = is_looked_at ? mesh.hash() : 0;
     if (!check(mesh, op).legal()) {
       ++count.refused;
+      if (!is_looked_at) return;
       ASSERT_EQ(mesh.hash(), before);
       return;
     }

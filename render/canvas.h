@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "render/pass/ui.h"
-#include "render/ui_damage.h"
+#include "render/pass/ui_damage.h"
 #include "render/view.h"
 
 namespace ryosen {

@@ -1,4 +1,5 @@
-// Finds which parts of a user interface look different from the last time.
+// Finds which parts of a user interface, as Dear ImGui has laid it out, look different from the last time. Reads its
+// draw data and makes no GL calls.
 #pragma once
 
 #include <array>

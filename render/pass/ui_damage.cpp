@@ -1,4 +1,4 @@
-#include "render/ui_damage.h"
+#include "render/pass/ui_damage.h"
 
 #include <imgui.h>
 

@@ -48,7 +48,7 @@ class Session {
   // The state of the user interface that commands change; it is kept, without effect, where there is none.
   Language language = Language::english;
   bool light_theme = false;
-  std::string open_panel;  // the panel that lies over the others: keys, open, save, quit; or none
+  std::string open_panel;  // the panel that lies over the others: keys, open, save, unsaved; empty for none
 
   bool strict = false;  // warnings refuse too
   // Makes a picture of the session; set by whoever can draw. Commands that need it fail without.
@@ -81,12 +81,13 @@ class Session {
   void frame_selection();
   void touch() { ++changes_; }
 
-  // Triangle slots changed since the last call, for what mirrors them; everything when the flag is set.
+  // What has changed since the last call, for what mirrors the drawn mesh. With `everything` the lists may be short:
+  // take all of it anew. An entry may stand twice and may name what is dead or past the end.
   struct DrawnChanges {
     bool everything = true;
-    std::vector<std::uint32_t> triangles;
-    std::vector<std::uint32_t> vertices;
-    std::vector<std::uint32_t> faces;
+    std::vector<std::uint32_t> triangles;  // slots of picker().triangles()
+    std::vector<std::uint32_t> vertices;   // made or moved
+    std::vector<std::uint32_t> faces;      // with other corners, or in other sets of highlights that tint faces
   };
   DrawnChanges take_drawn_changes();
 

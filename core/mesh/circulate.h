@@ -1,7 +1,7 @@
 // Ranges around vertices and faces: the nine relations between vertices, edges and faces, each step O(1).
 //
 // All ranges are views of the mesh and stay valid while it is not edited. On a broken mesh a range that does not come
-// back to its start throws BrokenMesh with the element named; it never spins.
+// back to its start throws BrokenMesh with the halfedge named, after halfedge_slots() + 1 steps at most.
 #pragma once
 
 #include <iterator>

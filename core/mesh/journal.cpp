@@ -1,6 +1,8 @@
 #include "core/mesh/journal.h"
 
+#include <bit>
 #include <cstring>
+#include <type_traits>
 #include <utility>
 
 namespace ryosen {
@@ -59,115 +61,157 @@ void restore_tail(MeshColumns& columns, const ColumnLengths& after, const std::v
   });
 }
 
-void exchange(std::byte* a, std::byte* b, std::size_t bytes) {
-  for (std::size_t i = 0; i < bytes; i += sizeof(std::uint32_t)) {
-    std::uint32_t x, y;
-    std::memcpy(&x, a + i, sizeof x);
-    std::memcpy(&y, b + i, sizeof y);
-    std::memcpy(a + i, &y, sizeof y);
-    std::memcpy(b + i, &x, sizeof x);
+// Lengths as a word that tells which of them are not 0, and those.
+constexpr std::size_t length_count = sizeof(ColumnLengths) / sizeof(std::uint32_t);
+static_assert(length_count <= 32 && std::has_unique_object_representations_v<ColumnLengths>);
+constexpr std::size_t count_words = sizeof(ElementCounts) / sizeof(std::uint32_t);
+
+void append_lengths(const ColumnLengths& lengths, std::vector<std::uint32_t>& words) {
+  const auto values = std::bit_cast<std::array<std::uint32_t, length_count>>(lengths);
+  const std::size_t place = words.size();
+  words.push_back(0);
+  for (std::size_t i = 0; i < length_count; ++i) {
+    if (values[i] == 0) continue;
+    words[place] |= 1u << i;
+    words.push_back(values[i]);
   }
 }
+
+ColumnLengths read_lengths(const std::uint32_t* words) {
+  std::array<std::uint32_t, length_count> values{};
+  const std::uint32_t* next = words + 1;
+  for (std::size_t i = 0; i < length_count; ++i)
+    if (*words >> i & 1u) values[i] = *next++;
+  return std::bit_cast<ColumnLengths>(values);
+}
+
+std::size_t words_of_lengths(std::uint32_t mask) { return 1 + static_cast<std::size_t>(std::popcount(mask)); }
 
 }  // namespace
 
 void Journal::begin(const Mesh& mesh) {
-  open_ = Transaction();
-  open_.first_cell = cells_.size();
-  open_.first_value = values_.size();
-  open_.before = mesh.lengths();
-  open_.counts = mesh.live();
+  open_ = {cells_.size(), words_.size()};
+  marks_.clear();
+  append_lengths(mesh.lengths(), words_);
+  const auto counts = std::bit_cast<std::array<std::uint32_t, count_words>>(mesh.live());
+  words_.insert(words_.end(), counts.begin(), counts.end());
 }
 
-void Journal::record_replaced(MeshColumns columns) {
-  open_.replaced = std::make_unique<MeshColumns>(std::move(columns));
-}
+void Journal::record_replaced(MeshColumns columns) { open_replaced_ = std::move(columns); }
 
 void Journal::commit() {
-  if (can_redo()) {
-    // What had been undone is dropped; the new transaction moves into its place.
-    const Transaction& dropped = transactions_[position_];
-    cells_.erase(cells_.begin() + dropped.first_cell, cells_.begin() + open_.first_cell);
-    values_.erase(values_.begin() + dropped.first_value, values_.begin() + open_.first_value);
-    open_.first_cell = dropped.first_cell;
-    open_.first_value = dropped.first_value;
-    transactions_.resize(position_);
-  }
-  transactions_.push_back(std::move(open_));
+  if (can_redo()) drop_undone();
+  if (open_replaced_) replaced_.emplace(position_, std::move(*open_replaced_));
+  open_replaced_.reset();
+  transactions_.push_back(open_);
   ++position_;
 }
 
+// The open transaction moves into the place of what had been undone.
+void Journal::drop_undone() {
+  const Transaction dropped = transactions_[position_];
+  const auto erase = [](auto& stream, std::size_t begin, std::size_t end) {
+    stream.erase(stream.begin() + static_cast<std::ptrdiff_t>(begin),
+                 stream.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  erase(cells_, dropped.first_cell, open_.first_cell);
+  erase(words_, dropped.first_word, open_.first_word);
+  open_ = dropped;
+  transactions_.resize(position_);
+  undone_.clear();
+  replaced_.erase(replaced_.lower_bound(position_), replaced_.end());
+}
+
 void Journal::rollback(Mesh& mesh) {
-  if (open_.replaced) {
-    mesh.columns_ = std::move(*open_.replaced);
+  if (open_replaced_) {
+    mesh.columns_ = std::move(*open_replaced_);
+    open_replaced_.reset();
   } else {
-    exchange_backward(mesh, open_, cells_.size(), values_.size());
-    cut_tail(mesh.columns_, open_.before, nullptr);
-    mesh.columns_.live = open_.counts;
+    const std::size_t counts = open_.first_word + words_of_lengths(words_[open_.first_word]);
+    exchange_values(mesh, open_.first_cell, cells_.size(), counts + count_words);
+    cut_tail(mesh.columns_, read_lengths(words_.data() + open_.first_word), nullptr);
+    exchange_counts(mesh, counts);
   }
   cells_.resize(open_.first_cell);
-  values_.resize(open_.first_value);
-  open_ = Transaction();
+  words_.resize(open_.first_word);
 }
 
 std::size_t Journal::cell_end(std::size_t i) const {
   return i + 1 < transactions_.size() ? transactions_[i + 1].first_cell : cells_.size();
 }
 
-void Journal::exchange_backward(Mesh& mesh, const Transaction& t, std::size_t cell_end, std::size_t value_end) {
-  std::size_t value = value_end;
-  for (std::size_t i = cell_end; i-- > t.first_cell;) {
-    const auto [cell, bytes] = mesh.cell(cells_[i].column, cells_[i].index);
-    value -= bytes;
-    exchange(cell, values_.data() + value, bytes);
+void Journal::exchange_values(Mesh& mesh, std::size_t first_cell, std::size_t cell_end, std::size_t first_value) {
+  std::uint32_t* value = words_.data() + first_value;
+  for (std::size_t i = first_cell; i < cell_end; ++i) {
+    std::uint32_t index;
+    std::memcpy(&index, cells_[i].index.data(), sizeof index);
+    const auto [cell, bytes] = mesh.cell(cells_[i].column, index);
+    for (std::size_t k = 0; k < bytes; k += sizeof(std::uint32_t), ++value) {
+      std::uint32_t word;
+      std::memcpy(&word, cell + k, sizeof word);
+      std::memcpy(cell + k, value, sizeof word);
+      *value = word;
+    }
   }
 }
 
-void Journal::exchange_forward(Mesh& mesh, const Transaction& t, std::size_t cell_end) {
-  std::size_t value = t.first_value;
-  for (std::size_t i = t.first_cell; i < cell_end; ++i) {
-    const auto [cell, bytes] = mesh.cell(cells_[i].column, cells_[i].index);
-    exchange(cell, values_.data() + value, bytes);
-    value += bytes;
-  }
+void Journal::exchange_counts(Mesh& mesh, std::size_t first_word) {
+  ElementCounts counts;
+  std::memcpy(&counts, words_.data() + first_word, sizeof counts);
+  std::memcpy(words_.data() + first_word, &mesh.columns_.live, sizeof counts);
+  mesh.columns_.live = counts;
 }
 
 void Journal::undo(Mesh& mesh) {
   const std::size_t i = --position_;
-  Transaction& t = transactions_[i];
-  if (t.replaced) {
-    std::swap(mesh.columns_, *t.replaced);
+  Undone& undone = undone_.emplace_back();
+  undone.after = mesh.lengths();
+  if (const auto replaced = replaced_.find(i); replaced != replaced_.end()) {
+    std::swap(mesh.columns_, replaced->second);
     return;
   }
-  const std::size_t value_end = i + 1 < transactions_.size() ? transactions_[i + 1].first_value : values_.size();
-  exchange_backward(mesh, t, cell_end(i), value_end);
-  t.after = mesh.lengths();
-  cut_tail(mesh.columns_, t.before, &t.tail);
-  std::swap(mesh.columns_.live, t.counts);
+  const Transaction& t = transactions_[i];
+  const std::size_t counts = t.first_word + words_of_lengths(words_[t.first_word]);
+  exchange_values(mesh, t.first_cell, cell_end(i), counts + count_words);
+  cut_tail(mesh.columns_, lengths_before(i), &undone.tail);
+  exchange_counts(mesh, counts);
 }
 
 void Journal::redo(Mesh& mesh) {
   const std::size_t i = position_++;
-  Transaction& t = transactions_[i];
-  if (t.replaced) {
-    std::swap(mesh.columns_, *t.replaced);
+  const Undone undone = std::move(undone_.back());
+  undone_.pop_back();
+  if (const auto replaced = replaced_.find(i); replaced != replaced_.end()) {
+    std::swap(mesh.columns_, replaced->second);
     return;
   }
-  restore_tail(mesh.columns_, t.after, t.tail);
-  t.tail = {};
-  exchange_forward(mesh, t, cell_end(i));
-  std::swap(mesh.columns_.live, t.counts);
+  const Transaction& t = transactions_[i];
+  const std::size_t counts = t.first_word + words_of_lengths(words_[t.first_word]);
+  restore_tail(mesh.columns_, undone.after, undone.tail);
+  exchange_values(mesh, t.first_cell, cell_end(i), counts + count_words);
+  exchange_counts(mesh, counts);
 }
 
 void Journal::clear() { *this = Journal(); }
 
 std::vector<TouchedCell> Journal::touched(std::size_t i) const {
-  return {cells_.begin() + static_cast<std::ptrdiff_t>(transactions_[i].first_cell),
-          cells_.begin() + static_cast<std::ptrdiff_t>(cell_end(i))};
+  std::vector<TouchedCell> cells;
+  cells.reserve(cell_end(i) - transactions_[i].first_cell);
+  for (std::size_t k = transactions_[i].first_cell; k < cell_end(i); ++k) {
+    TouchedCell& cell = cells.emplace_back();
+    cell.column = cells_[k].column;
+    std::memcpy(&cell.index, cells_[k].index.data(), sizeof cell.index);
+  }
+  return cells;
+}
+
+ColumnLengths Journal::lengths_before(std::size_t i) const {
+  return read_lengths(words_.data() + transactions_[i].first_word);
 }
 
 std::size_t Journal::bytes() const {
-  return cells_.size() * sizeof(TouchedCell) + values_.size() + transactions_.size() * sizeof(Transaction);
+  return cells_.size() * sizeof(PackedCell) + words_.size() * sizeof(std::uint32_t) +
+         transactions_.size() * sizeof(Transaction);
 }
 
 }  // namespace ryosen

@@ -1,12 +1,20 @@
 // The history of a mesh: old values of every changed cell, one transaction per committed edit, undone and redone
 // exactly.
+//
+// Two byte-dense streams hold all transactions one behind the other: the names of the changed cells, 5 bytes each, and
+// words: the lengths and counts before the edit, then the values of its cells. A cell is recorded once per transaction,
+// with its first value, so exchanging the values with those in the mesh leads from either state to the other.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <cstring>
+#include <map>
+#include <optional>
 #include <vector>
 
+#include "core/mesh/cell_marks.h"
 #include "core/mesh/mesh.h"
 
 namespace ryosen {
@@ -31,15 +39,15 @@ class Journal {
   void redo(Mesh& mesh);
   void clear();
 
-  // What transaction i changed: the cells written, and the lengths before it (elements from there on are new).
-  // Replaced columns mean that everything may have changed.
+  // What transaction i changed: the cells written, each once, and the lengths before it (elements from there on are
+  // new). Replaced columns mean that everything may have changed.
   std::vector<TouchedCell> touched(std::size_t i) const;
-  const ColumnLengths& lengths_before(std::size_t i) const { return transactions_[i].before; }
+  ColumnLengths lengths_before(std::size_t i) const;
   // The lengths after it; `mesh` must be in the state right before or right after transaction i.
   ColumnLengths lengths_after(const Mesh& mesh, std::size_t i) const {
-    return i < position_ ? mesh.lengths() : transactions_[i].after;
+    return i < position_ ? mesh.lengths() : undone_[transactions_.size() - 1 - i].after;
   }
-  bool replaces_everything(std::size_t i) const { return transactions_[i].replaced != nullptr; }
+  bool replaces_everything(std::size_t i) const { return replaced_.contains(i); }
 
   // Bytes appended to the history so far, without columns replaced whole.
   std::size_t bytes() const;
@@ -47,34 +55,49 @@ class Journal {
  private:
   friend class Edit;
 
+  struct PackedCell {
+    Column column;
+    std::array<std::byte, 4> index;
+  };
+  static_assert(sizeof(PackedCell) == 5);
+
   struct Transaction {
-    std::size_t first_cell = 0;   // into cells_
-    std::size_t first_value = 0;  // into values_
-    ColumnLengths before;
-    ElementCounts counts;                   // exchanged with the mesh's own
-    std::vector<std::byte> tail;            // the new elements' bytes, kept while undone
-    ColumnLengths after;                    // set while undone
-    std::unique_ptr<MeshColumns> replaced;  // exchanged with the mesh's own
+    std::size_t first_cell = 0;  // into cells_
+    std::size_t first_word = 0;  // into words_: lengths before it, counts (exchanged with the mesh's own), values
+  };
+  // What only an undone transaction needs; the one undone last is redone first.
+  struct Undone {
+    ColumnLengths after;
+    std::vector<std::byte> tail;  // the new elements' bytes
   };
 
   void begin(const Mesh& mesh);
   void record(Column column, std::uint32_t index, const void* value, std::size_t bytes) {
-    cells_.push_back({column, index});
-    const auto* begin = static_cast<const std::byte*>(value);
-    values_.insert(values_.end(), begin, begin + bytes);
+    if (!marks_.insert(column, index)) return;
+    PackedCell& cell = cells_.emplace_back();
+    cell.column = column;
+    std::memcpy(cell.index.data(), &index, sizeof index);
+    const std::size_t first = words_.size();
+    words_.resize(first + bytes / sizeof(std::uint32_t));
+    std::memcpy(words_.data() + first, value, bytes);
   }
   void record_replaced(MeshColumns columns);
   void commit();
   void rollback(Mesh& mesh);
 
   std::size_t cell_end(std::size_t i) const;
-  void exchange_backward(Mesh& mesh, const Transaction& t, std::size_t cell_end, std::size_t value_end);
-  void exchange_forward(Mesh& mesh, const Transaction& t, std::size_t cell_end);
+  void drop_undone();
+  void exchange_values(Mesh& mesh, std::size_t first_cell, std::size_t cell_end, std::size_t first_value);
+  void exchange_counts(Mesh& mesh, std::size_t first_word);
 
-  std::vector<TouchedCell> cells_;
-  std::vector<std::byte> values_;
+  std::vector<PackedCell> cells_;
+  std::vector<std::uint32_t> words_;
   std::vector<Transaction> transactions_;
+  std::vector<Undone> undone_;
+  std::map<std::size_t, MeshColumns> replaced_;  // by transaction; exchanged with the mesh's own
   Transaction open_;
+  std::optional<MeshColumns> open_replaced_;
+  CellMarks marks_;  // the cells of open_
   std::size_t position_ = 0;
 };
 

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
@@ -109,22 +111,49 @@ class CollapseJudge {
     return points;
   }
 
-  // Two faces away from the edge, both triangles, share all points only if both other corners of one are common
-  // neighbours, and those are the apexes by now; so most pairs need no look.
-  bool may_coincide(Halfedge at_gone, Face other) const {
-    const Face f = m_.face(at_gone);
-    if (is_at_edge(f) || !is_triangle(m_, at_gone)) return true;
-    if (apex_count_ == 2) return is_apex(m_.to(at_gone)) && is_apex(m_.from(m_.prev(at_gone)));
-    return is_at_edge(other);
+  // A number that faces on equal points after the collapse have in common, made without sorting them. No face but
+  // those at the edge holds both ends by now.
+  std::uint64_t key_after(Face f) const {
+    const auto mixed = [](Vertex p) {
+      std::uint64_t x = (p.index + 1) * 0x9e3779b97f4a7c15ull;
+      x = (x ^ (x >> 29)) * 0xbf58476d1ce4e5b9ull;
+      return x ^ (x >> 32);
+    };
+    std::uint64_t key = 0;
+    for (Vertex v : vertices_around(m_, f)) {
+      ++key;
+      if (v != gone_)
+        key += mixed(point(m_, v));
+      else if (is_at_edge(f))
+        --key;
+      else
+        key += mixed(point(m_, kept_));
+    }
+    return key;
   }
 
+  // Compares each face of the vertex that goes with those of the other point, of which only the ones with its key can
+  // coincide with it.
   void check_duplicates() {
+    struct Candidate {
+      std::uint64_t key;
+      std::size_t order;
+      Face face;
+      bool operator<(const Candidate& other) const { return key != other.key ? key < other.key : order < other.order; }
+    };
+    std::vector<Candidate> candidates;
+    for_each_copy(m_, kept_, [&](Vertex copy) {
+      for (Halfedge k : outgoing(m_, copy))
+        if (!m_.is_outside(k) && !is_dropped(k))
+          candidates.push_back({key_after(m_.face(k)), candidates.size(), m_.face(k)});
+    });
+    std::sort(candidates.begin(), candidates.end());
     for (Halfedge g : outgoing(m_, gone_)) {
       if (m_.is_outside(g) || is_dropped(g)) continue;
-      for_each_copy(m_, kept_, [&](Vertex copy) {
-        for (Halfedge k : outgoing(m_, copy))
-          if (!m_.is_outside(k) && !is_dropped(k) && may_coincide(g, m_.face(k))) compare(m_.face(g), m_.face(k));
-      });
+      const Candidate first{key_after(m_.face(g)), 0, Face()};
+      for (auto c = std::lower_bound(candidates.begin(), candidates.end(), first);
+           c != candidates.end() && c->key == first.key; ++c)
+        compare(m_.face(g), c->face);
     }
   }
 

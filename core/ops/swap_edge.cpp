@@ -1,6 +1,7 @@
 #include "core/ops/swap_edge.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 #include "core/mesh/circulate.h"
@@ -145,104 +146,69 @@ std::vector<Reason> SwapEdge::warnings(const Mesh& m) const {
 
 namespace {
 
-struct SwapLinks {
-  Halfedge h, o, n, p, no, po, nn, pp, nno, ppo;
-  Vertex a, b;
-  Face left, right;
+// What the turn does to the face at one half of the edge; the other half plays the same part with the roles mirrored.
+//
+//   forward, left of h:   p -> (next of the twin) -> h -> next(next(h))        the side next(h) goes to the other face
+//   back, left of h:      prev(p) -> h -> (prev of the twin) -> next(h)        the side p = prev(h) goes
+struct SwapSide {
+  Halfedge half, lost, gained, at_old_origin;
+  Vertex old_origin, new_origin;
+  Face face;
+  std::array<Halfedge, 4> chain;  // part of the face's loop, as it will be
 
-  SwapLinks(const Mesh& m, Halfedge edge_half)
-      : h(edge_half),
-        o(twin(h)),
-        n(m.next(h)),
-        p(m.prev(h)),
-        no(m.next(o)),
-        po(m.prev(o)),
-        nn(m.next(n)),
-        pp(m.prev(p)),
-        nno(m.next(no)),
-        ppo(m.prev(po)),
-        a(m.from(h)),
-        b(m.from(o)),
-        left(m.face(h)),
-        right(m.face(o)) {}
+  SwapSide(const Mesh& m, Halfedge h, bool back)
+      : half(h), at_old_origin(m.next(twin(h))), old_origin(m.from(h)), face(m.face(h)) {
+    const Halfedge n = m.next(h), p = m.prev(h), o = twin(h);
+    lost = back ? p : n;
+    gained = back ? m.prev(o) : m.next(o);
+    new_origin = back ? m.from(p) : m.to(gained);
+    chain = back ? std::array{m.prev(p), h, gained, n} : std::array{p, gained, h, m.next(n)};
+  }
 };
 
-void turn_forward(Edit& edit, const SwapLinks& s) {
+void apply_side(Edit& edit, const SwapSide& s) {
   const Mesh& m = edit.mesh();
-  CornerWriter corners(edit);
-  for (std::size_t k = 0; k < corners.count(); ++k) {
-    const std::uint32_t a_left = corners.index(k, s.h), b_right = corners.index(k, s.o);
-    const std::uint32_t d_right = corners.index(k, s.nno), c_left = corners.index(k, s.nn);
-    corners.set(k, s.no, a_left);
-    corners.set(k, s.n, b_right);
-    corners.set(k, s.h, d_right);
-    corners.set(k, s.o, c_left);
-  }
-  const Vertex c = m.from(s.nn), d = m.from(s.nno);
-  edit.connect(s.h, s.nn);
-  edit.connect(s.p, s.no);
-  edit.connect(s.no, s.h);
-  edit.connect(s.o, s.nno);
-  edit.connect(s.po, s.n);
-  edit.connect(s.n, s.o);
-  edit.set_face(s.no, s.left);
-  edit.set_face(s.n, s.right);
-  edit.set_from(s.h, d);
-  edit.set_from(s.o, c);
+  for (std::size_t i = 0; i + 1 < s.chain.size(); ++i) edit.connect(s.chain[i], s.chain[i + 1]);
+  edit.set_face(s.gained, s.face);
+  edit.set_from(s.half, s.new_origin);
   // The corner that a face gains takes the place of the one it loses.
-  if (m.halfedge(s.left) == s.n)
-    edit.set_halfedge(s.left, s.h);
-  else if (m.halfedge(s.left) == s.h)
-    edit.set_halfedge(s.left, s.no);
-  if (m.halfedge(s.right) == s.no)
-    edit.set_halfedge(s.right, s.o);
-  else if (m.halfedge(s.right) == s.o)
-    edit.set_halfedge(s.right, s.n);
-  if (m.halfedge(s.a) == s.h) edit.set_halfedge(s.a, s.no);
-  if (m.halfedge(s.b) == s.o) edit.set_halfedge(s.b, s.n);
+  if (m.halfedge(s.face) == s.lost)
+    edit.set_halfedge(s.face, s.half);
+  else if (m.halfedge(s.face) == s.half)
+    edit.set_halfedge(s.face, s.gained);
+  if (m.halfedge(s.old_origin) == s.half) edit.set_halfedge(s.old_origin, s.at_old_origin);
 }
 
-void turn_back(Edit& edit, const SwapLinks& s) {
+// A corner that comes new to a face takes the value of the same vertex in the other one.
+void turn_corner_values(Edit& edit, Halfedge h, bool back) {
   const Mesh& m = edit.mesh();
   CornerWriter corners(edit);
+  const Halfedge o = twin(h), n = m.next(h), no = m.next(o);
   for (std::size_t k = 0; k < corners.count(); ++k) {
-    corners.set(k, s.h, corners.index(k, s.p));
-    corners.set(k, s.o, corners.index(k, s.po));
+    const auto at_new_origin = [&](Halfedge side) {
+      return corners.index(k, back ? m.prev(side) : m.next(m.next(twin(side))));
+    };
+    const std::uint32_t a_left = corners.index(k, h), b_right = corners.index(k, o);
+    const std::uint32_t of_h = at_new_origin(h), of_o = at_new_origin(o);
+    corners.set(k, h, of_h);
+    corners.set(k, o, of_o);
+    if (back) continue;
+    corners.set(k, no, a_left);
+    corners.set(k, n, b_right);
   }
-  const Vertex l = m.from(s.p), r = m.from(s.po);
-  edit.connect(s.pp, s.h);
-  edit.connect(s.h, s.po);
-  edit.connect(s.po, s.n);
-  edit.connect(s.ppo, s.o);
-  edit.connect(s.o, s.p);
-  edit.connect(s.p, s.no);
-  edit.set_face(s.po, s.left);
-  edit.set_face(s.p, s.right);
-  edit.set_from(s.h, l);
-  edit.set_from(s.o, r);
-  if (m.halfedge(s.left) == s.h)
-    edit.set_halfedge(s.left, s.po);
-  else if (m.halfedge(s.left) == s.p)
-    edit.set_halfedge(s.left, s.h);
-  if (m.halfedge(s.right) == s.o)
-    edit.set_halfedge(s.right, s.p);
-  else if (m.halfedge(s.right) == s.po)
-    edit.set_halfedge(s.right, s.o);
-  if (m.halfedge(s.a) == s.h) edit.set_halfedge(s.a, s.no);
-  if (m.halfedge(s.b) == s.o) edit.set_halfedge(s.b, s.n);
 }
 
 }  // namespace
 
 OpEffect SwapEdge::apply(Edit& edit) const {
-  assert(check(edit.mesh()).legal());
-  const SwapLinks links(edit.mesh(), halfedge);
-  if (back)
-    turn_back(edit, links);
-  else
-    turn_forward(edit, links);
+  const Mesh& m = edit.mesh();
+  assert(check(m).legal());
+  turn_corner_values(edit, halfedge, back);
+  const SwapSide left(m, halfedge, back), right(m, twin(halfedge), back);
+  apply_side(edit, left);
+  apply_side(edit, right);
   OpEffect effect;
-  effect.changed = {links.left, links.right};
+  effect.changed = {left.face, right.face};
   return effect;
 }
 

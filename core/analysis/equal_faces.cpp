@@ -13,6 +13,7 @@ namespace {
 // four points has, at each corner, an edge in common with this one. Both hold where one edge joins two points, so not
 // beside copies.
 bool may_have_equal_face(const Mesh& mesh, Face f) {
+  if (mesh.has_rings(f)) return true;
   const Halfedge a = mesh.halfedge(f), b = mesh.next(a), c = mesh.next(b), d = mesh.next(c);
   const bool is_triangle = d == a;
   if (!is_triangle && mesh.next(d) != a) return true;
@@ -58,12 +59,8 @@ Vertex loneliest_corner(const Mesh& mesh, Face f) {
 
 bool has_corner_count(const Mesh& mesh, Face f, std::size_t expected) {
   std::size_t n = 0;
-  const Halfedge start = mesh.halfedge(f);
-  Halfedge h = start;
-  do {
+  for ([[maybe_unused]] Halfedge h : halfedges_around(mesh, f))
     if (++n > expected) return false;
-    h = mesh.next(h);
-  } while (h != start);
   return n == expected;
 }
 
@@ -146,12 +143,13 @@ Face hanging_partner(Neighbourhood& around, Face f) {
   const Mesh& mesh = around.mesh();
   if (!may_have_equal_face(mesh, f)) return Face();
   const Halfedge a = mesh.halfedge(f), b = mesh.next(a), c = mesh.next(b);
-  if (mesh.next(c) != a) return Face();
+  if (mesh.next(c) != a || mesh.has_rings(f)) return Face();
   // A triangle that shares two edges shares all three points; an edge with a third face leads nowhere.
   Face candidates[3];
   for (int i = 0; Halfedge h : {a, b, c}) {
     const Halfedge other = around.across(h);
-    if (other && is_triangle(mesh, other) && around.point(mesh.from(other)) == around.point(mesh.to(h)))
+    if (other && is_triangle(mesh, other) && !mesh.has_rings(mesh.face(other)) &&
+        around.point(mesh.from(other)) == around.point(mesh.to(h)))
       candidates[i] = mesh.face(other);
     ++i;
   }

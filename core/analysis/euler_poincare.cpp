@@ -29,6 +29,7 @@ EulerPoincare euler_poincare(const Mesh& mesh) {
   e.vertices = mesh.live().vertices;
   e.edges = mesh.live().edges;
   e.faces = mesh.live().faces;
+  e.rings = mesh.live().rings;
   e.boundaries = count_boundaries(mesh);
   e.components = count_kernel_components(mesh);
   // Each component is a closed surface once its boundaries are capped, so the left side is even.

@@ -10,7 +10,7 @@
 #include "core/analysis/boundary_loops.h"
 #include "core/analysis/components.h"
 #include "core/geometry/polygon_normal.h"
-#include "core/mesh/circulate.h"
+#include "core/mesh/face_polygon.h"
 
 namespace ryosen {
 
@@ -116,18 +116,19 @@ class Measure {
 
 void measure_faces(const Mesh& mesh, Figures& figures) {
   Measure measure;
-  std::vector<glm::dvec3> polygon;
+  FacePolygon polygon;
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     if (!mesh.is_alive(Face(i))) continue;
-    polygon.clear();
-    const Halfedge start = mesh.halfedge(Face(i));
-    Halfedge h = start;
-    do {
-      polygon.push_back(mesh.position(mesh.from(h)));
-      h = mesh.next(h);
-    } while (h != start);
-    count_corners(polygon.size(), figures);
-    measure.add(polygon);
+    polygon.read(mesh, Face(i));
+    if (!mesh.has_rings(Face(i))) {
+      count_corners(polygon.places().size(), figures);
+      measure.add(polygon.places());
+    } else {
+      // The walk has the corners that the file's bridged list has.
+      const std::vector<glm::dvec3> walk = polygon.keyhole_walk();
+      count_corners(walk.size(), figures);
+      measure.add(walk);
+    }
   }
   measure.report(figures);
 }
@@ -144,6 +145,7 @@ Figures compute_figures(Neighbourhood& around, const HighlightSets& sets, std::s
   const std::uint64_t usable = mesh.live().faces;
   figures.faces = usable + quarantine.size();
   figures.boundary_loops = find_boundary_loops(around, sets.of(ProblemKind::boundary_loop)).size();
+  figures.rings = mesh.live().rings;
   figures.components = count_face_components(around);
   figures.euler_characteristic = static_cast<std::int64_t>(figures.vertices - figures.isolated_vertices + usable) -
                                  static_cast<std::int64_t>(figures.edges + figures.rings);

@@ -27,6 +27,8 @@ Broken check_lengths(const Mesh& m) {
   if (c.positions.size() != c.vertex_halfedge.size()) return wrong("there is not one position per vertex");
   if (!c.next_copy.empty() && c.next_copy.size() != c.vertex_halfedge.size())
     return wrong("there is not one copy link per vertex");
+  if (!c.first_ring.empty() && c.first_ring.size() != c.face_halfedge.size())
+    return wrong("there is not one chain of rings per face");
   for (const AttributeColumn& a : c.attributes) {
     const std::size_t elements = a.element == ElementKind::vertex   ? c.vertex_halfedge.size()
                                  : a.element == ElementKind::corner ? c.halfedges.size()
@@ -65,32 +67,61 @@ Broken check_halfedges(const Mesh& m) {
   return {};
 }
 
+// The numbers of the rings of a face, or that its chain does not end or names a dead ring.
+Broken collect_rings(const Mesh& m, Face f, std::vector<bool>& seen, std::vector<Halfedge>& starts) {
+  for (std::uint32_t r = m.first_ring(f); r != no_index; r = m.ring(r).next) {
+    if (r >= seen.size() || seen[r]) return broken("ring_chain", f, "has a chain of rings that does not end");
+    seen[r] = true;
+    const Halfedge start = m.ring(r).halfedge;
+    if (!is_live_link(m, start) || m.face(start) != f)
+      return broken("ring_halfedge", f, "has a ring that is not its own");
+    starts.push_back(start);
+  }
+  return {};
+}
+
+// The loop from `start` has three or more corners and no vertex that its face has visited before.
+Broken check_loop(const Mesh& m, Face f, Halfedge start, std::vector<Face>& last_face, std::uint32_t& in_loops) {
+  std::uint32_t corners = 0;
+  Halfedge h = start;
+  do {
+    Face& seen_in = last_face[m.from(h).index];
+    if (seen_in == f) return broken("corner_twice", f, "visits " + name(m.from(h)) + " twice");
+    seen_in = f;
+    ++corners;
+    h = m.next(h);
+  } while (h != start);
+  if (corners < 3) return broken("too_few_corners", f, "has a loop of fewer than three corners");
+  in_loops += corners;
+  return {};
+}
+
 // next is a permutation of the live halfedges here, so loops close.
 Broken check_faces(const Mesh& m) {
-  std::uint32_t with_face = 0, in_loops = 0, live = 0;
+  std::uint32_t with_face = 0, in_loops = 0, live = 0, rings = 0;
   for (std::uint32_t i = 0; i < m.halfedge_slots(); ++i) with_face += m.is_alive(Halfedge(i)) && m.face(Halfedge(i));
-  std::vector<std::uint32_t> last_face(m.vertex_slots(), no_index);
+  std::vector<Face> last_face(m.vertex_slots());
+  std::vector<bool> seen_ring(m.columns().rings.size(), false);
+  std::vector<Halfedge> starts;
   for (std::uint32_t i = 0; i < m.face_slots(); ++i) {
     const Face f(i);
-    if (!m.is_alive(f)) continue;
+    if (!m.is_alive(f)) {
+      if (m.has_rings(f)) return broken("ring_of_dead", f, "is deleted but has rings");
+      continue;
+    }
     ++live;
-    const Halfedge start = m.halfedge(f);
-    if (!is_live_link(m, start) || m.face(start) != f)
+    if (!is_live_link(m, m.halfedge(f)) || m.face(m.halfedge(f)) != f)
       return broken("face_halfedge", f, "holds no halfedge of its own");
-    std::uint32_t corners = 0;
-    Halfedge h = start;
-    do {
-      std::uint32_t& seen_in = last_face[m.from(h).index];
-      if (seen_in == i) return broken("corner_twice", f, "visits " + name(m.from(h)) + " twice");
-      seen_in = i;
-      ++corners;
-      h = m.next(h);
-    } while (h != start);
-    if (corners < 3) return broken("too_few_corners", f, "has fewer than three corners");
-    in_loops += corners;
+    starts.assign(1, m.halfedge(f));
+    if (Broken b = collect_rings(m, f, seen_ring, starts)) return b;
+    rings += static_cast<std::uint32_t>(starts.size() - 1);
+    for (Halfedge start : starts)
+      if (Broken b = check_loop(m, f, start, last_face, in_loops)) return b;
   }
-  if (in_loops != with_face) return BrokenInvariant{"face_loops", "", "a face has more than one loop"};
+  if (in_loops != with_face)
+    return BrokenInvariant{"face_loops", "", "a face has a loop that is neither its outer one nor a ring"};
   if (live != m.live().faces) return BrokenInvariant{"face_count", "", "the count of live faces is wrong"};
+  if (rings != m.live().rings) return BrokenInvariant{"ring_count", "", "the count of rings is wrong"};
   return {};
 }
 
@@ -100,19 +131,19 @@ Broken check_vertex(const Mesh& m, Vertex v, std::uint32_t outgoing, std::vector
     return outgoing == 0 ? Broken() : broken("vertex_halfedge", v, "holds no halfedge although edges begin at it");
   if (!is_live_link(m, start) || m.from(start) != v)
     return broken("vertex_halfedge", v, "holds no halfedge of its own");
-  std::uint32_t seen = 0, gaps = 0;
+  std::uint32_t seen = 0;
+  bool has_gap = false;
   Halfedge h = start;
   do {
     ++seen;
-    gaps += m.is_outside(h);
+    has_gap |= m.is_outside(h);
     std::uint32_t& reached_from = last_neighbour[m.to(h).index];
     if (reached_from == v.index) return broken("edge_twice", v, "and " + name(m.to(h)) + " are joined by two edges");
     reached_from = v.index;
     h = m.counter_clockwise(h);
   } while (h != start);
   if (seen != outgoing) return broken("several_cycles", v, "has more than one cycle of halfedges");
-  if (gaps > 1) return broken("several_fans", v, "has more than one fan of faces");
-  if (gaps == 1 && !m.is_outside(start)) return broken("vertex_boundary", v, "does not hold its outside halfedge");
+  if (has_gap && !m.is_outside(start)) return broken("vertex_boundary", v, "does not hold its outside halfedge");
   return {};
 }
 
@@ -130,15 +161,6 @@ Broken check_vertices(const Mesh& m) {
     if (Broken b = check_vertex(m, v, outgoing[i], last_neighbour)) return b;
   }
   if (live != m.live().vertices) return BrokenInvariant{"vertex_count", "", "the count of live vertices is wrong"};
-  return {};
-}
-
-Broken check_edges_without_faces(const Mesh& m) {
-  for (std::uint32_t i = 0; i < m.edge_slots(); ++i) {
-    const Edge e(i);
-    if (m.is_alive(e) && m.is_outside(halfedge(e, 0)) && m.is_outside(halfedge(e, 1)))
-      return broken("edge_without_face", e, "has a face on neither side");
-  }
   return {};
 }
 
@@ -166,8 +188,7 @@ Broken check_copies(const Mesh& m) {
 
 std::optional<BrokenInvariant> check_invariants(const Mesh& mesh) {
   using Check = Broken (*)(const Mesh&);
-  for (Check check :
-       {&check_lengths, &check_halfedges, &check_faces, &check_vertices, &check_edges_without_faces, &check_copies})
+  for (Check check : {&check_lengths, &check_halfedges, &check_faces, &check_vertices, &check_copies})
     if (Broken b = check(mesh)) return b;
   return {};
 }

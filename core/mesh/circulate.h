@@ -98,6 +98,57 @@ struct ToOppositeFace {
 };
 }  // namespace detail
 
+// The loops of a face one after another, the outer one first, mapped to an element by Map.
+template <class Map>
+class FaceRange {
+ public:
+  class iterator {
+   public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = decltype(Map()(std::declval<const Mesh&>(), Halfedge()));
+    using difference_type = std::ptrdiff_t;
+    using pointer = void;
+    using reference = value_type;
+
+    iterator(const Mesh* mesh, Halfedge start, std::uint32_t next_ring)
+        : mesh_(mesh), start_(start), current_(start), next_ring_(next_ring), left_(mesh->halfedge_slots()) {}
+    value_type operator*() const { return Map()(*mesh_, current_); }
+    iterator& operator++() {
+      current_ = mesh_->next(current_);
+      if (current_ == start_) {
+        begin_ring();
+      } else if (left_-- == 0 || current_.index >= mesh_->halfedge_slots()) {
+        throw BrokenMesh(start_);
+      }
+      return *this;
+    }
+    friend bool operator==(const iterator& a, const iterator& b) { return a.current_ == b.current_; }
+
+   private:
+    void begin_ring() {
+      start_ = current_ = Halfedge();
+      if (next_ring_ == no_index) return;
+      const Ring& ring = mesh_->ring(next_ring_);
+      start_ = current_ = ring.halfedge;
+      next_ring_ = ring.next;
+    }
+
+    const Mesh* mesh_;
+    Halfedge start_, current_;
+    std::uint32_t next_ring_;
+    std::uint32_t left_;
+  };
+
+  FaceRange(const Mesh& mesh, Face f) : mesh_(&mesh), start_(mesh.halfedge(f)), ring_(mesh.first_ring(f)) {}
+  iterator begin() const { return {mesh_, start_, ring_}; }
+  iterator end() const { return {mesh_, Halfedge(), no_index}; }
+
+ private:
+  const Mesh* mesh_;
+  Halfedge start_;
+  std::uint32_t ring_;
+};
+
 // Around a vertex, counter-clockwise. faces_around may yield none (the gap at a boundary).
 inline auto outgoing(const Mesh& m, Vertex v) {
   return CycleRange<detail::StepLeft, detail::ToHalfedge>(m, m.halfedge(v));
@@ -115,21 +166,16 @@ inline auto faces_around(const Mesh& m, Vertex v) {
   return CycleRange<detail::StepLeft, detail::ToFace>(m, m.halfedge(v));
 }
 
-// Around a face or an outside loop, counter-clockwise. neighbour_faces may yield none.
+// Around a loop of a face or outside, counter-clockwise.
 inline auto loop(const Mesh& m, Halfedge start) { return CycleRange<detail::StepNext, detail::ToHalfedge>(m, start); }
 inline auto loop_clockwise(const Mesh& m, Halfedge start) {
   return CycleRange<detail::StepPrev, detail::ToHalfedge>(m, start);
 }
-inline auto halfedges_around(const Mesh& m, Face f) { return loop(m, m.halfedge(f)); }
-inline auto vertices_around(const Mesh& m, Face f) {
-  return CycleRange<detail::StepNext, detail::ToFrom>(m, m.halfedge(f));
-}
-inline auto edges_around(const Mesh& m, Face f) {
-  return CycleRange<detail::StepNext, detail::ToEdge>(m, m.halfedge(f));
-}
-inline auto neighbour_faces(const Mesh& m, Face f) {
-  return CycleRange<detail::StepNext, detail::ToOppositeFace>(m, m.halfedge(f));
-}
+// Around a face, counter-clockwise: its outer loop, then its rings. neighbour_faces may yield none.
+inline auto halfedges_around(const Mesh& m, Face f) { return FaceRange<detail::ToHalfedge>(m, f); }
+inline auto vertices_around(const Mesh& m, Face f) { return FaceRange<detail::ToFrom>(m, f); }
+inline auto edges_around(const Mesh& m, Face f) { return FaceRange<detail::ToEdge>(m, f); }
+inline auto neighbour_faces(const Mesh& m, Face f) { return FaceRange<detail::ToOppositeFace>(m, f); }
 
 // Both ends and both faces of an edge.
 inline std::pair<Vertex, Vertex> ends(const Mesh& m, Edge e) {
@@ -137,6 +183,7 @@ inline std::pair<Vertex, Vertex> ends(const Mesh& m, Edge e) {
 }
 inline std::pair<Face, Face> faces(const Mesh& m, Edge e) { return {m.face(halfedge(e, 0)), m.face(halfedge(e, 1))}; }
 
+// Corners of all loops.
 inline std::uint32_t corner_count(const Mesh& m, Face f) {
   std::uint32_t n = 0;
   for ([[maybe_unused]] Halfedge h : halfedges_around(m, f)) ++n;

@@ -39,13 +39,23 @@ struct AttributeColumn {
   friend bool operator==(const AttributeColumn&, const AttributeColumn&) = default;
 };
 
+// An inner loop of a face, in the side table of rings.
+struct Ring {
+  Halfedge halfedge;              // one of the loop's; dead_halfedge: the ring is gone
+  std::uint32_t next = no_index;  // the next ring of the same face
+
+  friend bool operator==(const Ring&, const Ring&) = default;
+};
+
 inline constexpr std::size_t max_pools = 4;
 
 struct ColumnLengths {
   std::uint32_t vertices = 0;
   std::uint32_t halfedges = 0;
   std::uint32_t faces = 0;
-  std::uint32_t copies = 0;  // length of next_copy: 0 or the number of vertices
+  std::uint32_t copies = 0;        // length of next_copy: 0 or the number of vertices
+  std::uint32_t ringed_faces = 0;  // length of first_ring: 0 or the number of faces
+  std::uint32_t rings = 0;
   std::array<std::uint32_t, max_pools> pools{};
 
   friend bool operator==(const ColumnLengths&, const ColumnLengths&) = default;
@@ -56,6 +66,7 @@ struct ElementCounts {
   std::uint32_t vertices = 0;
   std::uint32_t edges = 0;
   std::uint32_t faces = 0;
+  std::uint32_t rings = 0;
 
   friend bool operator==(const ElementCounts&, const ElementCounts&) = default;
 };
@@ -65,7 +76,9 @@ struct MeshColumns {
   std::vector<HalfedgeLinks> halfedges;
   std::vector<Halfedge> face_halfedge;
   std::vector<glm::dvec3> positions;
-  std::vector<Vertex> next_copy;  // cycle of the copies of a point; empty while the mesh has none
+  std::vector<Vertex> next_copy;          // cycle of the copies of a point; empty while the mesh has none
+  std::vector<std::uint32_t> first_ring;  // per face, into rings; empty while no face has had a ring
+  std::vector<Ring> rings;
   std::vector<AttributeColumn> attributes;
   ElementCounts live;
   std::uint32_t file_vertices = 0;  // vertex numbers below this come from the file
@@ -84,6 +97,8 @@ enum class Column : std::uint8_t {
   face_halfedge,
   position,
   next_copy,
+  first_ring,
+  ring,
   first_attribute
 };
 

@@ -33,6 +33,29 @@ void Edit::set_next_copy(Vertex v, Vertex next) {
   write<Column::next_copy>(v.index, column[v.index], next);
 }
 
+void Edit::add_ring(Face f, Halfedge h) {
+  MeshColumns& c = mesh_.columns_;
+  if (c.first_ring.empty()) c.first_ring.resize(mesh_.face_slots(), no_index);
+  const auto number = static_cast<std::uint32_t>(c.rings.size());
+  c.rings.push_back({h, c.first_ring[f.index]});
+  write<Column::first_ring>(f.index, c.first_ring[f.index], number);
+  ++c.live.rings;
+}
+
+void Edit::remove_ring(Face f, std::uint32_t ring) {
+  MeshColumns& c = mesh_.columns_;
+  const std::uint32_t after = c.rings[ring].next;
+  if (c.first_ring[f.index] == ring) {
+    write<Column::first_ring>(f.index, c.first_ring[f.index], after);
+  } else {
+    std::uint32_t before = c.first_ring[f.index];
+    while (c.rings[before].next != ring) before = c.rings[before].next;
+    write<Column::ring>(before, c.rings[before], Ring{c.rings[before].halfedge, after});
+  }
+  write<Column::ring>(ring, c.rings[ring], Ring{dead_halfedge, no_index});
+  --c.live.rings;
+}
+
 void Edit::extend_attributes(ElementKind element, std::uint32_t count) {
   for (AttributeColumn& a : mesh_.columns_.attributes)
     if (a.element == element)
@@ -64,6 +87,7 @@ Face Edit::add_face(Halfedge first) {
   MeshColumns& c = mesh_.columns_;
   const Face f(c.face_halfedge.size());
   c.face_halfedge.push_back(first);
+  if (!c.first_ring.empty()) c.first_ring.push_back(no_index);
   extend_attributes(ElementKind::face, 1);
   ++c.live.faces;
   return f;

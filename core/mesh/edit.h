@@ -48,6 +48,13 @@ class Edit {
   }
   // Makes `next` the successor of v in its cycle of copies.
   void set_next_copy(Vertex v, Vertex next);
+  // Gives the face an inner loop: the one of `h`, whose halfedges the caller has given to the face. O(1).
+  void add_ring(Face f, Halfedge h);
+  // Takes a ring out of the face's list; its halfedges are the caller's. Cost: the rings of the face.
+  void remove_ring(Face f, std::uint32_t ring);
+  void set_ring_halfedge(std::uint32_t ring, Halfedge h) {
+    write<Column::ring>(ring, mesh_.columns_.rings[ring], Ring{h, mesh_.columns_.rings[ring].next});
+  }
 
   // New elements take the next free slots; their links are none until set. add_edge sets both origins.
   Vertex add_vertex(const glm::dvec3& position);
@@ -85,6 +92,10 @@ class Edit {
         return before_.faces;
       case Column::next_copy:
         return before_.copies;
+      case Column::first_ring:
+        return before_.ringed_faces;
+      case Column::ring:
+        return before_.rings;
       default:
         return before_.vertices;
     }

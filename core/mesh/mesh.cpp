@@ -1,6 +1,8 @@
 #include "core/mesh/mesh.h"
 
+#include <algorithm>
 #include <bit>
+#include <vector>
 
 #include "core/mesh/circulate.h"
 
@@ -13,8 +15,13 @@ int Mesh::find_attribute(std::string_view name) const {
 }
 
 ColumnLengths Mesh::lengths() const {
-  ColumnLengths lengths{
-      vertex_slots(), halfedge_slots(), face_slots(), static_cast<std::uint32_t>(columns_.next_copy.size()), {}};
+  ColumnLengths lengths{vertex_slots(),
+                        halfedge_slots(),
+                        face_slots(),
+                        static_cast<std::uint32_t>(columns_.next_copy.size()),
+                        static_cast<std::uint32_t>(columns_.first_ring.size()),
+                        static_cast<std::uint32_t>(columns_.rings.size()),
+                        {}};
   std::size_t pool = 0;
   for (const AttributeColumn& attribute : columns_.attributes)
     if (attribute.element == ElementKind::pool)
@@ -48,6 +55,10 @@ std::pair<std::byte*, std::size_t> Mesh::cell(Column column, std::uint32_t index
       return bytes(c.positions[index]);
     case Column::next_copy:
       return bytes(c.next_copy[index]);
+    case Column::first_ring:
+      return bytes(c.first_ring[index]);
+    case Column::ring:
+      return bytes(c.rings[index]);
     case Column::first_attribute:
       break;
   }
@@ -63,6 +74,36 @@ struct Digest {
   std::uint64_t state = 0x243f6a8885a308d3ull;
   void add(std::uint64_t word) { state = std::rotl((state ^ word) * 0x9e3779b97f4a7c15ull, 29); }
 };
+
+// The rings of a face, each from its smallest vertex, in the order of those.
+void add_rings(Digest& digest, const Mesh& mesh, Face f) {
+  std::vector<Halfedge> starts;
+  for (std::uint32_t r = mesh.first_ring(f); r != no_index; r = mesh.ring(r).next) {
+    Halfedge start = mesh.ring(r).halfedge;
+    for (Halfedge h : loop(mesh, start))
+      if (mesh.from(h) < mesh.from(start)) start = h;
+    starts.push_back(start);
+  }
+  std::sort(starts.begin(), starts.end(), [&](Halfedge a, Halfedge b) { return mesh.from(a) < mesh.from(b); });
+  for (Halfedge start : starts) {
+    digest.add(0x52494e47u);
+    for (Halfedge h : loop(mesh, start)) digest.add(mesh.from(h).index);
+  }
+}
+
+void add_wires(Digest& digest, const Mesh& mesh) {
+  std::vector<std::pair<Vertex, Vertex>> wires;
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+    const Edge e(i);
+    if (!mesh.is_alive(e) || !mesh.is_wire(e)) continue;
+    wires.push_back(std::minmax(mesh.from(halfedge(e, 0)), mesh.from(halfedge(e, 1))));
+  }
+  std::sort(wires.begin(), wires.end());
+  for (const auto& [a, b] : wires) {
+    digest.add(~std::uint64_t{a.index});
+    digest.add(b.index);
+  }
+}
 
 }  // namespace
 
@@ -82,8 +123,10 @@ std::uint64_t Mesh::hash() const {
     const Face f(i);
     if (!is_alive(f)) continue;
     digest.add(~std::uint64_t{i});
-    for (Halfedge h : halfedges_around(*this, f)) digest.add(from(h).index);
+    for (Halfedge h : loop(*this, halfedge(f))) digest.add(from(h).index);
+    if (has_rings(f)) add_rings(digest, *this, f);
   }
+  add_wires(digest, *this);
   return digest.state;
 }
 

@@ -9,7 +9,9 @@
 //         o----o
 //        from(h)
 //
-// A vertex is one fan of faces. Several vertices may stand for one point of the file: its copies (see copies.h).
+// A vertex is one cycle of outgoing halfedges, which may hold several fans of faces and wires (edges without a face)
+// with gaps between them. Several vertices may stand for one point of the file: its copies (see copies.h). A face may
+// have inner loops (see rings.h).
 #pragma once
 
 #include <cassert>
@@ -62,6 +64,8 @@ class Mesh {
 
   bool is_outside(Halfedge h) const { return face(h).is_none(); }
   bool is_boundary(Edge e) const { return is_outside(ryosen::halfedge(e, 0)) != is_outside(ryosen::halfedge(e, 1)); }
+  // An edge without a face on either side.
+  bool is_wire(Edge e) const { return is_outside(ryosen::halfedge(e, 0)) && is_outside(ryosen::halfedge(e, 1)); }
   bool is_isolated(Vertex v) const { return halfedge(v).is_none(); }
   bool is_boundary(Vertex v) const { return !is_isolated(v) && is_outside(halfedge(v)); }
 
@@ -70,6 +74,13 @@ class Mesh {
 
   bool has_copies() const { return !columns_.next_copy.empty(); }
   Vertex next_copy(Vertex v) const { return columns_.next_copy.empty() ? v : columns_.next_copy[v.index]; }
+  bool has_rings() const { return columns_.live.rings != 0; }
+  // The first ring of a face and the ring of a number, see rings.h; no_index for none.
+  std::uint32_t first_ring(Face f) const {
+    return columns_.first_ring.empty() ? no_index : columns_.first_ring[f.index];
+  }
+  const Ring& ring(std::uint32_t number) const { return columns_.rings[number]; }
+  bool has_rings(Face f) const { return first_ring(f) != no_index; }
   std::uint32_t file_vertices() const { return columns_.file_vertices; }
 
   // The attribute of this name, or -1. Attribute values are read by attribute.h.
@@ -78,7 +89,8 @@ class Mesh {
 
   const MeshColumns& columns() const { return columns_; }
   ColumnLengths lengths() const;
-  // Order-dependent 64-bit digest of the live elements: slots, positions, corner lists, copies. Equal on all compilers.
+  // Order-dependent 64-bit digest of the live elements: slots, positions, corner lists, rings,
+  // wires, copies. Equal on all compilers.
   std::uint64_t hash() const;
   // Bytes held by connectivity and positions (no attributes, no copies).
   std::size_t core_bytes() const;

@@ -42,6 +42,7 @@ TouchedElements touched_elements(const Mesh& mesh, const Journal& journal, std::
       case Column::face:
         touched.halfedges.push_back(Halfedge(cell.index));
         break;
+      case Column::first_ring:
       case Column::face_halfedge:
         touched.faces.push_back(Face(cell.index));
         break;

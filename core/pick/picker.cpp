@@ -188,8 +188,7 @@ std::vector<std::uint32_t> Picker::update(const Mesh& mesh, const TouchedElement
   return changed;
 }
 
-std::optional<Picked> Picker::pick(const Mesh& mesh, const Camera& camera, Size view, glm::dvec2 pixel,
-                                   PickMode mode) {
+std::optional<Picked> Picker::pick(const Mesh& mesh, const Camera& camera, Size view, glm::dvec2 pixel, PickMode mode) {
   if (!has_tree_) build(mesh);
   PickQuery query(mesh, triangles_, tree_, camera, view, pixel);
   if (mode == PickMode::face) return query.face();

@@ -1,18 +1,8 @@
 #include "core/pick/surface_triangles.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "core/geometry/triangulate.h"
-#include "core/mesh/circulate.h"
 
 namespace ryosen {
-
-namespace {
-
-bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
-}  // namespace
 
 SurfaceTriangles::SurfaceTriangles(const Mesh& mesh) { rebuild(mesh); }
 
@@ -65,22 +55,17 @@ void SurfaceTriangles::release(Face f, std::vector<std::uint32_t>& changed) {
 }
 
 void SurfaceTriangles::fill(const Mesh& mesh, Face f, std::vector<std::uint32_t>& changed) {
-  corners_.clear();
-  places_.clear();
-  for (Vertex v : vertices_around(mesh, f)) {
-    corners_.push_back(v.index);
-    places_.push_back(mesh.position(v));
-    if (!is_finite(places_.back())) return;
-  }
-  triangulate(places_, local_);
-  const auto n = static_cast<std::uint32_t>(corners_.size());
+  polygon_.read(mesh, f);
+  if (!polygon_.is_finite()) return;
+  polygon_.triangulate(local_);
+  const auto vertex = [&](std::uint32_t corner) { return mesh.from(polygon_.corners()[corner]).index; };
   for (const auto& t : local_) {
     const std::uint32_t slot = take_slot();
-    triangles_[slot] = {corners_[t[0]], corners_[t[1]], corners_[t[2]]};
+    triangles_[slot] = {vertex(t[0]), vertex(t[1]), vertex(t[2])};
     face_[slot] = f.index;
     std::uint8_t bits = 0;
     for (unsigned k = 0; k < 3; ++k)
-      if ((t[k] + 1) % n == t[(k + 1) % 3]) bits = static_cast<std::uint8_t>(bits | (1u << k));
+      if (polygon_.is_side(t[k], t[(k + 1) % 3])) bits = static_cast<std::uint8_t>(bits | (1u << k));
     edge_bits_[slot] = bits;
     next_of_face_[slot] = first_of_face_[f.index];
     first_of_face_[f.index] = slot;

@@ -7,11 +7,13 @@
 #include <span>
 #include <vector>
 
+#include "core/mesh/face_polygon.h"
 #include "core/mesh/touched.h"
 
 namespace ryosen {
 
-// Every live face of n finite corners has n - 2 triangles of vertex numbers. A slot that is not in use holds three
+// Every live face of n finite corners has n - 2 triangles of vertex numbers, two more for each
+// of its rings. A slot that is not in use holds three
 // equal corners and no face. Views are valid until the next update.
 class SurfaceTriangles {
  public:
@@ -40,8 +42,7 @@ class SurfaceTriangles {
   std::vector<std::uint32_t> first_of_face_;  // per face slot
   std::vector<std::uint32_t> free_;           // slots not in use, the last is taken first
   // Scratch of fill.
-  std::vector<std::uint32_t> corners_;
-  std::vector<glm::dvec3> places_;
+  FacePolygon polygon_;
   std::vector<std::array<std::uint32_t, 3>> local_;
 };
 

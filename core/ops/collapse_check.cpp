@@ -5,6 +5,7 @@
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/collapse_edge.h"
+#include "core/ops/plain_check.h"
 
 namespace ryosen {
 
@@ -178,7 +179,7 @@ Halfedge CollapseEdge::directed(const Mesh& mesh) const {
   return has_copies(mesh, mesh.from(halfedge)) ? twin(halfedge) : halfedge;
 }
 
-Verdict CollapseEdge::check(const Mesh& mesh) const {
+Verdict CollapseEdge::judge(const Mesh& mesh) const {
   Verdict verdict;
   if (!mesh.exists(halfedge) || !mesh.is_alive(halfedge)) {
     verdict.refuse(Rule::deleted, {edge(halfedge)});
@@ -190,6 +191,11 @@ Verdict CollapseEdge::check(const Mesh& mesh) const {
     return verdict;
   }
   return CollapseJudge(mesh, directed(mesh)).judge();
+}
+
+Verdict CollapseEdge::check(const Mesh& mesh) const {
+  if (mesh.exists(halfedge) && mesh.is_alive(halfedge) && is_surely_legal_collapse(mesh, halfedge)) return {};
+  return judge(mesh);
 }
 
 }  // namespace ryosen

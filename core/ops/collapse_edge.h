@@ -41,6 +41,8 @@ struct CollapseEdge {
   std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
+  // The same verdict, always by judging rule for rule: what check() falls back to, and what tests hold it against.
+  Verdict judge(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
 

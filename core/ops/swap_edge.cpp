@@ -8,6 +8,7 @@
 #include "core/mesh/copies.h"
 #include "core/ops/corner_values.h"
 #include "core/ops/face_geometry.h"
+#include "core/ops/plain_check.h"
 
 namespace ryosen {
 
@@ -88,6 +89,11 @@ std::string SwapEdge::command(const Mesh& mesh) const {
 }
 
 Verdict SwapEdge::check(const Mesh& m) const {
+  if (m.exists(halfedge) && m.is_alive(halfedge) && is_surely_legal_swap(m, halfedge)) return {};
+  return judge(m);
+}
+
+Verdict SwapEdge::judge(const Mesh& m) const {
   Verdict verdict;
   const Halfedge h = halfedge, o = twin(h);
   if (!m.exists(h) || !m.is_alive(h)) {

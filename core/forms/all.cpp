@@ -1,0 +1,60 @@
+#include "core/forms/all.h"
+
+#include <array>
+
+#include "core/forms/dcel.h"
+#include "core/forms/face_adjacency.h"
+#include "core/forms/halfedge.h"
+#include "core/forms/indexed_face_set.h"
+#include "core/forms/kernel.h"
+#include "core/forms/opposite_array.h"
+#include "core/forms/opposite_map.h"
+#include "core/forms/triangle_soup.h"
+#include "core/forms/winged_edge.h"
+
+namespace ryosen::forms {
+
+namespace {
+
+template <class T>
+std::unique_ptr<Form> make(const Mesh& mesh) {
+  return std::make_unique<T>(mesh);
+}
+
+constexpr std::uint32_t surface = one_vertex_per_point | one_fan_per_vertex | no_wires | no_rings;
+constexpr std::uint32_t list = one_fan_per_vertex | no_wires | no_rings;
+
+constexpr std::array table{
+    FormRow{"triangle_soup", "triangle soup", "三角形スープ", "table 1", "表 1",
+            list | triangles | no_isolated_vertices | different_places, false, make<TriangleSoup>},
+    FormRow{"indexed_face_set", "indexed face set", "インデックスフェースセット", "table 2", "表 2", list, true,
+            make<IndexedFaceSet>},
+    FormRow{"face_adjacency", "face adjacency", "面の隣接", "table 3", "表 3", surface, true, make<FaceAdjacency>},
+    FormRow{"winged_edge", "winged edge", "ウィングドエッジ", "table 4", "表 4", surface, true, make<WingedEdge>},
+    FormRow{"halfedge", "halfedge", "ハーフエッジ", "table 5", "表 5", surface, true, make<HalfedgeForm<false, false>>},
+    FormRow{"halfedge_edges", "halfedge, edge records", "ハーフエッジ＋稜線", "tables 5, 6", "表 5・6", surface, true,
+            make<HalfedgeForm<false, true>>},
+    FormRow{"halfedge_outside", "halfedge, also outside", "ハーフエッジ（外側にも）", "table 5, footnote 9",
+            "表 5・脚注 9", one_vertex_per_point | no_rings, true, make<HalfedgeForm<true, false>>},
+    FormRow{"halfedge_outside_edges", "halfedge, also outside, edge records", "ハーフエッジ（外側にも）＋稜線",
+            "table 6, footnote 9", "表 6・脚注 9", one_vertex_per_point | no_rings, true,
+            make<HalfedgeForm<true, true>>},
+    FormRow{"opposite_map", "opposites 3i+j in a map", "反対辺 3i+j（マップ）", "halfedges without a class",
+            "半辺（クラスなし）", surface | triangles, true, make<OppositeMap>},
+    FormRow{"opposite_array", "opposites 3i+j in arrays", "反対辺 3i+j（配列）", "the same, in arrays", "同、配列",
+            surface | triangles, true, make<OppositeArray>},
+    FormRow{"dcel", "DCEL", "DCEL", "chapter 15.2", "15.2 節", one_vertex_per_point, true, make<Dcel>},
+    FormRow{"ryosen", "Ryosen", "Ryosen", "this program", "本プログラム", any_mesh, true, make<Kernel>},
+};
+
+}  // namespace
+
+std::span<const FormRow> all_forms() { return table; }
+
+const FormRow* find_form(std::string_view id) {
+  for (const FormRow& row : table)
+    if (row.id == id) return &row;
+  return nullptr;
+}
+
+}  // namespace ryosen::forms

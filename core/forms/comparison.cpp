@@ -1,0 +1,123 @@
+#include "core/forms/comparison.h"
+
+#include <chrono>
+#include <random>
+
+#include "core/build/to_indexed.h"
+#include "core/forms/polygons.h"
+#include "core/mesh/copies.h"
+
+namespace ryosen::forms {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// Elements to ask about, the same for every form: vertices, edges by their ends, faces.
+struct Questions {
+  std::vector<std::uint32_t> vertices, faces;
+  std::vector<EdgeEnds> edges;
+
+  explicit Questions(const Mesh& mesh) {
+    constexpr std::size_t count = 256;
+    const Numbering numbers(mesh);
+    std::mt19937 random(1);
+    const auto pick = [&](std::uint32_t end) { return static_cast<std::uint32_t>(random() % end); };
+    std::vector<EdgeEnds> all;
+    for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i)
+      if (mesh.is_alive(Edge(i)))
+        all.push_back(edge_ends(numbers.point[mesh.from(halfedge(Edge(i))).index],
+                                numbers.point[mesh.to(halfedge(Edge(i))).index]));
+    for (std::size_t i = 0; i < count; ++i) {
+      if (numbers.points > 0) vertices.push_back(pick(numbers.points));
+      if (numbers.faces > 0) faces.push_back(pick(numbers.faces));
+      if (!all.empty()) edges.push_back(all[pick(static_cast<std::uint32_t>(all.size()))]);
+    }
+  }
+};
+
+// Looks the edges up only as long as the time allows, but for one.
+std::vector<std::uint32_t> handles_of(const Form& form, const std::vector<EdgeEnds>& edges, double seconds) {
+  std::vector<std::uint32_t> handles;
+  const auto start = Clock::now();
+  for (const EdgeEnds& ends : edges) {
+    const std::uint32_t handle = form.find_edge(ends.a, ends.b);
+    if (handle != no_index) handles.push_back(handle);
+    if (seconds_since(start) > seconds) break;
+  }
+  return handles;
+}
+
+// Rounds of questions, each twice as long as the one before, until a round takes long enough. A form that is slow stops
+// within its first round.
+std::optional<double> time_per_query(const Form& form, Relation relation, const std::vector<std::uint32_t>& elements,
+                                     double seconds) {
+  Answer answer;
+  if (elements.empty() || !form.answer(relation, elements[0], answer)) return {};
+  for (std::size_t count = 1;; count *= 2) {
+    const auto start = Clock::now();
+    for (std::size_t i = 0; i < count; ++i) form.answer(relation, elements[i % elements.size()], answer);
+    const double taken = seconds_since(start);
+    if (taken >= seconds / 2) return taken / static_cast<double>(count);
+  }
+}
+
+FormFigures measure(const Mesh& mesh, const FormRow& row, const Questions& questions, const Effort& effort) {
+  FormFigures figures{&row, why_unsuitable(mesh, row), 0, 0, {}, {}};
+  if (figures.unsuitable) return figures;
+  const auto start = Clock::now();
+  const std::unique_ptr<Form> form = row.make(mesh);
+  figures.build_seconds = seconds_since(start);
+  figures.bytes = form->bytes();
+  const std::vector<std::uint32_t> edges = handles_of(*form, questions.edges, effort.query_seconds);
+  for (const RelationRow& relation : relations()) {
+    const auto& elements = relation.asks == ElementOf::vertex ? questions.vertices
+                           : relation.asks == ElementOf::edge ? edges
+                                                              : questions.faces;
+    const auto i = static_cast<std::size_t>(relation.relation);
+    figures.query_seconds[i] = time_per_query(*form, relation.relation, elements, effort.query_seconds);
+    figures.answers[i] = figures.query_seconds[i].has_value();
+  }
+  return figures;
+}
+
+}  // namespace
+
+FormFigures measure_form(const Mesh& mesh, const FormRow& row, const Effort& effort) {
+  return measure(mesh, row, Questions(mesh), effort);
+}
+
+std::size_t faces_within(const IndexedMesh& source, const PairingMethod& method, double steps) {
+  if (method.steps(source) <= steps) return source.face_count();
+  std::size_t enough = 0, too_many = source.face_count();
+  while (too_many - enough > 1) {
+    const std::size_t middle = enough + (too_many - enough) / 2;
+    (method.steps(first_faces(source, middle)) <= steps ? enough : too_many) = middle;
+  }
+  return enough;
+}
+
+PairingFigures measure_pairing(const IndexedMesh& source, const PairingMethod& method, const Effort& effort) {
+  PairingFigures figures{&method, faces_within(source, method, effort.pairing_steps), true, 0};
+  figures.is_whole = figures.faces == source.face_count();
+  const IndexedMesh part = figures.is_whole ? IndexedMesh() : first_faces(source, figures.faces);
+  const auto start = Clock::now();
+  const SidePartners partners = method.pair(figures.is_whole ? source : part);
+  figures.seconds = seconds_since(start);
+  return figures;
+}
+
+Comparison compare_forms(const Mesh& mesh, const Effort& effort) {
+  const ElementCounts counts = counts_on_points(mesh);
+  Comparison comparison{counts.vertices, counts.edges, counts.faces, {}, {}, texts_on_boundaries()};
+  const Questions questions(mesh);
+  for (const FormRow& row : all_forms()) comparison.forms.push_back(measure(mesh, row, questions, effort));
+  const IndexedMesh list = to_indexed(mesh).mesh;
+  for (const PairingMethod& method : pairing_methods())
+    comparison.pairing.push_back(measure_pairing(list, method, effort));
+  return comparison;
+}
+
+}  // namespace ryosen::forms

@@ -1,0 +1,54 @@
+// The forms side by side for one mesh: bytes per face, build time per pairing method, time per query. All figures are
+// measured on the spot.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "core/build/pairing.h"
+#include "core/forms/all.h"
+#include "core/forms/texts_operators.h"
+
+namespace ryosen::forms {
+
+struct Effort {
+  double query_seconds = 0.005;  // per form and relation; at least one question is asked
+  double pairing_steps = 1e8;    // a method that needs more is measured on the first faces alone
+};
+
+struct FormFigures {
+  const FormRow* row = nullptr;
+  std::optional<Text> unsuitable;  // set: the rest is empty
+  std::size_t bytes = 0;
+  double build_seconds = 0;  // from the mesh
+  // Mean over random elements, by relation; empty where the form cannot tell (or there is nothing to ask about).
+  std::array<std::optional<double>, relation_count> query_seconds;
+  std::array<bool, relation_count> answers{};  // on the elements that were asked about
+};
+
+struct PairingFigures {
+  const PairingMethod* method = nullptr;
+  std::size_t faces = 0;  // how many of the first faces were paired
+  bool is_whole = true;
+  double seconds = 0;
+};
+
+struct Comparison {
+  std::uint32_t vertices = 0, edges = 0, faces = 0;  // points and point pairs
+  std::vector<FormFigures> forms;
+  std::vector<PairingFigures> pairing;
+  std::vector<TextsReport> texts;
+};
+
+// Cost: about the effort per form and relation, plus making each form once.
+Comparison compare_forms(const Mesh& mesh, const Effort& effort = {});
+
+// One form of the table for a mesh, and one method.
+FormFigures measure_form(const Mesh& mesh, const FormRow& row, const Effort& effort);
+PairingFigures measure_pairing(const IndexedMesh& source, const PairingMethod& method, const Effort& effort);
+
+// How many of the first faces a method may pair within so many steps; all of them if it can.
+std::size_t faces_within(const IndexedMesh& source, const PairingMethod& method, double steps);
+
+}  // namespace ryosen::forms

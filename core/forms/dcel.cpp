@@ -1,0 +1,65 @@
+#include "core/forms/dcel.h"
+
+#include <utility>
+
+#include "core/forms/polygons.h"
+#include "core/forms/walk.h"
+
+namespace ryosen::forms {
+
+Dcel::Dcel(const Mesh& mesh) {
+  const Numbering numbers(mesh);
+  const auto number = [&](Halfedge h) { return numbers.halfedge(h).index; };
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+    if (mesh.is_alive(Vertex(i))) vertices_.push_back({mesh.position(Vertex(i)), number(mesh.halfedge(Vertex(i)))});
+  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.is_alive(h)) continue;
+    half_edges_.push_back({numbers.vertex[mesh.from(h).index], number(twin(h)), number(mesh.next(h)),
+                           number(mesh.prev(h)), mesh.face(h) ? numbers.face[mesh.face(h).index] : no_index});
+  }
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+    if (!mesh.is_alive(Face(i))) continue;
+    faces_.push_back({number(mesh.halfedge(Face(i))), {}});
+    for (const Halfedge start : inner_loops(mesh, Face(i))) faces_.back().inner_components.push_back(number(start));
+  }
+}
+
+std::size_t Dcel::bytes() const {
+  std::size_t bytes = bytes_of(vertices_) + bytes_of(half_edges_) + bytes_of(faces_);
+  for (const FaceRecord& face : faces_) bytes += bytes_of(face.inner_components);
+  return bytes;
+}
+
+Mesh Dcel::to_mesh() const {
+  std::vector<Halfedge> slot(half_edges_.size());
+  std::uint32_t edges = 0;
+  for (std::uint32_t h = 0; h < slot.size(); ++h) slot[h] = pair(h) < h ? twin(slot[pair(h)]) : halfedge(Edge(edges++));
+  MeshColumns c;
+  c.halfedges.resize(slot.size());
+  for (const VertexRecord& v : vertices_) {
+    c.positions.push_back(v.coordinates);
+    c.vertex_halfedge.push_back(v.incident_edge == no_index ? Halfedge() : slot[v.incident_edge]);
+  }
+  for (std::uint32_t h = 0; h < slot.size(); ++h)
+    c.halfedges[slot[h].index] = {Vertex(from(h)), slot[next(h)], slot[prev(h)],
+                                  face(h) == no_index ? Face() : Face(face(h))};
+  for (const FaceRecord& f : faces_) c.face_halfedge.push_back(slot[f.outer_component]);
+  c.live = {static_cast<std::uint32_t>(vertices_.size()), edges, static_cast<std::uint32_t>(faces_.size()), 0};
+  for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+    std::vector<Halfedge> starts;
+    for (const std::uint32_t h : faces_[f].inner_components) starts.push_back(slot[h]);
+    set_inner_loops(c, Face(f), starts);
+  }
+  c.file_vertices = c.live.vertices;
+  return Mesh(std::move(c));
+}
+
+std::uint32_t Dcel::find_edge(std::uint32_t a, std::uint32_t b) const { return find_side(*this, a, b); }
+
+bool Dcel::answer(Relation relation, std::uint32_t element, Answer& out) const {
+  answer_by_walk(*this, relation, element, out);
+  return true;
+}
+
+}  // namespace ryosen::forms

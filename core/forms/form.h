@@ -1,0 +1,118 @@
+// A form in which the source texts hold a polygon model: made from a Mesh, turned back into one, and asked for the nine
+// relations between vertices, edges and faces.
+//
+// Vertices (points) and faces are numbered from 0 without gaps in the order of the mesh, as a saved file numbers them.
+// An edge is answered as the pair of its ends, because most forms do not number edges; in questions it is named by a
+// handle of the form's own. A form answers from what it stores; none of them asks the mesh it came from.
+#pragma once
+
+#include <algorithm>
+#include <compare>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/base/handle.h"
+#include "core/base/message.h"
+#include "core/mesh/mesh.h"
+
+namespace ryosen::forms {
+
+// "vertex_faces": the faces at a vertex. Two edges are neighbours when they share an end, two faces when they share an
+// edge. The valence is the number of edges at a vertex.
+enum class Relation : std::uint8_t {
+  vertex_vertices,
+  vertex_edges,
+  vertex_faces,
+  edge_vertices,
+  edge_edges,
+  edge_faces,
+  face_vertices,
+  face_edges,
+  face_faces,
+  valence
+};
+inline constexpr std::size_t relation_count = 10;
+
+enum class ElementOf : std::uint8_t { vertex, edge, face };
+struct RelationRow {
+  Relation relation;
+  std::string_view id;
+  ElementOf asks;  // what a question names
+  std::string_view en, ja;
+};
+// In the order of the enum.
+std::span<const RelationRow> relations();
+
+// The two ends of an edge, the smaller number first.
+struct EdgeEnds {
+  std::uint32_t a = no_index, b = no_index;
+
+  friend auto operator<=>(const EdgeEnds&, const EdgeEnds&) = default;
+};
+constexpr EdgeEnds edge_ends(std::uint32_t a, std::uint32_t b) { return a < b ? EdgeEnds{a, b} : EdgeEnds{b, a}; }
+
+// Each element once. vertex_vertices, vertex_faces, edge_vertices, edge_faces, face_vertices, face_faces and valence
+// (one number) fill `numbers`, the others `edges`. face_vertices and face_edges come in the order of the face, its
+// first corner (and the side that begins there) first, then its inner loops; the rest comes in any order.
+struct Answer {
+  std::vector<std::uint32_t> numbers;
+  std::vector<EdgeEnds> edges;
+
+  void clear() {
+    numbers.clear();
+    edges.clear();
+  }
+};
+
+// Sorts them.
+template <class T>
+void keep_each_once(std::vector<T>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+class Form {
+ public:
+  virtual ~Form() = default;
+
+  // What the form stores, positions included, without spare room.
+  virtual std::size_t bytes() const = 0;
+  // Built from what the form stores; without attributes.
+  virtual Mesh to_mesh() const = 0;
+  // The form's handle of the edge between two vertices, or no_index where there is none or the form has no edges.
+  virtual std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const = 0;
+  // Fills the answer about a vertex, an edge (by its handle) or a face that exists. False: the form cannot tell.
+  virtual bool answer(Relation relation, std::uint32_t element, Answer& out) const = 0;
+};
+
+// What a mesh must be like so that a form can hold it; a combination of bits.
+enum Needs : std::uint32_t {
+  any_mesh = 0,
+  triangles = 1,             // every face has three corners
+  one_vertex_per_point = 2,  // no point has copies: no non-manifold or misoriented edge, no bow-tie
+  one_fan_per_vertex = 4,    // the faces at a vertex form one fan
+  no_wires = 8,              // every edge has a face
+  no_isolated_vertices = 16,
+  different_places = 32,  // no two points with equal coordinates, and none that is not finite
+  no_rings = 64,          // faces without inner loops
+};
+
+struct FormRow {
+  std::string_view id;
+  std::string_view en, ja;
+  std::string_view source_en, source_ja;  // where the texts show it
+  std::uint32_t needs;
+  // False where the way back numbers the vertices by their first corner instead.
+  bool keeps_numbers;
+  // The mesh must be suitable.
+  std::unique_ptr<Form> (*make)(const Mesh& mesh);
+};
+
+// Why the mesh does not suit, naming the first element that is in the way; nothing when it does. O(n).
+std::optional<Text> why_unsuitable(const Mesh& mesh, const FormRow& row);
+
+}  // namespace ryosen::forms

@@ -1,0 +1,110 @@
+#include "core/forms/indexed_face_set.h"
+
+#include <algorithm>
+
+#include "core/build/from_indexed.h"
+
+namespace ryosen::forms {
+
+IndexedFaceSet::IndexedFaceSet(const Mesh& mesh) : list_(polygons_of(mesh, Numbering(mesh))) {}
+
+std::size_t IndexedFaceSet::bytes() const {
+  return bytes_of(list_.positions) + bytes_of(list_.corners) + bytes_of(list_.offsets);
+}
+
+Mesh IndexedFaceSet::to_mesh() const {
+  IndexedMesh list;
+  list.positions = list_.positions;
+  list.corners = list_.corners;
+  list.face_offsets = list_.offsets;
+  return from_indexed(std::move(list));
+}
+
+template <class Visit>
+void IndexedFaceSet::for_each_side(Visit visit) const {
+  for (std::uint32_t f = 0; f < list_.face_count(); ++f) {
+    const std::uint32_t begin = list_.offsets[f], end = list_.offsets[f + 1];
+    for (std::uint32_t c = begin; c < end; ++c)
+      visit(f, c, edge_ends(list_.corners[c], list_.corners[c + 1 < end ? c + 1 : begin]));
+  }
+}
+
+EdgeEnds IndexedFaceSet::ends_of_corner(std::uint32_t corner) const {
+  const auto after = std::upper_bound(list_.offsets.begin(), list_.offsets.end(), corner);
+  const std::uint32_t next = corner + 1 < *after ? corner + 1 : after[-1];
+  return edge_ends(list_.corners[corner], list_.corners[next]);
+}
+
+std::uint32_t IndexedFaceSet::find_edge(std::uint32_t a, std::uint32_t b) const {
+  std::uint32_t found = no_index;
+  for_each_side([&](std::uint32_t, std::uint32_t corner, EdgeEnds ends) {
+    if (ends == edge_ends(a, b)) found = std::min(found, corner);
+  });
+  return found;
+}
+
+void IndexedFaceSet::answer_about_vertex(Relation relation, std::uint32_t v, Answer& out) const {
+  for_each_side([&](std::uint32_t f, std::uint32_t, EdgeEnds ends) {
+    if (ends.a != v && ends.b != v) return;
+    if (relation == Relation::vertex_faces)
+      out.numbers.push_back(f);
+    else if (relation == Relation::vertex_edges)
+      out.edges.push_back(ends);
+    else
+      out.numbers.push_back(ends.a == v ? ends.b : ends.a);
+  });
+  keep_each_once(out.numbers);
+  keep_each_once(out.edges);
+  if (relation == Relation::valence) out.numbers = {static_cast<std::uint32_t>(out.numbers.size())};
+}
+
+void IndexedFaceSet::answer_about_edge(Relation relation, std::uint32_t corner, Answer& out) const {
+  const EdgeEnds edge = ends_of_corner(corner);
+  if (relation == Relation::edge_vertices) {
+    out.numbers = {edge.a, edge.b};
+    return;
+  }
+  for_each_side([&](std::uint32_t f, std::uint32_t, EdgeEnds ends) {
+    if (relation == Relation::edge_faces) {
+      if (ends == edge) out.numbers.push_back(f);
+    } else if (ends != edge && (ends.a == edge.a || ends.a == edge.b || ends.b == edge.a || ends.b == edge.b)) {
+      out.edges.push_back(ends);
+    }
+  });
+  keep_each_once(out.numbers);
+  keep_each_once(out.edges);
+}
+
+void IndexedFaceSet::answer_about_face(Relation relation, std::uint32_t f, Answer& out) const {
+  const std::uint32_t begin = list_.offsets[f], end = list_.offsets[f + 1];
+  if (relation == Relation::face_vertices) {
+    out.numbers.assign(list_.corners.begin() + begin, list_.corners.begin() + end);
+    return;
+  }
+  for (std::uint32_t c = begin; c < end; ++c) out.edges.push_back(ends_of_corner(c));
+  if (relation == Relation::face_edges) return;
+  std::vector<EdgeEnds> sides;
+  sides.swap(out.edges);
+  for_each_side([&](std::uint32_t other, std::uint32_t, EdgeEnds ends) {
+    if (other != f && std::find(sides.begin(), sides.end(), ends) != sides.end()) out.numbers.push_back(other);
+  });
+  keep_each_once(out.numbers);
+}
+
+bool IndexedFaceSet::answer(Relation relation, std::uint32_t element, Answer& out) const {
+  out.clear();
+  switch (relations()[static_cast<std::size_t>(relation)].asks) {
+    case ElementOf::vertex:
+      answer_about_vertex(relation, element, out);
+      break;
+    case ElementOf::edge:
+      answer_about_edge(relation, element, out);
+      break;
+    case ElementOf::face:
+      answer_about_face(relation, element, out);
+      break;
+  }
+  return true;
+}
+
+}  // namespace ryosen::forms

@@ -1,0 +1,31 @@
+// Table 2 of the texts: coordinates once per vertex, and per face the numbers of its corners.
+#pragma once
+
+#include "core/forms/form.h"
+#include "core/forms/polygons.h"
+
+namespace ryosen::forms {
+
+// Every relation but those from a face is found by a search of all faces: O(n) a question. It knows points, not copies,
+// and so holds non-manifold edges, too. The handle of an edge is its first corner in the list.
+class IndexedFaceSet : public Form {
+ public:
+  explicit IndexedFaceSet(const Mesh& mesh);
+
+  std::size_t bytes() const override;
+  Mesh to_mesh() const override;
+  std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const override;
+  bool answer(Relation relation, std::uint32_t element, Answer& out) const override;
+
+ private:
+  template <class Visit>
+  void for_each_side(Visit visit) const;  // visit(face, corner, ends)
+  EdgeEnds ends_of_corner(std::uint32_t corner) const;
+  void answer_about_vertex(Relation relation, std::uint32_t v, Answer& out) const;
+  void answer_about_edge(Relation relation, std::uint32_t corner, Answer& out) const;
+  void answer_about_face(Relation relation, std::uint32_t f, Answer& out) const;
+
+  Polygons list_;
+};
+
+}  // namespace ryosen::forms

@@ -1,0 +1,61 @@
+#include "core/forms/opposite_array.h"
+
+#include "core/forms/polygons.h"
+#include "core/forms/walk.h"
+
+namespace ryosen::forms {
+
+OppositeArray::OppositeArray(const Mesh& mesh) {
+  const Numbering numbers(mesh);
+  Polygons polygons = polygons_of(mesh, numbers);
+  opposites_ = corners_across(mesh, numbers, polygons);
+  positions_ = std::move(polygons.positions);
+  corners_ = std::move(polygons.corners);
+  vertex_halfedge_.assign(positions_.size(), no_index);
+  for (std::uint32_t h = 0; h < corners_.size(); ++h) vertex_halfedge_[corners_[h]] = h;
+}
+
+std::size_t OppositeArray::bytes() const {
+  return bytes_of(positions_) + bytes_of(vertex_halfedge_) + bytes_of(corners_) + bytes_of(opposites_);
+}
+
+Mesh OppositeArray::to_mesh() const {
+  Polygons polygons;
+  polygons.positions = positions_;
+  polygons.corners = corners_;
+  for (std::uint32_t f = 0; f < face_count(); ++f) polygons.offsets.push_back(3 * f + 3);
+  return mesh_from_sides(polygons, opposites_);
+}
+
+std::uint32_t OppositeArray::find_edge(std::uint32_t a, std::uint32_t b) const { return find_side(*this, a, b); }
+
+bool OppositeArray::answer(Relation relation, std::uint32_t element, Answer& out) const {
+  answer_by_walk(*this, relation, element, out);
+  return true;
+}
+
+std::uint32_t OppositeArray::add_vertex(const glm::dvec3& position) {
+  positions_.push_back(position);
+  vertex_halfedge_.push_back(no_index);
+  return static_cast<std::uint32_t>(positions_.size()) - 1;
+}
+
+std::uint32_t OppositeArray::add_face() {
+  corners_.resize(corners_.size() + 3, no_index);
+  opposites_.resize(corners_.size(), no_index);
+  return face_count() - 1;
+}
+
+void OppositeArray::set_face(std::uint32_t f, const std::array<std::uint32_t, 3>& corners) {
+  for (std::uint32_t j = 0; j < 3; ++j) {
+    corners_[3 * f + j] = corners[j];
+    vertex_halfedge_[corners[j]] = 3 * f + j;
+  }
+}
+
+void OppositeArray::join(std::uint32_t h, std::uint32_t g) {
+  opposites_[h] = g;
+  opposites_[g] = h;
+}
+
+}  // namespace ryosen::forms

@@ -1,0 +1,50 @@
+// The 3i+j form as plain arrays: corners, opposite halfedges, and one halfedge per vertex.
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+
+#include "core/forms/form.h"
+
+namespace ryosen::forms {
+
+// Halfedge 3i+j is side j of face i; its opposite is none on a boundary. The halfedge per vertex, which the text does
+// not have, answers what the map cannot. The handle of an edge is one of its halfedges.
+class OppositeArray : public Form {
+ public:
+  explicit OppositeArray(const Mesh& mesh);
+
+  std::size_t bytes() const override;
+  Mesh to_mesh() const override;
+  std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const override;
+  bool answer(Relation relation, std::uint32_t element, Answer& out) const override;
+
+  // What split_3ij.h asks for.
+  std::uint32_t corner(std::uint32_t h) const { return corners_[h]; }
+  std::uint32_t opposite(std::uint32_t h) const { return opposites_[h]; }
+  const glm::dvec3& position(std::uint32_t v) const { return positions_[v]; }
+  std::uint32_t face_count() const { return static_cast<std::uint32_t>(corners_.size() / 3); }
+  std::uint32_t add_vertex(const glm::dvec3& position);
+  std::uint32_t add_face();
+  void set_face(std::uint32_t f, const std::array<std::uint32_t, 3>& corners);
+  void join(std::uint32_t h, std::uint32_t g);
+  void set_boundary(std::uint32_t h) { opposites_[h] = no_index; }
+
+  // The reads of walk.h.
+  std::uint32_t from(std::uint32_t h) const { return corners_[h]; }
+  std::uint32_t next(std::uint32_t h) const { return h % 3 == 2 ? h - 2 : h + 1; }
+  std::uint32_t prev(std::uint32_t h) const { return h % 3 == 0 ? h + 2 : h - 1; }
+  std::uint32_t pair(std::uint32_t h) const { return opposites_[h]; }
+  std::uint32_t face(std::uint32_t h) const { return h / 3; }
+  std::uint32_t at_vertex(std::uint32_t v) const { return vertex_halfedge_[v]; }
+  std::uint32_t at_face(std::uint32_t f) const { return 3 * f; }
+  std::uint32_t at_edge(std::uint32_t h) const { return h; }
+  static std::span<const std::uint32_t> inner(std::uint32_t) { return {}; }
+
+ private:
+  std::vector<glm::dvec3> positions_;
+  std::vector<std::uint32_t> vertex_halfedge_;
+  std::vector<std::uint32_t> corners_, opposites_;
+};
+
+}  // namespace ryosen::forms

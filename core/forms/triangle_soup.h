@@ -1,0 +1,25 @@
+// Table 1 of the texts: three corners with coordinates per triangle, and nothing else.
+#pragma once
+
+#include <array>
+
+#include "core/forms/form.h"
+
+namespace ryosen::forms {
+
+// Points exist as equal coordinates only, so it answers none of the relations. On the way back the points are numbered
+// by their first corner; +0 and -0 are one place.
+class TriangleSoup : public Form {
+ public:
+  explicit TriangleSoup(const Mesh& mesh);
+
+  std::size_t bytes() const override;
+  Mesh to_mesh() const override;
+  std::uint32_t find_edge(std::uint32_t, std::uint32_t) const override { return no_index; }
+  bool answer(Relation, std::uint32_t, Answer& out) const override;
+
+ private:
+  std::vector<std::array<glm::dvec3, 3>> triangles_;
+};
+
+}  // namespace ryosen::forms

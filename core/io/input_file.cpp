@@ -16,6 +16,8 @@
 namespace ryosen {
 namespace {
 
+constexpr int not_a_file = -1;  // beside the error numbers of the system
+
 Failure failure(const std::filesystem::path& path, int error) {
   const std::string name = path.string();
   Failure out{ExitCode::input_missing, {}};
@@ -25,6 +27,10 @@ Failure failure(const std::filesystem::path& path, int error) {
   } else if (error == EISDIR) {
     out.message.code = "input_is_folder";
     out.message.text = {name + " is a folder, not a file.", name + " はファイルではなくフォルダーです。"};
+  } else if (error == not_a_file) {
+    out.message.code = "input_not_a_file";
+    out.message.text = {name + " is a pipe, device or socket, not a file.",
+                        name + " は通常のファイルではありません（パイプ、デバイス、ソケットなど）。"};
   } else {
     const std::string reason = std::generic_category().message(error);
     out.message.code = "input_unreadable";
@@ -56,21 +62,46 @@ int read_to_end(int descriptor, std::size_t expected, std::size_t limit, FileByt
   }
 }
 
+// A descriptor that whoever started the program has opened for it: standard input, a shell's <(...).
+bool is_handed_over(const std::filesystem::path& path) {
+  const std::string& name = path.native();
+  return name == "/dev/stdin" || name.starts_with("/dev/fd/") || name.starts_with("/proc/self/fd/");
+}
+
+// Opens without waiting for anybody, and finds out what it is. Returns the descriptor, or -1 with an error.
+int open_input(const std::filesystem::path& path, struct stat& status, int& error) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
+  if (descriptor < 0) {
+    error = errno == ENXIO ? not_a_file : errno;  // a socket, or a device that nothing answers for
+    return -1;
+  }
+  if (::fstat(descriptor, &status) != 0)
+    error = errno;
+  else if (S_ISDIR(status.st_mode))
+    error = EISDIR;
+  else if (S_ISFIFO(status.st_mode) && is_handed_over(path))
+    error = ::fcntl(descriptor, F_SETFL, 0) == 0 ? 0 : errno;  // its writer may be slower than we are: wait
+  else if (!S_ISREG(status.st_mode))
+    error = not_a_file;
+  if (error == 0) return descriptor;
+  ::close(descriptor);
+  return -1;
+}
+
 }  // namespace
 
 Result<FileBytes> read_whole_file(const std::filesystem::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
-  if (descriptor < 0) return failure(path, errno);
   struct stat status;
-  FileBytes out;
-  int error = ::fstat(descriptor, &status) == 0 ? 0 : errno;
-  if (error == 0 && S_ISDIR(status.st_mode)) error = EISDIR;
-  // A pipe or device does not tell its size and may never end.
+  int error = 0;
+  const int descriptor = open_input(path, status, error);
+  if (descriptor < 0) return failure(path, error);
+  // A pipe does not tell its size and may never end.
   constexpr std::size_t unknown_size = 1 << 16, most_unknown = 1 << 30;
-  const bool is_regular = error == 0 && S_ISREG(status.st_mode);
+  const bool is_regular = S_ISREG(status.st_mode);
   const std::size_t expected = is_regular ? static_cast<std::size_t>(status.st_size) : unknown_size;
   const std::size_t limit = is_regular ? std::numeric_limits<std::size_t>::max() : most_unknown;
-  if (error == 0) error = read_to_end(descriptor, expected, limit, out);
+  FileBytes out;
+  error = read_to_end(descriptor, expected, limit, out);
   ::close(descriptor);
   if (error != 0) return failure(path, error);
   return out;

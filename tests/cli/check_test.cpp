@@ -1,5 +1,6 @@
 // `check`: options, folders, several inputs, and the shape of its JSON.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 
@@ -194,6 +195,17 @@ TEST(Check, NamesThatAreNotUtf8StayJson) {
   const ProgramRun run = run_program({"check", folder.path().string(), "--json"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(run.line()["status"], "ok");
+}
+
+TEST(Check, APipeIsRefusedWithoutWaitingForIt) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(mkfifo(folder.at("p.obj").c_str(), 0600), 0);
+  const ProgramRun run = run_program({"check", "p.obj", "--json"}, folder.path());
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_EQ(run.line()["messages"][0]["code"], "input_not_a_file");
+  EXPECT_NE(run.err.find("p.obj is a pipe"), std::string::npos) << run.err;
+  folder.copy(asset("cube.obj"), "q.obj");
+  EXPECT_EQ(run_program({"check", folder.path()}).exit_code, 9) << "in a folder beside a mesh";
 }
 
 }  // namespace

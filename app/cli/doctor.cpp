@@ -1,6 +1,5 @@
 // `doctor`: what the program was built with and what this machine offers it.
 #include <imgui.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -12,6 +11,7 @@
 #include "app/cli/columns.h"
 #include "app/cli/commands.h"
 #include "app/cli/json.h"
+#include "app/ui/fonts.h"
 #include "render/context/context.h"
 
 namespace ryosen::cli {
@@ -39,17 +39,6 @@ std::vector<Version> versions() {
        three(GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH) + "." + std::to_string(GLM_VERSION_REVISION)},
       {"nlohmann json", three(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)}};
 }
-
-struct Font {
-  std::string_view purpose_en, purpose_ja;
-  std::string path;
-};
-
-const Font fonts[] = {
-    {"Japanese texts", "日本語の文字", "/usr/share/fonts/opentype/ipaexfont-gothic/ipaexg.ttf"},
-};
-
-bool is_readable(const std::string& path) { return access(path.c_str(), R_OK) == 0; }
 
 // Installed version by package, from the records of dpkg; empty on other systems.
 std::map<std::string, std::string> installed_packages() {
@@ -120,7 +109,7 @@ Json to_json(const Diagnosis& d) {
     json["backends"].push_back(row);
   }
   json["fonts"] = Json::array();
-  for (const Font& font : fonts) json["fonts"].push_back({{"file", font.path}, {"found", is_readable(font.path)}});
+  for (const FontUse& font : font_uses()) json["fonts"].push_back({{"file", font.file}, {"found", font.is_found}});
   json["packages"] = Json::array();
   for (const Version& p : d.packages)
     json["packages"].push_back({{"package", p.of}, {"version", p.version.empty() ? Json() : Json(p.version)}});
@@ -135,9 +124,9 @@ std::string to_text(const Diagnosis& d, const Console& console) {
   for (const BackendReport& backend : d.backends)
     columns.add("render: " + backend.name, backend.works() ? backend.renderer + ", OpenGL " + backend.version
                                                            : missing + ": " + console.text(backend.problem));
-  for (const Font& font : fonts)
+  for (const FontUse& font : font_uses())
     columns.add("font", std::string(console.text(font.purpose_en, font.purpose_ja)) + ": " +
-                            (is_readable(font.path) ? font.path : missing + " (" + font.path + ")"));
+                            (font.is_found ? font.file : missing + " (" + font.file + ")"));
   for (const Version& p : d.packages)
     if (console.verbose || p.version.empty()) columns.add("package " + p.of, p.version.empty() ? missing : p.version);
   std::string text = columns.text();

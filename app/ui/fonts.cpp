@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 #include <imgui_freetype.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -11,9 +12,11 @@ namespace ryosen {
 
 namespace {
 
-constexpr const char* normal_file = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-constexpr const char* bold_file = "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf";
-constexpr std::initializer_list<const char*> japanese_files = {
+using Candidates = std::initializer_list<const char*>;
+
+constexpr Candidates normal_files = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"};
+constexpr Candidates bold_files = {"/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf"};
+constexpr Candidates japanese_files = {
     "/usr/share/fonts/opentype/ipaexfont-gothic/ipaexg.ttf",
     "/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc",
 };
@@ -25,13 +28,23 @@ constexpr ImWchar latin_ranges[] = {0x20,   0x17F,  0x2010, 0x2027, 0x2032, 0x20
 // What the button that leads to Japanese says.
 constexpr ImWchar word_ranges[] = {0x65E5, 0x65E5, 0x672C, 0x672C, 0x8A9E, 0x8A9E, 0};
 
-bool exists(const char* file) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(file, ignored);
+// The first candidate that can be read, or null.
+const char* find_file(Candidates candidates) {
+  for (const char* file : candidates) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(file, ignored) && access(file, R_OK) == 0) return file;
+  }
+  return nullptr;
 }
 
-ImFont* add(ImFontAtlas& atlas, const char* file, float size_px, const ImWchar* ranges, bool merge) {
-  if (!exists(file)) return nullptr;
+FontUse use(const char* purpose_en, const char* purpose_ja, Candidates candidates) {
+  const char* const found = find_file(candidates);
+  return {purpose_en, purpose_ja, found ? found : *candidates.begin(), found != nullptr};
+}
+
+ImFont* add(ImFontAtlas& atlas, Candidates candidates, float size_px, const ImWchar* ranges, bool merge) {
+  const char* const file = find_file(candidates);
+  if (!file) return nullptr;
   ImFontConfig config;
   config.MergeMode = merge;
   config.PixelSnapH = true;
@@ -48,19 +61,23 @@ Fonts load_fonts(ImFontAtlas& atlas, float size_px, bool japanese) {
   atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
   atlas.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
   Fonts fonts;
-  fonts.normal = add(atlas, normal_file, size_px, latin_ranges, false);
+  fonts.normal = add(atlas, normal_files, size_px, latin_ranges, false);
   if (!fonts.normal) {
     ImFontConfig config;
     config.SizePixels = size_px;
     fonts.normal = atlas.AddFontDefault(&config);
   }
   const ImWchar* const ranges = japanese ? atlas.GetGlyphRangesJapanese() : word_ranges;
-  for (const char* file : japanese_files)
-    if (add(atlas, file, size_px, ranges, true)) break;
+  add(atlas, japanese_files, size_px, ranges, true);
   // Japanese has one weight here: a heading in it would otherwise need all glyphs twice.
-  fonts.bold = japanese ? nullptr : add(atlas, bold_file, size_px, latin_ranges, false);
+  fonts.bold = japanese ? nullptr : add(atlas, bold_files, size_px, latin_ranges, false);
   if (!fonts.bold) fonts.bold = fonts.normal;
   return fonts;
+}
+
+std::vector<FontUse> font_uses() {
+  return {use("texts", "文字", normal_files), use("headings", "見出し", bold_files),
+          use("Japanese texts", "日本語の文字", japanese_files)};
 }
 
 bool needs_japanese(const char* utf8) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/ui/fonts.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen::test {
@@ -125,7 +126,12 @@ TEST(Doctor, ReportsBackendsFontsAndPackages) {
   for (const Json& backend : report["backends"]) works |= static_cast<bool>(backend["works"]);
   EXPECT_EQ(run.exit_code, works ? 0 : 1);
   EXPECT_TRUE(report["display"].is_null());
-  EXPECT_FALSE(report["fonts"].empty());
+  const std::vector<FontUse> fonts = font_uses();
+  ASSERT_EQ(report["fonts"].size(), fonts.size()) << "those that the window looks for";
+  for (std::size_t i = 0; i < fonts.size(); ++i) {
+    EXPECT_EQ(report["fonts"][i]["file"], fonts[i].file);
+    EXPECT_EQ(report["fonts"][i]["found"], fonts[i].is_found);
+  }
   EXPECT_GT(report["packages"].size(), 10u);
   EXPECT_TRUE(report["versions"].contains("compiler"));
 }

@@ -178,7 +178,7 @@ TEST(Uses, EditDeletedElement) {
   const TemporaryFolder folder;
   folder.write("a.obj", cube);
   const ProgramRun run =
-      run_program({"edit", "a.obj", "--do", "collapse 0-1; swap 0-3", "-o", "o.obj", "--json"}, folder.path());
+      run_program({"edit", "a.obj", "--do", "collapse 0-1; swap 0-2", "-o", "o.obj", "--json"}, folder.path());
   EXPECT_EQ(run.exit_code, 6);
   const std::vector<Json> lines = run.lines();
   ASSERT_EQ(lines.size(), 3u);
@@ -187,6 +187,33 @@ TEST(Uses, EditDeletedElement) {
   EXPECT_EQ(lines[1]["reasons"][0]["rule"], "deleted");
   EXPECT_EQ(lines[2]["status"], "error");
   EXPECT_FALSE(folder.has("o.obj"));
+}
+
+TEST(Uses, ShotThatDiffersFromItsReference) {
+  const TemporaryFolder folder;
+  folder.write("a.obj", cube);
+  const std::vector<std::string> shot{"shot", "a.obj", "--size", "200x160", "--backend", "osmesa"};
+  const auto with = [&](std::vector<std::string> further) {
+    further.insert(further.begin(), shot.begin(), shot.end());
+    return run_program(further, folder.path());
+  };
+  EXPECT_EQ(with({"--view", "iso", "-o", "ref.png"}).exit_code, 0);
+  EXPECT_EQ(with({"--view", "iso", "--compare", "ref.png"}).exit_code, 0);
+  const ProgramRun run = with({"--view", "front", "--compare", "ref.png", "--json"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.line()["status"], "error");
+  EXPECT_GT(run.line()["different_percent"], 0.2);
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.obj", "ref.png"})) << "needs no -o and writes nothing";
+}
+
+TEST(Uses, EditorWithoutADisplay) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{asset("cube.obj")}, {"view", asset("cube.obj")}, {}}) {
+    const ProgramRun run = run_program(arguments);
+    EXPECT_EQ(run.exit_code, 7) << testing::PrintToString(arguments);
+    EXPECT_EQ(run.out, "");
+    EXPECT_NE(run.err.find("ryosen shot"), std::string::npos) << run.err;
+  }
 }
 
 TEST(Uses, EditFailedExpectation) {

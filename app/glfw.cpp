@@ -38,6 +38,8 @@ std::optional<Glfw> loaded() {
   find(glfw.set_mouse_button_callback, "glfwSetMouseButtonCallback");
   find(glfw.set_scroll_callback, "glfwSetScrollCallback");
   find(glfw.set_window_close_callback, "glfwSetWindowCloseCallback");
+  find(glfw.set_window_content_scale_callback, "glfwSetWindowContentScaleCallback");
+  find(glfw.set_window_focus_callback, "glfwSetWindowFocusCallback");
   find(glfw.set_window_refresh_callback, "glfwSetWindowRefreshCallback");
   find(glfw.set_window_should_close, "glfwSetWindowShouldClose");
   find(glfw.set_window_title, "glfwSetWindowTitle");

@@ -31,6 +31,8 @@ struct Glfw {
   decltype(&glfwSetMouseButtonCallback) set_mouse_button_callback = nullptr;
   decltype(&glfwSetScrollCallback) set_scroll_callback = nullptr;
   decltype(&glfwSetWindowCloseCallback) set_window_close_callback = nullptr;
+  decltype(&glfwSetWindowContentScaleCallback) set_window_content_scale_callback = nullptr;
+  decltype(&glfwSetWindowFocusCallback) set_window_focus_callback = nullptr;
   decltype(&glfwSetWindowRefreshCallback) set_window_refresh_callback = nullptr;
   decltype(&glfwSetWindowShouldClose) set_window_should_close = nullptr;
   decltype(&glfwSetWindowTitle) set_window_title = nullptr;

@@ -7,7 +7,7 @@
 #include "app/editor/keys.h"
 #include "app/glfw.h"
 #include "app/ui/gui.h"
-#include "app/ui/navigation.h"
+#include "app/ui/mouse.h"
 #include "app/ui/viewport.h"
 #include "app/window_keys.h"
 #include "render/canvas.h"
@@ -136,19 +136,26 @@ class Editor {
     GLFWwindow* const w = window_.handle();
     glfw().set_window_user_pointer(w, this);
     glfw().set_framebuffer_size_callback(w, [](GLFWwindow* x, int, int) { of(x).resize(); });
+    glfw().set_window_content_scale_callback(w, [](GLFWwindow* x, float, float) { of(x).resize(); });
+    glfw().set_window_focus_callback(w, [](GLFWwindow* x, int focused) {
+      if (!focused) of(x).mouse_.let_go();
+    });
     glfw().set_window_refresh_callback(w, [](GLFWwindow* x) { of(x).must_present_ = true; });
     glfw().set_window_close_callback(w, [](GLFWwindow* x) {
       glfw().set_window_should_close(x, GLFW_FALSE);
       of(x).session_.quit();
     });
-    glfw().set_cursor_pos_callback(
-        w, [](GLFWwindow* x, double px, double py) { of(x).move(of(x).window_.to_pixels(px, py)); });
+    glfw().set_cursor_pos_callback(w, [](GLFWwindow* x, double px, double py) {
+      of(x).mouse_.move(of(x).window_.to_pixels(px, py), of(x).window_.size());
+    });
     glfw().set_cursor_enter_callback(w, [](GLFWwindow* x, int entered) {
-      if (!entered) of(x).leave();
+      if (!entered) of(x).mouse_.leave();
     });
     glfw().set_mouse_button_callback(
         w, [](GLFWwindow* x, int button, int action, int mods) { of(x).button(button, action == GLFW_PRESS, mods); });
-    glfw().set_scroll_callback(w, [](GLFWwindow* x, double, double steps) { of(x).wheel(steps); });
+    glfw().set_scroll_callback(w, [](GLFWwindow* x, double, double steps) {
+      of(x).mouse_.wheel(steps, of(x).window_.pointer(), of(x).window_.size());
+    });
     glfw().set_key_callback(w, [](GLFWwindow* x, int key, int, int action, int mods) { of(x).key(key, action, mods); });
     glfw().set_char_callback(w, [](GLFWwindow* x, unsigned code) { of(x).gui_.character(code); });
     glfw().set_drop_callback(w, [](GLFWwindow* x, int count, const char** paths) {
@@ -159,54 +166,19 @@ class Editor {
   void resize() {
     const Size size = window_.size();
     canvas_->resize(size);
+    gui_.set_scale(window_.scale());
     gui_.place_view(session_, size);
     session_.touch();
   }
 
-  bool is_over_view(glm::dvec2 pixel) const { return !gui_.owns_pointer(session_, window_.size(), pixel); }
-
-  // Over a panel the last element stays, so that what is said of it there can be read and clicked.
-  void point(glm::dvec2 pixel) {
-    if (navigation_.is_dragging() || !is_over_view(pixel)) return;
-    session_.point_at(pixel);
-  }
-
-  void move(glm::dvec2 pixel) {
-    gui_.pointer(pixel);
-    if (navigation_.move(session_, pixel))
-      session_.point_away();
-    else
-      point(pixel);
-  }
-
-  void leave() {
-    gui_.pointer({-1e9, -1e9});
-    session_.point_away();
-  }
-
   void button(int number, bool is_down, int modifiers) {
-    const glm::dvec2 pixel = window_.pointer();
     if (number > GLFW_MOUSE_BUTTON_MIDDLE) return;
     const auto which = static_cast<MouseButton>(number);  // GLFW's order
-    if (is_down && is_over_view(pixel))
-      navigation_.press(which, pixel, {(modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0});
-    else if (is_down || !navigation_.is_dragging())
-      gui_.button(number, is_down);
-    if (is_down) return;
-    if (const auto click = navigation_.release(which, pixel, glfw().get_time())) {
-      if (click->is_double && session_.tool.empty())
-        set_centre(session_, click->pixel);
-      else
-        gui_.click(session_, click->pixel);
-    }
-    point(pixel);
-  }
-
-  void wheel(double steps) {
-    const glm::dvec2 pixel = window_.pointer();
-    if (!is_over_view(pixel)) return gui_.wheel(steps);
-    navigation_.wheel(session_, pixel, steps);
-    point(pixel);
+    if (is_down)
+      mouse_.press(which, window_.pointer(), {(modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0},
+                   window_.size());
+    else
+      mouse_.release(which, window_.pointer(), glfw().get_time(), window_.size());
   }
 
   void key(int key, int action, int modifiers) {
@@ -218,7 +190,7 @@ class Editor {
     // An open panel, and a field for text, leave only the way out.
     if (!row || ((gui_.owns_keys() || !session_.open_panel.empty()) && chord != "Escape" && chord != "F1")) return;
     gui_.run(session_, std::string(row->command));
-    point(window_.pointer());
+    mouse_.point(window_.pointer(), window_.size());
   }
 
   // Lays out, draws what has changed, and shows it if anything has.
@@ -262,7 +234,7 @@ class Editor {
   std::unique_ptr<Viewport> viewport_;
   std::unique_ptr<Canvas> canvas_;
   Gui gui_;
-  Navigation navigation_;
+  Mouse mouse_{gui_, session_};
   std::string title_;
   std::ofstream log_;
   std::uint64_t frames_ = 0;

@@ -56,6 +56,14 @@ Gui::Gui(float scale) : imgui_(ImGui::CreateContext()), scale_(scale) {
 
 Gui::~Gui() { ImGui::DestroyContext(imgui_); }
 
+void Gui::set_scale(float scale) {
+  if (scale == scale_) return;
+  ImGui::SetCurrentContext(imgui_);
+  scale_ = scale;
+  apply_style(theme_, scale_);
+  has_fonts_ = false;
+}
+
 PixelRect Gui::view_area(Size window) const {
   const int left = static_cast<int>(std::lround(left_px * scale_)),
             right = static_cast<int>(std::lround(right_px * scale_));

@@ -22,6 +22,8 @@ class Gui {
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
+  // Another scale, as of the next prepare().
+  void set_scale(float scale);
   // The part of a window that the view has.
   PixelRect view_area(Size window) const;
   // Gives the session that part.

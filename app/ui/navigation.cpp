@@ -14,7 +14,7 @@ constexpr double drag_doubles_px = 120;  // how far a zooming drag goes to doubl
 }  // namespace
 
 void Navigation::press(MouseButton button, glm::dvec2 pixel, Modifiers modifiers) {
-  if (drag_) return;
+  if (drag_ && drag_->button != button) return;
   Motion motion = Motion::orbit;
   if (button == MouseButton::right || modifiers.shift)
     motion = Motion::pan;
@@ -57,6 +57,11 @@ std::optional<Navigation::Click> Navigation::release(MouseButton button, glm::dv
   last_click_ = click;
   last_click_s_ = now_s;
   return click;
+}
+
+void Navigation::cancel() {
+  drag_.reset();
+  last_click_.reset();
 }
 
 void Navigation::wheel(Session& session, glm::dvec2 pixel, double steps) const {

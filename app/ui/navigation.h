@@ -7,7 +7,7 @@
 
 namespace ryosen {
 
-enum class MouseButton { left, right, middle };
+enum class MouseButton { left, right, middle };  // numbered as the toolkits number them
 
 // A click is a press and a release within this many pixels.
 inline constexpr double click_reach_px = 4;
@@ -24,12 +24,15 @@ class Navigation {
     bool is_double;  // the second of two within 0.4 s at about the same place
   };
 
+  // A drag in progress keeps going when another button is pressed; the same button begins anew.
   void press(MouseButton button, glm::dvec2 pixel, Modifiers modifiers);
   // True when the camera moved.
   bool move(Session& session, glm::dvec2 pixel);
   // A click of the left button, if that is what ended.
   std::optional<Click> release(MouseButton button, glm::dvec2 pixel, double now_s);
   void wheel(Session& session, glm::dvec2 pixel, double steps) const;
+  // Forgets the drag and the last click.
+  void cancel();
 
   bool is_dragging() const { return drag_.has_value(); }
 

@@ -1,0 +1,156 @@
+#include "app/ui/mouse.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include "tests/support/app/program.h"
+
+namespace ryosen {
+namespace {
+
+constexpr Size window{1280, 720};
+constexpr glm::dvec2 in_view{640, 560}, on_panel{100, 90};  // on a face of the torus; on a row of the tools
+
+class MouseTest : public testing::Test {
+ protected:
+  MouseTest() : session_(std::make_unique<Document>()) {
+    auto document = Document::open(test::asset("torus.off"));
+    EXPECT_TRUE(document);
+    session_.set_document(std::move(document).value());
+    gui_.place_view(session_, window);
+    session_.frame_all();
+    frames(3);
+  }
+  void frames(int n) {
+    for (int i = 0; i < n; ++i) {
+      gui_.prepare(session_);
+      gui_.frame(session_, window, 0.02);
+    }
+  }
+  void press(glm::dvec2 pixel, MouseButton button = MouseButton::left) { mouse_.press(button, pixel, {}, window); }
+  void release(glm::dvec2 pixel, MouseButton button = MouseButton::left) {
+    mouse_.release(button, pixel, now_s_ += 0.1, window);
+  }
+  // Whether the view turns when the pointer moves.
+  bool moves_view() {
+    const glm::dvec3 before = session_.camera.eye;
+    mouse_.move(in_view + glm::dvec2(60, 0), window);
+    mouse_.move(in_view + glm::dvec2(120, 0), window);
+    return session_.camera.eye != before;
+  }
+  bool gui_has_a_button() {
+    frames(2);  // a short press is shown to one frame
+    const ImGuiIO& io = ImGui::GetIO();
+    return io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
+  }
+
+  Session session_;
+  Gui gui_{1};
+  Mouse mouse_{gui_, session_};
+  double now_s_ = 1;
+};
+
+TEST_F(MouseTest, APressOnAPanelThatEndsOverTheView) {
+  mouse_.move(on_panel, window);
+  press(on_panel);
+  EXPECT_TRUE(gui_has_a_button());
+  EXPECT_FALSE(moves_view());
+  release(in_view);
+  EXPECT_FALSE(gui_has_a_button());
+  EXPECT_FALSE(moves_view());
+  EXPECT_TRUE(session_.selection.empty()) << "no click";
+}
+
+TEST_F(MouseTest, APressInTheViewThatEndsOverAPanel) {
+  mouse_.move(in_view, window);
+  press(in_view);
+  EXPECT_TRUE(moves_view());
+  mouse_.move(on_panel, window);
+  release(on_panel);
+  EXPECT_FALSE(mouse_.is_dragging());
+  EXPECT_FALSE(moves_view());
+  EXPECT_FALSE(gui_has_a_button());
+  EXPECT_EQ(session_.tool, "") << "the panel was not clicked";
+}
+
+TEST_F(MouseTest, APressOnAPanelDuringADragIsReleasedToo) {
+  press(in_view, MouseButton::right);
+  mouse_.move(on_panel, window);
+  press(on_panel);
+  EXPECT_TRUE(gui_has_a_button());
+  release(on_panel);
+  EXPECT_FALSE(gui_has_a_button());
+  EXPECT_TRUE(mouse_.is_dragging());
+  release(on_panel, MouseButton::right);
+  EXPECT_FALSE(mouse_.is_dragging());
+}
+
+TEST_F(MouseTest, LosingTheKeyboardEndsEveryPressWithoutAClick) {
+  press(in_view);
+  mouse_.let_go();
+  EXPECT_FALSE(mouse_.is_dragging());
+  EXPECT_FALSE(moves_view());
+  release(in_view);  // the window system may still tell
+  EXPECT_TRUE(session_.selection.empty());
+
+  mouse_.move(on_panel, window);
+  press(on_panel);
+  mouse_.let_go();
+  EXPECT_FALSE(gui_has_a_button());
+}
+
+TEST_F(MouseTest, AReleaseThatWasNeverToldDoesNotHoldTheNextPress) {
+  press(in_view);
+  press(in_view + glm::dvec2(200, -200));
+  release(in_view + glm::dvec2(200, -200));
+  EXPECT_FALSE(mouse_.is_dragging());
+}
+
+TEST_F(MouseTest, APanelThatOpensDuringAPressTakesTheClick) {
+  press(in_view);
+  ASSERT_TRUE(session_.run("panel keys").done());
+  frames(2);
+  release(in_view);
+  EXPECT_TRUE(session_.selection.empty());
+  EXPECT_FALSE(mouse_.is_dragging());
+}
+
+TEST_F(MouseTest, ADoubleClickSetsTheCentreWithAToolToo) {
+  for (const char* tool : {"tool none", "tool split"}) {
+    ASSERT_TRUE(session_.run(tool).done());
+    ASSERT_TRUE(session_.run("frame all").done());
+    const std::size_t before = session_.document().position();
+    const glm::dvec3 target = session_.camera.target;
+    const auto place = session_.pick(in_view, PickMode::face);
+    ASSERT_TRUE(place);
+    press(in_view);
+    release(in_view);
+    EXPECT_EQ(session_.camera.target, target) << tool;
+    const std::size_t after = session_.document().position();
+    EXPECT_LE(after - before, 1u);
+    press(in_view);
+    release(in_view);
+    EXPECT_NE(session_.camera.target, target) << tool;
+    EXPECT_EQ(session_.document().position(), after) << "the second click is the centre's";
+    now_s_ += 10;
+  }
+}
+
+TEST(Gui, TakesAnotherScaleWhileItRuns) {
+  auto document = Document::open(test::asset("torus.off"));
+  ASSERT_TRUE(document);
+  Session session(std::move(document).value());
+  Gui gui(1);
+  gui.prepare(session);
+  const float before = gui.fonts().Fonts[0]->FontSize;
+  gui.set_scale(2);
+  EXPECT_EQ(gui.view_area({2560, 1440}), Gui(2).view_area({2560, 1440}));
+  EXPECT_TRUE(gui.prepare(session)) << "the glyphs are made anew";
+  EXPECT_EQ(gui.fonts().Fonts[0]->FontSize, 2 * before);
+  gui.frame(session, {2560, 1440}, 0.02);
+  gui.set_scale(2);
+  EXPECT_FALSE(gui.prepare(session));
+}
+
+}  // namespace
+}  // namespace ryosen

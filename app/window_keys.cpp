@@ -17,6 +17,14 @@ std::string name_of_key(int key) {
   switch (key) {
     case GLFW_KEY_ESCAPE:
       return "Escape";
+    case GLFW_KEY_LEFT:
+      return "Left";
+    case GLFW_KEY_RIGHT:
+      return "Right";
+    case GLFW_KEY_UP:
+      return "Up";
+    case GLFW_KEY_DOWN:
+      return "Down";
     case GLFW_KEY_HOME:
       return "Home";
     case GLFW_KEY_PERIOD:

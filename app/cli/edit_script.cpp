@@ -6,23 +6,13 @@
 #include "app/cli/console.h"
 #include "app/editor/commands.h"
 #include "app/editor/keys.h"
+#include "app/editor/words.h"
 #include "core/io/formats.h"
 #include "core/io/input_file.h"
 
 namespace ryosen::cli {
 
 namespace {
-
-// What stands behind the first word of a line, as the session reads file names.
-std::string rest_of(const std::string& line) {
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t word_end = std::min(line.find_first_of(blanks), line.size());
-  const std::size_t begin = std::min(line.find_first_not_of(blanks, word_end), line.size());
-  std::string name = line.substr(begin);
-  name.erase(name.find_last_not_of(blanks) + 1);
-  if (name.size() >= 2 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
-  return name;
-}
 
 bool is_same_file(const std::string& a, const std::string& b) {
   std::error_code error;
@@ -78,9 +68,9 @@ std::optional<Failure> fault_of_line(const std::string& line, FileUse& use) {
   const std::string word = line.substr(0, line.find_first_of(" \t\r"));
   if (!find_op(word) && !ryosen::find_command(word))
     return usage_failure("unknown_command", unknown_command(word).sentence);
-  if (word == "open") return use.open(rest_of(line));
-  if (word == "save") return use.save(rest_of(line));
-  const KeyRow* const key = word == "key" ? find_key(rest_of(line)) : nullptr;
+  if (word == "open") return use.open(file_name(behind_word(line)));
+  if (word == "save") return use.save(file_name(behind_word(line)));
+  const KeyRow* const key = word == "key" ? find_key(behind_word(line)) : nullptr;
   return key ? fault_of_line(std::string(key->command), use) : std::nullopt;
 }
 

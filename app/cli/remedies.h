@@ -16,7 +16,7 @@ class Remedies {
   // The mesh is changed for a moment by every question and is byte-equal afterwards.
   explicit Remedies(Mesh& mesh) : mesh_(mesh) {}
 
-  // Script lines after which the operator is legal; empty means never. `verdict` is the one on the operator.
+  // Script lines after which the operator is legal; empty where none were found. `verdict` is the one on the operator.
   std::vector<std::string> find(const AnyOp& op, const Verdict& verdict);
 
  private:

@@ -2,6 +2,7 @@
 
 #include "app/cli/json.h"
 #include "app/editor/document.h"
+#include "app/editor/remedy_text.h"
 
 namespace ryosen::cli {
 
@@ -12,6 +13,10 @@ std::string to_json_line(const Mesh& mesh, const VerdictReport& report) {
   json["legal"] = report.verdict.legal();
   json["reasons"] = to_json(mesh, report.verdict.reasons);
   json["warnings"] = to_json(mesh, report.warnings);
+  if (report.set_aside) {
+    json["reasons"][0]["en"] = report.set_aside->en;
+    json["reasons"][0]["ja"] = report.set_aside->ja;
+  }
   const bool never = !report.verdict.legal() && report.remedy.empty();
   json["remedy"] = never ? Json("never") : Json(report.remedy);
   return line_of(json);
@@ -23,13 +28,13 @@ std::string to_text(const Mesh& mesh, const VerdictReport& report, const Console
   text += report.verdict.legal() ? console.text(": legal\n", "：可能\n") : console.text(": refused\n", "：不可\n");
   const auto add = [&](const Reason& reason, std::string_view label) {
     text.append("  ").append(label).append(text_of(reason.rule).id) +=
-        ": " + console.text(describe(mesh, reason)) + "\n";
+        ": " + console.text(report.set_aside.value_or(describe(mesh, reason))) + "\n";
   };
   for (const Reason& reason : report.verdict.reasons) add(reason, "");
   for (const Reason& warning : report.warnings) add(warning, console.text("warning: ", "警告："));
   if (report.verdict.legal()) return text;
   text += console.text("  remedy: ", "  対処：");
-  if (report.remedy.empty()) text += console.text("never", "なし");
+  if (report.remedy.empty()) text += console.text(without_remedy(report.verdict));
   for (std::size_t i = 0; i < report.remedy.size(); ++i) text += (i ? "; " : "") + report.remedy[i];
   return text + "\n";
 }

@@ -1,6 +1,7 @@
 // One answer of `why`: the verdict on an operator with reasons, warnings and remedy.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "app/cli/console.h"
@@ -13,7 +14,8 @@ struct VerdictReport {
   std::string edge;  // empty where the operator has none
   Verdict verdict;
   std::vector<Reason> warnings;
-  std::vector<std::string> remedy;  // for a refused one; empty means never
+  std::vector<std::string> remedy;  // for a refused one; empty where none was found
+  std::optional<Text> set_aside;    // of a face that is not in the mesh: said in place of the rule's sentence
 };
 
 // One line of JSON.

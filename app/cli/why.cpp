@@ -7,6 +7,7 @@
 #include "app/cli/remedies.h"
 #include "app/cli/verdict_report.h"
 #include "app/editor/script.h"
+#include "app/editor/set_aside.h"
 #include "core/build/from_indexed.h"
 #include "core/io/formats.h"
 #include "core/ops/preview.h"
@@ -32,8 +33,8 @@ AnyOp on_edge(std::string_view id, Halfedge h) {
 
 class Why {
  public:
-  Why(std::string file, Mesh mesh, const Console& console)
-      : file_(std::move(file)), mesh_(std::move(mesh)), console_(console) {}
+  Why(std::string file, IndexedMesh mesh, const Console& console)
+      : file_(std::move(file)), quarantine_(mesh.quarantine), mesh_(from_indexed(std::move(mesh))), console_(console) {}
 
   ExitCode answer_line(const std::string& line) {
     const std::vector<std::string_view> words = split_words(line);
@@ -71,7 +72,7 @@ class Why {
     }
     if (parsed.error != NameError::deleted)
       return console_.fail(usage_failure(code_of(parsed.error), parsed.sentence), file_);
-    VerdictReport report{info.id, edge, {}, {}, {}};
+    VerdictReport report{info.id, edge, {}, {}, {}, set_aside_sentence(quarantine_, edge)};
     report.verdict.refuse(Rule::deleted, {});
     print(report);
     return ExitCode::done;
@@ -89,7 +90,7 @@ class Why {
   }
 
   void ask(const OpInfo& info, std::string edge, const AnyOp& op, bool geometry) {
-    VerdictReport report{info.id, std::move(edge), check(mesh_, op), {}, {}};
+    VerdictReport report{info.id, std::move(edge), check(mesh_, op), {}, {}, {}};
     if (report.verdict.legal()) {
       if (geometry) report.warnings = preview(mesh_, journal_, op).warnings;
       ++legal_;
@@ -104,6 +105,7 @@ class Why {
   }
 
   std::string file_;
+  std::vector<QuarantinedFace> quarantine_;
   Mesh mesh_;
   const Console& console_;
   Journal journal_;  // of previews; nothing is committed
@@ -162,7 +164,7 @@ ExitCode why_command(const Arguments& arguments, const Console& console) {
   Result<MeshFile> file = read_mesh_file(path);
   if (!file) return console.fail(file.failure(), path);
   for (const Message& message : file->messages) console.show(message, path);
-  Why why(path, from_indexed(std::move(file->mesh)), console);
+  Why why(path, std::move(file->mesh), console);
   if (!question->line.empty()) return why.answer_line(question->line);
   if (!question->edge.empty()) return why.answer_edge(*question->info, question->edge);
   return why.answer_all(*question->info, arguments.has("--geometry"));

@@ -27,5 +27,8 @@ std::vector<std::string> command_ids();
 // Not a command: usage, with the closest id named.
 Outcome unknown_command(std::string_view id);
 Outcome usage_error(std::string en, std::string ja);
+// An operator's line names no element of the mesh, with this error: a refusal by the rule `deleted` where the element
+// stands at another place of the history, else usage; with a sentence that says which, and of faces that were set aside.
+Outcome no_element(Document& document, std::string_view line, NameError error, const Text& sentence);
 
 }  // namespace ryosen

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
-#include <charconv>
 
+#include "app/editor/set_aside.h"
 #include "core/build/from_indexed.h"
 #include "core/io/elements.h"
 
@@ -121,31 +121,31 @@ void Document::go_to(std::size_t position) {
   }
 }
 
-bool Document::names_quarantined_face(std::string_view name) const {
-  const std::size_t at = name.find_last_of('f');
-  std::uint32_t number = 0;
-  if (at == std::string_view::npos ||
-      std::from_chars(name.data() + at + 1, name.data() + name.size(), number).ec != std::errc())
-    return false;
-  return std::any_of(tables_.quarantine.begin(), tables_.quarantine.end(),
-                     [&](const QuarantinedFace& face) { return face.face == number; });
+std::optional<Text> Document::set_aside(std::span<const std::string_view> arguments) const {
+  return arguments.empty() ? std::nullopt : set_aside_sentence(tables_.quarantine, arguments[0]);
 }
 
-bool Document::speaks_of_deleted(NameError error, std::span<const std::string_view> arguments) {
-  if (arguments.empty()) return false;
-  if (error == NameError::deleted) return !names_quarantined_face(arguments[0]);
-  return error == NameError::never_existed && edge_existed(arguments[0]);
+bool Document::is_known_as_edge(std::string_view name) const {
+  const Named<Halfedge> edge = find_edge(mesh_, name);
+  return edge.ok() || edge.error == NameError::ambiguous;
 }
 
-bool Document::edge_existed(std::string_view name) {
+Document::Elsewhere Document::exists_elsewhere(NameError error, std::span<const std::string_view> arguments) {
+  if (arguments.empty() || set_aside(arguments)) return Elsewhere::no;
+  if (error == NameError::deleted) return Elsewhere::earlier;
+  if (error != NameError::never_existed) return Elsewhere::no;
   const std::size_t now = journal_.position();
-  bool found = false;
-  while (!found && journal_.can_undo()) {
+  Elsewhere found = Elsewhere::no;
+  while (found == Elsewhere::no && journal_.can_undo()) {
     journal_.undo(mesh_);
-    const Named<Halfedge> edge = find_edge(mesh_, name);
-    found = edge.ok() || edge.error == NameError::ambiguous;
+    if (is_known_as_edge(arguments[0])) found = Elsewhere::earlier;
   }
   while (journal_.position() < now) journal_.redo(mesh_);
+  while (found == Elsewhere::no && journal_.can_redo()) {
+    journal_.redo(mesh_);
+    if (is_known_as_edge(arguments[0])) found = Elsewhere::later;
+  }
+  while (journal_.position() > now) journal_.undo(mesh_);
   return found;
 }
 

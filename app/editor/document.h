@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,10 @@ struct Outcome {
   enum class Kind { done, refused, failed };
   Kind kind = Kind::done;
   ExitCode exit_code = ExitCode::done;
-  Text sentence;  // for refused and failed: names the element and the remedy
+  // For refused and failed: names the element and the remedy. For done: what should be known of it, mostly nothing.
+  Text sentence;
+  // The script line of what was done to the mesh or a file; empty where nothing was.
+  std::string performed;
   std::vector<Reason> reasons;
   std::vector<Reason> warnings;
   std::vector<std::string> created;  // names, as of after the operator
@@ -53,7 +57,7 @@ class Document {
   Outcome apply(const AnyOp& op, bool strict = false);
   // The verdict, and the ghost of the result. The document is unchanged.
   Preview preview(const AnyOp& op) { return ryosen::preview(mesh_, journal_, op); }
-  // Script lines that would make a refused operator legal; empty means never.
+  // Script lines that would make a refused operator legal; empty where none were found.
   std::vector<std::string> remedy(const AnyOp& op) { return find_remedy(mesh_, op); }
 
   // Step through the history; false where there is nothing to undo or redo.
@@ -64,9 +68,13 @@ class Document {
   const std::vector<HistoryEntry>& history() const { return history_; }
   std::size_t position() const { return journal_.position(); }
 
-  // Whether arguments that name no element (with this error) speak of one that an edit has deleted: the answer is then a
-  // refusal, not a slip of the pen. A face that was set aside when the file was read is not deleted. O(history).
-  bool speaks_of_deleted(NameError error, std::span<const std::string_view> arguments);
+  // Whether arguments that name no element (with this error) speak of one that another place of the history has: the
+  // answer is then a refusal, not a slip of the pen. A face that was set aside when the file was read is in none.
+  // O(history).
+  enum class Elsewhere { no, earlier, later };  // undo brings an earlier one back, redo a later one
+  Elsewhere exists_elsewhere(NameError error, std::span<const std::string_view> arguments);
+  // When arguments name a face that was set aside: the sentence about it.
+  std::optional<Text> set_aside(std::span<const std::string_view> arguments) const;
 
   bool is_modified() const { return saved_position_ != journal_.position(); }
   // The document as it would be written: all live elements and what belongs to the file.
@@ -85,8 +93,7 @@ class Document {
  private:
   Outcome refuse(const AnyOp& op, std::vector<Reason> reasons);
   void notify(std::size_t transaction);
-  bool edge_existed(std::string_view name);
-  bool names_quarantined_face(std::string_view name) const;
+  bool is_known_as_edge(std::string_view name) const;
 
   Mesh mesh_;
   Journal journal_;

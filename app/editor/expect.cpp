@@ -17,10 +17,12 @@ Outcome not_so(const std::string& claim, const std::string& found) {
 
 Outcome expect_verdict(Session& session, std::string_view line, bool legal) {
   const Parsed<AnyOp> parsed = parse_line(session.mesh(), line);
-  const std::vector<std::string_view> words = split_words(line);
-  if (!parsed.op && !words.empty() && session.document().speaks_of_deleted(parsed.error, std::span(words).subspan(1)))
-    return legal ? not_so("legal " + std::string(line), std::string(text_of(Rule::deleted).en)) : Outcome();
-  if (!parsed.op) return usage_error("expect: " + parsed.sentence.en, "expect：" + parsed.sentence.ja);
+  if (!parsed.op) {
+    const Outcome other = no_element(session.document(), line, parsed.error, parsed.sentence);
+    if (other.kind != Outcome::Kind::refused)
+      return usage_error("expect: " + other.sentence.en, "expect：" + other.sentence.ja);
+    return legal ? not_so("legal " + std::string(line), other.sentence.en) : Outcome();
+  }
   const Verdict verdict = check(session.mesh(), *parsed.op);
   if (verdict.legal() == legal) return {};
   const std::string claim = (legal ? "legal " : "refused ") + command_of(session.mesh(), *parsed.op);

@@ -7,7 +7,7 @@
 namespace ryosen {
 
 struct KeyRow {
-  std::string_view chord;    // "Ctrl+Z", "C", "Home", "Numpad1"
+  std::string_view chord;    // "Ctrl+Z", "C", "Home", "Left", "Numpad1"
   std::string_view command;  // the command line it sends
   std::string_view help_en, help_ja;
 };

@@ -1,18 +1,12 @@
 #include "app/editor/script.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "app/editor/words.h"
 
 namespace ryosen {
 
 namespace {
-
-std::string trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) return {};
-  return std::string(text.substr(begin, text.find_last_not_of(blanks) - begin + 1));
-}
 
 // Insertions, deletions, replacements and exchanges of neighbours that lead from one word to the other.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -36,19 +30,21 @@ std::vector<ScriptLine> split_script(std::string_view script) {
   std::vector<ScriptLine> lines;
   std::string current;
   int line = 1, depth = 0;
-  bool comment = false, quoted = false;
+  bool comment = false, quoted = false, escaped = false;
   const auto finish = [&] {
-    if (std::string text = trimmed(current); !text.empty()) lines.push_back({line, std::move(text)});
+    if (const std::string_view text = without_blanks(current); !text.empty())
+      lines.push_back({line, std::string(text)});
     current.clear();
   };
   for (const char c : script) {
     if (c == '\n') {
       finish();
       ++line;
-      comment = quoted = false;
+      comment = quoted = escaped = false;
       depth = 0;
     } else if (!comment) {
-      if (c == '"') quoted = !quoted;
+      if (c == '"' && !escaped) quoted = !quoted;
+      escaped = quoted && !escaped && c == '\\';
       if (!quoted) depth += (c == '{') - (c == '}');
       const bool free = !quoted && depth <= 0;
       if (free && c == '#')

@@ -12,7 +12,8 @@ struct ScriptLine {
   std::string text;  // one command, without blanks around it
 };
 
-// The commands of a script in order; empty ones are left out. A `;` or `#` inside braces or quotes belongs to the text.
+// The commands of a script in order; empty ones are left out. A `;` or `#` inside braces or quotes belongs to the text,
+// and within quotes `\"` does not end them (see words.h).
 std::vector<ScriptLine> split_script(std::string_view script);
 
 // The known word that is closest to a misspelt one, or empty when none is close.

@@ -92,26 +92,16 @@ Outcome Session::run(const std::string& line) {
     const std::size_t after_id = static_cast<std::size_t>(words[0].data() - line.data()) + words[0].size();
     Outcome outcome = row->run(*this, arguments, std::string_view(line).substr(after_id));
     touch();
-    if (outcome.done() && row->changes_mesh) log_.push_back(line);
+    if (outcome.done() && row->changes_mesh) log_.push_back(outcome.performed);
     return outcome;
   }
   if (!find_op(words[0])) return unknown_command(words[0]);
   const Parsed<AnyOp> parsed = parse_op(mesh(), words[0], arguments);
-  if (!parsed.op) {
-    if (!document_->speaks_of_deleted(parsed.error, arguments))
-      return usage_error(std::string(words[0]) + ": " + parsed.sentence.en,
-                         std::string(words[0]) + "：" + parsed.sentence.ja);
-    Outcome outcome;
-    outcome.kind = Outcome::Kind::refused;
-    outcome.exit_code = ExitCode::refused;
-    outcome.reasons.push_back({Rule::deleted, {}});
-    const RuleText& rule = text_of(Rule::deleted);
-    outcome.sentence = {line + " is refused: " + std::string(rule.en) + " (" + parsed.sentence.en + ")",
-                        line + " は実行できません：" + std::string(rule.ja) + "（" + parsed.sentence.ja + "）"};
-    return outcome;
-  }
+  if (!parsed.op) return no_element(*document_, line, parsed.error, parsed.sentence);
   Outcome outcome = document_->apply(*parsed.op, strict);
-  if (outcome.done()) log_.push_back(document_->history().back().command);
+  if (!outcome.done()) return outcome;
+  outcome.performed = document_->history().back().command;
+  log_.push_back(outcome.performed);
   return outcome;
 }
 

@@ -60,8 +60,8 @@ class Session {
   void point_at(glm::dvec2 pixel);
   void point_away() { hover_.reset(); }
   const std::optional<Hover>& hover() const { return hover_; }
-  // What would make the operator under the pointer legal; empty means never. Looked for when asked, because remedies are
-  // tried out, and remembered while neither the operator nor the mesh changes.
+  // What would make the operator under the pointer legal; empty where nothing was found. Looked for when asked, because
+  // remedies are tried out, and remembered while neither the operator nor the mesh changes.
   const std::vector<std::string>& hover_remedy();
   // A click: applies the tool to what is under the pixel, or selects it.
   Outcome click(glm::dvec2 pixel, const std::string& with_tool);

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "app/editor/words.h"
 #include "app/ui/panels/all.h"
 #include "core/mesh/copies.h"
 
@@ -34,37 +35,24 @@ void GuiState::follow(Session& session) {
   known_revision = document.revision();
 }
 
-Outcome PanelContext::run(const std::string& line) {
-  Outcome outcome = session.run(line);
+Outcome PanelContext::keep(Outcome outcome) {
   state.follow(session);  // what is drawn after this in the same frame must speak of elements that still exist
   state.last_kind = outcome.kind;
-  state.last_outcome = outcome.done() ? Text{line + ": " + ryosen::text(UiText::done, Language::english),
-                                             line + "：" + ryosen::text(UiText::done, Language::japanese)}
-                                      : outcome.sentence;
+  state.last_outcome = outcome.sentence;
+  if (outcome.done() && !outcome.performed.empty())
+    state.last_outcome = {outcome.performed + ": " + ryosen::text(UiText::done, Language::english),
+                          outcome.performed + "：" + ryosen::text(UiText::done, Language::japanese)};
   return outcome;
 }
 
-Outcome PanelContext::click(glm::dvec2 pixel) {
-  const std::size_t before = session.document().position();
-  const std::vector<Element> selected = session.selection;
-  Outcome outcome = session.click(pixel, session.tool);
-  state.follow(session);
-  state.last_kind = outcome.kind;
-  if (!outcome.done()) {
-    state.last_outcome = outcome.sentence;
-  } else if (session.document().position() != before) {
-    const std::string& line = session.document().history().back().command;
-    state.last_outcome = {line + ": " + ryosen::text(UiText::done, Language::english),
-                          line + "：" + ryosen::text(UiText::done, Language::japanese)};
-  } else {
-    state.last_outcome = {};
-  }
-  return outcome;
-}
+Outcome PanelContext::run(const std::string& line) { return keep(session.run(line)); }
+
+Outcome PanelContext::click(glm::dvec2 pixel) { return keep(session.click(pixel, session.tool)); }
 
 void PanelContext::leave(PendingLeave where) {
   if (session.document().is_modified()) {
     state.pending = std::move(where);
+    state.last_outcome = {};
     session.open_panel = "unsaved";
     return;
   }
@@ -72,7 +60,7 @@ void PanelContext::leave(PendingLeave where) {
   if (where.quits)
     state.wants_quit = true;
   else
-    run("open " + where.opens.string());
+    run("open " + file_argument(where.opens.string()));
 }
 
 }  // namespace ryosen

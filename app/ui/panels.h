@@ -70,6 +70,8 @@ struct PanelContext {
   Outcome run(const std::string& line);
   // A click of the current tool, or a selection, at a pixel of the window.
   Outcome click(glm::dvec2 pixel);
+  // Keeps an outcome for the status line: the sentence of one, or that what it performed is done, or nothing.
+  Outcome keep(Outcome outcome);
   // Opens a file or ends the program, after a question where changes would be lost.
   void leave(PendingLeave where);
 };

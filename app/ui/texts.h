@@ -60,7 +60,6 @@ enum class UiText {
   refused,
   warning,
   remedy,
-  no_remedy,
   clears,
   adds,
   no_problems,
@@ -96,7 +95,6 @@ enum class UiText {
   does_zoom,
   does_centre,
   does_pick,
-  does_apply,
   folder_up,
   file_name,
   replace_question,
@@ -105,7 +103,6 @@ enum class UiText {
   discard,
   unsaved_question,
   done,
-  clicked_nothing,
   language_other,
   count,
 };

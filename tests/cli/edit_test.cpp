@@ -123,6 +123,20 @@ TEST(Edit, SaveInAScript) {
   EXPECT_EQ(run_program({"check", folder.at("c.obj"), "--json"}).line()["vertices"], 10);
 }
 
+TEST(Edit, FileNamesInQuotes) {
+  const TemporaryFolder folder;
+  const std::string odd = "x; \"y\" #1.obj";
+  folder.copy(asset("cube.obj"), odd);
+  const std::string argument = "\"x; \\\"y\\\" #1.obj\"";
+  EXPECT_EQ(run_program({"edit", odd, "--do", "split 0-1; save " + argument}, folder.path()).exit_code, 5)
+      << "the input is recognised under its quoted name";
+  EXPECT_EQ(run_program({"edit", asset("fan.obj"), "--do", "open " + argument + "; split 0-1; save \"o 2.obj\""},
+                        folder.path())
+                .exit_code,
+            0);
+  EXPECT_EQ(run_program({"check", folder.at("o 2.obj"), "--json"}).line()["vertices"], 9);
+}
+
 TEST(Edit, NothingRunsWhenAnInputWouldBeReplaced) {
   const TemporaryFolder folder;
   folder.copy(asset("cube.obj"), "a.obj");

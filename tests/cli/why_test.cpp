@@ -131,6 +131,30 @@ TEST(Why, QuarantinedFaceIsDeleted) {
   EXPECT_EQ(run.line()["legal"], false);
   EXPECT_EQ(run.line()["reasons"][0]["rule"], "deleted");
   EXPECT_EQ(run.line()["remedy"], "never");
+  EXPECT_NE(std::string(run.line()["reasons"][0]["en"]).find("set aside: it visits vertex v1"), std::string::npos);
+  EXPECT_NE(std::string(run.line()["reasons"][0]["ja"]).find("5 行目"), std::string::npos);
+  const ProgramRun text = run_program({"why", folder.at("q.obj"), "--op", "split", "--edge", "0-1@f1"});
+  EXPECT_NE(text.out.find("(line 5)"), std::string::npos) << text.out;
+  EXPECT_EQ(text.out.find("has been deleted"), std::string::npos) << text.out;
+}
+
+TEST(Why, SaysWhatTheTableOfRulesKnowsWhereNoRemedyWasFound) {
+  const auto text = [](const std::vector<std::string>& further) {
+    std::vector<std::string> arguments{"why"};
+    arguments.insert(arguments.end(), further.begin(), further.end());
+    return run_program(arguments).out;
+  };
+  const std::string edge = text({asset("fan.obj"), "--op", "swap", "--edge", "1-2"});
+  EXPECT_NE(edge.find("remedy: never on a boundary edge\n"), std::string::npos) << edge;
+  const std::string japanese = text({asset("fan.obj"), "--op", "swap", "--edge", "1-2", "--lang", "ja"});
+  EXPECT_NE(japanese.find("境界の稜線では不可能です"), std::string::npos) << japanese;
+  // Two quads with one common side, whose ends lie on the boundary.
+  const std::string inner = text({asset("two_quads.obj"), "--op", "collapse", "--all"});
+  EXPECT_NE(inner.find("inner_edge"), std::string::npos) << inner;
+  EXPECT_NE(inner.find("never on this edge; instead: split the edge first"), std::string::npos) << inner;
+  const std::string copies = text({asset("fin.obj"), "--op", "swap", "--edge", "0-1@f0"});
+  EXPECT_NE(copies.find("none was found nearby"), std::string::npos) << copies;
+  EXPECT_EQ(copies.find("never"), std::string::npos) << copies;
 }
 
 TEST(Why, UsageErrors) {

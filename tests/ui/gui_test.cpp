@@ -153,5 +153,37 @@ TEST(Gui, NothingIsSaidToBeDoneThatWasNot) {
   EXPECT_EQ(laid.gui.said().en.find("done"), std::string::npos);
 }
 
+TEST(Gui, DoneIsSaidOfWhatWasDoneAndOfNothingElse) {
+  Laid laid("torus.off");
+  const auto said = [&](const char* line) {
+    laid.gui.run(laid.session, line);
+    return laid.gui.said().en;
+  };
+  laid.session.quit = [&] { laid.gui.leave(laid.session, {true, {}}); };
+  EXPECT_EQ(said("split 0-1"), "split 0-1: done");
+  EXPECT_EQ(said("panel keys"), "");
+  EXPECT_EQ(said("panel none"), "");
+  EXPECT_EQ(said("frame selected"), "nothing is selected; the whole mesh is shown");
+  EXPECT_EQ(said("view top"), "");
+  EXPECT_EQ(said("undo"), "undo: done");
+  EXPECT_EQ(said("redo"), "redo: done");
+  EXPECT_EQ(said("quit"), "") << "it only asks";
+  EXPECT_EQ(laid.session.open_panel, "unsaved");
+  EXPECT_FALSE(laid.gui.wants_quit());
+  EXPECT_EQ(said("cancel"), "");
+  laid.gui.run(laid.session, "split 0-2");
+  laid.gui.leave(laid.session, {false, "another.obj"});
+  EXPECT_EQ(laid.gui.said().en, "");
+}
+
+TEST(Gui, ADroppedFileIsOpenedWhateverItsName) {
+  const test::TemporaryFolder folder;
+  Laid laid("torus.off");
+  const std::string path = folder.copy(test::asset("cube.obj"), "a \"b\"; c #1.obj");
+  laid.gui.leave(laid.session, {false, path});
+  EXPECT_EQ(laid.session.document().path(), path);
+  EXPECT_EQ(laid.session.mesh().live().vertices, 8u);
+}
+
 }  // namespace
 }  // namespace ryosen

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "app/editor/words.h"
 #include "app/ui/panels/all.h"
 #include "app/ui/widgets.h"
 #include "core/io/formats.h"
@@ -78,7 +79,7 @@ void accept(PanelContext& context, bool saves) {
     browser.replaces = path;
     return;
   }
-  if (context.run("save " + path.string()).done()) context.session.open_panel.clear();
+  if (context.run("save " + file_argument(path.string())).done()) context.session.open_panel.clear();
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "app/editor/keys.h"
+#include "app/editor/words.h"
 #include "app/ui/panels/all.h"
 #include "app/ui/widgets.h"
 
@@ -64,7 +65,7 @@ void draw_unsaved_window(PanelContext& context) {
     if (where.quits)
       context.state.wants_quit = true;
     else
-      context.run("open " + where.opens.string());
+      context.run("open " + file_argument(where.opens.string()));
   };
   if (ImGui::Button(context.text(UiText::save), size)) {
     if (context.session.document().path().empty())

@@ -1,5 +1,6 @@
 #include <array>
 
+#include "app/editor/remedy_text.h"
 #include "app/ui/panels/all.h"
 #include "app/ui/widgets.h"
 
@@ -28,11 +29,13 @@ void draw_change(PanelContext& context, UiText word, const std::vector<Element>&
   if (!line.empty()) labelled(context, context.text(word), line);
 }
 
-void draw_remedy(PanelContext& context) {
+void draw_remedy(PanelContext& context, const Verdict& verdict) {
   const std::vector<std::string> remedy = context.session.hover_remedy();
   dim_text(context, context.text(UiText::remedy));
   if (remedy.empty()) {
-    ImGui::TextUnformatted(context.text(UiText::no_remedy));
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(without_remedy(verdict).in(context.language()).c_str());
+    ImGui::PopTextWrapPos();
     return;
   }
   std::string chosen;
@@ -72,7 +75,7 @@ void draw_verdict(PanelContext& context) {
   }
   for (const Reason& reason : hover.preview.verdict.reasons)
     draw_reason(context, reason, ImGui::GetStyleColorVec4(ImGuiCol_Text));
-  draw_remedy(context);
+  draw_remedy(context, hover.preview.verdict);
 }
 
 void draw_pointer_tip(PanelContext& context) {
@@ -99,7 +102,8 @@ void draw_pointer_tip(PanelContext& context) {
   if (!legal) {
     std::string help;
     for (const std::string& line : context.session.hover_remedy()) help += (help.empty() ? "" : "; ") + line;
-    help = help.empty() ? context.text(UiText::no_remedy) : context.text(UiText::remedy) + (": " + help);
+    if (help.empty()) help = without_remedy(hover.preview.verdict).in(context.language());
+    help = context.text(UiText::remedy) + (": " + help);
     ImGui::PushStyleColor(ImGuiCol_Text, context.colours().accent);
     ImGui::TextUnformatted(help.c_str());
     ImGui::PopStyleColor();

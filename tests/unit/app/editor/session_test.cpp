@@ -7,7 +7,10 @@
 #include "app/editor/commands.h"
 #include "app/editor/expect.h"
 #include "app/editor/keys.h"
+#include "app/editor/script.h"
+#include "app/editor/words.h"
 #include "core/analysis/invariants.h"
+#include "tests/support/app/program.h"
 
 namespace ryosen {
 namespace {
@@ -112,6 +115,70 @@ TEST(session, its_log_is_a_script_that_leads_to_the_same_mesh) {
   EXPECT_EQ(replay->mesh().hash(), session->mesh().hash());
 }
 
+// As the log of a window is replayed: one text, split again.
+void replay(const Session& session, Session& into) {
+  std::string text;
+  for (const std::string& line : session.log()) text += line + "\n";
+  for (const ScriptLine& line : split_script(text)) EXPECT_TRUE(into.run(line.text).done()) << line.text;
+}
+
+TEST(session, its_log_holds_file_names_of_any_kind) {
+  const test::TemporaryFolder folder;
+  for (const char* name :
+       {"plain.obj", "two words.obj", "a;b #1.obj", "{\"quoted\"}.obj", " ends \\.obj", "line\nend.obj"}) {
+    const auto session = sheet_session(), again = sheet_session();
+    const std::string path = folder.at(name);
+    ASSERT_TRUE(session->run("split 9-10").done());
+    ASSERT_TRUE(session->run("save " + file_argument(path)).done()) << name;
+    EXPECT_TRUE(folder.has(name));
+    ASSERT_TRUE(session->run("swap 16-23").done());
+    replay(*session, *again);
+    EXPECT_EQ(again->mesh().hash(), session->mesh().hash()) << name;
+    EXPECT_EQ(again->document().path(), path);
+
+    ASSERT_TRUE(session->run("open " + file_argument(path)).done()) << name;
+    ASSERT_TRUE(session->run("collapse 24-25 mid").done());
+    replay(*session, *again);
+    EXPECT_EQ(again->mesh().hash(), session->mesh().hash()) << name;
+    EXPECT_EQ(again->document().path(), path);
+  }
+}
+
+TEST(session, a_file_name_typed_with_blanks_is_logged_in_quotes) {
+  const test::TemporaryFolder folder;
+  const auto session = sheet_session();
+  const std::string path = folder.at("two words.obj");
+  ASSERT_TRUE(session->run("save  " + path + " ").done());
+  EXPECT_EQ(session->log(), std::vector<std::string>{"save \"" + path + "\""});
+}
+
+TEST(session, outcomes_tell_what_was_done_to_the_mesh_and_to_files_only) {
+  const test::TemporaryFolder folder;
+  const auto session = sheet_session();
+  session->take_picture = [](const std::filesystem::path&) { return success(); };
+  const auto performed = [&](const std::string& line) { return session->run(line).performed; };
+  EXPECT_EQ(performed("split 9-10"), "split 9-10");
+  EXPECT_EQ(performed("key Ctrl+Z"), "undo");
+  EXPECT_EQ(performed("redo 1"), "redo");
+  EXPECT_EQ(performed("save " + folder.at("a.obj")), "save " + folder.at("a.obj"));
+  EXPECT_EQ(performed("shot"), "shot ryosen.png");
+  for (const char* line :
+       {"panel open",  "panel none",  "quit",      "key Ctrl+Q", "frame selected", "frame all",   "view top",
+        "select v3",   "select none", "tool swap", "mode face",  "show all",       "theme light", "cancel",
+        "language ja", "expect V 50", "swap 0-1",  "redo",       "click 1,1",      "nonsense"})
+    EXPECT_EQ(performed(line), "") << line;
+}
+
+TEST(session, nothing_selected_is_said_when_it_was_to_be_framed) {
+  const auto session = sheet_session();
+  const Outcome outcome = session->run("frame selected");
+  EXPECT_TRUE(outcome.done());
+  EXPECT_NE(outcome.sentence.en.find("nothing is selected"), std::string::npos);
+  EXPECT_FALSE(outcome.sentence.ja.empty());
+  ASSERT_TRUE(session->run("select v3").done());
+  EXPECT_EQ(session->run("frame selected").sentence.en, "");
+}
+
 TEST(session, exit_codes_of_commands) {
   const auto session = sheet_session();
   const auto code = [&](const char* line) { return session->run(line).exit_code; };
@@ -158,6 +225,35 @@ TEST(session, expect_knows_that_a_deleted_edge_is_refused) {
   EXPECT_TRUE(session->run("expect refused swap 8-9").done());
   EXPECT_EQ(session->run("expect legal swap 8-9").exit_code, ExitCode::found_problems);
   EXPECT_EQ(session->run("expect refused swap 0-40").exit_code, ExitCode::usage);
+}
+
+TEST(session, an_element_of_an_undone_edit_is_refused_and_redo_brings_it_back) {
+  const auto session = sheet_session();
+  ASSERT_TRUE(session->run("split 8-9").done());
+  ASSERT_TRUE(session->run("swap 24-32").done());
+  ASSERT_TRUE(session->run("undo 2").done());
+  const std::uint64_t before = session->mesh().hash();
+  const std::size_t position = session->document().position();
+  for (const char* line : {"split 8-49", "swap 25-31"}) {  // a vertex and an edge that only the future has
+    const Outcome outcome = session->run(line);
+    EXPECT_EQ(outcome.kind, Outcome::Kind::refused) << line << ": " << outcome.sentence.en;
+    EXPECT_EQ(outcome.exit_code, ExitCode::refused);
+    ASSERT_EQ(outcome.reasons.size(), 1u);
+    EXPECT_EQ(outcome.reasons[0].rule, Rule::deleted);
+    EXPECT_NE(outcome.sentence.en.find("redo brings it back"), std::string::npos) << outcome.sentence.en;
+    EXPECT_EQ(outcome.sentence.en.find("has been deleted"), std::string::npos) << outcome.sentence.en;
+    EXPECT_FALSE(outcome.sentence.ja.empty());
+  }
+  EXPECT_EQ(session->mesh().hash(), before);
+  EXPECT_EQ(session->document().position(), position);
+  ASSERT_TRUE(session->run("redo 2").done());
+  EXPECT_TRUE(session->run("expect legal split 8-49").done());
+  const Outcome gone = session->run("swap 8-9");
+  EXPECT_NE(gone.sentence.en.find("undo brings it back"), std::string::npos) << gone.sentence.en;
+
+  ASSERT_TRUE(session->run("undo 2").done());
+  ASSERT_TRUE(session->run("swap 8-16").done());
+  EXPECT_EQ(session->run("split 8-49").exit_code, ExitCode::usage) << "that future is no more";
 }
 
 TEST(session, an_operator_on_the_whole_mesh_is_no_tool) {

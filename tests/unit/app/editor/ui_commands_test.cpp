@@ -46,6 +46,31 @@ TEST(UiCommands, EveryKeySendsACommandThatIsUnderstood) {
   }
 }
 
+TEST(UiCommands, ArrowsWalkHalfedges) {
+  auto document = Document::open(test::asset("torus.off"));
+  ASSERT_TRUE(document);
+  Session session(std::move(document).value());
+  EXPECT_EQ(session.run("walk next").exit_code, ExitCode::refused) << "nothing is selected";
+  EXPECT_EQ(session.run("walk sideways").exit_code, ExitCode::usage);
+  const Mesh& mesh = session.mesh();
+  const Halfedge start(0);
+  const auto walked = [&](const char* line) {
+    session.selection = {start};
+    EXPECT_TRUE(session.run(line).done()) << line;
+    return session.selection;
+  };
+  EXPECT_EQ(walked("key Right"), std::vector<Element>{mesh.next(start)});
+  EXPECT_EQ(walked("key Left"), std::vector<Element>{mesh.prev(start)});
+  EXPECT_EQ(walked("key Up"), std::vector<Element>{twin(start)});
+  session.selection = {start};
+  int steps = 0;
+  do {
+    ASSERT_TRUE(session.run("key Down").done());
+    EXPECT_EQ(mesh.from(session.selection[0].halfedge()), mesh.from(start));
+  } while (++steps < 20 && session.selection[0] != Element(start));
+  EXPECT_EQ(steps, 6) << "around a vertex of degree 6";
+}
+
 TEST(UiCommands, PixelsCountFromTheWindowsCornerAndEndWithTheView) {
   auto document = Document::open(test::asset("torus.off"));
   ASSERT_TRUE(document);

@@ -1,0 +1,83 @@
+#include "app/editor/command_functions.h"
+
+#include <charconv>
+
+#include "app/editor/words.h"
+
+namespace ryosen {
+
+namespace {
+
+std::optional<std::uint32_t> count_of(Arguments arguments) {
+  if (arguments.empty()) return 1;
+  std::uint32_t n = 0;
+  const auto [end, error] = std::from_chars(arguments[0].data(), arguments[0].data() + arguments[0].size(), n);
+  if (error != std::errc() || end != arguments[0].data() + arguments[0].size() || n == 0) return std::nullopt;
+  return n;
+}
+
+Outcome performed(std::string line) {
+  Outcome outcome;
+  outcome.performed = std::move(line);
+  return outcome;
+}
+
+// Goes N entries through the history, or nowhere when there are not so many.
+Outcome step_history(Session& session, Arguments arguments, std::string_view id, bool back) {
+  const auto n = count_of(arguments);
+  if (!n || arguments.size() > 1) return wrong_arguments(id);
+  Document& document = session.document();
+  const std::size_t possible = back ? document.position() : document.history().size() - document.position();
+  if (*n <= possible) {
+    document.go_to(back ? document.position() - *n : document.position() + *n);
+    return performed(std::string(id) + (*n == 1 ? "" : " " + std::to_string(*n)));
+  }
+  Outcome outcome;
+  outcome.kind = Outcome::Kind::failed;
+  outcome.exit_code = ExitCode::refused;
+  const std::string wanted = std::to_string(*n), there = std::to_string(possible), verb(id);
+  outcome.sentence = possible == 0 ? Text{"there is nothing to " + verb, verb + " できる操作がありません"}
+                                   : Text{"there are only " + there + " edits to " + verb + ", not " + wanted,
+                                          verb + " できる操作は " + there + " 件だけです（" + wanted + " 件の指定）"};
+  return outcome;
+}
+
+}  // namespace
+
+Outcome run_undo(Session& s, Arguments a, std::string_view) { return step_history(s, a, "undo", true); }
+Outcome run_redo(Session& s, Arguments a, std::string_view) { return step_history(s, a, "redo", false); }
+
+Outcome run_open(Session& session, Arguments arguments, std::string_view whole) {
+  if (arguments.empty()) return wrong_arguments("open");
+  const std::string name = file_name(whole);
+  auto document = Document::open(name);
+  if (!document) return failed(document.failure());
+  session.set_document(std::move(document).value());
+  return performed("open " + file_argument(name));
+}
+
+Outcome run_save(Session& session, Arguments, std::string_view whole) {
+  Document& document = session.document();
+  const std::string named = file_name(whole);
+  const std::filesystem::path target = named.empty() ? document.path() : std::filesystem::path(named);
+  if (target.empty()) return usage_error("save needs a file name here", "保存先のファイル名を指定してください");
+  const Status status = document.save(target);
+  return status ? performed(named.empty() ? "save" : "save " + file_argument(named)) : failed(status.failure());
+}
+
+Outcome run_shot(Session& session, Arguments, std::string_view whole) {
+  if (!session.take_picture) {
+    Outcome outcome;
+    outcome.kind = Outcome::Kind::failed;
+    outcome.exit_code = ExitCode::no_backend;
+    outcome.sentence = {"no picture can be made here; use ryosen shot --script",
+                        "ここでは画像を作れません。ryosen shot --script を使ってください"};
+    return outcome;
+  }
+  std::string name = file_name(whole);
+  if (name.empty()) name = "ryosen.png";
+  const Status status = session.take_picture(name);
+  return status ? performed("shot " + file_argument(name)) : failed(status.failure());
+}
+
+}  // namespace ryosen

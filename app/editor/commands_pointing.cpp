@@ -1,0 +1,109 @@
+#include "app/editor/command_functions.h"
+
+#include <array>
+
+#include "app/editor/camera_text.h"
+
+namespace ryosen {
+
+namespace {
+
+std::optional<Element> element_named(const Mesh& mesh, std::string_view name, Text& sentence) {
+  if (name.starts_with('f')) {
+    const Named<Face> face = find_face(mesh, name);
+    sentence = face.sentence;
+    return face.ok() ? std::optional<Element>(face.element) : std::nullopt;
+  }
+  if (name.starts_with('v')) {
+    const Named<Vertex> vertex = find_vertex(mesh, name);
+    sentence = vertex.sentence;
+    return vertex.ok() ? std::optional<Element>(vertex.element) : std::nullopt;
+  }
+  const Named<Halfedge> edge_half = find_edge(mesh, name);
+  sentence = edge_half.sentence;
+  if (!edge_half.ok()) return std::nullopt;
+  return name.starts_with('h') ? Element(edge_half.element) : Element(edge(edge_half.element));
+}
+
+// An operator that works on what the pointer is on.
+const OpInfo* find_tool(std::string_view id) {
+  const OpInfo* op = find_op(id);
+  return op && op->target != OpTargetKind::none ? op : nullptr;
+}
+
+Outcome not_a_tool(std::string_view id) {
+  if (!find_op(id)) return unknown_command(id);
+  const std::string name(id);
+  return usage_error(name + " works on the whole mesh; say it as a command",
+                     name + " はメッシュ全体に働くので、コマンドとして実行してください");
+}
+
+}  // namespace
+
+Outcome run_select(Session& session, Arguments arguments, std::string_view) {
+  std::vector<Element> selection;
+  if (arguments.size() != 1 || arguments[0] != "none") {
+    for (std::string_view name : arguments) {
+      Text sentence;
+      const auto element = element_named(session.mesh(), name, sentence);
+      if (!element) {
+        if (const auto aside = session.document().set_aside({&name, 1})) sentence = *aside;
+        return usage_error("select: " + sentence.en, "select：" + sentence.ja);
+      }
+      selection.push_back(*element);
+    }
+  }
+  session.selection = std::move(selection);
+  return {};
+}
+
+Outcome run_walk(Session& session, Arguments arguments, std::string_view) {
+  const std::string_view where = arguments.size() == 1 ? arguments[0] : "";
+  if (where != "next" && where != "prev" && where != "twin" && where != "around") return wrong_arguments("walk");
+  if (session.selection.size() != 1 || session.selection[0].kind != Element::Kind::halfedge) {
+    Outcome outcome;
+    outcome.kind = Outcome::Kind::failed;
+    outcome.exit_code = ExitCode::refused;
+    outcome.sentence = {"select one halfedge first; halfedges are walked from there",
+                        "先に半稜線を一つ選択してください。そこから辿ります"};
+    return outcome;
+  }
+  const Mesh& mesh = session.mesh();
+  const Halfedge h = session.selection[0].halfedge();
+  session.selection = {where == "next"   ? mesh.next(h)
+                       : where == "prev" ? mesh.prev(h)
+                       : where == "twin" ? twin(h)
+                                         : mesh.counter_clockwise(h)};
+  return {};
+}
+
+Outcome run_tool(Session& session, Arguments arguments, std::string_view) {
+  if (arguments.size() != 1) return wrong_arguments("tool");
+  if (arguments[0] != "none" && !find_tool(arguments[0])) return not_a_tool(arguments[0]);
+  session.tool = arguments[0] == "none" ? "" : std::string(arguments[0]);
+  if (session.hover()) session.point_at(session.hover()->pixel);
+  return {};
+}
+
+Outcome run_mode(Session& session, Arguments arguments, std::string_view) {
+  constexpr std::array<std::pair<std::string_view, PickMode>, 4> modes{{{"vertex", PickMode::vertex},
+                                                                        {"edge", PickMode::edge},
+                                                                        {"face", PickMode::face},
+                                                                        {"halfedge", PickMode::halfedge}}};
+  for (const auto& [name, mode] : modes) {
+    if (arguments.size() != 1 || arguments[0] != name) continue;
+    session.mode = mode;
+    if (session.hover()) session.point_at(session.hover()->pixel);
+    return {};
+  }
+  return wrong_arguments("mode");
+}
+
+Outcome run_click(Session& session, Arguments arguments, std::string_view) {
+  const auto at = arguments.empty() ? std::nullopt : parse_pixel(arguments[0]);
+  if (!at || arguments.size() > 2) return wrong_arguments("click");
+  if (arguments.size() == 2 && !find_tool(arguments[1])) return not_a_tool(arguments[1]);
+  return session.click(*at, arguments.size() == 2 ? std::string(arguments[1]) : session.tool);
+}
+
+}  // namespace ryosen

@@ -1,0 +1,75 @@
+#include "app/editor/command_functions.h"
+
+#include <algorithm>
+
+#include "app/editor/camera_text.h"
+#include "app/editor/script.h"
+
+namespace ryosen {
+
+Outcome run_camera(Session& session, Arguments, std::string_view whole) {
+  Text error;
+  const auto camera = camera_from_json(whole, session.camera, error);
+  if (!camera) return usage_error("camera: " + error.en, "camera：" + error.ja);
+  session.camera = *camera;
+  return {};
+}
+
+Outcome run_view(Session& session, Arguments arguments, std::string_view) {
+  const auto view = arguments.size() == 1 ? named_view_of(arguments[0]) : std::nullopt;
+  if (!view) return wrong_arguments("view");
+  session.camera =
+      named_view(*view, session.places_to_frame(), static_cast<double>(session.view.width) / session.view.height);
+  return {};
+}
+
+Outcome run_frame(Session& session, Arguments arguments, std::string_view) {
+  if (arguments.size() > 1 || (arguments.size() == 1 && arguments[0] != "all" && arguments[0] != "selected"))
+    return wrong_arguments("frame");
+  if (arguments.empty() || arguments[0] == "all") {
+    session.frame_all();
+    return {};
+  }
+  Outcome outcome;
+  if (session.selection.empty())
+    outcome.sentence = {"nothing is selected; the whole mesh is shown", "選択がないため、全体を表示しています"};
+  session.frame_selection();
+  return outcome;
+}
+
+Outcome run_projection(Session& session, Arguments arguments, std::string_view) {
+  const std::string_view word = arguments.size() == 1 ? arguments[0] : "";
+  if (word != "toggle" && word != "perspective" && word != "orthographic") return wrong_arguments("projection");
+  const bool ortho = word == "toggle" ? !session.camera.ortho_height : word == "orthographic";
+  session.camera = with_ortho(session.camera, ortho);
+  return {};
+}
+
+Outcome run_drag(Session& session, Arguments arguments, std::string_view) {
+  const auto from = arguments.size() == 2 ? parse_pixel(arguments[0]) : std::nullopt;
+  const auto to = arguments.size() == 2 ? parse_pixel(arguments[1]) : std::nullopt;
+  if (!from || !to) return wrong_arguments("drag");
+  session.camera = orbited(session.camera, *to - *from, session.view);
+  return {};
+}
+
+Outcome run_show(Session& session, Arguments arguments, std::string_view) {
+  if (arguments.empty() || arguments.size() > 2) return wrong_arguments("show");
+  const bool on = arguments.size() == 1 || arguments[1] == "on";
+  if (!on && arguments[1] != "off") return wrong_arguments("show");
+  std::vector<std::string> known;
+  for (const HighlightRow& row : highlight_table()) {
+    known.emplace_back(row.id);
+    if (arguments[0] != row.id && arguments[0] != "all") continue;
+    if (on)
+      session.shown.insert(known.back());
+    else
+      session.shown.erase(known.back());
+  }
+  if (arguments[0] == "all" || std::find(known.begin(), known.end(), arguments[0]) != known.end()) return {};
+  const std::string wrong(arguments[0]), close = closest_word(wrong, known);
+  return usage_error("there is no highlight '" + wrong + "'" + (close.empty() ? "" : "; did you mean " + close + "?"),
+                     "表示項目「" + wrong + "」はありません" + (close.empty() ? "" : "。" + close + " ですか？"));
+}
+
+}  // namespace ryosen

@@ -1,0 +1,57 @@
+#include "app/editor/words.h"
+
+#include <algorithm>
+
+namespace ryosen {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r";
+
+}  // namespace
+
+std::string_view without_blanks(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+std::string_view behind_word(std::string_view line) {
+  line = without_blanks(line);
+  return without_blanks(line.substr(std::min(line.find_first_of(blanks), line.size())));
+}
+
+std::string file_argument(std::string_view name) {
+  if (!name.empty() && name.find_first_of(" \t\r\n\"{};#") == std::string_view::npos) return std::string(name);
+  std::string text = "\"";
+  for (const char c : name) {
+    if (c == '"' || c == '\\') text += '\\';
+    if (c == '\n')
+      text += "\\n";
+    else if (c == '\r')
+      text += "\\r";
+    else
+      text += c;
+  }
+  return text + '"';
+}
+
+std::string file_name(std::string_view argument) {
+  argument = without_blanks(argument);
+  if (argument.size() < 2 || argument.front() != '"' || argument.back() != '"') return std::string(argument);
+  argument = argument.substr(1, argument.size() - 2);
+  std::string name;
+  for (std::size_t i = 0; i < argument.size(); ++i) {
+    const char next = i + 1 < argument.size() ? argument[i + 1] : '\0';
+    const bool is_escape = argument[i] == '\\' && (next == '"' || next == '\\' || next == 'n' || next == 'r');
+    if (!is_escape) {
+      name += argument[i];
+      continue;
+    }
+    name += next == 'n' ? '\n' : next == 'r' ? '\r' : next;
+    ++i;
+  }
+  return name;
+}
+
+}  // namespace ryosen

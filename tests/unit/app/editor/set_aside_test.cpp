@@ -1,0 +1,45 @@
+#include "app/editor/set_aside.h"
+
+#include <gtest/gtest.h>
+
+#include "app/editor/session.h"
+#include "tests/support/app/program.h"
+
+namespace ryosen {
+namespace {
+
+constexpr const char* one_set_aside = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 1 2 2\nf 3 2 4\n";
+
+TEST(set_aside, only_names_that_speak_of_such_a_face) {
+  const std::vector<QuarantinedFace> quarantine{{1, 6, "repeated_corner", {0, 1, 1}, {}, {}},
+                                                {12, 0, "face_too_few_corners", {0, 1}, {}, {}}};
+  for (const char* name : {"f1", "0-1@f1", "~0-1@f1", "v2@f1", "f12"})
+    EXPECT_TRUE(set_aside_sentence(quarantine, name)) << name;
+  for (const char* name : {"f2", "f", "f1x", "v1", "0-1", "0-1@f2", "0-1@", "", "e1", "face1"})
+    EXPECT_FALSE(set_aside_sentence(quarantine, name)) << name;
+  const Text text = *set_aside_sentence(quarantine, "f1");
+  EXPECT_NE(text.en.find("set aside"), std::string::npos) << text.en;
+  EXPECT_NE(text.en.find("v1 more than once"), std::string::npos) << text.en;
+  EXPECT_NE(text.en.find("line 6"), std::string::npos) << text.en;
+  EXPECT_NE(text.ja.find("6 行目"), std::string::npos) << text.ja;
+  EXPECT_EQ(set_aside_sentence(quarantine, "f12")->en.find("line"), std::string::npos);
+}
+
+TEST(set_aside, commands_say_why_the_face_is_not_there) {
+  const test::TemporaryFolder folder;
+  auto document = Document::open(folder.write("q.obj", one_set_aside));
+  ASSERT_TRUE(document);
+  Session session(std::move(document).value());
+  for (const char* line :
+       {"select f1", "split 0-1@f1", "collapse 0-1@f1", "expect legal split 0-1@f1", "select v0@f1"}) {
+    const Outcome outcome = session.run(line);
+    EXPECT_EQ(outcome.exit_code, ExitCode::usage) << line;
+    EXPECT_NE(outcome.sentence.en.find("f1 is set aside"), std::string::npos) << line << ": " << outcome.sentence.en;
+    EXPECT_NE(outcome.sentence.en.find("line 6"), std::string::npos) << outcome.sentence.en;
+    EXPECT_NE(outcome.sentence.ja.find("除けて"), std::string::npos) << outcome.sentence.ja;
+    EXPECT_EQ(outcome.sentence.en.find("no longer"), std::string::npos) << outcome.sentence.en;
+  }
+}
+
+}  // namespace
+}  // namespace ryosen

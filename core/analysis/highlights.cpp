@@ -94,6 +94,38 @@ Reach reach_of(const Mesh& mesh, std::span<const TouchedCell> cells, const Colum
   return reach;
 }
 
+bool is_further(Neighbourhood& around, Vertex v) {
+  const Mesh& mesh = around.mesh();
+  return mesh.exists(v) && mesh.is_alive(v) && around.point(v) != v;
+}
+
+// Sheets with a face come first, then the lower ones.
+bool is_further(Neighbourhood& around, Edge e) {
+  const Mesh& mesh = around.mesh();
+  if (!mesh.exists(e) || !mesh.is_alive(e) || around.is_single_sheet(halfedge(e))) return false;
+  const auto has_face = [&](Edge sheet) {
+    return !mesh.is_outside(halfedge(sheet, 0)) || !mesh.is_outside(halfedge(sheet, 1));
+  };
+  if (has_face(e)) return !around.is_first_sheet(e);
+  const auto [p, q] = ends(mesh, e);
+  for (Halfedge h : sheets_between(mesh, p, q))
+    if (has_face(edge(h)) || edge(h) < e) return true;
+  return false;
+}
+
+void put(IndexSet& set, std::uint32_t index, bool is_member) {
+  if (is_member)
+    set.insert(index);
+  else
+    set.erase(index);
+}
+
+std::vector<std::uint32_t> members_from(const IndexSet& set, std::uint32_t first) {
+  std::vector<std::uint32_t> members;
+  set.for_each_from(first, [&](std::uint32_t i) { members.push_back(i); });
+  return members;
+}
+
 }  // namespace
 
 HighlightSets::HighlightSets(const Mesh& mesh) {
@@ -113,6 +145,16 @@ HighlightSets::HighlightSets(Neighbourhood& around) : had_copies_(around.mesh().
     search<Edge>(row, around, mesh.edge_slots(), set);
     search<Face>(row, around, mesh.face_slots(), set);
   }
+  find_further(around);
+}
+
+void HighlightSets::find_further(Neighbourhood& around) {
+  const Mesh& mesh = around.mesh();
+  if (!mesh.has_copies()) return;
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+    if (is_further(around, Vertex(i))) further_copies_.insert(i);
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i)
+    if (is_further(around, Edge(i))) further_sheets_.insert(i);
 }
 
 void HighlightSets::set(ProblemKind kind, std::uint32_t index, bool is_member) {
@@ -144,10 +186,29 @@ void HighlightSets::update(const Mesh& mesh, const Journal& journal, std::size_t
     // Slots that undoing took away.
     if (!row.is_local()) continue;
     const std::uint32_t slots = row.vertex ? mesh.vertex_slots() : row.edge ? mesh.edge_slots() : mesh.face_slots();
-    std::vector<std::uint32_t> gone;
-    sets_[static_cast<std::size_t>(row.kind)].for_each_from(slots, [&](std::uint32_t k) { gone.push_back(k); });
-    for (std::uint32_t k : gone) set(row.kind, k, false);
+    for (std::uint32_t k : members_from(of(row.kind), slots)) set(row.kind, k, false);
   }
+  if (had_copies_) {
+    for (Vertex v : reach.vertices) put(further_copies_, v.index, is_further(around, v));
+    for (Edge e : reach.edges) put(further_sheets_, e.index, is_further(around, e));
+    for (std::uint32_t k : members_from(further_copies_, mesh.vertex_slots())) further_copies_.erase(k);
+    for (std::uint32_t k : members_from(further_sheets_, mesh.edge_slots())) further_sheets_.erase(k);
+  }
+  list_edges_asked(mesh, reach.vertices, reach.edges);
+}
+
+void HighlightSets::list_edges_asked(const Mesh& mesh, std::span<const Vertex> vertices, std::span<const Edge> edges) {
+  edges_asked_.assign(edges.begin(), edges.end());
+  for (const Change& change : changes_)
+    if (row_of(change.kind).edge) edges_asked_.emplace_back(change.index);
+  // Which sheets are one edge changes with the copies at either end.
+  for (Vertex v : vertices) {
+    if (!mesh.exists(v) || !mesh.is_alive(v) || !has_copies(mesh, v)) continue;
+    for_each_copy(mesh, v, [&](Vertex copy) {
+      for (Edge e : edges_around(mesh, copy)) edges_asked_.push_back(e);
+    });
+  }
+  remove_repetitions(edges_asked_);
 }
 
 }  // namespace ryosen

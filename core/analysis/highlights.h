@@ -30,6 +30,16 @@ class HighlightSets {
   const IndexSet& of(ProblemKind kind) const { return sets_[static_cast<std::size_t>(kind)]; }
   std::uint32_t count(ProblemKind kind) const { return of(kind).size(); }
 
+  // The live points and the pairs of points joined by an edge, as files and figures count them: counts_on_points() of
+  // the mesh, of which these are the sets. O(1).
+  ElementCounts counts_on_points(const Mesh& mesh) const {
+    return {mesh.live().vertices - further_copies_.size(), mesh.live().edges - further_sheets_.size(),
+            mesh.live().faces};
+  }
+
+  // The edges, live or not, that the last update asked about: all at the points where anything changed, those that left
+  // such a point, and at neighbours with copies. Ascending; nothing where everything may have changed.
+  std::span<const Edge> edges_asked() const { return edges_asked_; }
   // What the last update put in or took out; nothing is listed where everything may have changed.
   struct Change {
     ProblemKind kind;
@@ -39,12 +49,18 @@ class HighlightSets {
   std::span<const Change> changes() const { return changes_; }
   bool changed_everything() const { return changed_everything_; }
 
-  friend bool operator==(const HighlightSets& a, const HighlightSets& b) { return a.sets_ == b.sets_; }
+  friend bool operator==(const HighlightSets& a, const HighlightSets& b) {
+    return a.sets_ == b.sets_ && a.further_copies_ == b.further_copies_ && a.further_sheets_ == b.further_sheets_;
+  }
 
  private:
   void set(ProblemKind kind, std::uint32_t index, bool is_member);
+  void find_further(Neighbourhood& around);
+  void list_edges_asked(const Mesh& mesh, std::span<const Vertex> vertices, std::span<const Edge> edges);
 
   std::array<IndexSet, problem_kinds> sets_;
+  IndexSet further_copies_, further_sheets_;  // all but the lowest of a point, and of an edge
+  std::vector<Edge> edges_asked_;
   std::vector<Change> changes_;
   bool changed_everything_ = true;
   bool had_copies_ = false;

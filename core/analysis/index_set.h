@@ -9,7 +9,8 @@
 namespace ryosen {
 
 // Two levels of bits: a summary bit per word that is not zero, so that sparse sets are quick to visit. insert, erase
-// and contains are O(1), a visit costs the members plus one step per 4096 slots. Grows on insertion.
+// and contains are O(1), a visit costs the members plus one step per 4096 slots, nth() these steps alone. Grows on
+// insertion.
 class IndexSet {
  public:
   bool contains(std::uint32_t i) const {
@@ -27,6 +28,7 @@ class IndexSet {
     if ((words_[word] & bit) != 0) return false;
     words_[word] |= bit;
     summary_[word / 64] |= std::uint64_t{1} << (word % 64);
+    ++members_[word / 64];
     ++size_;
     return true;
   }
@@ -35,6 +37,7 @@ class IndexSet {
     const std::size_t word = i / 64;
     words_[word] &= ~(std::uint64_t{1} << (i % 64));
     if (words_[word] == 0) summary_[word / 64] &= ~(std::uint64_t{1} << (word % 64));
+    --members_[word / 64];
     --size_;
     return true;
   }
@@ -48,14 +51,30 @@ class IndexSet {
   // Those that are not smaller than first.
   template <class Visit>
   void for_each_from(std::uint32_t first, Visit visit) const {
-    for (std::size_t s = first / 4096; s < summary_.size(); ++s)
+    for_each_in(first, static_cast<std::uint32_t>(64 * words_.size()), visit);
+  }
+  // Those that are not smaller than first, and smaller than end.
+  template <class Visit>
+  void for_each_in(std::uint32_t first, std::uint32_t end, Visit visit) const {
+    for (std::size_t s = first / 4096; s < summary_.size() && s * 4096 < end; ++s)
       for (std::uint64_t words = summary_[s]; words != 0; words &= words - 1) {
         const std::size_t word = s * 64 + static_cast<std::size_t>(std::countr_zero(words));
         for (std::uint64_t bits = words_[word]; bits != 0; bits &= bits - 1) {
           const auto i = static_cast<std::uint32_t>(word * 64 + static_cast<std::size_t>(std::countr_zero(bits)));
-          if (i >= first) visit(i);
+          if (i >= first && i < end) visit(i);
         }
       }
+  }
+  // The member with n smaller ones; n < size().
+  std::uint32_t nth(std::uint32_t n) const {
+    std::size_t s = 0;
+    while (n >= members_[s]) n -= members_[s++];
+    std::size_t word = 64 * s;
+    for (; n >= static_cast<std::uint32_t>(std::popcount(words_[word])); ++word)
+      n -= static_cast<std::uint32_t>(std::popcount(words_[word]));
+    std::uint64_t bits = words_[word];
+    for (; n > 0; --n) bits &= bits - 1;
+    return static_cast<std::uint32_t>(64 * word + static_cast<std::size_t>(std::countr_zero(bits)));
   }
   std::vector<std::uint32_t> to_vector() const {
     std::vector<std::uint32_t> members;
@@ -72,10 +91,12 @@ class IndexSet {
   void grow(std::size_t words) {
     words_.resize(words, 0);
     summary_.resize((words + 63) / 64, 0);
+    members_.resize(summary_.size(), 0);
   }
 
   std::vector<std::uint64_t> words_;
   std::vector<std::uint64_t> summary_;  // one bit per word
+  std::vector<std::uint32_t> members_;  // per summary word: how many below it
   std::uint32_t size_ = 0;
 };
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/analysis/boundary_loop_count.h"
+#include "core/analysis/boundary_loops.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/all.h"
@@ -163,12 +165,14 @@ bool edit_at_random(Mesh& mesh, Journal& journal, Dice& dice) {
 }
 
 TEST(highlights, are_kept_current_through_edits_undo_and_redo) {
-  int edits = 0;
+  int edits = 0, other_loops = 0, kept_loops = 0;
   for (std::uint64_t seed = 1; seed <= 800 && !HasFailure(); ++seed) {
     Dice dice(seed);
     Mesh mesh = random_kernel_mesh(seed);
     Journal journal;
     HighlightSets sets(mesh);
+    BoundaryLoopCount loops;
+    if (Neighbourhood around(mesh); true) loops.search(around, sets.of(ProblemKind::boundary_loop));
     for (int step = 0; step < 25; ++step) {
       const HighlightSets before = sets;
       std::size_t transaction = 0;
@@ -186,10 +190,22 @@ TEST(highlights, are_kept_current_through_edits_undo_and_redo) {
       ++edits;
       sets.update(mesh, journal, transaction);
       const HighlightSets fresh(mesh);
+      Neighbourhood around(mesh);
       for (const ProblemRow& row : problem_table())
         ASSERT_EQ(sets.of(row.kind).to_vector(), fresh.of(row.kind).to_vector())
             << row.id << ", seed " << seed << " step " << step;
-      if (sets.changed_everything()) continue;
+      ASSERT_EQ(sets.counts_on_points(mesh), counts_on_points(mesh)) << "seed " << seed << " step " << step;
+      if (sets.changed_everything()) {
+        loops.search(around, sets.of(ProblemKind::boundary_loop));
+        continue;
+      }
+      const std::uint32_t loops_before = loops.count();
+      const std::uint64_t revision_before = loops.revision();
+      loops.update(around, sets.of(ProblemKind::boundary_loop), sets.edges_asked());
+      ASSERT_EQ(loops.count(), find_boundary_loops(around, sets.of(ProblemKind::boundary_loop)).size())
+          << "seed " << seed << " step " << step;
+      other_loops += loops.count() != loops_before;
+      kept_loops += loops.count() > 0 && loops.revision() == revision_before;
       // What is listed leads from the sets before to those after.
       HighlightSets replayed = before;
       std::array<Numbers, problem_kinds> members;
@@ -210,6 +226,8 @@ TEST(highlights, are_kept_current_through_edits_undo_and_redo) {
     }
   }
   EXPECT_GT(edits, 8000) << "the dice must find enough to do";
+  EXPECT_GT(other_loops, 100);
+  EXPECT_GT(kept_loops, 100);
 }
 
 TEST(highlights, ask_only_around_the_edit) {

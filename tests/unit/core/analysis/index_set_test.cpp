@@ -24,10 +24,15 @@ TEST(index_set, behaves_like_a_set_of_numbers) {
     EXPECT_EQ(set.size(), truth.size());
   }
   EXPECT_EQ(set.to_vector(), std::vector<std::uint32_t>(truth.begin(), truth.end()));
+  std::uint32_t n = 0;
+  for (std::uint32_t member : truth) ASSERT_EQ(set.nth(n++), member);
   for (std::uint32_t first : {0u, 1u, 63u, 64u, 299u, 4095u, 4096u, 4100u, 99999u, 200000u}) {
     std::vector<std::uint32_t> rest;
     set.for_each_from(first, [&](std::uint32_t i) { rest.push_back(i); });
     EXPECT_EQ(rest, std::vector<std::uint32_t>(truth.lower_bound(first), truth.end()));
+    std::vector<std::uint32_t> some;
+    set.for_each_in(first, first + 200, [&](std::uint32_t i) { some.push_back(i); });
+    EXPECT_EQ(some, std::vector<std::uint32_t>(truth.lower_bound(first), truth.lower_bound(first + 200)));
   }
 }
 

@@ -1,0 +1,155 @@
+#include "core/analysis/boundary_loop_count.h"
+
+#include <unordered_set>
+
+namespace ryosen {
+
+namespace {
+
+std::uint32_t other_end(std::uint32_t end) { return end ^ 1u; }
+
+// The end that a step leaves its edge over.
+std::uint32_t end_of(const BoundaryStep& step) {
+  const bool along_first_half = (step.inside.index & 1u) == 0;
+  return 2 * edge(step.inside).index + (step.at_end == along_first_half ? 1u : 0u);
+}
+
+// How many loops two sets of joints between the same ends make together.
+template <class Joints>
+std::uint32_t loops_of(const Joints& inside, const Joints& outside) {
+  std::unordered_set<std::uint32_t> seen;
+  std::uint32_t loops = 0;
+  for (const auto& [start, unused] : inside) {
+    if (seen.contains(start)) continue;
+    std::uint32_t at = start;
+    do {
+      seen.insert(at);
+      at = inside.at(at);
+      if (at == no_index) break;
+      seen.insert(at);
+      at = outside.at(at);
+    } while (at != no_index && at != start);
+    // A chain that was begun in its middle comes to a stop, and its other half does when it is begun.
+    loops += at == start;
+  }
+  return loops;
+}
+
+}  // namespace
+
+template <class Put>
+void BoundaryLoopCount::put_links(Neighbourhood& around, Edge e, Put put) {
+  const Mesh& mesh = around.mesh();
+  const Halfedge inside = mesh.is_outside(halfedge(e, 0)) ? halfedge(e, 1) : halfedge(e, 0);
+  for (const bool at_end : {true, false}) {
+    const BoundaryStep step{inside, at_end}, next = around.next_boundary(step);
+    put(end_of(step), next.inside ? other_end(end_of(next)) : stop);
+  }
+}
+
+std::uint32_t BoundaryLoopCount::count_loops(const IndexSet& boundary) const {
+  std::vector<bool> seen(links_.size() / 2, false);
+  std::uint32_t loops = 0;
+  // Marks the edges from an end on; where that comes back to.
+  const auto follow = [&](End end) {
+    while (end != stop && !seen[end / 2]) {
+      seen[end / 2] = true;
+      end = links_[other_end(end)];
+    }
+    return end;
+  };
+  boundary.for_each([&](std::uint32_t i) {
+    if (seen[i]) return;
+    if (follow(2 * i) == 2 * i)
+      ++loops;
+    else
+      follow(links_[2 * i]);
+  });
+  return loops;
+}
+
+BoundaryLoopCount::Links BoundaryLoopCount::links_at(std::span<const Edge> edges) const {
+  Links links;
+  for (Edge e : edges)
+    for (const End end : {2 * e.index, 2 * e.index + 1})
+      if (end < links_.size() && links_[end] != none) links[end] = links_[end];
+  return links;
+}
+
+BoundaryLoopCount::Part BoundaryLoopCount::part_of(const Links& links) {
+  Part part;
+  std::unordered_set<End> seen;  // both ends of an edge, or none
+  const auto leads_out = [&](End end) { return end != stop && !links.contains(end); };
+  // From an end to the last one that the boundary reaches within the part.
+  const auto follow = [&](End end) {
+    const End start = other_end(end);
+    for (;;) {
+      end = other_end(end);
+      seen.insert({end, other_end(end)});
+      const End next = links.at(end);
+      if (next == stop || leads_out(next) || next == other_end(start)) return end;
+      end = next;
+    }
+  };
+  for (const auto& [end, next] : links) {
+    if (next != stop && !leads_out(next)) continue;
+    const End last = follow(end);
+    if (next != stop) part.joints[end] = links.at(last) == stop ? stop : last;
+  }
+  for (const auto& [end, next] : links) {
+    if (seen.contains(end)) continue;
+    follow(end);
+    ++part.loops;
+  }
+  return part;
+}
+
+BoundaryLoopCount::Joints BoundaryLoopCount::joints_outside(const Part& part, const Links& inside) const {
+  Joints joints;
+  for (const auto& [end, unused] : part.joints) {
+    if (joints.contains(end)) continue;
+    End at = inside.at(end), next = stop;
+    for (;; at = next) {
+      next = links_[other_end(at)];
+      if (next == stop || inside.contains(next)) break;
+    }
+    joints[end] = next;
+    if (next != stop) joints[next] = end;
+  }
+  return joints;
+}
+
+void BoundaryLoopCount::search(Neighbourhood& around, const IndexSet& boundary) {
+  links_.assign(2 * std::size_t{around.mesh().edge_slots()}, none);
+  boundary.for_each(
+      [&](std::uint32_t i) { put_links(around, Edge(i), [&](End end, End next) { links_[end] = next; }); });
+  count_ = count_loops(boundary);
+  ++revision_;
+}
+
+void BoundaryLoopCount::update(Neighbourhood& around, const IndexSet& boundary, std::span<const Edge> edges) {
+  if (links_.size() < 2 * std::size_t{around.mesh().edge_slots()})
+    links_.resize(2 * std::size_t{around.mesh().edge_slots()}, none);
+  const Links before = links_at(edges);
+  Links after;
+  for (Edge e : edges)
+    if (boundary.contains(e.index)) put_links(around, e, [&](End end, End next) { after[end] = next; });
+  if (before == after) return;
+  const Part part_before = part_of(before), part_after = part_of(after);
+  // The rest goes on where it did, or else the edges were not all there are.
+  for (const auto& [end, joined] : part_before.joints) {
+    const auto same = after.find(end);
+    if (same == after.end() || same->second != before.at(end)) return search(around, boundary);
+  }
+  if (part_before.joints.size() != part_after.joints.size()) return search(around, boundary);
+  count_ += part_after.loops - part_before.loops;
+  if (part_before.joints != part_after.joints) {
+    const Joints outside = joints_outside(part_before, before);
+    count_ += loops_of(part_after.joints, outside) - loops_of(part_before.joints, outside);
+  }
+  for (const auto& [end, next] : before) links_[end] = none;
+  for (const auto& [end, next] : after) links_[end] = next;
+  ++revision_;
+}
+
+}  // namespace ryosen

@@ -139,20 +139,26 @@ void Bvh::visit_frustum_nodes(std::span<const glm::dvec3> positions, const Frust
                               void* target) const {
   if (live_ == 0) return;
   // The farthest corner of a box along each plane decides; planes are moved into the tree's frame.
-  std::array<glm::dvec4, 6> local{};
+  struct LocalPlane {
+    double x, y, z, w;
+    std::array<std::uint8_t, 3> corner;  // its coordinates among the six bounds of a box
+  };
+  std::array<LocalPlane, 6> local{};
   for (std::size_t i = 0; i < frustum.count; ++i) {
     const glm::dvec3 normal(frustum.planes[i]);
     const double offset = glm::dot(normal, origin_) + frustum.planes[i].w;
     const double size = glm::dot(glm::abs(normal), glm::abs(origin_) + reach_ / scale_) + std::abs(frustum.planes[i].w);
-    local[i] = glm::dvec4(normal / scale_, offset + plane_margin * size);
+    const glm::dvec3 scaled = normal / scale_;
+    const auto coordinate = [&](glm::length_t axis) {
+      return static_cast<std::uint8_t>(scaled[axis] > 0.0 ? axis + 3 : axis);
+    };
+    local[i] = {
+        scaled.x, scaled.y, scaled.z, offset + plane_margin * size, {coordinate(0), coordinate(1), coordinate(2)}};
   }
-  const auto meets = [&](const glm::dvec3& lowest, const glm::dvec3& highest) {
+  const auto meets = [&](const std::array<double, 6>& bounds) {
     for (std::size_t i = 0; i < frustum.count; ++i) {
-      const glm::dvec4& plane = local[i];
-      const double x = plane.x > 0.0 ? highest.x : lowest.x;
-      const double y = plane.y > 0.0 ? highest.y : lowest.y;
-      const double z = plane.z > 0.0 ? highest.z : lowest.z;
-      if (plane.x * x + plane.y * y + plane.z * z + plane.w < 0.0) return false;
+      const LocalPlane& p = local[i];
+      if (p.x * bounds[p.corner[0]] + p.y * bounds[p.corner[1]] + p.z * bounds[p.corner[2]] + p.w < 0.0) return false;
     }
     return true;
   };
@@ -160,9 +166,8 @@ void Bvh::visit_frustum_nodes(std::span<const glm::dvec3> positions, const Frust
   stack.push(0);
   while (!stack.empty()) {
     const Node& here = node(stack.pop());
-    if (!meets({here.lowest[0], here.lowest[1], here.lowest[2]}, {here.highest[0], here.highest[1], here.highest[2]})) {
+    if (!meets({here.lowest[0], here.lowest[1], here.lowest[2], here.highest[0], here.highest[1], here.highest[2]}))
       continue;
-    }
     if (here.count == 0) {
       stack.push(here.first + 1);
       stack.push(here.first);
@@ -171,7 +176,8 @@ void Bvh::visit_frustum_nodes(std::span<const glm::dvec3> positions, const Frust
     for (std::uint32_t i = 0; i < here.count; ++i) {
       const std::uint32_t slot = blocks_[here.first][i];
       const Box box = box_of(positions, primitives_[slot]);
-      if (meets((box.lowest - origin_) * scale_, (box.highest - origin_) * scale_)) visit(target, slot);
+      const glm::dvec3 low = (box.lowest - origin_) * scale_, high = (box.highest - origin_) * scale_;
+      if (meets({low.x, low.y, low.z, high.x, high.y, high.z})) visit(target, slot);
     }
   }
 }

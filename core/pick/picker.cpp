@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <tuple>
 
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
@@ -29,7 +30,7 @@ struct Candidate {
     if (x.distance_px != y.distance_px) return x.distance_px < y.distance_px;
     if (x.depth != y.depth) return x.depth < y.depth;
     if (x.under_pointer != y.under_pointer) return x.under_pointer;
-    return x.number < y.number;
+    return std::tie(x.number, x.a, x.b) < std::tie(y.number, y.a, y.b);
   }
 };
 
@@ -59,9 +60,15 @@ class PickQuery {
 
   std::optional<Picked> nearest(bool vertices) {
     gather(vertices);
-    std::sort(candidates_.begin(), candidates_.end());
-    for (const Candidate& c : candidates_)
+    // Mostly one of the first is seen, so the rest need no order.
+    const auto is_worse = [](const Candidate& x, const Candidate& y) { return y < x; };
+    std::make_heap(candidates_.begin(), candidates_.end(), is_worse);
+    while (!candidates_.empty()) {
+      const Candidate& c = candidates_.front();
       if (!is_hidden(c)) return vertices ? vertex_result(c) : edge_result(c);
+      std::pop_heap(candidates_.begin(), candidates_.end(), is_worse);
+      candidates_.pop_back();
+    }
     return std::nullopt;
   }
 

@@ -6,7 +6,18 @@
 namespace ryosen {
 
 ScreenProjection::ScreenProjection(const Camera& camera, Size view)
-    : camera_(camera), view_(view), axes_(axes(camera)) {}
+    : camera_(camera), view_(view), axes_(axes(camera)), units_at_one_(units_per_pixel(camera, {1, 1}, 1)) {}
+
+// As the free function of that name, without asking for the axes again and again.
+std::optional<ScreenPoint> ScreenProjection::project(const glm::dvec3& place) const {
+  const glm::dvec3 offset = place - camera_.eye;
+  const double depth = glm::dot(offset, axes_.forward);
+  if (!camera_.ortho_height && !(depth > 0)) return std::nullopt;
+  const double scale = (camera_.ortho_height ? units_at_one_ : units_at_one_ * depth) / view_.height;
+  return ScreenPoint{{0.5 * view_.width + glm::dot(offset, axes_.right) / scale,
+                      0.5 * view_.height - glm::dot(offset, axes_.up) / scale},
+                     depth};
+}
 
 std::optional<NearestOnScreen> ScreenProjection::nearest_on_segment(const glm::dvec3& a, const glm::dvec3& b,
                                                                     glm::dvec2 pixel) const {

@@ -21,7 +21,7 @@ class ScreenProjection {
   ScreenProjection(const Camera& camera, Size view);
 
   // Nothing for a place that is not in front of the eye.
-  std::optional<ScreenPoint> project(const glm::dvec3& place) const { return ryosen::project(camera_, view_, place); }
+  std::optional<ScreenPoint> project(const glm::dvec3& place) const;
   // The place of the segment that appears nearest to a pixel; nothing when all of it lies behind the eye.
   std::optional<NearestOnScreen> nearest_on_segment(const glm::dvec3& a, const glm::dvec3& b, glm::dvec2 pixel) const;
   // For frusta; the far plane lies beyond everything that matters there.
@@ -31,6 +31,7 @@ class ScreenProjection {
   Camera camera_;
   Size view_;
   CameraAxes axes_;
+  double units_at_one_;  // height of the view at depth 1
 };
 
 }  // namespace ryosen

@@ -99,6 +99,10 @@ std::uint32_t count_kernel_components(const Mesh& mesh) {
     const Edge e(i);
     if (mesh.is_alive(e)) sets.join(mesh.from(halfedge(e, 0)).index, mesh.from(halfedge(e, 1)).index);
   }
+  // A face holds its loops together.
+  for (std::uint32_t i = 0; mesh.has_rings() && i < mesh.face_slots(); ++i)
+    for (std::uint32_t r = mesh.first_ring(Face(i)); r != no_index; r = mesh.ring(r).next)
+      sets.join(mesh.from(mesh.halfedge(Face(i))).index, mesh.from(mesh.ring(r).halfedge).index);
   return sets.count() - (mesh.vertex_slots() - mesh.live().vertices);
 }
 

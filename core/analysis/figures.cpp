@@ -50,6 +50,10 @@ void count_edges(Neighbourhood& around, Figures& figures) {
   for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
     const Edge e(i);
     if (!mesh.is_alive(e) || !around.is_first_sheet(e)) continue;
+    if (is_bridge(mesh, halfedge(e))) {
+      ++figures.rings;  // as a file that is read again has it
+      continue;
+    }
     ++figures.edges;
     most = std::max<std::uint64_t>(most, around.edge(halfedge(e)).faces());
   }
@@ -145,7 +149,7 @@ Figures compute_figures(Neighbourhood& around, const HighlightSets& sets, std::s
   const std::uint64_t usable = mesh.live().faces;
   figures.faces = usable + quarantine.size();
   figures.boundary_loops = find_boundary_loops(around, sets.of(ProblemKind::boundary_loop)).size();
-  figures.rings = mesh.live().rings;
+  figures.rings += mesh.live().rings;
   figures.components = count_face_components(around);
   figures.euler_characteristic = static_cast<std::int64_t>(figures.vertices - figures.isolated_vertices + usable) -
                                  static_cast<std::int64_t>(figures.edges + figures.rings);

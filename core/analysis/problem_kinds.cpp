@@ -37,8 +37,9 @@ bool is_nonmanifold_vertex(Neighbourhood& around, Vertex v) {
 }
 
 bool is_isolated_vertex(Neighbourhood& around, Vertex v) {
-  if (around.mesh().is_isolated(v) && !has_copies(around.mesh(), v)) return true;
-  return around.mesh().is_boundary(v) && around.point(v) == v && around.fans(v) == 0;
+  const bool copies = has_copies(around.mesh(), v);
+  if (around.mesh().is_isolated(v) && !copies) return true;
+  return (copies || around.mesh().is_boundary(v)) && around.point(v) == v && around.fans(v) == 0;
 }
 
 bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }

@@ -28,7 +28,7 @@ PointEdge point_edge(const Mesh& mesh, Halfedge h) {
     result.backward += !mesh.is_outside(twin(sheet));
   };
   const Vertex a = mesh.from(h), b = mesh.to(h);
-  if (!has_copies(mesh, a) || !has_copies(mesh, b)) {
+  if (!has_copies(mesh, a) && !has_copies(mesh, b)) {
     count(h);
   } else {
     for (Halfedge sheet : sheets_between(mesh, a, b)) count(sheet);
@@ -37,12 +37,21 @@ PointEdge point_edge(const Mesh& mesh, Halfedge h) {
 }
 
 bool is_cut_on_points(const Mesh& mesh, Halfedge h) {
-  if (!has_copies(mesh, mesh.from(h)) || !has_copies(mesh, mesh.to(h))) return false;
+  if (!has_copies(mesh, mesh.from(h)) && !has_copies(mesh, mesh.to(h))) return false;
   return !point_edge(mesh, h).is_regular();
 }
 
 void move_point(Edit& edit, Vertex v, const glm::dvec3& position) {
   for_each_copy(edit.mesh(), v, [&](Vertex copy) { edit.set_position(copy, position); });
+}
+
+void leave_copies(Edit& edit, Vertex v) {
+  const Mesh& mesh = edit.mesh();
+  if (!has_copies(mesh, v)) return;
+  Vertex before = v;
+  while (mesh.next_copy(before) != v) before = mesh.next_copy(before);
+  edit.set_next_copy(before, mesh.next_copy(v));
+  edit.set_next_copy(v, v);
 }
 
 ElementCounts counts_on_points(const Mesh& mesh) {
@@ -56,7 +65,7 @@ ElementCounts counts_on_points(const Mesh& mesh) {
     const Edge e(i);
     if (!mesh.is_alive(e)) continue;
     const auto [a, b] = ends(mesh, e);
-    if (!has_copies(mesh, a) || !has_copies(mesh, b)) continue;
+    if (!has_copies(mesh, a) && !has_copies(mesh, b)) continue;
     const std::vector<Halfedge> sheets = sheets_between(mesh, a, b);
     const bool is_first =
         std::all_of(sheets.begin(), sheets.end(), [&](Halfedge h) { return edge(h).index >= e.index; });

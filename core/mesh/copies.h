@@ -45,11 +45,14 @@ struct PointEdge {
 };
 PointEdge point_edge(const Mesh& mesh, Halfedge h);
 
-// Whether the points of the halfedge are joined by a non-manifold or misoriented edge. O(1) where an end has no copies.
+// Whether the points of the halfedge are joined by a non-manifold or misoriented edge. O(1) where no end has copies.
 bool is_cut_on_points(const Mesh& mesh, Halfedge h);
 
 // Moves all copies of a point.
 void move_point(Edit& edit, Vertex v, const glm::dvec3& position);
+
+// Takes a copy out of its cycle: it is a point of its own then.
+void leave_copies(Edit& edit, Vertex v);
 
 // Live points and the point pairs joined by an edge, as files and figures count them.
 ElementCounts counts_on_points(const Mesh& mesh);

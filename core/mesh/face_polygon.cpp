@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "core/mesh/copies.h"
+
 namespace ryosen {
 
 void FacePolygon::read(const Mesh& mesh, Face f) {
@@ -23,6 +25,11 @@ bool FacePolygon::is_finite() const {
   return std::all_of(places_.begin(), places_.end(), [](const glm::dvec3& p) {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
   });
+}
+
+void FacePolygon::move(const Mesh& mesh, Vertex v, const glm::dvec3& place) {
+  for (std::size_t i = 0; i < corners_.size(); ++i)
+    if (same_point(mesh, mesh.from(corners_[i]), v)) places_[i] = place;
 }
 
 void FacePolygon::triangulate(std::vector<CornerTriangle>& out) const {

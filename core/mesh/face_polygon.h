@@ -24,6 +24,8 @@ class FacePolygon {
   // One past the last corner of each loop.
   const std::vector<std::uint32_t>& loop_ends() const { return loop_ends_; }
   bool is_finite() const;
+  // Puts the corners at a point of the mesh elsewhere.
+  void move(const Mesh& mesh, Vertex v, const glm::dvec3& place);
 
   // The triangles as corner numbers; coordinates must be finite. See triangulate.h.
   void triangulate(std::vector<CornerTriangle>& out) const;

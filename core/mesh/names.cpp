@@ -1,5 +1,6 @@
 #include "core/mesh/names.h"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <vector>
@@ -18,7 +19,7 @@ std::string ends_of(const Mesh& m, Halfedge h) {
 }
 
 bool joined_by_several_sheets(const Mesh& m, Halfedge h) {
-  return has_copies(m, m.from(h)) && has_copies(m, m.to(h)) && sheets_between(m, m.from(h), m.to(h)).size() > 1;
+  return (has_copies(m, m.from(h)) || has_copies(m, m.to(h))) && sheets_between(m, m.from(h), m.to(h)).size() > 1;
 }
 
 std::string name_of_vertex(const Mesh& m, Vertex v) {
@@ -102,6 +103,14 @@ Named<Halfedge> find_by_slot(const Mesh& m, std::string_view name) {
 }
 
 }  // namespace
+
+std::string name_of_copy(const Mesh& m, Vertex v) {
+  std::string name = name_of(m, v);
+  if (!m.exists(v) || !m.is_alive(v) || !has_copies(m, v)) return name;
+  Face lowest;
+  for (Face f : faces_around(m, v)) lowest = std::min(lowest, f);  // none is the largest number
+  return lowest ? name + "@f" + number(lowest.index) : name;
+}
 
 std::string name_with_face(const Mesh& m, Halfedge h) {
   const bool outside = m.is_outside(h);

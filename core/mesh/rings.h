@@ -14,6 +14,9 @@
 
 namespace ryosen {
 
+// An edge with the same face on both sides: it joins two loops of the face, which are one list of corners (bridges.h).
+inline bool is_bridge(const Mesh& mesh, Halfedge h) { return mesh.face(h) && mesh.face(h) == mesh.face(twin(h)); }
+
 // Calls visit(start halfedge) for the outer loop and then for each ring.
 template <class Visit>
 void for_each_loop(const Mesh& mesh, Face f, Visit visit) {

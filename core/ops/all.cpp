@@ -7,10 +7,16 @@ namespace ryosen {
 
 namespace {
 
+bool is_called(const OpInfo& info, std::string_view id) {
+  if (info.id == id) return true;
+  const std::vector<std::string_view> aliases = split_words(info.aliases);
+  return std::find(aliases.begin(), aliases.end(), id) != aliases.end();
+}
+
 // Calls visit(std::type_identity<Op>) for the operator with this id.
 template <class Visit, std::size_t... I>
 bool visit_op(std::string_view id, Visit visit, std::index_sequence<I...>) {
-  return ((std::variant_alternative_t<I, AnyOp>::info.id == id
+  return ((is_called(std::variant_alternative_t<I, AnyOp>::info, id)
                ? (visit(std::type_identity<std::variant_alternative_t<I, AnyOp>>()), true)
                : false) ||
           ...);
@@ -32,7 +38,7 @@ const std::vector<OpInfo>& all_ops() {
 
 const OpInfo* find_op(std::string_view id) {
   for (const OpInfo& info : all_ops())
-    if (info.id == id) return &info;
+    if (is_called(info, id)) return &info;
   return nullptr;
 }
 

@@ -8,16 +8,33 @@
 #include <vector>
 
 #include "core/ops/collapse_edge.h"
+#include "core/ops/euler/delete_edge.h"
+#include "core/ops/euler/delete_loop.h"
+#include "core/ops/euler/make_edge.h"
+#include "core/ops/euler/make_loop.h"
+#include "core/ops/euler/make_ring.h"
+#include "core/ops/euler/make_vertex.h"
+#include "core/ops/euler/move_vertex.h"
+#include "core/ops/euler/remove_vertex.h"
+#include "core/ops/euler/separate_edge.h"
+#include "core/ops/euler/separate_loop.h"
+#include "core/ops/euler/unite_edge.h"
+#include "core/ops/euler/unite_loop.h"
+#include "core/ops/euler/unite_ring.h"
 #include "core/ops/orient.h"
 #include "core/ops/split_edge.h"
 #include "core/ops/swap_edge.h"
 
 namespace ryosen {
 
-using AnyOp = std::variant<CollapseEdge, SwapEdge, SplitEdge, Orient>;
+using AnyOp = std::variant<CollapseEdge, SwapEdge, SplitEdge, Orient,
+                           // The Euler operators of the texts.
+                           MakeVertex, RemoveVertex, MoveVertex, MakeEdge, DeleteEdge, MakeLoop, DeleteLoop,
+                           SeparateLoop, UniteLoop, SeparateEdge, UniteEdge, MakeRing, UniteRing>;
 
 // One row per operator, in the order above.
 const std::vector<OpInfo>& all_ops();
+// By id or by one of its aliases.
 const OpInfo* find_op(std::string_view id);
 
 // The operator with this id, from the arguments of a script line or from what the pointer is on. The id must be in the

@@ -6,25 +6,13 @@
 
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/ops/arguments.h"
 #include "core/ops/corner_values.h"
 #include "core/ops/face_geometry.h"
 
 namespace ryosen {
 
 namespace {
-
-std::optional<glm::dvec3> parse_point(std::string_view text) {
-  glm::dvec3 p{};
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::size_t comma = text.find(',');
-    if ((comma == std::string_view::npos) != (axis == 2)) return std::nullopt;
-    const auto value = parse_double(text.substr(0, comma));
-    if (!value) return std::nullopt;
-    p[axis] = *value;
-    if (axis < 2) text.remove_prefix(comma + 1);
-  }
-  return p;
-}
 
 // The corner values around the edge: corners in the chart of a side take the value at the chosen place of the edge.
 void blend_corners(Edit& edit, Halfedge h, double along) {
@@ -87,7 +75,7 @@ Parsed<CollapseEdge> CollapseEdge::parse(const Mesh& mesh, std::span<const std::
   CollapseEdge op{*h};
   if (arguments.size() >= 2) {
     const std::string_view word = arguments[1];
-    const auto p = parse_point(word);
+    const auto p = parse_place(word);
     if (word == "start")
       op.place = Place::start;
     else if (word == "end")
@@ -123,7 +111,7 @@ std::string CollapseEdge::command(const Mesh& mesh) const {
     case Place::point:
       break;
   }
-  return text + " " + format_double(target.x) + "," + format_double(target.y) + "," + format_double(target.z);
+  return text + " " + format_place(target);
 }
 
 glm::dvec3 CollapseEdge::position(const Mesh& mesh) const {

@@ -24,7 +24,8 @@
 
 namespace ryosen {
 
-enum class OpTargetKind { none, edge };
+// What a click hands to an operator. selection: the elements selected before, in their order, as script arguments.
+enum class OpTargetKind { none, vertex, edge, face, selection };
 
 struct OpInfo {
   std::string_view id;
@@ -33,12 +34,16 @@ struct OpInfo {
   std::string_view help_en, help_ja;
   char key;  // selects the tool in the editor
   OpTargetKind target;
+  std::string_view aliases = "";  // further ids, separated by blanks
 };
 
-// What the pointer is on: a halfedge and the place along it, 0 at its origin and 1 at its end.
+// What the pointer is on, of the kind that the operator asks for: a halfedge and the place along it, 0 at its origin and
+// 1 at its end, or a vertex or face.
 struct OpTarget {
   Halfedge halfedge;
   double along = 0.5;
+  Vertex vertex = {};
+  Face face = {};
 };
 
 // A parsed operator, or why the line does not say one.
@@ -55,6 +60,23 @@ struct OpEffect {
   std::vector<Element> deleted;
   std::vector<Face> changed;
 };
+
+// Refuses what is spoken of when it is none, was never there or has been deleted.
+inline bool is_gone(const Mesh& mesh, Vertex v, Verdict& verdict) {
+  if (v && mesh.exists(v) && mesh.is_alive(v)) return false;
+  verdict.refuse(Rule::deleted, {v});
+  return true;
+}
+inline bool is_gone(const Mesh& mesh, Halfedge h, Verdict& verdict) {
+  if (h && mesh.exists(h) && mesh.is_alive(h)) return false;
+  verdict.refuse(Rule::deleted, {edge(h)});
+  return true;
+}
+inline bool is_gone(const Mesh& mesh, Face f, Verdict& verdict) {
+  if (f && mesh.exists(f) && mesh.is_alive(f)) return false;
+  verdict.refuse(Rule::deleted, {f});
+  return true;
+}
 
 // Reads the edge that an operator is about, and passes a failure on.
 template <class Op>

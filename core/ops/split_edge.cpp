@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
-#include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/mesh/rings.h"
 #include "core/ops/corner_values.h"
 #include "core/ops/face_geometry.h"
 
@@ -21,7 +21,9 @@ std::vector<Halfedge> sheets_of(const Mesh& m, Halfedge h) {
   return sheets;
 }
 
-bool is_triangle_side(const Mesh& m, Halfedge side) { return !m.is_outside(side) && is_triangle(m, side); }
+bool is_triangle_side(const Mesh& m, Halfedge side) {
+  return !m.is_outside(side) && is_triangle(m, side) && !m.has_rings(m.face(side));
+}
 
 // Cuts the triangle at `side` from the new vertex `m` to the third corner. The side enters or leaves m: `into` ends at
 // m and `out` begins there. The part that holds the origin of the edge A keeps the face.
@@ -64,11 +66,12 @@ Face cut_triangle(Edit& edit, Halfedge into, Halfedge out, bool origin_keeps, Op
 }
 
 // Puts the vertex m on one sheet: h becomes a -> m, a new edge runs m -> b.
-Vertex cut_sheet(Edit& edit, Halfedge h, double along, const glm::dvec3& position, OpEffect& effect) {
+Vertex cut_sheet(Edit& edit, Halfedge h, double along, const glm::dvec3& position, CutTriangles cut, OpEffect& effect) {
   const Mesh& mesh = edit.mesh();
   const Halfedge o = twin(h), h_next = mesh.next(h), o_prev = mesh.prev(o);
   const Vertex a = mesh.from(h), b = mesh.from(o);
-  const bool cut_left = is_triangle_side(mesh, h), cut_right = is_triangle_side(mesh, o);
+  const bool cuts = cut == CutTriangles::yes;
+  const bool cut_left = cuts && is_triangle_side(mesh, h), cut_right = cuts && is_triangle_side(mesh, o);
   const Vertex m = edit.add_vertex(position);
   blend_vertex_values(edit, a, b, along, m);
   const Halfedge fresh = edit.add_edge(m, b), fresh_twin = twin(fresh);
@@ -91,7 +94,7 @@ Vertex cut_sheet(Edit& edit, Halfedge h, double along, const glm::dvec3& positio
   edit.set_face(fresh, mesh.face(h));
   edit.set_face(fresh_twin, mesh.face(o));
   if (mesh.halfedge(b) == o) edit.set_halfedge(b, fresh_twin);
-  if (const Face right = mesh.face(o); right && mesh.halfedge(right) == o) edit.set_halfedge(right, fresh_twin);
+  if (!mesh.is_outside(o)) replace_start(edit, mesh.face(o), o, fresh_twin);
   edit.set_halfedge(m, mesh.is_outside(o) ? o : fresh);
 
   for (Halfedge side : {h, o})
@@ -121,7 +124,7 @@ void open_closed_cut(Edit& edit, Halfedge h, OpEffect& effect) {
   edit.connect(m.prev(o), k);
   edit.connect(k, m.next(o));
   edit.set_face(k, right);
-  if (m.halfedge(right) == o) edit.set_halfedge(right, k);
+  replace_start(edit, right, o, k);
   edit.connect(o, outside);
   edit.connect(outside, o);
   edit.set_face(o, Face());
@@ -162,6 +165,10 @@ Verdict SplitEdge::check(const Mesh& m) const {
     verdict.refuse(Rule::deleted, {edge(halfedge)});
     return verdict;
   }
+  if (is_bridge(m, halfedge)) {
+    verdict.refuse(Rule::loop, {edge(halfedge), m.face(halfedge)});
+    return verdict;
+  }
   std::vector<std::pair<Vertex, Face>> apexes;
   for (Halfedge sheet : sheets_of(m, halfedge))
     for (Halfedge side : {sheet, twin(sheet)})
@@ -196,19 +203,22 @@ std::vector<Reason> SplitEdge::warnings(const Mesh& m) const {
 }
 
 OpEffect SplitEdge::apply(Edit& edit) const {
-  const Mesh& m = edit.mesh();
-  assert(check(m).legal());
-  const glm::dvec3 a = m.position(m.from(halfedge)), b = m.position(m.to(halfedge));
-  const glm::dvec3 p = point_between(a, b, along);
+  assert(check(edit.mesh()).legal());
   OpEffect effect;
-  if (is_cut_on_points(m, halfedge))
-    for (Halfedge sheet : sheets_of(m, halfedge)) open_closed_cut(edit, sheet, effect);
-  const std::vector<Halfedge> sheets = sheets_of(m, halfedge);
+  put_point_into(edit, halfedge, along, CutTriangles::yes, effect);
+  return effect;
+}
+
+void put_point_into(Edit& edit, Halfedge h, double along, CutTriangles cut, OpEffect& effect) {
+  const Mesh& m = edit.mesh();
+  const glm::dvec3 p = point_between(m.position(m.from(h)), m.position(m.to(h)), along);
+  if (is_cut_on_points(m, h))
+    for (Halfedge sheet : sheets_of(m, h)) open_closed_cut(edit, sheet, effect);
+  const std::vector<Halfedge> sheets = sheets_of(m, h);
   std::vector<Vertex> copies;
-  for (Halfedge sheet : sheets) copies.push_back(cut_sheet(edit, sheet, along, p, effect));
+  for (Halfedge sheet : sheets) copies.push_back(cut_sheet(edit, sheet, along, p, cut, effect));
   if (copies.size() > 1)
     for (std::size_t i = 0; i < copies.size(); ++i) edit.set_next_copy(copies[i], copies[(i + 1) % copies.size()]);
-  return effect;
 }
 
 }  // namespace ryosen

@@ -10,7 +10,7 @@
 //
 // on the list: every face with the side a-b gets m there; a triangle (a, b, c) becomes (a, m, c) and (m, b, c). The part
 //              that holds A keeps the old number; new faces are numbered with the one left of A-B first.
-// needs: two triangles that would be cut do not have the same third point.
+// needs: two triangles that would be cut do not have the same third point; no face walks the edge both ways.
 // changes: V + 1, E + 1 + k, F + k with k = triangles at the edge, counted on points. A non-manifold or misoriented edge
 //          is split in all its faces at once, and the new point has one copy per face.
 // inverse: collapse m-b end.
@@ -41,5 +41,10 @@ struct SplitEdge {
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
 };
+
+// Puts a point into all sheets of an edge, with or without cutting the triangles there: what split and separate_edge
+// have in common.
+enum class CutTriangles { no, yes };
+void put_point_into(Edit& edit, Halfedge h, double along, CutTriangles cut, OpEffect& effect);
 
 }  // namespace ryosen

@@ -1,0 +1,91 @@
+#include "core/ops/arguments.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ryosen {
+
+std::optional<glm::dvec3> parse_place(std::string_view text) {
+  glm::dvec3 p{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t comma = text.find(',');
+    if ((comma == std::string_view::npos) != (axis == 2)) return std::nullopt;
+    const auto value = parse_double(text.substr(0, comma));
+    if (!value) return std::nullopt;
+    p[axis] = *value;
+    if (axis < 2) text.remove_prefix(comma + 1);
+  }
+  return p;
+}
+
+std::string format_place(const glm::dvec3& place) {
+  return format_double(place.x) + "," + format_double(place.y) + "," + format_double(place.z);
+}
+
+std::string_view ArgumentReader::take() { return arguments_[next_++]; }
+
+void ArgumentReader::fail(NameError error, Text sentence) {
+  if (failed()) return;
+  error_ = error;
+  sentence_ = std::move(sentence);
+}
+
+void ArgumentReader::fail_at(std::string_view argument) {
+  const std::string a(argument), s(syntax_);
+  fail(NameError::malformed,
+       {"'" + a + "' is not understood; expected " + (s.empty() ? "no argument" : s),
+        "「" + a + "」は解釈できません。" + (s.empty() ? "引数はありません" : s + " を指定してください")});
+}
+
+void ArgumentReader::fail_missing() {
+  const std::string s(syntax_);
+  fail(NameError::malformed,
+       {"an argument is missing; expected " + s, "引数が足りません。" + s + " を指定してください"});
+}
+
+double ArgumentReader::number() {
+  if (failed()) return 0;
+  if (at_end()) return fail_missing(), 0;
+  const std::string_view text = take();
+  const auto value = parse_double(text);
+  if (!value) fail_at(text);
+  return value.value_or(0);
+}
+
+glm::dvec3 ArgumentReader::place() {
+  if (failed()) return {};
+  if (at_end()) return fail_missing(), glm::dvec3();
+  const std::string_view text = take();
+  const auto value = parse_place(text);
+  if (!value) fail_at(text);
+  return value.value_or(glm::dvec3());
+}
+
+bool ArgumentReader::word(std::string_view expected) {
+  if (failed() || peek() != expected || at_end()) return false;
+  ++next_;
+  return true;
+}
+
+Halfedge ArgumentReader::corner(Vertex v, std::span<const Halfedge> corners) {
+  if (failed()) return Halfedge();
+  const std::string name = name_of(mesh_, v);
+  if (!at_end()) {
+    const std::string_view text = peek();
+    const Halfedge named = halfedge();
+    if (failed()) return Halfedge();
+    if (std::find(corners.begin(), corners.end(), named) != corners.end()) return named;
+    const std::string n(text);
+    fail(NameError::never_existed, {"'" + n + "' is not a halfedge that arrives at " + name + " in such a corner",
+                                    "「" + n + "」は該当する角で " + name + " に着く半稜線ではありません"});
+    return Halfedge();
+  }
+  if (corners.size() <= 1) return corners.empty() ? Halfedge() : corners[0];
+  std::string list;
+  for (Halfedge h : corners) list += (list.empty() ? "" : ", ") + name_of(mesh_, h);
+  fail(NameError::ambiguous, {name + " has several such corners; name the halfedge that arrives: " + list,
+                              name + " には該当する角が複数あります。着く半稜線を指定してください：" + list});
+  return Halfedge();
+}
+
+}  // namespace ryosen

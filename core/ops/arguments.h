@@ -1,0 +1,75 @@
+// Reads the arguments of an operator's script line one after another and keeps the first thing that is wrong.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/mesh/names.h"
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+// After a failure every further read returns none and changes nothing, so an operator can read all its arguments and
+// ask once, through result().
+class ArgumentReader {
+ public:
+  ArgumentReader(const Mesh& mesh, std::span<const std::string_view> arguments, std::string_view syntax)
+      : mesh_(mesh), arguments_(arguments), syntax_(syntax) {}
+
+  bool at_end() const { return next_ >= arguments_.size(); }
+  bool failed() const { return error_ != NameError::none; }
+  std::size_t left() const { return arguments_.size() - next_; }
+  // The argument as written, or empty. Does not count as read.
+  std::string_view peek() const { return at_end() ? std::string_view() : arguments_[next_]; }
+
+  Vertex vertex() { return read(find_vertex); }
+  Face face() { return read(find_face); }
+  Halfedge halfedge() { return read(find_edge); }
+  double number();
+  glm::dvec3 place();                    // X,Y,Z, finite
+  bool word(std::string_view expected);  // reads it if it is next
+
+  // The halfedge that arrives at v in the corner that an operator means: the one named by the next argument (P-V) if
+  // there is one, else the only one of `corners`. Several without a name are an ambiguity; none gives none.
+  Halfedge corner(Vertex v, std::span<const Halfedge> corners);
+
+  void fail(NameError error, Text sentence);
+
+  // The operator, if all went well and nothing is left over.
+  template <class Op>
+  Parsed<Op> result(const Op& op) {
+    if (!failed() && !at_end()) fail_at(arguments_[next_]);
+    if (failed()) return {std::nullopt, error_, sentence_};
+    return {op, NameError::none, {}};
+  }
+
+ private:
+  void fail_at(std::string_view argument);
+  void fail_missing();
+  std::string_view take();
+
+  template <class Handle>
+  Handle read(Named<Handle> (*find)(const Mesh&, std::string_view)) {
+    if (failed()) return Handle();
+    if (at_end()) return fail_missing(), Handle();
+    Named<Handle> named = find(mesh_, take());
+    if (!named.ok()) fail(named.error, std::move(named.sentence));
+    return named.ok() ? named.element : Handle();
+  }
+
+  const Mesh& mesh_;
+  std::span<const std::string_view> arguments_;
+  std::string_view syntax_;
+  std::size_t next_ = 0;
+  NameError error_ = NameError::none;
+  Text sentence_;
+};
+
+// X,Y,Z; none where it is not three finite numbers.
+std::optional<glm::dvec3> parse_place(std::string_view text);
+std::string format_place(const glm::dvec3& place);
+
+}  // namespace ryosen

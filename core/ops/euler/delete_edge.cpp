@@ -1,0 +1,40 @@
+#include "core/ops/euler/delete_edge.h"
+
+#include <cassert>
+
+#include "core/ops/arguments.h"
+#include "core/ops/surgery.h"
+
+namespace ryosen {
+
+Parsed<DeleteEdge> DeleteEdge::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  ArgumentReader in(mesh, arguments, info.syntax);
+  const DeleteEdge op{in.halfedge()};
+  return in.result(op);
+}
+
+DeleteEdge DeleteEdge::at(const Mesh&, const OpTarget& target) { return {target.halfedge}; }
+
+std::string DeleteEdge::command(const Mesh& mesh) const { return "delete_edge " + name_of(mesh, halfedge); }
+
+Verdict DeleteEdge::check(const Mesh& mesh) const {
+  Verdict verdict;
+  if (is_gone(mesh, halfedge, verdict)) return verdict;
+  for (Halfedge side : {halfedge, twin(halfedge)})
+    if (!mesh.is_outside(side)) verdict.refuse(Rule::has_face, {edge(side), mesh.face(side)});
+  return verdict;
+}
+
+std::vector<Reason> DeleteEdge::warnings(const Mesh&) const { return {}; }
+
+OpEffect DeleteEdge::apply(Edit& edit) const {
+  assert(check(edit.mesh()).legal());
+  const Vertex ends[] = {edit.mesh().from(halfedge), edit.mesh().to(halfedge)};
+  unlink_edge(edit, halfedge);
+  for (Vertex v : ends) hold_outside(edit, v);
+  OpEffect effect;
+  effect.deleted.push_back(edge(halfedge));
+  return effect;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,38 @@
+// Takes an edge without a face away; its ends stay.
+//
+//        a---.---b                a   .   b
+//        |       |       =>       |       |
+//
+// on the list: the pair goes.
+// needs: an edge without a face on either side.
+// changes: E - 1, and B - 1 where its sides lie on two cycles; else B + 1, and S + 1 if the ends come apart, G - 1 if not.
+// inverse: make_edge.
+#pragma once
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct DeleteEdge {
+  Halfedge halfedge;
+
+  static constexpr OpInfo info{"delete_edge",
+                               "Delete edge",
+                               "稜線消去",
+                               "A-B",
+                               "takes away an edge that has no face",
+                               "面を持たない稜線を取り除く",
+                               '\0',
+                               OpTargetKind::edge,
+                               "kev"};
+
+  static Parsed<DeleteEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static DeleteEdge at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,40 @@
+// Takes a face away; its edges stay, as wires where no other face holds them.
+//
+//        d-----c                d-----c
+//        |  f  |                |     |
+//        |     |       =>       |     |
+//        a-----b                a-----b
+//
+// on the list: the face goes; sides that no other face has become pairs.
+// needs: a live face.
+// changes: F - 1, H - r, B + 1 + r for a face with r rings, and per ring S + 1 or G - 1.
+// inverse: make_loop, for a face without rings.
+#pragma once
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct DeleteLoop {
+  Face face;
+
+  static constexpr OpInfo info{"delete_loop",
+                               "Delete loop",
+                               "ループ消去",
+                               "fN",
+                               "takes a face away and leaves its edges",
+                               "面だけを取り除き、稜線は残す",
+                               '\0',
+                               OpTargetKind::face,
+                               "kf"};
+
+  static Parsed<DeleteLoop> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static DeleteLoop at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

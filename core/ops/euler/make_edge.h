@@ -1,0 +1,41 @@
+// Joins two vertices by an edge without a face (a wire) that runs outside.
+//
+//        a   .   b                a---.---b        the corner at a is the gap into which the edge goes, told by the
+//        |       |       =>       |       |        outside halfedge p -> a that arrives in it; likewise at b
+//        p       q                p       q
+//
+// on the list: a pair.
+// needs: two different points that no edge joins, each isolated or with a gap.
+// changes: E + 1, and B - 1, S - 1 where an end is isolated or the gaps lie on cycles of two components; B + 1 where
+//          they lie on one cycle; B - 1, G + 1 on two cycles of one component.
+// inverse: delete_edge.
+#pragma once
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct MakeEdge {
+  Vertex a, b;
+  Halfedge into_a, into_b;  // none at an isolated vertex
+
+  static constexpr OpInfo info{"make_edge",
+                               "Make edge",
+                               "稜線生成",
+                               "A B [P-A] [Q-B]",
+                               "joins two vertices by an edge, in the corners that P-A and Q-B arrive at",
+                               "二頂点を稜線で結ぶ。角は着く半稜線 P-A と Q-B で指定する",
+                               '\0',
+                               OpTargetKind::selection,
+                               "mev"};
+
+  static Parsed<MakeEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static MakeEdge at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,59 @@
+#include "core/ops/euler/make_loop.h"
+
+#include <cassert>
+
+#include "core/ops/arguments.h"
+#include "core/ops/face_geometry.h"
+#include "core/ops/face_lists.h"
+#include "core/ops/surgery.h"
+
+namespace ryosen {
+
+Parsed<MakeLoop> MakeLoop::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  ArgumentReader in(mesh, arguments, info.syntax);
+  const MakeLoop op{in.halfedge()};
+  return in.result(op);
+}
+
+MakeLoop MakeLoop::at(const Mesh& mesh, const OpTarget& target) {
+  return {mesh.is_outside(target.halfedge) ? target.halfedge : twin(target.halfedge)};
+}
+
+std::string MakeLoop::command(const Mesh& mesh) const { return "make_loop " + name_of(mesh, halfedge); }
+
+Verdict MakeLoop::check(const Mesh& mesh) const {
+  Verdict verdict;
+  if (is_gone(mesh, halfedge, verdict)) return verdict;
+  if (!mesh.is_outside(halfedge)) {
+    verdict.refuse(Rule::has_face, {edge(halfedge), mesh.face(halfedge)});
+    return verdict;
+  }
+  CornerLoops cycle;
+  cycle.add(points_along(mesh, halfedge));
+  if (!take_out_bridges(cycle)) {
+    verdict.refuse(Rule::loop, {edge(halfedge)});
+    return verdict;
+  }
+  if (const Face other = face_on(mesh, point_set(cycle.corners))) verdict.refuse(Rule::duplicate_face, {other});
+  return verdict;
+}
+
+std::vector<Reason> MakeLoop::warnings(const Mesh& mesh) const {
+  FaceGeometry after;
+  for (Halfedge h : loop(mesh, halfedge)) after.add(mesh.position(mesh.from(h)));
+  if (!after.is_degenerate()) return {};
+  return {{Rule::degenerate, {edge(halfedge)}}};
+}
+
+OpEffect MakeLoop::apply(Edit& edit) const {
+  assert(check(edit.mesh()).legal());
+  const Face f = edit.add_face(halfedge);
+  set_face_along(edit, halfedge, f);
+  for (Halfedge h : loop(edit.mesh(), halfedge)) hold_outside(edit, edit.mesh().from(h));
+  OpEffect effect;
+  effect.created.push_back(f);
+  effect.changed.push_back(f);
+  return effect;
+}
+
+}  // namespace ryosen

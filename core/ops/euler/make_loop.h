@@ -1,0 +1,41 @@
+// Puts a face into an outside cycle of edges.
+//
+//        d-----c                d-----c
+//        |     |                |  f  |       the face lies left of a -> b
+//        |     |       =>       |     |
+//        a---->b                a---->b
+//
+// on the list: the cycle becomes a face; bridges in it are walked both ways. A wire that gets a face is no pair any more.
+// needs: a halfedge that runs outside; the cycle comes apart at its bridges into simple loops of three or more corners
+//        that share no point; no face on the same points.
+// changes: F + 1, B - 1.
+// inverse: delete_loop.
+#pragma once
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct MakeLoop {
+  Halfedge halfedge;
+
+  static constexpr OpInfo info{"make_loop",
+                               "Make loop",
+                               "ループ生成",
+                               "A-B",
+                               "puts a face into the outside cycle left of A-B",
+                               "半稜線 A-B の左の外側の閉路に面を張る",
+                               '\0',
+                               OpTargetKind::edge,
+                               "mf"};
+
+  static Parsed<MakeLoop> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static MakeLoop at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,87 @@
+#include "core/ops/euler/make_ring.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "core/geometry/locate.h"
+#include "core/geometry/polygon_normal.h"
+#include "core/mesh/face_polygon.h"
+#include "core/ops/arguments.h"
+#include "core/ops/surgery.h"
+
+namespace ryosen {
+
+namespace {
+
+std::vector<glm::dvec3> places_along(const Mesh& mesh, Halfedge start) {
+  std::vector<glm::dvec3> places;
+  for (Halfedge h : loop(mesh, start)) places.push_back(mesh.position(mesh.from(h)));
+  return places;
+}
+
+Vertex smallest_vertex(const Mesh& mesh, Halfedge start) {
+  Vertex smallest = mesh.from(start);
+  for (Halfedge h : loop(mesh, start)) smallest = std::min(smallest, mesh.from(h));
+  return smallest;
+}
+
+// Whether the first of two loops is the outer one of a face that has this normal.
+bool is_outer(const Mesh& mesh, Halfedge first, Halfedge second, const glm::dvec3& normal) {
+  const double a = std::abs(projected_area(places_along(mesh, first), normal));
+  const double b = std::abs(projected_area(places_along(mesh, second), normal));
+  return a != b ? a > b : smallest_vertex(mesh, first) < smallest_vertex(mesh, second);
+}
+
+}  // namespace
+
+Parsed<MakeRing> MakeRing::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  ArgumentReader in(mesh, arguments, info.syntax);
+  const MakeRing op{in.halfedge()};
+  return in.result(op);
+}
+
+MakeRing MakeRing::at(const Mesh&, const OpTarget& target) { return {target.halfedge}; }
+
+std::string MakeRing::command(const Mesh& mesh) const { return "make_ring " + name_of(mesh, halfedge); }
+
+Verdict MakeRing::check(const Mesh& mesh) const {
+  Verdict verdict;
+  if (is_gone(mesh, halfedge, verdict)) return verdict;
+  // A face comes apart at each of its bridges, so there is nothing else to ask.
+  if (!is_bridge(mesh, halfedge)) verdict.refuse(Rule::no_bridge, {edge(halfedge)});
+  return verdict;
+}
+
+std::vector<Reason> MakeRing::warnings(const Mesh&) const { return {}; }
+
+OpEffect MakeRing::apply(Edit& edit) const {
+  const Mesh& m = edit.mesh();
+  assert(check(m).legal());
+  const Face f = m.face(halfedge);
+  const glm::dvec3 normal = polygon_normal(FacePolygon(m, f).keyhole_walk());
+  const std::uint32_t ring = ring_of(m, halfedge);
+  const Halfedge start = ring == no_index ? m.halfedge(f) : m.ring(ring).halfedge;
+  const Halfedge first = m.next(halfedge), second = m.next(twin(halfedge));
+  OpEffect effect;
+  effect.deleted.push_back(edge(halfedge));
+  effect.changed.push_back(f);
+  const Vertex a = m.from(halfedge), b = m.to(halfedge);
+  unlink_edge(edit, halfedge);
+  hold_outside(edit, a);
+  hold_outside(edit, b);
+  const bool first_is_outer = ring == no_index && is_outer(m, first, second, normal);
+  const Halfedge known = first_is_outer ? first : second, inner = first_is_outer ? second : first;
+  // The loop that was known by its start stays so where it can: a file's first corner is a name.
+  Halfedge keeps = known;
+  for (Halfedge h : loop(m, known))
+    if (h == start) keeps = start;
+  if (ring == no_index)
+    edit.set_halfedge(f, keeps);
+  else
+    edit.set_ring_halfedge(ring, keeps);
+  edit.add_ring(f, inner);
+  return effect;
+}
+
+}  // namespace ryosen

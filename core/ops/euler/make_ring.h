@@ -1,0 +1,42 @@
+// Takes a bridge away, so that the inner loop becomes a ring of its face.
+//
+//        o---------o                o---------o
+//        |  o---o  |                |  o---o  |
+//        |  |   |  |       =>       |  |   |  |
+//        |  o---o  |                |  o---o  |
+//        | /       |                |         |
+//        o---------o                o---------o
+//
+// on the list: the list comes apart in two loops.
+// needs: an edge that one face walks both ways, between loops of three or more corners.
+// changes: E - 1, H + 1. The loop with the larger projected area is the outer one, on a tie that with the smaller vertex.
+// inverse: unite_ring.
+#pragma once
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct MakeRing {
+  Halfedge halfedge;
+
+  static constexpr OpInfo info{"make_ring",
+                               "Make ring",
+                               "リング生成",
+                               "A-B",
+                               "takes a bridge away and makes the inner loop a ring of the face",
+                               "橋の稜線を取り除き、内側のループを面のリングにする",
+                               '\0',
+                               OpTargetKind::edge,
+                               "kemr"};
+
+  static Parsed<MakeRing> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static MakeRing at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

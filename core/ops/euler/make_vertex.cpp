@@ -1,0 +1,29 @@
+#include "core/ops/euler/make_vertex.h"
+
+#include <cassert>
+
+#include "core/ops/arguments.h"
+
+namespace ryosen {
+
+Parsed<MakeVertex> MakeVertex::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  ArgumentReader in(mesh, arguments, info.syntax);
+  const MakeVertex op{in.place()};
+  return in.result(op);
+}
+
+MakeVertex MakeVertex::at(const Mesh&, const OpTarget&) { return {}; }
+
+std::string MakeVertex::command(const Mesh&) const { return "make_vertex " + format_place(position); }
+
+Verdict MakeVertex::check(const Mesh&) const { return {}; }
+
+std::vector<Reason> MakeVertex::warnings(const Mesh&) const { return {}; }
+
+OpEffect MakeVertex::apply(Edit& edit) const {
+  OpEffect effect;
+  effect.created.push_back(edit.add_vertex(position));
+  return effect;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,38 @@
+// A free vertex, the beginning of everything.
+//
+//                          v
+//        (empty)   =>      o
+//
+// on the list: a live number without a face.
+// needs: nothing.
+// changes: V + 1, B + 1, S + 1.
+// inverse: remove_vertex.
+#pragma once
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct MakeVertex {
+  glm::dvec3 position{0.0};
+
+  static constexpr OpInfo info{"make_vertex",
+                               "Make vertex",
+                               "頂点生成",
+                               "X,Y,Z",
+                               "puts a free vertex at a place",
+                               "指定した位置に孤立頂点を置く",
+                               '\0',
+                               OpTargetKind::none,
+                               "mvs"};
+
+  static Parsed<MakeVertex> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static MakeVertex at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,40 @@
+// Moves a point; all its copies move along.
+//
+//        v
+//        o           =>              o v
+//       /|\                     --- /|
+//
+// on the list: nothing but the place.
+// needs: a live vertex.
+// changes: nothing in number.
+// inverse: the move back.
+#pragma once
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct MoveVertex {
+  Vertex vertex;
+  glm::dvec3 position{0.0};
+
+  static constexpr OpInfo info{"move_vertex",
+                               "Move vertex",
+                               "頂点移動",
+                               "vN X,Y,Z",
+                               "moves a vertex and all its copies to a place",
+                               "頂点をそのすべての複製とともに移動する",
+                               '\0',
+                               OpTargetKind::none,
+                               "move"};
+
+  static Parsed<MoveVertex> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static MoveVertex at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,38 @@
+// Puts a vertex into an edge and does nothing else.
+//
+//             a-----------b       =>       a-----m-----b
+//
+// on the list: every face and pair at the edge gets a corner, triangles too.
+// needs: an edge that no face walks both ways.
+// changes: V + 1, E + 1. All sheets of a non-manifold or misoriented edge are divided, the point has a copy on each.
+// inverse: unite_edge.
+#pragma once
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct SeparateEdge {
+  Halfedge halfedge;
+  double along = 0.5;
+
+  static constexpr OpInfo info{"separate_edge",
+                               "Divide edge",
+                               "稜線分割",
+                               "A-B [t]",
+                               "puts a vertex into an edge without cutting faces",
+                               "面を切らずに稜線の途中に頂点を入れる",
+                               '\0',
+                               OpTargetKind::edge,
+                               "semv"};
+
+  static Parsed<SeparateEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static SeparateEdge at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

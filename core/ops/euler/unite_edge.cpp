@@ -1,0 +1,99 @@
+#include "core/ops/euler/unite_edge.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "core/mesh/copies.h"
+#include "core/ops/arguments.h"
+#include "core/ops/corner_values.h"
+#include "core/ops/face_lists.h"
+
+namespace ryosen {
+
+namespace {
+
+// The two halfedges that leave the vertex.
+std::pair<Halfedge, Halfedge> both_out(const Mesh& mesh, Vertex v) {
+  return {mesh.halfedge(v), mesh.counter_clockwise(mesh.halfedge(v))};
+}
+
+bool has_two_edges(const Mesh& mesh, Vertex v) {
+  if (mesh.is_isolated(v)) return false;
+  const auto [first, second] = both_out(mesh, v);
+  return first != second && mesh.counter_clockwise(second) == first;
+}
+
+// The face on one side of the vertex: what becomes of its list.
+void check_face(const Mesh& mesh, Face f, Vertex v, Verdict& verdict) {
+  CornerLoops after;
+  for_each_loop(mesh, f, [&](Halfedge start) {
+    std::vector<std::uint32_t> points = points_along(mesh, start);
+    std::erase(points, v.index);
+    after.add(points);
+  });
+  if (!take_out_bridges(after)) {
+    verdict.refuse(Rule::loop, {f, v});
+    return;
+  }
+  if (const Face other = equal_face(mesh, f)) verdict.refuse(Rule::loses_duplicate, {f, other});
+  const Face except[] = {f};
+  if (const Face other = face_on(mesh, point_set(after.corners), except))
+    verdict.refuse(Rule::duplicate_face, {std::min(f, other), std::max(f, other)});
+}
+
+}  // namespace
+
+Parsed<UniteEdge> UniteEdge::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  ArgumentReader in(mesh, arguments, info.syntax);
+  const UniteEdge op{in.vertex()};
+  return in.result(op);
+}
+
+UniteEdge UniteEdge::at(const Mesh&, const OpTarget& target) { return {target.vertex}; }
+
+std::string UniteEdge::command(const Mesh& mesh) const { return "unite_edge " + name_of(mesh, vertex); }
+
+Verdict UniteEdge::check(const Mesh& mesh) const {
+  Verdict verdict;
+  if (is_gone(mesh, vertex, verdict)) return verdict;
+  if (has_copies(mesh, vertex)) verdict.refuse(Rule::copies, {vertex});
+  if (!has_two_edges(mesh, vertex)) verdict.refuse(Rule::two_edges, {vertex});
+  if (!verdict.legal()) return verdict;
+  const auto [out, other] = both_out(mesh, vertex);
+  const std::vector<Halfedge> existing = sheets_between(mesh, mesh.to(out), mesh.to(other));
+  if (!existing.empty()) verdict.refuse(Rule::edge_exists, {edge(existing.front())});
+  const Face f = mesh.face(out), g = mesh.face(other);
+  if (f) check_face(mesh, f, vertex, verdict);
+  if (g && g != f) check_face(mesh, g, vertex, verdict);
+  return verdict;
+}
+
+std::vector<Reason> UniteEdge::warnings(const Mesh&) const { return {}; }
+
+//     a --back--> m --out--> b      out and its twin go; back runs on to b
+OpEffect UniteEdge::apply(Edit& edit) const {
+  const Mesh& m = edit.mesh();
+  assert(check(m).legal());
+  const Halfedge out = m.halfedge(vertex), out_twin = twin(out), back = m.prev(out), back_twin = twin(back);
+  const Vertex b = m.to(out);
+  OpEffect effect;
+  effect.deleted = {vertex, edge(out)};
+  CornerWriter corners(edit);
+  if (!m.is_outside(out_twin))
+    for (std::size_t k = 0; k < corners.count(); ++k) corners.set(k, back_twin, corners.index(k, out_twin));
+  if (m.face(out)) replace_start(edit, m.face(out), out, back);
+  if (m.face(out_twin)) replace_start(edit, m.face(out_twin), out_twin, back_twin);
+  const Halfedge after = m.next(out), before = m.prev(out_twin);
+  edit.connect(back, after == out_twin ? back_twin : after);
+  if (after != out_twin) edit.connect(before, back_twin);
+  edit.set_from(back_twin, b);
+  if (m.halfedge(b) == out_twin) edit.set_halfedge(b, back_twin);
+  edit.remove(edge(out));
+  edit.remove(vertex);
+  for (Halfedge side : {back, back_twin})
+    if (!m.is_outside(side)) effect.changed.push_back(m.face(side));
+  return effect;
+}
+
+}  // namespace ryosen

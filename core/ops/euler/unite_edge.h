@@ -1,0 +1,38 @@
+// Takes a vertex with two edges away and makes them one.
+//
+//             a-----m-----b       =>       a-----------b
+//
+// on the list: m is taken out of every face and pair.
+// needs: a vertex without copies and with exactly two edges, whose other ends are not joined; faces keep three corners;
+//        no face is or was on the same points.
+// changes: V - 1, E - 1.
+// inverse: separate_edge.
+#pragma once
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct UniteEdge {
+  Vertex vertex;
+
+  static constexpr OpInfo info{"unite_edge",
+                               "Unite edges",
+                               "稜線結合",
+                               "vN",
+                               "takes away a vertex with exactly two edges",
+                               "稜線がちょうど二本の頂点を取り除く",
+                               '\0',
+                               OpTargetKind::vertex,
+                               "jekv"};
+
+  static Parsed<UniteEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static UniteEdge at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,104 @@
+#include "core/ops/euler/unite_loop.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/mesh/copies.h"
+#include "core/ops/arguments.h"
+#include "core/ops/corner_values.h"
+#include "core/ops/face_lists.h"
+#include "core/ops/surgery.h"
+
+namespace ryosen {
+
+namespace {
+
+// The list of the united face: the two loops at the edge without it, and all other loops of both.
+CornerLoops list_after(const Mesh& mesh, Halfedge h) {
+  CornerLoops after;
+  std::vector<std::uint32_t> joined;
+  for (Halfedge side : {h, twin(h)})
+    for (Halfedge g = mesh.next(side); g != side; g = mesh.next(g)) joined.push_back(point(mesh, mesh.from(g)).index);
+  after.add(joined);
+  for (Halfedge side : {h, twin(h)}) {
+    const std::uint32_t own = ring_of(mesh, side);
+    if (own != no_index) after.add(points_along(mesh, mesh.halfedge(mesh.face(side))));
+    for (std::uint32_t r = mesh.first_ring(mesh.face(side)); r != no_index; r = mesh.ring(r).next)
+      if (r != own) after.add(points_along(mesh, mesh.ring(r).halfedge));
+  }
+  return after;
+}
+
+}  // namespace
+
+Parsed<UniteLoop> UniteLoop::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  ArgumentReader in(mesh, arguments, info.syntax);
+  const UniteLoop op{in.halfedge()};
+  return in.result(op);
+}
+
+UniteLoop UniteLoop::at(const Mesh&, const OpTarget& target) { return {target.halfedge}; }
+
+std::string UniteLoop::command(const Mesh& mesh) const { return "unite_loop " + name_of(mesh, halfedge); }
+
+Verdict UniteLoop::check(const Mesh& mesh) const {
+  Verdict verdict;
+  if (is_gone(mesh, halfedge, verdict)) return verdict;
+  const Face f = mesh.face(halfedge), g = mesh.face(twin(halfedge));
+  if (!f || !g) verdict.refuse(Rule::boundary, {edge(halfedge)});
+  if (f && f == g) verdict.refuse(Rule::same_face, {edge(halfedge), f});
+  if (is_cut_on_points(mesh, halfedge))
+    verdict.refuse(Rule::copies, {point(mesh, mesh.from(halfedge)), point(mesh, mesh.to(halfedge))});
+  if (!verdict.legal()) return verdict;
+  const CornerLoops after = list_after(mesh, halfedge);
+  const auto parts = take_out_bridges(after);
+  // Bridges that both faces had stay; a second shared edge would become one, and is none.
+  if (!parts || parts->size() - after.ends.size() != bridges_of(loops_of(mesh, f)) + bridges_of(loops_of(mesh, g))) {
+    verdict.refuse(Rule::loop, {f, g});
+    return verdict;
+  }
+  for (Face face : {f, g})
+    if (const Face other = equal_face(mesh, face); other && other != f && other != g)
+      verdict.refuse(Rule::loses_duplicate, {face, other});
+  const Face except[] = {f, g};
+  if (const Face other = face_on(mesh, point_set(after.corners), except))
+    verdict.refuse(Rule::duplicate_face, {std::min(f, g), other});
+  return verdict;
+}
+
+std::vector<Reason> UniteLoop::warnings(const Mesh& mesh) const {
+  if (!is_seam(mesh, halfedge)) return {};
+  return {{Rule::seam, {edge(halfedge)}}};
+}
+
+OpEffect UniteLoop::apply(Edit& edit) const {
+  const Mesh& m = edit.mesh();
+  assert(check(m).legal());
+  const Face stays = std::min(m.face(halfedge), m.face(twin(halfedge)));
+  const Halfedge inner = m.face(halfedge) == stays ? halfedge : twin(halfedge), outer = twin(inner);
+  const Face goes = m.face(outer);
+  const std::uint32_t ring_inner = ring_of(m, inner), ring_outer = ring_of(m, outer);
+  const Vertex a = m.from(halfedge), b = m.to(halfedge);
+  const Halfedge joined = m.next(outer), goes_start = m.halfedge(goes);
+  OpEffect effect;
+  effect.deleted = {edge(halfedge), goes};
+  effect.changed = {stays};
+  for_each_loop(m, goes, [&](Halfedge start) { set_face_along(edit, start, stays); });
+  if (ring_outer != no_index) edit.remove_ring(goes, ring_outer);
+  if (ring_inner == no_index && ring_outer != no_index) {
+    // The face that stays lay inside the other one, whose outer loop is theirs.
+    edit.set_halfedge(stays, goes_start);
+    edit.add_ring(stays, joined);
+  } else {
+    replace_start(edit, stays, inner, joined);
+    if (ring_outer != no_index) edit.add_ring(stays, goes_start);
+  }
+  move_rings(edit, goes, stays);
+  unlink_edge(edit, halfedge);
+  edit.remove(goes);
+  hold_outside(edit, a);
+  hold_outside(edit, b);
+  return effect;
+}
+
+}  // namespace ryosen

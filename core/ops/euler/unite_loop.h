@@ -1,0 +1,41 @@
+// Unites the two faces at an edge.
+//
+//        d-------c                d-------c
+//        |  g  / |                |       |
+//        |   /   |       =>       |   f   |       the lower number stays, with its material and groups
+//        | /  f  |                |       |
+//        a-------b                a-------b
+//
+// on the list: the two lists become one without the edge; rings go along.
+// needs: two different faces that share this edge and touch nowhere else; no face is or was on the same points.
+// changes: E - 1, F - 1.
+// inverse: separate_loop.
+#pragma once
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct UniteLoop {
+  Halfedge halfedge;
+
+  static constexpr OpInfo info{"unite_loop",
+                               "Unite loops",
+                               "ループ結合",
+                               "A-B",
+                               "unites the two faces at an edge into one",
+                               "稜線の両側の面を一つにまとめる",
+                               '\0',
+                               OpTargetKind::edge,
+                               "kef"};
+
+  static Parsed<UniteLoop> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static UniteLoop at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

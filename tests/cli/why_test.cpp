@@ -157,6 +157,30 @@ TEST(Why, SaysWhatTheTableOfRulesKnowsWhereNoRemedyWasFound) {
   EXPECT_EQ(copies.find("never"), std::string::npos) << copies;
 }
 
+TEST(Why, NothingEverHelpsWhereNeverIsSaid) {
+  std::size_t final_refusals = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(asset("cube.obj")).parent_path())) {
+    const std::string extension = entry.path().extension();
+    if ((extension != ".obj" && extension != ".off") || entry.path().stem() == "stanford_bunny") continue;
+    for (const char* op : {"collapse", "swap"}) {
+      const ProgramRun run = run_program({"why", entry.path(), "--op", op, "--all", "--json"});
+      if (run.exit_code != 0) continue;  // a malformed one
+      for (const Json& line : run.lines()) {
+        bool is_final = false, has_copies = false;
+        for (const Json& reason : line["reasons"]) {
+          is_final |= reason["rule"] == "boundary" || reason["rule"] == "inner_edge";
+          has_copies |= reason["rule"] == "copies";
+        }
+        if (!is_final || has_copies) continue;
+        ++final_refusals;
+        EXPECT_EQ(line["remedy"], "never") << entry.path() << ": " << line;
+      }
+    }
+  }
+  EXPECT_GT(final_refusals, 50u);
+}
+
 TEST(Why, UsageErrors) {
   const std::string mesh = asset("cube.obj");
   const std::vector<std::vector<std::string>> wrong = {

@@ -22,15 +22,17 @@ std::unique_ptr<Form> make(const Mesh& mesh) {
 }
 
 constexpr std::uint32_t surface = one_vertex_per_point | one_fan_per_vertex | no_wires | no_rings;
-constexpr std::uint32_t list = one_fan_per_vertex | no_wires | no_rings;
+constexpr std::uint32_t list = one_fan_per_vertex | no_wires | no_rings | no_bridges;
 
 constexpr std::array table{
     FormRow{"triangle_soup", "triangle soup", "三角形スープ", "table 1", "表 1",
             list | triangles | no_isolated_vertices | different_places, false, make<TriangleSoup>},
     FormRow{"indexed_face_set", "indexed face set", "インデックスフェースセット", "table 2", "表 2", list, true,
             make<IndexedFaceSet>},
-    FormRow{"face_adjacency", "face adjacency", "面の隣接", "table 3", "表 3", surface, true, make<FaceAdjacency>},
-    FormRow{"winged_edge", "winged edge", "ウィングドエッジ", "table 4", "表 4", surface, true, make<WingedEdge>},
+    FormRow{"face_adjacency", "face adjacency", "面の隣接", "table 3", "表 3", surface | no_bridges, true,
+            make<FaceAdjacency>},
+    FormRow{"winged_edge", "winged edge", "ウィングドエッジ", "table 4", "表 4", surface | no_bridges, true,
+            make<WingedEdge>},
     FormRow{"halfedge", "halfedge", "ハーフエッジ", "table 5", "表 5", surface, true, make<HalfedgeForm<false, false>>},
     FormRow{"halfedge_edges", "halfedge, edge records", "ハーフエッジ＋稜線", "tables 5, 6", "表 5・6", surface, true,
             make<HalfedgeForm<false, true>>},

@@ -1,5 +1,6 @@
 #include "core/forms/comparison.h"
 
+#include <algorithm>
 #include <chrono>
 #include <random>
 
@@ -65,7 +66,7 @@ std::optional<double> time_per_query(const Form& form, Relation relation, const 
 }
 
 FormFigures measure(const Mesh& mesh, const FormRow& row, const Questions& questions, const Effort& effort) {
-  FormFigures figures{&row, why_unsuitable(mesh, row), 0, 0, {}, {}};
+  FormFigures figures{&row, why_unsuitable(mesh, row), 0, 0, {}};
   if (figures.unsuitable) return figures;
   const auto start = Clock::now();
   const std::unique_ptr<Form> form = row.make(mesh);
@@ -78,7 +79,6 @@ FormFigures measure(const Mesh& mesh, const FormRow& row, const Questions& quest
                                                               : questions.faces;
     const auto i = static_cast<std::size_t>(relation.relation);
     figures.query_seconds[i] = time_per_query(*form, relation.relation, elements, effort.query_seconds);
-    figures.answers[i] = figures.query_seconds[i].has_value();
   }
   return figures;
 }
@@ -100,11 +100,11 @@ std::size_t faces_within(const IndexedMesh& source, const PairingMethod& method,
 }
 
 PairingFigures measure_pairing(const IndexedMesh& source, const PairingMethod& method, const Effort& effort) {
-  PairingFigures figures{&method, faces_within(source, method, effort.pairing_steps), true, 0};
-  figures.is_whole = figures.faces == source.face_count();
-  const IndexedMesh part = figures.is_whole ? IndexedMesh() : first_faces(source, figures.faces);
+  PairingFigures figures{&method, faces_within(source, method, effort.pairing_steps), source.face_count(), 1, 0};
+  const IndexedMesh part = figures.is_whole() ? IndexedMesh() : first_faces(source, figures.faces);
+  if (!figures.is_whole()) figures.steps_of_all = method.steps(source) / std::max(1.0, method.steps(part));
   const auto start = Clock::now();
-  const SidePartners partners = method.pair(figures.is_whole ? source : part);
+  const SidePartners partners = method.pair(figures.is_whole() ? source : part);
   figures.seconds = seconds_since(start);
   return figures;
 }

@@ -24,14 +24,15 @@ struct FormFigures {
   double build_seconds = 0;  // from the mesh
   // Mean over random elements, by relation; empty where the form cannot tell (or there is nothing to ask about).
   std::array<std::optional<double>, relation_count> query_seconds;
-  std::array<bool, relation_count> answers{};  // on the elements that were asked about
 };
 
 struct PairingFigures {
   const PairingMethod* method = nullptr;
-  std::size_t faces = 0;  // how many of the first faces were paired
-  bool is_whole = true;
+  std::size_t faces = 0, all_faces = 0;  // how many of the first faces were paired, and how many there are
+  double steps_of_all = 1;               // how many times the steps of that part pairing all of them would take
   double seconds = 0;
+
+  bool is_whole() const { return faces == all_faces; }
 };
 
 struct Comparison {

@@ -57,7 +57,8 @@ constexpr EdgeEnds edge_ends(std::uint32_t a, std::uint32_t b) { return a < b ? 
 
 // Each element once. vertex_vertices, vertex_faces, edge_vertices, edge_faces, face_vertices, face_faces and valence
 // (one number) fill `numbers`, the others `edges`. face_vertices and face_edges come in the order of the face, its
-// first corner (and the side that begins there) first, then its inner loops; the rest comes in any order.
+// first corner (and the side that begins there) first, then its inner loops, a bridge and its ends as often as the face
+// passes them; the rest comes in any order.
 struct Answer {
   std::vector<std::uint32_t> numbers;
   std::vector<EdgeEnds> edges;
@@ -99,6 +100,7 @@ enum Needs : std::uint32_t {
   no_isolated_vertices = 16,
   different_places = 32,  // no two points with equal coordinates, and none that is not finite
   no_rings = 64,          // faces without inner loops
+  no_bridges = 128,       // no edge with one face on both sides
 };
 
 struct FormRow {

@@ -100,6 +100,17 @@ Reason find_rings(const Mesh& mesh) {
   return {};
 }
 
+Reason find_bridge(const Mesh& mesh) {
+  for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) {
+    const Halfedge h = halfedge(Edge(e));
+    if (!mesh.is_alive(Edge(e)) || mesh.is_outside(h) || mesh.face(h) != mesh.face(twin(h))) continue;
+    const std::string ends = std::to_string(mesh.from(h).index) + "-" + std::to_string(mesh.to(h).index);
+    return Text{"It holds edges between different faces alone; " + ends + " has one face on both sides.",
+                "両側の面が異なる稜線しか持てません。" + ends + " の両側は同じ面です。"};
+  }
+  return {};
+}
+
 struct Check {
   Needs need;
   Reason (*find)(const Mesh& mesh);
@@ -107,6 +118,7 @@ struct Check {
 constexpr std::array checks{
     Check{triangles, find_polygon},
     Check{no_rings, find_rings},
+    Check{no_bridges, find_bridge},
     Check{one_vertex_per_point, find_copies},
     Check{no_wires, find_wire},
     Check{one_fan_per_vertex, find_several_fans},

@@ -145,6 +145,10 @@ Mesh mesh_from_sides(const Polygons& polygons, const std::vector<std::uint32_t>&
 Mesh without_gaps(const Mesh& mesh, const Numbering& numbers) {
   MeshColumns c;
   c.live = {numbers.vertices, numbers.edges, numbers.faces, 0};
+  c.vertex_halfedge.reserve(numbers.vertices);
+  c.positions.reserve(numbers.vertices);
+  c.halfedges.reserve(std::size_t{2} * numbers.edges);
+  c.face_halfedge.reserve(numbers.faces);
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
     const Vertex v(i);
     if (!mesh.is_alive(v)) continue;

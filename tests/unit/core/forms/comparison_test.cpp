@@ -38,8 +38,8 @@ TEST(FormsComparison, MeasuresSlowMethodsOnTheFirstFaces) {
   const IndexedMesh list = test::indexed(test::torus_grid(30, 30));  // 5400 sides
   for (const PairingMethod& method : pairing_methods()) {
     const PairingFigures figures = measure_pairing(list, method, quick);
-    EXPECT_EQ(figures.is_whole, method.id != "brute_force") << method.id;
-    EXPECT_EQ(figures.faces, figures.is_whole ? 1800u : 333u) << method.id;  // (3 * 333)^2 <= 10^6 < (3 * 334)^2
+    EXPECT_EQ(figures.is_whole(), method.id != "brute_force") << method.id;
+    EXPECT_EQ(figures.faces, figures.is_whole() ? 1800u : 333u) << method.id;  // (3 * 333)^2 <= 10^6 < (3 * 334)^2
     EXPECT_GT(figures.seconds, 0.0);
   }
   const IndexedMesh fan = test::indexed(test::closed_fan(2000));

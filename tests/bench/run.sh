@@ -8,8 +8,9 @@ root=$(cd "$(dirname "$0")/../.." && pwd)
 ensure_packages $build_packages $test_packages libbenchmark-dev
 [ $# = 0 ] || export RYOSEN_DRAGON=$1
 cmake -S "$root" -B "$root/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DRYOSEN_BENCH=ON >&2
-cmake --build "$root/build/release" --target bench_core bench_editor ryosen >&2
+cmake --build "$root/build/release" --target bench_core bench_forms bench_editor ryosen >&2
 "$root/build/release/bin/bench_core"
+"$root/build/release/bin/bench_forms" --benchmark_min_time=0.05
 "$root/build/release/bin/bench_editor"
 
 # median_of_11 COMMAND... prints the median wall time of 11 runs after one that is not counted, in milliseconds.

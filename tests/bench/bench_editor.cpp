@@ -5,6 +5,7 @@
 #include <random>
 
 #include "app/editor/session.h"
+#include "app/ui/gui.h"
 #include "app/ui/viewport.h"
 #include "render/context/context.h"
 #include "tests/bench/bench_meshes.h"
@@ -62,6 +63,18 @@ void edit_and_follow(benchmark::State& state, Source source) {
   }
 }
 
+// Names of edges whose collapse is legal, all over the mesh.
+std::vector<std::string> legal_collapses(Session& session, std::size_t count) {
+  const Mesh& mesh = session.mesh();
+  std::mt19937 random(1);
+  std::vector<std::string> lines;
+  while (lines.size() < count) {
+    const CollapseEdge op{Halfedge(random() % mesh.halfedge_slots())};
+    if (mesh.is_alive(op.halfedge) && op.check(mesh).legal()) lines.push_back(command_of(mesh, op));
+  }
+  return lines;
+}
+
 struct Screen {
   std::unique_ptr<Context> context;
   std::unique_ptr<Viewport> viewport;
@@ -75,6 +88,48 @@ Screen open_screen() {
   auto viewport = Viewport::make();
   if (viewport) screen.viewport = std::move(viewport).value();
   return screen;
+}
+
+// One collapse by the names of its edge's ends, with everything that keeps up with it: tree, highlights, totals,
+// problems. With `panels` also a frame of the panels, laid out and not drawn. `undo` times the undo instead.
+enum class Part { collapse, undo, panels, view };
+
+void edit_by_name(benchmark::State& state, Source source, Part part) {
+  if (source().positions.empty()) return state.SkipWithError("RYOSEN_DRAGON is not set");
+  const auto session = open_session(source);
+  session->euler_terms();
+  const std::vector<std::string> lines = legal_collapses(*session, 500);
+  constexpr Size window{1280, 720};
+  Gui gui(1);
+  gui.place_view(*session, window);
+  session->frame_all();
+  Screen screen;
+  if (part == Part::view) screen = open_screen();
+  if (part == Part::view && !screen.viewport) return state.SkipWithError("no OSMesa");
+  const auto follow = [&] {
+    if (part == Part::panels) {
+      gui.prepare(*session);
+      gui.frame(*session, window, 0.02);
+    }
+    if (part == Part::view) {
+      screen.viewport->follow(*session);
+      screen.viewport->draw();
+      benchmark::DoNotOptimize(screen.viewport->view().picture());
+    }
+  };
+  for (int i = 0; i < 3; ++i) follow();
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const auto start = Clock::now();
+    const Outcome outcome = gui.run(*session, lines[i++ % lines.size()]);
+    follow();
+    const double collapse = seconds_since(start);
+    if (!outcome.done()) return state.SkipWithError("refused");
+    const auto back = Clock::now();
+    gui.run(*session, "undo");
+    follow();
+    state.SetIterationTime(part == Part::undo ? seconds_since(back) : collapse);
+  }
 }
 
 enum class Reaction { camera, hover, edit };
@@ -109,6 +164,20 @@ BENCHMARK_CAPTURE(hover_verdict, bunny, bunny)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(hover_verdict, dragon, dragon)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(edit_and_follow, bunny, bunny)->UseManualTime()->Unit(benchmark::kMicrosecond)->Iterations(500);
 BENCHMARK_CAPTURE(edit_and_follow, dragon, dragon)->UseManualTime()->Unit(benchmark::kMicrosecond)->Iterations(500);
+void register_edits_by_name() {
+  const std::pair<const char*, Source> meshes[]{
+      {"bunny", bunny}, {"dragon", dragon}, {"littered_70k", littered_70k}, {"littered_830k", littered_830k}};
+  const std::pair<const char*, Part> parts[]{
+      {"collapse", Part::collapse}, {"undo", Part::undo}, {"with_panels", Part::panels}, {"with_view", Part::view}};
+  for (const auto& [mesh, source] : meshes)
+    for (const auto& [name, part] : parts)
+      benchmark::RegisterBenchmark((std::string("edit_by_name/") + mesh + "/" + name).c_str(), edit_by_name, source,
+                                   part)
+          ->UseManualTime()
+          ->Unit(benchmark::kMicrosecond)
+          ->Iterations(500);
+}
+
 BENCHMARK_CAPTURE(redraw, bunny_camera, bunny, Reaction::camera)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond)
@@ -131,6 +200,13 @@ BENCHMARK_CAPTURE(redraw, dragon_edit, dragon, Reaction::edit)
     ->Iterations(100);
 
 }  // namespace
+
+void register_all() { register_edits_by_name(); }
+
 }  // namespace ryosen::bench
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  ryosen::bench::register_all();
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,5 +1,6 @@
 #include "tests/bench/bench_meshes.h"
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -52,6 +53,33 @@ IndexedMesh read_ascii_ply(const std::string& bytes) {
   return mesh;
 }
 
+IndexedMesh littered(std::uint32_t side) {
+  IndexedMesh mesh;
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    mesh.corners.insert(mesh.corners.end(), {a, b, c});
+    mesh.face_offsets.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+  };
+  const auto add_point = [&](double x, double y, double z) {
+    mesh.positions.emplace_back(x, y, z);
+    return static_cast<std::uint32_t>(mesh.positions.size() - 1);
+  };
+  for (std::uint32_t y = 0; y < side; ++y)
+    for (std::uint32_t x = 0; x < side; ++x) add_point(x, y, 0.3 * std::sin(0.7 * x) * std::cos(0.9 * y));
+  for (std::uint32_t y = 0; y + 1 < side; ++y) {
+    for (std::uint32_t x = 0; x + 1 < side; ++x) {
+      const std::uint32_t a = y * side + x, b = a + 1, c = b + side, d = a + side;
+      add(a, b, c);
+      add(a, c, d);
+      if (x % 3 == 1 && y % 3 == 1) add(a, c, add_point(x + 0.5, y + 0.5, 1));
+      if (x % 3 == 2 && y % 3 == 2) {
+        const std::uint32_t p = add_point(x, y, 2), q = add_point(x + 0.5, y, 2);
+        add(p, q, add_point(x, y + 0.5, 2));
+      }
+    }
+  }
+  return mesh;
+}
+
 }  // namespace
 
 const IndexedMesh& bunny() {
@@ -67,6 +95,16 @@ const IndexedMesh& bunny() {
     plain.face_offsets = std::move(file->mesh.face_offsets);
     return plain;
   }();
+  return mesh;
+}
+
+const IndexedMesh& littered_70k() {
+  static const IndexedMesh mesh = littered(178);
+  return mesh;
+}
+
+const IndexedMesh& littered_830k() {
+  static const IndexedMesh mesh = littered(612);
   return mesh;
 }
 

@@ -10,6 +10,7 @@ ExitCode why_command(const Arguments& arguments, const Console& console);
 ExitCode edit_command(const Arguments& arguments, const Console& console);
 ExitCode view_command(const Arguments& arguments, const Console& console);
 ExitCode shot_command(const Arguments& arguments, const Console& console);
+ExitCode forms_command(const Arguments& arguments, const Console& console);
 ExitCode formats_command(const Arguments& arguments, const Console& console);
 ExitCode keys_command(const Arguments& arguments, const Console& console);
 ExitCode doctor_command(const Arguments& arguments, const Console& console);

@@ -5,6 +5,8 @@
 #include "app/cli/columns.h"
 #include "app/editor/commands.h"
 #include "core/analysis/problem_kinds.h"
+#include "core/build/pairing.h"
+#include "core/forms/all.h"
 
 namespace ryosen::cli {
 
@@ -37,6 +39,18 @@ std::string operators_topic(Language language) {
   Columns columns;
   add_operators(columns, language);
   return std::string(choose(language, "Operators:\n", "操作：\n")) + columns.text();
+}
+
+std::string forms_topic(Language language) {
+  Columns rows, methods;
+  for (const forms::FormRow& row : forms::all_forms())
+    rows.add(std::string(row.id), std::string(choose(language, row.en, row.ja)) + " (" +
+                                      std::string(choose(language, row.source_en, row.source_ja)) + ")");
+  for (const PairingMethod& method : pairing_methods())
+    methods.add(std::string(method.id), choose(language, method.en, method.ja));
+  return std::string(choose(language, "Forms:\n", "形状表現：\n")) + rows.text() +
+         std::string(choose(language, "Ways to pair the halfedges:\n", "半稜線の対を見つける方法：\n")) +
+         methods.text();
 }
 
 std::string script_commands_topic(Language language) {

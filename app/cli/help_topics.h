@@ -13,5 +13,7 @@ std::string problem_kinds_topic(Language language);
 std::string script_commands_topic(Language language);
 // The operators alone.
 std::string operators_topic(Language language);
+// The forms of the texts and the ways to pair halfedges.
+std::string forms_topic(Language language);
 
 }  // namespace ryosen::cli

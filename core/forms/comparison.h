@@ -22,7 +22,7 @@ struct FormFigures {
   std::optional<Text> unsuitable;  // set: the rest is empty
   std::size_t bytes = 0;
   double build_seconds = 0;  // from the mesh
-  // Mean over random elements, by relation; empty where the form cannot tell (or there is nothing to ask about).
+  // Mean over random elements in the best of some rounds, by relation; empty where the form cannot tell (or there is nothing to ask about).
   std::array<std::optional<double>, relation_count> query_seconds;
 };
 
@@ -30,7 +30,7 @@ struct PairingFigures {
   const PairingMethod* method = nullptr;
   std::size_t faces = 0, all_faces = 0;  // how many of the first faces were paired, and how many there are
   double steps_of_all = 1;               // how many times the steps of that part pairing all of them would take
-  double seconds = 0;
+  double seconds = 0;                    // the best of up to three runs
 
   bool is_whole() const { return faces == all_faces; }
 };

@@ -1,0 +1,157 @@
+// `forms`: the representations of the texts side by side for a mesh.
+#include <cstdio>
+
+#include "app/cli/commands.h"
+#include "app/cli/json.h"
+#include "app/cli/text_table.h"
+#include "core/build/from_indexed.h"
+#include "core/forms/comparison.h"
+#include "core/io/formats.h"
+
+namespace ryosen::cli {
+
+namespace {
+
+using forms::Comparison;
+using forms::FormFigures;
+using forms::PairingFigures;
+
+std::optional<double> bytes_per_face(const FormFigures& figures, std::uint32_t faces) {
+  if (figures.unsuitable || faces == 0) return {};
+  return static_cast<double>(figures.bytes) / faces;
+}
+
+Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json to_json(const FormFigures& figures, std::uint32_t faces) {
+  const bool suits = !figures.unsuitable;
+  Json json{{"form", figures.row->id},
+            {"en", figures.row->en},
+            {"ja", figures.row->ja},
+            {"source", {{"en", figures.row->source_en}, {"ja", figures.row->source_ja}}},
+            {"suitable", suits}};
+  json["reason"] = suits ? Json() : Json{{"en", figures.unsuitable->en}, {"ja", figures.unsuitable->ja}};
+  json["bytes"] = suits ? Json(figures.bytes) : Json();
+  json["bytes_per_face"] = number_or_null(bytes_per_face(figures, faces));
+  json["build_ms"] = suits ? Json(1e3 * figures.build_seconds) : Json();
+  json["query_ns"] = Json::object();
+  for (const forms::RelationRow& relation : forms::relations()) {
+    const auto& seconds = figures.query_seconds[static_cast<std::size_t>(relation.relation)];
+    json["query_ns"][std::string(relation.id)] = seconds ? Json(1e9 * *seconds) : Json();
+  }
+  return json;
+}
+
+Json to_json(const PairingFigures& figures) {
+  return {{"method", figures.method->id}, {"en", figures.method->en},    {"ja", figures.method->ja},
+          {"faces", figures.faces},       {"whole", figures.is_whole()}, {"ms", 1e3 * figures.seconds}};
+}
+
+Json to_json(const Comparison& comparison, const std::string& file) {
+  Json json{{"file", file},
+            {"vertices", comparison.vertices},
+            {"edges", comparison.edges},
+            {"faces", comparison.faces},
+            {"forms", Json::array()},
+            {"pairing", Json::array()},
+            {"texts", Json::array()}};
+  for (const FormFigures& figures : comparison.forms) json["forms"].push_back(to_json(figures, comparison.faces));
+  for (const PairingFigures& figures : comparison.pairing) json["pairing"].push_back(to_json(figures));
+  for (const forms::TextsReport& report : comparison.texts)
+    json["texts"].push_back({{"operation", report.operation},
+                             {"place", report.place},
+                             {"completed", report.outcome.completed},
+                             {"en", report.outcome.sentence.en},
+                             {"ja", report.outcome.sentence.ja}});
+  return json;
+}
+
+std::string short_number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, x < 99.95 ? "%.3g" : "%.0f", x);
+  return text;
+}
+
+std::string short_or_dash(const std::optional<double>& value, double unit) {
+  return value ? short_number(unit * *value) : "-";
+}
+
+std::string forms_text(const Comparison& comparison, const Console& console) {
+  TextTable table;
+  std::vector<std::string> head{"", std::string(console.text("bytes/face", "バイト/面")),
+                                std::string(console.text("build ms", "構築 ms"))};
+  for (const forms::RelationRow& relation : forms::relations())
+    head.emplace_back(console.text(relation.en, relation.ja));
+  table.add(head);
+  std::string unsuitable;
+  for (const FormFigures& figures : comparison.forms) {
+    const std::string name(console.text(figures.row->en, figures.row->ja));
+    if (figures.unsuitable) {
+      unsuitable.append("  " + name).append(console.text(": ", "：")).append(console.text(*figures.unsuitable)) += "\n";
+      continue;
+    }
+    std::vector<std::string> row{name, short_or_dash(bytes_per_face(figures, comparison.faces), 1),
+                                 short_number(1e3 * figures.build_seconds)};
+    for (const auto& seconds : figures.query_seconds) row.push_back(short_or_dash(seconds, 1e9));
+    table.add(row);
+  }
+  std::string text(console.text("Forms; nanoseconds per query, - where the form cannot tell:\n",
+                                "形状表現（問い合わせはナノ秒、- は答えられないもの）：\n"));
+  text += table.text();
+  if (!unsuitable.empty())
+    text.append(console.text("Forms that cannot hold this mesh:\n", "このメッシュを持てない形状表現：\n")) +=
+        unsuitable;
+  return text;
+}
+
+std::string pairing_text(const Comparison& comparison, const Console& console) {
+  TextTable table;
+  std::string parts;
+  for (const PairingFigures& figures : comparison.pairing) {
+    const std::string name(console.text(figures.method->en, figures.method->ja));
+    table.add({name + (figures.is_whole() ? "" : " *"), short_number(1e3 * figures.seconds) + " ms"});
+    if (figures.is_whole()) continue;
+    const std::string part = std::to_string(figures.faces), all = std::to_string(figures.all_faces),
+                      factor = short_number(figures.steps_of_all);
+    parts += console.text(Text{"  * on the first " + part + " of " + all + " faces alone; all of them take " + factor +
+                                   " times as many steps\n",
+                               "  * 最初の " + part + " 面のみ（全 " + all + " 面では " + factor + " 倍の手数）\n"});
+  }
+  return std::string(console.text("Pairing the halfedges, by method:\n", "半稜線の対を見つける方法：\n")) +
+         table.text() + parts;
+}
+
+std::string texts_text(const Comparison& comparison, const Console& console) {
+  std::string text(console.text("The texts' own code for collapse and swap is written for closed triangles:\n",
+                                "テキストの稜線削除・稜線交換のコードは閉じた三角形メッシュ用です：\n"));
+  for (const forms::TextsReport& report : comparison.texts) {
+    text += "  " + std::string(report.operation);
+    text += report.place == "boundary_edge" ? console.text(" on a boundary edge: ", "（境界の稜線）：")
+                                            : console.text(" beside the boundary: ", "（境界の隣）：");
+    text += console.text(report.outcome.sentence) + "\n";
+  }
+  return text;
+}
+
+std::string to_text(const Comparison& comparison, const std::string& file, const Console& console) {
+  const std::string v = std::to_string(comparison.vertices), e = std::to_string(comparison.edges),
+                    f = std::to_string(comparison.faces);
+  return file +
+         console.text(Text{": " + v + " vertices, " + e + " edges, " + f + " faces\n",
+                           "：頂点 " + v + "、稜線 " + e + "、面 " + f + "\n"}) +
+         forms_text(comparison, console) + pairing_text(comparison, console) + texts_text(comparison, console);
+}
+
+}  // namespace
+
+ExitCode forms_command(const Arguments& arguments, const Console& console) {
+  const std::string& path = arguments.operands()[0];
+  Result<MeshFile> file = read_mesh_file(path);
+  if (!file) return console.fail(file.failure(), path);
+  for (const Message& message : file->messages) console.show(message, path);
+  const Comparison comparison = forms::compare_forms(from_indexed(std::move(file->mesh)));
+  console.print(console.json ? line_of(to_json(comparison, path)) : to_text(comparison, path, console));
+  return ExitCode::done;
+}
+
+}  // namespace ryosen::cli

@@ -107,6 +107,12 @@ void View::set_overlay(Layer layer, const Overlay& overlay) {
   changed(touched);
 }
 
+void View::set_overlay_part(Layer layer, std::uint32_t part, const Overlay& overlay) {
+  std::vector<TouchedBox> touched;
+  overlays_[static_cast<std::size_t>(layer)].set_part(part, overlay, mesh_.space(), touched);
+  changed(touched);
+}
+
 void View::set_mesh(const TriangleSource& source) {
   const Bounds box = bounds_of(source.positions);
   mesh_.set(source, buffer_space(box.min, box.max));
@@ -160,6 +166,7 @@ void View::place_planes() {
     near_ = std::max(near_, std::min(0.01 * target, 0.5 * far_));
   }
   sort_clusters();
+  for (OverlayBuffer& overlay : overlays_) overlay.forget_places();
   const Frame whole = frame(PixelRect::all(size_), 1);
   cluster_places_.resize(order_.size());
   for (const std::uint32_t cluster : order_) place_cluster(cluster, whole);

@@ -52,6 +52,8 @@ class View {
   void set_camera(const Camera& camera);
   // Replaces what the layer holds.
   void set_overlay(Layer layer, const Overlay& overlay);
+  // Replaces a numbered part of the layer, at the cost of that part; see OverlayBuffer::set_part.
+  void set_overlay_part(Layer layer, std::uint32_t part, const Overlay& overlay);
   // Takes a mesh anew: the origin of the buffers and their scale are chosen here. Linear.
   void set_mesh(const TriangleSource& source);
   // Takes over a change of the mesh, see MeshBuffers::update. Costs what changed.

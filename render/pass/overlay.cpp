@@ -23,31 +23,6 @@ bool is_finite(const OverlayElement& element) {
   return true;
 }
 
-std::vector<OverlayElement> converted(const Overlay& overlay, const BufferSpace& space) {
-  std::vector<OverlayElement> elements;
-  elements.reserve(overlay.ghosts.size() + overlay.lines.size() + overlay.points.size());
-  const auto add = [&](const OverlayElement& element) {
-    if (is_finite(element)) elements.push_back(element);
-  };
-  for (const GhostTriangle& g : overlay.ghosts) {
-    add({{{space.from_mesh(g.corners[0]), 0.0f},
-          {space.from_mesh(g.corners[1]), g.hidden},
-          {space.from_mesh(g.corners[2]), packed(ghost_kind, 0)},
-          unit(g.colour)}});
-  }
-  for (const Line& l : overlay.lines) {
-    const glm::vec3 a = space.from_mesh(l.a);
-    const float kind = packed(l.arrow ? arrow_kind : line_kind, static_cast<int>(l.style));
-    add({{{a, l.width_px}, {space.from_mesh(l.b), l.hidden}, {a, kind}, unit(l.colour)}});
-  }
-  for (const Point& p : overlay.points) {
-    const glm::vec3 at = space.from_mesh(p.at);
-    const float kind = packed(point_kind, static_cast<int>(p.shape));
-    add({{{at, p.radius_px}, {at, p.hidden}, {at, kind}, unit(p.colour)}});
-  }
-  return elements;
-}
-
 }  // namespace
 
 DrawBox OverlayElement::box() const {
@@ -71,41 +46,145 @@ float OverlayElement::reach_px() const {
   return 0.5f * size * 1.5f + 2;
 }
 
-void OverlayBuffer::set(const Overlay& overlay, const BufferSpace& space, std::vector<TouchedBox>& touched) {
-  std::vector<OverlayElement> fresh = converted(overlay, space);
-  const auto [old_differs, new_differs] = std::mismatch(elements_.begin(), elements_.end(), fresh.begin(), fresh.end());
-  const auto head = static_cast<std::size_t>(new_differs - fresh.begin());
-  std::size_t tail = 0;
-  const std::size_t limit = std::min(elements_.size(), fresh.size()) - head;
-  while (tail < limit && elements_[elements_.size() - 1 - tail] == fresh[fresh.size() - 1 - tail]) ++tail;
-  for (std::size_t i = head; i < elements_.size() - tail; ++i) {
-    touched.push_back({elements_[i].box(), elements_[i].reach_px()});
+OverlayBuffer::Elements OverlayBuffer::converted(const Overlay& overlay, const BufferSpace& space) {
+  Elements elements;
+  const auto add = [&](std::size_t kind, const OverlayElement& element) {
+    if (is_finite(element)) elements[kind].push_back(element);
+  };
+  for (const GhostTriangle& g : overlay.ghosts) {
+    add(0, {{{space.from_mesh(g.corners[0]), 0.0f},
+             {space.from_mesh(g.corners[1]), g.hidden},
+             {space.from_mesh(g.corners[2]), packed(ghost_kind, 0)},
+             unit(g.colour)}});
   }
-  for (std::size_t i = head; i < fresh.size() - tail; ++i) touched.push_back({fresh[i].box(), fresh[i].reach_px()});
-  elements_ = std::move(fresh);
-  gpu_.write(head, {elements_.data() + head, elements_.size() - head});
-  regroup(head);
+  for (const Line& l : overlay.lines) {
+    const glm::vec3 a = space.from_mesh(l.a);
+    const float kind = packed(l.arrow ? arrow_kind : line_kind, static_cast<int>(l.style));
+    add(1, {{{a, l.width_px}, {space.from_mesh(l.b), l.hidden}, {a, kind}, unit(l.colour)}});
+  }
+  for (const Point& p : overlay.points) {
+    const glm::vec3 at = space.from_mesh(p.at);
+    const float kind = packed(point_kind, static_cast<int>(p.shape));
+    add(2, {{{at, p.radius_px}, {at, p.hidden}, {at, kind}, unit(p.colour)}});
+  }
+  return elements;
 }
 
-void OverlayBuffer::regroup(std::size_t first_changed) {
-  groups_.resize((elements_.size() + group_size - 1) / group_size);
-  for (std::size_t g = first_changed / group_size; g < groups_.size(); ++g) {
-    Group group;
-    group.first = static_cast<std::uint32_t>(g * group_size);
-    group.count = static_cast<std::uint32_t>(std::min(group_size, elements_.size() - g * group_size));
-    for (std::uint32_t i = group.first; i < group.first + group.count; ++i) {
-      group.bounds.box.add(elements_[i].box());
-      group.bounds.reach_px = std::max(group.bounds.reach_px, elements_[i].reach_px());
-      group.shows_hidden |= elements_[i].texels[1].w > 0;
-    }
-    groups_[g] = group;
+void OverlayBuffer::set(const Overlay& overlay, const BufferSpace& space, std::vector<TouchedBox>& touched) {
+  const Elements fresh = converted(overlay, space);
+  for (std::size_t kind = 0; kind < kinds; ++kind) {
+    const std::span<const OverlayElement> all = fresh[kind];
+    std::uint32_t part = 0;
+    for (std::size_t first = 0; first < all.size(); first += group_size)
+      put(kind, part++, all.subspan(first, std::min(group_size, all.size() - first)), touched);
+    while (!groups_[kind].empty() && groups_[kind].back().part >= part)
+      put(kind, groups_[kind].back().part, {}, touched);
   }
+}
+
+void OverlayBuffer::set_part(std::uint32_t part, const Overlay& overlay, const BufferSpace& space,
+                             std::vector<TouchedBox>& touched) {
+  const Elements fresh = converted(overlay, space);
+  for (std::size_t kind = 0; kind < kinds; ++kind) put(kind, part, fresh[kind], touched);
+}
+
+void OverlayBuffer::put(std::size_t kind, std::uint32_t part, std::span<const OverlayElement> fresh,
+                        std::vector<TouchedBox>& touched) {
+  std::vector<Group>& groups = groups_[kind];
+  auto place = std::lower_bound(groups.begin(), groups.end(), part,
+                                [](const Group& group, std::uint32_t number) { return group.part < number; });
+  if (place == groups.end() || place->part != part) {
+    if (fresh.empty()) return;
+    place = groups.insert(place, Group{});
+    place->part = part;
+  }
+  const std::span<const OverlayElement> old(elements_.data() + place->first, place->count);
+  const auto [old_differs, new_differs] = std::mismatch(old.begin(), old.end(), fresh.begin(), fresh.end());
+  const auto head = static_cast<std::size_t>(new_differs - fresh.begin());
+  std::size_t tail = 0;
+  const std::size_t limit = std::min(old.size(), fresh.size()) - head;
+  while (tail < limit && old[old.size() - 1 - tail] == fresh[fresh.size() - 1 - tail]) ++tail;
+  for (std::size_t i = head; i < old.size() - tail; ++i) touched.push_back({old[i].box(), old[i].reach_px()});
+  for (std::size_t i = head; i < fresh.size() - tail; ++i) touched.push_back({fresh[i].box(), fresh[i].reach_px()});
+  if (fresh.empty()) {
+    unused_ += place->room;
+    groups.erase(place);
+    return;
+  }
+  if (head < std::max(old.size(), fresh.size())) write(*place, fresh, head);
+  if (unused_ > 4096 && unused_ > elements_.size() / 2) close_gaps();
+}
+
+// Takes over the elements from number `from` on; those before are the same.
+void OverlayBuffer::write(Group& group, std::span<const OverlayElement> fresh, std::size_t from) {
+  if (fresh.size() > group.room) {
+    give_room(group, fresh.size());
+    from = 0;
+  }
+  std::copy(fresh.begin() + static_cast<std::ptrdiff_t>(from), fresh.end(),
+            elements_.begin() + static_cast<std::ptrdiff_t>(group.first + from));
+  gpu_.write(group.first + from, fresh.subspan(from));
+  group.count = static_cast<std::uint32_t>(fresh.size());
+  group.bounds = {};
+  group.shows_hidden = group.is_placed = group.has_placed_elements = false;
+  for (const OverlayElement& element : fresh) {
+    group.bounds.box.add(element.box());
+    group.bounds.reach_px = std::max(group.bounds.reach_px, element.reach_px());
+    group.shows_hidden |= element.texels[1].w > 0;
+  }
+}
+
+// Moves a group to the end. One that has grown before will grow again, so it gets more than it needs.
+void OverlayBuffer::give_room(Group& group, std::size_t count) {
+  unused_ += group.room;
+  const std::size_t room = group.room == 0 ? count : count + count / 2;
+  group.first = static_cast<std::uint32_t>(elements_.size());
+  group.room = static_cast<std::uint32_t>(room);
+  elements_.resize(elements_.size() + room);
+  places_.resize(elements_.size());
+}
+
+void OverlayBuffer::close_gaps() {
+  std::vector<OverlayElement> packed_elements;
+  packed_elements.reserve(elements_.size() - unused_);
+  for (std::vector<Group>& groups : groups_) {
+    for (Group& group : groups) {
+      const auto begin = elements_.begin() + group.first;
+      group.first = static_cast<std::uint32_t>(packed_elements.size());
+      group.room = group.count;
+      group.has_placed_elements = false;
+      packed_elements.insert(packed_elements.end(), begin, begin + group.count);
+    }
+  }
+  elements_ = std::move(packed_elements);
+  places_.resize(elements_.size());
+  unused_ = 0;
+  gpu_.write(0, elements_);
 }
 
 DrawBox OverlayBuffer::bounds() const {
   DrawBox box;
-  for (const Group& group : groups_) box.add(group.bounds.box);
+  for_each_group([&](const Group& group) { box.add(group.bounds.box); });
   return box;
+}
+
+const PixelRect& OverlayBuffer::place(const Group& group, const glm::mat4& clip_from_buffer, Size size) const {
+  if (!group.is_placed) group.place = screen_bounds(group.bounds.box, clip_from_buffer, size, group.bounds.reach_px);
+  group.is_placed = true;
+  return group.place;
+}
+
+const PixelRect& OverlayBuffer::place(const Group& group, std::uint32_t element, const glm::mat4& clip_from_buffer,
+                                      Size size) const {
+  if (!group.has_placed_elements)
+    for (std::uint32_t i = group.first; i < group.first + group.count; ++i)
+      places_[i] = screen_bounds(elements_[i].box(), clip_from_buffer, size, elements_[i].reach_px());
+  group.has_placed_elements = true;
+  return places_[element];
+}
+
+void OverlayBuffer::forget_places() {
+  for_each_group([](const Group& group) { group.is_placed = group.has_placed_elements = false; });
 }
 
 Result<OverlayPass> OverlayPass::make() {
@@ -121,27 +200,23 @@ OverlayPass::OverlayPass(Program program) : program_(std::move(program)), no_att
 
 OverlayPass::Selection OverlayPass::select(const Frame& frame, const OverlayBuffer& overlay) {
   const bool partial = frame.rect != PixelRect::all(frame.size);
-  const auto touched = [&](const DrawBox& box, float reach_px) {
-    const float reach = reach_px * frame.pixel_scale;
-    return overlap(screen_bounds(box, frame.clip_from_buffer, frame.size, reach), frame.rect);
-  };
+  const int scale = static_cast<int>(frame.pixel_scale);
+  const Size size{frame.size.width / scale, frame.size.height / scale};
+  // In pixels of the picture, as places are.
+  const PixelRect rect{frame.rect.x0 / scale, frame.rect.y0 / scale, (frame.rect.x1 + scale - 1) / scale,
+                       (frame.rect.y1 + scale - 1) / scale};
   Selection selection;
   const auto add = [&](std::uint32_t first, std::uint32_t count, bool shows_hidden) {
     selection.all.add(6 * first, 6 * count);
     if (shows_hidden) selection.behind.add(6 * first, 6 * count);
   };
-  for (const OverlayBuffer::Group& group : overlay.groups()) {
-    if (!touched(group.bounds.box, group.bounds.reach_px)) continue;
-    if (!partial) {
-      add(group.first, group.count, group.shows_hidden);
-      continue;
-    }
+  overlay.for_each_group([&](const OverlayBuffer::Group& group) {
+    if (!overlap(overlay.place(group, frame.clip_from_buffer, size), rect)) return;
+    if (!partial) return add(group.first, group.count, group.shows_hidden);
     // Elements of a group may lie far apart, so of a small rectangle each is asked.
-    for (std::uint32_t i = group.first; i < group.first + group.count; ++i) {
-      const OverlayElement& element = overlay.elements()[i];
-      if (touched(element.box(), element.reach_px())) add(i, 1, group.shows_hidden);
-    }
-  }
+    for (std::uint32_t i = group.first; i < group.first + group.count; ++i)
+      if (overlap(overlay.place(group, i, frame.clip_from_buffer, size), rect)) add(i, 1, group.shows_hidden);
+  });
   return selection;
 }
 

@@ -1,6 +1,9 @@
 // Draws lines, points and ghosts over the surface, as quads of a width in pixels with smooth edges.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 #include <span>
 #include <vector>
@@ -31,32 +34,59 @@ struct TouchedBox {
   float reach_px = 0;
 };
 
-// The drawn copy of one overlay.
+// The drawn copy of one overlay, or of many numbered parts of one.
 class OverlayBuffer {
  public:
   explicit OverlayBuffer(const char* label) : gpu_(label, GL_RGBA32F) {}
 
-  // Replaces the content. What was and is no longer there, and what is newly there, is appended to `touched`, found by
-  // comparing from both ends; elements that stay cost a comparison only. Elements at non-finite places are left out.
+  // Replaces the content. What was and is no longer there, and what is newly there, is appended to `touched`; elements
+  // that stay cost a comparison only. Elements at non-finite places are left out.
   void set(const Overlay& overlay, const BufferSpace& space, std::vector<TouchedBox>& touched);
+  // Replaces one part alone, at the cost of that part. What is drawn does not depend on the order of such calls: ghosts
+  // of all parts come first, then lines, then points, each in the order of the parts' numbers.
+  void set_part(std::uint32_t part, const Overlay& overlay, const BufferSpace& space, std::vector<TouchedBox>& touched);
 
   void bind(GLuint unit) const { gpu_.bind(unit); }
-  // Consecutive elements, as many as one group holds, with the box around them.
+  // Consecutive elements of one kind and part, with the box around them.
   struct Group {
-    TouchedBox bounds;
+    std::uint32_t part = 0;
     std::uint32_t first = 0;
     std::uint32_t count = 0;
+    std::uint32_t room = 0;
+    TouchedBox bounds;
     bool shows_hidden = false;  // some element of it is drawn where the surface hides it
+    mutable bool is_placed = false, has_placed_elements = false;
+    mutable PixelRect place;
   };
-  std::span<const Group> groups() const { return groups_; }
-  std::span<const OverlayElement> elements() const { return elements_; }
+  // Calls visit(group) in the order of drawing.
+  template <class Visit>
+  void for_each_group(Visit visit) const {
+    for (const std::vector<Group>& groups : groups_)
+      for (const Group& group : groups) visit(group);
+  }
   DrawBox bounds() const;
 
- private:
-  void regroup(std::size_t first_changed);
+  // The pixels of a picture of a size that a group or element can touch. Looked for once, until forget_places().
+  const PixelRect& place(const Group& group, const glm::mat4& clip_from_buffer, Size size) const;
+  const PixelRect& place(const Group& group, std::uint32_t element, const glm::mat4& clip_from_buffer, Size size) const;
+  // When the camera or the size has changed.
+  void forget_places();
 
-  std::vector<OverlayElement> elements_;
-  std::vector<Group> groups_;
+ private:
+  static constexpr std::size_t kinds = 3;  // ghosts, lines, points
+  using Elements = std::array<std::vector<OverlayElement>, kinds>;
+
+  static Elements converted(const Overlay& overlay, const BufferSpace& space);
+  void put(std::size_t kind, std::uint32_t part, std::span<const OverlayElement> fresh,
+           std::vector<TouchedBox>& touched);
+  void write(Group& group, std::span<const OverlayElement> fresh, std::size_t from);
+  void give_room(Group& group, std::size_t count);
+  void close_gaps();
+
+  std::vector<OverlayElement> elements_;  // with gaps between the groups
+  mutable std::vector<PixelRect> places_;
+  std::array<std::vector<Group>, kinds> groups_;  // ascending by part
+  std::size_t unused_ = 0;                        // elements in the gaps
   TexelArray<OverlayElement> gpu_;
 };
 

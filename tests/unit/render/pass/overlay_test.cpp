@@ -1,0 +1,100 @@
+#include "render/pass/overlay.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+
+#include "tests/support/render/scene.h"
+
+namespace ryosen {
+namespace {
+
+constexpr Size view_size{320, 240};
+
+class Parts {
+ public:
+  explicit Parts(unsigned seed) : random_(seed) {}
+
+  std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(random_() % n); }
+  glm::dvec3 place() { return {coordinate(), coordinate(), 0.2 * coordinate()}; }
+  // Up to `most` elements of each kind, translucent ones too, so that their order is seen.
+  Overlay some(std::uint32_t most) {
+    Overlay overlay;
+    const auto colour = [&] { return rgb(below(0x1000000), 120); };
+    for (std::uint32_t i = below(most); i > 0; --i) overlay.lines.push_back({place(), place(), colour()});
+    for (std::uint32_t i = below(most); i > 0; --i) overlay.points.push_back({place(), colour()});
+    for (std::uint32_t i = below(most / 4); i > 0; --i)
+      overlay.ghosts.push_back({{place(), place(), place()}, colour()});
+    return overlay;
+  }
+
+ private:
+  double coordinate() { return 1.6 * (random_() % 10000 / 10000.0 - 0.5); }
+  std::mt19937 random_;
+};
+
+Overlay joined(const std::map<std::uint32_t, Overlay>& parts) {
+  Overlay all;
+  for (const auto& [number, part] : parts) {
+    all.ghosts.insert(all.ghosts.end(), part.ghosts.begin(), part.ghosts.end());
+    all.lines.insert(all.lines.end(), part.lines.begin(), part.lines.end());
+    all.points.insert(all.points.end(), part.points.begin(), part.points.end());
+  }
+  return all;
+}
+
+// Parts that come, grow, shrink and go, drawn piece by piece and all at once.
+void compare(unsigned seed, std::uint32_t most, int steps) {
+  const Scene scene = square_scene(2);
+  const auto by_parts = front_view(scene, view_size, 2.4), at_once = front_view(scene, view_size, 2.4);
+  Parts dice(seed);
+  std::map<std::uint32_t, Overlay> parts;
+  for (int step = 0; step < steps; ++step) {
+    const std::uint32_t number = 7 * dice.below(12);
+    Overlay& part = parts[number];
+    if (dice.below(4) == 0) {
+      part = {};
+    } else if (dice.below(2) == 0 && !part.lines.empty()) {
+      part.lines[dice.below(static_cast<std::uint32_t>(part.lines.size()))].b = dice.place();
+    } else {
+      part = dice.some(most);
+    }
+    by_parts->set_overlay_part(Layer::highlights, number, part);
+    by_parts->draw();
+    at_once->set_overlay(Layer::highlights, joined(parts));
+    at_once->draw_all();
+    ASSERT_EQ(by_parts->read_pixels(), at_once->read_pixels()) << "seed " << seed << " step " << step;
+  }
+  by_parts->draw_all();
+  EXPECT_EQ(by_parts->read_pixels(), at_once->read_pixels());
+  by_parts->set_overlay(Layer::highlights, {});
+  at_once->set_overlay(Layer::highlights, {});
+  by_parts->draw();
+  at_once->draw();
+  EXPECT_EQ(by_parts->read_pixels(), at_once->read_pixels()) << "the whole replaces all parts";
+}
+
+TEST(overlay_parts, look_as_if_drawn_at_once) { compare(1, 12, 150); }
+
+TEST(overlay_parts, large_ones_move_within_the_buffer) { compare(2, 1500, 40); }
+
+TEST(overlay_parts, only_what_changed_is_drawn_again) {
+  const auto view = front_view(square_scene(1), view_size, 2.4);
+  Overlay left, right;
+  left.points.push_back({{-0.5, 0, 0}, rgb(0xFF00FF)});
+  right.points.push_back({{0.5, 0, 0}, rgb(0xFF00FF)});
+  view->set_overlay_part(Layer::highlights, 3, left);
+  view->set_overlay_part(Layer::highlights, 9, right);
+  view->draw();
+  view->set_overlay_part(Layer::highlights, 3, left);
+  EXPECT_FALSE(view->needs_drawing());
+  left.points[0].at.y = 0.05;
+  view->set_overlay_part(Layer::highlights, 3, left);
+  const PixelRect rect = view->draw();
+  EXPECT_FALSE(rect.empty());
+  EXPECT_LT(rect.x1, 160);
+}
+
+}  // namespace
+}  // namespace ryosen

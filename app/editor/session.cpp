@@ -28,6 +28,7 @@ void Session::set_document(std::unique_ptr<Document> document) {
   document_->add_listener([this](std::size_t transaction) { follow(transaction); });
   picker_.reset();
   highlights_.reset();
+  boundary_loops_.reset();
   euler_.reset();
   hover_.reset();
   remedy_line_.clear();
@@ -52,8 +53,20 @@ void Session::follow(std::size_t transaction) {
   if (highlights_) {
     highlights_->update(m, document_->journal(), transaction);
     drawn_changes_.everything |= highlights_->changed_everything();
-    for (const HighlightSets::Change& change : highlights_->changes())
+    for (const HighlightSets::Change& change : highlights_->changes()) {
       if (row_of(change.kind).face) drawn_changes_.faces.push_back(change.index);
+      drawn_changes_.marks.push_back({change.kind, change.index});
+    }
+    note_marks(touched);
+  }
+  if (drawn_changes_.everything) drawn_changes_ = DrawnChanges();  // nobody needs the lists
+  if (boundary_loops_) {
+    const IndexSet& boundary = highlights_->of(ProblemKind::boundary_loop);
+    Neighbourhood around(m);
+    if (highlights_->changed_everything())
+      boundary_loops_->search(around, boundary);
+    else
+      boundary_loops_->update(around, boundary, highlights_->edges_asked());
   }
   if (euler_) {
     if (touched.everything) {
@@ -63,6 +76,7 @@ void Session::follow(std::size_t transaction) {
       euler_->vertices = m.live().vertices;
       euler_->edges = m.live().edges;
       euler_->faces = m.live().faces;
+      euler_->rings = m.live().rings;
       if (euler_->left() != euler_->right()) euler_.reset();
     }
   }
@@ -82,6 +96,26 @@ void Session::follow(std::size_t transaction) {
     }
   });
   if (hover_) point_at(hover_->pixel);
+}
+
+// Members of the highlights that may lie elsewhere now.
+void Session::note_marks(const TouchedElements& touched) {
+  const Mesh& m = mesh();
+  std::vector<Edge> edges;
+  for (Halfedge h : touched.halfedges) edges.push_back(edge(h));
+  for (Vertex v : touched.moved)
+    if (m.exists(v) && m.is_alive(v))
+      for (Edge e : edges_around(m, v)) edges.push_back(e);
+  const auto note = [&](const ProblemRow& row, const auto& elements) {
+    for (const auto element : elements)
+      if (highlights_->of(row.kind).contains(element.index)) drawn_changes_.marks.push_back({row.kind, element.index});
+  };
+  for (const ProblemRow& row : problem_table()) {
+    if (highlights_->of(row.kind).empty()) continue;
+    if (row.vertex) note(row, touched.moved);
+    if (row.edge) note(row, edges);
+    if (row.face) note(row, touched.faces);
+  }
 }
 
 Outcome Session::run(const std::string& line) {
@@ -169,6 +203,15 @@ const HighlightSets& Session::highlights() {
   return *highlights_;
 }
 
+const BoundaryLoopCount& Session::boundary_loops() {
+  const IndexSet& boundary = highlights().of(ProblemKind::boundary_loop);
+  if (!boundary_loops_) {
+    Neighbourhood around(mesh(), Neighbourhood::Reach::whole);
+    boundary_loops_.emplace().search(around, boundary);
+  }
+  return *boundary_loops_;
+}
+
 const EulerPoincare& Session::euler_terms() {
   if (!euler_) euler_ = euler_poincare(mesh());
   return *euler_;
@@ -209,7 +252,7 @@ void Session::frame_selection() {
 
 Session::DrawnChanges Session::take_drawn_changes() {
   DrawnChanges changes = std::move(drawn_changes_);
-  drawn_changes_ = {false, {}, {}, {}};
+  drawn_changes_ = {false, {}, {}, {}, {}};
   return changes;
 }
 

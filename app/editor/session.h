@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/editor/document.h"
+#include "core/analysis/boundary_loop_count.h"
 #include "core/analysis/euler_poincare.h"
 #include "core/analysis/highlights.h"
 #include "core/pick/picker.h"
@@ -70,6 +71,8 @@ class Session {
   std::optional<Picked> pick(glm::dvec2 pixel, PickMode what);
   Picker& picker();
   const HighlightSets& highlights();
+  // The boundary loops on points, counted; as current as the highlights.
+  const BoundaryLoopCount& boundary_loops();
   // The terms of the Euler–Poincaré sum. Kept through operators that leave B, H, S and G alone, else O(edges).
   const EulerPoincare& euler_terms();
 
@@ -81,6 +84,11 @@ class Session {
   void frame_selection();
   void touch() { ++changes_; }
 
+  // An element that came into a set of the highlights, left it, or is in it and lies elsewhere now.
+  struct Mark {
+    ProblemKind kind;
+    std::uint32_t index;
+  };
   // What has changed since the last call, for what mirrors the drawn mesh. With `everything` the lists may be short:
   // take all of it anew. An entry may stand twice and may name what is dead or past the end.
   struct DrawnChanges {
@@ -88,16 +96,19 @@ class Session {
     std::vector<std::uint32_t> triangles;  // slots of picker().triangles()
     std::vector<std::uint32_t> vertices;   // made or moved
     std::vector<std::uint32_t> faces;      // with other corners, or in other sets of highlights that tint faces
+    std::vector<Mark> marks;
   };
   DrawnChanges take_drawn_changes();
 
  private:
   void follow(std::size_t transaction);
+  void note_marks(const TouchedElements& touched);
   Outcome apply_at(const OpTarget& target, const std::string& id);
 
   std::unique_ptr<Document> document_;
   std::optional<Picker> picker_;
   std::optional<HighlightSets> highlights_;
+  std::optional<BoundaryLoopCount> boundary_loops_;
   std::optional<EulerPoincare> euler_;
   std::optional<Hover> hover_;
   std::vector<std::string> log_;

@@ -105,7 +105,6 @@ bool Gui::prepare(const Session& session) {
 
 void Gui::frame(Session& session, Size window, double seconds) {
   ImGui::SetCurrentContext(imgui_);
-  state_.follow(session);
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(window.width), static_cast<float>(window.height)};
   io.DeltaTime = static_cast<float>(std::max(seconds, 1e-4));

@@ -55,15 +55,6 @@ class Painter {
   float hidden_;
 };
 
-void draw_kind(const Session& session, const HighlightSets& sets, const ProblemRow& row, Painter& painter) {
-  const Mesh& m = session.mesh();
-  sets.of(row.kind).for_each([&](std::uint32_t i) {
-    if (row.vertex && m.is_alive(Vertex(i))) painter.draw(Vertex(i));
-    if (row.edge && m.is_alive(Edge(i))) painter.draw(Edge(i));
-    if (row.face && m.is_alive(Face(i))) painter.draw(Face(i));
-  });
-}
-
 void add_ghost(const Preview& preview, Theme theme, Overlay& overlay) {
   const Style ghost = style(Role::ghost, theme);
   std::vector<CornerTriangle> triangles;
@@ -92,15 +83,15 @@ Role role_of_highlight(std::string_view id) {
   return Role::selected;
 }
 
-Overlay highlight_overlay(Session& session, Theme theme) {
+Overlay highlight_overlay(Session& session, const ProblemRow& row, std::uint32_t first, std::uint32_t end,
+                          Theme theme) {
   Overlay overlay;
-  if (session.shown.empty()) return overlay;
-  const HighlightSets& sets = session.highlights();
-  for (const ProblemRow& row : problem_table()) {
-    if (!row.is_local() || !session.shown.contains(std::string(row.highlight))) continue;
-    Painter painter(session.mesh(), overlay, style(role_of_highlight(row.highlight), theme));
-    draw_kind(session, sets, row, painter);
-  }
+  Painter painter(session.mesh(), overlay, style(role_of_highlight(row.highlight), theme));
+  session.highlights().of(row.kind).for_each_in(first, end, [&](std::uint32_t i) {
+    if (row.vertex) painter.draw(Vertex(i));
+    if (row.edge) painter.draw(Edge(i));
+    if (row.face) painter.draw(Face(i));
+  });
   return overlay;
 }
 

@@ -7,7 +7,8 @@
 
 namespace ryosen {
 
-Overlay highlight_overlay(Session& session, Theme theme);
+// The members of a kind with slot numbers from first to before end.
+Overlay highlight_overlay(Session& session, const ProblemRow& row, std::uint32_t first, std::uint32_t end, Theme theme);
 Overlay selection_overlay(const Session& session, Theme theme);
 // Without a tool the element itself; with one, green with the ghost of the result or red with the witnesses.
 Overlay hover_overlay(const Session& session, Theme theme);

@@ -4,7 +4,7 @@
 
 #include "app/editor/words.h"
 #include "app/ui/panels/all.h"
-#include "core/mesh/copies.h"
+#include "core/analysis/boundary_loops.h"
 
 namespace ryosen {
 
@@ -21,22 +21,45 @@ constexpr std::array list{
 
 std::span<const Panel> panels() { return list; }
 
-void GuiState::follow(Session& session) {
+void GuiState::know(const Session& session) {
   const Document& document = session.document();
-  if (known_document == document.serial() && known_revision == document.revision()) return;
-  const Mesh& mesh = session.mesh();
-  problems = find_problems(mesh, session.highlights(), {document.tables().quarantine, document.tables().face_lines});
-  on_points.reset();
-  if (mesh.has_copies()) {
-    const ElementCounts counts = counts_on_points(mesh);
-    if (counts.vertices != mesh.live().vertices || counts.edges != mesh.live().edges) on_points = counts;
+  if (known_document_ == document.serial()) return;
+  known_document_ = document.serial();
+  known_loops_.reset();
+  for (const ProblemRow& row : problem_table()) {
+    std::vector<Element>& faces = quarantined_[static_cast<std::size_t>(row.kind)];
+    faces.clear();
+    if (!row.quarantined) continue;
+    for (const QuarantinedFace& face : document.tables().quarantine)
+      if (row.quarantined(face, session.mesh().file_vertices())) faces.emplace_back(Face(face.face));
   }
-  known_document = document.serial();
-  known_revision = document.revision();
+}
+
+std::size_t GuiState::findings(Session& session, const ProblemRow& row) {
+  know(session);
+  if (row.quarantined) return quarantined_[static_cast<std::size_t>(row.kind)].size();
+  if (row.kind == ProblemKind::boundary_loop) return session.boundary_loops().count();
+  return session.highlights().count(row.kind);
+}
+
+Element GuiState::finding(Session& session, const ProblemRow& row, std::size_t n) {
+  know(session);
+  if (row.quarantined) return quarantined_[static_cast<std::size_t>(row.kind)][n];
+  if (row.kind != ProblemKind::boundary_loop) {
+    const std::uint32_t i = session.highlights().of(row.kind).nth(static_cast<std::uint32_t>(n));
+    return row.vertex ? Element(Vertex(i)) : row.edge ? Element(Edge(i)) : Element(Face(i));
+  }
+  if (known_loops_ != session.boundary_loops().revision()) {
+    Neighbourhood around(session.mesh());
+    const BoundaryLoops loops = find_boundary_loops(around, session.highlights().of(row.kind));
+    loops_.clear();
+    for (std::size_t i = 0; i < loops.size(); ++i) loops_.emplace_back(edge(loops[i].front()));
+    known_loops_ = session.boundary_loops().revision();
+  }
+  return loops_[n];
 }
 
 Outcome PanelContext::keep(Outcome outcome) {
-  state.follow(session);  // what is drawn after this in the same frame must speak of elements that still exist
   state.last_kind = outcome.kind;
   state.last_outcome = outcome.sentence;
   if (outcome.done() && !outcome.performed.empty())

@@ -1,6 +1,7 @@
 // The panels of the window and what they share. A new panel is one file in panels/ and one line in the list.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -43,12 +44,18 @@ struct GuiState {
   FileBrowser browser;
   std::size_t scrolled_position = 0;  // the place of the history that the list was scrolled to
 
-  // Found again whenever the document has changed.
-  void follow(Session& session);
-  std::uint64_t known_document = 0;  // its serial number
-  std::uint64_t known_revision = 0;
-  std::vector<Problem> problems;
-  std::optional<ElementCounts> on_points;  // where they differ from the kernel's
+  // What was found of a kind, without a list of it: how many, and which is the nth. Cheap after an edit; only the list
+  // of boundary loops is made anew for finding() when the edit has changed loops.
+  std::size_t findings(Session& session, const ProblemRow& row);
+  Element finding(Session& session, const ProblemRow& row, std::size_t n);
+
+ private:
+  void know(const Session& session);
+
+  std::uint64_t known_document_ = 0;  // its serial number
+  std::array<std::vector<Element>, problem_kinds> quarantined_;
+  std::vector<Element> loops_;  // by their lowest edges, as of this revision of the count
+  std::optional<std::uint64_t> known_loops_;
 };
 
 // One frame of one panel.

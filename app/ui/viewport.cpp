@@ -85,14 +85,59 @@ void Viewport::follow_mesh(Session& session) {
   mesh_of_ = &session.document();
   mesh_revision_ = session.document().revision();
   shown_ = session.shown;
-  highlights_stale_ = true;
+  marks_ = std::move(changes.marks);
+  highlights_stale_ |= anew;
+  selection_stale_ = true;
+}
+
+void Viewport::draw_highlights(Session& session, const ProblemRow& row, std::uint32_t block) {
+  const auto kind = static_cast<std::uint32_t>(row.kind);
+  DrawnKind& drawn = drawn_kinds_[kind];
+  const std::uint32_t first = block * block_slots;
+  Overlay overlay;
+  if (drawn.is_shown) overlay = highlight_overlay(session, row, first, first + block_slots, theme_);
+  if (overlay.empty())
+    drawn.blocks.erase(block);
+  else
+    drawn.blocks.insert(block);
+  constexpr std::uint32_t most_blocks = (no_index / block_slots) + 1;
+  static_assert(problem_kinds * std::uint64_t{most_blocks} <= no_index, "kind and block make one part number");
+  view_->set_overlay_part(Layer::highlights, kind * most_blocks + block, overlay);
+}
+
+void Viewport::follow_highlights(Session& session) {
+  if (highlights_stale_) {
+    view_->set_overlay(Layer::highlights, {});
+    drawn_kinds_ = {};
+  }
+  for (const ProblemRow& row : problem_table()) {
+    DrawnKind& drawn = drawn_kinds_[static_cast<std::size_t>(row.kind)];
+    const bool is_shown = row.is_local() && session.shown.contains(std::string(row.highlight));
+    std::vector<std::uint32_t> blocks;
+    if (is_shown != drawn.is_shown) {
+      blocks = drawn.blocks.to_vector();
+      if (is_shown)
+        session.highlights().of(row.kind).for_each([&](std::uint32_t i) {
+          if (blocks.empty() || blocks.back() != i / block_slots) blocks.push_back(i / block_slots);
+        });
+    } else if (is_shown) {
+      for (const Session::Mark& mark : marks_)
+        if (mark.kind == row.kind) blocks.push_back(mark.index / block_slots);
+      std::sort(blocks.begin(), blocks.end());
+      blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+    }
+    drawn.is_shown = is_shown;
+    for (std::uint32_t block : blocks) draw_highlights(session, row, block);
+  }
+  highlights_stale_ = false;
+  marks_.clear();
 }
 
 void Viewport::follow_overlays(Session& session) {
-  if (highlights_stale_) view_->set_overlay(Layer::highlights, highlight_overlay(session, theme_));
-  if (highlights_stale_ || selection_ != session.selection)
-    view_->set_overlay(Layer::selection, selection_overlay(session, theme_));
-  highlights_stale_ = false;
+  selection_stale_ |= highlights_stale_ || selection_ != session.selection;
+  follow_highlights(session);
+  if (selection_stale_) view_->set_overlay(Layer::selection, selection_overlay(session, theme_));
+  selection_stale_ = false;
   selection_ = session.selection;
   view_->set_overlay(Layer::hover, hover_overlay(session, theme_));
 }

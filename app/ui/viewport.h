@@ -2,6 +2,7 @@
 // renderer, and only what has changed.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <set>
@@ -35,6 +36,8 @@ class Viewport {
   explicit Viewport(std::unique_ptr<View> view) : view_(std::move(view)) {}
   void follow_mesh(Session& session);
   void follow_overlays(Session& session);
+  void follow_highlights(Session& session);
+  void draw_highlights(Session& session, const ProblemRow& row, std::uint32_t block);
 
   std::unique_ptr<View> view_;
   Theme theme_ = Theme::dark;
@@ -44,7 +47,16 @@ class Viewport {
   std::vector<std::uint8_t> face_flags_;
   std::uint64_t mesh_revision_ = 0;
   std::set<std::string> shown_;
-  bool highlights_stale_ = true;
+  // Highlights are drawn in blocks of so many slots of a kind, and a block is drawn anew when a member of it has changed.
+  static constexpr std::uint32_t block_slots = 512;
+  struct DrawnKind {
+    IndexSet blocks;  // that hold something
+    bool is_shown = false;
+  };
+  std::array<DrawnKind, problem_kinds> drawn_kinds_;
+  std::vector<Session::Mark> marks_;  // to be drawn anew
+  bool highlights_stale_ = true;      // all of them
+  bool selection_stale_ = true;
   std::vector<Element> selection_;
 };
 

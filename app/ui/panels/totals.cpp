@@ -37,8 +37,9 @@ void draw_sum(PanelContext& context, const EulerPoincare& terms) {
 
 // The figures of `check`, where copies and cut edges make the kernel's larger.
 void draw_on_points(PanelContext& context) {
-  if (!context.state.on_points) return;
-  const ElementCounts& n = *context.state.on_points;
+  const ElementCounts kernel = context.session.mesh().live();
+  const ElementCounts n = context.session.highlights().counts_on_points(context.session.mesh());
+  if (n.vertices == kernel.vertices && n.edges == kernel.edges) return;
   const std::string line =
       std::string(context.text(UiText::on_points)) + ": V " + grouped(n.vertices) + "  E " + grouped(n.edges);
   coloured_text(context.colours().warning, line.c_str());

@@ -1,7 +1,11 @@
 #include "core/build/fans.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 #include <vector>
+
+#include "core/build/parallel.h"
 
 namespace ryosen {
 
@@ -15,6 +19,46 @@ struct Fan {
 };
 
 Halfedge counter_clockwise(const MeshColumns& c, Halfedge h) { return twin(c.halfedges[h.index].prev); }
+
+// How many halfedges the fans of vertex_halfedge hold, for the vertices begin .. end-1. Walks around several vertices
+// take turns, so that they wait for memory together.
+std::size_t count_in_fans(const MeshColumns& c, std::uint32_t begin, std::uint32_t end) {
+  struct Walk {
+    Halfedge start, at;
+  };
+  std::array<Walk, 16> walks;
+  std::size_t active = 0, count = 0;
+  std::uint32_t v = begin;
+  const auto start_next = [&](Walk& walk) {
+    while (v < end) {
+      const Halfedge h = c.vertex_halfedge[v++];
+      if (!h) continue;
+      walk = {h, h};
+      return true;
+    }
+    return false;
+  };
+  while (active < walks.size() && start_next(walks[active])) ++active;
+  while (active > 0) {
+    for (std::size_t i = 0; i < active; ++i) {
+      Walk& walk = walks[i];
+      walk.at = counter_clockwise(c, walk.at);
+      __builtin_prefetch(&c.halfedges[walk.at.index]);
+      ++count;
+      if (walk.at == walk.start && !start_next(walk)) walk = walks[--active];
+    }
+  }
+  return count;
+}
+
+// The fans are disjoint, so they hold all halfedges only where each vertex has one.
+bool has_one_fan_each(const MeshColumns& c) {
+  const unsigned threads = threads_for(c.halfedges.size());
+  std::vector<std::size_t> counts(threads, 0);
+  for_each_part(static_cast<std::uint32_t>(c.vertex_halfedge.size()), threads,
+                [&](unsigned t, std::uint32_t begin, std::uint32_t end) { counts[t] = count_in_fans(c, begin, end); });
+  return std::accumulate(counts.begin(), counts.end(), std::size_t{0}) == c.halfedges.size();
+}
 
 std::uint32_t fan_size(const MeshColumns& c, Halfedge start) {
   std::uint32_t n = 0;
@@ -74,6 +118,7 @@ void set_origin_of_fan(MeshColumns& c, Halfedge start, Vertex v) {
 }  // namespace
 
 void separate_fans(MeshColumns& c) {
+  if (has_one_fan_each(c)) return;
   bool any = false;
   const std::vector<bool> several = find_points_with_several_fans(c, any);
   if (!any) return;

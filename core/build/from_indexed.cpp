@@ -4,18 +4,13 @@
 
 #include "core/build/attributes_from_indexed.h"
 #include "core/build/fans.h"
+#include "core/build/link_regular.h"
 #include "core/build/pair_corners.h"
+#include "core/build/parallel.h"
 
 namespace ryosen {
 
 namespace {
-
-// The outside halfedge that leaves to(outside) along the same fan of faces.
-Halfedge next_outside(const std::vector<HalfedgeLinks>& halfedges, Halfedge outside) {
-  Halfedge h = twin(outside);
-  while (halfedges[h.index].face) h = twin(halfedges[h.index].prev);
-  return h;
-}
 
 void link_faces(const IndexedMesh& source, const CornerPairing& pairing, MeshColumns& c) {
   c.halfedges.assign(std::size_t{2} * pairing.edges, HalfedgeLinks());
@@ -37,15 +32,11 @@ void link_faces(const IndexedMesh& source, const CornerPairing& pairing, MeshCol
 }
 
 void link_outside(MeshColumns& c) {
-  std::vector<HalfedgeLinks>& halfedges = c.halfedges;
+  UnwrittenVector<HalfedgeLinks>& halfedges = c.halfedges;
   for (std::size_t i = 0; i < halfedges.size(); ++i)
     if (!halfedges[i].face) halfedges[i].from = halfedges[halfedges[i ^ 1u].next.index].from;
   for (std::size_t i = 0; i < halfedges.size(); ++i) {
-    if (halfedges[i].face) continue;
-    const Halfedge h(i), next = next_outside(halfedges, h);
-    halfedges[h.index].next = next;
-    halfedges[next.index].prev = h;
-    c.vertex_halfedge[halfedges[i].from.index] = h;
+    if (!halfedges[i].face) link_outside_half(c, Halfedge(i));
   }
 }
 
@@ -79,15 +70,22 @@ bool close_two_loops(const MeshColumns& c, CornerPairing& pairing) {
 
 Mesh from_indexed(IndexedMesh source) {
   MeshColumns c;
-  CornerPairing pairing = pair_corners(source);
+  CornerPairing pairing;
   c.vertex_halfedge.assign(source.positions.size(), Halfedge());
   c.face_halfedge.assign(source.face_count(), dead_halfedge);
   c.file_vertices = static_cast<std::uint32_t>(source.positions.size());
-  link_faces(source, pairing, c);
-  link_outside(c);
-  if (pairing.has_cuts && close_two_loops(c, pairing)) {
+  const unsigned threads = threads_for(source.corners.size());
+  if (auto regular = pair_regular(source, threads)) {
+    link_regular(source, *regular, threads, c);
+    pairing = {std::move(regular->halfedge), regular->edges(), false};
+  } else {
+    pairing = pair_with_cuts(source);
     link_faces(source, pairing, c);
     link_outside(c);
+    if (pairing.has_cuts && close_two_loops(c, pairing)) {
+      link_faces(source, pairing, c);
+      link_outside(c);
+    }
   }
   c.positions = std::move(source.positions);
   c.live = {static_cast<std::uint32_t>(c.positions.size()), pairing.edges,

@@ -1,6 +1,11 @@
 #include "core/build/pair_corners.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "core/build/pair_regular.h"
+#include "core/build/parallel.h"
 
 namespace ryosen {
 
@@ -44,7 +49,7 @@ void sort_bucket(Side* begin, Side* end) {
 
 }  // namespace
 
-CornerPairing pair_corners(const IndexedMesh& source) {
+CornerPairing pair_with_cuts(const IndexedMesh& source) {
   const std::size_t points = source.positions.size();
   std::vector<std::uint32_t> bucket_end(points + 1, 0);
   for_each_side(source, [&](std::uint32_t, std::uint32_t a, std::uint32_t b) { ++bucket_end[std::min(a, b) + 1]; });
@@ -77,6 +82,13 @@ CornerPairing pair_corners(const IndexedMesh& source) {
     }
   }
   return pairing;
+}
+
+CornerPairing pair_corners(const IndexedMesh& source) {
+  std::optional<RegularPairing> regular = pair_regular(source, threads_for(source.corners.size()));
+  if (!regular) return pair_with_cuts(source);
+  const std::uint32_t edges = regular->edges();
+  return {std::move(regular->halfedge), edges, false};
 }
 
 }  // namespace ryosen

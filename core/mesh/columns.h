@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/handle.h"
+#include "core/mesh/column_memory.h"
 
 namespace ryosen {
 
@@ -72,9 +73,9 @@ struct ElementCounts {
 };
 
 struct MeshColumns {
-  std::vector<Halfedge> vertex_halfedge;
-  std::vector<HalfedgeLinks> halfedges;
-  std::vector<Halfedge> face_halfedge;
+  ColumnVector<Halfedge> vertex_halfedge;
+  UnwrittenVector<HalfedgeLinks> halfedges;
+  ColumnVector<Halfedge> face_halfedge;
   std::vector<glm::dvec3> positions;
   std::vector<Vertex> next_copy;          // cycle of the copies of a point; empty while the mesh has none
   std::vector<std::uint32_t> first_ring;  // per face, into rings; empty while no face has had a ring

@@ -1,5 +1,6 @@
 #include "core/mesh/journal.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <type_traits>
@@ -158,10 +159,12 @@ void Journal::exchange_values(Mesh& mesh, std::size_t first_cell, std::size_t ce
 }
 
 void Journal::exchange_counts(Mesh& mesh, std::size_t first_word) {
-  ElementCounts counts;
-  std::memcpy(&counts, words_.data() + first_word, sizeof counts);
-  std::memcpy(words_.data() + first_word, &mesh.columns_.live, sizeof counts);
-  mesh.columns_.live = counts;
+  using Words = std::array<std::uint32_t, count_words>;
+  Words words;
+  std::copy_n(words_.begin() + static_cast<std::ptrdiff_t>(first_word), count_words, words.begin());
+  const auto now = std::bit_cast<Words>(mesh.columns_.live);
+  std::copy(now.begin(), now.end(), words_.begin() + static_cast<std::ptrdiff_t>(first_word));
+  mesh.columns_.live = std::bit_cast<ElementCounts>(words);
 }
 
 void Journal::undo(Mesh& mesh) {

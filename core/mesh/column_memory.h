@@ -1,0 +1,58 @@
+// Memory for columns: large blocks lie on huge pages where the system offers them, so that fresh ones are filled
+// several times faster and random access seldom misses the table of pages.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace ryosen {
+
+// Blocks of this size or more are aligned to it and offered huge pages.
+inline constexpr std::size_t huge_page = std::size_t{1} << 21;
+
+// Throws std::bad_alloc. Blocks are given back with the size they were taken with.
+void* allocate_column(std::size_t bytes);
+void release_column(void* block, std::size_t bytes) noexcept;
+
+template <class T>
+struct ColumnAllocator {
+  using value_type = T;
+
+  ColumnAllocator() = default;
+  template <class U>
+  ColumnAllocator(const ColumnAllocator<U>&) {}
+  T* allocate(std::size_t n) { return static_cast<T*>(allocate_column(n * sizeof(T))); }
+  void deallocate(T* block, std::size_t n) noexcept { release_column(block, n * sizeof(T)); }
+  friend bool operator==(const ColumnAllocator&, const ColumnAllocator&) { return true; }
+};
+
+// As ColumnAllocator, but resize() leaves new elements unwritten: for whoever writes each of them right afterwards.
+template <class T>
+struct UnwrittenAllocator : ColumnAllocator<T> {
+  static_assert(std::is_trivially_copyable_v<T>);
+  using value_type = T;
+  template <class U>
+  struct rebind {
+    using other = UnwrittenAllocator<U>;
+  };
+
+  UnwrittenAllocator() = default;
+  template <class U>
+  UnwrittenAllocator(const UnwrittenAllocator<U>&) {}
+  void construct(T*) {}
+  template <class... Arguments>
+  void construct(T* place, Arguments&&... arguments) {
+    std::construct_at(place, std::forward<Arguments>(arguments)...);
+  }
+};
+
+template <class T>
+using ColumnVector = std::vector<T, ColumnAllocator<T>>;
+template <class T>
+using UnwrittenVector = std::vector<T, UnwrittenAllocator<T>>;
+
+}  // namespace ryosen

@@ -5,10 +5,11 @@ set -eu
 root=$(cd "$(dirname "$0")/../.." && pwd)
 . "$root/app/setup.sh"
 # shellcheck disable=SC2086
-ensure_packages $build_packages $test_packages libbenchmark-dev
+ensure_packages $build_packages $test_packages libbenchmark-dev libcgal-dev
 [ $# = 0 ] || export RYOSEN_DRAGON=$1
 cmake -S "$root" -B "$root/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DRYOSEN_BENCH=ON >&2
-cmake --build "$root/build/release" --target bench_core bench_forms bench_editor ryosen >&2
+cmake --build "$root/build/release" --target bench_core bench_forms bench_editor bench_peers ryosen >&2
+"$root/build/release/bin/bench_peers"
 "$root/build/release/bin/bench_core"
 "$root/build/release/bin/bench_forms" --benchmark_min_time=0.05
 "$root/build/release/bin/bench_editor"

@@ -1,6 +1,4 @@
 // `forms`: the representations of the texts side by side for a mesh.
-#include <cstdio>
-
 #include "app/cli/commands.h"
 #include "app/cli/json.h"
 #include "app/cli/text_table.h"
@@ -66,20 +64,14 @@ Json to_json(const Comparison& comparison, const std::string& file) {
   return json;
 }
 
-std::string short_number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, x < 99.95 ? "%.3g" : "%.0f", x);
-  return text;
-}
-
 std::string short_or_dash(const std::optional<double>& value, double unit) {
-  return value ? short_number(unit * *value) : "-";
+  return value ? forms::figure_text(unit * *value) : "-";
 }
 
 std::string forms_text(const Comparison& comparison, const Console& console) {
   TextTable table;
   std::vector<std::string> head{"", std::string(console.text("bytes/face", "バイト/面")),
-                                std::string(console.text("build ms", "構築 ms"))};
+                                std::string(console.text("build", "構築"))};
   for (const forms::RelationRow& relation : forms::relations())
     head.emplace_back(console.text(relation.en, relation.ja));
   table.add(head);
@@ -91,7 +83,7 @@ std::string forms_text(const Comparison& comparison, const Console& console) {
       continue;
     }
     std::vector<std::string> row{name, short_or_dash(bytes_per_face(figures, comparison.faces), 1),
-                                 short_number(1e3 * figures.build_seconds)};
+                                 forms::duration_text(figures.build_seconds)};
     for (const auto& seconds : figures.query_seconds) row.push_back(short_or_dash(seconds, 1e9));
     table.add(row);
   }
@@ -109,10 +101,10 @@ std::string pairing_text(const Comparison& comparison, const Console& console) {
   std::string parts;
   for (const PairingFigures& figures : comparison.pairing) {
     const std::string name(console.text(figures.method->en, figures.method->ja));
-    table.add({name + (figures.is_whole() ? "" : " *"), short_number(1e3 * figures.seconds) + " ms"});
+    table.add({name + (figures.is_whole() ? "" : " *"), forms::duration_text(figures.seconds)});
     if (figures.is_whole()) continue;
     const std::string part = std::to_string(figures.faces), all = std::to_string(figures.all_faces),
-                      factor = short_number(figures.steps_of_all);
+                      factor = forms::figure_text(figures.steps_of_all);
     parts += console.text(Text{"  * on the first " + part + " of " + all + " faces alone; all of them take " + factor +
                                    " times as many steps\n",
                                "  * 最初の " + part + " 面のみ（全 " + all + " 面では " + factor + " 倍の手数）\n"});

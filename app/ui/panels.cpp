@@ -14,7 +14,7 @@ constexpr std::array list{
     Panel{UiText::tools, Side::left, draw_tools},          Panel{UiText::highlights, Side::left, draw_highlights},
     Panel{UiText::totals, Side::left, draw_totals},        Panel{UiText::pointer, Side::right, draw_verdict},
     Panel{UiText::inspector, Side::right, draw_inspector}, Panel{UiText::problems, Side::right, draw_problems},
-    Panel{UiText::history, Side::right, draw_history},
+    Panel{UiText::history, Side::right, draw_history},     Panel{UiText::forms, Side::right, draw_forms},
 };
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "app/ui/style.h"
 #include "app/ui/texts.h"
 #include "core/analysis/problems.h"
+#include "core/forms/comparison.h"
 
 namespace ryosen {
 
@@ -35,6 +36,13 @@ struct FileBrowser {
   std::filesystem::path replaces;  // an existing file that the next press of the button replaces
 };
 
+// What the forms panel measured when it was last asked, and of which state of which document.
+struct MeasuredForms {
+  forms::Comparison comparison;
+  std::uint64_t document = 0;  // its serial number
+  std::uint64_t revision = 0;
+};
+
 // What the window remembers between frames beside the session.
 struct GuiState {
   Text last_outcome;  // of the last command that was sent from here
@@ -43,6 +51,9 @@ struct GuiState {
   PendingLeave pending;
   FileBrowser browser;
   std::size_t scrolled_position = 0;  // the place of the history that the list was scrolled to
+
+  std::optional<MeasuredForms> measured_forms;
+  forms::Relation shown_relation = forms::Relation::vertex_vertices;  // whose query times the forms panel shows
 
   // What was found of a kind, without a list of it: how many, and which is the nth. Cheap after an edit; only the list
   // of boundary loops is made anew for finding() when the edit has changed loops.

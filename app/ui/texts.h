@@ -13,6 +13,7 @@ enum class UiText {
   pointer,
   inspector,
   problems,
+  forms,
   keys,
   menu_file,
   menu_edit,

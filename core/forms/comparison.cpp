@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <limits>
 #include <random>
 
@@ -53,23 +54,22 @@ std::vector<std::uint32_t> handles_of(const Form& form, const std::vector<EdgeEn
 }
 
 // The best of some rounds, each long enough for the clock: what else runs on the machine makes a round slower, never
-// faster. A form that is slow gets fewer and shorter rounds.
+// faster. So a round counts as long only when a second one is, too.
 std::optional<double> time_per_query(const Form& form, Relation relation, const std::vector<std::uint32_t>& elements,
                                      double seconds) {
-  constexpr double rounds = 8;
   Answer answer;
   if (elements.empty() || !form.answer(relation, elements[0], answer)) return {};
-  double best = std::numeric_limits<double>::infinity(), spent = 0;
-  for (std::size_t count = 1; spent < seconds;) {
+  const auto time_round = [&](std::size_t count) {
     const auto start = Clock::now();
     for (std::size_t i = 0; i < count; ++i) form.answer(relation, elements[i % elements.size()], answer);
-    const double taken = seconds_since(start);
-    spent += taken;
-    const bool is_long = taken * rounds >= seconds;
-    if (is_long || spent >= seconds) best = std::min(best, taken / static_cast<double>(count));
-    if (!is_long) count *= 2;
-  }
-  return best;
+    return seconds_since(start);
+  };
+  const double long_enough = seconds / 8;
+  std::size_t count = 1;
+  double best = time_round(count);
+  while (best < long_enough || (best = std::min(best, time_round(count))) < long_enough) best = time_round(count *= 2);
+  for (int round = 0; round < 3; ++round) best = std::min(best, time_round(count));
+  return best / static_cast<double>(count);
 }
 
 FormFigures measure(const Mesh& mesh, const FormRow& row, const Questions& questions, const Effort& effort) {
@@ -121,6 +121,18 @@ PairingFigures measure_pairing(const IndexedMesh& source, const PairingMethod& m
     spent += taken;
   }
   return figures;
+}
+
+std::string figure_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, value < 99.95 ? "%.3g" : "%.0f", value);
+  return text;
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 1e-6) return figure_text(1e9 * seconds) + " ns";
+  if (seconds < 1e-3) return figure_text(1e6 * seconds) + " \u00b5s";
+  return figure_text(1e3 * seconds) + " ms";
 }
 
 Comparison compare_forms(const Mesh& mesh, const Effort& effort) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/build/pairing.h"
@@ -48,6 +49,10 @@ Comparison compare_forms(const Mesh& mesh, const Effort& effort = {});
 // One form of the table for a mesh, and one method.
 FormFigures measure_form(const Mesh& mesh, const FormRow& row, const Effort& effort);
 PairingFigures measure_pairing(const IndexedMesh& source, const PairingMethod& method, const Effort& effort);
+
+// Three significant digits, or whole numbers from 100 on; with a unit from ns to ms.
+std::string figure_text(double value);
+std::string duration_text(double seconds);
 
 // How many of the first faces a method may pair within so many steps; all of them if it can.
 std::size_t faces_within(const IndexedMesh& source, const PairingMethod& method, double steps);

@@ -54,6 +54,15 @@ TEST(FormsComparison, SaysWhyAFormDoesNotSuit) {
   EXPECT_EQ(comparison.edges, 7u);
 }
 
+TEST(FormsComparison, WritesFiguresShortly) {
+  EXPECT_EQ(figure_text(66.094), "66.1");
+  EXPECT_EQ(figure_text(8), "8");
+  EXPECT_EQ(figure_text(509175.4), "509175");
+  EXPECT_EQ(duration_text(3.41e-7), "341 ns");
+  EXPECT_EQ(duration_text(2.5e-5), "25 \u00b5s");
+  EXPECT_EQ(duration_text(0.1174), "117 ms");
+}
+
 TEST(FormsComparison, AsksNothingOfAnEmptyMesh) {
   const Comparison comparison = compare_forms(Mesh(), quick);
   for (const FormFigures& figures : comparison.forms)

@@ -1,0 +1,134 @@
+#include "app/ui/panels/all.h"
+#include "app/ui/widgets.h"
+
+namespace ryosen {
+
+namespace {
+
+// Short enough to wait for.
+constexpr forms::Effort effort{0.0005, 2e7};
+
+void wrapped(const char* text) {
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+}
+
+void tip(const std::string& text) {
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(24 * ImGui::GetFontSize());
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void right_aligned(const std::string& text) {
+  ImGui::TableNextColumn();
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+  if (room > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
+  ImGui::TextUnformatted(text.c_str());
+}
+
+bool begin_table(const char* id, int columns) {
+  if (!ImGui::BeginTable(id, columns, ImGuiTableFlags_RowBg)) return false;
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
+  for (int i = 1; i < columns; ++i)
+    ImGui::TableSetupColumn("figure", ImGuiTableColumnFlags_WidthFixed, 4.6f * ImGui::GetFontSize());
+  return true;
+}
+
+void choose_relation(PanelContext& context) {
+  const forms::RelationRow& shown = forms::relations()[static_cast<std::size_t>(context.state.shown_relation)];
+  ImGui::AlignTextToFramePadding();
+  dim_text(context, context.text("Query", "問い合わせ"));
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  if (!ImGui::BeginCombo("##relation", context.text(shown.en, shown.ja))) return;
+  for (const forms::RelationRow& relation : forms::relations())
+    if (ImGui::Selectable(context.text(relation.en, relation.ja), relation.relation == shown.relation))
+      context.state.shown_relation = relation.relation;
+  ImGui::EndCombo();
+}
+
+void draw_form(PanelContext& context, const forms::FormFigures& figures, std::uint32_t faces) {
+  const forms::FormRow& row = *figures.row;
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  if (figures.unsuitable) {
+    dim_text(context, context.text(row.en, row.ja));
+    tip(figures.unsuitable->in(context.language()));
+    right_aligned("-");
+    right_aligned("-");
+    return;
+  }
+  wrapped(context.text(row.en, row.ja));
+  tip(context.text(row.source_en, row.source_ja));
+  right_aligned(faces > 0 ? forms::figure_text(static_cast<double>(figures.bytes) / faces) : "-");
+  const auto& seconds = figures.query_seconds[static_cast<std::size_t>(context.state.shown_relation)];
+  right_aligned(seconds ? forms::figure_text(1e9 * *seconds) : "-");
+}
+
+void draw_query_times(PanelContext& context, const forms::Comparison& comparison) {
+  if (!begin_table("forms", 3)) return;
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  right_aligned(context.text("bytes/face", "バイト/面"));
+  right_aligned("ns");
+  tip(context.text("- : the form cannot tell, or cannot hold this mesh",
+                   "- ：答えられない、またはこのメッシュを持てない"));
+  for (const forms::FormFigures& figures : comparison.forms) draw_form(context, figures, comparison.faces);
+  ImGui::EndTable();
+}
+
+void draw_pairing_times(PanelContext& context, const forms::Comparison& comparison) {
+  dim_text(context, context.text("Pairing the halfedges", "半稜線の対を見つける方法"));
+  if (!begin_table("pairing", 2)) return;
+  for (const forms::PairingFigures& figures : comparison.pairing) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    wrapped(context.text(figures.method->en, figures.method->ja));
+    right_aligned(forms::duration_text(figures.seconds) + (figures.is_whole() ? "" : "*"));
+    const std::string part = std::to_string(figures.faces), all = std::to_string(figures.all_faces);
+    if (!figures.is_whole())
+      tip(Text{"on the first " + part + " of " + all + " faces alone",
+               "最初の " + part + " 面のみ（全 " + all + " 面）"}
+              .in(context.language()));
+  }
+  ImGui::EndTable();
+}
+
+void draw_texts(PanelContext& context, const forms::Comparison& comparison) {
+  dim_text(context, context.text("The texts' own code at a border", "境界でのテキストのコード"));
+  for (const forms::TextsReport& report : comparison.texts) {
+    const bool on_edge = report.place == "boundary_edge";
+    const std::string place =
+        on_edge ? context.text("on a boundary edge", "境界の稜線") : context.text("beside the boundary", "境界の隣");
+    wrapped((std::string(report.operation) + ", " + place).c_str());
+    tip(report.outcome.sentence.in(context.language()));
+    dim_text(context, report.outcome.changed_before ? context.text("fails half done", "途中まで書き換えて異常終了")
+                                                    : context.text("fails at once", "直ちに異常終了"));
+  }
+}
+
+}  // namespace
+
+void draw_forms(PanelContext& context) {
+  Session& session = context.session;
+  std::optional<MeasuredForms>& measured = context.state.measured_forms;
+  if (measured && measured->document != session.document().serial()) measured.reset();
+  const char* const label = measured ? context.text("Measure again", "もう一度測る") : context.text("Measure", "測る");
+  if (ImGui::Button(label, {ImGui::GetContentRegionAvail().x, 0}))
+    measured = {forms::compare_forms(session.mesh(), effort), session.document().serial(),
+                session.document().revision()};
+  if (!measured) return;
+  if (measured->revision != session.document().revision())
+    coloured_text(context.colours().warning,
+                  context.text("The mesh has changed since.", "測った後にメッシュが変わりました。"));
+  choose_relation(context);
+  draw_query_times(context, measured->comparison);
+  draw_pairing_times(context, measured->comparison);
+  draw_texts(context, measured->comparison);
+}
+
+}  // namespace ryosen

@@ -1,0 +1,75 @@
+// The panel of forms: it measures when its button is pressed, never by itself, and says when the mesh has changed since.
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include "app/ui/gui.h"
+#include "tests/support/app/program.h"
+
+namespace ryosen {
+namespace {
+
+constexpr Size window{1280, 1400};  // high enough for the whole column
+constexpr glm::dvec2 measure_button{1134, 314};
+
+class FormsPanel : public testing::Test {
+ protected:
+  FormsPanel() {
+    auto document = Document::open(test::asset("torus.off"));
+    session.set_document(std::move(document).value());
+    gui.place_view(session, window);
+    frames(3);
+  }
+  void frames(int n) {
+    for (int i = 0; i < n; ++i) {
+      gui.prepare(session);
+      gui.frame(session, window, 0.02);
+    }
+  }
+  void press(glm::dvec2 pixel) {
+    gui.pointer(pixel);
+    frames(2);
+    gui.button(0, true);
+    frames(1);
+    gui.button(0, false);
+    frames(2);
+    gui.pointer({640, 1300});
+    frames(2);
+  }
+  int drawn() const { return gui.draw_data().TotalVtxCount; }
+
+  Session session{std::make_unique<Document>()};
+  Gui gui{1};
+};
+
+TEST_F(FormsPanel, MeasuresOnlyWhenAsked) {
+  const int before = drawn();
+  frames(5);
+  EXPECT_EQ(drawn(), before);
+  press(measure_button);
+  EXPECT_GT(drawn(), before + 2000) << "a row per form and method";
+}
+
+TEST_F(FormsPanel, SaysThatTheMeshHasChangedAndForgetsAnotherDocument) {
+  const int empty = drawn();
+  press(measure_button);
+  const int measured = drawn();
+  ASSERT_TRUE(session.run("split 0-1").done());
+  ASSERT_TRUE(session.run("undo").done());
+  frames(2);
+  EXPECT_NE(drawn(), measured) << "a sentence more";
+  EXPECT_GT(drawn(), empty + 2000) << "the figures stay";
+  ASSERT_TRUE(session.run("open " + test::asset("torus.off")).done());
+  frames(3);
+  EXPECT_LT(drawn(), empty + 1000);
+}
+
+TEST_F(FormsPanel, SpeaksJapanese) {
+  ASSERT_TRUE(session.run("language ja").done());
+  frames(3);
+  const int before = drawn();
+  press(measure_button);
+  EXPECT_GT(drawn(), before + 1500);
+}
+
+}  // namespace
+}  // namespace ryosen

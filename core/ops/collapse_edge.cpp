@@ -14,6 +14,8 @@ namespace ryosen {
 
 namespace {
 
+constexpr std::size_t usual_valence = 12;  // lists are reserved for so many
+
 // The corner values around the edge: corners in the chart of a side take the value at the chosen place of the edge.
 void blend_corners(Edit& edit, Halfedge h, double along) {
   CornerWriter corners(edit);
@@ -168,12 +170,16 @@ OpEffect CollapseEdge::apply(Edit& edit) const {
   assert(check(m).legal());
   const Halfedge h = directed(m), o = twin(h);
   const Vertex gone = m.from(h), kept = m.to(h);
-  const glm::dvec3 place_after = position(m);
   OpEffect effect;
-  effect.deleted = {gone, edge(h)};
-
-  blend_corners(edit, h, closest_parameter(m.position(gone), m.position(kept), place_after));
+  effect.deleted.reserve(6);
+  effect.deleted.push_back(gone);
+  effect.deleted.push_back(edge(h));
+  std::optional<glm::dvec3> moved;
+  if (place != Place::automatic) moved = position(m);
+  if (!corner_attributes(m).empty())
+    blend_corners(edit, h, moved ? closest_parameter(m.position(gone), m.position(kept), *moved) : 1);
   std::vector<Halfedge> around_gone;
+  around_gone.reserve(usual_valence);
   for (Halfedge g : outgoing(m, gone)) around_gone.push_back(g);
   const bool left_two_gon = !m.is_outside(h) && is_triangle(m, h),
              right_two_gon = !m.is_outside(o) && is_triangle(m, o);
@@ -192,17 +198,19 @@ OpEffect CollapseEdge::apply(Edit& edit) const {
   const Halfedge some = h_next;
   Halfedge hold = m.halfedge(kept) != o ? m.halfedge(kept) : some;
   if (!m.is_alive(hold) || m.from(hold) != kept) hold = some;
+  effect.changed.reserve(usual_valence);
   Halfedge g = some;
   do {
-    if (m.is_outside(g)) hold = g;
+    if (m.is_outside(g))
+      hold = g;
+    else
+      effect.changed.push_back(m.face(g));
     g = m.counter_clockwise(g);
   } while (g != some);
   edit.set_halfedge(kept, hold);
   edit.remove(edge(h));
   edit.remove(gone);
-  move_point(edit, kept, place_after);
-  for (Halfedge around : outgoing(m, kept))
-    if (!m.is_outside(around)) effect.changed.push_back(m.face(around));
+  if (moved) move_point(edit, kept, *moved);
   return effect;
 }
 

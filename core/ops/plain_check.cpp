@@ -7,34 +7,73 @@ namespace ryosen {
 namespace {
 
 constexpr unsigned max_neighbours = 32;
+constexpr unsigned steps_at_once = 4;
 
 // Whether the loop of h has three halves. prev(h) is about to be walked over, so this costs no further cache line.
 bool is_three_loop(const HalfedgeLinks* links, Halfedge h) {
   return links[h.index].next == links[links[h.index].prev.index].prev;
 }
 
-// What a walk around an end saw, the other end aside.
-struct Surroundings {
-  std::uint32_t neighbours = 0;
-  std::uint32_t gaps = 0;     // outside halfedges that leave it
-  bool all_triangles = true;  // among its faces
+// A walk around an end of an edge, counter-clockwise, from the halfedge that leaves it along the edge. Two walks can be
+// stepped in turn, so that they wait for memory together.
+class EndWalk {
+ public:
+  EndWalk(const HalfedgeLinks* links, Halfedge start) : links_(links), start_(start), at_(start) {}
+
+  // Goes on to the next halfedge; whether that is the one it began at.
+  bool step() {
+    const HalfedgeLinks& at = links_[at_.index];
+    const HalfedgeLinks& before = links_[at.prev.index];
+    const bool outside = at.face.is_none();
+    gaps_ += outside;
+    odd_ |= !outside & (at.next != before.prev);
+    ring_[count_++] = before.from.index;
+    at_ = twin(at.prev);
+    return at_ == start_;
+  }
+  bool is_full() const { return count_ == max_neighbours; }
+
+  // After the last step: the neighbours in order, the other end of the edge last; outside halfedges; whether some face
+  // is not a triangle.
+  std::uint32_t valence() const { return count_; }
+  Vertex neighbour(std::uint32_t i) const { return Vertex(ring_[i]); }
+  std::uint32_t gaps() const { return gaps_; }
+  bool is_odd() const { return odd_; }
+
+ private:
+  const HalfedgeLinks* links_;
+  Halfedge start_, at_;
+  std::uint32_t count_ = 0, gaps_ = 0;
+  bool odd_ = false;
+  std::array<std::uint32_t, max_neighbours> ring_;
 };
 
-// Walks around from(start) counter-clockwise and calls visit(number, neighbour) for all but to(start).
-template <class Visit>
-Surroundings walk_around(const HalfedgeLinks* links, Halfedge start, Visit visit) {
-  Surroundings seen;
-  Halfedge g = start;
+// Whether both walks came back to their start.
+bool finish(EndWalk& a, EndWalk& b) {
   for (;;) {
-    const HalfedgeLinks& at = links[g.index];
-    const HalfedgeLinks& before = links[at.prev.index];
-    const bool outside = at.face.is_none();
-    seen.gaps += outside;
-    seen.all_triangles &= outside | (at.next == before.prev);
-    g = twin(at.prev);
-    if (g == start || seen.neighbours == max_neighbours) return seen;
-    visit(seen.neighbours++, before.from);
+    const bool a_done = a.step(), b_done = b.step();
+    if (a_done | b_done) {
+      EndWalk& other = a_done ? b : a;
+      for (bool done = a_done & b_done; !done; done = other.step())
+        if (other.is_full()) return false;
+      return true;
+    }
+    if (a.is_full()) return false;
   }
+}
+
+// How many of the first neighbours, from number `skipped` on and without the last 1 + `skipped`, both have.
+std::uint32_t common_neighbours(const EndWalk& a, const EndWalk& b, std::uint32_t skipped) {
+  std::uint32_t common = 0;
+  for (std::uint32_t i = skipped; i + 1 + skipped < a.valence(); ++i)
+    for (std::uint32_t k = skipped; k + 1 + skipped < b.valence(); ++k) common += a.neighbour(i) == b.neighbour(k);
+  return common;
+}
+
+bool any_copy(const Mesh& m, const EndWalk& walk) {
+  for (std::uint32_t i = 0; i < walk.valence(); ++i)
+    if (m.next_copy(walk.neighbour(i)) != walk.neighbour(i)) return true;
+  return false;
 }
 
 bool has_copies(const Mesh& m, std::initializer_list<Vertex> vertices) {
@@ -48,10 +87,31 @@ bool has_copies(const Mesh& m, std::initializer_list<Vertex> vertices) {
 // outside loop must not be a hole of three edges.
 bool may_join_boundary(const HalfedgeLinks* links, Halfedge h) {
   const Halfedge inside = links[h.index].face ? h : twin(h), outside = twin(inside);
-  if (links[outside.index].face) return false;
+  if (!links[inside.index].face || links[outside.index].face) return false;
   const HalfedgeLinks& at = links[inside.index];
   const bool apex_stays = links[twin(at.next).index].face || links[twin(at.prev).index].face;
   return apex_stays && !is_three_loop(links, outside);
+}
+
+// What applying the operator will touch next, fetched while the check walks.
+void fetch_ends(const Mesh& m, const HalfedgeLinks& a, const HalfedgeLinks& b) {
+  const MeshColumns& c = m.columns();
+  __builtin_prefetch(c.vertex_halfedge.data() + a.from.index);
+  __builtin_prefetch(c.vertex_halfedge.data() + b.from.index);
+  __builtin_prefetch(c.face_halfedge.data() + a.face.index);
+  __builtin_prefetch(c.face_halfedge.data() + b.face.index);
+}
+
+// The same for the triangles that vanish: their third corners and the faces beyond them.
+void fetch_apexes(const Mesh& m, Halfedge h) {
+  const MeshColumns& c = m.columns();
+  for (Halfedge beyond : {twin(c.halfedges[h.index].prev), twin(c.halfedges[twin(h).index].next)}) {
+    __builtin_prefetch(c.face_halfedge.data() + c.halfedges[beyond.index].face.index);
+    __builtin_prefetch(c.halfedges.data() + c.halfedges[beyond.index].next.index);
+    __builtin_prefetch(c.halfedges.data() + c.halfedges[beyond.index].prev.index);
+  }
+  __builtin_prefetch(c.vertex_halfedge.data() + m.from(m.prev(h)).index);
+  __builtin_prefetch(c.vertex_halfedge.data() + m.from(m.prev(twin(h))).index);
 }
 
 }  // namespace
@@ -60,24 +120,18 @@ bool is_surely_legal_collapse(const Mesh& m, Halfedge h) {
   if (m.has_rings()) return false;
   const HalfedgeLinks* links = m.columns().halfedges.data();
   const Halfedge o = twin(h);
-  const std::uint32_t triangles = (links[h.index].face ? 1 : 0) + (links[o.index].face ? 1 : 0);
-  std::array<Vertex, max_neighbours> ring;
-  const bool copies = m.has_copies();
-  bool any_copy = copies && has_copies(m, {links[h.index].from, links[o.index].from});
-  const Surroundings a = walk_around(links, h, [&](std::uint32_t i, Vertex v) {
-    ring[i] = v;
-    if (copies) any_copy |= m.next_copy(v) != v;
-  });
-  std::uint32_t common = 0;
-  const Surroundings b = walk_around(links, o, [&](std::uint32_t, Vertex v) {
-    for (std::uint32_t i = 0; i < a.neighbours; ++i) common += ring[i] == v;
-    if (copies) any_copy |= m.next_copy(v) != v;
-  });
-  // The apexes are the only common neighbours; two ends without a neighbour but these would leave two equal triangles.
-  if (common != triangles || triangles == 0 || (a.neighbours == 2 && b.neighbours == 2)) return false;
-  if (any_copy || !a.all_triangles || !b.all_triangles) return false;
-  if (a.neighbours == max_neighbours || b.neighbours == max_neighbours || a.gaps > 1 || b.gaps > 1) return false;
-  return a.gaps == 0 || b.gaps == 0 || may_join_boundary(links, h);
+  fetch_ends(m, links[h.index], links[o.index]);
+  EndWalk a(links, h), b(links, o);
+  if (!finish(a, b) || a.is_odd() | b.is_odd()) return false;
+  fetch_apexes(m, h);
+  if (m.has_copies() && (any_copy(m, a) || any_copy(m, b))) return false;
+  if (a.gaps() + b.gaps() == 0 || (links[h.index].face && links[o.index].face)) {
+    // An inner edge: the first and the last neighbour of each end are the apexes. Two ends without others would leave
+    // two equal triangles.
+    if (a.gaps() + b.gaps() > 1 || a.valence() < 3 || b.valence() < 3 || a.valence() + b.valence() == 6) return false;
+    return common_neighbours(a, b, 1) == 0;
+  }
+  return a.gaps() <= 1 && b.gaps() <= 1 && common_neighbours(a, b, 0) == 1 && may_join_boundary(links, h);
 }
 
 bool is_surely_legal_swap(const Mesh& m, Halfedge h) {
@@ -86,14 +140,27 @@ bool is_surely_legal_swap(const Mesh& m, Halfedge h) {
   const Halfedge o = twin(h);
   const HalfedgeLinks &left = links[h.index], &right = links[o.index];
   if (!left.face || !right.face || left.face == right.face) return false;
+  fetch_ends(m, left, right);
+  __builtin_prefetch(links + right.next.index);
   if (!is_three_loop(links, h) || !is_three_loop(links, o)) return false;
   const Vertex c = links[left.prev.index].from, d = links[right.prev.index].from;
   if (c == d || has_copies(m, {left.from, right.from, c, d})) return false;
-  // A second face on the points of an old or a new one would need a second edge a-b or an edge c-d.
-  bool joined = false;
-  const Surroundings seen =
-      walk_around(links, left.prev, [&](std::uint32_t, Vertex neighbour) { joined |= neighbour == d; });
-  return !joined && seen.neighbours < max_neighbours;
+  // A second face on the points of an old or a new one would need a second edge a-b or an edge c-d. Around c, from the
+  // two sides that the face at h has there, one way and the other until they meet.
+  // Walking on past that is harmless, so a number of steps that is enough for most vertices needs no branch.
+  Halfedge up = twin(left.next), down = left.prev;
+  bool met = false, joined = false;
+  for (unsigned steps = 0; steps < max_neighbours && !met; steps += steps_at_once) {
+    for (unsigned i = 0; i < steps_at_once; ++i) {
+      up = twin(links[up.index].prev);
+      met |= up == down;
+      down = links[twin(down).index].next;
+      met |= up == down;
+      joined |= (links[twin(up).index].from == d) | (links[twin(down).index].from == d);
+    }
+    if (joined) return false;
+  }
+  return met;
 }
 
 }  // namespace ryosen

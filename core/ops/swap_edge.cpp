@@ -42,6 +42,18 @@ std::vector<Vertex> sorted_points_after(const Mesh& m, const Turn& turn) {
   return points;
 }
 
+// Whether the corners of the face at h are at these points, of which it visits none twice.
+bool is_on(const Mesh& m, Halfedge h, const std::vector<Vertex>& points) {
+  std::size_t count = 0;
+  const auto is_in_all = [&](const auto& vertices) {
+    for (Vertex v : vertices)
+      if (++count > points.size() || !std::binary_search(points.begin(), points.end(), point(m, v))) return false;
+    return count == points.size();
+  };
+  if (m.has_rings()) return is_in_all(vertices_around(m, m.face(h)));
+  return is_in_all(CycleRange<detail::StepNext, detail::ToFrom>(m, h));
+}
+
 // Another face on exactly these points, around one of their copies; `except` are the two faces at the edge.
 template <class IsExcluded>
 Face find_face_on(const Mesh& m, const std::vector<Vertex>& points, Vertex around, IsExcluded is_excluded) {
@@ -49,7 +61,7 @@ Face find_face_on(const Mesh& m, const std::vector<Vertex>& points, Vertex aroun
   for_each_copy(m, around, [&](Vertex copy) {
     for (Halfedge h : outgoing(m, copy)) {
       const Face f = m.face(h);
-      if (f && !is_excluded(f) && corner_count(m, f) == points.size() && sorted_points(m, f) == points) found = f;
+      if (f && !is_excluded(f) && is_on(m, h, points)) found = f;
     }
   });
   return found;

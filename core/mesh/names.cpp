@@ -23,7 +23,7 @@ bool joined_by_several_sheets(const Mesh& m, Halfedge h) {
 }
 
 std::string name_of_vertex(const Mesh& m, Vertex v) {
-  return "v" + number(m.is_alive(v) ? point(m, v).index : v.index);
+  return "v" + number(m.exists(v) && m.is_alive(v) ? point(m, v).index : v.index);
 }
 
 std::string name_of_edge(const Mesh& m, Edge e) {
@@ -126,12 +126,12 @@ std::string name_of(const Mesh& m, Element element) {
     case Element::Kind::face:
       return "f" + number(element.index);
     case Element::Kind::edge:
-      return m.is_alive(element.edge()) ? name_of_edge(m, element.edge()) : "e" + number(element.index);
+      return m.exists(element.edge()) && m.is_alive(element.edge()) ? name_of_edge(m, element.edge()) : "e" + number(element.index);
     case Element::Kind::halfedge:
       break;
   }
   const Halfedge h = element.halfedge();
-  if (!m.is_alive(h)) return "h" + number(h.index);
+  if (!m.exists(h) || !m.is_alive(h)) return "h" + number(h.index);
   return joined_by_several_sheets(m, h) ? name_with_face(m, h) : ends_of(m, h);
 }
 

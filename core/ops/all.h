@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "core/ops/collapse_edge.h"
+#include "core/ops/delete.h"
+#include "core/ops/detach.h"
 #include "core/ops/euler/delete_edge.h"
 #include "core/ops/euler/delete_loop.h"
 #include "core/ops/euler/make_edge.h"
@@ -21,13 +23,20 @@
 #include "core/ops/euler/unite_edge.h"
 #include "core/ops/euler/unite_loop.h"
 #include "core/ops/euler/unite_ring.h"
+#include "core/ops/fill.h"
+#include "core/ops/make_face.h"
 #include "core/ops/orient.h"
+#include "core/ops/reverse.h"
+#include "core/ops/separate_fans.h"
 #include "core/ops/split_edge.h"
 #include "core/ops/swap_edge.h"
+#include "core/ops/weld.h"
 
 namespace ryosen {
 
 using AnyOp = std::variant<CollapseEdge, SwapEdge, SplitEdge, Orient,
+                           // Taking away, filling, repairing.
+                           Delete, Fill, MakeFace, Reverse, SeparateFans, Detach, Weld,
                            // The Euler operators of the texts.
                            MakeVertex, RemoveVertex, MoveVertex, MakeEdge, DeleteEdge, MakeLoop, DeleteLoop,
                            SeparateLoop, UniteLoop, SeparateEdge, UniteEdge, MakeRing, UniteRing>;

@@ -24,8 +24,9 @@
 
 namespace ryosen {
 
-// What a click hands to an operator. selection: the elements selected before, in their order, as script arguments.
-enum class OpTargetKind { none, vertex, edge, face, selection };
+// What a click hands to an operator. selection: the elements selected before, in their order, as script arguments. any:
+// the vertex, edge or face that the pointer is on, whichever is picked; the other two are none.
+enum class OpTargetKind { none, vertex, edge, face, selection, any };
 
 struct OpInfo {
   std::string_view id;

@@ -4,9 +4,9 @@
 #include <cassert>
 #include <utility>
 
-#include "core/build/turn_faces.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/ops/turn_faces.h"
 
 namespace ryosen {
 
@@ -28,7 +28,7 @@ struct OrderedNeighbour {
 
 Neighbour across(const Mesh& m, Halfedge side) {
   const Halfedge o = twin(side);
-  if (!has_copies(m, m.from(side)) || !has_copies(m, m.to(side))) return {m.face(o), true};
+  if (!has_copies(m, m.from(side)) && !has_copies(m, m.to(side))) return {m.face(o), true};
   const PointEdge on_points = point_edge(m, side);
   if (on_points.faces() != 2) return {};
   if (!m.is_outside(o)) return {m.face(o), true};
@@ -99,12 +99,10 @@ Verdict Orient::check(const Mesh& mesh) const {
 }
 
 OpEffect Orient::apply(Edit& edit) const {
-  const std::vector<bool> turned = choose_turned(edit.mesh());
-  OpEffect effect;
-  effect.changed = faces_to_turn(turned);
-  assert(!effect.changed.empty());
-  edit.replace(turn_faces(edit.mesh(), turned));
-  return effect;
+  TurnedMesh turned = turn_faces(edit.mesh(), choose_turned(edit.mesh()));
+  assert(!turned.effect.changed.empty());
+  edit.replace(std::move(turned.columns));
+  return turned.effect;
 }
 
 }  // namespace ryosen

@@ -7,6 +7,7 @@
 #include "core/mesh/rings.h"
 #include "core/ops/corner_values.h"
 #include "core/ops/face_geometry.h"
+#include "core/ops/sheets.h"
 
 namespace ryosen {
 
@@ -104,35 +105,6 @@ Vertex cut_sheet(Edit& edit, Halfedge h, double along, const glm::dvec3& positio
   return m;
 }
 
-// Gives the faces on both sides of a non-manifold edge that is closed again an edge each, as they had before it was
-// closed: with a new point on it, its outside loop has four halves and stays open.
-//
-//     a ==h/o== b     =>     a --h-- b        h keeps its face, o runs outside
-//                            a --k-- b        k takes the place of o
-void open_closed_cut(Edit& edit, Halfedge h, OpEffect& effect) {
-  const Mesh& m = edit.mesh();
-  const Halfedge o = twin(h);
-  if (m.is_outside(h) || m.is_outside(o)) return;
-  const Vertex a = m.from(h), b = m.from(o);
-  const Halfedge k = edit.add_edge(b, a), outside = twin(k);
-  const Face right = m.face(o);
-  CornerWriter corners(edit);
-  for (std::size_t c = 0; c < corners.count(); ++c) {
-    corners.set(c, k, corners.index(c, o));
-    corners.set(c, o, no_index);
-  }
-  edit.connect(m.prev(o), k);
-  edit.connect(k, m.next(o));
-  edit.set_face(k, right);
-  replace_start(edit, right, o, k);
-  edit.connect(o, outside);
-  edit.connect(outside, o);
-  edit.set_face(o, Face());
-  edit.set_halfedge(a, outside);
-  edit.set_halfedge(b, o);
-  effect.created.push_back(edge(k));
-}
-
 }  // namespace
 
 Parsed<SplitEdge> SplitEdge::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
@@ -212,8 +184,11 @@ OpEffect SplitEdge::apply(Edit& edit) const {
 void put_point_into(Edit& edit, Halfedge h, double along, CutTriangles cut, OpEffect& effect) {
   const Mesh& m = edit.mesh();
   const glm::dvec3 p = point_between(m.position(m.from(h)), m.position(m.to(h)), along);
+  // With a new point on it, the outside loop of a cut edge that is closed again has four halves and stays open.
+  Sheets cuts(edit);
   if (is_cut_on_points(m, h))
-    for (Halfedge sheet : sheets_of(m, h)) open_closed_cut(edit, sheet, effect);
+    for (Halfedge sheet : sheets_of(m, h))
+      if (!m.is_outside(sheet) && !m.is_outside(twin(sheet))) effect.created.push_back(edge(cuts.open(sheet)));
   const std::vector<Halfedge> sheets = sheets_of(m, h);
   std::vector<Vertex> copies;
   for (Halfedge sheet : sheets) copies.push_back(cut_sheet(edit, sheet, along, p, cut, effect));

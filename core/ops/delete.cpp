@@ -1,0 +1,119 @@
+#include "core/ops/delete.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/ops/arguments.h"
+#include "core/ops/sheets.h"
+
+namespace ryosen {
+
+namespace {
+
+// An edge by its points alone stands for all its sheets, so any of them will do.
+Named<Halfedge> find_any_sheet(const Mesh& mesh, std::string_view name) {
+  Named<Halfedge> found = find_edge(mesh, name);
+  if (found.error != NameError::ambiguous) return found;
+  const std::size_t dash = name.find('-');
+  const Named<Vertex> a = find_vertex(mesh, name.substr(0, dash)), b = find_vertex(mesh, name.substr(dash + 1));
+  if (!a.ok() || !b.ok()) return found;
+  return {sheets_between(mesh, a.element, b.element).front(), NameError::none, {}};
+}
+
+// What goes because it is named: faces, wires, and for a vertex the copies of its point.
+struct Doomed {
+  std::vector<Face> faces;
+  std::vector<Halfedge> wires;
+  std::vector<Vertex> vertices;
+};
+
+Doomed doomed_by(const Mesh& mesh, Element element) {
+  Doomed doomed;
+  const auto add_edge = [&](Halfedge h) {
+    for (Halfedge side : {h, twin(h)})
+      if (!mesh.is_outside(side)) doomed.faces.push_back(mesh.face(side));
+    if (mesh.is_wire(edge(h))) doomed.wires.push_back(h);
+  };
+  if (element.kind == Element::Kind::face) doomed.faces.push_back(element.face());
+  if (element.kind == Element::Kind::edge) {
+    const auto [a, b] = ends(mesh, element.edge());
+    for (Halfedge h : sheets_between(mesh, a, b)) add_edge(h);
+  }
+  if (element.kind == Element::Kind::vertex)
+    for_each_copy(mesh, element.vertex(), [&](Vertex copy) {
+      doomed.vertices.push_back(copy);
+      for (Halfedge h : outgoing(mesh, copy)) add_edge(h);
+    });
+  std::sort(doomed.faces.begin(), doomed.faces.end());
+  doomed.faces.erase(std::unique(doomed.faces.begin(), doomed.faces.end()), doomed.faces.end());
+  return doomed;
+}
+
+}  // namespace
+
+Parsed<Delete> Delete::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  ArgumentReader in(mesh, arguments, info.syntax);
+  const std::string_view name = in.peek();
+  Delete op;
+  if (name.starts_with('f')) {
+    op.element = in.face();
+  } else if (name.find('-') != std::string_view::npos || name.starts_with('h') || name.starts_with('e')) {
+    const Named<Halfedge> sheet = find_any_sheet(mesh, name);
+    if (!sheet.ok()) return {std::nullopt, sheet.error, sheet.sentence};
+    if (arguments.size() > 1) return malformed_argument<Delete>(arguments[1], info.syntax);
+    op.element = edge(sheet.element);
+    return {op, NameError::none, {}};
+  } else {
+    op.element = in.vertex();
+  }
+  return in.result(op);
+}
+
+Delete Delete::at(const Mesh&, const OpTarget& target) {
+  if (target.vertex) return {target.vertex};
+  if (target.face) return {target.face};
+  return {edge(target.halfedge)};
+}
+
+std::string Delete::command(const Mesh& mesh) const { return "delete " + name_of(mesh, element); }
+
+Verdict Delete::check(const Mesh& mesh) const {
+  Verdict verdict;
+  if (element.kind == Element::Kind::vertex) is_gone(mesh, element.vertex(), verdict);
+  if (element.kind == Element::Kind::edge) is_gone(mesh, halfedge(element.edge()), verdict);
+  if (element.kind == Element::Kind::face) is_gone(mesh, element.face(), verdict);
+  return verdict;
+}
+
+std::vector<Reason> Delete::warnings(const Mesh&) const { return {}; }
+
+OpEffect Delete::apply(Edit& edit) const {
+  const Mesh& m = edit.mesh();
+  assert(check(m).legal());
+  Sheets sheets(edit);
+  const Doomed doomed = doomed_by(m, element);
+  std::vector<Halfedge> unused = doomed.wires;
+  std::vector<Vertex> bare = doomed.vertices, points;
+  for (Face f : doomed.faces)
+    for (Halfedge h : halfedges_around(m, f)) {
+      unused.push_back(h);
+      points.push_back(point(m, m.from(h)));
+    }
+  for (Face f : doomed.faces) sheets.remove_face(f);
+  for (Halfedge h : unused) {
+    if (!m.is_alive(h) || !m.is_wire(edge(h))) continue;
+    bare.insert(bare.end(), {m.from(h), m.to(h)});
+    sheets.remove_edge(h);
+  }
+  // Vertices that name a point last, so that they find a copy which takes their number over.
+  std::sort(bare.begin(), bare.end(), std::greater<>());
+  bare.erase(std::unique(bare.begin(), bare.end()), bare.end());
+  for (Vertex v : bare)
+    if (m.is_alive(v) && m.is_isolated(v)) sheets.remove_vertex(v);
+  sheets.settle(points);
+  return sheets.finish();
+}
+
+}  // namespace ryosen

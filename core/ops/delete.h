@@ -1,0 +1,43 @@
+// Delete: takes faces away with the edges and vertices that nothing else uses.
+//
+//        o-----o-----o               o-----o
+//        |  f  |     |               |     |        delete fN: the face; delete A-B: the faces at the edge, or the wire;
+//        |     |     |      =>       |     |        delete vN: the vertex with all faces and wires there
+//        o-----o-----o               o-----o
+//
+// on the list: the faces go. A pair that is named, or has a named end, goes. Numbers without a face or pair go where they
+//              had one; vN goes in any case.
+// needs: a live element. Of a point all copies are meant, of an edge all its sheets.
+// changes: F - 1 for a face, - its faces for an edge or vertex; E - the edges that no other face has; V - the vertices
+//          that lose their last edge (for a lone triangle 3, 3, 1). H - the rings of the faces. A vertex may be left with
+//          several fans. Where two faces of opposite direction are left on an edge that had more, they are joined.
+// inverse: make_face or fill for one face; undo.
+#pragma once
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct Delete {
+  Element element;  // a vertex, edge or face
+
+  static constexpr OpInfo info{"delete",
+                               "Delete",
+                               "削除",
+                               "vN | A-B | fN",
+                               "deletes the faces at a vertex or edge, a face, or a wire, and what is left without use",
+                               "頂点・稜線に接する面、面、面のない稜線を、不要になる要素とともに削除する",
+                               '\0',
+                               OpTargetKind::any,
+                               "remove"};
+
+  static Parsed<Delete> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static Delete at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

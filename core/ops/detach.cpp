@@ -1,0 +1,141 @@
+#include "core/ops/detach.h"
+
+#include <algorithm>
+#include <cassert>
+#include <unordered_set>
+
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/ops/arguments.h"
+#include "core/ops/sheets.h"
+
+namespace ryosen {
+
+namespace {
+
+using FaceSet = std::unordered_set<Face>;
+
+FaceSet sheet_of(const Mesh& m, Face f) {
+  FaceSet sheet{f};
+  std::vector<Face> open{f};
+  while (!open.empty()) {
+    const Face next = open.back();
+    open.pop_back();
+    for (Halfedge h : halfedges_around(m, next)) {
+      const Face beside = m.face(twin(h));
+      if (beside && !is_cut_on_points(m, h) && sheet.insert(beside).second) open.push_back(beside);
+    }
+  }
+  return sheet;
+}
+
+// The points that faces of the set share with others, ascending.
+std::vector<Vertex> shared_points(const Mesh& m, const FaceSet& faces) {
+  std::vector<Vertex> points;
+  for (Face f : faces)
+    for (Vertex v : vertices_around(m, f)) points.push_back(point(m, v));
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  std::erase_if(points, [&](Vertex p) {
+    bool alone = true;
+    for_each_copy(m, p, [&](Vertex copy) {
+      for (Face f : faces_around(m, copy)) alone = alone && (!f || faces.contains(f));
+    });
+    return alone;
+  });
+  return points;
+}
+
+FaceSet faces_meant(const Mesh& m, const std::vector<Face>& named) {
+  if (named.size() > 1) return {named.begin(), named.end()};
+  FaceSet sheet = sheet_of(m, named[0]);
+  if (shared_points(m, sheet).empty()) return {named[0]};
+  return sheet;
+}
+
+void make_cycle(Edit& edit, const std::vector<Vertex>& copies) {
+  for (std::size_t i = 0; i < copies.size(); ++i) edit.set_next_copy(copies[i], copies[(i + 1) % copies.size()]);
+}
+
+// Gives the fans of the faces at a point vertices of their own, and these a point of their own. All fans are of these
+// faces or of none of them. Returns a vertex of the new point.
+Vertex split_point(Edit& edit, Sheets& sheets, Vertex p, const FaceSet& faces) {
+  const Mesh& m = edit.mesh();
+  std::vector<Vertex> copies, away, rest;
+  for_each_copy(m, p, [&](Vertex copy) { copies.push_back(copy); });
+  std::sort(copies.begin(), copies.end());
+  for (Vertex copy : copies) {
+    const std::vector<Fan> fans = fans_at(m, copy);
+    const auto goes = [&](const Fan& fan) { return faces.contains(fan.lowest_face); };
+    bool has_wire = false;
+    for (Halfedge h : outgoing(m, copy)) has_wire = has_wire || m.is_wire(edge(h));
+    if (!fans.empty() && !has_wire && std::all_of(fans.begin(), fans.end(), goes)) {
+      away.push_back(copy);
+      continue;
+    }
+    rest.push_back(copy);
+    for (const Fan& fan : fans)
+      if (goes(fan)) away.push_back(sheets.take_out(fan));
+  }
+  // The faces that stay keep the number.
+  if (away[0] < rest[0]) {
+    sheets.exchange(away[0], rest[0]);
+    std::swap(away[0], rest[0]);
+  }
+  make_cycle(edit, away);
+  make_cycle(edit, rest);
+  for (Vertex v : away) sheets.changed_around(v);
+  return away[0];
+}
+
+}  // namespace
+
+Parsed<Detach> Detach::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  ArgumentReader in(mesh, arguments, info.syntax);
+  Detach op;
+  do op.faces.push_back(in.face());
+  while (!in.failed() && !in.at_end());
+  return in.result(op);
+}
+
+Detach Detach::at(const Mesh&, const OpTarget& target) { return {{target.face}}; }
+
+std::string Detach::command(const Mesh& mesh) const {
+  std::string line = "detach";
+  for (Face f : faces) line += " " + name_of(mesh, f);
+  return line;
+}
+
+Verdict Detach::check(const Mesh& mesh) const {
+  Verdict verdict;
+  if (faces.empty()) verdict.refuse(Rule::deleted, {Face()});
+  for (Face f : faces)
+    if (is_gone(mesh, f, verdict)) return verdict;
+  if (!verdict.legal()) return verdict;
+  if (shared_points(mesh, faces_meant(mesh, faces)).empty()) verdict.refuse(Rule::detached, {faces[0]});
+  return verdict;
+}
+
+std::vector<Reason> Detach::warnings(const Mesh&) const { return {}; }
+
+OpEffect Detach::apply(Edit& edit) const {
+  const Mesh& m = edit.mesh();
+  assert(check(m).legal());
+  Sheets sheets(edit);
+  const FaceSet away = faces_meant(m, faces);
+  std::vector<Vertex> points = shared_points(m, away);
+  std::vector<Face> in_order(away.begin(), away.end());
+  std::sort(in_order.begin(), in_order.end());
+  for (Face f : in_order) {
+    std::vector<Halfedge> sides;
+    for (Halfedge h : halfedges_around(m, f)) sides.push_back(h);
+    for (Halfedge h : sides)
+      if (const Face beside = m.face(twin(h)); beside && !away.contains(beside)) sheets.open(h);
+  }
+  const std::size_t shared = points.size();
+  for (std::size_t i = 0; i < shared; ++i) points.push_back(split_point(edit, sheets, points[i], away));
+  sheets.settle(points);
+  return sheets.finish();
+}
+
+}  // namespace ryosen

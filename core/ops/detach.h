@@ -1,0 +1,42 @@
+// Detach: a sheet gets points of its own wherever it touches other faces.
+//
+//        a---b---c             a---b   b'---c
+//        | f | g |      =>     | f |   |  g |       here g goes; b and d are met by f as well
+//        e---d---h             e---d   d'---h
+//
+// on the list: in the named faces every point that other faces have as well is replaced by a new one, the same in all of
+//              them. One face alone stands for its sheet, the faces that edges with exactly two faces in opposite
+//              directions join to it, if that touches others; else for itself.
+// needs: the faces touch others.
+// changes: V + the shared points, E + the shared edges on points; edges that were non-manifold may become ordinary.
+// inverse: weld, point by point, where it is legal.
+#pragma once
+
+#include <vector>
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct Detach {
+  std::vector<Face> faces;
+
+  static constexpr OpInfo info{"detach",
+                               "Detach",
+                               "シートの切り離し",
+                               "fN [fM ...]",
+                               "gives a sheet, or the faces named, points of their own",
+                               "シート、または指定した面を独立した点に切り離す",
+                               '\0',
+                               OpTargetKind::face};
+
+  static Parsed<Detach> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static Detach at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

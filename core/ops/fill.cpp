@@ -1,0 +1,81 @@
+#include "core/ops/fill.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/ops/arguments.h"
+#include "core/ops/face_geometry.h"
+#include "core/ops/face_lists.h"
+#include "core/ops/sheets.h"
+#include "core/ops/surgery.h"
+
+namespace ryosen {
+
+namespace {
+
+// A point that the cycle visits twice, or none.
+Vertex repeated_point(std::vector<std::uint32_t> points) {
+  std::sort(points.begin(), points.end());
+  const auto twice = std::adjacent_find(points.begin(), points.end());
+  return twice == points.end() ? Vertex() : Vertex(*twice);
+}
+
+}  // namespace
+
+Parsed<Fill> Fill::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  ArgumentReader in(mesh, arguments, info.syntax);
+  Fill op{in.halfedge()};
+  // A boundary edge has one hole, whichever way it is named.
+  if (!in.failed() && !mesh.is_outside(op.halfedge) && mesh.is_outside(twin(op.halfedge)))
+    op.halfedge = twin(op.halfedge);
+  return in.result(op);
+}
+
+Fill Fill::at(const Mesh& mesh, const OpTarget& target) {
+  return {mesh.is_outside(target.halfedge) ? target.halfedge : twin(target.halfedge)};
+}
+
+std::string Fill::command(const Mesh& mesh) const { return "fill " + name_of(mesh, halfedge); }
+
+Verdict Fill::check(const Mesh& mesh) const {
+  Verdict verdict;
+  if (is_gone(mesh, halfedge, verdict)) return verdict;
+  if (!mesh.is_outside(halfedge)) {
+    verdict.refuse(Rule::has_face, {edge(halfedge), mesh.face(halfedge)});
+    return verdict;
+  }
+  const std::vector<std::uint32_t> points = points_along(mesh, halfedge);
+  if (const Vertex twice = repeated_point(points)) verdict.refuse(Rule::corner_twice, {twice, edge(halfedge)});
+  if (points.size() < 3) verdict.refuse(Rule::loop, {edge(halfedge)});
+  for (Halfedge h : loop(mesh, halfedge))
+    if (point_edge(mesh, h).faces() >= 2)
+      verdict.refuse(Rule::copies, {point(mesh, mesh.from(h)), point(mesh, mesh.to(h))});
+  if (!verdict.legal()) return verdict;
+  if (const Face other = face_on(mesh, point_set(points))) verdict.refuse(Rule::duplicate_face, {other});
+  return verdict;
+}
+
+std::vector<Reason> Fill::warnings(const Mesh& mesh) const {
+  FaceGeometry after;
+  for (Halfedge h : loop(mesh, halfedge)) after.add(mesh.position(mesh.from(h)));
+  if (!after.is_degenerate()) return {};
+  return {{Rule::degenerate, {edge(halfedge)}}};
+}
+
+OpEffect Fill::apply(Edit& edit) const {
+  const Mesh& m = edit.mesh();
+  assert(check(m).legal());
+  Sheets sheets(edit);
+  const Face f = edit.add_face(halfedge);
+  set_face_along(edit, halfedge, f);
+  std::vector<Vertex> corners;
+  for (Vertex v : vertices_around(m, f)) corners.push_back(v);
+  for (Vertex v : corners) hold_outside(edit, v);
+  sheets.changed(f);
+  sheets.settle(corners);
+  return sheets.finish();
+}
+
+}  // namespace ryosen

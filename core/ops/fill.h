@@ -1,0 +1,40 @@
+// Fill: one face on a hole.
+//
+//        d-----c                d-----c
+//        |     |                |  f  |       the face lies left of the outside halfedge a -> b
+//        |     |       =>       |     |
+//        a---->b                a---->b
+//
+// on the list: the outside cycle through a -> b becomes a face.
+// needs: the halfedge runs outside, on a cycle of three or more edges without a repeated point; no face on the same
+//        points; no edge of the cycle has two faces on points. (make_loop also takes cycles with bridges.)
+// changes: F + 1, B - 1.
+// inverse: delete_loop; delete where no edge was a wire.
+#pragma once
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct Fill {
+  Halfedge halfedge;  // outside
+
+  static constexpr OpInfo info{"fill",
+                               "Fill hole",
+                               "穴埋め",
+                               "A-B",
+                               "puts one face on the hole at a boundary edge",
+                               "境界稜線 A-B の穴に一枚の面を張る",
+                               '\0',
+                               OpTargetKind::edge};
+
+  static Parsed<Fill> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static Fill at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

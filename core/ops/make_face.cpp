@@ -1,0 +1,130 @@
+#include "core/ops/make_face.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/ops/arguments.h"
+#include "core/ops/face_geometry.h"
+#include "core/ops/face_lists.h"
+#include "core/ops/sheets.h"
+#include "core/ops/surgery.h"
+
+namespace ryosen {
+
+namespace {
+
+// The outside halfedge between two points that a new face can take: along a face before along none. None where no edge
+// joins them.
+Halfedge free_side(const Mesh& m, Vertex a, Vertex b) {
+  Halfedge found;
+  for (Halfedge h : sheets_between(m, a, b))
+    if (m.is_outside(h) && (!found || m.is_outside(twin(found)))) found = h;
+  return found;
+}
+
+bool has_room(const Mesh& m, Vertex v) { return m.is_isolated(v) || m.is_boundary(v); }
+
+// The copy of v that new edges can go to, v before the others, or none.
+Vertex roomy_copy(const Mesh& m, Vertex v) {
+  if (has_room(m, v)) return v;
+  Vertex found;
+  for_each_copy(m, v, [&](Vertex copy) {
+    if (has_room(m, copy) && (!found || copy < found)) found = copy;
+  });
+  return found;
+}
+
+// Refuses a side that a face runs already, or that two faces have.
+bool is_free(const Mesh& m, Vertex a, Vertex b, Verdict& verdict) {
+  const std::vector<Halfedge> sheets = sheets_between(m, a, b);
+  if (sheets.empty()) return true;
+  const PointEdge faces = point_edge(m, sheets[0]);
+  if (faces.forward == 0 && faces.backward <= 1) return true;
+  for (Halfedge h : sheets) {
+    const Halfedge side = m.is_outside(h) ? twin(h) : h;
+    if (m.is_outside(side)) continue;
+    verdict.refuse(Rule::has_face, {edge(h), m.face(side)});
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Parsed<MakeFace> MakeFace::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  ArgumentReader in(mesh, arguments, info.syntax);
+  MakeFace op;
+  do op.corners.push_back(in.vertex());
+  while (!in.failed() && (!in.at_end() || op.corners.size() < 3));
+  return in.result(op);
+}
+
+MakeFace MakeFace::at(const Mesh&, const OpTarget&) { return {}; }
+
+std::string MakeFace::command(const Mesh& mesh) const {
+  std::string line = "make_face";
+  for (Vertex v : corners) line += " " + name_of_copy(mesh, v);
+  return line;
+}
+
+Verdict MakeFace::check(const Mesh& m) const {
+  Verdict verdict;
+  for (Vertex v : corners)
+    if (is_gone(m, v, verdict)) return verdict;
+  std::vector<std::uint32_t> points;
+  for (Vertex v : corners) points.push_back(point(m, v).index);
+  const std::vector<std::uint32_t> set = point_set(points);
+  for (std::uint32_t p : set)
+    if (std::count(points.begin(), points.end(), p) > 1) verdict.refuse(Rule::corner_twice, {Vertex(p)});
+  if (corners.size() < 3) verdict.refuse(Rule::loop, {});
+  if (!verdict.legal()) return verdict;
+  const std::size_t n = corners.size();
+  std::vector<bool> is_new(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    is_new[i] = sheets_between(m, corners[i], corners[(i + 1) % n]).empty();
+    is_free(m, corners[i], corners[(i + 1) % n], verdict);
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    if (is_new[i] && is_new[(i + n - 1) % n] && !roomy_copy(m, corners[i]))
+      verdict.refuse(Rule::no_gap, {corners[i], m.face(m.halfedge(corners[i]))});
+  if (const Face other = face_on(m, set)) verdict.refuse(Rule::duplicate_face, {other});
+  return verdict;
+}
+
+std::vector<Reason> MakeFace::warnings(const Mesh& m) const {
+  FaceGeometry after;
+  for (Vertex v : corners) after.add(m.position(v));
+  if (!after.is_degenerate()) return {};
+  std::vector<Element> witnesses(corners.begin(), corners.end());
+  return {{Rule::degenerate, witnesses}};
+}
+
+OpEffect MakeFace::apply(Edit& edit) const {
+  const Mesh& m = edit.mesh();
+  assert(check(m).legal());
+  Sheets sheets(edit);
+  const std::size_t n = corners.size();
+  std::vector<Halfedge> sides(n);
+  for (std::size_t i = 0; i < n; ++i) sides[i] = free_side(m, corners[i], corners[(i + 1) % n]);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (sides[i]) continue;
+    const Halfedge before = sides[(i + n - 1) % n], after = sides[(i + 1) % n];
+    const Vertex a = before ? m.to(before) : roomy_copy(m, corners[i]);
+    const Vertex b = after ? m.from(after) : roomy_copy(m, corners[(i + 1) % n]);
+    const auto any_gap = [&](Vertex v) { return m.is_isolated(v) ? Halfedge() : m.prev(m.halfedge(v)); };
+    sides[i] = link_edge(edit, a, before ? before : any_gap(a), b, after ? m.prev(after) : any_gap(b));
+  }
+  for (std::size_t i = 0; i < n; ++i) sheets.join_corner(sides[i], sides[(i + 1) % n]);
+  const Face f = edit.add_face(sides[0]);
+  set_face_along(edit, sides[0], f);
+  std::vector<Vertex> met;
+  for (Vertex v : vertices_around(m, f)) met.push_back(v);
+  for (Vertex v : met) hold_outside(edit, v);
+  sheets.changed(f);
+  sheets.settle(met);
+  return sheets.finish();
+}
+
+}  // namespace ryosen

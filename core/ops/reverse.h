@@ -1,0 +1,38 @@
+// Reverse: turns a component over.
+//
+//        +---->---->+           +<----<----+
+//        | f  | g   |    =>     | f  | g   |
+//        +<----<----+           +---->---->+
+//
+// on the list: all faces joined to fN through shared edges run the other way round; first corners stay.
+// needs: a live face.
+// changes: nothing on points. Wires and isolated vertices stay.
+// inverse: itself.
+#pragma once
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct Reverse {
+  Face face;
+
+  static constexpr OpInfo info{"reverse",
+                               "Reverse component",
+                               "成分の反転",
+                               "fN",
+                               "turns all faces of the component of fN over",
+                               "fN の連結成分の面をすべて裏返す",
+                               '\0',
+                               OpTargetKind::face};
+
+  static Parsed<Reverse> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static Reverse at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,51 @@
+#include "core/ops/separate_fans.h"
+
+#include <cassert>
+
+#include "core/mesh/copies.h"
+#include "core/ops/arguments.h"
+#include "core/ops/sheets.h"
+
+namespace ryosen {
+
+namespace {
+
+std::vector<Vertex> with_several_fans(const Mesh& mesh, Vertex v) {
+  std::vector<Vertex> found;
+  for_each_copy(mesh, v, [&](Vertex copy) {
+    if (fans_at(mesh, copy).size() > 1) found.push_back(copy);
+  });
+  return found;
+}
+
+}  // namespace
+
+Parsed<SeparateFans> SeparateFans::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  ArgumentReader in(mesh, arguments, info.syntax);
+  const SeparateFans op{in.vertex()};
+  return in.result(op);
+}
+
+SeparateFans SeparateFans::at(const Mesh&, const OpTarget& target) { return {target.vertex}; }
+
+std::string SeparateFans::command(const Mesh& mesh) const { return "separate_fans " + name_of(mesh, vertex); }
+
+Verdict SeparateFans::check(const Mesh& mesh) const {
+  Verdict verdict;
+  if (is_gone(mesh, vertex, verdict)) return verdict;
+  if (with_several_fans(mesh, vertex).empty()) verdict.refuse(Rule::one_fan, {point(mesh, vertex)});
+  return verdict;
+}
+
+std::vector<Reason> SeparateFans::warnings(const Mesh&) const { return {}; }
+
+OpEffect SeparateFans::apply(Edit& edit) const {
+  assert(check(edit.mesh()).legal());
+  Sheets sheets(edit);
+  for (Vertex v : with_several_fans(edit.mesh(), vertex)) sheets.separate(v);
+  const Vertex touched[] = {vertex};
+  sheets.settle(touched);
+  return sheets.finish();
+}
+
+}  // namespace ryosen

@@ -1,0 +1,41 @@
+// Separate fans: a vertex with several fans of faces becomes one vertex per fan.
+//
+//        a     c               a     c
+//        | ' f |               | ' f |
+//           v          =>         v           two copies of one point: figures, names and files stay as they are
+//        | ' g |                  v'
+//        b     d               | ' g |
+//                              b     d
+//
+// on the list: each fan but the one with the lowest face gets a copy of the point; wires stay with the first.
+// needs: a vertex with several fans.
+// changes: V + fans - 1 in the kernel, nothing on points; B and S as the outside cycles come apart.
+// inverse: weld of the copies. To make them different points: detach.
+#pragma once
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct SeparateFans {
+  Vertex vertex;
+
+  static constexpr OpInfo info{"separate_fans",
+                               "Separate fans",
+                               "扇の分離",
+                               "vN",
+                               "gives each fan of faces at a vertex a copy of its own",
+                               "頂点の面の扇ごとに複製の頂点を作る",
+                               '\0',
+                               OpTargetKind::vertex};
+
+  static Parsed<SeparateFans> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static SeparateFans at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -19,13 +20,20 @@ inline std::uint32_t part_begin(std::uint32_t count, unsigned t, unsigned parts)
   return static_cast<std::uint32_t>(std::uint64_t{count} * t / parts);
 }
 
-// Calls work(t, begin, end) for each part at the same time. The work must not throw.
+// Calls work(t, begin, end) for each part at the same time, or in turn where the system has no thread to give. The work
+// must not throw.
 template <class Work>
 void for_each_part(std::uint32_t count, unsigned parts, const Work& work) {
   std::vector<std::thread> others;
   others.reserve(parts - 1);
-  for (unsigned t = 1; t < parts; ++t)
-    others.emplace_back([&, t] { work(t, part_begin(count, t, parts), part_begin(count, t + 1, parts)); });
+  for (unsigned t = 1; t < parts; ++t) {
+    const auto do_part = [&, t] { work(t, part_begin(count, t, parts), part_begin(count, t + 1, parts)); };
+    try {
+      others.emplace_back(do_part);
+    } catch (const std::system_error&) {
+      do_part();
+    }
+  }
   work(0, 0, part_begin(count, 1, parts));
   for (std::thread& other : others) other.join();
 }

@@ -7,7 +7,7 @@
 namespace ryosen {
 
 void* allocate_column(std::size_t bytes) {
-  if (bytes < huge_page) return ::operator new(bytes);
+  if (bytes < large_block) return ::operator new(bytes);
   void* block = ::operator new(bytes, std::align_val_t(huge_page));
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
   // Only advice: without huge pages everything works, slower.
@@ -17,7 +17,7 @@ void* allocate_column(std::size_t bytes) {
 }
 
 void release_column(void* block, std::size_t bytes) noexcept {
-  if (bytes < huge_page)
+  if (bytes < large_block)
     ::operator delete(block);
   else
     ::operator delete(block, std::align_val_t(huge_page));

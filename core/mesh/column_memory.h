@@ -11,8 +11,9 @@
 
 namespace ryosen {
 
-// Blocks of this size or more are aligned to it and offered huge pages.
+// Blocks of at least the second size are aligned to the first, and so rounded up to it, and offered huge pages.
 inline constexpr std::size_t huge_page = std::size_t{1} << 21;
+inline constexpr std::size_t large_block = 2 * huge_page;
 
 // Throws std::bad_alloc. Blocks are given back with the size they were taken with.
 void* allocate_column(std::size_t bytes);

@@ -10,6 +10,7 @@
 #include "core/ops/collapse_edge.h"
 #include "core/ops/delete.h"
 #include "core/ops/detach.h"
+#include "core/ops/dissolve.h"
 #include "core/ops/euler/delete_edge.h"
 #include "core/ops/euler/delete_loop.h"
 #include "core/ops/euler/make_edge.h"
@@ -23,18 +24,24 @@
 #include "core/ops/euler/unite_edge.h"
 #include "core/ops/euler/unite_loop.h"
 #include "core/ops/euler/unite_ring.h"
+#include "core/ops/extrude.h"
 #include "core/ops/fill.h"
 #include "core/ops/make_face.h"
 #include "core/ops/orient.h"
+#include "core/ops/poke.h"
 #include "core/ops/reverse.h"
 #include "core/ops/separate_fans.h"
 #include "core/ops/split_edge.h"
 #include "core/ops/swap_edge.h"
+#include "core/ops/triangulate.h"
+#include "core/ops/vertex_split.h"
 #include "core/ops/weld.h"
 
 namespace ryosen {
 
 using AnyOp = std::variant<CollapseEdge, SwapEdge, SplitEdge, Orient,
+                           // Building up.
+                           Poke, VertexSplit, Triangulate, Dissolve, Extrude,
                            // Taking away, filling, repairing.
                            Delete, Fill, MakeFace, Reverse, SeparateFans, Detach, Weld,
                            // The Euler operators of the texts.

@@ -34,6 +34,23 @@ std::uint32_t CornerWriter::blend(std::size_t attribute, std::uint32_t a, std::u
   return edit_.append_value(pool, words_of(va + t * (vb - va), words));
 }
 
+std::uint32_t CornerWriter::mean(std::size_t attribute, std::span<const Halfedge> at) {
+  const std::uint32_t first = index(attribute, at[0]);
+  bool all_equal = true;
+  for (Halfedge h : at) {
+    if (index(attribute, h) == no_index) return no_index;
+    all_equal = all_equal && index(attribute, h) == first;
+  }
+  if (all_equal) return first;
+  const std::size_t pool = attributes_[attribute].pool_column;
+  glm::dvec3 mean{};
+  for (Halfedge h : at)
+    mean += attribute_value<glm::dvec3>(edit_.mesh().attributes()[pool], index(attribute, h)) /
+            static_cast<double>(at.size());
+  std::array<std::uint32_t, 6> words;
+  return edit_.append_value(pool, words_of(mean, words));
+}
+
 bool is_seam(const Mesh& mesh, Halfedge h) {
   if (mesh.is_outside(h) || mesh.is_outside(twin(h))) return false;
   for (const CornerAttribute& attribute : corner_attributes(mesh)) {
@@ -67,6 +84,18 @@ void blend_vertex_values(Edit& edit, Vertex a, Vertex b, double t, Vertex to) {
       words.assign(span.begin(), span.end());
     }
     edit.set_attribute(k, to.index, words);
+  }
+}
+
+void mean_vertex_values(Edit& edit, std::span<const Vertex> from, Vertex to) {
+  blend_vertex_values(edit, from[0], from[0], 0, to);
+  for (std::size_t k = 0; k < edit.mesh().attributes().size(); ++k) {
+    const AttributeColumn& column = edit.mesh().attributes()[k];
+    if (column.element != ElementKind::vertex || column.words != sizeof(glm::dvec4) / 4) continue;
+    glm::dvec4 mean{};
+    for (Vertex v : from) mean += attribute_value<glm::dvec4>(column, v.index) / static_cast<double>(from.size());
+    std::array<std::uint32_t, 8> words;
+    edit.set_attribute(k, to.index, words_of(mean, words));
   }
 }
 

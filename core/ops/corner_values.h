@@ -1,6 +1,8 @@
 // How corner attributes (texture coordinates, normals) follow an operator.
 #pragma once
 
+#include <span>
+
 #include "core/mesh/attribute.h"
 #include "core/mesh/edit.h"
 
@@ -16,6 +18,8 @@ class CornerWriter {
   void set(std::size_t attribute, Halfedge corner, std::uint32_t index);
   // The index of a value at a + t (b - a): a or b itself at the ends, a new one between; none if one end has none.
   std::uint32_t blend(std::size_t attribute, std::uint32_t a, std::uint32_t b, double t);
+  // The index of the mean of the values at some corners, one or more; none if one of them has none.
+  std::uint32_t mean(std::size_t attribute, std::span<const Halfedge> at);
 
  private:
   Edit& edit_;
@@ -30,5 +34,7 @@ void copy_face_values(Edit& edit, Face from, Face to);
 // A new vertex takes the vertex values (colours) at a + t (b - a); columns of doubles are blended, others copied from
 // a.
 void blend_vertex_values(Edit& edit, Vertex a, Vertex b, double t, Vertex to);
+// The same with the mean over some vertices; other columns are copied from the first.
+void mean_vertex_values(Edit& edit, std::span<const Vertex> from, Vertex to);
 
 }  // namespace ryosen

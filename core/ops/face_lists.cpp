@@ -21,6 +21,15 @@ std::size_t bridges_of(const CornerLoops& loops) {
   return parts ? parts->size() - loops.ends.size() : 0;
 }
 
+void refuse_rings(const Mesh& mesh, Face f, Verdict& verdict) {
+  std::vector<Element> witnesses{f};
+  for (std::uint32_t r = mesh.first_ring(f); r != no_index; r = mesh.ring(r).next)
+    for (Halfedge h : loop(mesh, mesh.ring(r).halfedge)) witnesses.push_back(edge(h));
+  for (Halfedge h : halfedges_around(mesh, f))
+    if (is_bridge(mesh, h) && h < twin(h)) witnesses.push_back(edge(h));
+  if (witnesses.size() > 1) verdict.reasons.push_back({Rule::has_rings, witnesses});
+}
+
 std::vector<std::uint32_t> point_set(std::span<const std::uint32_t> corners) {
   std::vector<std::uint32_t> points(corners.begin(), corners.end());
   std::sort(points.begin(), points.end());

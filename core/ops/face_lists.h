@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/verdict.h"
 #include "core/mesh/bridges.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/rings.h"
@@ -18,6 +19,10 @@ CornerLoops loops_of(const Mesh& mesh, Face f);
 
 // How many edges the lists walk both ways; they must come apart there.
 std::size_t bridges_of(const CornerLoops& loops);
+
+// Refuses a face that is not one simple loop. Witnesses: the face, the sides of its rings, its bridges; so the fewer
+// there are, the nearer it is to one.
+void refuse_rings(const Mesh& mesh, Face f, Verdict& verdict);
 
 // The different points of some lists, ascending: what equal faces have in common.
 std::vector<std::uint32_t> point_set(std::span<const std::uint32_t> corners);

@@ -26,6 +26,12 @@ void add_splits_of_edges(const Reason& reason, std::vector<AnyOp>& candidates) {
     if (witness.kind == Element::Kind::edge) candidates.push_back(SplitEdge{halfedge(witness.edge())});
 }
 
+// Cuts through the faces named as witnesses.
+void add_triangulations(const Reason& reason, std::vector<AnyOp>& candidates) {
+  for (const Element& witness : reason.witnesses)
+    if (witness.kind == Element::Kind::face) candidates.push_back(Triangulate{witness.face()});
+}
+
 // Turning faces helps only where some edge at the points of the witnesses is misoriented.
 bool is_beside_misoriented_edge(const Mesh& m, const Reason& reason) {
   for (const Element& witness : reason.witnesses) {
@@ -60,6 +66,9 @@ std::vector<AnyOp> candidates_for(const Mesh& m, const Reason& reason) {
     case Rule::corner_twice:
     case Rule::loses_duplicate:
       add_splits_of_sides(m, reason, candidates);
+      break;
+    case Rule::has_rings:
+      add_triangulations(reason, candidates);
       break;
     default:
       break;

@@ -24,7 +24,8 @@ bool has_two_edges(const Mesh& mesh, Vertex v) {
   return first != second && mesh.counter_clockwise(second) == first;
 }
 
-// The face on one side of the vertex: what becomes of its list.
+// The face on one side of the vertex: what becomes of its list. A second face on its points is the one on the other side
+// and loses the vertex too.
 void check_face(const Mesh& mesh, Face f, Vertex v, Verdict& verdict) {
   CornerLoops after;
   for_each_loop(mesh, f, [&](Halfedge start) {
@@ -36,7 +37,6 @@ void check_face(const Mesh& mesh, Face f, Vertex v, Verdict& verdict) {
     verdict.refuse(Rule::loop, {f, v});
     return;
   }
-  if (const Face other = equal_face(mesh, f)) verdict.refuse(Rule::loses_duplicate, {f, other});
   const Face except[] = {f};
   if (const Face other = face_on(mesh, point_set(after.corners), except))
     verdict.refuse(Rule::duplicate_face, {std::min(f, other), std::max(f, other)});

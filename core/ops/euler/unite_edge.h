@@ -4,7 +4,7 @@
 //
 // on the list: m is taken out of every face and pair.
 // needs: a vertex without copies and with exactly two edges, whose other ends are not joined; faces keep three corners;
-//        no face is or was on the same points.
+//        no other face is on the points that they keep.
 // changes: V - 1, E - 1.
 // inverse: separate_edge.
 #pragma once

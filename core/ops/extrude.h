@@ -1,0 +1,47 @@
+// Extrude: a face moves away and leaves a wall of quads behind.
+//
+//                                d'------c'
+//                               /| f    /|
+//        d-------c             a'------b'|        every side of the face gets a wall down to its old place; f keeps its
+//       /  f    /     =>       | d- - -|-c        number on top
+//      a-------b               |/      |/
+//                              a-------b
+//
+// on the list: f = (c0 .. cn-1) becomes (t0 .. tn-1) and quads (ci, cj, tj, ti) are new, one per side ci-cj that is no
+//              bridge, in the order of the sides; rings get their walls too, bridges go along with f.
+// needs: no second face on the same points.
+// changes: V + n, E + 2n, F + n with n = corners of the face, one met at several bridges counted once.
+// inverse: delete the walls and move f back.
+#pragma once
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct Extrude {
+  Face face;
+  std::optional<double> distance = {};  // along the face's normal; without it the square root of its area
+  std::optional<glm::dvec3> offset = {};
+
+  static constexpr OpInfo info{"extrude",
+                               "Extrude face",
+                               "面の押し出し",
+                               "fN [DISTANCE|X,Y,Z]",
+                               "moves a face along its normal or by X,Y,Z and joins it to its old place by walls",
+                               "面を法線方向または X,Y,Z だけ動かし、元の位置と側面でつなぐ",
+                               '\0',
+                               OpTargetKind::face};
+
+  static Parsed<Extrude> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static Extrude at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+
+  // By how much the face moves. Zero where the face has no area or none that is finite. O(corners).
+  glm::dvec3 movement(const Mesh& mesh) const;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,102 @@
+#include "core/ops/poke.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/mesh/face_polygon.h"
+#include "core/ops/arguments.h"
+#include "core/ops/corner_values.h"
+#include "core/ops/face_geometry.h"
+#include "core/ops/face_lists.h"
+
+namespace ryosen {
+
+Parsed<Poke> Poke::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  ArgumentReader in(mesh, arguments, info.syntax);
+  Poke op{in.face()};
+  if (!in.at_end()) op.target = in.place();
+  return in.result(op);
+}
+
+Poke Poke::at(const Mesh&, const OpTarget& target) { return {target.face}; }
+
+std::string Poke::command(const Mesh& mesh) const {
+  return "poke " + name_of(mesh, face) + (target ? " " + format_place(*target) : "");
+}
+
+glm::dvec3 Poke::position(const Mesh& mesh) const {
+  if (target) return *target;
+  std::vector<glm::dvec3> places;
+  for (Vertex v : vertices_around(mesh, face))
+    if (is_finite(mesh.position(v))) places.push_back(mesh.position(v));
+  glm::dvec3 mean{};
+  for (const glm::dvec3& p : places) mean += p / static_cast<double>(places.size());
+  return mean;
+}
+
+Verdict Poke::check(const Mesh& mesh) const {
+  Verdict verdict;
+  if (is_gone(mesh, face, verdict)) return verdict;
+  refuse_rings(mesh, face, verdict);
+  if (const Face other = equal_face(mesh, face)) verdict.refuse(Rule::loses_duplicate, {face, other});
+  return verdict;
+}
+
+std::vector<Reason> Poke::warnings(const Mesh& mesh) const {
+  const glm::dvec3 p = position(mesh);
+  const FacePolygon polygon(mesh, face);
+  const FaceGeometry before(polygon.places());
+  if (before.is_degenerate()) return {};
+  bool turned = false, degenerate = false;
+  const std::size_t n = polygon.places().size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const FaceGeometry part({polygon.places()[i], polygon.places()[(i + 1) % n], p});
+    degenerate = degenerate || part.is_degenerate();
+    turned = turned || before.turns_against(part);
+  }
+  std::vector<Reason> found;
+  if (turned) found.push_back({Rule::normal_turns, {face}});
+  if (degenerate) found.push_back({Rule::degenerate, {face}});
+  return found;
+}
+
+OpEffect Poke::apply(Edit& edit) const {
+  const Mesh& m = edit.mesh();
+  assert(check(m).legal());
+  const FacePolygon polygon(m, face);
+  const std::vector<Halfedge>& sides = polygon.corners();
+  const std::size_t n = sides.size();
+  OpEffect effect;
+  const Vertex centre = edit.add_vertex(position(m));
+  effect.created.push_back(centre);
+  std::vector<Vertex> around;
+  for (Halfedge h : sides) around.push_back(m.from(h));
+  mean_vertex_values(edit, around, centre);
+
+  std::vector<Halfedge> spokes;  // from corner i to the centre
+  for (Halfedge h : sides) spokes.push_back(edit.add_edge(m.from(h), centre));
+  CornerWriter corners(edit);
+  for (std::size_t k = 0; k < corners.count(); ++k) {
+    const std::uint32_t mean = corners.mean(k, sides);
+    for (std::size_t i = 0; i < n; ++i) {
+      corners.set(k, spokes[i], corners.index(k, sides[i]));
+      corners.set(k, twin(spokes[i]), mean);
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const Face f = i == 0 ? face : edit.add_face(sides[i]);
+    const Halfedge in = spokes[(i + 1) % n], out = twin(spokes[i]);
+    if (i > 0) copy_face_values(edit, face, f);
+    edit.connect(sides[i], in);
+    edit.connect(in, out);
+    edit.connect(out, sides[i]);
+    for (Halfedge h : {sides[i], in, out}) edit.set_face(h, f);
+    effect.created.push_back(edge(spokes[i]));
+    if (i > 0) effect.created.push_back(f);
+    effect.changed.push_back(f);
+  }
+  edit.set_halfedge(centre, twin(spokes[0]));
+  return effect;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,44 @@
+// Poke: a face becomes a fan of triangles around a new vertex.
+//
+//        d-------c                d-------c
+//        |       |                | \   / |
+//        |   f   |       =>       |   m   |       (a, b, m) keeps the number f, the others get the next numbers in
+//        |       |                | /   \ |       the order of the corners
+//        a-------b                a-------b
+//
+// on the list: (c0 .. cn-1) becomes (c0, c1, m), (c1, c2, m), .., (cn-1, c0, m).
+// needs: a face without rings and bridges and without a second face on the same points.
+// changes: V + 1, E + n, F + n - 1.
+// inverse: dissolve m.
+#pragma once
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct Poke {
+  Face face;
+  std::optional<glm::dvec3> target = {};  // where m lies; without it at the mean of the corners
+
+  static constexpr OpInfo info{"poke",
+                               "Poke face",
+                               "面の放射分割",
+                               "fN [X,Y,Z]",
+                               "puts a vertex into the face and joins it to all corners",
+                               "面の中に頂点を置き、すべての角と結ぶ",
+                               '\0',
+                               OpTargetKind::face};
+
+  static Parsed<Poke> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static Poke at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+
+  // Where the vertex will lie: the mean is taken over the corners at finite places. O(corners).
+  glm::dvec3 position(const Mesh& mesh) const;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,172 @@
+#include "core/ops/triangulate.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/ops/arguments.h"
+#include "core/ops/corner_values.h"
+#include "core/ops/face_geometry.h"
+#include "core/ops/face_lists.h"
+#include "core/ops/face_triangles.h"
+
+namespace ryosen {
+
+namespace {
+
+constexpr std::size_t most_witnesses = 24;
+
+bool has_more_than_three(const Mesh& m, Face f) { return m.has_rings(f) || !is_triangle(m, m.halfedge(f)); }
+
+// Whether a face can be cut, and into what.
+struct Cut {
+  FacePolygon polygon;
+  std::vector<CornerTriangle> triangles;
+  Verdict verdict;
+};
+
+Cut cut_of(const Mesh& m, Face f) {
+  Cut cut;
+  if (!has_more_than_three(m, f)) {
+    cut.verdict.refuse(Rule::triangulated, {f});
+    return cut;
+  }
+  if (const Face other = equal_face(m, f)) cut.verdict.refuse(Rule::loses_duplicate, {f, other});
+  cut.polygon.read(m, f);
+  cut.triangles = triangles_of_face(m, cut.polygon);
+  if (!cut.triangles.empty()) return cut;
+  Reason reason{Rule::edge_exists, {}};
+  for (Edge e : edges_across(m, cut.polygon))
+    if (reason.witnesses.size() < most_witnesses) reason.witnesses.push_back(e);
+  reason.witnesses.push_back(f);
+  cut.verdict.reasons.push_back(std::move(reason));
+  return cut;
+}
+
+// Finds the halfedges from corner to corner, and makes those that are new: both of an edge when the first is asked for.
+class Sides {
+ public:
+  Sides(Edit& edit, const FacePolygon& polygon, OpEffect& effect)
+      : edit_(edit), polygon_(polygon), effect_(effect), corners_(edit) {}
+
+  Halfedge between(std::uint32_t a, std::uint32_t b) {
+    if (polygon_.is_side(a, b)) return polygon_.corners()[a];
+    const auto made = std::find_if(open_.begin(), open_.end(), [&](const New& n) { return n.from == b && n.to == a; });
+    Halfedge h;
+    if (made != open_.end()) {
+      h = twin(made->halfedge);
+      *made = open_.back();
+      open_.pop_back();
+    } else {
+      const Mesh& m = edit_.mesh();
+      h = edit_.add_edge(m.from(polygon_.corners()[a]), m.from(polygon_.corners()[b]));
+      effect_.created.push_back(edge(h));
+      open_.push_back({a, b, h});
+    }
+    for (std::size_t k = 0; k < corners_.count(); ++k) corners_.set(k, h, corners_.index(k, polygon_.corners()[a]));
+    return h;
+  }
+
+ private:
+  struct New {
+    std::uint32_t from, to;
+    Halfedge halfedge;
+  };
+
+  Edit& edit_;
+  const FacePolygon& polygon_;
+  OpEffect& effect_;
+  CornerWriter corners_;
+  std::vector<New> open_;  // new edges of which one side has been used
+};
+
+void apply_cut(Edit& edit, Face f, const Cut& cut, OpEffect& effect) {
+  const Mesh& m = edit.mesh();
+  while (m.has_rings(f)) edit.remove_ring(f, m.first_ring(f));
+  Sides sides(edit, cut.polygon, effect);
+  bool is_first = true;
+  for (const CornerTriangle& t : cut.triangles) {
+    const Halfedge a = sides.between(t[0], t[1]), b = sides.between(t[1], t[2]), c = sides.between(t[2], t[0]);
+    const Face face = is_first ? f : edit.add_face(a);
+    if (is_first) {
+      edit.set_halfedge(f, a);
+    } else {
+      copy_face_values(edit, f, face);
+      effect.created.push_back(face);
+    }
+    is_first = false;
+    edit.connect(a, b);
+    edit.connect(b, c);
+    edit.connect(c, a);
+    for (Halfedge h : {a, b, c}) edit.set_face(h, face);
+    effect.changed.push_back(face);
+  }
+}
+
+}  // namespace
+
+Parsed<Triangulate> Triangulate::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  ArgumentReader in(mesh, arguments, info.syntax);
+  Triangulate op;
+  if (!in.at_end()) op.face = in.face();
+  return in.result(op);
+}
+
+Triangulate Triangulate::at(const Mesh&, const OpTarget& target) { return {target.face}; }
+
+std::string Triangulate::command(const Mesh& mesh) const {
+  return face ? "triangulate " + name_of(mesh, face) : "triangulate";
+}
+
+Verdict Triangulate::check(const Mesh& mesh) const {
+  Verdict verdict;
+  if (face) {
+    if (is_gone(mesh, face, verdict)) return verdict;
+    return cut_of(mesh, face).verdict;
+  }
+  // One face that can be cut is enough; else the first one that should be tells why it cannot.
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+    if (!mesh.is_alive(Face(i)) || !has_more_than_three(mesh, Face(i))) continue;
+    const Verdict own = cut_of(mesh, Face(i)).verdict;
+    if (own.legal()) return {};
+    if (verdict.legal()) verdict = own;
+  }
+  if (verdict.legal()) verdict.refuse(Rule::triangulated, {});
+  return verdict;
+}
+
+std::vector<Reason> Triangulate::warnings(const Mesh& mesh) const {
+  if (!face) return {};
+  const Cut cut = cut_of(mesh, face);
+  const FaceGeometry before(cut.polygon.keyhole_walk());
+  if (!cut.polygon.is_finite() || before.is_degenerate()) return {};
+  bool turned = false, degenerate = false;
+  for (const CornerTriangle& t : cut.triangles) {
+    const std::vector<glm::dvec3>& p = cut.polygon.places();
+    const FaceGeometry part{{p[t[0]], p[t[1]], p[t[2]]}};
+    degenerate = degenerate || part.is_degenerate();
+    turned = turned || before.turns_against(part);
+  }
+  std::vector<Reason> found;
+  if (turned) found.push_back({Rule::normal_turns, {face}});
+  if (degenerate) found.push_back({Rule::degenerate, {face}});
+  return found;
+}
+
+OpEffect Triangulate::apply(Edit& edit) const {
+  const Mesh& m = edit.mesh();
+  assert(check(m).legal());
+  OpEffect effect;
+  if (face) {
+    apply_cut(edit, face, cut_of(m, face), effect);
+    return effect;
+  }
+  const std::uint32_t slots = m.face_slots();
+  for (std::uint32_t i = 0; i < slots; ++i) {
+    if (!m.is_alive(Face(i)) || !has_more_than_three(m, Face(i))) continue;
+    const Cut cut = cut_of(m, Face(i));
+    if (cut.verdict.legal()) apply_cut(edit, Face(i), cut, effect);
+  }
+  return effect;
+}
+
+}  // namespace ryosen

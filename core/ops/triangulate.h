@@ -1,0 +1,43 @@
+// Triangulate: a face, or every face, becomes triangles.
+//
+//        d-------c                d-------c
+//        |       |                |  f' / |       the triangle at the face's first side keeps the number, the others get
+//        |   f   |       =>       |   /   |       the next ones
+//        |       |                | /  f  |
+//        a-------b                a-------b
+//
+// on the list: a face of n corners and h rings becomes n + 2h - 2 triangles on its corners, those that are drawn for it
+//              where none of their sides is an edge already, else others (face_triangles.h).
+// needs: a face of more than three corners without a second face on the same points, and a way to cut it without an
+//        edge that exists.
+// changes: E + n + 3h - 3, F + n + 2h - 3, H - h; V stays. Without a face: every face for which this is legal, in order
+//          of their numbers; the others are left as they are.
+// inverse: dissolve the new edges.
+#pragma once
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct Triangulate {
+  Face face;  // none: all faces
+
+  static constexpr OpInfo info{"triangulate",
+                               "Triangulate",
+                               "三角形分割",
+                               "[fN]",
+                               "cuts a face, or all faces, into triangles",
+                               "面（省くとすべての面）を三角形に分割する",
+                               '\0',
+                               OpTargetKind::face};
+
+  static Parsed<Triangulate> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static Triangulate at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

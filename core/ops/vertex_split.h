@@ -1,0 +1,53 @@
+// Vertex split: a vertex becomes the two ends of an edge.
+//
+//        L                     L
+//        |                    / \                                                          .
+//     f  |  e                /   \                                                         .
+//    ----v----      =>    --v-----m--      m takes what lies from L counter-clockwise to R; the edges v-L and v-R
+//     g  |  h                \   /         become the triangles at v-m. (The drawing looks from below: L to R runs
+//        |                    \ /          through e and h there.)
+//        R                     R
+//
+// on the list: v is replaced by m in the faces and wires from the edge v-L counter-clockwise to v-R; (v, L, m) and
+//              (v, m, R) are new. With `-` for L or R the part runs from or to the gap of v beside it, and there is no
+//              triangle on that side.
+// needs: L and R are different neighbours of v in one fan of faces, each by an edge with a face; if v has further fans
+//        the part does not run across a gap; no edge that m takes is cut, nor one that gets a face it had not; no
+//        face of m is on the points of another.
+// changes: V + 1, E + 3, F + 2, with `-` V + 1, E + 2, F + 1; H, S, G, B stay.
+// inverse: collapse m-v. Source: [Hoppe96].
+#pragma once
+
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+struct VertexSplit {
+  Vertex vertex;
+  Halfedge left, right;  // v -> L and v -> R; none for `-`
+  std::optional<glm::dvec3> target = {};
+
+  static constexpr OpInfo info{"vertex_split",
+                               "Split vertex",
+                               "頂点分割",
+                               "v L R [X,Y,Z]",
+                               "makes an edge of a vertex; the new end takes what lies from L counter-clockwise to R",
+                               "頂点を稜線にする。新しい端点が L から反時計回りに R までの部分を受け持つ",
+                               '\0',
+                               OpTargetKind::selection};
+
+  static Parsed<VertexSplit> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static VertexSplit at(const Mesh& mesh, const OpTarget& target);
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+
+  // Where m will lie: without a target halfway to the mean of its neighbours-to-be, or, where a face would turn over,
+  // halfway away from the mean of those that v keeps, then a quarter and an eighth of the way on either line. The first
+  // place that turns nothing over is taken, else halfway. O(corners at v).
+  glm::dvec3 position(const Mesh& mesh) const;
+};
+
+}  // namespace ryosen

@@ -5,6 +5,7 @@
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/collapse_edge.h"
+#include "core/ops/face_lists.h"
 #include "core/ops/plain_check.h"
 
 namespace ryosen {
@@ -26,6 +27,7 @@ class CollapseJudge {
     check_holes();
     check_common_neighbours();
     check_common_faces();
+    check_loops();
     if (verdict_.legal()) check_duplicates();
     return std::move(verdict_);
   }
@@ -92,6 +94,29 @@ class CollapseJudge {
       if (m_.is_outside(g) || is_at_edge(m_.face(g))) continue;
       for (Halfedge corner : loop(m_, g))
         if (same_point(m_, m_.from(corner), kept_)) verdict_.refuse(Rule::common_face, {m_.face(g)});
+    }
+  }
+
+  // A face with rings or bridges must come apart into simple loops as before.
+  void check_loops() {
+    std::vector<Face> looked_at;
+    for (Halfedge g : outgoing(m_, gone_)) {
+      const Face f = m_.face(g);
+      if (!f || std::find(looked_at.begin(), looked_at.end(), f) != looked_at.end() || is_one_simple_loop(m_, f))
+        continue;
+      looked_at.push_back(f);
+      CornerLoops after;
+      for_each_loop(m_, f, [&](Halfedge start) {
+        std::vector<std::uint32_t> points;
+        for (Halfedge h : loop(m_, start)) {
+          const Vertex v = m_.from(h);
+          const std::uint32_t p = point(m_, v == gone_ ? kept_ : v).index;
+          if (points.empty() || points.back() != p) points.push_back(p);
+        }
+        if (points.size() > 1 && points.back() == points.front()) points.pop_back();
+        after.add(points);
+      });
+      if (!take_out_bridges(after)) verdict_.refuse(Rule::loop, {f});
     }
   }
 

@@ -6,6 +6,7 @@
 
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/mesh/rings.h"
 #include "core/ops/arguments.h"
 #include "core/ops/corner_values.h"
 #include "core/ops/face_geometry.h"
@@ -60,7 +61,7 @@ void close_two_gon(Edit& edit, Halfedge going, Halfedge staying, OpEffect& effec
   edit.connect(m.prev(beyond), staying);
   edit.connect(staying, m.next(beyond));
   edit.set_face(staying, face);
-  if (face && m.halfedge(face) == beyond) edit.set_halfedge(face, staying);
+  if (face) replace_start(edit, face, beyond, staying);
   if (m.halfedge(apex) == from_apex) edit.set_halfedge(apex, m.from(staying) == apex ? staying : twin(staying));
   edit.remove(edge(going));
   edit.remove(dropped);
@@ -184,10 +185,17 @@ OpEffect CollapseEdge::apply(Edit& edit) const {
   const bool left_two_gon = !m.is_outside(h) && is_triangle(m, h),
              right_two_gon = !m.is_outside(o) && is_triangle(m, o);
   const Halfedge h_next = m.next(h), h_prev = m.prev(h), o_next = m.next(o), o_prev = m.prev(o);
+  // A wire may end in a tip, where its halves follow one another.
+  const bool tip_kept = h_next == o, tip_gone = o_next == h;
   for (Halfedge side : {h, o}) {
     const Face f = m.face(side);
-    if (f && m.halfedge(f) == side) edit.set_halfedge(f, m.next(side));
-    edit.connect(m.prev(side), m.next(side));
+    if (f) replace_start(edit, f, side, m.next(side));
+  }
+  if (!tip_kept && !tip_gone) {
+    edit.connect(h_prev, h_next);
+    edit.connect(o_prev, o_next);
+  } else if (!tip_kept || !tip_gone) {
+    edit.connect(tip_kept ? h_prev : o_prev, tip_kept ? o_next : h_next);
   }
   for (Halfedge g : around_gone)
     if (g != h && !(left_two_gon && g == twin(h_prev)) && !(right_two_gon && g == o_next)) edit.set_from(g, kept);
@@ -195,22 +203,31 @@ OpEffect CollapseEdge::apply(Edit& edit) const {
   if (right_two_gon) close_two_gon(edit, o_next, o_prev, effect);
 
   // The vertex that stays holds its outside halfedge, if it has one.
-  const Halfedge some = h_next;
-  Halfedge hold = m.halfedge(kept) != o ? m.halfedge(kept) : some;
-  if (!m.is_alive(hold) || m.from(hold) != kept) hold = some;
-  effect.changed.reserve(usual_valence);
-  Halfedge g = some;
-  do {
-    if (m.is_outside(g))
-      hold = g;
-    else
-      effect.changed.push_back(m.face(g));
-    g = m.counter_clockwise(g);
-  } while (g != some);
-  edit.set_halfedge(kept, hold);
+  if (tip_kept && tip_gone) edit.set_halfedge(kept, Halfedge());
+  const Halfedge some = tip_kept ? o_next : h_next;
+  if (!tip_kept || !tip_gone) {
+    Halfedge hold = m.halfedge(kept) != o ? m.halfedge(kept) : some;
+    if (!m.is_alive(hold) || m.from(hold) != kept) hold = some;
+    effect.changed.reserve(usual_valence);
+    Halfedge g = some;
+    do {
+      if (m.is_outside(g))
+        hold = g;
+      else
+        effect.changed.push_back(m.face(g));
+      g = m.counter_clockwise(g);
+    } while (g != some);
+    edit.set_halfedge(kept, hold);
+  }
   edit.remove(edge(h));
   edit.remove(gone);
-  if (moved) move_point(edit, kept, *moved);
+  if (!moved) return effect;
+  move_point(edit, kept, *moved);
+  for_each_copy(m, kept, [&](Vertex copy) {
+    if (copy == kept) return;
+    for (Halfedge around : outgoing(m, copy))
+      if (!m.is_outside(around)) effect.changed.push_back(m.face(around));
+  });
   return effect;
 }
 

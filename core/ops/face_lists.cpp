@@ -21,6 +21,13 @@ std::size_t bridges_of(const CornerLoops& loops) {
   return parts ? parts->size() - loops.ends.size() : 0;
 }
 
+bool is_one_simple_loop(const Mesh& mesh, Face f) {
+  if (mesh.has_rings(f)) return false;
+  for (Halfedge h : loop(mesh, mesh.halfedge(f)))
+    if (is_bridge(mesh, h)) return false;
+  return true;
+}
+
 void refuse_rings(const Mesh& mesh, Face f, Verdict& verdict) {
   std::vector<Element> witnesses{f};
   for (std::uint32_t r = mesh.first_ring(f); r != no_index; r = mesh.ring(r).next)

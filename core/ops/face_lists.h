@@ -20,6 +20,8 @@ CornerLoops loops_of(const Mesh& mesh, Face f);
 // How many edges the lists walk both ways; they must come apart there.
 std::size_t bridges_of(const CornerLoops& loops);
 
+// Whether a face has neither rings nor bridges. O(corners).
+bool is_one_simple_loop(const Mesh& mesh, Face f);
 // Refuses a face that is not one simple loop. Witnesses: the face, the sides of its rings, its bridges; so the fewer
 // there are, the nearer it is to one.
 void refuse_rings(const Mesh& mesh, Face f, Verdict& verdict);

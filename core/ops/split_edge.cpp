@@ -89,8 +89,12 @@ Vertex cut_sheet(Edit& edit, Halfedge h, double along, const glm::dvec3& positio
   }
   edit.set_from(o, m);
   edit.connect(h, fresh);
-  edit.connect(fresh, h_next);
-  edit.connect(o_prev, fresh_twin);
+  if (h_next == o) {  // a wire that ends at b
+    edit.connect(fresh, fresh_twin);
+  } else {
+    edit.connect(fresh, h_next);
+    edit.connect(o_prev, fresh_twin);
+  }
   edit.connect(fresh_twin, o);
   edit.set_face(fresh, mesh.face(h));
   edit.set_face(fresh_twin, mesh.face(o));

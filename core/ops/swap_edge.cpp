@@ -8,6 +8,7 @@
 #include "core/mesh/copies.h"
 #include "core/ops/corner_values.h"
 #include "core/ops/face_geometry.h"
+#include "core/ops/face_lists.h"
 #include "core/ops/plain_check.h"
 
 namespace ryosen {
@@ -67,7 +68,30 @@ Face find_face_on(const Mesh& m, const std::vector<Vertex>& points, Vertex aroun
   return found;
 }
 
+// A face with rings or bridges must come apart into simple loops as before.
+bool comes_apart(const Mesh& m, const Turn& turn) {
+  const Face f = m.face(turn.side);
+  if (is_one_simple_loop(m, f)) return true;
+  CornerLoops after;
+  std::vector<std::uint32_t> turned;
+  const bool loses_first = m.from(turn.side) == turn.loses;
+  for (Halfedge corner : loop(m, turn.side)) {
+    const bool lost = turned.size() == (loses_first ? 0u : 1u);
+    turned.push_back(point(m, lost ? turn.gains : m.from(corner)).index);
+  }
+  after.add(turned);
+  const std::uint32_t own = ring_of(m, turn.side);
+  if (own != no_index) after.add(points_along(m, m.halfedge(f)));
+  for (std::uint32_t r = m.first_ring(f); r != no_index; r = m.ring(r).next)
+    if (r != own) after.add(points_along(m, m.ring(r).halfedge));
+  return take_out_bridges(after).has_value();
+}
+
 void check_side(const Mesh& m, const Turn& turn, const Turn& other, Verdict& verdict) {
+  if (!comes_apart(m, turn)) {
+    verdict.refuse(Rule::loop, {m.face(turn.side)});
+    return;
+  }
   for (Halfedge corner : loop(m, turn.side)) {
     const Vertex v = m.from(corner);
     if (v != turn.loses && same_point(m, v, turn.gains)) verdict.refuse(Rule::corner_twice, {m.face(turn.side), v});
@@ -190,10 +214,9 @@ void apply_side(Edit& edit, const SwapSide& s) {
   edit.set_face(s.gained, s.face);
   edit.set_from(s.half, s.new_origin);
   // The corner that a face gains takes the place of the one it loses.
-  if (m.halfedge(s.face) == s.lost)
-    edit.set_halfedge(s.face, s.half);
-  else if (m.halfedge(s.face) == s.half)
-    edit.set_halfedge(s.face, s.gained);
+  bool lost_start = false;
+  for_each_loop(m, s.face, [&](Halfedge start) { lost_start = lost_start || start == s.lost; });
+  replace_start(edit, s.face, lost_start ? s.lost : s.half, lost_start ? s.half : s.gained);
   if (m.halfedge(s.old_origin) == s.half) edit.set_halfedge(s.old_origin, s.at_old_origin);
 }
 

@@ -4,12 +4,14 @@
 
 #include <iostream>
 #include <map>
+#include <set>
 
 #include "core/analysis/euler_poincare.h"
 #include "core/analysis/invariants.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/remedy.h"
+#include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {
@@ -88,6 +90,135 @@ TEST(every_element, a_defect_elsewhere_changes_no_verdict) {
       }
     }
   }
+}
+
+// The operators of the list on everything that they can be clicked on, and on lists of up to three points.
+std::vector<AnyOp> all_ops_on(const Mesh& mesh) {
+  std::vector<AnyOp> ops;
+  std::vector<std::string> points;
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+    if (mesh.is_alive(Vertex(i)) && point(mesh, Vertex(i)) == Vertex(i)) points.push_back(name_of(mesh, Vertex(i)));
+  const auto add_line = [&](std::string_view id, std::vector<std::string_view> arguments) {
+    const Parsed<AnyOp> parsed = parse_op(mesh, id, arguments);
+    if (parsed.op) ops.push_back(*parsed.op);
+  };
+  for (const OpInfo& info : all_ops()) {
+    const auto is_for = [&](OpTargetKind kind) { return info.target == kind || info.target == OpTargetKind::any; };
+    if (is_for(OpTargetKind::none)) add_line(info.id, {});
+    for (std::uint32_t i = 0; is_for(OpTargetKind::vertex) && i < mesh.vertex_slots(); ++i)
+      if (mesh.is_alive(Vertex(i))) ops.push_back(op_at(mesh, info.id, {.halfedge = {}, .vertex = Vertex(i)}));
+    for (std::uint32_t i = 0; is_for(OpTargetKind::edge) && i < mesh.halfedge_slots(); ++i)
+      if (mesh.is_alive(Halfedge(i))) ops.push_back(op_at(mesh, info.id, {.halfedge = Halfedge(i)}));
+    for (std::uint32_t i = 0; is_for(OpTargetKind::face) && i < mesh.face_slots(); ++i)
+      if (mesh.is_alive(Face(i))) ops.push_back(op_at(mesh, info.id, {.halfedge = {}, .face = Face(i)}));
+    for (const std::string& a : points) {
+      add_line(info.id, {a});
+      for (const std::string& b : points) {
+        if (info.target != OpTargetKind::selection || a == b) continue;
+        add_line(info.id, {a, b});
+        add_line(info.id, {a, b, "-"});
+        for (const std::string& c : points)
+          if (c != a && c != b) add_line(info.id, {a, b, c});
+      }
+    }
+  }
+  return ops;
+}
+
+struct Counts {
+  std::size_t legal = 0, refused = 0;
+};
+
+// The operators of the texts are about the columns: what they leave at a point need not be what reading makes of it.
+bool is_of_the_texts(const AnyOp& op) {
+  static const std::set<std::string_view> ids{
+      "make_vertex", "remove_vertex", "move_vertex",   "make_edge",  "delete_edge", "make_loop", "delete_loop",
+      "unite_loop",  "separate_loop", "separate_edge", "unite_edge", "make_ring",   "unite_ring"};
+  return ids.contains(info_of(op).id);
+}
+
+void prove_on_columns(Mesh& mesh, const AnyOp& op) {
+  const std::string line = command_of(mesh, op);
+  const MeshColumns before = mesh.columns();
+  Journal journal;
+  {
+    Edit edit(mesh, &journal);
+    apply(edit, op);
+    edit.commit();
+  }
+  const auto broken = check_invariants(mesh);
+  ASSERT_FALSE(broken) << line << ": " << broken->sentence;
+  const EulerPoincare terms = euler_poincare(mesh);
+  EXPECT_EQ(terms.left(), terms.right()) << line;
+  const MeshColumns after = mesh.columns();
+  journal.undo(mesh);
+  ASSERT_EQ(mesh.columns(), before) << line;
+  journal.redo(mesh);
+  ASSERT_EQ(mesh.columns(), after) << line;
+}
+
+void prove_every_op(const Mesh& mesh, std::map<std::string, Counts>& counts) {
+  for (const AnyOp& op : all_ops_on(mesh)) {
+    Mesh copy = mesh;
+    Counts& count = counts[std::string(info_of(op).id)];
+    if (check(copy, op).legal()) {
+      ++count.legal;
+      is_of_the_texts(op) ? prove_on_columns(copy, op) : static_cast<void>(apply_and_prove(copy, op));
+    } else {
+      ++count.refused;
+      ASSERT_EQ(copy.columns(), mesh.columns());
+    }
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+// A mesh by the lines that make it of another one.
+Mesh mesh_by(const Polygons& faces, std::initializer_list<const char*> lines) {
+  Mesh mesh = make_mesh(faces);
+  for (const char* line : lines) {
+    const AnyOp op = op_of(mesh, line);
+    EXPECT_TRUE(check(mesh, op).legal()) << line;
+    Edit edit(mesh, nullptr);
+    apply(edit, op);
+    edit.commit();
+  }
+  return mesh;
+}
+
+TEST(every_element, every_operator_leaves_sound_columns_and_no_other_trace) {
+  const std::vector<Mesh> meshes{
+      make_mesh(tetrahedron()),
+      make_mesh(cube()),
+      make_mesh(two_quads()),
+      make_mesh(closed_fan(4)),
+      make_mesh(bow_tie()),
+      make_mesh(fin()),
+      make_mesh(moebius_strip()),
+      make_mesh(two_tetrahedra_on_an_edge()),
+      make_mesh({{0, 1, 2}, {0, 2, 1}}),
+      // A ring with a face in it, the same ring by a bridge, wires at a face and between two, a vertex with two fans.
+      mesh_by({{0, 1, 2, 3}, {4, 5, 6}},
+              {"move_vertex 0 0,0,0", "move_vertex 1 9,0,0", "move_vertex 2 9,9,0", "move_vertex 3 0,9,0",
+               "move_vertex 4 4,4,0", "move_vertex 5 5,4,0", "move_vertex 6 4,5,0"}),
+      mesh_by({{0, 1, 2, 3, 0, 4, 6, 5, 4}, {4, 5, 6}}, {}),
+      mesh_by({{0, 1, 2, 3, 0, 4, 6, 5, 4}, {4, 5, 6}}, {"make_ring 0-4"}),
+      mesh_by({{0, 1, 2}, {3, 4, 5}}, {"make_edge 0 3", "make_vertex 1,2,3", "make_edge 1 6"}),
+  };
+  std::map<std::string, Counts> counts;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    SCOPED_TRACE("mesh " + std::to_string(i));
+    ASSERT_NO_FATAL_FAILURE(prove_every_op(meshes[i], counts));
+    if (HasFailure()) return;
+  }
+  for (std::uint32_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const SeededMesh random = seeded_mesh(seed);
+    if (random.points > 9) continue;
+    ASSERT_NO_FATAL_FAILURE(prove_every_op(make_mesh(random.faces, random.points), counts));
+    if (HasFailure()) return;
+  }
+  for (const auto& [id, count] : counts)
+    std::cout << id << ": legal " << count.legal << ", refused " << count.refused << "\n";
 }
 
 TEST(every_element, a_named_remedy_helps) {

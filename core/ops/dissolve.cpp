@@ -128,6 +128,8 @@ void check_edge(const Mesh& m, Halfedge h, Verdict& verdict) {
   const Face f = m.face(h), g = m.face(twin(h));
   if (!f || !g) verdict.refuse(Rule::boundary, {edge(h)});
   if (f && f == g) verdict.refuse(Rule::same_face, {edge(h), f});
+  if (is_cut_on_points(m, h)) verdict.refuse(Rule::copies, {point(m, m.from(h)), point(m, m.to(h))});
+  if (!verdict.legal()) return;
   const Plan plan = plan_of_edge(m, h);
   check_copies(m, plan, verdict);
   if (verdict.legal()) check_plan(m, plan, verdict);

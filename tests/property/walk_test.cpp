@@ -27,6 +27,27 @@ AnyOp random_op(const Mesh& mesh, std::mt19937& random) {
   Halfedge h;
   do h = Halfedge(random() % mesh.halfedge_slots());
   while (!mesh.is_alive(h));
+  const bool is_small = mesh.halfedge_slots() <= 2000;
+  if (is_small && random() % 2 == 0) {
+    const Face f = mesh.face(h);
+    const Vertex v = mesh.from(h);
+    switch (random() % 8) {
+      case 0:
+        return Poke{f};
+      case 1:
+        return Extrude{f, 0.25};
+      case 2:
+        return Triangulate{f};
+      case 3:
+        return Dissolve{{}, v};
+      case 4:
+        return VertexSplit{v, h, Halfedge()};
+      case 5:
+        return VertexSplit{v, h, mesh.clockwise(mesh.clockwise(h))};
+      default:
+        return Dissolve{h};
+    }
+  }
   switch (random() % 4) {
     case 0:
       return CollapseEdge{h, random() % 2 ? CollapseEdge::Place::middle : CollapseEdge::Place::automatic};

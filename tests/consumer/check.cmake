@@ -6,7 +6,8 @@ file(REMOVE_RECURSE ${folder})
 
 # run(NAME COMMAND...) keeps what the command printed in the variable NAME and ends the test when it fails.
 function(run name)
-  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${folder} RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${folder}
+                  RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err)
   if(NOT status EQUAL 0)
     message(FATAL_ERROR "exit ${status} from ${ARGN}\n${out}${err}")
   endif()
@@ -34,8 +35,9 @@ if(NOT EXISTS ${prefix}/share/doc/ryosen/LICENSE)
   message(FATAL_ERROR "the licence is not installed")
 endif()
 
-run(ignored ${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${folder}/build -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${prefix}
-    -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_BUILD_TYPE=${CONFIGURATION})
+run(ignored ${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${folder}/build -G ${GENERATOR}
+    -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS}
+    -DCMAKE_BUILD_TYPE=${CONFIGURATION})
 run(ignored ${CMAKE_COMMAND} --build ${folder}/build)
 
 set(consumer ${folder}/build/consumer)
@@ -48,7 +50,10 @@ expect("the cube saved after undo" "${saved}" "${given}")
 run(out ${consumer} ${SOURCE}/assets/tetrahedron.off 1-2 saved.off)
 expect("collapse on a tetrahedron" "${out}" "ring: v2 v3 v0\nrefused: duplicate_face\nat the end: V 4, E 6\n")
 
-if(VERSION)
+file(READ ${SOURCE}/vcpkg.json manifest)
+string(JSON manifest_version GET "${manifest}" version)
+expect("the version in vcpkg.json" "${manifest_version}" "${VERSION}")
+if(NOT CORE_ONLY)
   run(out ${prefix}/bin/ryosen --version)
   expect("the version of the installed program" "${out}" "ryosen ${VERSION}\n")
   run(ignored ${prefix}/bin/ryosen check ${cube})

@@ -41,6 +41,8 @@ enum class Rule : std::uint8_t {
   has_rings,
   triangulated,
   nothing_between,
+  joins_fans,
+  lone_edge,
   normal_turns,
   degenerate,
   seam,

@@ -12,6 +12,14 @@ Vertex point(const Mesh& mesh, Vertex v) {
   return smallest;
 }
 
+std::uint32_t fans_at(const Mesh& mesh, Vertex v) {
+  if (mesh.is_isolated(v)) return 0;
+  if (!mesh.is_boundary(v)) return 1;
+  std::uint32_t fans = 0;
+  for (Halfedge h : outgoing(mesh, v)) fans += !mesh.is_outside(h) && mesh.is_outside(twin(h));
+  return fans;
+}
+
 std::vector<Halfedge> sheets_between(const Mesh& mesh, Vertex a, Vertex b) {
   std::vector<Halfedge> sheets;
   for_each_copy(mesh, a, [&](Vertex copy) {

@@ -32,6 +32,11 @@ void FacePolygon::move(const Mesh& mesh, Vertex v, const glm::dvec3& place) {
     if (same_point(mesh, mesh.from(corners_[i]), v)) places_[i] = place;
 }
 
+void FacePolygon::move(Halfedge corner, const glm::dvec3& place) {
+  const auto at = std::find(corners_.begin(), corners_.end(), corner);
+  places_[static_cast<std::size_t>(at - corners_.begin())] = place;
+}
+
 void FacePolygon::triangulate(std::vector<CornerTriangle>& out) const {
   if (loop_ends_.size() == 1) return ryosen::triangulate(places_, out);
   std::vector<std::span<const glm::dvec3>> loops;

@@ -26,6 +26,8 @@ class FacePolygon {
   bool is_finite() const;
   // Puts the corners at a point of the mesh elsewhere.
   void move(const Mesh& mesh, Vertex v, const glm::dvec3& place);
+  // Puts one corner elsewhere.
+  void move(Halfedge corner, const glm::dvec3& place);
 
   // The triangles as corner numbers; coordinates must be finite. See triangulate.h.
   void triangulate(std::vector<CornerTriangle>& out) const;

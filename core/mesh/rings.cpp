@@ -19,14 +19,18 @@ std::uint32_t ring_of(const Mesh& mesh, Halfedge h) {
   return no_index;
 }
 
-void replace_start(Edit& edit, Face f, Halfedge old, Halfedge start) {
+bool replace_start(Edit& edit, Face f, Halfedge old, Halfedge start) {
   const Mesh& mesh = edit.mesh();
   if (mesh.halfedge(f) == old) {
     edit.set_halfedge(f, start);
-    return;
+    return true;
   }
-  for (std::uint32_t r = mesh.first_ring(f); r != no_index; r = mesh.ring(r).next)
-    if (mesh.ring(r).halfedge == old) edit.set_ring_halfedge(r, start);
+  for (std::uint32_t r = mesh.first_ring(f); r != no_index; r = mesh.ring(r).next) {
+    if (mesh.ring(r).halfedge != old) continue;
+    edit.set_ring_halfedge(r, start);
+    return true;
+  }
+  return false;
 }
 
 void move_rings(Edit& edit, Face from, Face to) {

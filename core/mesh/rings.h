@@ -27,9 +27,8 @@ void for_each_loop(const Mesh& mesh, Face f, Visit visit) {
 // The number of the ring whose loop h is on; no_index on an outer loop. Cost: the loop, and the rings of the face.
 std::uint32_t ring_of(const Mesh& mesh, Halfedge h);
 
-// Lets the loop that is known by `old` be known by `start` instead; nothing where it is known by another halfedge.
-// Cost: the rings of the face.
-void replace_start(Edit& edit, Face f, Halfedge old, Halfedge start);
+// Lets the loop that is known by `old` be known by `start` instead; false where none is. Cost: the rings of the face.
+bool replace_start(Edit& edit, Face f, Halfedge old, Halfedge start);
 
 // Every ring of the face belongs to `to` from here on. The halfedges keep their face until the caller sets it.
 void move_rings(Edit& edit, Face from, Face to);

@@ -17,10 +17,11 @@ class CollapseJudge {
  public:
   CollapseJudge(const Mesh& mesh, Halfedge h) : m_(mesh), h_(h), gone_(mesh.from(h)), kept_(mesh.to(h)) {
     for (Halfedge side : {h_, twin(h_)})
-      if (!m_.is_outside(side) && is_triangle(m_, side)) apexes_[apex_count_++] = m_.to(m_.next(side));
+      if (is_plain_triangle(side)) apexes_[apex_count_++] = m_.to(m_.next(side));
   }
 
   Verdict judge() {
+    check_wire();
     check_inner_edge();
     check_closed_cuts();
     check_apexes();
@@ -35,7 +36,18 @@ class CollapseJudge {
  private:
   bool is_apex(Vertex v) const { return std::find(apexes_, apexes_ + apex_count_, v) != apexes_ + apex_count_; }
   bool is_at_edge(Face f) const { return f == m_.face(h_) || f == m_.face(twin(h_)); }
-  bool is_dropped(Halfedge corner) const { return is_at_edge(m_.face(corner)) && is_triangle(m_, corner); }
+  // A face of three corners and no rings.
+  bool is_plain_triangle(Halfedge side) const {
+    return !m_.is_outside(side) && is_triangle(m_, side) && !m_.has_rings(m_.face(side));
+  }
+  bool is_dropped(Halfedge corner) const { return is_at_edge(m_.face(corner)) && is_plain_triangle(corner); }
+
+  // Two fans would meet at one vertex, or an edge that stands alone would leave a free vertex.
+  void check_wire() {
+    if (!m_.is_wire(edge(h_))) return;
+    if (fans_at(m_, gone_) > 0 && fans_at(m_, kept_) > 0) verdict_.refuse(Rule::joins_fans, {gone_, kept_});
+    if (m_.next(h_) == twin(h_) && m_.prev(h_) == twin(h_)) verdict_.refuse(Rule::lone_edge, {edge(h_)});
+  }
 
   void check_inner_edge() {
     if (m_.is_outside(h_) || m_.is_outside(twin(h_))) return;
@@ -52,7 +64,7 @@ class CollapseJudge {
 
   void check_apexes() {
     for (Halfedge side : {h_, twin(h_)}) {
-      if (m_.is_outside(side) || !is_triangle(m_, side)) continue;
+      if (!is_plain_triangle(side)) continue;
       if (m_.is_outside(twin(m_.next(side))) && m_.is_outside(twin(m_.prev(side))))
         verdict_.refuse(Rule::isolated_apex, {m_.to(m_.next(side)), m_.face(side)});
     }
@@ -92,7 +104,7 @@ class CollapseJudge {
   void check_common_faces() {
     for (Halfedge g : outgoing(m_, gone_)) {
       if (m_.is_outside(g) || is_at_edge(m_.face(g))) continue;
-      for (Halfedge corner : loop(m_, g))
+      for (Halfedge corner : halfedges_around(m_, m_.face(g)))
         if (same_point(m_, m_.from(corner), kept_)) verdict_.refuse(Rule::common_face, {m_.face(g)});
     }
   }
@@ -201,7 +213,7 @@ class CollapseJudge {
 }  // namespace
 
 Halfedge CollapseEdge::directed(const Mesh& mesh) const {
-  return has_copies(mesh, mesh.from(halfedge)) ? twin(halfedge) : halfedge;
+  return has_several_fans(mesh, mesh.from(halfedge)) ? twin(halfedge) : halfedge;
 }
 
 Verdict CollapseEdge::judge(const Mesh& mesh) const {
@@ -211,7 +223,7 @@ Verdict CollapseEdge::judge(const Mesh& mesh) const {
     return verdict;
   }
   const Vertex a = mesh.from(halfedge), b = mesh.to(halfedge);
-  if (has_copies(mesh, a) && has_copies(mesh, b)) {
+  if (has_several_fans(mesh, a) && has_several_fans(mesh, b)) {
     verdict.refuse(Rule::copies, {point(mesh, a), point(mesh, b)});
     return verdict;
   }

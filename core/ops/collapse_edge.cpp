@@ -4,9 +4,8 @@
 #include <cassert>
 #include <glm/geometric.hpp>
 
-#include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
-#include "core/mesh/rings.h"
+#include "core/mesh/face_polygon.h"
 #include "core/ops/arguments.h"
 #include "core/ops/corner_values.h"
 #include "core/ops/face_geometry.h"
@@ -141,15 +140,15 @@ std::vector<Reason> CollapseEdge::warnings(const Mesh& mesh) const {
   if (is_seam(mesh, h)) found.push_back({Rule::seam, {edge(h)}});
   const Vertex gone = mesh.from(h), kept = mesh.to(h);
   std::vector<Element> turned, degenerate;
+  FacePolygon polygon;
   const auto look = [&](Face f) {
-    FaceGeometry before, after;
-    for (Vertex v : vertices_around(mesh, f)) {
-      before.add(mesh.position(v));
-      const bool moves = v == gone || same_point(mesh, v, kept);
-      if (v != gone || (f != mesh.face(h) && f != mesh.face(twin(h))))
-        after.add(moves ? place_after : mesh.position(v));
-    }
-    if (after.corners() < 3) return;
+    const bool is_at_edge = f == mesh.face(h) || f == mesh.face(twin(h));
+    if (is_at_edge && corner_count(mesh, f) == 3) return;  // vanishes
+    polygon.read(mesh, f);
+    const FaceGeometry before(polygon.keyhole_walk());
+    polygon.move(mesh, gone, place_after);
+    polygon.move(mesh, kept, place_after);
+    const FaceGeometry after(polygon.keyhole_walk());
     if (!before.is_degenerate() && after.is_degenerate())
       degenerate.push_back(f);
     else if (before.turns_against(after))
@@ -182,8 +181,10 @@ OpEffect CollapseEdge::apply(Edit& edit) const {
   std::vector<Halfedge> around_gone;
   around_gone.reserve(usual_valence);
   for (Halfedge g : outgoing(m, gone)) around_gone.push_back(g);
-  const bool left_two_gon = !m.is_outside(h) && is_triangle(m, h),
-             right_two_gon = !m.is_outside(o) && is_triangle(m, o);
+  const auto is_plain_triangle = [&](Halfedge side) {
+    return !m.is_outside(side) && is_triangle(m, side) && !m.has_rings(m.face(side));
+  };
+  const bool left_two_gon = is_plain_triangle(h), right_two_gon = is_plain_triangle(o);
   const Halfedge h_next = m.next(h), h_prev = m.prev(h), o_next = m.next(o), o_prev = m.prev(o);
   // A wire may end in a tip, where its halves follow one another.
   const bool tip_kept = h_next == o, tip_gone = o_next == h;
@@ -194,7 +195,7 @@ OpEffect CollapseEdge::apply(Edit& edit) const {
   if (!tip_kept && !tip_gone) {
     edit.connect(h_prev, h_next);
     edit.connect(o_prev, o_next);
-  } else if (!tip_kept || !tip_gone) {
+  } else {
     edit.connect(tip_kept ? h_prev : o_prev, tip_kept ? o_next : h_next);
   }
   for (Halfedge g : around_gone)
@@ -202,23 +203,20 @@ OpEffect CollapseEdge::apply(Edit& edit) const {
   if (left_two_gon) close_two_gon(edit, h_prev, h_next, effect);
   if (right_two_gon) close_two_gon(edit, o_next, o_prev, effect);
 
-  // The vertex that stays holds its outside halfedge, if it has one.
-  if (tip_kept && tip_gone) edit.set_halfedge(kept, Halfedge());
+  // The vertex that stays holds its outside halfedge, if it has one. A wire's tip has nothing behind it.
   const Halfedge some = tip_kept ? o_next : h_next;
-  if (!tip_kept || !tip_gone) {
-    Halfedge hold = m.halfedge(kept) != o ? m.halfedge(kept) : some;
-    if (!m.is_alive(hold) || m.from(hold) != kept) hold = some;
-    effect.changed.reserve(usual_valence);
-    Halfedge g = some;
-    do {
-      if (m.is_outside(g))
-        hold = g;
-      else
-        effect.changed.push_back(m.face(g));
-      g = m.counter_clockwise(g);
-    } while (g != some);
-    edit.set_halfedge(kept, hold);
-  }
+  Halfedge hold = m.halfedge(kept) != o ? m.halfedge(kept) : some;
+  if (!m.is_alive(hold) || m.from(hold) != kept) hold = some;
+  effect.changed.reserve(usual_valence);
+  Halfedge g = some;
+  do {
+    if (m.is_outside(g))
+      hold = g;
+    else
+      effect.changed.push_back(m.face(g));
+    g = m.counter_clockwise(g);
+  } while (g != some);
+  edit.set_halfedge(kept, hold);
   edit.remove(edge(h));
   edit.remove(gone);
   if (!moved) return effect;

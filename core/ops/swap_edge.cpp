@@ -4,8 +4,8 @@
 #include <array>
 #include <cassert>
 
-#include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/mesh/face_polygon.h"
 #include "core/ops/corner_values.h"
 #include "core/ops/face_geometry.h"
 #include "core/ops/face_lists.h"
@@ -19,13 +19,14 @@ namespace {
 // new edge that the other face brings.
 struct Turn {
   Halfedge side;
+  Halfedge lost_corner;
   Vertex loses, gains;
 };
 
 std::pair<Turn, Turn> turns(const Mesh& m, Halfedge h, bool back) {
   const Halfedge o = twin(h);
-  if (back) return {{h, m.from(h), m.from(m.prev(o))}, {o, m.from(o), m.from(m.prev(h))}};
-  return {{h, m.to(h), m.to(m.next(o))}, {o, m.to(o), m.to(m.next(h))}};
+  if (back) return {{h, h, m.from(h), m.from(m.prev(o))}, {o, o, m.from(o), m.from(m.prev(h))}};
+  return {{h, m.next(h), m.to(h), m.to(m.next(o))}, {o, m.next(o), m.to(o), m.to(m.next(h))}};
 }
 
 std::vector<Vertex> sorted_points(const Mesh& m, Face f) {
@@ -37,7 +38,7 @@ std::vector<Vertex> sorted_points(const Mesh& m, Face f) {
 
 std::vector<Vertex> sorted_points_after(const Mesh& m, const Turn& turn) {
   std::vector<Vertex> points;
-  for (Halfedge corner : loop(m, turn.side))
+  for (Halfedge corner : halfedges_around(m, m.face(turn.side)))
     points.push_back(point(m, m.from(corner) == turn.loses ? turn.gains : m.from(corner)));
   std::sort(points.begin(), points.end());
   return points;
@@ -68,34 +69,26 @@ Face find_face_on(const Mesh& m, const std::vector<Vertex>& points, Vertex aroun
   return found;
 }
 
-// A face with rings or bridges must come apart into simple loops as before.
-bool comes_apart(const Mesh& m, const Turn& turn) {
+// The lists of a face with rings or a bridge must still come apart.
+void check_inner_loops(const Mesh& m, const Turn& turn, Verdict& verdict) {
   const Face f = m.face(turn.side);
-  if (is_one_simple_loop(m, f)) return true;
+  if (is_one_simple_loop(m, f)) return;
   CornerLoops after;
-  std::vector<std::uint32_t> turned;
-  const bool loses_first = m.from(turn.side) == turn.loses;
-  for (Halfedge corner : loop(m, turn.side)) {
-    const bool lost = turned.size() == (loses_first ? 0u : 1u);
-    turned.push_back(point(m, lost ? turn.gains : m.from(corner)).index);
-  }
-  after.add(turned);
-  const std::uint32_t own = ring_of(m, turn.side);
-  if (own != no_index) after.add(points_along(m, m.halfedge(f)));
-  for (std::uint32_t r = m.first_ring(f); r != no_index; r = m.ring(r).next)
-    if (r != own) after.add(points_along(m, m.ring(r).halfedge));
-  return take_out_bridges(after).has_value();
+  for_each_loop(m, f, [&](Halfedge start) {
+    std::vector<std::uint32_t> points;
+    for (Halfedge corner : loop(m, start))
+      points.push_back(point(m, corner == turn.lost_corner ? turn.gains : m.from(corner)).index);
+    after.add(points);
+  });
+  if (!take_out_bridges(after)) verdict.refuse(Rule::loop, {f});
 }
 
 void check_side(const Mesh& m, const Turn& turn, const Turn& other, Verdict& verdict) {
-  if (!comes_apart(m, turn)) {
-    verdict.refuse(Rule::loop, {m.face(turn.side)});
-    return;
-  }
-  for (Halfedge corner : loop(m, turn.side)) {
+  for (Halfedge corner : halfedges_around(m, m.face(turn.side))) {
     const Vertex v = m.from(corner);
     if (v != turn.loses && same_point(m, v, turn.gains)) verdict.refuse(Rule::corner_twice, {m.face(turn.side), v});
   }
+  check_inner_loops(m, turn, verdict);
   const Face f = m.face(turn.side), g = m.face(other.side);
   const auto at_edge = [&](Face face) { return face == f || face == g; };
   if (const Face twin_face = find_face_on(m, sorted_points_after(m, turn), turn.gains, at_edge))
@@ -164,17 +157,13 @@ std::vector<Reason> SwapEdge::warnings(const Mesh& m) const {
   const auto [left, right] = turns(m, halfedge, back);
   // The two new faces against the two old ones: each must agree with both.
   for (const Turn& turn : {left, right}) {
-    FaceGeometry after;
-    const Halfedge first = turn.side;
-    for (Halfedge corner : loop(m, first)) {
-      const bool lost = m.from(corner) == turn.loses;
-      after.add(m.position(lost ? turn.gains : m.from(corner)));
-    }
+    FacePolygon polygon(m, m.face(turn.side));
+    polygon.move(turn.lost_corner, m.position(turn.gains));
+    const FaceGeometry after(polygon.keyhole_walk());
     bool turns_face = false;
     for (Halfedge side : {halfedge, twin(halfedge)}) {
-      FaceGeometry before;
-      for (Halfedge corner : loop(m, side)) before.add(m.position(m.from(corner)));
-      turns_face |= before.turns_against(after);
+      polygon.read(m, m.face(side));
+      turns_face |= FaceGeometry(polygon.keyhole_walk()).turns_against(after);
     }
     if (after.is_degenerate())
       degenerate.push_back(m.face(turn.side));
@@ -214,9 +203,7 @@ void apply_side(Edit& edit, const SwapSide& s) {
   edit.set_face(s.gained, s.face);
   edit.set_from(s.half, s.new_origin);
   // The corner that a face gains takes the place of the one it loses.
-  bool lost_start = false;
-  for_each_loop(m, s.face, [&](Halfedge start) { lost_start = lost_start || start == s.lost; });
-  replace_start(edit, s.face, lost_start ? s.lost : s.half, lost_start ? s.half : s.gained);
+  if (!replace_start(edit, s.face, s.lost, s.half)) replace_start(edit, s.face, s.half, s.gained);
   if (m.halfedge(s.old_origin) == s.half) edit.set_halfedge(s.old_origin, s.at_old_origin);
 }
 

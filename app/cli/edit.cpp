@@ -156,7 +156,7 @@ class EditRun {
 
   void print_json(const Totals& now) {
     Json json;
-    json["file"] = files_.input;
+    json["file"] = files_.input.empty() ? Json() : Json(files_.input);
     json["output"] = written_ ? Json(*written_) : Json();
     json["status"] = code_ == ExitCode::done ? "ok" : may_write() ? "warnings" : "error";
     json["vertices"] = now.vertices;
@@ -203,7 +203,12 @@ class EditRun {
 }  // namespace
 
 ExitCode edit_command(const Arguments& arguments, const Console& console) {
-  EditFiles files{arguments.operands()[0], {}, arguments.has("--overwrite")};
+  const bool starts_empty = arguments.has("--new");
+  if (starts_empty != arguments.operands().empty())
+    return console.fail(
+        usage_failure("bad_value", {"edit begins with a FILE or, by --new, with an empty mesh.",
+                                    "edit には FILE か、空のメッシュから始める --new のどちらかを指定します。"}));
+  EditFiles files{starts_empty ? std::string() : arguments.operands()[0], {}, arguments.has("--overwrite")};
   if (const std::string* const output = arguments.value("-o")) files.output = *output;
   const std::string* const on_refuse = arguments.value("--on-refuse");
   if (on_refuse && *on_refuse != "skip")
@@ -219,7 +224,8 @@ ExitCode edit_command(const Arguments& arguments, const Console& console) {
     console.show(fault->message, fault->message.line ? script->place() : files.input);
     return fault->exit_code;
   }
-  Result<std::unique_ptr<Document>> document = Document::open(files.input);
+  Result<std::unique_ptr<Document>> document =
+      starts_empty ? Result<std::unique_ptr<Document>>(std::make_unique<Document>()) : Document::open(files.input);
   if (!document) return console.fail(document.failure(), files.input);
   for (const Message& message : (*document)->file().messages) console.show(message, files.input);
   return EditRun(std::move(*document), files, *script, on_refuse != nullptr, arguments.has("--strict"), console).run();

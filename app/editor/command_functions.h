@@ -13,6 +13,7 @@ Outcome wrong_arguments(std::string_view id);
 Outcome failed(const Failure& failure);
 
 // Files and the history: commands_document.cpp
+Outcome run_new(Session& session, Arguments arguments, std::string_view whole);
 Outcome run_open(Session& session, Arguments arguments, std::string_view whole);
 Outcome run_save(Session& session, Arguments arguments, std::string_view whole);
 Outcome run_undo(Session& session, Arguments arguments, std::string_view whole);

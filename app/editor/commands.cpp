@@ -62,6 +62,7 @@ namespace {
 
 constexpr std::array rows{
     CommandRow{"open", "FILE", "opens a mesh in place of the current one", "メッシュを開く", true, run_open},
+    CommandRow{"new", "", "begins with an empty mesh", "空のメッシュから始める", true, run_new},
     CommandRow{"save", "[FILE]", "writes the mesh", "メッシュを保存する", true, run_save},
     CommandRow{"select", "NAME...|none", "selects vertices, edges, faces by name", "名前で要素を選択する", false,
                run_select},

@@ -56,6 +56,12 @@ Outcome run_open(Session& session, Arguments arguments, std::string_view whole) 
   return performed("open " + file_argument(name));
 }
 
+Outcome run_new(Session& session, Arguments arguments, std::string_view) {
+  if (!arguments.empty()) return wrong_arguments("new");
+  session.set_document(std::make_unique<Document>());
+  return performed("new");
+}
+
 Outcome run_save(Session& session, Arguments, std::string_view whole) {
   Document& document = session.document();
   const std::string named = file_name(whole);

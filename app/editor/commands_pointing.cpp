@@ -28,14 +28,14 @@ std::optional<Element> element_named(const Mesh& mesh, std::string_view name, Te
 // An operator that works on what the pointer is on.
 const OpInfo* find_tool(std::string_view id) {
   const OpInfo* op = find_op(id);
-  return op && op->target != OpTargetKind::none ? op : nullptr;
+  return op && is_tool(*op) ? op : nullptr;
 }
 
 Outcome not_a_tool(std::string_view id) {
   if (!find_op(id)) return unknown_command(id);
   const std::string name(id);
-  return usage_error(name + " works on the whole mesh; say it as a command",
-                     name + " はメッシュ全体に働くので、コマンドとして実行してください");
+  return usage_error(name + " does not work on what is clicked; say it as a command",
+                     name + " はクリックした要素に働く操作ではないので、コマンドとして実行してください");
 }
 
 }  // namespace

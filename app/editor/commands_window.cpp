@@ -18,7 +18,7 @@ std::optional<std::size_t> one_of(Arguments arguments, std::initializer_list<std
 }  // namespace
 
 Outcome run_panel(Session& session, Arguments arguments, std::string_view) {
-  if (!one_of(arguments, {"none", "keys", "open", "save", "unsaved"})) return wrong_arguments("panel");
+  if (!one_of(arguments, {"none", "keys", "command", "open", "save", "unsaved"})) return wrong_arguments("panel");
   session.open_panel = arguments[0] == "none" ? "" : std::string(arguments[0]);
   return {};
 }

@@ -34,6 +34,7 @@ constexpr std::array fixed_keys{
     KeyRow{"Numpad7", "view top", "top view", "上面図"},
     KeyRow{"Numpad5", "projection toggle", "perspective or orthographic", "透視投影と平行投影"},
     KeyRow{"F1", "panel keys", "keys", "キー一覧"},
+    KeyRow{"F3", "panel command", "say a command", "コマンド入力"},
     KeyRow{"F12", "shot", "screenshot", "画面の保存"},
     KeyRow{"Ctrl+Q", "quit", "quit", "終了"},
 };
@@ -49,8 +50,8 @@ std::vector<KeyRow> all_keys() {
   std::vector<KeyRow> rows;
   for (const OpInfo& op : all_ops()) {
     const std::string id(op.id);
-    const bool is_tool = op.target != OpTargetKind::none;
-    rows.push_back({keep(std::string(1, op.key)), is_tool ? keep("tool " + id) : op.id, op.name_en, op.name_ja});
+    if (op.key == '\0') continue;
+    rows.push_back({keep(std::string(1, op.key)), is_tool(op) ? keep("tool " + id) : op.id, op.name_en, op.name_ja});
   }
   rows.insert(rows.end(), fixed_keys.begin(), fixed_keys.end());
   return rows;

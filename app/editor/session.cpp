@@ -139,16 +139,47 @@ Outcome Session::run(const std::string& line) {
   return outcome;
 }
 
+namespace {
+
+// What a tool needs under the pointer; without one, what the mode says.
+PickMode pick_mode(const OpInfo* tool, PickMode mode) {
+  if (!tool) return mode;
+  switch (tool->target) {
+    case OpTargetKind::vertex:
+      return PickMode::vertex;
+    case OpTargetKind::edge:
+      return PickMode::edge;
+    case OpTargetKind::face:
+      return PickMode::face;
+    default:
+      return mode;
+  }
+}
+
+// The picked element and nothing else.
+OpTarget target_of(const Picked& picked) {
+  switch (picked.element.kind) {
+    case Element::Kind::vertex:
+      return {.vertex = picked.element.vertex()};
+    case Element::Kind::face:
+      return {.face = picked.element.face()};
+    default:
+      return {picked.halfedge, picked.along};
+  }
+}
+
+}  // namespace
+
 void Session::point_at(glm::dvec2 pixel) {
   hover_.reset();
-  const auto picked = pick(pixel, tool.empty() ? mode : PickMode::edge);
+  const OpInfo* info = find_op(tool);
+  const auto picked = pick(pixel, pick_mode(info, mode));
   if (!picked) return;
   Hover hover;
   hover.pixel = pixel;
   hover.picked = *picked;
-  const OpInfo* info = find_op(tool);
-  if (info && (info->target == OpTargetKind::none || picked->halfedge)) {
-    hover.op = op_at(mesh(), tool, {picked->halfedge, picked->along});
+  if (info && is_tool(*info)) {
+    hover.op = op_at(mesh(), tool, target_of(*picked));
     hover.preview = document_->preview(*hover.op);
   }
   hover_ = std::move(hover);
@@ -172,7 +203,7 @@ Outcome Session::apply_at(const OpTarget& target, const std::string& id) {
 
 Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool) {
   const OpInfo* info = find_op(with_tool);
-  const auto picked = pick(pixel, info ? PickMode::edge : mode);
+  const auto picked = pick(pixel, pick_mode(info, mode));
   if (!picked) {
     selection.clear();
     touch();
@@ -183,7 +214,7 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool) {
     if (!info) nothing = Outcome();
     return nothing;
   }
-  if (info) return apply_at({picked->halfedge, picked->along}, with_tool);
+  if (info) return apply_at(target_of(*picked), with_tool);
   return run("select " + name_of(mesh(), picked->element));
 }
 

@@ -121,6 +121,7 @@ void Gui::frame(Session& session, Size window, double seconds) {
   draw_pointer_tip(panel_context);
   draw_keys_window(panel_context);
   draw_file_window(panel_context);
+  draw_command_window(panel_context);
   draw_unsaved_window(panel_context);
   ImGui::Render();
 }

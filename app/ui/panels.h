@@ -50,6 +50,7 @@ struct GuiState {
   bool wants_quit = false;  // confirmed
   PendingLeave pending;
   FileBrowser browser;
+  std::string command;  // what stands in the field of the command window
   std::size_t scrolled_position = 0;  // the place of the history that the list was scrolled to
 
   std::optional<MeasuredForms> measured_forms;
@@ -110,6 +111,7 @@ void draw_status(PanelContext& context);
 void draw_pointer_tip(PanelContext& context);
 void draw_keys_window(PanelContext& context);
 void draw_file_window(PanelContext& context);
+void draw_command_window(PanelContext& context);
 void draw_unsaved_window(PanelContext& context);
 
 }  // namespace ryosen

@@ -7,6 +7,7 @@
 #include "core/build/link_regular.h"
 #include "core/build/pair_corners.h"
 #include "core/build/parallel.h"
+#include "core/build/unfold_bridges.h"
 
 namespace ryosen {
 
@@ -71,6 +72,8 @@ bool close_two_loops(const MeshColumns& c, CornerPairing& pairing) {
 Mesh from_indexed(IndexedMesh source) {
   MeshColumns c;
   CornerPairing pairing;
+  const auto faces = static_cast<std::uint32_t>(source.face_count());
+  const std::vector<std::uint32_t> face_of_ring = unfold_bridges(source);
   c.vertex_halfedge.assign(source.positions.size(), Halfedge());
   c.face_halfedge.assign(source.face_count(), dead_halfedge);
   c.file_vertices = static_cast<std::uint32_t>(source.positions.size());
@@ -89,7 +92,8 @@ Mesh from_indexed(IndexedMesh source) {
   }
   c.positions = std::move(source.positions);
   c.live = {static_cast<std::uint32_t>(c.positions.size()), pairing.edges,
-            static_cast<std::uint32_t>(source.face_count() - source.quarantine.size())};
+            faces - static_cast<std::uint32_t>(source.quarantine.size())};
+  fold_rings(face_of_ring, faces, c);
   separate_fans(c);
   add_attributes(source, pairing, c);
   return Mesh(std::move(c));

@@ -51,7 +51,10 @@ struct IndexedMesh {
   std::vector<std::uint32_t> corners;          // vertex numbers, face after face
   std::vector<std::uint32_t> face_offsets{0};  // faces + 1 entries; a quarantined face has an empty range
   std::vector<QuarantinedFace> quarantine;     // ascending by face
-  std::vector<std::uint32_t> face_lines;       // line of each face, from 1; empty when the format has no lines
+  // Faces whose corner lists visit vertices twice because they walk bridges both ways (see mesh/bridges.h): faces with
+  // rings. Ascending.
+  std::vector<std::uint32_t> bridged;
+  std::vector<std::uint32_t> face_lines;  // line of each face, from 1; empty when the format has no lines
 
   CornerValues texcoords;
   CornerValues normals;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/build/bridged_corners.h"
 #include "core/mesh/attribute.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
@@ -85,9 +86,15 @@ class CornerColumn {
     values.index.reserve(std::size_t{2} * mesh.live().edges);
   }
   void add(Halfedge corner) {
+    if (data_) add_value(data_[corner.index]);
+  }
+  // A corner that the file's list has with a value of its own at another place of the same vertex: it keeps that one
+  // while the value of the corner in the mesh is still the file's.
+  void add(Halfedge corner, const std::vector<std::uint32_t>& in_file, std::size_t place, std::size_t place_of_corner) {
     if (!data_) return;
-    values_.index.push_back(data_[corner.index]);
-    any_ |= data_[corner.index] != no_index;
+    const std::uint32_t value = data_[corner.index];
+    const bool is_unchanged = !in_file.empty() && in_file[place_of_corner] == value;
+    add_value(is_unchanged ? in_file[place] : value);
   }
   // A list without a single value is an unused one.
   void finish() {
@@ -95,37 +102,83 @@ class CornerColumn {
   }
 
  private:
+  void add_value(std::uint32_t value) {
+    values_.index.push_back(value);
+    any_ |= value != no_index;
+  }
+
   CornerValues& values_;
   const std::uint32_t* data_ = nullptr;
   bool any_ = false;
 };
 
-void write_faces(const Mesh& mesh, const FileTables& tables, CompactMesh& out) {
-  IndexedMesh& m = out.mesh;
-  out.face_number.assign(mesh.face_slots(), no_index);
-  m.corners.reserve(std::size_t{2} * mesh.live().edges);
-  m.face_offsets.reserve(std::size_t{mesh.live().faces} + tables.quarantine.size() + 1);
-  CornerColumn texcoords(mesh, attribute_names::texcoord, attribute_names::texcoord_pool, tables.texcoord_components,
-                         m.texcoords);
-  CornerColumn normals(mesh, attribute_names::normal, attribute_names::normal_pool, tables.normal_components,
-                       m.normals);
-  auto aside = tables.quarantine.begin();
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-    const bool is_aside = aside != tables.quarantine.end() && aside->face == i;
-    if (is_aside) ++aside;
-    if (!is_aside && !mesh.is_alive(Face(i))) continue;
-    out.face_number[i] = static_cast<std::uint32_t>(m.face_count());
-    if (!is_aside)
-      for (Halfedge h : halfedges_around(mesh, Face(i))) {
-        m.corners.push_back(out.vertex_number[mesh.from(h).index]);
-        texcoords.add(h);
-        normals.add(h);
-      }
-    m.face_offsets.push_back(static_cast<std::uint32_t>(m.corners.size()));
+class FaceWriter {
+ public:
+  FaceWriter(const Mesh& mesh, const FileTables& tables, CompactMesh& out)
+      : mesh_(mesh),
+        tables_(tables),
+        out_(out),
+        texcoords_(mesh, attribute_names::texcoord, attribute_names::texcoord_pool, tables.texcoord_components,
+                   out.mesh.texcoords),
+        normals_(mesh, attribute_names::normal, attribute_names::normal_pool, tables.normal_components,
+                 out.mesh.normals) {}
+
+  void write() {
+    IndexedMesh& m = out_.mesh;
+    out_.face_number.assign(mesh_.face_slots(), no_index);
+    m.corners.reserve(std::size_t{2} * mesh_.live().edges);
+    m.face_offsets.reserve(std::size_t{mesh_.live().faces} + tables_.quarantine.size() + 1);
+    auto aside = tables_.quarantine.begin();
+    for (std::uint32_t i = 0; i < mesh_.face_slots(); ++i) {
+      const bool is_aside = aside != tables_.quarantine.end() && aside->face == i;
+      if (is_aside) ++aside;
+      if (!is_aside && !mesh_.is_alive(Face(i))) continue;
+      out_.face_number[i] = static_cast<std::uint32_t>(m.face_count());
+      if (!is_aside) write_corners(Face(i));
+      m.face_offsets.push_back(static_cast<std::uint32_t>(m.corners.size()));
+    }
+    texcoords_.finish();
+    normals_.finish();
   }
-  texcoords.finish();
-  normals.finish();
-}
+
+ private:
+  void write_corners(Face f) {
+    if (visits_a_corner_twice(mesh_, f)) {
+      out_.mesh.bridged.push_back(out_.face_number[f.index]);
+      write_bridged(f);
+      return;
+    }
+    for (Halfedge h : halfedges_around(mesh_, f)) add(h);
+  }
+
+  void add(Halfedge h) {
+    out_.mesh.corners.push_back(out_.vertex_number[mesh_.from(h).index]);
+    texcoords_.add(h);
+    normals_.add(h);
+  }
+
+  void write_bridged(Face f) {
+    const auto in_file = std::lower_bound(tables_.bridged.begin(), tables_.bridged.end(), f.index,
+                                          [](const BridgedFace& b, std::uint32_t face) { return b.face < face; });
+    if (in_file != tables_.bridged.end() && in_file->face == f.index) {
+      if (const auto corners = corners_as_in_file(mesh_, f, in_file->corners)) {
+        for (std::size_t i = 0; i < corners->size(); ++i) {
+          const auto& [corner, place] = (*corners)[i];
+          out_.mesh.corners.push_back(out_.vertex_number[mesh_.from(corner).index]);
+          texcoords_.add(corner, in_file->texcoords, i, place);
+          normals_.add(corner, in_file->normals, i, place);
+        }
+        return;
+      }
+    }
+    for (Halfedge h : corners_with_bridges(mesh_, f)) add(h);
+  }
+
+  const Mesh& mesh_;
+  const FileTables& tables_;
+  CompactMesh& out_;
+  CornerColumn texcoords_, normals_;
+};
 
 void write_quarantine(const Mesh& mesh, const FileTables& tables, CompactMesh& out) {
   const std::int64_t end = mesh.file_vertices();
@@ -196,16 +249,33 @@ void write_face_values(const Mesh& mesh, const FileTables& tables, CompactMesh& 
 
 }  // namespace
 
+namespace {
+
+std::vector<BridgedFace> bridged_faces(const IndexedMesh& source) {
+  std::vector<BridgedFace> faces;
+  for (std::uint32_t f : source.bridged) {
+    const std::uint32_t begin = source.face_offsets[f], end = source.face_offsets[f + 1];
+    const auto part = [&](const std::vector<std::uint32_t>& values) {
+      if (values.empty()) return std::vector<std::uint32_t>();
+      return std::vector<std::uint32_t>(values.begin() + begin, values.begin() + end);
+    };
+    faces.push_back({f, part(source.corners), part(source.texcoords.index), part(source.normals.index)});
+  }
+  return faces;
+}
+
+}  // namespace
+
 FileTables file_tables(const IndexedMesh& source) {
-  return {source.quarantine,           source.face_lines,         source.vertex_weights,   source.face_colours,
-          source.materials.names,      source.groups.names,       source.objects.names,    source.smoothing.names,
-          source.texcoords.components, source.normals.components, source.colour_components};
+  return {source.quarantine,      bridged_faces(source),       source.face_lines,         source.vertex_weights,
+          source.face_colours,    source.materials.names,      source.groups.names,       source.objects.names,
+          source.smoothing.names, source.texcoords.components, source.normals.components, source.colour_components};
 }
 
 CompactMesh to_indexed(const Mesh& mesh, const FileTables& tables) {
   CompactMesh out;
   number_vertices(mesh, out);
-  write_faces(mesh, tables, out);
+  FaceWriter(mesh, tables, out).write();
   write_quarantine(mesh, tables, out);
   write_vertex_values(mesh, tables, out);
   write_face_values(mesh, tables, out);

@@ -9,9 +9,17 @@
 
 namespace ryosen {
 
+// The corner list of a face with bridges as the file has it, for as long as its loops are the same.
+struct BridgedFace {
+  std::uint32_t face = 0;
+  std::vector<std::uint32_t> corners;
+  std::vector<std::uint32_t> texcoords, normals;  // as in CornerValues::index; empty when the file has none
+};
+
 // What a file gives and the mesh does not carry. Numbers are those of the file, which never change while it is open.
 struct FileTables {
   std::vector<QuarantinedFace> quarantine;  // ascending by face; without those that the user dropped
+  std::vector<BridgedFace> bridged;         // ascending by face
   std::vector<std::uint32_t> face_lines;
   std::vector<double> vertex_weights;
   FaceColours face_colours;
@@ -32,7 +40,9 @@ struct CompactMesh {
 };
 
 // Live points (isolated ones too) and live and quarantined faces in the order of their numbers without gaps; each face
-// from its first corner; pools as they are. Face lines are left out. from_indexed gives the same polygons again.
+// from its first corner; pools as they are. A face with rings is written
+// with bridges: as the file had it while its loops are unchanged, else with the shortest visible ones. Face lines are
+// left out. from_indexed gives the same polygons again.
 // A quarantined face keeps its cause: a corner follows its vertex; a deleted one is replaced by the nearest live point
 // (the lowest of equally near ones), as a rule the one that it was collapsed into; a number past the end is written as
 // far past the new end; a negative one as it was. Only where no point is left, numbers past the end are all there is.

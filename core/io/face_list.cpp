@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/mesh/bridges.h"
+
 namespace ryosen {
 namespace {
 
@@ -46,7 +48,10 @@ FaceList::Flaw FaceList::flaw(std::size_t face) {
   for (std::size_t i = begin; i < end; ++i) {
     if (mesh_.corners[i] >= vertex_count) return Flaw::index_out_of_range;
   }
-  return repeats_corner(begin, end) ? Flaw::repeated_corner : Flaw::none;
+  if (!repeats_corner(begin, end)) return Flaw::none;
+  CornerLoops list;
+  list.add(mesh_.face(face));
+  return take_out_bridges(list) ? Flaw::bridged : Flaw::repeated_corner;
 }
 
 QuarantinedFace FaceList::set_aside(std::size_t face, Flaw flaw) const {
@@ -92,6 +97,10 @@ void FaceList::finish(Reporter& reporter) {
   std::size_t flawed = 0;
   for (std::size_t face = 0; face < flaws.size(); ++face) {
     flaws[face] = flaw(face);
+    if (flaws[face] == Flaw::bridged) {
+      mesh_.bridged.push_back(static_cast<std::uint32_t>(face));
+      flaws[face] = Flaw::none;
+    }
     if (flaws[face] != Flaw::none) ++flawed;
   }
   stamps_ = {};

@@ -35,11 +35,12 @@ class FaceList {
   bool is_full(std::size_t bytes) const { return mesh_.corners.size() + bytes >= no_index; }
 
   // Moves every face with fewer than three corners, an index out of range or a repeated corner into the quarantine,
-  // with its texture coordinates and normals, and reports each. Needs the final positions. Cost: O(corners).
+  // with its texture coordinates and normals, and reports each. A repeated corner of a face with bridges is
+  // in order. Needs the final positions. Cost: O(corners).
   void finish(Reporter& reporter);
 
  private:
-  enum class Flaw : std::uint8_t { none, too_few_corners, index_out_of_range, repeated_corner };
+  enum class Flaw : std::uint8_t { none, too_few_corners, index_out_of_range, repeated_corner, bridged };
 
   Flaw flaw(std::size_t face);
   bool repeats_corner(std::size_t begin, std::size_t end);

@@ -38,6 +38,11 @@ struct OpInfo {
   std::string_view aliases = "";  // further ids, separated by blanks
 };
 
+// Whether an operator is a tool: it works on what is clicked.
+constexpr bool is_tool(const OpInfo& info) {
+  return info.target != OpTargetKind::none && info.target != OpTargetKind::selection;
+}
+
 // What the pointer is on, of the kind that the operator asks for: a halfedge and the place along it, 0 at its origin and
 // 1 at its end, or a vertex or face.
 struct OpTarget {

@@ -28,10 +28,12 @@ void draw_edit_menu(PanelContext& context) {
   ImGui::Separator();
   for (const OpInfo& op : all_ops()) {
     const std::string id(op.id);
-    const bool is_tool = op.target != OpTargetKind::none;
-    item(context, context.text(op.name_en, op.name_ja), is_tool ? "tool " + id : id, true, context.session.tool == id);
+    if (op.key == '\0') continue;  // the others are in the tools panel
+    item(context, context.text(op.name_en, op.name_ja), is_tool(op) ? "tool " + id : id, true,
+         context.session.tool == id);
   }
   ImGui::Separator();
+  item(context, UiText::command, "panel command");
   item(context, UiText::select_none, "select none", !context.session.selection.empty());
 }
 

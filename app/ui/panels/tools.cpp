@@ -15,12 +15,34 @@ void tip(std::string_view text) {
   ImGui::EndTooltip();
 }
 
+// What a press of an operator's row does: takes the tool up or puts it away, carries it out on the selection or at once,
+// or lets its arguments be typed.
+void press(PanelContext& context, const OpInfo& op) {
+  const std::string id(op.id);
+  Session& session = context.session;
+  if (is_tool(op)) {
+    context.run(session.tool == id ? "tool none" : "tool " + id);
+  } else if (op.target == OpTargetKind::selection && !session.selection.empty()) {
+    std::string line = id;
+    for (const Element& element : session.selection) line += " " + name_of(session.mesh(), element);
+    context.run(line);
+  } else if (op.syntax.empty()) {
+    context.run(id);
+  } else {
+    context.state.command = id + " ";
+    context.run("panel command");
+  }
+}
+
 void draw_operator(PanelContext& context, const OpInfo& op) {
-  const std::string id(op.id), key(1, op.key);
-  const bool is_tool = op.target != OpTargetKind::none;
-  if (row(context, context.text(op.name_en, op.name_ja), key.c_str(), context.session.tool == id))
-    context.run(!is_tool ? id : context.session.tool == id ? "tool none" : "tool " + id);
-  tip(context.text(op.help_en, op.help_ja));
+  ImGui::PushID(op.id.data());
+  const std::string key(op.key == '\0' ? 0 : 1, op.key);
+  if (row(context, context.text(op.name_en, op.name_ja), key.c_str(), context.session.tool == op.id))
+    press(context, op);
+  const std::string help =
+      std::string(op.id) + " " + std::string(op.syntax) + "\n" + context.text(op.help_en, op.help_ja);
+  tip(help);
+  ImGui::PopID();
 }
 
 void draw_modes(PanelContext& context) {
@@ -52,12 +74,13 @@ void draw_tools(PanelContext& context) {
   ImGui::PushID("select");
   if (row(context, context.text(UiText::select_tool), "Esc", context.session.tool.empty())) context.run("tool none");
   ImGui::PopID();
-  for (const OpInfo& op : all_ops()) {
-    ImGui::PushID(op.id.data());
-    draw_operator(context, op);
-    ImGui::PopID();
-  }
-  // Tools work on edges; what a click selects is chosen without a tool.
+  for (const OpInfo& op : all_ops())
+    if (op.key != '\0') draw_operator(context, op);
+  if (ImGui::TreeNodeEx("more", ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen, "%s",
+                        context.text(UiText::more_operators)))
+    for (const OpInfo& op : all_ops())
+      if (op.key == '\0') draw_operator(context, op);
+  // A tool knows what it works on; what a click selects is chosen without one.
   ImGui::BeginDisabled(!context.session.tool.empty());
   dim_text(context, context.text(UiText::pick));
   draw_modes(context);

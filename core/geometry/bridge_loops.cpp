@@ -1,0 +1,193 @@
+#include "core/geometry/bridge_loops.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include "core/geometry/locate.h"
+#include "core/geometry/polygon_normal.h"
+#include "core/geometry/predicates.h"
+#include "core/geometry/triangulate.h"
+
+namespace ryosen {
+
+namespace {
+
+constexpr std::size_t most_corners_for_all_pairs = 2000;
+
+struct Bridge {
+  std::uint32_t a, b;
+  double length2;
+};
+
+class Bridger {
+ public:
+  explicit Bridger(std::span<const std::span<const glm::dvec3>> loops) : loops_(loops) {
+    for (const auto& loop : loops) {
+      const auto begin = static_cast<std::uint32_t>(places_.size());
+      for (std::uint32_t i = 0; i < loop.size(); ++i) {
+        places_.push_back(loop[i]);
+        next_.push_back(begin + (i + 1) % static_cast<std::uint32_t>(loop.size()));
+        group_.push_back(static_cast<std::uint32_t>(&loop - loops.data()));
+      }
+    }
+    look_along_normal();
+    bridges_at_.resize(places_.size());
+  }
+
+  std::vector<std::uint32_t> walk() {
+    choose(true);
+    choose(false);
+    for (std::uint32_t c = 0; c < bridges_at_.size(); ++c) sort_clockwise(c);
+    std::vector<std::uint32_t> out;
+    emit_loop(out);
+    return out;
+  }
+
+ private:
+  void look_along_normal() {
+    glm::dvec3 sum(0.0);
+    for (const auto& loop : loops_) sum += vector_area(loop);
+    const int axis = view_axis(sum);
+    const bool mirrored = sum[axis] < 0;
+    for (const glm::dvec3& p : places_) {
+      const glm::dvec2 seen = axis == 0   ? glm::dvec2(p.y, p.z)
+                              : axis == 1 ? glm::dvec2(p.z, p.x)
+                                          : glm::dvec2(p.x, p.y);
+      view_.push_back(mirrored ? glm::dvec2(-seen.x, seen.y) : seen);
+    }
+  }
+
+  std::vector<Bridge> candidates() const {
+    std::vector<Bridge> found;
+    const auto add = [&](std::uint32_t a, std::uint32_t b) {
+      if (group_[a] == group_[b]) return;
+      const glm::dvec3 d = places_[b] - places_[a];
+      found.push_back({std::min(a, b), std::max(a, b), glm::dot(d, d)});
+    };
+    if (places_.size() <= most_corners_for_all_pairs) {
+      for (std::uint32_t a = 0; a < places_.size(); ++a)
+        for (std::uint32_t b = a + 1; b < places_.size(); ++b) add(a, b);
+    } else {
+      std::vector<CornerTriangle> triangles;
+      triangulate_loops(loops_, triangles);
+      for (const CornerTriangle& t : triangles)
+        for (int k = 0; k < 3; ++k) add(t[static_cast<std::size_t>(k)], t[static_cast<std::size_t>((k + 1) % 3)]);
+    }
+    std::sort(found.begin(), found.end(), [](const Bridge& s, const Bridge& t) {
+      if (s.length2 != t.length2) return s.length2 < t.length2;
+      return s.a != t.a ? s.a < t.a : s.b < t.b;
+    });
+    return found;
+  }
+
+  // Takes bridges from the shortest on until all loops hang together.
+  void choose(bool only_visible) {
+    std::vector<std::uint32_t> set(loops_.size());
+    for (std::uint32_t i = 0; i < set.size(); ++i) set[i] = i;
+    const auto root = [&](std::uint32_t i) {
+      while (set[i] != i) i = set[i] = set[set[i]];
+      return i;
+    };
+    for (const Bridge& b : chosen_) set[root(group_[b.a])] = root(group_[b.b]);
+    if (chosen_.size() + 1 == loops_.size()) return;
+    for (const Bridge& b : candidates()) {
+      const std::uint32_t s = root(group_[b.a]), t = root(group_[b.b]);
+      if (s == t || (only_visible && !is_visible(b))) continue;
+      set[s] = t;
+      chosen_.push_back(b);
+      bridges_at_[b.a].push_back(b.b);
+      bridges_at_[b.b].push_back(b.a);
+      if (chosen_.size() + 1 == loops_.size()) return;
+    }
+  }
+
+  bool is_visible(const Bridge& bridge) const {
+    for (std::uint32_t c = 0; c < next_.size(); ++c)
+      if (meets(bridge, c, next_[c])) return false;
+    return std::none_of(chosen_.begin(), chosen_.end(), [&](const Bridge& b) { return meets(bridge, b.a, b.b); });
+  }
+
+  // Whether the bridge has a point in common with the segment c-d beyond a common end.
+  bool meets(const Bridge& bridge, std::uint32_t c, std::uint32_t d) const {
+    const glm::dvec2 &a = view_[bridge.a], &b = view_[bridge.b], &p = view_[c], &q = view_[d];
+    const bool shares_c = c == bridge.a || c == bridge.b, shares_d = d == bridge.a || d == bridge.b;
+    if (shares_c || shares_d) {
+      // They meet beyond the common end only when they run the same way.
+      const glm::dvec2& shared = shares_c ? p : q;
+      const glm::dvec2& other = shares_c ? q : p;
+      const glm::dvec2& far = shared == a ? b : a;
+      return orient2d(shared, far, other) == 0 && glm::dot(far - shared, other - shared) > 0;
+    }
+    const int pa = orient2d(p, q, a), pb = orient2d(p, q, b), ac = orient2d(a, b, p), ad = orient2d(a, b, q);
+    if (pa * pb > 0 || ac * ad > 0) return false;
+    if (pa != 0 || pb != 0 || ac != 0 || ad != 0) return true;
+    // All on one line.
+    const auto overlap = [](double s, double t, double u, double v) {
+      return std::max(std::min(s, t), std::min(u, v)) <= std::min(std::max(s, t), std::max(u, v));
+    };
+    return overlap(a.x, b.x, p.x, q.x) && overlap(a.y, b.y, p.y, q.y);
+  }
+
+  // Whether the direction c -> s comes before c -> t counter-clockwise, beginning at the side that leaves c.
+  bool is_before(std::uint32_t c, std::uint32_t s, std::uint32_t t) const {
+    const glm::dvec2 &o = view_[c], &n = view_[next_[c]];
+    const auto half = [&](std::uint32_t x) {
+      const int side = orient2d(o, n, view_[x]);
+      return side > 0 || (side == 0 && glm::dot(n - o, view_[x] - o) > 0) ? 0 : 1;
+    };
+    if (half(s) != half(t)) return half(s) < half(t);
+    return orient2d(o, view_[s], view_[t]) > 0;
+  }
+
+  void sort_clockwise(std::uint32_t c) {
+    std::sort(bridges_at_[c].begin(), bridges_at_[c].end(),
+              [&](std::uint32_t s, std::uint32_t t) { return is_before(c, t, s); });
+  }
+
+  // Over a bridge, around the loop there, and up to its end again. The depth is the number of loops in a row.
+  void cross(std::uint32_t here, std::uint32_t there, std::vector<std::uint32_t>& out) {
+    const std::vector<std::uint32_t>& at = bridges_at_[there];
+    const auto arrival = static_cast<std::size_t>(std::find(at.begin(), at.end(), here) - at.begin());
+    out.push_back(there);
+    for (std::size_t i = arrival + 1; i < at.size(); ++i) cross_and_return(there, at[i], out);
+    for (std::uint32_t c = next_[there]; c != there; c = next_[c]) emit_corner(c, out);
+    out.push_back(there);
+    for (std::size_t i = 0; i < arrival; ++i) cross_and_return(there, at[i], out);
+  }
+
+  void cross_and_return(std::uint32_t here, std::uint32_t there, std::vector<std::uint32_t>& out) {
+    cross(here, there, out);
+    out.push_back(here);
+  }
+
+  void emit_corner(std::uint32_t c, std::vector<std::uint32_t>& out) {
+    out.push_back(c);
+    for (std::uint32_t there : bridges_at_[c]) cross_and_return(c, there, out);
+  }
+
+  void emit_loop(std::vector<std::uint32_t>& out) {
+    std::uint32_t c = 0;
+    do {
+      emit_corner(c, out);
+      c = next_[c];
+    } while (c != 0);
+  }
+
+  std::span<const std::span<const glm::dvec3>> loops_;
+  std::vector<glm::dvec3> places_;
+  std::vector<glm::dvec2> view_;
+  std::vector<std::uint32_t> next_, group_;
+  std::vector<Bridge> chosen_;
+  std::vector<std::vector<std::uint32_t>> bridges_at_;
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> bridge_loops(std::span<const std::span<const glm::dvec3>> loops) {
+  return Bridger(loops).walk();
+}
+
+}  // namespace ryosen

@@ -84,7 +84,7 @@ TEST(bridged_corners, an_edited_face_gets_new_bridges) {
   Journal journal;
   {
     Edit edit(mesh, &journal);
-    apply(edit, *parse_line(mesh, "split 4-5").op);  // a side of the first hole
+    ryosen::apply(edit, *parse_line(mesh, "split 4-5").op);  // a side of the first hole
     edit.commit();
   }
   ASSERT_FALSE(check_invariants(mesh));

@@ -7,8 +7,10 @@ namespace ryosen {
 
 namespace {
 
-// No operator gives a boundary edge a second face, takes a vertex off the boundary or turns faces that agree.
-bool is_final(Rule rule) { return rule == Rule::boundary || rule == Rule::inner_edge || rule == Rule::oriented; }
+// Rules against which no operator helps: the table says never, or what there is instead.
+bool is_final(Rule rule) {
+  return rule == Rule::inner_edge || rule == Rule::oriented || text_of(rule).remedy_en.starts_with("never");
+}
 
 Text final_text(Rule rule) {
   const RuleText& row = text_of(rule);

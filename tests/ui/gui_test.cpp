@@ -88,7 +88,7 @@ TEST(Gui, AClickOnAToolTakesItAndAnotherPutsItAway) {
 TEST(Gui, AHighlightIsSwitchedInItsPanel) {
   Laid laid("fin.obj");
   ASSERT_TRUE(laid.session.shown.contains("boundary"));
-  laid.click({20, 287});
+  laid.click({20, 311});
   EXPECT_FALSE(laid.session.shown.contains("boundary"));
   EXPECT_TRUE(laid.session.shown.contains("nonmanifold"));
 }

@@ -12,7 +12,7 @@ Vertex point(const Mesh& mesh, Vertex v) {
   return smallest;
 }
 
-std::uint32_t fans_at(const Mesh& mesh, Vertex v) {
+std::uint32_t count_fans(const Mesh& mesh, Vertex v) {
   if (mesh.is_isolated(v)) return 0;
   if (!mesh.is_boundary(v)) return 1;
   std::uint32_t fans = 0;

@@ -16,9 +16,9 @@ namespace ryosen {
 Vertex point(const Mesh& mesh, Vertex v);
 inline bool has_copies(const Mesh& mesh, Vertex v) { return mesh.next_copy(v) != v; }
 // Fans of faces at one vertex; wires are none.
-std::uint32_t fans_at(const Mesh& mesh, Vertex v);
+std::uint32_t count_fans(const Mesh& mesh, Vertex v);
 // Whether the point of v is more than one fan of faces: by its copies or at the vertex itself.
-inline bool has_several_fans(const Mesh& mesh, Vertex v) { return has_copies(mesh, v) || fans_at(mesh, v) > 1; }
+inline bool has_several_fans(const Mesh& mesh, Vertex v) { return has_copies(mesh, v) || count_fans(mesh, v) > 1; }
 inline bool same_point(const Mesh& mesh, Vertex a, Vertex b) {
   return a == b || (has_copies(mesh, a) && has_copies(mesh, b) && point(mesh, a) == point(mesh, b));
 }

@@ -45,7 +45,7 @@ class CollapseJudge {
   // Two fans would meet at one vertex, or an edge that stands alone would leave a free vertex.
   void check_wire() {
     if (!m_.is_wire(edge(h_))) return;
-    if (fans_at(m_, gone_) > 0 && fans_at(m_, kept_) > 0) verdict_.refuse(Rule::joins_fans, {gone_, kept_});
+    if (count_fans(m_, gone_) > 0 && count_fans(m_, kept_) > 0) verdict_.refuse(Rule::joins_fans, {gone_, kept_});
     if (m_.next(h_) == twin(h_) && m_.prev(h_) == twin(h_)) verdict_.refuse(Rule::lone_edge, {edge(h_)});
   }
 

@@ -71,12 +71,6 @@ bool are_in_one_fan(const Mesh& m, Halfedge a, Halfedge b) {
   return false;
 }
 
-std::size_t fans_at(const Mesh& m, Vertex v) {
-  std::size_t fans = 0;
-  for (Halfedge h : outgoing(m, v)) fans += !m.is_outside(h) && m.is_outside(twin(h));
-  return fans;
-}
-
 bool is_taken(const Sector& sector, Halfedge left, Halfedge h) {
   return h == left || std::find(sector.edges.begin(), sector.edges.end(), h) != sector.edges.end();
 }
@@ -335,7 +329,7 @@ Verdict VertexSplit::check(const Mesh& m) const {
   if (right) check_end(m, right, !m.is_outside(twin(right)), verdict);
   if (!verdict.legal()) return verdict;
   const bool in_one_fan = !left || !right || are_in_one_fan(m, left, right);
-  if (!in_one_fan || (sector.gaps > 0 && fans_at(m, vertex) > 1)) {
+  if (!in_one_fan || (sector.gaps > 0 && count_fans(m, vertex) > 1)) {
     verdict.refuse(Rule::copies, {point(m, vertex)});
     return verdict;
   }

@@ -160,9 +160,9 @@ PickMode pick_mode(const OpInfo* tool, PickMode mode) {
 OpTarget target_of(const Picked& picked) {
   switch (picked.element.kind) {
     case Element::Kind::vertex:
-      return {.vertex = picked.element.vertex()};
+      return {Halfedge(), 0.5, picked.element.vertex()};
     case Element::Kind::face:
-      return {.face = picked.element.face()};
+      return {Halfedge(), 0.5, Vertex(), picked.element.face()};
     default:
       return {picked.halfedge, picked.along};
   }

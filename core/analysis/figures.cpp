@@ -118,18 +118,26 @@ class Measure {
   bool all_finite_ = true;
 };
 
+// Whether a face has rings or bridges; it takes two loops of three corners and a bridge walked twice to have one.
+bool has_inner_loops(const Mesh& mesh, const FacePolygon& polygon) {
+  if (polygon.loop_ends().size() > 1) return true;
+  if (polygon.corners().size() < 8) return false;
+  return std::any_of(polygon.corners().begin(), polygon.corners().end(),
+                     [&](Halfedge h) { return is_bridge(mesh, h); });
+}
+
 void measure_faces(const Mesh& mesh, Figures& figures) {
   Measure measure;
   FacePolygon polygon;
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     if (!mesh.is_alive(Face(i))) continue;
     polygon.read(mesh, Face(i));
-    if (!mesh.has_rings(Face(i))) {
+    if (!has_inner_loops(mesh, polygon)) {
       count_corners(polygon.places().size(), figures);
       measure.add(polygon.places());
     } else {
       // The walk has the corners that the file's bridged list has.
-      const std::vector<glm::dvec3> walk = polygon.keyhole_walk();
+      const std::vector<glm::dvec3> walk = measured_walk(mesh, Face(i));
       count_corners(walk.size(), figures);
       measure.add(walk);
     }

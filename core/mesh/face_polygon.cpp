@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/mesh/bridges.h"
 #include "core/mesh/copies.h"
 
 namespace ryosen {
@@ -62,6 +63,29 @@ std::vector<glm::dvec3> FacePolygon::keyhole_walk() const {
     walk.push_back(places_.front());
     walk.insert(walk.end(), places_.begin() + loop_ends_[ring - 1], places_.begin() + loop_ends_[ring]);
     walk.push_back(places_[loop_ends_[ring - 1]]);
+  }
+  return walk;
+}
+
+std::vector<glm::dvec3> measured_walk(const Mesh& mesh, Face f) {
+  CornerLoops lists;
+  for_each_loop(mesh, f, [&](Halfedge start) {
+    std::vector<std::uint32_t> points;
+    for (Halfedge h : loop(mesh, start)) points.push_back(point(mesh, mesh.from(h)).index);
+    lists.add(points);
+  });
+  std::vector<std::vector<std::uint32_t>> loops;
+  if (const auto parts = take_out_bridges(lists)) loops = *parts;
+  for (auto& part : loops) {
+    for (std::uint32_t& place : part) place = lists.corners[place];
+    std::rotate(part.begin(), std::min_element(part.begin(), part.end()), part.end());
+  }
+  std::sort(loops.begin(), loops.end());
+  std::vector<glm::dvec3> walk;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (i > 0) walk.push_back(mesh.position(Vertex(loops[0][0])));
+    for (std::uint32_t p : loops[i]) walk.push_back(mesh.position(Vertex(p)));
+    if (i > 0) walk.push_back(mesh.position(Vertex(loops[i][0])));
   }
   return walk;
 }

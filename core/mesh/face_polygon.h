@@ -44,4 +44,8 @@ class FacePolygon {
   std::vector<std::uint32_t> loop_ends_;
 };
 
+// The same walk in a form that does not depend on bridges, on the order of the rings or on where a loop begins, so that
+// sums over a mesh and over the file written of it are equal to the last bit.
+std::vector<glm::dvec3> measured_walk(const Mesh& mesh, Face f);
+
 }  // namespace ryosen

@@ -23,7 +23,12 @@ void add(Columns& columns, std::string_view id, std::string_view syntax, std::st
 }
 
 void add_operators(Columns& columns, Language language) {
-  for (const OpInfo& op : all_ops()) add(columns, op.id, op.syntax, choose(language, op.help_en, op.help_ja));
+  for (const OpInfo& op : all_ops()) {
+    std::string help(choose(language, op.help_en, op.help_ja));
+    if (!op.aliases.empty())
+      help.append(choose(language, " (also ", "（別名 ")).append(op.aliases).append(choose(language, ")", "）"));
+    add(columns, op.id, op.syntax, help);
+  }
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ constexpr std::array rows{
     CommandRow{"shot", "[FILE]", "writes a picture", "画像を書き出す", false, run_shot},
     CommandRow{"expect", "V N|E N|F N|legal COMMAND|refused COMMAND|hash H", "fails the script unless it holds",
                "成り立たなければスクリプトを失敗にする", false, run_expect},
-    CommandRow{"panel", "keys|open|save|unsaved|none", "opens or closes a panel over the view",
+    CommandRow{"panel", "keys|command|open|save|unsaved|none", "opens or closes a panel over the view",
                "画面に重なるパネルを開閉する", false, run_panel},
     CommandRow{"language", "en|ja", "sets the language of the window", "画面の言語を選ぶ", false, run_language},
     CommandRow{"theme", "dark|light", "sets the colours of the window", "画面の配色を選ぶ", false, run_theme},

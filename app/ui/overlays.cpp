@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "core/geometry/triangulate.h"
 #include "core/mesh/circulate.h"
 
 namespace ryosen {
@@ -59,12 +58,13 @@ void add_ghost(const Preview& preview, Theme theme, Overlay& overlay) {
   const Style ghost = style(Role::ghost, theme);
   std::vector<CornerTriangle> triangles;
   for (const GhostFace& face : preview.faces) {
-    triangulate(face.corners, triangles);
+    const std::vector<glm::dvec3>& places = face.polygon.places();
+    face.polygon.triangulate(triangles);
     for (const CornerTriangle& t : triangles)
-      overlay.ghosts.push_back({{face.corners[t[0]], face.corners[t[1]], face.corners[t[2]]}, ghost.colour, 0});
-    for (std::size_t i = 0; i < face.corners.size(); ++i)
-      overlay.lines.push_back({face.corners[i], face.corners[(i + 1) % face.corners.size()],
-                               with_alpha(ghost.colour, 255), LineStyle::solid, ghost.width_px, faintly, false});
+      overlay.ghosts.push_back({{places[t[0]], places[t[1]], places[t[2]]}, ghost.colour, 0});
+    for (std::uint32_t i = 0; i < places.size(); ++i)
+      overlay.lines.push_back({places[i], places[face.polygon.next(i)], with_alpha(ghost.colour, 255), LineStyle::solid,
+                               ghost.width_px, faintly, false});
   }
 }
 

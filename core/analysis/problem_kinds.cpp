@@ -7,7 +7,7 @@
 
 #include "core/analysis/equal_faces.h"
 #include "core/geometry/predicates.h"
-#include "core/mesh/circulate.h"
+#include "core/mesh/rings.h"
 
 namespace ryosen {
 
@@ -43,6 +43,16 @@ bool is_isolated_vertex(Neighbourhood& around, Vertex v) {
 }
 
 bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+bool has_inner_loops(Neighbourhood& around, Face f) {
+  const Mesh& mesh = around.mesh();
+  if (mesh.has_rings(f)) return true;
+  const Halfedge start = mesh.halfedge(f);
+  if (is_triangle(mesh, start)) return false;
+  for (Halfedge h : loop(mesh, start))
+    if (is_bridge(mesh, h)) return true;
+  return false;
+}
 
 bool is_nonfinite_vertex(Neighbourhood& around, Vertex v) {
   return !is_finite(around.mesh().position(v)) && around.point(v) == v;
@@ -203,6 +213,16 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .many_en = "The surface has # boundary loops.",
      .many_ja = "曲面に境界ループが # 本あります。",
      .edge = is_boundary_edge},
+    {.kind = ProblemKind::ring,
+     .id = "ring",
+     .highlight = "",
+     .severity = info,
+     .name_en = "Face with rings",
+     .name_ja = "穴のある面",
+     .one_en = "One face has inner loops.",
+     .many_en = "# faces have inner loops.",
+     .many_ja = "内側のループを持つ面が # 個あります。",
+     .face = has_inner_loops},
 }};
 
 constexpr std::array highlights{

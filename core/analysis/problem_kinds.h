@@ -28,8 +28,9 @@ enum class ProblemKind : std::uint8_t {
   nonfinite_vertex,
   quarantined_face,
   boundary_loop,
+  ring,
 };
-inline constexpr std::size_t problem_kinds = 11;
+inline constexpr std::size_t problem_kinds = 12;
 
 enum class ProblemSeverity : std::uint8_t { info, problem };
 

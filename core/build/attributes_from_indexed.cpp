@@ -1,6 +1,7 @@
 #include "core/build/attributes_from_indexed.h"
 
 #include <cstring>
+#include <limits>
 
 #include "core/mesh/attribute.h"
 
@@ -42,6 +43,9 @@ void add_face_names(const FaceNames& names, std::string_view name, MeshColumns& 
 void add_colours(const IndexedMesh& source, MeshColumns& c) {
   if (source.vertex_colours.empty()) return;
   AttributeColumn column = make_column(attribute_names::colour, ElementKind::vertex, sizeof(glm::dvec4), 0);
+  // A new vertex has no colour, which NaN says.
+  const glm::dvec4 none(std::numeric_limits<double>::quiet_NaN());
+  std::memcpy(column.fill.data(), &none, sizeof none);
   copy_words(column, source.vertex_colours);
   // Copies of a point carry its colour.
   column.data.resize(c.vertex_halfedge.size() * column.words);

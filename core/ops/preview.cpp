@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/mesh/circulate.h"
 #include "core/ops/crossings.h"
 
 namespace ryosen {
@@ -21,8 +20,7 @@ void run_and_roll_back(Mesh& mesh, Journal& journal, const AnyOp& op, std::size_
   if (result.outline_only) return;
   result.faces.reserve(effect.changed.size());
   for (Face f : effect.changed) {
-    result.faces.push_back({f, {}});
-    for (Vertex v : vertices_around(mesh, f)) result.faces.back().corners.push_back(mesh.position(v));
+    result.faces.push_back({f, FacePolygon(mesh, f)});
   }
   changed = std::move(effect.changed);
   if (changed.size() <= most_faces_tested) crossings = crossings_near(mesh, changed);

@@ -1,9 +1,9 @@
 // What an operator would do, without doing it: the verdict before the click and the ghost of the result.
 #pragma once
 
-#include <glm/vec3.hpp>
 #include <vector>
 
+#include "core/mesh/face_polygon.h"
 #include "core/ops/all.h"
 
 namespace ryosen {
@@ -11,7 +11,7 @@ namespace ryosen {
 // A face that would be new or different, as it would lie.
 struct GhostFace {
   Face face;
-  std::vector<glm::dvec3> corners;
+  FacePolygon polygon;
 };
 
 struct Preview {

@@ -4,8 +4,9 @@
 
 #include "app/ui/panels/all.h"
 #include "app/ui/widgets.h"
-#include "core/mesh/circulate.h"
+#include "core/geometry/polygon_normal.h"
 #include "core/mesh/copies.h"
+#include "core/mesh/face_polygon.h"
 
 namespace ryosen {
 
@@ -15,19 +16,8 @@ std::string place_text(const glm::dvec3& p) {
   return short_number(p.x) + "  " + short_number(p.y) + "  " + short_number(p.z);
 }
 
-std::vector<glm::dvec3> corner_places(const Mesh& m, Face f) {
-  std::vector<glm::dvec3> places;
-  for (Vertex v : vertices_around(m, f)) places.push_back(m.position(v));
-  return places;
-}
-
 // The vector of the area: normal to the face, as long as its area.
-glm::dvec3 area_vector(const Mesh& m, Face f) {
-  const std::vector<glm::dvec3> p = corner_places(m, f);
-  glm::dvec3 sum(0);
-  for (std::size_t i = 1; i + 1 < p.size(); ++i) sum += glm::cross(p[i] - p[0], p[i + 1] - p[0]);
-  return 0.5 * sum;
-}
+glm::dvec3 area_vector(const Mesh& m, Face f) { return vector_area(FacePolygon(m, f).keyhole_walk()); }
 
 class Inspector {
  public:

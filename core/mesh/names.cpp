@@ -109,7 +109,7 @@ std::string name_of_copy(const Mesh& m, Vertex v) {
   if (!m.exists(v) || !m.is_alive(v) || !has_copies(m, v)) return name;
   Face lowest;
   for (Face f : faces_around(m, v)) lowest = std::min(lowest, f);  // none is the largest number
-  return lowest ? name + "@f" + number(lowest.index) : name;
+  return lowest ? name + "@f" + number(lowest.index) : "v" + number(v.index);
 }
 
 std::string name_with_face(const Mesh& m, Halfedge h) {

@@ -16,7 +16,8 @@ namespace ryosen {
 // The shortest name that is unique. Edges are named from their smaller point, halfedges from their origin; the face is
 // added where several sheets join the two points.
 std::string name_of(const Mesh& mesh, Element element);
-// A vertex by a name that tells it from the other copies of its point: v7@f5 where it has any and a face.
+// A vertex by a name that tells it from the other copies of its point: v7@f5 where it has any and a face, its own number
+// where it has no face.
 std::string name_of_copy(const Mesh& mesh, Vertex v);
 // An edge that is cut on points, named for one of its face sides: always with @f.
 std::string name_with_face(const Mesh& mesh, Halfedge h);

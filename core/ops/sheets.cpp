@@ -320,14 +320,25 @@ void Sheets::join_sheet(Halfedge h) {
   }
 }
 
-void Sheets::close_two_loops(std::span<const Vertex> vertices) {
+// Where two edges come to join the same vertices, a wire among them is no pair any more, and two ends of one fan close:
+// the outside loop between them has two halves, wires in their gaps aside.
+void Sheets::close_double_edges(Vertex v) {
   const Mesh& m = edit_.mesh();
-  for (Vertex v : vertices) {
-    if (!m.is_alive(v)) continue;
-    for (Halfedge h : leaving(m, v)) {
-      if (!m.is_alive(h) || !m.is_outside(h)) continue;
-      const Halfedge back = m.next(h);
-      if (m.next(back) == h && edge(back) != edge(h)) join_edges(h, back);
+  std::vector<std::pair<Vertex, Halfedge>> ends;
+  if (m.is_alive(v))
+    for (Halfedge h : outgoing(m, v)) ends.emplace_back(m.to(h), h);
+  std::sort(ends.begin(), ends.end());
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    Halfedge h = ends[i].second, other = ends[i - 1].second;
+    if (ends[i].first != ends[i - 1].first || !m.is_alive(h) || !m.is_alive(other)) continue;
+    if (m.is_wire(edge(other))) std::swap(h, other);
+    if (m.is_wire(edge(h))) {
+      remove_edge(h);
+    } else if (has_one_face(m, h) && has_one_face(m, other) && m.is_outside(h) != m.is_outside(other)) {
+      const Halfedge there = outside_half(m, h), back = outside_half(m, other);
+      join_corner(back, there);
+      join_corner(there, back);
+      join_edges(there, back);
     }
   }
 }
@@ -351,8 +362,9 @@ void Sheets::settle(std::span<const Vertex> points) {
   for (Halfedge h : to_open) open(h);
   for (Vertex v : touched) separate(v);
   for (Halfedge h : to_join) join_sheet(h);
-  close_two_loops(live_copies(m, vertices));
-  close_two_loops(live_copies(m, touched));
+  touched.insert(touched.end(), vertices.begin(), vertices.end());
+  touched = live_copies(m, touched);
+  for (Vertex v : touched) close_double_edges(v);
 }
 
 }  // namespace ryosen

@@ -68,7 +68,7 @@ class Sheets {
   std::vector<Halfedge> sheets_to_join(std::span<const Vertex> vertices) const;
   void add_double_ends(std::span<const Vertex> vertices, std::vector<Vertex>& found) const;
   void join_sheet(Halfedge h);
-  void close_two_loops(std::span<const Vertex> vertices);
+  void close_double_edges(Vertex v);
   void drop(Edge e);
 
   Edit& edit_;

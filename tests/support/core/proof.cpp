@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <map>
-#include <sstream>
 
 #include "core/analysis/figures.h"
 #include "core/analysis/invariants.h"
@@ -96,6 +96,12 @@ void expect_effect(const Mesh& mesh, const MeshColumns& columns_before, const Co
   compare(Face(), mesh.face_slots());
 }
 
+bool has_bridges(const Mesh& mesh) {
+  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i)
+    if (mesh.is_alive(Halfedge(i)) && is_bridge(mesh, Halfedge(i))) return true;
+  return false;
+}
+
 }  // namespace
 
 AnyOp op_of(const Mesh& mesh, const std::string& line) {
@@ -118,10 +124,22 @@ NameError parse_error(const Mesh& mesh, const std::string& line) {
   return parsed.error;
 }
 
-std::string to_text(const Change& c) {
-  std::ostringstream text;
-  text << "V " << c.v << " E " << c.e << " F " << c.f << " H " << c.h << " S " << c.s << " G " << c.g << " B " << c.b;
-  return text.str();
+Mesh mesh_of_exercise(const std::string& name) {
+  std::ifstream in(RYOSEN_SOURCE_DIR "/assets/exercises/" + name + ".ryosen");
+  EXPECT_TRUE(in) << name;
+  Mesh mesh;
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty() || line[0] == '#' || line.starts_with("expect")) continue;
+    Edit edit(mesh, nullptr);
+    ryosen::apply(edit, op_of(mesh, line));
+    edit.commit();
+  }
+  return mesh;
+}
+
+std::ostream& operator<<(std::ostream& out, const Change& c) {
+  return out << "V " << c.v << " E " << c.e << " F " << c.f << " H " << c.h << " S " << c.s << " G " << c.g << " B "
+             << c.b;
 }
 
 std::string differs_from_reading(const Mesh& mesh) {
@@ -168,6 +186,7 @@ Change apply_and_prove(Mesh& mesh, const AnyOp& op) {
   EXPECT_EQ(command_of(mesh, op_of(mesh, line)), line);
   Journal journal;
   const MeshColumns before = mesh.columns();
+  const bool is_as_read = differs_from_reading(mesh).empty();
   const Corners corners_before = corners_with_places(mesh);
   const EulerPoincare was = euler_poincare(mesh);
   {
@@ -184,7 +203,9 @@ Change apply_and_prove(Mesh& mesh, const AnyOp& op) {
   const auto broken = check_invariants(mesh);
   EXPECT_FALSE(broken) << broken->sentence;
   if (broken) return {};
-  EXPECT_EQ(differs_from_reading(mesh), "");
+  if (is_as_read) {
+    EXPECT_EQ(differs_from_reading(mesh), "");
+  }
   const EulerPoincare is = euler_poincare(mesh);
   EXPECT_EQ(is.left(), is.right());
   EXPECT_GE(is.genus, 0);
@@ -193,11 +214,10 @@ Change apply_and_prove(Mesh& mesh, const AnyOp& op) {
   EXPECT_EQ(mesh.columns(), before) << "undo is not exact";
   journal.redo(mesh);
   EXPECT_EQ(mesh.columns(), after) << "redo is not exact";
-  if (!mesh.has_rings()) {
+  if (is_as_read && !mesh.has_rings() && !has_bridges(mesh)) {
     const Mesh read = from_indexed(to_indexed(mesh).mesh);
     EXPECT_EQ(read.live().faces, mesh.live().faces);
-    Figures kept = compute_figures(mesh), again = compute_figures(read);
-    EXPECT_EQ(kept, again) << "saved and read again";
+    EXPECT_EQ(compute_figures(mesh), compute_figures(read)) << "saved and read again";
   }
   return {is.vertices - was.vertices,     is.edges - was.edges, is.faces - was.faces,          is.rings - was.rings,
           is.components - was.components, is.genus - was.genus, is.boundaries - was.boundaries};

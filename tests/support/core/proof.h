@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -22,14 +23,17 @@ struct Change {
   std::int64_t v = 0, e = 0, f = 0, h = 0, s = 0, g = 0, b = 0;
   friend bool operator==(const Change&, const Change&) = default;
 };
-std::string to_text(const Change& change);
+std::ostream& operator<<(std::ostream& out, const Change& change);
 
 // Applies a legal operator and proves: an edit that is not committed leaves no trace, the columns are sound, the sum
 // holds, undo and redo are exact, the line of the operator says it again, the effect tells what was made and deleted
 // and which faces have other corners, and, where no face has rings, reading the points of the result gives the same
-// fans and edges. Returns what changed.
+// fans and edges if it did before. Returns what changed.
 Change apply_and_prove(Mesh& mesh, const AnyOp& op);
 Change apply_and_prove(Mesh& mesh, const std::string& line);
+
+// The solid that a script of assets/exercises builds.
+Mesh mesh_of_exercise(const std::string& name);
 
 // Whether the mesh, each vertex taken as one per fan, has the fans and joined edges that reading its points gives.
 // Empty, or what differs.

@@ -11,6 +11,7 @@
 #include "core/build/to_indexed.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/mesh/rings.h"
 #include "core/ops/sheets.h"
 #include "tests/support/core/shapes.h"
 

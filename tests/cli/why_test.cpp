@@ -180,7 +180,7 @@ TEST(Why, UsageErrors) {
       {"why", mesh, "--op", "collapse", "--all", "--edge", "0-1"},
       {"why", mesh, "--op", "colapse", "--all"},
       {"why", mesh, "--op", "orient", "--all"},
-      {"why", mesh, "--do", "collapse 1-4", "--all"},
+      {"why", mesh, "--do", "collapse 0-1", "--all"},
       {"why", mesh, "--do", ""},
       {"why", mesh, "--do", "collapse 0-1; collapse 1-2"},
       {"why", mesh, "--do", "collapse 0-1 middle"},

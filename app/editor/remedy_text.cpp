@@ -6,8 +6,11 @@ namespace ryosen {
 
 namespace {
 
-// Refused because it is done already.
-bool is_done(Rule rule) { return rule == Rule::oriented || rule == Rule::triangulated || rule == Rule::detached; }
+// Refused because it is done already, or because no operator helps: then the table says so.
+bool is_final(Rule rule) {
+  return rule == Rule::oriented || rule == Rule::triangulated || rule == Rule::detached ||
+         text_of(rule).remedy_en.starts_with("never");
+}
 
 }  // namespace
 
@@ -16,7 +19,7 @@ Text without_remedy(const Verdict& verdict) {
   Text general;
   for (const Reason& reason : verdict.reasons) {
     const RuleText& row = text_of(reason.rule);
-    if (is_done(reason.rule)) return {std::string(row.remedy_en), std::string(row.remedy_ja)};
+    if (is_final(reason.rule)) return {std::string(row.remedy_en), std::string(row.remedy_ja)};
     if (reason.rule == Rule::copies) continue;  // turning the faces has been tried
     general.en += (general.en.empty() ? "" : "; ") + std::string(row.remedy_en);
     general.ja += (general.ja.empty() ? "" : "；") + std::string(row.remedy_ja);

@@ -133,6 +133,8 @@ class EditRun {
     const Status status = session_.document().save(*files_.output);
     if (status) {
       written_ = *files_.output;
+      if (Text wires = unwritten_wires(session_.mesh()); !wires.en.empty())
+        console_.show({Severity::warning, "wires_not_written", std::move(wires), {}, {}, {}, {}}, *files_.output);
       return;
     }
     code_ = status.failure().exit_code;

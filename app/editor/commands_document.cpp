@@ -68,7 +68,10 @@ Outcome run_save(Session& session, Arguments, std::string_view whole) {
   const std::filesystem::path target = named.empty() ? document.path() : std::filesystem::path(named);
   if (target.empty()) return usage_error("save needs a file name here", "保存先のファイル名を指定してください");
   const Status status = document.save(target);
-  return status ? performed(named.empty() ? "save" : "save " + file_argument(named)) : failed(status.failure());
+  if (!status) return failed(status.failure());
+  Outcome outcome = performed(named.empty() ? "save" : "save " + file_argument(named));
+  outcome.sentence = unwritten_wires(document.mesh());
+  return outcome;
 }
 
 Outcome run_shot(Session& session, Arguments, std::string_view whole) {

@@ -45,6 +45,16 @@ Text describe(const Mesh& mesh, const Reason& reason) {
   return text;
 }
 
+Text unwritten_wires(const Mesh& mesh) {
+  std::size_t wires = 0;
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) wires += mesh.is_alive(Edge(i)) && mesh.is_wire(Edge(i));
+  if (wires == 0) return {};
+  const std::string n = std::to_string(wires);
+  return {n + (wires == 1 ? " edge without a face was" : " edges without a face were") +
+              " not written: files hold faces and points only",
+          "面を持たない稜線 " + n + " 本は書き出されていません。ファイルには面と点だけが入ります"};
+}
+
 Document::Document() : Document(MeshFile()) {}
 
 Document::Document(MeshFile file, std::filesystem::path path)

@@ -38,6 +38,9 @@ struct HistoryEntry {
   std::string command;  // the script line that does the same
 };
 
+// What a file cannot hold of a mesh: edges without a face. Empty where there are none.
+Text unwritten_wires(const Mesh& mesh);
+
 class Document {
  public:
   // Empty, without a file.

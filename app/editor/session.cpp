@@ -40,6 +40,17 @@ void Session::set_document(std::unique_ptr<Document> document) {
   touch();
 }
 
+namespace {
+
+// Whether a line is one of the operators that change nothing but V, E and F: boundaries, parts and handles stay.
+bool changes_counts_only(std::string_view line) {
+  constexpr std::array ids{"collapse",      "swap",       "split",       "poke",       "separate_loop",
+                           "separate_edge", "unite_edge", "move_vertex", "triangulate"};
+  return std::find(ids.begin(), ids.end(), line.substr(0, line.find(' '))) != ids.end();
+}
+
+}  // namespace
+
 void Session::follow(std::size_t transaction) {
   const Mesh& m = mesh();
   const TouchedElements touched = touched_elements(m, document_->journal(), transaction);
@@ -69,10 +80,9 @@ void Session::follow(std::size_t transaction) {
       boundary_loops_->update(around, boundary, highlights_->edges_asked());
   }
   if (euler_) {
-    if (touched.everything) {
+    if (touched.everything || !changes_counts_only(document_->history()[transaction].command)) {
       euler_.reset();
     } else {
-      // The operators that write cells leave the boundary, the rings, the parts and their handles as they are.
       euler_->vertices = m.live().vertices;
       euler_->edges = m.live().edges;
       euler_->faces = m.live().faces;

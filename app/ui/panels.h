@@ -20,7 +20,7 @@ namespace ryosen {
 // What waits for the answer to "there are changes that are not saved".
 struct PendingLeave {
   bool quits = false;
-  std::filesystem::path opens;
+  std::filesystem::path opens;  // empty: an empty mesh
 };
 
 // The file browser: a folder, what is in it, and the name in the field.

@@ -54,7 +54,7 @@ constexpr std::array rules{
              "反対側に面を張ります（fill、make_face）"},
     RuleText{Rule::edge_exists, "edge_exists", refuse,
              "swap make_edge separate_loop unite_edge unite_ring weld triangulate", "The new edge exists already.",
-             "交換後の稜線がすでに存在します。", "split the edge that exists", "既存の稜線を細分します"},
+             "新しい稜線がすでに存在します。", "split the edge that exists", "既存の稜線を細分します"},
     RuleText{Rule::corner_twice, "corner_twice", refuse, "swap make_face fill", "A face would visit one vertex twice.",
              "面が同じ頂点を二度通ることになります。", "split one of the edges the faces share",
              "面が共有する稜線を細分します"},

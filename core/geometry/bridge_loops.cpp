@@ -16,6 +16,8 @@ namespace ryosen {
 namespace {
 
 constexpr std::size_t most_corners_for_all_pairs = 2000;
+// Segments that a bridge is held against before the search among all pairs is given up for a triangulation.
+constexpr std::size_t most_segments_tried = 20'000'000;
 
 struct Bridge {
   std::uint32_t a, b;
@@ -38,8 +40,10 @@ class Bridger {
   }
 
   std::vector<std::uint32_t> walk() {
-    choose(true);
-    choose(false);
+    choose(true, places_.size() <= most_corners_for_all_pairs);
+    choose(true, false);
+    choose(false, false);
+    choose(false, true);
     for (std::uint32_t c = 0; c < bridges_at_.size(); ++c) sort_clockwise(c);
     std::vector<std::uint32_t> out;
     emit_loop(out);
@@ -60,14 +64,14 @@ class Bridger {
     }
   }
 
-  std::vector<Bridge> candidates() const {
+  std::vector<Bridge> candidates(bool all_pairs) const {
     std::vector<Bridge> found;
     const auto add = [&](std::uint32_t a, std::uint32_t b) {
       if (group_[a] == group_[b]) return;
       const glm::dvec3 d = places_[b] - places_[a];
       found.push_back({std::min(a, b), std::max(a, b), glm::dot(d, d)});
     };
-    if (places_.size() <= most_corners_for_all_pairs) {
+    if (all_pairs) {
       for (std::uint32_t a = 0; a < places_.size(); ++a)
         for (std::uint32_t b = a + 1; b < places_.size(); ++b) add(a, b);
     } else {
@@ -84,7 +88,7 @@ class Bridger {
   }
 
   // Takes bridges from the shortest on until all loops hang together.
-  void choose(bool only_visible) {
+  void choose(bool only_visible, bool all_pairs) {
     std::vector<std::uint32_t> set(loops_.size());
     for (std::uint32_t i = 0; i < set.size(); ++i) set[i] = i;
     const auto root = [&](std::uint32_t i) {
@@ -93,9 +97,15 @@ class Bridger {
     };
     for (const Bridge& b : chosen_) set[root(group_[b.a])] = root(group_[b.b]);
     if (chosen_.size() + 1 == loops_.size()) return;
-    for (const Bridge& b : candidates()) {
+    std::size_t segments = 0;
+    for (const Bridge& b : candidates(all_pairs)) {
       const std::uint32_t s = root(group_[b.a]), t = root(group_[b.b]);
-      if (s == t || (only_visible && !is_visible(b))) continue;
+      if (s == t) continue;
+      if (only_visible) {
+        segments += places_.size();
+        if (segments > most_segments_tried) return;
+        if (!is_visible(b)) continue;
+      }
       set[s] = t;
       chosen_.push_back(b);
       bridges_at_[b.a].push_back(b.b);

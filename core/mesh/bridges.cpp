@@ -7,6 +7,8 @@ namespace ryosen {
 
 namespace {
 
+constexpr std::uint32_t unknown = 0xffffffffu, nowhere = 0xfffffffeu;
+
 // Side k runs from corner k to the next corner of its list.
 struct Side {
   std::uint32_t low, high, place;
@@ -52,12 +54,25 @@ std::optional<std::size_t> unlink_bridges(const CornerLoops& loops, std::vector<
     opposite[t.place] = s.place;
     ++bridges;
   }
+  // From each side taken out the walk goes on with the one after its opposite. Chains are followed once and remembered;
+  // one that comes back to itself (all edges at a corner are bridges) leads nowhere.
+  std::vector<std::uint32_t> behind(next.size(), unknown);
+  std::vector<std::uint32_t> chain;
+  const auto find_behind = [&](std::uint32_t side) {
+    chain.clear();
+    while (taken[side] && behind[side] == unknown) {
+      behind[side] = nowhere;
+      chain.push_back(side);
+      side = next[opposite[side]];
+    }
+    const std::uint32_t end = taken[side] ? behind[side] : side;
+    for (std::uint32_t c : chain) behind[c] = end;
+    return end;
+  };
   std::vector<std::uint32_t> past(next.size());
   for (std::uint32_t k = 0; k < next.size(); ++k) {
-    std::uint32_t after = next[k];
-    // Where all edges at a corner are bridges the walk comes back to where it began.
-    for (std::size_t steps = 0; taken[after] && steps <= bridges; ++steps) after = next[opposite[after]];
-    past[k] = after;
+    past[k] = find_behind(next[k]);
+    if (past[k] == nowhere && !taken[k]) return std::nullopt;
   }
   next = std::move(past);
   return bridges;

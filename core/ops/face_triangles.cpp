@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::size_t most_corners_searched = 400;
 constexpr std::size_t most_repairs = 16;
+// So that the search is over while a pointer rests on the face.
+constexpr std::size_t most_steps = 12'000'000;
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -56,12 +58,14 @@ class Search {
     if (!(extent_ > 0) || !std::isfinite(extent_)) extent_ = 1;
   }
 
+  std::size_t steps_of_attempt() const { return points_.size() * points_.size() * points_.size() + 1; }
+
   std::vector<CornerTriangle> run() {
     std::vector<CornerTriangle> triangles = drawn();
     if (!repeated(triangles)) return first_at_corner_0(std::move(triangles));
     if (points_.size() + 2 * face_.loop_ends().size() > most_corners_searched) return {};
     const std::size_t rings = face_.loop_ends().size() - 1;
-    const std::size_t attempts = rings == 0 ? 1 : 48;
+    const std::size_t attempts = rings == 0 ? 1 : std::clamp<std::size_t>(most_steps / steps_of_attempt(), 1, 48);
     for (std::size_t attempt = 0; attempt < attempts; ++attempt) {
       std::vector<Pair> keyholes;
       const std::vector<std::uint32_t> list = one_list(attempt, keyholes);
@@ -152,7 +156,8 @@ class Search {
   std::vector<CornerTriangle> cut_list(const std::vector<std::uint32_t>& list,
                                        const std::vector<Pair>& keyholes) const {
     std::vector<Pair> banned;  // places in the list
-    for (std::size_t repair = 0; repair <= most_repairs; ++repair) {
+    const std::size_t repairs = std::min(most_repairs, most_steps / steps_of_attempt());
+    for (std::size_t repair = 0; repair <= repairs; ++repair) {
       std::vector<std::array<std::size_t, 3>> at = cheapest(list, keyholes, banned);
       std::vector<CornerTriangle> triangles;
       for (const auto& t : at) triangles.push_back({list[t[0]], list[t[1]], list[t[2]]});

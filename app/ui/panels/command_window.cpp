@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "app/editor/commands.h"
+#include "app/editor/words.h"
 #include "app/ui/panels/all.h"
 #include "app/ui/widgets.h"
 
@@ -56,8 +57,15 @@ void draw_command_window(PanelContext& context) {
   }
   draw_suggestions(context);
   end_over();
-  if (!entered || context.state.command.empty()) return;
+  if (!entered || split_words(context.state.command).empty()) return;
   const std::string line = context.state.command;
+  // What would lose changes asks first.
+  if (const auto words = split_words(line); words[0] == "open" || words[0] == "new") {
+    if (context.session.document().is_modified()) {
+      context.state.command.clear();
+      return context.leave({false, words[0] == "open" ? file_name(behind_word(line)) : std::string()});
+    }
+  }
   if (context.run(line).done()) {
     context.state.command.clear();
     if (context.session.open_panel == "command") context.run("panel none");

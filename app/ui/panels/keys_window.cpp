@@ -65,7 +65,7 @@ void draw_unsaved_window(PanelContext& context) {
     if (where.quits)
       context.state.wants_quit = true;
     else
-      context.run("open " + file_argument(where.opens.string()));
+      context.run(where.opens.empty() ? "new" : "open " + file_argument(where.opens.string()));
   };
   if (ImGui::Button(context.text(UiText::save), size)) {
     if (context.session.document().path().empty())

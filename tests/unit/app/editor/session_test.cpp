@@ -297,5 +297,28 @@ TEST(document, saves_what_it_holds_and_knows_whether_it_is_modified) {
   std::filesystem::remove(path);
 }
 
+TEST(session, terms_follow_operators_that_change_boundaries_and_parts) {
+  auto opened = Document::open(RYOSEN_SOURCE_DIR "/assets/cube.obj");
+  ASSERT_TRUE(opened);
+  Session session(std::move(opened).value());
+  session.euler_terms();
+  // Counts that would balance as they were before, too.
+  for (const char* line : {"detach f0", "undo", "redo", "delete_loop f3", "make_vertex 5,5,5", "undo 3"}) {
+    ASSERT_TRUE(session.run(line).done()) << line;
+    EXPECT_EQ(session.euler_terms(), euler_poincare(session.mesh())) << line;
+  }
+}
+
+TEST(session, says_which_edges_a_file_cannot_hold) {
+  Session session(std::make_unique<Document>());
+  for (const char* line : {"make_vertex 0,0,0", "make_vertex 1,0,0", "make_edge v0 v1"})
+    ASSERT_TRUE(session.run(line).done()) << line;
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / "ryosen_wires_test.obj";
+  const Outcome saved = session.run("save " + path.string());
+  EXPECT_TRUE(saved.done());
+  EXPECT_NE(saved.sentence.en.find("1 edge without a face"), std::string::npos) << saved.sentence.en;
+  std::filesystem::remove(path);
+}
+
 }  // namespace
 }  // namespace ryosen

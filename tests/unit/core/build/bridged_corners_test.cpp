@@ -112,6 +112,23 @@ TEST(take_out_bridges, refuses_what_is_no_face_with_rings) {
   EXPECT_FALSE(parts({0, 7, 4, 5, 6, 4, 7, 0, 1, 2})) << "a bridge of two edges leaves a vertex that is in no loop";
 }
 
+// A corner at which very many bridges end costs no more than others: were it looked at anew for each, this would take
+// minutes.
+TEST(take_out_bridges, many_bridges_at_one_corner) {
+  CornerLoops spikes, rings;
+  std::vector<std::uint32_t> corners;
+  for (std::uint32_t i = 1; i <= 200'000; ++i) corners.insert(corners.end(), {0, i});
+  spikes.add(corners);
+  EXPECT_FALSE(take_out_bridges(spikes));
+  corners = {0, 1, 2};
+  for (std::uint32_t first = 3; first <= 3 + 3 * 2000; first += 3)
+    corners.insert(corners.begin(), {0, first, first + 1, first + 2, first});
+  rings.add(corners);
+  const auto parts = take_out_bridges(rings);
+  ASSERT_TRUE(parts);
+  EXPECT_EQ(parts->size(), 2002u);
+}
+
 // Random holes in a large square on a grid of cells: whatever is bridged crosses nothing and comes apart again.
 TEST(bridged_corners, random_holes) {
   std::mt19937 random(5);

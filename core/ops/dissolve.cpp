@@ -15,12 +15,6 @@ namespace ryosen {
 
 namespace {
 
-bool has_two_edges(const Mesh& m, Vertex v) {
-  if (m.is_isolated(v)) return false;
-  const Halfedge h = m.halfedge(v), other = m.counter_clockwise(h);
-  return other != h && m.counter_clockwise(other) == h;
-}
-
 // The edges from h on that follow one another through vertices with exactly two edges; h first.
 std::vector<Halfedge> chain_from(const Mesh& m, Halfedge h) {
   std::vector<Halfedge> chain{h};

@@ -307,16 +307,19 @@ std::vector<Halfedge> Sheets::sheets_to_join(std::span<const Vertex> vertices) c
   return found;
 }
 
+void Sheets::close_pair(Halfedge h, Halfedge other) {
+  const Halfedge there = outside_half(edit_.mesh(), h), back = outside_half(edit_.mesh(), other);
+  join_corner(back, there);
+  join_corner(there, back);
+  join_edges(there, back);
+}
+
 void Sheets::join_sheet(Halfedge h) {
   const Mesh& m = edit_.mesh();
   if (!m.is_alive(h) || !has_one_face(m, h)) return;  // joined from its other end
   for (Halfedge other : sheets_between(m, m.from(h), m.to(h))) {
     if (edge(other) == edge(h) || !has_one_face(m, other)) continue;
-    const Halfedge there = outside_half(m, h), back = outside_half(m, other);
-    join_corner(back, there);
-    join_corner(there, back);
-    join_edges(there, back);
-    return;
+    return close_pair(h, other);
   }
 }
 
@@ -335,10 +338,7 @@ void Sheets::close_double_edges(Vertex v) {
     if (m.is_wire(edge(h))) {
       remove_edge(h);
     } else if (has_one_face(m, h) && has_one_face(m, other) && m.is_outside(h) != m.is_outside(other)) {
-      const Halfedge there = outside_half(m, h), back = outside_half(m, other);
-      join_corner(back, there);
-      join_corner(there, back);
-      join_edges(there, back);
+      close_pair(h, other);
     }
   }
 }

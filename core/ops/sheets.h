@@ -67,6 +67,8 @@ class Sheets {
   std::vector<Halfedge> sheets_to_open(std::vector<Vertex>& vertices) const;
   std::vector<Halfedge> sheets_to_join(std::span<const Vertex> vertices) const;
   void add_double_ends(std::span<const Vertex> vertices, std::vector<Vertex>& found) const;
+  // Makes two edges with one face each, on opposite sides, one edge.
+  void close_pair(Halfedge h, Halfedge other);
   void join_sheet(Halfedge h);
   void close_double_edges(Vertex v);
   void drop(Edge e);

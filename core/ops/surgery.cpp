@@ -79,6 +79,12 @@ void hold_outside(Edit& edit, Vertex v) {
   } while (h != start);
 }
 
+bool has_two_edges(const Mesh& mesh, Vertex v) {
+  if (mesh.is_isolated(v)) return false;
+  const Halfedge h = mesh.halfedge(v), other = mesh.counter_clockwise(h);
+  return other != h && mesh.counter_clockwise(other) == h;
+}
+
 std::vector<Halfedge> gaps_at(const Mesh& mesh, Vertex v) {
   std::vector<Halfedge> gaps;
   for (Halfedge h : outgoing(mesh, v))

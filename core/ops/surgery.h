@@ -34,6 +34,9 @@ void set_face_along(Edit& edit, Halfedge start, Face f);
 // Lets v hold an outgoing outside halfedge if it has any; it must hold one of its own, or none. Cost: its valence.
 void hold_outside(Edit& edit, Vertex v);
 
+// Whether exactly two edges end at v.
+bool has_two_edges(const Mesh& mesh, Vertex v);
+
 // The outside halfedges that arrive at v: its gaps. One or more unless v is isolated or inside a surface.
 std::vector<Halfedge> gaps_at(const Mesh& mesh, Vertex v);
 

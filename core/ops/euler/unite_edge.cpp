@@ -8,6 +8,7 @@
 #include "core/ops/arguments.h"
 #include "core/ops/corner_values.h"
 #include "core/ops/face_lists.h"
+#include "core/ops/surgery.h"
 
 namespace ryosen {
 
@@ -16,12 +17,6 @@ namespace {
 // The two halfedges that leave the vertex.
 std::pair<Halfedge, Halfedge> both_out(const Mesh& mesh, Vertex v) {
   return {mesh.halfedge(v), mesh.counter_clockwise(mesh.halfedge(v))};
-}
-
-bool has_two_edges(const Mesh& mesh, Vertex v) {
-  if (mesh.is_isolated(v)) return false;
-  const auto [first, second] = both_out(mesh, v);
-  return first != second && mesh.counter_clockwise(second) == first;
 }
 
 // The face on one side of the vertex: what becomes of its list. A second face on its points is the one on the other side

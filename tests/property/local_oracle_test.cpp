@@ -10,10 +10,10 @@
 #include <set>
 
 #include "core/analysis/invariants.h"
-#include "core/build/from_indexed.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/all.h"
+#include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/oracle/figures.h"
 #include "tests/support/core/oracle/operators.h"
 #include "tests/support/core/random_meshes.h"
@@ -21,6 +21,7 @@
 namespace ryosen {
 namespace {
 
+using namespace test;
 using oracle::CopyList;
 using oracle::Corners;
 using oracle::Facts;
@@ -256,31 +257,6 @@ Outcomes vertex_split(CopyList copies, int v, int left, int right) {
   if (right >= 0) copies.list.faces.push_back({v, m, right});
   const int triangles = (left >= 0) + (right >= 0);
   return {{copies, 1, 1 + triangles, triangles}};
-}
-
-PolygonList list_of(const Mesh& mesh, bool on_points) {
-  PolygonList list;
-  const auto number = [&](Vertex v) { return static_cast<int>((on_points ? point(mesh, v) : v).index); };
-  list.live.assign(mesh.vertex_slots(), 0);
-  for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v)
-    if (mesh.is_alive(Vertex(v))) list.live[static_cast<std::size_t>(number(Vertex(v)))] = 1;
-  for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
-    list.faces.emplace_back();
-    if (!mesh.is_alive(Face(f))) continue;
-    for (Vertex v : vertices_around(mesh, Face(f))) list.faces.back().push_back(number(v));
-  }
-  return list;
-}
-
-Mesh kernel_mesh(const PolygonList& points, std::uint64_t seed) {
-  Dice dice(seed);
-  IndexedMesh indexed;
-  for (int p = 0; p < points.size(); ++p) indexed.positions.emplace_back(dice.unit(), dice.unit(), dice.unit());
-  for (const Corners& face : points.faces) {
-    for (int p : face) indexed.corners.push_back(static_cast<std::uint32_t>(p));
-    indexed.face_offsets.push_back(static_cast<std::uint32_t>(indexed.corners.size()));
-  }
-  return from_indexed(std::move(indexed));
 }
 
 struct Count {

@@ -4,14 +4,13 @@
 #include <algorithm>
 
 #include "core/analysis/invariants.h"
-#include "core/build/from_indexed.h"
-#include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/edit.h"
 #include "core/mesh/journal.h"
 #include "core/ops/collapse_edge.h"
 #include "core/ops/split_edge.h"
 #include "core/ops/swap_edge.h"
+#include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/oracle/comparison.h"
 #include "tests/support/core/oracle/figures.h"
 #include "tests/support/core/random_meshes.h"
@@ -19,48 +18,12 @@
 namespace ryosen {
 namespace {
 
+using namespace test;
 using oracle::Kind;
 using oracle::Operation;
 using oracle::PolygonList;
 
 constexpr int max_reports = 10;
-
-Mesh kernel_mesh(const PolygonList& points, std::uint64_t seed) {
-  Dice dice(seed);
-  IndexedMesh indexed;
-  for (int p = 0; p < points.size(); ++p) indexed.positions.emplace_back(dice.unit(), dice.unit(), dice.unit());
-  for (const oracle::Corners& face : points.faces) {
-    for (int p : face) indexed.corners.push_back(static_cast<std::uint32_t>(p));
-    indexed.face_offsets.push_back(static_cast<std::uint32_t>(indexed.corners.size()));
-  }
-  return from_indexed(std::move(indexed));
-}
-
-// The mesh as a list over vertex slots, each copy for itself or each read as its point.
-PolygonList list_of(const Mesh& mesh, bool on_points) {
-  PolygonList list;
-  const auto number = [&](Vertex v) { return static_cast<int>((on_points ? point(mesh, v) : v).index); };
-  list.live.assign(mesh.vertex_slots(), 0);
-  for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v)
-    if (mesh.is_alive(Vertex(v))) list.live[number(Vertex(v))] = 1;
-  for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
-    list.faces.emplace_back();
-    if (!mesh.is_alive(Face(f))) continue;
-    for (Vertex v : vertices_around(mesh, Face(f))) list.faces.back().push_back(number(v));
-  }
-  return list;
-}
-
-// The halfedge from -> to of the edge at the face that the operation names.
-Halfedge halfedge_of(const Mesh& mesh, const Operation& operation) {
-  for (Halfedge h : halfedges_around(mesh, Face(static_cast<std::uint32_t>(operation.face)))) {
-    const int a = static_cast<int>(point(mesh, mesh.from(h)).index),
-              b = static_cast<int>(point(mesh, mesh.to(h)).index);
-    if (a == operation.from && b == operation.to) return h;
-    if (b == operation.from && a == operation.to) return twin(h);
-  }
-  return Halfedge();
-}
 
 template <class Visit>
 auto with_operator(const Mesh& mesh, const Operation& operation, Visit visit) {

@@ -3,6 +3,7 @@
 #include "core/build/from_indexed.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/mesh/rings.h"
 #include "tests/support/core/random_meshes.h"
 
 namespace ryosen::test {
@@ -50,6 +51,35 @@ AnyOp op_of(const Mesh& mesh, const oracle::Operation& operation) {
   if (operation.kind == Kind::collapse) return CollapseEdge{h};
   if (operation.kind == Kind::split) return SplitEdge{h};
   return SwapEdge{h, operation.kind == Kind::swap_back};
+}
+
+oracle::Complex complex_of(const Mesh& mesh, std::map<Halfedge, oracle::Place>* places) {
+  oracle::Complex complex;
+  for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) {
+    const bool alive = mesh.is_alive(Vertex(v));
+    complex.live.push_back(alive);
+    complex.point_of.push_back(static_cast<int>(alive ? point(mesh, Vertex(v)).index : v));
+  }
+  for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    complex.faces.emplace_back();
+    if (!mesh.is_alive(Face(f))) continue;
+    for_each_loop(mesh, Face(f), [&](Halfedge start) {
+      oracle::Corners corners;
+      for (Halfedge h : loop(mesh, start)) {
+        if (places)
+          (*places)[h] = {static_cast<int>(f), static_cast<int>(complex.faces.back().size()),
+                          static_cast<int>(corners.size())};
+        corners.push_back(static_cast<int>(mesh.from(h).index));
+      }
+      complex.faces.back().push_back(corners);
+    });
+  }
+  for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) {
+    if (!mesh.is_alive(Edge(e)) || !mesh.is_wire(Edge(e))) continue;
+    const auto [a, b] = ends(mesh, Edge(e));
+    complex.wires.push_back(std::minmax(static_cast<int>(a.index), static_cast<int>(b.index)));
+  }
+  return complex;
 }
 
 }  // namespace ryosen::test

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 
 #include "core/ops/all.h"
+#include "tests/support/core/oracle/complex_operators.h"
 #include "tests/support/core/oracle/operators.h"
 
 namespace ryosen::test {
@@ -18,5 +20,9 @@ oracle::PolygonList list_of(const Mesh& mesh, bool on_points);
 // The halfedge from -> to of the edge at the face that the operation names, none where that face has no such side.
 Halfedge halfedge_of(const Mesh& mesh, const oracle::Operation& operation);
 AnyOp op_of(const Mesh& mesh, const oracle::Operation& operation);
+
+// The mesh with rings, wires and fans, its vertices and faces by their slots. `places`: where each halfedge that has a
+// face begins in the lists.
+oracle::Complex complex_of(const Mesh& mesh, std::map<Halfedge, oracle::Place>* places = nullptr);
 
 }  // namespace ryosen::test

@@ -181,9 +181,12 @@ Halfedge Sheets::open(Halfedge h) {
 
 void Sheets::remove_vertex(Vertex v) {
   const Mesh& m = edit_.mesh();
+  // The last copy with edges, or, where there is none, the last one.
   Vertex heir;
   for_each_copy(m, v, [&](Vertex copy) {
-    if (!m.is_isolated(copy) && (!heir || copy > heir)) heir = copy;
+    if (copy == v) return;
+    const bool is_better = !heir || (m.is_isolated(heir) == m.is_isolated(copy) ? copy > heir : m.is_isolated(heir));
+    if (is_better) heir = copy;
   });
   if (heir && heir > v && point(m, v) == v) {
     rename(leaving(m, heir), v);

@@ -315,6 +315,8 @@ Verdict VertexSplit::check(const Mesh& m) const {
   if (is_gone(m, vertex, verdict)) return verdict;
   for (Halfedge h : {left, right})
     if (h && is_gone(m, h, verdict)) return verdict;
+  for (Halfedge h : {left, right})
+    if (h && m.from(h) != vertex) verdict.refuse(Rule::no_gap, {vertex, edge(h)});
   if (!left && !right) verdict.refuse(Rule::wire, {vertex});
   if (left && left == right) verdict.refuse(Rule::same_vertex, {m.to(left)});
   if (left && right && left != right && same_point(m, m.to(left), m.to(right)))

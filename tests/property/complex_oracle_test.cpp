@@ -268,18 +268,13 @@ class Comparison {
     if (p != q) return compare(op, on_points(oracle::weld(points_, {{std::max(p, q), std::min(p, q)}})));
     if (a == b) return compare(op, {});
     Outcome outcome = oracle::weld(raw_, {{number(b), number(a)}})[0];
-    const bool one_edge_each = oracle::facts_of(outcome.after).faults.empty() || only_fans_and_equals(outcome.after);
-    const bool fits = has_gap(raw_, number(a)) && has_gap(raw_, number(b)) && one_edge_each;
+    const bool fits = has_gap(raw_, number(a)) && has_gap(raw_, number(b)) && keeps_edges(outcome.after);
     compare(op, fits ? Outcomes{{points_}} : Outcomes());
   }
 
-  bool only_fans_and_equals(const Complex& complex) const {
-    // An edge that the two copies both have is one edge now, so joining them loses one.
-    const ComplexFacts facts = oracle::facts_of(complex);
-    for (const auto& fault : facts.faults)
-      if (std::get<0>(fault) != oracle::Fault::several_fans && std::get<0>(fault) != oracle::Fault::equal_faces)
-        return false;
-    return facts.edges == facts_.edges;
+  // An edge that two copies both have would be one edge where they become one.
+  bool keeps_edges(const Complex& complex) const {
+    return oracle::facts_of(complex).edges == facts_.edges;
   }
 
   void weld_edges(Halfedge h, Halfedge g) {

@@ -44,7 +44,9 @@ Verdict MakeEdge::check(const Mesh& mesh) const {
   for (const auto& [v, into] : {std::pair(a, into_a), std::pair(b, into_b)}) {
     const bool fits = into ? mesh.exists(into) && mesh.is_alive(into) && mesh.to(into) == v && mesh.is_outside(into)
                            : mesh.is_isolated(v);
-    if (!fits) verdict.refuse(Rule::no_gap, {v, mesh.face(mesh.halfedge(v))});
+    if (fits) continue;
+    verdict.refuse(Rule::no_gap, {v});
+    if (!mesh.is_isolated(v)) verdict.reasons.back().witnesses.push_back(mesh.face(mesh.halfedge(v)));
   }
   const std::vector<Halfedge> existing = sheets_between(mesh, a, b);
   if (!existing.empty()) verdict.refuse(Rule::edge_exists, {edge(existing.front())});

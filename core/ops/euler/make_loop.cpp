@@ -21,6 +21,21 @@ MakeLoop MakeLoop::at(const Mesh& mesh, const OpTarget& target) {
 
 std::string MakeLoop::command(const Mesh& mesh) const { return "make_loop " + name_of(mesh, halfedge); }
 
+namespace {
+
+// Whether the edges between the two points of h, h with a face, are joined as reading joins them: two faces alone and in
+// opposite directions are one edge, and of more each has its own.
+bool keeps_sheets(const Mesh& m, Halfedge h) {
+  const PointEdge at = point_edge(m, h);
+  if (!m.is_outside(twin(h))) return at.faces() == 1;
+  if (at.faces() < 2) return at.backward == 0;
+  for (Halfedge sheet : sheets_between(m, m.from(h), m.to(h)))
+    if (!m.is_outside(sheet) && !m.is_outside(twin(sheet))) return false;
+  return true;
+}
+
+}  // namespace
+
 Verdict MakeLoop::check(const Mesh& mesh) const {
   Verdict verdict;
   if (is_gone(mesh, halfedge, verdict)) return verdict;
@@ -34,6 +49,9 @@ Verdict MakeLoop::check(const Mesh& mesh) const {
     verdict.refuse(Rule::loop, {edge(halfedge)});
     return verdict;
   }
+  for (Halfedge h : loop(mesh, halfedge))
+    if (!keeps_sheets(mesh, h)) verdict.refuse(Rule::copies, {point(mesh, mesh.from(h)), point(mesh, mesh.to(h))});
+  if (!verdict.legal()) return verdict;
   if (const Face other = face_on(mesh, point_set(cycle.corners))) verdict.refuse(Rule::duplicate_face, {other});
   return verdict;
 }

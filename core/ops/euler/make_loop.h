@@ -7,7 +7,7 @@
 //
 // on the list: the cycle becomes a face; bridges in it are walked both ways. A wire that gets a face is no pair any more.
 // needs: a halfedge that runs outside; the cycle comes apart at its bridges into simple loops of three or more corners
-//        that share no point; no face on the same points.
+//        that share no point; no face on the same points; sheets between the same points stay as reading makes them.
 // changes: F + 1, B - 1.
 // inverse: delete_loop.
 #pragma once

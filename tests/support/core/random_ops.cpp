@@ -1,5 +1,7 @@
 #include "tests/support/core/random_ops.h"
 
+#include <gtest/gtest.h>
+
 #include "core/analysis/invariants.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
@@ -220,9 +222,19 @@ Mesh random_complex(std::uint64_t seed) {
     Mesh next = mesh;
     Journal journal;
     const int kind = dice.below(5);
-    const bool done = kind == 0   ? make_hole(next, journal, dice)
-                      : kind == 1 ? make_tunnel(next, journal, dice)
-                                  : try_apply(next, &journal, random_op(next, dice));
+    std::string line = kind == 0 ? "hole" : "tunnel";
+    bool done = false;
+    if (kind == 0) done = make_hole(next, journal, dice);
+    if (kind == 1) done = make_tunnel(next, journal, dice);
+    if (kind > 1) {
+      const AnyOp op = random_op(next, dice);
+      if (check(next, op).legal()) line = command_of(next, op);
+      done = try_apply(next, &journal, op);
+    }
+    const auto broken = check_invariants(next);
+    EXPECT_FALSE(broken) << "seed " << seed << ", " << line << ": " << broken->sentence << "\n"
+                         << to_text(complex_of(mesh));
+    if (broken) return mesh;
     if (done && next.live().edges <= 45 && reads_back(next)) mesh = std::move(next);
   }
   return mesh;

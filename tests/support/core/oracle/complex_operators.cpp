@@ -51,8 +51,11 @@ bool is_one_edge(const Complex& complex, int a, int b) {
   return sides.size() < 2 || (sides.size() == 2 && sides[0].second != sides[1].second);
 }
 
-void read_as(ComplexFacts& facts, int gone, int stays) {
-  const auto exchange = [=](int& v) { v = v == gone ? stays : v; };
+ComplexFacts read_as(ComplexFacts facts, const std::vector<Pair>& pairs) {
+  const auto exchange = [&](int& v) {
+    for (const auto& [gone, stays] : pairs)
+      if (v == gone) v = stays;
+  };
   for (auto& [fault, a, b] : facts.faults) {
     if (fault != Fault::directed_edge_twice && fault != Fault::several_fans && fault != Fault::pair_twice) continue;
     exchange(a);
@@ -71,6 +74,7 @@ void read_as(ComplexFacts& facts, int gone, int stays) {
   std::sort(facts.faults.begin(), facts.faults.end());
   std::sort(facts.nonmanifold.begin(), facts.nonmanifold.end());
   std::sort(facts.misoriented.begin(), facts.misoriented.end());
+  return facts;
 }
 
 bool has_new_fault(const ComplexFacts& before, const ComplexFacts& after, bool fans_count) {
@@ -112,7 +116,7 @@ Outcomes collapse(const Complex& separated, int a, int b) {
   if (!is_one_edge(separated, a, b)) return {};
   if (copies_of(separated, separated.point_of[a]) > 1) std::swap(a, b);
   if (copies_of(separated, separated.point_of[a]) > 1) return {};
-  Outcome outcome{separated, -1, 0, 0, 0, a, b};
+  Outcome outcome{separated, -1, 0, 0, 0, {{a, b}}};
   remove_wire(outcome.after, a, b);
   for (auto& face : outcome.after.faces) {
     for (Corners& loop : face) {
@@ -347,7 +351,18 @@ Outcomes make_face(const Complex& points, const Corners& corners) {
 }
 
 Outcomes weld(const Complex& points, const std::vector<Pair>& gone_and_stays) {
+  // Where a face has both it would meet one point twice, be it at a bridge.
+  for (const auto& [gone, stays] : gone_and_stays)
+    for (const auto& face : points.faces) {
+      bool has_gone = false, has_other = false;
+      for (const Corners& loop : face) {
+        has_gone = has_gone || std::count(loop.begin(), loop.end(), gone);
+        has_other = has_other || std::count(loop.begin(), loop.end(), stays);
+      }
+      if (has_gone && has_other) return {};
+    }
   Outcome outcome{points};
+  outcome.read_as = gone_and_stays;
   for (const auto& [gone, stays] : gone_and_stays) {
     for (auto& face : outcome.after.faces)
       for (Corners& loop : face) std::replace(loop.begin(), loop.end(), gone, stays);
@@ -410,8 +425,7 @@ std::vector<int> sheet_of(const Complex& points, int face) { return joined_faces
 std::vector<int> component_of(const Complex& points, int face) { return joined_faces(points, face, false); }
 
 bool is_legal_local(const ComplexFacts& facts, const Outcome& outcome) {
-  ComplexFacts before = facts;
-  if (outcome.gone >= 0) read_as(before, outcome.gone, outcome.stays);
+  const ComplexFacts before = read_as(facts, outcome.read_as);
   const ComplexFacts after = facts_of(outcome.after);
   if (has_new_fault(before, after, true) || !is_same_on_points(before, after) || after.groups != before.groups)
     return false;
@@ -422,8 +436,7 @@ bool is_legal_local(const ComplexFacts& facts, const Outcome& outcome) {
 }
 
 bool is_legal_euler(const ComplexFacts& facts, const Outcome& outcome) {
-  ComplexFacts before = facts;
-  if (outcome.gone >= 0) read_as(before, outcome.gone, outcome.stays);
+  const ComplexFacts before = read_as(facts, outcome.read_as);
   const ComplexFacts after = facts_of(outcome.after);
   if (has_new_fault(before, after, false) || !is_same_on_points(before, after)) return false;
   return after.vertices - before.vertices == outcome.vertices && after.edges - before.edges == outcome.edges &&
@@ -431,8 +444,7 @@ bool is_legal_euler(const ComplexFacts& facts, const Outcome& outcome) {
 }
 
 bool is_legal_on_points(const ComplexFacts& facts, const Outcome& outcome) {
-  ComplexFacts before = facts;
-  const ComplexFacts after = facts_of(outcome.after);
+  const ComplexFacts before = read_as(facts, outcome.read_as), after = facts_of(outcome.after);
   if (has_new_fault(before, after, false)) return false;
   return after.loops_on_points && after.nonmanifold == before.nonmanifold && after.misoriented == before.misoriented &&
          after.equal_faces == before.equal_faces;

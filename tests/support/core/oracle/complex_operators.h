@@ -7,11 +7,12 @@
 
 namespace ryosen::oracle {
 
-// A list that an operator makes, and by how much it says that the counts change. `gone` is read as `stays` before it.
+// A list that an operator makes, and by how much it says that the counts change. In what was before it, each first
+// number of `read_as` is read as the second.
 struct Outcome {
   Complex after;
   int vertices = 0, edges = 0, faces = 0, rings = 0;
-  int gone = -1, stays = -1;
+  std::vector<Pair> read_as = {};
 };
 // Empty: the operator has no meaning there. Several: any of them will do.
 using Outcomes = std::vector<Outcome>;

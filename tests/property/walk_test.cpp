@@ -6,12 +6,14 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <random>
 
 #include "core/analysis/invariants.h"
 #include "core/build/from_indexed.h"
 #include "core/io/formats.h"
 #include "core/ops/all.h"
+#include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {
@@ -21,47 +23,19 @@ using namespace test;
 
 bool is_long() { return std::getenv("RYOSEN_LONG") != nullptr; }
 
-// A random operator on a random live edge, or orient once in a while.
+// A random operator with random arguments. Those that look at the whole mesh are rare on a large one.
 AnyOp random_op(const Mesh& mesh, std::mt19937& random) {
-  if (random() % 200 == 0) return Orient{};
-  Halfedge h;
-  do h = Halfedge(random() % mesh.halfedge_slots());
-  while (!mesh.is_alive(h));
-  const bool is_small = mesh.halfedge_slots() <= 2000;
-  if (is_small && random() % 2 == 0) {
-    const Face f = mesh.face(h);
-    const Vertex v = mesh.from(h);
-    switch (random() % 8) {
-      case 0:
-        return Poke{f};
-      case 1:
-        return Extrude{f, 0.25};
-      case 2:
-        return Triangulate{f};
-      case 3:
-        return Dissolve{{}, v};
-      case 4:
-        return VertexSplit{v, h, Halfedge()};
-      case 5:
-        return VertexSplit{v, h, mesh.clockwise(mesh.clockwise(h))};
-      default:
-        return Dissolve{h};
-    }
-  }
-  switch (random() % 4) {
-    case 0:
-      return CollapseEdge{h, random() % 2 ? CollapseEdge::Place::middle : CollapseEdge::Place::automatic};
-    case 1:
-      return SwapEdge{h, random() % 2 == 0};
-    case 2:
-      return SplitEdge{h, 0.25 * static_cast<double>(1 + random() % 3)};
-    default:
-      return CollapseEdge{h};
-  }
+  Dice dice(random());
+  const AnyOp op = test::random_op(mesh, dice);
+  const bool is_slow = std::holds_alternative<Orient>(op) || std::holds_alternative<Reverse>(op) ||
+                       std::holds_alternative<Detach>(op) || std::holds_alternative<Triangulate>(op);
+  const bool is_large = mesh.halfedge_slots() > 2000;
+  return is_large && is_slow && random() % 100 != 0 ? random_op(mesh, random) : op;
 }
 
 struct WalkCount {
   std::size_t done = 0, refused = 0, undone = 0, redone = 0;
+  std::map<std::string_view, std::pair<std::size_t, std::size_t>> by_operator;  // done, refused
 };
 
 void expect_sound(const Mesh& mesh, const std::string& what) {
@@ -78,13 +52,14 @@ void step(Mesh& mesh, Journal& journal, std::mt19937& random, WalkCount& count) 
   } else if (dice == 1 && journal.can_redo()) {
     journal.redo(mesh);
     ++count.redone;
-  } else if (mesh.live().edges > 0) {
+  } else {
     const AnyOp op = random_op(mesh, random);
     // The hash costs the whole mesh: on a large one every hundredth refusal is looked at.
     const bool is_looked_at = mesh.halfedge_slots() <= 2000 || random() % 100 == 0;
     const std::uint64_t before = is_looked_at ? mesh.hash() : 0;
     if (!check(mesh, op).legal()) {
       ++count.refused;
+      ++count.by_operator[info_of(op).id].second;
       if (!is_looked_at) return;
       ASSERT_EQ(mesh.hash(), before);
       return;
@@ -94,6 +69,7 @@ void step(Mesh& mesh, Journal& journal, std::mt19937& random, WalkCount& count) 
     if (random() % 8 == 0) return;  // rolled back
     edit.commit();
     ++count.done;
+    ++count.by_operator[info_of(op).id].first;
   }
 }
 
@@ -121,6 +97,12 @@ void report(const WalkCount& count) {
             << count.redone << "\n";
   EXPECT_GT(count.done, 0u);
   EXPECT_GT(count.refused, 0u);
+  for (const OpInfo& info : all_ops()) {
+    const auto found = count.by_operator.find(info.id);
+    EXPECT_TRUE(found != count.by_operator.end() && found->second.first > 0) << info.id << " was never done";
+    if (found == count.by_operator.end()) continue;
+    std::cout << "  " << info.id << ": done " << found->second.first << ", refused " << found->second.second << "\n";
+  }
 }
 
 TEST(walk, named_shapes) {

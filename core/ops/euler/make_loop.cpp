@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "core/mesh/copies.h"
 #include "core/ops/arguments.h"
 #include "core/ops/face_geometry.h"
 #include "core/ops/face_lists.h"

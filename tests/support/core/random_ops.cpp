@@ -168,7 +168,10 @@ AnyOp random_op(const Mesh& mesh, std::size_t place, Dice& dice) {
   const Face f = random_face(mesh, dice);
   if (!v || id == "make_vertex") return MakeVertex{random_place(dice)};
   if (id == "remove_vertex") return RemoveVertex{v};
-  if (id == "move_vertex") return MoveVertex{v, random_place(dice)};
+  if (id == "move_vertex") {
+    const Vertex onto = random_vertex(mesh, dice);
+    return MoveVertex{v, dice.one_in(4) ? mesh.position(onto) : random_place(dice)};
+  }
   if (id == "make_edge") return random_make_edge(mesh, v, dice);
   if (id == "unite_edge") return UniteEdge{v};
   if (id == "separate_fans") return SeparateFans{v};
@@ -178,7 +181,7 @@ AnyOp random_op(const Mesh& mesh, std::size_t place, Dice& dice) {
   const Halfedge free = mesh.is_outside(h) ? h : twin(h);
   if (id == "collapse") return random_collapse(h, dice);
   if (id == "swap") return SwapEdge{h, dice.one_in(2)};
-  if (id == "split") return SplitEdge{h, 0.25 * (1 + dice.below(3))};
+  if (id == "split") return SplitEdge{h, 0.25 * dice.below(5)};
   if (id == "orient") return Orient{};
   if (id == "delete_edge") return DeleteEdge{h};
   if (id == "make_loop") return MakeLoop{free};
@@ -196,7 +199,8 @@ AnyOp random_op(const Mesh& mesh, std::size_t place, Dice& dice) {
   if (id == "triangulate") return Triangulate{dice.one_in(20) ? Face() : f};
   if (id == "reverse") return Reverse{f};
   if (id == "detach") return dice.one_in(2) ? Detach{{f}} : Detach{{f, random_face(mesh, dice)}};
-  const Halfedge a = pick(halfedges_around(mesh, f), dice), b = pick(halfedges_around(mesh, f), dice);
+  const Face other = dice.one_in(8) ? random_face(mesh, dice) : f;
+  const Halfedge a = pick(halfedges_around(mesh, f), dice), b = pick(halfedges_around(mesh, other), dice);
   if (id == "separate_loop") return SeparateLoop{a, b};
   if (id == "unite_ring") return UniteRing{a, b};
   return MakeVertex{random_place(dice)};

@@ -220,6 +220,18 @@ std::vector<Corners> normal_form(std::vector<Corners> loops) {
   return loops;
 }
 
+Shape shape_of(const Complex& complex) {
+  Shape shape;
+  for (int v = 0; v < complex.size(); ++v)
+    if (complex.live[v]) shape.live.push_back(v);
+  for (const auto& face : complex.faces)
+    if (!face.empty()) shape.faces.push_back(normal_form(face));
+  std::sort(shape.faces.begin(), shape.faces.end());
+  shape.wires = complex.wires;
+  std::sort(shape.wires.begin(), shape.wires.end());
+  return shape;
+}
+
 ComplexFacts facts_of(const Complex& complex) {
   ComplexFacts facts;
   const LoopList loops = loops_of(complex);

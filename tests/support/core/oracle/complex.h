@@ -43,6 +43,15 @@ int bridges_in(std::vector<Corners> loops);
 // Corner lists without regard to where they start and in which order they come.
 std::vector<Corners> normal_form(std::vector<Corners> loops);
 
+// What two lists are compared by, where the numbers of faces do not matter.
+struct Shape {
+  std::vector<int> live;
+  std::vector<std::vector<Corners>> faces;
+  std::vector<Pair> wires;
+  friend bool operator==(const Shape&, const Shape&) = default;
+};
+Shape shape_of(const Complex& complex);
+
 // What is wrong with a list, by its rule and the face, edge or vertex that it is wrong at.
 enum class Fault { loops, directed_edge_twice, pair_twice, several_fans, equal_faces };
 using Faults = std::vector<std::tuple<Fault, int, int>>;

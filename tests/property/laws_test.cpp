@@ -1,0 +1,238 @@
+// What every operator says of itself, on random meshes: by how much the terms of V - E + F + B - H = 2(S - G) change,
+// and which operator takes it back. A refused operator changes no byte.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "core/analysis/euler_poincare.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/mesh/rings.h"
+#include "core/ops/face_lists.h"
+#include "tests/support/core/kernel_lists.h"
+#include "tests/support/core/proof.h"
+#include "tests/support/core/random_ops.h"
+
+namespace ryosen {
+namespace {
+
+using namespace test;
+
+// Enough that every operator is done many times.
+constexpr std::uint64_t seeds = 400;
+constexpr int tries = 12;  // per operator and mesh
+
+Change difference(const EulerPoincare& was, const EulerPoincare& is) {
+  return {is.vertices - was.vertices,     is.edges - was.edges, is.faces - was.faces,          is.rings - was.rings,
+          is.components - was.components, is.genus - was.genus, is.boundaries - was.boundaries};
+}
+
+int triangles_at(const Mesh& m, Halfedge h) {
+  int count = 0;
+  for (Halfedge side : {h, twin(h)}) count += !m.is_outside(side) && is_triangle(m, side) && !m.has_rings(m.face(side));
+  return count;
+}
+
+bool is_on_cycle(const Mesh& m, Halfedge start, Halfedge wanted) {
+  for (Halfedge h : loop(m, start))
+    if (h == wanted) return true;
+  return false;
+}
+
+std::int64_t rings_of(const Mesh& m, Face f) {
+  std::int64_t loops = -1;
+  for_each_loop(m, f, [&](Halfedge) { ++loops; });
+  return loops;
+}
+
+std::int64_t corners_of(const Mesh& m, Face f) { return static_cast<std::int64_t>(corner_count(m, f)); }
+
+// The changes that an operator states; several where it names several cases, none where it states none in numbers.
+struct Stated {
+  const Mesh& m;
+
+  std::vector<Change> of(const CollapseEdge& op) const {
+    const int k = triangles_at(m, op.halfedge);
+    return {{.v = -1, .e = -1 - k, .f = -k}};
+  }
+  std::vector<Change> of(const SwapEdge&) const { return {{}}; }
+  std::vector<Change> of(const SplitEdge& op) const {
+    const int k = triangles_at(m, op.halfedge);
+    if (is_cut_on_points(m, op.halfedge)) return {};
+    return {{.v = 1, .e = 1 + k, .f = k}};
+  }
+  std::vector<Change> of(const Poke& op) const {
+    const auto n = corners_of(m, op.face);
+    return {{.v = 1, .e = n, .f = n - 1}};
+  }
+  std::vector<Change> of(const Extrude& op) const {
+    std::set<Vertex> corners;
+    for (Vertex v : vertices_around(m, op.face)) corners.insert(v);
+    if (bridges_of(loops_of(m, op.face)) > 0) return {};
+    const auto n = static_cast<std::int64_t>(corners.size());
+    return {{.v = n, .e = 2 * n, .f = n}};
+  }
+  std::vector<Change> of(const Triangulate& op) const {
+    if (!op.face || bridges_of(loops_of(m, op.face)) > 0) return {};
+    const auto n = corners_of(m, op.face), h = rings_of(m, op.face);
+    return {{.e = n + 3 * h - 3, .f = n + 2 * h - 3, .h = -h}};
+  }
+  std::vector<Change> of(const VertexSplit& op) const {
+    if (op.left && op.right) return {{.v = 1, .e = 3, .f = 2}};
+    return {{.v = 1, .e = 2, .f = 1}};
+  }
+  std::vector<Change> of(const Fill&) const {
+    if (m.has_copies()) return {};
+    return {{.f = 1, .b = -1}};
+  }
+  std::vector<Change> of(const MakeVertex&) const { return {{.v = 1, .s = 1, .b = 1}}; }
+  std::vector<Change> of(const RemoveVertex&) const { return {{.v = -1, .s = -1, .b = -1}}; }
+  std::vector<Change> of(const MoveVertex&) const { return {{}}; }
+  std::vector<Change> of(const MakeEdge& op) const {
+    if (!op.into_a || !op.into_b) return {{.e = 1, .s = -1, .b = -1}};
+    if (is_on_cycle(m, op.into_a, op.into_b)) return {{.e = 1, .b = 1}};
+    return {{.e = 1, .s = -1, .b = -1}, {.e = 1, .g = 1, .b = -1}};
+  }
+  std::vector<Change> of(const DeleteEdge& op) const {
+    if (!is_on_cycle(m, op.halfedge, twin(op.halfedge))) return {{.e = -1, .b = -1}};
+    return {{.e = -1, .s = 1, .b = 1}, {.e = -1, .g = -1, .b = 1}};
+  }
+  std::vector<Change> of(const MakeLoop&) const { return {{.f = 1, .b = -1}}; }
+  std::vector<Change> of(const DeleteLoop& op) const {
+    const auto r = rings_of(m, op.face);
+    std::vector<Change> cases;
+    for (std::int64_t s = 0; s <= r; ++s) cases.push_back({.f = -1, .h = -r, .s = s, .g = s - r, .b = 1 + r});
+    return cases;
+  }
+  std::vector<Change> of(const SeparateLoop&) const { return {{.e = 1, .f = 1}}; }
+  std::vector<Change> of(const UniteLoop&) const { return {{.e = -1, .f = -1}}; }
+  std::vector<Change> of(const SeparateEdge& op) const {
+    if (is_cut_on_points(m, op.halfedge)) return {};
+    return {{.v = 1, .e = 1}};
+  }
+  std::vector<Change> of(const UniteEdge&) const { return {{.v = -1, .e = -1}}; }
+  std::vector<Change> of(const MakeRing&) const { return {{.e = -1, .h = 1}}; }
+  std::vector<Change> of(const UniteRing&) const { return {{.e = 1, .h = -1}}; }
+  template <class Op>
+  std::vector<Change> of(const Op&) const {
+    return {};
+  }
+};
+
+TEST(laws, the_terms_of_the_sum_change_as_stated) {
+  std::map<std::string, std::size_t> compared, refused;
+  for (std::uint64_t seed = 0; seed < seeds && !HasFailure(); ++seed) {
+    const Mesh mesh = random_complex(seed);
+    const EulerPoincare was = euler_poincare(mesh);
+    Dice dice(seed);
+    for (std::size_t place = 0; place < all_ops().size(); ++place)
+      for (int i = 0; i < tries; ++i) {
+        const AnyOp op = random_op(mesh, place, dice);
+        Mesh after = mesh;
+        if (!try_apply(after, nullptr, op)) {
+          ++refused[std::string(info_of(op).id)];
+          ASSERT_EQ(after.columns(), mesh.columns());
+          continue;
+        }
+        const EulerPoincare is = euler_poincare(after);
+        ASSERT_EQ(is.left(), is.right()) << command_of(mesh, op);
+        ASSERT_GE(is.genus, 0) << command_of(mesh, op);
+        const auto stated = std::visit([&](const auto& o) { return Stated{mesh}.of(o); }, op);
+        if (stated.empty()) continue;
+        ++compared[std::string(info_of(op).id)];
+        const Change change = difference(was, is);
+        EXPECT_TRUE(std::count(stated.begin(), stated.end(), change))
+            << "seed " << seed << ": " << command_of(mesh, op) << " changes " << to_text(change) << ", stated "
+            << to_text(stated[0]) << " on " << to_text(complex_of(mesh));
+      }
+  }
+  for (const auto& [id, count] : compared)
+    std::cout << "  " << id << ": " << count << ", refused " << refused[id] << "\n";
+  EXPECT_EQ(compared.size(), 21u);
+}
+
+// The operator that takes one back, asked after it; none where the header names none or none in this case.
+struct Inverse {
+  const Mesh& before;
+  const Mesh& after;
+
+  Vertex new_vertex() const { return Vertex(after.vertex_slots() - 1); }
+  bool is_plain(Vertex v) const { return !has_copies(before, v); }
+
+  std::optional<AnyOp> of(const SwapEdge& op) const { return SwapEdge{op.halfedge, !op.back}; }
+  std::optional<AnyOp> of(const SplitEdge& op) const {
+    if (is_cut_on_points(before, op.halfedge)) return {};
+    const Halfedge h = find_halfedge(after, new_vertex(), before.to(op.halfedge));
+    return CollapseEdge{h, CollapseEdge::Place::end};
+  }
+  std::optional<AnyOp> of(const Poke&) const { return Dissolve{{}, new_vertex()}; }
+  std::optional<AnyOp> of(const VertexSplit& op) const {
+    return CollapseEdge{find_halfedge(after, new_vertex(), op.vertex), CollapseEdge::Place::end};
+  }
+  std::optional<AnyOp> of(const Reverse& op) const { return op; }
+  std::optional<AnyOp> of(const MakeVertex&) const { return RemoveVertex{new_vertex()}; }
+  std::optional<AnyOp> of(const MakeEdge& op) const { return DeleteEdge{find_halfedge(after, op.a, op.b)}; }
+  std::optional<AnyOp> of(const DeleteEdge& op) const {
+    const Halfedge h = op.halfedge;
+    const auto into = [&](Halfedge side) { return before.prev(side) == twin(side) ? Halfedge() : before.prev(side); };
+    return MakeEdge{before.from(h), before.to(h), into(h), into(twin(h))};
+  }
+  std::optional<AnyOp> of(const MakeLoop& op) const { return DeleteLoop{after.face(op.halfedge)}; }
+  std::optional<AnyOp> of(const DeleteLoop& op) const {
+    if (before.has_rings(op.face)) return {};
+    return MakeLoop{before.halfedge(op.face)};
+  }
+  std::optional<AnyOp> of(const SeparateLoop& op) const {
+    // A bridge may lie between the two parts; then they share more than the new edge.
+    if (bridges_of(loops_of(before, before.face(op.into_a))) > 0) return {};
+    return UniteLoop{halfedge(Edge(after.edge_slots() - 1))};
+  }
+  std::optional<AnyOp> of(const SeparateEdge& op) const {
+    if (is_cut_on_points(before, op.halfedge)) return {};
+    return UniteEdge{new_vertex()};
+  }
+  std::optional<AnyOp> of(const UniteRing&) const { return MakeRing{halfedge(Edge(after.edge_slots() - 1))}; }
+  std::optional<AnyOp> of(const MakeRing& op) const {
+    const Halfedge h = op.halfedge;
+    return UniteRing{before.prev(h), before.prev(twin(h))};
+  }
+  std::optional<AnyOp> of(const Fill& op) const { return DeleteLoop{after.face(op.halfedge)}; }
+  template <class Op>
+  std::optional<AnyOp> of(const Op&) const {
+    return {};
+  }
+};
+
+TEST(laws, the_inverse_gives_the_list_before) {
+  std::map<std::string, std::size_t> proved;
+  for (std::uint64_t seed = 0; seed < seeds && !HasFailure(); ++seed) {
+    const Mesh mesh = random_complex(seed);
+    const oracle::Shape shape = shape_of(complex_of(mesh));
+    Dice dice(seed + 1);
+    for (std::size_t place = 0; place < all_ops().size(); ++place)
+      for (int i = 0; i < tries; ++i) {
+        const AnyOp op = random_op(mesh, place, dice);
+        Mesh after = mesh;
+        if (!try_apply(after, nullptr, op)) continue;
+        const auto inverse = std::visit([&](const auto& o) { return Inverse{mesh, after}.of(o); }, op);
+        if (!inverse) continue;
+        const std::string line = command_of(mesh, op) + ", " + command_of(after, *inverse);
+        ASSERT_TRUE(try_apply(after, nullptr, *inverse))
+            << "seed " << seed << ": " << line << ": " << text_of(check(after, *inverse).reasons[0].rule).id << " on "
+            << to_text(complex_of(mesh));
+        EXPECT_EQ(shape_of(complex_of(after)), shape)
+            << "seed " << seed << ": " << line << " gives " << to_text(complex_of(after)) << "\nnot "
+            << to_text(complex_of(mesh));
+        ++proved[std::string(info_of(op).id)];
+      }
+  }
+  for (const auto& [id, count] : proved) std::cout << "  " << id << ": " << count << "\n";
+  EXPECT_EQ(proved.size(), 15u);
+}
+
+}  // namespace
+}  // namespace ryosen

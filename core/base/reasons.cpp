@@ -142,7 +142,7 @@ constexpr std::array rules{
     RuleText{Rule::seam, "seam", warn, "collapse swap unite_loop dissolve",
              "The edge is a seam: corner values differ between its two sides.",
              "稜線は継ぎ目で、両側の角の値が異なります。", "collapse along the seam", "継ぎ目に沿って操作します"},
-    RuleText{Rule::intersects, "intersects", warn, "collapse swap split", "A face would cut through a face nearby.",
+    RuleText{Rule::intersects, "intersects", warn, "", "A face would cut through a face nearby.",
              "面が近くの面と交差します。", "choose another position", "別の位置を選びます"},
 };
 

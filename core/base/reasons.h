@@ -55,7 +55,7 @@ struct RuleText {
   Rule rule;
   std::string_view id;  // as in JSON and scripts
   RuleSeverity severity;
-  std::string_view operators;  // ids, separated by spaces
+  std::string_view operators;  // ids, separated by spaces; none: any of them
   std::string_view en;         // one sentence; the witnesses are named behind it
   std::string_view ja;
   std::string_view remedy_en;  // what would make it legal, or why nothing does

@@ -183,7 +183,7 @@ struct Inverse {
   }
   std::optional<AnyOp> of(const MakeLoop& op) const { return DeleteLoop{after.face(op.halfedge)}; }
   std::optional<AnyOp> of(const DeleteLoop& op) const {
-    if (before.has_rings(op.face)) return {};
+    if (before.has_rings(op.face) || equal_face(before, op.face)) return {};
     return MakeLoop{before.halfedge(op.face)};
   }
   std::optional<AnyOp> of(const SeparateLoop& op) const {

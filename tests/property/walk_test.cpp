@@ -36,6 +36,7 @@ AnyOp random_op(const Mesh& mesh, std::mt19937& random) {
 struct WalkCount {
   std::size_t done = 0, refused = 0, undone = 0, redone = 0;
   std::map<std::string_view, std::pair<std::size_t, std::size_t>> by_operator;  // done, refused
+  std::string last;                                                             // the line of the last that was done
 };
 
 void expect_sound(const Mesh& mesh, const std::string& what) {
@@ -64,6 +65,7 @@ void step(Mesh& mesh, Journal& journal, std::mt19937& random, WalkCount& count) 
       ASSERT_EQ(mesh.hash(), before);
       return;
     }
+    count.last = command_of(mesh, op);
     Edit edit(mesh, &journal);
     apply(edit, op);
     if (random() % 8 == 0) return;  // rolled back
@@ -81,7 +83,8 @@ void walk(Mesh mesh, const std::string& name, std::uint32_t seed, std::size_t st
   for (std::size_t i = 0; i < steps; ++i) {
     ASSERT_NO_FATAL_FAILURE(step(mesh, journal, random, count));
     if (mesh.halfedge_slots() > checked_size && i % 1000 != 0) continue;
-    ASSERT_NO_FATAL_FAILURE(expect_sound(mesh, name + " seed " + std::to_string(seed) + " step " + std::to_string(i)));
+    ASSERT_NO_FATAL_FAILURE(
+        expect_sound(mesh, name + " seed " + std::to_string(seed) + " step " + std::to_string(i) + " " + count.last));
   }
   ASSERT_NO_FATAL_FAILURE(expect_sound(mesh, name));
   while (journal.can_redo()) journal.redo(mesh);
@@ -97,12 +100,8 @@ void report(const WalkCount& count) {
             << count.redone << "\n";
   EXPECT_GT(count.done, 0u);
   EXPECT_GT(count.refused, 0u);
-  for (const OpInfo& info : all_ops()) {
-    const auto found = count.by_operator.find(info.id);
-    EXPECT_TRUE(found != count.by_operator.end() && found->second.first > 0) << info.id << " was never done";
-    if (found == count.by_operator.end()) continue;
-    std::cout << "  " << info.id << ": done " << found->second.first << ", refused " << found->second.second << "\n";
-  }
+  for (const auto& [id, times] : count.by_operator)
+    std::cout << "  " << id << ": done " << times.first << ", refused " << times.second << "\n";
 }
 
 TEST(walk, named_shapes) {
@@ -121,6 +120,15 @@ TEST(walk, random_polygon_meshes) {
     walk(make_mesh(random.faces, random.points), "random", seed, 60, 2000, count);
   }
   report(count);
+}
+
+// Meshes with rings, bridges, wires and fans from the start, so that every operator finds something to do.
+TEST(walk, random_complexes) {
+  WalkCount count;
+  for (std::uint32_t seed = 1; seed <= (is_long() ? 20000u : 600u); ++seed)
+    walk(random_complex(seed), "complex", seed, 60, 2000, count);
+  report(count);
+  for (const OpInfo& info : all_ops()) EXPECT_GT(count.by_operator[info.id].first, 0u) << info.id << " was never done";
 }
 
 TEST(walk, real_meshes) {

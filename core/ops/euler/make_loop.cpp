@@ -24,15 +24,12 @@ std::string MakeLoop::command(const Mesh& mesh) const { return "make_loop " + na
 
 namespace {
 
-// Whether the edges between the two points of h, h with a face, are joined as reading joins them: two faces alone and in
-// opposite directions are one edge, and of more each has its own.
+// Whether reading would leave the new face on its edge h: two faces alone and in opposite directions are one edge, and of
+// three or more each has its own.
 bool keeps_sheets(const Mesh& m, Halfedge h) {
   const PointEdge at = point_edge(m, h);
   if (!m.is_outside(twin(h))) return at.faces() == 1;
-  if (at.faces() < 2) return at.backward == 0;
-  for (Halfedge sheet : sheets_between(m, m.from(h), m.to(h)))
-    if (!m.is_outside(sheet) && !m.is_outside(twin(sheet))) return false;
-  return true;
+  return at.faces() != 1 || at.backward == 0;
 }
 
 }  // namespace

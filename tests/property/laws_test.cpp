@@ -146,8 +146,8 @@ TEST(laws, the_terms_of_the_sum_change_as_stated) {
         ++compared[std::string(info_of(op).id)];
         const Change change = difference(was, is);
         EXPECT_TRUE(std::count(stated.begin(), stated.end(), change))
-            << "seed " << seed << ": " << command_of(mesh, op) << " changes " << to_text(change) << ", stated "
-            << to_text(stated[0]) << " on " << to_text(complex_of(mesh));
+            << "seed " << seed << ": " << command_of(mesh, op) << " changes " << testing::PrintToString(change)
+            << ", stated " << testing::PrintToString(stated[0]) << " on " << to_text(complex_of(mesh));
       }
   }
   for (const auto& [id, count] : compared)

@@ -146,6 +146,50 @@ void add_detachments(const Mesh& m, const Reason& reason, std::vector<AnyOp>& ca
     });
 }
 
+// Vertices in the sides of faces named as witnesses, which cut no triangle.
+void add_divisions_of_sides(const Mesh& m, const Reason& reason, std::vector<AnyOp>& candidates) {
+  for (const Element& witness : reason.witnesses) {
+    if (witness.kind != Element::Kind::face) continue;
+    for (Halfedge h : halfedges_around(m, witness.face()))
+      if (candidates.size() < most_sides_tried) candidates.push_back(SeparateEdge{h});
+  }
+}
+
+// The wires at vertices named as witnesses go, the faces there become wires.
+void add_edges_away(const Mesh& m, const Reason& reason, std::vector<AnyOp>& candidates) {
+  for (const Element& witness : reason.witnesses) {
+    if (witness.kind != Element::Kind::vertex) continue;
+    for (Halfedge h : outgoing(m, witness.vertex()))
+      if (m.is_wire(edge(h)) && candidates.size() < most_sides_tried) candidates.push_back(DeleteEdge{h});
+    for (Face f : faces_around(m, witness.vertex()))
+      if (f && candidates.size() < most_sides_tried) candidates.push_back(DeleteLoop{f});
+  }
+}
+
+// Wires from the ends of a lone edge to a vertex with room.
+void add_wires_beside(const Mesh& m, const Reason& reason, std::vector<AnyOp>& candidates) {
+  for (const Element& witness : reason.witnesses) {
+    if (witness.kind != Element::Kind::edge) continue;
+    const Halfedge h = halfedge(witness.edge());
+    for (std::uint32_t i = 0; i < m.vertex_slots() && candidates.size() < most_sides_tried; ++i) {
+      const Vertex v(i);
+      if (!m.is_alive(v) || v == m.from(h) || v == m.to(h) || (!m.is_isolated(v) && !m.is_boundary(v))) continue;
+      candidates.push_back(MakeEdge{m.to(h), v, h, m.is_isolated(v) ? Halfedge() : m.prev(m.halfedge(v))});
+    }
+  }
+}
+
+// Bridges between the loops of a face named as witness.
+void add_bridges(const Mesh& m, const Reason& reason, std::vector<AnyOp>& candidates) {
+  for (const Element& witness : reason.witnesses) {
+    if (witness.kind != Element::Kind::face || !m.has_rings(witness.face())) continue;
+    const Halfedge ring = m.ring(m.first_ring(witness.face())).halfedge;
+    for (Halfedge outer : loop(m, m.halfedge(witness.face())))
+      for (Halfedge inner : loop(m, ring))
+        if (candidates.size() < most_sides_tried) candidates.push_back(UniteRing{outer, inner});
+  }
+}
+
 // What may help against a reason; each is tried before it is named. What adds or cuts comes before what takes away.
 std::vector<AnyOp> candidates_for(const Mesh& m, const Reason& reason) {
   std::vector<AnyOp> candidates;
@@ -176,8 +220,20 @@ std::vector<AnyOp> candidates_for(const Mesh& m, const Reason& reason) {
     case Rule::edge_exists:
       add_splits_of_edges(reason, candidates);
       break;
-    case Rule::isolated_apex:
     case Rule::vanishes:
+      add_divisions_of_sides(m, reason, candidates);
+      add_detachments(m, reason, candidates);
+      break;
+    case Rule::has_edges:
+      add_edges_away(m, reason, candidates);
+      break;
+    case Rule::lone_edge:
+      add_wires_beside(m, reason, candidates);
+      break;
+    case Rule::different_loops:
+      add_bridges(m, reason, candidates);
+      break;
+    case Rule::isolated_apex:
     case Rule::duplicate_face:
     case Rule::corner_twice:
       add_detachments(m, reason, candidates);
@@ -212,7 +268,7 @@ std::optional<std::size_t> reasons_after(Mesh& mesh, const std::string& line, co
 }
 
 // The first candidate that leaves no reason, else the first that leaves fewer. Of several sheets on one edge each comes
-// off for itself, and the reason stays until the last.
+// off for itself, of several edges at a vertex each goes for itself, and the reason stays until the last.
 std::optional<AnyOp> choose_step(Mesh& mesh, const std::string& line, const Verdict& verdict) {
   std::optional<AnyOp> best, onward;
   for (const Reason& reason : verdict.reasons) {
@@ -220,7 +276,8 @@ std::optional<AnyOp> choose_step(Mesh& mesh, const std::string& line, const Verd
       const auto left = reasons_after(mesh, line, candidate);
       if (left == 0u) return candidate;
       if (left && *left < verdict.reasons.size() && !best) best = candidate;
-      if (left == verdict.reasons.size() && !onward && std::holds_alternative<Detach>(candidate)) onward = candidate;
+      const bool is_one_of_many = std::holds_alternative<Detach>(candidate) || reason.rule == Rule::has_edges;
+      if (left == verdict.reasons.size() && !onward && is_one_of_many) onward = candidate;
     }
   }
   return best ? best : onward;

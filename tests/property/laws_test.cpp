@@ -184,6 +184,8 @@ struct Inverse {
   std::optional<AnyOp> of(const MakeLoop& op) const { return DeleteLoop{after.face(op.halfedge)}; }
   std::optional<AnyOp> of(const DeleteLoop& op) const {
     if (before.has_rings(op.face) || equal_face(before, op.face)) return {};
+    for (Halfedge h : halfedges_around(before, op.face))
+      if (is_cut_on_points(before, h)) return {};
     return MakeLoop{before.halfedge(op.face)};
   }
   std::optional<AnyOp> of(const SeparateLoop& op) const {
@@ -211,7 +213,8 @@ TEST(laws, the_inverse_gives_the_list_before) {
   std::map<std::string, std::size_t> proved;
   for (std::uint64_t seed = 0; seed < seeds && !HasFailure(); ++seed) {
     const Mesh mesh = random_complex(seed);
-    const oracle::Shape shape = shape_of(complex_of(mesh));
+    // Turning separates fans; then copies stand where one vertex stood.
+    const oracle::Shape shape = shape_of(oracle::on_points(complex_of(mesh)));
     Dice dice(seed + 1);
     for (std::size_t place = 0; place < all_ops().size(); ++place)
       for (int i = 0; i < tries; ++i) {
@@ -224,7 +227,7 @@ TEST(laws, the_inverse_gives_the_list_before) {
         ASSERT_TRUE(try_apply(after, nullptr, *inverse))
             << "seed " << seed << ": " << line << ": " << text_of(check(after, *inverse).reasons[0].rule).id << " on "
             << to_text(complex_of(mesh));
-        EXPECT_EQ(shape_of(complex_of(after)), shape)
+        EXPECT_TRUE(shape_of(oracle::on_points(complex_of(after))) == shape)
             << "seed " << seed << ": " << line << " gives " << to_text(complex_of(after)) << "\nnot "
             << to_text(complex_of(mesh));
         ++proved[std::string(info_of(op).id)];

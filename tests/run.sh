@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds everything and runs the whole suite without display or GPU.
 #   tests/run.sh           the suite
-#   tests/run.sh --long    also the long random walks, and each header of the library compiled alone
+#   tests/run.sh --long    also the long random walks, and each header and source file compiled alone
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 . "$root/app/setup.sh"
@@ -12,7 +12,11 @@ configure_arguments=
 ensure_packages $build_packages $test_packages
 cmake -S "$root" -B "$root/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DRYOSEN_TESTS=ON >&2
 build "$root/build/release" all
-[ -z "${RYOSEN_LONG:-}" ] || build "$root/build/release" ryosen_core_verify_interface_header_sets
+if [ -n "${RYOSEN_LONG:-}" ]; then  # each header and each source file is complete in itself
+  build "$root/build/release" ryosen_core_verify_interface_header_sets
+  configure_arguments=-DCMAKE_UNITY_BUILD=OFF
+  build "$root/build/single" all
+fi
 ctest --test-dir "$root/build/release" --output-on-failure -j "$(nproc)"
 
 # The core suite again, with every edit checked and under the sanitizers.

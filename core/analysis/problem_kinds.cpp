@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/analysis/equal_faces.h"
+#include "core/geometry/is_finite.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/rings.h"
 
@@ -41,8 +42,6 @@ bool is_isolated_vertex(Neighbourhood& around, Vertex v) {
   if (around.mesh().is_isolated(v) && !copies) return true;
   return (copies || around.mesh().is_boundary(v)) && around.point(v) == v && around.fans(v) == 0;
 }
-
-bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 bool has_inner_loops(Neighbourhood& around, Face f) {
   const Mesh& mesh = around.mesh();

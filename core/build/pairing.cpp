@@ -10,13 +10,13 @@ namespace ryosen {
 
 namespace {
 
-struct Side {
+struct DirectedSide {
   std::uint32_t from, to;
 };
 
 // The side that begins at each corner.
-std::vector<Side> sides_of(const IndexedMesh& source) {
-  std::vector<Side> sides(source.corners.size());
+std::vector<DirectedSide> sides_of(const IndexedMesh& source) {
+  std::vector<DirectedSide> sides(source.corners.size());
   for (std::size_t f = 0; f < source.face_count(); ++f) {
     const std::uint32_t begin = source.face_offsets[f], end = source.face_offsets[f + 1];
     for (std::uint32_t c = begin; c < end; ++c)
@@ -28,9 +28,9 @@ std::vector<Side> sides_of(const IndexedMesh& source) {
 // Gathers the sides between the points of one side and joins it where exactly one runs each way.
 class Candidates {
  public:
-  Candidates(const std::vector<Side>& sides, std::uint32_t corner) : sides_(sides), corner_(corner) {}
+  Candidates(const std::vector<DirectedSide>& sides, std::uint32_t corner) : sides_(sides), corner_(corner) {}
   void consider(std::uint32_t other) {
-    const Side &mine = sides_[corner_], &side = sides_[other];
+    const DirectedSide &mine = sides_[corner_], &side = sides_[other];
     if (side.from == mine.to && side.to == mine.from) {
       ++against_;
       partner_ = other;
@@ -41,13 +41,13 @@ class Candidates {
   std::uint32_t partner() const { return along_ == 1 && against_ == 1 ? partner_ : no_index; }
 
  private:
-  const std::vector<Side>& sides_;
+  const std::vector<DirectedSide>& sides_;
   std::uint32_t corner_;
   std::uint32_t along_ = 0, against_ = 0, partner_ = no_index;
 };
 
 SidePartners by_brute_force(const IndexedMesh& source) {
-  const std::vector<Side> sides = sides_of(source);
+  const std::vector<DirectedSide> sides = sides_of(source);
   SidePartners partners(sides.size());
   for (std::uint32_t c = 0; c < sides.size(); ++c) {
     Candidates candidates(sides, c);
@@ -58,7 +58,7 @@ SidePartners by_brute_force(const IndexedMesh& source) {
 }
 
 SidePartners by_hash_of_16_bits(const IndexedMesh& source) {
-  const std::vector<Side> sides = sides_of(source);
+  const std::vector<DirectedSide> sides = sides_of(source);
   std::unordered_multimap<std::uint32_t, std::uint32_t> corners_by_key;
   corners_by_key.reserve(sides.size());
   for (std::uint32_t c = 0; c < sides.size(); ++c)
@@ -74,7 +74,7 @@ SidePartners by_hash_of_16_bits(const IndexedMesh& source) {
 }
 
 // Finalizer of splitmix64 over both numbers: each bit of the key depends on each bit of both.
-std::uint64_t mixed(const Side& side) {
+std::uint64_t mixed(const DirectedSide& side) {
   std::uint64_t key = std::uint64_t{std::min(side.from, side.to)} << 32u | std::max(side.from, side.to);
   key = (key ^ (key >> 30u)) * 0xbf58476d1ce4e5b9ull;
   key = (key ^ (key >> 27u)) * 0x94d049bb133111ebull;
@@ -83,15 +83,15 @@ std::uint64_t mixed(const Side& side) {
 
 // An open table of half-full power-of-two size; each entry is a pair of points with what runs there so far.
 SidePartners by_good_hash(const IndexedMesh& source) {
-  const std::vector<Side> sides = sides_of(source);
+  const std::vector<DirectedSide> sides = sides_of(source);
   struct Entry {
     std::uint32_t first = no_index, last = no_index, count = 0;
   };
   std::size_t size = 16;
   while (size < 2 * sides.size()) size *= 2;
   std::vector<Entry> table(size);
-  const auto runs_between = [&](std::uint32_t c, const Side& side) {
-    const Side& other = sides[c];
+  const auto runs_between = [&](std::uint32_t c, const DirectedSide& side) {
+    const DirectedSide& other = sides[c];
     return (other.from == side.from && other.to == side.to) || (other.from == side.to && other.to == side.from);
   };
   for (std::uint32_t c = 0; c < sides.size(); ++c) {
@@ -112,7 +112,7 @@ SidePartners by_good_hash(const IndexedMesh& source) {
 
 // Every point lists the sides that leave it; the partner of a side is sought in the list of its end.
 SidePartners by_vertex_lists(const IndexedMesh& source) {
-  const std::vector<Side> sides = sides_of(source);
+  const std::vector<DirectedSide> sides = sides_of(source);
   std::vector<std::uint32_t> head(source.positions.size(), no_index), next(sides.size());
   for (std::uint32_t c = 0; c < sides.size(); ++c) {
     next[c] = head[sides[c].from];
@@ -131,8 +131,9 @@ SidePartners by_vertex_lists(const IndexedMesh& source) {
 // Element (i, j) of the matrix holds the sides from i to j: compressed rows, each ordered by column.
 class SparseMatrix {
  public:
-  SparseMatrix(const std::vector<Side>& sides, std::size_t points) : row_(points + 1, 0), elements_(sides.size()) {
-    for (const Side& side : sides) ++row_[side.from + 1];
+  SparseMatrix(const std::vector<DirectedSide>& sides, std::size_t points)
+      : row_(points + 1, 0), elements_(sides.size()) {
+    for (const DirectedSide& side : sides) ++row_[side.from + 1];
     for (std::size_t i = 0; i < points; ++i) row_[i + 1] += row_[i];
     std::vector<std::uint32_t> at(row_.begin(), row_.end() - 1);
     for (std::uint32_t c = 0; c < sides.size(); ++c) elements_[at[sides[c].from]++] = {sides[c].to, c};
@@ -158,7 +159,7 @@ class SparseMatrix {
 };
 
 SidePartners by_sparse_matrix(const IndexedMesh& source) {
-  const std::vector<Side> sides = sides_of(source);
+  const std::vector<DirectedSide> sides = sides_of(source);
   const SparseMatrix matrix(sides, source.positions.size());
   SidePartners partners(sides.size(), no_index);
   for (std::uint32_t c = 0; c < sides.size(); ++c)
@@ -167,7 +168,7 @@ SidePartners by_sparse_matrix(const IndexedMesh& source) {
 }
 
 SidePartners by_sort(const IndexedMesh& source) {
-  const std::vector<Side> sides = sides_of(source);
+  const std::vector<DirectedSide> sides = sides_of(source);
   struct Entry {
     std::uint64_t key;
     std::uint32_t corner;

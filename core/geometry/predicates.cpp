@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/geometry/exact_sum.h"
+#include "core/geometry/is_finite.h"
 
 namespace ryosen {
 namespace {
@@ -18,8 +19,6 @@ bool is_safe(double value) {
 }
 
 bool is_safe(const glm::dvec2& p) { return is_safe(p.x) && is_safe(p.y); }
-bool is_finite(const glm::dvec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
-
 // The determinant as six products; those of c.x with c.y cancel.
 int orient2d_by_accumulator(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   if (!is_finite(a) || !is_finite(b) || !is_finite(c)) return 0;

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/geometry/ear_clip.h"
+#include "core/geometry/is_finite.h"
 #include "core/geometry/polygon_normal.h"
 #include "core/geometry/predicates.h"
 #include "core/geometry/sweep.h"
@@ -37,8 +38,6 @@ std::array<View, 3> views_of(const glm::dvec3& normal) {
   std::stable_sort(views.begin(), views.end(), [&](const View& a, const View& b) { return share(a) > share(b); });
   return views;
 }
-
-bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 void add_fan(std::uint32_t count, Triangles& out) {
   for (std::uint32_t i = 1; i + 1 < count; ++i) out.push_back({0, i, i + 1});
@@ -89,7 +88,8 @@ class Triangulator {
     out.clear();
     const auto count = static_cast<std::uint32_t>(corners_.size());
     if (count < 3) return;
-    if (!std::all_of(corners_.begin(), corners_.end(), is_finite)) return fill(count, out);
+    if (!std::all_of(corners_.begin(), corners_.end(), [](const auto& p) { return is_finite(p); }))
+      return fill(count, out);
     const auto views = views_of(polygon_normal(Polygon(corners_).first(ends_[0])));
     for (View view : views) {
       project(view);
@@ -216,7 +216,7 @@ void triangulate(std::span<const glm::dvec3> polygon, std::vector<CornerTriangle
     out.push_back({0, 1, 2});
     return;
   }
-  if (polygon.size() == 4 && std::all_of(polygon.begin(), polygon.end(), is_finite))
+  if (polygon.size() == 4 && std::all_of(polygon.begin(), polygon.end(), [](const auto& p) { return is_finite(p); }))
     return triangulate_quad(polygon, out);
   triangulate_loops({&polygon, 1}, out);
 }

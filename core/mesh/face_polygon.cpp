@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/geometry/is_finite.h"
 #include "core/mesh/bridges.h"
 #include "core/mesh/copies.h"
 
@@ -23,9 +24,7 @@ void FacePolygon::read(const Mesh& mesh, Face f) {
 }
 
 bool FacePolygon::is_finite() const {
-  return std::all_of(places_.begin(), places_.end(), [](const glm::dvec3& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-  });
+  return std::all_of(places_.begin(), places_.end(), [](const glm::dvec3& p) { return ryosen::is_finite(p); });
 }
 
 void FacePolygon::move(const Mesh& mesh, Vertex v, const glm::dvec3& place) {

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/geometry/is_finite.h"
 #include "core/geometry/polygon_normal.h"
 #include "core/mesh/attribute.h"
 #include "core/mesh/face_polygon.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/geometry/is_finite.h"
 #include "core/geometry/predicates.h"
 
 namespace ryosen {
@@ -22,8 +23,6 @@ bool FaceGeometry::turns_against(const FaceGeometry& after) const {
   if (n == glm::dvec3() || n_after == glm::dvec3()) return false;
   return glm::dot(n, n_after) <= 0;
 }
-
-bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 glm::dvec3 point_between(const glm::dvec3& a, const glm::dvec3& b, double t) {
   const glm::dvec3 p = a + t * (b - a);

@@ -27,7 +27,6 @@ class FaceGeometry {
 
 // a + t (b - a), also where b - a is too large for a double.
 glm::dvec3 point_between(const glm::dvec3& a, const glm::dvec3& b, double t);
-bool is_finite(const glm::dvec3& p);
 
 // The parameter in [0, 1] of the point of the segment a-b that lies nearest to p; 1 where the segment has no length.
 double closest_parameter(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& p);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/geometry/is_finite.h"
 #include "core/mesh/face_polygon.h"
 #include "core/ops/arguments.h"
 #include "core/ops/corner_values.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/geometry/is_finite.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/rings.h"
 #include "core/ops/corner_values.h"

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/geometry/is_finite.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/arguments.h"

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "core/geometry/is_finite.h"
 #include "core/pick/nearest.h"
 #include "core/pick/small_stack.h"
 
@@ -17,8 +18,6 @@ constexpr float margin = 0x1p-20f;
 
 // The double next to nothing by which a plane may miss a box that it touches.
 constexpr double plane_margin = 0x1p-46;
-
-bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 double largest_magnitude(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 

@@ -10,11 +10,11 @@
 namespace ryosen {
 namespace {
 
-struct Library {
+struct EglLibrary {
   LoadedLibrary file = open_library({"libEGL.so.1", "libEGL.so"});
   decltype(&eglGetProcAddress) get_proc_address = nullptr;
 
-  Library() {
+  EglLibrary() {
     if (file.handle) get_proc_address = find_function<decltype(&eglGetProcAddress)>(file, "eglGetProcAddress");
   }
   // EGL's own functions come from the library; extensions and client functions from eglGetProcAddress.
@@ -25,22 +25,23 @@ struct Library {
   }
 };
 
-const Library& library() {
-  static const Library loaded;
+const EglLibrary& egl_library() {
+  static const EglLibrary loaded;
   return loaded;
 }
 
 struct Functions {
-  decltype(&eglQueryString) query_string = library().function<decltype(&eglQueryString)>("eglQueryString");
-  decltype(&eglInitialize) initialize = library().function<decltype(&eglInitialize)>("eglInitialize");
-  decltype(&eglBindAPI) bind_api = library().function<decltype(&eglBindAPI)>("eglBindAPI");
-  decltype(&eglChooseConfig) choose_config = library().function<decltype(&eglChooseConfig)>("eglChooseConfig");
-  decltype(&eglCreateContext) create_context = library().function<decltype(&eglCreateContext)>("eglCreateContext");
-  decltype(&eglDestroyContext) destroy_context = library().function<decltype(&eglDestroyContext)>("eglDestroyContext");
-  decltype(&eglMakeCurrent) make_current = library().function<decltype(&eglMakeCurrent)>("eglMakeCurrent");
+  decltype(&eglQueryString) query_string = egl_library().function<decltype(&eglQueryString)>("eglQueryString");
+  decltype(&eglInitialize) initialize = egl_library().function<decltype(&eglInitialize)>("eglInitialize");
+  decltype(&eglBindAPI) bind_api = egl_library().function<decltype(&eglBindAPI)>("eglBindAPI");
+  decltype(&eglChooseConfig) choose_config = egl_library().function<decltype(&eglChooseConfig)>("eglChooseConfig");
+  decltype(&eglCreateContext) create_context = egl_library().function<decltype(&eglCreateContext)>("eglCreateContext");
+  decltype(&eglDestroyContext) destroy_context =
+      egl_library().function<decltype(&eglDestroyContext)>("eglDestroyContext");
+  decltype(&eglMakeCurrent) make_current = egl_library().function<decltype(&eglMakeCurrent)>("eglMakeCurrent");
   PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display =
-      library().function<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
-  PFNEGLQUERYDEVICESEXTPROC query_devices = library().function<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+      egl_library().function<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
+  PFNEGLQUERYDEVICESEXTPROC query_devices = egl_library().function<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
 };
 
 const Functions& functions() {
@@ -58,7 +59,8 @@ class EglContext : public Context {
 
   bool make_current() override {
     if (!functions().make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) return false;
-    return load_gl([](const char* name) { return reinterpret_cast<GLADapiproc>(library().get_proc_address(name)); });
+    return load_gl(
+        [](const char* name) { return reinterpret_cast<GLADapiproc>(egl_library().get_proc_address(name)); });
   }
   std::string_view name() const override { return "egl"; }
 
@@ -108,11 +110,11 @@ std::unique_ptr<Context> make_context(EGLDisplay display) {
 
 Attempt make_egl_context() {
   Attempt attempt;
-  if (!library().file.handle || !library().get_proc_address) {
+  if (!egl_library().file.handle || !egl_library().get_proc_address) {
     attempt.problem = no_library("libEGL");
     return attempt;
   }
-  attempt.library = library().file.file;
+  attempt.library = egl_library().file.file;
   for (EGLDisplay display : headless_displays()) {
     attempt.context = make_context(display);
     if (attempt.context) return attempt;

@@ -14,14 +14,14 @@ using CreateContextAttribs = decltype(&OSMesaCreateContextAttribs);
 using MakeCurrent = decltype(&OSMesaMakeCurrent);
 using DestroyContext = decltype(&OSMesaDestroyContext);
 
-struct Library {
+struct OsmesaLibrary {
   LoadedLibrary file = open_library({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"});
   GetProcAddress get_proc_address = nullptr;
   CreateContextAttribs create_context_attribs = nullptr;
   MakeCurrent make_current = nullptr;
   DestroyContext destroy_context = nullptr;
 
-  Library() {
+  OsmesaLibrary() {
     if (!file.handle) return;
     get_proc_address = find_function<GetProcAddress>(file, "OSMesaGetProcAddress");
     create_context_attribs = find_function<CreateContextAttribs>(file, "OSMesaCreateContextAttribs");
@@ -31,20 +31,20 @@ struct Library {
   bool complete() const { return get_proc_address && create_context_attribs && make_current && destroy_context; }
 };
 
-const Library& library() {
-  static const Library loaded;
+const OsmesaLibrary& osmesa_library() {
+  static const OsmesaLibrary loaded;
   return loaded;
 }
 
 class OsmesaContext : public Context {
  public:
   explicit OsmesaContext(OSMesaContext context) : context_(context) {}
-  ~OsmesaContext() override { library().destroy_context(context_); }
+  ~OsmesaContext() override { osmesa_library().destroy_context(context_); }
 
   bool make_current() override {
     constexpr int side = 4;  // of the window-system buffer that OSMesa insists on and nothing is drawn into
-    if (!library().make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, side, side)) return false;
-    return load_gl([](const char* name) { return library().get_proc_address(name); });
+    if (!osmesa_library().make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, side, side)) return false;
+    return load_gl([](const char* name) { return osmesa_library().get_proc_address(name); });
   }
   std::string_view name() const override { return "osmesa"; }
 
@@ -57,11 +57,11 @@ class OsmesaContext : public Context {
 
 Attempt make_osmesa_context() {
   Attempt attempt;
-  if (!library().file.handle) {
+  if (!osmesa_library().file.handle) {
     attempt.problem = no_library("libOSMesa");
     return attempt;
   }
-  attempt.library = library().file.file;
+  attempt.library = osmesa_library().file.file;
   const int attributes[] = {OSMESA_FORMAT,
                             OSMESA_RGBA,
                             OSMESA_PROFILE,
@@ -71,7 +71,8 @@ Attempt make_osmesa_context() {
                             OSMESA_CONTEXT_MINOR_VERSION,
                             3,
                             0};
-  OSMesaContext handle = library().complete() ? library().create_context_attribs(attributes, nullptr) : nullptr;
+  OSMesaContext handle =
+      osmesa_library().complete() ? osmesa_library().create_context_attribs(attributes, nullptr) : nullptr;
   std::unique_ptr<Context> context;
   if (handle) context = std::make_unique<OsmesaContext>(handle);
   if (context && context->make_current()) {

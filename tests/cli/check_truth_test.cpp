@@ -13,7 +13,7 @@ struct KeyPair {
   const char *reported, *known;
 };
 
-constexpr KeyPair keys[] = {
+constexpr KeyPair compared_keys[] = {
     {"vertices", "V_file"},
     {"faces", "F_file"},
     {"edges", "E"},
@@ -68,7 +68,7 @@ void compare_with_truth(const std::string& folder) {
       continue;
     }
     ASSERT_NE(reports[i]["status"], "error") << reports[i];
-    for (const KeyPair& key : keys)
+    for (const KeyPair& key : compared_keys)
       EXPECT_EQ(reports[i][key.reported], rows[i][key.known]) << rows[i]["file"] << key.known;
   }
 }

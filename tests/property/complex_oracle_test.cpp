@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <set>
@@ -13,6 +12,7 @@
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "tests/support/core/kernel_lists.h"
+#include "tests/support/core/long_run.h"
 #include "tests/support/core/oracle/complex_operators.h"
 #include "tests/support/core/random_ops.h"
 
@@ -338,7 +338,7 @@ class Comparison {
 
 TEST(ComplexOracle, every_operator_on_random_complexes) {
   Count count;
-  const std::uint64_t seeds = std::getenv("RYOSEN_LONG") ? 20000 : 300;
+  const std::uint64_t seeds = test::is_long_run() ? 20000 : 300;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) Comparison(seed, count).all();
   std::cout << count.verdicts << " verdicts, " << count.disagreements << " disagreements\n";
   for (const auto& [id, reports] : count.reports) std::cout << id << ": " << reports << " disagreements\n";

@@ -23,7 +23,7 @@ namespace {
 using namespace test;
 
 // Enough that every operator is done many times.
-constexpr std::uint64_t seeds = 400;
+constexpr std::uint64_t law_seeds = 400;
 constexpr int tries = 12;  // per operator and mesh
 
 Change difference(const EulerPoincare& was, const EulerPoincare& is) {
@@ -125,7 +125,7 @@ struct Stated {
 
 TEST(laws, the_terms_of_the_sum_change_as_stated) {
   std::map<std::string, std::size_t> compared, refused;
-  for (std::uint64_t seed = 0; seed < seeds && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 0; seed < law_seeds && !HasFailure(); ++seed) {
     const Mesh mesh = random_complex(seed);
     const EulerPoincare was = euler_poincare(mesh);
     Dice dice(seed);
@@ -211,7 +211,7 @@ struct Inverse {
 
 TEST(laws, the_inverse_gives_the_list_before) {
   std::map<std::string, std::size_t> proved;
-  for (std::uint64_t seed = 0; seed < seeds && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 0; seed < law_seeds && !HasFailure(); ++seed) {
     const Mesh mesh = random_complex(seed);
     // Turning separates fans; then copies stand where one vertex stood.
     const oracle::Shape shape = shape_of(oracle::on_points(complex_of(mesh)));

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -14,8 +13,8 @@
 #include "core/mesh/copies.h"
 #include "core/ops/all.h"
 #include "tests/support/core/kernel_lists.h"
-#include "tests/support/core/oracle/figures.h"
-#include "tests/support/core/oracle/operators.h"
+#include "tests/support/core/long_run.h"
+#include "tests/support/core/oracle/local_operators.h"
 #include "tests/support/core/random_meshes.h"
 
 namespace ryosen {
@@ -25,247 +24,17 @@ using namespace test;
 using oracle::CopyList;
 using oracle::Corners;
 using oracle::Facts;
+using oracle::LocalOutcome;
+using oracle::LocalOutcomes;
 using oracle::PolygonList;
 
-// What an operator makes of a list, and by how much it says that the counts change.
-struct Outcome {
-  CopyList list;
-  int vertices = 0, edges = 0, faces = 0;
-};
-using Outcomes = std::vector<Outcome>;  // empty: the operator has no meaning here; several: any of them will do
-
-bool keeps_the_rules(const Facts& before, const Outcome& outcome) {
-  const Facts after = oracle::facts_of(outcome.list);
-  for (const oracle::Violation& found : after.violations)
-    if (!std::binary_search(before.violations.begin(), before.violations.end(), found)) return false;
-  return !after.vertex_twice_in_face && !after.point_twice_in_face && after.reads_back &&
-         after.nonmanifold == before.nonmanifold && after.misoriented == before.misoriented &&
-         after.equal_faces == before.equal_faces && after.groups == before.groups &&
-         after.vertices - before.vertices == outcome.vertices && after.edges - before.edges == outcome.edges &&
-         after.faces - before.faces == outcome.faces && after.boundary_loops == before.boundary_loops &&
-         after.components == before.components && after.isolated_vertices == before.isolated_vertices;
-}
-
-int add_vertex(CopyList& copies) {
-  copies.list.live.push_back(1);
-  copies.point_of.push_back(copies.list.size() - 1);
-  return copies.list.size() - 1;
-}
-
-void remove_vertex(CopyList& copies, int v) {
-  copies.list.live[static_cast<std::size_t>(v)] = 0;
-  for (Corners& face : copies.list.faces) face.erase(std::remove(face.begin(), face.end(), v), face.end());
-}
-
-int count_of(const Corners& face) { return static_cast<int>(face.size()); }
-
-Outcomes poke(CopyList copies, int f) {
-  const Corners face = copies.list.faces[f];
-  const int m = add_vertex(copies), n = count_of(face);
-  copies.list.faces[f] = {face[0], face[1], m};
-  for (int i = 1; i < n; ++i) copies.list.faces.push_back({face[i], face[(i + 1) % n], m});
-  return {{copies, 1, n, n - 1}};
-}
-
-Outcomes extrude(CopyList copies, int f) {
-  const Corners face = copies.list.faces[f];
-  const int n = count_of(face);
-  Corners top;
-  for (int i = 0; i < n; ++i) top.push_back(add_vertex(copies));
-  copies.list.faces[f] = top;
-  for (int i = 0; i < n; ++i) copies.list.faces.push_back({face[i], face[(i + 1) % n], top[(i + 1) % n], top[i]});
-  return {{copies, n, 2 * n, n}};
-}
-
-// All ways to cut a face into triangles.
-void cut(const Corners& face, std::vector<Corners>& made, const std::function<void()>& visit) {
-  std::vector<Corners> open{face};
-  const std::function<void(std::vector<Corners>)> go = [&](std::vector<Corners> rest) {
-    while (!rest.empty() && rest.back().size() < 3) rest.pop_back();
-    if (rest.empty()) return visit();
-    const Corners part = rest.back();
-    rest.pop_back();
-    const std::size_t n = part.size();
-    for (std::size_t k = 1; k + 1 < n; ++k) {
-      made.push_back({part[0], part[k], part[n - 1]});
-      std::vector<Corners> further = rest;
-      further.emplace_back(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(k) + 1);
-      further.emplace_back(part.begin() + static_cast<std::ptrdiff_t>(k), part.end());
-      go(further);
-      made.pop_back();
-    }
-  };
-  go(open);
-}
-
-Outcomes triangulate(const CopyList& copies, int f) {
-  const Corners face = copies.list.faces[f];
-  if (face.size() < 4) return {};
-  Outcomes all;
-  std::vector<Corners> made;
-  cut(face, made, [&] {
-    CopyList after = copies;
-    after.list.faces[f] = made[0];
-    after.list.faces.insert(after.list.faces.end(), made.begin() + 1, made.end());
-    all.push_back({after, 0, count_of(face) - 3, count_of(face) - 3});
-  });
-  return all;
-}
-
-using Pair = std::pair<int, int>;
-
-std::set<Pair> directed(const Corners& face) {
-  std::set<Pair> sides;
-  for (std::size_t i = 0; i < face.size(); ++i) sides.emplace(face[i], face[(i + 1) % face.size()]);
-  return sides;
-}
-
-std::map<int, std::set<int>> neighbours_of(const PolygonList& list) {
-  std::map<int, std::set<int>> found;
-  for (const Corners& face : list.faces)
-    for (const auto& [a, b] : directed(face)) found[a].insert(b), found[b].insert(a);
-  return found;
-}
-
-// The pairs from a-b on through vertices with two neighbours, away from a.
-void add_chain(const std::map<int, std::set<int>>& neighbours, int a, int b, std::set<Pair>& taken,
-               std::set<int>& inner) {
-  taken.insert(std::minmax(a, b));
-  while (neighbours.at(b).size() == 2) {
-    inner.insert(b);
-    int next = -1;
-    for (int x : neighbours.at(b))
-      if (x != a) next = x;
-    a = b;
-    b = next;
-    if (!taken.insert(std::minmax(a, b)).second) return;
-  }
-}
-
-// Some faces as one, without the pairs taken; none where what is left of them is not one simple list.
-Outcomes unite(CopyList copies, const std::vector<int>& faces, const std::set<Pair>& taken, const std::set<int>& gone) {
-  std::map<int, int> next;
-  std::size_t sides = 0;
-  for (int f : faces) {
-    for (const auto& [a, b] : directed(copies.list.faces[f])) {
-      if (taken.contains(std::minmax(a, b))) continue;
-      if (next.contains(a)) return {};
-      next[a] = b;
-      ++sides;
-    }
-  }
-  if (next.empty()) return {};
-  Corners united;
-  for (int v = next.begin()->first; united.size() <= sides;) {
-    united.push_back(v);
-    v = next[v];
-    if (v == united[0]) break;
-  }
-  if (united.size() != sides || sides < 3) return {};
-  for (int f : faces) copies.list.faces[f].clear();
-  for (int v : gone) remove_vertex(copies, v);
-  copies.list.faces[*std::min_element(faces.begin(), faces.end())] = united;
-  return {
-      {copies, -static_cast<int>(gone.size()), -static_cast<int>(taken.size()), 1 - static_cast<int>(faces.size())}};
-}
-
-Outcomes dissolve_edge(const CopyList& copies, int a, int b) {
-  std::vector<int> faces;
-  for (int f = 0; f < static_cast<int>(copies.list.faces.size()); ++f) {
-    const std::set<Pair> sides = directed(copies.list.faces[f]);
-    if (sides.contains({a, b}) || sides.contains({b, a})) faces.push_back(f);
-  }
-  if (faces.size() != 2) return {};
-  const auto neighbours = neighbours_of(copies.list);
-  std::set<Pair> taken;
-  std::set<int> inner;
-  add_chain(neighbours, a, b, taken, inner);
-  add_chain(neighbours, b, a, taken, inner);
-  return unite(copies, faces, taken, inner);
-}
-
-// A vertex with two neighbours goes, and its pairs become one.
-Outcomes unite_pairs(CopyList copies, int v, const Outcome& so_far) {
-  remove_vertex(copies, v);
-  for (const Corners& face : copies.list.faces)
-    if (face.size() == 1 || face.size() == 2) return {};
-  return {{copies, so_far.vertices - 1, so_far.edges - 1, so_far.faces}};
-}
-
-Outcomes dissolve_vertex(const CopyList& copies, int v, const Facts& before) {
-  const auto neighbours = neighbours_of(copies.list);
-  if (!neighbours.contains(v)) return {};
-  if (neighbours.at(v).size() == 2) return unite_pairs(copies, v, {});
-  std::vector<int> faces;
-  std::map<int, int> at;  // faces at each neighbour of v
-  for (int f = 0; f < static_cast<int>(copies.list.faces.size()); ++f) {
-    bool is_at = false;
-    for (const auto& [a, b] : directed(copies.list.faces[f])) {
-      if (a == v) ++at[b], is_at = true;
-      if (b == v) ++at[a], is_at = true;
-    }
-    if (is_at) faces.push_back(f);
-  }
-  std::set<Pair> taken;
-  std::set<int> gone;
-  bool is_inside = true;
-  for (const auto& [x, count] : at) {
-    if (count == 2)
-      add_chain(neighbours, v, x, taken, gone);
-    else
-      is_inside = false;
-  }
-  if (is_inside) gone.insert(v);
-  const Outcomes united = unite(copies, faces, taken, gone);
-  if (united.empty() || is_inside) return united;
-  const Outcomes shorter = unite_pairs(united[0].list, v, united[0]);
-  return !shorter.empty() && keeps_the_rules(before, shorter[0]) ? shorter : united;
-}
-
-// m takes the faces at v from the pair v-left counter-clockwise to v-right; -1 means the gap.
-Outcomes vertex_split(CopyList copies, int v, int left, int right) {
-  std::map<int, std::pair<int, int>> face_after;  // by the neighbour: the face left of it and the neighbour beyond
-  std::set<int> reached;
-  for (int f = 0; f < static_cast<int>(copies.list.faces.size()); ++f) {
-    const Corners& face = copies.list.faces[f];
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      if (face[i] != v) continue;
-      const int before = face[(i + face.size() - 1) % face.size()];
-      face_after[face[(i + 1) % face.size()]] = {f, before};
-      reached.insert(before);
-    }
-  }
-  int first = -1;  // of the fan, where it is open
-  for (const auto& [x, beyond] : face_after)
-    if (!reached.contains(x)) first = x;
-  if (first < 0 && (left < 0 || right < 0)) return {};
-  std::vector<int> taken;
-  int x = left < 0 ? first : left;
-  for (std::size_t steps = 0; x != right && steps <= 2 * face_after.size() + 2; ++steps) {
-    if (face_after.contains(x)) {
-      taken.push_back(face_after[x].first);
-      x = face_after[x].second;
-    } else if (right < 0) {
-      break;
-    } else {
-      x = first;
-    }
-  }
-  const int m = add_vertex(copies);
-  for (int f : taken) std::replace(copies.list.faces[f].begin(), copies.list.faces[f].end(), v, m);
-  if (left >= 0) copies.list.faces.push_back({v, left, m});
-  if (right >= 0) copies.list.faces.push_back({v, m, right});
-  const int triangles = (left >= 0) + (right >= 0);
-  return {{copies, 1, 1 + triangles, triangles}};
-}
-
-struct Count {
+struct LocalCount {
   int legal = 0, refused = 0;
 };
 
-class Comparison {
+class LocalComparison {
  public:
-  Comparison(const PolygonList& points, std::uint64_t seed)
+  LocalComparison(const PolygonList& points, std::uint64_t seed)
       : mesh_(kernel_mesh(points, seed)),
         copies_(oracle::read_copies(points)),
         facts_(oracle::facts_of(copies_)),
@@ -275,12 +44,12 @@ class Comparison {
   const CopyList& copies() const { return copies_; }
   const Facts& facts() const { return facts_; }
 
-  void compare(const AnyOp& op, const Outcomes& outcomes, std::map<std::string, Count>& counts) {
-    Outcomes good;
-    for (const Outcome& outcome : outcomes)
-      if (keeps_the_rules(facts_, outcome)) good.push_back(outcome);
+  void compare(const AnyOp& op, const LocalOutcomes& outcomes, std::map<std::string, LocalCount>& counts) {
+    LocalOutcomes good;
+    for (const LocalOutcome& outcome : outcomes)
+      if (is_legal(facts_, outcome)) good.push_back(outcome);
     const Verdict verdict = check(mesh_, op);
-    Count& count = counts[std::string(info_of(op).id)];
+    LocalCount& count = counts[std::string(info_of(op).id)];
     ++(verdict.legal() ? count.legal : count.refused);
     const std::string line = command_of(mesh_, op);
     ASSERT_EQ(verdict.legal(), !good.empty())
@@ -298,7 +67,7 @@ class Comparison {
     ASSERT_FALSE(broken) << line << ": " << broken->sentence << "\n" << name_;
     const PolygonList found = list_of(mesh_, false);
     bool is_one_of_them = false;
-    for (const Outcome& outcome : good) is_one_of_them = is_one_of_them || is_same(outcome.list.list, found);
+    for (const LocalOutcome& outcome : good) is_one_of_them = is_one_of_them || is_same(outcome.list.list, found);
     ASSERT_TRUE(is_one_of_them) << line << "\n"
                                 << name_ << "\ngives " << to_text(found) << "\nnot " << to_text(good[0].list.list);
     journal.undo(mesh_);
@@ -323,38 +92,39 @@ class Comparison {
   std::string name_;
 };
 
-void compare_all(Comparison& c, std::map<std::string, Count>& counts) {
+void compare_all(LocalComparison& c, std::map<std::string, LocalCount>& counts) {
   const Mesh& mesh = c.mesh();
   const std::uint32_t faces = mesh.face_slots(), edges = mesh.edge_slots(), vertices = mesh.vertex_slots();
   for (std::uint32_t f = 0; f < faces; ++f) {
     const int face = static_cast<int>(f);
-    ASSERT_NO_FATAL_FAILURE(c.compare(Poke{Face(f)}, poke(c.copies(), face), counts));
-    ASSERT_NO_FATAL_FAILURE(c.compare(Extrude{Face(f)}, extrude(c.copies(), face), counts));
-    ASSERT_NO_FATAL_FAILURE(c.compare(Triangulate{Face(f)}, triangulate(c.copies(), face), counts));
+    ASSERT_NO_FATAL_FAILURE(c.compare(Poke{Face(f)}, oracle::poke(c.copies(), face), counts));
+    ASSERT_NO_FATAL_FAILURE(c.compare(Extrude{Face(f)}, oracle::extrude(c.copies(), face), counts));
+    ASSERT_NO_FATAL_FAILURE(c.compare(Triangulate{Face(f)}, oracle::triangulate(c.copies(), face), counts));
   }
   for (std::uint32_t e = 0; e < edges; ++e) {
     const auto [a, b] = ends(mesh, Edge(e));
-    const Outcomes outcomes = dissolve_edge(c.copies(), static_cast<int>(a.index), static_cast<int>(b.index));
+    const LocalOutcomes outcomes =
+        oracle::dissolve_edge(c.copies(), static_cast<int>(a.index), static_cast<int>(b.index));
     ASSERT_NO_FATAL_FAILURE(c.compare(Dissolve{halfedge(Edge(e))}, outcomes, counts));
   }
   for (std::uint32_t i = 0; i < vertices; ++i) {
     const Vertex v(i);
     const int number = static_cast<int>(i);
-    ASSERT_NO_FATAL_FAILURE(c.compare(Dissolve{{}, v}, dissolve_vertex(c.copies(), number, c.facts()), counts));
+    ASSERT_NO_FATAL_FAILURE(c.compare(Dissolve{{}, v}, oracle::dissolve_vertex(c.copies(), number, c.facts()), counts));
     std::vector<Halfedge> around{Halfedge()};
     for (Halfedge h : outgoing(mesh, v)) around.push_back(h);
     for (Halfedge left : around) {
       for (Halfedge right : around) {
         if (left == right) continue;
         const auto end = [&](Halfedge h) { return h ? static_cast<int>(mesh.to(h).index) : -1; };
-        const Outcomes outcomes = vertex_split(c.copies(), number, end(left), end(right));
+        const LocalOutcomes outcomes = oracle::vertex_split(c.copies(), number, end(left), end(right));
         ASSERT_NO_FATAL_FAILURE(c.compare(VertexSplit{v, left, right}, outcomes, counts));
       }
     }
   }
 }
 
-void report(const std::map<std::string, Count>& counts) {
+void report(const std::map<std::string, LocalCount>& counts) {
   for (const auto& [id, count] : counts) {
     std::cout << id << ": legal " << count.legal << ", refused " << count.refused << "\n";
     EXPECT_GT(count.legal, 0) << id;
@@ -363,21 +133,21 @@ void report(const std::map<std::string, Count>& counts) {
 }
 
 TEST(local_oracle, every_verdict_and_every_result_on_random_meshes) {
-  std::map<std::string, Count> counts;
-  const std::uint64_t seeds = std::getenv("RYOSEN_LONG") ? 30000 : 1200;
+  std::map<std::string, LocalCount> counts;
+  const std::uint64_t seeds = test::is_long_run() ? 6000 : 1200;
   for (std::uint64_t seed = 0; seed < seeds && !HasFatalFailure(); ++seed) {
     RandomMesh random = random_mesh(seed);
-    Comparison comparison(oracle::polygon_list(random.points, std::move(random.faces)), seed);
+    LocalComparison comparison(oracle::polygon_list(random.points, std::move(random.faces)), seed);
     compare_all(comparison, counts);
   }
   report(counts);
 }
 
 TEST(local_oracle, larger_manifolds) {
-  std::map<std::string, Count> counts;
+  std::map<std::string, LocalCount> counts;
   for (std::uint64_t seed = 0; seed < 12 && !HasFatalFailure(); ++seed) {
     RandomMesh random = random_manifold(seed, 20 + static_cast<int>(seed));
-    Comparison comparison(oracle::polygon_list(random.points, std::move(random.faces)), seed);
+    LocalComparison comparison(oracle::polygon_list(random.points, std::move(random.faces)), seed);
     compare_all(comparison, counts);
   }
   EXPECT_FALSE(counts.empty());

@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-constexpr std::uint32_t seeds = 400;
+constexpr std::uint32_t repair_seeds = 400;
 
 template <class Visit>
 void for_each_shape(Visit visit) {
@@ -33,7 +33,7 @@ void for_each_shape(Visit visit) {
                                      Polygons{{0, 1, 2}, {0, 2, 1}},
                                      Polygons{{0, 1, 2, 3, 4}}};
   for (const Polygons& faces : shapes) visit(make_mesh(faces));
-  for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint32_t seed = 1; seed <= repair_seeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const SeededMesh random = seeded_mesh(seed);
     visit(make_mesh(random.faces, random.points));
@@ -150,7 +150,7 @@ TEST(repair_walk, sheets_come_off_and_points_are_welded_back) {
 }
 
 TEST(repair_walk, all_pairs_are_welded) {
-  for (std::uint32_t seed = 1; seed <= seeds / 2; ++seed) {
+  for (std::uint32_t seed = 1; seed <= repair_seeds / 2; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const SeededMesh random = seeded_mesh(seed);
     const Mesh start = make_mesh(random.faces, random.points);
@@ -176,7 +176,7 @@ TEST(repair_walk, all_pairs_are_welded) {
 }
 
 TEST(repair_walk, boundary_edges_are_welded) {
-  for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
+  for (std::uint32_t seed = 1; seed <= repair_seeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const SeededMesh random = seeded_mesh(seed);
     const Mesh start = make_mesh(random.faces, random.points);

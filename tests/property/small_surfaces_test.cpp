@@ -4,12 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <unordered_set>
 
 #include "tests/support/core/kernel_lists.h"
+#include "tests/support/core/long_run.h"
 #include "tests/support/core/oracle/comparison.h"
 
 namespace ryosen {
@@ -17,8 +17,6 @@ namespace {
 
 using namespace test;
 using oracle::Corners;
-
-bool is_long() { return std::getenv("RYOSEN_LONG") != nullptr; }
 
 // Asks kernel and oracle about every operation on a mesh, and counts what the kernel says.
 class Exhaustion {
@@ -104,20 +102,20 @@ TEST(SmallSurfacesOracle, polygon_meshes_by_dissolving_up_to_7_vertices) {
 
 TEST(SmallSurfacesOracle, parts_of_them) {
   Exhaustion all;
-  for (int n = 4; n <= (is_long() ? 8 : 7); ++n)
+  for (int n = 4; n <= (is_long_run() ? 8 : 7); ++n)
     for (const Surface& surface : surfaces(n)) {
       for_each_connected_part(surface.triangles, Through::edges, [&](const auto& faces) {
         surface.orientable ? all.compare_new(n, faces) : all.compare(n, faces);
       });
     }
-  for (int n = 4; n <= (is_long() ? 7 : 6); ++n)
+  for (int n = 4; n <= (is_long_run() ? 7 : 6); ++n)
     for (const Surface& surface : surfaces(n)) {
       if (!surface.orientable || static_cast<int>(surface.triangles.size()) != 2 * n - 4) continue;
       for_each_dissolution(surface, [&](const auto& faces) {
         for_each_connected_part(faces, Through::edges, [&](const auto& part) { all.compare_new(n, part); });
       });
     }
-  for (int n = 4; n <= (is_long() ? 7 : 6); ++n)
+  for (int n = 4; n <= (is_long_run() ? 7 : 6); ++n)
     for (const Surface& surface : surfaces(n))
       if (surface.triangles.size() <= 12)
         for_each_connected_part(surface.triangles, Through::vertices, [&](const auto& part) { all.compare(n, part); });

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -13,6 +12,7 @@
 #include "core/build/from_indexed.h"
 #include "core/io/formats.h"
 #include "core/ops/all.h"
+#include "tests/support/core/long_run.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"
 
@@ -20,8 +20,6 @@ namespace ryosen {
 namespace {
 
 using namespace test;
-
-bool is_long() { return std::getenv("RYOSEN_LONG") != nullptr; }
 
 // A random operator with random arguments. Those that look at the whole mesh are rare on a large one.
 AnyOp random_op(const Mesh& mesh, std::mt19937& random) {
@@ -106,7 +104,7 @@ void report(const WalkCount& count) {
 
 TEST(walk, named_shapes) {
   WalkCount count;
-  for (std::uint32_t seed = 1; seed <= (is_long() ? 40u : 4u); ++seed)
+  for (std::uint32_t seed = 1; seed <= (is_long_run() ? 40u : 4u); ++seed)
     for (const Polygons& faces : {tetrahedron(), cube(), torus_grid(5, 4), two_quads(), closed_fan(6), bow_tie(), fin(),
                                   moebius_strip(), two_tetrahedra_on_an_edge()})
       walk(make_mesh(faces), "shape", seed, 400, 2000, count);
@@ -115,7 +113,7 @@ TEST(walk, named_shapes) {
 
 TEST(walk, random_polygon_meshes) {
   WalkCount count;
-  for (std::uint32_t seed = 1; seed <= (is_long() ? 20000u : 600u); ++seed) {
+  for (std::uint32_t seed = 1; seed <= (is_long_run() ? 20000u : 600u); ++seed) {
     const SeededMesh random = seeded_mesh(seed);
     walk(make_mesh(random.faces, random.points), "random", seed, 60, 2000, count);
   }
@@ -125,7 +123,7 @@ TEST(walk, random_polygon_meshes) {
 // Meshes with rings, bridges, wires and fans from the start, so that every operator finds something to do.
 TEST(walk, random_complexes) {
   WalkCount count;
-  for (std::uint32_t seed = 1; seed <= (is_long() ? 20000u : 600u); ++seed)
+  for (std::uint32_t seed = 1; seed <= (is_long_run() ? 20000u : 600u); ++seed)
     walk(random_complex(seed), "complex", seed, 60, 2000, count);
   report(count);
   for (const OpInfo& info : all_ops()) EXPECT_GT(count.by_operator[info.id].first, 0u) << info.id << " was never done";
@@ -139,7 +137,7 @@ TEST(walk, real_meshes) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(shared))
       if (entry.path().extension() == ".off" || entry.path().extension() == ".obj") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
-  const std::size_t steps = (is_long() ? 1000000 : 100000) / files.size();
+  const std::size_t steps = (is_long_run() ? 1000000 : 100000) / files.size();
   for (const auto& path : files) {
     Result<MeshFile> file = read_mesh_file(path);
     if (!file || file->mesh.corners.empty()) continue;

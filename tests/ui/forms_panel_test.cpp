@@ -8,7 +8,7 @@
 namespace ryosen {
 namespace {
 
-constexpr Size window{1280, 1400};  // high enough for the whole column
+constexpr Size tall_window{1280, 1400};  // high enough for the whole column
 constexpr glm::dvec2 measure_button{1134, 314};
 
 class FormsPanel : public testing::Test {
@@ -16,13 +16,13 @@ class FormsPanel : public testing::Test {
   FormsPanel() {
     auto document = Document::open(test::asset("torus.off"));
     session.set_document(std::move(document).value());
-    gui.place_view(session, window);
+    gui.place_view(session, tall_window);
     frames(3);
   }
   void frames(int n) {
     for (int i = 0; i < n; ++i) {
       gui.prepare(session);
-      gui.frame(session, window, 0.02);
+      gui.frame(session, tall_window, 0.02);
     }
   }
   void press(glm::dvec2 pixel) {

@@ -6,11 +6,12 @@
 
 #include "app/editor/keys.h"
 #include "tests/support/app/program.h"
+#include "tests/support/app/window_size.h"
 
 namespace ryosen {
 namespace {
 
-constexpr Size window{1280, 720};
+using test::window;
 
 // A session in panels, with frames laid out and nothing drawn.
 class Laid {

@@ -4,11 +4,13 @@
 #include <imgui.h>
 
 #include "tests/support/app/program.h"
+#include "tests/support/app/window_size.h"
 
 namespace ryosen {
 namespace {
 
-constexpr Size window{1280, 720};
+using test::window;
+
 constexpr glm::dvec2 in_view{640, 560}, on_panel{100, 90};  // on a face of the torus; on a row of the tools
 
 class MouseTest : public testing::Test {

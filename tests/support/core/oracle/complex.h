@@ -11,8 +11,6 @@
 
 namespace ryosen::oracle {
 
-using Pair = std::pair<int, int>;
-
 struct Complex {
   std::vector<char> live;                   // one per number of a vertex
   std::vector<int> point_of;                // the point that each vertex is a copy of

@@ -11,12 +11,6 @@ namespace {
 
 int degree(const Corners& loop) { return static_cast<int>(loop.size()); }
 
-Corners from_corner(const Corners& loop, int first) {
-  Corners turned = loop;
-  std::rotate(turned.begin(), turned.begin() + first % degree(loop), turned.end());
-  return turned;
-}
-
 const Corners& loop_at(const Complex& complex, Place place) {
   return complex.faces[static_cast<std::size_t>(place.face)][static_cast<std::size_t>(place.loop)];
 }

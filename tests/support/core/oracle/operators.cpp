@@ -20,13 +20,6 @@ int copies_of(const CopyList& list, int point) {
   return static_cast<int>(std::count(list.point_of.begin(), list.point_of.end(), point));
 }
 
-// The corner list from `first` on.
-Corners from_corner(const Corners& face, int first) {
-  Corners turned(face.begin() + first, face.end());
-  turned.insert(turned.end(), face.begin(), face.begin() + first);
-  return turned;
-}
-
 void replace_vertex(PolygonList& list, int gone, int stays) {
   for (Corners& face : list.faces) {
     std::replace(face.begin(), face.end(), gone, stays);

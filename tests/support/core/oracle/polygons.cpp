@@ -26,6 +26,12 @@ Corners rotated(Corners corners) {
   return corners;
 }
 
+Corners from_corner(const Corners& corners, int first) {
+  Corners turned = corners;
+  std::rotate(turned.begin(), turned.begin() + first % static_cast<int>(corners.size()), turned.end());
+  return turned;
+}
+
 bool same_list(const PolygonList& one, const PolygonList& other) {
   if (one.live != other.live || one.faces.size() != other.faces.size()) return false;
   for (std::size_t f = 0; f < one.faces.size(); ++f)

@@ -9,6 +9,7 @@
 namespace ryosen::oracle {
 
 using Corners = std::vector<int>;
+using Pair = std::pair<int, int>;
 
 // Faces over vertex numbers. A dead vertex number and a face without corners are gaps that operations leave behind, so
 // that names stay. Orientation of a face is the order of its corners.
@@ -30,6 +31,9 @@ bool same_list(const PolygonList& one, const PolygonList& other);
 
 // The corners rotated so that the smallest number comes first.
 Corners rotated(Corners corners);
+
+// The corners from the one with index `first` on, around the end.
+Corners from_corner(const Corners& corners, int first);
 
 // As C++ source, to paste a failing mesh into a test.
 std::string to_text(const PolygonList& list);

@@ -18,7 +18,7 @@ AnyOp parse(const Mesh& mesh, std::string_view id, std::vector<std::string_view>
 }
 
 // Applies a legal operator and expects sound columns, exact undo and exact redo.
-void apply_and_prove(Mesh& mesh, const AnyOp& op) {
+void prove_applying(Mesh& mesh, const AnyOp& op) {
   ASSERT_TRUE(check(mesh, op).legal()) << text_of(check(mesh, op).reasons[0].rule).id;
   Journal journal;
   const MeshColumns before = mesh.columns();
@@ -44,21 +44,21 @@ void apply_and_prove(Mesh& mesh, const AnyOp& op) {
 TEST(collapse, torus_edge_goes_with_its_triangles) {
   Mesh mesh = make_mesh(torus_grid(5, 5));
   const ElementCounts before = mesh.live();
-  apply_and_prove(mesh, parse(mesh, "collapse", {"0-1"}));
+  prove_applying(mesh, parse(mesh, "collapse", {"0-1"}));
   EXPECT_EQ(mesh.live(), (ElementCounts{before.vertices - 1, before.edges - 3, before.faces - 2}));
   EXPECT_FALSE(mesh.is_alive(Vertex(0)));
 }
 
 TEST(collapse, quads_lose_a_corner) {
   Mesh mesh = make_mesh(two_quads());
-  apply_and_prove(mesh, parse(mesh, "collapse", {"2-3"}));
+  prove_applying(mesh, parse(mesh, "collapse", {"2-3"}));
   EXPECT_EQ(polygons_of(mesh), (Polygons{{0, 1, 3}, {1, 0, 4, 5}}));
 }
 
 TEST(collapse, places) {
   for (const auto& [word, expected] : {std::pair{"start", 2.0}, {"end", 3.0}, {"mid", 2.5}, {"2.25,0,0", 2.25}}) {
     Mesh mesh = make_mesh(two_quads());
-    apply_and_prove(mesh, parse(mesh, "collapse", {"2-3", word}));
+    prove_applying(mesh, parse(mesh, "collapse", {"2-3", word}));
     EXPECT_EQ(mesh.position(Vertex(3)).x, expected) << word;
   }
 }
@@ -71,15 +71,15 @@ TEST(collapse, tetrahedron_is_refused) {
 TEST(swap, two_triangles_change_diagonal_and_back) {
   Mesh mesh = make_mesh({{0, 1, 2}, {1, 0, 3}});
   const Polygons before = polygons_of(mesh);
-  apply_and_prove(mesh, parse(mesh, "swap", {"0-1"}));
+  prove_applying(mesh, parse(mesh, "swap", {"0-1"}));
   EXPECT_EQ(polygons_of(mesh), (Polygons{{0, 3, 2}, {1, 2, 3}}));
-  apply_and_prove(mesh, parse(mesh, "swap", {"2-3", "back"}));
+  prove_applying(mesh, parse(mesh, "swap", {"2-3", "back"}));
   EXPECT_EQ(polygons_of(mesh), before);
 }
 
 TEST(swap, turns_by_one_corner_between_quads) {
   Mesh mesh = make_mesh(two_quads());
-  apply_and_prove(mesh, parse(mesh, "swap", {"0-1"}));
+  prove_applying(mesh, parse(mesh, "swap", {"0-1"}));
   EXPECT_EQ(polygons_of(mesh), (Polygons{{0, 4, 2, 3}, {1, 2, 4, 5}}));
 }
 
@@ -92,18 +92,18 @@ TEST(swap, boundary_and_existing_edge_are_refused) {
 
 TEST(split, cuts_triangles_and_lengthens_polygons) {
   Mesh triangles = make_mesh({{0, 1, 2}, {1, 0, 3}});
-  apply_and_prove(triangles, parse(triangles, "split", {"0-1", "0.25"}));
+  prove_applying(triangles, parse(triangles, "split", {"0-1", "0.25"}));
   EXPECT_EQ(polygons_of(triangles), (Polygons{{0, 4, 2}, {4, 0, 3}, {4, 1, 2}, {1, 4, 3}}));
   EXPECT_EQ(triangles.position(Vertex(4)).x, 0.25);
   Mesh quads = make_mesh(two_quads());
-  apply_and_prove(quads, parse(quads, "split", {"0-1"}));
+  prove_applying(quads, parse(quads, "split", {"0-1"}));
   EXPECT_EQ(polygons_of(quads), (Polygons{{0, 6, 1, 2, 3}, {1, 6, 0, 4, 5}}));
 }
 
 TEST(split, cuts_all_sheets_of_a_fin) {
   Mesh mesh = make_mesh(fin());
   const ElementCounts before = counts_on_points(mesh);
-  apply_and_prove(mesh, parse(mesh, "split", {"0-1@f1"}));
+  prove_applying(mesh, parse(mesh, "split", {"0-1@f1"}));
   EXPECT_EQ(counts_on_points(mesh), (ElementCounts{before.vertices + 1, before.edges + 4, before.faces + 3}));
 }
 
@@ -111,7 +111,7 @@ TEST(split, stays_finite_or_says_so) {
   IndexedMesh source = indexed({{0, 1, 2}});
   source.positions = {{-1e308, 0, 0}, {1e308, 0, 0}, {0, 1, 0}};
   Mesh mesh = from_indexed(std::move(source));
-  apply_and_prove(mesh, parse(mesh, "split", {"0-1"}));
+  prove_applying(mesh, parse(mesh, "split", {"0-1"}));
   EXPECT_EQ(mesh.position(Vertex(3)).x, 0);
   const std::vector<std::string_view> far{"0-2", "1e308"};
   EXPECT_EQ(parse_op(mesh, "split", far).error, NameError::malformed);
@@ -125,11 +125,11 @@ TEST(split, warns_of_faces_that_turn_over) {
 
 TEST(orient, turns_a_flipped_face_and_leaves_a_seam_on_a_moebius_strip) {
   Mesh flipped = make_mesh({{0, 1, 2}, {1, 2, 3}, {2, 3, 4}});
-  apply_and_prove(flipped, Orient{});
+  prove_applying(flipped, Orient{});
   EXPECT_FALSE(flipped.live().vertices != 5);
   EXPECT_TRUE(Orient{}.check(flipped).has(Rule::oriented));
   Mesh strip = make_mesh(moebius_strip());
-  apply_and_prove(strip, Orient{});
+  prove_applying(strip, Orient{});
   EXPECT_TRUE(Orient{}.check(strip).has(Rule::oriented));
 }
 

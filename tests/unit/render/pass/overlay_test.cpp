@@ -30,7 +30,7 @@ class Parts {
   }
 
  private:
-  double coordinate() { return 1.6 * (random_() % 10000 / 10000.0 - 0.5); }
+  double coordinate() { return 1.6 * (static_cast<double>(random_() % 10000) / 10000.0 - 0.5); }
   std::mt19937 random_;
 };
 

@@ -1,0 +1,10 @@
+// The size of the window that tests of the user interface draw.
+#pragma once
+
+#include "core/pick/size.h"
+
+namespace ryosen::test {
+
+inline constexpr Size window{1280, 720};
+
+}  // namespace ryosen::test

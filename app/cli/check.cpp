@@ -20,6 +20,7 @@ struct Options {
   std::optional<std::vector<std::string>> fail_on;  // ids of kinds
   std::size_t jobs = 1;
   bool unordered = false;
+  bool self_intersections = false;
 };
 
 std::optional<Failure> read_fail_on(const std::string& list, std::vector<std::string>& kinds) {
@@ -53,6 +54,10 @@ Result<Options> read_options(const Arguments& arguments) {
   }
   if (const std::string* const list = arguments.value("--fail-on"))
     if (auto failure = read_fail_on(*list, options.fail_on.emplace())) return std::move(*failure);
+  const auto names_it = [](const std::vector<std::string>& kinds) {
+    return std::find(kinds.begin(), kinds.end(), row_of(ProblemKind::self_intersection).id) != kinds.end();
+  };
+  options.self_intersections = arguments.has("--self-intersections") || (options.fail_on && names_it(*options.fail_on));
   return options;
 }
 
@@ -107,7 +112,7 @@ class Checker {
         report.file = input.path;
         report.failure = input.failure;
       } else {
-        report = check_file(input.path);
+        report = check_file(input.path, options_.self_intersections);
       }
     } catch (const std::exception& error) {
       report = {};

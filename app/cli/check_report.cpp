@@ -28,6 +28,11 @@ Json problem_object(const NamedProblem& named) {
   json["severity"] = problem.row().severity == ProblemSeverity::problem ? "problem" : "info";
   json["count"] = problem.count();
   json["elements"] = named.names;
+  if (problem.row().is_on_request) {
+    json["pairs"] = Json::array();
+    const auto name = [](Face f) { return "f" + std::to_string(f.index); };
+    for (const FacePair& pair : problem.pairs) json["pairs"].push_back({name(pair.first), name(pair.second)});
+  }
   json["where"] = place(problem.where);
   json["line"] = problem.line ? Json(problem.line) : Json();
   json["en"] = problem.text.en;
@@ -85,7 +90,7 @@ std::string_view CheckReport::status() const {
   return has_problem || has_warning ? "warnings" : "ok";
 }
 
-CheckReport check_file(const std::string& path) {
+CheckReport check_file(const std::string& path, bool with_self_intersections) {
   CheckReport report;
   report.file = path;
   Result<MeshFile> file = read_mesh_file(path);
@@ -102,7 +107,9 @@ CheckReport check_file(const std::string& path) {
   const HighlightSets sets(mesh);
   report.figures = compute_figures(mesh, sets, quarantine);
   report.hash = hash_text(mesh);
-  for (Problem& problem : find_problems(mesh, sets, {quarantine, lines})) {
+  std::vector<FacePair> intersections;
+  if (with_self_intersections) intersections = find_self_intersections(mesh);
+  for (Problem& problem : find_problems(mesh, sets, {quarantine, lines}, std::move(intersections))) {
     NamedProblem named{std::move(problem), {}};
     named.names.reserve(named.problem.count());
     for (const Element& element : named.problem.elements) named.names.push_back(name_on_points(mesh, element));

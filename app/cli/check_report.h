@@ -31,7 +31,7 @@ struct CheckReport {
 };
 
 // Reads the file and asks everything about its mesh.
-CheckReport check_file(const std::string& path);
+CheckReport check_file(const std::string& path, bool with_self_intersections = false);
 
 Json to_json(const CheckReport& report);
 // A table of figures, then the problems; with `verbose` every element is named.

@@ -84,16 +84,24 @@ std::string figures_text(const Figures& f, const Console& console) {
   return text;
 }
 
+std::vector<std::string> names_of_pairs(const Problem& problem) {
+  std::vector<std::string> names;
+  for (const FacePair& pair : problem.pairs)
+    names.push_back("f" + number(pair.first.index) + " x f" + number(pair.second.index));
+  return names;
+}
+
 std::string problem_text(const NamedProblem& named, const Console& console) {
   const Problem& problem = named.problem;
   const bool is_info = problem.row().severity == ProblemSeverity::info;
   std::string text = "  " + std::string(is_info ? console.text("info", "情報") : console.text("PROBLEM", "問題")) +
                      " " + std::string(problem.row().id) + " x" + number(problem.count()) + ": " +
                      console.text(problem.text) + "\n    ";
-  const std::size_t shown = console.verbose ? named.names.size() : std::min(named.names.size(), names_shown);
-  for (std::size_t i = 0; i < shown; ++i) text += (i ? ", " : "") + named.names[i];
-  if (shown < named.names.size()) {
-    const std::string rest = number(named.names.size() - shown);
+  const std::vector<std::string> names = problem.pairs.empty() ? named.names : names_of_pairs(problem);
+  const std::size_t shown = console.verbose ? names.size() : std::min(names.size(), names_shown);
+  for (std::size_t i = 0; i < shown; ++i) text += (i ? ", " : "") + names[i];
+  if (shown < names.size()) {
+    const std::string rest = number(names.size() - shown);
     text += console.text(", and " + rest + " more (-v names all)", "、ほか " + rest + " 個（-v ですべて表示）");
   }
   if (problem.where) text += std::string(console.text("; first at ", "；最初の位置 ")) + place(*problem.where);

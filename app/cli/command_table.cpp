@@ -40,6 +40,8 @@ const std::vector<Command>& table() {
               {
                   {"--fail-on", "KIND,...|none", false, "only problems of these kinds lead to exit code 1",
                    "ここに挙げた種類の問題だけを終了コード 1 にする"},
+                  {"--self-intersections", "", false, "also finds faces that meet elsewhere than in what they share",
+                   "共有要素以外で交わる面も探す"},
                   {"--jobs", "N", false, "how many files are checked at once; else one per processor",
                    "同時に調べるファイル数（省くとプロセッサ数）"},
                   {"--unordered", "", false, "report each file as soon as it is done",

@@ -27,14 +27,15 @@ enum class ProblemKind : std::uint8_t {
   isolated_vertex,
   nonfinite_vertex,
   quarantined_face,
+  self_intersection,
   boundary_loop,
   ring,
 };
-inline constexpr std::size_t problem_kinds = 12;
+inline constexpr std::size_t problem_kinds = 13;
 
 enum class ProblemSeverity : std::uint8_t { info, problem };
 
-// Exactly one of the four predicates is set. Those of mesh elements are asked about live elements and look no further
+// Exactly one of the four predicates is set, or the kind is found on request. Those of mesh elements are asked about live elements and look no further
 // than the faces at their points; an edge or vertex that is several in the kernel answers yes for one only: the lowest
 // sheet with a face, the lowest copy. A duplicate is any face but the lowest, a hanging pair its higher face.
 struct ProblemRow {
@@ -49,6 +50,8 @@ struct ProblemRow {
   bool (*edge)(Neighbourhood&, Edge) = nullptr;
   bool (*face)(Neighbourhood&, Face) = nullptr;
   bool (*quarantined)(const QuarantinedFace&, std::uint32_t file_vertices) = nullptr;
+  // Takes a search of its own that nobody makes unasked (find_self_intersections).
+  bool is_on_request = false;
   // Finds all at once where that is quicker than asking one by one; ascending.
   std::vector<std::uint32_t> (*find_all)(Neighbourhood&) = nullptr;
 

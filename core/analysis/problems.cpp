@@ -49,11 +49,16 @@ Face last_face_at(const Mesh& mesh, Vertex v) {
 
 }  // namespace
 
-std::vector<Problem> find_problems(const Mesh& mesh, const HighlightSets& sets, const FileFaces& file) {
+std::vector<Problem> find_problems(const Mesh& mesh, const HighlightSets& sets, const FileFaces& file,
+                                   std::vector<FacePair> intersections) {
   Neighbourhood around(mesh);
   std::vector<Problem> problems;
   for (const ProblemRow& row : problem_table()) {
-    Problem problem{row.kind, elements_of(row, around, sets, file.quarantine), {}, 0, {}};
+    Problem problem{row.kind, elements_of(row, around, sets, file.quarantine), {}, {}, 0, {}};
+    if (row.kind == ProblemKind::self_intersection) {
+      for (Face f : faces_of(intersections)) problem.elements.emplace_back(f);
+      problem.pairs = std::move(intersections);
+    }
     if (problem.elements.empty()) continue;
     problem.where = place_of(mesh, problem.elements.front(), file);
     problem.line = line_of(mesh, problem.elements.front(), file);

@@ -60,6 +60,12 @@ class Expansion {
     add(product.high);
   }
 
+  void add_product(double a, double b, double c) {
+    const Pair product = two_product(a, b);
+    if (product.low != 0.0) add_product(product.low, c);
+    add_product(product.high, c);
+  }
+
   int sign() const { return size_ == 0 ? 0 : (terms_[size_ - 1] > 0.0 ? 1 : -1); }
 
  private:
@@ -67,17 +73,13 @@ class Expansion {
   std::size_t size_ = 0;
 };
 
-// A two's complement fixed-point number that holds sums of up to sixteen products of two finite doubles exactly: its
-// unit is 2^-2148, the square of the smallest double.
-class ProductAccumulator {
+// A two's complement fixed-point number that holds sums of products of so many finite doubles each exactly, two dozen of
+// them at least: its unit is 2^(-1074 Factors), that power of the smallest double.
+template <std::size_t Factors>
+class ProductSum {
  public:
-  void add_product(double a, double b, bool negate) {
-    const Parts x = parts(a);
-    const Parts y = parts(b);
-    const Wide product = static_cast<Wide>(x.mantissa) * y.mantissa;
-    if (product == 0) return;
-    add_shifted(product, x.shift + y.shift, (x.negative != y.negative) != negate);
-  }
+  void add_product(double a, double b, bool negate) requires(Factors == 2) { add({a, b}, negate); }
+  void add_product(double a, double b, double c, bool negate) requires(Factors == 3) { add({a, b, c}, negate); }
 
   int sign() const {
     if (limbs_.back() >> 63u) return -1;
@@ -89,6 +91,7 @@ class ProductAccumulator {
 
  private:
   __extension__ using Wide = unsigned __int128;
+  using Words = std::array<std::uint64_t, Factors + 1>;  // lowest first; a product and room for a shift
 
   struct Parts {
     std::uint64_t mantissa;
@@ -105,13 +108,30 @@ class ProductAccumulator {
     return {fraction | 0x10000000000000u, exponent - 1, negative};
   }
 
-  void add_shifted(Wide value, unsigned shift, bool negative) {
-    const std::size_t first = shift / 64;
-    const unsigned rest = shift % 64;
-    const auto low = static_cast<std::uint64_t>(value);
-    const auto high = static_cast<std::uint64_t>(value >> 64u);
-    const std::array<std::uint64_t, 3> words = {low << rest, rest == 0 ? high : (high << rest) | (low >> (64 - rest)),
-                                                rest == 0 ? 0 : high >> (64 - rest)};
+  static void multiply(Words& words, std::uint64_t factor) {
+    std::uint64_t carry = 0;
+    for (std::uint64_t& word : words) {
+      const Wide product = static_cast<Wide>(word) * factor + carry;
+      word = static_cast<std::uint64_t>(product);
+      carry = static_cast<std::uint64_t>(product >> 64u);
+    }
+  }
+
+  void add(const std::array<double, Factors>& factors, bool negative) {
+    Words product{1};
+    unsigned shift = 0;
+    for (const double factor : factors) {
+      const Parts p = parts(factor);
+      if (p.mantissa == 0) return;
+      multiply(product, p.mantissa);
+      shift += p.shift;
+      negative ^= p.negative;
+    }
+    multiply(product, std::uint64_t{1} << shift % 64);
+    add_words(product, shift / 64, negative);
+  }
+
+  void add_words(const Words& words, std::size_t first, bool negative) {
     std::uint64_t carry = 0;
     for (std::size_t i = first; i < limbs_.size(); ++i) {
       const std::size_t place = i - first;
@@ -123,7 +143,10 @@ class ProductAccumulator {
     }
   }
 
-  std::array<std::uint64_t, 66> limbs_{};  // 4224 bits: products reach bit 4196, sums of sixteen four bits more
+  // A product of n doubles stays below bit 2098 n; two dozen of them add five bits, and the sign one.
+  std::array<std::uint64_t, (2098 * Factors + 6 + 63) / 64> limbs_{};
 };
+
+using ProductAccumulator = ProductSum<2>;
 
 }  // namespace ryosen::exact

@@ -1,5 +1,6 @@
 #include "core/geometry/predicates.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -51,6 +52,61 @@ int orient2d_by_expansion(const glm::dvec2& a, const glm::dvec2& b, const glm::d
   return sum.sign();
 }
 
+// Magnitudes for which the same holds of products of three.
+bool is_safe_cubed(double value) {
+  const double size = std::abs(value);
+  return value == 0.0 || (size >= 0x1p-250 && size <= 0x1p+250);
+}
+bool is_safe_cubed(const glm::dvec3& p) { return is_safe_cubed(p.x) && is_safe_cubed(p.y) && is_safe_cubed(p.z); }
+
+using Tails = std::array<exact::Pair, 3>;  // of x, y, z
+
+Tails difference(const glm::dvec3& p, const glm::dvec3& q) {
+  return {exact::two_sum(p.x, -q.x), exact::two_sum(p.y, -q.y), exact::two_sum(p.z, -q.z)};
+}
+
+// Adds x y z of the three pairs, negated if so; what is zero takes no time, and nearly all the low parts are.
+void add_product(exact::Expansion<192>& sum, const exact::Pair& x, const exact::Pair& y, const exact::Pair& z,
+                 bool negate) {
+  for (const double a : {x.low, x.high}) {
+    if (a == 0.0) continue;
+    for (const double b : {y.low, y.high}) {
+      if (b == 0.0) continue;
+      for (const double c : {z.low, z.high})
+        if (c != 0.0) sum.add_product(negate ? -a : a, b, c);
+    }
+  }
+}
+
+// The sign of the determinant of the rows a - d, b - d, c - d.
+int determinant_by_expansion(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
+  const Tails u = difference(a, d), v = difference(b, d), w = difference(c, d);
+  exact::Expansion<192> sum;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    add_product(sum, u[i], v[j], w[k], false);
+    add_product(sum, u[i], v[k], w[j], true);
+  }
+  return sum.sign();
+}
+
+// The same as four determinants of three points each.
+int determinant_by_accumulator(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
+  exact::ProductSum<3> sum;
+  const auto add = [&](const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& w, bool negate) {
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      sum.add_product(u[i], v[j], w[k], negate);
+      sum.add_product(u[i], v[k], w[j], !negate);
+    }
+  };
+  add(a, b, c, false);
+  add(b, c, d, true);
+  add(a, c, d, false);
+  add(a, b, d, true);
+  return sum.sign();
+}
+
 glm::dvec2 without_axis(const glm::dvec3& p, int axis) {
   if (axis == 0) return {p.y, p.z};
   if (axis == 1) return {p.z, p.x};
@@ -81,6 +137,24 @@ int orient2d(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   }
   if (is_safe(a) && is_safe(b) && is_safe(c)) return orient2d_by_expansion(a, b, c);
   return orient2d_by_accumulator(a, b, c);
+}
+
+int orient3d(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
+  const glm::dvec3 u = a - d, v = b - d, w = c - d;
+  const double vw_x = v.y * w.z, wv_x = v.z * w.y, vw_y = v.z * w.x, wv_y = v.x * w.z, vw_z = v.x * w.y,
+               wv_z = v.y * w.x;
+  const double det = u.x * (vw_x - wv_x) + u.y * (vw_y - wv_y) + u.z * (vw_z - wv_z);
+  const double size = std::abs(u.x) * (std::abs(vw_x) + std::abs(wv_x)) +
+                      std::abs(u.y) * (std::abs(vw_y) + std::abs(wv_y)) +
+                      std::abs(u.z) * (std::abs(vw_z) + std::abs(wv_z));
+  // The bound is that of [Shewchuk97], (7 + 56 u) u, with room to spare. The limits keep what underflow loses, a
+  // smallest double times a difference each time, far below it, and overflow out (a NaN fails all comparisons).
+  const double reach = std::abs(u.x) + std::abs(u.y) + std::abs(u.z);
+  if (size > 1e-200 && size <= 1e+300 && reach < 1e+100 && std::abs(det) > 8e-16 * size) return det > 0.0 ? -1 : 1;
+  if (is_safe_cubed(a) && is_safe_cubed(b) && is_safe_cubed(c) && is_safe_cubed(d))
+    return -determinant_by_expansion(a, b, c, d);
+  if (!is_finite(a) || !is_finite(b) || !is_finite(c) || !is_finite(d)) return 0;
+  return -determinant_by_accumulator(a, b, c, d);
 }
 
 int cross_component_sign(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, int axis) {

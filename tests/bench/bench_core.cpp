@@ -4,6 +4,7 @@
 #include <chrono>
 #include <random>
 
+#include "core/analysis/self_intersections.h"
 #include "core/build/from_indexed.h"
 #include "core/ops/all.h"
 #include "tests/bench/bench_meshes.h"
@@ -102,6 +103,14 @@ void undo(benchmark::State& state, Source source) {
   }
 }
 
+void self_intersections(benchmark::State& state, Source source) {
+  if (source().positions.empty()) return state.SkipWithError("RYOSEN_DRAGON is not set");
+  const Mesh mesh = from_indexed(source());
+  std::size_t pairs = 0;
+  for (auto _ : state) pairs = find_self_intersections(mesh).size();
+  state.counters["pairs"] = static_cast<double>(pairs);
+}
+
 void register_all(const std::string& mesh, Source source) {
   const auto add = [&](const std::string& name, void (*run)(benchmark::State&, Source)) {
     return benchmark::RegisterBenchmark((name + "/" + mesh).c_str(), run, source);
@@ -114,6 +123,7 @@ void register_all(const std::string& mesh, Source source) {
   add("collapse with journal", edit_with_journal<CollapseEdge>)->UseManualTime()->Unit(us)->Iterations(20);
   add("swap with journal", edit_with_journal<SwapEdge>)->UseManualTime()->Unit(us)->Iterations(20);
   add("split with journal", edit_with_journal<SplitEdge>)->UseManualTime()->Unit(us)->Iterations(20);
+  add("self-intersections", self_intersections)->UseRealTime()->Unit(ms);
   add("undo collapse", undo)->UseManualTime()->Unit(us)->Iterations(20);
 }
 

@@ -189,6 +189,40 @@ TEST(Check, ManyElementsAreShortenedForPeopleOnly) {
   EXPECT_EQ(run_program({"check", path, "--json"}).line()["problems"][0]["elements"].size(), 50u);
 }
 
+// Two triangles that cross and one that stands aside.
+constexpr const char* crossing =
+    "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 -1\nv 1 1 1\nv 2 2 1\nv 9 0 0\nv 9 1 0\nv 8 0 0\n"
+    "f 7 8 9\nf 1 2 3\nf 4 5 6\n";
+
+TEST(Check, SelfIntersectionsAreFoundOnRequest) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("x.obj", crossing);
+  const ProgramRun plain = run_program({"check", path, "--json"});
+  EXPECT_EQ(plain.exit_code, 0);
+  const ProgramRun run = run_program({"check", path, "--json", "--self-intersections"});
+  EXPECT_EQ(run.exit_code, 1);
+  const Json report = run.line();
+  EXPECT_EQ(report["status"], "warnings");
+  const Json& problem = report["problems"][0];
+  EXPECT_EQ(problem["kind"], "self_intersection");
+  EXPECT_EQ(problem["severity"], "problem");
+  EXPECT_EQ(problem["count"], 2);
+  EXPECT_EQ(problem["elements"], Json::array({"f1", "f2"}));
+  EXPECT_EQ(problem["pairs"], Json::array({Json::array({"f1", "f2"})}));
+  EXPECT_EQ(problem["line"], 11);
+  const ProgramRun text = run_program({"check", path, "--self-intersections"});
+  EXPECT_NE(text.out.find("f1 x f2"), std::string::npos) << text.out;
+}
+
+TEST(Check, FailOnSelfIntersectionsLooksForThem) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("x.obj", crossing);
+  EXPECT_EQ(run_program({"check", path, "--fail-on", "self_intersection"}).exit_code, 1);
+  EXPECT_EQ(run_program({"check", asset("cube.obj"), "--fail-on", "self_intersection"}).exit_code, 0);
+  EXPECT_EQ(run_program({"check", path, "--self-intersections", "--fail-on", "boundary_loop,ring"}).exit_code, 1);
+  EXPECT_EQ(run_program({"check", path, "--self-intersections", "--fail-on", "none"}).exit_code, 0);
+}
+
 TEST(Check, NamesThatAreNotUtf8StayJson) {
   const TemporaryFolder folder;
   folder.write("\xff.obj", triangle);

@@ -70,7 +70,9 @@ TEST(highlights, mark_the_later_face_of_a_pair) {
 TEST(highlights, rows_have_stable_ids_and_one_predicate) {
   for (const ProblemRow& row : problem_table()) {
     EXPECT_EQ(find_problem_row(row.id), &row);
-    EXPECT_EQ((row.vertex != nullptr) + (row.edge != nullptr) + (row.face != nullptr) + (row.quarantined != nullptr), 1)
+    EXPECT_EQ((row.vertex != nullptr) + (row.edge != nullptr) + (row.face != nullptr) + (row.quarantined != nullptr) +
+                  row.is_on_request,
+              1)
         << row.id;
     EXPECT_FALSE(row.name_en.empty() || row.name_ja.empty()) << row.id;
     EXPECT_NE(row.many_en.find('#'), std::string_view::npos) << row.id;

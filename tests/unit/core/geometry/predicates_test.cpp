@@ -151,6 +151,74 @@ TEST(Predicates, collinear_points_in_space_agree_with_integers) {
   EXPECT_LT(flat, 15000);
 }
 
+// The determinant of the rows b - a, c - a, d - a in integers.
+int oracle_side(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d) {
+  const auto difference = [&](const dvec3& p, int axis) {
+    return BigInteger::scaled(p[axis]) - BigInteger::scaled(a[axis]);
+  };
+  BigInteger sum;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const BigInteger minor = difference(c, j) * difference(d, k) - difference(c, k) * difference(d, j);
+    sum = sum + difference(b, i) * minor;
+  }
+  return sum.sign();
+}
+
+void expect_sides(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d) {
+  const int side = oracle_side(a, b, c, d);
+  ASSERT_EQ(orient3d(a, b, c, d), side);
+  ASSERT_EQ(orient3d(b, c, a, d), side);
+  ASSERT_EQ(orient3d(b, a, c, d), -side);
+  ASSERT_EQ(orient3d(d, b, c, a), -side);
+  ASSERT_EQ(orient3d(c, d, a, b), side);
+}
+
+TEST(Predicates, the_side_of_a_plane_agrees_with_integers) {
+  EXPECT_EQ(orient3d({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), 1);
+  std::mt19937_64 random(6);
+  for (int i = 0; i < 1500; ++i) {
+    const auto point = [&] { return dvec3(any_double(random), any_double(random), any_double(random)); };
+    expect_sides(point(), point(), point(), point());
+  }
+}
+
+TEST(Predicates, nearly_coplanar_points_of_every_magnitude) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  int zeros = 0;
+  for (int exponent = -1080; exponent <= 1000; exponent += 40) {
+    for (int i = 0; i < 20; ++i) {
+      const auto vector = [&](double grid) {
+        return dvec3(std::round(unit(random) * grid), std::round(unit(random) * grid), std::round(unit(random) * grid));
+      };
+      const dvec3 o = i % 2 == 0 ? vector(50) : vector(1e15) * 1e-15, u = vector(8), v = vector(8);
+      const auto place = [&](const dvec3& p) {
+        return dvec3(std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent));
+      };
+      const dvec3 a = place(o), b = place(o + u), c = place(o + v), d = place(o + u * 2.0 - v);
+      expect_sides(a, b, c, d);
+      zeros += orient3d(a, b, c, d) == 0;
+    }
+  }
+  EXPECT_GT(zeros, 300);
+}
+
+TEST(Predicates, sides_of_planes_at_the_extremes_of_the_double_range) {
+  constexpr double tiny = std::numeric_limits<double>::denorm_min();
+  constexpr double huge = std::numeric_limits<double>::max();
+  const std::array<double, 14> values = {0.0, -0.0, tiny,  -3 * tiny, 1e-310, 1e-160, 1.0,
+                                         2.0, -1.0, 1e100, 1e160,     1e300,  huge,   -huge};
+  std::mt19937_64 random(8);
+  std::uniform_int_distribution<std::size_t> pick(0, values.size() - 1);
+  for (int i = 0; i < 4000; ++i) {
+    const auto point = [&] { return dvec3(values[pick(random)], values[pick(random)], values[pick(random)]); };
+    expect_sides(point(), point(), point(), point());
+  }
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(orient3d({nan, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), 0);
+}
+
 TEST(Predicates, a_tenth_three_tenths_is_not_on_the_diagonal_of_its_steps) {
   // 0.1 + 0.2 differs from 0.3 in the last bit, which the exact test must see.
   EXPECT_TRUE(are_collinear({0, 0, 0}, {0.1, 0.1, 0}, {0.3, 0.3, 0}));

@@ -1,0 +1,113 @@
+#include "core/geometry/triangles_meet.h"
+
+#include "core/geometry/predicates.h"
+
+namespace ryosen {
+
+namespace {
+
+using Corners = std::array<glm::dvec3, 3>;
+
+// Whether three signs go both ways: a point or line then passes the triangle by.
+bool has_both_signs(int a, int b, int c) { return (a > 0 || b > 0 || c > 0) && (a < 0 || b < 0 || c < 0); }
+
+// An axis along which a triangle that is not flat does not vanish in projection.
+int view_axis(const Corners& t) {
+  int axis = 0;
+  while (axis < 2 && cross_component_sign(t[0], t[1], t[2], axis) == 0) ++axis;
+  return axis;
+}
+
+bool covers(const Corners& t, const glm::dvec3& p, int axis) {
+  return !has_both_signs(cross_component_sign(t[0], t[1], p, axis), cross_component_sign(t[1], t[2], p, axis),
+                         cross_component_sign(t[2], t[0], p, axis));
+}
+
+// Of a segment and a side that do not lie on one line.
+bool segments_cross(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& a, const glm::dvec3& b, int axis) {
+  const int side_a = cross_component_sign(p, q, a, axis), side_b = cross_component_sign(p, q, b, axis);
+  if (side_a * side_b > 0 || (side_a == 0 && side_b == 0)) return false;
+  return cross_component_sign(a, b, p, axis) * cross_component_sign(a, b, q, axis) <= 0;
+}
+
+// A segment in the plane of the triangle. One that runs along a side either ends in the triangle or crosses the other
+// two sides at their ends.
+bool meets_in_plane(const glm::dvec3& p, const glm::dvec3& q, const Corners& t) {
+  const int axis = view_axis(t);
+  if (covers(t, p, axis) || covers(t, q, axis)) return true;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (segments_cross(p, q, t[k], t[(k + 1) % 3], axis)) return true;
+  return false;
+}
+
+// Whether a closed segment meets a closed triangle; the sides of the triangle's plane on which its ends lie are known.
+bool meets(const glm::dvec3& p, int side_p, const glm::dvec3& q, int side_q, const Corners& t) {
+  if (side_p * side_q > 0) return false;
+  if (side_p == 0 && side_q == 0) return meets_in_plane(p, q, t);
+  const int first = orient3d(p, q, t[0], t[1]), second = orient3d(p, q, t[1], t[2]);
+  if (first * second < 0) return false;
+  return !has_both_signs(first, second, orient3d(p, q, t[2], t[0]));
+}
+
+bool same_side(const std::array<int, 3>& sides) {
+  return sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2];
+}
+
+bool has_side_that_meets(const Corners& a, const std::array<int, 3>& sides, const Corners& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t n = (k + 1) % 3;
+    if (meets(a[k], sides[k], a[n], sides[n], b)) return true;
+  }
+  return false;
+}
+
+// Two triangles meet where a side of one meets the other.
+bool meet_apart(const Corners& a, const Corners& b) {
+  std::array<int, 3> a_sides, b_sides;
+  for (std::size_t k = 0; k < 3; ++k) a_sides[k] = orient3d(b[0], b[1], b[2], a[k]);
+  if (same_side(a_sides)) return false;
+  for (std::size_t k = 0; k < 3; ++k) b_sides[k] = orient3d(a[0], a[1], a[2], b[k]);
+  if (same_side(b_sides)) return false;
+  return has_side_that_meets(a, a_sides, b) || has_side_that_meets(b, b_sides, a);
+}
+
+// Besides the corner i of one and j of the other, which is the same: whatever else they share, a ray from there leads to
+// it and on to the side across, and the first of the two sides that it reaches lies in the other triangle.
+bool meet_beside_corner(const Corners& a, std::size_t i, const Corners& b, std::size_t j) {
+  const auto side_meets = [](const Corners& one, std::size_t corner, const Corners& other) {
+    const glm::dvec3 &p = one[(corner + 1) % 3], &q = one[(corner + 2) % 3];
+    return meets(p, orient3d(other[0], other[1], other[2], p), q, orient3d(other[0], other[1], other[2], q), other);
+  };
+  return side_meets(a, i, b) || side_meets(b, j, a);
+}
+
+// Besides the side between two common corners: only where they are folded onto each other.
+bool overlap_beside_side(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& a, const glm::dvec3& b) {
+  if (orient3d(p, q, a, b) != 0) return false;
+  const int axis = view_axis({p, q, a});
+  return cross_component_sign(p, q, a, axis) == cross_component_sign(p, q, b, axis);
+}
+
+// Whether the segment between two corners, all but corner k, is a side.
+bool is_side_across(std::uint8_t sides, std::size_t k) { return (sides >> (k + 1) % 3 & 1u) != 0; }
+
+}  // namespace
+
+bool meet_elsewhere(const NumberedTriangle& a, const NumberedTriangle& b) {
+  std::size_t common = 0, a_sum = 0, b_sum = 0;  // of the corners in common
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      if (a.numbers[i] == b.numbers[j]) {
+        ++common;
+        a_sum += i;
+        b_sum += j;
+      }
+  if (common == 0) return meet_apart(a.places, b.places);
+  if (common == 1) return meet_beside_corner(a.places, a_sum, b.places, b_sum);
+  if (common >= 3) return true;
+  const std::size_t i = 3 - a_sum, j = 3 - b_sum;  // the corners that they do not share
+  if (!is_side_across(a.sides, i) || !is_side_across(b.sides, j)) return true;
+  return overlap_beside_side(a.places[(i + 1) % 3], a.places[(i + 2) % 3], a.places[i], b.places[j]);
+}
+
+}  // namespace ryosen

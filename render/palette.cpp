@@ -13,7 +13,7 @@ struct Row {
 };
 
 // In the order of Role.
-constexpr Row rows[role_count] = {
+constexpr Row role_rows[role_count] = {
     {Role::hover, rgb(0xF0E442), rgb(0xF0E442), LineStyle::solid, 4, PointShape::disc, 6},
     {Role::selected, rgb(0xE69F00), rgb(0xE69F00), LineStyle::solid, 3.5f, PointShape::square, 5},
     {Role::legal, rgb(0x009E73), rgb(0x009E73), LineStyle::solid, 4.5f, PointShape::disc, 5.5f},
@@ -56,7 +56,7 @@ constexpr Palette light_palette = {
 }  // namespace
 
 Style style(Role role, Theme theme) {
-  const Row& row = rows[static_cast<int>(role)];
+  const Row& row = role_rows[static_cast<int>(role)];
   return {theme == Theme::dark ? row.dark : row.light, row.line, row.width_px, row.point, row.radius_px};
 }
 

@@ -98,7 +98,7 @@ class Shot {
     json["backend"] = headless_.backend();
     json["reference"] = options_.reference ? Json(*options_.reference) : Json();
     json["different_percent"] = percent_ ? Json(*percent_) : Json();
-    json["messages"] = to_json(messages_);
+    json["messages"] = cli::to_json(messages_);
     console_.print(line_of(json));
     return code_;
   }

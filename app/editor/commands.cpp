@@ -60,7 +60,7 @@ Outcome failed(const Failure& failure) {
 
 namespace {
 
-constexpr std::array rows{
+constexpr std::array command_rows{
     CommandRow{"open", "FILE", "opens a mesh in place of the current one", "メッシュを開く", true, run_open},
     CommandRow{"new", "", "begins with an empty mesh", "空のメッシュから始める", true, run_new},
     CommandRow{"save", "[FILE]", "writes the mesh", "メッシュを保存する", true, run_save},
@@ -100,17 +100,17 @@ constexpr std::array rows{
 
 }  // namespace
 
-std::span<const CommandRow> command_table() { return rows; }
+std::span<const CommandRow> command_table() { return command_rows; }
 
 const CommandRow* find_command(std::string_view id) {
-  const auto row = std::find_if(rows.begin(), rows.end(), [&](const CommandRow& r) { return r.id == id; });
-  return row == rows.end() ? nullptr : &*row;
+  const auto row = std::find_if(command_rows.begin(), command_rows.end(), [&](const CommandRow& r) { return r.id == id; });
+  return row == command_rows.end() ? nullptr : &*row;
 }
 
 std::vector<std::string> command_ids() {
   std::vector<std::string> ids;
   for (const OpInfo& op : all_ops()) ids.emplace_back(op.id);
-  for (const CommandRow& row : rows) ids.emplace_back(row.id);
+  for (const CommandRow& row : command_rows) ids.emplace_back(row.id);
   return ids;
 }
 

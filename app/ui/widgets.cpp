@@ -160,4 +160,13 @@ std::string short_number(double value) {
   return text[0] == '-' ? "\u2212" + std::string(text + 1) : std::string(text);
 }
 
+void tip(std::string_view text) {
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(22 * ImGui::GetFontSize());
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
 }  // namespace ryosen

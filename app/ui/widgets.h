@@ -34,4 +34,7 @@ std::string grouped(std::int64_t n);
 // Six significant digits.
 std::string short_number(double value);
 
+// What hovering over the last item shows, wrapped.
+void tip(std::string_view text);
+
 }  // namespace ryosen

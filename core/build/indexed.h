@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -39,6 +40,9 @@ struct FaceNames {
   std::vector<std::string> names;
   std::vector<std::uint32_t> index;  // one per face (quarantined ones too), no_index for none; empty when unused
 };
+
+// What stands in colour columns for an element of which the file gives none.
+inline constexpr double no_colour = std::numeric_limits<double>::quiet_NaN();
 
 // Colours given per face, as OFF does: up to four numbers as the file gives them (one is a colour map's entry).
 struct FaceColours {

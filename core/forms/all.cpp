@@ -24,7 +24,7 @@ std::unique_ptr<Form> make(const Mesh& mesh) {
 constexpr std::uint32_t surface = one_vertex_per_point | one_fan_per_vertex | no_wires | no_rings;
 constexpr std::uint32_t list = one_fan_per_vertex | no_wires | no_rings | no_bridges;
 
-constexpr std::array table{
+constexpr std::array form_rows{
     FormRow{"triangle_soup", "triangle soup", "三角形スープ", "table 1", "表 1",
             list | triangles | no_isolated_vertices | different_places, false, make<TriangleSoup>},
     FormRow{"indexed_face_set", "indexed face set", "インデックスフェースセット", "table 2", "表 2", list, true,
@@ -51,10 +51,10 @@ constexpr std::array table{
 
 }  // namespace
 
-std::span<const FormRow> all_forms() { return table; }
+std::span<const FormRow> all_forms() { return form_rows; }
 
 const FormRow* find_form(std::string_view id) {
-  for (const FormRow& row : table)
+  for (const FormRow& row : form_rows)
     if (row.id == id) return &row;
   return nullptr;
 }

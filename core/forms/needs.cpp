@@ -126,7 +126,7 @@ constexpr std::array checks{
     Check{different_places, find_equal_places},
 };
 
-constexpr std::array table{
+constexpr std::array relation_rows{
     RelationRow{Relation::vertex_vertices, "vertex_vertices", ElementOf::vertex, "V→V", "V→V"},
     RelationRow{Relation::vertex_edges, "vertex_edges", ElementOf::vertex, "V→E", "V→E"},
     RelationRow{Relation::vertex_faces, "vertex_faces", ElementOf::vertex, "V→F", "V→F"},
@@ -138,11 +138,11 @@ constexpr std::array table{
     RelationRow{Relation::face_faces, "face_faces", ElementOf::face, "F→F", "F→F"},
     RelationRow{Relation::valence, "valence", ElementOf::vertex, "valence", "次数"},
 };
-static_assert(table.size() == relation_count);
+static_assert(relation_rows.size() == relation_count);
 
 }  // namespace
 
-std::span<const RelationRow> relations() { return table; }
+std::span<const RelationRow> relations() { return relation_rows; }
 
 std::optional<Text> why_unsuitable(const Mesh& mesh, const FormRow& row) {
   for (const Check& check : checks)

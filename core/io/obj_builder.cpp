@@ -10,8 +10,6 @@
 namespace ryosen {
 namespace {
 
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
-
 // An index as OBJ counts (from 1, or back from the end) as a number from 0. Index 0, which OBJ does not have, and
 // indices before the first one come out negative, but not so far that counting back from another end would overflow.
 std::int64_t resolve(std::int64_t index, std::size_t count) {
@@ -129,17 +127,17 @@ void ObjBuilder::vertex(std::string_view values) {
   const std::size_t number = mesh_.positions.size();
   mesh_.positions.emplace_back(v[0], v[1], v[2]);
   const bool has_weight = count == 4 && !std::isnan(v[3]);
-  if (has_weight && mesh_.vertex_weights.empty()) mesh_.vertex_weights.assign(number, absent);
-  if (has_weight || !mesh_.vertex_weights.empty()) mesh_.vertex_weights.push_back(has_weight ? v[3] : absent);
+  if (has_weight && mesh_.vertex_weights.empty()) mesh_.vertex_weights.assign(number, no_colour);
+  if (has_weight || !mesh_.vertex_weights.empty()) mesh_.vertex_weights.push_back(has_weight ? v[3] : no_colour);
   const bool has_colour = (count == 6 || count == 7) && !std::isnan(v[3]);
   if (has_colour && mesh_.vertex_colours.empty()) {
-    mesh_.vertex_colours.assign(number, glm::dvec4(absent, absent, absent, 1));
+    mesh_.vertex_colours.assign(number, glm::dvec4(no_colour, no_colour, no_colour, 1));
   }
   if (has_colour) {
     mesh_.vertex_colours.emplace_back(v[3], v[4], v[5], count == 7 ? v[6] : 1.0);
     if (count == 7) mesh_.colour_components = 4;
   } else if (!mesh_.vertex_colours.empty()) {
-    mesh_.vertex_colours.emplace_back(absent, absent, absent, 1);
+    mesh_.vertex_colours.emplace_back(no_colour, no_colour, no_colour, 1);
   }
   if (count == 5 || count > 7) warn_extra_values(count);
 }

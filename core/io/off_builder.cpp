@@ -7,7 +7,6 @@
 namespace ryosen {
 namespace {
 
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 constexpr double byte_scale = 255.0;
 
 }  // namespace
@@ -38,9 +37,9 @@ void OffBuilder::add_colour(const double* values, std::size_t count) {
   const bool is_absent = count == 0 || std::isnan(values[0]);
   if (count == 4 && !is_absent) mesh.colour_components = 4;
   if (is_absent) {
-    mesh.vertex_colours.emplace_back(absent, absent, absent, 1.0);
+    mesh.vertex_colours.emplace_back(no_colour, no_colour, no_colour, 1.0);
   } else {
-    mesh.vertex_colours.emplace_back(values[0], values[1], values[2], count == 4 ? values[3] : absent);
+    mesh.vertex_colours.emplace_back(values[0], values[1], values[2], count == 4 ? values[3] : no_colour);
   }
 }
 

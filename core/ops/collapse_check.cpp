@@ -231,8 +231,15 @@ Verdict CollapseEdge::judge(const Mesh& mesh) const {
 }
 
 Verdict CollapseEdge::check(const Mesh& mesh) const {
-  if (mesh.exists(halfedge) && mesh.is_alive(halfedge) && is_surely_legal_collapse(mesh, halfedge)) return {};
+  if (mesh.exists(halfedge) && mesh.is_alive(halfedge) && quick_collapse(mesh, halfedge) == QuickAnswer::legal)
+    return {};
   return judge(mesh);
+}
+
+bool CollapseEdge::is_legal(const Mesh& mesh) const {
+  if (!mesh.exists(halfedge) || !mesh.is_alive(halfedge)) return false;
+  const QuickAnswer answer = quick_collapse(mesh, halfedge);
+  return answer == QuickAnswer::legal || (answer == QuickAnswer::unknown && judge(mesh).legal());
 }
 
 }  // namespace ryosen

@@ -43,6 +43,8 @@ struct CollapseEdge {
   Verdict check(const Mesh& mesh) const;
   // The same verdict, always by judging rule for rule: what check() falls back to, and what tests hold it against.
   Verdict judge(const Mesh& mesh) const;
+  // check(mesh).legal() for batch work: asks for reasons only where no quicker answer is certain.
+  bool is_legal(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
 

@@ -1,6 +1,9 @@
 #include "core/ops/plain_check.h"
 
+#include <algorithm>
 #include <array>
+
+#include "core/ops/common_neighbours.h"
 
 namespace ryosen {
 
@@ -37,6 +40,9 @@ class EndWalk {
   // is not a triangle.
   std::uint32_t valence() const { return count_; }
   Vertex neighbour(std::uint32_t i) const { return Vertex(ring_[i]); }
+  const std::uint32_t* ring() const { return ring_.data(); }
+  // Puts numbers that no vertex has behind the first `count` neighbours.
+  void end_ring(std::uint32_t count) { std::fill_n(ring_.begin() + count, ring_block, no_index); }
   std::uint32_t gaps() const { return gaps_; }
   bool is_odd() const { return odd_; }
 
@@ -45,7 +51,7 @@ class EndWalk {
   Halfedge start_, at_;
   std::uint32_t count_ = 0, gaps_ = 0;
   bool odd_ = false;
-  std::array<std::uint32_t, max_neighbours> ring_;
+  std::array<std::uint32_t, max_neighbours + ring_block> ring_;
 };
 
 // Whether both walks came back to their start.
@@ -63,11 +69,10 @@ bool finish(EndWalk& a, EndWalk& b) {
 }
 
 // How many of the first neighbours, from number `skipped` on and without the last 1 + `skipped`, both have.
-std::uint32_t common_neighbours(const EndWalk& a, const EndWalk& b, std::uint32_t skipped) {
-  std::uint32_t common = 0;
-  for (std::uint32_t i = skipped; i + 1 + skipped < a.valence(); ++i)
-    for (std::uint32_t k = skipped; k + 1 + skipped < b.valence(); ++k) common += a.neighbour(i) == b.neighbour(k);
-  return common;
+std::uint32_t common_neighbours(const EndWalk& a, EndWalk& b, std::uint32_t skipped) {
+  b.end_ring(b.valence() - 1 - skipped);
+  return count_common(a.ring() + skipped, a.valence() - 1 - 2 * skipped, b.ring() + skipped,
+                      b.valence() - 1 - 2 * skipped);
 }
 
 bool any_copy(const Mesh& m, const EndWalk& walk) {
@@ -116,35 +121,39 @@ void fetch_apexes(const Mesh& m, Halfedge h) {
 
 }  // namespace
 
-bool is_surely_legal_collapse(const Mesh& m, Halfedge h) {
-  if (m.has_rings()) return false;
+QuickAnswer quick_collapse(const Mesh& m, Halfedge h) {
+  using enum QuickAnswer;
+  if (m.has_rings()) return unknown;
   const HalfedgeLinks* links = m.columns().halfedges.data();
   const Halfedge o = twin(h);
   fetch_ends(m, links[h.index], links[o.index]);
   EndWalk a(links, h), b(links, o);
-  if (!finish(a, b) || a.is_odd() | b.is_odd()) return false;
+  if (!finish(a, b) || a.is_odd() | b.is_odd()) return unknown;
   fetch_apexes(m, h);
-  if (m.has_copies() && (any_copy(m, a) || any_copy(m, b))) return false;
+  if (m.has_copies() && (any_copy(m, a) || any_copy(m, b))) return unknown;
   if (a.gaps() + b.gaps() == 0 || (links[h.index].face && links[o.index].face)) {
     // An inner edge: the first and the last neighbour of each end are the apexes. Two ends without others would leave
     // two equal triangles.
-    if (a.gaps() + b.gaps() > 1 || a.valence() < 3 || b.valence() < 3 || a.valence() + b.valence() == 6) return false;
-    return common_neighbours(a, b, 1) == 0;
+    if (a.gaps() + b.gaps() > 1 || a.valence() < 3 || b.valence() < 3 || a.valence() + b.valence() == 6) return unknown;
+    return common_neighbours(a, b, 1) == 0 ? legal : refused;
   }
-  return a.gaps() <= 1 && b.gaps() <= 1 && common_neighbours(a, b, 0) == 1 && may_join_boundary(links, h);
+  if (a.gaps() > 1 || b.gaps() > 1) return unknown;
+  return common_neighbours(a, b, 0) == 1 && may_join_boundary(links, h) ? legal : unknown;
 }
 
-bool is_surely_legal_swap(const Mesh& m, Halfedge h) {
-  if (m.has_rings()) return false;
+QuickAnswer quick_swap(const Mesh& m, Halfedge h) {
+  using enum QuickAnswer;
+  if (m.has_rings()) return unknown;
   const HalfedgeLinks* links = m.columns().halfedges.data();
   const Halfedge o = twin(h);
   const HalfedgeLinks &left = links[h.index], &right = links[o.index];
-  if (!left.face || !right.face || left.face == right.face) return false;
+  if (!left.face || !right.face) return refused;
+  if (left.face == right.face) return unknown;
   fetch_ends(m, left, right);
   __builtin_prefetch(links + right.next.index);
-  if (!is_three_loop(links, h) || !is_three_loop(links, o)) return false;
+  if (!is_three_loop(links, h) || !is_three_loop(links, o)) return unknown;
   const Vertex c = links[left.prev.index].from, d = links[right.prev.index].from;
-  if (c == d || has_copies(m, {left.from, right.from, c, d})) return false;
+  if (c == d || has_copies(m, {left.from, right.from, c, d})) return unknown;
   // A second face on the points of an old or a new one would need a second edge a-b or an edge c-d. Around c, from the
   // two sides that the face at h has there, one way and the other until they meet.
   // Walking on past that is harmless, so a number of steps that is enough for most vertices needs no branch.
@@ -158,9 +167,9 @@ bool is_surely_legal_swap(const Mesh& m, Halfedge h) {
       met |= up == down;
       joined |= (links[twin(up).index].from == d) | (links[twin(down).index].from == d);
     }
-    if (joined) return false;
+    if (joined) return refused;
   }
-  return met;
+  return met ? legal : unknown;
 }
 
 }  // namespace ryosen

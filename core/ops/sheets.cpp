@@ -43,7 +43,6 @@ std::vector<Vertex> live_copies(const Mesh& m, std::span<const Vertex> points) {
 }
 
 bool has_one_face(const Mesh& m, Halfedge h) { return m.is_outside(h) != m.is_outside(twin(h)); }
-Halfedge outside_half(const Mesh& m, Halfedge h) { return m.is_outside(h) ? h : twin(h); }
 
 }  // namespace
 

@@ -16,6 +16,9 @@
 
 namespace ryosen {
 
+// The half without a face of an edge that has one.
+inline Halfedge outside_half(const Mesh& m, Halfedge h) { return m.is_outside(h) ? h : twin(h); }
+
 // A fan of faces around a vertex: from the edge `first`, which it is left of, counter-clockwise to the edge `last`,
 // both outgoing and `last` outside. Both none where the fan goes all the way round.
 struct Fan {

@@ -118,8 +118,14 @@ std::string SwapEdge::command(const Mesh& mesh) const {
 }
 
 Verdict SwapEdge::check(const Mesh& m) const {
-  if (m.exists(halfedge) && m.is_alive(halfedge) && is_surely_legal_swap(m, halfedge)) return {};
+  if (m.exists(halfedge) && m.is_alive(halfedge) && quick_swap(m, halfedge) == QuickAnswer::legal) return {};
   return judge(m);
+}
+
+bool SwapEdge::is_legal(const Mesh& m) const {
+  if (!m.exists(halfedge) || !m.is_alive(halfedge)) return false;
+  const QuickAnswer answer = quick_swap(m, halfedge);
+  return answer == QuickAnswer::legal || (answer == QuickAnswer::unknown && judge(m).legal());
 }
 
 Verdict SwapEdge::judge(const Mesh& m) const {

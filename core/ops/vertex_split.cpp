@@ -154,12 +154,12 @@ glm::dvec3 mean_of_ends(const Mesh& m, const std::vector<Halfedge>& edges) {
 }
 
 // What turns over or becomes flat with m at a place.
-struct Shape {
+struct StarShape {
   std::vector<Element> turned, degenerate;
 };
 
-Shape shape_with(const Mesh& m, const VertexSplit& op, const Sector& sector, const glm::dvec3& place) {
-  Shape shape;
+StarShape shape_with(const Mesh& m, const VertexSplit& op, const Sector& sector, const glm::dvec3& place) {
+  StarShape shape;
   std::vector<Halfedge> ends;
   for (Halfedge h : {op.left, op.right})
     if (h) ends.push_back(h);
@@ -304,7 +304,7 @@ glm::dvec3 VertexSplit::position(const Mesh& m) const {
   for (double step : {0.5, 0.25, 0.125}) {
     for (const glm::dvec3& direction : {to, away}) {
       const glm::dvec3 place = v + step * direction;
-      const Shape shape = shape_with(m, *this, sector, place);
+      const StarShape shape = shape_with(m, *this, sector, place);
       if (is_finite(place) && shape.turned.empty() && shape.degenerate.empty()) return place;
     }
   }
@@ -343,7 +343,7 @@ Verdict VertexSplit::check(const Mesh& m) const {
 }
 
 std::vector<Reason> VertexSplit::warnings(const Mesh& m) const {
-  const Shape shape = shape_with(m, *this, sector_of(m, left, right), position(m));
+  const StarShape shape = shape_with(m, *this, sector_of(m, left, right), position(m));
   std::vector<Reason> found;
   if (!shape.turned.empty()) found.push_back({Rule::normal_turns, shape.turned});
   if (!shape.degenerate.empty()) found.push_back({Rule::degenerate, shape.degenerate});

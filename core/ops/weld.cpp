@@ -21,8 +21,6 @@ namespace {
 // Points that go, each with the one that it becomes.
 using Pairs = std::vector<std::pair<Vertex, Vertex>>;
 
-Halfedge outside_half(const Mesh& m, Halfedge h) { return m.is_outside(h) ? h : twin(h); }
-
 // The side without a face, over all sheets, of an edge that one face has.
 Halfedge boundary_half(const Mesh& m, Halfedge h) {
   for (Halfedge sheet : sheets_between(m, m.from(h), m.to(h)))

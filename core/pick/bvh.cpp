@@ -19,8 +19,6 @@ constexpr float margin = 0x1p-20f;
 // The double next to nothing by which a plane may miss a box that it touches.
 constexpr double plane_margin = 0x1p-46;
 
-double largest_magnitude(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
 }  // namespace
 
 // A ray in the tree's frame, its direction scaled to a largest component of one. Boxes are grown by an amount that

@@ -17,8 +17,6 @@ double sum_of(double a, double b, double c) {
   return (a + b) + c;
 }
 
-double largest_magnitude(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
 }  // namespace
 
 RayCaster::RayCaster(const Ray& ray) : origin_(ray.origin), t_min_(ray.t_min), t_max_(ray.t_max) {

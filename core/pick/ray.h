@@ -1,12 +1,16 @@
 // Rays and what they hit.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <optional>
 
 namespace ryosen {
+
+inline double largest_magnitude(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 // The points origin + t * direction with t_min <= t <= t_max. The direction need not have unit length; t is measured in
 // its length. A zero or not finite direction hits nothing.

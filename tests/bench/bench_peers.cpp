@@ -12,7 +12,9 @@
 
 #include "core/build/from_indexed.h"
 #include "core/mesh/circulate.h"
+#include "core/mesh/lookahead.h"
 #include "core/ops/collapse_edge.h"
+#include "core/ops/collapsible_edges.h"
 #include "core/ops/swap_edge.h"
 #include "tests/bench/bench_meshes.h"
 #include "tests/bench/counted_memory.h"
@@ -100,16 +102,19 @@ double one_ring_sums(const Mesh& mesh) {
 template <class Op>
 std::size_t count_legal(const Mesh& mesh) {
   std::size_t count = 0;
-  for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) count += Op{halfedge(Edge(e))}.check(mesh).legal();
+  for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) count += Op{halfedge(Edge(e))}.is_legal(mesh);
   return count;
 }
 
 template <class Op>
 std::size_t do_each(Mesh& mesh, Journal* journal, const std::vector<std::uint32_t>& edges) {
+  using Around = Lookahead::Around;
+  Lookahead ahead(mesh, std::is_same_v<Op, SwapEdge> ? Around::apexes : Around::ends);
   std::size_t count = 0;
-  for (std::uint32_t e : edges) {
-    const Op op{halfedge(Edge(e))};
-    if (!mesh.is_alive(Edge(e)) || !op.check(mesh).legal()) continue;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (i + Lookahead::distance < edges.size()) ahead.announce(Edge(edges[i + Lookahead::distance]));
+    const Op op{halfedge(Edge(edges[i]))};
+    if (!op.is_legal(mesh)) continue;
     Edit edit(mesh, journal);
     op.apply(edit);
     edit.commit();
@@ -126,8 +131,11 @@ void compare_queries(const std::string& name, const Mesh& mesh, const CgalMesh& 
       "one-ring sums " + name, ring_bar, turns, [&] { return rate(vertices, [&] { use(one_ring_sums(mesh)); }); },
       [&] { return rate(vertices, [&] { use(peer.one_ring_sums()); }); });
   compare(
-      "collapse check " + name, check_bar, turns,
+      "collapse check edge by edge " + name, 0, turns,
       [&] { return rate(edges, [&] { use(count_legal<CollapseEdge>(mesh)); }); },
+      [&] { return rate(edges, [&] { use(peer.count_collapsible()); }); });
+  compare(
+      "collapse check " + name, check_bar, turns, [&] { return rate(edges, [&] { use(collapsible_edges(mesh)); }); },
       [&] { return rate(edges, [&] { use(peer.count_collapsible()); }); });
   compare(
       "swap check " + name, 0, turns, [&] { return rate(edges, [&] { use(count_legal<SwapEdge>(mesh)); }); },

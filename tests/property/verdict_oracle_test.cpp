@@ -23,7 +23,7 @@ using oracle::Kind;
 using oracle::Operation;
 using oracle::PolygonList;
 
-constexpr int max_reports = 10;
+constexpr int max_oracle_reports = 10;
 
 template <class Visit>
 auto with_operator(const Mesh& mesh, const Operation& operation, Visit visit) {
@@ -117,7 +117,7 @@ TEST(VerdictOracle, ReadingGivesTheSameCopies) {
 
 TEST(VerdictOracle, EveryOperationOnEveryEdge) {
   int meshes = 0, verdicts = 0, reports = 0;
-  for (std::uint64_t seed = 0; seed < 20000 && reports < max_reports; ++seed) {
+  for (std::uint64_t seed = 0; seed < 20000 && reports < max_oracle_reports; ++seed) {
     const PolygonList points = random_list(seed);
     const Mesh mesh = kernel_mesh(points, seed);
     const auto kernel = [&](const Operation& operation) {
@@ -125,7 +125,7 @@ TEST(VerdictOracle, EveryOperationOnEveryEdge) {
       return kernel_verdict(mesh, operation);
     };
     for (const oracle::Disagreement& disagreement : compare(points, kernel)) {
-      if (++reports > max_reports) break;
+      if (++reports > max_oracle_reports) break;
       ADD_FAILURE() << "seed " << seed << ": " << to_text(disagreement);
     }
     ++meshes;
@@ -136,7 +136,7 @@ TEST(VerdictOracle, EveryOperationOnEveryEdge) {
 
 TEST(VerdictOracle, LargerManifolds) {
   int reports = 0;
-  for (std::uint64_t seed = 0; seed < 30 && reports < max_reports; ++seed) {
+  for (std::uint64_t seed = 0; seed < 30 && reports < max_oracle_reports; ++seed) {
     RandomMesh random = random_manifold(seed, 30 + static_cast<int>(seed));
     const PolygonList points = oracle::polygon_list(random.points, std::move(random.faces));
     const oracle::Figures figures = oracle::figures_of(points);
@@ -144,7 +144,7 @@ TEST(VerdictOracle, LargerManifolds) {
     const Mesh mesh = kernel_mesh(points, seed);
     const auto found = compare(points, [&](const Operation& operation) { return kernel_verdict(mesh, operation); });
     for (const oracle::Disagreement& disagreement : found) {
-      if (++reports > max_reports) break;
+      if (++reports > max_oracle_reports) break;
       ADD_FAILURE() << "seed " << seed << ": " << to_text(disagreement);
     }
   }
@@ -152,7 +152,7 @@ TEST(VerdictOracle, LargerManifolds) {
 
 TEST(VerdictOracle, LegalOperationsGiveTheListOfTheOracle) {
   int reports = 0, applied = 0;
-  for (std::uint64_t seed = 0; seed < 5000 && reports < max_reports; ++seed) {
+  for (std::uint64_t seed = 0; seed < 5000 && reports < max_oracle_reports; ++seed) {
     const PolygonList points = random_list(seed);
     Mesh mesh = kernel_mesh(points, seed);
     const oracle::Judge judge(oracle::read_copies(points));
@@ -161,7 +161,7 @@ TEST(VerdictOracle, LegalOperationsGiveTheListOfTheOracle) {
       ++applied;
       const std::string wrong = judge_result(mesh, judge, points, operation);
       if (wrong.empty()) continue;
-      if (++reports > max_reports) break;
+      if (++reports > max_oracle_reports) break;
       ADD_FAILURE() << "seed " << seed << ": " << to_text(operation) << " on " << to_text(points) << "\n    " << wrong;
     }
   }
@@ -172,15 +172,15 @@ TEST(VerdictOracle, LegalOperationsGiveTheListOfTheOracle) {
 // alone.
 TEST(VerdictOracle, VerdictsAfterEditsAreThoseOfTheSavedMesh) {
   int reports = 0, steps = 0;
-  for (std::uint64_t seed = 0; seed < 400 && reports < max_reports; ++seed) {
+  for (std::uint64_t seed = 0; seed < 400 && reports < max_oracle_reports; ++seed) {
     Mesh mesh = kernel_mesh(random_list(seed), seed);
     Journal journal;
     Dice dice(seed);
-    for (int step = 0; step < 12 && reports < max_reports; ++step) {
+    for (int step = 0; step < 12 && reports < max_oracle_reports; ++step) {
       const PolygonList points = list_of(mesh, true);
       const auto found = compare(points, [&](const Operation& operation) { return kernel_verdict(mesh, operation); });
       for (const oracle::Disagreement& disagreement : found) {
-        if (++reports > max_reports) break;
+        if (++reports > max_oracle_reports) break;
         ADD_FAILURE() << "seed " << seed << " step " << step << ": " << to_text(disagreement);
       }
       std::vector<Operation> legal;

@@ -6,15 +6,6 @@ namespace ryosen {
 
 namespace {
 
-void tip(std::string_view text) {
-  if (!ImGui::IsItemHovered()) return;
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(20 * ImGui::GetFontSize());
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
-}
-
 // What a press of an operator's row does: takes the tool up or puts it away, carries it out on the selection or at once,
 // or lets its arguments be typed.
 void press(PanelContext& context, const OpInfo& op) {

@@ -64,18 +64,18 @@ Mesh read_again(const Mesh& mesh) {
 }
 
 // Corner lists with places, per live face: what `changed` must account for.
-using Corners = std::map<std::uint32_t, std::vector<std::pair<std::uint32_t, glm::dvec3>>>;
-Corners corners_with_places(const Mesh& mesh) {
-  Corners result;
+using CornerPlaces = std::map<std::uint32_t, std::vector<std::pair<std::uint32_t, glm::dvec3>>>;
+CornerPlaces corners_with_places(const Mesh& mesh) {
+  CornerPlaces result;
   const auto corners = corners_of(mesh);
   for (std::uint32_t f = 0; f < corners.size(); ++f)
     for (Halfedge h : corners[f]) result[f].emplace_back(mesh.from(h).index, mesh.position(mesh.from(h)));
   return result;
 }
 
-void expect_effect(const Mesh& mesh, const MeshColumns& columns_before, const Corners& before, const OpEffect& effect) {
+void expect_effect(const Mesh& mesh, const MeshColumns& columns_before, const CornerPlaces& before, const OpEffect& effect) {
   const Mesh old(columns_before);
-  const Corners after = corners_with_places(mesh);
+  const CornerPlaces after = corners_with_places(mesh);
   for (const auto& [f, corners] : after) {
     const auto was = before.find(f);
     if (was != before.end() && was->second == corners) continue;
@@ -188,7 +188,7 @@ Change apply_and_prove(Mesh& mesh, const AnyOp& op) {
   Journal journal;
   const MeshColumns before = mesh.columns();
   const bool is_as_read = differs_from_reading(mesh).empty();
-  const Corners corners_before = corners_with_places(mesh);
+  const CornerPlaces corners_before = corners_with_places(mesh);
   const EulerPoincare was = euler_poincare(mesh);
   {
     Edit preview(mesh, &journal);

@@ -20,7 +20,7 @@ Mesh unit_square() {
   return from_indexed(std::move(source));
 }
 
-Mesh square_with_hole() {
+Mesh bridged_square() {
   IndexedMesh source = indexed({{0, 1, 2, 3, 0, 4, 7, 6, 5, 4}});
   source.positions = {{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}, {3, 3, 0}, {6, 3, 0}, {6, 6, 0}, {3, 6, 0}};
   return from_indexed(std::move(source));
@@ -55,7 +55,7 @@ TEST(extrude, a_face_of_a_cube_keeps_it_closed_and_outward) {
 }
 
 TEST(extrude, rings_get_their_walls) {
-  Mesh mesh = square_with_hole();
+  Mesh mesh = bridged_square();
   apply_and_prove(mesh, "make_ring 0-4");
   const double area = compute_figures(mesh).area;
   EXPECT_EQ(apply_and_prove(mesh, "extrude f0 1"), (Change{.v = 8, .e = 16, .f = 8}));
@@ -64,7 +64,7 @@ TEST(extrude, rings_get_their_walls) {
 }
 
 TEST(extrude, a_bridge_goes_along_without_a_wall) {
-  Mesh mesh = square_with_hole();
+  Mesh mesh = bridged_square();
   ASSERT_FALSE(mesh.has_rings());
   const double area = compute_figures(mesh).area;
   EXPECT_EQ(apply_and_prove(mesh, "extrude f0 1"), (Change{.v = 8, .e = 16, .f = 8}));

@@ -27,6 +27,7 @@ constexpr Row role_rows[role_count] = {
     {Role::duplicate, rgb(0xBBBBBB), rgb(0x666666), LineStyle::dash_dot, 2.5f, PointShape::square, 4.5f},
     {Role::hanging, rgb(0xC77CFF), rgb(0xAA3377), LineStyle::dotted, 3, PointShape::diamond, 5},
     {Role::isolated, rgb(0xFFFFFF), rgb(0x000000), LineStyle::solid, 2, PointShape::ring, 5},
+    {Role::wire, rgb(0xE4E8EE), rgb(0x303846), LineStyle::solid, 1.8f, PointShape::disc, 3.5f},
 };
 
 constexpr Palette dark_palette = {

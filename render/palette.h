@@ -25,8 +25,9 @@ enum class Role {
   duplicate,
   hanging,
   isolated,
+  wire,
 };
-inline constexpr int role_count = 13;
+inline constexpr int role_count = 14;
 
 // The looks of a role. Colours are safe for colour-blind people, and no two roles that can meet share both line style
 // and point shape, so that colour is never the only sign.

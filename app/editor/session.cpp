@@ -35,6 +35,8 @@ void Session::set_document(std::unique_ptr<Document> document) {
   selection.clear();
   log_.clear();
   drawn_changes_ = DrawnChanges();
+  // Where there is no surface, the free vertices are what there is to see.
+  if (document_->mesh().live().faces == 0) shown.insert("isolated");
   camera = first_camera();
   frame_all();
   touch();

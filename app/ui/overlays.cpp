@@ -71,13 +71,14 @@ void add_ghost(const Preview& preview, Theme theme, Overlay& overlay) {
 }  // namespace
 
 Role role_of_highlight(std::string_view id) {
-  constexpr std::array<std::pair<std::string_view, Role>, 7> roles{{{"boundary", Role::boundary},
+  constexpr std::array<std::pair<std::string_view, Role>, 8> roles{{{"boundary", Role::boundary},
                                                                     {"nonmanifold", Role::nonmanifold},
                                                                     {"misoriented", Role::misoriented},
                                                                     {"degenerate", Role::degenerate},
                                                                     {"duplicate", Role::duplicate},
                                                                     {"hanging", Role::hanging},
-                                                                    {"isolated", Role::isolated}}};
+                                                                    {"isolated", Role::isolated},
+                                                                    {"wires", Role::wire}}};
   for (const auto& [name, role] : roles)
     if (name == id) return role;
   return Role::selected;

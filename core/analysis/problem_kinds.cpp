@@ -8,6 +8,7 @@
 #include "core/analysis/equal_faces.h"
 #include "core/geometry/is_finite.h"
 #include "core/geometry/predicates.h"
+#include "core/mesh/copies.h"
 #include "core/mesh/rings.h"
 
 namespace ryosen {
@@ -29,6 +30,16 @@ bool is_nonmanifold_edge(Neighbourhood& around, Edge e) {
 bool is_misoriented_edge(Neighbourhood& around, Edge e) {
   const Halfedge h = halfedge(e);
   return !around.is_single_sheet(h) && around.edge(h).is_misoriented() && around.is_first_sheet(e);
+}
+
+// Where faces join the same points, the edge that has them speaks for all.
+bool is_wire_edge(Neighbourhood& around, Edge e) {
+  const Mesh& mesh = around.mesh();
+  if (!mesh.is_wire(e)) return false;
+  const auto [a, b] = ends(mesh, e);
+  for (Halfedge h : sheets_between(mesh, a, b))
+    if (!mesh.is_wire(edge(h)) || edge(h) < e) return false;
+  return true;
 }
 
 bool is_nonmanifold_vertex(Neighbourhood& around, Vertex v) {
@@ -232,6 +243,16 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .many_en = "# faces have inner loops.",
      .many_ja = "内側のループを持つ面が # 個あります。",
      .face = has_inner_loops},
+    {.kind = ProblemKind::wire,
+     .id = "wire",
+     .highlight = "wires",
+     .severity = info,
+     .name_en = "Wire",
+     .name_ja = "面のない稜線",
+     .one_en = "One edge has no face on either side.",
+     .many_en = "# edges have no face on either side.",
+     .many_ja = "どちら側にも面のない稜線が # 本あります。",
+     .edge = is_wire_edge},
 }};
 
 constexpr std::array highlights{
@@ -242,6 +263,7 @@ constexpr std::array highlights{
     HighlightRow{"duplicate", "Duplicate", "重複面", false},
     HighlightRow{"hanging", "Hanging pairs", "縮退", false},
     HighlightRow{"isolated", "Isolated", "孤立頂点", false},
+    HighlightRow{"wires", "Wires", "面のない稜線", true},
 };
 
 constexpr bool rows_are_in_order() {

@@ -30,8 +30,9 @@ enum class ProblemKind : std::uint8_t {
   self_intersection,
   boundary_loop,
   ring,
+  wire,
 };
-inline constexpr std::size_t problem_kinds = 13;
+inline constexpr std::size_t problem_kinds = 14;
 
 enum class ProblemSeverity : std::uint8_t { info, problem };
 

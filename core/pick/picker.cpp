@@ -13,9 +13,18 @@ namespace ryosen {
 
 namespace {
 
-// Triangles and isolated vertices share the slots of the tree: even and odd ones.
-std::uint32_t tree_slot_of_triangle(std::uint32_t slot) { return 2 * slot; }
-std::uint32_t tree_slot_of_vertex(Vertex v) { return 2 * v.index + 1; }
+// Triangles, isolated vertices and wires share the slots of the tree.
+constexpr std::uint32_t sharers = 3;
+std::uint32_t tree_slot_of_triangle(std::uint32_t slot) { return sharers * slot; }
+std::uint32_t tree_slot_of_vertex(Vertex v) { return sharers * v.index + 1; }
+std::uint32_t tree_slot_of_wire(Edge e) { return sharers * e.index + 2; }
+
+bool is_live_wire(const Mesh& mesh, Edge e) { return mesh.is_alive(e) && mesh.is_wire(e); }
+
+Primitive wire(const Mesh& mesh, Edge e) {
+  const auto [a, b] = ends(mesh, e);
+  return Primitive::segment(a.index, b.index, e.index);
+}
 
 struct Candidate {
   double distance_px, depth;
@@ -79,16 +88,13 @@ class PickQuery {
         frustum_around_pixel(clip_from_mesh, {view_.width, view_.height}, pixel_, pick_radius_px + 0.5);
     tree_.visit_frustum(m_.positions(), frustum, [&](std::uint32_t slot) {
       const Primitive primitive = tree_.primitive(slot);
-      if (slot % 2 == 1) {
-        if (vertices) add_vertex(Vertex(primitive.owner), Face());
-        return;
-      }
-      const Face face(primitive.owner);
-      for (unsigned k = 0; k < 3; ++k) {
-        const Vertex a(primitive.vertices[k]), b(primitive.vertices[(k + 1) % 3]);
+      const auto corners = static_cast<unsigned>(primitive.size());
+      const Face face = corners == 3 ? Face(primitive.owner) : Face();
+      for (unsigned k = 0; k < corners; ++k) {
+        const Vertex a(primitive.vertices[k]), b(primitive.vertices[(k + 1) % corners]);
         if (vertices)
           add_vertex(a, face);
-        else if ((triangles_.edge_bits()[slot / 2] >> k & 1u) != 0)
+        else if (corners == 3 ? (triangles_.edge_bits()[slot / sharers] >> k & 1u) != 0 : corners == 2 && k == 0)
           add_edge(a, b, face);
       }
     });
@@ -153,7 +159,10 @@ class PickQuery {
 
 void Picker::build(const Mesh& mesh) {
   const auto triangles = triangles_.triangles();
-  std::vector<Primitive> primitives(2 * std::max(triangles.size(), std::size_t{mesh.vertex_slots()}) + 1);
+  std::uint32_t wire_slots = mesh.edge_slots();
+  while (wire_slots > 0 && !is_live_wire(mesh, Edge(wire_slots - 1))) --wire_slots;
+  const std::size_t slots = std::max({triangles.size(), std::size_t{mesh.vertex_slots()}, std::size_t{wire_slots}});
+  std::vector<Primitive> primitives(sharers * slots);
   for (std::uint32_t slot = 0; slot < triangles.size(); ++slot) {
     if (triangles_.faces()[slot] == no_index) continue;
     const auto& t = triangles[slot];
@@ -163,6 +172,8 @@ void Picker::build(const Mesh& mesh) {
     const Vertex v(i);
     if (mesh.is_alive(v) && mesh.is_isolated(v)) primitives[tree_slot_of_vertex(v)] = Primitive::point(i);
   }
+  for (std::uint32_t i = 0; i < wire_slots; ++i)
+    if (is_live_wire(mesh, Edge(i))) primitives[tree_slot_of_wire(Edge(i))] = wire(mesh, Edge(i));
   tree_.build(mesh.positions(), std::move(primitives));
   has_tree_ = true;
 }
@@ -182,6 +193,11 @@ void Picker::put_vertex(const Mesh& mesh, Vertex v) {
     tree_.insert(mesh.positions(), tree_slot_of_vertex(v), Primitive::point(v.index));
 }
 
+void Picker::put_wire(const Mesh& mesh, Edge e) {
+  tree_.erase(tree_slot_of_wire(e));
+  if (mesh.exists(e) && is_live_wire(mesh, e)) tree_.insert(mesh.positions(), tree_slot_of_wire(e), wire(mesh, e));
+}
+
 std::vector<std::uint32_t> Picker::update(const Mesh& mesh, const TouchedElements& touched) {
   std::vector<std::uint32_t> changed = triangles_.update(mesh, touched);
   if (!has_tree_) return changed;
@@ -191,6 +207,10 @@ std::vector<std::uint32_t> Picker::update(const Mesh& mesh, const TouchedElement
   }
   for (std::uint32_t slot : changed) put_triangle(mesh, slot);
   for (Vertex v : touched.vertices) put_vertex(mesh, v);
+  for (Halfedge h : touched.halfedges) put_wire(mesh, edge(h));
+  for (Vertex v : touched.moved)
+    if (mesh.exists(v) && mesh.is_alive(v))
+      for (Halfedge h : outgoing(mesh, v)) put_wire(mesh, edge(h));
   if (tree_.is_worn()) tree_.rebuild(mesh.positions());
   return changed;
 }

@@ -27,7 +27,7 @@ struct Picked {
   double distance_px = 0;  // from the pointer, 0 for a face
 };
 
-// Keeps the triangles of a mesh and a tree over them and over the isolated vertices. Every call gets the same mesh.
+// Keeps the triangles of a mesh and a tree over them, the wires and the isolated vertices. Every call gets the same mesh.
 // The tree is built by the first pick: a picture that nobody points at does without.
 class Picker {
  public:
@@ -46,6 +46,7 @@ class Picker {
   void build(const Mesh& mesh);
   void put_triangle(const Mesh& mesh, std::uint32_t slot);
   void put_vertex(const Mesh& mesh, Vertex v);
+  void put_wire(const Mesh& mesh, Edge e);
 
   SurfaceTriangles triangles_;
   Bvh tree_;

@@ -83,7 +83,7 @@ TEST(highlights, rows_have_stable_ids_and_one_predicate) {
   std::vector<std::string_view> shown;
   for (const HighlightRow& row : highlight_table())
     if (row.is_default) shown.push_back(row.id);
-  EXPECT_EQ(shown, (std::vector<std::string_view>{"boundary", "nonmanifold", "misoriented", "degenerate"}));
+  EXPECT_EQ(shown, (std::vector<std::string_view>{"boundary", "nonmanifold", "misoriented", "degenerate", "wires"}));
   EXPECT_EQ(find_problem_row("no_such_kind"), nullptr);
 }
 

@@ -21,25 +21,6 @@ std::string format_of(const std::string& path) {
 
 Json place(const std::optional<glm::dvec3>& where) { return where ? to_json(*where) : Json(); }
 
-Json problem_object(const NamedProblem& named) {
-  const Problem& problem = named.problem;
-  Json json;
-  json["kind"] = problem.row().id;
-  json["severity"] = problem.row().severity == ProblemSeverity::problem ? "problem" : "info";
-  json["count"] = problem.count();
-  json["elements"] = named.names;
-  if (problem.row().is_on_request) {
-    json["pairs"] = Json::array();
-    const auto name = [](Face f) { return "f" + std::to_string(f.index); };
-    for (const FacePair& pair : problem.pairs) json["pairs"].push_back({name(pair.first), name(pair.second)});
-  }
-  json["where"] = place(problem.where);
-  json["line"] = problem.line ? Json(problem.line) : Json();
-  json["en"] = problem.text.en;
-  json["ja"] = problem.text.ja;
-  return json;
-}
-
 Json bounds(const Figures& f) {
   return f.bounds ? Json::array({to_json((*f.bounds)[0]), to_json((*f.bounds)[1])}) : Json();
 }
@@ -90,20 +71,14 @@ std::string_view CheckReport::status() const {
   return has_problem || has_warning ? "warnings" : "ok";
 }
 
-CheckReport check_file(const std::string& path, bool with_self_intersections) {
+CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_intersections) {
   CheckReport report;
   report.file = path;
-  Result<MeshFile> file = read_mesh_file(path);
-  if (!file) {
-    report.failure = file.failure();
-    if (report.failure->exit_code == ExitCode::input_malformed) report.format = format_of(path);
-    return report;
-  }
-  report.format = file->format->id;
-  report.messages = std::move(file->messages);
-  const std::vector<QuarantinedFace> quarantine = file->mesh.quarantine;
-  const std::vector<std::uint32_t> lines = file->mesh.face_lines;
-  const Mesh mesh = from_indexed(std::move(file->mesh));
+  report.format = file.format ? file.format->id : std::string_view();
+  report.messages = std::move(file.messages);
+  const std::vector<QuarantinedFace> quarantine = file.mesh.quarantine;
+  const std::vector<std::uint32_t> lines = file.mesh.face_lines;
+  const Mesh mesh = from_indexed(std::move(file.mesh));
   const HighlightSets sets(mesh);
   report.figures = compute_figures(mesh, sets, quarantine);
   report.hash = hash_text(mesh);
@@ -118,6 +93,35 @@ CheckReport check_file(const std::string& path, bool with_self_intersections) {
   return report;
 }
 
+CheckReport check_file(const std::string& path, bool with_self_intersections) {
+  Result<MeshFile> file = read_mesh_file(path);
+  if (file) return check_mesh(std::move(file).value(), path, with_self_intersections);
+  CheckReport report;
+  report.file = path;
+  report.failure = file.failure();
+  if (report.failure->exit_code == ExitCode::input_malformed) report.format = format_of(path);
+  return report;
+}
+
+Json to_json(const NamedProblem& named) {
+  const Problem& problem = named.problem;
+  Json json;
+  json["kind"] = problem.row().id;
+  json["severity"] = problem.row().severity == ProblemSeverity::problem ? "problem" : "info";
+  json["count"] = problem.count();
+  json["elements"] = named.names;
+  if (problem.row().is_on_request) {
+    json["pairs"] = Json::array();
+    const auto name = [](Face f) { return "f" + std::to_string(f.index); };
+    for (const FacePair& pair : problem.pairs) json["pairs"].push_back({name(pair.first), name(pair.second)});
+  }
+  json["where"] = place(problem.where);
+  json["line"] = problem.line ? Json(problem.line) : Json();
+  json["en"] = problem.text.en;
+  json["ja"] = problem.text.ja;
+  return json;
+}
+
 Json to_json(const CheckReport& report) {
   if (report.failure) return error_object(report.failure->message, report.file, report.format);
   Json json;
@@ -127,7 +131,7 @@ Json to_json(const CheckReport& report) {
   add_figures(report.figures, json);
   json["hash"] = report.hash;
   json["problems"] = Json::array();
-  for (const NamedProblem& problem : report.problems) json["problems"].push_back(problem_object(problem));
+  for (const NamedProblem& problem : report.problems) json["problems"].push_back(to_json(problem));
   json["messages"] = to_json(report.messages);
   return json;
 }

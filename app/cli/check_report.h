@@ -9,6 +9,7 @@
 #include "app/cli/json.h"
 #include "core/analysis/figures.h"
 #include "core/analysis/problems.h"
+#include "core/io/mesh_file.h"
 
 namespace ryosen::cli {
 
@@ -30,11 +31,15 @@ struct CheckReport {
   std::string_view status() const;
 };
 
+// Asks everything about the mesh of a file that has been read.
+CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_intersections = false);
 // Reads the file and asks everything about its mesh.
 CheckReport check_file(const std::string& path, bool with_self_intersections = false);
 
 Json to_json(const CheckReport& report);
+Json to_json(const NamedProblem& problem);
 // A table of figures, then the problems; with `verbose` every element is named.
 std::string to_text(const CheckReport& report, const Console& console);
+std::string to_text(const NamedProblem& problem, const Console& console);
 
 }  // namespace ryosen::cli

@@ -91,7 +91,9 @@ std::vector<std::string> names_of_pairs(const Problem& problem) {
   return names;
 }
 
-std::string problem_text(const NamedProblem& named, const Console& console) {
+}  // namespace
+
+std::string to_text(const NamedProblem& named, const Console& console) {
   const Problem& problem = named.problem;
   const bool is_info = problem.row().severity == ProblemSeverity::info;
   std::string text = "  " + std::string(is_info ? console.text("info", "情報") : console.text("PROBLEM", "問題")) +
@@ -109,8 +111,6 @@ std::string problem_text(const NamedProblem& named, const Console& console) {
   return text + "\n";
 }
 
-}  // namespace
-
 std::string to_text(const CheckReport& report, const Console& console) {
   std::string text = report.file;
   if (!report.format.empty()) text += " (" + report.format + ")";
@@ -118,7 +118,7 @@ std::string to_text(const CheckReport& report, const Console& console) {
   text +=
       report.status() == "ok" ? console.text(": ok\n", "：問題なし\n") : console.text(": warnings\n", "：警告あり\n");
   text += figures_text(report.figures, console);
-  for (const NamedProblem& problem : report.problems) text += problem_text(problem, console);
+  for (const NamedProblem& problem : report.problems) text += to_text(problem, console);
   return text;
 }
 

@@ -9,6 +9,7 @@ ExitCode check_command(const Arguments& arguments, const Console& console);
 ExitCode why_command(const Arguments& arguments, const Console& console);
 ExitCode edit_command(const Arguments& arguments, const Console& console);
 ExitCode view_command(const Arguments& arguments, const Console& console);
+ExitCode repair_command(const Arguments& arguments, const Console& console);
 ExitCode shot_command(const Arguments& arguments, const Console& console);
 ExitCode forms_command(const Arguments& arguments, const Console& console);
 ExitCode formats_command(const Arguments& arguments, const Console& console);

@@ -4,6 +4,7 @@
 
 #include "app/cli/columns.h"
 #include "app/editor/commands.h"
+#include "core/algo/repairs.h"
 #include "core/analysis/problem_kinds.h"
 #include "core/build/pairing.h"
 #include "core/forms/all.h"
@@ -38,6 +39,23 @@ std::string problem_kinds_topic(Language language) {
   for (const ProblemRow& row : problem_table())
     columns.add(std::string(row.id), choose(language, row.name_en, row.name_ja));
   return std::string(choose(language, "Kinds:\n", "種類：\n")) + columns.text();
+}
+
+std::string repairs_topic(Language language) {
+  Columns unasked, named;
+  for (const RepairRow& row : repair_table()) {
+    std::string solves;
+    for (ProblemKind kind : row.solves) solves += (solves.empty() ? "" : ", ") + std::string(row_of(kind).id);
+    std::string help(choose(language, row.help_en, row.help_ja));
+    help.append(choose(language, "; solves ", "（対象：")).append(solves).append(choose(language, "", "）"));
+    const std::string syntax = row.syntax.empty() ? "" : "=" + std::string(row.syntax);
+    (row.keeps_geometry ? unasked : named).add(std::string(row.id) + syntax, help);
+  }
+  return std::string(choose(language, "Done unless --kinds names others (every place and face stays):\n",
+                            "--kinds を省いたときに行うもの（形状はすべて保たれる）：\n")) +
+         unasked.text() +
+         std::string(choose(language, "Done where --kinds names them:\n", "--kinds で指定したときだけ行うもの：\n")) +
+         named.text();
 }
 
 std::string operators_topic(Language language) {

@@ -11,6 +11,8 @@ namespace ryosen::cli {
 std::string problem_kinds_topic(Language language);
 // The commands of scripts: operators, then those of the editor.
 std::string script_commands_topic(Language language);
+// The repairs, which of them are done unasked, and what each solves.
+std::string repairs_topic(Language language);
 // The operators alone.
 std::string operators_topic(Language language);
 // The forms of the texts and the ways to pair halfedges.

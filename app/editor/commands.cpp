@@ -71,6 +71,8 @@ constexpr std::array command_rows{
                "選択中の半稜線から次へ移る（around：始点のまわり）", false, run_walk},
     CommandRow{"undo", "[N]", "takes back the last N edits", "直前の N 回の編集を元に戻す", true, run_undo},
     CommandRow{"redo", "[N]", "does N undone edits again", "元に戻した N 回の編集をやり直す", true, run_redo},
+    CommandRow{"repair", "KIND [NUMBER]", "takes a kind of problem away everywhere (see ryosen repair --help)",
+               "一種類の問題をまとめて直す（ryosen repair --help を参照）", true, run_repair},
     CommandRow{"camera", "JSON", "sets eye, target, up, fov_y_deg, ortho_height", "カメラを設定する", false,
                run_camera},
     CommandRow{"view", "front|back|left|right|top|bottom|iso", "looks along an axis at all of the mesh",

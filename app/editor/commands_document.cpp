@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "app/editor/script.h"
 #include "app/editor/words.h"
 
 namespace ryosen {
@@ -71,6 +72,25 @@ Outcome run_save(Session& session, Arguments, std::string_view whole) {
   if (!status) return failed(status.failure());
   Outcome outcome = performed(named.empty() ? "save" : "save " + file_argument(named));
   outcome.sentence = unwritten_wires(document.mesh());
+  return outcome;
+}
+
+Outcome run_repair(Session& session, Arguments arguments, std::string_view) {
+  if (arguments.empty() || arguments.size() > 2) return wrong_arguments("repair");
+  const ParsedRepair parsed =
+      parse_repair(arguments[0], arguments.size() > 1 ? std::optional(arguments[1]) : std::nullopt);
+  if (!parsed.call.row) {
+    std::vector<std::string> known;
+    for (const RepairRow& row : repair_table()) known.emplace_back(row.id);
+    const std::string close = find_repair(arguments[0]) ? "" : closest_word(arguments[0], known);
+    return usage_error(parsed.sentence.en + (close.empty() ? "" : "; did you mean " + close + "?"),
+                       parsed.sentence.ja + (close.empty() ? "" : "。" + close + " ですか？"));
+  }
+  const RepairResult result = session.document().repair(parsed.call);
+  std::string line = "repair";
+  for (std::string_view word : arguments) line.append(" ").append(word);
+  Outcome outcome = performed(std::move(line));
+  outcome.sentence = result.text;
   return outcome;
 }
 

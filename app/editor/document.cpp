@@ -20,6 +20,11 @@ Text join(const std::vector<Text>& texts) {
   return all;
 }
 
+Text quarantine_dropped(std::size_t faces) {
+  return repair_text(faces, "One quarantined face was dropped.", "# quarantined faces were dropped.",
+                     "隔離された面を # 個捨てました。");
+}
+
 std::uint64_t next_serial() {
   static std::atomic<std::uint64_t> last = 0;
   return ++last;
@@ -98,11 +103,47 @@ Outcome Document::apply(const AnyOp& op, bool strict) {
     edit.commit();
   }
   outcome.created = names_of(mesh_, before.created);
-  history_.resize(journal_.position() - 1);
-  history_.push_back({command});
-  if (saved_position_ >= journal_.position()) saved_position_ = no_index;  // that place can no longer be reached
-  notify(journal_.position() - 1);
+  committed(command);
   return outcome;
+}
+
+RepairResult Document::repair(const RepairCall& call) {
+  const std::string command =
+      "repair " + std::string(call.row->id) + (call.number ? " " + format_double(*call.number) : "");
+  RepairResult result;
+  if (!call.row->run) {
+    result = {tables_.quarantine.size(), 0, quarantine_dropped(tables_.quarantine.size())};
+    if (result.changed == 0) return result;
+    Edit(mesh_, &journal_).commit();  // an entry without a change of the mesh
+    committed(command, std::vector<QuarantinedFace>());
+    return result;
+  }
+  {
+    Edit edit(mesh_, &journal_);
+    result = call.row->run(edit, call.number);
+    if (result.changed == 0) return result;
+    edit.commit();
+  }
+  committed(command);
+  return result;
+}
+
+void Document::committed(std::string command, std::optional<std::vector<QuarantinedFace>> quarantine) {
+  const std::size_t transaction = journal_.position() - 1;
+  history_.resize(transaction);
+  other_quarantine_.erase(other_quarantine_.lower_bound(transaction), other_quarantine_.end());
+  history_.push_back({std::move(command)});
+  if (quarantine) {
+    other_quarantine_[transaction] = std::move(*quarantine);
+    exchange_quarantine(transaction);
+  }
+  if (saved_position_ >= journal_.position()) saved_position_ = no_index;  // that place can no longer be reached
+  notify(transaction);
+}
+
+void Document::exchange_quarantine(std::size_t transaction) {
+  const auto other = other_quarantine_.find(transaction);
+  if (other != other_quarantine_.end()) std::swap(tables_.quarantine, other->second);
 }
 
 void Document::notify(std::size_t transaction) {
@@ -113,6 +154,7 @@ void Document::notify(std::size_t transaction) {
 bool Document::undo() {
   if (!journal_.can_undo()) return false;
   journal_.undo(mesh_);
+  exchange_quarantine(journal_.position());
   notify(journal_.position());
   return true;
 }
@@ -120,6 +162,7 @@ bool Document::undo() {
 bool Document::redo() {
   if (!journal_.can_redo()) return false;
   journal_.redo(mesh_);
+  exchange_quarantine(journal_.position() - 1);
   notify(journal_.position() - 1);
   return true;
 }

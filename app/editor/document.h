@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/algo/repairs.h"
 #include "core/build/to_indexed.h"
 #include "core/io/formats.h"
 #include "core/mesh/touched.h"
@@ -58,6 +60,8 @@ class Document {
 
   // Applies an operator as one entry of the history. Refused: nothing changes. strict: warnings refuse too.
   Outcome apply(const AnyOp& op, bool strict = false);
+  // Does a repair as one entry of the history, or none where it changes nothing.
+  RepairResult repair(const RepairCall& call);
   // The verdict, and the ghost of the result. The document is unchanged.
   Preview preview(const AnyOp& op) { return ryosen::preview(mesh_, journal_, op); }
   // Script lines that would make a refused operator legal; empty where none were found.
@@ -95,6 +99,10 @@ class Document {
 
  private:
   Outcome refuse(const AnyOp& op, std::vector<Reason> reasons);
+  // The open edit has become the last transaction; with it these faces are set aside, where that changes.
+  void committed(std::string command, std::optional<std::vector<QuarantinedFace>> quarantine = {});
+  // The faces set aside are others before and after some transactions.
+  void exchange_quarantine(std::size_t transaction);
   void notify(std::size_t transaction);
   bool is_known_as_edge(std::string_view name) const;
 
@@ -104,6 +112,7 @@ class Document {
   FileTables tables_;
   std::filesystem::path path_;
   std::vector<HistoryEntry> history_;
+  std::map<std::size_t, std::vector<QuarantinedFace>> other_quarantine_;  // by transaction
   std::size_t saved_position_ = 0;
   std::uint64_t revision_ = 0;
   std::uint64_t serial_;

@@ -23,7 +23,8 @@ std::span<const Panel> panels() { return list; }
 
 void GuiState::know(const Session& session) {
   const Document& document = session.document();
-  if (known_document_ == document.serial()) return;
+  if (known_document_ == document.serial() && known_set_aside_ == document.tables().quarantine.size()) return;
+  known_set_aside_ = document.tables().quarantine.size();
   known_document_ = document.serial();
   known_loops_.reset();
   for (const ProblemRow& row : problem_table()) {
@@ -65,6 +66,9 @@ Outcome PanelContext::keep(Outcome outcome) {
   if (outcome.done() && !outcome.performed.empty())
     state.last_outcome = {outcome.performed + ": " + ryosen::text(UiText::done, Language::english),
                           outcome.performed + "：" + ryosen::text(UiText::done, Language::japanese)};
+  if (outcome.done() && outcome.performed.starts_with("repair"))
+    state.last_outcome = {outcome.performed + ": " + outcome.sentence.en,
+                          outcome.performed + "：" + outcome.sentence.ja};
   return outcome;
 }
 

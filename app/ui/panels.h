@@ -50,7 +50,7 @@ struct GuiState {
   bool wants_quit = false;  // confirmed
   PendingLeave pending;
   FileBrowser browser;
-  std::string command;  // what stands in the field of the command window
+  std::string command;                // what stands in the field of the command window
   std::size_t scrolled_position = 0;  // the place of the history that the list was scrolled to
 
   std::optional<MeasuredForms> measured_forms;
@@ -65,6 +65,7 @@ struct GuiState {
   void know(const Session& session);
 
   std::uint64_t known_document_ = 0;  // its serial number
+  std::size_t known_set_aside_ = 0;   // how many faces; a repair may drop them
   std::array<std::vector<Element>, problem_kinds> quarantined_;
   std::vector<Element> loops_;  // by their lowest edges, as of this revision of the count
   std::optional<std::uint64_t> known_loops_;

@@ -22,13 +22,7 @@ Named<Halfedge> find_any_sheet(const Mesh& mesh, std::string_view name) {
   return {sheets_between(mesh, a.element, b.element).front(), NameError::none, {}};
 }
 
-// What goes because it is named: faces, wires, and for a vertex the copies of its point.
-struct Doomed {
-  std::vector<Face> faces;
-  std::vector<Halfedge> wires;
-  std::vector<Vertex> vertices;
-};
-
+// Faces, wires, and for a vertex the copies of its point.
 Doomed doomed_by(const Mesh& mesh, Element element) {
   Doomed doomed;
   const auto add_edge = [&](Halfedge h) {
@@ -89,11 +83,8 @@ Verdict Delete::check(const Mesh& mesh) const {
 
 std::vector<Reason> Delete::warnings(const Mesh&) const { return {}; }
 
-OpEffect Delete::apply(Edit& edit) const {
+void take_away(Edit& edit, Sheets& sheets, const Doomed& doomed) {
   const Mesh& m = edit.mesh();
-  assert(check(m).legal());
-  Sheets sheets(edit);
-  const Doomed doomed = doomed_by(m, element);
   std::vector<Halfedge> unused = doomed.wires;
   std::vector<Vertex> bare = doomed.vertices, points;
   for (Face f : doomed.faces)
@@ -113,6 +104,12 @@ OpEffect Delete::apply(Edit& edit) const {
   for (Vertex v : bare)
     if (m.is_alive(v) && m.is_isolated(v)) sheets.remove_vertex(v);
   sheets.settle(points);
+}
+
+OpEffect Delete::apply(Edit& edit) const {
+  assert(check(edit.mesh()).legal());
+  Sheets sheets(edit);
+  take_away(edit, sheets, doomed_by(edit.mesh(), element));
   return sheets.finish();
 }
 

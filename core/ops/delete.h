@@ -15,6 +15,7 @@
 #pragma once
 
 #include "core/ops/op.h"
+#include "core/ops/sheets.h"
 
 namespace ryosen {
 
@@ -39,5 +40,15 @@ struct Delete {
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
 };
+
+// What goes because it is named.
+struct Doomed {
+  std::vector<Face> faces;
+  std::vector<Halfedge> wires;
+  std::vector<Vertex> vertices;
+};
+
+// Takes it all away, and edges and vertices that are left without use. Cost: the stars of the points of the faces.
+void take_away(Edit& edit, Sheets& sheets, const Doomed& doomed);
 
 }  // namespace ryosen

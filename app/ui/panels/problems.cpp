@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "app/ui/panels/all.h"
 #include "app/ui/widgets.h"
 
@@ -32,6 +34,28 @@ void draw_elements(PanelContext& context, const ProblemRow& row, std::size_t cou
   ImGui::EndChild();
 }
 
+// The repairs of a kind: one press does it; where a number is needed, the command waits for it.
+bool draw_repairs(PanelContext& context, ProblemKind kind) {
+  bool is_pressed = false;
+  for (const RepairRow& repair : repair_table()) {
+    if (std::find(repair.solves.begin(), repair.solves.end(), kind) == repair.solves.end()) continue;
+    ImGui::PushID(repair.id.data());
+    const std::string command = "repair " + std::string(repair.id);
+    if (ImGui::SmallButton(context.text(repair.name_en, repair.name_ja))) {
+      is_pressed = true;
+      if (repair.number == RepairNumber::must_be_given) {
+        context.state.command = command + " ";
+        context.run("panel command");
+      } else {
+        context.run(command);
+      }
+    }
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", context.text(repair.help_en, repair.help_ja));
+    ImGui::PopID();
+  }
+  return is_pressed;
+}
+
 void draw_kind(PanelContext& context, const ProblemRow& row, std::size_t count) {
   const bool is_problem = row.severity == ProblemSeverity::problem;
   ImGui::PushID(static_cast<int>(row.kind));
@@ -42,7 +66,8 @@ void draw_kind(PanelContext& context, const ProblemRow& row, std::size_t count) 
   ImGui::PopStyleColor();
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.sentence(count).in(context.language()).c_str());
   if (is_open) {
-    draw_elements(context, row, count);
+    // A repair may have taken away what was counted.
+    if (!draw_repairs(context, row.kind)) draw_elements(context, row, count);
     ImGui::TreePop();
   }
   ImGui::PopID();

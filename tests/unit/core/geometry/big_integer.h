@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ryosen::testing {
+namespace ryosen::test_shapes {
 
 // Sign and magnitude in base 2^16, lowest digit first, without leading zeros.
 class BigInteger {
@@ -115,4 +115,4 @@ class BigInteger {
   bool negative_ = false;
 };
 
-}  // namespace ryosen::testing
+}  // namespace ryosen::test_shapes

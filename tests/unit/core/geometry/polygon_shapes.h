@@ -11,7 +11,7 @@
 
 #include "core/geometry/predicates.h"
 
-namespace ryosen::testing {
+namespace ryosen::test_shapes {
 
 using Polygon = std::vector<glm::dvec3>;
 
@@ -158,4 +158,4 @@ inline Polygon random_simple(std::size_t count, int grid, unsigned seed) {
   return p;
 }
 
-}  // namespace ryosen::testing
+}  // namespace ryosen::test_shapes

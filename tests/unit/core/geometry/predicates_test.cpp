@@ -17,7 +17,7 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-using testing::BigInteger;
+using test_shapes::BigInteger;
 
 int oracle(const dvec2& a, const dvec2& b, const dvec2& c) {
   const BigInteger cx = BigInteger::scaled(c.x);

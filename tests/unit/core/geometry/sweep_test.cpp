@@ -12,7 +12,7 @@ namespace ryosen {
 namespace {
 
 using glm::dvec3;
-using testing::Polygon;
+using test_shapes::Polygon;
 using Loops = std::vector<Polygon>;
 
 std::optional<std::vector<CornerTriangle>> sweep(const Loops& loops) {
@@ -44,12 +44,12 @@ void expect_right(Loops loops) {
     double expected = 0.0;
     for (const Polygon& loop : loops) {
       corners.insert(corners.end(), loop.begin(), loop.end());
-      expected += testing::signed_area(loop);
+      expected += test_shapes::signed_area(loop);
     }
     double area = 0.0;
     for (const CornerTriangle& t : *triangles) {
-      ASSERT_GT(testing::turn(corners[t[0]], corners[t[1]], corners[t[2]]), 0);
-      area += testing::signed_area({corners[t[0]], corners[t[1]], corners[t[2]]});
+      ASSERT_GT(test_shapes::turn(corners[t[0]], corners[t[1]], corners[t[2]]), 0);
+      area += test_shapes::signed_area({corners[t[0]], corners[t[1]], corners[t[2]]});
     }
     EXPECT_EQ(area, expected);
     EXPECT_EQ(triangles->size() + 4, corners.size() + 2 * loops.size());
@@ -61,7 +61,7 @@ bool is_inside(const Polygon& polygon, const dvec3& p) {
   bool inside = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const dvec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    if ((a.y > p.y) != (b.y > p.y) && (testing::turn(a, b, p) > 0) == (b.y > a.y)) inside = !inside;
+    if ((a.y > p.y) != (b.y > p.y) && (test_shapes::turn(a, b, p) > 0) == (b.y > a.y)) inside = !inside;
   }
   return inside;
 }
@@ -73,8 +73,8 @@ bool sees(const Loops& loops, const dvec3& a, const dvec3& b) {
       const dvec3 &c = loop[i], &d = loop[(i + 1) % loop.size()];
       if (c == a || c == b || d == a || d == b) {
         const dvec3& other = c == a || c == b ? d : c;
-        if (testing::turn(a, b, other) == 0) return false;
-      } else if (testing::segments_meet(a, b, c, d)) {
+        if (test_shapes::turn(a, b, other) == 0) return false;
+      } else if (test_shapes::segments_meet(a, b, c, d)) {
         return false;
       }
     }
@@ -84,7 +84,7 @@ bool sees(const Loops& loops, const dvec3& a, const dvec3& b) {
 
 // A random simple polygon with small diamonds cut out where they have room.
 Loops random_with_holes(unsigned seed) {
-  Polygon outer = testing::random_simple(5 + seed % 12, 5, seed);
+  Polygon outer = test_shapes::random_simple(5 + seed % 12, 5, seed);
   if (outer.empty()) return {};
   for (dvec3& p : outer) p *= 6.0;
   Loops loops = {outer};
@@ -97,7 +97,7 @@ Loops random_with_holes(unsigned seed) {
     for (const Polygon& loop : loops) {
       for (std::size_t i = 0; i < loop.size() && free; ++i) {
         for (std::size_t j = 0; j < 4 && free; ++j) {
-          free = !testing::segments_meet(loop[i], loop[(i + 1) % loop.size()], hole[j], hole[(j + 1) % 4]);
+          free = !test_shapes::segments_meet(loop[i], loop[(i + 1) % loop.size()], hole[j], hole[(j + 1) % 4]);
         }
       }
     }
@@ -136,7 +136,7 @@ std::optional<Polygon> bridged(const Loops& loops, unsigned seed) {
 TEST(Sweep, random_simple_polygons_need_no_fallback) {
   int made = 0;
   for (unsigned seed = 10000; seed < 11000; ++seed) {
-    const Polygon polygon = testing::random_simple(4 + seed % 19, 6, seed);
+    const Polygon polygon = test_shapes::random_simple(4 + seed % 19, 6, seed);
     if (polygon.empty()) continue;
     ++made;
     expect_right({polygon});
@@ -209,15 +209,15 @@ TEST(Sweep, polygons_that_touch_themselves_everywhere) {
     const std::size_t count = 2 + seed % 60;
     const Polygon polygon = walk_around_tree(count, 3 + static_cast<int>(seed % 5), seed);
     const double triangles = static_cast<double>(polygon.size()) - 2.0;
-    ASSERT_EQ(testing::signed_area(polygon), triangles / 2.0);
+    ASSERT_EQ(test_shapes::signed_area(polygon), triangles / 2.0);
     expect_right({polygon});
     if (HasFailure()) FAIL() << "seed " << seed;
   }
 }
 
 TEST(Sweep, large_shapes_need_no_fallback) {
-  for (const Polygon& polygon : {testing::star(3000, 5), testing::spiral(3000, 20), testing::comb(500, 6),
-                                 testing::saw(700), testing::square_with_many_corners(700)}) {
+  for (const Polygon& polygon : {test_shapes::star(3000, 5), test_shapes::spiral(3000, 20), test_shapes::comb(500, 6),
+                                 test_shapes::saw(700), test_shapes::square_with_many_corners(700)}) {
     const auto triangles = sweep({polygon});
     ASSERT_TRUE(triangles.has_value());
     EXPECT_EQ(triangles->size(), polygon.size() - 2);
@@ -225,7 +225,7 @@ TEST(Sweep, large_shapes_need_no_fallback) {
 }
 
 TEST(Sweep, a_polygon_run_clockwise_or_across_itself_is_refused) {
-  Polygon clockwise = testing::comb(5, 1);
+  Polygon clockwise = test_shapes::comb(5, 1);
   std::reverse(clockwise.begin(), clockwise.end());
   EXPECT_FALSE(sweep({clockwise}));
   EXPECT_FALSE(sweep({{{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}}}));

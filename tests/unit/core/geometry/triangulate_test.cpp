@@ -17,7 +17,7 @@ namespace ryosen {
 namespace {
 
 using glm::dvec3;
-using testing::Polygon;
+using test_shapes::Polygon;
 using Triangles = std::vector<CornerTriangle>;
 using Loops = std::vector<Polygon>;
 
@@ -70,11 +70,11 @@ void expect_right(const Loops& loops, const Triangles& triangles, Flat flat) {
   ASSERT_EQ(triangles.size() + 4, p.size() + 2 * loops.size());
   double area = 0.0;
   for (const CornerTriangle& t : triangles) {
-    ASSERT_GE(testing::turn(p[t[0]], p[t[1]], p[t[2]]), flat == Flat::never ? 1 : 0);
-    area += testing::signed_area({p[t[0]], p[t[1]], p[t[2]]});
+    ASSERT_GE(test_shapes::turn(p[t[0]], p[t[1]], p[t[2]]), flat == Flat::never ? 1 : 0);
+    area += test_shapes::signed_area({p[t[0]], p[t[1]], p[t[2]]});
   }
   double expected = 0.0;
-  for (const Polygon& loop : loops) expected += testing::signed_area(loop);
+  for (const Polygon& loop : loops) expected += test_shapes::signed_area(loop);
   EXPECT_NEAR(area, expected, 1e-9 * (1.0 + std::abs(expected)));
   expect_sides_matched(loops, triangles);
 }
@@ -99,8 +99,8 @@ TEST(Triangulate, small_polygons) {
   EXPECT_TRUE(triangles_of(Polygon{{0, 0, 0}, {1, 0, 0}}).empty());
   EXPECT_EQ(triangles_of(Polygon{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), (Triangles{{0, 1, 2}}));
   expect_right(Polygon{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
-  expect_right(testing::convex(5));
-  expect_right(testing::convex(100));
+  expect_right(test_shapes::convex(5));
+  expect_right(test_shapes::convex(100));
 }
 
 TEST(Triangulate, quads_take_the_shorter_or_the_inner_diagonal) {
@@ -117,7 +117,7 @@ TEST(Triangulate, quads_take_the_shorter_or_the_inner_diagonal) {
     const auto inner = std::find(other_side.begin(), other_side.end(), dvec3(1, 1, 0)) - other_side.begin();
     EXPECT_EQ(triangles_of(other_side), inner % 2 == 0 ? across_0_2 : across_1_3);
     for (const CornerTriangle& t : triangles_of(other_side)) {
-      EXPECT_LT(testing::turn(other_side[t[0]], other_side[t[1]], other_side[t[2]]), 0);
+      EXPECT_LT(test_shapes::turn(other_side[t[0]], other_side[t[1]], other_side[t[2]]), 0);
     }
   }
   // A corner on the straight line between its neighbours must not become a flat triangle.
@@ -126,7 +126,7 @@ TEST(Triangulate, quads_take_the_shorter_or_the_inner_diagonal) {
 }
 
 TEST(Triangulate, every_axis_and_both_sides) {
-  const Polygon shape = testing::comb(5, 3);
+  const Polygon shape = test_shapes::comb(5, 3);
   for (int way = 0; way < 6; ++way) {
     for (const bool reversed : {false, true}) {
       Polygon polygon = turned(shape, way);
@@ -150,7 +150,7 @@ TEST(Triangulate, random_simple_polygons_on_a_small_grid) {
   int made = 0;
   for (unsigned seed = 0; seed < 2000; ++seed) {
     const std::size_t count = 4 + seed % 17;
-    const Polygon polygon = testing::random_simple(count, 4 + static_cast<int>(seed % 5), seed);
+    const Polygon polygon = test_shapes::random_simple(count, 4 + static_cast<int>(seed % 5), seed);
     if (polygon.empty()) continue;
     ++made;
     expect_right(polygon);
@@ -160,12 +160,12 @@ TEST(Triangulate, random_simple_polygons_on_a_small_grid) {
 }
 
 TEST(Triangulate, nasty_simple_polygons) {
-  expect_right(testing::star(501, 1));
-  expect_right(testing::spiral(1000, 7));
-  expect_right(testing::comb(200, 2));
-  expect_right(testing::saw(300));
-  expect_right(testing::square_with_many_corners(100));
-  for (unsigned seed = 0; seed < 200; ++seed) expect_right(testing::star(5 + seed, seed));
+  expect_right(test_shapes::star(501, 1));
+  expect_right(test_shapes::spiral(1000, 7));
+  expect_right(test_shapes::comb(200, 2));
+  expect_right(test_shapes::saw(300));
+  expect_right(test_shapes::square_with_many_corners(100));
+  for (unsigned seed = 0; seed < 200; ++seed) expect_right(test_shapes::star(5 + seed, seed));
 }
 
 TEST(Triangulate, corners_one_rounding_step_off_a_line) {
@@ -173,8 +173,8 @@ TEST(Triangulate, corners_one_rounding_step_off_a_line) {
   Polygon polygon;
   for (int i = 0; i <= 60; ++i) polygon.emplace_back(0.1 * i, 0.3 * i, 0.0);
   for (int i = 59; i > 0; --i) polygon.emplace_back(0.1 * i - 1e-15 * (i % 3 + 1), 0.3 * i + 1e-15, 0.0);
-  if (!testing::is_simple(polygon)) GTEST_SKIP() << "rounding made the strip touch itself";
-  if (testing::signed_area(polygon) < 0) std::reverse(polygon.begin(), polygon.end());
+  if (!test_shapes::is_simple(polygon)) GTEST_SKIP() << "rounding made the strip touch itself";
+  if (test_shapes::signed_area(polygon) < 0) std::reverse(polygon.begin(), polygon.end());
   expect_right(polygon);
 }
 
@@ -220,7 +220,7 @@ TEST(Triangulate, level_and_upright_bridges) {
     expect_right(polygon, Flat::allowed);
     const Triangles triangles = triangles_of(polygon);
     for (const CornerTriangle& t : triangles) {
-      EXPECT_GT(testing::turn(polygon[t[0]], polygon[t[1]], polygon[t[2]]), 0);
+      EXPECT_GT(test_shapes::turn(polygon[t[0]], polygon[t[1]], polygon[t[2]]), 0);
     }
   }
 }
@@ -275,10 +275,10 @@ TEST(Triangulate, degenerate_polygons_get_as_many_triangles) {
   expect_complete(line);
   expect_complete(Polygon{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}});
   expect_complete(Polygon{{0, 0, 0}, {1, 1, 0}, {2, 0, 0}, {2, 1, 0}, {1, 0, 0}, {0, 1, 0}});
-  Polygon pentagram = testing::convex(5);
+  Polygon pentagram = test_shapes::convex(5);
   pentagram = {pentagram[0], pentagram[2], pentagram[4], pentagram[1], pentagram[3]};
   expect_complete(pentagram);
-  Polygon broken = testing::convex(9);
+  Polygon broken = test_shapes::convex(9);
   broken[3].y = std::numeric_limits<double>::quiet_NaN();
   broken[5].x = std::numeric_limits<double>::infinity();
   expect_complete(broken);
@@ -320,24 +320,24 @@ TEST(Triangulate, holes_in_bad_places_still_give_all_triangles) {
 
 TEST(Triangulate, coordinates_of_any_magnitude) {
   for (const double scale : {1e-310, 1e-160, 1e150, 1e300}) {
-    Polygon polygon = testing::comb(8, 1);
+    Polygon polygon = test_shapes::comb(8, 1);
     for (dvec3& p : polygon) p *= scale;
     const Triangles triangles = triangles_of(polygon);
     ASSERT_EQ(triangles.size(), polygon.size() - 2);
     expect_sides_matched({polygon}, triangles);
     for (const CornerTriangle& t : triangles) {
-      EXPECT_GT(testing::turn(polygon[t[0]], polygon[t[1]], polygon[t[2]]), 0);
+      EXPECT_GT(test_shapes::turn(polygon[t[0]], polygon[t[1]], polygon[t[2]]), 0);
     }
   }
 }
 
 TEST(Triangulate, twenty_thousand_corners) {
-  const std::pair<const char*, Polygon> shapes[] = {{"star", testing::star(20000, 1)},
-                                                    {"spiral", testing::spiral(20000, 40)},
-                                                    {"comb", testing::comb(3333, 1)},
-                                                    {"saw", testing::saw(5000)},
-                                                    {"square", testing::square_with_many_corners(5000)},
-                                                    {"convex", testing::convex(20000)}};
+  const std::pair<const char*, Polygon> shapes[] = {{"star", test_shapes::star(20000, 1)},
+                                                    {"spiral", test_shapes::spiral(20000, 40)},
+                                                    {"comb", test_shapes::comb(3333, 1)},
+                                                    {"saw", test_shapes::saw(5000)},
+                                                    {"square", test_shapes::square_with_many_corners(5000)},
+                                                    {"convex", test_shapes::convex(20000)}};
   for (const auto& [name, polygon] : shapes) {
     Triangles triangles;
     const auto start = std::chrono::steady_clock::now();
@@ -349,10 +349,10 @@ TEST(Triangulate, twenty_thousand_corners) {
 }
 
 TEST(Triangulate, twenty_thousand_corners_with_crossings) {
-  Polygon crossing = testing::star(20000, 1);
+  Polygon crossing = test_shapes::star(20000, 1);
   std::swap(crossing[100], crossing[101]);
   std::swap(crossing[15000], crossing[15003]);
-  Polygon tangle = testing::star(20000, 2);
+  Polygon tangle = test_shapes::star(20000, 2);
   std::shuffle(tangle.begin(), tangle.end(), std::mt19937(3));
   for (const Polygon& polygon : {crossing, tangle}) {
     Triangles triangles;

@@ -1,0 +1,120 @@
+// `repair`, and the script command of the same name.
+#include <gtest/gtest.h>
+
+#include "tests/support/app/program.h"
+
+namespace ryosen::test {
+namespace {
+
+// Two triangles at one edge whose ends are there twice; one of them is there twice; a point of its own; a face that
+// repeats a corner.
+constexpr const char* broken =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 9 9 9\n"
+    "f 1 2 3\nf 4 6 5\nf 5 4 6\nf 1 2 2\n";
+
+const Json* repair_of(const Json& report, const std::string& kind) {
+  for (const Json& repair : report["repairs"])
+    if (repair["kind"] == kind) return &repair;
+  return nullptr;
+}
+
+TEST(Repair, KeepsAllGeometryUnlessAskedAndSaysWhatIsLeft) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.obj", broken);
+  const ProgramRun run = run_program({"repair", path, "-o", folder.at("o.obj"), "--json"});
+  EXPECT_EQ(run.exit_code, 1);
+  const Json report = run.line();
+  EXPECT_EQ(report["output"], folder.at("o.obj"));
+  EXPECT_EQ(report["status"], "warnings");
+  ASSERT_TRUE(repair_of(report, "remove_duplicates") && repair_of(report, "weld_equal"));
+  EXPECT_EQ((*repair_of(report, "remove_duplicates"))["changed"], 1);
+  EXPECT_EQ((*repair_of(report, "remove_duplicates"))["solves"], Json::array({"duplicate_face", "hanging_pair"}));
+  EXPECT_EQ((*repair_of(report, "weld_equal"))["changed"], 2);
+  EXPECT_EQ(repair_of(report, "fill_holes"), nullptr);
+  EXPECT_EQ(report["vertices"], 5);
+  EXPECT_EQ(report["faces"], 3);
+  std::vector<std::string> left;
+  for (const Json& problem : report["problems"]) left.push_back(problem["kind"]);
+  EXPECT_EQ(left,
+            (std::vector<std::string>{"degenerate_repeat", "isolated_vertex", "quarantined_face", "boundary_loop"}));
+  const Json check = run_program({"check", folder.at("o.obj"), "--json"}).line();
+  EXPECT_EQ(check["vertices"], 5);
+  EXPECT_EQ(check["quarantined"], 1);
+  EXPECT_EQ(check["hash"], report["hash"]);
+  EXPECT_EQ(check["problems"].size(), report["problems"].size());
+}
+
+TEST(Repair, EverythingByName) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.obj", broken);
+  const ProgramRun run = run_program(
+      {"repair", path, "-o", folder.at("o.obj"), "--kinds", "drop_quarantined,remove_isolated,default", "--json"});
+  EXPECT_EQ(run.exit_code, 0) << run.out;
+  EXPECT_EQ(run.line()["status"], "ok");
+  EXPECT_EQ(run_program({"check", folder.at("o.obj"), "--json"}).line()["quarantined"], 0);
+  const ProgramRun only = run_program({"repair", path, "--kinds", "remove_isolated"});
+  EXPECT_EQ(only.exit_code, 1);
+  EXPECT_NE(only.out.find("remove_isolated: One isolated vertex was removed."), std::string::npos) << only.out;
+  EXPECT_NE(only.out.find("duplicate_face x1"), std::string::npos) << only.out;
+  EXPECT_NE(only.out.find("nothing written"), std::string::npos) << only.out;
+}
+
+TEST(Repair, FillsTheHolesOfTheBunny) {
+  const TemporaryFolder folder;
+  const ProgramRun run =
+      run_program({"repair", asset("stanford_bunny.obj"), "-o", folder.at("o.obj"), "--kinds", "fill_holes", "--json"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.line()["repairs"][0]["changed"], 5);
+  const ProgramRun check = run_program({"check", folder.at("o.obj"), "--self-intersections", "--json"});
+  EXPECT_EQ(check.exit_code, 0);
+  const Json report = check.line();
+  EXPECT_EQ(report["closed"], true);
+  EXPECT_EQ(report["euler_characteristic"], 2);
+  EXPECT_EQ(report["problems"], Json::array());
+}
+
+TEST(Repair, WrongUseIsExplained) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.obj", broken);
+  const ProgramRun unknown = run_program({"repair", path, "--kinds", "fill_hole"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_NE(unknown.err.find("Did you mean 'fill_holes'?"), std::string::npos) << unknown.err;
+  for (const char* kinds : {"weld_close", "weld_close=x", "weld_close=-1", "orient=2", "", "orient,"})
+    EXPECT_EQ(run_program({"repair", path, "--kinds", kinds}).exit_code, 2) << kinds;
+  EXPECT_EQ(run_program({"repair", path, "-o", path}).exit_code, 5);
+  EXPECT_EQ(read_file(path), broken);
+  EXPECT_EQ(run_program({"repair", path, "-o", folder.at("o.xyz")}).exit_code, 2);
+  EXPECT_EQ(run_program({"repair", folder.at("none.obj"), "-o", folder.at("o.obj")}).exit_code, 3);
+  EXPECT_EQ(run_program({"repair", path, "-o", folder.at("no/such/o.obj")}).exit_code, 5);
+  EXPECT_EQ(run_program({"repair", path, "-o", path, "--overwrite"}).exit_code, 1);
+}
+
+TEST(Repair, IsACommandOfScriptsAndOneEntryOfTheHistory) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.obj", broken);
+  const auto edit = [&](const std::string& commands) {
+    return run_program({"edit", path, "--do", commands, "--json"}).exit_code;
+  };
+  EXPECT_EQ(
+      edit("repair remove_duplicates; repair weld_equal; expect V 5; expect F 2; undo; expect V 7; undo; expect F 3"),
+      0);
+  EXPECT_EQ(edit("repair weld_close 0.5; undo; redo; expect V 5"), 0);
+  EXPECT_EQ(edit("repair orient; repair orient"), 0) << "nothing to do is no failure";
+  EXPECT_EQ(edit("repair"), 2);
+  EXPECT_EQ(edit("repair weld_close"), 2);
+  const ProgramRun run =
+      run_program({"edit", path, "--do", "repair drop_quarantined; undo; redo; undo", "-o", folder.at("kept.obj")});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run_program({"check", folder.at("kept.obj"), "--json"}).line()["quarantined"], 1);
+  run_program({"edit", path, "--do", "repair drop_quarantined; undo; redo", "-o", folder.at("dropped.obj")});
+  EXPECT_EQ(run_program({"check", folder.at("dropped.obj"), "--json"}).line()["quarantined"], 0);
+}
+
+TEST(Repair, HelpListsEveryRepairWithWhatItSolves) {
+  const ProgramRun help = run_program({"help", "repair"});
+  for (const char* part : {"weld_close=DISTANCE", "fill_holes", "detach_nonmanifold", "solves degenerate_area"})
+    EXPECT_NE(help.out.find(part), std::string::npos) << part << "\n" << help.out;
+}
+
+}  // namespace
+}  // namespace ryosen::test

@@ -1,0 +1,240 @@
+// Every repair on random meshes: what it claims to solve is gone, nothing else is lost, undo is exact.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/algo/repairs.h"
+#include "core/analysis/figures.h"
+#include "core/analysis/invariants.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/mesh/rings.h"
+#include "tests/support/core/long_run.h"
+#include "tests/support/core/proof.h"
+#include "tests/support/core/random_meshes.h"
+#include "tests/support/core/shapes.h"
+
+namespace ryosen::test {
+namespace {
+
+// A random mesh whose points lie on a small grid, so that many are equal and many faces have no area; or apart.
+Mesh mesh_on_grid(std::uint64_t seed) {
+  const SeededMesh source = seeded_mesh(seed);
+  IndexedMesh list = indexed(source.faces, source.points);
+  Dice dice(seed * 7919);
+  const int size = 1 + dice.below(6);
+  if (!dice.one_in(4))
+    for (glm::dvec3& p : list.positions) p = {dice.below(size), dice.below(size), dice.below(size)};
+  return from_indexed(std::move(list));
+}
+
+using Place = std::array<double, 3>;
+using Loop = std::vector<Place>;
+
+// The corners' places from the smallest list of all turns; `either_way`: also of the reversed loop.
+Loop loop_of(const Mesh& m, Face f, bool either_way) {
+  Loop loop, best;
+  for (Vertex v : vertices_around(m, f)) loop.push_back({m.position(v).x, m.position(v).y, m.position(v).z});
+  for (int way = 0; way < (either_way ? 2 : 1); ++way) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      std::rotate(loop.begin(), loop.begin() + 1, loop.end());
+      if (best.empty() || loop < best) best = loop;
+    }
+    std::reverse(loop.begin(), loop.end());
+  }
+  return best;
+}
+
+std::multiset<Loop> loops_of_all(const Mesh& m, bool either_way) {
+  std::multiset<Loop> loops;
+  for (std::uint32_t i = 0; i < m.face_slots(); ++i)
+    if (m.is_alive(Face(i))) loops.insert(loop_of(m, Face(i), either_way));
+  return loops;
+}
+
+std::set<Place> places_of(const Mesh& m) {
+  std::set<Place> places;
+  for (std::uint32_t i = 0; i < m.vertex_slots(); ++i)
+    if (m.is_alive(Vertex(i)))
+      places.insert({m.position(Vertex(i)).x, m.position(Vertex(i)).y, m.position(Vertex(i)).z});
+  return places;
+}
+
+std::set<Loop> as_set(const std::multiset<Loop>& loops) { return {loops.begin(), loops.end()}; }
+
+struct Proved {
+  RepairResult result;
+  Figures before, after;
+};
+
+// Runs a repair as an entry of the history and proves what holds for every one.
+Proved repair_and_prove(Mesh& mesh, const RepairCall& call) {
+  Proved proved{{}, compute_figures(mesh), {}};
+  const MeshColumns before = mesh.columns();
+  const bool is_as_read = differs_from_reading(mesh).empty();
+  Journal journal;
+  {
+    Edit edit(mesh, &journal);
+    proved.result = call.row->run(edit, call.number);
+    if (proved.result.changed > 0) edit.commit();
+  }
+  EXPECT_FALSE(proved.result.text.en.empty() || proved.result.text.ja.empty());
+  if (proved.result.changed == 0) {
+    EXPECT_EQ(mesh.columns(), before) << "a repair that changes nothing leaves a trace";
+  }
+  const auto broken = check_invariants(mesh);
+  EXPECT_FALSE(broken) << broken->sentence;
+  if (broken) return proved;
+  if (is_as_read) {
+    EXPECT_EQ(differs_from_reading(mesh), "");
+  }
+  const MeshColumns after = mesh.columns();
+  if (journal.can_undo()) {
+    journal.undo(mesh);
+    EXPECT_EQ(mesh.columns(), before) << "undo is not exact";
+    journal.redo(mesh);
+    EXPECT_EQ(mesh.columns(), after) << "redo is not exact";
+  }
+  proved.after = compute_figures(mesh);
+  Mesh again = mesh;
+  Edit edit(again, nullptr);
+  if (call.row->number != RepairNumber::must_be_given) {
+    EXPECT_EQ(call.row->run(edit, call.number).changed, 0u) << "twice does more than once";
+  }
+  return proved;
+}
+
+constexpr std::uint64_t seeds = 2500;
+
+class Repairs : public testing::Test {
+ protected:
+  template <class Judge>
+  void on_all(std::string_view id, std::optional<double> number, Judge judge) {
+    std::size_t changed = 0;
+    const std::uint64_t last = is_long_run() ? 20 * seeds : seeds;
+    for (std::uint64_t seed = 1; seed <= last && !HasFailure(); ++seed) {
+      SCOPED_TRACE(std::string(id) + ", seed " + std::to_string(seed));
+      Mesh mesh = mesh_on_grid(seed);
+      const Mesh before = mesh;
+      const Proved proved = repair_and_prove(mesh, {find_repair(id), number});
+      changed += proved.result.changed > 0;
+      judge(before, mesh, proved);
+    }
+    EXPECT_GT(changed, seeds / 50) << "the meshes hardly need it";
+  }
+};
+
+TEST_F(Repairs, duplicates_go_and_every_shape_stays) {
+  on_all("remove_duplicates", {}, [](const Mesh& before, const Mesh& after, const Proved& proved) {
+    EXPECT_EQ(as_set(loops_of_all(before, true)), as_set(loops_of_all(after, true)));
+    EXPECT_EQ(proved.after.duplicate_faces, proved.result.left);
+    EXPECT_EQ(proved.before.faces - proved.after.faces, proved.result.changed);
+    EXPECT_EQ(proved.before.duplicate_faces - proved.after.duplicate_faces, proved.result.changed);
+    EXPECT_EQ(places_of(before), places_of(after));
+    EXPECT_EQ(proved.after.hanging_pairs, 0u);
+    EXPECT_EQ(proved.before.isolated_vertices, proved.after.isolated_vertices);
+  });
+}
+
+TEST_F(Repairs, equal_points_become_one_where_the_surface_stays_sound) {
+  on_all("weld_equal", {}, [](const Mesh& before, const Mesh& after, const Proved& proved) {
+    EXPECT_EQ(loops_of_all(before, false), loops_of_all(after, false));
+    EXPECT_EQ(places_of(before), places_of(after));
+    EXPECT_EQ(proved.before.vertices - proved.after.vertices, proved.result.changed);
+    EXPECT_LE(proved.after.nonmanifold_edges, proved.before.nonmanifold_edges);
+    EXPECT_LE(proved.after.nonmanifold_vertices, proved.before.nonmanifold_vertices);
+    EXPECT_LE(proved.after.duplicate_faces, proved.before.duplicate_faces);
+    EXPECT_LE(proved.after.boundary_edges, proved.before.boundary_edges);
+  });
+}
+
+TEST_F(Repairs, orienting_turns_faces_and_keeps_them) {
+  on_all("orient", {}, [](const Mesh& before, const Mesh& after, const Proved& proved) {
+    EXPECT_EQ(loops_of_all(before, true), loops_of_all(after, true));
+    EXPECT_LE(proved.after.misoriented_edges, proved.before.misoriented_edges);
+    EXPECT_EQ(proved.after.nonmanifold_edges, proved.before.nonmanifold_edges);
+    if (proved.before.orientable) {
+      EXPECT_EQ(proved.after.misoriented_edges, 0u);
+    }
+  });
+}
+
+TEST_F(Repairs, detaching_leaves_a_manifold_with_the_same_faces) {
+  on_all("detach_nonmanifold", {}, [](const Mesh& before, const Mesh& after, const Proved& proved) {
+    EXPECT_EQ(loops_of_all(before, false), loops_of_all(after, false));
+    EXPECT_EQ(proved.after.nonmanifold_edges, 0u);
+    EXPECT_EQ(proved.after.nonmanifold_vertices, 0u);
+    EXPECT_TRUE(proved.after.manifold);
+    EXPECT_EQ(proved.after.isolated_vertices, proved.before.isolated_vertices);
+  });
+}
+
+TEST_F(Repairs, isolated_vertices_go_alone) {
+  on_all("remove_isolated", {}, [](const Mesh& before, const Mesh& after, const Proved& proved) {
+    EXPECT_EQ(loops_of_all(before, false), loops_of_all(after, false));
+    EXPECT_EQ(proved.after.isolated_vertices, 0u);
+    EXPECT_EQ(proved.result.changed, proved.before.isolated_vertices);
+    EXPECT_EQ(proved.before.vertices - proved.after.vertices, proved.result.changed);
+  });
+}
+
+TEST_F(Repairs, faces_without_area_go_and_the_surface_keeps_its_area) {
+  on_all("remove_degenerate", {}, [](const Mesh&, const Mesh&, const Proved& proved) {
+    EXPECT_EQ(proved.after.degenerate_area, 0u);
+    EXPECT_EQ(proved.result.changed, proved.before.degenerate_area);
+    EXPECT_LE(proved.after.faces, proved.before.faces);
+  });
+}
+
+TEST_F(Repairs, welding_close_points_moves_nothing_far) {
+  for (const double distance : {0.0, 1.0, 1.5})
+    on_all("weld_close", distance, [&](const Mesh& before, const Mesh& after, const Proved& proved) {
+      EXPECT_LE(proved.after.faces, proved.before.faces);
+      if (distance == 0.0) {
+        EXPECT_EQ(places_of(before), places_of(after));
+      }
+      for (std::uint32_t i = 0; i < after.vertex_slots(); ++i) {
+        const Vertex v(i);
+        if (!after.is_alive(v) || i >= before.vertex_slots() || !before.is_alive(v)) continue;
+        EXPECT_LE(glm::distance(before.position(v), after.position(v)), distance);
+      }
+      if (proved.result.left > 0) return;
+      std::set<Place> places = places_of(after);
+      EXPECT_EQ(places.size(), proved.after.vertices) << "points at one place that are not one";
+    });
+}
+
+TEST_F(Repairs, holes_are_filled_and_nothing_else_changes) {
+  on_all("fill_holes", {}, [](const Mesh& before, const Mesh& after, const Proved& proved) {
+    for (std::uint32_t i = 0; i < before.face_slots(); ++i)
+      EXPECT_TRUE(before.is_alive(Face(i))
+                      ? after.is_alive(Face(i)) && loop_of(before, Face(i), false) == loop_of(after, Face(i), false)
+                      : !after.is_alive(Face(i)));
+    if (proved.result.left == 0) {
+      EXPECT_EQ(proved.after.boundary_edges, 0u);
+    }
+    EXPECT_LE(proved.after.nonmanifold_edges, proved.before.nonmanifold_edges);
+    EXPECT_LE(proved.after.bowtie_vertices, proved.before.bowtie_vertices);
+    EXPECT_LE(proved.after.misoriented_edges, proved.before.misoriented_edges);
+    EXPECT_LE(proved.after.duplicate_faces, proved.before.duplicate_faces);
+  });
+}
+
+TEST_F(Repairs, the_default_ones_in_their_order_leave_sound_meshes) {
+  std::size_t sound = 0;
+  for (std::uint64_t seed = 1; seed <= seeds && !HasFailure(); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Mesh mesh = mesh_on_grid(seed);
+    const Mesh before = mesh;
+    for (const RepairRow& row : repair_table())
+      if (row.keeps_geometry) repair_and_prove(mesh, {&row, std::nullopt});
+    EXPECT_EQ(as_set(loops_of_all(before, true)), as_set(loops_of_all(mesh, true)));
+    EXPECT_EQ(places_of(before), places_of(mesh));
+    sound += compute_figures(mesh).manifold;
+  }
+  EXPECT_EQ(sound, seeds);
+}
+
+}  // namespace
+}  // namespace ryosen::test

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/cli/check_report.h"
+#include "core/analysis/surface_name.h"
 #include "core/ops/op.h"
 
 namespace ryosen::cli {
@@ -78,6 +79,8 @@ std::string figures_text(const Figures& f, const Console& console) {
                      row(console, {{"area", "面積", short_number(f.area)},
                                    {"volume", "体積", f.volume ? short_number(*f.volume) : "-"},
                                    {"quarantined", "隔離された面", number(f.quarantined)}});
+  if (const auto name = surface_name(f))
+    text += "  " + std::string(console.text("surface ", "曲面 ")) + std::string(console.text(*name)) + "\n";
   if (f.bounds)
     text += "  " + std::string(console.text("bounds ", "範囲 ")) + place((*f.bounds)[0]) + " .. " +
             place((*f.bounds)[1]) + "\n";

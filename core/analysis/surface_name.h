@@ -1,0 +1,16 @@
+// What a connected surface is called, by the classification of surfaces.
+#pragma once
+
+#include <optional>
+
+#include "core/analysis/figures.h"
+#include "core/base/message.h"
+
+namespace ryosen {
+
+// "sphere", "torus", "Moebius strip", "Klein bottle", ..., else handles or crosscaps and boundary loops in numbers. None
+// where the figures are not those of one manifold component. Faces must have no rings and no bridges cut into them, as
+// their Euler characteristic would not be that of the surface.
+std::optional<Text> surface_name(const Figures& figures);
+
+}  // namespace ryosen

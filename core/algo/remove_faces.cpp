@@ -6,6 +6,7 @@
 #include "core/geometry/predicates.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/mesh/rings.h"
 #include "core/ops/collapse_edge.h"
 #include "core/ops/delete.h"
 #include "core/ops/dissolve.h"

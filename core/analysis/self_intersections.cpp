@@ -20,9 +20,12 @@ namespace {
 struct OverlapBox {
   std::array<float, 3> lowest, highest;
 
+  // Without branches, which nobody could foretell.
   bool overlaps(const OverlapBox& b) const {
-    return ((lowest[0] <= b.highest[0]) & (b.lowest[0] <= highest[0]) & (lowest[1] <= b.highest[1]) &
-            (b.lowest[1] <= highest[1]) & (lowest[2] <= b.highest[2]) & (b.lowest[2] <= highest[2])) != 0;
+    int apart = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      apart |= static_cast<int>(lowest[i] > b.highest[i]) | static_cast<int>(b.lowest[i] > highest[i]);
+    return apart == 0;
   }
   void grow(const OverlapBox& b) {
     for (std::size_t i = 0; i < 3; ++i) {

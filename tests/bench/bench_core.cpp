@@ -6,8 +6,10 @@
 
 #include "core/analysis/self_intersections.h"
 #include "core/build/from_indexed.h"
+#include "core/geometry/triangulate.h"
 #include "core/ops/all.h"
 #include "tests/bench/bench_meshes.h"
+#include "tests/unit/core/geometry/polygon_shapes.h"
 
 namespace ryosen::bench {
 namespace {
@@ -29,6 +31,30 @@ void build(benchmark::State& state, Source source) {
   state.counters["Mfaces/s"] =
       benchmark::Counter(1e-6 * mesh.live().faces, benchmark::Counter::kIsIterationInvariantRate);
   state.counters["bytes/triangle"] = static_cast<double>(mesh.core_bytes()) / mesh.live().faces;
+}
+
+// A star of so many corners, or a square frame around so many square holes.
+void triangulate_star(benchmark::State& state) {
+  const test_shapes::Polygon star = test_shapes::star(static_cast<std::size_t>(state.range(0)), 1);
+  std::vector<CornerTriangle> triangles;
+  for (auto _ : state) triangulate(star, triangles);
+  state.counters["triangles"] = static_cast<double>(triangles.size());
+}
+
+void triangulate_holes(benchmark::State& state) {
+  const auto side = static_cast<int>(state.range(0));
+  std::vector<test_shapes::Polygon> loops;
+  const double size = 3.0 * side;
+  loops.push_back({{0, 0, 0}, {size, 0, 0}, {size, size, 0}, {0, size, 0}});
+  for (int i = 0; i < side; ++i)
+    for (int k = 0; k < side; ++k) {
+      const double x = 3.0 * i + 1, y = 3.0 * k + 1;
+      loops.push_back({{x, y, 0}, {x, y + 1, 0}, {x + 1, y + 1, 0}, {x + 1, y, 0}});
+    }
+  const std::vector<std::span<const glm::dvec3>> spans(loops.begin(), loops.end());
+  std::vector<CornerTriangle> triangles;
+  for (auto _ : state) triangulate_loops(spans, triangles);
+  state.counters["triangles"] = static_cast<double>(triangles.size());
 }
 
 // Random edges, the same every time.
@@ -127,12 +153,20 @@ void register_all(const std::string& mesh, Source source) {
   add("undo collapse", undo)->UseManualTime()->Unit(us)->Iterations(20);
 }
 
+void register_triangulation() {
+  constexpr auto ms = benchmark::kMillisecond;
+  benchmark::RegisterBenchmark("triangulate star of corners", triangulate_star)->Arg(20000)->Arg(200000)->Unit(ms);
+  // 70 x 70 holes and 223 x 223 holes: 19,604 and 198,920 corners.
+  benchmark::RegisterBenchmark("triangulate holes, a side", triangulate_holes)->Arg(70)->Arg(223)->Unit(ms);
+}
+
 }  // namespace
 }  // namespace ryosen::bench
 
 int main(int argc, char** argv) {
   ryosen::bench::register_all("bunny", ryosen::bench::bunny);
   ryosen::bench::register_all("dragon", ryosen::bench::dragon);
+  ryosen::bench::register_triangulation();
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -59,7 +59,7 @@ QuarantinedFace FaceList::set_aside(std::size_t face, Flaw flaw) const {
   const std::size_t begin = mesh_.face_offsets[face], end = mesh_.face_offsets[face + 1];
   QuarantinedFace out;
   out.face = static_cast<std::uint32_t>(face);
-  out.line = mesh_.face_lines[face];
+  out.line = mesh_.face_lines.empty() ? 0 : mesh_.face_lines[face];
   out.code = codes[static_cast<std::size_t>(flaw)];
   out.corners.assign(mesh_.corners.begin() + begin, mesh_.corners.begin() + end);
   auto wide = std::lower_bound(wide_.begin(), wide_.end(), std::pair<std::size_t, std::int64_t>(begin, INT64_MIN));
@@ -93,23 +93,20 @@ void FaceList::close_gaps(const std::vector<QuarantinedFace>& removed) {
 }
 
 void FaceList::finish(Reporter& reporter) {
-  std::vector<Flaw> flaws(mesh_.face_count());
-  std::size_t flawed = 0;
-  for (std::size_t face = 0; face < flaws.size(); ++face) {
-    flaws[face] = flaw(face);
-    if (flaws[face] == Flaw::bridged) {
-      mesh_.bridged.push_back(static_cast<std::uint32_t>(face));
-      flaws[face] = Flaw::none;
-    }
-    if (flaws[face] != Flaw::none) ++flawed;
+  std::vector<std::pair<std::size_t, Flaw>> flawed;
+  const std::size_t faces = mesh_.face_count();
+  for (std::size_t face = 0; face < faces; ++face) {
+    const Flaw found = flaw(face);
+    if (found == Flaw::bridged) mesh_.bridged.push_back(static_cast<std::uint32_t>(face));
+    if (found != Flaw::none && found != Flaw::bridged) flawed.emplace_back(face, found);
   }
   stamps_ = {};
-  if (flawed == 0) return;
-  mesh_.quarantine.reserve(flawed);
-  for (std::size_t face = 0; face < flaws.size(); ++face) {
-    if (flaws[face] == Flaw::none) continue;
-    const QuarantinedFace& aside = mesh_.quarantine.emplace_back(set_aside(face, flaws[face]));
-    reporter.warn(aside.code, FilePlace::at_line(aside.line), [&] { return aside.cause(); });
+  if (flawed.empty()) return;
+  mesh_.quarantine.reserve(flawed.size());
+  for (const auto& [face, found] : flawed) {
+    const QuarantinedFace& aside = mesh_.quarantine.emplace_back(set_aside(face, found));
+    const FilePlace place = aside.line != 0 ? FilePlace::at_line(aside.line) : FilePlace::at_face(face);
+    reporter.warn(aside.code, place, [&] { return aside.cause(); });
   }
   close_gaps(mesh_.quarantine);
   wide_ = {};

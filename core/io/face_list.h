@@ -11,7 +11,7 @@
 namespace ryosen {
 
 // Appends to the corners, face_offsets and face_lines of a mesh, which must outlive it. Vertex numbers may be anything
-// until finish(). Memory: 4 bytes per corner, and 16 more for one that is negative or beyond 32 bits.
+// until finish(). A format without lines ends all its faces with line 0, and face_lines stays empty. Memory: 4 bytes per corner, and 16 more for one that is negative or beyond 32 bits.
 class FaceList {
  public:
   explicit FaceList(IndexedMesh& mesh) : mesh_(mesh) {}
@@ -20,15 +20,18 @@ class FaceList {
     if (vertex >= 0 && vertex < static_cast<std::int64_t>(no_index)) {
       mesh_.corners.push_back(static_cast<std::uint32_t>(vertex));
     } else {
-      wide_.emplace_back(mesh_.corners.size(), vertex);
+      note_wide(mesh_.corners.size(), vertex);
       mesh_.corners.push_back(no_index);
     }
   }
+  // For who writes the corners and face_offsets of the mesh itself: the number that belongs to a place of the corners
+  // that holds no_index. Places must ascend.
+  void note_wide(std::size_t place, std::int64_t vertex) { wide_.emplace_back(place, vertex); }
 
   // Ends the face; its corners are those added since the last call.
   void end_face(std::uint64_t line) {
     mesh_.face_offsets.push_back(static_cast<std::uint32_t>(mesh_.corners.size()));
-    mesh_.face_lines.push_back(line < no_index ? static_cast<std::uint32_t>(line) : no_index);
+    if (line != 0) mesh_.face_lines.push_back(line < no_index ? static_cast<std::uint32_t>(line) : no_index);
   }
 
   // Whether one more line of `bytes` bytes could lead past the 32 bits of the numbering.

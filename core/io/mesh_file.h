@@ -8,6 +8,7 @@
 #include "core/base/handle.h"
 #include "core/base/message.h"
 #include "core/build/indexed.h"
+#include "core/io/properties.h"
 
 namespace ryosen {
 
@@ -36,7 +37,11 @@ struct MeshFile {
   std::vector<std::string> head_comments;       // lines of the comment at the head, with their #
   std::vector<std::string> material_libraries;  // what stands after each mtllib, without repetitions
   ElementList elements;
-  bool byte_colours = false;  // OFF: the file gives vertex colours as 0..255
+  PropertyTables properties;  // PLY: its layout and what the mesh has no place for; STL: attributes of facets
+  Encoding encoding = Encoding::automatic;  // how it was read and will be written
+  std::uint64_t wires = 0;                  // edges without a face that the mesh had; no format holds them
+  bool has_free_facets = false;             // ascii STL: some facets have other than three corners
+  bool byte_colours = false;                // OFF: the file gives vertex colours as 0..255
   std::vector<Message> messages;
 };
 

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/base/result.h"
 #include "core/io/mesh_file.h"
@@ -20,8 +19,5 @@ Result<MeshFile> read_obj(std::string_view bytes, const std::filesystem::path& p
 // The bytes of an OBJ file from which read_obj makes the same polygons, values and names, to the last bit. Faces in
 // quarantine are written in their place and are quarantined again for the same cause.
 std::string write_obj(const MeshFile& file);
-
-// What an OBJ file cannot hold of this mesh, one warning each.
-std::vector<Message> obj_losses(const MeshFile& file);
 
 }  // namespace ryosen

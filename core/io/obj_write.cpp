@@ -186,13 +186,4 @@ class ObjWriter {
 
 std::string write_obj(const MeshFile& file) { return ObjWriter(file).write(); }
 
-std::vector<Message> obj_losses(const MeshFile& file) {
-  std::vector<Message> out;
-  if (!file.mesh.face_colours.values.empty()) {
-    out.push_back(make_message(Severity::warning, "loses_face_colours",
-                               {"OBJ cannot hold colours of faces.", "OBJ は面の色を保持できません。"}));
-  }
-  return out;
-}
-
 }  // namespace ryosen

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/base/result.h"
 #include "core/io/mesh_file.h"
@@ -32,8 +31,5 @@ Result<MeshFile> read_off(std::string_view bytes, const std::filesystem::path& p
 // The bytes of an OFF file (text) with the same polygons, quarantined ones in their place, colours, and the texture
 // coordinates and normals that are the same at all corners of each vertex.
 std::string write_off(const MeshFile& file);
-
-// What an OFF file cannot hold of this mesh, one warning each.
-std::vector<Message> off_losses(const MeshFile& file);
 
 }  // namespace ryosen

@@ -125,9 +125,7 @@ MeshFile read_as(std::string_view bytes, std::uint64_t start, OffKind kind, Layo
                   "最後の面の後の " + count + " バイトを無視しました。"};
     });
   }
-  MeshFile file = builder.finish();
-  file.mesh.face_lines.clear();
-  return file;
+  return builder.finish();
 }
 
 }  // namespace

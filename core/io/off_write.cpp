@@ -5,34 +5,10 @@
 #include "core/io/off.h"
 #include "core/io/reporter.h"
 #include "core/io/text_out.h"
+#include "core/io/vertex_values.h"
 
 namespace ryosen {
 namespace {
-
-// The place in the pool for each vertex if all corners of a vertex have the same value; none if some differ, if corners
-// lack a value, or if no vertex has one. A vertex without a face takes the entry of its own number when the
-// pool has one entry per vertex, as readers of values per vertex make it.
-std::optional<std::vector<std::uint32_t>> per_vertex(const IndexedMesh& mesh, const CornerValues& values) {
-  if (values.pool.empty() || values.index.size() != mesh.corners.size()) return std::nullopt;
-  const std::size_t count = mesh.positions.size();
-  std::vector<std::uint32_t> out(count, no_index);
-  for (std::size_t i = 0; i < mesh.corners.size(); ++i) {
-    const std::uint32_t index = values.index[i];
-    if (index >= values.pool.size()) return std::nullopt;
-    std::uint32_t& known = out[mesh.corners[i]];
-    if (known == no_index) known = index;
-    if (known != index && values.pool[known] != values.pool[index]) return std::nullopt;
-  }
-  for (std::size_t v = 0; v < count; ++v) {
-    if (out[v] == no_index && values.pool.size() == count) out[v] = static_cast<std::uint32_t>(v);
-  }
-  if (std::all_of(out.begin(), out.end(), [](std::uint32_t index) { return index == no_index; })) return std::nullopt;
-  return out;
-}
-
-glm::dvec3 value_of(const CornerValues& values, std::uint32_t index) {
-  return index < values.pool.size() ? values.pool[index] : glm::dvec3(0.0);
-}
 
 class OffWriter {
  public:
@@ -120,45 +96,5 @@ class OffWriter {
 }  // namespace
 
 std::string write_off(const MeshFile& file) { return OffWriter(file).write(); }
-
-std::vector<Message> off_losses(const MeshFile& file) {
-  const IndexedMesh& mesh = file.mesh;
-  struct Loss {
-    bool is_there;
-    const char* code;
-    Text text;
-  };
-  const bool has_names = !mesh.groups.names.empty() || !mesh.objects.names.empty() || !mesh.materials.names.empty() ||
-                         !mesh.smoothing.names.empty() || !file.material_libraries.empty();
-  const Loss losses[] = {
-      {has_names,
-       "loses_names",
-       {"OFF cannot hold groups, objects, smoothing groups and materials.",
-        "OFF はグループ、オブジェクト、スムージンググループ、マテリアルを保持できません。"}},
-      {!mesh.texcoords.pool.empty() && !per_vertex(mesh, mesh.texcoords),
-       "loses_texcoords",
-       {"OFF cannot hold texture coordinates that differ between the corners of a vertex.",
-        "OFF は、同じ頂点でも面ごとに異なるテクスチャ座標を保持できません。"}},
-      {!mesh.normals.pool.empty() && !per_vertex(mesh, mesh.normals),
-       "loses_normals",
-       {"OFF cannot hold normals that differ between the corners of a vertex.",
-        "OFF は、同じ頂点でも面ごとに異なる法線を保持できません。"}},
-      {!mesh.texcoords.pool.empty() && mesh.texcoords.components == 3,
-       "loses_third_texcoord",
-       {"OFF cannot hold the third number of texture coordinates.",
-        "OFF はテクスチャ座標の 3 番目の数を保持できません。"}},
-      {!mesh.vertex_weights.empty(),
-       "loses_weights",
-       {"OFF cannot hold weights of vertices.", "OFF は頂点の重みを保持できません。"}},
-      {!file.elements.items.empty(),
-       "loses_elements",
-       {"OFF cannot hold lines and points.", "OFF は線と点の要素を保持できません。"}},
-  };
-  std::vector<Message> out;
-  for (const Loss& loss : losses) {
-    if (loss.is_there) out.push_back(make_message(Severity::warning, loss.code, loss.text));
-  }
-  return out;
-}
 
 }  // namespace ryosen

@@ -37,6 +37,7 @@ Message make_message(Severity severity, std::string_view code, Text text, FilePl
   if (place.line != 0) message.line = place.line;
   if (place.column != 0) message.column = place.column;
   if (place.byte_given) message.byte = place.byte;
+  if (place.face_given) message.face = place.face;
   return message;
 }
 

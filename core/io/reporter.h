@@ -12,15 +12,18 @@
 
 namespace ryosen {
 
-// Where in a file a message belongs; zero means not given (byte: see byte_given).
+// Where in a file a message belongs; zero means not given (byte and face: see the flags).
 struct FilePlace {
   std::uint64_t line = 0;    // from 1
   std::uint64_t column = 0;  // from 1, in bytes
   std::uint64_t byte = 0;    // from 0
   bool byte_given = false;
+  std::uint64_t face = 0;  // from 0
+  bool face_given = false;
 
-  static FilePlace at_line(std::uint64_t line, std::uint64_t column = 0) { return {line, column, 0, false}; }
+  static FilePlace at_line(std::uint64_t line, std::uint64_t column = 0) { return {line, column}; }
   static FilePlace at_byte(std::uint64_t byte) { return {0, 0, byte, true}; }
+  static FilePlace at_face(std::uint64_t face) { return {0, 0, 0, false, face, true}; }
 };
 
 Message make_message(Severity severity, std::string_view code, Text text, FilePlace place = {});

@@ -4,8 +4,11 @@
 #include <cstddef>
 #include <string>
 
+#include "core/io/numbers.h"
 #include "core/io/off.h"
 #include "core/io/reporter.h"
+#include "core/io/stl.h"
+#include "core/io/stl_text.h"
 #include "core/io/text_lines.h"
 
 namespace ryosen {
@@ -117,6 +120,50 @@ Likeness looks_like_off(std::string_view head) {
     return OffKind::from_word(word.substr(0, word.find('#'))) ? Likeness::sure : Likeness::no;
   }
   return Likeness::no;
+}
+
+Likeness looks_like_ply(std::string_view head) {
+  const std::size_t end = head.find_first_of("\r\n");
+  return trimmed(head.substr(0, end)) == "ply" ? Likeness::sure : Likeness::no;
+}
+
+Likeness looks_like_stl(std::string_view head, std::uint64_t size) {
+  if (is_whole_binary_stl(head, size)) return Likeness::sure;
+  if (refuse_binary(head)) return size >= stl_head_bytes + 4 ? Likeness::maybe : Likeness::no;
+  TextLines lines(head, false);
+  TextLine line;
+  bool has_solid = false;
+  while (lines.next(line)) {
+    std::string_view rest = line.text;
+    const std::string_view word = take_word(rest);
+    if (word.empty()) continue;
+    if (has_solid) return is_stl_word(word, "facet") || is_stl_word(word, "endsolid") ? Likeness::sure : Likeness::no;
+    if (!is_stl_word(word, "solid")) return Likeness::no;
+    has_solid = true;
+  }
+  return has_solid ? Likeness::maybe : Likeness::no;
+}
+
+// Two whole numbers, then a line of three numbers.
+Likeness looks_like_txt(std::string_view head) {
+  TextLines lines(head, false);
+  TextLine line;
+  bool has_counts = false;
+  while (lines.next(line)) {
+    std::string_view rest = line.text;
+    std::size_t words = 0;
+    for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest), ++words) {
+      std::int64_t count = 0;
+      double value = 0;
+      if (has_counts ? read_real(word, value) == NumberRead::unreadable : !read_integer(word, count))
+        return Likeness::no;
+    }
+    if (words == 0) continue;
+    if (has_counts) return words == 3 ? Likeness::sure : Likeness::no;
+    if (words != 2) return Likeness::no;
+    has_counts = true;
+  }
+  return has_counts ? Likeness::maybe : Likeness::no;
 }
 
 }  // namespace ryosen

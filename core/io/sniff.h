@@ -17,5 +17,9 @@ std::optional<Failure> refuse_binary(std::string_view head);
 
 Likeness looks_like_obj(std::string_view head);
 Likeness looks_like_off(std::string_view head);
+Likeness looks_like_ply(std::string_view head);
+// `size` is that of the whole file.
+Likeness looks_like_stl(std::string_view head, std::uint64_t size);
+Likeness looks_like_txt(std::string_view head);
 
 }  // namespace ryosen

@@ -28,6 +28,8 @@ class TextOut {
   }
   // The shortest decimal that std::from_chars reads as the same double; nan, -nan, inf, -inf.
   TextOut& operator<<(double value) { return put(value); }
+  // The same for float: the shortest decimal that is the same float again.
+  TextOut& operator<<(float value) { return put(value); }
   template <std::integral Integer>
   TextOut& operator<<(Integer value) {
     return put(value);

@@ -3,6 +3,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <array>
 
@@ -52,6 +53,12 @@ CgalMesh CgalMesh::build(const IndexedMesh& source) {
     for (std::uint32_t corner : source.face(f)) corners.emplace_back(corner);
     mesh.add_face(corners);
   }
+  return result;
+}
+
+CgalMesh CgalMesh::read(const std::string& path) {
+  CgalMesh result;
+  CGAL::IO::read_polygon_mesh(path, result.data_->mesh, CGAL::parameters::use_binary_mode(true));
   return result;
 }
 

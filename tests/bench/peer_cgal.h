@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/build/indexed.h"
@@ -20,6 +21,8 @@ class CgalMesh {
 
   // Exact reserves, then vertices and faces one by one; what it cannot take is left out.
   static CgalMesh build(const IndexedMesh& source);
+  // Reads a file, welded where the format is STL; without faces where it cannot.
+  static CgalMesh read(const std::string& path);
   std::size_t faces() const;
   std::size_t edges() const;  // slots
 

@@ -1,0 +1,244 @@
+#include "core/io/losses.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/io/ply_columns.h"
+#include "core/io/reporter.h"
+#include "core/io/vertex_values.h"
+
+namespace ryosen {
+namespace {
+
+bool holds_polygons(const MeshFile& file, Holds held) {
+  return holds(held, Holds::polygons) || (file.has_free_facets && holds(held, Holds::free_facets));
+}
+
+std::uint64_t many_corners(const MeshFile& file, Holds held) {
+  if (holds_polygons(file, held)) return 0;
+  std::uint64_t count = 0;
+  for (std::size_t f = 0; f < file.mesh.face_count(); ++f) count += file.mesh.face(f).size() > 3 ? 1 : 0;
+  return count - file.mesh.bridged.size();
+}
+
+std::uint64_t bridged_faces_lost(const MeshFile& file, Holds held) {
+  return holds_polygons(file, held) ? 0 : file.mesh.bridged.size();
+}
+
+std::uint64_t corner_values(const IndexedMesh& mesh, const CornerValues& values, bool per_corner, bool for_vertices) {
+  if (values.pool.empty() || per_corner || (for_vertices && per_vertex(mesh, values))) return 0;
+  return values.pool.size();
+}
+
+std::uint64_t texcoords(const MeshFile& file, Holds held) {
+  return corner_values(file.mesh, file.mesh.texcoords, holds(held, Holds::corner_texcoords),
+                       holds(held, Holds::vertex_texcoords));
+}
+
+std::uint64_t third_texcoords(const MeshFile& file, Holds held) {
+  const CornerValues& values = file.mesh.texcoords;
+  if (holds(held, Holds::third_texcoord) || texcoords(file, held) != 0) return 0;
+  return values.components == 3 ? values.pool.size() : 0;
+}
+
+std::uint64_t normals(const MeshFile& file, Holds held) {
+  return corner_values(file.mesh, file.mesh.normals, holds(held, Holds::corner_normals),
+                       holds(held, Holds::vertex_normals));
+}
+
+std::uint64_t vertex_colours(const MeshFile& file, Holds held) {
+  return holds(held, Holds::vertex_colours) ? 0 : file.mesh.vertex_colours.size();
+}
+
+std::uint64_t missing_colours(const MeshFile& file, Holds held) {
+  if (holds(held, Holds::missing_colours) || !holds(held, Holds::vertex_colours)) return 0;
+  const auto& colours = file.mesh.vertex_colours;
+  const auto is_none = [](const glm::dvec4& colour) { return std::isnan(colour.x); };
+  return static_cast<std::uint64_t>(std::count_if(colours.begin(), colours.end(), is_none));
+}
+
+std::uint64_t face_colours(const MeshFile& file, Holds held) {
+  const std::vector<std::uint8_t>& count = file.mesh.face_colours.count;
+  if (holds(held, Holds::any_face_colours) || count.empty()) return 0;
+  const auto without = static_cast<std::uint64_t>(std::count(count.begin(), count.end(), 0));
+  const bool are_held = holds(held, Holds::face_colours) && ply_face_colour_components(file.mesh.face_colours) != 0;
+  return are_held ? without : count.size() - without;
+}
+
+std::uint64_t set_aside(const MeshFile& file, Holds held) {
+  if (holds(held, Holds::quarantine)) return 0;
+  const auto is_held = [&](const QuarantinedFace& face) {
+    if (face.corners.size() != 3) {
+      return holds_polygons(file, held) && face.code != "index_out_of_range" && !face.corners.empty();
+    }
+    return holds(held, Holds::odd_triangles) ||
+           (holds(held, Holds::flat_triangles) && face.code != "index_out_of_range");
+  };
+  const auto& faces = file.mesh.quarantine;
+  return faces.size() - static_cast<std::uint64_t>(std::count_if(faces.begin(), faces.end(), is_held));
+}
+
+// By a face that formats without vertices of their own may hold.
+std::vector<bool> used_vertices(const IndexedMesh& mesh) {
+  std::vector<bool> used(mesh.positions.size(), false);
+  for (const std::uint32_t corner : mesh.corners) used[corner] = true;
+  for (const QuarantinedFace& face : mesh.quarantine) {
+    if (face.code == "index_out_of_range") continue;
+    for (const std::int64_t corner : face.corners) used[static_cast<std::size_t>(corner)] = true;
+  }
+  return used;
+}
+
+std::uint64_t isolated_vertices(const MeshFile& file, Holds held) {
+  if (holds(held, Holds::vertices)) return 0;
+  const std::vector<bool> used = used_vertices(file.mesh);
+  return static_cast<std::uint64_t>(std::count(used.begin(), used.end(), false));
+}
+
+// Points that reading would make one with a point before them, or several: those at an equal place, and those at no
+// place at all that more than one corner names.
+std::uint64_t welded_points(const MeshFile& file, Holds held) {
+  if (holds(held, Holds::vertices)) return 0;
+  const IndexedMesh& mesh = file.mesh;
+  const std::vector<bool> used = used_vertices(mesh);
+  std::vector<std::uint32_t> points;
+  std::uint64_t count = 0;
+  std::vector<std::uint8_t> corners_at;  // of points that equal nothing: none, one, more
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (!used[v]) continue;
+    const glm::dvec3& p = mesh.positions[v];
+    if (p == p)
+      points.push_back(static_cast<std::uint32_t>(v));
+    else
+      corners_at.resize(used.size());
+  }
+  if (!corners_at.empty()) {
+    for (const std::uint32_t corner : mesh.corners) {
+      const glm::dvec3& p = mesh.positions[corner];
+      if (!(p == p) && corners_at[corner] < 2 && ++corners_at[corner] == 2) ++count;
+    }
+  }
+  const auto place = [&](std::uint32_t v) {
+    const glm::dvec3 p = mesh.positions[v] + 0.0;  // -0 is 0
+    return std::array{p.x, p.y, p.z};
+  };
+  std::sort(points.begin(), points.end(), [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
+  for (std::size_t i = 1; i < points.size(); ++i) count += place(points[i]) == place(points[i - 1]) ? 1 : 0;
+  return count;
+}
+
+bool is_held_elsewhere(const PropertyTable& table, const Property& property, Holds held) {
+  return holds(held, Holds::facet_attributes) && table.kind == TableKind::faces && property.type == NumberType::u16 &&
+         !property.is_list && property.name == facet_attribute;
+}
+
+std::uint64_t extra_properties(const MeshFile& file, Holds held) {
+  if (holds(held, Holds::properties)) return 0;
+  std::uint64_t count = 0;
+  for (const PropertyTable& table : file.properties.tables) {
+    if (table.kind == TableKind::other) continue;
+    for (const Property& property : table.properties)
+      count += property.is_kept() && !is_held_elsewhere(table, property, held) ? 1 : 0;
+  }
+  return count;
+}
+
+std::uint64_t extra_rows(const MeshFile& file, Holds held) {
+  if (holds(held, Holds::properties)) return 0;
+  std::uint64_t count = file.properties.obj_info.size();
+  for (const PropertyTable& table : file.properties.tables) count += table.kind == TableKind::other ? table.rows : 0;
+  return count;
+}
+
+std::uint64_t comments(const MeshFile& file, Holds held) {
+  if (holds(held, Holds::comments)) return 0;
+  const std::vector<std::string>& lines = file.head_comments;
+  if (!holds(held, Holds::first_comment) || lines.empty()) return lines.size();
+  constexpr std::size_t room = 80;
+  return lines[0].size() > room ? lines.size() : lines.size() - 1;
+}
+
+std::uint64_t inexact_vertices(const MeshFile& file, Holds held) {
+  if (holds(held, Holds::doubles)) return 0;
+  const auto is_inexact = [](double value) {
+    if (!std::isfinite(value)) return false;
+    if (std::abs(value) > static_cast<double>(std::numeric_limits<float>::max())) return true;
+    return static_cast<double>(static_cast<float>(value)) != value;
+  };
+  const auto& positions = file.mesh.positions;
+  return static_cast<std::uint64_t>(std::count_if(positions.begin(), positions.end(), [&](const glm::dvec3& p) {
+    return is_inexact(p.x) || is_inexact(p.y) || is_inexact(p.z);
+  }));
+}
+
+template <Holds Held, class Get>
+std::uint64_t unless(Holds held, Get get) {
+  return holds(held, Held) ? 0 : get();
+}
+
+}  // namespace
+
+const std::vector<LossKind>& loss_kinds() {
+  using File = const MeshFile&;
+  static const std::vector<LossKind> kinds = {
+      {"loses_polygons", "faces with more than three corners, which are cut into triangles",
+       "4 頂点以上の面(三角形に分割されます)", many_corners},
+      {"loses_rings", "faces with holes, which are cut into triangles", "穴のある面(三角形に分割されます)",
+       bridged_faces_lost},
+      {"loses_quarantined", "faces that were set aside", "除けておいた面", set_aside},
+      {"loses_isolated_vertices", "vertices without a face", "面に属さない頂点", isolated_vertices},
+      {"loses_topology", "points at equal places, which become one, or at no place, which fall apart",
+       "同じ位置にある別々の点(1 点になります)と、位置を持たない点(ばらばらになります)", welded_points},
+      {"loses_precision", "vertices whose coordinates need more than single precision, which are rounded",
+       "単精度では表せない座標を持つ頂点(丸められます)", inexact_vertices},
+      {"loses_wires", "edges without a face", "面を持たない稜線", [](File f, Holds) { return f.wires; }},
+      {"loses_elements", "lines and points", "線と点の要素",
+       [](File f, Holds h) { return unless<Holds::elements>(h, [&] { return f.elements.items.size(); }); }},
+      {"loses_texcoords", "texture coordinates", "テクスチャ座標", texcoords},
+      {"loses_third_texcoord", "the third numbers of texture coordinates", "テクスチャ座標の 3 番目の数",
+       third_texcoords},
+      {"loses_normals", "normals", "法線", normals},
+      {"loses_vertex_colours", "colours of vertices", "頂点の色", vertex_colours},
+      {"loses_missing_colours", "vertices without a colour, which become white", "色のない頂点(白になります)",
+       missing_colours},
+      {"loses_face_colours", "colours of faces, or faces without one among others", "面の色(または色のない面の区別)",
+       face_colours},
+      {"loses_weights", "weights of vertices", "頂点の重み",
+       [](File f, Holds h) { return unless<Holds::weights>(h, [&] { return f.mesh.vertex_weights.size(); }); }},
+      {"loses_groups", "names of groups", "グループ名",
+       [](File f, Holds h) { return unless<Holds::groups>(h, [&] { return f.mesh.groups.names.size(); }); }},
+      {"loses_objects", "names of objects", "オブジェクト名",
+       [](File f, Holds h) { return unless<Holds::names>(h, [&] { return f.mesh.objects.names.size(); }); }},
+      {"loses_smoothing", "smoothing groups", "スムージンググループ",
+       [](File f, Holds h) { return unless<Holds::names>(h, [&] { return f.mesh.smoothing.names.size(); }); }},
+      {"loses_materials", "names of materials", "マテリアル名",
+       [](File f, Holds h) { return unless<Holds::names>(h, [&] { return f.mesh.materials.names.size(); }); }},
+      {"loses_libraries", "material libraries", "マテリアルファイル",
+       [](File f, Holds h) { return unless<Holds::names>(h, [&] { return f.material_libraries.size(); }); }},
+      {"loses_properties", "further properties of vertices or faces", "頂点または面のその他のプロパティ",
+       extra_properties},
+      {"loses_extra_elements", "rows of further elements and lines obj_info", "その他の要素と obj_info の行",
+       extra_rows},
+      {"loses_comments", "lines of comments", "コメントの行", comments},
+  };
+  return kinds;
+}
+
+Message Loss::message(const Text& format) const {
+  const std::string number = std::to_string(count);
+  return make_message(Severity::warning, kind->code,
+                      {format.en + " cannot hold " + std::string(kind->en) + ": " + number + ".",
+                       format.ja + " は次のものを保持できません: " + std::string(kind->ja) + " " + number + " 個。"});
+}
+
+std::vector<Loss> find_losses(const MeshFile& file, Holds held) {
+  std::vector<Loss> losses;
+  for (const LossKind& kind : loss_kinds()) {
+    if (const std::uint64_t count = kind.count(file, held)) losses.push_back({&kind, count});
+  }
+  return losses;
+}
+
+}  // namespace ryosen

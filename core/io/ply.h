@@ -1,0 +1,27 @@
+// PLY, the polygon file format of Stanford: ascii, binary of either byte order.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "core/io/mesh_file.h"
+
+namespace ryosen {
+
+// Reads a PLY file. Positions, normals, texture coordinates and colours per vertex, the faces, their colours and the
+// texture coordinates of their corners become the mesh; every other property and element is kept in
+// MeshFile::properties as it is, with the layout of the file. Reals of ascii files are read exactly, whatever type is
+// announced. A count of the header is a claim that must fit the size of the file. Numbers that cannot be read, negative
+// lengths and an early end are errors, with their line or byte; so is binary data of the other byte order, where it
+// shows by every face. Faces that cannot be used go to the quarantine. Triangle strips are kept, not taken apart.
+// `path` is not used. Cost: O(bytes), one pass.
+Result<MeshFile> read_ply(std::string_view bytes, const std::filesystem::path& path);
+
+// The bytes of a PLY file in this encoding (little endian when automatic), with the elements and
+// properties of the layout that the file came with, in its order. A type that cannot hold a value any more gives way to
+// a wider one.
+std::string write_ply(const MeshFile& file, Encoding encoding);
+
+}  // namespace ryosen

@@ -1,0 +1,172 @@
+#include "core/io/ply_builder.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ryosen {
+namespace {
+
+// What stands for one in a colour of this type.
+double full_scale(NumberType type) {
+  if (is_real(type)) return 1.0;
+  return type == NumberType::u16 || type == NumberType::i16 ? 65535.0 : 255.0;
+}
+
+std::uint32_t swapped(std::uint32_t value) {
+  return value >> 24 | (value >> 8 & 0xff00u) | (value << 8 & 0xff0000u) | value << 24;
+}
+
+template <class Vector>
+PlyTarget component_of(std::vector<Vector>& values, std::size_t component, double divisor = 1.0) {
+  constexpr std::size_t stride = sizeof(Vector) / sizeof(double);
+  return {values.empty() ? nullptr : &values[0][static_cast<int>(component)], stride, divisor};
+}
+
+}  // namespace
+
+PlyBuilder::PlyBuilder(PlyHeader header) : faces_(file_.mesh), places_(header.tables.tables.size()) {
+  file_.properties = std::move(header.tables);
+  file_.head_comments = std::move(header.comments);
+  file_.encoding = header.encoding;
+}
+
+PlyTarget PlyBuilder::target_of(const Property& property) {
+  IndexedMesh& mesh = file_.mesh;
+  switch (property.role) {
+    case PropertyRole::position:
+      return component_of(mesh.positions, property.component);
+    case PropertyRole::normal:
+      return component_of(mesh.normals.pool, property.component);
+    case PropertyRole::texcoord:
+      return component_of(mesh.texcoords.pool, property.component);
+    case PropertyRole::vertex_colour:
+      return component_of(mesh.vertex_colours, property.component, full_scale(property.type));
+    case PropertyRole::face_colour:
+      return component_of(mesh.face_colours.values, property.component);
+    default:
+      return {};
+  }
+}
+
+std::vector<PlyTarget> PlyBuilder::begin_table(std::size_t number, FilePlace place) {
+  PropertyTable& table = tables()[number];
+  IndexedMesh& mesh = file_.mesh;
+  places_[number] = place;
+  if (table.kind == TableKind::vertices) mesh.positions.resize(table.rows);
+  if (table.kind == TableKind::faces) mesh.face_offsets.reserve(table.rows + 1);
+  for (const Property& property : table.properties) {
+    if (property.role == PropertyRole::normal) mesh.normals.pool.resize(table.rows);
+    if (property.role == PropertyRole::texcoord) mesh.texcoords.pool.resize(table.rows);
+    if (property.role == PropertyRole::vertex_colour) {
+      mesh.vertex_colours.resize(table.rows, glm::dvec4(0, 0, 0, 1));
+      mesh.colour_components = std::max(mesh.colour_components, property.component + 1);
+    }
+    if (property.role == PropertyRole::face_colour) {
+      mesh.face_colours.values.resize(table.rows, glm::dvec4(0.0));
+      mesh.face_colours.count.assign(table.rows, static_cast<std::uint8_t>(property.component + 1));
+    }
+  }
+  std::vector<PlyTarget> targets;
+  for (Property& property : table.properties) {
+    targets.push_back(target_of(property));
+    if (property.is_list && property.role != PropertyRole::corners) property.ends.reserve(table.rows);
+    if (property.is_kept() && !property.is_list) property.data.reserve(table.rows * size_of(property.type));
+  }
+  return targets;
+}
+
+void PlyBuilder::warn_non_finite(FilePlace place) {
+  reporter_.warn("nonfinite_number", place, [] {
+    return Text{"A number of a vertex is not finite.", "頂点に有限でない数があります。"};
+  });
+}
+
+// Lists with two numbers for each corner, or none, become texture coordinates; else they are kept as lists.
+void PlyBuilder::take_corner_texcoords() {
+  IndexedMesh& mesh = file_.mesh;
+  for (PropertyTable& table : tables()) {
+    for (Property& property : table.properties) {
+      if (property.role != PropertyRole::corner_texcoord) continue;
+      bool fits = mesh.texcoords.pool.empty() && table.rows == mesh.face_count();
+      bool any = false;
+      for (std::size_t f = 0; fits && f < table.rows; ++f) {
+        const std::size_t count = property.value_count(f);
+        any = any || count != 0;
+        fits = count == 0 || count == 2 * mesh.face(f).size();
+      }
+      if (!fits || !any) {
+        property.role = PropertyRole::extra;
+        continue;
+      }
+      CornerValues& texcoords = mesh.texcoords;
+      texcoords.components = 2;
+      texcoords.index.reserve(mesh.corners.size());
+      for (std::size_t f = 0; f < table.rows; ++f) {
+        const std::size_t first = property.first_value(f), count = property.value_count(f);
+        for (std::size_t i = 0; i < mesh.face(f).size(); ++i) {
+          texcoords.index.push_back(count == 0 ? no_index : static_cast<std::uint32_t>(texcoords.pool.size()));
+          if (count == 0) continue;
+          texcoords.pool.emplace_back(property.real(first + 2 * i), property.real(first + 2 * i + 1), 0.0);
+        }
+      }
+      property.data = {};
+      property.ends = {};
+    }
+  }
+}
+
+// Whether no face names vertices that exist and all would with their bytes the other way round.
+bool PlyBuilder::has_other_byte_order() const {
+  const IndexedMesh& mesh = file_.mesh;
+  if (file_.encoding == Encoding::ascii || mesh.quarantine.empty()) return false;
+  if (mesh.quarantine.size() != mesh.face_count()) return false;
+  return std::all_of(mesh.quarantine.begin(), mesh.quarantine.end(), [&](const QuarantinedFace& face) {
+    return face.code == "index_out_of_range" &&
+           std::all_of(face.corners.begin(), face.corners.end(), [&](std::int64_t corner) {
+             return swapped(static_cast<std::uint32_t>(corner)) < mesh.positions.size();
+           });
+  });
+}
+
+void PlyBuilder::warn_of_the_whole() {
+  for (std::size_t t = 0; t < tables().size(); ++t) {
+    const PropertyTable& table = tables()[t];
+    if (table.name != "tristrips" || table.rows == 0) continue;
+    reporter_.warn("tristrips_kept", places_[t], [] {
+      return Text{"Triangle strips are not taken apart into faces; they are kept and written back.",
+                  "三角形ストリップは面に分解しません。そのまま保持して書き戻します。"};
+    });
+  }
+  if (file_.mesh.positions.empty()) {
+    reporter_.warn("no_vertices", {}, [] { return Text{"The file has no vertices.", "ファイルに頂点がありません。"}; });
+  }
+  if (file_.mesh.face_count() == 0) {
+    reporter_.warn("no_faces", {}, [] { return Text{"The file has no faces.", "ファイルに面がありません。"}; });
+  }
+}
+
+Result<MeshFile> PlyBuilder::finish() {
+  IndexedMesh& mesh = file_.mesh;
+  take_corner_texcoords();
+  faces_.finish(reporter_);
+  if (has_other_byte_order()) {
+    const auto is_faces = [](const PropertyTable& table) { return table.kind == TableKind::faces; };
+    const auto at = std::find_if(tables().begin(), tables().end(), is_faces) - tables().begin();
+    return malformed("wrong_byte_order",
+                     {"No face names vertices that exist; with their bytes the other way round all would. The byte "
+                      "order is not the one that the header says.",
+                      "どの面も存在しない頂点を参照しています。バイト順を逆にするとすべて正しくなるため、"
+                      "ヘッダーのバイト順が誤っています。"},
+                     places_[static_cast<std::size_t>(at)]);
+  }
+  if (!mesh.normals.pool.empty()) mesh.normals.index = mesh.corners;
+  if (!mesh.texcoords.pool.empty() && mesh.texcoords.index.empty()) {
+    mesh.texcoords.index = mesh.corners;
+    mesh.texcoords.components = 2;
+  }
+  warn_of_the_whole();
+  file_.messages = reporter_.take();
+  return std::move(file_);
+}
+
+}  // namespace ryosen

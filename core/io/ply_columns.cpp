@@ -1,0 +1,279 @@
+#include "core/io/ply_columns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/io/vertex_values.h"
+
+namespace ryosen {
+namespace {
+
+bool type_holds(NumberType type, double value) {
+  if (type == NumberType::f64) return true;
+  if (type == NumberType::f32) {
+    if (!std::isfinite(value)) return true;
+    if (std::abs(value) > static_cast<double>(std::numeric_limits<float>::max())) return false;
+    return static_cast<double>(static_cast<float>(value)) == value;
+  }
+  return with_number_type(type, [&](auto zero) {
+    using Number = decltype(zero);
+    constexpr double whole_limit = 9007199254740992.0;  // whole numbers below it are exact doubles
+    if (!(std::abs(value) <= whole_limit) || std::trunc(value) != value || (value == 0 && std::signbit(value)))
+      return false;
+    const auto least = static_cast<double>(std::numeric_limits<Number>::lowest());
+    const auto most = static_cast<double>(std::numeric_limits<Number>::max());
+    return value >= least && value <= most;
+  });
+}
+
+// The number that stands for a component of a colour and is divided back into it, a whole one where there is.
+double scaled_colour(double component, double scale) {
+  if (scale == 1.0) return component;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double scaled = component * scale;
+  for (const double candidate :
+       {std::nearbyint(scaled), scaled, std::nextafter(scaled, infinity), std::nextafter(scaled, -infinity)}) {
+    if (candidate / scale == component) return candidate;
+  }
+  return scaled;
+}
+
+double colour_scale(NumberType type) {
+  if (is_real(type)) return 1.0;
+  return type == NumberType::u16 || type == NumberType::i16 ? 65535.0 : 255.0;
+}
+
+}  // namespace
+
+int ply_face_colour_components(const FaceColours& colours) {
+  int components = 0;
+  for (const std::uint8_t count : colours.count) {
+    if (count == 1 || (count != 0 && components != 0 && count != components)) return 0;
+    if (count != 0) components = count;
+  }
+  return components;
+}
+
+PlyColumns::PlyColumns(const MeshFile& file, Encoding encoding)
+    : file_(file),
+      normals_(per_vertex(file.mesh, file.mesh.normals)),
+      texcoords_(per_vertex(file.mesh, file.mesh.texcoords)),
+      face_colour_components_(ply_face_colour_components(file.mesh.face_colours)),
+      keeps_types_(file.properties.has_decimal_reals && encoding == Encoding::ascii) {
+  const IndexedMesh& mesh = file.mesh;
+  if (!mesh.quarantine.empty()) {
+    aside_.assign(mesh.face_count(), no_index);
+    for (std::size_t i = 0; i < mesh.quarantine.size(); ++i)
+      aside_[mesh.quarantine[i].face] = static_cast<std::uint32_t>(i);
+  }
+  add_layout();
+  add_missing();
+  for (PlyTable& table : tables_) {
+    for (PlyColumn& column : table.columns) widen(table, column);
+  }
+}
+
+const QuarantinedFace* PlyColumns::quarantined(std::size_t face) const {
+  if (aside_.empty() || aside_[face] == no_index) return nullptr;
+  return &file_.mesh.quarantine[aside_[face]];
+}
+
+std::size_t PlyColumns::corner_count(std::size_t face) const {
+  const QuarantinedFace* const aside = quarantined(face);
+  return aside ? aside->corners.size() : file_.mesh.face(face).size();
+}
+
+bool PlyColumns::has_data(PropertyRole role, std::uint8_t component) const {
+  switch (role) {
+    case PropertyRole::normal:
+      return normals_.has_value();
+    case PropertyRole::texcoord:
+      return texcoords_.has_value() && !has_corner_texcoords_;
+    case PropertyRole::corner_texcoord:
+      return has_corner_texcoords_;
+    case PropertyRole::vertex_colour:
+      return !file_.mesh.vertex_colours.empty() && component < file_.mesh.colour_components;
+    case PropertyRole::face_colour:
+      return component < face_colour_components_;
+    default:
+      return true;
+  }
+}
+
+void PlyColumns::add_layout() {
+  const CornerValues& texcoords = file_.mesh.texcoords;
+  bool was_per_corner = false;
+  for (const PropertyTable& table : file_.properties.tables) {
+    for (const Property& property : table.properties)
+      was_per_corner = was_per_corner || property.role == PropertyRole::corner_texcoord;
+  }
+  has_corner_texcoords_ = !texcoords.index.empty() && (was_per_corner || !texcoords_);
+  for (const PropertyTable& table : file_.properties.tables) {
+    PlyTable& out = tables_.emplace_back();
+    out.name = table.name;
+    out.kind = table.kind;
+    out.rows = table.kind == TableKind::vertices ? file_.mesh.positions.size()
+               : table.kind == TableKind::faces  ? file_.mesh.face_count()
+                                                 : table.rows;
+    for (const Property& property : table.properties) {
+      if (!has_data(property.role, property.component)) continue;
+      PlyColumn& column = out.columns.emplace_back();
+      column.name = property.name;
+      column.type = property.type;
+      column.is_list = property.is_list;
+      column.count_type = property.count_type;
+      column.role = property.role;
+      column.component = property.component;
+      if (property.role == PropertyRole::vertex_colour) column.scale = colour_scale(property.type);
+      if (property.is_kept()) column.kept = &property;
+    }
+  }
+}
+
+void PlyColumns::add_reals(PlyTable& table, PropertyRole role, std::initializer_list<std::string_view> names) {
+  std::uint8_t component = 0;
+  const bool is_colour = role == PropertyRole::vertex_colour || role == PropertyRole::face_colour;
+  for (const std::string_view name : names) {
+    const bool is_there = std::any_of(table.columns.begin(), table.columns.end(), [&](const PlyColumn& column) {
+      return column.role == role && column.component == component;
+    });
+    if (!is_there && has_data(role, component)) {
+      PlyColumn& column = table.columns.emplace_back();
+      column.name = name;
+      column.type = is_colour ? NumberType::u8 : NumberType::f32;
+      column.role = role;
+      column.component = component;
+      if (role == PropertyRole::vertex_colour) column.scale = colour_scale(column.type);
+    }
+    ++component;
+  }
+}
+
+void PlyColumns::add_missing() {
+  const auto table_of = [&](TableKind kind, std::string_view name, std::size_t rows) -> PlyTable& {
+    for (PlyTable& table : tables_) {
+      if (table.kind == kind) return table;
+    }
+    // Vertices come first.
+    return *tables_.insert(kind == TableKind::vertices ? tables_.begin() : tables_.end(),
+                           PlyTable{name, kind, rows, {}});
+  };
+  using enum PropertyRole;
+  PlyTable& vertices = table_of(TableKind::vertices, "vertex", file_.mesh.positions.size());
+  add_reals(vertices, position, {"x", "y", "z"});
+  add_reals(vertices, normal, {"nx", "ny", "nz"});
+  add_reals(vertices, texcoord, {"s", "t"});
+  add_reals(vertices, vertex_colour, {"red", "green", "blue", "alpha"});
+  // A file of points alone stays without an element for faces.
+  const bool has_faces =
+      std::any_of(tables_.begin(), tables_.end(), [](const PlyTable& table) { return table.kind == TableKind::faces; });
+  if (file_.properties.has_layout() && !has_faces && file_.mesh.face_count() == 0) return;
+  PlyTable& faces = table_of(TableKind::faces, "face", file_.mesh.face_count());
+  const auto add_list = [&](PropertyRole role, std::string_view name, NumberType type) {
+    const bool is_there = std::any_of(faces.columns.begin(), faces.columns.end(),
+                                      [&](const PlyColumn& column) { return column.role == role; });
+    if (is_there) return;
+    PlyColumn column;
+    column.name = name;
+    column.type = type;
+    column.is_list = true;
+    column.role = role;
+    faces.columns.insert(role == corners ? faces.columns.begin() : faces.columns.end(), column);
+  };
+  add_list(corners, "vertex_indices", NumberType::i32);
+  if (has_corner_texcoords_) add_list(corner_texcoord, "texcoord", NumberType::f32);
+  add_reals(faces, face_colour, {"red", "green", "blue", "alpha"});
+}
+
+double PlyColumns::value(const PlyColumn& column, std::size_t row) const {
+  const IndexedMesh& mesh = file_.mesh;
+  const int c = column.component;
+  switch (column.role) {
+    case PropertyRole::position:
+      return mesh.positions[row][c];
+    case PropertyRole::normal:
+      return value_of(mesh.normals, (*normals_)[row])[c];
+    case PropertyRole::texcoord:
+      return value_of(mesh.texcoords, (*texcoords_)[row])[c];
+    case PropertyRole::vertex_colour: {
+      const glm::dvec4& colour = mesh.vertex_colours[row];
+      return scaled_colour(std::isnan(colour.x) ? 1.0 : colour[c], column.scale);  // none is white
+    }
+    default:
+      if (mesh.face_colours.count[row] == 0) return is_real(column.type) ? 1.0 : 255.0;
+      return mesh.face_colours.values[row][c];
+  }
+}
+
+const std::vector<glm::dvec3>& PlyColumns::corner_texcoords(std::size_t face) const {
+  const CornerValues& texcoords = file_.mesh.texcoords;
+  scratch_.clear();
+  bool any = false;
+  const auto add = [&](std::uint32_t index) {
+    any = any || index != no_index;
+    scratch_.push_back(value_of(texcoords, index));
+  };
+  if (const QuarantinedFace* const aside = quarantined(face)) {
+    for (const std::uint32_t index : aside->texcoords) add(index);
+  } else {
+    for (std::size_t i = file_.mesh.face_offsets[face]; i < file_.mesh.face_offsets[face + 1]; ++i)
+      add(texcoords.index[i]);
+  }
+  if (!any) scratch_.clear();
+  return scratch_;
+}
+
+bool PlyColumns::holds(NumberType type, const PlyColumn& column, std::size_t rows) const {
+  PlyColumn as = column;
+  as.type = type;
+  if (column.role == PropertyRole::vertex_colour) as.scale = colour_scale(type);
+  if (column.role == PropertyRole::corner_texcoord) {
+    for (std::size_t row = 0; row < rows; ++row) {
+      for (const glm::dvec3& value : corner_texcoords(row)) {
+        if (!type_holds(type, value.x) || !type_holds(type, value.y)) return false;
+      }
+    }
+    return true;
+  }
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (!type_holds(type, value(as, row))) return false;
+  }
+  return true;
+}
+
+void PlyColumns::widen(const PlyTable& table, PlyColumn& column) {
+  if (column.is_list && !column.kept) {
+    std::size_t longest = 0;
+    const std::size_t per_corner = column.role == PropertyRole::corners ? 1 : 2;
+    for (std::size_t row = 0; row < table.rows; ++row) longest = std::max(longest, per_corner * corner_count(row));
+    for (const NumberType type : {column.count_type, NumberType::u8, NumberType::u16, NumberType::u32}) {
+      column.count_type = type;
+      if (type_holds(type, static_cast<double>(longest))) break;
+    }
+  }
+  if (column.kept || (keeps_types_ && is_real(column.type))) return;
+  if (column.role == PropertyRole::corners) return widen_corners(column);
+  for (const NumberType type : {column.type, NumberType::f32, NumberType::f64}) {
+    column.type = type;
+    if (holds(type, column, table.rows)) break;
+  }
+  if (column.role == PropertyRole::vertex_colour) column.scale = colour_scale(column.type);
+}
+
+void PlyColumns::widen_corners(PlyColumn& column) {
+  std::int64_t least = 0, most = 0;
+  for (std::size_t face = 0; face < file_.mesh.face_count(); ++face) {
+    for_each_corner(face, [&](std::int64_t corner) {
+      least = std::min(least, corner);
+      most = std::max(most, corner);
+    });
+  }
+  // Numbers that no type holds are out of range in any case; the writer gives the nearest that the type has.
+  for (const NumberType type : {column.type, NumberType::i32, NumberType::u32, NumberType::i32}) {
+    column.type = type;
+    if (type_holds(type, static_cast<double>(least)) && type_holds(type, static_cast<double>(most))) break;
+  }
+}
+
+}  // namespace ryosen

@@ -1,0 +1,75 @@
+// The columns that a PLY file is written with: those of the layout that the file came with, and those that its mesh
+// needs besides.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/io/mesh_file.h"
+
+namespace ryosen {
+
+struct PlyColumn {
+  std::string_view name;
+  NumberType type = NumberType::f32;
+  bool is_list = false;
+  NumberType count_type = NumberType::u8;
+  PropertyRole role = PropertyRole::extra;
+  std::uint8_t component = 0;
+  double scale = 1.0;              // of a colour: what one is written as
+  const Property* kept = nullptr;  // where its values are, if not in the mesh
+};
+
+struct PlyTable {
+  std::string_view name;
+  TableKind kind = TableKind::other;
+  std::size_t rows = 0;
+  std::vector<PlyColumn> columns;
+};
+
+class PlyColumns {
+ public:
+  // Decides about the types: those of the layout wherever they hold every value. The file must outlive it. O(values).
+  PlyColumns(const MeshFile& file, Encoding encoding);
+
+  const std::vector<PlyTable>& tables() const { return tables_; }
+  // The number at a row of a column that is no list and not kept, as it is to be written.
+  double value(const PlyColumn& column, std::size_t row) const;
+  // The vertices of a face as the file names them, quarantined ones too.
+  template <class Visit>
+  void for_each_corner(std::size_t face, Visit visit) const {
+    if (const QuarantinedFace* const aside = quarantined(face)) {
+      for (const std::int64_t corner : aside->corners) visit(corner);
+    } else {
+      for (const std::uint32_t corner : file_.mesh.face(face)) visit(std::int64_t{corner});
+    }
+  }
+  std::size_t corner_count(std::size_t face) const;
+  // The texture coordinates of the corners of a face: nothing where it has none, else one per corner.
+  const std::vector<glm::dvec3>& corner_texcoords(std::size_t face) const;
+
+ private:
+  const QuarantinedFace* quarantined(std::size_t face) const;
+  void add_layout();
+  void add_missing();
+  bool has_data(PropertyRole role, std::uint8_t component) const;
+  void add_reals(PlyTable& table, PropertyRole role, std::initializer_list<std::string_view> names);
+  void widen(const PlyTable& table, PlyColumn& column);
+  void widen_corners(PlyColumn& column);
+  bool holds(NumberType type, const PlyColumn& column, std::size_t rows) const;
+
+  const MeshFile& file_;
+  std::vector<PlyTable> tables_;
+  std::optional<std::vector<std::uint32_t>> normals_, texcoords_;
+  std::vector<std::uint32_t> aside_;  // per face the place in the quarantine; empty when there is none
+  bool has_corner_texcoords_ = false;
+  int face_colour_components_ = 0;  // 0: PLY cannot hold the colours of the faces
+  bool keeps_types_ = false;
+  mutable std::vector<glm::dvec3> scratch_;
+};
+
+// How many numbers a colour has that PLY can write for the faces of the mesh: 3 or 4, or 0 if it can hold none.
+int ply_face_colour_components(const FaceColours& colours);
+
+}  // namespace ryosen

@@ -1,0 +1,287 @@
+#include "core/io/ply_header.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/io/numbers.h"
+#include "core/io/reporter.h"
+#include "core/io/text_lines.h"
+
+namespace ryosen {
+namespace {
+
+// A set of properties that the mesh has a place for. All of the first `needed` must be there.
+struct RoleRow {
+  TableKind kind;
+  PropertyRole role;
+  std::size_t needed;
+  std::vector<std::string_view> names;
+};
+
+const std::vector<RoleRow>& scalar_roles() {
+  using enum PropertyRole;
+  static const std::vector<RoleRow> rows = {
+      {TableKind::vertices, position, 3, {"x", "y", "z"}},
+      {TableKind::vertices, normal, 3, {"nx", "ny", "nz"}},
+      {TableKind::vertices, texcoord, 2, {"s", "t"}},
+      {TableKind::vertices, texcoord, 2, {"u", "v"}},
+      {TableKind::vertices, texcoord, 2, {"texture_u", "texture_v"}},
+      {TableKind::vertices, vertex_colour, 3, {"red", "green", "blue", "alpha"}},
+      {TableKind::vertices, vertex_colour, 3, {"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"}},
+      {TableKind::vertices, vertex_colour, 3, {"r", "g", "b", "a"}},
+      {TableKind::faces, face_colour, 3, {"red", "green", "blue", "alpha"}},
+      {TableKind::other, vertex_number, 2, {"vertex1", "vertex2"}},
+  };
+  return rows;
+}
+
+struct ListRoleRow {
+  TableKind kind;
+  PropertyRole role;
+  std::string_view name;
+};
+
+constexpr ListRoleRow list_roles[] = {
+    {TableKind::faces, PropertyRole::corners, "vertex_indices"},
+    {TableKind::faces, PropertyRole::corners, "vertex_index"},
+    {TableKind::faces, PropertyRole::corner_texcoord, "texcoord"},
+    {TableKind::other, PropertyRole::vertex_number, "vertex_indices"},
+    {TableKind::other, PropertyRole::vertex_number, "vertex_index"},
+};
+
+Property* find_property(PropertyTable& table, std::string_view name, bool is_list) {
+  for (Property& property : table.properties) {
+    if (property.name == name && property.is_list == is_list) return &property;
+  }
+  return nullptr;
+}
+
+bool has_role(const PropertyTable& table, PropertyRole role) {
+  return std::any_of(table.properties.begin(), table.properties.end(),
+                     [&](const Property& property) { return property.role == role; });
+}
+
+void give_scalar_role(PropertyTable& table, const RoleRow& row) {
+  if (has_role(table, row.role)) return;
+  std::vector<Property*> found;
+  for (const std::string_view name : row.names) {
+    Property* const property = find_property(table, name, false);
+    if (!property) break;
+    if (row.role == PropertyRole::vertex_number && is_real(property->type)) break;
+    found.push_back(property);
+  }
+  if (found.size() < row.needed) return;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    found[i]->role = row.role;
+    found[i]->component = static_cast<std::uint8_t>(i);
+  }
+}
+
+void give_roles(PropertyTable& table) {
+  for (const RoleRow& row : scalar_roles()) {
+    if (row.kind == table.kind) give_scalar_role(table, row);
+  }
+  for (const ListRoleRow& row : list_roles) {
+    if (row.kind != table.kind || has_role(table, row.role)) continue;
+    Property* const property = find_property(table, row.name, true);
+    if (property && is_real(property->type) == (row.role == PropertyRole::corner_texcoord)) property->role = row.role;
+  }
+}
+
+class HeaderReader {
+ public:
+  explicit HeaderReader(std::string_view bytes) : lines_(bytes, false) {}
+
+  Result<PlyHeader> read() {
+    TextLine line;
+    if (!lines_.next(line) || trimmed(line.text) != "ply") {
+      return malformed("not_ply", {"The first line is not the word ply.", "最初の行が ply という語ではありません。"},
+                       FilePlace::at_line(1));
+    }
+    while (!failure_ && !is_done_) {
+      if (!lines_.next(line)) {
+        fail("unexpected_end", {"The header has no end_header.", "ヘッダーに end_header がありません。"},
+             FilePlace::at_line(lines_.count() + 1));
+      } else {
+        take(line.text);
+      }
+    }
+    if (!failure_) finish();
+    if (failure_) return std::move(*failure_);
+    return std::move(header_);
+  }
+
+ private:
+  void fail(std::string_view code, Text text, FilePlace place) { failure_ = malformed(code, std::move(text), place); }
+  FilePlace here() const { return FilePlace::at_line(lines_.count()); }
+
+  void take(std::string_view text) {
+    std::string_view rest = text;
+    const std::string_view word = take_word(rest);
+    if (word == "comment") {
+      header_.comments.emplace_back(after_blank(rest));
+    } else if (word == "obj_info") {
+      header_.tables.obj_info.emplace_back(after_blank(rest));
+    } else if (word == "format") {
+      format(rest);
+    } else if (word == "element") {
+      element(rest);
+    } else if (word == "property") {
+      property(rest);
+    } else if (word == "end_header") {
+      is_done_ = true;
+    } else if (!word.empty()) {
+      fail("unknown_keyword",
+           {shown(word) + " is no word of a PLY header.", shown(word) + " は PLY のヘッダーの語ではありません。"},
+           lines_.place(word.data()));
+    }
+  }
+
+  static std::string_view after_blank(std::string_view text) {
+    if (!text.empty()) text.remove_prefix(1);
+    return text;
+  }
+
+  void format(std::string_view rest) {
+    const std::string_view word = take_word(rest), version = take_word(rest);
+    if (word == "ascii")
+      header_.encoding = Encoding::ascii;
+    else if (word == "binary_little_endian")
+      header_.encoding = Encoding::binary_little;
+    else if (word == "binary_big_endian")
+      header_.encoding = Encoding::binary_big;
+    else
+      return fail("unknown_encoding",
+                  {shown(word) + " is not ascii, binary_little_endian or binary_big_endian.",
+                   shown(word) + " は ascii、binary_little_endian、binary_big_endian のどれでもありません。"},
+                  here());
+    if (version != "1.0") {
+      return fail("unsupported_version",
+                  {"Only PLY 1.0 is supported, not " + shown(version) + ".",
+                   "PLY 1.0 だけに対応しています(" + shown(version) + " には未対応)。"},
+                  here());
+    }
+    has_format_ = true;
+  }
+
+  void element(std::string_view rest) {
+    PropertyTable table;
+    table.name = take_word(rest);
+    const std::string_view word = take_word(rest);
+    std::int64_t count = 0;
+    if (table.name.empty() || word.empty() || !read_integer(word, count)) {
+      return fail("unreadable_number", {shown(word) + " is not a count.", shown(word) + " は個数として読めません。"},
+                  here());
+    }
+    if (count < 0) {
+      return fail("negative_count",
+                  {"The count " + shown(word) + " is negative.", "個数 " + shown(word) + " が負です。"}, here());
+    }
+    for (const PropertyTable& known : header_.tables.tables) {
+      if (known.name == table.name) {
+        return fail("repeated_element",
+                    {"The element " + shown(table.name) + " is announced twice.",
+                     "要素 " + shown(table.name) + " が 2 回宣言されています。"},
+                    here());
+      }
+    }
+    table.kind = table.name == "vertex" ? TableKind::vertices
+                 : table.name == "face" ? TableKind::faces
+                                        : TableKind::other;
+    table.rows = static_cast<std::size_t>(count);
+    header_.tables.tables.push_back(std::move(table));
+    header_.element_lines.push_back(lines_.count());
+  }
+
+  bool type(std::string_view word, NumberType& type) {
+    if (find_number_type(word, type)) return true;
+    fail("unknown_type",
+         {shown(word) + " is not a type of PLY, such as float or int.",
+          shown(word) + " は PLY の型(float や int など)ではありません。"},
+         here());
+    return false;
+  }
+
+  void property(std::string_view rest) {
+    if (header_.tables.tables.empty()) {
+      return fail("property_without_element",
+                  {"A property stands before the first element.", "最初の要素より前にプロパティがあります。"}, here());
+    }
+    Property property;
+    std::string_view word = take_word(rest);
+    property.is_list = word == "list";
+    if (property.is_list) {
+      if (!type(take_word(rest), property.count_type)) return;
+      if (is_real(property.count_type)) {
+        return fail("unknown_type",
+                    {"The length of a list must be a whole number.", "リストの長さは整数型でなければなりません。"},
+                    here());
+      }
+      word = take_word(rest);
+    }
+    if (!type(word, property.type)) return;
+    property.name = take_word(rest);
+    if (property.name.empty())
+      return fail("missing_name", {"The property has no name.", "プロパティに名前がありません。"}, here());
+    header_.tables.tables.back().properties.push_back(std::move(property));
+  }
+
+  void finish() {
+    if (!has_format_) {
+      return fail("missing_format", {"The header has no line format.", "ヘッダーに format の行がありません。"}, here());
+    }
+    for (PropertyTable& table : header_.tables.tables) give_roles(table);
+    for (std::size_t i = 0; i < header_.tables.tables.size(); ++i) {
+      const PropertyTable& table = header_.tables.tables[i];
+      const FilePlace place = FilePlace::at_line(header_.element_lines[i]);
+      if (table.kind == TableKind::vertices && !has_role(table, PropertyRole::position)) {
+        return fail("missing_property", {"The vertices have no x, y and z.", "頂点に x、y、z がありません。"}, place);
+      }
+      if (table.kind == TableKind::faces && table.rows != 0 && !has_role(table, PropertyRole::corners)) {
+        return fail("missing_property",
+                    {"The faces have no list vertex_indices of whole numbers.",
+                     "面に整数のリスト vertex_indices がありません。"},
+                    place);
+      }
+    }
+    if (!header_.find(TableKind::vertices)) {
+      return fail("missing_element", {"The file has no element vertex.", "要素 vertex がありません。"}, here());
+    }
+    header_.lines = lines_.count();
+    header_.bytes = lines_.next_byte();
+    header_.tables.has_decimal_reals = header_.encoding == Encoding::ascii;
+  }
+
+  TextLines lines_;
+  PlyHeader header_;
+  std::optional<Failure> failure_;
+  bool is_done_ = false;
+  bool has_format_ = false;
+};
+
+// The bytes up to the end of the line end_header, so that binary data are not searched for line ends; all bytes where
+// there is no such line.
+std::string_view header_bytes(std::string_view bytes) {
+  constexpr std::string_view last = "end_header";
+  for (std::size_t at = bytes.find(last); at != std::string_view::npos; at = bytes.find(last, at + 1)) {
+    if (at == 0 || (bytes[at - 1] != '\n' && bytes[at - 1] != '\r')) continue;
+    std::size_t end = bytes.find_first_of("\r\n", at);
+    if (end == std::string_view::npos) return bytes;
+    if (bytes[end] == '\r' && end + 1 < bytes.size() && bytes[end + 1] == '\n') ++end;
+    return bytes.substr(0, end + 1);
+  }
+  return bytes;
+}
+
+}  // namespace
+
+const PropertyTable* PlyHeader::find(TableKind kind) const {
+  for (const PropertyTable& table : tables.tables) {
+    if (table.kind == kind) return &table;
+  }
+  return nullptr;
+}
+
+Result<PlyHeader> read_ply_header(std::string_view bytes) { return HeaderReader(header_bytes(bytes)).read(); }
+
+}  // namespace ryosen

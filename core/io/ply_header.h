@@ -1,0 +1,30 @@
+// The header of a PLY file: how its data are coded, and which tables of which properties follow.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/io/properties.h"
+
+namespace ryosen {
+
+struct PlyHeader {
+  Encoding encoding = Encoding::ascii;
+  PropertyTables tables;                     // with roles, without values; rows are claims
+  std::vector<std::uint64_t> element_lines;  // where each table is announced
+  std::vector<std::string> comments;         // without the word
+  std::uint64_t lines = 0;                   // of the header
+  std::uint64_t bytes = 0;                   // the data begin there
+
+  // The table of a kind, or null.
+  const PropertyTable* find(TableKind kind) const;
+};
+
+// Reads up to the line end_header. A word that cannot be, a count that is none, a type that is not known, vertices
+// without x, y or z, and faces without a list of vertices are errors with their line. O(header).
+Result<PlyHeader> read_ply_header(std::string_view bytes);
+
+}  // namespace ryosen

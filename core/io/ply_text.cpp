@@ -1,0 +1,221 @@
+// The ascii form of PLY: one row per line.
+#include <cmath>
+#include <limits>
+
+#include "core/io/numbers.h"
+#include "core/io/ply_values.h"
+#include "core/io/text_lines.h"
+
+namespace ryosen {
+namespace {
+
+// Every step returns false after the first failure.
+class PlyTextReader {
+ public:
+  PlyTextReader(std::string_view bytes, const PlyHeader& header, PlyBuilder& builder)
+      : bytes_(bytes), header_(header), builder_(builder), lines_(bytes, false) {}
+
+  std::optional<Failure> read() {
+    TextLine line;
+    for (std::uint64_t i = 0; i < header_.lines; ++i) lines_.next(line);
+    for (std::size_t t = 0; t < builder_.tables().size(); ++t) {
+      if (!read_table(t)) return std::move(failure_);
+    }
+    count_extra_lines();
+    return std::nullopt;
+  }
+
+ private:
+  bool fail(std::string_view code, Text text, FilePlace place) {
+    failure_ = malformed(code, std::move(text), place);
+    return false;
+  }
+
+  bool next_line() {
+    TextLine line;
+    while (lines_.next(line)) {
+      rest_ = line.text;
+      if (rest_.find_first_not_of(" \t") != std::string_view::npos) return true;
+    }
+    return false;
+  }
+
+  bool read_table(std::size_t number) {
+    PropertyTable& table = builder_.tables()[number];
+    const std::size_t least_bytes = 2 * table.properties.size(), left = bytes_.size() - lines_.next_byte() + 1;
+    if (is_absurd(table.rows, least_bytes, left)) {
+      failure_ = ply_count_too_large(table, header_.element_lines[number]);
+      return false;
+    }
+    if (table.properties.empty()) return true;
+    const std::size_t rows = table.rows;
+    table.rows = std::min(rows, left / least_bytes + 1);  // what there is room for, and one that ends early
+    const bool has_first = rows != 0 && next_line();
+    targets_ = builder_.begin_table(number, FilePlace::at_line(lines_.count()));
+    table.rows = rows;
+    for (std::size_t row = 0; row < rows; ++row) {
+      if (row == 0 ? !has_first : !next_line()) {
+        failure_ = ply_early_end(table, row, FilePlace::at_line(lines_.count() + 1));
+        return false;
+      }
+      if (!read_row(table, row)) return false;
+    }
+    return true;
+  }
+
+  bool read_row(PropertyTable& table, std::size_t row) {
+    is_finite_ = true;
+    for (std::size_t p = 0; p < table.properties.size(); ++p) {
+      Property& property = table.properties[p];
+      if (property.is_list ? !read_list(property) : !read_scalar(property, targets_[p], row)) return false;
+    }
+    if (!is_finite_) builder_.warn_non_finite(FilePlace::at_line(lines_.count()));
+    if (rest_.find_first_not_of(" \t") != std::string_view::npos) {
+      builder_.reporter().warn("extra_values", FilePlace::at_line(lines_.count()), [] {
+        return Text{"The line has more numbers than have a meaning; those too many are left out.",
+                    "この行には意味のある個数より多くの数があるため、余分な数を無視しました。"};
+      });
+    }
+    return true;
+  }
+
+  bool read_scalar(Property& property, const PlyTarget& target, std::size_t row) {
+    if (!target.first) return read_kept(property);
+    double value = 0;
+    if (!read_number(value)) return false;
+    is_finite_ = is_finite_ && std::isfinite(value);
+    target.put(row, value);
+    return true;
+  }
+
+  bool missing() {
+    return fail("missing_number", {"The line has too few numbers.", "この行の数が足りません。"},
+                lines_.place(rest_.data()));
+  }
+  bool unreadable(std::string_view word) {
+    return fail("unreadable_number", {shown(word) + " is not a number.", shown(word) + " は数として読めません。"},
+                lines_.place(word.data()));
+  }
+
+  bool read_number(double& value) {
+    if (take_number(rest_, value)) return true;
+    const std::string_view word = take_word(rest_);
+    if (word.empty()) return missing();
+    return read_real(word, value) != NumberRead::unreadable || unreadable(word);
+  }
+
+  bool read_whole(std::int64_t& value) {
+    if (take_number(rest_, value)) return true;
+    const std::string_view word = take_word(rest_);
+    if (word.empty()) return missing();
+    if (read_integer(word, value)) return true;
+    return fail("unreadable_index",
+                {shown(word) + " is not a whole number.", shown(word) + " は整数として読めません。"},
+                lines_.place(word.data()));
+  }
+
+  // A value for Property::data. Whole numbers must fit their type; they may be written with a fraction of zero.
+  bool read_kept(Property& property) {
+    if (is_real(property.type)) {
+      double value = 0;
+      if (!read_number(value)) return false;
+      property.append(value);
+      return true;
+    }
+    if (property.type == NumberType::u64) {
+      std::uint64_t large = 0;
+      if (take_number(rest_, large)) return property.append(static_cast<std::int64_t>(large)), true;
+    }
+    const std::string_view before = rest_;
+    std::int64_t value = 0;
+    double real = 0;
+    if (!take_number(rest_, value)) {
+      if (!read_number(real)) return false;
+      constexpr double limit = 9e18;
+      if (!(real > -limit && real < limit) || std::trunc(real) != real) return out_of_type(before, property);
+      value = static_cast<std::int64_t>(real);
+    }
+    const std::size_t at = property.data.size() / size_of(property.type);
+    property.append(value);
+    return property.integer(at) == value || out_of_type(before, property);
+  }
+
+  bool out_of_type(std::string_view rest, const Property& property) {
+    const std::string_view word = take_word(rest);
+    const std::string type(name_of(property.type));
+    return fail("number_out_of_type",
+                {shown(word) + " does not fit the type " + type + " of " + shown(property.name) + ".",
+                 shown(word) + " は " + shown(property.name) + " の型 " + type + " に収まりません。"},
+                lines_.place(word.data()));
+  }
+
+  bool read_list(Property& property) {
+    const std::string_view before = rest_;
+    std::int64_t count = 0;
+    if (!read_whole(count)) return false;
+    if (count < 0) {
+      std::string_view rest = before;
+      return fail("negative_count", {"The length of a list is negative.", "リストの長さが負です。"},
+                  lines_.place(take_word(rest).data()));
+    }
+    const bool are_corners = property.role == PropertyRole::corners;
+    if (are_corners && builder_.faces().is_full(rest_.size())) {
+      return fail(
+          "too_many_elements",
+          {"The file has more corners than fit in 32-bit numbers.", "面の頂点の総数が 32 ビットの番号に収まりません。"},
+          FilePlace::at_line(lines_.count()));
+    }
+    for (std::int64_t i = 0; i < count; ++i) {
+      if (rest_.find_first_not_of(" \t") == std::string_view::npos) return short_list(count, i);
+      std::int64_t vertex = 0;
+      if (!are_corners) {
+        if (!read_kept(property)) return false;
+      } else {
+        if (!read_whole(vertex)) return false;
+        builder_.faces().add_corner(vertex);
+      }
+    }
+    if (are_corners)
+      builder_.faces().end_face(lines_.count());
+    else
+      property.ends.push_back(static_cast<std::uint32_t>(property.data.size() / size_of(property.type)));
+    return true;
+  }
+
+  bool short_list(std::int64_t count, std::int64_t there) {
+    return fail(
+        "short_face",
+        {"The list announces " + std::to_string(count) + " values and has " + std::to_string(there) + ".",
+         "リストの値は " + std::to_string(count) + " 個のはずですが " + std::to_string(there) + " 個しかありません。"},
+        lines_.place(rest_.data()));
+  }
+
+  void count_extra_lines() {
+    if (!next_line()) return;
+    const std::uint64_t first = lines_.count();
+    std::uint64_t count = 1;
+    while (next_line()) ++count;
+    builder_.reporter().warn("extra_data", FilePlace::at_line(first), [&] {
+      const std::string number = std::to_string(count);
+      return Text{number + (count == 1 ? " line" : " lines") + " after the last announced row left out.",
+                  "宣言された最後の行より後の " + number + " 行を無視しました。"};
+    });
+  }
+
+  std::string_view bytes_;
+  const PlyHeader& header_;
+  PlyBuilder& builder_;
+  TextLines lines_;
+  std::optional<Failure> failure_;
+  std::string_view rest_;  // what is left of the current line
+  std::vector<PlyTarget> targets_;
+  bool is_finite_ = true;
+};
+
+}  // namespace
+
+std::optional<Failure> read_ply_text(std::string_view bytes, const PlyHeader& header, PlyBuilder& builder) {
+  return PlyTextReader(bytes, header, builder).read();
+}
+
+}  // namespace ryosen

@@ -1,0 +1,34 @@
+// STL, ascii and binary: triangles by the coordinates of their corners.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "core/io/mesh_file.h"
+
+namespace ryosen {
+
+// Reads an STL file. Corners at equal coordinates (-0 = 0) become one vertex, numbered in the order of the corners; an
+// info message tells how many there were. Whether a file is binary is told by its size, not by its first word. Solids
+// become groups when they have a name or there are several; attribute bytes of a binary file are kept as a property of
+// the faces unless all are zero, its head as a comment. Normals of facets are not kept; they follow from the corners. A
+// facet that lacks bytes at the end of a binary file, or has other than three corners in ascii, is a warning; a count
+// out of all proportion to the file, an unreadable number or an early end of an ascii file are errors. `path` is not
+// used. Cost: O(bytes), one pass.
+Result<MeshFile> read_stl(std::string_view bytes, const std::filesystem::path& path);
+
+// The bytes of an STL file in this encoding (binary when automatic). Faces of more than three corners are cut into
+// triangles, unless they were read from facets of so many.
+std::string write_stl(const MeshFile& file, Encoding encoding);
+
+// Whether a file of this size, which begins with `head` (at least 84 bytes), is as long as its count of facets says.
+bool is_whole_binary_stl(std::string_view head, std::uint64_t size);
+
+// What the head of a binary file says that has nothing else to say; read, it is no comment.
+inline constexpr std::string_view stl_plain_head = "binary STL";
+inline constexpr std::size_t stl_head_bytes = 80, stl_facet_bytes = 50;
+
+}  // namespace ryosen

@@ -1,0 +1,194 @@
+#include "core/io/stl_text.h"
+
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "core/io/numbers.h"
+#include "core/io/text_lines.h"
+#include "core/io/welder.h"
+
+namespace ryosen {
+namespace {
+
+// Words in any layout; only the name of a solid goes to the end of its line. Every step returns false after the first
+// failure.
+class StlTextReader {
+ public:
+  explicit StlTextReader(std::string_view bytes)
+      : lines_(bytes, false), faces_(file_.mesh), welder_(file_.mesh.positions, bytes.size() / 30) {}
+
+  Result<MeshFile> read() {
+    file_.encoding = Encoding::ascii;
+    while (next_word() && !is_stopped_) {
+      if (!read_solid()) return std::move(*failure_);
+    }
+    end_groups();
+    if (file_.mesh.face_count() == 0) {
+      reporter_.warn("no_faces", {}, [] { return Text{"The file has no facets.", "ファイルに面がありません。"}; });
+    }
+    return finish_stl(file_, faces_, reporter_);
+  }
+
+ private:
+  bool fail(std::string_view code, Text text, FilePlace place) {
+    failure_ = malformed(code, std::move(text), place);
+    return false;
+  }
+  FilePlace here() const { return lines_.place(word_.data()); }
+
+  // Goes on to the next word, over line ends.
+  bool next_word() {
+    TextLine line;
+    word_ = take_word(rest_);
+    while (word_.empty()) {
+      if (!lines_.next(line)) return false;
+      rest_ = line.text;
+      word_ = take_word(rest_);
+    }
+    return true;
+  }
+
+  bool ends_early(const char* where_en, const char* where_ja) {
+    return fail("unexpected_end",
+                {std::string("The file ends within ") + where_en + ".",
+                 std::string("ファイルが") + where_ja + "の途中で終わっています。"},
+                FilePlace::at_line(lines_.count() + 1));
+  }
+
+  bool unexpected(std::string_view wanted) {
+    return fail("unknown_keyword",
+                {shown(word_) + " stands where " + std::string(wanted) + " is meant.",
+                 std::string(wanted) + " があるべき所に " + shown(word_) + " があります。"},
+                here());
+  }
+
+  // The next word must be this one, inside a facet.
+  bool expect(std::string_view word) {
+    if (!next_word()) return ends_early("a facet", "面");
+    return is_stl_word(word_, word) || unexpected(word);
+  }
+
+  bool read_solid() {
+    if (!is_stl_word(word_, "solid")) {
+      if (solids_.empty()) return unexpected("solid");
+      reporter_.warn("extra_data", here(), [] {
+        return Text{"What follows the last solid is left out.", "最後の solid より後の内容を無視しました。"};
+      });
+      is_stopped_ = true;
+      return true;
+    }
+    solids_.emplace_back(trimmed(rest_));
+    rest_ = {};
+    while (next_word()) {
+      if (is_stl_word(word_, "endsolid")) {
+        rest_ = {};
+        return true;
+      }
+      if (!is_stl_word(word_, "facet")) return unexpected("facet");
+      if (!read_facet()) return false;
+    }
+    reporter_.warn("missing_endsolid", FilePlace::at_line(lines_.count() + 1), [] {
+      return Text{"The last solid has no endsolid.", "最後の solid に endsolid がありません。"};
+    });
+    return true;
+  }
+
+  bool read_number(double& value) {
+    if (!next_word()) return ends_early("a facet", "面");
+    switch (read_real(word_, value)) {
+      case NumberRead::finite:
+        return true;
+      case NumberRead::non_finite:
+        is_finite_ = false;
+        return true;
+      default:
+        return fail("unreadable_number", {shown(word_) + " is not a number.", shown(word_) + " は数として読めません。"},
+                    here());
+    }
+  }
+
+  bool read_facet() {
+    const std::uint64_t line = lines_.count();
+    double normal = 0;
+    if (!expect("normal")) return false;
+    for (int i = 0; i < 3; ++i) {
+      if (!read_number(normal)) return false;
+    }
+    if (!expect("outer") || !expect("loop")) return false;
+    std::size_t corners = 0;
+    while (true) {
+      if (!next_word()) return ends_early("a facet", "面");
+      if (is_stl_word(word_, "endloop")) break;
+      if (!is_stl_word(word_, "vertex")) return unexpected("vertex");
+      if (!read_vertex()) return false;
+      ++corners;
+    }
+    if (!expect("endfacet")) return false;
+    faces_.end_face(line);
+    file_.mesh.groups.index.push_back(static_cast<std::uint32_t>(solids_.size() - 1));
+    if (corners == 3) return true;
+    file_.has_free_facets = true;
+    if (corners < 3) return true;  // set aside, with a sentence
+    reporter_.warn("facet_many_corners", FilePlace::at_line(line), [&] {
+      const std::string count = std::to_string(corners);
+      return Text{"The facet has " + count + " corners; it is kept as one face.",
+                  "面の頂点が " + count + " 個あります。1 つの面として保持します。"};
+    });
+    return true;
+  }
+
+  bool read_vertex() {
+    const std::uint64_t line = lines_.count();
+    is_finite_ = true;
+    glm::dvec3 place;
+    for (int i = 0; i < 3; ++i) {
+      if (!read_number(place[i])) return false;
+    }
+    if (!is_finite_) {
+      reporter_.warn("nonfinite_number", FilePlace::at_line(line), [] {
+        return Text{"A coordinate of the facet is not finite.", "面の座標に有限でない数があります。"};
+      });
+    }
+    std::uint32_t number = 0;
+    welder_.number(&place, 1, &number);
+    faces_.add_corner(number);
+    return true;
+  }
+
+  // Solids are groups where that tells something.
+  void end_groups() {
+    FaceNames& groups = file_.mesh.groups;
+    if (solids_.size() == 1 && solids_[0].empty()) {
+      groups = {};
+    } else {
+      groups.names = std::move(solids_);
+    }
+  }
+
+  TextLines lines_;
+  MeshFile file_;
+  FaceList faces_;
+  Reporter reporter_;
+  Welder<double> welder_;
+  std::optional<Failure> failure_;
+  std::string_view rest_, word_;
+  std::vector<std::string> solids_;
+  bool is_finite_ = true;
+  bool is_stopped_ = false;
+};
+
+}  // namespace
+
+bool is_stl_word(std::string_view token, std::string_view word) {
+  if (token.size() != word.size()) return false;
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    const char c = token[i] >= 'A' && token[i] <= 'Z' ? static_cast<char>(token[i] - 'A' + 'a') : token[i];
+    if (c != word[i]) return false;
+  }
+  return true;
+}
+
+Result<MeshFile> read_stl_text(std::string_view bytes) { return StlTextReader(bytes).read(); }
+
+}  // namespace ryosen

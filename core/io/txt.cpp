@@ -1,0 +1,229 @@
+#include "core/io/txt.h"
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+
+#include "core/io/face_list.h"
+#include "core/io/numbers.h"
+#include "core/io/reporter.h"
+#include "core/io/text_lines.h"
+#include "core/io/text_out.h"
+#include "core/io/triangulated.h"
+
+namespace ryosen {
+namespace {
+
+// Every step returns false after the first failure.
+class TxtReader {
+ public:
+  explicit TxtReader(std::string_view bytes) : bytes_(bytes), lines_(bytes, false), faces_(file_.mesh) {}
+
+  Result<MeshFile> read() {
+    if (!read_counts() || !read_vertices() || !read_faces() || !check_base()) return std::move(*failure_);
+    count_extra_lines();
+    if (vertices_ == 0) warn("no_vertices", {"The file has no vertices.", "ファイルに頂点がありません。"});
+    if (face_count_ == 0) warn("no_faces", {"The file has no faces.", "ファイルに面がありません。"});
+    faces_.finish(reporter_);
+    file_.messages = reporter_.take();
+    return std::move(file_);
+  }
+
+ private:
+  bool fail(std::string_view code, Text text, FilePlace place) {
+    failure_ = malformed(code, std::move(text), place);
+    return false;
+  }
+  void warn(std::string_view code, const Text& text) {
+    reporter_.warn(code, {}, [&] { return text; });
+  }
+
+  bool next_line() {
+    TextLine line;
+    while (lines_.next(line)) {
+      rest_ = line.text;
+      if (rest_.find_first_not_of(" \t") != std::string_view::npos) return true;
+    }
+    return false;
+  }
+
+  bool ends_early(std::size_t there, std::size_t claimed, bool are_faces) {
+    const std::string found = std::to_string(there), all = std::to_string(claimed);
+    return fail("unexpected_end",
+                {"The file ends too early: it has " + found + " of " + all + (are_faces ? " faces." : " vertices."),
+                 "ファイルが途中で終わっています: " + std::string(are_faces ? "面 " : "頂点 ") + all + " 個のうち " +
+                     found + " 個しかありません。"},
+                FilePlace::at_line(lines_.count() + 1));
+  }
+
+  bool too_few(int wanted) {
+    return fail("missing_number",
+                {"The line has fewer than the " + std::to_string(wanted) + " numbers that are needed.",
+                 "この行には " + std::to_string(wanted) + " 個の数が必要です。"},
+                lines_.place(rest_.data()));
+  }
+
+  bool end_line(int wanted) {
+    const std::string_view word = take_word(rest_);
+    if (word.empty()) return true;
+    return fail("extra_values",
+                {"The line has more than the " + std::to_string(wanted) + " numbers that have a meaning.",
+                 "この行には意味のある " + std::to_string(wanted) + " 個より多くの数があります。"},
+                lines_.place(word.data()));
+  }
+
+  bool read_whole(int wanted, std::int64_t& value) {
+    const std::string_view word = take_word(rest_);
+    if (word.empty()) return too_few(wanted);
+    if (read_integer(word, value)) return true;
+    return fail("unreadable_index",
+                {shown(word) + " is not a whole number.", shown(word) + " は整数として読めません。"},
+                lines_.place(word.data()));
+  }
+
+  bool read_count(std::size_t& count) {
+    std::int64_t value = 0;
+    if (!read_whole(2, value)) return false;
+    if (value < 0) {
+      return fail("negative_count", {"A count is negative.", "個数が負です。"}, FilePlace::at_line(lines_.count()));
+    }
+    // The shortest line has three numbers of one digit.
+    constexpr std::size_t least_bytes = 6;
+    if (static_cast<std::uint64_t>(value) / 4 > bytes_.size() / least_bytes || value >= std::int64_t{no_index}) {
+      return fail("count_too_large",
+                  {"The count " + std::to_string(value) + " is more than a file of this size can hold.",
+                   "個数 " + std::to_string(value) + " は、このファイルの大きさに収まりません。"},
+                  FilePlace::at_line(lines_.count()));
+    }
+    count = static_cast<std::size_t>(value);
+    return true;
+  }
+
+  bool read_counts() {
+    next_line();
+    return read_count(vertices_) && read_count(face_count_) && end_line(2);
+  }
+
+  bool read_vertices() {
+    for (std::size_t v = 0; v < vertices_; ++v) {
+      if (!next_line()) return ends_early(v, vertices_, false);
+      glm::dvec3 p;
+      for (int i = 0; i < 3; ++i) {
+        if (!take_number(rest_, p[i]) && !read_unusual(p[i])) return false;
+      }
+      if (!end_line(3)) return false;
+      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+        reporter_.warn("nonfinite_number", FilePlace::at_line(lines_.count()), [] {
+          return Text{"A number of a vertex is not finite.", "頂点に有限でない数があります。"};
+        });
+      }
+      file_.mesh.positions.push_back(p);
+    }
+    return true;
+  }
+
+  bool read_unusual(double& value) {
+    const std::string_view word = take_word(rest_);
+    if (word.empty()) return too_few(3);
+    if (read_real(word, value) != NumberRead::unreadable) return true;
+    return fail("unreadable_number", {shown(word) + " is not a number.", shown(word) + " は数として読めません。"},
+                lines_.place(word.data()));
+  }
+
+  bool read_faces() {
+    for (std::size_t f = 0; f < face_count_; ++f) {
+      if (!next_line()) return ends_early(f, face_count_, true);
+      if (faces_.is_full(3)) {
+        return fail("too_many_elements",
+                    {"The file has more corners than fit in 32-bit numbers.",
+                     "面の頂点の総数が 32 ビットの番号に収まりません。"},
+                    FilePlace::at_line(lines_.count()));
+      }
+      bool has_zero = false;
+      for (int i = 0; i < 3; ++i) {
+        std::int64_t vertex = 0;
+        if (!take_number(rest_, vertex) && !read_whole(3, vertex)) return false;
+        has_zero = has_zero || vertex == 0;
+        is_within_zero_based_ = is_within_zero_based_ && vertex >= 0 && vertex < static_cast<std::int64_t>(vertices_);
+        faces_.add_corner(vertex == INT64_MIN ? vertex : vertex - 1);
+      }
+      if (!end_line(3)) return false;
+      if (has_zero && zero_faces_++ == 0) first_zero_line_ = lines_.count();
+      faces_.end_face(lines_.count());
+    }
+    return true;
+  }
+
+  // Several faces that name vertex 0 and none that names the last one: the list counts from 0.
+  bool check_base() {
+    const bool is_zero_based = is_within_zero_based_ && (zero_faces_ > 1 || (zero_faces_ == 1 && face_count_ == 1));
+    if (!is_zero_based) return true;
+    return fail("zero_based",
+                {"The faces name vertex 0 and never the last one: they count from 0, and this format counts from 1. "
+                 "Add 1 to every vertex.",
+                 "面が頂点 0 を参照し、最後の頂点を参照していません。番号が 0 から始まっているようです。この形式では 1 "
+                 "から数えるので、すべての番号に 1 を加えてください。"},
+                FilePlace::at_line(first_zero_line_));
+  }
+
+  void count_extra_lines() {
+    if (!next_line()) return;
+    const std::uint64_t first = lines_.count();
+    std::uint64_t count = 1;
+    while (next_line()) ++count;
+    reporter_.warn("extra_data", FilePlace::at_line(first), [&] {
+      const std::string number = std::to_string(count);
+      return Text{number + (count == 1 ? " line" : " lines") + " after the last announced face left out.",
+                  "宣言された最後の面より後の " + number + " 行を無視しました。"};
+    });
+  }
+
+  std::string_view bytes_;
+  TextLines lines_;
+  MeshFile file_;
+  FaceList faces_;
+  Reporter reporter_;
+  std::optional<Failure> failure_;
+  std::string_view rest_;
+  std::size_t vertices_ = 0, face_count_ = 0;
+  std::size_t zero_faces_ = 0;
+  std::uint64_t first_zero_line_ = 0;
+  bool is_within_zero_based_ = true;  // no vertex is beyond those that a list from 0 could name
+};
+
+}  // namespace
+
+Result<MeshFile> read_txt(std::string_view bytes, const std::filesystem::path&) {
+  if (const void* nul = bytes.empty() ? nullptr : std::memchr(bytes.data(), 0, bytes.size()))
+    return nul_byte_failure(static_cast<std::uint64_t>(static_cast<const char*>(nul) - bytes.data()));
+  return TxtReader(bytes).read();
+}
+
+std::string write_txt(const MeshFile& file) {
+  if (has_polygons(file.mesh)) return write_txt(triangulated(file));
+  const IndexedMesh& mesh = file.mesh;
+  const auto is_written = [](const QuarantinedFace& face) { return face.corners.size() == 3; };
+  const auto left_out = mesh.quarantine.size() - static_cast<std::size_t>(std::count_if(
+                                                     mesh.quarantine.begin(), mesh.quarantine.end(), is_written));
+  TextOut out(40 * mesh.positions.size() + 24 * mesh.face_count());
+  out << mesh.positions.size() << ' ' << mesh.face_count() - left_out << '\n';
+  for (const glm::dvec3& p : mesh.positions) out << p.x << ' ' << p.y << ' ' << p.z << '\n';
+  const auto write_face = [&](const auto& corners) {
+    for (int i = 0; i < 3; ++i) {
+      const auto corner = static_cast<std::int64_t>(corners[static_cast<std::size_t>(i)]);
+      out << (corner == INT64_MAX ? corner : corner + 1) << (i < 2 ? ' ' : '\n');
+    }
+  };
+  auto aside = mesh.quarantine.begin();
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    if (aside == mesh.quarantine.end() || aside->face != f) {
+      write_face(mesh.face(f));
+    } else {
+      if (is_written(*aside)) write_face(aside->corners);
+      ++aside;
+    }
+  }
+  return out.take();
+}
+
+}  // namespace ryosen

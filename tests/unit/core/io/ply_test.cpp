@@ -1,0 +1,295 @@
+#include "core/io/ply.h"
+
+#include <bit>
+#include <cstring>
+
+#include "tests/unit/core/io/io_helpers.h"
+
+namespace ryosen {
+namespace {
+
+using io_test::difference_after_round_trip;
+using io_test::find_message;
+using io_test::read_refused;
+using io_test::read_sound;
+using Corners = std::vector<std::uint32_t>;
+
+constexpr std::string_view ply_tetrahedron =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+    "element face 4\nproperty list uchar int vertex_indices\nend_header\n"
+    "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+
+// A file with a bit of everything, in ascii.
+constexpr std::string_view rich_ply =
+    "ply\nformat ascii 1.0\ncomment made by hand\ncomment # twice marked\nobj_info scanned 1999\n"
+    "element camera 1\nproperty float view\nproperty list uchar short tags\n"
+    "element vertex 5\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty double x\n"
+    "property double y\nproperty double z\nproperty float quality\nproperty list uchar int near\nproperty float nx\n"
+    "property float ny\nproperty float nz\nproperty float s\nproperty float t\nproperty uchar alpha\n"
+    "element face 3\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+    "property list uchar uint vertex_index\nproperty int label\n"
+    "element edge 2\nproperty int vertex1\nproperty int vertex2\nproperty float crease\n"
+    "end_header\n"
+    "1.5 2 -3 4\n"
+    "255 0 51 0.1 0 0 0.25 0 0 0 1 0 0 255\n"
+    "0 0 0 1 0 0 0.5 2 7 8 0 0 1 1 0 0\n"
+    "1 2 3 1 1 0 -1 1 -9 0 0 1 1 1 128\n"
+    "4 5 6 0 1 0 1e+30 0 0 0 1 0 1 255\n"
+    "7 8 9 9 9 9 3 0 1 0 0 0.5 0.5 255\n"
+    "255 0 0 4 0 1 2 3 -1\n"
+    "0 255 0 3 0 1 9 2147483647\n"
+    "0 0 255 2 0 1 0\n"
+    "0 1 0.5\n"
+    "4 2 1\n";
+
+std::string big_endian(float value) {
+  const auto bits = std::bit_cast<std::uint32_t>(value);
+  std::string out;
+  for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>(bits >> shift & 0xff);
+  return out;
+}
+
+TEST(PlyRead, FourFaces) {
+  const MeshFile file = read_sound("ply", ply_tetrahedron);
+  EXPECT_TRUE(file.messages.empty());
+  EXPECT_EQ(file.encoding, Encoding::ascii);
+  EXPECT_EQ(file.mesh.positions[3], glm::dvec3(0, 0, 1));
+  EXPECT_EQ(file.mesh.corners, (Corners{0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2}));
+  EXPECT_EQ(file.mesh.face_lines, (Corners{14, 15, 16, 17}));
+  EXPECT_EQ(bytes_of(file, *find_format("ply")), ply_tetrahedron);
+}
+
+TEST(PlyRead, EveryPropertyGoesWhereItBelongs) {
+  const MeshFile file = read_sound("ply", rich_ply);
+  const IndexedMesh& mesh = file.mesh;
+  EXPECT_EQ(file.head_comments, (std::vector<std::string>{"made by hand", "# twice marked"}));
+  EXPECT_EQ(file.properties.obj_info, std::vector<std::string>{"scanned 1999"});
+  EXPECT_EQ(mesh.positions[0], glm::dvec3(0.1, 0, 0));
+  EXPECT_EQ(mesh.vertex_colours[0], glm::dvec4(1, 0, 0.2, 1));
+  EXPECT_EQ(mesh.vertex_colours[2].w, 128 / 255.0);
+  EXPECT_EQ(mesh.colour_components, 4);
+  EXPECT_EQ(mesh.normals.pool[4], glm::dvec3(1, 0, 0));
+  EXPECT_EQ(mesh.texcoords.pool[1], glm::dvec3(1, 0, 0));
+  EXPECT_EQ(mesh.face_colours.values[1], glm::dvec4(0, 255, 0, 0));
+  EXPECT_EQ(mesh.face_colours.count, (std::vector<std::uint8_t>{3, 3, 3}));
+  ASSERT_EQ(mesh.quarantine.size(), 2u);
+  EXPECT_EQ(mesh.quarantine[0].code, "index_out_of_range");
+  EXPECT_EQ(mesh.quarantine[0].line, 42u);
+  EXPECT_EQ(mesh.quarantine[1].code, "face_too_few_corners");
+  ASSERT_EQ(file.properties.tables.size(), 4u);
+  const PropertyTable &camera = file.properties.tables[0], &edges = file.properties.tables[3];
+  EXPECT_EQ(camera.properties[0].real(0), 1.5);
+  EXPECT_EQ(camera.properties[1].integer(0), -3);
+  EXPECT_EQ(camera.properties[1].integer(1), 4);
+  EXPECT_EQ(edges.properties[1].integer(1), 2);
+  EXPECT_EQ(edges.properties[2].real(0), 0.5);
+  EXPECT_EQ(file.messages.size(), 2u) << "the faces that were set aside";
+}
+
+TEST(PlyWrite, GivesBackEverythingInEveryEncoding) {
+  const MeshFile file = read_sound("ply", rich_ply);
+  const Format& ply = *find_format("ply");
+  EXPECT_EQ(bytes_of(file, ply), rich_ply);
+  for (const FormatVariant& variant : ply.variants) {
+    SCOPED_TRACE(variant.id);
+    const MeshFile again = read_sound("ply", bytes_of(file, ply, variant.encoding));
+    EXPECT_EQ(again.encoding, variant.encoding);
+    EXPECT_EQ(io_test::difference(file, again), "");
+    EXPECT_EQ(difference_after_round_trip(again, "ply"), "");
+    EXPECT_EQ(io_test::loss_codes(file, variant.id), "");
+  }
+}
+
+TEST(PlyWrite, WidensATypeThatDoesNotHoldTheValues) {
+  MeshFile file = read_sound("ply", rich_ply);
+  const Format& ply = *find_format("ply");
+  file = read_sound("ply", bytes_of(file, ply, Encoding::binary_big));
+  file.mesh.vertex_colours[0] = glm::dvec4(0.123, 0, 0, 1);
+  file.mesh.face_colours.values[0].x = 0.5;
+  file.mesh.normals.pool[0].x = 0.1;
+  EXPECT_EQ(difference_after_round_trip(file, "ply"), "");
+  const std::string text = bytes_of(file, ply);
+  EXPECT_NE(text.find("property double red"), std::string::npos);
+  EXPECT_NE(text.find("property uchar green"), std::string::npos);
+  EXPECT_NE(text.find("property double nx"), std::string::npos);
+  EXPECT_NE(text.find("property float ny"), std::string::npos);
+}
+
+TEST(PlyWrite, LongFacesWidenTheLengthOfTheList) {
+  std::string text = "OFF\n300 1 0\n";
+  for (int i = 0; i < 300; ++i) text += std::to_string(i) + " " + std::to_string(i * i) + " 0\n";
+  text += "300";
+  for (int i = 0; i < 300; ++i) text += " " + std::to_string(i);
+  const MeshFile file = read_sound("off", text);
+  for (const FormatVariant& variant : find_format("ply")->variants) {
+    const MeshFile again = read_sound("ply", bytes_of(file, *find_format("ply"), variant.encoding));
+    EXPECT_EQ(again.mesh.corners, file.mesh.corners) << variant.id;
+  }
+}
+
+TEST(PlyRead, TextureCoordinatesOfCorners) {
+  const MeshFile file = read_sound(
+      "ply",
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 3\nproperty list uchar float texcoord\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n0 0 1\n6 0 0 1 0 0 1 3 0 1 2\n0 3 0 2 3\n6 .5 .5 1 0 0 1 3 0 3 7\n");
+  EXPECT_EQ(file.mesh.texcoords.pool.size(), 6u);
+  EXPECT_EQ(file.mesh.texcoords.components, 2);
+  EXPECT_EQ(file.mesh.texcoords.index, (Corners{0, 1, 2, no_index, no_index, no_index}));
+  EXPECT_EQ(file.mesh.quarantine[0].texcoords, (Corners{3, 4, 5}));
+  EXPECT_EQ(difference_after_round_trip(file, "ply"), "");
+  // Lists of another length are kept as they are.
+  const MeshFile odd = read_sound(
+      "ply",
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar float texcoord\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n2 0 0 3 0 1 2\n");
+  EXPECT_TRUE(odd.mesh.texcoords.pool.empty());
+  EXPECT_EQ(odd.properties.tables[1].properties[0].value_count(0), 2u);
+  EXPECT_EQ(difference_after_round_trip(odd, "ply"), "");
+}
+
+TEST(PlyRead, ValuesPerCornerOfOtherFormatsAreHeldOrNamed) {
+  const MeshFile file = read_sound("obj",
+                                   "# c\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 1\nvn 0 0 1\nvn 0 1 0\n"
+                                   "f 1/1/1 2/2/1 3/1/1\nf 2/1/2 4/1/2 3/2/2\n");
+  EXPECT_EQ(io_test::loss_codes(file, "ply"), "loses_normals");
+  const MeshFile again = read_sound("ply", bytes_of(file, *find_format("ply"), Encoding::ascii));
+  EXPECT_EQ(again.head_comments, std::vector<std::string>{"c"});
+  EXPECT_TRUE(io_test::same_values(io_test::by_corner(again.mesh.texcoords), io_test::by_corner(file.mesh.texcoords)));
+}
+
+TEST(PlyRead, BinaryOfEitherByteOrder) {
+  std::string text =
+      "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const std::size_t header = text.size();
+  for (const float value : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, std::numeric_limits<float>::infinity(), 0.f})
+    text += big_endian(value);
+  text += std::string("\3\0\0\0\0\0\0\0\1\0\0\0\2", 13);
+  const MeshFile file = read_sound("ply", text);
+  EXPECT_EQ(file.mesh.positions[1], glm::dvec3(1, 0, 0));
+  EXPECT_EQ(file.mesh.corners, (Corners{0, 1, 2}));
+  ASSERT_EQ(file.messages.size(), 1u);
+  EXPECT_EQ(file.messages[0].code, "nonfinite_number");
+  EXPECT_EQ(file.messages[0].byte, header + 28);
+  EXPECT_EQ(bytes_of(file, *find_format("ply")), text);
+
+  const MeshFile more = read_sound("ply", text + "ab");
+  EXPECT_EQ(find_message(more, "extra_data")->byte, text.size());
+  for (std::size_t cut = header; cut < text.size(); ++cut) {
+    const Failure failure = read_refused("ply", text.substr(0, cut));
+    EXPECT_EQ(failure.message.code, "unexpected_end") << cut;
+    EXPECT_EQ(failure.message.byte, cut);
+  }
+}
+
+TEST(PlyRead, IndicesThatCannotBe) {
+  std::string text =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 2\nproperty list uchar TYPE vertex_indices\nend_header\n";
+  const auto with_type = [&](std::string_view type) {
+    std::string out = text;
+    out.replace(out.find("TYPE"), 4, type);
+    return out + std::string("\3\xff\xff\xff\xff\0\0\0\0\1\0\0\0\0", 14);
+  };
+  EXPECT_EQ(read_sound("ply", with_type("int")).mesh.quarantine[0].corners, (std::vector<std::int64_t>{-1, 0, 1}));
+  const MeshFile file = read_sound("ply", with_type("uint"));
+  EXPECT_EQ(file.mesh.quarantine[0].corners, (std::vector<std::int64_t>{0xffffffff, 0, 1}));
+  EXPECT_EQ(find_message(file, "index_out_of_range")->face, 0u);
+  EXPECT_EQ(find_message(file, "face_too_few_corners")->face, 1u);
+  EXPECT_EQ(difference_after_round_trip(file, "ply"), "");
+}
+
+struct BadHeader {
+  const char *from, *to, *code;
+  std::uint64_t line;
+};
+
+TEST(PlyRead, HeadersThatCannotBe) {
+  const BadHeader cases[] = {
+      {"ply\n", "plyx\n", "not_ply", 1},
+      {"ascii", "asci", "unknown_encoding", 2},
+      {"1.0", "2.0", "unsupported_version", 2},
+      {"format ascii 1.0\n", "", "missing_format", 8},
+      {"vertex 4", "vertex four", "unreadable_number", 3},
+      {"vertex 4", "vertex -4", "negative_count", 3},
+      {"vertex 4", "vertex 2000000000", "count_too_large", 3},
+      {"vertex 4", "vertex 99999999999999999999", "count_too_large", 3},
+      {"element vertex 4", "element vertx 4", "missing_element", 9},
+      {"element face 4", "element vertex 4", "repeated_element", 7},
+      {"element vertex 4\n", "", "property_without_element", 3},
+      {"float x", "flout x", "unknown_type", 4},
+      {"float x", "list float int x", "unknown_type", 4},
+      {"float x", "list uchar int x", "missing_property", 3},
+      {"float x", "float", "missing_name", 4},
+      {"uchar int", "uchar float", "missing_property", 7},
+      {"vertex_indices", "indices", "missing_property", 7},
+      {"end_header\n", "", "unknown_keyword", 9},
+      {"end_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n", "", "unexpected_end", 9},
+  };
+  for (const BadHeader& bad : cases) {
+    std::string text(ply_tetrahedron);
+    text.replace(text.find(bad.from), std::strlen(bad.from), bad.to);
+    const Failure failure = read_refused("ply", text);
+    EXPECT_EQ(failure.message.code, bad.code) << text;
+    EXPECT_EQ(failure.message.line, bad.line) << text;
+    EXPECT_EQ(failure.exit_code, ExitCode::input_malformed);
+    EXPECT_FALSE(failure.message.text.ja.empty());
+  }
+}
+
+TEST(PlyRead, RowsThatCannotBe) {
+  const BadHeader cases[] = {
+      {"1 0 0\n", "1 0\n", "missing_number", 11},    {"1 0 0\n", "1 x 0\n", "unreadable_number", 11},
+      {"3 0 1 3", "3 0 1", "short_face", 15},        {"3 0 1 3", "3 0 1.5 3", "unreadable_index", 15},
+      {"3 0 1 3", "-3 0 1 3", "negative_count", 15}, {"3 0 3 2\n", "", "unexpected_end", 17},
+  };
+  for (const BadHeader& bad : cases) {
+    std::string text(ply_tetrahedron);
+    text.replace(text.find(bad.from), std::strlen(bad.from), bad.to);
+    const Failure failure = read_refused("ply", text);
+    EXPECT_EQ(failure.message.code, bad.code) << text;
+    EXPECT_EQ(failure.message.line, bad.line) << text;
+  }
+  std::string text(rich_ply);
+  text.replace(text.find("-3 4\n"), 5, "-3 40000\n");
+  EXPECT_EQ(read_refused("ply", text).message.code, "number_out_of_type");
+}
+
+TEST(PlyRead, RowsThatAreOdd) {
+  std::string text(ply_tetrahedron);
+  text.replace(text.find("1 0 0\n"), 6, "\n\t1 1e999 0 7\r\n");
+  const MeshFile file = read_sound("ply", text + "9 9\n\n8\n");
+  EXPECT_EQ(find_message(file, "nonfinite_number")->line, 12u);
+  EXPECT_EQ(find_message(file, "extra_values")->line, 12u);
+  EXPECT_EQ(find_message(file, "extra_data")->line, 19u);
+  EXPECT_EQ(file.mesh.corners.size(), 12u);
+}
+
+TEST(PlyRead, TheOtherByteOrderShowsByEveryFace) {
+  std::string text = bytes_of(read_sound("ply", ply_tetrahedron), *find_format("ply"), Encoding::binary_little);
+  const std::size_t first_face = text.find("end_header\n") + 11 + 48;
+  text.replace(text.find("little"), 6, "big");
+  const Failure failure = read_refused("ply", text);
+  EXPECT_EQ(failure.message.code, "wrong_byte_order");
+  EXPECT_EQ(failure.message.byte, first_face - 3);
+}
+
+TEST(PlyRead, PointsAndStrips) {
+  const std::string_view points =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 "
+      "3\n";
+  const MeshFile cloud = read_sound("ply", points);
+  EXPECT_NE(find_message(cloud, "no_faces"), nullptr);
+  EXPECT_EQ(bytes_of(cloud, *find_format("ply")), points);
+  std::string text(ply_tetrahedron);
+  text.replace(text.find("face 4"), 6, "tristrips 1");
+  text.replace(text.find("3 0 2 1"), std::string::npos, "5 0 1 2 -1 3\n");
+  const MeshFile strips = read_sound("ply", text);
+  EXPECT_EQ(find_message(strips, "tristrips_kept")->line, 14u);
+  EXPECT_EQ(bytes_of(strips, *find_format("ply")), text);
+}
+
+}  // namespace
+}  // namespace ryosen

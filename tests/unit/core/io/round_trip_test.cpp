@@ -1,0 +1,103 @@
+// Reading, saving and reading again, in every format and encoding, before and after edits.
+#include "core/build/from_indexed.h"
+#include "core/build/to_indexed.h"
+#include "core/mesh/names.h"
+#include "core/ops/collapse_edge.h"
+#include "core/ops/split_edge.h"
+#include "tests/unit/core/io/io_helpers.h"
+
+namespace ryosen {
+namespace {
+
+// A sheet of triangles with faces that cannot be used, one per cause, in between.
+constexpr std::string_view sheet_with_set_asides =
+    "v 0 0 0\nv 1 0 0\nv 2 0.1 0\nv 0 1 0\nv 1 1 0.3\nv 2 1 0\nv 0 2 0\nv 1 2 0\nv 2 2 0\n"
+    "f 1 2 5\nf 1 5 5\nf 1 5 4\nf 2 3 6\nf 2 6 99\nf 2 6 5\nf 4 5 8\nf 0 4 5\nf 4 8 7\nf 3 1\nf 5 6 9\nf 1 2 3 1\nf 5 "
+    "9 8\n";
+
+std::vector<WriteOptions> all_targets() {
+  std::vector<WriteOptions> targets;
+  for (const Format& format : formats()) {
+    if (format.variants.empty()) targets.push_back({&format, Encoding::automatic});
+    for (const FormatVariant& variant : format.variants) targets.push_back({&format, variant.encoding});
+  }
+  return targets;
+}
+
+std::vector<std::string> causes(const MeshFile& file) {
+  std::vector<std::string> out;
+  for (const QuarantinedFace& face : file.mesh.quarantine) out.push_back(std::string(face.code));
+  return out;
+}
+
+// What comes back from a file in this format.
+MeshFile through_file(const MeshFile& file, const WriteOptions& target) {
+  return io_test::read_sound(target.format->id, bytes_of(file, *target.format, target.encoding));
+}
+
+// The file with one edge collapsed and another one split.
+MeshFile edited(MeshFile file) {
+  const FileTables tables = file_tables(file.mesh);
+  Mesh mesh = from_indexed(std::move(file.mesh));
+  const std::uint32_t old_vertices = mesh.file_vertices();
+  Journal journal;
+  Edit edit(mesh, &journal);
+  const auto find = [&](const glm::dvec3& from, const glm::dvec3& to) {
+    for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
+      const Halfedge h(i);
+      if (mesh.is_alive(h) && mesh.position(mesh.from(h)) == from && mesh.position(mesh.to(h)) == to) return h;
+    }
+    return Halfedge();
+  };
+  const glm::dvec3 a(1, 2, 0), b(0, 2, 0), c(0, 0, 0), d(1, 0, 0);
+  const CollapseEdge collapse{find(a, b)};
+  EXPECT_TRUE(collapse.check(mesh).legal());
+  collapse.apply(edit);
+  const SplitEdge split{find(c, d)};
+  EXPECT_TRUE(split.check(mesh).legal());
+  split.apply(edit);
+  edit.commit();
+  CompactMesh compact = to_indexed(mesh, tables);
+  file.properties = renumbered(file.properties, compact.vertex_number, compact.face_number, old_vertices,
+                               compact.mesh.positions.size(), compact.mesh.face_count());
+  file.mesh = std::move(compact.mesh);
+  return file;
+}
+
+TEST(RoundTrip, EveryFormatGivesBackWhatItHolds) {
+  const MeshFile source = io_test::read_sound("obj", sheet_with_set_asides);
+  ASSERT_EQ(source.mesh.quarantine.size(), 5u);
+  for (const WriteOptions& target : all_targets()) {
+    SCOPED_TRACE(std::string(target.format->id) + " " + std::to_string(static_cast<int>(target.encoding)));
+    const MeshFile first = through_file(source, target);
+    EXPECT_EQ(io_test::difference(first, through_file(first, target)), "");
+    const bool holds_all = holds(target.format->holds(target.encoding), Holds::quarantine);
+    if (holds_all) {
+      EXPECT_EQ(causes(first), causes(source));
+      EXPECT_TRUE(io_test::same_bits(first.mesh.positions, source.mesh.positions));
+      EXPECT_EQ(first.mesh.corners, source.mesh.corners);
+    }
+    // The faces that are kept, and those that the losses do not count.
+    std::uint64_t lost = 0;
+    for (const Loss& loss : losses_of(source, *target.format, target.encoding))
+      lost += loss.kind->code == "loses_quarantined" ? loss.count : 0;
+    EXPECT_EQ(first.mesh.face_count() + lost, source.mesh.face_count());
+  }
+}
+
+TEST(RoundTrip, FacesThatWereSetAsideAreSetAsideForTheSameCauseAfterEdits) {
+  const MeshFile source = io_test::read_sound("obj", sheet_with_set_asides);
+  for (const WriteOptions& target : all_targets()) {
+    SCOPED_TRACE(std::string(target.format->id) + " " + std::to_string(static_cast<int>(target.encoding)));
+    const MeshFile before = through_file(source, target);
+    const MeshFile after = edited(before);
+    EXPECT_EQ(after.mesh.positions.size(), before.mesh.positions.size()) << "one less, one more";
+    const MeshFile again = through_file(after, target);
+    EXPECT_EQ(causes(again), causes(before));
+    EXPECT_EQ(again.mesh.face_count(), after.mesh.face_count());
+    EXPECT_EQ(io_test::difference(again, through_file(again, target)), "");
+  }
+}
+
+}  // namespace
+}  // namespace ryosen

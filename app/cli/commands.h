@@ -8,6 +8,7 @@ namespace ryosen::cli {
 ExitCode check_command(const Arguments& arguments, const Console& console);
 ExitCode why_command(const Arguments& arguments, const Console& console);
 ExitCode edit_command(const Arguments& arguments, const Console& console);
+ExitCode convert_command(const Arguments& arguments, const Console& console);
 ExitCode view_command(const Arguments& arguments, const Console& console);
 ExitCode repair_command(const Arguments& arguments, const Console& console);
 ExitCode shot_command(const Arguments& arguments, const Console& console);

@@ -23,10 +23,13 @@ void Console::note(const Text& message) const {
 
 void Console::show(const Message& message, std::string_view file) const {
   if (message.severity != Severity::error && quiet) return;
+  if (message.severity == Severity::info && !verbose) return;
   std::string line(file.empty() ? "ryosen" : file);
   if (message.line) line += ":" + std::to_string(*message.line);
   if (message.line && message.column) line += ":" + std::to_string(*message.column);
-  line += message.severity == Severity::error ? text(": error: ", "：エラー：") : text(": warning: ", "：警告：");
+  line += message.severity == Severity::error     ? text(": error: ", "：エラー：")
+          : message.severity == Severity::warning ? text(": warning: ", "：警告：")
+                                                  : text(": note: ", "：備考：");
   if (message.byte) line.append(text("byte ", "バイト位置 ")) += std::to_string(*message.byte) + ": ";
   if (message.face) line += "f" + std::to_string(*message.face) + ": ";
   std::fprintf(stderr, "%s%s\n", line.c_str(), text(message.text).c_str());

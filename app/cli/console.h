@@ -29,7 +29,7 @@ struct Console {
   // A line on stderr, unless quiet.
   void note(const Text& text) const;
   // A message about a file, or about the command line when `file` is empty. Errors are shown
-  // even when quiet.
+  // even when quiet, infos only when verbose.
   void show(const Message& message, std::string_view file = {}) const;
   // Shows the failure and, with JSON, prints the object that stands for a file without figures. Returns its exit code.
   ExitCode fail(const Failure& failure, std::optional<std::string_view> file = {}, std::string_view format = {}) const;

@@ -131,11 +131,11 @@ class EditRun {
   }
 
   void write() {
+    const std::vector<Message> losses = session_.document().losses(*files_.output);
     const Status status = session_.document().save(*files_.output);
     if (status) {
       written_ = *files_.output;
-      if (Text wires = unwritten_wires(session_.mesh()); !wires.en.empty())
-        console_.show({Severity::warning, "wires_not_written", std::move(wires), {}, {}, {}, {}}, *files_.output);
+      for (const Message& loss : losses) console_.show(loss, *files_.output);
       return;
     }
     code_ = status.failure().exit_code;

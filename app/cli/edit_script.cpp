@@ -1,31 +1,15 @@
 #include "app/cli/edit_script.h"
 
-#include <algorithm>
-#include <filesystem>
-
 #include "app/cli/console.h"
+#include "app/cli/outputs.h"
 #include "app/editor/commands.h"
 #include "app/editor/keys.h"
 #include "app/editor/words.h"
-#include "core/io/formats.h"
 #include "core/io/input_file.h"
 
 namespace ryosen::cli {
 
 namespace {
-
-bool is_same_file(const std::string& a, const std::string& b) {
-  std::error_code error;
-  return std::filesystem::equivalent(a, b, error);
-}
-
-std::optional<Failure> fault_of_output(const std::string& path) {
-  const Format* const format = format_of_extension(path);
-  if (format && format->write) return std::nullopt;
-  return usage_failure("unknown_format",
-                       {"The name " + path + " does not say in which format to write (see ryosen formats).",
-                        "ファイル名 " + path + " からは、書き出す形式が決まりません（ryosen formats を参照）。"});
-}
 
 // Follows what a script reads and writes.
 class FileUse {
@@ -47,15 +31,10 @@ class FileUse {
   }
 
   std::optional<Failure> write(const std::string& path) const {
-    const bool is_input = std::any_of(inputs_.begin(), inputs_.end(),
-                                      [&](const std::string& input) { return is_same_file(input, path); });
-    if (!is_input || files_.may_overwrite_input) return fault_of_output(path);
-    Failure failure;
-    failure.exit_code = ExitCode::output_not_writable;
-    failure.message.code = "input_would_be_replaced";
-    failure.message.text = {path + " is an input; --overwrite allows to replace it.",
-                            path + " は入力ファイルです。置き換えるには --overwrite を指定してください。"};
-    return failure;
+    if (!files_.may_overwrite_input) {
+      if (auto fault = fault_of_replacing(path, inputs_)) return fault;
+    }
+    return fault_of_output(path);
   }
 
  private:

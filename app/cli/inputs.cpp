@@ -28,7 +28,7 @@ void walk(const fs::path& folder, std::vector<Input>& found) {
     std::error_code ignored;
     if (entry.is_directory(ignored)) {
       if (!entry.is_symlink(ignored)) walk(entry.path(), found);
-    } else if (format_of_extension(entry.path())) {
+    } else if (may_be_mesh(entry.path())) {
       found.push_back({entry.path().generic_string(), {}});
     }
   }

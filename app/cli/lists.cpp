@@ -10,9 +10,12 @@ namespace ryosen::cli {
 ExitCode formats_command(const Arguments&, const Console& console) {
   Columns columns;
   for (const Format& format : formats()) {
+    std::vector<std::string_view> variants;
+    for (const FormatVariant& variant : format.variants) variants.push_back(variant.id);
     if (console.json) {
       console.print(line_of({{"format", format.id},
                              {"extensions", format.extensions},
+                             {"variants", variants},
                              {"read", format.read != nullptr},
                              {"write", format.write != nullptr},
                              {"en", format.name.en},
@@ -23,6 +26,7 @@ ExitCode formats_command(const Arguments&, const Console& console) {
     for (std::size_t i = 0; i < format.extensions.size(); ++i) text.append(i ? " " : "").append(format.extensions[i]);
     text.append(console.text("); read", "）読み込み"));
     if (format.write) text.append(console.text(", write", "・書き出し"));
+    for (const std::string_view variant : variants) text.append(variant == variants[0] ? ": " : " ").append(variant);
     columns.add(std::string(format.id), text);
   }
   if (!console.json) console.print(columns.text());

@@ -68,10 +68,14 @@ Outcome run_save(Session& session, Arguments, std::string_view whole) {
   const std::string named = file_name(whole);
   const std::filesystem::path target = named.empty() ? document.path() : std::filesystem::path(named);
   if (target.empty()) return usage_error("save needs a file name here", "保存先のファイル名を指定してください");
+  const std::vector<Message> losses = document.losses(target);
   const Status status = document.save(target);
   if (!status) return failed(status.failure());
   Outcome outcome = performed(named.empty() ? "save" : "save " + file_argument(named));
-  outcome.sentence = unwritten_wires(document.mesh());
+  for (const Message& loss : losses) {
+    outcome.sentence.en += (outcome.sentence.en.empty() ? "" : " ") + loss.text.en;
+    outcome.sentence.ja += loss.text.ja;
+  }
   return outcome;
 }
 

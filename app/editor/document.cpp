@@ -25,6 +25,12 @@ Text quarantine_dropped(std::size_t faces) {
                      "隔離された面を # 個捨てました。");
 }
 
+std::size_t count_wires(const Mesh& mesh) {
+  std::size_t wires = 0;
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) wires += mesh.is_alive(Edge(i)) && mesh.is_wire(Edge(i));
+  return wires;
+}
+
 std::uint64_t next_serial() {
   static std::atomic<std::uint64_t> last = 0;
   return ++last;
@@ -48,16 +54,6 @@ Text describe(const Mesh& mesh, const Reason& reason) {
   text.en += " (" + witnesses + ")";
   text.ja += "（" + witnesses + "）";
   return text;
-}
-
-Text unwritten_wires(const Mesh& mesh) {
-  std::size_t wires = 0;
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) wires += mesh.is_alive(Edge(i)) && mesh.is_wire(Edge(i));
-  if (wires == 0) return {};
-  const std::string n = std::to_string(wires);
-  return {n + (wires == 1 ? " edge without a face was" : " edges without a face were") +
-              " not written: files hold faces and points only",
-          "面を持たない稜線 " + n + " 本は書き出されていません。ファイルには面と点だけが入ります"};
 }
 
 Document::Document() : Document(MeshFile()) {}
@@ -207,8 +203,19 @@ MeshFile Document::contents() const {
   CompactMesh compact = to_indexed(mesh_, tables_);
   file.elements = renumbered(file_.elements, compact.vertex_number, compact.face_number, mesh_.file_vertices(),
                              compact.mesh.positions.size());
+  file.properties = renumbered(file_.properties, compact.vertex_number, compact.face_number, mesh_.file_vertices(),
+                               compact.mesh.positions.size(), compact.mesh.face_count());
+  file.wires = count_wires(mesh_);
   file.mesh = std::move(compact.mesh);
   return file;
+}
+
+std::vector<Message> Document::losses(const std::filesystem::path& path) const {
+  std::vector<Message> messages;
+  const Format* const format = format_of_extension(path.empty() ? path_ : path);
+  if (!format || !format->write) return messages;
+  for (const Loss& loss : losses_of(contents(), *format)) messages.push_back(loss.message(format->name));
+  return messages;
 }
 
 Status Document::save(const std::filesystem::path& path, const WriteOptions& options) {

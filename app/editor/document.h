@@ -40,9 +40,6 @@ struct HistoryEntry {
   std::string command;  // the script line that does the same
 };
 
-// What a file cannot hold of a mesh: edges without a face. Empty where there are none.
-Text unwritten_wires(const Mesh& mesh);
-
 class Document {
  public:
   // Empty, without a file.
@@ -86,6 +83,8 @@ class Document {
   bool is_modified() const { return saved_position_ != journal_.position(); }
   // The document as it would be written: all live elements and what belongs to the file.
   MeshFile contents() const;
+  // What a file of this name would lose of the document, one warning each; none where the name says no format.
+  std::vector<Message> losses(const std::filesystem::path& path) const;
   // An empty path means the file that was opened.
   Status save(const std::filesystem::path& path, const WriteOptions& options = {});
 

@@ -33,7 +33,9 @@ struct FileBrowser {
   std::vector<Entry> entries;  // folders first, by name
   std::string name;
   bool is_open = false;
-  std::filesystem::path replaces;  // an existing file that the next press of the button replaces
+  // What the next press of the button does all the same: replace this existing file, lose this in this file.
+  std::filesystem::path replaces, loses;
+  std::vector<Message> losses;
 };
 
 // What the forms panel measured when it was last asked, and of which state of which document.

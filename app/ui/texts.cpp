@@ -117,6 +117,7 @@ constexpr std::array<Row, static_cast<std::size_t>(UiText::count)> rows{{
     {T::file_name, "File name", "ファイル名"},
     {T::replace_question, "This file exists; save again to replace it.",
      "同じ名前のファイルがあります。もう一度保存すると置き換えます。"},
+    {T::loss_question, "Save again to write it all the same.", "それでも書き出すにはもう一度保存してください。"},
     {T::cancel, "Cancel", "取り消し"},
     {T::close, "Close", "閉じる"},
     {T::discard, "Discard", "破棄"},

@@ -102,6 +102,7 @@ enum class UiText {
   folder_up,
   file_name,
   replace_question,
+  loss_question,
   cancel,
   close,
   discard,

@@ -80,6 +80,21 @@ TEST(Uses, CheckUnknownFlag) {
   EXPECT_EQ(run.line()["status"], "error");
 }
 
+TEST(Uses, CheckTetrahedronOfFacets) {
+  const TemporaryFolder folder;
+  const auto facet = [](const std::string& a, const std::string& b, const std::string& c) {
+    return "facet normal 0 0 0\n outer loop\n  vertex " + a + "\n  vertex " + b + "\n  vertex " + c +
+           "\n endloop\nendfacet\n";
+  };
+  const std::string o = "0 0 0", minus = "-0 -0.0 0", x = "1 0 0", y = "0 1 0", z = "0 0 1";
+  folder.write("a.stl",
+               "solid\n" + facet(minus, y, x) + facet(o, x, z) + facet(x, y, z) + facet(o, z, y) + "endsolid\n");
+  const ProgramRun run = run_program({"check", "a.stl", "--json"}, folder.path());
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.line()["vertices"], 4);
+  EXPECT_EQ(run.line()["corners"], 12);
+}
+
 TEST(Uses, WhyCollapseOnTetrahedron) {
   const ProgramRun run = run_program({"why", asset("tetrahedron.off"), "--op", "collapse", "--all", "--json"});
   EXPECT_EQ(run.exit_code, 0);

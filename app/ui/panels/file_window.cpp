@@ -24,7 +24,7 @@ void read_folder(FileBrowser& browser) {
     const std::string name = entries->path().filename().string();
     if (name.starts_with('.')) continue;
     const bool is_folder = entries->is_directory(ignored);
-    if (is_folder || format_of_extension(entries->path())) browser.entries.push_back({name, is_folder});
+    if (is_folder || may_be_mesh(entries->path())) browser.entries.push_back({name, is_folder});
   }
   std::sort(browser.entries.begin(), browser.entries.end(),
             [](const auto& a, const auto& b) { return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name; });
@@ -35,6 +35,7 @@ void begin(PanelContext& context) {
   if (browser.is_open) return;
   browser.is_open = true;
   browser.replaces.clear();
+  browser.loses.clear();
   std::error_code ignored;
   const fs::path& path = context.session.document().path();
   browser.folder = path.empty() ? fs::current_path(ignored) : fs::absolute(path, ignored).parent_path();
@@ -69,16 +70,32 @@ bool draw_entries(PanelContext& context) {
   return chosen;
 }
 
+// What the file would not hold, which the next press accepts.
+void draw_losses(PanelContext& context) {
+  for (const Message& loss : context.state.browser.losses) {
+    ImGui::PushStyleColor(ImGuiCol_Text, context.colours().warning);
+    ImGui::TextWrapped("%s", loss.text.in(context.language()).c_str());
+    ImGui::PopStyleColor();
+  }
+  if (!context.state.browser.losses.empty())
+    ImGui::TextColored(context.colours().warning, "%s", context.text(UiText::loss_question));
+}
+
 void accept(PanelContext& context, bool saves) {
   FileBrowser& browser = context.state.browser;
   const fs::path path = browser.folder / browser.name;
   if (browser.name.empty()) return;
   if (!saves) return context.leave({false, path});
   std::error_code ignored;
-  if (fs::exists(path, ignored) && path != browser.replaces) {
-    browser.replaces = path;
-    return;
+  const bool replaces = fs::exists(path, ignored) && path != browser.replaces;
+  if (replaces) browser.replaces = path;
+  bool loses = false;
+  if (path != browser.loses) {
+    browser.losses = context.session.document().losses(path);
+    loses = !browser.losses.empty();
+    browser.loses = path;
   }
+  if (replaces || loses) return;
   if (context.run("save " + file_argument(path.string())).done()) context.session.open_panel.clear();
 }
 
@@ -95,7 +112,9 @@ void draw_file_window(PanelContext& context) {
     if (ImGui::Button(context.text(UiText::folder_up))) enter(browser, browser.folder.parent_path());
     ImGui::SameLine();
     ImGui::TextColored(context.colours().dim, "%s", browser.folder.c_str());
-    const float below = 2 * ImGui::GetFrameHeightWithSpacing();
+    const bool shows_losses = saves && browser.loses == browser.folder / browser.name && !browser.losses.empty();
+    const float rows = 2.0f + (shows_losses ? 1.0f + 1.5f * static_cast<float>(browser.losses.size()) : 0.0f);
+    const float below = std::min(rows, 10.0f) * ImGui::GetFrameHeightWithSpacing();
     ImGui::BeginChild("entries", {0, -below}, true);
     bool accepted = draw_entries(context);
     ImGui::EndChild();
@@ -109,6 +128,7 @@ void draw_file_window(PanelContext& context) {
       ImGui::SameLine();
       ImGui::TextColored(context.colours().warning, "%s", context.text(UiText::replace_question));
     }
+    if (saves && browser.loses == browser.folder / browser.name) draw_losses(context);
     end_over();
     if (accepted) accept(context, saves);
     if (cancelled) context.run("panel none");

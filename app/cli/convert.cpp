@@ -1,0 +1,120 @@
+// `convert`: writes a mesh in another format, after saying what that format cannot hold.
+#include "app/cli/commands.h"
+#include "app/cli/did_you_mean.h"
+#include "app/cli/json.h"
+#include "app/cli/outputs.h"
+#include "core/io/formats.h"
+#include "core/io/triangulated.h"
+
+namespace ryosen::cli {
+
+namespace {
+
+Result<WriteOptions> find_wanted(const Arguments& arguments, const std::string& output) {
+  const std::string* const id = arguments.value("--format");
+  if (!id) {
+    if (auto fault = fault_of_output(output)) return std::move(*fault);
+    return WriteOptions{format_of_extension(output)};
+  }
+  const std::optional<WriteOptions> target = find_target(*id);
+  if (target && target->format->write) return *target;
+  std::vector<std::string> known;
+  for (const Format& format : formats()) {
+    if (!format.write) continue;
+    known.emplace_back(format.id);
+    for (const FormatVariant& variant : format.variants) known.emplace_back(variant.id);
+  }
+  const Text hint = did_you_mean(*id, known);
+  return usage_failure("bad_value",
+                       {"--format: '" + *id + "' is not a format (see ryosen formats)." + hint.en,
+                        "--format：「" + *id + "」という形式はありません（ryosen formats を参照）。" + hint.ja});
+}
+
+class Conversion {
+ public:
+  Conversion(std::string input, std::string output, WriteOptions target, const Console& console)
+      : input_(std::move(input)), output_(std::move(output)), target_(target), console_(console) {}
+
+  ExitCode run(bool is_strict, bool triangulates) {
+    Result<MeshFile> file = read_mesh_file(input_);
+    if (!file) return console_.fail(file.failure(), input_);
+    for (const Message& message : file->messages) console_.show(message, input_);
+    messages_ = file->messages;
+    if (triangulates && has_polygons(file->mesh)) *file = triangulated(*file);
+    losses_ = losses_of(*file, *target_.format, target_.encoding);
+    for (const Loss& loss : losses_) console_.show(loss.message(target_.format->name), output_);
+    ExitCode code = ExitCode::done;
+    if (is_strict && !losses_.empty()) {
+      code = refuse();
+    } else if (const Status status = write_mesh_file(output_, *file, target_); !status) {
+      code = status.failure().exit_code;
+      add(status.failure().message);
+    }
+    report(*file, code);
+    return code;
+  }
+
+ private:
+  void add(const Message& message) {
+    messages_.push_back(message);
+    console_.show(message, output_);
+  }
+
+  ExitCode refuse() {
+    Message message;
+    message.code = "refused";
+    message.text = {"Nothing was written: the format cannot hold all of the mesh, and --strict does not allow a loss.",
+                    "何も書き出していません。この形式ではメッシュのすべてを保持できず、--strict "
+                    "は損失を許しません。"};
+    add(message);
+    return ExitCode::refused;
+  }
+
+  void report(const MeshFile& file, ExitCode code) const {
+    const bool is_written = code == ExitCode::done;
+    if (!console_.json) {
+      console_.print(is_written ? console_.text(Text{"written: ", "書き出し："}) + output_ + "\n"
+                                : std::string(console_.text("nothing written\n", "書き出しなし\n")));
+      return;
+    }
+    Json json;
+    json["file"] = input_;
+    json["output"] = is_written ? Json(output_) : Json();
+    json["from"] = file.format->id;
+    json["format"] = target_.format->id;
+    json["status"] = !is_written ? "error" : losses_.empty() ? "ok" : "warnings";
+    json["vertices"] = file.mesh.positions.size();
+    json["faces"] = file.mesh.face_count();
+    json["losses"] = Json::array();
+    for (const Loss& loss : losses_) {
+      const Message message = loss.message(target_.format->name);
+      json["losses"].push_back(
+          {{"code", message.code}, {"count", loss.count}, {"en", message.text.en}, {"ja", message.text.ja}});
+    }
+    json["messages"] = to_json(messages_);
+    console_.print(line_of(json));
+  }
+
+  std::string input_, output_;
+  WriteOptions target_;
+  const Console& console_;
+  std::vector<Loss> losses_;
+  std::vector<Message> messages_;
+};
+
+}  // namespace
+
+ExitCode convert_command(const Arguments& arguments, const Console& console) {
+  const std::string& input = arguments.operands()[0];
+  const std::string* const output = arguments.value("-o");
+  if (!output)
+    return console.fail(usage_failure("usage", {"convert needs -o OUT.", "convert には -o OUT が必要です。"}));
+  const Result<WriteOptions> target = find_wanted(arguments, *output);
+  if (!target) return console.fail(target.failure());
+  const bool may_replace = arguments.has("--overwrite");
+  if (auto fault = may_replace ? std::nullopt : fault_of_replacing(*output, {input}))
+    return console.fail(*fault, input);
+  return Conversion(input, *output, *target, console).run(arguments.has("--strict"), arguments.has("--triangulate"));
+}
+
+}  // namespace ryosen::cli

@@ -1,0 +1,137 @@
+// `convert`: formats, losses, refusals.
+#include <gtest/gtest.h>
+
+#include "tests/support/app/program.h"
+
+namespace ryosen::test {
+namespace {
+
+constexpr const char* quads =
+    "# two quads\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0.1\nv 2 1 0\ng left\nf 1 2 3 4\ng right\nf 2 5 6 3\n";
+
+Json loss(const Json& report, const std::string& code) {
+  for (const Json& entry : report["losses"])
+    if (entry["code"] == code) return entry;
+  return {};
+}
+
+TEST(Convert, WritesTheFormatOfTheName) {
+  const TemporaryFolder folder;
+  folder.write("a.obj", quads);
+  for (const char* name : {"b.off", "b.ply", "b.stl", "b.txt", "b.obj"}) {
+    const ProgramRun run = run_program({"convert", "a.obj", "-o", name, "--json"}, folder.path());
+    EXPECT_EQ(run.exit_code, 0) << name << run.err;
+    const Json report = run.line();
+    EXPECT_EQ(report["output"], name);
+    EXPECT_EQ(report["from"], "obj");
+    EXPECT_EQ(report["vertices"], 6);
+    const Json check = run_program({"check", folder.at(name), "--json"}).line();
+    EXPECT_EQ(check["vertices"], 6) << name;
+    EXPECT_EQ(check["quads"], name == std::string("b.stl") || name == std::string("b.txt") ? 0 : 2) << name;
+    EXPECT_EQ(check["format"], std::string(name).substr(2));
+  }
+}
+
+TEST(Convert, NamesWhatIsLostWithCounts) {
+  const TemporaryFolder folder;
+  folder.write("a.obj", quads);
+  const ProgramRun run = run_program({"convert", "a.obj", "-o", "b.stl", "--json"}, folder.path());
+  const Json report = run.line();
+  EXPECT_EQ(report["status"], "warnings");
+  EXPECT_EQ(report["losses"].size(), 3u);
+  EXPECT_EQ(loss(report, "loses_polygons")["count"], 2);
+  EXPECT_EQ(loss(report, "loses_precision")["count"], 1);
+  EXPECT_EQ(loss(report, "loses_groups")["count"], 2);
+  EXPECT_NE(run.err.find("b.stl: warning: STL"), std::string::npos) << run.err;
+  const ProgramRun japanese = run_program({"convert", "a.obj", "-o", "c.stl", "--lang", "ja"}, folder.path());
+  EXPECT_NE(japanese.err.find("保持できません"), std::string::npos) << japanese.err;
+  EXPECT_NE(japanese.out.find("c.stl"), std::string::npos);
+}
+
+TEST(Convert, StrictRefusesAndWritesNothing) {
+  const TemporaryFolder folder;
+  folder.write("a.obj", quads);
+  const ProgramRun run = run_program({"convert", "a.obj", "-o", "b.stl", "--strict", "--json"}, folder.path());
+  EXPECT_EQ(run.exit_code, 6);
+  EXPECT_EQ(run.line()["status"], "error");
+  EXPECT_TRUE(run.line()["output"].is_null());
+  EXPECT_EQ(run.line()["losses"].size(), 3u);
+  EXPECT_FALSE(folder.has("b.stl"));
+  EXPECT_EQ(run_program({"convert", "a.obj", "-o", "b.ply", "--strict"}, folder.path()).exit_code, 6) << "groups";
+  EXPECT_EQ(run_program({"convert", "a.obj", "-o", "b.obj", "--strict"}, folder.path()).exit_code, 0);
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.obj", "b.obj"}));
+}
+
+TEST(Convert, FormatsAndTriangles) {
+  const TemporaryFolder folder;
+  folder.write("a.obj", quads);
+  const ProgramRun text = run_program(
+      {"convert", "a.obj", "-o", "b.any", "--format", "stl-ascii", "--triangulate", "--json"}, folder.path());
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_EQ(text.line()["faces"], 4);
+  EXPECT_EQ(loss(text.line(), "loses_polygons"), Json());
+  EXPECT_EQ(read_file(folder.at("b.any")).substr(0, 11), "solid left\n");
+  run_program({"convert", "a.obj", "-o", "b.ply", "--format", "ply-big"}, folder.path());
+  EXPECT_NE(read_file(folder.at("b.ply")).find("format binary_big_endian 1.0\n"), std::string::npos);
+  run_program({"convert", "b.ply", "-o", "c.ply", "--format", "ply-ascii"}, folder.path());
+  EXPECT_NE(read_file(folder.at("c.ply")).find("\n4 1 4 5 2\n"), std::string::npos) << read_file(folder.at("c.ply"));
+  EXPECT_NE(read_file(folder.at("c.ply")).find("\n2 0 0.1\n"), std::string::npos) << "to the last bit";
+}
+
+TEST(Convert, FacesThatWereSetAsideAndPointsAtOnePlace) {
+  const TemporaryFolder folder;
+  folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\nf 4 5 6\nf 1 2 9\n");
+  const Json report = run_program({"convert", "a.obj", "-o", "b.stl", "--json"}, folder.path()).line();
+  EXPECT_EQ(loss(report, "loses_quarantined")["count"], 1);
+  EXPECT_EQ(loss(report, "loses_topology")["count"], 2);
+  const ProgramRun ply = run_program({"convert", "a.obj", "-o", "b.ply", "--strict", "--json"}, folder.path());
+  EXPECT_EQ(ply.exit_code, 0) << ply.err;
+  EXPECT_EQ(run_program({"check", folder.at("b.ply"), "--json"}).line()["quarantined"], 1);
+}
+
+TEST(Convert, WhatCannotBeDone) {
+  const TemporaryFolder folder;
+  folder.write("a.obj", quads);
+  EXPECT_EQ(run_program({"convert", "a.obj"}, folder.path()).exit_code, 2);
+  EXPECT_EQ(run_program({"convert", "a.obj", "-o", "b"}, folder.path()).exit_code, 2);
+  const ProgramRun misspelt = run_program({"convert", "a.obj", "-o", "b.stl", "--format", "slt"}, folder.path());
+  EXPECT_EQ(misspelt.exit_code, 2);
+  EXPECT_NE(misspelt.err.find("'stl'"), std::string::npos) << misspelt.err;
+  EXPECT_EQ(run_program({"convert", "no.obj", "-o", "b.stl"}, folder.path()).exit_code, 3);
+  EXPECT_EQ(run_program({"convert", asset("obj_16_text_coord.obj"), "-o", "b.stl"}, folder.path()).exit_code, 4);
+  EXPECT_EQ(run_program({"convert", "a.obj", "-o", "a.obj"}, folder.path()).exit_code, 5);
+  EXPECT_EQ(run_program({"convert", "a.obj", "-o", "no/b.off"}, folder.path()).exit_code, 5);
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"a.obj"});
+  EXPECT_EQ(run_program({"convert", "a.obj", "-o", "a.obj", "--overwrite"}, folder.path()).exit_code, 0);
+}
+
+TEST(Convert, AWrongNameIsSaid) {
+  const TemporaryFolder folder;
+  folder.copy(asset("tetrahedron.off"), "a.obj");
+  const ProgramRun run = run_program({"convert", "a.obj", "-o", "b.ply", "--json"}, folder.path());
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.line()["from"], "off");
+  EXPECT_EQ(run.line()["messages"][0]["code"], "content_mismatch");
+}
+
+TEST(Convert, EditedFilesKeepWhatBelongsToThem) {
+  const TemporaryFolder folder;
+  folder.write("a.ply",
+               "ply\nformat ascii 1.0\ncomment kept\nelement vertex 5\nproperty float x\nproperty float y\n"
+               "property float z\nproperty int id\nelement face 3\nproperty list uchar int vertex_indices\n"
+               "property int label\nelement edge 2\nproperty int vertex1\nproperty int vertex2\nend_header\n"
+               "0 0 0 10\n1 0 0 11\n1 1 0 12\n0 1 0 13\n9 9 9 14\n3 0 1 2 20\n3 0 2 7 21\n3 0 2 3 22\n0 1\n2 4\n");
+  const ProgramRun run = run_program({"edit", "a.ply", "--do", "split 0-2; delete v4", "-o", "b.ply"}, folder.path());
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const std::string text = read_file(folder.at("b.ply"));
+  EXPECT_NE(text.find("comment kept\nelement vertex 5\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("0 1 0 13\n0.5 0.5 0 0\n"), std::string::npos) << "a new vertex gets zeros" << text;
+  EXPECT_NE(text.find(" 7 21\n"), std::string::npos) << "the face that was set aside stays" << text;
+  EXPECT_EQ(text.substr(text.size() - 4), "0 1\n") << "the edge of the vertex that is gone goes" << text;
+  const Json report = run_program({"check", folder.at("b.ply"), "--json"}).line();
+  EXPECT_EQ(report["quarantined"], 1);
+  EXPECT_EQ(report["faces"], 5);
+}
+
+}  // namespace
+}  // namespace ryosen::test

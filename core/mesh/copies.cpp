@@ -29,6 +29,44 @@ std::vector<Halfedge> sheets_between(const Mesh& mesh, Vertex a, Vertex b) {
   return sheets;
 }
 
+namespace {
+
+// The halfedges that leave the copies of a point, one after another.
+class StarWalk {
+ public:
+  StarWalk(const Mesh& mesh, Vertex v) : mesh_(mesh), first_(v), copy_(v), at_(mesh.halfedge(v)) { skip_isolated(); }
+
+  bool at_end() const { return at_.is_none(); }
+  Vertex neighbour() const { return mesh_.to(at_); }
+  void step() {
+    at_ = mesh_.counter_clockwise(at_);
+    if (at_ == mesh_.halfedge(copy_)) to_next_copy();
+  }
+
+ private:
+  void to_next_copy() {
+    copy_ = mesh_.next_copy(copy_);
+    at_ = copy_ == first_ ? Halfedge() : mesh_.halfedge(copy_);
+    if (copy_ != first_) skip_isolated();
+  }
+  void skip_isolated() {
+    if (at_.is_none()) to_next_copy();
+  }
+
+  const Mesh& mesh_;
+  Vertex first_, copy_;
+  Halfedge at_;
+};
+
+}  // namespace
+
+bool are_joined(const Mesh& mesh, Vertex a, Vertex b) {
+  StarWalk from_a(mesh, a), from_b(mesh, b);
+  for (; !from_a.at_end() && !from_b.at_end(); from_a.step(), from_b.step())
+    if (same_point(mesh, from_a.neighbour(), b) || same_point(mesh, from_b.neighbour(), a)) return true;
+  return false;
+}
+
 PointEdge point_edge(const Mesh& mesh, Halfedge h) {
   PointEdge result;
   const auto count = [&](Halfedge sheet) {

@@ -35,6 +35,8 @@ void for_each_copy(const Mesh& mesh, Vertex v, Visit visit) {
 
 // The outgoing halfedges of all copies of a to copies of b, those along a face and those outside: one per edge.
 std::vector<Halfedge> sheets_between(const Mesh& mesh, Vertex a, Vertex b);
+// Whether there are any. Cost: twice the smaller star, so it is cheap at a hub.
+bool are_joined(const Mesh& mesh, Vertex a, Vertex b);
 
 // What runs between the two points of an edge, over all sheets.
 struct PointEdge {

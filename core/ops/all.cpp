@@ -36,6 +36,11 @@ const std::vector<OpInfo>& all_ops() {
   return ops;
 }
 
+void add_ids(const OpInfo& info, std::vector<std::string>& ids) {
+  ids.emplace_back(info.id);
+  for (std::string_view alias : split_words(info.aliases)) ids.emplace_back(alias);
+}
+
 const OpInfo* find_op(std::string_view id) {
   for (const OpInfo& info : all_ops())
     if (is_called(info, id)) return &info;

@@ -50,6 +50,8 @@ using AnyOp = std::variant<CollapseEdge, SwapEdge, SplitEdge, Orient,
 
 // One row per operator, in the order above.
 const std::vector<OpInfo>& all_ops();
+// The id and the aliases of an operator, for "did you mean".
+void add_ids(const OpInfo& info, std::vector<std::string>& ids);
 // By id or by one of its aliases.
 const OpInfo* find_op(std::string_view id);
 

@@ -42,10 +42,16 @@ class CollapseJudge {
   }
   bool is_dropped(Halfedge corner) const { return is_at_edge(m_.face(corner)) && is_plain_triangle(corner); }
 
-  // Two fans would meet at one vertex, or an edge that stands alone would leave a free vertex.
+  bool has_fans_on_point(Vertex v) const {
+    bool found = false;
+    for_each_copy(m_, v, [&](Vertex copy) { found |= count_fans(m_, copy) > 0; });
+    return found;
+  }
+
+  // Two fans would meet at one point, or an edge that stands alone would leave a free vertex.
   void check_wire() {
     if (!m_.is_wire(edge(h_))) return;
-    if (count_fans(m_, gone_) > 0 && count_fans(m_, kept_) > 0) verdict_.refuse(Rule::joins_fans, {gone_, kept_});
+    if (count_fans(m_, gone_) > 0 && has_fans_on_point(kept_)) verdict_.refuse(Rule::joins_fans, {gone_, kept_});
     if (m_.next(h_) == twin(h_) && m_.prev(h_) == twin(h_)) verdict_.refuse(Rule::lone_edge, {edge(h_)});
   }
 
@@ -132,25 +138,16 @@ class CollapseJudge {
     }
   }
 
-  std::uint32_t corners_after(Face f) const { return corner_count(m_, f) - is_at_edge(f); }
-
-  // The points of a face as they will be, sorted.
-  std::vector<Vertex> points_after(Face f) const {
-    std::vector<Vertex> points;
-    for (Vertex v : vertices_around(m_, f)) points.push_back(point(m_, v == gone_ ? kept_ : v));
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    return points;
+  // The points of a face, and as they will be.
+  std::vector<std::uint32_t> points_after(Face f) const {
+    std::vector<std::uint32_t> points;
+    for (Vertex v : vertices_around(m_, f)) points.push_back(point(m_, v == gone_ ? kept_ : v).index);
+    return point_set(points);
   }
-  std::vector<Vertex> points_before(Face f) const {
-    std::vector<Vertex> points;
-    for (Vertex v : vertices_around(m_, f)) points.push_back(point(m_, v));
-    std::sort(points.begin(), points.end());
-    return points;
-  }
+  std::vector<std::uint32_t> points_before(Face f) const { return point_set(loops_of(m_, f).corners); }
 
   // A number that faces on equal points after the collapse have in common, made without sorting them. No face but
-  // those at the edge holds both ends by now.
+  // those at the edge holds both ends by now. Of the corners of a vertex with bridges only one begins no bridge.
   std::uint64_t key_after(Face f) const {
     const auto mixed = [](Vertex p) {
       std::uint64_t x = (p.index + 1) * 0x9e3779b97f4a7c15ull;
@@ -158,7 +155,9 @@ class CollapseJudge {
       return x ^ (x >> 32);
     };
     std::uint64_t key = 0;
-    for (Vertex v : vertices_around(m_, f)) {
+    for (Halfedge corner : halfedges_around(m_, f)) {
+      if (is_bridge(m_, corner)) continue;
+      const Vertex v = m_.from(corner);
       ++key;
       if (v != gone_)
         key += mixed(point(m_, v));
@@ -171,7 +170,7 @@ class CollapseJudge {
   }
 
   // Compares each face of the vertex that goes with those of the other point, of which only the ones with its key can
-  // coincide with it.
+  // coincide with it. A face with bridges is met once.
   void check_duplicates() {
     struct Candidate {
       std::uint64_t key;
@@ -182,12 +181,12 @@ class CollapseJudge {
     std::vector<Candidate> candidates;
     for_each_copy(m_, kept_, [&](Vertex copy) {
       for (Halfedge k : outgoing(m_, copy))
-        if (!m_.is_outside(k) && !is_dropped(k))
+        if (!m_.is_outside(k) && !is_bridge(m_, k) && !is_dropped(k))
           candidates.push_back({key_after(m_.face(k)), candidates.size(), m_.face(k)});
     });
     std::sort(candidates.begin(), candidates.end());
     for (Halfedge g : outgoing(m_, gone_)) {
-      if (m_.is_outside(g) || is_dropped(g)) continue;
+      if (m_.is_outside(g) || is_bridge(m_, g) || is_dropped(g)) continue;
       const Candidate first{key_after(m_.face(g)), 0, Face()};
       for (auto c = std::lower_bound(candidates.begin(), candidates.end(), first);
            c != candidates.end() && c->key == first.key; ++c)
@@ -196,7 +195,7 @@ class CollapseJudge {
   }
 
   void compare(Face f, Face g) {
-    if (f == g || corners_after(f) != corners_after(g)) return;
+    if (f == g) return;
     if (is_at_edge(f) && is_at_edge(g) && f < g) return;  // met twice
     if (points_after(f) == points_after(g) && points_before(f) != points_before(g))
       verdict_.refuse(Rule::duplicate_face, {std::min(f, g), std::max(f, g)});

@@ -119,8 +119,8 @@ Extrude Extrude::at(const Mesh&, const OpTarget& target) { return {target.face};
 
 std::string Extrude::command(const Mesh& mesh) const {
   std::string text = "extrude " + name_of(mesh, face);
+  if (offset) return text + " " + format_place(*offset);
   if (distance) text += " " + format_double(*distance);
-  if (offset) text += " " + format_place(*offset);
   return text;
 }
 

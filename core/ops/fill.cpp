@@ -34,7 +34,8 @@ Parsed<Fill> Fill::parse(const Mesh& mesh, std::span<const std::string_view> arg
 }
 
 Fill Fill::at(const Mesh& mesh, const OpTarget& target) {
-  return {mesh.is_outside(target.halfedge) ? target.halfedge : twin(target.halfedge)};
+  const Halfedge h = target.halfedge;
+  return {is_there(mesh, h) && !mesh.is_outside(h) ? twin(h) : h};
 }
 
 std::string Fill::command(const Mesh& mesh) const { return "fill " + name_of(mesh, halfedge); }

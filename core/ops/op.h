@@ -8,6 +8,7 @@
 //   Verdict check(const Mesh&) const;                      every broken rule, pure
 //   std::vector<Reason> warnings(const Mesh&) const;       geometric rules; only asked when the check is legal
 //   OpEffect apply(Edit&) const;                           the check must be legal
+// at, command and check take elements that are none, deleted or unknown to the mesh too, as an undo may leave them.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -67,19 +68,25 @@ struct OpEffect {
   std::vector<Face> changed;
 };
 
-// Refuses what is spoken of when it is none, was never there or has been deleted.
+// Whether an element is one, has been there and has not been deleted.
+template <class Handle>
+bool is_there(const Mesh& mesh, Handle element) {
+  return element && mesh.exists(element) && mesh.is_alive(element);
+}
+
+// Refuses what is spoken of when it is not there.
 inline bool is_gone(const Mesh& mesh, Vertex v, Verdict& verdict) {
-  if (v && mesh.exists(v) && mesh.is_alive(v)) return false;
+  if (is_there(mesh, v)) return false;
   verdict.refuse(Rule::deleted, {v});
   return true;
 }
 inline bool is_gone(const Mesh& mesh, Halfedge h, Verdict& verdict) {
-  if (h && mesh.exists(h) && mesh.is_alive(h)) return false;
+  if (is_there(mesh, h)) return false;
   verdict.refuse(Rule::deleted, {edge(h)});
   return true;
 }
 inline bool is_gone(const Mesh& mesh, Face f, Verdict& verdict) {
-  if (f && mesh.exists(f) && mesh.is_alive(f)) return false;
+  if (is_there(mesh, f)) return false;
   verdict.refuse(Rule::deleted, {f});
   return true;
 }

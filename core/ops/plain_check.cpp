@@ -99,6 +99,7 @@ bool may_join_boundary(const HalfedgeLinks* links, Halfedge h) {
 }
 
 // What applying the operator will touch next, fetched while the check walks.
+__attribute__((no_sanitize("pointer-overflow")))  // the addresses are for the cache alone
 void fetch_ends(const Mesh& m, const HalfedgeLinks& a, const HalfedgeLinks& b) {
   const MeshColumns& c = m.columns();
   __builtin_prefetch(c.vertex_halfedge.data() + a.from.index);
@@ -108,7 +109,7 @@ void fetch_ends(const Mesh& m, const HalfedgeLinks& a, const HalfedgeLinks& b) {
 }
 
 // The same for the triangles that vanish: their third corners and the faces beyond them.
-void fetch_apexes(const Mesh& m, Halfedge h) {
+__attribute__((no_sanitize("pointer-overflow"))) void fetch_apexes(const Mesh& m, Halfedge h) {
   const MeshColumns& c = m.columns();
   for (Halfedge beyond : {twin(c.halfedges[h.index].prev), twin(c.halfedges[twin(h).index].next)}) {
     __builtin_prefetch(c.face_halfedge.data() + c.halfedges[beyond.index].face.index);

@@ -286,6 +286,7 @@ std::optional<AnyOp> choose_step(Mesh& mesh, const std::string& line, const Verd
 }  // namespace
 
 std::vector<std::string> find_remedy(Mesh& mesh, const AnyOp& op) {
+  if (check(mesh, op).has(Rule::deleted)) return {};
   // Remedies may renumber edges, so the operator is spoken of by its script line.
   const std::string line = command_of(mesh, op);
   Journal steps;

@@ -29,28 +29,24 @@ std::pair<Turn, Turn> turns(const Mesh& m, Halfedge h, bool back) {
   return {{h, m.next(h), m.to(h), m.to(m.next(o))}, {o, m.next(o), m.to(o), m.to(m.next(h))}};
 }
 
-std::vector<Vertex> sorted_points(const Mesh& m, Face f) {
-  std::vector<Vertex> points;
-  for (Vertex v : vertices_around(m, f)) points.push_back(point(m, v));
-  std::sort(points.begin(), points.end());
-  return points;
-}
+using Points = std::vector<std::uint32_t>;  // a set, ascending
 
-std::vector<Vertex> sorted_points_after(const Mesh& m, const Turn& turn) {
-  std::vector<Vertex> points;
+Points points_after(const Mesh& m, const Turn& turn) {
+  Points points;
   for (Halfedge corner : halfedges_around(m, m.face(turn.side)))
-    points.push_back(point(m, m.from(corner) == turn.loses ? turn.gains : m.from(corner)));
-  std::sort(points.begin(), points.end());
-  return points;
+    points.push_back(point(m, m.from(corner) == turn.loses ? turn.gains : m.from(corner)).index);
+  return point_set(points);
 }
 
-// Whether the corners of the face at h are at these points, of which it visits none twice.
-bool is_on(const Mesh& m, Halfedge h, const std::vector<Vertex>& points) {
+// Whether the face at h is on exactly these points. At bridges it has more corners than points.
+bool is_on(const Mesh& m, Halfedge h, const Points& points) {
   std::size_t count = 0;
   const auto is_in_all = [&](const auto& vertices) {
-    for (Vertex v : vertices)
-      if (++count > points.size() || !std::binary_search(points.begin(), points.end(), point(m, v))) return false;
-    return count == points.size();
+    for (Vertex v : vertices) {
+      if (!std::binary_search(points.begin(), points.end(), point(m, v).index)) return false;
+      ++count;
+    }
+    return count >= points.size() && point_set(loops_of(m, m.face(h)).corners) == points;
   };
   if (m.has_rings()) return is_in_all(vertices_around(m, m.face(h)));
   return is_in_all(CycleRange<detail::StepNext, detail::ToFrom>(m, h));
@@ -58,7 +54,7 @@ bool is_on(const Mesh& m, Halfedge h, const std::vector<Vertex>& points) {
 
 // Another face on exactly these points, around one of their copies; `except` are the two faces at the edge.
 template <class IsExcluded>
-Face find_face_on(const Mesh& m, const std::vector<Vertex>& points, Vertex around, IsExcluded is_excluded) {
+Face find_face_on(const Mesh& m, const Points& points, Vertex around, IsExcluded is_excluded) {
   Face found;
   for_each_copy(m, around, [&](Vertex copy) {
     for (Halfedge h : outgoing(m, copy)) {
@@ -91,10 +87,10 @@ void check_side(const Mesh& m, const Turn& turn, const Turn& other, Verdict& ver
   check_inner_loops(m, turn, verdict);
   const Face f = m.face(turn.side), g = m.face(other.side);
   const auto at_edge = [&](Face face) { return face == f || face == g; };
-  if (const Face twin_face = find_face_on(m, sorted_points_after(m, turn), turn.gains, at_edge))
+  if (const Face twin_face = find_face_on(m, points_after(m, turn), turn.gains, at_edge))
     verdict.refuse(Rule::duplicate_face, {std::min(f, twin_face), std::max(f, twin_face)});
   const auto is_itself = [&](Face face) { return face == f; };
-  if (const Face old_twin = find_face_on(m, sorted_points(m, f), turn.loses, is_itself))
+  if (const Face old_twin = find_face_on(m, point_set(loops_of(m, f).corners), turn.loses, is_itself))
     verdict.refuse(Rule::loses_duplicate, {f, old_twin});
 }
 

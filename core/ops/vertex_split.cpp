@@ -142,6 +142,7 @@ Halfedge read_end(const Mesh& mesh, Vertex v, ArgumentReader& in) {
 
 std::string end_text(const Mesh& mesh, Vertex v, Halfedge end) {
   if (!end) return "-";
+  if (!is_there(mesh, v) || !is_there(mesh, end)) return name_of(mesh, end);
   std::size_t same = 0;
   for (Halfedge h : outgoing(mesh, v)) same += same_point(mesh, mesh.to(h), mesh.to(end));
   return same == 1 ? name_of(mesh, mesh.to(end)) : name_of(mesh, end);

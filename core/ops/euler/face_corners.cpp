@@ -22,8 +22,6 @@ std::vector<Halfedge> sides_into(const Mesh& mesh, Vertex v, Face only) {
   return sides;
 }
 
-bool are_joined(const Mesh& mesh, Vertex a, Vertex b) { return !sheets_between(mesh, a, b).empty(); }
-
 std::vector<Face> common_faces(const Mesh& mesh, Vertex a, Vertex b) {
   std::vector<Face> found;
   const std::vector<Halfedge> at_b = sides_into(mesh, b, Face());
@@ -72,6 +70,8 @@ FaceCorners read_face_corners(const Mesh& mesh, ArgumentReader& in) {
 }
 
 std::string face_corners_text(const Mesh& mesh, const FaceCorners& corners) {
+  if (!is_there(mesh, corners.into_a) || !is_there(mesh, corners.into_b))
+    return name_of(mesh, corners.into_a) + " " + name_of(mesh, corners.into_b);
   const Vertex a = mesh.to(corners.into_a), b = mesh.to(corners.into_b);
   const Face f = mesh.face(corners.into_a);
   std::string text = name_of(mesh, a) + " " + name_of(mesh, b);

@@ -3,11 +3,35 @@
 #include <cassert>
 #include <utility>
 
+#include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/arguments.h"
 #include "core/ops/surgery.h"
 
 namespace ryosen {
+
+namespace {
+
+// The halfedges that arrive at gaps of v, the first `most` of them.
+std::vector<Halfedge> some_gaps_at(const Mesh& mesh, Vertex v, std::size_t most) {
+  std::vector<Halfedge> gaps;
+  for (Halfedge h : outgoing(mesh, v)) {
+    if (mesh.is_outside(h)) gaps.push_back(mesh.prev(h));
+    if (gaps.size() == most) break;
+  }
+  return gaps;
+}
+
+// A gap that is named needs no list of them all, of which a hub of many wires has as many.
+Halfedge read_gap(const Mesh& mesh, Vertex v, ArgumentReader& in) {
+  if (in.failed() || in.at_end()) return in.corner(v, gaps_at(mesh, v));
+  const Named<Halfedge> named = find_edge(mesh, in.peek());
+  if (!named.ok() || mesh.to(named.element) != v || !mesh.is_outside(named.element))
+    return in.corner(v, gaps_at(mesh, v));
+  return in.halfedge();
+}
+
+}  // namespace
 
 Parsed<MakeEdge> MakeEdge::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
   ArgumentReader in(mesh, arguments, info.syntax);
@@ -16,10 +40,12 @@ Parsed<MakeEdge> MakeEdge::parse(const Mesh& mesh, std::span<const std::string_v
   op.b = in.vertex();
   if (in.failed()) return in.result(op);
   // One corner that is named belongs to the vertex that it arrives at.
-  const std::vector<Halfedge> at_a = gaps_at(mesh, op.a), at_b = gaps_at(mesh, op.b);
-  if (at_a.size() > 1 || (in.left() == 2 && !at_a.empty())) op.into_a = in.corner(op.a, at_a);
+  const std::vector<Halfedge> at_a = some_gaps_at(mesh, op.a, 2);
+  const Named<Halfedge> named = in.at_end() ? Named<Halfedge>() : find_edge(mesh, in.peek());
+  const bool is_for_a = in.left() == 2 || (!in.at_end() && named.ok() && mesh.to(named.element) == op.a);
+  if (at_a.size() > 1 || (is_for_a && !at_a.empty())) op.into_a = read_gap(mesh, op.a, in);
   if (op.into_a.is_none() && !at_a.empty()) op.into_a = at_a[0];
-  op.into_b = in.corner(op.b, at_b);
+  op.into_b = read_gap(mesh, op.b, in);
   return in.result(op);
 }
 
@@ -28,7 +54,8 @@ MakeEdge MakeEdge::at(const Mesh&, const OpTarget&) { return {}; }
 std::string MakeEdge::command(const Mesh& mesh) const {
   std::string line = "make_edge " + name_of_copy(mesh, a) + " " + name_of_copy(mesh, b);
   // Both corners are named as soon as one has to be, as far as there are any.
-  if (gaps_at(mesh, a).size() < 2 && gaps_at(mesh, b).size() < 2) return line;
+  const auto has_choice = [&](Vertex v) { return is_there(mesh, v) && some_gaps_at(mesh, v, 2).size() == 2; };
+  if (!has_choice(a) && !has_choice(b)) return line;
   for (Halfedge into : {into_a, into_b})
     if (into) line += " " + name_of(mesh, into);
   return line;
@@ -48,8 +75,7 @@ Verdict MakeEdge::check(const Mesh& mesh) const {
     verdict.refuse(Rule::no_gap, {v});
     if (!mesh.is_isolated(v)) verdict.reasons.back().witnesses.push_back(mesh.face(mesh.halfedge(v)));
   }
-  const std::vector<Halfedge> existing = sheets_between(mesh, a, b);
-  if (!existing.empty()) verdict.refuse(Rule::edge_exists, {edge(existing.front())});
+  if (are_joined(mesh, a, b)) verdict.refuse(Rule::edge_exists, {edge(sheets_between(mesh, a, b).front())});
   return verdict;
 }
 

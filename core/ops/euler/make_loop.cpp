@@ -17,7 +17,8 @@ Parsed<MakeLoop> MakeLoop::parse(const Mesh& mesh, std::span<const std::string_v
 }
 
 MakeLoop MakeLoop::at(const Mesh& mesh, const OpTarget& target) {
-  return {mesh.is_outside(target.halfedge) ? target.halfedge : twin(target.halfedge)};
+  const Halfedge h = target.halfedge;
+  return {is_there(mesh, h) && !mesh.is_outside(h) ? twin(h) : h};
 }
 
 std::string MakeLoop::command(const Mesh& mesh) const { return "make_loop " + name_of(mesh, halfedge); }

@@ -17,7 +17,7 @@ Parsed<MoveVertex> MoveVertex::parse(const Mesh& mesh, std::span<const std::stri
 }
 
 MoveVertex MoveVertex::at(const Mesh& mesh, const OpTarget& target) {
-  return {target.vertex, mesh.position(target.vertex)};
+  return {target.vertex, is_there(mesh, target.vertex) ? mesh.position(target.vertex) : glm::dvec3()};
 }
 
 std::string MoveVertex::command(const Mesh& mesh) const {

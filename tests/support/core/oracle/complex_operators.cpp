@@ -253,8 +253,14 @@ Outcomes unite_loop(const Complex& complex, Place side) {
       if (l != place.loop) loops.push_back(complex.faces[place.face][l]);
     outcome.after.faces[place.face].clear();
   }
-  const int before = bridges_in(complex.faces[side.face]) + bridges_in(complex.faces[other->face]);
-  if (bridges_in(loops) != before) return {};  // a second edge that they share would become a bridge
+  // A second edge that they share, be it on points alone, would become a bridge.
+  const auto bridges_on_points = [&](std::vector<Corners> on_points) {
+    for (Corners& loop : on_points)
+      for (int& v : loop) v = complex.point_of[v];
+    return bridges_in(on_points);
+  };
+  const int before = bridges_on_points(complex.faces[side.face]) + bridges_on_points(complex.faces[other->face]);
+  if (bridges_on_points(loops) != before) return {};
   outcome.after.faces[std::min(side.face, other->face)] = loops;
   return {outcome};
 }

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <set>
 
+#include "core/build/from_indexed.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
-#include "core/ops/collapse_edge.h"
+#include "core/ops/all.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {
@@ -83,6 +84,45 @@ TEST(collapse_check, names_each_pair_of_duplicates) {
     }
   }
   EXPECT_GT(found, 100u);
+}
+
+void do_line(Mesh& mesh, std::string_view line) {
+  const Parsed<AnyOp> parsed = parse_line(mesh, line);
+  ASSERT_TRUE(parsed.op) << line << ": " << parsed.sentence.en;
+  ASSERT_TRUE(check(mesh, *parsed.op).legal()) << line;
+  Edit edit(mesh, nullptr);
+  apply(edit, *parsed.op);
+  edit.commit();
+}
+
+// Face 2 has a ring that a bridge joins to its outer loop: eight corners on the six points that face 0 would lie on.
+TEST(collapse_check, finds_a_duplicate_among_faces_with_a_bridge) {
+  IndexedMesh source = indexed({{0, 2, 3, 4, 5, 6}, {0, 1, 9, 8, 2}, {1, 3, 5, 1, 4, 2, 6, 4}});
+  source.bridged = {2};
+  Mesh mesh = from_indexed(source);
+  ASSERT_TRUE(mesh.has_rings(Face(2)));
+  const auto reasons = [&] { return CollapseEdge{find_halfedge(mesh, Vertex(0), Vertex(1))}.judge(mesh).reasons; };
+  const std::vector<Reason> expected{{Rule::duplicate_face, {Face(0), Face(2)}}};
+  EXPECT_EQ(reasons(), expected);
+  do_line(mesh, "unite_ring 1 4 f2");
+  ASSERT_FALSE(mesh.has_rings(Face(2)));
+  EXPECT_EQ(reasons(), expected);
+}
+
+// The wire ends at a copy of point 2 without a face; the fan of point 2 is at another copy.
+TEST(collapse_check, a_wire_to_a_bare_copy_joins_the_fans_of_the_points) {
+  Mesh mesh = make_mesh({{0, 1, 2}, {2, 3, 4}, {5, 6, 7}});
+  const Vertex copy(8);
+  ASSERT_EQ(point(mesh, copy), Vertex(2));
+  do_line(mesh, "delete_loop f1");
+  ASSERT_EQ(count_fans(mesh, copy), 0u);
+  const MakeEdge wire{Vertex(5), copy, mesh.prev(mesh.halfedge(Vertex(5))), mesh.prev(mesh.halfedge(copy))};
+  const Halfedge into = Halfedge(mesh.halfedge_slots());
+  ASSERT_TRUE(wire.check(mesh).legal());
+  Edit edit(mesh, nullptr);
+  wire.apply(edit);
+  edit.commit();
+  for (Halfedge h : {into, twin(into)}) EXPECT_TRUE(CollapseEdge{h}.check(mesh).has(Rule::joins_fans));
 }
 
 }  // namespace

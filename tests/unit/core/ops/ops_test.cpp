@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
 #include "core/analysis/invariants.h"
+#include "core/build/from_indexed.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/all.h"
+#include "core/ops/remedy.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {
@@ -90,6 +92,25 @@ TEST(swap, boundary_and_existing_edge_are_refused) {
   EXPECT_TRUE(check(open, parse(open, "swap", {"1-2"})).has(Rule::boundary));
 }
 
+// Face 2 is two loops joined by a bridge. Swapping 0-1 puts face 1 on the points 1 to 8.
+TEST(swap, compares_points_with_a_face_that_has_a_bridge) {
+  const Polygons two{{0, 1, 2}, {1, 0, 3, 4, 5, 6, 7, 8}};
+  for (const bool is_equal : {false, true}) {
+    Polygons faces = two;
+    faces.push_back({3, 5, 7, 3, 6, 4, 8, 6});
+    if (is_equal) faces[2] = {3, 5, 7, 3, 6, 1, 4, 8, 2, 6};
+    IndexedMesh source = indexed(faces);
+    source.bridged = {2};
+    Mesh mesh = from_indexed(source);
+    ASSERT_TRUE(mesh.has_rings(Face(2)));
+    prove_applying(mesh, parse(mesh, "unite_ring", {"3", "6", "f2"}));
+    ASSERT_FALSE(mesh.has_rings(Face(2)));
+    const Verdict verdict = check(mesh, parse(mesh, "swap", {"0-1"}));
+    EXPECT_EQ(verdict.has(Rule::duplicate_face), is_equal);
+    EXPECT_EQ(verdict.legal(), !is_equal);
+  }
+}
+
 TEST(split, cuts_triangles_and_lengthens_polygons) {
   Mesh triangles = make_mesh({{0, 1, 2}, {1, 0, 3}});
   prove_applying(triangles, parse(triangles, "split", {"0-1", "0.25"}));
@@ -131,6 +152,38 @@ TEST(orient, turns_a_flipped_face_and_leaves_a_seam_on_a_moebius_strip) {
   Mesh strip = make_mesh(moebius_strip());
   prove_applying(strip, Orient{});
   EXPECT_TRUE(Orient{}.check(strip).has(Rule::oriented));
+}
+
+// A click target from before an undo may name what the mesh does not have any more.
+TEST(all_ops, speak_of_elements_that_are_not_there) {
+  Mesh mesh = make_mesh(two_quads());
+  {
+    Edit edit(mesh, nullptr);
+    apply(edit, Delete{Face(1)});
+    edit.commit();
+  }
+  ASSERT_FALSE(mesh.is_alive(Face(1)));
+  for (const std::uint32_t slot : {1u, 50u, no_index}) {
+    const OpTarget target{Halfedge(slot == 1 ? mesh.halfedge_slots() - 1 : slot), 0.5, Vertex(slot == 1 ? 5 : slot),
+                          Face(slot)};
+    for (const OpInfo& info : all_ops()) {
+      const AnyOp op = op_at(mesh, info.id, target);
+      EXPECT_FALSE(command_of(mesh, op).empty());
+      if (!is_tool(info) || (info.id == Triangulate::info.id && slot == no_index)) continue;  // speaks of no element
+      EXPECT_TRUE(check(mesh, op).has(Rule::deleted)) << info.id << " " << slot;
+      EXPECT_EQ(find_remedy(mesh, op), std::vector<std::string>()) << info.id;
+    }
+  }
+  for (const std::string& line :
+       {command_of(mesh, SeparateLoop{Halfedge(99), Halfedge(0)}), command_of(mesh, UniteRing{}),
+        command_of(mesh, VertexSplit{Vertex(99), Halfedge(99), Halfedge()}),
+        command_of(mesh, MakeEdge{Vertex(99), Vertex(0), Halfedge(99), Halfedge()})})
+    EXPECT_FALSE(line.empty());
+}
+
+TEST(extrude, names_the_movement_that_it_takes) {
+  const Mesh mesh = make_mesh(two_quads());
+  EXPECT_EQ(command_of(mesh, Extrude{Face(0), 2.0, glm::dvec3(0, 0, 1)}), "extrude f0 0,0,1");
 }
 
 }  // namespace

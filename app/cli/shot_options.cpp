@@ -126,7 +126,7 @@ class OptionsReader {
   std::string read_tool(const std::string& id) {
     if (id.empty() || find_op(id)) return id;
     std::vector<std::string> known;
-    for (const OpInfo& op : all_ops()) known.emplace_back(op.id);
+    for (const OpInfo& op : all_ops()) add_ids(op, known);
     const Text close = did_you_mean(id, known);
     fail(usage_failure("unknown_tool", {"There is no tool '" + id + "'." + close.en,
                                         "「" + id + "」というツールはありません。" + close.ja}));

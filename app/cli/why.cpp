@@ -41,12 +41,12 @@ class Why {
     const OpInfo* const info = find_op(words[0]);
     const Parsed<AnyOp> parsed = parse_op(mesh_, info->id, std::span(words).subspan(1));
     const std::string edge = info->target == OpTargetKind::edge && words.size() > 1 ? std::string(words[1]) : "";
-    return answer(*info, edge, parsed);
+    return answer(*info, edge, parsed, std::span(words).subspan(1));
   }
 
   ExitCode answer_edge(const OpInfo& info, const std::string& name) {
     const std::string_view argument = name;
-    return answer(info, name, parse_op(mesh_, info.id, {&argument, 1}));
+    return answer(info, name, parse_op(mesh_, info.id, {&argument, 1}), {&argument, 1});
   }
 
   ExitCode answer_all(const OpInfo& info, bool geometry) {
@@ -65,14 +65,15 @@ class Why {
   }
 
  private:
-  ExitCode answer(const OpInfo& info, const std::string& edge, const Parsed<AnyOp>& parsed) {
+  ExitCode answer(const OpInfo& info, const std::string& edge, const Parsed<AnyOp>& parsed,
+                  std::span<const std::string_view> arguments) {
     if (parsed.op) {
       ask(info, edge, *parsed.op, true);
       return ExitCode::done;
     }
     if (parsed.error != NameError::deleted)
       return console_.fail(usage_failure(code_of(parsed.error), parsed.sentence), file_);
-    VerdictReport report{info.id, edge, {}, {}, {}, set_aside_sentence(quarantine_, edge)};
+    VerdictReport report{info.id, edge, {}, {}, {}, set_aside_sentence(quarantine_, arguments)};
     report.verdict.refuse(Rule::deleted, {});
     print(report);
     return ExitCode::done;
@@ -119,7 +120,7 @@ Result<const OpInfo*> operator_named(const std::string& id, bool needs_edge) {
   if (info && (!needs_edge || info->target == OpTargetKind::edge)) return info;
   std::vector<std::string> known;
   for (const OpInfo& row : all_ops())
-    if (!needs_edge || row.target == OpTargetKind::edge) known.emplace_back(row.id);
+    if (!needs_edge || row.target == OpTargetKind::edge) add_ids(row, known);
   const Text hint = did_you_mean(id, known);
   return usage_failure("unknown_operator", {"'" + id + "' is not an operator here." + hint.en,
                                             "「" + id + "」という操作はここでは使えません。" + hint.ja});

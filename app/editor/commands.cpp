@@ -111,7 +111,7 @@ const CommandRow* find_command(std::string_view id) {
 
 std::vector<std::string> command_ids() {
   std::vector<std::string> ids;
-  for (const OpInfo& op : all_ops()) ids.emplace_back(op.id);
+  for (const OpInfo& op : all_ops()) add_ids(op, ids);
   for (const CommandRow& row : command_rows) ids.emplace_back(row.id);
   return ids;
 }

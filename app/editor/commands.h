@@ -22,9 +22,9 @@ struct CommandRow {
 std::span<const CommandRow> command_table();
 const CommandRow* find_command(std::string_view id);
 
-// All ids, operators included: for completion and for "did you mean".
+// All ids, operators and their aliases included: for "did you mean".
 std::vector<std::string> command_ids();
-// Not a command: usage, with the closest id named.
+// Not a command: usage, with the closest id or alias named.
 Outcome unknown_command(std::string_view id);
 Outcome usage_error(std::string en, std::string ja);
 // An operator's line names no element of the mesh, with this error: a refusal by the rule `deleted` where the element

@@ -6,6 +6,7 @@
 #include "app/editor/set_aside.h"
 #include "core/build/from_indexed.h"
 #include "core/io/elements.h"
+#include "core/mesh/copies.h"
 
 namespace ryosen {
 
@@ -29,6 +30,31 @@ std::size_t count_wires(const Mesh& mesh) {
   std::size_t wires = 0;
   for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) wires += mesh.is_alive(Edge(i)) && mesh.is_wire(Edge(i));
   return wires;
+}
+
+// Whether an argument of a line is a number or word that names no element whatever the mesh holds.
+bool is_value(std::string_view argument) {
+  return find_vertex(Mesh(), argument).error == NameError::malformed &&
+         find_edge(Mesh(), argument).error == NameError::malformed &&
+         find_face(Mesh(), argument).error == NameError::malformed;
+}
+
+// As names_of, but copies of a point are told apart, unless all of its copies are there: then the point stands for them.
+std::vector<std::string> names_with_copies(const Mesh& mesh, const std::vector<Element>& elements) {
+  std::vector<std::string> names;
+  for (const Element& element : elements) {
+    std::string name = name_of(mesh, element);
+    if (element.kind == Element::Kind::vertex && has_copies(mesh, element.vertex())) {
+      bool is_whole = true;
+      for_each_copy(mesh, element.vertex(), [&](Vertex copy) {
+        is_whole = is_whole && std::find(elements.begin(), elements.end(), Element(copy)) != elements.end();
+      });
+      if (is_whole && element.vertex() != point(mesh, element.vertex())) continue;
+      if (!is_whole) name = name_of_copy(mesh, element.vertex());
+    }
+    names.push_back(std::move(name));
+  }
+  return names;
 }
 
 std::uint64_t next_serial() {
@@ -91,14 +117,14 @@ Outcome Document::apply(const AnyOp& op, bool strict) {
   if (strict && !before.warnings.empty()) return refuse(op, std::move(before.warnings));
   Outcome outcome;
   outcome.warnings = std::move(before.warnings);
-  outcome.deleted = names_of(mesh_, before.deleted);
+  outcome.deleted = names_with_copies(mesh_, before.deleted);
   const std::string command = command_of(mesh_, op);
   {
     Edit edit(mesh_, &journal_);
     ryosen::apply(edit, op);
     edit.commit();
   }
-  outcome.created = names_of(mesh_, before.created);
+  outcome.created = names_with_copies(mesh_, before.created);
   committed(command);
   return outcome;
 }
@@ -171,28 +197,37 @@ void Document::go_to(std::size_t position) {
 }
 
 std::optional<Text> Document::set_aside(std::span<const std::string_view> arguments) const {
-  return arguments.empty() ? std::nullopt : set_aside_sentence(tables_.quarantine, arguments[0]);
+  return set_aside_sentence(tables_.quarantine, arguments);
 }
 
-bool Document::is_known_as_edge(std::string_view name) const {
-  const Named<Halfedge> edge = find_edge(mesh_, name);
-  return edge.ok() || edge.error == NameError::ambiguous;
+bool Document::is_known(std::string_view name) const {
+  const auto finds = [](NameError error) { return error == NameError::none || error == NameError::ambiguous; };
+  return finds(find_edge(mesh_, name).error) || finds(find_vertex(mesh_, name).error) ||
+         finds(find_face(mesh_, name).error);
+}
+
+bool Document::are_known(std::span<const std::string_view> names) const {
+  return std::all_of(names.begin(), names.end(), [&](std::string_view name) { return is_known(name); });
 }
 
 Document::Elsewhere Document::exists_elsewhere(NameError error, std::span<const std::string_view> arguments) {
   if (arguments.empty() || set_aside(arguments)) return Elsewhere::no;
   if (error == NameError::deleted) return Elsewhere::earlier;
   if (error != NameError::never_existed) return Elsewhere::no;
+  std::vector<std::string_view> missing;
+  for (std::string_view name : arguments)
+    if (!is_known(name) && !is_value(name)) missing.push_back(name);
+  if (missing.empty()) return Elsewhere::no;
   const std::size_t now = journal_.position();
   Elsewhere found = Elsewhere::no;
   while (found == Elsewhere::no && journal_.can_undo()) {
     journal_.undo(mesh_);
-    if (is_known_as_edge(arguments[0])) found = Elsewhere::earlier;
+    if (are_known(missing)) found = Elsewhere::earlier;
   }
   while (journal_.position() < now) journal_.redo(mesh_);
   while (found == Elsewhere::no && journal_.can_redo()) {
     journal_.redo(mesh_);
-    if (is_known_as_edge(arguments[0])) found = Elsewhere::later;
+    if (are_known(missing)) found = Elsewhere::later;
   }
   while (journal_.position() > now) journal_.undo(mesh_);
   return found;

@@ -103,7 +103,8 @@ class Document {
   // The faces set aside are others before and after some transactions.
   void exchange_quarantine(std::size_t transaction);
   void notify(std::size_t transaction);
-  bool is_known_as_edge(std::string_view name) const;
+  bool is_known(std::string_view name) const;
+  bool are_known(std::span<const std::string_view> names) const;
 
   Mesh mesh_;
   Journal journal_;

@@ -209,6 +209,14 @@ const std::vector<std::string>& Session::hover_remedy() {
   return remedy_;
 }
 
+std::string Session::line_on_selection(const OpInfo& op) const {
+  std::string line(op.id);
+  for (const Element& element : selection)
+    line += " " +
+            (element.kind == Element::Kind::vertex ? name_of_copy(mesh(), element.vertex()) : name_of(mesh(), element));
+  return line;
+}
+
 Outcome Session::apply_at(const OpTarget& target, const std::string& id) {
   return run(command_of(mesh(), op_at(mesh(), id, target)));
 }

@@ -67,6 +67,9 @@ class Session {
   // A click: applies the tool to what is under the pixel, or selects it.
   Outcome click(glm::dvec2 pixel, const std::string& with_tool);
 
+  // The line of an operator on the selected elements, in their order; copies of a point are told apart.
+  std::string line_on_selection(const OpInfo& op) const;
+
   // What lies under a pixel; nothing outside of the view.
   std::optional<Picked> pick(glm::dvec2 pixel, PickMode what);
   Picker& picker();

@@ -35,4 +35,11 @@ std::optional<Text> set_aside_sentence(std::span<const QuarantinedFace> quaranti
   return text;
 }
 
+std::optional<Text> set_aside_sentence(std::span<const QuarantinedFace> quarantine,
+                                       std::span<const std::string_view> names) {
+  for (std::string_view name : names)
+    if (auto sentence = set_aside_sentence(quarantine, name)) return sentence;
+  return std::nullopt;
+}
+
 }  // namespace ryosen

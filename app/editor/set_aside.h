@@ -12,5 +12,8 @@ namespace ryosen {
 // When a name (f7, 0-1@f7, ~0-1@f7, v3@f7) speaks of such a face: that it was set aside, why, and its line. The faces
 // are ascending.
 std::optional<Text> set_aside_sentence(std::span<const QuarantinedFace> quarantine, std::string_view name);
+// The sentence about the first of several names that speaks of one.
+std::optional<Text> set_aside_sentence(std::span<const QuarantinedFace> quarantine,
+                                       std::span<const std::string_view> names);
 
 }  // namespace ryosen

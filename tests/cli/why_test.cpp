@@ -138,6 +138,12 @@ TEST(Why, QuarantinedFaceIsDeleted) {
   EXPECT_EQ(run.line()["remedy"], "never");
   EXPECT_NE(std::string(run.line()["reasons"][0]["en"]).find("set aside: it visits vertex v1"), std::string::npos);
   EXPECT_NE(std::string(run.line()["reasons"][0]["ja"]).find("5 行目"), std::string::npos);
+  for (const char* line : {"delete f1", "detach f0 f1", "poke f1"}) {
+    const ProgramRun asked = run_program({"why", folder.at("q.obj"), "--do", line, "--json"});
+    EXPECT_EQ(asked.exit_code, 0) << line;
+    const std::string reason = asked.line()["reasons"][0]["en"];
+    EXPECT_NE(reason.find("f1 is set aside"), std::string::npos) << line << ": " << reason;
+  }
   const ProgramRun text = run_program({"why", folder.at("q.obj"), "--op", "split", "--edge", "0-1@f1"});
   EXPECT_NE(text.out.find("(line 5)"), std::string::npos) << text.out;
   EXPECT_EQ(text.out.find("has been deleted"), std::string::npos) << text.out;

@@ -14,9 +14,7 @@ void press(PanelContext& context, const OpInfo& op) {
   if (is_tool(op)) {
     context.run(session.tool == id ? "tool none" : "tool " + id);
   } else if (op.target == OpTargetKind::selection && !session.selection.empty()) {
-    std::string line = id;
-    for (const Element& element : session.selection) line += " " + name_of(session.mesh(), element);
-    context.run(line);
+    context.run(session.line_on_selection(op));
   } else if (op.syntax.empty()) {
     context.run(id);
   } else {

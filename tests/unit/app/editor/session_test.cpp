@@ -320,5 +320,53 @@ TEST(session, says_which_edges_a_file_cannot_hold) {
   std::filesystem::remove(path);
 }
 
+// A bow-tie at point 2, whose second copy is the vertex 5.
+std::unique_ptr<Session> bow_tie_session() {
+  MeshFile file;
+  file.mesh.positions = {{0, 0, 0}, {0, 1, 0}, {1, 0.5, 0}, {2, 0, 0}, {2, 1, 0}};
+  file.mesh.corners = {0, 2, 1, 2, 3, 4};
+  file.mesh.face_offsets = {0, 3, 6};
+  return std::make_unique<Session>(std::make_unique<Document>(std::move(file)));
+}
+
+TEST(session, an_operator_on_selected_copies_tells_them_apart) {
+  const auto session = bow_tie_session();
+  session->selection = {Vertex(2), Vertex(5)};
+  const std::string line = session->line_on_selection(Weld::info);
+  EXPECT_EQ(line, "weld v2@f0 v2@f1");
+  const Outcome welded = session->run(line);
+  ASSERT_TRUE(welded.done()) << welded.sentence.en;
+  EXPECT_EQ(welded.deleted, std::vector<std::string>{"v2@f1"});
+  EXPECT_EQ(session->mesh().live().vertices, 5u);
+}
+
+TEST(session, deleting_a_point_names_it_once) {
+  const auto session = bow_tie_session();
+  const Outcome outcome = session->run("delete v2");
+  ASSERT_TRUE(outcome.done()) << outcome.sentence.en;
+  EXPECT_EQ(std::count(outcome.deleted.begin(), outcome.deleted.end(), "v2"), 1);
+  EXPECT_EQ(std::count_if(outcome.deleted.begin(), outcome.deleted.end(),
+                          [](const std::string& name) { return name.starts_with("v2"); }),
+            1);
+}
+
+TEST(session, what_an_undo_took_away_is_not_called_unknown) {
+  const auto session = bow_tie_session();
+  ASSERT_TRUE(session->run("split 0-1").done());  // makes the vertex 6 and the face 2
+  ASSERT_TRUE(session->run("undo").done());
+  for (const char* line : {"move_vertex v6 0,0,0", "poke f2", "collapse 0-6", "detach f0 f2", "weld v0 v6"}) {
+    const Outcome outcome = session->run(line);
+    EXPECT_EQ(outcome.exit_code, ExitCode::refused) << line << ": " << outcome.sentence.en;
+    EXPECT_NE(outcome.sentence.en.find("was undone"), std::string::npos) << line << ": " << outcome.sentence.en;
+  }
+  for (const char* line : {"move_vertex v9 0,0,0", "poke f7", "detach f0 f7", "collapse 0-3", "detach f2 f7"})
+    EXPECT_EQ(session->run(line).exit_code, ExitCode::usage) << line;
+  EXPECT_TRUE(session->run("redo").done());
+}
+
+TEST(session, a_misspelt_alias_is_recognised) {
+  EXPECT_NE(unknown_command("mekrr").sentence.en.find("did you mean mekr?"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace ryosen

@@ -41,5 +41,17 @@ TEST(set_aside, commands_say_why_the_face_is_not_there) {
   }
 }
 
+TEST(set_aside, whichever_argument_speaks_of_the_face) {
+  const test::TemporaryFolder folder;
+  auto document = Document::open(folder.write("q.obj", one_set_aside));
+  ASSERT_TRUE(document);
+  Session session(std::move(document).value());
+  for (const char* line : {"detach f0 f1", "delete f1", "weld v0@f0 v1@f1"}) {
+    const Outcome outcome = session.run(line);
+    EXPECT_EQ(outcome.exit_code, ExitCode::usage) << line;
+    EXPECT_NE(outcome.sentence.en.find("f1 is set aside"), std::string::npos) << line << ": " << outcome.sentence.en;
+  }
+}
+
 }  // namespace
 }  // namespace ryosen

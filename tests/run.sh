@@ -19,6 +19,18 @@ if [ -n "${RYOSEN_LONG:-}" ]; then  # each header and each source file is comple
 fi
 ctest --test-dir "$root/build/release" --output-on-failure -j "$(nproc)"
 
+# The library built by another compiler computes the same to the last bit, and stands what a fuzzer does to it: each
+# target for a while, from the inputs that are kept.
+fuzz_seconds=10
+[ -z "${RYOSEN_LONG:-}" ] || fuzz_seconds=600
+cmake -S "$root" -B "$root/build/fuzz" -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
+  -DCMAKE_BUILD_TYPE=Release -DRYOSEN_FUZZ=ON -DRYOSEN_SANITIZE=address,undefined -DCMAKE_CXX_FLAGS_RELEASE="-O1 -g1" >&2
+build "$root/build/fuzz" all
+for kind in release fuzz; do "$root/build/$kind/bin/hashes" >"$root/build/$kind/hashes.txt"; done
+diff "$root/build/release/hashes.txt" "$root/build/fuzz/hashes.txt"
+echo "$(wc -l <"$root/build/fuzz/hashes.txt") hashes are the same with both compilers"
+"$root/tests/fuzz/run.sh" "$root/build/fuzz" "$fuzz_seconds"
+
 # The core suite again, with every edit checked and under the sanitizers.
 cmake -S "$root" -B "$root/build/asan" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DRYOSEN_CORE_ONLY=ON \
   -DRYOSEN_CHECKED=ON -DRYOSEN_SANITIZE=address,undefined -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" >&2

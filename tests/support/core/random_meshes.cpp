@@ -152,7 +152,10 @@ void glue(Draft& mesh, int gone, int stays) {
   for (Corners& face : mesh.faces) std::replace(face.begin(), face.end(), gone, stays);
 }
 
-void glue_points(Draft& mesh, Dice& dice) { glue(mesh, dice.below(mesh.points), dice.below(mesh.points)); }
+void glue_points(Draft& mesh, Dice& dice) {
+  const int second = dice.below(mesh.points), first = dice.below(mesh.points);  // in this order with every compiler
+  glue(mesh, first, second);
+}
 
 void glue_edges(Draft& mesh, Dice& dice) {
   const auto [f, i] = any_side(mesh, dice);

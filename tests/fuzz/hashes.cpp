@@ -92,7 +92,8 @@ void hash_file(const std::string& name, const std::filesystem::path& path) {
   Result<MeshFile> file = read_mesh_file(path);
   if (!file) return print(name + " refused " + file.failure().message.code, 0);
   for (const Format& format : formats())
-    if (format.write) print(name + " as " + std::string(format.id), digest_of(format.write(*file, Encoding::automatic)));
+    if (format.write)
+      print(name + " as " + std::string(format.id), digest_of(format.write(*file, Encoding::automatic)));
   Mesh mesh = from_indexed(std::move(file->mesh));
   print(name, mesh.hash());
   print_figures(name, mesh);

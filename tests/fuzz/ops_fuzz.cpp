@@ -153,12 +153,13 @@ class Session {
 
   void save_and_read(std::size_t number) {
     const Format& format = formats()[number];
-    if (!format.write) return;
+    constexpr Holds all_faces = Holds::polygons | Holds::vertices | Holds::quarantine;
+    if (!format.write || !holds(format.holds(Encoding::automatic), all_faces)) return;
     tell("save and read " + std::string(format.id));
     MeshFile file;
     file.mesh = to_indexed(mesh_, tables_).mesh;
     const IndexedMesh& out = file.mesh;
-    const std::string bytes = format.write(file);
+    const std::string bytes = format.write(file, Encoding::automatic);
     Result<MeshFile> again = read_mesh(bytes, format);
     expect(again.ok(), "what was written is not read");
     const IndexedMesh& in = again->mesh;

@@ -36,9 +36,10 @@ inline constexpr std::size_t problem_kinds = 14;
 
 enum class ProblemSeverity : std::uint8_t { info, problem };
 
-// Exactly one of the four predicates is set, or the kind is found on request. Those of mesh elements are asked about live elements and look no further
-// than the faces at their points; an edge or vertex that is several in the kernel answers yes for one only: the lowest
-// sheet with a face, the lowest copy. A duplicate is any face but the lowest, a hanging pair its higher face.
+// Exactly one of the four predicates is set, or the kind is found on request. Those of mesh elements are asked about
+// live elements and look no further than the faces at their points; an edge or vertex that is several in the kernel
+// answers yes for one only: the lowest sheet with a face, the lowest copy. A duplicate is any face but the lowest, a
+// hanging pair its higher face.
 struct ProblemRow {
   ProblemKind kind;
   std::string_view id;         // as in reports

@@ -23,7 +23,8 @@ struct FormFigures {
   std::optional<Text> unsuitable;  // set: the rest is empty
   std::size_t bytes = 0;
   double build_seconds = 0;  // from the mesh
-  // Mean over random elements in the best of some rounds, by relation; empty where the form cannot tell (or there is nothing to ask about).
+  // Mean over random elements in the best of some rounds, by relation; empty where the form cannot tell (or there is
+  // nothing to ask about).
   std::array<std::optional<double>, relation_count> query_seconds;
 };
 

@@ -11,7 +11,8 @@
 namespace ryosen {
 
 // Appends to the corners, face_offsets and face_lines of a mesh, which must outlive it. Vertex numbers may be anything
-// until finish(). A format without lines ends all its faces with line 0, and face_lines stays empty. Memory: 4 bytes per corner, and 16 more for one that is negative or beyond 32 bits.
+// until finish(). A format without lines ends all its faces with line 0, and face_lines stays empty. Memory: 4 bytes per
+// corner, and 16 more for one that is negative or beyond 32 bits.
 class FaceList {
  public:
   explicit FaceList(IndexedMesh& mesh) : mesh_(mesh) {}

@@ -24,7 +24,7 @@ class OffTextReader {
     rest_ = head;
     const bool done = read_counts() && read_vertices() && read_faces();
     if (!done) return std::move(*failure_);
-    count_extra_lines();
+    warn_of_lines_left(lines_, builder_.reporter(), {"face", "面"}, [this] { return next_line(); });
     return builder_.finish();
   }
 
@@ -43,7 +43,7 @@ class OffTextReader {
       if (in_head_ && comment != line.text.size()) {
         builder_.file().head_comments.emplace_back(line.text.substr(comment));
       }
-      if (rest_.find_first_not_of(" \t") != std::string_view::npos) return true;
+      if (!is_blank(rest_)) return true;
     }
     return false;
   }
@@ -82,7 +82,7 @@ class OffTextReader {
   }
 
   bool read_counts() {
-    if (rest_.find_first_not_of(" \t") == std::string_view::npos && !next_line()) {
+    if (is_blank(rest_) && !next_line()) {
       return fail_at_end("it has no counts of vertices and faces", "頂点と面の個数がありません");
     }
     // The shortest vertex is "0 0 0" and a line end, the shortest face "0" and a line end. The third count, of edges,
@@ -192,18 +192,6 @@ class OffTextReader {
       if (!read_face()) return false;
     }
     return true;
-  }
-
-  void count_extra_lines() {
-    if (!next_line()) return;
-    const std::uint64_t first = lines_.count();
-    std::uint64_t count = 1;
-    while (next_line()) ++count;
-    builder_.reporter().warn("extra_data", FilePlace::at_line(first), [&] {
-      const std::string number = std::to_string(count);
-      return Text{number + (count == 1 ? " line" : " lines") + " after the last announced face left out.",
-                  "宣言された最後の面より後の " + number + " 行を無視しました。"};
-    });
   }
 
   std::string_view bytes_;

@@ -21,7 +21,7 @@ class PlyTextReader {
     for (std::size_t t = 0; t < builder_.tables().size(); ++t) {
       if (!read_table(t)) return std::move(failure_);
     }
-    count_extra_lines();
+    warn_of_lines_left(lines_, builder_.reporter(), {"row", "行"}, [this] { return next_line(); });
     return std::nullopt;
   }
 
@@ -33,11 +33,9 @@ class PlyTextReader {
 
   bool next_line() {
     TextLine line;
-    while (lines_.next(line)) {
-      rest_ = line.text;
-      if (rest_.find_first_not_of(" \t") != std::string_view::npos) return true;
-    }
-    return false;
+    if (!lines_.next_filled(line)) return false;
+    rest_ = line.text;
+    return true;
   }
 
   bool read_table(std::size_t number) {
@@ -70,7 +68,7 @@ class PlyTextReader {
       if (property.is_list ? !read_list(property) : !read_scalar(property, targets_[p], row)) return false;
     }
     if (!is_finite_) builder_.warn_non_finite(FilePlace::at_line(lines_.count()));
-    if (rest_.find_first_not_of(" \t") != std::string_view::npos) {
+    if (!is_blank(rest_)) {
       builder_.reporter().warn("extra_values", FilePlace::at_line(lines_.count()), [] {
         return Text{"The line has more numbers than have a meaning; those too many are left out.",
                     "この行には意味のある個数より多くの数があるため、余分な数を無視しました。"};
@@ -166,7 +164,7 @@ class PlyTextReader {
           FilePlace::at_line(lines_.count()));
     }
     for (std::int64_t i = 0; i < count; ++i) {
-      if (rest_.find_first_not_of(" \t") == std::string_view::npos) return short_list(count, i);
+      if (is_blank(rest_)) return short_list(count, i);
       std::int64_t vertex = 0;
       if (!are_corners) {
         if (!read_kept(property)) return false;
@@ -188,18 +186,6 @@ class PlyTextReader {
         {"The list announces " + std::to_string(count) + " values and has " + std::to_string(there) + ".",
          "リストの値は " + std::to_string(count) + " 個のはずですが " + std::to_string(there) + " 個しかありません。"},
         lines_.place(rest_.data()));
-  }
-
-  void count_extra_lines() {
-    if (!next_line()) return;
-    const std::uint64_t first = lines_.count();
-    std::uint64_t count = 1;
-    while (next_line()) ++count;
-    builder_.reporter().warn("extra_data", FilePlace::at_line(first), [&] {
-      const std::string number = std::to_string(count);
-      return Text{number + (count == 1 ? " line" : " lines") + " after the last announced row left out.",
-                  "宣言された最後の行より後の " + number + " 行を無視しました。"};
-    });
   }
 
   std::string_view bytes_;

@@ -65,6 +65,12 @@ void TextLines::join(std::string_view first) {
   joined_ += '\n';
 }
 
+bool TextLines::next_filled(TextLine& line) {
+  while (next(line))
+    if (!is_blank(line.text)) return true;
+  return false;
+}
+
 bool TextLines::next(TextLine& line) {
   if (at_ == end_) return false;
   line_begin_ = at_;

@@ -25,6 +25,8 @@ class TextLines {
   TextLines(std::string_view bytes, bool join_continuations);
 
   bool next(TextLine& line);
+  // The next one that is not blank.
+  bool next_filled(TextLine& line);
 
   // Where a character of the line read last lies in the file; `at` may be one past its end.
   FilePlace place(const char* at) const;
@@ -83,6 +85,23 @@ bool take_number(std::string_view& text, Number& value) {
   if (error != std::errc() || (stop != end && *stop != ' ' && *stop != '\t')) return false;
   text = {stop, static_cast<std::size_t>(end - stop)};
   return true;
+}
+
+// Whether there is nothing but spaces and tabs.
+inline bool is_blank(std::string_view text) { return text.find_first_not_of(" \t") == std::string_view::npos; }
+
+// Goes over the lines that `next_line` still finds behind the last announced `what` and warns of them (extra_data).
+template <class NextLine>
+void warn_of_lines_left(const TextLines& lines, Reporter& reporter, const Text& what, NextLine next_line) {
+  if (!next_line()) return;
+  const FilePlace first = FilePlace::at_line(lines.count());
+  std::uint64_t count = 1;
+  while (next_line()) ++count;
+  reporter.warn("extra_data", first, [&] {
+    const std::string number = std::to_string(count);
+    return Text{number + (count == 1 ? " line" : " lines") + " after the last announced " + what.en + " left out.",
+                "宣言された最後の" + what.ja + "より後の " + number + " 行を無視しました。"};
+  });
 }
 
 // `text` without the spaces and tabs at both ends.

@@ -21,7 +21,7 @@ class TxtReader {
 
   Result<MeshFile> read() {
     if (!read_counts() || !read_vertices() || !read_faces() || !check_base()) return std::move(*failure_);
-    count_extra_lines();
+    warn_of_lines_left(lines_, reporter_, {"face", "面"}, [this] { return next_line(); });
     if (vertices_ == 0) warn("no_vertices", {"The file has no vertices.", "ファイルに頂点がありません。"});
     if (face_count_ == 0) warn("no_faces", {"The file has no faces.", "ファイルに面がありません。"});
     faces_.finish(reporter_);
@@ -40,11 +40,9 @@ class TxtReader {
 
   bool next_line() {
     TextLine line;
-    while (lines_.next(line)) {
-      rest_ = line.text;
-      if (rest_.find_first_not_of(" \t") != std::string_view::npos) return true;
-    }
-    return false;
+    if (!lines_.next_filled(line)) return false;
+    rest_ = line.text;
+    return true;
   }
 
   bool ends_early(std::size_t there, std::size_t claimed, bool are_faces) {
@@ -164,18 +162,6 @@ class TxtReader {
                  "面が頂点 0 を参照し、最後の頂点を参照していません。番号が 0 から始まっているようです。この形式では 1 "
                  "から数えるので、すべての番号に 1 を加えてください。"},
                 FilePlace::at_line(first_zero_line_));
-  }
-
-  void count_extra_lines() {
-    if (!next_line()) return;
-    const std::uint64_t first = lines_.count();
-    std::uint64_t count = 1;
-    while (next_line()) ++count;
-    reporter_.warn("extra_data", FilePlace::at_line(first), [&] {
-      const std::string number = std::to_string(count);
-      return Text{number + (count == 1 ? " line" : " lines") + " after the last announced face left out.",
-                  "宣言された最後の面より後の " + number + " 行を無視しました。"};
-    });
   }
 
   std::string_view bytes_;

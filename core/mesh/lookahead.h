@@ -37,15 +37,6 @@ class Lookahead {
   };
   void begin(Walks& walks) const;
   void step(Walks& walks) const;
-  void fetch(Halfedge h) const {
-    if (mesh_.exists(h)) __builtin_prefetch(mesh_.columns().halfedges.data() + h.index);
-  }
-  void fetch(Vertex v) const {
-    if (mesh_.exists(v)) __builtin_prefetch(mesh_.columns().vertex_halfedge.data() + v.index);
-  }
-  void fetch(Face f) const {
-    if (mesh_.exists(f)) __builtin_prefetch(mesh_.columns().face_halfedge.data() + f.index);
-  }
 
   const Mesh& mesh_;
   Around around_;

@@ -5,6 +5,7 @@
 #include "core/mesh/column_memory.h"
 #include "core/ops/collapse_edge.h"
 #include "core/ops/common_neighbours.h"
+#include "core/ops/plain_check.h"
 
 namespace ryosen {
 
@@ -69,8 +70,8 @@ class Stars {
 bool is_surely_legal(const Mesh& mesh, const Stars& stars, Halfedge h) {
   if (mesh.is_outside(h) || mesh.is_outside(twin(h))) return false;
   const Stars::Star &a = stars[mesh.from(h)], &b = stars[mesh.to(h)];
-  if (!a.is_plain || !b.is_plain || a.gaps + b.gaps > 1 || a.valence < 3 || b.valence < 3) return false;
-  return a.valence + b.valence > 6 && stars.count_common(a, b) == 2;
+  if (!a.is_plain || !b.is_plain) return false;
+  return is_ordinary_inner_edge(std::uint32_t{a.gaps} + b.gaps, a.valence, b.valence) && stars.count_common(a, b) == 2;
 }
 
 }  // namespace

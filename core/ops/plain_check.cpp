@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/mesh/prefetch.h"
 #include "core/ops/common_neighbours.h"
 
 namespace ryosen {
@@ -99,25 +100,22 @@ bool may_join_boundary(const HalfedgeLinks* links, Halfedge h) {
 }
 
 // What applying the operator will touch next, fetched while the check walks.
-__attribute__((no_sanitize("pointer-overflow")))  // the addresses are for the cache alone
 void fetch_ends(const Mesh& m, const HalfedgeLinks& a, const HalfedgeLinks& b) {
-  const MeshColumns& c = m.columns();
-  __builtin_prefetch(c.vertex_halfedge.data() + a.from.index);
-  __builtin_prefetch(c.vertex_halfedge.data() + b.from.index);
-  __builtin_prefetch(c.face_halfedge.data() + a.face.index);
-  __builtin_prefetch(c.face_halfedge.data() + b.face.index);
+  for (const HalfedgeLinks* side : {&a, &b}) {
+    prefetch(m, side->from);
+    prefetch(m, side->face);
+  }
 }
 
 // The same for the triangles that vanish: their third corners and the faces beyond them.
-__attribute__((no_sanitize("pointer-overflow"))) void fetch_apexes(const Mesh& m, Halfedge h) {
-  const MeshColumns& c = m.columns();
-  for (Halfedge beyond : {twin(c.halfedges[h.index].prev), twin(c.halfedges[twin(h).index].next)}) {
-    __builtin_prefetch(c.face_halfedge.data() + c.halfedges[beyond.index].face.index);
-    __builtin_prefetch(c.halfedges.data() + c.halfedges[beyond.index].next.index);
-    __builtin_prefetch(c.halfedges.data() + c.halfedges[beyond.index].prev.index);
+void fetch_apexes(const Mesh& m, Halfedge h) {
+  for (Halfedge beyond : {twin(m.prev(h)), twin(m.next(twin(h)))}) {
+    prefetch(m, m.face(beyond));
+    prefetch(m, m.next(beyond));
+    prefetch(m, m.prev(beyond));
   }
-  __builtin_prefetch(c.vertex_halfedge.data() + m.from(m.prev(h)).index);
-  __builtin_prefetch(c.vertex_halfedge.data() + m.from(m.prev(twin(h))).index);
+  prefetch(m, m.from(m.prev(h)));
+  prefetch(m, m.from(m.prev(twin(h))));
 }
 
 }  // namespace
@@ -133,9 +131,8 @@ QuickAnswer quick_collapse(const Mesh& m, Halfedge h) {
   fetch_apexes(m, h);
   if (m.has_copies() && (any_copy(m, a) || any_copy(m, b))) return unknown;
   if (a.gaps() + b.gaps() == 0 || (links[h.index].face && links[o.index].face)) {
-    // An inner edge: the first and the last neighbour of each end are the apexes. Two ends without others would leave
-    // two equal triangles.
-    if (a.gaps() + b.gaps() > 1 || a.valence() < 3 || b.valence() < 3 || a.valence() + b.valence() == 6) return unknown;
+    // An inner edge: the first and the last neighbour of each end are the apexes.
+    if (!is_ordinary_inner_edge(a.gaps() + b.gaps(), a.valence(), b.valence())) return unknown;
     return common_neighbours(a, b, 1) == 0 ? legal : refused;
   }
   if (a.gaps() > 1 || b.gaps() > 1) return unknown;
@@ -151,7 +148,7 @@ QuickAnswer quick_swap(const Mesh& m, Halfedge h) {
   if (!left.face || !right.face) return refused;
   if (left.face == right.face) return unknown;
   fetch_ends(m, left, right);
-  __builtin_prefetch(links + right.next.index);
+  prefetch(m, right.next);
   if (!is_three_loop(links, h) || !is_three_loop(links, o)) return unknown;
   const Vertex c = links[left.prev.index].from, d = links[right.prev.index].from;
   if (c == d || has_copies(m, {left.from, right.from, c, d})) return unknown;

@@ -13,7 +13,7 @@
 #include "core/mesh/copies.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/long_run.h"
-#include "tests/support/core/oracle/complex_operators.h"
+#include "tests/support/core/oracle/complex_rules.h"
 #include "tests/support/core/random_ops.h"
 
 namespace ryosen {

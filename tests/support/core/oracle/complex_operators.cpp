@@ -45,47 +45,6 @@ bool is_one_edge(const Complex& complex, int a, int b) {
   return sides.size() < 2 || (sides.size() == 2 && sides[0].second != sides[1].second);
 }
 
-ComplexFacts read_as(ComplexFacts facts, const std::vector<Pair>& pairs) {
-  const auto exchange = [&](int& v) {
-    for (const auto& [gone, stays] : pairs)
-      if (v == gone) v = stays;
-  };
-  for (auto& [fault, a, b] : facts.faults) {
-    if (fault != Fault::directed_edge_twice && fault != Fault::several_fans && fault != Fault::pair_twice) continue;
-    exchange(a);
-    exchange(b);
-  }
-  for (auto& [lo, hi, count] : facts.nonmanifold) {
-    exchange(lo);
-    exchange(hi);
-    if (lo > hi) std::swap(lo, hi);
-  }
-  for (auto& [lo, hi] : facts.misoriented) {
-    exchange(lo);
-    exchange(hi);
-    if (lo > hi) std::swap(lo, hi);
-  }
-  std::sort(facts.faults.begin(), facts.faults.end());
-  std::sort(facts.nonmanifold.begin(), facts.nonmanifold.end());
-  std::sort(facts.misoriented.begin(), facts.misoriented.end());
-  return facts;
-}
-
-bool has_new_fault(const ComplexFacts& before, const ComplexFacts& after, bool fans_count) {
-  for (const auto& fault : after.faults) {
-    if (!fans_count && std::get<0>(fault) == Fault::several_fans) continue;
-    if (!std::binary_search(before.faults.begin(), before.faults.end(), fault)) return true;
-  }
-  return false;
-}
-
-bool is_same_on_points(const ComplexFacts& before, const ComplexFacts& after) {
-  return after.loops_on_points && after.reads_back && after.nonmanifold == before.nonmanifold &&
-         after.misoriented == before.misoriented && after.equal_faces == before.equal_faces &&
-         std::includes(before.doubled_wires.begin(), before.doubled_wires.end(), after.doubled_wires.begin(),
-                       after.doubled_wires.end());
-}
-
 // All loops but those of one place, given to one face or another in every way.
 void distribute(const std::vector<Corners>& loops, std::vector<Corners> one, std::vector<Corners> other,
                 std::size_t next,
@@ -423,31 +382,5 @@ std::vector<int> joined_faces(const Complex& points, int face, bool only_ordinar
 
 std::vector<int> sheet_of(const Complex& points, int face) { return joined_faces(points, face, true); }
 std::vector<int> component_of(const Complex& points, int face) { return joined_faces(points, face, false); }
-
-bool is_legal_local(const ComplexFacts& facts, const Outcome& outcome) {
-  const ComplexFacts before = read_as(facts, outcome.read_as);
-  const ComplexFacts after = facts_of(outcome.after);
-  if (has_new_fault(before, after, true) || !is_same_on_points(before, after) || after.groups != before.groups)
-    return false;
-  const auto euler = [](const ComplexFacts& f) { return f.vertices - f.edges + f.faces - f.rings; };
-  return after.vertices - before.vertices == outcome.vertices && euler(after) == euler(before) &&
-         after.rings == before.rings && after.boundary_loops == before.boundary_loops &&
-         after.components == before.components && after.isolated == before.isolated;
-}
-
-bool is_legal_euler(const ComplexFacts& facts, const Outcome& outcome) {
-  const ComplexFacts before = read_as(facts, outcome.read_as);
-  const ComplexFacts after = facts_of(outcome.after);
-  if (has_new_fault(before, after, false) || !is_same_on_points(before, after)) return false;
-  return after.vertices - before.vertices == outcome.vertices && after.edges - before.edges == outcome.edges &&
-         after.faces - before.faces == outcome.faces && after.rings - before.rings == outcome.rings;
-}
-
-bool is_legal_on_points(const ComplexFacts& facts, const Outcome& outcome) {
-  const ComplexFacts before = read_as(facts, outcome.read_as), after = facts_of(outcome.after);
-  if (has_new_fault(before, after, false)) return false;
-  return after.loops_on_points && after.nonmanifold == before.nonmanifold && after.misoriented == before.misoriented &&
-         after.equal_faces == before.equal_faces;
-}
 
 }  // namespace ryosen::oracle

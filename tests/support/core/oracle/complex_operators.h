@@ -50,12 +50,4 @@ Complex detached(const Complex& points, const std::vector<int>& faces, int first
 std::vector<int> sheet_of(const Complex& points, int face);
 std::vector<int> component_of(const Complex& points, int face);
 
-// The rules of a verdict. Local operators are judged on separated lists by all of them; Euler operators may leave
-// several fans and change boundary loops and components.
-bool is_legal_local(const ComplexFacts& before, const Outcome& outcome);
-bool is_legal_euler(const ComplexFacts& before, const Outcome& outcome);
-// For lists of points that are read anew afterwards: no new fault, and the same edges with three or more faces or with
-// faces in one direction.
-bool is_legal_on_points(const ComplexFacts& before, const Outcome& outcome);
-
 }  // namespace ryosen::oracle

@@ -6,6 +6,8 @@
 
 #include "tests/support/core/oracle/figures.h"
 
+#include "tests/support/core/oracle/exchange.h"
+
 namespace ryosen::oracle {
 namespace {
 
@@ -133,19 +135,8 @@ void read_as(Facts& facts, int gone, int stays) {
       exchange(second);
     }
   }
-  for (auto& [lo, hi, count] : facts.nonmanifold) {
-    exchange(lo);
-    exchange(hi);
-    if (lo > hi) std::swap(lo, hi);
-  }
-  for (auto& [lo, hi] : facts.misoriented) {
-    exchange(lo);
-    exchange(hi);
-    if (lo > hi) std::swap(lo, hi);
-  }
   std::sort(facts.violations.begin(), facts.violations.end());
-  std::sort(facts.nonmanifold.begin(), facts.nonmanifold.end());
-  std::sort(facts.misoriented.begin(), facts.misoriented.end());
+  exchange_points(facts.nonmanifold, facts.misoriented, exchange);
 }
 
 // Two triangles at the edge with the same third point.

@@ -34,6 +34,26 @@ inline Failure read_refused(std::string_view id, std::string_view text) {
   return file ? Failure{} : file.failure();
 }
 
+// A piece of a sound text, what is put in its place, and how the damaged text is refused.
+struct Damage {
+  const char *from, *to, *code;
+  std::uint64_t line;
+};
+
+inline void expect_refusals(std::string_view id, std::string_view sound, std::initializer_list<Damage> damages) {
+  for (const Damage& damage : damages) {
+    std::string text(sound);
+    const std::size_t place = text.find(damage.from);
+    ASSERT_NE(place, std::string::npos) << damage.from;
+    text.replace(place, std::string_view(damage.from).size(), damage.to);
+    const Failure failure = read_refused(id, text);
+    EXPECT_EQ(failure.message.code, damage.code) << text;
+    EXPECT_EQ(failure.message.line, damage.line) << text;
+    EXPECT_EQ(failure.exit_code, ExitCode::input_malformed) << text;
+    EXPECT_FALSE(failure.message.text.ja.empty()) << text;
+  }
+}
+
 inline const Message* find_message(const MeshFile& file, std::string_view code) {
   for (const Message& message : file.messages) {
     if (message.code == code) return &message;

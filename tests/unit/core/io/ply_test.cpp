@@ -1,7 +1,6 @@
 #include "core/io/ply.h"
 
 #include <bit>
-#include <cstring>
 
 #include "tests/unit/core/io/io_helpers.h"
 
@@ -9,6 +8,7 @@ namespace ryosen {
 namespace {
 
 using io_test::difference_after_round_trip;
+using io_test::expect_refusals;
 using io_test::find_message;
 using io_test::read_refused;
 using io_test::read_sound;
@@ -201,57 +201,42 @@ TEST(PlyRead, IndicesThatCannotBe) {
   EXPECT_EQ(difference_after_round_trip(file, "ply"), "");
 }
 
-struct BadHeader {
-  const char *from, *to, *code;
-  std::uint64_t line;
-};
-
 TEST(PlyRead, HeadersThatCannotBe) {
-  const BadHeader cases[] = {
-      {"ply\n", "plyx\n", "not_ply", 1},
-      {"ascii", "asci", "unknown_encoding", 2},
-      {"1.0", "2.0", "unsupported_version", 2},
-      {"format ascii 1.0\n", "", "missing_format", 8},
-      {"vertex 4", "vertex four", "unreadable_number", 3},
-      {"vertex 4", "vertex -4", "negative_count", 3},
-      {"vertex 4", "vertex 2000000000", "count_too_large", 3},
-      {"vertex 4", "vertex 99999999999999999999", "count_too_large", 3},
-      {"element vertex 4", "element vertx 4", "missing_element", 9},
-      {"element face 4", "element vertex 4", "repeated_element", 7},
-      {"element vertex 4\n", "", "property_without_element", 3},
-      {"float x", "flout x", "unknown_type", 4},
-      {"float x", "list float int x", "unknown_type", 4},
-      {"float x", "list uchar int x", "missing_property", 3},
-      {"float x", "float", "missing_name", 4},
-      {"uchar int", "uchar float", "missing_property", 7},
-      {"vertex_indices", "indices", "missing_property", 7},
-      {"end_header\n", "", "unknown_keyword", 9},
-      {"end_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n", "", "unexpected_end", 9},
-  };
-  for (const BadHeader& bad : cases) {
-    std::string text(ply_tetrahedron);
-    text.replace(text.find(bad.from), std::strlen(bad.from), bad.to);
-    const Failure failure = read_refused("ply", text);
-    EXPECT_EQ(failure.message.code, bad.code) << text;
-    EXPECT_EQ(failure.message.line, bad.line) << text;
-    EXPECT_EQ(failure.exit_code, ExitCode::input_malformed);
-    EXPECT_FALSE(failure.message.text.ja.empty());
-  }
+  expect_refusals(
+      "ply", ply_tetrahedron,
+      {
+          {"ply\n", "plyx\n", "not_ply", 1},
+          {"ascii", "asci", "unknown_encoding", 2},
+          {"1.0", "2.0", "unsupported_version", 2},
+          {"format ascii 1.0\n", "", "missing_format", 8},
+          {"vertex 4", "vertex four", "unreadable_number", 3},
+          {"vertex 4", "vertex -4", "negative_count", 3},
+          {"vertex 4", "vertex 2000000000", "count_too_large", 3},
+          {"vertex 4", "vertex 99999999999999999999", "count_too_large", 3},
+          {"element vertex 4", "element vertx 4", "missing_element", 9},
+          {"element face 4", "element vertex 4", "repeated_element", 7},
+          {"element vertex 4\n", "", "property_without_element", 3},
+          {"float x", "flout x", "unknown_type", 4},
+          {"float x", "list float int x", "unknown_type", 4},
+          {"float x", "list uchar int x", "missing_property", 3},
+          {"float x", "float", "missing_name", 4},
+          {"uchar int", "uchar float", "missing_property", 7},
+          {"vertex_indices", "indices", "missing_property", 7},
+          {"end_header\n", "", "unknown_keyword", 9},
+          {"end_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n", "", "unexpected_end", 9},
+      });
 }
 
 TEST(PlyRead, RowsThatCannotBe) {
-  const BadHeader cases[] = {
-      {"1 0 0\n", "1 0\n", "missing_number", 11},    {"1 0 0\n", "1 x 0\n", "unreadable_number", 11},
-      {"3 0 1 3", "3 0 1", "short_face", 15},        {"3 0 1 3", "3 0 1.5 3", "unreadable_index", 15},
-      {"3 0 1 3", "-3 0 1 3", "negative_count", 15}, {"3 0 3 2\n", "", "unexpected_end", 17},
-  };
-  for (const BadHeader& bad : cases) {
-    std::string text(ply_tetrahedron);
-    text.replace(text.find(bad.from), std::strlen(bad.from), bad.to);
-    const Failure failure = read_refused("ply", text);
-    EXPECT_EQ(failure.message.code, bad.code) << text;
-    EXPECT_EQ(failure.message.line, bad.line) << text;
-  }
+  expect_refusals("ply", ply_tetrahedron,
+                  {
+                      {"1 0 0\n", "1 0\n", "missing_number", 11},
+                      {"1 0 0\n", "1 x 0\n", "unreadable_number", 11},
+                      {"3 0 1 3", "3 0 1", "short_face", 15},
+                      {"3 0 1 3", "3 0 1.5 3", "unreadable_index", 15},
+                      {"3 0 1 3", "-3 0 1 3", "negative_count", 15},
+                      {"3 0 3 2\n", "", "unexpected_end", 17},
+                  });
   std::string text(rich_ply);
   text.replace(text.find("-3 4\n"), 5, "-3 40000\n");
   EXPECT_EQ(read_refused("ply", text).message.code, "number_out_of_type");

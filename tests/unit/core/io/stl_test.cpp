@@ -1,13 +1,12 @@
 #include "core/io/stl.h"
 
-#include <cstring>
-
 #include "tests/unit/core/io/io_helpers.h"
 
 namespace ryosen {
 namespace {
 
 using io_test::difference_after_round_trip;
+using io_test::expect_refusals;
 using io_test::find_message;
 using io_test::read_refused;
 using io_test::read_sound;
@@ -150,32 +149,21 @@ TEST(StlRead, CountsThatDoNotFit) {
   EXPECT_EQ(read_refused("stl", std::string(200, 'x')).message.code, "not_stl");
 }
 
-struct BadText {
-  const char *from, *to, *code;
-  std::uint64_t line;
-};
-
 TEST(StlRead, TextsThatCannotBe) {
-  const BadText cases[] = {
-      {"solid t\nfacet", "solid t\nfacit", "unknown_keyword", 2},
-      {"normal 0", "normal x", "unreadable_number", 2},
-      {"normal", "norm", "unknown_keyword", 2},
-      {"outer", "inner", "unknown_keyword", 3},
-      {"vertex -0 -0.0 0", "vertex -0 -0.0", "unreadable_number", 5},
-      {"vertex 0 1 0", "vertex 0 1 0 7", "unknown_keyword", 5},
-      {" endloop\nendfacet", " endloop", "unknown_keyword", 8},
-      {"0 0 1\n endloop\nendfacet\nfacet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 0 0 1\n  vertex 0 1 0\n"
-       " endloop\nendfacet\nendsolid t\n",
-       "0 0", "unexpected_end", 21},
-  };
-  for (const BadText& bad : cases) {
-    std::string text = text_tetrahedron("t");
-    ASSERT_NE(text.find(bad.from), std::string::npos) << bad.from;
-    text.replace(text.find(bad.from), std::strlen(bad.from), bad.to);
-    const Failure failure = read_refused("stl", text);
-    EXPECT_EQ(failure.message.code, bad.code) << text;
-    EXPECT_EQ(failure.message.line, bad.line) << text;
-  }
+  expect_refusals("stl", text_tetrahedron("t"),
+                  {
+                      {"solid t\nfacet", "solid t\nfacit", "unknown_keyword", 2},
+                      {"normal 0", "normal x", "unreadable_number", 2},
+                      {"normal", "norm", "unknown_keyword", 2},
+                      {"outer", "inner", "unknown_keyword", 3},
+                      {"vertex -0 -0.0 0", "vertex -0 -0.0", "unreadable_number", 5},
+                      {"vertex 0 1 0", "vertex 0 1 0 7", "unknown_keyword", 5},
+                      {" endloop\nendfacet", " endloop", "unknown_keyword", 8},
+                      {"0 0 1\n endloop\nendfacet\nfacet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 0 0 1\n  "
+                       "vertex 0 1 0\n"
+                       " endloop\nendfacet\nendsolid t\n",
+                       "0 0", "unexpected_end", 21},
+                  });
 }
 
 TEST(StlRead, TextsThatAreOdd) {

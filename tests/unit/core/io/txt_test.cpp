@@ -1,13 +1,12 @@
 #include "core/io/txt.h"
 
-#include <cstring>
-
 #include "tests/unit/core/io/io_helpers.h"
 
 namespace ryosen {
 namespace {
 
 using io_test::difference_after_round_trip;
+using io_test::expect_refusals;
 using io_test::find_message;
 using io_test::read_refused;
 using io_test::read_sound;
@@ -34,34 +33,23 @@ TEST(TxtRead, FacesThatCannotBeUsed) {
   EXPECT_EQ(difference_after_round_trip(file, "txt"), "");
 }
 
-struct BadList {
-  const char *from, *to, *code;
-  std::uint64_t line;
-};
-
 TEST(TxtRead, ListsThatCannotBe) {
-  const BadList cases[] = {
-      {"4 4\n", "4\n", "missing_number", 1},
-      {"4 4\n", "4 4 0\n", "extra_values", 1},
-      {"4 4\n", "-4 4\n", "negative_count", 1},
-      {"4 4\n", "99999999999999999999 4\n", "count_too_large", 1},
-      {"4 4\n", "4 5\n", "unexpected_end", 10},
-      {"4 4\n", "4.0 4\n", "unreadable_index", 1},
-      {"1 0 0\n", "1 0\n", "missing_number", 3},
-      {"1 0 0\n", "1 0 0 9\n", "extra_values", 3},
-      {"1 0 0\n", "1 zero 0\n", "unreadable_number", 3},
-      {"1 3 2\n", "1 3\n", "missing_number", 6},
-      {"1 3 2\n", "1 3 2 4\n", "extra_values", 6},
-      {"1 3 2\n", "1 3 2.5\n", "unreadable_index", 6},
-      {"1 3 2\n1 2 4\n2 3 4\n1 4 3\n", "0 2 1\n0 1 3\n1 2 3\n0 3 2\n", "zero_based", 6},
-  };
-  for (const BadList& bad : cases) {
-    std::string text(triangle_list);
-    text.replace(text.find(bad.from), std::strlen(bad.from), bad.to);
-    const Failure failure = read_refused("txt", text);
-    EXPECT_EQ(failure.message.code, bad.code) << text;
-    EXPECT_EQ(failure.message.line, bad.line) << text;
-  }
+  expect_refusals("txt", triangle_list,
+                  {
+                      {"4 4\n", "4\n", "missing_number", 1},
+                      {"4 4\n", "4 4 0\n", "extra_values", 1},
+                      {"4 4\n", "-4 4\n", "negative_count", 1},
+                      {"4 4\n", "99999999999999999999 4\n", "count_too_large", 1},
+                      {"4 4\n", "4 5\n", "unexpected_end", 10},
+                      {"4 4\n", "4.0 4\n", "unreadable_index", 1},
+                      {"1 0 0\n", "1 0\n", "missing_number", 3},
+                      {"1 0 0\n", "1 0 0 9\n", "extra_values", 3},
+                      {"1 0 0\n", "1 zero 0\n", "unreadable_number", 3},
+                      {"1 3 2\n", "1 3\n", "missing_number", 6},
+                      {"1 3 2\n", "1 3 2 4\n", "extra_values", 6},
+                      {"1 3 2\n", "1 3 2.5\n", "unreadable_index", 6},
+                      {"1 3 2\n1 2 4\n2 3 4\n1 4 3\n", "0 2 1\n0 1 3\n1 2 3\n0 3 2\n", "zero_based", 6},
+                  });
 }
 
 TEST(TxtWrite, CutsPolygonsAndNamesWhatItCannotHold) {

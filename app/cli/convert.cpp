@@ -4,6 +4,7 @@
 #include "app/cli/json.h"
 #include "app/cli/outputs.h"
 #include "core/io/formats.h"
+#include "core/io/safe_write.h"
 #include "core/io/triangulated.h"
 
 namespace ryosen::cli {
@@ -46,9 +47,8 @@ class Conversion {
     ExitCode code = ExitCode::done;
     if (is_strict && !losses_.empty()) {
       code = refuse();
-    } else if (const Status status = write_mesh_file(output_, *file, target_); !status) {
-      code = status.failure().exit_code;
-      add(status.failure().message);
+    } else {
+      code = write(*file);
     }
     report(*file, code);
     return code;
@@ -70,19 +70,26 @@ class Conversion {
     return ExitCode::refused;
   }
 
+  ExitCode write(const MeshFile& file) {
+    const Status status = write_mesh_file(output_, file, target_);
+    is_written_ = is_in_place(status);
+    if (status) return ExitCode::done;
+    add(status.failure().message);
+    return status.failure().exit_code;
+  }
+
   void report(const MeshFile& file, ExitCode code) const {
-    const bool is_written = code == ExitCode::done;
     if (!console_.json) {
-      console_.print(is_written ? console_.text(Text{"written: ", "書き出し："}) + output_ + "\n"
-                                : std::string(console_.text("nothing written\n", "書き出しなし\n")));
+      console_.print(is_written_ ? console_.text(Text{"written: ", "書き出し："}) + output_ + "\n"
+                                 : std::string(console_.text("nothing written\n", "書き出しなし\n")));
       return;
     }
     Json json;
     json["file"] = input_;
-    json["output"] = is_written ? Json(output_) : Json();
+    json["output"] = is_written_ ? Json(output_) : Json();
     json["from"] = file.format->id;
     json["format"] = target_.format->id;
-    json["status"] = !is_written ? "error" : losses_.empty() ? "ok" : "warnings";
+    json["status"] = code != ExitCode::done ? "error" : losses_.empty() ? "ok" : "warnings";
     json["vertices"] = file.mesh.positions.size();
     json["faces"] = file.mesh.face_count();
     json["losses"] = Json::array();
@@ -100,6 +107,7 @@ class Conversion {
   const Console& console_;
   std::vector<Loss> losses_;
   std::vector<Message> messages_;
+  bool is_written_ = false;
 };
 
 }  // namespace

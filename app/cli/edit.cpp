@@ -6,7 +6,9 @@
 #include "app/cli/json.h"
 #include "app/editor/expect.h"
 #include "app/editor/session.h"
+#include "app/editor/words.h"
 #include "core/analysis/figures.h"
+#include "core/io/safe_write.h"
 
 namespace ryosen::cli {
 
@@ -68,6 +70,8 @@ class EditRun {
       if (split_words(step.line.text)[0] == "save") written_ = session_.document().path().string();
       return;
     }
+    // A save may fail after the file is in its place.
+    if (split_words(step.outcome.performed).size() > 1) written_ = file_name(behind_word(step.outcome.performed));
     if (step.outcome.exit_code != ExitCode::refused) {
       step.result = "failed";
       failed_ = stopped_ = true;
@@ -133,11 +137,11 @@ class EditRun {
   void write() {
     const std::vector<Message> losses = session_.document().losses(*files_.output);
     const Status status = session_.document().save(*files_.output);
-    if (status) {
+    if (is_in_place(status)) {
       written_ = *files_.output;
       for (const Message& loss : losses) console_.show(loss, *files_.output);
-      return;
     }
+    if (status) return;
     code_ = status.failure().exit_code;
     failed_ = true;
     write_failure_ = status.failure().message;

@@ -9,6 +9,7 @@
 #include "app/cli/edit_script.h"
 #include "app/cli/json.h"
 #include "app/editor/document.h"
+#include "core/io/safe_write.h"
 
 namespace ryosen::cli {
 
@@ -91,10 +92,8 @@ class RepairRun {
  private:
   void write() {
     const Status status = document_.save(*files_.output);
-    if (status) {
-      written_ = true;
-      return;
-    }
+    written_ = is_in_place(status);
+    if (status) return;
     code_ = status.failure().exit_code;
     failure_ = status.failure().message;
     console_.show(*failure_, *files_.output);

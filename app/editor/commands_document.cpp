@@ -4,6 +4,7 @@
 
 #include "app/editor/script.h"
 #include "app/editor/words.h"
+#include "core/io/safe_write.h"
 
 namespace ryosen {
 
@@ -70,7 +71,11 @@ Outcome run_save(Session& session, Arguments, std::string_view whole) {
   if (target.empty()) return usage_error("save needs a file name here", "保存先のファイル名を指定してください");
   const std::vector<Message> losses = document.losses(target);
   const Status status = document.save(target);
-  if (!status) return failed(status.failure());
+  if (!status) {
+    Outcome outcome = failed(status.failure());
+    if (is_in_place(status)) outcome.performed = "save " + file_argument(target.string());
+    return outcome;
+  }
   Outcome outcome = performed(named.empty() ? "save" : "save " + file_argument(named));
   for (const Message& loss : losses) {
     outcome.sentence.en += (outcome.sentence.en.empty() ? "" : " ") + loss.text.en;

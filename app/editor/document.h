@@ -26,7 +26,8 @@ struct Outcome {
   ExitCode exit_code = ExitCode::done;
   // For refused and failed: names the element and the remedy. For done: what should be known of it, mostly nothing.
   Text sentence;
-  // The script line of what was done to the mesh or a file; empty where nothing was.
+  // The script line of what was done to the mesh or a file, also where it is there and yet failed (a file that may not
+  // survive a power cut); empty where nothing was.
   std::string performed;
   std::vector<Reason> reasons;
   std::vector<Reason> warnings;

@@ -10,8 +10,9 @@
 #include <limits>
 #include <new>
 #include <string>
-#include <system_error>
 #include <utility>
+
+#include "core/io/system_reason.h"
 
 namespace ryosen {
 namespace {
@@ -32,9 +33,9 @@ Failure failure(const std::filesystem::path& path, int error) {
     out.message.text = {name + " is a pipe, device or socket, not a file.",
                         name + " は通常のファイルではありません（パイプ、デバイス、ソケットなど）。"};
   } else {
-    const std::string reason = std::generic_category().message(error);
+    const Text reason = system_reason(error);
     out.message.code = "input_unreadable";
-    out.message.text = {"Cannot read " + name + ": " + reason + ".", name + " を読めません: " + reason + "。"};
+    out.message.text = {"Cannot read " + name + ": " + reason.en + ".", name + " を読めません：" + reason.ja + "。"};
   }
   return out;
 }

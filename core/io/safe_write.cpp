@@ -11,16 +11,38 @@
 #include <system_error>
 #include <utility>
 
+#include "core/io/system_reason.h"
+
 namespace ryosen {
 namespace {
 
+constexpr std::string_view not_durable_code = "output_not_durable";
+
 Failure not_writable(const std::filesystem::path& path, std::string_view code, int error) {
-  const std::string reason = std::generic_category().message(error);
+  const Text reason = system_reason(error);
   Message message;
   message.code = code;
-  message.text = {"Cannot write " + path.string() + ": " + reason + ".",
-                  path.string() + " に書き込めません: " + reason + "。"};
+  message.text = {"Cannot write " + path.string() + ": " + reason.en + ".",
+                  path.string() + " に書き込めません：" + reason.ja + "。"};
   return {ExitCode::output_not_writable, std::move(message)};
+}
+
+Failure not_durable(const std::filesystem::path& path, int error) {
+  const Text reason = system_reason(error);
+  Message message;
+  message.code = not_durable_code;
+  message.text = {
+      path.string() + " is written, but it is not certain that it survives a power cut: " + reason.en + ".",
+      path.string() + " は書き出しましたが、停電が起きても残るかどうかは確かではありません：" + reason.ja + "。"};
+  return {ExitCode::output_not_writable, std::move(message)};
+}
+
+// Calls again while a signal gets in the way.
+template <class Call>
+auto retried(const Call& call) {
+  auto result = call();
+  while (result < 0 && errno == EINTR) result = call();
+  return result;
 }
 
 // Closes a file descriptor at the end of its life, unless closed before.
@@ -33,8 +55,8 @@ class Descriptor {
 
   int number() const { return number_; }
   bool is_open() const { return number_ >= 0; }
-  // False if the system reports a late error.
-  bool close() { return number_ < 0 || ::close(std::exchange(number_, -1)) == 0; }
+  // False if the system reports a late error. A signal does not keep it open.
+  bool close() { return number_ < 0 || ::close(std::exchange(number_, -1)) == 0 || errno == EINTR; }
 
  private:
   int number_;
@@ -43,8 +65,7 @@ class Descriptor {
 bool write_all(int descriptor, std::string_view bytes) {
   constexpr std::size_t most = std::size_t{1} << 30;
   while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), std::min(bytes.size(), most));
-    if (written < 0 && errno == EINTR) continue;
+    const ssize_t written = retried([&] { return ::write(descriptor, bytes.data(), std::min(bytes.size(), most)); });
     if (written < 0) return false;
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
@@ -53,7 +74,7 @@ bool write_all(int descriptor, std::string_view bytes) {
 
 bool synchronise(int descriptor) {
   // Some file systems cannot; what was written is then as safe as it gets there.
-  return ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP;
+  return retried([&] { return ::fsync(descriptor); }) == 0 || errno == EINVAL || errno == ENOTSUP;
 }
 
 // Where the bytes go in the end, through any chain of links, the last of which may point to nothing yet.
@@ -75,7 +96,7 @@ std::filesystem::path follow_links(std::filesystem::path path, int& error) {
 }
 
 Status write_through(const std::filesystem::path& path, const std::filesystem::path& target, std::string_view bytes) {
-  Descriptor out(::open(target.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
+  Descriptor out(retried([&] { return ::open(target.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY); }));
   if (!out.is_open() || !write_all(out.number(), bytes) || !out.close()) {
     return not_writable(path, "output_not_writable", errno);
   }
@@ -96,7 +117,7 @@ class Beside {
   bool exists() const { return exists_; }
   int descriptor() const { return descriptor_.number(); }
   bool rename_to(const std::filesystem::path& target) {
-    if (!descriptor_.close() || std::rename(name_.c_str(), target.c_str()) != 0) return false;
+    if (!descriptor_.close() || retried([&] { return std::rename(name_.c_str(), target.c_str()); }) != 0) return false;
     exists_ = false;
     return true;
   }
@@ -109,7 +130,7 @@ class Beside {
     int descriptor = -1;
     for (int i = 0; i < most_tries && descriptor < 0; ++i) {
       name_ = target.parent_path() / (stem + std::to_string(i));
-      descriptor = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      descriptor = retried([&] { return ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666); });
       if (descriptor < 0 && errno != EEXIST) break;
     }
     exists_ = descriptor >= 0;
@@ -128,7 +149,7 @@ bool take_over_rights(int descriptor, const struct stat& old) {
       ::fchown(descriptor, old.st_uid, old.st_gid) != 0 && errno != EPERM) {
     return false;
   }
-  return ::fchmod(descriptor, old.st_mode & 07777) == 0;
+  return retried([&] { return ::fchmod(descriptor, old.st_mode & 07777); }) == 0;
 }
 
 }  // namespace
@@ -136,25 +157,32 @@ bool take_over_rights(int descriptor, const struct stat& old) {
 Status safe_write(const std::filesystem::path& path, std::string_view bytes) {
   int link_error = 0;
   const std::filesystem::path target = follow_links(path, link_error);
+  const auto failed = [&] { return not_writable(path, "output_not_writable", errno); };
   if (link_error != 0) return not_writable(path, "output_not_writable", link_error);
   struct stat old;
   const bool replaces = ::stat(target.c_str(), &old) == 0;
+  if (!replaces && errno != ENOENT) return failed();
   if (replaces && S_ISDIR(old.st_mode)) return not_writable(path, "output_is_folder", EISDIR);
   if (target.filename().empty()) return not_writable(path, "output_not_writable", ENOENT);
   if (replaces && !S_ISREG(old.st_mode)) return write_through(path, target, bytes);
-  if (replaces && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0)
-    return not_writable(path, "output_not_writable", errno);
+  if (replaces && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) return failed();
 
-  const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
-  Beside beside(folder / target.filename());
+  const std::filesystem::path parent = target.has_parent_path() ? target.parent_path() : ".";
+  // Opened first, so that after the rename nothing but bringing it to the disk can fail. It may be one to write in only.
+  const Descriptor folder(retried([&] { return ::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); }));
+  if (!folder.is_open() && errno != EACCES) return failed();
+  Beside beside(parent / target.filename());
   if (!beside.exists() || (replaces && !take_over_rights(beside.descriptor(), old)) ||
       !write_all(beside.descriptor(), bytes) || !synchronise(beside.descriptor()) || !beside.rename_to(target)) {
-    return not_writable(path, "output_not_writable", errno);
+    return failed();
   }
-  // The new file is complete and in its place; a folder that cannot be opened or synchronised changes nothing in that.
-  Descriptor folder_descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (folder_descriptor.is_open()) synchronise(folder_descriptor.number());
+  if (!folder.is_open())
+    ::sync();
+  else if (!synchronise(folder.number()))
+    return not_durable(path, errno);
   return success();
 }
+
+bool is_in_place(const Status& status) { return status.ok() || status.failure().message.code == not_durable_code; }
 
 }  // namespace ryosen

@@ -10,8 +10,15 @@ namespace ryosen {
 
 // Puts `bytes` in the place of the file: written beside it, brought to the disk, then renamed, and the folder is
 // brought to the disk too. Links are followed, the permissions of a file that is replaced stay; a device or pipe is
-// written to directly. On failure (exit code output_not_writable) what was there before is unchanged and nothing new
-// remains.
+// written to directly. Whatever moment the process is killed at, there is the whole old or the whole new file; what it
+// had written beside stays then as `.NAME.PROCESS.N`, which nobody reads.
+//
+// On failure (exit code output_not_writable) what was there before is unchanged and nothing new remains, but for one
+// failure: with the code output_not_durable the whole new file is in its place, and the system could not say that its
+// name is on the disk (see is_in_place). A file system that cannot bring anything to the disk is no failure.
 Status safe_write(const std::filesystem::path& path, std::string_view bytes);
+
+// Whether the file is there, whole and new: written without failure, or with output_not_durable.
+bool is_in_place(const Status& status);
 
 }  // namespace ryosen

@@ -1,62 +1,20 @@
 // The real window on a display of its own: the pointer hovers and clicks an edge, the mesh changes, Ctrl+Z restores it.
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
-#include <functional>
 #include <sstream>
 #include <thread>
 
+#include "tests/support/app/process.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {
 namespace {
 
 using namespace std::chrono_literals;
-
-// A program that runs until it is told to end.
-class Process {
- public:
-  Process(std::vector<std::string> arguments, const std::vector<std::string>& environment,
-          const std::string& output = "/dev/null") {
-    id_ = fork();
-    if (id_ != 0) return;
-    for (const std::string& variable : environment) putenv(strdup(variable.c_str()));
-    if (!freopen(output.c_str(), "w", stdout) || !freopen("/dev/null", "w", stderr)) _exit(126);
-    std::vector<char*> words;
-    for (std::string& word : arguments) words.push_back(word.data());
-    words.push_back(nullptr);
-    execvp(words[0], words.data());
-    _exit(127);
-  }
-  ~Process() {
-    if (id_ <= 0 || is_over()) return;
-    kill(id_, SIGTERM);
-    waitpid(id_, nullptr, 0);
-  }
-  Process(const Process&) = delete;
-  Process& operator=(const Process&) = delete;
-
-  bool is_over() { return is_over_ || (is_over_ = waitpid(id_, &status_, WNOHANG) == id_); }
-  int exit_code() const { return WIFEXITED(status_) ? WEXITSTATUS(status_) : -1; }
-
- private:
-  pid_t id_ = -1;
-  int status_ = 0;
-  bool is_over_ = false;
-};
-
-bool wait_for(const std::function<bool()>& condition, std::chrono::seconds limit = 15s) {
-  const auto end = std::chrono::steady_clock::now() + limit;
-  while (std::chrono::steady_clock::now() < end) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(20ms);
-  }
-  return condition();
-}
+using test::Process;
+using test::wait_for;
 
 bool is_installed(const char* program) {
   return std::system(("command -v " + std::string(program) + " >/dev/null 2>&1").c_str()) == 0;

@@ -1,0 +1,185 @@
+// Each system call of a save made to fail in turn: the old file stays whole, nothing else is left, and a sentence says
+// what happened; whatever the call, exit code and words tell what became of the file.
+#include <gtest/gtest.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+#include "app/editor/session.h"
+#include "app/editor/words.h"
+#include "tests/support/app/program.h"
+
+#ifdef RYOSEN_FAILING_CALLS  // not under sanitizers
+
+namespace ryosen {
+namespace {
+
+// The name and the path of a call, as failing_calls.cpp logs it.
+struct Call {
+  std::string name, path;
+};
+
+// A folder with one old file, which something in another process is to replace.
+class Target {
+ public:
+  Target() { reset(); }
+
+  std::string path() const { return folder_.at("out.off"); }
+  std::string folder() const { return folder_.path(); }
+  std::string input() const { return input_; }
+  std::string content() const { return test::read_file(path()); }
+  const std::string& old_content() const { return old_; }
+  bool is_alone() const { return folder_.names() == std::vector<std::string>{"out.off"}; }
+  unsigned permissions() const { return static_cast<unsigned>(std::filesystem::status(path()).permissions()); }
+
+  void reset() const {
+    std::filesystem::remove(path());
+    folder_.write("out.off", old_);
+    std::filesystem::permissions(path(), static_cast<std::filesystem::perms>(0604));
+    std::filesystem::remove(others_.at("log"));
+  }
+  // Lets the nth call of another process fail that concerns the folder; none at 0.
+  std::vector<std::string> environment(std::size_t nth, const std::string& with) const {
+    return {"LD_PRELOAD=" RYOSEN_FAILING_CALLS, "RYOSEN_FAIL_FOLDER=" + folder(),
+            "RYOSEN_FAIL_AT=" + std::to_string(nth), "RYOSEN_FAIL_WITH=" + with,
+            "RYOSEN_FAIL_LOG=" + others_.at("log")};
+  }
+  // What the other process called.
+  std::vector<Call> calls() const {
+    std::vector<Call> calls;
+    std::istringstream log(test::read_file(others_.at("log")));
+    for (Call call; log >> call.name >> call.path;) calls.push_back(call);
+    return calls;
+  }
+
+ private:
+  std::string old_ = test::read_file(test::asset("tetrahedron.off"));
+  test::TemporaryFolder folder_, others_;
+  std::string input_ = others_.copy(test::asset("cube.obj"), "in.obj");
+};
+
+// What a save comes to when this call fails in this way.
+enum class Fate { succeeds, old_stays, new_in_place };
+
+Fate fate(const Call& call, const std::string& folder, int error, bool after_rename) {
+  if (error == EINTR) return Fate::succeeds;
+  const bool cannot_sync = call.name == "fsync" && (error == EINVAL || error == ENOTSUP);
+  if (cannot_sync || (call.name == "open" && call.path == folder && error == EACCES)) return Fate::succeeds;
+  if (!after_rename) return Fate::old_stays;
+  return call.name == "fsync" ? Fate::new_in_place : Fate::succeeds;
+}
+
+void expect_fate(const Target& target, const test::ProgramRun& run, Fate expected, const std::string& whole_new,
+                 bool is_japanese) {
+  EXPECT_TRUE(target.is_alone()) << "a temporary file is left";
+  EXPECT_EQ(target.content(), expected == Fate::old_stays ? target.old_content() : whole_new);
+  EXPECT_EQ(target.permissions(), 0604u);
+  EXPECT_EQ(run.exit_code, expected == Fate::succeeds ? 0 : 5) << run.err;
+  const bool says_written = run.out.find(is_japanese ? "書き出し：" : "written: ") != std::string::npos;
+  EXPECT_EQ(says_written, expected != Fate::old_stays) << run.out;
+  if (expected == Fate::succeeds) {
+    EXPECT_EQ(run.err, "");
+    return;
+  }
+  const std::string en = expected == Fate::new_in_place ? "is written, but it is not certain" : "Cannot write ";
+  const std::string ja = expected == Fate::new_in_place ? "は書き出しましたが" : "に書き込めません";
+  EXPECT_NE(run.err.find(is_japanese ? ja : en), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find(target.path()), std::string::npos) << run.err;
+}
+
+// Runs the program again and again, with each call failing in each way.
+void fail_each_call(const Target& target, const std::vector<std::string>& arguments,
+                    std::initializer_list<int> errors) {
+  target.reset();
+  ASSERT_EQ(test::run_program(arguments, {}, target.environment(0, "0")).exit_code, 0);
+  const std::string whole_new = target.content();
+  ASSERT_NE(whole_new, target.old_content());
+  bool is_japanese = false;
+  for (const int error : errors) {
+    is_japanese = !is_japanese;
+    std::vector<std::string> words = arguments;
+    words.insert(words.end(), {"--lang", is_japanese ? "ja" : "en"});
+    bool after_rename = false;
+    std::size_t nth = 1;
+    for (;; ++nth) {
+      target.reset();
+      const test::ProgramRun run = test::run_program(words, {}, target.environment(nth, std::to_string(error)));
+      const std::vector<Call> calls = target.calls();
+      if (calls.size() < nth) break;  // none was left to fail
+      const Call& failed = calls[nth - 1];
+      SCOPED_TRACE(arguments[0] + ": " + failed.name + " " + failed.path + " fails with " + std::to_string(error));
+      expect_fate(target, run, fate(failed, target.folder(), error, after_rename), whole_new, is_japanese);
+      after_rename = after_rename || failed.name == "rename";
+    }
+    EXPECT_EQ(nth - 1, 9u) << "open folder, open, fchmod, write, fsync, close, rename, fsync folder, close folder";
+  }
+}
+
+TEST(FailingSaves, EachCallOfConvertInTurn) {
+  const Target target;
+  fail_each_call(target, {"convert", target.input(), "-o", target.path()},
+                 {ENOSPC, EIO, EROFS, ENOENT, EACCES, EDQUOT, EINVAL, EINTR, EMFILE});
+}
+
+TEST(FailingSaves, EachCallOfAnEditsOutputInTurn) {
+  const Target target;
+  fail_each_call(target, {"edit", target.input(), "-o", target.path(), "--do", "split 0-1"}, {ENOSPC, EIO});
+}
+
+TEST(FailingSaves, EachCallOfTheSaveCommandInTurn) {
+  const Target target;
+  fail_each_call(target, {"edit", target.input(), "--do", "split 0-1; save " + target.path()}, {EIO, ENOSPC});
+}
+
+TEST(FailingSaves, AWriteThatTakesHalfIsGoneOnWith) {
+  const Target target;
+  const std::vector<std::string> words{"convert", target.input(), "-o", target.path()};
+  ASSERT_EQ(test::run_program(words, {}, target.environment(0, "0")).exit_code, 0);
+  const std::string whole_new = target.content();
+  for (std::size_t nth = 1; nth <= 9; ++nth) {
+    target.reset();
+    EXPECT_EQ(test::run_program(words, {}, target.environment(nth, "short")).exit_code, 0);
+    EXPECT_EQ(target.content(), whole_new);
+    const bool is_write = target.calls()[nth - 1].name == "write";
+    EXPECT_EQ(target.calls().size(), is_write ? 10u : 9u) << "another write for the other half";
+  }
+}
+
+// Saves in a session and looks at what it says of itself. The test below runs this one again in processes of their own.
+TEST(FailingSaves, ADocumentIsSavedOrSaysThatItIsNot) {
+  const Target own;
+  const char* const given = std::getenv("RYOSEN_SAVE_TARGET");
+  const std::string path = given ? given : own.path();
+  auto document = Document::open(own.input());
+  ASSERT_TRUE(document);
+  Session session(std::move(document).value());
+  ASSERT_TRUE(session.run("split 0-1").done());
+  const Outcome outcome = session.run("save " + file_argument(path));
+  EXPECT_EQ(session.document().is_modified(), !outcome.done());
+  EXPECT_EQ(session.document().path(), outcome.done() ? path : own.input());
+  EXPECT_EQ(session.log().size(), outcome.done() ? 2u : 1u);
+  EXPECT_EQ(outcome.sentence.en.empty(), outcome.done()) << outcome.sentence.en;
+  EXPECT_TRUE(given || outcome.done());
+}
+
+TEST(FailingSaves, TheDocumentStaysUnsavedWhicheverCallFails) {
+  const Target target;
+  const std::string self = std::filesystem::read_symlink("/proc/self/exe");
+  std::size_t nth = 1;
+  for (;; ++nth) {
+    target.reset();
+    std::string command = "RYOSEN_SAVE_TARGET=" + target.path();
+    for (const std::string& variable : target.environment(nth, std::to_string(EIO))) command += " " + variable;
+    command += " " + self + " --gtest_filter=FailingSaves.ADocumentIsSavedOrSaysThatItIsNot >/dev/null";
+    EXPECT_EQ(std::system(command.c_str()), 0) << nth;
+    if (target.calls().size() < nth) break;
+  }
+  EXPECT_EQ(nth - 1, 9u);
+}
+
+}  // namespace
+}  // namespace ryosen
+
+#endif

@@ -1,0 +1,40 @@
+// A program that runs beside a test.
+#pragma once
+
+#include <signal.h>
+#include <sys/types.h>
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace ryosen::test {
+
+// Runs from construction on; ended (SIGTERM) at the end of its life where it still runs.
+class Process {
+ public:
+  // `environment` holds NAME=VALUE beside what the test has; stdout goes to the file `output`, stderr nowhere.
+  explicit Process(std::vector<std::string> arguments, const std::vector<std::string>& environment = {},
+                   const std::string& output = "/dev/null");
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  bool is_over();
+  // Sends a signal and waits for the end.
+  void end_by(int signal);
+  // Waits for the end. The exit code; -1 where a signal ended it.
+  int wait();
+  int exit_code() const;
+
+ private:
+  pid_t id_ = -1;
+  int status_ = 0;
+  bool is_over_ = false;
+};
+
+// Asks every now and then until it holds; false where it does not within the limit.
+bool wait_for(const std::function<bool()>& condition, std::chrono::seconds limit = std::chrono::seconds(15));
+
+}  // namespace ryosen::test

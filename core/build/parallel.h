@@ -1,11 +1,9 @@
-// Work on parts of a range, one thread per part.
+// Work on parts of a range, on several threads.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <system_error>
 #include <thread>
-#include <vector>
 
 namespace ryosen {
 
@@ -20,22 +18,24 @@ inline std::uint32_t part_begin(std::uint32_t count, unsigned t, unsigned parts)
   return static_cast<std::uint32_t>(std::uint64_t{count} * t / parts);
 }
 
-// Calls work(t, begin, end) for each part at the same time, or in turn where the system has no thread to give. The work
-// must not throw.
+// Calls call(work, i) once for each i below `tasks`, on up to `threads` threads, the calling one among them. The others
+// live on and wait for more. Each thread takes the next number when it is done with one, so that no thread waits for
+// another that has not begun: on a busy machine, or where the system has no thread to give, the caller does it all. What
+// the work throws first is thrown again when all is done.
+void run_tasks(unsigned tasks, unsigned threads, void (*call)(const void* work, unsigned i), const void* work);
+
+// Calls work(i) for each i below `tasks`, as run_tasks does. No two calls may need each other.
+template <class Work>
+void for_each_task(unsigned tasks, unsigned threads, const Work& work) {
+  run_tasks(
+      tasks, threads, [](const void* w, unsigned i) { (*static_cast<const Work*>(w))(i); }, &work);
+}
+
+// Calls work(t, begin, end) for each part of a range of `count`, at the same time where threads are free.
 template <class Work>
 void for_each_part(std::uint32_t count, unsigned parts, const Work& work) {
-  std::vector<std::thread> others;
-  others.reserve(parts - 1);
-  for (unsigned t = 1; t < parts; ++t) {
-    const auto do_part = [&, t] { work(t, part_begin(count, t, parts), part_begin(count, t + 1, parts)); };
-    try {
-      others.emplace_back(do_part);
-    } catch (const std::system_error&) {
-      do_part();
-    }
-  }
-  work(0, 0, part_begin(count, 1, parts));
-  for (std::thread& other : others) other.join();
+  for_each_task(parts, parts,
+                [&](unsigned t) { work(t, part_begin(count, t, parts), part_begin(count, t + 1, parts)); });
 }
 
 }  // namespace ryosen

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/build/parallel.h"
 #include "core/mesh/bridges.h"
 
 namespace ryosen {
@@ -22,7 +23,7 @@ void remove_ranges(std::vector<std::uint32_t>& values, const std::vector<std::ui
 
 }  // namespace
 
-bool FaceList::repeats_corner(std::size_t begin, std::size_t end) {
+bool FaceList::repeats_corner(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& stamps) const {
   const std::uint32_t* const c = mesh_.corners.data();
   if (end - begin == 3) {
     return c[begin] == c[begin + 1] || c[begin + 1] == c[begin + 2] || c[begin + 2] == c[begin];
@@ -33,25 +34,40 @@ bool FaceList::repeats_corner(std::size_t begin, std::size_t end) {
     }
     return false;
   }
-  stamps_.resize(mesh_.positions.size(), no_index);
+  stamps.resize(mesh_.positions.size(), no_index);
   const auto stamp = static_cast<std::uint32_t>(begin);  // differs from face to face
   for (std::size_t i = begin; i < end; ++i) {
-    if (std::exchange(stamps_[c[i]], stamp) == stamp) return true;
+    if (std::exchange(stamps[c[i]], stamp) == stamp) return true;
   }
   return false;
 }
 
-FaceList::Flaw FaceList::flaw(std::size_t face) {
+FaceList::Flaw FaceList::flaw(std::size_t face, std::vector<std::uint32_t>& stamps) const {
   const std::size_t begin = mesh_.face_offsets[face], end = mesh_.face_offsets[face + 1];
   const std::size_t vertex_count = mesh_.positions.size();
   if (end - begin < 3) return Flaw::too_few_corners;
   for (std::size_t i = begin; i < end; ++i) {
     if (mesh_.corners[i] >= vertex_count) return Flaw::index_out_of_range;
   }
-  if (!repeats_corner(begin, end)) return Flaw::none;
+  if (!repeats_corner(begin, end, stamps)) return Flaw::none;
   CornerLoops list;
   list.add(mesh_.face(face));
   return take_out_bridges(list) ? Flaw::bridged : Flaw::repeated_corner;
+}
+
+void FaceList::find_flaws(std::uint32_t begin, std::uint32_t end,
+                          std::vector<std::pair<std::size_t, Flaw>>& flawed) const {
+  const std::uint32_t* const offsets = mesh_.face_offsets.data();
+  const std::uint32_t* const corners = mesh_.corners.data();
+  const std::size_t vertices = mesh_.positions.size();
+  std::vector<std::uint32_t> stamps;
+  for (std::uint32_t face = begin; face < end; ++face) {
+    if (offsets[face + 1] - offsets[face] == 3) {
+      const std::uint32_t a = corners[offsets[face]], b = corners[offsets[face] + 1], c = corners[offsets[face] + 2];
+      if (a != b && b != c && c != a && std::max({a, b, c}) < vertices) continue;
+    }
+    if (const Flaw found = flaw(face, stamps); found != Flaw::none) flawed.emplace_back(face, found);
+  }
 }
 
 QuarantinedFace FaceList::set_aside(std::size_t face, Flaw flaw) const {
@@ -94,13 +110,18 @@ void FaceList::close_gaps(const std::vector<QuarantinedFace>& removed) {
 
 void FaceList::finish(Reporter& reporter) {
   std::vector<std::pair<std::size_t, Flaw>> flawed;
-  const std::size_t faces = mesh_.face_count();
-  for (std::size_t face = 0; face < faces; ++face) {
-    const Flaw found = flaw(face);
-    if (found == Flaw::bridged) mesh_.bridged.push_back(static_cast<std::uint32_t>(face));
-    if (found != Flaw::none && found != Flaw::bridged) flawed.emplace_back(face, found);
+  const auto faces = static_cast<std::uint32_t>(mesh_.face_count());
+  std::vector<std::vector<std::pair<std::size_t, Flaw>>> parts(threads_for(mesh_.corners.size()));
+  for_each_part(faces, static_cast<unsigned>(parts.size()),
+                [&](unsigned t, std::uint32_t begin, std::uint32_t end) { find_flaws(begin, end, parts[t]); });
+  for (const auto& part : parts) {
+    for (const auto& [face, flaw] : part) {
+      if (flaw == Flaw::bridged)
+        mesh_.bridged.push_back(static_cast<std::uint32_t>(face));
+      else
+        flawed.emplace_back(face, flaw);
+    }
   }
-  stamps_ = {};
   if (flawed.empty()) return;
   mesh_.quarantine.reserve(flawed.size());
   for (const auto& [face, found] : flawed) {

@@ -46,14 +46,15 @@ class FaceList {
  private:
   enum class Flaw : std::uint8_t { none, too_few_corners, index_out_of_range, repeated_corner, bridged };
 
-  Flaw flaw(std::size_t face);
-  bool repeats_corner(std::size_t begin, std::size_t end);
+  // Adds the faces begin .. end-1 that have a flaw. `stamps` holds, per vertex, the face that visited it last.
+  void find_flaws(std::uint32_t begin, std::uint32_t end, std::vector<std::pair<std::size_t, Flaw>>& flawed) const;
+  Flaw flaw(std::size_t face, std::vector<std::uint32_t>& stamps) const;
+  bool repeats_corner(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& stamps) const;
   QuarantinedFace set_aside(std::size_t face, Flaw flaw) const;
   void close_gaps(const std::vector<QuarantinedFace>& removed);
 
   IndexedMesh& mesh_;
   std::vector<std::pair<std::size_t, std::int64_t>> wide_;  // place in corners and the number, ascending
-  std::vector<std::uint32_t> stamps_;                       // per vertex, the face that visited it last
 };
 
 }  // namespace ryosen

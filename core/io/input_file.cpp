@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/io/system_reason.h"
+#include "core/mesh/column_memory.h"
 
 namespace ryosen {
 namespace {
@@ -45,6 +46,7 @@ int read_to_end(int descriptor, std::size_t expected, std::size_t limit, FileByt
   std::size_t capacity = expected + 1;  // the byte more lets the end show without growing
   out.data.reset(new (std::nothrow) char[capacity]);
   if (!out.data) return ENOMEM;
+  offer_huge_pages(out.data.get(), capacity);
   constexpr std::size_t most = std::size_t{1} << 30;
   while (true) {
     if (out.size > limit) return EFBIG;

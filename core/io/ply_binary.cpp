@@ -1,11 +1,14 @@
 // The binary forms of PLY. Tables of fixed rows are read column by column, faces of corners alone in one loop; anything
 // else value by value.
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstring>
 
+#include "core/build/parallel.h"
 #include "core/io/ply_values.h"
+#include "core/mesh/column_memory.h"
 
 namespace ryosen {
 namespace {
@@ -118,41 +121,75 @@ class PlyBinaryReader {
 
   void read_columns(PropertyTable& table, const std::vector<PlyTarget>& targets) {
     const std::size_t stride = least_bytes(table);
-    constexpr std::size_t block = 2048;  // rows that stay in the nearest cache while all columns are read
-    for (std::size_t first = 0; first < table.rows; first += block) {
-      const std::size_t last = std::min(first + block, table.rows);
-      std::size_t offset = 0;
-      for (std::size_t p = 0; p < targets.size(); ++p) {
-        Property& property = table.properties[p];
-        const char* const column = at_ + offset;
-        if (!targets[p].first) property.data.resize(last * size_of(property.type));
-        with_number_type(property.type, [&](auto zero) {
-          using Number = decltype(zero);
-          if (targets[p].first)
-            read_reals<Number>(column, stride, first, last, targets[p]);
-          else
-            copy_column<Number>(column, stride, first, last, property.data.data());
-          return 0;
-        });
-        offset += size_of(property.type);
-      }
+    for (std::size_t p = 0; p < targets.size(); ++p) {
+      Property& property = table.properties[p];
+      if (!targets[p].first) property.data.resize(table.rows * size_of(property.type));
     }
+    std::atomic<bool> all_finite = true;
+    for_each_part(static_cast<std::uint32_t>(table.rows), threads_for(table.rows * targets.size()),
+                  [&](unsigned, std::uint32_t begin, std::uint32_t end) {
+                    for_each_column(
+                        table, begin, end,
+                        [&](auto zero, std::size_t p, const char* column, std::size_t first, std::size_t last) {
+                          using Number = decltype(zero);
+                          if (!targets[p].first)
+                            copy_column<Number>(column, stride, first, last, table.properties[p].data.data());
+                          else if (!read_reals<Number>(column, stride, first, last, targets[p]))
+                            all_finite = false;
+                        });
+                  });
+    if (!all_finite) warn_of_columns(table, targets, stride);
     at_ += table.rows * stride;
   }
 
+  // Calls visit(zero of its type, property, where its column begins, rows from .. to) for blocks of rows that stay in the
+  // nearest cache while all their columns are read.
+  template <class Visit>
+  void for_each_column(const PropertyTable& table, std::size_t begin, std::size_t end, Visit visit) const {
+    constexpr std::size_t block = 2048;
+    for (std::size_t first = begin; first < end; first += block) {
+      const std::size_t last = std::min(first + block, end);
+      std::size_t offset = 0;
+      for (std::size_t p = 0; p < table.properties.size(); ++p) {
+        const NumberType type = table.properties[p].type;
+        with_number_type(type, [&](auto zero) {
+          visit(zero, p, at_ + offset, first, last);
+          return 0;
+        });
+        offset += size_of(type);
+      }
+    }
+  }
+
+  // Whether all are finite.
   template <class Number>
-  void read_reals(const char* column, std::size_t stride, std::size_t first, std::size_t last, PlyTarget target) {
+  static bool read_reals(const char* column, std::size_t stride, std::size_t first, std::size_t last,
+                         PlyTarget target) {
     double nothing = 0;  // stays zero while all are finite
-    for (std::size_t row = first; row < last; ++row) {
-      const auto value = static_cast<double>(load<Number, Swap>(column + row * stride));
-      nothing += value * 0.0;
-      target.put(row, value);
-    }
-    if (nothing == 0.0) return;
-    for (std::size_t row = first; row < last; ++row) {
-      const char* const at = column + row * stride;
-      if (!std::isfinite(static_cast<double>(load<Number, Swap>(at)))) builder_.warn_non_finite(place(at));
-    }
+    const auto read = [&](auto put) {
+      for (std::size_t row = first; row < last; ++row) {
+        const auto value = static_cast<double>(load<Number, Swap>(column + row * stride));
+        nothing += value * 0.0;
+        put(row, value);
+      }
+    };
+    if (target.divisor == 1.0)
+      read([&](std::size_t row, double value) { target.first[row * target.stride] = value; });
+    else
+      read([&](std::size_t row, double value) { target.put(row, value); });
+    return nothing == 0.0;
+  }
+
+  void warn_of_columns(const PropertyTable& table, const std::vector<PlyTarget>& targets, std::size_t stride) {
+    for_each_column(table, 0, table.rows,
+                    [&](auto zero, std::size_t p, const char* column, std::size_t first, std::size_t last) {
+                      if (!targets[p].first) return;
+                      for (std::size_t row = first; row < last; ++row) {
+                        const char* const at = column + row * stride;
+                        if (!std::isfinite(static_cast<double>(load<decltype(zero), Swap>(at))))
+                          builder_.warn_non_finite(place(at));
+                      }
+                    });
   }
 
   template <class Number>
@@ -173,10 +210,14 @@ class PlyBinaryReader {
     IndexedMesh& mesh = builder_.mesh();
     const bool is_signed = table.properties[0].type == NumberType::i32;
     const bool has_signed_count = table.properties[0].count_type == NumberType::i8;
-    mesh.corners.resize(std::min(3 * table.rows, left() / 4));
+    const std::size_t expected = std::min(3 * table.rows, left() / 4);
+    reserve_large(mesh.corners, expected);
+    mesh.corners.resize(expected);
     mesh.face_offsets.resize(table.rows + 1);
-    std::size_t used = 0;
-    for (std::size_t row = 0; row < table.rows; ++row) {
+    const std::size_t triangles = read_triangles(mesh, std::min(table.rows, left() / triangle_bytes));
+    std::size_t used = 3 * triangles;
+    at_ += triangles * triangle_bytes;
+    for (std::size_t row = triangles; row < table.rows; ++row) {
       if (at_ == end_) return ends_early(table, row);
       const auto count = static_cast<unsigned char>(*at_);
       if (has_signed_count && count > 127) return negative_length(at_);
@@ -196,6 +237,30 @@ class PlyBinaryReader {
     }
     mesh.corners.resize(used);
     return true;
+  }
+
+  static constexpr std::size_t triangle_bytes = 13;  // with the length of the list
+
+  // Reads up to `rows` rows as long as they are triangles whose numbers fit; their length tells where each one stands,
+  // so parts of them are read at once. Returns how many there are; what stands behind these in the mesh means nothing.
+  std::size_t read_triangles(IndexedMesh& mesh, std::size_t rows) const {
+    const unsigned parts = threads_for(3 * rows);
+    std::vector<std::uint32_t> ends(parts);
+    for_each_part(static_cast<std::uint32_t>(rows), parts, [&](unsigned t, std::uint32_t begin, std::uint32_t end) {
+      const char* at = at_ + begin * triangle_bytes;
+      std::uint32_t* corners = mesh.corners.data() + 3 * std::size_t{begin};
+      std::uint32_t* const offsets = mesh.face_offsets.data() + 1;
+      std::uint32_t row = begin;
+      for (; row < end; ++row, at += triangle_bytes, corners += 3) {
+        for (std::size_t i = 0; i < 3; ++i) corners[i] = load<std::uint32_t, Swap>(at + 1 + 4 * i);
+        offsets[row] = 3 * (row + 1);
+        if (*at != 3 || (corners[0] | corners[1] | corners[2]) >> 31 != 0) break;
+      }
+      ends[t] = row;
+    });
+    for (unsigned t = 0; t < parts; ++t)
+      if (ends[t] < part_begin(static_cast<std::uint32_t>(rows), t + 1, parts)) return ends[t];
+    return rows;
   }
 
   // Corners that 32 bits of a vertex number cannot say.

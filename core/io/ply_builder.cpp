@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/mesh/column_memory.h"
+
 namespace ryosen {
 namespace {
 
@@ -52,8 +54,11 @@ std::vector<PlyTarget> PlyBuilder::begin_table(std::size_t number, FilePlace pla
   PropertyTable& table = tables()[number];
   IndexedMesh& mesh = file_.mesh;
   places_[number] = place;
-  if (table.kind == TableKind::vertices) mesh.positions.resize(table.rows);
-  if (table.kind == TableKind::faces) mesh.face_offsets.reserve(table.rows + 1);
+  if (table.kind == TableKind::vertices) {
+    reserve_large(mesh.positions, table.rows);
+    mesh.positions.resize(table.rows);
+  }
+  if (table.kind == TableKind::faces) reserve_large(mesh.face_offsets, table.rows + 1);
   for (const Property& property : table.properties) {
     if (property.role == PropertyRole::normal) mesh.normals.pool.resize(table.rows);
     if (property.role == PropertyRole::texcoord) mesh.texcoords.pool.resize(table.rows);

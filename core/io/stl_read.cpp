@@ -3,28 +3,20 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/build/parallel.h"
 #include "core/io/face_list.h"
 #include "core/io/losses.h"
 #include "core/io/reporter.h"
 #include "core/io/sniff.h"
 #include "core/io/stl.h"
+#include "core/io/stl_facets.h"
 #include "core/io/stl_text.h"
-#include "core/io/welder.h"
+#include "core/mesh/column_memory.h"
 
 namespace ryosen {
 namespace {
 
 constexpr std::size_t facets_begin = stl_head_bytes + 4;
-
-template <class Number>
-Number load_little(const char* at) {
-  unsigned char bytes[sizeof(Number)];
-  std::memcpy(bytes, at, sizeof bytes);
-  if constexpr (std::endian::native == std::endian::big) std::reverse(bytes, bytes + sizeof bytes);
-  Number number;
-  std::memcpy(&number, bytes, sizeof number);
-  return number;
-}
 
 class StlBinaryReader {
  public:
@@ -42,10 +34,15 @@ class StlBinaryReader {
                             std::to_string(whole) + " 個分の大きさしかありません。"},
                        FilePlace::at_byte(stl_head_bytes));
     }
+    if (count > no_index / 3) {
+      return malformed(
+          "too_many_elements",
+          {"The file has more corners than fit in 32-bit numbers.", "面の頂点の総数が 32 ビットの番号に収まりません。"},
+          FilePlace::at_byte(stl_head_bytes));
+    }
     keep_head();
-    read_facets(count);
+    read_facets(static_cast<std::uint32_t>(count));
     warn_of_the_end(claimed, whole, room);
-    keep_attributes(count);
     return finish_stl(file_, faces_, reporter_);
   }
 
@@ -61,56 +58,40 @@ class StlBinaryReader {
     file_.encoding = Encoding::binary_little;
   }
 
-  void read_facets(std::size_t count) {
+  void read_facets(std::uint32_t count) {
     IndexedMesh& mesh = file_.mesh;
-    mesh.corners.resize(3 * count);
-    mesh.face_offsets.resize(count + 1);
-    Welder<float> welder(mesh.positions, 3 * count);
-    constexpr std::size_t block = 256;
-    glm::vec3 places[3 * block];
-    for (std::size_t first = 0; first < count; first += block) {
-      const std::size_t n = std::min(block, count - first);
-      float nothing = 0;  // stays zero while all are finite
-      for (std::size_t i = 0; i < n; ++i) {
-        const char* const facet = bytes_.data() + facets_begin + (first + i) * stl_facet_bytes;
-        for (std::size_t k = 0; k < 9; ++k) {
-          const auto value = load_little<float>(facet + 12 + 4 * k);
-          nothing += value * 0.0f;
-          places[3 * i + k / 3][static_cast<int>(k % 3)] = value;
-        }
-        if (const auto attribute = load_little<std::uint16_t>(facet + 48)) note_attribute(first + i, attribute);
-        mesh.face_offsets[first + i + 1] = static_cast<std::uint32_t>(3 * (first + i + 1));
-      }
-      if (!(nothing == 0.0f)) warn_non_finite(places, first, n);
-      welder.number(places, 3 * n, mesh.corners.data() + 3 * first);
-    }
+    const StlFacets facets(bytes_.data() + facets_begin, count);
+    const StlFacetFindings found = weld_facets(facets, threads_for(facets.corners()), mesh.positions, mesh.corners);
+    reserve_large(mesh.face_offsets, std::size_t{count} + 1);
+    mesh.face_offsets.resize(std::size_t{count} + 1);
+    for (std::uint32_t facet = 0; facet < count; ++facet) mesh.face_offsets[facet + 1] = 3 * (facet + 1);
+    if (!found.all_finite) warn_non_finite(facets);
+    if (found.has_attributes) keep_attributes(facets);
   }
 
-  void warn_non_finite(const glm::vec3* places, std::size_t first, std::size_t n) {
-    for (std::size_t i = 0; i < n; ++i) {
-      const auto is_finite = [](const glm::vec3& p) {
-        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-      };
-      if (std::all_of(places + 3 * i, places + 3 * i + 3, is_finite)) continue;
-      reporter_.warn("nonfinite_number", FilePlace::at_face(first + i), [] {
+  void warn_non_finite(const StlFacets& facets) {
+    const auto is_finite = [&](std::uint32_t c) {
+      const glm::vec3 p = facets.place(c);
+      return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    };
+    for (std::uint32_t facet = 0; facet < facets.count(); ++facet) {
+      if (is_finite(3 * facet) && is_finite(3 * facet + 1) && is_finite(3 * facet + 2)) continue;
+      reporter_.warn("nonfinite_number", FilePlace::at_face(facet), [] {
         return Text{"A coordinate of the facet is not finite.", "面の座標に有限でない数があります。"};
       });
     }
   }
 
-  void note_attribute(std::size_t facet, std::uint16_t attribute) {
-    attributes_.resize(facet + 1, 0);
-    attributes_[facet] = attribute;
-  }
-
-  void keep_attributes(std::size_t count) {
-    if (attributes_.empty()) return;
-    attributes_.resize(count, 0);
+  void keep_attributes(const StlFacets& facets) {
+    const std::uint32_t count = facets.count();
     Property property;
     property.name = facet_attribute;
     property.type = NumberType::u16;
-    property.data.resize(2 * count);
-    std::memcpy(property.data.data(), attributes_.data(), 2 * count);
+    property.data.resize(2 * std::size_t{count});
+    for (std::uint32_t facet = 0; facet < count; ++facet) {
+      const std::uint16_t attribute = facets.attribute(facet);
+      std::memcpy(property.data.data() + 2 * std::size_t{facet}, &attribute, sizeof attribute);
+    }
     PropertyTable& table = file_.properties.tables.emplace_back();
     table.name = "face";
     table.kind = TableKind::faces;
@@ -146,7 +127,6 @@ class StlBinaryReader {
   MeshFile file_;
   FaceList faces_;
   Reporter reporter_;
-  std::vector<std::uint16_t> attributes_;  // up to the last facet that has one
 };
 
 bool begins_with_solid(std::string_view bytes) {

@@ -150,9 +150,7 @@ class StlTextReader {
         return Text{"A coordinate of the facet is not finite.", "面の座標に有限でない数があります。"};
       });
     }
-    std::uint32_t number = 0;
-    welder_.number(&place, 1, &number);
-    faces_.add_corner(number);
+    faces_.add_corner(welder_.number(place));
     return true;
   }
 
@@ -170,7 +168,7 @@ class StlTextReader {
   MeshFile file_;
   FaceList faces_;
   Reporter reporter_;
-  Welder<double> welder_;
+  Welder welder_;
   std::optional<Failure> failure_;
   std::string_view rest_, word_;
   std::vector<std::string> solids_;

@@ -1,5 +1,7 @@
 #include "core/mesh/column_memory.h"
 
+#include <cstdint>
+
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
@@ -9,11 +11,19 @@ namespace ryosen {
 void* allocate_column(std::size_t bytes) {
   if (bytes < large_block) return ::operator new(bytes);
   void* block = ::operator new(bytes, std::align_val_t(huge_page));
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-  // Only advice: without huge pages everything works, slower.
-  madvise(block, bytes / huge_page * huge_page, MADV_HUGEPAGE);
-#endif
+  offer_huge_pages(block, bytes);
   return block;
+}
+
+void offer_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+  if (bytes < large_block) return;
+  const auto address = reinterpret_cast<std::uintptr_t>(memory);
+  const std::uintptr_t begin = (address + huge_page - 1) / huge_page * huge_page;
+  const std::uintptr_t end = (address + bytes) / huge_page * huge_page;
+  // Only advice: without huge pages everything works, slower.
+  if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+#endif
 }
 
 void release_column(void* block, std::size_t bytes) noexcept {

@@ -17,6 +17,8 @@ inline constexpr std::size_t large_block = 2 * huge_page;
 
 // Throws std::bad_alloc. Blocks are given back with the size they were taken with.
 void* allocate_column(std::size_t bytes);
+// For large memory that others have taken, before it is written: asks for huge pages where whole ones lie in it.
+void offer_huge_pages(void* memory, std::size_t bytes);
 void release_column(void* block, std::size_t bytes) noexcept;
 
 template <class T>
@@ -50,6 +52,14 @@ struct UnwrittenAllocator : ColumnAllocator<T> {
     std::construct_at(place, std::forward<Arguments>(arguments)...);
   }
 };
+
+// Reserves room in a vector with an allocator of its own, on huge pages if that is much.
+template <class Vector>
+void reserve_large(Vector& values, std::size_t count) {
+  if (count <= values.capacity()) return;
+  values.reserve(count);
+  offer_huge_pages(values.data(), values.capacity() * sizeof(typename Vector::value_type));
+}
 
 template <class T>
 using ColumnVector = std::vector<T, ColumnAllocator<T>>;

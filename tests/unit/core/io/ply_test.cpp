@@ -261,6 +261,40 @@ TEST(PlyRead, TheOtherByteOrderShowsByEveryFace) {
   EXPECT_EQ(failure.message.byte, first_face - 3);
 }
 
+// A strip of triangles that is long enough to be read in parts, in an encoding.
+std::string long_strip(const MeshFile& changed, std::string_view encoding) {
+  return bytes_of(changed, *find_format("ply"), find_target(encoding)->encoding);
+}
+
+TEST(PlyRead, LongFilesAreReadInPartsAsIfInOne) {
+  MeshFile file;
+  constexpr std::uint32_t faces = 60000;
+  for (std::uint32_t i = 0; i < faces + 2; ++i) file.mesh.positions.emplace_back(i / 2, i % 2, 0.25 * (i % 7));
+  for (std::uint32_t i = 0; i < faces; ++i) {
+    file.mesh.corners.insert(file.mesh.corners.end(), {i, i + 1, i + 2});
+    file.mesh.face_offsets.push_back(3 * (i + 1));
+  }
+  const auto all_read_alike = [](const MeshFile& changed) {
+    const MeshFile text = read_sound("ply", long_strip(changed, "ply-ascii"));
+    for (const char* encoding : {"ply-little", "ply-big"}) {
+      const MeshFile binary = read_sound("ply", long_strip(changed, encoding));
+      EXPECT_EQ(io_test::difference(text, binary), "");
+      EXPECT_EQ(text.messages.size(), binary.messages.size());
+    }
+  };
+  // Flaws at both ends and where the parts meet; then a face of four corners in each of these places.
+  for (const std::uint32_t face : {0u, faces / 2 - 1, faces / 2, faces - 1})
+    file.mesh.corners[3 * face + 1] = 3000000000u;
+  for (const std::uint32_t vertex : {7u, faces / 2 + 1, faces + 1}) file.mesh.positions[vertex].y = HUGE_VAL;
+  all_read_alike(file);
+  for (const std::uint32_t face : {faces - 1, faces / 2, faces / 2 - 1, 0u}) {
+    MeshFile with_quad = file;
+    with_quad.mesh.corners.insert(with_quad.mesh.corners.begin() + 3 * face, face + 5);
+    for (std::uint32_t f = face; f < faces; ++f) ++with_quad.mesh.face_offsets[f + 1];
+    all_read_alike(with_quad);
+  }
+}
+
 TEST(PlyRead, PointsAndStrips) {
   const std::string_view points =
       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 "

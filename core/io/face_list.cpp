@@ -23,6 +23,17 @@ void remove_ranges(std::vector<std::uint32_t>& values, const std::vector<std::ui
 
 }  // namespace
 
+void FaceList::append(const FaceList& next, std::uint64_t lines_before) {
+  const IndexedMesh& other = next.mesh_;
+  const auto corners = static_cast<std::uint32_t>(mesh_.corners.size());
+  for (const auto& [place, vertex] : next.wide_) wide_.emplace_back(corners + place, vertex);
+  mesh_.corners.insert(mesh_.corners.end(), other.corners.begin(), other.corners.end());
+  for (std::size_t face = 0; face < other.face_count(); ++face)
+    mesh_.face_offsets.push_back(corners + other.face_offsets[face + 1]);
+  for (const std::uint32_t line : other.face_lines)
+    mesh_.face_lines.push_back(static_cast<std::uint32_t>(std::min<std::uint64_t>(lines_before + line, no_index)));
+}
+
 bool FaceList::repeats_corner(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& stamps) const {
   const std::uint32_t* const c = mesh_.corners.data();
   if (end - begin == 3) {

@@ -35,6 +35,10 @@ class FaceList {
     if (line != 0) mesh_.face_lines.push_back(line < no_index ? static_cast<std::uint32_t>(line) : no_index);
   }
 
+  // Adds the faces of another list, as if they had been added here. `lines_before` counts the lines before those of the
+  // other's file. Their vertex numbers are those of this mesh. O(corners of the other).
+  void append(const FaceList& next, std::uint64_t lines_before);
+
   // Whether one more line of `bytes` bytes could lead past the 32 bits of the numbering.
   bool is_full(std::size_t bytes) const { return mesh_.corners.size() + bytes >= no_index; }
 

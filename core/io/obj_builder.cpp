@@ -35,15 +35,15 @@ bool read_index(const char*& at, const char* end, std::int64_t& value, bool& has
 
 }  // namespace
 
-ObjBuilder::ObjBuilder(const TextLines& lines, const std::filesystem::path& model)
-    : lines_(lines), model_(model), mesh_(file_.mesh), faces_(mesh_) {
+ObjBuilder::ObjBuilder(const TextLines& lines, const std::filesystem::path& model, bool is_later_piece)
+    : lines_(&lines), model_(model), mesh_(file_.mesh), faces_(mesh_), is_later_piece_(is_later_piece) {
   FaceNames* const targets[] = {&mesh_.objects, &mesh_.groups, &mesh_.materials, &mesh_.smoothing};
   for (std::size_t i = 0; i < 4; ++i) names_[i].target = targets[i];
   mesh_.texcoords.components = 0;
 }
 
 void ObjBuilder::fail(std::string_view code, Text text, const char* at) {
-  if (!failure_) failure_ = malformed(code, std::move(text), lines_.place(at));
+  if (!failure_) failure_ = malformed(code, std::move(text), lines_->place(at));
 }
 
 void ObjBuilder::fail_number(std::string_view word) {
@@ -59,7 +59,7 @@ bool ObjBuilder::has_room(std::size_t bytes) {
     failure_ = malformed("too_many_elements",
                          {"The file has more vertices, faces or corners than fit in 32-bit numbers.",
                           "頂点・面・面の頂点の総数が 32 ビットの番号に収まりません。"},
-                         FilePlace::at_line(lines_.count()));
+                         FilePlace::at_line(lines_->count()));
   }
   return false;
 }
@@ -75,7 +75,7 @@ bool ObjBuilder::read_value(std::string_view word, double& value) {
     return false;
   }
   if (read == NumberRead::non_finite) {
-    reporter_.warn("nonfinite_number", lines_.place(word.data()), [&] {
+    reporter_.warn("nonfinite_number", lines_->place(word.data()), [&] {
       return Text{shown(word) + " is not a finite number.", shown(word) + " は有限の数ではありません。"};
     });
   }
@@ -113,7 +113,7 @@ bool ObjBuilder::read_reals(std::string_view text, double* values, std::size_t w
 }
 
 void ObjBuilder::warn_extra_values(std::size_t count) {
-  reporter_.warn("extra_values", FilePlace::at_line(lines_.first_line()), [&] {
+  reporter_.warn("extra_values", FilePlace::at_line(lines_->first_line()), [&] {
     const std::string number = std::to_string(count);
     return Text{"A line with " + number + " numbers has no meaning here; those at the end are left out.",
                 number + " 個の数が並ぶ行は意味を持たないため、末尾の数を無視しました。"};
@@ -188,6 +188,7 @@ void ObjBuilder::face(std::string_view corners) {
       if (word.empty() || word[0] == '#') break;
       if (!read_corner(word, corner)) return;
     }
+    if (corner.vertex < 0 && is_later_piece_) has_given_up_ = true;
     if (corner.has_texcoord || !mesh_.texcoords.index.empty()) {
       push_value(mesh_.texcoords.index, corner.has_texcoord, corner.texcoord, mesh_.texcoords.pool.size(), false);
     }
@@ -196,7 +197,7 @@ void ObjBuilder::face(std::string_view corners) {
     }
     faces_.add_corner(resolve(corner.vertex, mesh_.positions.size()));
   }
-  faces_.end_face(lines_.first_line());
+  faces_.end_face(lines_->first_line());
   end_names();
 }
 
@@ -208,10 +209,11 @@ void ObjBuilder::push_value(std::vector<std::uint32_t>& indices, bool has, std::
 
 // The place in the pool that an index of a corner names, no_index with a warning if there can be none.
 std::uint32_t ObjBuilder::resolve_value(std::int64_t index, std::size_t pool, bool is_normal) {
+  if (index < 0 && is_later_piece_) has_given_up_ = true;
   const std::int64_t place = resolve(index, pool);
   if (place >= 0 && place < static_cast<std::int64_t>(no_index)) return static_cast<std::uint32_t>(place);
   reporter_.warn(is_normal ? "normal_index_out_of_range" : "texture_index_out_of_range",
-                 FilePlace::at_line(lines_.first_line()), [&] { return stray_value_text(is_normal, index); });
+                 FilePlace::at_line(lines_->first_line()), [&] { return stray_value_text(is_normal, index); });
   return no_index;
 }
 
@@ -226,6 +228,8 @@ void ObjBuilder::end_names() {
 }
 
 void ObjBuilder::element(bool is_points, std::string_view corners) {
+  has_given_up_ = is_later_piece_;
+  if (is_done()) return;
   in_head_ = false;
   has_known_line_ = true;
   if (!has_room(corners.size() + 1)) return;
@@ -234,7 +238,7 @@ void ObjBuilder::element(bool is_points, std::string_view corners) {
   item.is_points = is_points;
   item.before_face = static_cast<std::uint32_t>(mesh_.face_count());
   item.first = static_cast<std::uint32_t>(elements.vertices.size());
-  item.line = static_cast<std::uint32_t>(std::min<std::uint64_t>(lines_.first_line(), no_index));
+  item.line = static_cast<std::uint32_t>(std::min<std::uint64_t>(lines_->first_line(), no_index));
   Corner corner;
   while (true) {
     const std::string_view word = take_word(corners);
@@ -258,19 +262,27 @@ void ObjBuilder::name(NameKind kind, std::string_view text) {
   in_head_ = false;
   has_known_line_ = true;
   NameTable& table = names_[static_cast<std::size_t>(kind)];
+  if (!std::exchange(table.is_set, true)) table.faces_before = mesh_.face_count();
   std::string key(trimmed(text));
   if (key.empty() && kind == NameKind::smoothing) key = "off";
   if (key.empty()) {
     table.current = no_index;
     return;
   }
+  table.current = number_of(key, table);
+}
+
+// The number of a name, a new one if it has none.
+std::uint32_t ObjBuilder::number_of(const std::string& name, NameTable& table) {
   const auto number = static_cast<std::uint32_t>(table.target->names.size());
-  const auto [found, is_new] = table.numbers.try_emplace(std::move(key), number);
-  if (is_new) table.target->names.push_back(found->first);
-  table.current = found->second;
+  const auto [found, is_new] = table.numbers.try_emplace(name, number);
+  if (is_new) table.target->names.push_back(name);
+  return found->second;
 }
 
 void ObjBuilder::unknown(std::string_view keyword) {
+  has_given_up_ = is_later_piece_;
+  if (is_done()) return;
   constexpr std::size_t most = 16;
   in_head_ = false;
   const std::string text = shown(keyword);
@@ -281,7 +293,7 @@ void ObjBuilder::unknown(std::string_view keyword) {
     }
   }
   if (unknown_.size() < most) {
-    unknown_.push_back({text, lines_.first_line(), 1});
+    unknown_.push_back({text, lines_->first_line(), 1});
   } else {
     ++other_unknown_;
   }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -19,13 +20,14 @@
 namespace ryosen {
 
 // The calls take what follows the keyword of the line that `lines` has read last; they read its numbers anew, check
-// them and keep the first failure. After a failure nothing more needs to be called but finish().
+// them and keep the first failure. Where is_done() nothing more needs to be called but finish().
 class ObjBuilder {
  public:
   enum class NameKind { object, group, material, smoothing };
 
-  // Both must outlive the builder.
-  ObjBuilder(const TextLines& lines, const std::filesystem::path& model);
+  // Both must outlive the builder. One for a later piece of a file gives up on lines that say something only together
+  // with those before (negative indices, elements, libraries), and on any that needs a message.
+  ObjBuilder(const TextLines& lines, const std::filesystem::path& model, bool is_later_piece = false);
 
   void comment(std::string_view line);
   void vertex(std::string_view values);
@@ -37,8 +39,18 @@ class ObjBuilder {
   void material_library(std::string_view text);
   void unknown(std::string_view keyword);
 
-  bool has_failed() const { return failure_.has_value(); }
+  bool is_done() const { return failure_.has_value() || has_given_up_; }
   Result<MeshFile> finish();
+
+  // The builder of a later piece has taken all of its lines.
+  bool is_joinable() const { return !is_done() && reporter_.is_empty(); }
+  // Takes over all that the builder of the next piece holds, as if its lines had come here. `lines_before` counts those
+  // of the pieces before. O(size of the piece).
+  void append(const ObjBuilder& next, std::uint64_t lines_before);
+  // The calls that follow are about these lines.
+  void continue_with(const TextLines& lines) { lines_ = &lines; }
+  // Makes room for what all of the pieces hold.
+  void reserve_for(std::span<const ObjBuilder* const> pieces);
 
  private:
   struct Corner {
@@ -50,6 +62,9 @@ class ObjBuilder {
     FaceNames* target = nullptr;
     std::unordered_map<std::string, std::uint32_t> numbers;
     std::uint32_t current = no_index;
+    // In a later piece: whether a line of it has set the current name, and how many of its faces come before that.
+    bool is_set = false;
+    std::size_t faces_before = 0;
   };
   struct UnknownKeyword {
     std::string text;
@@ -68,6 +83,9 @@ class ObjBuilder {
   void push_value(std::vector<std::uint32_t>& indices, bool has, std::int64_t index, std::size_t pool, bool is_normal);
   void end_names();
   bool has_room(std::size_t bytes);
+  void append_values(const CornerValues& next, std::size_t next_corners, CornerValues& values);
+  void append_names(const NameTable& next, std::size_t next_faces, NameTable& table);
+  static std::uint32_t number_of(const std::string& name, NameTable& table);
   static Text stray_value_text(bool is_normal, std::int64_t index);
 
   void drop_stray_values(CornerValues& values, bool is_normal);
@@ -75,7 +93,7 @@ class ObjBuilder {
   void report_unknown();
   void report_whole_file();
 
-  const TextLines& lines_;
+  const TextLines* lines_;
   const std::filesystem::path& model_;
   MeshFile file_;
   IndexedMesh& mesh_;
@@ -88,6 +106,8 @@ class ObjBuilder {
   std::unordered_set<std::string> libraries_;
   bool in_head_ = true;
   bool has_known_line_ = false;
+  const bool is_later_piece_;
+  bool has_given_up_ = false;
 };
 
 }  // namespace ryosen

@@ -18,10 +18,12 @@ void drop_if_all_none(std::vector<std::uint32_t>& indices) {
 }  // namespace
 
 void ObjBuilder::material_library(std::string_view text) {
+  has_given_up_ = is_later_piece_;
+  if (is_done()) return;
   in_head_ = false;
   has_known_line_ = true;
   const std::string_view name = trimmed(text);
-  const FilePlace place = FilePlace::at_line(lines_.first_line());
+  const FilePlace place = FilePlace::at_line(lines_->first_line());
   if (name.empty()) {
     reporter_.warn("material_library_missing", place, [] {
       return Text{"The line mtllib names no file.", "mtllib の行にファイル名がありません。"};

@@ -3,10 +3,14 @@
 
 #include <cstring>
 #include <istream>
+#include <memory>
 #include <streambuf>
+#include <vector>
 
+#include "core/build/parallel.h"
 #include "core/io/obj.h"
 #include "core/io/obj_builder.h"
+#include "core/io/obj_pieces.h"
 #include "core/io/text_lines.h"
 
 namespace ryosen {
@@ -31,7 +35,7 @@ class ObjFeed : public std::streambuf {
     if (!has_called_) take_line_without_callback();
     has_called_ = true;
     TextLine line;
-    while (!builder_.has_failed() && lines_.next(line)) {
+    while (!builder_.is_done() && lines_.next(line)) {
       const char* begin = line.text.data();
       const char* const end = begin + line.text.size();
       while (begin != end && (*begin == ' ' || *begin == '\t')) ++begin;
@@ -98,16 +102,10 @@ void on_object(void* data, const char*) {
   feed_of(data).builder().name(ObjBuilder::NameKind::object, feed_of(data).after_keyword(1));
 }
 
-}  // namespace
-
-Result<MeshFile> read_obj(std::string_view bytes, const std::filesystem::path& path) {
-  if (const void* nul = bytes.empty() ? nullptr : std::memchr(bytes.data(), 0, bytes.size())) {
-    return nul_byte_failure(static_cast<std::uint64_t>(static_cast<const char*>(nul) - bytes.data()));
-  }
-  TextLines lines(bytes, true);
-  ObjBuilder builder(lines, path);
-  ObjFeed feed(lines, builder);
-  std::istream stream(&feed);
+// Hands the lines to tinyobjloader, whose callbacks hand them to the builder.
+void feed(TextLines& lines, ObjBuilder& builder) {
+  ObjFeed source(lines, builder);
+  std::istream stream(&source);
   stream.exceptions(std::ios_base::badbit);  // else the stream would swallow what is thrown while a line is read
   tinyobj::callback_t callbacks;
   callbacks.vertex_cb = on_vertex;
@@ -118,8 +116,87 @@ Result<MeshFile> read_obj(std::string_view bytes, const std::filesystem::path& p
   callbacks.group_cb = on_group;
   callbacks.object_cb = on_object;
   // Without a material reader the library opens no file. Its verdict is not asked for: every line is checked here.
-  tinyobj::LoadObjWithCallback(stream, callbacks, &feed, nullptr, nullptr, nullptr);
+  tinyobj::LoadObjWithCallback(stream, callbacks, &source, nullptr, nullptr, nullptr);
+}
+
+// A piece of the file, read by itself.
+struct Piece {
+  Piece(std::string_view piece_bytes, const std::filesystem::path& path, bool is_later)
+      : bytes(piece_bytes), lines(bytes, true), builder(lines, path, is_later) {}
+
+  void read() {
+    nul = bytes.empty() ? nullptr : static_cast<const char*>(std::memchr(bytes.data(), 0, bytes.size()));
+    if (!nul) feed(lines, builder);
+  }
+
+  std::string_view bytes;
+  TextLines lines;
+  ObjBuilder builder;
+  const char* nul = nullptr;  // the first NUL byte
+};
+
+using Pieces = std::vector<std::unique_ptr<Piece>>;
+
+// Goes on in the builder of the first piece with what was made from each other one, or with its lines.
+Result<MeshFile> join(Pieces& pieces) {
+  ObjBuilder& builder = pieces[0]->builder;
+  std::vector<const ObjBuilder*> builders;
+  for (const auto& piece : pieces) builders.push_back(&piece->builder);
+  if (pieces.size() > 1) builder.reserve_for(builders);
+  std::uint64_t lines_before = pieces[0]->lines.count();
+  for (std::size_t i = 1; i < pieces.size() && !builder.is_done(); ++i) {
+    Piece& piece = *pieces[i];
+    if (piece.builder.is_joinable()) {
+      builder.append(piece.builder, lines_before);
+      lines_before += piece.lines.count();
+      pieces[i].reset();
+      continue;
+    }
+    TextLines lines(piece.bytes, true, lines_before);
+    builder.continue_with(lines);
+    feed(lines, builder);
+    lines_before = lines.count();
+  }
   return builder.finish();
+}
+
+}  // namespace
+
+std::vector<std::string_view> cut_obj(std::string_view bytes, std::size_t piece_bytes) {
+  std::vector<std::string_view> pieces;
+  std::size_t begin = 0;
+  for (std::size_t end = piece_bytes; end < bytes.size();) {
+    end = bytes.find('\n', end);
+    if (end == std::string_view::npos || ++end == bytes.size()) break;
+    const std::size_t last = end >= 2 && bytes[end - 2] == '\r' ? end - 2 : end - 1;
+    const bool goes_on = last > begin && bytes[last - 1] == '\\';
+    constexpr char of_byte_order_mark = '\xef';
+    if (goes_on || bytes[end] == of_byte_order_mark) continue;
+    pieces.push_back(bytes.substr(begin, end - begin));
+    begin = end;
+    end += piece_bytes;
+  }
+  pieces.push_back(bytes.substr(begin));
+  return pieces;
+}
+
+Result<MeshFile> read_obj_pieces(std::span<const std::string_view> parts, const std::filesystem::path& path,
+                                 unsigned threads) {
+  Pieces pieces;
+  for (const std::string_view part : parts)
+    pieces.push_back(std::make_unique<Piece>(part, path, part.data() != parts.front().data()));
+  for_each_task(static_cast<unsigned>(pieces.size()), threads, [&](unsigned i) { pieces[i]->read(); });
+  for (const auto& piece : pieces)
+    if (piece->nul) return nul_byte_failure(static_cast<std::uint64_t>(piece->nul - parts.front().data()));
+  return join(pieces);
+}
+
+Result<MeshFile> read_obj(std::string_view bytes, const std::filesystem::path& path) {
+  constexpr std::size_t piece_bytes = std::size_t{1} << 20;  // columns of so much are still small
+  const unsigned threads = threads_for(bytes.size() / 16);
+  // Beyond 32 bits of bytes the numbers of elements must be watched across pieces.
+  const bool in_pieces = threads > 1 && bytes.size() < no_index;
+  return read_obj_pieces(cut_obj(bytes, in_pieces ? piece_bytes : bytes.size()), path, threads);
 }
 
 }  // namespace ryosen

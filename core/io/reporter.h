@@ -50,6 +50,8 @@ class Reporter {
     }
   }
 
+  bool is_empty() const { return counts_.empty(); }
+
   // The warnings in the order of the file, then per kind one sentence with the number of those not listed.
   std::vector<Message> take();
 

@@ -18,16 +18,17 @@ bool is_comment(std::string_view text) {
 
 }  // namespace
 
-TextLines::TextLines(std::string_view bytes, bool join_continuations)
+TextLines::TextLines(std::string_view bytes, bool join_continuations, std::uint64_t lines_before)
     : begin_(bytes.data()),
       end_(bytes.data() + bytes.size()),
       at_(begin_),
       line_begin_(begin_),
       next_cr_(find(begin_, end_, '\r')),
       next_lf_(find(begin_, end_, '\n')),
-      join_continuations_(join_continuations) {
+      join_continuations_(join_continuations),
+      count_(lines_before) {
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-  if (bytes.starts_with(byte_order_mark)) at_ += byte_order_mark.size();
+  if (lines_before == 0 && bytes.starts_with(byte_order_mark)) at_ += byte_order_mark.size();
 }
 
 // The next physical line.

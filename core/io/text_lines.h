@@ -22,7 +22,8 @@ struct TextLine {
 // space in between; a line whose first character is # never does. Cost: O(bytes), no allocation for ordinary lines.
 class TextLines {
  public:
-  TextLines(std::string_view bytes, bool join_continuations);
+  // `lines_before` is how many lines of the file lie before these bytes; a byte order mark may only be at its beginning.
+  TextLines(std::string_view bytes, bool join_continuations, std::uint64_t lines_before = 0);
 
   bool next(TextLine& line);
   // The next one that is not blank.

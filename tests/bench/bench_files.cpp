@@ -1,16 +1,23 @@
 // From a file to a connected mesh, against CGAL in the same run. RYOSEN_DRAGON=FILE.ply.gz adds the dragon.
 #include <sys/resource.h>
+#include <tiny_obj_loader.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <istream>
 #include <limits>
+#include <streambuf>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/build/from_indexed.h"
+#include "core/build/parallel.h"
 #include "core/io/formats.h"
+#include "core/io/input_file.h"
+#include "core/io/obj_pieces.h"
 #include "tests/bench/bench_meshes.h"
 #include "tests/bench/peer_cgal.h"
 
@@ -80,6 +87,40 @@ double rounded(double value) {
   return number;
 }
 
+// A stream over bytes in memory.
+class BytesBuffer : public std::streambuf {
+ public:
+  explicit BytesBuffer(std::string_view bytes) {
+    char* const begin = const_cast<char*>(bytes.data());  // only read
+    setg(begin, begin, begin + bytes.size());
+  }
+};
+
+// tinyobjloader's callbacks alone, which do nothing: what reading an OBJ file through them cannot undercut.
+void bare_callbacks(std::string_view bytes) {
+  BytesBuffer buffer(bytes);
+  std::istream stream(&buffer);
+  std::size_t lines = 0;
+  tinyobj::callback_t callbacks;
+  callbacks.vertex_cb = [](void* count, auto...) { ++*static_cast<std::size_t*>(count); };
+  callbacks.index_cb = [](void* count, tinyobj::index_t*, int) { ++*static_cast<std::size_t*>(count); };
+  tinyobj::LoadObjWithCallback(stream, callbacks, &lines, nullptr, nullptr, nullptr);
+}
+
+void print_bare_callbacks(const std::string& mesh, const fs::path& path) {
+  const Result<FileBytes> bytes = read_whole_file(path);
+  if (!bytes) return;
+  for (const unsigned threads : {1u, 2u}) {
+    const auto pieces = cut_obj(bytes->view(), threads == 1 ? bytes->size : std::size_t{1} << 20);
+    Costs costs;
+    for (int i = 0; i < turns; ++i)
+      costs.add(cost_of([&] {
+        for_each_task(static_cast<unsigned>(pieces.size()), threads, [&](unsigned k) { bare_callbacks(pieces[k]); });
+      }));
+    print(mesh + (threads == 1 ? " obj, bare" : " obj, bare, pieces"), 0, costs, {}, 0);
+  }
+}
+
 // One file of a mesh in a format.
 void compare(const std::string& mesh, const IndexedMesh& source, std::string_view id, double bar_ms) {
   const WriteOptions target = *find_target(id);
@@ -104,8 +145,9 @@ void compare(const std::string& mesh, const IndexedMesh& source, std::string_vie
     whole.add({reading.wall + connecting.wall, reading.cpu + connecting.cpu});
     peer.add(cgal);
   }
-  fs::remove(path);
   if (!whole.empty()) print(mesh + " " + std::string(id), read, whole, peer, bar_ms);
+  if (id == "obj") print_bare_callbacks(mesh, path);
+  fs::remove(path);
 }
 
 void run() {

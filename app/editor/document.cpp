@@ -5,7 +5,7 @@
 
 #include "app/editor/set_aside.h"
 #include "core/build/from_indexed.h"
-#include "core/io/elements.h"
+#include "core/io/edited_file.h"
 #include "core/mesh/copies.h"
 
 namespace ryosen {
@@ -24,12 +24,6 @@ Text join(const std::vector<Text>& texts) {
 Text quarantine_dropped(std::size_t faces) {
   return repair_text(faces, "One quarantined face was dropped.", "# quarantined faces were dropped.",
                      "隔離された面を # 個捨てました。");
-}
-
-std::size_t count_wires(const Mesh& mesh) {
-  std::size_t wires = 0;
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) wires += mesh.is_alive(Edge(i)) && mesh.is_wire(Edge(i));
-  return wires;
 }
 
 // Whether an argument of a line is a number or word that names no element whatever the mesh holds.
@@ -233,17 +227,7 @@ Document::Elsewhere Document::exists_elsewhere(NameError error, std::span<const 
   return found;
 }
 
-MeshFile Document::contents() const {
-  MeshFile file = file_;
-  CompactMesh compact = to_indexed(mesh_, tables_);
-  file.elements = renumbered(file_.elements, compact.vertex_number, compact.face_number, mesh_.file_vertices(),
-                             compact.mesh.positions.size());
-  file.properties = renumbered(file_.properties, compact.vertex_number, compact.face_number, mesh_.file_vertices(),
-                               compact.mesh.positions.size(), compact.mesh.face_count());
-  file.wires = count_wires(mesh_);
-  file.mesh = std::move(compact.mesh);
-  return file;
-}
+MeshFile Document::contents() const { return edited_file(file_, mesh_, tables_); }
 
 std::vector<Message> Document::losses(const std::filesystem::path& path) const {
   std::vector<Message> messages;

@@ -47,4 +47,10 @@ Text QuarantinedFace::cause() const {
           "面 " + name + " を除けておきます: 頂点 " + vertex + " を 2 回以上通ります。"};
 }
 
+bool QuarantinedFace::has_corners_within(std::size_t vertices) const {
+  return std::all_of(corners.begin(), corners.end(), [vertices](std::int64_t corner) {
+    return corner >= 0 && static_cast<std::uint64_t>(corner) < vertices;
+  });
+}
+
 }  // namespace ryosen

@@ -26,6 +26,8 @@ struct QuarantinedFace {
 
   // The sentence for the user, made from the code and the corners.
   Text cause() const;
+  // Whether all vertices that it names are among the first so many, whatever the cause.
+  bool has_corners_within(std::size_t vertices) const;
 };
 
 // Values given per corner through a pool, as OBJ does for texture coordinates and normals.

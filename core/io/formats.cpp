@@ -50,7 +50,7 @@ constexpr Holds per_vertex_values = Holds::vertex_texcoords | Holds::vertex_norm
 Holds obj_holds(Encoding) {
   return Holds::polygons | per_vertex_values | Holds::corner_texcoords | Holds::third_texcoord | Holds::corner_normals |
          Holds::groups | Holds::names | Holds::missing_colours | Holds::weights | Holds::elements | Holds::quarantine |
-         Holds::vertices | Holds::comments | Holds::doubles;
+         Holds::any_vertex_colours | Holds::vertices | Holds::comments | Holds::doubles;
 }
 
 Holds off_holds(Encoding) {
@@ -60,7 +60,8 @@ Holds off_holds(Encoding) {
 
 Holds ply_holds(Encoding) {
   return Holds::polygons | per_vertex_values | Holds::corner_texcoords | Holds::face_colours | Holds::quarantine |
-         Holds::vertices | Holds::properties | Holds::facet_attributes | Holds::comments | Holds::doubles;
+         Holds::any_vertex_colours | Holds::vertices | Holds::properties | Holds::facet_attributes | Holds::comments |
+         Holds::doubles;
 }
 
 Holds stl_holds(Encoding encoding) {

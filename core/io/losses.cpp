@@ -5,8 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "core/io/byte_colours.h"
 #include "core/io/ply_columns.h"
 #include "core/io/reporter.h"
+#include "core/io/txt.h"
 #include "core/io/vertex_values.h"
 
 namespace ryosen {
@@ -59,6 +61,11 @@ std::uint64_t missing_colours(const MeshFile& file, Holds held) {
   return static_cast<std::uint64_t>(std::count_if(colours.begin(), colours.end(), is_none));
 }
 
+std::uint64_t rounded_colours(const MeshFile& file, Holds held) {
+  if (holds(held, Holds::any_vertex_colours) || !holds(held, Holds::vertex_colours)) return 0;
+  return count_rounded_colours(file);
+}
+
 std::uint64_t face_colours(const MeshFile& file, Holds held) {
   const std::vector<std::uint8_t>& count = file.mesh.face_colours.count;
   if (holds(held, Holds::any_face_colours) || count.empty()) return 0;
@@ -69,12 +76,11 @@ std::uint64_t face_colours(const MeshFile& file, Holds held) {
 
 std::uint64_t set_aside(const MeshFile& file, Holds held) {
   if (holds(held, Holds::quarantine)) return 0;
+  const TxtQuarantine listed(file.mesh);
   const auto is_held = [&](const QuarantinedFace& face) {
-    if (face.corners.size() != 3) {
-      return holds_polygons(file, held) && face.code != "index_out_of_range" && !face.corners.empty();
-    }
-    return holds(held, Holds::odd_triangles) ||
-           (holds(held, Holds::flat_triangles) && face.code != "index_out_of_range");
+    const bool exists = face.has_corners_within(file.mesh.positions.size());
+    if (face.corners.size() != 3) return holds_polygons(file, held) && exists && !face.corners.empty();
+    return (holds(held, Holds::odd_triangles) && listed.holds(face)) || (holds(held, Holds::flat_triangles) && exists);
   };
   const auto& faces = file.mesh.quarantine;
   return faces.size() - static_cast<std::uint64_t>(std::count_if(faces.begin(), faces.end(), is_held));
@@ -85,7 +91,7 @@ std::vector<bool> used_vertices(const IndexedMesh& mesh) {
   std::vector<bool> used(mesh.positions.size(), false);
   for (const std::uint32_t corner : mesh.corners) used[corner] = true;
   for (const QuarantinedFace& face : mesh.quarantine) {
-    if (face.code == "index_out_of_range") continue;
+    if (!face.has_corners_within(used.size())) continue;
     for (const std::int64_t corner : face.corners) used[static_cast<std::size_t>(corner)] = true;
   }
   return used;
@@ -203,6 +209,8 @@ const std::vector<LossKind>& loss_kinds() {
       {"loses_vertex_colours", "colours of vertices", "頂点の色", vertex_colours},
       {"loses_missing_colours", "vertices without a colour, which become white", "色のない頂点(白になります)",
        missing_colours},
+      {"loses_exact_colours", "colours of vertices among brighter ones than white, which are rounded",
+       "白より明るい色を含む頂点の色(丸められます)", rounded_colours},
       {"loses_face_colours", "colours of faces, or faces without one among others", "面の色(または色のない面の区別)",
        face_colours},
       {"loses_weights", "weights of vertices", "頂点の重み",

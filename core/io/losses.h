@@ -27,7 +27,7 @@ enum class Holds : std::uint32_t {
   any_face_colours = 1u << 12,  // and any other
   elements = 1u << 13,          // lines and points
   quarantine = 1u << 14,        // faces of any corners that cannot be used
-  odd_triangles = 1u << 15,     // those of three corners
+  odd_triangles = 1u << 15,     // those of three corners, as TxtQuarantine says
   flat_triangles = 1u << 16,    // those of three corners that exist
   vertices = 1u << 17,          // with their numbers: such without a face, several at one place
   properties = 1u << 18,        // properties and elements that the mesh has no place for
@@ -35,7 +35,8 @@ enum class Holds : std::uint32_t {
   comments = 1u << 20,
   first_comment = 1u << 21,  // 80 bytes of it
   doubles = 1u << 22,
-  free_facets = 1u << 23,  // faces of any corners that exist, where the file came with such
+  any_vertex_colours = 1u << 23,  // whatever their numbers are
+  free_facets = 1u << 24,         // faces of any corners that exist, where the file came with such
 };
 
 constexpr Holds operator|(Holds a, Holds b) {

@@ -4,12 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/io/byte_colours.h"
+
 namespace ryosen {
-namespace {
-
-constexpr double byte_scale = 255.0;
-
-}  // namespace
 
 void OffBuilder::reserve(std::size_t vertices, std::size_t faces) {
   file_.mesh.positions.reserve(vertices);

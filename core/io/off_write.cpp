@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/io/byte_colours.h"
 #include "core/io/off.h"
 #include "core/io/reporter.h"
 #include "core/io/text_out.h"
@@ -15,6 +15,7 @@ class OffWriter {
   explicit OffWriter(const MeshFile& file)
       : file_(file),
         mesh_(file.mesh),
+        are_bytes_(are_byte_colours(file)),
         normals_(per_vertex(mesh_, mesh_.normals)),
         texcoords_(per_vertex(mesh_, mesh_.texcoords)),
         out_(64 * mesh_.positions.size() + 10 * mesh_.corners.size()) {}
@@ -56,20 +57,10 @@ class OffWriter {
     for (int i = 0; i < count; ++i) out_ << ' ' << value[i];
   }
 
-  // The number from 0 to 255 that reading divides back into the component, a whole one if there is.
-  static double as_byte(double component) {
-    constexpr double scale = 255.0, infinity = std::numeric_limits<double>::infinity();
-    const double scaled = component * scale;
-    for (const double candidate : {std::nearbyint(scaled), scaled, std::nextafter(scaled, infinity)}) {
-      if (candidate / scale == component) return candidate;
-    }
-    return std::nextafter(scaled, -infinity);
-  }
-
   void colour(const glm::dvec4& value) {
     if (std::isnan(value.x)) return;
     const int count = mesh_.colour_components == 4 ? 4 : 3;
-    for (int i = 0; i < count; ++i) out_ << ' ' << (file_.byte_colours ? as_byte(value[i]) : value[i]);
+    for (int i = 0; i < count; ++i) out_ << ' ' << (are_bytes_ ? as_byte(value[i]) : value[i]);
   }
 
   void vertex(std::size_t v) {
@@ -89,6 +80,7 @@ class OffWriter {
 
   const MeshFile& file_;
   const IndexedMesh& mesh_;
+  bool are_bytes_;
   std::optional<std::vector<std::uint32_t>> normals_, texcoords_;
   TextOut out_;
 };

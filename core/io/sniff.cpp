@@ -129,7 +129,7 @@ Likeness looks_like_ply(std::string_view head) {
 
 Likeness looks_like_stl(std::string_view head, std::uint64_t size) {
   if (is_whole_binary_stl(head, size)) return Likeness::sure;
-  if (refuse_binary(head)) return size >= stl_head_bytes + 4 ? Likeness::maybe : Likeness::no;
+  if (!may_be_ascii_stl(head)) return size >= stl_head_bytes + 4 ? Likeness::maybe : Likeness::no;
   TextLines lines(head, false);
   TextLine line;
   bool has_solid = false;

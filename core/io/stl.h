@@ -27,6 +27,10 @@ std::string write_stl(const MeshFile& file, Encoding encoding);
 // Whether a file of this size, which begins with `head` (at least 84 bytes), is as long as its count of facets says.
 bool is_whole_binary_stl(std::string_view head, std::uint64_t size);
 
+// Whether a file that begins so can be ascii: names may hold any other control character, while a binary file has a zero
+// in its count, its coordinates or the padding of its head.
+bool may_be_ascii_stl(std::string_view head);
+
 // What the head of a binary file says that has nothing else to say; read, it is no comment.
 inline constexpr std::string_view stl_plain_head = "binary STL";
 inline constexpr std::size_t stl_head_bytes = 80, stl_facet_bytes = 50;

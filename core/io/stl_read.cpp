@@ -143,6 +143,8 @@ bool is_whole_binary_stl(std::string_view head, std::uint64_t size) {
          facets_begin + std::uint64_t{stl_facet_bytes} * load_little<std::uint32_t>(head.data() + stl_head_bytes);
 }
 
+bool may_be_ascii_stl(std::string_view head) { return head.find('\0') == std::string_view::npos; }
+
 MeshFile finish_stl(MeshFile& file, FaceList& faces, Reporter& reporter) {
   const std::size_t corners = file.mesh.corners.size(), points = file.mesh.positions.size();
   faces.finish(reporter);
@@ -155,7 +157,7 @@ MeshFile finish_stl(MeshFile& file, FaceList& faces, Reporter& reporter) {
 }
 
 Result<MeshFile> read_stl(std::string_view bytes, const std::filesystem::path&) {
-  const bool is_text = !refuse_binary(bytes.substr(0, sniffed_bytes));
+  const bool is_text = may_be_ascii_stl(bytes.substr(0, sniffed_bytes));
   if (!is_whole_binary_stl(bytes, bytes.size())) {
     if (begins_with_solid(bytes) && is_text) return read_stl_text(bytes);
     if (bytes.size() >= facets_begin && is_text) {

@@ -32,7 +32,7 @@ void for_each_facet(const IndexedMesh& mesh, bool is_free, Visit visit) {
       continue;
     }
     const QuarantinedFace& face = *aside++;
-    if (face.code == "index_out_of_range" || (face.corners.size() != 3 && !is_free)) continue;
+    if (!face.has_corners_within(mesh.positions.size()) || (face.corners.size() != 3 && !is_free)) continue;
     corners.assign(face.corners.begin(), face.corners.end());
     visit(f, std::span<const std::uint32_t>(corners));
   }

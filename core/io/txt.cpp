@@ -185,10 +185,32 @@ Result<MeshFile> read_txt(std::string_view bytes, const std::filesystem::path&) 
   return TxtReader(bytes).read();
 }
 
+TxtQuarantine::TxtQuarantine(const IndexedMesh& mesh) {
+  std::size_t zero_faces = 0, triangles = mesh.face_count() - mesh.quarantine.size();
+  bool is_within_zero_based = true;
+  for (const QuarantinedFace& face : mesh.quarantine) {
+    if (face.corners.size() != 3) continue;
+    ++triangles;
+    zero_faces += std::count(face.corners.begin(), face.corners.end(), -1) > 0;
+    for (const std::int64_t corner : face.corners)
+      is_within_zero_based =
+          is_within_zero_based && corner >= -1 && corner + 1 < static_cast<std::int64_t>(mesh.positions.size());
+  }
+  if (zero_faces == 0 || (zero_faces == 1 && triangles > 1) || !is_within_zero_based) return;
+  looks_zero_based_ = std::none_of(mesh.corners.begin(), mesh.corners.end(),
+                                   [&](std::uint32_t corner) { return corner + 1 == mesh.positions.size(); });
+}
+
+bool TxtQuarantine::holds(const QuarantinedFace& face) const {
+  if (face.corners.size() != 3) return false;
+  return !looks_zero_based_ || std::count(face.corners.begin(), face.corners.end(), -1) == 0;
+}
+
 std::string write_txt(const MeshFile& file) {
   if (has_polygons(file.mesh)) return write_txt(triangulated(file));
   const IndexedMesh& mesh = file.mesh;
-  const auto is_written = [](const QuarantinedFace& face) { return face.corners.size() == 3; };
+  const TxtQuarantine quarantine(mesh);
+  const auto is_written = [&](const QuarantinedFace& face) { return quarantine.holds(face); };
   const auto left_out = mesh.quarantine.size() - static_cast<std::size_t>(std::count_if(
                                                      mesh.quarantine.begin(), mesh.quarantine.end(), is_written));
   TextOut out(40 * mesh.positions.size() + 24 * mesh.face_count());

@@ -17,8 +17,20 @@ namespace ryosen {
 // warning. `path` is not used. Cost: O(bytes), one pass.
 Result<MeshFile> read_txt(std::string_view bytes, const std::filesystem::path& path);
 
-// The bytes of such a list. Faces of more than three corners are cut into triangles, those in quarantine of other than
-// three corners are left out.
+// The bytes of such a list. Faces of more than three corners are cut into triangles, those in quarantine that
+// TxtQuarantine does not hold are left out.
 std::string write_txt(const MeshFile& file);
+
+// Which faces in quarantine such a list can hold: those of three corners, whatever these are. But where several name the
+// vertex before the first one and no face the last, they cannot be told from a list that counts from 0.
+class TxtQuarantine {
+ public:
+  explicit TxtQuarantine(const IndexedMesh& mesh);  // O(corners) where a face is in quarantine
+
+  bool holds(const QuarantinedFace& face) const;
+
+ private:
+  bool looks_zero_based_ = false;
+};
 
 }  // namespace ryosen

@@ -1,10 +1,8 @@
-// What the tests of the file layer share: reading from strings and comparing two meshes bit by bit.
+// What the tests of the file layer share: reading from strings, refusals, and ways through a file.
 #pragma once
 
 #include <gtest/gtest.h>
 
-#include <bit>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
@@ -13,8 +11,11 @@
 #include <string_view>
 
 #include "core/io/formats.h"
+#include "tests/support/core/file_difference.h"
 
 namespace ryosen::io_test {
+
+using namespace test;
 
 inline Result<MeshFile> read_text(std::string_view id, std::string_view text) {
   return read_mesh(text, *find_format(id));
@@ -89,67 +90,6 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-inline bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
-
-template <class Vector>
-bool same_bits(const std::vector<Vector>& a, const std::vector<Vector>& b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if constexpr (std::is_same_v<Vector, double>) {
-      if (!same_bits(a[i], b[i])) return false;
-    } else {
-      for (int k = 0; k < Vector::length(); ++k) {
-        if (!same_bits(a[i][k], b[i][k])) return false;
-      }
-    }
-  }
-  return true;
-}
-
-inline bool same_values(const CornerValues& a, const CornerValues& b) {
-  return same_bits(a.pool, b.pool) && a.index == b.index && a.components == b.components;
-}
-
-inline bool same_names(const FaceNames& a, const FaceNames& b) { return a.names == b.names && a.index == b.index; }
-
-inline bool same_quarantine(const std::vector<QuarantinedFace>& a, const std::vector<QuarantinedFace>& b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i].face != b[i].face || a[i].code != b[i].code || a[i].corners != b[i].corners ||
-        a[i].texcoords != b[i].texcoords || a[i].normals != b[i].normals) {
-      return false;
-    }
-  }
-  return true;
-}
-
-inline bool same_elements(const ElementList& a, const ElementList& b) {
-  if (a.items.size() != b.items.size() || a.vertices != b.vertices || a.texcoords != b.texcoords) return false;
-  for (std::size_t i = 0; i < a.items.size(); ++i) {
-    const LineElement &x = a.items[i], &y = b.items[i];
-    if (x.is_points != y.is_points || x.before_face != y.before_face || x.first != y.first || x.count != y.count ||
-        x.object != y.object || x.group != y.group || x.material != y.material || x.smoothing != y.smoothing) {
-      return false;
-    }
-  }
-  return true;
-}
-
-inline bool same_properties(const PropertyTables& a, const PropertyTables& b) {
-  if (a.obj_info != b.obj_info || a.tables.size() != b.tables.size()) return false;
-  for (std::size_t t = 0; t < a.tables.size(); ++t) {
-    const PropertyTable &x = a.tables[t], &y = b.tables[t];
-    if (x.name != y.name || x.rows != y.rows || x.properties.size() != y.properties.size()) return false;
-    for (std::size_t p = 0; p < x.properties.size(); ++p) {
-      const Property &u = x.properties[p], &v = y.properties[p];
-      if (u.name != v.name || u.is_list != v.is_list || u.role != v.role || u.data != v.data || u.ends != v.ends) {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
 // The codes of what would be lost in a format, with blanks in between.
 inline std::string loss_codes(const MeshFile& file, std::string_view id) {
   const WriteOptions target = *find_target(id);
@@ -157,56 +97,6 @@ inline std::string loss_codes(const MeshFile& file, std::string_view id) {
   for (const Loss& loss : losses_of(file, *target.format, target.encoding))
     codes += (codes.empty() ? "" : " ") + std::string(loss.kind->code);
   return codes;
-}
-
-// The values of all corners in place of the pool that they come from, which not every format keeps.
-inline CornerValues by_corner(const CornerValues& values) {
-  CornerValues out;
-  out.components = values.components;
-  if (values.index.empty()) return out;
-  for (const std::uint32_t index : values.index)
-    out.pool.push_back(index < values.pool.size() ? values.pool[index] : glm::dvec3(-12345.0));
-  return out;
-}
-
-// The file as far as other formats hold it that lose nothing of the mesh.
-inline MeshFile without_form(MeshFile file) {
-  file.head_comments.clear();
-  file.byte_colours = false;
-  file.properties = {};
-  for (CornerValues* values : {&file.mesh.texcoords, &file.mesh.normals}) {
-    *values = by_corner(*values);
-    if (values->pool.empty()) values->components = 3;
-  }
-  for (QuarantinedFace& face : file.mesh.quarantine) face.texcoords.clear(), face.normals.clear();
-  return file;
-}
-
-// What differs between two files besides their line numbers and messages, empty if nothing does.
-inline std::string difference(const MeshFile& a, const MeshFile& b) {
-  const IndexedMesh &x = a.mesh, &y = b.mesh;
-  std::string out;
-  const auto compare = [&](bool same, const char* what) {
-    if (!same) out += std::string(out.empty() ? "" : ", ") + what;
-  };
-  compare(same_bits(x.positions, y.positions), "positions");
-  compare(x.corners == y.corners && x.face_offsets == y.face_offsets, "faces");
-  compare(same_quarantine(x.quarantine, y.quarantine), "quarantine");
-  compare(same_values(x.texcoords, y.texcoords), "texcoords");
-  compare(same_values(x.normals, y.normals), "normals");
-  compare(same_bits(x.vertex_colours, y.vertex_colours) && x.colour_components == y.colour_components, "colours");
-  compare(same_bits(x.vertex_weights, y.vertex_weights), "weights");
-  compare(same_bits(x.face_colours.values, y.face_colours.values) && x.face_colours.count == y.face_colours.count,
-          "face colours");
-  compare(same_names(x.materials, y.materials), "materials");
-  compare(same_names(x.groups, y.groups), "groups");
-  compare(same_names(x.objects, y.objects), "objects");
-  compare(same_names(x.smoothing, y.smoothing), "smoothing");
-  compare(same_elements(a.elements, b.elements), "elements");
-  compare(same_properties(a.properties, b.properties), "properties");
-  compare(a.head_comments == b.head_comments, "comments");
-  compare(a.material_libraries == b.material_libraries, "libraries");
-  return out;
 }
 
 // Writes in a format, reads again, and tells what differs.

@@ -1,6 +1,6 @@
 // Reading, saving and reading again, in every format and encoding, before and after edits.
 #include "core/build/from_indexed.h"
-#include "core/build/to_indexed.h"
+#include "core/io/edited_file.h"
 #include "core/mesh/names.h"
 #include "core/ops/collapse_edge.h"
 #include "core/ops/split_edge.h"
@@ -39,7 +39,6 @@ MeshFile through_file(const MeshFile& file, const WriteOptions& target) {
 MeshFile edited(MeshFile file) {
   const FileTables tables = file_tables(file.mesh);
   Mesh mesh = from_indexed(std::move(file.mesh));
-  const std::uint32_t old_vertices = mesh.file_vertices();
   Journal journal;
   Edit edit(mesh, &journal);
   const auto find = [&](const glm::dvec3& from, const glm::dvec3& to) {
@@ -57,11 +56,7 @@ MeshFile edited(MeshFile file) {
   EXPECT_TRUE(split.check(mesh).legal());
   split.apply(edit);
   edit.commit();
-  CompactMesh compact = to_indexed(mesh, tables);
-  file.properties = renumbered(file.properties, compact.vertex_number, compact.face_number, old_vertices,
-                               compact.mesh.positions.size(), compact.mesh.face_count());
-  file.mesh = std::move(compact.mesh);
-  return file;
+  return edited_file(file, mesh, tables);
 }
 
 TEST(RoundTrip, EveryFormatGivesBackWhatItHolds) {
@@ -97,6 +92,44 @@ TEST(RoundTrip, FacesThatWereSetAsideAreSetAsideForTheSameCauseAfterEdits) {
     EXPECT_EQ(again.mesh.face_count(), after.mesh.face_count());
     EXPECT_EQ(io_test::difference(again, through_file(again, target)), "");
   }
+}
+
+TEST(RoundTrip, AFaceWithTooFewCornersThatDoNotExistIsNoFacet) {
+  const MeshFile file = io_test::read_sound("obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 99\n");
+  EXPECT_EQ(io_test::loss_codes(file, "stl-ascii"), "loses_quarantined");
+  MeshFile facets = file;
+  facets.has_free_facets = true;
+  EXPECT_EQ(io_test::loss_codes(facets, "stl-ascii"), "loses_quarantined");
+  EXPECT_EQ(through_file(facets, *find_target("stl-ascii")).mesh.face_count(), 1u);
+}
+
+TEST(RoundTrip, ColoursBrighterThanWhiteComeBackFromOff) {
+  const MeshFile file = io_test::read_sound("obj", "v 0 0 0 1 1.5 0.25\nv 1 0 0 0 0 0\nv 0 1 0 1 1 1\nf 1 2 3\n");
+  EXPECT_EQ(io_test::loss_codes(file, "off"), "");
+  EXPECT_EQ(io_test::difference_after_round_trip(file, "off"), "");
+  const MeshFile huge = io_test::read_sound("obj", "v 0 0 0 1e308 1.5 0.25\nv 1 0 0 0 0 0\nv 0 1 0 1 1 1\nf 1 2 3\n");
+  EXPECT_EQ(io_test::loss_codes(huge, "off"), "loses_exact_colours");
+}
+
+TEST(RoundTrip, DarkColoursThatCameAsBytesStayDark) {
+  MeshFile file = io_test::read_sound("off", "COFF\n3 1 0\n0 0 0 1 1 0\n1 0 0 0 0 0\n0 1 0 255 0 0\n3 0 1 2\n");
+  file.mesh.vertex_colours[2] = glm::dvec4(0, 0, 0, 1);
+  EXPECT_EQ(io_test::difference_after_round_trip(file, "off"), "");
+}
+
+TEST(RoundTrip, NamesOfSolidsMayHoldControlCharacters) {
+  const MeshFile file =
+      io_test::read_sound("obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng front\x12side\nf 1 2 3\ng back\nf 1 3 4\n");
+  const MeshFile again = through_file(file, *find_target("stl-ascii"));
+  EXPECT_EQ(again.mesh.groups.names, (std::vector<std::string>{"front\x12side", "back"}));
+}
+
+TEST(RoundTrip, AListThatWouldSeemToCountFromZeroLeavesOutWhatMakesItSo) {
+  const MeshFile file = io_test::read_sound("obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 0 2 3\nf 0 1 3\nf 1 2 3\n");
+  EXPECT_EQ(io_test::loss_codes(file, "txt"), "loses_quarantined");
+  EXPECT_EQ(through_file(file, *find_target("txt")).mesh.face_count(), 1u);
+  const MeshFile with_last = io_test::read_sound("txt", "3 3\n0 0 0\n1 0 0\n0 1 0\n0 2 3\n0 1 3\n1 2 3\n");
+  EXPECT_EQ(io_test::difference_after_round_trip(with_last, "txt"), "");
 }
 
 }  // namespace

@@ -1,0 +1,19 @@
+// Colours in text that may count from 0 to 255 instead of from 0 to 1: in OFF those of a file do where any of their
+// numbers is above one.
+#pragma once
+
+#include "core/io/mesh_file.h"
+
+namespace ryosen {
+
+inline constexpr double byte_scale = 255.0;
+
+// The number that reading divides back into the component, a whole one if there is.
+double as_byte(double component);
+// Whether the vertex colours have to be written so to be read again: because one is above one, or because the file came
+// so and its numbers still show it. O(colours).
+bool are_byte_colours(const MeshFile& file);
+// How many vertex colours come back as others, by a rounding or because they are too large; O(colours).
+std::uint64_t count_rounded_colours(const MeshFile& file);
+
+}  // namespace ryosen

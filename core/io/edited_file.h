@@ -1,0 +1,15 @@
+// The way back from an edited mesh to the file that it came from.
+#pragma once
+
+#include "core/build/to_indexed.h"
+#include "core/io/mesh_file.h"
+#include "core/mesh/mesh.h"
+
+namespace ryosen {
+
+// The file with the mesh as it is now: everything beside the mesh follows its vertices and faces to their new numbers.
+// `source` is the file as it was read, of which IndexedMesh may have been given away to from_indexed; `tables` are those
+// of that list. O(file).
+MeshFile edited_file(const MeshFile& source, const Mesh& mesh, const FileTables& tables);
+
+}  // namespace ryosen

@@ -4,6 +4,7 @@
 
 #include "app/editor/expect.h"
 #include "core/build/from_indexed.h"
+#include "core/build/parallel.h"
 #include "core/io/formats.h"
 #include "core/io/input_file.h"
 
@@ -79,9 +80,15 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
   const std::vector<QuarantinedFace> quarantine = file.mesh.quarantine;
   const std::vector<std::uint32_t> lines = file.mesh.face_lines;
   const Mesh mesh = from_indexed(std::move(file.mesh));
-  const HighlightSets sets(mesh);
-  report.figures = compute_figures(mesh, sets, quarantine);
-  report.hash = hash_text(mesh);
+  HighlightSets sets;
+  for_each_task(2, threads_for(mesh.halfedge_slots()), [&](unsigned task) {
+    if (task == 0) {
+      sets = HighlightSets(mesh);
+      report.figures = compute_figures(mesh, sets, quarantine);
+    } else {
+      report.hash = hash_text(mesh);
+    }
+  });
   std::vector<FacePair> intersections;
   if (with_self_intersections) intersections = find_self_intersections(mesh);
   for (Problem& problem : find_problems(mesh, sets, {quarantine, lines}, std::move(intersections))) {

@@ -17,6 +17,10 @@ bool may_have_equal_face(const Mesh& mesh, Face f) {
   const Halfedge a = mesh.halfedge(f), b = mesh.next(a), c = mesh.next(b), d = mesh.next(c);
   const bool is_triangle = d == a;
   if (!is_triangle && mesh.next(d) != a) return true;
+  if (is_triangle && !mesh.has_copies()) {
+    const Face across = mesh.face(twin(a));
+    return across && across == mesh.face(twin(b)) && across == mesh.face(twin(c));
+  }
   for (Halfedge h : {a, b, c, d})
     if (has_copies(mesh, mesh.from(h))) return true;
   const Face fa = mesh.face(twin(a)), fb = mesh.face(twin(b)), fc = mesh.face(twin(c));

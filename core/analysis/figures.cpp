@@ -9,6 +9,7 @@
 
 #include "core/analysis/boundary_loops.h"
 #include "core/analysis/components.h"
+#include "core/build/parallel.h"
 #include "core/geometry/polygon_normal.h"
 #include "core/mesh/face_polygon.h"
 
@@ -100,7 +101,7 @@ class Measure {
   }
 
  private:
-  // False where the squares leave the range of doubles.
+  // Whether a triangle could be added by its three corners; false where the squares leave the range of doubles.
   bool add_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const glm::dvec3 normal = glm::cross(b - a, c - a);
     const double square = glm::dot(normal, normal);
@@ -126,11 +127,20 @@ bool has_inner_loops(const Mesh& mesh, const FacePolygon& polygon) {
                      [&](Halfedge h) { return is_bridge(mesh, h); });
 }
 
-void measure_faces(const Mesh& mesh, Figures& figures) {
-  Measure measure;
+// The corners of each kind of face and what the faces measure.
+void measure_faces(const Mesh& mesh, Measure& measure, Figures& figures) {
   FacePolygon polygon;
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     if (!mesh.is_alive(Face(i))) continue;
+    const Halfedge first = mesh.halfedge(Face(i));
+    if (is_triangle(mesh, first) && !mesh.has_rings(Face(i))) {
+      const Halfedge second = mesh.next(first);
+      const glm::dvec3 places[] = {mesh.position(mesh.from(first)), mesh.position(mesh.from(second)),
+                                   mesh.position(mesh.to(second))};
+      count_corners(3, figures);
+      measure.add(places);
+      continue;
+    }
     polygon.read(mesh, Face(i));
     if (!has_inner_loops(mesh, polygon)) {
       count_corners(polygon.places().size(), figures);
@@ -142,44 +152,57 @@ void measure_faces(const Mesh& mesh, Figures& figures) {
       measure.add(walk);
     }
   }
-  measure.report(figures);
+}
+
+// What is counted on edges and vertices.
+void count_the_rest(Neighbourhood& around, const HighlightSets& sets, Figures& figures) {
+  count_vertices(around, sets, figures);
+  count_edges(around, figures);
+  figures.boundary_loops = find_boundary_loops(around, sets.of(ProblemKind::boundary_loop)).size();
+  figures.orientable = sets.count(ProblemKind::misoriented_edge) == 0 || is_orientable(around);
 }
 
 }  // namespace
 
-Figures compute_figures(Neighbourhood& around, const HighlightSets& sets, std::span<const QuarantinedFace> quarantine) {
-  const Mesh& mesh = around.mesh();
-  Figures figures;
+Figures compute_figures(const Mesh& mesh, const HighlightSets& sets, std::span<const QuarantinedFace> quarantine,
+                        unsigned threads) {
+  if (threads == 0) threads = threads_for(mesh.halfedge_slots());
+  Figures figures, of_faces;
+  Measure measure;
+  std::uint64_t components = 0;
+  Neighbourhood around(mesh, Neighbourhood::Reach::whole);
+  for_each_task(3, threads, [&](unsigned task) {
+    if (task == 0) measure_faces(mesh, measure, of_faces);
+    if (task == 1) count_the_rest(around, sets, figures);
+    if (task != 2) return;
+    std::optional<Neighbourhood> own;  // what is gathered must not be shared
+    if (threads > 1) own.emplace(mesh, Neighbourhood::Reach::whole);
+    components = count_face_components(own ? *own : around);
+  });
+  figures.corners = of_faces.corners;
+  figures.triangles = of_faces.triangles;
+  figures.quads = of_faces.quads;
+  figures.polygons = of_faces.polygons;
+  figures.components = components;
   take_counts(sets, figures);
   count_quarantine(mesh, quarantine, figures);
-  count_vertices(around, sets, figures);
-  count_edges(around, figures);
   const std::uint64_t usable = mesh.live().faces;
   figures.faces = usable + quarantine.size();
-  figures.boundary_loops = find_boundary_loops(around, sets.of(ProblemKind::boundary_loop)).size();
   figures.rings += mesh.live().rings;
-  figures.components = count_face_components(around);
   figures.euler_characteristic = static_cast<std::int64_t>(figures.vertices - figures.isolated_vertices + usable) -
                                  static_cast<std::int64_t>(figures.edges + figures.rings);
   figures.manifold = figures.nonmanifold_edges == 0 && figures.bowtie_vertices == 0;
   figures.closed = usable > 0 && figures.boundary_edges == 0 && figures.nonmanifold_edges == 0;
-  figures.orientable = figures.misoriented_edges == 0 || is_orientable(around);
   if (figures.manifold && figures.orientable && usable > 0)
     figures.genus = (2 * static_cast<std::int64_t>(figures.components) - figures.euler_characteristic -
                      static_cast<std::int64_t>(figures.boundary_loops)) /
                     2;
-  measure_faces(mesh, figures);
+  measure.report(figures);
   return figures;
 }
 
-Figures compute_figures(const Mesh& mesh, const HighlightSets& sets, std::span<const QuarantinedFace> quarantine) {
-  Neighbourhood around(mesh, Neighbourhood::Reach::whole);
-  return compute_figures(around, sets, quarantine);
-}
-
 Figures compute_figures(const Mesh& mesh, std::span<const QuarantinedFace> quarantine) {
-  Neighbourhood around(mesh, Neighbourhood::Reach::whole);
-  return compute_figures(around, HighlightSets(around), quarantine);
+  return compute_figures(mesh, HighlightSets(mesh), quarantine);
 }
 
 }  // namespace ryosen

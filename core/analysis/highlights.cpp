@@ -1,7 +1,9 @@
 #include "core/analysis/highlights.h"
 
 #include <algorithm>
+#include <optional>
 
+#include "core/build/parallel.h"
 #include "core/mesh/circulate.h"
 
 namespace ryosen {
@@ -16,11 +18,32 @@ bool speaks_of(const ProblemRow& row, Vertex) { return row.vertex != nullptr; }
 bool speaks_of(const ProblemRow& row, Edge) { return row.edge != nullptr; }
 bool speaks_of(const ProblemRow& row, Face) { return row.face != nullptr; }
 
+using Members = std::array<std::vector<std::uint32_t>, problem_kinds>;
+
 template <class Element>
-void search(const ProblemRow& row, Neighbourhood& around, std::uint32_t slots, IndexSet& set) {
+void search(const ProblemRow& row, Neighbourhood& around, std::uint32_t slots, unsigned part, unsigned parts,
+            std::vector<std::uint32_t>& members) {
   if (!speaks_of(row, Element())) return;
-  for (std::uint32_t i = 0; i < slots; ++i)
-    if (around.mesh().is_alive(Element(i)) && holds(row, around, Element(i))) set.insert(i);
+  const std::uint32_t end = part_begin(slots, part + 1, parts);
+  for (std::uint32_t i = part_begin(slots, part, parts); i < end; ++i)
+    if (around.mesh().is_alive(Element(i)) && holds(row, around, Element(i))) members.push_back(i);
+}
+
+// Asks one of `parts` parts of the vertices, of the edges and of the faces.
+void search_part(Neighbourhood& around, unsigned part, unsigned parts, Members& members) {
+  const Mesh& mesh = around.mesh();
+  for (const ProblemRow& row : problem_table()) {
+    if (row.find_all) continue;
+    std::vector<std::uint32_t>& found = members[static_cast<std::size_t>(row.kind)];
+    search<Vertex>(row, around, mesh.vertex_slots(), part, parts, found);
+    search<Edge>(row, around, mesh.edge_slots(), part, parts, found);
+    search<Face>(row, around, mesh.face_slots(), part, parts, found);
+  }
+}
+
+void search_whole(Neighbourhood& around, Members& members) {
+  for (const ProblemRow& row : problem_table())
+    if (row.find_all) members[static_cast<std::size_t>(row.kind)] = row.find_all(around);
 }
 
 // The elements whose answer a transaction may have changed. Dead ones and those past the end are among them.
@@ -128,23 +151,22 @@ std::vector<std::uint32_t> members_from(const IndexSet& set, std::uint32_t first
 
 }  // namespace
 
-HighlightSets::HighlightSets(const Mesh& mesh) {
+HighlightSets::HighlightSets(const Mesh& mesh, unsigned threads) : had_copies_(mesh.has_copies()) {
+  if (threads == 0) threads = threads_for(mesh.halfedge_slots());
   Neighbourhood around(mesh, Neighbourhood::Reach::whole);
-  *this = HighlightSets(around);
-}
-
-HighlightSets::HighlightSets(Neighbourhood& around) : had_copies_(around.mesh().has_copies()) {
-  const Mesh& mesh = around.mesh();
-  for (const ProblemRow& row : problem_table()) {
-    IndexSet& set = sets_[static_cast<std::size_t>(row.kind)];
-    if (row.find_all) {
-      for (std::uint32_t i : row.find_all(around)) set.insert(i);
-      continue;
-    }
-    search<Vertex>(row, around, mesh.vertex_slots(), set);
-    search<Edge>(row, around, mesh.edge_slots(), set);
-    search<Face>(row, around, mesh.face_slots(), set);
-  }
+  const unsigned parts = threads == 1 ? 1 : 2 * threads;
+  std::vector<Members> found(parts + 1);
+  for_each_task(parts + 1, threads, [&](unsigned task) {
+    std::optional<Neighbourhood> own;  // what is gathered must not be shared
+    if (threads > 1) own.emplace(mesh, Neighbourhood::Reach::whole);
+    if (task == 0)
+      search_whole(own ? *own : around, found[parts]);
+    else
+      search_part(own ? *own : around, task - 1, parts, found[task - 1]);
+  });
+  for (const Members& members : found)
+    for (std::size_t kind = 0; kind < problem_kinds; ++kind)
+      for (const std::uint32_t i : members[kind]) sets_[kind].insert(i);
   find_further(around);
 }
 

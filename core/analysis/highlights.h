@@ -15,10 +15,9 @@ namespace ryosen {
 class HighlightSets {
  public:
   HighlightSets() = default;
-  // Asks every element of the mesh. O(corners), and a logarithm beside copies.
-  explicit HighlightSets(const Mesh& mesh);
-  // The same with a neighbourhood that others ask as well.
-  explicit HighlightSets(Neighbourhood& around);
+  // Asks every element of the mesh, on several threads where that pays (0) or on so many; the sets are the same. Beside
+  // copies each has a neighbourhood of its own. O(corners), and a logarithm beside copies.
+  explicit HighlightSets(const Mesh& mesh, unsigned threads = 0);
 
   // After transaction i of the journal was committed, undone or redone on the mesh: the sets are those of a fresh
   // search. Asks the stars of the points that it touched, so the mesh's size does not matter; only a transaction that

@@ -254,6 +254,15 @@ TEST(figures, agree_with_the_oracle_on_random_meshes) {
 }
 
 // Without some faces: their edges stay, as wires where no face is left, and a vertex may keep several fans or none.
+TEST(figures, are_the_same_for_any_number_of_threads) {
+  for (std::uint64_t seed = 1; seed <= 600 && !HasFailure(); ++seed) {
+    const Mesh mesh = mesh_of(random_mesh(seed));
+    const HighlightSets sets(mesh);
+    const Figures figures = compute_figures(mesh, sets, {}, 1);
+    for (const unsigned threads : {2u, 5u}) EXPECT_EQ(figures, compute_figures(mesh, sets, {}, threads)) << seed;
+  }
+}
+
 TEST(figures, see_only_faces_whatever_deleting_them_leaves) {
   for (std::uint64_t seed = 1; seed <= 5000 && !HasFailure(); ++seed) {
     RandomMesh mesh = random_mesh(seed);

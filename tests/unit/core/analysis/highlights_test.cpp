@@ -27,6 +27,14 @@ Mesh random_kernel_mesh(std::uint64_t seed) {
   return make_mesh(faces, static_cast<std::size_t>(random.points));
 }
 
+TEST(highlights, are_the_same_for_any_number_of_threads) {
+  for (std::uint64_t seed = 1; seed <= 600 && !HasFailure(); ++seed) {
+    const Mesh mesh = random_kernel_mesh(seed);
+    const HighlightSets sets(mesh, 1);
+    for (const unsigned threads : {2u, 5u}) EXPECT_EQ(sets, HighlightSets(mesh, threads)) << seed << " " << threads;
+  }
+}
+
 // The sets by asking every element for itself, each with a neighbourhood of its own.
 template <class Handle, class Predicate>
 void expect_set(const Mesh& mesh, const ProblemRow& row, Predicate predicate, std::uint32_t slots,

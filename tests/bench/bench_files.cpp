@@ -1,9 +1,7 @@
 // From a file to a connected mesh, against CGAL in the same run. RYOSEN_DRAGON=FILE.ply.gz adds the dragon.
-#include <sys/resource.h>
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <istream>
@@ -19,6 +17,7 @@
 #include "core/io/input_file.h"
 #include "core/io/obj_pieces.h"
 #include "tests/bench/bench_meshes.h"
+#include "tests/bench/cost.h"
 #include "tests/bench/peer_cgal.h"
 
 namespace ryosen::bench {
@@ -26,66 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Cost {
-  double wall = 0, cpu = 0;  // milliseconds; cpu is that of all threads, user and system
-};
-
-double cpu_milliseconds() {
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  const auto of = [](const timeval& t) {
-    return 1e3 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_usec);
-  };
-  return of(usage.ru_utime) + of(usage.ru_stime);
-}
-
-template <class Work>
-Cost cost_of(Work work) {
-  const double cpu = cpu_milliseconds();
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  const double wall = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  return {wall, cpu_milliseconds() - cpu};
-}
-
-// What several turns cost. Other programs on the machine only add, so the least is nearest to the truth.
-class Costs {
- public:
-  void add(Cost cost) {
-    wall_.push_back(cost.wall);
-    least_cpu_ = std::min(least_cpu_, cost.cpu);
-  }
-  bool empty() const { return wall_.empty(); }
-  double least() const { return *std::min_element(wall_.begin(), wall_.end()); }
-  double least_cpu() const { return least_cpu_; }
-  double median() const {
-    std::vector<double> values = wall_;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-  }
-
- private:
-  std::vector<double> wall_;
-  double least_cpu_ = std::numeric_limits<double>::infinity();
-};
-
-// A row; a bar of 0 stands for none.
-void print(const std::string& name, double read, const Costs& ours, const Costs& peer, double bar_ms) {
-  std::printf("%-24s %8.1f %8.1f %8.1f %8.1f", name.c_str(), read, ours.median(), ours.least(), ours.least_cpu());
-  if (!peer.empty()) std::printf(" %8.1f %8.1f %6.1fx", peer.least(), peer.least_cpu(), peer.least() / ours.least());
-  if (bar_ms > 0) std::printf(" %8.0f %s", bar_ms, ours.least() <= bar_ms ? "reached" : "short");
-  std::printf("\n");
-  std::fflush(stdout);
-}
-
 constexpr int turns = 9;
-
-// To the nearest float. Without the volatile g++ 12 drops the rounding.
-double rounded(double value) {
-  const volatile auto number = static_cast<float>(value);
-  return number;
-}
 
 // A stream over bytes in memory.
 class BytesBuffer : public std::streambuf {
@@ -117,7 +57,7 @@ void print_bare_callbacks(const std::string& mesh, const fs::path& path) {
       costs.add(cost_of([&] {
         for_each_task(static_cast<unsigned>(pieces.size()), threads, [&](unsigned k) { bare_callbacks(pieces[k]); });
       }));
-    print(mesh + (threads == 1 ? " obj, bare" : " obj, bare, pieces"), 0, costs, {}, 0);
+    print_row(mesh + (threads == 1 ? " obj, bare callbacks" : " obj, bare, in pieces"), costs);
   }
 }
 
@@ -127,12 +67,10 @@ void compare(const std::string& mesh, const IndexedMesh& source, std::string_vie
   const fs::path path = fs::temp_directory_path() /
                         ("ryosen_bench_" + mesh + "_" + std::string(id) + std::string(target.format->extensions[0]));
   MeshFile file;
-  file.mesh = source;
-  if (target.format->id != "obj")  // the usual binary files have floats; decimals stay as short as they are
-    for (glm::dvec3& p : file.mesh.positions) p = {rounded(p.x), rounded(p.y), rounded(p.z)};
+  // The usual binary files have floats; decimals stay as short as they are.
+  file.mesh = target.format->id == "obj" ? source : in_floats(source);
   if (!write_mesh_file(path, file, target)) return;
-  Costs whole, peer;
-  double read = std::numeric_limits<double>::infinity();
+  Costs read, whole, peer;
   for (int i = 0; i <= turns; ++i) {
     Mesh connected;
     Result<MeshFile> result = MeshFile();
@@ -141,18 +79,20 @@ void compare(const std::string& mesh, const IndexedMesh& source, std::string_vie
     const Cost connecting = cost_of([&] { connected = from_indexed(std::move(result->mesh)); });
     const Cost cgal = cost_of([&] { theirs = CgalMesh::read(path.string()); });
     if (i == 0 || connected.live().faces == 0) continue;  // warm up
-    read = std::min(read, reading.wall);
+    read.add(reading);
     whole.add({reading.wall + connecting.wall, reading.cpu + connecting.cpu});
     peer.add(cgal);
   }
-  if (!whole.empty()) print(mesh + " " + std::string(id), read, whole, peer, bar_ms);
+  if (!whole.empty()) {
+    print_row(mesh + " " + std::string(id), whole, peer, bar_ms);
+    print_row("  of this reading", read);
+  }
   if (id == "obj") print_bare_callbacks(mesh, path);
   fs::remove(path);
 }
 
 void run() {
-  std::printf("%-24s %8s %8s %8s %8s %8s %8s %7s %8s\n", "file to connected, ms", "read", "median", "least", "cpu",
-              "CGAL", "its cpu", "ratio", "bar");
+  print_head("file to connected mesh, ms");
   for (const char* id : {"ply-little", "stl-binary", "obj", "off"}) compare("bunny", bunny(), id, 0);
   if (dragon().positions.empty()) return;
   compare("dragon", dragon(), "ply-little", 60);

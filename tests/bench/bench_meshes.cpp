@@ -80,7 +80,18 @@ IndexedMesh littered(std::uint32_t side) {
   return mesh;
 }
 
+// Without the volatile g++ 12 drops the rounding.
+double rounded(double value) {
+  const volatile auto number = static_cast<float>(value);
+  return number;
+}
+
 }  // namespace
+
+IndexedMesh in_floats(IndexedMesh mesh) {
+  for (glm::dvec3& p : mesh.positions) p = {rounded(p.x), rounded(p.y), rounded(p.z)};
+  return mesh;
+}
 
 const IndexedMesh& bunny() {
   static const IndexedMesh mesh = [] {

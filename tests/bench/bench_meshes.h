@@ -16,4 +16,7 @@ const IndexedMesh& littered_830k();
 // The dragon, from the gzipped ASCII PLY that RYOSEN_DRAGON names; empty when it is not set.
 const IndexedMesh& dragon();
 
+// The same mesh with its positions rounded to floats.
+IndexedMesh in_floats(IndexedMesh mesh);
+
 }  // namespace ryosen::bench

@@ -1,0 +1,14 @@
+#!/bin/sh
+# Prints what the program reports about every mesh there is, one line of JSON each. Self-intersections too, where
+# finding them is quick.
+#   tests/fuzz/reports.sh PROGRAM
+set -eu
+program=$1
+cd "$(dirname "$0")/../.."
+folders="assets tests/data"
+[ ! -d ../shared/meshes ] || folders="$folders ../shared/meshes"
+[ ! -d ../shared/malformed ] || folders="$folders ../shared/malformed"
+# Problems in the meshes end with 1, files that cannot be read with 9; any other end is a failure of its own.
+# shellcheck disable=SC2086
+"$program" check --json --jobs 2 $folders || [ $? = 1 ] || [ $? = 9 ]
+"$program" check --json --jobs 2 --self-intersections tests/data assets || [ $? = 1 ] || [ $? = 9 ]

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "app/editor/autosave.h"
 #include "app/editor/keys.h"
 #include "app/glfw.h"
 #include "app/ui/gui.h"
@@ -113,6 +114,10 @@ class Editor {
     set_callbacks();
     resize();
     session_.frame_all();
+    session_.autosave = &autosave_;
+    autosave_.begin(session_.document());
+    session_.lost = find_lost_sessions(recovery_folder());
+    if (!session_.lost.empty()) session_.open_panel = "recover";
   }
 
   void run() {
@@ -124,6 +129,7 @@ class Editor {
       else
         glfw().wait_events();
     }
+    autosave_.finish();
   }
 
  private:
@@ -235,6 +241,7 @@ class Editor {
   std::unique_ptr<Canvas> canvas_;
   Gui gui_;
   Mouse mouse_{gui_, session_};
+  Autosave autosave_{recovery_folder()};
   std::string title_;
   std::ofstream log_;
   std::uint64_t frames_ = 0;

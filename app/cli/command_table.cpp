@@ -29,7 +29,7 @@ const std::vector<Command>& table() {
               "the editor; also what ryosen does without a command",
               "エディタ（コマンドを省いたときもこれ）",
               {},
-              nullptr,
+              recovery_topic,
               view_command},
       Command{"check",
               "FILE|FOLDER...",

@@ -114,7 +114,7 @@ class EditRun {
   void report(const Step& step) {
     const bool has_message = step.result == "refused" || step.result == "failed";
     if (has_message) console_.show(message_of(step), script_.place());
-    if (step.outcome.done() && step.line.text.starts_with("repair")) console_.note(step.outcome.sentence);
+    if (step.outcome.done() && !step.outcome.sentence.en.empty()) console_.note(step.outcome.sentence);
     if (console_.json)
       print_json(step, has_message);
     else if (console_.verbose)

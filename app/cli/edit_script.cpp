@@ -25,6 +25,12 @@ class FileUse {
     return std::nullopt;
   }
 
+  // Another document, of which it is not known here which file it has.
+  std::optional<Failure> recover() {
+    current_.clear();
+    return std::nullopt;
+  }
+
   std::optional<Failure> save(const std::string& path) {
     if (!path.empty()) current_ = path;
     return write(current_);
@@ -48,6 +54,7 @@ std::optional<Failure> fault_of_line(const std::string& line, FileUse& use) {
   if (!find_op(word) && !ryosen::find_command(word))
     return usage_failure("unknown_command", unknown_command(word).sentence);
   if (word == "open") return use.open(file_name(behind_word(line)));
+  if (word == "recover") return use.recover();
   if (word == "save") return use.save(file_name(behind_word(line)));
   const KeyRow* const key = word == "key" ? find_key(behind_word(line)) : nullptr;
   return key ? fault_of_line(std::string(key->command), use) : std::nullopt;

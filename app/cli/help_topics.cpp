@@ -4,6 +4,7 @@
 
 #include "app/cli/columns.h"
 #include "app/editor/commands.h"
+#include "app/editor/recovery.h"
 #include "core/algo/repairs.h"
 #include "core/analysis/problem_kinds.h"
 #include "core/build/pairing.h"
@@ -74,6 +75,21 @@ std::string forms_topic(Language language) {
   return std::string(choose(language, "Forms:\n", "形状表現：\n")) + rows.text() +
          std::string(choose(language, "Ways to pair the halfedges:\n", "半稜線の対を見つける方法：\n")) +
          methods.text();
+}
+
+std::string recovery_topic(Language language) {
+  const std::string folder = recovery_folder().string();
+  const std::string place = folder.empty() ? "$XDG_STATE_HOME/ryosen/recovery" : folder;
+  return std::string(choose(language, "After a crash:\n", "異常終了したとき：\n")) +
+         (language == Language::japanese
+              ? "  編集は一つごとに、保存されるまで " + place +
+                    " のスクリプトに記録されます。\n"
+                    "  次にエディタを開くと復元するか尋ねます（ファイルメニューの「復元...」でも開けます）。\n"
+                    "  画面なしでは：ryosen edit --new --do \"recover list\"、--do \"recover 1\" -o OUT\n"
+              : "  Every edit that is not saved yet is kept in a script in " + place +
+                    ".\n"
+                    "  The editor offers it at its next start, and under Recover... in the menu File.\n"
+                    "  Without a window: ryosen edit --new --do \"recover list\", --do \"recover 1\" -o OUT\n");
 }
 
 std::string script_commands_topic(Language language) {

@@ -19,6 +19,7 @@ Outcome run_save(Session& session, Arguments arguments, std::string_view whole);
 Outcome run_undo(Session& session, Arguments arguments, std::string_view whole);
 Outcome run_redo(Session& session, Arguments arguments, std::string_view whole);
 Outcome run_repair(Session& session, Arguments arguments, std::string_view whole);
+Outcome run_recover(Session& session, Arguments arguments, std::string_view whole);
 Outcome run_shot(Session& session, Arguments arguments, std::string_view whole);
 // What the pointer does: commands_pointing.cpp
 Outcome run_select(Session& session, Arguments arguments, std::string_view whole);

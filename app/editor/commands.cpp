@@ -73,6 +73,9 @@ constexpr std::array command_rows{
     CommandRow{"redo", "[N]", "does N undone edits again", "元に戻した N 回の編集をやり直す", true, run_redo},
     CommandRow{"repair", "KIND [NUMBER]", "takes a kind of problem away everywhere (see ryosen repair --help)",
                "一種類の問題をまとめて直す（ryosen repair --help を参照）", true, run_repair},
+    CommandRow{"recover", "[list|N|discard N]",
+               "brings back what a crash left unsaved: lists it, or does its edits again",
+               "異常終了で保存されなかった編集を一覧表示、復元、破棄する", false, run_recover},
     CommandRow{"camera", "JSON", "sets eye, target, up, fov_y_deg, ortho_height", "カメラを設定する", false,
                run_camera},
     CommandRow{"view", "front|back|left|right|top|bottom|iso", "looks along an axis at all of the mesh",
@@ -91,7 +94,7 @@ constexpr std::array command_rows{
     CommandRow{"shot", "[FILE]", "writes a picture", "画像を書き出す", false, run_shot},
     CommandRow{"expect", "V N|E N|F N|legal COMMAND|refused COMMAND|hash H", "fails the script unless it holds",
                "成り立たなければスクリプトを失敗にする", false, run_expect},
-    CommandRow{"panel", "keys|command|open|save|unsaved|none", "opens or closes a panel over the view",
+    CommandRow{"panel", "keys|command|open|save|unsaved|recover|none", "opens or closes a panel over the view",
                "画面に重なるパネルを開閉する", false, run_panel},
     CommandRow{"language", "en|ja", "sets the language of the window", "画面の言語を選ぶ", false, run_language},
     CommandRow{"theme", "dark|light", "sets the colours of the window", "画面の配色を選ぶ", false, run_theme},
@@ -105,7 +108,8 @@ constexpr std::array command_rows{
 std::span<const CommandRow> command_table() { return command_rows; }
 
 const CommandRow* find_command(std::string_view id) {
-  const auto row = std::find_if(command_rows.begin(), command_rows.end(), [&](const CommandRow& r) { return r.id == id; });
+  const auto row =
+      std::find_if(command_rows.begin(), command_rows.end(), [&](const CommandRow& r) { return r.id == id; });
   return row == command_rows.end() ? nullptr : &*row;
 }
 

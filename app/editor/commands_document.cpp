@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "app/editor/autosave.h"
 #include "app/editor/script.h"
 #include "app/editor/words.h"
 #include "core/io/safe_write.h"
@@ -70,6 +71,7 @@ Outcome run_save(Session& session, Arguments, std::string_view whole) {
   const std::filesystem::path target = named.empty() ? document.path() : std::filesystem::path(named);
   if (target.empty()) return usage_error("save needs a file name here", "保存先のファイル名を指定してください");
   const std::vector<Message> losses = document.losses(target);
+  const std::optional<Text> warning = session.autosave ? session.autosave->before_save(session, target) : std::nullopt;
   const Status status = document.save(target);
   if (!status) {
     Outcome outcome = failed(status.failure());
@@ -77,10 +79,8 @@ Outcome run_save(Session& session, Arguments, std::string_view whole) {
     return outcome;
   }
   Outcome outcome = performed(named.empty() ? "save" : "save " + file_argument(named));
-  for (const Message& loss : losses) {
-    outcome.sentence.en += (outcome.sentence.en.empty() ? "" : " ") + loss.text.en;
-    outcome.sentence.ja += loss.text.ja;
-  }
+  for (const Message& loss : losses) outcome.say(loss.text);
+  if (warning) outcome.say(*warning);
   return outcome;
 }
 
@@ -100,6 +100,41 @@ Outcome run_repair(Session& session, Arguments arguments, std::string_view) {
   for (std::string_view word : arguments) line.append(" ").append(word);
   Outcome outcome = performed(std::move(line));
   outcome.sentence = result.text;
+  return outcome;
+}
+
+namespace {
+
+Outcome list_lost(const Session& session) {
+  Outcome outcome;
+  for (std::size_t i = 0; i < session.lost.size(); ++i) {
+    const std::string number = std::to_string(i + 1);
+    const Text text = describe(session.lost[i]);
+    outcome.say({number + ": " + text.en + ".", number + "：" + text.ja + "。"});
+  }
+  if (session.lost.empty()) outcome.sentence = {"There is nothing to recover.", "復元できるものはありません。"};
+  return outcome;
+}
+
+}  // namespace
+
+Outcome run_recover(Session& session, Arguments arguments, std::string_view) {
+  const bool lists = arguments.empty() || (arguments.size() == 1 && arguments[0] == "list");
+  const bool discards = !arguments.empty() && arguments[0] == "discard";
+  const Arguments numbers = discards ? arguments.subspan(1) : arguments;
+  const std::optional<std::uint32_t> number = count_of(numbers);
+  if (!lists && (!number || numbers.size() > 1)) return wrong_arguments("recover");
+  // A number is that of the list which was seen.
+  if (lists || session.lost.empty()) session.lost = find_lost_sessions(recovery_folder());
+  if (lists) return list_lost(session);
+  if (*number > session.lost.size()) {
+    const Text list = list_lost(session).sentence;
+    return usage_error("recover: there is no number " + std::to_string(*number) + ". " + list.en,
+                       "recover：" + std::to_string(*number) + " 番はありません。" + list.ja);
+  }
+  const LostSession lost = session.lost[*number - 1];
+  Outcome outcome = discards ? discard(lost) : recover(session, lost);
+  session.lost = find_lost_sessions(recovery_folder());
   return outcome;
 }
 

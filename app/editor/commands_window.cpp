@@ -18,8 +18,10 @@ std::optional<std::size_t> one_of(Arguments arguments, std::initializer_list<std
 }  // namespace
 
 Outcome run_panel(Session& session, Arguments arguments, std::string_view) {
-  if (!one_of(arguments, {"none", "keys", "command", "open", "save", "unsaved"})) return wrong_arguments("panel");
+  if (!one_of(arguments, {"none", "keys", "command", "open", "save", "unsaved", "recover"}))
+    return wrong_arguments("panel");
   session.open_panel = arguments[0] == "none" ? "" : std::string(arguments[0]);
+  if (arguments[0] == "recover") session.lost = find_lost_sessions(recovery_folder());
   return {};
 }
 

@@ -58,6 +58,11 @@ std::uint64_t next_serial() {
 
 }  // namespace
 
+void Outcome::say(const Text& more) {
+  sentence.en += (sentence.en.empty() ? "" : " ") + more.en;
+  sentence.ja += more.ja;
+}
+
 std::vector<std::string> names_of(const Mesh& mesh, const std::vector<Element>& elements) {
   std::vector<std::string> names;
   names.reserve(elements.size());

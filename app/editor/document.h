@@ -35,6 +35,8 @@ struct Outcome {
   std::vector<std::string> deleted;  // names, as of before it
 
   bool done() const { return kind == Kind::done; }
+  // One sentence more.
+  void say(const Text& more);
 };
 
 struct HistoryEntry {
@@ -82,6 +84,8 @@ class Document {
   std::optional<Text> set_aside(std::span<const std::string_view> arguments) const;
 
   bool is_modified() const { return saved_position_ != journal_.position(); }
+  // No place of the history is that of a file.
+  void mark_unsaved() { saved_position_ = no_index; }
   // The document as it would be written: all live elements and what belongs to the file.
   MeshFile contents() const;
   // What a file of this name would lose of the document, one warning each; none where the name says no format.

@@ -1,5 +1,6 @@
 #include "app/editor/session.h"
 
+#include "app/editor/autosave.h"
 #include "app/editor/commands.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
@@ -40,6 +41,7 @@ void Session::set_document(std::unique_ptr<Document> document) {
   camera = first_camera();
   frame_all();
   touch();
+  if (autosave) autosave->begin(*document_);
 }
 
 namespace {
@@ -138,7 +140,7 @@ Outcome Session::run(const std::string& line) {
     const std::size_t after_id = static_cast<std::size_t>(words[0].data() - line.data()) + words[0].size();
     Outcome outcome = row->run(*this, arguments, std::string_view(line).substr(after_id));
     touch();
-    if (outcome.done() && row->changes_mesh) log_.push_back(outcome.performed);
+    if (outcome.done() && row->changes_mesh) log_line(outcome);
     return outcome;
   }
   if (!find_op(words[0])) return unknown_command(words[0]);
@@ -147,8 +149,14 @@ Outcome Session::run(const std::string& line) {
   Outcome outcome = document_->apply(*parsed.op, strict);
   if (!outcome.done()) return outcome;
   outcome.performed = document_->history().back().command;
-  log_.push_back(outcome.performed);
+  log_line(outcome);
   return outcome;
+}
+
+void Session::log_line(Outcome& outcome) {
+  log_.push_back(outcome.performed);
+  if (!autosave) return;
+  if (const auto warning = autosave->note(*this, outcome.performed)) outcome.say(*warning);
 }
 
 namespace {

@@ -10,12 +10,15 @@
 #include <vector>
 
 #include "app/editor/document.h"
+#include "app/editor/recovery.h"
 #include "core/analysis/boundary_loop_count.h"
 #include "core/analysis/euler_poincare.h"
 #include "core/analysis/highlights.h"
 #include "core/pick/picker.h"
 
 namespace ryosen {
+
+class Autosave;
 
 // What the pointer is on and what a click there would do.
 struct Hover {
@@ -49,13 +52,16 @@ class Session {
   // The state of the user interface that commands change; it is kept, without effect, where there is none.
   Language language = Language::english;
   bool light_theme = false;
-  std::string open_panel;  // the panel that lies over the others: keys, open, save, unsaved; empty for none
+  std::string open_panel;         // the panel that lies over the others: keys, open, save, unsaved, ...; empty for none
+  std::vector<LostSession> lost;  // as they were listed last
 
   bool strict = false;  // warnings refuse too
   // Makes a picture of the session; set by whoever can draw. Commands that need it fail without.
   std::function<Status(const std::filesystem::path&)> take_picture;
   // Ends the session; set by the window.
   std::function<void()> quit;
+  // Keeps what is done, for after a crash; set by the window, null elsewhere.
+  Autosave* autosave = nullptr;
 
   // Pointing, at pixels from the upper left corner of the picture or window. The picker follows every edit.
   void point_at(glm::dvec2 pixel);
@@ -104,6 +110,7 @@ class Session {
   DrawnChanges take_drawn_changes();
 
  private:
+  void log_line(Outcome& outcome);
   void follow(std::size_t transaction);
   void note_marks(const TouchedElements& touched);
   Outcome apply_at(const OpTarget& target, const std::string& id);

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -91,8 +92,12 @@ bool Gui::prepare(const Session& session) {
   const Theme theme = session.light_theme ? Theme::light : Theme::dark;
   if (theme != theme_) apply_style(theme, scale_);
   theme_ = theme;
-  const bool japanese =
-      has_japanese_ || session.language == Language::japanese || needs_japanese(session.document().path().c_str());
+  const auto names_need_it = [&] {
+    return needs_japanese(session.document().path().c_str()) ||
+           std::any_of(session.lost.begin(), session.lost.end(),
+                       [](const LostSession& lost) { return needs_japanese(lost.file.c_str()); });
+  };
+  const bool japanese = has_japanese_ || session.language == Language::japanese || names_need_it();
   if (has_fonts_ && japanese == has_japanese_) return false;
   fonts_ = load_fonts(*ImGui::GetIO().Fonts, std::round(font_px * scale_), japanese);
   unsigned char* alpha = nullptr;
@@ -123,6 +128,7 @@ void Gui::frame(Session& session, Size window, double seconds) {
   draw_file_window(panel_context);
   draw_command_window(panel_context);
   draw_unsaved_window(panel_context);
+  draw_recover_window(panel_context);
   ImGui::Render();
 }
 

@@ -66,7 +66,7 @@ Outcome PanelContext::keep(Outcome outcome) {
   if (outcome.done() && !outcome.performed.empty())
     state.last_outcome = {outcome.performed + ": " + ryosen::text(UiText::done, Language::english),
                           outcome.performed + "：" + ryosen::text(UiText::done, Language::japanese)};
-  if (outcome.done() && outcome.performed.starts_with("repair"))
+  if (outcome.done() && !outcome.performed.empty() && !outcome.sentence.en.empty())
     state.last_outcome = {outcome.performed + ": " + outcome.sentence.en,
                           outcome.performed + "：" + outcome.sentence.ja};
   return outcome;
@@ -83,11 +83,17 @@ void PanelContext::leave(PendingLeave where) {
     session.open_panel = "unsaved";
     return;
   }
+  go(where);
+}
+
+void PanelContext::go(const PendingLeave& where) {
   session.open_panel.clear();
   if (where.quits)
     state.wants_quit = true;
+  else if (!where.recovers.empty())
+    run(where.recovers);
   else
-    run("open " + file_argument(where.opens.string()));
+    run(where.opens.empty() ? "new" : "open " + file_argument(where.opens.string()));
 }
 
 }  // namespace ryosen

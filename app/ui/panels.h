@@ -21,6 +21,7 @@ namespace ryosen {
 struct PendingLeave {
   bool quits = false;
   std::filesystem::path opens;  // empty: an empty mesh
+  std::string recovers{};       // where not empty, the command that does it, in place of the above
 };
 
 // The file browser: a folder, what is in it, and the name in the field.
@@ -96,6 +97,8 @@ struct PanelContext {
   Outcome keep(Outcome outcome);
   // Opens a file or ends the program, after a question where changes would be lost.
   void leave(PendingLeave where);
+  // Without a question.
+  void go(const PendingLeave& where);
 };
 
 enum class Side { left, right };
@@ -116,5 +119,6 @@ void draw_keys_window(PanelContext& context);
 void draw_file_window(PanelContext& context);
 void draw_command_window(PanelContext& context);
 void draw_unsaved_window(PanelContext& context);
+void draw_recover_window(PanelContext& context);
 
 }  // namespace ryosen

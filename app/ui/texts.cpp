@@ -122,6 +122,13 @@ constexpr std::array<Row, static_cast<std::size_t>(UiText::count)> rows{{
     {T::close, "Close", "閉じる"},
     {T::discard, "Discard", "破棄"},
     {T::unsaved_question, "There are changes that are not saved.", "保存していない変更があります。"},
+    {T::menu_recover, "Recover...", "復元..."},
+    {T::recover_title, "Recover", "編集の復元"},
+    {T::recover_question, "Ryosen ended before these edits were saved.",
+     "次の編集を保存しないまま Ryosen が終了しました。"},
+    {T::nothing_to_recover, "There is nothing to recover.", "復元できるものはありません。"},
+    {T::recover, "Recover", "復元"},
+    {T::later, "Later", "後で"},
     {T::done, "done", "実行しました"},
     {T::language_other, "日本語", "English"},
 }};

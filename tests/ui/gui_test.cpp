@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <cstdlib>
+
 #include "app/editor/keys.h"
+#include "app/editor/words.h"
 #include "tests/support/app/program.h"
 #include "tests/support/app/window_size.h"
 
@@ -119,6 +122,42 @@ TEST(Gui, AsksBeforeChangesAreLost) {
   changed.frames(2);
   changed.click({640, 378});  // discard
   EXPECT_TRUE(changed.gui.wants_quit());
+}
+
+TEST(Gui, WhatACrashLeftIsRecoveredDiscardedOrLeftForLater) {
+  const test::TemporaryFolder state;
+  const char* const before = std::getenv("XDG_STATE_HOME");
+  const std::string kept = before ? before : "";
+  setenv("XDG_STATE_HOME", state.path().c_str(), 1);
+  for (const char* n : {"1", "2"})
+    state.write("ryosen/recovery/session-" + std::string(n) + ".ryosen",
+                "# ryosen session 1\n# mesh 0\nopen " + file_argument(test::asset("cube.obj")) + "\nsplit 0-1\n");
+  const glm::dvec2 recover(432, 298), second_discard(560, 352), later(432, 478);
+
+  Laid laid("torus.off");
+  ASSERT_TRUE(laid.gui.run(laid.session, "panel recover").done());
+  laid.frames(3);
+  laid.click(later);
+  EXPECT_EQ(laid.session.open_panel, "");
+  EXPECT_EQ(state.names().size(), 2u);
+
+  ASSERT_TRUE(laid.gui.run(laid.session, "panel recover").done());
+  laid.frames(3);
+  laid.click(second_discard);
+  EXPECT_EQ(laid.session.open_panel, "recover");
+  EXPECT_EQ(state.names(), std::vector<std::string>{"ryosen/recovery/session-1.ryosen"});
+
+  // Changes of this document are asked about first.
+  ASSERT_TRUE(laid.session.run("split 0-1").done());
+  laid.click(recover);
+  EXPECT_EQ(laid.session.open_panel, "unsaved");
+  laid.frames(3);
+  laid.click({640, 378});  // discard
+  EXPECT_EQ(laid.session.document().path(), test::asset("cube.obj"));
+  EXPECT_EQ(laid.session.mesh().live().vertices, 9u);
+  EXPECT_NE(laid.gui.said().en.find("1 edit is recovered"), std::string::npos) << laid.gui.said().en;
+  EXPECT_NE(laid.gui.said().en.find("is not the mesh that it was"), std::string::npos) << "its hash is not 0";
+  before ? setenv("XDG_STATE_HOME", kept.c_str(), 1) : unsetenv("XDG_STATE_HOME");
 }
 
 TEST(Gui, AnExistingFileIsReplacedOnlyOnTheSecondPress) {

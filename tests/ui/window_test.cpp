@@ -43,7 +43,8 @@ class WindowTest : public testing::Test {
   void open(const std::string& mesh) {
     editor_ = std::make_unique<Process>(
         std::vector<std::string>{RYOSEN_PROGRAM, mesh},
-        std::vector<std::string>{"DISPLAY=:" + number_, "RYOSEN_FRAME_LOG=" + folder_.at("frames"), "LC_ALL=C"});
+        std::vector<std::string>{"DISPLAY=:" + number_, "RYOSEN_FRAME_LOG=" + folder_.at("frames"), "LC_ALL=C",
+                                 "XDG_STATE_HOME=" + state_.path().string()});
     ASSERT_TRUE(wait_for([&] { return last().number > 0; })) << "no picture appeared";
   }
 
@@ -66,7 +67,7 @@ class WindowTest : public testing::Test {
     return frame;
   }
 
-  test::TemporaryFolder folder_;
+  test::TemporaryFolder folder_, state_;
   std::unique_ptr<Process> display_, editor_;
   std::string number_;
 };
@@ -109,6 +110,36 @@ TEST_F(WindowTest, DrawsNothingWhenNothingChanges) {
   xdotool("mousemove 640 400 mousedown 1 mousemove 660 410 mousemove 690 420 mouseup 1");
   EXPECT_TRUE(wait_for([&] { return last().number > before; }));
   EXPECT_EQ(last().history, 0) << "a drag is no click";
+}
+
+TEST_F(WindowTest, AfterACrashTheNextStartBringsTheEditsBack) {
+  const std::string mesh = folder_.copy(test::asset("torus.off"), "torus.off");
+  open(mesh);
+  const long vertices = last().vertices;
+  xdotool("mousemove 640 400 key F3");
+  xdotool("type --delay 20 'split 0-1'");
+  xdotool("key Return");
+  ASSERT_TRUE(wait_for([&] { return last().history == 1; })) << "nothing was split";
+  EXPECT_EQ(state_.names().size(), 1u);
+  editor_->end_by(SIGKILL);
+  EXPECT_EQ(state_.names().size(), 1u);
+  EXPECT_EQ(test::read_file(mesh), test::read_file(test::asset("torus.off")));
+
+  // Another mesh is opened this time; the dialog lies over it.
+  std::filesystem::remove(folder_.at("frames"));
+  open(test::asset("cube.obj"));
+  EXPECT_EQ(last().vertices, 8);
+  xdotool("mousemove 430 336");
+  xdotool("mousemove 432 338 click 1");
+  ASSERT_TRUE(wait_for([&] { return last().history == 1; })) << "nothing was recovered";
+  EXPECT_EQ(last().vertices, vertices + 1);
+  EXPECT_EQ(state_.names().size(), 1u) << "still unsaved";
+  xdotool("mousemove 640 400 key ctrl+s");
+  ASSERT_TRUE(wait_for([&] { return test::read_file(mesh) != test::read_file(test::asset("torus.off")); }));
+  xdotool("key ctrl+q");
+  ASSERT_TRUE(wait_for([&] { return editor_->is_over(); }));
+  EXPECT_EQ(editor_->exit_code(), 0);
+  EXPECT_TRUE(state_.names().empty()) << "nothing is left to recover";
 }
 
 TEST_F(WindowTest, EndsWhenAskedTo) {

@@ -60,10 +60,12 @@ void draw_command_window(PanelContext& context) {
   if (!entered || split_words(context.state.command).empty()) return;
   const std::string line = context.state.command;
   // What would lose changes asks first.
-  if (const auto words = split_words(line); words[0] == "open" || words[0] == "new") {
-    if (context.session.document().is_modified()) {
+  if (const auto words = split_words(line); context.session.document().is_modified()) {
+    const bool recovers = words[0] == "recover" && words.size() > 1 && words[1] != "list" && words[1] != "discard";
+    if (words[0] == "open" || words[0] == "new" || recovers) {
       context.state.command.clear();
-      return context.leave({false, words[0] == "open" ? file_name(behind_word(line)) : std::string()});
+      return context.leave(
+          {false, words[0] == "open" ? file_name(behind_word(line)) : std::string(), recovers ? line : std::string()});
     }
   }
   if (context.run(line).done()) {

@@ -60,21 +60,14 @@ void draw_unsaved_window(PanelContext& context) {
   ImGui::TextUnformatted(context.text(UiText::unsaved_question));
   ImGui::Dummy({0, 10 * context.scale});
   const ImVec2 size{120 * context.scale, 0};
-  const auto go = [&] {
-    context.run("panel none");
-    if (where.quits)
-      context.state.wants_quit = true;
-    else
-      context.run(where.opens.empty() ? "new" : "open " + file_argument(where.opens.string()));
-  };
   if (ImGui::Button(context.text(UiText::save), size)) {
     if (context.session.document().path().empty())
       context.run("panel save");
     else if (context.run("save").done())
-      go();
+      context.go(where);
   }
   ImGui::SameLine();
-  if (ImGui::Button(context.text(UiText::discard), size)) go();
+  if (ImGui::Button(context.text(UiText::discard), size)) context.go(where);
   ImGui::SameLine();
   if (ImGui::Button(context.text(UiText::cancel), size)) context.run("panel none");
   end_over();

@@ -17,6 +17,7 @@ void draw_file_menu(PanelContext& context) {
   ImGui::Separator();
   item(context, UiText::save, "save", !context.session.document().path().empty());
   item(context, UiText::save_as, "panel save");
+  item(context, UiText::menu_recover, "panel recover");
   ImGui::Separator();
   item(context, UiText::quit, "quit");
 }

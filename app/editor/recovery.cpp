@@ -1,0 +1,219 @@
+#include "app/editor/recovery.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+#include <utility>
+
+#include "app/editor/autosave.h"
+#include "app/editor/owned_script.h"
+#include "app/editor/session.h"
+#include "app/editor/words.h"
+
+namespace ryosen {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path whole_path(const char* variable) {
+  const char* const value = std::getenv(variable);
+  const fs::path path = value ? value : "";
+  return path.is_absolute() ? path : fs::path();
+}
+
+// What stands behind a remark's first word, where the line is that remark.
+std::optional<std::string_view> remark(std::string_view line, std::string_view word) {
+  if (!line.starts_with("# ") || !line.substr(2).starts_with(word)) return std::nullopt;
+  const std::string_view rest = line.substr(2 + word.size());
+  if (!rest.empty() && rest.front() != ' ') return std::nullopt;
+  return without_blanks(rest);
+}
+
+std::string time_text(std::time_t time) {
+  std::tm local{};
+  ::localtime_r(&time, &local);
+  char text[32];
+  return {text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &local)};
+}
+
+// Whoever looks through the folder owns each script for a moment.
+std::optional<OwnedScript> take(const fs::path& path) {
+  for (int i = 0; i < 20; ++i) {
+    if (auto script = OwnedScript::take(path)) return script;
+    std::error_code ignored;
+    if (!fs::exists(path, ignored)) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return std::nullopt;
+}
+
+Outcome failure_outcome(ExitCode code, Text sentence) {
+  Outcome outcome;
+  outcome.kind = Outcome::Kind::failed;
+  outcome.exit_code = code;
+  outcome.sentence = std::move(sentence);
+  return outcome;
+}
+
+Outcome not_to_be_had(const LostSession& lost) {
+  const std::string script = lost.script.string();
+  return failure_outcome(ExitCode::input_missing, {script + " is gone, or another window has recovered it.",
+                                                   script + " がないか、別のウィンドウで復元済みです。"});
+}
+
+Result<std::unique_ptr<Document>> begin_again(const LostSession& lost) {
+  if (lost.start.file.empty()) {
+    MeshFile empty;
+    return std::make_unique<Document>(std::move(empty), lost.file);
+  }
+  Result<MeshFile> file = read_mesh_file(lost.start.original.empty() ? lost.start.file : lost.start.original);
+  if (!file) return file.failure();
+  return std::make_unique<Document>(std::move(file).value(), lost.file);
+}
+
+Text count_edits(std::size_t n) {
+  return {n == 1 ? "1 edit" : std::to_string(n) + " edits", std::to_string(n) + " 件の編集"};
+}
+
+// Does the edits in the session, up to one that cannot be done.
+Outcome replay(Session& session, const LostSession& lost) {
+  for (std::size_t i = 0; i < lost.edits.size(); ++i) {
+    const ScriptLine& edit = lost.edits[i];
+    const Outcome outcome =
+        is_edit(edit.text) ? session.run(edit.text)
+                           : failure_outcome(ExitCode::usage, {"it is not an edit", "編集のコマンドではありません"});
+    if (outcome.done()) continue;
+    const std::string place = lost.script.string(), line = std::to_string(edit.line), n = std::to_string(i),
+                      all = std::to_string(lost.edits.size());
+    return failure_outcome(
+        outcome.exit_code,
+        {n + " of " + all + " edits are recovered; line " + line + " of " + place + " cannot be done again (" +
+             edit.text + "): " + outcome.sentence.en + " The script stays there.",
+         all + " 件の編集のうち " + n + " 件を復元しました。" + place + " の " + line + " 行目（" + edit.text +
+             "）はやり直せません：" + outcome.sentence.ja + " スクリプトはそのまま残してあります。"});
+  }
+  Outcome outcome;
+  const Text count = count_edits(lost.edits.size());
+  outcome.sentence = {count.en + (lost.edits.size() == 1 ? " is" : " are") + " recovered and not saved yet.",
+                      count.ja + "を復元しました。まだ保存していません。"};
+  return outcome;
+}
+
+}  // namespace
+
+fs::path recovery_folder() {
+  const fs::path state = whole_path("XDG_STATE_HOME"), home = whole_path("HOME");
+  if (!state.empty()) return state / "ryosen" / "recovery";
+  return home.empty() ? home : home / ".local" / "state" / "ryosen" / "recovery";
+}
+
+bool is_edit(std::string_view line) {
+  const auto words = split_words(line);
+  return !words.empty() && (words[0] == "undo" || words[0] == "redo" || words[0] == "repair" || find_op(words[0]));
+}
+
+std::optional<LostSession> read_lost_session(std::string_view script) {
+  LostSession lost;
+  int number = 0;
+  for (std::size_t end; (end = script.find('\n', lost.whole_bytes)) != script.npos; lost.whole_bytes = end + 1) {
+    const std::string_view line = without_blanks(script.substr(lost.whole_bytes, end - lost.whole_bytes));
+    ++number;
+    if (number == 1 && line != "# ryosen session 1") return std::nullopt;
+    if (const auto hash = remark(line, "mesh")) {
+      std::from_chars(hash->data(), hash->data() + hash->size(), lost.start.hash, 16);
+    } else if (const auto original = remark(line, "original")) {
+      lost.start.original = file_name(*original);
+    } else if (const auto saved = remark(line, "saved")) {
+      lost.file = file_name(*saved);
+      lost.unsaved = 0;
+    } else if (line.starts_with("open ") && number == 3) {
+      lost.start.file = lost.file = file_name(behind_word(line));
+    } else if (!line.empty() && !line.starts_with('#') && number > 3) {
+      lost.edits.push_back({number, std::string(line)});
+      ++lost.unsaved;
+    }
+  }
+  if (number == 0 && !script.empty()) return std::nullopt;
+  return lost;
+}
+
+std::vector<LostSession> find_lost_sessions(const fs::path& folder) {
+  std::vector<LostSession> found;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (!name.starts_with(script_prefix) || !name.ends_with(script_suffix)) continue;
+    std::optional<OwnedScript> script = OwnedScript::take(entry->path());
+    if (!script) continue;
+    std::optional<LostSession> lost = read_lost_session(script->content());
+    struct stat status;
+    if (!lost || ::stat(entry->path().c_str(), &status) != 0) continue;
+    if (lost->unsaved == 0) {
+      script->remove();
+      continue;
+    }
+    lost->script = entry->path();
+    lost->last_edit = status.st_mtime;
+    found.push_back(std::move(*lost));
+  }
+  std::sort(found.begin(), found.end(), [](const LostSession& a, const LostSession& b) {
+    return a.last_edit != b.last_edit ? a.last_edit > b.last_edit : a.script < b.script;
+  });
+  return found;
+}
+
+Text describe(const LostSession& lost) {
+  const std::string name = lost.file.string(), time = time_text(lost.last_edit);
+  const Text count = count_edits(lost.unsaved);
+  return {(name.empty() ? "a mesh without a file" : name) + ", " + count.en + ", " + time,
+          (name.empty() ? "ファイルのないメッシュ" : name) + "、" + count.ja + "、" + time};
+}
+
+Outcome recover(Session& session, const LostSession& lost) {
+  std::optional<OwnedScript> script = take(lost.script);
+  if (!script) return not_to_be_had(lost);
+  Result<std::unique_ptr<Document>> document = begin_again(lost);
+  if (!document) {
+    const Text& reason = document.failure().message.text;
+    return failure_outcome(document.failure().exit_code,
+                           {reason.en + " The edits are still in " + lost.script.string() + ".",
+                            reason.ja + " 編集は " + lost.script.string() + " に残っています。"});
+  }
+  (*document)->mark_unsaved();
+  const bool is_same = (*document)->mesh().hash() == lost.start.hash;
+  Autosave* const autosave = std::exchange(session.autosave, nullptr);
+  const bool was_strict = std::exchange(session.strict, false);
+  session.set_document(std::move(document).value());
+  Outcome outcome = replay(session, lost);
+  session.autosave = autosave;
+  session.strict = was_strict;
+  session.touch();
+  if (autosave && outcome.done()) {
+    script->cut(lost.whole_bytes);
+    autosave->go_on(std::move(*script), session.document(), lost.start);
+  } else if (autosave) {
+    autosave->begin(session.document(), lost.start);
+  }
+  if (is_same) return outcome;
+  const std::string file = lost.start.file.string();
+  outcome.sentence.en += " But " + file + " is not the mesh that it was when these edits were done.";
+  outcome.sentence.ja += "ただし " + file + " は、これらの編集をしたときのメッシュではありません。";
+  return outcome;
+}
+
+Outcome discard(const LostSession& lost) {
+  std::optional<OwnedScript> script = take(lost.script);
+  if (!script) return not_to_be_had(lost);
+  script->remove();
+  Outcome outcome;
+  const Text what = describe(lost);
+  outcome.sentence = {"Discarded: " + what.en + ".", "破棄しました：" + what.ja + "。"};
+  return outcome;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,50 @@
+#include "app/ui/panels/all.h"
+#include "app/ui/widgets.h"
+
+namespace ryosen {
+
+namespace {
+
+// One session with its buttons; the command that was chosen, else nothing.
+std::string draw_lost(PanelContext& context, std::size_t n) {
+  const LostSession& lost = context.session.lost[n];
+  const std::string number = std::to_string(n + 1);
+  std::string chosen;
+  ImGui::PushID(static_cast<int>(n));
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(describe(lost).in(context.language()).c_str());
+  ImGui::PopTextWrapPos();
+  const ImVec2 size{120 * context.scale, 0};
+  if (ImGui::Button(context.text(UiText::recover), size)) chosen = "recover " + number;
+  ImGui::SameLine();
+  if (ImGui::Button(context.text(UiText::discard), size)) chosen = "recover discard " + number;
+  ImGui::Dummy({0, 4 * context.scale});
+  ImGui::PopID();
+  return chosen;
+}
+
+}  // namespace
+
+void draw_recover_window(PanelContext& context) {
+  if (!begin_over(context, "recover", context.text(UiText::recover_title), {560, 300})) return;
+  const std::vector<LostSession>& lost = context.session.lost;
+  dim_text(context, context.text(lost.empty() ? UiText::nothing_to_recover : UiText::recover_question));
+  ImGui::Dummy({0, 4 * context.scale});
+  ImGui::BeginChild("lost", {0, -1.5f * ImGui::GetFrameHeightWithSpacing()});
+  std::string chosen;
+  for (std::size_t n = 0; n < lost.size(); ++n)
+    if (std::string command = draw_lost(context, n); !command.empty()) chosen = std::move(command);
+  ImGui::EndChild();
+  const bool closes = ImGui::Button(context.text(UiText::later), {120 * context.scale, 0});
+  end_over();
+  if (closes) context.run("panel none");
+  if (chosen.empty()) return;
+  if (chosen.starts_with("recover discard")) {
+    context.run(chosen);
+    if (lost.empty()) context.session.open_panel.clear();
+  } else {
+    context.leave({false, {}, chosen});
+  }
+}
+
+}  // namespace ryosen

@@ -1,0 +1,367 @@
+// A session that crashed is brought back by its script. A crash is a session that ends without finishing its autosave;
+// tests/ui/window_test.cpp kills a real one.
+#include "app/editor/recovery.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+#include "app/editor/autosave.h"
+#include "app/editor/session.h"
+#include "app/editor/words.h"
+#include "tests/support/app/program.h"
+
+namespace ryosen {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RecoveryTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (const char* const before = std::getenv("XDG_STATE_HOME")) before_ = before;
+    setenv("XDG_STATE_HOME", state_.path().c_str(), 1);
+  }
+  void TearDown() override { before_ ? setenv("XDG_STATE_HOME", before_->c_str(), 1) : unsetenv("XDG_STATE_HOME"); }
+
+  // A session as the window has it.
+  struct Window {
+    explicit Window(std::unique_ptr<Document> document) : session(std::move(document)) {
+      session.autosave = &autosave;
+      autosave.begin(session.document());
+    }
+    void run(const std::string& line) {
+      const Outcome outcome = session.run(line);
+      EXPECT_TRUE(outcome.done()) << line << ": " << outcome.sentence.en;
+    }
+
+    Session session;
+    Autosave autosave{recovery_folder()};
+  };
+
+  std::unique_ptr<Window> open(const std::string& path) const {
+    auto document = Document::open(path);
+    EXPECT_TRUE(document) << path;
+    return std::make_unique<Window>(std::move(document).value());
+  }
+  static std::unique_ptr<Window> open_nothing() { return std::make_unique<Window>(std::make_unique<Document>()); }
+
+  std::vector<std::string> kept() const { return state_.names(); }
+
+  test::TemporaryFolder state_, files_;
+  std::optional<std::string> before_;
+};
+
+TEST_F(RecoveryTest, TheFolderIsThatOfTheUsersState) {
+  EXPECT_EQ(recovery_folder(), state_.path() / "ryosen/recovery");
+  unsetenv("XDG_STATE_HOME");
+  const std::string home = std::getenv("HOME") ? std::getenv("HOME") : "";
+  setenv("HOME", "/home/somebody", 1);
+  EXPECT_EQ(recovery_folder(), "/home/somebody/.local/state/ryosen/recovery");
+  setenv("XDG_STATE_HOME", "not/whole", 1);
+  EXPECT_EQ(recovery_folder(), "/home/somebody/.local/state/ryosen/recovery");
+  unsetenv("HOME");
+  EXPECT_EQ(recovery_folder(), "");
+  if (!home.empty()) setenv("HOME", home.c_str(), 1);
+}
+
+TEST_F(RecoveryTest, WhatACrashLeavesIsDoneAgain) {
+  const std::string path = files_.copy(test::asset("torus.off"), "in put.off");
+  auto crashed = open(path);
+  EXPECT_TRUE(kept().empty()) << "nothing was done yet";
+  for (const char* line : {"split 0-1", "poke f3", "undo", "redo", "undo 2", "redo 2", "move_vertex 0 0.1,1e-9,3"})
+    crashed->run(line);
+  crashed->run("select v3");
+  const std::uint64_t hash = crashed->session.mesh().hash();
+  const std::vector<std::string> log = crashed->session.log();
+  ASSERT_EQ(log.size(), 7u);
+  EXPECT_EQ(kept().size(), 1u);
+  EXPECT_TRUE(find_lost_sessions(recovery_folder()).empty()) << "it is still running";
+  crashed.reset();
+
+  auto again = open_nothing();
+  ASSERT_TRUE(again->session.run("recover").done());
+  ASSERT_EQ(again->session.lost.size(), 1u);
+  EXPECT_EQ(again->session.lost[0].file, path);
+  EXPECT_EQ(again->session.lost[0].edits.size(), log.size());
+  EXPECT_EQ(again->session.lost[0].unsaved, 2u) << "those after all was undone";
+  const Outcome outcome = again->session.run("recover 1");
+  ASSERT_TRUE(outcome.done()) << outcome.sentence.en;
+  EXPECT_NE(outcome.sentence.en.find("recovered"), std::string::npos);
+  EXPECT_EQ(outcome.sentence.en.find("But "), std::string::npos);
+  EXPECT_EQ(again->session.mesh().hash(), hash);
+  EXPECT_EQ(again->session.log(), log);
+  EXPECT_TRUE(again->session.document().is_modified());
+  EXPECT_EQ(again->session.document().path(), path);
+  EXPECT_EQ(test::read_file(path), test::read_file(test::asset("torus.off"))) << "only a save writes";
+  // It goes on with the script, and another crash loses nothing either.
+  EXPECT_TRUE(find_lost_sessions(recovery_folder()).empty());
+  again->run("split 2-3");
+  const std::uint64_t later = again->session.mesh().hash();
+  again.reset();
+  auto third = open_nothing();
+  ASSERT_TRUE(third->session.run("recover 1").done());
+  EXPECT_EQ(third->session.mesh().hash(), later);
+  third->autosave.finish();
+  EXPECT_TRUE(kept().empty());
+}
+
+TEST_F(RecoveryTest, AnOrderlyEndLeavesNothing) {
+  auto window = open(test::asset("torus.off"));
+  window->run("split 0-1");
+  EXPECT_EQ(kept().size(), 1u);
+  struct stat status;
+  ASSERT_EQ(::stat(state_.at(kept()[0]).c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0600u);
+  window->autosave.finish();
+  EXPECT_TRUE(kept().empty());
+}
+
+TEST_F(RecoveryTest, NothingIsOfferedThatIsSavedOrUndoneOrGivenUp) {
+  const std::string path = files_.copy(test::asset("torus.off"), "a.off");
+  auto saved = open(path);
+  saved->run("split 0-1");
+  saved->run("save");
+  saved.reset();
+  auto undone = open(path);
+  undone->run("split 2-3");
+  undone->run("undo");
+  undone.reset();
+  EXPECT_EQ(kept().size(), 3u) << "two scripts and what the first began with";
+  EXPECT_TRUE(find_lost_sessions(recovery_folder()).empty());
+  EXPECT_TRUE(kept().empty());
+  auto left = open(path);
+  left->run("split 2-3");
+  left->run("open " + file_argument(test::asset("cube.obj")));
+  EXPECT_TRUE(kept().empty()) << "another document takes its place";
+}
+
+TEST_F(RecoveryTest, EditsAfterASaveOverTheFileBeginWithWhatItHeld) {
+  const std::string path = files_.copy(test::asset("torus.off"), "a.off");
+  auto crashed = open(path);
+  crashed->run("collapse 0-1 mid");  // the file that is saved has other numbers from here on
+  crashed->run("save");
+  const std::string saved = test::read_file(path);
+  crashed->run("split 40-41");
+  crashed->run("save");
+  crashed->run("undo");
+  crashed->run("split 30-31");
+  const std::uint64_t hash = crashed->session.mesh().hash();
+  crashed.reset();
+  ASSERT_NE(saved, test::read_file(test::asset("torus.off")));
+
+  const auto lost = find_lost_sessions(recovery_folder());
+  ASSERT_EQ(lost.size(), 1u);
+  EXPECT_EQ(lost[0].unsaved, 2u);
+  EXPECT_EQ(lost[0].edits.size(), 4u);
+  auto again = open(path);
+  const Outcome outcome = again->session.run("recover 1");
+  ASSERT_TRUE(outcome.done()) << outcome.sentence.en;
+  EXPECT_EQ(outcome.sentence.en.find("But "), std::string::npos) << outcome.sentence.en;
+  EXPECT_EQ(again->session.mesh().hash(), hash);
+  EXPECT_EQ(again->session.document().path(), path);
+  again->run("save");
+  again->autosave.finish();
+  EXPECT_TRUE(kept().empty());
+}
+
+TEST_F(RecoveryTest, SavingFirstAndEditingThenIsTheSame) {
+  // A point that the file does not use keeps its number in the session and in the file; faces set aside come back.
+  const std::string path = files_.copy(test::asset("isolated_vertex.obj"), "a.obj");
+  auto crashed = open(path);
+  crashed->run("save " + file_argument(files_.at("b.obj")));
+  EXPECT_TRUE(kept().empty());
+  crashed->run("save " + file_argument(path));
+  crashed->run("split 0-1");
+  const std::uint64_t hash = crashed->session.mesh().hash();
+  crashed.reset();
+  auto again = open_nothing();
+  ASSERT_TRUE(again->session.run("recover 1").done());
+  EXPECT_EQ(again->session.mesh().hash(), hash);
+  EXPECT_EQ(again->session.document().path(), path);
+}
+
+TEST_F(RecoveryTest, ANewNameIsTheDocumentsAfterwardsToo) {
+  const std::string path = files_.copy(test::asset("torus.off"), "a.off"), other = files_.at("b # \"c\".obj");
+  auto crashed = open(path);
+  crashed->run("split 0-1");
+  crashed->run("save " + file_argument(other));
+  EXPECT_EQ(kept().size(), 1u) << "the first file is still what it was";
+  crashed->run("split 2-3");
+  crashed.reset();
+  auto again = open_nothing();
+  ASSERT_TRUE(again->session.run("recover 1").done());
+  EXPECT_EQ(again->session.document().path(), other);
+  again->run("undo 2");
+  EXPECT_TRUE(again->session.document().is_modified()) << "that file holds another state";
+}
+
+TEST_F(RecoveryTest, AMeshMadeFromNothingComesBack) {
+  auto crashed = open_nothing();
+  crashed->run("make_vertex 0,0,0.1");
+  crashed->run("make_vertex 0.3333333333333333,1e-300,0");
+  const std::uint64_t hash = crashed->session.mesh().hash();
+  crashed.reset();
+  auto again = open(test::asset("cube.obj"));
+  const Outcome outcome = again->session.run("recover 1");
+  ASSERT_TRUE(outcome.done()) << outcome.sentence.en;
+  EXPECT_EQ(again->session.mesh().hash(), hash);
+  EXPECT_EQ(again->session.document().path(), "");
+}
+
+TEST_F(RecoveryTest, AFileThatHasChangedIsSaidAndTheLineThatFails) {
+  const std::string path = files_.copy(test::asset("torus.off"), "a.off");
+  auto crashed = open(path);
+  crashed->run("split 0-1");
+  crashed->run("split 40-41");
+  crashed.reset();
+  files_.write("a.off", test::read_file(test::asset("tetrahedron.off")));
+  auto again = open_nothing();
+  const Outcome outcome = again->session.run("recover 1");
+  EXPECT_EQ(outcome.kind, Outcome::Kind::failed);
+  EXPECT_EQ(outcome.exit_code, ExitCode::usage);
+  EXPECT_NE(outcome.sentence.en.find("1 of 2 edits are recovered; line 5 of "), std::string::npos)
+      << outcome.sentence.en;
+  EXPECT_NE(outcome.sentence.en.find("(split 40-41"), std::string::npos) << outcome.sentence.en;
+  EXPECT_NE(outcome.sentence.en.find("is not the mesh that it was"), std::string::npos) << outcome.sentence.en;
+  EXPECT_NE(outcome.sentence.ja.find("5 行目"), std::string::npos) << outcome.sentence.ja;
+  EXPECT_EQ(again->session.document().position(), 1u);
+  EXPECT_EQ(again->session.lost.size(), 1u) << "the script stays";
+  // What goes on from here has a script of its own.
+  again->run("split 2-3");
+  const std::uint64_t hash = again->session.mesh().hash();
+  again.reset();
+  const auto lost = find_lost_sessions(recovery_folder());
+  ASSERT_EQ(lost.size(), 2u);
+  auto third = open_nothing();
+  const LostSession& later =
+      lost[0].edits[1].text == "split 2-3 0.5" || lost[0].edits[1].text == "split 2-3" ? lost[0] : lost[1];
+  EXPECT_TRUE(recover(third->session, later).done());
+  EXPECT_EQ(third->session.mesh().hash(), hash);
+}
+
+TEST_F(RecoveryTest, WhereTheFileIsGoneNothingChangesAndTheScriptIsNamed) {
+  const std::string path = files_.copy(test::asset("torus.off"), "a.off");
+  auto crashed = open(path);
+  crashed->run("split 0-1");
+  crashed.reset();
+  fs::remove(path);
+  auto again = open(test::asset("cube.obj"));
+  const Outcome outcome = again->session.run("recover 1");
+  EXPECT_EQ(outcome.exit_code, ExitCode::input_missing);
+  ASSERT_EQ(again->session.lost.size(), 1u);
+  EXPECT_NE(outcome.sentence.en.find(again->session.lost[0].script.string()), std::string::npos);
+  EXPECT_EQ(again->session.document().path(), test::asset("cube.obj"));
+  EXPECT_TRUE(again->session.run("recover discard 1").done());
+  EXPECT_TRUE(kept().empty());
+  EXPECT_EQ(again->session.run("recover 1").exit_code, ExitCode::usage);
+}
+
+TEST_F(RecoveryTest, TwoWindowsKeepTwoScriptsAndTheLatestComesFirst) {
+  auto one = open(test::asset("torus.off")), two = open(test::asset("cube.obj"));
+  one->run("split 0-1");
+  two->run("split 0-1");
+  EXPECT_EQ(kept().size(), 2u);
+  two.reset();
+  auto third = open_nothing();
+  ASSERT_TRUE(third->session.run("recover list").done());
+  ASSERT_EQ(third->session.lost.size(), 1u) << "the other still runs";
+  EXPECT_EQ(third->session.lost[0].file, test::asset("cube.obj"));
+  // What one window has listed another may have taken.
+  auto fourth = open_nothing();
+  ASSERT_TRUE(fourth->session.run("recover 1").done());
+  const Outcome late = third->session.run("recover 1");
+  EXPECT_EQ(late.exit_code, ExitCode::input_missing);
+  EXPECT_NE(late.sentence.en.find("another window"), std::string::npos);
+}
+
+TEST_F(RecoveryTest, ALineThatTheCrashCutOffIsLeftOut) {
+  auto crashed = open(test::asset("torus.off"));
+  crashed->run("split 0-1");
+  const std::uint64_t hash = crashed->session.mesh().hash();
+  ASSERT_TRUE(crashed->autosave.script());
+  const std::string script = crashed->autosave.script()->path();
+  crashed.reset();
+  const std::string whole = test::read_file(script);
+  state_.write(fs::relative(script, state_.path()).string(), whole + "split 2-");
+  auto again = open_nothing();
+  ASSERT_TRUE(again->session.run("recover 1").done());
+  EXPECT_EQ(again->session.mesh().hash(), hash);
+  EXPECT_EQ(test::read_file(script), whole);
+}
+
+TEST_F(RecoveryTest, WhatIsNoScriptOfASessionIsLeftAlone) {
+  state_.write("ryosen/recovery/session-1.ryosen", "# ryosen session 2\nsomething new\n");
+  state_.write("ryosen/recovery/session-2.ryosen", "split 0-1");
+  state_.write("ryosen/recovery/notes.txt", "mine");
+  state_.write("ryosen/recovery/session-3.ryosen", "");  // a crash right after it was made
+  EXPECT_TRUE(find_lost_sessions(recovery_folder()).empty());
+  EXPECT_EQ(kept().size(), 3u);
+}
+
+TEST_F(RecoveryTest, AFolderThatCannotBeWrittenIsSaidOnceAndStopsNoEdit) {
+  state_.write("ryosen", "a file where the folder would be");
+  auto window = open(test::asset("torus.off"));
+  const Outcome first = window->session.run("split 0-1");
+  EXPECT_TRUE(first.done());
+  EXPECT_NE(first.sentence.en.find("After a crash"), std::string::npos) << first.sentence.en;
+  EXPECT_NE(first.sentence.en.find(recovery_folder().string()), std::string::npos) << first.sentence.en;
+  EXPECT_FALSE(first.sentence.ja.empty());
+  for (const char* line : {"split 2-3", "undo", "redo"}) EXPECT_EQ(window->session.run(line).sentence.en, "") << line;
+  EXPECT_EQ(window->session.document().position(), 2u);
+  EXPECT_TRUE(window->session.run("save " + file_argument(files_.at("out.off"))).done());
+}
+
+TEST_F(RecoveryTest, AScriptThatCanGrowNoMoreIsSaidAndWhatItHoldsIsKept) {
+  auto window = open(test::asset("torus.off"));
+  window->run("split 0-1");
+  const std::uint64_t hash = window->session.mesh().hash();
+  // As on a full disk: the descriptor of the script is now one of a device that takes nothing.
+  const int full = ::open("/dev/full", O_WRONLY);
+  if (full < 0) GTEST_SKIP() << "no /dev/full";
+  for (int descriptor = 3; descriptor < full; ++descriptor) {
+    std::error_code ignored;
+    const fs::path target = fs::read_symlink("/proc/self/fd/" + std::to_string(descriptor), ignored);
+    if (target == window->autosave.script()->path()) ::dup2(full, descriptor);
+  }
+  ::close(full);
+  const Outcome outcome = window->session.run("split 2-3");
+  EXPECT_TRUE(outcome.done());
+  EXPECT_NE(outcome.sentence.en.find("the disk is full"), std::string::npos) << outcome.sentence.en;
+  EXPECT_EQ(window->session.run("split 4-5").sentence.en, "");
+  window.reset();
+  auto again = open_nothing();
+  ASSERT_TRUE(again->session.run("recover 1").done());
+  EXPECT_EQ(again->session.mesh().hash(), hash);
+}
+
+TEST_F(RecoveryTest, WithoutAWindowNothingIsKeptUnlessAsked) {
+  const std::string path = files_.copy(test::asset("torus.off"), "a.off");
+  const std::string variable = "XDG_STATE_HOME=" + state_.path().string();
+  ASSERT_EQ(test::run_program({"edit", path, "--do", "split 0-1"}, {}, {variable}).exit_code, 0);
+  EXPECT_TRUE(kept().empty());
+  auto crashed = open(path);
+  crashed->run("split 0-1");
+  const std::string hash = "expect V " + std::to_string(crashed->session.mesh().live().vertices);
+  crashed.reset();
+  const auto listed = test::run_program({"edit", "--new", "--do", "recover list"}, {}, {variable});
+  EXPECT_EQ(listed.exit_code, 0);
+  EXPECT_NE(listed.err.find("1: " + path + ", 1 edit, "), std::string::npos) << listed.err;
+  const std::string out = files_.at("out.off");
+  const auto done =
+      test::run_program({"edit", "--new", "--do", "recover 1; " + hash, "-o", out, "--lang", "ja"}, {}, {variable});
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_NE(done.err.find("1 件の編集を復元しました"), std::string::npos) << done.err;
+  EXPECT_TRUE(fs::exists(out));
+  EXPECT_EQ(kept().size(), 1u) << "only a window takes it over";
+  // The file that a recovered document has is none that this line names.
+  EXPECT_EQ(test::run_program({"edit", "--new", "--do", "recover 1; save"}, {}, {variable}).exit_code, 2);
+  EXPECT_EQ(test::run_program({"edit", "--new", "--do", "recover discard 1"}, {}, {variable}).exit_code, 0);
+  EXPECT_TRUE(kept().empty());
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 fs::path whole(const fs::path& path) {
   std::error_code ignored;
-  return path.empty() ? path : fs::absolute(path, ignored).lexically_normal();
+  return path.empty() ? path : fs::absolute(path, ignored);
 }
 
 std::string original_remark(const fs::path& path) { return "# original " + file_argument(path.string()) + "\n"; }

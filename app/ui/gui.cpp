@@ -130,6 +130,9 @@ void Gui::frame(Session& session, Size window, double seconds) {
   draw_unsaved_window(panel_context);
   draw_recover_window(panel_context);
   ImGui::Render();
+  for (const int key : released_keys_) io.KeysDown[key] = false;
+  unseen_keys_.clear();
+  released_keys_.clear();
 }
 
 const ImDrawData& Gui::draw_data() const {
@@ -165,6 +168,12 @@ void Gui::character(unsigned code) {
 
 void Gui::key(int imgui_key, bool is_down) {
   ImGui::SetCurrentContext(imgui_);
+  if (is_down) unseen_keys_.insert(imgui_key);
+  if (!is_down && unseen_keys_.contains(imgui_key)) {
+    released_keys_.insert(imgui_key);
+    return;
+  }
+  released_keys_.erase(imgui_key);
   ImGui::GetIO().KeysDown[imgui_key] = is_down;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <set>
 #include <string>
 
 #include "app/ui/panels.h"
@@ -66,6 +67,7 @@ class Gui {
   bool has_fonts_ = false, has_japanese_ = false;
   Theme theme_ = Theme::dark;
   bool is_down_[3] = {}, was_pressed_[3] = {};
+  std::set<int> unseen_keys_, released_keys_;  // pressed since the last frame, and among them up again
 };
 
 }  // namespace ryosen

@@ -109,6 +109,20 @@ TEST(Gui, AnOpenPanelTakesThePointerAndEscapeGivesItBack) {
   }
 }
 
+TEST(Gui, AKeyThatIsUpAgainBeforeAFrameIsSeen) {
+  Laid laid("torus.off");
+  ASSERT_TRUE(laid.gui.run(laid.session, "panel command").done());
+  laid.frames(3);
+  for (const char c : std::string_view("split 0-1")) laid.gui.character(static_cast<unsigned>(c));
+  laid.frames(1);
+  laid.gui.key(ImGuiKey_Enter, true);
+  laid.gui.key(ImGuiKey_Enter, false);
+  laid.frames(1);
+  EXPECT_EQ(laid.session.document().position(), 1u);
+  laid.frames(3);
+  EXPECT_FALSE(ImGui::GetIO().KeysDown[ImGuiKey_Enter]);
+}
+
 TEST(Gui, AsksBeforeChangesAreLost) {
   Laid laid("torus.off");
   laid.gui.leave(laid.session, {true, {}});

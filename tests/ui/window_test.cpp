@@ -116,7 +116,10 @@ TEST_F(WindowTest, AfterACrashTheNextStartBringsTheEditsBack) {
   const std::string mesh = folder_.copy(test::asset("torus.off"), "torus.off");
   open(mesh);
   const long vertices = last().vertices;
+  const long before = last().number;
   xdotool("mousemove 640 400 key F3");
+  ASSERT_TRUE(wait_for([&] { return last().number > before; })) << "the command window did not open";
+  std::this_thread::sleep_for(300ms);  // until its field has the keys
   xdotool("type --delay 20 'split 0-1'");
   xdotool("key Return");
   ASSERT_TRUE(wait_for([&] { return last().history == 1; })) << "nothing was split";

@@ -1,6 +1,7 @@
 // Each system call of a save made to fail in turn: the old file stays whole, nothing else is left, and a sentence says
 // what happened; whatever the call, exit code and words tell what became of the file.
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include <cerrno>
 #include <cstdlib>
@@ -11,10 +12,23 @@
 #include "app/editor/words.h"
 #include "tests/support/app/program.h"
 
-#ifdef RYOSEN_FAILING_CALLS  // not under sanitizers
-
 namespace ryosen {
 namespace {
+
+TEST(FailingSaves, ALimitOfTheShellIsSaidToo) {
+  const test::TemporaryFolder folder;
+  const std::string old = test::read_file(test::asset("cube.obj")), out = folder.write("out.obj", old);
+  const std::string command = "ulimit -f 100; " RYOSEN_PROGRAM " convert " + test::asset("stanford_bunny.obj") +
+                              " -o " + out + " --lang en 2>" + folder.at("err") + " >" + folder.at("out");
+  const int status = std::system(command.c_str());
+  ASSERT_TRUE(WIFEXITED(status)) << "a signal ended it";
+  EXPECT_EQ(WEXITSTATUS(status), 5);
+  EXPECT_NE(test::read_file(folder.at("err")).find("files may not become that large"), std::string::npos);
+  EXPECT_EQ(test::read_file(out), old);
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"err", "out", "out.obj"}));
+}
+
+#ifdef RYOSEN_FAILING_CALLS  // not under sanitizers
 
 // The name and the path of a call, as failing_calls.cpp logs it.
 struct Call {
@@ -179,7 +193,7 @@ TEST(FailingSaves, TheDocumentStaysUnsavedWhicheverCallFails) {
   EXPECT_EQ(nth - 1, 9u);
 }
 
+#endif
+
 }  // namespace
 }  // namespace ryosen
-
-#endif

@@ -97,6 +97,18 @@ TEST(SafeWrite, ReadOnlyFilesAndFoldersAreRefused) {
   EXPECT_EQ(folder.entry_count(), 1u);
 }
 
+TEST(SafeWrite, AFolderThatOnlyTakesFilesGetsThem) {
+  const AsOrdinaryUser user;
+  const TemporaryFolder folder;
+  ASSERT_TRUE(safe_write(folder / "a", "old").ok());
+  fs::permissions(folder.path(), static_cast<fs::perms>(0333));  // it cannot be opened, to be brought to the disk
+  const Status status = safe_write(folder / "a", "new");
+  fs::permissions(folder.path(), static_cast<fs::perms>(0755));
+  EXPECT_TRUE(status.ok());
+  EXPECT_EQ(whole_file(folder / "a"), "new");
+  EXPECT_EQ(folder.entry_count(), 1u);
+}
+
 TEST(SafeWrite, DevicesAreWrittenToNotReplaced) {
   ASSERT_TRUE(safe_write("/dev/null", "x").ok());
   EXPECT_TRUE(fs::is_character_file("/dev/null"));

@@ -1,0 +1,132 @@
+// A session killed at a random moment of edits and saves is recovered as it was after the last edit, or the one that was
+// being done.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <random>
+#include <set>
+#include <thread>
+
+#include "app/editor/autosave.h"
+#include "app/editor/session.h"
+#include "app/editor/words.h"
+#include "tests/support/app/program.h"
+
+namespace ryosen {
+namespace {
+
+constexpr int walk_steps = 40;
+
+// A step of the walk: the same in every process. Each third is a save over the file that the session began with.
+std::string step_line(const Session& session, int step, const std::string& file) {
+  if (step % 3 == 2) return "save " + file_argument(file);
+  if (step % 7 == 6) return "undo";
+  const Mesh& mesh = session.mesh();
+  std::uint32_t edge = static_cast<std::uint32_t>(step * 37) % mesh.edge_slots();
+  while (!mesh.is_alive(Edge(edge))) edge = (edge + 1) % mesh.edge_slots();
+  return (step % 5 == 4 ? "collapse " : "split ") + name_of(mesh, Edge(edge));
+}
+
+struct State {
+  std::uint64_t hash;
+  bool is_modified;
+};
+
+// Walks and tells each step when it is done. The states come before the first step and after each.
+template <class Told>
+std::vector<State> walk(Session& session, const std::string& file, const Told& told) {
+  std::vector<State> states{{session.mesh().hash(), false}};
+  for (int step = 0; step < walk_steps; ++step) {
+    session.run(step_line(session, step, file));
+    states.push_back({session.mesh().hash(), session.document().is_modified()});
+    told();
+  }
+  return states;
+}
+
+std::unique_ptr<Session> open(const std::string& path) {
+  auto document = Document::open(path);
+  return document ? std::make_unique<Session>(std::move(document).value()) : nullptr;
+}
+
+// Begins the walk in another process, kills that after a while, and counts the steps it told of.
+int walk_and_die(const std::string& file, const std::filesystem::path& folder, std::chrono::microseconds after) {
+  int ends[2];
+  if (::pipe(ends) != 0) return -1;
+  const pid_t child = ::fork();
+  const char mark = '.';
+  if (child == 0) {
+    const auto session = open(file);
+    Autosave autosave(folder);
+    session->autosave = &autosave;
+    autosave.begin(session->document());
+    const auto tell = [&] {
+      if (::write(ends[1], &mark, 1) != 1) ::_exit(2);
+    };
+    tell();
+    walk(*session, file, tell);
+    ::_exit(0);
+  }
+  ::close(ends[1]);
+  char told[2 * walk_steps];
+  ssize_t count = ::read(ends[0], told, 1);  // it has opened the file
+  std::this_thread::sleep_for(after);
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  for (ssize_t more; (more = ::read(ends[0], told, sizeof told)) > 0;) count += more;
+  ::close(ends[0]);
+  return static_cast<int>(count) - 1;
+}
+
+TEST(KilledSession, IsRecoveredAsItWasAfterTheLastEdit) {
+  const test::TemporaryFolder files, folder;
+  const std::string content = test::read_file(test::asset("torus.off"));
+  const auto reference = open(files.write("reference.off", content));
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<State> states = walk(*reference, files.at("reference.off"), [] {});
+  const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - start;
+  ASSERT_EQ(states.size(), walk_steps + 1u);
+  std::set<std::uint64_t> hashes;
+  for (const State& state : states) hashes.insert(state.hash);
+  ASSERT_GT(hashes.size(), walk_steps / 2u) << "most steps change the mesh";
+
+  const unsigned seed = std::random_device()();
+  std::mt19937 random(seed);
+  constexpr int rounds = 60;
+  int recovered = 0, saved = 0;
+  for (int round = 0; round < rounds; ++round) {
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", round " + std::to_string(round));
+    const double share = (round + std::uniform_real_distribution<>(0, 1)(random)) / rounds;
+    const std::string file = files.write("a.off", content);
+    const int told =
+        walk_and_die(file, folder.path(), std::chrono::microseconds(static_cast<long>(share * took.count())));
+    ASSERT_GE(told, 0);
+    const auto now = static_cast<std::size_t>(told), next = std::min<std::size_t>(now + 1, walk_steps);
+    const std::vector<LostSession> lost = find_lost_sessions(folder.path());
+    if (lost.empty()) {
+      EXPECT_FALSE(states[now].is_modified && states[next].is_modified) << "after step " << told;
+      ++saved;
+      continue;
+    }
+    ASSERT_EQ(lost.size(), 1u);
+    Session again(std::make_unique<Document>());
+    const Outcome outcome = recover(again, lost[0]);
+    EXPECT_TRUE(outcome.done()) << outcome.sentence.en;
+    EXPECT_EQ(outcome.sentence.en.find("But "), std::string::npos) << outcome.sentence.en;
+    const std::uint64_t hash = again.mesh().hash();
+    EXPECT_TRUE(hash == states[now].hash || hash == states[next].hash) << "after step " << told;
+    EXPECT_TRUE(discard(lost[0]).done());
+    EXPECT_TRUE(folder.names().empty());
+    ++recovered;
+  }
+  std::printf("%d sessions killed within %.1f ms, seed %u: %d recovered, %d with nothing unsaved\n", rounds,
+              took.count() / 1000, seed, recovered, saved);
+  EXPECT_GT(recovered, 0);
+}
+
+}  // namespace
+}  // namespace ryosen

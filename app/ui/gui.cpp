@@ -113,7 +113,10 @@ void Gui::frame(Session& session, Size window, double seconds) {
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(window.width), static_cast<float>(window.height)};
   io.DeltaTime = static_cast<float>(std::max(seconds, 1e-4));
-  for (int i = 0; i < 3; ++i) io.MouseDown[i] = is_down_[i] || std::exchange(was_pressed_[i], false);
+  for (int i = 0; i < 3; ++i) {
+    const bool was_pressed = std::exchange(was_pressed_[i], false);
+    io.MouseDown[i] = is_down_[i] || was_pressed;
+  }
   ImGui::NewFrame();
   PanelContext panel_context = context(session);
   draw_menu(panel_context);

@@ -54,6 +54,7 @@ struct GuiState {
   PendingLeave pending;
   FileBrowser browser;
   std::string command;                // what stands in the field of the command window
+  bool command_was_begun = false;     // the field has just appeared
   std::size_t scrolled_position = 0;  // the place of the history that the list was scrolled to
 
   std::optional<MeasuredForms> measured_forms;

@@ -191,6 +191,34 @@ TEST(Gui, AnExistingFileIsReplacedOnlyOnTheSecondPress) {
   EXPECT_EQ(laid.session.open_panel, "");
 }
 
+TEST(Gui, WhatAFormatCannotHoldIsListedBeforeItIsWritten) {
+  const test::TemporaryFolder folder;
+  Laid laid("torus.off");
+  auto cube = read_mesh_file(test::asset("cube.obj"));
+  ASSERT_TRUE(cube);
+  laid.session.set_document(std::make_unique<Document>(std::move(cube).value(), folder.at("cube.stl")));
+  const std::vector<Message> losses = laid.session.document().losses(folder.at("cube.stl"));
+  ASSERT_FALSE(losses.empty()) << "STL knows no quads";
+  for (const char* language : {"language en", "language ja"}) {
+    ASSERT_TRUE(laid.session.run(language).done());
+    ASSERT_TRUE(laid.gui.run(laid.session, "panel save").done());
+    laid.frames(3);
+    const int before = laid.gui.draw_data().TotalVtxCount;
+    laid.click({370, 570});
+    EXPECT_FALSE(folder.has("cube.stl")) << "it only told what would be lost";
+    EXPECT_EQ(laid.session.open_panel, "save");
+    EXPECT_GT(laid.gui.draw_data().TotalVtxCount, before + 100) << "a sentence per loss and what to do";
+    if (language == std::string_view("language ja")) break;
+    ASSERT_TRUE(laid.gui.run(laid.session, "cancel").done());
+    laid.frames(3);
+  }
+  // The button has moved up by the list.
+  for (double y = 570; y > 400 && !folder.has("cube.stl"); y -= 8) laid.click({370, y});
+  EXPECT_TRUE(folder.has("cube.stl"));
+  EXPECT_EQ(laid.session.open_panel, "");
+  EXPECT_FALSE(laid.session.document().is_modified());
+}
+
 TEST(Gui, ScalesWithTheDisplay) {
   const PixelRect once = Gui(1).view_area({1280, 720}), twice = Gui(2).view_area({2560, 1440});
   EXPECT_EQ(twice, (PixelRect{2 * once.x0, 2 * once.y0, 2 * once.x1, 2 * once.y1}));

@@ -31,6 +31,14 @@ std::vector<Suggestion> suggestions(const PanelContext& context) {
   return found;
 }
 
+// What is typed goes on behind what stands there already, in place of replacing it.
+int go_to_end(ImGuiInputTextCallbackData* data) {
+  bool& must_go = *static_cast<bool*>(data->UserData);
+  if (must_go) data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
+  must_go = false;
+  return 0;
+}
+
 void draw_suggestions(PanelContext& context) {
   ImGui::BeginChild("suggestions");
   for (const Suggestion& s : suggestions(context)) {
@@ -45,10 +53,15 @@ void draw_suggestions(PanelContext& context) {
 
 void draw_command_window(PanelContext& context) {
   if (!begin_over(context, "command", context.text(UiText::command), {560, 360})) return;
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  if (ImGui::IsWindowAppearing()) {
+    ImGui::SetKeyboardFocusHere();
+    context.state.command_was_begun = true;
+  }
   ImGui::SetNextItemWidth(-1);
-  const bool entered = ImGui::InputTextWithHint("##command", context.text(UiText::command_hint), &context.state.command,
-                                                ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered =
+      ImGui::InputTextWithHint("##command", context.text(UiText::command_hint), &context.state.command,
+                               ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways, go_to_end,
+                               &context.state.command_was_begun);
   const Text& outcome = context.state.last_outcome;
   if (context.state.last_kind != Outcome::Kind::done && !outcome.en.empty()) {
     ImGui::PushTextWrapPos(0);
@@ -70,7 +83,7 @@ void draw_command_window(PanelContext& context) {
   }
   if (context.run(line).done()) {
     context.state.command.clear();
-    if (context.session.open_panel == "command") context.run("panel none");
+    if (context.session.open_panel == "command") context.session.open_panel.clear();
   }
 }
 

@@ -1,0 +1,86 @@
+// The problems panel: a kind unfolds to its repairs and its elements; a press repairs, asks for a number, or goes there.
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include "app/ui/gui.h"
+#include "tests/support/app/program.h"
+#include "tests/support/app/window_size.h"
+
+namespace ryosen {
+namespace {
+
+using test::window;
+
+class ProblemsPanel : public testing::Test {
+ protected:
+  void open(const std::string& asset) {
+    auto document = Document::open(test::asset(asset));
+    ASSERT_TRUE(document) << asset;
+    session.set_document(std::move(document).value());
+    gui.place_view(session, window);
+    frames(3);
+  }
+  void frames(int n) {
+    for (int i = 0; i < n; ++i) {
+      gui.prepare(session);
+      gui.frame(session, window, 0.02);
+    }
+  }
+  void click(glm::dvec2 pixel) {
+    gui.pointer(pixel);
+    frames(2);
+    gui.button(0, true);
+    frames(1);
+    gui.button(0, false);
+    frames(2);
+  }
+  // Unfolds a kind and clicks a row below it: its repairs come first, then its elements.
+  void click_below(int kind, int row) {
+    click({1080, 170 + 19 * kind});
+    click({1030, 170 + 19 * (kind + 1 + row)});
+  }
+
+  Session session{std::make_unique<Document>()};
+  Gui gui{1};
+};
+
+TEST_F(ProblemsPanel, APressOnARepairDoesItAndUndoTakesItBack) {
+  open("duplicate_face.obj");
+  ASSERT_EQ(session.mesh().live().faces, 2u);
+  click_below(1, 0);
+  ASSERT_EQ(session.document().position(), 1u) << "one entry of the history";
+  EXPECT_EQ(session.document().history()[0].command, "repair remove_duplicates");
+  EXPECT_EQ(session.mesh().live().faces, 1u);
+  EXPECT_TRUE(gui.said().en.starts_with("repair remove_duplicates: ")) << gui.said().en;
+  EXPECT_NE(gui.said().ja, gui.said().en);
+  ASSERT_TRUE(session.run("undo").done());
+  frames(2);
+  EXPECT_EQ(session.mesh().live().faces, 2u);
+}
+
+TEST_F(ProblemsPanel, ARepairThatNeedsANumberIsBegunInTheCommandWindow) {
+  open("moebius.off");
+  click_below(1, 1);
+  ASSERT_EQ(session.open_panel, "command");
+  EXPECT_EQ(session.document().position(), 0u) << "nothing was done yet";
+  frames(3);
+  for (const char c : std::string_view("0.001")) gui.character(static_cast<unsigned>(c));
+  frames(1);
+  gui.key(ImGuiKey_Enter, true);
+  gui.key(ImGuiKey_Enter, false);
+  frames(3);
+  EXPECT_TRUE(gui.said().en.starts_with("repair weld_close 0.001: ")) << gui.said().en;
+}
+
+TEST_F(ProblemsPanel, APressOnAnElementSelectsItAndGoesThere) {
+  open("duplicate_face.obj");
+  const glm::dvec3 eye = session.camera.eye;
+  click_below(0, 2);
+  ASSERT_EQ(session.selection.size(), 1u);
+  EXPECT_EQ(session.document().position(), 0u);
+  EXPECT_EQ(session.selection[0].kind, Element::Kind::edge);
+  EXPECT_NE(session.camera.eye, eye);
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -5,7 +5,7 @@ set -eu
 root=$(cd "$(dirname "$0")/../.." && pwd)
 . "$root/app/setup.sh"
 # shellcheck disable=SC2086
-ensure_packages $build_packages $test_packages libbenchmark-dev libcgal-dev
+ensure_packages $build_packages $test_packages libbenchmark-dev
 [ $# = 0 ] || export RYOSEN_DRAGON=$1
 cmake -S "$root" -B "$root/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DRYOSEN_BENCH=ON >&2
 cmake --build "$root/build/release" --target bench_core bench_forms bench_editor bench_peers bench_files bench_check ryosen >&2

@@ -4,6 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/json.h"
 #include "app/cli/shot_options.h"
+#include "core/io/safe_write.h"
 
 namespace ryosen::cli {
 
@@ -27,7 +28,11 @@ class Shot {
     if (code_ != ExitCode::done && code_ != ExitCode::refused && code_ != ExitCode::found_problems) return finish();
     if (options_.hover) session_.point_at(*options_.hover);
     const Image picture = headless_.picture(session_);
-    if (options_.output) write(write_png(picture, *options_.output), *options_.output);
+    if (options_.output) {
+      const Status status = write_png(picture, *options_.output);
+      is_written_ = is_in_place(status);
+      write(status, *options_.output);
+    }
     if (options_.reference) compare_with_reference(picture);
     return finish();
   }
@@ -92,7 +97,7 @@ class Shot {
     if (!console_.json) return code_;
     Json json;
     json["file"] = options_.file;
-    json["output"] = options_.output ? Json(*options_.output) : Json();
+    json["output"] = is_written_ ? Json(*options_.output) : Json();
     json["status"] = code_ == ExitCode::done ? "ok" : "error";
     json["size"] = {options_.picture.size.width, options_.picture.size.height};
     json["backend"] = headless_.backend();
@@ -108,6 +113,7 @@ class Shot {
   Headless& headless_;
   const Console& console_;
   ExitCode code_ = ExitCode::done;
+  bool is_written_ = false;
   std::optional<double> percent_;
   std::vector<Message> messages_;
 };

@@ -66,6 +66,16 @@ TEST(Shot, EndsAsTheContractSays) {
   EXPECT_FALSE(folder.has("o.png"));
 }
 
+TEST(Shot, NamesItsOutputOnlyWhereItIsThere) {
+  const test::TemporaryFolder folder;
+  const std::string mesh = asset("tetrahedron.off"), there = folder.at("o.png"), nowhere = folder.at("no/o.png");
+  EXPECT_EQ(run_program({"shot", mesh, "-o", there, "--size", "64x64", "--json"}).line()["output"], there);
+  const test::ProgramRun run = run_program({"shot", mesh, "-o", nowhere, "--size", "64x64", "--json"});
+  EXPECT_EQ(run.exit_code, 5);
+  EXPECT_TRUE(run.line()["output"].is_null());
+  EXPECT_NE(run.err.find("no such folder"), std::string::npos) << run.err;
+}
+
 TEST(Shot, MakesThePictureOfARefusedClick) {
   const test::TemporaryFolder folder;
   const std::vector<std::string> click{"shot", asset("tetrahedron.off"), "--size", "480x360", "--view",          "iso",

@@ -1,5 +1,7 @@
 #include "core/build/parallel.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
@@ -41,6 +43,8 @@ class Helpers {
     static Helpers* const helpers = new Helpers;
     return *helpers;
   }
+  // A forked process has none of the threads, and their lock may be held.
+  bool are_here() const { return process_ == getpid(); }
 
   void run(Job& job, unsigned helpers) {
     {
@@ -79,6 +83,7 @@ class Helpers {
     }
   }
 
+  const pid_t process_ = getpid();
   std::mutex mutex_;
   std::condition_variable offered_, finished_;
   std::vector<Job*> jobs_;  // that want more helpers
@@ -90,7 +95,7 @@ class Helpers {
 void run_tasks(unsigned tasks, unsigned threads, void (*call)(const void*, unsigned), const void* work) {
   const unsigned helpers = std::min(tasks, threads) - (std::min(tasks, threads) > 0 ? 1 : 0);
   Job job{tasks, call, work};
-  if (helpers == 0)
+  if (helpers == 0 || !Helpers::all().are_here())
     job.run();
   else
     Helpers::all().run(job, helpers);

@@ -1,5 +1,8 @@
 #include "core/build/parallel.h"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <atomic>
 #include <numeric>
 #include <stdexcept>
@@ -49,6 +52,25 @@ TEST(Parallel, ManyThreadsMayAskAtOnce) {
     });
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(sums, std::vector<std::uint64_t>(6, std::uint64_t{200} * 1000 * 999 / 2));
+}
+
+TEST(Parallel, AForkedProcessDoesItAllAlone) {
+  const auto sum = [] {
+    std::vector<std::uint64_t> parts(4, 0);
+    for_each_part(100000, 4, [&](unsigned t, std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t i = begin; i < end; ++i) parts[t] += i;
+    });
+    return std::accumulate(parts.begin(), parts.end(), std::uint64_t{0});
+  };
+  const std::uint64_t expected = sum();
+  for (int turn = 0; turn < 20; ++turn) {
+    const pid_t child = fork();
+    if (child == 0) _exit(sum() == expected && sum() == expected ? 0 : 1);
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    EXPECT_EQ(sum(), expected);
+  }
 }
 
 TEST(Parallel, WhatIsThrownArrivesAfterAllElseIsDone) {

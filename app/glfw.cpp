@@ -47,6 +47,7 @@ std::optional<Glfw> loaded() {
   find(glfw.swap_buffers, "glfwSwapBuffers");
   find(glfw.swap_interval, "glfwSwapInterval");
   find(glfw.terminate, "glfwTerminate");
+  find(glfw.poll_events, "glfwPollEvents");
   find(glfw.wait_events, "glfwWaitEvents");
   find(glfw.wait_events_timeout, "glfwWaitEventsTimeout");
   find(glfw.window_hint, "glfwWindowHint");

@@ -40,6 +40,7 @@ struct Glfw {
   decltype(&glfwSwapBuffers) swap_buffers = nullptr;
   decltype(&glfwSwapInterval) swap_interval = nullptr;
   decltype(&glfwTerminate) terminate = nullptr;
+  decltype(&glfwPollEvents) poll_events = nullptr;
   decltype(&glfwWaitEvents) wait_events = nullptr;
   decltype(&glfwWaitEventsTimeout) wait_events_timeout = nullptr;
   decltype(&glfwWindowHint) window_hint = nullptr;

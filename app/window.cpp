@@ -110,6 +110,7 @@ class Editor {
     session_.take_picture = [this](const std::filesystem::path& path) {
       return write_png(canvas_->read_pixels(), path);
     };
+    session_.on_progress = [this](double share) { return show_progress(share); };
     if (const char* const path = std::getenv("RYOSEN_FRAME_LOG")) log_.open(path, std::ios::app);
     set_callbacks();
     resize();
@@ -134,6 +135,7 @@ class Editor {
 
  private:
   using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds patience{300};
   static constexpr int settling_frames = 3;  // a panel may need that many to find its size
 
   static Editor& of(GLFWwindow* window) { return *static_cast<Editor*>(glfw().get_window_user_pointer(window)); }
@@ -144,32 +146,37 @@ class Editor {
     glfw().set_framebuffer_size_callback(w, [](GLFWwindow* x, int, int) { of(x).resize(); });
     glfw().set_window_content_scale_callback(w, [](GLFWwindow* x, float, float) { of(x).resize(); });
     glfw().set_window_focus_callback(w, [](GLFWwindow* x, int focused) {
-      if (!focused) of(x).mouse_.let_go();
+      if (!focused && !of(x).is_working_) of(x).mouse_.let_go();
     });
     glfw().set_window_refresh_callback(w, [](GLFWwindow* x) { of(x).must_present_ = true; });
     glfw().set_window_close_callback(w, [](GLFWwindow* x) {
       glfw().set_window_should_close(x, GLFW_FALSE);
-      of(x).session_.quit();
+      of(x).is_working_ ? of(x).cancel_work() : of(x).session_.quit();
     });
     glfw().set_cursor_pos_callback(w, [](GLFWwindow* x, double px, double py) {
-      of(x).mouse_.move(of(x).window_.to_pixels(px, py), of(x).window_.size());
+      const glm::dvec2 pixel = of(x).window_.to_pixels(px, py);
+      of(x).is_working_ ? of(x).gui_.pointer(pixel) : of(x).mouse_.move(pixel, of(x).window_.size());
     });
     glfw().set_cursor_enter_callback(w, [](GLFWwindow* x, int entered) {
-      if (!entered) of(x).mouse_.leave();
+      if (!entered && !of(x).is_working_) of(x).mouse_.leave();
     });
     glfw().set_mouse_button_callback(
         w, [](GLFWwindow* x, int button, int action, int mods) { of(x).button(button, action == GLFW_PRESS, mods); });
     glfw().set_scroll_callback(w, [](GLFWwindow* x, double, double steps) {
-      of(x).mouse_.wheel(steps, of(x).window_.pointer(), of(x).window_.size());
+      if (!of(x).is_working_) of(x).mouse_.wheel(steps, of(x).window_.pointer(), of(x).window_.size());
     });
     glfw().set_key_callback(w, [](GLFWwindow* x, int key, int, int action, int mods) { of(x).key(key, action, mods); });
-    glfw().set_char_callback(w, [](GLFWwindow* x, unsigned code) { of(x).gui_.character(code); });
+    glfw().set_char_callback(w, [](GLFWwindow* x, unsigned code) {
+      if (!of(x).is_working_) of(x).gui_.character(code);
+    });
     glfw().set_drop_callback(w, [](GLFWwindow* x, int count, const char** paths) {
-      if (count > 0) of(x).gui_.leave(of(x).session_, {false, paths[0]});
+      if (count > 0 && !of(x).is_working_) of(x).gui_.leave(of(x).session_, {false, paths[0]});
     });
   }
 
+  // What the user does reaches the session again when the work is done; until then the mesh is in between.
   void resize() {
+    if (is_working_) return;
     const Size size = window_.size();
     canvas_->resize(size);
     gui_.set_scale(window_.scale());
@@ -179,6 +186,7 @@ class Editor {
 
   void button(int number, bool is_down, int modifiers) {
     if (number > GLFW_MOUSE_BUTTON_MIDDLE) return;
+    if (is_working_) return gui_.button(number, is_down);
     const auto which = static_cast<MouseButton>(number);  // GLFW's order
     if (is_down)
       mouse_.press(which, window_.pointer(), {(modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0},
@@ -188,6 +196,10 @@ class Editor {
   }
 
   void key(int key, int action, int modifiers) {
+    if (is_working_) {
+      if (key == GLFW_KEY_ESCAPE && action == GLFW_PRESS) cancel_work();
+      return;
+    }
     gui_.modifiers((modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0);
     if (const int edits = imgui_key_of_glfw(key); edits >= 0) gui_.key(edits, action != GLFW_RELEASE);
     if (action == GLFW_RELEASE) return;
@@ -199,11 +211,41 @@ class Editor {
     mouse_.point(window_.pointer(), window_.size());
   }
 
+  void cancel_work() { is_cancelled_ = true; }
+
+  // Called while a command works. After a moment shows how far it is, over the picture as it was before, and takes nothing
+  // from the user but that it is to stop.
+  bool show_progress(double share) {
+    if (gui_.is_laying_out()) return true;
+    const Clock::time_point now = Clock::now();
+    if (!is_working_) {
+      is_working_ = true;
+      is_cancelled_ = false;
+      work_began_ = now;
+    }
+    if (now - work_began_ < patience) return true;
+    glfw().poll_events();
+    if (gui_.progress_frame(session_.language, canvas_->size(), 0.05, share)) cancel_work();
+    canvas_->draw_over(gui_.draw_data());
+    canvas_->present(0);
+    glfw().swap_buffers(window_.handle());
+    if (log_.is_open()) log_ << "progress " << share << std::endl;
+    return !is_cancelled_;
+  }
+
+  // After work that was shown: the window may have another size, and the buttons may have been let go.
+  void end_work() {
+    is_working_ = false;
+    mouse_.let_go();
+    resize();
+  }
+
   // Lays out, draws what has changed, and shows it if anything has.
   void show() {
     const Clock::time_point start = Clock::now();
     if (gui_.prepare(session_)) canvas_->set_fonts(gui_.fonts());
     gui_.frame(session_, canvas_->size(), std::chrono::duration<double>(start - last_frame_).count());
+    if (is_working_) end_work();
     last_frame_ = start;
     viewport_->follow(session_);
     const PixelRect area = gui_.view_area(canvas_->size());
@@ -245,6 +287,8 @@ class Editor {
   std::string title_;
   std::ofstream log_;
   std::uint64_t frames_ = 0;
+  bool is_working_ = false, is_cancelled_ = false;
+  Clock::time_point work_began_;
   Clock::time_point last_frame_ = Clock::now();
   bool must_present_ = true;
 };

@@ -44,6 +44,13 @@ std::int64_t Canvas::compose(View& view, int x, int y, const ImDrawData& ui) {
   return pixels;
 }
 
+void Canvas::draw_over(const ImDrawData& ui) {
+  const PixelRect all = PixelRect::all(target_.size());
+  target_.bind(all);
+  ui_.draw(ui, target_, all);
+  damage_.forget();
+}
+
 void Canvas::draw(const PixelRect& rect, const View& view, const ImDrawData& ui) {
   target_.bind(rect);
   glClearColor(0, 0, 0, 1);

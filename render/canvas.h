@@ -22,6 +22,9 @@ class Canvas {
   // how many pixels were drawn anew; 0 when nothing changed. What neither covers is black.
   std::int64_t compose(View& view, int x, int y, const ImDrawData& ui);
 
+  // Draws over the picture as it is; the next compose() draws all of it anew.
+  void draw_over(const ImDrawData& ui);
+
   // Copies the picture to another framebuffer of the same size, the window's being number 0.
   void present(GLuint framebuffer) const;
   Image read_pixels() const;

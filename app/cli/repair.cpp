@@ -7,6 +7,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/did_you_mean.h"
 #include "app/cli/edit_script.h"
+#include "app/cli/interrupt.h"
 #include "app/cli/json.h"
 #include "app/editor/document.h"
 #include "core/io/safe_write.h"
@@ -72,8 +73,11 @@ class RepairRun {
       : document_(document), files_(std::move(files)), console_(console) {}
 
   ExitCode run(const std::vector<RepairCall>& calls) {
+    const Interrupt interrupt;
     for (const RepairCall& call : calls) {
-      done_.push_back({call, document_.repair(call)});
+      std::optional<RepairResult> result = document_.repair(call, report_on(console_, name_of(call)));
+      if (!result || Interrupt::was_asked()) return cancel();
+      done_.push_back({call, std::move(*result)});
       if (!console_.json)
         console_.print(name_of(call) + console_.text(": ", "：").data() + console_.text(done_.back().result.text) +
                        "\n");
@@ -90,6 +94,13 @@ class RepairRun {
   }
 
  private:
+  ExitCode cancel() const {
+    Failure failure{ExitCode::cancelled, {}};
+    failure.message.code = "cancelled";
+    failure.message.text = {"Cancelled; nothing is written.", "中止しました。何も書き出していません。"};
+    return console_.fail(failure, files_.input);
+  }
+
   void write() {
     const Status status = document_.save(*files_.output);
     written_ = is_in_place(status);

@@ -84,6 +84,18 @@ Outcome run_save(Session& session, Arguments, std::string_view whole) {
   return outcome;
 }
 
+namespace {
+
+Outcome cancelled() {
+  Outcome outcome;
+  outcome.kind = Outcome::Kind::failed;
+  outcome.exit_code = ExitCode::cancelled;
+  outcome.sentence = {"Cancelled; nothing has changed.", "中止しました。何も変わっていません。"};
+  return outcome;
+}
+
+}  // namespace
+
 Outcome run_repair(Session& session, Arguments arguments, std::string_view) {
   if (arguments.empty() || arguments.size() > 2) return wrong_arguments("repair");
   const ParsedRepair parsed =
@@ -95,11 +107,12 @@ Outcome run_repair(Session& session, Arguments arguments, std::string_view) {
     return usage_error(parsed.sentence.en + (close.empty() ? "" : "; did you mean " + close + "?"),
                        parsed.sentence.ja + (close.empty() ? "" : "。" + close + " ですか？"));
   }
-  const RepairResult result = session.document().repair(parsed.call);
+  const std::optional<RepairResult> result = session.document().repair(parsed.call, session.on_progress);
+  if (!result) return cancelled();
   std::string line = "repair";
   for (std::string_view word : arguments) line.append(" ").append(word);
   Outcome outcome = performed(std::move(line));
-  outcome.sentence = result.text;
+  outcome.sentence = result->text;
   return outcome;
 }
 

@@ -128,7 +128,7 @@ Outcome Document::apply(const AnyOp& op, bool strict) {
   return outcome;
 }
 
-RepairResult Document::repair(const RepairCall& call) {
+std::optional<RepairResult> Document::repair(const RepairCall& call, Progress::Report report) {
   const std::string command =
       "repair " + std::string(call.row->id) + (call.number ? " " + format_double(*call.number) : "");
   RepairResult result;
@@ -140,8 +140,10 @@ RepairResult Document::repair(const RepairCall& call) {
     return result;
   }
   {
+    Progress progress(std::move(report));
     Edit edit(mesh_, &journal_);
-    result = call.row->run(edit, call.number);
+    result = call.row->run(edit, call.number, progress);
+    if (progress.is_cancelled()) return std::nullopt;
     if (result.changed == 0) return result;
     edit.commit();
   }

@@ -60,8 +60,9 @@ class Document {
 
   // Applies an operator as one entry of the history. Refused: nothing changes. strict: warnings refuse too.
   Outcome apply(const AnyOp& op, bool strict = false);
-  // Does a repair as one entry of the history, or none where it changes nothing.
-  RepairResult repair(const RepairCall& call);
+  // Does a repair as one entry of the history, or none where it changes nothing. None where `progress` cancels it:
+  // nothing has changed then.
+  std::optional<RepairResult> repair(const RepairCall& call, Progress::Report progress = {});
   // The verdict, and the ghost of the result. The document is unchanged.
   Preview preview(const AnyOp& op) { return ryosen::preview(mesh_, journal_, op); }
   // Script lines that would make a refused operator legal; empty where none were found.

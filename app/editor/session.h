@@ -58,6 +58,8 @@ class Session {
   bool strict = false;  // warnings refuse too
   // Makes a picture of the session; set by whoever can draw. Commands that need it fail without.
   std::function<Status(const std::filesystem::path&)> take_picture;
+  // Told how far long work is, and may cancel it; set by whoever can show it.
+  Progress::Report on_progress;
   // Ends the session; set by the window.
   std::function<void()> quit;
   // Keeps what is done, for after a crash; set by the window, null elsewhere.

@@ -108,7 +108,7 @@ bool Gui::prepare(const Session& session) {
   return true;
 }
 
-void Gui::frame(Session& session, Size window, double seconds) {
+void Gui::begin_frame(Size window, double seconds) {
   ImGui::SetCurrentContext(imgui_);
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(window.width), static_cast<float>(window.height)};
@@ -118,6 +118,18 @@ void Gui::frame(Session& session, Size window, double seconds) {
     io.MouseDown[i] = is_down_[i] || was_pressed;
   }
   ImGui::NewFrame();
+}
+
+void Gui::end_frame() {
+  ImGui::Render();
+  for (const int key : released_keys_) ImGui::GetIO().KeysDown[key] = false;
+  unseen_keys_.clear();
+  released_keys_.clear();
+}
+
+void Gui::frame(Session& session, Size window, double seconds) {
+  begin_frame(window, seconds);
+  state_.is_laying_out = true;
   PanelContext panel_context = context(session);
   draw_menu(panel_context);
   const PixelRect area = view_area(window);
@@ -132,10 +144,16 @@ void Gui::frame(Session& session, Size window, double seconds) {
   draw_command_window(panel_context);
   draw_unsaved_window(panel_context);
   draw_recover_window(panel_context);
-  ImGui::Render();
-  for (const int key : released_keys_) io.KeysDown[key] = false;
-  unseen_keys_.clear();
-  released_keys_.clear();
+  state_.is_laying_out = false;
+  end_frame();
+  for (const std::string& line : std::exchange(state_.waiting, {})) run(session, line);
+}
+
+bool Gui::progress_frame(Language language, Size window, double seconds, double share) {
+  begin_frame(window, seconds);
+  const bool wants_cancel = draw_progress_window(language, scale_, share);
+  end_frame();
+  return wants_cancel;
 }
 
 const ImDrawData& Gui::draw_data() const {

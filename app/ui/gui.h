@@ -32,9 +32,12 @@ class Gui {
 
   // Takes over theme and language. True when the glyphs have changed: their texture must be made anew before the frame.
   bool prepare(const Session& session);
-  // Lays out one frame; prepare() comes first. The very first frame shows nothing and a panel may need two more to find
+  // Lays out one frame and does the long work that it asks for; prepare() comes first. The very first frame shows nothing and a panel may need two more to find
   // its size, so a picture takes three.
   void frame(Session& session, Size window, double seconds);
+  // Lays out nothing but how far long work is, for the time that it goes on; the mesh is not looked at. True when the
+  // user asks to cancel it. Call it between frames.
+  bool progress_frame(Language language, Size window, double seconds, double share);
   const ImDrawData& draw_data() const;
   ImFontAtlas& fonts() const;
 
@@ -55,10 +58,14 @@ class Gui {
   void leave(Session& session, PendingLeave where);
   // What the status line says of the last command.
   const Text& said() const { return state_.last_outcome; }
+  // Between the begin and the end of a frame, when no other can be laid out.
+  bool is_laying_out() const { return state_.is_laying_out; }
   bool wants_quit() const { return state_.wants_quit; }
 
  private:
   PanelContext context(Session& session);
+  void begin_frame(Size window, double seconds);
+  void end_frame();
 
   ImGuiContext* imgui_;
   float scale_;

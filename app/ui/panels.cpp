@@ -72,7 +72,13 @@ Outcome PanelContext::keep(Outcome outcome) {
   return outcome;
 }
 
-Outcome PanelContext::run(const std::string& line) { return keep(session.run(line)); }
+Outcome PanelContext::run(const std::string& line) {
+  if (state.is_laying_out && (line.starts_with("repair ") || line.starts_with("recover "))) {
+    state.waiting.push_back(line);
+    return {};
+  }
+  return keep(session.run(line));
+}
 
 Outcome PanelContext::click(glm::dvec2 pixel) { return keep(session.click(pixel, session.tool)); }
 

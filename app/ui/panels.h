@@ -51,6 +51,8 @@ struct GuiState {
   Text last_outcome;  // of the last command that was sent from here
   Outcome::Kind last_kind = Outcome::Kind::done;
   bool wants_quit = false;  // confirmed
+  bool is_laying_out = false;
+  std::vector<std::string> waiting;  // lines of long work, which begins when the frame is laid out
   PendingLeave pending;
   FileBrowser browser;
   std::string command;                // what stands in the field of the command window
@@ -90,7 +92,7 @@ struct PanelContext {
   }
   const UiColours& colours() const { return ui_colours(theme); }
 
-  // Sends a command line and keeps its outcome for the status line.
+  // Sends a command line and keeps its outcome for the status line. Long work waits until the frame is laid out.
   Outcome run(const std::string& line);
   // A click of the current tool, or a selection, at a pixel of the window.
   Outcome click(glm::dvec2 pixel);
@@ -121,5 +123,7 @@ void draw_file_window(PanelContext& context);
 void draw_command_window(PanelContext& context);
 void draw_unsaved_window(PanelContext& context);
 void draw_recover_window(PanelContext& context);
+// Over everything while long work goes on; true when it is to be cancelled. The session is not looked at.
+bool draw_progress_window(Language language, float scale, double share);
 
 }  // namespace ryosen

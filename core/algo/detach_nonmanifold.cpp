@@ -100,13 +100,13 @@ std::size_t detach_points(Edit& edit, std::vector<Vertex> points) {
   return made;
 }
 
-RepairResult detach_nonmanifold(Edit& edit, std::optional<double>) {
+RepairResult detach_nonmanifold(Edit& edit, std::optional<double>, Progress& progress) {
   const Mesh& m = edit.mesh();
   std::vector<Vertex> points = nonmanifold_points(m);
   RepairResult result;
   result.changed = points.size();
   std::size_t made = 0;
-  while (!points.empty()) {  // taking some apart may show others
+  while (!points.empty() && progress.go_on()) {  // taking some apart may show others
     made += detach_points(edit, std::move(points));
     points = nonmanifold_points(m);
   }

@@ -20,7 +20,8 @@ constexpr std::size_t most_new_vertices = 100000;
 
 class PatchRefiner {
  public:
-  PatchRefiner(Edit& edit, Patch& patch) : edit_(edit), patch_(patch), faces_(patch.faces.begin(), patch.faces.end()) {
+  PatchRefiner(Edit& edit, Patch& patch, Progress& progress)
+      : edit_(edit), patch_(patch), progress_(progress), faces_(patch.faces.begin(), patch.faces.end()) {
     for (Vertex v : patch.boundary) spacing_[v] = mean_edge_outside(v);
     for (Vertex v : patch.inner) spacing_[v] = mean_spacing_around(v);
   }
@@ -60,7 +61,7 @@ class PatchRefiner {
   std::size_t divide() {
     std::size_t divided = 0;
     const std::size_t count = patch_.faces.size();
-    for (std::size_t i = 0; i < count && patch_.inner.size() < most_new_vertices; ++i)
+    for (std::size_t i = 0; i < count && patch_.inner.size() < most_new_vertices && progress_.go_on(); ++i)
       divided += divide(patch_.faces[i]);
     return divided;
   }
@@ -116,6 +117,7 @@ class PatchRefiner {
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
       std::size_t swapped = 0;
       for (Face f : patch_.faces) {
+        if (!progress_.go_on()) return;
         std::array<Halfedge, 3> sides;
         std::size_t n = 0;
         for (Halfedge h : halfedges_around(mesh(), f)) sides[n++] = h;
@@ -128,6 +130,7 @@ class PatchRefiner {
 
   Edit& edit_;
   Patch& patch_;
+  Progress& progress_;
   std::unordered_set<Face> faces_;
   std::unordered_map<Vertex, double> spacing_;
 };
@@ -255,14 +258,14 @@ class PlateEquations {
 };
 
 // Conjugate gradients on the normal equations.
-Places least_bent(const PlateEquations& plate, Places x) {
+Places least_bent(const PlateEquations& plate, Places x, Progress& progress) {
   Places residual = plate.transposed(plate.values(x, true));
   for (glm::dvec3& r : residual) r = -r;
   Places direction = residual;
   double size = inner_product(residual, residual);
   const double enough = size * 1e-20;
   const std::size_t most_steps = std::min<std::size_t>(4 * x.size() + 100, 1000);
-  for (std::size_t step = 0; step < most_steps && size > enough && size > 0; ++step) {
+  for (std::size_t step = 0; step < most_steps && size > enough && size > 0 && progress.go_on(); ++step) {
     const Places image = plate.values(direction, false);
     const double bend = inner_product(image, image);
     if (!(bend > 0)) break;
@@ -277,9 +280,9 @@ Places least_bent(const PlateEquations& plate, Places x) {
 
 }  // namespace
 
-void refine(Edit& edit, Patch& patch) { PatchRefiner(edit, patch).run(); }
+void refine(Edit& edit, Patch& patch, Progress& progress) { PatchRefiner(edit, patch, progress).run(); }
 
-void fair(Edit& edit, const Patch& patch) {
+void fair(Edit& edit, const Patch& patch, Progress& progress) {
   if (patch.inner.empty()) return;
   // The angles are those of the patch as it is, so a better one gives better angles.
   constexpr std::size_t large = 5000;
@@ -287,7 +290,7 @@ void fair(Edit& edit, const Patch& patch) {
   for (int round = 0; round < rounds; ++round) {
     Places x;
     for (Vertex v : patch.inner) x.push_back(edit.mesh().position(v));
-    x = least_bent(PlateEquations(edit.mesh(), patch), std::move(x));
+    x = least_bent(PlateEquations(edit.mesh(), patch), std::move(x), progress);
     for (std::size_t i = 0; i < x.size(); ++i)
       if (is_finite(x[i])) edit.set_position(patch.inner[i], x[i]);
   }

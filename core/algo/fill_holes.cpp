@@ -181,11 +181,13 @@ std::optional<Patch> fill_hole(Edit& edit, Halfedge start) {
 
 }  // namespace
 
-RepairResult fill_holes(Edit& edit, std::optional<double> most_edges) {
+RepairResult fill_holes(Edit& edit, std::optional<double> most_edges, Progress& progress) {
   const Mesh& m = edit.mesh();
   const Holes holes = find_holes(m, most_edges);
   std::size_t filled = 0, left = holes.left, faces = 0, vertices = 0;
+  std::size_t done = 0;
   for (Halfedge start : holes.to_fill) {
+    if (!progress.go_on(done++, holes.to_fill.size())) return {};
     // An earlier patch may stand in the way now.
     if (!m.is_alive(start) || !m.is_outside(start) || !can_be_filled(m, start)) {
       ++left;
@@ -196,8 +198,8 @@ RepairResult fill_holes(Edit& edit, std::optional<double> most_edges) {
       ++left;
       continue;
     }
-    refine(edit, *patch);
-    fair(edit, *patch);
+    refine(edit, *patch, progress);
+    fair(edit, *patch, progress);
     ++filled;
     faces += patch->faces.size();
     vertices += patch->inner.size();

@@ -139,7 +139,7 @@ void delete_faces(Edit& edit, std::vector<Face> faces) {
 
 }  // namespace
 
-RepairResult remove_duplicate_faces(Edit& edit, std::optional<double>) {
+RepairResult remove_duplicate_faces(Edit& edit, std::optional<double>, Progress&) {
   const Mesh& m = edit.mesh();
   Neighbourhood around(m, Neighbourhood::Reach::whole);
   const std::vector<FaceOnPoints> faces = faces_with_equals(m, find_duplicate_faces(around));
@@ -164,7 +164,7 @@ RepairResult remove_duplicate_faces(Edit& edit, std::optional<double>) {
   return result;
 }
 
-RepairResult remove_degenerate_faces(Edit& edit, std::optional<double>) {
+RepairResult remove_degenerate_faces(Edit& edit, std::optional<double>, Progress& progress) {
   const Mesh& m = edit.mesh();
   std::vector<Face> flat;
   Neighbourhood around(m);
@@ -174,16 +174,18 @@ RepairResult remove_degenerate_faces(Edit& edit, std::optional<double>) {
   std::size_t collapsed = 0, given = 0;
   RepairResult result;
   result.changed = flat.size();
-  for (bool progress = true; progress;) {
-    progress = false;
+  const std::size_t all = flat.size();
+  for (bool removed = true; removed;) {
+    removed = false;
     for (Face f : flat) {
+      if (!progress.go_on(collapsed + given, all)) return {};
       if (!m.is_alive(f) || !is_degenerate(m, f)) continue;
       if (collapse_short_edge(edit, f)) {
         ++collapsed;
-        progress = true;
+        removed = true;
       } else if (give_corner_away(edit, f)) {
         ++given;
-        progress = true;
+        removed = true;
       }
     }
     std::erase_if(flat, [&](Face f) { return !m.is_alive(f) || !is_degenerate(m, f); });
@@ -201,7 +203,7 @@ RepairResult remove_degenerate_faces(Edit& edit, std::optional<double>) {
   return result;
 }
 
-RepairResult remove_isolated_vertices(Edit& edit, std::optional<double>) {
+RepairResult remove_isolated_vertices(Edit& edit, std::optional<double>, Progress&) {
   const Mesh& m = edit.mesh();
   Sheets sheets(edit);
   RepairResult result;

@@ -12,6 +12,7 @@
 
 #include "core/analysis/problem_kinds.h"
 #include "core/base/message.h"
+#include "core/base/progress.h"
 #include "core/mesh/edit.h"
 
 namespace ryosen {
@@ -33,9 +34,9 @@ struct RepairRow {
   bool keeps_geometry;  // all places and faces stay what they are: done unless others are named
   RepairNumber number;  // not negative, finite
   std::vector<ProblemKind> solves;
-  // Does it within an edit, which is one entry of the history. Null: the repair is about the faces that reading set
-  // aside, which belong to the document.
-  RepairResult (*run)(Edit& edit, std::optional<double> number);
+  // Does it within an edit, which is one entry of the history; one that was cancelled is not to be committed. Null: the
+  // repair is about the faces that reading set aside, which belong to the document.
+  RepairResult (*run)(Edit& edit, std::optional<double> number, Progress& progress);
 };
 
 // In the order in which they are done, each after those that make its work easier.

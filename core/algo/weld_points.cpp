@@ -194,12 +194,12 @@ std::vector<glm::dvec3> places_of_duplicates(const Mesh& m, const std::vector<st
 
 // Drops the groups that would end a non-manifold edge or bring two faces onto the same points, found out by trying. Each
 // round drops one at least.
-std::size_t drop_unsound(const Mesh& m, std::vector<Group>& groups) {
+std::size_t drop_unsound(const Mesh& m, std::vector<Group>& groups, Progress& progress) {
   Neighbourhood around(m, Neighbourhood::Reach::whole);
   const std::vector<std::uint32_t> before = find_duplicate_faces(around);
   std::size_t dropped = 0;
   constexpr int most_rounds = 12;
-  for (int round = 0; !groups.empty(); ++round) {
+  for (int round = 0; !groups.empty() && progress.go_on(static_cast<std::size_t>(round), most_rounds); ++round) {
     Mesh trial = m;
     Edit edit(trial, nullptr);
     weld_groups(edit, groups);
@@ -234,9 +234,11 @@ RepairResult result_of(std::size_t welded, std::size_t left) {
 }
 
 // Collapses edges between points of one group, such that the lower number stays.
-void collapse_within(Edit& edit, const std::vector<Group>& groups) {
+void collapse_within(Edit& edit, const std::vector<Group>& groups, Progress& progress) {
   const Mesh& m = edit.mesh();
-  for (const Group& group : groups)
+  std::size_t done = 0;
+  for (const Group& group : groups) {
+    if (!progress.go_on(done++, groups.size())) return;
     for (std::size_t i = group.size(); i-- > 1;) {
       if (!m.is_alive(group[i])) continue;
       std::vector<Halfedge> ways;
@@ -254,24 +256,27 @@ void collapse_within(Edit& edit, const std::vector<Group>& groups) {
         break;
       }
     }
+  }
 }
 
 }  // namespace
 
-RepairResult weld_equal_points(Edit& edit, std::optional<double>) {
+RepairResult weld_equal_points(Edit& edit, std::optional<double>, Progress& progress) {
   const Mesh& m = edit.mesh();
   std::vector<Group> groups = groups_within(m, 0);
   std::size_t left = drop_groups_within_faces(m, groups) + drop_nonmanifold(m, groups);
-  left += drop_unsound(m, groups);
+  left += drop_unsound(m, groups, progress);
+  if (progress.is_cancelled()) return {};
   const std::uint32_t before = counts_on_points(m).vertices;
   left += weld_soundly(edit, groups);
   return result_of(before - counts_on_points(m).vertices, left);
 }
 
-RepairResult weld_close_points(Edit& edit, std::optional<double> distance) {
+RepairResult weld_close_points(Edit& edit, std::optional<double> distance, Progress& progress) {
   const Mesh& m = edit.mesh();
   const std::uint32_t before = counts_on_points(m).vertices;
-  collapse_within(edit, groups_within(m, *distance));
+  collapse_within(edit, groups_within(m, *distance), progress);
+  if (progress.is_cancelled()) return {};
   std::vector<Group> groups = groups_within(m, *distance);
   const std::size_t left = drop_groups_within_faces(m, groups);
   weld_groups(edit, groups);

@@ -1,6 +1,10 @@
 // `repair`, and the script command of the same name.
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
+#include <cstdlib>
+
+#include "app/editor/session.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen::test {
@@ -114,6 +118,41 @@ TEST(Repair, HelpListsEveryRepairWithWhatItSolves) {
   const ProgramRun help = run_program({"help", "repair"});
   for (const char* part : {"weld_close=DISTANCE", "fill_holes", "detach_nonmanifold", "solves degenerate_area"})
     EXPECT_NE(help.out.find(part), std::string::npos) << part << "\n" << help.out;
+}
+
+TEST(Repair, AnInterruptCancelsItAndNothingIsWritten) {
+  const TemporaryFolder folder;
+  const std::string call = "timeout --preserve-status -s INT 0.7 " RYOSEN_PROGRAM " repair " +
+                           folder.write("band.obj", band_around_holes()) + " -o " + folder.at("o.obj") +
+                           " --kinds fill_holes --lang en > " + folder.at("out") + " 2> " + folder.at("err");
+  const int status = std::system(call.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 8);
+  EXPECT_NE(read_file(folder.at("err")).find("Cancelled; nothing is written."), std::string::npos);
+  EXPECT_FALSE(folder.has("o.obj"));
+}
+
+TEST(Repair, CancelledInASessionLeavesMeshAndHistoryAsTheyWere) {
+  const TemporaryFolder folder;
+  auto document = Document::open(folder.write("band.obj", band_around_holes()));
+  ASSERT_TRUE(document.ok());
+  Session session(std::move(document).value());
+  const std::uint64_t before = session.mesh().hash();
+  std::vector<double> shares;
+  session.on_progress = [&](double share) {
+    shares.push_back(share);
+    return shares.size() < 3;
+  };
+  const Outcome outcome = session.run("repair fill_holes");
+  EXPECT_EQ(outcome.kind, Outcome::Kind::failed);
+  EXPECT_EQ(outcome.exit_code, ExitCode::cancelled);
+  EXPECT_FALSE(outcome.sentence.ja.empty());
+  EXPECT_EQ(shares.size(), 3u);
+  EXPECT_EQ(session.mesh().hash(), before);
+  EXPECT_FALSE(session.document().is_modified());
+  EXPECT_TRUE(session.log().empty());
+  session.on_progress = {};
+  EXPECT_TRUE(session.run("repair remove_isolated").done()) << "goes on as if nothing had been";
 }
 
 }  // namespace

@@ -68,15 +68,33 @@ struct Proved {
   Figures before, after;
 };
 
+// Cancelled at its first step or a later one it leaves no trace.
+void expect_cancelling_leaves_no_trace(Mesh& mesh, const RepairCall& call) {
+  const MeshColumns before = mesh.columns();
+  for (const int last_step : {0, 1, 3, 8}) {
+    int step = 0;
+    Progress progress([&](double share) { return share >= 0 && share <= 1 && step++ < last_step; }, {});
+    Journal journal;
+    {
+      Edit edit(mesh, &journal);
+      call.row->run(edit, call.number, progress);
+    }
+    EXPECT_EQ(mesh.columns(), before) << "cancelled at step " << last_step;
+    EXPECT_FALSE(journal.can_undo());
+  }
+}
+
 // Runs a repair as an entry of the history and proves what holds for every one.
 Proved repair_and_prove(Mesh& mesh, const RepairCall& call) {
   Proved proved{{}, compute_figures(mesh), {}};
   const MeshColumns before = mesh.columns();
   const bool is_as_read = differs_from_reading(mesh).empty();
+  expect_cancelling_leaves_no_trace(mesh, call);
+  Progress unheard;
   Journal journal;
   {
     Edit edit(mesh, &journal);
-    proved.result = call.row->run(edit, call.number);
+    proved.result = call.row->run(edit, call.number, unheard);
     if (proved.result.changed > 0) edit.commit();
   }
   EXPECT_FALSE(proved.result.text.en.empty() || proved.result.text.ja.empty());
@@ -100,7 +118,7 @@ Proved repair_and_prove(Mesh& mesh, const RepairCall& call) {
   Mesh again = mesh;
   Edit edit(again, nullptr);
   if (call.row->number != RepairNumber::must_be_given) {
-    EXPECT_EQ(call.row->run(edit, call.number).changed, 0u) << "twice does more than once";
+    EXPECT_EQ(call.row->run(edit, call.number, unheard).changed, 0u) << "twice does more than once";
   }
   return proved;
 }

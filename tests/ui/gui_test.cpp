@@ -267,5 +267,26 @@ TEST(Gui, ADroppedFileIsOpenedWhateverItsName) {
   EXPECT_EQ(laid.session.mesh().live().vertices, 8u);
 }
 
+TEST(ProgressWindow, IsCancelledByItsButtonAlone) {
+  Session session(std::make_unique<Document>());
+  Gui gui(1);
+  const auto step = [&] {
+    gui.prepare(session);
+    return gui.progress_frame(Language::english, test::window, 0.05, 0.4);
+  };
+  for (int i = 0; i < 3; ++i) EXPECT_FALSE(step());
+  const glm::dvec2 middle(test::window.width / 2.0, test::window.height / 2.0);
+  const auto click = [&](glm::dvec2 pixel) {
+    gui.pointer(pixel);
+    bool asked = step();
+    gui.button(0, true);
+    asked = step() || asked;
+    gui.button(0, false);
+    return step() || asked;
+  };
+  EXPECT_FALSE(click(middle + glm::dvec2(0, -20))) << "on the bar";
+  EXPECT_TRUE(click(middle + glm::dvec2(-120, 25)));
+}
+
 }  // namespace
 }  // namespace ryosen

@@ -145,6 +145,29 @@ TEST_F(WindowTest, AfterACrashTheNextStartBringsTheEditsBack) {
   EXPECT_TRUE(state_.names().empty()) << "nothing is left to recover";
 }
 
+TEST_F(WindowTest, ShowsLongWorkAndLetsItBeCancelled) {
+  open(folder_.write("band.obj", test::band_around_holes()));
+  const long vertices = last().vertices, before = last().number;
+  xdotool("mousemove 640 400 key F3");
+  ASSERT_TRUE(wait_for([&] { return last().number > before; })) << "the command window did not open";
+  std::this_thread::sleep_for(300ms);  // until its field has the keys
+  xdotool("type --delay 20 'repair fill_holes'");
+  xdotool("key Return");
+  const auto is_shown = [&] { return test::read_file(folder_.at("frames")).find("progress ") != std::string::npos; };
+  ASSERT_TRUE(wait_for(is_shown)) << "no progress is shown";
+  xdotool("key Escape");
+  const auto is_over = [&] {
+    const std::string log = test::read_file(folder_.at("frames"));
+    return log.rfind("frame ") > log.rfind("progress ");
+  };
+  ASSERT_TRUE(wait_for(is_over)) << "the work goes on";
+  EXPECT_EQ(last().history, 0);
+  EXPECT_EQ(last().vertices, vertices);
+  xdotool("key ctrl+q");
+  ASSERT_TRUE(wait_for([&] { return editor_->is_over(); })) << "it asks to save what is not there";
+  EXPECT_EQ(editor_->exit_code(), 0);
+}
+
 TEST_F(WindowTest, EndsWhenAskedTo) {
   open(test::asset("torus.off"));
   xdotool("mousemove 640 400 key ctrl+q");

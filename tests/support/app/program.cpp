@@ -5,6 +5,7 @@
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <cmath>
 
 #include <algorithm>
 #include <cstdlib>
@@ -121,6 +122,23 @@ std::vector<std::string> TemporaryFolder::names() const {
     if (entry.is_regular_file()) names.push_back(std::filesystem::relative(entry.path(), path_).string());
   std::sort(names.begin(), names.end());
   return names;
+}
+
+std::string band_around_holes() {
+  constexpr int sides = 2000;
+  std::string text;
+  for (int z = 0; z < 2; ++z)
+    for (int i = 0; i < sides; ++i) {
+      const double angle = 2 * M_PI * i / sides;
+      text += "v " + std::to_string(100 * std::cos(angle)) + " " + std::to_string(100 * std::sin(angle)) + " " +
+              std::to_string(z) + "\n";
+    }
+  for (int i = 1; i <= sides; ++i) {
+    const int next = i % sides + 1;
+    text += "f " + std::to_string(i) + " " + std::to_string(next) + " " + std::to_string(next + sides) + " " +
+            std::to_string(i + sides) + "\n";
+  }
+  return text;
 }
 
 std::string read_file(const std::filesystem::path& path) {

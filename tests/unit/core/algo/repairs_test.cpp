@@ -17,7 +17,8 @@ namespace {
 
 RepairResult run_repair(Mesh& mesh, std::string_view id, std::optional<double> number = {}) {
   Edit edit(mesh, nullptr);
-  const RepairResult result = find_repair(id)->run(edit, number);
+  Progress unheard;
+  const RepairResult result = find_repair(id)->run(edit, number, unheard);
   edit.commit();
   return result;
 }

@@ -1,0 +1,25 @@
+#include <imgui.h>
+
+#include <cmath>
+
+#include "app/ui/panels.h"
+
+namespace ryosen {
+
+bool draw_progress_window(Language language, float scale, double share) {
+  const auto in = [&](const char* en, const char* ja) { return language == Language::japanese ? ja : en; };
+  const ImVec2 all = ImGui::GetIO().DisplaySize, size{360 * scale, 110 * scale};
+  ImGui::SetNextWindowPos({std::floor((all.x - size.x) / 2), std::floor((all.y - size.y) / 2)});
+  ImGui::SetNextWindowSize(size);
+  ImGui::SetNextWindowFocus();
+  ImGui::Begin((std::string(in("At work", "処理中")) + "###progress").c_str(), nullptr,
+               ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                   ImGuiWindowFlags_NoSavedSettings);
+  ImGui::ProgressBar(static_cast<float>(share), {-1, 0});
+  ImGui::Dummy({0, 6 * scale});
+  const bool wants_cancel = ImGui::Button(in("Cancel (Esc)", "中止 (Esc)"), {120 * scale, 0});
+  ImGui::End();
+  return wants_cancel;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,41 @@
+#include "core/base/progress.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace ryosen {
+namespace {
+
+TEST(Progress, OneThatNobodyListensToNeverStops) {
+  Progress progress;
+  for (std::size_t i = 0; i < 10; ++i) EXPECT_TRUE(progress.go_on(i, 10));
+  EXPECT_FALSE(progress.is_cancelled());
+}
+
+TEST(Progress, TellsTheShareAndStaysStopped) {
+  std::vector<double> told;
+  Progress progress(
+      [&](double share) {
+        told.push_back(share);
+        return share < 0.5;
+      },
+      {});
+  EXPECT_TRUE(progress.go_on(0, 4));
+  EXPECT_TRUE(progress.go_on(1, 4));
+  EXPECT_TRUE(progress.go_on()) << "within a step the share stays";
+  EXPECT_FALSE(progress.go_on(2, 4));
+  EXPECT_FALSE(progress.go_on(0, 4)) << "stopped once, stopped for good";
+  EXPECT_TRUE(progress.is_cancelled());
+  EXPECT_EQ(told, (std::vector<double>{0, 0.25, 0.25, 0.5}));
+}
+
+TEST(Progress, IsToldAtFirstAndThenSeldom) {
+  int told = 0;
+  Progress progress([&](double) { return ++told > 0; }, std::chrono::hours(1));
+  for (std::size_t i = 0; i < 1000; ++i) EXPECT_TRUE(progress.go_on(i, 1000));
+  EXPECT_EQ(told, 1);
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -17,16 +17,27 @@ namespace {
 using Point = RegularPairing::Point;
 using Sides = RegularPairing::Sides;
 
-// Calls visit(corner, point, next point) for every side of the faces begin .. end-1.
+// Calls visit(corner, point, next point) for every side of the faces begin .. end-1. Of triangles, what lies in `fetched`
+// for points that will soon come is fetched; null for nothing.
 template <class Visit>
-void for_each_side(const IndexedMesh& source, bool triangles, std::uint32_t begin, std::uint32_t end, Visit visit) {
+void for_each_side(const IndexedMesh& source, bool triangles, std::uint32_t begin, std::uint32_t end, Visit visit,
+                   const Point* fetched) {
   const std::uint32_t* corners = source.corners.data();
   if (triangles) {
-    for (std::uint32_t c = 3 * begin; c < 3 * end; c += 3) {
+    const auto visit_face = [&](std::uint32_t c) {
       const std::uint32_t p = corners[c], q = corners[c + 1], r = corners[c + 2];
       visit(c, p, q);
       visit(c + 1, q, r);
       visit(c + 2, r, p);
+    };
+    if (!fetched)
+      for (std::uint32_t c = 3 * begin; c < 3 * end; c += 3) visit_face(c);
+    constexpr std::size_t ahead = 48;
+    const std::size_t last = source.corners.size() - 1;
+    for (std::uint32_t c = 3 * begin; fetched && c < 3 * end; c += 3) {
+      for (std::size_t k = c + ahead; k < c + ahead + 3; ++k)
+        __builtin_prefetch(fetched + corners[std::min(k, last)], 1);
+      visit_face(c);
     }
     return;
   }
@@ -36,6 +47,20 @@ void for_each_side(const IndexedMesh& source, bool triangles, std::uint32_t begi
   }
 }
 
+// Whether faces that follow each other mostly lie far apart in the list of points, so that each waits for memory.
+bool is_scattered(const IndexedMesh& source, bool triangles) {
+  constexpr std::size_t samples = 256;
+  constexpr std::uint32_t far = 1u << 16;
+  if (!triangles || source.corners.size() < 6 * samples) return false;
+  std::size_t scattered = 0;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const std::size_t c = 3 * (i * (source.face_count() - 1) / samples);
+    const std::uint32_t here = source.corners[c], next = source.corners[c + 3];
+    scattered += std::max(here, next) - std::min(here, next) > far;
+  }
+  return 2 * scattered > samples;
+}
+
 class Pairer {
  public:
   Pairer(const IndexedMesh& source, unsigned threads)
@@ -43,6 +68,7 @@ class Pairer {
         threads_(threads),
         faces_(static_cast<std::uint32_t>(source.face_count())),
         triangles_(is_all_triangles(source)),
+        scattered_(is_scattered(source, triangles_)),
         cursors_(threads),
         down_only_(threads) {}
 
@@ -63,7 +89,9 @@ class Pairer {
   template <class Work>
   void with_sides(Work work) {
     for_each_part(faces_, threads_, [&](unsigned t, std::uint32_t begin, std::uint32_t end) {
-      work(t, [&](auto visit) { for_each_side(source_, triangles_, begin, end, visit); });
+      work(t, [&](auto visit, const Point* fetched) {
+        for_each_side(source_, triangles_, begin, end, visit, scattered_ ? fetched : nullptr);
+      });
     });
   }
 
@@ -73,10 +101,12 @@ class Pairer {
     with_sides([&](unsigned t, auto for_each) {
       Point* points = cursors_[t].data();
       std::fill_n(points, cursors_[t].size(), Point());
-      for_each([&](std::uint32_t corner, std::uint32_t a, std::uint32_t b) {
-        points[a].edge_end += a < b;
-        points[a].last_corner = corner;
-      });
+      for_each(
+          [&](std::uint32_t corner, std::uint32_t a, std::uint32_t b) {
+            points[a].edge_end += a < b;
+            points[a].last_corner = corner;
+          },
+          points);
     });
   }
 
@@ -107,13 +137,15 @@ class Pairer {
       Sides* sides = out_.sides.data();
       Halfedge* halfedges = out_.halfedge.data();
       const std::uint32_t nowhere = out_.up_edges + t;
-      for_each([&](std::uint32_t corner, std::uint32_t a, std::uint32_t b) {
-        const bool up = a < b;
-        const std::uint32_t place = points[a].edge_end;
-        points[a].edge_end = place + up;
-        sides[up ? place : nowhere] = {b, corner, no_index};
-        halfedges[corner] = halfedge(Edge(place));
-      });
+      for_each(
+          [&](std::uint32_t corner, std::uint32_t a, std::uint32_t b) {
+            const bool up = a < b;
+            const std::uint32_t place = points[a].edge_end;
+            points[a].edge_end = place + up;
+            sides[up ? place : nowhere] = {b, corner, no_index};
+            halfedges[corner] = halfedge(Edge(place));
+          },
+          points);
     });
     std::fill_n(out_.sides.begin() + out_.up_edges, look_ahead, Sides{no_index, no_index, no_index});
     for (std::uint32_t p : crowded_) sort_edges_of(p);
@@ -161,13 +193,15 @@ class Pairer {
     with_sides([&](unsigned t, auto for_each) {
       std::array<Seeker, 256> batch;
       std::size_t count = 0;
-      for_each([&](std::uint32_t corner, std::uint32_t a, std::uint32_t b) {
-        batch[count] = {b, a, corner, 0, 0};
-        count += a > b;
-        if (count < batch.size()) return;
-        match_batch(batch, down_only_[t]);
-        count = 0;
-      });
+      for_each(
+          [&](std::uint32_t corner, std::uint32_t a, std::uint32_t b) {
+            batch[count] = {b, a, corner, 0, 0};
+            count += a > b;
+            if (count < batch.size()) return;
+            match_batch(batch, down_only_[t]);
+            count = 0;
+          },
+          nullptr);
       match_batch(std::span(batch).first(count), down_only_[t]);
     });
   }
@@ -250,7 +284,7 @@ class Pairer {
   const IndexedMesh& source_;
   const unsigned threads_;
   const std::uint32_t faces_;
-  const bool triangles_;
+  const bool triangles_, scattered_;
   std::vector<UnwrittenVector<Point>> cursors_;
   std::vector<std::uint32_t> crowded_;  // points with many edges
   std::vector<std::vector<std::uint32_t>> down_only_;

@@ -8,6 +8,7 @@
 #include "core/io/byte_colours.h"
 #include "core/io/ply_columns.h"
 #include "core/io/reporter.h"
+#include "core/io/stl.h"
 #include "core/io/txt.h"
 #include "core/io/vertex_values.h"
 
@@ -162,8 +163,7 @@ std::uint64_t comments(const MeshFile& file, Holds held) {
   if (holds(held, Holds::comments)) return 0;
   const std::vector<std::string>& lines = file.head_comments;
   if (!holds(held, Holds::first_comment) || lines.empty()) return lines.size();
-  constexpr std::size_t room = 80;
-  return lines[0].size() > room ? lines.size() : lines.size() - 1;
+  return may_head_stl(lines[0]) ? lines.size() - 1 : lines.size();
 }
 
 std::uint64_t inexact_vertices(const MeshFile& file, Holds held) {

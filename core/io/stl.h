@@ -31,6 +31,9 @@ bool is_whole_binary_stl(std::string_view head, std::uint64_t size);
 // in its count, its coordinates or the padding of its head.
 bool may_be_ascii_stl(std::string_view head);
 
+// Whether a binary file may begin with this comment: it has room for it, and is not taken for something else then.
+bool may_head_stl(std::string_view comment);
+
 // What the head of a binary file says that has nothing else to say; read, it is no comment.
 inline constexpr std::string_view stl_plain_head = "binary STL";
 inline constexpr std::size_t stl_head_bytes = 80, stl_facet_bytes = 50;

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 
+#include "core/io/formats.h"
 #include "core/io/losses.h"
 #include "core/io/stl.h"
 #include "core/io/text_lines.h"
@@ -128,7 +129,8 @@ std::string write_binary(const MeshFile& file) {
   std::uint32_t count = 0;
   for_each_facet(mesh, false, [&](std::size_t, std::span<const std::uint32_t>) { ++count; });
   TextOut out(stl_head_bytes + 4 + std::size_t{stl_facet_bytes} * count);
-  std::string head(file.head_comments.empty() ? stl_plain_head : std::string_view(file.head_comments[0]));
+  std::string head(stl_plain_head);
+  if (!file.head_comments.empty() && may_head_stl(file.head_comments[0])) head = file.head_comments[0];
   head.resize(stl_head_bytes, '\0');
   out << head;
   put_little(out, count);
@@ -145,6 +147,14 @@ std::string write_binary(const MeshFile& file) {
 }
 
 }  // namespace
+
+bool may_head_stl(std::string_view comment) {
+  if (comment.size() > stl_head_bytes) return false;
+  std::string empty(comment);
+  empty.resize(stl_head_bytes + 4, '\0');
+  const Result<const Format*> format = recognise(empty, {});
+  return format.ok() && format.value()->read == read_stl;
+}
 
 std::string write_stl(const MeshFile& file, Encoding encoding) {
   const bool is_text = encoding == Encoding::ascii;

@@ -18,13 +18,13 @@ mkdir -p "$found/found"
 # One allocation beyond what a file of this size may cost is a failure too: 64 MiB, and 64 times the longest input.
 if "$build/bin/$name" "$found/found" "$folder/corpus/${name%_fuzz}" -max_total_time="$seconds" -max_len=4096 \
   -timeout=10 -malloc_limit_mb=65 -artifact_prefix="$found/" -print_final_stats=1 >"$found/log" 2>&1; then
-  grep -E "^stat::(number_of_executed_units|average_exec_per_sec)" "$found/log" | sed "s/^/$name /"
+  grep -a -E "^stat::(number_of_executed_units|average_exec_per_sec)" "$found/log" | sed "s/^/$name /"
   exit
 fi
 tail -n 40 "$found/log" >&2
 for input in "$found"/crash-* "$found"/leak-* "$found"/timeout-* "$found"/oom-*; do
   [ -f "$input" ] || continue
   echo "the steps of $input:" >&2
-  RYOSEN_FUZZ_TELL=1 "$build/bin/$name" "$input" 2>&1 | grep -v -E "^(INFO|Running|[^ ]*: Running)" | head -n 60 >&2
+  RYOSEN_FUZZ_TELL=1 "$build/bin/$name" "$input" 2>&1 | grep -a -v -E "^(INFO|Running|[^ ]*: Running)" | head -n 60 >&2
 done
 exit 1

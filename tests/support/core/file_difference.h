@@ -86,11 +86,30 @@ inline CornerValues by_corner(const CornerValues& values) {
   return out;
 }
 
+// Takes the smoothing group "off" for none, which OBJ has no other word for once there was one.
+inline void without_off(MeshFile& file) {
+  FaceNames& smoothing = file.mesh.smoothing;
+  const auto off = std::find(smoothing.names.begin(), smoothing.names.end(), "off");
+  if (off == smoothing.names.end()) return;
+  const auto number = static_cast<std::uint32_t>(off - smoothing.names.begin());
+  const auto leave_out = [number](std::uint32_t& index) {
+    if (index == number)
+      index = no_index;
+    else if (index != no_index && index > number)
+      --index;
+  };
+  for (std::uint32_t& index : smoothing.index) leave_out(index);
+  for (LineElement& item : file.elements.items) leave_out(item.smoothing);
+  smoothing.names.erase(off);
+  if (smoothing.names.empty()) smoothing.index.clear();
+}
+
 // The file as far as other formats hold it that lose nothing of the mesh.
 inline MeshFile without_form(MeshFile file) {
   file.head_comments.clear();
   file.byte_colours = false;
   file.properties = {};
+  without_off(file);
   for (CornerValues* values : {&file.mesh.texcoords, &file.mesh.normals}) {
     *values = by_corner(*values);
     if (values->pool.empty()) values->components = 3;

@@ -132,5 +132,20 @@ TEST(RoundTrip, AListThatWouldSeemToCountFromZeroLeavesOutWhatMakesItSo) {
   EXPECT_EQ(io_test::difference_after_round_trip(with_last, "txt"), "");
 }
 
+TEST(RoundTrip, ACommentThatLooksLikeAnotherFileDoesNotHeadBinaryStl) {
+  MeshFile file = io_test::read_sound("obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  for (const char* comment : {"\xff\xfe by hand", "OFF 3 1 0", "PK\x03\x04", "solid or not"}) {
+    file.head_comments = {comment};
+    SCOPED_TRACE(comment);
+    const std::string bytes = bytes_of(file, *find_format("stl"), Encoding::binary_little);
+    const auto format = recognise(bytes, {});
+    ASSERT_TRUE(format.ok());
+    EXPECT_EQ((*format)->id, "stl");
+    const MeshFile again = io_test::read_sound("stl", bytes);
+    EXPECT_EQ(again.mesh.face_count(), 1u);
+    EXPECT_EQ(io_test::loss_codes(file, "stl-binary").empty(), again.head_comments == file.head_comments);
+  }
+}
+
 }  // namespace
 }  // namespace ryosen

@@ -2,22 +2,40 @@
 # Runs fuzz targets from their corpora, as many at once as there are cores. Where one fails, prints the steps that lead
 # there and keeps the input.
 #   tests/fuzz/run.sh BUILD SECONDS [TARGET]     TARGET is one of *_fuzz, else all of them
+#   tests/fuzz/run.sh BUILD renew                makes the corpora anew from themselves and what the last runs found
 set -eu
 folder=$(cd "$(dirname "$0")" && pwd)
 build=$1
 seconds=$2
+targets=$(for target in "$folder"/*_fuzz.cpp; do basename "$target" .cpp; done)
+
+unpack() {  # TARGET: its corpus lies in $build/TARGET/corpus then, what runs find in found beside it
+  mkdir -p "$build/$1/found" "$build/$1/corpus"
+  tar -C "$build/$1/corpus" -xzf "$folder/corpus/${1%_fuzz}.tar.gz"
+}
+
+if [ "$seconds" = renew ]; then
+  for name in $targets; do
+    unpack "$name"
+    rm -rf "$build/$name/merged"
+    mkdir "$build/$name/merged"
+    "$build/bin/$name" -merge=1 -use_counters=0 -max_len=600 "$build/$name/merged" "$build/$name/corpus" "$build/$name/found"
+    tar --sort=name --mtime=@0 --owner=0 --group=0 --numeric-owner -C "$build/$name/merged" -cf - . |
+      gzip -9n >"$folder/corpus/${name%_fuzz}.tar.gz"
+  done
+  exit
+fi
 if [ -z "${3:-}" ]; then
-  for target in "$folder"/*_fuzz.cpp; do basename "$target" .cpp; done |
-    xargs -P "$(nproc)" -I NAME sh "$0" "$build" "$seconds" NAME
+  echo "$targets" | xargs -P "$(nproc)" -I NAME sh "$0" "$build" "$seconds" NAME
   exit
 fi
 
 name=$3
 found=$build/$name
-mkdir -p "$found/found"
+unpack "$name"
 # One allocation beyond what a file of this size may cost is a failure too: 64 MiB, and 64 times the longest input.
-if "$build/bin/$name" "$found/found" "$folder/corpus/${name%_fuzz}" -max_total_time="$seconds" -max_len=4096 \
-  -timeout=10 -malloc_limit_mb=65 -artifact_prefix="$found/" -print_final_stats=1 >"$found/log" 2>&1; then
+if "$build/bin/$name" "$found/found" "$found/corpus" -max_total_time="$seconds" -max_len=4096 -timeout=10 \
+  -malloc_limit_mb=65 -artifact_prefix="$found/" -print_final_stats=1 >"$found/log" 2>&1; then
   grep -a -E "^stat::(number_of_executed_units|average_exec_per_sec)" "$found/log" | sed "s/^/$name /"
   exit
 fi

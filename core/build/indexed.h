@@ -30,6 +30,13 @@ struct QuarantinedFace {
   bool has_corners_within(std::size_t vertices) const;
 };
 
+// A vertex number past the old end, as far past the new one, or the largest there is.
+constexpr std::int64_t past_new_end(std::int64_t number, std::int64_t old_end, std::int64_t new_end) {
+  const std::int64_t past = number - old_end;
+  return past > std::numeric_limits<std::int64_t>::max() - new_end ? std::numeric_limits<std::int64_t>::max()
+                                                                   : past + new_end;
+}
+
 // Values given per corner through a pool, as OBJ does for texture coordinates and normals.
 struct CornerValues {
   std::vector<glm::dvec3> pool;

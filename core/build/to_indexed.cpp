@@ -187,7 +187,7 @@ void write_quarantine(const Mesh& mesh, const FileTables& tables, CompactMesh& o
   std::optional<NearestPoint> nearest;
   const auto new_number = [&](std::int64_t corner) -> std::int64_t {
     if (corner < 0) return corner;
-    if (corner >= end) return corner - end + new_end;
+    if (corner >= end) return past_new_end(corner, end, new_end);
     if (new_end == 0) return corner;
     if (!is_lost(corner)) return out.vertex_number[static_cast<std::size_t>(corner)];
     if (!nearest) nearest.emplace(mesh);

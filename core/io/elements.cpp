@@ -7,7 +7,7 @@ namespace ryosen {
 ElementList renumbered(const ElementList& elements, std::span<const std::uint32_t> vertex_number,
                        std::span<const std::uint32_t> face_number, std::size_t old_vertices, std::size_t new_vertices) {
   const auto old_end = static_cast<std::int64_t>(std::min(old_vertices, vertex_number.size()));
-  const std::int64_t shift = static_cast<std::int64_t>(new_vertices) - static_cast<std::int64_t>(old_vertices);
+  const auto file_end = static_cast<std::int64_t>(old_vertices), new_end = static_cast<std::int64_t>(new_vertices);
   ElementList out;
   std::size_t face = 0;
   std::uint32_t faces_before = 0;  // faces below `face` that are still there
@@ -20,8 +20,8 @@ ElementList renumbered(const ElementList& elements, std::span<const std::uint32_
     item.first = static_cast<std::uint32_t>(out.vertices.size());
     for (std::uint32_t i = first; i < first + count; ++i) {
       std::int64_t vertex = elements.vertices[i];
-      if (vertex >= static_cast<std::int64_t>(old_vertices)) {
-        vertex += shift;
+      if (vertex >= file_end) {
+        vertex = past_new_end(vertex, file_end, new_end);
       } else if (vertex >= 0) {
         if (vertex >= old_end || vertex_number[static_cast<std::size_t>(vertex)] == no_index) continue;
         vertex = vertex_number[static_cast<std::size_t>(vertex)];

@@ -104,7 +104,7 @@ class VertexNumbers {
   static constexpr std::int64_t gone = -1;
   std::int64_t of(std::int64_t old) const {
     if (old < 0) return old;
-    if (old >= old_end_) return old - old_end_ + new_end_;
+    if (old >= old_end_) return past_new_end(old, old_end_, new_end_);
     const std::uint32_t number = number_[static_cast<std::size_t>(old)];
     return number == no_index ? gone : number;
   }

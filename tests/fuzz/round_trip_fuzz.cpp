@@ -83,7 +83,8 @@ void send_through(const MeshFile& file, const WriteOptions& target) {
   const std::string first = bytes_in(file, target);
   if (is_telling()) tell(first);
   const std::optional<MeshFile> read = read_any(*target.format, first);
-  if (!read && file.mesh.positions.empty()) return;
+  // Without a point a face that was set aside has nothing but numbers past the end, whatever its cause was.
+  if (file.mesh.positions.empty()) return;
   expect(read.has_value(), "what was written is not read");
   if (losses_of(file, *target.format, target.encoding).empty()) expect_nothing_lost(file, *read, target);
   const std::string second = bytes_in(*read, target);

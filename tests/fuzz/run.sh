@@ -19,7 +19,8 @@ if [ "$seconds" = renew ]; then
     unpack "$name"
     rm -rf "$build/$name/merged"
     mkdir "$build/$name/merged"
-    "$build/bin/$name" -merge=1 -use_counters=0 -max_len=600 "$build/$name/merged" "$build/$name/corpus" "$build/$name/found"
+    "$build/bin/$name" -merge=1 -use_counters=0 -max_len=600 -artifact_prefix="$build/$name/" \
+      "$build/$name/merged" "$build/$name/corpus" "$build/$name/found"
     tar --sort=name --mtime=@0 --owner=0 --group=0 --numeric-owner -C "$build/$name/merged" -cf - . |
       gzip -9n >"$folder/corpus/${name%_fuzz}.tar.gz"
   done
@@ -33,8 +34,11 @@ fi
 name=$3
 found=$build/$name
 unpack "$name"
+# A short run takes the same way each time, so that what fails it is what has changed; a long one looks for more.
+seed=1
+[ "$seconds" -le 60 ] || seed=0
 # One allocation beyond what a file of this size may cost is a failure too: 64 MiB, and 64 times the longest input.
-if "$build/bin/$name" "$found/found" "$found/corpus" -max_total_time="$seconds" -max_len=4096 -timeout=10 \
+if "$build/bin/$name" "$found/found" "$found/corpus" -max_total_time="$seconds" -seed="$seed" -max_len=4096 -timeout=10 \
   -malloc_limit_mb=65 -artifact_prefix="$found/" -print_final_stats=1 >"$found/log" 2>&1; then
   grep -a -E "^stat::(number_of_executed_units|average_exec_per_sec)" "$found/log" | sed "s/^/$name /"
   exit

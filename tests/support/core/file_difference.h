@@ -120,6 +120,12 @@ inline MeshFile without_form(MeshFile file) {
     if (is_none(colour)) colour = glm::dvec4(no_colour);
   if (std::all_of(colours.begin(), colours.end(), is_none)) colours.clear();
   if (colours.empty()) file.mesh.colour_components = 3;
+  // Columns in which no element has a value are as good as none.
+  auto& weights = file.mesh.vertex_weights;
+  if (std::all_of(weights.begin(), weights.end(), [](double weight) { return std::isnan(weight); })) weights.clear();
+  for (FaceNames* names : {&file.mesh.materials, &file.mesh.groups, &file.mesh.objects, &file.mesh.smoothing})
+    if (std::all_of(names->index.begin(), names->index.end(), [](std::uint32_t i) { return i == no_index; }))
+      names->index.clear();
   for (QuarantinedFace& face : file.mesh.quarantine) face.texcoords.clear(), face.normals.clear();
   return file;
 }

@@ -147,5 +147,19 @@ TEST(RoundTrip, ACommentThatLooksLikeAnotherFileDoesNotHeadBinaryStl) {
   }
 }
 
+TEST(RoundTrip, TheLargestNumberStaysTheLargestWhenVerticesAreAdded) {
+  const MeshFile file = io_test::read_sound(
+      "obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9223372036854775806\nl 1 9223372036854775806\n");
+  const FileTables tables = file_tables(file.mesh);
+  Mesh mesh = from_indexed(file.mesh);
+  Edit edit(mesh, nullptr);
+  for (int i = 0; i < 5; ++i) edit.add_vertex(glm::dvec3(i));
+  edit.commit();
+  const MeshFile after = edited_file(file, mesh, tables);
+  ASSERT_EQ(after.mesh.quarantine.size(), 1u);
+  EXPECT_EQ(after.mesh.quarantine[0].corners[2], INT64_MAX);
+  EXPECT_EQ(after.elements.vertices[1], INT64_MAX);
+}
+
 }  // namespace
 }  // namespace ryosen

@@ -196,10 +196,8 @@ class Editor {
   }
 
   void key(int key, int action, int modifiers) {
-    if (is_working_) {
-      if (key == GLFW_KEY_ESCAPE && action == GLFW_PRESS) cancel_work();
-      return;
-    }
+    if (is_working_ && key == GLFW_KEY_ESCAPE && action == GLFW_PRESS) cancel_work();
+    if (is_working_ && action != GLFW_RELEASE) return;
     gui_.modifiers((modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0);
     if (const int edits = imgui_key_of_glfw(key); edits >= 0) gui_.key(edits, action != GLFW_RELEASE);
     if (action == GLFW_RELEASE) return;

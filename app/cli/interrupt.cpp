@@ -17,7 +17,10 @@ void remember(int) {
 
 }  // namespace
 
-Interrupt::Interrupt() : before_(std::signal(SIGINT, remember)) {}
+Interrupt::Interrupt() : before_(std::signal(SIGINT, remember)) {
+  asked = 0;
+  if (before_ == SIG_IGN) std::signal(SIGINT, SIG_IGN);  // as whoever started the program wants it
+}
 Interrupt::~Interrupt() { std::signal(SIGINT, before_); }
 
 bool Interrupt::was_asked() { return asked != 0; }

@@ -73,15 +73,7 @@ class RepairRun {
       : document_(document), files_(std::move(files)), console_(console) {}
 
   ExitCode run(const std::vector<RepairCall>& calls) {
-    const Interrupt interrupt;
-    for (const RepairCall& call : calls) {
-      std::optional<RepairResult> result = document_.repair(call, report_on(console_, name_of(call)));
-      if (!result || Interrupt::was_asked()) return cancel();
-      done_.push_back({call, std::move(*result)});
-      if (!console_.json)
-        console_.print(name_of(call) + console_.text(": ", "：").data() + console_.text(done_.back().result.text) +
-                       "\n");
-    }
+    if (!repair(calls)) return cancel();
     // What is left is named as in the file that is written.
     after_ = check_mesh(document_.contents(), files_.output.value_or(files_.input));
     const bool has_problem = std::any_of(after_.problems.begin(), after_.problems.end(), [](const NamedProblem& p) {
@@ -94,6 +86,20 @@ class RepairRun {
   }
 
  private:
+  // False when it was interrupted.
+  bool repair(const std::vector<RepairCall>& calls) {
+    const Interrupt interrupt;
+    for (const RepairCall& call : calls) {
+      std::optional<RepairResult> result = document_.repair(call, report_on(console_, name_of(call)));
+      if (!result || Interrupt::was_asked()) return false;
+      done_.push_back({call, std::move(*result)});
+      if (!console_.json)
+        console_.print(name_of(call) + console_.text(": ", "：").data() + console_.text(done_.back().result.text) +
+                       "\n");
+    }
+    return true;
+  }
+
   ExitCode cancel() const {
     Failure failure{ExitCode::cancelled, {}};
     failure.message.code = "cancelled";

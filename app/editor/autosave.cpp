@@ -59,6 +59,7 @@ std::optional<Text> Autosave::keep_original(const fs::path& file) {
   const fs::path copy = script_->companion(start_.file.extension().string());
   std::error_code error;
   fs::copy_file(file, copy, fs::copy_options::overwrite_existing, error);
+  if (!error) fs::permissions(copy, fs::perms::owner_read | fs::perms::owner_write, error);
   if (error) {
     const Text reason = system_reason(error.value());
     return give_up({reason.en + ".", reason.ja + "。"});

@@ -101,6 +101,12 @@ Outcome replay(Session& session, const LostSession& lost) {
   const Text count = count_edits(lost.edits.size());
   outcome.sentence = {count.en + (lost.edits.size() == 1 ? " is" : " are") + " recovered and not saved yet.",
                       count.ja + "を復元しました。まだ保存していません。"};
+  if (lost.unsaved < lost.edits.size()) {
+    const std::string last = std::to_string(lost.unsaved);
+    outcome.sentence = {
+        count.en + " are recovered, of which the last " + last + (lost.unsaved == 1 ? " was" : " were") + " not saved.",
+        count.ja + "を復元しました。そのうち最後の " + last + " 件は保存されていませんでした。"};
+  }
   return outcome;
 }
 

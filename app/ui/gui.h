@@ -32,8 +32,8 @@ class Gui {
 
   // Takes over theme and language. True when the glyphs have changed: their texture must be made anew before the frame.
   bool prepare(const Session& session);
-  // Lays out one frame and does the long work that it asks for; prepare() comes first. The very first frame shows nothing and a panel may need two more to find
-  // its size, so a picture takes three.
+  // Lays out one frame and does the long work that it asks for; prepare() comes first. The very first frame shows
+  // nothing and a panel may need two more to find its size, so a picture takes three.
   void frame(Session& session, Size window, double seconds);
   // Lays out nothing but how far long work is, for the time that it goes on; the mesh is not looked at. True when the
   // user asks to cancel it. Call it between frames.

@@ -72,8 +72,20 @@ Outcome PanelContext::keep(Outcome outcome) {
   return outcome;
 }
 
+namespace {
+
+// Lines that may take long, if they are right: others fail at once, where they were written.
+bool is_long_work(const std::string& line) {
+  const std::vector<std::string_view> words = split_words(line);
+  if (words.size() < 2) return false;
+  if (words[0] == "recover") return words[1] != "discard" && words[1] != "list";
+  return words[0] == "repair" && find_repair(words[1]) != nullptr;
+}
+
+}  // namespace
+
 Outcome PanelContext::run(const std::string& line) {
-  if (state.is_laying_out && (line.starts_with("repair ") || line.starts_with("recover "))) {
+  if (state.is_laying_out && is_long_work(line)) {
     state.waiting.push_back(line);
     return {};
   }

@@ -194,7 +194,7 @@ TxtQuarantine::TxtQuarantine(const IndexedMesh& mesh) {
     zero_faces += std::count(face.corners.begin(), face.corners.end(), -1) > 0;
     for (const std::int64_t corner : face.corners)
       is_within_zero_based =
-          is_within_zero_based && corner >= -1 && corner + 1 < static_cast<std::int64_t>(mesh.positions.size());
+          is_within_zero_based && corner >= -1 && corner < static_cast<std::int64_t>(mesh.positions.size()) - 1;
   }
   if (zero_faces == 0 || (zero_faces == 1 && triangles > 1) || !is_within_zero_based) return;
   looks_zero_based_ = std::none_of(mesh.corners.begin(), mesh.corners.end(),

@@ -122,7 +122,7 @@ TEST(Repair, HelpListsEveryRepairWithWhatItSolves) {
 
 TEST(Repair, AnInterruptCancelsItAndNothingIsWritten) {
   const TemporaryFolder folder;
-  const std::string call = "timeout --preserve-status -s INT 0.7 " RYOSEN_PROGRAM " repair " +
+  const std::string call = "timeout --preserve-status -s INT 1.5 " RYOSEN_PROGRAM " repair " +
                            folder.write("band.obj", band_around_holes()) + " -o " + folder.at("o.obj") +
                            " --kinds fill_holes --lang en > " + folder.at("out") + " 2> " + folder.at("err");
   const int status = std::system(call.c_str());

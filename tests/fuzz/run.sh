@@ -10,6 +10,7 @@ seconds=$2
 targets=$(for target in "$folder"/*_fuzz.cpp; do basename "$target" .cpp; done)
 
 unpack() {  # TARGET: its corpus lies in $build/TARGET/corpus then, what runs find in found beside it
+  rm -rf "$build/$1/corpus"
   mkdir -p "$build/$1/found" "$build/$1/corpus"
   tar -C "$build/$1/corpus" -xzf "$folder/corpus/${1%_fuzz}.tar.gz"
 }
@@ -34,11 +35,16 @@ fi
 name=$3
 found=$build/$name
 unpack "$name"
-# A short run takes the same way each time, so that what fails it is what has changed; a long one looks for more.
-seed=1
-[ "$seconds" -le 60 ] || seed=0
+# A short run begins the same way each time, so that what fails it is most likely what has changed; a long one looks for
+# more, and goes on from what earlier ones found.
+seed=0
+if [ "$seconds" -le 60 ]; then
+  seed=1
+  rm -rf "$found/found"
+  mkdir "$found/found"
+fi
 # One allocation beyond what a file of this size may cost is a failure too: 64 MiB, and 64 times the longest input.
-if "$build/bin/$name" "$found/found" "$found/corpus" -max_total_time="$seconds" -seed="$seed" -max_len=4096 -timeout=10 \
+if "$build/bin/$name" "$found/found" "$found/corpus" -max_total_time="$seconds" -seed="$seed" -max_len=4096 -timeout=60 \
   -malloc_limit_mb=65 -artifact_prefix="$found/" -print_final_stats=1 >"$found/log" 2>&1; then
   grep -a -E "^stat::(number_of_executed_units|average_exec_per_sec)" "$found/log" | sed "s/^/$name /"
   exit

@@ -125,7 +125,7 @@ std::vector<std::string> TemporaryFolder::names() const {
 }
 
 std::string band_around_holes() {
-  constexpr int sides = 2000;
+  constexpr int sides = 3000;
   std::string text;
   for (int z = 0; z < 2; ++z)
     for (int i = 0; i < sides; ++i) {

@@ -90,7 +90,7 @@ TEST_F(RecoveryTest, WhatACrashLeavesIsDoneAgain) {
   EXPECT_EQ(again->session.lost[0].unsaved, 2u) << "those after all was undone";
   const Outcome outcome = again->session.run("recover 1");
   ASSERT_TRUE(outcome.done()) << outcome.sentence.en;
-  EXPECT_NE(outcome.sentence.en.find("recovered"), std::string::npos);
+  EXPECT_NE(outcome.sentence.en.find("recovered, of which the last "), std::string::npos) << outcome.sentence.en;
   EXPECT_EQ(outcome.sentence.en.find("But "), std::string::npos);
   EXPECT_EQ(again->session.mesh().hash(), hash);
   EXPECT_EQ(again->session.log(), log);

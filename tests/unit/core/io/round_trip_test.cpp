@@ -159,6 +159,8 @@ TEST(RoundTrip, TheLargestNumberStaysTheLargestWhenVerticesAreAdded) {
   ASSERT_EQ(after.mesh.quarantine.size(), 1u);
   EXPECT_EQ(after.mesh.quarantine[0].corners[2], INT64_MAX);
   EXPECT_EQ(after.elements.vertices[1], INT64_MAX);
+  EXPECT_EQ(io_test::loss_codes(after, "txt").find("loses_exact"), std::string::npos) << "the losses can be asked for";
+  EXPECT_EQ(through_file(after, *find_target("txt")).mesh.quarantine.size(), 1u);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <atomic>
 
 #include "core/build/parallel.h"
-#include "core/io/welder.h"
+#include "core/io/place_table.h"
 #include "core/mesh/column_memory.h"
 
 namespace ryosen {
@@ -47,18 +47,12 @@ class FacetWelder {
 
   // Sets the corners of a share to the first one at their place.
   void find_firsts(unsigned share) {
-    std::size_t size = 64;
-    while (size < facets_.corners() / threads_ / 4) size *= 2;
-    Table table(size, empty);
-    std::size_t stored = 0;
+    PlaceTable table(facets_.corners() / threads_);
     std::array<std::uint32_t, 64> batch;
     std::size_t count = 0;
     const auto do_batch = [&] {
-      for (std::size_t i = 0; i < count; ++i) __builtin_prefetch(&table[hashes_[batch[i]] & (table.size() - 1)]);
-      for (std::size_t i = 0; i < count; ++i) {
-        if (stored * 3 >= table.size() * 2) grow(table);
-        stored += take_place(table, batch[i]);
-      }
+      for (std::size_t i = 0; i < count; ++i) table.prefetch(hashes_[batch[i]]);
+      for (std::size_t i = 0; i < count; ++i) corners_[batch[i]] = first_at_place_of(batch[i], table);
       count = 0;
     };
     for (std::uint32_t c = 0; c < facets_.corners(); ++c) {
@@ -69,39 +63,10 @@ class FacetWelder {
     do_batch();
   }
 
-  // A slot holds the hash of a place in its upper half and the first corner there in its lower.
-  using Table = UnwrittenVector<std::uint64_t>;
-  static constexpr std::uint64_t empty = ~std::uint64_t{0};
-
-  // Whether it is a new one for the table.
-  bool take_place(Table& table, std::uint32_t c) {
+  std::uint32_t first_at_place_of(std::uint32_t c, PlaceTable& table) const {
     const glm::vec3 place = facets_.place(c);
-    corners_[c] = c;
-    if (place != place) return false;  // equal to none
-    const std::size_t mask = table.size() - 1;
-    for (std::size_t at = hashes_[c] & mask;; at = (at + 1) & mask) {
-      const std::uint64_t slot = table[at];
-      if (slot == empty) {
-        table[at] = std::uint64_t{hashes_[c]} << 32 | c;
-        return true;
-      }
-      const auto first = static_cast<std::uint32_t>(slot);
-      if (slot >> 32 != hashes_[c] || facets_.place(first) != place) continue;
-      corners_[c] = first;
-      return false;
-    }
-  }
-
-  static void grow(Table& table) {
-    Table old(2 * table.size(), empty);
-    old.swap(table);
-    const std::size_t mask = table.size() - 1;
-    for (const std::uint64_t slot : old) {
-      if (slot == empty) continue;
-      std::size_t at = (slot >> 32) & mask;
-      while (table[at] != empty) at = (at + 1) & mask;
-      table[at] = slot;
-    }
+    if (place != place) return c;  // equal to none
+    return table.first(hashes_[c], c, [&](std::uint32_t first) { return facets_.place(first) == place; });
   }
 
   // Numbers the first corners in their order; their hashes give room for that.

@@ -1,6 +1,7 @@
 #include "core/io/txt.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <optional>
 
@@ -14,13 +15,39 @@
 namespace ryosen {
 namespace {
 
+// Signs that a list counts its vertices from 0: several faces name the vertex before the first, and none the last.
+// Corners are counted from 0 here, so that vertex is -1.
+class ZeroBase {
+ public:
+  explicit ZeroBase(std::size_t vertices) : last_(static_cast<std::int64_t>(vertices) - 1) {}
+
+  // Whether the face names the vertex before the first.
+  template <class Corners>
+  bool add_face(const Corners& corners) {
+    bool has_zero = false;
+    for (const std::int64_t corner : corners) {
+      has_zero = has_zero || corner == -1;
+      is_within_ = is_within_ && corner >= -1 && corner < last_;
+    }
+    zero_faces_ += has_zero;
+    return has_zero;
+  }
+  // Of a list of so many faces. One such face among others is more likely damaged.
+  bool is_shown(std::size_t faces) const { return is_within_ && (zero_faces_ > 1 || (zero_faces_ == 1 && faces == 1)); }
+
+ private:
+  std::int64_t last_;
+  std::size_t zero_faces_ = 0;
+  bool is_within_ = true;  // no vertex is beyond those that a list from 0 could name
+};
+
 // Every step returns false after the first failure.
 class TxtReader {
  public:
   explicit TxtReader(std::string_view bytes) : bytes_(bytes), lines_(bytes, false), faces_(file_.mesh) {}
 
   Result<MeshFile> read() {
-    if (!read_counts() || !read_vertices() || !read_faces() || !check_base()) return std::move(*failure_);
+    if (!read_counts() || !read_vertices() || !read_faces()) return std::move(*failure_);
     warn_of_lines_left(lines_, reporter_, {"face", "面"}, [this] { return next_line(); });
     if (vertices_ == 0) warn("no_vertices", {"The file has no vertices.", "ファイルに頂点がありません。"});
     if (face_count_ == 0) warn("no_faces", {"The file has no faces.", "ファイルに面がありません。"});
@@ -129,6 +156,8 @@ class TxtReader {
   }
 
   bool read_faces() {
+    ZeroBase zero_base(vertices_);
+    std::uint64_t first_zero_line = 0;
     for (std::size_t f = 0; f < face_count_; ++f) {
       if (!next_line()) return ends_early(f, face_count_, true);
       if (faces_.is_full(3)) {
@@ -137,31 +166,23 @@ class TxtReader {
                      "面の頂点の総数が 32 ビットの番号に収まりません。"},
                     FilePlace::at_line(lines_.count()));
       }
-      bool has_zero = false;
-      for (int i = 0; i < 3; ++i) {
-        std::int64_t vertex = 0;
-        if (!take_number(rest_, vertex) && !read_whole(3, vertex)) return false;
-        has_zero = has_zero || vertex == 0;
-        is_within_zero_based_ = is_within_zero_based_ && vertex >= 0 && vertex < static_cast<std::int64_t>(vertices_);
-        faces_.add_corner(vertex == INT64_MIN ? vertex : vertex - 1);
+      std::array<std::int64_t, 3> corners{};
+      for (std::int64_t& corner : corners) {
+        if (!take_number(rest_, corner) && !read_whole(3, corner)) return false;
+        if (corner != INT64_MIN) --corner;
+        faces_.add_corner(corner);
       }
       if (!end_line(3)) return false;
-      if (has_zero && zero_faces_++ == 0) first_zero_line_ = lines_.count();
+      if (zero_base.add_face(corners) && first_zero_line == 0) first_zero_line = lines_.count();
       faces_.end_face(lines_.count());
     }
-    return true;
-  }
-
-  // Several faces that name vertex 0 and none that names the last one: the list counts from 0.
-  bool check_base() {
-    const bool is_zero_based = is_within_zero_based_ && (zero_faces_ > 1 || (zero_faces_ == 1 && face_count_ == 1));
-    if (!is_zero_based) return true;
+    if (!zero_base.is_shown(face_count_)) return true;
     return fail("zero_based",
                 {"The faces name vertex 0 and never the last one: they count from 0, and this format counts from 1. "
                  "Add 1 to every vertex.",
                  "面が頂点 0 を参照し、最後の頂点を参照していません。番号が 0 から始まっているようです。この形式では 1 "
                  "から数えるので、すべての番号に 1 を加えてください。"},
-                FilePlace::at_line(first_zero_line_));
+                FilePlace::at_line(first_zero_line));
   }
 
   std::string_view bytes_;
@@ -172,9 +193,6 @@ class TxtReader {
   std::optional<Failure> failure_;
   std::string_view rest_;
   std::size_t vertices_ = 0, face_count_ = 0;
-  std::size_t zero_faces_ = 0;
-  std::uint64_t first_zero_line_ = 0;
-  bool is_within_zero_based_ = true;  // no vertex is beyond those that a list from 0 could name
 };
 
 }  // namespace
@@ -186,19 +204,16 @@ Result<MeshFile> read_txt(std::string_view bytes, const std::filesystem::path&) 
 }
 
 TxtQuarantine::TxtQuarantine(const IndexedMesh& mesh) {
-  std::size_t zero_faces = 0, triangles = mesh.face_count() - mesh.quarantine.size();
-  bool is_within_zero_based = true;
+  ZeroBase zero_base(mesh.positions.size());
+  std::size_t triangles = mesh.face_count() - mesh.quarantine.size();
   for (const QuarantinedFace& face : mesh.quarantine) {
     if (face.corners.size() != 3) continue;
     ++triangles;
-    zero_faces += std::count(face.corners.begin(), face.corners.end(), -1) > 0;
-    for (const std::int64_t corner : face.corners)
-      is_within_zero_based =
-          is_within_zero_based && corner >= -1 && corner < static_cast<std::int64_t>(mesh.positions.size()) - 1;
+    zero_base.add_face(face.corners);
   }
-  if (zero_faces == 0 || (zero_faces == 1 && triangles > 1) || !is_within_zero_based) return;
-  looks_zero_based_ = std::none_of(mesh.corners.begin(), mesh.corners.end(),
-                                   [&](std::uint32_t corner) { return corner + 1 == mesh.positions.size(); });
+  if (!zero_base.is_shown(triangles)) return;
+  zero_base.add_face(mesh.corners);  // of all faces that are kept; none of these names the vertex before the first
+  looks_zero_based_ = zero_base.is_shown(triangles);
 }
 
 bool TxtQuarantine::holds(const QuarantinedFace& face) const {

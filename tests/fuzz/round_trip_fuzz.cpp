@@ -7,6 +7,7 @@
 #include "tests/fuzz/any_op.h"
 #include "tests/fuzz/failure.h"
 #include "tests/fuzz/reading.h"
+#include "tests/support/core/all_targets.h"
 #include "tests/support/core/file_difference.h"
 
 namespace ryosen::fuzz {
@@ -14,16 +15,6 @@ namespace {
 
 constexpr std::size_t choice_bytes = 12;  // the rest of an input is the file
 constexpr std::size_t most_edits = 3;
-
-std::vector<WriteOptions> all_targets() {
-  std::vector<WriteOptions> targets;
-  for (const Format& format : formats()) {
-    if (!format.write) continue;
-    if (format.variants.empty()) targets.push_back({&format, Encoding::automatic});
-    for (const FormatVariant& variant : format.variants) targets.push_back({&format, variant.encoding});
-  }
-  return targets;
-}
 
 void edit(MeshFile& file, Bytes& choices) {
   const FileTables tables = file_tables(file.mesh);
@@ -101,7 +92,7 @@ void round_trip(Bytes choices, std::string_view bytes) {
   std::optional<MeshFile> file = read_any(**format, bytes);
   if (!file) return;
   file->format = *format;
-  static const std::vector<WriteOptions> targets = all_targets();
+  static const std::vector<WriteOptions> targets = test::all_targets();
   const WriteOptions& target = targets[choices.below(targets.size())];
   edit(*file, choices);
   send_through(*file, target);

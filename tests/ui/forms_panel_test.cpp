@@ -2,8 +2,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-#include "app/ui/gui.h"
-#include "tests/support/app/program.h"
+#include "tests/support/app/laid.h"
 
 namespace ryosen {
 namespace {
@@ -11,34 +10,16 @@ namespace {
 constexpr Size tall_window{1280, 1400};  // high enough for the whole column
 constexpr glm::dvec2 measure_button{1134, 314};
 
-class FormsPanel : public testing::Test {
+class FormsPanel : public testing::Test, protected test::Laid {
  protected:
-  FormsPanel() {
-    auto document = Document::open(test::asset("torus.off"));
-    session.set_document(std::move(document).value());
-    gui.place_view(session, tall_window);
-    frames(3);
-  }
-  void frames(int n) {
-    for (int i = 0; i < n; ++i) {
-      gui.prepare(session);
-      gui.frame(session, tall_window, 0.02);
-    }
-  }
+  FormsPanel() : Laid("torus.off", tall_window) {}
+
   void press(glm::dvec2 pixel) {
-    gui.pointer(pixel);
-    frames(2);
-    gui.button(0, true);
-    frames(1);
-    gui.button(0, false);
-    frames(2);
+    click(pixel);
     gui.pointer({640, 1300});
     frames(2);
   }
   int drawn() const { return gui.draw_data().TotalVtxCount; }
-
-  Session session{std::make_unique<Document>()};
-  Gui gui{1};
 };
 
 TEST_F(FormsPanel, MeasuresOnlyWhenAsked) {

@@ -8,44 +8,13 @@
 
 #include "app/editor/keys.h"
 #include "app/editor/words.h"
-#include "tests/support/app/program.h"
-#include "tests/support/app/window_size.h"
+#include "tests/support/app/laid.h"
 
 namespace ryosen {
 namespace {
 
+using test::Laid;
 using test::window;
-
-// A session in panels, with frames laid out and nothing drawn.
-class Laid {
- public:
-  explicit Laid(const std::string& asset) : session(std::make_unique<Document>()) {
-    auto document = Document::open(test::asset(asset));
-    EXPECT_TRUE(document) << asset;
-    session.set_document(std::move(document).value());
-    gui.place_view(session, window);
-    session.frame_all();
-    frames(3);
-  }
-
-  void frames(int n) {
-    for (int i = 0; i < n; ++i) {
-      gui.prepare(session);
-      gui.frame(session, window, 0.02);
-    }
-  }
-  void click(glm::dvec2 pixel) {
-    gui.pointer(pixel);
-    frames(2);
-    gui.button(0, true);
-    frames(1);
-    gui.button(0, false);
-    frames(2);
-  }
-
-  Session session;
-  Gui gui{1};
-};
 
 TEST(Texts, AreThereInBothLanguages) {
   for (int i = 0; i < static_cast<int>(UiText::count); ++i) {

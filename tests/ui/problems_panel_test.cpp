@@ -2,46 +2,20 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-#include "app/ui/gui.h"
-#include "tests/support/app/program.h"
-#include "tests/support/app/window_size.h"
+#include "tests/support/app/laid.h"
 
 namespace ryosen {
 namespace {
 
-using test::window;
-
-class ProblemsPanel : public testing::Test {
+class ProblemsPanel : public testing::Test, protected test::Laid {
  protected:
-  void open(const std::string& asset) {
-    auto document = Document::open(test::asset(asset));
-    ASSERT_TRUE(document) << asset;
-    session.set_document(std::move(document).value());
-    gui.place_view(session, window);
-    frames(3);
-  }
-  void frames(int n) {
-    for (int i = 0; i < n; ++i) {
-      gui.prepare(session);
-      gui.frame(session, window, 0.02);
-    }
-  }
-  void click(glm::dvec2 pixel) {
-    gui.pointer(pixel);
-    frames(2);
-    gui.button(0, true);
-    frames(1);
-    gui.button(0, false);
-    frames(2);
-  }
+  ProblemsPanel() : Laid("cube.obj") {}
+
   // Unfolds a kind and clicks a row below it: its repairs come first, then its elements.
   void click_below(int kind, int row) {
     click({1080, 170 + 19 * kind});
     click({1030, 170 + 19 * (kind + 1 + row)});
   }
-
-  Session session{std::make_unique<Document>()};
-  Gui gui{1};
 };
 
 TEST_F(ProblemsPanel, APressOnARepairDoesItAndUndoTakesItBack) {

@@ -4,6 +4,7 @@
 #include "core/mesh/names.h"
 #include "core/ops/collapse_edge.h"
 #include "core/ops/split_edge.h"
+#include "tests/support/core/all_targets.h"
 #include "tests/unit/core/io/io_helpers.h"
 
 namespace ryosen {
@@ -14,15 +15,6 @@ constexpr std::string_view sheet_with_set_asides =
     "v 0 0 0\nv 1 0 0\nv 2 0.1 0\nv 0 1 0\nv 1 1 0.3\nv 2 1 0\nv 0 2 0\nv 1 2 0\nv 2 2 0\n"
     "f 1 2 5\nf 1 5 5\nf 1 5 4\nf 2 3 6\nf 2 6 99\nf 2 6 5\nf 4 5 8\nf 0 4 5\nf 4 8 7\nf 3 1\nf 5 6 9\nf 1 2 3 1\nf 5 "
     "9 8\n";
-
-std::vector<WriteOptions> all_targets() {
-  std::vector<WriteOptions> targets;
-  for (const Format& format : formats()) {
-    if (format.variants.empty()) targets.push_back({&format, Encoding::automatic});
-    for (const FormatVariant& variant : format.variants) targets.push_back({&format, variant.encoding});
-  }
-  return targets;
-}
 
 std::vector<std::string> causes(const MeshFile& file) {
   std::vector<std::string> out;
@@ -62,7 +54,7 @@ MeshFile edited(MeshFile file) {
 TEST(RoundTrip, EveryFormatGivesBackWhatItHolds) {
   const MeshFile source = io_test::read_sound("obj", sheet_with_set_asides);
   ASSERT_EQ(source.mesh.quarantine.size(), 5u);
-  for (const WriteOptions& target : all_targets()) {
+  for (const WriteOptions& target : test::all_targets()) {
     SCOPED_TRACE(std::string(target.format->id) + " " + std::to_string(static_cast<int>(target.encoding)));
     const MeshFile first = through_file(source, target);
     EXPECT_EQ(io_test::difference(first, through_file(first, target)), "");
@@ -82,7 +74,7 @@ TEST(RoundTrip, EveryFormatGivesBackWhatItHolds) {
 
 TEST(RoundTrip, FacesThatWereSetAsideAreSetAsideForTheSameCauseAfterEdits) {
   const MeshFile source = io_test::read_sound("obj", sheet_with_set_asides);
-  for (const WriteOptions& target : all_targets()) {
+  for (const WriteOptions& target : test::all_targets()) {
     SCOPED_TRACE(std::string(target.format->id) + " " + std::to_string(static_cast<int>(target.encoding)));
     const MeshFile before = through_file(source, target);
     const MeshFile after = edited(before);

@@ -1,0 +1,81 @@
+// Finds what lies at the same place, by hashes.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "core/mesh/column_memory.h"
+
+namespace ryosen {
+
+// A hash of a place, the same for 0 and -0. Each of its bits depends on all coordinates.
+template <class Real>
+std::uint32_t hash_of_place(const glm::vec<3, Real>& place) {
+  const auto bits = [](Real value) -> std::uint64_t {
+    value += Real(0);  // -0 becomes 0
+    if constexpr (sizeof(Real) == 4)
+      return std::bit_cast<std::uint32_t>(value);
+    else
+      return std::bit_cast<std::uint64_t>(value);
+  };
+  std::uint64_t h = bits(place.x) * 0x9e3779b97f4a7c15u;
+  h = (h ^ (h >> 32) ^ bits(place.y)) * 0xd6e8feb86659fd93u;
+  h = (h ^ (h >> 32) ^ bits(place.z)) * 0xa0761d6478bd642fu;
+  return static_cast<std::uint32_t>(h >> 32);
+}
+
+// Numbered things by the hash of their place, in a flat table: the first one at each place. O(1) each; 8 bytes a slot, at
+// most two thirds of them filled.
+class PlaceTable {
+ public:
+  // A mesh of so many corners has about a sixth as many places.
+  explicit PlaceTable(std::size_t expected_corners) {
+    std::size_t size = 64;
+    while (size < expected_corners / 4) size *= 2;
+    slots_.assign(size, empty);
+  }
+
+  // The one stored at a place; `number` itself, stored from now on, if there is none. is_here(n) says whether a stored
+  // one with the same hash lies there.
+  template <class IsHere>
+  std::uint32_t first(std::uint32_t hash, std::uint32_t number, IsHere is_here) {
+    if (stored_ * 3 >= slots_.size() * 2) grow();
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t at = hash & mask;; at = (at + 1) & mask) {
+      const std::uint64_t slot = slots_[at];
+      if (slot == empty) {
+        slots_[at] = std::uint64_t{hash} << 32 | number;
+        ++stored_;
+        return number;
+      }
+      const auto stored = static_cast<std::uint32_t>(slot);
+      if (slot >> 32 == hash && is_here(stored)) return stored;
+    }
+  }
+
+  // Fetches what first() will look at for this hash.
+  void prefetch(std::uint32_t hash) const { __builtin_prefetch(&slots_[hash & (slots_.size() - 1)]); }
+
+ private:
+  // A slot holds the hash in its upper half and the number in the lower.
+  static constexpr std::uint64_t empty = ~std::uint64_t{0};
+
+  void grow() {
+    UnwrittenVector<std::uint64_t> old(2 * slots_.size(), empty);
+    old.swap(slots_);
+    const std::size_t mask = slots_.size() - 1;
+    for (const std::uint64_t slot : old) {
+      if (slot == empty) continue;
+      std::size_t at = (slot >> 32) & mask;
+      while (slots_[at] != empty) at = (at + 1) & mask;
+      slots_[at] = slot;
+    }
+  }
+
+  UnwrittenVector<std::uint64_t> slots_;  // a power of two
+  std::size_t stored_ = 0;
+};
+
+}  // namespace ryosen

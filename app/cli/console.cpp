@@ -17,6 +17,11 @@ Language language_of_environment() {
 
 void Console::print(std::string_view text) const { std::fwrite(text.data(), 1, text.size(), stdout); }
 
+void Console::print_now(std::string_view text) const {
+  print(text);
+  std::fflush(stdout);
+}
+
 void Console::note(const Text& message) const {
   if (!quiet) std::fprintf(stderr, "%s\n", text(message).c_str());
 }

@@ -26,6 +26,8 @@ struct Console {
 
   // Appends to stdout.
   void print(std::string_view text) const;
+  // The same, and it is seen while the work goes on, also through a pipe.
+  void print_now(std::string_view text) const;
   // A line on stderr, unless quiet.
   void note(const Text& text) const;
   // A message about a file, or about the command line when `file` is empty. Errors are shown

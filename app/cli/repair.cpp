@@ -94,8 +94,8 @@ class RepairRun {
       if (!result || Interrupt::was_asked()) return false;
       done_.push_back({call, std::move(*result)});
       if (!console_.json)
-        console_.print(name_of(call) + console_.text(": ", "：").data() + console_.text(done_.back().result.text) +
-                       "\n");
+        console_.print_now(name_of(call) + console_.text(": ", "：").data() + console_.text(done_.back().result.text) +
+                           "\n");
     }
     return true;
   }

@@ -1,10 +1,8 @@
 // `repair`, and the script command of the same name.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdlib>
 
 #include "app/editor/session.h"
+#include "tests/support/app/process.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen::test {
@@ -122,12 +120,13 @@ TEST(Repair, HelpListsEveryRepairWithWhatItSolves) {
 
 TEST(Repair, AnInterruptCancelsItAndNothingIsWritten) {
   const TemporaryFolder folder;
-  const std::string call = "timeout --preserve-status -s INT 1.5 " RYOSEN_PROGRAM " repair " +
-                           folder.write("band.obj", band_around_holes()) + " -o " + folder.at("o.obj") +
-                           " --kinds fill_holes --lang en > " + folder.at("out") + " 2> " + folder.at("err");
-  const int status = std::system(call.c_str());
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 8);
+  Process repair({RYOSEN_PROGRAM, "repair", folder.write("band.obj", band_around_holes()), "-o", folder.at("o.obj"),
+                  "--kinds", "orient,fill_holes", "--lang", "en"},
+                 {}, folder.at("out"), folder.at("err"));
+  const auto has_begun = [&] { return read_file(folder.at("out")).find("orient: ") != std::string::npos; };
+  ASSERT_TRUE(wait_for(has_begun, std::chrono::seconds(120)));
+  repair.end_by(SIGINT);
+  EXPECT_EQ(repair.exit_code(), 8);
   EXPECT_NE(read_file(folder.at("err")).find("Cancelled; nothing is written."), std::string::npos);
   EXPECT_FALSE(folder.has("o.obj"));
 }

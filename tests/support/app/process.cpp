@@ -11,11 +11,12 @@
 namespace ryosen::test {
 
 Process::Process(std::vector<std::string> arguments, const std::vector<std::string>& environment,
-                 const std::string& output) {
+                 const std::string& output, const std::string& errors) {
   id_ = fork();
   if (id_ != 0) return;
   for (const std::string& variable : environment) putenv(strdup(variable.c_str()));
-  if (!freopen(output.c_str(), "w", stdout) || !freopen("/dev/null", "w", stderr)) _exit(126);
+  if (!freopen(output.c_str(), "w", stdout) || !freopen(errors.c_str(), "w", stderr)) _exit(126);
+  signal(SIGINT, SIG_DFL);
   std::vector<char*> words;
   for (std::string& word : arguments) words.push_back(word.data());
   words.push_back(nullptr);

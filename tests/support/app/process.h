@@ -14,9 +14,10 @@ namespace ryosen::test {
 // Runs from construction on; ended (SIGTERM) at the end of its life where it still runs.
 class Process {
  public:
-  // `environment` holds NAME=VALUE beside what the test has; stdout goes to the file `output`, stderr nowhere.
+  // `environment` holds NAME=VALUE beside what the test has; stdout and stderr go to the files. An interrupt (SIGINT)
+  // reaches it even where the test was started to ignore it.
   explicit Process(std::vector<std::string> arguments, const std::vector<std::string>& environment = {},
-                   const std::string& output = "/dev/null");
+                   const std::string& output = "/dev/null", const std::string& errors = "/dev/null");
   ~Process();
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;

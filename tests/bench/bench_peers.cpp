@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/analysis/one_ring_sums.h"
 #include "core/build/from_indexed.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/column_memory.h"
@@ -104,7 +105,7 @@ void compare_build(const std::string& name, double bar, int turns, const Indexed
       });
 }
 
-double one_ring_sums(const Mesh& mesh) {
+double walk_one_rings(const Mesh& mesh) {
   glm::dvec3 sum(0);
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
     for (Vertex neighbour : neighbours(mesh, Vertex(i))) sum += mesh.position(neighbour);
@@ -140,8 +141,20 @@ void compare_queries(const std::string& name, const Mesh& mesh, const CgalMesh& 
   constexpr int turns = 7;
   const std::size_t vertices = mesh.vertex_slots(), edges = mesh.edge_slots();
   compare(
-      "one-ring sums " + name, ring_bar, turns, [&] { return rate(vertices, [&] { use(one_ring_sums(mesh)); }); },
-      [&] { return rate(vertices, [&] { use(peer.one_ring_sums()); }); });
+      "one-ring sums vertex by vertex " + name, 0, turns,
+      [&] { return rate(vertices, [&] { use(walk_one_rings(mesh)); }); },
+      [&] { return rate(vertices, [&] { use(peer.walk_one_rings()); }); });
+  std::vector<glm::dvec3> sums(vertices);
+  const auto all_sums = [&] {
+    return rate(vertices, [&] {
+      one_ring_sums(mesh, mesh.positions(), sums);
+      use(sums);
+    });
+  };
+  compare("one-ring sums " + name, ring_bar, turns, all_sums,
+          [&] { return rate(vertices, [&] { use(peer.walk_one_rings()); }); });
+  compare("one-ring sums, peer over edges too " + name, 0, turns, all_sums,
+          [&] { return rate(vertices, [&] { peer.sum_one_rings_over_edges(sums); }); });
   compare(
       "collapse check edge by edge " + name, 0, turns,
       [&] { return rate(edges, [&] { use(count_legal<CollapseEdge>(mesh)); }); },

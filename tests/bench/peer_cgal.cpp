@@ -5,6 +5,7 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <algorithm>
 #include <array>
 
 namespace ryosen::bench {
@@ -65,7 +66,18 @@ CgalMesh CgalMesh::read(const std::string& path) {
 std::size_t CgalMesh::faces() const { return data_->mesh.number_of_faces(); }
 std::size_t CgalMesh::edges() const { return data_->mesh.number_of_edges() + data_->mesh.number_of_removed_edges(); }
 
-double CgalMesh::one_ring_sums() const {
+void CgalMesh::sum_one_rings_over_edges(std::vector<glm::dvec3>& sums) const {
+  const SurfaceMesh& mesh = data_->mesh;
+  std::fill(sums.begin(), sums.end(), glm::dvec3(0));
+  for (const auto e : mesh.edges()) {
+    const VertexIndex a = mesh.vertex(e, 0), b = mesh.vertex(e, 1);
+    const Point &p = mesh.point(a), &q = mesh.point(b);
+    sums[a] += glm::dvec3(q.x(), q.y(), q.z());
+    sums[b] += glm::dvec3(p.x(), p.y(), p.z());
+  }
+}
+
+double CgalMesh::walk_one_rings() const {
   const SurfaceMesh& mesh = data_->mesh;
   double x = 0, y = 0, z = 0;
   for (VertexIndex v : mesh.vertices()) {

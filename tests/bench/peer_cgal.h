@@ -27,7 +27,9 @@ class CgalMesh {
   std::size_t edges() const;  // slots
 
   // The sum of all neighbours' positions of all vertices.
-  double one_ring_sums() const;
+  double walk_one_rings() const;
+  // For each vertex the sum of its neighbours' positions, in one loop over the edges.
+  void sum_one_rings_over_edges(std::vector<glm::dvec3>& sums) const;
   // How many edges satisfy the link condition; how many could be flipped.
   std::size_t count_collapsible() const;
   std::size_t count_swappable() const;

@@ -28,10 +28,16 @@ void FaceList::append(const FaceList& next, std::uint64_t lines_before) {
   const auto corners = static_cast<std::uint32_t>(mesh_.corners.size());
   for (const auto& [place, vertex] : next.wide_) wide_.emplace_back(corners + place, vertex);
   mesh_.corners.insert(mesh_.corners.end(), other.corners.begin(), other.corners.end());
-  for (std::size_t face = 0; face < other.face_count(); ++face)
-    mesh_.face_offsets.push_back(corners + other.face_offsets[face + 1]);
-  for (const std::uint32_t line : other.face_lines)
-    mesh_.face_lines.push_back(static_cast<std::uint32_t>(std::min<std::uint64_t>(lines_before + line, no_index)));
+  const auto append_each = [](auto begin, auto end, std::vector<std::uint32_t>& to, auto value_of) {
+    const std::size_t count = to.size();
+    to.resize(count + static_cast<std::size_t>(end - begin));
+    std::transform(begin, end, to.begin() + static_cast<std::ptrdiff_t>(count), value_of);
+  };
+  append_each(other.face_offsets.begin() + 1, other.face_offsets.end(), mesh_.face_offsets,
+              [corners](std::uint32_t offset) { return corners + offset; });
+  append_each(other.face_lines.begin(), other.face_lines.end(), mesh_.face_lines, [lines_before](std::uint32_t line) {
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(lines_before + line, no_index));
+  });
 }
 
 bool FaceList::repeats_corner(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& stamps) const {

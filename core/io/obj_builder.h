@@ -44,13 +44,13 @@ class ObjBuilder {
 
   // The builder of a later piece has taken all of its lines.
   bool is_joinable() const { return !is_done() && reporter_.is_empty(); }
-  // Takes over all that the builder of the next piece holds, as if its lines had come here. `lines_before` counts those
-  // of the pieces before. O(size of the piece).
-  void append(const ObjBuilder& next, std::uint64_t lines_before);
+  // Takes over all that the builders of the next pieces hold, as if their lines had come here, and leaves them empty.
+  // `lines_before` counts those of the pieces before; the result counts these too. O(size of the pieces).
+  std::uint64_t append(std::span<ObjBuilder* const> run, std::uint64_t lines_before, unsigned threads);
   // The calls that follow are about these lines.
   void continue_with(const TextLines& lines) { lines_ = &lines; }
   // Makes room for what all of the pieces hold.
-  void reserve_for(std::span<const ObjBuilder* const> pieces);
+  void reserve_for(std::span<ObjBuilder* const> pieces);
 
  private:
   struct Corner {
@@ -83,6 +83,8 @@ class ObjBuilder {
   void push_value(std::vector<std::uint32_t>& indices, bool has, std::int64_t index, std::size_t pool, bool is_normal);
   void end_names();
   bool has_room(std::size_t bytes);
+  void append_points(ObjBuilder& next);
+  void append_faces(ObjBuilder& next, std::uint64_t lines_before);
   void append_values(const CornerValues& next, std::size_t next_corners, CornerValues& values);
   void append_names(const NameTable& next, std::size_t next_faces, NameTable& table);
   static std::uint32_t number_of(const std::string& name, NameTable& table);

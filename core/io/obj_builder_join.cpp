@@ -1,6 +1,7 @@
 // Joins what was made from the pieces of an OBJ file.
 #include <algorithm>
 
+#include "core/build/parallel.h"
 #include "core/io/obj_builder.h"
 #include "core/mesh/column_memory.h"
 
@@ -27,7 +28,7 @@ void append_optional(const std::vector<Value>& from, std::size_t next_count, con
 
 }  // namespace
 
-void ObjBuilder::reserve_for(std::span<const ObjBuilder* const> pieces) {
+void ObjBuilder::reserve_for(std::span<ObjBuilder* const> pieces) {
   std::size_t positions = 0, corners = 0, faces = 0;
   for (const ObjBuilder* piece : pieces) {
     positions += piece->mesh_.positions.size();
@@ -40,20 +41,49 @@ void ObjBuilder::reserve_for(std::span<const ObjBuilder* const> pieces) {
   reserve_large(mesh_.face_lines, faces);
 }
 
-void ObjBuilder::append(const ObjBuilder& next, std::uint64_t lines_before) {
+std::uint64_t ObjBuilder::append(std::span<ObjBuilder* const> run, std::uint64_t lines_before, unsigned threads) {
+  std::uint64_t lines = lines_before;
+  const auto append_points_of_all = [&] {
+    for (ObjBuilder* next : run) append_points(*next);
+  };
+  const auto append_faces_of_all = [&] {
+    for (ObjBuilder* next : run) {
+      append_faces(*next, lines);
+      lines += next->lines_->count();
+    }
+  };
+  for_each_task(2, threads, [&](unsigned part) { part == 0 ? append_points_of_all() : append_faces_of_all(); });
+  for (const ObjBuilder* next : run) {
+    if (in_head_) append_all(next->file_.head_comments, file_.head_comments);
+    in_head_ = in_head_ && next->in_head_;
+    has_known_line_ = has_known_line_ || next->has_known_line_;
+  }
+  return lines;
+}
+
+void ObjBuilder::append_points(ObjBuilder& next) {
   const std::size_t points = mesh_.positions.size(), next_points = next.mesh_.positions.size();
   append_optional(next.mesh_.vertex_weights, next_points, no_colour, points, mesh_.vertex_weights);
   append_optional(next.mesh_.vertex_colours, next_points, glm::dvec4(no_colour, no_colour, no_colour, 1), points,
                   mesh_.vertex_colours);
   mesh_.colour_components = std::max(mesh_.colour_components, next.mesh_.colour_components);
   append_all(next.mesh_.positions, mesh_.positions);
+  next.mesh_.vertex_weights = {};
+  next.mesh_.vertex_colours = {};
+  next.mesh_.positions = {};
+}
+
+void ObjBuilder::append_faces(ObjBuilder& next, std::uint64_t lines_before) {
   append_values(next.mesh_.texcoords, next.mesh_.corners.size(), mesh_.texcoords);
   append_values(next.mesh_.normals, next.mesh_.corners.size(), mesh_.normals);
   for (std::size_t i = 0; i < 4; ++i) append_names(next.names_[i], next.mesh_.face_count(), names_[i]);
   faces_.append(next.faces_, lines_before);
-  if (in_head_) append_all(next.file_.head_comments, file_.head_comments);
-  in_head_ = in_head_ && next.in_head_;
-  has_known_line_ = has_known_line_ || next.has_known_line_;
+  next.mesh_.texcoords = {};
+  next.mesh_.normals = {};
+  for (NameTable& table : next.names_) *table.target = {};
+  next.mesh_.corners = {};
+  next.mesh_.face_offsets = {0};
+  next.mesh_.face_lines = {};
 }
 
 void ObjBuilder::append_values(const CornerValues& next, std::size_t next_corners, CornerValues& values) {

@@ -137,22 +137,19 @@ struct Piece {
 
 using Pieces = std::vector<std::unique_ptr<Piece>>;
 
-// Goes on in the builder of the first piece with what was made from each other one, or with its lines.
-Result<MeshFile> join(Pieces& pieces) {
-  ObjBuilder& builder = pieces[0]->builder;
-  std::vector<const ObjBuilder*> builders;
+// Goes on in the builder of the first piece with what was made from the others, or with their lines.
+Result<MeshFile> join(const Pieces& pieces, unsigned threads) {
+  std::vector<ObjBuilder*> builders;
   for (const auto& piece : pieces) builders.push_back(&piece->builder);
+  ObjBuilder& builder = *builders[0];
   if (pieces.size() > 1) builder.reserve_for(builders);
   std::uint64_t lines_before = pieces[0]->lines.count();
-  for (std::size_t i = 1; i < pieces.size() && !builder.is_done(); ++i) {
-    Piece& piece = *pieces[i];
-    if (piece.builder.is_joinable()) {
-      builder.append(piece.builder, lines_before);
-      lines_before += piece.lines.count();
-      pieces[i].reset();
-      continue;
-    }
-    TextLines lines(piece.bytes, true, lines_before);
+  for (std::size_t i = 1; i < pieces.size() && !builder.is_done();) {
+    const std::size_t begin = i;
+    while (i < pieces.size() && builders[i]->is_joinable()) ++i;
+    lines_before = builder.append(std::span(builders).subspan(begin, i - begin), lines_before, threads);
+    if (i == pieces.size()) break;
+    TextLines lines(pieces[i++]->bytes, true, lines_before);
     builder.continue_with(lines);
     feed(lines, builder);
     lines_before = lines.count();
@@ -188,7 +185,7 @@ Result<MeshFile> read_obj_pieces(std::span<const std::string_view> parts, const 
   for_each_task(static_cast<unsigned>(pieces.size()), threads, [&](unsigned i) { pieces[i]->read(); });
   for (const auto& piece : pieces)
     if (piece->nul) return nul_byte_failure(static_cast<std::uint64_t>(piece->nul - parts.front().data()));
-  return join(pieces);
+  return join(pieces, threads);
 }
 
 Result<MeshFile> read_obj(std::string_view bytes, const std::filesystem::path& path) {

@@ -181,7 +181,6 @@ class Editor {
     canvas_->resize(size);
     gui_.set_scale(window_.scale());
     gui_.place_view(session_, size);
-    session_.touch();
   }
 
   void button(int number, bool is_down, int modifiers) {

@@ -24,7 +24,7 @@ std::string to_json_line(const Mesh& mesh, const VerdictReport& report) {
 
 std::string to_text(const Mesh& mesh, const VerdictReport& report, const Console& console) {
   std::string text(report.op);
-  if (!report.edge.empty()) text += " " + report.edge;
+  if (!report.arguments.empty()) text += " " + report.arguments;
   text += report.verdict.legal() ? console.text(": legal\n", "：可能\n") : console.text(": refused\n", "：不可\n");
   const auto add = [&](const Reason& reason, std::string_view label) {
     text.append("  ").append(label).append(text_of(reason.rule).id) +=

@@ -40,8 +40,9 @@ class Why {
     const std::vector<std::string_view> words = split_words(line);
     const OpInfo* const info = find_op(words[0]);
     const Parsed<AnyOp> parsed = parse_op(mesh_, info->id, std::span(words).subspan(1));
+    const auto arguments = std::span(words).subspan(1);
     const std::string edge = info->target == OpTargetKind::edge && words.size() > 1 ? std::string(words[1]) : "";
-    return answer(*info, edge, parsed, std::span(words).subspan(1));
+    return answer(*info, edge, parsed, arguments);
   }
 
   ExitCode answer_edge(const OpInfo& info, const std::string& name) {
@@ -52,10 +53,10 @@ class Why {
   ExitCode answer_all(const OpInfo& info, bool geometry) {
     std::size_t questions = 0;
     for (const EdgeSide& side : find_edge_sides(mesh_)) {
-      ask(info, name_of(side), on_edge(info.id, side.halfedge), geometry);
+      ask_edge(info, name_of(side), on_edge(info.id, side.halfedge), geometry);
       ++questions;
       if (info.id != CollapseEdge::info.id) continue;
-      ask(info, name_of(side, true), on_edge(info.id, twin(side.halfedge)), geometry);
+      ask_edge(info, name_of(side, true), on_edge(info.id, twin(side.halfedge)), geometry);
       ++questions;
     }
     const std::string legal = std::to_string(legal_), all = std::to_string(questions);
@@ -67,13 +68,16 @@ class Why {
  private:
   ExitCode answer(const OpInfo& info, const std::string& edge, const Parsed<AnyOp>& parsed,
                   std::span<const std::string_view> arguments) {
+    std::string words = edge;
+    if (edge.empty())
+      for (const std::string_view argument : arguments) words.append(words.empty() ? "" : " ").append(argument);
     if (parsed.op) {
-      ask(info, edge, *parsed.op, true);
+      ask(info, edge, words, *parsed.op, true);
       return ExitCode::done;
     }
     if (parsed.error != NameError::deleted)
       return console_.fail(usage_failure(code_of(parsed.error), parsed.sentence), file_);
-    VerdictReport report{info.id, edge, {}, {}, {}, set_aside_sentence(quarantine_, arguments)};
+    VerdictReport report{info.id, edge, std::move(words), {}, {}, {}, set_aside_sentence(quarantine_, arguments)};
     report.verdict.refuse(Rule::deleted, {});
     print(report);
     return ExitCode::done;
@@ -90,8 +94,12 @@ class Why {
     }
   }
 
-  void ask(const OpInfo& info, std::string edge, const AnyOp& op, bool geometry) {
-    VerdictReport report{info.id, std::move(edge), check(mesh_, op), {}, {}, {}};
+  void ask_edge(const OpInfo& info, const std::string& edge, const AnyOp& op, bool geometry) {
+    ask(info, edge, edge, op, geometry);
+  }
+
+  void ask(const OpInfo& info, std::string edge, std::string arguments, const AnyOp& op, bool geometry) {
+    VerdictReport report{info.id, std::move(edge), std::move(arguments), check(mesh_, op), {}, {}, {}};
     if (report.verdict.legal()) {
       if (geometry) report.warnings = preview(mesh_, journal_, op).warnings;
       ++legal_;
@@ -129,8 +137,8 @@ Result<const OpInfo*> operator_named(const std::string& id, bool needs_edge) {
 // What is asked for, checked as far as that goes without the mesh.
 struct Question {
   const OpInfo* info = nullptr;
-  std::string line;  // of --do
-  std::string edge;  // of --edge
+  std::string line;                 // of --do
+  std::optional<std::string> edge;  // of --edge
 };
 
 Result<Question> read_question(const Arguments& arguments) {
@@ -167,7 +175,7 @@ ExitCode why_command(const Arguments& arguments, const Console& console) {
   for (const Message& message : file->messages) console.show(message, path);
   Why why(path, std::move(file->mesh), console);
   if (!question->line.empty()) return why.answer_line(question->line);
-  if (!question->edge.empty()) return why.answer_edge(*question->info, question->edge);
+  if (question->edge) return why.answer_edge(*question->info, *question->edge);
   return why.answer_all(*question->info, arguments.has("--geometry"));
 }
 

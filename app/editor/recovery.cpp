@@ -198,7 +198,6 @@ Outcome recover(Session& session, const LostSession& lost) {
   Outcome outcome = replay(session, lost);
   session.autosave = autosave;
   session.strict = was_strict;
-  session.touch();
   if (autosave && outcome.done()) {
     script->cut(lost.whole_bytes);
     autosave->go_on(std::move(*script), session.document(), lost.start);

@@ -40,7 +40,6 @@ void Session::set_document(std::unique_ptr<Document> document) {
   if (document_->mesh().live().faces == 0) shown.insert("isolated");
   camera = first_camera();
   frame_all();
-  touch();
   if (autosave) autosave->begin(*document_);
 }
 
@@ -139,7 +138,6 @@ Outcome Session::run(const std::string& line) {
   if (const CommandRow* row = find_command(words[0])) {
     const std::size_t after_id = static_cast<std::size_t>(words[0].data() - line.data()) + words[0].size();
     Outcome outcome = row->run(*this, arguments, std::string_view(line).substr(after_id));
-    touch();
     if (outcome.done() && row->changes_mesh) log_line(outcome);
     return outcome;
   }
@@ -234,7 +232,6 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool) {
   const auto picked = pick(pixel, pick_mode(info, mode));
   if (!picked) {
     selection.clear();
-    touch();
     Outcome nothing;
     nothing.kind = Outcome::Kind::failed;
     nothing.exit_code = ExitCode::found_problems;
@@ -286,10 +283,7 @@ std::vector<glm::dvec3> Session::places_to_frame() const {
   return places.empty() ? isolated : places;
 }
 
-void Session::frame_all() {
-  camera = fitted(camera, places_to_frame(), static_cast<double>(view.width) / view.height);
-  touch();
-}
+void Session::frame_all() { camera = fitted(camera, places_to_frame(), static_cast<double>(view.width) / view.height); }
 
 void Session::frame_selection() {
   std::vector<glm::dvec3> places;
@@ -306,7 +300,6 @@ void Session::frame_selection() {
   }
   if (places.empty()) return frame_all();
   camera = fitted(camera, places, static_cast<double>(view.width) / view.height, 0.3);
-  touch();
 }
 
 Session::DrawnChanges Session::take_drawn_changes() {

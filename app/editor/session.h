@@ -93,7 +93,6 @@ class Session {
   std::vector<glm::dvec3> places_to_frame() const;
   void frame_all();
   void frame_selection();
-  void touch() { ++changes_; }
 
   // An element that came into a set of the highlights, left it, or is in it and lies elsewhere now.
   struct Mark {
@@ -128,7 +127,6 @@ class Session {
   std::string remedy_line_;
   std::uint64_t remedy_revision_ = 0;
   DrawnChanges drawn_changes_;
-  std::uint64_t changes_ = 0;
 };
 
 }  // namespace ryosen

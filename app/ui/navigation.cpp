@@ -41,7 +41,6 @@ bool Navigation::move(Session& session, glm::dvec2 pixel) {
                               session.view);
       break;
   }
-  session.touch();
   return true;
 }
 
@@ -66,7 +65,6 @@ void Navigation::cancel() {
 
 void Navigation::wheel(Session& session, glm::dvec2 pixel, double steps) const {
   session.camera = zoomed(session.camera, std::pow(wheel_step, steps), pixel - session.view_origin, session.view);
-  session.touch();
 }
 
 bool set_centre(Session& session, glm::dvec2 pixel) {
@@ -75,7 +73,6 @@ bool set_centre(Session& session, glm::dvec2 pixel) {
   const glm::dvec3 shift = picked->place - session.camera.target;
   session.camera.target += shift;
   session.camera.eye += shift;
-  session.touch();
   return true;
 }
 

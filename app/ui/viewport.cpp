@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "app/ui/overlays.h"
+#include "core/base/sort_unique.h"
 
 namespace ryosen {
 
@@ -123,8 +124,7 @@ void Viewport::follow_highlights(Session& session) {
     } else if (is_shown) {
       for (const Session::Mark& mark : marks_)
         if (mark.kind == row.kind) blocks.push_back(mark.index / block_slots);
-      std::sort(blocks.begin(), blocks.end());
-      blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+      sort_unique(blocks);
     }
     drawn.is_shown = is_shown;
     for (std::uint32_t block : blocks) draw_highlights(session, row, block);

@@ -4,6 +4,7 @@
 
 #include "core/analysis/disjoint_sets.h"
 #include "core/analysis/neighbourhood.h"
+#include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/sheets.h"
@@ -79,8 +80,7 @@ void keep_nonmanifold(const Mesh& m, std::vector<Vertex>& points) {
   const auto is_nonmanifold = row_of(ProblemKind::nonmanifold_vertex).vertex;
   for (Vertex& p : points)
     if (m.is_alive(p)) p = around.point(p);
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  sort_unique(points);
   std::erase_if(points, [&](Vertex p) { return !m.is_alive(p) || !is_nonmanifold(around, p); });
 }
 

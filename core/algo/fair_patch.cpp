@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "core/base/sort_unique.h"
 #include "core/geometry/is_finite.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/face_polygon.h"
@@ -203,8 +204,7 @@ class PlateEquations {
     for (Vertex v : patch.boundary)
       for (Face f : faces_around(mesh, v))
         if (f) faces.push_back(f);
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    sort_unique(faces);
     return faces;
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/analysis/equal_faces.h"
+#include "core/base/sort_unique.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
@@ -66,15 +67,13 @@ std::vector<FaceOnPoints> faces_with_equals(const Mesh& m, const std::vector<std
   std::vector<Face> faces;
   for (std::uint32_t i : duplicates)
     for (Vertex v : vertices_around(m, Face(i))) at.push_back(point(m, v));
-  std::sort(at.begin(), at.end());
-  at.erase(std::unique(at.begin(), at.end()), at.end());
+  sort_unique(at);
   for (Vertex p : at)
     for_each_copy(m, p, [&](Vertex copy) {
       for (Face f : faces_around(m, copy))
         if (f) faces.push_back(f);
     });
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  sort_unique(faces);
   for (Face f : faces) found.push_back({points_of(f), f});
   std::sort(found.begin(), found.end(), [](const FaceOnPoints& a, const FaceOnPoints& b) {
     return a.points != b.points ? a.points < b.points : a.face < b.face;

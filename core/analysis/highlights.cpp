@@ -1,8 +1,8 @@
 #include "core/analysis/highlights.h"
 
-#include <algorithm>
 #include <optional>
 
+#include "core/base/sort_unique.h"
 #include "core/build/parallel.h"
 #include "core/mesh/circulate.h"
 
@@ -55,8 +55,7 @@ struct Reach {
 
 template <class Handle>
 void remove_repetitions(std::vector<Handle>& handles) {
-  std::sort(handles.begin(), handles.end());
-  handles.erase(std::unique(handles.begin(), handles.end()), handles.end());
+  sort_unique(handles);
 }
 
 void add_touched_cell(TouchedCell cell, Reach& reach) {

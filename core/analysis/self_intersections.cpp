@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <limits>
 
+#include "core/base/sort_unique.h"
 #include "core/build/parallel.h"
 #include "core/geometry/predicates.h"
 #include "core/geometry/triangles_meet.h"
@@ -210,10 +211,7 @@ class NumberedSurface {
   double scale_ = 1.0;
 };
 
-void keep_each_pair_once(std::vector<FacePair>& pairs) {
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-}
+void keep_each_pair_once(std::vector<FacePair>& pairs) { sort_unique(pairs); }
 
 }  // namespace
 
@@ -245,8 +243,7 @@ std::vector<Face> faces_of(const std::vector<FacePair>& pairs) {
     faces.push_back(pair.first);
     faces.push_back(pair.second);
   }
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  sort_unique(faces);
   return faces;
 }
 

@@ -123,7 +123,7 @@ void FaceAdjacency::answer_about_face(Relation relation, std::uint32_t f, Answer
     else if (face_across_[c] != no_index)
       out.numbers.push_back(face_across_[c]);
   }
-  if (relation == Relation::face_faces) keep_each_once(out.numbers);
+  if (relation == Relation::face_faces) sort_unique(out.numbers);
 }
 
 bool FaceAdjacency::answer(Relation relation, std::uint32_t element, Answer& out) const {

@@ -17,6 +17,7 @@
 
 #include "core/base/handle.h"
 #include "core/base/message.h"
+#include "core/base/sort_unique.h"
 #include "core/mesh/mesh.h"
 
 namespace ryosen::forms {
@@ -68,13 +69,6 @@ struct Answer {
     edges.clear();
   }
 };
-
-// Sorts them.
-template <class T>
-void keep_each_once(std::vector<T>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
 
 class Form {
  public:

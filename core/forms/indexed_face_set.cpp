@@ -53,8 +53,8 @@ void IndexedFaceSet::answer_about_vertex(Relation relation, std::uint32_t v, Ans
     else
       out.numbers.push_back(ends.a == v ? ends.b : ends.a);
   });
-  keep_each_once(out.numbers);
-  keep_each_once(out.edges);
+  sort_unique(out.numbers);
+  sort_unique(out.edges);
   if (relation == Relation::valence) out.numbers = {static_cast<std::uint32_t>(out.numbers.size())};
 }
 
@@ -71,8 +71,8 @@ void IndexedFaceSet::answer_about_edge(Relation relation, std::uint32_t corner, 
       out.edges.push_back(ends);
     }
   });
-  keep_each_once(out.numbers);
-  keep_each_once(out.edges);
+  sort_unique(out.numbers);
+  sort_unique(out.edges);
 }
 
 void IndexedFaceSet::answer_about_face(Relation relation, std::uint32_t f, Answer& out) const {
@@ -88,7 +88,7 @@ void IndexedFaceSet::answer_about_face(Relation relation, std::uint32_t f, Answe
   for_each_side([&](std::uint32_t other, std::uint32_t, EdgeEnds ends) {
     if (other != f && std::find(sides.begin(), sides.end(), ends) != sides.end()) out.numbers.push_back(other);
   });
-  keep_each_once(out.numbers);
+  sort_unique(out.numbers);
 }
 
 bool IndexedFaceSet::answer(Relation relation, std::uint32_t element, Answer& out) const {

@@ -35,7 +35,7 @@ void Kernel::add_neighbours(std::uint32_t point, std::vector<std::uint32_t>& out
   for_each_copy(mesh_, vertex_of(point), [&](Vertex copy) {
     for (const Vertex v : neighbours(mesh_, copy)) out.push_back(point_of(v));
   });
-  if (mesh_.has_copies()) keep_each_once(out);
+  if (mesh_.has_copies()) sort_unique(out);
 }
 
 void Kernel::add_faces_beside(Halfedge h, std::vector<std::uint32_t>& out) const {
@@ -53,7 +53,7 @@ void Kernel::answer_about_vertex(Relation relation, std::uint32_t point, Answer&
       for (const Face f : faces_around(mesh_, copy))
         if (f) out.numbers.push_back(f.index);
     });
-    return keep_each_once(out.numbers);
+    return sort_unique(out.numbers);
   }
   add_neighbours(point, out.numbers);
   if (relation == Relation::valence) out.numbers = {static_cast<std::uint32_t>(out.numbers.size())};
@@ -68,7 +68,7 @@ void Kernel::answer_about_edge(Relation relation, Halfedge h, Answer& out) const
     out.numbers = {ends.a, ends.b};
   } else if (relation == Relation::edge_faces) {
     add_faces_beside(h, out.numbers);
-    keep_each_once(out.numbers);
+    sort_unique(out.numbers);
   } else {
     std::vector<std::uint32_t> others;
     for (const std::uint32_t v : {ends.a, ends.b}) {
@@ -91,7 +91,7 @@ void Kernel::answer_about_face(Relation relation, Face f, Answer& out) const {
   add_loop(mesh_.halfedge(f));
   for (const Halfedge start : inner_loops(mesh_, f)) add_loop(start);
   if (relation != Relation::face_faces) return;
-  keep_each_once(out.numbers);
+  sort_unique(out.numbers);
   out.numbers.erase(std::remove(out.numbers.begin(), out.numbers.end(), f.index), out.numbers.end());
 }
 

@@ -89,7 +89,7 @@ void answer_about_vertex(const Links& links, Relation relation, std::uint32_t v,
       for_each_leaving(links, start, [&](std::uint32_t h) {
         if (links.face(h) != no_index) out.numbers.push_back(links.face(h));
       });
-      return keep_each_once(out.numbers);  // a face with a bridge comes by twice
+      return sort_unique(out.numbers);  // a face with a bridge comes by twice
     default: {
       std::uint32_t valence = 0;
       for_each_neighbour(links, start, [&](std::uint32_t) { ++valence; });
@@ -130,7 +130,7 @@ void answer_about_face(const Links& links, Relation relation, std::uint32_t f, A
       if (links.face(other) != no_index && links.face(other) != f) out.numbers.push_back(links.face(other));
     }
   });
-  if (relation == Relation::face_faces) keep_each_once(out.numbers);
+  if (relation == Relation::face_faces) sort_unique(out.numbers);
 }
 
 template <class Links>

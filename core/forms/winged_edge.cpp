@@ -118,7 +118,7 @@ void WingedEdge::answer_about_face(Relation relation, std::uint32_t f, Answer& o
     if (relation == Relation::face_edges) out.edges.push_back(ends_of(e));
     if (relation == Relation::face_faces && across != no_index) out.numbers.push_back(across);
   });
-  if (relation == Relation::face_faces) keep_each_once(out.numbers);
+  if (relation == Relation::face_faces) sort_unique(out.numbers);
 }
 
 bool WingedEdge::answer(Relation relation, std::uint32_t element, Answer& out) const {

@@ -1,18 +1,11 @@
 #include "core/mesh/touched.h"
 
-#include <algorithm>
-
+#include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 
 namespace ryosen {
 
 namespace {
-
-template <class Handle>
-void sort_unique(std::vector<Handle>& handles) {
-  std::sort(handles.begin(), handles.end());
-  handles.erase(std::unique(handles.begin(), handles.end()), handles.end());
-}
 
 template <class Handle>
 void add_range(std::vector<Handle>& handles, std::uint32_t begin, std::uint32_t end) {

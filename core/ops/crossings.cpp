@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <limits>
 
+#include "core/base/sort_unique.h"
 #include "core/geometry/triangles_cross.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/face_polygon.h"
@@ -133,8 +134,7 @@ class Shapes {
 };
 
 std::vector<Face> sorted(std::vector<Face> faces) {
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  sort_unique(faces);
   return faces;
 }
 

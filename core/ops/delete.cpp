@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/arguments.h"
@@ -40,8 +41,7 @@ Doomed doomed_by(const Mesh& mesh, Element element) {
       doomed.vertices.push_back(copy);
       for (Halfedge h : outgoing(mesh, copy)) add_edge(h);
     });
-  std::sort(doomed.faces.begin(), doomed.faces.end());
-  doomed.faces.erase(std::unique(doomed.faces.begin(), doomed.faces.end()), doomed.faces.end());
+  sort_unique(doomed.faces);
   return doomed;
 }
 

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <unordered_set>
 
+#include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/arguments.h"
@@ -34,8 +35,7 @@ std::vector<Vertex> shared_points(const Mesh& m, const FaceSet& faces) {
   std::vector<Vertex> points;
   for (Face f : faces)
     for (Vertex v : vertices_around(m, f)) points.push_back(point(m, v));
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  sort_unique(points);
   std::erase_if(points, [&](Vertex p) {
     bool alone = true;
     for_each_copy(m, p, [&](Vertex copy) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/arguments.h"
@@ -53,8 +54,7 @@ Plan plan_of_vertex(const Mesh& m, Vertex v) {
   if (plan.is_star) plan.vertices.push_back(v);
   for (Halfedge h : outgoing(m, v))
     if (!m.is_outside(h) && !m.is_outside(twin(h))) add_chain(m, chain_from(m, h), plan);
-  std::sort(plan.faces.begin(), plan.faces.end());
-  plan.faces.erase(std::unique(plan.faces.begin(), plan.faces.end()), plan.faces.end());
+  sort_unique(plan.faces);
   return plan;
 }
 

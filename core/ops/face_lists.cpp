@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/sort_unique.h"
+
 namespace ryosen {
 
 std::vector<std::uint32_t> points_along(const Mesh& mesh, Halfedge start) {
@@ -39,8 +41,7 @@ void refuse_rings(const Mesh& mesh, Face f, Verdict& verdict) {
 
 std::vector<std::uint32_t> point_set(std::span<const std::uint32_t> corners) {
   std::vector<std::uint32_t> points(corners.begin(), corners.end());
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  sort_unique(points);
   return points;
 }
 

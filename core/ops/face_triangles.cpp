@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/sort_unique.h"
 #include "core/geometry/polygon_normal.h"
 #include "core/mesh/copies.h"
 
@@ -245,8 +246,7 @@ std::vector<CornerTriangle> triangles_of_face(const Mesh& mesh, const FacePolygo
 std::vector<Edge> edges_across(const Mesh& mesh, const FacePolygon& face) {
   std::vector<Vertex> points;
   for (Halfedge h : face.corners()) points.push_back(point(mesh, mesh.from(h)));
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  sort_unique(points);
   const Face f = mesh.face(face.corners()[0]);
   std::vector<Edge> found;
   for (Vertex p : points) {
@@ -257,8 +257,7 @@ std::vector<Edge> edges_across(const Mesh& mesh, const FacePolygon& face) {
           found.push_back(edge(h));
     });
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  sort_unique(found);
   return found;
 }
 

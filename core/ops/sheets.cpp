@@ -4,6 +4,7 @@
 #include <cassert>
 #include <unordered_set>
 
+#include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/rings.h"
@@ -27,18 +28,12 @@ std::vector<Halfedge> cycle_of(const Mesh& m, Halfedge start) {
   return found;
 }
 
-template <class Handle>
-void make_unique(std::vector<Handle>& handles) {
-  std::sort(handles.begin(), handles.end());
-  handles.erase(std::unique(handles.begin(), handles.end()), handles.end());
-}
-
 // The live copies of some points.
 std::vector<Vertex> live_copies(const Mesh& m, std::span<const Vertex> points) {
   std::vector<Vertex> found;
   for (Vertex p : points)
     if (m.is_alive(p)) for_each_copy(m, p, [&](Vertex copy) { found.push_back(copy); });
-  make_unique(found);
+  sort_unique(found);
   return found;
 }
 
@@ -248,7 +243,7 @@ OpEffect Sheets::finish() {
                                                               : before_.faces;
     if (e.index < had) effect.deleted.push_back(e);
   }
-  make_unique(effect_.changed);
+  sort_unique(effect_.changed);
   for (Face f : effect_.changed)
     if (m.is_alive(f)) effect.changed.push_back(f);
   return effect;
@@ -278,7 +273,7 @@ std::vector<Halfedge> Sheets::sheets_to_open(std::vector<Vertex>& vertices) cons
       if (met.insert(m.to(h)).second) vertices.push_back(m.to(h));
     }
   }
-  make_unique(found);
+  sort_unique(found);
   return found;
 }
 

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/base/sort_unique.h"
 #include "core/geometry/is_finite.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
@@ -55,8 +56,7 @@ Sector sector_of(const Mesh& m, Halfedge left, Halfedge right) {
   if (left && (right || !sector.edges.empty())) look_left_of(left);
   for (Halfedge h : sector.edges)
     if (right || h != sector.edges.back()) look_left_of(h);
-  std::sort(sector.faces.begin(), sector.faces.end());
-  sector.faces.erase(std::unique(sector.faces.begin(), sector.faces.end()), sector.faces.end());
+  sort_unique(sector.faces);
   return sector;
 }
 

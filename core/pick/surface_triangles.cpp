@@ -1,6 +1,6 @@
 #include "core/pick/surface_triangles.h"
 
-#include <algorithm>
+#include "core/base/sort_unique.h"
 
 namespace ryosen {
 
@@ -84,8 +84,7 @@ std::vector<std::uint32_t> SurfaceTriangles::update(const Mesh& mesh, const Touc
   for (Face f : touched.faces) release(f, changed);
   for (Face f : touched.faces)
     if (mesh.exists(f) && mesh.is_alive(f)) fill(mesh, f, changed);
-  std::sort(changed.begin(), changed.end());
-  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  sort_unique(changed);
   return changed;
 }
 

@@ -113,6 +113,17 @@ TEST(Why, GeometryAddsWarningsUnderAll) {
   EXPECT_GT(warned({"why", asset("sliver.obj"), "--op", "collapse", "--all", "--geometry", "--json"}), 0u);
 }
 
+TEST(Why, NamesWhatWasAsked) {
+  const auto first_line = [](const std::string& line) {
+    const std::string out = run_program({"why", asset("cube.obj"), "--do", line}).out;
+    return out.substr(0, out.find('\n'));
+  };
+  EXPECT_EQ(first_line("make_edge  v0 v6"), "make_edge v0 v6: refused");
+  EXPECT_EQ(first_line("dissolve v7"), "dissolve v7: legal");
+  EXPECT_EQ(first_line("orient"), "orient: refused");
+  EXPECT_EQ(first_line("collapse 0-1 mid"), "collapse 0-1: legal");
+}
+
 TEST(Why, OrientHasNoEdge) {
   const ProgramRun run = run_program({"why", asset("cube.obj"), "--do", "orient", "--json"});
   EXPECT_EQ(run.exit_code, 0);
@@ -186,6 +197,7 @@ TEST(Why, UsageErrors) {
       {"why", mesh, "--op", "orient", "--all"},
       {"why", mesh, "--do", "collapse 0-1", "--all"},
       {"why", mesh, "--do", ""},
+      {"why", mesh, "--op", "collapse", "--edge", ""},
       {"why", mesh, "--do", "collapse 0-1; collapse 1-2"},
       {"why", mesh, "--do", "collapse 0-1 middle"},
       {"why", mesh, "--do", "collapse"},

@@ -257,15 +257,16 @@ class PlateEquations {
   std::vector<CornerTriangle> triangles_;
 };
 
-// Conjugate gradients on the normal equations.
-Places least_bent(const PlateEquations& plate, Places x, Progress& progress) {
+// Conjugate gradients on the normal equations. Asks go_on(step, most steps) before each step.
+template <class GoOn>
+Places least_bent(const PlateEquations& plate, Places x, const GoOn& go_on) {
   Places residual = plate.transposed(plate.values(x, true));
   for (glm::dvec3& r : residual) r = -r;
   Places direction = residual;
   double size = inner_product(residual, residual);
   const double enough = size * 1e-20;
   const std::size_t most_steps = std::min<std::size_t>(4 * x.size() + 100, 1000);
-  for (std::size_t step = 0; step < most_steps && size > enough && size > 0 && progress.go_on(); ++step) {
+  for (std::size_t step = 0; step < most_steps && size > enough && size > 0 && go_on(step, most_steps); ++step) {
     const Places image = plate.values(direction, false);
     const double bend = inner_product(image, image);
     if (!(bend > 0)) break;
@@ -286,11 +287,14 @@ void fair(Edit& edit, const Patch& patch, Progress& progress) {
   if (patch.inner.empty()) return;
   // The angles are those of the patch as it is, so a better one gives better angles.
   constexpr std::size_t large = 5000;
-  const int rounds = patch.inner.size() < large ? 4 : 1;
-  for (int round = 0; round < rounds; ++round) {
+  const std::size_t rounds = patch.inner.size() < large ? 4 : 1;
+  for (std::size_t round = 0; round < rounds; ++round) {
+    const auto go_on = [&](std::size_t step, std::size_t steps) {
+      return progress.go_on(round * steps + step, rounds * steps);
+    };
     Places x;
     for (Vertex v : patch.inner) x.push_back(edit.mesh().position(v));
-    x = least_bent(PlateEquations(edit.mesh(), patch), std::move(x), progress);
+    x = least_bent(PlateEquations(edit.mesh(), patch), std::move(x), go_on);
     for (std::size_t i = 0; i < x.size(); ++i)
       if (is_finite(x[i])) edit.set_position(patch.inner[i], x[i]);
   }

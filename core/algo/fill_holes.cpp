@@ -187,7 +187,8 @@ RepairResult fill_holes(Edit& edit, std::optional<double> most_edges, Progress& 
   std::size_t filled = 0, left = holes.left, faces = 0, vertices = 0;
   std::size_t done = 0;
   for (Halfedge start : holes.to_fill) {
-    if (!progress.go_on(done++, holes.to_fill.size())) return {};
+    progress.begin_part(done++, holes.to_fill.size());
+    if (!progress.go_on()) return {};
     // An earlier patch may stand in the way now.
     if (!m.is_alive(start) || !m.is_outside(start) || !can_be_filled(m, start)) {
       ++left;

@@ -21,9 +21,15 @@ class Progress {
   explicit Progress(Report report, Clock::duration interval = std::chrono::milliseconds(50))
       : report_(std::move(report)), interval_(interval) {}
 
+  // From now on the steps are those of this one of so many equal parts of the whole.
+  void begin_part(std::size_t part, std::size_t parts) {
+    part_size_ = 1.0 / static_cast<double>(parts);
+    share_ = part_begin_ = static_cast<double>(part) * part_size_;
+  }
   // `done` of `all` steps are done. Cheap enough for a step of a microsecond.
   bool go_on(std::size_t done, std::size_t all) {
-    share_ = all == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(all);
+    const double share = all == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(all);
+    share_ = part_begin_ + share * part_size_;
     return go_on();
   }
   // Within a step.
@@ -41,7 +47,7 @@ class Progress {
   Report report_;
   Clock::duration interval_{};
   std::optional<Clock::time_point> reported_;
-  double share_ = 0;
+  double share_ = 0, part_begin_ = 0, part_size_ = 1;
   bool is_cancelled_ = false;
 };
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -233,6 +234,30 @@ TEST(repairs, isolated_vertices_go) {
   Mesh mesh = make_mesh(two_quads(), 12);
   EXPECT_EQ(run_repair(mesh, "remove_isolated").changed, 6u);
   EXPECT_EQ(to_indexed(mesh).mesh.positions.size(), 6u);
+}
+
+TEST(repairs, filling_tells_how_far_it_is_within_a_hole) {
+  IndexedMesh source;  // a band around two holes
+  constexpr std::uint32_t sides = 100;
+  for (std::uint32_t i = 0; i < 2 * sides; ++i) {
+    const double angle = 2 * M_PI * (i % sides) / sides;
+    source.positions.push_back({100 * std::cos(angle), 100 * std::sin(angle), i / sides});
+  }
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const std::uint32_t next = (i + 1) % sides;
+    for (std::uint32_t corner : {i, next, next + sides, i + sides}) source.corners.push_back(corner);
+    source.face_offsets.push_back(static_cast<std::uint32_t>(source.corners.size()));
+  }
+  Mesh mesh = from_indexed(std::move(source));
+  std::vector<double> shares;
+  Progress progress([&](double share) { return shares.push_back(share), true; }, {});
+  Edit edit(mesh, nullptr);
+  EXPECT_EQ(find_repair("fill_holes")->run(edit, {}, progress).changed, 2u);
+  edit.commit();
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  const std::set<double> different(shares.begin(), shares.end());
+  for (const double hole : {0.0, 0.5})
+    EXPECT_GT(std::distance(different.upper_bound(hole), different.lower_bound(hole + 0.5)), 20) << hole;
 }
 
 }  // namespace

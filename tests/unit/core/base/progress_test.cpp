@@ -30,6 +30,18 @@ TEST(Progress, TellsTheShareAndStaysStopped) {
   EXPECT_EQ(told, (std::vector<double>{0, 0.25, 0.25, 0.5}));
 }
 
+TEST(Progress, StepsOfAPartAreAShareOfIt) {
+  std::vector<double> told;
+  Progress progress([&](double share) { return told.push_back(share), true; }, {});
+  for (std::size_t part = 0; part < 2; ++part) {
+    progress.begin_part(part, 2);
+    progress.go_on();
+    progress.go_on(1, 2);
+    progress.go_on(2, 2);
+  }
+  EXPECT_EQ(told, (std::vector<double>{0, 0.25, 0.5, 0.5, 0.75, 1}));
+}
+
 TEST(Progress, IsToldAtFirstAndThenSeldom) {
   int told = 0;
   Progress progress([&](double) { return ++told > 0; }, std::chrono::hours(1));

@@ -12,7 +12,7 @@ namespace ryosen::cli {
 struct VerdictReport {
   std::string_view op;
   std::string edge;       // empty where the operator has none
-  std::string arguments;  // as they were written; of an operator on an edge that edge alone
+  std::string arguments;  // the words behind the operator; of an operator on an edge that edge alone
   Verdict verdict;
   std::vector<Reason> warnings;
   std::vector<std::string> remedy;  // for a refused one; empty where none was found

@@ -1,5 +1,6 @@
 // `why`: may an operator be done, and if not, why not, and what would help.
 #include <memory>
+#include <optional>
 
 #include "app/cli/commands.h"
 #include "app/cli/did_you_mean.h"
@@ -39,8 +40,8 @@ class Why {
   ExitCode answer_line(const std::string& line) {
     const std::vector<std::string_view> words = split_words(line);
     const OpInfo* const info = find_op(words[0]);
-    const Parsed<AnyOp> parsed = parse_op(mesh_, info->id, std::span(words).subspan(1));
     const auto arguments = std::span(words).subspan(1);
+    const Parsed<AnyOp> parsed = parse_op(mesh_, info->id, arguments);
     const std::string edge = info->target == OpTargetKind::edge && words.size() > 1 ? std::string(words[1]) : "";
     return answer(*info, edge, parsed, arguments);
   }

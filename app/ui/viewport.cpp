@@ -1,6 +1,5 @@
 #include "app/ui/viewport.h"
 
-#include <algorithm>
 #include <numeric>
 
 #include "app/ui/overlays.h"

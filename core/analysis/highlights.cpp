@@ -53,11 +53,6 @@ struct Reach {
   std::vector<Face> faces;
 };
 
-template <class Handle>
-void remove_repetitions(std::vector<Handle>& handles) {
-  sort_unique(handles);
-}
-
 void add_touched_cell(TouchedCell cell, Reach& reach) {
   switch (cell.column) {
     case Column::vertex_halfedge:
@@ -89,17 +84,17 @@ Reach reach_of(const Mesh& mesh, std::span<const TouchedCell> cells, const Colum
   for (std::uint32_t i = before.vertices; i < mesh.vertex_slots(); ++i) reach.vertices.emplace_back(i);
   for (std::uint32_t i = before.halfedges / 2; i < mesh.edge_slots(); ++i) reach.edges.emplace_back(i);
   for (std::uint32_t i = before.faces; i < mesh.face_slots(); ++i) reach.faces.emplace_back(i);
-  remove_repetitions(reach.edges);
+  sort_unique(reach.edges);
 
   for (Edge e : reach.edges)
     if (mesh.exists(e) && mesh.is_alive(e))
       for (Vertex v : {mesh.from(halfedge(e, 0)), mesh.from(halfedge(e, 1))}) reach.vertices.push_back(v);
-  remove_repetitions(reach.vertices);
+  sort_unique(reach.vertices);
 
   std::vector<Vertex> points;
   for (Vertex v : reach.vertices)
     if (mesh.exists(v) && mesh.is_alive(v)) points.push_back(around.point(v));
-  remove_repetitions(points);
+  sort_unique(points);
   for (Vertex p : points)
     for_each_copy(mesh, p, [&](Vertex copy) {
       reach.vertices.push_back(copy);
@@ -110,9 +105,9 @@ Reach reach_of(const Mesh& mesh, std::span<const TouchedCell> cells, const Colum
         if (!mesh.is_outside(h)) reach.faces.push_back(mesh.face(h));
       }
     });
-  remove_repetitions(reach.vertices);
-  remove_repetitions(reach.edges);
-  remove_repetitions(reach.faces);
+  sort_unique(reach.vertices);
+  sort_unique(reach.edges);
+  sort_unique(reach.faces);
   return reach;
 }
 
@@ -229,7 +224,7 @@ void HighlightSets::list_edges_asked(const Mesh& mesh, std::span<const Vertex> v
       for (Edge e : edges_around(mesh, copy)) edges_asked_.push_back(e);
     });
   }
-  remove_repetitions(edges_asked_);
+  sort_unique(edges_asked_);
 }
 
 }  // namespace ryosen

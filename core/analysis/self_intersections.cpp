@@ -211,8 +211,6 @@ class NumberedSurface {
   double scale_ = 1.0;
 };
 
-void keep_each_pair_once(std::vector<FacePair>& pairs) { sort_unique(pairs); }
-
 }  // namespace
 
 std::vector<FacePair> find_self_intersections(const Mesh& mesh, unsigned threads) {
@@ -232,7 +230,7 @@ std::vector<FacePair> find_self_intersections(const Mesh& mesh, unsigned threads
         });
   });
   for (unsigned t = 1; t < threads; ++t) found[0].insert(found[0].end(), found[t].begin(), found[t].end());
-  keep_each_pair_once(found[0]);
+  sort_unique(found[0]);
   return std::move(found[0]);
 }
 

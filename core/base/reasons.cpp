@@ -13,10 +13,11 @@ constexpr auto warn = RuleSeverity::warn;
 constexpr std::array rules{
     RuleText{Rule::deleted, "deleted", refuse, "", "The element has been deleted.", "要素はすでに削除されています。",
              "undo brings it back", "元に戻すと復活します"},
-    RuleText{Rule::copies, "copies", refuse, "collapse swap make_loop unite_loop unite_edge fill dissolve vertex_split",
-             "It would change a non-manifold or misoriented place, whose points have copies on other sheets.",
-             "非多様体または向きの不一致な場所を変えることになり、そこの点は他のシートに複製を持っています。",
-             "orient the faces, or split the edges that lead there", "面の向きを揃えるか、そこへ至る稜線を細分します"},
+    RuleText{
+        Rule::copies, "copies", refuse, "collapse swap make_loop unite_loop unite_edge fill dissolve vertex_split",
+        "A non-manifold or misoriented place would change, where a point lies on several sheets or fans of faces.",
+        "非多様体または向きの不一致な場所が変わります。そこでは一つの点に複数のシートまたは面の扇が集まっています。",
+        "orient the faces, or split the edges that lead there", "面の向きを揃えるか、そこへ至る稜線を細分します"},
     RuleText{Rule::isolated_apex, "isolated_apex", refuse, "collapse",
              "The vertex opposite the edge belongs to this triangle alone and would be left without a face.",
              "稜線の向かいの頂点はこの三角形だけに属し、面を失って孤立します。", "split one of its two other edges",
@@ -34,12 +35,10 @@ constexpr std::array rules{
              "together.",
              "両端点に、稜線の三角形の頂点ではない共通の隣接頂点があり、二本の稜線が重なります。",
              "split the edge to the common neighbour", "共通の隣接頂点への稜線を細分します"},
-    RuleText{
-        Rule::common_face, "common_face", refuse, "collapse weld",
-        "A face holds both points that would become one, and no side of it joins them; it would visit one vertex "
-        "twice.",
-        "一つになる二点をともに含み、両者を結ぶ辺を持たない面があります。その面は同じ頂点を二度通ることになります。",
-        "divide that face between the two", "その二点の間で面を分割します"},
+    RuleText{Rule::common_face, "common_face", refuse, "collapse weld",
+             "A face holds both points that would become one; it would visit one vertex twice.",
+             "一つになる二点をともに含む面があり、その面は同じ頂点を二度通ることになります。",
+             "divide that face between the two", "その二点の間で面を分割します"},
     RuleText{
         Rule::inner_edge, "inner_edge", refuse, "collapse",
         "The edge runs through the inside between two boundary vertices; the surface would be pinched to one point.",
@@ -145,8 +144,8 @@ constexpr std::array rules{
         "choose another position", "別の位置を選びます"},
     RuleText{Rule::seam, "seam", warn, "collapse swap unite_loop dissolve",
              "The edge is a seam: corner values differ between its two sides.",
-             "稜線は継ぎ目で、両側の角の値が異なります。", "choose an edge along the seam",
-             "継ぎ目に沿った稜線を選びます"},
+             "稜線は継ぎ目で、両側の角の値が異なります。", "choose an edge that is no seam",
+             "継ぎ目でない稜線を選びます"},
     RuleText{Rule::intersects, "intersects", warn, "", "A face would cut through a face nearby.",
              "面が近くの面と交差します。", "choose another position", "別の位置を選びます"},
 };

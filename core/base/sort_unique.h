@@ -1,3 +1,4 @@
+// Lists in which each value stands once.
 #pragma once
 
 #include <algorithm>

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/sort_unique.h"
+
 namespace ryosen::forms {
 
 FaceAdjacency::FaceAdjacency(const Mesh& mesh) {

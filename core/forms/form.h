@@ -6,7 +6,6 @@
 // handle of the form's own. A form answers from what it stores; none of them asks the mesh it came from.
 #pragma once
 
-#include <algorithm>
 #include <compare>
 #include <cstdint>
 #include <memory>
@@ -17,7 +16,6 @@
 
 #include "core/base/handle.h"
 #include "core/base/message.h"
-#include "core/base/sort_unique.h"
 #include "core/mesh/mesh.h"
 
 namespace ryosen::forms {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/sort_unique.h"
 #include "core/forms/polygons.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"

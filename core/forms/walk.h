@@ -11,6 +11,7 @@
 // with outside halfedges has no gaps.
 #pragma once
 
+#include "core/base/sort_unique.h"
 #include "core/forms/form.h"
 
 namespace ryosen::forms {

@@ -1,5 +1,6 @@
 #include "core/forms/winged_edge.h"
 
+#include "core/base/sort_unique.h"
 #include "core/forms/polygons.h"
 
 namespace ryosen::forms {

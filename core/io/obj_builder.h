@@ -44,7 +44,7 @@ class ObjBuilder {
 
   // The builder of a later piece has taken all of its lines.
   bool is_joinable() const { return !is_done() && reporter_.is_empty(); }
-  // Takes over all that the builders of the next pieces hold, as if their lines had come here, and leaves them empty.
+  // Takes over all that the builders of the next pieces hold, as if their lines had come here; they are of no use then.
   // `lines_before` counts those of the pieces before; the result counts these too. O(size of the pieces).
   std::uint64_t append(std::span<ObjBuilder* const> run, std::uint64_t lines_before, unsigned threads);
   // The calls that follow are about these lines.

@@ -12,7 +12,8 @@ constexpr std::size_t most_libraries = 100;
 
 // Empties indices that name nothing, as if the file had none.
 void drop_if_all_none(std::vector<std::uint32_t>& indices) {
-  if (std::all_of(indices.begin(), indices.end(), [](std::uint32_t index) { return index == no_index; })) indices = {};
+  if (std::all_of(indices.begin(), indices.end(), [](std::uint32_t index) { return index == no_index; }))
+    indices = std::vector<std::uint32_t>();
 }
 
 }  // namespace

@@ -13,6 +13,12 @@ void append_all(const std::vector<Value>& from, std::vector<Value>& to) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
+// Gives the memory back, which assigning an empty list would not.
+template <class Value>
+void release(std::vector<Value>& values) {
+  std::vector<Value>().swap(values);
+}
+
 // Appends a column that is empty where the file gives none of it; `none` stands for what is not given. `count` and
 // `next_count` are the lengths that the columns have when they are in use.
 template <class Value>
@@ -68,9 +74,9 @@ void ObjBuilder::append_points(ObjBuilder& next) {
                   mesh_.vertex_colours);
   mesh_.colour_components = std::max(mesh_.colour_components, next.mesh_.colour_components);
   append_all(next.mesh_.positions, mesh_.positions);
-  next.mesh_.vertex_weights = {};
-  next.mesh_.vertex_colours = {};
-  next.mesh_.positions = {};
+  release(next.mesh_.vertex_weights);
+  release(next.mesh_.vertex_colours);
+  release(next.mesh_.positions);
 }
 
 void ObjBuilder::append_faces(ObjBuilder& next, std::uint64_t lines_before) {
@@ -81,9 +87,9 @@ void ObjBuilder::append_faces(ObjBuilder& next, std::uint64_t lines_before) {
   next.mesh_.texcoords = {};
   next.mesh_.normals = {};
   for (NameTable& table : next.names_) *table.target = {};
-  next.mesh_.corners = {};
-  next.mesh_.face_offsets = {0};
-  next.mesh_.face_lines = {};
+  release(next.mesh_.corners);
+  release(next.mesh_.face_offsets);
+  release(next.mesh_.face_lines);
 }
 
 void ObjBuilder::append_values(const CornerValues& next, std::size_t next_corners, CornerValues& values) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/build/indexed.h"
+
 namespace ryosen {
 namespace {
 

@@ -133,11 +133,6 @@ class Shapes {
   std::vector<CornerTriangle> corners_;
 };
 
-std::vector<Face> sorted(std::vector<Face> faces) {
-  sort_unique(faces);
-  return faces;
-}
-
 // The faces and those within two rings of them, each star visited once; nothing once they have too many corners. The
 // faces themselves come first.
 std::vector<Face> two_rings_around(const Mesh& mesh, const std::vector<Face>& faces) {
@@ -175,7 +170,7 @@ std::vector<Crossing> crossings_near(const Mesh& mesh, std::span<const Face> fac
   std::vector<Face> live;
   for (Face f : faces)
     if (mesh.exists(f) && mesh.is_alive(f)) live.push_back(f);
-  live = sorted(std::move(live));
+  sort_unique(live);
   const std::vector<Face> near = two_rings_around(mesh, live);
   std::vector<Crossing> found;
   if (near.empty()) return found;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
 #include "tests/support/core/random_ops.h"
 
 namespace ryosen {
@@ -30,9 +31,7 @@ TEST(one_ring_sums, are_what_walking_around_each_vertex_gives) {
       glm::dvec3 sum(0);
       if (mesh.is_alive(v)) {
         for (Vertex w : neighbours(mesh, v)) sum += values[w.index];
-        std::size_t gaps = 0;
-        for (Halfedge h : outgoing(mesh, v)) gaps += mesh.is_outside(h);
-        several_fans += gaps > 1;
+        several_fans += count_fans(mesh, v) > 1;
         isolated += mesh.is_isolated(v);
       } else {
         ++dead;

@@ -9,6 +9,7 @@
 #include "app/editor/words.h"
 #include "core/analysis/figures.h"
 #include "core/io/safe_write.h"
+#include "core/mesh/copies.h"
 
 namespace ryosen::cli {
 
@@ -188,6 +189,12 @@ class EditRun {
                                "  " + count("F", before.faces, now.faces);
     console_.print(console_.text(Text{a + " done, " + r + " refused: ", a + " 件実行、" + r + " 件不可："}) + counts +
                    "\n");
+    const ElementCounts all = counts_on_points(session_.mesh());
+    if (all.edges != now.edges || all.faces != now.faces)
+      console_.print(console_.text(Text{"with wires and bridges, without faces set aside, as expect counts: ",
+                                        "面のない稜線と橋を含み、除外した面を含まない（expect の数え方）："}) +
+                     "V " + std::to_string(all.vertices) + "  E " + std::to_string(all.edges) + "  F " +
+                     std::to_string(all.faces) + "\n");
     if (written_)
       console_.print(console_.text(Text{"written: ", "書き出し："}) + *written_ + "\n");
     else

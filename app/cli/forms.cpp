@@ -129,7 +129,7 @@ std::string to_text(const Comparison& comparison, const std::string& file, const
   const std::string v = std::to_string(comparison.vertices), e = std::to_string(comparison.edges),
                     f = std::to_string(comparison.faces);
   return file +
-         console.text(Text{": " + v + " vertices, " + e + " edges, " + f + " faces\n",
+         console.text(Text{": vertices " + v + ", edges " + e + ", faces " + f + "\n",
                            "：頂点 " + v + "、稜線 " + e + "、面 " + f + "\n"}) +
          forms_text(comparison, console) + pairing_text(comparison, console) + texts_text(comparison, console);
 }

@@ -23,10 +23,17 @@ Outcome no_element(Document& document, std::string_view line, NameError error, c
   if (words.empty()) return usage_error(sentence.en, sentence.ja);
   const std::span arguments = std::span(words).subspan(1);
   const std::string id(words[0]);
-  if (error == NameError::deleted) {
-    if (const auto aside = document.set_aside(arguments))
-      return usage_error(id + ": " + aside->en, id + "：" + aside->ja);
-  }
+  const std::string command(without_blanks(line));
+  const auto refused_as_deleted = [&](const Text& why) {
+    Outcome outcome;
+    outcome.kind = Outcome::Kind::refused;
+    outcome.exit_code = ExitCode::refused;
+    outcome.reasons.push_back({Rule::deleted, {}});
+    outcome.sentence = {command + " is refused: " + why.en, command + " は実行できません：" + why.ja};
+    return outcome;
+  };
+  if (error == NameError::deleted)
+    if (const auto aside = document.set_aside(arguments)) return refused_as_deleted(*aside);
   const Document::Elsewhere place = document.exists_elsewhere(error, arguments);
   if (place == Document::Elsewhere::no) return usage_error(id + ": " + sentence.en, id + "：" + sentence.ja);
   const RuleText& rule = text_of(Rule::deleted);
@@ -35,13 +42,7 @@ Outcome no_element(Document& document, std::string_view line, NameError error, c
                                std::string(rule.ja) + "（" + sentence.ja + "。" + std::string(rule.remedy_ja) + "）"}
                         : Text{"The edit that makes the element was undone. (" + sentence.en + "; redo brings it back)",
                                "要素を作る編集が取り消されています。（" + sentence.ja + "。やり直すと復活します）"};
-  Outcome outcome;
-  outcome.kind = Outcome::Kind::refused;
-  outcome.exit_code = ExitCode::refused;
-  outcome.reasons.push_back({Rule::deleted, {}});
-  const std::string command(without_blanks(line));
-  outcome.sentence = {command + " is refused: " + gone.en, command + " は実行できません：" + gone.ja};
-  return outcome;
+  return refused_as_deleted(gone);
 }
 
 Outcome wrong_arguments(std::string_view id) {

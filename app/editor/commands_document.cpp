@@ -39,9 +39,11 @@ Outcome step_history(Session& session, Arguments arguments, std::string_view id,
   outcome.kind = Outcome::Kind::failed;
   outcome.exit_code = ExitCode::refused;
   const std::string wanted = std::to_string(*n), there = std::to_string(possible), verb(id);
-  outcome.sentence = possible == 0 ? Text{"there is nothing to " + verb, verb + " できる操作がありません"}
-                                   : Text{"there are only " + there + " edits to " + verb + ", not " + wanted,
-                                          verb + " できる操作は " + there + " 件だけです（" + wanted + " 件の指定）"};
+  outcome.sentence =
+      possible == 0 ? Text{"there is nothing to " + verb, verb + " できる操作がありません"}
+                    : Text{(possible == 1 ? "there is only one edit to " : "there are only " + there + " edits to ") +
+                               verb + ", not " + wanted,
+                           verb + " できる操作は " + there + " 件だけです（" + wanted + " 件の指定）"};
   return outcome;
 }
 

@@ -7,11 +7,11 @@ namespace ryosen {
 
 namespace {
 
-Outcome not_so(const std::string& claim, const std::string& found) {
+Outcome not_so(const std::string& claim, const Text& found) {
   Outcome outcome;
   outcome.kind = Outcome::Kind::failed;
   outcome.exit_code = ExitCode::found_problems;
-  outcome.sentence = {"expected " + claim + ", found " + found, claim + " のはずが " + found + " でした"};
+  outcome.sentence = {"expected " + claim + ", found: " + found.en, claim + " のはずですが、実際は：" + found.ja};
   return outcome;
 }
 
@@ -21,12 +21,12 @@ Outcome expect_verdict(Session& session, std::string_view line, bool legal) {
     const Outcome other = no_element(session.document(), line, parsed.error, parsed.sentence);
     if (other.kind != Outcome::Kind::refused)
       return usage_error("expect: " + other.sentence.en, "expect：" + other.sentence.ja);
-    return legal ? not_so("legal " + std::string(line), other.sentence.en) : Outcome();
+    return legal ? not_so("legal " + std::string(line), other.sentence) : Outcome();
   }
   const Verdict verdict = check(session.mesh(), *parsed.op);
   if (verdict.legal() == legal) return {};
   const std::string claim = (legal ? "legal " : "refused ") + command_of(session.mesh(), *parsed.op);
-  return not_so(claim, verdict.legal() ? "legal" : describe(session.mesh(), verdict.reasons[0]).en);
+  return not_so(claim, verdict.legal() ? Text{"legal", "可能"} : describe(session.mesh(), verdict.reasons[0]));
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ Outcome run_expect(Session& session, std::span<const std::string_view> arguments
     found = hash_text(session.mesh());
   else
     return usage;
-  return found == expected ? Outcome() : not_so(std::string(what) + " " + expected, found);
+  return found == expected ? Outcome() : not_so(std::string(what) + " " + expected, {found, found});
 }
 
 }  // namespace ryosen

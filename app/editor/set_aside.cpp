@@ -28,8 +28,8 @@ std::optional<Text> set_aside_sentence(std::span<const QuarantinedFace> quaranti
   if (face == quarantine.end() || face->face != *number) return std::nullopt;
   Text text = face->cause();
   const std::string line = std::to_string(face->line);
-  text.en += " It has not been in the mesh since the file was read";
-  text.ja += "ファイルを読み込んだときからメッシュに含まれていません";
+  text.en += " It has been since the file was read";
+  text.ja += "ファイルを読み込んだときから除外しています";
   text.en += face->line > 0 ? " (line " + line + ")." : ".";
   text.ja += face->line > 0 ? "（" + line + " 行目）。" : "。";
   return text;

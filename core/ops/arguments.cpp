@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mesh/copies.h"
+
 namespace ryosen {
 
 std::optional<glm::dvec3> parse_place(std::string_view text) {
@@ -65,6 +67,17 @@ bool ArgumentReader::word(std::string_view expected) {
   if (failed() || peek() != expected || at_end()) return false;
   ++next_;
   return true;
+}
+
+Vertex ArgumentReader::copy() {
+  const std::string name(peek());
+  const Vertex v = vertex();
+  if (failed() || !has_copies(mesh_, v) || name.find('@') != std::string::npos) return v;
+  std::string list;
+  for_each_copy(mesh_, v, [&](Vertex copy) { list += (list.empty() ? "" : ", ") + name_of_copy(mesh_, copy); });
+  fail(NameError::ambiguous, {name + " lies on several sheets; choose one of " + list,
+                              name + " は複数のシートにあります。次から選んでください：" + list});
+  return Vertex();
 }
 
 Halfedge ArgumentReader::corner(Vertex v, std::span<const Halfedge> corners) {

@@ -26,6 +26,7 @@ class ArgumentReader {
   std::string_view peek() const { return at_end() ? std::string_view() : arguments_[next_]; }
 
   Vertex vertex() { return read(find_vertex); }
+  Vertex copy();  // of a point with several: an ambiguity unless the argument says which
   Face face() { return read(find_face); }
   Halfedge halfedge() { return read(find_edge); }
   double number();

@@ -224,7 +224,7 @@ Parsed<Dissolve> Dissolve::parse(const Mesh& mesh, std::span<const std::string_v
   if (is_edge)
     op.halfedge = in.halfedge();
   else
-    op.vertex = in.vertex();
+    op.vertex = in.copy();
   return in.result(op);
 }
 

@@ -272,7 +272,7 @@ class Splitter {
 
 Parsed<VertexSplit> VertexSplit::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
   ArgumentReader in(mesh, arguments, info.syntax);
-  VertexSplit op{in.vertex(), {}, {}};
+  VertexSplit op{in.copy(), {}, {}};
   if (!in.failed()) op.left = read_end(mesh, op.vertex, in);
   if (!in.failed()) op.right = read_end(mesh, op.vertex, in);
   if (!in.at_end()) op.target = in.place();

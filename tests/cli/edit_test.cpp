@@ -113,6 +113,29 @@ TEST(Edit, StrictTurnsWarningsIntoRefusals) {
   EXPECT_TRUE(folder.names().empty());
 }
 
+TEST(Edit, SaysWhatItDoesNotCountBesideWhatExpectCounts) {
+  const auto edit = [](const std::string& script) { return run_program({"edit", "--new", "--do", script}).out; };
+  const std::string wire = "make_vertex 0,0,0; make_vertex 1,0,0; make_edge v0 v1; expect E 1";
+  EXPECT_NE(edit(wire).find("E 0 (0)"), std::string::npos) << edit(wire);
+  EXPECT_NE(edit(wire).find("as expect counts: V 2  E 1  F 0\n"), std::string::npos) << edit(wire);
+  EXPECT_EQ(edit("make_vertex 0,0,0; expect V 1").find("expect counts"), std::string::npos);
+}
+
+// Three of the triangles around point 4 are turned over: it lies on several sheets.
+TEST(Edit, AVertexOnSeveralSheetsMustBeNamedWithItsFace) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("seam.off",
+                                        "OFF\n9 8 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n0 2 0\n1 2 0\n2 2 0\n"
+                                        "3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n3 3 4 7\n3 3 7 6\n3 4 8 5\n3 4 7 8\n");
+  for (const char* line : {"dissolve v4", "vertex_split v4 v0 v3"}) {
+    const ProgramRun run = run_program({"edit", path, "--do", line});
+    EXPECT_EQ(run.exit_code, 2) << line;
+    EXPECT_NE(run.err.find("v4 lies on several sheets; choose one of v4@f0, v4@f6"), std::string::npos) << run.err;
+  }
+  EXPECT_EQ(run_program({"edit", path, "--do", "dissolve v4@f6"}).exit_code, 0);
+  EXPECT_EQ(run_program({"edit", path, "--do", "move_vertex v4 1,1,1"}).exit_code, 0) << "a point is meant";
+}
+
 TEST(Edit, SaveInAScript) {
   const TemporaryFolder folder;
   folder.copy(asset("cube.obj"), "a.obj");

@@ -30,10 +30,14 @@ TEST(set_aside, commands_say_why_the_face_is_not_there) {
   auto document = Document::open(folder.write("q.obj", one_set_aside));
   ASSERT_TRUE(document);
   Session session(std::move(document).value());
-  for (const char* line :
-       {"select f1", "split 0-1@f1", "collapse 0-1@f1", "expect legal split 0-1@f1", "select v0@f1"}) {
+  for (const auto& [line, code] :
+       std::vector<std::pair<const char*, ExitCode>>{{"select f1", ExitCode::usage},
+                                                     {"split 0-1@f1", ExitCode::refused},
+                                                     {"collapse 0-1@f1", ExitCode::refused},
+                                                     {"expect legal split 0-1@f1", ExitCode::found_problems},
+                                                     {"select v0@f1", ExitCode::usage}}) {
     const Outcome outcome = session.run(line);
-    EXPECT_EQ(outcome.exit_code, ExitCode::usage) << line;
+    EXPECT_EQ(outcome.exit_code, code) << line;
     EXPECT_NE(outcome.sentence.en.find("f1 is set aside"), std::string::npos) << line << ": " << outcome.sentence.en;
     EXPECT_NE(outcome.sentence.en.find("line 6"), std::string::npos) << outcome.sentence.en;
     EXPECT_NE(outcome.sentence.ja.find("除けて"), std::string::npos) << outcome.sentence.ja;
@@ -48,9 +52,12 @@ TEST(set_aside, whichever_argument_speaks_of_the_face) {
   Session session(std::move(document).value());
   for (const char* line : {"detach f0 f1", "delete f1", "weld v0@f0 v1@f1"}) {
     const Outcome outcome = session.run(line);
-    EXPECT_EQ(outcome.exit_code, ExitCode::usage) << line;
+    EXPECT_EQ(outcome.exit_code, ExitCode::refused) << line;
+    ASSERT_EQ(outcome.reasons.size(), 1u) << line;
+    EXPECT_EQ(outcome.reasons[0].rule, Rule::deleted);
     EXPECT_NE(outcome.sentence.en.find("f1 is set aside"), std::string::npos) << line << ": " << outcome.sentence.en;
   }
+  EXPECT_TRUE(session.run("expect refused poke f1").done());
 }
 
 }  // namespace

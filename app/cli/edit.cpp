@@ -140,6 +140,7 @@ class EditRun {
     const Status status = session_.document().save(*files_.output);
     if (is_in_place(status)) {
       written_ = *files_.output;
+      losses_ = losses;
       for (const Message& loss : losses) console_.show(loss, *files_.output);
     }
     if (status) return;
@@ -166,7 +167,7 @@ class EditRun {
     Json json;
     json["file"] = files_.input.empty() ? Json() : Json(files_.input);
     json["output"] = written_ ? Json(*written_) : Json();
-    json["status"] = code_ == ExitCode::done ? "ok" : may_write() ? "warnings" : "error";
+    json["status"] = code_ == ExitCode::done && losses_.empty() ? "ok" : may_write() ? "warnings" : "error";
     json["vertices"] = now.vertices;
     json["edges"] = now.edges;
     json["faces"] = now.faces;
@@ -174,7 +175,9 @@ class EditRun {
     json["hash"] = hash_text(session_.mesh());
     json["applied"] = applied_;
     json["refused"] = refused_;
-    if (write_failure_) json["messages"] = Json::array({to_json(*write_failure_)});
+    std::vector<Message> messages = losses_;
+    if (write_failure_) messages.push_back(*write_failure_);
+    if (!messages.empty()) json["messages"] = to_json(messages);
     console_.print(line_of(json));
   }
 
@@ -210,6 +213,7 @@ class EditRun {
   bool failed_ = false;
   std::optional<std::string> written_;  // the last file
   std::optional<Message> write_failure_;
+  std::vector<Message> losses_;  // of what was written
   ExitCode code_ = ExitCode::done;
   std::size_t applied_ = 0, refused_ = 0;
 };

@@ -108,8 +108,11 @@ class RepairRun {
   }
 
   void write() {
+    losses_ = document_.losses(*files_.output);
     const Status status = document_.save(*files_.output);
     written_ = is_in_place(status);
+    if (!written_) losses_.clear();
+    for (const Message& loss : losses_) console_.show(loss, *files_.output);
     if (status) return;
     code_ = status.failure().exit_code;
     failure_ = status.failure().message;
@@ -130,7 +133,7 @@ class RepairRun {
     Json json;
     json["file"] = files_.input;
     json["output"] = written_ ? Json(*files_.output) : Json();
-    json["status"] = failure_ ? "error" : code_ == ExitCode::done ? "ok" : "warnings";
+    json["status"] = failure_ ? "error" : code_ == ExitCode::done && losses_.empty() ? "ok" : "warnings";
     json["repairs"] = Json::array();
     for (const Done& done : done_) {
       Json repair;
@@ -150,7 +153,9 @@ class RepairRun {
     json["hash"] = after_.hash;
     json["problems"] = Json::array();
     for (const NamedProblem& problem : after_.problems) json["problems"].push_back(cli::to_json(problem));
-    json["messages"] = failure_ ? Json::array({cli::to_json(*failure_)}) : cli::to_json(document_.file().messages);
+    std::vector<Message> messages = failure_ ? std::vector{*failure_} : document_.file().messages;
+    messages.insert(messages.end(), losses_.begin(), losses_.end());
+    json["messages"] = cli::to_json(messages);
     console_.print(line_of(json));
   }
 
@@ -161,6 +166,7 @@ class RepairRun {
   CheckReport after_;
   bool written_ = false;
   std::optional<Message> failure_;
+  std::vector<Message> losses_;  // of what was written
   ExitCode code_ = ExitCode::done;
 };
 

@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "app/editor/set_aside.h"
+#include "core/base/sort_unique.h"
 #include "core/build/from_indexed.h"
 #include "core/io/edited_file.h"
 #include "core/mesh/copies.h"
@@ -128,6 +129,19 @@ Outcome Document::apply(const AnyOp& op, bool strict) {
   return outcome;
 }
 
+std::vector<Vertex> Document::used_beside_the_mesh() const {
+  std::vector<Vertex> used;
+  const auto add = [&](std::int64_t number) {
+    if (number >= 0 && number < static_cast<std::int64_t>(mesh_.file_vertices()))
+      used.emplace_back(static_cast<std::uint32_t>(number));
+  };
+  for (const QuarantinedFace& face : tables_.quarantine) std::for_each(face.corners.begin(), face.corners.end(), add);
+  std::for_each(file_.elements.vertices.begin(), file_.elements.vertices.end(), add);
+  for (const std::int64_t number : vertices_named(file_.properties)) add(number);
+  sort_unique(used);
+  return used;
+}
+
 std::optional<RepairResult> Document::repair(const RepairCall& call, Progress::Report report) {
   const std::string command =
       "repair " + std::string(call.row->id) + (call.number ? " " + format_double(*call.number) : "");
@@ -142,7 +156,8 @@ std::optional<RepairResult> Document::repair(const RepairCall& call, Progress::R
   {
     Progress progress(std::move(report));
     Edit edit(mesh_, &journal_);
-    result = call.row->run(edit, call.number, progress);
+    const std::vector<Vertex> used = used_beside_the_mesh();
+    result = call.row->run(edit, {call.number, used}, progress);
     if (progress.is_cancelled()) return std::nullopt;
     if (result.changed == 0) return result;
     edit.commit();

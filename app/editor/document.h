@@ -109,6 +109,8 @@ class Document {
   // The faces set aside are others before and after some transactions.
   void exchange_quarantine(std::size_t transaction);
   void notify(std::size_t transaction);
+  // By faces set aside, and by lines and points of the file; ascending.
+  std::vector<Vertex> used_beside_the_mesh() const;
   bool is_known(std::string_view name) const;
   bool are_known(std::span<const std::string_view> names) const;
 

@@ -100,7 +100,7 @@ std::size_t detach_points(Edit& edit, std::vector<Vertex> points) {
   return made;
 }
 
-RepairResult detach_nonmanifold(Edit& edit, std::optional<double>, Progress& progress) {
+RepairResult detach_nonmanifold(Edit& edit, const RepairInput&, Progress& progress) {
   const Mesh& m = edit.mesh();
   std::vector<Vertex> points = nonmanifold_points(m);
   RepairResult result;

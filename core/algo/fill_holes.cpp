@@ -181,9 +181,9 @@ std::optional<Patch> fill_hole(Edit& edit, Halfedge start) {
 
 }  // namespace
 
-RepairResult fill_holes(Edit& edit, std::optional<double> most_edges, Progress& progress) {
+RepairResult fill_holes(Edit& edit, const RepairInput& input, Progress& progress) {
   const Mesh& m = edit.mesh();
-  const Holes holes = find_holes(m, most_edges);
+  const Holes holes = find_holes(m, input.number);
   std::size_t filled = 0, left = holes.left, faces = 0, vertices = 0;
   std::size_t done = 0;
   for (Halfedge start : holes.to_fill) {

@@ -138,7 +138,7 @@ void delete_faces(Edit& edit, std::vector<Face> faces) {
 
 }  // namespace
 
-RepairResult remove_duplicate_faces(Edit& edit, std::optional<double>, Progress&) {
+RepairResult remove_duplicate_faces(Edit& edit, const RepairInput&, Progress&) {
   const Mesh& m = edit.mesh();
   Neighbourhood around(m, Neighbourhood::Reach::whole);
   const std::vector<FaceOnPoints> faces = faces_with_equals(m, find_duplicate_faces(around));
@@ -163,7 +163,7 @@ RepairResult remove_duplicate_faces(Edit& edit, std::optional<double>, Progress&
   return result;
 }
 
-RepairResult remove_degenerate_faces(Edit& edit, std::optional<double>, Progress& progress) {
+RepairResult remove_degenerate_faces(Edit& edit, const RepairInput&, Progress& progress) {
   const Mesh& m = edit.mesh();
   std::vector<Face> flat;
   Neighbourhood around(m);
@@ -202,18 +202,29 @@ RepairResult remove_degenerate_faces(Edit& edit, std::optional<double>, Progress
   return result;
 }
 
-RepairResult remove_isolated_vertices(Edit& edit, std::optional<double>, Progress&) {
+RepairResult remove_isolated_vertices(Edit& edit, const RepairInput& input, Progress&) {
   const Mesh& m = edit.mesh();
   Sheets sheets(edit);
   RepairResult result;
   for (std::uint32_t i = m.vertex_slots(); i-- > 0;) {
     const Vertex v(i);
     if (!m.is_alive(v) || !m.is_isolated(v)) continue;
-    if (!has_copies(m, v)) ++result.changed;
+    const bool is_alone = !has_copies(m, v);
+    if (is_alone && std::binary_search(input.used_elsewhere.begin(), input.used_elsewhere.end(), v)) {
+      ++result.left;
+      continue;
+    }
+    result.changed += is_alone;
     sheets.remove_vertex(v);
   }
   result.text = repair_text(result.changed, "One isolated vertex was removed.", "# isolated vertices were removed.",
                             "孤立頂点を # 個削除しました。");
+  if (result.left > 0) {
+    const std::string left = std::to_string(result.left);
+    result.text.en += result.left == 1 ? " One stays: a face set aside, a line or a point of the file uses it."
+                                       : " " + left + " stay: faces set aside, lines or points of the file use them.";
+    result.text.ja += "除外した面・線・点が使う " + left + " 個は残しました。";
+  }
   return result;
 }
 

@@ -25,7 +25,7 @@ std::size_t misoriented_edges(const Mesh& m) {
 }
 
 // Only where it helps: the seam of a surface that cannot be oriented may get longer by turning faces.
-RepairResult orient_faces(Edit& edit, std::optional<double>, Progress&) {
+RepairResult orient_faces(Edit& edit, const RepairInput&, Progress&) {
   RepairResult result;
   result.left = misoriented_edges(edit.mesh());
   if (Orient().check(edit.mesh()).legal()) {

@@ -23,6 +23,12 @@ struct RepairResult {
   Text text;                // a sentence with the numbers
 };
 
+struct RepairInput {
+  std::optional<double> number;
+  // Vertices that something beside the mesh refers to (faces set aside, lines and points of the file), ascending.
+  std::span<const Vertex> used_elsewhere;
+};
+
 // What a repair's number means.
 enum class RepairNumber { none, may_be_given, must_be_given };
 
@@ -36,7 +42,7 @@ struct RepairRow {
   std::vector<ProblemKind> solves;
   // Does it within an edit, which is one entry of the history; one that was cancelled is not to be committed. Null: the
   // repair is about the faces that reading set aside, which belong to the document.
-  RepairResult (*run)(Edit& edit, std::optional<double> number, Progress& progress);
+  RepairResult (*run)(Edit& edit, const RepairInput& input, Progress& progress);
 };
 
 // In the order in which they are done, each after those that make its work easier.

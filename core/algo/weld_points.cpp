@@ -261,7 +261,7 @@ void collapse_within(Edit& edit, const std::vector<Group>& groups, Progress& pro
 
 }  // namespace
 
-RepairResult weld_equal_points(Edit& edit, std::optional<double>, Progress& progress) {
+RepairResult weld_equal_points(Edit& edit, const RepairInput&, Progress& progress) {
   const Mesh& m = edit.mesh();
   std::vector<Group> groups = groups_within(m, 0);
   std::size_t left = drop_groups_within_faces(m, groups) + drop_nonmanifold(m, groups);
@@ -272,12 +272,12 @@ RepairResult weld_equal_points(Edit& edit, std::optional<double>, Progress& prog
   return result_of(before - counts_on_points(m).vertices, left);
 }
 
-RepairResult weld_close_points(Edit& edit, std::optional<double> distance, Progress& progress) {
+RepairResult weld_close_points(Edit& edit, const RepairInput& input, Progress& progress) {
   const Mesh& m = edit.mesh();
   const std::uint32_t before = counts_on_points(m).vertices;
-  collapse_within(edit, groups_within(m, *distance), progress);
+  collapse_within(edit, groups_within(m, *input.number), progress);
   if (progress.is_cancelled()) return {};
-  std::vector<Group> groups = groups_within(m, *distance);
+  std::vector<Group> groups = groups_within(m, *input.number);
   const std::size_t left = drop_groups_within_faces(m, groups);
   weld_groups(edit, groups);
   return result_of(before - counts_on_points(m).vertices, left);

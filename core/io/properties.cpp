@@ -168,6 +168,17 @@ bool PropertyTables::has_layout() const {
                      [](const PropertyTable& table) { return table.kind == TableKind::vertices; });
 }
 
+std::vector<std::int64_t> vertices_named(const PropertyTables& tables) {
+  std::vector<std::int64_t> named;
+  for (const PropertyTable& table : tables.tables)
+    for (const Property& property : table.properties) {
+      if (table.kind != TableKind::other || property.role != PropertyRole::vertex_number) continue;
+      const std::size_t values = property.is_list ? property.ends.empty() ? 0 : property.ends.back() : table.rows;
+      for (std::size_t i = 0; i < values; ++i) named.push_back(property.integer(i));
+    }
+  return named;
+}
+
 PropertyTables renumbered(const PropertyTables& tables, std::span<const std::uint32_t> vertex_number,
                           std::span<const std::uint32_t> face_number, std::size_t old_vertices,
                           std::size_t new_vertices, std::size_t new_faces) {

@@ -113,6 +113,9 @@ PropertyTables renumbered(const PropertyTables& tables, std::span<const std::uin
                           std::span<const std::uint32_t> face_number, std::size_t old_vertices,
                           std::size_t new_vertices, std::size_t new_faces);
 
+// The numbers that values of their own rows name as vertices (the ends of edges), in the order of the tables.
+std::vector<std::int64_t> vertices_named(const PropertyTables& tables);
+
 // The tables with other faces: the row of each new face is that of an old one. O(values).
 PropertyTables with_faces_of(const PropertyTables& tables, std::span<const std::uint32_t> old_face);
 

@@ -46,6 +46,43 @@ TEST(Repair, KeepsAllGeometryUnlessAskedAndSaysWhatIsLeft) {
   EXPECT_EQ(check["problems"].size(), report["problems"].size());
 }
 
+TEST(Repair, VerticesThatOtherThingsOfTheFileUseAreNotIsolated) {
+  const TemporaryFolder folder;
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nv 6 6 6\nv 7 7 7\n", face = "f 1 2 3\n";
+  for (const std::string rest : {"f 4 4 1\n", "p 4\n", "l 4 1\n"}) {
+    const std::string path = folder.write("a.obj", vertices + face + rest);
+    const ProgramRun run =
+        run_program({"repair", path, "-o", folder.at("o.obj"), "--kinds", "remove_isolated", "--json"});
+    EXPECT_EQ((*repair_of(run.line(), "remove_isolated"))["changed"], 2) << rest;
+    EXPECT_EQ((*repair_of(run.line(), "remove_isolated"))["left"], 1) << rest;
+    EXPECT_EQ(read_file(folder.at("o.obj")), vertices.substr(0, vertices.find("v 6")) + face + rest);
+  }
+  const std::string edges =
+      "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nelement edge 1\nproperty int vertex1\n"
+      "property int vertex2\nend_header\n0 0 0\n1 0 0\n0 1 0\n5 5 5\n6 6 6\n3 0 1 2\n3 0\n";
+  const ProgramRun run = run_program({"repair", folder.write("a.ply", edges), "--kinds", "remove_isolated", "--json"});
+  EXPECT_EQ((*repair_of(run.line(), "remove_isolated"))["changed"], 1) << run.out;
+}
+
+TEST(Repair, SaysWhatTheFileThatIsWrittenCannotHold) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+  const auto codes = [](const Json& report) {
+    std::vector<std::string> found;
+    for (const Json& message : report["messages"]) found.push_back(message["code"]);
+    return found;
+  };
+  const ProgramRun repair = run_program({"repair", path, "-o", folder.at("o.stl"), "--json"});
+  EXPECT_EQ(repair.line()["status"], "warnings");
+  EXPECT_EQ(codes(repair.line()), std::vector<std::string>{"loses_polygons"});
+  EXPECT_NE(repair.err.find("more than three corners"), std::string::npos) << repair.err;
+  const ProgramRun edit = run_program({"edit", path, "-o", folder.at("e.stl"), "--do", "split 0-1", "--json"});
+  EXPECT_EQ(codes(edit.lines().back()), std::vector<std::string>{"loses_polygons"});
+  EXPECT_EQ(edit.lines().back()["status"], "warnings");
+  EXPECT_EQ(edit.exit_code, 0);
+}
+
 TEST(Repair, EverythingByName) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a.obj", broken);

@@ -77,7 +77,7 @@ void expect_cancelling_leaves_no_trace(Mesh& mesh, const RepairCall& call) {
     Journal journal;
     {
       Edit edit(mesh, &journal);
-      call.row->run(edit, call.number, progress);
+      call.row->run(edit, {call.number, {}}, progress);
     }
     EXPECT_EQ(mesh.columns(), before) << "cancelled at step " << last_step;
     EXPECT_FALSE(journal.can_undo());
@@ -94,7 +94,7 @@ Proved repair_and_prove(Mesh& mesh, const RepairCall& call) {
   Journal journal;
   {
     Edit edit(mesh, &journal);
-    proved.result = call.row->run(edit, call.number, unheard);
+    proved.result = call.row->run(edit, {call.number, {}}, unheard);
     if (proved.result.changed > 0) edit.commit();
   }
   EXPECT_FALSE(proved.result.text.en.empty() || proved.result.text.ja.empty());
@@ -118,7 +118,7 @@ Proved repair_and_prove(Mesh& mesh, const RepairCall& call) {
   Mesh again = mesh;
   Edit edit(again, nullptr);
   if (call.row->number != RepairNumber::must_be_given) {
-    EXPECT_EQ(call.row->run(edit, call.number, unheard).changed, 0u) << "twice does more than once";
+    EXPECT_EQ(call.row->run(edit, {call.number, {}}, unheard).changed, 0u) << "twice does more than once";
   }
   return proved;
 }

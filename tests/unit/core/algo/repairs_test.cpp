@@ -19,7 +19,7 @@ namespace {
 RepairResult run_repair(Mesh& mesh, std::string_view id, std::optional<double> number = {}) {
   Edit edit(mesh, nullptr);
   Progress unheard;
-  const RepairResult result = find_repair(id)->run(edit, number, unheard);
+  const RepairResult result = find_repair(id)->run(edit, {number, {}}, unheard);
   edit.commit();
   return result;
 }
@@ -252,7 +252,7 @@ TEST(repairs, filling_tells_how_far_it_is_within_a_hole) {
   std::vector<double> shares;
   Progress progress([&](double share) { return shares.push_back(share), true; }, {});
   Edit edit(mesh, nullptr);
-  EXPECT_EQ(find_repair("fill_holes")->run(edit, {}, progress).changed, 2u);
+  EXPECT_EQ(find_repair("fill_holes")->run(edit, {std::nullopt, {}}, progress).changed, 2u);
   edit.commit();
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
   const std::set<double> different(shares.begin(), shares.end());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <unordered_set>
 
 #include "core/io/numbers.h"
 #include "core/io/reporter.h"
@@ -166,8 +167,8 @@ class HeaderReader {
 
   void element(std::string_view rest) {
     PropertyTable table;
-    table.name = take_word(rest);
-    const std::string_view word = take_word(rest);
+    const std::string_view name = take_word(rest), word = take_word(rest);
+    table.name = name;
     std::int64_t count = 0;
     if (table.name.empty() || word.empty() || !read_integer(word, count)) {
       return fail("unreadable_number", {shown(word) + " is not a count.", shown(word) + " は個数として読めません。"},
@@ -177,13 +178,11 @@ class HeaderReader {
       return fail("negative_count",
                   {"The count " + shown(word) + " is negative.", "個数 " + shown(word) + " が負です。"}, here());
     }
-    for (const PropertyTable& known : header_.tables.tables) {
-      if (known.name == table.name) {
-        return fail("repeated_element",
-                    {"The element " + shown(table.name) + " is announced twice.",
-                     "要素 " + shown(table.name) + " が 2 回宣言されています。"},
-                    here());
-      }
+    if (!element_names_.insert(name).second) {
+      return fail(
+          "repeated_element",
+          {"The element " + shown(name) + " is announced twice.", "要素 " + shown(name) + " が 2 回宣言されています。"},
+          here());
     }
     table.kind = table.name == "vertex" ? TableKind::vertices
                  : table.name == "face" ? TableKind::faces
@@ -255,6 +254,7 @@ class HeaderReader {
   TextLines lines_;
   PlyHeader header_;
   std::optional<Failure> failure_;
+  std::unordered_set<std::string_view> element_names_;  // in the bytes of the file
   bool is_done_ = false;
   bool has_format_ = false;
 };

@@ -1,6 +1,7 @@
 #include "core/io/ply.h"
 
 #include <bit>
+#include <chrono>
 
 #include "tests/unit/core/io/io_helpers.h"
 
@@ -293,6 +294,20 @@ TEST(PlyRead, LongFilesAreReadInPartsAsIfInOne) {
     for (std::uint32_t f = face; f < faces; ++f) ++with_quad.mesh.face_offsets[f + 1];
     all_read_alike(with_quad);
   }
+}
+
+TEST(PlyRead, ManyElementsAreReadInTimeThatGrowsWithTheirNumber) {
+  std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
+  constexpr std::size_t count = 50000;
+  for (std::size_t i = 0; i < count; ++i) header += "element e" + std::to_string(i) + " 0\n";
+  const auto begin = std::chrono::steady_clock::now();
+  const MeshFile file = io_test::read_sound("ply", header + "end_header\n0 0 0\n");
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2)) << "comparing all with all takes longer";
+  EXPECT_EQ(file.properties.tables.size(), count + 1);
+  const Failure failure = io_test::read_refused("ply", header + "element e0 0\nend_header\n0 0 0\n");
+  EXPECT_EQ(failure.message.code, "repeated_element");
+  EXPECT_EQ(failure.message.line, count + 7);
 }
 
 TEST(PlyRead, PointsAndStrips) {

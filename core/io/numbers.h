@@ -1,8 +1,10 @@
 // Reads one number of a text file, the whole token or not at all, whatever the locale.
 #pragma once
 
+#include <bit>
 #include <charconv>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <string_view>
 
@@ -25,5 +27,13 @@ inline NumberRead read_real(std::string_view token, double& value) {
 
 // Reads a whole number. Values beyond 64 bits become the nearest that fits. False if the token is anything else.
 bool read_integer(std::string_view token, std::int64_t& value);
+
+// Whether a double holds the whole number exactly, as it does all of up to 53 bits.
+template <std::integral Integer>
+constexpr bool is_exact_double(Integer value) {
+  const auto bits = static_cast<std::uint64_t>(value);
+  const std::uint64_t magnitude = value < 0 ? 0 - bits : bits;
+  return magnitude == 0 || std::bit_width(magnitude) - std::countr_zero(magnitude) <= 53;
+}
 
 }  // namespace ryosen

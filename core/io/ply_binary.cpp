@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "core/build/parallel.h"
+#include "core/io/numbers.h"
 #include "core/io/ply_values.h"
 #include "core/mesh/column_memory.h"
 
@@ -125,7 +126,7 @@ class PlyBinaryReader {
       Property& property = table.properties[p];
       if (!targets[p].first) property.data.resize(table.rows * size_of(property.type));
     }
-    std::atomic<bool> all_finite = true;
+    std::atomic<bool> all_sound = true;
     for_each_part(static_cast<std::uint32_t>(table.rows), threads_for(table.rows * targets.size()),
                   [&](unsigned, std::uint32_t begin, std::uint32_t end) {
                     for_each_column(
@@ -135,10 +136,10 @@ class PlyBinaryReader {
                           if (!targets[p].first)
                             copy_column<Number>(column, stride, first, last, table.properties[p].data.data());
                           else if (!read_reals<Number>(column, stride, first, last, targets[p]))
-                            all_finite = false;
+                            all_sound = false;
                         });
                   });
-    if (!all_finite) warn_of_columns(table, targets, stride);
+    if (!all_sound) warn_of_columns(table, targets, stride);
     at_ += table.rows * stride;
   }
 
@@ -161,15 +162,21 @@ class PlyBinaryReader {
     }
   }
 
-  // Whether all are finite.
+  template <class Number>
+  static constexpr bool may_be_rounded = std::is_integral_v<Number> && sizeof(Number) == 8;
+
+  // Whether all are finite, and exact.
   template <class Number>
   static bool read_reals(const char* column, std::size_t stride, std::size_t first, std::size_t last,
                          PlyTarget target) {
     double nothing = 0;  // stays zero while all are finite
+    bool are_exact = true;
     const auto read = [&](auto put) {
       for (std::size_t row = first; row < last; ++row) {
-        const auto value = static_cast<double>(load<Number, Swap>(column + row * stride));
+        const Number number = load<Number, Swap>(column + row * stride);
+        const auto value = static_cast<double>(number);
         nothing += value * 0.0;
+        if constexpr (may_be_rounded<Number>) are_exact = are_exact && is_exact_double(number);
         put(row, value);
       }
     };
@@ -177,7 +184,7 @@ class PlyBinaryReader {
       read([&](std::size_t row, double value) { target.first[row * target.stride] = value; });
     else
       read([&](std::size_t row, double value) { target.put(row, value); });
-    return nothing == 0.0;
+    return nothing == 0.0 && are_exact;
   }
 
   void warn_of_columns(const PropertyTable& table, const std::vector<PlyTarget>& targets, std::size_t stride) {
@@ -186,10 +193,17 @@ class PlyBinaryReader {
                       if (!targets[p].first) return;
                       for (std::size_t row = first; row < last; ++row) {
                         const char* const at = column + row * stride;
-                        if (!std::isfinite(static_cast<double>(load<decltype(zero), Swap>(at))))
-                          builder_.warn_non_finite(place(at));
+                        warn_of(load<decltype(zero), Swap>(at), at);
                       }
                     });
+  }
+
+  template <class Number>
+  void warn_of(Number value, const char* at) {
+    if (!std::isfinite(static_cast<double>(value))) builder_.warn_non_finite(place(at));
+    if constexpr (may_be_rounded<Number>) {
+      if (!is_exact_double(value)) builder_.warn_rounded(place(at));
+    }
   }
 
   template <class Number>
@@ -301,7 +315,7 @@ class PlyBinaryReader {
     if (!target.first) {
       append(property, value);
     } else {
-      if (!std::isfinite(static_cast<double>(value))) builder_.warn_non_finite(here());
+      warn_of(value, at_);
       target.put(row, static_cast<double>(value));
     }
     at_ += sizeof(Number);

@@ -86,6 +86,13 @@ void PlyBuilder::warn_non_finite(FilePlace place) {
   });
 }
 
+void PlyBuilder::warn_rounded(FilePlace place) {
+  reporter_.warn("rounded_number", place, [] {
+    return Text{"A whole number of a vertex or face has more than the 53 bits of a double; it is rounded.",
+                "頂点または面の整数が倍精度の 53 ビットに収まらないため、丸めました。"};
+  });
+}
+
 // Lists with two numbers for each corner, or none, become texture coordinates; else they are kept as lists.
 void PlyBuilder::take_corner_texcoords() {
   IndexedMesh& mesh = file_.mesh;

@@ -34,6 +34,8 @@ class PlyBuilder {
   FaceList& faces() { return faces_; }
   Reporter& reporter() { return reporter_; }
   void warn_non_finite(FilePlace place);
+  // Of a whole number of 64 bits that the mesh, which has doubles, holds only rounded.
+  void warn_rounded(FilePlace place);
 
   // Sets the unusable faces aside and hands the file over; refuses what looks like the other byte order.
   Result<MeshFile> finish();

@@ -79,11 +79,22 @@ class PlyTextReader {
 
   bool read_scalar(Property& property, const PlyTarget& target, std::size_t row) {
     if (!target.first) return read_kept(property);
+    const std::string_view before = rest_;
     double value = 0;
     if (!read_number(value)) return false;
     is_finite_ = is_finite_ && std::isfinite(value);
+    if (!is_real(property.type) && size_of(property.type) == 8 && !is_read_exactly(before))
+      builder_.warn_rounded(lines_.place(before.data()));
     target.put(row, value);
     return true;
+  }
+
+  // Whether the whole number that comes first is a double; true for anything else.
+  static bool is_read_exactly(std::string_view text) {
+    std::int64_t value = 0;
+    std::uint64_t large = 0;
+    if (take_number(text, value)) return is_exact_double(value);
+    return !take_number(text, large) || is_exact_double(large);
   }
 
   bool missing() {

@@ -1,7 +1,9 @@
 #include "core/io/ply.h"
 
+#include <algorithm>
 #include <bit>
 #include <chrono>
+#include <cstring>
 
 #include "tests/unit/core/io/io_helpers.h"
 
@@ -308,6 +310,66 @@ TEST(PlyRead, ManyElementsAreReadInTimeThatGrowsWithTheirNumber) {
   const Failure failure = io_test::read_refused("ply", header + "element e0 0\nend_header\n0 0 0\n");
   EXPECT_EQ(failure.message.code, "repeated_element");
   EXPECT_EQ(failure.message.line, count + 7);
+}
+
+// Whole numbers that no double holds, as coordinates and as further properties.
+constexpr std::string_view wide_numbers =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty int64 x\nproperty float y\nproperty float z\n"
+    "property int64 id\nproperty uint64 key\nproperty list uchar uint64 keys\nelement face 1\n"
+    "property list uchar int vertex_indices\nproperty int64 part\nend_header\n"
+    "9007199254740993 0 0 9007199254740993 18446744073709551615 1 9007199254740995\n"
+    "-9007199254740994 0 0 -9223372036854775807 9223372036854775809 0\n"
+    "0 1 0 3 4 2 1 18446744073709551613\n3 0 1 2 -9007199254740993\n";
+
+TEST(PlyRead, WholeNumbersOf64BitsAreKeptAndRoundedCoordinatesNamed) {
+  const MeshFile file = io_test::read_sound("ply", wide_numbers);
+  const Message* const message = io_test::find_message(file, "rounded_number");
+  ASSERT_NE(message, nullptr);
+  EXPECT_EQ(message->line, 14u);
+  EXPECT_EQ(message->column, 1u);
+  EXPECT_EQ(file.messages.size(), 1u) << "the second coordinate is even, so a double holds it";
+  for (const char* id : {"ply-ascii", "ply-little", "ply-big"}) {
+    SCOPED_TRACE(id);
+    const WriteOptions target = *find_target(id);
+    const std::string bytes = bytes_of(file, *target.format, target.encoding);
+    const MeshFile again = io_test::read_sound("ply", bytes);
+    EXPECT_EQ(io_test::difference(file, again), "");
+    EXPECT_TRUE(again.messages.empty()) << "what is written is what the mesh has";
+    const std::string text = bytes_of(again, *target.format, Encoding::ascii);
+    for (const char* word : {"property int64 id\n", "property uint64 key\n",
+                             " 9007199254740993 18446744073709551615 1 "
+                             "9007199254740995\n",
+                             " -9223372036854775807 9223372036854775809 0\n", " 3 4 2 1 18446744073709551613\n",
+                             "3 0 1 2 -9007199254740993\n"}) {
+      EXPECT_NE(text.find(word), std::string::npos) << word << text;
+    }
+  }
+}
+
+// Rows in either byte order, alone and beside lists.
+TEST(PlyRead, BinaryCoordinatesThatAreRoundedAreNamed) {
+  for (const bool has_list : {false, true}) {
+    for (const char* order : {"binary_little_endian", "binary_big_endian"}) {
+      const bool swaps =
+          (order == std::string_view("binary_big_endian")) == (std::endian::native == std::endian::little);
+      std::string bytes = "ply\nformat " + std::string(order) +
+                          " 1.0\nelement vertex 2\nproperty uint64 x\nproperty uint64 y\nproperty uint64 z\n" +
+                          (has_list ? "property list uchar int more\n" : "") + "end_header\n";
+      const std::size_t head = bytes.size();
+      for (const std::uint64_t value : {1ull << 60, 5ull, 18446744073709551615ull, 7ull, 8ull, 9ull}) {
+        std::string word(8, '\0');
+        std::memcpy(word.data(), &value, 8);
+        if (swaps) std::reverse(word.begin(), word.end());
+        bytes += word;
+        if (has_list && (value == 18446744073709551615ull || value == 9)) bytes += '\0';
+      }
+      const MeshFile file = io_test::read_sound("ply", bytes);
+      const Message* const message = io_test::find_message(file, "rounded_number");
+      ASSERT_NE(message, nullptr) << order;
+      EXPECT_EQ(message->byte, head + 16) << order;
+      EXPECT_EQ(file.mesh.positions[0], glm::dvec3(1152921504606846976.0, 5, 18446744073709551616.0));
+    }
+  }
 }
 
 TEST(PlyRead, PointsAndStrips) {

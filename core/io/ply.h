@@ -22,7 +22,7 @@ Result<MeshFile> read_ply(std::string_view bytes, const std::filesystem::path& p
 
 // The bytes of a PLY file in this encoding (little endian when automatic), with the elements and
 // properties of the layout that the file came with, in its order. A type that cannot hold a value any more gives way to
-// a wider one.
+// a wider one, which all components of a position, normal, texture coordinate or colour then have.
 std::string write_ply(const MeshFile& file, Encoding encoding);
 
 }  // namespace ryosen

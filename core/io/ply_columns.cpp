@@ -71,6 +71,9 @@ PlyColumns::PlyColumns(const MeshFile& file, Encoding encoding)
   add_missing();
   for (PlyTable& table : tables_) {
     for (PlyColumn& column : table.columns) widen(table, column);
+    using enum PropertyRole;
+    for (const PropertyRole role : {position, normal, texcoord, vertex_colour, face_colour})
+      widen_together(table, role);
   }
 }
 
@@ -134,6 +137,9 @@ void PlyColumns::add_layout() {
 void PlyColumns::add_reals(PlyTable& table, PropertyRole role, std::initializer_list<std::string_view> names) {
   std::uint8_t component = 0;
   const bool is_colour = role == PropertyRole::vertex_colour || role == PropertyRole::face_colour;
+  const auto first = std::find_if(table.columns.begin(), table.columns.end(),
+                                  [&](const PlyColumn& column) { return column.role == role; });
+  const NumberType type = first != table.columns.end() ? first->type : is_colour ? NumberType::u8 : NumberType::f32;
   for (const std::string_view name : names) {
     const bool is_there = std::any_of(table.columns.begin(), table.columns.end(), [&](const PlyColumn& column) {
       return column.role == role && column.component == component;
@@ -141,7 +147,7 @@ void PlyColumns::add_reals(PlyTable& table, PropertyRole role, std::initializer_
     if (!is_there && has_data(role, component)) {
       PlyColumn& column = table.columns.emplace_back();
       column.name = name;
-      column.type = is_colour ? NumberType::u8 : NumberType::f32;
+      column.type = type;
       column.role = role;
       column.component = component;
       if (role == PropertyRole::vertex_colour) column.scale = colour_scale(column.type);
@@ -252,13 +258,29 @@ void PlyColumns::widen(const PlyTable& table, PlyColumn& column) {
       if (type_holds(type, static_cast<double>(longest))) break;
     }
   }
-  if (column.kept || (keeps_types_ && is_real(column.type))) return;
   if (column.role == PropertyRole::corners) return widen_corners(column);
-  for (const NumberType type : {column.type, NumberType::f32, NumberType::f64}) {
-    column.type = type;
-    if (holds(type, column, table.rows)) break;
+  if (column.role != PropertyRole::corner_texcoord || keeps_type(column, table.rows)) return;
+  column.type = holds(NumberType::f32, column, table.rows) ? NumberType::f32 : NumberType::f64;
+}
+
+bool PlyColumns::keeps_type(const PlyColumn& column, std::size_t rows) const {
+  return (keeps_types_ && is_real(column.type)) || holds(column.type, column, rows);
+}
+
+void PlyColumns::widen_together(PlyTable& table, PropertyRole role) {
+  std::vector<PlyColumn*> columns;
+  for (PlyColumn& column : table.columns) {
+    if (column.role == role) columns.push_back(&column);
   }
-  if (column.role == PropertyRole::vertex_colour) column.scale = colour_scale(column.type);
+  const auto keeps = [&](const PlyColumn* column) { return keeps_type(*column, table.rows); };
+  if (std::all_of(columns.begin(), columns.end(), keeps)) return;
+  const bool are_singles = std::all_of(columns.begin(), columns.end(), [&](const PlyColumn* column) {
+    return column->type != NumberType::f64 && holds(NumberType::f32, *column, table.rows);
+  });
+  for (PlyColumn* const column : columns) {
+    column->type = are_singles ? NumberType::f32 : NumberType::f64;
+    column->scale = 1.0;
+  }
 }
 
 void PlyColumns::widen_corners(PlyColumn& column) {

@@ -30,7 +30,9 @@ struct PlyTable {
 
 class PlyColumns {
  public:
-  // Decides about the types: those of the layout wherever they hold every value. The file must outlive it. O(values).
+  // Decides about the types: those of the layout where they hold every value of a position, normal, texture coordinate
+  // or colour; else one real type for all of its components, the narrowest that holds them. The file must outlive it.
+  // O(values).
   PlyColumns(const MeshFile& file, Encoding encoding);
 
   const std::vector<PlyTable>& tables() const { return tables_; }
@@ -56,6 +58,9 @@ class PlyColumns {
   bool has_data(PropertyRole role, std::uint8_t component) const;
   void add_reals(PlyTable& table, PropertyRole role, std::initializer_list<std::string_view> names);
   void widen(const PlyTable& table, PlyColumn& column);
+  // The components of one thing have the types of the layout, or all the same one.
+  void widen_together(PlyTable& table, PropertyRole role);
+  bool keeps_type(const PlyColumn& column, std::size_t rows) const;
   void widen_corners(PlyColumn& column);
   bool holds(NumberType type, const PlyColumn& column, std::size_t rows) const;
 

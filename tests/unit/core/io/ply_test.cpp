@@ -112,10 +112,31 @@ TEST(PlyWrite, WidensATypeThatDoesNotHoldTheValues) {
   file.mesh.normals.pool[0].x = 0.1;
   EXPECT_EQ(difference_after_round_trip(file, "ply"), "");
   const std::string text = bytes_of(file, ply);
-  EXPECT_NE(text.find("property double red"), std::string::npos);
-  EXPECT_NE(text.find("property uchar green"), std::string::npos);
-  EXPECT_NE(text.find("property double nx"), std::string::npos);
-  EXPECT_NE(text.find("property float ny"), std::string::npos);
+  for (const char* name : {"red", "green", "blue", "alpha", "nx", "ny", "nz"})
+    EXPECT_NE(text.find("property double " + std::string(name)), std::string::npos) << name << text;
+  EXPECT_NE(text.find("property float s"), std::string::npos) << "others keep their type";
+}
+
+TEST(PlyWrite, ComponentsOfOneThingHaveOneType) {
+  const MeshFile file = read_sound("obj", "v 0 0 0 1 0 0\nv 0.1 0 0 0 0.5 0\nv 0 1 0 0 0 1\nf 1 2 3\n");
+  const std::string text = bytes_of(file, *find_format("ply"), Encoding::ascii);
+  EXPECT_NE(text.find("property double x\nproperty double y\nproperty double z\n"
+                      "property float red\nproperty float green\nproperty float blue\n"),
+            std::string::npos)
+      << text;
+  // A file that mixes types itself keeps them.
+  constexpr std::string_view mixed =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty double x\nproperty float y\nproperty char z\n"
+      "property uchar red\nproperty float green\nproperty uchar blue\nend_header\n";
+  const std::string bytes = std::string(mixed) + std::string(19, '\0');
+  MeshFile kept = read_sound("ply", bytes);
+  EXPECT_EQ(bytes_of(kept, *find_format("ply")), bytes);
+  kept.mesh.positions[0].z = 0.5;
+  EXPECT_NE(bytes_of(kept, *find_format("ply")).find("property double x\nproperty double y\nproperty double z\n"),
+            std::string::npos)
+      << "never narrower than it was";
+  kept.mesh.colour_components = 4;
+  EXPECT_NE(bytes_of(kept, *find_format("ply")).find("property uchar alpha\n"), std::string::npos);
 }
 
 TEST(PlyWrite, LongFacesWidenTheLengthOfTheList) {

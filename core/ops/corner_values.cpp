@@ -1,5 +1,6 @@
 #include "core/ops/corner_values.h"
 
+#include <algorithm>
 #include <array>
 #include <glm/vec4.hpp>
 
@@ -59,6 +60,24 @@ bool is_seam(const Mesh& mesh, Halfedge h) {
     if (index[h.index] != index[mesh.next(o).index] || index[o.index] != index[mesh.next(h).index]) return true;
   }
   return false;
+}
+
+// The corner `first`, the ones across the edges that go in turn, and `last`, whose edge stays, become one.
+void merge_corner_values(Edit& edit, std::span<const Edge> edges_that_go) {
+  const Mesh& m = edit.mesh();
+  const auto goes = [&](Halfedge h) { return std::binary_search(edges_that_go.begin(), edges_that_go.end(), edge(h)); };
+  CornerWriter corners(edit);
+  if (corners.count() == 0) return;
+  for (Edge e : edges_that_go)
+    for (Halfedge first : {halfedge(e), twin(halfedge(e))}) {
+      if (goes(m.prev(first))) continue;
+      Halfedge kept = first, last = first;
+      while (goes(last)) {
+        last = m.next(twin(last));
+        if (m.face(last) <= m.face(kept)) kept = last;
+      }
+      for (std::size_t k = 0; k < corners.count() && kept != last; ++k) corners.set(k, last, corners.index(k, kept));
+    }
 }
 
 void copy_face_values(Edit& edit, Face from, Face to) {

@@ -29,6 +29,10 @@ class CornerWriter {
 // Whether the values at the two ends of an edge differ between its two faces.
 bool is_seam(const Mesh& mesh, Halfedge h);
 
+// The edges (sorted) are about to go and the faces beside them to become one. Corners of several faces that thereby become
+// one take the values of the corner in the face with the lowest number. To be called before the links change.
+void merge_corner_values(Edit& edit, std::span<const Edge> edges_that_go);
+
 // A new face takes the material, group and other face values of the face it was cut from.
 void copy_face_values(Edit& edit, Face from, Face to);
 // A new vertex takes the vertex values (colours) at a + t (b - a); columns of doubles are blended, others copied from

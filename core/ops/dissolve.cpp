@@ -58,12 +58,17 @@ Plan plan_of_vertex(const Mesh& m, Vertex v) {
   return plan;
 }
 
-// The loops of the face that the plan makes, on points.
-CornerLoops loops_after(const Mesh& m, const Plan& plan) {
+std::vector<Edge> edges_taken(const Plan& plan) {
   std::vector<Edge> taken;
   for (const auto& chain : plan.chains)
     for (Halfedge h : chain) taken.push_back(edge(h));
   std::sort(taken.begin(), taken.end());
+  return taken;
+}
+
+// The loops of the face that the plan makes, on points.
+CornerLoops loops_after(const Mesh& m, const Plan& plan) {
+  const std::vector<Edge> taken = edges_taken(plan);
   const auto is_taken = [&](Halfedge h) { return std::binary_search(taken.begin(), taken.end(), edge(h)); };
   std::vector<Halfedge> left;
   for (Face f : plan.faces)
@@ -260,6 +265,7 @@ OpEffect Dissolve::apply(Edit& edit) const {
   assert(check(m).legal());
   if (vertex && has_two_edges(m, vertex)) return UniteEdge{vertex}.apply(edit);
   const Plan plan = vertex ? plan_of_vertex(m, vertex) : plan_of_edge(m, halfedge);
+  merge_corner_values(edit, edges_taken(plan));
   OpEffect effect;
   effect.changed = {plan.faces[0]};
   for (const std::vector<Halfedge>& chain : plan.chains) {

@@ -11,6 +11,7 @@
 //              as such chains; inside it goes along, on the boundary only if what is then left of it are exactly two
 //              edges that may become one (unite_edge). A vertex with exactly two edges from the start goes as by
 //              unite_edge. The lowest number stays, with its material and groups; rings go along.
+//              Corners that become one keep the values of the lowest-numbered face among theirs.
 // needs: different faces that share these edges and touch nowhere else; no face is or was on the same points; the edges
 //        are not cut and the vertices that go have no copies.
 // changes: c edges and w vertices go, F - 1 of an edge (w = c - 1), F - k + 1 of a vertex with k faces; H, S, G, B stay.

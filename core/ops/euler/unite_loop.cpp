@@ -80,6 +80,8 @@ OpEffect UniteLoop::apply(Edit& edit) const {
   const std::uint32_t ring_inner = ring_of(m, inner), ring_outer = ring_of(m, outer);
   const Vertex a = m.from(halfedge), b = m.to(halfedge);
   const Halfedge joined = m.next(outer), goes_start = m.halfedge(goes);
+  const Edge united[] = {edge(halfedge)};
+  merge_corner_values(edit, united);
   OpEffect effect;
   effect.deleted = {edge(halfedge), goes};
   effect.changed = {stays};

@@ -6,7 +6,8 @@
 //        | /  f  |                |       |
 //        a-------b                a-------b
 //
-// on the list: the two lists become one without the edge; rings go along.
+// on the list: the two lists become one without the edge; rings go along. At the ends of the edge the corner values of
+//              the face that stays are kept.
 // needs: two different faces that share this edge and touch nowhere else; no face is or was on the same points.
 // changes: E - 1, F - 1.
 // inverse: separate_loop.

@@ -1,6 +1,5 @@
 #include "core/algo/repairs.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -24,16 +23,10 @@ std::size_t misoriented_edges(const Mesh& m) {
   return n;
 }
 
-// Only where it helps: the seam of a surface that cannot be oriented may get longer by turning faces.
 RepairResult orient_faces(Edit& edit, const RepairInput&, Progress&) {
   RepairResult result;
+  if (Orient().check(edit.mesh()).legal()) result.changed = Orient().apply(edit).changed.size();
   result.left = misoriented_edges(edit.mesh());
-  if (Orient().check(edit.mesh()).legal()) {
-    const std::size_t faces = Orient().apply(edit).changed.size();
-    const std::size_t after = misoriented_edges(edit.mesh());
-    if (after < result.left) result.changed = faces;
-    result.left = std::min(result.left, after);
-  }
   result.text =
       repair_text(result.changed, "One face was turned round or joined to a neighbour",
                   "# faces were turned round or joined to their neighbours", "面を # 枚、裏返すか隣の面とつなぎました");
@@ -74,8 +67,8 @@ const std::vector<RepairRow>& rows() {
        "",
        "Orient faces",
        "面の向きを揃える",
-       "turns faces so that all neighbours agree where they can",
-       "隣り合う面の向きが可能な限り揃うように面を裏返す",
+       "turns faces so that fewer neighbours disagree, none where possible",
+       "隣り合う面の向きの不一致が減るように、可能ならなくなるように面を裏返す",
        true,
        Number::none,
        {Kind::misoriented_edge},

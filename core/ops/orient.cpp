@@ -6,6 +6,7 @@
 
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/ops/shorten_seam.h"
 #include "core/ops/turn_faces.h"
 
 namespace ryosen {
@@ -51,30 +52,86 @@ std::vector<OrderedNeighbour> neighbours_in_order(const Mesh& m, Face f) {
   return found;
 }
 
-// Which faces turn. Flood fill over neighbours; each component keeps the orientation of its majority.
-std::vector<bool> choose_turned(const Mesh& m) {
-  std::vector<bool> seen(m.face_slots(), false), turned(m.face_slots(), false);
-  std::vector<Face> component;
-  for (std::uint32_t start = 0; start < m.face_slots(); ++start) {
-    if (!m.is_alive(Face(start)) || seen[start]) continue;
-    component.assign(1, Face(start));
-    seen[start] = true;
-    std::size_t turned_count = 0;
-    for (std::size_t i = 0; i < component.size(); ++i) {
-      const Face f = component[i];
-      for (const OrderedNeighbour& next : neighbours_in_order(m, f)) {
-        if (seen[next.face.index]) continue;
-        seen[next.face.index] = true;
-        turned[next.face.index] = turned[f.index] != !next.agrees;
-        turned_count += turned[next.face.index];
-        component.push_back(next.face);
+// Which faces turn.
+class Choice {
+ public:
+  explicit Choice(const Mesh& m)
+      : m_(m), seen_(m.face_slots(), false), turned_(m.face_slots(), false), place_(m.face_slots(), 0) {}
+
+  std::vector<bool> choose() {
+    for (std::uint32_t start = 0; start < m_.face_slots(); ++start) {
+      if (!m_.is_alive(Face(start)) || seen_[start]) continue;
+      if (!flood(Face(start))) shorten_the_seam();
+      keep_majority();
+    }
+    return std::move(turned_);
+  }
+
+ private:
+  // Gathers the component and turns its faces one after the other to agree with the one that they are reached from.
+  // Whether all others agree then.
+  bool flood(Face start) {
+    bool all_agree = true;
+    component_.assign(1, start);
+    seen_[start.index] = true;
+    for (std::size_t i = 0; i < component_.size(); ++i) {
+      const Face f = component_[i];
+      place_[f.index] = static_cast<std::uint32_t>(i);
+      for (const OrderedNeighbour& next : neighbours_in_order(m_, f)) {
+        const bool turns = turned_[f.index] != !next.agrees;
+        if (!seen_[next.face.index]) {
+          seen_[next.face.index] = true;
+          turned_[next.face.index] = turns;
+          component_.push_back(next.face);
+        } else if (turned_[next.face.index] != turns) {
+          all_agree = false;
+        }
       }
     }
-    if (2 * turned_count <= component.size()) continue;
-    for (Face f : component) turned[f.index] = !turned[f.index];
+    return all_agree;
   }
-  return turned;
-}
+
+  FaceGraph graph_of_component() const {
+    FaceGraph graph;
+    for (Face f : component_) {
+      for (const OrderedNeighbour& next : neighbours_in_order(m_, f))
+        if (next.face != f) graph.sides.push_back({place_[next.face.index], next.agrees});
+      graph.offsets.push_back(static_cast<std::uint32_t>(graph.sides.size()));
+    }
+    return graph;
+  }
+
+  // The component cannot be oriented: the better of what the faces as they are and the flood lead to, if it is better
+  // than the faces as they are.
+  void shorten_the_seam() {
+    const FaceGraph graph = graph_of_component();
+    std::vector<bool> flooded;
+    for (Face f : component_) flooded.push_back(turned_[f.index]);
+    Seam own(graph, std::vector<bool>(component_.size(), false)), other(graph, std::move(flooded));
+    const std::size_t before = own.size();
+    own.shorten();
+    other.shorten();
+    const Seam& best = other.size() < own.size() ? other : own;
+    const bool is_shorter = best.size() < before;
+    for (std::size_t i = 0; i < component_.size(); ++i) turned_[component_[i].index] = is_shorter && best.turned()[i];
+  }
+
+  // The side with fewer faces turns.
+  void keep_majority() {
+    std::size_t count = 0;
+    for (Face f : component_) count += turned_[f.index];
+    const bool is_even = 2 * count == component_.size();
+    if (2 * count < component_.size() || (is_even && !turned_[component_[0].index])) return;
+    for (Face f : component_) turned_[f.index] = !turned_[f.index];
+  }
+
+  const Mesh& m_;
+  std::vector<bool> seen_, turned_;
+  std::vector<std::uint32_t> place_;  // of each face in its component
+  std::vector<Face> component_;       // the lowest face first
+};
+
+std::vector<bool> choose_turned(const Mesh& m) { return Choice(m).choose(); }
 
 std::vector<Face> faces_to_turn(const std::vector<bool>& turned) {
   std::vector<Face> faces;

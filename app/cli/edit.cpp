@@ -91,7 +91,7 @@ class EditRun {
     for (const Reason& reason : step.outcome.reasons)
       step.rules += (step.rules.empty() ? "" : ", ") + std::string(text_of(reason.rule).id);
     if (!parsed.op) return;
-    for (const std::string& line : session_.document().remedy(*parsed.op))
+    for (const std::string& line : session_.document().remedy(step.line.text))
       step.remedy += (step.remedy.empty() ? "" : "; ") + line;
   }
 

@@ -19,7 +19,8 @@ struct VerdictReport {
   std::optional<Text> set_aside;    // of a face that is not in the mesh: said in place of the rule's sentence
 };
 
-// One line of JSON.
+// One line of JSON. Its remedy is "never" where the search, which is bounded, has found nothing, whether or not anything
+// could help; the text says which of the two.
 std::string to_json_line(const Mesh& mesh, const VerdictReport& report);
 std::string to_text(const Mesh& mesh, const VerdictReport& report, const Console& console);
 

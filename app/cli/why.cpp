@@ -5,13 +5,13 @@
 #include "app/cli/commands.h"
 #include "app/cli/did_you_mean.h"
 #include "app/cli/edge_sides.h"
-#include "app/cli/remedies.h"
 #include "app/cli/verdict_report.h"
 #include "app/editor/script.h"
 #include "app/editor/set_aside.h"
 #include "core/build/from_indexed.h"
 #include "core/io/formats.h"
 #include "core/ops/preview.h"
+#include "core/ops/remedy.h"
 
 namespace ryosen::cli {
 
@@ -67,13 +67,20 @@ class Why {
   }
 
  private:
+  // The words of a question: those that the report shows, and the whole line.
+  struct Asked {
+    std::string edge, arguments, line;
+  };
+
   ExitCode answer(const OpInfo& info, const std::string& edge, const Parsed<AnyOp>& parsed,
                   std::span<const std::string_view> arguments) {
     std::string words = edge;
     if (edge.empty())
       for (const std::string_view argument : arguments) words.append(words.empty() ? "" : " ").append(argument);
     if (parsed.op) {
-      ask(info, edge, words, *parsed.op, true);
+      std::string line(info.id);
+      for (const std::string_view argument : arguments) line.append(" ").append(argument);
+      ask(info, {edge, words, std::move(line)}, *parsed.op, true);
       return ExitCode::done;
     }
     if (parsed.error != NameError::deleted)
@@ -96,16 +103,16 @@ class Why {
   }
 
   void ask_edge(const OpInfo& info, const std::string& edge, const AnyOp& op, bool geometry) {
-    ask(info, edge, edge, op, geometry);
+    ask(info, {edge, edge, std::string(info.id) + " " + edge}, op, geometry);
   }
 
-  void ask(const OpInfo& info, std::string edge, std::string arguments, const AnyOp& op, bool geometry) {
-    VerdictReport report{info.id, std::move(edge), std::move(arguments), check(mesh_, op), {}, {}, {}};
+  void ask(const OpInfo& info, Asked words, const AnyOp& op, bool geometry) {
+    VerdictReport report{info.id, std::move(words.edge), std::move(words.arguments), check(mesh_, op), {}, {}, {}};
     if (report.verdict.legal()) {
       if (geometry) report.warnings = preview(mesh_, journal_, op).warnings;
       ++legal_;
     } else {
-      report.remedy = remedies_.find(op, report.verdict);
+      report.remedy = remedies_.find(words.line);
     }
     print(report);
   }
@@ -119,7 +126,7 @@ class Why {
   Mesh mesh_;
   const Console& console_;
   Journal journal_;  // of previews; nothing is committed
-  Remedies remedies_{mesh_};
+  RemedySearch remedies_{mesh_};
   std::size_t legal_ = 0;
 };
 

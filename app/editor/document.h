@@ -65,8 +65,8 @@ class Document {
   std::optional<RepairResult> repair(const RepairCall& call, Progress::Report progress = {});
   // The verdict, and the ghost of the result. The document is unchanged.
   Preview preview(const AnyOp& op) { return ryosen::preview(mesh_, journal_, op); }
-  // Script lines that would make a refused operator legal; empty where none were found.
-  std::vector<std::string> remedy(const AnyOp& op) { return find_remedy(mesh_, op); }
+  // Script lines after which the refused operator that `line` says is legal; empty where none were found.
+  std::vector<std::string> remedy(const std::string& line) { return RemedySearch(mesh_).find(line); }
 
   // Step through the history; false where there is nothing to undo or redo.
   bool undo();

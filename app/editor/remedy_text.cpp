@@ -1,5 +1,6 @@
 #include "app/editor/remedy_text.h"
 
+#include <set>
 #include <string>
 
 namespace ryosen {
@@ -17,10 +18,12 @@ bool is_final(Rule rule) {
 Text without_remedy(const Verdict& verdict) {
   if (verdict.has(Rule::deleted)) return {"never: it is not in the mesh", "なし：メッシュに含まれていません"};
   Text general;
+  std::set<std::string_view> said;
   for (const Reason& reason : verdict.reasons) {
     const RuleText& row = text_of(reason.rule);
     if (is_final(reason.rule)) return {std::string(row.remedy_en), std::string(row.remedy_ja)};
-    if (reason.rule == Rule::copies) continue;  // turning the faces has been tried
+    // What stands in the way several times is said once; turning the faces has been tried.
+    if (reason.rule == Rule::copies || !said.insert(row.remedy_en).second) continue;
     general.en += (general.en.empty() ? "" : "; ") + std::string(row.remedy_en);
     general.ja += (general.ja.empty() ? "" : "；") + std::string(row.remedy_ja);
   }

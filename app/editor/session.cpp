@@ -208,7 +208,7 @@ const std::vector<std::string>& Session::hover_remedy() {
   if (!hover_ || !hover_->op || hover_->preview.verdict.legal()) return none;
   std::string line = command_of(mesh(), *hover_->op);
   if (line != remedy_line_ || remedy_revision_ != document_->revision()) {
-    remedy_ = document_->remedy(*hover_->op);
+    remedy_ = document_->remedy(line);
     remedy_line_ = std::move(line);
     remedy_revision_ = document_->revision();
   }

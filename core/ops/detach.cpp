@@ -16,20 +16,6 @@ namespace {
 
 using FaceSet = std::unordered_set<Face>;
 
-FaceSet sheet_of(const Mesh& m, Face f) {
-  FaceSet sheet{f};
-  std::vector<Face> open{f};
-  while (!open.empty()) {
-    const Face next = open.back();
-    open.pop_back();
-    for (Halfedge h : halfedges_around(m, next)) {
-      const Face beside = m.face(twin(h));
-      if (beside && !is_cut_on_points(m, h) && sheet.insert(beside).second) open.push_back(beside);
-    }
-  }
-  return sheet;
-}
-
 // The points that faces of the set share with others, ascending.
 std::vector<Vertex> shared_points(const Mesh& m, const FaceSet& faces) {
   std::vector<Vertex> points;
@@ -44,6 +30,11 @@ std::vector<Vertex> shared_points(const Mesh& m, const FaceSet& faces) {
     return alone;
   });
   return points;
+}
+
+FaceSet sheet_of(const Mesh& m, Face f) {
+  const std::vector<Face> faces = faces_of_sheet(m, f);
+  return {faces.begin(), faces.end()};
 }
 
 FaceSet faces_meant(const Mesh& m, const std::vector<Face>& named) {

@@ -9,6 +9,7 @@
 //                              b     d
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,11 @@ struct Fan {
 
 // Ascending by lowest face. O(valence).
 std::vector<Fan> fans_at(const Mesh& mesh, Vertex v);
+
+// The faces that edges with exactly two faces in opposite directions join to f, it first, then the nearer ones before
+// the farther ones; stops with the face at which there are `enough`. O(faces found).
+std::vector<Face> faces_of_sheet(const Mesh& mesh, Face f,
+                                 std::size_t enough = std::numeric_limits<std::size_t>::max());
 
 // The surgery of one operator. It gathers what was made, deleted and changed; finish() tells.
 class Sheets {

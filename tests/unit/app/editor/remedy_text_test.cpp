@@ -33,5 +33,11 @@ TEST(remedy_text, a_search_that_found_nothing_names_what_the_table_does) {
   }
 }
 
+TEST(remedy_text, advice_is_not_said_twice) {
+  const Text twice = text_for({Rule::common_face, Rule::common_face});
+  EXPECT_EQ(twice.en, text_for({Rule::common_face}).en);
+  EXPECT_EQ(twice.ja, text_for({Rule::common_face}).ja);
+}
+
 }  // namespace
 }  // namespace ryosen

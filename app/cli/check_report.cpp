@@ -79,6 +79,7 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
   report.messages = std::move(file.messages);
   const std::vector<QuarantinedFace> quarantine = file.mesh.quarantine;
   const std::vector<std::uint32_t> lines = file.mesh.face_lines;
+  const LineRuns vertex_lines = file.mesh.vertex_lines;
   const Mesh mesh = from_indexed(std::move(file.mesh));
   HighlightSets sets;
   for_each_task(2, threads_for(mesh.halfedge_slots()), [&](unsigned task) {
@@ -91,7 +92,7 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
   });
   std::vector<FacePair> intersections;
   if (with_self_intersections) intersections = find_self_intersections(mesh);
-  for (Problem& problem : find_problems(mesh, sets, {quarantine, lines}, std::move(intersections))) {
+  for (Problem& problem : find_problems(mesh, sets, {quarantine, lines, &vertex_lines}, std::move(intersections))) {
     NamedProblem named{std::move(problem), {}};
     named.names.reserve(named.problem.count());
     for (const Element& element : named.problem.elements) named.names.push_back(name_on_points(mesh, element));

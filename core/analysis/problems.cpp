@@ -61,7 +61,7 @@ std::vector<Problem> find_problems(const Mesh& mesh, const HighlightSets& sets, 
     }
     if (problem.elements.empty()) continue;
     problem.where = place_of(mesh, problem.elements.front(), file);
-    problem.line = line_of(mesh, problem.elements.front(), file);
+    problem.line = line_of(mesh, problem.kind, problem.elements.front(), file);
     problem.text = row.sentence(problem.count());
     problems.push_back(std::move(problem));
   }
@@ -95,10 +95,12 @@ std::optional<glm::dvec3> place_of(const Mesh& mesh, Element element, const File
   return mean;
 }
 
-std::uint64_t line_of(const Mesh& mesh, Element element, const FileFaces& file) {
+std::uint64_t line_of(const Mesh& mesh, ProblemKind kind, Element element, const FileFaces& file) {
   Face face;
   switch (element.kind) {
     case Element::Kind::vertex:
+      if (file.vertex_lines && (kind == ProblemKind::isolated_vertex || kind == ProblemKind::nonfinite_vertex))
+        return file.vertex_lines->line(point(mesh, element.vertex()).index);
       face = last_face_at(mesh, element.vertex());
       break;
     case Element::Kind::halfedge:

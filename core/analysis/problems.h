@@ -30,10 +30,11 @@ struct Problem {
   const ProblemRow& row() const { return row_of(kind); }
 };
 
-// What came with the file. Views; both may be empty.
+// What came with the file. Views; each may be empty.
 struct FileFaces {
   std::span<const QuarantinedFace> quarantine;  // ascending by face
   std::span<const std::uint32_t> lines;         // per face of the file
+  const LineRuns* vertex_lines = nullptr;
 };
 
 // Kinds with at least one finding, in the order of the table. `sets` are those of the mesh as it is; `intersections` what
@@ -44,9 +45,10 @@ std::vector<Problem> find_problems(const Mesh& mesh, const HighlightSets& sets, 
 // A place at a vertex, edge or face: the mean of its points. For a quarantined face (a dead number) of those of its
 // corners that are live.
 std::optional<glm::dvec3> place_of(const Mesh& mesh, Element element, const FileFaces& file);
-// The line of the file that an element comes from: that of the face itself, or of the last face on the edge or at the
-// vertex, which is the one that makes it three on an edge or a bow-tie. 0 where there is none.
-std::uint64_t line_of(const Mesh& mesh, Element element, const FileFaces& file);
+// The line of the file at which an element becomes a problem: that of the face itself, of the vertex itself where it is
+// isolated or not finite, else of the last face on the edge or at the vertex, which is the one that makes it three on an
+// edge or a bow-tie. 0 where there is none.
+std::uint64_t line_of(const Mesh& mesh, ProblemKind kind, Element element, const FileFaces& file);
 // The element's name on points, as reports list it: v7, f3, 12-88; an edge with several sheets is one.
 std::string name_on_points(const Mesh& mesh, Element element);
 

@@ -13,6 +13,7 @@
 
 #include "core/base/handle.h"
 #include "core/base/message.h"
+#include "core/build/line_runs.h"
 
 namespace ryosen {
 
@@ -68,6 +69,7 @@ struct IndexedMesh {
   // rings. Ascending.
   std::vector<std::uint32_t> bridged;
   std::vector<std::uint32_t> face_lines;  // line of each face, from 1; empty when the format has no lines
+  LineRuns vertex_lines;                  // of each vertex; none where the format has no lines for them
 
   CornerValues texcoords;
   CornerValues normals;

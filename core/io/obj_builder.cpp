@@ -126,6 +126,7 @@ void ObjBuilder::vertex(std::string_view values) {
   if (!has_room(1) || !read_reals(values, v, 3, 7, count)) return;
   const std::size_t number = mesh_.positions.size();
   mesh_.positions.emplace_back(v[0], v[1], v[2]);
+  mesh_.vertex_lines.add(lines_->first_line());
   const bool has_weight = count == 4 && !std::isnan(v[3]);
   if (has_weight && mesh_.vertex_weights.empty()) mesh_.vertex_weights.assign(number, no_colour);
   if (has_weight || !mesh_.vertex_weights.empty()) mesh_.vertex_weights.push_back(has_weight ? v[3] : no_colour);

@@ -83,7 +83,7 @@ class ObjBuilder {
   void push_value(std::vector<std::uint32_t>& indices, bool has, std::int64_t index, std::size_t pool, bool is_normal);
   void end_names();
   bool has_room(std::size_t bytes);
-  void append_points(ObjBuilder& next);
+  void append_points(ObjBuilder& next, std::uint64_t lines_before);
   void append_faces(ObjBuilder& next, std::uint64_t lines_before);
   void append_values(const CornerValues& next, std::size_t next_corners, CornerValues& values);
   void append_names(const NameTable& next, std::size_t next_faces, NameTable& table);

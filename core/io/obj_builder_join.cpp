@@ -48,32 +48,31 @@ void ObjBuilder::reserve_for(std::span<ObjBuilder* const> pieces) {
 }
 
 std::uint64_t ObjBuilder::append(std::span<ObjBuilder* const> run, std::uint64_t lines_before, unsigned threads) {
-  std::uint64_t lines = lines_before;
-  const auto append_points_of_all = [&] {
-    for (ObjBuilder* next : run) append_points(*next);
-  };
-  const auto append_faces_of_all = [&] {
+  std::uint64_t lines_after = lines_before;
+  for_each_task(2, threads, [&](unsigned part) {
+    std::uint64_t lines = lines_before;
     for (ObjBuilder* next : run) {
-      append_faces(*next, lines);
+      part == 0 ? append_points(*next, lines) : append_faces(*next, lines);
       lines += next->lines_->count();
     }
-  };
-  for_each_task(2, threads, [&](unsigned part) { part == 0 ? append_points_of_all() : append_faces_of_all(); });
+    if (part == 0) lines_after = lines;
+  });
   for (const ObjBuilder* next : run) {
     if (in_head_) append_all(next->file_.head_comments, file_.head_comments);
     in_head_ = in_head_ && next->in_head_;
     has_known_line_ = has_known_line_ || next->has_known_line_;
   }
-  return lines;
+  return lines_after;
 }
 
-void ObjBuilder::append_points(ObjBuilder& next) {
+void ObjBuilder::append_points(ObjBuilder& next, std::uint64_t lines_before) {
   const std::size_t points = mesh_.positions.size(), next_points = next.mesh_.positions.size();
   append_optional(next.mesh_.vertex_weights, next_points, no_colour, points, mesh_.vertex_weights);
   append_optional(next.mesh_.vertex_colours, next_points, glm::dvec4(no_colour, no_colour, no_colour, 1), points,
                   mesh_.vertex_colours);
   mesh_.colour_components = std::max(mesh_.colour_components, next.mesh_.colour_components);
   append_all(next.mesh_.positions, mesh_.positions);
+  mesh_.vertex_lines.append(next.mesh_.vertex_lines, lines_before);
   release(next.mesh_.vertex_weights);
   release(next.mesh_.vertex_colours);
   release(next.mesh_.positions);

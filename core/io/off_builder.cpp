@@ -14,10 +14,11 @@ void OffBuilder::reserve(std::size_t vertices, std::size_t faces) {
   file_.mesh.face_lines.reserve(faces);
 }
 
-bool OffBuilder::add_vertex(const double* values, std::size_t count) {
+bool OffBuilder::add_vertex(const double* values, std::size_t count, std::uint64_t line) {
   IndexedMesh& mesh = file_.mesh;
   const std::size_t before = numbers_before_colour(), after = numbers_after_colour();
   mesh.positions.emplace_back(values[0], values[1], values[2]);
+  if (line != 0) mesh.vertex_lines.add(line);
   if (kind_.has_normals) mesh.normals.pool.emplace_back(values[3], values[4], values[5]);
   std::size_t colours = count - before - after;
   const bool has_meaning = kind_.has_colours ? colours == 0 || colours == 3 || colours == 4 : colours == 0;

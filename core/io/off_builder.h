@@ -21,7 +21,7 @@ class OffBuilder {
 
   // Takes the numbers of a vertex in the order of the file, `count` of them. Numbers without a meaning are left out,
   // which the result tells; there must be enough for what stands before and after the colour.
-  bool add_vertex(const double* values, std::size_t count);
+  bool add_vertex(const double* values, std::size_t count, std::uint64_t line = 0);
   void add_corner(std::int64_t vertex) { faces_.add_corner(vertex); }
   // Ends the face; count is how many colour numbers follow it, false if that many have no meaning.
   bool end_face(std::uint64_t line, const double* colour, std::size_t count);

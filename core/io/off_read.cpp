@@ -139,7 +139,7 @@ class OffTextReader {
                          " 個しかありません。"},
                     lines_.place(rest_.data()));
       }
-      if (!builder_.add_vertex(values_.data(), values_.size())) warn_extra_values();
+      if (!builder_.add_vertex(values_.data(), values_.size(), lines_.count())) warn_extra_values();
     }
     return true;
   }

@@ -67,6 +67,7 @@ class Triangulator {
 
   void take_the_rest() {
     out_.positions = mesh_.positions;
+    out_.vertex_lines = mesh_.vertex_lines;
     out_.face_lines = by_source(mesh_.face_lines);
     out_.texcoords.pool = mesh_.texcoords.pool;
     out_.texcoords.components = mesh_.texcoords.components;

@@ -143,6 +143,7 @@ class TxtReader {
         });
       }
       file_.mesh.positions.push_back(p);
+      file_.mesh.vertex_lines.add(lines_.count());
     }
     return true;
   }

@@ -242,5 +242,25 @@ TEST(Check, APipeIsRefusedWithoutWaitingForIt) {
   EXPECT_EQ(run_program({"check", folder.path()}).exit_code, 9) << "in a folder beside a mesh";
 }
 
+TEST(Check, NamesTheLineOfAVertex) {
+  const TemporaryFolder folder;
+  for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
+           {"a.obj", "# one\nv 0 0 0\nv nan 0 0\n\nv 1 0 0\nv 0 1 0\nv 9 9 9\nf 1 3 4\nf 1 2 3\n"},
+           {"a.off", "OFF\n5 2 0\n0 0 0\n\nnan 0 0\n1 0 0\n# two\n0 1 0\n9 9 9\n3 0 2 3\n3 0 1 2\n"},
+           {"a.txt", "5 2\n0 0 0\nnan 0 0\n1 0 0\n0 1 0\n9 9 9\n1 3 4\n1 2 3\n"}}) {
+    const Json report = run_program({"check", folder.write(name, text), "--json"}).line();
+    const auto line_of_text = [&](const std::string& words) {
+      return std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find(words)), '\n') + 1;
+    };
+    std::size_t found = 0;
+    for (const Json& problem : report["problems"]) {
+      if (problem["kind"] == "isolated_vertex") EXPECT_EQ(problem["line"], line_of_text("9 9 9")) << name;
+      if (problem["kind"] == "nonfinite_vertex") EXPECT_EQ(problem["line"], line_of_text("nan")) << name;
+      found += problem["kind"] == "isolated_vertex" || problem["kind"] == "nonfinite_vertex";
+    }
+    EXPECT_EQ(found, 2u) << name;
+  }
+}
+
 }  // namespace
 }  // namespace ryosen::test

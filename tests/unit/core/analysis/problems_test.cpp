@@ -133,7 +133,7 @@ TEST(problems, of_the_quarantine) {
   EXPECT_EQ(problems[0].line, 31u);
   EXPECT_EQ(c.names(problems[1]), (Strings{"f1", "f2"}));
   EXPECT_EQ(place_of(c.mesh, Face(2), c.file()), c.mesh.position(Vertex(0)));
-  EXPECT_EQ(line_of(c.mesh, Face(2), c.file()), 32u);
+  EXPECT_EQ(line_of(c.mesh, ProblemKind::quarantined_face, Face(2), c.file()), 32u);
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ std::string difference(const Result<MeshFile>& a, const Result<MeshFile>& b) {
   if (!a) return "";
   std::string out = io_test::difference(*a, *b);
   if (a->mesh.face_lines != b->mesh.face_lines) out += " lines";
+  if (a->mesh.vertex_lines != b->mesh.vertex_lines) out += " vertex lines";
   for (std::size_t i = 0; i < std::min(a->mesh.quarantine.size(), b->mesh.quarantine.size()); ++i)
     if (a->mesh.quarantine[i].line != b->mesh.quarantine[i].line) out += " line in quarantine";
   for (std::size_t i = 0; i < std::min(a->elements.items.size(), b->elements.items.size()); ++i)

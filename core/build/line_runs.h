@@ -1,0 +1,47 @@
+// The lines on which the elements of a file stand, in runs of one line after another: a few bytes for most files.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace ryosen {
+
+class LineRuns {
+ public:
+  // The line of the next element, from 1.
+  void add(std::uint64_t line) {
+    begin_run({count_, line});
+    ++count_;
+  }
+  // The elements of another file that follows this one after so many lines. O(runs).
+  void append(const LineRuns& next, std::uint64_t lines_before) {
+    for (const Run& run : next.runs_) begin_run({count_ + run.first, lines_before + run.line});
+    count_ += next.count_;
+  }
+  friend bool operator==(const LineRuns&, const LineRuns&) = default;
+  // 0 where none was added. O(log runs).
+  std::uint64_t line(std::uint32_t element) const {
+    if (element >= count_) return 0;
+    const auto after = std::upper_bound(runs_.begin(), runs_.end(), element,
+                                        [](std::uint32_t e, const Run& r) { return e < r.first; });
+    return line_in(*(after - 1), element);
+  }
+
+ private:
+  struct Run {
+    std::uint32_t first;
+    std::uint64_t line;
+    friend bool operator==(const Run&, const Run&) = default;
+  };
+  // Unless the last one goes on like this.
+  void begin_run(const Run& run) {
+    if (runs_.empty() || line_in(runs_.back(), run.first) != run.line) runs_.push_back(run);
+  }
+  static std::uint64_t line_in(const Run& run, std::uint32_t element) { return run.line + (element - run.first); }
+
+  std::vector<Run> runs_;
+  std::uint32_t count_ = 0;
+};
+
+}  // namespace ryosen

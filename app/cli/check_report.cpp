@@ -77,9 +77,9 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
   report.file = path;
   report.format = file.format ? file.format->id : std::string_view();
   report.messages = std::move(file.messages);
-  const std::vector<QuarantinedFace> quarantine = file.mesh.quarantine;
-  const std::vector<std::uint32_t> lines = file.mesh.face_lines;
-  const LineRuns vertex_lines = file.mesh.vertex_lines;
+  const std::vector<QuarantinedFace> quarantine = std::move(file.mesh.quarantine);
+  const std::vector<std::uint32_t> lines = std::move(file.mesh.face_lines);
+  const LineRuns vertex_lines = std::move(file.mesh.vertex_lines);
   const Mesh mesh = from_indexed(std::move(file.mesh));
   HighlightSets sets;
   for_each_task(2, threads_for(mesh.halfedge_slots()), [&](unsigned task) {

@@ -35,7 +35,10 @@ AnyOp on_edge(std::string_view id, Halfedge h) {
 class Why {
  public:
   Why(std::string file, IndexedMesh mesh, const Console& console)
-      : file_(std::move(file)), quarantine_(mesh.quarantine), mesh_(from_indexed(std::move(mesh))), console_(console) {}
+      : file_(std::move(file)),
+        quarantine_(std::move(mesh.quarantine)),
+        mesh_(from_indexed(std::move(mesh))),
+        console_(console) {}
 
   ExitCode answer_line(const std::string& line) {
     const std::vector<std::string_view> words = split_words(line);

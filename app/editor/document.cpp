@@ -85,7 +85,7 @@ Text describe(const Mesh& mesh, const Reason& reason) {
 Document::Document() : Document(MeshFile()) {}
 
 Document::Document(MeshFile file, std::filesystem::path path)
-    : tables_(file_tables(file.mesh)), path_(std::move(path)), serial_(next_serial()) {
+    : tables_(take_file_tables(file.mesh)), path_(std::move(path)), serial_(next_serial()) {
   mesh_ = from_indexed(std::move(file.mesh));
   file.mesh = {};
   file_ = std::move(file);

@@ -102,7 +102,7 @@ bool is_quarantined(const QuarantinedFace&, std::uint32_t) { return true; }
 
 bool repeats_corner(const QuarantinedFace& face, std::uint32_t file_vertices) {
   if (face.corners.size() < 3) return false;
-  std::vector<std::int64_t> sorted = face.corners;
+  std::vector<std::int64_t> sorted(face.corners.begin(), face.corners.end());
   std::sort(sorted.begin(), sorted.end());
   return sorted.front() >= 0 && sorted.back() < std::int64_t{file_vertices} &&
          std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();

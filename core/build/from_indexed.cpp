@@ -67,12 +67,20 @@ bool close_two_loops(const MeshColumns& c, CornerPairing& pairing) {
   return true;
 }
 
+std::uint32_t count_empty_faces(const IndexedMesh& source) {
+  std::uint32_t count = 0;
+  for (std::size_t f = 0; f < source.face_count(); ++f)
+    count += source.face_offsets[f] == source.face_offsets[f + 1] ? 1u : 0u;
+  return count;
+}
+
 }  // namespace
 
 Mesh from_indexed(IndexedMesh source) {
   MeshColumns c;
   CornerPairing pairing;
   const auto faces = static_cast<std::uint32_t>(source.face_count());
+  const std::uint32_t empty_faces = count_empty_faces(source);
   const std::vector<std::uint32_t> face_of_ring = unfold_bridges(source);
   c.vertex_halfedge.assign(source.positions.size(), Halfedge());
   c.face_halfedge.assign(source.face_count(), dead_halfedge);
@@ -91,8 +99,7 @@ Mesh from_indexed(IndexedMesh source) {
     }
   }
   c.positions = std::move(source.positions);
-  c.live = {static_cast<std::uint32_t>(c.positions.size()), pairing.edges,
-            faces - static_cast<std::uint32_t>(source.quarantine.size())};
+  c.live = {static_cast<std::uint32_t>(c.positions.size()), pairing.edges, faces - empty_faces};
   fold_rings(face_of_ring, faces, c);
   separate_fans(c);
   add_attributes(source, pairing, c);

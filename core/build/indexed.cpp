@@ -7,14 +7,14 @@ namespace ryosen {
 namespace {
 
 // The vertex number that is most plainly out of range: the first negative one, else the largest.
-std::int64_t stray_corner(const std::vector<std::int64_t>& corners) {
+std::int64_t stray_corner(const CompactList<std::int64_t>& corners) {
   for (const std::int64_t corner : corners) {
     if (corner < 0) return corner;
   }
   return corners.empty() ? -1 : *std::max_element(corners.begin(), corners.end());
 }
 
-std::int64_t repeated_corner(const std::vector<std::int64_t>& corners) {
+std::int64_t repeated_corner(const CompactList<std::int64_t>& corners) {
   std::unordered_set<std::int64_t> seen;
   for (const std::int64_t corner : corners) {
     if (!seen.insert(corner).second) return corner;

@@ -11,19 +11,22 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/compact_list.h"
 #include "core/base/handle.h"
 #include "core/base/message.h"
+#include "core/base/static_name.h"
 #include "core/build/line_runs.h"
 
 namespace ryosen {
 
-// A face that cannot take part in the connectivity. It keeps its number, so the numbering of the file stays.
+// A face that cannot take part in the connectivity. It keeps its number, so the numbering of the file stays. A broken
+// file may hold one for every byte or two: 40 bytes, and one block of memory for each list that is not empty.
 struct QuarantinedFace {
-  std::uint32_t face = 0;  // its number in the file, from 0
-  std::uint64_t line = 0;  // from 1; 0 when the format has no lines
-  std::string_view code;   // stable cause: face_too_few_corners, index_out_of_range, repeated_corner (static)
-  std::vector<std::int64_t> corners;  // vertex numbers from 0; out of range values (negative, too large) are kept
-  std::vector<std::uint32_t> texcoords, normals;  // as in CornerValues::index; empty when the face has none
+  std::uint32_t face = 0;             // its number in the file, from 0
+  std::uint32_t line = 0;             // from 1; 0 when the format has no lines
+  StaticName code;                    // stable cause: face_too_few_corners, index_out_of_range, repeated_corner
+  CompactList<std::int64_t> corners;  // vertex numbers from 0; out of range values (negative, too large) are kept
+  CompactList<std::uint32_t> texcoords, normals;  // as in CornerValues::index; empty when the face has none
 
   // The sentence for the user, made from the code and the corners.
   Text cause() const;
@@ -54,10 +57,11 @@ struct FaceNames {
 // What stands in colour columns for an element of which the file gives none.
 inline constexpr double no_colour = std::numeric_limits<double>::quiet_NaN();
 
-// Colours given per face, as OFF does: up to four numbers as the file gives them (one is a colour map's entry).
+// Colours given per face, as OFF does: red, green, blue and perhaps alpha in 0..1, or the number of a colour map's entry.
 struct FaceColours {
   std::vector<glm::dvec4> values;   // one per face (quarantined ones too); empty when unused
   std::vector<std::uint8_t> count;  // how many of the four numbers the face has: 0, 1, 3 or 4
+  bool are_bytes = false;           // the file gave some as 0..255
 };
 
 struct IndexedMesh {

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "core/build/bridged_corners.h"
 #include "core/mesh/attribute.h"
@@ -243,6 +244,7 @@ void write_face_values(const Mesh& mesh, const FileTables& tables, CompactMesh& 
   write_face_names(mesh, attribute_names::smoothing, tables.smoothing, out, m.smoothing);
   if (tables.face_colours.values.empty()) return;
   const std::size_t count = m.face_count();
+  m.face_colours.are_bytes = tables.face_colours.are_bytes;
   m.face_colours.values = renumbered(tables.face_colours.values, out.face_number, count, glm::dvec4(0.0));
   m.face_colours.count = renumbered(tables.face_colours.count, out.face_number, count, std::uint8_t{0});
 }
@@ -270,6 +272,13 @@ FileTables file_tables(const IndexedMesh& source) {
   return {source.quarantine,      bridged_faces(source),       source.face_lines,         source.vertex_weights,
           source.face_colours,    source.materials.names,      source.groups.names,       source.objects.names,
           source.smoothing.names, source.texcoords.components, source.normals.components, source.colour_components};
+}
+
+FileTables take_file_tables(IndexedMesh& source) {
+  std::vector<QuarantinedFace> quarantine = std::exchange(source.quarantine, {});
+  FileTables tables = file_tables(source);
+  tables.quarantine = std::move(quarantine);
+  return tables;
 }
 
 CompactMesh to_indexed(const Mesh& mesh, const FileTables& tables) {

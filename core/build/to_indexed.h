@@ -30,6 +30,8 @@ struct FileTables {
 };
 // Copies them, so ask before from_indexed takes the list.
 FileTables file_tables(const IndexedMesh& source);
+// The same, but takes the quarantine away, which from_indexed does without.
+FileTables take_file_tables(IndexedMesh& source);
 
 struct CompactMesh {
   IndexedMesh mesh;

@@ -22,6 +22,26 @@ std::uint64_t count_colours(const IndexedMesh& mesh, Test test) {
   }));
 }
 
+// Whether reading divides the byte back into the component.
+bool is_byte_exact(double component) { return as_byte(component) / byte_scale == component || std::isnan(component); }
+
+bool is_whole_byte(double component) {
+  constexpr double whole_limit = 9007199254740992.0;  // whole numbers below it are exact doubles
+  const double byte = as_byte(component);
+  return std::trunc(byte) == byte && std::abs(byte) < whole_limit && !(byte == 0 && std::signbit(byte)) &&
+         is_byte_exact(component);
+}
+
+std::uint64_t count_rounded_faces(const FaceColours& colours) {
+  std::uint64_t count = 0;
+  for (std::size_t face = 0; face < colours.count.size(); ++face) {
+    const int numbers = colours.count[face];
+    if (numbers < 3 || form_of_face_colour(colours, face) != ColourForm::large_bytes) continue;
+    count += any_component(colours.values[face], numbers, [](double c) { return !is_byte_exact(c); }) ? 1 : 0;
+  }
+  return count;
+}
+
 }  // namespace
 
 double as_byte(double component) {
@@ -38,10 +58,17 @@ bool are_byte_colours(const MeshFile& file) {
 }
 
 std::uint64_t count_rounded_colours(const MeshFile& file) {
-  if (!are_byte_colours(file)) return 0;
-  return count_colours(file.mesh, [](double component) {
-    return as_byte(component) / byte_scale != component && !std::isnan(component);
-  });
+  const std::uint64_t faces = count_rounded_faces(file.mesh.face_colours);
+  if (!are_byte_colours(file)) return faces;
+  return faces + count_colours(file.mesh, [](double component) { return !is_byte_exact(component); });
+}
+
+ColourForm form_of_face_colour(const FaceColours& colours, std::size_t face) {
+  const glm::dvec4& colour = colours.values[face];
+  const int numbers = colours.count[face];
+  const bool are_whole = !any_component(colour, numbers, [](double c) { return !is_whole_byte(c); });
+  if (colours.are_bytes && are_whole) return ColourForm::bytes;
+  return any_component(colour, numbers, [](double c) { return c > 1; }) ? ColourForm::large_bytes : ColourForm::reals;
 }
 
 }  // namespace ryosen

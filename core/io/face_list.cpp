@@ -72,8 +72,7 @@ FaceList::Flaw FaceList::flaw(std::size_t face, std::vector<std::uint32_t>& stam
   return take_out_bridges(list) ? Flaw::bridged : Flaw::repeated_corner;
 }
 
-void FaceList::find_flaws(std::uint32_t begin, std::uint32_t end,
-                          std::vector<std::pair<std::size_t, Flaw>>& flawed) const {
+void FaceList::find_flaws(std::uint32_t begin, std::uint32_t end, std::vector<FlawedFace>& flawed) const {
   const std::uint32_t* const offsets = mesh_.face_offsets.data();
   const std::uint32_t* const corners = mesh_.corners.data();
   const std::size_t vertices = mesh_.positions.size();
@@ -83,12 +82,12 @@ void FaceList::find_flaws(std::uint32_t begin, std::uint32_t end,
       const std::uint32_t a = corners[offsets[face]], b = corners[offsets[face] + 1], c = corners[offsets[face] + 2];
       if (a != b && b != c && c != a && std::max({a, b, c}) < vertices) continue;
     }
-    if (const Flaw found = flaw(face, stamps); found != Flaw::none) flawed.emplace_back(face, found);
+    if (const Flaw found = flaw(face, stamps); found != Flaw::none) flawed.push_back({face, found});
   }
 }
 
 QuarantinedFace FaceList::set_aside(std::size_t face, Flaw flaw) const {
-  constexpr std::string_view codes[] = {"", "face_too_few_corners", "index_out_of_range", "repeated_corner"};
+  constexpr StaticName codes[] = {"", "face_too_few_corners", "index_out_of_range", "repeated_corner"};
   const std::size_t begin = mesh_.face_offsets[face], end = mesh_.face_offsets[face + 1];
   QuarantinedFace out;
   out.face = static_cast<std::uint32_t>(face);
@@ -97,7 +96,7 @@ QuarantinedFace FaceList::set_aside(std::size_t face, Flaw flaw) const {
   out.corners.assign(mesh_.corners.begin() + begin, mesh_.corners.begin() + end);
   auto wide = std::lower_bound(wide_.begin(), wide_.end(), std::pair<std::size_t, std::int64_t>(begin, INT64_MIN));
   for (; wide != wide_.end() && wide->first < end; ++wide) out.corners[wide->first - begin] = wide->second;
-  const auto copy_values = [&](const std::vector<std::uint32_t>& from, std::vector<std::uint32_t>& to) {
+  const auto copy_values = [&](const std::vector<std::uint32_t>& from, CompactList<std::uint32_t>& to) {
     if (from.empty()) return;
     const auto first = from.begin() + begin, last = from.begin() + end;
     if (std::any_of(first, last, [](std::uint32_t value) { return value != no_index; })) to.assign(first, last);
@@ -126,26 +125,30 @@ void FaceList::close_gaps(const std::vector<QuarantinedFace>& removed) {
 }
 
 void FaceList::finish(Reporter& reporter) {
-  std::vector<std::pair<std::size_t, Flaw>> flawed;
   const auto faces = static_cast<std::uint32_t>(mesh_.face_count());
-  std::vector<std::vector<std::pair<std::size_t, Flaw>>> parts(threads_for(mesh_.corners.size()));
+  std::vector<std::vector<FlawedFace>> parts(threads_for(mesh_.corners.size()));
   for_each_part(faces, static_cast<unsigned>(parts.size()),
                 [&](unsigned t, std::uint32_t begin, std::uint32_t end) { find_flaws(begin, end, parts[t]); });
-  for (const auto& part : parts) {
-    for (const auto& [face, flaw] : part) {
-      if (flaw == Flaw::bridged)
-        mesh_.bridged.push_back(static_cast<std::uint32_t>(face));
+  std::size_t count = 0;
+  for (const std::vector<FlawedFace>& part : parts) {
+    for (const FlawedFace& flawed : part) {
+      if (flawed.flaw == Flaw::bridged)
+        mesh_.bridged.push_back(flawed.face);
       else
-        flawed.emplace_back(face, flaw);
+        ++count;
     }
   }
-  if (flawed.empty()) return;
-  mesh_.quarantine.reserve(flawed.size());
-  for (const auto& [face, found] : flawed) {
-    const QuarantinedFace& aside = mesh_.quarantine.emplace_back(set_aside(face, found));
-    const FilePlace place = aside.line != 0 ? FilePlace::at_line(aside.line) : FilePlace::at_face(face);
-    reporter.warn(aside.code, place, [&] { return aside.cause(); });
+  if (count == 0) return;
+  mesh_.quarantine.reserve(count);
+  for (const std::vector<FlawedFace>& part : parts) {
+    for (const auto& [face, flaw] : part) {
+      if (flaw == Flaw::bridged) continue;
+      const QuarantinedFace& aside = mesh_.quarantine.emplace_back(set_aside(face, flaw));
+      const FilePlace place = aside.line != 0 ? FilePlace::at_line(aside.line) : FilePlace::at_face(face);
+      reporter.warn(aside.code, place, [&] { return aside.cause(); });
+    }
   }
+  parts.clear();
   close_gaps(mesh_.quarantine);
   wide_ = {};
 }

@@ -50,8 +50,13 @@ class FaceList {
  private:
   enum class Flaw : std::uint8_t { none, too_few_corners, index_out_of_range, repeated_corner, bridged };
 
+  struct FlawedFace {
+    std::uint32_t face;
+    Flaw flaw;
+  };
+
   // Adds the faces begin .. end-1 that have a flaw. `stamps` holds, per vertex, the face that visited it last.
-  void find_flaws(std::uint32_t begin, std::uint32_t end, std::vector<std::pair<std::size_t, Flaw>>& flawed) const;
+  void find_flaws(std::uint32_t begin, std::uint32_t end, std::vector<FlawedFace>& flawed) const;
   Flaw flaw(std::size_t face, std::vector<std::uint32_t>& stamps) const;
   bool repeats_corner(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& stamps) const;
   QuarantinedFace set_aside(std::size_t face, Flaw flaw) const;

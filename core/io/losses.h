@@ -35,7 +35,7 @@ enum class Holds : std::uint32_t {
   comments = 1u << 20,
   first_comment = 1u << 21,  // 80 bytes of it
   doubles = 1u << 22,
-  any_vertex_colours = 1u << 23,  // whatever their numbers are
+  any_vertex_colours = 1u << 23,  // and of faces, whatever their numbers are
   free_facets = 1u << 24,         // faces of any corners that exist, where the file came with such
 };
 

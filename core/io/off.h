@@ -25,11 +25,13 @@ struct OffKind {
 // Reads an OFF file, text or binary. The counts of its head are claims that must fit the size of the file. A number
 // that cannot be read, a line with too few of them and an early end are errors; faces that cannot be used go to the
 // quarantine, lines beyond the claimed counts are left out: each with a warning. Values per vertex are put in the pools
-// of the corners, one entry per vertex. `path` is not used. Cost: O(bytes), one pass.
+// of the corners, one entry per vertex. The colour of a face counts from 0 to 255 if all its numbers are written as whole
+// ones or one is above one, else from 0 to 1. `path` is not used. Cost: O(bytes), one pass.
 Result<MeshFile> read_off(std::string_view bytes, const std::filesystem::path& path);
 
 // The bytes of an OFF file (text) with the same polygons, quarantined ones in their place, colours, and the texture
-// coordinates and normals that are the same at all corners of each vertex.
+// coordinates and normals that are the same at all corners of each vertex. Colours are whole numbers from 0 to 255 where
+// the file came with such, else reals with a point.
 std::string write_off(const MeshFile& file);
 
 }  // namespace ryosen

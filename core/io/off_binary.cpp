@@ -111,7 +111,7 @@ MeshFile read_as(std::string_view bytes, std::uint64_t start, OffKind kind, Layo
     for (std::uint32_t i = 0; i < corners; ++i) builder.add_corner(words.take());
     const std::uint32_t colours = layout.has_face_colours ? words.take() : 0;
     for (std::uint32_t i = 0; i < colours; ++i) values[i] = words.take_real();
-    if (!builder.end_face(0, values, colours)) {
+    if (!builder.end_face(0, values, colours, false)) {
       builder.reporter().warn("extra_values", FilePlace::at_byte(here()), [] {
         return Text{"The colour of a face has two numbers, which has no meaning.",
                     "面の色の数が 2 個で意味を持ちません。"};

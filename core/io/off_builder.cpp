@@ -41,7 +41,7 @@ void OffBuilder::add_colour(const double* values, std::size_t count) {
   }
 }
 
-bool OffBuilder::end_face(std::uint64_t line, const double* colour, std::size_t count) {
+bool OffBuilder::end_face(std::uint64_t line, const double* colour, std::size_t count, bool are_whole) {
   FaceColours& colours = file_.mesh.face_colours;
   const std::size_t face = file_.mesh.face_count();
   faces_.end_face(line);
@@ -50,7 +50,11 @@ bool OffBuilder::end_face(std::uint64_t line, const double* colour, std::size_t 
   if (count == 0 && colours.values.empty()) return has_meaning;
   colours.values.resize(face + 1, glm::dvec4(0.0));
   colours.count.resize(face + 1, 0);
-  for (std::size_t i = 0; i < count; ++i) colours.values[face][static_cast<int>(i)] = colour[i];
+  const bool are_bytes =
+      count >= 3 && (are_whole || std::any_of(colour, colour + count, [](double number) { return number > 1; }));
+  colours.are_bytes = colours.are_bytes || are_bytes;
+  for (std::size_t i = 0; i < count; ++i)
+    colours.values[face][static_cast<int>(i)] = are_bytes ? colour[i] / byte_scale : colour[i];
   colours.count[face] = static_cast<std::uint8_t>(count);
   return has_meaning;
 }

@@ -23,8 +23,9 @@ class OffBuilder {
   // which the result tells; there must be enough for what stands before and after the colour.
   bool add_vertex(const double* values, std::size_t count, std::uint64_t line = 0);
   void add_corner(std::int64_t vertex) { faces_.add_corner(vertex); }
-  // Ends the face; count is how many colour numbers follow it, false if that many have no meaning.
-  bool end_face(std::uint64_t line, const double* colour, std::size_t count);
+  // Ends the face; count is how many colour numbers follow it, false if that many have no meaning. Colours of whole
+  // numbers, as written, count from 0 to 255, as do those with a number above one.
+  bool end_face(std::uint64_t line, const double* colour, std::size_t count, bool are_whole);
 
   void reserve(std::size_t vertices, std::size_t faces);
   // The 32-bit numbers that can count vertices, faces and corners.

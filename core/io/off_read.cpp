@@ -171,8 +171,9 @@ class OffTextReader {
       if (!read_index(word, vertex)) return false;
       builder_.add_corner(vertex);
     }
+    const bool are_whole = rest_.find_first_not_of("+-0123456789 \t") == std::string_view::npos;
     if (!read_reals()) return false;
-    if (!builder_.end_face(lines_.count(), values_.data(), values_.size())) warn_extra_values();
+    if (!builder_.end_face(lines_.count(), values_.data(), values_.size(), are_whole)) warn_extra_values();
     return true;
   }
 

@@ -60,7 +60,13 @@ class OffWriter {
   void colour(const glm::dvec4& value) {
     if (std::isnan(value.x)) return;
     const int count = mesh_.colour_components == 4 ? 4 : 3;
-    for (int i = 0; i < count; ++i) out_ << ' ' << (are_bytes_ ? as_byte(value[i]) : value[i]);
+    for (int i = 0; i < count; ++i) {
+      out_ << ' ';
+      if (are_bytes_)
+        out_ << as_byte(value[i]);
+      else
+        out_.put_real(value[i]);
+    }
   }
 
   void vertex(std::size_t v) {
@@ -75,7 +81,23 @@ class OffWriter {
   void face_colour(std::size_t face) {
     const FaceColours& colours = mesh_.face_colours;
     if (face >= colours.count.size()) return;
-    for (int i = 0; i < colours.count[face]; ++i) out_ << ' ' << colours.values[face][i];
+    const int count = colours.count[face];
+    if (count == 0) return;
+    if (count == 1) {
+      out_ << ' ' << colours.values[face].x;
+      return;
+    }
+    const ColourForm form = form_of_face_colour(colours, face);
+    for (int i = 0; i < count; ++i) {
+      const double value = colours.values[face][i];
+      out_ << ' ';
+      if (form == ColourForm::bytes)
+        out_ << static_cast<std::int64_t>(as_byte(value));
+      else if (form == ColourForm::large_bytes)
+        out_ << as_byte(value);
+      else
+        out_.put_real(value);
+    }
   }
 
   const MeshFile& file_;

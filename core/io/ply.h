@@ -20,6 +20,7 @@ namespace ryosen {
 // `path` is not used. Cost: O(bytes), one pass.
 Result<MeshFile> read_ply(std::string_view bytes, const std::filesystem::path& path);
 
+// Colours are uchar from 0 to 255 where that gives all of them exactly, else real from 0 to 1.
 // The bytes of a PLY file in this encoding (little endian when automatic), with the elements and
 // properties of the layout that the file came with, in its order. A type that cannot hold a value any more gives way to
 // a wider one, which all components of a position, normal, texture coordinate or colour then have.

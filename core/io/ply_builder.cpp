@@ -44,7 +44,7 @@ PlyTarget PlyBuilder::target_of(const Property& property) {
     case PropertyRole::vertex_colour:
       return component_of(mesh.vertex_colours, property.component, full_scale(property.type));
     case PropertyRole::face_colour:
-      return component_of(mesh.face_colours.values, property.component);
+      return component_of(mesh.face_colours.values, property.component, full_scale(property.type));
     default:
       return {};
   }
@@ -69,6 +69,7 @@ std::vector<PlyTarget> PlyBuilder::begin_table(std::size_t number, FilePlace pla
     if (property.role == PropertyRole::face_colour) {
       mesh.face_colours.values.resize(table.rows, glm::dvec4(0.0));
       mesh.face_colours.count.assign(table.rows, static_cast<std::uint8_t>(property.component + 1));
+      mesh.face_colours.are_bytes = full_scale(property.type) == 255.0;
     }
   }
   std::vector<PlyTarget> targets;

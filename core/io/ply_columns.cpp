@@ -39,6 +39,8 @@ double scaled_colour(double component, double scale) {
   return scaled;
 }
 
+bool is_colour(PropertyRole role) { return role == PropertyRole::vertex_colour || role == PropertyRole::face_colour; }
+
 double colour_scale(NumberType type) {
   if (is_real(type)) return 1.0;
   return type == NumberType::u16 || type == NumberType::i16 ? 65535.0 : 255.0;
@@ -128,7 +130,7 @@ void PlyColumns::add_layout() {
       column.count_type = property.count_type;
       column.role = property.role;
       column.component = property.component;
-      if (property.role == PropertyRole::vertex_colour) column.scale = colour_scale(property.type);
+      if (is_colour(property.role)) column.scale = colour_scale(property.type);
       if (property.is_kept()) column.kept = &property;
     }
   }
@@ -136,10 +138,11 @@ void PlyColumns::add_layout() {
 
 void PlyColumns::add_reals(PlyTable& table, PropertyRole role, std::initializer_list<std::string_view> names) {
   std::uint8_t component = 0;
-  const bool is_colour = role == PropertyRole::vertex_colour || role == PropertyRole::face_colour;
   const auto first = std::find_if(table.columns.begin(), table.columns.end(),
                                   [&](const PlyColumn& column) { return column.role == role; });
-  const NumberType type = first != table.columns.end() ? first->type : is_colour ? NumberType::u8 : NumberType::f32;
+  const NumberType type = first != table.columns.end() ? first->type
+                          : is_colour(role)            ? NumberType::u8
+                                                       : NumberType::f32;
   for (const std::string_view name : names) {
     const bool is_there = std::any_of(table.columns.begin(), table.columns.end(), [&](const PlyColumn& column) {
       return column.role == role && column.component == component;
@@ -150,7 +153,7 @@ void PlyColumns::add_reals(PlyTable& table, PropertyRole role, std::initializer_
       column.type = type;
       column.role = role;
       column.component = component;
-      if (role == PropertyRole::vertex_colour) column.scale = colour_scale(column.type);
+      if (is_colour(role)) column.scale = colour_scale(column.type);
     }
     ++component;
   }
@@ -207,8 +210,7 @@ double PlyColumns::value(const PlyColumn& column, std::size_t row) const {
       return scaled_colour(std::isnan(colour.x) ? 1.0 : colour[c], column.scale);  // none is white
     }
     default:
-      if (mesh.face_colours.count[row] == 0) return is_real(column.type) ? 1.0 : 255.0;
-      return mesh.face_colours.values[row][c];
+      return scaled_colour(mesh.face_colours.count[row] == 0 ? 1.0 : mesh.face_colours.values[row][c], column.scale);
   }
 }
 
@@ -233,7 +235,7 @@ const std::vector<glm::dvec3>& PlyColumns::corner_texcoords(std::size_t face) co
 bool PlyColumns::holds(NumberType type, const PlyColumn& column, std::size_t rows) const {
   PlyColumn as = column;
   as.type = type;
-  if (column.role == PropertyRole::vertex_colour) as.scale = colour_scale(type);
+  if (is_colour(column.role)) as.scale = colour_scale(type);
   if (column.role == PropertyRole::corner_texcoord) {
     for (std::size_t row = 0; row < rows; ++row) {
       for (const glm::dvec3& value : corner_texcoords(row)) {

@@ -30,6 +30,14 @@ class TextOut {
   TextOut& operator<<(double value) { return put(value); }
   // The same for float: the shortest decimal that is the same float again.
   TextOut& operator<<(float value) { return put(value); }
+  // The shortest decimal, with a point where it would look like a whole number.
+  TextOut& put_real(double value) {
+    const std::size_t begin = size_;
+    put(value);
+    const bool is_whole = std::string_view(text_.data() + begin, size_ - begin).find_first_not_of("-0123456789") ==
+                          std::string_view::npos;
+    return is_whole ? *this << ".0" : *this;
+  }
   template <std::integral Integer>
   TextOut& operator<<(Integer value) {
     return put(value);

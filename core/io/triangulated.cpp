@@ -76,7 +76,8 @@ class Triangulator {
     out_.vertex_colours = mesh_.vertex_colours;
     out_.colour_components = mesh_.colour_components;
     out_.vertex_weights = mesh_.vertex_weights;
-    out_.face_colours = {by_source(mesh_.face_colours.values), by_source(mesh_.face_colours.count)};
+    out_.face_colours = {by_source(mesh_.face_colours.values), by_source(mesh_.face_colours.count),
+                         mesh_.face_colours.are_bytes};
     out_.materials = by_source(mesh_.materials);
     out_.groups = by_source(mesh_.groups);
     out_.objects = by_source(mesh_.objects);

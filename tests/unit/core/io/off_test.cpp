@@ -114,6 +114,28 @@ TEST(OffRead, ColoursOfFaces) {
   EXPECT_EQ(io_test::loss_codes(file, "obj"), "loses_face_colours");
 }
 
+TEST(OffRead, ColoursOfFacesSayWhatTheirNumbersAre) {
+  constexpr std::string_view text =
+      "OFF\n3 6 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 1.0 0.0 -0.0\n3 0 1 2 51 0 255\n3 0 1 2 1 0 0\n"
+      "3 0 1 2 0.25 1e-05 0.5 1.0\n3 0 1 2 7\n3 0 1 2 382.5 0 12\n";
+  const MeshFile file = read_sound("off", text);
+  const std::vector<glm::dvec4>& values = file.mesh.face_colours.values;
+  EXPECT_EQ(values[0], glm::dvec4(1, 0, 0, 0));
+  EXPECT_EQ(values[1], glm::dvec4(0.2, 0, 1, 0));
+  EXPECT_EQ(values[2], glm::dvec4(1 / 255.0, 0, 0, 0));
+  EXPECT_EQ(values[4].x, 7);
+  EXPECT_EQ(values[5].x, 1.5);
+  EXPECT_EQ(write_off(file), text) << "written as it was";
+  EXPECT_EQ(difference_after_round_trip(file, "off"), "");
+  // Without bytes in the file, reals stay reals, white too.
+  const MeshFile reals = read_sound("off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 1.0 1.0 1.0\n");
+  EXPECT_NE(write_off(reals).find("3 0 1 2 1.0 1.0 1.0\n"), std::string::npos);
+  MeshFile huge = reals;
+  huge.mesh.face_colours.values[0].x = 1e308;
+  EXPECT_EQ(io_test::loss_codes(huge, "off"), "loses_exact_colours");
+  EXPECT_EQ(io_test::loss_codes(huge, "ply"), "");
+}
+
 TEST(OffRead, NormalsAndTextureCoordinates) {
   const MeshFile file = read_sound("off",
                                    "STCNOFF\n4 1 0\n0 0 0 0 0 1 .5 .5 .5 0 .25\n1 0 0 0 1 0 .5 .5 .5 1 0\n"

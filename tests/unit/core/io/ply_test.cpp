@@ -73,7 +73,7 @@ TEST(PlyRead, EveryPropertyGoesWhereItBelongs) {
   EXPECT_EQ(mesh.colour_components, 4);
   EXPECT_EQ(mesh.normals.pool[4], glm::dvec3(1, 0, 0));
   EXPECT_EQ(mesh.texcoords.pool[1], glm::dvec3(1, 0, 0));
-  EXPECT_EQ(mesh.face_colours.values[1], glm::dvec4(0, 255, 0, 0));
+  EXPECT_EQ(mesh.face_colours.values[1], glm::dvec4(0, 1, 0, 0));
   EXPECT_EQ(mesh.face_colours.count, (std::vector<std::uint8_t>{3, 3, 3}));
   ASSERT_EQ(mesh.quarantine.size(), 2u);
   EXPECT_EQ(mesh.quarantine[0].code, "index_out_of_range");
@@ -137,6 +137,27 @@ TEST(PlyWrite, ComponentsOfOneThingHaveOneType) {
       << "never narrower than it was";
   kept.mesh.colour_components = 4;
   EXPECT_NE(bytes_of(kept, *find_format("ply")).find("property uchar alpha\n"), std::string::npos);
+}
+
+TEST(PlyWrite, ColoursOfFacesKeepTheirMeaning) {
+  const auto face_of = [](const char* colour) {
+    const MeshFile file = read_sound("off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 " + std::string(colour) + "\n");
+    EXPECT_EQ(io_test::loss_codes(file, "ply"), "");
+    const std::string text = bytes_of(file, *find_format("ply"), Encoding::ascii);
+    EXPECT_TRUE(io_test::same_bits(read_sound("ply", text).mesh.face_colours.values, file.mesh.face_colours.values));
+    const std::size_t red = text.find("property ", text.find("vertex_indices"));
+    const std::size_t face = text.find("\n3 0 1 2");
+    return text.substr(red + 9, text.find(' ', red + 9) - red - 9) + text.substr(face + 8, text.size() - face - 9);
+  };
+  EXPECT_EQ(face_of("1.0 0.0 0.0"), "uchar 255 0 0");
+  EXPECT_EQ(face_of("1 0 0"), "uchar 1 0 0");
+  EXPECT_EQ(face_of("255 0 51 128"), "uchar 255 0 51 128");
+  EXPECT_EQ(face_of("1.0 0.5 0.0"), "float 1 0.5 0");
+  EXPECT_EQ(face_of("1.0 0.1 0.0"), "double 1 0.1 0");
+  // And back.
+  MeshFile reals = read_sound("off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 1.0 0.5 0.0\n");
+  reals = read_sound("ply", bytes_of(reals, *find_format("ply")));
+  EXPECT_NE(bytes_of(reals, *find_format("off")).find("3 0 1 2 1.0 0.5 0.0\n"), std::string::npos);
 }
 
 TEST(PlyWrite, LongFacesWidenTheLengthOfTheList) {

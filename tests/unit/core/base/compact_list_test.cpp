@@ -1,0 +1,51 @@
+#include "core/base/compact_list.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+#include "core/base/static_name.h"
+
+namespace ryosen {
+namespace {
+
+using List = CompactList<std::int64_t>;
+
+TEST(CompactList, HoldsItsValuesAndIsOnePointer) {
+  static_assert(sizeof(List) == sizeof(void*));
+  List list;
+  EXPECT_TRUE(list.empty());
+  EXPECT_EQ(list.size(), 0u);
+  EXPECT_EQ(list.begin(), list.end());
+  list = {3, -1, 1ll << 60};
+  EXPECT_EQ(list, (std::vector<std::int64_t>{3, -1, 1ll << 60}));
+  list[1] = 5;
+  EXPECT_EQ(list, (List{3, 5, 1ll << 60}));
+  EXPECT_FALSE(list == List({3, 5}));
+}
+
+TEST(CompactList, CopiesAreTheirOwnAndAMoveLeavesNothing) {
+  List list{1, 2};
+  List copy = list;
+  copy[0] = 9;
+  EXPECT_EQ(list, (List{1, 2}));
+  const List& same = list;
+  list = same;
+  EXPECT_EQ(list.size(), 2u);
+  const List moved = std::move(list);
+  EXPECT_EQ(moved, (List{1, 2}));
+  list.clear();
+  EXPECT_EQ(list, List());
+  copy = list;
+  EXPECT_TRUE(copy.empty());
+}
+
+TEST(StaticName, ComparesByItsCharacters) {
+  const char text[] = "name";
+  EXPECT_TRUE(StaticName("name") == StaticName(text));
+  EXPECT_FALSE(StaticName("name") == StaticName("other"));
+  EXPECT_EQ(std::string_view(StaticName()), "");
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -28,6 +28,9 @@ std::optional<Failure> read_fail_on(const std::string& list, std::vector<std::st
   for (std::size_t begin = 0; begin <= list.size();) {
     const std::size_t end = std::min(list.find(',', begin), list.size());
     const std::string kind = list.substr(begin, end - begin);
+    if (kind == "none")
+      return usage_failure("bad_value", {"--fail-on: none stands for itself, without other kinds.",
+                                         "--fail-on：none は他の種類と一緒には使えません。"});
     if (!find_problem_row(kind)) {
       std::vector<std::string> known{"none"};
       for (const ProblemRow& row : problem_table()) known.emplace_back(row.id);

@@ -127,8 +127,10 @@ std::uint64_t welded_points(const MeshFile& file, Holds held) {
       if (!(p == p) && corners_at[corner] < 2 && ++corners_at[corner] == 2) ++count;
     }
   }
+  const bool is_rounded = !holds(held, Holds::doubles);
   const auto place = [&](std::uint32_t v) {
-    const glm::dvec3 p = mesh.positions[v] + 0.0;  // -0 is 0
+    glm::dvec3 p = mesh.positions[v] + 0.0;  // -0 is 0
+    if (is_rounded) p = glm::dvec3(glm::vec3(p));
     return std::array{p.x, p.y, p.z};
   };
   std::sort(points.begin(), points.end(), [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });

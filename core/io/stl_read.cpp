@@ -11,6 +11,7 @@
 #include "core/io/stl.h"
 #include "core/io/stl_facets.h"
 #include "core/io/stl_text.h"
+#include "core/io/text_lines.h"
 #include "core/mesh/column_memory.h"
 
 namespace ryosen {
@@ -131,6 +132,7 @@ class StlBinaryReader {
 
 bool begins_with_solid(std::string_view bytes) {
   std::string_view rest = bytes.substr(0, sniffed_bytes);
+  if (rest.starts_with(byte_order_mark)) rest.remove_prefix(byte_order_mark.size());
   const std::size_t begin = rest.find_first_not_of(" \t\r\n");
   return begin != std::string_view::npos && is_stl_word(rest.substr(begin, 5), "solid");
 }

@@ -69,6 +69,23 @@ class StlTextReader {
     return is_stl_word(word_, word) || unexpected(word);
   }
 
+  // A file may stand on one line: then the name ends where the first facet begins.
+  static std::size_t end_of_name(std::string_view line) {
+    for (std::string_view rest = line; !rest.empty();) {
+      std::string_view after = rest;
+      const std::string_view word = take_word(after);
+      if (is_stl_word(word, "facet") && begins_facet(after)) return static_cast<std::size_t>(word.data() - line.data());
+      rest = after;
+    }
+    return line.size();
+  }
+  static bool begins_facet(std::string_view after) {
+    if (!is_stl_word(take_word(after), "normal")) return false;
+    for (int i = 0; i < 3; ++i)
+      if (double ignored = 0; read_real(take_word(after), ignored) == NumberRead::unreadable) return false;
+    return is_stl_word(take_word(after), "outer") && is_stl_word(take_word(after), "loop");
+  }
+
   bool read_solid() {
     if (!is_stl_word(word_, "solid")) {
       if (solids_.empty()) return unexpected("solid");
@@ -78,8 +95,9 @@ class StlTextReader {
       is_stopped_ = true;
       return true;
     }
-    solids_.emplace_back(trimmed(rest_));
-    rest_ = {};
+    const std::size_t name_end = end_of_name(rest_);
+    solids_.emplace_back(trimmed(rest_.substr(0, name_end)));
+    rest_.remove_prefix(name_end);
     while (next_word()) {
       if (is_stl_word(word_, "endsolid")) {
         rest_ = {};

@@ -27,7 +27,6 @@ TextLines::TextLines(std::string_view bytes, bool join_continuations, std::uint6
       next_lf_(find(begin_, end_, '\n')),
       join_continuations_(join_continuations),
       count_(lines_before) {
-  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
   if (lines_before == 0 && bytes.starts_with(byte_order_mark)) at_ += byte_order_mark.size();
 }
 

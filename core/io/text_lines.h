@@ -11,6 +11,9 @@
 
 namespace ryosen {
 
+// What some programs put before the first character of a text in UTF-8.
+inline constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
 // One line without its end. `text` stays valid until the next line is read, and the character after it is a line end:
 // LF, or CR followed by LF.
 struct TextLine {

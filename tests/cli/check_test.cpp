@@ -113,6 +113,7 @@ TEST(Check, FailOnChoosesTheKindsThatCount) {
   const ProgramRun wrong = run_program({"check", fan, "--fail-on", "boundary_lop"});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_NE(wrong.err.find("'boundary_loop'"), std::string::npos) << wrong.err;
+  EXPECT_EQ(run_program({"check", fan, "--fail-on", "none,isolated_vertex"}).exit_code, 2);
 }
 
 TEST(Check, WarningsOfTheReaderCountAsProblems) {

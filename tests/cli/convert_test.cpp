@@ -78,6 +78,18 @@ TEST(Convert, FormatsAndTriangles) {
   EXPECT_NE(read_file(folder.at("c.ply")).find("\n2 0 0.1\n"), std::string::npos) << "to the last bit";
 }
 
+TEST(Convert, PointsThatRoundingBringsToOnePlace) {
+  const TemporaryFolder folder;
+  folder.write("near.obj", "v 0 0 0\nv 0.1 0 0\nv 0.10000000001 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 4\nf 2 3 4\nf 1 4 5\n");
+  const Json rounded = run_program({"convert", "near.obj", "-o", "b.stl", "--json"}, folder.path()).line();
+  EXPECT_EQ(loss(rounded, "loses_topology")["count"], 1);
+  EXPECT_EQ(run_program({"check", folder.at("b.stl"), "--json"}).line()["vertices"], 4) << "of 5";
+  const Json text =
+      run_program({"convert", "near.obj", "-o", "c.stl", "--format", "stl-ascii", "--json"}, folder.path()).line();
+  EXPECT_TRUE(text["losses"].empty()) << text;
+  EXPECT_EQ(run_program({"check", folder.at("c.stl"), "--json"}).line()["vertices"], 5);
+}
+
 TEST(Convert, FacesThatWereSetAsideAndPointsAtOnePlace) {
   const TemporaryFolder folder;
   folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\nf 4 5 6\nf 1 2 9\n");

@@ -89,6 +89,20 @@ TEST(StlRead, WordsInAnyCaseAndLayout) {
   EXPECT_EQ(file.messages.size(), 1u);
 }
 
+TEST(StlRead, ATextOnOneLine) {
+  const MeshFile file = read_sound("stl",
+                                   "solid a facet of mine facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 "
+                                   "vertex 0 1 0 endloop endfacet endsolid a facet of mine");
+  EXPECT_EQ(file.mesh.groups.names, std::vector<std::string>{"a facet of mine"});
+  EXPECT_EQ(file.mesh.corners, (Corners{0, 1, 2}));
+}
+
+TEST(StlRead, AByteOrderMarkBeforeSolid) {
+  const MeshFile file = read_sound("stl", "\xef\xbb\xbf" + text_tetrahedron("t"));
+  EXPECT_EQ(file.mesh.face_count(), 4u);
+  EXPECT_EQ(file.mesh.groups.names, std::vector<std::string>{"t"});
+}
+
 TEST(StlRead, FacetsOfOtherThanThreeCorners) {
   const MeshFile file =
       read_sound("stl", "solid\n" + text_facet({"0 0 0", "1 0 0", "1 1 0", "0 1 0"}) + text_facet({"0 0 0", "1 0 0"}) +

@@ -126,7 +126,7 @@ class Checker {
                                       std::string("内部エラー：") + error.what()};
     }
     Done done;
-    done.output = console_.json ? line_of(to_json(report)) : to_text(report, console_);
+    done.output = console_.json ? json_line_of(report) : to_text(report, console_);
     done.code = code_of(report, options_);
     done.messages = std::move(report.messages);
     if (report.failure) done.messages.push_back(report.failure->message);

@@ -77,7 +77,7 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
   report.file = path;
   report.format = file.format ? file.format->id : std::string_view();
   report.messages = std::move(file.messages);
-  const std::vector<QuarantinedFace> quarantine = std::move(file.mesh.quarantine);
+  std::vector<QuarantinedFace> quarantine = std::move(file.mesh.quarantine);
   const std::vector<std::uint32_t> lines = std::move(file.mesh.face_lines);
   const LineRuns vertex_lines = std::move(file.mesh.vertex_lines);
   const Mesh mesh = from_indexed(std::move(file.mesh));
@@ -92,10 +92,12 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
   });
   std::vector<FacePair> intersections;
   if (with_self_intersections) intersections = find_self_intersections(mesh);
-  for (Problem& problem : find_problems(mesh, sets, {quarantine, lines, &vertex_lines}, std::move(intersections))) {
+  std::vector<Problem> problems =
+      find_problems(mesh, sets, {quarantine, lines, &vertex_lines}, std::move(intersections));
+  quarantine = {};
+  for (Problem& problem : problems) {
     NamedProblem named{std::move(problem), {}};
-    named.names.reserve(named.problem.count());
-    for (const Element& element : named.problem.elements) named.names.push_back(name_on_points(mesh, element));
+    for (const Element& element : named.problem.elements) named.names.add(name_on_points(mesh, element));
     report.problems.push_back(std::move(named));
   }
   return report;
@@ -111,13 +113,15 @@ CheckReport check_file(const std::string& path, bool with_self_intersections) {
   return report;
 }
 
-Json to_json(const NamedProblem& named) {
-  const Problem& problem = named.problem;
+namespace {
+
+// Without the names, whose place is an empty array.
+Json without_names(const Problem& problem) {
   Json json;
   json["kind"] = problem.row().id;
   json["severity"] = problem.row().severity == ProblemSeverity::problem ? "problem" : "info";
   json["count"] = problem.count();
-  json["elements"] = named.names;
+  json["elements"] = Json::array();
   if (problem.row().is_on_request) {
     json["pairs"] = Json::array();
     const auto name = [](Face f) { return "f" + std::to_string(f.index); };
@@ -130,8 +134,16 @@ Json to_json(const NamedProblem& named) {
   return json;
 }
 
-Json to_json(const CheckReport& report) {
-  if (report.failure) return error_object(report.failure->message, report.file, report.format);
+}  // namespace
+
+Json to_json(const NamedProblem& named) {
+  Json json = without_names(named.problem);
+  named.names.for_each(named.problem.count(), [&](std::string_view name) { json["elements"].push_back(name); });
+  return json;
+}
+
+std::string json_line_of(const CheckReport& report) {
+  if (report.failure) return line_of(error_object(report.failure->message, report.file, report.format));
   Json json;
   json["file"] = report.file;
   json["format"] = report.format;
@@ -139,9 +151,27 @@ Json to_json(const CheckReport& report) {
   add_figures(report.figures, json);
   json["hash"] = report.hash;
   json["problems"] = Json::array();
-  for (const NamedProblem& problem : report.problems) json["problems"].push_back(to_json(problem));
+  for (const NamedProblem& problem : report.problems) json["problems"].push_back(without_names(problem.problem));
   json["messages"] = to_json(report.messages);
-  return json;
+  const std::string line = line_of(json);
+  // No text of a file looks like this, since quotes inside a string are escaped.
+  constexpr std::string_view place = "\"elements\":[]";
+  std::string out;
+  std::size_t bytes = line.size(), done = 0;
+  for (const NamedProblem& problem : report.problems) bytes += problem.names.bytes() + 2 * problem.problem.count();
+  out.reserve(bytes);
+  for (const NamedProblem& problem : report.problems) {
+    const std::size_t at = line.find(place, done) + place.size() - 1;
+    out.append(line, done, at - done);
+    problem.names.for_each(problem.problem.count(), [&](std::string_view name) {
+      if (out.back() != '[') out += ',';
+      out += '"';
+      out += name;
+      out += '"';
+    });
+    done = at;
+  }
+  return out.append(line, done);
 }
 
 }  // namespace ryosen::cli

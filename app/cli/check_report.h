@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/cli/console.h"
@@ -13,9 +14,33 @@
 
 namespace ryosen::cli {
 
+// Names of elements, one behind the other in one text: a broken file may give one for every byte of it.
+class NameList {
+ public:
+  void add(std::string_view name) {
+    text_ += name;
+    text_ += ',';
+  }
+  // Calls visit(name) for the first `most` of them.
+  template <class Visit>
+  void for_each(std::size_t most, Visit visit) const {
+    std::string_view rest = text_;
+    for (; most > 0 && !rest.empty(); --most) {
+      const std::size_t end = rest.find(',');
+      visit(rest.substr(0, end));
+      rest.remove_prefix(end + 1);
+    }
+  }
+  // Of all names together.
+  std::size_t bytes() const { return text_.size(); }
+
+ private:
+  std::string text_;
+};
+
 struct NamedProblem {
   Problem problem;
-  std::vector<std::string> names;  // of all its elements
+  NameList names;  // of all its elements
 };
 
 struct CheckReport {
@@ -36,7 +61,9 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
 // Reads the file and asks everything about its mesh.
 CheckReport check_file(const std::string& path, bool with_self_intersections = false);
 
-Json to_json(const CheckReport& report);
+// The object of `check --json` with its line end. The names go into the text alone: as objects they take many times
+// their bytes.
+std::string json_line_of(const CheckReport& report);
 Json to_json(const NamedProblem& problem);
 // A table of figures, then the problems; with `verbose` every element is named.
 std::string to_text(const CheckReport& report, const Console& console);

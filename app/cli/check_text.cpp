@@ -87,10 +87,10 @@ std::string figures_text(const Figures& f, const Console& console) {
   return text;
 }
 
-std::vector<std::string> names_of_pairs(const Problem& problem) {
-  std::vector<std::string> names;
+NameList names_of_pairs(const Problem& problem) {
+  NameList names;
   for (const FacePair& pair : problem.pairs)
-    names.push_back("f" + number(pair.first.index) + " x f" + number(pair.second.index));
+    names.add("f" + number(pair.first.index) + " x f" + number(pair.second.index));
   return names;
 }
 
@@ -102,11 +102,18 @@ std::string to_text(const NamedProblem& named, const Console& console) {
   std::string text = "  " + std::string(is_info ? console.text("info", "情報") : console.text("PROBLEM", "問題")) +
                      " " + std::string(problem.row().id) + " x" + number(problem.count()) + ": " +
                      console.text(problem.text) + "\n    ";
-  const std::vector<std::string> names = problem.pairs.empty() ? named.names : names_of_pairs(problem);
-  const std::size_t shown = console.verbose ? names.size() : std::min(names.size(), names_shown);
-  for (std::size_t i = 0; i < shown; ++i) text += (i ? ", " : "") + names[i];
-  if (shown < names.size()) {
-    const std::string rest = number(names.size() - shown);
+  const bool has_pairs = !problem.pairs.empty();
+  const NameList pairs = names_of_pairs(problem);
+  const std::size_t count = has_pairs ? problem.pairs.size() : problem.count();
+  const std::size_t shown = console.verbose ? count : std::min(count, names_shown);
+  std::string_view separator;
+  (has_pairs ? pairs : named.names).for_each(shown, [&](std::string_view name) {
+    text += separator;
+    text += name;
+    separator = ", ";
+  });
+  if (shown < count) {
+    const std::string rest = number(count - shown);
     text += console.text(", and " + rest + " more (-v names all)", "、ほか " + rest + " 個（-v ですべて表示）");
   }
   if (problem.where) text += std::string(console.text("; first at ", "；最初の位置 ")) + place(*problem.where);

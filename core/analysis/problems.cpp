@@ -26,6 +26,7 @@ std::vector<Element> elements_of(const ProblemRow& row, Neighbourhood& around, c
     const BoundaryLoops loops = find_boundary_loops(around, sets.of(row.kind));
     for (std::size_t i = 0; i < loops.size(); ++i) elements.emplace_back(edge(loops[i].front()));
   } else if (row.quarantined) {
+    if (row.kind == ProblemKind::quarantined_face) elements.reserve(quarantine.size());
     for (const QuarantinedFace& face : quarantine)
       if (row.quarantined(face, around.mesh().file_vertices())) elements.emplace_back(Face(face.face));
   } else {

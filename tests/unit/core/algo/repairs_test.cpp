@@ -238,7 +238,7 @@ TEST(repairs, isolated_vertices_go) {
 
 TEST(repairs, filling_tells_how_far_it_is_within_a_hole) {
   IndexedMesh source;  // a band around two holes
-  constexpr std::uint32_t sides = 100;
+  constexpr std::uint32_t sides = 40;
   for (std::uint32_t i = 0; i < 2 * sides; ++i) {
     const double angle = 2 * M_PI * (i % sides) / sides;
     source.positions.push_back({100 * std::cos(angle), 100 * std::sin(angle), i / sides});

@@ -4,11 +4,11 @@
 #include "app/cli/commands.h"
 #include "app/cli/edit_script.h"
 #include "app/cli/json.h"
+#include "app/cli/write_output.h"
 #include "app/editor/expect.h"
 #include "app/editor/session.h"
 #include "app/editor/words.h"
 #include "core/analysis/figures.h"
-#include "core/io/safe_write.h"
 #include "core/mesh/copies.h"
 
 namespace ryosen::cli {
@@ -136,18 +136,11 @@ class EditRun {
   }
 
   void write() {
-    const std::vector<Message> losses = session_.document().losses(*files_.output);
-    const Status status = session_.document().save(*files_.output);
-    if (is_in_place(status)) {
-      written_ = *files_.output;
-      losses_ = losses;
-      for (const Message& loss : losses) console_.show(loss, *files_.output);
-    }
-    if (status) return;
-    code_ = status.failure().exit_code;
+    output_ = write_output(session_.document(), *files_.output, console_);
+    if (output_.is_there) written_ = *files_.output;
+    if (!output_.failure) return;
+    code_ = output_.failure->exit_code;
     failed_ = true;
-    write_failure_ = status.failure().message;
-    console_.show(*write_failure_, *files_.output);
   }
 
   Totals totals() {
@@ -167,7 +160,7 @@ class EditRun {
     Json json;
     json["file"] = files_.input.empty() ? Json() : Json(files_.input);
     json["output"] = written_ ? Json(*written_) : Json();
-    json["status"] = code_ == ExitCode::done && losses_.empty() ? "ok" : may_write() ? "warnings" : "error";
+    json["status"] = code_ == ExitCode::done && output_.losses.empty() ? "ok" : may_write() ? "warnings" : "error";
     json["vertices"] = now.vertices;
     json["edges"] = now.edges;
     json["faces"] = now.faces;
@@ -175,8 +168,8 @@ class EditRun {
     json["hash"] = hash_text(session_.mesh());
     json["applied"] = applied_;
     json["refused"] = refused_;
-    std::vector<Message> messages = losses_;
-    if (write_failure_) messages.push_back(*write_failure_);
+    std::vector<Message> messages = output_.losses;
+    if (output_.failure) messages.push_back(output_.failure->message);
     if (!messages.empty()) json["messages"] = to_json(messages);
     console_.print(line_of(json));
   }
@@ -212,8 +205,7 @@ class EditRun {
   bool stopped_ = false;
   bool failed_ = false;
   std::optional<std::string> written_;  // the last file
-  std::optional<Message> write_failure_;
-  std::vector<Message> losses_;  // of what was written
+  WrittenOutput output_;                // of -o
   ExitCode code_ = ExitCode::done;
   std::size_t applied_ = 0, refused_ = 0;
 };

@@ -9,8 +9,8 @@
 #include "app/cli/edit_script.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/json.h"
+#include "app/cli/write_output.h"
 #include "app/editor/document.h"
-#include "core/io/safe_write.h"
 
 namespace ryosen::cli {
 
@@ -108,22 +108,15 @@ class RepairRun {
   }
 
   void write() {
-    losses_ = document_.losses(*files_.output);
-    const Status status = document_.save(*files_.output);
-    written_ = is_in_place(status);
-    if (!written_) losses_.clear();
-    for (const Message& loss : losses_) console_.show(loss, *files_.output);
-    if (status) return;
-    code_ = status.failure().exit_code;
-    failure_ = status.failure().message;
-    console_.show(*failure_, *files_.output);
+    output_ = write_output(document_, *files_.output, console_);
+    if (output_.failure) code_ = output_.failure->exit_code;
   }
 
   void print_text() const {
     console_.print(after_.problems.empty() ? console_.text("left: nothing\n", "残り：なし\n")
                                            : console_.text("left:\n", "残り：\n"));
     for (const NamedProblem& problem : after_.problems) console_.print(to_text(problem, console_));
-    if (written_)
+    if (output_.is_there)
       console_.print(console_.text(Text{"written: ", "書き出し："}) + *files_.output + "\n");
     else
       console_.print(console_.text("nothing written\n", "書き出しなし\n"));
@@ -132,8 +125,8 @@ class RepairRun {
   void print_json() const {
     Json json;
     json["file"] = files_.input;
-    json["output"] = written_ ? Json(*files_.output) : Json();
-    json["status"] = failure_ ? "error" : code_ == ExitCode::done && losses_.empty() ? "ok" : "warnings";
+    json["output"] = output_.is_there ? Json(*files_.output) : Json();
+    json["status"] = output_.failure ? "error" : code_ == ExitCode::done && output_.losses.empty() ? "ok" : "warnings";
     json["repairs"] = Json::array();
     for (const Done& done : done_) {
       Json repair;
@@ -153,8 +146,8 @@ class RepairRun {
     json["hash"] = after_.hash;
     json["problems"] = Json::array();
     for (const NamedProblem& problem : after_.problems) json["problems"].push_back(cli::to_json(problem));
-    std::vector<Message> messages = failure_ ? std::vector{*failure_} : document_.file().messages;
-    messages.insert(messages.end(), losses_.begin(), losses_.end());
+    std::vector<Message> messages = output_.failure ? std::vector{output_.failure->message} : document_.file().messages;
+    messages.insert(messages.end(), output_.losses.begin(), output_.losses.end());
     json["messages"] = cli::to_json(messages);
     console_.print(line_of(json));
   }
@@ -164,9 +157,7 @@ class RepairRun {
   const Console& console_;
   std::vector<Done> done_;
   CheckReport after_;
-  bool written_ = false;
-  std::optional<Message> failure_;
-  std::vector<Message> losses_;  // of what was written
+  WrittenOutput output_;
   ExitCode code_ = ExitCode::done;
 };
 

@@ -167,8 +167,7 @@ std::vector<std::string_view> cut_obj(std::string_view bytes, std::size_t piece_
     if (end == std::string_view::npos || ++end == bytes.size()) break;
     const std::size_t last = end >= 2 && bytes[end - 2] == '\r' ? end - 2 : end - 1;
     const bool goes_on = last > begin && bytes[last - 1] == '\\';
-    constexpr char of_byte_order_mark = '\xef';
-    if (goes_on || bytes[end] == of_byte_order_mark) continue;
+    if (goes_on || bytes[end] == byte_order_mark.front()) continue;
     pieces.push_back(bytes.substr(begin, end - begin));
     begin = end;
     end += piece_bytes;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include "tests/support/app/laid.h"
 #include "tests/support/app/program.h"
 #include "tests/support/app/window_size.h"
 
@@ -15,20 +16,7 @@ constexpr glm::dvec2 in_view{640, 560}, on_panel{100, 90};  // on a face of the 
 
 class MouseTest : public testing::Test {
  protected:
-  MouseTest() : session_(std::make_unique<Document>()) {
-    auto document = Document::open(test::asset("torus.off"));
-    EXPECT_TRUE(document);
-    session_.set_document(std::move(document).value());
-    gui_.place_view(session_, window);
-    session_.frame_all();
-    frames(3);
-  }
-  void frames(int n) {
-    for (int i = 0; i < n; ++i) {
-      gui_.prepare(session_);
-      gui_.frame(session_, window, 0.02);
-    }
-  }
+  void frames(int n) { laid_.frames(n); }
   void press(glm::dvec2 pixel, MouseButton button = MouseButton::left) { mouse_.press(button, pixel, {}, window); }
   void release(glm::dvec2 pixel, MouseButton button = MouseButton::left) {
     mouse_.release(button, pixel, now_s_ += 0.1, window);
@@ -46,8 +34,9 @@ class MouseTest : public testing::Test {
     return io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
   }
 
-  Session session_;
-  Gui gui_{1};
+  test::Laid laid_{"torus.off"};
+  Session& session_ = laid_.session;
+  Gui& gui_ = laid_.gui;
   Mouse mouse_{gui_, session_};
   double now_s_ = 1;
 };

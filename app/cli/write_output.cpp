@@ -1,0 +1,20 @@
+#include "app/cli/write_output.h"
+
+#include "core/io/safe_write.h"
+
+namespace ryosen::cli {
+
+WrittenOutput write_output(Document& document, const std::string& path, const Console& console) {
+  WrittenOutput written;
+  std::vector<Message> losses = document.losses(path);
+  const Status status = document.save(path);
+  written.is_there = is_in_place(status);
+  if (written.is_there) written.losses = std::move(losses);
+  for (const Message& loss : written.losses) console.show(loss, path);
+  if (status) return written;
+  written.failure = status.failure();
+  console.show(written.failure->message, path);
+  return written;
+}
+
+}  // namespace ryosen::cli

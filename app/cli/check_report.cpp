@@ -72,6 +72,13 @@ std::string_view CheckReport::status() const {
   return has_problem || has_warning ? "warnings" : "ok";
 }
 
+namespace {
+
+// A report that lists more than these serves nobody.
+constexpr std::size_t most_listed_pairs = 1000000;
+
+}  // namespace
+
 CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_intersections) {
   CheckReport report;
   report.file = path;
@@ -90,8 +97,8 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
       report.hash = hash_text(mesh);
     }
   });
-  std::vector<FacePair> intersections;
-  if (with_self_intersections) intersections = find_self_intersections(mesh);
+  SelfIntersections intersections;
+  if (with_self_intersections) intersections = find_self_intersections(mesh, most_listed_pairs);
   std::vector<Problem> problems =
       find_problems(mesh, sets, {quarantine, lines, &vertex_lines}, std::move(intersections));
   quarantine = {};
@@ -125,7 +132,9 @@ Json without_names(const Problem& problem) {
   if (problem.row().is_on_request) {
     json["pairs"] = Json::array();
     const auto name = [](Face f) { return "f" + std::to_string(f.index); };
-    for (const FacePair& pair : problem.pairs) json["pairs"].push_back({name(pair.first), name(pair.second)});
+    for (const FacePair& pair : problem.intersections.pairs)
+      json["pairs"].push_back({name(pair.first), name(pair.second)});
+    json["complete"] = problem.intersections.is_all;
   }
   json["where"] = place(problem.where);
   json["line"] = problem.line ? Json(problem.line) : Json();

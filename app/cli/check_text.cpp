@@ -89,7 +89,7 @@ std::string figures_text(const Figures& f, const Console& console) {
 
 NameList names_of_pairs(const Problem& problem) {
   NameList names;
-  for (const FacePair& pair : problem.pairs)
+  for (const FacePair& pair : problem.intersections.pairs)
     names.add("f" + number(pair.first.index) + " x f" + number(pair.second.index));
   return names;
 }
@@ -102,9 +102,9 @@ std::string to_text(const NamedProblem& named, const Console& console) {
   std::string text = "  " + std::string(is_info ? console.text("info", "情報") : console.text("PROBLEM", "問題")) +
                      " " + std::string(problem.row().id) + " x" + number(problem.count()) + ": " +
                      console.text(problem.text) + "\n    ";
-  const bool has_pairs = !problem.pairs.empty();
+  const bool has_pairs = !problem.intersections.pairs.empty();
   const NameList pairs = names_of_pairs(problem);
-  const std::size_t count = has_pairs ? problem.pairs.size() : problem.count();
+  const std::size_t count = has_pairs ? problem.intersections.pairs.size() : problem.count();
   const std::size_t shown = console.verbose ? count : std::min(count, names_shown);
   std::string_view separator;
   (has_pairs ? pairs : named.names).for_each(shown, [&](std::string_view name) {

@@ -21,7 +21,7 @@ struct Problem {
   // One per finding, ascending. A boundary loop is named by its lowest edge, an edge with several sheets and a point
   // with copies by the lowest, a hanging pair and a duplicate by the higher face, a quarantined face by its number.
   std::vector<Element> elements;
-  std::vector<FacePair> pairs;      // of a self-intersection, whose elements are the faces of the pairs
+  SelfIntersections intersections;  // of that kind, whose elements are the faces of the pairs
   std::optional<glm::dvec3> where;  // a place at the first element; none where it has no finite one
   std::uint64_t line = 0;           // of the file, from 1, at the first element; 0 where unknown
   Text text;
@@ -40,7 +40,7 @@ struct FileFaces {
 // Kinds with at least one finding, in the order of the table. `sets` are those of the mesh as it is; `intersections` what
 // find_self_intersections found where it was asked.
 std::vector<Problem> find_problems(const Mesh& mesh, const HighlightSets& sets, const FileFaces& file,
-                                   std::vector<FacePair> intersections = {});
+                                   SelfIntersections intersections = {});
 
 // A place at a vertex, edge or face: the mean of its points. For a quarantined face (a dead number) of those of its
 // corners that are live.

@@ -9,6 +9,8 @@
 // is not finite meet nothing.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "core/mesh/mesh.h"
@@ -20,9 +22,17 @@ struct FacePair {
   friend auto operator<=>(const FacePair&, const FacePair&) = default;
 };
 
-// All such pairs, ascending, each once. Decided exactly on the stored doubles. O(n log n + pairs of overlapping boxes).
-// threads: 0 takes as many as pay. The result does not depend on it, nor on the order of faces and corners.
-std::vector<FacePair> find_self_intersections(const Mesh& mesh, unsigned threads = 0);
+struct SelfIntersections {
+  std::vector<FacePair> pairs;  // ascending, each once
+  bool is_all = true;           // false: there were more than asked for, and these are some
+};
+
+// All such pairs, or some if there are more than `most`: n copies of a triangle make n^2 / 2. Decided exactly on the
+// stored doubles. O(n log n + pairs of overlapping boxes); the boxes of fans, cones and slivers aslant do not overlap
+// (overlap_tree.h). threads: 0 takes as many as pay. The result does not depend on it, nor, if it is all, on the order
+// of faces and corners.
+SelfIntersections find_self_intersections(const Mesh& mesh, std::size_t most = std::numeric_limits<std::size_t>::max(),
+                                          unsigned threads = 0);
 
 // The faces that occur in pairs, ascending, each once.
 std::vector<Face> faces_of(const std::vector<FacePair>& pairs);

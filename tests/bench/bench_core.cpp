@@ -133,7 +133,7 @@ void self_intersections(benchmark::State& state, Source source) {
   if (source().positions.empty()) return state.SkipWithError("RYOSEN_DRAGON is not set");
   const Mesh mesh = from_indexed(source());
   std::size_t pairs = 0;
-  for (auto _ : state) pairs = find_self_intersections(mesh).size();
+  for (auto _ : state) pairs = find_self_intersections(mesh).pairs.size();
   state.counters["pairs"] = static_cast<double>(pairs);
 }
 

@@ -210,9 +210,23 @@ TEST(Check, SelfIntersectionsAreFoundOnRequest) {
   EXPECT_EQ(problem["count"], 2);
   EXPECT_EQ(problem["elements"], Json::array({"f1", "f2"}));
   EXPECT_EQ(problem["pairs"], Json::array({Json::array({"f1", "f2"})}));
+  EXPECT_EQ(problem["complete"], true);
   EXPECT_EQ(problem["line"], 11);
   const ProgramRun text = run_program({"check", path, "--self-intersections"});
   EXPECT_NE(text.out.find("f1 x f2"), std::string::npos) << text.out;
+}
+
+TEST(Check, SaysWhenMorePairsMeetThanItLists) {
+  const TemporaryFolder folder;
+  std::string stack;
+  for (int i = 0; i < 1500; ++i) stack += "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n";
+  const std::string path = folder.write("stack.obj", stack);
+  const Json problem = run_program({"check", path, "--json", "--self-intersections"}).line()["problems"][0];
+  EXPECT_EQ(problem["kind"], "self_intersection");
+  EXPECT_EQ(problem["pairs"].size(), 1000000u);
+  EXPECT_EQ(problem["complete"], false);
+  EXPECT_NE(problem["en"].get<std::string>().find("The search ended at 1000000 pairs"), std::string::npos);
+  EXPECT_NE(problem["ja"].get<std::string>().find("1000000 組で"), std::string::npos);
 }
 
 TEST(Check, FailOnSelfIntersectionsLooksForThem) {

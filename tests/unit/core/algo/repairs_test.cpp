@@ -175,7 +175,7 @@ TEST(repairs, a_patch_continues_a_sphere) {
   EXPECT_TRUE(figures.closed && figures.manifold);
   EXPECT_EQ(figures.euler_characteristic, 2);
   EXPECT_EQ(figures.degenerate_area, 0u);
-  EXPECT_TRUE(find_self_intersections(mesh).empty());
+  EXPECT_TRUE(find_self_intersections(mesh).pairs.empty());
   EXPECT_GT(figures.vertices, old_vertices + 50) << "the patch is as fine as what surrounds it";
   double highest = -1;
   for (std::uint32_t i = static_cast<std::uint32_t>(old_vertices); i < mesh.vertex_slots(); ++i) {

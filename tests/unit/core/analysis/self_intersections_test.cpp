@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "core/build/from_indexed.h"
-#include "core/geometry/triangles_meet.h"
+#include "tests/support/core/pairs_by_asking_all.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
 
@@ -123,6 +123,12 @@ bool meet_elsewhere(const Triangle& a, const Triangle& b) {
 
 }  // namespace slow
 
+std::vector<FacePair> pairs_in(const Mesh& mesh, unsigned threads = 0) {
+  const SelfIntersections found = find_self_intersections(mesh, std::numeric_limits<std::size_t>::max(), threads);
+  EXPECT_TRUE(found.is_all);
+  return found.pairs;
+}
+
 struct GridMesh {
   std::vector<std::array<int, 3>> points;
   std::vector<std::array<int, 3>> faces;
@@ -177,9 +183,9 @@ TEST(self_intersections, are_those_of_whole_numbers_on_grids) {
   for (std::uint64_t seed = 1; seed <= 6000; ++seed) {
     const GridMesh grid = random_grid_mesh(seed);
     const std::vector<FacePair> expected = slow_pairs(grid);
-    ASSERT_EQ(find_self_intersections(from_indexed(grid.indexed())), expected) << "seed " << seed;
-    ASSERT_EQ(find_self_intersections(from_indexed(grid.indexed(0x1p-40, 0x1p+10))), expected) << "seed " << seed;
-    ASSERT_EQ(find_self_intersections(from_indexed(grid.indexed(0x1p+800))), expected) << "seed " << seed;
+    ASSERT_EQ(pairs_in(from_indexed(grid.indexed())), expected) << "seed " << seed;
+    ASSERT_EQ(pairs_in(from_indexed(grid.indexed(0x1p-40, 0x1p+10))), expected) << "seed " << seed;
+    ASSERT_EQ(pairs_in(from_indexed(grid.indexed(0x1p+800))), expected) << "seed " << seed;
     found += expected.size();
     possible += grid.faces.size() * (grid.faces.size() - 1) / 2;
   }
@@ -190,7 +196,7 @@ TEST(self_intersections, are_those_of_whole_numbers_on_grids) {
 TEST(self_intersections, do_not_depend_on_the_order_of_faces_and_corners_or_on_threads) {
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     const GridMesh grid = random_grid_mesh(seed);
-    const std::vector<FacePair> pairs = find_self_intersections(from_indexed(grid.indexed()));
+    const std::vector<FacePair> pairs = pairs_in(from_indexed(grid.indexed()));
     Dice dice(seed);
     std::vector<std::size_t> order(grid.faces.size());
     std::iota(order.begin(), order.end(), 0);
@@ -204,41 +210,41 @@ TEST(self_intersections, do_not_depend_on_the_order_of_faces_and_corners_or_on_t
       if (dice.one_in(2)) std::swap(shuffled.faces.back()[0], shuffled.faces.back()[1]);
     }
     std::vector<FacePair> back;
-    for (const FacePair& pair : find_self_intersections(from_indexed(shuffled.indexed()), 2)) {
+    for (const FacePair& pair : pairs_in(from_indexed(shuffled.indexed()), 2)) {
       const Face f(order[pair.first.index]), g(order[pair.second.index]);
       back.push_back({std::min(f, g), std::max(f, g)});
     }
     std::sort(back.begin(), back.end());
     ASSERT_EQ(back, pairs) << "seed " << seed;
-    ASSERT_EQ(find_self_intersections(from_indexed(grid.indexed()), 3), pairs);
+    ASSERT_EQ(pairs_in(from_indexed(grid.indexed()), 3), pairs);
   }
 }
 
 TEST(self_intersections, none_on_plain_solids) {
   IndexedMesh box = indexed(cube());
   for (std::uint32_t i = 0; i < 8; ++i) box.positions[i] = {i & 1u, i >> 1 & 1u, i >> 2};
-  EXPECT_TRUE(find_self_intersections(from_indexed(box)).empty());
-  EXPECT_TRUE(find_self_intersections(Mesh()).empty());
+  EXPECT_TRUE(pairs_in(from_indexed(box)).empty());
+  EXPECT_TRUE(pairs_in(Mesh()).empty());
   IndexedMesh flat = indexed({{0, 1, 2}, {1, 0, 3}});
   flat.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, -1, 0}};
-  EXPECT_TRUE(find_self_intersections(from_indexed(flat)).empty());
+  EXPECT_TRUE(pairs_in(from_indexed(flat)).empty());
 }
 
 TEST(self_intersections, a_fold_over_the_common_edge_counts) {
   IndexedMesh fold = indexed({{0, 1, 2}, {1, 0, 3}});
   fold.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0.25, 0}};
-  EXPECT_EQ(find_self_intersections(from_indexed(fold)), (std::vector<FacePair>{{Face(0), Face(1)}}));
+  EXPECT_EQ(pairs_in(from_indexed(fold)), (std::vector<FacePair>{{Face(0), Face(1)}}));
   fold.positions[3].z = 1e-300;
-  EXPECT_TRUE(find_self_intersections(from_indexed(fold)).empty());
+  EXPECT_TRUE(pairs_in(from_indexed(fold)).empty());
 }
 
 TEST(self_intersections, copies_of_a_point_are_one_and_points_at_one_place_are_two) {
   IndexedMesh bow = indexed(bow_tie());
   bow.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}};
-  EXPECT_TRUE(find_self_intersections(from_indexed(bow)).empty());
+  EXPECT_TRUE(pairs_in(from_indexed(bow)).empty());
   IndexedMesh apart = indexed({{0, 1, 2}, {3, 4, 5}});
   apart.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {-1, 0, 0}, {-1, -1, 0}};
-  EXPECT_EQ(find_self_intersections(from_indexed(apart)).size(), 1u);
+  EXPECT_EQ(pairs_in(from_indexed(apart)).size(), 1u);
 }
 
 TEST(self_intersections, a_diagonal_within_a_face_is_not_a_side) {
@@ -247,20 +253,20 @@ TEST(self_intersections, a_diagonal_within_a_face_is_not_a_side) {
     for (const std::vector<std::uint32_t>& triangle : {std::vector<std::uint32_t>{0, 2, 4}, {1, 3, 4}}) {
       IndexedMesh mesh = indexed({quad, triangle});
       mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}};
-      EXPECT_EQ(find_self_intersections(from_indexed(mesh)).size(), 1u);
+      EXPECT_EQ(pairs_in(from_indexed(mesh)).size(), 1u);
     }
     IndexedMesh roof = indexed({quad, {1, 0, 4}, {2, 1, 4}, {3, 2, 4}, {0, 3, 4}});
     roof.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}};
-    EXPECT_TRUE(find_self_intersections(from_indexed(roof)).empty());
+    EXPECT_TRUE(pairs_in(from_indexed(roof)).empty());
   }
 }
 
 TEST(self_intersections, flat_and_unbounded_faces_meet_nothing) {
   IndexedMesh mesh = indexed({{0, 1, 2}, {3, 4, 5}, {3, 4, 6}});
   mesh.positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {1, 1, 2}, {INFINITY, 1, 1}};
-  EXPECT_TRUE(find_self_intersections(from_indexed(mesh)).empty());
+  EXPECT_TRUE(pairs_in(from_indexed(mesh)).empty());
   mesh.positions[5] = {1, 2, 2};
-  EXPECT_EQ(find_self_intersections(from_indexed(mesh)).size(), 1u);
+  EXPECT_EQ(pairs_in(from_indexed(mesh)).size(), 1u);
 }
 
 // A sheet of triangles waved into another one: the pairs must be those of asking every pair.
@@ -284,24 +290,37 @@ TEST(self_intersections, of_two_large_sheets_are_those_of_all_pairs) {
         }
       }
   }
-  std::vector<NumberedTriangle> triangles(mesh.face_count());
-  for (std::size_t f = 0; f < triangles.size(); ++f)
-    for (std::size_t k = 0; k < 3; ++k) {
-      triangles[f].numbers[k] = mesh.face(f)[k];
-      triangles[f].places[k] = mesh.positions[mesh.face(f)[k]];
-    }
-  std::vector<FacePair> expected;
-  for (std::size_t f = 0; f < triangles.size(); ++f)
-    for (std::size_t g = f + 1; g < triangles.size(); ++g)
-      if (meet_elsewhere(triangles[f], triangles[g])) expected.push_back({Face(f), Face(g)});
+  const std::vector<FacePair> expected = pairs_by_asking_all(mesh);
   EXPECT_GT(expected.size(), 100u);
   const Mesh sheets = from_indexed(std::move(mesh));
-  EXPECT_EQ(find_self_intersections(sheets), expected);
-  EXPECT_EQ(find_self_intersections(sheets, 2), expected);
+  EXPECT_EQ(pairs_in(sheets), expected);
+  EXPECT_EQ(pairs_in(sheets, 2), expected);
   const std::vector<Face> faces = faces_of(expected);
   EXPECT_TRUE(std::is_sorted(faces.begin(), faces.end()));
   for (const FacePair& pair : expected)
     for (Face f : {pair.first, pair.second}) EXPECT_TRUE(std::binary_search(faces.begin(), faces.end(), f));
+}
+
+TEST(self_intersections, a_search_may_end_early_with_some_pairs) {
+  IndexedMesh stack;
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    for (const glm::dvec3& p : {glm::dvec3(0, 0, 0), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)}) {
+      stack.corners.push_back(static_cast<std::uint32_t>(stack.positions.size()));
+      stack.positions.push_back(p);
+    }
+    stack.face_offsets.push_back(static_cast<std::uint32_t>(stack.corners.size()));
+  }
+  const Mesh mesh = from_indexed(std::move(stack));
+  const std::vector<FacePair> all = pairs_in(mesh);
+  EXPECT_EQ(all.size(), 300u * 299u / 2u);
+  EXPECT_TRUE(find_self_intersections(mesh, all.size()).is_all);
+  for (const std::size_t most : {all.size() - 1, std::size_t{1000}, std::size_t{1}, std::size_t{0}}) {
+    const SelfIntersections some = find_self_intersections(mesh, most, 2);
+    EXPECT_FALSE(some.is_all);
+    EXPECT_EQ(some.pairs.size(), most);
+    EXPECT_TRUE(std::includes(all.begin(), all.end(), some.pairs.begin(), some.pairs.end()));
+    EXPECT_EQ(some.pairs, find_self_intersections(mesh, most, 1).pairs);
+  }
 }
 
 }  // namespace

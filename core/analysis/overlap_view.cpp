@@ -1,0 +1,133 @@
+#include "core/analysis/overlap_view.h"
+
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+namespace ryosen {
+
+namespace {
+
+// A box in doubles that is widened by what rounding may have moved.
+class WideBox {
+ public:
+  explicit WideBox(double rounding) : rounding_(rounding) {}
+  void add(const glm::dvec4& p) {
+    lowest_ = glm::min(lowest_, p);
+    highest_ = glm::max(highest_, p);
+  }
+  OverlapBox box() const {
+    OverlapBox box;
+    for (int k = 0; k < 4; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      box.lowest[i] = static_cast<float>(lowest_[k] - rounding_ * std::max(1.0, std::abs(lowest_[k])));
+      box.highest[i] = static_cast<float>(highest_[k] + rounding_ * std::max(1.0, std::abs(highest_[k])));
+    }
+    return box;
+  }
+
+ private:
+  double rounding_;
+  glm::dvec4 lowest_{std::numeric_limits<double>::infinity()}, highest_{-lowest_};
+};
+
+// The direction as a place on the octahedron, and how far away it is.
+glm::dvec4 on_octahedron(const glm::dvec3& d) {
+  const double distance = std::abs(d.x) + std::abs(d.y) + std::abs(d.z);
+  return {d / distance, distance};
+}
+
+// Where a segment bends on the octahedron: at the edges of that.
+void add_bends(const glm::dvec3& d, const glm::dvec3& e, WideBox& box) {
+  for (int k = 0; k < 3; ++k)
+    if (d[k] * e[k] < 0.0) {
+      glm::dvec3 bend = d + (d[k] / (d[k] - e[k])) * (e - d);
+      bend[k] = 0.0;
+      box.add(on_octahedron(bend));
+    }
+}
+
+// The corners of the octahedron that lie behind or before a triangle, at any distance. Where rounding misses one, a
+// corner or a bend is next to it.
+void add_tops(const std::array<glm::dvec3, 3>& d, WideBox& box) {
+  const glm::dvec3 lowest = glm::min(glm::min(d[0], d[1]), d[2]), highest = glm::max(glm::max(d[0], d[1]), d[2]);
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const auto turn = [&](const glm::dvec3& a, const glm::dvec3& b) { return a[i] * b[j] - a[j] * b[i]; };
+    const double first = turn(d[0], d[1]), second = turn(d[1], d[2]), third = turn(d[2], d[0]);
+    const bool surrounds =
+        (first >= 0.0 && second >= 0.0 && third >= 0.0) || (first <= 0.0 && second <= 0.0 && third <= 0.0);
+    if (!surrounds) continue;
+    glm::dvec4 top(0.0);
+    top[k] = 1.0;
+    if (highest[k] > 0.0) box.add(top);
+    if (lowest[k] < 0.0) box.add(-top);
+  }
+}
+
+}  // namespace
+
+OverlapView OverlapView::from_tip(const glm::dvec3& tip, double scale, std::uint32_t number, const glm::dmat3& axes) {
+  OverlapView view(tip, scale, axes);
+  view.tip_ = number;
+  return view;
+}
+
+OverlapBox OverlapView::box_of(const NumberedTriangle& t) const {
+  return is_from_tip() ? box_of_directions(t) : box_of_places(t);
+}
+
+OverlapBox OverlapView::box_of_places(const NumberedTriangle& t) const {
+  WideBox box(1e-14);
+  for (const glm::dvec3& p : t.places) {
+    const glm::dvec3 seen = ((p - origin_) * scale_) * axes_;
+    box.add({seen, seen.x + seen.y + seen.z});
+  }
+  return box.box();
+}
+
+// Rounding moves a direction the farther the nearer its place is to the tip, compared with the corners it lies between.
+// So a triangle counts as everywhere where its corners do not all lie well on one side of the tip.
+OverlapBox OverlapView::box_of_directions(const NumberedTriangle& t) const {
+  constexpr double smallest = 1e-290, least_cosine = 1e-4, rounding = 1e-9;
+  constexpr float far = std::numeric_limits<float>::infinity();
+  constexpr OverlapBox everywhere{{-far, -far, -far, -far}, {far, far, far, far}};
+  std::array<glm::dvec3, 3> places, directions;
+  std::size_t count = 0;
+  glm::dvec3 sum(0.0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (t.numbers[k] == tip_) continue;
+    const glm::dvec3 d = t.places[k] * 0.5 - origin_ * 0.5, size = glm::abs(d);
+    const double largest = std::max({size.x, size.y, size.z});
+    if (!(largest > smallest)) return everywhere;
+    places[count] = (d * scale_) * axes_;
+    directions[count] = glm::normalize((d / largest) * axes_);
+    sum += directions[count++];
+  }
+  WideBox box(rounding);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!(glm::dot(directions[i], sum) > least_cosine)) return everywhere;
+    box.add(on_octahedron(places[i]));
+    for (std::size_t j = 0; j < i; ++j) add_bends(places[i], places[j], box);
+  }
+  if (count == 3) add_tops(places, box);
+  OverlapBox wide = box.box();
+  if (count < 3) wide.lowest[3] = 0.0F;
+  return wide;
+}
+
+glm::dmat3 axes_along(const glm::dvec3& axis) {
+  const glm::dvec3 z = glm::normalize(axis / std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)}));
+  if (!(glm::dot(z, z) > 0.5)) return glm::dmat3(1.0);
+  const glm::dvec3 size = glm::abs(z);
+  const int least = size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;
+  glm::dvec3 aside(0.0);
+  aside[least] = 1.0;
+  const glm::dvec3 x = glm::normalize(glm::cross(aside, z));
+  return {x, glm::cross(z, x), z};
+}
+
+void AlignedSum::add(const glm::dvec3& v) { sum_ += glm::dot(sum_, v) < 0.0 ? -v : v; }
+
+}  // namespace ryosen

@@ -4,7 +4,6 @@
 #include <atomic>
 
 #include "app/editor/set_aside.h"
-#include "core/base/sort_unique.h"
 #include "core/build/from_indexed.h"
 #include "core/io/edited_file.h"
 #include "core/mesh/copies.h"
@@ -129,19 +128,6 @@ Outcome Document::apply(const AnyOp& op, bool strict) {
   return outcome;
 }
 
-std::vector<Vertex> Document::used_beside_the_mesh() const {
-  std::vector<Vertex> used;
-  const auto add = [&](std::int64_t number) {
-    if (number >= 0 && number < static_cast<std::int64_t>(mesh_.file_vertices()))
-      used.emplace_back(static_cast<std::uint32_t>(number));
-  };
-  for (const QuarantinedFace& face : tables_.quarantine) std::for_each(face.corners.begin(), face.corners.end(), add);
-  std::for_each(file_.elements.vertices.begin(), file_.elements.vertices.end(), add);
-  for (const std::int64_t number : vertices_named(file_.properties)) add(number);
-  sort_unique(used);
-  return used;
-}
-
 std::optional<RepairResult> Document::repair(const RepairCall& call, Progress::Report report) {
   const std::string command =
       "repair " + std::string(call.row->id) + (call.number ? " " + format_double(*call.number) : "");
@@ -156,7 +142,7 @@ std::optional<RepairResult> Document::repair(const RepairCall& call, Progress::R
   {
     Progress progress(std::move(report));
     Edit edit(mesh_, &journal_);
-    const std::vector<Vertex> used = used_beside_the_mesh();
+    const std::vector<Vertex> used = used_beside_the_mesh(file_, tables_, mesh_.file_vertices());
     result = call.row->run(edit, {call.number, used}, progress);
     if (progress.is_cancelled()) return std::nullopt;
     if (result.changed == 0) return result;
@@ -252,11 +238,9 @@ Document::Elsewhere Document::exists_elsewhere(NameError error, std::span<const 
 MeshFile Document::contents() const { return edited_file(file_, mesh_, tables_); }
 
 std::vector<Message> Document::losses(const std::filesystem::path& path) const {
-  std::vector<Message> messages;
   const Format* const format = format_of_extension(path.empty() ? path_ : path);
-  if (!format || !format->write) return messages;
-  for (const Loss& loss : losses_of(contents(), *format)) messages.push_back(loss.message(format->name));
-  return messages;
+  if (!format || !format->write) return {};
+  return loss_messages(contents(), *format);
 }
 
 Status Document::save(const std::filesystem::path& path, const WriteOptions& options) {

@@ -89,7 +89,8 @@ class Document {
   void mark_unsaved() { saved_position_ = no_index; }
   // The document as it would be written: all live elements and what belongs to the file.
   MeshFile contents() const;
-  // What a file of this name would lose of the document, one warning each; none where the name says no format.
+  // What a file of this name would lose of the document, and what it would keep of what was removed, one warning each;
+  // none where the name says no format.
   std::vector<Message> losses(const std::filesystem::path& path) const;
   // An empty path means the file that was opened.
   Status save(const std::filesystem::path& path, const WriteOptions& options = {});
@@ -109,8 +110,6 @@ class Document {
   // The faces set aside are others before and after some transactions.
   void exchange_quarantine(std::size_t transaction);
   void notify(std::size_t transaction);
-  // By faces set aside, and by lines and points of the file; ascending.
-  std::vector<Vertex> used_beside_the_mesh() const;
   bool is_known(std::string_view name) const;
   bool are_known(std::span<const std::string_view> names) const;
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <glm/geometric.hpp>
 #include <limits>
-#include <optional>
+#include <tuple>
 #include <utility>
 
+#include "core/base/sort_unique.h"
 #include "core/build/bridged_corners.h"
 #include "core/mesh/attribute.h"
 #include "core/mesh/circulate.h"
@@ -17,54 +17,82 @@ namespace ryosen {
 
 namespace {
 
-// Nearest live point to a place, by a sweep to both sides of it along x.
-class NearestPoint {
+// Live points by their places.
+class PointsByPlace {
  public:
-  explicit NearestPoint(const Mesh& mesh) : mesh_(mesh) {
+  explicit PointsByPlace(const Mesh& mesh) : mesh_(mesh) {
     for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
       const Vertex v(i);
-      if (!mesh.is_alive(v) || point(mesh, v) != v) continue;
-      if (!lowest_) lowest_ = v;
-      if (std::isfinite(mesh.position(v).x)) by_x_.push_back(v);
+      if (mesh.is_alive(v) && point(mesh, v) == v && is_place(mesh.position(v))) points_.push_back(v);
     }
-    std::sort(by_x_.begin(), by_x_.end(), [&](Vertex a, Vertex b) { return x(a) != x(b) ? x(a) < x(b) : a < b; });
+    std::sort(points_.begin(), points_.end(), [&](Vertex a, Vertex b) {
+      return is_before(mesh_.position(a), mesh_.position(b)) || (mesh_.position(a) == mesh_.position(b) && a < b);
+    });
   }
 
-  // None where the mesh has no point; the lowest where no place compares.
-  Vertex to(const glm::dvec3& place) const {
-    best_ = Vertex();
-    distance_ = std::numeric_limits<double>::infinity();
-    const auto middle =
-        std::lower_bound(by_x_.begin(), by_x_.end(), place.x, [&](Vertex v, double value) { return x(v) < value; });
-    for (auto i = middle; i != by_x_.end() && !(x(*i) - place.x > distance_); ++i) consider(*i, place);
-    for (auto i = middle; i != by_x_.begin() && !(place.x - x(i[-1]) > distance_); --i) consider(i[-1], place);
-    return best_ ? best_ : lowest_;
+  // The lowest one there; none where there is none.
+  Vertex at(const glm::dvec3& place) const {
+    if (!is_place(place)) return Vertex();
+    const auto found = std::lower_bound(points_.begin(), points_.end(), place,
+                                        [&](Vertex v, const glm::dvec3& p) { return is_before(mesh_.position(v), p); });
+    return found != points_.end() && mesh_.position(*found) == place ? *found : Vertex();
   }
 
  private:
-  double x(Vertex v) const { return mesh_.position(v).x; }
-  void consider(Vertex v, const glm::dvec3& place) const {
-    const double d = glm::distance(mesh_.position(v), place);
-    if (d > distance_ || !(d < std::numeric_limits<double>::infinity()) || (d == distance_ && best_ < v)) return;
-    best_ = v;
-    distance_ = d;
+  static bool is_place(const glm::dvec3& p) { return !std::isnan(p.x) && !std::isnan(p.y) && !std::isnan(p.z); }
+  static bool is_before(const glm::dvec3& a, const glm::dvec3& b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
   }
 
   const Mesh& mesh_;
-  std::vector<Vertex> by_x_;
-  Vertex lowest_;
-  mutable Vertex best_;
-  mutable double distance_ = 0;
+  std::vector<Vertex> points_;
 };
 
-void number_vertices(const Mesh& mesh, CompactMesh& out) {
+// What becomes of vertices that are gone and that something beside the mesh uses.
+struct LostVertices {
+  std::vector<Vertex> kept;                             // ascending
+  std::vector<std::pair<Vertex, Vertex>> replacements;  // and the live point that stands for it
+};
+
+LostVertices find_lost(const Mesh& mesh, const FileTables& tables, std::span<const Vertex> used_beside) {
+  std::vector<Vertex> gone;
+  const auto add = [&](std::int64_t number) {
+    if (number < 0 || number >= std::int64_t{mesh.file_vertices()}) return;
+    const Vertex v(static_cast<std::uint32_t>(number));
+    if (!mesh.is_alive(v)) gone.push_back(v);
+  };
+  for (const QuarantinedFace& face : tables.quarantine) std::for_each(face.corners.begin(), face.corners.end(), add);
+  for (const Vertex v : used_beside) add(v.index);
+  sort_unique(gone);
+  LostVertices lost;
+  if (gone.empty()) return lost;
+  const PointsByPlace points(mesh);
+  for (const Vertex v : gone) {
+    const Vertex there = points.at(mesh.position(v));
+    // One of the file with a higher number keeps the values of its own row.
+    if (!there.is_none() && (there < v || there.index >= mesh.file_vertices()))
+      lost.replacements.emplace_back(v, there);
+    else
+      lost.kept.push_back(v);
+  }
+  return lost;
+}
+
+void number_vertices(const Mesh& mesh, const std::vector<Vertex>& kept, CompactMesh& out) {
   out.vertex_number.assign(mesh.vertex_slots(), no_index);
-  out.mesh.positions.reserve(mesh.live().vertices);
+  out.mesh.positions.reserve(mesh.live().vertices + kept.size());
+  out.kept_vertices = kept.size();
+  auto next_kept = kept.begin();
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
     const Vertex v(i);
-    if (!mesh.is_alive(v) || out.vertex_number[i] != no_index) continue;  // a copy of a point met before
+    const bool is_kept = next_kept != kept.end() && *next_kept == v;
+    if (is_kept) ++next_kept;
+    if (!is_kept && (!mesh.is_alive(v) || out.vertex_number[i] != no_index)) continue;  // a copy of a point met before
     const auto number = static_cast<std::uint32_t>(out.mesh.positions.size());
-    for_each_copy(mesh, v, [&](Vertex copy) { out.vertex_number[copy.index] = number; });
+    if (is_kept)
+      out.vertex_number[i] = number;
+    else
+      for_each_copy(mesh, v, [&](Vertex copy) { out.vertex_number[copy.index] = number; });
     out.mesh.positions.push_back(mesh.position(v));
   }
 }
@@ -184,15 +212,9 @@ class FaceWriter {
 void write_quarantine(const Mesh& mesh, const FileTables& tables, CompactMesh& out) {
   const std::int64_t end = mesh.file_vertices();
   const auto new_end = static_cast<std::int64_t>(out.mesh.positions.size());
-  const auto is_lost = [&](std::int64_t c) { return c >= 0 && c < end && !mesh.is_alive(Vertex(c)); };
-  std::optional<NearestPoint> nearest;
   const auto new_number = [&](std::int64_t corner) -> std::int64_t {
     if (corner < 0) return corner;
-    if (corner >= end) return past_new_end(corner, end, new_end);
-    if (new_end == 0) return corner;
-    if (!is_lost(corner)) return out.vertex_number[static_cast<std::size_t>(corner)];
-    if (!nearest) nearest.emplace(mesh);
-    return out.vertex_number[nearest->to(mesh.position(Vertex(corner))).index];
+    return corner < end ? out.vertex_number[static_cast<std::size_t>(corner)] : past_new_end(corner, end, new_end);
   };
   out.mesh.quarantine = tables.quarantine;
   for (QuarantinedFace& face : out.mesh.quarantine) {
@@ -281,13 +303,16 @@ FileTables take_file_tables(IndexedMesh& source) {
   return tables;
 }
 
-CompactMesh to_indexed(const Mesh& mesh, const FileTables& tables) {
+CompactMesh to_indexed(const Mesh& mesh, const FileTables& tables, std::span<const Vertex> used_beside) {
   CompactMesh out;
-  number_vertices(mesh, out);
+  const LostVertices lost = find_lost(mesh, tables, used_beside);
+  number_vertices(mesh, lost.kept, out);
   FaceWriter(mesh, tables, out).write();
-  write_quarantine(mesh, tables, out);
   write_vertex_values(mesh, tables, out);
   write_face_values(mesh, tables, out);
+  // Only now, for the values of a point are those of its live vertices.
+  for (const auto& [gone, there] : lost.replacements) out.vertex_number[gone.index] = out.vertex_number[there.index];
+  write_quarantine(mesh, tables, out);
   return out;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/build/indexed.h"
@@ -39,16 +40,18 @@ struct CompactMesh {
   // quarantined face has one.
   std::vector<std::uint32_t> vertex_number;
   std::vector<std::uint32_t> face_number;
+  std::size_t kept_vertices = 0;  // that are gone from the mesh and stand in the list all the same
 };
 
 // Live points (isolated ones too) and live and quarantined faces in the order of their numbers without gaps; each face
 // from its first corner; pools as they are. A face with rings is written
 // with bridges: as the file had it while its loops are unchanged, else with the shortest visible ones. Face lines are
 // left out. from_indexed gives the same polygons again.
-// A quarantined face keeps its cause: a corner follows its vertex; a deleted one is replaced by the nearest live point
-// (the lowest of equally near ones), as a rule the one that it was collapsed into; a number past the end is written as
-// far past the new end; a negative one as it was. Only where no point is left, numbers past the end are all there is.
-// O(corners), and a sort of the points when a quarantined face has lost one.
-CompactMesh to_indexed(const Mesh& mesh, const FileTables& tables = {});
+// A quarantined face keeps its cause and its polygon: a corner follows its vertex; a number past the end is written as
+// far past the new end; a negative one as it was. A vertex of the file that is gone although a quarantined face names it
+// or `used_beside` does stays in the list, at its last place and without a face of the mesh. Where a live point stands
+// at just that place that comes before it or is new, or is a copy of it, that point is used instead.
+// O(corners), and a sort of the points when such a vertex is gone.
+CompactMesh to_indexed(const Mesh& mesh, const FileTables& tables = {}, std::span<const Vertex> used_beside = {});
 
 }  // namespace ryosen

@@ -74,6 +74,8 @@ Encoding encoding_of(const MeshFile& file, const Format& format, Encoding wanted
 std::string bytes_of(const MeshFile& file, const Format& format, Encoding wanted = Encoding::automatic);
 // What would be lost; empty where nothing.
 std::vector<Loss> losses_of(const MeshFile& file, const Format& format, Encoding wanted = Encoding::automatic);
+// The warnings of the losses, and one about the vertices that are written although they were removed from the mesh.
+std::vector<Message> loss_messages(const MeshFile& file, const Format& format, Encoding wanted = Encoding::automatic);
 
 // Writes the file whole or not at all (see safe_write). An extension of no format in the table that can be written is a
 // failure with exit code usage and code unknown_format.

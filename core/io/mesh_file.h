@@ -40,8 +40,10 @@ struct MeshFile {
   PropertyTables properties;  // PLY: its layout and what the mesh has no place for; STL: attributes of facets
   Encoding encoding = Encoding::automatic;  // how it was read and will be written
   std::uint64_t wires = 0;                  // edges without a face that the mesh had; no format holds them
-  bool has_free_facets = false;             // ascii STL: some facets have other than three corners
-  bool byte_colours = false;                // OFF: the file gives vertex colours as 0..255
+  // Vertices that were removed from the mesh and are written all the same, as something beside the mesh uses them.
+  std::uint64_t kept_vertices = 0;
+  bool has_free_facets = false;  // ascii STL: some facets have other than three corners
+  bool byte_colours = false;     // OFF: the file gives vertex colours as 0..255
   std::vector<Message> messages;
 };
 

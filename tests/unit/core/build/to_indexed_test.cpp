@@ -98,15 +98,16 @@ TEST(to_indexed, puts_quarantined_faces_back_in_their_place) {
 TEST(to_indexed, quarantined_faces_follow_their_vertices) {
   const IndexedMesh source = with_quarantine();
   Mesh mesh = from_indexed(source);
-  collapse(mesh, 0, 1);  // takes vertex 0 and face 0; vertex 1 lies nearest
+  collapse(mesh, 4, 3);  // takes vertex 4 and face 4
   const CompactMesh compact = to_indexed(mesh, file_tables(source));
-  EXPECT_EQ(compact.face_number, (std::vector<std::uint32_t>{no_index, 0, 1, 2, 3, 4, 5}));
-  EXPECT_EQ(faces_of(compact.mesh), (Polygons{{}, {1, 0, 2}, {}, {1, 2, 3}, {}, {}}));
+  EXPECT_EQ(compact.face_number, (std::vector<std::uint32_t>{0, 1, 2, 3, no_index, 4, 5}));
+  EXPECT_EQ(faces_of(compact.mesh), (Polygons{{0, 1, 2}, {}, {2, 1, 3}, {}, {}, {}}));
+  EXPECT_EQ(compact.kept_vertices, 1u);
   const std::vector<std::vector<std::int64_t>> expected{
-      {1, 1, 3},   // still repeated
-      {0, 6, -5},  // 7 was the second number past the end, 6 is
-      {2, 0},      // still too few
-      {5, 0, 0},   // 6 was the first past the end; 0 went to 1, which is 0 now
+      {2, 2, 4},  // 4 stays, as it stands here
+      {0, 7, -5},
+      {3, 1},
+      {6, 0, 1},
   };
   ASSERT_EQ(compact.mesh.quarantine.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -186,20 +187,69 @@ TEST(to_indexed, attributes_follow_their_elements) {
   EXPECT_EQ(back.texcoords.index[3], 0u);
 }
 
-TEST(to_indexed, nearest_point_serves_where_a_vertex_is_lost) {
-  // Vertex 0 goes with its face; far in number but near in place is vertex 5.
+TEST(to_indexed, numbers_past_the_end_stay_as_far_past_it) {
+  const IndexedMesh source = with_quarantine();
+  Mesh mesh = from_indexed(source);
+  Edit edit(mesh, nullptr);
+  edit.remove(Vertex(5));  // which nothing uses
+  edit.commit();
+  const CompactMesh compact = to_indexed(mesh, file_tables(source));
+  EXPECT_EQ(compact.mesh.positions.size(), 5u);
+  EXPECT_EQ(compact.kept_vertices, 0u);
+  EXPECT_EQ(compact.mesh.quarantine[1].corners, (CompactList<std::int64_t>{0, 6, -5}));
+  EXPECT_EQ(compact.mesh.quarantine[3].corners, (CompactList<std::int64_t>{5, 0, 1}));
+}
+
+TEST(to_indexed, keeps_a_lost_vertex_that_is_used_beside_the_mesh) {
+  // Vertex 0 goes with its face.
   IndexedMesh source = indexed({{0, 1, 2}, {2, 1, 3}, {}}, 6);
-  source.positions[0] = {0, 0, 0};
-  source.positions[1] = {10, 0, 0};
-  source.positions[2] = {0, 10, 0};
-  source.positions[3] = {10, 10, 0};
-  source.positions[4] = {std::numeric_limits<double>::quiet_NaN(), 0, 0};
-  source.positions[5] = {-1, 0, 0};
+  for (std::size_t v = 0; v < 6; ++v) source.positions[v] = {v, v % 2, 0};
+  source.vertex_weights = {1, 2, 3, 4, 5, 6};
   source.quarantine = {aside(2, {0, 0, 3})};
   Mesh mesh = from_indexed(source);
   collapse(mesh, 0, 1);
+  CompactMesh compact = to_indexed(mesh, file_tables(source));
+  EXPECT_EQ(compact.mesh.positions, source.positions);
+  EXPECT_EQ(compact.mesh.vertex_weights, source.vertex_weights);
+  EXPECT_EQ(compact.mesh.quarantine[0].corners, (CompactList<std::int64_t>{0, 0, 3}));
+  EXPECT_EQ(compact.kept_vertices, 1u);
+
+  FileTables without = file_tables(source);
+  without.quarantine.clear();
+  compact = to_indexed(mesh, without);
+  EXPECT_EQ(compact.mesh.positions.size(), 5u);
+  EXPECT_EQ(compact.kept_vertices, 0u);
+  const Vertex used[] = {Vertex(0), Vertex(3)};
+  compact = to_indexed(mesh, without, used);
+  EXPECT_EQ(compact.mesh.positions, source.positions);
+  EXPECT_EQ(compact.kept_vertices, 1u);
+}
+
+TEST(to_indexed, uses_a_live_point_at_the_very_place_of_a_lost_one) {
+  IndexedMesh source = indexed({{0, 1, 2}, {2, 1, 3}, {}}, 6);
+  for (std::size_t v = 0; v < 6; ++v) source.positions[v] = {v, v % 2, 0};
+  source.positions[3] = source.positions[0];
+  source.positions[4] = {std::numeric_limits<double>::quiet_NaN(), 0, 0};
+  source.positions[5] = source.positions[1];
+  source.quarantine = {aside(2, {3, 1, 3})};
+  Mesh mesh = from_indexed(source);
+  collapse(mesh, 3, 2);
+  EXPECT_EQ(to_indexed(mesh, file_tables(source)).mesh.quarantine[0].corners, (CompactList<std::int64_t>{0, 1, 0}));
+  EXPECT_EQ(to_indexed(mesh, file_tables(source)).kept_vertices, 0u);
+}
+
+TEST(to_indexed, leaves_its_row_to_a_live_point_that_comes_later) {
+  IndexedMesh source = indexed({{0, 1, 2}, {2, 1, 3}, {}}, 5);
+  for (std::size_t v = 0; v < 5; ++v) source.positions[v] = {v, v % 2, 0};
+  source.positions[4] = source.positions[0];
+  source.vertex_weights = {1, 2, 3, 4, 5};
+  source.quarantine = {aside(2, {0, 1, 0})};
+  Mesh mesh = from_indexed(source);
+  collapse(mesh, 0, 1);
   const CompactMesh compact = to_indexed(mesh, file_tables(source));
-  EXPECT_EQ(compact.mesh.quarantine[0].corners, (std::vector<std::int64_t>{4, 4, 2}));
+  EXPECT_EQ(compact.mesh.quarantine[0].corners, (CompactList<std::int64_t>{0, 1, 0}));
+  EXPECT_EQ(compact.kept_vertices, 1u);
+  EXPECT_EQ(compact.mesh.vertex_weights, source.vertex_weights);
 }
 
 }  // namespace

@@ -1,0 +1,72 @@
+#include "core/io/edited_file.h"
+
+#include "core/build/from_indexed.h"
+#include "core/ops/sheets.h"
+#include "tests/unit/core/io/io_helpers.h"
+
+namespace ryosen {
+namespace {
+
+constexpr std::string_view used_beside_obj =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 5 5 5\nv 6 5 5\nv 7 5 5\n"
+    "f 1 2 3\nf 5 5 6\nf 5 6 99\nf 6 5\nl 5 6 7\np 7\nf 1 3 4\n";
+
+constexpr std::string_view used_beside_ply =
+    "ply\nformat ascii 1.0\nelement vertex 7\nproperty float x\nproperty float y\nproperty float z\n"
+    "property float quality\nelement face 3\nproperty list uchar int vertex_indices\nelement edge 2\n"
+    "property int vertex1\nproperty int vertex2\nproperty uchar crease\nend_header\n"
+    "0 0 0 1\n1 0 0 2\n0 1 0 3\n0 0 1 4\n5 5 5 5\n6 5 5 6\n7 5 5 7\n3 0 1 2\n3 4 4 5\n3 0 2 3\n4 5 9\n6 0 8\n";
+
+// The file after these vertices, which must have no faces, were removed.
+MeshFile without(const MeshFile& file, std::initializer_list<std::uint32_t> vertices) {
+  const FileTables tables = file_tables(file.mesh);
+  Mesh mesh = from_indexed(file.mesh);
+  Edit edit(mesh, nullptr);
+  Sheets sheets(edit);
+  for (const std::uint32_t v : vertices) sheets.remove_vertex(Vertex(v));
+  edit.commit();
+  return edited_file(file, mesh, tables);
+}
+
+MeshFile written_and_read_again(const MeshFile& file, std::string_view id) {
+  return io_test::read_sound(id, bytes_of(file, *find_format(id)));
+}
+
+TEST(EditedFile, KeepsRemovedVerticesThatFacesSetAsideLinesAndPointsUse) {
+  const MeshFile file = io_test::read_sound("obj", used_beside_obj);
+  const MeshFile edited = without(file, {4, 5, 6});
+  EXPECT_EQ(edited.kept_vertices, 3u);
+  EXPECT_EQ(io_test::difference(file, written_and_read_again(edited, "obj")), "");
+  const MeshFile again = written_and_read_again(edited, "obj");
+  ASSERT_EQ(again.mesh.quarantine.size(), 3u);
+  EXPECT_EQ(again.mesh.quarantine[0].code, "repeated_corner");
+  EXPECT_EQ(again.mesh.quarantine[1].code, "index_out_of_range");
+  EXPECT_EQ(again.mesh.quarantine[2].code, "face_too_few_corners");
+}
+
+TEST(EditedFile, KeepsRemovedVerticesThatEdgesOfPlyUse) {
+  const MeshFile file = io_test::read_sound("ply", used_beside_ply);
+  const MeshFile edited = without(file, {4, 5, 6});
+  EXPECT_EQ(edited.kept_vertices, 3u);
+  EXPECT_EQ(io_test::difference(file, written_and_read_again(edited, "ply")), "");
+}
+
+TEST(EditedFile, LetsRemovedVerticesGoThatNothingUses) {
+  const MeshFile file = io_test::read_sound("obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 9 9 9\nf 1 2 3\n");
+  const MeshFile edited = without(file, {3});
+  EXPECT_EQ(edited.mesh.positions.size(), 3u);
+  EXPECT_EQ(edited.kept_vertices, 0u);
+  EXPECT_TRUE(loss_messages(edited, *find_format("obj")).empty());
+}
+
+TEST(EditedFile, SaysWhichRemovedVerticesStay) {
+  const MeshFile edited = without(io_test::read_sound("obj", used_beside_obj), {4, 6});
+  const std::vector<Message> messages = loss_messages(edited, *find_format("obj"));
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_EQ(messages[0].code, "keeps_vertices");
+  EXPECT_EQ(messages[0].text.en.substr(0, 2), "2 ");
+  for (const Message& message : loss_messages(edited, *find_format("stl"))) EXPECT_NE(message.code, "keeps_vertices");
+}
+
+}  // namespace
+}  // namespace ryosen

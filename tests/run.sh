@@ -22,11 +22,11 @@ ctest --test-dir "$root/build/release" --output-on-failure -j "$(nproc)"
 # All of it again, built by another compiler and under the sanitizers, with the mesh checked after every edit. The oracles
 # and what goes over whole tables are slow there and touch nothing that the walks do not.
 cmake -S "$root" -B "$root/build/fuzz" -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
-  -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -g1" -DRYOSEN_FUZZ=ON -DRYOSEN_CHECKED=ON \
+  -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DRYOSEN_FUZZ=ON -DRYOSEN_CHECKED=ON \
   -DRYOSEN_SANITIZE=address,undefined >&2
 build "$root/build/fuzz" test_core hashes fuzz_targets ryosen
 ctest --test-dir "$root/build/fuzz" --output-on-failure -j "$(nproc)" -L core \
-  -E "Oracle|local_oracle|agrees_on_all_triangle_sets|reasons_table|laws|plain_check|Forms|all_pairs_are_welded"
+  -E "Oracle|local_oracle|agrees_on_all_triangle_sets|reasons_table|laws|plain_check|Forms|all_pairs_are_welded|whole_numbers_on_grids"
 
 # Both builds compute the same to the last bit, and say the same about every file.
 for kind in release fuzz; do

@@ -1,6 +1,7 @@
 #include "app/editor/expect.h"
 
 #include "app/editor/commands.h"
+#include "app/editor/words.h"
 #include "core/mesh/copies.h"
 
 namespace ryosen {
@@ -17,10 +18,14 @@ Outcome not_so(const std::string& claim, const Text& found) {
 
 Outcome expect_verdict(Session& session, std::string_view line, bool legal) {
   const Parsed<AnyOp> parsed = parse_line(session.mesh(), line);
+  const auto in_expect = [](const Text& sentence) {
+    return usage_error("expect: " + sentence.en, "expect：" + sentence.ja);
+  };
+  const std::vector<std::string_view> words = split_words(line);
+  if (words.empty() || !find_op(words[0])) return in_expect(parsed.sentence);
   if (!parsed.op) {
     const Outcome other = no_element(session.document(), line, parsed.error, parsed.sentence);
-    if (other.kind != Outcome::Kind::refused)
-      return usage_error("expect: " + other.sentence.en, "expect：" + other.sentence.ja);
+    if (other.kind != Outcome::Kind::refused) return in_expect(other.sentence);
     return legal ? not_so("legal " + std::string(line), other.sentence) : Outcome();
   }
   const Verdict verdict = check(session.mesh(), *parsed.op);
@@ -46,7 +51,7 @@ Outcome run_expect(Session& session, std::span<const std::string_view> arguments
   if (arguments.size() < 2) return usage;
   const std::string_view what = arguments[0];
   if (what == "legal" || what == "refused")
-    return expect_verdict(session, whole.substr(whole.find(what) + what.size()), what == "legal");
+    return expect_verdict(session, behind_word(whole), what == "legal");
   if (arguments.size() != 2) return usage;
   const std::string expected(arguments[1]);
   const ElementCounts counts = counts_on_points(session.mesh());

@@ -43,6 +43,7 @@ enum class Rule : std::uint8_t {
   nothing_between,
   joins_fans,
   lone_edge,
+  pinch,
   normal_turns,
   degenerate,
   seam,

@@ -46,10 +46,14 @@ Named<Handle> fail(NameError error, std::string en, std::string ja) {
 }
 
 template <class Handle>
-Named<Handle> malformed(std::string_view name, std::string_view expected) {
-  const std::string n(name), e(expected);
-  return fail<Handle>(NameError::malformed, "'" + n + "' is not a name; expected " + e,
-                      "「" + n + "」は名前ではありません。" + e + " の形で書いてください");
+Named<Handle> malformed(std::string_view name, const Text& expected) {
+  const std::string n(name);
+  return fail<Handle>(NameError::malformed, "'" + n + "' is not a name; expected " + expected.en,
+                      "「" + n + "」は名前ではありません。" + expected.ja + " の形で書いてください");
+}
+
+Named<Halfedge> no_edge_name(std::string_view name) {
+  return malformed<Halfedge>(name, {"A-B, A-B@f5, h12 or e6", "A-B、A-B@f5、h12、e6 のいずれか"});
 }
 
 template <class Handle>
@@ -88,7 +92,7 @@ Named<Halfedge> choose_sheet(const Mesh& m, Vertex a, Vertex b, std::string_view
   if (sheets.empty()) return no_such_edge(name);
   if (sheets.size() == 1) return {sheets[0], NameError::none, {}};
   std::string list;
-  for (Halfedge h : sheets) list += (list.empty() ? "" : ", ") + name_with_face(m, h);
+  for (Halfedge h : sheets) list += (list.empty() ? "" : ", ") + name_to_choose(m, h);
   const std::string n(name);
   return fail<Halfedge>(NameError::ambiguous, n + " has several sheets; choose one of " + list,
                         n + " は複数のシートにあります。次から選んでください：" + list);
@@ -96,7 +100,7 @@ Named<Halfedge> choose_sheet(const Mesh& m, Vertex a, Vertex b, std::string_view
 
 Named<Halfedge> find_by_slot(const Mesh& m, std::string_view name) {
   const auto slot = parse_number(name.substr(1));
-  if (!slot) return malformed<Halfedge>(name, "A-B, A-B@f5, h12 or e6");
+  if (!slot) return no_edge_name(name);
   const Halfedge h = name[0] == 'h' ? Halfedge(*slot) : halfedge(Edge(*slot));
   if (*slot > no_index / 2) return no_such_edge(name);
   return check_slot(m, h, std::string(name));
@@ -119,6 +123,12 @@ std::string name_with_face(const Mesh& m, Halfedge h) {
   return (outside ? "~" : "") + ends_of(m, outside ? twin(h) : h) + "@f" + number(f.index);
 }
 
+std::string name_to_choose(const Mesh& m, Halfedge h) {
+  const Face f = m.is_outside(h) ? m.face(twin(h)) : m.face(h);
+  if (!joined_by_several_sheets(m, h) || !f) return name_of(m, h);
+  return ends_of(m, h) + "@f" + number(f.index);
+}
+
 std::string name_of(const Mesh& m, Element element) {
   switch (element.kind) {
     case Element::Kind::vertex:
@@ -126,7 +136,8 @@ std::string name_of(const Mesh& m, Element element) {
     case Element::Kind::face:
       return "f" + number(element.index);
     case Element::Kind::edge:
-      return m.exists(element.edge()) && m.is_alive(element.edge()) ? name_of_edge(m, element.edge()) : "e" + number(element.index);
+      return m.exists(element.edge()) && m.is_alive(element.edge()) ? name_of_edge(m, element.edge())
+                                                                    : "e" + number(element.index);
     case Element::Kind::halfedge:
       break;
   }
@@ -137,7 +148,7 @@ std::string name_of(const Mesh& m, Element element) {
 
 Named<Face> find_face(const Mesh& m, std::string_view name) {
   const auto slot = name.starts_with('f') ? parse_number(name.substr(1)) : std::nullopt;
-  if (!slot) return malformed<Face>(name, "f3");
+  if (!slot) return malformed<Face>(name, {"f3", "f3"});
   return check_slot(m, Face(*slot), std::string(name));
 }
 
@@ -146,7 +157,7 @@ Named<Vertex> find_vertex(const Mesh& m, std::string_view name) {
   std::string_view rest = name.starts_with('v') ? name.substr(1) : name;
   const std::size_t at = rest.find('@');
   const auto slot = parse_number(rest.substr(0, at));
-  if (!slot) return malformed<Vertex>(name, "v7 or v7@f5");
+  if (!slot) return malformed<Vertex>(name, {"v7 or v7@f5", "v7 または v7@f5"});
   const Named<Vertex> v = check_slot(m, Vertex(*slot), "v" + number(*slot));
   if (!v.ok() || at == std::string_view::npos) return v;
   const Named<Face> f = find_face(m, rest.substr(at + 1));
@@ -163,8 +174,7 @@ Named<Halfedge> find_edge(const Mesh& m, std::string_view name) {
   const std::size_t dash = pair.find('-');
   const auto a = dash == std::string_view::npos ? std::nullopt : parse_number(pair.substr(0, dash));
   const auto b = dash == std::string_view::npos ? std::nullopt : parse_number(pair.substr(dash + 1));
-  if (!a || !b || (twin_side && at == std::string_view::npos))
-    return malformed<Halfedge>(name, "A-B, A-B@f5, h12 or e6");
+  if (!a || !b || (twin_side && at == std::string_view::npos)) return no_edge_name(name);
   for (const std::uint32_t slot : {*a, *b}) {
     const Named<Vertex> v = check_slot(m, Vertex(slot), "v" + number(slot));
     if (!v.ok()) return {Halfedge(), v.error, v.sentence};

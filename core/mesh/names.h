@@ -21,6 +21,9 @@ std::string name_of(const Mesh& mesh, Element element);
 std::string name_of_copy(const Mesh& mesh, Vertex v);
 // An edge that is cut on points, named for one of its face sides: always with @f.
 std::string name_with_face(const Mesh& mesh, Halfedge h);
+// The plainest name that find_edge reads as this halfedge: by its points, the first before the second, and where several
+// sheets join them by the face on either side, without `~`.
+std::string name_to_choose(const Mesh& mesh, Halfedge h);
 
 enum class NameError { none, malformed, never_existed, ambiguous, deleted };
 

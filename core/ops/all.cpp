@@ -75,7 +75,7 @@ std::vector<std::string_view> split_words(std::string_view line) {
 
 Parsed<AnyOp> parse_line(const Mesh& mesh, std::string_view line) {
   const std::vector<std::string_view> words = split_words(line);
-  if (words.empty() || !find_op(words[0])) return malformed_argument<AnyOp>(line, "an operator");
+  if (words.empty() || !find_op(words[0])) return malformed_argument<AnyOp>(line, {"an operator", "演算子を"});
   return parse_op(mesh, words[0], std::span(words).subspan(1));
 }
 

@@ -33,16 +33,11 @@ void ArgumentReader::fail(NameError error, Text sentence) {
 }
 
 void ArgumentReader::fail_at(std::string_view argument) {
-  const std::string a(argument), s(syntax_);
-  fail(NameError::malformed,
-       {"'" + a + "' is not understood; expected " + (s.empty() ? "no argument" : s),
-        "「" + a + "」は解釈できません。" + (s.empty() ? "引数はありません" : s + " を指定してください")});
+  fail(NameError::malformed, not_understood(argument, form_of(syntax_)));
 }
 
 void ArgumentReader::fail_missing() {
-  const std::string s(syntax_);
-  fail(NameError::malformed,
-       {"an argument is missing; expected " + s, "引数が足りません。" + s + " を指定してください"});
+  fail(NameError::malformed, argument_missing(syntax_));
 }
 
 double ArgumentReader::number() {
@@ -95,7 +90,7 @@ Halfedge ArgumentReader::corner(Vertex v, std::span<const Halfedge> corners) {
   }
   if (corners.size() <= 1) return corners.empty() ? Halfedge() : corners[0];
   std::string list;
-  for (Halfedge h : corners) list += (list.empty() ? "" : ", ") + name_of(mesh_, h);
+  for (Halfedge h : corners) list += (list.empty() ? "" : ", ") + name_to_choose(mesh_, h);
   fail(NameError::ambiguous, {name + " has several such corners; name the halfedge that arrives: " + list,
                               name + " には該当する角が複数あります。着く半稜線を指定してください：" + list});
   return Halfedge();

@@ -87,9 +87,10 @@ Parsed<CollapseEdge> CollapseEdge::parse(const Mesh& mesh, std::span<const std::
     else if (p)
       op.place = Place::point, op.target = *p;
     else
-      return malformed_argument<CollapseEdge>(word, "start, end, mid or X,Y,Z");
+      return malformed_argument<CollapseEdge>(word,
+                                              {"start, end, mid or X,Y,Z", "start、end、mid、X,Y,Z のいずれかを"});
   }
-  if (arguments.size() > 2) return malformed_argument<CollapseEdge>(arguments[2], info.syntax);
+  if (arguments.size() > 2) return malformed_argument<CollapseEdge>(arguments[2]);
   out.op = op;
   return out;
 }

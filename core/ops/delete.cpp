@@ -7,6 +7,7 @@
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/arguments.h"
+#include "core/ops/pinch.h"
 #include "core/ops/sheets.h"
 
 namespace ryosen {
@@ -56,7 +57,7 @@ Parsed<Delete> Delete::parse(const Mesh& mesh, std::span<const std::string_view>
   } else if (name.find('-') != std::string_view::npos || name.starts_with('h') || name.starts_with('e')) {
     const Named<Halfedge> sheet = find_any_sheet(mesh, name);
     if (!sheet.ok()) return {std::nullopt, sheet.error, sheet.sentence};
-    if (arguments.size() > 1) return malformed_argument<Delete>(arguments[1], info.syntax);
+    if (arguments.size() > 1) return malformed_argument<Delete>(arguments[1]);
     op.element = edge(sheet.element);
     return {op, NameError::none, {}};
   } else {
@@ -81,7 +82,11 @@ Verdict Delete::check(const Mesh& mesh) const {
   return verdict;
 }
 
-std::vector<Reason> Delete::warnings(const Mesh&) const { return {}; }
+std::vector<Reason> Delete::warnings(const Mesh& mesh) const {
+  std::vector<Reason> reasons;
+  warn_of_pinch(pinched_without(mesh, doomed_by(mesh, element).faces), reasons);
+  return reasons;
+}
 
 void take_away(Edit& edit, Sheets& sheets, const Doomed& doomed) {
   const Mesh& m = edit.mesh();

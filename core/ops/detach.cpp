@@ -8,6 +8,7 @@
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/arguments.h"
+#include "core/ops/pinch.h"
 #include "core/ops/sheets.h"
 
 namespace ryosen {
@@ -107,7 +108,14 @@ Verdict Detach::check(const Mesh& mesh) const {
   return verdict;
 }
 
-std::vector<Reason> Detach::warnings(const Mesh&) const { return {}; }
+std::vector<Reason> Detach::warnings(const Mesh& mesh) const {
+  const FaceSet away = faces_meant(mesh, faces);
+  std::vector<Face> in_order(away.begin(), away.end());
+  std::sort(in_order.begin(), in_order.end());
+  std::vector<Reason> reasons;
+  warn_of_pinch(pinched_without(mesh, in_order, true), reasons);
+  return reasons;
+}
 
 OpEffect Detach::apply(Edit& edit) const {
   const Mesh& m = edit.mesh();

@@ -111,7 +111,8 @@ Parsed<Extrude> Extrude::parse(const Mesh& mesh, std::span<const std::string_vie
   const glm::dvec3 by = op.movement(mesh);
   for (Vertex v : vertices_around(mesh, op.face))
     if (is_finite(mesh.position(v)) && !is_finite(mesh.position(v) + by))
-      return malformed_argument<Extrude>(argument, "a movement that leaves the face at a finite place");
+      return malformed_argument<Extrude>(
+          argument, {"a movement that leaves the face at a finite place", "面の座標が有限になる移動量を"});
   return out;
 }
 

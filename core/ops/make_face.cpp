@@ -8,6 +8,7 @@
 #include "core/ops/arguments.h"
 #include "core/ops/face_geometry.h"
 #include "core/ops/face_lists.h"
+#include "core/ops/pinch.h"
 #include "core/ops/sheets.h"
 #include "core/ops/surgery.h"
 
@@ -96,9 +97,12 @@ Verdict MakeFace::check(const Mesh& m) const {
 std::vector<Reason> MakeFace::warnings(const Mesh& m) const {
   FaceGeometry after;
   for (Vertex v : corners) after.add(m.position(v));
-  if (!after.is_degenerate()) return {};
-  std::vector<Element> witnesses(corners.begin(), corners.end());
-  return {{Rule::degenerate, witnesses}};
+  std::vector<Reason> reasons;
+  if (after.is_degenerate()) reasons.push_back({Rule::degenerate, {corners.begin(), corners.end()}});
+  std::vector<std::uint32_t> points;
+  for (Vertex v : corners) points.push_back(point(m, v).index);
+  warn_of_pinch(pinched_by_face(m, points), reasons);
+  return reasons;
 }
 
 OpEffect MakeFace::apply(Edit& edit) const {

@@ -6,7 +6,7 @@
 //   static Op at(const Mesh&, const OpTarget&);           what a click on the target does
 //   std::string command(const Mesh&) const;               the script line that does the same
 //   Verdict check(const Mesh&) const;                      every broken rule, pure
-//   std::vector<Reason> warnings(const Mesh&) const;       geometric rules; only asked when the check is legal
+//   std::vector<Reason> warnings(const Mesh&) const;       what is legal but doubtful; only asked when the check is legal
 //   OpEffect apply(Edit&) const;                           the check must be legal
 // at, command and check take elements that are none, deleted or unknown to the mesh too, as an undo may leave them.
 #pragma once
@@ -107,13 +107,19 @@ std::optional<Halfedge> parse_edge_argument(const Mesh& mesh, std::span<const st
   return std::nullopt;
 }
 
+// The form of an operator's arguments as something expected: in Japanese with its particle.
+Text form_of(std::string_view syntax);
+// An argument that cannot be read, and what is expected in its place.
+Text not_understood(std::string_view argument, const Text& expected);
+Text argument_missing(std::string_view syntax);
+
 template <class Op>
-Parsed<Op> malformed_argument(std::string_view argument, std::string_view expected) {
-  const std::string a(argument), e(expected);
-  return {
-      std::nullopt,
-      NameError::malformed,
-      {"'" + a + "' is not understood; expected " + e, "「" + a + "」は解釈できません。" + e + " を指定してください"}};
+Parsed<Op> malformed_argument(std::string_view argument, const Text& expected) {
+  return {std::nullopt, NameError::malformed, not_understood(argument, expected)};
+}
+template <class Op>
+Parsed<Op> malformed_argument(std::string_view argument) {
+  return malformed_argument<Op>(argument, form_of(Op::info.syntax));
 }
 
 // A finite number that takes up the whole text.

@@ -143,7 +143,7 @@ std::vector<Face> faces_to_turn(const std::vector<bool>& turned) {
 }  // namespace
 
 Parsed<Orient> Orient::parse(const Mesh&, std::span<const std::string_view> arguments) {
-  if (!arguments.empty()) return malformed_argument<Orient>(arguments[0], "no argument");
+  if (!arguments.empty()) return malformed_argument<Orient>(arguments[0]);
   Parsed<Orient> out;
   out.op = Orient{};
   return out;

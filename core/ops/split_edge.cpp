@@ -119,13 +119,14 @@ Parsed<SplitEdge> SplitEdge::parse(const Mesh& mesh, std::span<const std::string
   SplitEdge op{*h};
   if (arguments.size() >= 2) {
     const auto t = parse_double(arguments[1]);
-    if (!t) return malformed_argument<SplitEdge>(arguments[1], "a number t");
+    if (!t) return malformed_argument<SplitEdge>(arguments[1], {"a number t", "数 t を"});
     op.along = *t;
     const glm::dvec3 &a = mesh.position(mesh.from(*h)), &b = mesh.position(mesh.to(*h));
     if (is_finite(a) && is_finite(b) && !is_finite(point_between(a, b, *t)))
-      return malformed_argument<SplitEdge>(arguments[1], "a t that leaves the new vertex at a finite place");
+      return malformed_argument<SplitEdge>(
+          arguments[1], {"a t that leaves the new vertex at a finite place", "新しい頂点の座標が有限になる t を"});
   }
-  if (arguments.size() > 2) return malformed_argument<SplitEdge>(arguments[2], info.syntax);
+  if (arguments.size() > 2) return malformed_argument<SplitEdge>(arguments[2]);
   out.op = op;
   return out;
 }

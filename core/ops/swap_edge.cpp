@@ -101,8 +101,7 @@ Parsed<SwapEdge> SwapEdge::parse(const Mesh& mesh, std::span<const std::string_v
   const auto h = parse_edge_argument(mesh, arguments, out);
   if (!h) return out;
   const bool back = arguments.size() >= 2;
-  if (back && (arguments[1] != "back" || arguments.size() > 2))
-    return malformed_argument<SwapEdge>(arguments.back(), info.syntax);
+  if (back && (arguments[1] != "back" || arguments.size() > 2)) return malformed_argument<SwapEdge>(arguments.back());
   out.op = SwapEdge{*h, back};
   return out;
 }

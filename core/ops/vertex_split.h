@@ -30,7 +30,7 @@ struct VertexSplit {
   static constexpr OpInfo info{"vertex_split",
                                "Split vertex",
                                "頂点分割",
-                               "v L R [X,Y,Z]",
+                               "v L|v-L|- R|v-R|- [X,Y,Z]",
                                "makes an edge of a vertex; the new end takes what lies from L counter-clockwise to R",
                                "頂点を稜線にする。新しい端点が L から反時計回りに R までの部分を受け持つ",
                                '\0',

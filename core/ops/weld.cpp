@@ -11,6 +11,7 @@
 #include "core/ops/arguments.h"
 #include "core/ops/corner_values.h"
 #include "core/ops/face_lists.h"
+#include "core/ops/pinch.h"
 #include "core/ops/sheets.h"
 #include "core/ops/surgery.h"
 
@@ -204,7 +205,14 @@ Verdict Weld::check(const Mesh& mesh) const {
   return verdict;
 }
 
-std::vector<Reason> Weld::warnings(const Mesh&) const { return {}; }
+std::vector<Reason> Weld::warnings(const Mesh& mesh) const {
+  Pairs pairs;
+  if (first) pairs = pairs_of_edges(mesh, first, second);
+  if (!first && !same_point(mesh, a, b)) pairs = {{point(mesh, b), point(mesh, a)}};
+  std::vector<Reason> reasons;
+  warn_of_pinch(pinched_by_weld(mesh, pairs), reasons);
+  return reasons;
+}
 
 namespace {
 

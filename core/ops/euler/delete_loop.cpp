@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "core/ops/arguments.h"
+#include "core/ops/pinch.h"
 #include "core/ops/surgery.h"
 
 namespace ryosen {
@@ -23,7 +24,12 @@ Verdict DeleteLoop::check(const Mesh& mesh) const {
   return verdict;
 }
 
-std::vector<Reason> DeleteLoop::warnings(const Mesh&) const { return {}; }
+std::vector<Reason> DeleteLoop::warnings(const Mesh& mesh) const {
+  std::vector<Reason> reasons;
+  const Face faces[] = {face};
+  warn_of_pinch(pinched_without(mesh, faces), reasons);
+  return reasons;
+}
 
 OpEffect DeleteLoop::apply(Edit& edit) const {
   assert(check(edit.mesh()).legal());

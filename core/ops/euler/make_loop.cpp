@@ -6,6 +6,7 @@
 #include "core/ops/arguments.h"
 #include "core/ops/face_geometry.h"
 #include "core/ops/face_lists.h"
+#include "core/ops/pinch.h"
 #include "core/ops/surgery.h"
 
 namespace ryosen {
@@ -58,8 +59,10 @@ Verdict MakeLoop::check(const Mesh& mesh) const {
 std::vector<Reason> MakeLoop::warnings(const Mesh& mesh) const {
   FaceGeometry after;
   for (Halfedge h : loop(mesh, halfedge)) after.add(mesh.position(mesh.from(h)));
-  if (!after.is_degenerate()) return {};
-  return {{Rule::degenerate, {edge(halfedge)}}};
+  std::vector<Reason> reasons;
+  if (after.is_degenerate()) reasons.push_back({Rule::degenerate, {edge(halfedge)}});
+  warn_of_pinch(pinched_by_face(mesh, points_along(mesh, halfedge)), reasons);
+  return reasons;
 }
 
 OpEffect MakeLoop::apply(Edit& edit) const {

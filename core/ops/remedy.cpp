@@ -4,7 +4,6 @@
 
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
-#include "core/ops/remedy_candidates.h"
 
 namespace ryosen {
 
@@ -70,10 +69,10 @@ std::optional<std::size_t> reasons_after(Mesh& mesh, const Question& question, c
 
 // The first candidate that leaves no reason, else the first that leaves fewer. Of several sheets on one edge each comes
 // off for itself, of several edges at a vertex each goes for itself, and the reason stays until the last.
-std::optional<AnyOp> choose_step(Mesh& mesh, const Question& question, const Verdict& verdict) {
+std::optional<AnyOp> choose_step(Mesh& mesh, const Question& question, const Verdict& verdict, LargeSheets& large) {
   std::optional<AnyOp> best, onward;
   for (const Reason& reason : verdict.reasons) {
-    for (const AnyOp& candidate : remedy_candidates(mesh, reason)) {
+    for (const AnyOp& candidate : remedy_candidates(mesh, reason, large)) {
       const auto left = reasons_after(mesh, question, candidate);
       if (left == 0u) return candidate;
       if (left && *left < verdict.reasons.size() && !best) best = candidate;
@@ -84,14 +83,16 @@ std::optional<AnyOp> choose_step(Mesh& mesh, const Question& question, const Ver
   return best ? best : onward;
 }
 
-// Step after step until nothing is against it; `most` steps at most.
-std::vector<std::string> find_local_steps(Mesh& mesh, const Question& question, std::size_t most) {
+// Step after step until nothing is against it; `most` steps at most. `large` is of the mesh as it is before the first.
+std::vector<std::string> find_local_steps(Mesh& mesh, const Question& question, std::size_t most, LargeSheets& large) {
   Journal steps;
   std::vector<std::string> commands;
   bool legal = false;
   while (!legal && commands.size() < most) {
     const std::optional<AnyOp> now = question.in(mesh);
-    const std::optional<AnyOp> step = now ? choose_step(mesh, question, check(mesh, *now)) : std::nullopt;
+    LargeSheets after_steps;
+    LargeSheets& known = commands.empty() ? large : after_steps;
+    const std::optional<AnyOp> step = now ? choose_step(mesh, question, check(mesh, *now), known) : std::nullopt;
     if (!step) break;
     commands.push_back(command_of(mesh, *step));
     Edit edit(mesh, &steps);
@@ -129,9 +130,9 @@ std::vector<std::string> RemedySearch::find(const std::string& line) {
                                     [&](const Reason& reason) { return is_beside_misoriented_edge(mesh_, reason); });
   Mesh* const turned = may_turn ? oriented() : nullptr;
   if (turned && question.reasons_against(*turned) == 0u) return {"orient"};
-  std::vector<std::string> steps = find_local_steps(mesh_, question, longest_remedy);
+  std::vector<std::string> steps = find_local_steps(mesh_, question, longest_remedy, large_);
   if (!steps.empty() || !turned) return steps;
-  steps = find_local_steps(*turned, question, longest_remedy - 1);
+  steps = find_local_steps(*turned, question, longest_remedy - 1, large_when_turned_);
   if (!steps.empty()) steps.insert(steps.begin(), "orient");
   return steps;
 }

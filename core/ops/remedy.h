@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/ops/all.h"
+#include "core/ops/remedy_candidates.h"
 
 namespace ryosen {
 
@@ -29,6 +30,7 @@ class RemedySearch {
   Mesh* oriented();
 
   Mesh& mesh_;
+  LargeSheets large_, large_when_turned_;
   bool orient_was_tried_ = false;
   std::unique_ptr<Mesh> oriented_;  // none until it is needed, and where no face would turn
 };

@@ -1,7 +1,5 @@
 #include "core/ops/remedy_candidates.h"
 
-#include <unordered_set>
-
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/sheets.h"
@@ -124,33 +122,31 @@ void add_removals(const Reason& reason, std::vector<AnyOp>& candidates) {
 // mesh.
 class Detachments {
  public:
-  Detachments(const Mesh& mesh, std::vector<AnyOp>& candidates) : mesh_(mesh), candidates_(candidates) {}
+  Detachments(const Mesh& mesh, LargeSheets& large, std::vector<AnyOp>& candidates)
+      : mesh_(mesh), large_(large), candidates_(candidates) {}
 
   void add(Face f) {
-    if (!f || candidates_.size() >= most_sides_tried || large_.contains(f)) return;
-    const std::vector<Face> sheet = faces_of_sheet(mesh_, f, largest_sheet);
-    if (sheet.size() < largest_sheet) return candidates_.push_back(Detach{{f}});
-    large_.insert(sheet.begin(), sheet.end());
+    if (f && candidates_.size() < most_sides_tried && !large_.contains(mesh_, f)) candidates_.push_back(Detach{{f}});
   }
 
  private:
   const Mesh& mesh_;
+  LargeSheets& large_;
   std::vector<AnyOp>& candidates_;
-  std::unordered_set<Face> large_;  // faces known to be on a large sheet
 };
 
-void add_detachments_of_faces(const Mesh& m, const Reason& reason, std::vector<AnyOp>& candidates) {
-  Detachments detachments(m, candidates);
+void add_detachments_of_faces(const Mesh& m, const Reason& reason, LargeSheets& large, std::vector<AnyOp>& candidates) {
+  Detachments detachments(m, large, candidates);
   for (const Face f : faces_of(reason)) detachments.add(f);
 }
 
 // The sheets at points named as witnesses come off, those on the edge between two of them first, or their fans come
 // apart.
-void add_detachments(const Mesh& m, const Reason& reason, std::vector<AnyOp>& candidates) {
+void add_detachments(const Mesh& m, const Reason& reason, LargeSheets& large, std::vector<AnyOp>& candidates) {
   std::vector<Vertex> points;
   for (const Element& witness : reason.witnesses)
     for (Vertex v : vertices_of(m, witness)) points.push_back(v);
-  Detachments detachments(m, candidates);
+  Detachments detachments(m, large, candidates);
   const auto add = [&](Face f) { detachments.add(f); };
   for (Vertex v : points) candidates.push_back(SeparateFans{v});
   if (points.size() == 2)
@@ -210,11 +206,21 @@ void add_bridges(const Mesh& m, const Reason& reason, std::vector<AnyOp>& candid
 
 }  // namespace
 
-std::vector<AnyOp> remedy_candidates(const Mesh& m, const Reason& reason) {
+bool LargeSheets::contains(const Mesh& mesh, Face f) {
+  known_.resize(mesh.face_slots());
+  if (known_[f.index]) return true;
+  const auto is_known = [&](Face other) { return bool{known_[other.index]}; };
+  const std::vector<Face> sheet = faces_of_sheet(mesh, f, largest_sheet, is_known);
+  if (sheet.size() < largest_sheet && !is_known(sheet.back())) return false;
+  for (Face other : sheet) known_[other.index] = true;
+  return true;
+}
+
+std::vector<AnyOp> remedy_candidates(const Mesh& m, const Reason& reason, LargeSheets& large) {
   std::vector<AnyOp> candidates;
   switch (reason.rule) {
     case Rule::copies:
-      add_detachments(m, reason, candidates);
+      add_detachments(m, reason, large, candidates);
       break;
     case Rule::boundary:
     case Rule::wire:
@@ -240,7 +246,7 @@ std::vector<AnyOp> remedy_candidates(const Mesh& m, const Reason& reason) {
       break;
     case Rule::vanishes:
       add_divisions_of_sides(m, reason, candidates);
-      add_detachments(m, reason, candidates);
+      add_detachments(m, reason, large, candidates);
       break;
     case Rule::has_edges:
       add_edges_away(m, reason, candidates);
@@ -254,12 +260,12 @@ std::vector<AnyOp> remedy_candidates(const Mesh& m, const Reason& reason) {
     case Rule::isolated_apex:
     case Rule::duplicate_face:
     case Rule::corner_twice:
-      add_detachments(m, reason, candidates);
+      add_detachments(m, reason, large, candidates);
       add_splits_of_sides(m, reason, candidates);
       break;
     case Rule::loses_duplicate:
       add_removals(reason, candidates);
-      add_detachments_of_faces(m, reason, candidates);
+      add_detachments_of_faces(m, reason, large, candidates);
       break;
     case Rule::has_rings:
       add_triangulations(reason, candidates);

@@ -41,15 +41,22 @@ bool has_one_face(const Mesh& m, Halfedge h) { return m.is_outside(h) != m.is_ou
 
 }  // namespace
 
-std::vector<Face> faces_of_sheet(const Mesh& mesh, Face f, std::size_t enough) {
+std::vector<Face> faces_of_sheet(const Mesh& mesh, Face f, std::size_t enough,
+                                 const std::function<bool(Face)>& is_last) {
   std::vector<Face> sheet{f};
   std::unordered_set<Face> seen{f};
   for (std::size_t i = 0; i < sheet.size() && sheet.size() < enough; ++i)
     for (Halfedge h : halfedges_around(mesh, sheet[i])) {
       const Face beside = mesh.face(twin(h));
-      if (beside && !is_cut_on_points(mesh, h) && seen.insert(beside).second) sheet.push_back(beside);
+      if (!beside || is_cut_on_points(mesh, h) || !seen.insert(beside).second) continue;
+      sheet.push_back(beside);
+      if (is_last(beside)) return sheet;
     }
   return sheet;
+}
+
+std::vector<Face> faces_of_sheet(const Mesh& mesh, Face f, std::size_t enough) {
+  return faces_of_sheet(mesh, f, enough, [](Face) { return false; });
 }
 
 std::vector<Fan> fans_at(const Mesh& m, Vertex v) {

@@ -9,6 +9,7 @@
 //                              b     d
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -36,6 +37,9 @@ std::vector<Fan> fans_at(const Mesh& mesh, Vertex v);
 // the farther ones; stops with the face at which there are `enough`. O(faces found).
 std::vector<Face> faces_of_sheet(const Mesh& mesh, Face f,
                                  std::size_t enough = std::numeric_limits<std::size_t>::max());
+// The same, but stops also with the first face that `is_last` tells.
+std::vector<Face> faces_of_sheet(const Mesh& mesh, Face f, std::size_t enough,
+                                 const std::function<bool(Face)>& is_last);
 
 // The surgery of one operator. It gathers what was made, deleted and changed; finish() tells.
 class Sheets {

@@ -25,6 +25,18 @@ LoopSet normal_form(const CornerLoops& list, const LoopSet& places) {
   return loops;
 }
 
+// Whether every bridge that is an edge of the mesh is one of the list too, which has the same loops.
+bool has_bridges_of(const Mesh& mesh, Face f, std::span<const std::uint32_t> list) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
+  for (std::size_t i = 0; i < list.size(); ++i) sides.emplace_back(list[i], list[(i + 1) % list.size()]);
+  std::sort(sides.begin(), sides.end());
+  for (Halfedge h : halfedges_around(mesh, f)) {
+    const std::pair side(point(mesh, mesh.from(h)).index, point(mesh, mesh.to(h)).index);
+    if (is_bridge(mesh, h) && !std::binary_search(sides.begin(), sides.end(), side)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool visits_a_corner_twice(const Mesh& mesh, Face f) {
@@ -53,6 +65,7 @@ std::optional<std::vector<std::pair<Halfedge, std::size_t>>> corners_as_in_file(
   then.add(list);
   const auto parts_now = take_out_bridges(now), parts_then = take_out_bridges(then);
   if (!parts_now || !parts_then || normal_form(now, *parts_now) != normal_form(then, *parts_then)) return std::nullopt;
+  if (!has_bridges_of(mesh, f, list)) return std::nullopt;
   std::sort(corner_of.begin(), corner_of.end());
   std::vector<std::pair<std::uint32_t, std::size_t>> place_of;  // by point, the place of the list that is the corner's
   for (const auto& part : *parts_then)

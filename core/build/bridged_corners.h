@@ -15,7 +15,8 @@ namespace ryosen {
 bool visits_a_corner_twice(const Mesh& mesh, Face f);
 
 // The corners along a list of points that the face once had, each as its halfedge and the place of the list that this
-// corner stands for; none where the loops of the list are no longer those of the face.
+// corner stands for; none where the loops of the list are no longer those of the face, or a bridge in the mesh is
+// none of the list.
 std::optional<std::vector<std::pair<Halfedge, std::size_t>>> corners_as_in_file(const Mesh& mesh, Face f,
                                                                                 std::span<const std::uint32_t> list);
 

@@ -96,6 +96,33 @@ TEST(bridged_corners, an_edited_face_gets_new_bridges) {
   EXPECT_EQ(to_indexed(mesh, tables).mesh.corners, source.corners);
 }
 
+// A bridge put into the mesh is the user's choice: the list that the file had, which has another one, does not undo it.
+TEST(bridged_corners, a_bridge_in_the_mesh_is_written_and_one_that_the_file_had_changes_nothing) {
+  const IndexedMesh source = plate(2);
+  const FileTables tables = file_tables(source);
+  const auto written_after = [&](std::initializer_list<const char*> lines) {
+    Mesh mesh = from_indexed(source);
+    for (const char* line : lines) {
+      Edit edit(mesh, nullptr);
+      ryosen::apply(edit, *parse_line(mesh, line).op);
+      edit.commit();
+    }
+    return to_indexed(mesh, tables).mesh.corners;
+  };
+  const auto walks = [](const std::vector<std::uint32_t>& list, std::uint32_t a, std::uint32_t b) {
+    for (std::size_t i = 0; i < list.size(); ++i)
+      if (list[i] == a && list[(i + 1) % list.size()] == b) return true;
+    return false;
+  };
+  EXPECT_TRUE(walks(source.corners, 0, 4) && !walks(source.corners, 3, 5));
+  const auto other = written_after({"unite_ring 3 5"});
+  EXPECT_TRUE(walks(other, 3, 5) && walks(other, 5, 3));
+  EXPECT_EQ(other.size(), source.corners.size()) << "the second hole has a bridge too";
+  EXPECT_EQ(written_after({"unite_ring 0 4"}), source.corners);
+  EXPECT_EQ(written_after({"unite_ring 3 5", "make_ring 3-5"}), source.corners)
+      << "the loops are those of the file again";
+}
+
 TEST(take_out_bridges, refuses_what_is_no_face_with_rings) {
   const auto parts = [](std::vector<std::uint32_t> corners) {
     CornerLoops list;

@@ -1,16 +1,31 @@
 #include "core/io/edited_file.h"
 
 #include <algorithm>
+#include <set>
 
 #include "core/base/sort_unique.h"
 #include "core/io/elements.h"
+#include "core/mesh/circulate.h"
 
 namespace ryosen {
 namespace {
 
-std::size_t count_wires(const Mesh& mesh) {
-  std::size_t wires = 0;
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) wires += mesh.is_alive(Edge(i)) && mesh.is_wire(Edge(i));
+// Without those that the lines run along anyway, so that they are not there twice when the file is read again.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> wires_beside(const ElementList& lines, const Mesh& mesh,
+                                                                  const std::vector<std::uint32_t>& number) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> wires;
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+    if (!mesh.is_alive(Edge(i)) || !mesh.is_wire(Edge(i))) continue;
+    const auto [a, b] = ends(mesh, Edge(i));
+    wires.push_back(std::minmax(number[a.index], number[b.index]));
+  }
+  if (wires.empty()) return wires;
+  sort_unique(wires);
+  std::set<std::pair<std::int64_t, std::int64_t>> drawn;
+  for (const LineElement& item : lines.items)
+    for (std::uint32_t i = 1; !item.is_points && i < item.count; ++i)
+      drawn.insert(std::minmax(lines.vertices[item.first + i - 1], lines.vertices[item.first + i]));
+  std::erase_if(wires, [&](const auto& wire) { return drawn.contains(wire); });
   return wires;
 }
 
@@ -38,7 +53,7 @@ MeshFile edited_file(const MeshFile& source, const Mesh& mesh, const FileTables&
   file.properties = renumbered(source.properties, compact.vertex_number, compact.face_number, mesh.file_vertices(),
                                new_vertices, compact.mesh.face_count());
   file.kept_vertices = compact.kept_vertices;
-  file.wires = count_wires(mesh);
+  file.wires = wires_beside(file.elements, mesh, compact.vertex_number);
   file.mesh = std::move(compact.mesh);
   return file;
 }

@@ -25,7 +25,7 @@ enum class Holds : std::uint32_t {
   weights = 1u << 10,
   face_colours = 1u << 11,      // with three or four numbers for all faces
   any_face_colours = 1u << 12,  // and any other
-  elements = 1u << 13,          // lines and points
+  elements = 1u << 13,          // lines and points, edges without a face as lines
   quarantine = 1u << 14,        // faces of any corners that cannot be used
   odd_triangles = 1u << 15,     // those of three corners, as TxtQuarantine says
   flat_triangles = 1u << 16,    // those of three corners that exist

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/handle.h"
@@ -39,7 +40,9 @@ struct MeshFile {
   ElementList elements;
   PropertyTables properties;  // PLY: its layout and what the mesh has no place for; STL: attributes of facets
   Encoding encoding = Encoding::automatic;  // how it was read and will be written
-  std::uint64_t wires = 0;                  // edges without a face that the mesh had; no format holds them
+  // Edges without a face that the mesh had, by the numbers of their ends in `mesh`, ascending. Formats with lines hold
+  // them as such; reading gives lines, never edges.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> wires;
   // Vertices that were removed from the mesh and are written all the same, as something beside the mesh uses them.
   std::uint64_t kept_vertices = 0;
   bool has_free_facets = false;  // ascii STL: some facets have other than three corners

@@ -174,6 +174,19 @@ class ObjWriter {
       }
     }
     for (; item != items.end(); ++item) element(*item);
+    wires();
+  }
+
+  // They belong to no object or group.
+  void wires() {
+    if (file_.wires.empty()) return;
+    for (NameWriter* names : all_names()) names->change_to(no_index);
+    for (const auto& [a, b] : file_.wires) {
+      out_ << 'l';
+      corner(a, no_index, no_index);
+      corner(b, no_index, no_index);
+      out_ << '\n';
+    }
   }
 
   const MeshFile& file_;

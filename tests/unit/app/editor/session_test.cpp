@@ -313,7 +313,7 @@ TEST(session, says_which_edges_a_file_cannot_hold) {
   Session session(std::make_unique<Document>());
   for (const char* line : {"make_vertex 0,0,0", "make_vertex 1,0,0", "make_edge v0 v1"})
     ASSERT_TRUE(session.run(line).done()) << line;
-  const std::filesystem::path path = std::filesystem::temp_directory_path() / "ryosen_wires_test.obj";
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / "ryosen_wires_test.off";
   const Outcome saved = session.run("save " + path.string());
   EXPECT_TRUE(saved.done());
   EXPECT_NE(saved.sentence.en.find("edges without a face: 1"), std::string::npos) << saved.sentence.en;
@@ -366,6 +366,14 @@ TEST(session, what_an_undo_took_away_is_not_called_unknown) {
 
 TEST(session, a_misspelt_alias_is_recognised) {
   EXPECT_NE(unknown_command("mekrr").sentence.en.find("did you mean mekr?"), std::string::npos);
+}
+
+TEST(session, what_is_expected_of_no_operator_is_named_once) {
+  Session session(std::make_unique<Document>());
+  const Outcome outcome = session.run("expect  legal  spllit 0-1");
+  EXPECT_EQ(outcome.exit_code, ExitCode::usage);
+  EXPECT_EQ(outcome.sentence.en, "expect: 'spllit' is not an operator; did you mean split?");
+  EXPECT_EQ(outcome.sentence.ja, "expect：「spllit」は演算子ではありません。split ですか？");
 }
 
 }  // namespace

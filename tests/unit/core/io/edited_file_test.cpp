@@ -1,6 +1,8 @@
 #include "core/io/edited_file.h"
 
 #include "core/build/from_indexed.h"
+#include "core/io/obj.h"
+#include "core/ops/all.h"
 #include "core/ops/sheets.h"
 #include "tests/unit/core/io/io_helpers.h"
 
@@ -66,6 +68,63 @@ TEST(EditedFile, SaysWhichRemovedVerticesStay) {
   EXPECT_EQ(messages[0].code, "keeps_vertices");
   EXPECT_EQ(messages[0].text.en.substr(0, 2), "2 ");
   for (const Message& message : loss_messages(edited, *find_format("stl"))) EXPECT_NE(message.code, "keeps_vertices");
+}
+
+// The file after some lines of operators.
+MeshFile after_lines(const MeshFile& source, std::initializer_list<const char*> lines) {
+  const FileTables tables = file_tables(source.mesh);
+  Mesh mesh = from_indexed(source.mesh);
+  for (const char* line : lines) {
+    const Parsed<AnyOp> parsed = parse_line(mesh, line);
+    EXPECT_TRUE(parsed.op && check(mesh, *parsed.op).legal()) << line << " " << parsed.sentence.en;
+    if (!parsed.op) continue;
+    Edit edit(mesh, nullptr);
+    apply(edit, *parsed.op);
+    edit.commit();
+  }
+  return edited_file(source, mesh, tables);
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+TEST(EditedFile, WritesWiresAsLinesThatComeBackOnce) {
+  const MeshFile source = io_test::read_sound("obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\ng side\nf 1 2 3\n");
+  const MeshFile file = after_lines(source, {"make_edge 3 2", "make_vertex 6,6,6", "make_edge 4 3"});
+  const std::string written = write_obj(file);
+  EXPECT_EQ(count(written, "\nl "), 2u) << written;
+  EXPECT_EQ(count(written, "\nl 3 4\n"), 1u) << written;
+  EXPECT_EQ(count(written, "\nl 4 5\n"), 1u) << written;
+  EXPECT_TRUE(losses_of(file, *find_format("obj")).empty());
+  const MeshFile again = io_test::read_sound("obj", written);
+  ASSERT_EQ(again.elements.items.size(), 2u);
+  EXPECT_EQ(again.elements.vertices, (std::vector<std::int64_t>{2, 3, 3, 4}));
+  EXPECT_EQ(again.elements.items[0].group, no_index);
+  EXPECT_EQ(write_obj(after_lines(again, {})), written) << "neither doubled nor lost";
+  EXPECT_EQ(write_obj(after_lines(again, {"make_edge 2 3"})), written) << "a wire along a line is there already";
+  EXPECT_EQ(again.mesh.groups.names, source.mesh.groups.names);
+}
+
+TEST(EditedFile, WiresFollowTheirEndsToNewNumbers) {
+  const MeshFile source = io_test::read_sound("obj", "v 0 0 0\nv 9 9 9\nv 1 0 0\nv 0 1 0\nv 5 5 5\nf 1 3 4\nl 5 4\n");
+  const std::string written = write_obj(after_lines(source, {"make_edge 4 0", "make_edge 3 4", "remove_vertex 1"}));
+  EXPECT_EQ(count(written, "\nl "), 2u) << "the wire 3-4 lies along the line of the file: " << written;
+  EXPECT_EQ(count(written, "\nl 4 3\n"), 1u) << written;
+  EXPECT_EQ(count(written, "\nl 1 4\n"), 1u) << written;
+}
+
+TEST(EditedFile, WiresAreListedAsLostWhereAFormatHasNoLines) {
+  const MeshFile file = after_lines({}, {"make_vertex 0,0,0", "make_vertex 1,0,0", "make_edge 0 1"});
+  for (const Format& format : formats()) {
+    const std::vector<Loss> losses = losses_of(file, format);
+    const auto wires =
+        std::find_if(losses.begin(), losses.end(), [](const Loss& l) { return l.kind->code == "loses_wires"; });
+    EXPECT_EQ(wires == losses.end(), format.id == "obj") << format.id;
+    if (wires != losses.end()) EXPECT_EQ(wires->count, 1u);
+  }
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ const std::vector<Command>& table() {
                   {"--script", "S", false, "runs the commands of a file", "ファイルのコマンドを実行"},
                   {"--on-refuse", "skip", false, "goes on after a refusal, writes the result, ends with 1",
                    "拒否されても続け、結果を書き出し、終了コード 1"},
-                  {"--strict", "", false, "geometric warnings refuse too", "幾何的な警告も拒否とする"},
+                  {"--strict", "", false, "warnings refuse too", "警告も拒否とする"},
                   {"--overwrite", "", false, "allows to replace an input", "入力の置き換えを許す"},
               },
               script_commands_topic,

@@ -1,4 +1,5 @@
 // `edit`: runs commands on a mesh and writes the result, or nothing at all.
+#include <algorithm>
 #include <memory>
 
 #include "app/cli/commands.h"
@@ -68,11 +69,12 @@ class EditRun {
     if (step.outcome.done()) {
       step.result = "done";
       ++applied_;
-      if (split_words(step.line.text)[0] == "save") written_ = session_.document().path().string();
+      const std::vector<std::string_view> performed = split_words(step.outcome.performed);
+      if (!performed.empty() && performed[0] == "save") note_saved(session_.document().path().string());
       return;
     }
     // A save may fail after the file is in its place.
-    if (split_words(step.outcome.performed).size() > 1) written_ = file_name(behind_word(step.outcome.performed));
+    if (split_words(step.outcome.performed).size() > 1) note_saved(file_name(behind_word(step.outcome.performed)));
     if (step.outcome.exit_code != ExitCode::refused) {
       step.result = "failed";
       failed_ = stopped_ = true;
@@ -84,6 +86,11 @@ class EditRun {
     describe_refusal(step, parsed);
     code_ = skip_refused_ ? ExitCode::found_problems : ExitCode::refused;
     stopped_ = !skip_refused_;
+  }
+
+  void note_saved(const std::string& path) {
+    written_ = path;
+    if (std::find(saved_.begin(), saved_.end(), path) == saved_.end()) saved_.push_back(path);
   }
 
   void describe_refusal(Step& step, const Parsed<AnyOp>& parsed) {
@@ -107,6 +114,12 @@ class EditRun {
     if (!step.remedy.empty()) {
       message.text.en += " Remedy: " + step.remedy;
       message.text.ja += " 対処：" + step.remedy;
+    }
+    if (stopped_ && !saved_.empty()) {
+      std::string names;
+      for (const std::string& name : saved_) names += (names.empty() ? "" : ", ") + name;
+      message.text.en += " (saved before: " + names + ")";
+      message.text.ja += "（ここまでに保存：" + names + "）";
     }
     message.line = static_cast<std::uint64_t>(step.line.line);
     return message;
@@ -205,6 +218,7 @@ class EditRun {
   bool stopped_ = false;
   bool failed_ = false;
   std::optional<std::string> written_;  // the last file
+  std::vector<std::string> saved_;      // by `save`, in this order
   WrittenOutput output_;                // of -o
   ExitCode code_ = ExitCode::done;
   std::size_t applied_ = 0, refused_ = 0;

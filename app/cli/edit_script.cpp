@@ -2,6 +2,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/outputs.h"
+#include "app/editor/command_form.h"
 #include "app/editor/commands.h"
 #include "app/editor/keys.h"
 #include "app/editor/words.h"
@@ -51,8 +52,9 @@ class FileUse {
 
 std::optional<Failure> fault_of_line(const std::string& line, FileUse& use) {
   const std::string word = line.substr(0, line.find_first_of(" \t\r"));
-  if (!find_op(word) && !ryosen::find_command(word))
-    return usage_failure("unknown_command", unknown_command(word).sentence);
+  const bool is_known = find_op(word) || ryosen::find_command(word);
+  if (auto fault = fault_of_command(line))
+    return usage_failure(is_known ? "bad_arguments" : "unknown_command", std::move(*fault));
   if (word == "open") return use.open(file_name(behind_word(line)));
   if (word == "recover") return use.recover();
   if (word == "save") return use.save(file_name(behind_word(line)));

@@ -28,7 +28,7 @@ struct EditFiles {
   bool may_overwrite_input = false;
 };
 
-// An unknown command, an output in no known format, or an output or `save` that would replace what was read.
+// A line that no mesh can make right, an output in no known format, or an output or `save` that would replace what was read.
 std::optional<Failure> find_fault(const EditScript& script, const EditFiles& files);
 
 }  // namespace ryosen::cli

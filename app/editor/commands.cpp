@@ -127,4 +127,12 @@ Outcome unknown_command(std::string_view id) {
                      "コマンド「" + wrong + "」はありません" + (close.empty() ? "" : "。" + close + " ですか？"));
 }
 
+Text not_an_operator(std::string_view word) {
+  std::vector<std::string> ids;
+  for (const OpInfo& op : all_ops()) add_ids(op, ids);
+  const std::string wrong(word), close = closest_word(word, ids);
+  return {"'" + wrong + "' is not an operator" + (close.empty() ? "" : "; did you mean " + close + "?"),
+          "「" + wrong + "」は演算子ではありません" + (close.empty() ? "" : "。" + close + " ですか？")};
+}
+
 }  // namespace ryosen

@@ -26,6 +26,8 @@ const CommandRow* find_command(std::string_view id);
 std::vector<std::string> command_ids();
 // Not a command: usage, with the closest id or alias named.
 Outcome unknown_command(std::string_view id);
+// The same of a word in the place of an operator.
+Text not_an_operator(std::string_view word);
 Outcome usage_error(std::string en, std::string ja);
 // An operator's line names no element of the mesh, with this error: a refusal by the rule `deleted` where the element
 // stands at another place of the history, else usage; with a sentence that says which, and of faces that were set aside.

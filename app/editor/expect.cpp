@@ -17,12 +17,12 @@ Outcome not_so(const std::string& claim, const Text& found) {
 }
 
 Outcome expect_verdict(Session& session, std::string_view line, bool legal) {
-  const Parsed<AnyOp> parsed = parse_line(session.mesh(), line);
   const auto in_expect = [](const Text& sentence) {
     return usage_error("expect: " + sentence.en, "expect：" + sentence.ja);
   };
   const std::vector<std::string_view> words = split_words(line);
-  if (words.empty() || !find_op(words[0])) return in_expect(parsed.sentence);
+  if (!find_op(words[0])) return in_expect(not_an_operator(words[0]));
+  const Parsed<AnyOp> parsed = parse_line(session.mesh(), line);
   if (!parsed.op) {
     const Outcome other = no_element(session.document(), line, parsed.error, parsed.sentence);
     if (other.kind != Outcome::Kind::refused) return in_expect(other.sentence);
@@ -50,8 +50,7 @@ Outcome run_expect(Session& session, std::span<const std::string_view> arguments
                   "書式：expect V N | E N | F N | legal COMMAND | refused COMMAND | hash H");
   if (arguments.size() < 2) return usage;
   const std::string_view what = arguments[0];
-  if (what == "legal" || what == "refused")
-    return expect_verdict(session, behind_word(whole), what == "legal");
+  if (what == "legal" || what == "refused") return expect_verdict(session, behind_word(whole), what == "legal");
   if (arguments.size() != 2) return usage;
   const std::string expected(arguments[1]);
   const ElementCounts counts = counts_on_points(session.mesh());

@@ -81,6 +81,74 @@ TEST(Edit, AFailedExpectationIsNoRefusal) {
   EXPECT_TRUE(folder.names().empty());
 }
 
+TEST(Edit, ALineThatDoesNotParseIsFoundBeforeAnythingIsWritten) {
+  const TemporaryFolder folder;
+  const std::string cube = asset("cube.obj");
+  for (const char* wrong : {"split 0-1 x",
+                            "split 0",
+                            "collapse 0-1 middle",
+                            "swap",
+                            "make_face 0 1",
+                            "weld 0 1-2",
+                            "detach f0 1",
+                            "orient 1",
+                            "expect",
+                            "expect X 1",
+                            "expect legal",
+                            "expect legal foo",
+                            "expect refused split 0",
+                            "view above",
+                            "undo x",
+                            "repair nothing",
+                            "show bondary",
+                            "camera {\"eye\":1}",
+                            "key NoKey",
+                            "select 0-",
+                            "tool knife",
+                            "open",
+                            "drag 1,2",
+                            "recover x"}) {
+    folder.write("s.txt", std::string("split 0-1\nsave o.obj\n\n") + wrong + "\n");
+    const ProgramRun run = run_program({"edit", cube, "--script", "s.txt"}, folder.path());
+    EXPECT_EQ(run.exit_code, 2) << wrong << "\n" << run.err;
+    EXPECT_NE(run.err.find("s.txt:4"), std::string::npos) << run.err;
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"s.txt"})) << wrong;
+    EXPECT_EQ(run.out, "") << "nothing ran";
+  }
+  const ProgramRun json =
+      run_program({"edit", cube, "--do", "save o.obj; split 0-1 x", "--json", "--lang", "ja"}, folder.path());
+  EXPECT_EQ(json.exit_code, 2);
+  EXPECT_EQ(json.line()["status"], "error");
+  EXPECT_EQ(json.line()["messages"][0]["line"], 1);
+  EXPECT_NE(json.line()["messages"][0]["en"].get<std::string>().find("'x'"), std::string::npos) << json.out;
+}
+
+TEST(Edit, LinesThatTheMeshDecidesAreLeftToTheRun) {
+  const TemporaryFolder folder;
+  for (const char* line :
+       {"camera {\"target\":[0.42,0.36,1]}", "view iso; frame; frame selected", "mode face; tool none",
+        "select v0 f1 0-8; select none", "show boundary off", "expect legal split 0-1", "key Home", "undo; redo",
+        "click 10,10 poke", "repair orient"}) {
+    const ProgramRun run = run_program({"edit", asset("cube.obj"), "--do", "split 0-1", "--do", line}, folder.path());
+    EXPECT_NE(run.exit_code, 2) << line << "\n" << run.err;
+  }
+}
+
+TEST(Edit, AStopSaysWhatHadBeenSaved) {
+  const TemporaryFolder folder;
+  const auto edit = [&](const char* lines, const char* language) {
+    return run_program({"edit", asset("cube.obj"), "--do", lines, "--lang", language}, folder.path());
+  };
+  const ProgramRun never = edit("save a.obj; split 0-1; save b.obj; save a.obj; split 0-77", "en");
+  EXPECT_EQ(never.exit_code, 2);
+  EXPECT_NE(never.err.find("v77 does not exist (saved before: a.obj, b.obj)"), std::string::npos) << never.err;
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.obj", "b.obj"}));
+  const ProgramRun refused = edit("save c.obj; key Ctrl+S; swap 0-1; collapse 0-1", "ja");
+  EXPECT_EQ(refused.exit_code, 6);
+  EXPECT_NE(refused.err.find("（ここまでに保存：c.obj）"), std::string::npos) << refused.err;
+  EXPECT_EQ(edit("split 0-77; save d.obj", "en").err.find("saved"), std::string::npos);
+}
+
 TEST(Edit, UnknownElementStopsEvenWhenSkipping) {
   const ProgramRun run =
       run_program({"edit", asset("cube.obj"), "--do", "split 0-1; collapse 0-77", "--on-refuse", "skip"});

@@ -1,0 +1,15 @@
+// What is wrong with a command line wherever it runs: seen before anything has been done.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/base/message.h"
+
+namespace ryosen {
+
+// An unknown command, or arguments that it cannot have on any mesh and with any files: their number, their form, words
+// that it does not know. Nothing where that depends on the mesh, the files or what was done before. Changes nothing.
+std::optional<Text> fault_of_command(const std::string& line);
+
+}  // namespace ryosen

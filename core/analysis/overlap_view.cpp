@@ -48,21 +48,22 @@ void add_bends(const glm::dvec3& d, const glm::dvec3& e, WideBox& box) {
     }
 }
 
-// The corners of the octahedron that lie behind or before a triangle, at any distance. Where rounding misses one, a
-// corner or a bend is next to it.
+// The corners of the octahedron that lie behind or before a triangle of directions, at any distance. One that a side of
+// the triangle all but meets is left out: a bend or a corner of the triangle is there.
 void add_tops(const std::array<glm::dvec3, 3>& d, WideBox& box) {
-  const glm::dvec3 lowest = glm::min(glm::min(d[0], d[1]), d[2]), highest = glm::max(glm::max(d[0], d[1]), d[2]);
+  constexpr double least_distance = 1e-13;
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
-    const auto turn = [&](const glm::dvec3& a, const glm::dvec3& b) { return a[i] * b[j] - a[j] * b[i]; };
-    const double first = turn(d[0], d[1]), second = turn(d[1], d[2]), third = turn(d[2], d[0]);
-    const bool surrounds =
-        (first >= 0.0 && second >= 0.0 && third >= 0.0) || (first <= 0.0 && second <= 0.0 && third <= 0.0);
-    if (!surrounds) continue;
+    // On which side of a side the corner is.
+    const auto side = [&](const glm::dvec3& a, const glm::dvec3& b) {
+      const double turn = a[i] * b[j] - a[j] * b[i], length = std::abs(a[i] - b[i]) + std::abs(a[j] - b[j]);
+      return turn > least_distance * length ? 1 : turn < -least_distance * length ? -1 : 0;
+    };
+    if (std::abs(side(d[0], d[1]) + side(d[1], d[2]) + side(d[2], d[0])) < 3) continue;
     glm::dvec4 top(0.0);
     top[k] = 1.0;
-    if (highest[k] > 0.0) box.add(top);
-    if (lowest[k] < 0.0) box.add(-top);
+    box.add(top);
+    box.add(-top);
   }
 }
 
@@ -90,7 +91,7 @@ OverlapBox OverlapView::box_of_places(const NumberedTriangle& t) const {
 // Rounding moves a direction the farther the nearer its place is to the tip, compared with the corners it lies between.
 // So a triangle counts as everywhere where its corners do not all lie well on one side of the tip.
 OverlapBox OverlapView::box_of_directions(const NumberedTriangle& t) const {
-  constexpr double smallest = 1e-290, least_cosine = 1e-4, rounding = 1e-9;
+  constexpr double smallest = 1e-290, least_cosine = 1e-2, rounding = 1e-9;
   constexpr float far = std::numeric_limits<float>::infinity();
   constexpr OverlapBox everywhere{{-far, -far, -far, -far}, {far, far, far, far}};
   std::array<glm::dvec3, 3> places, directions;
@@ -111,7 +112,7 @@ OverlapBox OverlapView::box_of_directions(const NumberedTriangle& t) const {
     box.add(on_octahedron(places[i]));
     for (std::size_t j = 0; j < i; ++j) add_bends(places[i], places[j], box);
   }
-  if (count == 3) add_tops(places, box);
+  if (count == 3) add_tops(directions, box);
   OverlapBox wide = box.box();
   if (count < 3) wide.lowest[3] = 0.0F;
   return wide;

@@ -56,14 +56,14 @@ TEST(form, every_operator_reads_its_own_lines_and_no_line_that_does_not_fit) {
       const OpInfo& op = all_ops()[place];
       for (int i = 0; i < 60; ++i) {
         std::vector<std::string_view> arguments;
-        for (std::size_t n = dice.below(4); n > 0; --n) arguments.push_back(words[dice.below(words.size())]);
+        for (int n = dice.below(4); n > 0; --n) arguments.push_back(words[dice.below(static_cast<int>(words.size()))]);
         const bool fits = !fault_of_arguments(op.id, arguments);
         const Parsed<AnyOp> parsed = parse_op(mesh, op.id, arguments);
         fitting += fits;
         understood += parsed.op.has_value();
         std::string all(op.id);
         for (std::string_view word : arguments) all.append(" ").append(word);
-        if (parsed.op) EXPECT_TRUE(fits) << all;
+        EXPECT_TRUE(fits || !parsed.op) << all;
       }
     }
   }

@@ -36,7 +36,8 @@ TEST(large_sheets, are_those_of_a_thousand_faces_in_whichever_order_they_are_ask
     const Mesh mesh = sheets_of_all_sizes(3100, every);
     std::vector<std::uint32_t> order(mesh.face_slots());
     std::iota(order.begin(), order.end(), 0u);
-    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[dice.below(i)]);
+    for (std::size_t i = order.size(); i > 1; --i)
+      std::swap(order[i - 1], order[static_cast<std::size_t>(dice.below(static_cast<int>(i)))]);
     LargeSheets sheets;
     std::size_t found = 0;
     for (std::uint32_t f : order) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/editor/expect.h"
+#include "core/base/release.h"
 #include "core/build/from_indexed.h"
 #include "core/build/parallel.h"
 #include "core/io/formats.h"
@@ -101,7 +102,7 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
   if (with_self_intersections) intersections = find_self_intersections(mesh, most_listed_pairs);
   std::vector<Problem> problems =
       find_problems(mesh, sets, {quarantine, lines, &vertex_lines}, std::move(intersections));
-  quarantine = {};
+  release(quarantine);
   for (Problem& problem : problems) {
     NamedProblem named{std::move(problem), {}};
     for (const Element& element : named.problem.elements) named.names.add(name_on_points(mesh, element));

@@ -1,9 +1,15 @@
 #include "app/cli/inputs.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <system_error>
+#include <utility>
 
 #include "core/io/formats.h"
+#include "core/io/system_reason.h"
 
 namespace ryosen::cli {
 
@@ -19,24 +25,49 @@ Failure folder_failure(std::string_view code, Text text) {
   return failure;
 }
 
-// Links to folders are not followed, so the walk ends.
-void walk(const fs::path& folder, std::vector<Input>& found) {
-  std::error_code error;
-  fs::directory_iterator entries(folder, error);
-  for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
-    const fs::directory_entry& entry = *entries;
-    std::error_code ignored;
-    if (entry.is_directory(ignored)) {
-      if (!entry.is_symlink(ignored)) walk(entry.path(), found);
-    } else if (may_be_mesh(entry.path())) {
-      found.push_back({entry.path().generic_string(), {}});
+// All files below a folder. Links to folders are followed, each folder is gone through once: under its own path where it
+// lies below, else through the first link in byte order.
+class FolderWalk {
+ public:
+  explicit FolderWalk(const fs::path& folder) {
+    enter(folder);
+    while (!links_.empty()) {
+      const std::set<fs::path>::node_type link = links_.extract(links_.begin());
+      enter(link.value());
     }
   }
-  if (error)
-    found.push_back(
-        {folder.generic_string(), folder_failure("folder_unreadable", {"The folder cannot be read: " + error.message(),
-                                                                       "フォルダを読めません：" + error.message()})});
-}
+
+  std::vector<Input> take() { return std::move(found_); }
+
+ private:
+  void enter(const fs::path& folder) {
+    struct stat status;
+    if (::stat(folder.c_str(), &status) == 0 && !entered_.emplace(status.st_dev, status.st_ino).second) return;
+    std::error_code error;
+    fs::directory_iterator entries(folder, error);
+    for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
+      const fs::directory_entry& entry = *entries;
+      std::error_code ignored;
+      if (entry.is_directory(ignored)) {
+        if (entry.is_symlink(ignored))
+          links_.insert(entry.path());
+        else
+          enter(entry.path());
+      } else if (may_be_mesh(entry.path())) {
+        found_.push_back({entry.path().generic_string(), {}});
+      }
+    }
+    if (!error) return;
+    const Text reason = system_reason(error.value());
+    found_.push_back({folder.generic_string(),
+                      folder_failure("folder_unreadable", {"The folder cannot be read: " + reason.en + ".",
+                                                           "フォルダーを読めません：" + reason.ja + "。"})});
+  }
+
+  std::vector<Input> found_;
+  std::set<std::pair<dev_t, ino_t>> entered_;
+  std::set<fs::path> links_;  // to folders, not gone through yet
+};
 
 }  // namespace
 
@@ -48,8 +79,7 @@ std::vector<Input> find_inputs(const std::vector<std::string>& operands) {
       inputs.push_back({operand, {}});
       continue;
     }
-    std::vector<Input> found;
-    walk(operand, found);
+    std::vector<Input> found = FolderWalk(operand).take();
     std::sort(found.begin(), found.end(), [](const Input& a, const Input& b) { return a.path < b.path; });
     if (found.empty())
       found.push_back({operand, folder_failure("folder_empty", {"The folder holds no mesh that can be read.",

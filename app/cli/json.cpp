@@ -1,10 +1,77 @@
 #include "app/cli/json.h"
 
 #include "app/editor/document.h"
+#include "core/base/utf8.h"
 
 namespace ryosen::cli {
 
-std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+namespace {
+
+// Stand for the halves of a byte until the text is made: characters that are none and are in no name.
+constexpr std::string_view high_halves = "\xef\xb7\x90", low_halves = "\xef\xb7\xa0";
+
+bool is_stand_in(std::string_view character) {
+  return character.starts_with("\xef\xb7") && character >= high_halves && character < "\xef\xb7\xb0";
+}
+
+std::string with_stand_ins(std::string_view text) {
+  std::string out;
+  const auto add = [&](std::string_view halves, int half) {
+    out += halves;
+    out.back() = static_cast<char>(static_cast<unsigned char>(out.back()) + half);
+  };
+  while (!text.empty()) {
+    std::size_t length = utf8_length(text);
+    if (length == 0 || is_stand_in(text.substr(0, length))) {
+      length = 1;
+      const auto byte = static_cast<unsigned char>(text[0]);
+      add(high_halves, byte >> 4);
+      add(low_halves, byte & 15);
+    } else {
+      out += text.substr(0, length);
+    }
+    text.remove_prefix(length);
+  }
+  return out;
+}
+
+void put_stand_ins(Json& json) {
+  if (json.is_string())
+    json = with_stand_ins(json.get_ref<const std::string&>());
+  else if (json.is_structured())
+    for (Json& item : json) put_stand_ins(item);
+}
+
+std::string with_escapes(std::string_view text) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  const auto half = [](char last, std::string_view halves) {
+    return static_cast<std::size_t>(static_cast<unsigned char>(last) - static_cast<unsigned char>(halves.back()));
+  };
+  std::string out;
+  for (std::size_t at = 0; at < text.size();) {
+    if (!is_stand_in(text.substr(at, 3))) {
+      out += text[at++];
+      continue;
+    }
+    out += "\\udc";
+    out += digits[half(text[at + 2], high_halves)];
+    out += digits[half(text[at + 5], low_halves)];
+    at += 6;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string line_of(const Json& json) {
+  try {
+    return json.dump() + "\n";
+  } catch (const Json::type_error&) {  // some text is not UTF-8
+    Json copy = json;
+    put_stand_ins(copy);
+    return with_escapes(copy.dump()) + "\n";
+  }
+}
 
 Json to_json(const glm::dvec3& p) { return Json::array({p.x, p.y, p.z}); }
 

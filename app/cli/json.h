@@ -17,7 +17,9 @@ namespace ryosen::cli {
 // Keys stay in the order of insertion. NaN and infinity are written as null.
 using Json = nlohmann::ordered_json;
 
-// One line with its line end; bytes that are not UTF-8 (file names) become U+FFFD.
+// One line with its line end, in UTF-8. A byte XX that is none (file names may hold such) is written as the escape \udcXX,
+// a surrogate without its other half, so that different names stay different; Python reads it and its os.fsencode gives
+// the byte back.
 std::string line_of(const Json& json);
 
 Json to_json(const glm::dvec3& p);

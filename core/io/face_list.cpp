@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/release.h"
 #include "core/build/parallel.h"
 #include "core/mesh/bridges.h"
 
@@ -140,17 +141,17 @@ void FaceList::finish(Reporter& reporter) {
   }
   if (count == 0) return;
   mesh_.quarantine.reserve(count);
-  for (const std::vector<FlawedFace>& part : parts) {
+  for (std::vector<FlawedFace>& part : parts) {
     for (const auto& [face, flaw] : part) {
       if (flaw == Flaw::bridged) continue;
       const QuarantinedFace& aside = mesh_.quarantine.emplace_back(set_aside(face, flaw));
       const FilePlace place = aside.line != 0 ? FilePlace::at_line(aside.line) : FilePlace::at_face(face);
       reporter.warn(aside.code, place, [&] { return aside.cause(); });
     }
+    release(part);
   }
-  parts.clear();
   close_gaps(mesh_.quarantine);
-  wide_ = {};
+  release(wide_);
 }
 
 }  // namespace ryosen

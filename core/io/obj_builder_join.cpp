@@ -1,6 +1,7 @@
 // Joins what was made from the pieces of an OBJ file.
 #include <algorithm>
 
+#include "core/base/release.h"
 #include "core/build/parallel.h"
 #include "core/io/obj_builder.h"
 #include "core/mesh/column_memory.h"
@@ -11,12 +12,6 @@ namespace {
 template <class Value>
 void append_all(const std::vector<Value>& from, std::vector<Value>& to) {
   to.insert(to.end(), from.begin(), from.end());
-}
-
-// Gives the memory back, which assigning an empty list would not.
-template <class Value>
-void release(std::vector<Value>& values) {
-  std::vector<Value>().swap(values);
 }
 
 // Appends a column that is empty where the file gives none of it; `none` stands for what is not given. `count` and

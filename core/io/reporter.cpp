@@ -3,23 +3,15 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/utf8.h"
+
 namespace ryosen {
 namespace {
 
 // Bytes of the UTF-8 character that begins here, 0 if it is broken or a control character.
 std::size_t character_length(std::string_view text) {
   const auto first = static_cast<unsigned char>(text[0]);
-  if (first < 0x20 || first == 0x7f) return 0;
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xf0 && first < 0xf5 ? 4 : first >= 0xe0 ? 3 : 2;
-  if (first < 0xc2 || first >= 0xf5 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) return 0;
-  }
-  const auto second = static_cast<unsigned char>(text[1]);
-  const bool overlong = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
-  const bool outside = (first == 0xed && second >= 0xa0) || (first == 0xf4 && second >= 0x90);
-  return overlong || outside ? 0 : length;
+  return first < 0x20 || first == 0x7f ? 0 : utf8_length(text);
 }
 
 std::uint64_t order_of(const Message& message) {

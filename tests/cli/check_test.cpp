@@ -1,8 +1,11 @@
 // `check`: options, folders, several inputs, and the shape of its JSON.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "tests/support/app/program.h"
 
@@ -238,12 +241,58 @@ TEST(Check, FailOnSelfIntersectionsLooksForThem) {
   EXPECT_EQ(run_program({"check", path, "--self-intersections", "--fail-on", "none"}).exit_code, 0);
 }
 
-TEST(Check, NamesThatAreNotUtf8StayJson) {
+TEST(Check, NamesThatAreNotUtf8StayDifferentInJson) {
   const TemporaryFolder folder;
-  folder.write("\xff.obj", triangle);
-  const ProgramRun run = run_program({"check", folder.path().string(), "--json"});
-  EXPECT_EQ(run.exit_code, 0);
-  EXPECT_EQ(run.line()["status"], "ok");
+  const std::string stand_in = "\xef\xb7\x9f";  // a character that no name should have
+  for (const std::string name : {"\xfe.obj", "\xff.obj", "\xe3\x81\x82\xe3\x81.obj"}) folder.write(name, triangle);
+  folder.write("\xff" + stand_in + ".obj", triangle);
+  const ProgramRun run = run_program({"check", ".", "nosuch\xff.obj", "--json"}, folder.path());
+  EXPECT_EQ(run.exit_code, 9);
+  for (const char* name : {"/\\udcfe.obj\"", "/\\udcff.obj\"", "/\xe3\x81\x82\\udce3\\udc81.obj\"",
+                           "/\\udcff\\udcef\\udcb7\\udc9f.obj\"", "There is no file nosuch\\udcff.obj."})
+    EXPECT_NE(run.out.find(name), std::string::npos) << name << '\n' << run.out;
+  std::string text = run.out;
+  for (std::size_t at = text.find("\\udc"); at != std::string::npos; at = text.find("\\udc")) text.replace(at, 6, "?");
+  for (std::size_t begin = 0; begin < text.size(); begin = text.find('\n', begin) + 1)
+    EXPECT_FALSE(Json::parse(text.substr(begin, text.find('\n', begin) - begin), nullptr, false).is_discarded())
+        << text;
+}
+
+TEST(Check, FollowsLinksToFoldersOnce) {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder, outside;
+  outside.write("far.obj", triangle);
+  fs::create_directories(folder.at("m/inner"));
+  fs::create_directories(outside.at("deep"));
+  outside.write("deep/deeper.obj", triangle);
+  folder.write("m/inner/near.obj", triangle);
+  fs::create_directory_symlink("..", folder.at("m/inner/up"));
+  fs::create_directory_symlink("inner", folder.at("m/a_link"));
+  fs::create_directory_symlink(outside.path(), folder.at("m/first"));
+  fs::create_directory_symlink(outside.path(), folder.at("m/second"));
+  fs::create_directory_symlink("self", folder.at("m/self"));
+  const ProgramRun run = run_program({"check", "m", "--json"}, folder.path());
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  std::vector<std::string> files;
+  for (const Json& line : run.lines()) files.push_back(line["file"]);
+  EXPECT_EQ(files, (std::vector<std::string>{"m/first/deep/deeper.obj", "m/first/far.obj", "m/inner/near.obj"}));
+}
+
+TEST(Check, SaysInTheUsersLanguageWhyAFolderCannotBeRead) {
+  const TemporaryFolder folder;
+  folder.write("a.obj", triangle);
+  // Folders so deep that the innermost cannot be named, not even by the administrator.
+  const std::string name(250, 'n');
+  int at = open(folder.path().c_str(), O_RDONLY | O_DIRECTORY);
+  for (int i = 0; i < 20; ++i) {
+    ASSERT_EQ(mkdirat(at, name.c_str(), 0700), 0);
+    const int below = openat(at, name.c_str(), O_RDONLY | O_DIRECTORY);
+    close(std::exchange(at, below));
+  }
+  close(at);
+  const ProgramRun run = run_program({"check", ".", "--lang", "ja"}, folder.path());
+  EXPECT_EQ(run.exit_code, 9);
+  EXPECT_NE(run.err.find("フォルダーを読めません：名前が長すぎます。"), std::string::npos) << run.err;
 }
 
 TEST(Check, APipeIsRefusedWithoutWaitingForIt) {
@@ -262,6 +311,11 @@ TEST(Check, NamesTheLineOfAVertex) {
   for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
            {"a.obj", "# one\nv 0 0 0\nv nan 0 0\n\nv 1 0 0\nv 0 1 0\nv 9 9 9\nf 1 3 4\nf 1 2 3\n"},
            {"a.off", "OFF\n5 2 0\n0 0 0\n\nnan 0 0\n1 0 0\n# two\n0 1 0\n9 9 9\n3 0 2 3\n3 0 1 2\n"},
+           {"a.ply",
+            "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+            "element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n\nnan 0 0\n1 0 0\n0 1 0\n9 9 "
+            "9\n"
+            "3 0 2 3\n3 0 1 2\n"},
            {"a.txt", "5 2\n0 0 0\nnan 0 0\n1 0 0\n0 1 0\n9 9 9\n1 3 4\n1 2 3\n"}}) {
     const Json report = run_program({"check", folder.write(name, text), "--json"}).line();
     const auto line_of_text = [&](const std::string& words) {

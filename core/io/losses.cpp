@@ -162,10 +162,11 @@ std::uint64_t extra_rows(const MeshFile& file, Holds held) {
 }
 
 std::uint64_t comments(const MeshFile& file, Holds held) {
-  if (holds(held, Holds::comments)) return 0;
   const std::vector<std::string>& lines = file.head_comments;
-  if (!holds(held, Holds::first_comment) || lines.empty()) return lines.size();
-  return may_head_stl(lines[0]) ? lines.size() - 1 : lines.size();
+  const std::uint64_t all = lines.size() + (has_wordless_head(file) ? 1 : 0);
+  if (holds(held, Holds::comments)) return all - lines.size();
+  if (!holds(held, Holds::first_comment) || all == 0) return all;
+  return may_head_stl(lines.empty() ? file.stl_head : lines[0]) ? all - 1 : all;
 }
 
 std::uint64_t inexact_vertices(const MeshFile& file, Holds held) {
@@ -233,6 +234,12 @@ const std::vector<LossKind>& loss_kinds() {
       {"loses_extra_elements", "rows of further elements and lines obj_info", "その他の要素と obj_info の行",
        extra_rows},
       {"loses_comments", "lines of comments", "コメントの行", comments},
+      {"loses_unread_lines", "lines that were not understood when the file was read", "読み込み時に解釈できなかった行",
+       [](File f, Holds) { return f.left_out.lines; }},
+      {"loses_unread_values", "numbers and indices that were left out or rounded when the file was read",
+       "読み込み時に無視した、または丸めた数と番号", [](File f, Holds) { return f.left_out.values; }},
+      {"loses_unread_rest", "lines or bytes behind the end of the mesh that was read",
+       "読み込んだメッシュの終わりより後の行またはバイト", [](File f, Holds) { return f.left_out.rest; }},
   };
   return kinds;
 }

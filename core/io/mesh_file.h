@@ -10,6 +10,7 @@
 #include "core/base/message.h"
 #include "core/build/indexed.h"
 #include "core/io/properties.h"
+#include "core/io/reporter.h"
 
 namespace ryosen {
 
@@ -45,6 +46,8 @@ struct MeshFile {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> wires;
   // Vertices that were removed from the mesh and are written all the same, as something beside the mesh uses them.
   std::uint64_t kept_vertices = 0;
+  LeftOut left_out;      // what reading did not take over
+  std::string stl_head;  // the 80 bytes at the beginning of binary STL, where head_comments do not give them back
   bool has_free_facets = false;  // ascii STL: some facets have other than three corners
   bool byte_colours = false;     // OFF: the file gives vertex colours as 0..255
   std::vector<Message> messages;

@@ -1,6 +1,7 @@
 // Wavefront OBJ.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -19,5 +20,9 @@ Result<MeshFile> read_obj(std::string_view bytes, const std::filesystem::path& p
 // The bytes of an OBJ file from which read_obj makes the same polygons, values and names, to the last bit. Faces in
 // quarantine are written in their place and are quarantined again for the same cause.
 std::string write_obj(const MeshFile& file);
+
+// Numbers of vertices that count back from the end, further than this before the first one, are read as this one, so that
+// counting back from another end does not overflow.
+inline constexpr std::int64_t obj_least_vertex = -(std::int64_t{1} << 62);
 
 }  // namespace ryosen

@@ -6,16 +6,18 @@
 #include <utility>
 
 #include "core/io/numbers.h"
+#include "core/io/obj.h"
 
 namespace ryosen {
 namespace {
 
 // An index as OBJ counts (from 1, or back from the end) as a number from 0. Index 0, which OBJ does not have, and
-// indices before the first one come out negative, but not so far that counting back from another end would overflow.
+// indices before the first one come out negative, but not before obj_least_vertex. The largest number, which stands for
+// all that are larger, stays what it is.
 std::int64_t resolve(std::int64_t index, std::size_t count) {
-  constexpr std::int64_t least = -(std::int64_t{1} << 62);
+  if (index == std::numeric_limits<std::int64_t>::max()) return index;
   if (index > 0) return index - 1;
-  return index == 0 ? -1 : std::max(static_cast<std::int64_t>(count) + index, least);
+  return index == 0 ? -1 : std::max(static_cast<std::int64_t>(count) + index, obj_least_vertex);
 }
 
 // Reads the next index of a corner: none at the end or before a slash. False if it is no whole number.
@@ -113,6 +115,7 @@ bool ObjBuilder::read_reals(std::string_view text, double* values, std::size_t w
 }
 
 void ObjBuilder::warn_extra_values(std::size_t count) {
+  reporter_.leave_out(&LeftOut::values);
   reporter_.warn("extra_values", FilePlace::at_line(lines_->first_line()), [&] {
     const std::string number = std::to_string(count);
     return Text{"A line with " + number + " numbers has no meaning here; those at the end are left out.",
@@ -213,6 +216,7 @@ std::uint32_t ObjBuilder::resolve_value(std::int64_t index, std::size_t pool, bo
   if (index < 0 && is_later_piece_) has_given_up_ = true;
   const std::int64_t place = resolve(index, pool);
   if (place >= 0 && place < static_cast<std::int64_t>(no_index)) return static_cast<std::uint32_t>(place);
+  reporter_.leave_out(&LeftOut::values);
   reporter_.warn(is_normal ? "normal_index_out_of_range" : "texture_index_out_of_range",
                  FilePlace::at_line(lines_->first_line()), [&] { return stray_value_text(is_normal, index); });
   return no_index;

@@ -26,6 +26,7 @@ void ObjBuilder::material_library(std::string_view text) {
   const std::string_view name = trimmed(text);
   const FilePlace place = FilePlace::at_line(lines_->first_line());
   if (name.empty()) {
+    reporter_.leave_out(&LeftOut::lines);
     reporter_.warn("material_library_missing", place, [] {
       return Text{"The line mtllib names no file.", "mtllib の行にファイル名がありません。"};
     });
@@ -69,6 +70,7 @@ void ObjBuilder::drop_stray_values(CornerValues& values, bool is_normal) {
     for (std::size_t i = mesh_.face_offsets[face]; i < mesh_.face_offsets[face + 1]; ++i) {
       if (!is_stray(values.index[i])) continue;
       const std::int64_t index = std::int64_t{values.index[i]} + 1;
+      reporter_.leave_out(&LeftOut::values);
       reporter_.warn(code, FilePlace::at_line(mesh_.face_lines[face]),
                      [&] { return stray_value_text(is_normal, index); });
       values.index[i] = no_index;
@@ -95,6 +97,7 @@ void ObjBuilder::check_elements() {
       std::uint32_t& index = elements.texcoords[i];
       if (index == no_index || index < mesh_.texcoords.pool.size()) continue;
       const std::int64_t number = std::int64_t{index} + 1;
+      reporter_.leave_out(&LeftOut::values);
       reporter_.warn("texture_index_out_of_range", FilePlace::at_line(item.line),
                      [&] { return stray_value_text(false, number); });
       index = no_index;
@@ -106,12 +109,14 @@ void ObjBuilder::report_unknown() {
   for (const UnknownKeyword& keyword : unknown_) {
     const std::string count = std::to_string(keyword.count);
     const bool one = keyword.count == 1;
+    reporter_.leave_out(&LeftOut::lines, keyword.count);
     reporter_.warn("unknown_keyword", FilePlace::at_line(keyword.line), [&] {
       return Text{(one ? "One line that begins" : count + " lines that begin") + std::string(" with ") + keyword.text +
                       (one ? " is" : " are") + " not understood and left out.",
                   keyword.text + " で始まる行(" + count + " 行)は解釈できないため読み飛ばしました。"};
     });
   }
+  reporter_.leave_out(&LeftOut::lines, other_unknown_);
   if (other_unknown_ == 0) return;
   reporter_.warn("unknown_keyword", {}, [&] {
     const std::string count = std::to_string(other_unknown_);
@@ -151,6 +156,7 @@ Result<MeshFile> ObjBuilder::finish() {
   report_unknown();
   report_whole_file();
   if (mesh_.texcoords.components == 0) mesh_.texcoords.components = 3;
+  file_.left_out = reporter_.left_out();
   file_.messages = reporter_.take();
   return std::move(file_);
 }

@@ -1,6 +1,6 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "core/io/obj.h"
 #include "core/io/text_lines.h"
@@ -107,16 +107,16 @@ class ObjWriter {
     }
   }
 
-  // An index as OBJ counts it. What is out of range stays so: 0 for -1, and counted back past the first vertex below.
+  // An index as OBJ counts it. What is out of range stays so: 0 for -1, counted back past the first vertex below, and
+  // the largest number, which stands for all that are larger, for itself.
   void vertex_index(std::int64_t vertex) {
     if (vertex >= 0) {
-      out_ << static_cast<std::uint64_t>(vertex) + 1;
+      out_ << (vertex == INT64_MAX ? vertex : vertex + 1);
     } else if (vertex == -1) {
       out_ << '0';
     } else {
       const auto count = static_cast<std::int64_t>(mesh_.positions.size());
-      const bool fits = vertex > std::numeric_limits<std::int64_t>::min() + count;
-      out_ << (fits ? vertex - count : std::numeric_limits<std::int64_t>::min());
+      out_ << std::max(vertex, obj_least_vertex) - count;
     }
   }
 

@@ -112,6 +112,7 @@ MeshFile read_as(std::string_view bytes, std::uint64_t start, OffKind kind, Layo
     const std::uint32_t colours = layout.has_face_colours ? words.take() : 0;
     for (std::uint32_t i = 0; i < colours; ++i) values[i] = words.take_real();
     if (!builder.end_face(0, values, colours, false)) {
+      builder.reporter().leave_out(&LeftOut::values);
       builder.reporter().warn("extra_values", FilePlace::at_byte(here()), [] {
         return Text{"The colour of a face has two numbers, which has no meaning.",
                     "面の色の数が 2 個で意味を持ちません。"};
@@ -119,6 +120,7 @@ MeshFile read_as(std::string_view bytes, std::uint64_t start, OffKind kind, Layo
     }
   }
   if (words.left_bytes() != 0) {
+    builder.reporter().leave_out(&LeftOut::rest, words.left_bytes());
     builder.reporter().warn("extra_data", FilePlace::at_byte(here()), [&] {
       const std::string count = std::to_string(words.left_bytes());
       return Text{count + " bytes after the last face are left out.",

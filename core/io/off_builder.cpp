@@ -85,6 +85,7 @@ MeshFile OffBuilder::finish() {
   if (mesh.face_count() == 0) {
     reporter_.warn("no_faces", {}, [] { return Text{"The file has no faces.", "ファイルに面がありません。"}; });
   }
+  file_.left_out = reporter_.left_out();
   file_.messages = reporter_.take();
   return std::move(file_);
 }

@@ -116,6 +116,7 @@ class OffTextReader {
   }
 
   void warn_extra_values() {
+    builder_.reporter().leave_out(&LeftOut::values);
     builder_.reporter().warn("extra_values", FilePlace::at_line(lines_.count()), [] {
       return Text{"The line has more numbers than have a meaning; those too many are left out.",
                   "この行には意味のある個数より多くの数があるため、余分な数を無視しました。"};

@@ -77,6 +77,7 @@ class PlyBinaryReader {
       if (!read_table(t)) return std::move(failure_);
     }
     if (at_ != end_) {
+      builder_.reporter().leave_out(&LeftOut::rest, left());
       builder_.reporter().warn("extra_data", here(), [&] {
         const std::string count = std::to_string(left());
         return Text{count + " bytes after the last row are left out.",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/release.h"
 #include "core/mesh/column_memory.h"
 
 namespace ryosen {
@@ -88,6 +89,7 @@ void PlyBuilder::warn_non_finite(FilePlace place) {
 }
 
 void PlyBuilder::warn_rounded(FilePlace place) {
+  reporter_.leave_out(&LeftOut::values);
   reporter_.warn("rounded_number", place, [] {
     return Text{"A whole number of a vertex or face has more than the 53 bits of a double; it is rounded.",
                 "頂点または面の整数が倍精度の 53 ビットに収まらないため、丸めました。"};
@@ -122,8 +124,8 @@ void PlyBuilder::take_corner_texcoords() {
           texcoords.pool.emplace_back(property.real(first + 2 * i), property.real(first + 2 * i + 1), 0.0);
         }
       }
-      property.data = {};
-      property.ends = {};
+      release(property.data);
+      release(property.ends);
     }
   }
 }
@@ -178,6 +180,7 @@ Result<MeshFile> PlyBuilder::finish() {
     mesh.texcoords.components = 2;
   }
   warn_of_the_whole();
+  file_.left_out = reporter_.left_out();
   file_.messages = reporter_.take();
   return std::move(file_);
 }

@@ -67,8 +67,10 @@ class PlyTextReader {
       Property& property = table.properties[p];
       if (property.is_list ? !read_list(property) : !read_scalar(property, targets_[p], row)) return false;
     }
+    if (table.kind == TableKind::vertices) builder_.mesh().vertex_lines.add(lines_.count());
     if (!is_finite_) builder_.warn_non_finite(FilePlace::at_line(lines_.count()));
     if (!is_blank(rest_)) {
+      builder_.reporter().leave_out(&LeftOut::values);
       builder_.reporter().warn("extra_values", FilePlace::at_line(lines_.count()), [] {
         return Text{"The line has more numbers than have a meaning; those too many are left out.",
                     "この行には意味のある個数より多くの数があるため、余分な数を無視しました。"};

@@ -37,6 +37,14 @@ Failure nul_byte_failure(std::uint64_t byte);
 // A token as it may be shown in a sentence: quoted, shortened to 40 bytes, without control characters or broken UTF-8.
 std::string shown(std::string_view token);
 
+// What a reader found in a file and did not take over.
+struct LeftOut {
+  std::uint64_t lines = 0;  // that it does not understand
+  std::uint64_t values =
+      0;  // numbers and indices that mean nothing where they stand, or that were rounded: places of such
+  std::uint64_t rest = 0;  // lines or bytes behind the end of the mesh
+};
+
 class Reporter {
  public:
   static constexpr std::size_t listed_per_code = 20;
@@ -50,6 +58,10 @@ class Reporter {
     }
   }
 
+  // Notes that something of the file is not taken over; there should be a warning about it, too.
+  void leave_out(std::uint64_t LeftOut::*what, std::uint64_t count = 1) { left_out_.*what += count; }
+  const LeftOut& left_out() const { return left_out_; }
+
   bool is_empty() const { return counts_.empty(); }
 
   // The warnings in the order of the file, then per kind one sentence with the number of those not listed.
@@ -59,6 +71,7 @@ class Reporter {
   std::size_t count(std::string_view code);
 
   std::vector<Message> messages_;
+  LeftOut left_out_;
   std::vector<std::pair<std::string_view, std::size_t>> counts_;
 };
 

@@ -31,6 +31,12 @@ bool is_whole_binary_stl(std::string_view head, std::uint64_t size);
 // in its count, its coordinates or the padding of its head.
 bool may_be_ascii_stl(std::string_view head);
 
+// The 80 bytes that a binary file of this begins with: those that it was read with, else its first comment, else the plain
+// ones.
+std::string stl_head(const MeshFile& file);
+// Whether the head that a binary file was read with says something that its comments do not.
+bool has_wordless_head(const MeshFile& file);
+
 // Whether a binary file may begin with this comment: it has room for it, and is not taken for something else then.
 bool may_head_stl(std::string_view comment);
 

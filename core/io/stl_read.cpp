@@ -56,6 +56,8 @@ class StlBinaryReader {
     };
     if (!head.empty() && head != stl_plain_head && std::all_of(head.begin(), head.end(), is_text))
       file_.head_comments.emplace_back(head);
+    const std::string_view whole = bytes_.substr(0, stl_head_bytes);
+    if (whole != stl_head(file_)) file_.stl_head = whole;
     file_.encoding = Encoding::binary_little;
   }
 
@@ -111,6 +113,7 @@ class StlBinaryReader {
                     "ヘッダーの面 " + all + " 個のうち " + there + " 個しかありません。"};
       });
     } else if (end != bytes_.size()) {
+      reporter_.leave_out(&LeftOut::rest, bytes_.size() - end);
       reporter_.warn("extra_data", FilePlace::at_byte(end), [&] {
         const std::string rest = std::to_string(bytes_.size() - end);
         return Text{rest + " bytes after the last facet are left out.",
@@ -150,6 +153,7 @@ bool may_be_ascii_stl(std::string_view head) { return head.find('\0') == std::st
 MeshFile finish_stl(MeshFile& file, FaceList& faces, Reporter& reporter) {
   const std::size_t corners = file.mesh.corners.size(), points = file.mesh.positions.size();
   faces.finish(reporter);
+  file.left_out = reporter.left_out();
   file.messages = reporter.take();
   const std::string from = std::to_string(corners), to = std::to_string(points);
   file.messages.push_back(make_message(

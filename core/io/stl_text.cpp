@@ -89,6 +89,7 @@ class StlTextReader {
   bool read_solid() {
     if (!is_stl_word(word_, "solid")) {
       if (solids_.empty()) return unexpected("solid");
+      reporter_.leave_out(&LeftOut::rest);
       reporter_.warn("extra_data", here(), [] {
         return Text{"What follows the last solid is left out.", "最後の solid より後の内容を無視しました。"};
       });

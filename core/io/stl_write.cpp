@@ -129,10 +129,7 @@ std::string write_binary(const MeshFile& file) {
   std::uint32_t count = 0;
   for_each_facet(mesh, false, [&](std::size_t, std::span<const std::uint32_t>) { ++count; });
   TextOut out(stl_head_bytes + 4 + std::size_t{stl_facet_bytes} * count);
-  std::string head(stl_plain_head);
-  if (!file.head_comments.empty() && may_head_stl(file.head_comments[0])) head = file.head_comments[0];
-  head.resize(stl_head_bytes, '\0');
-  out << head;
+  out << stl_head(file);
   put_little(out, count);
   const Property* const attributes = find_attributes(file);
   const auto put = [&](const glm::dvec3& p) {
@@ -146,7 +143,26 @@ std::string write_binary(const MeshFile& file) {
   return out.take();
 }
 
+bool is_blank_head(std::string_view head) {
+  return head.find_first_not_of(std::string_view("\0 ", 2)) == std::string_view::npos;
+}
+
 }  // namespace
+
+std::string stl_head(const MeshFile& file) {
+  if (!file.stl_head.empty() && (is_blank_head(file.stl_head) || may_head_stl(file.stl_head))) return file.stl_head;
+  std::string head(stl_plain_head);
+  if (!file.head_comments.empty() && may_head_stl(file.head_comments[0])) head = file.head_comments[0];
+  head.resize(stl_head_bytes, '\0');
+  return head;
+}
+
+bool has_wordless_head(const MeshFile& file) {
+  if (!file.head_comments.empty() || is_blank_head(file.stl_head)) return false;
+  std::string_view text = file.stl_head;
+  text = text.substr(0, text.find_last_not_of(std::string_view("\0 ", 2)) + 1);
+  return text != stl_plain_head;
+}
 
 bool may_head_stl(std::string_view comment) {
   if (comment.size() > stl_head_bytes) return false;

@@ -101,6 +101,7 @@ void warn_of_lines_left(const TextLines& lines, Reporter& reporter, const Text& 
   const FilePlace first = FilePlace::at_line(lines.count());
   std::uint64_t count = 1;
   while (next_line()) ++count;
+  reporter.leave_out(&LeftOut::rest, count);
   reporter.warn("extra_data", first, [&] {
     const std::string number = std::to_string(count);
     return Text{number + (count == 1 ? " line" : " lines") + " after the last announced " + what.en + " left out.",

@@ -117,6 +117,9 @@ MeshFile triangulated(const MeshFile& file) {
   out.properties = with_faces_of(file.properties, source);
   out.encoding = file.encoding;
   out.wires = file.wires;
+  out.kept_vertices = file.kept_vertices;
+  out.left_out = file.left_out;
+  out.stl_head = file.stl_head;
   out.byte_colours = file.byte_colours;
   out.messages = file.messages;
   return out;

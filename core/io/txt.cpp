@@ -52,6 +52,7 @@ class TxtReader {
     if (vertices_ == 0) warn("no_vertices", {"The file has no vertices.", "ファイルに頂点がありません。"});
     if (face_count_ == 0) warn("no_faces", {"The file has no faces.", "ファイルに面がありません。"});
     faces_.finish(reporter_);
+    file_.left_out = reporter_.left_out();
     file_.messages = reporter_.take();
     return std::move(file_);
   }
@@ -170,7 +171,7 @@ class TxtReader {
       std::array<std::int64_t, 3> corners{};
       for (std::int64_t& corner : corners) {
         if (!take_number(rest_, corner) && !read_whole(3, corner)) return false;
-        if (corner != INT64_MIN) --corner;
+        if (corner != INT64_MIN && corner != INT64_MAX) --corner;  // which stand for all beyond
         faces_.add_corner(corner);
       }
       if (!end_line(3)) return false;

@@ -145,5 +145,17 @@ TEST(Convert, EditedFilesKeepWhatBelongsToThem) {
   EXPECT_EQ(report["faces"], 5);
 }
 
+TEST(Convert, StrictRefusesWhatReadingLeftOut) {
+  const TemporaryFolder folder;
+  folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvp 0 1\nf 1 2 3\nsurf 0 1 0 1 1 2 3\n");
+  const ProgramRun strict = run_program({"convert", "a.obj", "-o", "b.obj", "--strict", "--json"}, folder.path());
+  EXPECT_EQ(strict.exit_code, 6);
+  EXPECT_FALSE(folder.has("b.obj"));
+  ASSERT_EQ(strict.line()["losses"].size(), 1u);
+  EXPECT_EQ(strict.line()["losses"][0]["code"], "loses_unread_lines");
+  EXPECT_EQ(strict.line()["losses"][0]["count"], 2);
+  EXPECT_EQ(run_program({"convert", "a.obj", "-o", "b.obj", "--json"}, folder.path()).exit_code, 0);
+}
+
 }  // namespace
 }  // namespace ryosen::test

@@ -1,6 +1,7 @@
 // Reading, saving and reading again, in every format and encoding, before and after edits.
 #include "core/build/from_indexed.h"
 #include "core/io/edited_file.h"
+#include "core/io/triangulated.h"
 #include "core/mesh/names.h"
 #include "core/ops/collapse_edge.h"
 #include "core/ops/split_edge.h"
@@ -153,6 +154,67 @@ TEST(RoundTrip, TheLargestNumberStaysTheLargestWhenVerticesAreAdded) {
   EXPECT_EQ(after.elements.vertices[1], INT64_MAX);
   EXPECT_EQ(io_test::loss_codes(after, "txt").find("loses_exact"), std::string::npos) << "the losses can be asked for";
   EXPECT_EQ(through_file(after, *find_target("txt")).mesh.quarantine.size(), 1u);
+}
+
+TEST(RoundTrip, NumbersBeyond64BitsComeToRestAfterOneConversion) {
+  for (const std::string number : {"9999999999999999999", "-9999999999999999999", "9223372036854775807",
+                                   "-9223372036854775808", "9223372036854775806", "4294967296"}) {
+    const std::vector<std::pair<std::string, std::string>> sources = {
+        {"off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 " + number + "\n"},
+        {"obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 " + number + "\nl 1 " + number + "\n"},
+        {"txt", "4 2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 2 3\n1 2 " + number + "\n"},
+        {"ply",
+         "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face "
+         "2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 " +
+             number + "\n"}};
+    for (const auto& [from, text] : sources) {
+      const MeshFile file = io_test::read_sound(from, text);
+      for (const char* to : {"obj", "off", "txt", "ply-ascii", "ply-little"}) {
+        const WriteOptions target = *find_target(to);
+        const std::string first = bytes_of(file, *target.format, target.encoding);
+        const MeshFile again = through_file(file, target);
+        EXPECT_EQ(bytes_of(again, *target.format, target.encoding), first) << number << ' ' << from << ' ' << to;
+        ASSERT_EQ(again.mesh.quarantine.size(), 1u) << number << ' ' << from << ' ' << to;
+        EXPECT_EQ(again.mesh.quarantine[0].code, "index_out_of_range");
+      }
+    }
+  }
+}
+
+TEST(RoundTrip, WhatReadingLeavesOutIsLostInEveryFormat) {
+  const auto expect = [](std::string_view id, const std::string& text, const std::string& codes, std::uint64_t count) {
+    const MeshFile file = io_test::read_sound(id, text);
+    EXPECT_EQ(io_test::loss_codes(file, "off"), codes) << text;
+    EXPECT_EQ(io_test::loss_codes(file, id), codes) << text;
+    for (const Loss& loss : losses_of(file, *find_format("off"))) EXPECT_EQ(loss.count, count) << text;
+    EXPECT_EQ(io_test::loss_codes(triangulated(file), id), codes);
+    const std::string again = bytes_of(file, *find_format(id));
+    EXPECT_EQ(io_test::loss_codes(io_test::read_sound(id, again), id), "") << again;
+  };
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  expect("obj", triangle, "", 0);
+  expect("obj", triangle + "vp 0 0\nsurf 0 1 0 1 1 2 3\ncurv 0 1 1 2\nvp 1 1\n", "loses_unread_lines", 4);
+  std::string many = triangle;
+  for (int i = 0; i < 40; ++i) many += "word" + std::to_string(i) + "\n";
+  expect("obj", many, "loses_unread_lines", 40);
+  const MeshFile stray = io_test::read_sound("obj", "vt 0 0\n" + triangle + "f 1/1 2/2 3/3\n");
+  EXPECT_EQ(io_test::loss_codes(stray, "obj"), "loses_unread_values");
+  EXPECT_EQ(stray.left_out.values, 2u);
+  expect("obj", triangle + "v 2 2 2 1 1\n", "loses_unread_values", 1);
+  expect("off", "OFF\n3 1 0\n0 0 0 7\n1 0 0\n0 1 0\n3 0 1 2\n", "loses_unread_values", 1);
+  expect("off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n3 0 1 2\n", "loses_unread_rest", 2);
+  expect("txt", "3 1\n0 0 0\n1 0 0\n0 1 0\n1 2 3\n1 2 3\n", "loses_unread_rest", 1);
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n";
+  expect("ply", head + "0 0 0 9\n1 0 0\n0 1 0\n3 0 1 2\n", "loses_unread_values", 1);
+  expect("ply", head + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n8\n", "loses_unread_rest", 1);
+  const MeshFile sound = io_test::read_sound("obj", triangle);
+  for (const char* id : {"stl-binary", "stl-ascii", "ply-little"}) {
+    const WriteOptions target = *find_target(id);
+    const std::string bytes = bytes_of(sound, *target.format, target.encoding) + "more";
+    EXPECT_EQ(io_test::loss_codes(io_test::read_sound(target.format->id, bytes), "obj"), "loses_unread_rest") << id;
+  }
 }
 
 }  // namespace

@@ -144,6 +144,23 @@ TEST(StlRead, AttributesAndHeadAreKept) {
   EXPECT_TRUE(read_sound("stl", binary("", 4, four_facets)).properties.tables.empty());
 }
 
+TEST(StlRead, HeadsAreWrittenBackByteForByte) {
+  const std::string magics("COLOR=\x10\x00\x20\xff,MATERIAL=\x01\x02\n\x00\x03", 32), blanks(80, ' '), zeros(80, '\0');
+  for (const std::string& head : {magics, "solid " + magics, "by hand" + std::string(73, ' '), blanks, zeros}) {
+    std::string bytes = binary("", 4, four_facets);
+    bytes.replace(0, head.size(), head);
+    const MeshFile file = read_sound("stl", bytes);
+    EXPECT_EQ(bytes_of(file, *find_format("stl")).substr(0, 80), bytes.substr(0, 80));
+    EXPECT_EQ(io_test::loss_codes(file, "stl"), "") << head;
+    const bool is_wordless = head.find("COLOR") != std::string::npos;
+    EXPECT_EQ(io_test::loss_codes(file, "obj"), is_wordless ? "loses_comments" : "") << head;
+    EXPECT_EQ(io_test::loss_codes(file, "stl-ascii"), is_wordless || head[0] == 'b' ? "loses_comments" : "") << head;
+    MeshFile other = file;
+    other.stl_head.replace(0, 4, "PK\x03\x04");
+    EXPECT_EQ((*recognise(bytes_of(other, *find_format("stl")), {}))->id, "stl") << "and not a compressed file";
+  }
+}
+
 TEST(StlRead, CountsThatDoNotFit) {
   const MeshFile none = read_sound("stl", binary("x", 0, {}));
   EXPECT_EQ(find_message(none, "no_faces")->byte, 80u);

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "tests/support/app/program.h"
@@ -293,6 +294,27 @@ TEST(Check, SaysInTheUsersLanguageWhyAFolderCannotBeRead) {
   const ProgramRun run = run_program({"check", ".", "--lang", "ja"}, folder.path());
   EXPECT_EQ(run.exit_code, 9);
   EXPECT_NE(run.err.find("フォルダーを読めません：名前が長すぎます。"), std::string::npos) << run.err;
+}
+
+TEST(Check, FacesWithoutCornersStayFarWithinTheirShareOfMemory) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers take memory of their own";
+#endif
+  const TemporaryFolder folder;
+  constexpr std::size_t faces = 4000000;  // of one byte each
+  const std::string path =
+      folder.write("a.ply",
+                   "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                   "property float z\nelement face " +
+                       std::to_string(faces) + "\nproperty list uchar int vertex_indices\nend_header\n" +
+                       std::string(36 + faces, '\0'));
+  // 64 MiB and 64 bytes for each of the file are allowed, which were nearly used up.
+  const std::size_t kibibytes = (std::size_t{64} << 10) + 52 * faces / 1024;
+  const std::string command =
+      "ulimit -d " + std::to_string(kibibytes) + "; " RYOSEN_PROGRAM " check --jobs 1 " + path + " >/dev/null 2>&1";
+  const int status = std::system(command.c_str());
+  ASSERT_TRUE(WIFEXITED(status)) << "a signal ended it";
+  EXPECT_EQ(WEXITSTATUS(status), 1);
 }
 
 TEST(Check, APipeIsRefusedWithoutWaitingForIt) {

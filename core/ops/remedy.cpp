@@ -67,38 +67,44 @@ std::optional<std::size_t> reasons_after(Mesh& mesh, const Question& question, c
   return question.reasons_against(mesh);
 }
 
+struct Step {
+  AnyOp op;
+  bool is_last = false;  // no reason is left
+};
+
 // The first candidate that leaves no reason, else the first that leaves fewer. Of several sheets on one edge each comes
 // off for itself, of several edges at a vertex each goes for itself, and the reason stays until the last.
-std::optional<AnyOp> choose_step(Mesh& mesh, const Question& question, const Verdict& verdict, LargeSheets& large) {
-  std::optional<AnyOp> best, onward;
+std::optional<Step> choose_step(Mesh& mesh, const Question& question, const Verdict& verdict, KnownSheets& sheets) {
+  std::optional<Step> best, onward;
   for (const Reason& reason : verdict.reasons) {
-    for (const AnyOp& candidate : remedy_candidates(mesh, reason, large)) {
+    for (const AnyOp& candidate : remedy_candidates(mesh, reason, sheets)) {
       const auto left = reasons_after(mesh, question, candidate);
-      if (left == 0u) return candidate;
-      if (left && *left < verdict.reasons.size() && !best) best = candidate;
+      if (left == 0u) return Step{candidate, true};
+      if (left && *left < verdict.reasons.size() && !best) best = Step{candidate};
       const bool is_one_of_many = std::holds_alternative<Detach>(candidate) || reason.rule == Rule::has_edges;
-      if (left == verdict.reasons.size() && !onward && is_one_of_many) onward = candidate;
+      if (left == verdict.reasons.size() && !onward && is_one_of_many) onward = Step{candidate};
     }
   }
   return best ? best : onward;
 }
 
-// Step after step until nothing is against it; `most` steps at most. `large` is of the mesh as it is before the first.
-std::vector<std::string> find_local_steps(Mesh& mesh, const Question& question, std::size_t most, LargeSheets& large) {
+// Step after step until nothing is against it; `most` steps at most. `sheets` are of the mesh as it is before the first.
+std::vector<std::string> find_local_steps(Mesh& mesh, const Question& question, std::size_t most, KnownSheets& sheets) {
   Journal steps;
   std::vector<std::string> commands;
   bool legal = false;
-  while (!legal && commands.size() < most) {
+  while (commands.size() < most) {
     const std::optional<AnyOp> now = question.in(mesh);
-    LargeSheets after_steps;
-    LargeSheets& known = commands.empty() ? large : after_steps;
-    const std::optional<AnyOp> step = now ? choose_step(mesh, question, check(mesh, *now), known) : std::nullopt;
+    KnownSheets after_steps;
+    KnownSheets& known = commands.empty() ? sheets : after_steps;
+    const std::optional<Step> step = now ? choose_step(mesh, question, check(mesh, *now), known) : std::nullopt;
     if (!step) break;
-    commands.push_back(command_of(mesh, *step));
+    commands.push_back(command_of(mesh, step->op));
+    legal = step->is_last;
+    if (legal || commands.size() == most) break;
     Edit edit(mesh, &steps);
-    apply(edit, *step);
+    apply(edit, step->op);
     edit.commit();
-    legal = question.reasons_against(mesh) == 0u;
   }
   while (steps.can_undo()) steps.undo(mesh);
   return legal ? commands : std::vector<std::string>();
@@ -130,9 +136,9 @@ std::vector<std::string> RemedySearch::find(const std::string& line) {
                                     [&](const Reason& reason) { return is_beside_misoriented_edge(mesh_, reason); });
   Mesh* const turned = may_turn ? oriented() : nullptr;
   if (turned && question.reasons_against(*turned) == 0u) return {"orient"};
-  std::vector<std::string> steps = find_local_steps(mesh_, question, longest_remedy, large_);
+  std::vector<std::string> steps = find_local_steps(mesh_, question, longest_remedy, sheets_);
   if (!steps.empty() || !turned) return steps;
-  steps = find_local_steps(*turned, question, longest_remedy - 1, large_when_turned_);
+  steps = find_local_steps(*turned, question, longest_remedy - 1, sheets_when_turned_);
   if (!steps.empty()) steps.insert(steps.begin(), "orient");
   return steps;
 }

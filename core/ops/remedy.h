@@ -30,7 +30,7 @@ class RemedySearch {
   Mesh* oriented();
 
   Mesh& mesh_;
-  LargeSheets large_, large_when_turned_;
+  KnownSheets sheets_, sheets_when_turned_;
   bool orient_was_tried_ = false;
   std::unique_ptr<Mesh> oriented_;  // none until it is needed, and where no face would turn
 };

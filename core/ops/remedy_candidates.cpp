@@ -1,5 +1,8 @@
 #include "core/ops/remedy_candidates.h"
 
+#include <algorithm>
+#include <unordered_set>
+
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/sheets.h"
@@ -119,34 +122,45 @@ void add_removals(const Reason& reason, std::vector<AnyOp>& candidates) {
 }
 
 // Sheets that come off. One face stands for its whole sheet, so that large ones are left out: each try would cost the
-// mesh.
+// mesh. A sheet is tried once, but counts as often as it is named.
 class Detachments {
  public:
-  Detachments(const Mesh& mesh, LargeSheets& large, std::vector<AnyOp>& candidates)
-      : mesh_(mesh), large_(large), candidates_(candidates) {}
+  Detachments(const Mesh& mesh, KnownSheets& sheets, std::vector<AnyOp>& candidates)
+      : mesh_(mesh), sheets_(sheets), candidates_(candidates) {}
 
   void add(Face f) {
-    if (f && candidates_.size() < most_sides_tried && !large_.contains(mesh_, f)) candidates_.push_back(Detach{{f}});
+    if (!f || candidates_.size() + repeated_ >= most_sides_tried) return;
+    const std::uint32_t key = sheets_.key(mesh_, f);
+    if (key == KnownSheets::large) return;
+    if (std::find(tried_.begin(), tried_.end(), key) != tried_.end()) {
+      ++repeated_;
+      return;
+    }
+    tried_.push_back(key);
+    candidates_.push_back(Detach{{f}});
   }
 
  private:
   const Mesh& mesh_;
-  LargeSheets& large_;
+  KnownSheets& sheets_;
   std::vector<AnyOp>& candidates_;
+  std::vector<std::uint32_t> tried_;  // keys
+  std::size_t repeated_ = 0;
 };
 
-void add_detachments_of_faces(const Mesh& m, const Reason& reason, LargeSheets& large, std::vector<AnyOp>& candidates) {
-  Detachments detachments(m, large, candidates);
+void add_detachments_of_faces(const Mesh& m, const Reason& reason, KnownSheets& sheets,
+                              std::vector<AnyOp>& candidates) {
+  Detachments detachments(m, sheets, candidates);
   for (const Face f : faces_of(reason)) detachments.add(f);
 }
 
 // The sheets at points named as witnesses come off, those on the edge between two of them first, or their fans come
 // apart.
-void add_detachments(const Mesh& m, const Reason& reason, LargeSheets& large, std::vector<AnyOp>& candidates) {
+void add_detachments(const Mesh& m, const Reason& reason, KnownSheets& sheets, std::vector<AnyOp>& candidates) {
   std::vector<Vertex> points;
   for (const Element& witness : reason.witnesses)
     for (Vertex v : vertices_of(m, witness)) points.push_back(v);
-  Detachments detachments(m, large, candidates);
+  Detachments detachments(m, sheets, candidates);
   const auto add = [&](Face f) { detachments.add(f); };
   for (Vertex v : points) candidates.push_back(SeparateFans{v});
   if (points.size() == 2)
@@ -206,21 +220,44 @@ void add_bridges(const Mesh& m, const Reason& reason, std::vector<AnyOp>& candid
 
 }  // namespace
 
-bool LargeSheets::contains(const Mesh& mesh, Face f) {
-  known_.resize(mesh.face_slots());
-  if (known_[f.index]) return true;
-  const auto is_known = [&](Face other) { return bool{known_[other.index]}; };
-  const std::vector<Face> sheet = faces_of_sheet(mesh, f, largest_sheet, is_known);
-  if (sheet.size() < largest_sheet && !is_known(sheet.back())) return false;
-  for (Face other : sheet) known_[other.index] = true;
-  return true;
+namespace {
+
+bool touches_others(const Mesh& m, const std::vector<Face>& sheet) {
+  const std::unordered_set<Face> own(sheet.begin(), sheet.end());
+  bool touches = false;
+  for (Face f : sheet) {
+    for (Vertex v : vertices_around(m, f))
+      for_each_copy(m, v, [&](Vertex copy) {
+        for (Face other : faces_around(m, copy)) touches = touches || (other && !own.contains(other));
+      });
+    if (touches) return true;
+  }
+  return false;
 }
 
-std::vector<AnyOp> remedy_candidates(const Mesh& m, const Reason& reason, LargeSheets& large) {
+}  // namespace
+
+std::uint32_t KnownSheets::key(const Mesh& mesh, Face f) {
+  if (const auto known = keys_.find(f); known != keys_.end()) return known->second;
+  const auto is_on_large = [&](Face other) {
+    const auto known = keys_.find(other);
+    return known != keys_.end() && known->second == large;
+  };
+  const std::vector<Face> sheet = faces_of_sheet(mesh, f, largest_sheet, is_on_large);
+  if (sheet.size() >= largest_sheet || is_on_large(sheet.back())) {
+    for (Face other : sheet) keys_[other] = large;
+  } else {
+    const bool touches = touches_others(mesh, sheet);
+    for (Face other : sheet) keys_[other] = touches ? f.index : other.index;
+  }
+  return keys_[f];
+}
+
+std::vector<AnyOp> remedy_candidates(const Mesh& m, const Reason& reason, KnownSheets& sheets) {
   std::vector<AnyOp> candidates;
   switch (reason.rule) {
     case Rule::copies:
-      add_detachments(m, reason, large, candidates);
+      add_detachments(m, reason, sheets, candidates);
       break;
     case Rule::boundary:
     case Rule::wire:
@@ -246,7 +283,7 @@ std::vector<AnyOp> remedy_candidates(const Mesh& m, const Reason& reason, LargeS
       break;
     case Rule::vanishes:
       add_divisions_of_sides(m, reason, candidates);
-      add_detachments(m, reason, large, candidates);
+      add_detachments(m, reason, sheets, candidates);
       break;
     case Rule::has_edges:
       add_edges_away(m, reason, candidates);
@@ -260,12 +297,12 @@ std::vector<AnyOp> remedy_candidates(const Mesh& m, const Reason& reason, LargeS
     case Rule::isolated_apex:
     case Rule::duplicate_face:
     case Rule::corner_twice:
-      add_detachments(m, reason, large, candidates);
+      add_detachments(m, reason, sheets, candidates);
       add_splits_of_sides(m, reason, candidates);
       break;
     case Rule::loses_duplicate:
       add_removals(reason, candidates);
-      add_detachments_of_faces(m, reason, large, candidates);
+      add_detachments_of_faces(m, reason, sheets, candidates);
       break;
     case Rule::has_rings:
       add_triangulations(reason, candidates);

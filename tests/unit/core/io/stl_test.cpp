@@ -145,7 +145,7 @@ TEST(StlRead, AttributesAndHeadAreKept) {
 }
 
 TEST(StlRead, HeadsAreWrittenBackByteForByte) {
-  const std::string magics("COLOR=\x10\x00\x20\xff,MATERIAL=\x01\x02\n\x00\x03", 32), blanks(80, ' '), zeros(80, '\0');
+  const std::string magics("COLOR=\x10\x00\x20\xff,MATERIAL=\x01\x02\n\x00\x03", 25), blanks(80, ' '), zeros(80, '\0');
   for (const std::string& head : {magics, "solid " + magics, "by hand" + std::string(73, ' '), blanks, zeros}) {
     std::string bytes = binary("", 4, four_facets);
     bytes.replace(0, head.size(), head);

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 
+#include "core/build/parallel.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/copies.h"
 
@@ -50,17 +49,23 @@ glm::dvec3 NumberedSurface::scaled_normal(const NumberedTriangle& t) const {
   return glm::cross(to_b, to_c);
 }
 
+// From the middle half of places, so that a few far out do not make the others small.
 void NumberedSurface::choose_frame() {
-  glm::dvec3 lowest(std::numeric_limits<double>::infinity()), highest(-lowest);
-  for (const auto& triangle : triangles_.triangles())
-    for (const std::uint32_t v : triangle) {
-      lowest = glm::min(lowest, mesh_.position(Vertex(v)));
-      highest = glm::max(highest, mesh_.position(Vertex(v)));
-    }
-  if (slots() == 0) return;
-  origin_ = lowest * 0.5 + highest * 0.5;
-  const glm::dvec3 half = highest * 0.5 - lowest * 0.5;
-  const double size = std::max({half.x, half.y, half.z});
+  constexpr std::uint32_t most_samples = 1000;
+  const std::uint32_t samples = std::min(slots(), most_samples);
+  if (samples == 0) return;
+  double size = 0.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> places;
+    for (std::uint32_t k = 0; k < samples; ++k)
+      for (const std::uint32_t v : triangles_.triangles()[part_begin(slots(), k, samples)])
+        if (const double place = mesh_.position(Vertex(v))[axis]; std::isfinite(place)) places.push_back(place);
+    if (places.empty()) return;
+    std::sort(places.begin(), places.end());
+    const std::size_t quarter = places.size() / 4;
+    origin_[axis] = places[2 * quarter];
+    size = std::max(size, places[places.size() - 1 - quarter] * 0.5 - places[quarter] * 0.5);
+  }
   if (size > 0.0) scale_ = std::ldexp(1.0, -std::clamp(std::ilogb(size), -1000, 1000));
 }
 

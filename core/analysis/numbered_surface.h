@@ -24,8 +24,8 @@ class NumberedSurface {
   // How many triangles have a corner at the point, by its number. O(triangles).
   std::vector<std::uint32_t> triangles_at_points() const;
 
-  // A frame that fits floats, which are finest around zero and hold a mesh of about one unit: places are moved to the
-  // origin, the middle of the mesh, and then scaled.
+  // A frame that fits floats, which are finest around zero and hold a mesh of about one unit: places are moved by the
+  // origin, in the middle of the mesh, and then scaled.
   const glm::dvec3& origin() const { return origin_; }
   double scale() const { return scale_; }
   // The cross product of two sides of a triangle in that frame, rounded: twice its area along its normal.

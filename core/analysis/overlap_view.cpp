@@ -9,33 +9,41 @@ namespace ryosen {
 
 namespace {
 
+// All floats that a box can have: larger numbers count as these.
+constexpr float far_away = 1e37F;
+constexpr OverlapBox everywhere{{-far_away, -far_away, -far_away, -far_away}, {far_away, far_away, far_away, far_away}};
+
 // A box in doubles that is widened by what rounding may have moved.
 class WideBox {
  public:
-  explicit WideBox(double rounding) : rounding_(rounding) {}
-  void add(const glm::dvec4& p) {
-    lowest_ = glm::min(lowest_, p);
-    highest_ = glm::max(highest_, p);
+  void add(const glm::dvec4& p, const glm::dvec4& rounding) {
+    lowest_ = glm::min(lowest_, p - rounding);
+    highest_ = glm::max(highest_, p + rounding);
+    is_finite_ = is_finite_ && std::isfinite(p.x + p.y + p.z + p.w + rounding.x + rounding.w);
   }
+  // Everywhere, if numbers were too large.
   OverlapBox box() const {
+    if (!is_finite_) return everywhere;
     OverlapBox box;
     for (int k = 0; k < 4; ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      box.lowest[i] = static_cast<float>(lowest_[k] - rounding_ * std::max(1.0, std::abs(lowest_[k])));
-      box.highest[i] = static_cast<float>(highest_[k] + rounding_ * std::max(1.0, std::abs(highest_[k])));
+      box.lowest[static_cast<std::size_t>(k)] = rounded(lowest_[k]);
+      box.highest[static_cast<std::size_t>(k)] = rounded(highest_[k]);
     }
     return box;
   }
 
  private:
-  double rounding_;
+  static float rounded(double x) { return static_cast<float>(std::clamp<double>(x, -far_away, far_away)); }
+
+  bool is_finite_ = true;
   glm::dvec4 lowest_{std::numeric_limits<double>::infinity()}, highest_{-lowest_};
 };
 
-// The direction as a place on the octahedron, and how far away it is.
-glm::dvec4 on_octahedron(const glm::dvec3& d) {
+// A direction as a place on the octahedron, and how far away it is.
+void add_direction(const glm::dvec3& d, WideBox& box) {
+  constexpr double rounding = 1e-9;
   const double distance = std::abs(d.x) + std::abs(d.y) + std::abs(d.z);
-  return {d / distance, distance};
+  box.add({d / distance, distance}, {glm::dvec3(rounding), rounding * distance});
 }
 
 // Where a segment bends on the octahedron: at the edges of that.
@@ -44,7 +52,7 @@ void add_bends(const glm::dvec3& d, const glm::dvec3& e, WideBox& box) {
     if (d[k] * e[k] < 0.0) {
       glm::dvec3 bend = d + (d[k] / (d[k] - e[k])) * (e - d);
       bend[k] = 0.0;
-      box.add(on_octahedron(bend));
+      add_direction(bend, box);
     }
 }
 
@@ -62,8 +70,8 @@ void add_tops(const std::array<glm::dvec3, 3>& d, WideBox& box) {
     if (std::abs(side(d[0], d[1]) + side(d[1], d[2]) + side(d[2], d[0])) < 3) continue;
     glm::dvec4 top(0.0);
     top[k] = 1.0;
-    box.add(top);
-    box.add(-top);
+    box.add(top, glm::dvec4(0.0));
+    box.add(-top, glm::dvec4(0.0));
   }
 }
 
@@ -80,10 +88,11 @@ OverlapBox OverlapView::box_of(const NumberedTriangle& t) const {
 }
 
 OverlapBox OverlapView::box_of_places(const NumberedTriangle& t) const {
-  WideBox box(1e-14);
-  for (const glm::dvec3& p : t.places) {
-    const glm::dvec3 seen = ((p - origin_) * scale_) * axes_;
-    box.add({seen, seen.x + seen.y + seen.z});
+  WideBox box;
+  for (const glm::dvec3& place : t.places) {
+    const glm::dvec3 p = (place * 0.5 - origin_ * 0.5) * (2.0 * scale_), seen = p * axes_;
+    const double rounding = 1e-14 * (1.0 + std::abs(p.x) + std::abs(p.y) + std::abs(p.z));
+    box.add({seen, seen.x + seen.y + seen.z}, glm::dvec4(rounding));
   }
   return box.box();
 }
@@ -91,9 +100,7 @@ OverlapBox OverlapView::box_of_places(const NumberedTriangle& t) const {
 // Rounding moves a direction the farther the nearer its place is to the tip, compared with the corners it lies between.
 // So a triangle counts as everywhere where its corners do not all lie well on one side of the tip.
 OverlapBox OverlapView::box_of_directions(const NumberedTriangle& t) const {
-  constexpr double smallest = 1e-290, least_cosine = 1e-2, rounding = 1e-9;
-  constexpr float far = std::numeric_limits<float>::infinity();
-  constexpr OverlapBox everywhere{{-far, -far, -far, -far}, {far, far, far, far}};
+  constexpr double smallest = 1e-290, least_cosine = 1e-2;
   std::array<glm::dvec3, 3> places, directions;
   std::size_t count = 0;
   glm::dvec3 sum(0.0);
@@ -101,15 +108,15 @@ OverlapBox OverlapView::box_of_directions(const NumberedTriangle& t) const {
     if (t.numbers[k] == tip_) continue;
     const glm::dvec3 d = t.places[k] * 0.5 - origin_ * 0.5, size = glm::abs(d);
     const double largest = std::max({size.x, size.y, size.z});
-    if (!(largest > smallest)) return everywhere;
+    if (!(largest > smallest && largest * scale_ > smallest)) return everywhere;
     places[count] = (d * scale_) * axes_;
     directions[count] = glm::normalize((d / largest) * axes_);
     sum += directions[count++];
   }
-  WideBox box(rounding);
+  WideBox box;
   for (std::size_t i = 0; i < count; ++i) {
     if (!(glm::dot(directions[i], sum) > least_cosine)) return everywhere;
-    box.add(on_octahedron(places[i]));
+    add_direction(places[i], box);
     for (std::size_t j = 0; j < i; ++j) add_bends(places[i], places[j], box);
   }
   if (count == 3) add_tops(directions, box);

@@ -1,7 +1,7 @@
 #include "core/analysis/self_intersections.h"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "core/analysis/overlap_tree.h"
 #include "core/base/sort_unique.h"
@@ -12,10 +12,32 @@ namespace ryosen {
 
 namespace {
 
-void add_if_they_meet(const NumberedSurface& surface, std::uint32_t a, std::uint32_t b, std::vector<FacePair>& pairs) {
+// Pairs up to so many and one more. A pair may come often, where faces have many triangles.
+class PairList {
+ public:
+  explicit PairList(std::size_t most) : most_(most), compact_at_(most) {}
+
+  void add(const FacePair& pair) {
+    pairs_.push_back(pair);
+    if (pairs_.size() > compact_at_) compact();
+  }
+  void compact() {
+    sort_unique(pairs_);
+    compact_at_ = std::max(most_, 2 * pairs_.size());
+    is_full_ = pairs_.size() > most_;
+  }
+  bool is_full() const { return is_full_; }
+  std::vector<FacePair> take() { return std::exchange(pairs_, {}); }
+
+ private:
+  std::size_t most_, compact_at_;
+  std::vector<FacePair> pairs_;
+  bool is_full_ = false;
+};
+
+void add_if_they_meet(const NumberedSurface& surface, std::uint32_t a, std::uint32_t b, PairList& pairs) {
   const Face f = surface.face(a), g = surface.face(b);
-  if (f != g && meet_elsewhere(surface.triangle(a), surface.triangle(b)))
-    pairs.push_back({std::min(f, g), std::max(f, g)});
+  if (f != g && meet_elsewhere(surface.triangle(a), surface.triangle(b))) pairs.add({std::min(f, g), std::max(f, g)});
 }
 
 }  // namespace
@@ -25,28 +47,26 @@ SelfIntersections find_self_intersections(const Mesh& mesh, std::size_t most, un
   if (threads == 0) threads = threads_for(surface.slots());
   const OverlapTree tree(surface, threads);
   // Rounds and parts are of one size however many threads there are, so that a search that ends early ends alike.
-  constexpr std::uint32_t part_size = 256, parts = 32;
-  SelfIntersections result;
-  for (std::uint32_t round = 0; round < tree.node_count() && result.is_all; round += parts * part_size) {
-    std::array<std::vector<FacePair>, parts> found;
+  constexpr std::uint32_t part_size = 256, parts = 8;
+  PairList all(most);
+  for (std::uint32_t round = 0; round < tree.node_count() && !all.is_full(); round += parts * part_size) {
+    std::vector<PairList> found(parts, PairList(most));
     for_each_task(parts, threads, [&](unsigned part) {
       const std::uint32_t begin = round + part * part_size, end = std::min(begin + part_size, tree.node_count());
       for (std::uint32_t node = begin; node < end; ++node)
         if (!tree.visit_pairs(node, [&](std::uint32_t a, std::uint32_t b) {
               add_if_they_meet(surface, a, b, found[part]);
-              return found[part].size() <= most;
+              return !found[part].is_full();
             }))
           return;
     });
-    for (const std::vector<FacePair>& pairs : found) {
-      result.is_all = result.is_all && pairs.size() <= most;
-      result.pairs.insert(result.pairs.end(), pairs.begin(), pairs.end());
-    }
-    if (result.pairs.size() > most) sort_unique(result.pairs);
-    result.is_all = result.is_all && result.pairs.size() <= most;
+    for (PairList& pairs : found)
+      for (const FacePair& pair : pairs.take())
+        if (!all.is_full()) all.add(pair);
   }
-  sort_unique(result.pairs);
-  if (!result.is_all) result.pairs.resize(std::min(most, result.pairs.size()));
+  all.compact();
+  SelfIntersections result{all.take(), !all.is_full()};
+  if (!result.is_all) result.pairs.resize(most);
   return result;
 }
 

@@ -29,7 +29,7 @@ struct SelfIntersections {
 
 // All such pairs, or some if there are more than `most`: n copies of a triangle make n^2 / 2. Decided exactly on the
 // stored doubles. O(n log n + pairs of overlapping boxes); the boxes of fans, cones and slivers aslant do not overlap
-// (overlap_tree.h). threads: 0 takes as many as pay. The result does not depend on it, nor, if it is all, on the order
+// (overlap_tree.h), those of many faces on one edge do. threads: 0 takes as many as pay. The result does not depend on it, nor, if it is all, on the order
 // of faces and corners.
 SelfIntersections find_self_intersections(const Mesh& mesh, std::size_t most = std::numeric_limits<std::size_t>::max(),
                                           unsigned threads = 0);

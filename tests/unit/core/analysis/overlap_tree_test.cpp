@@ -147,21 +147,70 @@ TEST(overlap_tree, finds_what_asking_all_pairs_finds_on_tangled_stars) {
   }
 }
 
+// Of all that find_self_intersections would ask about.
+std::size_t overlapping_pairs(const Mesh& mesh) {
+  const NumberedSurface surface(mesh);
+  const OverlapTree tree(surface, 1);
+  std::size_t pairs = 0;
+  for (std::uint32_t node = 0; node < tree.node_count(); ++node)
+    tree.visit_pairs(node, [&](std::uint32_t, std::uint32_t) {
+      ++pairs;
+      return true;
+    });
+  return pairs;
+}
+
+// A star that winds round twice, so that its triangles meet, far too small for the numbers of the rest.
+TEST(overlap_tree, finds_the_pairs_of_a_star_that_is_nothing_beside_the_rest) {
+  for (const double size : {1.0, 1e-30, 1e-280})
+    for (const double far : {1.0, 1e45, 1e300}) {
+      constexpr std::uint32_t n = 101;
+      ThinSolid solid;
+      for (std::uint32_t i = 0; i < n; ++i) {
+        const double angle = 4.0 * std::numbers::pi * i / n;
+        solid.add_point({size * std::cos(angle), size * std::sin(angle), size * 0.1});
+      }
+      const std::uint32_t tip = solid.add_point({0.0, 0.0, 0.0});
+      for (std::uint32_t i = 0; i < n; ++i) solid.add_triangle(tip, i, (i + 1) % n);
+      for (const double x : {far, -far}) {
+        const std::uint32_t a = solid.add_point({x, far, far});
+        solid.add_point({x, far / 2, far});
+        solid.add_point({x, far, far / 2});
+        solid.add_triangle(a, a + 1, a + 2);
+      }
+      const std::vector<FacePair> expected = pairs_by_asking_all(solid.mesh);
+      EXPECT_EQ(expected.size(), n);
+      EXPECT_EQ(find_self_intersections(from_indexed(std::move(solid.mesh))).pairs, expected) << size << ", " << far;
+    }
+}
+
+// A point out there must not make the rest so small that floats cannot tell it apart.
+TEST(overlap_tree, tells_triangles_apart_beside_one_far_out) {
+  constexpr std::uint32_t n = 60;
+  for (const double far : {1e3, 1e10, 1e100, 1e300}) {
+    ThinSolid solid;
+    for (std::uint32_t i = 0; i <= n; ++i)
+      for (std::uint32_t j = 0; j <= n; ++j) solid.add_point({i, j, 0.1 * (i * j % 7)});
+    for (std::uint32_t i = 0; i < n; ++i)
+      for (std::uint32_t j = 0; j < n; ++j) {
+        const std::uint32_t a = i * (n + 1) + j, b = a + n + 1;
+        solid.add_triangle(a, b, b + 1);
+        solid.add_triangle(a, b + 1, a + 1);
+      }
+    const std::uint32_t out = solid.add_point({far, 0.0, 0.0});
+    solid.add_triangle(n, out, 2 * n + 1);
+    const Mesh mesh = from_indexed(std::move(solid.mesh));
+    EXPECT_LT(overlapping_pairs(mesh), 16u * 2 * n * n) << far;
+  }
+}
+
 TEST(overlap_tree, tells_long_and_thin_triangles_apart) {
   for (std::size_t shape = 0; shape < shapes().size(); ++shape)
     for (const auto& [waves, is_tilted] : {std::pair(0.0, false), {0.0, true}, {0.2, false}, {0.2, true}}) {
       ThinSolid solid = shapes()[shape](2000, waves);
       if (is_tilted) solid.tilt();
       const Mesh mesh = from_indexed(std::move(solid.mesh));
-      const NumberedSurface surface(mesh);
-      const OverlapTree tree(surface, 1);
-      std::size_t pairs = 0;
-      for (std::uint32_t node = 0; node < tree.node_count(); ++node)
-        tree.visit_pairs(node, [&](std::uint32_t, std::uint32_t) {
-          ++pairs;
-          return true;
-        });
-      EXPECT_LT(pairs, 16u * surface.slots())
+      EXPECT_LT(overlapping_pairs(mesh), 16u * mesh.face_slots())
           << "shape " << shape << ", waves " << waves << (is_tilted ? ", tilted" : "");
     }
 }

@@ -32,7 +32,7 @@ class FolderWalk {
   explicit FolderWalk(const fs::path& folder) {
     enter(folder);
     while (!links_.empty()) {
-      const std::set<fs::path>::node_type link = links_.extract(links_.begin());
+      const std::set<std::string>::node_type link = links_.extract(links_.begin());
       enter(link.value());
     }
   }
@@ -50,7 +50,7 @@ class FolderWalk {
       std::error_code ignored;
       if (entry.is_directory(ignored)) {
         if (entry.is_symlink(ignored))
-          links_.insert(entry.path());
+          links_.insert(entry.path().native());
         else
           enter(entry.path());
       } else if (may_be_mesh(entry.path())) {
@@ -59,14 +59,14 @@ class FolderWalk {
     }
     if (!error) return;
     const Text reason = system_reason(error.value());
-    found_.push_back({folder.generic_string(),
-                      folder_failure("folder_unreadable", {"The folder cannot be read: " + reason.en + ".",
-                                                           "フォルダーを読めません：" + reason.ja + "。"})});
+    found_.push_back(
+        {folder.generic_string(), folder_failure("folder_unreadable", {"The folder cannot be read: " + reason.en + ".",
+                                                                       "フォルダを読めません：" + reason.ja + "。"})});
   }
 
   std::vector<Input> found_;
   std::set<std::pair<dev_t, ino_t>> entered_;
-  std::set<fs::path> links_;  // to folders, not gone through yet
+  std::set<std::string> links_;  // paths of links to folders, not gone through yet
 };
 
 }  // namespace

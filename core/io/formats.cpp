@@ -250,13 +250,13 @@ std::vector<Message> loss_messages(const MeshFile& file, const Format& format, E
     return messages;
   const std::string count = std::to_string(file.kept_vertices);
   const bool one = file.kept_vertices == 1;
-  messages.push_back(make_message(
-      Severity::warning, "keeps_vertices",
-      {(one ? "One vertex that was removed stays" : count + " vertices that were removed stay") +
-           std::string(" in the file, at its last place and without a face: a face set aside, ") +
-           "a line, a point or an edge of the file uses " + (one ? "it." : "them."),
-       "削除した頂点のうち " + count +
-           " 個は、除けておいた面・線・点・稜線の要素が使うため、面のない頂点としてファイルに残ります。"}));
+  messages.push_back(
+      make_message(Severity::warning, "keeps_vertices",
+                   {(one ? "One vertex that was removed stays" : count + " vertices that were removed stay") +
+                        std::string(" in the file, at its last place and without a face: a face set aside, ") +
+                        "a line, a point or an edge of the file uses " + (one ? "it." : "them."),
+                    "削除した頂点のうち " + count +
+                        " 個は、隔離された面・線・点・稜線の要素が使うため、面のない頂点としてファイルに残ります。"}));
   return messages;
 }
 

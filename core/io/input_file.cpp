@@ -28,7 +28,7 @@ Failure failure(const std::filesystem::path& path, int error) {
     out.message.text = {"There is no file " + name + ".", "ファイル " + name + " がありません。"};
   } else if (error == EISDIR) {
     out.message.code = "input_is_folder";
-    out.message.text = {name + " is a folder, not a file.", name + " はファイルではなくフォルダーです。"};
+    out.message.text = {name + " is a folder, not a file.", name + " はファイルではなくフォルダです。"};
   } else if (error == not_a_file) {
     out.message.code = "input_not_a_file";
     out.message.text = {name + " is a pipe, device or socket, not a file.",

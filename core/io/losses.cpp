@@ -163,10 +163,12 @@ std::uint64_t extra_rows(const MeshFile& file, Holds held) {
 
 std::uint64_t comments(const MeshFile& file, Holds held) {
   const std::vector<std::string>& lines = file.head_comments;
-  const std::uint64_t all = lines.size() + (has_wordless_head(file) ? 1 : 0);
-  if (holds(held, Holds::comments)) return all - lines.size();
-  if (!holds(held, Holds::first_comment) || all == 0) return all;
-  return may_head_stl(lines.empty() ? file.stl_head : lines[0]) ? all - 1 : all;
+  if (holds(held, Holds::comments) || lines.empty()) return 0;
+  return lines.size() - (holds(held, Holds::first_comment) && may_head_stl(lines[0]) ? 1 : 0);
+}
+
+std::uint64_t wordless_head(const MeshFile& file, Holds held) {
+  return has_wordless_head(file) && !(holds(held, Holds::first_comment) && may_head_stl(file.stl_head)) ? 1 : 0;
 }
 
 std::uint64_t inexact_vertices(const MeshFile& file, Holds held) {
@@ -196,7 +198,7 @@ const std::vector<LossKind>& loss_kinds() {
        "4 頂点以上の面(三角形に分割されます)", many_corners},
       {"loses_rings", "faces with holes, which are cut into triangles", "穴のある面(三角形に分割されます)",
        bridged_faces_lost},
-      {"loses_quarantined", "faces that were set aside", "除けておいた面", set_aside},
+      {"loses_quarantined", "faces that were set aside", "隔離された面", set_aside},
       {"loses_isolated_vertices", "vertices without a face", "面に属さない頂点", isolated_vertices},
       {"loses_topology", "points at equal places, which become one, or at no place, which fall apart",
        "同じ位置にある別々の点(1 点になります)と、位置を持たない点(ばらばらになります)", welded_points},
@@ -204,6 +206,10 @@ const std::vector<LossKind>& loss_kinds() {
        "単精度では表せない座標を持つ頂点(丸められます)", inexact_vertices},
       {"loses_wires", "edges without a face", "面を持たない稜線",
        [](File f, Holds h) { return unless<Holds::elements>(h, [&] { return f.wires.size(); }); }},
+      {"loses_wires", "Edges without a face are written as lines, and reading gives lines back, not edges",
+       "面を持たない稜線は線として書き出され、読み込むと稜線ではなく線になります。稜線の数",
+       [](File f, Holds h) -> std::uint64_t { return holds(h, Holds::elements) ? f.wires.size() : 0; },
+       LossSentence::own},
       {"loses_elements", "lines and points", "線と点の要素",
        [](File f, Holds h) { return unless<Holds::elements>(h, [&] { return f.elements.items.size(); }); }},
       {"loses_texcoords", "texture coordinates", "テクスチャ座標", texcoords},
@@ -234,18 +240,27 @@ const std::vector<LossKind>& loss_kinds() {
       {"loses_extra_elements", "rows of further elements and lines obj_info", "その他の要素と obj_info の行",
        extra_rows},
       {"loses_comments", "lines of comments", "コメントの行", comments},
-      {"loses_unread_lines", "lines that were not understood when the file was read", "読み込み時に解釈できなかった行",
-       [](File f, Holds) { return f.left_out.lines; }},
-      {"loses_unread_values", "numbers and indices that were left out or rounded when the file was read",
-       "読み込み時に無視した、または丸めた数と番号", [](File f, Holds) { return f.left_out.values; }},
-      {"loses_unread_rest", "lines or bytes behind the end of the mesh that was read",
-       "読み込んだメッシュの終わりより後の行またはバイト", [](File f, Holds) { return f.left_out.rest; }},
+      {"loses_head", "the head of the binary STL file", "バイナリ STL ファイルの先頭部分", wordless_head},
+      {"loses_unread_lines", "Reading left out lines that it does not understand, and they are not written; lines",
+       "読み込み時に解釈できなかった行は書き出されません。行の数", [](File f, Holds) { return f.left_out.lines; },
+       LossSentence::own},
+      {"loses_unread_values",
+       "Reading left out or rounded numbers and indices, and they are not written as they were; places",
+       "読み込み時に無視した、または丸めた数と番号は、元のとおりには書き出されません。箇所の数",
+       [](File f, Holds) { return f.left_out.values; }, LossSentence::own},
+      {"loses_unread_rest",
+       "Reading left out what stands behind the end of the mesh, and it is not written; lines or bytes",
+       "読み込み時に無視した、メッシュの終わりより後の部分は書き出されません。行またはバイトの数",
+       [](File f, Holds) { return f.left_out.rest; }, LossSentence::own},
   };
   return kinds;
 }
 
 Message Loss::message(const Text& format) const {
   const std::string number = std::to_string(count);
+  if (kind->sentence == LossSentence::own)
+    return make_message(Severity::warning, kind->code,
+                        {std::string(kind->en) + ": " + number + ".", std::string(kind->ja) + ": " + number + "。"});
   return make_message(Severity::warning, kind->code,
                       {format.en + " cannot hold " + std::string(kind->en) + ": " + number + ".",
                        format.ja + " は次のものを保持できません: " + std::string(kind->ja) + " " + number + " 個。"});

@@ -49,11 +49,18 @@ constexpr bool holds(Holds all, Holds one) {
 // The property in which binary STL gives the attribute bytes of its facets.
 inline constexpr std::string_view facet_attribute = "attribute";
 
+// How a kind of loss is said, always with the count at the end.
+enum class LossSentence {
+  cannot_hold,  // the texts are what the format cannot hold
+  own,          // the texts are a sentence; what it counts need not be a thing of the mesh
+};
+
 struct LossKind {
-  std::string_view code;    // stable
+  std::string_view code;    // stable; kinds that no format has at once may share it
   std::string_view en, ja;  // what it is, with what becomes of it
   // How many of them a format that holds this much would lose. O(size of what it looks at).
   std::uint64_t (*count)(const MeshFile& file, Holds held);
+  LossSentence sentence = LossSentence::cannot_hold;
 };
 const std::vector<LossKind>& loss_kinds();
 

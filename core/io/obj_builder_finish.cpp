@@ -45,7 +45,7 @@ void ObjBuilder::material_library(std::string_view text) {
   for (const std::string& outside : libraries.outside) {
     reporter_.warn("material_library_outside", place, [&] {
       return Text{"The material library " + shown(outside) + " lies outside the model's folder and is not opened.",
-                  "マテリアルファイル " + shown(outside) + " はモデルのフォルダーの外にあるため開きません。"};
+                  "マテリアルファイル " + shown(outside) + " はモデルのフォルダの外にあるため開きません。"};
     });
   }
 }

@@ -39,10 +39,12 @@ std::string shown(std::string_view token);
 
 // What a reader found in a file and did not take over.
 struct LeftOut {
-  std::uint64_t lines = 0;  // that it does not understand
-  std::uint64_t values =
-      0;  // numbers and indices that mean nothing where they stand, or that were rounded: places of such
-  std::uint64_t rest = 0;  // lines or bytes behind the end of the mesh
+  // Lines that it does not understand.
+  std::uint64_t lines = 0;
+  // Places in the file where a number or an index means nothing, or where a number was rounded.
+  std::uint64_t values = 0;
+  // Lines or bytes behind the end of the mesh.
+  std::uint64_t rest = 0;
 };
 
 class Reporter {

@@ -49,7 +49,7 @@ template <class Handle>
 Named<Handle> malformed(std::string_view name, const Text& expected) {
   const std::string n(name);
   return fail<Handle>(NameError::malformed, "'" + n + "' is not a name; expected " + expected.en,
-                      "「" + n + "」は名前ではありません。" + expected.ja + " の形で書いてください");
+                      "「" + n + "」は名前ではありません。" + expected.ja + "の形で書いてください");
 }
 
 Named<Halfedge> no_edge_name(std::string_view name) {
@@ -148,7 +148,7 @@ std::string name_of(const Mesh& m, Element element) {
 
 Named<Face> find_face(const Mesh& m, std::string_view name) {
   const auto slot = name.starts_with('f') ? parse_number(name.substr(1)) : std::nullopt;
-  if (!slot) return malformed<Face>(name, {"f3", "f3"});
+  if (!slot) return malformed<Face>(name, {"f3", "f3 "});
   return check_slot(m, Face(*slot), std::string(name));
 }
 
@@ -157,7 +157,7 @@ Named<Vertex> find_vertex(const Mesh& m, std::string_view name) {
   std::string_view rest = name.starts_with('v') ? name.substr(1) : name;
   const std::size_t at = rest.find('@');
   const auto slot = parse_number(rest.substr(0, at));
-  if (!slot) return malformed<Vertex>(name, {"v7 or v7@f5", "v7 または v7@f5"});
+  if (!slot) return malformed<Vertex>(name, {"v7 or v7@f5", "v7 または v7@f5 "});
   const Named<Vertex> v = check_slot(m, Vertex(*slot), "v" + number(*slot));
   if (!v.ok() || at == std::string_view::npos) return v;
   const Named<Face> f = find_face(m, rest.substr(at + 1));

@@ -32,13 +32,9 @@ void ArgumentReader::fail(NameError error, Text sentence) {
   sentence_ = std::move(sentence);
 }
 
-void ArgumentReader::fail_at(std::string_view argument) {
-  fail(NameError::malformed, not_understood(argument, form_of(syntax_)));
-}
+void ArgumentReader::fail_at(std::string_view argument) { fail(NameError::malformed, not_of_form(argument, syntax_)); }
 
-void ArgumentReader::fail_missing() {
-  fail(NameError::malformed, argument_missing(syntax_));
-}
+void ArgumentReader::fail_missing() { fail(NameError::malformed, argument_missing(syntax_)); }
 
 double ArgumentReader::number() {
   if (failed()) return 0;

@@ -128,7 +128,7 @@ std::optional<Text> fault_of_arguments(std::string_view id, std::span<const std:
   const std::string_view syntax = find_op(id)->syntax;
   const std::optional<std::size_t> place = first_misfit(syntax, arguments);
   if (!place) return std::nullopt;
-  return *place < arguments.size() ? not_understood(arguments[*place], form_of(syntax)) : argument_missing(syntax);
+  return *place < arguments.size() ? not_of_form(arguments[*place], syntax) : argument_missing(syntax);
 }
 
 }  // namespace ryosen

@@ -5,20 +5,21 @@
 
 namespace ryosen {
 
-Text form_of(std::string_view syntax) {
-  const std::string form(syntax);
-  return form.empty() ? Text{"no argument", "引数なしで"} : Text{form, form + " を"};
-}
-
 Text not_understood(std::string_view argument, const Text& expected) {
   const std::string a(argument);
   return {"'" + a + "' is not understood; expected " + expected.en,
           "「" + a + "」は解釈できません。" + expected.ja + "指定してください"};
 }
 
+Text not_of_form(std::string_view argument, std::string_view syntax) {
+  const std::string a(argument), form(syntax);
+  if (!form.empty()) return not_understood(argument, {form, form + " を"});
+  return {"'" + a + "' is not understood; expected no argument", "「" + a + "」は解釈できません。引数は付けられません"};
+}
+
 Text argument_missing(std::string_view syntax) {
-  const Text expected = form_of(syntax);
-  return {"an argument is missing; expected " + expected.en, "引数が足りません。" + expected.ja + "指定してください"};
+  const std::string form(syntax);
+  return {"an argument is missing; expected " + form, "引数が足りません。" + form + " を指定してください"};
 }
 
 std::optional<double> parse_double(std::string_view text) {

@@ -93,7 +93,7 @@ std::vector<std::string> find_local_steps(Mesh& mesh, const Question& question, 
   Journal steps;
   std::vector<std::string> commands;
   bool legal = false;
-  while (commands.size() < most) {
+  for (;;) {
     const std::optional<AnyOp> now = question.in(mesh);
     KnownSheets after_steps;
     KnownSheets& known = commands.empty() ? sheets : after_steps;

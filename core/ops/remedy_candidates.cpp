@@ -218,10 +218,6 @@ void add_bridges(const Mesh& m, const Reason& reason, std::vector<AnyOp>& candid
   }
 }
 
-}  // namespace
-
-namespace {
-
 bool touches_others(const Mesh& m, const std::vector<Face>& sheet) {
   const std::unordered_set<Face> own(sheet.begin(), sheet.end());
   bool touches = false;

@@ -279,6 +279,18 @@ TEST(Check, FollowsLinksToFoldersOnce) {
   EXPECT_EQ(files, (std::vector<std::string>{"m/first/deep/deeper.obj", "m/first/far.obj", "m/inner/near.obj"}));
 }
 
+TEST(Check, GoesThroughTheFirstLinkInTheOrderOfBytes) {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder, outside;
+  outside.write("far.obj", triangle);
+  fs::create_directories(folder.at("m/a"));
+  fs::create_directory_symlink(outside.path(), folder.at("m/a/zz"));
+  fs::create_directory_symlink(outside.path(), folder.at("m/a-c"));
+  const ProgramRun run = run_program({"check", "m", "--json"}, folder.path());
+  ASSERT_EQ(run.lines().size(), 1u) << run.err;
+  EXPECT_EQ(run.line()["file"], "m/a-c/far.obj") << "a hyphen comes before a slash";
+}
+
 TEST(Check, SaysInTheUsersLanguageWhyAFolderCannotBeRead) {
   const TemporaryFolder folder;
   folder.write("a.obj", triangle);
@@ -293,7 +305,7 @@ TEST(Check, SaysInTheUsersLanguageWhyAFolderCannotBeRead) {
   close(at);
   const ProgramRun run = run_program({"check", ".", "--lang", "ja"}, folder.path());
   EXPECT_EQ(run.exit_code, 9);
-  EXPECT_NE(run.err.find("フォルダーを読めません：名前が長すぎます。"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("フォルダを読めません：名前が長すぎます。"), std::string::npos) << run.err;
 }
 
 TEST(Check, FacesWithoutCornersStayFarWithinTheirShareOfMemory) {
@@ -309,12 +321,15 @@ TEST(Check, FacesWithoutCornersStayFarWithinTheirShareOfMemory) {
                        std::to_string(faces) + "\nproperty list uchar int vertex_indices\nend_header\n" +
                        std::string(36 + faces, '\0'));
   // 64 MiB and 64 bytes for each of the file are allowed, which were nearly used up.
-  const std::size_t kibibytes = (std::size_t{64} << 10) + 52 * faces / 1024;
-  const std::string command =
-      "ulimit -d " + std::to_string(kibibytes) + "; " RYOSEN_PROGRAM " check --jobs 1 " + path + " >/dev/null 2>&1";
-  const int status = std::system(command.c_str());
+  const auto status_within = [&](std::size_t kibibytes) {
+    const std::string limit = "ulimit -d " + std::to_string(kibibytes);
+    return std::system((limit + "; " RYOSEN_PROGRAM " check --jobs 1 " + path + " >/dev/null 2>&1").c_str());
+  };
+  const int status = status_within((std::size_t{64} << 10) + 52 * faces / 1024);
   ASSERT_TRUE(WIFEXITED(status)) << "a signal ended it";
   EXPECT_EQ(WEXITSTATUS(status), 1);
+  const int starved = status_within(12 * faces / 1024);
+  EXPECT_FALSE(WIFEXITED(starved) && WEXITSTATUS(starved) == 1) << "the limit does not bind";
 }
 
 TEST(Check, APipeIsRefusedWithoutWaitingForIt) {

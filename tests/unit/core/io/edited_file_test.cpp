@@ -98,9 +98,10 @@ TEST(EditedFile, WritesWiresAsLinesThatComeBackOnce) {
   EXPECT_EQ(count(written, "\nl "), 2u) << written;
   EXPECT_EQ(count(written, "\nl 3 4\n"), 1u) << written;
   EXPECT_EQ(count(written, "\nl 4 5\n"), 1u) << written;
-  EXPECT_TRUE(losses_of(file, *find_format("obj")).empty());
+  EXPECT_EQ(io_test::loss_codes(file, "obj"), "loses_wires") << "reading gives lines back";
   const MeshFile again = io_test::read_sound("obj", written);
   ASSERT_EQ(again.elements.items.size(), 2u);
+  EXPECT_TRUE(losses_of(again, *find_format("obj")).empty());
   EXPECT_EQ(again.elements.vertices, (std::vector<std::int64_t>{2, 3, 3, 4}));
   EXPECT_EQ(again.elements.items[0].group, no_index);
   EXPECT_EQ(write_obj(after_lines(again, {})), written) << "neither doubled nor lost";
@@ -116,14 +117,17 @@ TEST(EditedFile, WiresFollowTheirEndsToNewNumbers) {
   EXPECT_EQ(count(written, "\nl 1 4\n"), 1u) << written;
 }
 
-TEST(EditedFile, WiresAreListedAsLostWhereAFormatHasNoLines) {
+TEST(EditedFile, WiresAreListedAsLostInEveryFormat) {
   const MeshFile file = after_lines({}, {"make_vertex 0,0,0", "make_vertex 1,0,0", "make_edge 0 1"});
   for (const Format& format : formats()) {
     const std::vector<Loss> losses = losses_of(file, format);
     const auto wires =
         std::find_if(losses.begin(), losses.end(), [](const Loss& l) { return l.kind->code == "loses_wires"; });
-    EXPECT_EQ(wires == losses.end(), format.id == "obj") << format.id;
-    EXPECT_TRUE(wires == losses.end() || wires->count == 1);
+    ASSERT_NE(wires, losses.end()) << format.id;
+    EXPECT_EQ(wires->count, 1u);
+    const Text text = wires->message(format.name).text;
+    EXPECT_EQ(text.en.find("cannot hold") == std::string::npos, format.id == "obj") << text.en;
+    EXPECT_EQ(text.ja.find("保持できません") == std::string::npos, format.id == "obj") << text.ja;
   }
 }
 

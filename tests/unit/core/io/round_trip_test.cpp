@@ -186,7 +186,12 @@ TEST(RoundTrip, WhatReadingLeavesOutIsLostInEveryFormat) {
     const MeshFile file = io_test::read_sound(id, text);
     EXPECT_EQ(io_test::loss_codes(file, "off"), codes) << text;
     EXPECT_EQ(io_test::loss_codes(file, id), codes) << text;
-    for (const Loss& loss : losses_of(file, *find_format("off"))) EXPECT_EQ(loss.count, count) << text;
+    for (const Loss& loss : losses_of(file, *find_format("off"))) {
+      EXPECT_EQ(loss.count, count) << text;
+      const Text said = loss.message(find_format("off")->name).text;
+      EXPECT_NE(said.en.find("Reading left out"), std::string::npos) << said.en;
+      EXPECT_EQ(said.ja.find("保持できません"), std::string::npos) << said.ja;
+    }
     EXPECT_EQ(io_test::loss_codes(triangulated(file), id), codes);
     const std::string again = bytes_of(file, *find_format(id));
     EXPECT_EQ(io_test::loss_codes(io_test::read_sound(id, again), id), "") << again;

@@ -76,7 +76,9 @@ TEST(form, what_is_expected_is_said_in_each_language) {
   const auto japanese = [&](std::string_view line) { return parse_line(mesh, line).sentence.ja; };
   EXPECT_EQ(japanese("split 0-1 x"), "「x」は解釈できません。数 t を指定してください");
   EXPECT_EQ(japanese("collapse 0-1 x"), "「x」は解釈できません。start、end、mid、X,Y,Z のいずれかを指定してください");
-  EXPECT_EQ(japanese("orient x"), "「x」は解釈できません。引数なしで指定してください");
+  EXPECT_EQ(japanese("orient x"), "「x」は解釈できません。引数は付けられません");
+  EXPECT_EQ(japanese("swap x"), "「x」は名前ではありません。A-B、A-B@f5、h12、e6 のいずれかの形で書いてください");
+  EXPECT_EQ(japanese("poke x"), "「x」は名前ではありません。f3 の形で書いてください");
   EXPECT_EQ(japanese("colapse 0-1"), "「colapse 0-1」は解釈できません。演算子を指定してください");
   for (const OpInfo& op : all_ops()) {
     const std::string_view junk[] = {"?"};

@@ -1,4 +1,4 @@
-// `convert`: writes a mesh in another format, after saying what that format cannot hold.
+// `convert`: writes a mesh in another format, after saying what would be lost.
 #include "app/cli/commands.h"
 #include "app/cli/did_you_mean.h"
 #include "app/cli/json.h"
@@ -63,9 +63,8 @@ class Conversion {
   ExitCode refuse() {
     Message message;
     message.code = "refused";
-    message.text = {"Nothing was written: the format cannot hold all of the mesh, and --strict does not allow a loss.",
-                    "何も書き出していません。この形式ではメッシュのすべてを保持できず、--strict "
-                    "は損失を許しません。"};
+    message.text = {"Nothing was written: something would be lost, and --strict does not allow a loss.",
+                    "何も書き出していません。失われるものがあり、--strict は損失を許しません。"};
     add(message);
     return ExitCode::refused;
   }

@@ -201,7 +201,7 @@ class EditRun {
     const ElementCounts all = counts_on_points(session_.mesh());
     if (all.edges != now.edges || all.faces != now.faces)
       console_.print(console_.text(Text{"with wires and bridges, without faces set aside, as expect counts: ",
-                                        "面のない稜線と橋を含み、除外した面を含まない（expect の数え方）："}) +
+                                        "面のない稜線と橋を含み、隔離された面を含まない（expect の数え方）："}) +
                      "V " + std::to_string(all.vertices) + "  E " + std::to_string(all.edges) + "  F " +
                      std::to_string(all.faces) + "\n");
     if (written_)

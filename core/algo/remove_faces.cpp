@@ -223,7 +223,7 @@ RepairResult remove_isolated_vertices(Edit& edit, const RepairInput& input, Prog
     const std::string left = std::to_string(result.left);
     result.text.en += result.left == 1 ? " One stays: a face set aside, a line or a point of the file uses it."
                                        : " " + left + " stay: faces set aside, lines or points of the file use them.";
-    result.text.ja += "除外した面・線・点が使う " + left + " 個は残しました。";
+    result.text.ja += "隔離された面・線・点が使う " + left + " 個は残しました。";
   }
   return result;
 }

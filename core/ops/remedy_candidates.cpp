@@ -1,7 +1,6 @@
 #include "core/ops/remedy_candidates.h"
 
 #include <algorithm>
-#include <unordered_set>
 
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
@@ -12,7 +11,6 @@ namespace ryosen {
 namespace {
 
 constexpr std::size_t most_sides_tried = 12;
-constexpr std::size_t largest_sheet = 1000;
 constexpr std::size_t longest_hole_filled = 64;
 
 // The faces named as witnesses, the last first.
@@ -218,36 +216,7 @@ void add_bridges(const Mesh& m, const Reason& reason, std::vector<AnyOp>& candid
   }
 }
 
-bool touches_others(const Mesh& m, const std::vector<Face>& sheet) {
-  const std::unordered_set<Face> own(sheet.begin(), sheet.end());
-  bool touches = false;
-  for (Face f : sheet) {
-    for (Vertex v : vertices_around(m, f))
-      for_each_copy(m, v, [&](Vertex copy) {
-        for (Face other : faces_around(m, copy)) touches = touches || (other && !own.contains(other));
-      });
-    if (touches) return true;
-  }
-  return false;
-}
-
 }  // namespace
-
-std::uint32_t KnownSheets::key(const Mesh& mesh, Face f) {
-  if (const auto known = keys_.find(f); known != keys_.end()) return known->second;
-  const auto is_on_large = [&](Face other) {
-    const auto known = keys_.find(other);
-    return known != keys_.end() && known->second == large;
-  };
-  const std::vector<Face> sheet = faces_of_sheet(mesh, f, largest_sheet, is_on_large);
-  if (sheet.size() >= largest_sheet || is_on_large(sheet.back())) {
-    for (Face other : sheet) keys_[other] = large;
-  } else {
-    const bool touches = touches_others(mesh, sheet);
-    for (Face other : sheet) keys_[other] = touches ? f.index : other.index;
-  }
-  return keys_[f];
-}
 
 std::vector<AnyOp> remedy_candidates(const Mesh& m, const Reason& reason, KnownSheets& sheets) {
   std::vector<AnyOp> candidates;

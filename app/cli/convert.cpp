@@ -61,12 +61,9 @@ class Conversion {
   }
 
   ExitCode refuse() {
-    Message message;
-    message.code = "refused";
-    message.text = {"Nothing was written: something would be lost, and --strict does not allow a loss.",
-                    "何も書き出していません。失われるものがあり、--strict は損失を許しません。"};
-    add(message);
-    return ExitCode::refused;
+    const Failure failure = refusal_of_losses();
+    add(failure.message);
+    return failure.exit_code;
   }
 
   ExitCode write(const MeshFile& file) {

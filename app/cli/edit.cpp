@@ -149,7 +149,7 @@ class EditRun {
   }
 
   void write() {
-    output_ = write_output(session_.document(), *files_.output, console_);
+    output_ = write_output(session_.document(), *files_.output, session_.strict, console_);
     if (output_.is_there) written_ = *files_.output;
     if (!output_.failure) return;
     code_ = output_.failure->exit_code;

@@ -108,7 +108,7 @@ class RepairRun {
   }
 
   void write() {
-    output_ = write_output(document_, *files_.output, console_);
+    output_ = write_output(document_, *files_.output, false, console_);
     if (output_.failure) code_ = output_.failure->exit_code;
   }
 

@@ -1,12 +1,20 @@
 #include "app/cli/write_output.h"
 
+#include "core/io/formats.h"
 #include "core/io/safe_write.h"
 
 namespace ryosen::cli {
 
-WrittenOutput write_output(Document& document, const std::string& path, const Console& console) {
+WrittenOutput write_output(Document& document, const std::string& path, bool is_strict, const Console& console) {
   WrittenOutput written;
   std::vector<Message> losses = document.losses(path);
+  if (is_strict && !losses.empty()) {
+    written.losses = std::move(losses);
+    written.failure = refusal_of_losses();
+    for (const Message& loss : written.losses) console.show(loss, path);
+    console.show(written.failure->message, path);
+    return written;
+  }
   const Status status = document.save(path);
   written.is_there = is_in_place(status);
   if (written.is_there) written.losses = std::move(losses);

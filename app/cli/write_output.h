@@ -12,11 +12,11 @@ namespace ryosen::cli {
 
 struct WrittenOutput {
   bool is_there = false;        // the file is the new one, also where a failure came after that
-  std::vector<Message> losses;  // what it cannot hold; empty where it is not there
+  std::vector<Message> losses;  // what it cannot hold; empty after a failure to write
   std::optional<Failure> failure;
 };
 
-// Shows the losses and the failure.
-WrittenOutput write_output(Document& document, const std::string& path, const Console& console);
+// Shows the losses and the failure. is_strict: losses are one.
+WrittenOutput write_output(Document& document, const std::string& path, bool is_strict, const Console& console);
 
 }  // namespace ryosen::cli

@@ -5,6 +5,7 @@
 #include "app/editor/autosave.h"
 #include "app/editor/script.h"
 #include "app/editor/words.h"
+#include "core/io/formats.h"
 #include "core/io/safe_write.h"
 
 namespace ryosen {
@@ -73,6 +74,11 @@ Outcome run_save(Session& session, Arguments, std::string_view whole) {
   const std::filesystem::path target = named.empty() ? document.path() : std::filesystem::path(named);
   if (target.empty()) return usage_error("save needs a file name here", "保存先のファイル名を指定してください");
   const std::vector<Message> losses = document.losses(target);
+  if (session.strict && !losses.empty()) {
+    Outcome outcome = failed(refusal_of_losses());
+    for (const Message& loss : losses) outcome.say(loss.text);
+    return outcome;
+  }
   const std::optional<Text> warning = session.autosave ? session.autosave->before_save(session, target) : std::nullopt;
   const Status status = document.save(target);
   if (!status) {

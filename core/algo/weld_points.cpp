@@ -263,13 +263,18 @@ void collapse_within(Edit& edit, const std::vector<Group>& groups, Progress& pro
 
 RepairResult weld_equal_points(Edit& edit, const RepairInput&, Progress& progress) {
   const Mesh& m = edit.mesh();
-  std::vector<Group> groups = groups_within(m, 0);
-  std::size_t left = drop_groups_within_faces(m, groups) + drop_nonmanifold(m, groups);
-  left += drop_unsound(m, groups, progress);
-  if (progress.is_cancelled()) return {};
-  const std::uint32_t before = counts_on_points(m).vertices;
-  left += weld_soundly(edit, groups);
-  return result_of(before - counts_on_points(m).vertices, left);
+  std::size_t welded = 0, left = 0;
+  for (bool goes_on = true; goes_on;) {
+    std::vector<Group> groups = groups_within(m, 0);
+    left = drop_groups_within_faces(m, groups) + drop_nonmanifold(m, groups) + drop_unsound(m, groups, progress);
+    if (progress.is_cancelled()) return {};
+    const std::uint32_t before = counts_on_points(m).vertices;
+    left += weld_soundly(edit, groups);
+    const std::uint32_t now = before - counts_on_points(m).vertices;
+    welded += now;
+    goes_on = now > 0 && left > 0;  // what stood in a group's way may be gone
+  }
+  return result_of(welded, left);
 }
 
 RepairResult weld_close_points(Edit& edit, const RepairInput& input, Progress& progress) {

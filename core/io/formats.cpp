@@ -243,6 +243,15 @@ std::vector<Loss> losses_of(const MeshFile& file, const Format& format, Encoding
   return find_losses(file, format.holds(encoding_of(file, format, wanted)));
 }
 
+Failure refusal_of_losses() {
+  Failure failure;
+  failure.exit_code = ExitCode::refused;
+  failure.message.code = "refused";
+  failure.message.text = {"Nothing was written: --strict allows none of these warnings.",
+                          "何も書き出していません。--strict はこれらの警告を許しません。"};
+  return failure;
+}
+
 std::vector<Message> loss_messages(const MeshFile& file, const Format& format, Encoding wanted) {
   std::vector<Message> messages;
   for (const Loss& loss : losses_of(file, format, wanted)) messages.push_back(loss.message(format.name));

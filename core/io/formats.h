@@ -74,6 +74,8 @@ Encoding encoding_of(const MeshFile& file, const Format& format, Encoding wanted
 std::string bytes_of(const MeshFile& file, const Format& format, Encoding wanted = Encoding::automatic);
 // What would be lost; empty where nothing.
 std::vector<Loss> losses_of(const MeshFile& file, const Format& format, Encoding wanted = Encoding::automatic);
+// Why nothing is written where these warnings are not allowed.
+Failure refusal_of_losses();
 // The warnings of the losses, and one about the vertices that are written although they were removed from the mesh.
 std::vector<Message> loss_messages(const MeshFile& file, const Format& format, Encoding wanted = Encoding::automatic);
 

@@ -125,10 +125,9 @@ TEST(Edit, ALineThatDoesNotParseIsFoundBeforeAnythingIsWritten) {
 
 TEST(Edit, LinesThatTheMeshDecidesAreLeftToTheRun) {
   const TemporaryFolder folder;
-  for (const char* line :
-       {"camera {\"target\":[0.42,0.36,1]}", "view iso; frame; frame selected", "mode face; tool none",
-        "select v0 f1 0-8; select none", "show boundary off", "expect legal split 0-1", "key Home", "undo; redo",
-        "click 10,10 poke", "repair orient"}) {
+  for (const char* line : {"camera {\"target\":[0.42,0.36,1]}", "view iso; frame; frame selected",
+                           "mode face; tool none", "select v0 f1 0-8; select none", "show boundary off",
+                           "expect legal split 0-1", "key Home", "undo; redo", "click 10,10 poke", "repair orient"}) {
     const ProgramRun run = run_program({"edit", asset("cube.obj"), "--do", "split 0-1", "--do", line}, folder.path());
     EXPECT_NE(run.exit_code, 2) << line << "\n" << run.err;
   }
@@ -179,6 +178,25 @@ TEST(Edit, StrictTurnsWarningsIntoRefusals) {
   EXPECT_EQ(run.exit_code, 6);
   EXPECT_EQ(run.lines()[0]["reasons"][0]["rule"], plain.lines()[0]["warnings"][0]["rule"]);
   EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Edit, StrictRefusesToWriteWhatWouldBeLost) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> edit{"edit", asset("cube.obj"), "--do", "move_vertex v0 -1.5,-1.5,-1.5"};
+  for (const std::vector<std::string>& write : {std::vector<std::string>{"-o", "o.stl"}, {"--do", "save o.stl"}}) {
+    std::vector<std::string> strict = edit;
+    strict.insert(strict.end(), write.begin(), write.end());
+    strict.insert(strict.end(), {"--json", "--strict"});
+    const ProgramRun run = run_program(strict, folder.path());
+    EXPECT_EQ(run.exit_code, 6) << run.out;
+    EXPECT_NE(run.out.find("Nothing was written: --strict allows none of these warnings."), std::string::npos);
+    EXPECT_NE(run.out.find("faces with more than three corners"), std::string::npos) << run.out;
+    EXPECT_EQ(run.lines().back()["output"], nullptr);
+    EXPECT_TRUE(folder.names().empty());
+  }
+  std::vector<std::string> lossless = edit;
+  lossless.insert(lossless.end(), {"-o", "o.obj", "--strict"});
+  EXPECT_EQ(run_program(lossless, folder.path()).exit_code, 0);
 }
 
 TEST(Edit, SaysWhatItDoesNotCountBesideWhatExpectCounts) {

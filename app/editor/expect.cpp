@@ -2,6 +2,7 @@
 
 #include "app/editor/commands.h"
 #include "app/editor/words.h"
+#include "core/io/numbers.h"
 #include "core/mesh/copies.h"
 
 namespace ryosen {
@@ -65,6 +66,8 @@ Outcome run_expect(Session& session, std::span<const std::string_view> arguments
     found = hash_text(session.mesh());
   else
     return usage;
+  std::int64_t number = 0;
+  if (what != "hash" && !read_integer(expected, number)) return usage;
   return found == expected ? Outcome() : not_so(std::string(what) + " " + expected, {found, found});
 }
 

@@ -94,6 +94,8 @@ TEST(Edit, ALineThatDoesNotParseIsFoundBeforeAnythingIsWritten) {
                             "orient 1",
                             "expect",
                             "expect X 1",
+                            "expect V many",
+                            "expect F 6x",
                             "expect legal",
                             "expect legal foo",
                             "expect refused split 0",

@@ -49,7 +49,7 @@ void add_direction(const glm::dvec3& d, WideBox& box) {
 // Where a segment bends on the octahedron: at the edges of that.
 void add_bends(const glm::dvec3& d, const glm::dvec3& e, WideBox& box) {
   for (int k = 0; k < 3; ++k)
-    if (d[k] * e[k] < 0.0) {
+    if ((d[k] < 0.0 && e[k] > 0.0) || (d[k] > 0.0 && e[k] < 0.0)) {
       glm::dvec3 bend = d + (d[k] / (d[k] - e[k])) * (e - d);
       bend[k] = 0.0;
       add_direction(bend, box);

@@ -8,16 +8,10 @@ namespace ryosen::cli {
 WrittenOutput write_output(Document& document, const std::string& path, bool is_strict, const Console& console) {
   WrittenOutput written;
   std::vector<Message> losses = document.losses(path);
-  if (is_strict && !losses.empty()) {
-    written.losses = std::move(losses);
-    written.failure = refusal_of_losses();
-    for (const Message& loss : written.losses) console.show(loss, path);
-    console.show(written.failure->message, path);
-    return written;
-  }
-  const Status status = document.save(path);
+  const bool is_refused = is_strict && !losses.empty();
+  const Status status = is_refused ? Status(refusal_of_losses()) : document.save(path);
   written.is_there = is_in_place(status);
-  if (written.is_there) written.losses = std::move(losses);
+  if (written.is_there || is_refused) written.losses = std::move(losses);
   for (const Message& loss : written.losses) console.show(loss, path);
   if (status) return written;
   written.failure = status.failure();

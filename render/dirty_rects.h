@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/pick/size.h"
+#include "core/view/size.h"
 
 namespace ryosen {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/pick/size.h"
+#include "core/view/size.h"
 #include "render/colour.h"
 
 namespace ryosen {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-#include "core/pick/size.h"
+#include "core/view/size.h"
 
 namespace ryosen {
 

@@ -10,7 +10,7 @@
 
 #include "core/base/handle.h"
 #include "core/base/result.h"
-#include "core/pick/camera.h"
+#include "core/view/camera.h"
 #include "render/dirty_rects.h"
 #include "render/gl/framebuffer.h"
 #include "render/image.h"

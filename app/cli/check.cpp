@@ -8,9 +8,9 @@
 #include <thread>
 
 #include "app/cli/check_report.h"
-#include "app/cli/commands.h"
 #include "app/cli/did_you_mean.h"
 #include "app/cli/inputs.h"
+#include "app/cli/subcommands.h"
 
 namespace ryosen::cli {
 

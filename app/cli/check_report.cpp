@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "app/editor/expect.h"
+#include "core/base/parallel.h"
 #include "core/base/release.h"
-#include "core/build/from_indexed.h"
-#include "core/build/parallel.h"
+#include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
 #include "core/io/input_file.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/cli/commands.h"
 #include "app/cli/did_you_mean.h"
+#include "app/cli/subcommands.h"
 
 namespace ryosen::cli {
 
@@ -44,21 +44,21 @@ class Reader {
 
   // `--version` is a command; `help` takes it as an operand.
   bool is_command_named_like_flag(const std::string& word) const {
-    return find_command(word) && (!command_seen_ || (line_.command && line_.command->run == help_command));
+    return find_subcommand(word) && (!command_seen_ || (line_.command && line_.command->run == help_command));
   }
 
   void read_command(const std::string& word) {
     command_seen_ = true;
-    line_.command = find_command(word);
+    line_.command = find_subcommand(word);
     if (line_.command) return;
     const bool is_file = word.find_first_of("./\\") != std::string::npos || std::filesystem::exists(word);
-    if (is_file && find_command("view")) {
-      line_.command = find_command("view");
+    if (is_file && find_subcommand("view")) {
+      line_.command = find_subcommand("view");
       line_.arguments.add_operand(word);
       return;
     }
     std::vector<std::string> known;
-    for (const Command& command : commands()) known.emplace_back(command.id);
+    for (const Subcommand& command : subcommands()) known.emplace_back(command.id);
     fail("unknown_command",
          Text{in_quotes(word) + " is not a command.", "「" + word + "」というコマンドはありません。"} +
              did_you_mean(word, known));
@@ -122,7 +122,7 @@ class Reader {
   }
 
   void check_operands() {
-    const Command& command = *line_.command;
+    const Subcommand& command = *line_.command;
     const std::size_t count = line_.arguments.operands().size();
     const std::string usage = "ryosen " + std::string(command.id) + " " + std::string(command.operands);
     if (count < command.least_operands)

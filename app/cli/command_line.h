@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/command_table.h"
+#include "app/cli/subcommand_table.h"
 
 namespace ryosen::cli {
 
 struct CommandLine {
-  const Command* command = nullptr;
+  const Subcommand* command = nullptr;
   Arguments arguments;
   Console console;  // also set as far as it can be where there is a failure
   std::optional<Failure> failure;

@@ -1,8 +1,8 @@
 // `convert`: writes a mesh in another format, after saying what would be lost.
-#include "app/cli/commands.h"
 #include "app/cli/did_you_mean.h"
 #include "app/cli/json.h"
 #include "app/cli/outputs.h"
+#include "app/cli/subcommands.h"
 #include "core/io/formats.h"
 #include "core/io/safe_write.h"
 #include "core/io/triangulated.h"

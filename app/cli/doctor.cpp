@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "app/cli/columns.h"
-#include "app/cli/commands.h"
 #include "app/cli/json.h"
+#include "app/cli/subcommands.h"
 #include "app/ui/fonts.h"
 #include "render/context/context.h"
 

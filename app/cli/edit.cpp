@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <memory>
 
-#include "app/cli/commands.h"
 #include "app/cli/edit_script.h"
 #include "app/cli/json.h"
+#include "app/cli/subcommands.h"
 #include "app/cli/write_output.h"
 #include "app/editor/expect.h"
 #include "app/editor/session.h"

@@ -2,7 +2,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/outputs.h"
-#include "app/editor/command_form.h"
+#include "app/editor/command_syntax.h"
 #include "app/editor/commands.h"
 #include "app/editor/keys.h"
 #include "app/editor/words.h"
@@ -52,7 +52,7 @@ class FileUse {
 
 std::optional<Failure> fault_of_line(const std::string& line, FileUse& use) {
   const std::string word = line.substr(0, line.find_first_of(" \t\r"));
-  const bool is_known = find_op(word) || ryosen::find_command(word);
+  const bool is_known = find_op(word) || find_command_row(word);
   if (auto fault = fault_of_command(line))
     return usage_failure(is_known ? "bad_arguments" : "unknown_command", std::move(*fault));
   if (word == "open") return use.open(file_name(behind_word(line)));

@@ -1,9 +1,9 @@
-// `forms`: the representations of the texts side by side for a mesh.
-#include "app/cli/commands.h"
+// `forms`: the representations of the source texts side by side for a mesh.
 #include "app/cli/json.h"
+#include "app/cli/subcommands.h"
 #include "app/cli/text_table.h"
-#include "core/build/from_indexed.h"
 #include "core/forms/comparison.h"
+#include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
 
 namespace ryosen::cli {
@@ -55,7 +55,7 @@ Json to_json(const Comparison& comparison, const std::string& file) {
             {"texts", Json::array()}};
   for (const FormFigures& figures : comparison.forms) json["forms"].push_back(to_json(figures, comparison.faces));
   for (const PairingFigures& figures : comparison.pairing) json["pairing"].push_back(to_json(figures));
-  for (const forms::TextsReport& report : comparison.texts)
+  for (const forms::SourceReport& report : comparison.texts)
     json["texts"].push_back({{"operation", report.operation},
                              {"place", report.place},
                              {"completed", report.outcome.completed},
@@ -113,10 +113,10 @@ std::string pairing_text(const Comparison& comparison, const Console& console) {
          table.text() + parts;
 }
 
-std::string texts_text(const Comparison& comparison, const Console& console) {
-  std::string text(console.text("The texts' own code for collapse and swap is written for closed triangles:\n",
+std::string sources_text(const Comparison& comparison, const Console& console) {
+  std::string text(console.text("The source texts' own code for collapse and swap is written for closed triangles:\n",
                                 "テキストの稜線削除・稜線交換のコードは閉じた三角形メッシュ用です：\n"));
-  for (const forms::TextsReport& report : comparison.texts) {
+  for (const forms::SourceReport& report : comparison.texts) {
     text += "  " + std::string(report.operation);
     text += report.place == "boundary_edge" ? console.text(" on a boundary edge: ", "（境界の稜線）：")
                                             : console.text(" beside the boundary: ", "（境界の隣）：");
@@ -131,7 +131,7 @@ std::string to_text(const Comparison& comparison, const std::string& file, const
   return file +
          console.text(Text{": vertices " + v + ", edges " + e + ", faces " + f + "\n",
                            "：頂点 " + v + "、稜線 " + e + "、面 " + f + "\n"}) +
-         forms_text(comparison, console) + pairing_text(comparison, console) + texts_text(comparison, console);
+         forms_text(comparison, console) + pairing_text(comparison, console) + sources_text(comparison, console);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // `help` and `--version`, read from the table of commands.
 #include "app/cli/columns.h"
-#include "app/cli/commands.h"
 #include "app/cli/did_you_mean.h"
 #include "app/cli/json.h"
+#include "app/cli/subcommands.h"
 
 namespace ryosen::cli {
 
@@ -29,7 +29,7 @@ constexpr ExitCodeText exit_codes[] = {
     {ExitCode::internal_error, "internal error", "内部エラー"},
 };
 
-std::string usage_of(const Command& command) {
+std::string usage_of(const Subcommand& command) {
   std::string usage = "ryosen " + std::string(command.id);
   if (!command.operands.empty()) usage += " " + std::string(command.operands);
   return usage;
@@ -45,7 +45,7 @@ std::string flag_texts(std::span<const Flag> flags, const Console& console) {
   return columns.text();
 }
 
-std::string help_of(const Command& command, const Console& console) {
+std::string help_of(const Subcommand& command, const Console& console) {
   std::string text = usage_of(command) + "\n" + std::string(console.text(command.en, command.ja)) + "\n";
   if (!command.flags.empty()) text += "\n" + flag_texts(command.flags, console);
   text += "\n" + std::string(console.text("Common:", "共通：")) + "\n" + flag_texts(common_flags(), console);
@@ -57,7 +57,7 @@ std::string help_of_program(const Console& console) {
   std::string text(console.text("Ryosen: a halfedge mesh editor that explains itself\n\n",
                                 "Ryosen（稜線）：理由を説明するハーフエッジ・メッシュエディタ\n\n"));
   Columns columns;
-  for (const Command& command : commands()) columns.add(usage_of(command), console.text(command.en, command.ja));
+  for (const Subcommand& command : subcommands()) columns.add(usage_of(command), console.text(command.en, command.ja));
   text += columns.text();
   text += "\n" + std::string(console.text("Common:", "共通：")) + "\n" + flag_texts(common_flags(), console);
   text += "\n" + std::string(console.text("Exit codes:", "終了コード：")) + "\n";
@@ -78,7 +78,7 @@ Json to_json(std::span<const Flag> flags) {
   return all;
 }
 
-Json to_json(const Command& command) {
+Json to_json(const Subcommand& command) {
   return {{"command", command.id},
           {"operands", command.operands},
           {"flags", to_json(command.flags)},
@@ -88,9 +88,9 @@ Json to_json(const Command& command) {
 
 }  // namespace
 
-ExitCode show_help(const Command* command, const Console& console) {
+ExitCode show_help(const Subcommand* command, const Console& console) {
   if (console.json) {
-    for (const Command& row : commands())
+    for (const Subcommand& row : subcommands())
       if (!command || command == &row) console.print(line_of(to_json(row)));
   } else {
     console.print(command ? help_of(*command, console) : help_of_program(console));
@@ -101,9 +101,9 @@ ExitCode show_help(const Command* command, const Console& console) {
 ExitCode help_command(const Arguments& arguments, const Console& console) {
   if (arguments.operands().empty()) return show_help(nullptr, console);
   const std::string& name = arguments.operands()[0];
-  if (const Command* const command = find_command(name)) return show_help(command, console);
+  if (const Subcommand* const command = find_subcommand(name)) return show_help(command, console);
   std::vector<std::string> known;
-  for (const Command& command : commands()) known.emplace_back(command.id);
+  for (const Subcommand& command : subcommands()) known.emplace_back(command.id);
   const Text hint = did_you_mean(name, known);
   return console.fail(usage_failure("unknown_command", {"'" + name + "' is not a command." + hint.en,
                                                         "「" + name + "」というコマンドはありません。" + hint.ja}));

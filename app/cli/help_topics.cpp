@@ -5,10 +5,10 @@
 #include "app/cli/columns.h"
 #include "app/editor/commands.h"
 #include "app/editor/recovery.h"
-#include "core/algo/repairs.h"
+#include "core/algo/repair/repairs.h"
 #include "core/analysis/problem_kinds.h"
-#include "core/build/pairing.h"
 #include "core/forms/all.h"
+#include "core/forms/pairing.h"
 
 namespace ryosen::cli {
 

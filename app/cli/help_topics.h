@@ -17,7 +17,7 @@ std::string repairs_topic(Language language);
 std::string operators_topic(Language language);
 // Where edits are kept for after a crash, and how they come back.
 std::string recovery_topic(Language language);
-// The forms of the texts and the ways to pair halfedges.
+// The forms of the source texts and the ways to pair halfedges.
 std::string forms_topic(Language language);
 
 }  // namespace ryosen::cli

@@ -1,7 +1,7 @@
 // `formats` and `keys`: the tables of core and editor, printed.
 #include "app/cli/columns.h"
-#include "app/cli/commands.h"
 #include "app/cli/json.h"
+#include "app/cli/subcommands.h"
 #include "app/editor/keys.h"
 #include "core/io/formats.h"
 

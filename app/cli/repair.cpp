@@ -4,11 +4,11 @@
 #include <memory>
 
 #include "app/cli/check_report.h"
-#include "app/cli/commands.h"
 #include "app/cli/did_you_mean.h"
 #include "app/cli/edit_script.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/json.h"
+#include "app/cli/subcommands.h"
 #include "app/cli/write_output.h"
 #include "app/editor/document.h"
 

@@ -4,7 +4,7 @@
 #include <exception>
 
 #include "app/cli/command_line.h"
-#include "app/cli/commands.h"
+#include "app/cli/subcommands.h"
 
 namespace ryosen::cli {
 
@@ -28,7 +28,7 @@ ExitCode run_command(const CommandLine& line) {
     return code;
   }
   // Without a command the program is the editor.
-  if (const Command* const command = line.command ? line.command : find_command("view"))
+  if (const Subcommand* const command = line.command ? line.command : find_subcommand("view"))
     return command->run(line.arguments, line.console);
   show_help(nullptr, line.console);
   return ExitCode::usage;

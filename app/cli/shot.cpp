@@ -1,9 +1,9 @@
 // `shot`: a picture of a mesh or of the whole editor, written or compared with another.
 #include <future>
 
-#include "app/cli/commands.h"
 #include "app/cli/json.h"
 #include "app/cli/shot_options.h"
+#include "app/cli/subcommands.h"
 #include "core/io/safe_write.h"
 
 namespace ryosen::cli {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/command_table.h"
 #include "app/cli/edit_script.h"
+#include "app/cli/subcommand_table.h"
 #include "app/ui/headless.h"
 
 namespace ryosen::cli {

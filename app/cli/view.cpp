@@ -1,5 +1,5 @@
 // `view`: the editor's window.
-#include "app/cli/commands.h"
+#include "app/cli/subcommands.h"
 #include "app/window.h"
 
 namespace ryosen::cli {

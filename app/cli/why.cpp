@@ -2,16 +2,16 @@
 #include <memory>
 #include <optional>
 
-#include "app/cli/commands.h"
 #include "app/cli/did_you_mean.h"
 #include "app/cli/edge_sides.h"
+#include "app/cli/subcommands.h"
 #include "app/cli/verdict_report.h"
 #include "app/editor/script.h"
 #include "app/editor/set_aside.h"
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
-#include "core/ops/preview.h"
-#include "core/ops/remedy.h"
+#include "core/ops/outlook/preview.h"
+#include "core/ops/outlook/remedy.h"
 
 namespace ryosen::cli {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/base/message.h"
-#include "core/pick/camera.h"
+#include "core/view/camera.h"
 
 namespace ryosen {
 

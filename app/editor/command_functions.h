@@ -6,40 +6,40 @@
 
 namespace ryosen {
 
-using Arguments = std::span<const std::string_view>;
+using Words = std::span<const std::string_view>;
 
 // The line says the command in another form than its row shows.
 Outcome wrong_arguments(std::string_view id);
 Outcome failed(const Failure& failure);
 
 // Files and the history: commands_document.cpp
-Outcome run_new(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_open(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_save(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_undo(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_redo(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_repair(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_recover(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_shot(Session& session, Arguments arguments, std::string_view whole);
+Outcome run_new(Session& session, Words arguments, std::string_view whole);
+Outcome run_open(Session& session, Words arguments, std::string_view whole);
+Outcome run_save(Session& session, Words arguments, std::string_view whole);
+Outcome run_undo(Session& session, Words arguments, std::string_view whole);
+Outcome run_redo(Session& session, Words arguments, std::string_view whole);
+Outcome run_repair(Session& session, Words arguments, std::string_view whole);
+Outcome run_recover(Session& session, Words arguments, std::string_view whole);
+Outcome run_shot(Session& session, Words arguments, std::string_view whole);
 // What the pointer does: commands_pointing.cpp
-Outcome run_select(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_walk(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_tool(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_mode(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_click(Session& session, Arguments arguments, std::string_view whole);
+Outcome run_select(Session& session, Words arguments, std::string_view whole);
+Outcome run_walk(Session& session, Words arguments, std::string_view whole);
+Outcome run_tool(Session& session, Words arguments, std::string_view whole);
+Outcome run_mode(Session& session, Words arguments, std::string_view whole);
+Outcome run_click(Session& session, Words arguments, std::string_view whole);
 // What is seen: commands_view.cpp
-Outcome run_camera(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_view(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_frame(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_projection(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_drag(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_show(Session& session, Arguments arguments, std::string_view whole);
+Outcome run_camera(Session& session, Words arguments, std::string_view whole);
+Outcome run_view(Session& session, Words arguments, std::string_view whole);
+Outcome run_frame(Session& session, Words arguments, std::string_view whole);
+Outcome run_projection(Session& session, Words arguments, std::string_view whole);
+Outcome run_drag(Session& session, Words arguments, std::string_view whole);
+Outcome run_show(Session& session, Words arguments, std::string_view whole);
 // The user interface: commands_window.cpp
-Outcome run_panel(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_language(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_theme(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_cancel(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_key(Session& session, Arguments arguments, std::string_view whole);
-Outcome run_quit(Session& session, Arguments arguments, std::string_view whole);
+Outcome run_panel(Session& session, Words arguments, std::string_view whole);
+Outcome run_language(Session& session, Words arguments, std::string_view whole);
+Outcome run_theme(Session& session, Words arguments, std::string_view whole);
+Outcome run_cancel(Session& session, Words arguments, std::string_view whole);
+Outcome run_key(Session& session, Words arguments, std::string_view whole);
+Outcome run_quit(Session& session, Words arguments, std::string_view whole);
 
 }  // namespace ryosen

@@ -46,7 +46,7 @@ Outcome no_element(Document& document, std::string_view line, NameError error, c
 }
 
 Outcome wrong_arguments(std::string_view id) {
-  const CommandRow* row = find_command(id);
+  const CommandRow* row = find_command_row(id);
   const std::string form = std::string(id) + " " + std::string(row->syntax);
   return usage_error("the command reads: " + form, "書式：" + form);
 }
@@ -108,7 +108,7 @@ constexpr std::array command_rows{
 
 std::span<const CommandRow> command_table() { return command_rows; }
 
-const CommandRow* find_command(std::string_view id) {
+const CommandRow* find_command_row(std::string_view id) {
   const auto row =
       std::find_if(command_rows.begin(), command_rows.end(), [&](const CommandRow& r) { return r.id == id; });
   return row == command_rows.end() ? nullptr : &*row;

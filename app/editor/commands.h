@@ -20,7 +20,7 @@ struct CommandRow {
 };
 
 std::span<const CommandRow> command_table();
-const CommandRow* find_command(std::string_view id);
+const CommandRow* find_command_row(std::string_view id);
 
 // All ids, operators and their aliases included: for "did you mean".
 std::vector<std::string> command_ids();

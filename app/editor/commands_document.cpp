@@ -12,7 +12,7 @@ namespace ryosen {
 
 namespace {
 
-std::optional<std::uint32_t> count_of(Arguments arguments) {
+std::optional<std::uint32_t> count_of(Words arguments) {
   if (arguments.empty()) return 1;
   std::uint32_t n = 0;
   const auto [end, error] = std::from_chars(arguments[0].data(), arguments[0].data() + arguments[0].size(), n);
@@ -27,7 +27,7 @@ Outcome performed(std::string line) {
 }
 
 // Goes N entries through the history, or nowhere when there are not so many.
-Outcome step_history(Session& session, Arguments arguments, std::string_view id, bool back) {
+Outcome step_history(Session& session, Words arguments, std::string_view id, bool back) {
   const auto n = count_of(arguments);
   if (!n || arguments.size() > 1) return wrong_arguments(id);
   Document& document = session.document();
@@ -50,10 +50,10 @@ Outcome step_history(Session& session, Arguments arguments, std::string_view id,
 
 }  // namespace
 
-Outcome run_undo(Session& s, Arguments a, std::string_view) { return step_history(s, a, "undo", true); }
-Outcome run_redo(Session& s, Arguments a, std::string_view) { return step_history(s, a, "redo", false); }
+Outcome run_undo(Session& s, Words a, std::string_view) { return step_history(s, a, "undo", true); }
+Outcome run_redo(Session& s, Words a, std::string_view) { return step_history(s, a, "redo", false); }
 
-Outcome run_open(Session& session, Arguments arguments, std::string_view whole) {
+Outcome run_open(Session& session, Words arguments, std::string_view whole) {
   if (arguments.empty()) return wrong_arguments("open");
   const std::string name = file_name(whole);
   auto document = Document::open(name);
@@ -62,13 +62,13 @@ Outcome run_open(Session& session, Arguments arguments, std::string_view whole) 
   return performed("open " + file_argument(name));
 }
 
-Outcome run_new(Session& session, Arguments arguments, std::string_view) {
+Outcome run_new(Session& session, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("new");
   session.set_document(std::make_unique<Document>());
   return performed("new");
 }
 
-Outcome run_save(Session& session, Arguments, std::string_view whole) {
+Outcome run_save(Session& session, Words, std::string_view whole) {
   Document& document = session.document();
   const std::string named = file_name(whole);
   const std::filesystem::path target = named.empty() ? document.path() : std::filesystem::path(named);
@@ -104,7 +104,7 @@ Outcome cancelled() {
 
 }  // namespace
 
-Outcome run_repair(Session& session, Arguments arguments, std::string_view) {
+Outcome run_repair(Session& session, Words arguments, std::string_view) {
   if (arguments.empty() || arguments.size() > 2) return wrong_arguments("repair");
   const ParsedRepair parsed =
       parse_repair(arguments[0], arguments.size() > 1 ? std::optional(arguments[1]) : std::nullopt);
@@ -139,10 +139,10 @@ Outcome list_lost(const Session& session) {
 
 }  // namespace
 
-Outcome run_recover(Session& session, Arguments arguments, std::string_view) {
+Outcome run_recover(Session& session, Words arguments, std::string_view) {
   const bool lists = arguments.empty() || (arguments.size() == 1 && arguments[0] == "list");
   const bool discards = !arguments.empty() && arguments[0] == "discard";
-  const Arguments numbers = discards ? arguments.subspan(1) : arguments;
+  const Words numbers = discards ? arguments.subspan(1) : arguments;
   const std::optional<std::uint32_t> number = count_of(numbers);
   if (!lists && (!number || numbers.size() > 1)) return wrong_arguments("recover");
   // A number is that of the list which was seen.
@@ -159,7 +159,7 @@ Outcome run_recover(Session& session, Arguments arguments, std::string_view) {
   return outcome;
 }
 
-Outcome run_shot(Session& session, Arguments, std::string_view whole) {
+Outcome run_shot(Session& session, Words, std::string_view whole) {
   if (!session.take_picture) {
     Outcome outcome;
     outcome.kind = Outcome::Kind::failed;

@@ -40,7 +40,7 @@ Outcome not_a_tool(std::string_view id) {
 
 }  // namespace
 
-Outcome run_select(Session& session, Arguments arguments, std::string_view) {
+Outcome run_select(Session& session, Words arguments, std::string_view) {
   std::vector<Element> selection;
   if (arguments.size() != 1 || arguments[0] != "none") {
     for (std::string_view name : arguments) {
@@ -57,7 +57,7 @@ Outcome run_select(Session& session, Arguments arguments, std::string_view) {
   return {};
 }
 
-Outcome run_walk(Session& session, Arguments arguments, std::string_view) {
+Outcome run_walk(Session& session, Words arguments, std::string_view) {
   const std::string_view where = arguments.size() == 1 ? arguments[0] : "";
   if (where != "next" && where != "prev" && where != "twin" && where != "around") return wrong_arguments("walk");
   if (session.selection.size() != 1 || session.selection[0].kind != Element::Kind::halfedge) {
@@ -77,7 +77,7 @@ Outcome run_walk(Session& session, Arguments arguments, std::string_view) {
   return {};
 }
 
-Outcome run_tool(Session& session, Arguments arguments, std::string_view) {
+Outcome run_tool(Session& session, Words arguments, std::string_view) {
   if (arguments.size() != 1) return wrong_arguments("tool");
   if (arguments[0] != "none" && !find_tool(arguments[0])) return not_a_tool(arguments[0]);
   session.tool = arguments[0] == "none" ? "" : std::string(arguments[0]);
@@ -85,7 +85,7 @@ Outcome run_tool(Session& session, Arguments arguments, std::string_view) {
   return {};
 }
 
-Outcome run_mode(Session& session, Arguments arguments, std::string_view) {
+Outcome run_mode(Session& session, Words arguments, std::string_view) {
   constexpr std::array<std::pair<std::string_view, PickMode>, 4> modes{{{"vertex", PickMode::vertex},
                                                                         {"edge", PickMode::edge},
                                                                         {"face", PickMode::face},
@@ -99,7 +99,7 @@ Outcome run_mode(Session& session, Arguments arguments, std::string_view) {
   return wrong_arguments("mode");
 }
 
-Outcome run_click(Session& session, Arguments arguments, std::string_view) {
+Outcome run_click(Session& session, Words arguments, std::string_view) {
   const auto at = arguments.empty() ? std::nullopt : parse_pixel(arguments[0]);
   if (!at || arguments.size() > 2) return wrong_arguments("click");
   if (arguments.size() == 2 && !find_tool(arguments[1])) return not_a_tool(arguments[1]);

@@ -7,7 +7,7 @@
 
 namespace ryosen {
 
-Outcome run_camera(Session& session, Arguments, std::string_view whole) {
+Outcome run_camera(Session& session, Words, std::string_view whole) {
   Text error;
   const auto camera = camera_from_json(whole, session.camera, error);
   if (!camera) return usage_error("camera: " + error.en, "camera：" + error.ja);
@@ -15,7 +15,7 @@ Outcome run_camera(Session& session, Arguments, std::string_view whole) {
   return {};
 }
 
-Outcome run_view(Session& session, Arguments arguments, std::string_view) {
+Outcome run_view(Session& session, Words arguments, std::string_view) {
   const auto view = arguments.size() == 1 ? named_view_of(arguments[0]) : std::nullopt;
   if (!view) return wrong_arguments("view");
   session.camera =
@@ -23,7 +23,7 @@ Outcome run_view(Session& session, Arguments arguments, std::string_view) {
   return {};
 }
 
-Outcome run_frame(Session& session, Arguments arguments, std::string_view) {
+Outcome run_frame(Session& session, Words arguments, std::string_view) {
   if (arguments.size() > 1 || (arguments.size() == 1 && arguments[0] != "all" && arguments[0] != "selected"))
     return wrong_arguments("frame");
   if (arguments.empty() || arguments[0] == "all") {
@@ -37,7 +37,7 @@ Outcome run_frame(Session& session, Arguments arguments, std::string_view) {
   return outcome;
 }
 
-Outcome run_projection(Session& session, Arguments arguments, std::string_view) {
+Outcome run_projection(Session& session, Words arguments, std::string_view) {
   const std::string_view word = arguments.size() == 1 ? arguments[0] : "";
   if (word != "toggle" && word != "perspective" && word != "orthographic") return wrong_arguments("projection");
   const bool ortho = word == "toggle" ? !session.camera.ortho_height : word == "orthographic";
@@ -45,7 +45,7 @@ Outcome run_projection(Session& session, Arguments arguments, std::string_view) 
   return {};
 }
 
-Outcome run_drag(Session& session, Arguments arguments, std::string_view) {
+Outcome run_drag(Session& session, Words arguments, std::string_view) {
   const auto from = arguments.size() == 2 ? parse_pixel(arguments[0]) : std::nullopt;
   const auto to = arguments.size() == 2 ? parse_pixel(arguments[1]) : std::nullopt;
   if (!from || !to) return wrong_arguments("drag");
@@ -53,7 +53,7 @@ Outcome run_drag(Session& session, Arguments arguments, std::string_view) {
   return {};
 }
 
-Outcome run_show(Session& session, Arguments arguments, std::string_view) {
+Outcome run_show(Session& session, Words arguments, std::string_view) {
   if (arguments.empty() || arguments.size() > 2) return wrong_arguments("show");
   const bool on = arguments.size() == 1 || arguments[1] == "on";
   if (!on && arguments[1] != "off") return wrong_arguments("show");

@@ -9,7 +9,7 @@ namespace ryosen {
 namespace {
 
 // Which of the words the one argument is.
-std::optional<std::size_t> one_of(Arguments arguments, std::initializer_list<std::string_view> words) {
+std::optional<std::size_t> one_of(Words arguments, std::initializer_list<std::string_view> words) {
   const auto found = arguments.size() == 1 ? std::find(words.begin(), words.end(), arguments[0]) : words.end();
   if (found == words.end()) return std::nullopt;
   return static_cast<std::size_t>(found - words.begin());
@@ -17,7 +17,7 @@ std::optional<std::size_t> one_of(Arguments arguments, std::initializer_list<std
 
 }  // namespace
 
-Outcome run_panel(Session& session, Arguments arguments, std::string_view) {
+Outcome run_panel(Session& session, Words arguments, std::string_view) {
   if (!one_of(arguments, {"none", "keys", "command", "open", "save", "unsaved", "recover"}))
     return wrong_arguments("panel");
   session.open_panel = arguments[0] == "none" ? "" : std::string(arguments[0]);
@@ -25,14 +25,14 @@ Outcome run_panel(Session& session, Arguments arguments, std::string_view) {
   return {};
 }
 
-Outcome run_language(Session& session, Arguments arguments, std::string_view) {
+Outcome run_language(Session& session, Words arguments, std::string_view) {
   const auto which = one_of(arguments, {"en", "ja"});
   if (!which) return wrong_arguments("language");
   session.language = *which == 1 ? Language::japanese : Language::english;
   return {};
 }
 
-Outcome run_theme(Session& session, Arguments arguments, std::string_view) {
+Outcome run_theme(Session& session, Words arguments, std::string_view) {
   const auto which = one_of(arguments, {"dark", "light"});
   if (!which) return wrong_arguments("theme");
   session.light_theme = *which == 1;
@@ -40,14 +40,14 @@ Outcome run_theme(Session& session, Arguments arguments, std::string_view) {
 }
 
 // One step out of what was begun: first the open panel, then the tool, then the selection.
-Outcome run_cancel(Session& session, Arguments arguments, std::string_view) {
+Outcome run_cancel(Session& session, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("cancel");
   if (!session.open_panel.empty()) return session.run("panel none");
   if (!session.tool.empty()) return session.run("tool none");
   return session.run("select none");
 }
 
-Outcome run_key(Session& session, Arguments arguments, std::string_view) {
+Outcome run_key(Session& session, Words arguments, std::string_view) {
   if (arguments.size() != 1) return wrong_arguments("key");
   const KeyRow* key = find_key(arguments[0]);
   if (!key)
@@ -56,7 +56,7 @@ Outcome run_key(Session& session, Arguments arguments, std::string_view) {
   return session.run(std::string(key->command));
 }
 
-Outcome run_quit(Session& session, Arguments, std::string_view) {
+Outcome run_quit(Session& session, Words, std::string_view) {
   if (session.quit) session.quit();
   return {};
 }

@@ -4,7 +4,7 @@
 #include <atomic>
 
 #include "app/editor/set_aside.h"
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 #include "core/io/edited_file.h"
 #include "core/mesh/copies.h"
 

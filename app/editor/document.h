@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "core/algo/repairs.h"
-#include "core/build/to_indexed.h"
+#include "core/algo/repair/repairs.h"
+#include "core/indexed/to_indexed.h"
 #include "core/io/formats.h"
 #include "core/mesh/touched.h"
-#include "core/ops/preview.h"
-#include "core/ops/remedy.h"
+#include "core/ops/outlook/preview.h"
+#include "core/ops/outlook/remedy.h"
 
 namespace ryosen {
 

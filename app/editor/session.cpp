@@ -135,7 +135,7 @@ Outcome Session::run(const std::string& line) {
   const std::vector<std::string_view> words = split_words(line);
   if (words.empty()) return {};
   const std::span arguments = std::span(words).subspan(1);
-  if (const CommandRow* row = find_command(words[0])) {
+  if (const CommandRow* row = find_command_row(words[0])) {
     const std::size_t after_id = static_cast<std::size_t>(words[0].data() - line.data()) + words[0].size();
     Outcome outcome = row->run(*this, arguments, std::string_view(line).substr(after_id));
     if (outcome.done() && row->changes_mesh) log_line(outcome);

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/build/indexed.h"
+#include "core/indexed/indexed.h"
 
 namespace ryosen {
 

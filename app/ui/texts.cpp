@@ -23,7 +23,7 @@ constexpr std::array<Row, static_cast<std::size_t>(UiText::count)> rows{{
     {T::pointer, "Under the pointer", "ポインタの下"},
     {T::inspector, "Inspector", "要素の詳細"},
     {T::problems, "Problems", "問題点"},
-    {T::forms, "Forms of the texts", "テキストの形状表現"},
+    {T::forms, "Forms of the source texts", "テキストの形状表現"},
     {T::keys, "Keys and mouse", "キーとマウス"},
     {T::command, "Command", "コマンド"},
     {T::command_hint, "an operator or a command; Enter carries it out", "操作またはコマンド（Enter で実行）"},

@@ -9,7 +9,7 @@
 
 #include "core/analysis/boundary_loops.h"
 #include "core/analysis/components.h"
-#include "core/build/parallel.h"
+#include "core/base/parallel.h"
 #include "core/geometry/polygon_normal.h"
 #include "core/mesh/face_polygon.h"
 

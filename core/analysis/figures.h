@@ -8,7 +8,7 @@
 #include <span>
 
 #include "core/analysis/highlights.h"
-#include "core/build/indexed.h"
+#include "core/indexed/indexed.h"
 #include "core/mesh/mesh.h"
 
 namespace ryosen {

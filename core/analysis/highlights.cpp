@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "core/base/parallel.h"
 #include "core/base/sort_unique.h"
-#include "core/build/parallel.h"
 #include "core/mesh/circulate.h"
 
 namespace ryosen {

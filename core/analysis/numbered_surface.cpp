@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/build/parallel.h"
+#include "core/base/parallel.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/copies.h"
 

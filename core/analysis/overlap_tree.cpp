@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "core/build/parallel.h"
+#include "core/base/parallel.h"
 
 namespace ryosen {
 

@@ -11,7 +11,7 @@
 
 #include "core/analysis/neighbourhood.h"
 #include "core/base/message.h"
-#include "core/build/indexed.h"
+#include "core/indexed/indexed.h"
 
 namespace ryosen {
 

@@ -11,7 +11,7 @@
 #include "core/analysis/highlights.h"
 #include "core/analysis/self_intersections.h"
 #include "core/base/element.h"
-#include "core/build/indexed.h"
+#include "core/indexed/indexed.h"
 
 namespace ryosen {
 

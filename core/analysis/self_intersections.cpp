@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/analysis/overlap_tree.h"
+#include "core/base/parallel.h"
 #include "core/base/sort_unique.h"
-#include "core/build/parallel.h"
 #include "core/geometry/triangles_meet.h"
 
 namespace ryosen {

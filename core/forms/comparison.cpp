@@ -6,8 +6,8 @@
 #include <limits>
 #include <random>
 
-#include "core/build/to_indexed.h"
 #include "core/forms/polygons.h"
+#include "core/indexed/to_indexed.h"
 #include "core/mesh/copies.h"
 
 namespace ryosen::forms {
@@ -137,7 +137,7 @@ std::string duration_text(double seconds) {
 
 Comparison compare_forms(const Mesh& mesh, const Effort& effort) {
   const ElementCounts counts = counts_on_points(mesh);
-  Comparison comparison{counts.vertices, counts.edges, counts.faces, {}, {}, texts_on_boundaries()};
+  Comparison comparison{counts.vertices, counts.edges, counts.faces, {}, {}, sources_on_boundaries()};
   const Questions questions(mesh);
   for (const FormRow& row : all_forms()) comparison.forms.push_back(measure(mesh, row, questions, effort));
   const IndexedMesh list = to_indexed(mesh).mesh;

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/build/pairing.h"
 #include "core/forms/all.h"
-#include "core/forms/texts_operators.h"
+#include "core/forms/pairing.h"
+#include "core/forms/source_operators.h"
 
 namespace ryosen::forms {
 
@@ -41,7 +41,7 @@ struct Comparison {
   std::uint32_t vertices = 0, edges = 0, faces = 0;  // points and point pairs
   std::vector<FormFigures> forms;
   std::vector<PairingFigures> pairing;
-  std::vector<TextsReport> texts;
+  std::vector<SourceReport> texts;
 };
 
 // Cost: about the effort per form and relation, plus making each form once.

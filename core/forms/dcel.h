@@ -1,4 +1,4 @@
-// The doubly connected edge list of the texts: vertices with incident_edge, half-edges with origin, twin, next, prev and
+// The doubly connected edge list of the source texts: vertices with incident_edge, half-edges with origin, twin, next, prev and
 // face, faces with an outer component and inner components.
 #pragma once
 

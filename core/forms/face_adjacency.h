@@ -1,4 +1,4 @@
-// Table 3 of the texts: a vertex knows one of its faces, a face its vertices and the faces across its sides.
+// Table 3 of the source texts: a vertex knows one of its faces, a face its vertices and the faces across its sides.
 #pragma once
 
 #include "core/forms/form.h"

@@ -98,7 +98,7 @@ enum Needs : std::uint32_t {
 struct FormRow {
   std::string_view id;
   std::string_view en, ja;
-  std::string_view source_en, source_ja;  // where the texts show it
+  std::string_view source_en, source_ja;  // where the source texts show it
   std::uint32_t needs;
   // False where the way back numbers the vertices by their first corner instead.
   bool keeps_numbers;

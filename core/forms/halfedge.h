@@ -1,4 +1,4 @@
-// The halfedge structure of the texts: table 5, with and without halfedges outside, with and without the edge records
+// The halfedge structure of the source texts: table 5, with and without halfedges outside, with and without the edge records
 // of table 6.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Table 5 of the texts: halfedges with vertex, face, pair, next and prev.
+// Table 5 of the source texts: halfedges with vertex, face, pair, next and prev.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -9,8 +9,8 @@
 
 namespace ryosen::forms {
 
-// Plain records; no_index stands for the texts' null. On a boundary either the pair is none (as in table 5) or a
-// halfedge without a face runs outside (the variant of the texts' footnote).
+// Plain records; no_index stands for the source texts' null. On a boundary either the pair is none (as in table 5) or a
+// halfedge without a face runs outside (the variant of the source texts' footnote).
 struct HalfedgeTable {
   struct Record {
     std::uint32_t vertex, face, pair, next, prev;

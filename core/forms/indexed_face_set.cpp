@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/sort_unique.h"
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 
 namespace ryosen::forms {
 

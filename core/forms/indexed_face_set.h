@@ -1,4 +1,4 @@
-// Table 2 of the texts: coordinates once per vertex, and per face the numbers of its corners.
+// Table 2 of the source texts: coordinates once per vertex, and per face the numbers of its corners.
 #pragma once
 
 #include "core/forms/form.h"

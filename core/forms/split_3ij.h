@@ -1,4 +1,4 @@
-// The edge split of the texts on triangles whose halfedges are numbered 3i, 3i+1, 3i+2 by their face i.
+// The edge split of the source texts on triangles whose halfedges are numbered 3i, 3i+1, 3i+2 by their face i.
 //
 //          v1                     v1            the triangle left of the halfedge v3 -> v0 becomes (v0, v1, new), the one
 //        / a  \                 / | \           on its right, if any, (v2, v0, new); (v1, v3, new) and then, if there
@@ -65,7 +65,7 @@ Split3ij split_3ij(Structure& mesh, std::uint32_t h, const glm::dvec3& position)
 }
 
 // Splits the edge of a halfedge at its midpoint, seen from its side that leaves the vertex with the smaller number. The
-// numbers of the texts' hexagon come about like this.
+// numbers of the source texts' hexagon come about like this.
 template <class Structure>
 Split3ij split_edge_3ij(Structure& mesh, std::uint32_t h) {
   const std::uint32_t other = mesh.opposite(h);
@@ -81,7 +81,7 @@ double area_3ij(const Structure& mesh, std::uint32_t face) {
                                       mesh.position(mesh.corner(3 * face + 2)) - a));
 }
 
-// The repeated split of the texts: `times` times the longest side of the largest triangle (the first of equal ones) is
+// The repeated split of the source texts: `times` times the longest side of the largest triangle (the first of equal ones) is
 // split at its midpoint. O(times * faces).
 template <class Structure>
 void split_largest_3ij(Structure& mesh, std::size_t times) {

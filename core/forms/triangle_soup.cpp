@@ -2,8 +2,8 @@
 
 #include <map>
 
-#include "core/build/from_indexed.h"
 #include "core/forms/polygons.h"
+#include "core/indexed/from_indexed.h"
 
 namespace ryosen::forms {
 

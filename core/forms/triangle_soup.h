@@ -1,4 +1,4 @@
-// Table 1 of the texts: three corners with coordinates per triangle, and nothing else.
+// Table 1 of the source texts: three corners with coordinates per triangle, and nothing else.
 #pragma once
 
 #include <array>

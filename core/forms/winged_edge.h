@@ -1,4 +1,4 @@
-// Table 4 of the texts: all links lie in the edges.
+// Table 4 of the source texts: all links lie in the edges.
 //
 //    left_prev \         / right_next        an edge runs from start to end; seen along it, one face is left, one right;
 //               o--end--o                    "next" and "prev" follow the loop of that face, so left_next begins at end

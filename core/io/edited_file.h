@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/build/to_indexed.h"
+#include "core/indexed/to_indexed.h"
 #include "core/io/mesh_file.h"
 #include "core/mesh/mesh.h"
 

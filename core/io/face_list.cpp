@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/parallel.h"
 #include "core/base/release.h"
-#include "core/build/parallel.h"
 #include "core/mesh/bridges.h"
 
 namespace ryosen {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/build/indexed.h"
+#include "core/indexed/indexed.h"
 #include "core/io/reporter.h"
 
 namespace ryosen {

@@ -8,7 +8,7 @@
 
 #include "core/base/handle.h"
 #include "core/base/message.h"
-#include "core/build/indexed.h"
+#include "core/indexed/indexed.h"
 #include "core/io/properties.h"
 #include "core/io/reporter.h"
 

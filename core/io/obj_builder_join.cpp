@@ -1,8 +1,8 @@
 // Joins what was made from the pieces of an OBJ file.
 #include <algorithm>
 
+#include "core/base/parallel.h"
 #include "core/base/release.h"
-#include "core/build/parallel.h"
 #include "core/io/obj_builder.h"
 #include "core/mesh/column_memory.h"
 

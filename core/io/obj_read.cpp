@@ -7,7 +7,7 @@
 #include <streambuf>
 #include <vector>
 
-#include "core/build/parallel.h"
+#include "core/base/parallel.h"
 #include "core/io/obj.h"
 #include "core/io/obj_builder.h"
 #include "core/io/obj_pieces.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/build/parallel.h"
+#include "core/base/parallel.h"
 #include "core/io/numbers.h"
 #include "core/io/ply_values.h"
 #include "core/mesh/column_memory.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/build/indexed.h"
+#include "core/indexed/indexed.h"
 
 namespace ryosen {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <atomic>
 
-#include "core/build/parallel.h"
+#include "core/base/parallel.h"
 #include "core/io/place_table.h"
 #include "core/mesh/column_memory.h"
 

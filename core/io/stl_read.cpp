@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/build/parallel.h"
+#include "core/base/parallel.h"
 #include "core/io/face_list.h"
 #include "core/io/losses.h"
 #include "core/io/reporter.h"

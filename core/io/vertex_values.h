@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/build/indexed.h"
+#include "core/indexed/indexed.h"
 
 namespace ryosen {
 

@@ -44,7 +44,7 @@ using AnyOp = std::variant<CollapseEdge, SwapEdge, SplitEdge, Orient,
                            Poke, VertexSplit, Triangulate, Dissolve, Extrude,
                            // Taking away, filling, repairing.
                            Delete, Fill, MakeFace, Reverse, SeparateFans, Detach, Weld,
-                           // The Euler operators of the texts.
+                           // The Euler operators of the source texts.
                            MakeVertex, RemoveVertex, MoveVertex, MakeEdge, DeleteEdge, MakeLoop, DeleteLoop,
                            SeparateLoop, UniteLoop, SeparateEdge, UniteEdge, MakeRing, UniteRing>;
 

@@ -6,9 +6,9 @@
 
 #include "core/mesh/copies.h"
 #include "core/mesh/face_polygon.h"
-#include "core/ops/arguments.h"
-#include "core/ops/corner_values.h"
-#include "core/ops/face_geometry.h"
+#include "core/ops/lines/arguments.h"
+#include "core/ops/rules/corner_values.h"
+#include "core/ops/rules/face_geometry.h"
 
 namespace ryosen {
 

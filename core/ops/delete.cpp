@@ -6,9 +6,9 @@
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
-#include "core/ops/arguments.h"
-#include "core/ops/pinch.h"
-#include "core/ops/sheets.h"
+#include "core/ops/lines/arguments.h"
+#include "core/ops/rules/pinch.h"
+#include "core/ops/rules/sheets.h"
 
 namespace ryosen {
 

@@ -15,7 +15,7 @@
 #pragma once
 
 #include "core/ops/op.h"
-#include "core/ops/sheets.h"
+#include "core/ops/rules/sheets.h"
 
 namespace ryosen {
 

@@ -5,12 +5,12 @@
 
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
-#include "core/ops/arguments.h"
-#include "core/ops/face_geometry.h"
-#include "core/ops/face_lists.h"
-#include "core/ops/pinch.h"
-#include "core/ops/sheets.h"
-#include "core/ops/surgery.h"
+#include "core/ops/lines/arguments.h"
+#include "core/ops/rules/face_geometry.h"
+#include "core/ops/rules/face_lists.h"
+#include "core/ops/rules/pinch.h"
+#include "core/ops/rules/sheets.h"
+#include "core/ops/rules/surgery.h"
 
 namespace ryosen {
 

@@ -6,8 +6,8 @@
 
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
-#include "core/ops/shorten_seam.h"
-#include "core/ops/turn_faces.h"
+#include "core/ops/rules/shorten_seam.h"
+#include "core/ops/rules/turn_faces.h"
 
 namespace ryosen {
 

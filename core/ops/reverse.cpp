@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/analysis/components.h"
-#include "core/ops/arguments.h"
-#include "core/ops/turn_faces.h"
+#include "core/ops/lines/arguments.h"
+#include "core/ops/rules/turn_faces.h"
 
 namespace ryosen {
 

@@ -3,8 +3,8 @@
 #include <cassert>
 
 #include "core/mesh/copies.h"
-#include "core/ops/arguments.h"
-#include "core/ops/sheets.h"
+#include "core/ops/lines/arguments.h"
+#include "core/ops/rules/sheets.h"
 
 namespace ryosen {
 

@@ -6,9 +6,9 @@
 #include "core/geometry/is_finite.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/rings.h"
-#include "core/ops/corner_values.h"
-#include "core/ops/face_geometry.h"
-#include "core/ops/sheets.h"
+#include "core/ops/rules/corner_values.h"
+#include "core/ops/rules/face_geometry.h"
+#include "core/ops/rules/sheets.h"
 
 namespace ryosen {
 

@@ -6,10 +6,10 @@
 
 #include "core/mesh/copies.h"
 #include "core/mesh/face_polygon.h"
-#include "core/ops/corner_values.h"
-#include "core/ops/face_geometry.h"
-#include "core/ops/face_lists.h"
-#include "core/ops/plain_check.h"
+#include "core/ops/rules/corner_values.h"
+#include "core/ops/rules/face_geometry.h"
+#include "core/ops/rules/face_lists.h"
+#include "core/ops/rules/plain_check.h"
 
 namespace ryosen {
 

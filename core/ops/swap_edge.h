@@ -31,7 +31,8 @@ struct SwapEdge {
                                "turns the edge by one corner in its two faces",
                                "稜線を両側の面の中で一角ぶん回す",
                                'S',
-                               OpTargetKind::edge};
+                               OpTargetKind::edge,
+                               "flip"};
 
   static Parsed<SwapEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static SwapEdge at(const Mesh& mesh, const OpTarget& target);

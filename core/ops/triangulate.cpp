@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cassert>
 
-#include "core/ops/arguments.h"
-#include "core/ops/corner_values.h"
-#include "core/ops/face_geometry.h"
-#include "core/ops/face_lists.h"
-#include "core/ops/face_triangles.h"
+#include "core/ops/lines/arguments.h"
+#include "core/ops/rules/corner_values.h"
+#include "core/ops/rules/face_geometry.h"
+#include "core/ops/rules/face_lists.h"
+#include "core/ops/rules/face_triangles.h"
 
 namespace ryosen {
 

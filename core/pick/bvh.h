@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "core/pick/float_box.h"
-#include "core/pick/frustum.h"
 #include "core/pick/primitive.h"
 #include "core/pick/ray.h"
+#include "core/view/frustum.h"
 
 namespace ryosen {
 

@@ -8,8 +8,8 @@
 #include "core/mesh/mesh.h"
 #include "core/mesh/touched.h"
 #include "core/pick/bvh.h"
-#include "core/pick/camera.h"
 #include "core/pick/surface_triangles.h"
+#include "core/view/camera.h"
 
 namespace ryosen {
 

@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "core/pick/camera.h"
+#include "core/view/camera.h"
 
 namespace ryosen {
 

@@ -3,7 +3,7 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "core/pick/size.h"
+#include "core/view/size.h"
 #include "render/palette.h"
 
 namespace ryosen {

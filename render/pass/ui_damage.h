@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/pick/size.h"
+#include "core/view/size.h"
 
 struct ImDrawData;
 struct ImDrawList;

@@ -5,8 +5,8 @@
 #include <random>
 
 #include "core/analysis/self_intersections.h"
-#include "core/build/from_indexed.h"
 #include "core/geometry/triangulate.h"
+#include "core/indexed/from_indexed.h"
 #include "core/ops/all.h"
 #include "tests/bench/bench_meshes.h"
 #include "tests/unit/core/geometry/polygon_shapes.h"

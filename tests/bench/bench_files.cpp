@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/build/from_indexed.h"
-#include "core/build/parallel.h"
+#include "core/base/parallel.h"
+#include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
 #include "core/io/input_file.h"
 #include "core/io/obj_pieces.h"

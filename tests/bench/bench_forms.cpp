@@ -1,11 +1,11 @@
-// Pairing methods and queries of the forms of the texts, over their tables. RYOSEN_DRAGON=FILE.ply.gz adds the dragon.
+// Pairing methods and queries of the forms of the source texts, over their tables. RYOSEN_DRAGON=FILE.ply.gz adds the dragon.
 #include <benchmark/benchmark.h>
 
 #include <random>
 
-#include "core/build/from_indexed.h"
-#include "core/build/pairing.h"
 #include "core/forms/all.h"
+#include "core/forms/pairing.h"
+#include "core/indexed/from_indexed.h"
 #include "tests/bench/bench_meshes.h"
 
 namespace ryosen::bench {

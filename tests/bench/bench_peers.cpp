@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "core/analysis/one_ring_sums.h"
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/column_memory.h"
 #include "core/mesh/lookahead.h"
 #include "core/ops/collapse_edge.h"
-#include "core/ops/collapsible_edges.h"
+#include "core/ops/outlook/collapsible_edges.h"
 #include "core/ops/swap_edge.h"
 #include "tests/bench/bench_meshes.h"
 #include "tests/bench/counted_memory.h"

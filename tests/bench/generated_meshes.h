@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "core/build/indexed.h"
+#include "core/indexed/indexed.h"
 
 namespace ryosen::bench {
 

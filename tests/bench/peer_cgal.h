@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/build/indexed.h"
+#include "core/indexed/indexed.h"
 
 namespace ryosen::bench {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "core/build/indexed.h"
+#include "core/indexed/indexed.h"
 
 namespace ryosen::bench {
 

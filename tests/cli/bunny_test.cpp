@@ -16,7 +16,7 @@ struct EditCase {
 
 class BunnyEdit : public testing::TestWithParam<EditCase> {};
 
-TEST_P(BunnyEdit, ChangesCountsInTheWrittenFile) {
+TEST_P(BunnyEdit, changes_counts_in_the_written_file) {
   const TemporaryFolder folder;
   const std::string bunny = asset("stanford_bunny.obj");
   const ProgramRun edit =
@@ -50,7 +50,7 @@ struct RefusedCase {
 
 class BunnyRefusal : public testing::TestWithParam<RefusedCase> {};
 
-TEST_P(BunnyRefusal, NamesTheRuleAndWritesNothing) {
+TEST_P(BunnyRefusal, names_the_rule_and_writes_nothing) {
   const TemporaryFolder folder;
   const ProgramRun run =
       run_program({"edit", asset("stanford_bunny.obj"), "--do", GetParam().command, "-o", "out.obj"}, folder.path());
@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(Bunny, BunnyRefusal,
                                          RefusedCase{"swap", "swap 1-2", "boundary"}),
                          [](const auto& test) { return test.param.name; });
 
-TEST(Bunny, EveryEdgeIsJudged) {
+TEST(bunny, every_edge_is_judged) {
   const ProgramRun run = run_program({"why", asset("stanford_bunny.obj"), "--op", "collapse", "--all", "--json"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 2 * 104288);

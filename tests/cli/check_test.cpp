@@ -27,7 +27,7 @@ std::vector<std::string> files_of(const std::vector<Json>& lines) {
   return files;
 }
 
-TEST(Check, JsonHasTheKeysOfTheContractInOrder) {
+TEST(check, json_has_the_keys_of_the_contract_in_order) {
   const Json report = run_program({"check", asset("fin.obj"), "--json"}).line();
   EXPECT_EQ(keys_of(report), (std::vector<std::string>{"file",
                                                        "format",
@@ -76,7 +76,7 @@ TEST(Check, JsonHasTheKeysOfTheContractInOrder) {
   EXPECT_EQ(problem["where"], Json::array({0.5, 0.0, 0.0}));
 }
 
-TEST(Check, NumbersThatAreNotFiniteBecomeNull) {
+TEST(check, numbers_that_are_not_finite_become_null) {
   const TemporaryFolder folder;
   folder.write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\n");
   const ProgramRun run = run_program({"check", folder.at("nan.obj"), "--json"});
@@ -91,7 +91,7 @@ TEST(Check, NumbersThatAreNotFiniteBecomeNull) {
   EXPECT_TRUE((*found)["where"].is_null());
 }
 
-TEST(Check, QuarantinedFaceIsNamedWithItsLine) {
+TEST(check, quarantined_face_is_named_with_its_line) {
   const TemporaryFolder folder;
   folder.write("q.obj", std::string(triangle) + "f 1 2\n");
   const ProgramRun run = run_program({"check", folder.at("q.obj"), "--json"});
@@ -107,7 +107,7 @@ TEST(Check, QuarantinedFaceIsNamedWithItsLine) {
   EXPECT_EQ(report["messages"][0]["line"], 5);
 }
 
-TEST(Check, FailOnChoosesTheKindsThatCount) {
+TEST(check, fail_on_chooses_the_kinds_that_count) {
   const std::string fin = asset("fin.obj"), fan = asset("fan.obj");
   EXPECT_EQ(run_program({"check", fin, "--fail-on", "none"}).exit_code, 0);
   EXPECT_EQ(run_program({"check", fin, "--fail-on", "isolated_vertex"}).exit_code, 0);
@@ -120,7 +120,7 @@ TEST(Check, FailOnChoosesTheKindsThatCount) {
   EXPECT_EQ(run_program({"check", fan, "--fail-on", "none,isolated_vertex"}).exit_code, 2);
 }
 
-TEST(Check, WarningsOfTheReaderCountAsProblems) {
+TEST(check, warnings_of_the_reader_count_as_problems) {
   const TemporaryFolder folder;
   folder.write("m.obj", "mtllib nowhere.mtl\n" + std::string(triangle));
   const ProgramRun run = run_program({"check", folder.at("m.obj"), "--json"});
@@ -130,7 +130,7 @@ TEST(Check, WarningsOfTheReaderCountAsProblems) {
   EXPECT_NE(run_program({"check", folder.at("m.obj")}).err.find("m.obj:1: warning: "), std::string::npos);
 }
 
-TEST(Check, WalksFoldersInByteOrder) {
+TEST(check, walks_folders_in_byte_order) {
   const TemporaryFolder folder;
   for (const char* name : {"b.obj", "a/z.obj", "a.obj", "B.OBJ", "a/c/k.off", "notes.txt"})
     folder.write(name, std::string(name).ends_with("off") ? "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n" : triangle);
@@ -140,7 +140,7 @@ TEST(Check, WalksFoldersInByteOrder) {
             (std::vector<std::string>{"./B.OBJ", "./a.obj", "./a/c/k.off", "./a/z.obj", "./b.obj"}));
 }
 
-TEST(Check, EmptyFolderIsMissingInput) {
+TEST(check, empty_folder_is_missing_input) {
   const TemporaryFolder folder;
   const ProgramRun run = run_program({"check", folder.path().string(), "--json"});
   EXPECT_EQ(run.exit_code, 3);
@@ -148,7 +148,7 @@ TEST(Check, EmptyFolderIsMissingInput) {
   EXPECT_TRUE(run.line()["format"].is_null());
 }
 
-TEST(Check, LinesComeInInputOrderHoweverManyJobs) {
+TEST(check, lines_come_in_input_order_however_many_jobs) {
   std::vector<std::string> arguments{"check", "--json", "--jobs", "4", asset("stanford_bunny.obj")};
   for (int i = 0; i < 20; ++i) arguments.push_back(asset(i % 2 ? "cube.obj" : "torus.off"));
   const std::vector<std::string> inputs(arguments.begin() + 4, arguments.end());
@@ -158,12 +158,12 @@ TEST(Check, LinesComeInInputOrderHoweverManyJobs) {
   EXPECT_TRUE(std::is_permutation(files.begin(), files.end(), inputs.begin(), inputs.end()));
 }
 
-TEST(Check, JobsMustBeANumber) {
+TEST(check, jobs_must_be_a_number) {
   for (const char* jobs : {"0", "-1", "two", "3x", ""})
     EXPECT_EQ(run_program({"check", asset("cube.obj"), "--jobs", jobs}).exit_code, 2) << jobs;
 }
 
-TEST(Check, SaysTheFormatOfARefusedFileAndOfAMisnamedOne) {
+TEST(check, says_the_format_of_a_refused_file_and_of_a_misnamed_one) {
   const TemporaryFolder folder;
   folder.write("empty.obj", "");
   folder.write("cube.off", read_file(asset("cube.obj")));
@@ -175,7 +175,7 @@ TEST(Check, SaysTheFormatOfARefusedFileAndOfAMisnamedOne) {
   EXPECT_EQ(misnamed["status"], "warnings");
 }
 
-TEST(Check, ReportForPeopleNamesElementsPlaceAndLine) {
+TEST(check, report_for_people_names_elements_place_and_line) {
   const ProgramRun run = run_program({"check", asset("fin.obj")});
   for (const char* part : {"fin.obj (obj): warnings", "vertices", "nonmanifold_edge x1", "0-1", "line 9"})
     EXPECT_NE(run.out.find(part), std::string::npos) << part << "\n" << run.out;
@@ -183,7 +183,7 @@ TEST(Check, ReportForPeopleNamesElementsPlaceAndLine) {
   EXPECT_NE(japanese.out.find("三つ以上の面が接する稜線"), std::string::npos) << japanese.out;
 }
 
-TEST(Check, ManyElementsAreShortenedForPeopleOnly) {
+TEST(check, many_elements_are_shortened_for_people_only) {
   const TemporaryFolder folder;
   std::string points;
   for (int i = 0; i < 50; ++i) points += "v " + std::to_string(i) + " 5 5\n";
@@ -199,7 +199,7 @@ constexpr const char* crossing =
     "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 -1\nv 1 1 1\nv 2 2 1\nv 9 0 0\nv 9 1 0\nv 8 0 0\n"
     "f 7 8 9\nf 1 2 3\nf 4 5 6\n";
 
-TEST(Check, SelfIntersectionsAreFoundOnRequest) {
+TEST(check, self_intersections_are_found_on_request) {
   const TemporaryFolder folder;
   const std::string path = folder.write("x.obj", crossing);
   const ProgramRun plain = run_program({"check", path, "--json"});
@@ -220,7 +220,7 @@ TEST(Check, SelfIntersectionsAreFoundOnRequest) {
   EXPECT_NE(text.out.find("f1 x f2"), std::string::npos) << text.out;
 }
 
-TEST(Check, SaysWhenMorePairsMeetThanItLists) {
+TEST(check, says_when_more_pairs_meet_than_it_lists) {
   const TemporaryFolder folder;
   std::string stack;
   for (int i = 0; i < 1500; ++i) stack += "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n";
@@ -233,7 +233,7 @@ TEST(Check, SaysWhenMorePairsMeetThanItLists) {
   EXPECT_NE(problem["ja"].get<std::string>().find("1000000 組で"), std::string::npos);
 }
 
-TEST(Check, FailOnSelfIntersectionsLooksForThem) {
+TEST(check, fail_on_self_intersections_looks_for_them) {
   const TemporaryFolder folder;
   const std::string path = folder.write("x.obj", crossing);
   EXPECT_EQ(run_program({"check", path, "--fail-on", "self_intersection"}).exit_code, 1);
@@ -242,7 +242,7 @@ TEST(Check, FailOnSelfIntersectionsLooksForThem) {
   EXPECT_EQ(run_program({"check", path, "--self-intersections", "--fail-on", "none"}).exit_code, 0);
 }
 
-TEST(Check, NamesThatAreNotUtf8StayDifferentInJson) {
+TEST(check, names_that_are_not_utf8_stay_different_in_json) {
   const TemporaryFolder folder;
   const std::string stand_in = "\xef\xb7\x9f";  // a character that no name should have
   for (const std::string name : {"\xfe.obj", "\xff.obj", "\xe3\x81\x82\xe3\x81.obj"}) folder.write(name, triangle);
@@ -259,7 +259,7 @@ TEST(Check, NamesThatAreNotUtf8StayDifferentInJson) {
         << text;
 }
 
-TEST(Check, FollowsLinksToFoldersOnce) {
+TEST(check, follows_links_to_folders_once) {
   namespace fs = std::filesystem;
   const TemporaryFolder folder, outside;
   outside.write("far.obj", triangle);
@@ -279,7 +279,7 @@ TEST(Check, FollowsLinksToFoldersOnce) {
   EXPECT_EQ(files, (std::vector<std::string>{"m/first/deep/deeper.obj", "m/first/far.obj", "m/inner/near.obj"}));
 }
 
-TEST(Check, GoesThroughTheFirstLinkInTheOrderOfBytes) {
+TEST(check, goes_through_the_first_link_in_the_order_of_bytes) {
   namespace fs = std::filesystem;
   const TemporaryFolder folder, outside;
   outside.write("far.obj", triangle);
@@ -291,7 +291,7 @@ TEST(Check, GoesThroughTheFirstLinkInTheOrderOfBytes) {
   EXPECT_EQ(run.line()["file"], "m/a-c/far.obj") << "a hyphen comes before a slash";
 }
 
-TEST(Check, SaysInTheUsersLanguageWhyAFolderCannotBeRead) {
+TEST(check, says_in_the_users_language_why_a_folder_cannot_be_read) {
   const TemporaryFolder folder;
   folder.write("a.obj", triangle);
   // Folders so deep that the innermost cannot be named, not even by the administrator.
@@ -308,7 +308,7 @@ TEST(Check, SaysInTheUsersLanguageWhyAFolderCannotBeRead) {
   EXPECT_NE(run.err.find("フォルダを読めません：名前が長すぎます。"), std::string::npos) << run.err;
 }
 
-TEST(Check, FacesWithoutCornersStayFarWithinTheirShareOfMemory) {
+TEST(check, faces_without_corners_stay_far_within_their_share_of_memory) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "sanitizers take memory of their own";
 #endif
@@ -332,7 +332,7 @@ TEST(Check, FacesWithoutCornersStayFarWithinTheirShareOfMemory) {
   EXPECT_FALSE(WIFEXITED(starved) && WEXITSTATUS(starved) == 1) << "the limit does not bind";
 }
 
-TEST(Check, APipeIsRefusedWithoutWaitingForIt) {
+TEST(check, a_pipe_is_refused_without_waiting_for_it) {
   const TemporaryFolder folder;
   ASSERT_EQ(mkfifo(folder.at("p.obj").c_str(), 0600), 0);
   const ProgramRun run = run_program({"check", "p.obj", "--json"}, folder.path());
@@ -343,7 +343,7 @@ TEST(Check, APipeIsRefusedWithoutWaitingForIt) {
   EXPECT_EQ(run_program({"check", folder.path()}).exit_code, 9) << "in a folder beside a mesh";
 }
 
-TEST(Check, NamesTheLineOfAVertex) {
+TEST(check, names_the_line_of_a_vertex) {
   const TemporaryFolder folder;
   for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
            {"a.obj", "# one\nv 0 0 0\nv nan 0 0\n\nv 1 0 0\nv 0 1 0\nv 9 9 9\nf 1 3 4\nf 1 2 3\n"},

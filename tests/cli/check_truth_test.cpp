@@ -76,8 +76,8 @@ void compare_with_truth(const std::string& folder) {
   }
 }
 
-TEST(CheckTruth, RealMeshes) { compare_with_truth("meshes"); }
-TEST(CheckTruth, KnownMeshes) { compare_with_truth("meshes/known"); }
+TEST(check_truth, real_meshes) { compare_with_truth("meshes"); }
+TEST(check_truth, known_meshes) { compare_with_truth("meshes/known"); }
 
 // The place that a row of the manifest names is among those of the messages and problems.
 bool names_place(const Json& report, const std::string& where) {
@@ -90,7 +90,7 @@ bool names_place(const Json& report, const std::string& where) {
   return false;
 }
 
-TEST(CheckTruth, MalformedFiles) {
+TEST(check_truth, malformed_files) {
   const std::string manifest = shared_file("malformed/manifest.jsonl");
   if (manifest.empty()) return;
   for (const Json& row : read_lines(manifest)) {
@@ -124,7 +124,7 @@ struct AssetFigures {
   std::vector<std::string> problems;
 };
 
-TEST(CheckTruth, Assets) {
+TEST(check_truth, assets) {
   const AssetFigures assets[] = {
       {"tetrahedron.off", 4, 6, 4, 2, 0, {}},
       {"cube.obj", 8, 12, 6, 2, 0, {}},

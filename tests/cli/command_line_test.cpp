@@ -9,7 +9,7 @@
 namespace ryosen::test {
 namespace {
 
-TEST(CommandLine, UnknownWordsAreUsageErrorsWithAHint) {
+TEST(command_line, unknown_words_are_usage_errors_with_a_hint) {
   const ProgramRun command = run_program({"chekc", "a.obj"});
   EXPECT_EQ(command.exit_code, 2);
   EXPECT_NE(command.err.find("'check'"), std::string::npos) << command.err;
@@ -18,7 +18,7 @@ TEST(CommandLine, UnknownWordsAreUsageErrorsWithAHint) {
   EXPECT_NE(flag.err.find("'--fail-on'"), std::string::npos) << flag.err;
 }
 
-TEST(CommandLine, JsonIsPureOnEveryUsageError) {
+TEST(command_line, json_is_pure_on_every_usage_error) {
   const std::vector<std::vector<std::string>> wrong = {
       {"--json", "nonsense"},
       {"check", "--json"},
@@ -39,7 +39,7 @@ TEST(CommandLine, JsonIsPureOnEveryUsageError) {
   }
 }
 
-TEST(CommandLine, FlagsMayStandAnywhere) {
+TEST(command_line, flags_may_stand_anywhere) {
   const std::string cube = asset("cube.obj");
   EXPECT_EQ(run_program({"--json", "check", cube}).line()["status"], "ok");
   EXPECT_EQ(run_program({"check", cube, "--json"}).line()["status"], "ok");
@@ -49,7 +49,7 @@ TEST(CommandLine, FlagsMayStandAnywhere) {
   EXPECT_EQ(run_program({"check", "--json", "--", "--json"}, folder.path()).line()["file"], "--json");
 }
 
-TEST(CommandLine, LanguageComesFromTheFlagElseFromTheEnvironment) {
+TEST(command_line, language_comes_from_the_flag_else_from_the_environment) {
   const std::string missing = "ファイル";
   const auto speaks_japanese = [&](const std::vector<std::string>& further, const std::string& variable) {
     std::vector<std::string> arguments{"check", "nosuch.obj"};
@@ -62,7 +62,7 @@ TEST(CommandLine, LanguageComesFromTheFlagElseFromTheEnvironment) {
   EXPECT_FALSE(speaks_japanese({"--lang=en"}, "LC_ALL=ja_JP.UTF-8"));
 }
 
-TEST(CommandLine, QuietLeavesErrorsOnly) {
+TEST(command_line, quiet_leaves_errors_only) {
   const TemporaryFolder folder;
   folder.write("w.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2\n");
   EXPECT_NE(run_program({"check", folder.at("w.obj")}).err, "");
@@ -70,7 +70,7 @@ TEST(CommandLine, QuietLeavesErrorsOnly) {
   EXPECT_NE(run_program({"check", "nosuch.obj", "-q"}).err, "");
 }
 
-TEST(Help, NamesEveryCommandAndEachHasItsOwn) {
+TEST(help, names_every_command_and_each_has_its_own) {
   const std::vector<Json> rows = run_program({"help", "--json"}).lines();
   ASSERT_GE(rows.size(), 8u);
   const std::string overview = run_program({"help"}).out;
@@ -88,7 +88,7 @@ TEST(Help, NamesEveryCommandAndEachHasItsOwn) {
   }
 }
 
-TEST(Help, CoversTheContract) {
+TEST(help, covers_the_contract) {
   std::vector<std::string> ids;
   for (const Json& row : run_program({"help", "--json"}).lines()) ids.push_back(row["command"]);
   for (const char* id : {"check", "why", "edit", "formats", "keys", "doctor", "help", "--version"})
@@ -96,14 +96,14 @@ TEST(Help, CoversTheContract) {
   EXPECT_EQ(run_program({"check", "--help"}).out, run_program({"help", "check"}).out);
 }
 
-TEST(Version, IsOneLine) {
+TEST(version, is_one_line) {
   const ProgramRun run = run_program({"--version"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(run.out.rfind("ryosen ", 0), 0u);
   EXPECT_EQ("ryosen " + std::string(run_program({"--version", "--json"}).line()["version"]) + "\n", run.out);
 }
 
-TEST(Formats, ListsWhatIsReadAndWritten) {
+TEST(formats, lists_what_is_read_and_written) {
   std::vector<std::string> ids;
   for (const Json& row : run_program({"formats", "--json"}).lines()) {
     ids.push_back(row["format"]);
@@ -113,13 +113,13 @@ TEST(Formats, ListsWhatIsReadAndWritten) {
   for (const char* id : {"obj", "off"}) EXPECT_NE(std::find(ids.begin(), ids.end(), id), ids.end()) << id;
 }
 
-TEST(Keys, EachSendsACommand) {
+TEST(keys, each_sends_a_command) {
   const std::vector<Json> rows = run_program({"keys", "--json"}).lines();
   EXPECT_GT(rows.size(), 10u);
   for (const Json& row : rows) EXPECT_FALSE(std::string(row["command"]).empty()) << row;
 }
 
-TEST(Doctor, ReportsBackendsFontsAndPackages) {
+TEST(doctor, reports_backends_fonts_and_packages) {
   const ProgramRun run = run_program({"doctor", "--json"});
   const Json report = run.line();
   bool works = false;
@@ -137,7 +137,7 @@ TEST(Doctor, ReportsBackendsFontsAndPackages) {
 }
 
 // The commands that only look at meshes leave the graphics libraries alone.
-TEST(CommandLine, LoadsNoGraphics) {
+TEST(command_line, loads_no_graphics) {
   const std::string cube = asset("cube.obj");
   const std::vector<std::vector<std::string>> commands = {
       {"check", cube}, {"why", cube, "--op", "swap", "--all"}, {"edit", cube, "--do", "split 0-1"}};

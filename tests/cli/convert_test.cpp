@@ -15,7 +15,7 @@ Json loss(const Json& report, const std::string& code) {
   return {};
 }
 
-TEST(Convert, WritesTheFormatOfTheName) {
+TEST(convert, writes_the_format_of_the_name) {
   const TemporaryFolder folder;
   folder.write("a.obj", quads);
   for (const char* name : {"b.off", "b.ply", "b.stl", "b.txt", "b.obj"}) {
@@ -32,7 +32,7 @@ TEST(Convert, WritesTheFormatOfTheName) {
   }
 }
 
-TEST(Convert, NamesWhatIsLostWithCounts) {
+TEST(convert, names_what_is_lost_with_counts) {
   const TemporaryFolder folder;
   folder.write("a.obj", quads);
   const ProgramRun run = run_program({"convert", "a.obj", "-o", "b.stl", "--json"}, folder.path());
@@ -48,7 +48,7 @@ TEST(Convert, NamesWhatIsLostWithCounts) {
   EXPECT_NE(japanese.out.find("c.stl"), std::string::npos);
 }
 
-TEST(Convert, StrictRefusesAndWritesNothing) {
+TEST(convert, strict_refuses_and_writes_nothing) {
   const TemporaryFolder folder;
   folder.write("a.obj", quads);
   const ProgramRun run = run_program({"convert", "a.obj", "-o", "b.stl", "--strict", "--json"}, folder.path());
@@ -62,7 +62,7 @@ TEST(Convert, StrictRefusesAndWritesNothing) {
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.obj", "b.obj"}));
 }
 
-TEST(Convert, FormatsAndTriangles) {
+TEST(convert, formats_and_triangles) {
   const TemporaryFolder folder;
   folder.write("a.obj", quads);
   const ProgramRun text = run_program(
@@ -78,7 +78,7 @@ TEST(Convert, FormatsAndTriangles) {
   EXPECT_NE(read_file(folder.at("c.ply")).find("\n2 0 0.1\n"), std::string::npos) << "to the last bit";
 }
 
-TEST(Convert, PointsThatRoundingBringsToOnePlace) {
+TEST(convert, points_that_rounding_brings_to_one_place) {
   const TemporaryFolder folder;
   folder.write("near.obj", "v 0 0 0\nv 0.1 0 0\nv 0.10000000001 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 4\nf 2 3 4\nf 1 4 5\n");
   const Json rounded = run_program({"convert", "near.obj", "-o", "b.stl", "--json"}, folder.path()).line();
@@ -90,7 +90,7 @@ TEST(Convert, PointsThatRoundingBringsToOnePlace) {
   EXPECT_EQ(run_program({"check", folder.at("c.stl"), "--json"}).line()["vertices"], 5);
 }
 
-TEST(Convert, FacesThatWereSetAsideAndPointsAtOnePlace) {
+TEST(convert, faces_that_were_set_aside_and_points_at_one_place) {
   const TemporaryFolder folder;
   folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\nf 4 5 6\nf 1 2 9\n");
   const Json report = run_program({"convert", "a.obj", "-o", "b.stl", "--json"}, folder.path()).line();
@@ -101,7 +101,7 @@ TEST(Convert, FacesThatWereSetAsideAndPointsAtOnePlace) {
   EXPECT_EQ(run_program({"check", folder.at("b.ply"), "--json"}).line()["quarantined"], 1);
 }
 
-TEST(Convert, WhatCannotBeDone) {
+TEST(convert, what_cannot_be_done) {
   const TemporaryFolder folder;
   folder.write("a.obj", quads);
   EXPECT_EQ(run_program({"convert", "a.obj"}, folder.path()).exit_code, 2);
@@ -117,7 +117,7 @@ TEST(Convert, WhatCannotBeDone) {
   EXPECT_EQ(run_program({"convert", "a.obj", "-o", "a.obj", "--overwrite"}, folder.path()).exit_code, 0);
 }
 
-TEST(Convert, AWrongNameIsSaid) {
+TEST(convert, a_wrong_name_is_said) {
   const TemporaryFolder folder;
   folder.copy(asset("tetrahedron.off"), "a.obj");
   const ProgramRun run = run_program({"convert", "a.obj", "-o", "b.ply", "--json"}, folder.path());
@@ -126,7 +126,7 @@ TEST(Convert, AWrongNameIsSaid) {
   EXPECT_EQ(run.line()["messages"][0]["code"], "content_mismatch");
 }
 
-TEST(Convert, EditedFilesKeepWhatBelongsToThem) {
+TEST(convert, edited_files_keep_what_belongs_to_them) {
   const TemporaryFolder folder;
   folder.write("a.ply",
                "ply\nformat ascii 1.0\ncomment kept\nelement vertex 5\nproperty float x\nproperty float y\n"
@@ -145,7 +145,7 @@ TEST(Convert, EditedFilesKeepWhatBelongsToThem) {
   EXPECT_EQ(report["faces"], 5);
 }
 
-TEST(Convert, StrictRefusesWhatReadingLeftOut) {
+TEST(convert, strict_refuses_what_reading_left_out) {
   const TemporaryFolder folder;
   folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvp 0 1\nf 1 2 3\nsurf 0 1 0 1 1 2 3\n");
   const ProgramRun strict = run_program({"convert", "a.obj", "-o", "b.obj", "--strict", "--json"}, folder.path());

@@ -6,7 +6,7 @@
 namespace ryosen::test {
 namespace {
 
-TEST(Edit, ReportsEveryCommandThenTheWhole) {
+TEST(edit, reports_every_command_then_the_whole) {
   const TemporaryFolder folder;
   const ProgramRun run = run_program({"edit", asset("fan.obj"), "--do", "collapse 0-1", "--do", "# nothing", "--do",
                                       "split 2-3 0.25; expect V 7", "-o", "o.obj", "--json"},
@@ -32,7 +32,7 @@ TEST(Edit, ReportsEveryCommandThenTheWhole) {
   EXPECT_EQ(lines[3]["refused"], 0);
 }
 
-TEST(Edit, RunsScriptsWithCommentsAndUndoesThem) {
+TEST(edit, runs_scripts_with_comments_and_undoes_them) {
   const TemporaryFolder folder;
   folder.write("s.txt", "# a trial\ncollapse 0-1 mid ; swap 2-3\n\nundo 2\nexpect V 8; expect E 12; expect F 6\n");
   const std::string hash = run_program({"check", asset("cube.obj"), "--json"}).line()["hash"];
@@ -42,7 +42,7 @@ TEST(Edit, RunsScriptsWithCommentsAndUndoesThem) {
   EXPECT_EQ(run_program({"edit", asset("cube.obj"), "--do", "split 0-1; undo; expect hash " + hash}).exit_code, 0);
 }
 
-TEST(Edit, StopsAtARefusalAndSkipsTheRest) {
+TEST(edit, stops_at_a_refusal_and_skips_the_rest) {
   const TemporaryFolder folder;
   const ProgramRun run = run_program(
       {"edit", asset("tetrahedron.off"), "--do", "split 0-1; collapse 2-3; split 1-2", "-o", "o.off", "--json"},
@@ -59,7 +59,7 @@ TEST(Edit, StopsAtARefusalAndSkipsTheRest) {
   EXPECT_TRUE(folder.names().empty());
 }
 
-TEST(Edit, GoesOnAfterARefusalWhenAsked) {
+TEST(edit, goes_on_after_a_refusal_when_asked) {
   const TemporaryFolder folder;
   const ProgramRun run = run_program({"edit", asset("tetrahedron.off"), "--do", "collapse 0-1; split 1-2", "-o",
                                       "o.off", "--on-refuse", "skip", "--json"},
@@ -72,7 +72,7 @@ TEST(Edit, GoesOnAfterARefusalWhenAsked) {
   EXPECT_EQ(run_program({"check", folder.at("o.off"), "--json"}).line()["vertices"], 5);
 }
 
-TEST(Edit, AFailedExpectationIsNoRefusal) {
+TEST(edit, a_failed_expectation_is_no_refusal) {
   const TemporaryFolder folder;
   const ProgramRun run =
       run_program({"edit", asset("cube.obj"), "--do", "expect V 9; split 0-1", "-o", "o.obj", "--on-refuse", "skip"},
@@ -81,7 +81,7 @@ TEST(Edit, AFailedExpectationIsNoRefusal) {
   EXPECT_TRUE(folder.names().empty());
 }
 
-TEST(Edit, ALineThatDoesNotParseIsFoundBeforeAnythingIsWritten) {
+TEST(edit, a_line_that_does_not_parse_is_found_before_anything_is_written) {
   const TemporaryFolder folder;
   const std::string cube = asset("cube.obj");
   for (const char* wrong : {"split 0-1 x",
@@ -125,7 +125,7 @@ TEST(Edit, ALineThatDoesNotParseIsFoundBeforeAnythingIsWritten) {
   EXPECT_NE(json.line()["messages"][0]["en"].get<std::string>().find("'x'"), std::string::npos) << json.out;
 }
 
-TEST(Edit, LinesThatTheMeshDecidesAreLeftToTheRun) {
+TEST(edit, lines_that_the_mesh_decides_are_left_to_the_run) {
   const TemporaryFolder folder;
   for (const char* line : {"camera {\"target\":[0.42,0.36,1]}", "view iso; frame; frame selected",
                            "mode face; tool none", "select v0 f1 0-8; select none", "show boundary off",
@@ -135,7 +135,7 @@ TEST(Edit, LinesThatTheMeshDecidesAreLeftToTheRun) {
   }
 }
 
-TEST(Edit, AStopSaysWhatHadBeenSaved) {
+TEST(edit, a_stop_says_what_had_been_saved) {
   const TemporaryFolder folder;
   const auto edit = [&](const char* lines, const char* language) {
     return run_program({"edit", asset("cube.obj"), "--do", lines, "--lang", language}, folder.path());
@@ -150,14 +150,14 @@ TEST(Edit, AStopSaysWhatHadBeenSaved) {
   EXPECT_EQ(edit("split 0-77; save d.obj", "en").err.find("saved"), std::string::npos);
 }
 
-TEST(Edit, UnknownElementStopsEvenWhenSkipping) {
+TEST(edit, unknown_element_stops_even_when_skipping) {
   const ProgramRun run =
       run_program({"edit", asset("cube.obj"), "--do", "split 0-1; collapse 0-77", "--on-refuse", "skip"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find("v77"), std::string::npos) << run.err;
 }
 
-TEST(Edit, EdgeThatIsGoneIsRefusedAndOneThatNeverWasIsUsage) {
+TEST(edit, edge_that_is_gone_is_refused_and_one_that_never_was_is_usage) {
   const std::string cube = asset("cube.obj");
   const ProgramRun gone = run_program({"edit", cube, "--do", "swap 0-1; collapse 0-1", "--json"});
   EXPECT_EQ(gone.exit_code, 6);
@@ -165,7 +165,7 @@ TEST(Edit, EdgeThatIsGoneIsRefusedAndOneThatNeverWasIsUsage) {
   EXPECT_EQ(run_program({"edit", cube, "--do", "collapse 0-6"}).exit_code, 2);
 }
 
-TEST(Edit, StrictTurnsWarningsIntoRefusals) {
+TEST(edit, strict_turns_warnings_into_refusals) {
   const TemporaryFolder folder;
   // The top of a low pyramid is pulled through its base.
   const std::vector<std::string> edit{"edit", asset("fan.obj"), "--do", "collapse 0-1 9,9,9", "-o", "o.obj", "--json"};
@@ -182,7 +182,7 @@ TEST(Edit, StrictTurnsWarningsIntoRefusals) {
   EXPECT_TRUE(folder.names().empty());
 }
 
-TEST(Edit, StrictRefusesToWriteWhatWouldBeLost) {
+TEST(edit, strict_refuses_to_write_what_would_be_lost) {
   const TemporaryFolder folder;
   const std::vector<std::string> edit{"edit", asset("cube.obj"), "--do", "move_vertex v0 -1.5,-1.5,-1.5"};
   for (const std::vector<std::string>& write : {std::vector<std::string>{"-o", "o.stl"}, {"--do", "save o.stl"}}) {
@@ -201,7 +201,7 @@ TEST(Edit, StrictRefusesToWriteWhatWouldBeLost) {
   EXPECT_EQ(run_program(lossless, folder.path()).exit_code, 0);
 }
 
-TEST(Edit, SaysWhatItDoesNotCountBesideWhatExpectCounts) {
+TEST(edit, says_what_it_does_not_count_beside_what_expect_counts) {
   const auto edit = [](const std::string& script) { return run_program({"edit", "--new", "--do", script}).out; };
   const std::string wire = "make_vertex 0,0,0; make_vertex 1,0,0; make_edge v0 v1; expect E 1";
   EXPECT_NE(edit(wire).find("E 0 (0)"), std::string::npos) << edit(wire);
@@ -210,7 +210,7 @@ TEST(Edit, SaysWhatItDoesNotCountBesideWhatExpectCounts) {
 }
 
 // Three of the triangles around point 4 are turned over: it lies on several sheets.
-TEST(Edit, AVertexOnSeveralSheetsMustBeNamedWithItsFace) {
+TEST(edit, a_vertex_on_several_sheets_must_be_named_with_its_face) {
   const TemporaryFolder folder;
   const std::string path = folder.write("seam.off",
                                         "OFF\n9 8 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n0 2 0\n1 2 0\n2 2 0\n"
@@ -224,7 +224,7 @@ TEST(Edit, AVertexOnSeveralSheetsMustBeNamedWithItsFace) {
   EXPECT_EQ(run_program({"edit", path, "--do", "move_vertex v4 1,1,1"}).exit_code, 0) << "a point is meant";
 }
 
-TEST(Edit, SaveInAScript) {
+TEST(edit, save_in_a_script) {
   const TemporaryFolder folder;
   folder.copy(asset("cube.obj"), "a.obj");
   EXPECT_EQ(
@@ -234,7 +234,7 @@ TEST(Edit, SaveInAScript) {
   EXPECT_EQ(run_program({"check", folder.at("c.obj"), "--json"}).line()["vertices"], 10);
 }
 
-TEST(Edit, FileNamesInQuotes) {
+TEST(edit, file_names_in_quotes) {
   const TemporaryFolder folder;
   const std::string odd = "x; \"y\" #1.obj";
   folder.copy(asset("cube.obj"), odd);
@@ -248,7 +248,7 @@ TEST(Edit, FileNamesInQuotes) {
   EXPECT_EQ(run_program({"check", folder.at("o 2.obj"), "--json"}).line()["vertices"], 9);
 }
 
-TEST(Edit, NothingRunsWhenAnInputWouldBeReplaced) {
+TEST(edit, nothing_runs_when_an_input_would_be_replaced) {
   const TemporaryFolder folder;
   folder.copy(asset("cube.obj"), "a.obj");
   folder.copy(asset("fan.obj"), "b.obj");
@@ -276,7 +276,7 @@ TEST(Edit, NothingRunsWhenAnInputWouldBeReplaced) {
   EXPECT_EQ(run_program({"check", folder.at("a.obj"), "--json"}).line()["vertices"], 9);
 }
 
-TEST(Edit, OutputThatCannotBeWritten) {
+TEST(edit, output_that_cannot_be_written) {
   const TemporaryFolder folder;
   const std::string cube = asset("cube.obj");
   const ProgramRun no_folder =
@@ -288,7 +288,7 @@ TEST(Edit, OutputThatCannotBeWritten) {
   EXPECT_TRUE(folder.names().empty());
 }
 
-TEST(Edit, MistakesAreFoundBeforeAnythingRuns) {
+TEST(edit, mistakes_are_found_before_anything_runs) {
   const TemporaryFolder folder;
   folder.write("s.txt", "save first.obj\n\n  splitt 0-1\n");
   const ProgramRun run =
@@ -299,7 +299,7 @@ TEST(Edit, MistakesAreFoundBeforeAnythingRuns) {
   EXPECT_EQ(folder.names(), std::vector<std::string>{"s.txt"});
 }
 
-TEST(Edit, UsageErrors) {
+TEST(edit, usage_errors) {
   const std::string cube = asset("cube.obj");
   const std::vector<std::vector<std::string>> wrong = {
       {"edit", cube},
@@ -315,7 +315,7 @@ TEST(Edit, UsageErrors) {
   EXPECT_EQ(run_program({"edit", "nosuch.obj", "--do", "split 0-1"}).exit_code, 3);
 }
 
-TEST(Edit, KeepsWhatTheFileHolds) {
+TEST(edit, keeps_what_the_file_holds) {
   const TemporaryFolder folder;
   folder.write("a.obj",
                "# made by hand\nmtllib m.mtl\ng left\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nvt 0 0\nvt 1 0\n"
@@ -330,7 +330,7 @@ TEST(Edit, KeepsWhatTheFileHolds) {
   EXPECT_EQ(report["degenerate_repeat"], 1);
 }
 
-TEST(Edit, KeepsADeletedVertexInTheFileThatALineUses) {
+TEST(edit, keeps_a_deleted_vertex_in_the_file_that_a_line_uses) {
   const TemporaryFolder folder;
   folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 3 2 4\nf 4 4 1\nl 4 1\n");
   const ProgramRun run = run_program({"edit", "a.obj", "--do", "collapse 3-2", "-o", "o.obj", "--json"}, folder.path());

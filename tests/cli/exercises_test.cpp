@@ -1,4 +1,4 @@
-// The exercises of the texts: replayed by `edit --new`, confirmed by `check`.
+// The exercises of the source texts: replayed by `edit --new`, confirmed by `check`.
 #include <gtest/gtest.h>
 
 #include "tests/support/app/program.h"

@@ -15,7 +15,7 @@
 namespace ryosen {
 namespace {
 
-TEST(FailingSaves, ALimitOfTheShellIsSaidToo) {
+TEST(failing_saves, a_limit_of_the_shell_is_said_too) {
   const test::TemporaryFolder folder;
   const std::string old = test::read_file(test::asset("cube.obj")), out = folder.write("out.obj", old);
   const std::string command = "ulimit -f 100; " RYOSEN_PROGRAM " convert " + test::asset("stanford_bunny.obj") +
@@ -131,23 +131,23 @@ void fail_each_call(const Target& target, const std::vector<std::string>& argume
   }
 }
 
-TEST(FailingSaves, EachCallOfConvertInTurn) {
+TEST(failing_saves, each_call_of_convert_in_turn) {
   const Target target;
   fail_each_call(target, {"convert", target.input(), "-o", target.path()},
                  {ENOSPC, EIO, EROFS, ENOENT, EACCES, EDQUOT, EINVAL, EINTR, EMFILE});
 }
 
-TEST(FailingSaves, EachCallOfAnEditsOutputInTurn) {
+TEST(failing_saves, each_call_of_an_edits_output_in_turn) {
   const Target target;
   fail_each_call(target, {"edit", target.input(), "-o", target.path(), "--do", "split 0-1"}, {ENOSPC, EIO});
 }
 
-TEST(FailingSaves, EachCallOfTheSaveCommandInTurn) {
+TEST(failing_saves, each_call_of_the_save_command_in_turn) {
   const Target target;
   fail_each_call(target, {"edit", target.input(), "--do", "split 0-1; save " + target.path()}, {EIO, ENOSPC});
 }
 
-TEST(FailingSaves, AWriteThatTakesHalfIsGoneOnWith) {
+TEST(failing_saves, a_write_that_takes_half_is_gone_on_with) {
   const Target target;
   const std::vector<std::string> words{"convert", target.input(), "-o", target.path()};
   ASSERT_EQ(test::run_program(words, {}, target.environment(0, "0")).exit_code, 0);
@@ -162,7 +162,7 @@ TEST(FailingSaves, AWriteThatTakesHalfIsGoneOnWith) {
 }
 
 // Saves in a session and looks at what it says of itself. The test below runs this one again in processes of their own.
-TEST(FailingSaves, ADocumentIsSavedOrSaysThatItIsNot) {
+TEST(failing_saves, a_document_is_saved_or_says_that_it_is_not) {
   const Target own;
   const char* const given = std::getenv("RYOSEN_SAVE_TARGET");
   const std::string path = given ? given : own.path();
@@ -178,7 +178,7 @@ TEST(FailingSaves, ADocumentIsSavedOrSaysThatItIsNot) {
   EXPECT_TRUE(given || outcome.done());
 }
 
-TEST(FailingSaves, TheDocumentStaysUnsavedWhicheverCallFails) {
+TEST(failing_saves, the_document_stays_unsaved_whichever_call_fails) {
   const Target target;
   const std::string self = std::filesystem::read_symlink("/proc/self/exe");
   std::size_t nth = 1;

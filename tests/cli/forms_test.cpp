@@ -3,8 +3,8 @@
 
 #include <map>
 
-#include "core/build/pairing.h"
 #include "core/forms/all.h"
+#include "core/forms/pairing.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen::test {
@@ -16,7 +16,7 @@ std::map<std::string, Json> rows_of(const Json& line, const std::string& list, c
   return rows;
 }
 
-TEST(FormsCommand, ComparesEveryFormAndMethod) {
+TEST(forms_command, compares_every_form_and_method) {
   const ProgramRun run = run_program({"forms", asset("torus.off"), "--json"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const Json line = run.line();
@@ -53,7 +53,7 @@ TEST(FormsCommand, ComparesEveryFormAndMethod) {
 }
 
 // What takes too long is measured on a part, and says so.
-TEST(FormsCommand, BruteForceOnTheBunnyIsMeasuredOnAPart) {
+TEST(forms_command, brute_force_on_the_bunny_is_measured_on_a_part) {
   const ProgramRun run = run_program({"forms", asset("stanford_bunny.obj"), "--json"});
   const Json line = run.line();
   for (const auto& [id, method] : rows_of(line, "pairing", "method")) {
@@ -65,7 +65,7 @@ TEST(FormsCommand, BruteForceOnTheBunnyIsMeasuredOnAPart) {
   EXPECT_NE(text.find("* on the first "), std::string::npos) << text;
 }
 
-TEST(FormsCommand, SaysWhyAFormCannotHoldTheMesh) {
+TEST(forms_command, says_why_a_form_cannot_hold_the_mesh) {
   const ProgramRun run = run_program({"forms", asset("cube.obj"), "--json"});
   EXPECT_EQ(run.exit_code, 0);
   const Json row = rows_of(run.line(), "forms", "form").at("opposite_map");
@@ -78,7 +78,7 @@ TEST(FormsCommand, SaysWhyAFormCannotHoldTheMesh) {
   EXPECT_NE(japanese.find("三角形しか持てません。f0 は 4 角形です。"), std::string::npos) << japanese;
 }
 
-TEST(FormsCommand, SaysWhatTheTextsDoOnABoundary) {
+TEST(forms_command, says_what_the_texts_do_on_a_boundary) {
   const ProgramRun run = run_program({"forms", asset("fan.obj"), "--json"});
   const Json texts = run.line()["texts"];
   ASSERT_EQ(texts.size(), 4u);
@@ -92,7 +92,7 @@ TEST(FormsCommand, SaysWhatTheTextsDoOnABoundary) {
             std::string::npos);
 }
 
-TEST(FormsCommand, HelpListsFormsAndMethods) {
+TEST(forms_command, help_lists_forms_and_methods) {
   for (const char* language : {"en", "ja"}) {
     const ProgramRun run = run_program({"help", "forms", "--lang", language});
     EXPECT_EQ(run.exit_code, 0);
@@ -103,7 +103,7 @@ TEST(FormsCommand, HelpListsFormsAndMethods) {
   }
 }
 
-TEST(FormsCommand, ExitCodes) {
+TEST(forms_command, exit_codes) {
   EXPECT_EQ(run_program({"forms"}).exit_code, 2);
   EXPECT_EQ(run_program({"forms", asset("cube.obj"), "--all"}).exit_code, 2);
   EXPECT_EQ(run_program({"forms", "nosuch.obj"}).exit_code, 3);

@@ -17,7 +17,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
-TEST(KilledSaves, TheProgramLeavesTheWholeOldOrTheWholeNewFile) {
+TEST(killed_saves, the_program_leaves_the_whole_old_or_the_whole_new_file) {
   const test::TemporaryFolder inputs, outputs;
   const std::string bunny = test::read_file(test::asset("stanford_bunny.obj")), out = outputs.at("out.ply");
   const std::vector<std::string> meshes{inputs.write("a.obj", bunny), inputs.write("b.obj", bunny + "v 9 9 9\n")};

@@ -94,7 +94,7 @@ std::size_t expect_remedies_work(const std::string& file, const std::vector<Refu
   return count;
 }
 
-TEST(Remedies, AreTheSameInWhyAndEditAndWork) {
+TEST(remedies, are_the_same_in_why_and_edit_and_work) {
   std::size_t asked = 0, remedied = 0;
   for (const std::string& file : small_meshes()) {
     std::vector<Refusal> refusals;
@@ -114,7 +114,7 @@ Json why(const std::string& file, const std::string& line) {
   return run_program({"why", file, "--do", line, "--json"}).line();
 }
 
-TEST(Remedies, DetachASheetWhereSeveralMeet) {
+TEST(remedies, detach_a_sheet_where_several_meet) {
   const std::string mesh = asset("three_tri_edge.off");
   for (const char* line : {"swap 0-1@f0", "dissolve 0-1@f0", "unite_loop 1-0@f0"}) {
     const std::string remedy = joined(why(mesh, line)["remedy"]);
@@ -123,14 +123,14 @@ TEST(Remedies, DetachASheetWhereSeveralMeet) {
   }
 }
 
-TEST(Remedies, KeepTheFaceThatTheCommandNames) {
+TEST(remedies, keep_the_face_that_the_command_names) {
   const std::string pair = asset("hanging_pair.obj");
   EXPECT_EQ(why(pair, "split 0-1@f1")["remedy"], Json::array({"delete_loop f2"}));
   EXPECT_EQ(why(pair, "split 1-0@f2")["remedy"], Json::array({"delete_loop f1"}));
   EXPECT_EQ(run_program({"edit", pair, "--do", "delete_loop f2; split 0-1@f1"}).exit_code, 0);
 }
 
-TEST(Remedies, DeleteTheDuplicateThatTheCommandDoesNotName) {
+TEST(remedies, delete_the_duplicate_that_the_command_does_not_name) {
   const std::string mesh = asset("duplicate_face.obj");
   for (const std::string line :
        {"extrude f0", "poke f0", "triangulate f0", "separate_loop v0 v2 f0", "vertex_split v1@f0 v2 v0"}) {
@@ -142,7 +142,7 @@ TEST(Remedies, DeleteTheDuplicateThatTheCommandDoesNotName) {
   EXPECT_EQ(why(mesh, "extrude f1")["remedy"], Json::array({"delete_loop f0"}));
 }
 
-TEST(Remedies, WeldIsToldOnceAndOfTwoPoints) {
+TEST(remedies, weld_is_told_once_and_of_two_points) {
   const TemporaryFolder folder;
   std::string grid;
   for (int y = 0; y < 3; ++y)

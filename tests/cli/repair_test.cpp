@@ -20,7 +20,7 @@ const Json* repair_of(const Json& report, const std::string& kind) {
   return nullptr;
 }
 
-TEST(Repair, KeepsAllGeometryUnlessAskedAndSaysWhatIsLeft) {
+TEST(repair, keeps_all_geometry_unless_asked_and_says_what_is_left) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a.obj", broken);
   const ProgramRun run = run_program({"repair", path, "-o", folder.at("o.obj"), "--json"});
@@ -46,7 +46,7 @@ TEST(Repair, KeepsAllGeometryUnlessAskedAndSaysWhatIsLeft) {
   EXPECT_EQ(check["problems"].size(), report["problems"].size());
 }
 
-TEST(Repair, VerticesThatOtherThingsOfTheFileUseAreNotIsolated) {
+TEST(repair, vertices_that_other_things_of_the_file_use_are_not_isolated) {
   const TemporaryFolder folder;
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nv 6 6 6\nv 7 7 7\n", face = "f 1 2 3\n";
   for (const std::string rest : {"f 4 4 1\n", "p 4\n", "l 4 1\n"}) {
@@ -65,7 +65,7 @@ TEST(Repair, VerticesThatOtherThingsOfTheFileUseAreNotIsolated) {
   EXPECT_EQ((*repair_of(run.line(), "remove_isolated"))["changed"], 1) << run.out;
 }
 
-TEST(Repair, SaysWhatTheFileThatIsWrittenCannotHold) {
+TEST(repair, says_what_the_file_that_is_written_cannot_hold) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
   const auto codes = [](const Json& report) {
@@ -83,7 +83,7 @@ TEST(Repair, SaysWhatTheFileThatIsWrittenCannotHold) {
   EXPECT_EQ(edit.exit_code, 0);
 }
 
-TEST(Repair, EverythingByName) {
+TEST(repair, everything_by_name) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a.obj", broken);
   const ProgramRun run = run_program(
@@ -98,7 +98,7 @@ TEST(Repair, EverythingByName) {
   EXPECT_NE(only.out.find("nothing written"), std::string::npos) << only.out;
 }
 
-TEST(Repair, FillsTheHolesOfTheBunny) {
+TEST(repair, fills_the_holes_of_the_bunny) {
   const TemporaryFolder folder;
   const ProgramRun run =
       run_program({"repair", asset("stanford_bunny.obj"), "-o", folder.at("o.obj"), "--kinds", "fill_holes", "--json"});
@@ -112,7 +112,7 @@ TEST(Repair, FillsTheHolesOfTheBunny) {
   EXPECT_EQ(report["problems"], Json::array());
 }
 
-TEST(Repair, WrongUseIsExplained) {
+TEST(repair, wrong_use_is_explained) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a.obj", broken);
   const ProgramRun unknown = run_program({"repair", path, "--kinds", "fill_hole"});
@@ -128,7 +128,7 @@ TEST(Repair, WrongUseIsExplained) {
   EXPECT_EQ(run_program({"repair", path, "-o", path, "--overwrite"}).exit_code, 1);
 }
 
-TEST(Repair, IsACommandOfScriptsAndOneEntryOfTheHistory) {
+TEST(repair, is_a_command_of_scripts_and_one_entry_of_the_history) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a.obj", broken);
   const auto edit = [&](const std::string& commands) {
@@ -149,13 +149,13 @@ TEST(Repair, IsACommandOfScriptsAndOneEntryOfTheHistory) {
   EXPECT_EQ(run_program({"check", folder.at("dropped.obj"), "--json"}).line()["quarantined"], 0);
 }
 
-TEST(Repair, HelpListsEveryRepairWithWhatItSolves) {
+TEST(repair, help_lists_every_repair_with_what_it_solves) {
   const ProgramRun help = run_program({"help", "repair"});
   for (const char* part : {"weld_close=DISTANCE", "fill_holes", "detach_nonmanifold", "solves degenerate_area"})
     EXPECT_NE(help.out.find(part), std::string::npos) << part << "\n" << help.out;
 }
 
-TEST(Repair, AnInterruptCancelsItAndNothingIsWritten) {
+TEST(repair, an_interrupt_cancels_it_and_nothing_is_written) {
   const TemporaryFolder folder;
   Process repair({RYOSEN_PROGRAM, "repair", folder.write("band.obj", band_around_holes()), "-o", folder.at("o.obj"),
                   "--kinds", "orient,fill_holes", "--lang", "en"},
@@ -169,7 +169,7 @@ TEST(Repair, AnInterruptCancelsItAndNothingIsWritten) {
   EXPECT_FALSE(folder.has("o.obj"));
 }
 
-TEST(Repair, CancelledInASessionLeavesMeshAndHistoryAsTheyWere) {
+TEST(repair, cancelled_in_a_session_leaves_mesh_and_history_as_they_were) {
   const TemporaryFolder folder;
   auto document = Document::open(folder.write("band.obj", band_around_holes()));
   ASSERT_TRUE(document.ok());

@@ -12,14 +12,14 @@ constexpr const char* cube =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
     "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
-TEST(Uses, CheckTetrahedron) {
+TEST(uses, check_tetrahedron) {
   const ProgramRun run = run_program({"check", asset("tetrahedron.off"), "--json"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(run.line()["status"], "ok");
   EXPECT_EQ(run.line()["problems"], Json::array());
 }
 
-TEST(Uses, CheckBunny) {
+TEST(uses, check_bunny) {
   const ProgramRun run = run_program({"check", asset("stanford_bunny.obj"), "--json"});
   EXPECT_EQ(run.exit_code, 0);
   const Json report = run.line();
@@ -30,7 +30,7 @@ TEST(Uses, CheckBunny) {
   for (const Json& problem : report["problems"]) EXPECT_EQ(problem["severity"], "info");
 }
 
-TEST(Uses, CheckThreeTrianglesOnAnEdge) {
+TEST(uses, check_three_triangles_on_an_edge) {
   const ProgramRun run = run_program({"check", asset("three_tri_edge.off"), "--json"});
   EXPECT_EQ(run.exit_code, 1);
   const Json report = run.line();
@@ -39,13 +39,13 @@ TEST(Uses, CheckThreeTrianglesOnAnEdge) {
   EXPECT_EQ(report["boundary_loops"], 0);
 }
 
-TEST(Uses, CheckIsolatedVertex) {
+TEST(uses, check_isolated_vertex) {
   const ProgramRun run = run_program({"check", asset("isolated_vertex.obj")});
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.out.find("isolated_vertex"), std::string::npos) << run.out;
 }
 
-TEST(Uses, CheckMalformed) {
+TEST(uses, check_malformed) {
   const ProgramRun run = run_program({"check", asset("obj_16_text_coord.obj"), "--json"});
   EXPECT_EQ(run.exit_code, 4);
   const Json report = run.line();
@@ -57,14 +57,14 @@ TEST(Uses, CheckMalformed) {
   EXPECT_EQ(report.size(), 4u) << "file, format, status, messages";
 }
 
-TEST(Uses, CheckMissing) {
+TEST(uses, check_missing) {
   const ProgramRun run = run_program({"check", "nosuch.obj", "--json"});
   EXPECT_EQ(run.exit_code, 3);
   EXPECT_EQ(run.line()["file"], "nosuch.obj");
   EXPECT_TRUE(run.line()["format"].is_null());
 }
 
-TEST(Uses, CheckSeveral) {
+TEST(uses, check_several) {
   const std::string good = asset("cube.obj"), bad = asset("obj_16_text_coord.obj"), fin = asset("fin.obj");
   EXPECT_EQ(run_program({"check", good, "nosuch.obj"}).exit_code, 9);
   EXPECT_EQ(run_program({"check", bad, "nosuch.obj"}).exit_code, 4);
@@ -73,14 +73,14 @@ TEST(Uses, CheckSeveral) {
   EXPECT_EQ(run_program({"check", good, asset("torus.off")}).exit_code, 0);
 }
 
-TEST(Uses, CheckUnknownFlag) {
+TEST(uses, check_unknown_flag) {
   const ProgramRun run = run_program({"check", "--bogus", "--json"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_TRUE(run.line()["file"].is_null());
   EXPECT_EQ(run.line()["status"], "error");
 }
 
-TEST(Uses, CheckTetrahedronOfFacets) {
+TEST(uses, check_tetrahedron_of_facets) {
   const TemporaryFolder folder;
   const auto facet = [](const std::string& a, const std::string& b, const std::string& c) {
     return "facet normal 0 0 0\n outer loop\n  vertex " + a + "\n  vertex " + b + "\n  vertex " + c +
@@ -95,7 +95,7 @@ TEST(Uses, CheckTetrahedronOfFacets) {
   EXPECT_EQ(run.line()["corners"], 12);
 }
 
-TEST(Uses, WhyCollapseOnTetrahedron) {
+TEST(uses, why_collapse_on_tetrahedron) {
   const ProgramRun run = run_program({"why", asset("tetrahedron.off"), "--op", "collapse", "--all", "--json"});
   EXPECT_EQ(run.exit_code, 0);
   const std::vector<Json> lines = run.lines();
@@ -103,14 +103,14 @@ TEST(Uses, WhyCollapseOnTetrahedron) {
   for (const Json& line : lines) EXPECT_EQ(line["legal"], false);
 }
 
-TEST(Uses, WhyUnknownEdge) {
+TEST(uses, why_unknown_edge) {
   const ProgramRun run = run_program({"why", asset("tetrahedron.off"), "--op", "collapse", "--edge", "0-9"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(run.out, "");
   EXPECT_NE(run.err.find("v9"), std::string::npos) << run.err;
 }
 
-TEST(Uses, WhySwapOnThreeTrianglesOnAnEdge) {
+TEST(uses, why_swap_on_three_triangles_on_an_edge) {
   const ProgramRun run = run_program({"why", asset("three_tri_edge.off"), "--op", "swap", "--all", "--json"});
   EXPECT_EQ(run.exit_code, 0);
   std::vector<std::string> edges;
@@ -124,7 +124,7 @@ TEST(Uses, WhySwapOnThreeTrianglesOnAnEdge) {
   EXPECT_EQ(edges, (std::vector<std::string>{"0-1@f0", "0-1@f1", "0-1@f2", "0-2", "0-3", "0-4", "1-2", "1-3", "1-4"}));
 }
 
-TEST(Uses, WhySwapOnTorus) {
+TEST(uses, why_swap_on_torus) {
   const ProgramRun run = run_program({"why", asset("torus.off"), "--op", "swap", "--all", "--json"});
   EXPECT_EQ(run.exit_code, 0);
   std::set<std::string> edges;
@@ -133,7 +133,7 @@ TEST(Uses, WhySwapOnTorus) {
   EXPECT_EQ(run.lines().size(), 144u);
 }
 
-TEST(Uses, EditIsATrialWithoutOutput) {
+TEST(uses, edit_is_a_trial_without_output) {
   const TemporaryFolder folder;
   const ProgramRun run =
       run_program({"edit", asset("stanford_bunny.obj"), "--do", "collapse 8640-8282", "--json"}, folder.path());
@@ -146,7 +146,7 @@ TEST(Uses, EditIsATrialWithoutOutput) {
   EXPECT_TRUE(folder.names().empty());
 }
 
-TEST(Uses, EditRefusedWritesNothing) {
+TEST(uses, edit_refused_writes_nothing) {
   const TemporaryFolder folder;
   const ProgramRun run =
       run_program({"edit", asset("tetrahedron.off"), "--do", "collapse 0-1", "-o", "o.off"}, folder.path());
@@ -155,7 +155,7 @@ TEST(Uses, EditRefusedWritesNothing) {
   EXPECT_TRUE(folder.names().empty());
 }
 
-TEST(Uses, EditSkipsRefused) {
+TEST(uses, edit_skips_refused) {
   const TemporaryFolder folder;
   const ProgramRun run = run_program(
       {"edit", asset("tetrahedron.off"), "--do", "collapse 0-1", "-o", "o.off", "--on-refuse", "skip"}, folder.path());
@@ -167,7 +167,7 @@ TEST(Uses, EditSkipsRefused) {
   EXPECT_EQ(written, original) << "equal in all figures and in the hash of points and faces";
 }
 
-TEST(Uses, EditDoesNotReplaceItsInput) {
+TEST(uses, edit_does_not_replace_its_input) {
   const TemporaryFolder folder;
   const std::string mesh = folder.write("a.obj", cube);
   const ProgramRun refused = run_program({"edit", "a.obj", "--do", "swap 0-1", "-o", "a.obj"}, folder.path());
@@ -180,7 +180,7 @@ TEST(Uses, EditDoesNotReplaceItsInput) {
   EXPECT_EQ(folder.names(), std::vector<std::string>{"a.obj"});
 }
 
-TEST(Uses, EditMisspeltCommand) {
+TEST(uses, edit_misspelt_command) {
   const TemporaryFolder folder;
   folder.write("a.obj", cube);
   const ProgramRun run = run_program({"edit", "a.obj", "--do", "colapse 0-1", "-o", "o.obj"}, folder.path());
@@ -189,7 +189,7 @@ TEST(Uses, EditMisspeltCommand) {
   EXPECT_FALSE(folder.has("o.obj"));
 }
 
-TEST(Uses, EditDeletedElement) {
+TEST(uses, edit_deleted_element) {
   const TemporaryFolder folder;
   folder.write("a.obj", cube);
   const ProgramRun run =
@@ -204,7 +204,7 @@ TEST(Uses, EditDeletedElement) {
   EXPECT_FALSE(folder.has("o.obj"));
 }
 
-TEST(Uses, ShotThatDiffersFromItsReference) {
+TEST(uses, shot_that_differs_from_its_reference) {
   const TemporaryFolder folder;
   folder.write("a.obj", cube);
   const std::vector<std::string> shot{"shot", "a.obj", "--size", "200x160", "--backend", "osmesa"};
@@ -221,7 +221,7 @@ TEST(Uses, ShotThatDiffersFromItsReference) {
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.obj", "ref.png"})) << "needs no -o and writes nothing";
 }
 
-TEST(Uses, EditorWithoutADisplay) {
+TEST(uses, editor_without_a_display) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{asset("cube.obj")}, {"view", asset("cube.obj")}, {}}) {
     const ProgramRun run = run_program(arguments);
@@ -231,7 +231,7 @@ TEST(Uses, EditorWithoutADisplay) {
   }
 }
 
-TEST(Uses, EditFailedExpectation) {
+TEST(uses, edit_failed_expectation) {
   const TemporaryFolder folder;
   folder.write("a.obj", cube);
   const ProgramRun run = run_program({"edit", "a.obj", "--do", "expect V 9", "-o", "o.obj"}, folder.path());

@@ -12,14 +12,14 @@ std::vector<std::string> edges_of(const ProgramRun& run) {
   return edges;
 }
 
-TEST(Why, CollapseGoesBothWaysInOrder) {
+TEST(why, collapse_goes_both_ways_in_order) {
   const ProgramRun run = run_program({"why", asset("misoriented.obj"), "--op", "collapse", "--all", "--json"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(edges_of(run), (std::vector<std::string>{"0-1@f0", "1-0@f0", "0-1@f1", "1-0@f1", "0-2", "2-0", "0-3", "3-0",
                                                      "1-2", "2-1", "1-3", "3-1"}));
 }
 
-TEST(Why, OrdersByNumberNotByText) {
+TEST(why, orders_by_number_not_by_text) {
   const std::vector<std::string> edges =
       edges_of(run_program({"why", asset("torus.off"), "--op", "split", "--all", "--json"}));
   ASSERT_EQ(edges.size(), 144u);
@@ -34,7 +34,7 @@ TEST(Why, OrdersByNumberNotByText) {
 }
 
 // Two tetrahedra on a common edge are closed again in the kernel; on points the edge has four faces.
-TEST(Why, NamesTheSidesOfAnEdgeThatWasClosedAgain) {
+TEST(why, names_the_sides_of_an_edge_that_was_closed_again) {
   const TemporaryFolder folder;
   folder.write("two.off",
                "OFF\n6 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n0 0 -1\n"
@@ -51,7 +51,7 @@ TEST(Why, NamesTheSidesOfAnEdgeThatWasClosedAgain) {
   EXPECT_EQ(lines[4]["edge"], "0-2");
 }
 
-TEST(Why, LineHasTheKeysOfTheContract) {
+TEST(why, line_has_the_keys_of_the_contract) {
   const ProgramRun run = run_program({"why", asset("tetrahedron.off"), "--op", "collapse", "--edge", "1-0", "--json"});
   EXPECT_EQ(run.exit_code, 0);
   const Json line = run.line();
@@ -69,7 +69,7 @@ TEST(Why, LineHasTheKeysOfTheContract) {
   EXPECT_FALSE(std::string(reason["ja"]).empty());
 }
 
-TEST(Why, LegalHasNoRemedyToOffer) {
+TEST(why, legal_has_no_remedy_to_offer) {
   const Json line = run_program({"why", asset("fan.obj"), "--do", "collapse 0-1 mid", "--json"}).line();
   EXPECT_EQ(line["legal"], true);
   EXPECT_EQ(line["reasons"], Json::array());
@@ -78,7 +78,7 @@ TEST(Why, LegalHasNoRemedyToOffer) {
 
 constexpr const char* lone_triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-TEST(Why, SaysNeverWhereNothingHelps) {
+TEST(why, says_never_where_nothing_helps) {
   const TemporaryFolder folder;
   folder.write("t.obj", lone_triangle);
   const Json line = run_program({"why", folder.at("t.obj"), "--op", "swap", "--edge", "1-2", "--json"}).line();
@@ -86,7 +86,7 @@ TEST(Why, SaysNeverWhereNothingHelps) {
   EXPECT_EQ(line["remedy"], "never");
 }
 
-TEST(Why, RemediesMakeTheOperatorLegal) {
+TEST(why, remedies_make_the_operator_legal) {
   std::size_t tried = 0;
   for (const char* name : {"tetrahedron.off", "sliver.obj", "misoriented.obj", "hanging_pair.obj", "moebius.off",
                            "fan.obj", "two_quads.obj", "fin.obj"}) {
@@ -103,7 +103,7 @@ TEST(Why, RemediesMakeTheOperatorLegal) {
   EXPECT_GT(tried, 20u);
 }
 
-TEST(Why, GeometryAddsWarningsUnderAll) {
+TEST(why, geometry_adds_warnings_under_all) {
   const auto warned = [](const std::vector<std::string>& arguments) {
     std::size_t count = 0;
     for (const Json& line : run_program(arguments).lines()) count += !line["warnings"].empty();
@@ -113,7 +113,7 @@ TEST(Why, GeometryAddsWarningsUnderAll) {
   EXPECT_GT(warned({"why", asset("sliver.obj"), "--op", "collapse", "--all", "--geometry", "--json"}), 0u);
 }
 
-TEST(Why, NamesWhatWasAsked) {
+TEST(why, names_what_was_asked) {
   const auto first_line = [](const std::string& line) {
     const std::string out = run_program({"why", asset("cube.obj"), "--do", line}).out;
     return out.substr(0, out.find('\n'));
@@ -124,14 +124,14 @@ TEST(Why, NamesWhatWasAsked) {
   EXPECT_EQ(first_line("collapse 0-1 mid"), "collapse 0-1: legal");
 }
 
-TEST(Why, OrientHasNoEdge) {
+TEST(why, orient_has_no_edge) {
   const ProgramRun run = run_program({"why", asset("cube.obj"), "--do", "orient", "--json"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_TRUE(run.line()["edge"].is_null());
   EXPECT_EQ(run.line()["reasons"][0]["rule"], "oriented");
 }
 
-TEST(Why, NameThatFitsSeveralIsUsage) {
+TEST(why, name_that_fits_several_is_usage) {
   const ProgramRun run = run_program({"why", asset("fin.obj"), "--op", "swap", "--edge", "0-1"});
   EXPECT_EQ(run.exit_code, 2);
   for (const char* side : {"@f0", "@f1", "@f2"}) EXPECT_NE(run.err.find(side), std::string::npos) << run.err;
@@ -139,7 +139,7 @@ TEST(Why, NameThatFitsSeveralIsUsage) {
     EXPECT_EQ(run_program({"why", asset("fin.obj"), "--op", "swap", "--edge", name}).exit_code, 0) << name;
 }
 
-TEST(Why, QuarantinedFaceIsDeleted) {
+TEST(why, quarantined_face_is_deleted) {
   const TemporaryFolder folder;
   folder.write("q.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 2\n");
   const ProgramRun run = run_program({"why", folder.at("q.obj"), "--op", "split", "--edge", "0-1@f1", "--json"});
@@ -160,7 +160,7 @@ TEST(Why, QuarantinedFaceIsDeleted) {
   EXPECT_EQ(text.out.find("has been deleted"), std::string::npos) << text.out;
 }
 
-TEST(Why, SaysWhatTheTableOfRulesKnowsWhereNoRemedyWasFound) {
+TEST(why, says_what_the_table_of_rules_knows_where_no_remedy_was_found) {
   const auto text = [](const std::vector<std::string>& further) {
     std::vector<std::string> arguments{"why"};
     arguments.insert(arguments.end(), further.begin(), further.end());
@@ -174,7 +174,7 @@ TEST(Why, SaysWhatTheTableOfRulesKnowsWhereNoRemedyWasFound) {
   EXPECT_NE(japanese.find("反対側に面を張ります"), std::string::npos) << japanese;
 }
 
-TEST(Why, NamesWhatFillsOnABoundary) {
+TEST(why, names_what_fills_on_a_boundary) {
   const auto remedy = [](const std::vector<std::string>& question) {
     std::vector<std::string> arguments{"why"};
     arguments.insert(arguments.end(), question.begin(), question.end());
@@ -187,7 +187,7 @@ TEST(Why, NamesWhatFillsOnABoundary) {
       << remedy({asset("two_quads.obj"), "--do", "collapse 1-4"});
 }
 
-TEST(Why, UsageErrors) {
+TEST(why, usage_errors) {
   const std::string mesh = asset("cube.obj");
   const std::vector<std::vector<std::string>> wrong = {
       {"why", mesh},
@@ -214,7 +214,7 @@ TEST(Why, UsageErrors) {
   }
 }
 
-TEST(Why, InputsThatCannotBeRead) {
+TEST(why, inputs_that_cannot_be_read) {
   EXPECT_EQ(run_program({"why", "nosuch.obj", "--op", "swap", "--all"}).exit_code, 3);
   EXPECT_EQ(run_program({"why", asset("obj_16_text_coord.obj"), "--op", "swap", "--all"}).exit_code, 4);
 }

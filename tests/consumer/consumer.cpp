@@ -2,8 +2,8 @@
 // collapse, collapses it where it may, undoes that, and saves OUT.
 #include <iostream>
 
-#include "core/build/from_indexed.h"
-#include "core/build/to_indexed.h"
+#include "core/indexed/from_indexed.h"
+#include "core/indexed/to_indexed.h"
 #include "core/io/formats.h"
 #include "core/mesh/circulate.h"
 #include "core/ops/collapse_edge.h"

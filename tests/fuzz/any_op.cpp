@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "core/mesh/circulate.h"
-#include "core/ops/arguments.h"
-#include "core/ops/surgery.h"
+#include "core/ops/lines/arguments.h"
+#include "core/ops/rules/surgery.h"
 
 namespace ryosen::fuzz {
 namespace {

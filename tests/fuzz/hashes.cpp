@@ -8,9 +8,9 @@
 #include <iostream>
 
 #include "core/analysis/figures.h"
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
-#include "core/ops/preview.h"
+#include "core/ops/outlook/preview.h"
 #include "tests/fuzz/any_op.h"
 #include "tests/fuzz/failure.h"
 #include "tests/fuzz/starts.h"

@@ -3,7 +3,7 @@
 #include "core/analysis/figures.h"
 #include "core/analysis/invariants.h"
 #include "core/analysis/problems.h"
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 #include "tests/fuzz/failure.h"
 
 namespace ryosen::fuzz {

@@ -2,7 +2,7 @@
 // back, and what comes back must stay as it is from then on.
 #include <array>
 
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 #include "core/io/edited_file.h"
 #include "tests/fuzz/any_op.h"
 #include "tests/fuzz/failure.h"

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 #include "core/ops/all.h"
 #include "tests/fuzz/failure.h"
 #include "tests/support/core/shapes.h"

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "core/build/to_indexed.h"
+#include "core/indexed/to_indexed.h"
 #include "core/mesh/mesh.h"
 
 namespace ryosen::fuzz {

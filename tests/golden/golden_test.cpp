@@ -115,7 +115,7 @@ int count_coloured(const Image& picture, Role role, Theme theme) {
 
 class GoldenTest : public testing::TestWithParam<Golden> {};
 
-TEST_P(GoldenTest, LooksAsItDid) {
+TEST_P(GoldenTest, looks_as_it_did) {
   const Golden& golden = GetParam();
   const test::TemporaryFolder folder;
   const std::string reference = std::string(RYOSEN_SOURCE_DIR) + "/assets/golden/" + golden.name + ".png";
@@ -141,7 +141,7 @@ TEST_P(GoldenTest, LooksAsItDid) {
 INSTANTIATE_TEST_SUITE_P(Pictures, GoldenTest, testing::ValuesIn(goldens),
                          [](const auto& test) { return test.param.name; });
 
-TEST(Compare, TellsAnotherPictureFromTheReference) {
+TEST(compare, tells_another_picture_from_the_reference) {
   const test::TemporaryFolder folder;
   const std::string reference = std::string(RYOSEN_SOURCE_DIR) + "/assets/golden/nonmanifold_edge.png";
   const std::string mesh = test::asset("fin.obj");

@@ -14,7 +14,7 @@
 
 #include "core/analysis/figures.h"
 #include "core/analysis/self_intersections.h"
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
 
 namespace ryosen {

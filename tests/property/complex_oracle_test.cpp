@@ -336,7 +336,7 @@ class Comparison {
   std::string name_;
 };
 
-TEST(ComplexOracle, every_operator_on_random_complexes) {
+TEST(complex_oracle, every_operator_on_random_complexes) {
   Count count;
   const std::uint64_t seeds = test::is_long_run() ? 20000 : 300;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) Comparison(seed, count).all();

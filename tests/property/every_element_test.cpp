@@ -10,7 +10,7 @@
 #include "core/analysis/invariants.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
-#include "core/ops/remedy.h"
+#include "core/ops/outlook/remedy.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"

@@ -12,7 +12,7 @@
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/rings.h"
-#include "core/ops/face_lists.h"
+#include "core/ops/rules/face_lists.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/random_ops.h"

@@ -64,12 +64,12 @@ bool mentions(const Reasons& reasons, const std::string& part) {
 
 // ---- reading ----
 
-TEST(OracleReading, AClosedMeshHasNoFurtherCopies) {
+TEST(oracle_reading, a_closed_mesh_has_no_further_copies) {
   EXPECT_TRUE(same_list(read_copies(tetrahedron).list, tetrahedron));
   EXPECT_TRUE(same_list(read_copies(torus(4, 3)).list, torus(4, 3)));
 }
 
-TEST(OracleReading, TwoTetrahedraOnAnEdgeBecomeTwoClosedOnes) {
+TEST(oracle_reading, two_tetrahedra_on_an_edge_become_two_closed_ones) {
   const CopyList copies = read_copies(two_tetrahedra_on_an_edge);
   const Figures figures = figures_of(copies.list);
   EXPECT_EQ(figures.vertices, 8);
@@ -80,13 +80,13 @@ TEST(OracleReading, TwoTetrahedraOnAnEdgeBecomeTwoClosedOnes) {
   EXPECT_EQ(copies.list.faces[5], (Corners{6, 5, 7}));
 }
 
-TEST(OracleReading, CopiesAreNumberedByPointThenByLowestFace) {
+TEST(oracle_reading, copies_are_numbered_by_point_then_by_lowest_face) {
   const CopyList copies = read_copies(three_on_an_edge);
   EXPECT_EQ(copies.list.faces, (std::vector<Corners>{{0, 1, 2}, {7, 5, 3}, {6, 8, 4}}));
   EXPECT_EQ(copies.point_of, (std::vector<int>{0, 1, 2, 3, 4, 0, 0, 1, 1}));
 }
 
-TEST(OracleReading, MisorientedNeighboursAreCutAndABowTieComesApart) {
+TEST(oracle_reading, misoriented_neighbours_are_cut_and_a_bow_tie_comes_apart) {
   const CopyList turned = read_copies(polygon_list(4, {{0, 1, 2}, {0, 1, 3}}));
   EXPECT_EQ(turned.list.faces, (std::vector<Corners>{{0, 1, 2}, {4, 5, 3}}));
   const CopyList bow_tie = read_copies(polygon_list(6, {{0, 3, 4}, {0, 1, 2}}));
@@ -112,7 +112,7 @@ int outside_loops_of_two(const CopyList& copies, const Sides& on_points) {
   return loops;
 }
 
-TEST(OracleReading, OutsideLoopsOfTwoAreTheOnlyCutSidesThatAreOneEdgeOfTheCopies) {
+TEST(oracle_reading, outside_loops_of_two_are_the_only_cut_sides_that_are_one_edge_of_the_copies) {
   int closed_again = 0;
   for (std::uint64_t seed = 0; seed < 5000; ++seed) {
     const PolygonList points = list_of(random_mesh(seed));
@@ -131,7 +131,7 @@ TEST(OracleReading, OutsideLoopsOfTwoAreTheOnlyCutSidesThatAreOneEdgeOfTheCopies
   EXPECT_GT(closed_again, 100);
 }
 
-TEST(OracleReading, ReadsBackItself) {
+TEST(oracle_reading, reads_back_itself) {
   for (std::uint64_t seed = 0; seed < 5000; ++seed) {
     const PolygonList points = list_of(random_mesh(seed));
     ASSERT_TRUE(is_simple(points)) << seed;
@@ -145,7 +145,7 @@ TEST(OracleReading, ReadsBackItself) {
 
 // ---- figures ----
 
-TEST(OracleFigures, SmallMeshes) {
+TEST(oracle_figures, small_meshes) {
   EXPECT_EQ(figures_of(tetrahedron).genus, 0);
   EXPECT_EQ(figures_of(torus(3, 3)).genus, 1);
   EXPECT_TRUE(figures_of(octahedron).closed);
@@ -180,7 +180,7 @@ TEST(OracleFigures, SmallMeshes) {
   EXPECT_EQ(nothing.isolated_vertices, 2);
 }
 
-TEST(OracleFigures, LoopsGoApartAtABowTieAndOnAcrossAMisorientedEdge) {
+TEST(oracle_figures, loops_go_apart_at_a_bow_tie_and_on_across_a_misoriented_edge) {
   const Figures bow_tie = figures_of(polygon_list(5, {{0, 1, 2}, {0, 3, 4}}));
   EXPECT_EQ(bow_tie.boundary_loops, 2);
   EXPECT_EQ(bow_tie.bowtie_vertices, 1);
@@ -192,7 +192,7 @@ TEST(OracleFigures, LoopsGoApartAtABowTieAndOnAcrossAMisorientedEdge) {
   EXPECT_TRUE(turned.orientable);
 }
 
-TEST(OracleFigures, EulerPoincareHoldsOnTheCopies) {
+TEST(oracle_figures, euler_poincare_holds_on_the_copies) {
   for (std::uint64_t seed = 0; seed < 5000; ++seed) {
     const Figures figures = figures_of(read_copies(list_of(random_mesh(seed))).list);
     ASSERT_TRUE(figures.manifold && figures.orientable) << seed;
@@ -224,7 +224,7 @@ std::string value_of(const std::string& line, const std::string& key) {
   return line.substr(start, line.find_first_of(",}", start) - start);
 }
 
-TEST(OracleFigures, KnownMeshes) {
+TEST(oracle_figures, known_meshes) {
   const std::string folder = std::string(RYOSEN_SHARED_DIR) + "/meshes/known/";
   std::ifstream truth(folder + "truth.jsonl");
   for (std::string line; std::getline(truth, line);) {
@@ -255,7 +255,7 @@ TEST(OracleFigures, KnownMeshes) {
 
 // ---- verdicts ----
 
-TEST(OracleVerdicts, TetrahedronRefusesEveryCollapseAndSwap) {
+TEST(oracle_verdicts, tetrahedron_refuses_every_collapse_and_swap) {
   EXPECT_EQ(count_legal(tetrahedron, Kind::collapse), std::pair(0, 12));
   EXPECT_EQ(count_legal(tetrahedron, Kind::swap), std::pair(0, 12));
   EXPECT_EQ(count_legal(tetrahedron, Kind::swap_back), std::pair(0, 12));
@@ -266,7 +266,7 @@ TEST(OracleVerdicts, TetrahedronRefusesEveryCollapseAndSwap) {
   EXPECT_TRUE(mentions(judge.reasons({Kind::swap, 0, 1}), "1 directed edge twice"));
 }
 
-TEST(OracleVerdicts, OctahedronAndTorus) {
+TEST(oracle_verdicts, octahedron_and_torus) {
   EXPECT_EQ(count_legal(octahedron, Kind::collapse), std::pair(24, 24));
   EXPECT_EQ(count_legal(octahedron, Kind::swap), std::pair(24, 24));
   // On the small torus each ring has three edges, so every collapse would close one.
@@ -276,7 +276,7 @@ TEST(OracleVerdicts, OctahedronAndTorus) {
   EXPECT_EQ(count_legal(projective_plane, Kind::swap).first, 0);
 }
 
-TEST(OracleVerdicts, InnerEdgeBetweenTwoBoundaryVertices) {
+TEST(oracle_verdicts, inner_edge_between_two_boundary_vertices) {
   const PolygonList two_triangles = polygon_list(4, {{0, 1, 2}, {2, 1, 3}});
   EXPECT_FALSE(legal(two_triangles, Kind::collapse, 1, 2));
   EXPECT_TRUE(legal(two_triangles, Kind::collapse, 0, 1));
@@ -286,7 +286,7 @@ TEST(OracleVerdicts, InnerEdgeBetweenTwoBoundaryVertices) {
   EXPECT_TRUE(legal(two_triangles, Kind::swap, 1, 2));
 }
 
-TEST(OracleVerdicts, LastFaceAndEar) {
+TEST(oracle_verdicts, last_face_and_ear) {
   const PolygonList triangle = polygon_list(3, {{0, 1, 2}});
   EXPECT_EQ(count_legal(triangle, Kind::collapse).first, 0);
   EXPECT_TRUE(legal(polygon_list(4, {{0, 1, 2, 3}}), Kind::collapse, 0, 1));
@@ -294,7 +294,7 @@ TEST(OracleVerdicts, LastFaceAndEar) {
   EXPECT_TRUE(legal(polygon_list(4, {{0, 1, 2}, {2, 1, 3}}), Kind::collapse, 3, 1));
 }
 
-TEST(OracleVerdicts, BesideAThreeEdgeHole) {
+TEST(oracle_verdicts, beside_a_three_edge_hole) {
   PolygonList open = octahedron;
   open.faces.erase(open.faces.begin());
   EXPECT_FALSE(legal(open, Kind::collapse, 0, 1));
@@ -304,7 +304,7 @@ TEST(OracleVerdicts, BesideAThreeEdgeHole) {
   EXPECT_TRUE(legal(open, Kind::collapse, 0, 1)) << "the hole has four edges";
 }
 
-TEST(OracleVerdicts, SwapBetweenQuadsTurnsByOneCorner) {
+TEST(oracle_verdicts, swap_between_quads_turns_by_one_corner) {
   EXPECT_TRUE(legal(two_quads, Kind::swap, 1, 2));
   EXPECT_TRUE(same_list(points_after(two_quads, Kind::swap, 1, 2), polygon_list(6, {{3, 0, 1, 4}, {4, 5, 2, 3}})));
   EXPECT_TRUE(same_list(points_after(two_quads, Kind::swap_back, 1, 2), polygon_list(6, {{0, 5, 2, 3}, {5, 0, 1, 4}})));
@@ -312,14 +312,14 @@ TEST(OracleVerdicts, SwapBetweenQuadsTurnsByOneCorner) {
   EXPECT_TRUE(same_list(points_after(forth, Kind::swap_back, 3, 4), two_quads));
 }
 
-TEST(OracleVerdicts, SwapOntoAnEdgeThatExists) {
+TEST(oracle_verdicts, swap_onto_an_edge_that_exists) {
   // 2-3 lies in the third face.
   const PolygonList mesh = polygon_list(5, {{0, 1, 2}, {1, 0, 3}, {2, 3, 4}});
   EXPECT_FALSE(legal(mesh, Kind::swap, 0, 1));
   EXPECT_TRUE(legal(polygon_list(4, {{0, 1, 2}, {1, 0, 3}}), Kind::swap, 0, 1));
 }
 
-TEST(OracleVerdicts, FacesThatShareTwoEdges) {
+TEST(oracle_verdicts, faces_that_share_two_edges) {
   const PolygonList mesh = polygon_list(4, {{0, 1, 2, 3}, {0, 3, 2}});
   EXPECT_FALSE(legal(mesh, Kind::swap, 2, 3)) << "3 has two edges only";
   EXPECT_TRUE(legal(mesh, Kind::collapse, 3, 0)) << "the triangle goes with the inner vertex";
@@ -329,7 +329,7 @@ TEST(OracleVerdicts, FacesThatShareTwoEdges) {
   EXPECT_FALSE(legal(polygon_list(3, {{0, 1, 2}, {2, 1, 0}}), Kind::collapse, 0, 1));
 }
 
-TEST(OracleVerdicts, EdgesThatAreNotOneEdgeOnPoints) {
+TEST(oracle_verdicts, edges_that_are_not_one_edge_on_points) {
   for (Kind kind : {Kind::collapse, Kind::swap, Kind::swap_back}) {
     EXPECT_FALSE(legal(three_on_an_edge, kind, 0, 1));
     EXPECT_FALSE(legal(two_tetrahedra_on_an_edge, kind, 0, 1));
@@ -340,7 +340,7 @@ TEST(OracleVerdicts, EdgesThatAreNotOneEdgeOnPoints) {
   EXPECT_FALSE(legal(polygon_list(3, {{0, 1, 2}, {2, 1, 0}}), Kind::split, 0, 1));
 }
 
-TEST(OracleVerdicts, APointWithCopiesStaysWhicheverWayItIsNamed) {
+TEST(oracle_verdicts, a_point_with_copies_stays_whichever_way_it_is_named) {
   // A quad on a bow-tie: 0 has two copies.
   const PolygonList mesh = polygon_list(7, {{0, 1, 2, 3}, {0, 4, 5, 6}});
   for (auto [from, to] : {std::pair(0, 1), std::pair(1, 0)}) {
@@ -352,13 +352,13 @@ TEST(OracleVerdicts, APointWithCopiesStaysWhicheverWayItIsNamed) {
   EXPECT_EQ(Judge(read_copies(both)).reasons({Kind::collapse, 0, 1}), (Reasons{"both points have copies"}));
 }
 
-TEST(OracleVerdicts, SheetsMustNotMeetOnPoints) {
+TEST(oracle_verdicts, sheets_must_not_meet_on_points) {
   // 1-2 contracted puts the edge 0-2 on the edge 0-2 of the other sheet.
   const PolygonList mesh = polygon_list(6, {{0, 1, 2, 3}, {0, 2, 4, 5}});
   EXPECT_FALSE(legal(mesh, Kind::collapse, 1, 2));
 }
 
-TEST(OracleVerdicts, AFarDefectChangesNothing) {
+TEST(oracle_verdicts, a_far_defect_changes_nothing) {
   const PolygonList defects = polygon_list(19, {{0, 1, 2},
                                                 {2, 1, 0},
                                                 {3, 4, 5},
@@ -386,7 +386,7 @@ TEST(OracleVerdicts, AFarDefectChangesNothing) {
 
 // ---- laws ----
 
-TEST(OracleLaws, SwapAndSwapBackUndoEachOther) {
+TEST(oracle_laws, swap_and_swap_back_undo_each_other) {
   int swaps = 0;
   for (std::uint64_t seed = 0; seed < 3000; ++seed) {
     const PolygonList points = list_of(random_mesh(seed));
@@ -413,7 +413,7 @@ TEST(OracleLaws, SwapAndSwapBackUndoEachOther) {
   EXPECT_GT(swaps, 10000);
 }
 
-TEST(OracleLaws, LegalSplitsReadBackAndCountAsStated) {
+TEST(oracle_laws, legal_splits_read_back_and_count_as_stated) {
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     const PolygonList points = list_of(random_mesh(seed));
     const Judge judge(read_copies(points));
@@ -442,7 +442,7 @@ TEST(OracleLaws, LegalSplitsReadBackAndCountAsStated) {
 }
 
 // Each rule must decide something on these meshes, else an error in it could not show.
-TEST(OracleLaws, TheRandomMeshesReachEveryRule) {
+TEST(oracle_laws, the_random_meshes_reach_every_rule) {
   std::map<std::string, int> seen, alone;
   int operations = 0, legal_ones = 0, with_copies = 0;
   for (std::uint64_t seed = 0; seed < 3000; ++seed) {

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/rings.h"

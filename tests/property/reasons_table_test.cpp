@@ -9,10 +9,10 @@
 #include <set>
 
 #include "core/base/reasons.h"
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 #include "core/mesh/circulate.h"
-#include "core/ops/preview.h"
-#include "core/ops/remedy.h"
+#include "core/ops/outlook/preview.h"
+#include "core/ops/outlook/remedy.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"

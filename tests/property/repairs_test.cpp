@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/algo/repairs.h"
+#include "core/algo/repair/repairs.h"
 #include "core/analysis/figures.h"
 #include "core/analysis/invariants.h"
 #include "core/mesh/circulate.h"

@@ -70,7 +70,7 @@ const std::vector<Surface>& surfaces(int n) {
   return found->second;
 }
 
-TEST(SmallSurfacesOracle, there_are_as_many_as_known) {
+TEST(small_surfaces_oracle, there_are_as_many_as_known) {
   const std::size_t all[] = {1, 1, 3, 9, 43}, orientable[] = {1, 1, 2, 6, 21};
   for (int n = 4; n <= 8; ++n) {
     std::size_t count = 0;
@@ -80,7 +80,7 @@ TEST(SmallSurfacesOracle, there_are_as_many_as_known) {
   }
 }
 
-TEST(SmallSurfacesOracle, closed_triangulations_up_to_8_vertices) {
+TEST(small_surfaces_oracle, closed_triangulations_up_to_8_vertices) {
   Exhaustion all;
   for (int n = 4; n <= 8; ++n)
     for (const Surface& surface : surfaces(n)) all.compare(n, surface.triangles);
@@ -88,7 +88,7 @@ TEST(SmallSurfacesOracle, closed_triangulations_up_to_8_vertices) {
     EXPECT_GT(all.count(name), 0u) << name;
 }
 
-TEST(SmallSurfacesOracle, polygon_meshes_by_dissolving_up_to_7_vertices) {
+TEST(small_surfaces_oracle, polygon_meshes_by_dissolving_up_to_7_vertices) {
   Exhaustion all;
   for (int n = 4; n <= 7; ++n)
     for (const Surface& surface : surfaces(n)) {
@@ -100,7 +100,7 @@ TEST(SmallSurfacesOracle, polygon_meshes_by_dissolving_up_to_7_vertices) {
     EXPECT_GT(all.count(name), 0u) << name;
 }
 
-TEST(SmallSurfacesOracle, parts_of_them) {
+TEST(small_surfaces_oracle, parts_of_them) {
   Exhaustion all;
   for (int n = 4; n <= (is_long_run() ? 8 : 7); ++n)
     for (const Surface& surface : surfaces(n)) {

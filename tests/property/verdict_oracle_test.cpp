@@ -103,7 +103,7 @@ PolygonList random_list(std::uint64_t seed) {
   return oracle::polygon_list(mesh.points, std::move(mesh.faces));
 }
 
-TEST(VerdictOracle, ReadingGivesTheSameCopies) {
+TEST(verdict_oracle, reading_gives_the_same_copies) {
   for (std::uint64_t seed = 0; seed < 20000; ++seed) {
     const PolygonList points = random_list(seed);
     const oracle::CopyList expected = oracle::read_copies(points);
@@ -115,7 +115,7 @@ TEST(VerdictOracle, ReadingGivesTheSameCopies) {
   }
 }
 
-TEST(VerdictOracle, EveryOperationOnEveryEdge) {
+TEST(verdict_oracle, every_operation_on_every_edge) {
   int meshes = 0, verdicts = 0, reports = 0;
   for (std::uint64_t seed = 0; seed < 20000 && reports < max_oracle_reports; ++seed) {
     const PolygonList points = random_list(seed);
@@ -134,7 +134,7 @@ TEST(VerdictOracle, EveryOperationOnEveryEdge) {
   EXPECT_GT(verdicts, 1000000);
 }
 
-TEST(VerdictOracle, LargerManifolds) {
+TEST(verdict_oracle, larger_manifolds) {
   int reports = 0;
   for (std::uint64_t seed = 0; seed < 30 && reports < max_oracle_reports; ++seed) {
     RandomMesh random = random_manifold(seed, 30 + static_cast<int>(seed));
@@ -150,7 +150,7 @@ TEST(VerdictOracle, LargerManifolds) {
   }
 }
 
-TEST(VerdictOracle, LegalOperationsGiveTheListOfTheOracle) {
+TEST(verdict_oracle, legal_operations_give_the_list_of_the_oracle) {
   int reports = 0, applied = 0;
   for (std::uint64_t seed = 0; seed < 5000 && reports < max_oracle_reports; ++seed) {
     const PolygonList points = random_list(seed);
@@ -170,7 +170,7 @@ TEST(VerdictOracle, LegalOperationsGiveTheListOfTheOracle) {
 
 // After edits the mesh has dead slots and copies in other slots than a reader gives them; verdicts depend on the points
 // alone.
-TEST(VerdictOracle, VerdictsAfterEditsAreThoseOfTheSavedMesh) {
+TEST(verdict_oracle, verdicts_after_edits_are_those_of_the_saved_mesh) {
   int reports = 0, steps = 0;
   for (std::uint64_t seed = 0; seed < 400 && reports < max_oracle_reports; ++seed) {
     Mesh mesh = kernel_mesh(random_list(seed), seed);

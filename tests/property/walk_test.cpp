@@ -9,7 +9,7 @@
 #include <random>
 
 #include "core/analysis/invariants.h"
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
 #include "core/ops/all.h"
 #include "tests/support/core/long_run.h"

@@ -8,7 +8,7 @@
 namespace ryosen {
 namespace {
 
-TEST(Fonts, UsesNameTheFileThatIsTaken) {
+TEST(fonts, uses_name_the_file_that_is_taken) {
   const std::vector<FontUse> uses = font_uses();
   ASSERT_EQ(uses.size(), 3u);
   for (const FontUse& use : uses) {

@@ -22,7 +22,7 @@ class FormsPanel : public testing::Test, protected test::Laid {
   int drawn() const { return gui.draw_data().TotalVtxCount; }
 };
 
-TEST_F(FormsPanel, MeasuresOnlyWhenAsked) {
+TEST_F(FormsPanel, measures_only_when_asked) {
   const int before = drawn();
   frames(5);
   EXPECT_EQ(drawn(), before);
@@ -30,7 +30,7 @@ TEST_F(FormsPanel, MeasuresOnlyWhenAsked) {
   EXPECT_GT(drawn(), before + 2000) << "a row per form and method";
 }
 
-TEST_F(FormsPanel, SaysThatTheMeshHasChangedAndForgetsAnotherDocument) {
+TEST_F(FormsPanel, says_that_the_mesh_has_changed_and_forgets_another_document) {
   const int empty = drawn();
   press(measure_button);
   const int measured = drawn();
@@ -44,7 +44,7 @@ TEST_F(FormsPanel, SaysThatTheMeshHasChangedAndForgetsAnotherDocument) {
   EXPECT_LT(drawn(), empty + 1000);
 }
 
-TEST_F(FormsPanel, SpeaksJapanese) {
+TEST_F(FormsPanel, speaks_japanese) {
   ASSERT_TRUE(session.run("language ja").done());
   frames(3);
   const int before = drawn();

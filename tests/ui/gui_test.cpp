@@ -16,7 +16,7 @@ namespace {
 using test::Laid;
 using test::window;
 
-TEST(Texts, AreThereInBothLanguages) {
+TEST(texts, are_there_in_both_languages) {
   for (int i = 0; i < static_cast<int>(UiText::count); ++i) {
     const auto id = static_cast<UiText>(i);
     EXPECT_STRNE(text(id, Language::english), "");
@@ -29,7 +29,7 @@ TEST(Texts, AreThereInBothLanguages) {
   }
 }
 
-TEST(Gui, LaysOutSomethingInEveryLanguageAndTheme) {
+TEST(gui, lays_out_something_in_every_language_and_theme) {
   Laid laid("fin.obj");
   for (const char* line : {"language ja", "theme light", "language en", "theme dark"}) {
     ASSERT_TRUE(laid.session.run(line).done());
@@ -38,7 +38,7 @@ TEST(Gui, LaysOutSomethingInEveryLanguageAndTheme) {
   }
 }
 
-TEST(Gui, TheViewLiesBetweenTheColumns) {
+TEST(gui, the_view_lies_between_the_columns) {
   const Laid laid("cube.obj");
   const PixelRect area = laid.gui.view_area(window);
   EXPECT_EQ(laid.session.view, (Size{area.width(), area.height()}));
@@ -49,7 +49,7 @@ TEST(Gui, TheViewLiesBetweenTheColumns) {
   EXPECT_TRUE(laid.gui.owns_pointer(laid.session, window, {640, 5}));
 }
 
-TEST(Gui, AClickOnAToolTakesItAndAnotherPutsItAway) {
+TEST(gui, a_click_on_a_tool_takes_it_and_another_puts_it_away) {
   Laid laid("torus.off");
   const glm::dvec2 second_row(100, 90);
   laid.click(second_row);
@@ -58,7 +58,7 @@ TEST(Gui, AClickOnAToolTakesItAndAnotherPutsItAway) {
   EXPECT_EQ(laid.session.tool, "");
 }
 
-TEST(Gui, AHighlightIsSwitchedInItsPanel) {
+TEST(gui, a_highlight_is_switched_in_its_panel) {
   Laid laid("fin.obj");
   ASSERT_TRUE(laid.session.shown.contains("boundary"));
   laid.click({20, 311});
@@ -66,7 +66,7 @@ TEST(Gui, AHighlightIsSwitchedInItsPanel) {
   EXPECT_TRUE(laid.session.shown.contains("nonmanifold"));
 }
 
-TEST(Gui, AnOpenPanelTakesThePointerAndEscapeGivesItBack) {
+TEST(gui, an_open_panel_takes_the_pointer_and_escape_gives_it_back) {
   Laid laid("cube.obj");
   for (const char* panel : {"keys", "open", "save", "unsaved"}) {
     ASSERT_TRUE(laid.gui.run(laid.session, std::string("panel ") + panel).done());
@@ -78,7 +78,7 @@ TEST(Gui, AnOpenPanelTakesThePointerAndEscapeGivesItBack) {
   }
 }
 
-TEST(Gui, AKeyThatIsUpAgainBeforeAFrameIsSeen) {
+TEST(gui, a_key_that_is_up_again_before_a_frame_is_seen) {
   Laid laid("torus.off");
   ASSERT_TRUE(laid.gui.run(laid.session, "panel command").done());
   laid.frames(3);
@@ -92,7 +92,7 @@ TEST(Gui, AKeyThatIsUpAgainBeforeAFrameIsSeen) {
   EXPECT_FALSE(ImGui::GetIO().KeysDown[ImGuiKey_Enter]);
 }
 
-TEST(Gui, AsksBeforeChangesAreLost) {
+TEST(gui, asks_before_changes_are_lost) {
   Laid laid("torus.off");
   laid.gui.leave(laid.session, {true, {}});
   EXPECT_TRUE(laid.gui.wants_quit()) << "nothing to lose";
@@ -107,7 +107,7 @@ TEST(Gui, AsksBeforeChangesAreLost) {
   EXPECT_TRUE(changed.gui.wants_quit());
 }
 
-TEST(Gui, WhatACrashLeftIsRecoveredDiscardedOrLeftForLater) {
+TEST(gui, what_a_crash_left_is_recovered_discarded_or_left_for_later) {
   const test::TemporaryFolder state;
   const char* const before = std::getenv("XDG_STATE_HOME");
   const std::string kept = before ? before : "";
@@ -143,7 +143,7 @@ TEST(Gui, WhatACrashLeftIsRecoveredDiscardedOrLeftForLater) {
   before ? setenv("XDG_STATE_HOME", kept.c_str(), 1) : unsetenv("XDG_STATE_HOME");
 }
 
-TEST(Gui, AnExistingFileIsReplacedOnlyOnTheSecondPress) {
+TEST(gui, an_existing_file_is_replaced_only_on_the_second_press) {
   const test::TemporaryFolder folder;
   Laid laid("torus.off");
   const std::string path = folder.copy(test::asset("cube.obj"), "other.obj"), before = test::read_file(path);
@@ -160,7 +160,7 @@ TEST(Gui, AnExistingFileIsReplacedOnlyOnTheSecondPress) {
   EXPECT_EQ(laid.session.open_panel, "");
 }
 
-TEST(Gui, WhatAFormatCannotHoldIsListedBeforeItIsWritten) {
+TEST(gui, what_a_format_cannot_hold_is_listed_before_it_is_written) {
   const test::TemporaryFolder folder;
   Laid laid("torus.off");
   auto cube = read_mesh_file(test::asset("cube.obj"));
@@ -188,13 +188,13 @@ TEST(Gui, WhatAFormatCannotHoldIsListedBeforeItIsWritten) {
   EXPECT_FALSE(laid.session.document().is_modified());
 }
 
-TEST(Gui, ScalesWithTheDisplay) {
+TEST(gui, scales_with_the_display) {
   const PixelRect once = Gui(1).view_area({1280, 720}), twice = Gui(2).view_area({2560, 1440});
   EXPECT_EQ(twice, (PixelRect{2 * once.x0, 2 * once.y0, 2 * once.x1, 2 * once.y1}));
   EXPECT_FALSE(Gui(1).view_area({100, 20}).empty());
 }
 
-TEST(Gui, NothingIsSaidToBeDoneThatWasNot) {
+TEST(gui, nothing_is_said_to_be_done_that_was_not) {
   Laid laid("tetrahedron.off");
   const std::uint64_t before = laid.session.mesh().hash();
   const Outcome outcome = laid.gui.run(laid.session, "collapse 0-1");
@@ -204,7 +204,7 @@ TEST(Gui, NothingIsSaidToBeDoneThatWasNot) {
   EXPECT_EQ(laid.gui.said().en.find("done"), std::string::npos);
 }
 
-TEST(Gui, DoneIsSaidOfWhatWasDoneAndOfNothingElse) {
+TEST(gui, done_is_said_of_what_was_done_and_of_nothing_else) {
   Laid laid("torus.off");
   const auto said = [&](const char* line) {
     laid.gui.run(laid.session, line);
@@ -227,7 +227,7 @@ TEST(Gui, DoneIsSaidOfWhatWasDoneAndOfNothingElse) {
   EXPECT_EQ(laid.gui.said().en, "");
 }
 
-TEST(Gui, ADroppedFileIsOpenedWhateverItsName) {
+TEST(gui, a_dropped_file_is_opened_whatever_its_name) {
   const test::TemporaryFolder folder;
   Laid laid("torus.off");
   const std::string path = folder.copy(test::asset("cube.obj"), "a \"b\"; c #1.obj");
@@ -236,7 +236,7 @@ TEST(Gui, ADroppedFileIsOpenedWhateverItsName) {
   EXPECT_EQ(laid.session.mesh().live().vertices, 8u);
 }
 
-TEST(ProgressWindow, IsCancelledByItsButtonAlone) {
+TEST(progress_window, is_cancelled_by_its_button_alone) {
   Session session(std::make_unique<Document>());
   Gui gui(1);
   const auto step = [&] {

@@ -41,7 +41,7 @@ class MouseTest : public testing::Test {
   double now_s_ = 1;
 };
 
-TEST_F(MouseTest, APressOnAPanelThatEndsOverTheView) {
+TEST_F(MouseTest, a_press_on_a_panel_that_ends_over_the_view) {
   mouse_.move(on_panel, window);
   press(on_panel);
   EXPECT_TRUE(gui_has_a_button());
@@ -52,7 +52,7 @@ TEST_F(MouseTest, APressOnAPanelThatEndsOverTheView) {
   EXPECT_TRUE(session_.selection.empty()) << "no click";
 }
 
-TEST_F(MouseTest, APressInTheViewThatEndsOverAPanel) {
+TEST_F(MouseTest, a_press_in_the_view_that_ends_over_a_panel) {
   mouse_.move(in_view, window);
   press(in_view);
   EXPECT_TRUE(moves_view());
@@ -64,7 +64,7 @@ TEST_F(MouseTest, APressInTheViewThatEndsOverAPanel) {
   EXPECT_EQ(session_.tool, "") << "the panel was not clicked";
 }
 
-TEST_F(MouseTest, APressOnAPanelDuringADragIsReleasedToo) {
+TEST_F(MouseTest, a_press_on_a_panel_during_a_drag_is_released_too) {
   press(in_view, MouseButton::right);
   mouse_.move(on_panel, window);
   press(on_panel);
@@ -76,7 +76,7 @@ TEST_F(MouseTest, APressOnAPanelDuringADragIsReleasedToo) {
   EXPECT_FALSE(mouse_.is_dragging());
 }
 
-TEST_F(MouseTest, LosingTheKeyboardEndsEveryPressWithoutAClick) {
+TEST_F(MouseTest, losing_the_keyboard_ends_every_press_without_a_click) {
   press(in_view);
   mouse_.let_go();
   EXPECT_FALSE(mouse_.is_dragging());
@@ -90,14 +90,14 @@ TEST_F(MouseTest, LosingTheKeyboardEndsEveryPressWithoutAClick) {
   EXPECT_FALSE(gui_has_a_button());
 }
 
-TEST_F(MouseTest, AReleaseThatWasNeverToldDoesNotHoldTheNextPress) {
+TEST_F(MouseTest, a_release_that_was_never_told_does_not_hold_the_next_press) {
   press(in_view);
   press(in_view + glm::dvec2(200, -200));
   release(in_view + glm::dvec2(200, -200));
   EXPECT_FALSE(mouse_.is_dragging());
 }
 
-TEST_F(MouseTest, APanelThatOpensDuringAPressTakesTheClick) {
+TEST_F(MouseTest, a_panel_that_opens_during_a_press_takes_the_click) {
   press(in_view);
   ASSERT_TRUE(session_.run("panel keys").done());
   frames(2);
@@ -106,7 +106,7 @@ TEST_F(MouseTest, APanelThatOpensDuringAPressTakesTheClick) {
   EXPECT_FALSE(mouse_.is_dragging());
 }
 
-TEST_F(MouseTest, ADoubleClickSetsTheCentreWithAToolToo) {
+TEST_F(MouseTest, a_double_click_sets_the_centre_with_a_tool_too) {
   for (const char* tool : {"tool none", "tool split"}) {
     ASSERT_TRUE(session_.run(tool).done());
     ASSERT_TRUE(session_.run("frame all").done());
@@ -127,7 +127,7 @@ TEST_F(MouseTest, ADoubleClickSetsTheCentreWithAToolToo) {
   }
 }
 
-TEST(Gui, TakesAnotherScaleWhileItRuns) {
+TEST(gui, takes_another_scale_while_it_runs) {
   auto document = Document::open(test::asset("torus.off"));
   ASSERT_TRUE(document);
   Session session(std::move(document).value());

@@ -40,7 +40,7 @@ void expect_panned(const Session& session, const Camera& before) {
   EXPECT_LT(glm::length(turned), 1e-12);
 }
 
-TEST(Navigation, DragsDoWhatTheStatusLineSays) {
+TEST(navigation, drags_do_what_the_status_line_says) {
   const auto session = torus();
   expect_orbited(*session, drag(*session, MouseButton::left));
   expect_panned(*session, drag(*session, MouseButton::right));
@@ -52,7 +52,7 @@ TEST(Navigation, DragsDoWhatTheStatusLineSays) {
   EXPECT_GT(distance_to_target(*session), before);
 }
 
-TEST(Navigation, TheWheelKeepsWhatIsUnderThePointer) {
+TEST(navigation, the_wheel_keeps_what_is_under_the_pointer) {
   const auto session = torus();
   session->view_origin = {100, 50};
   const glm::dvec2 pixel = glm::dvec2(400, 300) + session->view_origin;
@@ -64,7 +64,7 @@ TEST(Navigation, TheWheelKeepsWhatIsUnderThePointer) {
   EXPECT_LT(glm::length(ray.direction - after.direction), 1e-12);
 }
 
-TEST(Navigation, AClickStaysWithinFourPixels) {
+TEST(navigation, a_click_stays_within_four_pixels) {
   const auto session = torus();
   const Camera before = session->camera;
   Navigation navigation;
@@ -81,7 +81,7 @@ TEST(Navigation, AClickStaysWithinFourPixels) {
   EXPECT_FALSE(navigation.release(MouseButton::left, middle, 2)) << "it went away and came back";
 }
 
-TEST(Navigation, TwoQuickClicksAreADoubleClick) {
+TEST(navigation, two_quick_clicks_are_a_double_click) {
   const auto session = torus();
   Navigation navigation;
   const auto click_at = [&](double now_s) {
@@ -94,7 +94,7 @@ TEST(Navigation, TwoQuickClicksAreADoubleClick) {
   EXPECT_FALSE(click_at(9.0));
 }
 
-TEST(Navigation, TheCentreIsWhatWasClicked) {
+TEST(navigation, the_centre_is_what_was_clicked) {
   const auto session = torus();
   ASSERT_FALSE(set_centre(*session, middle)) << "the hole of the torus";
   const glm::dvec2 pixel(640, 560);

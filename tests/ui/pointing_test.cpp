@@ -38,7 +38,7 @@ IdImage ids_of(Session& session) {
   return headless().read_ids();
 }
 
-TEST(Pointing, PicksTheFaceThatIsDrawn) {
+TEST(pointing, picks_the_face_that_is_drawn) {
   for (const char* name : {"torus.off", "cube.obj", "fin.obj", "moebius.off", "stanford_bunny.obj"}) {
     const auto session = session_of(name);
     for (const char* view : {"view iso", "view left", "frame all"}) {
@@ -117,7 +117,7 @@ std::optional<Expected> nearest_seen_edge(const Session& session, const IdImage&
   return best;
 }
 
-TEST(Pointing, PicksTheNearestEdgeThatIsSeen) {
+TEST(pointing, picks_the_nearest_edge_that_is_seen) {
   std::mt19937 random(7);
   int hits = 0, misses = 0;
   for (const char* name : {"torus.off", "cube.obj", "tetrahedron.off", "fan.obj", "moebius.off"}) {
@@ -141,7 +141,7 @@ TEST(Pointing, PicksTheNearestEdgeThatIsSeen) {
   EXPECT_GT(misses, 1000);
 }
 
-TEST(Pointing, AClickDoesWhatTheCommandOnTheEdgeDoes) {
+TEST(pointing, a_click_does_what_the_command_on_the_edge_does) {
   std::mt19937 random(3);
   int clicks = 0;
   for (const OpInfo& op : all_ops()) {
@@ -173,7 +173,7 @@ TEST(Pointing, AClickDoesWhatTheCommandOnTheEdgeDoes) {
   EXPECT_GT(clicks, 20);
 }
 
-TEST(Pointing, ThePictureFollowsEditsAndUndo) {
+TEST(pointing, the_picture_follows_edits_and_undo) {
   const auto session = session_of("torus.off");
   const Image before = headless().picture(*session);
   session->point_at({161, 196});

@@ -18,7 +18,7 @@ class ProblemsPanel : public testing::Test, protected test::Laid {
   }
 };
 
-TEST_F(ProblemsPanel, APressOnARepairDoesItAndUndoTakesItBack) {
+TEST_F(ProblemsPanel, a_press_on_a_repair_does_it_and_undo_takes_it_back) {
   open("duplicate_face.obj");
   ASSERT_EQ(session.mesh().live().faces, 2u);
   click_below(1, 0);
@@ -32,7 +32,7 @@ TEST_F(ProblemsPanel, APressOnARepairDoesItAndUndoTakesItBack) {
   EXPECT_EQ(session.mesh().live().faces, 2u);
 }
 
-TEST_F(ProblemsPanel, ARepairThatNeedsANumberIsBegunInTheCommandWindow) {
+TEST_F(ProblemsPanel, a_repair_that_needs_a_number_is_begun_in_the_command_window) {
   open("moebius.off");
   click_below(1, 1);
   ASSERT_EQ(session.open_panel, "command");
@@ -46,7 +46,7 @@ TEST_F(ProblemsPanel, ARepairThatNeedsANumberIsBegunInTheCommandWindow) {
   EXPECT_TRUE(gui.said().en.starts_with("repair weld_close 0.001: ")) << gui.said().en;
 }
 
-TEST_F(ProblemsPanel, APressOnAnElementSelectsItAndGoesThere) {
+TEST_F(ProblemsPanel, a_press_on_an_element_selects_it_and_goes_there) {
   open("duplicate_face.obj");
   const glm::dvec3 eye = session.camera.eye;
   click_below(0, 2);

@@ -15,7 +15,7 @@ int shot(const std::string& mesh, const std::string& output, std::vector<std::st
   return run_program(flags).exit_code;
 }
 
-TEST(Shot, WritesAPictureOfTheSizeAskedFor) {
+TEST(shot, writes_a_picture_of_the_size_asked_for) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(shot(asset("cube.obj"), folder.at("a.png"), {}), 0);
   const Result<Image> picture = read_png(folder.at("a.png"));
@@ -23,14 +23,14 @@ TEST(Shot, WritesAPictureOfTheSizeAskedFor) {
   EXPECT_EQ(picture->size, (Size{320, 240}));
 }
 
-TEST(Shot, GivesEqualBytesForEqualQuestions) {
+TEST(shot, gives_equal_bytes_for_equal_questions) {
   const test::TemporaryFolder folder;
   for (const char* name : {"a.png", "b.png"})
     EXPECT_EQ(shot(asset("torus.off"), folder.at(name), {"--panels", "--lang", "ja"}), 0);
   EXPECT_TRUE(test::read_file(folder.at("a.png")) == test::read_file(folder.at("b.png")));
 }
 
-TEST(Shot, EveryFlagChangesThePicture) {
+TEST(shot, every_flag_changes_the_picture) {
   const test::TemporaryFolder folder;
   const std::string mesh = asset("fin.obj"), script = folder.write("s.txt", "split 0-1@f0 0.3\n");
   ASSERT_EQ(shot(mesh, folder.at("plain.png"), {}), 0);
@@ -48,7 +48,7 @@ TEST(Shot, EveryFlagChangesThePicture) {
   }
 }
 
-TEST(Shot, EndsAsTheContractSays) {
+TEST(shot, ends_as_the_contract_says) {
   const test::TemporaryFolder folder;
   const std::string mesh = asset("tetrahedron.off"), out = folder.at("o.png");
   EXPECT_EQ(run_program({"shot", mesh}).exit_code, 2);
@@ -66,7 +66,7 @@ TEST(Shot, EndsAsTheContractSays) {
   EXPECT_FALSE(folder.has("o.png"));
 }
 
-TEST(Shot, NamesItsOutputOnlyWhereItIsThere) {
+TEST(shot, names_its_output_only_where_it_is_there) {
   const test::TemporaryFolder folder;
   const std::string mesh = asset("tetrahedron.off"), there = folder.at("o.png"), nowhere = folder.at("no/o.png");
   EXPECT_EQ(run_program({"shot", mesh, "-o", there, "--size", "64x64", "--json"}).line()["output"], there);
@@ -76,7 +76,7 @@ TEST(Shot, NamesItsOutputOnlyWhereItIsThere) {
   EXPECT_NE(run.err.find("no such folder"), std::string::npos) << run.err;
 }
 
-TEST(Shot, MakesThePictureOfARefusedClick) {
+TEST(shot, makes_the_picture_of_a_refused_click) {
   const test::TemporaryFolder folder;
   const std::vector<std::string> click{"shot", asset("tetrahedron.off"), "--size", "480x360", "--view",          "iso",
                                        "-o",   folder.at("a.png"),       "--json", "--click", "240,338,collapse"};
@@ -86,7 +86,7 @@ TEST(Shot, MakesThePictureOfARefusedClick) {
   EXPECT_EQ(run.line()["messages"][0]["code"], "refused");
 }
 
-TEST(Shot, ClicksBeforeThePictureIsTaken) {
+TEST(shot, clicks_before_the_picture_is_taken) {
   const test::TemporaryFolder folder;
   const std::string mesh = asset("torus.off");
   EXPECT_EQ(run_program({"shot", mesh, "-o", folder.at("after.png"), "--size", "640x480", "--click", "322,393,split"})
@@ -96,7 +96,7 @@ TEST(Shot, ClicksBeforeThePictureIsTaken) {
   EXPECT_TRUE(test::read_file(folder.at("after.png")) != test::read_file(folder.at("same.png")));
 }
 
-TEST(Shot, TheEditorNamesItWhereThereIsNoDisplay) {
+TEST(shot, the_editor_names_it_where_there_is_no_display) {
   const test::ProgramRun run = run_program({asset("cube.obj")});
   EXPECT_EQ(run.exit_code, 7);
   EXPECT_NE(run.err.find("ryosen shot"), std::string::npos);

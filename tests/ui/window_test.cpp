@@ -72,7 +72,7 @@ class WindowTest : public testing::Test {
   std::string number_;
 };
 
-TEST_F(WindowTest, HoverClickAndUndo) {
+TEST_F(WindowTest, hover_click_and_undo) {
   open(test::asset("stanford_bunny.obj"));
   const long vertices = last().vertices;
   EXPECT_EQ(vertices, 34834);
@@ -99,7 +99,7 @@ TEST_F(WindowTest, HoverClickAndUndo) {
   ASSERT_TRUE(wait_for([&] { return last().history == 1; }));
 }
 
-TEST_F(WindowTest, DrawsNothingWhenNothingChanges) {
+TEST_F(WindowTest, draws_nothing_when_nothing_changes) {
   open(test::asset("torus.off"));
   xdotool("mousemove 640 400");
   std::this_thread::sleep_for(600ms);  // until it has settled
@@ -112,7 +112,7 @@ TEST_F(WindowTest, DrawsNothingWhenNothingChanges) {
   EXPECT_EQ(last().history, 0) << "a drag is no click";
 }
 
-TEST_F(WindowTest, AfterACrashTheNextStartBringsTheEditsBack) {
+TEST_F(WindowTest, after_a_crash_the_next_start_brings_the_edits_back) {
   const std::string mesh = folder_.copy(test::asset("torus.off"), "torus.off");
   open(mesh);
   const long vertices = last().vertices;
@@ -145,7 +145,7 @@ TEST_F(WindowTest, AfterACrashTheNextStartBringsTheEditsBack) {
   EXPECT_TRUE(state_.names().empty()) << "nothing is left to recover";
 }
 
-TEST_F(WindowTest, ShowsLongWorkAndLetsItBeCancelled) {
+TEST_F(WindowTest, shows_long_work_and_lets_it_be_cancelled) {
   open(folder_.write("band.obj", test::band_around_holes()));
   const long vertices = last().vertices, before = last().number;
   xdotool("mousemove 640 400 key F3");
@@ -168,7 +168,7 @@ TEST_F(WindowTest, ShowsLongWorkAndLetsItBeCancelled) {
   EXPECT_EQ(editor_->exit_code(), 0);
 }
 
-TEST_F(WindowTest, EndsWhenAskedTo) {
+TEST_F(WindowTest, ends_when_asked_to) {
   open(test::asset("torus.off"));
   xdotool("mousemove 640 400 key ctrl+q");
   ASSERT_TRUE(wait_for([&] { return editor_->is_over(); }));

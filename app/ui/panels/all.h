@@ -19,7 +19,7 @@ void draw_inspector(PanelContext& context);
 void draw_problems(PanelContext& context);
 // Every edit; a click goes back or forth to it.
 void draw_history(PanelContext& context);
-// The forms of the texts side by side for this mesh, measured when the button is pressed.
+// The forms of the source texts side by side for this mesh, measured when the button is pressed.
 void draw_forms(PanelContext& context);
 
 }  // namespace ryosen

@@ -90,8 +90,8 @@ void draw_pairing_times(PanelContext& context, const forms::Comparison& comparis
 }
 
 void draw_texts(PanelContext& context, const forms::Comparison& comparison) {
-  dim_text(context, context.text("The texts' own code at a border", "境界でのテキストのコード"));
-  for (const forms::TextsReport& report : comparison.texts) {
+  dim_text(context, context.text("The source texts' own code at a border", "境界でのテキストのコード"));
+  for (const forms::SourceReport& report : comparison.texts) {
     const bool on_edge = report.place == "boundary_edge";
     const std::string place =
         on_edge ? context.text("on a boundary edge", "境界の稜線") : context.text("beside the boundary", "境界の隣");

@@ -2,8 +2,8 @@
 
 #include <cassert>
 
-#include "core/ops/arguments.h"
-#include "core/ops/surgery.h"
+#include "core/ops/lines/arguments.h"
+#include "core/ops/rules/surgery.h"
 
 namespace ryosen {
 

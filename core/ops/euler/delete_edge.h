@@ -23,8 +23,7 @@ struct DeleteEdge {
                                "takes away an edge that has no face",
                                "面を持たない稜線を取り除く",
                                '\0',
-                               OpTargetKind::edge,
-                               "kev"};
+                               OpTargetKind::edge};
 
   static Parsed<DeleteEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static DeleteEdge at(const Mesh& mesh, const OpTarget& target);

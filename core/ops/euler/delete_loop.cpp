@@ -2,9 +2,9 @@
 
 #include <cassert>
 
-#include "core/ops/arguments.h"
-#include "core/ops/pinch.h"
-#include "core/ops/surgery.h"
+#include "core/ops/lines/arguments.h"
+#include "core/ops/rules/pinch.h"
+#include "core/ops/rules/surgery.h"
 
 namespace ryosen {
 

@@ -5,8 +5,8 @@
 
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
-#include "core/ops/arguments.h"
-#include "core/ops/surgery.h"
+#include "core/ops/lines/arguments.h"
+#include "core/ops/rules/surgery.h"
 
 namespace ryosen {
 

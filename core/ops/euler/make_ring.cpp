@@ -7,8 +7,8 @@
 #include "core/geometry/locate.h"
 #include "core/geometry/polygon_normal.h"
 #include "core/mesh/face_polygon.h"
-#include "core/ops/arguments.h"
-#include "core/ops/surgery.h"
+#include "core/ops/lines/arguments.h"
+#include "core/ops/rules/surgery.h"
 
 namespace ryosen {
 

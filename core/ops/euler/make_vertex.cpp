@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "core/ops/arguments.h"
+#include "core/ops/lines/arguments.h"
 
 namespace ryosen {
 

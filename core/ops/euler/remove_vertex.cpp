@@ -3,7 +3,7 @@
 #include <cassert>
 
 #include "core/mesh/copies.h"
-#include "core/ops/arguments.h"
+#include "core/ops/lines/arguments.h"
 
 namespace ryosen {
 

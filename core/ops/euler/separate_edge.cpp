@@ -3,7 +3,7 @@
 #include <cassert>
 
 #include "core/mesh/rings.h"
-#include "core/ops/arguments.h"
+#include "core/ops/lines/arguments.h"
 #include "core/ops/split_edge.h"
 
 namespace ryosen {

@@ -7,12 +7,12 @@
 #include "core/geometry/locate.h"
 #include "core/geometry/polygon_normal.h"
 #include "core/mesh/face_polygon.h"
-#include "core/ops/arguments.h"
-#include "core/ops/corner_values.h"
-#include "core/ops/euler/face_corners.h"
-#include "core/ops/face_geometry.h"
-#include "core/ops/face_lists.h"
-#include "core/ops/surgery.h"
+#include "core/ops/lines/arguments.h"
+#include "core/ops/rules/corner_values.h"
+#include "core/ops/rules/face_corners.h"
+#include "core/ops/rules/face_geometry.h"
+#include "core/ops/rules/face_lists.h"
+#include "core/ops/rules/surgery.h"
 
 namespace ryosen {
 

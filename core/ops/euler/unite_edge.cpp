@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "core/mesh/copies.h"
-#include "core/ops/arguments.h"
-#include "core/ops/corner_values.h"
-#include "core/ops/face_lists.h"
-#include "core/ops/surgery.h"
+#include "core/ops/lines/arguments.h"
+#include "core/ops/rules/corner_values.h"
+#include "core/ops/rules/face_lists.h"
+#include "core/ops/rules/surgery.h"
 
 namespace ryosen {
 

@@ -3,9 +3,9 @@
 #include <cassert>
 
 #include "core/mesh/copies.h"
-#include "core/ops/arguments.h"
-#include "core/ops/euler/face_corners.h"
-#include "core/ops/surgery.h"
+#include "core/ops/lines/arguments.h"
+#include "core/ops/rules/face_corners.h"
+#include "core/ops/rules/surgery.h"
 
 namespace ryosen {
 

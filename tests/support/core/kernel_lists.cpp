@@ -1,6 +1,6 @@
 #include "tests/support/core/kernel_lists.h"
 
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/rings.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/analysis/self_intersections.h"
-#include "core/build/indexed.h"
+#include "core/indexed/indexed.h"
 
 namespace ryosen::test {
 

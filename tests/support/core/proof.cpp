@@ -8,11 +8,11 @@
 
 #include "core/analysis/figures.h"
 #include "core/analysis/invariants.h"
-#include "core/build/to_indexed.h"
+#include "core/indexed/to_indexed.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/rings.h"
-#include "core/ops/sheets.h"
+#include "core/ops/rules/sheets.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen::test {
@@ -73,7 +73,8 @@ CornerPlaces corners_with_places(const Mesh& mesh) {
   return result;
 }
 
-void expect_effect(const Mesh& mesh, const MeshColumns& columns_before, const CornerPlaces& before, const OpEffect& effect) {
+void expect_effect(const Mesh& mesh, const MeshColumns& columns_before, const CornerPlaces& before,
+                   const OpEffect& effect) {
   const Mesh old(columns_before);
   const CornerPlaces after = corners_with_places(mesh);
   for (const auto& [f, corners] : after) {

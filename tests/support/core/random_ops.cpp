@@ -5,7 +5,7 @@
 #include "core/analysis/invariants.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
-#include "core/ops/surgery.h"
+#include "core/ops/rules/surgery.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/oracle/complex.h"
 

@@ -61,9 +61,7 @@ Polygons bow_tie() { return {{0, 1, 2}, {0, 3, 4}}; }
 
 Polygons fin() { return {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}; }
 
-Polygons moebius_strip() {
-  return {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}};
-}
+Polygons moebius_strip() { return {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}}; }
 
 Polygons two_tetrahedra_on_an_edge() {
   Polygons faces = tetrahedron();

@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 
 namespace ryosen::test {
 
@@ -28,7 +28,7 @@ Polygons two_quads();
 // A vertex 0 in the middle of a ring of `spokes` triangles.
 Polygons closed_fan(std::uint32_t spokes);
 Polygons bow_tie();
-Polygons fin();              // three triangles on the edge 0-1
+Polygons fin();  // three triangles on the edge 0-1
 Polygons moebius_strip();
 Polygons two_tetrahedra_on_an_edge();
 

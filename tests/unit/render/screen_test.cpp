@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/pick/camera.h"
+#include "core/view/camera.h"
 
 namespace ryosen {
 namespace {

@@ -95,7 +95,6 @@ LocalOutcomes triangulate(const CopyList& copies, int f) {
 
 namespace {
 
-
 std::set<Pair> directed(const Corners& face) {
   std::set<Pair> sides;
   for (std::size_t i = 0; i < face.size(); ++i) sides.emplace(face[i], face[(i + 1) % face.size()]);

@@ -83,7 +83,7 @@ int walk_and_die(const std::string& file, const std::filesystem::path& folder, s
   return static_cast<int>(count) - 1;
 }
 
-TEST(KilledSession, IsRecoveredAsItWasAfterTheLastEdit) {
+TEST(killed_session, is_recovered_as_it_was_after_the_last_edit) {
   const test::TemporaryFolder files, folder;
   const std::string content = test::read_file(test::asset("torus.off"));
   const auto reference = open(files.write("reference.off", content));

@@ -55,7 +55,7 @@ class RecoveryTest : public testing::Test {
   std::optional<std::string> before_;
 };
 
-TEST_F(RecoveryTest, TheFolderIsThatOfTheUsersState) {
+TEST_F(RecoveryTest, the_folder_is_that_of_the_users_state) {
   EXPECT_EQ(recovery_folder(), state_.path() / "ryosen/recovery");
   unsetenv("XDG_STATE_HOME");
   const std::string home = std::getenv("HOME") ? std::getenv("HOME") : "";
@@ -68,7 +68,7 @@ TEST_F(RecoveryTest, TheFolderIsThatOfTheUsersState) {
   if (!home.empty()) setenv("HOME", home.c_str(), 1);
 }
 
-TEST_F(RecoveryTest, WhatACrashLeavesIsDoneAgain) {
+TEST_F(RecoveryTest, what_a_crash_leaves_is_done_again) {
   const std::string path = files_.copy(test::asset("torus.off"), "in put.off");
   auto crashed = open(path);
   EXPECT_TRUE(kept().empty()) << "nothing was done yet";
@@ -109,7 +109,7 @@ TEST_F(RecoveryTest, WhatACrashLeavesIsDoneAgain) {
   EXPECT_TRUE(kept().empty());
 }
 
-TEST_F(RecoveryTest, AnOrderlyEndLeavesNothing) {
+TEST_F(RecoveryTest, an_orderly_end_leaves_nothing) {
   auto window = open(test::asset("torus.off"));
   window->run("split 0-1");
   EXPECT_EQ(kept().size(), 1u);
@@ -120,7 +120,7 @@ TEST_F(RecoveryTest, AnOrderlyEndLeavesNothing) {
   EXPECT_TRUE(kept().empty());
 }
 
-TEST_F(RecoveryTest, NothingIsOfferedThatIsSavedOrUndoneOrGivenUp) {
+TEST_F(RecoveryTest, nothing_is_offered_that_is_saved_or_undone_or_given_up) {
   const std::string path = files_.copy(test::asset("torus.off"), "a.off");
   auto saved = open(path);
   saved->run("split 0-1");
@@ -139,7 +139,7 @@ TEST_F(RecoveryTest, NothingIsOfferedThatIsSavedOrUndoneOrGivenUp) {
   EXPECT_TRUE(kept().empty()) << "another document takes its place";
 }
 
-TEST_F(RecoveryTest, EditsAfterASaveOverTheFileBeginWithWhatItHeld) {
+TEST_F(RecoveryTest, edits_after_a_save_over_the_file_begin_with_what_it_held) {
   const std::string path = files_.copy(test::asset("torus.off"), "a.off");
   auto crashed = open(path);
   crashed->run("collapse 0-1 mid");  // the file that is saved has other numbers from here on
@@ -168,7 +168,7 @@ TEST_F(RecoveryTest, EditsAfterASaveOverTheFileBeginWithWhatItHeld) {
   EXPECT_TRUE(kept().empty());
 }
 
-TEST_F(RecoveryTest, SavingFirstAndEditingThenIsTheSame) {
+TEST_F(RecoveryTest, saving_first_and_editing_then_is_the_same) {
   // A point that the file does not use keeps its number in the session and in the file; faces set aside come back.
   const std::string path = files_.copy(test::asset("isolated_vertex.obj"), "a.obj");
   auto crashed = open(path);
@@ -184,7 +184,7 @@ TEST_F(RecoveryTest, SavingFirstAndEditingThenIsTheSame) {
   EXPECT_EQ(again->session.document().path(), path);
 }
 
-TEST_F(RecoveryTest, ANewNameIsTheDocumentsAfterwardsToo) {
+TEST_F(RecoveryTest, a_new_name_is_the_documents_afterwards_too) {
   const std::string path = files_.copy(test::asset("torus.off"), "a.off"), other = files_.at("b # \"c\".obj");
   auto crashed = open(path);
   crashed->run("split 0-1");
@@ -199,7 +199,7 @@ TEST_F(RecoveryTest, ANewNameIsTheDocumentsAfterwardsToo) {
   EXPECT_TRUE(again->session.document().is_modified()) << "that file holds another state";
 }
 
-TEST_F(RecoveryTest, AMeshMadeFromNothingComesBack) {
+TEST_F(RecoveryTest, a_mesh_made_from_nothing_comes_back) {
   auto crashed = open_nothing();
   crashed->run("make_vertex 0,0,0.1");
   crashed->run("make_vertex 0.3333333333333333,1e-300,0");
@@ -212,7 +212,7 @@ TEST_F(RecoveryTest, AMeshMadeFromNothingComesBack) {
   EXPECT_EQ(again->session.document().path(), "");
 }
 
-TEST_F(RecoveryTest, AFileThatHasChangedIsSaidAndTheLineThatFails) {
+TEST_F(RecoveryTest, a_file_that_has_changed_is_said_and_the_line_that_fails) {
   const std::string path = files_.copy(test::asset("torus.off"), "a.off");
   auto crashed = open(path);
   crashed->run("split 0-1");
@@ -243,7 +243,7 @@ TEST_F(RecoveryTest, AFileThatHasChangedIsSaidAndTheLineThatFails) {
   EXPECT_EQ(third->session.mesh().hash(), hash);
 }
 
-TEST_F(RecoveryTest, WhereTheFileIsGoneNothingChangesAndTheScriptIsNamed) {
+TEST_F(RecoveryTest, where_the_file_is_gone_nothing_changes_and_the_script_is_named) {
   const std::string path = files_.copy(test::asset("torus.off"), "a.off");
   auto crashed = open(path);
   crashed->run("split 0-1");
@@ -260,7 +260,7 @@ TEST_F(RecoveryTest, WhereTheFileIsGoneNothingChangesAndTheScriptIsNamed) {
   EXPECT_EQ(again->session.run("recover 1").exit_code, ExitCode::usage);
 }
 
-TEST_F(RecoveryTest, TwoWindowsKeepTwoScriptsAndTheLatestComesFirst) {
+TEST_F(RecoveryTest, two_windows_keep_two_scripts_and_the_latest_comes_first) {
   auto one = open(test::asset("torus.off")), two = open(test::asset("cube.obj"));
   one->run("split 0-1");
   two->run("split 0-1");
@@ -278,7 +278,7 @@ TEST_F(RecoveryTest, TwoWindowsKeepTwoScriptsAndTheLatestComesFirst) {
   EXPECT_NE(late.sentence.en.find("another window"), std::string::npos);
 }
 
-TEST_F(RecoveryTest, ALineThatTheCrashCutOffIsLeftOut) {
+TEST_F(RecoveryTest, a_line_that_the_crash_cut_off_is_left_out) {
   auto crashed = open(test::asset("torus.off"));
   crashed->run("split 0-1");
   const std::uint64_t hash = crashed->session.mesh().hash();
@@ -293,7 +293,7 @@ TEST_F(RecoveryTest, ALineThatTheCrashCutOffIsLeftOut) {
   EXPECT_EQ(test::read_file(script), whole);
 }
 
-TEST_F(RecoveryTest, WhatIsNoScriptOfASessionIsLeftAlone) {
+TEST_F(RecoveryTest, what_is_no_script_of_a_session_is_left_alone) {
   state_.write("ryosen/recovery/session-1.ryosen", "# ryosen session 2\nsomething new\n");
   state_.write("ryosen/recovery/session-2.ryosen", "split 0-1");
   state_.write("ryosen/recovery/notes.txt", "mine");
@@ -302,7 +302,7 @@ TEST_F(RecoveryTest, WhatIsNoScriptOfASessionIsLeftAlone) {
   EXPECT_EQ(kept().size(), 3u);
 }
 
-TEST_F(RecoveryTest, AFolderThatCannotBeWrittenIsSaidOnceAndStopsNoEdit) {
+TEST_F(RecoveryTest, a_folder_that_cannot_be_written_is_said_once_and_stops_no_edit) {
   state_.write("ryosen", "a file where the folder would be");
   auto window = open(test::asset("torus.off"));
   const Outcome first = window->session.run("split 0-1");
@@ -315,7 +315,7 @@ TEST_F(RecoveryTest, AFolderThatCannotBeWrittenIsSaidOnceAndStopsNoEdit) {
   EXPECT_TRUE(window->session.run("save " + file_argument(files_.at("out.off"))).done());
 }
 
-TEST_F(RecoveryTest, AScriptThatCanGrowNoMoreIsSaidAndWhatItHoldsIsKept) {
+TEST_F(RecoveryTest, a_script_that_can_grow_no_more_is_said_and_what_it_holds_is_kept) {
   auto window = open(test::asset("torus.off"));
   window->run("split 0-1");
   const std::uint64_t hash = window->session.mesh().hash();
@@ -338,7 +338,7 @@ TEST_F(RecoveryTest, AScriptThatCanGrowNoMoreIsSaidAndWhatItHoldsIsKept) {
   EXPECT_EQ(again->session.mesh().hash(), hash);
 }
 
-TEST_F(RecoveryTest, WithoutAWindowNothingIsKeptUnlessAsked) {
+TEST_F(RecoveryTest, without_a_window_nothing_is_kept_unless_asked) {
   const std::string path = files_.copy(test::asset("torus.off"), "a.off");
   const std::string variable = "XDG_STATE_HOME=" + state_.path().string();
   ASSERT_EQ(test::run_program({"edit", path, "--do", "split 0-1"}, {}, {variable}).exit_code, 0);

@@ -276,7 +276,7 @@ TEST(session, orienting_keeps_only_selected_points_and_faces) {
 TEST(session, every_key_sends_a_command_that_exists) {
   for (const KeyRow& key : key_table()) {
     const std::string_view id = split_words(key.command)[0];
-    EXPECT_TRUE(find_command(id) || find_op(id)) << key.chord << ": " << key.command;
+    EXPECT_TRUE(find_command_row(id) || find_op(id)) << key.chord << ": " << key.command;
     EXPECT_FALSE(key.help_en.empty() || key.help_ja.empty());
     EXPECT_EQ(find_key(key.chord), &key) << "the chord stands twice: " << key.chord;
   }

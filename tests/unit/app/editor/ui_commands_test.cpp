@@ -8,7 +8,7 @@
 namespace ryosen {
 namespace {
 
-TEST(UiCommands, SetWhatTheyName) {
+TEST(ui_commands, set_what_they_name) {
   Session session(std::make_unique<Document>());
   EXPECT_TRUE(session.run("language ja").done());
   EXPECT_EQ(session.language, Language::japanese);
@@ -21,7 +21,7 @@ TEST(UiCommands, SetWhatTheyName) {
   EXPECT_TRUE(session.log().empty()) << "a script of the edits does not hold how the window looked";
 }
 
-TEST(UiCommands, CancelStepsOutOfOneThingAtATime) {
+TEST(ui_commands, cancel_steps_out_of_one_thing_at_a_time) {
   auto document = Document::open(test::asset("torus.off"));
   ASSERT_TRUE(document);
   Session session(std::move(document).value());
@@ -35,7 +35,7 @@ TEST(UiCommands, CancelStepsOutOfOneThingAtATime) {
   EXPECT_TRUE(session.selection.empty());
 }
 
-TEST(UiCommands, EveryKeySendsACommandThatIsUnderstood) {
+TEST(ui_commands, every_key_sends_a_command_that_is_understood) {
   for (const KeyRow& key : key_table()) {
     auto document = Document::open(test::asset("torus.off"));
     ASSERT_TRUE(document);
@@ -46,7 +46,7 @@ TEST(UiCommands, EveryKeySendsACommandThatIsUnderstood) {
   }
 }
 
-TEST(UiCommands, ArrowsWalkHalfedges) {
+TEST(ui_commands, arrows_walk_halfedges) {
   auto document = Document::open(test::asset("torus.off"));
   ASSERT_TRUE(document);
   Session session(std::move(document).value());
@@ -71,7 +71,7 @@ TEST(UiCommands, ArrowsWalkHalfedges) {
   EXPECT_EQ(steps, 6) << "around a vertex of degree 6";
 }
 
-TEST(UiCommands, PixelsCountFromTheWindowsCornerAndEndWithTheView) {
+TEST(ui_commands, pixels_count_from_the_windows_corner_and_end_with_the_view) {
   auto document = Document::open(test::asset("torus.off"));
   ASSERT_TRUE(document);
   Session session(std::move(document).value());

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "core/analysis/figures.h"
-#include "core/build/from_indexed.h"
-#include "core/build/to_indexed.h"
+#include "core/indexed/from_indexed.h"
+#include "core/indexed/to_indexed.h"
 #include "core/io/formats.h"
 
 namespace ryosen {

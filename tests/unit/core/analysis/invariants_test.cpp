@@ -6,7 +6,7 @@
 #include <iostream>
 #include <random>
 
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <numbers>
 
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 #include "tests/support/core/pairs_by_asking_all.h"
 #include "tests/support/core/random_meshes.h"
 

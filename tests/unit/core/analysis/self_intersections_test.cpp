@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 #include "tests/support/core/pairs_by_asking_all.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"

@@ -11,7 +11,7 @@ namespace {
 
 using List = CompactList<std::int64_t>;
 
-TEST(CompactList, HoldsItsValuesAndIsOnePointer) {
+TEST(compact_list, holds_its_values_and_is_one_pointer) {
   static_assert(sizeof(List) == sizeof(void*));
   List list;
   EXPECT_TRUE(list.empty());
@@ -24,7 +24,7 @@ TEST(CompactList, HoldsItsValuesAndIsOnePointer) {
   EXPECT_FALSE(list == List({3, 5}));
 }
 
-TEST(CompactList, CopiesAreTheirOwnAndAMoveLeavesNothing) {
+TEST(compact_list, copies_are_their_own_and_a_move_leaves_nothing) {
   List list{1, 2};
   List copy = list;
   copy[0] = 9;
@@ -40,7 +40,7 @@ TEST(CompactList, CopiesAreTheirOwnAndAMoveLeavesNothing) {
   EXPECT_TRUE(copy.empty());
 }
 
-TEST(StaticName, ComparesByItsCharacters) {
+TEST(static_name, compares_by_its_characters) {
   const char text[] = "name";
   EXPECT_TRUE(StaticName("name") == StaticName(text));
   EXPECT_FALSE(StaticName("name") == StaticName("other"));

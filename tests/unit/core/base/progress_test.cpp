@@ -7,13 +7,13 @@
 namespace ryosen {
 namespace {
 
-TEST(Progress, OneThatNobodyListensToNeverStops) {
+TEST(progress, one_that_nobody_listens_to_never_stops) {
   Progress progress;
   for (std::size_t i = 0; i < 10; ++i) EXPECT_TRUE(progress.go_on(i, 10));
   EXPECT_FALSE(progress.is_cancelled());
 }
 
-TEST(Progress, TellsTheShareAndStaysStopped) {
+TEST(progress, tells_the_share_and_stays_stopped) {
   std::vector<double> told;
   Progress progress(
       [&](double share) {
@@ -30,7 +30,7 @@ TEST(Progress, TellsTheShareAndStaysStopped) {
   EXPECT_EQ(told, (std::vector<double>{0, 0.25, 0.25, 0.5}));
 }
 
-TEST(Progress, StepsOfAPartAreAShareOfIt) {
+TEST(progress, steps_of_a_part_are_a_share_of_it) {
   std::vector<double> told;
   Progress progress([&](double share) { return told.push_back(share), true; }, {});
   for (std::size_t part = 0; part < 2; ++part) {
@@ -42,7 +42,7 @@ TEST(Progress, StepsOfAPartAreAShareOfIt) {
   EXPECT_EQ(told, (std::vector<double>{0, 0.25, 0.5, 0.5, 0.75, 1}));
 }
 
-TEST(Progress, IsToldAtFirstAndThenSeldom) {
+TEST(progress, is_told_at_first_and_then_seldom) {
   int told = 0;
   Progress progress([&](double) { return ++told > 0; }, std::chrono::hours(1));
   for (std::size_t i = 0; i < 1000; ++i) EXPECT_TRUE(progress.go_on(i, 1000));

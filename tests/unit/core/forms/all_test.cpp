@@ -9,8 +9,8 @@
 #include <set>
 
 #include "core/analysis/invariants.h"
-#include "core/build/to_indexed.h"
 #include "core/forms/polygons.h"
+#include "core/indexed/to_indexed.h"
 #include "core/io/formats.h"
 #include "core/mesh/circulate.h"
 #include "core/ops/all.h"
@@ -147,7 +147,7 @@ void expect_nothing_idle(const Tally& tally) {
   }
 }
 
-TEST(Forms, ShapesComeBackAndAllAgree) {
+TEST(forms, shapes_come_back_and_all_agree) {
   Tally tally;
   const std::vector<std::pair<const char*, Mesh>> shapes = {
       {"tetrahedron", make_mesh(test::tetrahedron())},
@@ -168,7 +168,7 @@ TEST(Forms, ShapesComeBackAndAllAgree) {
   expect_nothing_idle(tally);
 }
 
-TEST(Forms, RandomMeshesComeBackAndAllAgree) {
+TEST(forms, random_meshes_come_back_and_all_agree) {
   Tally tally;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     const test::SeededMesh random = test::seeded_mesh(seed);
@@ -192,7 +192,7 @@ TEST(Forms, RandomMeshesComeBackAndAllAgree) {
   }
 }
 
-TEST(Forms, EditedMeshesComeBackWithoutGaps) {
+TEST(forms, edited_meshes_come_back_without_gaps) {
   Tally tally;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     Mesh mesh = make_mesh(test::torus_grid(5, 6));
@@ -218,7 +218,7 @@ TEST(Forms, EditedMeshesComeBackWithoutGaps) {
 }
 
 // Larger meshes, open and closed, of the folder beside the project.
-TEST(Forms, SharedMeshesComeBackAndAllAgree) {
+TEST(forms, shared_meshes_come_back_and_all_agree) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::path(RYOSEN_SHARED_DIR) / "meshes";
   if (!fs::exists(folder)) return;
@@ -318,7 +318,7 @@ std::set<std::string_view> suitable_ids(const Mesh& mesh) {
   return ids;
 }
 
-TEST(Forms, RingsWiresAndSeveralFans) {
+TEST(forms, rings_wires_and_several_fans) {
   Tally tally;
   const std::vector<std::pair<const char*, Mesh>> meshes = {{"ring", square_with_ring()},
                                                             {"wires", triangle_with_wires()},
@@ -351,7 +351,7 @@ TEST(Forms, RingsWiresAndSeveralFans) {
   EXPECT_EQ(answer.numbers, std::vector<std::uint32_t>{3});
 }
 
-TEST(Forms, BunnyComesBack) {
+TEST(forms, bunny_comes_back) {
   Result<MeshFile> file = read_mesh_file(RYOSEN_SOURCE_DIR "/assets/stanford_bunny.obj");
   ASSERT_TRUE(file);
   Tally tally;
@@ -359,7 +359,7 @@ TEST(Forms, BunnyComesBack) {
   EXPECT_EQ(tally.converted.size(), all_forms().size());
 }
 
-TEST(Forms, RefusalNamesTheElement) {
+TEST(forms, refusal_names_the_element) {
   const auto reason = [](std::string_view id, const Mesh& mesh) {
     const std::optional<Text> text = why_unsuitable(mesh, *find_form(id));
     return text ? text->en : std::string();
@@ -380,7 +380,7 @@ TEST(Forms, RefusalNamesTheElement) {
   EXPECT_EQ(reason("halfedge", make_mesh(test::cube())), "");
 }
 
-TEST(Forms, BytesAreThoseOfTheRecords) {
+TEST(forms, bytes_are_those_of_the_records) {
   const Mesh mesh = make_mesh(test::torus_grid(20, 20));  // 400 vertices, 1200 edges, 800 faces
   const auto bytes = [&](std::string_view id) { return find_form(id)->make(mesh)->bytes(); };
   EXPECT_EQ(bytes("triangle_soup"), 800u * 72);
@@ -396,7 +396,7 @@ TEST(Forms, BytesAreThoseOfTheRecords) {
   EXPECT_EQ(find_form("halfedge_outside")->make(open)->bytes() - find_form("halfedge")->make(open)->bytes(), 3u * 20);
 }
 
-TEST(Forms, TableIsComplete) {
+TEST(forms, table_is_complete) {
   std::set<std::string_view> ids;
   for (const FormRow& row : all_forms()) {
     EXPECT_TRUE(ids.insert(row.id).second) << row.id;

@@ -11,7 +11,7 @@ using test::make_mesh;
 
 constexpr Effort quick{1e-5, 1e6};
 
-TEST(FormsComparison, MeasuresEverythingThatCanBeAsked) {
+TEST(forms_comparison, measures_everything_that_can_be_asked) {
   const Comparison comparison = compare_forms(make_mesh(test::torus_grid(6, 7)), quick);
   EXPECT_EQ(comparison.vertices, 42u);
   EXPECT_EQ(comparison.edges, 126u);
@@ -34,7 +34,7 @@ TEST(FormsComparison, MeasuresEverythingThatCanBeAsked) {
   EXPECT_EQ(comparison.texts.size(), 4u);
 }
 
-TEST(FormsComparison, MeasuresSlowMethodsOnTheFirstFaces) {
+TEST(forms_comparison, measures_slow_methods_on_the_first_faces) {
   const IndexedMesh list = test::indexed(test::torus_grid(30, 30));  // 5400 sides
   for (const PairingMethod& method : pairing_methods()) {
     const PairingFigures figures = measure_pairing(list, method, quick);
@@ -46,7 +46,7 @@ TEST(FormsComparison, MeasuresSlowMethodsOnTheFirstFaces) {
   EXPECT_LT(faces_within(fan, pairing_methods()[3], 1e6), 2000u);
 }
 
-TEST(FormsComparison, SaysWhyAFormDoesNotSuit) {
+TEST(forms_comparison, says_why_a_form_does_not_suit) {
   const Comparison comparison = compare_forms(make_mesh(test::fin()), quick);
   std::size_t unsuitable = 0;
   for (const FormFigures& figures : comparison.forms) unsuitable += figures.unsuitable.has_value();
@@ -54,7 +54,7 @@ TEST(FormsComparison, SaysWhyAFormDoesNotSuit) {
   EXPECT_EQ(comparison.edges, 7u);
 }
 
-TEST(FormsComparison, WritesFiguresShortly) {
+TEST(forms_comparison, writes_figures_shortly) {
   EXPECT_EQ(figure_text(66.094), "66.1");
   EXPECT_EQ(figure_text(8), "8");
   EXPECT_EQ(figure_text(509175.4), "509175");
@@ -63,7 +63,7 @@ TEST(FormsComparison, WritesFiguresShortly) {
   EXPECT_EQ(duration_text(0.1174), "117 ms");
 }
 
-TEST(FormsComparison, AsksNothingOfAnEmptyMesh) {
+TEST(forms_comparison, asks_nothing_of_an_empty_mesh) {
   const Comparison comparison = compare_forms(Mesh(), quick);
   for (const FormFigures& figures : comparison.forms)
     for (const auto& time : figures.query_seconds) EXPECT_FALSE(time);

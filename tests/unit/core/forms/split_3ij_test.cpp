@@ -56,7 +56,7 @@ using Structures = testing::Types<OppositeMap, OppositeArray>;
 TYPED_TEST_SUITE(Split3ijTest, Structures);
 
 // The numbers that the text reports of its hexagon.
-TYPED_TEST(Split3ijTest, HexagonOfTheText) {
+TYPED_TEST(Split3ijTest, hexagon_of_the_text) {
   TypeParam mesh(hexagon());
   const std::uint32_t before_2 = mesh.opposite(2), before_8 = mesh.opposite(8);
   for (std::uint32_t h = 0; h < 18; ++h) EXPECT_EQ(mesh.opposite(h) == no_index, h % 3 == 0) << h;
@@ -75,7 +75,7 @@ TYPED_TEST(Split3ijTest, HexagonOfTheText) {
   expect_right_opposites(mesh);
 }
 
-TYPED_TEST(Split3ijTest, InteriorEdge) {
+TYPED_TEST(Split3ijTest, interior_edge) {
   TypeParam mesh(test::make_mesh({{3, 0, 1}, {0, 3, 2}}));  // the halfedge 0 runs 3 -> 0
   const Split3ij split = split_3ij(mesh, 0, {7, 8, 9});
   EXPECT_EQ(split.vertex, 4u);
@@ -86,7 +86,7 @@ TYPED_TEST(Split3ijTest, InteriorEdge) {
   expect_right_opposites(mesh);
 }
 
-TYPED_TEST(Split3ijTest, BoundaryEdge) {
+TYPED_TEST(Split3ijTest, boundary_edge) {
   TypeParam mesh(test::make_mesh({{2, 0, 1}, {1, 0, 3}}));  // the halfedge 0 runs 2 -> 0
   split_3ij(mesh, 0, {0, 0, 5});
   const std::uint32_t corners[] = {0, 1, 4, 1, 0, 3, 1, 2, 4};
@@ -98,7 +98,7 @@ TYPED_TEST(Split3ijTest, BoundaryEdge) {
   expect_right_opposites(mesh);
 }
 
-TYPED_TEST(Split3ijTest, EveryEdgeOfClosedAndOpenMeshes) {
+TYPED_TEST(Split3ijTest, every_edge_of_closed_and_open_meshes) {
   for (const test::Polygons& faces :
        {test::tetrahedron(), test::torus_grid(3, 4), test::closed_fan(5), test::Polygons{{0, 1, 2}}})
     for (std::uint32_t h = 0; h < 3 * faces.size(); ++h) {
@@ -110,7 +110,7 @@ TYPED_TEST(Split3ijTest, EveryEdgeOfClosedAndOpenMeshes) {
     }
 }
 
-TYPED_TEST(Split3ijTest, LargestFaceAgainAndAgain) {
+TYPED_TEST(Split3ijTest, largest_face_again_and_again) {
   TypeParam mesh(hexagon());
   const double area = total_area(mesh);
   for (int round = 0; round < 10; ++round) {
@@ -125,7 +125,7 @@ TYPED_TEST(Split3ijTest, LargestFaceAgainAndAgain) {
   EXPECT_LT(largest, 4 * area / mesh.face_count());
 }
 
-TEST(OppositeMap, CodesTheBoundaryByItsOwnNumber) {
+TEST(opposite_map, codes_the_boundary_by_its_own_number) {
   OppositeMap mesh(hexagon());
   for (int round = 0; round < 20; ++round) {
     for (std::uint32_t h = 0; h < 3 * mesh.face_count(); ++h) {

@@ -19,14 +19,14 @@ void expect_near(const dvec3& actual, const dvec3& expected, double tolerance) {
   EXPECT_NEAR(actual.z, expected.z, tolerance);
 }
 
-TEST(PolygonNormal, unit_square) {
+TEST(polygon_normal, unit_square) {
   const Polygon square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   EXPECT_EQ(vector_area(square), dvec3(0, 0, 1));
   EXPECT_EQ(polygon_area(square), 1.0);
   EXPECT_EQ(polygon_normal(square), dvec3(0, 0, 1));
 }
 
-TEST(PolygonNormal, concave_polygon_in_a_slanted_plane_far_away) {
+TEST(polygon_normal, concave_polygon_in_a_slanted_plane_far_away) {
   const dvec3 u = glm::normalize(dvec3(1, 2, 2)), v = glm::normalize(dvec3(2, -2, 1));
   const double shape[][2] = {{0, 0}, {4, 0}, {4, 3}, {2, 1}, {0, 3}};
   Polygon polygon;
@@ -35,7 +35,7 @@ TEST(PolygonNormal, concave_polygon_in_a_slanted_plane_far_away) {
   expect_near(polygon_normal(polygon), glm::cross(u, v), 1e-8);
 }
 
-TEST(PolygonNormal, sizes_whose_squares_leave_the_double_range) {
+TEST(polygon_normal, sizes_whose_squares_leave_the_double_range) {
   for (const double size : {1e-320, 1e-300, 1e-170, 1e170, 1e307, 1.7e308}) {
     const Polygon triangle = {{0, 0, 0}, {0, size, 0}, {0, 0, size}};
     expect_near(polygon_normal(triangle), {1, 0, 0}, 1e-12);
@@ -48,14 +48,14 @@ TEST(PolygonNormal, sizes_whose_squares_leave_the_double_range) {
   expect_near(polygon_normal(thin), {1, 0, 0}, 1e-12);
 }
 
-TEST(PolygonNormal, flat_and_short_polygons_have_none) {
+TEST(polygon_normal, flat_and_short_polygons_have_none) {
   EXPECT_EQ(polygon_normal(Polygon{}), dvec3(0));
   EXPECT_EQ(polygon_normal(Polygon{{1, 2, 3}, {4, 5, 6}}), dvec3(0));
   EXPECT_EQ(polygon_normal(Polygon{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}), dvec3(0));
   EXPECT_EQ(polygon_area(Polygon{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}), 0.0);
 }
 
-TEST(PolygonNormal, volume_of_a_box_with_bent_faces_does_not_depend_on_the_apex) {
+TEST(polygon_normal, volume_of_a_box_with_bent_faces_does_not_depend_on_the_apex) {
   // A cube with one corner pulled out: three of its quads are not planar.
   const Polygon p = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1.5, 1.5, 1.5}, {0, 1, 1}};
   const int faces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};

@@ -48,14 +48,14 @@ void expect_all_orders(const dvec2& a, const dvec2& b, const dvec2& c) {
   EXPECT_EQ(orient2d(b, a, c), -expected);
 }
 
-TEST(Predicates, orientation_of_plain_triangles) {
+TEST(predicates, orientation_of_plain_triangles) {
   EXPECT_EQ(orient2d({0, 0}, {1, 0}, {0, 1}), 1);
   EXPECT_EQ(orient2d({0, 0}, {0, 1}, {1, 0}), -1);
   EXPECT_EQ(orient2d({0, 0}, {1, 1}, {2, 2}), 0);
   EXPECT_EQ(orient2d({1, 1}, {1, 1}, {5, 3}), 0);
 }
 
-TEST(Predicates, points_one_rounding_step_off_a_line) {
+TEST(predicates, points_one_rounding_step_off_a_line) {
   const double step = std::numeric_limits<double>::epsilon();
   for (int i = 0; i < 64; ++i) {
     for (int j = 0; j < 64; ++j) {
@@ -64,7 +64,7 @@ TEST(Predicates, points_one_rounding_step_off_a_line) {
   }
 }
 
-TEST(Predicates, any_finite_doubles_agree_with_integers) {
+TEST(predicates, any_finite_doubles_agree_with_integers) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 4000; ++i) {
     const auto value = [&] { return any_double(random); };
@@ -72,7 +72,7 @@ TEST(Predicates, any_finite_doubles_agree_with_integers) {
   }
 }
 
-TEST(Predicates, nearly_collinear_points_of_every_magnitude) {
+TEST(predicates, nearly_collinear_points_of_every_magnitude) {
   std::mt19937_64 random(2);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   int zeros = 0;
@@ -91,7 +91,7 @@ TEST(Predicates, nearly_collinear_points_of_every_magnitude) {
   EXPECT_GT(zeros, 100);
 }
 
-TEST(Predicates, extremes_of_the_double_range) {
+TEST(predicates, extremes_of_the_double_range) {
   constexpr double tiny = std::numeric_limits<double>::denorm_min();
   constexpr double huge = std::numeric_limits<double>::max();
   const std::array<double, 15> values = {0.0,  -0.0,  tiny,  -tiny,  3 * tiny, 1e-310, 1e-160,  1.0,
@@ -107,7 +107,7 @@ TEST(Predicates, extremes_of_the_double_range) {
   EXPECT_EQ(orient2d({-huge, -huge}, {0, 0}, {huge, huge}), 0);
 }
 
-TEST(Predicates, expansions_and_accumulator_give_the_same_signs) {
+TEST(predicates, expansions_and_accumulator_give_the_same_signs) {
   std::mt19937_64 random(4);
   std::uniform_int_distribution<int> small(-3, 3);
   std::uniform_int_distribution<int> exponent(-60, 60);
@@ -128,7 +128,7 @@ TEST(Predicates, expansions_and_accumulator_give_the_same_signs) {
   }
 }
 
-TEST(Predicates, cross_component_follows_the_axis) {
+TEST(predicates, cross_component_follows_the_axis) {
   const dvec3 o(0.0);
   EXPECT_EQ(cross_component_sign(o, {0, 1, 0}, {0, 0, 1}, 0), 1);
   EXPECT_EQ(cross_component_sign(o, {0, 0, 1}, {1, 0, 0}, 1), 1);
@@ -136,7 +136,7 @@ TEST(Predicates, cross_component_follows_the_axis) {
   EXPECT_EQ(cross_component_sign(o, {1, 0, 0}, {0, 1, 0}, 0), 0);
 }
 
-TEST(Predicates, collinear_points_in_space_agree_with_integers) {
+TEST(predicates, collinear_points_in_space_agree_with_integers) {
   std::mt19937_64 random(5);
   std::uniform_int_distribution<int> grid(-2, 2);
   int flat = 0;
@@ -174,7 +174,7 @@ void expect_sides(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d
   ASSERT_EQ(orient3d(c, d, a, b), side);
 }
 
-TEST(Predicates, the_side_of_a_plane_agrees_with_integers) {
+TEST(predicates, the_side_of_a_plane_agrees_with_integers) {
   EXPECT_EQ(orient3d({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), 1);
   std::mt19937_64 random(6);
   for (int i = 0; i < 1500; ++i) {
@@ -183,7 +183,7 @@ TEST(Predicates, the_side_of_a_plane_agrees_with_integers) {
   }
 }
 
-TEST(Predicates, nearly_coplanar_points_of_every_magnitude) {
+TEST(predicates, nearly_coplanar_points_of_every_magnitude) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   int zeros = 0;
@@ -204,7 +204,7 @@ TEST(Predicates, nearly_coplanar_points_of_every_magnitude) {
   EXPECT_GT(zeros, 300);
 }
 
-TEST(Predicates, sides_of_planes_at_the_extremes_of_the_double_range) {
+TEST(predicates, sides_of_planes_at_the_extremes_of_the_double_range) {
   constexpr double tiny = std::numeric_limits<double>::denorm_min();
   constexpr double huge = std::numeric_limits<double>::max();
   const std::array<double, 14> values = {0.0, -0.0, tiny,  -3 * tiny, 1e-310, 1e-160, 1.0,
@@ -219,13 +219,13 @@ TEST(Predicates, sides_of_planes_at_the_extremes_of_the_double_range) {
   EXPECT_EQ(orient3d({nan, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), 0);
 }
 
-TEST(Predicates, a_tenth_three_tenths_is_not_on_the_diagonal_of_its_steps) {
+TEST(predicates, a_tenth_three_tenths_is_not_on_the_diagonal_of_its_steps) {
   // 0.1 + 0.2 differs from 0.3 in the last bit, which the exact test must see.
   EXPECT_TRUE(are_collinear({0, 0, 0}, {0.1, 0.1, 0}, {0.3, 0.3, 0}));
   EXPECT_FALSE(are_collinear({0, 0, 0}, {0.1, 0.1, 0}, {0.3, 0.1 + 0.2, 0}));
 }
 
-TEST(Predicates, collinear_lists) {
+TEST(predicates, collinear_lists) {
   const std::vector<dvec3> line = {{0, 0, 0}, {0, 0, 0}, {1, 2, 3}, {2, 4, 6}, {-1, -2, -3}};
   EXPECT_TRUE(are_collinear(line));
   EXPECT_TRUE(are_collinear(std::span(line).first(2)));
@@ -239,7 +239,7 @@ TEST(Predicates, collinear_lists) {
   EXPECT_FALSE(are_collinear(bent, other));
 }
 
-TEST(Predicates, numbers_that_are_not_finite_do_no_harm) {
+TEST(predicates, numbers_that_are_not_finite_do_no_harm) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double inf = std::numeric_limits<double>::infinity();
   EXPECT_EQ(orient2d({nan, 0}, {1, 0}, {0, 1}), 0);

@@ -133,7 +133,7 @@ std::optional<Polygon> bridged(const Loops& loops, unsigned seed) {
   return joined;
 }
 
-TEST(Sweep, random_simple_polygons_need_no_fallback) {
+TEST(sweep, random_simple_polygons_need_no_fallback) {
   int made = 0;
   for (unsigned seed = 10000; seed < 11000; ++seed) {
     const Polygon polygon = test_shapes::random_simple(4 + seed % 19, 6, seed);
@@ -145,7 +145,7 @@ TEST(Sweep, random_simple_polygons_need_no_fallback) {
   EXPECT_GT(made, 220);
 }
 
-TEST(Sweep, random_polygons_with_holes) {
+TEST(sweep, random_polygons_with_holes) {
   std::size_t holes = 0;
   for (unsigned seed = 0; seed < 1500; ++seed) {
     const Loops loops = random_with_holes(seed);
@@ -157,7 +157,7 @@ TEST(Sweep, random_polygons_with_holes) {
   EXPECT_GT(holes, 1000u);
 }
 
-TEST(Sweep, random_polygons_with_bridges_to_their_holes) {
+TEST(sweep, random_polygons_with_bridges_to_their_holes) {
   int made = 0;
   for (unsigned seed = 0; seed < 1500; ++seed) {
     const Loops loops = random_with_holes(seed);
@@ -204,7 +204,7 @@ Polygon walk_around_tree(std::size_t count, int grid, unsigned seed) {
   return polygon;
 }
 
-TEST(Sweep, polygons_that_touch_themselves_everywhere) {
+TEST(sweep, polygons_that_touch_themselves_everywhere) {
   for (unsigned seed = 0; seed < 600; ++seed) {
     const std::size_t count = 2 + seed % 60;
     const Polygon polygon = walk_around_tree(count, 3 + static_cast<int>(seed % 5), seed);
@@ -215,7 +215,7 @@ TEST(Sweep, polygons_that_touch_themselves_everywhere) {
   }
 }
 
-TEST(Sweep, large_shapes_need_no_fallback) {
+TEST(sweep, large_shapes_need_no_fallback) {
   for (const Polygon& polygon : {test_shapes::star(3000, 5), test_shapes::spiral(3000, 20), test_shapes::comb(500, 6),
                                  test_shapes::saw(700), test_shapes::square_with_many_corners(700)}) {
     const auto triangles = sweep({polygon});
@@ -224,7 +224,7 @@ TEST(Sweep, large_shapes_need_no_fallback) {
   }
 }
 
-TEST(Sweep, a_polygon_run_clockwise_or_across_itself_is_refused) {
+TEST(sweep, a_polygon_run_clockwise_or_across_itself_is_refused) {
   Polygon clockwise = test_shapes::comb(5, 1);
   std::reverse(clockwise.begin(), clockwise.end());
   EXPECT_FALSE(sweep({clockwise}));

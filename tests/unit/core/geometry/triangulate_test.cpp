@@ -94,7 +94,7 @@ Polygon turned(const Polygon& polygon, int way) {
   return result;
 }
 
-TEST(Triangulate, small_polygons) {
+TEST(triangulate, small_polygons) {
   EXPECT_TRUE(triangles_of(Polygon{}).empty());
   EXPECT_TRUE(triangles_of(Polygon{{0, 0, 0}, {1, 0, 0}}).empty());
   EXPECT_EQ(triangles_of(Polygon{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), (Triangles{{0, 1, 2}}));
@@ -103,7 +103,7 @@ TEST(Triangulate, small_polygons) {
   expect_right(test_shapes::convex(100));
 }
 
-TEST(Triangulate, quads_take_the_shorter_or_the_inner_diagonal) {
+TEST(triangulate, quads_take_the_shorter_or_the_inner_diagonal) {
   const Triangles across_0_2 = {{0, 1, 2}, {0, 2, 3}};
   const Triangles across_1_3 = {{0, 1, 3}, {1, 2, 3}};
   EXPECT_EQ(triangles_of(Polygon{{0, 0, 0}, {3, -1, 0}, {1, 1, 0}, {-1, 3, 0}}), across_0_2);
@@ -125,7 +125,7 @@ TEST(Triangulate, quads_take_the_shorter_or_the_inner_diagonal) {
   expect_right(Polygon{{1, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 0}});
 }
 
-TEST(Triangulate, every_axis_and_both_sides) {
+TEST(triangulate, every_axis_and_both_sides) {
   const Polygon shape = test_shapes::comb(5, 3);
   for (int way = 0; way < 6; ++way) {
     for (const bool reversed : {false, true}) {
@@ -146,7 +146,7 @@ TEST(Triangulate, every_axis_and_both_sides) {
   }
 }
 
-TEST(Triangulate, random_simple_polygons_on_a_small_grid) {
+TEST(triangulate, random_simple_polygons_on_a_small_grid) {
   int made = 0;
   for (unsigned seed = 0; seed < 2000; ++seed) {
     const std::size_t count = 4 + seed % 17;
@@ -159,7 +159,7 @@ TEST(Triangulate, random_simple_polygons_on_a_small_grid) {
   EXPECT_GT(made, 500);
 }
 
-TEST(Triangulate, nasty_simple_polygons) {
+TEST(triangulate, nasty_simple_polygons) {
   expect_right(test_shapes::star(501, 1));
   expect_right(test_shapes::spiral(1000, 7));
   expect_right(test_shapes::comb(200, 2));
@@ -168,7 +168,7 @@ TEST(Triangulate, nasty_simple_polygons) {
   for (unsigned seed = 0; seed < 200; ++seed) expect_right(test_shapes::star(5 + seed, seed));
 }
 
-TEST(Triangulate, corners_one_rounding_step_off_a_line) {
+TEST(triangulate, corners_one_rounding_step_off_a_line) {
   // Collinear up to rounding: a filter alone takes some of these turns for the opposite ones.
   Polygon polygon;
   for (int i = 0; i <= 60; ++i) polygon.emplace_back(0.1 * i, 0.3 * i, 0.0);
@@ -178,7 +178,7 @@ TEST(Triangulate, corners_one_rounding_step_off_a_line) {
   expect_right(polygon);
 }
 
-TEST(Triangulate, repeated_corners_add_flat_triangles) {
+TEST(triangulate, repeated_corners_add_flat_triangles) {
   const Polygon l_shape = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
   for (std::size_t i = 0; i < l_shape.size(); ++i) {
     Polygon polygon = l_shape;
@@ -187,7 +187,7 @@ TEST(Triangulate, repeated_corners_add_flat_triangles) {
   }
 }
 
-TEST(Triangulate, holes_joined_by_bridges) {
+TEST(triangulate, holes_joined_by_bridges) {
   // A square ring as one corner list, from every start and with the bridge in every direction.
   const Polygon outer = {{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}};
   const Polygon hole = {{3, 3, 0}, {3, 6, 0}, {6, 6, 0}, {6, 3, 0}};
@@ -204,7 +204,7 @@ TEST(Triangulate, holes_joined_by_bridges) {
   }
 }
 
-TEST(Triangulate, level_and_upright_bridges) {
+TEST(triangulate, level_and_upright_bridges) {
   const Polygon outer = {{0, 0, 0}, {9, 0, 0}, {9, 4, 0}, {9, 9, 0}, {4, 9, 0}, {0, 9, 0}, {0, 4, 0}, {4, 0, 0}};
   const dvec3 ends[][2] = {
       {{9, 4, 0}, {6, 4, 0}}, {{4, 9, 0}, {4, 6, 0}}, {{0, 4, 0}, {3, 4, 0}}, {{4, 0, 0}, {4, 3, 0}}};
@@ -225,7 +225,7 @@ TEST(Triangulate, level_and_upright_bridges) {
   }
 }
 
-TEST(Triangulate, loops_with_holes) {
+TEST(triangulate, loops_with_holes) {
   for (const int side : {1, 2, 5}) {
     Loops loops(1);
     const double size = 4.0 * side + 1.0;
@@ -244,7 +244,7 @@ TEST(Triangulate, loops_with_holes) {
   }
 }
 
-TEST(Triangulate, holes_that_touch_at_corners) {
+TEST(triangulate, holes_that_touch_at_corners) {
   // Diamonds in a row, tip to tip, and touching the frame.
   Loops loops = {{{0, 0, 0}, {8, 0, 0}, {8, 2, 0}, {0, 2, 0}}};
   for (int i = 0; i < 3; ++i) {
@@ -254,7 +254,7 @@ TEST(Triangulate, holes_that_touch_at_corners) {
   expect_right(loops, triangles_of(loops), Flat::allowed);
 }
 
-TEST(Triangulate, slits_as_holes) {
+TEST(triangulate, slits_as_holes) {
   const Loops loops = {{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}, {{1, 1, 0}, {3, 2, 0}}};
   expect_right(loops, triangles_of(loops), Flat::allowed);
 }
@@ -267,7 +267,7 @@ void expect_complete(const Polygon& polygon) {
   EXPECT_EQ(triangles, triangles_of(polygon));
 }
 
-TEST(Triangulate, degenerate_polygons_get_as_many_triangles) {
+TEST(triangulate, degenerate_polygons_get_as_many_triangles) {
   expect_complete(Polygon(4, dvec3(1, 2, 3)));
   expect_complete(Polygon(40, dvec3(1, 2, 3)));
   Polygon line;
@@ -286,7 +286,7 @@ TEST(Triangulate, degenerate_polygons_get_as_many_triangles) {
   expect_complete(broken);
 }
 
-TEST(Triangulate, random_polygons_with_crossings_get_as_many_triangles) {
+TEST(triangulate, random_polygons_with_crossings_get_as_many_triangles) {
   std::mt19937 random(11);
   std::uniform_int_distribution<int> coarse(0, 3);
   std::uniform_real_distribution<double> fine(0.0, 1.0);
@@ -305,7 +305,7 @@ TEST(Triangulate, random_polygons_with_crossings_get_as_many_triangles) {
   }
 }
 
-TEST(Triangulate, holes_in_bad_places_still_give_all_triangles) {
+TEST(triangulate, holes_in_bad_places_still_give_all_triangles) {
   const Polygon outer = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   const Loops outside = {outer, {{5, 5, 0}, {5, 6, 0}, {6, 6, 0}}};
   const Loops single = {outer, {{0.5, 0.5, 0}}};
@@ -318,7 +318,7 @@ TEST(Triangulate, holes_in_bad_places_still_give_all_triangles) {
   EXPECT_TRUE(triangles_of(Loops{{}, {}}).empty());
 }
 
-TEST(Triangulate, coordinates_of_any_magnitude) {
+TEST(triangulate, coordinates_of_any_magnitude) {
   for (const double scale : {1e-310, 1e-160, 1e150, 1e300}) {
     Polygon polygon = test_shapes::comb(8, 1);
     for (dvec3& p : polygon) p *= scale;
@@ -331,7 +331,7 @@ TEST(Triangulate, coordinates_of_any_magnitude) {
   }
 }
 
-TEST(Triangulate, twenty_thousand_corners) {
+TEST(triangulate, twenty_thousand_corners) {
   const std::pair<const char*, Polygon> shapes[] = {{"star", test_shapes::star(20000, 1)},
                                                     {"spiral", test_shapes::spiral(20000, 40)},
                                                     {"comb", test_shapes::comb(3333, 1)},
@@ -348,7 +348,7 @@ TEST(Triangulate, twenty_thousand_corners) {
   }
 }
 
-TEST(Triangulate, twenty_thousand_corners_with_crossings) {
+TEST(triangulate, twenty_thousand_corners_with_crossings) {
   Polygon crossing = test_shapes::star(20000, 1);
   std::swap(crossing[100], crossing[101]);
   std::swap(crossing[15000], crossing[15003]);

@@ -1,9 +1,9 @@
 #include "core/io/edited_file.h"
 
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 #include "core/io/obj.h"
 #include "core/ops/all.h"
-#include "core/ops/sheets.h"
+#include "core/ops/rules/sheets.h"
 #include "tests/unit/core/io/io_helpers.h"
 
 namespace ryosen {
@@ -34,7 +34,7 @@ MeshFile written_and_read_again(const MeshFile& file, std::string_view id) {
   return io_test::read_sound(id, bytes_of(file, *find_format(id)));
 }
 
-TEST(EditedFile, KeepsRemovedVerticesThatFacesSetAsideLinesAndPointsUse) {
+TEST(edited_file, keeps_removed_vertices_that_faces_set_aside_lines_and_points_use) {
   const MeshFile file = io_test::read_sound("obj", used_beside_obj);
   const MeshFile edited = without(file, {4, 5, 6});
   EXPECT_EQ(edited.kept_vertices, 3u);
@@ -46,14 +46,14 @@ TEST(EditedFile, KeepsRemovedVerticesThatFacesSetAsideLinesAndPointsUse) {
   EXPECT_EQ(again.mesh.quarantine[2].code, "face_too_few_corners");
 }
 
-TEST(EditedFile, KeepsRemovedVerticesThatEdgesOfPlyUse) {
+TEST(edited_file, keeps_removed_vertices_that_edges_of_ply_use) {
   const MeshFile file = io_test::read_sound("ply", used_beside_ply);
   const MeshFile edited = without(file, {4, 5, 6});
   EXPECT_EQ(edited.kept_vertices, 3u);
   EXPECT_EQ(io_test::difference(file, written_and_read_again(edited, "ply")), "");
 }
 
-TEST(EditedFile, LetsRemovedVerticesGoThatNothingUses) {
+TEST(edited_file, lets_removed_vertices_go_that_nothing_uses) {
   const MeshFile file = io_test::read_sound("obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 9 9 9\nf 1 2 3\n");
   const MeshFile edited = without(file, {3});
   EXPECT_EQ(edited.mesh.positions.size(), 3u);
@@ -61,7 +61,7 @@ TEST(EditedFile, LetsRemovedVerticesGoThatNothingUses) {
   EXPECT_TRUE(loss_messages(edited, *find_format("obj")).empty());
 }
 
-TEST(EditedFile, SaysWhichRemovedVerticesStay) {
+TEST(edited_file, says_which_removed_vertices_stay) {
   const MeshFile edited = without(io_test::read_sound("obj", used_beside_obj), {4, 6});
   const std::vector<Message> messages = loss_messages(edited, *find_format("obj"));
   ASSERT_EQ(messages.size(), 1u);
@@ -91,7 +91,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return n;
 }
 
-TEST(EditedFile, WritesWiresAsLinesThatComeBackOnce) {
+TEST(edited_file, writes_wires_as_lines_that_come_back_once) {
   const MeshFile source = io_test::read_sound("obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\ng side\nf 1 2 3\n");
   const MeshFile file = after_lines(source, {"make_edge 3 2", "make_vertex 6,6,6", "make_edge 4 3"});
   const std::string written = write_obj(file);
@@ -109,7 +109,7 @@ TEST(EditedFile, WritesWiresAsLinesThatComeBackOnce) {
   EXPECT_EQ(again.mesh.groups.names, source.mesh.groups.names);
 }
 
-TEST(EditedFile, WiresFollowTheirEndsToNewNumbers) {
+TEST(edited_file, wires_follow_their_ends_to_new_numbers) {
   const MeshFile source = io_test::read_sound("obj", "v 0 0 0\nv 9 9 9\nv 1 0 0\nv 0 1 0\nv 5 5 5\nf 1 3 4\nl 5 4\n");
   const std::string written = write_obj(after_lines(source, {"make_edge 4 0", "make_edge 3 4", "remove_vertex 1"}));
   EXPECT_EQ(count(written, "\nl "), 2u) << "the wire 3-4 lies along the line of the file: " << written;
@@ -117,7 +117,7 @@ TEST(EditedFile, WiresFollowTheirEndsToNewNumbers) {
   EXPECT_EQ(count(written, "\nl 1 4\n"), 1u) << written;
 }
 
-TEST(EditedFile, WiresAreListedAsLostInEveryFormat) {
+TEST(edited_file, wires_are_listed_as_lost_in_every_format) {
   const MeshFile file = after_lines({}, {"make_vertex 0,0,0", "make_vertex 1,0,0", "make_edge 0 1"});
   for (const Format& format : formats()) {
     const std::vector<Loss> losses = losses_of(file, format);

@@ -9,13 +9,13 @@ namespace {
 constexpr std::string_view sample_text =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0\nvt 1\nl 1/1 2/2 3/1\nf 1 2 3\np 2\nf 1 2 4\nl 2 4\np 1 9 0\nl\n";
 
-TEST(Elements, StayTheSameWithoutChange) {
+TEST(elements, stay_the_same_without_change) {
   const MeshFile file = io_test::read_sound("obj", sample_text);
   const std::vector<std::uint32_t> vertices = {0, 1, 2, 3}, faces = {0, 1};
   EXPECT_TRUE(io_test::same_elements(renumbered(file.elements, vertices, faces, 4, 4), file.elements));
 }
 
-TEST(Elements, FollowTheirVerticesAndLoseThoseThatAreGone) {
+TEST(elements, follow_their_vertices_and_lose_those_that_are_gone) {
   const MeshFile file = io_test::read_sound("obj", sample_text);
   // Vertex 1 and face 0 are gone, two vertices and a face are new.
   const std::vector<std::uint32_t> vertices = {0, no_index, 1, 2, 3, 4}, faces = {no_index, 0, 1};

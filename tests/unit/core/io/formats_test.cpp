@@ -19,7 +19,7 @@ std::string recognised(std::string_view bytes, const std::string& name) {
   return format ? std::string((*format)->id) : format.failure().message.code;
 }
 
-TEST(Formats, TheTableIsComplete) {
+TEST(formats, the_table_is_complete) {
   for (const Format& format : formats()) {
     EXPECT_EQ(find_format(format.id), &format);
     EXPECT_FALSE(format.name.en.empty());
@@ -36,7 +36,7 @@ TEST(Formats, TheTableIsComplete) {
   EXPECT_EQ(format_of_extension("obj"), nullptr);
 }
 
-TEST(Formats, ContentComesBeforeTheName) {
+TEST(formats, content_comes_before_the_name) {
   EXPECT_EQ(recognised(obj_text, "a.obj"), "obj");
   EXPECT_EQ(recognised(obj_text, "a"), "obj");
   EXPECT_EQ(recognised(obj_text, "a.off"), "obj");
@@ -52,7 +52,7 @@ TEST(Formats, ContentComesBeforeTheName) {
   EXPECT_EQ(recognised("vector\n", "a"), "unknown_format");
 }
 
-TEST(Formats, SeveralFormatsThatBeginAlike) {
+TEST(formats, several_formats_that_begin_alike) {
   EXPECT_EQ(recognised("ply\r\nformat", "a"), "ply");
   EXPECT_EQ(recognised("plywood\n", "a"), "unknown_format");
   EXPECT_EQ(recognised("  SOLID a b\n\nFacet normal", "a"), "stl");
@@ -73,7 +73,7 @@ TEST(Formats, SeveralFormatsThatBeginAlike) {
   EXPECT_EQ(recognised(obj_text, "a.txt"), "obj");
 }
 
-TEST(Formats, TargetsByName) {
+TEST(formats, targets_by_name) {
   EXPECT_EQ(find_target("off")->format, find_format("off"));
   EXPECT_EQ(find_target("ply")->encoding, Encoding::automatic);
   EXPECT_EQ(find_target("ply-big")->encoding, Encoding::binary_big);
@@ -90,7 +90,7 @@ TEST(Formats, TargetsByName) {
   EXPECT_EQ(encoding_of(file, *find_format("ply"), Encoding::ascii), Encoding::ascii);
 }
 
-TEST(Formats, EveryKindOfBadContentHasItsCode) {
+TEST(formats, every_kind_of_bad_content_has_its_code) {
   using namespace std::string_view_literals;
   EXPECT_EQ(recognised("", "a.obj"), "empty_file");
   EXPECT_EQ(recognised("\x1f\x8b\x08\0\0\x01\x02"sv, "a.obj"), "compressed_file");
@@ -104,7 +104,7 @@ TEST(Formats, EveryKindOfBadContentHasItsCode) {
   EXPECT_EQ(recognised("x\n", "a.glb"), "unsupported_format");
 }
 
-TEST(Formats, PathsThatCannotBeReadHaveTheirCodes) {
+TEST(formats, paths_that_cannot_be_read_have_their_codes) {
   const TemporaryFolder folder;
   const auto code = [](const std::filesystem::path& path) {
     const Result<MeshFile> file = read_mesh_file(path);
@@ -122,7 +122,7 @@ TEST(Formats, PathsThatCannotBeReadHaveTheirCodes) {
   EXPECT_EQ(code(folder / "file.obj"), "input_unreadable");
 }
 
-TEST(Formats, ReadsAndWritesByName) {
+TEST(formats, reads_and_writes_by_name) {
   const TemporaryFolder folder;
   std::ofstream(folder / "in.obj") << obj_text;
   const Result<MeshFile> file = read_mesh_file(folder / "in.obj");
@@ -143,7 +143,7 @@ TEST(Formats, ReadsAndWritesByName) {
   EXPECT_EQ(folder.entry_count(), 3u);
 }
 
-TEST(Formats, ANameThatSaysAnotherFormatIsReported) {
+TEST(formats, a_name_that_says_another_format_is_reported) {
   const TemporaryFolder folder;
   std::ofstream(folder / "a.obj") << off_text;
   const Result<MeshFile> file = read_mesh_file(folder / "a.obj");
@@ -152,7 +152,7 @@ TEST(Formats, ANameThatSaysAnotherFormatIsReported) {
   EXPECT_NE(io_test::find_message(*file, "content_mismatch"), nullptr);
 }
 
-TEST(Formats, OwnFilesComeBackTheSameInEveryFormatThatHoldsThem) {
+TEST(formats, own_files_come_back_the_same_in_every_format_that_holds_them) {
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(RYOSEN_SOURCE_DIR "/tests/data/io")) {
     const Result<MeshFile> file = read_mesh_file(entry.path());

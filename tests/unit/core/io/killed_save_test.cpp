@@ -65,7 +65,7 @@ void wait_for(Seconds time) {
   }
 }
 
-TEST(KilledSave, LeavesTheWholeOldOrTheWholeNewFile) {
+TEST(killed_save, leaves_the_whole_old_or_the_whole_new_file) {
   const io_test::TemporaryFolder folder;
   const std::filesystem::path path = folder / "net.obj";
   const std::vector<MeshFile> meshes{net(60, 0.25), net(60, 1.75)};

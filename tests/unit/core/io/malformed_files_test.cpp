@@ -46,7 +46,7 @@ bool is_at(const Message& message, const DamagedFile& file) {
   return !message.line && !message.byte && !message.face;
 }
 
-TEST(DamagedFiles, GetTheirCodePlaceAndWhatIsKept) {
+TEST(damaged_files, get_their_code_place_and_what_is_kept) {
   const std::vector<DamagedFile> files = damaged_files();
   EXPECT_GE(files.size(), 60u);
   for (const DamagedFile& row : files) {
@@ -98,7 +98,7 @@ std::size_t data_bytes() {
   return 0;
 }
 
-TEST(DamagedFiles, StayWithinMemoryAndTime) {
+TEST(damaged_files, stay_within_memory_and_time) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "sanitizers take memory of their own";
 #endif

@@ -68,7 +68,7 @@ std::string mutated(std::string text, std::mt19937& random) {
   return text;
 }
 
-TEST(MutatedFiles, AreRefusedOrReadTheSameTwice) {
+TEST(mutated_files, are_refused_or_read_the_same_twice) {
   std::mt19937 random(20240607);
   std::size_t refused = 0, read = 0;
   for (const auto& entry : std::filesystem::directory_iterator(RYOSEN_SOURCE_DIR "/tests/data/io")) {

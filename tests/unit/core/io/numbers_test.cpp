@@ -10,7 +10,7 @@
 namespace ryosen {
 namespace {
 
-TEST(Numbers, ReadsDecimalsToTheNearestDouble) {
+TEST(numbers, reads_decimals_to_the_nearest_double) {
   for (const char* text : {"0", "-0", "+1.5", "1.", ".5", "1e5", "1E+5", "-2.5e-3", "0.1", "123456789.123456789",
                            "4.9e-324", "1e-320", "1.7976931348623157e308", "0.30000000000000004"}) {
     double value = 0;
@@ -20,7 +20,7 @@ TEST(Numbers, ReadsDecimalsToTheNearestDouble) {
   }
 }
 
-TEST(Numbers, AgreesWithTheCLibraryOnRandomDecimals) {
+TEST(numbers, agrees_with_the_c_library_on_random_decimals) {
   std::mt19937_64 random(7);
   for (int i = 0; i < 20000; ++i) {
     std::string text = std::to_string(random() % 1000000) + "." + std::to_string(random());
@@ -31,7 +31,7 @@ TEST(Numbers, AgreesWithTheCLibraryOnRandomDecimals) {
   }
 }
 
-TEST(Numbers, NonFiniteInAllSpellings) {
+TEST(numbers, non_finite_in_all_spellings) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const char* text : {"inf", "Infinity", "+inf", "1e999", "1.#INF", "1.#INF00", "123e400000000000000000000",
                            "1000000000e301", "1.7976931348623159e308"}) {
@@ -50,7 +50,7 @@ TEST(Numbers, NonFiniteInAllSpellings) {
   }
 }
 
-TEST(Numbers, TooSmallIsZero) {
+TEST(numbers, too_small_is_zero) {
   for (const char* text : {"1e-999", "0.0000001e-400", "2e-324", "1e-400000000000000000000"}) {
     double value = 1;
     EXPECT_EQ(read_real(text, value), NumberRead::finite) << text;
@@ -61,7 +61,7 @@ TEST(Numbers, TooSmallIsZero) {
   EXPECT_TRUE(std::signbit(value));
 }
 
-TEST(Numbers, AnythingElseIsUnreadable) {
+TEST(numbers, anything_else_is_unreadable) {
   for (const char* text :
        {"",       "-",   "+",   ".",  "e5",  "abc",     "1e",      "1e+",  "1,5", "0x10",        "1.5f",
         "3.1+e2", "--1", "+-1", "1 ", "1.#", "1.#INFx", "1.#IND1", "1..2", "in",  "\xef\xbc\x91"}) {
@@ -70,7 +70,7 @@ TEST(Numbers, AnythingElseIsUnreadable) {
   }
 }
 
-TEST(Numbers, IntegersAreWholeTokensAndClamp) {
+TEST(numbers, integers_are_whole_tokens_and_clamp) {
   std::int64_t value = 0;
   EXPECT_TRUE(read_integer("-12", value));
   EXPECT_EQ(value, -12);

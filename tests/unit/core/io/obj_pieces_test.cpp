@@ -54,7 +54,7 @@ void expect_same_in_pieces(std::string_view text) {
   }
 }
 
-TEST(ObjPieces, CutsOnlyWhereALineEnds) {
+TEST(obj_pieces, cuts_only_where_a_line_ends) {
   using Pieces = std::vector<std::string_view>;
   EXPECT_EQ(cut_obj("", 0), Pieces{""});
   EXPECT_EQ(cut_obj("a", 0), Pieces{"a"});
@@ -74,7 +74,7 @@ TEST(ObjPieces, CutsOnlyWhereALineEnds) {
   EXPECT_EQ(cut_obj("a\nb\n", 100), Pieces{"a\nb\n"});
 }
 
-TEST(ObjPieces, NamesColoursAndValuesComeTogether) {
+TEST(obj_pieces, names_colours_and_values_come_together) {
   expect_same_in_pieces(
       "# head\n\n# more\nmtllib m.mtl\nv 0 0 0\nv 1 0 0\n# no head\nv 0 1 0\nv 0 0 1\nf 1 2 3\no a\n"
       "f 1 2 4\nusemtl red\ng x\nf 2 3 4\nf 1 3 4\nusemtl\nf 1 3 4\ns 1\nusemtl red\nf 1 2 3\ng y\n"
@@ -84,7 +84,7 @@ TEST(ObjPieces, NamesColoursAndValuesComeTogether) {
       "vn 0 0 1\nf 1/1 2/2 3/1\nf 1 2 4\nf 1//1 2//1 4//1\nf 2/2/1 3/1/1 4/1/1\nvt 1 2 3\nf 5 4 3\n");
 }
 
-TEST(ObjPieces, WhatNeedsTheLinesBeforeOrAMessageIsReadInItsTurn) {
+TEST(obj_pieces, what_needs_the_lines_before_or_a_message_is_read_in_its_turn) {
   expect_same_in_pieces(
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nvt 0 0\nf 1/-1 2/-1 3/-1\nvn 0 0 1\nf 1//-1 2//1 3//1\n"
       "l 1 2 3\nusemtl a\np 1 2\nl 1 9\nf 1 2 9\nf 0 1 2\nf 1 1 2\nf 1 2\nf 4294967296 1 2\nmtllib b.mtl\n"
@@ -158,7 +158,7 @@ std::string random_line(std::mt19937& random) {
   return line + ends[pick(40) ? 0 : pick(4)];
 }
 
-TEST(ObjPieces, RandomLines) {
+TEST(obj_pieces, random_lines) {
   std::mt19937 random(7);
   for (int turn = 0; turn < 400 && !HasFatalFailure(); ++turn) {
     std::string text;
@@ -167,7 +167,7 @@ TEST(ObjPieces, RandomLines) {
   }
 }
 
-TEST(ObjPieces, FilesThatAreThere) {
+TEST(obj_pieces, files_that_are_there) {
   constexpr std::uintmax_t most_bytes = 200000;
   std::size_t files = 0;
   for (const char* folder : {RYOSEN_SOURCE_DIR "/tests/data", RYOSEN_SOURCE_DIR "/tests/fuzz/corpus",

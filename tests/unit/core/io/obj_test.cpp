@@ -39,7 +39,7 @@ void expect_quarantined(const std::string& text, std::string_view code, std::uin
   EXPECT_EQ(difference_after_round_trip(file, "obj"), "") << text << write_obj(file);
 }
 
-TEST(ObjRead, KeepsOrderAndPolygons) {
+TEST(obj_read, keeps_order_and_polygons) {
   const MeshFile file = read_sound("obj", with_vertices("v 1 1 1\nf 5 4 3 2 1\nf 1 2 3\nf 2 3 4 5\n"));
   EXPECT_EQ(file.mesh.positions.size(), 5u);
   EXPECT_EQ(file.mesh.face_count(), 3u);
@@ -49,14 +49,14 @@ TEST(ObjRead, KeepsOrderAndPolygons) {
   EXPECT_TRUE(file.messages.empty());
 }
 
-TEST(ObjRead, DoublesAreRightToTheLastBit) {
+TEST(obj_read, doubles_are_right_to_the_last_bit) {
   const MeshFile file = read_sound("obj", "v 0.1 0.30000000000000004 1.7976931348623157e308\nv 4.9e-324 -0 .1e1\n");
   EXPECT_EQ(file.mesh.positions[0], glm::dvec3(0.1, 0.30000000000000004, 1.7976931348623157e308));
   EXPECT_EQ(file.mesh.positions[1].x, 4.9e-324);
   EXPECT_TRUE(std::signbit(file.mesh.positions[1].y));
 }
 
-TEST(ObjRead, LineEndsTabsMarksAndContinuations) {
+TEST(obj_read, line_ends_tabs_marks_and_continuations) {
   for (const char* text : {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3", "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n",
                            "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r", "\xef\xbb\xbfv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
                            "v\t0\t0\t0\n  v 1 0 0  \n\tv 0 1 0\t\nf\t1\t2\t3\t\n",
@@ -70,7 +70,7 @@ TEST(ObjRead, LineEndsTabsMarksAndContinuations) {
   }
 }
 
-TEST(ObjRead, RelativeAndForwardIndices) {
+TEST(obj_read, relative_and_forward_indices) {
   const MeshFile file = read_sound("obj", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -3\nv 0 0 1\nf -1 -2 1\n");
   EXPECT_TRUE(file.messages.empty());
   EXPECT_EQ(corners(file, 0), (Corners{0, 1, 2}));
@@ -78,7 +78,7 @@ TEST(ObjRead, RelativeAndForwardIndices) {
   EXPECT_EQ(corners(file, 2), (Corners{3, 2, 0}));
 }
 
-TEST(ObjRead, UnusableFacesAreQuarantinedWithTheirCause) {
+TEST(obj_read, unusable_faces_are_quarantined_with_their_cause) {
   expect_quarantined(with_vertices("f 0 1 2\nf 1 2 3\n"), "index_out_of_range", 5, {-1, 0, 1});
   expect_quarantined(with_vertices("f 1 2 5\n"), "index_out_of_range", 5, {0, 1, 4});
   expect_quarantined(with_vertices("f 1 2 4294967297\n"), "index_out_of_range", 5, {0, 1, 4294967296});
@@ -97,7 +97,7 @@ TEST(ObjRead, UnusableFacesAreQuarantinedWithTheirCause) {
   expect_quarantined(with_vertices("f 4 3 \\\n2 0\nf 1 2 3\n"), "index_out_of_range", 5, {3, 2, 1, -1});
 }
 
-TEST(ObjRead, LargeFacesWithARepetitionAreFound) {
+TEST(obj_read, large_faces_with_a_repetition_are_found) {
   std::string text;
   for (int i = 0; i < 30; ++i) text += "v " + std::to_string(i) + " 0 0\n";
   std::string face = "f";
@@ -109,7 +109,7 @@ TEST(ObjRead, LargeFacesWithARepetitionAreFound) {
   EXPECT_EQ(file.mesh.face(2).size(), 30u);
 }
 
-TEST(ObjRead, QuarantineKeepsTheNumberingAndTheValuesOfOtherFaces) {
+TEST(obj_read, quarantine_keeps_the_numbering_and_the_values_of_other_faces) {
   const MeshFile file = read_sound(
       "obj",
       with_vertices("vt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\nf 1/1/1 2/2/1 3/3/1\nf 1/3/1 9/2 2/1\nf 2/2 3/3 4/1/1\n"));
@@ -123,7 +123,7 @@ TEST(ObjRead, QuarantineKeepsTheNumberingAndTheValuesOfOtherFaces) {
   EXPECT_EQ(difference_after_round_trip(file, "obj"), "");
 }
 
-TEST(ObjRead, CornerForms) {
+TEST(obj_read, corner_forms) {
   const MeshFile file =
       read_sound("obj", with_vertices("vt .5\nvn 0 0 1\nf 1/1/1 2//1 3/1\nf 1/ 2// 3/1/\nf -4/-1/-1 -3//-1 +3\n"));
   EXPECT_TRUE(file.messages.empty());
@@ -133,7 +133,7 @@ TEST(ObjRead, CornerForms) {
   EXPECT_EQ(difference_after_round_trip(file, "obj"), "");
 }
 
-TEST(ObjRead, ValuesOutOfRangeAreDroppedAndTheFaceStays) {
+TEST(obj_read, values_out_of_range_are_dropped_and_the_face_stays) {
   for (const char* corner : {"1/9", "1/0", "1/-2", "1/99999999999"}) {
     const MeshFile file = read_sound("obj", with_vertices("vt 0 0\nf " + std::string(corner) + " 2/1 3/1\n"));
     EXPECT_EQ(corners(file, 0), (Corners{0, 1, 2})) << corner;
@@ -147,7 +147,7 @@ TEST(ObjRead, ValuesOutOfRangeAreDroppedAndTheFaceStays) {
   EXPECT_NE(find_message(file, "normal_index_out_of_range"), nullptr);
 }
 
-TEST(ObjRead, UnreadableNumbersAreErrorsWithTheirPlace) {
+TEST(obj_read, unreadable_numbers_are_errors_with_their_place) {
   struct Case {
     const char* text;
     const char* code;
@@ -171,7 +171,7 @@ TEST(ObjRead, UnreadableNumbersAreErrorsWithTheirPlace) {
   }
 }
 
-TEST(ObjRead, NonFiniteNumbersStayWithAWarning) {
+TEST(obj_read, non_finite_numbers_stay_with_a_warning) {
   const MeshFile file = read_sound("obj", with_vertices("v nan 1.#INF -1e999\nvn 0 inf 0\nf 1 2 5\n"));
   EXPECT_TRUE(std::isnan(file.mesh.positions[4].x));
   EXPECT_EQ(file.mesh.positions[4].y, std::numeric_limits<double>::infinity());
@@ -182,7 +182,7 @@ TEST(ObjRead, NonFiniteNumbersStayWithAWarning) {
   EXPECT_EQ(difference_after_round_trip(file, "obj"), "");
 }
 
-TEST(ObjRead, ColoursAndWeights) {
+TEST(obj_read, colours_and_weights) {
   const MeshFile file = read_sound("obj", "v 0 0 0\nv 1 0 0 0.5\nv 0 1 0 1 0 0.25\nv 0 0 1 0\nv 1 1 1 0 1 0 0.5\n");
   const IndexedMesh& mesh = file.mesh;
   EXPECT_TRUE(std::isnan(mesh.vertex_colours[0].x));
@@ -195,7 +195,7 @@ TEST(ObjRead, ColoursAndWeights) {
   EXPECT_NE(find_message(read_sound("obj", "v 0 0 0 1 1\n"), "extra_values"), nullptr);
 }
 
-TEST(ObjRead, GroupsObjectsMaterialsAndSmoothing) {
+TEST(obj_read, groups_objects_materials_and_smoothing) {
   const MeshFile file = read_sound("obj", with_vertices("f 1 2 3\ng front  cube\no thing\nusemtl Red #1\ns 1\nf 1 2 4\n"
                                                         "g\ns off\nusemtl blue\nf 2 3 4\ng front  cube\nf 1 3 4\n"));
   const IndexedMesh& mesh = file.mesh;
@@ -209,14 +209,14 @@ TEST(ObjRead, GroupsObjectsMaterialsAndSmoothing) {
   EXPECT_EQ(difference_after_round_trip(file, "obj"), "");
 }
 
-TEST(ObjRead, NamesWithoutFacesStay) {
+TEST(obj_read, names_without_faces_stay) {
   const MeshFile file = read_sound("obj", with_vertices("g a\ng b\nusemtl x\nusemtl y\nf 1 2 3\nusemtl z\ng c\n"));
   EXPECT_EQ(file.mesh.groups.names, (Names{"a", "b", "c"}));
   EXPECT_EQ(file.mesh.materials.names, (Names{"x", "y", "z"}));
   EXPECT_EQ(difference_after_round_trip(file, "obj"), "");
 }
 
-TEST(ObjRead, LinesAndPointsStayInTheirPlace) {
+TEST(obj_read, lines_and_points_stay_in_their_place) {
   const MeshFile file =
       read_sound("obj", with_vertices("vt 0\nl 1 2/1 3\ng a\nf 1 2 3\np 4 -1\ng b\nl 1 4\nf 1 2 4\nl 9 0 -9\n"));
   ASSERT_EQ(file.elements.items.size(), 4u);
@@ -231,7 +231,7 @@ TEST(ObjRead, LinesAndPointsStayInTheirPlace) {
   EXPECT_EQ(difference_after_round_trip(file, "obj"), "");
 }
 
-TEST(ObjRead, CommentsAtTheHeadAndLibraryLines) {
+TEST(obj_read, comments_at_the_head_and_library_lines) {
   const MeshFile file =
       read_sound("obj", "# one \\\n\n  #two\nmtllib a.mtl b.mtl\nmtllib c d.mtl\nmtllib a.mtl b.mtl\n# no\n" +
                             with_vertices("f 1 2 3\n"));
@@ -240,7 +240,7 @@ TEST(ObjRead, CommentsAtTheHeadAndLibraryLines) {
   EXPECT_EQ(difference_after_round_trip(file, "obj"), "");
 }
 
-TEST(ObjRead, LibrariesAreLookedForInTheFolderOnly) {
+TEST(obj_read, libraries_are_looked_for_in_the_folder_only) {
   const io_test::TemporaryFolder folder;
   std::ofstream(folder / "a b.mtl") << "newmtl x\n";
   std::ofstream(folder / "c.mtl") << "newmtl x\n";
@@ -262,7 +262,7 @@ TEST(ObjRead, LibrariesAreLookedForInTheFolderOnly) {
   EXPECT_EQ(codes("C:\\x.mtl"), Names{"material_library_outside"});
 }
 
-TEST(ObjRead, UnknownLinesAreReportedOncePerKeyword) {
+TEST(obj_read, unknown_lines_are_reported_once_per_keyword) {
   const MeshFile file = read_sound("obj", with_vertices("vw 1 2\nvw 3 4\ncurv 0 1\nf 1 2 3\n"));
   ASSERT_EQ(file.messages.size(), 2u);
   EXPECT_EQ(file.messages[0].code, "unknown_keyword");
@@ -271,7 +271,7 @@ TEST(ObjRead, UnknownLinesAreReportedOncePerKeyword) {
   EXPECT_EQ(read_refused("obj", "<html>\n<body>\n").message.code, "not_obj");
 }
 
-TEST(ObjRead, FilesWithoutAMesh) {
+TEST(obj_read, files_without_a_mesh) {
   EXPECT_EQ(read_refused("obj", "").message.code, "empty_file");
   EXPECT_EQ(read_refused("obj", " \n\t\n").message.code, "empty_file");
   EXPECT_NE(find_message(read_sound("obj", "# nothing\n"), "no_vertices"), nullptr);
@@ -282,7 +282,7 @@ TEST(ObjRead, FilesWithoutAMesh) {
   EXPECT_TRUE(io_test::read_text("obj", write_obj(MeshFile{})).ok());
 }
 
-TEST(ObjRead, NulBytesAreFoundAnywhere) {
+TEST(obj_read, nul_bytes_are_found_anywhere) {
   std::string text = with_vertices("f 1 2 3\n");
   text[20] = '\0';
   const Failure failure = read_refused("obj", text);
@@ -290,7 +290,7 @@ TEST(ObjRead, NulBytesAreFoundAnywhere) {
   EXPECT_EQ(failure.message.byte, 20u);
 }
 
-TEST(ObjRead, WarningsOfOneKindAreLimitedAndCounted) {
+TEST(obj_read, warnings_of_one_kind_are_limited_and_counted) {
   std::string text(four_vertices);
   for (int i = 0; i < 1000; ++i) text += "f 1 2\n";
   const MeshFile file = read_sound("obj", text);
@@ -299,7 +299,7 @@ TEST(ObjRead, WarningsOfOneKindAreLimitedAndCounted) {
   EXPECT_NE(file.messages.back().text.en.find("980"), std::string::npos);
 }
 
-TEST(ObjRead, HugeLinesAndPolygons) {
+TEST(obj_read, huge_lines_and_polygons) {
   std::string text;
   for (int i = 0; i < 100000; ++i) text += "v " + std::to_string(i) + " 0 0\n";
   text += "f";
@@ -311,13 +311,13 @@ TEST(ObjRead, HugeLinesAndPolygons) {
   EXPECT_EQ(difference_after_round_trip(file, "obj"), "");
 }
 
-TEST(ObjWrite, AnIndexPastTheEndIsWrittenPastTheEnd) {
+TEST(obj_write, an_index_past_the_end_is_written_past_the_end) {
   const MeshFile file = read_sound("obj", with_vertices("f 1 2 3\nf 1 2 7\nf 0 1 2\nf 1 -6 2\n"));
   const std::string text = write_obj(file);
   EXPECT_EQ(text, with_vertices("f 1 2 3\nf 1 2 7\nf 0 1 2\nf 1 -6 2\n"));
 }
 
-TEST(ObjWrite, NamesThatCouldBreakTheFileAreMadeSafe) {
+TEST(obj_write, names_that_could_break_the_file_are_made_safe) {
   MeshFile file = read_sound("obj", with_vertices("g a\nf 1 2 3\nf 2 3 4\n"));
   file.mesh.groups.names[0] = "a\nv 0 0 0\\";
   file.head_comments = {"no mark\nv 1 1 1"};
@@ -327,7 +327,7 @@ TEST(ObjWrite, NamesThatCouldBreakTheFileAreMadeSafe) {
   EXPECT_EQ(again.mesh.groups.names, Names{"a v 0 0 0\\"});
 }
 
-TEST(ObjWrite, TheBunnyComesBackToTheBit) {
+TEST(obj_write, the_bunny_comes_back_to_the_bit) {
   const Result<MeshFile> file = read_mesh_file(RYOSEN_SOURCE_DIR "/assets/stanford_bunny.obj");
   ASSERT_TRUE(file.ok());
   EXPECT_EQ(file->mesh.positions.size(), 34834u);

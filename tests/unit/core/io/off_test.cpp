@@ -16,7 +16,7 @@ constexpr std::string_view tetrahedron = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1
 
 using Corners = std::vector<std::uint32_t>;
 
-TEST(OffRead, KeepsOrderAndPolygons) {
+TEST(off_read, keeps_order_and_polygons) {
   const MeshFile file = read_sound("off", tetrahedron);
   EXPECT_EQ(file.mesh.positions[3], glm::dvec3(0, 0, 1));
   EXPECT_EQ(file.mesh.corners, (Corners{0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2}));
@@ -25,7 +25,7 @@ TEST(OffRead, KeepsOrderAndPolygons) {
   EXPECT_EQ(write_off(file), tetrahedron);
 }
 
-TEST(OffRead, CommentsBlankLinesAndFormsOfTheHead) {
+TEST(off_read, comments_blank_lines_and_forms_of_the_head) {
   const MeshFile plain = read_sound("off", tetrahedron);
   for (const char* head : {"OFF # c\n\n# d\n4 4 0\n", "OFF 4 4 0\n", "OFF\r\n4 4 0\r\n", "OFF\n4 4\n", "4 4 6\n",
                            "# a\n\tOFF\n  4\t4 -1 # x\n\n# y\n"}) {
@@ -39,7 +39,7 @@ TEST(OffRead, CommentsBlankLinesAndFormsOfTheHead) {
   EXPECT_EQ(file.head_comments, (std::vector<std::string>{"# a", "# b", "# c", "# d"}));
 }
 
-TEST(OffRead, UnusableFacesAreQuarantined) {
+TEST(off_read, unusable_faces_are_quarantined) {
   const MeshFile file =
       read_sound("off", "OFF\n4 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 -1\n3 0 1 4\n0\n2 1 2\n3 0 1 2\n4 0 1 2 1\n");
   ASSERT_EQ(file.mesh.quarantine.size(), 5u);
@@ -52,7 +52,7 @@ TEST(OffRead, UnusableFacesAreQuarantined) {
   EXPECT_EQ(difference_after_round_trip(file, "off"), "");
 }
 
-TEST(OffRead, CountsAreClaims) {
+TEST(off_read, counts_are_claims) {
   struct Case {
     const char* text;
     const char* code;
@@ -79,7 +79,7 @@ TEST(OffRead, CountsAreClaims) {
   }
 }
 
-TEST(OffRead, WhatIsTooMuchIsReported) {
+TEST(off_read, what_is_too_much_is_reported) {
   const MeshFile more = read_sound("off", std::string(tetrahedron) + "3 0 1 2\n\n# c\n3 0 1 2\n");
   const Message* extra = find_message(more, "extra_data");
   ASSERT_NE(extra, nullptr);
@@ -90,7 +90,7 @@ TEST(OffRead, WhatIsTooMuchIsReported) {
   EXPECT_NE(find_message(wide, "extra_values"), nullptr);
 }
 
-TEST(OffRead, ColoursOfVertices) {
+TEST(off_read, colours_of_vertices) {
   const MeshFile bytes = read_sound("off", "COFF\n3 1 0\n0 0 0 255 0 51 255\n1 0 0 255 0 0 0\n0 1 0\n3 0 1 2\n");
   EXPECT_TRUE(bytes.byte_colours);
   EXPECT_EQ(bytes.mesh.vertex_colours[0], glm::dvec4(1, 0, 0.2, 1));
@@ -104,7 +104,7 @@ TEST(OffRead, ColoursOfVertices) {
   EXPECT_EQ(difference_after_round_trip(reals, "off"), "");
 }
 
-TEST(OffRead, ColoursOfFaces) {
+TEST(off_read, colours_of_faces) {
   const MeshFile file = read_sound(
       "off", "OFF\n3 5 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2 255 0 0\n3 0 1 2 .1 .2 .3 1\n3 0 1 2 5\n3 0 1 2\n");
   EXPECT_TRUE(file.messages.empty());
@@ -114,7 +114,7 @@ TEST(OffRead, ColoursOfFaces) {
   EXPECT_EQ(io_test::loss_codes(file, "obj"), "loses_face_colours");
 }
 
-TEST(OffRead, ColoursOfFacesSayWhatTheirNumbersAre) {
+TEST(off_read, colours_of_faces_say_what_their_numbers_are) {
   constexpr std::string_view text =
       "OFF\n3 6 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 1.0 0.0 -0.0\n3 0 1 2 51 0 255\n3 0 1 2 1 0 0\n"
       "3 0 1 2 0.25 1e-05 0.5 1.0\n3 0 1 2 7\n3 0 1 2 382.5 0 12\n";
@@ -136,7 +136,7 @@ TEST(OffRead, ColoursOfFacesSayWhatTheirNumbersAre) {
   EXPECT_EQ(io_test::loss_codes(huge, "ply"), "");
 }
 
-TEST(OffRead, NormalsAndTextureCoordinates) {
+TEST(off_read, normals_and_texture_coordinates) {
   const MeshFile file = read_sound("off",
                                    "STCNOFF\n4 1 0\n0 0 0 0 0 1 .5 .5 .5 0 .25\n1 0 0 0 1 0 .5 .5 .5 1 0\n"
                                    "0 1 0 1 0 0 .5 .5 .5 0 1\n9 9 9 0 0 -1 .5 .5 .5 1 1\n3 0 2 1\n");
@@ -165,7 +165,7 @@ std::string binary_triangle(bool big_endian, bool face_colours) {
   return out;
 }
 
-TEST(OffRead, BinaryInEitherByteOrder) {
+TEST(off_read, binary_in_either_byte_order) {
   for (const bool big_endian : {false, true}) {
     for (const bool face_colours : {false, true}) {
       const std::string bytes = binary_triangle(big_endian, face_colours);
@@ -184,7 +184,7 @@ TEST(OffRead, BinaryInEitherByteOrder) {
   }
 }
 
-TEST(OffWrite, ValuesThatDifferBetweenCornersAreALoss) {
+TEST(off_write, values_that_differ_between_corners_are_a_loss) {
   const MeshFile file = read_sound("obj",
                                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nvn 0 1 0\nvt 0 0\nvt 1 1\ng a\nf "
                                    "1/1/1 2/2/1 3/1/1\nf 2/2/2 4/1/1 3/1/1\n");

@@ -52,7 +52,7 @@ std::string big_endian(float value) {
   return out;
 }
 
-TEST(PlyRead, FourFaces) {
+TEST(ply_read, four_faces) {
   const MeshFile file = read_sound("ply", ply_tetrahedron);
   EXPECT_TRUE(file.messages.empty());
   EXPECT_EQ(file.encoding, Encoding::ascii);
@@ -62,7 +62,7 @@ TEST(PlyRead, FourFaces) {
   EXPECT_EQ(bytes_of(file, *find_format("ply")), ply_tetrahedron);
 }
 
-TEST(PlyRead, EveryPropertyGoesWhereItBelongs) {
+TEST(ply_read, every_property_goes_where_it_belongs) {
   const MeshFile file = read_sound("ply", rich_ply);
   const IndexedMesh& mesh = file.mesh;
   EXPECT_EQ(file.head_comments, (std::vector<std::string>{"made by hand", "# twice marked"}));
@@ -89,7 +89,7 @@ TEST(PlyRead, EveryPropertyGoesWhereItBelongs) {
   EXPECT_EQ(file.messages.size(), 2u) << "the faces that were set aside";
 }
 
-TEST(PlyWrite, GivesBackEverythingInEveryEncoding) {
+TEST(ply_write, gives_back_everything_in_every_encoding) {
   const MeshFile file = read_sound("ply", rich_ply);
   const Format& ply = *find_format("ply");
   EXPECT_EQ(bytes_of(file, ply), rich_ply);
@@ -103,7 +103,7 @@ TEST(PlyWrite, GivesBackEverythingInEveryEncoding) {
   }
 }
 
-TEST(PlyWrite, WidensATypeThatDoesNotHoldTheValues) {
+TEST(ply_write, widens_a_type_that_does_not_hold_the_values) {
   MeshFile file = read_sound("ply", rich_ply);
   const Format& ply = *find_format("ply");
   file = read_sound("ply", bytes_of(file, ply, Encoding::binary_big));
@@ -117,7 +117,7 @@ TEST(PlyWrite, WidensATypeThatDoesNotHoldTheValues) {
   EXPECT_NE(text.find("property float s"), std::string::npos) << "others keep their type";
 }
 
-TEST(PlyWrite, ComponentsOfOneThingHaveOneType) {
+TEST(ply_write, components_of_one_thing_have_one_type) {
   const MeshFile file = read_sound("obj", "v 0 0 0 1 0 0\nv 0.1 0 0 0 0.5 0\nv 0 1 0 0 0 1\nf 1 2 3\n");
   const std::string text = bytes_of(file, *find_format("ply"), Encoding::ascii);
   EXPECT_NE(text.find("property double x\nproperty double y\nproperty double z\n"
@@ -139,7 +139,7 @@ TEST(PlyWrite, ComponentsOfOneThingHaveOneType) {
   EXPECT_NE(bytes_of(kept, *find_format("ply")).find("property uchar alpha\n"), std::string::npos);
 }
 
-TEST(PlyWrite, ColoursOfFacesKeepTheirMeaning) {
+TEST(ply_write, colours_of_faces_keep_their_meaning) {
   const auto face_of = [](const char* colour) {
     const MeshFile file = read_sound("off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 " + std::string(colour) + "\n");
     EXPECT_EQ(io_test::loss_codes(file, "ply"), "");
@@ -160,7 +160,7 @@ TEST(PlyWrite, ColoursOfFacesKeepTheirMeaning) {
   EXPECT_NE(bytes_of(reals, *find_format("off")).find("3 0 1 2 1.0 0.5 0.0\n"), std::string::npos);
 }
 
-TEST(PlyWrite, LongFacesWidenTheLengthOfTheList) {
+TEST(ply_write, long_faces_widen_the_length_of_the_list) {
   std::string text = "OFF\n300 1 0\n";
   for (int i = 0; i < 300; ++i) text += std::to_string(i) + " " + std::to_string(i * i) + " 0\n";
   text += "300";
@@ -172,7 +172,7 @@ TEST(PlyWrite, LongFacesWidenTheLengthOfTheList) {
   }
 }
 
-TEST(PlyRead, TextureCoordinatesOfCorners) {
+TEST(ply_read, texture_coordinates_of_corners) {
   const MeshFile file = read_sound(
       "ply",
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
@@ -194,7 +194,7 @@ TEST(PlyRead, TextureCoordinatesOfCorners) {
   EXPECT_EQ(difference_after_round_trip(odd, "ply"), "");
 }
 
-TEST(PlyRead, ValuesPerCornerOfOtherFormatsAreHeldOrNamed) {
+TEST(ply_read, values_per_corner_of_other_formats_are_held_or_named) {
   const MeshFile file = read_sound("obj",
                                    "# c\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 1\nvn 0 0 1\nvn 0 1 0\n"
                                    "f 1/1/1 2/2/1 3/1/1\nf 2/1/2 4/1/2 3/2/2\n");
@@ -204,7 +204,7 @@ TEST(PlyRead, ValuesPerCornerOfOtherFormatsAreHeldOrNamed) {
   EXPECT_TRUE(io_test::same_values(io_test::by_corner(again.mesh.texcoords), io_test::by_corner(file.mesh.texcoords)));
 }
 
-TEST(PlyRead, BinaryOfEitherByteOrder) {
+TEST(ply_read, binary_of_either_byte_order) {
   std::string text =
       "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
       "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
@@ -229,7 +229,7 @@ TEST(PlyRead, BinaryOfEitherByteOrder) {
   }
 }
 
-TEST(PlyRead, IndicesThatCannotBe) {
+TEST(ply_read, indices_that_cannot_be) {
   std::string text =
       "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
       "property float z\nelement face 2\nproperty list uchar TYPE vertex_indices\nend_header\n";
@@ -246,7 +246,7 @@ TEST(PlyRead, IndicesThatCannotBe) {
   EXPECT_EQ(difference_after_round_trip(file, "ply"), "");
 }
 
-TEST(PlyRead, HeadersThatCannotBe) {
+TEST(ply_read, headers_that_cannot_be) {
   expect_refusals(
       "ply", ply_tetrahedron,
       {
@@ -272,7 +272,7 @@ TEST(PlyRead, HeadersThatCannotBe) {
       });
 }
 
-TEST(PlyRead, RowsThatCannotBe) {
+TEST(ply_read, rows_that_cannot_be) {
   expect_refusals("ply", ply_tetrahedron,
                   {
                       {"1 0 0\n", "1 0\n", "missing_number", 11},
@@ -287,7 +287,7 @@ TEST(PlyRead, RowsThatCannotBe) {
   EXPECT_EQ(read_refused("ply", text).message.code, "number_out_of_type");
 }
 
-TEST(PlyRead, RowsThatAreOdd) {
+TEST(ply_read, rows_that_are_odd) {
   std::string text(ply_tetrahedron);
   text.replace(text.find("1 0 0\n"), 6, "\n\t1 1e999 0 7\r\n");
   const MeshFile file = read_sound("ply", text + "9 9\n\n8\n");
@@ -297,7 +297,7 @@ TEST(PlyRead, RowsThatAreOdd) {
   EXPECT_EQ(file.mesh.corners.size(), 12u);
 }
 
-TEST(PlyRead, TheOtherByteOrderShowsByEveryFace) {
+TEST(ply_read, the_other_byte_order_shows_by_every_face) {
   std::string text = bytes_of(read_sound("ply", ply_tetrahedron), *find_format("ply"), Encoding::binary_little);
   const std::size_t first_face = text.find("end_header\n") + 11 + 48;
   text.replace(text.find("little"), 6, "big");
@@ -311,7 +311,7 @@ std::string long_strip(const MeshFile& changed, std::string_view encoding) {
   return bytes_of(changed, *find_format("ply"), find_target(encoding)->encoding);
 }
 
-TEST(PlyRead, LongFilesAreReadInPartsAsIfInOne) {
+TEST(ply_read, long_files_are_read_in_parts_as_if_in_one) {
   MeshFile file;
   constexpr std::uint32_t faces = 60000;
   for (std::uint32_t i = 0; i < faces + 2; ++i) file.mesh.positions.emplace_back(i / 2, i % 2, 0.25 * (i % 7));
@@ -340,7 +340,7 @@ TEST(PlyRead, LongFilesAreReadInPartsAsIfInOne) {
   }
 }
 
-TEST(PlyRead, ManyElementsAreReadInTimeThatGrowsWithTheirNumber) {
+TEST(ply_read, many_elements_are_read_in_time_that_grows_with_their_number) {
   std::string header =
       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
   constexpr std::size_t count = 50000;
@@ -363,7 +363,7 @@ constexpr std::string_view wide_numbers =
     "-9007199254740994 0 0 -9223372036854775807 9223372036854775809 0\n"
     "0 1 0 3 4 2 1 18446744073709551613\n3 0 1 2 -9007199254740993\n";
 
-TEST(PlyRead, WholeNumbersOf64BitsAreKeptAndRoundedCoordinatesNamed) {
+TEST(ply_read, whole_numbers_of64_bits_are_kept_and_rounded_coordinates_named) {
   const MeshFile file = io_test::read_sound("ply", wide_numbers);
   const Message* const message = io_test::find_message(file, "rounded_number");
   ASSERT_NE(message, nullptr);
@@ -389,7 +389,7 @@ TEST(PlyRead, WholeNumbersOf64BitsAreKeptAndRoundedCoordinatesNamed) {
 }
 
 // Rows in either byte order, alone and beside lists.
-TEST(PlyRead, BinaryCoordinatesThatAreRoundedAreNamed) {
+TEST(ply_read, binary_coordinates_that_are_rounded_are_named) {
   for (const bool has_list : {false, true}) {
     for (const char* order : {"binary_little_endian", "binary_big_endian"}) {
       const bool swaps =
@@ -414,7 +414,7 @@ TEST(PlyRead, BinaryCoordinatesThatAreRoundedAreNamed) {
   }
 }
 
-TEST(PlyRead, PointsAndStrips) {
+TEST(ply_read, points_and_strips) {
   const std::string_view points =
       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 "
       "3\n";

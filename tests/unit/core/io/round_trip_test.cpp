@@ -1,5 +1,5 @@
 // Reading, saving and reading again, in every format and encoding, before and after edits.
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 #include "core/io/edited_file.h"
 #include "core/io/triangulated.h"
 #include "core/mesh/names.h"
@@ -52,7 +52,7 @@ MeshFile edited(MeshFile file) {
   return edited_file(file, mesh, tables);
 }
 
-TEST(RoundTrip, EveryFormatGivesBackWhatItHolds) {
+TEST(round_trip, every_format_gives_back_what_it_holds) {
   const MeshFile source = io_test::read_sound("obj", sheet_with_set_asides);
   ASSERT_EQ(source.mesh.quarantine.size(), 5u);
   for (const WriteOptions& target : test::all_targets()) {
@@ -73,7 +73,7 @@ TEST(RoundTrip, EveryFormatGivesBackWhatItHolds) {
   }
 }
 
-TEST(RoundTrip, FacesThatWereSetAsideAreSetAsideForTheSameCauseAfterEdits) {
+TEST(round_trip, faces_that_were_set_aside_are_set_aside_for_the_same_cause_after_edits) {
   const MeshFile source = io_test::read_sound("obj", sheet_with_set_asides);
   for (const WriteOptions& target : test::all_targets()) {
     SCOPED_TRACE(std::string(target.format->id) + " " + std::to_string(static_cast<int>(target.encoding)));
@@ -87,7 +87,7 @@ TEST(RoundTrip, FacesThatWereSetAsideAreSetAsideForTheSameCauseAfterEdits) {
   }
 }
 
-TEST(RoundTrip, AFaceWithTooFewCornersThatDoNotExistIsNoFacet) {
+TEST(round_trip, a_face_with_too_few_corners_that_do_not_exist_is_no_facet) {
   const MeshFile file = io_test::read_sound("obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 99\n");
   EXPECT_EQ(io_test::loss_codes(file, "stl-ascii"), "loses_quarantined");
   MeshFile facets = file;
@@ -96,7 +96,7 @@ TEST(RoundTrip, AFaceWithTooFewCornersThatDoNotExistIsNoFacet) {
   EXPECT_EQ(through_file(facets, *find_target("stl-ascii")).mesh.face_count(), 1u);
 }
 
-TEST(RoundTrip, ColoursBrighterThanWhiteComeBackFromOff) {
+TEST(round_trip, colours_brighter_than_white_come_back_from_off) {
   const MeshFile file = io_test::read_sound("obj", "v 0 0 0 1 1.5 0.25\nv 1 0 0 0 0 0\nv 0 1 0 1 1 1\nf 1 2 3\n");
   EXPECT_EQ(io_test::loss_codes(file, "off"), "");
   EXPECT_EQ(io_test::difference_after_round_trip(file, "off"), "");
@@ -104,20 +104,20 @@ TEST(RoundTrip, ColoursBrighterThanWhiteComeBackFromOff) {
   EXPECT_EQ(io_test::loss_codes(huge, "off"), "loses_exact_colours");
 }
 
-TEST(RoundTrip, DarkColoursThatCameAsBytesStayDark) {
+TEST(round_trip, dark_colours_that_came_as_bytes_stay_dark) {
   MeshFile file = io_test::read_sound("off", "COFF\n3 1 0\n0 0 0 1 1 0\n1 0 0 0 0 0\n0 1 0 255 0 0\n3 0 1 2\n");
   file.mesh.vertex_colours[2] = glm::dvec4(0, 0, 0, 1);
   EXPECT_EQ(io_test::difference_after_round_trip(file, "off"), "");
 }
 
-TEST(RoundTrip, NamesOfSolidsMayHoldControlCharacters) {
+TEST(round_trip, names_of_solids_may_hold_control_characters) {
   const MeshFile file =
       io_test::read_sound("obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng front\x12side\nf 1 2 3\ng back\nf 1 3 4\n");
   const MeshFile again = through_file(file, *find_target("stl-ascii"));
   EXPECT_EQ(again.mesh.groups.names, (std::vector<std::string>{"front\x12side", "back"}));
 }
 
-TEST(RoundTrip, AListThatWouldSeemToCountFromZeroLeavesOutWhatMakesItSo) {
+TEST(round_trip, a_list_that_would_seem_to_count_from_zero_leaves_out_what_makes_it_so) {
   const MeshFile file = io_test::read_sound("obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 0 2 3\nf 0 1 3\nf 1 2 3\n");
   EXPECT_EQ(io_test::loss_codes(file, "txt"), "loses_quarantined");
   EXPECT_EQ(through_file(file, *find_target("txt")).mesh.face_count(), 1u);
@@ -125,7 +125,7 @@ TEST(RoundTrip, AListThatWouldSeemToCountFromZeroLeavesOutWhatMakesItSo) {
   EXPECT_EQ(io_test::difference_after_round_trip(with_last, "txt"), "");
 }
 
-TEST(RoundTrip, ACommentThatLooksLikeAnotherFileDoesNotHeadBinaryStl) {
+TEST(round_trip, a_comment_that_looks_like_another_file_does_not_head_binary_stl) {
   MeshFile file = io_test::read_sound("obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   for (const char* comment : {"\xff\xfe by hand", "OFF 3 1 0", "PK\x03\x04", "solid or not"}) {
     file.head_comments = {comment};
@@ -140,7 +140,7 @@ TEST(RoundTrip, ACommentThatLooksLikeAnotherFileDoesNotHeadBinaryStl) {
   }
 }
 
-TEST(RoundTrip, TheLargestNumberStaysTheLargestWhenVerticesAreAdded) {
+TEST(round_trip, the_largest_number_stays_the_largest_when_vertices_are_added) {
   const MeshFile file = io_test::read_sound(
       "obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9223372036854775806\nl 1 9223372036854775806\n");
   const FileTables tables = file_tables(file.mesh);
@@ -156,7 +156,7 @@ TEST(RoundTrip, TheLargestNumberStaysTheLargestWhenVerticesAreAdded) {
   EXPECT_EQ(through_file(after, *find_target("txt")).mesh.quarantine.size(), 1u);
 }
 
-TEST(RoundTrip, NumbersBeyond64BitsComeToRestAfterOneConversion) {
+TEST(round_trip, numbers_beyond64_bits_come_to_rest_after_one_conversion) {
   for (const std::string number : {"9999999999999999999", "-9999999999999999999", "9223372036854775807",
                                    "-9223372036854775808", "9223372036854775806", "4294967296"}) {
     const std::vector<std::pair<std::string, std::string>> sources = {
@@ -181,7 +181,7 @@ TEST(RoundTrip, NumbersBeyond64BitsComeToRestAfterOneConversion) {
   }
 }
 
-TEST(RoundTrip, WhatReadingLeavesOutIsLostInEveryFormat) {
+TEST(round_trip, what_reading_leaves_out_is_lost_in_every_format) {
   const auto expect = [](std::string_view id, const std::string& text, const std::string& codes, std::uint64_t count) {
     const MeshFile file = io_test::read_sound(id, text);
     EXPECT_EQ(io_test::loss_codes(file, "off"), codes) << text;

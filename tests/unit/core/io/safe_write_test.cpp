@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 using io_test::TemporaryFolder;
 using io_test::whole_file;
 
-TEST(SafeWrite, WritesNewAndReplacesOld) {
+TEST(safe_write, writes_new_and_replaces_old) {
   const TemporaryFolder folder;
   ASSERT_TRUE(safe_write(folder / "a", "one").ok());
   EXPECT_EQ(whole_file(folder / "a"), "one");
@@ -24,7 +24,7 @@ TEST(SafeWrite, WritesNewAndReplacesOld) {
   EXPECT_EQ(folder.entry_count(), 1u);
 }
 
-TEST(SafeWrite, NewFilesHonourTheMaskAndOldOnesKeepTheirPermissions) {
+TEST(safe_write, new_files_honour_the_mask_and_old_ones_keep_their_permissions) {
   const TemporaryFolder folder;
   const mode_t before = ::umask(027);
   ASSERT_TRUE(safe_write(folder / "new", "x").ok());
@@ -35,7 +35,7 @@ TEST(SafeWrite, NewFilesHonourTheMaskAndOldOnesKeepTheirPermissions) {
   EXPECT_EQ(static_cast<unsigned>(fs::status(folder / "new").permissions()), 0604u);
 }
 
-TEST(SafeWrite, FollowsLinks) {
+TEST(safe_write, follows_links) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "sub");
   ASSERT_TRUE(safe_write(folder / "sub/real", "old").ok());
@@ -53,7 +53,7 @@ TEST(SafeWrite, FollowsLinks) {
   EXPECT_FALSE(safe_write(folder / "loop", "x").ok());
 }
 
-TEST(SafeWrite, FailuresSayWhyAndLeaveNothing) {
+TEST(safe_write, failures_say_why_and_leave_nothing) {
   const TemporaryFolder folder;
   const Status missing = safe_write(folder / "no/such/folder", "x");
   ASSERT_FALSE(missing.ok());
@@ -84,7 +84,7 @@ class AsOrdinaryUser {
   bool changed_ = false;
 };
 
-TEST(SafeWrite, ReadOnlyFilesAndFoldersAreRefused) {
+TEST(safe_write, read_only_files_and_folders_are_refused) {
   const AsOrdinaryUser user;
   const TemporaryFolder folder;
   ASSERT_TRUE(safe_write(folder / "a", "old").ok());
@@ -97,7 +97,7 @@ TEST(SafeWrite, ReadOnlyFilesAndFoldersAreRefused) {
   EXPECT_EQ(folder.entry_count(), 1u);
 }
 
-TEST(SafeWrite, AFolderThatOnlyTakesFilesGetsThem) {
+TEST(safe_write, a_folder_that_only_takes_files_gets_them) {
   const AsOrdinaryUser user;
   const TemporaryFolder folder;
   ASSERT_TRUE(safe_write(folder / "a", "old").ok());
@@ -109,7 +109,7 @@ TEST(SafeWrite, AFolderThatOnlyTakesFilesGetsThem) {
   EXPECT_EQ(folder.entry_count(), 1u);
 }
 
-TEST(SafeWrite, DevicesAreWrittenToNotReplaced) {
+TEST(safe_write, devices_are_written_to_not_replaced) {
   ASSERT_TRUE(safe_write("/dev/null", "x").ok());
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
   if (!fs::exists("/dev/full")) return;

@@ -44,7 +44,7 @@ bool is_at(const Message& message, const std::string& where) {
   return kind == "line" ? message.line == number : kind == "byte" ? message.byte == number : message.face == number;
 }
 
-TEST(SharedFiles, MalformedFilesGetWhatTheyMust) {
+TEST(shared_files, malformed_files_get_what_they_must) {
   const fs::path folder = fs::path(RYOSEN_SHARED_DIR) / "malformed";
   for (const std::string& row : json_lines(folder / "manifest.jsonl")) {
     const std::string name = json_value(row, "file"), expect = json_value(row, "expect"),
@@ -109,9 +109,9 @@ void compare_with_truth(const fs::path& folder) {
   }
 }
 
-TEST(SharedFiles, RealMeshesHaveTheirTrueFigures) { compare_with_truth(fs::path(RYOSEN_SHARED_DIR) / "meshes"); }
+TEST(shared_files, real_meshes_have_their_true_figures) { compare_with_truth(fs::path(RYOSEN_SHARED_DIR) / "meshes"); }
 
-TEST(SharedFiles, KnownMeshesHaveTheirTrueFigures) {
+TEST(shared_files, known_meshes_have_their_true_figures) {
   compare_with_truth(fs::path(RYOSEN_SHARED_DIR) / "meshes" / "known");
 }
 

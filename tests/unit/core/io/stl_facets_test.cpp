@@ -35,7 +35,7 @@ std::vector<glm::vec3> random_corners(std::size_t count, int places, bool finite
   return corners;
 }
 
-TEST(WeldFacets, AnyNumberOfThreadsNumbersAsOneByOneDoes) {
+TEST(weld_facets, any_number_of_threads_numbers_as_one_by_one_does) {
   for (const int places : {1, 4, 10, 60}) {
     for (const bool finite : {true, false}) {
       const std::vector<glm::vec3> places_of = random_corners(30000, places, finite, static_cast<unsigned>(places));
@@ -59,14 +59,14 @@ TEST(WeldFacets, AnyNumberOfThreadsNumbersAsOneByOneDoes) {
   }
 }
 
-TEST(WeldFacets, FindsTheLastAttribute) {
+TEST(weld_facets, finds_the_last_attribute) {
   const std::string bytes = facets_of(random_corners(30, 5, true, 1), 0x100);
   std::vector<glm::dvec3> positions;
   std::vector<std::uint32_t> corners;
   EXPECT_TRUE(weld_facets(StlFacets(bytes.data(), 10), 2, positions, corners).has_attributes);
 }
 
-TEST(WeldFacets, NothingIsNothing) {
+TEST(weld_facets, nothing_is_nothing) {
   std::vector<glm::dvec3> positions;
   std::vector<std::uint32_t> corners;
   EXPECT_TRUE(weld_facets(StlFacets(nullptr, 0), 2, positions, corners).all_finite);

@@ -43,7 +43,7 @@ const std::vector<std::vector<float>> four_facets = {{0, -0.0f, 0, 0, 1, 0, 1, 0
                                                      {1, 0, 0, 0, 1, 0, 0, 0, 1},
                                                      {0, 0, 0, 0, 0, 1, 0, 1, 0}};
 
-TEST(StlRead, CornersAtEqualNumbersAreOneVertex) {
+TEST(stl_read, corners_at_equal_numbers_are_one_vertex) {
   for (const std::string& bytes : {text_tetrahedron("t"), binary("t", 4, four_facets)}) {
     const MeshFile file = read_sound("stl", bytes);
     EXPECT_EQ(file.mesh.positions.size(), 4u);
@@ -56,7 +56,7 @@ TEST(StlRead, CornersAtEqualNumbersAreOneVertex) {
   }
 }
 
-TEST(StlRead, ManyPointsGrowTheTable) {
+TEST(stl_read, many_points_grow_the_table) {
   std::vector<std::vector<float>> facets;
   for (int i = 0; i < 3000; ++i) {
     const auto x = static_cast<float>(i);
@@ -71,7 +71,7 @@ TEST(StlRead, ManyPointsGrowTheTable) {
   }
 }
 
-TEST(StlRead, SolidsBecomeGroups) {
+TEST(stl_read, solids_become_groups) {
   const MeshFile two = read_sound("stl", text_tetrahedron("a b") + "solid\nendsolid\n" + text_tetrahedron("a b"));
   EXPECT_EQ(two.mesh.groups.names, (std::vector<std::string>{"a b", "", "a b"}));
   EXPECT_EQ(two.mesh.groups.index, (Corners{0, 0, 0, 0, 2, 2, 2, 2}));
@@ -79,7 +79,7 @@ TEST(StlRead, SolidsBecomeGroups) {
   EXPECT_EQ(io_test::loss_codes(two, "stl-ascii"), "");
 }
 
-TEST(StlRead, WordsInAnyCaseAndLayout) {
+TEST(stl_read, words_in_any_case_and_layout) {
   const MeshFile file =
       read_sound("stl",
                  "SOLID\tx y\r\n Facet NORMAL 0 0 1 OUTER loop vertex 0 0 0 vertex 1 0 0\r\nVERTEX\r\n"
@@ -89,7 +89,7 @@ TEST(StlRead, WordsInAnyCaseAndLayout) {
   EXPECT_EQ(file.messages.size(), 1u);
 }
 
-TEST(StlRead, ATextOnOneLine) {
+TEST(stl_read, a_text_on_one_line) {
   const MeshFile file = read_sound("stl",
                                    "solid a facet of mine facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 "
                                    "vertex 0 1 0 endloop endfacet endsolid a facet of mine");
@@ -97,13 +97,13 @@ TEST(StlRead, ATextOnOneLine) {
   EXPECT_EQ(file.mesh.corners, (Corners{0, 1, 2}));
 }
 
-TEST(StlRead, AByteOrderMarkBeforeSolid) {
+TEST(stl_read, a_byte_order_mark_before_solid) {
   const MeshFile file = read_sound("stl", "\xef\xbb\xbf" + text_tetrahedron("t"));
   EXPECT_EQ(file.mesh.face_count(), 4u);
   EXPECT_EQ(file.mesh.groups.names, std::vector<std::string>{"t"});
 }
 
-TEST(StlRead, FacetsOfOtherThanThreeCorners) {
+TEST(stl_read, facets_of_other_than_three_corners) {
   const MeshFile file =
       read_sound("stl", "solid\n" + text_facet({"0 0 0", "1 0 0", "1 1 0", "0 1 0"}) + text_facet({"0 0 0", "1 0 0"}) +
                             text_facet({"0 0 0", "0 0 0", "1 0 0"}) + "endsolid\n");
@@ -117,7 +117,7 @@ TEST(StlRead, FacetsOfOtherThanThreeCorners) {
   EXPECT_EQ(io_test::loss_codes(file, "stl-binary"), "loses_polygons loses_quarantined");
 }
 
-TEST(StlRead, PlacesThatAreNotFinite) {
+TEST(stl_read, places_that_are_not_finite) {
   const MeshFile text = read_sound("stl", "solid\n" + text_facet({"nan 0 0", "1 0 0", "0 1 0"}) +
                                               text_facet({"nan 0 0", "1 0 0", "1e999 1 0"}) + "endsolid\n");
   EXPECT_EQ(text.mesh.positions.size(), 5u) << "NaN equals nothing";
@@ -129,7 +129,7 @@ TEST(StlRead, PlacesThatAreNotFinite) {
   EXPECT_EQ(find_message(file, "nonfinite_number")->face, 0u);
 }
 
-TEST(StlRead, AttributesAndHeadAreKept) {
+TEST(stl_read, attributes_and_head_are_kept) {
   const MeshFile file = read_sound("stl", binary("solid, but binary", 4, four_facets, 65533));
   EXPECT_EQ(file.head_comments, std::vector<std::string>{"solid, but binary"});
   ASSERT_EQ(file.properties.tables.size(), 1u);
@@ -144,7 +144,7 @@ TEST(StlRead, AttributesAndHeadAreKept) {
   EXPECT_TRUE(read_sound("stl", binary("", 4, four_facets)).properties.tables.empty());
 }
 
-TEST(StlRead, HeadsAreWrittenBackByteForByte) {
+TEST(stl_read, heads_are_written_back_byte_for_byte) {
   const std::string magics("COLOR=\x10\x00\x20\xff,MATERIAL=\x01\x02\n\x00\x03", 25), blanks(80, ' '), zeros(80, '\0');
   for (const std::string& head : {magics, "solid " + magics, "by hand" + std::string(73, ' '), blanks, zeros}) {
     std::string bytes = binary("", 4, four_facets);
@@ -164,7 +164,7 @@ TEST(StlRead, HeadsAreWrittenBackByteForByte) {
   }
 }
 
-TEST(StlRead, CountsThatDoNotFit) {
+TEST(stl_read, counts_that_do_not_fit) {
   const MeshFile none = read_sound("stl", binary("x", 0, {}));
   EXPECT_EQ(find_message(none, "no_faces")->byte, 80u);
   const MeshFile more = read_sound("stl", binary("x", 5, four_facets));
@@ -183,7 +183,7 @@ TEST(StlRead, CountsThatDoNotFit) {
   EXPECT_EQ(read_refused("stl", std::string(200, 'x')).message.code, "not_stl");
 }
 
-TEST(StlRead, TextsThatCannotBe) {
+TEST(stl_read, texts_that_cannot_be) {
   expect_refusals("stl", text_tetrahedron("t"),
                   {
                       {"solid t\nfacet", "solid t\nfacit", "unknown_keyword", 2},
@@ -200,7 +200,7 @@ TEST(StlRead, TextsThatCannotBe) {
                   });
 }
 
-TEST(StlRead, TextsThatAreOdd) {
+TEST(stl_read, texts_that_are_odd) {
   std::string text = text_tetrahedron("t");
   EXPECT_EQ(find_message(read_sound("stl", text + "garbage\nmore"), "extra_data")->line, 31u);
   text.resize(text.find("endsolid"));
@@ -208,7 +208,7 @@ TEST(StlRead, TextsThatAreOdd) {
   EXPECT_NE(find_message(read_sound("stl", "solid\nendsolid\n"), "no_faces"), nullptr);
 }
 
-TEST(StlWrite, NamesWhatItCannotHold) {
+TEST(stl_write, names_what_it_cannot_hold) {
   const MeshFile file =
       read_sound("obj",
                  "# c\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 .1 0\nv 0 0 0\nv 0 0 5\nv 7 7 7\ng a\nusemtl m\n"

@@ -22,7 +22,7 @@ std::vector<std::string> lines_of(std::string_view text, bool join) {
 
 using Lines = std::vector<std::string>;
 
-TEST(TextLines, EveryLineEnd) {
+TEST(text_lines, every_line_end) {
   EXPECT_EQ(lines_of("a\nb\n", true), (Lines{"1:a", "2:b"}));
   EXPECT_EQ(lines_of("a\r\nb\r\n", true), (Lines{"1:a", "2:b"}));
   EXPECT_EQ(lines_of("a\rb\r", true), (Lines{"1:a", "2:b"}));
@@ -31,16 +31,16 @@ TEST(TextLines, EveryLineEnd) {
   EXPECT_EQ(lines_of("\n", true), Lines{"1:"});
 }
 
-TEST(TextLines, ByteOrderMarkIsNoText) { EXPECT_EQ(lines_of("\xef\xbb\xbfv 1", true), Lines{"1:v 1"}); }
+TEST(text_lines, byte_order_mark_is_no_text) { EXPECT_EQ(lines_of("\xef\xbb\xbfv 1", true), Lines{"1:v 1"}); }
 
-TEST(TextLines, JoinsContinuationsExceptComments) {
+TEST(text_lines, joins_continuations_except_comments) {
   EXPECT_EQ(lines_of("f 1 \\\n 2\\\r\n3\nv", true), (Lines{"1:f 1   2 3", "4:v"}));
   EXPECT_EQ(lines_of("# a \\\nv\n", true), (Lines{"1:# a \\", "2:v"}));
   EXPECT_EQ(lines_of("f 1\\", true), Lines{"1:f 1"});
   EXPECT_EQ(lines_of("f \\\nv\n", false), (Lines{"1:f \\", "2:v"}));
 }
 
-TEST(TextLines, PlacesLieInThePhysicalLine) {
+TEST(text_lines, places_lie_in_the_physical_line) {
   TextLines lines("x\nf 1 \\\n  2 zz\n", true);
   TextLine line;
   ASSERT_TRUE(lines.next(line));
@@ -54,7 +54,7 @@ TEST(TextLines, PlacesLieInThePhysicalLine) {
   EXPECT_EQ(lines.count(), 3u);
 }
 
-TEST(TextLines, Words) {
+TEST(text_lines, words) {
   std::string_view text = "  ab\tc  ";
   EXPECT_EQ(take_word(text), "ab");
   EXPECT_EQ(take_word(text), "c");

@@ -14,7 +14,7 @@ using Corners = std::vector<std::uint32_t>;
 
 constexpr std::string_view triangle_list = "4 4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 3 2\n1 2 4\n2 3 4\n1 4 3\n";
 
-TEST(TxtRead, FourFaces) {
+TEST(txt_read, four_faces) {
   const MeshFile file = read_sound("txt", triangle_list);
   EXPECT_TRUE(file.messages.empty());
   EXPECT_EQ(file.mesh.corners, (Corners{0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2}));
@@ -22,7 +22,7 @@ TEST(TxtRead, FourFaces) {
   EXPECT_EQ(bytes_of(file, *find_format("txt")), triangle_list);
 }
 
-TEST(TxtRead, FacesThatCannotBeUsed) {
+TEST(txt_read, faces_that_cannot_be_used) {
   const MeshFile file = read_sound("txt", "3 5\n.1 0 0\n1 nan 0\n0 1 -0\n1 2 3\n1 2 4\n1 1 2\n0 1 2\n-5 1 3\n\nrest\n");
   EXPECT_EQ(find_message(file, "nonfinite_number")->line, 3u);
   EXPECT_EQ(find_message(file, "extra_data")->line, 11u);
@@ -33,7 +33,7 @@ TEST(TxtRead, FacesThatCannotBeUsed) {
   EXPECT_EQ(difference_after_round_trip(file, "txt"), "");
 }
 
-TEST(TxtRead, ListsThatCannotBe) {
+TEST(txt_read, lists_that_cannot_be) {
   expect_refusals("txt", triangle_list,
                   {
                       {"4 4\n", "4\n", "missing_number", 1},
@@ -52,7 +52,7 @@ TEST(TxtRead, ListsThatCannotBe) {
                   });
 }
 
-TEST(TxtWrite, CutsPolygonsAndNamesWhatItCannotHold) {
+TEST(txt_write, cuts_polygons_and_names_what_it_cannot_hold) {
   const MeshFile file = read_sound("obj",
                                    "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 9 9 9\nvt 0 0\nvn 0 0 1\n"
                                    "f 1/1/1 2/1/1 3/1/1 4/1/1\nf 1 2\nf 1 2 77\nl 1 2\n");

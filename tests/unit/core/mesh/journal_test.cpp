@@ -5,7 +5,7 @@
 #include <random>
 #include <set>
 
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
 #include "core/mesh/cell_marks.h"
 #include "core/ops/all.h"

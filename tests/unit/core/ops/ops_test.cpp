@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
 #include "core/analysis/invariants.h"
-#include "core/build/from_indexed.h"
+#include "core/indexed/from_indexed.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/all.h"
-#include "core/ops/remedy.h"
+#include "core/ops/outlook/remedy.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "core/io/formats.h"
-#include "core/ops/turn_faces.h"
+#include "core/ops/rules/turn_faces.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/oracle/figures.h"
 #include "tests/support/core/oracle/orienting.h"

@@ -5,7 +5,7 @@
 #include "core/io/formats.h"
 #include "core/mesh/attribute.h"
 #include "core/mesh/circulate.h"
-#include "core/ops/remedy.h"
+#include "core/ops/outlook/remedy.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 

@@ -6,8 +6,8 @@
 
 #include "core/analysis/figures.h"
 #include "core/mesh/circulate.h"
-#include "core/ops/face_triangles.h"
-#include "core/ops/remedy.h"
+#include "core/ops/outlook/remedy.h"
+#include "core/ops/rules/face_triangles.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
-#include "core/ops/face_geometry.h"
+#include "core/ops/rules/face_geometry.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"

@@ -120,7 +120,7 @@ class Comparison {
   std::mt19937 random_;
 };
 
-TEST(Bvh, random_soups_of_any_size_and_place) {
+TEST(bvh, random_soups_of_any_size_and_place) {
   const std::pair<double, dvec3> frames[] = {{1.0, dvec3(0)},   {1e-3, dvec3(1e6, -2e6, 5e5)},
                                              {1e150, dvec3(0)}, {1e-200, dvec3(0)},
                                              {50.0, dvec3(7)},  {1e-9, dvec3(1, 2, 3)}};
@@ -142,7 +142,7 @@ TEST(Bvh, random_soups_of_any_size_and_place) {
   }
 }
 
-TEST(Bvh, equal_depth_goes_to_the_smallest_slot) {
+TEST(bvh, equal_depth_goes_to_the_smallest_slot) {
   // Sixty copies of one triangle with turned and reversed corners, far apart in slots.
   const std::vector<dvec3> p = {{0, 0, 0.1}, {1, 0.1, 0}, {0.3, 1, 0.7}};
   std::vector<Primitive> primitives(90);
@@ -161,7 +161,7 @@ TEST(Bvh, equal_depth_goes_to_the_smallest_slot) {
   EXPECT_EQ(bvh.cast(p, ray)->slot, 3u);
 }
 
-TEST(Bvh, empty_and_single) {
+TEST(bvh, empty_and_single) {
   Bvh bvh;
   const std::vector<dvec3> p = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const Ray ray{{0.2, 0.2, 1}, {0, 0, -1}};
@@ -183,7 +183,7 @@ TEST(Bvh, empty_and_single) {
   EXPECT_EQ(bvh.find_defect(p), nullptr);
 }
 
-TEST(Bvh, places_that_are_not_finite_are_left_out_until_they_are) {
+TEST(bvh, places_that_are_not_finite_are_left_out_until_they_are) {
   Scene scene = testing::soup(50, 4);
   const dvec3 before = scene.positions[3];
   scene.positions[3].y = std::numeric_limits<double>::quiet_NaN();
@@ -233,7 +233,7 @@ void edit_at_random(Bvh& bvh, Scene& scene, std::mt19937& random, int count, dou
   }
 }
 
-TEST(Bvh, stays_right_through_random_edits) {
+TEST(bvh, stays_right_through_random_edits) {
   for (unsigned seed = 0; seed < 6; ++seed) {
     Scene scene = testing::soup(seed == 0 ? 1 : 400 * seed, seed);
     Bvh bvh;
@@ -255,7 +255,7 @@ TEST(Bvh, stays_right_through_random_edits) {
   }
 }
 
-TEST(Bvh, primitives_far_outside_the_first_frame) {
+TEST(bvh, primitives_far_outside_the_first_frame) {
   Scene scene = testing::soup(100, 1);
   Bvh bvh;
   bvh.build(scene.positions, scene.primitives);
@@ -275,7 +275,7 @@ TEST(Bvh, primitives_far_outside_the_first_frame) {
   }
 }
 
-TEST(Bvh, many_equal_and_strung_out_primitives) {
+TEST(bvh, many_equal_and_strung_out_primitives) {
   // Equal centers, and sizes that halve: splitting by bins alone would make a list instead of a tree.
   Scene scene;
   for (std::uint32_t i = 0; i < 2000; ++i) {
@@ -294,7 +294,7 @@ TEST(Bvh, many_equal_and_strung_out_primitives) {
   Comparison(dvec3(0), 1.0, 4).rays(bvh, scene, 100);
 }
 
-TEST(Bvh, the_bunny_agrees_with_the_plain_loop_before_and_after_edits) {
+TEST(bvh, the_bunny_agrees_with_the_plain_loop_before_and_after_edits) {
   Scene scene = testing::read_triangles(RYOSEN_SOURCE_DIR "/assets/stanford_bunny.obj");
   ASSERT_EQ(scene.primitives.size(), 69451u);
   Bvh bvh;

@@ -11,7 +11,7 @@ namespace {
 
 using glm::dvec3;
 
-TEST(Nearest, face_side_and_corner_of_a_triangle) {
+TEST(nearest, face_side_and_corner_of_a_triangle) {
   const std::vector<dvec3> p = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
   const Primitive triangle = Primitive::triangle(0, 1, 2, 0);
   EXPECT_EQ(nearest_place(p, triangle, {0.5, 0.5, 3}).place, dvec3(0.5, 0.5, 0));
@@ -22,7 +22,7 @@ TEST(Nearest, face_side_and_corner_of_a_triangle) {
   EXPECT_EQ(nearest_place(p, triangle, {-1, 1, 0}).barycentric, dvec3(0.5, 0, 0.5));
 }
 
-TEST(Nearest, segments_points_and_flat_triangles) {
+TEST(nearest, segments_points_and_flat_triangles) {
   const std::vector<dvec3> p = {{0, 0, 0}, {4, 0, 0}, {1, 0, 0}};
   EXPECT_EQ(nearest_place(p, Primitive::segment(0, 1, 0), {3, 4, 0}).place, dvec3(3, 0, 0));
   EXPECT_EQ(nearest_place(p, Primitive::segment(0, 1, 0), {9, 0, 0}).place, dvec3(4, 0, 0));
@@ -31,7 +31,7 @@ TEST(Nearest, segments_points_and_flat_triangles) {
   EXPECT_EQ(nearest_place(p, Primitive::triangle(0, 2, 1, 0), {3, 4, 0}).place, dvec3(3, 0, 0));
 }
 
-TEST(Nearest, no_place_of_a_random_triangle_is_nearer) {
+TEST(nearest, no_place_of_a_random_triangle_is_nearer) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   const auto vector = [&] { return dvec3(unit(random), unit(random), unit(random)); };

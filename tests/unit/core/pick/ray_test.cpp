@@ -13,7 +13,7 @@ namespace {
 
 using glm::dvec3;
 
-TEST(Ray, hits_both_sides_and_reports_place_and_weights) {
+TEST(ray, hits_both_sides_and_reports_place_and_weights) {
   const dvec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
   for (const double side : {1.0, -1.0}) {
     const RayCaster caster(Ray{{0.25, 0.5, 3.0 * side}, {0, 0, -2.0 * side}});
@@ -24,7 +24,7 @@ TEST(Ray, hits_both_sides_and_reports_place_and_weights) {
   }
 }
 
-TEST(Ray, misses_beside_behind_and_beyond_the_limits) {
+TEST(ray, misses_beside_behind_and_beyond_the_limits) {
   const dvec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
   EXPECT_FALSE(RayCaster(Ray{{0.6, 0.6, 1}, {0, 0, -1}}).hit(a, b, c));
   EXPECT_FALSE(RayCaster(Ray{{0.2, 0.2, 1}, {0, 0, 1}}).hit(a, b, c));
@@ -36,7 +36,7 @@ TEST(Ray, misses_beside_behind_and_beyond_the_limits) {
   EXPECT_FALSE(RayCaster(Ray{{0, 0, 0}, {0, 0, 0}}).is_valid());
 }
 
-TEST(Ray, the_order_of_the_corners_changes_nothing) {
+TEST(ray, the_order_of_the_corners_changes_nothing) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   const auto vector = [&] { return dvec3(unit(random), unit(random), unit(random)); };
@@ -61,7 +61,7 @@ TEST(Ray, the_order_of_the_corners_changes_nothing) {
   EXPECT_GT(hits, 1000);
 }
 
-TEST(Ray, none_slips_between_triangles_that_share_edges) {
+TEST(ray, none_slips_between_triangles_that_share_edges) {
   // A fan around a point off all grids; rays through its edges and its tip must hit one of the triangles.
   std::mt19937 random(2);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);

@@ -1,0 +1,218 @@
+#include "app/cli/subcommand_table.h"
+
+#include <array>
+
+#include "app/cli/help_topics.h"
+#include "app/cli/subcommands.h"
+
+namespace ryosen::cli {
+
+namespace {
+
+constexpr std::size_t any_number = static_cast<std::size_t>(-1);
+
+const std::array common{
+    Flag{"--json", "", false, "results as JSON, one object per line, also on failure",
+         "結果を JSON で出力（一行に一つ、失敗時も）"},
+    Flag{"-q", "", false, "no messages but errors", "エラー以外のメッセージを出さない"},
+    Flag{"-v", "", false, "shorten nothing", "省略せずに出力"},
+    Flag{"--lang", "en|ja", false, "language of texts; else that of the environment", "表示言語（省くと環境に従う）"},
+    Flag{"--help", "", false, "the help of the command", "コマンドの使い方"},
+};
+
+const std::vector<Subcommand>& table() {
+  static const std::vector<Subcommand> rows{
+      Subcommand{"view",
+                 "[FILE]",
+                 0,
+                 1,
+                 "the editor; also what ryosen does without a command",
+                 "エディタ（コマンドを省いたときもこれ）",
+                 {},
+                 recovery_topic,
+                 view_command},
+      Subcommand{"check",
+                 "FILE|FOLDER...",
+                 1,
+                 any_number,
+                 "figures and problems of meshes",
+                 "メッシュの諸量と問題点",
+                 {
+                     {"--fail-on", "KIND,...|none", false, "only problems of these kinds lead to exit code 1",
+                      "ここに挙げた種類の問題だけを終了コード 1 にする"},
+                     {"--self-intersections", "", false, "also finds faces that meet elsewhere than in what they share",
+                      "共有要素以外で交わる面も探す"},
+                     {"--jobs", "N", false, "how many files are checked at once; else one per processor",
+                      "同時に調べるファイル数（省くとプロセッサ数）"},
+                     {"--unordered", "", false, "report each file as soon as it is done",
+                      "入力順を待たず、終わったものから出力"},
+                 },
+                 problem_kinds_topic,
+                 check_command},
+      Subcommand{
+          "why",
+          "FILE",
+          1,
+          1,
+          "may an operator be done, and if not, why not and what would help",
+          "操作が可能か、不可能なら理由と対処",
+          {
+              {"--op", "OP", false, "an operator that works on an edge", "稜線に対する操作"},
+              {"--edge", "A-B", false, "asks about one edge", "一本の稜線について答える"},
+              {"--all", "", false, "asks about every edge", "すべての稜線について答える"},
+              {"--do", "COMMAND", false, "asks about a command as scripts write it", "スクリプトの一行について答える"},
+              {"--geometry", "", false, "with --all: the geometric warnings too", "--all で幾何的な警告も出す"},
+          },
+          operators_topic,
+          why_command},
+      Subcommand{"edit",
+                 "FILE",
+                 0,
+                 1,
+                 "runs commands on a mesh; without -o and save a trial that writes nothing",
+                 "コマンドを実行（-o も save もなければ何も書き出さない）",
+                 {
+                     {"-o", "OUT", false, "writes the result, unless something was refused or failed",
+                      "結果の出力先（拒否・失敗があれば書き出さない）"},
+                     {"--new", "", false, "begins with an empty mesh instead of a FILE",
+                      "FILE の代わりに空のメッシュから始める"},
+                     {"--do", "COMMAND", true, "runs commands, separated by ; (repeatable)",
+                      "コマンドを実行（; で区切る、繰り返し可）"},
+                     {"--script", "S", false, "runs the commands of a file", "ファイルのコマンドを実行"},
+                     {"--on-refuse", "skip", false, "goes on after a refusal, writes the result, ends with 1",
+                      "拒否されても続け、結果を書き出し、終了コード 1"},
+                     {"--strict", "", false, "warnings refuse too, also those of what a file would lose",
+                      "警告も拒否とする（ファイルで失われるものも含む）"},
+                     {"--overwrite", "", false, "allows to replace an input", "入力の置き換えを許す"},
+                 },
+                 script_commands_topic,
+                 edit_command},
+      Subcommand{"repair",
+                 "FILE",
+                 1,
+                 1,
+                 "takes whole kinds of problems away; without -o a trial that writes nothing",
+                 "問題を種類ごとにまとめて直す（-o がなければ何も書き出さない）",
+                 {
+                     {"-o", "OUT", false, "writes the result", "結果の出力先"},
+                     {"--kinds", "KIND[=NUMBER],...", false,
+                      "these repairs, in the order of the list below; default stands for all that are done unasked",
+                      "行う修復（下の一覧の順に実行。default は省略時の修復すべて）"},
+                     {"--overwrite", "", false, "allows to replace an input", "入力の置き換えを許す"},
+                 },
+                 repairs_topic,
+                 repair_command},
+      Subcommand{
+          "convert",
+          "FILE",
+          1,
+          1,
+          "writes a mesh in another format and says first what that format cannot hold",
+          "別の形式で書き出す（その形式で失われるものを先に示す）",
+          {
+              {"-o", "OUT", false, "the output; its extension tells the format", "出力先（拡張子が形式を決める）"},
+              {"--format", "ID", false, "the format, whatever the name says (see ryosen formats)",
+               "形式を指定する（ryosen formats を参照）"},
+              {"--strict", "", false, "refuses, with exit code 6, where anything would be lost",
+               "失われるものがあれば終了コード 6 で中止する"},
+              {"--triangulate", "", false, "cuts faces of more than three corners into triangles",
+               "4 頂点以上の面を三角形に分割する"},
+              {"--overwrite", "", false, "allows to replace an input", "入力の置き換えを許す"},
+          },
+          nullptr,
+          convert_command},
+      Subcommand{
+          "shot",
+          "FILE",
+          1,
+          1,
+          "a picture of a mesh or of the whole editor, without a display",
+          "メッシュまたはエディタ全体の画像（ディスプレイ不要）",
+          {
+              {"-o", "PNG", false, "where the picture goes", "画像の出力先"},
+              {"--size", "WxH", false, "in pixels; else 1280x720", "画素数（省くと 1280x720）"},
+              {"--view", "front|back|left|right|top|bottom|iso", false, "looks along an axis", "軸方向から見る"},
+              {"--camera", "JSON", false, "eye, target, up, fov_y_deg, ortho_height", "カメラを指定する"},
+              {"--show", "IDS|all|none", false, "the highlights, separated by commas", "強調表示（コンマ区切り）"},
+              {"--select", "NAMES", false, "selects elements", "要素を選択する"},
+              {"--hover", "X,Y", false, "where the pointer is, in pixels of the picture", "ポインタの位置（画素）"},
+              {"--tool", "OP", false, "the tool in hand", "使うツール"},
+              {"--click", "X,Y[,TOOL]", true, "clicks there first (repeatable)", "先にクリックする（繰り返し可）"},
+              {"--script", "S", false, "first runs the commands of a file", "先にファイルのコマンドを実行"},
+              {"--panels", "", false, "the whole window with its panels", "パネルを含む画面全体"},
+              {"--transparent", "", false, "no background", "背景を透明にする"},
+              {"--supersample", "N", false, "smooths by N x N rendered pixels each", "N x N 画素から滑らかに描く"},
+              {"--theme", "dark|light", false, "the colours", "配色"},
+              {"--backend", "auto|osmesa|egl", false, "what draws", "描画に使うもの"},
+              {"--compare", "REF.png", false, "ends with 1 if the picture differs from this one",
+               "この画像と異なれば終了コード 1"},
+              {"--diff", "D.png", false, "with --compare: writes where they differ", "--compare の差分画像の出力先"},
+              {"--tolerance", "PERCENT", false, "of the pixels may differ; else 0.2",
+               "異なってよい画素の割合（省くと 0.2）"},
+              {"--overwrite", "", false, "allows to replace an input", "入力の置き換えを許す"},
+          },
+          script_commands_topic,
+          shot_command},
+      Subcommand{"forms",
+                 "FILE",
+                 1,
+                 1,
+                 "the representations of the source texts for this mesh: bytes per face, build and query times",
+                 "テキストの形状表現の比較（面あたりのバイト数、構築時間、問い合わせ時間）",
+                 {},
+                 forms_topic,
+                 forms_command},
+      Subcommand{"formats", "", 0, 0, "the file formats", "ファイル形式の一覧", {}, nullptr, formats_command},
+      Subcommand{"keys", "", 0, 0, "the keys of the editor", "エディタのキー一覧", {}, nullptr, keys_command},
+      Subcommand{"doctor",
+                 "",
+                 0,
+                 0,
+                 "what this machine offers: versions, backends, fonts, packages",
+                 "この環境の状況（版、描画、フォント、パッケージ）",
+                 {},
+                 nullptr,
+                 doctor_command},
+      Subcommand{"help",
+                 "[COMMAND]",
+                 0,
+                 1,
+                 "what the program and its commands do",
+                 "プログラムとコマンドの使い方",
+                 {},
+                 nullptr,
+                 help_command},
+      Subcommand{"--version", "", 0, 0, "the version of the program", "プログラムの版", {}, nullptr, version_command},
+  };
+  return rows;
+}
+
+}  // namespace
+
+std::span<const Subcommand> subcommands() { return table(); }
+
+std::span<const Flag> common_flags() { return common; }
+
+const Subcommand* find_subcommand(std::string_view id) {
+  for (const Subcommand& command : table())
+    if (command.id == id) return &command;
+  return nullptr;
+}
+
+bool Arguments::has(std::string_view flag) const { return value(flag) != nullptr; }
+
+const std::string* Arguments::value(std::string_view flag) const {
+  const std::string* last = nullptr;
+  for (const Given& given : given_)
+    if (given.flag->name == flag) last = &given.value;
+  return last;
+}
+
+std::vector<std::string> Arguments::values(std::string_view flag) const {
+  std::vector<std::string> all;
+  for (const Given& given : given_)
+    if (given.flag->name == flag) all.push_back(given.value);
+  return all;
+}
+
+}  // namespace ryosen::cli

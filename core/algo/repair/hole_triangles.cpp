@@ -1,0 +1,122 @@
+#include "core/algo/repair/hole_triangles.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "core/geometry/predicates.h"
+
+namespace ryosen {
+
+namespace {
+
+// How bad a triangulation is: first by its sharpest fold, then by area.
+struct Weight {
+  double fold = 0;  // 1 - cos of the angle between normals, 0 to 2
+  double area = 0;
+
+  Weight operator+(const Weight& w) const { return {std::max(fold, w.fold), area + w.area}; }
+  bool operator<(const Weight& w) const { return fold != w.fold ? fold < w.fold : area < w.area; }
+};
+
+constexpr Weight impossible{std::numeric_limits<double>::infinity(), 0};
+
+struct Normal {
+  glm::dvec3 unit{0.0};
+  double area = 0;
+};
+
+// The best triangulations of all parts of a loop from corner i to corner k, with the chord i-k as their last side.
+class HoleWeights {
+ public:
+  explicit HoleWeights(const HoleLoop& loop) : loop_(loop), n_(loop.places.size()), parts_(n_ * n_) {
+    for (std::size_t length = 2; length < n_; ++length)
+      for (std::size_t i = 0; i + length < n_; ++i) weigh(i, i + length);
+  }
+
+  std::optional<std::vector<CornerTriangle>> best() const {
+    if (!(part(0, n_ - 1).weight < impossible)) return std::nullopt;
+    std::vector<CornerTriangle> triangles;
+    std::vector<std::pair<std::size_t, std::size_t>> open{{0, n_ - 1}};
+    while (!open.empty()) {
+      const auto [i, k] = open.back();
+      open.pop_back();
+      if (k - i < 2) continue;
+      const std::size_t m = part(i, k).middle;
+      triangles.push_back(
+          {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(m), static_cast<std::uint32_t>(k)});
+      open.push_back({i, m});
+      open.push_back({m, k});
+    }
+    return triangles;
+  }
+
+ private:
+  struct Part {
+    Weight weight;
+    glm::dvec3 normal{0.0};  // of the triangle at the chord
+    std::size_t middle = 0;
+  };
+
+  const Part& part(std::size_t i, std::size_t k) const { return parts_[i * n_ + k]; }
+
+  bool is_flat(std::size_t i, std::size_t m, std::size_t k) const {
+    return are_collinear(loop_.places[i], loop_.places[m], loop_.places[k]);
+  }
+
+  Normal normal_of(std::size_t i, std::size_t m, std::size_t k) const {
+    const glm::dvec3& a = loop_.places[i];
+    const glm::dvec3 n = glm::cross(loop_.places[m] - a, loop_.places[k] - a);
+    const double length = glm::length(n);
+    return {length > 0 ? n / length : glm::dvec3(0.0), length / 2};
+  }
+
+  // The fold between a triangle and what lies beyond its side from i to k.
+  double fold(const glm::dvec3& normal, std::size_t i, std::size_t k) const {
+    const bool is_side = k == i + 1 || (i == 0 && k == n_ - 1);
+    const glm::dvec3& beyond = k == i + 1 ? loop_.normals[i] : is_side ? loop_.normals[n_ - 1] : part(i, k).normal;
+    // Beyond the loop nothing may be known.
+    if (is_side && beyond == glm::dvec3(0.0)) return 0;
+    return 1 - glm::dot(normal, beyond);
+  }
+
+  void weigh(std::size_t i, std::size_t k) {
+    Part& result = parts_[i * n_ + k];
+    result.weight = impossible;
+    const bool is_whole = i == 0 && k == n_ - 1;
+    if (!is_whole && !loop_.may_join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k))) return;
+    for (std::size_t m = i + 1; m < k; ++m) {
+      const Weight sides = part(i, m).weight + part(m, k).weight;
+      if (!(sides < result.weight) || is_flat(i, m, k)) continue;
+      const Normal n = normal_of(i, m, k);
+      Weight own{std::max(fold(n.unit, i, m), fold(n.unit, m, k)), n.area};
+      if (is_whole) own.fold = std::max(own.fold, fold(n.unit, i, k));
+      const Weight sum = sides + own;
+      if (sum < result.weight) result = {sum, n.unit, m};
+    }
+  }
+
+  const HoleLoop& loop_;
+  std::size_t n_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace
+
+std::optional<std::vector<CornerTriangle>> triangulate_hole(const HoleLoop& loop) {
+  const std::size_t n = loop.places.size();
+  if (n <= most_weighed_corners) return HoleWeights(loop).best();
+  std::vector<CornerTriangle> triangles;
+  triangulate(loop.places, triangles);
+  for (const CornerTriangle& t : triangles) {
+    if (are_collinear(loop.places[t[0]], loop.places[t[1]], loop.places[t[2]])) return std::nullopt;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
+      const bool is_side = high == low + 1 || (low == 0 && high == n - 1);
+      if (!is_side && !loop.may_join(low, high)) return std::nullopt;
+    }
+  }
+  return triangles;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,231 @@
+#include "core/algo/repair/remove_faces.h"
+
+#include <algorithm>
+
+#include "core/analysis/equal_faces.h"
+#include "core/base/sort_unique.h"
+#include "core/geometry/predicates.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/mesh/rings.h"
+#include "core/ops/collapse_edge.h"
+#include "core/ops/delete.h"
+#include "core/ops/dissolve.h"
+#include "core/ops/swap_edge.h"
+
+namespace ryosen {
+
+namespace {
+
+using PointList = std::vector<std::uint32_t>;
+
+// The same for every way to write a loop down: the smallest list of all.
+PointList normal_form(const PointList& loop) {
+  PointList best, turned = loop;
+  for (int way = 0; way < 2; ++way) {
+    for (std::size_t i = 0; i < turned.size(); ++i) {
+      std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+      if (best.empty() || turned < best) best = turned;
+    }
+    std::reverse(turned.begin(), turned.end());
+  }
+  return best;
+}
+
+// The loops of a face in normal form, one behind the other with a number between that no point has.
+PointList shape_of(const Mesh& m, Face f) {
+  std::vector<PointList> loops;
+  for_each_loop(m, f, [&](Halfedge start) {
+    PointList loop_points;
+    for (Halfedge h : loop(m, start)) loop_points.push_back(point(m, m.from(h)).index);
+    loops.push_back(normal_form(loop_points));
+  });
+  std::sort(loops.begin(), loops.end());
+  PointList shape;
+  for (const PointList& one : loops) {
+    shape.insert(shape.end(), one.begin(), one.end());
+    shape.push_back(no_index);
+  }
+  return shape;
+}
+
+struct FaceOnPoints {
+  PointList points;  // ascending
+  Face face;
+};
+
+// Faces that share their set of points with another.
+std::vector<FaceOnPoints> faces_with_equals(const Mesh& m, const std::vector<std::uint32_t>& duplicates) {
+  std::vector<FaceOnPoints> found;
+  std::vector<Vertex> at;
+  const auto points_of = [&](Face f) {
+    PointList points;
+    for (Vertex v : vertices_around(m, f)) points.push_back(point(m, v).index);
+    std::sort(points.begin(), points.end());
+    return points;
+  };
+  std::vector<Face> faces;
+  for (std::uint32_t i : duplicates)
+    for (Vertex v : vertices_around(m, Face(i))) at.push_back(point(m, v));
+  sort_unique(at);
+  for (Vertex p : at)
+    for_each_copy(m, p, [&](Vertex copy) {
+      for (Face f : faces_around(m, copy))
+        if (f) faces.push_back(f);
+    });
+  sort_unique(faces);
+  for (Face f : faces) found.push_back({points_of(f), f});
+  std::sort(found.begin(), found.end(), [](const FaceOnPoints& a, const FaceOnPoints& b) {
+    return a.points != b.points ? a.points < b.points : a.face < b.face;
+  });
+  return found;
+}
+
+bool is_degenerate(const Mesh& m, Face f) {
+  std::vector<glm::dvec3> places;
+  for (Vertex v : vertices_around(m, f)) places.push_back(m.position(v));
+  return are_collinear(places);
+}
+
+template <class Op>
+bool apply_if_legal(Edit& edit, const Op& op) {
+  if (!op.check(edit.mesh()).legal()) return false;
+  op.apply(edit);
+  return true;
+}
+
+// Lets an edge of the face without length vanish.
+bool collapse_short_edge(Edit& edit, Face f) {
+  const Mesh& m = edit.mesh();
+  std::vector<Halfedge> sides;
+  for (Halfedge h : halfedges_around(m, f))
+    if (m.position(m.from(h)) == m.position(m.to(h))) sides.push_back(h);
+  for (Halfedge h : sides)
+    for (Halfedge way : {h, twin(h)})
+      if (apply_if_legal(edit, CollapseEdge{way})) return true;
+  return false;
+}
+
+// The side across from the corner that lies between the two others.
+Halfedge longest_side(const Mesh& m, Face f) {
+  const Halfedge h = m.halfedge(f);
+  for (Halfedge side : {h, m.next(h), m.prev(h)}) {
+    const glm::dvec3 &a = m.position(m.from(side)), &b = m.position(m.to(side)), &c = m.position(m.to(m.next(side)));
+    bool between = true;
+    for (int axis = 0; axis < 3; ++axis)
+      between = between && std::min(a[axis], b[axis]) <= c[axis] && c[axis] <= std::max(a[axis], b[axis]);
+    if (between && c != a && c != b) return side;
+  }
+  return Halfedge();
+}
+
+// Gives the middle corner of a flat triangle to the face across its longest side.
+bool give_corner_away(Edit& edit, Face f) {
+  const Mesh& m = edit.mesh();
+  if (!is_triangle(m, m.halfedge(f)) || m.has_rings(f)) return false;
+  const Halfedge side = longest_side(m, f);
+  if (!side) return false;
+  const Face other = m.face(twin(side));
+  if (!other || is_degenerate(m, other)) return false;
+  if (!is_triangle(m, twin(side)) || m.has_rings(other)) return apply_if_legal(edit, Dissolve{side});
+  return apply_if_legal(edit, SwapEdge{side}) || apply_if_legal(edit, Dissolve{side});
+}
+
+void delete_faces(Edit& edit, std::vector<Face> faces) {
+  Sheets sheets(edit);
+  take_away(edit, sheets, {std::move(faces), {}, {}});
+}
+
+}  // namespace
+
+RepairResult remove_duplicate_faces(Edit& edit, const RepairInput&, Progress&) {
+  const Mesh& m = edit.mesh();
+  Neighbourhood around(m, Neighbourhood::Reach::whole);
+  const std::vector<FaceOnPoints> faces = faces_with_equals(m, find_duplicate_faces(around));
+  std::vector<Face> doomed;
+  RepairResult result;
+  for (std::size_t first = 0, last = 0; first < faces.size(); first = last) {
+    std::vector<PointList> kept;
+    for (last = first; last < faces.size() && faces[last].points == faces[first].points; ++last) {
+      if (last == first && (last + 1 == faces.size() || faces[last + 1].points != faces[first].points)) continue;
+      PointList shape = shape_of(m, faces[last].face);
+      if (std::find(kept.begin(), kept.end(), shape) != kept.end())
+        doomed.push_back(faces[last].face);
+      else
+        kept.push_back(std::move(shape));
+    }
+    if (kept.size() > 1) result.left += kept.size() - 1;
+  }
+  result.changed = doomed.size();
+  result.text = repair_text(doomed.size(), "One duplicate face was removed.", "# duplicate faces were removed.",
+                            "重複面を # 個削除しました。");
+  if (!doomed.empty()) delete_faces(edit, std::move(doomed));
+  return result;
+}
+
+RepairResult remove_degenerate_faces(Edit& edit, const RepairInput&, Progress& progress) {
+  const Mesh& m = edit.mesh();
+  std::vector<Face> flat;
+  Neighbourhood around(m);
+  const auto is_flat = row_of(ProblemKind::degenerate_area).face;
+  for (std::uint32_t i = 0; i < m.face_slots(); ++i)
+    if (m.is_alive(Face(i)) && is_flat(around, Face(i))) flat.emplace_back(i);
+  std::size_t collapsed = 0, given = 0;
+  RepairResult result;
+  result.changed = flat.size();
+  const std::size_t all = flat.size();
+  for (bool removed = true; removed;) {
+    removed = false;
+    for (Face f : flat) {
+      if (!progress.go_on(collapsed + given, all)) return {};
+      if (!m.is_alive(f) || !is_degenerate(m, f)) continue;
+      if (collapse_short_edge(edit, f)) {
+        ++collapsed;
+        removed = true;
+      } else if (give_corner_away(edit, f)) {
+        ++given;
+        removed = true;
+      }
+    }
+    std::erase_if(flat, [&](Face f) { return !m.is_alive(f) || !is_degenerate(m, f); });
+  }
+  result.text = repair_text(result.changed, "One face without area was removed", "# faces without area were removed",
+                            "面積ゼロの面を # 個なくしました");
+  const std::string c = std::to_string(collapsed), g = std::to_string(given), d = std::to_string(flat.size());
+  if (result.changed > 0) {
+    result.text.en += ": " + c + " edges collapsed, " + g + " corners given to the face across, " + d + " deleted";
+    result.text.ja += "（稜線の縮約 " + c + "、向かいの面への統合 " + g + "、削除 " + d + "）";
+  }
+  result.text.en += ".";
+  result.text.ja += "。";
+  if (!flat.empty()) delete_faces(edit, std::move(flat));
+  return result;
+}
+
+RepairResult remove_isolated_vertices(Edit& edit, const RepairInput& input, Progress&) {
+  const Mesh& m = edit.mesh();
+  Sheets sheets(edit);
+  RepairResult result;
+  for (std::uint32_t i = m.vertex_slots(); i-- > 0;) {
+    const Vertex v(i);
+    if (!m.is_alive(v) || !m.is_isolated(v)) continue;
+    const bool is_alone = !has_copies(m, v);
+    if (is_alone && std::binary_search(input.used_elsewhere.begin(), input.used_elsewhere.end(), v)) {
+      ++result.left;
+      continue;
+    }
+    result.changed += is_alone;
+    sheets.remove_vertex(v);
+  }
+  result.text = repair_text(result.changed, "One isolated vertex was removed.", "# isolated vertices were removed.",
+                            "孤立頂点を # 個削除しました。");
+  if (result.left > 0) {
+    const std::string left = std::to_string(result.left);
+    result.text.en += result.left == 1 ? " One stays: a face set aside, a line or a point of the file uses it."
+                                       : " " + left + " stay: faces set aside, lines or points of the file use them.";
+    result.text.ja += "隔離された面・線・点が使う " + left + " 個は残しました。";
+  }
+  return result;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,105 @@
+#include "core/base/parallel.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <vector>
+
+namespace ryosen {
+namespace {
+
+// Tasks that one thread wants done. It lies on that thread's stack.
+struct Job {
+  unsigned tasks;
+  void (*call)(const void*, unsigned);
+  const void* work;
+  std::atomic<unsigned> next = 0;
+  unsigned wanted = 0;   // helpers that may still join; guarded by the mutex of the helpers, as is the next
+  unsigned helping = 0;  // helpers at work
+  std::atomic<bool> has_thrown = false;
+  std::exception_ptr thrown = nullptr;  // by the first that did
+
+  void run() {
+    for (unsigned i = next++; i < tasks; i = next++) {
+      try {
+        call(work, i);
+      } catch (...) {
+        if (!has_thrown.exchange(true)) thrown = std::current_exception();
+      }
+    }
+  }
+};
+
+// The threads beside those that ask. They are never joined: a process that ends, or one that was forked without them,
+// need not wait for anybody.
+class Helpers {
+ public:
+  static Helpers& all() {
+    static Helpers* const helpers = new Helpers;
+    return *helpers;
+  }
+  // A forked process has none of the threads, and their lock may be held.
+  bool are_here() const { return process_ == getpid(); }
+
+  void run(Job& job, unsigned helpers) {
+    {
+      const std::lock_guard lock(mutex_);
+      start(helpers);
+      job.wanted = helpers;
+      jobs_.push_back(&job);
+    }
+    for (unsigned i = 0; i < helpers; ++i) offered_.notify_one();
+    job.run();
+    std::unique_lock lock(mutex_);
+    if (job.wanted > 0) jobs_.erase(std::find(jobs_.begin(), jobs_.end(), &job));
+    finished_.wait(lock, [&] { return job.helping == 0; });
+  }
+
+ private:
+  void start(unsigned wanted) {
+    constexpr unsigned most = 16;
+    try {
+      for (; started_ < std::min(wanted, most); ++started_) std::thread([this] { help(); }).detach();
+    } catch (const std::system_error&) {  // fewer will do
+    }
+  }
+
+  void help() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+      offered_.wait(lock, [&] { return !jobs_.empty(); });
+      Job& job = *jobs_.front();
+      ++job.helping;
+      if (--job.wanted == 0) jobs_.erase(jobs_.begin());
+      lock.unlock();
+      job.run();
+      lock.lock();
+      if (--job.helping == 0) finished_.notify_all();
+    }
+  }
+
+  const pid_t process_ = getpid();
+  std::mutex mutex_;
+  std::condition_variable offered_, finished_;
+  std::vector<Job*> jobs_;  // that want more helpers
+  unsigned started_ = 0;
+};
+
+}  // namespace
+
+void run_tasks(unsigned tasks, unsigned threads, void (*call)(const void*, unsigned), const void* work) {
+  const unsigned helpers = std::min(tasks, threads) - (std::min(tasks, threads) > 0 ? 1 : 0);
+  Job job{tasks, call, work};
+  if (helpers == 0 || !Helpers::all().are_here())
+    job.run();
+  else
+    Helpers::all().run(job, helpers);
+  if (job.thrown) std::rethrow_exception(job.thrown);
+}
+
+}  // namespace ryosen

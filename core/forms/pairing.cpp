@@ -1,0 +1,243 @@
+#include "core/forms/pairing.h"
+
+#include <algorithm>
+#include <array>
+#include <unordered_map>
+
+#include "core/indexed/pair_corners.h"
+
+namespace ryosen {
+
+namespace {
+
+struct DirectedSide {
+  std::uint32_t from, to;
+};
+
+// The side that begins at each corner.
+std::vector<DirectedSide> sides_of(const IndexedMesh& source) {
+  std::vector<DirectedSide> sides(source.corners.size());
+  for (std::size_t f = 0; f < source.face_count(); ++f) {
+    const std::uint32_t begin = source.face_offsets[f], end = source.face_offsets[f + 1];
+    for (std::uint32_t c = begin; c < end; ++c)
+      sides[c] = {source.corners[c], source.corners[c + 1 < end ? c + 1 : begin]};
+  }
+  return sides;
+}
+
+// Gathers the sides between the points of one side and joins it where exactly one runs each way.
+class Candidates {
+ public:
+  Candidates(const std::vector<DirectedSide>& sides, std::uint32_t corner) : sides_(sides), corner_(corner) {}
+  void consider(std::uint32_t other) {
+    const DirectedSide &mine = sides_[corner_], &side = sides_[other];
+    if (side.from == mine.to && side.to == mine.from) {
+      ++against_;
+      partner_ = other;
+    } else if (side.from == mine.from && side.to == mine.to) {
+      ++along_;
+    }
+  }
+  std::uint32_t partner() const { return along_ == 1 && against_ == 1 ? partner_ : no_index; }
+
+ private:
+  const std::vector<DirectedSide>& sides_;
+  std::uint32_t corner_;
+  std::uint32_t along_ = 0, against_ = 0, partner_ = no_index;
+};
+
+SidePartners by_brute_force(const IndexedMesh& source) {
+  const std::vector<DirectedSide> sides = sides_of(source);
+  SidePartners partners(sides.size());
+  for (std::uint32_t c = 0; c < sides.size(); ++c) {
+    Candidates candidates(sides, c);
+    for (std::uint32_t other = 0; other < sides.size(); ++other) candidates.consider(other);
+    partners[c] = candidates.partner();
+  }
+  return partners;
+}
+
+SidePartners by_hash_of_16_bits(const IndexedMesh& source) {
+  const std::vector<DirectedSide> sides = sides_of(source);
+  std::unordered_multimap<std::uint32_t, std::uint32_t> corners_by_key;
+  corners_by_key.reserve(sides.size());
+  for (std::uint32_t c = 0; c < sides.size(); ++c)
+    corners_by_key.emplace(sixteen_bit_key(sides[c].from, sides[c].to), c);
+  SidePartners partners(sides.size());
+  for (std::uint32_t c = 0; c < sides.size(); ++c) {
+    Candidates candidates(sides, c);
+    const auto [begin, end] = corners_by_key.equal_range(sixteen_bit_key(sides[c].from, sides[c].to));
+    for (auto i = begin; i != end; ++i) candidates.consider(i->second);
+    partners[c] = candidates.partner();
+  }
+  return partners;
+}
+
+// Finalizer of splitmix64 over both numbers: each bit of the key depends on each bit of both.
+std::uint64_t mixed(const DirectedSide& side) {
+  std::uint64_t key = std::uint64_t{std::min(side.from, side.to)} << 32u | std::max(side.from, side.to);
+  key = (key ^ (key >> 30u)) * 0xbf58476d1ce4e5b9ull;
+  key = (key ^ (key >> 27u)) * 0x94d049bb133111ebull;
+  return key ^ (key >> 31u);
+}
+
+// An open table of half-full power-of-two size; each entry is a pair of points with what runs there so far.
+SidePartners by_good_hash(const IndexedMesh& source) {
+  const std::vector<DirectedSide> sides = sides_of(source);
+  struct Entry {
+    std::uint32_t first = no_index, last = no_index, count = 0;
+  };
+  std::size_t size = 16;
+  while (size < 2 * sides.size()) size *= 2;
+  std::vector<Entry> table(size);
+  const auto runs_between = [&](std::uint32_t c, const DirectedSide& side) {
+    const DirectedSide& other = sides[c];
+    return (other.from == side.from && other.to == side.to) || (other.from == side.to && other.to == side.from);
+  };
+  for (std::uint32_t c = 0; c < sides.size(); ++c) {
+    std::size_t place = mixed(sides[c]) & (size - 1);
+    while (table[place].count > 0 && !runs_between(table[place].first, sides[c])) place = (place + 1) & (size - 1);
+    Entry& entry = table[place];
+    if (entry.count++ == 0) entry.first = c;
+    entry.last = c;
+  }
+  SidePartners partners(sides.size(), no_index);
+  for (const Entry& entry : table) {
+    if (entry.count != 2 || sides[entry.first].from == sides[entry.last].from) continue;
+    partners[entry.first] = entry.last;
+    partners[entry.last] = entry.first;
+  }
+  return partners;
+}
+
+// Every point lists the sides that leave it; the partner of a side is sought in the list of its end.
+SidePartners by_vertex_lists(const IndexedMesh& source) {
+  const std::vector<DirectedSide> sides = sides_of(source);
+  std::vector<std::uint32_t> head(source.positions.size(), no_index), next(sides.size());
+  for (std::uint32_t c = 0; c < sides.size(); ++c) {
+    next[c] = head[sides[c].from];
+    head[sides[c].from] = c;
+  }
+  SidePartners partners(sides.size());
+  for (std::uint32_t c = 0; c < sides.size(); ++c) {
+    Candidates candidates(sides, c);
+    for (const std::uint32_t end : {sides[c].from, sides[c].to})
+      for (std::uint32_t other = head[end]; other != no_index; other = next[other]) candidates.consider(other);
+    partners[c] = candidates.partner();
+  }
+  return partners;
+}
+
+// Element (i, j) of the matrix holds the sides from i to j: compressed rows, each ordered by column.
+class SparseMatrix {
+ public:
+  SparseMatrix(const std::vector<DirectedSide>& sides, std::size_t points)
+      : row_(points + 1, 0), elements_(sides.size()) {
+    for (const DirectedSide& side : sides) ++row_[side.from + 1];
+    for (std::size_t i = 0; i < points; ++i) row_[i + 1] += row_[i];
+    std::vector<std::uint32_t> at(row_.begin(), row_.end() - 1);
+    for (std::uint32_t c = 0; c < sides.size(); ++c) elements_[at[sides[c].from]++] = {sides[c].to, c};
+    for (std::size_t i = 0; i < points; ++i)
+      std::sort(elements_.begin() + row_[i], elements_.begin() + row_[i + 1],
+                [](const Element& a, const Element& b) { return a.column < b.column; });
+  }
+  // The side of the only entry, or no_index where the element has none or several.
+  std::uint32_t only(std::uint32_t i, std::uint32_t j) const {
+    const auto begin = elements_.begin() + row_[i], end = elements_.begin() + row_[i + 1];
+    const auto found =
+        std::lower_bound(begin, end, j, [](const Element& e, std::uint32_t column) { return e.column < column; });
+    if (found == end || found->column != j) return no_index;
+    return found + 1 != end && found[1].column == j ? no_index : found->corner;
+  }
+
+ private:
+  struct Element {
+    std::uint32_t column, corner;
+  };
+  std::vector<std::uint32_t> row_;
+  std::vector<Element> elements_;
+};
+
+SidePartners by_sparse_matrix(const IndexedMesh& source) {
+  const std::vector<DirectedSide> sides = sides_of(source);
+  const SparseMatrix matrix(sides, source.positions.size());
+  SidePartners partners(sides.size(), no_index);
+  for (std::uint32_t c = 0; c < sides.size(); ++c)
+    if (matrix.only(sides[c].from, sides[c].to) == c) partners[c] = matrix.only(sides[c].to, sides[c].from);
+  return partners;
+}
+
+SidePartners by_sort(const IndexedMesh& source) {
+  const std::vector<DirectedSide> sides = sides_of(source);
+  struct Entry {
+    std::uint64_t key;
+    std::uint32_t corner;
+  };
+  std::vector<Entry> entries(sides.size());
+  for (std::uint32_t c = 0; c < sides.size(); ++c) {
+    const auto [low, high] = std::minmax(sides[c].from, sides[c].to);
+    entries[c] = {std::uint64_t{low} << 32u | high, c};
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
+  SidePartners partners(sides.size(), no_index);
+  for (std::size_t i = 0, last = 0; i < entries.size(); i = last) {
+    for (last = i + 1; last < entries.size() && entries[last].key == entries[i].key;) ++last;
+    const std::uint32_t a = entries[i].corner, b = entries[last - 1].corner;
+    if (last - i != 2 || sides[a].from == sides[b].from) continue;
+    partners[a] = b;
+    partners[b] = a;
+  }
+  return partners;
+}
+
+SidePartners by_pair_corners(const IndexedMesh& source) {
+  const CornerPairing pairing = pair_corners(source);
+  std::vector<std::uint32_t> corner_of(std::size_t{2} * pairing.edges, no_index);
+  for (std::uint32_t c = 0; c < pairing.halfedge.size(); ++c) corner_of[pairing.halfedge[c].index] = c;
+  SidePartners partners(pairing.halfedge.size());
+  for (std::size_t c = 0; c < partners.size(); ++c) partners[c] = corner_of[twin(pairing.halfedge[c]).index];
+  return partners;
+}
+
+double one_step_per_side(const IndexedMesh& source) { return static_cast<double>(source.corners.size()); }
+
+double all_against_all(const IndexedMesh& source) { return one_step_per_side(source) * one_step_per_side(source); }
+
+// A list is read once for each side that leaves its point and once for each that comes.
+double squares_of_valences(const IndexedMesh& source) {
+  std::vector<double> valence(source.positions.size(), 0.0);
+  for (const std::uint32_t corner : source.corners) valence[corner] += 1;
+  double steps = 0;
+  for (const double v : valence) steps += 2 * v * v;
+  return steps;
+}
+
+constexpr std::array methods{
+    PairingMethod{"brute_force", "every side against every other", "総当たり", by_brute_force, all_against_all},
+    PairingMethod{"hash_16", "hash with the 16-bit key of the source texts", "ハッシュ（テキストの 16 ビットのキー）",
+                  by_hash_of_16_bits, one_step_per_side},
+    PairingMethod{"hash", "hash with a key of both numbers in full", "ハッシュ（両端の番号全体のキー）", by_good_hash,
+                  one_step_per_side},
+    PairingMethod{"vertex_lists", "lists of sides at the vertices", "頂点ごとのリスト", by_vertex_lists,
+                  squares_of_valences},
+    PairingMethod{"sparse_matrix", "sparse matrix of vertex against vertex", "頂点×頂点の疎行列", by_sparse_matrix,
+                  one_step_per_side},
+    PairingMethod{"sort", "sorting all sides", "全体の整列", by_sort, one_step_per_side},
+    PairingMethod{"in_use", "counting sort, as files are read here", "計数整列（ファイルの読み込みで使用）",
+                  by_pair_corners, one_step_per_side},
+};
+
+}  // namespace
+
+std::span<const PairingMethod> pairing_methods() { return methods; }
+
+IndexedMesh first_faces(const IndexedMesh& source, std::size_t count) {
+  IndexedMesh part;
+  part.positions = source.positions;
+  part.face_offsets.assign(source.face_offsets.begin(),
+                           source.face_offsets.begin() + static_cast<std::ptrdiff_t>(count) + 1);
+  part.corners.assign(source.corners.begin(), source.corners.begin() + part.face_offsets.back());
+  return part;
+}
+
+}  // namespace ryosen

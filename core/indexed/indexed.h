@@ -1,0 +1,93 @@
+// A mesh as files hold it: points and, per face, the numbers of its corners. Readers make it, from_indexed connects it,
+// and to_indexed gives it back for writing.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/compact_list.h"
+#include "core/base/handle.h"
+#include "core/base/message.h"
+#include "core/base/static_name.h"
+#include "core/indexed/line_runs.h"
+
+namespace ryosen {
+
+// A face that cannot take part in the connectivity. It keeps its number, so the numbering of the file stays. A broken
+// file may hold one for every byte or two: 40 bytes, and one block of memory for each list that is not empty.
+struct QuarantinedFace {
+  std::uint32_t face = 0;             // its number in the file, from 0
+  std::uint32_t line = 0;             // from 1; 0 when the format has no lines
+  StaticName code;                    // stable cause: face_too_few_corners, index_out_of_range, repeated_corner
+  CompactList<std::int64_t> corners;  // vertex numbers from 0; out of range values (negative, too large) are kept
+  CompactList<std::uint32_t> texcoords, normals;  // as in CornerValues::index; empty when the face has none
+
+  // The sentence for the user, made from the code and the corners.
+  Text cause() const;
+  // Whether all vertices that it names are among the first so many, whatever the cause.
+  bool has_corners_within(std::size_t vertices) const;
+};
+
+// A vertex number past the old end, as far past the new one, or the largest there is.
+constexpr std::int64_t past_new_end(std::int64_t number, std::int64_t old_end, std::int64_t new_end) {
+  const std::int64_t past = number - old_end;
+  return past > std::numeric_limits<std::int64_t>::max() - new_end ? std::numeric_limits<std::int64_t>::max()
+                                                                   : past + new_end;
+}
+
+// Values given per corner through a pool, as OBJ does for texture coordinates and normals.
+struct CornerValues {
+  std::vector<glm::dvec3> pool;
+  std::vector<std::uint32_t> index;  // one per corner, no_index where the corner has none; empty when unused
+  int components = 3;                // how many of the three numbers the file gives
+};
+
+// A number per face that names an entry of a table of names (material, group, object, smoothing group).
+struct FaceNames {
+  std::vector<std::string> names;
+  std::vector<std::uint32_t> index;  // one per face (quarantined ones too), no_index for none; empty when unused
+};
+
+// What stands in colour columns for an element of which the file gives none.
+inline constexpr double no_colour = std::numeric_limits<double>::quiet_NaN();
+
+// Colours given per face, as OFF does: red, green, blue and perhaps alpha in 0..1, or the number of a colour map's entry.
+struct FaceColours {
+  std::vector<glm::dvec4> values;   // one per face (quarantined ones too); empty when unused
+  std::vector<std::uint8_t> count;  // how many of the four numbers the face has: 0, 1, 3 or 4
+  bool are_bytes = false;           // the file gave some as 0..255
+};
+
+struct IndexedMesh {
+  std::vector<glm::dvec3> positions;
+  std::vector<std::uint32_t> corners;          // vertex numbers, face after face
+  std::vector<std::uint32_t> face_offsets{0};  // faces + 1 entries; a quarantined face has an empty range
+  std::vector<QuarantinedFace> quarantine;     // ascending by face
+  // Faces whose corner lists visit vertices twice because they walk bridges both ways (see mesh/bridges.h): faces with
+  // rings. Ascending.
+  std::vector<std::uint32_t> bridged;
+  std::vector<std::uint32_t> face_lines;  // line of each face, from 1; empty when the format has no lines
+  LineRuns vertex_lines;                  // of each vertex; none where the format has no lines for them
+
+  CornerValues texcoords;
+  CornerValues normals;
+  // Red, green, blue, alpha in 0..1, one per vertex; red is NaN where a vertex has none. Empty when unused.
+  std::vector<glm::dvec4> vertex_colours;
+  int colour_components = 3;           // 4 when the file gives alpha
+  std::vector<double> vertex_weights;  // the w of OBJ, NaN where a vertex has none; empty when unused
+  FaceColours face_colours;
+  FaceNames materials, groups, objects, smoothing;
+
+  std::size_t face_count() const { return face_offsets.size() - 1; }
+  std::span<const std::uint32_t> face(std::size_t f) const {
+    return {corners.data() + face_offsets[f], face_offsets[f + 1] - face_offsets[f]};
+  }
+};
+
+}  // namespace ryosen

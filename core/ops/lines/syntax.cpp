@@ -1,0 +1,134 @@
+#include "core/ops/lines/syntax.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/ops/all.h"
+#include "core/ops/lines/arguments.h"
+
+namespace ryosen {
+
+namespace {
+
+using Places = std::set<std::size_t>;
+
+// The pieces of a text between separators that lie outside of brackets; blanks join into one separator.
+std::vector<std::string_view> split(std::string_view text, std::string_view separator) {
+  std::vector<std::string_view> pieces;
+  std::size_t begin = 0;
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    depth += (text[i] == '[') - (text[i] == ']');
+    if (depth != 0 || !text.substr(i).starts_with(separator)) continue;
+    pieces.push_back(text.substr(begin, i - begin));
+    begin = i + separator.size();
+    i = begin - 1;
+  }
+  pieces.push_back(text.substr(begin));
+  std::erase_if(pieces, [](std::string_view piece) { return piece.empty(); });
+  return pieces;
+}
+
+// An empty mesh has no element, but knows the form of every name.
+const Mesh& nowhere() {
+  static const Mesh mesh;
+  return mesh;
+}
+
+bool is_face_name(std::string_view word) { return find_face(nowhere(), word).error != NameError::malformed; }
+
+// The part before `@`, and a face behind it where there is one.
+template <class Find>
+bool is_name(std::string_view word, Find find) {
+  const std::size_t at = word.find('@');
+  return find(nowhere(), word).error != NameError::malformed &&
+         (at == std::string_view::npos || is_face_name(word.substr(at + 1)));
+}
+bool is_vertex_name(std::string_view word) { return is_name(word, find_vertex); }
+bool is_edge_name(std::string_view word) { return is_name(word, find_edge); }
+
+bool fits(std::string_view form, std::string_view word) {
+  if (form == "X,Y,Z") return parse_place(word).has_value();
+  if (form == "t" || form == "DISTANCE") return parse_double(word).has_value();
+  if (form == "fN" || form == "fM") return is_face_name(word);
+  if (form == "-" || (form.size() > 1 && form.find_first_not_of("abcdefghijklmnopqrstuvwxyz") == form.npos))
+    return word == form;
+  return form.find('-') != std::string_view::npos ? is_edge_name(word) : is_vertex_name(word);
+}
+
+class Matcher {
+ public:
+  explicit Matcher(std::span<const std::string_view> words) : words_(words) {}
+
+  // The places behind what a syntax can take up from some places on.
+  Places match(std::string_view syntax, const Places& from) {
+    Places ends;
+    const std::vector<std::string_view> lists = split(syntax, " | ");
+    for (std::string_view list : lists) ends.merge(match_list(list, from));
+    if (lists.empty()) ends = from;
+    return ends;
+  }
+
+  // The last place at which a word was missing or did not fit.
+  std::size_t farthest() const { return farthest_; }
+
+ private:
+  Places match_list(std::string_view list, Places at) {
+    std::string_view before;
+    for (std::string_view item : split(list, " ")) {
+      at = item == "..." ? more_of(before, at) : match_item(item, at);
+      before = item;
+    }
+    return at;
+  }
+
+  Places more_of(std::string_view item, Places at) {
+    for (Places next = match_item(item, at); !next.empty(); next = match_item(item, next))
+      at.insert(next.begin(), next.end());
+    return at;
+  }
+
+  Places match_item(std::string_view item, const Places& at) {
+    Places ends;
+    if (item.starts_with('[')) {
+      ends = match(item.substr(1, item.size() - 2), at);
+      ends.insert(at.begin(), at.end());
+      return ends;
+    }
+    const std::vector<std::string_view> forms = split(item, "|");
+    for (std::size_t i : at) {
+      const auto takes = [&](std::string_view form) { return fits(form, words_[i]); };
+      if (i < words_.size() && std::any_of(forms.begin(), forms.end(), takes))
+        ends.insert(i + 1);
+      else
+        farthest_ = std::max(farthest_, i);
+    }
+    return ends;
+  }
+
+  std::span<const std::string_view> words_;
+  std::size_t farthest_ = 0;
+};
+
+}  // namespace
+
+bool is_element_name(std::string_view word) { return is_face_name(word) || is_vertex_name(word) || is_edge_name(word); }
+
+std::optional<std::size_t> first_misfit(std::string_view syntax, std::span<const std::string_view> words) {
+  Matcher matcher(words);
+  const Places ends = matcher.match(syntax, {0});
+  if (ends.contains(words.size())) return std::nullopt;
+  return std::max(matcher.farthest(), ends.empty() ? 0 : *ends.rbegin());
+}
+
+std::optional<Text> fault_of_arguments(std::string_view id, std::span<const std::string_view> arguments) {
+  // The operator itself may say it better, as far as it reads where no element is found.
+  Parsed<AnyOp> parsed = parse_op(nowhere(), id, arguments);
+  if (parsed.error == NameError::malformed) return std::move(parsed.sentence);
+  const std::string_view syntax = find_op(id)->syntax;
+  const std::optional<std::size_t> place = first_misfit(syntax, arguments);
+  if (!place) return std::nullopt;
+  return *place < arguments.size() ? not_of_form(arguments[*place], syntax) : argument_missing(syntax);
+}
+
+}  // namespace ryosen

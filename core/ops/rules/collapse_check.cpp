@@ -1,0 +1,244 @@
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/ops/collapse_edge.h"
+#include "core/ops/rules/face_lists.h"
+#include "core/ops/rules/plain_check.h"
+
+namespace ryosen {
+
+namespace {
+
+// Judges one collapse: `h` runs from the vertex that goes to the one that stays; the one that goes has no copies.
+class CollapseJudge {
+ public:
+  CollapseJudge(const Mesh& mesh, Halfedge h) : m_(mesh), h_(h), gone_(mesh.from(h)), kept_(mesh.to(h)) {
+    for (Halfedge side : {h_, twin(h_)})
+      if (is_plain_triangle(side)) apexes_[apex_count_++] = m_.to(m_.next(side));
+  }
+
+  Verdict judge() {
+    check_wire();
+    check_inner_edge();
+    check_closed_cuts();
+    check_apexes();
+    check_holes();
+    check_common_neighbours();
+    check_common_faces();
+    check_loops();
+    if (verdict_.legal()) check_duplicates();
+    return std::move(verdict_);
+  }
+
+ private:
+  bool is_apex(Vertex v) const { return std::find(apexes_, apexes_ + apex_count_, v) != apexes_ + apex_count_; }
+  bool is_at_edge(Face f) const { return f == m_.face(h_) || f == m_.face(twin(h_)); }
+  // A face of three corners and no rings.
+  bool is_plain_triangle(Halfedge side) const {
+    return !m_.is_outside(side) && is_triangle(m_, side) && !m_.has_rings(m_.face(side));
+  }
+  bool is_dropped(Halfedge corner) const { return is_at_edge(m_.face(corner)) && is_plain_triangle(corner); }
+
+  bool has_fans_on_point(Vertex v) const {
+    bool found = false;
+    for_each_copy(m_, v, [&](Vertex copy) { found |= count_fans(m_, copy) > 0; });
+    return found;
+  }
+
+  // Two fans would meet at one point, or an edge that stands alone would leave a free vertex.
+  void check_wire() {
+    if (!m_.is_wire(edge(h_))) return;
+    if (count_fans(m_, gone_) > 0 && has_fans_on_point(kept_)) verdict_.refuse(Rule::joins_fans, {gone_, kept_});
+    if (m_.next(h_) == twin(h_) && m_.prev(h_) == twin(h_)) verdict_.refuse(Rule::lone_edge, {edge(h_)});
+  }
+
+  void check_inner_edge() {
+    if (m_.is_outside(h_) || m_.is_outside(twin(h_))) return;
+    if (m_.is_boundary(gone_) && m_.is_boundary(kept_)) verdict_.refuse(Rule::inner_edge, {gone_, kept_});
+  }
+
+  // An edge that is non-manifold on points but closed again hangs together only around a vertex without a gap; the
+  // boundary of the vertex that goes would open it.
+  void check_closed_cuts() {
+    if (!m_.is_boundary(gone_) || m_.is_boundary(kept_)) return;
+    for (Halfedge k : outgoing(m_, kept_))
+      if (is_cut_on_points(m_, k)) verdict_.refuse(Rule::copies, {edge(k)});
+  }
+
+  void check_apexes() {
+    for (Halfedge side : {h_, twin(h_)}) {
+      if (!is_plain_triangle(side)) continue;
+      if (m_.is_outside(twin(m_.next(side))) && m_.is_outside(twin(m_.prev(side))))
+        verdict_.refuse(Rule::isolated_apex, {m_.to(m_.next(side)), m_.face(side)});
+    }
+    if (apex_count_ == 2 && apexes_[0] == apexes_[1])
+      verdict_.refuse(Rule::vanishes, {apexes_[0], m_.face(h_), m_.face(twin(h_))});
+  }
+
+  bool is_tip_of_three_edge_hole(Vertex v) const {
+    for (Halfedge side : {h_, twin(h_)})
+      if (m_.is_outside(side) && is_triangle(m_, side) && m_.to(m_.next(side)) == v) return true;
+    return false;
+  }
+
+  void check_holes() {
+    for (Halfedge side : {h_, twin(h_)})
+      if (m_.is_outside(side) && is_triangle(m_, side))
+        verdict_.refuse(Rule::closes_hole, {m_.to(m_.next(side)), edge(m_.next(side)), edge(m_.prev(side))});
+  }
+
+  // Neighbours of the vertex that goes which some copy of the other point reaches too.
+  void check_common_neighbours() {
+    std::vector<std::pair<Vertex, Halfedge>> reached;  // point, and the halfedge from a copy of kept
+    for_each_copy(m_, kept_, [&](Vertex copy) {
+      for (Halfedge k : outgoing(m_, copy)) reached.emplace_back(point(m_, m_.to(k)), k);
+    });
+    std::sort(reached.begin(), reached.end());
+    for (Halfedge g : outgoing(m_, gone_)) {
+      const Vertex x = m_.to(g);
+      if (x == kept_ || is_apex(x) || is_tip_of_three_edge_hole(x)) continue;
+      const Vertex p = point(m_, x);
+      const auto found = std::lower_bound(reached.begin(), reached.end(), std::pair(p, Halfedge(0)));
+      if (found != reached.end() && found->first == p)
+        verdict_.refuse(Rule::common_neighbour, {x, edge(g), edge(found->second)});
+    }
+  }
+
+  void check_common_faces() {
+    for (Halfedge g : outgoing(m_, gone_)) {
+      if (m_.is_outside(g) || is_at_edge(m_.face(g))) continue;
+      for (Halfedge corner : halfedges_around(m_, m_.face(g)))
+        if (same_point(m_, m_.from(corner), kept_)) verdict_.refuse(Rule::common_face, {m_.face(g)});
+    }
+  }
+
+  // A face with rings or bridges must come apart into simple loops as before.
+  void check_loops() {
+    std::vector<Face> looked_at;
+    for (Halfedge g : outgoing(m_, gone_)) {
+      const Face f = m_.face(g);
+      if (!f || std::find(looked_at.begin(), looked_at.end(), f) != looked_at.end() || is_one_simple_loop(m_, f))
+        continue;
+      looked_at.push_back(f);
+      CornerLoops after;
+      for_each_loop(m_, f, [&](Halfedge start) {
+        std::vector<std::uint32_t> points;
+        for (Halfedge h : loop(m_, start)) {
+          const Vertex v = m_.from(h);
+          const std::uint32_t p = point(m_, v == gone_ ? kept_ : v).index;
+          if (points.empty() || points.back() != p) points.push_back(p);
+        }
+        if (points.size() > 1 && points.back() == points.front()) points.pop_back();
+        after.add(points);
+      });
+      if (!take_out_bridges(after)) verdict_.refuse(Rule::loop, {f});
+    }
+  }
+
+  // The points of a face, and as they will be.
+  std::vector<std::uint32_t> points_after(Face f) const {
+    std::vector<std::uint32_t> points;
+    for (Vertex v : vertices_around(m_, f)) points.push_back(point(m_, v == gone_ ? kept_ : v).index);
+    return point_set(points);
+  }
+  std::vector<std::uint32_t> points_before(Face f) const { return point_set(loops_of(m_, f).corners); }
+
+  // A number that faces on equal points after the collapse have in common, made without sorting them. No face but
+  // those at the edge holds both ends by now. Of the corners of a vertex with bridges only one begins no bridge.
+  std::uint64_t key_after(Face f) const {
+    const auto mixed = [](Vertex p) {
+      std::uint64_t x = (p.index + 1) * 0x9e3779b97f4a7c15ull;
+      x = (x ^ (x >> 29)) * 0xbf58476d1ce4e5b9ull;
+      return x ^ (x >> 32);
+    };
+    std::uint64_t key = 0;
+    for (Halfedge corner : halfedges_around(m_, f)) {
+      if (is_bridge(m_, corner)) continue;
+      const Vertex v = m_.from(corner);
+      ++key;
+      if (v != gone_)
+        key += mixed(point(m_, v));
+      else if (is_at_edge(f))
+        --key;
+      else
+        key += mixed(point(m_, kept_));
+    }
+    return key;
+  }
+
+  // Compares each face of the vertex that goes with those of the other point, of which only the ones with its key can
+  // coincide with it. A face with bridges is met once.
+  void check_duplicates() {
+    struct Candidate {
+      std::uint64_t key;
+      std::size_t order;
+      Face face;
+      bool operator<(const Candidate& other) const { return key != other.key ? key < other.key : order < other.order; }
+    };
+    std::vector<Candidate> candidates;
+    for_each_copy(m_, kept_, [&](Vertex copy) {
+      for (Halfedge k : outgoing(m_, copy))
+        if (!m_.is_outside(k) && !is_bridge(m_, k) && !is_dropped(k))
+          candidates.push_back({key_after(m_.face(k)), candidates.size(), m_.face(k)});
+    });
+    std::sort(candidates.begin(), candidates.end());
+    for (Halfedge g : outgoing(m_, gone_)) {
+      if (m_.is_outside(g) || is_bridge(m_, g) || is_dropped(g)) continue;
+      const Candidate first{key_after(m_.face(g)), 0, Face()};
+      for (auto c = std::lower_bound(candidates.begin(), candidates.end(), first);
+           c != candidates.end() && c->key == first.key; ++c)
+        compare(m_.face(g), c->face);
+    }
+  }
+
+  void compare(Face f, Face g) {
+    if (f == g) return;
+    if (is_at_edge(f) && is_at_edge(g) && f < g) return;  // met twice
+    if (points_after(f) == points_after(g) && points_before(f) != points_before(g))
+      verdict_.refuse(Rule::duplicate_face, {std::min(f, g), std::max(f, g)});
+  }
+
+  const Mesh& m_;
+  Halfedge h_;
+  Vertex gone_, kept_;
+  Vertex apexes_[2];
+  int apex_count_ = 0;
+  Verdict verdict_;
+};
+
+}  // namespace
+
+Halfedge CollapseEdge::directed(const Mesh& mesh) const {
+  return has_several_fans(mesh, mesh.from(halfedge)) ? twin(halfedge) : halfedge;
+}
+
+Verdict CollapseEdge::judge(const Mesh& mesh) const {
+  Verdict verdict;
+  if (!mesh.exists(halfedge) || !mesh.is_alive(halfedge)) {
+    verdict.refuse(Rule::deleted, {edge(halfedge)});
+    return verdict;
+  }
+  const Vertex a = mesh.from(halfedge), b = mesh.to(halfedge);
+  if (has_several_fans(mesh, a) && has_several_fans(mesh, b)) {
+    verdict.refuse(Rule::copies, {point(mesh, a), point(mesh, b)});
+    return verdict;
+  }
+  return CollapseJudge(mesh, directed(mesh)).judge();
+}
+
+Verdict CollapseEdge::check(const Mesh& mesh) const {
+  if (mesh.exists(halfedge) && mesh.is_alive(halfedge) && quick_collapse(mesh, halfedge) == QuickAnswer::legal)
+    return {};
+  return judge(mesh);
+}
+
+bool CollapseEdge::is_legal(const Mesh& mesh) const {
+  if (!mesh.exists(halfedge) || !mesh.is_alive(halfedge)) return false;
+  const QuickAnswer answer = quick_collapse(mesh, halfedge);
+  return answer == QuickAnswer::legal || (answer == QuickAnswer::unknown && judge(mesh).legal());
+}
+
+}  // namespace ryosen

@@ -1,0 +1,121 @@
+#include "core/ops/rules/corner_values.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/vec4.hpp>
+
+namespace ryosen {
+
+namespace {
+
+template <class T>
+std::span<const std::uint32_t> words_of(const T& value, std::array<std::uint32_t, sizeof(T) / 4>& buffer) {
+  std::memcpy(buffer.data(), &value, sizeof(T));
+  return buffer;
+}
+
+}  // namespace
+
+std::uint32_t CornerWriter::index(std::size_t attribute, Halfedge corner) const {
+  return edit_.mesh().attributes()[attributes_[attribute].index_column].data[corner.index];
+}
+
+void CornerWriter::set(std::size_t attribute, Halfedge corner, std::uint32_t index) {
+  edit_.set_attribute(attributes_[attribute].index_column, corner.index, std::span(&index, 1));
+}
+
+std::uint32_t CornerWriter::blend(std::size_t attribute, std::uint32_t a, std::uint32_t b, double t) {
+  if (t == 0 || a == b) return a;
+  if (t == 1) return b;
+  if (a == no_index || b == no_index) return no_index;
+  const std::size_t pool = attributes_[attribute].pool_column;
+  const AttributeColumn& column = edit_.mesh().attributes()[pool];
+  const auto va = attribute_value<glm::dvec3>(column, a), vb = attribute_value<glm::dvec3>(column, b);
+  std::array<std::uint32_t, 6> words;
+  return edit_.append_value(pool, words_of(va + t * (vb - va), words));
+}
+
+std::uint32_t CornerWriter::mean(std::size_t attribute, std::span<const Halfedge> at) {
+  const std::uint32_t first = index(attribute, at[0]);
+  bool all_equal = true;
+  for (Halfedge h : at) {
+    if (index(attribute, h) == no_index) return no_index;
+    all_equal = all_equal && index(attribute, h) == first;
+  }
+  if (all_equal) return first;
+  const std::size_t pool = attributes_[attribute].pool_column;
+  glm::dvec3 mean{};
+  for (Halfedge h : at)
+    mean += attribute_value<glm::dvec3>(edit_.mesh().attributes()[pool], index(attribute, h)) /
+            static_cast<double>(at.size());
+  std::array<std::uint32_t, 6> words;
+  return edit_.append_value(pool, words_of(mean, words));
+}
+
+bool is_seam(const Mesh& mesh, Halfedge h) {
+  if (mesh.is_outside(h) || mesh.is_outside(twin(h))) return false;
+  for (const CornerAttribute& attribute : corner_attributes(mesh)) {
+    const std::vector<std::uint32_t>& index = mesh.attributes()[attribute.index_column].data;
+    const Halfedge o = twin(h);
+    if (index[h.index] != index[mesh.next(o).index] || index[o.index] != index[mesh.next(h).index]) return true;
+  }
+  return false;
+}
+
+// The corner `first`, the ones across the edges that go in turn, and `last`, whose edge stays, become one.
+void merge_corner_values(Edit& edit, std::span<const Edge> edges_that_go) {
+  const Mesh& m = edit.mesh();
+  const auto goes = [&](Halfedge h) { return std::binary_search(edges_that_go.begin(), edges_that_go.end(), edge(h)); };
+  CornerWriter corners(edit);
+  if (corners.count() == 0) return;
+  for (Edge e : edges_that_go)
+    for (Halfedge first : {halfedge(e), twin(halfedge(e))}) {
+      if (goes(m.prev(first))) continue;
+      Halfedge kept = first, last = first;
+      while (goes(last)) {
+        last = m.next(twin(last));
+        if (m.face(last) <= m.face(kept)) kept = last;
+      }
+      for (std::size_t k = 0; k < corners.count() && kept != last; ++k) corners.set(k, last, corners.index(k, kept));
+    }
+}
+
+void copy_face_values(Edit& edit, Face from, Face to) {
+  for (std::size_t k = 0; k < edit.mesh().attributes().size(); ++k) {
+    const AttributeColumn& column = edit.mesh().attributes()[k];
+    if (column.element != ElementKind::face) continue;
+    const auto* begin = column.data.data() + std::size_t{from.index} * column.words;
+    const std::vector<std::uint32_t> words(begin, begin + column.words);
+    edit.set_attribute(k, to.index, words);
+  }
+}
+
+void blend_vertex_values(Edit& edit, Vertex a, Vertex b, double t, Vertex to) {
+  for (std::size_t k = 0; k < edit.mesh().attributes().size(); ++k) {
+    const AttributeColumn& column = edit.mesh().attributes()[k];
+    if (column.element != ElementKind::vertex) continue;
+    const auto* begin = column.data.data() + std::size_t{a.index} * column.words;
+    std::vector<std::uint32_t> words(begin, begin + column.words);
+    if (column.words == sizeof(glm::dvec4) / 4) {
+      const auto va = attribute_value<glm::dvec4>(column, a.index), vb = attribute_value<glm::dvec4>(column, b.index);
+      std::array<std::uint32_t, 8> blended;
+      const auto span = words_of(va + t * (vb - va), blended);
+      words.assign(span.begin(), span.end());
+    }
+    edit.set_attribute(k, to.index, words);
+  }
+}
+
+void mean_vertex_values(Edit& edit, std::span<const Vertex> from, Vertex to) {
+  blend_vertex_values(edit, from[0], from[0], 0, to);
+  for (std::size_t k = 0; k < edit.mesh().attributes().size(); ++k) {
+    const AttributeColumn& column = edit.mesh().attributes()[k];
+    if (column.element != ElementKind::vertex || column.words != sizeof(glm::dvec4) / 4) continue;
+    glm::dvec4 mean{};
+    for (Vertex v : from) mean += attribute_value<glm::dvec4>(column, v.index) / static_cast<double>(from.size());
+    std::array<std::uint32_t, 8> words;
+    edit.set_attribute(k, to.index, words_of(mean, words));
+  }
+}
+
+}  // namespace ryosen

@@ -1,0 +1,97 @@
+#include "core/ops/rules/face_lists.h"
+
+#include <algorithm>
+
+#include "core/base/sort_unique.h"
+
+namespace ryosen {
+
+std::vector<std::uint32_t> points_along(const Mesh& mesh, Halfedge start) {
+  std::vector<std::uint32_t> points;
+  for (Halfedge h : loop(mesh, start)) points.push_back(point(mesh, mesh.from(h)).index);
+  return points;
+}
+
+CornerLoops loops_of(const Mesh& mesh, Face f) {
+  CornerLoops loops;
+  for_each_loop(mesh, f, [&](Halfedge start) { loops.add(points_along(mesh, start)); });
+  return loops;
+}
+
+std::size_t bridges_of(const CornerLoops& loops) {
+  const auto parts = take_out_bridges(loops);
+  return parts ? parts->size() - loops.ends.size() : 0;
+}
+
+bool is_one_simple_loop(const Mesh& mesh, Face f) {
+  if (mesh.has_rings(f)) return false;
+  for (Halfedge h : loop(mesh, mesh.halfedge(f)))
+    if (is_bridge(mesh, h)) return false;
+  return true;
+}
+
+void refuse_rings(const Mesh& mesh, Face f, Verdict& verdict) {
+  std::vector<Element> witnesses{f};
+  for (std::uint32_t r = mesh.first_ring(f); r != no_index; r = mesh.ring(r).next)
+    for (Halfedge h : loop(mesh, mesh.ring(r).halfedge)) witnesses.push_back(edge(h));
+  for (Halfedge h : halfedges_around(mesh, f))
+    if (is_bridge(mesh, h) && h < twin(h)) witnesses.push_back(edge(h));
+  if (witnesses.size() > 1) verdict.reasons.push_back({Rule::has_rings, witnesses});
+}
+
+std::vector<std::uint32_t> point_set(std::span<const std::uint32_t> corners) {
+  std::vector<std::uint32_t> points(corners.begin(), corners.end());
+  sort_unique(points);
+  return points;
+}
+
+namespace {
+
+// The point with the fewest outgoing halfedges over all its copies.
+Vertex loneliest(const Mesh& mesh, std::span<const std::uint32_t> points) {
+  Vertex best;
+  std::size_t fewest = ~std::size_t{0};
+  for (std::uint32_t p : points) {
+    std::size_t n = 0;
+    for_each_copy(mesh, Vertex(p), [&](Vertex copy) {
+      if (mesh.is_isolated(copy)) return;
+      for (Halfedge h : outgoing(mesh, copy)) {
+        static_cast<void>(h);
+        if (++n >= fewest) return;
+      }
+    });
+    if (n >= fewest) continue;
+    fewest = n;
+    best = Vertex(p);
+  }
+  return best;
+}
+
+bool has_points(const Mesh& mesh, Face f, std::span<const std::uint32_t> points) {
+  std::size_t corners = 0;
+  for (Vertex v : vertices_around(mesh, f)) {
+    if (++corners > 2 * points.size()) return false;
+    if (!std::binary_search(points.begin(), points.end(), point(mesh, v).index)) return false;
+  }
+  return corners >= points.size() && point_set(loops_of(mesh, f).corners).size() == points.size();
+}
+
+}  // namespace
+
+Face face_on(const Mesh& mesh, std::span<const std::uint32_t> points, std::span<const Face> except) {
+  Face found;
+  for_each_copy(mesh, loneliest(mesh, points), [&](Vertex copy) {
+    for (Face f : faces_around(mesh, copy)) {
+      if (!f || found || std::find(except.begin(), except.end(), f) != except.end()) continue;
+      if (has_points(mesh, f, points)) found = f;
+    }
+  });
+  return found;
+}
+
+Face equal_face(const Mesh& mesh, Face f) {
+  const Face except[] = {f};
+  return face_on(mesh, point_set(loops_of(mesh, f).corners), except);
+}
+
+}  // namespace ryosen

@@ -1,0 +1,385 @@
+#include "core/ops/rules/sheets.h"
+
+#include <algorithm>
+#include <cassert>
+#include <unordered_set>
+
+#include "core/base/sort_unique.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/mesh/rings.h"
+#include "core/ops/rules/corner_values.h"
+#include "core/ops/rules/surgery.h"
+
+namespace ryosen {
+
+namespace {
+
+std::vector<Halfedge> leaving(const Mesh& m, Vertex v) {
+  std::vector<Halfedge> found;
+  for (Halfedge h : outgoing(m, v)) found.push_back(h);
+  return found;
+}
+
+// The halfedges of a cycle around a vertex that is being cut, from one of them.
+std::vector<Halfedge> cycle_of(const Mesh& m, Halfedge start) {
+  std::vector<Halfedge> found{start};
+  for (Halfedge h = m.counter_clockwise(start); h != start; h = m.counter_clockwise(h)) found.push_back(h);
+  return found;
+}
+
+// The live copies of some points.
+std::vector<Vertex> live_copies(const Mesh& m, std::span<const Vertex> points) {
+  std::vector<Vertex> found;
+  for (Vertex p : points)
+    if (m.is_alive(p)) for_each_copy(m, p, [&](Vertex copy) { found.push_back(copy); });
+  sort_unique(found);
+  return found;
+}
+
+bool has_one_face(const Mesh& m, Halfedge h) { return m.is_outside(h) != m.is_outside(twin(h)); }
+
+}  // namespace
+
+std::vector<Face> faces_of_sheet(const Mesh& mesh, Face f, std::size_t enough,
+                                 const std::function<bool(Face)>& is_last) {
+  std::vector<Face> sheet{f};
+  std::unordered_set<Face> seen{f};
+  for (std::size_t i = 0; i < sheet.size() && sheet.size() < enough; ++i)
+    for (Halfedge h : halfedges_around(mesh, sheet[i])) {
+      const Face beside = mesh.face(twin(h));
+      if (!beside || is_cut_on_points(mesh, h) || !seen.insert(beside).second) continue;
+      sheet.push_back(beside);
+      if (is_last(beside)) return sheet;
+    }
+  return sheet;
+}
+
+std::vector<Face> faces_of_sheet(const Mesh& mesh, Face f, std::size_t enough) {
+  return faces_of_sheet(mesh, f, enough, [](Face) { return false; });
+}
+
+std::vector<Fan> fans_at(const Mesh& m, Vertex v) {
+  std::vector<Fan> fans;
+  if (m.is_isolated(v)) return fans;
+  const std::vector<Halfedge> around = leaving(m, v);
+  if (!m.is_outside(around[0])) {
+    Fan closed;
+    for (Halfedge h : around) closed.lowest_face = std::min(closed.lowest_face, m.face(h));
+    return {closed};
+  }
+  // The first one is outside, so a fan that begins ends before the walk does, or there.
+  for (std::size_t i = 1; i <= around.size(); ++i) {
+    const Halfedge h = around[i % around.size()];
+    if (m.is_outside(twin(h)) && !m.is_outside(h)) fans.push_back({h, Halfedge(), Face()});
+    if (!m.is_outside(h)) fans.back().lowest_face = std::min(fans.back().lowest_face, m.face(h));
+    if (m.is_outside(h) && !m.is_outside(twin(h))) fans.back().last = h;
+  }
+  std::sort(fans.begin(), fans.end(), [](const Fan& a, const Fan& b) { return a.lowest_face < b.lowest_face; });
+  return fans;
+}
+
+void Sheets::rename(std::span<const Halfedge> halfedges, Vertex v) {
+  for (Halfedge h : halfedges) {
+    edit_.set_from(h, v);
+    changed(edit_.mesh().face(h));
+  }
+}
+
+Vertex Sheets::take_out(const Fan& fan) {
+  const Mesh& m = edit_.mesh();
+  const Vertex v = m.from(fan.first);
+  const Halfedge into = twin(fan.first), before = m.prev(fan.last), rest = m.next(into);
+  const Vertex copy = edit_.add_vertex(m.position(v));
+  blend_vertex_values(edit_, v, v, 0, copy);
+  edit_.connect(into, fan.last);
+  edit_.connect(before, rest);
+  rename(cycle_of(m, fan.first), copy);
+  edit_.set_halfedge(copy, fan.last);
+  edit_.set_halfedge(v, rest);
+  hold_outside(edit_, v);
+  edit_.set_next_copy(copy, m.next_copy(v));
+  edit_.set_next_copy(v, copy);
+  return copy;
+}
+
+void Sheets::separate(Vertex v) {
+  const std::vector<Fan> fans = fans_at(edit_.mesh(), v);
+  for (std::size_t i = 1; i < fans.size(); ++i) take_out(fans[i]);
+}
+
+void Sheets::join_corner(Halfedge into, Halfedge out) {
+  const Mesh& m = edit_.mesh();
+  if (m.next(into) == out) return;
+  const Vertex p = m.to(into), q = m.from(out), stays = std::min(p, q), goes = std::max(p, q);
+  const Halfedge after = m.next(into), before = m.prev(out);
+  if (p != q) {
+    const std::vector<Halfedge> moved = leaving(m, goes);
+    edit_.connect(into, out);
+    edit_.connect(before, after);
+    rename(moved, stays);
+    leave_copies(edit_, goes);
+    edit_.remove(goes);
+    effect_.deleted.push_back(goes);
+    hold_outside(edit_, stays);
+    return;
+  }
+  edit_.connect(into, out);
+  edit_.connect(before, after);  // two cycles now, one with `out` and one with `after`
+  for (Halfedge gap : cycle_of(m, out)) {
+    if (gap == out || !m.is_outside(gap)) continue;
+    edit_.connect(m.prev(gap), after);
+    edit_.connect(before, gap);
+    return;
+  }
+  const Vertex copy = edit_.add_vertex(m.position(p));
+  blend_vertex_values(edit_, p, p, 0, copy);
+  rename(cycle_of(m, after), copy);
+  edit_.set_halfedge(copy, after);
+  edit_.set_halfedge(p, out);
+  edit_.set_next_copy(copy, m.next_copy(p));
+  edit_.set_next_copy(p, copy);
+}
+
+void Sheets::join_edges(Halfedge h, Halfedge back) {
+  const Mesh& m = edit_.mesh();
+  assert(m.next(h) == back && m.next(back) == h && m.is_outside(h) && m.is_outside(back) && edge(h) != edge(back));
+  const Halfedge old = twin(back);
+  const Face f = m.face(old);
+  const Vertex a = m.from(h), b = m.from(back);
+  if (f) {
+    CornerWriter corners(edit_);
+    for (std::size_t k = 0; k < corners.count(); ++k) {
+      corners.set(k, h, corners.index(k, old));
+      corners.set(k, old, no_index);
+    }
+    replace_start(edit_, f, old, h);
+  }
+  edit_.connect(m.prev(old), h);
+  edit_.connect(h, m.next(old));
+  edit_.set_face(h, f);
+  if (m.halfedge(a) == old) edit_.set_halfedge(a, h);
+  if (m.halfedge(b) == back) edit_.set_halfedge(b, twin(h));
+  drop(edge(back));
+  hold_outside(edit_, a);
+  hold_outside(edit_, b);
+  changed(f);
+}
+
+Halfedge Sheets::open(Halfedge h) {
+  const Mesh& m = edit_.mesh();
+  const Halfedge o = twin(h);
+  assert(!m.is_outside(h) && !m.is_outside(o));
+  const Vertex a = m.from(h), b = m.from(o);
+  const Halfedge k = edit_.add_edge(b, a), outside = twin(k);
+  const Face right = m.face(o);
+  CornerWriter corners(edit_);
+  for (std::size_t c = 0; c < corners.count(); ++c) {
+    corners.set(c, k, corners.index(c, o));
+    corners.set(c, o, no_index);
+  }
+  edit_.connect(m.prev(o), k);
+  edit_.connect(k, m.next(o));
+  edit_.set_face(k, right);
+  replace_start(edit_, right, o, k);
+  edit_.connect(o, outside);
+  edit_.connect(outside, o);
+  edit_.set_face(o, Face());
+  edit_.set_halfedge(a, outside);
+  edit_.set_halfedge(b, o);
+  changed(right);
+  return k;
+}
+
+void Sheets::remove_vertex(Vertex v) {
+  const Mesh& m = edit_.mesh();
+  // The last copy with edges, or, where there is none, the last one.
+  Vertex heir;
+  for_each_copy(m, v, [&](Vertex copy) {
+    if (copy == v) return;
+    const bool is_better = !heir || (m.is_isolated(heir) == m.is_isolated(copy) ? copy > heir : m.is_isolated(heir));
+    if (is_better) heir = copy;
+  });
+  if (heir && heir > v && point(m, v) == v) {
+    rename(leaving(m, heir), v);
+    edit_.set_halfedge(v, m.halfedge(heir));
+    v = heir;
+  }
+  leave_copies(edit_, v);
+  edit_.remove(v);
+  effect_.deleted.push_back(v);
+}
+
+void Sheets::drop(Edge e) {
+  edit_.remove(e);
+  effect_.deleted.push_back(e);
+}
+
+void Sheets::remove_edge(Halfedge h) {
+  const auto [a, b] = ends(edit_.mesh(), edge(h));
+  unlink_edge(edit_, h);
+  effect_.deleted.push_back(edge(h));
+  hold_outside(edit_, a);
+  hold_outside(edit_, b);
+}
+
+void Sheets::remove_face(Face f) {
+  take_face_away(edit_, f);
+  effect_.deleted.push_back(f);
+}
+
+void Sheets::exchange(Vertex v, Vertex w) {
+  const Mesh& m = edit_.mesh();
+  const std::vector<Halfedge> at_v = leaving(m, v), at_w = leaving(m, w);
+  const Halfedge hold_v = m.halfedge(v), hold_w = m.halfedge(w);
+  rename(at_v, w);
+  rename(at_w, v);
+  edit_.set_halfedge(v, hold_w);
+  edit_.set_halfedge(w, hold_v);
+}
+
+void Sheets::changed(Face f) {
+  if (f) effect_.changed.push_back(f);
+}
+
+void Sheets::changed_around(Vertex v) {
+  for (Face f : faces_around(edit_.mesh(), v)) changed(f);
+}
+
+OpEffect Sheets::finish() {
+  const Mesh& m = edit_.mesh();
+  OpEffect effect;
+  for (std::uint32_t i = before_.vertices; i < m.vertex_slots(); ++i)
+    if (m.is_alive(Vertex(i))) effect.created.push_back(Vertex(i));
+  for (std::uint32_t i = before_.halfedges / 2; i < m.edge_slots(); ++i)
+    if (m.is_alive(Edge(i))) effect.created.push_back(Edge(i));
+  for (std::uint32_t i = before_.faces; i < m.face_slots(); ++i)
+    if (m.is_alive(Face(i))) effect.created.push_back(Face(i));
+  for (const Element& e : effect_.deleted) {
+    const std::uint32_t had = e.kind == Element::Kind::vertex ? before_.vertices
+                              : e.kind == Element::Kind::edge ? before_.halfedges / 2
+                                                              : before_.faces;
+    if (e.index < had) effect.deleted.push_back(e);
+  }
+  sort_unique(effect_.changed);
+  for (Face f : effect_.changed)
+    if (m.is_alive(f)) effect.changed.push_back(f);
+  return effect;
+}
+
+// A cut edge whose outside loop would have exactly two halves: at both ends the fan goes round from one of its faces to
+// the other without meeting another cut.
+bool Sheets::is_closed_cut(Halfedge h) const {
+  const Mesh& m = edit_.mesh();
+  for (Vertex v : {m.from(h), m.to(h)})
+    for (Halfedge other : outgoing(m, v)) {
+      if (m.is_outside(other) || m.is_outside(twin(other))) return false;
+      if (edge(other) != edge(h) && is_cut_on_points(m, other)) return false;
+    }
+  return true;
+}
+
+// Edges with two faces that reading would leave open. Their other ends are added to the vertices.
+std::vector<Halfedge> Sheets::sheets_to_open(std::vector<Vertex>& vertices) const {
+  const Mesh& m = edit_.mesh();
+  std::vector<Halfedge> found;
+  std::unordered_set<Vertex> met(vertices.begin(), vertices.end());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    for (Halfedge h : outgoing(m, vertices[i])) {
+      if (m.is_outside(h) || m.is_outside(twin(h)) || !is_cut_on_points(m, h) || is_closed_cut(h)) continue;
+      found.push_back(std::min(h, twin(h)));
+      if (met.insert(m.to(h)).second) vertices.push_back(m.to(h));
+    }
+  }
+  sort_unique(found);
+  return found;
+}
+
+// Ends of two edges between the same two vertices, which merging vertices may bring about.
+void Sheets::add_double_ends(std::span<const Vertex> vertices, std::vector<Vertex>& found) const {
+  const Mesh& m = edit_.mesh();
+  std::vector<Vertex> ends;
+  for (Vertex v : vertices) {
+    ends.clear();
+    for (Vertex end : neighbours(m, v)) ends.push_back(end);
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t i = 1; i < ends.size(); ++i)
+      if (ends[i] == ends[i - 1]) found.insert(found.end(), {v, ends[i]});
+  }
+}
+
+// Edges with one face each that two faces alone run in opposite directions.
+std::vector<Halfedge> Sheets::sheets_to_join(std::span<const Vertex> vertices) const {
+  const Mesh& m = edit_.mesh();
+  std::vector<Halfedge> found;
+  for (Vertex v : vertices) {
+    for (Halfedge h : outgoing(m, v)) {
+      if (!has_one_face(m, h)) continue;
+      const PointEdge faces = point_edge(m, h);
+      if (faces.forward == 1 && faces.backward == 1) found.push_back(h);
+    }
+  }
+  return found;
+}
+
+void Sheets::close_pair(Halfedge h, Halfedge other) {
+  const Halfedge there = outside_half(edit_.mesh(), h), back = outside_half(edit_.mesh(), other);
+  join_corner(back, there);
+  join_corner(there, back);
+  join_edges(there, back);
+}
+
+void Sheets::join_sheet(Halfedge h) {
+  const Mesh& m = edit_.mesh();
+  if (!m.is_alive(h) || !has_one_face(m, h)) return;  // joined from its other end
+  for (Halfedge other : sheets_between(m, m.from(h), m.to(h))) {
+    if (edge(other) == edge(h) || !has_one_face(m, other)) continue;
+    return close_pair(h, other);
+  }
+}
+
+// Where two edges come to join the same vertices, a wire among them is no pair any more, and two ends of one fan close:
+// the outside loop between them has two halves, wires in their gaps aside.
+void Sheets::close_double_edges(Vertex v) {
+  const Mesh& m = edit_.mesh();
+  std::vector<std::pair<Vertex, Halfedge>> ends;
+  if (m.is_alive(v))
+    for (Halfedge h : outgoing(m, v)) ends.emplace_back(m.to(h), h);
+  std::sort(ends.begin(), ends.end());
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    Halfedge h = ends[i].second, other = ends[i - 1].second;
+    if (ends[i].first != ends[i - 1].first || !m.is_alive(h) || !m.is_alive(other)) continue;
+    if (m.is_wire(edge(other))) std::swap(h, other);
+    if (m.is_wire(edge(h))) {
+      remove_edge(h);
+    } else if (has_one_face(m, h) && has_one_face(m, other) && m.is_outside(h) != m.is_outside(other)) {
+      close_pair(h, other);
+    }
+  }
+}
+
+void Sheets::settle(std::span<const Vertex> points) {
+  const Mesh& m = edit_.mesh();
+  if (!m.has_copies()) return;
+  std::vector<Vertex> vertices = live_copies(m, points);
+  const std::vector<Halfedge> to_open = sheets_to_open(vertices), to_join = sheets_to_join(vertices);
+  // Where nothing is cut or joined, several fans may stay at a vertex.
+  std::vector<Vertex> touched;
+  for (Halfedge h : to_open) touched.insert(touched.end(), {m.from(h), m.to(h)});
+  for (Halfedge h : to_join) touched.insert(touched.end(), {m.from(h), m.to(h)});
+  add_double_ends(vertices, touched);
+  touched = live_copies(m, touched);
+  const std::size_t at_seams = touched.size();
+  for (std::size_t i = 0; i < at_seams; ++i)
+    for (Halfedge h : outgoing(m, touched[i]))
+      if (is_cut_on_points(m, h)) touched.push_back(m.to(h));
+  touched = live_copies(m, touched);
+  for (Halfedge h : to_open) open(h);
+  for (Vertex v : touched) separate(v);
+  for (Halfedge h : to_join) join_sheet(h);
+  touched.insert(touched.end(), vertices.begin(), vertices.end());
+  touched = live_copies(m, touched);
+  for (Vertex v : touched) close_double_edges(v);
+}
+
+}  // namespace ryosen

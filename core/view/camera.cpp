@@ -1,0 +1,228 @@
+#include "core/view/camera.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <limits>
+
+namespace ryosen {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Tangent of half the vertical opening angle.
+double half_height(const Camera& camera) { return std::tan(glm::radians(camera.fov_y_deg) / 2); }
+
+double target_depth(const Camera& camera) { return glm::length(camera.target - camera.eye); }
+
+glm::dvec3 turned(const glm::dvec3& vector, const glm::dvec3& axis, double angle_rad) {
+  return glm::dvec3(glm::rotate(glm::dmat4(1.0), angle_rad, axis) * glm::dvec4(vector, 0.0));
+}
+
+// The extent of points along the camera's axes, and of the pyramid's sides that hold them: x - t z and so on.
+struct Extent {
+  glm::dvec3 low{infinity};
+  glm::dvec3 high{-infinity};
+  double right = -infinity, left = -infinity, above = -infinity, below = -infinity;
+};
+
+Extent extent_of(std::span<const glm::dvec3> points, const CameraAxes& a, const glm::dvec3& origin, double tan_x,
+                 double tan_y) {
+  Extent e;
+  for (const glm::dvec3& point : points) {
+    const glm::dvec3 p = point - origin;
+    const glm::dvec3 q(glm::dot(p, a.right), glm::dot(p, a.up), glm::dot(p, a.forward));
+    if (!std::isfinite(q.x + q.y + q.z)) continue;
+    e.low = glm::min(e.low, q);
+    e.high = glm::max(e.high, q);
+    e.right = std::max(e.right, q.x - tan_x * q.z);
+    e.left = std::max(e.left, -q.x - tan_x * q.z);
+    e.above = std::max(e.above, q.y - tan_y * q.z);
+    e.below = std::max(e.below, -q.y - tan_y * q.z);
+  }
+  return e;
+}
+
+}  // namespace
+
+Bounds bounds_of(std::span<const glm::dvec3> points) {
+  Bounds bounds{glm::dvec3(infinity), glm::dvec3(-infinity)};
+  for (const glm::dvec3& p : points) {
+    if (!std::isfinite(p.x + p.y + p.z)) continue;
+    bounds.min = glm::min(bounds.min, p);
+    bounds.max = glm::max(bounds.max, p);
+  }
+  return bounds.min.x <= bounds.max.x ? bounds : Bounds{};
+}
+
+CameraAxes axes(const Camera& camera) {
+  CameraAxes a;
+  a.forward = glm::normalize(camera.target - camera.eye);
+  a.right = glm::normalize(glm::cross(a.forward, camera.up));
+  a.up = glm::cross(a.right, a.forward);
+  return a;
+}
+
+glm::dmat4 view_from_mesh(const Camera& camera) { return glm::lookAt(camera.eye, camera.target, camera.up); }
+
+glm::dmat4 clip_from_view(const Camera& camera, double aspect, double near_distance, double far_distance) {
+  glm::dmat4 clip(0.0);
+  const double depth = far_distance - near_distance;
+  if (camera.ortho_height) {
+    clip[0][0] = 2 / (*camera.ortho_height * aspect);
+    clip[1][1] = 2 / *camera.ortho_height;
+    clip[2][2] = -2 / depth;
+    clip[3][2] = -(far_distance + near_distance) / depth;
+    clip[3][3] = 1;
+  } else {
+    clip[0][0] = 1 / (half_height(camera) * aspect);
+    clip[1][1] = 1 / half_height(camera);
+    clip[2][2] = -(far_distance + near_distance) / depth;
+    clip[2][3] = -1;
+    clip[3][2] = -2 * far_distance * near_distance / depth;
+  }
+  return clip;
+}
+
+std::optional<NamedView> named_view_of(std::string_view name) {
+  constexpr std::array<std::string_view, 7> names = {"front", "back", "left", "right", "top", "bottom", "iso"};
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<NamedView>(found - names.begin());
+}
+
+Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double aspect, double margin) {
+  Camera result = camera;
+  const CameraAxes a = axes(camera);
+  const double share = 1 - 2 * margin;
+  const double tan_y = half_height(camera) * share;
+  const double tan_x = tan_y * aspect;
+  const glm::dvec3 origin = bounds_of(points).centre();
+  const Extent e = extent_of(points, a, origin, tan_x, tan_y);
+  if (!(e.low.x <= e.high.x)) return result;
+  const glm::dvec3 middle = 0.5 * (e.low + e.high);
+  const glm::dvec3 size = e.high - e.low;
+  const double widest = std::max({size.x / aspect, size.y, size.z * 1e-3});
+  if (camera.ortho_height) {
+    result.ortho_height = widest > 0 ? widest / share : 1;
+    result.target = origin + a.right * middle.x + a.up * middle.y + a.forward * middle.z;
+    const double radius = std::max(glm::length(size), *result.ortho_height);
+    result.eye = result.target - a.forward * (2 * radius);
+    return result;
+  }
+  // The eye lies at depth z where the two pyramid sides that touch the points left and right (or above and below) meet.
+  const double back = std::max((e.right + e.left) / (2 * tan_x), (e.above + e.below) / (2 * tan_y));
+  // It keeps some distance from the nearest point, and a single place fills a view one unit high.
+  const double nearest = e.low.z - (widest > 0 ? 0.1 * widest : 0.5 / half_height(camera));
+  const double depth = widest > 0 ? std::min(-back, nearest) : nearest;
+  result.eye = origin + a.right * ((e.right - e.left) / 2) + a.up * ((e.above - e.below) / 2) + a.forward * depth;
+  result.target = result.eye + a.forward * (middle.z - depth);
+  return result;
+}
+
+Camera fitted(const Camera& camera, const Bounds& bounds, double aspect, double margin) {
+  std::array<glm::dvec3, 8> corners;
+  for (std::size_t i = 0; i < 8; ++i) {
+    corners[i] = {(i & 1) ? bounds.max.x : bounds.min.x, (i & 2) ? bounds.max.y : bounds.min.y,
+                  (i & 4) ? bounds.max.z : bounds.min.z};
+  }
+  return fitted(camera, corners, aspect, margin);
+}
+
+Camera named_view(NamedView view, std::span<const glm::dvec3> points, double aspect) {
+  struct Row {
+    glm::dvec3 direction, up;
+  };
+  constexpr Row rows[] = {
+      {{0, 0, -1}, {0, 1, 0}},  {{0, 0, 1}, {0, 1, 0}}, {{1, 0, 0}, {0, 1, 0}},    {{-1, 0, 0}, {0, 1, 0}},
+      {{0, -1, 0}, {0, 0, -1}}, {{0, 1, 0}, {0, 0, 1}}, {{-1, -1, -1}, {0, 1, 0}},
+  };
+  const Row& row = rows[static_cast<std::size_t>(view)];
+  Camera camera;
+  camera.eye = -row.direction;
+  camera.target = glm::dvec3(0);
+  camera.up = row.up;
+  return fitted(camera, points, aspect);
+}
+
+Camera orbited(const Camera& camera, glm::dvec2 moved_px, Size view) {
+  const double quarter = glm::radians(90.0);
+  const glm::dvec2 angle = moved_px * (quarter / (0.5 * view.height));
+  const glm::dvec3 axis(0, 1, 0);
+  const CameraAxes a = axes(camera);
+  // The tilt keeps the camera's up side up: its up vector never points below the horizon.
+  const double tilt_now = std::atan2(-a.forward.y, a.up.y);
+  const double tilt = std::clamp(tilt_now + angle.y, -quarter, quarter) - tilt_now;
+  const glm::dvec3 forward = turned(turned(a.forward, a.right, -tilt), axis, -angle.x);
+  const glm::dvec3 up = turned(turned(a.up, a.right, -tilt), axis, -angle.x);
+  Camera result = camera;
+  result.eye = camera.target - forward * target_depth(camera);
+  result.up = up;
+  return result;
+}
+
+Camera panned(const Camera& camera, glm::dvec2 moved_px, Size view) {
+  const CameraAxes a = axes(camera);
+  const glm::dvec3 shift =
+      (a.up * moved_px.y - a.right * moved_px.x) * units_per_pixel(camera, view, target_depth(camera));
+  Camera result = camera;
+  result.eye += shift;
+  result.target += shift;
+  return result;
+}
+
+Camera zoomed(const Camera& camera, double factor, glm::dvec2 pointer_px, Size view) {
+  const CameraAxes a = axes(camera);
+  const glm::dvec2 off = pointer_px - 0.5 * glm::dvec2(view.width, view.height);
+  const double scale = units_per_pixel(camera, view, target_depth(camera));
+  const glm::dvec3 fixed = camera.target + (a.right * off.x - a.up * off.y) * scale;
+  Camera result = camera;
+  result.target = fixed + (camera.target - fixed) / factor;
+  if (camera.ortho_height) {
+    result.ortho_height = *camera.ortho_height / factor;
+    result.eye = result.target + (camera.eye - camera.target);
+  } else {
+    result.eye = fixed + (camera.eye - fixed) / factor;
+  }
+  return result;
+}
+
+Camera with_ortho(const Camera& camera, bool ortho) {
+  Camera result = camera;
+  if (ortho && !camera.ortho_height) result.ortho_height = 2 * half_height(camera) * target_depth(camera);
+  if (!ortho && camera.ortho_height) {
+    const glm::dvec3 forward = axes(camera).forward;
+    result.eye = camera.target - forward * (*camera.ortho_height / (2 * half_height(camera)));
+    result.ortho_height.reset();
+  }
+  return result;
+}
+
+std::optional<ScreenPoint> project(const Camera& camera, Size view, const glm::dvec3& point) {
+  const CameraAxes a = axes(camera);
+  const glm::dvec3 offset = point - camera.eye;
+  const double depth = glm::dot(offset, a.forward);
+  if (!camera.ortho_height && !(depth > 0)) return std::nullopt;
+  const double scale = units_per_pixel(camera, view, depth);
+  return ScreenPoint{
+      {0.5 * view.width + glm::dot(offset, a.right) / scale, 0.5 * view.height - glm::dot(offset, a.up) / scale},
+      depth};
+}
+
+double units_per_pixel(const Camera& camera, Size view, double depth) {
+  if (camera.ortho_height) return *camera.ortho_height / view.height;
+  return 2 * half_height(camera) * depth / view.height;
+}
+
+Ray ray_through(const Camera& camera, Size view, glm::dvec2 pixel) {
+  const CameraAxes a = axes(camera);
+  const glm::dvec2 off = pixel - 0.5 * glm::dvec2(view.width, view.height);
+  const glm::dvec3 across = (a.right * off.x - a.up * off.y) * units_per_pixel(camera, view, 1);
+  if (camera.ortho_height) return {camera.eye + across, a.forward};
+  return {camera.eye, glm::normalize(a.forward + across)};
+}
+
+}  // namespace ryosen

@@ -1,0 +1,264 @@
+#include "core/algo/repair/repairs.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/analysis/figures.h"
+#include "core/analysis/self_intersections.h"
+#include "core/indexed/from_indexed.h"
+#include "core/indexed/to_indexed.h"
+#include "core/mesh/circulate.h"
+#include "tests/support/core/shapes.h"
+
+namespace ryosen::test {
+namespace {
+
+RepairResult run_repair(Mesh& mesh, std::string_view id, std::optional<double> number = {}) {
+  Edit edit(mesh, nullptr);
+  Progress unheard;
+  const RepairResult result = find_repair(id)->run(edit, {number, {}}, unheard);
+  edit.commit();
+  return result;
+}
+
+TEST(repairs, table_is_complete) {
+  std::set<std::string_view> ids;
+  for (const RepairRow& row : repair_table()) {
+    EXPECT_EQ(find_repair(row.id), &row);
+    EXPECT_TRUE(ids.insert(row.id).second) << row.id;
+    EXPECT_FALSE(row.name_en.empty() || row.name_ja.empty() || row.help_en.empty() || row.help_ja.empty()) << row.id;
+    EXPECT_FALSE(row.solves.empty()) << row.id;
+    EXPECT_EQ(row.syntax.empty(), row.number == RepairNumber::none) << row.id;
+    if (row.keeps_geometry) {
+      EXPECT_NE(row.number, RepairNumber::must_be_given) << row.id;
+    }
+  }
+  EXPECT_EQ(find_repair("no_such"), nullptr);
+}
+
+TEST(repairs, are_parsed_with_their_numbers) {
+  EXPECT_EQ(parse_repair("orient", {}).call.row, find_repair("orient"));
+  EXPECT_EQ(parse_repair("weld_close", "0.25").call.number, 0.25);
+  EXPECT_FALSE(parse_repair("fill_holes", {}).call.number);
+  EXPECT_EQ(parse_repair("fill_holes", "12").call.number, 12);
+  for (const auto& [id, number] : std::vector<std::pair<std::string, std::optional<std::string_view>>>{
+           {"nonsense", {}}, {"weld_close", {}}, {"weld_close", "-1"}, {"weld_close", "nan"}, {"orient", "3"}}) {
+    const ParsedRepair parsed = parse_repair(id, number);
+    EXPECT_EQ(parsed.call.row, nullptr) << id;
+    EXPECT_FALSE(parsed.sentence.en.empty() || parsed.sentence.ja.empty()) << id;
+  }
+}
+
+// A cube of six quads that share no point.
+IndexedMesh loose_cube() {
+  IndexedMesh source = indexed(cube()), loose;
+  for (std::uint32_t i = 0; i < 8; ++i) source.positions[i] = {i & 1u, i >> 1 & 1u, i >> 2};
+  for (std::uint32_t corner : source.corners) {
+    loose.corners.push_back(static_cast<std::uint32_t>(loose.positions.size()));
+    loose.positions.push_back(source.positions[corner]);
+  }
+  loose.face_offsets = source.face_offsets;
+  return loose;
+}
+
+TEST(repairs, welding_makes_loose_faces_a_solid) {
+  Mesh mesh = from_indexed(loose_cube());
+  const RepairResult result = run_repair(mesh, "weld_equal");
+  EXPECT_EQ(result.changed, 16u);
+  EXPECT_EQ(result.left, 0u);
+  const Figures figures = compute_figures(mesh);
+  EXPECT_TRUE(figures.closed && figures.manifold);
+  EXPECT_EQ(figures.vertices, 8u);
+  EXPECT_EQ(figures.volume, 1.0);
+}
+
+TEST(repairs, two_cubes_at_one_edge_stay_two_solids) {
+  IndexedMesh two = loose_cube();
+  const std::size_t corners = two.corners.size();
+  for (std::size_t i = 0; i < corners; ++i) {
+    two.corners.push_back(static_cast<std::uint32_t>(two.positions.size()));
+    two.positions.push_back(two.positions[two.corners[i]] + glm::dvec3(1, 1, 0));
+    if ((i + 1) % 4 == 0) two.face_offsets.push_back(static_cast<std::uint32_t>(two.corners.size()));
+  }
+  Mesh mesh = from_indexed(two);
+  EXPECT_EQ(run_repair(mesh, "weld_equal").left, 2u) << "the ends of the common edge";
+  EXPECT_EQ(compute_figures(mesh).nonmanifold_edges, 0u);
+  Mesh other = from_indexed(two);
+  run_repair(other, "weld_close", 0.0);
+  EXPECT_EQ(compute_figures(other).nonmanifold_edges, 1u);
+  EXPECT_EQ(run_repair(other, "detach_nonmanifold").changed, 2u);
+  const Figures apart = compute_figures(other);
+  EXPECT_TRUE(apart.manifold && apart.closed);
+  EXPECT_EQ(apart.components, 2u);
+  EXPECT_EQ(apart.vertices, 16u);
+}
+
+TEST(repairs, close_points_join_the_first_and_take_its_place) {
+  IndexedMesh loose = loose_cube();
+  for (std::size_t i = 0; i < loose.positions.size(); ++i) loose.positions[i].x += 1e-6 * static_cast<double>(i);
+  Mesh mesh = from_indexed(loose);
+  EXPECT_EQ(run_repair(mesh, "weld_equal").changed, 0u);
+  EXPECT_EQ(run_repair(mesh, "weld_close", 1e-4).changed, 16u);
+  const Figures figures = compute_figures(mesh);
+  EXPECT_TRUE(figures.closed);
+  EXPECT_EQ(figures.vertices, 8u);
+  EXPECT_EQ(mesh.position(Vertex(0)), loose.positions[0]);
+}
+
+TEST(repairs, a_flat_triangle_gives_its_corner_to_the_face_across) {
+  // Vertex 3 lies on the side 0-1 of the triangle above; the flat triangle between closes the gap.
+  IndexedMesh source = indexed({{0, 1, 2}, {1, 0, 3}, {0, 4, 3}, {3, 4, 1}});
+  source.positions = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 0, 0}, {1, -1, 0}};
+  Mesh mesh = from_indexed(source);
+  const Figures before = compute_figures(mesh);
+  EXPECT_EQ(before.degenerate_area, 1u);
+  EXPECT_EQ(run_repair(mesh, "remove_degenerate").changed, 1u);
+  const Figures after = compute_figures(mesh);
+  EXPECT_EQ(after.degenerate_area, 0u);
+  EXPECT_EQ(after.boundary_edges, before.boundary_edges) << "the surface stays closed there";
+  EXPECT_DOUBLE_EQ(after.area, before.area);
+}
+
+TEST(repairs, an_edge_without_length_collapses) {
+  IndexedMesh source = indexed({{0, 1, 2}, {1, 3, 2}, {0, 4, 1}, {4, 3, 1}});
+  source.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, -1, 0}};
+  Mesh mesh = from_indexed(source);
+  EXPECT_EQ(run_repair(mesh, "remove_degenerate").changed, 2u);
+  EXPECT_EQ(compute_figures(mesh).faces, 2u);
+  EXPECT_EQ(compute_figures(mesh).boundary_loops, 1u);
+}
+
+TEST(repairs, duplicates_of_another_shape_stay) {
+  IndexedMesh source = indexed({{0, 1, 2, 3}, {2, 1, 0, 3}, {0, 2, 1, 3}});
+  Mesh mesh = from_indexed(source);
+  const RepairResult result = run_repair(mesh, "remove_duplicates");
+  EXPECT_EQ(result.changed, 1u);
+  EXPECT_EQ(result.left, 1u);
+  EXPECT_FALSE(mesh.is_alive(Face(1)));
+  EXPECT_TRUE(mesh.is_alive(Face(0)) && mesh.is_alive(Face(2)));
+}
+
+// The upper part of a sphere, as fine as `n` says, up to a latitude; a hole is left around the pole.
+IndexedMesh sphere_with_hole(std::uint32_t n, std::uint32_t missing_rows) {
+  IndexedMesh mesh;
+  const auto add_face = [&](std::initializer_list<std::uint32_t> corners) {
+    mesh.corners.insert(mesh.corners.end(), corners);
+    mesh.face_offsets.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+  };
+  const std::uint32_t rows = n - missing_rows;
+  for (std::uint32_t row = 1; row <= rows; ++row)
+    for (std::uint32_t k = 0; k < 2 * n; ++k) {
+      const double polar = M_PI * row / n, around = M_PI * k / n;
+      mesh.positions.push_back(
+          {std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around), -std::cos(polar)});
+    }
+  const auto pole = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.positions.push_back({0, 0, -1});
+  for (std::uint32_t k = 0; k < 2 * n; ++k) {
+    const std::uint32_t next = (k + 1) % (2 * n);
+    add_face({pole, next, k});
+    for (std::uint32_t row = 0; row + 1 < rows; ++row)
+      add_face({row * 2 * n + k, row * 2 * n + next, (row + 1) * 2 * n + next, (row + 1) * 2 * n + k});
+  }
+  return mesh;
+}
+
+TEST(repairs, a_patch_continues_a_sphere) {
+  const IndexedMesh source = sphere_with_hole(24, 6);
+  const std::size_t old_vertices = source.positions.size();
+  Mesh mesh = from_indexed(source);
+  EXPECT_EQ(run_repair(mesh, "fill_holes").changed, 1u);
+  const Figures figures = compute_figures(mesh);
+  EXPECT_TRUE(figures.closed && figures.manifold);
+  EXPECT_EQ(figures.euler_characteristic, 2);
+  EXPECT_EQ(figures.degenerate_area, 0u);
+  EXPECT_TRUE(find_self_intersections(mesh).pairs.empty());
+  EXPECT_GT(figures.vertices, old_vertices + 50) << "the patch is as fine as what surrounds it";
+  double highest = -1;
+  for (std::uint32_t i = static_cast<std::uint32_t>(old_vertices); i < mesh.vertex_slots(); ++i) {
+    const double radius = glm::length(mesh.position(Vertex(i)));
+    EXPECT_GT(radius, 0.9) << i;
+    EXPECT_LT(radius, 1.1) << i;
+    highest = std::max(highest, mesh.position(Vertex(i)).z);
+  }
+  EXPECT_GT(highest, 0.92) << "a flat lid would end at 0.71";
+}
+
+TEST(repairs, a_hole_in_a_plane_is_filled_within_it) {
+  IndexedMesh source;
+  constexpr std::uint32_t n = 12;
+  for (std::uint32_t i = 0; i <= n; ++i)
+    for (std::uint32_t j = 0; j <= n; ++j) source.positions.push_back({i, j, 0});
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < n; ++j) {
+      if (i > 2 && i < 9 && j > 2 && j < 9) continue;
+      const std::uint32_t a = i * (n + 1) + j, b = a + n + 1;
+      for (std::uint32_t corner : {a, b, b + 1, a + 1}) source.corners.push_back(corner);
+      source.face_offsets.push_back(static_cast<std::uint32_t>(source.corners.size()));
+    }
+  Mesh mesh = from_indexed(source);
+  EXPECT_EQ(run_repair(mesh, "fill_holes", 30).changed, 1u) << "the outer border has 48 edges";
+  const Figures figures = compute_figures(mesh);
+  EXPECT_EQ(figures.boundary_edges, 4u * n);
+  EXPECT_NEAR(figures.area, n * n, 1e-9);
+  EXPECT_EQ(figures.degenerate_area, 0u);
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) EXPECT_EQ(mesh.position(Vertex(i)).z, 0.0);
+}
+
+TEST(repairs, large_holes_are_filled_by_projection) {
+  Mesh mesh = from_indexed(sphere_with_hole(200, 60));  // 400 edges
+  EXPECT_EQ(run_repair(mesh, "fill_holes").changed, 1u);
+  const Figures figures = compute_figures(mesh);
+  EXPECT_TRUE(figures.closed && figures.manifold);
+  EXPECT_EQ(figures.degenerate_area, 0u);
+}
+
+TEST(repairs, borders_that_lie_on_each_other_are_left_to_welding) {
+  // A sheet with a slit 0-1-2 of which both sides have a vertex of their own in the middle, at one place.
+  IndexedMesh slit = indexed({{0, 1, 4}, {1, 2, 4}, {3, 0, 5}, {2, 3, 5}, {0, 4, 6}, {0, 6, 5}, {2, 7, 4}, {2, 5, 7}});
+  slit.positions = {{-1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, -1, 0}, {-2, 0, 0}, {2, 0, 0}};
+  Mesh mesh = from_indexed(slit);
+  ASSERT_EQ(compute_figures(mesh).boundary_loops, 2u);
+  const RepairResult result = run_repair(mesh, "fill_holes");
+  EXPECT_EQ(result.changed, 1u) << "the outer border";
+  EXPECT_EQ(result.left, 1u);
+  EXPECT_EQ(compute_figures(mesh).degenerate_area, 0u);
+  EXPECT_EQ(run_repair(mesh, "weld_equal").changed, 1u);
+  EXPECT_TRUE(compute_figures(mesh).closed);
+}
+
+TEST(repairs, isolated_vertices_go) {
+  Mesh mesh = make_mesh(two_quads(), 12);
+  EXPECT_EQ(run_repair(mesh, "remove_isolated").changed, 6u);
+  EXPECT_EQ(to_indexed(mesh).mesh.positions.size(), 6u);
+}
+
+TEST(repairs, filling_tells_how_far_it_is_within_a_hole) {
+  IndexedMesh source;  // a band around two holes
+  constexpr std::uint32_t sides = 40;
+  for (std::uint32_t i = 0; i < 2 * sides; ++i) {
+    const double angle = 2 * M_PI * (i % sides) / sides;
+    source.positions.push_back({100 * std::cos(angle), 100 * std::sin(angle), i / sides});
+  }
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const std::uint32_t next = (i + 1) % sides;
+    for (std::uint32_t corner : {i, next, next + sides, i + sides}) source.corners.push_back(corner);
+    source.face_offsets.push_back(static_cast<std::uint32_t>(source.corners.size()));
+  }
+  Mesh mesh = from_indexed(std::move(source));
+  std::vector<double> shares;
+  Progress progress([&](double share) { return shares.push_back(share), true; }, {});
+  Edit edit(mesh, nullptr);
+  EXPECT_EQ(find_repair("fill_holes")->run(edit, {std::nullopt, {}}, progress).changed, 2u);
+  edit.commit();
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  const std::set<double> different(shares.begin(), shares.end());
+  for (const double hole : {0.0, 0.5})
+    EXPECT_GT(std::distance(different.upper_bound(hole), different.lower_bound(hole + 0.5)), 20) << hole;
+}
+
+}  // namespace
+}  // namespace ryosen::test

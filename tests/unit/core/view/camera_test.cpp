@@ -1,0 +1,195 @@
+#include "core/view/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <vector>
+
+namespace ryosen {
+namespace {
+
+constexpr Size view{640, 360};
+constexpr double aspect = 640.0 / 360;
+
+void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-12) {
+  EXPECT_LE(glm::length(a - b), tolerance)
+      << a.x << " " << a.y << " " << a.z << " | " << b.x << " " << b.y << " " << b.z;
+}
+
+Camera slanted(bool ortho) {
+  Camera camera;
+  camera.eye = {3, 2, 5};
+  camera.target = {0.3, -0.2, 0.1};
+  return with_ortho(camera, ortho);
+}
+
+std::vector<glm::dvec3> cloud(const glm::dvec3& at, double scale) {
+  std::vector<glm::dvec3> points;
+  for (int i = 0; i < 200; ++i) {
+    points.push_back(at + scale * glm::dvec3(std::sin(i * 1.7), 0.4 * std::cos(i * 2.3), 0.7 * std::sin(i * 0.9 + 1)));
+  }
+  return points;
+}
+
+TEST(camera, ray_through_a_projected_point_meets_it) {
+  for (const bool ortho : {false, true}) {
+    const Camera camera = slanted(ortho);
+    for (const glm::dvec3& p : cloud({0, 0, 0}, 1)) {
+      const auto screen = project(camera, view, p);
+      ASSERT_TRUE(screen);
+      const Ray ray = ray_through(camera, view, screen->pixel);
+      EXPECT_NEAR(glm::length(ray.direction), 1, 1e-14);
+      const double along = glm::dot(p - ray.origin, ray.direction);
+      expect_near(ray.origin + along * ray.direction, p);
+    }
+  }
+}
+
+TEST(camera, projection_agrees_with_the_matrices) {
+  for (const bool ortho : {false, true}) {
+    const Camera camera = slanted(ortho);
+    const glm::dmat4 clip = clip_from_view(camera, aspect, 0.5, 50) * view_from_mesh(camera);
+    for (const glm::dvec3& p : cloud({0, 0, 0}, 1)) {
+      const glm::dvec4 c = clip * glm::dvec4(p, 1.0);
+      const auto screen = project(camera, view, p);
+      EXPECT_NEAR(screen->pixel.x, (c.x / c.w + 1) / 2 * view.width, 1e-9);
+      EXPECT_NEAR(screen->pixel.y, (1 - c.y / c.w) / 2 * view.height, 1e-9);
+    }
+  }
+}
+
+TEST(camera, depth_planes_map_to_the_ends_of_clip_space) {
+  for (const bool ortho : {false, true}) {
+    const Camera camera = slanted(ortho);
+    for (const double distance : {0.5, 50.0}) {
+      const glm::dvec4 c = clip_from_view(camera, aspect, 0.5, 50) * glm::dvec4(0, 0, -distance, 1);
+      EXPECT_NEAR(c.z / c.w, distance < 1 ? -1 : 1, 1e-12);
+    }
+  }
+}
+
+TEST(camera, named_views_look_along_their_axes) {
+  struct Row {
+    const char* name;
+    glm::dvec3 forward, up;
+  };
+  const double third = 1 / std::sqrt(3.0);
+  const Row rows[] = {{"front", {0, 0, -1}, {0, 1, 0}},     {"back", {0, 0, 1}, {0, 1, 0}},
+                      {"right", {-1, 0, 0}, {0, 1, 0}},     {"left", {1, 0, 0}, {0, 1, 0}},
+                      {"top", {0, -1, 0}, {0, 0, -1}},      {"bottom", {0, 1, 0}, {0, 0, 1}},
+                      {"iso", {-third, -third, -third}, {}}};
+  for (const Row& row : rows) {
+    const auto name = named_view_of(row.name);
+    ASSERT_TRUE(name) << row.name;
+    const CameraAxes a = axes(named_view(*name, cloud({5, -3, 2}, 2), aspect));
+    expect_near(a.forward, row.forward);
+    if (row.up != glm::dvec3(0)) expect_near(a.up, row.up);
+  }
+  EXPECT_FALSE(named_view_of("sideways"));
+}
+
+TEST(camera, fitted_points_touch_the_margin_and_no_more) {
+  for (const bool ortho : {false, true}) {
+    for (const double scale : {1e-6, 1.0, 1e6}) {
+      const std::vector<glm::dvec3> points = cloud(scale * glm::dvec3(7, 8, -9), scale);
+      const Camera camera = fitted(slanted(ortho), points, aspect, 0.1);
+      glm::dvec2 low(1e9), high(-1e9);
+      for (const glm::dvec3& p : points) {
+        const auto screen = project(camera, view, p);
+        ASSERT_TRUE(screen);
+        low = glm::min(low, screen->pixel);
+        high = glm::max(high, screen->pixel);
+      }
+      EXPECT_GE(low.x, 64 - 1e-6);
+      EXPECT_LE(high.x, 576 + 1e-6);
+      EXPECT_GE(low.y, 36 - 1e-6);
+      EXPECT_LE(high.y, 324 + 1e-6);
+      const bool wide = std::abs(high.x - low.x - 512) < 1e-3, high_enough = std::abs(high.y - low.y - 288) < 1e-3;
+      EXPECT_TRUE(wide || high_enough);
+    }
+  }
+}
+
+TEST(camera, fitting_odd_inputs_leaves_a_usable_camera) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const bool ortho : {false, true}) {
+    const std::vector<std::vector<glm::dvec3>> inputs = {
+        {}, {{4, 5, 6}}, {{0, 0, 0}, {0, 0, 3}}, {{nan, 0, 0}, {1, 1, 1}}, {{1, 1, 1}, {1, 1, 1}}};
+    for (const std::vector<glm::dvec3>& points : inputs) {
+      Camera front;
+      front = fitted(with_ortho(front, ortho), points, aspect);
+      EXPECT_GT(glm::length(front.target - front.eye), 0);
+      EXPECT_TRUE(std::isfinite(front.eye.x + front.eye.y + front.eye.z));
+      if (front.ortho_height) {
+        EXPECT_GT(*front.ortho_height, 0);
+      }
+      for (const glm::dvec3& p : points) {
+        if (std::isnan(p.x)) continue;
+        const auto screen = project(front, view, p);
+        ASSERT_TRUE(screen);
+        EXPECT_NEAR(screen->pixel.x, 320, 321);
+      }
+    }
+  }
+}
+
+TEST(camera, zoom_keeps_what_is_under_the_pointer) {
+  for (const bool ortho : {false, true}) {
+    const Camera camera = slanted(ortho);
+    const glm::dvec2 pointer(500, 90);
+    const CameraAxes a = axes(camera);
+    const Ray ray = ray_through(camera, view, pointer);
+    const double depth = glm::dot(camera.target - ray.origin, a.forward) / glm::dot(ray.direction, a.forward);
+    const glm::dvec3 under = ray.origin + depth * ray.direction;
+    const Camera closer = zoomed(camera, 3, pointer, view);
+    EXPECT_NEAR(glm::length(project(closer, view, under)->pixel - pointer), 0, 1e-9);
+    EXPECT_NEAR(units_per_pixel(closer, view, glm::length(closer.target - closer.eye)) * 3,
+                units_per_pixel(camera, view, glm::length(camera.target - camera.eye)), 1e-12);
+  }
+}
+
+TEST(camera, pan_moves_the_target_with_the_pointer) {
+  for (const bool ortho : {false, true}) {
+    const Camera camera = slanted(ortho);
+    const Camera moved = panned(camera, {30, -12}, view);
+    const glm::dvec2 pixel = project(moved, view, camera.target)->pixel;
+    EXPECT_NEAR(pixel.x, 320 + 30, 1e-9);
+    EXPECT_NEAR(pixel.y, 180 - 12, 1e-9);
+  }
+}
+
+TEST(camera, orbit_keeps_distance_and_stops_at_the_poles) {
+  const Camera camera = slanted(false);
+  const double distance = glm::length(camera.target - camera.eye);
+  Camera turned = camera;
+  for (int i = 0; i < 100; ++i) {
+    turned = orbited(turned, {13, 9}, view);
+    EXPECT_NEAR(glm::length(turned.target - turned.eye), distance, 1e-9);
+    EXPECT_GE(axes(turned).up.y, -1e-9);
+  }
+  EXPECT_NEAR(axes(turned).forward.y, -1, 1e-6);
+  // Back again, sideways only: a full turn is four half views.
+  const Camera around = orbited(camera, {4.0 * view.height / 2, 0}, view);
+  expect_near(around.eye, camera.eye, 1e-9);
+  // Dragging to the right brings the left side to the front: the eye goes left.
+  EXPECT_LT(glm::dot(orbited(camera, {5, 0}, view).eye - camera.eye, axes(camera).right), 0);
+}
+
+TEST(camera, switching_the_projection_keeps_the_target_as_large) {
+  const Camera camera = slanted(false);
+  const Camera ortho = with_ortho(camera, true);
+  EXPECT_NEAR(units_per_pixel(ortho, view, 1), units_per_pixel(camera, view, glm::length(camera.target - camera.eye)),
+              1e-12);
+  expect_near(with_ortho(ortho, false).eye, camera.eye, 1e-12);
+}
+
+TEST(camera, points_behind_the_eye_are_not_projected) {
+  const Camera camera = slanted(false);
+  EXPECT_FALSE(project(camera, view, camera.eye + (camera.eye - camera.target)));
+  EXPECT_TRUE(project(slanted(true), view, camera.eye + (camera.eye - camera.target)));
+}
+
+}  // namespace
+}  // namespace ryosen

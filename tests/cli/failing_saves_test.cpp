@@ -186,7 +186,7 @@ TEST(failing_saves, the_document_stays_unsaved_whichever_call_fails) {
     target.reset();
     std::string command = "RYOSEN_SAVE_TARGET=" + target.path();
     for (const std::string& variable : target.environment(nth, std::to_string(EIO))) command += " " + variable;
-    command += " " + self + " --gtest_filter=FailingSaves.ADocumentIsSavedOrSaysThatItIsNot >/dev/null";
+    command += " " + self + " --gtest_filter=failing_saves.a_document_is_saved_or_says_that_it_is_not >/dev/null";
     EXPECT_EQ(std::system(command.c_str()), 0) << nth;
     if (target.calls().size() < nth) break;
   }

@@ -11,15 +11,15 @@ Text not_understood(std::string_view argument, const Text& expected) {
           "「" + a + "」は解釈できません。" + expected.ja + "指定してください"};
 }
 
-Text not_of_form(std::string_view argument, std::string_view syntax) {
-  const std::string a(argument), form(syntax);
-  if (!form.empty()) return not_understood(argument, {form, form + " を"});
+Text not_of_syntax(std::string_view argument, std::string_view syntax) {
+  const std::string a(argument), expected(syntax);
+  if (!expected.empty()) return not_understood(argument, {expected, expected + " を"});
   return {"'" + a + "' is not understood; expected no argument", "「" + a + "」は解釈できません。引数は付けられません"};
 }
 
 Text argument_missing(std::string_view syntax) {
-  const std::string form(syntax);
-  return {"an argument is missing; expected " + form, "引数が足りません。" + form + " を指定してください"};
+  const std::string expected(syntax);
+  return {"an argument is missing; expected " + expected, "引数が足りません。" + expected + " を指定してください"};
 }
 
 std::optional<double> parse_double(std::string_view text) {

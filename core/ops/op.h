@@ -109,8 +109,8 @@ std::optional<Halfedge> parse_edge_argument(const Mesh& mesh, std::span<const st
 
 // An argument that cannot be read, and what is expected in its place: in Japanese with its particle.
 Text not_understood(std::string_view argument, const Text& expected);
-// An argument that does not fit an operator's form, empty where it takes none.
-Text not_of_form(std::string_view argument, std::string_view syntax);
+// An argument that does not fit an operator's syntax, empty where it takes none.
+Text not_of_syntax(std::string_view argument, std::string_view syntax);
 Text argument_missing(std::string_view syntax);
 
 template <class Op>
@@ -119,7 +119,7 @@ Parsed<Op> malformed_argument(std::string_view argument, const Text& expected) {
 }
 template <class Op>
 Parsed<Op> malformed_argument(std::string_view argument) {
-  return {std::nullopt, NameError::malformed, not_of_form(argument, Op::info.syntax)};
+  return {std::nullopt, NameError::malformed, not_of_syntax(argument, Op::info.syntax)};
 }
 
 // A finite number that takes up the whole text.

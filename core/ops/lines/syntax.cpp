@@ -29,7 +29,7 @@ std::vector<std::string_view> split(std::string_view text, std::string_view sepa
   return pieces;
 }
 
-// An empty mesh has no element, but knows the form of every name.
+// An empty mesh has no element, but can tell every kind of name.
 const Mesh& nowhere() {
   static const Mesh mesh;
   return mesh;
@@ -47,13 +47,13 @@ bool is_name(std::string_view word, Find find) {
 bool is_vertex_name(std::string_view word) { return is_name(word, find_vertex); }
 bool is_edge_name(std::string_view word) { return is_name(word, find_edge); }
 
-bool fits(std::string_view form, std::string_view word) {
-  if (form == "X,Y,Z") return parse_place(word).has_value();
-  if (form == "t" || form == "DISTANCE") return parse_double(word).has_value();
-  if (form == "fN" || form == "fM") return is_face_name(word);
-  if (form == "-" || (form.size() > 1 && form.find_first_not_of("abcdefghijklmnopqrstuvwxyz") == form.npos))
-    return word == form;
-  return form.find('-') != std::string_view::npos ? is_edge_name(word) : is_vertex_name(word);
+bool fits(std::string_view pattern, std::string_view word) {
+  if (pattern == "X,Y,Z") return parse_place(word).has_value();
+  if (pattern == "t" || pattern == "DISTANCE") return parse_double(word).has_value();
+  if (pattern == "fN" || pattern == "fM") return is_face_name(word);
+  if (pattern == "-" || (pattern.size() > 1 && pattern.find_first_not_of("abcdefghijklmnopqrstuvwxyz") == pattern.npos))
+    return word == pattern;
+  return pattern.find('-') != std::string_view::npos ? is_edge_name(word) : is_vertex_name(word);
 }
 
 class Matcher {
@@ -95,10 +95,10 @@ class Matcher {
       ends.insert(at.begin(), at.end());
       return ends;
     }
-    const std::vector<std::string_view> forms = split(item, "|");
+    const std::vector<std::string_view> patterns = split(item, "|");
     for (std::size_t i : at) {
-      const auto takes = [&](std::string_view form) { return fits(form, words_[i]); };
-      if (i < words_.size() && std::any_of(forms.begin(), forms.end(), takes))
+      const auto takes = [&](std::string_view pattern) { return fits(pattern, words_[i]); };
+      if (i < words_.size() && std::any_of(patterns.begin(), patterns.end(), takes))
         ends.insert(i + 1);
       else
         farthest_ = std::max(farthest_, i);
@@ -128,7 +128,7 @@ std::optional<Text> fault_of_arguments(std::string_view id, std::span<const std:
   const std::string_view syntax = find_op(id)->syntax;
   const std::optional<std::size_t> place = first_misfit(syntax, arguments);
   if (!place) return std::nullopt;
-  return *place < arguments.size() ? not_of_form(arguments[*place], syntax) : argument_missing(syntax);
+  return *place < arguments.size() ? not_of_syntax(arguments[*place], syntax) : argument_missing(syntax);
 }
 
 }  // namespace ryosen

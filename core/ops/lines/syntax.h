@@ -1,4 +1,4 @@
-// The form of an operator's arguments, as its syntax says it, without any mesh.
+// The syntax of an operator's arguments, without any mesh.
 //
 //   A-B [start|end|mid|X,Y,Z]     blanks between arguments, [ ] around what may be missing, `|` between what may stand in
 //   A B C ... | fN                one place, ` | ` between whole lists, ... for more of what stands before it
@@ -20,7 +20,7 @@ namespace ryosen {
 // times the length of the syntax.
 std::optional<std::size_t> first_misfit(std::string_view syntax, std::span<const std::string_view> words);
 
-// Whether a word has the form of a name of a vertex, edge or face.
+// Whether a word is a name of a vertex, edge or face.
 bool is_element_name(std::string_view word);
 
 // What is wrong with the arguments of an operator, by its id in the list, on any mesh; nothing where that depends on the

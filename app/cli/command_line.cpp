@@ -38,7 +38,7 @@ class Reader {
   }
 
  private:
-  void fail(std::string_view code, Text text) {
+  void fail(Code code, Text text) {
     if (!line_.failure) line_.failure = usage_failure(code, std::move(text));
   }
 

@@ -46,7 +46,7 @@ ExitCode Console::fail(const Failure& failure, std::optional<std::string_view> f
   return failure.exit_code;
 }
 
-Failure usage_failure(std::string_view code, Text text) {
+Failure usage_failure(Code code, Text text) {
   Failure failure;
   failure.exit_code = ExitCode::usage;
   failure.message.code = code;

@@ -37,7 +37,7 @@ struct Console {
   ExitCode fail(const Failure& failure, std::optional<std::string_view> file = {}, std::string_view format = {}) const;
 };
 
-// A usage error; `code` is a stable id.
-Failure usage_failure(std::string_view code, Text text);
+// A usage error.
+Failure usage_failure(Code code, Text text);
 
 }  // namespace ryosen::cli

@@ -92,7 +92,7 @@ class Conversion {
     for (const Loss& loss : losses_) {
       const Message message = loss.message(target_.format->name);
       json["losses"].push_back(
-          {{"code", message.code}, {"count", loss.count}, {"en", message.text.en}, {"ja", message.text.ja}});
+          {{"code", message.code.row().id}, {"count", loss.count}, {"en", message.text.en}, {"ja", message.text.ja}});
     }
     json["messages"] = to_json(messages_);
     console_.print(line_of(json));

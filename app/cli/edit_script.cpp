@@ -54,7 +54,7 @@ std::optional<Failure> fault_of_line(const std::string& line, FileUse& use) {
   const std::string word = line.substr(0, line.find_first_of(" \t\r"));
   const bool is_known = find_op(word) || find_command_row(word);
   if (auto fault = fault_of_command(line))
-    return usage_failure(is_known ? "bad_arguments" : "unknown_command", std::move(*fault));
+    return usage_failure(is_known ? Code("bad_arguments") : Code("unknown_command"), std::move(*fault));
   if (word == "open") return use.open(file_name(behind_word(line)));
   if (word == "recover") return use.recover();
   if (word == "save") return use.save(file_name(behind_word(line)));

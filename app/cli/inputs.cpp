@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Failure folder_failure(std::string_view code, Text text) {
+Failure folder_failure(Code code, Text text) {
   Failure failure;
   failure.exit_code = ExitCode::input_missing;
   failure.message.code = code;

@@ -78,7 +78,7 @@ Json to_json(const glm::dvec3& p) { return Json::array({p.x, p.y, p.z}); }
 Json to_json(const Message& message) {
   Json json;
   json["severity"] = message.severity == Severity::error ? "error" : "warning";
-  json["code"] = message.code;
+  json["code"] = message.code.row().id;
   if (message.line) json["line"] = *message.line;
   if (message.line && message.column) json["column"] = *message.column;
   if (message.byte) json["byte"] = *message.byte;

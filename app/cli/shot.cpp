@@ -60,7 +60,7 @@ class Shot {
     if (outcome.done()) return;
     code_ = outcome.exit_code;
     Message message;
-    message.code = outcome.exit_code == ExitCode::refused ? "refused" : "command_failed";
+    message.code = outcome.exit_code == ExitCode::refused ? Code("refused") : Code("command_failed");
     message.text = outcome.sentence;
     if (line > 0) message.line = static_cast<std::uint64_t>(line);
     console_.show(message, line > 0 ? options_.script.file : std::string());

@@ -94,7 +94,7 @@ class Why {
     return ExitCode::done;
   }
 
-  static std::string_view code_of(NameError error) {
+  static Code code_of(NameError error) {
     switch (error) {
       case NameError::never_existed:
         return "element_unknown";

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "core/base/codes.h"
+
 namespace ryosen {
 
 enum class Language { english, japanese };
@@ -21,10 +23,10 @@ struct Text {
 enum class Severity { info, warning, error };
 
 // A message about an input or an output. At most one of line (from 1), byte (from 0) and face (number) is set; column
-// (from 1) goes with line. `code` is a stable identifier that tests and scripts may rely on.
+// (from 1) goes with line.
 struct Message {
   Severity severity = Severity::error;
-  std::string code;
+  Code code = "internal_error";
   Text text;
   std::optional<std::uint64_t> line;
   std::optional<std::uint64_t> column;

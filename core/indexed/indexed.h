@@ -14,7 +14,6 @@
 #include "core/base/compact_list.h"
 #include "core/base/handle.h"
 #include "core/base/message.h"
-#include "core/base/static_name.h"
 #include "core/indexed/line_runs.h"
 
 namespace ryosen {
@@ -22,10 +21,10 @@ namespace ryosen {
 // A face that cannot take part in the connectivity. It keeps its number, so the numbering of the file stays. A broken
 // file may hold one for every byte or two: 40 bytes, and one block of memory for each list that is not empty.
 struct QuarantinedFace {
-  std::uint32_t face = 0;             // its number in the file, from 0
-  std::uint32_t line = 0;             // from 1; 0 when the format has no lines
-  StaticName code;                    // stable cause: face_too_few_corners, index_out_of_range, repeated_corner
-  CompactList<std::int64_t> corners;  // vertex numbers from 0; out of range values (negative, too large) are kept
+  std::uint32_t face = 0;              // its number in the file, from 0
+  std::uint32_t line = 0;              // from 1; 0 when the format has no lines
+  Code code = "face_too_few_corners";  // the cause: this, index_out_of_range or repeated_corner
+  CompactList<std::int64_t> corners;   // vertex numbers from 0; out of range values (negative, too large) are kept
   CompactList<std::uint32_t> texcoords, normals;  // as in CornerValues::index; empty when the face has none
 
   // The sentence for the user, made from the code and the corners.

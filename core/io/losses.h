@@ -56,7 +56,7 @@ enum class LossSentence {
 };
 
 struct LossKind {
-  std::string_view code;    // stable; kinds that no format has at once may share it
+  Code code;                // kinds that no format has at once may share it
   std::string_view en, ja;  // what it is, with what becomes of it
   // How many of them a format that holds this much would lose. O(size of what it looks at).
   std::uint64_t (*count)(const MeshFile& file, Holds held);

@@ -44,7 +44,7 @@ ObjBuilder::ObjBuilder(const TextLines& lines, const std::filesystem::path& mode
   mesh_.texcoords.components = 0;
 }
 
-void ObjBuilder::fail(std::string_view code, Text text, const char* at) {
+void ObjBuilder::fail(Code code, Text text, const char* at) {
   if (!failure_) failure_ = malformed(code, std::move(text), lines_->place(at));
 }
 
@@ -217,7 +217,7 @@ std::uint32_t ObjBuilder::resolve_value(std::int64_t index, std::size_t pool, bo
   const std::int64_t place = resolve(index, pool);
   if (place >= 0 && place < static_cast<std::int64_t>(no_index)) return static_cast<std::uint32_t>(place);
   reporter_.leave_out(&LeftOut::values);
-  reporter_.warn(is_normal ? "normal_index_out_of_range" : "texture_index_out_of_range",
+  reporter_.warn(is_normal ? Code("normal_index_out_of_range") : Code("texture_index_out_of_range"),
                  FilePlace::at_line(lines_->first_line()), [&] { return stray_value_text(is_normal, index); });
   return no_index;
 }

@@ -72,7 +72,7 @@ class ObjBuilder {
     std::uint64_t count = 0;
   };
 
-  void fail(std::string_view code, Text text, const char* at);
+  void fail(Code code, Text text, const char* at);
   void fail_number(std::string_view word);
   bool read_reals(std::string_view text, double* values, std::size_t wanted, std::size_t most, std::size_t& count);
   bool read_value(std::string_view word, double& value);

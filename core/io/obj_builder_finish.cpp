@@ -65,7 +65,7 @@ void ObjBuilder::drop_stray_values(CornerValues& values, bool is_normal) {
   const std::size_t pool = values.pool.size();
   const auto is_stray = [&](std::uint32_t index) { return index != no_index && index >= pool; };
   if (std::none_of(values.index.begin(), values.index.end(), is_stray)) return;
-  const char* const code = is_normal ? "normal_index_out_of_range" : "texture_index_out_of_range";
+  const Code code = is_normal ? Code("normal_index_out_of_range") : Code("texture_index_out_of_range");
   for (std::size_t face = 0; face < mesh_.face_count(); ++face) {
     for (std::size_t i = mesh_.face_offsets[face]; i < mesh_.face_offsets[face + 1]; ++i) {
       if (!is_stray(values.index[i])) continue;

@@ -113,7 +113,7 @@ class HeaderReader {
   }
 
  private:
-  void fail(std::string_view code, Text text, FilePlace place) { failure_ = malformed(code, std::move(text), place); }
+  void fail(Code code, Text text, FilePlace place) { failure_ = malformed(code, std::move(text), place); }
   FilePlace here() const { return FilePlace::at_line(lines_.count()); }
 
   void take(std::string_view text) {

@@ -26,7 +26,7 @@ class PlyTextReader {
   }
 
  private:
-  bool fail(std::string_view code, Text text, FilePlace place) {
+  bool fail(Code code, Text text, FilePlace place) {
     failure_ = malformed(code, std::move(text), place);
     return false;
   }

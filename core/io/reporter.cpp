@@ -21,7 +21,7 @@ std::uint64_t order_of(const Message& message) {
 
 }  // namespace
 
-Message make_message(Severity severity, std::string_view code, Text text, FilePlace place) {
+Message make_message(Severity severity, Code code, Text text, FilePlace place) {
   Message message;
   message.severity = severity;
   message.code = code;
@@ -33,7 +33,7 @@ Message make_message(Severity severity, std::string_view code, Text text, FilePl
   return message;
 }
 
-Failure malformed(std::string_view code, Text text, FilePlace place) {
+Failure malformed(Code code, Text text, FilePlace place) {
   return {ExitCode::input_malformed, make_message(Severity::error, code, std::move(text), place)};
 }
 
@@ -59,7 +59,7 @@ std::string shown(std::string_view token) {
   return out + (token.empty() ? "\"" : "...\"");
 }
 
-std::size_t Reporter::count(std::string_view code) {
+std::size_t Reporter::count(Code code) {
   for (auto& [known, number] : counts_) {
     if (known == code) return ++number;
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -26,10 +27,10 @@ struct FilePlace {
   static FilePlace at_face(std::uint64_t face) { return {0, 0, 0, false, face, true}; }
 };
 
-Message make_message(Severity severity, std::string_view code, Text text, FilePlace place = {});
+Message make_message(Severity severity, Code code, Text text, FilePlace place = {});
 
 // The failure of a file whose content cannot be read; exit code input_malformed.
-Failure malformed(std::string_view code, Text text, FilePlace place = {});
+Failure malformed(Code code, Text text, FilePlace place = {});
 
 // The failure of a text file that holds a NUL byte there.
 Failure nul_byte_failure(std::uint64_t byte);
@@ -52,9 +53,8 @@ class Reporter {
   static constexpr std::size_t listed_per_code = 20;
 
   // Adds a warning; `text` is a function that makes the sentence and is only called when the warning is listed.
-  // `code` must be a string that lives on.
   template <class MakeText>
-  void warn(std::string_view code, FilePlace place, MakeText&& text) {
+  void warn(Code code, FilePlace place, MakeText&& text) {
     if (count(code) <= listed_per_code) {
       messages_.push_back(make_message(Severity::warning, code, std::forward<MakeText>(text)(), place));
     }
@@ -70,11 +70,11 @@ class Reporter {
   std::vector<Message> take();
 
  private:
-  std::size_t count(std::string_view code);
+  std::size_t count(Code code);
 
   std::vector<Message> messages_;
   LeftOut left_out_;
-  std::vector<std::pair<std::string_view, std::size_t>> counts_;
+  std::vector<std::pair<Code, std::size_t>> counts_;
 };
 
 }  // namespace ryosen

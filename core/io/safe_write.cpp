@@ -16,9 +16,9 @@
 namespace ryosen {
 namespace {
 
-constexpr std::string_view not_durable_code = "output_not_durable";
+constexpr Code not_durable_code = "output_not_durable";
 
-Failure not_writable(const std::filesystem::path& path, std::string_view code, int error) {
+Failure not_writable(const std::filesystem::path& path, Code code, int error) {
   const Text reason = system_reason(error);
   Message message;
   message.code = code;

@@ -58,11 +58,11 @@ class TxtReader {
   }
 
  private:
-  bool fail(std::string_view code, Text text, FilePlace place) {
+  bool fail(Code code, Text text, FilePlace place) {
     failure_ = malformed(code, std::move(text), place);
     return false;
   }
-  void warn(std::string_view code, const Text& text) {
+  void warn(Code code, const Text& text) {
     reporter_.warn(code, {}, [&] { return text; });
   }
 

@@ -90,7 +90,7 @@ void work_on(const std::string& name, Mesh mesh) {
 
 void hash_file(const std::string& name, const std::filesystem::path& path) {
   Result<MeshFile> file = read_mesh_file(path);
-  if (!file) return print(name + " refused " + file.failure().message.code, 0);
+  if (!file) return print(name + " refused " + std::string(file.failure().message.code), 0);
   for (const Format& format : formats())
     if (format.write)
       print(name + " as " + std::string(format.id), digest_of(format.write(*file, Encoding::automatic)));

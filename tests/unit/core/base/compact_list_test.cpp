@@ -4,8 +4,6 @@
 
 #include <cstdint>
 
-#include "core/base/static_name.h"
-
 namespace ryosen {
 namespace {
 
@@ -38,13 +36,6 @@ TEST(compact_list, copies_are_their_own_and_a_move_leaves_nothing) {
   EXPECT_EQ(list, List());
   copy = list;
   EXPECT_TRUE(copy.empty());
-}
-
-TEST(static_name, compares_by_its_characters) {
-  const char text[] = "name";
-  EXPECT_TRUE(StaticName("name") == StaticName(text));
-  EXPECT_FALSE(StaticName("name") == StaticName("other"));
-  EXPECT_EQ(std::string_view(StaticName()), "");
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ constexpr std::string_view off_text = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\
 // The id of the format that a file of this name and content is read as, or the code of the refusal.
 std::string recognised(std::string_view bytes, const std::string& name) {
   const Result<const Format*> format = recognise(bytes, name);
-  return format ? std::string((*format)->id) : format.failure().message.code;
+  return format ? std::string((*format)->id) : std::string(format.failure().message.code);
 }
 
 TEST(formats, the_table_is_complete) {
@@ -111,7 +111,7 @@ TEST(formats, paths_that_cannot_be_read_have_their_codes) {
     EXPECT_FALSE(file.ok()) << path;
     EXPECT_EQ(file.failure().exit_code, ExitCode::input_missing) << path;
     EXPECT_FALSE(file.failure().message.text.ja.empty());
-    return file.failure().message.code;
+    return std::string(file.failure().message.code);
   };
   EXPECT_EQ(code(folder / "gone.obj"), "input_missing");
   EXPECT_EQ(code(folder.path()), "input_is_folder");

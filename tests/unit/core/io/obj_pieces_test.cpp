@@ -13,8 +13,8 @@ namespace fs = std::filesystem;
 
 std::string described(const Message& message) {
   const auto number = [](const std::optional<std::uint64_t>& n) { return n ? std::to_string(*n) : "-"; };
-  return message.code + " " + number(message.line) + " " + number(message.column) + " " + number(message.byte) + " " +
-         number(message.face) + " " + message.text.en + " " + message.text.ja + "\n";
+  return std::string(message.code) + " " + number(message.line) + " " + number(message.column) + " " +
+         number(message.byte) + " " + number(message.face) + " " + message.text.en + " " + message.text.ja + "\n";
 }
 
 std::string messages_of(const Result<MeshFile>& file) {

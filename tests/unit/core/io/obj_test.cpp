@@ -248,7 +248,7 @@ TEST(obj_read, libraries_are_looked_for_in_the_folder_only) {
     const Result<MeshFile> file =
         read_obj("mtllib " + line + with_vertices("\nf 1 2 3\n").insert(0, "\n"), folder / "m.obj");
     Names out;
-    for (const Message& message : file->messages) out.push_back(message.code);
+    for (const Message& message : file->messages) out.emplace_back(message.code);
     return out;
   };
   EXPECT_EQ(codes("a b.mtl"), Names{});

@@ -219,7 +219,7 @@ TEST(stl_write, names_what_it_cannot_hold) {
   EXPECT_EQ(io_test::loss_codes(file, "stl-ascii"),
             "loses_polygons loses_quarantined loses_isolated_vertices loses_topology loses_materials loses_comments");
   for (const Loss& loss : losses_of(file, *find_format("stl"))) {
-    EXPECT_EQ(loss.count, loss.kind->code == "loses_quarantined" ? 2u : 1u) << loss.kind->code;
+    EXPECT_EQ(loss.count, loss.kind->code == "loses_quarantined" ? 2u : 1u) << loss.kind->code.row().id;
     EXPECT_FALSE(loss.message(find_format("stl")->name).text.ja.empty());
   }
   const MeshFile again = read_sound("stl", bytes_of(file, *find_format("stl")));

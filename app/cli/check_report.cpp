@@ -7,19 +7,10 @@
 #include "core/base/release.h"
 #include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
-#include "core/io/input_file.h"
 
 namespace ryosen::cli {
 
 namespace {
-
-// The format that a refused file was taken for, if any.
-std::string format_of(const std::string& path) {
-  const Result<FileBytes> bytes = read_whole_file(path);
-  if (!bytes) return {};
-  const Result<const Format*> format = recognise(bytes->view(), path);
-  return format ? std::string((*format)->id) : std::string();
-}
 
 Json place(const std::optional<glm::dvec3>& where) { return where ? to_json(*where) : Json(); }
 
@@ -112,12 +103,13 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
 }
 
 CheckReport check_file(const std::string& path, bool with_self_intersections) {
-  Result<MeshFile> file = read_mesh_file(path);
+  const Format* taken_for = nullptr;
+  Result<MeshFile> file = read_mesh_file(path, &taken_for);
   if (file) return check_mesh(std::move(file).value(), path, with_self_intersections);
   CheckReport report;
   report.file = path;
   report.failure = file.failure();
-  if (report.failure->exit_code == ExitCode::input_malformed) report.format = format_of(path);
+  if (taken_for) report.format = taken_for->id;
   return report;
 }
 

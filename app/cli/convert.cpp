@@ -19,6 +19,7 @@ Result<WriteOptions> find_wanted(const Arguments& arguments, const std::string& 
   }
   const std::optional<WriteOptions> target = find_target(*id);
   if (target && target->format->write) return *target;
+  if (target) return *refusal_of_target(output, target->format);
   std::vector<std::string> known;
   for (const Format& format : formats()) {
     if (!format.write) continue;

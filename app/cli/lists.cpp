@@ -18,6 +18,7 @@ ExitCode formats_command(const Arguments&, const Console& console) {
                              {"variants", variants},
                              {"read", format.read != nullptr},
                              {"write", format.write != nullptr},
+                             {"gzip", true},
                              {"en", format.name.en},
                              {"ja", format.name.ja}}));
       continue;
@@ -29,7 +30,11 @@ ExitCode formats_command(const Arguments&, const Console& console) {
     for (const std::string_view variant : variants) text.append(variant == variants[0] ? ": " : " ").append(variant);
     columns.add(std::string(format.id), text);
   }
-  if (!console.json) console.print(columns.text());
+  if (!console.json) {
+    console.print(columns.text());
+    console.print(console.text("Each of them also packed with gzip, by a name such as x.obj.gz.\n",
+                               "どの形式も、x.obj.gz のような名前で gzip 圧縮したまま扱えます。\n"));
+  }
   return ExitCode::done;
 }
 

@@ -10,7 +10,7 @@ namespace ryosen::cli {
 
 std::optional<Failure> fault_of_output(const std::string& path) {
   const Format* const format = format_of_extension(path);
-  if (format && format->write) return std::nullopt;
+  if (format) return refusal_of_target(path, format);
   return usage_failure("unknown_format",
                        {"The name " + path + " does not say in which format to write (see ryosen formats).",
                         "ファイル名 " + path + " からは、書き出す形式が決まりません（ryosen formats を参照）。"});

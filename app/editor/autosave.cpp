@@ -5,6 +5,7 @@
 
 #include "app/editor/session.h"
 #include "app/editor/words.h"
+#include "core/io/gzip.h"
 #include "core/io/system_reason.h"
 
 namespace ryosen {
@@ -56,7 +57,9 @@ std::optional<Text> Autosave::append(const std::string& text) {
 
 // A copy of a file that is going to be another.
 std::optional<Text> Autosave::keep_original(const fs::path& file) {
-  const fs::path copy = script_->companion(start_.file.extension().string());
+  const fs::path& start = start_.file;
+  const std::string packing = has_gzip_name(start) ? start.extension().string() : "";
+  const fs::path copy = script_->companion(without_gzip(start).extension().string() + packing);
   std::error_code error;
   fs::copy_file(file, copy, fs::copy_options::overwrite_existing, error);
   if (!error) fs::permissions(copy, fs::perms::owner_read | fs::perms::owner_write, error);

@@ -1,32 +1,23 @@
 #include "core/io/formats.h"
 
 #include <algorithm>
+#include <cassert>
 #include <fstream>
 
+#include "core/io/gzip.h"
 #include "core/io/input_file.h"
-#include "core/io/obj.h"
-#include "core/io/off.h"
-#include "core/io/ply.h"
 #include "core/io/reporter.h"
 #include "core/io/safe_write.h"
 #include "core/io/sniff.h"
-#include "core/io/stl.h"
-#include "core/io/txt.h"
 
 namespace ryosen {
 namespace {
 
+// Of what is packed, where the file is.
 std::string extension_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
+  std::string extension = without_gzip(path).extension().string();
   for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return extension;
-}
-
-// Formats of meshes that the table has no row for, so that a file of theirs gets its own sentence.
-bool is_unsupported_extension(std::string_view extension) {
-  constexpr std::string_view known[] = {".glb", ".gltf", ".fbx", ".3mf", ".dae", ".3ds"};
-  return std::find(std::begin(known), std::end(known), extension) != std::end(known) &&
-         !format_of_extension(std::string("x") + std::string(extension));
 }
 
 Failure unsupported(const std::string& extension, const Format* looks_like) {
@@ -45,84 +36,10 @@ const Format* looks_like(std::string_view bytes, Likeness wanted) {
   return nullptr;
 }
 
-constexpr Holds per_vertex_values = Holds::vertex_texcoords | Holds::vertex_normals | Holds::vertex_colours;
-
-Holds obj_holds(Encoding) {
-  return Holds::polygons | per_vertex_values | Holds::corner_texcoords | Holds::third_texcoord | Holds::corner_normals |
-         Holds::groups | Holds::names | Holds::missing_colours | Holds::weights | Holds::elements | Holds::quarantine |
-         Holds::any_vertex_colours | Holds::vertices | Holds::comments | Holds::doubles;
-}
-
-Holds off_holds(Encoding) {
-  return Holds::polygons | per_vertex_values | Holds::missing_colours | Holds::face_colours | Holds::any_face_colours |
-         Holds::quarantine | Holds::vertices | Holds::comments | Holds::doubles;
-}
-
-Holds ply_holds(Encoding) {
-  return Holds::polygons | per_vertex_values | Holds::corner_texcoords | Holds::face_colours | Holds::quarantine |
-         Holds::any_vertex_colours | Holds::vertices | Holds::properties | Holds::facet_attributes | Holds::comments |
-         Holds::doubles;
-}
-
-Holds stl_holds(Encoding encoding) {
-  const Holds both = Holds::flat_triangles;
-  return encoding == Encoding::ascii ? both | Holds::groups | Holds::doubles | Holds::free_facets
-                                     : both | Holds::facet_attributes | Holds::first_comment;
-}
-
-Holds txt_holds(Encoding) { return Holds::odd_triangles | Holds::vertices | Holds::doubles; }
-
 }  // namespace
 
-std::span<const Format> formats() {
-  static const std::vector<Format> table = {
-      {"obj",
-       {"Wavefront OBJ", "Wavefront OBJ"},
-       {".obj"},
-       [](std::string_view head, std::uint64_t) { return looks_like_obj(head); },
-       read_obj,
-       [](const MeshFile& file, Encoding) { return write_obj(file); },
-       obj_holds},
-      {"ply",
-       {"PLY (ascii, binary)", "PLY(テキスト、バイナリー)"},
-       {".ply"},
-       [](std::string_view head, std::uint64_t) { return looks_like_ply(head); },
-       read_ply,
-       write_ply,
-       ply_holds,
-       {{"ply-little", Encoding::binary_little}, {"ply-big", Encoding::binary_big}, {"ply-ascii", Encoding::ascii}}},
-      {"off",
-       {"OFF (COFF, NOFF, STOFF)", "OFF(COFF、NOFF、STOFF)"},
-       {".off", ".coff", ".noff", ".stoff"},
-       [](std::string_view head, std::uint64_t) { return looks_like_off(head); },
-       read_off,
-       [](const MeshFile& file, Encoding) { return write_off(file); },
-       off_holds},
-      {"stl",
-       {"STL (ascii, binary)", "STL(テキスト、バイナリー)"},
-       {".stl"},
-       looks_like_stl,
-       read_stl,
-       write_stl,
-       stl_holds,
-       {{"stl-binary", Encoding::binary_little}, {"stl-ascii", Encoding::ascii}},
-       false,
-       true},
-      {"txt",
-       {"indexed triangle list", "三角形の番号リスト"},
-       {".txt"},
-       [](std::string_view head, std::uint64_t) { return looks_like_txt(head); },
-       read_txt,
-       [](const MeshFile& file, Encoding) { return write_txt(file); },
-       txt_holds,
-       {},
-       true},
-  };
-  return table;
-}
-
 const Format* find_format(std::string_view id) {
-  const auto table = formats();
+  const std::deque<Format>& table = formats();
   const auto found = std::find_if(table.begin(), table.end(), [&](const Format& format) { return format.id == id; });
   return found == table.end() ? nullptr : &*found;
 }
@@ -141,9 +58,10 @@ bool may_be_mesh(const std::filesystem::path& path) {
   const Format* const format = format_of_extension(path);
   if (!format || !format->shares_name) return format != nullptr;
   std::ifstream file(path, std::ios::binary);
-  char head[64] = {};
+  char head[512] = {};
   file.read(head, sizeof head);
-  const std::string_view text(head, static_cast<std::size_t>(file.gcount()));
+  std::string text(head, static_cast<std::size_t>(file.gcount()));
+  if (is_gzip(text)) text = unpacked_head(text, 64);
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   return begin != std::string_view::npos && (text[begin] == '-' || (text[begin] >= '0' && text[begin] <= '9'));
 }
@@ -153,7 +71,7 @@ Result<const Format*> recognise(std::string_view bytes, const std::filesystem::p
   if (auto refusal = refuse_before_sniffing(head)) return std::move(*refusal);
   const Format* const by_content = looks_like(bytes, Likeness::sure);
   const std::string extension = extension_of(path);
-  if (is_unsupported_extension(extension)) return unsupported(extension, by_content);
+  if (is_unread_extension(extension)) return unsupported(extension, by_content);
   const Format* const by_extension = format_of_extension(path);
   if (by_content && by_extension && by_content != by_extension && by_extension->is_name_binding) {
     return malformed("content_mismatch",
@@ -183,34 +101,75 @@ Result<MeshFile> read_mesh(std::string_view bytes, const Format& format, const s
   return file;
 }
 
-Result<MeshFile> read_mesh_file(const std::filesystem::path& path) {
-  Result<FileBytes> bytes = read_whole_file(path);
-  if (!bytes) return std::move(bytes).failure();
+namespace {
+
+// The bytes, unpacked where the name allows it: it says that they are packed, or no format that is not.
+Result<FileBytes> unpacked(FileBytes bytes, const std::filesystem::path& path) {
+  if (!is_gzip(bytes.view()) || (!has_gzip_name(path) && format_of_extension(path))) return bytes;
+  Result<FileBytes> out = unpack_gzip(bytes.view());
+  if (out && is_gzip(out->view())) {
+    return malformed("compressed_twice",
+                     {"The content of the gzip file is packed with gzip once more; unpack it first.",
+                      "gzip ファイルの中身がさらに gzip で圧縮されています。先に展開してください。"},
+                     FilePlace::at_byte(0));
+  }
+  return out;
+}
+
+void say_first(MeshFile& file, Text text) {
+  file.messages.insert(file.messages.begin(), make_message(Severity::warning, "content_mismatch", std::move(text)));
+}
+
+}  // namespace
+
+Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const Format** taken_for) {
+  if (taken_for) *taken_for = nullptr;
+  Result<FileBytes> whole = read_whole_file(path);
+  if (!whole) return std::move(whole).failure();
+  const bool is_misnamed = has_gzip_name(path) && !whole->view().empty() && !is_gzip(whole->view());
+  const Result<FileBytes> bytes = unpacked(std::move(whole).value(), path);
+  if (!bytes) return bytes.failure();
   const Result<const Format*> format = recognise(bytes->view(), path);
   if (!format) return format.failure();
+  if (taken_for) *taken_for = *format;
   Result<MeshFile> file = read_mesh(bytes->view(), **format, path);
+  if (!file) return file;
   const Format* const by_name = format_of_extension(path);
-  if (file && by_name && by_name != *format) {
-    file->messages.insert(file->messages.begin(),
-                          make_message(Severity::warning, "content_mismatch",
-                                       {"The name says " + by_name->name.en + ", the content is " + (*format)->name.en +
-                                            " and was read as that.",
-                                        "名前は " + by_name->name.ja + " ですが、内容は " + (*format)->name.ja +
-                                            " なので、そのように読みました。"}));
+  if (by_name && by_name != *format) {
+    say_first(
+        *file,
+        {"The name says " + by_name->name.en + ", the content is " + (*format)->name.en + " and was read as that.",
+         "名前は " + by_name->name.ja + " ですが、内容は " + (*format)->name.ja + " なので、そのように読みました。"});
+  }
+  if (is_misnamed) {
+    say_first(*file, {"The name says gzip, the content is not packed and was read as it is.",
+                      "名前は gzip ですが、内容は圧縮されていないので、そのまま読みました。"});
   }
   return file;
 }
 
-Status write_mesh_file(const std::filesystem::path& path, const MeshFile& file, const WriteOptions& options) {
-  const Format* const format = options.format ? options.format : format_of_extension(path);
-  if (!format || !format->write) {
-    Message message;
-    message.code = "unknown_format";
+std::optional<Failure> refusal_of_target(const std::filesystem::path& path, const Format* format) {
+  if (format && format->write) return std::nullopt;
+  Message message;
+  message.code = "unknown_format";
+  if (format) {
+    message.text = {
+        "Files of the format " + format->name.en + " are only read, not written: " + path.string() +
+            ". Choose another format.",
+        format->name.ja + " 形式は読み込みだけで、書き出せません(" + path.string() + ")。別の形式を選んでください。"};
+  } else {
     message.text = {"The name " + path.string() + " does not say in which format to write.",
                     "ファイル名 " + path.string() + " からは、書き出す形式が決まりません。"};
-    return Failure{ExitCode::usage, std::move(message)};
   }
-  return safe_write(path, bytes_of(file, *format, options.encoding));
+  return Failure{ExitCode::usage, std::move(message)};
+}
+
+Status write_mesh_file(const std::filesystem::path& path, const MeshFile& file, const WriteOptions& options) {
+  const Format* const format = options.format ? options.format : format_of_extension(path);
+  if (std::optional<Failure> refusal = refusal_of_target(path, format)) return std::move(*refusal);
+  std::string bytes = bytes_of(file, *format, options.encoding);
+  if (has_gzip_name(path)) bytes = pack_gzip(bytes);
+  return safe_write(path, bytes);
 }
 
 std::optional<WriteOptions> find_target(std::string_view id) {
@@ -236,10 +195,12 @@ Encoding encoding_of(const MeshFile& file, const Format& format, Encoding wanted
 }
 
 std::string bytes_of(const MeshFile& file, const Format& format, Encoding wanted) {
+  assert(format.write);
   return format.write(file, encoding_of(file, format, wanted));
 }
 
 std::vector<Loss> losses_of(const MeshFile& file, const Format& format, Encoding wanted) {
+  assert(format.holds);
   return find_losses(file, format.holds(encoding_of(file, format, wanted)));
 }
 

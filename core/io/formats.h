@@ -1,68 +1,60 @@
 // The table of file formats, and reading and writing through it. A new format is one pair of files and one row.
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/base/result.h"
-#include "core/io/losses.h"
-#include "core/io/mesh_file.h"
+#include "core/io/format.h"
 
 namespace ryosen {
 
-// How much the first bytes of a file look like a format.
-enum class Likeness { no, maybe, sure };
+// The rows, those of the program first. A row stays where it is for as long as it is there.
+const std::deque<Format>& formats();
 
-// A name under which a format is written in one of several encodings.
-struct FormatVariant {
-  std::string_view id;  // for --format
-  Encoding encoding;
+// Adds a row for as long as it lives: for programs that bring a format of their own, and for tests. Rows go in the
+// opposite order of their coming, and neither while another thread asks the table nor before the files read with them.
+class AddedFormat {
+ public:
+  explicit AddedFormat(Format format);  // its id must be new
+  ~AddedFormat();
+  AddedFormat(const AddedFormat&) = delete;
+  AddedFormat& operator=(const AddedFormat&) = delete;
+
+  const Format& row() const { return *row_; }
+
+ private:
+  const Format* row_;
 };
-
-struct Format {
-  std::string_view id;                       // stable, for --format and JSON
-  Text name;                                 // for menus and help
-  std::vector<std::string_view> extensions;  // lower case with the dot; the first is the usual one
-  // Gets at most sniffed_bytes, and how many bytes the file has.
-  Likeness (*sniff)(std::string_view head, std::uint64_t size);
-  Result<MeshFile> (*read)(std::string_view bytes, const std::filesystem::path& path);
-  // The bytes of the file; null if the format is only read.
-  std::string (*write)(const MeshFile& file, Encoding encoding);
-  Holds (*holds)(Encoding encoding);         // what a file in this encoding can hold
-  std::vector<FormatVariant> variants = {};  // empty where there is one encoding alone; else the usual one first
-  bool shares_name = false;                  // files of this name are often no meshes; see may_be_mesh
-  bool is_name_binding = false;  // a file of this name with the content of another format is refused, not read as that
-};
-
-inline constexpr std::size_t sniffed_bytes = 4096;
-
-std::span<const Format> formats();
-// By id or by the extension of a path (in any case); null if there is none.
+// By id or by the extension of a path (in any case, that before .gz where it ends so); null if there is none.
 const Format* find_format(std::string_view id);
 const Format* format_of_extension(const std::filesystem::path& path);
+// Whether files with this extension are meshes of a well-known format that has no row.
+bool is_unread_extension(std::string_view extension);
 
 // Whether a file found in a folder is to be taken for a mesh by its name; where the name is that of texts too, only if
-// it begins with a number.
+// it, or what is packed in it, begins with a number.
 bool may_be_mesh(const std::filesystem::path& path);
 
-// The format of a file by its content, else by its extension. Refuses, each with its own code, files that are empty
+// The format of a file by its content (unpacked), else by its extension. Refuses, each with its own code, files that are empty
 // (empty_file), compressed (compressed_file), UTF-16 (utf16), full of zeros (zeros), binary of no known kind
 // (binary_content), of a known format that cannot be read (unsupported_format), or of none (unknown_format).
 Result<const Format*> recognise(std::string_view bytes, const std::filesystem::path& path);
 
-// Reads the file at `path`. A path that is missing, unreadable or a folder fails with exit code input_missing, content
-// that cannot be read with input_malformed. MeshFile::format is set, warnings are in MeshFile::messages.
-Result<MeshFile> read_mesh_file(const std::filesystem::path& path);
+// Reads the file at `path`, once. Bytes packed with gzip are unpacked where the name ends in .gz or says no format; the
+// places in messages are then those of what is packed. A path that is missing, unreadable or a folder fails with exit code input_missing,
+// content that cannot be read with input_malformed. MeshFile::format is set, warnings are in MeshFile::messages.
+// `taken_for` gets the format that the content was taken for, also where it is refused; null where none.
+Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const Format** taken_for = nullptr);
 
 // The same for bytes of a known format; `path` may be empty.
 Result<MeshFile> read_mesh(std::string_view bytes, const Format& format, const std::filesystem::path& path = {});
 
 struct WriteOptions {
-  const Format* format = nullptr;           // null: by the extension of the path
+  const Format* format = nullptr;           // null: by the name of the path
   Encoding encoding = Encoding::automatic;  // automatic: as the file was read, if the format knows that encoding
 };
 
@@ -72,15 +64,19 @@ std::optional<WriteOptions> find_target(std::string_view id);
 Encoding encoding_of(const MeshFile& file, const Format& format, Encoding wanted = Encoding::automatic);
 // The bytes of a file in a format that can be written.
 std::string bytes_of(const MeshFile& file, const Format& format, Encoding wanted = Encoding::automatic);
-// What would be lost; empty where nothing.
+// What would be lost in a format that can be written; empty where nothing.
 std::vector<Loss> losses_of(const MeshFile& file, const Format& format, Encoding wanted = Encoding::automatic);
 // Why nothing is written where these warnings are not allowed.
 Failure refusal_of_losses();
 // The warnings of the losses, and one about the vertices that are written although they were removed from the mesh.
 std::vector<Message> loss_messages(const MeshFile& file, const Format& format, Encoding wanted = Encoding::automatic);
 
-// Writes the file whole or not at all (see safe_write). An extension of no format in the table that can be written is a
-// failure with exit code usage and code unknown_format.
+// Why a file of this name cannot be written in this format, which is null where the name says none: it is not known, or
+// only read (exit code usage, code unknown_format).
+std::optional<Failure> refusal_of_target(const std::filesystem::path& path, const Format* format);
+
+// Writes the file whole or not at all (see safe_write), where refusal_of_target allows it; packed with gzip where the
+// name ends in .gz.
 Status write_mesh_file(const std::filesystem::path& path, const MeshFile& file, const WriteOptions& options = {});
 
 }  // namespace ryosen

@@ -6,8 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/result.h"
-#include "core/io/mesh_file.h"
+#include "core/io/format.h"
 
 namespace ryosen {
 
@@ -16,6 +15,9 @@ namespace ryosen {
 // quarantine, texture and normal indices out of range are dropped, numbers that are not finite stay: each with a
 // warning. An index may name a vertex that comes later in the file. Cost: O(bytes), one pass.
 Result<MeshFile> read_obj(std::string_view bytes, const std::filesystem::path& path);
+
+// Whether lines of OBJ come first; not sure while these are names alone.
+Likeness looks_like_obj(std::string_view head, std::uint64_t size);
 
 // The bytes of an OBJ file from which read_obj makes the same polygons, values and names, to the last bit. Faces in
 // quarantine are written in their place and are quarantined again for the same cause.

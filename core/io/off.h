@@ -6,8 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/result.h"
-#include "core/io/mesh_file.h"
+#include "core/io/format.h"
 
 namespace ryosen {
 
@@ -28,6 +27,9 @@ struct OffKind {
 // of the corners, one entry per vertex. The colour of a face counts from 0 to 255 if all its numbers are written as whole
 // ones or one is above one, else from 0 to 1. `path` is not used. Cost: O(bytes), one pass.
 Result<MeshFile> read_off(std::string_view bytes, const std::filesystem::path& path);
+
+// Whether it begins with the word of the format.
+Likeness looks_like_off(std::string_view head, std::uint64_t size);
 
 // The bytes of an OFF file (text) with the same polygons, quarantined ones in their place, colours, and the texture
 // coordinates and normals that are the same at all corners of each vertex. Colours are whole numbers from 0 to 255 where

@@ -215,22 +215,6 @@ Failure not_off(std::string_view word, FilePlace place) {
 
 }  // namespace
 
-std::optional<OffKind> OffKind::from_word(std::string_view word) {
-  OffKind kind;
-  const auto take = [&](std::string_view prefix) {
-    if (!word.starts_with(prefix)) return false;
-    word.remove_prefix(prefix.size());
-    return true;
-  };
-  kind.has_texcoords = take("ST");
-  kind.has_colours = take("C");
-  kind.has_normals = take("N");
-  const bool has_fourth = take("4"), has_dimension = take("n");
-  kind.is_three_dimensional = !has_fourth && !has_dimension;
-  if (word != "OFF") return std::nullopt;
-  return kind;
-}
-
 Result<MeshFile> read_off(std::string_view bytes, const std::filesystem::path&) {
   TextLines lines(bytes, false);
   TextLine line;

@@ -5,8 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/result.h"
-#include "core/io/mesh_file.h"
+#include "core/io/format.h"
 
 namespace ryosen {
 
@@ -19,6 +18,9 @@ namespace ryosen {
 // shows by every face. Faces that cannot be used go to the quarantine. Triangle strips are kept, not taken apart.
 // `path` is not used. Cost: O(bytes), one pass.
 Result<MeshFile> read_ply(std::string_view bytes, const std::filesystem::path& path);
+
+// Whether it begins with the word of the format.
+Likeness looks_like_ply(std::string_view head, std::uint64_t size);
 
 // Colours are uchar from 0 to 255 where that gives all of them exactly, else real from 0 to 1.
 // The bytes of a PLY file in this encoding (little endian when automatic), with the elements and

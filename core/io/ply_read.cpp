@@ -1,5 +1,7 @@
 #include "core/io/ply.h"
+
 #include "core/io/ply_values.h"
+#include "core/io/text_lines.h"
 
 namespace ryosen {
 
@@ -24,6 +26,11 @@ Failure ply_early_end(const PropertyTable& table, std::size_t there, FilePlace p
 bool is_absurd(std::size_t rows, std::size_t least_bytes_each, std::size_t bytes_left) {
   if (least_bytes_each == 0) return false;
   return rows / 4 > bytes_left / least_bytes_each || rows >= no_index;
+}
+
+Likeness looks_like_ply(std::string_view head, std::uint64_t) {
+  const std::size_t end = head.find_first_of("\r\n");
+  return trimmed(head.substr(0, end)) == "ply" ? Likeness::sure : Likeness::no;
 }
 
 Result<MeshFile> read_ply(std::string_view bytes, const std::filesystem::path&) {

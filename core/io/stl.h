@@ -6,8 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/result.h"
-#include "core/io/mesh_file.h"
+#include "core/io/format.h"
 
 namespace ryosen {
 
@@ -19,6 +18,9 @@ namespace ryosen {
 // out of all proportion to the file, an unreadable number or an early end of an ascii file are errors. `path` is not
 // used. Cost: O(bytes), one pass.
 Result<MeshFile> read_stl(std::string_view bytes, const std::filesystem::path& path);
+
+// Binary by its size, ascii by its first two words. One that is cut or longer is not sure.
+Likeness looks_like_stl(std::string_view head, std::uint64_t size);
 
 // The bytes of an STL file in this encoding (binary when automatic). Faces of more than three corners are cut into
 // triangles, unless they were read from facets of so many.

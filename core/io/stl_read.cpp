@@ -7,7 +7,6 @@
 #include "core/io/face_list.h"
 #include "core/io/losses.h"
 #include "core/io/reporter.h"
-#include "core/io/sniff.h"
 #include "core/io/stl.h"
 #include "core/io/stl_facets.h"
 #include "core/io/stl_text.h"
@@ -149,6 +148,23 @@ bool is_whole_binary_stl(std::string_view head, std::uint64_t size) {
 }
 
 bool may_be_ascii_stl(std::string_view head) { return head.find('\0') == std::string_view::npos; }
+
+Likeness looks_like_stl(std::string_view head, std::uint64_t size) {
+  if (is_whole_binary_stl(head, size)) return Likeness::sure;
+  if (!may_be_ascii_stl(head)) return size >= stl_head_bytes + 4 ? Likeness::maybe : Likeness::no;
+  TextLines lines(head, false);
+  TextLine line;
+  bool has_solid = false;
+  while (lines.next(line)) {
+    std::string_view rest = line.text;
+    const std::string_view word = take_word(rest);
+    if (word.empty()) continue;
+    if (has_solid) return is_stl_word(word, "facet") || is_stl_word(word, "endsolid") ? Likeness::sure : Likeness::no;
+    if (!is_stl_word(word, "solid")) return Likeness::no;
+    has_solid = true;
+  }
+  return has_solid ? Likeness::maybe : Likeness::no;
+}
 
 MeshFile finish_stl(MeshFile& file, FaceList& faces, Reporter& reporter) {
   const std::size_t corners = file.mesh.corners.size(), points = file.mesh.positions.size();

@@ -205,6 +205,27 @@ Result<MeshFile> read_txt(std::string_view bytes, const std::filesystem::path&) 
   return TxtReader(bytes).read();
 }
 
+Likeness looks_like_txt(std::string_view head, std::uint64_t) {
+  TextLines lines(head, false);
+  TextLine line;
+  bool has_counts = false;
+  while (lines.next(line)) {
+    std::string_view rest = line.text;
+    std::size_t words = 0;
+    for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest), ++words) {
+      std::int64_t count = 0;
+      double value = 0;
+      if (has_counts ? read_real(word, value) == NumberRead::unreadable : !read_integer(word, count))
+        return Likeness::no;
+    }
+    if (words == 0) continue;
+    if (has_counts) return words == 3 ? Likeness::sure : Likeness::no;
+    if (words != 2) return Likeness::no;
+    has_counts = true;
+  }
+  return has_counts ? Likeness::maybe : Likeness::no;
+}
+
 TxtQuarantine::TxtQuarantine(const IndexedMesh& mesh) {
   ZeroBase zero_base(mesh.positions.size());
   std::size_t triangles = mesh.face_count() - mesh.quarantine.size();

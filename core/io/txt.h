@@ -6,8 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/result.h"
-#include "core/io/mesh_file.h"
+#include "core/io/format.h"
 
 namespace ryosen {
 
@@ -16,6 +15,9 @@ namespace ryosen {
 // vertices from 0. Faces that cannot be used go to the quarantine; lines beyond the counts are left out: each with a
 // warning. `path` is not used. Cost: O(bytes), one pass.
 Result<MeshFile> read_txt(std::string_view bytes, const std::filesystem::path& path);
+
+// Two whole numbers, then a line of three numbers.
+Likeness looks_like_txt(std::string_view head, std::uint64_t size);
 
 // The bytes of such a list. Faces of more than three corners are cut into triangles, those in quarantine that
 // TxtQuarantine does not hold are left out.

@@ -1,0 +1,35 @@
+// What the first word of an OFF file says.
+#include "core/io/off.h"
+#include "core/io/text_lines.h"
+
+namespace ryosen {
+
+std::optional<OffKind> OffKind::from_word(std::string_view word) {
+  OffKind kind;
+  const auto take = [&](std::string_view prefix) {
+    if (!word.starts_with(prefix)) return false;
+    word.remove_prefix(prefix.size());
+    return true;
+  };
+  kind.has_texcoords = take("ST");
+  kind.has_colours = take("C");
+  kind.has_normals = take("N");
+  const bool has_fourth = take("4"), has_dimension = take("n");
+  kind.is_three_dimensional = !has_fourth && !has_dimension;
+  if (word != "OFF") return std::nullopt;
+  return kind;
+}
+
+Likeness looks_like_off(std::string_view head, std::uint64_t) {
+  TextLines lines(head, false);
+  TextLine line;
+  while (lines.next(line)) {
+    std::string_view rest = line.text;
+    const std::string_view word = take_word(rest);
+    if (word.empty() || word[0] == '#') continue;
+    return OffKind::from_word(word.substr(0, word.find('#'))) ? Likeness::sure : Likeness::no;
+  }
+  return Likeness::no;
+}
+
+}  // namespace ryosen

@@ -6,9 +6,8 @@
 #include "app/cli/json.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/write_output.h"
+#include "app/editor/commands.h"
 #include "app/editor/expect.h"
-#include "app/editor/session.h"
-#include "app/editor/words.h"
 #include "core/analysis/figures.h"
 #include "core/mesh/copies.h"
 
@@ -69,12 +68,13 @@ class EditRun {
     if (step.outcome.done()) {
       step.result = "done";
       ++applied_;
-      const std::vector<std::string_view> performed = split_words(step.outcome.performed);
-      if (!performed.empty() && performed[0] == "save") note_saved(session_.document().path().string());
+      const auto performed = call_of(step.outcome.performed);
+      if (performed && performed->row.effect == Effect::writes) note_saved(session_.document().path().string());
       return;
     }
     // A save may fail after the file is in its place.
-    if (split_words(step.outcome.performed).size() > 1) note_saved(file_name(behind_word(step.outcome.performed)));
+    if (const auto performed = call_of(step.outcome.performed); performed && performed->row.effect == Effect::writes)
+      note_saved(file_of(*performed));
     if (step.outcome.exit_code != ExitCode::refused) {
       step.result = "failed";
       failed_ = stopped_ = true;

@@ -4,8 +4,6 @@
 #include "app/cli/outputs.h"
 #include "app/editor/command_syntax.h"
 #include "app/editor/commands.h"
-#include "app/editor/keys.h"
-#include "app/editor/words.h"
 #include "core/io/input_file.h"
 
 namespace ryosen::cli {
@@ -27,7 +25,7 @@ class FileUse {
   }
 
   // Another document, of which it is not known here which file it has.
-  std::optional<Failure> recover() {
+  std::optional<Failure> replace() {
     current_.clear();
     return std::nullopt;
   }
@@ -51,15 +49,13 @@ class FileUse {
 };
 
 std::optional<Failure> fault_of_line(const std::string& line, FileUse& use) {
-  const std::string word = line.substr(0, line.find_first_of(" \t\r"));
-  const bool is_known = find_op(word) || find_command_row(word);
+  const auto call = call_of(line);
   if (auto fault = fault_of_command(line))
-    return usage_failure(is_known ? Code("bad_arguments") : Code("unknown_command"), std::move(*fault));
-  if (word == "open") return use.open(file_name(behind_word(line)));
-  if (word == "recover") return use.recover();
-  if (word == "save") return use.save(file_name(behind_word(line)));
-  const KeyRow* const key = word == "key" ? find_key(behind_word(line)) : nullptr;
-  return key ? fault_of_line(std::string(key->command), use) : std::nullopt;
+    return usage_failure(call ? Code("bad_arguments") : Code("unknown_command"), std::move(*fault));
+  if (!call) return std::nullopt;
+  if (call->row.file == FileAccess::reads_mesh) return use.open(file_of(*call));
+  if (call->row.file == FileAccess::writes_mesh) return use.save(file_of(*call));
+  return call->row.effect == Effect::replaces ? use.replace() : std::nullopt;
 }
 
 }  // namespace

@@ -18,19 +18,14 @@ std::string_view choose(Language language, std::string_view en, std::string_view
   return language == Language::japanese ? ja : en;
 }
 
-void add(Columns& columns, std::string_view id, std::string_view syntax, std::string_view help) {
-  std::string left(id);
-  if (!syntax.empty()) left.append(" ").append(syntax);
+// A row of the operators or of the commands.
+template <class Row>
+void add(Columns& columns, const Row& row, Language language) {
+  std::string left(row.id), help(choose(language, row.help_en, row.help_ja));
+  if (!row.syntax.empty()) left.append(" ").append(row.syntax);
+  if (!row.aliases.empty())
+    help.append(choose(language, " (also ", "（別名 ")).append(row.aliases).append(choose(language, ")", "）"));
   columns.add(std::move(left), help);
-}
-
-void add_operators(Columns& columns, Language language) {
-  for (const OpInfo& op : all_ops()) {
-    std::string help(choose(language, op.help_en, op.help_ja));
-    if (!op.aliases.empty())
-      help.append(choose(language, " (also ", "（別名 ")).append(op.aliases).append(choose(language, ")", "）"));
-    add(columns, op.id, op.syntax, help);
-  }
 }
 
 }  // namespace
@@ -61,7 +56,7 @@ std::string repairs_topic(Language language) {
 
 std::string operators_topic(Language language) {
   Columns columns;
-  add_operators(columns, language);
+  for (const OpInfo& op : all_ops()) add(columns, op, language);
   return std::string(choose(language, "Operators:\n", "操作：\n")) + columns.text();
 }
 
@@ -94,9 +89,7 @@ std::string recovery_topic(Language language) {
 
 std::string script_commands_topic(Language language) {
   Columns columns;
-  add_operators(columns, language);
-  for (const CommandRow& row : command_table())
-    add(columns, row.id, row.syntax, choose(language, row.help_en, row.help_ja));
+  for (const CommandRow& row : command_table()) add(columns, row, language);
   return std::string(choose(language, "Commands, one per line or separated by ; (# begins a comment):\n",
                             "コマンド（一行に一つ、または ; 区切り。# 以降は注釈）：\n")) +
          columns.text();

@@ -3,7 +3,7 @@
 #include <cerrno>
 #include <cstdio>
 
-#include "app/editor/session.h"
+#include "app/editor/commands.h"
 #include "app/editor/words.h"
 #include "core/io/gzip.h"
 #include "core/io/system_reason.h"
@@ -98,7 +98,8 @@ std::optional<Text> Autosave::open_script(const Session& session) {
 }
 
 std::optional<Text> Autosave::note(const Session& session, const std::string& line) {
-  const bool edits = is_edit(line), saves = split_words(line)[0] == "save",
+  const auto call = call_of(line);
+  const bool edits = is_edit(line), saves = call && call->row.effect == Effect::writes,
              is_saved = !session.document().is_modified();
   if (saves) file_ = whole(session.document().path());
   if (has_failed_) {

@@ -6,13 +6,12 @@
 
 namespace ryosen {
 
-using Words = std::span<const std::string_view>;
-
 // The line says the command in another form than its row shows.
 Outcome wrong_arguments(std::string_view id);
 Outcome failed(const Failure& failure);
 
 // Files and the history: commands_document.cpp
+inline constexpr std::string_view default_picture = "ryosen.png";
 Outcome run_new(Session& session, Words arguments, std::string_view whole);
 Outcome run_open(Session& session, Words arguments, std::string_view whole);
 Outcome run_save(Session& session, Words arguments, std::string_view whole);
@@ -21,8 +20,12 @@ Outcome run_redo(Session& session, Words arguments, std::string_view whole);
 Outcome run_repair(Session& session, Words arguments, std::string_view whole);
 Outcome run_recover(Session& session, Words arguments, std::string_view whole);
 Outcome run_shot(Session& session, Words arguments, std::string_view whole);
+std::optional<Text> fault_of_open(Words arguments, const std::string& line);
+std::optional<Text> fault_of_recover(Words arguments, const std::string& line);
+bool recover_only_tells(Words arguments);
 // What the pointer does: commands_pointing.cpp
 Outcome run_select(Session& session, Words arguments, std::string_view whole);
+std::optional<Text> fault_of_select(Words arguments, const std::string& line);
 Outcome run_walk(Session& session, Words arguments, std::string_view whole);
 Outcome run_tool(Session& session, Words arguments, std::string_view whole);
 Outcome run_mode(Session& session, Words arguments, std::string_view whole);
@@ -40,6 +43,7 @@ Outcome run_language(Session& session, Words arguments, std::string_view whole);
 Outcome run_theme(Session& session, Words arguments, std::string_view whole);
 Outcome run_cancel(Session& session, Words arguments, std::string_view whole);
 Outcome run_key(Session& session, Words arguments, std::string_view whole);
+std::string sent_by_key(Words arguments);
 Outcome run_quit(Session& session, Words arguments, std::string_view whole);
 
 }  // namespace ryosen

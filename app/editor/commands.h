@@ -1,7 +1,12 @@
 // The table of commands: what a script line, a key, a menu entry or a click may say. Operators are commands too, read
 // from their own list.
+//
+// Who has to know what a command does asks its row: the log, autosave and recovery for its effect, the window whether it
+// takes long, the guards of files which one it reads or writes, the check of a script what is wrong with its arguments.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,16 +16,68 @@
 
 namespace ryosen {
 
+using Words = std::span<const std::string_view>;
+
+// What a command does to the document. All but `none` goes into the log.
+enum class Effect {
+  none,      // also where it sends another command, which has an effect of its own
+  edits,     // an entry of the history
+  steps,     // through the history
+  replaces,  // another document takes its place: unsaved changes would be lost
+  writes,    // it to a file
+};
+
+// What a command does with the file that its arguments name.
+enum class FileAccess { none, reads_mesh, writes_mesh, writes_picture };
+
 struct CommandRow {
   std::string_view id;
   std::string_view syntax;
   std::string_view help_en, help_ja;
-  bool changes_mesh;  // undo, redo, open: goes into the log even where it is not an operator
-  Outcome (*run)(Session& session, std::span<const std::string_view> arguments, std::string_view whole);
+  Effect effect;
+  // Does it; `whole` is all of the text behind the id. What it performed is the line that does the same; for one that
+  // edits or steps, where it is left empty, the line that was said.
+  std::function<Outcome(Session& session, Words arguments, std::string_view whole)> run;
+
+  std::string_view aliases = "";  // further ids, separated by blanks
+  bool is_long = false;           // may take long: the window first shows that it is at work
+  FileAccess file = FileAccess::none;
+  std::string_view default_file = "";  // without an argument; empty: that of the document, if any
+  // What is wrong with arguments that no mesh and no file can make right. Without it the line is tried on an empty
+  // session, so a command that touches anything outside of its session has one.
+  std::function<std::optional<Text>(Words arguments, const std::string& line)> fault = {};
+  // With these arguments it only tells something: no effect, and not long.
+  bool (*only_tells)(Words arguments) = nullptr;
+  // The line that it sends, where it stands for another one; empty where there is none.
+  std::string (*sends)(Words arguments) = nullptr;
 };
 
-std::span<const CommandRow> command_table();
-const CommandRow* find_command_row(std::string_view id);
+// All commands: operators, then those of the editor.
+std::vector<CommandRow> command_table();
+// By id or alias.
+std::optional<CommandRow> find_command_row(std::string_view id);
+
+// A line as its row sees it.
+struct CommandCall {
+  CommandRow row;    // with the properties that it has with these arguments
+  std::string line;  // what is done: what a key sends, in place of the line that presses it
+};
+// None where the line says no command.
+std::optional<CommandCall> call_of(std::string_view line);
+// The name of the file that a call reads or writes; empty for the document's own.
+std::string file_of(const CommandCall& call);
+
+// A further row for its life: for tests, and for programs that embed the editor. Not while anything else reads the table.
+class ScopedCommand {
+ public:
+  explicit ScopedCommand(CommandRow row);
+  ~ScopedCommand();
+  ScopedCommand(const ScopedCommand&) = delete;
+  ScopedCommand& operator=(const ScopedCommand&) = delete;
+
+ private:
+  std::size_t number_;
+};
 
 // All ids, operators and their aliases included: for "did you mean".
 std::vector<std::string> command_ids();

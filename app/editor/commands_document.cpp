@@ -53,6 +53,10 @@ Outcome step_history(Session& session, Words arguments, std::string_view id, boo
 Outcome run_undo(Session& s, Words a, std::string_view) { return step_history(s, a, "undo", true); }
 Outcome run_redo(Session& s, Words a, std::string_view) { return step_history(s, a, "redo", false); }
 
+std::optional<Text> fault_of_open(Words arguments, const std::string&) {
+  return arguments.empty() ? std::optional(wrong_arguments("open").sentence) : std::nullopt;
+}
+
 Outcome run_open(Session& session, Words arguments, std::string_view whole) {
   if (arguments.empty()) return wrong_arguments("open");
   const std::string name = file_name(whole);
@@ -126,6 +130,9 @@ Outcome run_repair(Session& session, Words arguments, std::string_view) {
 
 namespace {
 
+bool is_list(Words arguments) { return arguments.empty() || (arguments.size() == 1 && arguments[0] == "list"); }
+bool is_discard(Words arguments) { return !arguments.empty() && arguments[0] == "discard"; }
+
 Outcome list_lost(const Session& session) {
   Outcome outcome;
   for (std::size_t i = 0; i < session.lost.size(); ++i) {
@@ -139,12 +146,18 @@ Outcome list_lost(const Session& session) {
 
 }  // namespace
 
+bool recover_only_tells(Words arguments) { return is_list(arguments) || is_discard(arguments); }
+
+std::optional<Text> fault_of_recover(Words arguments, const std::string&) {
+  const Words numbers = is_discard(arguments) ? arguments.subspan(1) : arguments;
+  if (is_list(arguments) || (numbers.size() <= 1 && count_of(numbers))) return std::nullopt;
+  return wrong_arguments("recover").sentence;
+}
+
 Outcome run_recover(Session& session, Words arguments, std::string_view) {
-  const bool lists = arguments.empty() || (arguments.size() == 1 && arguments[0] == "list");
-  const bool discards = !arguments.empty() && arguments[0] == "discard";
-  const Words numbers = discards ? arguments.subspan(1) : arguments;
-  const std::optional<std::uint32_t> number = count_of(numbers);
-  if (!lists && (!number || numbers.size() > 1)) return wrong_arguments("recover");
+  if (fault_of_recover(arguments, {})) return wrong_arguments("recover");
+  const bool lists = is_list(arguments), discards = is_discard(arguments);
+  const std::optional<std::uint32_t> number = count_of(discards ? arguments.subspan(1) : arguments);
   // A number is that of the list which was seen.
   if (lists || session.lost.empty()) session.lost = find_lost_sessions(recovery_folder());
   if (lists) return list_lost(session);
@@ -169,7 +182,7 @@ Outcome run_shot(Session& session, Words, std::string_view whole) {
     return outcome;
   }
   std::string name = file_name(whole);
-  if (name.empty()) name = "ryosen.png";
+  if (name.empty()) name = default_picture;
   const Status status = session.take_picture(name);
   return status ? performed("shot " + file_argument(name)) : failed(status.failure());
 }

@@ -3,6 +3,8 @@
 #include <array>
 
 #include "app/editor/camera_text.h"
+#include "app/editor/command_syntax.h"
+#include "core/ops/lines/syntax.h"
 
 namespace ryosen {
 
@@ -39,6 +41,14 @@ Outcome not_a_tool(std::string_view id) {
 }
 
 }  // namespace
+
+std::optional<Text> fault_of_select(Words arguments, const std::string&) {
+  if (arguments.size() == 1 && arguments[0] == "none") return std::nullopt;
+  for (std::string_view name : arguments)
+    if (!is_element_name(name))
+      return behind("select", not_understood(name, {"the name of an element", "要素の名前を"}));
+  return std::nullopt;
+}
 
 Outcome run_select(Session& session, Words arguments, std::string_view) {
   std::vector<Element> selection;

@@ -47,6 +47,11 @@ Outcome run_cancel(Session& session, Words arguments, std::string_view) {
   return session.run("select none");
 }
 
+std::string sent_by_key(Words arguments) {
+  const KeyRow* const key = arguments.size() == 1 ? find_key(arguments[0]) : nullptr;
+  return key ? std::string(key->command) : std::string();
+}
+
 Outcome run_key(Session& session, Words arguments, std::string_view) {
   if (arguments.size() != 1) return wrong_arguments("key");
   const KeyRow* key = find_key(arguments[0]);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/editor/autosave.h"
+#include "app/editor/commands.h"
 #include "app/editor/owned_script.h"
 #include "app/editor/session.h"
 #include "app/editor/words.h"
@@ -119,8 +120,8 @@ fs::path recovery_folder() {
 }
 
 bool is_edit(std::string_view line) {
-  const auto words = split_words(line);
-  return !words.empty() && (words[0] == "undo" || words[0] == "redo" || words[0] == "repair" || find_op(words[0]));
+  const auto call = call_of(line);
+  return call && (call->row.effect == Effect::edits || call->row.effect == Effect::steps);
 }
 
 std::optional<LostSession> read_lost_session(std::string_view script) {

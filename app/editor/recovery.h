@@ -62,7 +62,7 @@ Outcome recover(Session& session, const LostSession& lost);
 // Takes the script away. Fails where it is gone or somebody else has it.
 Outcome discard(const LostSession& lost);
 
-// Whether a line of a log changes the mesh: an operator, a repair, or a step of the history.
+// Whether a line of a log changes the mesh, by its row: an edit, or a step through the history.
 bool is_edit(std::string_view line);
 
 }  // namespace ryosen

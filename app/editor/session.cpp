@@ -1,7 +1,10 @@
 #include "app/editor/session.h"
 
+#include <cassert>
+
 #include "app/editor/autosave.h"
 #include "app/editor/commands.h"
+#include "app/editor/words.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 
@@ -43,17 +46,6 @@ void Session::set_document(std::unique_ptr<Document> document) {
   if (autosave) autosave->begin(*document_);
 }
 
-namespace {
-
-// Whether a line is one of the operators that change nothing but V, E and F: boundaries, parts and handles stay.
-bool changes_counts_only(std::string_view line) {
-  constexpr std::array ids{"collapse",      "swap",       "split",       "poke",       "separate_loop",
-                           "separate_edge", "unite_edge", "move_vertex", "triangulate"};
-  return std::find(ids.begin(), ids.end(), line.substr(0, line.find(' '))) != ids.end();
-}
-
-}  // namespace
-
 void Session::follow(std::size_t transaction) {
   const Mesh& m = mesh();
   const TouchedElements touched = touched_elements(m, document_->journal(), transaction);
@@ -83,7 +75,9 @@ void Session::follow(std::size_t transaction) {
       boundary_loops_->update(around, boundary, highlights_->edges_asked());
   }
   if (euler_) {
-    if (touched.everything || !changes_counts_only(document_->history()[transaction].command)) {
+    const std::string& command = document_->history()[transaction].command;
+    const OpInfo* const op = find_op(std::string_view(command).substr(0, command.find(' ')));
+    if (touched.everything || !op || op->topology != Topology::kept) {
       euler_.reset();
     } else {
       euler_->vertices = m.live().vertices;
@@ -134,20 +128,19 @@ void Session::note_marks(const TouchedElements& touched) {
 Outcome Session::run(const std::string& line) {
   const std::vector<std::string_view> words = split_words(line);
   if (words.empty()) return {};
-  const std::span arguments = std::span(words).subspan(1);
-  if (const CommandRow* row = find_command_row(words[0])) {
-    const std::size_t after_id = static_cast<std::size_t>(words[0].data() - line.data()) + words[0].size();
-    Outcome outcome = row->run(*this, arguments, std::string_view(line).substr(after_id));
-    if (outcome.done() && row->changes_mesh) log_line(outcome);
-    return outcome;
-  }
-  if (!find_op(words[0])) return unknown_command(words[0]);
-  const Parsed<AnyOp> parsed = parse_op(mesh(), words[0], arguments);
-  if (!parsed.op) return no_element(*document_, line, parsed.error, parsed.sentence);
-  Outcome outcome = document_->apply(*parsed.op, strict);
-  if (!outcome.done()) return outcome;
-  outcome.performed = document_->history().back().command;
-  log_line(outcome);
+  const auto row = find_command_row(words[0]);
+  if (!row) return unknown_command(words[0]);
+  const std::size_t after_id = static_cast<std::size_t>(words[0].data() - line.data()) + words[0].size();
+  [[maybe_unused]] const std::uint64_t serial = document_->serial(), revision = document_->revision();
+  [[maybe_unused]] const std::size_t logged = log_.size();
+  Outcome outcome = row->run(*this, Words(words).subspan(1), std::string_view(line).substr(after_id));
+  // A row that says `none` of a command that changes the mesh would leave it out of the log.
+  assert(row->effect != Effect::none || log_.size() > logged ||
+         (document_->serial() == serial && document_->revision() == revision));
+  if (!outcome.done() || row->effect == Effect::none) return outcome;
+  if (row->effect == Effect::edits || row->effect == Effect::steps)
+    if (outcome.performed.empty()) outcome.performed = without_blanks(line);
+  if (!outcome.performed.empty()) log_line(outcome);
   return outcome;
 }
 

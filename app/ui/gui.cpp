@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/editor/commands.h"
 #include "core/mesh/copies.h"
 
 namespace ryosen {
@@ -219,7 +220,9 @@ bool Gui::owns_keys() const {
 
 Outcome Gui::run(Session& session, const std::string& line) {
   // A mesh without a file is saved under a name first.
-  if (line == "save" && session.document().path().empty()) return context(session).run("panel save");
+  const auto call = call_of(line);
+  if (call && call->row.file == FileAccess::writes_mesh && file_of(*call).empty() && session.document().path().empty())
+    return context(session).run("panel save");
   return context(session).run(line);
 }
 Outcome Gui::click(Session& session, glm::dvec2 pixel) { return context(session).click(pixel); }

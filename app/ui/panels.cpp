@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "app/editor/command_syntax.h"
+#include "app/editor/commands.h"
 #include "app/editor/words.h"
 #include "app/ui/panels/all.h"
 #include "core/analysis/boundary_loops.h"
@@ -76,10 +78,8 @@ namespace {
 
 // Lines that may take long, if they are right: others fail at once, where they were written.
 bool is_long_work(const std::string& line) {
-  const std::vector<std::string_view> words = split_words(line);
-  if (words.size() < 2) return false;
-  if (words[0] == "recover") return words[1] != "discard" && words[1] != "list";
-  return words[0] == "repair" && find_repair(words[1]) != nullptr;
+  const auto call = call_of(line);
+  return call && call->row.is_long && !fault_of_command(line);
 }
 
 }  // namespace
@@ -108,8 +108,8 @@ void PanelContext::go(const PendingLeave& where) {
   session.open_panel.clear();
   if (where.quits)
     state.wants_quit = true;
-  else if (!where.recovers.empty())
-    run(where.recovers);
+  else if (!where.command.empty())
+    run(where.command);
   else
     run(where.opens.empty() ? "new" : "open " + file_argument(where.opens.string()));
 }

@@ -21,7 +21,7 @@ namespace ryosen {
 struct PendingLeave {
   bool quits = false;
   std::filesystem::path opens;  // empty: an empty mesh
-  std::string recovers{};       // where not empty, the command that does it, in place of the above
+  std::string command{};        // where not empty, the one that does it, in place of the above
 };
 
 // The file browser: a folder, what is in it, and the name in the field.

@@ -34,7 +34,9 @@ struct CollapseEdge {
                                "A goes, B keeps its number and, without a word, its place",
                                "A が消え、B が番号と（指定がなければ）位置を保つ",
                                'C',
-                               OpTargetKind::edge};
+                               OpTargetKind::edge,
+                               "",
+                               Topology::kept};
 
   static Parsed<CollapseEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static CollapseEdge at(const Mesh& mesh, const OpTarget& target);

@@ -29,6 +29,9 @@ namespace ryosen {
 // the vertex, edge or face that the pointer is on, whichever is picked; the other two are none.
 enum class OpTargetKind { none, vertex, edge, face, selection, any };
 
+// Whether an operator may change how many boundaries, parts, rings and handles there are, or nothing but V, E and F.
+enum class Topology { may_change, kept };
+
 struct OpInfo {
   std::string_view id;
   std::string_view name_en, name_ja;
@@ -37,6 +40,7 @@ struct OpInfo {
   char key;  // selects the tool in the editor
   OpTargetKind target;
   std::string_view aliases = "";  // further ids, separated by blanks
+  Topology topology = Topology::may_change;
 };
 
 // Whether an operator is a tool: it works on what is clicked.

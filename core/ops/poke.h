@@ -27,7 +27,9 @@ struct Poke {
                                "puts a vertex into the face and joins it to all corners",
                                "面の中に頂点を置き、すべての角と結ぶ",
                                '\0',
-                               OpTargetKind::face};
+                               OpTargetKind::face,
+                               "",
+                               Topology::kept};
 
   static Parsed<Poke> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Poke at(const Mesh& mesh, const OpTarget& target);

@@ -31,7 +31,9 @@ struct SplitEdge {
                                "puts a vertex at A + t (B - A), 0.5 without t",
                                "A + t(B − A) に頂点を置く（t を省くと 0.5）",
                                'D',
-                               OpTargetKind::edge};
+                               OpTargetKind::edge,
+                               "",
+                               Topology::kept};
 
   static Parsed<SplitEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static SplitEdge at(const Mesh& mesh, const OpTarget& target);

@@ -32,7 +32,8 @@ struct SwapEdge {
                                "稜線を両側の面の中で一角ぶん回す",
                                'S',
                                OpTargetKind::edge,
-                               "flip"};
+                               "flip",
+                               Topology::kept};
 
   static Parsed<SwapEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static SwapEdge at(const Mesh& mesh, const OpTarget& target);

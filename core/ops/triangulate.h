@@ -29,7 +29,9 @@ struct Triangulate {
                                "cuts a face, or all faces, into triangles",
                                "面（省くとすべての面）を三角形に分割する",
                                '\0',
-                               OpTargetKind::face};
+                               OpTargetKind::face,
+                               "",
+                               Topology::kept};
 
   static Parsed<Triangulate> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Triangulate at(const Mesh& mesh, const OpTarget& target);

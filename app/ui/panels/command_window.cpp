@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "app/editor/command_syntax.h"
 #include "app/editor/commands.h"
-#include "app/editor/words.h"
 #include "app/ui/panels/all.h"
 #include "app/ui/widgets.h"
 
@@ -24,7 +24,6 @@ std::vector<Suggestion> suggestions(const PanelContext& context) {
   const auto add = [&](std::string_view id, std::string_view syntax, std::string_view help) {
     if (is_whole ? id == word : id.find(word) != std::string_view::npos) found.push_back({id, syntax, help});
   };
-  for (const OpInfo& op : all_ops()) add(op.id, op.syntax, context.text(op.help_en, op.help_ja));
   for (const CommandRow& row : command_table()) add(row.id, row.syntax, context.text(row.help_en, row.help_ja));
   // What begins with the word comes before what only contains it.
   std::stable_partition(found.begin(), found.end(), [&](const Suggestion& s) { return s.id.starts_with(word); });
@@ -73,13 +72,11 @@ void draw_command_window(PanelContext& context) {
   if (!entered || split_words(context.state.command).empty()) return;
   const std::string line = context.state.command;
   // What would lose changes asks first.
-  if (const auto words = split_words(line); context.session.document().is_modified()) {
-    const bool recovers = words[0] == "recover" && words.size() > 1 && words[1] != "list" && words[1] != "discard";
-    if (words[0] == "open" || words[0] == "new" || recovers) {
-      context.state.command.clear();
-      return context.leave(
-          {false, words[0] == "open" ? file_name(behind_word(line)) : std::string(), recovers ? line : std::string()});
-    }
+  const auto call = call_of(line);
+  if (context.session.document().is_modified() && call && call->row.effect == Effect::replaces &&
+      !fault_of_command(line)) {
+    context.state.command.clear();
+    return context.leave({false, {}, line});
   }
   if (context.run(line).done()) {
     context.state.command.clear();

@@ -1,3 +1,4 @@
+#include "app/editor/commands.h"
 #include "app/ui/panels/all.h"
 #include "app/ui/widgets.h"
 
@@ -39,12 +40,9 @@ void draw_recover_window(PanelContext& context) {
   end_over();
   if (closes) context.run("panel none");
   if (chosen.empty()) return;
-  if (chosen.starts_with("recover discard")) {
-    context.run(chosen);
-    if (lost.empty()) context.session.open_panel.clear();
-  } else {
-    context.leave({false, {}, chosen});
-  }
+  if (call_of(chosen)->row.effect == Effect::replaces) return context.leave({false, {}, chosen});
+  context.run(chosen);
+  if (lost.empty()) context.session.open_panel.clear();
 }
 
 }  // namespace ryosen

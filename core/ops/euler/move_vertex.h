@@ -26,7 +26,8 @@ struct MoveVertex {
                                "頂点をそのすべての複製とともに移動する",
                                '\0',
                                OpTargetKind::none,
-                               "move"};
+                               "move",
+                               Topology::kept};
 
   static Parsed<MoveVertex> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static MoveVertex at(const Mesh& mesh, const OpTarget& target);

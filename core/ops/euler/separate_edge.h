@@ -24,7 +24,8 @@ struct SeparateEdge {
                                "面を切らずに稜線の途中に頂点を入れる",
                                '\0',
                                OpTargetKind::edge,
-                               "semv"};
+                               "semv",
+                               Topology::kept};
 
   static Parsed<SeparateEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static SeparateEdge at(const Mesh& mesh, const OpTarget& target);

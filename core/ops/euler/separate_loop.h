@@ -29,7 +29,8 @@ struct SeparateLoop {
                                "面を角 A と角 B を結ぶ稜線で分割する",
                                '\0',
                                OpTargetKind::selection,
-                               "divide mef"};
+                               "divide mef",
+                               Topology::kept};
 
   static Parsed<SeparateLoop> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static SeparateLoop at(const Mesh& mesh, const OpTarget& target);

@@ -24,7 +24,8 @@ struct UniteEdge {
                                "稜線がちょうど二本の頂点を取り除く",
                                '\0',
                                OpTargetKind::vertex,
-                               "jekv"};
+                               "jekv",
+                               Topology::kept};
 
   static Parsed<UniteEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static UniteEdge at(const Mesh& mesh, const OpTarget& target);

@@ -1,0 +1,187 @@
+// The rows of the table of commands, and how they are found.
+#include <utility>
+
+#include "app/editor/command_functions.h"
+#include "app/editor/command_syntax.h"
+#include "app/editor/expect.h"
+#include "app/editor/words.h"
+#include "core/ops/lines/syntax.h"
+
+namespace ryosen {
+
+namespace {
+
+// An operator as it is called by this word, its id or one of its aliases.
+CommandRow row_of(const OpInfo& op, std::string_view called) {
+  const std::string word(called);
+  const auto run = [word](Session& session, Words arguments, std::string_view whole) {
+    const Parsed<AnyOp> parsed = parse_op(session.mesh(), word, arguments);
+    if (!parsed.op) return no_element(session.document(), word + std::string(whole), parsed.error, parsed.sentence);
+    Outcome outcome = session.document().apply(*parsed.op, session.strict);
+    if (outcome.done()) outcome.performed = session.document().history().back().command;
+    return outcome;
+  };
+  const auto fault = [word](Words arguments, const std::string&) -> std::optional<Text> {
+    const auto wrong = fault_of_arguments(word, arguments);
+    return wrong ? std::optional(behind(word, *wrong)) : std::nullopt;
+  };
+  return {.id = op.id,
+          .syntax = op.syntax,
+          .help_en = op.help_en,
+          .help_ja = op.help_ja,
+          .effect = Effect::edits,
+          .run = run,
+          .aliases = op.aliases,
+          .fault = fault};
+}
+
+std::optional<Text> no_fault(Words, const std::string&) { return std::nullopt; }
+
+const std::vector<CommandRow>& editor_rows() {
+  static const std::vector<CommandRow> rows{
+      {.id = "open",
+       .syntax = "FILE",
+       .help_en = "opens a mesh in place of the current one",
+       .help_ja = "メッシュを開く",
+       .effect = Effect::replaces,
+       .run = run_open,
+       .file = FileAccess::reads_mesh,
+       .fault = fault_of_open},
+      {"new", "", "begins with an empty mesh", "空のメッシュから始める", Effect::replaces, run_new},
+      {.id = "save",
+       .syntax = "[FILE]",
+       .help_en = "writes the mesh",
+       .help_ja = "メッシュを保存する",
+       .effect = Effect::writes,
+       .run = run_save,
+       .file = FileAccess::writes_mesh,
+       .fault = no_fault},
+      {.id = "select",
+       .syntax = "NAME...|none",
+       .help_en = "selects vertices, edges, faces by name",
+       .help_ja = "名前で要素を選択する",
+       .effect = Effect::none,
+       .run = run_select,
+       .fault = fault_of_select},
+      {"walk", "next|prev|twin|around", "goes on from the one selected halfedge; around: about its first vertex",
+       "選択中の半稜線から次へ移る（around：始点のまわり）", Effect::none, run_walk},
+      {"undo", "[N]", "takes back the last N edits", "直前の N 回の編集を元に戻す", Effect::steps, run_undo},
+      {"redo", "[N]", "does N undone edits again", "元に戻した N 回の編集をやり直す", Effect::steps, run_redo},
+      {.id = "repair",
+       .syntax = "KIND [NUMBER]",
+       .help_en = "takes a kind of problem away everywhere (see ryosen repair --help)",
+       .help_ja = "一種類の問題をまとめて直す（ryosen repair --help を参照）",
+       .effect = Effect::edits,
+       .run = run_repair,
+       .is_long = true},
+      {.id = "recover",
+       .syntax = "[list|N|discard N]",
+       .help_en = "brings back what a crash left unsaved: lists it, or does its edits again",
+       .help_ja = "異常終了で保存されなかった編集を一覧表示、復元、破棄する",
+       .effect = Effect::replaces,
+       .run = run_recover,
+       .is_long = true,
+       .fault = fault_of_recover,
+       .only_tells = recover_only_tells},
+      {"camera", "JSON", "sets eye, target, up, fov_y_deg, ortho_height", "カメラを設定する", Effect::none, run_camera},
+      {"view", "front|back|left|right|top|bottom|iso", "looks along an axis at all of the mesh", "軸方向から全体を見る",
+       Effect::none, run_view},
+      {"frame", "[all|selected]", "fits the mesh or the selection into the view", "全体または選択を画面に収める",
+       Effect::none, run_frame},
+      {"projection", "toggle|perspective|orthographic", "switches the projection", "投影法を切り替える", Effect::none,
+       run_projection},
+      {"show", "ID|all [on|off]", "shows or hides a highlight", "強調表示を切り替える", Effect::none, run_show},
+      {"tool", "ID|none", "chooses what a click does", "クリックで使うツールを選ぶ", Effect::none, run_tool},
+      {"mode", "vertex|edge|face|halfedge", "chooses what the pointer picks", "ポインタで選ぶ要素を決める",
+       Effect::none, run_mode},
+      {"click", "X,Y [TOOL]", "clicks at a pixel", "画素をクリックする", Effect::none, run_click},
+      {"drag", "X,Y X,Y", "orbits by a drag from pixel to pixel", "ドラッグで視点を回す", Effect::none, run_drag},
+      {.id = "key",
+       .syntax = "CHORD",
+       .help_en = "presses a key",
+       .help_ja = "キーを押す",
+       .effect = Effect::none,
+       .run = run_key,
+       .sends = sent_by_key},
+      {.id = "shot",
+       .syntax = "[FILE]",
+       .help_en = "writes a picture",
+       .help_ja = "画像を書き出す",
+       .effect = Effect::none,
+       .run = run_shot,
+       .file = FileAccess::writes_picture,
+       .default_file = default_picture,
+       .fault = no_fault},
+      {.id = "expect",
+       .syntax = "V N|E N|F N|legal COMMAND|refused COMMAND|hash H",
+       .help_en = "fails the script unless it holds",
+       .help_ja = "成り立たなければスクリプトを失敗にする",
+       .effect = Effect::none,
+       .run = run_expect,
+       .fault = fault_of_expect},
+      {"panel", "keys|command|open|save|unsaved|recover|none", "opens or closes a panel over the view",
+       "画面に重なるパネルを開閉する", Effect::none, run_panel},
+      {"language", "en|ja", "sets the language of the window", "画面の言語を選ぶ", Effect::none, run_language},
+      {"theme", "dark|light", "sets the colours of the window", "画面の配色を選ぶ", Effect::none, run_theme},
+      {"cancel", "", "closes the open panel, else puts the tool away, else selects nothing",
+       "パネル、ツール、選択の順に取り消す", Effect::none, run_cancel},
+      {"quit", "", "ends the program", "終了する", Effect::none, run_quit},
+  };
+  return rows;
+}
+
+// Those of ScopedCommand, with their numbers.
+std::vector<std::pair<std::size_t, CommandRow>>& further_rows() {
+  static std::vector<std::pair<std::size_t, CommandRow>> rows;
+  return rows;
+}
+
+}  // namespace
+
+ScopedCommand::ScopedCommand(CommandRow row) {
+  static std::size_t last = 0;
+  number_ = ++last;
+  further_rows().emplace_back(number_, std::move(row));
+}
+
+ScopedCommand::~ScopedCommand() {
+  std::erase_if(further_rows(), [&](const auto& row) { return row.first == number_; });
+}
+
+std::vector<CommandRow> command_table() {
+  std::vector<CommandRow> table;
+  for (const OpInfo& op : all_ops()) table.push_back(row_of(op, op.id));
+  table.insert(table.end(), editor_rows().begin(), editor_rows().end());
+  for (const auto& [number, row] : further_rows()) table.push_back(row);
+  return table;
+}
+
+std::optional<CommandRow> find_command_row(std::string_view id) {
+  if (const OpInfo* const op = find_op(id)) return row_of(*op, id);
+  for (const CommandRow& row : editor_rows())
+    if (row.id == id) return row;
+  for (const auto& [number, row] : further_rows())
+    if (row.id == id) return row;
+  return std::nullopt;
+}
+
+std::optional<CommandCall> call_of(std::string_view line) {
+  const std::vector<std::string_view> words = split_words(line);
+  std::optional<CommandRow> row = words.empty() ? std::nullopt : find_command_row(words[0]);
+  if (!row) return std::nullopt;
+  const Words arguments = Words(words).subspan(1);
+  if (const std::string sent = row->sends ? row->sends(arguments) : ""; !sent.empty()) return call_of(sent);
+  if (row->only_tells && row->only_tells(arguments)) {
+    row->effect = Effect::none;
+    row->is_long = false;
+  }
+  return CommandCall{std::move(*row), std::string(line)};
+}
+
+std::string file_of(const CommandCall& call) {
+  if (call.row.file == FileAccess::none) return {};
+  const std::string named = file_name(behind_word(call.line));
+  return named.empty() ? std::string(call.row.default_file) : named;
+}
+
+}  // namespace ryosen

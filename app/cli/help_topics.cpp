@@ -96,7 +96,7 @@ std::string script_commands_topic(Language language) {
   Columns columns;
   add_operators(columns, language);
   for (const CommandRow& row : command_table())
-    add(columns, row.id, row.syntax, choose(language, row.help_en, row.help_ja));
+    add(columns, row.id, row.syntax, help_of(row, language));
   return std::string(choose(language, "Commands, one per line or separated by ; (# begins a comment):\n",
                             "コマンド（一行に一つ、または ; 区切り。# 以降は注釈）：\n")) +
          columns.text();

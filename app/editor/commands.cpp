@@ -5,6 +5,7 @@
 
 #include "app/editor/command_functions.h"
 #include "app/editor/expect.h"
+#include "app/editor/panel_list.h"
 #include "app/editor/script.h"
 #include "app/editor/words.h"
 
@@ -95,8 +96,8 @@ constexpr std::array command_rows{
     CommandRow{"shot", "[FILE]", "writes a picture", "画像を書き出す", false, run_shot},
     CommandRow{"expect", "V N|E N|F N|legal COMMAND|refused COMMAND|hash H", "fails the script unless it holds",
                "成り立たなければスクリプトを失敗にする", false, run_expect},
-    CommandRow{"panel", "keys|command|open|save|unsaved|recover|none", "opens or closes a panel over the view",
-               "画面に重なるパネルを開閉する", false, run_panel},
+    CommandRow{"panel", "ID|none [on|off]", "shows or hides a panel; none closes what lies over the view",
+               "パネルを開閉する（none は画面に重なるものを閉じる）", false, run_panel, panel_ids},
     CommandRow{"language", "en|ja", "sets the language of the window", "画面の言語を選ぶ", false, run_language},
     CommandRow{"theme", "dark|light", "sets the colours of the window", "画面の配色を選ぶ", false, run_theme},
     CommandRow{"cancel", "", "closes the open panel, else puts the tool away, else selects nothing",
@@ -112,6 +113,13 @@ const CommandRow* find_command_row(std::string_view id) {
   const auto row =
       std::find_if(command_rows.begin(), command_rows.end(), [&](const CommandRow& r) { return r.id == id; });
   return row == command_rows.end() ? nullptr : &*row;
+}
+
+std::string help_of(const CommandRow& row, Language language) {
+  std::string help(language == Language::japanese ? row.help_ja : row.help_en);
+  if (row.ids && language == Language::japanese) help += "。ID：" + row.ids();
+  if (row.ids && language == Language::english) help += "; ID: " + row.ids();
+  return help;
 }
 
 std::vector<std::string> command_ids() {

@@ -17,10 +17,13 @@ struct CommandRow {
   std::string_view help_en, help_ja;
   bool changes_mesh;  // undo, redo, open: goes into the log even where it is not an operator
   Outcome (*run)(Session& session, std::span<const std::string_view> arguments, std::string_view whole);
+  std::string (*ids)() = nullptr;  // what ID in the syntax stands for, where the help names it
 };
 
 std::span<const CommandRow> command_table();
 const CommandRow* find_command_row(std::string_view id);
+// The help, with the ids behind it that the row lists.
+std::string help_of(const CommandRow& row, Language language);
 
 // All ids, operators and their aliases included: for "did you mean".
 std::vector<std::string> command_ids();

@@ -1,4 +1,4 @@
-#include "app/ui/panels/all.h"
+#include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {
@@ -23,10 +23,9 @@ std::string draw_lost(PanelContext& context, std::size_t n) {
   return chosen;
 }
 
-}  // namespace
-
-void draw_recover_window(PanelContext& context) {
-  if (!begin_over(context, "recover", context.text(UiText::recover_title), {560, 300})) return;
+// What a crash left unsaved.
+void draw_recover(PanelContext& context) {
+  if (ImGui::IsWindowAppearing()) context.session.lost = find_lost_sessions(recovery_folder());
   const std::vector<LostSession>& lost = context.session.lost;
   dim_text(context, context.text(lost.empty() ? UiText::nothing_to_recover : UiText::recover_question));
   ImGui::Dummy({0, 4 * context.scale});
@@ -36,7 +35,6 @@ void draw_recover_window(PanelContext& context) {
     if (std::string command = draw_lost(context, n); !command.empty()) chosen = std::move(command);
   ImGui::EndChild();
   const bool closes = ImGui::Button(context.text(UiText::later), {120 * context.scale, 0});
-  end_over();
   if (closes) context.run("panel none");
   if (chosen.empty()) return;
   if (chosen.starts_with("recover discard")) {
@@ -46,5 +44,9 @@ void draw_recover_window(PanelContext& context) {
     context.leave({false, {}, chosen});
   }
 }
+
+}  // namespace
+
+std::unique_ptr<Panel> make_recover_panel() { return panel_of(draw_recover, {560, 300}); }
 
 }  // namespace ryosen

@@ -18,10 +18,12 @@ std::string_view choose(Language language, std::string_view en, std::string_view
   return language == Language::japanese ? ja : en;
 }
 
+std::string_view help_of(const OpInfo& op, Language language) { return choose(language, op.help_en, op.help_ja); }
+
 // A row of the operators or of the commands.
 template <class Row>
 void add(Columns& columns, const Row& row, Language language) {
-  std::string left(row.id), help(choose(language, row.help_en, row.help_ja));
+  std::string left(row.id), help(help_of(row, language));
   if (!row.syntax.empty()) left.append(" ").append(row.syntax);
   if (!row.aliases.empty())
     help.append(choose(language, " (also ", "（別名 ")).append(row.aliases).append(choose(language, ")", "）"));

@@ -4,6 +4,7 @@
 #include "app/editor/command_functions.h"
 #include "app/editor/command_syntax.h"
 #include "app/editor/expect.h"
+#include "app/editor/panel_list.h"
 #include "app/editor/words.h"
 #include "core/ops/lines/syntax.h"
 
@@ -119,8 +120,13 @@ const std::vector<CommandRow>& editor_rows() {
        .effect = Effect::none,
        .run = run_expect,
        .fault = fault_of_expect},
-      {"panel", "keys|command|open|save|unsaved|recover|none", "opens or closes a panel over the view",
-       "画面に重なるパネルを開閉する", Effect::none, run_panel},
+      {.id = "panel",
+       .syntax = "ID|none [on|off]",
+       .help_en = "shows or hides a panel; none closes what lies over the view",
+       .help_ja = "パネルを開閉する（none は画面に重なるものを閉じる）",
+       .effect = Effect::none,
+       .run = run_panel,
+       .ids = panel_ids},
       {"language", "en|ja", "sets the language of the window", "画面の言語を選ぶ", Effect::none, run_language},
       {"theme", "dark|light", "sets the colours of the window", "画面の配色を選ぶ", Effect::none, run_theme},
       {"cancel", "", "closes the open panel, else puts the tool away, else selects nothing",

@@ -57,6 +57,13 @@ Outcome failed(const Failure& failure) {
   return outcome;
 }
 
+std::string help_of(const CommandRow& row, Language language) {
+  std::string help(language == Language::japanese ? row.help_ja : row.help_en);
+  if (row.ids && language == Language::japanese) help += "。ID：" + row.ids();
+  if (row.ids && language == Language::english) help += "; ID: " + row.ids();
+  return help;
+}
+
 std::vector<std::string> command_ids() {
   std::vector<std::string> ids;
   for (const CommandRow& row : command_table()) {

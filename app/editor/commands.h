@@ -50,12 +50,16 @@ struct CommandRow {
   bool (*only_tells)(Words arguments) = nullptr;
   // The line that it sends, where it stands for another one; empty where there is none.
   std::string (*sends)(Words arguments) = nullptr;
+  std::string (*ids)() = nullptr;  // what ID in the syntax stands for, where the help names it
 };
 
 // All commands: operators, then those of the editor.
 std::vector<CommandRow> command_table();
 // By id or alias.
 std::optional<CommandRow> find_command_row(std::string_view id);
+
+// The help, with the ids behind it that the row lists.
+std::string help_of(const CommandRow& row, Language language);
 
 // A line as its row sees it.
 struct CommandCall {

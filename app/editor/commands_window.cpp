@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/editor/keys.h"
+#include "app/editor/panel_list.h"
 
 namespace ryosen {
 
@@ -15,13 +16,31 @@ std::optional<std::size_t> one_of(Words arguments, std::initializer_list<std::st
   return static_cast<std::size_t>(found - words.begin());
 }
 
+Outcome no_such_panel(const std::string& id) {
+  std::vector<std::string> known;
+  for (const PanelRow& row : panel_list()) known.emplace_back(row.id);
+  const std::string close = closest_word(id, known), all = panel_ids();
+  return usage_error(
+      "there is no panel '" + id + "'; " + (close.empty() ? "known: " + all : "did you mean " + close + "?"),
+      "パネル「" + id + "」はありません。" + (close.empty() ? "あるのは " + all : close + " ですか？"));
+}
+
 }  // namespace
 
 Outcome run_panel(Session& session, Words arguments, std::string_view) {
-  if (!one_of(arguments, {"none", "keys", "command", "open", "save", "unsaved", "recover"}))
-    return wrong_arguments("panel");
-  session.open_panel = arguments[0] == "none" ? "" : std::string(arguments[0]);
-  if (arguments[0] == "recover") session.lost = find_lost_sessions(recovery_folder());
+  if (arguments.empty() || arguments.size() > 2) return wrong_arguments("panel");
+  const bool on = arguments.size() == 1 || arguments[1] == "on";
+  if (!on && arguments[1] != "off") return wrong_arguments("panel");
+  const std::string id(arguments[0]);
+  if (id == "none" && arguments.size() == 1) {
+    session.open_panel.clear();
+    return {};
+  }
+  const PanelRow* const row = find_panel(id);
+  if (!row) return no_such_panel(id);
+  if (row->place == PanelPlace::over && (on || session.open_panel == id)) session.open_panel = on ? id : "";
+  if (row->place != PanelPlace::over && on) session.hidden_panels.erase(id);
+  if (row->place != PanelPlace::over && !on) session.hidden_panels.insert(id);
   return {};
 }
 

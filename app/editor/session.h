@@ -52,8 +52,9 @@ class Session {
   // The state of the user interface that commands change; it is kept, without effect, where there is none.
   Language language = Language::english;
   bool light_theme = false;
-  std::string open_panel;         // the panel that lies over the others: keys, open, save, unsaved, ...; empty for none
-  std::vector<LostSession> lost;  // as they were listed last
+  std::string open_panel;               // the one that lies over the view; empty for none
+  std::set<std::string> hidden_panels;  // of the columns
+  std::vector<LostSession> lost;        // as they were listed last
 
   bool strict = false;  // warnings refuse too
   // Makes a picture of the session; set by whoever can draw. Commands that need it fail without.

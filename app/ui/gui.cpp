@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/editor/commands.h"
-#include "core/mesh/copies.h"
+#include "app/ui/widgets.h"
 
 namespace ryosen {
 
@@ -21,26 +21,10 @@ constexpr ImGuiWindowFlags column_flags =
     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing;
 
-void draw_column(PanelContext& context, Side side, float x, float y, float width, float height) {
-  ImGui::SetNextWindowPos({x, y});
-  ImGui::SetNextWindowSize({width, height});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
-  ImGui::Begin(side == Side::left ? "##left" : "##right", nullptr, column_flags);
-  ImGui::PopStyleVar();
-  for (const Panel& panel : panels()) {
-    if (panel.side != side) continue;
-    // The part behind ### keeps a panel open or closed when the language changes.
-    const std::string title = std::string(context.text(panel.title)) + "###" + text(panel.title, Language::english);
-    ImGui::PushFont(context.fonts.bold);
-    const bool is_open = ImGui::CollapsingHeader(title.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
-    ImGui::PopFont();
-    if (!is_open) continue;
-    ImGui::PushID(title.c_str());
-    panel.draw(context);
-    ImGui::PopID();
-    ImGui::Dummy({0, 2 * context.scale});
-  }
-  ImGui::End();
+void draw_over(PanelContext& context, const PanelRow& row, Panel& panel) {
+  if (!begin_over(context, row, panel.size())) return;
+  panel.draw(context);
+  end_over();
 }
 
 }  // namespace
@@ -54,9 +38,15 @@ Gui::Gui(float scale) : imgui_(ImGui::CreateContext()), scale_(scale) {
   for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
   apply_style(theme_, scale_);
+  const std::span<const PanelRow> rows = panel_list();
+  for (std::unique_ptr<Panel>& panel : make_panels()) panels_.push_back({rows[panels_.size()], std::move(panel), {}});
 }
 
 Gui::~Gui() { ImGui::DestroyContext(imgui_); }
+
+void Gui::add_panel(const PanelRow& row, std::unique_ptr<Panel> panel) {
+  panels_.push_back({row, std::move(panel), std::make_unique<ScopedPanel>(row)});
+}
 
 void Gui::set_scale(float scale) {
   if (scale == scale_) return;
@@ -128,6 +118,29 @@ void Gui::end_frame() {
   released_keys_.clear();
 }
 
+void Gui::draw_column(PanelContext& context, PanelPlace place, float x, float y, float width, float height) {
+  ImGui::SetNextWindowPos({x, y});
+  ImGui::SetNextWindowSize({width, height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+  ImGui::Begin(place == PanelPlace::left ? "##left" : "##right", nullptr, column_flags);
+  ImGui::PopStyleVar();
+  for (const OwnPanel& own : panels_) {
+    const std::string id(own.row.id);
+    if (own.row.place != place || context.session.hidden_panels.contains(id)) continue;
+    // The part behind ### keeps a panel open or closed when the language changes.
+    const std::string title = context.title(own.row) + ("###" + id);
+    ImGui::PushFont(context.fonts.bold);
+    const bool is_open = ImGui::CollapsingHeader(title.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
+    ImGui::PopFont();
+    if (!is_open) continue;
+    ImGui::PushID(id.c_str());
+    own.panel->draw(context);
+    ImGui::PopID();
+    ImGui::Dummy({0, 2 * context.scale});
+  }
+  ImGui::End();
+}
+
 void Gui::frame(Session& session, Size window, double seconds) {
   begin_frame(window, seconds);
   state_.is_laying_out = true;
@@ -135,16 +148,13 @@ void Gui::frame(Session& session, Size window, double seconds) {
   draw_menu(panel_context);
   const PixelRect area = view_area(window);
   const auto top = static_cast<float>(area.y0), height = static_cast<float>(window.height - 2 * area.y0);
-  draw_column(panel_context, Side::left, 0, top, static_cast<float>(area.x0), height);
-  draw_column(panel_context, Side::right, static_cast<float>(area.x1), top, static_cast<float>(window.width - area.x1),
-              height);
+  draw_column(panel_context, PanelPlace::left, 0, top, static_cast<float>(area.x0), height);
+  draw_column(panel_context, PanelPlace::right, static_cast<float>(area.x1), top,
+              static_cast<float>(window.width - area.x1), height);
   draw_status(panel_context);
   draw_pointer_tip(panel_context);
-  draw_keys_window(panel_context);
-  draw_file_window(panel_context);
-  draw_command_window(panel_context);
-  draw_unsaved_window(panel_context);
-  draw_recover_window(panel_context);
+  for (const OwnPanel& own : panels_)
+    if (own.row.place == PanelPlace::over) draw_over(panel_context, own.row, *own.panel);
   state_.is_laying_out = false;
   end_frame();
   for (const std::string& line : std::exchange(state_.waiting, {})) run(session, line);

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "app/ui/panels.h"
 
@@ -23,6 +25,9 @@ class Gui {
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
+  // A panel beside those of the list, for programs with panels of their own: behind them in its column and the menu, and
+  // known to the command `panel` while this lives. The row's texts must live as long.
+  void add_panel(const PanelRow& row, std::unique_ptr<Panel> panel);
   // Another scale, as of the next prepare().
   void set_scale(float scale);
   // The part of a window that the view has.
@@ -63,13 +68,21 @@ class Gui {
   bool wants_quit() const { return state_.wants_quit; }
 
  private:
+  struct OwnPanel {
+    PanelRow row;
+    std::unique_ptr<Panel> panel;
+    std::unique_ptr<ScopedPanel> added;  // null for those of the list
+  };
+
   PanelContext context(Session& session);
+  void draw_column(PanelContext& context, PanelPlace place, float x, float y, float width, float height);
   void begin_frame(Size window, double seconds);
   void end_frame();
 
   ImGuiContext* imgui_;
   float scale_;
   GuiState state_;
+  std::vector<OwnPanel> panels_;
   Fonts fonts_;
   bool has_fonts_ = false, has_japanese_ = false;
   Theme theme_ = Theme::dark;

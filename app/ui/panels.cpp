@@ -1,65 +1,41 @@
 #include "app/ui/panels.h"
 
-#include <array>
-
 #include "app/editor/command_syntax.h"
 #include "app/editor/commands.h"
 #include "app/editor/words.h"
-#include "app/ui/panels/all.h"
-#include "core/analysis/boundary_loops.h"
+#include "core/algo/repair/repairs.h"
 
 namespace ryosen {
 
+#define RYOSEN_PANEL(id, place, en, ja) std::unique_ptr<Panel> make_##id##_panel();
+#include "app/editor/panels.def"
+#undef RYOSEN_PANEL
+
+std::vector<std::unique_ptr<Panel>> make_panels() {
+  std::vector<std::unique_ptr<Panel>> made;
+#define RYOSEN_PANEL(id, place, en, ja) made.push_back(make_##id##_panel());
+#include "app/editor/panels.def"
+#undef RYOSEN_PANEL
+  return made;
+}
+
 namespace {
 
-constexpr std::array list{
-    Panel{UiText::tools, Side::left, draw_tools},          Panel{UiText::highlights, Side::left, draw_highlights},
-    Panel{UiText::totals, Side::left, draw_totals},        Panel{UiText::pointer, Side::right, draw_verdict},
-    Panel{UiText::inspector, Side::right, draw_inspector}, Panel{UiText::problems, Side::right, draw_problems},
-    Panel{UiText::history, Side::right, draw_history},     Panel{UiText::forms, Side::right, draw_forms},
+class PanelOfFunction : public Panel {
+ public:
+  PanelOfFunction(void (*function)(PanelContext&), ImVec2 size) : draw_(function), size_(size) {}
+  void draw(PanelContext& context) override { draw_(context); }
+  ImVec2 size() const override { return size_; }
+
+ private:
+  void (*draw_)(PanelContext&);
+  ImVec2 size_;
 };
 
 }  // namespace
 
-std::span<const Panel> panels() { return list; }
-
-void GuiState::know(const Session& session) {
-  const Document& document = session.document();
-  if (known_document_ == document.serial() && known_set_aside_ == document.tables().quarantine.size()) return;
-  known_set_aside_ = document.tables().quarantine.size();
-  known_document_ = document.serial();
-  known_loops_.reset();
-  for (const ProblemRow& row : problem_table()) {
-    std::vector<Element>& faces = quarantined_[static_cast<std::size_t>(row.kind)];
-    faces.clear();
-    if (!row.quarantined) continue;
-    for (const QuarantinedFace& face : document.tables().quarantine)
-      if (row.quarantined(face, session.mesh().file_vertices())) faces.emplace_back(Face(face.face));
-  }
-}
-
-std::size_t GuiState::findings(Session& session, const ProblemRow& row) {
-  know(session);
-  if (row.quarantined) return quarantined_[static_cast<std::size_t>(row.kind)].size();
-  if (row.kind == ProblemKind::boundary_loop) return session.boundary_loops().count();
-  return session.highlights().count(row.kind);
-}
-
-Element GuiState::finding(Session& session, const ProblemRow& row, std::size_t n) {
-  know(session);
-  if (row.quarantined) return quarantined_[static_cast<std::size_t>(row.kind)][n];
-  if (row.kind != ProblemKind::boundary_loop) {
-    const std::uint32_t i = session.highlights().of(row.kind).nth(static_cast<std::uint32_t>(n));
-    return row.vertex ? Element(Vertex(i)) : row.edge ? Element(Edge(i)) : Element(Face(i));
-  }
-  if (known_loops_ != session.boundary_loops().revision()) {
-    Neighbourhood around(session.mesh());
-    const BoundaryLoops loops = find_boundary_loops(around, session.highlights().of(row.kind));
-    loops_.clear();
-    for (std::size_t i = 0; i < loops.size(); ++i) loops_.emplace_back(edge(loops[i].front()));
-    known_loops_ = session.boundary_loops().revision();
-  }
-  return loops_[n];
+std::unique_ptr<Panel> panel_of(void (*draw)(PanelContext& context), ImVec2 size) {
+  return std::make_unique<PanelOfFunction>(draw, size);
 }
 
 Outcome PanelContext::keep(Outcome outcome) {
@@ -93,6 +69,11 @@ Outcome PanelContext::run(const std::string& line) {
 }
 
 Outcome PanelContext::click(glm::dvec2 pixel) { return keep(session.click(pixel, session.tool)); }
+
+void PanelContext::begin_command(std::string line) {
+  state.begun_command = std::move(line);
+  run("panel command");
+}
 
 void PanelContext::leave(PendingLeave where) {
   if (session.document().is_modified()) {

@@ -1,19 +1,17 @@
-// The panels of the window and what they share. A new panel is one file in panels/ and one line in the list.
+// What a panel is, and what panels share. A new one is one file in panels/, with the state it keeps, and one line in
+// app/editor/panels.def.
 #pragma once
 
-#include <array>
 #include <filesystem>
-#include <optional>
-#include <span>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "app/editor/panel_list.h"
 #include "app/editor/session.h"
 #include "app/ui/fonts.h"
 #include "app/ui/style.h"
 #include "app/ui/texts.h"
-#include "core/analysis/problems.h"
-#include "core/forms/comparison.h"
 
 namespace ryosen {
 
@@ -24,29 +22,7 @@ struct PendingLeave {
   std::string command{};        // where not empty, the one that does it, in place of the above
 };
 
-// The file browser: a folder, what is in it, and the name in the field.
-struct FileBrowser {
-  struct Entry {
-    std::string name;
-    bool is_folder = false;
-  };
-  std::filesystem::path folder;
-  std::vector<Entry> entries;  // folders first, by name
-  std::string name;
-  bool is_open = false;
-  // What the next press of the button does all the same: replace this existing file, lose this in this file.
-  std::filesystem::path replaces, loses;
-  std::vector<Message> losses;
-};
-
-// What the forms panel measured when it was last asked, and of which state of which document.
-struct MeasuredForms {
-  forms::Comparison comparison;
-  std::uint64_t document = 0;  // its serial number
-  std::uint64_t revision = 0;
-};
-
-// What the window remembers between frames beside the session.
+// What the panels share beside the session. What one of them alone remembers are members of its own.
 struct GuiState {
   Text last_outcome;  // of the last command that was sent from here
   Outcome::Kind last_kind = Outcome::Kind::done;
@@ -54,27 +30,7 @@ struct GuiState {
   bool is_laying_out = false;
   std::vector<std::string> waiting;  // lines of long work, which begins when the frame is laid out
   PendingLeave pending;
-  FileBrowser browser;
-  std::string command;                // what stands in the field of the command window
-  bool command_was_begun = false;     // the field has just appeared
-  std::size_t scrolled_position = 0;  // the place of the history that the list was scrolled to
-
-  std::optional<MeasuredForms> measured_forms;
-  forms::Relation shown_relation = forms::Relation::vertex_vertices;  // whose query times the forms panel shows
-
-  // What was found of a kind, without a list of it: how many, and which is the nth. Cheap after an edit; only the list
-  // of boundary loops is made anew for finding() when the edit has changed loops.
-  std::size_t findings(Session& session, const ProblemRow& row);
-  Element finding(Session& session, const ProblemRow& row, std::size_t n);
-
- private:
-  void know(const Session& session);
-
-  std::uint64_t known_document_ = 0;  // its serial number
-  std::size_t known_set_aside_ = 0;   // how many faces; a repair may drop them
-  std::array<std::vector<Element>, problem_kinds> quarantined_;
-  std::vector<Element> loops_;  // by their lowest edges, as of this revision of the count
-  std::optional<std::uint64_t> known_loops_;
+  std::string begun_command;  // what the command window takes into its field when it is open
 };
 
 // One frame of one panel.
@@ -90,6 +46,7 @@ struct PanelContext {
   const char* text(std::string_view en, std::string_view ja) const {
     return session.language == Language::japanese ? ja.data() : en.data();
   }
+  const char* title(const PanelRow& row) const { return text(row.title_en, row.title_ja); }
   const UiColours& colours() const { return ui_colours(theme); }
 
   // Sends a command line and keeps its outcome for the status line. Long work waits until the frame is laid out.
@@ -98,31 +55,34 @@ struct PanelContext {
   Outcome click(glm::dvec2 pixel);
   // Keeps an outcome for the status line: the sentence of one, or that what it performed is done, or nothing.
   Outcome keep(Outcome outcome);
+  // Lets the user go on with a line in the command window.
+  void begin_command(std::string line);
   // Opens a file or ends the program, after a question where changes would be lost.
   void leave(PendingLeave where);
   // Without a question.
   void go(const PendingLeave& where);
 };
 
-enum class Side { left, right };
-
-struct Panel {
-  UiText title;
-  Side side;
-  void (*draw)(PanelContext& context);  // the content, within the column
+// What it keeps between frames are its members.
+class Panel {
+ public:
+  virtual ~Panel() = default;
+  // The content, within the column or window that it has.
+  virtual void draw(PanelContext& context) = 0;
+  // At scale 1, over the view; a column gives as much as is needed.
+  virtual ImVec2 size() const { return {560, 360}; }
 };
-std::span<const Panel> panels();
+
+// A panel that keeps nothing.
+std::unique_ptr<Panel> panel_of(void (*draw)(PanelContext& context), ImVec2 size = {});
+// One of each, in the order of panel_list() as it stands in panels.def.
+std::vector<std::unique_ptr<Panel>> make_panels();
 
 // The parts around the columns.
 void draw_menu(PanelContext& context);
 void draw_status(PanelContext& context);
-// What lies over the view: the tip beside the pointer, and the panel that session.open_panel names.
+// Beside the pointer: why a click would be refused.
 void draw_pointer_tip(PanelContext& context);
-void draw_keys_window(PanelContext& context);
-void draw_file_window(PanelContext& context);
-void draw_command_window(PanelContext& context);
-void draw_unsaved_window(PanelContext& context);
-void draw_recover_window(PanelContext& context);
 // Over everything while long work goes on; true when it is to be cancelled. The session is not looked at.
 bool draw_progress_window(Language language, float scale, double share);
 

@@ -117,9 +117,9 @@ void swatch(const Style& style, float width_px) {
   }
 }
 
-bool begin_over(PanelContext& context, const char* id, const char* title, ImVec2 size) {
-  const bool wanted = context.session.open_panel == id;
-  const std::string name = std::string(title) + "###" + id;
+bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size) {
+  const bool wanted = context.session.open_panel == row.id;
+  const std::string name = context.title(row) + ("###" + std::string(row.id));
   if (!wanted && !ImGui::IsPopupOpen(name.c_str())) return false;
   if (!ImGui::IsPopupOpen(name.c_str())) ImGui::OpenPopup(name.c_str());
   const ImVec2 all = ImGui::GetIO().DisplaySize;

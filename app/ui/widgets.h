@@ -22,9 +22,9 @@ bool row(PanelContext& context, const char* label, const char* right, bool is_ac
 // The line style and mark of a highlight, as the view draws it.
 void swatch(const Style& style, float width_px);
 
-// The panel with this id, in the middle over everything else, while session.open_panel names it. False when there is
-// nothing to fill; else end_over() must follow.
-bool begin_over(PanelContext& context, const char* id, const char* title, ImVec2 size);
+// A panel in the middle over everything else, while session.open_panel names it. False when there is nothing to fill;
+// else end_over() must follow.
+bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size);
 void end_over();
 
 // The chord of the key that sends a command, or null.

@@ -7,12 +7,11 @@
 namespace ryosen {
 namespace {
 
-constexpr Size tall_window{1280, 1400};  // high enough for the whole column
 constexpr glm::dvec2 measure_button{1134, 314};
 
 class FormsPanel : public testing::Test, protected test::Laid {
  protected:
-  FormsPanel() : Laid("torus.off", tall_window) {}
+  FormsPanel() : Laid("torus.off", test::tall_window) {}
 
   void press(glm::dvec2 pixel) {
     click(pixel);

@@ -1,5 +1,6 @@
-#include "app/ui/panels/all.h"
+#include "app/ui/panels.h"
 #include "app/ui/widgets.h"
+#include "core/forms/comparison.h"
 
 namespace ryosen {
 
@@ -29,8 +30,8 @@ bool begin_table(const char* id, int columns) {
   return true;
 }
 
-void choose_relation(PanelContext& context) {
-  const forms::RelationRow& shown = forms::relations()[static_cast<std::size_t>(context.state.shown_relation)];
+void choose_relation(PanelContext& context, forms::Relation& chosen) {
+  const forms::RelationRow& shown = forms::relations()[static_cast<std::size_t>(chosen)];
   ImGui::AlignTextToFramePadding();
   dim_text(context, context.text("Query", "問い合わせ"));
   ImGui::SameLine();
@@ -38,11 +39,12 @@ void choose_relation(PanelContext& context) {
   if (!ImGui::BeginCombo("##relation", context.text(shown.en, shown.ja))) return;
   for (const forms::RelationRow& relation : forms::relations())
     if (ImGui::Selectable(context.text(relation.en, relation.ja), relation.relation == shown.relation))
-      context.state.shown_relation = relation.relation;
+      chosen = relation.relation;
   ImGui::EndCombo();
 }
 
-void draw_form(PanelContext& context, const forms::FormFigures& figures, std::uint32_t faces) {
+void draw_form(PanelContext& context, const forms::FormFigures& figures, std::uint32_t faces,
+               forms::Relation relation) {
   const forms::FormRow& row = *figures.row;
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -56,11 +58,11 @@ void draw_form(PanelContext& context, const forms::FormFigures& figures, std::ui
   wrapped(context.text(row.en, row.ja));
   tip(context.text(row.source_en, row.source_ja));
   right_aligned(faces > 0 ? forms::figure_text(static_cast<double>(figures.bytes) / faces) : "-");
-  const auto& seconds = figures.query_seconds[static_cast<std::size_t>(context.state.shown_relation)];
+  const auto& seconds = figures.query_seconds[static_cast<std::size_t>(relation)];
   right_aligned(seconds ? forms::figure_text(1e9 * *seconds) : "-");
 }
 
-void draw_query_times(PanelContext& context, const forms::Comparison& comparison) {
+void draw_query_times(PanelContext& context, const forms::Comparison& comparison, forms::Relation relation) {
   if (!begin_table("forms", 3)) return;
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -68,7 +70,7 @@ void draw_query_times(PanelContext& context, const forms::Comparison& comparison
   right_aligned("ns");
   tip(context.text("- : the form cannot tell, or cannot hold this mesh",
                    "- ：答えられない、またはこのメッシュを持てない"));
-  for (const forms::FormFigures& figures : comparison.forms) draw_form(context, figures, comparison.faces);
+  for (const forms::FormFigures& figures : comparison.forms) draw_form(context, figures, comparison.faces, relation);
   ImGui::EndTable();
 }
 
@@ -102,24 +104,41 @@ void draw_texts(PanelContext& context, const forms::Comparison& comparison) {
   }
 }
 
-}  // namespace
+// The forms of the source texts side by side for this mesh, measured when the button is pressed.
+class FormsPanel : public Panel {
+ public:
+  void draw(PanelContext& context) override;
 
-void draw_forms(PanelContext& context) {
-  Session& session = context.session;
-  std::optional<MeasuredForms>& measured = context.state.measured_forms;
-  if (measured && measured->document != session.document().serial()) measured.reset();
-  const char* const label = measured ? context.text("Measure again", "もう一度測る") : context.text("Measure", "測る");
+ private:
+  // Of which state of which document.
+  struct Measured {
+    forms::Comparison comparison;
+    std::uint64_t document = 0;  // its serial number
+    std::uint64_t revision = 0;
+  };
+  std::optional<Measured> measured_;
+  forms::Relation relation_ = forms::Relation::vertex_vertices;  // whose query times are shown
+};
+
+void FormsPanel::draw(PanelContext& context) {
+  const Session& session = context.session;
+  if (measured_ && measured_->document != session.document().serial()) measured_.reset();
+  const char* const label = measured_ ? context.text("Measure again", "もう一度測る") : context.text("Measure", "測る");
   if (ImGui::Button(label, {ImGui::GetContentRegionAvail().x, 0}))
-    measured = {forms::compare_forms(session.mesh(), effort), session.document().serial(),
-                session.document().revision()};
-  if (!measured) return;
-  if (measured->revision != session.document().revision())
+    measured_ = {forms::compare_forms(session.mesh(), effort), session.document().serial(),
+                 session.document().revision()};
+  if (!measured_) return;
+  if (measured_->revision != session.document().revision())
     coloured_text(context.colours().warning,
                   context.text("The mesh has changed since.", "測った後にメッシュが変わりました。"));
-  choose_relation(context);
-  draw_query_times(context, measured->comparison);
-  draw_pairing_times(context, measured->comparison);
-  draw_texts(context, measured->comparison);
+  choose_relation(context, relation_);
+  draw_query_times(context, measured_->comparison, relation_);
+  draw_pairing_times(context, measured_->comparison);
+  draw_texts(context, measured_->comparison);
 }
+
+}  // namespace
+
+std::unique_ptr<Panel> make_forms_panel() { return std::make_unique<FormsPanel>(); }
 
 }  // namespace ryosen

@@ -1,5 +1,5 @@
 #include "app/ui/overlays.h"
-#include "app/ui/panels/all.h"
+#include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {
@@ -13,8 +13,7 @@ std::int64_t members(Session& session, std::string_view highlight) {
   return n;
 }
 
-}  // namespace
-
+// What is highlighted, how it is drawn, and how much of it there is.
 void draw_highlights(PanelContext& context) {
   for (const HighlightRow& highlight : highlight_table()) {
     const std::string id(highlight.id);
@@ -38,5 +37,9 @@ void draw_highlights(PanelContext& context) {
     ImGui::PopID();
   }
 }
+
+}  // namespace
+
+std::unique_ptr<Panel> make_highlights_panel() { return panel_of(draw_highlights); }
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-#include "app/ui/panels/all.h"
+#include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {
@@ -10,9 +10,16 @@ std::string step_to(std::size_t position, std::size_t target) {
   return target < position ? "undo " + std::to_string(position - target) : "redo " + std::to_string(target - position);
 }
 
-}  // namespace
+// Every edit; a click goes back or forth to it.
+class HistoryPanel : public Panel {
+ public:
+  void draw(PanelContext& context) override;
 
-void draw_history(PanelContext& context) {
+ private:
+  std::size_t scrolled_position_ = 0;  // the place of the history that the list was scrolled to
+};
+
+void HistoryPanel::draw(PanelContext& context) {
   Session& session = context.session;
   const std::size_t position = session.document().position(), size = session.document().history().size();
   const float gap = 4 * context.scale, width = (ImGui::GetContentRegionAvail().x - gap) / 2;
@@ -42,10 +49,14 @@ void draw_history(PanelContext& context) {
       ImGui::PopID();
     }
   }
-  if (context.state.scrolled_position != position) ImGui::SetScrollY((static_cast<float>(position) - 3) * line_height);
-  context.state.scrolled_position = position;
+  if (scrolled_position_ != position) ImGui::SetScrollY((static_cast<float>(position) - 3) * line_height);
+  scrolled_position_ = position;
   ImGui::EndChild();
   if (target != position) context.run(step_to(position, target));
 }
+
+}  // namespace
+
+std::unique_ptr<Panel> make_history_panel() { return std::make_unique<HistoryPanel>(); }
 
 }  // namespace ryosen

@@ -2,7 +2,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "app/ui/panels/all.h"
+#include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 #include "core/geometry/polygon_normal.h"
 #include "core/mesh/copies.h"
@@ -130,8 +130,7 @@ class Inspector {
   const Mesh& m_;
 };
 
-}  // namespace
-
+// The selected element, or else the one under the pointer.
 void draw_inspector(PanelContext& context) {
   const Session& session = context.session;
   if (session.selection.empty() && !session.hover()) return dim_text(context, context.text(UiText::nothing_picked));
@@ -139,5 +138,9 @@ void draw_inspector(PanelContext& context) {
   Inspector(context).draw(element);
   if (session.selection.size() > 1) ImGui::TextDisabled("+%zu", session.selection.size() - 1);
 }
+
+}  // namespace
+
+std::unique_ptr<Panel> make_inspector_panel() { return panel_of(draw_inspector); }
 
 }  // namespace ryosen

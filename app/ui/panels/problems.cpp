@@ -1,11 +1,71 @@
 #include <algorithm>
+#include <array>
 
-#include "app/ui/panels/all.h"
+#include "app/ui/panels.h"
 #include "app/ui/widgets.h"
+#include "core/algo/repair/repairs.h"
+#include "core/analysis/boundary_loops.h"
+#include "core/analysis/problems.h"
 
 namespace ryosen {
 
 namespace {
+
+// What was found of a kind, without a list of it. Cheap after an edit; only the list of boundary loops is made anew for
+// nth() when the edit has changed loops.
+class Findings {
+ public:
+  std::size_t count(Session& session, const ProblemRow& row);
+  Element nth(Session& session, const ProblemRow& row, std::size_t n);
+
+ private:
+  void know(const Session& session);
+
+  std::uint64_t known_document_ = 0;  // its serial number
+  std::size_t known_set_aside_ = 0;   // how many faces; a repair may drop them
+  std::array<std::vector<Element>, problem_kinds> quarantined_;
+  std::vector<Element> loops_;  // by their lowest edges, as of this revision of the count
+  std::optional<std::uint64_t> known_loops_;
+};
+
+void Findings::know(const Session& session) {
+  const Document& document = session.document();
+  if (known_document_ == document.serial() && known_set_aside_ == document.tables().quarantine.size()) return;
+  known_set_aside_ = document.tables().quarantine.size();
+  known_document_ = document.serial();
+  known_loops_.reset();
+  for (const ProblemRow& row : problem_table()) {
+    std::vector<Element>& faces = quarantined_[static_cast<std::size_t>(row.kind)];
+    faces.clear();
+    if (!row.quarantined) continue;
+    for (const QuarantinedFace& face : document.tables().quarantine)
+      if (row.quarantined(face, session.mesh().file_vertices())) faces.emplace_back(Face(face.face));
+  }
+}
+
+std::size_t Findings::count(Session& session, const ProblemRow& row) {
+  know(session);
+  if (row.quarantined) return quarantined_[static_cast<std::size_t>(row.kind)].size();
+  if (row.kind == ProblemKind::boundary_loop) return session.boundary_loops().count();
+  return session.highlights().count(row.kind);
+}
+
+Element Findings::nth(Session& session, const ProblemRow& row, std::size_t n) {
+  know(session);
+  if (row.quarantined) return quarantined_[static_cast<std::size_t>(row.kind)][n];
+  if (row.kind != ProblemKind::boundary_loop) {
+    const std::uint32_t i = session.highlights().of(row.kind).nth(static_cast<std::uint32_t>(n));
+    return row.vertex ? Element(Vertex(i)) : row.edge ? Element(Edge(i)) : Element(Face(i));
+  }
+  if (known_loops_ != session.boundary_loops().revision()) {
+    Neighbourhood around(session.mesh());
+    const BoundaryLoops loops = find_boundary_loops(around, session.highlights().of(row.kind));
+    loops_.clear();
+    for (std::size_t i = 0; i < loops.size(); ++i) loops_.emplace_back(edge(loops[i].front()));
+    known_loops_ = session.boundary_loops().revision();
+  }
+  return loops_[n];
+}
 
 // Selects the element and brings it into view; a quarantined face is in the file only.
 void go_to(PanelContext& context, const ProblemRow& row, Element element) {
@@ -15,7 +75,7 @@ void go_to(PanelContext& context, const ProblemRow& row, Element element) {
 }
 
 // Only the elements in sight are looked up and named.
-void draw_elements(PanelContext& context, const ProblemRow& row, std::size_t count) {
+void draw_elements(PanelContext& context, Findings& findings, const ProblemRow& row, std::size_t count) {
   Session& session = context.session;
   const float line_height = ImGui::GetTextLineHeightWithSpacing();
   const auto n = static_cast<int>(count);
@@ -24,7 +84,7 @@ void draw_elements(PanelContext& context, const ProblemRow& row, std::size_t cou
   clipper.Begin(n, line_height);
   while (clipper.Step()) {
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-      const Element element = context.state.finding(session, row, static_cast<std::size_t>(i));
+      const Element element = findings.nth(session, row, static_cast<std::size_t>(i));
       const bool is_selected = !session.selection.empty() && session.selection[0] == element;
       ImGui::PushID(i);
       if (ImGui::Selectable(name_on_points(session.mesh(), element).c_str(), is_selected)) go_to(context, row, element);
@@ -44,8 +104,7 @@ bool draw_repairs(PanelContext& context, ProblemKind kind) {
     if (ImGui::SmallButton(context.text(repair.name_en, repair.name_ja))) {
       is_pressed = true;
       if (repair.number == RepairNumber::must_be_given) {
-        context.state.command = command + " ";
-        context.run("panel command");
+        context.begin_command(command + " ");
       } else {
         context.run(command);
       }
@@ -56,7 +115,7 @@ bool draw_repairs(PanelContext& context, ProblemKind kind) {
   return is_pressed;
 }
 
-void draw_kind(PanelContext& context, const ProblemRow& row, std::size_t count) {
+void draw_kind(PanelContext& context, Findings& findings, const ProblemRow& row, std::size_t count) {
   const bool is_problem = row.severity == ProblemSeverity::problem;
   ImGui::PushID(static_cast<int>(row.kind));
   const std::string label = grouped(static_cast<std::int64_t>(count)) + "  " + context.text(row.name_en, row.name_ja);
@@ -67,23 +126,32 @@ void draw_kind(PanelContext& context, const ProblemRow& row, std::size_t count) 
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.sentence(count).in(context.language()).c_str());
   if (is_open) {
     // A repair may have taken away what was counted.
-    if (!draw_repairs(context, row.kind)) draw_elements(context, row, count);
+    if (!draw_repairs(context, row.kind)) draw_elements(context, findings, row, count);
     ImGui::TreePop();
   }
   ImGui::PopID();
 }
 
+// Everything that is wrong with the mesh; a click goes there.
+class ProblemsPanel : public Panel {
+ public:
+  void draw(PanelContext& context) override {
+    bool found = false;
+    for (const ProblemRow& row : problem_table()) {
+      const std::size_t count = findings_.count(context.session, row);
+      if (count == 0) continue;
+      found = true;
+      draw_kind(context, findings_, row, count);
+    }
+    if (!found) coloured_text(context.colours().legal, context.text(UiText::no_problems));
+  }
+
+ private:
+  Findings findings_;
+};
+
 }  // namespace
 
-void draw_problems(PanelContext& context) {
-  bool found = false;
-  for (const ProblemRow& row : problem_table()) {
-    const std::size_t count = context.state.findings(context.session, row);
-    if (count == 0) continue;
-    found = true;
-    draw_kind(context, row, count);
-  }
-  if (!found) coloured_text(context.colours().legal, context.text(UiText::no_problems));
-}
+std::unique_ptr<Panel> make_problems_panel() { return std::make_unique<ProblemsPanel>(); }
 
 }  // namespace ryosen

@@ -1,5 +1,5 @@
 #include "app/editor/commands.h"
-#include "app/ui/panels/all.h"
+#include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {
@@ -18,8 +18,7 @@ void press(PanelContext& context, const OpInfo& op) {
   } else if (op.syntax.empty()) {
     context.run(id);
   } else {
-    context.state.command = id + " ";
-    context.run("panel command");
+    context.begin_command(id + " ");
   }
 }
 
@@ -57,8 +56,7 @@ void draw_modes(PanelContext& context) {
   }
 }
 
-}  // namespace
-
+// The operators and what the pointer picks.
 void draw_tools(PanelContext& context) {
   ImGui::PushID("select");
   if (row(context, context.text(UiText::select_tool), "Esc", context.session.tool.empty())) context.run("tool none");
@@ -75,5 +73,9 @@ void draw_tools(PanelContext& context) {
   draw_modes(context);
   ImGui::EndDisabled();
 }
+
+}  // namespace
+
+std::unique_ptr<Panel> make_tools_panel() { return panel_of(draw_tools); }
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-#include "app/ui/panels/all.h"
+#include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {
@@ -51,8 +51,7 @@ void draw_on_points(PanelContext& context) {
   ImGui::EndTooltip();
 }
 
-}  // namespace
-
+// The terms of V - E + F + B - H = 2(S - G).
 void draw_totals(PanelContext& context) {
   const EulerPoincare& terms = context.session.euler_terms();
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {4 * context.scale, 1.5f * context.scale});
@@ -73,5 +72,9 @@ void draw_totals(PanelContext& context) {
   draw_on_points(context);
   draw_sum(context, terms);
 }
+
+}  // namespace
+
+std::unique_ptr<Panel> make_totals_panel() { return panel_of(draw_totals); }
 
 }  // namespace ryosen

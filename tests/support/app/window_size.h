@@ -6,5 +6,6 @@
 namespace ryosen::test {
 
 inline constexpr Size window{1280, 720};
+inline constexpr Size tall_window{1280, 1400};  // high enough for whole columns
 
 }  // namespace ryosen::test

@@ -21,6 +21,20 @@ TEST(ui_commands, set_what_they_name) {
   EXPECT_TRUE(session.log().empty()) << "a script of the edits does not hold how the window looked";
 }
 
+TEST(ui_commands, panels_over_the_view_take_turns_and_those_of_the_columns_are_hidden_each_by_itself) {
+  Session session(std::make_unique<Document>());
+  for (const char* line : {"panel keys", "panel history off", "panel open", "panel keys off"})
+    EXPECT_TRUE(session.run(line).done()) << line;
+  EXPECT_EQ(session.open_panel, "open") << "another than the one that was to be closed";
+  EXPECT_EQ(session.hidden_panels, std::set<std::string>{"history"});
+  for (const char* line : {"panel none", "panel tools off", "panel history"}) EXPECT_TRUE(session.run(line).done());
+  EXPECT_EQ(session.open_panel, "");
+  EXPECT_EQ(session.hidden_panels, std::set<std::string>{"tools"});
+  for (const char* wrong : {"panel history maybe", "panel none off", "panel history on on"})
+    EXPECT_EQ(session.run(wrong).exit_code, ExitCode::usage) << wrong;
+  EXPECT_EQ(session.run("panel histroy").sentence.en, "there is no panel 'histroy'; did you mean history?");
+}
+
 TEST(ui_commands, cancel_steps_out_of_one_thing_at_a_time) {
   auto document = Document::open(test::asset("torus.off"));
   ASSERT_TRUE(document);

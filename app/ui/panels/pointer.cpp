@@ -1,7 +1,7 @@
 #include <array>
 
 #include "app/editor/remedy_text.h"
-#include "app/ui/panels/all.h"
+#include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {
@@ -44,8 +44,7 @@ void draw_remedy(PanelContext& context, const Verdict& verdict) {
   if (!chosen.empty()) context.run(chosen);
 }
 
-}  // namespace
-
+// What a click would do, or why it would not.
 void draw_verdict(PanelContext& context) {
   if (!context.session.hover()) return dim_text(context, context.text(UiText::nothing_under_pointer));
   const Hover hover = *context.session.hover();
@@ -78,40 +77,8 @@ void draw_verdict(PanelContext& context) {
   draw_remedy(context, hover.preview.verdict);
 }
 
-void draw_pointer_tip(PanelContext& context) {
-  if (!context.session.hover() || !context.session.hover()->op) return;
-  const Hover& hover = *context.session.hover();
-  const bool legal = hover.preview.verdict.legal();
-  if (legal && hover.preview.warnings.empty()) return;
-  const Mesh& mesh = context.session.mesh();
-  const float width = 21 * ImGui::GetFontSize();
-  const ImVec2 offset{18 * context.scale, 16 * context.scale};
-  const ImVec2 all = ImGui::GetIO().DisplaySize;
-  const ImVec2 at{static_cast<float>(hover.pixel.x), static_cast<float>(hover.pixel.y)};
-  const bool leftwards = at.x + offset.x + width > all.x - 300 * context.scale;
-  ImGui::SetNextWindowPos({leftwards ? at.x - offset.x : at.x + offset.x, at.y + offset.y}, 0,
-                          {leftwards ? 1.f : 0.f, at.y > 0.72f * all.y ? 1.f : 0.f});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  ImGui::PushStyleColor(ImGuiCol_Border, legal ? context.colours().warning : context.colours().refused);
-  ImGui::Begin("##tip", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysAutoResize |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
-  ImGui::PushTextWrapPos(width);
-  const std::vector<Reason>& reasons = legal ? hover.preview.warnings : hover.preview.verdict.reasons;
-  for (const Reason& reason : reasons) ImGui::TextUnformatted(describe(mesh, reason).in(context.language()).c_str());
-  if (!legal) {
-    std::string help;
-    for (const std::string& line : context.session.hover_remedy()) help += (help.empty() ? "" : "; ") + line;
-    if (help.empty()) help = without_remedy(hover.preview.verdict).in(context.language());
-    help = context.text(UiText::remedy) + (": " + help);
-    ImGui::PushStyleColor(ImGuiCol_Text, context.colours().accent);
-    ImGui::TextUnformatted(help.c_str());
-    ImGui::PopStyleColor();
-  }
-  ImGui::PopTextWrapPos();
-  ImGui::End();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar();
-}
+}  // namespace
+
+std::unique_ptr<Panel> make_pointer_panel() { return panel_of(draw_verdict); }
 
 }  // namespace ryosen

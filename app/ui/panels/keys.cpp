@@ -1,6 +1,5 @@
 #include "app/editor/keys.h"
-#include "app/editor/words.h"
-#include "app/ui/panels/all.h"
+#include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {
@@ -28,10 +27,7 @@ void draw_mouse(PanelContext& context) {
   pair_row(context, context.text(UiText::double_click), context.text(UiText::does_centre));
 }
 
-}  // namespace
-
-void draw_keys_window(PanelContext& context) {
-  if (!begin_over(context, "keys", context.text(UiText::keys), {760, 520})) return;
+void draw_keys(PanelContext& context) {
   const auto table = [&](const char* id, float help_share, auto fill) {
     if (!ImGui::BeginTable(id, 2)) return;
     ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthStretch, 1);
@@ -51,26 +47,10 @@ void draw_keys_window(PanelContext& context) {
   dim_text(context, context.text(UiText::mouse));
   table("mouse", 1, [&] { draw_mouse(context); });
   ImGui::EndChild();
-  end_over();
 }
 
-void draw_unsaved_window(PanelContext& context) {
-  const PendingLeave where = context.state.pending;
-  if (!begin_over(context, "unsaved", context.session.document().path().filename().c_str(), {440, 130})) return;
-  ImGui::TextUnformatted(context.text(UiText::unsaved_question));
-  ImGui::Dummy({0, 10 * context.scale});
-  const ImVec2 size{120 * context.scale, 0};
-  if (ImGui::Button(context.text(UiText::save), size)) {
-    if (context.session.document().path().empty())
-      context.run("panel save");
-    else if (context.run("save").done())
-      context.go(where);
-  }
-  ImGui::SameLine();
-  if (ImGui::Button(context.text(UiText::discard), size)) context.go(where);
-  ImGui::SameLine();
-  if (ImGui::Button(context.text(UiText::cancel), size)) context.run("panel none");
-  end_over();
-}
+}  // namespace
+
+std::unique_ptr<Panel> make_keys_panel() { return panel_of(draw_keys, {760, 520}); }
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-#include "app/ui/panels/all.h"
+#include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {
@@ -12,12 +12,18 @@ void item(PanelContext& context, UiText name, const std::string& line, bool enab
   item(context, context.text(name), line, enabled, ticked);
 }
 
+// Opens a panel over the view.
+void panel_item(PanelContext& context, std::string_view id, const char* behind = "") {
+  const std::string name = std::string(context.title(*find_panel(id))) + behind;
+  item(context, name.c_str(), "panel " + std::string(id));
+}
+
 void draw_file_menu(PanelContext& context) {
-  item(context, UiText::open, "panel open");
+  panel_item(context, "open", "...");
   ImGui::Separator();
   item(context, UiText::save, "save", !context.session.document().path().empty());
-  item(context, UiText::save_as, "panel save");
-  item(context, UiText::menu_recover, "panel recover");
+  panel_item(context, "save", "...");
+  panel_item(context, "recover", "...");
   ImGui::Separator();
   item(context, UiText::quit, "quit");
 }
@@ -34,8 +40,18 @@ void draw_edit_menu(PanelContext& context) {
          context.session.tool == id);
   }
   ImGui::Separator();
-  item(context, UiText::command, "panel command");
+  panel_item(context, "command");
   item(context, UiText::select_none, "select none", !context.session.selection.empty());
+}
+
+// A tick for each panel of the columns that is not hidden.
+void draw_columns_menu(PanelContext& context) {
+  for (const PanelRow& row : panel_list()) {
+    if (row.place == PanelPlace::over) continue;
+    const std::string id(row.id);
+    const bool is_shown = !context.session.hidden_panels.contains(id);
+    item(context, context.title(row), "panel " + id + (is_shown ? " off" : " on"), true, is_shown);
+  }
 }
 
 void draw_view_menu(PanelContext& context) {
@@ -53,6 +69,8 @@ void draw_view_menu(PanelContext& context) {
   ImGui::Separator();
   item(context, UiText::theme_dark, "theme dark", true, !context.session.light_theme);
   item(context, UiText::theme_light, "theme light", true, context.session.light_theme);
+  ImGui::Separator();
+  draw_columns_menu(context);
 }
 
 void draw_name(PanelContext& context) {
@@ -75,7 +93,7 @@ void draw_menu(PanelContext& context) {
   menu(UiText::menu_file, draw_file_menu);
   menu(UiText::menu_edit, draw_edit_menu);
   menu(UiText::menu_view, draw_view_menu);
-  menu(UiText::menu_help, [](PanelContext& c) { item(c, UiText::keys, "panel keys"); });
+  menu(UiText::menu_help, [](PanelContext& c) { panel_item(c, "keys"); });
   draw_name(context);
   const char* const other = context.text(UiText::language_other);
   const float width = ImGui::CalcTextSize(other).x + 3 * ImGui::GetStyle().ItemSpacing.x;

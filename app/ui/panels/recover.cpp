@@ -1,5 +1,5 @@
 #include "app/editor/commands.h"
-#include "app/ui/panels/all.h"
+#include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {
@@ -24,10 +24,9 @@ std::string draw_lost(PanelContext& context, std::size_t n) {
   return chosen;
 }
 
-}  // namespace
-
-void draw_recover_window(PanelContext& context) {
-  if (!begin_over(context, "recover", context.text(UiText::recover_title), {560, 300})) return;
+// What a crash left unsaved.
+void draw_recover(PanelContext& context) {
+  if (ImGui::IsWindowAppearing()) context.session.lost = find_lost_sessions(recovery_folder());
   const std::vector<LostSession>& lost = context.session.lost;
   dim_text(context, context.text(lost.empty() ? UiText::nothing_to_recover : UiText::recover_question));
   ImGui::Dummy({0, 4 * context.scale});
@@ -37,12 +36,15 @@ void draw_recover_window(PanelContext& context) {
     if (std::string command = draw_lost(context, n); !command.empty()) chosen = std::move(command);
   ImGui::EndChild();
   const bool closes = ImGui::Button(context.text(UiText::later), {120 * context.scale, 0});
-  end_over();
   if (closes) context.run("panel none");
   if (chosen.empty()) return;
   if (call_of(chosen)->row.effect == Effect::replaces) return context.leave({false, {}, chosen});
   context.run(chosen);
   if (lost.empty()) context.session.open_panel.clear();
 }
+
+}  // namespace
+
+std::unique_ptr<Panel> make_recover_panel() { return panel_of(draw_recover, {560, 300}); }
 
 }  // namespace ryosen

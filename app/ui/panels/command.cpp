@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <utility>
 
 #include "app/editor/command_syntax.h"
 #include "app/editor/commands.h"
-#include "app/ui/panels/all.h"
+#include "app/editor/words.h"
+#include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
 #include <imgui_stdlib.h>  // needs imgui.h before it
@@ -13,18 +15,19 @@ namespace {
 
 // What a line may begin with, as a row of the list.
 struct Suggestion {
-  std::string_view id, syntax, help;
+  std::string_view id, syntax;
+  std::string help;
 };
 
-std::vector<Suggestion> suggestions(const PanelContext& context) {
-  const std::string& typed = context.state.command;
+std::vector<Suggestion> suggestions(const PanelContext& context, const std::string& typed) {
   const std::string_view word = std::string_view(typed).substr(0, typed.find(' '));
   const bool is_whole = word.size() < typed.size();
   std::vector<Suggestion> found;
-  const auto add = [&](std::string_view id, std::string_view syntax, std::string_view help) {
-    if (is_whole ? id == word : id.find(word) != std::string_view::npos) found.push_back({id, syntax, help});
+  const auto add = [&](std::string_view id, std::string_view syntax, const auto& help) {
+    if (is_whole ? id == word : id.find(word) != std::string_view::npos) found.push_back({id, syntax, help()});
   };
-  for (const CommandRow& row : command_table()) add(row.id, row.syntax, context.text(row.help_en, row.help_ja));
+  for (const CommandRow& row : command_table())
+    add(row.id, row.syntax, [&] { return help_of(row, context.language()); });
   // What begins with the word comes before what only contains it.
   std::stable_partition(found.begin(), found.end(), [&](const Suggestion& s) { return s.id.starts_with(word); });
   return found;
@@ -38,50 +41,66 @@ int go_to_end(ImGuiInputTextCallbackData* data) {
   return 0;
 }
 
-void draw_suggestions(PanelContext& context) {
+void draw_suggestions(PanelContext& context, std::string& typed) {
   ImGui::BeginChild("suggestions");
-  for (const Suggestion& s : suggestions(context)) {
+  for (const Suggestion& s : suggestions(context, typed)) {
     const std::string label = std::string(s.id) + " " + std::string(s.syntax);
-    if (ImGui::Selectable(label.c_str())) context.state.command = std::string(s.id) + " ";
-    dim_text(context, s.help.data());
+    if (ImGui::Selectable(label.c_str())) typed = std::string(s.id) + " ";
+    dim_text(context, s.help.c_str());
   }
   ImGui::EndChild();
 }
 
-}  // namespace
+// A line with what it may say; Enter carries it out.
+class CommandPanel : public Panel {
+ public:
+  void draw(PanelContext& context) override;
 
-void draw_command_window(PanelContext& context) {
-  if (!begin_over(context, "command", context.text(UiText::command), {560, 360})) return;
+ private:
+  void enter(PanelContext& context);
+
+  std::string typed_;
+  bool was_begun_ = false;  // the field has just appeared
+};
+
+void CommandPanel::draw(PanelContext& context) {
+  if (!context.state.begun_command.empty()) typed_ = std::exchange(context.state.begun_command, {});
   if (ImGui::IsWindowAppearing()) {
     ImGui::SetKeyboardFocusHere();
-    context.state.command_was_begun = true;
+    was_begun_ = true;
   }
   ImGui::SetNextItemWidth(-1);
-  const bool entered =
-      ImGui::InputTextWithHint("##command", context.text(UiText::command_hint), &context.state.command,
-                               ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways, go_to_end,
-                               &context.state.command_was_begun);
+  const bool entered = ImGui::InputTextWithHint(
+      "##command", context.text(UiText::command_hint), &typed_,
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways, go_to_end, &was_begun_);
   const Text& outcome = context.state.last_outcome;
   if (context.state.last_kind != Outcome::Kind::done && !outcome.en.empty()) {
     ImGui::PushTextWrapPos(0);
     coloured_text(context.colours().warning, outcome.in(context.language()).c_str());
     ImGui::PopTextWrapPos();
   }
-  draw_suggestions(context);
-  end_over();
-  if (!entered || split_words(context.state.command).empty()) return;
-  const std::string line = context.state.command;
+  draw_suggestions(context, typed_);
+  if (entered) enter(context);
+}
+
+void CommandPanel::enter(PanelContext& context) {
+  const std::string line = typed_;
+  if (split_words(line).empty()) return;
   // What would lose changes asks first.
   const auto call = call_of(line);
   if (context.session.document().is_modified() && call && call->row.effect == Effect::replaces &&
       !fault_of_command(line)) {
-    context.state.command.clear();
+    typed_.clear();
     return context.leave({false, {}, line});
   }
   if (context.run(line).done()) {
-    context.state.command.clear();
+    typed_.clear();
     if (context.session.open_panel == "command") context.session.open_panel.clear();
   }
 }
+
+}  // namespace
+
+std::unique_ptr<Panel> make_command_panel() { return std::make_unique<CommandPanel>(); }
 
 }  // namespace ryosen

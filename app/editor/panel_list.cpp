@@ -1,0 +1,45 @@
+#include "app/editor/panel_list.h"
+
+#include <algorithm>
+#include <cassert>
+#include <vector>
+
+namespace ryosen {
+
+namespace {
+
+std::vector<PanelRow>& panel_rows() {
+  static std::vector<PanelRow> rows{
+#define RYOSEN_PANEL(id, place, en, ja) {#id, PanelPlace::place, en, ja},
+#include "app/editor/panels.def"
+#undef RYOSEN_PANEL
+  };
+  return rows;
+}
+
+}  // namespace
+
+std::span<const PanelRow> panel_list() { return panel_rows(); }
+
+const PanelRow* find_panel(std::string_view id) {
+  for (const PanelRow& row : panel_list())
+    if (row.id == id) return &row;
+  return nullptr;
+}
+
+std::string panel_ids() {
+  std::string ids;
+  for (const PanelRow& row : panel_list()) ids.append(ids.empty() ? "" : ", ").append(row.id);
+  return ids;
+}
+
+ScopedPanel::ScopedPanel(const PanelRow& row) : id_(row.id) {
+  assert(!find_panel(id_) && "every panel has an id of its own");
+  panel_rows().push_back(row);
+}
+
+ScopedPanel::~ScopedPanel() {
+  std::erase_if(panel_rows(), [&](const PanelRow& row) { return row.id == id_; });
+}
+
+}  // namespace ryosen

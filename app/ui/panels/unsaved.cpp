@@ -1,0 +1,31 @@
+#include "app/ui/panels.h"
+
+namespace ryosen {
+
+namespace {
+
+// The question before changes would be lost.
+void draw_unsaved(PanelContext& context) {
+  const PendingLeave where = context.state.pending;
+  const std::string name = context.session.document().path().filename().string();
+  const std::string of_file = name.empty() ? "" : name + context.text(": ", "：");
+  ImGui::TextWrapped("%s%s", of_file.c_str(), context.text(UiText::unsaved_question));
+  ImGui::Dummy({0, 10 * context.scale});
+  const ImVec2 size{120 * context.scale, 0};
+  if (ImGui::Button(context.text(UiText::save), size)) {
+    if (context.session.document().path().empty())
+      context.run("panel save");
+    else if (context.run("save").done())
+      context.go(where);
+  }
+  ImGui::SameLine();
+  if (ImGui::Button(context.text(UiText::discard), size)) context.go(where);
+  ImGui::SameLine();
+  if (ImGui::Button(context.text(UiText::cancel), size)) context.run("panel none");
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_unsaved_panel() { return panel_of(draw_unsaved, {440, 130}); }
+
+}  // namespace ryosen

@@ -44,7 +44,7 @@ class Reader {
 
   // `--version` is a command; `help` takes it as an operand.
   bool is_command_named_like_flag(const std::string& word) const {
-    return find_subcommand(word) && (!command_seen_ || (line_.command && line_.command->run == help_command));
+    return find_subcommand(word) && (!command_seen_ || (line_.command && line_.command->operand_is_command));
   }
 
   void read_command(const std::string& word) {
@@ -52,7 +52,7 @@ class Reader {
     line_.command = find_subcommand(word);
     if (line_.command) return;
     const bool is_file = word.find_first_of("./\\") != std::string::npos || std::filesystem::exists(word);
-    if (is_file && find_subcommand("view")) {
+    if (is_file) {
       line_.command = find_subcommand("view");
       line_.arguments.add_operand(word);
       return;

@@ -10,7 +10,7 @@
 namespace ryosen::cli {
 
 struct CommandLine {
-  const Subcommand* command = nullptr;
+  std::optional<Subcommand> command;
   Arguments arguments;
   Console console;  // also set as far as it can be where there is a failure
   std::optional<Failure> failure;

@@ -56,9 +56,10 @@ std::string help_of(const Subcommand& command, const Console& console) {
 std::string help_of_program(const Console& console) {
   std::string text(console.text("Ryosen: a halfedge mesh editor that explains itself\n\n",
                                 "Ryosen（稜線）：理由を説明するハーフエッジ・メッシュエディタ\n\n"));
-  Columns columns;
-  for (const Subcommand& command : subcommands()) columns.add(usage_of(command), console.text(command.en, command.ja));
-  text += columns.text();
+  Columns columns, algorithms;
+  for (const Subcommand& command : subcommands())
+    (command.is_algorithm ? algorithms : columns).add(usage_of(command), console.text(command.en, command.ja));
+  text += columns.text() + "\n" + std::string(console.text("Algorithms:", "アルゴリズム：")) + "\n" + algorithms.text();
   text += "\n" + std::string(console.text("Common:", "共通：")) + "\n" + flag_texts(common_flags(), console);
   text += "\n" + std::string(console.text("Exit codes:", "終了コード：")) + "\n";
   Columns codes;
@@ -88,10 +89,10 @@ Json to_json(const Subcommand& command) {
 
 }  // namespace
 
-ExitCode show_help(const Subcommand* command, const Console& console) {
+ExitCode show_help(const std::optional<Subcommand>& command, const Console& console) {
   if (console.json) {
     for (const Subcommand& row : subcommands())
-      if (!command || command == &row) console.print(line_of(to_json(row)));
+      if (!command || command->id == row.id) console.print(line_of(to_json(row)));
   } else {
     console.print(command ? help_of(*command, console) : help_of_program(console));
   }
@@ -99,9 +100,9 @@ ExitCode show_help(const Subcommand* command, const Console& console) {
 }
 
 ExitCode help_command(const Arguments& arguments, const Console& console) {
-  if (arguments.operands().empty()) return show_help(nullptr, console);
+  if (arguments.operands().empty()) return show_help(std::nullopt, console);
   const std::string& name = arguments.operands()[0];
-  if (const Subcommand* const command = find_subcommand(name)) return show_help(command, console);
+  if (const auto command = find_subcommand(name)) return show_help(command, console);
   std::vector<std::string> known;
   for (const Subcommand& command : subcommands()) known.emplace_back(command.id);
   const Text hint = did_you_mean(name, known);

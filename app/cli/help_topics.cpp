@@ -2,10 +2,10 @@
 
 #include <string_view>
 
+#include "app/cli/algorithm_flags.h"
 #include "app/cli/columns.h"
 #include "app/editor/commands.h"
 #include "app/editor/recovery.h"
-#include "core/algo/repair/repairs.h"
 #include "core/analysis/problem_kinds.h"
 #include "core/forms/all.h"
 #include "core/forms/pairing.h"
@@ -30,6 +30,12 @@ void add(Columns& columns, const Row& row, Language language) {
   columns.add(std::move(left), help);
 }
 
+std::string solved_by(const AlgorithmRow& row) {
+  std::string kinds;
+  for (ProblemKind kind : row.solves) kinds += (kinds.empty() ? "" : ", ") + std::string(row_of(kind).id);
+  return kinds;
+}
+
 }  // namespace
 
 std::string problem_kinds_topic(Language language) {
@@ -41,19 +47,27 @@ std::string problem_kinds_topic(Language language) {
 
 std::string repairs_topic(Language language) {
   Columns unasked, named;
-  for (const RepairRow& row : repair_table()) {
-    std::string solves;
-    for (ProblemKind kind : row.solves) solves += (solves.empty() ? "" : ", ") + std::string(row_of(kind).id);
+  for (const AlgorithmRow& row : algorithm_table()) {
+    if (!row.is_repair()) continue;
     std::string help(choose(language, row.help_en, row.help_ja));
-    help.append(choose(language, "; solves ", "（対象：")).append(solves).append(choose(language, "", "）"));
-    const std::string syntax = row.syntax.empty() ? "" : "=" + std::string(row.syntax);
-    (row.keeps_geometry ? unasked : named).add(std::string(row.id) + syntax, help);
+    for (const ParameterRow& parameter : row.parameters)
+      help.append("; ").append(choose(language, parameter.help_en, parameter.help_ja));
+    help.append(choose(language, "; solves ", "（対象：")).append(solved_by(row)).append(choose(language, "", "）"));
+    (row.keeps_geometry ? unasked : named).add(std::string(row.id) + kinds_syntax(row), help);
   }
   return std::string(choose(language, "Done unless --kinds names others (every place and face stays):\n",
                             "--kinds を省いたときに行うもの（形状はすべて保たれる）：\n")) +
          unasked.text() +
          std::string(choose(language, "Done where --kinds names them:\n", "--kinds で指定したときだけ行うもの：\n")) +
          named.text();
+}
+
+std::string algorithm_topic(const AlgorithmRow& row, Language language) {
+  const std::string operator_first = find_op(row.id) ? "repair " : "", syntax = syntax_of(row.parameters);
+  std::string text(choose(language, "In scripts: ", "スクリプトでは："));
+  text.append(operator_first).append(row.id).append(syntax.empty() ? "" : " ").append(syntax).append("\n");
+  if (row.is_repair()) text.append(choose(language, "Solves: ", "対象：")).append(solved_by(row)).append("\n");
+  return text;
 }
 
 std::string operators_topic(Language language) {

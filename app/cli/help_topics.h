@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/algo/algorithms.h"
 #include "core/base/message.h"
 
 namespace ryosen::cli {
@@ -13,6 +14,8 @@ std::string problem_kinds_topic(Language language);
 std::string script_commands_topic(Language language);
 // The repairs, which of them are done unasked, and what each solves.
 std::string repairs_topic(Language language);
+// How scripts say an algorithm, and what it solves.
+std::string algorithm_topic(const AlgorithmRow& row, Language language);
 // The operators alone.
 std::string operators_topic(Language language);
 // Where edits are kept for after a crash, and how they come back.

@@ -28,10 +28,7 @@ ExitCode run_command(const CommandLine& line) {
     return code;
   }
   // Without a command the program is the editor.
-  if (const Subcommand* const command = line.command ? line.command : find_subcommand("view"))
-    return command->run(line.arguments, line.console);
-  show_help(nullptr, line.console);
-  return ExitCode::usage;
+  return (line.command ? line.command : find_subcommand("view"))->run(line.arguments, line.console);
 }
 
 // What was printed may still be on its way; a full disk shows only here.

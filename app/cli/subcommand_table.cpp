@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "app/cli/algorithm_flags.h"
 #include "app/cli/help_topics.h"
 #include "app/cli/subcommands.h"
 
@@ -181,22 +182,44 @@ const std::vector<Subcommand>& table() {
                  "プログラムとコマンドの使い方",
                  {},
                  nullptr,
-                 help_command},
+                 help_command,
+                 true},
       Subcommand{"--version", "", 0, 0, "the version of the program", "プログラムの版", {}, nullptr, version_command},
   };
   return rows;
 }
 
+Subcommand subcommand_of(const AlgorithmRow& row) {
+  std::vector<Flag> flags{
+      {"-o", "OUT", false, "writes the result; else a trial", "結果の出力先（省くと書き出さない）"}};
+  for (const ParameterRow& parameter : row.parameters) {
+    const Text is = described(parameter);
+    flags.push_back({flag_of(parameter), placeholder(parameter), false, std::string(parameter.help_en) + ": " + is.en,
+                     std::string(parameter.help_ja) + "：" + is.ja});
+  }
+  flags.push_back({"--overwrite", "", false, "allows to replace an input", "入力の置き換えを許す"});
+  const auto more = [&row](Language language) { return algorithm_topic(row, language); };
+  const auto run = [&row](const Arguments& arguments, const Console& console) {
+    return algorithm_command(row, arguments, console);
+  };
+  return {row.id, "FILE", 1, 1, row.help_en, row.help_ja, std::move(flags), more, run, false, true};
+}
+
 }  // namespace
 
-std::span<const Subcommand> subcommands() { return table(); }
+std::vector<Subcommand> subcommands() {
+  std::vector<Subcommand> all = table();
+  for (const AlgorithmRow& row : algorithm_table()) all.push_back(subcommand_of(row));
+  return all;
+}
 
 std::span<const Flag> common_flags() { return common; }
 
-const Subcommand* find_subcommand(std::string_view id) {
+std::optional<Subcommand> find_subcommand(std::string_view id) {
   for (const Subcommand& command : table())
-    if (command.id == id) return &command;
-  return nullptr;
+    if (command.id == id) return command;
+  const AlgorithmRow* const algorithm = find_algorithm(id);
+  return algorithm ? std::optional(subcommand_of(*algorithm)) : std::nullopt;
 }
 
 bool Arguments::has(std::string_view flag) const { return value(flag) != nullptr; }
@@ -204,14 +227,14 @@ bool Arguments::has(std::string_view flag) const { return value(flag) != nullptr
 const std::string* Arguments::value(std::string_view flag) const {
   const std::string* last = nullptr;
   for (const Given& given : given_)
-    if (given.flag->name == flag) last = &given.value;
+    if (given.flag == flag) last = &given.value;
   return last;
 }
 
 std::vector<std::string> Arguments::values(std::string_view flag) const {
   std::vector<std::string> all;
   for (const Given& given : given_)
-    if (given.flag->name == flag) all.push_back(given.value);
+    if (given.flag == flag) all.push_back(given.value);
   return all;
 }
 

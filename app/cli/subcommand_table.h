@@ -2,6 +2,8 @@
 // flag that is not in it does not exist.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,10 +15,10 @@
 namespace ryosen::cli {
 
 struct Flag {
-  std::string_view name;   // with its dash or dashes
-  std::string_view value;  // what stands behind it, in words; empty for a switch
+  std::string name;   // with its dash or dashes
+  std::string value;  // what stands behind it, in words; empty for a switch
   bool repeatable = false;
-  std::string_view en, ja;
+  std::string en, ja;
 };
 
 // What the user gave, checked against the row of the command.
@@ -30,11 +32,11 @@ class Arguments {
   std::vector<std::string> values(std::string_view flag) const;
 
   void add_operand(std::string operand) { operands_.push_back(std::move(operand)); }
-  void add_flag(const Flag& flag, std::string value) { given_.push_back({&flag, std::move(value)}); }
+  void add_flag(const Flag& flag, std::string value) { given_.push_back({flag.name, std::move(value)}); }
 
  private:
   struct Given {
-    const Flag* flag;
+    std::string flag;
     std::string value;
   };
   std::vector<std::string> operands_;
@@ -45,14 +47,17 @@ struct Subcommand {
   std::string_view id;
   std::string_view operands;  // as in the help
   std::size_t least_operands, most_operands;
-  std::string_view en, ja;        // one line
-  std::vector<Flag> flags;        // besides the common ones
-  std::string (*more)(Language);  // further lines of the help; may be null
-  ExitCode (*run)(const Arguments& arguments, const Console& console);
+  std::string_view en, ja;                    // one line
+  std::vector<Flag> flags;                    // besides the common ones
+  std::function<std::string(Language)> more;  // further lines of the help; may be empty
+  std::function<ExitCode(const Arguments& arguments, const Console& console)> run;
+  bool operand_is_command = false;
+  bool is_algorithm = false;  // made of its row in the table of algorithms
 };
 
-std::span<const Subcommand> subcommands();
+// Those of the program, then the algorithms.
+std::vector<Subcommand> subcommands();
 std::span<const Flag> common_flags();
-const Subcommand* find_subcommand(std::string_view id);
+std::optional<Subcommand> find_subcommand(std::string_view id);
 
 }  // namespace ryosen::cli

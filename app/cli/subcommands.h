@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cli/subcommand_table.h"
+#include "core/algo/algorithms.h"
 
 namespace ryosen::cli {
 
@@ -11,6 +12,7 @@ ExitCode edit_command(const Arguments& arguments, const Console& console);
 ExitCode convert_command(const Arguments& arguments, const Console& console);
 ExitCode view_command(const Arguments& arguments, const Console& console);
 ExitCode repair_command(const Arguments& arguments, const Console& console);
+ExitCode algorithm_command(const AlgorithmRow& row, const Arguments& arguments, const Console& console);
 ExitCode shot_command(const Arguments& arguments, const Console& console);
 ExitCode forms_command(const Arguments& arguments, const Console& console);
 ExitCode formats_command(const Arguments& arguments, const Console& console);
@@ -20,6 +22,6 @@ ExitCode help_command(const Arguments& arguments, const Console& console);
 ExitCode version_command(const Arguments& arguments, const Console& console);
 
 // The help of one command, or of the program.
-ExitCode show_help(const Subcommand* command, const Console& console);
+ExitCode show_help(const std::optional<Subcommand>& command, const Console& console);
 
 }  // namespace ryosen::cli

@@ -17,12 +17,15 @@ Outcome run_open(Session& session, Words arguments, std::string_view whole);
 Outcome run_save(Session& session, Words arguments, std::string_view whole);
 Outcome run_undo(Session& session, Words arguments, std::string_view whole);
 Outcome run_redo(Session& session, Words arguments, std::string_view whole);
-Outcome run_repair(Session& session, Words arguments, std::string_view whole);
 Outcome run_recover(Session& session, Words arguments, std::string_view whole);
 Outcome run_shot(Session& session, Words arguments, std::string_view whole);
 std::optional<Text> fault_of_open(Words arguments, const std::string& line);
 std::optional<Text> fault_of_recover(Words arguments, const std::string& line);
 bool recover_only_tells(Words arguments);
+// Algorithms: commands_algorithm.cpp
+CommandRow row_of(const AlgorithmRow& algorithm);
+Outcome run_repair(Session& session, Words arguments, std::string_view whole);
+std::optional<Text> fault_of_repair(Words arguments, const std::string& line);
 // What the pointer does: commands_pointing.cpp
 Outcome run_select(Session& session, Words arguments, std::string_view whole);
 std::optional<Text> fault_of_select(Words arguments, const std::string& line);
@@ -39,6 +42,7 @@ Outcome run_drag(Session& session, Words arguments, std::string_view whole);
 Outcome run_show(Session& session, Words arguments, std::string_view whole);
 // The user interface: commands_window.cpp
 Outcome run_panel(Session& session, Words arguments, std::string_view whole);
+Outcome run_values(Session& session, Words arguments, std::string_view whole);
 Outcome run_language(Session& session, Words arguments, std::string_view whole);
 Outcome run_theme(Session& session, Words arguments, std::string_view whole);
 Outcome run_cancel(Session& session, Words arguments, std::string_view whole);

@@ -1,6 +1,4 @@
 // The rows of the table of commands, and how they are found.
-#include <utility>
-
 #include "app/editor/command_functions.h"
 #include "app/editor/command_syntax.h"
 #include "app/editor/expect.h"
@@ -27,7 +25,7 @@ CommandRow row_of(const OpInfo& op, std::string_view called) {
     return wrong ? std::optional(behind(word, *wrong)) : std::nullopt;
   };
   return {.id = op.id,
-          .syntax = op.syntax,
+          .syntax = std::string(op.syntax),
           .help_en = op.help_en,
           .help_ja = op.help_ja,
           .effect = Effect::edits,
@@ -69,12 +67,13 @@ const std::vector<CommandRow>& editor_rows() {
       {"undo", "[N]", "takes back the last N edits", "直前の N 回の編集を元に戻す", Effect::steps, run_undo},
       {"redo", "[N]", "does N undone edits again", "元に戻した N 回の編集をやり直す", Effect::steps, run_redo},
       {.id = "repair",
-       .syntax = "KIND [NUMBER]",
+       .syntax = "KIND [VALUE|NAME=VALUE ...]",
        .help_en = "takes a kind of problem away everywhere (see ryosen repair --help)",
        .help_ja = "一種類の問題をまとめて直す（ryosen repair --help を参照）",
        .effect = Effect::edits,
        .run = run_repair,
-       .is_long = true},
+       .is_long = true,
+       .fault = fault_of_repair},
       {.id = "recover",
        .syntax = "[list|N|discard N]",
        .help_en = "brings back what a crash left unsaved: lists it, or does its edits again",
@@ -127,6 +126,8 @@ const std::vector<CommandRow>& editor_rows() {
        .effect = Effect::none,
        .run = run_panel,
        .ids = panel_ids},
+      {"values", "ALGORITHM", "opens the fields of an algorithm's values", "アルゴリズムに与える値の入力欄を開く",
+       Effect::none, run_values},
       {"language", "en|ja", "sets the language of the window", "画面の言語を選ぶ", Effect::none, run_language},
       {"theme", "dark|light", "sets the colours of the window", "画面の配色を選ぶ", Effect::none, run_theme},
       {"cancel", "", "closes the open panel, else puts the tool away, else selects nothing",
@@ -136,29 +137,24 @@ const std::vector<CommandRow>& editor_rows() {
   return rows;
 }
 
-// Those of ScopedCommand, with their numbers.
-std::vector<std::pair<std::size_t, CommandRow>>& further_rows() {
-  static std::vector<std::pair<std::size_t, CommandRow>> rows;
+// Those of ScopedCommand.
+std::vector<CommandRow>& further_rows() {
+  static std::vector<CommandRow> rows;
   return rows;
 }
 
 }  // namespace
 
-ScopedCommand::ScopedCommand(CommandRow row) {
-  static std::size_t last = 0;
-  number_ = ++last;
-  further_rows().emplace_back(number_, std::move(row));
-}
-
-ScopedCommand::~ScopedCommand() {
-  std::erase_if(further_rows(), [&](const auto& row) { return row.first == number_; });
-}
+ScopedCommand::ScopedCommand(CommandRow row) { further_rows().push_back(std::move(row)); }
+ScopedCommand::~ScopedCommand() { further_rows().pop_back(); }
 
 std::vector<CommandRow> command_table() {
   std::vector<CommandRow> table;
   for (const OpInfo& op : all_ops()) table.push_back(row_of(op, op.id));
   table.insert(table.end(), editor_rows().begin(), editor_rows().end());
-  for (const auto& [number, row] : further_rows()) table.push_back(row);
+  for (const AlgorithmRow& algorithm : algorithm_table())
+    if (!find_op(algorithm.id)) table.push_back(row_of(algorithm));
+  table.insert(table.end(), further_rows().begin(), further_rows().end());
   return table;
 }
 
@@ -166,7 +162,8 @@ std::optional<CommandRow> find_command_row(std::string_view id) {
   if (const OpInfo* const op = find_op(id)) return row_of(*op, id);
   for (const CommandRow& row : editor_rows())
     if (row.id == id) return row;
-  for (const auto& [number, row] : further_rows())
+  if (const AlgorithmRow* const algorithm = find_algorithm(id)) return row_of(*algorithm);
+  for (const CommandRow& row : further_rows())
     if (row.id == id) return row;
   return std::nullopt;
 }

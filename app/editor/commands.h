@@ -1,5 +1,5 @@
-// The table of commands: what a script line, a key, a menu entry or a click may say. Operators are commands too, read
-// from their own list.
+// The table of commands: what a script line, a key, a menu entry or a click may say. Operators and algorithms are commands
+// too, read from their own tables.
 //
 // Who has to know what a command does asks its row: the log, autosave and recovery for its effect, the window whether it
 // takes long, the guards of files which one it reads or writes, the check of a script what is wrong with its arguments.
@@ -32,7 +32,7 @@ enum class FileAccess { none, reads_mesh, writes_mesh, writes_picture };
 
 struct CommandRow {
   std::string_view id;
-  std::string_view syntax;
+  std::string syntax;
   std::string_view help_en, help_ja;
   Effect effect;
   // Does it; `whole` is all of the text behind the id. What it performed is the line that does the same; for one that
@@ -53,7 +53,7 @@ struct CommandRow {
   std::string (*ids)() = nullptr;  // what ID in the syntax stands for, where the help names it
 };
 
-// All commands: operators, then those of the editor.
+// All commands: operators, those of the editor, and algorithms.
 std::vector<CommandRow> command_table();
 // By id or alias.
 std::optional<CommandRow> find_command_row(std::string_view id);
@@ -71,16 +71,17 @@ std::optional<CommandCall> call_of(std::string_view line);
 // The name of the file that a call reads or writes; empty for the document's own.
 std::string file_of(const CommandCall& call);
 
-// A further row for its life: for tests, and for programs that embed the editor. Not while anything else reads the table.
+// The line that runs an algorithm with these values.
+std::string line_of(const AlgorithmRow& algorithm, const ParameterValues& values);
+
+// A further row for its life: for tests, and for programs that embed the editor. The last one made ends first. Not while
+// anything else reads the table.
 class ScopedCommand {
  public:
   explicit ScopedCommand(CommandRow row);
   ~ScopedCommand();
   ScopedCommand(const ScopedCommand&) = delete;
   ScopedCommand& operator=(const ScopedCommand&) = delete;
-
- private:
-  std::size_t number_;
 };
 
 // All ids, operators and their aliases included: for "did you mean".

@@ -98,38 +98,6 @@ Outcome run_save(Session& session, Words, std::string_view whole) {
 
 namespace {
 
-Outcome cancelled() {
-  Outcome outcome;
-  outcome.kind = Outcome::Kind::failed;
-  outcome.exit_code = ExitCode::cancelled;
-  outcome.sentence = {"Cancelled; nothing has changed.", "中止しました。何も変わっていません。"};
-  return outcome;
-}
-
-}  // namespace
-
-Outcome run_repair(Session& session, Words arguments, std::string_view) {
-  if (arguments.empty() || arguments.size() > 2) return wrong_arguments("repair");
-  const ParsedRepair parsed =
-      parse_repair(arguments[0], arguments.size() > 1 ? std::optional(arguments[1]) : std::nullopt);
-  if (!parsed.call.row) {
-    std::vector<std::string> known;
-    for (const RepairRow& row : repair_table()) known.emplace_back(row.id);
-    const std::string close = find_repair(arguments[0]) ? "" : closest_word(arguments[0], known);
-    return usage_error(parsed.sentence.en + (close.empty() ? "" : "; did you mean " + close + "?"),
-                       parsed.sentence.ja + (close.empty() ? "" : "。" + close + " ですか？"));
-  }
-  const std::optional<RepairResult> result = session.document().repair(parsed.call, session.on_progress);
-  if (!result) return cancelled();
-  std::string line = "repair";
-  for (std::string_view word : arguments) line.append(" ").append(word);
-  Outcome outcome = performed(std::move(line));
-  outcome.sentence = result->text;
-  return outcome;
-}
-
-namespace {
-
 bool is_list(Words arguments) { return arguments.empty() || (arguments.size() == 1 && arguments[0] == "list"); }
 bool is_discard(Words arguments) { return !arguments.empty() && arguments[0] == "discard"; }
 

@@ -4,28 +4,12 @@
 
 #include "app/editor/camera_text.h"
 #include "app/editor/command_syntax.h"
+#include "core/mesh/find_element.h"
 #include "core/ops/lines/syntax.h"
 
 namespace ryosen {
 
 namespace {
-
-std::optional<Element> element_named(const Mesh& mesh, std::string_view name, Text& sentence) {
-  if (name.starts_with('f')) {
-    const Named<Face> face = find_face(mesh, name);
-    sentence = face.sentence;
-    return face.ok() ? std::optional<Element>(face.element) : std::nullopt;
-  }
-  if (name.starts_with('v')) {
-    const Named<Vertex> vertex = find_vertex(mesh, name);
-    sentence = vertex.sentence;
-    return vertex.ok() ? std::optional<Element>(vertex.element) : std::nullopt;
-  }
-  const Named<Halfedge> edge_half = find_edge(mesh, name);
-  sentence = edge_half.sentence;
-  if (!edge_half.ok()) return std::nullopt;
-  return name.starts_with('h') ? Element(edge_half.element) : Element(edge(edge_half.element));
-}
 
 // An operator that works on what the pointer is on.
 const OpInfo* find_tool(std::string_view id) {
@@ -54,13 +38,12 @@ Outcome run_select(Session& session, Words arguments, std::string_view) {
   std::vector<Element> selection;
   if (arguments.size() != 1 || arguments[0] != "none") {
     for (std::string_view name : arguments) {
-      Text sentence;
-      const auto element = element_named(session.mesh(), name, sentence);
-      if (!element) {
-        if (const auto aside = session.document().set_aside({&name, 1})) sentence = *aside;
+      const NamedElement found = find_element(session.mesh(), name);
+      if (!found.element) {
+        const Text sentence = session.document().set_aside({&name, 1}).value_or(found.sentence);
         return usage_error("select: " + sentence.en, "select：" + sentence.ja);
       }
-      selection.push_back(*element);
+      selection.push_back(*found.element);
     }
   }
   session.selection = std::move(selection);

@@ -4,6 +4,7 @@
 
 #include "app/editor/keys.h"
 #include "app/editor/panel_list.h"
+#include "app/editor/script.h"
 
 namespace ryosen {
 
@@ -41,6 +42,21 @@ Outcome run_panel(Session& session, Words arguments, std::string_view) {
   if (row->place == PanelPlace::over && (on || session.open_panel == id)) session.open_panel = on ? id : "";
   if (row->place != PanelPlace::over && on) session.hidden_panels.erase(id);
   if (row->place != PanelPlace::over && !on) session.hidden_panels.insert(id);
+  return {};
+}
+
+Outcome run_values(Session& session, Words arguments, std::string_view) {
+  if (arguments.size() != 1) return wrong_arguments("values");
+  const AlgorithmRow* const row = find_algorithm(arguments[0]);
+  if (!row) {
+    std::vector<std::string> known;
+    for (const AlgorithmRow& other : algorithm_table()) known.emplace_back(other.id);
+    const std::string wrong(arguments[0]), close = closest_word(wrong, known);
+    return usage_error("there is no algorithm '" + wrong + "'" + (close.empty() ? "" : "; did you mean " + close + "?"),
+                       "アルゴリズム「" + wrong + "」はありません" + (close.empty() ? "" : "。" + close + " ですか？"));
+  }
+  session.asked_algorithm = row->id;
+  session.open_panel = "values";
   return {};
 }
 

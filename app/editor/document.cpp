@@ -21,11 +21,6 @@ Text join(const std::vector<Text>& texts) {
   return all;
 }
 
-Text quarantine_dropped(std::size_t faces) {
-  return repair_text(faces, "One quarantined face was dropped.", "# quarantined faces were dropped.",
-                     "隔離された面を # 個捨てました。");
-}
-
 // Whether an argument of a line is a number or word that names no element whatever the mesh holds.
 bool is_value(std::string_view argument) {
   return find_vertex(Mesh(), argument).error == NameError::malformed &&
@@ -128,27 +123,19 @@ Outcome Document::apply(const AnyOp& op, bool strict) {
   return outcome;
 }
 
-std::optional<RepairResult> Document::repair(const RepairCall& call, Progress::Report report) {
-  const std::string command =
-      "repair " + std::string(call.row->id) + (call.number ? " " + format_double(*call.number) : "");
-  RepairResult result;
-  if (!call.row->run) {
-    result = {tables_.quarantine.size(), 0, quarantine_dropped(tables_.quarantine.size())};
-    if (result.changed == 0) return result;
-    Edit(mesh_, &journal_).commit();  // an entry without a change of the mesh
-    committed(command, std::vector<QuarantinedFace>());
-    return result;
-  }
+std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const ParameterValues& values,
+                                             std::string command, Progress::Report report) {
+  AlgorithmResult result;
   {
     Progress progress(std::move(report));
     Edit edit(mesh_, &journal_);
     const std::vector<Vertex> used = used_beside_the_mesh(file_, tables_, mesh_.file_vertices());
-    result = call.row->run(edit, {call.number, used}, progress);
+    result = row.run(edit, {values, used, tables_.quarantine.size()}, progress);
     if (progress.is_cancelled()) return std::nullopt;
     if (result.changed == 0) return result;
     edit.commit();
   }
-  committed(command);
+  committed(std::move(command), result.drops_set_aside ? std::optional(std::vector<QuarantinedFace>()) : std::nullopt);
   return result;
 }
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/algo/repair/repairs.h"
+#include "core/algo/algorithms.h"
 #include "core/indexed/to_indexed.h"
 #include "core/io/formats.h"
 #include "core/mesh/touched.h"
@@ -60,9 +60,10 @@ class Document {
 
   // Applies an operator as one entry of the history. Refused: nothing changes. strict: warnings refuse too.
   Outcome apply(const AnyOp& op, bool strict = false);
-  // Does a repair as one entry of the history, or none where it changes nothing. None where `progress` cancels it:
-  // nothing has changed then.
-  std::optional<RepairResult> repair(const RepairCall& call, Progress::Report progress = {});
+  // Runs an algorithm as one entry of the history, which this command line does again, or none where it changes nothing.
+  // None where `progress` cancels it: nothing has changed then. The values are those on this mesh.
+  std::optional<AlgorithmResult> run(const AlgorithmRow& row, const ParameterValues& values, std::string command,
+                                     Progress::Report progress = {});
   // The verdict, and the ghost of the result. The document is unchanged.
   Preview preview(const AnyOp& op) { return ryosen::preview(mesh_, journal_, op); }
   // Script lines after which the refused operator that `line` says is legal; empty where none were found.

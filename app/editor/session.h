@@ -54,6 +54,7 @@ class Session {
   bool light_theme = false;
   std::string open_panel;               // the one that lies over the view; empty for none
   std::set<std::string> hidden_panels;  // of the columns
+  std::string asked_algorithm;          // whose values the panel of values asks for
   std::vector<LostSession> lost;        // as they were listed last
 
   bool strict = false;  // warnings refuse too

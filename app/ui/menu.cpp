@@ -1,3 +1,4 @@
+#include "app/editor/commands.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
@@ -40,6 +41,12 @@ void draw_edit_menu(PanelContext& context) {
          context.session.tool == id);
   }
   ImGui::Separator();
+  if (ImGui::BeginMenu(context.text("Algorithms", "アルゴリズム"))) {
+    for (const AlgorithmRow& row : algorithm_table())
+      item(context, context.text(row.name_en, row.name_ja),
+           row.parameters.empty() ? line_of(row, ParameterValues()) : "values " + std::string(row.id));
+    ImGui::EndMenu();
+  }
   panel_item(context, "command");
   item(context, UiText::select_none, "select none", !context.session.selection.empty());
 }

@@ -10,6 +10,7 @@
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/rings.h"
+#include "tests/support/core/algorithm_input.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/random_meshes.h"
@@ -63,8 +64,13 @@ std::set<Place> places_of(const Mesh& m) {
 
 std::set<Loop> as_set(const std::multiset<Loop>& loops) { return {loops.begin(), loops.end()}; }
 
+struct RepairCall {
+  const AlgorithmRow* row;
+  std::optional<double> number;  // its first parameter
+};
+
 struct Proved {
-  RepairResult result;
+  AlgorithmResult result;
   Figures before, after;
 };
 
@@ -77,7 +83,7 @@ void expect_cancelling_leaves_no_trace(Mesh& mesh, const RepairCall& call) {
     Journal journal;
     {
       Edit edit(mesh, &journal);
-      call.row->run(edit, {call.number, {}}, progress);
+      call.row->run(edit, input_of(*call.row, call.number), progress);
     }
     EXPECT_EQ(mesh.columns(), before) << "cancelled at step " << last_step;
     EXPECT_FALSE(journal.can_undo());
@@ -94,7 +100,7 @@ Proved repair_and_prove(Mesh& mesh, const RepairCall& call) {
   Journal journal;
   {
     Edit edit(mesh, &journal);
-    proved.result = call.row->run(edit, {call.number, {}}, unheard);
+    proved.result = call.row->run(edit, input_of(*call.row, call.number), unheard);
     if (proved.result.changed > 0) edit.commit();
   }
   EXPECT_FALSE(proved.result.text.en.empty() || proved.result.text.ja.empty());
@@ -117,8 +123,9 @@ Proved repair_and_prove(Mesh& mesh, const RepairCall& call) {
   proved.after = compute_figures(mesh);
   Mesh again = mesh;
   Edit edit(again, nullptr);
-  if (call.row->number != RepairNumber::must_be_given) {
-    EXPECT_EQ(call.row->run(edit, {call.number, {}}, unheard).changed, 0u) << "twice does more than once";
+  if (call.row->parameters.empty() || !call.row->parameters[0].is_required) {
+    EXPECT_EQ(call.row->run(edit, input_of(*call.row, call.number), unheard).changed, 0u)
+        << "twice does more than once";
   }
   return proved;
 }
@@ -135,7 +142,7 @@ class Repairs : public testing::Test {
       SCOPED_TRACE(std::string(id) + ", seed " + std::to_string(seed));
       Mesh mesh = mesh_on_grid(seed);
       const Mesh before = mesh;
-      const Proved proved = repair_and_prove(mesh, {find_repair(id), number});
+      const Proved proved = repair_and_prove(mesh, {find_algorithm(id), number});
       changed += proved.result.changed > 0;
       judge(before, mesh, proved);
     }
@@ -245,7 +252,7 @@ TEST_F(Repairs, the_default_ones_in_their_order_leave_sound_meshes) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Mesh mesh = mesh_on_grid(seed);
     const Mesh before = mesh;
-    for (const RepairRow& row : repair_table())
+    for (const AlgorithmRow& row : algorithm_table())
       if (row.keeps_geometry) repair_and_prove(mesh, {&row, std::nullopt});
     EXPECT_EQ(as_set(loops_of_all(before, true)), as_set(loops_of_all(mesh, true)));
     EXPECT_EQ(places_of(before), places_of(mesh));

@@ -1,4 +1,4 @@
-// The problems panel: a kind unfolds to its repairs and its elements; a press repairs, asks for a number, or goes there.
+// The problems panel: a kind unfolds to its repairs and its elements; a press repairs, asks for a value, or goes there.
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -32,10 +32,10 @@ TEST_F(ProblemsPanel, a_press_on_a_repair_does_it_and_undo_takes_it_back) {
   EXPECT_EQ(session.mesh().live().faces, 2u);
 }
 
-TEST_F(ProblemsPanel, a_repair_that_needs_a_number_is_begun_in_the_command_window) {
+TEST_F(ProblemsPanel, a_repair_that_needs_a_value_opens_its_field) {
   open("moebius.off");
   click_below(1, 1);
-  ASSERT_EQ(session.open_panel, "command");
+  ASSERT_EQ(session.open_panel, "values");
   EXPECT_EQ(session.document().position(), 0u) << "nothing was done yet";
   frames(3);
   for (const char c : std::string_view("0.001")) gui.character(static_cast<unsigned>(c));
@@ -43,7 +43,8 @@ TEST_F(ProblemsPanel, a_repair_that_needs_a_number_is_begun_in_the_command_windo
   gui.key(ImGuiKey_Enter, true);
   gui.key(ImGuiKey_Enter, false);
   frames(3);
-  EXPECT_TRUE(gui.said().en.starts_with("repair weld_close 0.001: ")) << gui.said().en;
+  EXPECT_TRUE(gui.said().en.starts_with("weld_close distance=0.001: ")) << gui.said().en;
+  EXPECT_EQ(session.open_panel, "");
 }
 
 TEST_F(ProblemsPanel, a_press_on_an_element_selects_it_and_goes_there) {

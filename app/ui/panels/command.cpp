@@ -13,23 +13,15 @@ namespace ryosen {
 
 namespace {
 
-// What a line may begin with, as a row of the list.
-struct Suggestion {
-  std::string_view id, syntax;
-  std::string help;
-};
-
-std::vector<Suggestion> suggestions(const PanelContext& context, const std::string& typed) {
+// The commands that a line may begin with.
+std::vector<CommandRow> suggestions(const std::string& typed) {
   const std::string_view word = std::string_view(typed).substr(0, typed.find(' '));
   const bool is_whole = word.size() < typed.size();
-  std::vector<Suggestion> found;
-  const auto add = [&](std::string_view id, std::string_view syntax, const auto& help) {
-    if (is_whole ? id == word : id.find(word) != std::string_view::npos) found.push_back({id, syntax, help()});
-  };
-  for (const CommandRow& row : command_table())
-    add(row.id, row.syntax, [&] { return help_of(row, context.language()); });
+  std::vector<CommandRow> found = command_table();
+  std::erase_if(found,
+                [&](const CommandRow& row) { return is_whole ? row.id != word : row.id.find(word) == row.id.npos; });
   // What begins with the word comes before what only contains it.
-  std::stable_partition(found.begin(), found.end(), [&](const Suggestion& s) { return s.id.starts_with(word); });
+  std::stable_partition(found.begin(), found.end(), [&](const CommandRow& row) { return row.id.starts_with(word); });
   return found;
 }
 
@@ -43,10 +35,10 @@ int go_to_end(ImGuiInputTextCallbackData* data) {
 
 void draw_suggestions(PanelContext& context, std::string& typed) {
   ImGui::BeginChild("suggestions");
-  for (const Suggestion& s : suggestions(context, typed)) {
-    const std::string label = std::string(s.id) + " " + std::string(s.syntax);
-    if (ImGui::Selectable(label.c_str())) typed = std::string(s.id) + " ";
-    dim_text(context, s.help.c_str());
+  for (const CommandRow& row : suggestions(typed)) {
+    const std::string label = std::string(row.id) + " " + row.syntax;
+    if (ImGui::Selectable(label.c_str())) typed = std::string(row.id) + " ";
+    dim_text(context, help_of(row, context.language()).c_str());
   }
   ImGui::EndChild();
 }

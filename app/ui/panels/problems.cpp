@@ -3,7 +3,6 @@
 
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
-#include "core/algo/repair/repairs.h"
 #include "core/analysis/boundary_loops.h"
 #include "core/analysis/problems.h"
 
@@ -94,20 +93,18 @@ void draw_elements(PanelContext& context, Findings& findings, const ProblemRow& 
   ImGui::EndChild();
 }
 
-// The repairs of a kind: one press does it; where a number is needed, the command waits for it.
+// The repairs of a kind: one press does it; where a value is needed, its field is opened.
 bool draw_repairs(PanelContext& context, ProblemKind kind) {
   bool is_pressed = false;
-  for (const RepairRow& repair : repair_table()) {
+  for (const AlgorithmRow& repair : algorithm_table()) {
     if (std::find(repair.solves.begin(), repair.solves.end(), kind) == repair.solves.end()) continue;
     ImGui::PushID(repair.id.data());
-    const std::string command = "repair " + std::string(repair.id);
     if (ImGui::SmallButton(context.text(repair.name_en, repair.name_ja))) {
       is_pressed = true;
-      if (repair.number == RepairNumber::must_be_given) {
-        context.begin_command(command + " ");
-      } else {
-        context.run(command);
-      }
+      if (ParameterValues(repair.parameters).missing())
+        context.run("values " + std::string(repair.id));
+      else
+        context.run("repair " + std::string(repair.id));
     }
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", context.text(repair.help_en, repair.help_ja));
     ImGui::PopID();

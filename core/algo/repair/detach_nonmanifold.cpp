@@ -100,10 +100,10 @@ std::size_t detach_points(Edit& edit, std::vector<Vertex> points) {
   return made;
 }
 
-RepairResult detach_nonmanifold(Edit& edit, const RepairInput&, Progress& progress) {
+AlgorithmResult detach_nonmanifold(Edit& edit, const AlgorithmInput&, Progress& progress) {
   const Mesh& m = edit.mesh();
   std::vector<Vertex> points = nonmanifold_points(m);
-  RepairResult result;
+  AlgorithmResult result;
   result.changed = points.size();
   std::size_t made = 0;
   while (!points.empty() && progress.go_on()) {  // taking some apart may show others

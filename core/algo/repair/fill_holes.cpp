@@ -181,9 +181,11 @@ std::optional<Patch> fill_hole(Edit& edit, Halfedge start) {
 
 }  // namespace
 
-RepairResult fill_holes(Edit& edit, const RepairInput& input, Progress& progress) {
+AlgorithmResult fill_holes(Edit& edit, const AlgorithmInput& input, Progress& progress) {
   const Mesh& m = edit.mesh();
-  const Holes holes = find_holes(m, input.number);
+  std::optional<double> most_edges;
+  if (input.values.has("most_edges")) most_edges = static_cast<double>(input.values.count("most_edges"));
+  const Holes holes = find_holes(m, most_edges);
   std::size_t filled = 0, left = holes.left, faces = 0, vertices = 0;
   std::size_t done = 0;
   for (Halfedge start : holes.to_fill) {
@@ -205,7 +207,7 @@ RepairResult fill_holes(Edit& edit, const RepairInput& input, Progress& progress
     faces += patch->faces.size();
     vertices += patch->inner.size();
   }
-  RepairResult result{filled, left, {}};
+  AlgorithmResult result{filled, left, {}};
   result.text = repair_text(filled, "One hole was filled", "# holes were filled", "穴を # 個ふさぎました");
   if (filled > 0) {
     result.text.en += " by " + std::to_string(faces) + " triangles and " + std::to_string(vertices) + " new vertices";

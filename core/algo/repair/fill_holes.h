@@ -12,6 +12,6 @@ namespace ryosen {
 // that is not finite, three edges that a face is already on, and borders that lie on each other (weld their points),
 // which only triangles without area could close. Patches take the face values of a face beside them.
 // Cost: O(n^3) for loops of up to most_weighed_corners corners, O(n log n) beyond, and the new vertices.
-RepairResult fill_holes(Edit& edit, const RepairInput& input, Progress& progress);
+AlgorithmResult fill_holes(Edit& edit, const AlgorithmInput& input, Progress& progress);
 
 }  // namespace ryosen

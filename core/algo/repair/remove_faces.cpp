@@ -138,12 +138,12 @@ void delete_faces(Edit& edit, std::vector<Face> faces) {
 
 }  // namespace
 
-RepairResult remove_duplicate_faces(Edit& edit, const RepairInput&, Progress&) {
+AlgorithmResult remove_duplicate_faces(Edit& edit, const AlgorithmInput&, Progress&) {
   const Mesh& m = edit.mesh();
   Neighbourhood around(m, Neighbourhood::Reach::whole);
   const std::vector<FaceOnPoints> faces = faces_with_equals(m, find_duplicate_faces(around));
   std::vector<Face> doomed;
-  RepairResult result;
+  AlgorithmResult result;
   for (std::size_t first = 0, last = 0; first < faces.size(); first = last) {
     std::vector<PointList> kept;
     for (last = first; last < faces.size() && faces[last].points == faces[first].points; ++last) {
@@ -163,7 +163,7 @@ RepairResult remove_duplicate_faces(Edit& edit, const RepairInput&, Progress&) {
   return result;
 }
 
-RepairResult remove_degenerate_faces(Edit& edit, const RepairInput&, Progress& progress) {
+AlgorithmResult remove_degenerate_faces(Edit& edit, const AlgorithmInput&, Progress& progress) {
   const Mesh& m = edit.mesh();
   std::vector<Face> flat;
   Neighbourhood around(m);
@@ -171,7 +171,7 @@ RepairResult remove_degenerate_faces(Edit& edit, const RepairInput&, Progress& p
   for (std::uint32_t i = 0; i < m.face_slots(); ++i)
     if (m.is_alive(Face(i)) && is_flat(around, Face(i))) flat.emplace_back(i);
   std::size_t collapsed = 0, given = 0;
-  RepairResult result;
+  AlgorithmResult result;
   result.changed = flat.size();
   const std::size_t all = flat.size();
   for (bool removed = true; removed;) {
@@ -202,10 +202,10 @@ RepairResult remove_degenerate_faces(Edit& edit, const RepairInput&, Progress& p
   return result;
 }
 
-RepairResult remove_isolated_vertices(Edit& edit, const RepairInput& input, Progress&) {
+AlgorithmResult remove_isolated_vertices(Edit& edit, const AlgorithmInput& input, Progress&) {
   const Mesh& m = edit.mesh();
   Sheets sheets(edit);
-  RepairResult result;
+  AlgorithmResult result;
   for (std::uint32_t i = m.vertex_slots(); i-- > 0;) {
     const Vertex v(i);
     if (!m.is_alive(v) || !m.is_isolated(v)) continue;

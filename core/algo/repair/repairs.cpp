@@ -1,6 +1,5 @@
 #include "core/algo/repair/repairs.h"
 
-#include <cmath>
 #include <string>
 
 #include "core/algo/repair/detach_nonmanifold.h"
@@ -23,8 +22,8 @@ std::size_t misoriented_edges(const Mesh& m) {
   return n;
 }
 
-RepairResult orient_faces(Edit& edit, const RepairInput&, Progress&) {
-  RepairResult result;
+AlgorithmResult orient_faces(Edit& edit, const AlgorithmInput&, Progress&) {
+  AlgorithmResult result;
   if (Orient().check(edit.mesh()).legal()) result.changed = Orient().apply(edit).changed.size();
   result.left = misoriented_edges(edit.mesh());
   result.text =
@@ -39,126 +38,111 @@ RepairResult orient_faces(Edit& edit, const RepairInput&, Progress&) {
   return result;
 }
 
-const std::vector<RepairRow>& rows() {
-  using Kind = ProblemKind;
-  using Number = RepairNumber;
-  static const std::vector<RepairRow> table{
-      {"remove_duplicates",
-       "",
-       "Remove duplicate faces",
-       "重複面の削除",
-       "of faces on the same loop of points the first stays",
-       "同じ点の並びを持つ面は最初の一つだけを残す",
-       true,
-       Number::none,
-       {Kind::duplicate_face, Kind::hanging_pair},
-       remove_duplicate_faces},
-      {"weld_equal",
-       "",
-       "Weld equal points",
-       "同じ位置の点の縫合",
-       "points at one place become one, where the surface stays sound",
-       "同じ位置の点を、曲面が健全なまま保たれる限り一つにする",
-       true,
-       Number::none,
-       {Kind::boundary_loop},
-       weld_equal_points},
-      {"orient",
-       "",
-       "Orient faces",
-       "面の向きを揃える",
-       "turns faces so that fewer neighbours disagree, none where possible",
-       "隣り合う面の向きの不一致が減るように、可能ならなくなるように面を裏返す",
-       true,
-       Number::none,
-       {Kind::misoriented_edge},
-       orient_faces},
-      {"detach_nonmanifold",
-       "",
-       "Detach at non-manifold places",
-       "非多様体部分の切り離し",
-       "each fan of faces at a non-manifold vertex gets a point of its own",
-       "非多様体の頂点で、面の扇ごとに別の点に分ける",
-       true,
-       Number::none,
-       {Kind::nonmanifold_edge, Kind::nonmanifold_vertex},
-       detach_nonmanifold},
-      {"weld_close",
-       "DISTANCE",
-       "Weld close points",
-       "近い点の縫合",
-       "points no farther apart than the distance become one",
-       "指定した距離以内の点を一つにする",
-       false,
-       Number::must_be_given,
-       {Kind::boundary_loop, Kind::degenerate_area},
-       weld_close_points},
-      {"remove_degenerate",
-       "",
-       "Remove faces without area",
-       "面積ゼロの面の削除",
-       "collapses, swaps or unites them away, else deletes them",
-       "縮約・交換・統合で取り除き、できなければ削除する",
-       false,
-       Number::none,
-       {Kind::degenerate_area},
-       remove_degenerate_faces},
-      {"fill_holes",
-       "[MOST-EDGES]",
-       "Fill holes",
-       "穴埋め",
-       "closes boundary loops by fine, smooth patches; the number leaves longer loops open",
-       "境界ループを滑らかな面でふさぐ（数を指定すると、それより長いループは残す）",
-       false,
-       Number::may_be_given,
-       {Kind::boundary_loop},
-       fill_holes},
-      {"remove_isolated",
-       "",
-       "Remove isolated vertices",
-       "孤立頂点の削除",
-       "deletes vertices that belong to nothing",
-       "どこにも属さない頂点を削除する",
-       false,
-       Number::none,
-       {Kind::isolated_vertex},
-       remove_isolated_vertices},
-      {"drop_quarantined",
-       "",
-       "Drop quarantined faces",
-       "隔離された面の破棄",
-       "forgets the faces of the file that cannot be connected",
-       "接続できず隔離されたファイル中の面を捨てる",
-       false,
-       Number::none,
-       {Kind::quarantined_face, Kind::degenerate_repeat},
-       nullptr},
-  };
-  return table;
+AlgorithmResult drop_set_aside(Edit&, const AlgorithmInput& input, Progress&) {
+  return {input.set_aside, 0,
+          repair_text(input.set_aside, "One quarantined face was dropped.", "# quarantined faces were dropped.",
+                      "隔離された面を # 個捨てました。"),
+          input.set_aside > 0};
 }
 
 }  // namespace
 
-std::span<const RepairRow> repair_table() { return rows(); }
-
-const RepairRow* find_repair(std::string_view id) {
-  for (const RepairRow& row : rows())
-    if (row.id == id) return &row;
-  return nullptr;
-}
-
-ParsedRepair parse_repair(std::string_view id, std::optional<std::string_view> number) {
-  const std::string name(id);
-  const RepairRow* const row = find_repair(id);
-  if (!row) return {{}, {"there is no repair '" + name + "'", "修復「" + name + "」はありません"}};
-  ParsedRepair parsed{{row, std::nullopt}, {}};
-  if (number) parsed.call.number = parse_double(*number);
-  const bool is_number = parsed.call.number && std::isfinite(*parsed.call.number) && *parsed.call.number >= 0;
-  const bool fits =
-      number ? row->number != RepairNumber::none && is_number : row->number != RepairNumber::must_be_given;
-  if (fits) return parsed;
-  const std::string form = name + (row->syntax.empty() ? "" : " " + std::string(row->syntax));
-  return {{}, {"the repair reads: " + form, "書式：" + form}};
+std::vector<AlgorithmRow> repair_rows() {
+  using Kind = ProblemKind;
+  return {
+      {"remove_duplicates",
+       "Remove duplicate faces",
+       "重複面の削除",
+       "of faces on the same loop of points the first stays",
+       "同じ点の並びを持つ面は最初の一つだけを残す",
+       {},
+       true,
+       {Kind::duplicate_face, Kind::hanging_pair},
+       remove_duplicate_faces},
+      {"weld_equal",
+       "Weld equal points",
+       "同じ位置の点の縫合",
+       "points at one place become one, where the surface stays sound",
+       "同じ位置の点を、曲面が健全なまま保たれる限り一つにする",
+       {},
+       true,
+       {Kind::boundary_loop},
+       weld_equal_points},
+      {"orient",
+       "Orient faces",
+       "面の向きを揃える",
+       "turns faces so that fewer neighbours disagree, none where possible",
+       "隣り合う面の向きの不一致が減るように、可能ならなくなるように面を裏返す",
+       {},
+       true,
+       {Kind::misoriented_edge},
+       orient_faces},
+      {"detach_nonmanifold",
+       "Detach at non-manifold places",
+       "非多様体部分の切り離し",
+       "each fan of faces at a non-manifold vertex gets a point of its own",
+       "非多様体の頂点で、面の扇ごとに別の点に分ける",
+       {},
+       true,
+       {Kind::nonmanifold_edge, Kind::nonmanifold_vertex},
+       detach_nonmanifold},
+      {"weld_close",
+       "Weld close points",
+       "近い点の縫合",
+       "points no farther apart than the distance become one",
+       "指定した距離以内の点を一つにする",
+       {{.id = "distance",
+         .kind = ParameterKind::length,
+         .name_en = "Distance",
+         .name_ja = "距離",
+         .help_en = "how far apart they may be",
+         .help_ja = "点どうしの最大の距離",
+         .is_required = true}},
+       false,
+       {Kind::boundary_loop, Kind::degenerate_area},
+       weld_close_points},
+      {"remove_degenerate",
+       "Remove faces without area",
+       "面積ゼロの面の削除",
+       "collapses, swaps or unites them away, else deletes them",
+       "縮約・交換・統合で取り除き、できなければ削除する",
+       {},
+       false,
+       {Kind::degenerate_area},
+       remove_degenerate_faces},
+      {"fill_holes",
+       "Fill holes",
+       "穴埋め",
+       "closes boundary loops by fine, smooth patches",
+       "境界ループを滑らかな面でふさぐ",
+       {{.id = "most_edges",
+         .kind = ParameterKind::count,
+         .name_en = "Most edges",
+         .name_ja = "最大の稜線数",
+         .help_en = "longer loops are left open",
+         .help_ja = "これより長いループは残す"}},
+       false,
+       {Kind::boundary_loop},
+       fill_holes},
+      {"remove_isolated",
+       "Remove isolated vertices",
+       "孤立頂点の削除",
+       "deletes vertices that belong to nothing",
+       "どこにも属さない頂点を削除する",
+       {},
+       false,
+       {Kind::isolated_vertex},
+       remove_isolated_vertices},
+      {"drop_quarantined",
+       "Drop quarantined faces",
+       "隔離された面の破棄",
+       "forgets the faces of the file that cannot be connected",
+       "接続できず隔離されたファイル中の面を捨てる",
+       {},
+       false,
+       {Kind::quarantined_face, Kind::degenerate_repeat},
+       drop_set_aside},
+  };
 }
 
 Text repair_text(std::size_t changed, std::string_view en_one, std::string_view en_many, std::string_view ja) {

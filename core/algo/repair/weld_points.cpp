@@ -220,8 +220,8 @@ std::size_t drop_unsound(const Mesh& m, std::vector<Group>& groups, Progress& pr
   return dropped;
 }
 
-RepairResult result_of(std::size_t welded, std::size_t left) {
-  RepairResult result{welded, left, {}};
+AlgorithmResult result_of(std::size_t welded, std::size_t left) {
+  AlgorithmResult result{welded, left, {}};
   result.text = repair_text(welded, "One point was welded to another", "# points were welded to others",
                             "点を # 個、ほかの点に統合しました");
   if (left > 0) {
@@ -261,7 +261,7 @@ void collapse_within(Edit& edit, const std::vector<Group>& groups, Progress& pro
 
 }  // namespace
 
-RepairResult weld_equal_points(Edit& edit, const RepairInput&, Progress& progress) {
+AlgorithmResult weld_equal_points(Edit& edit, const AlgorithmInput&, Progress& progress) {
   const Mesh& m = edit.mesh();
   std::size_t welded = 0, left = 0;
   for (bool goes_on = true; goes_on;) {
@@ -277,12 +277,13 @@ RepairResult weld_equal_points(Edit& edit, const RepairInput&, Progress& progres
   return result_of(welded, left);
 }
 
-RepairResult weld_close_points(Edit& edit, const RepairInput& input, Progress& progress) {
+AlgorithmResult weld_close_points(Edit& edit, const AlgorithmInput& input, Progress& progress) {
   const Mesh& m = edit.mesh();
+  const double distance = input.values.length("distance");
   const std::uint32_t before = counts_on_points(m).vertices;
-  collapse_within(edit, groups_within(m, *input.number), progress);
+  collapse_within(edit, groups_within(m, distance), progress);
   if (progress.is_cancelled()) return {};
-  std::vector<Group> groups = groups_within(m, *input.number);
+  std::vector<Group> groups = groups_within(m, distance);
   const std::size_t left = drop_groups_within_faces(m, groups);
   weld_groups(edit, groups);
   return result_of(before - counts_on_points(m).vertices, left);

@@ -11,45 +11,18 @@
 #include "core/indexed/from_indexed.h"
 #include "core/indexed/to_indexed.h"
 #include "core/mesh/circulate.h"
+#include "tests/support/core/algorithm_input.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen::test {
 namespace {
 
-RepairResult run_repair(Mesh& mesh, std::string_view id, std::optional<double> number = {}) {
+AlgorithmResult run_repair(Mesh& mesh, std::string_view id, std::optional<double> number = {}) {
   Edit edit(mesh, nullptr);
   Progress unheard;
-  const RepairResult result = find_repair(id)->run(edit, {number, {}}, unheard);
+  const AlgorithmResult result = find_algorithm(id)->run(edit, input_of(*find_algorithm(id), number), unheard);
   edit.commit();
   return result;
-}
-
-TEST(repairs, table_is_complete) {
-  std::set<std::string_view> ids;
-  for (const RepairRow& row : repair_table()) {
-    EXPECT_EQ(find_repair(row.id), &row);
-    EXPECT_TRUE(ids.insert(row.id).second) << row.id;
-    EXPECT_FALSE(row.name_en.empty() || row.name_ja.empty() || row.help_en.empty() || row.help_ja.empty()) << row.id;
-    EXPECT_FALSE(row.solves.empty()) << row.id;
-    EXPECT_EQ(row.syntax.empty(), row.number == RepairNumber::none) << row.id;
-    if (row.keeps_geometry) {
-      EXPECT_NE(row.number, RepairNumber::must_be_given) << row.id;
-    }
-  }
-  EXPECT_EQ(find_repair("no_such"), nullptr);
-}
-
-TEST(repairs, are_parsed_with_their_numbers) {
-  EXPECT_EQ(parse_repair("orient", {}).call.row, find_repair("orient"));
-  EXPECT_EQ(parse_repair("weld_close", "0.25").call.number, 0.25);
-  EXPECT_FALSE(parse_repair("fill_holes", {}).call.number);
-  EXPECT_EQ(parse_repair("fill_holes", "12").call.number, 12);
-  for (const auto& [id, number] : std::vector<std::pair<std::string, std::optional<std::string_view>>>{
-           {"nonsense", {}}, {"weld_close", {}}, {"weld_close", "-1"}, {"weld_close", "nan"}, {"orient", "3"}}) {
-    const ParsedRepair parsed = parse_repair(id, number);
-    EXPECT_EQ(parsed.call.row, nullptr) << id;
-    EXPECT_FALSE(parsed.sentence.en.empty() || parsed.sentence.ja.empty()) << id;
-  }
 }
 
 // A cube of six quads that share no point.
@@ -66,7 +39,7 @@ IndexedMesh loose_cube() {
 
 TEST(repairs, welding_makes_loose_faces_a_solid) {
   Mesh mesh = from_indexed(loose_cube());
-  const RepairResult result = run_repair(mesh, "weld_equal");
+  const AlgorithmResult result = run_repair(mesh, "weld_equal");
   EXPECT_EQ(result.changed, 16u);
   EXPECT_EQ(result.left, 0u);
   const Figures figures = compute_figures(mesh);
@@ -134,7 +107,7 @@ TEST(repairs, an_edge_without_length_collapses) {
 TEST(repairs, duplicates_of_another_shape_stay) {
   IndexedMesh source = indexed({{0, 1, 2, 3}, {2, 1, 0, 3}, {0, 2, 1, 3}});
   Mesh mesh = from_indexed(source);
-  const RepairResult result = run_repair(mesh, "remove_duplicates");
+  const AlgorithmResult result = run_repair(mesh, "remove_duplicates");
   EXPECT_EQ(result.changed, 1u);
   EXPECT_EQ(result.left, 1u);
   EXPECT_FALSE(mesh.is_alive(Face(1)));
@@ -222,7 +195,7 @@ TEST(repairs, borders_that_lie_on_each_other_are_left_to_welding) {
   slit.positions = {{-1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, -1, 0}, {-2, 0, 0}, {2, 0, 0}};
   Mesh mesh = from_indexed(slit);
   ASSERT_EQ(compute_figures(mesh).boundary_loops, 2u);
-  const RepairResult result = run_repair(mesh, "fill_holes");
+  const AlgorithmResult result = run_repair(mesh, "fill_holes");
   EXPECT_EQ(result.changed, 1u) << "the outer border";
   EXPECT_EQ(result.left, 1u);
   EXPECT_EQ(compute_figures(mesh).degenerate_area, 0u);
@@ -252,7 +225,7 @@ TEST(repairs, filling_tells_how_far_it_is_within_a_hole) {
   std::vector<double> shares;
   Progress progress([&](double share) { return shares.push_back(share), true; }, {});
   Edit edit(mesh, nullptr);
-  EXPECT_EQ(find_repair("fill_holes")->run(edit, {std::nullopt, {}}, progress).changed, 2u);
+  EXPECT_EQ(find_algorithm("fill_holes")->run(edit, {}, progress).changed, 2u);
   edit.commit();
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
   const std::set<double> different(shares.begin(), shares.end());

@@ -1,0 +1,247 @@
+// One algorithm, or by `repair` those that take whole kinds of problems away; says what was done and what is left.
+#include <algorithm>
+#include <memory>
+
+#include "app/cli/algorithm_flags.h"
+#include "app/cli/check_report.h"
+#include "app/cli/did_you_mean.h"
+#include "app/cli/edit_script.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/json.h"
+#include "app/cli/subcommands.h"
+#include "app/cli/write_output.h"
+#include "app/editor/commands.h"
+
+namespace ryosen::cli {
+
+namespace {
+
+struct Call {
+  const AlgorithmRow* row;
+  ParameterValues values;  // as given; on the mesh once it is done
+  AlgorithmResult result = {};
+};
+
+// One word of --kinds.
+std::optional<Failure> add_calls(const std::string& word, std::vector<Call>& calls) {
+  if (word == "default") {
+    for (const AlgorithmRow& row : algorithm_table())
+      if (row.is_repair() && row.keeps_geometry) calls.push_back({&row, ParameterValues(row.parameters)});
+    return std::nullopt;
+  }
+  const std::size_t equals = std::min(word.find('='), word.size());
+  const std::string id = word.substr(0, equals);
+  const auto fail = [](const Text& sentence, const Text& hint) {
+    return usage_failure("bad_value",
+                         {"--kinds: " + sentence.en + "." + hint.en, "--kinds：" + sentence.ja + "。" + hint.ja});
+  };
+  const AlgorithmRow* const row = find_algorithm(id);
+  if (!row || !row->is_repair()) {
+    std::vector<std::string> known{"default"};
+    for (const AlgorithmRow& other : algorithm_table())
+      if (other.is_repair()) known.emplace_back(other.id);
+    return fail({"there is no repair '" + id + "'", "修復「" + id + "」はありません"}, did_you_mean(id, known));
+  }
+  std::vector<std::string_view> words;
+  if (equals < word.size()) words.push_back(std::string_view(word).substr(equals + 1));
+  ReadValues read = read_values(row->parameters, words);
+  if (read.values) {
+    calls.push_back({row, std::move(*read.values)});
+    return std::nullopt;
+  }
+  const std::string syntax = id + kinds_syntax(*row);
+  return fail({id + ": " + read.sentence.en, id + "：" + read.sentence.ja},
+              {" Write " + syntax + ".", "（書式：" + syntax + "）"});
+}
+
+// Each repair once, in the order of the table; of two calls the later counts.
+Result<std::vector<Call>> read_kinds(const std::string& list) {
+  std::vector<Call> given, calls;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    if (auto failure = add_calls(list.substr(begin, end - begin), given)) return std::move(*failure);
+    begin = end + 1;
+  }
+  for (const AlgorithmRow& row : algorithm_table()) {
+    const auto last = std::find_if(given.rbegin(), given.rend(), [&](const Call& call) { return call.row == &row; });
+    if (last != given.rend()) calls.push_back(std::move(*last));
+  }
+  return calls;
+}
+
+Json value_json(const ParameterRow& row, const ParameterValue* value) {
+  if (!value) return nullptr;
+  switch (row.kind) {
+    case ParameterKind::count:
+      return static_cast<std::uint64_t>(value->number);
+    case ParameterKind::choice:
+      return row.choices[static_cast<std::size_t>(value->number)].id;
+    case ParameterKind::flag:
+      return value->number != 0;
+    case ParameterKind::elements:
+      return value->names;
+    default:
+      return value->number;
+  }
+}
+
+class AlgorithmRun {
+ public:
+  // By `repair` each call is one of a list, else there is only one.
+  AlgorithmRun(Document& document, EditFiles files, const Console& console, bool by_repair)
+      : document_(document), files_(std::move(files)), console_(console), by_repair_(by_repair) {}
+
+  ExitCode run(std::vector<Call> calls) {
+    calls_ = std::move(calls);
+    std::optional<Interrupt> interrupt(std::in_place);
+    for (Call& call : calls_)
+      if (const auto failure = run(call)) return console_.fail(*failure, files_.input);
+    interrupt.reset();
+    // What is left is named as in the file that is written.
+    after_ = check_mesh(document_.contents(), files_.output.value_or(files_.input));
+    const bool has_problem = std::any_of(after_.problems.begin(), after_.problems.end(), [](const NamedProblem& p) {
+      return p.problem.row().severity == ProblemSeverity::problem;
+    });
+    code_ = has_problem ? ExitCode::found_problems : ExitCode::done;
+    if (files_.output) write();
+    console_.json ? print_json() : print_text();
+    return code_;
+  }
+
+ private:
+  // "weld_close=0.001" as --kinds has it, or the line of a script.
+  std::string name_of(const Call& call) const {
+    const std::string values = call.values.line(by_repair_);
+    return std::string(call.row->id) + (values.empty() ? "" : (by_repair_ ? "=" : " ") + values);
+  }
+
+  std::optional<Failure> run(Call& call) {
+    const std::string name = name_of(call), line = line_of(*call.row, call.values);
+    ReadValues found = call.values.on(document_.mesh());
+    if (!found.values) return usage_failure("bad_value", {found.sentence.en + ".", found.sentence.ja + "。"});
+    call.values = std::move(*found.values);
+    std::optional<AlgorithmResult> result = document_.run(*call.row, call.values, line, report_on(console_, name));
+    if (!result || Interrupt::was_asked()) return cancelled();
+    call.result = std::move(*result);
+    if (!console_.json)
+      console_.print_now(name + console_.text(": ", "：").data() + console_.text(call.result.text) + "\n");
+    return std::nullopt;
+  }
+
+  static Failure cancelled() {
+    Failure failure{ExitCode::cancelled, {}};
+    failure.message.code = "cancelled";
+    failure.message.text = {"Cancelled; nothing is written.", "中止しました。何も書き出していません。"};
+    return failure;
+  }
+
+  void write() {
+    output_ = write_output(document_, *files_.output, false, console_);
+    if (output_.failure) code_ = output_.failure->exit_code;
+  }
+
+  void print_text() const {
+    console_.print(after_.problems.empty() ? console_.text("left: nothing\n", "残り：なし\n")
+                                           : console_.text("left:\n", "残り：\n"));
+    for (const NamedProblem& problem : after_.problems) console_.print(to_text(problem, console_));
+    if (output_.is_there)
+      console_.print(console_.text(Text{"written: ", "書き出し："}) + *files_.output + "\n");
+    else
+      console_.print(console_.text("nothing written\n", "書き出しなし\n"));
+  }
+
+  static void add_result(Json& json, const Call& call) {
+    json["changed"] = call.result.changed;
+    json["left"] = call.result.left;
+    json["solves"] = Json::array();
+    for (ProblemKind kind : call.row->solves) json["solves"].push_back(row_of(kind).id);
+    json["en"] = call.result.text.en;
+    json["ja"] = call.result.text.ja;
+  }
+
+  void add_repairs(Json& json) const {
+    json["repairs"] = Json::array();
+    for (const Call& call : calls_) {
+      const ParameterValue* const first = call.row->parameters.empty() ? nullptr : call.values.at(0);
+      Json repair;
+      repair["kind"] = call.row->id;
+      repair["number"] = first ? Json(first->number) : Json();
+      add_result(repair, call);
+      json["repairs"].push_back(std::move(repair));
+    }
+  }
+
+  void add_algorithm(Json& json) const {
+    const Call& call = calls_.front();
+    json["algorithm"] = call.row->id;
+    json["parameters"] = Json::object();
+    for (std::size_t i = 0; i < call.row->parameters.size(); ++i) {
+      const ParameterRow& row = call.row->parameters[i];
+      json["parameters"][std::string(row.id)] = value_json(row, call.values.at(i));
+    }
+    add_result(json, call);
+  }
+
+  void print_json() const {
+    Json json;
+    json["file"] = files_.input;
+    json["output"] = output_.is_there ? Json(*files_.output) : Json();
+    json["status"] = output_.failure ? "error" : code_ == ExitCode::done && output_.losses.empty() ? "ok" : "warnings";
+    by_repair_ ? add_repairs(json) : add_algorithm(json);
+    json["vertices"] = after_.figures.vertices;
+    json["edges"] = after_.figures.edges;
+    json["faces"] = after_.figures.faces;
+    json["hash"] = after_.hash;
+    json["problems"] = Json::array();
+    for (const NamedProblem& problem : after_.problems) json["problems"].push_back(cli::to_json(problem));
+    std::vector<Message> messages = output_.failure ? std::vector{output_.failure->message} : document_.file().messages;
+    messages.insert(messages.end(), output_.losses.begin(), output_.losses.end());
+    json["messages"] = cli::to_json(messages);
+    console_.print(line_of(json));
+  }
+
+  Document& document_;
+  EditFiles files_;
+  const Console& console_;
+  bool by_repair_;
+  std::vector<Call> calls_;
+  CheckReport after_;
+  WrittenOutput output_;
+  ExitCode code_ = ExitCode::done;
+};
+
+ExitCode run_on_file(std::vector<Call> calls, const Arguments& arguments, const Console& console, bool by_repair) {
+  EditFiles files{arguments.operands()[0], {}, arguments.has("--overwrite")};
+  if (const std::string* const output = arguments.value("-o")) files.output = *output;
+  if (const auto fault = find_fault({}, files)) return console.fail(*fault, files.input);
+  const Result<std::unique_ptr<Document>> document = Document::open(files.input);
+  if (!document) return console.fail(document.failure(), files.input);
+  for (const Message& message : (*document)->file().messages) console.show(message, files.input);
+  return AlgorithmRun(**document, files, console, by_repair).run(std::move(calls));
+}
+
+}  // namespace
+
+ExitCode repair_command(const Arguments& arguments, const Console& console) {
+  const std::string* const kinds = arguments.value("--kinds");
+  Result<std::vector<Call>> calls = read_kinds(kinds ? *kinds : "default");
+  if (!calls) return console.fail(calls.failure());
+  return run_on_file(std::move(calls).value(), arguments, console, true);
+}
+
+ExitCode algorithm_command(const AlgorithmRow& row, const Arguments& arguments, const Console& console) {
+  ParameterValues values(row.parameters);
+  const auto fail = [&](const Text& sentence) {
+    return console.fail(usage_failure("bad_value", {sentence.en + ".", sentence.ja + "。"}));
+  };
+  for (const ParameterRow& parameter : row.parameters) {
+    const std::string flag = flag_of(parameter);
+    const std::string* const text = arguments.value(flag);
+    if (!text) continue;
+    if (const auto fault = values.set(parameter.id, *text, flag)) return fail(*fault);
+  }
+  if (const ParameterRow* const missing = values.missing()) return fail(fault_of_missing(*missing, flag_of(*missing)));
+  return run_on_file({{&row, std::move(values)}}, arguments, console, false);
+}
+
+}  // namespace ryosen::cli

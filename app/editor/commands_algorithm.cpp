@@ -1,0 +1,80 @@
+// Algorithms as commands: each by its id, and `repair`, which knows them by what they solve.
+#include "app/editor/command_functions.h"
+#include "app/editor/command_syntax.h"
+#include "app/editor/script.h"
+
+namespace ryosen {
+
+namespace {
+
+Text not_a_repair(std::string_view word) {
+  std::vector<std::string> known;
+  for (const AlgorithmRow& row : algorithm_table())
+    if (row.is_repair()) known.emplace_back(row.id);
+  const std::string name(word), close = closest_word(word, known);
+  return {"there is no repair '" + name + "'" + (close.empty() ? "" : "; did you mean " + close + "?"),
+          "修復「" + name + "」はありません" + (close.empty() ? "" : "。" + close + " ですか？")};
+}
+
+Outcome cancelled() {
+  Outcome outcome;
+  outcome.kind = Outcome::Kind::failed;
+  outcome.exit_code = ExitCode::cancelled;
+  outcome.sentence = {"Cancelled; nothing has changed.", "中止しました。何も変わっていません。"};
+  return outcome;
+}
+
+// `called` is the command with its blank, or what stands before the id. A first value without its name stays so.
+Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words words, const std::string& called) {
+  const std::string id(row.id);
+  const ReadValues given = read_values(row.parameters, words);
+  if (!given.values) return usage_error(id + ": " + given.sentence.en, id + "：" + given.sentence.ja);
+  const ReadValues found = given.values->on(session.mesh());
+  if (!found.values) return no_element(session.document(), id + " " + found.name, found.error, found.sentence);
+  const bool has_bare_value = !words.empty() && words[0].find('=') == std::string_view::npos;
+  const std::string values = given.values->line(has_bare_value);
+  Outcome outcome;
+  outcome.performed = called + id + (values.empty() ? "" : " " + values);
+  const auto result = session.document().run(row, *found.values, outcome.performed, session.on_progress);
+  if (!result) return cancelled();
+  outcome.sentence = result->text;
+  return outcome;
+}
+
+}  // namespace
+
+CommandRow row_of(const AlgorithmRow& algorithm) {
+  const auto fault = [&algorithm](Words words, const std::string&) -> std::optional<Text> {
+    ReadValues read = read_values(algorithm.parameters, words);
+    return read.values ? std::nullopt : std::optional(behind(algorithm.id, read.sentence));
+  };
+  return {.id = algorithm.id,
+          .syntax = syntax_of(algorithm.parameters),
+          .help_en = algorithm.help_en,
+          .help_ja = algorithm.help_ja,
+          .effect = Effect::edits,
+          .run = [&algorithm](Session& session, Words words,
+                              std::string_view) { return run_algorithm(session, algorithm, words, {}); },
+          .is_long = true,
+          .fault = fault};
+}
+
+std::string line_of(const AlgorithmRow& algorithm, const ParameterValues& values) {
+  const std::string id(algorithm.id), text = values.line();
+  // The operator of this name comes first.
+  return (find_op(id) ? "repair " + id : id) + (text.empty() ? "" : " " + text);
+}
+
+std::optional<Text> fault_of_repair(Words words, const std::string& line) {
+  if (words.empty()) return wrong_arguments("repair").sentence;
+  const AlgorithmRow* const row = find_algorithm(words[0]);
+  if (!row || !row->is_repair()) return not_a_repair(words[0]);
+  return row_of(*row).fault(words.subspan(1), line);
+}
+
+Outcome run_repair(Session& session, Words words, std::string_view) {
+  if (const auto fault = fault_of_repair(words, {})) return usage_error(fault->en, fault->ja);
+  return run_algorithm(session, *find_algorithm(words[0]), words.subspan(1), "repair ");
+}
+
+}  // namespace ryosen

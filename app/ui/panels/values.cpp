@@ -1,0 +1,113 @@
+// The values of an algorithm: one field per parameter, as its row describes it.
+#include <algorithm>
+
+#include "app/editor/commands.h"
+#include "app/ui/panels.h"
+#include "app/ui/widgets.h"
+// clang-format off
+#include <imgui_stdlib.h>  // needs imgui.h before it
+// clang-format on
+
+namespace ryosen {
+
+namespace {
+
+// True when Enter was pressed in a field of text.
+bool draw_field(PanelContext& context, const ParameterRow& row, std::string& text) {
+  const std::string id = "##" + std::string(row.id);
+  if (row.kind == ParameterKind::flag) {
+    bool is_on = text == "on";
+    if (ImGui::Checkbox(id.c_str(), &is_on)) text = is_on ? "on" : "off";
+    return false;
+  }
+  const auto chosen =
+      std::find_if(row.choices.begin(), row.choices.end(), [&](const Choice& c) { return c.id == text; });
+  if (row.kind == ParameterKind::choice) {
+    const char* const shown = chosen == row.choices.end() ? "" : context.text(chosen->en, chosen->ja);
+    if (!ImGui::BeginCombo(id.c_str(), shown)) return false;
+    for (const Choice& choice : row.choices)
+      if (ImGui::Selectable(context.text(choice.en, choice.ja), choice.id == text)) text = choice.id;
+    ImGui::EndCombo();
+    return false;
+  }
+  const bool entered = ImGui::InputText(id.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue);
+  if (row.kind != ParameterKind::elements) return entered;
+  ImGui::SameLine();
+  if (ImGui::Button(context.text("Selection", "選択中の要素"))) {
+    text.clear();
+    for (const Element& element : context.session.selection)
+      text += (text.empty() ? "" : ",") + name_of(context.session.mesh(), element);
+  }
+  return entered;
+}
+
+// What the fields say, or what is wrong with them. An empty field is a value that was not given.
+ReadValues values_of(const AlgorithmRow& row, const std::vector<std::string>& texts) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    if (!texts[i].empty()) words.push_back(std::string(row.parameters[i].id) + "=" + texts[i]);
+  return read_values(row.parameters, std::vector<std::string_view>(words.begin(), words.end()));
+}
+
+// One field per parameter of the algorithm that is asked for; without one, all of them to choose from.
+class ValuesPanel : public Panel {
+ public:
+  void draw(PanelContext& context) override;
+  ImVec2 size() const override { return {560, 160 + 88 * static_cast<float>(texts_.size())}; }
+
+ private:
+  // True when Enter was pressed in a field.
+  bool draw_fields(PanelContext& context, const AlgorithmRow& row, bool begins);
+
+  std::string algorithm_;           // its id
+  std::vector<std::string> texts_;  // what stands in the fields of its parameters
+};
+
+bool ValuesPanel::draw_fields(PanelContext& context, const AlgorithmRow& row, bool begins) {
+  bool entered = false;
+  for (std::size_t i = 0; i < row.parameters.size(); ++i) {
+    const ParameterRow& parameter = row.parameters[i];
+    ImGui::Dummy({0, 4 * context.scale});
+    ImGui::TextUnformatted(context.text(parameter.name_en, parameter.name_ja));
+    if (i == 0 && begins) ImGui::SetKeyboardFocusHere();
+    entered = draw_field(context, parameter, texts_[i]) || entered;
+    tip(context.text(parameter.help_en, parameter.help_ja));
+    dim_text(context, described(parameter).in(context.language()).c_str());
+  }
+  return entered;
+}
+
+void ValuesPanel::draw(PanelContext& context) {
+  const AlgorithmRow* const row = find_algorithm(context.session.asked_algorithm);
+  if (!row) {
+    for (const AlgorithmRow& other : algorithm_table())
+      if (link(context, context.text(other.name_en, other.name_ja))) context.run("values " + std::string(other.id));
+    return;
+  }
+  const bool begins = algorithm_ != row->id || ImGui::IsWindowAppearing();
+  if (begins) {
+    algorithm_ = row->id;
+    texts_.clear();
+    for (const ParameterRow& parameter : row->parameters) texts_.emplace_back(parameter.initial);
+  }
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(context.text(row->name_en, row->name_ja));
+  dim_text(context, context.text(row->help_en, row->help_ja));
+  const bool entered = draw_fields(context, *row, begins);
+  const ReadValues read = values_of(*row, texts_);
+  ImGui::Dummy({0, 8 * context.scale});
+  ImGui::BeginDisabled(!read.values);
+  const bool pressed = ImGui::Button(context.text("Run", "実行"), {120 * context.scale, 0});
+  ImGui::EndDisabled();
+  if (!read.values) coloured_text(context.colours().warning, read.sentence.in(context.language()).c_str());
+  ImGui::PopTextWrapPos();
+  if (!read.values || !(pressed || entered)) return;
+  context.session.open_panel.clear();
+  context.run(line_of(*row, *read.values));
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_values_panel() { return std::make_unique<ValuesPanel>(); }
+
+}  // namespace ryosen

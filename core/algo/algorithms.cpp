@@ -1,0 +1,36 @@
+#include "core/algo/algorithms.h"
+
+#include <cassert>
+
+#include "core/algo/repair/repairs.h"
+
+namespace ryosen {
+
+namespace {
+
+std::deque<AlgorithmRow>& algorithm_rows() {
+  static std::deque<AlgorithmRow> rows = [] {
+    const std::vector<AlgorithmRow> repairs = repair_rows();
+    return std::deque<AlgorithmRow>(repairs.begin(), repairs.end());
+  }();
+  return rows;
+}
+
+}  // namespace
+
+const std::deque<AlgorithmRow>& algorithm_table() { return algorithm_rows(); }
+
+const AlgorithmRow* find_algorithm(std::string_view id) {
+  for (const AlgorithmRow& row : algorithm_rows())
+    if (row.id == id) return &row;
+  return nullptr;
+}
+
+ScopedAlgorithm::ScopedAlgorithm(AlgorithmRow row) : row_(&algorithm_rows().emplace_back(std::move(row))) {}
+
+ScopedAlgorithm::~ScopedAlgorithm() {
+  assert(row_ == &algorithm_rows().back());
+  algorithm_rows().pop_back();
+}
+
+}  // namespace ryosen

@@ -1,0 +1,68 @@
+// The one table of algorithms: what changes a mesh as a whole.
+//
+// To add one, write its function in a pair of files of its own and its row in the list of its folder. From the row come
+// its subcommand with its flags (`ryosen ID FILE -o OUT --PARAMETER VALUE`), its command in scripts
+// (`ID PARAMETER=VALUE ...`), its fields in the window, help, progress, cancel, the history, recovery, and the tests that
+// go over the table.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/algo/parameters.h"
+#include "core/analysis/problem_kinds.h"
+#include "core/base/message.h"
+#include "core/base/progress.h"
+#include "core/mesh/edit.h"
+
+namespace ryosen {
+
+struct AlgorithmInput {
+  ParameterValues values = ParameterValues();  // lengths in units of the mesh, elements looked up
+  // Vertices that something beside the mesh refers to (faces set aside, lines and points of the file), ascending.
+  std::span<const Vertex> used_elsewhere = {};
+  std::size_t set_aside = 0;  // faces of the file that reading could not connect
+};
+
+struct AlgorithmResult {
+  std::size_t changed = 0;       // 0: nothing was written
+  std::size_t left = 0;          // what the algorithm is for, but what it had to leave as it is
+  Text text;                     // a sentence with the numbers
+  bool drops_set_aside = false;  // the faces set aside are to be forgotten
+};
+
+struct AlgorithmRow {
+  std::string_view id;
+  std::string_view name_en, name_ja;
+  std::string_view help_en, help_ja;
+  std::vector<ParameterRow> parameters;
+  bool keeps_geometry;  // all places and faces stay what they are: `ryosen repair` does it unless others are named
+  std::vector<ProblemKind> solves;  // not empty: a repair
+  // Does it within an edit, which is one entry of the history; one that was cancelled is not to be committed.
+  AlgorithmResult (*run)(Edit& edit, const AlgorithmInput& input, Progress& progress);
+
+  bool is_repair() const { return !solves.empty(); }
+};
+
+// Repairs first, in the order in which they are done, each after those that make its work easier. Rows stay where they are.
+const std::deque<AlgorithmRow>& algorithm_table();
+// By id; null when there is none.
+const AlgorithmRow* find_algorithm(std::string_view id);
+
+// A further row for its life: for tests, and for programs that embed the library. The last one made ends first. Not while
+// anything else reads the table.
+class ScopedAlgorithm {
+ public:
+  explicit ScopedAlgorithm(AlgorithmRow row);
+  ~ScopedAlgorithm();
+  ScopedAlgorithm(const ScopedAlgorithm&) = delete;
+  ScopedAlgorithm& operator=(const ScopedAlgorithm&) = delete;
+
+ private:
+  const AlgorithmRow* row_;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,316 @@
+#include "core/algo/parameters.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+#include "core/mesh/find_element.h"
+#include "core/ops/lines/syntax.h"
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double largest_count = 1e15;  // whole in a double
+
+struct KindRow {
+  ParameterKind kind;
+  std::string_view placeholder;
+  std::string_view en, ja;
+  std::string_view unit_en, unit_ja;
+  double smallest, largest;
+};
+
+constexpr std::array kinds{
+    KindRow{ParameterKind::number, "NUMBER", "a number", "数", "", "", -infinity, infinity},
+    KindRow{ParameterKind::count, "COUNT", "a whole number", "整数", "", "", 0, largest_count},
+    KindRow{ParameterKind::length, "LENGTH", "a length", "長さ", "in units of the mesh or with % of its diagonal",
+            "メッシュの単位、% を付けると対角線に対する割合", 0, infinity},
+    KindRow{ParameterKind::ratio, "RATIO", "a ratio", "比率", "", "", 0, 1},
+    KindRow{ParameterKind::angle, "ANGLE", "an angle", "角度", "in degrees", "度", 0, 180},
+    KindRow{ParameterKind::choice, "", "one of ", "", "", "", -infinity, infinity},
+    KindRow{ParameterKind::flag, "on|off", "on or off", "on か off", "", "", -infinity, infinity},
+    KindRow{ParameterKind::elements, "NAME,...", "names of elements, separated by commas", "要素の名前（コンマ区切り）",
+            "", "", -infinity, infinity},
+};
+
+constexpr bool are_in_order() {
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+    if (kinds[i].kind != static_cast<ParameterKind>(i)) return false;
+  return true;
+}
+static_assert(are_in_order());
+
+const KindRow& kind_of(const ParameterRow& row) { return kinds[static_cast<std::size_t>(row.kind)]; }
+double smallest_of(const ParameterRow& row) { return row.smallest.value_or(kind_of(row).smallest); }
+double largest_of(const ParameterRow& row) { return row.largest.value_or(kind_of(row).largest); }
+
+bool is_in_range(const ParameterRow& row, double number) {
+  const double least = smallest_of(row), most = largest_of(row);
+  return (row.excludes_smallest ? number > least : number >= least) &&
+         (row.excludes_largest ? number < most : number <= most);
+}
+
+Text range_text(const ParameterRow& row) {
+  const double least = smallest_of(row), most = largest_of(row);
+  const bool has_least = std::isfinite(least), has_most = std::isfinite(most) && most < largest_count;
+  const std::string a = format_double(least), b = format_double(most);
+  Text text;
+  if (has_least) text.en += (row.excludes_smallest ? " above " : " from ") + a;
+  if (has_least) text.ja += a + (row.excludes_smallest ? " より大きく" : " 以上");
+  if (has_most) text.en += (row.excludes_largest ? " below " : " to ") + b;
+  if (has_most) text.ja += (has_least ? " " : "") + b + (row.excludes_largest ? " 未満" : " 以下");
+  if (has_least && !has_most && !row.excludes_smallest) text.en += " up";
+  return text;
+}
+
+std::vector<std::string_view> parts_of(std::string_view list) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    parts.push_back(list.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+std::optional<ParameterValue> read_names(std::string_view text) {
+  ParameterValue value;
+  for (std::string_view name : parts_of(text)) {
+    if (!is_element_name(name)) return std::nullopt;
+    value.names.emplace_back(name);
+  }
+  return value;
+}
+
+std::optional<ParameterValue> read_value(const ParameterRow& row, std::string_view text) {
+  ParameterValue value;
+  if (row.kind == ParameterKind::elements) return read_names(text);
+  if (row.kind == ParameterKind::flag || row.kind == ParameterKind::choice) {
+    std::vector<std::string_view> words{"off", "on"};
+    if (row.kind == ParameterKind::choice) words.clear();
+    for (const Choice& choice : row.choices) words.push_back(choice.id);
+    const auto found = std::find(words.begin(), words.end(), text);
+    if (found == words.end()) return std::nullopt;
+    value.number = static_cast<double>(found - words.begin());
+    return value;
+  }
+  value.is_percent = row.kind == ParameterKind::length && text.ends_with('%');
+  const auto number = parse_double(value.is_percent ? text.substr(0, text.size() - 1) : text);
+  if (!number || (row.kind == ParameterKind::count && *number != std::floor(*number))) return std::nullopt;
+  // How long a share is says the mesh; only its sign is known before.
+  if (value.is_percent ? *number < 0 : !is_in_range(row, *number)) return std::nullopt;
+  value.number = *number;
+  return value;
+}
+
+double diagonal_of(const Mesh& mesh) {
+  glm::dvec3 least(infinity), most(-infinity);
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+    if (!mesh.is_alive(Vertex(i))) continue;
+    const glm::dvec3 p = mesh.position(Vertex(i));
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) continue;
+    least = glm::min(least, p);
+    most = glm::max(most, p);
+  }
+  return least.x <= most.x ? glm::distance(least, most) : 0;
+}
+
+Text fault_of_value(const ParameterRow& row, std::string_view text, std::string_view called) {
+  const Text expected = expected_value(row);
+  const std::string name(called), wrong(text);
+  return {name + " is " + expected.en + ", not '" + wrong + "'",
+          name + " は" + expected.ja + "です（「" + wrong + "」は使えません）"};
+}
+
+}  // namespace
+
+std::string placeholder(const ParameterRow& row) {
+  std::string text(kind_of(row).placeholder);
+  for (const Choice& choice : row.choices) text.append(text.empty() ? "" : "|").append(choice.id);
+  return text;
+}
+
+Text expected_value(const ParameterRow& row) {
+  const KindRow& kind = kind_of(row);
+  Text text{std::string(kind.en), std::string(kind.ja)};
+  for (const Choice& choice : row.choices) {
+    const bool is_first = &choice == &row.choices.front();
+    text.en.append(is_first ? "" : ", ").append(choice.id);
+    text.ja.append(is_first ? " " : "、").append(choice.id);
+  }
+  if (!row.choices.empty()) text.ja += " のいずれか";
+  const Text range = range_text(row);
+  const std::string_view unit_en = row.unit_en.empty() ? kind.unit_en : row.unit_en,
+                         unit_ja = row.unit_ja.empty() ? kind.unit_ja : row.unit_ja;
+  text.en += range.en;
+  if (!unit_en.empty()) text.en.append(", ").append(unit_en);
+  if (range.ja.empty() && unit_ja.empty()) return text;
+  text.ja.append("（").append(range.ja).append(range.ja.empty() || unit_ja.empty() ? "" : "、");
+  text.ja.append(unit_ja).append("）");
+  return text;
+}
+
+Text fault_of_missing(const ParameterRow& row, std::string_view called) {
+  const Text expected = expected_value(row);
+  const std::string name(called);
+  return {name + " is missing: " + expected.en, name + " を指定してください：" + expected.ja};
+}
+
+Text described(const ParameterRow& row) {
+  Text text = expected_value(row);
+  if (row.is_required) return {text.en + "; must be given", text.ja + "、必須"};
+  if (row.initial.empty()) return {text.en + "; may be left out", text.ja + "、省略可"};
+  const std::string initial(row.initial);
+  return {text.en + "; else " + initial, text.ja + "、省くと " + initial};
+}
+
+ParameterValues::ParameterValues(std::span<const ParameterRow> rows) : rows_(rows), values_(rows.size()) {
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (!rows_[i].initial.empty()) values_[i] = read_value(rows_[i], rows_[i].initial);
+}
+
+std::optional<Text> ParameterValues::set(std::string_view id, std::string_view text, std::string_view called) {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (rows_[i].id != id) continue;
+    std::optional<ParameterValue> value = read_value(rows_[i], text);
+    if (!value) return fault_of_value(rows_[i], text, called);
+    values_[i] = std::move(value);
+    return std::nullopt;
+  }
+  const std::string name(called), syntax = syntax_of(rows_);
+  if (syntax.empty()) return Text{"there is nothing to tell it ('" + name + "')", "「" + name + "」は余分です"};
+  return Text{"there is no parameter '" + name + "', only " + syntax,
+              "「" + name + "」という指定はありません。書式：" + syntax};
+}
+
+const ParameterRow* ParameterValues::missing() const {
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (!values_[i] && rows_[i].is_required) return &rows_[i];
+  return nullptr;
+}
+
+ReadValues ParameterValues::on(const Mesh& mesh) const {
+  ReadValues read{*this, NameError::none, {}, {}};
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (!values_[i]) continue;
+    ParameterValue& value = *read.values->values_[i];
+    if (value.is_percent) {
+      value.number *= diagonal_of(mesh) / 100;
+      value.is_percent = false;
+      if (!is_in_range(rows_[i], value.number))
+        return {std::nullopt, NameError::malformed, {}, fault_of_value(rows_[i], text_at(i), rows_[i].id)};
+    }
+    for (const std::string& name : value.names) {
+      NamedElement found = find_element(mesh, name);
+      if (!found.element) return {std::nullopt, found.error, name, std::move(found.sentence)};
+      value.elements.push_back(*found.element);
+    }
+  }
+  return read;
+}
+
+bool ParameterValues::has(std::string_view id) const {
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (rows_[i].id == id) return values_[i].has_value();
+  return false;
+}
+
+const ParameterValue& ParameterValues::value(std::string_view id, ParameterKind kind) const {
+  const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const ParameterRow& r) { return r.id == id; });
+  assert(row != rows_.end() && row->kind == kind && values_[static_cast<std::size_t>(row - rows_.begin())]);
+  static_cast<void>(kind);
+  return *values_[static_cast<std::size_t>(row - rows_.begin())];
+}
+
+std::size_t ParameterValues::count(std::string_view id) const {
+  return static_cast<std::size_t>(value(id, ParameterKind::count).number);
+}
+
+double ParameterValues::angle_rad(std::string_view id) const {
+  return value(id, ParameterKind::angle).number * std::numbers::pi / 180;
+}
+
+std::string_view ParameterValues::choice(std::string_view id) const {
+  const auto place = static_cast<std::size_t>(value(id, ParameterKind::choice).number);
+  const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const ParameterRow& r) { return r.id == id; });
+  return row->choices[place].id;
+}
+
+const std::vector<Element>& ParameterValues::elements(std::string_view id) const {
+  return value(id, ParameterKind::elements).elements;
+}
+
+std::string ParameterValues::text_at(std::size_t i) const {
+  if (!values_[i]) return {};
+  const ParameterValue& value = *values_[i];
+  switch (rows_[i].kind) {
+    case ParameterKind::choice:
+      return std::string(rows_[i].choices[static_cast<std::size_t>(value.number)].id);
+    case ParameterKind::flag:
+      return value.number != 0 ? "on" : "off";
+    case ParameterKind::elements: {
+      std::string list;
+      for (const std::string& name : value.names) list += (list.empty() ? "" : ",") + name;
+      return list;
+    }
+    default:
+      return format_double(value.number) + (value.is_percent ? "%" : "");
+  }
+}
+
+std::string ParameterValues::text(std::string_view id) const {
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (rows_[i].id == id) return text_at(i);
+  return {};
+}
+
+std::string ParameterValues::line(bool without_first_name) const {
+  std::string text;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (!values_[i]) continue;
+    if (!text.empty()) text += ' ';
+    if (i > 0 || !without_first_name) text.append(rows_[i].id).append("=");
+    text += text_at(i);
+  }
+  return text;
+}
+
+ReadValues read_values(std::span<const ParameterRow> rows, std::span<const std::string_view> words) {
+  ReadValues read{ParameterValues(rows), NameError::none, {}, {}};
+  const auto fail = [](Text sentence) {
+    return ReadValues{std::nullopt, NameError::malformed, {}, std::move(sentence)};
+  };
+  std::vector<std::string_view> given;
+  for (std::string_view word : words) {
+    const std::size_t equals = std::min(word.find('='), word.size());
+    const bool is_first = equals == word.size() && word.data() == words[0].data() && !rows.empty();
+    const std::string_view id = is_first ? rows[0].id : word.substr(0, equals);
+    const std::string_view text = is_first ? word : word.substr(std::min(equals + 1, word.size()));
+    if (std::find(given.begin(), given.end(), id) != given.end()) {
+      const std::string name(id);
+      return fail({name + " is given twice", name + " が二度指定されています"});
+    }
+    given.push_back(id);
+    if (auto fault = read.values->set(id, text, id)) return fail(std::move(*fault));
+  }
+  if (const ParameterRow* const row = read.values->missing()) return fail(fault_of_missing(*row, row->id));
+  return read;
+}
+
+std::string syntax_of(std::span<const ParameterRow> rows) {
+  std::string syntax;
+  for (const ParameterRow& row : rows) {
+    const std::string word = std::string(row.id) + "=" + placeholder(row);
+    syntax += (syntax.empty() ? "" : " ") + (row.is_required ? word : "[" + word + "]");
+  }
+  return syntax;
+}
+
+}  // namespace ryosen

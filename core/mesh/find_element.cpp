@@ -1,0 +1,16 @@
+#include "core/mesh/find_element.h"
+
+namespace ryosen {
+
+NamedElement find_element(const Mesh& mesh, std::string_view name) {
+  const auto as = [](auto named, auto element_of) -> NamedElement {
+    if (!named.ok()) return {std::nullopt, named.error, std::move(named.sentence)};
+    return {element_of(named.element), NameError::none, {}};
+  };
+  if (name.starts_with('f')) return as(find_face(mesh, name), [](Face f) { return Element(f); });
+  if (name.starts_with('v')) return as(find_vertex(mesh, name), [](Vertex v) { return Element(v); });
+  const bool is_half = name.starts_with('h');
+  return as(find_edge(mesh, name), [&](Halfedge h) { return is_half ? Element(h) : Element(edge(h)); });
+}
+
+}  // namespace ryosen

@@ -1,0 +1,206 @@
+// Algorithms from outside: every row of their table is a subcommand and a command of scripts, and so is one that the
+// program does not have, called within this process.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "app/cli/run.h"
+#include "app/editor/autosave.h"
+#include "app/editor/command_syntax.h"
+#include "app/editor/commands.h"
+#include "app/editor/keys.h"
+#include "tests/support/app/program.h"
+#include "tests/support/core/further_algorithm.h"
+
+namespace ryosen::test {
+namespace {
+
+std::string flag(std::string_view id) {
+  std::string text = "--" + std::string(id);
+  std::replace(text.begin(), text.end(), '_', '-');
+  return text;
+}
+
+// Flags that give every parameter without an initial value one.
+std::vector<std::string> flags_of(const AlgorithmRow& row) {
+  std::vector<std::string> flags;
+  for (const ParameterRow& parameter : row.parameters) {
+    if (!parameter.initial.empty()) continue;
+    flags.push_back(flag(parameter.id));
+    flags.push_back(parameter.kind == ParameterKind::elements ? "v0"
+                    : parameter.kind == ParameterKind::length ? "0.01"
+                                                              : "1");
+  }
+  return flags;
+}
+
+ProgramRun run_here(std::vector<std::string> words, const std::vector<std::string>& further = {}) {
+  words.insert(words.end(), further.begin(), further.end());
+  ProgramRun run;
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  run.exit_code = static_cast<int>(cli::run(words));
+  run.out = testing::internal::GetCapturedStdout();
+  run.err = testing::internal::GetCapturedStderr();
+  return run;
+}
+
+// Two triangles beside each other whose common points lie a thousandth apart.
+constexpr const char* loose = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1.001 0 0\nv 0 1.001 0\nv 1 1 0\nf 1 2 3\nf 4 6 5\n";
+
+class Algorithms : public testing::Test {
+ protected:
+  const ScopedAlgorithm scatter_{scatter_row()};
+  TemporaryFolder folder_;
+};
+
+TEST_F(Algorithms, are_subcommands_with_a_flag_for_each_parameter) {
+  const std::string input = asset("moebius.off"), output = folder_.at("o.off");
+  const std::string all = run_here({"help", "--lang", "en"}).out;
+  for (const AlgorithmRow& row : algorithm_table()) {
+    const std::string id(row.id);
+    EXPECT_NE(all.find("ryosen " + id + " FILE"), std::string::npos) << id;
+    const std::string help = run_here({"help", id, "--lang", "en"}).out,
+                      japanese = run_here({"help", id, "--lang", "ja"}).out;
+    for (const ParameterRow& parameter : row.parameters) {
+      EXPECT_NE(help.find(flag(parameter.id) + " " + placeholder(parameter)), std::string::npos) << help;
+      EXPECT_NE(help.find(described(parameter).en), std::string::npos) << help;
+      EXPECT_NE(japanese.find(described(parameter).ja), std::string::npos) << japanese;
+    }
+    EXPECT_EQ(run_here({"help", id, "--json"}).line()["flags"].size(), row.parameters.size() + 2);
+    const ProgramRun run = run_here({id, input, "-o", output, "--json"}, flags_of(row));
+    ASSERT_LE(run.exit_code, 1) << id << run.err;
+    const Json report = run.line();
+    EXPECT_EQ(report["algorithm"], id);
+    EXPECT_EQ(report["output"], output);
+    EXPECT_EQ(report["parameters"].size(), row.parameters.size());
+    for (const char* key : {"status", "changed", "left", "solves", "en", "ja", "vertices", "edges", "faces", "hash",
+                            "problems", "messages"})
+      EXPECT_TRUE(report.contains(key)) << id << " " << key;
+    EXPECT_EQ(run_here({"check", output, "--json"}).line()["hash"], report["hash"]) << id;
+    // An operator of this name comes first, so it must do without values; no other command may have the name.
+    EXPECT_TRUE(row.parameters.empty() || !find_op(id)) << id;
+    EXPECT_TRUE(find_op(id) || find_command_row(id)->syntax == syntax_of(row.parameters)) << id;
+    EXPECT_TRUE(call_of(line_of(row, ParameterValues(row.parameters)))->row.is_long) << id;
+  }
+}
+
+TEST_F(Algorithms, of_the_program_run_as_repair_does) {
+  const std::string input = folder_.write("loose.obj", loose);
+  const Json alone = run_program({"weld_close", input, "--distance=0.5", "--json"}).line();
+  const Json listed = run_program({"repair", input, "--kinds", "weld_close=0.5", "--json"}).line();
+  EXPECT_EQ(alone["hash"], listed["hash"]);
+  EXPECT_EQ(alone["changed"], 2);
+  EXPECT_EQ(alone["changed"], listed["repairs"][0]["changed"]);
+  EXPECT_EQ(alone["parameters"]["distance"], 0.5);
+  EXPECT_EQ(alone["problems"], listed["problems"]);
+  const ProgramRun wrong = run_program({"weld_close", input, "--distance", "-1"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(
+      wrong.err.find("--distance is a length from 0 up, in units of the mesh or with % of its diagonal, not '-1'."),
+      std::string::npos)
+      << wrong.err;
+  EXPECT_NE(run_program({"weld_close", input, "--lang", "ja"}).err.find("--distance を指定してください：長さ（0 以上"),
+            std::string::npos);
+  EXPECT_NE(run_program({"weld_clos", input}).err.find("Did you mean 'weld_close'?"), std::string::npos);
+  EXPECT_NE(run_program({"weld_close", input, "--distanc", "1"}).err.find("Did you mean '--distance'?"),
+            std::string::npos);
+  EXPECT_EQ(run_program({"fill_holes", input, "-o", input}).exit_code, 5);
+  EXPECT_EQ(run_program({"fill_holes", folder_.at("none.obj")}).exit_code, 3);
+}
+
+TEST_F(Algorithms, give_their_values_as_json_of_their_kind) {
+  const std::string input = folder_.write("a.obj", "v 0 0 0\nv 3 0 0\nv 0 4 0\nf 1 2 3\n");  // a diagonal of 5
+  const ProgramRun run = run_here({"scatter", input, "--json", "--distance", "10%", "--x", "-2", "--copies", "3",
+                                   "--at", "v1,0-2", "--mirror", "on", "--way", "down", "--angle", "180"});
+  EXPECT_EQ(run.line()["parameters"], (Json{{"distance", 0.5},
+                                            {"x", -2.0},
+                                            {"copies", 3},
+                                            {"share", 0.5},
+                                            {"angle", 180.0},
+                                            {"way", "down"},
+                                            {"mirror", true},
+                                            {"at", {"v1", "0-2"}}}));
+  EXPECT_TRUE(run.line()["parameters"]["copies"].is_number_unsigned());
+  EXPECT_EQ(run.line()["changed"], 3);
+  EXPECT_EQ(run.line()["vertices"], 6);
+  EXPECT_EQ(run_here({"fill_holes", input, "--json"}).line()["parameters"], (Json{{"most_edges", nullptr}}));
+  for (const std::vector<std::string>& flags :
+       std::vector<std::vector<std::string>>{{"--at", "v1"},
+                                             {"--distance", "1"},
+                                             {"--distance", "1", "--at", "v1", "--copies", "0"},
+                                             {"--distance", "1", "--at", "v9"},
+                                             {"--distance", "1", "--at", "v1", "--way", "left"}})
+    EXPECT_EQ(run_here({"scatter", input, "--json", "-q"}, flags).exit_code, 2) << flags.back();
+}
+
+TEST_F(Algorithms, are_commands_of_scripts_and_one_entry_of_the_history_that_replays) {
+  for (const std::string line : {"weld_close distance=0.5", "repair weld_close 0.5", "repair weld_close distance=0.5",
+                                 "weld_close distance=5%", "fill_holes", "repair orient", "fill_holes most_edges=18",
+                                 "scatter distance=1 x=0 copies=2 share=0.5 angle=0 way=up mirror=on at=f0,v3"}) {
+    const std::string input = line.starts_with("fill") ? asset("moebius.off") : folder_.write("loose.obj", loose);
+    const auto open = [&] { return Session(Document::open(input).value()); };
+    Session session = open(), again = open();
+    const Outcome outcome = session.run(line);
+    ASSERT_TRUE(outcome.done()) << line << ": " << outcome.sentence.en;
+    EXPECT_EQ(outcome.performed, line);
+    EXPECT_EQ(session.log(), std::vector<std::string>{line});
+    if (line == "repair orient") continue;  // there is nothing to turn
+    ASSERT_EQ(session.document().position(), 1u) << line;
+    EXPECT_EQ(session.document().history()[0].command, line);
+    ASSERT_TRUE(again.run(session.document().history()[0].command).done()) << line;
+    EXPECT_EQ(again.mesh().hash(), session.mesh().hash()) << line;
+    session.run("undo");
+    EXPECT_EQ(session.mesh().hash(), open().mesh().hash()) << line;
+  }
+}
+
+TEST_F(Algorithms, refuse_words_before_a_script_runs) {
+  for (const char* line : {"weld_close", "weld_close distance=x", "weld_close size=1", "repair weld_close",
+                           "repair fill_holes 1.5", "repair nothing", "repair", "repair scatter distance=1 at=v0",
+                           "scatter distance=1 at=q", "fill_holes most_edges=1 most_edges=2", "remove_isolated 3"})
+    EXPECT_TRUE(fault_of_command(line)) << line;
+  for (const char* line :
+       {"weld_close 1%", "repair fill_holes 12", "repair weld_close 1e-3", "fill_holes", "scatter distance=1 at=v900"})
+    EXPECT_FALSE(fault_of_command(line)) << line;
+  EXPECT_EQ(fault_of_command("weld_close distance=x")->en,
+            "weld_close: distance is a length from 0 up, in units of the mesh or with % of its diagonal, not 'x'");
+  EXPECT_EQ(unknown_command("scater").sentence.en, "there is no command 'scater'; did you mean scatter?");
+  const ProgramRun run = run_here({"edit", asset("cube.obj"), "--do", "split 0-1; weld_close distance=-1", "--json"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.out.find("\"done\""), std::string::npos) << "nothing has run";
+  EXPECT_NE(run_here({"help", "edit"}).out.find("scatter distance=LENGTH [x=NUMBER]"), std::string::npos);
+}
+
+TEST_F(Algorithms, name_an_element_that_is_not_there) {
+  Session session(Document::open(asset("cube.obj")).value());
+  const Outcome unknown = session.run("scatter distance=1 at=v0,v99");
+  EXPECT_EQ(unknown.exit_code, ExitCode::usage);
+  EXPECT_NE(unknown.sentence.en.find("v99"), std::string::npos) << unknown.sentence.en;
+  ASSERT_TRUE(session.run("delete f0").done());
+  EXPECT_EQ(session.run("scatter distance=1 at=f0").exit_code, ExitCode::refused) << "it was there before";
+}
+
+TEST_F(Algorithms, are_kept_for_after_a_crash) {
+  setenv("XDG_STATE_HOME", folder_.path().c_str(), 1);
+  std::uint64_t hash = 0;
+  {
+    Session crashed(Document::open(folder_.write("loose.obj", loose)).value());
+    Autosave autosave(recovery_folder());
+    crashed.autosave = &autosave;
+    autosave.begin(crashed.document());
+    for (const char* line :
+         {"scatter distance=7% copies=2 at=f1", "weld_close distance=0.01", "fill_holes", "undo", "split 0-1"})
+      ASSERT_TRUE(crashed.run(line).done()) << line;
+    hash = crashed.mesh().hash();
+  }
+  Session again(std::make_unique<Document>());
+  ASSERT_TRUE(again.run("recover").done());
+  const Outcome outcome = again.run("recover 1");
+  EXPECT_TRUE(outcome.done()) << outcome.sentence.en;
+  EXPECT_EQ(again.mesh().hash(), hash);
+  unsetenv("XDG_STATE_HOME");
+}
+
+}  // namespace
+}  // namespace ryosen::test

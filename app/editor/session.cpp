@@ -67,7 +67,7 @@ void Session::follow(std::size_t transaction) {
   if (highlights_) {
     highlights_->update(m, document_->journal(), transaction);
     drawn_changes_.everything |= highlights_->changed_everything();
-    for (const HighlightSets::Change& change : highlights_->changes()) {
+    for (const ProblemSets::Change& change : highlights_->changes()) {
       if (row_of(change.kind).face) drawn_changes_.faces.push_back(change.index);
       drawn_changes_.marks.push_back({change.kind, change.index});
     }
@@ -254,7 +254,7 @@ Picker& Session::picker() {
   return *picker_;
 }
 
-const HighlightSets& Session::highlights() {
+const ProblemSets& Session::highlights() {
   if (!highlights_) highlights_.emplace(mesh());
   return *highlights_;
 }

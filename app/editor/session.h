@@ -13,7 +13,7 @@
 #include "app/editor/recovery.h"
 #include "core/analysis/boundary_loop_count.h"
 #include "core/analysis/euler_poincare.h"
-#include "core/analysis/highlights.h"
+#include "core/analysis/problem_sets.h"
 #include "core/pick/picker.h"
 
 namespace ryosen {
@@ -81,7 +81,7 @@ class Session {
   // What lies under a pixel; nothing outside of the view.
   std::optional<Picked> pick(glm::dvec2 pixel, PickMode what);
   Picker& picker();
-  const HighlightSets& highlights();
+  const ProblemSets& highlights();
   // The boundary loops on points, counted; as current as the highlights.
   const BoundaryLoopCount& boundary_loops();
   // The terms of the Euler–Poincaré sum. Kept through operators that leave B, H, S and G alone, else O(edges).
@@ -118,7 +118,7 @@ class Session {
 
   std::unique_ptr<Document> document_;
   std::optional<Picker> picker_;
-  std::optional<HighlightSets> highlights_;
+  std::optional<ProblemSets> highlights_;
   std::optional<BoundaryLoopCount> boundary_loops_;
   std::optional<EulerPoincare> euler_;
   std::optional<Hover> hover_;

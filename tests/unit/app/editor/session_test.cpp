@@ -88,7 +88,7 @@ TEST(session, picker_highlights_and_totals_follow_edits_as_if_made_anew) {
   for (const std::string& line : lines) {
     session->run(line);
     EXPECT_FALSE(check_invariants(session->mesh())) << line;
-    EXPECT_EQ(session->highlights(), HighlightSets(session->mesh())) << line;
+    EXPECT_EQ(session->highlights(), ProblemSets(session->mesh())) << line;
     EXPECT_EQ(session->euler_terms(), euler_poincare(session->mesh())) << line;
     Picker anew(session->mesh());
     for (double x = 0.3; x < 6; x += 0.7) {

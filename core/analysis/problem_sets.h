@@ -12,12 +12,12 @@
 
 namespace ryosen {
 
-class HighlightSets {
+class ProblemSets {
  public:
-  HighlightSets() = default;
+  ProblemSets() = default;
   // Asks every element of the mesh, on several threads where that pays (0) or on so many; the sets are the same. Beside
   // copies each has a neighbourhood of its own. O(corners), and a logarithm beside copies.
-  explicit HighlightSets(const Mesh& mesh, unsigned threads = 0);
+  explicit ProblemSets(const Mesh& mesh, unsigned threads = 0);
 
   // After transaction i of the journal was committed, undone or redone on the mesh: the sets are those of a fresh
   // search. Asks the stars of the points that it touched, so the mesh's size does not matter; only a transaction that
@@ -48,7 +48,7 @@ class HighlightSets {
   std::span<const Change> changes() const { return changes_; }
   bool changed_everything() const { return changed_everything_; }
 
-  friend bool operator==(const HighlightSets& a, const HighlightSets& b) {
+  friend bool operator==(const ProblemSets& a, const ProblemSets& b) {
     return a.sets_ == b.sets_ && a.further_copies_ == b.further_copies_ && a.further_sheets_ == b.further_sheets_;
   }
 

@@ -1,4 +1,4 @@
-#include "core/analysis/highlights.h"
+#include "core/analysis/problem_sets.h"
 
 #include <optional>
 
@@ -145,7 +145,7 @@ std::vector<std::uint32_t> members_from(const IndexSet& set, std::uint32_t first
 
 }  // namespace
 
-HighlightSets::HighlightSets(const Mesh& mesh, unsigned threads) : had_copies_(mesh.has_copies()) {
+ProblemSets::ProblemSets(const Mesh& mesh, unsigned threads) : had_copies_(mesh.has_copies()) {
   if (threads == 0) threads = threads_for(mesh.halfedge_slots());
   Neighbourhood around(mesh, Neighbourhood::Reach::whole);
   const unsigned parts = threads == 1 ? 1 : 2 * threads;
@@ -164,7 +164,7 @@ HighlightSets::HighlightSets(const Mesh& mesh, unsigned threads) : had_copies_(m
   find_further(around);
 }
 
-void HighlightSets::find_further(Neighbourhood& around) {
+void ProblemSets::find_further(Neighbourhood& around) {
   const Mesh& mesh = around.mesh();
   if (!mesh.has_copies()) return;
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
@@ -173,15 +173,15 @@ void HighlightSets::find_further(Neighbourhood& around) {
     if (is_further(around, Edge(i))) further_sheets_.insert(i);
 }
 
-void HighlightSets::set(ProblemKind kind, std::uint32_t index, bool is_member) {
+void ProblemSets::set(ProblemKind kind, std::uint32_t index, bool is_member) {
   IndexSet& members = sets_[static_cast<std::size_t>(kind)];
   if (is_member ? members.insert(index) : members.erase(index)) changes_.push_back({kind, index, is_member});
 }
 
-void HighlightSets::update(const Mesh& mesh, const Journal& journal, std::size_t i) {
+void ProblemSets::update(const Mesh& mesh, const Journal& journal, std::size_t i) {
   // The journal does not list the cells of a column of copies that came or went as a whole.
   if (journal.replaces_everything(i) || had_copies_ != mesh.has_copies()) {
-    *this = HighlightSets(mesh);
+    *this = ProblemSets(mesh);
     return;
   }
   changes_.clear();
@@ -213,7 +213,7 @@ void HighlightSets::update(const Mesh& mesh, const Journal& journal, std::size_t
   list_edges_asked(mesh, reach.vertices, reach.edges);
 }
 
-void HighlightSets::list_edges_asked(const Mesh& mesh, std::span<const Vertex> vertices, std::span<const Edge> edges) {
+void ProblemSets::list_edges_asked(const Mesh& mesh, std::span<const Vertex> vertices, std::span<const Edge> edges) {
   edges_asked_.assign(edges.begin(), edges.end());
   for (const Change& change : changes_)
     if (row_of(change.kind).edge) edges_asked_.emplace_back(change.index);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/analysis/edit_reach.h"
 #include "core/analysis/index_set.h"
 #include "core/analysis/problem_kinds.h"
 #include "core/mesh/journal.h"
@@ -39,6 +40,8 @@ class ProblemSets {
   // The edges, live or not, that the last update asked about: all at the points where anything changed, those that left
   // such a point, and at neighbours with copies. Ascending; nothing where everything may have changed.
   std::span<const Edge> edges_asked() const { return edges_asked_; }
+  // The elements that the last update asked about; of another mesh where everything may have changed.
+  const EditReach& reach() const { return reach_; }
   // What the last update put in or took out; nothing is listed where everything may have changed.
   struct Change {
     ProblemKind kind;
@@ -55,10 +58,11 @@ class ProblemSets {
  private:
   void set(ProblemKind kind, std::uint32_t index, bool is_member);
   void find_further(Neighbourhood& around);
-  void list_edges_asked(const Mesh& mesh, std::span<const Vertex> vertices, std::span<const Edge> edges);
+  void list_edges_asked(const Mesh& mesh);
 
   std::array<IndexSet, problem_kinds> sets_;
   IndexSet further_copies_, further_sheets_;  // all but the lowest of a point, and of an edge
+  EditReach reach_;
   std::vector<Edge> edges_asked_;
   std::vector<Change> changes_;
   bool changed_everything_ = true;

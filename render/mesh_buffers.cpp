@@ -48,17 +48,17 @@ BufferSpace buffer_space(const glm::dvec3& low, const glm::dvec3& high) {
 MeshBuffers::MeshBuffers()
     : gpu_positions_("mesh positions", GL_RGBA32F),
       gpu_triangles_("mesh triangles", GL_RGBA32UI),
-      gpu_flags_("face flags", GL_R8UI) {}
+      gpu_tints_("face tints", GL_R8UI) {}
 
 void MeshBuffers::set(const TriangleSource& source, const BufferSpace& space) {
   space_ = space;
   positions_.clear();
   triangles_.clear();
-  flags_.clear();
+  tints_.clear();
   slot_of_source_.clear();
   source_of_slot_.clear();
   clusters_.clear();
-  source_positions_ = source_triangles_ = source_flags_ = 0;
+  source_positions_ = source_triangles_ = source_tints_ = 0;
   write_positions(source, {});
 
   std::vector<glm::vec3> middles(source.triangles.size(), glm::vec3(0));
@@ -72,7 +72,7 @@ void MeshBuffers::set(const TriangleSource& source, const BufferSpace& space) {
   for (std::uint32_t slot = 0; slot < source_of_slot_.size(); ++slot) slot_of_source_[source_of_slot_[slot]] = slot;
   triangles_.assign(source_of_slot_.size(), not_drawn);
   source_triangles_ = source.triangles.size();
-  write_flags(source, {});
+  write_tints(source, {});
   write_triangles(source, source_of_slot_);
 }
 
@@ -80,7 +80,7 @@ MeshChange MeshBuffers::update(const TriangleSource& source, std::span<const std
                                std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces) {
   MeshChange change;
   std::vector<std::uint32_t> changed = changed_triangles(source, triangles);
-  add_triangles_of(source, write_flags(source, faces), changed);
+  add_triangles_of(source, write_tints(source, faces), changed);
   const auto note_boxes = [&] {
     for (const std::uint32_t triangle : changed) {
       if (triangle >= slot_of_source_.size()) continue;
@@ -104,14 +104,14 @@ MeshChange MeshBuffers::update(const TriangleSource& source, std::span<const std
 void MeshBuffers::bind() const {
   gpu_positions_.bind(0);
   gpu_triangles_.bind(1);
-  gpu_flags_.bind(2);
+  gpu_tints_.bind(2);
 }
 
 void MeshBuffers::set_units(const Program& program) {
   program.use();
   program.set("positions", 0);
   program.set("triangles", 1);
-  program.set("face_flags", 2);
+  program.set("face_tints", 2);
 }
 
 DrawBox MeshBuffers::bounds() const {
@@ -181,17 +181,17 @@ std::vector<std::uint32_t> MeshBuffers::write_triangles(const TriangleSource& so
                                                         std::span<const std::uint32_t> triangles) {
   std::vector<std::uint32_t> slots;
   slots.reserve(triangles.size());
-  std::uint32_t faces = static_cast<std::uint32_t>(flags_.size());
+  std::uint32_t faces = static_cast<std::uint32_t>(tints_.size());
   for (const std::uint32_t triangle : triangles) {
     const std::uint32_t slot = slot_of_source_[triangle];
     triangles_[slot] = converted(source, triangle);
     slots.push_back(slot);
     faces = std::max(faces, (triangles_[slot].w >> 3) + 1);
   }
-  if (faces > flags_.size()) {
-    const std::size_t before = flags_.size();
-    flags_.resize(faces, 0);
-    gpu_flags_.write(before, {flags_.data() + before, flags_.size() - before});
+  if (faces > tints_.size()) {
+    const std::size_t before = tints_.size();
+    tints_.resize(faces, 0);
+    gpu_tints_.write(before, {tints_.data() + before, tints_.size() - before});
   }
   while (clusters_.size() * cluster_size < triangles_.size()) clusters_.emplace_back();
   std::vector<std::uint32_t> touched_clusters;
@@ -210,37 +210,37 @@ void MeshBuffers::refresh(std::uint32_t number) {
   cluster.first = number * cluster_size;
   cluster.count = std::min(cluster_size, static_cast<std::uint32_t>(triangles_.size()) - cluster.first);
   cluster.box = {};
-  cluster.flagged = false;
+  cluster.tinted = false;
   for (std::uint32_t i = 0; i < cluster.count; ++i) {
     const glm::uvec4& triangle = triangles_[cluster.first + i];
     if (!is_drawn(triangle)) continue;
     for (int k = 0; k < 3; ++k) cluster.box.add(glm::vec3(positions_[triangle[k]]));
-    if (flags_[triangle.w >> 3] != 0) cluster.flagged = true;
+    if (tints_[triangle.w >> 3] != 0) cluster.tinted = true;
   }
 }
 
-std::vector<std::uint32_t> MeshBuffers::write_flags(const TriangleSource& source,
+std::vector<std::uint32_t> MeshBuffers::write_tints(const TriangleSource& source,
                                                     std::span<const std::uint32_t> faces) {
-  const std::size_t now = source.face_flags.size();
-  const std::size_t before = std::min(source_flags_, now), end = std::max(source_flags_, now);
-  if (flags_.size() < end) flags_.resize(end, 0);
+  const std::size_t now = source.face_tints.size();
+  const std::size_t before = std::min(source_tints_, now), end = std::max(source_tints_, now);
+  if (tints_.size() < end) tints_.resize(end, 0);
   std::vector<std::uint32_t> written;
-  const auto write = [&](std::uint32_t face, std::uint8_t flags) {
-    if (flags_[face] == flags) return;
-    flags_[face] = flags;
+  const auto write = [&](std::uint32_t face, std::uint8_t tint) {
+    if (tints_[face] == tint) return;
+    tints_[face] = tint;
     written.push_back(face);
   };
   for (const std::uint32_t face : faces) {
-    if (face < before) write(face, source.face_flags[face]);
+    if (face < before) write(face, source.face_tints[face]);
   }
   for_runs(written, [&](std::uint32_t first, std::uint32_t count) {
-    gpu_flags_.write(first, {flags_.data() + first, count});
+    gpu_tints_.write(first, {tints_.data() + first, count});
   });
   for (std::size_t face = before; face < end; ++face) {
-    write(static_cast<std::uint32_t>(face), face < now ? source.face_flags[face] : std::uint8_t{0});
+    write(static_cast<std::uint32_t>(face), face < now ? source.face_tints[face] : std::uint8_t{0});
   }
-  gpu_flags_.write(before, {flags_.data() + before, end - before});
-  source_flags_ = now;
+  gpu_tints_.write(before, {tints_.data() + before, end - before});
+  source_tints_ = now;
   return written;
 }
 
@@ -255,7 +255,7 @@ void MeshBuffers::add_triangles_of(const TriangleSource& source, std::vector<std
   std::sort(named.begin(), named.end());
   std::erase_if(faces, [&](std::uint32_t f) { return std::binary_search(named.begin(), named.end(), f); });
   if (faces.empty()) return;
-  std::vector<std::uint8_t> wanted(flags_.size(), 0);
+  std::vector<std::uint8_t> wanted(tints_.size(), 0);
   for (const std::uint32_t face : faces) wanted[face] = 1;
   for (std::uint32_t slot = 0; slot < triangles_.size(); ++slot) {
     if (is_drawn(triangles_[slot]) && wanted[face_of_slot(slot)] != 0) triangles.push_back(source_of_slot_[slot]);

@@ -21,7 +21,7 @@ struct TriangleSource {
   std::span<const std::array<std::uint32_t, 3>> triangles;  // vertex numbers, counterclockwise seen from the front
   std::span<const std::uint32_t> triangle_face;             // the face of each triangle, below 2^29
   std::span<const std::uint8_t> triangle_edge_bits;  // bit k: the side from corner k to k+1 is an edge of the polygon
-  std::span<const std::uint8_t> face_flags;          // FaceFlag bits; faces past the end have none
+  std::span<const std::uint8_t> face_tints;          // see face_tint.h; faces past the end have none
 };
 
 // Triangles that lie together, in consecutive slots, with the box around them.
@@ -29,7 +29,7 @@ struct Cluster {
   DrawBox box;
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-  bool flagged = false;  // some face of it carries a flag
+  bool tinted = false;  // some face of it has a tint
 };
 
 // What an update touched: the boxes of the triangles as they were and as they are, and the numbers of their clusters.
@@ -62,9 +62,9 @@ class MeshBuffers {
   void set(const TriangleSource& source, const BufferSpace& space);
 
   // Brings the copy up to date after a change. `vertices` names the vertices with a new position, `triangles` the
-  // triangles with other corners, face or edge bits and those with a moved corner, `faces` the faces with other flags.
+  // triangles with other corners, face or edge bits and those with a moved corner, `faces` the faces with other tints.
   // What lies past the old ends of the arrays, or is cut off at their ends, need not be named. Looking for the
-  // triangles of faces with other flags takes a pass over all triangles, unless some triangle of each such face is
+  // triangles of faces with other tints takes a pass over all triangles, unless some triangle of each such face is
   // named; then all of them must be.
   MeshChange update(const TriangleSource& source, std::span<const std::uint32_t> vertices,
                     std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces);
@@ -90,24 +90,24 @@ class MeshBuffers {
   void write_positions(const TriangleSource& source, std::span<const std::uint32_t> vertices);
   // Returns the numbers of the clusters written to.
   std::vector<std::uint32_t> write_triangles(const TriangleSource& source, std::span<const std::uint32_t> triangles);
-  // Returns the faces whose flags are different now.
-  std::vector<std::uint32_t> write_flags(const TriangleSource& source, std::span<const std::uint32_t> faces);
+  // Returns the faces whose tints are different now.
+  std::vector<std::uint32_t> write_tints(const TriangleSource& source, std::span<const std::uint32_t> faces);
   void add_triangles_of(const TriangleSource& source, std::vector<std::uint32_t> faces,
                         std::vector<std::uint32_t>& triangles) const;
 
   BufferSpace space_;
   std::vector<glm::vec4> positions_;   // as uploaded; w is 0
   std::vector<glm::uvec4> triangles_;  // by slot, as uploaded: corners, then face * 8 + edge bits
-  std::vector<std::uint8_t> flags_;    // as uploaded; one for every face that a triangle names, or more
+  std::vector<std::uint8_t> tints_;    // as uploaded; one for every face that a triangle names, or more
   std::vector<std::uint32_t> slot_of_source_;
   std::vector<std::uint32_t> source_of_slot_;
   std::vector<Cluster> clusters_;
   std::size_t source_positions_ = 0;
   std::size_t source_triangles_ = 0;
-  std::size_t source_flags_ = 0;
+  std::size_t source_tints_ = 0;
   TexelArray<glm::vec4> gpu_positions_;
   TexelArray<glm::uvec4> gpu_triangles_;
-  TexelArray<std::uint8_t> gpu_flags_;
+  TexelArray<std::uint8_t> gpu_tints_;
 };
 
 }  // namespace ryosen

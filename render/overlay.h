@@ -5,12 +5,10 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "core/highlights/looks.h"
 #include "render/colour.h"
 
 namespace ryosen {
-
-enum class LineStyle { solid, dashed, dash_dot, dotted };
-enum class PointShape { disc, ring, cross, diamond, square };
 
 // How strongly an element shows through the surface that hides it: 0 not at all, 1 as if in front.
 inline constexpr float faintly = 0.22f;

@@ -1,34 +1,25 @@
 #include "render/palette.h"
 
+#include "core/base/enum_table.h"
+
 namespace ryosen {
 namespace {
 
-struct Row {
+struct RoleRow {
   Role role;
-  Rgba dark, light;
-  LineStyle line;
-  float width_px;
-  PointShape point;
-  float radius_px;
+  Looks looks;
+  std::uint8_t alpha = 255;
 };
 
-// In the order of Role.
-constexpr Row role_rows[role_count] = {
-    {Role::hover, rgb(0xF0E442), rgb(0xF0E442), LineStyle::solid, 4, PointShape::disc, 6},
-    {Role::selected, rgb(0xE69F00), rgb(0xE69F00), LineStyle::solid, 3.5f, PointShape::square, 5},
-    {Role::legal, rgb(0x009E73), rgb(0x009E73), LineStyle::solid, 4.5f, PointShape::disc, 5.5f},
-    {Role::refused, rgb(0xD55E00), rgb(0xD55E00), LineStyle::dashed, 4.5f, PointShape::cross, 7},
-    {Role::witness, rgb(0xFFFFFF), rgb(0x000000), LineStyle::dotted, 3.5f, PointShape::diamond, 6},
-    {Role::ghost, rgb(0x5FE0B8, 96), rgb(0x009E73, 96), LineStyle::solid, 1.5f, PointShape::ring, 5},
-    {Role::boundary, rgb(0x56B4E9), rgb(0x56B4E9), LineStyle::solid, 3, PointShape::ring, 4.5f},
-    {Role::nonmanifold, rgb(0xD55E00), rgb(0xD55E00), LineStyle::dash_dot, 4, PointShape::diamond, 6},
-    {Role::misoriented, rgb(0x4A90D9), rgb(0x0072B2), LineStyle::dashed, 3.5f, PointShape::ring, 5},
-    {Role::degenerate, rgb(0xCC79A7), rgb(0xCC79A7), LineStyle::dotted, 4, PointShape::cross, 6},
-    {Role::duplicate, rgb(0xBBBBBB), rgb(0x666666), LineStyle::dash_dot, 2.5f, PointShape::square, 4.5f},
-    {Role::hanging, rgb(0xC77CFF), rgb(0xAA3377), LineStyle::dotted, 3, PointShape::diamond, 5},
-    {Role::isolated, rgb(0xFFFFFF), rgb(0x000000), LineStyle::solid, 2, PointShape::ring, 5},
-    {Role::wire, rgb(0xE4E8EE), rgb(0x303846), LineStyle::solid, 1.8f, PointShape::disc, 3.5f},
+constexpr RoleRow role_rows[] = {
+    {Role::hover, {0xF0E442, 0xF0E442, LineStyle::solid, 4, PointShape::disc, 6}},
+    {Role::selected, {0xE69F00, 0xE69F00, LineStyle::solid, 3.5f, PointShape::square, 5}},
+    {Role::legal, {0x009E73, 0x009E73, LineStyle::solid, 4.5f, PointShape::disc, 5.5f}},
+    {Role::refused, {0xD55E00, 0xD55E00, LineStyle::dashed, 4.5f, PointShape::cross, 7}},
+    {Role::witness, {0xFFFFFF, 0x000000, LineStyle::dotted, 3.5f, PointShape::diamond, 6}},
+    {Role::ghost, {0x5FE0B8, 0x009E73, LineStyle::solid, 1.5f, PointShape::ring, 5}, 96},
 };
+static_assert(rows_are_in_order(role_rows, &RoleRow::role));
 
 constexpr Palette dark_palette = {
     .background_top = rgb(0x323A46),
@@ -56,9 +47,16 @@ constexpr Palette light_palette = {
 
 }  // namespace
 
+Style style(const Looks& looks, Theme theme) {
+  return {rgb(theme == Theme::dark ? looks.dark : looks.light), looks.line, looks.width_px, looks.point,
+          looks.radius_px};
+}
+
 Style style(Role role, Theme theme) {
-  const Row& row = role_rows[static_cast<int>(role)];
-  return {theme == Theme::dark ? row.dark : row.light, row.line, row.width_px, row.point, row.radius_px};
+  const RoleRow& row = role_rows[static_cast<std::size_t>(role)];
+  Style result = style(row.looks, theme);
+  result.colour = with_alpha(result.colour, row.alpha);
+  return result;
 }
 
 const Palette& palette(Theme theme) { return theme == Theme::dark ? dark_palette : light_palette; }

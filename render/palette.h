@@ -10,7 +10,7 @@ namespace ryosen {
 
 enum class Theme { dark, light };
 
-// What an element is drawn as.
+// What an element is drawn as because of the pointer or the selection; highlights bring their own looks.
 enum class Role {
   hover,
   selected,
@@ -18,19 +18,10 @@ enum class Role {
   refused,
   witness,
   ghost,
-  boundary,
-  nonmanifold,
-  misoriented,
-  degenerate,
-  duplicate,
-  hanging,
-  isolated,
-  wire,
 };
-inline constexpr int role_count = 14;
 
-// The looks of a role. Colours are safe for colour-blind people, and no two roles that can meet share both line style
-// and point shape, so that colour is never the only sign.
+// The looks of a role or a highlight in a theme. Colours are safe for colour-blind people, and no two that can meet share
+// both line style and point shape, so that colour is never the only sign.
 struct Style {
   Rgba colour;
   LineStyle line;
@@ -39,18 +30,7 @@ struct Style {
   float radius_px;
 };
 Style style(Role role, Theme theme);
-
-// The bits of the byte that a face carries. Each has a tint and, but for `legal`, a pattern of its own.
-struct FaceFlag {
-  static constexpr std::uint8_t selected = 1;
-  static constexpr std::uint8_t hovered = 2;
-  static constexpr std::uint8_t legal = 4;
-  static constexpr std::uint8_t refused = 8;
-  static constexpr std::uint8_t duplicate = 16;
-  static constexpr std::uint8_t degenerate = 32;
-  static constexpr std::uint8_t misoriented = 64;
-  static constexpr std::uint8_t hidden = 128;  // not drawn at all
-};
+Style style(const Looks& looks, Theme theme);
 
 // The colours of a theme that belong to no role.
 struct Palette {

@@ -101,6 +101,12 @@ void View::set_camera(const Camera& camera) {
   all_changed();
 }
 
+void View::set_tints(std::span<const DrawnTint> tints) {
+  if (std::equal(tints.begin(), tints.end(), tints_.begin(), tints_.end())) return;
+  tints_.assign(tints.begin(), tints.end());
+  all_changed();
+}
+
 void View::set_overlay(Layer layer, const Overlay& overlay) {
   std::vector<TouchedBox> touched;
   overlays_[static_cast<std::size_t>(layer)].set(overlay, mesh_.space(), touched);
@@ -240,7 +246,7 @@ void View::draw(const PixelRect& asked) {
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
-  passes_.surface.draw(f, mesh_, clusters_in(rect));
+  passes_.surface.draw(f, mesh_, clusters_in(rect), tints_);
   if (!transparent_) passes_.background.draw(f);
   for (const OverlayBuffer& overlay : overlays_) passes_.overlay.draw(f, overlay);
   if (supersample_ > 1) passes_.resolve.draw(rendered_, supersample_, resolved_, rect);

@@ -8,10 +8,12 @@
 #include <span>
 #include <vector>
 
+#include "core/base/enum_table.h"
 #include "core/base/handle.h"
 #include "core/base/result.h"
 #include "core/view/camera.h"
 #include "render/dirty_rects.h"
+#include "render/face_tint.h"
 #include "render/gl/framebuffer.h"
 #include "render/image.h"
 #include "render/mesh_buffers.h"
@@ -27,7 +29,7 @@ namespace ryosen {
 
 // Overlays that change independently of each other, drawn in this order.
 enum class Layer { highlights, selection, hover, preview };
-inline constexpr std::size_t layer_count = 4;
+inline constexpr std::size_t layer_count = enum_count<Layer>;
 
 // What is seen at each pixel of a view, rows from the top down.
 struct IdImage {
@@ -50,6 +52,8 @@ class View {
   // Without a background the picture has an alpha channel.
   void set_transparent(bool transparent);
   void set_camera(const Camera& camera);
+  // What the numbers of the faces' tints mean, from 1 on.
+  void set_tints(std::span<const DrawnTint> tints);
   // Replaces what the layer holds.
   void set_overlay(Layer layer, const Overlay& overlay);
   // Replaces a numbered part of the layer, at the cost of that part; see OverlayBuffer::set_part.
@@ -107,6 +111,7 @@ class View {
   Size size_{1, 1};
   int supersample_ = 1;
   Theme theme_ = Theme::dark;
+  std::vector<DrawnTint> tints_;
   bool transparent_ = false;
   DirtyRects dirty_, redrawn_;
   bool planes_stale_ = true;               // near, far and the order of clusters belong to another camera or mesh

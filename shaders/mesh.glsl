@@ -1,10 +1,10 @@
 // Reads a mesh from texture buffers: vertex number n of a draw is corner n % 3 of the triangle in slot n / 3.
 uniform samplerBuffer positions;   // in buffer space
 uniform usamplerBuffer triangles;  // three vertex numbers, then face * 8 + edge bits
-uniform usamplerBuffer face_flags;
+uniform usamplerBuffer face_tints;
 uniform mat4 clip_from_buffer;
 
-const uint flag_hidden = 128u;
+const uint hidden_face = 255u;
 const vec4 nowhere = vec4(2.0, 2.0, 2.0, 1.0);  // outside of the view
 
 struct Corner {
@@ -13,7 +13,7 @@ struct Corner {
   vec3 places[3];  // of all corners of the triangle
   uint face;
   uint edge_bits;
-  uint flags;
+  uint tint;  // 0, the number of its tint from 1 on, or hidden_face
 };
 
 Corner read_corner() {
@@ -26,12 +26,12 @@ Corner read_corner() {
   corner.places[2] = texelFetch(positions, int(triangle.z)).xyz;
   corner.face = triangle.w >> 3u;
   corner.edge_bits = triangle.w & 7u;
-  corner.flags = texelFetch(face_flags, int(corner.face)).r;
+  corner.tint = texelFetch(face_tints, int(corner.face)).r;
   return corner;
 }
 
 // The same expression in every pass, so that equal places get equal depths.
 vec4 clip_place(Corner corner) {
   vec3 place = corner.number == 0 ? corner.places[0] : corner.number == 1 ? corner.places[1] : corner.places[2];
-  return (corner.flags & flag_hidden) != 0u ? nowhere : clip_from_buffer * vec4(place, 1.0);
+  return corner.tint == hidden_face ? nowhere : clip_from_buffer * vec4(place, 1.0);
 }

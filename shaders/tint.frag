@@ -1,25 +1,26 @@
 #version 330 core
 flat in vec4 tint;
-flat in int bit;
+flat in int pattern;
 
 uniform float pixel_scale;  // rendered pixels per pixel of the picture
 
 layout(location = 0) out vec4 colour;
 
-// How much a pixel belongs to the pattern that goes with a bit of the flags: a sign other than the colour.
-float pattern() {
+const int diagonal = 1, chessboard = 2, horizontal = 3, vertical = 4;
+
+// How much a pixel belongs to the pattern: a sign other than the colour.
+float share() {
   vec2 p = gl_FragCoord.xy / pixel_scale;
   float rising = step(0.5, fract((p.x - p.y) / 10.0));
   float falling = step(0.5, fract((p.x + p.y) / 10.0));
-  if (bit == 0) return 0.70 + 0.30 * rising;  // selected
-  if (bit == 3) return 0.55 + 0.45 * falling;                    // refused
-  if (bit == 4) return 0.50 + 0.50 * abs(rising - falling);      // duplicate: a chessboard on its corner
-  if (bit == 5) return 0.50 + 0.50 * step(0.5, fract(p.y / 6.0));  // degenerate
-  if (bit == 6) return 0.50 + 0.50 * step(0.5, fract(p.x / 6.0));  // misoriented
+  if (pattern == diagonal) return 0.55 + 0.45 * rising;
+  if (pattern == chessboard) return 0.50 + 0.50 * abs(rising - falling);  // on its corner
+  if (pattern == horizontal) return 0.50 + 0.50 * step(0.5, fract(p.y / 6.0));
+  if (pattern == vertical) return 0.50 + 0.50 * step(0.5, fract(p.x / 6.0));
   return 1.0;
 }
 
 void main() {
-  float strength = tint.a * pattern();
+  float strength = tint.a * share();
   colour = vec4(sqrt(tint.rgb) * strength, strength);
 }

@@ -80,10 +80,10 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
   const std::vector<std::uint32_t> lines = std::move(file.mesh.face_lines);
   const LineRuns vertex_lines = std::move(file.mesh.vertex_lines);
   const Mesh mesh = from_indexed(std::move(file.mesh));
-  HighlightSets sets;
+  ProblemSets sets;
   for_each_task(2, threads_for(mesh.halfedge_slots()), [&](unsigned task) {
     if (task == 0) {
-      sets = HighlightSets(mesh);
+      sets = ProblemSets(mesh);
       report.figures = compute_figures(mesh, sets, quarantine);
     } else {
       report.hash = hash_text(mesh);

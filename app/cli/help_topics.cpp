@@ -9,6 +9,7 @@
 #include "core/analysis/problem_kinds.h"
 #include "core/forms/all.h"
 #include "core/forms/pairing.h"
+#include "core/highlights/highlight_table.h"
 
 namespace ryosen::cli {
 
@@ -43,6 +44,17 @@ std::string problem_kinds_topic(Language language) {
   for (const ProblemRow& row : problem_table())
     columns.add(std::string(row.id), choose(language, row.name_en, row.name_ja));
   return std::string(choose(language, "Kinds:\n", "種類：\n")) + columns.text();
+}
+
+std::string shot_topic(Language language) {
+  Columns columns;
+  for (const HighlightRow& row : highlight_table()) {
+    std::string help(choose(language, row.legend_en, row.legend_ja));
+    if (row.shown_at_first == ShownAtFirst::yes) help.append(choose(language, " (shown at first)", "（初めから表示）"));
+    columns.add(std::string(row.id), help);
+  }
+  return std::string(choose(language, "Highlights for --show:\n", "--show の強調表示：\n")) + columns.text() + "\n" +
+         script_commands_topic(language);
 }
 
 std::string repairs_topic(Language language) {

@@ -10,6 +10,8 @@ namespace ryosen::cli {
 
 // The kinds of problems that `check` knows.
 std::string problem_kinds_topic(Language language);
+// The highlights that `shot` can show, then the commands of scripts.
+std::string shot_topic(Language language);
 // The commands of scripts: operators, then those of the editor.
 std::string script_commands_topic(Language language);
 // The repairs, which of them are done unasked, and what each solves.

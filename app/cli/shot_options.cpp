@@ -6,7 +6,7 @@
 
 #include "app/cli/did_you_mean.h"
 #include "app/editor/camera_text.h"
-#include "core/analysis/problem_kinds.h"
+#include "core/highlights/highlight_table.h"
 
 namespace ryosen::cli {
 

@@ -152,7 +152,7 @@ const std::vector<Subcommand>& table() {
                "異なってよい画素の割合（省くと 0.2）"},
               {"--overwrite", "", false, "allows to replace an input", "入力の置き換えを許す"},
           },
-          script_commands_topic,
+          shot_topic,
           shot_command},
       Subcommand{"forms",
                  "FILE",

@@ -1,9 +1,8 @@
 #include "app/editor/command_functions.h"
 
-#include <array>
-
 #include "app/editor/camera_text.h"
 #include "app/editor/command_syntax.h"
+#include "app/editor/pick_modes.h"
 #include "core/mesh/find_element.h"
 #include "core/ops/lines/syntax.h"
 
@@ -79,12 +78,8 @@ Outcome run_tool(Session& session, Words arguments, std::string_view) {
 }
 
 Outcome run_mode(Session& session, Words arguments, std::string_view) {
-  constexpr std::array<std::pair<std::string_view, PickMode>, 4> modes{{{"vertex", PickMode::vertex},
-                                                                        {"edge", PickMode::edge},
-                                                                        {"face", PickMode::face},
-                                                                        {"halfedge", PickMode::halfedge}}};
-  for (const auto& [name, mode] : modes) {
-    if (arguments.size() != 1 || arguments[0] != name) continue;
+  for (const auto& [mode, id] : pick_modes) {
+    if (arguments.size() != 1 || arguments[0] != id) continue;
     session.mode = mode;
     if (session.hover()) session.point_at(session.hover()->pixel);
     return {};

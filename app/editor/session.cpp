@@ -23,7 +23,7 @@ Camera first_camera() {
 
 Session::Session(std::unique_ptr<Document> document) {
   for (const HighlightRow& row : highlight_table())
-    if (row.is_default) shown.insert(std::string(row.id));
+    if (row.shown_at_first == ShownAtFirst::yes) shown.insert(std::string(row.id));
   set_document(std::move(document));
 }
 
@@ -39,8 +39,9 @@ void Session::set_document(std::unique_ptr<Document> document) {
   selection.clear();
   log_.clear();
   drawn_changes_ = DrawnChanges();
-  // Where there is no surface, the free vertices are what there is to see.
-  if (document_->mesh().live().faces == 0) shown.insert("isolated");
+  if (document_->mesh().live().faces == 0)
+    for (const HighlightRow& row : highlight_table())
+      if (row.shown_at_first == ShownAtFirst::without_faces) shown.insert(std::string(row.id));
   camera = first_camera();
   frame_all();
   if (autosave) autosave->begin(*document_);
@@ -57,11 +58,12 @@ void Session::follow(std::size_t transaction) {
     for (Face f : touched.faces) drawn_changes_.faces.push_back(f.index);
   }
   if (highlights_) {
+    forget_hidden();
     highlights_->update(m, document_->journal(), transaction);
     drawn_changes_.everything |= highlights_->changed_everything();
-    for (const HighlightSets::Change& change : highlights_->changes()) {
-      if (row_of(change.kind).face) drawn_changes_.faces.push_back(change.index);
-      drawn_changes_.marks.push_back({change.kind, change.index});
+    for (const Marked& change : highlights_->changes()) {
+      if (change.mark.sort == Element::Kind::face) drawn_changes_.faces.push_back(change.index);
+      drawn_changes_.marks.push_back(change);
     }
     note_marks(touched);
   }
@@ -72,7 +74,7 @@ void Session::follow(std::size_t transaction) {
     if (highlights_->changed_everything())
       boundary_loops_->search(around, boundary);
     else
-      boundary_loops_->update(around, boundary, highlights_->edges_asked());
+      boundary_loops_->update(around, boundary, highlights_->problems().edges_asked());
   }
   if (euler_) {
     const std::string& command = document_->history()[transaction].command;
@@ -113,15 +115,18 @@ void Session::note_marks(const TouchedElements& touched) {
   for (Vertex v : touched.moved)
     if (m.exists(v) && m.is_alive(v))
       for (Edge e : edges_around(m, v)) edges.push_back(e);
-  const auto note = [&](const ProblemRow& row, const auto& elements) {
+  const auto note = [&](Mark mark, const auto& elements) {
     for (const auto element : elements)
-      if (highlights_->of(row.kind).contains(element.index)) drawn_changes_.marks.push_back({row.kind, element.index});
+      if (highlights_->of(mark).contains(element.index)) drawn_changes_.marks.push_back({mark, element.index});
   };
-  for (const ProblemRow& row : problem_table()) {
-    if (highlights_->of(row.kind).empty()) continue;
-    if (row.vertex) note(row, touched.moved);
-    if (row.edge) note(row, edges);
-    if (row.face) note(row, touched.faces);
+  for (const HighlightRow& row : highlight_table()) {
+    if (!highlights_->keeps(row)) continue;
+    for_each_mark(row, [&](Mark mark) {
+      if (highlights_->of(mark).empty()) return;
+      if (mark.sort == Element::Kind::vertex) note(mark, touched.moved);
+      if (mark.sort == Element::Kind::edge) note(mark, edges);
+      if (mark.sort == Element::Kind::face) note(mark, touched.faces);
+    });
   }
 }
 
@@ -247,8 +252,19 @@ Picker& Session::picker() {
   return *picker_;
 }
 
+void Session::forget_hidden() {
+  for (const HighlightRow& row : highlight_table())
+    if (row.has_predicate() && !shown.contains(std::string(row.id))) highlights_->forget(row);
+}
+
 const HighlightSets& Session::highlights() {
   if (!highlights_) highlights_.emplace(mesh());
+  forget_hidden();
+  for (const HighlightRow& row : highlight_table()) {
+    if (highlights_->keeps(row) || !shown.contains(std::string(row.id))) continue;
+    highlights_->keep(mesh(), row);
+    drawn_changes_.searched = true;
+  }
   return *highlights_;
 }
 
@@ -297,7 +313,7 @@ void Session::frame_selection() {
 
 Session::DrawnChanges Session::take_drawn_changes() {
   DrawnChanges changes = std::move(drawn_changes_);
-  drawn_changes_ = {false, {}, {}, {}, {}};
+  drawn_changes_ = {false, {}, {}, {}, {}, false};
   return changes;
 }
 

@@ -13,7 +13,7 @@
 #include "app/editor/recovery.h"
 #include "core/analysis/boundary_loop_count.h"
 #include "core/analysis/euler_poincare.h"
-#include "core/analysis/highlights.h"
+#include "core/highlights/highlight_sets.h"
 #include "core/pick/picker.h"
 
 namespace ryosen {
@@ -83,6 +83,7 @@ class Session {
   // What lies under a pixel; nothing outside of the view.
   std::optional<Picked> pick(glm::dvec2 pixel, PickMode what);
   Picker& picker();
+  // The sets of problems, and of the highlights that are shown.
   const HighlightSets& highlights();
   // The boundary loops on points, counted; as current as the highlights.
   const BoundaryLoopCount& boundary_loops();
@@ -97,10 +98,7 @@ class Session {
   void frame_selection();
 
   // An element that came into a set of the highlights, left it, or is in it and lies elsewhere now.
-  struct Mark {
-    ProblemKind kind;
-    std::uint32_t index;
-  };
+  using Marked = HighlightSets::Change;
   // What has changed since the last call, for what mirrors the drawn mesh. With `everything` the lists may be short:
   // take all of it anew. An entry may stand twice and may name what is dead or past the end.
   struct DrawnChanges {
@@ -108,7 +106,8 @@ class Session {
     std::vector<std::uint32_t> triangles;  // slots of picker().triangles()
     std::vector<std::uint32_t> vertices;   // made or moved
     std::vector<std::uint32_t> faces;      // with other corners, or in other sets of highlights that tint faces
-    std::vector<Mark> marks;
+    std::vector<Marked> marks;
+    bool searched = true;  // for a highlight: take all marks and tints anew
   };
   DrawnChanges take_drawn_changes();
 
@@ -116,6 +115,7 @@ class Session {
   void log_line(Outcome& outcome);
   void follow(std::size_t transaction);
   void note_marks(const TouchedElements& touched);
+  void forget_hidden();
   Outcome apply_at(const OpTarget& target, const std::string& id);
 
   std::unique_ptr<Document> document_;

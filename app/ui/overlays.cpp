@@ -1,7 +1,5 @@
 #include "app/ui/overlays.h"
 
-#include <array>
-
 #include "core/mesh/circulate.h"
 
 namespace ryosen {
@@ -70,28 +68,14 @@ void add_ghost(const Preview& preview, Theme theme, Overlay& overlay) {
 
 }  // namespace
 
-Role role_of_highlight(std::string_view id) {
-  constexpr std::array<std::pair<std::string_view, Role>, 8> roles{{{"boundary", Role::boundary},
-                                                                    {"nonmanifold", Role::nonmanifold},
-                                                                    {"misoriented", Role::misoriented},
-                                                                    {"degenerate", Role::degenerate},
-                                                                    {"duplicate", Role::duplicate},
-                                                                    {"hanging", Role::hanging},
-                                                                    {"isolated", Role::isolated},
-                                                                    {"wires", Role::wire}}};
-  for (const auto& [name, role] : roles)
-    if (name == id) return role;
-  return Role::selected;
-}
-
-Overlay highlight_overlay(Session& session, const ProblemRow& row, std::uint32_t first, std::uint32_t end,
+Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, std::uint32_t first, std::uint32_t end,
                           Theme theme) {
   Overlay overlay;
-  Painter painter(session.mesh(), overlay, style(role_of_highlight(row.highlight), theme));
-  session.highlights().of(row.kind).for_each_in(first, end, [&](std::uint32_t i) {
-    if (row.vertex) painter.draw(Vertex(i));
-    if (row.edge) painter.draw(Edge(i));
-    if (row.face) painter.draw(Face(i));
+  Painter painter(session.mesh(), overlay, style(row.looks, theme));
+  session.highlights().of(mark).for_each_in(first, end, [&](std::uint32_t i) {
+    if (mark.sort == Element::Kind::vertex) painter.draw(Vertex(i));
+    if (mark.sort == Element::Kind::edge) painter.draw(Edge(i));
+    if (mark.sort == Element::Kind::face) painter.draw(Face(i));
   });
   return overlay;
 }

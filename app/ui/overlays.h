@@ -7,13 +7,11 @@
 
 namespace ryosen {
 
-// The members of a kind with slot numbers from first to before end.
-Overlay highlight_overlay(Session& session, const ProblemRow& row, std::uint32_t first, std::uint32_t end, Theme theme);
+// The members of a mark of a highlight with slot numbers from first to before end.
+Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, std::uint32_t first, std::uint32_t end,
+                          Theme theme);
 Overlay selection_overlay(const Session& session, Theme theme);
 // Without a tool the element itself; with one, green with the ghost of the result or red with the witnesses.
 Overlay hover_overlay(const Session& session, Theme theme);
-
-// The role that a highlight of the table is drawn in.
-Role role_of_highlight(std::string_view id);
 
 }  // namespace ryosen

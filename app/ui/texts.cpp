@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 
+#include "core/base/enum_table.h"
+
 namespace ryosen {
 
 namespace {
@@ -15,7 +17,7 @@ struct Row {
 
 using T = UiText;
 
-constexpr std::array<Row, static_cast<std::size_t>(UiText::count)> rows{{
+constexpr std::array<Row, enum_count<UiText>> rows{{
     {T::command_hint, "an operator or a command; Enter carries it out", "操作またはコマンド（Enter で実行）"},
     {T::more_operators, "More", "その他の操作"},
     {T::menu_file, "File", "ファイル"},
@@ -118,12 +120,13 @@ constexpr std::array<Row, static_cast<std::size_t>(UiText::count)> rows{{
     {T::language_other, "日本語", "English"},
 }};
 
-constexpr bool in_order() {
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (static_cast<std::size_t>(rows[i].id) != i || !rows[i].en || !rows[i].ja) return false;
+static_assert(rows_are_in_order(rows, &Row::id));
+constexpr bool are_in_both_languages() {
+  for (const Row& row : rows)
+    if (!row.en || !row.ja) return false;
   return true;
 }
-static_assert(in_order(), "one row per text, in the order of the enumeration, in both languages");
+static_assert(are_in_both_languages());
 
 }  // namespace
 

@@ -100,7 +100,6 @@ enum class UiText {
   later,
   done,
   language_other,
-  count,
 };
 
 // Never null; valid for ever.

@@ -9,30 +9,52 @@ namespace ryosen {
 
 namespace {
 
-TriangleSource source_of(const Mesh& mesh, const SurfaceTriangles& triangles, std::span<const std::uint8_t> flags) {
-  return {mesh.positions(), triangles.triangles(), triangles.faces(), triangles.edge_bits(), flags};
+TriangleSource source_of(const Mesh& mesh, const SurfaceTriangles& triangles, std::span<const std::uint8_t> tints) {
+  return {mesh.positions(), triangles.triangles(), triangles.faces(), triangles.edge_bits(), tints};
 }
 
-// The tints of faces, from the highlights that are shown and the sets the faces are in.
+// The tints of highlights, in the order of the table.
+std::vector<DrawnTint> tints_in(Theme theme) {
+  std::vector<DrawnTint> tints;
+  for (const HighlightRow& row : highlight_table())
+    if (row.tint) tints.push_back({style(row.looks, theme).colour, *row.tint});
+  return tints;
+}
+
+// The numbers of the faces' tints, from the highlights that are shown and the sets the faces are in. Of several the
+// first highlight of the table tints.
 class FaceTints {
  public:
   explicit FaceTints(Session& session) {
-    const auto add = [&](const char* highlight, ProblemKind kind, std::uint8_t flag) {
-      if (session.shown.contains(highlight)) shown_.push_back({&session.highlights().of(kind), flag});
-    };
-    add("duplicate", ProblemKind::duplicate_face, FaceFlag::duplicate);
-    add("degenerate", ProblemKind::degenerate_area, FaceFlag::degenerate);
+    const HighlightSets& sets = session.highlights();
+    std::uint8_t number = 0;
+    for (const HighlightRow& row : highlight_table()) {
+      if (!row.tint) continue;
+      ++number;
+      if (!session.shown.contains(std::string(row.id))) continue;
+      for_each_mark(row, [&](Mark mark) {
+        if (mark.sort == Element::Kind::face) shown_.push_back({&sets.of(mark), number});
+      });
+    }
   }
   std::uint8_t of(std::uint32_t face) const {
-    std::uint8_t flags = 0;
-    for (const auto& [set, flag] : shown_)
-      if (set->contains(face)) flags |= flag;
-    return flags;
+    for (const auto& [set, number] : shown_)
+      if (set->contains(face)) return number;
+    return 0;
   }
 
  private:
   std::vector<std::pair<const IndexSet*, std::uint8_t>> shown_;
 };
+
+// The place of a mark of a highlight in the order of drawing: the first highlight of the table lies on top.
+constexpr std::size_t drawing_places = most_highlights * (problem_kinds + enum_count<Element::Kind>);
+std::uint32_t drawing_place(const HighlightRow& row, Mark mark) {
+  const auto below = highlight_table().data() + most_highlights - 1 - &row;
+  const bool is_own = mark.number < own_marks;
+  const std::size_t within = is_own ? static_cast<std::size_t>(mark.sort) + problem_kinds : mark.number - own_marks;
+  return static_cast<std::uint32_t>(static_cast<std::size_t>(below) * (drawing_places / most_highlights) + within);
+}
 
 }  // namespace
 
@@ -54,6 +76,7 @@ void Viewport::follow(Session& session) {
   if (theme != theme_) highlights_stale_ = true;
   theme_ = theme;
   view_->set_theme(theme);
+  view_->set_tints(tints_in(theme));
   view_->set_camera(session.camera);
   follow_mesh(session);
   follow_overlays(session);
@@ -65,71 +88,74 @@ void Viewport::follow_mesh(Session& session) {
   const FaceTints tints(session);
   Session::DrawnChanges changes = session.take_drawn_changes();
   const bool anew = mesh_of_ != &session.document() || changes.everything;
-  const bool other_highlights = shown_ != session.shown;
+  const bool other_highlights = shown_ != session.shown || changes.searched;
   if (!anew && !other_highlights && mesh_revision_ == session.document().revision()) return;
-  face_flags_.resize(mesh.face_slots());
+  face_tints_.resize(mesh.face_slots());
   if (anew || other_highlights)
-    for (std::uint32_t f = 0; f < face_flags_.size(); ++f) face_flags_[f] = tints.of(f);
+    for (std::uint32_t f = 0; f < face_tints_.size(); ++f) face_tints_[f] = tints.of(f);
   if (anew) {
-    view_->set_mesh(source_of(mesh, triangles, face_flags_));
+    view_->set_mesh(source_of(mesh, triangles, face_tints_));
   } else {
-    std::erase_if(changes.faces, [&](std::uint32_t f) { return f >= face_flags_.size(); });
+    std::erase_if(changes.faces, [&](std::uint32_t f) { return f >= face_tints_.size(); });
     std::erase_if(changes.vertices, [&](std::uint32_t v) { return v >= mesh.vertex_slots(); });
-    for (std::uint32_t f : changes.faces) face_flags_[f] = tints.of(f);
+    for (std::uint32_t f : changes.faces) face_tints_[f] = tints.of(f);
     if (other_highlights) {
-      changes.faces.resize(face_flags_.size());
+      changes.faces.resize(face_tints_.size());
       std::iota(changes.faces.begin(), changes.faces.end(), 0u);
     }
-    view_->update_mesh(source_of(mesh, triangles, face_flags_), changes.vertices, changes.triangles, changes.faces);
+    view_->update_mesh(source_of(mesh, triangles, face_tints_), changes.vertices, changes.triangles, changes.faces);
   }
   mesh_of_ = &session.document();
   mesh_revision_ = session.document().revision();
   shown_ = session.shown;
-  marks_ = std::move(changes.marks);
-  highlights_stale_ |= anew;
+  marked_ = std::move(changes.marks);
+  highlights_stale_ |= anew || changes.searched;
   selection_stale_ = true;
 }
 
-void Viewport::draw_highlights(Session& session, const ProblemRow& row, std::uint32_t block) {
-  const auto kind = static_cast<std::uint32_t>(row.kind);
-  DrawnKind& drawn = drawn_kinds_[kind];
+void Viewport::draw_mark(Session& session, const HighlightRow& row, Mark mark, std::uint32_t block) {
+  const std::uint32_t place = drawing_place(row, mark);
+  DrawnMark& drawn = drawn_marks_[place];
   const std::uint32_t first = block * block_slots;
   Overlay overlay;
-  if (drawn.is_shown) overlay = highlight_overlay(session, row, first, first + block_slots, theme_);
+  if (drawn.is_shown) overlay = highlight_overlay(session, row, mark, first, first + block_slots, theme_);
   if (overlay.empty())
     drawn.blocks.erase(block);
   else
     drawn.blocks.insert(block);
   constexpr std::uint32_t most_blocks = (no_index / block_slots) + 1;
-  static_assert(problem_kinds * std::uint64_t{most_blocks} <= no_index, "kind and block make one part number");
-  view_->set_overlay_part(Layer::highlights, kind * most_blocks + block, overlay);
+  static_assert(drawing_places * std::uint64_t{most_blocks} <= no_index, "place and block make one part number");
+  view_->set_overlay_part(Layer::highlights, place * most_blocks + block, overlay);
+}
+
+void Viewport::follow_mark(Session& session, const HighlightRow& row, Mark mark) {
+  DrawnMark& drawn = drawn_marks_[drawing_place(row, mark)];
+  const bool is_shown = session.shown.contains(std::string(row.id));
+  std::vector<std::uint32_t> blocks;
+  if (is_shown != drawn.is_shown) {
+    blocks = drawn.blocks.to_vector();
+    if (is_shown)
+      session.highlights().of(mark).for_each([&](std::uint32_t i) {
+        if (blocks.empty() || blocks.back() != i / block_slots) blocks.push_back(i / block_slots);
+      });
+  } else if (is_shown) {
+    for (const Session::Marked& marked : marked_)
+      if (marked.mark == mark) blocks.push_back(marked.index / block_slots);
+    sort_unique(blocks);
+  }
+  drawn.is_shown = is_shown;
+  for (std::uint32_t block : blocks) draw_mark(session, row, mark, block);
 }
 
 void Viewport::follow_highlights(Session& session) {
   if (highlights_stale_) {
     view_->set_overlay(Layer::highlights, {});
-    drawn_kinds_ = {};
+    drawn_marks_.clear();
   }
-  for (const ProblemRow& row : problem_table()) {
-    DrawnKind& drawn = drawn_kinds_[static_cast<std::size_t>(row.kind)];
-    const bool is_shown = row.is_local() && session.shown.contains(std::string(row.highlight));
-    std::vector<std::uint32_t> blocks;
-    if (is_shown != drawn.is_shown) {
-      blocks = drawn.blocks.to_vector();
-      if (is_shown)
-        session.highlights().of(row.kind).for_each([&](std::uint32_t i) {
-          if (blocks.empty() || blocks.back() != i / block_slots) blocks.push_back(i / block_slots);
-        });
-    } else if (is_shown) {
-      for (const Session::Mark& mark : marks_)
-        if (mark.kind == row.kind) blocks.push_back(mark.index / block_slots);
-      sort_unique(blocks);
-    }
-    drawn.is_shown = is_shown;
-    for (std::uint32_t block : blocks) draw_highlights(session, row, block);
-  }
+  for (const HighlightRow& row : highlight_table())
+    for_each_mark(row, [&](Mark mark) { follow_mark(session, row, mark); });
   highlights_stale_ = false;
-  marks_.clear();
+  marked_.clear();
 }
 
 void Viewport::follow_overlays(Session& session) {

@@ -2,8 +2,8 @@
 // renderer, and only what has changed.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -37,25 +37,26 @@ class Viewport {
   void follow_mesh(Session& session);
   void follow_overlays(Session& session);
   void follow_highlights(Session& session);
-  void draw_highlights(Session& session, const ProblemRow& row, std::uint32_t block);
+  void follow_mark(Session& session, const HighlightRow& row, Mark mark);
+  void draw_mark(Session& session, const HighlightRow& row, Mark mark, std::uint32_t block);
 
   std::unique_ptr<View> view_;
   Theme theme_ = Theme::dark;
   int supersample_ = 1;
   Size size_{};
   const Document* mesh_of_ = nullptr;
-  std::vector<std::uint8_t> face_flags_;
+  std::vector<std::uint8_t> face_tints_;
   std::uint64_t mesh_revision_ = 0;
   std::set<std::string> shown_;
-  // Highlights are drawn in blocks of so many slots of a kind, and a block is drawn anew when a member of it has changed.
+  // Highlights are drawn in blocks of so many slots of a mark, and a block is drawn anew when a member of it has changed.
   static constexpr std::uint32_t block_slots = 512;
-  struct DrawnKind {
+  struct DrawnMark {
     IndexSet blocks;  // that hold something
     bool is_shown = false;
   };
-  std::array<DrawnKind, problem_kinds> drawn_kinds_;
-  std::vector<Session::Mark> marks_;  // to be drawn anew
-  bool highlights_stale_ = true;      // all of them
+  std::map<std::uint32_t, DrawnMark> drawn_marks_;  // by their places in the order of drawing
+  std::vector<Session::Marked> marked_;             // to be drawn anew
+  bool highlights_stale_ = true;                    // all of them
   bool selection_stale_ = true;
   std::vector<Element> selection_;
 };

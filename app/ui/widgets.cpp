@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "app/editor/keys.h"
+#include "core/base/enum_table.h"
 
 namespace ryosen {
 
@@ -84,18 +85,17 @@ bool row(PanelContext& context, const char* label, const char* right, bool is_ac
 namespace {
 
 // The lengths of dashes and gaps of a line style, in widths of the line; a zero ends the list.
-std::array<float, 4> dashes(LineStyle style) {
-  switch (style) {
-    case LineStyle::dashed:
-      return {3, 2, 0, 0};
-    case LineStyle::dash_dot:
-      return {3, 1.5f, 1, 1.5f};
-    case LineStyle::dotted:
-      return {1, 1.5f, 0, 0};
-    default:
-      return {};
-  }
-}
+struct DashRow {
+  LineStyle style;
+  std::array<float, 4> lengths;
+};
+constexpr DashRow dashes[] = {
+    {LineStyle::solid, {}},
+    {LineStyle::dashed, {3, 2, 0, 0}},
+    {LineStyle::dash_dot, {3, 1.5f, 1, 1.5f}},
+    {LineStyle::dotted, {1, 1.5f, 0, 0}},
+};
+static_assert(rows_are_in_order(dashes, &DashRow::style));
 
 }  // namespace
 
@@ -106,7 +106,7 @@ void swatch(const Style& style, float width_px) {
   const ImU32 colour = to_imgui32(style.colour);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float middle = std::floor(at.y + height / 2), half = 1.5f;
-  const std::array<float, 4> pattern = dashes(style.line);
+  const std::array<float, 4>& pattern = dashes[static_cast<std::size_t>(style.line)].lengths;
   if (pattern[0] == 0) return list.AddRectFilled({at.x, middle - half}, {at.x + width_px, middle + half}, colour);
   float x = at.x;
   for (std::size_t i = 0; x < at.x + width_px; i = (i + 1) % 4) {

@@ -33,7 +33,7 @@ void count_quarantine(const Mesh& mesh, std::span<const QuarantinedFace> quarant
   figures.quarantined = quarantine.size();
 }
 
-void take_counts(const HighlightSets& sets, Figures& figures) {
+void take_counts(const ProblemSets& sets, Figures& figures) {
   figures.boundary_edges = sets.count(ProblemKind::boundary_loop);
   figures.nonmanifold_edges = sets.count(ProblemKind::nonmanifold_edge);
   figures.nonmanifold_vertices = sets.count(ProblemKind::nonmanifold_vertex);
@@ -61,7 +61,7 @@ void count_edges(Neighbourhood& around, Figures& figures) {
   figures.max_edge_faces = most;
 }
 
-void count_vertices(Neighbourhood& around, const HighlightSets& sets, Figures& figures) {
+void count_vertices(Neighbourhood& around, const ProblemSets& sets, Figures& figures) {
   const Mesh& mesh = around.mesh();
   figures.vertices = mesh.live().vertices;
   if (mesh.has_copies())
@@ -155,7 +155,7 @@ void measure_faces(const Mesh& mesh, Measure& measure, Figures& figures) {
 }
 
 // What is counted on edges and vertices.
-void count_the_rest(Neighbourhood& around, const HighlightSets& sets, Figures& figures) {
+void count_the_rest(Neighbourhood& around, const ProblemSets& sets, Figures& figures) {
   count_vertices(around, sets, figures);
   count_edges(around, figures);
   figures.boundary_loops = find_boundary_loops(around, sets.of(ProblemKind::boundary_loop)).size();
@@ -164,7 +164,7 @@ void count_the_rest(Neighbourhood& around, const HighlightSets& sets, Figures& f
 
 }  // namespace
 
-Figures compute_figures(const Mesh& mesh, const HighlightSets& sets, std::span<const QuarantinedFace> quarantine,
+Figures compute_figures(const Mesh& mesh, const ProblemSets& sets, std::span<const QuarantinedFace> quarantine,
                         unsigned threads) {
   if (threads == 0) threads = threads_for(mesh.halfedge_slots());
   Figures figures, of_faces;
@@ -202,7 +202,7 @@ Figures compute_figures(const Mesh& mesh, const HighlightSets& sets, std::span<c
 }
 
 Figures compute_figures(const Mesh& mesh, std::span<const QuarantinedFace> quarantine) {
-  return compute_figures(mesh, HighlightSets(mesh), quarantine);
+  return compute_figures(mesh, ProblemSets(mesh), quarantine);
 }
 
 }  // namespace ryosen

@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "core/analysis/highlights.h"
+#include "core/analysis/problem_sets.h"
 #include "core/indexed/indexed.h"
 #include "core/mesh/mesh.h"
 
@@ -47,7 +47,7 @@ struct Figures {
 
 // O(corners), and a logarithm beside copies, on several threads where that pays (0) or on so many; sums are formed in the
 // order of the faces whatever the number. `sets` are those of the mesh as it is.
-Figures compute_figures(const Mesh& mesh, const HighlightSets& sets, std::span<const QuarantinedFace> quarantine,
+Figures compute_figures(const Mesh& mesh, const ProblemSets& sets, std::span<const QuarantinedFace> quarantine,
                         unsigned threads = 0);
 // Searches for itself.
 Figures compute_figures(const Mesh& mesh, std::span<const QuarantinedFace> quarantine = {});

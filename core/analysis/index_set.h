@@ -76,10 +76,12 @@ class IndexSet {
     for (; n > 0; --n) bits &= bits - 1;
     return static_cast<std::uint32_t>(64 * word + static_cast<std::size_t>(std::countr_zero(bits)));
   }
-  std::vector<std::uint32_t> to_vector() const {
+  std::vector<std::uint32_t> to_vector() const { return members_from(0); }
+  // Those that are not smaller than first.
+  std::vector<std::uint32_t> members_from(std::uint32_t first) const {
     std::vector<std::uint32_t> members;
-    members.reserve(size_);
-    for_each([&](std::uint32_t i) { members.push_back(i); });
+    if (first == 0) members.reserve(size_);
+    for_each_from(first, [&](std::uint32_t i) { members.push_back(i); });
     return members;
   }
 

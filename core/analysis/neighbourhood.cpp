@@ -1,8 +1,12 @@
 #include "core/analysis/neighbourhood.h"
 
 #include <algorithm>
+#include <array>
 
+#include "core/geometry/is_finite.h"
+#include "core/geometry/polygon_normal.h"
 #include "core/mesh/circulate.h"
+#include "core/mesh/face_polygon.h"
 
 namespace ryosen {
 
@@ -188,11 +192,37 @@ Halfedge Neighbourhood::across(Halfedge h) {
   return (other & 1u) != 0 ? mesh_.prev(other_corner) : other_corner;
 }
 
+Neighbourhood::TwoSides Neighbourhood::two_sides(Edge e) {
+  if (!is_first_sheet(e)) return {};
+  const Halfedge half = halfedge(e), side = mesh_.is_outside(half) ? twin(half) : half;
+  const Halfedge other = across(side);
+  return other ? TwoSides{side, other} : TwoSides{};
+}
+
 std::uint32_t Neighbourhood::fans(Vertex v) {
   if (!is_plain(v)) return star(v).fans;
   // One gap or none: a vertex without a face is isolated or the end of one wire.
   const Halfedge h = mesh_.halfedge(v);
   return h && !(mesh_.is_outside(h) && mesh_.counter_clockwise(h) == h) ? 1 : 0;
+}
+
+glm::dvec3 Neighbourhood::normal(Face f) {
+  std::array<glm::dvec3, 8> places;
+  std::size_t n = 0;
+  const Halfedge first = mesh_.halfedge(f);
+  Halfedge h = first;
+  bool all_finite = true;
+  do {
+    places[n] = mesh_.position(mesh_.from(h));
+    all_finite = all_finite && is_finite(places[n++]);
+    h = mesh_.next(h);
+  } while (h != first && n < places.size());
+  if (h == first && !mesh_.has_rings(f)) return all_finite ? polygon_normal({places.data(), n}) : glm::dvec3(0.0);
+  const auto [known, is_new] = known_normals_.try_emplace(f, 0.0);
+  if (!is_new) return known->second;
+  const FacePolygon polygon(mesh_, f);
+  if (polygon.is_finite()) known->second = polygon_normal(polygon.keyhole_walk());
+  return known->second;
 }
 
 BoundaryStep Neighbourhood::next_boundary(BoundaryStep step) {

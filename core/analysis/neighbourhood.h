@@ -1,10 +1,11 @@
-// What lies around the points of a mesh, over all their copies: faces per edge, fans of faces, boundary chains.
+// What lies around the points of a mesh, over all their copies: faces per edge, fans of faces, boundary chains, normals.
 //
 // Figures and problems speak of points and of undirected edges between them; the kernel holds copies and cut edges. A
 // Neighbourhood answers for points. Where neither end of an edge has copies the answer is read from the links;
 // elsewhere from the star of the point, which is gathered once and kept.
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <span>
 #include <unordered_map>
 #include <utility>
@@ -79,8 +80,19 @@ class Neighbourhood {
   void faces_at(Halfedge h, std::vector<Face>& faces);
   // Where exactly two faces share the edge of h (which has a face): the halfedge of the other one. Else none.
   Halfedge across(Halfedge h);
+  // Where exactly two faces share the edge on points and e stands for it: a side in each, the first one on e. Else none.
+  struct TwoSides {
+    Halfedge first, second;
+  };
+  TwoSides two_sides(Edge e);
+  // Whether two sides of one edge on points run in the same direction: their faces are turned against each other then.
+  bool run_alike(Halfedge a, Halfedge b) { return point(mesh_.from(a)) == point(mesh_.from(b)); }
   // Fans of faces at the point.
   std::uint32_t fans(Vertex v);
+
+  // The unit normal of a face by the area of its polygon; zero where it has none: no area, or a place that is not
+  // finite. Cost: the corners; of a face with many, once.
+  glm::dvec3 normal(Face f);
 
   // The next boundary edge of the chain through the fan of faces at the end; `inside` none where the chain stops at a
   // non-manifold edge.
@@ -106,6 +118,7 @@ class Neighbourhood {
   std::vector<std::uint32_t> record_of_point_;
   std::unordered_map<Vertex, Vertex> known_points_;
   std::unordered_map<Vertex, std::uint32_t> known_records_;
+  std::unordered_map<Face, glm::dvec3> known_normals_;
 
   std::vector<StarRecord> records_;
   std::vector<Halfedge> corners_;

@@ -114,7 +114,6 @@ constexpr auto info = ProblemSeverity::info;
 constexpr std::array<ProblemRow, problem_kinds> rows{{
     {.kind = ProblemKind::nonmanifold_edge,
      .id = "nonmanifold_edge",
-     .highlight = "nonmanifold",
      .severity = problem,
      .name_en = "Non-manifold edge",
      .name_ja = "非多様体の稜線",
@@ -124,7 +123,6 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .edge = is_nonmanifold_edge},
     {.kind = ProblemKind::nonmanifold_vertex,
      .id = "nonmanifold_vertex",
-     .highlight = "nonmanifold",
      .severity = problem,
      .name_en = "Non-manifold vertex",
      .name_ja = "非多様体の頂点",
@@ -134,7 +132,6 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .vertex = is_nonmanifold_vertex},
     {.kind = ProblemKind::misoriented_edge,
      .id = "misoriented_edge",
-     .highlight = "misoriented",
      .severity = problem,
      .name_en = "Misoriented edge",
      .name_ja = "向きの不一致な稜線",
@@ -144,7 +141,6 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .edge = is_misoriented_edge},
     {.kind = ProblemKind::degenerate_repeat,
      .id = "degenerate_repeat",
-     .highlight = "",
      .severity = problem,
      .name_en = "Face with a repeated corner",
      .name_ja = "同じ頂点を繰り返す面",
@@ -154,7 +150,6 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .quarantined = repeats_corner},
     {.kind = ProblemKind::degenerate_area,
      .id = "degenerate_area",
-     .highlight = "degenerate",
      .severity = problem,
      .name_en = "Degenerate face",
      .name_ja = "面積ゼロの面",
@@ -164,7 +159,6 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .face = is_degenerate_face},
     {.kind = ProblemKind::duplicate_face,
      .id = "duplicate_face",
-     .highlight = "duplicate",
      .severity = problem,
      .name_en = "Duplicate face",
      .name_ja = "重複面",
@@ -175,7 +169,6 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .find_all = find_duplicate_faces},
     {.kind = ProblemKind::hanging_pair,
      .id = "hanging_pair",
-     .highlight = "hanging",
      .severity = problem,
      .name_en = "Hanging pair",
      .name_ja = "縮退（背中合わせの三角形）",
@@ -185,7 +178,6 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .face = closes_hanging_pair},
     {.kind = ProblemKind::isolated_vertex,
      .id = "isolated_vertex",
-     .highlight = "isolated",
      .severity = problem,
      .name_en = "Isolated vertex",
      .name_ja = "孤立頂点",
@@ -195,7 +187,6 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .vertex = is_isolated_vertex},
     {.kind = ProblemKind::nonfinite_vertex,
      .id = "nonfinite_vertex",
-     .highlight = "",
      .severity = problem,
      .name_en = "Vertex without a place",
      .name_ja = "座標が有限でない頂点",
@@ -205,7 +196,6 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .vertex = is_nonfinite_vertex},
     {.kind = ProblemKind::quarantined_face,
      .id = "quarantined_face",
-     .highlight = "",
      .severity = problem,
      .name_en = "Quarantined face",
      .name_ja = "隔離された面",
@@ -215,7 +205,6 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .quarantined = is_quarantined},
     {.kind = ProblemKind::self_intersection,
      .id = "self_intersection",
-     .highlight = "",
      .severity = problem,
      .name_en = "Face that meets another",
      .name_ja = "自己交差する面",
@@ -225,7 +214,6 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .is_on_request = true},
     {.kind = ProblemKind::boundary_loop,
      .id = "boundary_loop",
-     .highlight = "boundary",
      .severity = info,
      .name_en = "Boundary loop",
      .name_ja = "境界ループ",
@@ -235,7 +223,6 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .edge = is_boundary_edge},
     {.kind = ProblemKind::ring,
      .id = "ring",
-     .highlight = "",
      .severity = info,
      .name_en = "Face with rings",
      .name_ja = "穴のある面",
@@ -245,7 +232,6 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .face = has_inner_loops},
     {.kind = ProblemKind::wire,
      .id = "wire",
-     .highlight = "wires",
      .severity = info,
      .name_en = "Wire",
      .name_ja = "面のない稜線",
@@ -255,33 +241,7 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .edge = is_wire_edge},
 }};
 
-constexpr std::array highlights{
-    HighlightRow{"boundary", "Boundary", "境界", true},
-    HighlightRow{"nonmanifold", "Non-manifold", "非多様体", true},
-    HighlightRow{"misoriented", "Misoriented", "向きの不一致", true},
-    HighlightRow{"degenerate", "Degenerate", "面積ゼロの面", true},
-    HighlightRow{"duplicate", "Duplicate", "重複面", false},
-    HighlightRow{"hanging", "Hanging pairs", "縮退", false},
-    HighlightRow{"isolated", "Isolated", "孤立頂点", false},
-    HighlightRow{"wires", "Wires", "面のない稜線", true},
-};
-
-constexpr bool rows_are_in_order() {
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (static_cast<std::size_t>(rows[i].kind) != i) return false;
-  return true;
-}
-static_assert(rows_are_in_order(), "the table has one row per kind, in the order of the enumeration");
-
-constexpr bool highlights_exist() {
-  for (const ProblemRow& row : rows) {
-    bool found = row.highlight.empty();
-    for (const HighlightRow& h : highlights) found |= h.id == row.highlight;
-    if (!found) return false;
-  }
-  return true;
-}
-static_assert(highlights_exist(), "a kind is drawn by a highlight that the table has");
+static_assert(rows_are_in_order(rows, &ProblemRow::kind));
 
 std::string with_number(std::string_view sentence, std::size_t number) {
   std::string text(sentence);
@@ -304,7 +264,5 @@ const ProblemRow* find_problem_row(std::string_view id) {
     if (row.id == id) return &row;
   return nullptr;
 }
-
-std::span<const HighlightRow> highlight_table() { return highlights; }
 
 }  // namespace ryosen

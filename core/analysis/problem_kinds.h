@@ -1,7 +1,8 @@
 // The one table of what Ryosen finds in a mesh: what each kind is called, how it is told from one element, how it
 // reads.
 //
-// To add a kind, write its predicate and its row. Panels, reports, highlights and figures read the table.
+// To add a kind, write its predicate and its row. Panels and reports read the table, highlights name the kinds that they
+// mark. The figures of `check` are fixed fields, which take the kinds that they count by name (figures.cpp).
 #pragma once
 
 #include <cstdint>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "core/analysis/neighbourhood.h"
+#include "core/base/enum_table.h"
 #include "core/base/message.h"
 #include "core/indexed/indexed.h"
 
@@ -32,7 +34,7 @@ enum class ProblemKind : std::uint8_t {
   ring,
   wire,
 };
-inline constexpr std::size_t problem_kinds = 14;
+inline constexpr std::size_t problem_kinds = enum_count<ProblemKind>;
 
 enum class ProblemSeverity : std::uint8_t { info, problem };
 
@@ -42,8 +44,7 @@ enum class ProblemSeverity : std::uint8_t { info, problem };
 // hanging pair its higher face.
 struct ProblemRow {
   ProblemKind kind;
-  std::string_view id;         // as in reports
-  std::string_view highlight;  // id of the highlight that draws it; empty where there is nothing to draw
+  std::string_view id;  // as in reports
   ProblemSeverity severity;
   std::string_view name_en, name_ja;
   std::string_view one_en, many_en, many_ja;  // sentences; # stands for the number
@@ -65,13 +66,5 @@ std::span<const ProblemRow> problem_table();
 const ProblemRow& row_of(ProblemKind kind);
 // By id; null when there is none.
 const ProblemRow* find_problem_row(std::string_view id);
-
-// What the viewer can show and hide, each drawing the kinds that name it.
-struct HighlightRow {
-  std::string_view id;  // as in `shot --show`
-  std::string_view name_en, name_ja;
-  bool is_default;  // shown unless the user says otherwise
-};
-std::span<const HighlightRow> highlight_table();
 
 }  // namespace ryosen

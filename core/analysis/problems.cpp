@@ -19,7 +19,7 @@ const QuarantinedFace* find_quarantined(std::span<const QuarantinedFace> quarant
 
 bool is_alive(const Mesh& mesh, Face f) { return mesh.exists(f) && mesh.is_alive(f); }
 
-std::vector<Element> elements_of(const ProblemRow& row, Neighbourhood& around, const HighlightSets& sets,
+std::vector<Element> elements_of(const ProblemRow& row, Neighbourhood& around, const ProblemSets& sets,
                                  std::span<const QuarantinedFace> quarantine) {
   std::vector<Element> elements;
   if (row.kind == ProblemKind::boundary_loop) {
@@ -56,7 +56,7 @@ void add_that_more_are_left(Problem& found) {
 
 }  // namespace
 
-std::vector<Problem> find_problems(const Mesh& mesh, const HighlightSets& sets, const FileFaces& file,
+std::vector<Problem> find_problems(const Mesh& mesh, const ProblemSets& sets, const FileFaces& file,
                                    SelfIntersections intersections) {
   Neighbourhood around(mesh);
   std::vector<Problem> problems;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/highlights.h"
+#include "core/analysis/problem_sets.h"
 #include "core/analysis/self_intersections.h"
 #include "core/base/element.h"
 #include "core/indexed/indexed.h"
@@ -39,7 +39,7 @@ struct FileFaces {
 
 // Kinds with at least one finding, in the order of the table. `sets` are those of the mesh as it is; `intersections` what
 // find_self_intersections found where it was asked.
-std::vector<Problem> find_problems(const Mesh& mesh, const HighlightSets& sets, const FileFaces& file,
+std::vector<Problem> find_problems(const Mesh& mesh, const ProblemSets& sets, const FileFaces& file,
                                    SelfIntersections intersections = {});
 
 // A place at a vertex, edge or face: the mean of its points. For a quarantined face (a dead number) of those of its

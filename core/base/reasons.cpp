@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 
+#include "core/base/enum_table.h"
+
 namespace ryosen {
 
 namespace {
@@ -158,12 +160,7 @@ constexpr std::array rules{
              "面が近くの面と交差します。", "choose another position", "別の位置を選びます"},
 };
 
-constexpr bool in_order() {
-  for (std::size_t i = 0; i < rules.size(); ++i)
-    if (static_cast<std::size_t>(rules[i].rule) != i) return false;
-  return true;
-}
-static_assert(in_order(), "the table has one row per rule, in the order of the enumeration");
+static_assert(rows_are_in_order(rules, &RuleText::rule));
 
 }  // namespace
 

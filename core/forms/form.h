@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/enum_table.h"
 #include "core/base/handle.h"
 #include "core/base/message.h"
 #include "core/mesh/mesh.h"
@@ -34,7 +35,7 @@ enum class Relation : std::uint8_t {
   face_faces,
   valence
 };
-inline constexpr std::size_t relation_count = 10;
+inline constexpr std::size_t relation_count = enum_count<Relation>;
 
 enum class ElementOf : std::uint8_t { vertex, edge, face };
 struct RelationRow {

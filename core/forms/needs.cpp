@@ -138,7 +138,7 @@ constexpr std::array relation_rows{
     RelationRow{Relation::face_faces, "face_faces", ElementOf::face, "F→F", "F→F"},
     RelationRow{Relation::valence, "valence", ElementOf::vertex, "valence", "次数"},
 };
-static_assert(relation_rows.size() == relation_count);
+static_assert(rows_are_in_order(relation_rows, &RelationRow::relation));
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/enum_table.h"
 #include "core/base/parallel.h"
 #include "core/base/release.h"
 #include "core/mesh/bridges.h"
@@ -88,12 +89,13 @@ void FaceList::find_flaws(std::uint32_t begin, std::uint32_t end, std::vector<Fl
 }
 
 QuarantinedFace FaceList::set_aside(std::size_t face, Flaw flaw) const {
-  constexpr Code causes[] = {"face_too_few_corners", "index_out_of_range", "repeated_corner"};
   const std::size_t begin = mesh_.face_offsets[face], end = mesh_.face_offsets[face + 1];
   QuarantinedFace out;
   out.face = static_cast<std::uint32_t>(face);
   out.line = mesh_.face_lines.empty() ? 0 : mesh_.face_lines[face];
-  out.code = causes[static_cast<std::size_t>(flaw) - static_cast<std::size_t>(Flaw::too_few_corners)];
+  out.code = flaw == Flaw::too_few_corners      ? Code("face_too_few_corners")
+             : flaw == Flaw::index_out_of_range ? Code("index_out_of_range")
+                                                : Code("repeated_corner");
   out.corners.assign(mesh_.corners.begin() + begin, mesh_.corners.begin() + end);
   auto wide = std::lower_bound(wide_.begin(), wide_.end(), std::pair<std::size_t, std::int64_t>(begin, INT64_MIN));
   for (; wide != wide_.end() && wide->first < end; ++wide) out.corners[wide->first - begin] = wide->second;

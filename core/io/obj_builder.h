@@ -1,6 +1,7 @@
 // Makes the mesh from the lines of an OBJ file, one call per line.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "core/base/enum_table.h"
 #include "core/base/result.h"
 #include "core/io/face_list.h"
 #include "core/io/mesh_file.h"
@@ -102,7 +104,7 @@ class ObjBuilder {
   FaceList faces_;
   Reporter reporter_;
   std::optional<Failure> failure_;
-  NameTable names_[4];
+  std::array<NameTable, enum_count<NameKind>> names_;
   std::vector<UnknownKeyword> unknown_;
   std::uint64_t other_unknown_ = 0;  // lines whose keyword is not in unknown_, which has a limit
   std::unordered_set<std::string> libraries_;

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <limits>
 
+#include "core/base/enum_table.h"
 #include "core/io/ply.h"
 #include "core/io/ply_columns.h"
 #include "core/io/text_lines.h"
@@ -125,8 +126,16 @@ class PlyWriter {
 
  private:
   void header() {
-    constexpr std::string_view names[] = {"", "ascii", "binary_little_endian", "binary_big_endian"};
-    out_ << "ply\nformat " << names[static_cast<std::size_t>(encoding_)] << " 1.0\n";
+    struct Row {
+      Encoding encoding;
+      std::string_view name;
+    };
+    static constexpr Row rows[] = {{Encoding::automatic, ""},
+                                   {Encoding::ascii, "ascii"},
+                                   {Encoding::binary_little, "binary_little_endian"},
+                                   {Encoding::binary_big, "binary_big_endian"}};
+    static_assert(rows_are_in_order(rows, &Row::encoding));
+    out_ << "ply\nformat " << rows[static_cast<std::size_t>(encoding_)].name << " 1.0\n";
     // A comment that comes from another format brings that format's mark along.
     const bool came_from_ply = file_.properties.has_layout();
     for (const std::string& comment : file_.head_comments) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/base/enum_table.h"
 #include "core/indexed/indexed.h"
 
 namespace ryosen {
@@ -21,6 +22,7 @@ constexpr TypeRow number_types[] = {
     {NumberType::i64, "int64", "longlong", 8}, {NumberType::u64, "uint64", "ulonglong", 8},
     {NumberType::f32, "float", "float32", 4},  {NumberType::f64, "double", "float64", 8},
 };
+static_assert(rows_are_in_order(number_types, &TypeRow::type));
 
 const TypeRow& row_of(NumberType type) { return number_types[static_cast<std::size_t>(type)]; }
 

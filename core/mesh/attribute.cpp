@@ -13,4 +13,20 @@ std::vector<CornerAttribute> corner_attributes(const Mesh& mesh) {
   return found;
 }
 
+bool corner_values_differ(const Mesh& mesh, Halfedge a, Halfedge b, bool alike) {
+  const Halfedge a_end = mesh.next(a), b_end = mesh.next(b);
+  for (const CornerAttribute& attribute : corner_attributes(mesh)) {
+    const std::vector<std::uint32_t>& index = mesh.attributes()[attribute.index_column].data;
+    const AttributeColumn& pool = mesh.attributes()[attribute.pool_column];
+    const auto differ = [&](Halfedge corner, Halfedge other) {
+      const std::uint32_t i = index[corner.index], k = index[other.index];
+      if (i == k) return false;
+      if (i == no_index || k == no_index) return true;
+      return attribute_value<glm::dvec3>(pool, i) != attribute_value<glm::dvec3>(pool, k);
+    };
+    if (differ(a, alike ? b : b_end) || differ(a_end, alike ? b_end : b)) return true;
+  }
+  return false;
+}
+
 }  // namespace ryosen

@@ -8,6 +8,8 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 
+#include "core/base/enum_table.h"
+
 namespace ryosen {
 namespace {
 
@@ -87,11 +89,27 @@ glm::dmat4 clip_from_view(const Camera& camera, double aspect, double near_dista
   return clip;
 }
 
+namespace {
+
+struct NamedViewRow {
+  NamedView view;
+  std::string_view name;
+  glm::dvec3 direction, up;
+};
+constexpr NamedViewRow view_rows[] = {
+    {NamedView::front, "front", {0, 0, -1}, {0, 1, 0}}, {NamedView::back, "back", {0, 0, 1}, {0, 1, 0}},
+    {NamedView::left, "left", {1, 0, 0}, {0, 1, 0}},    {NamedView::right, "right", {-1, 0, 0}, {0, 1, 0}},
+    {NamedView::top, "top", {0, -1, 0}, {0, 0, -1}},    {NamedView::bottom, "bottom", {0, 1, 0}, {0, 0, 1}},
+    {NamedView::iso, "iso", {-1, -1, -1}, {0, 1, 0}},
+};
+static_assert(rows_are_in_order(view_rows, &NamedViewRow::view));
+
+}  // namespace
+
 std::optional<NamedView> named_view_of(std::string_view name) {
-  constexpr std::array<std::string_view, 7> names = {"front", "back", "left", "right", "top", "bottom", "iso"};
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) return std::nullopt;
-  return static_cast<NamedView>(found - names.begin());
+  for (const NamedViewRow& row : view_rows)
+    if (row.name == name) return row.view;
+  return std::nullopt;
 }
 
 Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double aspect, double margin) {
@@ -133,14 +151,7 @@ Camera fitted(const Camera& camera, const Bounds& bounds, double aspect, double 
 }
 
 Camera named_view(NamedView view, std::span<const glm::dvec3> points, double aspect) {
-  struct Row {
-    glm::dvec3 direction, up;
-  };
-  constexpr Row rows[] = {
-      {{0, 0, -1}, {0, 1, 0}},  {{0, 0, 1}, {0, 1, 0}}, {{1, 0, 0}, {0, 1, 0}},    {{-1, 0, 0}, {0, 1, 0}},
-      {{0, -1, 0}, {0, 0, -1}}, {{0, 1, 0}, {0, 0, 1}}, {{-1, -1, -1}, {0, 1, 0}},
-  };
-  const Row& row = rows[static_cast<std::size_t>(view)];
+  const NamedViewRow& row = view_rows[static_cast<std::size_t>(view)];
   Camera camera;
   camera.eye = -row.direction;
   camera.target = glm::dvec3(0);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/enum_table.h"
 #include "render/pass/linear.h"
 
 namespace ryosen {
@@ -10,6 +11,12 @@ namespace {
 
 // As in overlay.vert.
 enum Kind { ghost_kind, line_kind, arrow_kind, point_kind };
+// As in overlay.frag.
+static_assert(enum_count<LineStyle> == 4 && static_cast<int>(LineStyle::dashed) == 1 &&
+              static_cast<int>(LineStyle::dash_dot) == 2 && static_cast<int>(LineStyle::dotted) == 3);
+static_assert(enum_count<PointShape> == 5 && static_cast<int>(PointShape::ring) == 1 &&
+              static_cast<int>(PointShape::cross) == 2 && static_cast<int>(PointShape::diamond) == 3 &&
+              static_cast<int>(PointShape::square) == 4);
 constexpr std::size_t group_size = 128;
 
 float packed(Kind kind, int style) { return static_cast<float>(kind + 4 * style); }

@@ -1,30 +1,20 @@
 #include "render/pass/surface.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
+#include "core/base/enum_table.h"
 #include "render/gl/vertex_runs.h"
 #include "render/pass/linear.h"
 
 namespace ryosen {
 namespace {
 
-struct Tint {
-  std::uint8_t flag;
-  Role role;
-  float strength;
-};
-
-// In the order of the bits.
-constexpr Tint tints[] = {
-    {FaceFlag::selected, Role::selected, 0.75f},
-    {FaceFlag::hovered, Role::hover, 0.55f},
-    {FaceFlag::legal, Role::legal, 0.7f},
-    {FaceFlag::refused, Role::refused, 0.75f},
-    {FaceFlag::duplicate, Role::duplicate, 0.8f},
-    {FaceFlag::degenerate, Role::degenerate, 0.8f},
-    {FaceFlag::misoriented, Role::misoriented, 0.7f},
-};
+// As in tint.frag.
+static_assert(enum_count<FacePattern> == 5 && static_cast<int>(FacePattern::diagonal) == 1 &&
+              static_cast<int>(FacePattern::chessboard) == 2 && static_cast<int>(FacePattern::horizontal) == 3 &&
+              static_cast<int>(FacePattern::vertical) == 4);
 
 void set_light(const Program& program, const Frame& frame) {
   const Palette& colours = palette(frame.theme);
@@ -56,7 +46,8 @@ SurfacePass::SurfacePass(Program surface, Program tint)
   MeshBuffers::set_units(tint_);
 }
 
-void SurfacePass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters) const {
+void SurfacePass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters,
+                       std::span<const DrawnTint> tints) const {
   mesh.bind();
   glBindVertexArray(no_attributes_.id());
   glDisable(GL_BLEND);
@@ -70,22 +61,24 @@ void SurfacePass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<co
   surface_.set("wire_strength", unit(colours.wire).w);
   draw_clusters(mesh, clusters);
 
-  std::vector<std::uint32_t> flagged;
+  std::vector<std::uint32_t> tinted;
   for (const std::uint32_t cluster : clusters) {
-    if (mesh.clusters()[cluster].flagged) flagged.push_back(cluster);
+    if (mesh.clusters()[cluster].tinted) tinted.push_back(cluster);
   }
-  if (flagged.empty()) return;
+  if (tinted.empty()) return;
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDepthFunc(GL_EQUAL);
   glDepthMask(GL_FALSE);
   set_light(tint_, frame);
-  for (std::size_t bit = 0; bit < std::size(tints); ++bit) {
-    glm::vec4 tint = linear(style(tints[bit].role, frame.theme).colour);
-    tint.w = tints[bit].strength;
-    tint_.set(("tints[" + std::to_string(bit) + "]").c_str(), tint);
+  for (std::size_t i = 0; i < std::min(tints.size(), most_tints); ++i) {
+    const std::string place = "[" + std::to_string(i) + "]";
+    glm::vec4 colour = linear(tints[i].colour);
+    colour.w = tints[i].tint.strength;
+    tint_.set(("tints" + place).c_str(), colour);
+    tint_.set(("patterns" + place).c_str(), static_cast<int>(tints[i].tint.pattern));
   }
-  draw_clusters(mesh, flagged);
+  draw_clusters(mesh, tinted);
 }
 
 void draw_clusters(const MeshBuffers& mesh, std::span<const std::uint32_t> clusters) {

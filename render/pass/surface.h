@@ -1,11 +1,12 @@
-// Draws the triangles of a mesh: flat shaded, both sides, with the wireframe and the tints of face flags. Lighting is
-// done per triangle, because a software renderer has to pay for every pixel.
+// Draws the triangles of a mesh: flat shaded, both sides, with the wireframe and the tints of faces. Lighting is done
+// per triangle, because a software renderer has to pay for every pixel.
 #pragma once
 
 #include <cstdint>
 #include <span>
 
 #include "core/base/result.h"
+#include "render/face_tint.h"
 #include "render/gl/program.h"
 #include "render/mesh_buffers.h"
 #include "render/pass/frame.h"
@@ -17,7 +18,8 @@ class SurfacePass {
   static Result<SurfacePass> make();
 
   // Draws the clusters of the given numbers in that order into the bound framebuffer.
-  void draw(const Frame& frame, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters) const;
+  void draw(const Frame& frame, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters,
+            std::span<const DrawnTint> tints) const;
 
  private:
   SurfacePass(Program surface, Program tint);

@@ -41,7 +41,7 @@ void connect(const MeshFile& file) {
   const Mesh mesh = from_indexed(file.mesh);
   if (const auto broken = check_invariants(mesh)) fail("connected: " + broken->sentence);
   expect(mesh.live().faces + file.mesh.quarantine.size() == file.mesh.face_count(), "kept and set aside are not all");
-  for (const Problem& problem : find_problems(mesh, HighlightSets(mesh), {file.mesh.quarantine, file.mesh.face_lines}))
+  for (const Problem& problem : find_problems(mesh, ProblemSets(mesh), {file.mesh.quarantine, file.mesh.face_lines}))
     expect(problem.count() > 0 && !problem.text.en.empty() && !problem.text.ja.empty(), "a problem says nothing");
   compute_figures(mesh);
 }

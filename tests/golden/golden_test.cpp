@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/highlights/highlight_table.h"
 #include "render/image.h"
 #include "render/palette.h"
 #include "tests/support/app/program.h"
@@ -15,9 +16,21 @@
 namespace ryosen {
 namespace {
 
-// What must be seen: at least this many pixels about as the role is coloured.
-struct Seen {
+// What is drawn: because of the pointer, or as a highlight, which its id names.
+struct Drawn {
+  Drawn(Role drawn_role) : role(drawn_role) {}
+  Drawn(const char* highlight) : row(find_highlight(highlight)), role(Role::hover) {}
+  Rgba colour(Theme theme) const { return row ? style(row->looks, theme).colour : style(role, theme).colour; }
+
+  std::string name() const { return row ? std::string(row->id) : "role " + std::to_string(static_cast<int>(role)); }
+
+  const HighlightRow* row = nullptr;
   Role role;
+};
+
+// What must be seen: at least this many pixels about as that is coloured.
+struct Seen {
+  Drawn drawn;
   int least;
 };
 
@@ -25,7 +38,7 @@ struct Golden {
   std::string name, mesh;
   std::vector<std::string> flags;
   std::vector<Seen> seen;
-  std::vector<Role> unseen = {};
+  std::vector<Drawn> unseen = {};
   Theme theme = Theme::dark;
 
   friend void PrintTo(const Golden& golden, std::ostream* out) { *out << golden.name; }
@@ -36,8 +49,8 @@ const std::string close_to_the_eye =
     R"({"eye":[-0.045,0.155,0.072],"target":[-0.064,0.142,0.03],"up":[0,1,0],"fov_y_deg":35})";
 
 const std::vector<Golden> goldens{
-    {"bunny", "stanford_bunny.obj", {"--size", small}, {}, {Role::nonmanifold, Role::degenerate}},
-    {"bunny_boundary", "stanford_bunny.obj", {"--size", small, "--view", "bottom"}, {{Role::boundary, 400}}},
+    {"bunny", "stanford_bunny.obj", {"--size", small}, {}, {"nonmanifold", "degenerate"}},
+    {"bunny_boundary", "stanford_bunny.obj", {"--size", small, "--view", "bottom"}, {{"boundary", 400}}},
     {"bunny_legal",
      "stanford_bunny.obj",
      {"--size", small, "--camera", close_to_the_eye, "--tool", "collapse", "--hover", "247,180"},
@@ -48,31 +61,34 @@ const std::vector<Golden> goldens{
      {"--size", small, "--camera", close_to_the_eye, "--click", "247,180", "--hover", "225,150"},
      {{Role::selected, 30}, {Role::hover, 30}},
      {Role::legal, Role::refused}},
-    {"boundary", "two_quads.obj", {"--size", small, "--show", "boundary"}, {{Role::boundary, 1000}}},
-    {"nonmanifold_edge",
-     "fin.obj",
-     {"--size", small, "--show", "nonmanifold"},
-     {{Role::nonmanifold, 200}},
-     {Role::boundary}},
+    {"boundary", "two_quads.obj", {"--size", small, "--show", "boundary"}, {{"boundary", 1000}}},
+    {"nonmanifold_edge", "fin.obj", {"--size", small, "--show", "nonmanifold"}, {{"nonmanifold", 200}}, {"boundary"}},
     {"nonmanifold_vertex",
      "bow_tie.obj",
      {"--size", small, "--show", "nonmanifold"},
-     {{Role::nonmanifold, 40}},
-     {Role::boundary}},
-    {"misoriented", "misoriented.obj", {"--size", small, "--show", "misoriented"}, {{Role::misoriented, 200}}},
-    {"degenerate", "collinear.obj", {"--size", small, "--show", "degenerate"}, {{Role::degenerate, 250}}},
-    {"duplicate", "duplicate_face.obj", {"--size", small, "--show", "duplicate"}, {{Role::duplicate, 500}}},
-    {"hanging", "hanging_pair.obj", {"--size", small, "--show", "hanging"}, {{Role::hanging, 150}}},
-    {"isolated", "isolated_vertex.obj", {"--size", small, "--show", "isolated"}, {{Role::isolated, 20}}},
+     {{"nonmanifold", 40}},
+     {"boundary"}},
+    {"misoriented", "misoriented.obj", {"--size", small, "--show", "misoriented"}, {{"misoriented", 200}}},
+    {"degenerate", "collinear.obj", {"--size", small, "--show", "degenerate"}, {{"degenerate", 250}}},
+    {"duplicate", "duplicate_face.obj", {"--size", small, "--show", "duplicate"}, {{"duplicate", 500}}},
+    {"hanging", "hanging_pair.obj", {"--size", small, "--show", "hanging"}, {{"hanging", 150}}},
+    {"isolated", "isolated_vertex.obj", {"--size", small, "--show", "isolated"}, {{"isolated", 20}}},
     {"wires",
      "two_quads.obj",
      {"--size", small, "--show", "wires,isolated", "--script", RYOSEN_SOURCE_DIR "/tests/golden/wires.ryosen"},
-     {{Role::wire, 150}, {Role::isolated, 20}}},
-    {"nothing_shown",
-     "fin.obj",
-     {"--size", small, "--show", "none"},
-     {},
-     {Role::boundary, Role::nonmanifold, Role::degenerate}},
+     {{"wires", 150}, {"isolated", 20}}},
+    {"creases",
+     "cube.obj",
+     {"--size", small, "--view", "iso", "--show", "creases", "--script",
+      RYOSEN_SOURCE_DIR "/tests/golden/creases.ryosen"},
+     {{"creases", 400}}},
+    {"seams",
+     "seam.obj",
+     {"--size", small, "--view", "iso", "--theme", "light", "--show", "seams,boundary"},
+     {{"seams", 100}, {"boundary", 500}},
+     {"creases"},
+     Theme::light},
+    {"nothing_shown", "fin.obj", {"--size", small, "--show", "none"}, {}, {"boundary", "nonmanifold", "degenerate"}},
     {"split_legal",
      "torus.off",
      {"--size", "640x480", "--theme", "light", "--tool", "split", "--hover", "322,393"},
@@ -93,17 +109,16 @@ const std::vector<Golden> goldens{
     {"panels_english",
      "torus.off",
      {"--panels", "--tool", "split", "--hover", "609,560"},
-     {{Role::legal, 300}, {Role::boundary, 60}, {Role::nonmanifold, 20}}},
+     {{Role::legal, 300}, {"boundary", 60}, {"nonmanifold", 20}}},
     {"panels_japanese",
      "fin.obj",
      {"--panels", "--lang", "ja", "--theme", "light", "--tool", "collapse", "--hover", "610,380"},
-     {{Role::boundary, 1000}, {Role::refused, 300}},
+     {{"boundary", 1000}, {Role::refused, 300}},
      {Role::legal},
      Theme::light},
 };
 
-int count_coloured(const Image& picture, Role role, Theme theme) {
-  const Rgba colour = style(role, theme).colour;
+int count_coloured(const Image& picture, Rgba colour) {
   int n = 0;
   for (const Rgba& pixel : picture.pixels) {
     bool is_near = true;
@@ -130,9 +145,9 @@ TEST_P(GoldenTest, looks_as_it_did) {
   const Result<Image> picture = read_png(written);
   ASSERT_TRUE(picture);
   for (const Seen& seen : golden.seen)
-    EXPECT_GE(count_coloured(*picture, seen.role, golden.theme), seen.least) << "role " << static_cast<int>(seen.role);
-  for (const Role role : golden.unseen)
-    EXPECT_EQ(count_coloured(*picture, role, golden.theme), 0) << "role " << static_cast<int>(role);
+    EXPECT_GE(count_coloured(*picture, seen.drawn.colour(golden.theme)), seen.least) << seen.drawn.name();
+  for (const Drawn& drawn : golden.unseen)
+    EXPECT_EQ(count_coloured(*picture, drawn.colour(golden.theme)), 0) << drawn.name();
   if (updates) {
     ASSERT_TRUE(write_png(*picture, reference));
   }

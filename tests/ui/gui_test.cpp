@@ -8,6 +8,7 @@
 
 #include "app/editor/keys.h"
 #include "app/editor/words.h"
+#include "core/base/enum_table.h"
 #include "tests/support/app/laid.h"
 
 namespace ryosen {
@@ -17,7 +18,7 @@ using test::Laid;
 using test::window;
 
 TEST(texts, are_there_in_both_languages) {
-  for (int i = 0; i < static_cast<int>(UiText::count); ++i) {
+  for (std::size_t i = 0; i < enum_count<UiText>; ++i) {
     const auto id = static_cast<UiText>(i);
     EXPECT_STRNE(text(id, Language::english), "");
     EXPECT_STRNE(text(id, Language::japanese), "");

@@ -1,4 +1,3 @@
-#include "app/ui/overlays.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
@@ -6,36 +5,42 @@ namespace ryosen {
 
 namespace {
 
-std::int64_t members(Session& session, std::string_view highlight) {
-  std::int64_t n = 0;
-  for (const ProblemRow& kind : problem_table())
-    if (kind.is_local() && kind.highlight == highlight) n += session.highlights().count(kind.kind);
-  return n;
+void draw_highlight(PanelContext& context, const HighlightRow& row) {
+  const std::string id(row.id);
+  bool is_shown = context.session.shown.contains(id);
+  ImGui::PushID(id.c_str());
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {3 * context.scale, 0});
+  if (ImGui::Checkbox("##shown", &is_shown)) context.run("show " + id + (is_shown ? " on" : " off"));
+  ImGui::PopStyleVar();
+  ImGui::SameLine();
+  const char* const legend = context.text(row.legend_en, row.legend_ja);
+  swatch(style(row.looks, context.theme), 30 * context.scale);
+  tip(legend);
+  ImGui::SameLine();
+  // What nobody looks at is not searched for, so it has no count.
+  const HighlightSets& sets = context.session.highlights();
+  const bool is_counted = sets.keeps(row);
+  const auto n = is_counted ? static_cast<std::int64_t>(sets.count(row)) : 0;
+  const char* const name = context.text(row.name_en, row.name_ja);
+  if (n > 0)
+    ImGui::TextUnformatted(name);
+  else
+    ImGui::TextColored(context.colours().dim, "%s", name);
+  tip(legend);
+  const std::string count = is_counted ? grouped(n) : "\u2013";
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(count.c_str()).x - 8 * context.scale);
+  ImGui::TextColored(n > 0 ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : context.colours().dim, "%s", count.c_str());
+  ImGui::PopID();
 }
 
-// What is highlighted, how it is drawn, and how much of it there is.
+// What is highlighted, how it is drawn, and how much of it there is: problems first, then what is none.
 void draw_highlights(PanelContext& context) {
-  for (const HighlightRow& highlight : highlight_table()) {
-    const std::string id(highlight.id);
-    const std::int64_t n = members(context.session, highlight.id);
-    ImGui::PushID(id.c_str());
-    bool is_shown = context.session.shown.contains(id);
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {3 * context.scale, 1 * context.scale});
-    if (ImGui::Checkbox("##shown", &is_shown)) context.run("show " + id + (is_shown ? " on" : " off"));
-    ImGui::PopStyleVar();
-    ImGui::SameLine();
-    swatch(style(role_of_highlight(highlight.id), context.theme), 30 * context.scale);
-    ImGui::SameLine();
-    const char* const name = context.text(highlight.name_en, highlight.name_ja);
-    if (n > 0)
-      ImGui::TextUnformatted(name);
-    else
-      ImGui::TextColored(context.colours().dim, "%s", name);
-    const std::string count = grouped(n);
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(count.c_str()).x - 8 * context.scale);
-    ImGui::TextColored(n > 0 ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : context.colours().dim, "%s", count.c_str());
-    ImGui::PopID();
-  }
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 2 * context.scale});
+  for (const HighlightRow& row : highlight_table())
+    if (!row.kinds.empty()) draw_highlight(context, row);
+  for (const HighlightRow& row : highlight_table())
+    if (row.kinds.empty()) draw_highlight(context, row);
+  ImGui::PopStyleVar();
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "app/editor/remedy_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
+#include "core/base/enum_table.h"
 
 namespace ryosen {
 
@@ -16,7 +17,7 @@ void draw_reason(PanelContext& context, const Reason& reason, const ImVec4& colo
 
 // "removes 1 V, 3 E, 2 F": what the operator takes away or makes.
 void draw_change(PanelContext& context, UiText word, const std::vector<Element>& elements) {
-  std::array<std::size_t, 4> n{};
+  std::array<std::size_t, enum_count<Element::Kind>> n{};
   for (const Element& e : elements) ++n[static_cast<std::size_t>(e.kind)];
   std::string line;
   const auto add = [&](Element::Kind kind, const char* letter) {

@@ -1,4 +1,5 @@
 #include "app/editor/commands.h"
+#include "app/editor/pick_modes.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
@@ -37,12 +38,12 @@ void draw_modes(PanelContext& context) {
   struct Mode {
     PickMode mode;
     UiText name;
-    const char* line;
   };
-  constexpr Mode modes[] = {{PickMode::vertex, UiText::vertex, "mode vertex"},
-                            {PickMode::edge, UiText::edge, "mode edge"},
-                            {PickMode::face, UiText::face, "mode face"},
-                            {PickMode::halfedge, UiText::halfedge, "mode halfedge"}};
+  static constexpr Mode modes[] = {{PickMode::vertex, UiText::vertex},
+                                   {PickMode::edge, UiText::edge},
+                                   {PickMode::face, UiText::face},
+                                   {PickMode::halfedge, UiText::halfedge}};
+  static_assert(rows_are_in_order(modes, &Mode::mode));
   const float gap = 4 * context.scale, width = (ImGui::GetContentRegionAvail().x - gap) / 2;
   for (std::size_t i = 0; i < std::size(modes); ++i) {
     const bool is_active = context.session.mode == modes[i].mode;
@@ -51,7 +52,7 @@ void draw_modes(PanelContext& context) {
       ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_FrameBgActive));
       ImGui::PushStyleColor(ImGuiCol_Text, context.colours().accent);
     }
-    if (ImGui::Button(context.text(modes[i].name), {width, 0})) context.run(modes[i].line);
+    if (ImGui::Button(context.text(modes[i].name), {width, 0})) context.run("mode " + std::string(pick_modes[i].id));
     if (is_active) ImGui::PopStyleColor(2);
   }
 }

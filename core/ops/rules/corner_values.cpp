@@ -53,13 +53,7 @@ std::uint32_t CornerWriter::mean(std::size_t attribute, std::span<const Halfedge
 }
 
 bool is_seam(const Mesh& mesh, Halfedge h) {
-  if (mesh.is_outside(h) || mesh.is_outside(twin(h))) return false;
-  for (const CornerAttribute& attribute : corner_attributes(mesh)) {
-    const std::vector<std::uint32_t>& index = mesh.attributes()[attribute.index_column].data;
-    const Halfedge o = twin(h);
-    if (index[h.index] != index[mesh.next(o).index] || index[o.index] != index[mesh.next(h).index]) return true;
-  }
-  return false;
+  return !mesh.is_outside(h) && !mesh.is_outside(twin(h)) && corner_values_differ(mesh, h, twin(h), false);
 }
 
 // The corner `first`, the ones across the edges that go in turn, and `last`, whose edge stays, become one.

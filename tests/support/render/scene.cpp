@@ -14,7 +14,7 @@ void Scene::add(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   faces.push_back(static_cast<std::uint32_t>(triangles.size()));
   triangles.push_back({a, b, c});
   edge_bits.push_back(7);
-  flags.push_back(0);
+  tints.push_back(0);
 }
 
 Scene square_scene(int cells) {

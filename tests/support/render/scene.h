@@ -17,9 +17,9 @@ struct Scene {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::uint32_t> faces;
   std::vector<std::uint8_t> edge_bits;
-  std::vector<std::uint8_t> flags;
+  std::vector<std::uint8_t> tints;
 
-  TriangleSource source() const { return {positions, triangles, faces, edge_bits, flags}; }
+  TriangleSource source() const { return {positions, triangles, faces, edge_bits, tints}; }
   void add(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 };
 

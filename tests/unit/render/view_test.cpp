@@ -80,7 +80,7 @@ TEST(view, wireframe_leaves_out_diagonals_of_polygons) {
 TEST(view, solid_line_covers_its_length_times_its_width) {
   const auto view = front_view(square_scene(1), view_size, 4);
   Overlay overlay;
-  const Rgba blue = style(Role::boundary, Theme::dark).colour;
+  const Rgba blue = rgb(0x56B4E9);
   overlay.lines.push_back({{-0.5, 0.1, 0}, {0.5, 0.1, 0}, blue, LineStyle::solid, 6});
   view->set_overlay(Layer::highlights, overlay);
   view->draw();
@@ -145,23 +145,44 @@ TEST(view, points_have_their_shapes) {
   EXPECT_GT(pixels_of(PointShape::diamond), 150);
 }
 
-TEST(view, faces_with_flags_are_tinted_and_hidden_ones_absent) {
+constexpr DrawnTint tints[] = {{rgb(0xE69F00), {FacePattern::diagonal, 0.75f}},
+                               {rgb(0xF0E442), {FacePattern::plain, 0.55f}},
+                               {rgb(0xBBBBBB), {FacePattern::chessboard, 0.8f}},
+                               {rgb(0xCC79A7), {FacePattern::horizontal, 0.8f}},
+                               {rgb(0x4A90D9), {FacePattern::vertical, 0.7f}}};
+
+TEST(view, faces_with_a_tint_have_it_and_hidden_ones_are_absent) {
   Scene scene = square_scene(2);
   const auto view = front_view(scene, view_size, 4);
+  view->set_tints(tints);
   view->draw();
   const Image plain = view->read_pixels();
   const std::uint32_t face[] = {0};
-  scene.flags[0] = FaceFlag::hovered;
+  scene.tints[0] = 2;
   view->update_mesh(scene.source(), {}, face, face);
   const PixelRect rect = view->draw();
   EXPECT_LT(rect.width() * rect.height(), 80 * 80);
   const Rgba before = plain.at(145, 170), after = view->read_pixels().at(145, 170);
   EXPECT_GT(int(after[0]) - int(after[2]), int(before[0]) - int(before[2]) + 40);  // towards yellow
-  scene.flags[0] = FaceFlag::hidden;
+  scene.tints[0] = hidden_face;
   view->update_mesh(scene.source(), {}, {}, face);  // the face's triangles are found where they are not named
   view->draw();
   EXPECT_NEAR(surface_pixels(*view), 120 * 120 - 60 * 60 / 2, 70);
   EXPECT_EQ(view->read_pixels(), full_picture(*view));
+}
+
+TEST(view, patterns_of_tints_differ_in_what_they_cover) {
+  Scene scene = square_scene(1);
+  scene.tints = {1, 1};
+  const auto view = front_view(scene, view_size, 4);
+  std::vector<Image> pictures;
+  for (std::size_t pattern = 0; pattern < enum_count<FacePattern>; ++pattern) {
+    const DrawnTint tint[] = {{rgb(0xFF00FF), {static_cast<FacePattern>(pattern), 0.9f}}};
+    view->set_tints(tint);
+    view->draw();
+    for (const Image& other : pictures) EXPECT_NE(view->read_pixels(), other) << pattern;
+    pictures.push_back(view->read_pixels());
+  }
 }
 
 // Changes of every kind, in a random order: each partial picture must be the full one.
@@ -171,6 +192,7 @@ TEST(view, partial_redraw_equals_full_redraw) {
   Camera camera;
   camera.eye = {0.7, 0.9, 3.4};
   view->set_camera(camera);
+  view->set_tints(tints);
   view->draw();
   std::mt19937 random(3);
   const auto below = [&](std::size_t n) { return static_cast<std::uint32_t>(random() % n); };
@@ -190,7 +212,7 @@ TEST(view, partial_redraw_equals_full_redraw) {
     } else if (step % 3 == 1) {
       const std::uint32_t t = below(scene.triangles.size());
       triangles = faces = {t};
-      scene.flags[t] = static_cast<std::uint8_t>(1u << below(8));
+      scene.tints[t] = std::array<std::uint8_t, 7>{0, 1, 2, 3, 4, 5, hidden_face}[below(7)];
       if (step % 2 == 0) scene.triangles[below(scene.triangles.size())] = scene.triangles[t];
       if (step % 2 == 0) triangles.clear();
       if (step % 2 == 0) {
@@ -246,7 +268,7 @@ TEST(view, appended_and_cut_off_triangles) {
   scene.triangles.resize(scene.triangles.size() - 1);
   scene.faces.pop_back();
   scene.edge_bits.pop_back();
-  scene.flags.pop_back();
+  scene.tints.pop_back();
   view->update_mesh(scene.source(), {}, {}, {});
   view->draw();
   EXPECT_EQ(surface_pixels(*view), before);

@@ -81,6 +81,7 @@ TEST(session, a_refused_click_changes_nothing_and_says_why) {
 TEST(session, picker_highlights_and_totals_follow_edits_as_if_made_anew) {
   const auto session = sheet_session();
   session->picker();
+  ASSERT_TRUE(session->run("show all").done());
   session->highlights();
   session->euler_terms();
   const std::vector<std::string> lines{"collapse 24-25 mid", "split 9-10", "swap 16-24", "collapse 0-1", "undo", "undo",
@@ -88,7 +89,9 @@ TEST(session, picker_highlights_and_totals_follow_edits_as_if_made_anew) {
   for (const std::string& line : lines) {
     session->run(line);
     EXPECT_FALSE(check_invariants(session->mesh())) << line;
-    EXPECT_EQ(session->highlights(), HighlightSets(session->mesh())) << line;
+    HighlightSets fresh(session->mesh());
+    for (const HighlightRow& row : highlight_table()) fresh.keep(session->mesh(), row);
+    EXPECT_EQ(session->highlights(), fresh) << line;
     EXPECT_EQ(session->euler_terms(), euler_poincare(session->mesh())) << line;
     Picker anew(session->mesh());
     for (double x = 0.3; x < 6; x += 0.7) {
@@ -104,6 +107,24 @@ TEST(session, picker_highlights_and_totals_follow_edits_as_if_made_anew) {
       }
     }
   }
+}
+
+TEST(session, looks_for_creases_while_they_are_shown_and_no_longer) {
+  const auto session = sheet_session();
+  const HighlightRow& creases = *find_highlight("creases");
+  EXPECT_FALSE(session->highlights().keeps(creases));
+  ASSERT_TRUE(session->run("move_vertex v24 3,3,1").done());
+  EXPECT_FALSE(session->highlights().keeps(creases));
+  ASSERT_TRUE(session->run("show creases").done());
+  ASSERT_TRUE(session->highlights().keeps(creases));
+  EXPECT_EQ(session->highlights().count(creases), 12u) << "around the raised vertex";
+  ASSERT_TRUE(session->run("undo").done());
+  EXPECT_EQ(session->highlights().count(creases), 0u);
+  ASSERT_TRUE(session->run("show creases off").done());
+  ASSERT_TRUE(session->run("redo").done());
+  EXPECT_FALSE(session->highlights().keeps(creases));
+  ASSERT_TRUE(session->run("show creases on").done());
+  EXPECT_EQ(session->highlights().count(creases), 12u);
 }
 
 TEST(session, its_log_is_a_script_that_leads_to_the_same_mesh) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/analysis/highlights.h"
+#include "core/analysis/problem_sets.h"
 #include "core/mesh/circulate.h"
 #include "core/ops/all.h"
 #include "tests/support/core/shapes.h"
@@ -26,7 +26,7 @@ Mesh sheet_and_triangle(std::uint32_t n) {
   return make_mesh(faces);
 }
 
-BoundaryLoopCount counted(const Mesh& mesh, const HighlightSets& sets) {
+BoundaryLoopCount counted(const Mesh& mesh, const ProblemSets& sets) {
   Neighbourhood around(mesh);
   BoundaryLoopCount loops;
   loops.search(around, sets.of(ProblemKind::boundary_loop));
@@ -47,7 +47,7 @@ void take_out(Mesh& mesh, Journal& journal, Face f) {
 TEST(boundary_loop_count, is_that_of_named_shapes) {
   const auto count = [](const Polygons& faces) {
     const Mesh mesh = make_mesh(faces);
-    return counted(mesh, HighlightSets(mesh)).count();
+    return counted(mesh, ProblemSets(mesh)).count();
   };
   EXPECT_EQ(count(torus_grid(4, 4)), 0u);
   EXPECT_EQ(count(two_quads()), 1u);
@@ -59,7 +59,7 @@ TEST(boundary_loop_count, is_that_of_named_shapes) {
 TEST(boundary_loop_count, an_edit_at_the_border_does_not_look_at_other_loops) {
   Mesh mesh = sheet_and_triangle(8);
   Journal journal;
-  HighlightSets sets(mesh);
+  ProblemSets sets(mesh);
   BoundaryLoopCount loops = counted(mesh, sets);
   EXPECT_EQ(loops.count(), 2u);
   for (const AnyOp& op : {AnyOp(CollapseEdge{find_halfedge(mesh, Vertex(3), Vertex(4))}),
@@ -85,7 +85,7 @@ TEST(boundary_loop_count, an_edit_at_the_border_does_not_look_at_other_loops) {
 TEST(boundary_loop_count, an_edit_inside_changes_nothing) {
   Mesh mesh = sheet_and_triangle(8);
   Journal journal;
-  HighlightSets sets(mesh);
+  ProblemSets sets(mesh);
   BoundaryLoopCount loops = counted(mesh, sets);
   const std::uint64_t before = loops.revision();
   {
@@ -103,13 +103,13 @@ TEST(boundary_loop_count, an_edit_inside_changes_nothing) {
 TEST(boundary_loop_count, follows_holes_that_come_and_go) {
   Mesh mesh = sheet_and_triangle(8);
   Journal journal;
-  HighlightSets sets(mesh);
+  ProblemSets sets(mesh);
   BoundaryLoopCount loops = counted(mesh, sets);
   const auto follow = [&](std::size_t transaction) {
     sets.update(mesh, journal, transaction);
     Neighbourhood around(mesh);
     loops.update(around, sets.of(ProblemKind::boundary_loop), sets.edges_asked());
-    EXPECT_EQ(loops.count(), counted(mesh, HighlightSets(mesh)).count());
+    EXPECT_EQ(loops.count(), counted(mesh, ProblemSets(mesh)).count());
   };
   take_out(mesh, journal, mesh.face(find_halfedge(mesh, Vertex(20), Vertex(21))));
   follow(0);

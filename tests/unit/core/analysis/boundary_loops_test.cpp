@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/analysis/highlights.h"
+#include "core/analysis/problem_sets.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {
@@ -14,7 +14,7 @@ using namespace test;
 
 BoundaryLoops loops_of(const Mesh& mesh) {
   Neighbourhood around(mesh);
-  return find_boundary_loops(around, HighlightSets(mesh).of(ProblemKind::boundary_loop));
+  return find_boundary_loops(around, ProblemSets(mesh).of(ProblemKind::boundary_loop));
 }
 
 std::vector<std::size_t> lengths(const Mesh& mesh) {

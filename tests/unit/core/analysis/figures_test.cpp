@@ -168,7 +168,7 @@ TEST(figures, tell_exact_collinearity_from_nearly) {
       {5, 5, 5},       {5, 5, 5},       {5, 5, 5},
       {0, 0, 0},       {1, 0, 0},       {2, 0, 0},
       {1, 1e-300, 0}};
-  const HighlightSets sets(from_indexed(std::move(source)));
+  const ProblemSets sets(from_indexed(std::move(source)));
   EXPECT_EQ(sets.of(ProblemKind::degenerate_area).to_vector(), (std::vector<std::uint32_t>{0, 2}));
 }
 
@@ -257,7 +257,7 @@ TEST(figures, agree_with_the_oracle_on_random_meshes) {
 TEST(figures, are_the_same_for_any_number_of_threads) {
   for (std::uint64_t seed = 1; seed <= 600 && !HasFailure(); ++seed) {
     const Mesh mesh = mesh_of(random_mesh(seed));
-    const HighlightSets sets(mesh);
+    const ProblemSets sets(mesh);
     const Figures figures = compute_figures(mesh, sets, {}, 1);
     for (const unsigned threads : {2u, 5u}) EXPECT_EQ(figures, compute_figures(mesh, sets, {}, threads)) << seed;
   }

@@ -18,7 +18,7 @@ struct Case {
   std::vector<std::uint32_t> lines;
 
   FileFaces file() const { return {quarantine, lines}; }
-  std::vector<Problem> problems() const { return find_problems(mesh, HighlightSets(mesh), file()); }
+  std::vector<Problem> problems() const { return find_problems(mesh, ProblemSets(mesh), file()); }
   std::vector<std::string> names(const Problem& problem) const {
     std::vector<std::string> names;
     for (Element e : problem.elements) names.push_back(name_on_points(mesh, e));

@@ -6,18 +6,19 @@
 #include <span>
 #include <vector>
 
+#include "core/analysis/edit_reach.h"
 #include "core/analysis/index_set.h"
 #include "core/analysis/problem_kinds.h"
 #include "core/mesh/journal.h"
 
 namespace ryosen {
 
-class HighlightSets {
+class ProblemSets {
  public:
-  HighlightSets() = default;
+  ProblemSets() = default;
   // Asks every element of the mesh, on several threads where that pays (0) or on so many; the sets are the same. Beside
   // copies each has a neighbourhood of its own. O(corners), and a logarithm beside copies.
-  explicit HighlightSets(const Mesh& mesh, unsigned threads = 0);
+  explicit ProblemSets(const Mesh& mesh, unsigned threads = 0);
 
   // After transaction i of the journal was committed, undone or redone on the mesh: the sets are those of a fresh
   // search. Asks the stars of the points that it touched, so the mesh's size does not matter; only a transaction that
@@ -39,6 +40,8 @@ class HighlightSets {
   // The edges, live or not, that the last update asked about: all at the points where anything changed, those that left
   // such a point, and at neighbours with copies. Ascending; nothing where everything may have changed.
   std::span<const Edge> edges_asked() const { return edges_asked_; }
+  // The elements that the last update asked about; of another mesh where everything may have changed.
+  const EditReach& reach() const { return reach_; }
   // What the last update put in or took out; nothing is listed where everything may have changed.
   struct Change {
     ProblemKind kind;
@@ -48,17 +51,18 @@ class HighlightSets {
   std::span<const Change> changes() const { return changes_; }
   bool changed_everything() const { return changed_everything_; }
 
-  friend bool operator==(const HighlightSets& a, const HighlightSets& b) {
+  friend bool operator==(const ProblemSets& a, const ProblemSets& b) {
     return a.sets_ == b.sets_ && a.further_copies_ == b.further_copies_ && a.further_sheets_ == b.further_sheets_;
   }
 
  private:
   void set(ProblemKind kind, std::uint32_t index, bool is_member);
   void find_further(Neighbourhood& around);
-  void list_edges_asked(const Mesh& mesh, std::span<const Vertex> vertices, std::span<const Edge> edges);
+  void list_edges_asked(const Mesh& mesh);
 
   std::array<IndexSet, problem_kinds> sets_;
   IndexSet further_copies_, further_sheets_;  // all but the lowest of a point, and of an edge
+  EditReach reach_;
   std::vector<Edge> edges_asked_;
   std::vector<Change> changes_;
   bool changed_everything_ = true;

@@ -1,16 +1,15 @@
-#include "core/analysis/highlights.h"
+#include "core/analysis/problem_sets.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "core/analysis/boundary_loop_count.h"
 #include "core/analysis/boundary_loops.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/all.h"
-#include "tests/support/core/random_meshes.h"
+#include "tests/support/core/random_edits.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {
@@ -20,18 +19,11 @@ using namespace test;
 
 using Numbers = std::vector<std::uint32_t>;
 
-Mesh random_kernel_mesh(std::uint64_t seed) {
-  const RandomMesh random = random_mesh(seed);
-  Polygons faces;
-  for (const auto& face : random.faces) faces.emplace_back(face.begin(), face.end());
-  return make_mesh(faces, static_cast<std::size_t>(random.points));
-}
-
-TEST(highlights, are_the_same_for_any_number_of_threads) {
+TEST(problem_sets, are_the_same_for_any_number_of_threads) {
   for (std::uint64_t seed = 1; seed <= 600 && !HasFailure(); ++seed) {
     const Mesh mesh = random_kernel_mesh(seed);
-    const HighlightSets sets(mesh, 1);
-    for (const unsigned threads : {2u, 5u}) EXPECT_EQ(sets, HighlightSets(mesh, threads)) << seed << " " << threads;
+    const ProblemSets sets(mesh, 1);
+    for (const unsigned threads : {2u, 5u}) EXPECT_EQ(sets, ProblemSets(mesh, threads)) << seed << " " << threads;
   }
 }
 
@@ -46,10 +38,10 @@ void expect_set(const Mesh& mesh, const ProblemRow& row, Predicate predicate, st
   }
 }
 
-TEST(highlights, are_what_the_predicates_say_of_each_element) {
+TEST(problem_sets, are_what_the_predicates_say_of_each_element) {
   for (std::uint64_t seed = 1; seed <= 1500 && !HasFailure(); ++seed) {
     const Mesh mesh = random_kernel_mesh(seed);
-    const HighlightSets sets(mesh);
+    const ProblemSets sets(mesh);
     for (const ProblemRow& row : problem_table()) {
       expect_set<Vertex>(mesh, row, row.vertex, mesh.vertex_slots(), sets.of(row.kind));
       expect_set<Edge>(mesh, row, row.edge, mesh.edge_slots(), sets.of(row.kind));
@@ -58,9 +50,9 @@ TEST(highlights, are_what_the_predicates_say_of_each_element) {
   }
 }
 
-TEST(highlights, hold_an_edge_of_several_sheets_once) {
+TEST(problem_sets, hold_an_edge_of_several_sheets_once) {
   const Mesh mesh = make_mesh(fin());
-  const HighlightSets sets(mesh);
+  const ProblemSets sets(mesh);
   const Numbers edges = sets.of(ProblemKind::nonmanifold_edge).to_vector();
   ASSERT_EQ(edges.size(), 1u);
   const auto [a, b] = ends(mesh, Edge(edges[0]));
@@ -69,13 +61,13 @@ TEST(highlights, hold_an_edge_of_several_sheets_once) {
   EXPECT_EQ(sets.count(ProblemKind::boundary_loop), 6u);
 }
 
-TEST(highlights, mark_the_later_face_of_a_pair) {
-  const HighlightSets sets(make_mesh({{0, 2, 1}, {0, 1, 3}, {0, 1, 2}}));
+TEST(problem_sets, mark_the_later_face_of_a_pair) {
+  const ProblemSets sets(make_mesh({{0, 2, 1}, {0, 1, 3}, {0, 1, 2}}));
   EXPECT_EQ(sets.of(ProblemKind::duplicate_face).to_vector(), (Numbers{2}));
   EXPECT_EQ(sets.of(ProblemKind::hanging_pair).to_vector(), (Numbers{2}));
 }
 
-TEST(highlights, rows_have_stable_ids_and_one_predicate) {
+TEST(problem_sets, rows_have_stable_ids_and_one_predicate) {
   for (const ProblemRow& row : problem_table()) {
     EXPECT_EQ(find_problem_row(row.id), &row);
     EXPECT_EQ((row.vertex != nullptr) + (row.edge != nullptr) + (row.face != nullptr) + (row.quarantined != nullptr) +
@@ -88,103 +80,20 @@ TEST(highlights, rows_have_stable_ids_and_one_predicate) {
     EXPECT_EQ(row.sentence(12).en.find('#'), std::string::npos) << row.id;
     EXPECT_NE(row.sentence(12).ja.find("12"), std::string::npos) << row.id;
   }
-  std::vector<std::string_view> shown;
-  for (const HighlightRow& row : highlight_table())
-    if (row.is_default) shown.push_back(row.id);
-  EXPECT_EQ(shown, (std::vector<std::string_view>{"boundary", "nonmanifold", "misoriented", "degenerate", "wires"}));
   EXPECT_EQ(find_problem_row("no_such_kind"), nullptr);
 }
 
-// Takes out a face whose corners are all inside and have no copies, so that a hole stays as reading would make it.
-void make_hole(const Mesh& mesh, Edit& edit, Face f) {
-  std::vector<Halfedge> sides;
-  for (Halfedge h : halfedges_around(mesh, f)) {
-    if (mesh.is_boundary(mesh.from(h)) || has_copies(mesh, mesh.from(h))) return;
-    sides.push_back(h);
-  }
-  for (Halfedge h : sides) {
-    edit.set_face(h, Face());
-    edit.set_halfedge(mesh.from(h), h);
-  }
-  edit.remove(f);
-}
-
-template <class Handle>
-Handle pick_live(const Mesh& mesh, std::uint32_t slots, Dice& dice) {
-  for (int attempt = 0; attempt < 50 && slots > 0; ++attempt) {
-    const Handle h(static_cast<std::uint32_t>(dice.below(static_cast<int>(slots))));
-    if (mesh.is_alive(h)) return h;
-  }
-  return Handle();
-}
-
-void move_somewhere(const Mesh& mesh, Edit& edit, Vertex v, Dice& dice) {
-  glm::dvec3 place(dice.unit(), dice.unit(), dice.unit());
-  if (dice.one_in(4)) place.y = std::numeric_limits<double>::infinity();
-  const Halfedge h = mesh.halfedge(v);
-  if (h && dice.one_in(2)) place = 0.5 * (mesh.position(mesh.to(h)) + mesh.position(mesh.from(mesh.prev(h))));
-  move_point(edit, v, place);
-}
-
-bool try_operator(const AnyOp& op, const Mesh& mesh, Edit& edit) {
-  if (!check(mesh, op).legal()) return false;
-  ryosen::apply(edit, op);
-  return true;
-}
-
-bool try_edge_operator(const Mesh& mesh, Edit& edit, Dice& dice) {
-  const Edge e = pick_live<Edge>(mesh, mesh.edge_slots(), dice);
-  if (!e) return false;
-  const Halfedge h = halfedge(e, static_cast<unsigned>(dice.below(2)));
-  switch (dice.below(3)) {
-    case 0:
-      return try_operator(SwapEdge{h, dice.one_in(2)}, mesh, edit);
-    case 1:
-      return try_operator(
-          CollapseEdge{h, dice.one_in(2) ? CollapseEdge::Place::middle : CollapseEdge::Place::automatic, {}}, mesh,
-          edit);
-    default:
-      return try_operator(SplitEdge{h, dice.one_in(2) ? 0.5 : dice.unit()}, mesh, edit);
-  }
-}
-
-// One committed edit, if the dice find a legal one.
-bool edit_at_random(Mesh& mesh, Journal& journal, Dice& dice) {
-  Edit edit(mesh, &journal);
-  bool done = false;
-  if (dice.one_in(12)) {
-    done = try_operator(Orient{}, mesh, edit);  // replaces all columns, so it comes alone
-  } else {
-    for (int steps = 1 + dice.below(2); steps > 0; --steps) {
-      const int what = dice.below(6);
-      if (what == 0) {
-        const Vertex v = pick_live<Vertex>(mesh, mesh.vertex_slots(), dice);
-        if (v) move_somewhere(mesh, edit, v, dice);
-        done |= static_cast<bool>(v);
-      } else if (what == 1) {
-        const Face f = pick_live<Face>(mesh, mesh.face_slots(), dice);
-        if (f) make_hole(mesh, edit, f);
-        done |= static_cast<bool>(f);
-      } else {
-        done |= try_edge_operator(mesh, edit, dice);
-      }
-    }
-  }
-  if (done) edit.commit();
-  return done;
-}
-
-TEST(highlights, are_kept_current_through_edits_undo_and_redo) {
+TEST(problem_sets, are_kept_current_through_edits_undo_and_redo) {
   int edits = 0, other_loops = 0, kept_loops = 0;
   for (std::uint64_t seed = 1; seed <= 800 && !HasFailure(); ++seed) {
     Dice dice(seed);
     Mesh mesh = random_kernel_mesh(seed);
     Journal journal;
-    HighlightSets sets(mesh);
+    ProblemSets sets(mesh);
     BoundaryLoopCount loops;
     if (Neighbourhood around(mesh); true) loops.search(around, sets.of(ProblemKind::boundary_loop));
     for (int step = 0; step < 25; ++step) {
-      const HighlightSets before = sets;
+      const ProblemSets before = sets;
       std::size_t transaction = 0;
       const int what = dice.below(4);
       if (what == 0 && journal.can_undo()) {
@@ -199,7 +108,7 @@ TEST(highlights, are_kept_current_through_edits_undo_and_redo) {
       }
       ++edits;
       sets.update(mesh, journal, transaction);
-      const HighlightSets fresh(mesh);
+      const ProblemSets fresh(mesh);
       Neighbourhood around(mesh);
       for (const ProblemRow& row : problem_table())
         ASSERT_EQ(sets.of(row.kind).to_vector(), fresh.of(row.kind).to_vector())
@@ -217,12 +126,12 @@ TEST(highlights, are_kept_current_through_edits_undo_and_redo) {
       other_loops += loops.count() != loops_before;
       kept_loops += loops.count() > 0 && loops.revision() == revision_before;
       // What is listed leads from the sets before to those after.
-      HighlightSets replayed = before;
+      ProblemSets replayed = before;
       std::array<Numbers, problem_kinds> members;
       for (const ProblemRow& row : problem_table()) {
         Numbers& set = members[static_cast<std::size_t>(row.kind)];
         set = replayed.of(row.kind).to_vector();
-        for (const HighlightSets::Change& change : sets.changes()) {
+        for (const ProblemSets::Change& change : sets.changes()) {
           if (change.kind != row.kind) continue;
           const auto place = std::lower_bound(set.begin(), set.end(), change.index);
           ASSERT_EQ(place != set.end() && *place == change.index, !change.is_member);
@@ -240,14 +149,14 @@ TEST(highlights, are_kept_current_through_edits_undo_and_redo) {
   EXPECT_GT(kept_loops, 100);
 }
 
-TEST(highlights, ask_only_around_the_edit) {
+TEST(problem_sets, ask_only_around_the_edit) {
   // A far bow-tie stays as it is, and no set beyond the touched points changes.
   Polygons faces = torus_grid(30, 30);
   faces.push_back({900, 901, 902});
   faces.push_back({900, 903, 904});
   Mesh mesh = make_mesh(faces);
   Journal journal;
-  HighlightSets sets(mesh);
+  ProblemSets sets(mesh);
   EXPECT_TRUE(sets.changed_everything());
   Edit edit(mesh, &journal);
   move_point(edit, Vertex(500), mesh.position(Vertex(501)));
@@ -255,7 +164,7 @@ TEST(highlights, ask_only_around_the_edit) {
   sets.update(mesh, journal, 0);
   EXPECT_FALSE(sets.changed_everything());
   ASSERT_EQ(sets.changes().size(), 2u) << "the two faces at the edge have lost their area";
-  for (const HighlightSets::Change& change : sets.changes()) EXPECT_EQ(change.kind, ProblemKind::degenerate_area);
+  for (const ProblemSets::Change& change : sets.changes()) EXPECT_EQ(change.kind, ProblemKind::degenerate_area);
   EXPECT_EQ(sets.count(ProblemKind::nonmanifold_vertex), 1u);
 }
 

@@ -1,0 +1,138 @@
+#include "core/analysis/problem_sets.h"
+
+#include <optional>
+
+#include "core/analysis/ask_elements.h"
+#include "core/base/sort_unique.h"
+#include "core/mesh/circulate.h"
+
+namespace ryosen {
+
+namespace {
+
+using Members = std::array<std::vector<std::uint32_t>, problem_kinds>;
+
+// Asks one of `parts` parts of the vertices, of the edges and of the faces.
+void search_parts(Neighbourhood& around, unsigned part, unsigned parts, Members& members) {
+  for (const ProblemRow& row : problem_table()) {
+    if (row.find_all) continue;
+    std::vector<std::uint32_t>& found = members[static_cast<std::size_t>(row.kind)];
+    search_part<Vertex>(row, around, part, parts, found);
+    search_part<Edge>(row, around, part, parts, found);
+    search_part<Face>(row, around, part, parts, found);
+  }
+}
+
+void search_whole(Neighbourhood& around, Members& members) {
+  for (const ProblemRow& row : problem_table())
+    if (row.find_all) members[static_cast<std::size_t>(row.kind)] = row.find_all(around);
+}
+
+bool is_further(Neighbourhood& around, Vertex v) {
+  const Mesh& mesh = around.mesh();
+  return mesh.exists(v) && mesh.is_alive(v) && around.point(v) != v;
+}
+
+// Sheets with a face come first, then the lower ones.
+bool is_further(Neighbourhood& around, Edge e) {
+  const Mesh& mesh = around.mesh();
+  if (!mesh.exists(e) || !mesh.is_alive(e) || around.is_single_sheet(halfedge(e))) return false;
+  const auto has_face = [&](Edge sheet) {
+    return !mesh.is_outside(halfedge(sheet, 0)) || !mesh.is_outside(halfedge(sheet, 1));
+  };
+  if (has_face(e)) return !around.is_first_sheet(e);
+  const auto [p, q] = ends(mesh, e);
+  for (Halfedge h : sheets_between(mesh, p, q))
+    if (has_face(edge(h)) || edge(h) < e) return true;
+  return false;
+}
+
+void put(IndexSet& set, std::uint32_t index, bool is_member) {
+  if (is_member)
+    set.insert(index);
+  else
+    set.erase(index);
+}
+
+}  // namespace
+
+ProblemSets::ProblemSets(const Mesh& mesh, unsigned threads) : had_copies_(mesh.has_copies()) {
+  if (threads == 0) threads = threads_for(mesh.halfedge_slots());
+  Neighbourhood around(mesh, Neighbourhood::Reach::whole);
+  const unsigned parts = threads == 1 ? 1 : 2 * threads;
+  std::vector<Members> found(parts + 1);
+  for_each_task(parts + 1, threads, [&](unsigned task) {
+    std::optional<Neighbourhood> own;  // what is gathered must not be shared
+    if (threads > 1) own.emplace(mesh, Neighbourhood::Reach::whole);
+    if (task == 0)
+      search_whole(own ? *own : around, found[parts]);
+    else
+      search_parts(own ? *own : around, task - 1, parts, found[task - 1]);
+  });
+  for (const Members& members : found)
+    for (std::size_t kind = 0; kind < problem_kinds; ++kind)
+      for (const std::uint32_t i : members[kind]) sets_[kind].insert(i);
+  find_further(around);
+}
+
+void ProblemSets::find_further(Neighbourhood& around) {
+  const Mesh& mesh = around.mesh();
+  if (!mesh.has_copies()) return;
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+    if (is_further(around, Vertex(i))) further_copies_.insert(i);
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i)
+    if (is_further(around, Edge(i))) further_sheets_.insert(i);
+}
+
+void ProblemSets::set(ProblemKind kind, std::uint32_t index, bool is_member) {
+  IndexSet& members = sets_[static_cast<std::size_t>(kind)];
+  if (is_member ? members.insert(index) : members.erase(index)) changes_.push_back({kind, index, is_member});
+}
+
+void ProblemSets::update(const Mesh& mesh, const Journal& journal, std::size_t i) {
+  // The journal does not list the cells of a column of copies that came or went as a whole.
+  if (journal.replaces_everything(i) || had_copies_ != mesh.has_copies()) {
+    *this = ProblemSets(mesh);
+    return;
+  }
+  changes_.clear();
+  changed_everything_ = false;
+  Neighbourhood around(mesh);
+  reach_ = edit_reach(journal, i, around);
+  const auto ask = [&](const ProblemRow& row, const auto& elements) {
+    for (const auto element : elements)
+      if (speaks_of(row, element)) set(row.kind, element.index, is_member(row, around, element));
+  };
+  for (const ProblemRow& row : problem_table()) {
+    ask(row, reach_.vertices);
+    ask(row, reach_.edges);
+    ask(row, reach_.faces);
+    // Slots that undoing took away.
+    if (!row.is_local()) continue;
+    const std::uint32_t slots = row.vertex ? mesh.vertex_slots() : row.edge ? mesh.edge_slots() : mesh.face_slots();
+    for (std::uint32_t k : of(row.kind).members_from(slots)) set(row.kind, k, false);
+  }
+  if (had_copies_) {
+    for (Vertex v : reach_.vertices) put(further_copies_, v.index, is_further(around, v));
+    for (Edge e : reach_.edges) put(further_sheets_, e.index, is_further(around, e));
+    for (std::uint32_t k : further_copies_.members_from(mesh.vertex_slots())) further_copies_.erase(k);
+    for (std::uint32_t k : further_sheets_.members_from(mesh.edge_slots())) further_sheets_.erase(k);
+  }
+  list_edges_asked(mesh);
+}
+
+void ProblemSets::list_edges_asked(const Mesh& mesh) {
+  edges_asked_ = reach_.edges;
+  for (const Change& change : changes_)
+    if (row_of(change.kind).edge) edges_asked_.emplace_back(change.index);
+  // Which sheets are one edge changes with the copies at either end.
+  for (Vertex v : reach_.vertices) {
+    if (!mesh.exists(v) || !mesh.is_alive(v) || !has_copies(mesh, v)) continue;
+    for_each_copy(mesh, v, [&](Vertex copy) {
+      for (Edge e : edges_around(mesh, copy)) edges_asked_.push_back(e);
+    });
+  }
+  sort_unique(edges_asked_);
+}
+
+}  // namespace ryosen

@@ -1,0 +1,140 @@
+#include "core/highlights/highlight_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+#include "core/highlights/creases.h"
+#include "core/highlights/seams.h"
+
+namespace ryosen {
+
+namespace {
+
+using Kind = ProblemKind;
+
+constexpr std::array built_in{
+    HighlightRow{.id = "boundary",
+                 .name_en = "Boundary",
+                 .name_ja = "境界",
+                 .legend_en = "Edges with a face on one side only.",
+                 .legend_ja = "片側にしか面のない稜線。",
+                 .kinds = {Kind::boundary_loop},
+                 .looks = {0x56B4E9, 0x56B4E9, LineStyle::solid, 3, PointShape::ring, 4.5f},
+                 .shown_at_first = ShownAtFirst::yes},
+    HighlightRow{.id = "nonmanifold",
+                 .name_en = "Non-manifold",
+                 .name_ja = "非多様体",
+                 .legend_en = "Edges with three or more faces, and vertices at one or between several fans of faces.",
+                 .legend_ja = "三つ以上の面が接する稜線と、その端または複数の面の扇が集まる頂点。",
+                 .kinds = {Kind::nonmanifold_edge, Kind::nonmanifold_vertex},
+                 .looks = {0xD55E00, 0xD55E00, LineStyle::dash_dot, 4, PointShape::diamond, 6},
+                 .shown_at_first = ShownAtFirst::yes},
+    HighlightRow{.id = "misoriented",
+                 .name_en = "Misoriented",
+                 .name_ja = "向きの不一致",
+                 .legend_en = "Edges whose two faces are turned against each other.",
+                 .legend_ja = "両側の面の向きが揃っていない稜線。",
+                 .kinds = {Kind::misoriented_edge},
+                 .looks = {0x4A90D9, 0x0072B2, LineStyle::dashed, 3.5f, PointShape::ring, 5},
+                 .shown_at_first = ShownAtFirst::yes},
+    HighlightRow{.id = "degenerate",
+                 .name_en = "Degenerate",
+                 .name_ja = "面積ゼロの面",
+                 .legend_en = "Faces whose corners lie on a line.",
+                 .legend_ja = "角が一直線に並ぶ面。",
+                 .kinds = {Kind::degenerate_area},
+                 .looks = {0xCC79A7, 0xCC79A7, LineStyle::dotted, 4, PointShape::cross, 6},
+                 .tint = FaceTint{FacePattern::horizontal, 0.8f},
+                 .shown_at_first = ShownAtFirst::yes},
+    HighlightRow{.id = "duplicate",
+                 .name_en = "Duplicate",
+                 .name_ja = "重複面",
+                 .legend_en = "Faces with the same vertices as an earlier one.",
+                 .legend_ja = "前の面と同じ頂点を持つ面。",
+                 .kinds = {Kind::duplicate_face},
+                 .looks = {0xBBBBBB, 0x666666, LineStyle::dash_dot, 2.5f, PointShape::square, 4.5f},
+                 .tint = FaceTint{FacePattern::chessboard, 0.8f}},
+    HighlightRow{.id = "hanging",
+                 .name_en = "Hanging pairs",
+                 .name_ja = "縮退",
+                 .legend_en = "Pairs of triangles that lie back to back and hang on one edge at most.",
+                 .legend_ja = "背中合わせに重なり、高々一本の稜線でつながる三角形の組。",
+                 .kinds = {Kind::hanging_pair},
+                 .looks = {0xC77CFF, 0xAA3377, LineStyle::dotted, 3, PointShape::diamond, 5}},
+    HighlightRow{.id = "isolated",
+                 .name_en = "Isolated",
+                 .name_ja = "孤立頂点",
+                 .legend_en = "Vertices that stand alone.",
+                 .legend_ja = "どこにもつながっていない頂点。",
+                 .kinds = {Kind::isolated_vertex},
+                 .looks = {0xFFFFFF, 0x000000, LineStyle::solid, 2, PointShape::ring, 5},
+                 .shown_at_first = ShownAtFirst::without_faces},
+    HighlightRow{.id = "wires",
+                 .name_en = "Wires",
+                 .name_ja = "面のない稜線",
+                 .legend_en = "Edges without a face.",
+                 .legend_ja = "どちら側にも面のない稜線。",
+                 .kinds = {Kind::wire},
+                 .looks = {0xE4E8EE, 0x303846, LineStyle::solid, 1.8f, PointShape::disc, 3.5f},
+                 .shown_at_first = ShownAtFirst::yes},
+    HighlightRow{.id = "creases",
+                 .name_en = "Creases",
+                 .name_ja = "折り目",
+                 .legend_en = "Edges at which two faces bend by more than 30 degrees.",
+                 .legend_ja = "二つの面が 30 度を超えて折れ曲がる稜線。",
+                 .edge = is_crease,
+                 .reads_whole_faces = true,
+                 .looks = {0xFFD08A, 0x6B3D0C, LineStyle::solid, 2.2f, PointShape::square, 4}},
+    HighlightRow{.id = "seams",
+                 .name_en = "Seams",
+                 .name_ja = "継ぎ目",
+                 .legend_en = "Edges at which the texture coordinates or normals of two faces differ.",
+                 .legend_ja = "両側の面でテクスチャ座標または法線が異なる稜線。",
+                 .edge = is_seam_edge,
+                 .reads_values = true,
+                 .looks = {0xB3E05A, 0x4B7A00, LineStyle::dashed, 2.8f, PointShape::square, 4}},
+};
+
+struct Table {
+  std::array<HighlightRow, most_highlights> rows{};
+  std::size_t count = built_in.size();
+
+  Table() { std::copy(built_in.begin(), built_in.end(), rows.begin()); }
+};
+
+Table& table() {
+  static Table the_table;
+  return the_table;
+}
+
+}  // namespace
+
+std::span<const HighlightRow> highlight_table() { return {table().rows.data(), table().count}; }
+
+const HighlightRow* find_highlight(std::string_view id) {
+  for (const HighlightRow& row : highlight_table())
+    if (row.id == id) return &row;
+  return nullptr;
+}
+
+AddedHighlight::AddedHighlight(const HighlightRow& row) {
+  assert(table().count < most_highlights && !find_highlight(row.id));
+  table().rows[table().count++] = row;
+}
+
+AddedHighlight::~AddedHighlight() { --table().count; }
+
+Mark mark_of(ProblemKind kind) {
+  const ProblemRow& row = row_of(kind);
+  return {static_cast<std::uint16_t>(own_marks + static_cast<std::size_t>(kind)), row.vertex ? Element::Kind::vertex
+                                                                                  : row.edge ? Element::Kind::edge
+                                                                                             : Element::Kind::face};
+}
+
+Mark own_mark(const HighlightRow& row, Element::Kind sort) {
+  const auto number = static_cast<std::size_t>(&row - highlight_table().data());
+  return {static_cast<std::uint16_t>(number * enum_count<Element::Kind> + static_cast<std::size_t>(sort)), sort};
+}
+
+}  // namespace ryosen

@@ -1,0 +1,70 @@
+#include "core/highlights/highlight_table.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <vector>
+
+namespace ryosen {
+namespace {
+
+using Ids = std::vector<std::string_view>;
+
+Ids ids_of(bool (*wanted)(const HighlightRow&)) {
+  Ids ids;
+  for (const HighlightRow& row : highlight_table())
+    if (wanted(row)) ids.push_back(row.id);
+  return ids;
+}
+
+TEST(highlight_table, rows_say_what_they_mark_in_both_languages) {
+  for (const HighlightRow& row : highlight_table()) {
+    EXPECT_EQ(find_highlight(row.id), &row);
+    EXPECT_NE(row.kinds.empty(), !row.has_predicate()) << row.id << " marks problems or has a predicate";
+    for (std::string_view text : {row.name_en, row.name_ja, row.legend_en, row.legend_ja})
+      EXPECT_FALSE(text.empty()) << row.id;
+    EXPECT_NE(row.name_en, row.name_ja) << row.id;
+    EXPECT_NE(row.legend_en, row.legend_ja) << row.id;
+  }
+  EXPECT_EQ(find_highlight("no_such_highlight"), nullptr);
+}
+
+TEST(highlight_table, problems_come_first_and_some_are_shown_at_first) {
+  EXPECT_EQ(ids_of([](const HighlightRow& row) { return !row.kinds.empty(); }),
+            (Ids{"boundary", "nonmanifold", "misoriented", "degenerate", "duplicate", "hanging", "isolated", "wires"}));
+  EXPECT_EQ(ids_of([](const HighlightRow& row) { return row.kinds.empty(); }), (Ids{"creases", "seams"}));
+  EXPECT_EQ(ids_of([](const HighlightRow& row) { return row.shown_at_first == ShownAtFirst::yes; }),
+            (Ids{"boundary", "nonmanifold", "misoriented", "degenerate", "wires"}));
+}
+
+TEST(highlight_table, marks_have_numbers_of_their_own) {
+  std::set<std::uint16_t> numbers;
+  for (const HighlightRow& row : highlight_table()) {
+    for_each_mark(row, [&](Mark mark) {
+      EXPECT_LT(mark.number, most_marks);
+      EXPECT_TRUE(numbers.insert(mark.number).second) << row.id;
+    });
+    for_each_own_mark(row, [&](Mark mark) { EXPECT_LT(mark.number, own_marks) << row.id << " lies beneath problems"; });
+  }
+  EXPECT_EQ(numbers.size(), 11u) << "nine kinds of problems are drawn, and two that are none";
+}
+
+TEST(highlight_table, has_an_added_row_while_it_is_wanted) {
+  const std::size_t before = highlight_table().size();
+  {
+    const AddedHighlight added({.id = "even",
+                                .name_en = "Even",
+                                .name_ja = "偶数",
+                                .legend_en = "Vertices with an even number.",
+                                .legend_ja = "番号が偶数の頂点。",
+                                .vertex = [](Neighbourhood&, Vertex v) { return v.index % 2 == 0; },
+                                .looks = {0x00FF00, 0x00FF00, LineStyle::solid, 2, PointShape::disc, 4}});
+    ASSERT_EQ(highlight_table().size(), before + 1);
+    EXPECT_EQ(find_highlight("even"), &highlight_table().back());
+  }
+  EXPECT_EQ(highlight_table().size(), before);
+  EXPECT_EQ(find_highlight("even"), nullptr);
+}
+
+}  // namespace
+}  // namespace ryosen

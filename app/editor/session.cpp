@@ -75,17 +75,11 @@ void Session::follow(std::size_t transaction) {
       boundary_loops_->update(around, boundary, highlights_->edges_asked());
   }
   if (euler_) {
-    const std::string& command = document_->history()[transaction].command;
-    const OpInfo* const op = find_op(std::string_view(command).substr(0, command.find(' ')));
-    if (touched.everything || !op || op->topology != Topology::kept) {
-      euler_.reset();
-    } else {
-      euler_->vertices = m.live().vertices;
-      euler_->edges = m.live().edges;
-      euler_->faces = m.live().faces;
-      euler_->rings = m.live().rings;
-      if (euler_->left() != euler_->right()) euler_.reset();
-    }
+    const std::string& line = document_->history()[transaction].command;
+    const OpInfo* op = find_op(std::string_view(line).substr(0, line.find(' ')));
+    const bool is_kept = op && op->topology == Topology::kept && !touched.everything &&
+                         follow_operator(*euler_, m, *highlights_, boundary_loops_->count());
+    if (!is_kept) euler_.reset();
   }
   std::erase_if(selection, [&](const Element& e) {
     // Columns replaced whole number edges and copies anew: only points and faces keep their meaning.
@@ -262,7 +256,8 @@ const BoundaryLoopCount& Session::boundary_loops() {
 }
 
 const EulerPoincare& Session::euler_terms() {
-  if (!euler_) euler_ = euler_poincare(mesh());
+  boundary_loops();
+  if (!euler_) euler_ = euler_poincare(mesh(), *highlights_);
   return *euler_;
 }
 

@@ -85,7 +85,7 @@ class Session {
   const HighlightSets& highlights();
   // The boundary loops on points, counted; as current as the highlights.
   const BoundaryLoopCount& boundary_loops();
-  // The terms of the Euler–Poincaré sum. Kept through operators that leave B, H, S and G alone, else O(edges).
+  // The terms of the Euler–Poincaré sum on points. Kept through operators that keep the topology, else O(edges).
   const EulerPoincare& euler_terms();
 
   // Replaces the document; the selection, hover and log start anew.

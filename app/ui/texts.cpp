@@ -52,14 +52,11 @@ constexpr std::array<Row, static_cast<std::size_t>(UiText::count)> rows{{
     {T::faces, "faces", "面"},
     {T::boundaries, "boundary loops", "境界の輪"},
     {T::rings, "rings of faces", "面の穴"},
-    {T::components, "components", "連結成分"},
+    {T::wire_cycles, "walks along wires", "面のない稜線の輪"},
+    {T::isolated_vertices, "isolated vertices", "孤立頂点"},
+    {T::parts, "connected parts", "つながった部分"},
     {T::genus, "handles", "種数"},
-    {T::on_points, "on points", "点で数えると"},
-    {T::on_points_reason,
-     "The mesh is not manifold everywhere: some points have several copies and some edges are cut, each counted for "
-     "itself so that the sum holds. On points there are fewer.",
-     "非多様体の箇所で点が複製され、稜線が切り離されています。和が成り立つよう別々に数えるため、点で数えた値より多くな"
-     "ります。"},
+    {T::no_genus, "No G", "種数なし"},
     {T::as_read, "as read", "読み込み直後"},
     {T::nothing_under_pointer, "Point at the mesh.", "メッシュを指してください。"},
     {T::nothing_picked, "Point at an element or click one.", "要素を指すかクリックしてください。"},

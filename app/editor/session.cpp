@@ -34,6 +34,7 @@ void Session::set_document(std::unique_ptr<Document> document) {
   highlights_.reset();
   boundary_loops_.reset();
   euler_.reset();
+  kind_.reset();
   hover_.reset();
   remedy_line_.clear();
   selection.clear();
@@ -259,6 +260,16 @@ const EulerPoincare& Session::euler_terms() {
   boundary_loops();
   if (!euler_) euler_ = euler_poincare(mesh(), *highlights_);
   return *euler_;
+}
+
+const KindOfMesh& Session::kind(bool anew) {
+  constexpr std::uint32_t most_faces = 20000;  // more would be felt after each edit
+  const bool is_quick = mesh().live().faces <= most_faces || is_kind_evident(mesh(), highlights());
+  if (!kind_ || (is_kind_stale() && (anew || is_quick))) {
+    kind_ = find_kind(mesh(), highlights());
+    kind_revision_ = document_->revision();
+  }
+  return *kind_;
 }
 
 std::vector<glm::dvec3> Session::places_to_frame() const {

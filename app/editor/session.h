@@ -14,6 +14,7 @@
 #include "core/analysis/boundary_loop_count.h"
 #include "core/analysis/euler_poincare.h"
 #include "core/analysis/highlights.h"
+#include "core/analysis/mesh_kind.h"
 #include "core/pick/picker.h"
 
 namespace ryosen {
@@ -87,6 +88,10 @@ class Session {
   const BoundaryLoopCount& boundary_loops();
   // The terms of the Euler–Poincaré sum on points. Kept through operators that keep the topology, else O(edges).
   const EulerPoincare& euler_terms();
+  // What the mesh is, in one word. Where telling takes long (is_kind_evident, and a large mesh) it is not asked after
+  // every edit, but only when `anew` says so; until then it is that of an earlier mesh.
+  const KindOfMesh& kind(bool anew = false);
+  bool is_kind_stale() const { return kind_revision_ != document_->revision(); }
 
   // Replaces the document; the selection, hover and log start anew.
   void set_document(std::unique_ptr<Document> document);
@@ -122,6 +127,8 @@ class Session {
   std::optional<HighlightSets> highlights_;
   std::optional<BoundaryLoopCount> boundary_loops_;
   std::optional<EulerPoincare> euler_;
+  std::optional<KindOfMesh> kind_;
+  std::uint64_t kind_revision_ = 0;
   std::optional<Hover> hover_;
   std::vector<std::string> log_;
   std::vector<std::string> remedy_;  // of the operator that remedy_line_ says, at remedy_revision_

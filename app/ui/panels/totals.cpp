@@ -24,7 +24,7 @@ void draw_term(PanelContext& context, const char* letter, std::optional<std::int
 // The sum with its numbers, and a tick where both sides are equal; where there is no G, the reason instead.
 void draw_sum(PanelContext& context, const EulerPoincare& terms) {
   const auto n = [](std::int64_t value) { return std::to_string(value); };
-  dim_text(context, "V \u2212 E + F + (B + W + I) \u2212 H = 2 (S \u2212 G)");
+  dim_text(context, "V\u2212E+F+(B+W+I)\u2212H = 2(S\u2212G)");
   const std::string counts = n(terms.vertices) + " \u2212 " + n(terms.edges) + " + " + n(terms.faces);
   std::string rest = " + " + n(terms.outside()) + " \u2212 " + n(terms.rings) + " = " + n(terms.left());
   if (terms.genus)
@@ -45,6 +45,24 @@ void draw_sum(PanelContext& context, const EulerPoincare& terms) {
   ImGui::PushTextWrapPos(0);
   coloured_text(context.colours().warning, reason.c_str());
   ImGui::PopTextWrapPos();
+}
+
+// What the mesh is, in the word of `check`; the reason is its tooltip.
+void draw_kind_of_mesh(PanelContext& context) {
+  const KindOfMesh& kind = context.session.kind();
+  const MeshKindRow& row = row_of(kind.kind);
+  const bool is_stale = context.session.is_kind_stale();
+  dim_text(context, context.text(UiText::kind));
+  ImGui::SameLine();
+  const ImVec4 colour = is_stale ? context.colours().dim : ImGui::GetStyleColorVec4(ImGuiCol_Text);
+  ImGui::PushFont(context.fonts.bold);
+  coloured_text(colour, context.text(row.name_en, row.name_ja));
+  ImGui::PopFont();
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", kind.reason.in(context.language()).c_str());
+  if (!is_stale) return;
+  ImGui::SameLine();
+  if (ImGui::SmallButton(context.text(UiText::kind_anew))) context.session.kind(true);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", context.text(UiText::kind_is_stale));
 }
 
 // The terms of V - E + F + (B + W + I) - H = 2(S - G).
@@ -68,6 +86,7 @@ void draw_totals(PanelContext& context) {
   }
   ImGui::PopStyleVar();
   draw_sum(context, terms);
+  draw_kind_of_mesh(context);
 }
 
 }  // namespace

@@ -85,6 +85,7 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
     if (task == 0) {
       sets = ProblemSets(mesh);
       report.figures = compute_figures(mesh, sets, quarantine);
+      report.kind = find_kind(mesh, sets);
     } else {
       report.hash = hash_text(mesh);
     }
@@ -151,6 +152,8 @@ std::string json_line_of(const CheckReport& report) {
   json["format"] = report.format;
   json["status"] = report.status();
   add_figures(report.figures, json);
+  json["kind"] = row_of(report.kind.kind).id;
+  json["kind_reason"] = {{"en", report.kind.reason.en}, {"ja", report.kind.reason.ja}};
   json["hash"] = report.hash;
   json["problems"] = Json::array();
   for (const NamedProblem& problem : report.problems) json["problems"].push_back(without_names(problem.problem));

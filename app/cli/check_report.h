@@ -9,6 +9,7 @@
 #include "app/cli/console.h"
 #include "app/cli/json.h"
 #include "core/analysis/figures.h"
+#include "core/analysis/mesh_kind.h"
 #include "core/analysis/problems.h"
 #include "core/io/mesh_file.h"
 
@@ -48,6 +49,7 @@ struct CheckReport {
   std::string format;              // empty when the file is of none
   std::optional<Failure> failure;  // then the rest is empty
   Figures figures;
+  KindOfMesh kind;
   std::vector<NamedProblem> problems;
   std::vector<Message> messages;
   std::string hash;

@@ -128,6 +128,9 @@ std::string to_text(const CheckReport& report, const Console& console) {
   text +=
       report.status() == "ok" ? console.text(": ok\n", "：問題なし\n") : console.text(": warnings\n", "：警告あり\n");
   text += figures_text(report.figures, console);
+  const MeshKindRow& kind = row_of(report.kind.kind);
+  text += "  " + std::string(console.text("kind ", "種類 ")) + std::string(console.text(kind.name_en, kind.name_ja)) +
+          std::string(console.text(": ", "：")) + std::string(console.text(report.kind.reason)) + "\n";
   for (const NamedProblem& problem : report.problems) text += to_text(problem, console);
   return text;
 }

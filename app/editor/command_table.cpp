@@ -113,7 +113,7 @@ const std::vector<CommandRow>& editor_rows() {
        .default_file = default_picture,
        .fault = no_fault},
       {.id = "expect",
-       .syntax = "V N|E N|F N|legal COMMAND|refused COMMAND|hash H",
+       .syntax = "V|E|F|B|H|S|G N|legal COMMAND|refused COMMAND|hash H",
        .help_en = "fails the script unless it holds",
        .help_ja = "成り立たなければスクリプトを失敗にする",
        .effect = Effect::none,

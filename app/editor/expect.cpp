@@ -45,30 +45,59 @@ std::string hash_text(const Mesh& mesh) {
   return text;
 }
 
+namespace {
+
+// A term of the Euler–Poincaré sum by its letter; none for a letter that is none.
+struct Term {
+  std::optional<std::int64_t> value;
+  Text found;  // the number, or why there is none
+};
+std::optional<Term> find_term(Session& session, std::string_view letter) {
+  if (letter.size() != 1 || std::string_view("VEFBHSG").find(letter) == std::string_view::npos) return std::nullopt;
+  const Mesh& mesh = session.mesh();
+  const auto term = [](std::int64_t value) { return Term{value, {std::to_string(value), std::to_string(value)}}; };
+  switch (letter[0]) {
+    case 'V':
+      return term(counts_on_points(mesh).vertices);
+    case 'E':
+      return term(counts_on_points(mesh).edges);
+    case 'F':
+      return term(mesh.live().faces);
+    case 'B':
+      return term(session.boundary_loops().count());
+    case 'H':
+      return term(mesh.live().rings);
+    case 'S':
+      return term(session.euler_terms().parts);
+    default:
+      break;
+  }
+  const EulerPoincare& terms = session.euler_terms();
+  if (terms.genus) return term(*terms.genus);
+  const Text why = why_no_genus(mesh, terms);
+  return Term{std::nullopt, {"none, " + why.en, "種数なし、" + why.ja}};
+}
+
+}  // namespace
+
 Outcome run_expect(Session& session, std::span<const std::string_view> arguments, std::string_view whole) {
   const Outcome usage =
-      usage_error("the command reads: expect V N | E N | F N | legal COMMAND | refused COMMAND | hash H",
-                  "書式：expect V N | E N | F N | legal COMMAND | refused COMMAND | hash H");
+      usage_error("the command reads: expect V|E|F|B|H|S|G N | legal COMMAND | refused COMMAND | hash H",
+                  "書式：expect V|E|F|B|H|S|G N | legal COMMAND | refused COMMAND | hash H");
   if (arguments.size() < 2) return usage;
   const std::string_view what = arguments[0];
   if (what == "legal" || what == "refused") return expect_verdict(session, behind_word(whole), what == "legal");
   if (arguments.size() != 2) return usage;
   const std::string expected(arguments[1]);
-  const ElementCounts counts = counts_on_points(session.mesh());
-  std::string found;
-  if (what == "V")
-    found = std::to_string(counts.vertices);
-  else if (what == "E")
-    found = std::to_string(counts.edges);
-  else if (what == "F")
-    found = std::to_string(counts.faces);
-  else if (what == "hash")
-    found = hash_text(session.mesh());
-  else
-    return usage;
+  if (what == "hash") {
+    const std::string found = hash_text(session.mesh());
+    return found == expected ? Outcome() : not_so("hash " + expected, {found, found});
+  }
   std::int64_t number = 0;
-  if (what != "hash" && !read_integer(expected, number)) return usage;
-  return found == expected ? Outcome() : not_so(std::string(what) + " " + expected, {found, found});
+  if (!read_integer(expected, number)) return usage;
+  const std::optional<Term> term = find_term(session, what);
+  if (!term) return usage;
+  return term->value == number ? Outcome() : not_so(std::string(what) + " " + expected, term->found);
 }
 
 }  // namespace ryosen

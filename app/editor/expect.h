@@ -9,7 +9,7 @@
 
 namespace ryosen {
 
-// V, E, F on points and undirected edges, the verdict on a command, or the hash. A claim that does not hold fails with
+// A term of the Euler–Poincaré sum (analysis/euler_poincare.h), the verdict on a command, or the hash. A claim that does not hold fails with
 // exit code 1 and says what was found.
 Outcome run_expect(Session& session, std::span<const std::string_view> arguments, std::string_view whole);
 

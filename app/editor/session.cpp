@@ -34,6 +34,7 @@ void Session::set_document(std::unique_ptr<Document> document) {
   highlights_.reset();
   boundary_loops_.reset();
   euler_.reset();
+  kind_.reset();
   hover_.reset();
   remedy_line_.clear();
   selection.clear();
@@ -77,17 +78,11 @@ void Session::follow(std::size_t transaction) {
       boundary_loops_->update(around, boundary, highlights_->problems().edges_asked());
   }
   if (euler_) {
-    const std::string& command = document_->history()[transaction].command;
-    const OpInfo* const op = find_op(std::string_view(command).substr(0, command.find(' ')));
-    if (touched.everything || !op || op->topology != Topology::kept) {
-      euler_.reset();
-    } else {
-      euler_->vertices = m.live().vertices;
-      euler_->edges = m.live().edges;
-      euler_->faces = m.live().faces;
-      euler_->rings = m.live().rings;
-      if (euler_->left() != euler_->right()) euler_.reset();
-    }
+    const std::string& line = document_->history()[transaction].command;
+    const OpInfo* op = find_op(std::string_view(line).substr(0, line.find(' ')));
+    const bool is_kept = op && op->topology == Topology::kept && !touched.everything &&
+                         follow_operator(*euler_, m, *highlights_, boundary_loops_->count());
+    if (!is_kept) euler_.reset();
   }
   std::erase_if(selection, [&](const Element& e) {
     // Columns replaced whole number edges and copies anew: only points and faces keep their meaning.
@@ -278,8 +273,19 @@ const BoundaryLoopCount& Session::boundary_loops() {
 }
 
 const EulerPoincare& Session::euler_terms() {
-  if (!euler_) euler_ = euler_poincare(mesh());
+  boundary_loops();
+  if (!euler_) euler_ = euler_poincare(mesh(), *highlights_);
   return *euler_;
+}
+
+const KindOfMesh& Session::kind(bool anew) {
+  constexpr std::uint32_t most_faces = 20000;  // more would be felt after each edit
+  const bool is_quick = mesh().live().faces <= most_faces || is_kind_evident(mesh(), highlights());
+  if (!kind_ || (is_kind_stale() && (anew || is_quick))) {
+    kind_ = find_kind(mesh(), highlights());
+    kind_revision_ = document_->revision();
+  }
+  return *kind_;
 }
 
 std::vector<glm::dvec3> Session::places_to_frame() const {

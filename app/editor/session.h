@@ -13,6 +13,7 @@
 #include "app/editor/recovery.h"
 #include "core/analysis/boundary_loop_count.h"
 #include "core/analysis/euler_poincare.h"
+#include "core/analysis/mesh_kind.h"
 #include "core/highlights/highlight_sets.h"
 #include "core/pick/picker.h"
 
@@ -87,8 +88,12 @@ class Session {
   const HighlightSets& highlights();
   // The boundary loops on points, counted; as current as the highlights.
   const BoundaryLoopCount& boundary_loops();
-  // The terms of the Euler–Poincaré sum. Kept through operators that leave B, H, S and G alone, else O(edges).
+  // The terms of the Euler–Poincaré sum on points. Kept through operators that keep the topology, else O(edges).
   const EulerPoincare& euler_terms();
+  // What the mesh is, in one word. Where telling takes long (is_kind_evident, and a large mesh) it is not asked after
+  // every edit, but only when `anew` says so; until then it is that of an earlier mesh.
+  const KindOfMesh& kind(bool anew = false);
+  bool is_kind_stale() const { return kind_revision_ != document_->revision(); }
 
   // Replaces the document; the selection, hover and log start anew.
   void set_document(std::unique_ptr<Document> document);
@@ -123,6 +128,8 @@ class Session {
   std::optional<HighlightSets> highlights_;
   std::optional<BoundaryLoopCount> boundary_loops_;
   std::optional<EulerPoincare> euler_;
+  std::optional<KindOfMesh> kind_;
+  std::uint64_t kind_revision_ = 0;
   std::optional<Hover> hover_;
   std::vector<std::string> log_;
   std::vector<std::string> remedy_;  // of the operator that remedy_line_ says, at remedy_revision_

@@ -80,7 +80,9 @@ FaceComponents find_face_components(Neighbourhood& around) {
   return components;
 }
 
-bool is_orientable(Neighbourhood& around) {
+bool is_orientable(Neighbourhood& around) { return !find_twist(around); }
+
+Halfedge find_twist(Neighbourhood& around) {
   const Mesh& mesh = around.mesh();
   TurnSets sets(mesh.face_slots());
   for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
@@ -88,22 +90,9 @@ bool is_orientable(Neighbourhood& around) {
     if (!mesh.is_alive(h) || mesh.is_outside(h)) continue;
     const Halfedge other = around.across(h);
     if (!other || other < h) continue;
-    if (!sets.join(mesh.face(h).index, mesh.face(other).index, around.edge(h).is_misoriented())) return false;
+    if (!sets.join(mesh.face(h).index, mesh.face(other).index, around.edge(h).is_misoriented())) return h;
   }
-  return true;
-}
-
-std::uint32_t count_kernel_components(const Mesh& mesh) {
-  DisjointSets sets(mesh.vertex_slots());
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
-    const Edge e(i);
-    if (mesh.is_alive(e)) sets.join(mesh.from(halfedge(e, 0)).index, mesh.from(halfedge(e, 1)).index);
-  }
-  // A face holds its loops together.
-  for (std::uint32_t i = 0; mesh.has_rings() && i < mesh.face_slots(); ++i)
-    for (std::uint32_t r = mesh.first_ring(Face(i)); r != no_index; r = mesh.ring(r).next)
-      sets.join(mesh.from(mesh.halfedge(Face(i))).index, mesh.from(mesh.ring(r).halfedge).index);
-  return sets.count() - (mesh.vertex_slots() - mesh.live().vertices);
+  return Halfedge();
 }
 
 }  // namespace ryosen

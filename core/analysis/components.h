@@ -19,8 +19,7 @@ std::uint32_t count_face_components(Neighbourhood& around);
 
 // Whether the faces joined through edges with exactly two faces can be turned so that all agree. O(edges).
 bool is_orientable(Neighbourhood& around);
-
-// Vertices of the kernel joined by its edges: every copy for itself, an isolated vertex is one. O(edges).
-std::uint32_t count_kernel_components(const Mesh& mesh);
+// A halfedge across which they cannot, however the others are turned; none where they can.
+Halfedge find_twist(Neighbourhood& around);
 
 }  // namespace ryosen

@@ -1,40 +1,238 @@
 #include "core/analysis/euler_poincare.h"
 
-#include <vector>
+#include <string>
 
+#include "core/analysis/boundary_loops.h"
 #include "core/analysis/components.h"
+#include "core/analysis/problems.h"
+#include "core/mesh/circulate.h"
 
 namespace ryosen {
 
 namespace {
 
-std::int64_t count_boundaries(const Mesh& mesh) {
-  std::int64_t count = 0;
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
-    count += mesh.is_alive(Vertex(i)) && mesh.is_isolated(Vertex(i));
-  std::vector<bool> seen(mesh.halfedge_slots(), false);
-  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
-    const Halfedge start(i);
-    if (!mesh.is_alive(start) || !mesh.is_outside(start) || seen[i]) continue;
-    ++count;
-    for (Halfedge h = start; !seen[h.index]; h = mesh.next(h)) seen[h.index] = true;
+Edge first_edge(const HighlightSets& sets, ProblemKind kind) { return Edge(sets.of(kind).nth(0)); }
+
+void take_counts(EulerPoincare& terms, const Mesh& mesh, const HighlightSets& sets, std::size_t boundary_loops) {
+  const ElementCounts counts = sets.counts_on_points(mesh);
+  terms.vertices = counts.vertices;
+  terms.edges = counts.edges;
+  terms.faces = counts.faces;
+  terms.rings = mesh.live().rings;
+  terms.boundary_loops = static_cast<std::int64_t>(boundary_loops);
+  terms.isolated = sets.count(ProblemKind::isolated_vertex);
+}
+
+// Where the mesh is no manifold, if the sets of problems say so.
+void find_nonmanifold(EulerPoincare& terms, const HighlightSets& sets) {
+  if (sets.count(ProblemKind::nonmanifold_edge) > 0) {
+    terms.no_genus = NoGenus::nonmanifold_edge;
+    terms.at = first_edge(sets, ProblemKind::nonmanifold_edge);
+  } else if (sets.count(ProblemKind::nonmanifold_vertex) > 0) {
+    terms.no_genus = NoGenus::nonmanifold_vertex;
+    terms.at = Vertex(sets.of(ProblemKind::nonmanifold_vertex).nth(0));
   }
+}
+
+// The ends of wires by number, and whether a walk outside comes past each by the kernel's links alone: the point is one
+// vertex, and what lies beside its gaps are wires and edges that have one face on points too.
+class WireEnds {
+ public:
+  WireEnds(const Mesh& mesh, const HighlightSets& sets) : mesh_(mesh), sets_(sets) {
+    if (sets.count(ProblemKind::wire) == 0) return;
+    is_end_.assign(mesh.vertex_slots(), false);
+    sets.of(ProblemKind::wire).for_each([&](std::uint32_t i) {
+      for (const Halfedge h : {halfedge(Edge(i), 0), halfedge(Edge(i), 1)}) {
+        const Vertex v = mesh_.from(h);
+        if (!is_end_[v.index] && !amid_ && !has_gap(v)) amid_ = v;
+        is_end_[v.index] = true;
+      }
+    });
+  }
+  bool contains(Vertex v) const { return !is_end_.empty() && is_end_[v.index]; }
+  // One that is not passed so.
+  Vertex amid_faces() const { return amid_; }
+
+ private:
+  bool has_gap(Vertex v) const {
+    if (has_copies(mesh_, v)) return false;
+    for (Halfedge h : outgoing(mesh_, v)) {
+      const bool is_outside = mesh_.is_outside(h) || mesh_.is_outside(twin(h));
+      if (is_outside && !sets_.of(ProblemKind::wire).contains(edge(h).index) &&
+          !sets_.of(ProblemKind::boundary_loop).contains(edge(h).index))
+        return false;
+    }
+    return true;
+  }
+
+  const Mesh& mesh_;
+  const HighlightSets& sets_;
+  std::vector<bool> is_end_;
+  Vertex amid_;
+};
+
+void find_what_hinders(EulerPoincare& terms, Neighbourhood& around, const HighlightSets& sets, const WireEnds& wires) {
+  find_nonmanifold(terms, sets);
+  if (terms.no_genus != NoGenus::none) return;
+  const bool is_misoriented = sets.count(ProblemKind::misoriented_edge) > 0;
+  if (is_misoriented) {
+    if (const Halfedge twist = find_twist(around)) {
+      terms.no_genus = NoGenus::one_sided;
+      terms.at = edge(twist);
+    } else if (sets.count(ProblemKind::wire) > 0) {
+      terms.no_genus = NoGenus::unturned;
+      terms.at = first_edge(sets, ProblemKind::misoriented_edge);
+    }
+  } else if (wires.amid_faces()) {
+    terms.no_genus = NoGenus::wire_at_copies;
+    terms.at = wires.amid_faces();
+  }
+}
+
+std::int64_t count_wire_cycles(const Mesh& mesh, const HighlightSets& sets, const BoundaryLoops& loops) {
+  if (sets.count(ProblemKind::wire) == 0) return 0;
+  std::int64_t count = 0;
+  std::vector<bool> on_cycle(mesh.halfedge_slots(), false);
+  sets.of(ProblemKind::wire).for_each([&](std::uint32_t i) {
+    for (const Halfedge start : {halfedge(Edge(i), 0), halfedge(Edge(i), 1)}) {
+      if (on_cycle[start.index]) continue;
+      ++count;
+      for (Halfedge h : loop(mesh, start)) on_cycle[h.index] = true;
+    }
+  });
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    count -= std::any_of(loops[i].begin(), loops[i].end(), [&](Halfedge h) { return on_cycle[h.index]; });
   return count;
 }
 
+// A forest of the points, which gives the parts, and one of the faces and walks outside over the edges that are left.
+class TreeAndCotree {
+ public:
+  TreeAndCotree(Neighbourhood& around, const HighlightSets& sets)
+      : mesh_(around.mesh()), around_(around), sets_(sets), points_(mesh_.vertex_slots()) {
+    if (!mesh_.has_copies()) return;
+    for (std::uint32_t i = 0; i < mesh_.vertex_slots(); ++i)
+      if (mesh_.is_alive(Vertex(i))) points_.join(i, mesh_.next_copy(Vertex(i)).index);
+  }
+
+  // The forest of the points alone. A face holds its loops together as an edge from ring to ring would.
+  void join_points() {
+    for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i)
+      if (mesh_.is_alive(Edge(i))) join_ends(Edge(i));
+    for_each_ring([&](Halfedge outer, Halfedge ring) { join(outer, ring); });
+  }
+
+  // Both; the number of edges in neither. The mesh is manifold and orientable, wires are passed by the kernel's links.
+  std::int64_t join_all(const WireEnds& wires) {
+    others_.reset(std::size_t{mesh_.face_slots()} + mesh_.halfedge_slots());
+    join_walks(wires);
+    std::int64_t in_neither = 0;
+    for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
+      const Edge e(i);
+      if (!mesh_.is_alive(e) || sets_.is_further_sheet(e) || join_ends(e)) continue;
+      const auto [a, b] = sides(e);
+      in_neither += !others_.join(a, b);
+    }
+    for_each_ring([&](Halfedge outer, Halfedge ring) { in_neither += !join(outer, ring); });
+    return in_neither;
+  }
+
+  std::int64_t parts() const {
+    return std::int64_t{points_.count()} - (std::int64_t{mesh_.vertex_slots()} - mesh_.live().vertices);
+  }
+
+ private:
+  bool join(Halfedge a, Halfedge b) { return points_.join(mesh_.from(a).index, mesh_.from(b).index); }
+  bool join_ends(Edge e) { return join(halfedge(e, 0), halfedge(e, 1)); }
+  template <class Visit>
+  void for_each_ring(Visit visit) {
+    for (std::uint32_t i = 0; mesh_.has_rings() && i < mesh_.face_slots(); ++i)
+      for (std::uint32_t r = mesh_.first_ring(Face(i)); r != no_index; r = mesh_.ring(r).next)
+        visit(mesh_.halfedge(Face(i)), mesh_.ring(r).halfedge);
+  }
+
+  std::uint32_t walk(Halfedge outside) const { return mesh_.face_slots() + outside.index; }
+  std::uint32_t side(Halfedge h) const { return mesh_.is_outside(h) ? walk(h) : mesh_.face(h).index; }
+  // What lies on the two sides of an edge on points.
+  std::pair<std::uint32_t, std::uint32_t> sides(Edge e) {
+    const Halfedge h = halfedge(e);
+    if (around_.is_single_sheet(h)) return {side(h), side(twin(h))};
+    around_.faces_at(h, faces_);
+    if (faces_.size() == 2) return {faces_[0].index, faces_[1].index};
+    return {faces_[0].index, walk(mesh_.is_outside(h) ? h : twin(h))};
+  }
+
+  // Outside halves that follow each other on points become one walk.
+  void join_walks(const WireEnds& wires) {
+    sets_.of(ProblemKind::boundary_loop).for_each([&](std::uint32_t i) {
+      const Halfedge h = halfedge(Edge(i)), outside = mesh_.is_outside(h) ? h : twin(h);
+      for (const bool at_end : {true, false}) {
+        const Vertex v = at_end ? mesh_.to(outside) : mesh_.from(outside);
+        const Halfedge linked = at_end ? mesh_.next(outside) : mesh_.prev(outside);
+        const BoundaryStep step{twin(outside), !at_end};
+        others_.join(walk(outside), walk(wires.contains(v) ? linked : twin(around_.next_boundary(step).inside)));
+      }
+    });
+    sets_.of(ProblemKind::wire).for_each([&](std::uint32_t i) {
+      for (const Halfedge h : {halfedge(Edge(i), 0), halfedge(Edge(i), 1)}) others_.join(walk(h), walk(mesh_.next(h)));
+    });
+  }
+
+  const Mesh& mesh_;
+  Neighbourhood& around_;
+  const HighlightSets& sets_;
+  DisjointSets points_;
+  DisjointSets others_;  // faces by slot, then outside halves
+  std::vector<Face> faces_;
+};
+
 }  // namespace
 
-EulerPoincare euler_poincare(const Mesh& mesh) {
-  EulerPoincare e;
-  e.vertices = mesh.live().vertices;
-  e.edges = mesh.live().edges;
-  e.faces = mesh.live().faces;
-  e.rings = mesh.live().rings;
-  e.boundaries = count_boundaries(mesh);
-  e.components = count_kernel_components(mesh);
-  // Each component is a closed surface once its boundaries are capped, so the left side is even.
-  e.genus = e.components - e.left() / 2;
-  return e;
+EulerPoincare euler_poincare(const Mesh& mesh, const HighlightSets& sets) {
+  Neighbourhood around(mesh, Neighbourhood::Reach::whole);
+  EulerPoincare terms;
+  const BoundaryLoops loops = find_boundary_loops(around, sets.of(ProblemKind::boundary_loop));
+  take_counts(terms, mesh, sets, loops.size());
+  terms.wire_cycles = count_wire_cycles(mesh, sets, loops);
+  const WireEnds wires(mesh, sets);
+  find_what_hinders(terms, around, sets, wires);
+  TreeAndCotree trees(around, sets);
+  if (terms.no_genus == NoGenus::none)
+    terms.genus = trees.join_all(wires) / 2;
+  else
+    trees.join_points();
+  terms.parts = trees.parts();
+  return terms;
+}
+
+EulerPoincare euler_poincare(const Mesh& mesh) { return euler_poincare(mesh, HighlightSets(mesh)); }
+
+bool follow_operator(EulerPoincare& terms, const Mesh& mesh, const HighlightSets& sets, std::uint32_t boundary_loops) {
+  EulerPoincare now = terms;
+  take_counts(now, mesh, sets, boundary_loops);
+  now.no_genus = NoGenus::none;
+  find_nonmanifold(now, sets);
+  // The place of the other reasons may have gone, and a sum that does not hold is worth a second look.
+  if (now.no_genus != terms.no_genus || (now.no_genus == NoGenus::none && !now.holds())) return false;
+  terms = now;
+  return true;
+}
+
+Text why_no_genus(const Mesh& mesh, const EulerPoincare& terms) {
+  if (terms.no_genus == NoGenus::none) return {};
+  const std::string name = name_on_points(mesh, terms.at);
+  switch (terms.no_genus) {
+    case NoGenus::one_sided:
+      return {"one-sided: a walk over " + name + " comes back turned over",
+              "片側しかありません：" + name + " を通って一周すると裏返ります"};
+    case NoGenus::unturned:
+      return {"wires beside faces that disagree at " + name + ": orient them",
+              "面のない稜線があり、" + name + " で面の向きが揃いません：orient で揃えます"};
+    case NoGenus::wire_at_copies:
+      return {"a wire ends amid the faces at " + name, "面のない稜線の端が面に囲まれた " + name + " にあります"};
+    default:
+      return {"not manifold at " + name, name + " で多様体ではありません"};
+  }
 }
 
 }  // namespace ryosen

@@ -10,6 +10,7 @@
 #include "core/analysis/boundary_loops.h"
 #include "core/analysis/components.h"
 #include "core/base/parallel.h"
+#include "core/base/sort_unique.h"
 #include "core/geometry/polygon_normal.h"
 #include "core/mesh/face_polygon.h"
 
@@ -41,7 +42,6 @@ void take_counts(const ProblemSets& sets, Figures& figures) {
   figures.degenerate_area = sets.count(ProblemKind::degenerate_area);
   figures.duplicate_faces = sets.count(ProblemKind::duplicate_face);
   figures.hanging_pairs = sets.count(ProblemKind::hanging_pair);
-  figures.isolated_vertices = sets.count(ProblemKind::isolated_vertex);
   figures.nonfinite_vertices = sets.count(ProblemKind::nonfinite_vertex);
 }
 
@@ -70,6 +70,18 @@ void count_vertices(Neighbourhood& around, const ProblemSets& sets, Figures& fig
   sets.of(ProblemKind::nonmanifold_vertex).for_each([&](std::uint32_t i) {
     figures.bowtie_vertices += around.fans(Vertex(i)) > 1;
   });
+}
+
+// As a file that is read again has them: what wires alone hold there has nothing.
+void count_isolated(Neighbourhood& around, const HighlightSets& sets, Figures& figures) {
+  std::vector<Vertex> bare;
+  sets.of(ProblemKind::wire).for_each([&](std::uint32_t i) {
+    const auto [a, b] = ends(around.mesh(), Edge(i));
+    for (const Vertex v : {a, b})
+      if (around.fans(v) == 0) bare.push_back(around.point(v));
+  });
+  sort_unique(bare);
+  figures.isolated_vertices = sets.count(ProblemKind::isolated_vertex) + bare.size();
 }
 
 // Bounds, area and volume of faces as they come.
@@ -157,6 +169,7 @@ void measure_faces(const Mesh& mesh, Measure& measure, Figures& figures) {
 // What is counted on edges and vertices.
 void count_the_rest(Neighbourhood& around, const ProblemSets& sets, Figures& figures) {
   count_vertices(around, sets, figures);
+  count_isolated(around, sets, figures);
   count_edges(around, figures);
   figures.boundary_loops = find_boundary_loops(around, sets.of(ProblemKind::boundary_loop)).size();
   figures.orientable = sets.count(ProblemKind::misoriented_edge) == 0 || is_orientable(around);

@@ -1,4 +1,5 @@
-// The figures of a mesh as `check` reports them, counted on points and undirected edges.
+// The figures of a mesh as `check` reports them of the file that holds it, counted on points and undirected edges: in a
+// file a bridge is a ring (euler_poincare.h), and a wire is no edge and holds no vertex.
 #pragma once
 
 #include <array>

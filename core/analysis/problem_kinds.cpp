@@ -49,20 +49,14 @@ bool is_nonmanifold_vertex(Neighbourhood& around, Vertex v) {
 }
 
 bool is_isolated_vertex(Neighbourhood& around, Vertex v) {
-  const bool copies = has_copies(around.mesh(), v);
-  if (around.mesh().is_isolated(v) && !copies) return true;
-  return (copies || around.mesh().is_boundary(v)) && around.point(v) == v && around.fans(v) == 0;
+  const Mesh& mesh = around.mesh();
+  if (!mesh.is_isolated(v) || around.point(v) != v) return false;
+  bool is_isolated = true;
+  for_each_copy(mesh, v, [&](Vertex copy) { is_isolated = is_isolated && mesh.is_isolated(copy); });
+  return is_isolated;
 }
 
-bool has_inner_loops(Neighbourhood& around, Face f) {
-  const Mesh& mesh = around.mesh();
-  if (mesh.has_rings(f)) return true;
-  const Halfedge start = mesh.halfedge(f);
-  if (is_triangle(mesh, start)) return false;
-  for (Halfedge h : loop(mesh, start))
-    if (is_bridge(mesh, h)) return true;
-  return false;
-}
+bool has_inner_loops(Neighbourhood& around, Face f) { return around.mesh().has_rings(f); }
 
 bool is_nonfinite_vertex(Neighbourhood& around, Vertex v) {
   return !is_finite(around.mesh().position(v)) && around.point(v) == v;
@@ -224,11 +218,11 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
     {.kind = ProblemKind::ring,
      .id = "ring",
      .severity = info,
-     .name_en = "Face with rings",
-     .name_ja = "穴のある面",
-     .one_en = "One face has inner loops.",
-     .many_en = "# faces have inner loops.",
-     .many_ja = "内側のループを持つ面が # 個あります。",
+     .name_en = "Ring of a face",
+     .name_ja = "面の穴",
+     .one_en = "A face has one ring, an inner loop.",
+     .many_en = "Faces have # rings, their inner loops.",
+     .many_ja = "面の内側のループ（穴）が # 個あります。",
      .face = has_inner_loops},
     {.kind = ProblemKind::wire,
      .id = "wire",

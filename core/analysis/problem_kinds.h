@@ -17,7 +17,8 @@
 
 namespace ryosen {
 
-// In the order of reports. The elements of boundary_loop are boundary edges; reports count their loops.
+// In the order of reports. The elements of boundary_loop are boundary edges; reports count their loops. Those of
+// ring are faces; reports count their rings.
 enum class ProblemKind : std::uint8_t {
   nonmanifold_edge,
   nonmanifold_vertex,

@@ -37,6 +37,9 @@ class ProblemSets {
             mesh.live().faces};
   }
 
+  // Whether a live edge is one of the other sheets of an edge on points, beside the one that counts.
+  bool is_further_sheet(Edge e) const { return further_sheets_.contains(e.index); }
+
   // The edges, live or not, that the last update asked about: all at the points where anything changed, those that left
   // such a point, and at neighbours with copies. Ascending; nothing where everything may have changed.
   std::span<const Edge> edges_asked() const { return edges_asked_; }

@@ -29,6 +29,13 @@ std::vector<Element> elements_of(const ProblemRow& row, Neighbourhood& around, c
     if (row.kind == ProblemKind::quarantined_face) elements.reserve(quarantine.size());
     for (const QuarantinedFace& face : quarantine)
       if (row.quarantined(face, around.mesh().file_vertices())) elements.emplace_back(Face(face.face));
+  } else if (row.kind == ProblemKind::ring) {
+    const Mesh& mesh = around.mesh();
+    elements.reserve(mesh.live().rings);
+    sets.of(row.kind).for_each([&](std::uint32_t i) {
+      for (std::uint32_t r = mesh.first_ring(Face(i)); r != no_index; r = mesh.ring(r).next)
+        elements.emplace_back(Face(i));
+    });
   } else {
     elements.reserve(sets.count(row.kind));
     sets.of(row.kind).for_each([&](std::uint32_t i) {

@@ -19,7 +19,8 @@ namespace ryosen {
 struct Problem {
   ProblemKind kind;
   // One per finding, ascending. A boundary loop is named by its lowest edge, an edge with several sheets and a point
-  // with copies by the lowest, a hanging pair and a duplicate by the higher face, a quarantined face by its number.
+  // with copies by the lowest, a hanging pair and a duplicate by the higher face, a quarantined face by its number,
+  // a ring by its face, which comes as often as it has rings.
   std::vector<Element> elements;
   SelfIntersections intersections;  // of that kind, whose elements are the faces of the pairs
   std::optional<glm::dvec3> where;  // a place at the first element; none where it has no finite one

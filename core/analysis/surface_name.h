@@ -9,8 +9,7 @@
 namespace ryosen {
 
 // "sphere", "torus", "Moebius strip", "Klein bottle", ..., else handles or crosscaps and boundary loops in numbers. None
-// where the figures are not those of one manifold component. Faces must have no rings and no bridges cut into them, as
-// their Euler characteristic would not be that of the surface.
+// where the figures are not those of one manifold component.
 std::optional<Text> surface_name(const Figures& figures);
 
 }  // namespace ryosen

@@ -143,13 +143,16 @@ constexpr std::array rules{
              "More fans of faces would meet at a point than before: the surface is pinched there.",
              "一つの点に集まる面の扇が増え、面はそこで点だけでつながります。",
              "detach one of the fans, or put a face between them", "一方の扇を切り離すか、間に面を張ります"},
-    RuleText{Rule::normal_turns, "normal_turns", warn,
-             "collapse swap split move_vertex separate_loop poke vertex_split triangulate",
-             "The normal of a face turns by 90 degrees or more.", "面の法線が90度以上変わります。",
-             "choose another position", "別の位置を選びます"},
+    RuleText{
+        Rule::normal_turns, "normal_turns", warn,
+        "collapse swap split move_vertex separate_loop poke vertex_split triangulate unite_loop unite_edge dissolve "
+        "weld",
+        "The normal of a face turns by 90 degrees or more.", "面の法線が90度以上変わります。",
+        "choose another position", "別の位置を選びます"},
     RuleText{
         Rule::degenerate, "degenerate", warn,
-        "collapse swap split move_vertex make_loop make_face fill separate_loop poke vertex_split triangulate extrude",
+        "collapse swap split move_vertex make_loop make_face fill separate_loop poke vertex_split triangulate extrude "
+        "unite_loop unite_edge dissolve weld",
         "A face becomes degenerate: its corners lie on a line.", "面が縮退し、角が一直線に並びます。",
         "choose another position", "別の位置を選びます"},
     RuleText{Rule::seam, "seam", warn, "collapse swap unite_loop dissolve",
@@ -158,6 +161,16 @@ constexpr std::array rules{
              "継ぎ目でない稜線を選びます"},
     RuleText{Rule::intersects, "intersects", warn, "", "A face would cut through a face nearby.",
              "面が近くの面と交差します。", "choose another position", "別の位置を選びます"},
+    RuleText{Rule::outside_edge, "outside_edge", warn, "split separate_edge",
+             "The new vertex would not lie between the ends of the edge.", "新しい頂点が稜線の両端の間にありません。",
+             "choose a number between 0 and 1", "0 と 1 の間の数を選びます"},
+    RuleText{Rule::same_place, "same_place", warn, "", "Two vertices would lie at one place.",
+             "二つの頂点が同じ位置に重なります。", "choose another position, or weld the two",
+             "別の位置を選ぶか、二つを縫合します"},
+    RuleText{Rule::leaves_face, "leaves_face", warn, "",
+             "An edge would leave the area of its face: it crosses a ring or another edge of the face.",
+             "稜線が面の外に出て、面の穴または他の稜線と交わります。", "choose other corners or another position",
+             "別の角または別の位置を選びます"},
 };
 
 static_assert(rows_are_in_order(rules, &RuleText::rule));

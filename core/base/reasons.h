@@ -48,6 +48,9 @@ enum class Rule : std::uint8_t {
   degenerate,
   seam,
   intersects,
+  outside_edge,
+  same_place,
+  leaves_face,
 };
 
 enum class RuleSeverity : std::uint8_t { refuse, warn };

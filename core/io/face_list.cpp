@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/enum_table.h"
 #include "core/base/parallel.h"
 #include "core/base/release.h"
 #include "core/mesh/bridges.h"

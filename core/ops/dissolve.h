@@ -33,7 +33,9 @@ struct Dissolve {
                                "unites the faces at an edge or around a vertex",
                                "稜線の両側または頂点の周りの面を一つにまとめる",
                                '\0',
-                               OpTargetKind::edge};
+                               OpTargetKind::edge,
+                               "",
+                               Topology::kept};
 
   static Parsed<Dissolve> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Dissolve at(const Mesh& mesh, const OpTarget& target);

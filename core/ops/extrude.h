@@ -30,7 +30,9 @@ struct Extrude {
                                "moves a face along its normal or by X,Y,Z and joins it to its old place by walls",
                                "面を法線方向または X,Y,Z だけ動かし、元の位置と側面でつなぐ",
                                '\0',
-                               OpTargetKind::face};
+                               OpTargetKind::face,
+                               "",
+                               Topology::kept};
 
   static Parsed<Extrude> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Extrude at(const Mesh& mesh, const OpTarget& target);

@@ -8,6 +8,8 @@
 //   Verdict check(const Mesh&) const;                      every broken rule, pure
 //   std::vector<Reason> warnings(const Mesh&) const;       what is legal but doubtful; only asked when the check is legal
 //   OpEffect apply(Edit&) const;                           the check must be legal
+// In the line "changes" above an operator, V, E, F, H, S and G are the terms of the Euler–Poincaré sum, and B stands for
+// B + W + I, all walks outside of the faces (analysis/euler_poincare.h): each as the kernel's elements give them.
 // at, command and check take elements that are none, deleted or unknown to the mesh too, as an undo may leave them.
 #pragma once
 
@@ -29,7 +31,8 @@ namespace ryosen {
 // the vertex, edge or face that the pointer is on, whichever is picked; the other two are none.
 enum class OpTargetKind { none, vertex, edge, face, selection, any };
 
-// Whether an operator may change how many boundaries, parts, rings and handles there are, or nothing but V, E and F.
+// Whether an operator may change how many boundaries, wires, parts and handles there are (B, W, I, S, G), or nothing but
+// V, E, F and H.
 enum class Topology { may_change, kept };
 
 struct OpInfo {

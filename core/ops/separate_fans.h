@@ -27,7 +27,9 @@ struct SeparateFans {
                                "gives each fan of faces at a vertex a copy of its own",
                                "頂点の面の扇ごとに複製の頂点を作る",
                                '\0',
-                               OpTargetKind::vertex};
+                               OpTargetKind::vertex,
+                               "",
+                               Topology::kept};
 
   static Parsed<SeparateFans> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static SeparateFans at(const Mesh& mesh, const OpTarget& target);

@@ -177,6 +177,7 @@ std::vector<Reason> SplitEdge::warnings(const Mesh& m) const {
   std::vector<Reason> found;
   if (!turned.empty()) found.push_back({Rule::normal_turns, turned});
   if (!degenerate.empty()) found.push_back({Rule::degenerate, degenerate});
+  warn_of_place(halfedge, along, found);
   return found;
 }
 
@@ -185,6 +186,10 @@ OpEffect SplitEdge::apply(Edit& edit) const {
   OpEffect effect;
   put_point_into(edit, halfedge, along, CutTriangles::yes, effect);
   return effect;
+}
+
+void warn_of_place(Halfedge h, double along, std::vector<Reason>& reasons) {
+  if (along < 0 || along > 1) reasons.push_back({Rule::outside_edge, {edge(h)}});
 }
 
 void put_point_into(Edit& edit, Halfedge h, double along, CutTriangles cut, OpEffect& effect) {

@@ -44,6 +44,9 @@ struct SplitEdge {
   OpEffect apply(Edit& edit) const;
 };
 
+// Warns of a number that does not lie between 0 and 1.
+void warn_of_place(Halfedge h, double along, std::vector<Reason>& reasons);
+
 // Puts a point into all sheets of an edge, with or without cutting the triangles there: what split and separate_edge
 // have in common.
 enum class CutTriangles { no, yes };

@@ -34,7 +34,9 @@ struct VertexSplit {
                                "makes an edge of a vertex; the new end takes what lies from L counter-clockwise to R",
                                "頂点を稜線にする。新しい端点が L から反時計回りに R までの部分を受け持つ",
                                '\0',
-                               OpTargetKind::selection};
+                               OpTargetKind::selection,
+                               "",
+                               Topology::kept};
 
   static Parsed<VertexSplit> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static VertexSplit at(const Mesh& mesh, const OpTarget& target);

@@ -63,6 +63,8 @@ TEST(check, json_has_the_keys_of_the_contract_in_order) {
                                                        "bounds",
                                                        "area",
                                                        "volume",
+                                                       "kind",
+                                                       "kind_reason",
                                                        "hash",
                                                        "problems",
                                                        "messages"}));

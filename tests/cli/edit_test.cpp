@@ -95,6 +95,8 @@ TEST(edit, a_line_that_does_not_parse_is_found_before_anything_is_written) {
                             "expect",
                             "expect X 1",
                             "expect V many",
+                            "expect W 1",
+                            "expect G",
                             "expect F 6x",
                             "expect legal",
                             "expect legal foo",
@@ -207,6 +209,26 @@ TEST(edit, says_what_it_does_not_count_beside_what_expect_counts) {
   EXPECT_NE(edit(wire).find("E 0 (0)"), std::string::npos) << edit(wire);
   EXPECT_NE(edit(wire).find("as expect counts: V 2  E 1  F 0\n"), std::string::npos) << edit(wire);
   EXPECT_EQ(edit("make_vertex 0,0,0; expect V 1").find("expect counts"), std::string::npos);
+}
+
+TEST(edit, expect_knows_every_term_of_the_sum) {
+  const auto ends_with = [](const std::string& mesh, const std::string& script) {
+    return run_program({"edit", asset(mesh), "--do", script}).exit_code;
+  };
+  EXPECT_EQ(ends_with("torus.off",
+                      "expect V 48; expect E 144; expect F 96; expect B 0; expect H 0; expect S 1; "
+                      "expect G 1"),
+            0);
+  EXPECT_EQ(ends_with("cube.obj", "expect G 0; delete f0; expect B 1; detach f1; expect S 2; undo 2; expect S 1"), 0);
+  EXPECT_EQ(ends_with("isolated_vertex.obj", "expect B 1; expect S 2; remove_vertex v3; expect S 1; expect B 1"), 0);
+  const std::string exercise = read_file(RYOSEN_SOURCE_DIR "/assets/exercises/cube_with_two_holes.ryosen");
+  const TemporaryFolder folder;
+  folder.write("s.txt", exercise + "\nexpect H 4; expect G 2; expect B 0\n");
+  EXPECT_EQ(run_program({"edit", "--new", "--script", "s.txt"}, folder.path()).exit_code, 0);
+  EXPECT_EQ(ends_with("cube.obj", "expect G 1"), 1);
+  const ProgramRun none = run_program({"edit", asset("fin.obj"), "--do", "expect G 0"});
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_NE(none.err.find("expected G 0, found: none, not manifold at 0-1"), std::string::npos) << none.err;
 }
 
 // Three of the triangles around point 4 are turned over: it lies on several sheets.

@@ -2,7 +2,6 @@
 // must be sound, every refusal and every way back exact, every logged line replayable.
 #include <cmath>
 
-#include "core/analysis/euler_poincare.h"
 #include "core/analysis/figures.h"
 #include "core/analysis/invariants.h"
 #include "core/geometry/is_finite.h"
@@ -13,6 +12,7 @@
 #include "tests/fuzz/any_op.h"
 #include "tests/fuzz/failure.h"
 #include "tests/fuzz/starts.h"
+#include "tests/support/core/kernel_sum.h"
 
 namespace ryosen::fuzz {
 namespace {
@@ -69,7 +69,7 @@ class Session {
   void expect_sound(const std::string& what) {
     const auto broken = check_invariants(mesh_);
     if (broken) fail(what + ": " + broken->rule + ": " + broken->sentence);
-    const EulerPoincare sum = euler_poincare(mesh_);
+    const test::KernelSum sum = test::kernel_sum(mesh_);
     expect(sum.left() == sum.right() && sum.genus >= 0, what + ": the Euler-Poincaré sum does not hold");
   }
 

@@ -7,11 +7,11 @@
 #include <map>
 #include <set>
 
-#include "core/analysis/euler_poincare.h"
 #include "core/analysis/invariants.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "tests/support/core/kernel_lists.h"
+#include "tests/support/core/kernel_sum.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/oracle/complex_rules.h"
 #include "tests/support/core/random_ops.h"
@@ -308,7 +308,7 @@ class Comparison {
     if (const auto broken = check_invariants(mesh_)) {
       report(line + ": " + broken->sentence);
     } else {
-      const EulerPoincare sum = euler_poincare(mesh_);
+      const KernelSum sum = kernel_sum(mesh_);
       if (sum.left() != sum.right() || sum.genus < 0) report(line + ": the sum does not hold");
       const Complex found = complex_of(mesh_);
       bool is_one = false;

@@ -6,11 +6,11 @@
 #include <map>
 #include <set>
 
-#include "core/analysis/euler_poincare.h"
 #include "core/analysis/invariants.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/outlook/remedy.h"
+#include "tests/support/core/kernel_sum.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
@@ -27,7 +27,7 @@ std::vector<AnyOp> ops_on(Halfedge h) {
 
 void prove(Mesh& mesh, const AnyOp& op) {
   const MeshColumns before = mesh.columns();
-  const EulerPoincare terms = euler_poincare(mesh);
+  const KernelSum terms = kernel_sum(mesh);
   const bool legal = check(mesh, op).legal();
   ASSERT_EQ(mesh.columns(), before);
   if (!legal) return;
@@ -39,7 +39,7 @@ void prove(Mesh& mesh, const AnyOp& op) {
   }
   const auto broken = check_invariants(mesh);
   ASSERT_FALSE(broken) << command_of(mesh, op) << ": " << broken->sentence;
-  const EulerPoincare after = euler_poincare(mesh);
+  const KernelSum after = kernel_sum(mesh);
   EXPECT_EQ(after.left(), after.right());
   if (!std::holds_alternative<SplitEdge>(op)) {
     EXPECT_EQ(after.boundaries, terms.boundaries);
@@ -149,7 +149,7 @@ void prove_on_columns(Mesh& mesh, const AnyOp& op) {
   }
   const auto broken = check_invariants(mesh);
   ASSERT_FALSE(broken) << line << ": " << broken->sentence;
-  const EulerPoincare terms = euler_poincare(mesh);
+  const KernelSum terms = kernel_sum(mesh);
   EXPECT_EQ(terms.left(), terms.right()) << line;
   const MeshColumns after = mesh.columns();
   journal.undo(mesh);

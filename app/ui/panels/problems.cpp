@@ -46,12 +46,25 @@ std::size_t Findings::count(Session& session, const ProblemRow& row) {
   know(session);
   if (row.quarantined) return quarantined_[static_cast<std::size_t>(row.kind)].size();
   if (row.kind == ProblemKind::boundary_loop) return session.boundary_loops().count();
+  if (row.kind == ProblemKind::ring) return session.mesh().live().rings;
   return session.highlights().count(row.kind);
+}
+
+// The face of the n-th ring, face by face.
+Face face_of_ring(Session& session, std::size_t n) {
+  const Mesh& mesh = session.mesh();
+  Face found;
+  session.highlights().of(ProblemKind::ring).for_each([&](std::uint32_t i) {
+    for (std::uint32_t r = mesh.first_ring(Face(i)); r != no_index && !found; r = mesh.ring(r).next)
+      if (n-- == 0) found = Face(i);
+  });
+  return found;
 }
 
 Element Findings::nth(Session& session, const ProblemRow& row, std::size_t n) {
   know(session);
   if (row.quarantined) return quarantined_[static_cast<std::size_t>(row.kind)][n];
+  if (row.kind == ProblemKind::ring) return face_of_ring(session, n);
   if (row.kind != ProblemKind::boundary_loop) {
     const std::uint32_t i = session.highlights().of(row.kind).nth(static_cast<std::uint32_t>(n));
     return row.vertex ? Element(Vertex(i)) : row.edge ? Element(Edge(i)) : Element(Face(i));

@@ -28,7 +28,8 @@ struct MakeRing {
                                "橋の稜線を取り除き、内側のループを面のリングにする",
                                '\0',
                                OpTargetKind::edge,
-                               "kemr"};
+                               "kemr",
+                               Topology::kept};
 
   static Parsed<MakeRing> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static MakeRing at(const Mesh& mesh, const OpTarget& target);

@@ -28,7 +28,11 @@ Verdict SeparateEdge::check(const Mesh& mesh) const {
   return verdict;
 }
 
-std::vector<Reason> SeparateEdge::warnings(const Mesh&) const { return {}; }
+std::vector<Reason> SeparateEdge::warnings(const Mesh&) const {
+  std::vector<Reason> reasons;
+  warn_of_place(halfedge, along, reasons);
+  return reasons;
+}
 
 OpEffect SeparateEdge::apply(Edit& edit) const {
   assert(check(edit.mesh()).legal());

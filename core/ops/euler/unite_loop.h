@@ -28,7 +28,8 @@ struct UniteLoop {
                                "稜線の両側の面を一つにまとめる",
                                '\0',
                                OpTargetKind::edge,
-                               "kef"};
+                               "kef",
+                               Topology::kept};
 
   static Parsed<UniteLoop> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static UniteLoop at(const Mesh& mesh, const OpTarget& target);

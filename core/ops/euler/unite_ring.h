@@ -28,7 +28,8 @@ struct UniteRing {
                                "一つの面の二つのループを橋の稜線でつなぐ",
                                '\0',
                                OpTargetKind::selection,
-                               "mekr"};
+                               "mekr",
+                               Topology::kept};
 
   static Parsed<UniteRing> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static UniteRing at(const Mesh& mesh, const OpTarget& target);

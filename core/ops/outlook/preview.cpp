@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/ops/outlook/doubts.h"
 #include "core/ops/rules/crossings.h"
 
 namespace ryosen {
@@ -10,8 +11,21 @@ namespace {
 
 constexpr std::size_t most_faces_tested = 200;  // beyond that the search for crossings would be felt
 
+// What is looked at while the operator is done, and compared with what was there before.
+struct Seen {
+  std::vector<Face> faces;
+  std::vector<Vertex> vertices;
+  std::vector<Crossing> crossings;
+  PointPairs at_one_place;
+};
+
+// Whether the place of a vertex is given freely, so that any other may be there.
+bool chooses_place(const AnyOp& op) {
+  return std::holds_alternative<MakeVertex>(op) || std::holds_alternative<MoveVertex>(op);
+}
+
 void run_and_roll_back(Mesh& mesh, Journal& journal, const AnyOp& op, std::size_t face_limit, Preview& result,
-                       std::vector<Face>& changed, std::vector<Crossing>& crossings) {
+                       Seen& seen) {
   Edit edit(mesh, &journal);
   OpEffect effect = apply(edit, op);
   result.created = std::move(effect.created);
@@ -22,8 +36,28 @@ void run_and_roll_back(Mesh& mesh, Journal& journal, const AnyOp& op, std::size_
   for (Face f : effect.changed) {
     result.faces.push_back({f, FacePolygon(mesh, f)});
   }
-  changed = std::move(effect.changed);
-  if (changed.size() <= most_faces_tested) crossings = crossings_near(mesh, changed);
+  seen.faces = std::move(effect.changed);
+  for (const Element& element : result.created)
+    if (element.kind == Element::Kind::vertex) seen.vertices.push_back(element.vertex());
+  if (const auto* move = std::get_if<MoveVertex>(&op)) seen.vertices.push_back(move->vertex);
+  if (seen.faces.size() > most_faces_tested) return;
+  seen.crossings = crossings_near(mesh, seen.faces);
+  seen.at_one_place = points_at_one_place(mesh, seen.faces, seen.vertices, chooses_place(op));
+}
+
+// Warns of the pairs that were not there before, by those of the two that have a name already.
+template <class Pair>
+void warn_of_news(const Mesh& mesh, Rule rule, const std::vector<Pair>& pairs, const std::vector<Pair>& before,
+                  Preview& result) {
+  std::vector<Element> witnesses;
+  for (const Pair& pair : pairs) {
+    if (std::binary_search(before.begin(), before.end(), pair)) continue;
+    for (const auto element : {pair.first, pair.second})
+      if (mesh.exists(element) && mesh.is_alive(element) &&
+          std::find(witnesses.begin(), witnesses.end(), Element(element)) == witnesses.end())
+        witnesses.push_back(element);
+  }
+  if (!witnesses.empty()) result.warnings.push_back({rule, witnesses});
 }
 
 }  // namespace
@@ -33,20 +67,16 @@ Preview preview(Mesh& mesh, Journal& journal, const AnyOp& op, std::size_t face_
   result.verdict = check(mesh, op);
   if (!result.verdict.legal()) return result;
   result.warnings = warnings(mesh, op);
-  std::vector<Face> changed;
-  std::vector<Crossing> crossings;
-  run_and_roll_back(mesh, journal, op, face_limit, result, changed, crossings);
-  if (crossings.empty()) return result;
-  // Faces that cut through each other already are no news.
-  const std::vector<Crossing> before = crossings_near(mesh, changed);
-  std::vector<Element> witnesses;
-  for (const auto& [f, g] : crossings) {
-    if (std::binary_search(before.begin(), before.end(), Crossing(f, g))) continue;
-    for (Face face : {f, g})
-      if (mesh.exists(face) && std::find(witnesses.begin(), witnesses.end(), Element(face)) == witnesses.end())
-        witnesses.push_back(face);
-  }
-  if (!witnesses.empty()) result.warnings.push_back({Rule::intersects, witnesses});
+  Seen seen;
+  run_and_roll_back(mesh, journal, op, face_limit, result, seen);
+  if (seen.faces.size() > most_faces_tested) return result;
+  for (Reason& reason : doubts_of_faces(mesh, result.faces, result.warnings))
+    result.warnings.push_back(std::move(reason));
+  if (!seen.at_one_place.empty())
+    warn_of_news(mesh, Rule::same_place, seen.at_one_place,
+                 points_at_one_place(mesh, seen.faces, seen.vertices, chooses_place(op)), result);
+  if (!seen.crossings.empty())
+    warn_of_news(mesh, Rule::intersects, seen.crossings, crossings_near(mesh, seen.faces), result);
   return result;
 }
 

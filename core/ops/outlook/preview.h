@@ -3,16 +3,10 @@
 
 #include <vector>
 
-#include "core/mesh/face_polygon.h"
 #include "core/ops/all.h"
+#include "core/ops/outlook/ghost_face.h"
 
 namespace ryosen {
-
-// A face that would be new or different, as it would lie.
-struct GhostFace {
-  Face face;
-  FacePolygon polygon;
-};
 
 struct Preview {
   Verdict verdict;

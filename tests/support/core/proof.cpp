@@ -13,6 +13,7 @@
 #include "core/mesh/copies.h"
 #include "core/mesh/rings.h"
 #include "core/ops/rules/sheets.h"
+#include "tests/support/core/kernel_sum.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen::test {
@@ -180,6 +181,17 @@ std::vector<std::vector<std::uint32_t>> point_polygons(const Mesh& mesh) {
   return polygons;
 }
 
+void expect_terms(const Mesh& mesh) {
+  const EulerPoincare terms = euler_poincare(mesh);
+  EXPECT_TRUE(terms.holds() || terms.no_genus != NoGenus::none)
+      << terms.left() << " is not " << terms.right() << " on points";
+  if (mesh.has_copies() || !terms.genus) return;
+  const KernelSum kernel = kernel_sum(mesh);
+  EXPECT_EQ(terms.outside(), kernel.boundaries);
+  EXPECT_EQ(terms.parts, kernel.components);
+  EXPECT_EQ(terms.genus, kernel.genus);
+}
+
 Change apply_and_prove(Mesh& mesh, const AnyOp& op) {
   const std::string line = command_of(mesh, op);
   SCOPED_TRACE(line);
@@ -190,7 +202,7 @@ Change apply_and_prove(Mesh& mesh, const AnyOp& op) {
   const MeshColumns before = mesh.columns();
   const bool is_as_read = differs_from_reading(mesh).empty();
   const CornerPlaces corners_before = corners_with_places(mesh);
-  const EulerPoincare was = euler_poincare(mesh);
+  const KernelSum was = kernel_sum(mesh);
   {
     Edit preview(mesh, &journal);
     apply(preview, op);
@@ -208,8 +220,9 @@ Change apply_and_prove(Mesh& mesh, const AnyOp& op) {
   if (is_as_read) {
     EXPECT_EQ(differs_from_reading(mesh), "");
   }
-  const EulerPoincare is = euler_poincare(mesh);
+  const KernelSum is = kernel_sum(mesh);
   EXPECT_EQ(is.left(), is.right());
+  expect_terms(mesh);
   EXPECT_GE(is.genus, 0);
   const MeshColumns after = mesh.columns();
   journal.undo(mesh);

@@ -25,6 +25,9 @@ struct Change {
 };
 std::ostream& operator<<(std::ostream& out, const Change& change);
 
+// That the sum holds on points where it must, and that its terms are the kernel's where no point has copies.
+void expect_terms(const Mesh& mesh);
+
 // Applies a legal operator and proves: an edit that is not committed leaves no trace, the columns are sound, the sum
 // holds, undo and redo are exact, the line of the operator says it again, the effect tells what was made and deleted
 // and which faces have other corners, and, where no face has rings, reading the points of the result gives the same

@@ -330,6 +330,18 @@ TEST(session, terms_follow_operators_that_change_boundaries_and_parts) {
   }
 }
 
+TEST(session, terms_are_kept_over_rings_copies_and_wires_as_if_made_anew) {
+  auto opened = Document::open(RYOSEN_SOURCE_DIR "/assets/fin.obj");
+  ASSERT_TRUE(opened);
+  Session session(std::move(opened).value());
+  EXPECT_EQ(session.euler_terms().no_genus, NoGenus::nonmanifold_edge);
+  for (const char* line : {"split 0-1@f0", "make_vertex 3,3,3", "make_vertex 4,4,4", "make_edge v6 v7", "split 6-7",
+                           "poke f0", "detach f1", "detach f2", "undo 3", "redo 2"}) {
+    ASSERT_TRUE(session.run(line).done()) << line;
+    EXPECT_EQ(session.euler_terms(), euler_poincare(session.mesh())) << line;
+  }
+}
+
 TEST(session, says_which_edges_a_file_cannot_hold) {
   Session session(std::make_unique<Document>());
   for (const char* line : {"make_vertex 0,0,0", "make_vertex 1,0,0", "make_edge v0 v1"})

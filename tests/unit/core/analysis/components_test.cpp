@@ -52,11 +52,5 @@ TEST(components, can_be_oriented_or_not) {
   EXPECT_TRUE(orientable(fin())) << "only edges with two faces ask for agreement";
 }
 
-TEST(components, of_the_kernel_count_copies_and_isolated_vertices) {
-  EXPECT_EQ(count_kernel_components(make_mesh(fin())), 3u);
-  EXPECT_EQ(count_kernel_components(make_mesh(bow_tie(), 7)), 4u);
-  EXPECT_EQ(count_kernel_components(make_mesh(cube())), 1u);
-}
-
 }  // namespace
 }  // namespace ryosen

@@ -6,6 +6,7 @@
 #include "core/io/formats.h"
 #include "core/mesh/circulate.h"
 #include "core/ops/all.h"
+#include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {
@@ -33,6 +34,11 @@ TEST(surface_name, tells_surfaces_apart) {
   EXPECT_EQ(name_of_surface(asset_mesh("projective_plane.off")), "projective plane");
   EXPECT_EQ(name_of_surface(asset_mesh("stanford_bunny.obj")), "sphere with 0 handles and 5 holes");
   EXPECT_EQ(name_of_surface(make_mesh({{0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}})), "cylinder");
+}
+
+TEST(surface_name, of_faces_with_rings_counts_what_their_holes_leave) {
+  EXPECT_EQ(name_of_surface(mesh_of_exercise("cube_with_hole")), "torus");
+  EXPECT_EQ(name_of_surface(mesh_of_exercise("cube_with_two_holes")), "sphere with 2 handles");
 }
 
 TEST(surface_name, none_where_it_is_not_one_manifold) {

@@ -1,0 +1,205 @@
+#include "core/analysis/mesh_kind.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/vec3.hpp>
+#include <limits>
+
+#include "core/analysis/shells.h"
+#include "core/indexed/to_indexed.h"
+#include "core/io/formats.h"
+#include "tests/support/core/proof.h"
+#include "tests/support/core/random_meshes.h"
+#include "tests/support/core/shapes.h"
+
+namespace ryosen {
+namespace {
+
+using namespace test;
+
+Mesh asset_of_kind(const std::string& name) {
+  Result<MeshFile> file = read_mesh_file(RYOSEN_SOURCE_DIR "/assets/" + name);
+  EXPECT_TRUE(file) << name;
+  return from_indexed(std::move(file->mesh));
+}
+
+std::string id_of(const Mesh& mesh) {
+  const KindOfMesh kind = find_kind(mesh, HighlightSets(mesh));
+  EXPECT_FALSE(kind.reason.en.empty() || kind.reason.ja.empty());
+  return std::string(row_of(kind.kind).id);
+}
+std::string reason_of(const Mesh& mesh) { return find_kind(mesh, HighlightSets(mesh)).reason.en; }
+
+// Boxes along the axes in one mesh, each of six quads that look outwards, or inwards.
+class Boxes {
+ public:
+  Boxes& add(const glm::dvec3& lowest, const glm::dvec3& highest, bool inwards = false) {
+    const auto first = static_cast<std::uint32_t>(source_.positions.size());
+    for (const std::uint32_t corner : {0u, 1u, 3u, 2u, 4u, 5u, 7u, 6u})
+      source_.positions.emplace_back((corner & 1u) != 0 ? highest.x : lowest.x,
+                                     (corner & 2u) != 0 ? highest.y : lowest.y,
+                                     (corner & 4u) != 0 ? highest.z : lowest.z);
+    for (std::vector<std::uint32_t> face :
+         Polygons{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}) {
+      if (inwards) std::reverse(face.begin(), face.end());
+      for (const std::uint32_t corner : face) source_.corners.push_back(first + corner);
+      source_.face_offsets.push_back(static_cast<std::uint32_t>(source_.corners.size()));
+    }
+    return *this;
+  }
+  Boxes& cube(double from, double to, bool inwards = false) { return add(glm::dvec3(from), glm::dvec3(to), inwards); }
+  Mesh mesh() const { return from_indexed(source_); }
+
+ private:
+  IndexedMesh source_;
+};
+
+TEST(mesh_kind, each_kind_has_a_mesh_and_names_its_element) {
+  EXPECT_EQ(id_of(make_mesh(fin())), "non_manifold");
+  EXPECT_EQ(reason_of(make_mesh(fin())), "Edge 0-1 carries 3 faces.");
+  EXPECT_EQ(id_of(make_mesh(bow_tie())), "non_manifold");
+  EXPECT_EQ(reason_of(make_mesh(bow_tie())), "The faces at v0 form 2 fans.");
+  for (const char* one_sided : {"moebius.off", "klein_bottle.off", "projective_plane.off"})
+    EXPECT_EQ(id_of(asset_of_kind(one_sided)), "one_sided") << one_sided;
+  EXPECT_EQ(id_of(asset_of_kind("misoriented.obj")), "misoriented");
+  EXPECT_EQ(id_of(make_mesh(two_quads())), "surface");
+  EXPECT_EQ(reason_of(make_mesh(two_quads())), "Edge 0-1 has a face on one side only.");
+  EXPECT_EQ(id_of(Boxes().cube(0, 1, true).mesh()), "inside_out");
+  EXPECT_EQ(reason_of(Boxes().cube(0, 1, true).mesh()), "The faces of the shell of f0 look inwards.");
+  EXPECT_EQ(id_of(Boxes().cube(0, 1).mesh()), "solid");
+  EXPECT_EQ(id_of(asset_of_kind("torus.off")), "solid");
+  Mesh wire = make_mesh({}, 3);
+  EXPECT_EQ(id_of(wire), "points");
+  Edit edit(wire, nullptr);
+  ryosen::apply(edit, op_of(wire, "make_edge v0 v1"));
+  edit.commit();
+  EXPECT_EQ(id_of(wire), "wires");
+  EXPECT_EQ(id_of(Mesh()), "empty");
+}
+
+TEST(mesh_kind, the_first_that_fits_is_said) {
+  // A fin beside a closed cube.
+  Polygons faces = fin();
+  for (std::vector<std::uint32_t> face : cube()) {
+    for (std::uint32_t& v : face) v += 5;
+    faces.push_back(face);
+  }
+  EXPECT_EQ(id_of(make_mesh(faces)), "non_manifold");
+  EXPECT_EQ(id_of(make_mesh({{0, 1, 2}, {0, 1, 3}, {4, 5, 6}})), "misoriented") << "and it has a boundary";
+}
+
+TEST(mesh_kind, shells_inside_shells_look_away_from_the_solid) {
+  EXPECT_EQ(id_of(Boxes().cube(0, 9).cube(3, 6, true).mesh()), "solid");
+  EXPECT_EQ(id_of(Boxes().cube(3, 6, true).cube(0, 9).mesh()), "solid");
+  EXPECT_EQ(id_of(Boxes().cube(0, 9).cube(3, 6).mesh()), "inside_out");
+  EXPECT_EQ(reason_of(Boxes().cube(0, 9).cube(3, 6).mesh()),
+            "The shell of f6 lies at depth 1 inside others and its faces look outwards, not inwards.");
+  EXPECT_EQ(id_of(Boxes().cube(0, 9, true).cube(3, 6, true).mesh()), "inside_out");
+  EXPECT_EQ(id_of(Boxes().cube(0, 9).cube(1, 8, true).cube(2, 7).mesh()), "solid");
+  EXPECT_EQ(id_of(Boxes().cube(0, 9).cube(1, 8, true).cube(2, 7, true).mesh()), "inside_out");
+  EXPECT_EQ(id_of(Boxes().cube(0, 9).cube(1, 8, true).cube(2, 4).cube(5, 7).mesh()), "solid");
+}
+
+TEST(mesh_kind, shells_side_by_side_are_each_judged) {
+  EXPECT_EQ(id_of(Boxes().cube(0, 1).cube(2, 3).mesh()), "solid");
+  EXPECT_EQ(id_of(Boxes().cube(0, 1).cube(2, 3, true).mesh()), "inside_out");
+  // Inside of the box of the holed cube, in its hole.
+  Mesh holed = mesh_of_exercise("cube_with_hole");
+  IndexedMesh source = to_indexed(holed).mesh;
+  const auto first = static_cast<std::uint32_t>(source.positions.size());
+  const glm::dvec3 middle(1.5);
+  for (const glm::dvec3& p : {glm::dvec3(0), glm::dvec3(.1, 0, 0), glm::dvec3(0, .1, 0), glm::dvec3(0, 0, .1)})
+    source.positions.push_back(middle + p);
+  for (const std::vector<std::uint32_t>& face :
+       {std::vector<std::uint32_t>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) {
+    for (const std::uint32_t v : face) source.corners.push_back(first + v);
+    source.face_offsets.push_back(static_cast<std::uint32_t>(source.corners.size()));
+  }
+  EXPECT_EQ(id_of(from_indexed(source)), "solid");
+}
+
+TEST(mesh_kind, shells_that_cross_or_touch_are_a_surface) {
+  EXPECT_EQ(id_of(Boxes().cube(0, 2).cube(1, 3).mesh()), "surface");
+  EXPECT_TRUE(reason_of(Boxes().cube(0, 2).cube(1, 3).mesh()).starts_with("Two shells cross or touch: faces f"));
+  EXPECT_EQ(id_of(Boxes().cube(0, 1).add({1, 0, 0}, {2, 1, 1}).mesh()), "surface") << "along a face";
+  EXPECT_EQ(id_of(Boxes().cube(0, 1).cube(1, 2).mesh()), "surface") << "in a corner";
+  EXPECT_EQ(id_of(Boxes().cube(0, 1).cube(0, 1).mesh()), "surface") << "at the same place";
+}
+
+TEST(mesh_kind, what_encloses_no_volume_is_a_surface) {
+  EXPECT_EQ(id_of(make_mesh({{0, 1, 2}, {2, 1, 0}})), "surface") << "two triangles back to back";
+  EXPECT_EQ(reason_of(make_mesh({{0, 1, 2}, {2, 1, 0}})), "The shell of f0 encloses no volume.");
+  EXPECT_EQ(id_of(Boxes().add({0, 0, 0}, {1, 1, 0}).mesh()), "surface") << "a cube pressed flat";
+  EXPECT_EQ(id_of(Boxes().add({0, 0, 0}, {1, 1, 1e-9}).mesh()), "solid") << "thin, but not flat";
+  for (const double size : {1e-150, 1e-30, 1e+30, 1e+150, 1e+300}) {
+    EXPECT_EQ(id_of(Boxes().cube(0, size).mesh()), "solid") << size;
+    EXPECT_EQ(id_of(Boxes().cube(0, size, true).mesh()), "inside_out") << size;
+  }
+}
+
+TEST(mesh_kind, a_coordinate_that_is_not_finite_leaves_a_surface) {
+  Mesh mesh = Boxes().cube(0, 1).mesh();
+  Edit edit(mesh, nullptr);
+  edit.set_position(Vertex(3), {std::numeric_limits<double>::quiet_NaN(), 0, 0});
+  edit.commit();
+  EXPECT_EQ(id_of(mesh), "surface");
+  EXPECT_TRUE(reason_of(mesh).starts_with("A coordinate of v3 is not a finite number")) << reason_of(mesh);
+}
+
+TEST(mesh_kind, faces_with_rings_enclose_what_their_holes_leave) {
+  EXPECT_EQ(id_of(mesh_of_exercise("cube_with_hole")), "solid");
+  EXPECT_EQ(id_of(mesh_of_exercise("cube_with_two_holes")), "solid");
+}
+
+struct Span {
+  glm::dvec3 lowest, highest;
+};
+bool is_inside(const Span& a, const Span& b) {
+  for (int k = 0; k < 3; ++k)
+    if (a.lowest[k] <= b.lowest[k] || a.highest[k] >= b.highest[k]) return false;
+  return true;
+}
+bool is_apart(const Span& a, const Span& b) {
+  for (int k = 0; k < 3; ++k)
+    if (a.lowest[k] > b.highest[k] || b.lowest[k] > a.highest[k]) return true;
+  return false;
+}
+
+// A box lies in another when all of it does; where corners lie on a grid, rays pass through edges and corners often.
+TEST(mesh_kind, depths_of_random_boxes_are_those_of_their_corners) {
+  Dice dice(5);
+  std::size_t met = 0, deep = 0;
+  for (int round = 0; round < 500; ++round) {
+    Boxes boxes;
+    std::vector<Span> all;
+    const int count = 2 + dice.below(3);
+    for (int i = 0; i < count; ++i) {
+      const glm::dvec3 lowest(dice.below(8), dice.below(8), dice.below(8));
+      const int most = i == 0 ? 14 : 4;
+      all.push_back({lowest, lowest + glm::dvec3(1 + dice.below(most), 1 + dice.below(most), 1 + dice.below(most))});
+      boxes.add(all.back().lowest, all.back().highest);
+    }
+    bool meet = false;
+    for (const Span& a : all)
+      for (const Span& b : all) meet = meet || (&a != &b && !is_inside(a, b) && !is_inside(b, a) && !is_apart(a, b));
+    const Mesh mesh = boxes.mesh();
+    Neighbourhood around(mesh, Neighbourhood::Reach::whole);
+    const Shells shells = find_shells(around);
+    ASSERT_EQ(shells.all.size(), all.size());
+    ASSERT_EQ(shells.meeting.has_value(), meet) << round;
+    met += meet;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      EXPECT_EQ(shells.all[i].turned, 1);
+      if (meet) continue;
+      const auto depth = std::count_if(all.begin(), all.end(), [&](const Span& b) { return is_inside(all[i], b); });
+      EXPECT_EQ(shells.all[i].depth, depth) << round << " " << i;
+      deep += depth > 0;
+    }
+  }
+  EXPECT_GT(met, 20u);
+  EXPECT_GT(deep, 10u);
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -85,6 +85,22 @@ TEST(gzip, damage_is_refused_with_its_place) {
   EXPECT_EQ(refusal(other).message.code, "gzip_damaged");
 }
 
+TEST(gzip, any_change_is_refused_or_changes_nothing) {
+  const std::string packed = pack_gzip(io_test::whole_file(RYOSEN_SOURCE_DIR "/assets/torus.off"));
+  const std::string text = text_of(unpack_gzip(packed));
+  for (std::size_t at = 0; at < packed.size(); ++at) {
+    std::string other = packed;
+    other[at] = static_cast<char>(other[at] ^ (1 << at % 8));
+    const Result<FileBytes> bytes = unpack_gzip(other);
+    if (bytes) {
+      EXPECT_LT(at, 10u) << "of the head";
+      EXPECT_EQ(bytes->view(), text);
+    } else {
+      EXPECT_LE(bytes.failure().message.byte.value_or(~0u), other.size());
+    }
+  }
+}
+
 TEST(gzip, more_than_the_limit_is_refused_and_named) {
   const std::string packed = pack_gzip(std::string(100, 'x')), two = packed + packed;
   EXPECT_EQ(text_of(unpack_gzip(two, 200)).size(), 200u);

@@ -12,9 +12,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/analysis/highlights.h"
 #include "core/base/element.h"
 #include "core/base/message.h"
+#include "core/highlights/highlight_sets.h"
 
 namespace ryosen {
 

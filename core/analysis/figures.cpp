@@ -11,6 +11,7 @@
 #include "core/analysis/components.h"
 #include "core/base/parallel.h"
 #include "core/base/sort_unique.h"
+#include "core/geometry/is_finite.h"
 #include "core/geometry/polygon_normal.h"
 #include "core/mesh/face_polygon.h"
 
@@ -90,7 +91,7 @@ class Measure {
   void add(std::span<const glm::dvec3> polygon) {
     const std::array<glm::dvec3, 2> before{low_, high_};
     for (const glm::dvec3& p : polygon) {
-      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+      if (!is_finite(p)) {
         all_finite_ = false;
         low_ = before[0];
         high_ = before[1];

@@ -5,8 +5,8 @@
 #include <span>
 #include <string_view>
 
-#include "core/analysis/highlights.h"
 #include "core/base/message.h"
+#include "core/highlights/highlight_sets.h"
 
 namespace ryosen {
 

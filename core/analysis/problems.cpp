@@ -1,9 +1,9 @@
 #include "core/analysis/problems.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/analysis/boundary_loops.h"
+#include "core/geometry/is_finite.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 
@@ -106,7 +106,7 @@ std::optional<glm::dvec3> place_of(const Mesh& mesh, Element element, const File
   }
   glm::dvec3 mean(0.0);
   for (const glm::dvec3& p : points) mean += p / static_cast<double>(points.size());
-  if (points.empty() || !std::isfinite(mean.x) || !std::isfinite(mean.y) || !std::isfinite(mean.z)) return std::nullopt;
+  if (points.empty() || !is_finite(mean)) return std::nullopt;
   return mean;
 }
 

@@ -1,11 +1,11 @@
 // Whether a mesh suits a form, and what relations are called.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 
 #include "core/forms/form.h"
 #include "core/forms/polygons.h"
+#include "core/geometry/is_finite.h"
 
 namespace ryosen::forms {
 
@@ -73,7 +73,7 @@ Reason find_equal_places(const Mesh& mesh) {
   for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) {
     if (!mesh.is_alive(Vertex(v)) || is_further_copy(mesh, Vertex(v))) continue;
     const glm::dvec3& p = mesh.position(Vertex(v));
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+    if (!is_finite(p))
       return Text{"It tells points apart by their coordinates; those of " + v_name(v) + " are not finite.",
                   "座標で点を見分けます。" + v_name(v) + " の座標は有限ではありません。"};
     points.push_back(v);

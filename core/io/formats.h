@@ -39,15 +39,15 @@ bool is_unread_extension(std::string_view extension);
 // it, or what is packed in it, begins with a number.
 bool may_be_mesh(const std::filesystem::path& path);
 
-// The format of a file by its content (unpacked), else by its extension. Refuses, each with its own code, files that are empty
-// (empty_file), compressed (compressed_file), UTF-16 (utf16), full of zeros (zeros), binary of no known kind
+// The format of a file by its content (unpacked), else by its extension. Refuses, each with its own code, files that
+// are empty (empty_file), compressed (compressed_file), UTF-16 (utf16), full of zeros (zeros), binary of no known kind
 // (binary_content), of a known format that cannot be read (unsupported_format), or of none (unknown_format).
 Result<const Format*> recognise(std::string_view bytes, const std::filesystem::path& path);
 
 // Reads the file at `path`, once. Bytes packed with gzip are unpacked where the name ends in .gz or says no format; the
-// places in messages are then those of what is packed. A path that is missing, unreadable or a folder fails with exit code input_missing,
-// content that cannot be read with input_malformed. MeshFile::format is set, warnings are in MeshFile::messages.
-// `taken_for` gets the format that the content was taken for, also where it is refused; null where none.
+// places in messages are then those of what is packed. A path that is missing, unreadable or a folder fails with exit
+// code input_missing, content that cannot be read with input_malformed. MeshFile::format is set, warnings are in
+// MeshFile::messages. `taken_for` gets the format that a file, also a refused one, was taken for; null where none.
 Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const Format** taken_for = nullptr);
 
 // The same for bytes of a known format; `path` may be empty.

@@ -157,6 +157,8 @@ std::uint64_t extra_properties(const MeshFile& file, Holds held) {
 std::uint64_t extra_rows(const MeshFile& file, Holds held) {
   if (holds(held, Holds::properties)) return 0;
   std::uint64_t count = file.properties.obj_info.size();
+  for (const UnknownLines& lines : file.properties.unknown_lines)
+    count += static_cast<std::uint64_t>(std::count(lines.text.begin(), lines.text.end(), '\n'));
   for (const PropertyTable& table : file.properties.tables) count += table.kind == TableKind::other ? table.rows : 0;
   return count;
 }
@@ -237,8 +239,8 @@ const std::vector<LossKind>& loss_kinds() {
        [](File f, Holds h) { return unless<Holds::names>(h, [&] { return f.material_libraries.size(); }); }},
       {"loses_properties", "further properties of vertices or faces", "頂点または面のその他のプロパティ",
        extra_properties},
-      {"loses_extra_elements", "rows of further elements and lines obj_info", "その他の要素と obj_info の行",
-       extra_rows},
+      {"loses_extra_elements", "rows of further elements, lines obj_info and unknown lines of a header",
+       "その他の要素、obj_info の行、ヘッダーの未知の行", extra_rows},
       {"loses_comments", "lines of comments", "コメントの行", comments},
       {"loses_head", "the head of the binary STL file", "バイナリ STL ファイルの先頭部分", wordless_head},
       {"loses_unread_lines", "Reading left out lines that it does not understand, and they are not written; lines",

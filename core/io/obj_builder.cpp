@@ -44,12 +44,11 @@ ObjBuilder::ObjBuilder(const TextLines& lines, const std::filesystem::path& mode
   mesh_.texcoords.components = 0;
 }
 
-void ObjBuilder::fail(Code code, Text text, const char* at) {
-  if (!failure_) failure_ = malformed(code, std::move(text), lines_->place(at));
-}
-
-void ObjBuilder::fail_number(std::string_view word) {
-  fail("unreadable_number", {shown(word) + " is not a number.", shown(word) + " は数として読めません。"}, word.data());
+// Notes a value that cannot be. The file is read anew from a piece with one on, so what is behind it there counts then.
+template <class MakeText>
+bool ObjBuilder::fail(Code code, const char* at, MakeText text) {
+  has_given_up_ = is_later_piece_;
+  return has_given_up_ ? false : faults_.add(code, lines_->place(at), text);
 }
 
 // Whether the 32-bit numbering has room for a line of this length; fails otherwise.
@@ -57,13 +56,10 @@ bool ObjBuilder::has_room(std::size_t bytes) {
   const std::size_t most = std::max({mesh_.positions.size(), mesh_.face_count(), file_.elements.vertices.size(),
                                      mesh_.texcoords.pool.size(), mesh_.normals.pool.size()});
   if (!faces_.is_full(bytes) && most + bytes < no_index) return true;
-  if (!failure_) {
-    failure_ = malformed("too_many_elements",
-                         {"The file has more vertices, faces or corners than fit in 32-bit numbers.",
-                          "頂点・面・面の頂点の総数が 32 ビットの番号に収まりません。"},
-                         FilePlace::at_line(lines_->count()));
-  }
-  return false;
+  return faults_.stop(malformed("too_many_elements",
+                                {"The file has more vertices, faces or corners than fit in 32-bit numbers.",
+                                 "頂点・面・面の頂点の総数が 32 ビットの番号に収まりません。"},
+                                FilePlace::at_line(lines_->count())));
 }
 
 void ObjBuilder::comment(std::string_view line) {
@@ -73,8 +69,9 @@ void ObjBuilder::comment(std::string_view line) {
 bool ObjBuilder::read_value(std::string_view word, double& value) {
   const NumberRead read = read_real(word, value);
   if (read == NumberRead::unreadable) {
-    fail_number(word);
-    return false;
+    return fail("unreadable_number", word.data(), [&] {
+      return Text{shown(word) + " is not a number.", shown(word) + " は数として読めません。"};
+    });
   }
   if (read == NumberRead::non_finite) {
     reporter_.warn("nonfinite_number", lines_->place(word.data()), [&] {
@@ -84,7 +81,8 @@ bool ObjBuilder::read_value(std::string_view word, double& value) {
   return true;
 }
 
-// Reads at least `wanted` numbers and keeps the first `most`; `count` is how many the line has. False after a failure.
+// Reads at least `wanted` numbers and keeps the first `most`; `count` is how many the line has. False where this line
+// or one before has a fault.
 bool ObjBuilder::read_reals(std::string_view text, double* values, std::size_t wanted, std::size_t most,
                             std::size_t& count) {
   in_head_ = false;
@@ -101,13 +99,12 @@ bool ObjBuilder::read_reals(std::string_view text, double* values, std::size_t w
     }
     const std::string_view word = take_word(text);
     if (word.empty() || word[0] == '#') {
-      if (count >= wanted) return true;
-      const std::string number = std::to_string(wanted);
-      fail("missing_number",
-           {"The line has " + std::to_string(count) + " numbers where " + number + " are needed.",
-            "数が " + number + " 個必要な行に " + std::to_string(count) + " 個しかありません。"},
-           word.data());
-      return false;
+      if (count >= wanted) return !faults_.any();
+      return fail("missing_number", word.data(), [&] {
+        const std::string number = std::to_string(wanted), there = std::to_string(count);
+        return Text{"The line has " + there + " numbers where " + number + " are needed.",
+                    "数が " + number + " 個必要な行に " + there + " 個しかありません。"};
+      });
     }
     if (!read_value(word, value)) return false;
     ++count;
@@ -163,7 +160,7 @@ void ObjBuilder::normal(std::string_view values) {
   if (count > 3) warn_extra_values(count);
 }
 
-// Reads a, a/b, a//c or a/b/c. False after a failure.
+// Reads a, a/b, a//c or a/b/c. False where it is none of these.
 bool ObjBuilder::read_corner(std::string_view word, Corner& corner) {
   const char* at = word.data();
   const char* const end = at + word.size();
@@ -173,11 +170,11 @@ bool ObjBuilder::read_corner(std::string_view word, Corner& corner) {
   if (readable && at != end) readable = read_index(++at, end, corner.texcoord, corner.has_texcoord);
   if (readable && at != end) readable = read_index(++at, end, corner.normal, corner.has_normal);
   if (readable && at == end) return true;
-  fail("unreadable_index",
-       {shown(word) + " is not a corner: vertex, vertex/texture, vertex//normal or vertex/texture/normal is meant.",
-        shown(word) + " は面の頂点として読めません(頂点、頂点/テクスチャ、頂点//法線、頂点/テクスチャ/法線)。"},
-       word.data());
-  return false;
+  return fail("unreadable_index", word.data(), [&] {
+    return Text{
+        shown(word) + " is not a corner: vertex, vertex/texture, vertex//normal or vertex/texture/normal is meant.",
+        shown(word) + " は面の頂点として読めません(頂点、頂点/テクスチャ、頂点//法線、頂点/テクスチャ/法線)。"};
+  });
 }
 
 void ObjBuilder::face(std::string_view corners) {
@@ -192,6 +189,7 @@ void ObjBuilder::face(std::string_view corners) {
       if (word.empty() || word[0] == '#') break;
       if (!read_corner(word, corner)) return;
     }
+    if (faults_.any()) continue;
     if (corner.vertex < 0 && is_later_piece_) has_given_up_ = true;
     if (corner.has_texcoord || !mesh_.texcoords.index.empty()) {
       push_value(mesh_.texcoords.index, corner.has_texcoord, corner.texcoord, mesh_.texcoords.pool.size(), false);
@@ -201,6 +199,7 @@ void ObjBuilder::face(std::string_view corners) {
     }
     faces_.add_corner(resolve(corner.vertex, mesh_.positions.size()));
   }
+  if (faults_.any()) return;
   faces_.end_face(lines_->first_line());
   end_names();
 }
@@ -249,6 +248,7 @@ void ObjBuilder::element(bool is_points, std::string_view corners) {
     const std::string_view word = take_word(corners);
     if (word.empty() || word[0] == '#') break;
     if (!read_corner(word, corner)) return;
+    if (faults_.any()) continue;
     if (corner.has_texcoord && elements.texcoords.empty())
       elements.texcoords.assign(elements.vertices.size(), no_index);
     if (corner.has_texcoord || !elements.texcoords.empty()) {
@@ -257,6 +257,7 @@ void ObjBuilder::element(bool is_points, std::string_view corners) {
     }
     elements.vertices.push_back(resolve(corner.vertex, mesh_.positions.size()));
   }
+  if (faults_.any()) return;
   item.count = static_cast<std::uint32_t>(elements.vertices.size()) - item.first;
   std::uint32_t* const names[] = {&item.object, &item.group, &item.material, &item.smoothing};
   for (std::size_t i = 0; i < 4; ++i) *names[i] = names_[i].current;
@@ -264,6 +265,7 @@ void ObjBuilder::element(bool is_points, std::string_view corners) {
 }
 
 void ObjBuilder::name(NameKind kind, std::string_view text) {
+  if (faults_.any()) return;
   in_head_ = false;
   has_known_line_ = true;
   NameTable& table = names_[static_cast<std::size_t>(kind)];
@@ -287,7 +289,7 @@ std::uint32_t ObjBuilder::number_of(const std::string& name, NameTable& table) {
 
 void ObjBuilder::unknown(std::string_view keyword) {
   has_given_up_ = is_later_piece_;
-  if (is_done()) return;
+  if (is_done() || faults_.any()) return;
   constexpr std::size_t most = 16;
   in_head_ = false;
   const std::string text = shown(keyword);

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,6 +14,7 @@
 #include "core/base/enum_table.h"
 #include "core/base/result.h"
 #include "core/io/face_list.h"
+#include "core/io/faults.h"
 #include "core/io/mesh_file.h"
 #include "core/io/reporter.h"
 #include "core/io/text_lines.h"
@@ -22,7 +22,8 @@
 namespace ryosen {
 
 // The calls take what follows the keyword of the line that `lines` has read last; they read its numbers anew, check
-// them and keep the first failure. Where is_done() nothing more needs to be called but finish().
+// them and keep the first fault. Behind a value that cannot be, lines are only looked through for more of these. Where
+// is_done() nothing more needs to be called but finish().
 class ObjBuilder {
  public:
   enum class NameKind { object, group, material, smoothing };
@@ -41,11 +42,13 @@ class ObjBuilder {
   void material_library(std::string_view text);
   void unknown(std::string_view keyword);
 
-  bool is_done() const { return failure_.has_value() || has_given_up_; }
+  bool is_done() const { return faults_.is_stopped() || has_given_up_; }
   Result<MeshFile> finish();
 
   // The builder of a later piece has taken all of its lines.
   bool is_joinable() const { return !is_done() && reporter_.is_empty(); }
+  // Nothing is kept any more, as a line before had a fault.
+  bool has_fault() const { return faults_.any(); }
   // Takes over all that the builders of the next pieces hold, as if their lines had come here; they are of no use then.
   // `lines_before` counts those of the pieces before; the result counts these too. O(size of the pieces).
   std::uint64_t append(std::span<ObjBuilder* const> run, std::uint64_t lines_before, unsigned threads);
@@ -74,12 +77,11 @@ class ObjBuilder {
     std::uint64_t count = 0;
   };
 
-  void fail(Code code, Text text, const char* at);
-  void fail_number(std::string_view word);
+  template <class MakeText>
+  bool fail(Code code, const char* at, MakeText text);
   bool read_reals(std::string_view text, double* values, std::size_t wanted, std::size_t most, std::size_t& count);
   bool read_value(std::string_view word, double& value);
   bool read_corner(std::string_view word, Corner& corner);
-  void keep_extras(std::size_t vertex, const double* values, std::size_t count);
   void warn_extra_values(std::size_t count);
   std::uint32_t resolve_value(std::int64_t index, std::size_t pool, bool is_normal);
   void push_value(std::vector<std::uint32_t>& indices, bool has, std::int64_t index, std::size_t pool, bool is_normal);
@@ -103,7 +105,7 @@ class ObjBuilder {
   IndexedMesh& mesh_;
   FaceList faces_;
   Reporter reporter_;
-  std::optional<Failure> failure_;
+  Faults faults_;
   std::array<NameTable, enum_count<NameKind>> names_;
   std::vector<UnknownKeyword> unknown_;
   std::uint64_t other_unknown_ = 0;  // lines whose keyword is not in unknown_, which has a limit

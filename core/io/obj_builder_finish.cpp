@@ -20,7 +20,7 @@ void drop_if_all_none(std::vector<std::uint32_t>& indices) {
 
 void ObjBuilder::material_library(std::string_view text) {
   has_given_up_ = is_later_piece_;
-  if (is_done()) return;
+  if (is_done() || faults_.any()) return;
   in_head_ = false;
   has_known_line_ = true;
   const std::string_view name = trimmed(text);
@@ -135,7 +135,7 @@ void ObjBuilder::report_whole_file() {
 }
 
 Result<MeshFile> ObjBuilder::finish() {
-  if (failure_) return std::move(*failure_);
+  if (faults_.any()) return faults_.take();
   if (!has_known_line_ && !unknown_.empty()) {
     return malformed("not_obj",
                      {"No line of the file is one of OBJ; the first begins with " + unknown_.front().text + ".",

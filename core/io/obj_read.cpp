@@ -2,7 +2,6 @@
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
-#include <cstring>
 #include <istream>
 #include <memory>
 #include <streambuf>
@@ -126,14 +125,14 @@ struct Piece {
       : bytes(piece_bytes), lines(bytes, true), builder(lines, path, is_later) {}
 
   void read() {
-    nul = bytes.empty() ? nullptr : static_cast<const char*>(std::memchr(bytes.data(), 0, bytes.size()));
-    if (!nul) feed(lines, builder);
+    has_nul = bytes.find('\0') != std::string_view::npos;
+    if (!has_nul) feed(lines, builder);
   }
 
   std::string_view bytes;
   TextLines lines;
   ObjBuilder builder;
-  const char* nul = nullptr;  // the first NUL byte
+  bool has_nul = false;
 };
 
 using Pieces = std::vector<std::unique_ptr<Piece>>;
@@ -146,8 +145,12 @@ Result<MeshFile> join(const Pieces& pieces, unsigned threads) {
   if (pieces.size() > 1) builder.reserve_for(builders);
   std::uint64_t lines_before = pieces[0]->lines.count();
   for (std::size_t i = 1; i < pieces.size() && !builder.is_done();) {
+    if (builder.has_fault() && builders[i]->is_joinable()) {  // there is none in this one
+      lines_before += pieces[i++]->lines.count();
+      continue;
+    }
     const std::size_t begin = i;
-    while (i < pieces.size() && builders[i]->is_joinable()) ++i;
+    while (!builder.has_fault() && i < pieces.size() && builders[i]->is_joinable()) ++i;
     lines_before = builder.append(std::span(builders).subspan(begin, i - begin), lines_before, threads);
     if (i == pieces.size()) break;
     TextLines lines(pieces[i++]->bytes, true, lines_before);
@@ -208,8 +211,11 @@ Result<MeshFile> read_obj_pieces(std::span<const std::string_view> parts, const 
   for (const std::string_view part : parts)
     pieces.push_back(std::make_unique<Piece>(part, path, part.data() != parts.front().data()));
   for_each_task(static_cast<unsigned>(pieces.size()), threads, [&](unsigned i) { pieces[i]->read(); });
-  for (const auto& piece : pieces)
-    if (piece->nul) return nul_byte_failure(static_cast<std::uint64_t>(piece->nul - parts.front().data()));
+  for (const auto& piece : pieces) {
+    const char* const begin = parts.front().data();
+    if (piece->has_nul)
+      return *refuse_nul_bytes({begin, static_cast<std::size_t>(parts.back().data() - begin) + parts.back().size()});
+  }
   return join(pieces, threads);
 }
 

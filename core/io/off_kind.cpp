@@ -20,6 +20,11 @@ std::optional<OffKind> OffKind::from_word(std::string_view word) {
   return kind;
 }
 
+std::string_view off_count_behind(std::string_view word) {
+  const std::size_t after = word.find_last_not_of("0123456789") + 1;
+  return word.substr(0, after).ends_with("OFF") ? word.substr(after) : std::string_view();
+}
+
 Likeness looks_like_off(std::string_view head, std::uint64_t) {
   TextLines lines(head, false);
   TextLine line;
@@ -27,7 +32,9 @@ Likeness looks_like_off(std::string_view head, std::uint64_t) {
     std::string_view rest = line.text;
     const std::string_view word = take_word(rest);
     if (word.empty() || word[0] == '#') continue;
-    return OffKind::from_word(word.substr(0, word.find('#'))) ? Likeness::sure : Likeness::no;
+    const std::string_view first = word.substr(0, word.find('#'));
+    return OffKind::from_word(first.substr(0, first.size() - off_count_behind(first).size())) ? Likeness::sure
+                                                                                              : Likeness::no;
   }
   return Likeness::no;
 }

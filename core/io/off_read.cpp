@@ -1,16 +1,18 @@
 #include <algorithm>
-#include <cstring>
 
+#include "core/io/faults.h"
 #include "core/io/numbers.h"
 #include "core/io/off.h"
 #include "core/io/off_binary.h"
 #include "core/io/off_builder.h"
+#include "core/io/off_words.h"
 #include "core/io/text_lines.h"
 
 namespace ryosen {
 namespace {
 
-// Reads the text form. Every step returns false after the first failure.
+// Reads the text form by lines. Every step returns false where nothing more can be read; what reads a line, where that
+// has a fault.
 class OffTextReader {
  public:
   OffTextReader(std::string_view bytes, TextLines& lines, OffKind kind)
@@ -23,16 +25,13 @@ class OffTextReader {
   Result<MeshFile> read(std::string_view head) {
     rest_ = head;
     const bool done = read_counts() && read_vertices() && read_faces();
-    if (!done) return std::move(*failure_);
+    if (!done || faults_.any()) return faults_.take();
     warn_of_lines_left(lines_, builder_.reporter(), {"face", "面"}, [this] { return next_line(); });
     return builder_.finish();
   }
 
  private:
-  bool fail(Code code, Text text, FilePlace place) {
-    failure_ = malformed(code, std::move(text), place);
-    return false;
-  }
+  bool fail(Code code, Text text, FilePlace place) { return faults_.stop(malformed(code, std::move(text), place)); }
 
   // Goes on to the next line with something besides a comment on it.
   bool next_line() {
@@ -102,8 +101,9 @@ class OffTextReader {
       double value = 0;
       const NumberRead read = read_real(word, value);
       if (read == NumberRead::unreadable) {
-        return fail("unreadable_number", {shown(word) + " is not a number.", shown(word) + " は数として読めません。"},
-                    lines_.place(word.data()));
+        return faults_.add("unreadable_number", lines_.place(word.data()), [&] {
+          return Text{shown(word) + " is not a number.", shown(word) + " は数として読めません。"};
+        });
       }
       if (read == NumberRead::non_finite) {
         builder_.reporter().warn("nonfinite_number", lines_.place(word.data()), [&] {
@@ -131,49 +131,51 @@ class OffTextReader {
         return fail_at_end("it has " + there + " of " + claimed + " vertices",
                            "頂点 " + claimed + " 個のうち " + there + " 個しかありません");
       }
-      if (!read_reals()) return false;
-      if (values_.size() < wanted) {
-        return fail("missing_number",
-                    {"The vertex has " + std::to_string(values_.size()) + " numbers where " + std::to_string(wanted) +
-                         " are needed.",
-                     "数が " + std::to_string(wanted) + " 個必要な頂点に " + std::to_string(values_.size()) +
-                         " 個しかありません。"},
-                    lines_.place(rest_.data()));
-      }
+      if (!read_reals() || !has_numbers(wanted) || faults_.any()) continue;
       if (!builder_.add_vertex(values_.data(), values_.size(), lines_.count())) warn_extra_values();
     }
     return true;
   }
 
+  bool has_numbers(std::size_t wanted) {
+    if (values_.size() >= wanted) return true;
+    return faults_.add("missing_number", lines_.place(rest_.data()), [&] {
+      const std::string there = std::to_string(values_.size()), all = std::to_string(wanted);
+      return Text{"The vertex has " + there + " numbers where " + all + " are needed.",
+                  "数が " + all + " 個必要な頂点に " + there + " 個しかありません。"};
+    });
+  }
+
   bool read_index(std::string_view word, std::int64_t& value) {
     if (read_integer(word, value)) return true;
-    return fail("unreadable_index",
-                {shown(word) + " is not a whole number.", shown(word) + " は整数として読めません。"},
-                lines_.place(word.data()));
+    return faults_.add("unreadable_index", lines_.place(word.data()), [&] {
+      return Text{shown(word) + " is not a whole number.", shown(word) + " は整数として読めません。"};
+    });
   }
 
   bool read_face() {
     std::int64_t corners = 0;
     if (!read_index(take_word(rest_), corners)) return false;
     if (corners < 0) {
-      return fail("negative_count", {"The number of corners is negative.", "面の頂点の個数が負です。"},
-                  FilePlace::at_line(lines_.count()));
+      return faults_.add("negative_count", FilePlace::at_line(lines_.count()), [] {
+        return Text{"The number of corners is negative.", "面の頂点の個数が負です。"};
+      });
     }
     for (std::int64_t i = 0; i < corners; ++i) {
       const std::string_view word = take_word(rest_);
       std::int64_t vertex = 0;
       if (word.empty()) {
-        return fail(
-            "short_face",
-            {"The face announces " + std::to_string(corners) + " corners and has " + std::to_string(i) + ".",
-             "面の頂点は " + std::to_string(corners) + " 個のはずですが " + std::to_string(i) + " 個しかありません。"},
-            lines_.place(word.data()));
+        return faults_.add("short_face", lines_.place(word.data()), [&] {
+          const std::string there = std::to_string(i), all = std::to_string(corners);
+          return Text{"The face announces " + all + " corners and has " + there + ".",
+                      "面の頂点は " + all + " 個のはずですが " + there + " 個しかありません。"};
+        });
       }
       if (!read_index(word, vertex)) return false;
-      builder_.add_corner(vertex);
+      if (!faults_.any()) builder_.add_corner(vertex);
     }
     const bool are_whole = rest_.find_first_not_of("+-0123456789 \t") == std::string_view::npos;
-    if (!read_reals()) return false;
+    if (!read_reals() || faults_.any()) return false;
     if (!builder_.end_face(lines_.count(), values_.data(), values_.size(), are_whole)) warn_extra_values();
     return true;
   }
@@ -191,7 +193,7 @@ class OffTextReader {
                      "面の頂点の総数が 32 ビットの番号に収まりません。"},
                     FilePlace::at_line(lines_.count()));
       }
-      if (!read_face()) return false;
+      read_face();
     }
     return true;
   }
@@ -199,7 +201,7 @@ class OffTextReader {
   std::string_view bytes_;
   TextLines& lines_;
   OffBuilder builder_;
-  std::optional<Failure> failure_;
+  Faults faults_;
   std::string_view rest_;  // what is left of the current line, without its comment
   std::vector<double> values_;
   std::size_t vertex_count_ = 0, face_count_ = 0;
@@ -213,9 +215,8 @@ Failure not_off(std::string_view word, FilePlace place) {
                    place);
 }
 
-}  // namespace
-
-Result<MeshFile> read_off(std::string_view bytes, const std::filesystem::path&) {
+// By lines, as the format is meant.
+Result<MeshFile> read_by_lines(std::string_view bytes) {
   TextLines lines(bytes, false);
   TextLine line;
   std::vector<std::string> comments;
@@ -247,12 +248,20 @@ Result<MeshFile> read_off(std::string_view bytes, const std::filesystem::path&) 
   }
   std::string_view after = rest;
   if (take_word(after) == "BINARY") return read_off_binary(bytes, lines.next_byte(), *kind);
-  if (const void* nul = std::memchr(bytes.data(), 0, bytes.size())) {
-    return nul_byte_failure(static_cast<std::uint64_t>(static_cast<const char*>(nul) - bytes.data()));
-  }
+  if (std::optional<Failure> refusal = refuse_nul_bytes(bytes)) return std::move(*refusal);
   OffTextReader reader(bytes, lines, *kind);
   reader.keep_comments(std::move(comments));
   return reader.read(rest);
+}
+
+}  // namespace
+
+Result<MeshFile> read_off(std::string_view bytes, const std::filesystem::path&) {
+  Result<MeshFile> by_lines = read_by_lines(bytes);
+  // What is no text has no lines.
+  if (by_lines || !by_lines.failure().message.line) return by_lines;
+  std::optional<MeshFile> by_words = read_off_words(bytes, *by_lines.failure().message.line);
+  return by_words ? Result<MeshFile>(std::move(*by_words)) : std::move(by_lines);
 }
 
 }  // namespace ryosen

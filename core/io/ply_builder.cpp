@@ -31,6 +31,7 @@ PlyBuilder::PlyBuilder(PlyHeader header) : faces_(file_.mesh), places_(header.ta
   file_.properties = std::move(header.tables);
   file_.head_comments = std::move(header.comments);
   file_.encoding = header.encoding;
+  reporter_ = std::move(header.reporter);
 }
 
 PlyTarget PlyBuilder::target_of(const Property& property) {

@@ -5,89 +5,11 @@
 #include <unordered_set>
 
 #include "core/io/numbers.h"
-#include "core/io/reporter.h"
+#include "core/io/ply_roles.h"
 #include "core/io/text_lines.h"
 
 namespace ryosen {
 namespace {
-
-// A set of properties that the mesh has a place for. All of the first `needed` must be there.
-struct RoleRow {
-  TableKind kind;
-  PropertyRole role;
-  std::size_t needed;
-  std::vector<std::string_view> names;
-};
-
-const std::vector<RoleRow>& scalar_roles() {
-  using enum PropertyRole;
-  static const std::vector<RoleRow> rows = {
-      {TableKind::vertices, position, 3, {"x", "y", "z"}},
-      {TableKind::vertices, normal, 3, {"nx", "ny", "nz"}},
-      {TableKind::vertices, texcoord, 2, {"s", "t"}},
-      {TableKind::vertices, texcoord, 2, {"u", "v"}},
-      {TableKind::vertices, texcoord, 2, {"texture_u", "texture_v"}},
-      {TableKind::vertices, vertex_colour, 3, {"red", "green", "blue", "alpha"}},
-      {TableKind::vertices, vertex_colour, 3, {"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"}},
-      {TableKind::vertices, vertex_colour, 3, {"r", "g", "b", "a"}},
-      {TableKind::faces, face_colour, 3, {"red", "green", "blue", "alpha"}},
-      {TableKind::other, vertex_number, 2, {"vertex1", "vertex2"}},
-  };
-  return rows;
-}
-
-struct ListRoleRow {
-  TableKind kind;
-  PropertyRole role;
-  std::string_view name;
-};
-
-constexpr ListRoleRow list_roles[] = {
-    {TableKind::faces, PropertyRole::corners, "vertex_indices"},
-    {TableKind::faces, PropertyRole::corners, "vertex_index"},
-    {TableKind::faces, PropertyRole::corner_texcoord, "texcoord"},
-    {TableKind::other, PropertyRole::vertex_number, "vertex_indices"},
-    {TableKind::other, PropertyRole::vertex_number, "vertex_index"},
-};
-
-Property* find_property(PropertyTable& table, std::string_view name, bool is_list) {
-  for (Property& property : table.properties) {
-    if (property.name == name && property.is_list == is_list) return &property;
-  }
-  return nullptr;
-}
-
-bool has_role(const PropertyTable& table, PropertyRole role) {
-  return std::any_of(table.properties.begin(), table.properties.end(),
-                     [&](const Property& property) { return property.role == role; });
-}
-
-void give_scalar_role(PropertyTable& table, const RoleRow& row) {
-  if (has_role(table, row.role)) return;
-  std::vector<Property*> found;
-  for (const std::string_view name : row.names) {
-    Property* const property = find_property(table, name, false);
-    if (!property) break;
-    if (row.role == PropertyRole::vertex_number && is_real(property->type)) break;
-    found.push_back(property);
-  }
-  if (found.size() < row.needed) return;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    found[i]->role = row.role;
-    found[i]->component = static_cast<std::uint8_t>(i);
-  }
-}
-
-void give_roles(PropertyTable& table) {
-  for (const RoleRow& row : scalar_roles()) {
-    if (row.kind == table.kind) give_scalar_role(table, row);
-  }
-  for (const ListRoleRow& row : list_roles) {
-    if (row.kind != table.kind || has_role(table, row.role)) continue;
-    Property* const property = find_property(table, row.name, true);
-    if (property && is_real(property->type) == (row.role == PropertyRole::corner_texcoord)) property->role = row.role;
-  }
-}
 
 class HeaderReader {
  public:
@@ -108,7 +30,7 @@ class HeaderReader {
       }
     }
     if (!failure_) finish();
-    if (failure_) return std::move(*failure_);
+    if (failure_) return header_.explained(std::move(*failure_));
     return std::move(header_);
   }
 
@@ -132,10 +54,39 @@ class HeaderReader {
     } else if (word == "end_header") {
       is_done_ = true;
     } else if (!word.empty()) {
-      fail("unknown_keyword",
-           {shown(word) + " is no word of a PLY header.", shown(word) + " は PLY のヘッダーの語ではありません。"},
-           lines_.place(word.data()));
+      unknown(word, text);
     }
+  }
+
+  // Where a header has no end, the data would be such lines too; these begin with no letter.
+  static bool is_text(std::string_view word, std::string_view line) {
+    const char first = word[0] | 0x20;
+    const auto is_control = [](char c) { return (c >= 0 && c < ' ' && c != '\t') || c == 0x7f; };
+    return (first >= 'a' && first <= 'z') && std::none_of(line.begin(), line.end(), is_control);
+  }
+
+  void unknown(std::string_view word, std::string_view line) {
+    if (!is_text(word, line)) {
+      return fail(
+          "unknown_keyword",
+          {shown(word) + " is no word of a PLY header.", shown(word) + " は PLY のヘッダーの語ではありません。"},
+          lines_.place(word.data()));
+    }
+    if (header_.unknown_word.empty()) {
+      header_.unknown_word = shown(word);
+      header_.unknown_line = lines_.count();
+    }
+    header_.reporter.warn("unknown_keyword", lines_.place(word.data()), [&] {
+      return Text{shown(word) + " is no word of a PLY header; the line is kept as it is.",
+                  shown(word) + " は PLY のヘッダーの語ではありません。この行はそのまま保持します。"};
+    });
+    PropertyTables& tables = header_.tables;
+    const auto before = static_cast<std::uint32_t>(tables.tables.size());
+    const auto properties = static_cast<std::uint32_t>(before == 0 ? 0 : tables.tables.back().properties.size());
+    std::vector<UnknownLines>& lines = tables.unknown_lines;
+    if (lines.empty() || lines.back().tables != before || lines.back().properties != properties)
+      lines.push_back({{}, before, properties});
+    lines.back().text.append(line).append("\n");
   }
 
   static std::string_view after_blank(std::string_view text) {
@@ -280,6 +231,14 @@ const PropertyTable* PlyHeader::find(TableKind kind) const {
     if (table.kind == kind) return &table;
   }
   return nullptr;
+}
+
+Failure PlyHeader::explained(Failure failure) const {
+  if (unknown_word.empty()) return failure;
+  const std::string line = std::to_string(unknown_line);
+  failure.message.text.en += " Line " + line + " begins with " + unknown_word + ", which PLY does not know.";
+  failure.message.text.ja += line + " 行目の " + unknown_word + " は PLY にない語です。";
+  return failure;
 }
 
 Result<PlyHeader> read_ply_header(std::string_view bytes) { return HeaderReader(header_bytes(bytes)).read(); }

@@ -8,6 +8,7 @@
 
 #include "core/base/result.h"
 #include "core/io/properties.h"
+#include "core/io/reporter.h"
 
 namespace ryosen {
 
@@ -16,15 +17,21 @@ struct PlyHeader {
   PropertyTables tables;                     // with roles, without values; rows are claims
   std::vector<std::uint64_t> element_lines;  // where each table is announced
   std::vector<std::string> comments;         // without the word
+  Reporter reporter;                         // the warnings of the header
+  std::string unknown_word;                  // the first one, as it may be shown; empty if there is none
+  std::uint64_t unknown_line = 0;            // where it stands
   std::uint64_t lines = 0;                   // of the header
   std::uint64_t bytes = 0;                   // the data begin there
 
   // The table of a kind, or null.
   const PropertyTable* find(TableKind kind) const;
+  // The failure of a file with this header, which says what else may have led to it.
+  Failure explained(Failure failure) const;
 };
 
-// Reads up to the line end_header. A word that cannot be, a count that is none, a type that is not known, vertices
-// without x, y or z, and faces without a list of vertices are errors with their line. O(header).
+// Reads up to the line end_header. A count that is none, a type that is not known, vertices without x, y or z, and
+// faces without a list of vertices are errors with their line. So is a line that begins with no word; one that begins
+// with an unknown word is kept, with a warning. O(header).
 Result<PlyHeader> read_ply_header(std::string_view bytes);
 
 }  // namespace ryosen

@@ -39,7 +39,7 @@ Result<MeshFile> read_ply(std::string_view bytes, const std::filesystem::path&) 
   PlyBuilder builder(*header);
   std::optional<Failure> failure = header->encoding == Encoding::ascii ? read_ply_text(bytes, *header, builder)
                                                                        : read_ply_binary(bytes, *header, builder);
-  if (failure) return std::move(*failure);
+  if (failure) return header->explained(std::move(*failure));
   return builder.finish();
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/io/faults.h"
 #include "core/io/numbers.h"
 #include "core/io/ply_values.h"
 #include "core/io/text_lines.h"
@@ -9,7 +10,7 @@
 namespace ryosen {
 namespace {
 
-// Every step returns false after the first failure.
+// Every step returns false where nothing more can be read; what reads a row or less, where that has a fault.
 class PlyTextReader {
  public:
   PlyTextReader(std::string_view bytes, const PlyHeader& header, PlyBuilder& builder)
@@ -19,17 +20,15 @@ class PlyTextReader {
     TextLine line;
     for (std::uint64_t i = 0; i < header_.lines; ++i) lines_.next(line);
     for (std::size_t t = 0; t < builder_.tables().size(); ++t) {
-      if (!read_table(t)) return std::move(failure_);
+      if (!read_table(t)) break;
     }
+    if (faults_.any()) return faults_.take();
     warn_of_lines_left(lines_, builder_.reporter(), {"row", "行"}, [this] { return next_line(); });
     return std::nullopt;
   }
 
  private:
-  bool fail(Code code, Text text, FilePlace place) {
-    failure_ = malformed(code, std::move(text), place);
-    return false;
-  }
+  bool fail(Code code, Text text, FilePlace place) { return faults_.stop(malformed(code, std::move(text), place)); }
 
   bool next_line() {
     TextLine line;
@@ -42,8 +41,7 @@ class PlyTextReader {
     PropertyTable& table = builder_.tables()[number];
     const std::size_t least_bytes = 2 * table.properties.size(), left = bytes_.size() - lines_.next_byte() + 1;
     if (is_absurd(table.rows, least_bytes, left)) {
-      failure_ = ply_count_too_large(table, header_.element_lines[number]);
-      return false;
+      return faults_.stop(ply_count_too_large(table, header_.element_lines[number]));
     }
     if (table.properties.empty()) return true;
     const std::size_t rows = table.rows;
@@ -52,11 +50,9 @@ class PlyTextReader {
     targets_ = builder_.begin_table(number, FilePlace::at_line(lines_.count()));
     table.rows = rows;
     for (std::size_t row = 0; row < rows; ++row) {
-      if (row == 0 ? !has_first : !next_line()) {
-        failure_ = ply_early_end(table, row, FilePlace::at_line(lines_.count() + 1));
-        return false;
-      }
-      if (!read_row(table, row)) return false;
+      if (row == 0 ? !has_first : !next_line())
+        return faults_.stop(ply_early_end(table, row, FilePlace::at_line(lines_.count() + 1)));
+      if (!read_row(table, row) && faults_.is_stopped()) return false;
     }
     return true;
   }
@@ -67,6 +63,7 @@ class PlyTextReader {
       Property& property = table.properties[p];
       if (property.is_list ? !read_list(property) : !read_scalar(property, targets_[p], row)) return false;
     }
+    if (faults_.any()) return false;
     if (table.kind == TableKind::vertices) builder_.mesh().vertex_lines.add(lines_.count());
     if (!is_finite_) builder_.warn_non_finite(FilePlace::at_line(lines_.count()));
     if (!is_blank(rest_)) {
@@ -100,12 +97,14 @@ class PlyTextReader {
   }
 
   bool missing() {
-    return fail("missing_number", {"The line has too few numbers.", "この行の数が足りません。"},
-                lines_.place(rest_.data()));
+    return faults_.add("missing_number", lines_.place(rest_.data()), [] {
+      return Text{"The line has too few numbers.", "この行の数が足りません。"};
+    });
   }
   bool unreadable(std::string_view word) {
-    return fail("unreadable_number", {shown(word) + " is not a number.", shown(word) + " は数として読めません。"},
-                lines_.place(word.data()));
+    return faults_.add("unreadable_number", lines_.place(word.data()), [&] {
+      return Text{shown(word) + " is not a number.", shown(word) + " は数として読めません。"};
+    });
   }
 
   bool read_number(double& value) {
@@ -120,9 +119,9 @@ class PlyTextReader {
     const std::string_view word = take_word(rest_);
     if (word.empty()) return missing();
     if (read_integer(word, value)) return true;
-    return fail("unreadable_index",
-                {shown(word) + " is not a whole number.", shown(word) + " は整数として読めません。"},
-                lines_.place(word.data()));
+    return faults_.add("unreadable_index", lines_.place(word.data()), [&] {
+      return Text{shown(word) + " is not a whole number.", shown(word) + " は整数として読めません。"};
+    });
   }
 
   // A value for Property::data. Whole numbers must fit their type; they may be written with a fraction of zero.
@@ -153,11 +152,11 @@ class PlyTextReader {
 
   bool out_of_type(std::string_view rest, const Property& property) {
     const std::string_view word = take_word(rest);
-    const std::string type(name_of(property.type));
-    return fail("number_out_of_type",
-                {shown(word) + " does not fit the type " + type + " of " + shown(property.name) + ".",
-                 shown(word) + " は " + shown(property.name) + " の型 " + type + " に収まりません。"},
-                lines_.place(word.data()));
+    return faults_.add("number_out_of_type", lines_.place(word.data()), [&] {
+      const std::string type(name_of(property.type));
+      return Text{shown(word) + " does not fit the type " + type + " of " + shown(property.name) + ".",
+                  shown(word) + " は " + shown(property.name) + " の型 " + type + " に収まりません。"};
+    });
   }
 
   bool read_list(Property& property) {
@@ -166,10 +165,12 @@ class PlyTextReader {
     if (!read_whole(count)) return false;
     if (count < 0) {
       std::string_view rest = before;
-      return fail("negative_count", {"The length of a list is negative.", "リストの長さが負です。"},
-                  lines_.place(take_word(rest).data()));
+      return faults_.add("negative_count", lines_.place(take_word(rest).data()), [] {
+        return Text{"The length of a list is negative.", "リストの長さが負です。"};
+      });
     }
     const bool are_corners = property.role == PropertyRole::corners;
+    if (faults_.any()) property.data.clear();  // nothing is kept any more
     if (are_corners && builder_.faces().is_full(rest_.size())) {
       return fail(
           "too_many_elements",
@@ -183,9 +184,10 @@ class PlyTextReader {
         if (!read_kept(property)) return false;
       } else {
         if (!read_whole(vertex)) return false;
-        builder_.faces().add_corner(vertex);
+        if (!faults_.any()) builder_.faces().add_corner(vertex);
       }
     }
+    if (faults_.any()) return true;
     if (are_corners)
       builder_.faces().end_face(lines_.count());
     else
@@ -194,18 +196,18 @@ class PlyTextReader {
   }
 
   bool short_list(std::int64_t count, std::int64_t there) {
-    return fail(
-        "short_face",
-        {"The list announces " + std::to_string(count) + " values and has " + std::to_string(there) + ".",
-         "リストの値は " + std::to_string(count) + " 個のはずですが " + std::to_string(there) + " 個しかありません。"},
-        lines_.place(rest_.data()));
+    return faults_.add("short_face", lines_.place(rest_.data()), [&] {
+      const std::string found = std::to_string(there), all = std::to_string(count);
+      return Text{"The list announces " + all + " values and has " + found + ".",
+                  "リストの値は " + all + " 個のはずですが " + found + " 個しかありません。"};
+    });
   }
 
   std::string_view bytes_;
   const PlyHeader& header_;
   PlyBuilder& builder_;
   TextLines lines_;
-  std::optional<Failure> failure_;
+  Faults faults_;
   std::string_view rest_;  // what is left of the current line
   std::vector<PlyTarget> targets_;
   bool is_finite_ = true;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "core/base/enum_table.h"
 #include "core/io/ply.h"
@@ -144,15 +145,31 @@ class PlyWriter {
       out_ << "comment " << on_one_line(text) << '\n';
     }
     for (const std::string& info : file_.properties.obj_info) out_ << "obj_info " << on_one_line(info) << '\n';
+    unknown_lines(0, 0);
+    std::uint32_t tables = 0;
     for (const PlyTable& table : columns_.tables()) {
       out_ << "element " << table.name << ' ' << table.rows << '\n';
+      unknown_lines(++tables, 0);
+      std::uint32_t properties = 0;
       for (const PlyColumn& column : table.columns) {
         out_ << "property ";
         if (column.is_list) out_ << "list " << name_of(column.count_type) << ' ';
         out_ << name_of(column.type) << ' ' << column.name << '\n';
+        unknown_lines(tables, ++properties);
       }
+      unknown_lines(tables, no_index);
     }
     out_ << "end_header\n";
+  }
+
+  // Those that stood before this place, as far as they have not been written.
+  void unknown_lines(std::uint32_t tables, std::uint32_t properties) {
+    const std::vector<UnknownLines>& all = file_.properties.unknown_lines;
+    for (; unknown_written_ < all.size(); ++unknown_written_) {
+      const UnknownLines& lines = all[unknown_written_];
+      if (std::pair(lines.tables, lines.properties) > std::pair(tables, properties)) break;
+      out_ << lines.text;
+    }
   }
 
   template <class Sink>
@@ -191,6 +208,7 @@ class PlyWriter {
   Encoding encoding_;
   PlyColumns columns_;
   TextOut out_;
+  std::size_t unknown_written_ = 0;
 };
 
 }  // namespace

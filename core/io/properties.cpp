@@ -186,6 +186,7 @@ PropertyTables renumbered(const PropertyTables& tables, std::span<const std::uin
                           std::size_t new_vertices, std::size_t new_faces) {
   PropertyTables out;
   out.obj_info = tables.obj_info;
+  out.unknown_lines = tables.unknown_lines;
   out.has_decimal_reals = tables.has_decimal_reals;
   const VertexNumbers numbers(vertex_number, std::min(old_vertices, vertex_number.size()), new_vertices);
   for (const PropertyTable& table : tables.tables) {

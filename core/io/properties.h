@@ -97,10 +97,20 @@ struct PropertyTable {
   std::vector<Property> properties;
 };
 
+// Lines of a PLY header that begin with a word it does not know, and where they stand.
+struct UnknownLines {
+  std::string text;              // one or several, each with its line end
+  std::uint32_t tables = 0;      // how many tables are announced before them
+  std::uint32_t properties = 0;  // and how many properties of the last of these
+
+  bool operator==(const UnknownLines&) const = default;
+};
+
 struct PropertyTables {
-  std::vector<PropertyTable> tables;  // in the order of the file
-  std::vector<std::string> obj_info;  // header lines of PLY, without the word
-  bool has_decimal_reals = false;     // reals were read from text, exactly, whatever type was announced
+  std::vector<PropertyTable> tables;        // in the order of the file
+  std::vector<std::string> obj_info;        // header lines of PLY, without the word
+  std::vector<UnknownLines> unknown_lines;  // in the order of the file
+  bool has_decimal_reals = false;           // reals were read from text, exactly, whatever type was announced
 
   // Whether they are all that a PLY file had, and not only what another format has besides its mesh.
   bool has_layout() const;

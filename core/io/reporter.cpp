@@ -37,13 +37,6 @@ Failure malformed(Code code, Text text, FilePlace place) {
   return {ExitCode::input_malformed, make_message(Severity::error, code, std::move(text), place)};
 }
 
-Failure nul_byte_failure(std::uint64_t byte) {
-  return malformed("nul_byte",
-                   {"The file holds a NUL byte; it is not a text file or it is damaged.",
-                    "ファイルに NUL バイトがあります。テキストファイルでないか、壊れています。"},
-                   FilePlace::at_byte(byte));
-}
-
 std::string shown(std::string_view token) {
   constexpr std::size_t limit = 40;
   std::string out = "\"";

@@ -32,9 +32,6 @@ Message make_message(Severity severity, Code code, Text text, FilePlace place = 
 // The failure of a file whose content cannot be read; exit code input_malformed.
 Failure malformed(Code code, Text text, FilePlace place = {});
 
-// The failure of a text file that holds a NUL byte there.
-Failure nul_byte_failure(std::uint64_t byte);
-
 // A token as it may be shown in a sentence: quoted, shortened to 40 bytes, without control characters or broken UTF-8.
 std::string shown(std::string_view token);
 

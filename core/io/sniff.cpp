@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "core/io/reporter.h"
+#include "core/io/faults.h"
 
 namespace ryosen {
 namespace {
@@ -76,7 +76,7 @@ std::optional<Failure> refuse_binary(std::string_view head) {
   const auto first = std::find_if(head.begin(), head.end(), is_control);
   if (first == head.end()) return std::nullopt;
   const auto byte = static_cast<std::uint64_t>(first - head.begin());
-  if (*first == '\0' && std::count_if(head.begin(), head.end(), is_control) == 1) return nul_byte_failure(byte);
+  if (*first == '\0' && std::count_if(head.begin(), head.end(), is_control) == 1) return refuse_nul_bytes(head);
   return malformed(
       "binary_content",
       {"The content is binary, of no known mesh format.", "内容がバイナリーで、既知のメッシュ形式ではありません。"},

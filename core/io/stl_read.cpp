@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstring>
 
 #include "core/base/parallel.h"
+#include "core/geometry/is_finite.h"
 #include "core/io/face_list.h"
 #include "core/io/losses.h"
 #include "core/io/reporter.h"
@@ -72,12 +72,9 @@ class StlBinaryReader {
   }
 
   void warn_non_finite(const StlFacets& facets) {
-    const auto is_finite = [&](std::uint32_t c) {
-      const glm::vec3 p = facets.place(c);
-      return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-    };
+    const auto has_place = [&](std::uint32_t c) { return is_finite(glm::dvec3(facets.place(c))); };
     for (std::uint32_t facet = 0; facet < facets.count(); ++facet) {
-      if (is_finite(3 * facet) && is_finite(3 * facet + 1) && is_finite(3 * facet + 2)) continue;
+      if (has_place(3 * facet) && has_place(3 * facet + 1) && has_place(3 * facet + 2)) continue;
       reporter_.warn("nonfinite_number", FilePlace::at_face(facet), [] {
         return Text{"A coordinate of the facet is not finite.", "面の座標に有限でない数があります。"};
       });

@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <cstring>
-#include <optional>
 
+#include "core/io/faults.h"
 #include "core/io/numbers.h"
 #include "core/io/text_lines.h"
 #include "core/io/welder.h"
@@ -11,8 +11,8 @@
 namespace ryosen {
 namespace {
 
-// Words in any layout; only the name of a solid goes to the end of its line. Every step returns false after the first
-// failure.
+// Words in any layout; only the name of a solid goes to the end of its line. Every step returns false where nothing
+// more can be read.
 class StlTextReader {
  public:
   explicit StlTextReader(std::string_view bytes)
@@ -21,8 +21,9 @@ class StlTextReader {
   Result<MeshFile> read() {
     file_.encoding = Encoding::ascii;
     while (next_word() && !is_stopped_) {
-      if (!read_solid()) return std::move(*failure_);
+      if (!read_solid()) break;
     }
+    if (faults_.any()) return faults_.take();
     end_groups();
     if (file_.mesh.face_count() == 0) {
       reporter_.warn("no_faces", {}, [] { return Text{"The file has no facets.", "ファイルに面がありません。"}; });
@@ -31,10 +32,7 @@ class StlTextReader {
   }
 
  private:
-  bool fail(Code code, Text text, FilePlace place) {
-    failure_ = malformed(code, std::move(text), place);
-    return false;
-  }
+  bool fail(Code code, Text text, FilePlace place) { return faults_.stop(malformed(code, std::move(text), place)); }
   FilePlace here() const { return lines_.place(word_.data()); }
 
   // Goes on to the next word, over line ends.
@@ -97,7 +95,7 @@ class StlTextReader {
       return true;
     }
     const std::size_t name_end = end_of_name(rest_);
-    solids_.emplace_back(trimmed(rest_.substr(0, name_end)));
+    if (!faults_.any()) solids_.emplace_back(trimmed(rest_.substr(0, name_end)));
     rest_.remove_prefix(name_end);
     while (next_word()) {
       if (is_stl_word(word_, "endsolid")) {
@@ -122,8 +120,10 @@ class StlTextReader {
         is_finite_ = false;
         return true;
       default:
-        return fail("unreadable_number", {shown(word_) + " is not a number.", shown(word_) + " は数として読めません。"},
-                    here());
+        faults_.add("unreadable_number", here(), [&] {
+          return Text{shown(word_) + " is not a number.", shown(word_) + " は数として読めません。"};
+        });
+        return true;
     }
   }
 
@@ -144,6 +144,7 @@ class StlTextReader {
       ++corners;
     }
     if (!expect("endfacet")) return false;
+    if (faults_.any()) return true;
     faces_.end_face(line);
     file_.mesh.groups.index.push_back(static_cast<std::uint32_t>(solids_.size() - 1));
     if (corners == 3) return true;
@@ -164,6 +165,7 @@ class StlTextReader {
     for (int i = 0; i < 3; ++i) {
       if (!read_number(place[i])) return false;
     }
+    if (faults_.any()) return true;
     if (!is_finite_) {
       reporter_.warn("nonfinite_number", FilePlace::at_line(line), [] {
         return Text{"A coordinate of the facet is not finite.", "面の座標に有限でない数があります。"};
@@ -188,7 +190,7 @@ class StlTextReader {
   FaceList faces_;
   Reporter reporter_;
   Welder welder_;
-  std::optional<Failure> failure_;
+  Faults faults_;
   std::string_view rest_, word_;
   std::vector<std::string> solids_;
   bool is_finite_ = true;

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <optional>
 
+#include "core/geometry/is_finite.h"
 #include "core/io/face_list.h"
+#include "core/io/faults.h"
 #include "core/io/numbers.h"
-#include "core/io/reporter.h"
 #include "core/io/text_lines.h"
 #include "core/io/text_out.h"
 #include "core/io/triangulated.h"
@@ -41,13 +41,13 @@ class ZeroBase {
   bool is_within_ = true;  // no vertex is beyond those that a list from 0 could name
 };
 
-// Every step returns false after the first failure.
+// Every step returns false where nothing more can be read; what reads a line, where that has a fault.
 class TxtReader {
  public:
   explicit TxtReader(std::string_view bytes) : bytes_(bytes), lines_(bytes, false), faces_(file_.mesh) {}
 
   Result<MeshFile> read() {
-    if (!read_counts() || !read_vertices() || !read_faces()) return std::move(*failure_);
+    if (!read_counts() || !read_vertices() || !read_faces() || faults_.any()) return faults_.take();
     warn_of_lines_left(lines_, reporter_, {"face", "面"}, [this] { return next_line(); });
     if (vertices_ == 0) warn("no_vertices", {"The file has no vertices.", "ファイルに頂点がありません。"});
     if (face_count_ == 0) warn("no_faces", {"The file has no faces.", "ファイルに面がありません。"});
@@ -58,10 +58,7 @@ class TxtReader {
   }
 
  private:
-  bool fail(Code code, Text text, FilePlace place) {
-    failure_ = malformed(code, std::move(text), place);
-    return false;
-  }
+  bool fail(Code code, Text text, FilePlace place) { return faults_.stop(malformed(code, std::move(text), place)); }
   void warn(Code code, const Text& text) {
     reporter_.warn(code, {}, [&] { return text; });
   }
@@ -83,28 +80,28 @@ class TxtReader {
   }
 
   bool too_few(int wanted) {
-    return fail("missing_number",
-                {"The line has fewer than the " + std::to_string(wanted) + " numbers that are needed.",
-                 "この行には " + std::to_string(wanted) + " 個の数が必要です。"},
-                lines_.place(rest_.data()));
+    return faults_.add("missing_number", lines_.place(rest_.data()), [&] {
+      return Text{"The line has fewer than the " + std::to_string(wanted) + " numbers that are needed.",
+                  "この行には " + std::to_string(wanted) + " 個の数が必要です。"};
+    });
   }
 
   bool end_line(int wanted) {
     const std::string_view word = take_word(rest_);
     if (word.empty()) return true;
-    return fail("extra_values",
-                {"The line has more than the " + std::to_string(wanted) + " numbers that have a meaning.",
-                 "この行には意味のある " + std::to_string(wanted) + " 個より多くの数があります。"},
-                lines_.place(word.data()));
+    return faults_.add("extra_values", lines_.place(word.data()), [&] {
+      return Text{"The line has more than the " + std::to_string(wanted) + " numbers that have a meaning.",
+                  "この行には意味のある " + std::to_string(wanted) + " 個より多くの数があります。"};
+    });
   }
 
   bool read_whole(int wanted, std::int64_t& value) {
     const std::string_view word = take_word(rest_);
     if (word.empty()) return too_few(wanted);
     if (read_integer(word, value)) return true;
-    return fail("unreadable_index",
-                {shown(word) + " is not a whole number.", shown(word) + " は整数として読めません。"},
-                lines_.place(word.data()));
+    return faults_.add("unreadable_index", lines_.place(word.data()), [&] {
+      return Text{shown(word) + " is not a whole number.", shown(word) + " は整数として読めません。"};
+    });
   }
 
   bool read_count(std::size_t& count) {
@@ -134,11 +131,8 @@ class TxtReader {
     for (std::size_t v = 0; v < vertices_; ++v) {
       if (!next_line()) return ends_early(v, vertices_, false);
       glm::dvec3 p;
-      for (int i = 0; i < 3; ++i) {
-        if (!take_number(rest_, p[i]) && !read_unusual(p[i])) return false;
-      }
-      if (!end_line(3)) return false;
-      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+      if (!read_vertex(p) || faults_.any()) continue;
+      if (!is_finite(p)) {
         reporter_.warn("nonfinite_number", FilePlace::at_line(lines_.count()), [] {
           return Text{"A number of a vertex is not finite.", "頂点に有限でない数があります。"};
         });
@@ -149,12 +143,20 @@ class TxtReader {
     return true;
   }
 
+  bool read_vertex(glm::dvec3& p) {
+    for (int i = 0; i < 3; ++i) {
+      if (!take_number(rest_, p[i]) && !read_unusual(p[i])) return false;
+    }
+    return end_line(3);
+  }
+
   bool read_unusual(double& value) {
     const std::string_view word = take_word(rest_);
     if (word.empty()) return too_few(3);
     if (read_real(word, value) != NumberRead::unreadable) return true;
-    return fail("unreadable_number", {shown(word) + " is not a number.", shown(word) + " は数として読めません。"},
-                lines_.place(word.data()));
+    return faults_.add("unreadable_number", lines_.place(word.data()), [&] {
+      return Text{shown(word) + " is not a number.", shown(word) + " は数として読めません。"};
+    });
   }
 
   bool read_faces() {
@@ -169,16 +171,12 @@ class TxtReader {
                     FilePlace::at_line(lines_.count()));
       }
       std::array<std::int64_t, 3> corners{};
-      for (std::int64_t& corner : corners) {
-        if (!take_number(rest_, corner) && !read_whole(3, corner)) return false;
-        if (corner != INT64_MIN && corner != INT64_MAX) --corner;  // which stand for all beyond
-        faces_.add_corner(corner);
-      }
-      if (!end_line(3)) return false;
+      if (!read_corners(corners) || faults_.any()) continue;
+      for (const std::int64_t corner : corners) faces_.add_corner(corner);
       if (zero_base.add_face(corners) && first_zero_line == 0) first_zero_line = lines_.count();
       faces_.end_face(lines_.count());
     }
-    if (!zero_base.is_shown(face_count_)) return true;
+    if (faults_.any() || !zero_base.is_shown(face_count_)) return true;
     return fail("zero_based",
                 {"The faces name vertex 0 and never the last one: they count from 0, and this format counts from 1. "
                  "Add 1 to every vertex.",
@@ -187,12 +185,20 @@ class TxtReader {
                 FilePlace::at_line(first_zero_line));
   }
 
+  bool read_corners(std::array<std::int64_t, 3>& corners) {
+    for (std::int64_t& corner : corners) {
+      if (!take_number(rest_, corner) && !read_whole(3, corner)) return false;
+      if (corner != INT64_MIN && corner != INT64_MAX) --corner;  // which stand for all beyond
+    }
+    return end_line(3);
+  }
+
   std::string_view bytes_;
   TextLines lines_;
   MeshFile file_;
   FaceList faces_;
   Reporter reporter_;
-  std::optional<Failure> failure_;
+  Faults faults_;
   std::string_view rest_;
   std::size_t vertices_ = 0, face_count_ = 0;
 };
@@ -200,8 +206,7 @@ class TxtReader {
 }  // namespace
 
 Result<MeshFile> read_txt(std::string_view bytes, const std::filesystem::path&) {
-  if (const void* nul = bytes.empty() ? nullptr : std::memchr(bytes.data(), 0, bytes.size()))
-    return nul_byte_failure(static_cast<std::uint64_t>(static_cast<const char*>(nul) - bytes.data()));
+  if (std::optional<Failure> refusal = refuse_nul_bytes(bytes)) return std::move(*refusal);
   return TxtReader(bytes).read();
 }
 

@@ -52,7 +52,7 @@ void FileBrowser::begin(const Document& document) {
   enter(path.empty() ? fs::current_path(ignored) : fs::absolute(path, ignored).parent_path());
 }
 
-// Folders and the files of known formats; hidden ones are left out.
+// Folders and the files of known formats, to save as of those that can be written; hidden ones are left out.
 void FileBrowser::enter(const fs::path& folder) {
   folder_ = folder;
   entries_.clear();
@@ -63,7 +63,9 @@ void FileBrowser::enter(const fs::path& folder) {
     const std::string name = entries->path().filename().string();
     if (name.starts_with('.')) continue;
     const bool is_folder = entries->is_directory(ignored);
-    if (is_folder || may_be_mesh(entries->path())) entries_.push_back({name, is_folder});
+    const Format* const format = format_of_extension(entries->path());
+    const bool is_listed = may_be_mesh(entries->path()) && (!saves_ || format->write);
+    if (is_folder || is_listed) entries_.push_back({name, is_folder});
   }
   std::sort(entries_.begin(), entries_.end(),
             [](const auto& a, const auto& b) { return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name; });

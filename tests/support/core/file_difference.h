@@ -62,7 +62,8 @@ inline bool same_elements(const ElementList& a, const ElementList& b) {
 }
 
 inline bool same_properties(const PropertyTables& a, const PropertyTables& b) {
-  if (a.obj_info != b.obj_info || a.tables.size() != b.tables.size()) return false;
+  if (a.obj_info != b.obj_info || a.unknown_lines != b.unknown_lines || a.tables.size() != b.tables.size())
+    return false;
   for (std::size_t t = 0; t < a.tables.size(); ++t) {
     const PropertyTable &x = a.tables[t], &y = b.tables[t];
     if (x.name != y.name || x.rows != y.rows || x.properties.size() != y.properties.size()) return false;

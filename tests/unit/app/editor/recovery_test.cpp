@@ -12,6 +12,7 @@
 #include "app/editor/autosave.h"
 #include "app/editor/session.h"
 #include "app/editor/words.h"
+#include "core/io/gzip.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {
@@ -166,6 +167,23 @@ TEST_F(RecoveryTest, edits_after_a_save_over_the_file_begin_with_what_it_held) {
   again->run("save");
   again->autosave.finish();
   EXPECT_TRUE(kept().empty());
+}
+
+TEST_F(RecoveryTest, a_packed_file_is_saved_packed_and_its_original_read_by_its_name) {
+  // Only its name says that the list is OFF.
+  const std::string path = files_.write("a.off.gz", pack_gzip(test::read_file(test::asset("torus.off")).substr(4)));
+  auto crashed = open(path);
+  crashed->run("collapse 0-1 mid");
+  crashed->run("save");
+  EXPECT_TRUE(is_gzip(test::read_file(path)));
+  EXPECT_EQ(Document::open(path).value()->mesh().hash(), crashed->session.mesh().hash());
+  crashed->run("split 40-41");
+  const std::uint64_t hash = crashed->session.mesh().hash();
+  crashed.reset();
+  auto again = open_nothing();
+  const Outcome outcome = again->session.run("recover 1");
+  ASSERT_TRUE(outcome.done()) << outcome.sentence.en;
+  EXPECT_EQ(again->session.mesh().hash(), hash);
 }
 
 TEST_F(RecoveryTest, saving_first_and_editing_then_is_the_same) {

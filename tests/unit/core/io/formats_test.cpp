@@ -152,6 +152,70 @@ TEST(formats, a_name_that_says_another_format_is_reported) {
   EXPECT_NE(io_test::find_message(*file, "content_mismatch"), nullptr);
 }
 
+// A format that is only read: a word and how many triangles lie on each other.
+Format stack_format() {
+  Format format;
+  format.id = "stack";
+  format.name = {"stack of triangles", "三角形の山"};
+  format.extensions = {".stack"};
+  format.sniff = [](std::string_view head, std::uint64_t) {
+    return head.starts_with("stack ") ? Likeness::sure : Likeness::no;
+  };
+  format.read = [](std::string_view bytes, const std::filesystem::path&) -> Result<MeshFile> {
+    MeshFile file;
+    file.mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    for (char count = '0'; count < bytes[6]; ++count) {
+      for (const std::uint32_t v : {0u, 1u, 2u}) file.mesh.corners.push_back(v);
+      file.mesh.face_offsets.push_back(static_cast<std::uint32_t>(file.mesh.corners.size()));
+    }
+    return file;
+  };
+  return format;
+}
+
+TEST(formats, one_that_is_only_read_is_a_row_like_any_other) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "a.stack") << "stack 2\n";
+  const std::size_t rows = formats().size();
+  const Format* const first = &formats()[0];
+  EXPECT_EQ(recognised("stack 2\n", "a.stack"), "unknown_format");
+  EXPECT_FALSE(may_be_mesh(folder / "a.stack"));
+  {
+    const AddedFormat added(stack_format());
+    EXPECT_EQ(formats().size(), rows + 1);
+    EXPECT_EQ(&formats()[0], first) << "rows stay where they are";
+    EXPECT_EQ(recognised("stack 2\n", "a"), "stack");
+    EXPECT_TRUE(may_be_mesh(folder / "a.stack"));
+    EXPECT_EQ(find_target("stack")->format, &added.row());
+    const Result<MeshFile> file = read_mesh_file(folder / "a.stack");
+    ASSERT_TRUE(file.ok());
+    EXPECT_EQ(file->format, &added.row());
+    EXPECT_EQ(file->mesh.face_count(), 2u);
+    for (const Status& status :
+         {write_mesh_file(folder / "b.stack", *file), write_mesh_file(folder / "b.stack.gz", *file),
+          write_mesh_file(folder / "b.obj", *file, {&added.row()})}) {
+      ASSERT_FALSE(status.ok());
+      EXPECT_EQ(status.failure().exit_code, ExitCode::usage);
+      EXPECT_EQ(status.failure().message.code, "unknown_format");
+      EXPECT_NE(status.failure().message.text.en.find("stack of triangles are only read"), std::string::npos);
+    }
+    EXPECT_TRUE(write_mesh_file(folder / "b.obj", *file).ok()) << "another format holds it";
+    EXPECT_EQ(folder.entry_count(), 2u);
+  }
+  EXPECT_EQ(formats().size(), rows);
+  EXPECT_EQ(find_format("stack"), nullptr);
+}
+
+TEST(formats, a_refused_file_says_what_it_was_taken_for) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "a.obj") << "v x\n";
+  const Format* taken_for = nullptr;
+  EXPECT_FALSE(read_mesh_file(folder / "a.obj", &taken_for).ok());
+  EXPECT_EQ(taken_for, find_format("obj"));
+  EXPECT_FALSE(read_mesh_file(folder / "gone.obj", &taken_for).ok());
+  EXPECT_EQ(taken_for, nullptr);
+}
+
 TEST(formats, own_files_come_back_the_same_in_every_format_that_holds_them) {
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(RYOSEN_SOURCE_DIR "/tests/data/io")) {

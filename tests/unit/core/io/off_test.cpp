@@ -65,7 +65,7 @@ TEST(off_read, counts_are_claims) {
         Case{"OFF\nx 4 0\n", "unreadable_number", 2}, Case{"OFF\n4\n0 0 0\n1 1 1\n2 2 2\n3 3 3\n", "missing_number", 2},
         Case{"OFF\n", "unexpected_end", 2}, Case{"OFF\n2 0 0\n0 0 0\n# ......\n", "unexpected_end", 5},
         Case{"OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "unexpected_end", 7},
-        Case{"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n2\n", "short_face", 6},
+        Case{"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n", "short_face", 6},
         Case{"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n", "negative_count", 6},
         Case{"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2.5\n", "unreadable_index", 6},
         Case{"OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "missing_number", 4},

@@ -272,6 +272,42 @@ TEST(ply_read, headers_that_cannot_be) {
       });
 }
 
+TEST(ply_read, unknown_lines_of_the_header_keep_their_place) {
+  const std::string text =
+      "ply\nformat ascii 1.0\ncomment c\nobj_info o\nsoftware of 1999\nunits\tmm\nelement vertex 3\nnote first\n"
+      "property float x\nproperty float y\nnote in between\nproperty float z\nnote behind\nelement face 1\n"
+      "property list uchar int vertex_indices\n_end\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const Failure refused = read_refused("ply", text);
+  EXPECT_EQ(refused.message.code, "unknown_keyword") << "begins with no letter";
+  std::string sound = text;
+  sound.replace(sound.find("_end\n"), 5, "zend\n");
+  const MeshFile file = read_sound("ply", sound);
+  EXPECT_EQ(bytes_of(file, *find_format("ply")), sound);
+  std::vector<std::uint64_t> lines;
+  for (const Message& message : file.messages) {
+    EXPECT_EQ(message.code, "unknown_keyword");
+    lines.push_back(message.line.value_or(0));
+  }
+  EXPECT_EQ(lines, (std::vector<std::uint64_t>{5, 6, 8, 11, 13, 16}));
+  EXPECT_EQ(io_test::loss_codes(file, "ply"), "");
+  EXPECT_EQ(io_test::loss_codes(file, "off"), "loses_extra_elements");
+  EXPECT_EQ(losses_of(file, *find_format("off"))[0].count, 7u);
+  for (const FormatVariant& variant : find_format("ply")->variants) {
+    const MeshFile again = read_sound("ply", bytes_of(file, *find_format("ply"), variant.encoding));
+    EXPECT_EQ(again.properties.unknown_lines, file.properties.unknown_lines) << variant.id;
+  }
+}
+
+TEST(ply_read, a_refusal_names_the_unknown_word_that_may_have_led_to_it) {
+  const Failure failure =
+      read_refused("ply",
+                   "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproprety float z\n"
+                   "end_header\n0 0 0\n");
+  EXPECT_EQ(failure.message.code, "missing_property");
+  EXPECT_NE(failure.message.text.en.find("Line 6 begins with \"proprety\""), std::string::npos)
+      << failure.message.text.en;
+}
+
 TEST(ply_read, rows_that_cannot_be) {
   expect_refusals("ply", ply_tetrahedron,
                   {

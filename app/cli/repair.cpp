@@ -8,7 +8,9 @@
 #include "app/cli/edit_script.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/json.h"
+#include "app/cli/outputs.h"
 #include "app/cli/subcommands.h"
+#include "app/cli/visible.h"
 #include "app/cli/write_output.h"
 #include "app/editor/document.h"
 
@@ -23,6 +25,11 @@ std::optional<Failure> add_calls(const std::string& word, std::vector<RepairCall
       if (row.keeps_geometry) calls.push_back({&row, std::nullopt});
     return std::nullopt;
   }
+  if (word.starts_with("default="))
+    return usage_failure(
+        "bad_value",
+        {"--kinds: default stands for several repairs and takes no number. Write default,ID=NUMBER.",
+         "--kinds：default は複数の修復をまとめたもので、数は付けられません。（書式：default,ID=NUMBER）"});
   const std::size_t equals = std::min(word.find('='), word.size());
   const std::string id = word.substr(0, equals);
   std::optional<std::string_view> number;
@@ -69,18 +76,23 @@ std::string name_of(const RepairCall& call) {
 
 class RepairRun {
  public:
-  RepairRun(Document& document, EditFiles files, const Console& console)
-      : document_(document), files_(std::move(files)), console_(console) {}
+  RepairRun(Document& document, std::string input, std::optional<std::string> output, RunFiles files,
+            const Console& console)
+      : document_(document),
+        input_(std::move(input)),
+        wanted_(std::move(output)),
+        files_(std::move(files)),
+        console_(console) {}
 
   ExitCode run(const std::vector<RepairCall>& calls) {
     if (!repair(calls)) return cancel();
     // What is left is named as in the file that is written.
-    after_ = check_mesh(document_.contents(), files_.output.value_or(files_.input));
+    after_ = check_mesh(document_.contents(), wanted_.value_or(input_));
     const bool has_problem = std::any_of(after_.problems.begin(), after_.problems.end(), [](const NamedProblem& p) {
       return p.problem.row().severity == ProblemSeverity::problem;
     });
     code_ = has_problem ? ExitCode::found_problems : ExitCode::done;
-    if (files_.output) write();
+    if (wanted_) write();
     console_.json ? print_json() : print_text();
     return code_;
   }
@@ -104,11 +116,11 @@ class RepairRun {
     Failure failure{ExitCode::cancelled, {}};
     failure.message.code = "cancelled";
     failure.message.text = {"Cancelled; nothing is written.", "中止しました。何も書き出していません。"};
-    return console_.fail(failure, files_.input);
+    return console_.fail(failure, input_);
   }
 
   void write() {
-    output_ = write_output(document_, *files_.output, false, console_);
+    output_ = write_output(document_, files_, *wanted_, false, console_);
     if (output_.failure) code_ = output_.failure->exit_code;
   }
 
@@ -117,15 +129,15 @@ class RepairRun {
                                            : console_.text("left:\n", "残り：\n"));
     for (const NamedProblem& problem : after_.problems) console_.print(to_text(problem, console_));
     if (output_.is_there)
-      console_.print(console_.text(Text{"written: ", "書き出し："}) + *files_.output + "\n");
+      console_.print(console_.text(Text{"written: ", "書き出し："}) + visible_line(*wanted_) + "\n");
     else
       console_.print(console_.text("nothing written\n", "書き出しなし\n"));
   }
 
   void print_json() const {
     Json json;
-    json["file"] = files_.input;
-    json["output"] = output_.is_there ? Json(*files_.output) : Json();
+    json["file"] = input_;
+    json["output"] = output_.is_there ? Json(*wanted_) : Json();
     json["status"] = output_.failure ? "error" : code_ == ExitCode::done && output_.losses.empty() ? "ok" : "warnings";
     json["repairs"] = Json::array();
     for (const Done& done : done_) {
@@ -153,7 +165,9 @@ class RepairRun {
   }
 
   Document& document_;
-  EditFiles files_;
+  std::string input_;
+  std::optional<std::string> wanted_;  // -o
+  RunFiles files_;
   const Console& console_;
   std::vector<Done> done_;
   CheckReport after_;
@@ -163,17 +177,23 @@ class RepairRun {
 
 }  // namespace
 
-ExitCode repair_command(const Arguments& arguments, const Console& console) {
-  EditFiles files{arguments.operands()[0], {}, arguments.has("--overwrite")};
-  if (const std::string* const output = arguments.value("-o")) files.output = *output;
+ExitCode repair_command(const Arguments& arguments, const Console& given) {
+  const std::string& input = arguments.operands()[0];
+  const std::string* const output = arguments.value("-o");
   const std::string* const kinds = arguments.value("--kinds");
   const Result<std::vector<RepairCall>> calls = read_kinds(kinds ? *kinds : "default");
-  if (!calls) return console.fail(calls.failure());
-  if (const auto fault = find_fault({}, files)) return console.fail(*fault, files.input);
-  const Result<std::unique_ptr<Document>> document = Document::open(files.input);
-  if (!document) return console.fail(document.failure(), files.input);
-  for (const Message& message : (*document)->file().messages) console.show(message, files.input);
-  return RepairRun(**document, files, console).run(*calls);
+  if (!calls) return given.fail(calls.failure());
+  std::vector<PlannedOutput> outputs;
+  if (output) outputs.push_back({*output, FileRole::result});
+  const RunFiles files = files_of_run(arguments, input);
+  RunFiles planned = files;
+  if (const auto fault = find_fault({}, input, outputs, planned)) return given.fail(*fault, input);
+  Console console = given;
+  console.leaves_stdout = planned.uses_stdout();
+  const Result<std::unique_ptr<Document>> document = Document::open(input);
+  if (!document) return console.fail(document.failure(), input);
+  for (const Message& message : (*document)->file().messages) console.show(message, input);
+  return RepairRun(**document, input, output ? std::optional(*output) : std::nullopt, files, console).run(*calls);
 }
 
 }  // namespace ryosen::cli

@@ -35,8 +35,6 @@ inline constexpr CodeRow table[] = {
     {"name_ambiguous", error, "A name fits several elements.", "名前が複数の要素に当てはまります。"},
     {"operand_missing", error, "A command has too few operands.", "コマンドの引数が足りません。"},
     {"operand_too_many", error, "A command has too many operands.", "コマンドの引数が多すぎます。"},
-    {"output_is_input", error, "A picture would replace an input; --overwrite allows it.",
-     "画像が入力を置き換えます（--overwrite で許可）。"},
     {"output_missing", error, "No output is named.", "出力先が指定されていません。"},
     {"unknown_command", error, "There is no such command.", "そのようなコマンドはありません。"},
     {"unknown_flag", error, "The command has no such flag.", "コマンドにそのようなフラグはありません。"},
@@ -198,12 +196,16 @@ inline constexpr CodeRow table[] = {
      "面を持たない稜線が失われるか、線になります。"},
 
     // Outputs.
-    {"input_would_be_replaced", error, "The output is an input; --overwrite allows it.",
-     "出力が入力を置き換えます（--overwrite で許可）。"},
+    {"input_would_be_replaced", error, "An output is a file that the run reads; --overwrite allows it.",
+     "出力が、この実行で読み込むファイルを置き換えます（--overwrite で許可）。"},
+    {"name_hides_format", error, "Under its name the output would not be read as its format again.",
+     "その名前では、書き出す形式として読み直せません。"},
     {"output_is_folder", error, "The output is a folder.", "出力先がフォルダです。"},
     {"output_not_durable", error, "The output is written, and may not survive a power cut.",
      "書き出しましたが、停電が起きると残らないかもしれません。"},
     {"output_not_writable", error, "The output cannot be written.", "出力を書き込めません。"},
+    {"output_would_be_replaced", error, "An output is one that the run has written before; --overwrite allows it.",
+     "出力が、この実行で先に書き出したファイルを置き換えます（--overwrite で許可）。"},
 };
 
 }  // namespace codes

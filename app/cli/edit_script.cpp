@@ -33,7 +33,9 @@ class FileUse {
   std::optional<Failure> save(const std::string& path) {
     if (!path.empty() && !is_stream(path)) current_ = path;
     const std::string& target = path.empty() ? current_ : path;
-    return target.empty() ? std::nullopt : write({target, FileRole::saved});
+    if (!target.empty()) return write({target, FileRole::saved});
+    return usage_failure("bad_arguments", {"save needs a file name here: the document has none that is known before.",
+                                           "save にはファイル名が必要です（文書のファイルが事前に決まりません）。"});
   }
 
   // A picture without a name takes a free one.

@@ -10,6 +10,7 @@
 #include "app/cli/json.h"
 #include "core/analysis/figures.h"
 #include "core/analysis/problems.h"
+#include "core/io/elements.h"
 #include "core/io/mesh_file.h"
 
 namespace ryosen::cli {
@@ -48,6 +49,7 @@ struct CheckReport {
   std::string format;              // empty when the file is of none
   std::optional<Failure> failure;  // then the rest is empty
   Figures figures;
+  ElementTotals beside;  // lines and points of the file, in no face
   std::vector<NamedProblem> problems;
   std::vector<Message> messages;
   std::string hash;

@@ -117,8 +117,8 @@ class Editor {
     session_.frame_all();
     session_.autosave = &autosave_;
     autosave_.begin(session_.document());
-    session_.lost = find_lost_sessions(recovery_folder());
-    if (!session_.lost.empty()) session_.open_panel = "recover";
+    // Why the folder cannot be read is said to whoever asks for the list.
+    if (list_lost_sessions(session_) && !session_.lost.empty()) session_.open_panel = "recover";
   }
 
   void run() {

@@ -28,19 +28,15 @@ void for_runs(std::vector<std::uint32_t> numbers, const Write& write) {
 
 }  // namespace
 
-glm::dmat4 BufferSpace::to_mesh() const {
-  return glm::scale(glm::translate(glm::dmat4(1.0), origin), glm::dvec3(1 / scale));
-}
-
 BufferSpace buffer_space(const glm::dvec3& low, const glm::dvec3& high) {
-  const glm::dvec3 size = high - low;
-  const double largest = std::max({size.x, size.y, size.z});
+  const glm::dvec3 half_size = 0.5 * high - 0.5 * low;
+  const double largest = std::max({half_size.x, half_size.y, half_size.z});
   BufferSpace space;
   space.origin = 0.5 * low + 0.5 * high;
   if (largest > 0 && std::isfinite(largest)) {
     int exponent = 0;
     std::frexp(largest, &exponent);
-    space.scale = std::ldexp(1.0, std::clamp(-exponent, -1000, 1000));
+    space.scale = std::ldexp(1.0, std::clamp(-exponent - 1, -1022, 1022));
   }
   return space;
 }

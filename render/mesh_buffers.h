@@ -43,8 +43,9 @@ struct BufferSpace {
   glm::dvec3 origin{0};
   double scale = 1;
 
-  glm::vec3 from_mesh(const glm::dvec3& p) const { return glm::vec3((p - origin) * scale); }
-  glm::dmat4 to_mesh() const;
+  glm::vec3 from_mesh(const glm::dvec3& p) const { return glm::vec3(place_from_mesh(p)); }
+  // Halves first: the difference of two large numbers may be too large.
+  glm::dvec3 place_from_mesh(const glm::dvec3& p) const { return (0.5 * p - 0.5 * origin) * (2 * scale); }
 };
 // The space that suits a mesh within a box.
 BufferSpace buffer_space(const glm::dvec3& low, const glm::dvec3& high);

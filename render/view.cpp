@@ -10,14 +10,16 @@ namespace {
 
 constexpr PixelFormat picture_formats[] = {PixelFormat::rgba8};
 
-// From buffer space to view space, without a change of scale.
-glm::dmat4 view_from_buffer(const Camera& camera, const BufferSpace& space) {
-  return glm::scale(glm::dmat4(1.0), glm::dvec3(space.scale)) * view_from_mesh(camera) * space.to_mesh();
+// The camera as it stands in buffer space, where no mesh is large or small.
+Camera in_buffer(Camera camera, const BufferSpace& space) {
+  camera.eye = space.place_from_mesh(camera.eye);
+  camera.target = space.place_from_mesh(camera.target);
+  if (camera.ortho_height) *camera.ortho_height *= space.scale;
+  return camera;
 }
 
-Camera in_buffer_scale(Camera camera, double scale) {
-  if (camera.ortho_height) *camera.ortho_height *= scale;
-  return camera;
+glm::dmat4 view_from_buffer(const Camera& camera, const BufferSpace& space) {
+  return view_from_mesh(in_buffer(camera, space));
 }
 
 bool is_same(const Camera& a, const Camera& b) {
@@ -161,7 +163,8 @@ void View::place_planes() {
   DepthRange range;
   for (const Cluster& cluster : mesh_.clusters()) range.add(cluster.box, view);
   for (const OverlayBuffer& overlay : overlays_) range.add(overlay.bounds(), view);
-  const double target = glm::length(camera_.target - camera_.eye) * mesh_.space().scale;
+  const Camera camera = in_buffer(camera_, mesh_.space());
+  const double target = length_of(camera.target - camera.eye);
   if (!(range.nearest <= range.farthest)) range = {0.5 * target, 1.5 * target};
   const double slack = 0.01 * (range.farthest - range.nearest) + 1e-3 * target;
   far_ = range.farthest + slack;
@@ -197,7 +200,7 @@ void View::sort_clusters() {
 
 Frame View::frame(const PixelRect& rect, int scale) const {
   const double aspect = double(size_.width) / double(size_.height);
-  const Camera camera = in_buffer_scale(camera_, mesh_.space().scale);
+  const Camera camera = in_buffer(camera_, mesh_.space());
   const glm::dmat4 view = view_from_buffer(camera_, mesh_.space());
   const glm::dmat4 clip = clip_from_view(camera, aspect, near_, far_);
   Frame f;

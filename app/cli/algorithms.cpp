@@ -8,7 +8,9 @@
 #include "app/cli/edit_script.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/json.h"
+#include "app/cli/outputs.h"
 #include "app/cli/subcommands.h"
+#include "app/cli/visible.h"
 #include "app/cli/write_output.h"
 #include "app/editor/commands.h"
 
@@ -29,6 +31,11 @@ std::optional<Failure> add_calls(const std::string& word, std::vector<Call>& cal
       if (row.is_repair() && row.keeps_geometry) calls.push_back({&row, ParameterValues(row.parameters)});
     return std::nullopt;
   }
+  if (word.starts_with("default="))
+    return usage_failure(
+        "bad_value",
+        {"--kinds: default stands for several repairs and takes no number. Write default,ID=NUMBER.",
+         "--kinds：default は複数の修復をまとめたもので、数は付けられません。（書式：default,ID=NUMBER）"});
   const std::size_t equals = std::min(word.find('='), word.size());
   const std::string id = word.substr(0, equals);
   const auto fail = [](const Text& sentence, const Text& hint) {
@@ -88,22 +95,28 @@ Json value_json(const ParameterRow& row, const ParameterValue* value) {
 class AlgorithmRun {
  public:
   // By `repair` each call is one of a list, else there is only one.
-  AlgorithmRun(Document& document, EditFiles files, const Console& console, bool by_repair)
-      : document_(document), files_(std::move(files)), console_(console), by_repair_(by_repair) {}
+  AlgorithmRun(Document& document, std::string input, std::optional<std::string> output, RunFiles files,
+               const Console& console, bool by_repair)
+      : document_(document),
+        input_(std::move(input)),
+        wanted_(std::move(output)),
+        files_(std::move(files)),
+        console_(console),
+        by_repair_(by_repair) {}
 
   ExitCode run(std::vector<Call> calls) {
     calls_ = std::move(calls);
     std::optional<Interrupt> interrupt(std::in_place);
     for (Call& call : calls_)
-      if (const auto failure = run(call)) return console_.fail(*failure, files_.input);
+      if (const auto failure = run(call)) return console_.fail(*failure, input_);
     interrupt.reset();
     // What is left is named as in the file that is written.
-    after_ = check_mesh(document_.contents(), files_.output.value_or(files_.input));
+    after_ = check_mesh(document_.contents(), wanted_.value_or(input_));
     const bool has_problem = std::any_of(after_.problems.begin(), after_.problems.end(), [](const NamedProblem& p) {
       return p.problem.row().severity == ProblemSeverity::problem;
     });
     code_ = has_problem ? ExitCode::found_problems : ExitCode::done;
-    if (files_.output) write();
+    if (wanted_) write();
     console_.json ? print_json() : print_text();
     return code_;
   }
@@ -136,7 +149,7 @@ class AlgorithmRun {
   }
 
   void write() {
-    output_ = write_output(document_, *files_.output, false, console_);
+    output_ = write_output(document_, files_, *wanted_, false, console_);
     if (output_.failure) code_ = output_.failure->exit_code;
   }
 
@@ -145,7 +158,7 @@ class AlgorithmRun {
                                            : console_.text("left:\n", "残り：\n"));
     for (const NamedProblem& problem : after_.problems) console_.print(to_text(problem, console_));
     if (output_.is_there)
-      console_.print(console_.text(Text{"written: ", "書き出し："}) + *files_.output + "\n");
+      console_.print(console_.text(Text{"written: ", "書き出し："}) + visible_line(*wanted_) + "\n");
     else
       console_.print(console_.text("nothing written\n", "書き出しなし\n"));
   }
@@ -184,8 +197,8 @@ class AlgorithmRun {
 
   void print_json() const {
     Json json;
-    json["file"] = files_.input;
-    json["output"] = output_.is_there ? Json(*files_.output) : Json();
+    json["file"] = input_;
+    json["output"] = output_.is_there ? Json(*wanted_) : Json();
     json["status"] = output_.failure ? "error" : code_ == ExitCode::done && output_.losses.empty() ? "ok" : "warnings";
     by_repair_ ? add_repairs(json) : add_algorithm(json);
     json["vertices"] = after_.figures.vertices;
@@ -201,7 +214,9 @@ class AlgorithmRun {
   }
 
   Document& document_;
-  EditFiles files_;
+  std::string input_;
+  std::optional<std::string> wanted_;  // -o
+  RunFiles files_;
   const Console& console_;
   bool by_repair_;
   std::vector<Call> calls_;
@@ -210,14 +225,21 @@ class AlgorithmRun {
   ExitCode code_ = ExitCode::done;
 };
 
-ExitCode run_on_file(std::vector<Call> calls, const Arguments& arguments, const Console& console, bool by_repair) {
-  EditFiles files{arguments.operands()[0], {}, arguments.has("--overwrite")};
-  if (const std::string* const output = arguments.value("-o")) files.output = *output;
-  if (const auto fault = find_fault({}, files)) return console.fail(*fault, files.input);
-  const Result<std::unique_ptr<Document>> document = Document::open(files.input);
-  if (!document) return console.fail(document.failure(), files.input);
-  for (const Message& message : (*document)->file().messages) console.show(message, files.input);
-  return AlgorithmRun(**document, files, console, by_repair).run(std::move(calls));
+ExitCode run_on_file(std::vector<Call> calls, const Arguments& arguments, const Console& given, bool by_repair) {
+  const std::string& input = arguments.operands()[0];
+  const std::string* const output = arguments.value("-o");
+  std::vector<PlannedOutput> outputs;
+  if (output) outputs.push_back({*output, FileRole::result});
+  const RunFiles files = files_of_run(arguments, input);
+  RunFiles planned = files;
+  if (const auto fault = find_fault({}, input, outputs, planned)) return given.fail(*fault, input);
+  Console console = given;
+  console.leaves_stdout = planned.uses_stdout();
+  const Result<std::unique_ptr<Document>> document = Document::open(input);
+  if (!document) return console.fail(document.failure(), input);
+  for (const Message& message : (*document)->file().messages) console.show(message, input);
+  return AlgorithmRun(**document, input, output ? std::optional(*output) : std::nullopt, files, console, by_repair)
+      .run(std::move(calls));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "core/base/parallel.h"
 #include "core/base/release.h"
 #include "core/indexed/from_indexed.h"
+#include "core/io/edited_file.h"
 #include "core/io/formats.h"
 
 namespace ryosen::cli {
@@ -18,10 +19,12 @@ Json bounds(const Figures& f) {
   return f.bounds ? Json::array({to_json((*f.bounds)[0]), to_json((*f.bounds)[1])}) : Json();
 }
 
-void add_figures(const Figures& f, Json& json) {
+void add_figures(const Figures& f, const ElementTotals& beside, Json& json) {
   json["vertices"] = f.vertices;
   json["corners"] = f.corners;
   json["faces"] = f.faces;
+  if (beside.lines > 0) json["lines"] = beside.lines;
+  if (beside.points > 0) json["points"] = beside.points;
   json["edges"] = f.edges;
   json["triangles"] = f.triangles;
   json["quads"] = f.quads;
@@ -76,6 +79,9 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
   report.file = path;
   report.format = file.format ? file.format->id : std::string_view();
   report.messages = std::move(file.messages);
+  report.beside = totals_of(file);
+  // What lines and points use is not isolated.
+  const std::vector<Vertex> used = used_beside_the_mesh(file, {}, file.mesh.positions.size());
   std::vector<QuarantinedFace> quarantine = std::move(file.mesh.quarantine);
   const std::vector<std::uint32_t> lines = std::move(file.mesh.face_lines);
   const LineRuns vertex_lines = std::move(file.mesh.vertex_lines);
@@ -90,6 +96,8 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
       report.hash = hash_text(mesh);
     }
   });
+  sets.leave_out(ProblemKind::isolated_vertex, used);
+  report.figures.isolated_vertices = sets.count(ProblemKind::isolated_vertex);
   SelfIntersections intersections;
   if (with_self_intersections) intersections = find_self_intersections(mesh, most_listed_pairs);
   std::vector<Problem> problems =
@@ -151,7 +159,7 @@ std::string json_line_of(const CheckReport& report) {
   json["file"] = report.file;
   json["format"] = report.format;
   json["status"] = report.status();
-  add_figures(report.figures, json);
+  add_figures(report.figures, report.beside, json);
   json["kind"] = row_of(report.kind.kind).id;
   json["kind_reason"] = {{"en", report.kind.reason.en}, {"ja", report.kind.reason.ja}};
   json["hash"] = report.hash;

@@ -11,6 +11,7 @@
 #include "core/analysis/figures.h"
 #include "core/analysis/mesh_kind.h"
 #include "core/analysis/problems.h"
+#include "core/io/elements.h"
 #include "core/io/mesh_file.h"
 
 namespace ryosen::cli {
@@ -50,6 +51,7 @@ struct CheckReport {
   std::optional<Failure> failure;  // then the rest is empty
   Figures figures;
   KindOfMesh kind;
+  ElementTotals beside;  // lines and points of the file, in no face
   std::vector<NamedProblem> problems;
   std::vector<Message> messages;
   std::string hash;

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/cli/check_report.h"
+#include "app/cli/visible.h"
 #include "core/analysis/surface_name.h"
 #include "core/ops/op.h"
 
@@ -57,7 +58,8 @@ std::string place(const glm::dvec3& p) {
   return "(" + short_number(p.x) + ", " + short_number(p.y) + ", " + short_number(p.z) + ")";
 }
 
-std::string figures_text(const Figures& f, const Console& console) {
+std::string figures_text(const CheckReport& report, const Console& console) {
+  const Figures& f = report.figures;
   const auto yes_no = [&](bool yes) {
     return std::string(yes ? console.text("yes", "はい") : console.text("no", "いいえ"));
   };
@@ -79,6 +81,9 @@ std::string figures_text(const Figures& f, const Console& console) {
                      row(console, {{"area", "面積", short_number(f.area)},
                                    {"volume", "体積", f.volume ? short_number(*f.volume) : "-"},
                                    {"quarantined", "隔離された面", number(f.quarantined)}});
+  if (report.beside.lines + report.beside.points > 0)
+    text +=
+        row(console, {{"lines", "線", number(report.beside.lines)}, {"points", "点", number(report.beside.points)}});
   if (const auto name = surface_name(f))
     text += "  " + std::string(console.text("surface ", "曲面 ")) + std::string(console.text(*name)) + "\n";
   if (f.bounds)
@@ -122,12 +127,12 @@ std::string to_text(const NamedProblem& named, const Console& console) {
 }
 
 std::string to_text(const CheckReport& report, const Console& console) {
-  std::string text = report.file;
+  std::string text = visible_line(report.file);
   if (!report.format.empty()) text += " (" + report.format + ")";
   if (report.failure) return text + console.text(": refused\n", "：読み込めません\n").data();
   text +=
       report.status() == "ok" ? console.text(": ok\n", "：問題なし\n") : console.text(": warnings\n", "：警告あり\n");
-  text += figures_text(report.figures, console);
+  text += figures_text(report, console);
   const MeshKindRow& kind = row_of(report.kind.kind);
   text += "  " + std::string(console.text("kind ", "種類 ")) + std::string(console.text(kind.name_en, kind.name_ja)) +
           std::string(console.text(": ", "：")) + std::string(console.text(report.kind.reason)) + "\n";

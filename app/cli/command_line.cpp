@@ -112,7 +112,7 @@ class Reader {
     console.json = given.has("--json");
     console.quiet = given.has("-q");
     console.verbose = given.has("-v");
-    line_.wants_help = given.has("--help");
+    line_.wants_help = given.has("--help") || given.has("-h");
     const std::string* const language = given.value("--lang");
     if (!language) return;
     if (*language != "en" && *language != "ja")

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "app/cli/json.h"
+#include "app/cli/visible.h"
 
 namespace ryosen::cli {
 
@@ -15,7 +16,11 @@ Language language_of_environment() {
   return Language::english;
 }
 
-void Console::print(std::string_view text) const { std::fwrite(text.data(), 1, text.size(), stdout); }
+void Console::print(std::string_view text) const {
+  const std::string shown = json ? std::string() : visible(text);  // JSON has escapes of its own
+  const std::string_view bytes = json ? text : shown;
+  std::fwrite(bytes.data(), 1, bytes.size(), leaves_stdout ? stderr : stdout);
+}
 
 void Console::print_now(std::string_view text) const {
   print(text);
@@ -23,7 +28,7 @@ void Console::print_now(std::string_view text) const {
 }
 
 void Console::note(const Text& message) const {
-  if (!quiet) std::fprintf(stderr, "%s\n", text(message).c_str());
+  if (!quiet) std::fprintf(stderr, "%s\n", visible_line(text(message)).c_str());
 }
 
 void Console::show(const Message& message, std::string_view file) const {
@@ -37,7 +42,7 @@ void Console::show(const Message& message, std::string_view file) const {
                                                   : text(": note: ", "：備考：");
   if (message.byte) line.append(text("byte ", "バイト位置 ")) += std::to_string(*message.byte) + ": ";
   if (message.face) line += "f" + std::to_string(*message.face) + ": ";
-  std::fprintf(stderr, "%s%s\n", line.c_str(), text(message.text).c_str());
+  std::fprintf(stderr, "%s\n", visible_line(line + text(message.text)).c_str());
 }
 
 ExitCode Console::fail(const Failure& failure, std::optional<std::string_view> file, std::string_view format) const {

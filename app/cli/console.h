@@ -15,16 +15,18 @@ Language language_of_environment();
 
 struct Console {
   Language language = Language::english;
-  bool json = false;     // stdout carries JSON only, one object per line
-  bool quiet = false;    // errors alone reach stderr
-  bool verbose = false;  // nothing is shortened
+  bool json = false;           // stdout carries JSON only, one object per line
+  bool quiet = false;          // errors alone reach stderr
+  bool verbose = false;        // nothing is shortened
+  bool leaves_stdout = false;  // stdout is an output of the run: results go where messages go
 
   const std::string& text(const Text& t) const { return t.in(language); }
   std::string_view text(std::string_view en, std::string_view ja) const {
     return language == Language::japanese ? ja : en;
   }
 
-  // Appends to stdout.
+  // Appends to stdout, or to what takes its place. Names of files go through visible_line() before, so that one that holds
+  // a line end stays on its line; other control characters become escapes here.
   void print(std::string_view text) const;
   // The same, and it is seen while the work goes on, also through a pipe.
   void print_now(std::string_view text) const;

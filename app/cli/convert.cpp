@@ -3,6 +3,8 @@
 #include "app/cli/json.h"
 #include "app/cli/outputs.h"
 #include "app/cli/subcommands.h"
+#include "app/cli/visible.h"
+#include "core/io/file_target.h"
 #include "core/io/formats.h"
 #include "core/io/safe_write.h"
 #include "core/io/triangulated.h"
@@ -14,7 +16,7 @@ namespace {
 Result<WriteOptions> find_wanted(const Arguments& arguments, const std::string& output) {
   const std::string* const id = arguments.value("--format");
   if (!id) {
-    if (auto fault = fault_of_output(output)) return std::move(*fault);
+    if (auto fault = fault_of_output(output, false)) return std::move(*fault);
     return WriteOptions{format_of_extension(output)};
   }
   const std::optional<WriteOptions> target = find_target(*id);
@@ -47,7 +49,9 @@ class Conversion {
     for (const Loss& loss : losses_) console_.show(loss.message(target_.format->name), output_);
     ExitCode code = ExitCode::done;
     if (is_strict && !losses_.empty()) {
-      code = refuse();
+      code = fail(refusal_of_losses());
+    } else if (const auto fault = fault_of_name(*file)) {
+      code = fail(*fault);
     } else {
       code = write(*file);
     }
@@ -61,10 +65,22 @@ class Conversion {
     console_.show(message, output_);
   }
 
-  ExitCode refuse() {
-    const Failure failure = refusal_of_losses();
+  ExitCode fail(const Failure& failure) {
     add(failure.message);
     return failure.exit_code;
+  }
+
+  // A name that says another format may keep the file from being read again.
+  std::optional<Failure> fault_of_name(const MeshFile& file) const {
+    if (format_of_extension(output_) == target_.format || is_stream(output_)) return std::nullopt;
+    const Result<const Format*> read = recognise(bytes_of(file, *target_.format, target_.encoding), output_);
+    if (read && *read == target_.format) return std::nullopt;
+    const std::string extension(target_.format->extensions[0]);
+    return usage_failure("name_hides_format",
+                         {"Under the name " + output_ + " this would not be read as " + target_.format->name.en +
+                              " again; choose a name with " + extension + ".",
+                          output_ + " という名前では " + target_.format->name.ja + " として読み直せません。" +
+                              extension + " の付く名前にしてください。"});
   }
 
   ExitCode write(const MeshFile& file) {
@@ -77,7 +93,7 @@ class Conversion {
 
   void report(const MeshFile& file, ExitCode code) const {
     if (!console_.json) {
-      console_.print(is_written_ ? console_.text(Text{"written: ", "書き出し："}) + output_ + "\n"
+      console_.print(is_written_ ? console_.text(Text{"written: ", "書き出し："}) + visible_line(output_) + "\n"
                                  : std::string(console_.text("nothing written\n", "書き出しなし\n")));
       return;
     }
@@ -109,16 +125,17 @@ class Conversion {
 
 }  // namespace
 
-ExitCode convert_command(const Arguments& arguments, const Console& console) {
+ExitCode convert_command(const Arguments& arguments, const Console& given) {
   const std::string& input = arguments.operands()[0];
   const std::string* const output = arguments.value("-o");
-  if (!output)
-    return console.fail(usage_failure("usage", {"convert needs -o OUT.", "convert には -o OUT が必要です。"}));
+  if (!output) return given.fail(usage_failure("usage", {"convert needs -o OUT.", "convert には -o OUT が必要です。"}));
   const Result<WriteOptions> target = find_wanted(arguments, *output);
-  if (!target) return console.fail(target.failure());
-  const bool may_replace = arguments.has("--overwrite");
-  if (auto fault = may_replace ? std::nullopt : fault_of_replacing(*output, {input}))
-    return console.fail(*fault, input);
+  if (!target) return given.fail(target.failure());
+  RunFiles files = files_of_run(arguments, input);
+  if (const Status may = files.may_write(*output, FileRole::result); !may) return given.fail(may.failure(), input);
+  files.writes(*output, FileRole::result);
+  Console console = given;
+  console.leaves_stdout = files.uses_stdout();
   return Conversion(input, *output, *target, console).run(arguments.has("--strict"), arguments.has("--triangulate"));
 }
 

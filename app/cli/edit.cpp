@@ -4,7 +4,9 @@
 
 #include "app/cli/edit_script.h"
 #include "app/cli/json.h"
+#include "app/cli/outputs.h"
 #include "app/cli/subcommands.h"
+#include "app/cli/visible.h"
 #include "app/cli/write_output.h"
 #include "app/editor/commands.h"
 #include "app/editor/expect.h"
@@ -14,6 +16,12 @@
 namespace ryosen::cli {
 
 namespace {
+
+struct EditFiles {
+  std::string input;
+  std::optional<std::string> output;
+  RunFiles of_run;
+};
 
 // How one command went, in the words of the report.
 struct Step {
@@ -39,6 +47,7 @@ class EditRun {
         console_(console),
         session_(std::move(document)) {
     session_.strict = strict;
+    session_.files = files_.of_run;
     session_.quit = [this] { stopped_ = true; };
   }
 
@@ -69,7 +78,9 @@ class EditRun {
       step.result = "done";
       ++applied_;
       const auto performed = call_of(step.outcome.performed);
-      if (performed && performed->row.effect == Effect::writes) note_saved(session_.document().path().string());
+      if (!performed || performed->row.file != FileAccess::writes_mesh) return;
+      const std::string named = file_of(*performed);
+      note_saved(named.empty() ? session_.document().path().string() : named);
       return;
     }
     // A save may fail after the file is in its place.
@@ -149,7 +160,7 @@ class EditRun {
   }
 
   void write() {
-    output_ = write_output(session_.document(), *files_.output, session_.strict, console_);
+    output_ = write_output(session_.document(), session_.files, *files_.output, session_.strict, console_);
     if (output_.is_there) written_ = *files_.output;
     if (!output_.failure) return;
     code_ = output_.failure->exit_code;
@@ -205,7 +216,7 @@ class EditRun {
                      "V " + std::to_string(all.vertices) + "  E " + std::to_string(all.edges) + "  F " +
                      std::to_string(all.faces) + "\n");
     if (written_)
-      console_.print(console_.text(Text{"written: ", "書き出し："}) + *written_ + "\n");
+      console_.print(console_.text(Text{"written: ", "書き出し："}) + visible_line(*written_) + "\n");
     else
       console_.print(console_.text("nothing written\n", "書き出しなし\n"));
   }
@@ -226,28 +237,34 @@ class EditRun {
 
 }  // namespace
 
-ExitCode edit_command(const Arguments& arguments, const Console& console) {
+ExitCode edit_command(const Arguments& arguments, const Console& given) {
   const bool starts_empty = arguments.has("--new");
   if (starts_empty != arguments.operands().empty())
-    return console.fail(
+    return given.fail(
         usage_failure("bad_value", {"edit begins with a FILE or, by --new, with an empty mesh.",
                                     "edit には FILE か、空のメッシュから始める --new のどちらかを指定します。"}));
-  EditFiles files{starts_empty ? std::string() : arguments.operands()[0], {}, arguments.has("--overwrite")};
+  const std::string input = starts_empty ? std::string() : arguments.operands()[0];
+  EditFiles files{input, {}, files_of_run(arguments, input)};
   if (const std::string* const output = arguments.value("-o")) files.output = *output;
   const std::string* const on_refuse = arguments.value("--on-refuse");
   if (on_refuse && *on_refuse != "skip")
-    return console.fail(
-        usage_failure("bad_value", {"--on-refuse is skip, not '" + *on_refuse + "'.",
-                                    "--on-refuse は skip です（「" + *on_refuse + "」は使えません）。"}));
+    return given.fail(usage_failure("bad_value", {"--on-refuse is skip, not '" + *on_refuse + "'.",
+                                                  "--on-refuse は skip です（「" + *on_refuse + "」は使えません）。"}));
   const std::string* const script_file = arguments.value("--script");
   const Result<EditScript> script = read_edit_script(script_file, arguments.values("--do"));
-  if (!script && script.failure().exit_code == ExitCode::usage) return console.fail(script.failure());
-  if (!script) return console.fail(script.failure(), *script_file);
-  if (const auto fault = find_fault(*script, files)) {
-    if (console.json) console.print(line_of(error_object(fault->message, files.input)));
-    console.show(fault->message, fault->message.line ? script->place() : files.input);
+  if (!script && script.failure().exit_code == ExitCode::usage) return given.fail(script.failure());
+  if (!script) return given.fail(script.failure(), *script_file);
+  if (script_file) files.of_run.reads(*script_file, FileRole::script);
+  std::vector<PlannedOutput> outputs;
+  if (files.output) outputs.push_back({*files.output, FileRole::result});
+  RunFiles planned = files.of_run;
+  if (const auto fault = find_fault(*script, input, outputs, planned)) {
+    if (given.json) given.print(line_of(error_object(fault->message, input)));
+    given.show(fault->message, fault->message.line ? script->place() : input);
     return fault->exit_code;
   }
+  Console console = given;
+  console.leaves_stdout = planned.uses_stdout();
   Result<std::unique_ptr<Document>> document =
       starts_empty ? Result<std::unique_ptr<Document>>(std::make_unique<Document>()) : Document::open(files.input);
   if (!document) return console.fail(document.failure(), files.input);

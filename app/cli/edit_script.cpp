@@ -4,6 +4,7 @@
 #include "app/cli/outputs.h"
 #include "app/editor/command_syntax.h"
 #include "app/editor/commands.h"
+#include "core/io/file_target.h"
 #include "core/io/input_file.h"
 
 namespace ryosen::cli {
@@ -13,39 +14,45 @@ namespace {
 // Follows what a script reads and writes.
 class FileUse {
  public:
-  FileUse(const EditScript& script, const EditFiles& files)
-      : files_(files), inputs_{files.input}, current_(files.input) {
-    if (!script.file.empty()) inputs_.push_back(script.file);
-  }
+  FileUse(const std::string& input, RunFiles& files) : files_(files), current_(input) {}
 
   std::optional<Failure> open(const std::string& path) {
-    inputs_.push_back(path);
+    files_.begin_document();
+    files_.reads(path, FileRole::mesh);
     current_ = path;
     return std::nullopt;
   }
 
   // Another document, of which it is not known here which file it has.
-  std::optional<Failure> replace() {
+  std::optional<Failure> begin_another() {
+    files_.begin_document();
     current_.clear();
     return std::nullopt;
   }
 
   std::optional<Failure> save(const std::string& path) {
-    if (!path.empty()) current_ = path;
-    return write(current_);
+    if (!path.empty() && !is_stream(path)) current_ = path;
+    const std::string& target = path.empty() ? current_ : path;
+    if (!target.empty()) return write({target, FileRole::saved});
+    return usage_failure("bad_arguments", {"save needs a file name here: the document has none that is known before.",
+                                           "save にはファイル名が必要です（文書のファイルが事前に決まりません）。"});
   }
 
-  std::optional<Failure> write(const std::string& path) const {
-    if (!files_.may_overwrite_input) {
-      if (auto fault = fault_of_replacing(path, inputs_)) return fault;
-    }
-    return fault_of_output(path);
+  // A picture without a name takes a free one.
+  std::optional<Failure> shoot(const std::string& path) {
+    return path.empty() ? std::nullopt : write({path, FileRole::picture});
+  }
+
+  std::optional<Failure> write(const PlannedOutput& output) {
+    if (Status may = files_.may_write(output.path, output.role); !may) return may.failure();
+    files_.writes(output.path, output.role);
+    const bool is_mesh = output.role == FileRole::saved || output.role == FileRole::result;
+    return is_mesh ? fault_of_output(output.path, !current_.empty()) : std::nullopt;
   }
 
  private:
-  const EditFiles& files_;
-  std::vector<std::string> inputs_;
-  std::string current_;
+  RunFiles& files_;
+  std::string current_;  // the document's file; empty where it is not known
 };
 
 std::optional<Failure> fault_of_line(const std::string& line, FileUse& use) {
@@ -53,9 +60,17 @@ std::optional<Failure> fault_of_line(const std::string& line, FileUse& use) {
   if (auto fault = fault_of_command(line))
     return usage_failure(call ? Code("bad_arguments") : Code("unknown_command"), std::move(*fault));
   if (!call) return std::nullopt;
-  if (call->row.file == FileAccess::reads_mesh) return use.open(file_of(*call));
-  if (call->row.file == FileAccess::writes_mesh) return use.save(file_of(*call));
-  return call->row.effect == Effect::replaces ? use.replace() : std::nullopt;
+  switch (call->row.file) {
+    case FileAccess::reads_mesh:
+      return use.open(file_of(*call));
+    case FileAccess::writes_mesh:
+      return use.save(file_of(*call));
+    case FileAccess::writes_picture:
+      return use.shoot(file_of(*call));
+    case FileAccess::none:
+      break;
+  }
+  return call->row.effect == Effect::replaces ? use.begin_another() : std::nullopt;
 }
 
 }  // namespace
@@ -77,15 +92,18 @@ Result<EditScript> read_edit_script(const std::string* script_file, const std::v
   return script;
 }
 
-std::optional<Failure> find_fault(const EditScript& script, const EditFiles& files) {
-  FileUse use(script, files);
+std::optional<Failure> find_fault(const EditScript& script, const std::string& input,
+                                  const std::vector<PlannedOutput>& outputs, RunFiles& files) {
+  FileUse use(input, files);
   for (const ScriptLine& line : script.lines) {
     auto fault = fault_of_line(line.text, use);
     if (!fault) continue;
-    if (fault->exit_code == ExitCode::usage) fault->message.line = line.line;
+    fault->message.line = line.line;
     return fault;
   }
-  return files.output ? use.write(*files.output) : std::nullopt;
+  for (const PlannedOutput& output : outputs)
+    if (auto fault = use.write(output)) return fault;
+  return std::nullopt;
 }
 
 }  // namespace ryosen::cli

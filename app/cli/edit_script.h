@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/editor/run_files.h"
 #include "app/editor/script.h"
 #include "core/base/result.h"
 
@@ -22,13 +23,16 @@ struct EditScript {
 // From the script file, or else from the given lines, which are numbered one after the other.
 Result<EditScript> read_edit_script(const std::string* script_file, const std::vector<std::string>& lines);
 
-struct EditFiles {
-  std::string input;
-  std::optional<std::string> output;
-  bool may_overwrite_input = false;
+// What is written when the script is through.
+struct PlannedOutput {
+  std::string path;
+  FileRole role;
 };
 
-// A line that no mesh can make right, an output in no known format, or an output or `save` that would replace what was read.
-std::optional<Failure> find_fault(const EditScript& script, const EditFiles& files);
+// A line that no mesh can make right, an output in no known format, or a file that the run must not replace: `files`
+// knows what is read besides what the script opens, and knows then what would be written. `input` is empty where the
+// script begins without one.
+std::optional<Failure> find_fault(const EditScript& script, const std::string& input,
+                                  const std::vector<PlannedOutput>& outputs, RunFiles& files);
 
 }  // namespace ryosen::cli

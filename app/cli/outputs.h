@@ -3,16 +3,17 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "core/base/result.h"
+#include "app/cli/subcommand_table.h"
+#include "app/editor/run_files.h"
 
 namespace ryosen::cli {
 
-// A name that does not say in which format to write.
-std::optional<Failure> fault_of_output(const std::string& path);
+// The files of a run that begins with this input, or with none where it is empty; --overwrite is heeded.
+RunFiles files_of_run(const Arguments& arguments, const std::string& input);
 
-// A file that is one of the inputs; --overwrite would allow it.
-std::optional<Failure> fault_of_replacing(const std::string& path, const std::vector<std::string>& inputs);
+// A name that does not say in which format to write. What is no file (a pipe, a device, standard output) gets the format
+// of the input where its name says none, if `has_input`.
+std::optional<Failure> fault_of_output(const std::string& path, bool has_input);
 
 }  // namespace ryosen::cli

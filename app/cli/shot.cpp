@@ -4,6 +4,7 @@
 #include "app/cli/json.h"
 #include "app/cli/shot_options.h"
 #include "app/cli/subcommands.h"
+#include "app/cli/visible.h"
 #include "core/io/safe_write.h"
 
 namespace ryosen::cli {
@@ -19,6 +20,7 @@ class Shot {
     session_.take_picture = [this](const std::filesystem::path& path) {
       return write_png(headless_.picture(session_), path);
     };
+    session_.files = options_.files;
     session_.language = console_.language;
     session_.light_theme = options_.light_theme;
     if (options_.shown) session_.shown = *options_.shown;
@@ -29,9 +31,7 @@ class Shot {
     if (options_.hover) session_.point_at(*options_.hover);
     const Image picture = headless_.picture(session_);
     if (options_.output) {
-      const Status status = write_png(picture, *options_.output);
-      is_written_ = is_in_place(status);
-      write(status, *options_.output);
+      is_written_ = write(picture, *options_.output, FileRole::picture);
     }
     if (options_.reference) compare_with_reference(picture);
     return finish();
@@ -67,30 +67,39 @@ class Shot {
     messages_.push_back(message);
   }
 
-  void write(const Status& status, const std::string& path) {
-    if (status) {
-      if (!console_.json && !console_.quiet && console_.verbose) console_.print(path + "\n");
-      return;
-    }
-    code_ = status.failure().exit_code;
-    console_.show(status.failure().message);
-    messages_.push_back(status.failure().message);
+  // Whether the picture is there.
+  bool write(const Image& picture, const std::string& path, FileRole role) {
+    Status status = session_.files.may_write(path, role);
+    if (status) status = write_png(picture, path);
+    const bool is_there = is_in_place(status);
+    if (is_there) session_.files.writes(path, role);
+    if (!status)
+      fail(status.failure());
+    else if (!console_.json && !console_.quiet && console_.verbose)
+      console_.print(visible_line(path) + "\n");
+    return is_there;
+  }
+
+  void fail(const Failure& failure) {
+    code_ = failure.exit_code;
+    console_.show(failure.message);
+    messages_.push_back(failure.message);
   }
 
   void compare_with_reference(const Image& picture) {
     const Result<Image> reference = read_png(*options_.reference);
-    if (!reference) return write(reference.failure(), {});
+    if (!reference) return fail(reference.failure());
     const Result<ImageDifference> difference = compare(*reference, picture);
-    if (!difference) return write(difference.failure(), {});
+    if (!difference) return fail(difference.failure());
     percent_ = 100 * difference->share;
-    if (options_.difference) write(write_png(difference->picture, *options_.difference), *options_.difference);
+    if (options_.difference) write(difference->picture, *options_.difference, FileRole::difference);
     if (*percent_ <= options_.tolerance_percent) return;
     Message message;
     message.code = "pictures_differ";
     const std::string share = format_double(*percent_), allowed = format_double(options_.tolerance_percent);
     message.text = {share + " % of the pixels differ, " + allowed + " % are allowed.",
                     "画素の " + share + " % が異なります（許容 " + allowed + " %）。"};
-    write(Failure{ExitCode::found_problems, message}, {});
+    fail(Failure{ExitCode::found_problems, message});
   }
 
   ExitCode finish() const {
@@ -120,9 +129,16 @@ class Shot {
 
 }  // namespace
 
-ExitCode shot_command(const Arguments& arguments, const Console& console) {
+ExitCode shot_command(const Arguments& arguments, const Console& given) {
   const Result<ShotOptions> options = read_shot_options(arguments);
-  if (!options) return console.fail(options.failure());
+  if (!options) {
+    const Message& message = options.failure().message;
+    if (given.json) given.print(line_of(error_object(message, {})));
+    given.show(message, message.line ? *arguments.value("--script") : std::string());
+    return options.failure().exit_code;
+  }
+  Console console = given;
+  console.leaves_stdout = options->leaves_stdout;
   // Reading and making a context take about as long as each other and know nothing of each other.
   std::future<Result<std::unique_ptr<Document>>> reading =
       std::async(std::launch::async, [&] { return Document::open(options->file); });

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
 
 #include "app/cli/did_you_mean.h"
+#include "app/cli/outputs.h"
 #include "app/editor/camera_text.h"
 #include "core/highlights/highlight_table.h"
 
@@ -17,6 +17,7 @@ class OptionsReader {
  public:
   explicit OptionsReader(const Arguments& arguments) : arguments_(arguments) {
     options_.file = arguments.operands()[0];
+    options_.files = files_of_run(arguments, options_.file);
   }
 
   Result<ShotOptions> read() {
@@ -36,12 +37,19 @@ class OptionsReader {
     read_pointer();
     check_outputs();
     if (failure_) return *failure_;
-    if (!arguments_.has("--script")) return std::move(options_);
-    Result<EditScript> script = read_edit_script(arguments_.value("--script"), {});
-    if (!script) return script.failure();
-    options_.script = std::move(script).value();
-    if (auto fault = find_fault(options_.script, {options_.file, std::nullopt, arguments_.has("--overwrite")}))
-      return *fault;
+    if (const std::string* const script_file = arguments_.value("--script")) {
+      Result<EditScript> script = read_edit_script(script_file, {});
+      if (!script) return script.failure();
+      options_.script = std::move(script).value();
+      options_.files.reads(*script_file, FileRole::script);
+    }
+    if (options_.reference) options_.files.reads(*options_.reference, FileRole::reference);
+    std::vector<PlannedOutput> outputs;
+    if (options_.output) outputs.push_back({*options_.output, FileRole::picture});
+    if (options_.difference) outputs.push_back({*options_.difference, FileRole::difference});
+    RunFiles planned = options_.files;
+    if (auto fault = find_fault(options_.script, options_.file, outputs, planned)) return *fault;
+    options_.leaves_stdout = planned.uses_stdout();
     return std::move(options_);
   }
 
@@ -194,20 +202,6 @@ class OptionsReader {
                          {"-o PNG or --compare REF.png is needed.", "-o PNG か --compare REF.png が必要です。"}));
     if (options_.difference && !options_.reference)
       fail(usage_failure("flag_missing", {"--diff goes with --compare.", "--diff は --compare と共に使います。"}));
-    for (const auto& written : {options_.output, options_.difference}) {
-      for (const auto& read : {std::optional(options_.file), options_.reference}) {
-        std::error_code ignored;
-        if (!written || !read || arguments_.has("--overwrite") ||
-            !std::filesystem::equivalent(*written, *read, ignored))
-          continue;
-        Failure failure =
-            usage_failure("output_is_input", {*written + " is an input; --overwrite allows to replace it.",
-                                              *written + " は入力です。置き換えるには --overwrite を"
-                                                         "指定してください。"});
-        failure.exit_code = ExitCode::output_not_writable;
-        fail(std::move(failure));
-      }
-    }
   }
 
   static constexpr int largest_side = 16384;

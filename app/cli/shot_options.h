@@ -30,6 +30,8 @@ struct ShotOptions {
   std::optional<glm::dvec2> hover;
   std::vector<ShotClick> clicks;
   EditScript script;
+  RunFiles files{RunFiles::Policy::keep};  // what is read
+  bool leaves_stdout = false;              // for a picture or a mesh
 };
 
 Result<ShotOptions> read_shot_options(const Arguments& arguments);

@@ -5,12 +5,15 @@
 
 namespace ryosen::cli {
 
-WrittenOutput write_output(Document& document, const std::string& path, bool is_strict, const Console& console) {
+WrittenOutput write_output(Document& document, RunFiles& files, const std::string& path, bool is_strict,
+                           const Console& console) {
   WrittenOutput written;
   std::vector<Message> losses = document.losses(path);
   const bool is_refused = is_strict && !losses.empty();
-  const Status status = is_refused ? Status(refusal_of_losses()) : document.save(path);
+  Status status = is_refused ? Status(refusal_of_losses()) : files.may_write(path, FileRole::result);
+  if (status) status = document.save(path);
   written.is_there = is_in_place(status);
+  if (written.is_there) files.writes(path, FileRole::result);
   if (written.is_there || is_refused) written.losses = std::move(losses);
   for (const Message& loss : written.losses) console.show(loss, path);
   if (status) return written;

@@ -7,6 +7,7 @@
 
 #include "app/cli/console.h"
 #include "app/editor/document.h"
+#include "app/editor/run_files.h"
 
 namespace ryosen::cli {
 
@@ -16,7 +17,8 @@ struct WrittenOutput {
   std::optional<Failure> failure;
 };
 
-// Shows the losses and the failure. is_strict: losses are one.
-WrittenOutput write_output(Document& document, const std::string& path, bool is_strict, const Console& console);
+// The mesh of -o. Shows the losses and the failure. is_strict: losses are one.
+WrittenOutput write_output(Document& document, RunFiles& files, const std::string& path, bool is_strict,
+                           const Console& console);
 
 }  // namespace ryosen::cli

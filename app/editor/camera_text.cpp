@@ -1,8 +1,12 @@
 #include "app/editor/camera_text.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
+#include "app/editor/script.h"
 #include "core/ops/op.h"
 
 namespace ryosen {
@@ -11,38 +15,96 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool read_vector(const Json& json, const char* key, glm::dvec3& value) {
-  if (!json.contains(key)) return true;
-  const Json& array = json[key];
-  if (!array.is_array() || array.size() != 3) return false;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!array[static_cast<std::size_t>(axis)].is_number()) return false;
-    value[axis] = array[static_cast<std::size_t>(axis)].get<double>();
-  }
-  return true;
+const std::vector<std::string> keys{"eye", "target", "up", "fov_y_deg", "ortho_height"};
+
+constexpr std::string_view form = R"({"eye":[x,y,z],"target":[x,y,z],"up":[x,y,z],"fov_y_deg":35,"ortho_height":null})";
+
+std::string shown(const Json& json) {
+  const std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+  return text.size() <= 40 ? text : text.substr(0, 40) + "...";
 }
 
-bool looks_somewhere(const Camera& c) {
-  const glm::dvec3 side = glm::cross(c.target - c.eye, c.up);
-  return glm::dot(side, side) > 0 && c.fov_y_deg > 0 && c.fov_y_deg < 180 && (!c.ortho_height || *c.ortho_height > 0);
-}
+// Reads the keys into a camera and keeps the first fault.
+class CameraReader {
+ public:
+  explicit CameraReader(const Camera& base) : camera_(base) {}
 
-bool read_camera(const Json& json, Camera& camera) {
-  for (const auto& [key, value] : json.items())
-    if (key != "eye" && key != "target" && key != "up" && key != "fov_y_deg" && key != "ortho_height") return false;
-  if (!read_vector(json, "eye", camera.eye) || !read_vector(json, "target", camera.target) ||
-      !read_vector(json, "up", camera.up))
-    return false;
-  if (json.contains("fov_y_deg")) {
-    if (!json["fov_y_deg"].is_number()) return false;
-    camera.fov_y_deg = json["fov_y_deg"].get<double>();
+  std::optional<Text> read(const Json& json) {
+    for (const auto& [key, value] : json.items())
+      if (std::find(keys.begin(), keys.end(), key) == keys.end()) unknown(key);
+    for (const auto& [key, vector] : {std::pair("eye", &camera_.eye), {"target", &camera_.target}, {"up", &camera_.up}})
+      if (json.contains(key)) read_vector(json[key], key, *vector);
+    if (json.contains("fov_y_deg")) read_angle(json["fov_y_deg"]);
+    if (json.contains("ortho_height")) read_height(json["ortho_height"]);
+    if (!fault_) check_directions();
+    return fault_;
   }
-  if (json.contains("ortho_height")) {
-    const Json& height = json["ortho_height"];
-    if (!height.is_null() && !height.is_number()) return false;
-    camera.ortho_height = height.is_null() ? std::nullopt : std::optional(height.get<double>());
+
+  const Camera& camera() const { return camera_; }
+
+ private:
+  void fail(std::string en, std::string ja) {
+    if (!fault_) fault_ = Text{std::move(en), std::move(ja)};
   }
-  return looks_somewhere(camera);
+
+  void unknown(const std::string& key) {
+    const std::string name = shown(Json(key)), close = closest_word(std::string_view(key).substr(0, 64), keys);
+    fail("there is no key " + name + (close.empty() ? "" : "; did you mean \"" + close + "\"?"),
+         name + " というキーはありません" + (close.empty() ? "" : "（\"" + close + "\" のことですか）"));
+  }
+
+  void read_vector(const Json& json, const std::string& key, glm::dvec3& value) {
+    if (!json.is_array())
+      return fail(key + " is three numbers [x,y,z], not " + shown(json),
+                  key + " は 3 つの数 [x,y,z] です（" + shown(json) + " は使えません）");
+    if (json.size() != 3) {
+      const std::string count = std::to_string(json.size());
+      return fail(key + " is three numbers [x,y,z], not " + count,
+                  key + " は 3 つの数 [x,y,z] です（" + count + " 個あります）");
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!json[axis].is_number())
+        return fail("in " + key + ", " + shown(json[axis]) + " is not a number",
+                    key + " の " + shown(json[axis]) + " は数ではありません");
+      value[static_cast<int>(axis)] = json[axis].get<double>();
+    }
+  }
+
+  void read_angle(const Json& json) {
+    if (json.is_number()) camera_.fov_y_deg = json.get<double>();
+    if (!json.is_number() || !(camera_.fov_y_deg > 0 && camera_.fov_y_deg < 180))
+      fail("fov_y_deg is an angle between 0 and 180, not " + shown(json),
+           "fov_y_deg は 0 より大きく 180 より小さい角度です（" + shown(json) + " は使えません）");
+  }
+
+  void read_height(const Json& json) {
+    camera_.ortho_height = json.is_number() ? std::optional(json.get<double>()) : std::nullopt;
+    if (!json.is_null() && !(camera_.ortho_height > 0.0))
+      fail("ortho_height is a positive number, or null for a perspective, not " + shown(json),
+           "ortho_height は正の数、または null（透視投影）です（" + shown(json) + " は使えません）");
+  }
+
+  void check_directions() {
+    if (camera_.eye == camera_.target)
+      return fail("eye and target are the same point, so it looks nowhere",
+                  "eye と target が同じ点なので、視線の向きが決まりません");
+    if (camera_.up == glm::dvec3(0)) return fail("up has no length", "up の長さが 0 です");
+    constexpr double least_sine = 1e-12;
+    if (!(glm::length(glm::cross(unit_vector(camera_.target - camera_.eye), unit_vector(camera_.up))) > least_sine))
+      fail("up points along the line from eye to target, so no side is up",
+           "up が eye から target への向きと平行なので、上の向きが決まりません");
+  }
+
+  Camera camera_;
+  std::optional<Text> fault_;
+};
+
+Text not_json(const Json::exception& error) {
+  const std::string en = ", expected " + std::string(form), ja = "。" + std::string(form) + " の形で指定してください";
+  const auto* const place = dynamic_cast<const Json::parse_error*>(&error);
+  if (!place) return {"a number in it is larger than any this program knows" + en, "大きすぎる数があります" + ja};
+  const std::string byte = std::to_string(place->byte);
+  return {"it is not JSON from character " + byte + " on" + en, byte + " 文字目から JSON として読めません" + ja};
 }
 
 Json to_array(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
@@ -50,12 +112,20 @@ Json to_array(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 }  // namespace
 
 std::optional<Camera> camera_from_json(std::string_view text, const Camera& base, Text& error) {
-  const Json json = Json::parse(text, nullptr, false);
-  Camera camera = base;
-  if (json.is_object() && read_camera(json, camera)) return camera;
-  error = {
-      R"(expected {"eye":[x,y,z],"target":[x,y,z],"up":[x,y,z],"fov_y_deg":35,"ortho_height":null})",
-      R"({"eye":[x,y,z],"target":[x,y,z],"up":[x,y,z],"fov_y_deg":35,"ortho_height":null} の形で指定してください)"};
+  CameraReader reader(base);
+  try {
+    const Json json = Json::parse(text);
+    if (json.is_object()) {
+      const std::optional<Text> fault = reader.read(json);
+      if (!fault) return reader.camera();
+      error = *fault;
+    } else {
+      error = {"it is " + shown(json) + ", expected " + std::string(form),
+               shown(json) + " は使えません。" + std::string(form) + " の形で指定してください"};
+    }
+  } catch (const Json::exception& wrong) {
+    error = not_json(wrong);
+  }
   return std::nullopt;
 }
 

@@ -11,7 +11,6 @@ Outcome wrong_arguments(std::string_view id);
 Outcome failed(const Failure& failure);
 
 // Files and the history: commands_document.cpp
-inline constexpr std::string_view default_picture = "ryosen.png";
 Outcome run_new(Session& session, Words arguments, std::string_view whole);
 Outcome run_open(Session& session, Words arguments, std::string_view whole);
 Outcome run_save(Session& session, Words arguments, std::string_view whole);

@@ -110,7 +110,6 @@ const std::vector<CommandRow>& editor_rows() {
        .effect = Effect::none,
        .run = run_shot,
        .file = FileAccess::writes_picture,
-       .default_file = default_picture,
        .fault = no_fault},
       {.id = "expect",
        .syntax = "V|E|F|B|H|S|G N|legal COMMAND|refused COMMAND|hash H",
@@ -183,8 +182,7 @@ std::optional<CommandCall> call_of(std::string_view line) {
 
 std::string file_of(const CommandCall& call) {
   if (call.row.file == FileAccess::none) return {};
-  const std::string named = file_name(behind_word(call.line));
-  return named.empty() ? std::string(call.row.default_file) : named;
+  return file_name(behind_word(call.line));
 }
 
 }  // namespace ryosen

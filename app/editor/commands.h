@@ -42,7 +42,6 @@ struct CommandRow {
   std::string_view aliases = "";  // further ids, separated by blanks
   bool is_long = false;           // may take long: the window first shows that it is at work
   FileAccess file = FileAccess::none;
-  std::string_view default_file = "";  // without an argument; empty: that of the document, if any
   // What is wrong with arguments that no mesh and no file can make right. Without it the line is tried on an empty
   // session, so a command that touches anything outside of its session has one.
   std::function<std::optional<Text>(Words arguments, const std::string& line)> fault = {};
@@ -68,7 +67,8 @@ struct CommandCall {
 };
 // None where the line says no command.
 std::optional<CommandCall> call_of(std::string_view line);
-// The name of the file that a call reads or writes; empty for the document's own.
+// The name of the file that a call reads or writes; empty where it gives none: a mesh goes to the document's own then, a
+// picture to one that is not there yet.
 std::string file_of(const CommandCall& call);
 
 // The line that runs an algorithm with these values.

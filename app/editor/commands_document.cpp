@@ -77,6 +77,7 @@ Outcome run_save(Session& session, Words, std::string_view whole) {
   const std::string named = file_name(whole);
   const std::filesystem::path target = named.empty() ? document.path() : std::filesystem::path(named);
   if (target.empty()) return usage_error("save needs a file name here", "保存先のファイル名を指定してください");
+  if (const Status may = session.files.may_write(target, FileRole::saved); !may) return failed(may.failure());
   const std::vector<Message> losses = document.losses(target);
   if (session.strict && !losses.empty()) {
     Outcome outcome = failed(refusal_of_losses());
@@ -85,6 +86,7 @@ Outcome run_save(Session& session, Words, std::string_view whole) {
   }
   const std::optional<Text> warning = session.autosave ? session.autosave->before_save(session, target) : std::nullopt;
   const Status status = document.save(target);
+  if (is_in_place(status)) session.files.writes(target, FileRole::saved);
   if (!status) {
     Outcome outcome = failed(status.failure());
     if (is_in_place(status)) outcome.performed = "save " + file_argument(target.string());
@@ -127,7 +129,8 @@ Outcome run_recover(Session& session, Words arguments, std::string_view) {
   const bool lists = is_list(arguments), discards = is_discard(arguments);
   const std::optional<std::uint32_t> number = count_of(discards ? arguments.subspan(1) : arguments);
   // A number is that of the list which was seen.
-  if (lists || session.lost.empty()) session.lost = find_lost_sessions(recovery_folder());
+  if (lists || session.lost.empty())
+    if (const Status listed = list_lost_sessions(session); !listed) return failed(listed.failure());
   if (lists) return list_lost(session);
   if (*number > session.lost.size()) {
     const Text list = list_lost(session).sentence;
@@ -136,9 +139,22 @@ Outcome run_recover(Session& session, Words arguments, std::string_view) {
   }
   const LostSession lost = session.lost[*number - 1];
   Outcome outcome = discards ? discard(lost) : recover(session, lost);
-  session.lost = find_lost_sessions(recovery_folder());
+  if (const Status listed = list_lost_sessions(session); !listed) outcome.say(listed.failure().message.text);
   return outcome;
 }
+
+namespace {
+
+// Of a file that is not there yet.
+std::string free_picture_name() {
+  std::string name = "ryosen.png";
+  std::error_code ignored;
+  for (int i = 1; std::filesystem::exists(std::filesystem::symlink_status(name, ignored)); ++i)
+    name = "ryosen-" + std::to_string(i) + ".png";
+  return name;
+}
+
+}  // namespace
 
 Outcome run_shot(Session& session, Words, std::string_view whole) {
   if (!session.take_picture) {
@@ -150,8 +166,10 @@ Outcome run_shot(Session& session, Words, std::string_view whole) {
     return outcome;
   }
   std::string name = file_name(whole);
-  if (name.empty()) name = default_picture;
+  if (name.empty()) name = free_picture_name();
+  if (const Status may = session.files.may_write(name, FileRole::picture); !may) return failed(may.failure());
   const Status status = session.take_picture(name);
+  if (is_in_place(status)) session.files.writes(name, FileRole::picture);
   return status ? performed("shot " + file_argument(name)) : failed(status.failure());
 }
 

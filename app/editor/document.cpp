@@ -6,6 +6,7 @@
 #include "app/editor/set_aside.h"
 #include "core/indexed/from_indexed.h"
 #include "core/io/edited_file.h"
+#include "core/io/file_target.h"
 #include "core/mesh/copies.h"
 
 namespace ryosen {
@@ -224,16 +225,22 @@ Document::Elsewhere Document::exists_elsewhere(NameError error, std::span<const 
 
 MeshFile Document::contents() const { return edited_file(file_, mesh_, tables_); }
 
+const Format* Document::format_for(const std::filesystem::path& path) const {
+  const Format* const format = format_of_extension(path);
+  return format || !is_stream(path) ? format : file_.format;
+}
+
 std::vector<Message> Document::losses(const std::filesystem::path& path) const {
-  const Format* const format = format_of_extension(path.empty() ? path_ : path);
+  const Format* const format = format_for(path.empty() ? path_ : path);
   if (!format || !format->write) return {};
   return loss_messages(contents(), *format);
 }
 
-Status Document::save(const std::filesystem::path& path, const WriteOptions& options) {
+Status Document::save(const std::filesystem::path& path, WriteOptions options) {
   const std::filesystem::path target = path.empty() ? path_ : path;
+  if (!options.format) options.format = format_for(target);
   Status status = write_mesh_file(target, contents(), options);
-  if (!status) return status;
+  if (!status || is_stream(target)) return status;
   path_ = target;
   saved_position_ = journal_.position();
   return status;

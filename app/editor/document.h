@@ -93,8 +93,9 @@ class Document {
   // What a file of this name would lose of the document, and what it would keep of what was removed, one warning each;
   // none where the name says no format.
   std::vector<Message> losses(const std::filesystem::path& path) const;
-  // An empty path means the file that was opened.
-  Status save(const std::filesystem::path& path, const WriteOptions& options = {});
+  // An empty path means the file that was opened. A pipe or device (see is_stream) gets the format of that file where
+  // its name says none; it does not become the document's file, which stays unsaved.
+  Status save(const std::filesystem::path& path, WriteOptions options = {});
 
   // Called after every commit, undo and redo, with the transaction of journal() that it was about.
   using Listener = std::function<void(std::size_t transaction)>;
@@ -111,6 +112,7 @@ class Document {
   // The faces set aside are others before and after some transactions.
   void exchange_quarantine(std::size_t transaction);
   void notify(std::size_t transaction);
+  const Format* format_for(const std::filesystem::path& path) const;
   bool is_known(std::string_view name) const;
   bool are_known(std::span<const std::string_view> names) const;
 

@@ -14,6 +14,7 @@
 #include "app/editor/owned_script.h"
 #include "app/editor/session.h"
 #include "app/editor/words.h"
+#include "core/io/system_reason.h"
 
 namespace ryosen {
 
@@ -65,6 +66,17 @@ Outcome not_to_be_had(const LostSession& lost) {
   const std::string script = lost.script.string();
   return failure_outcome(ExitCode::input_missing, {script + " is gone, or another window has recovered it.",
                                                    script + " がないか、別のウィンドウで復元済みです。"});
+}
+
+Failure unreadable_folder(const fs::path& folder, int error) {
+  const Text reason = system_reason(error);
+  Failure failure;
+  failure.exit_code = ExitCode::input_missing;
+  failure.message.code = "folder_unreadable";
+  failure.message.text = {
+      "The folder " + folder.string() + ", where unsaved edits are kept, cannot be read: " + reason.en + ".",
+      "保存していない編集を置くフォルダ " + folder.string() + " を読めません：" + reason.ja + "。"};
+  return failure;
 }
 
 Result<std::unique_ptr<Document>> begin_again(const LostSession& lost) {
@@ -149,7 +161,15 @@ std::optional<LostSession> read_lost_session(std::string_view script) {
   return lost;
 }
 
-std::vector<LostSession> find_lost_sessions(const fs::path& folder) {
+Status list_lost_sessions(Session& session) {
+  session.lost.clear();
+  Result<std::vector<LostSession>> found = find_lost_sessions(recovery_folder());
+  if (!found) return found.failure();
+  session.lost = std::move(found).value();
+  return success();
+}
+
+Result<std::vector<LostSession>> find_lost_sessions(const fs::path& folder) {
   std::vector<LostSession> found;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
@@ -168,6 +188,7 @@ std::vector<LostSession> find_lost_sessions(const fs::path& folder) {
     lost->last_edit = status.st_mtime;
     found.push_back(std::move(*lost));
   }
+  if (error && error != std::errc::no_such_file_or_directory) return unreadable_folder(folder, error.value());
   std::sort(found.begin(), found.end(), [](const LostSession& a, const LostSession& b) {
     return a.last_edit != b.last_edit ? a.last_edit > b.last_edit : a.script < b.script;
   });

@@ -48,8 +48,11 @@ struct LostSession {
 // The session that a script tells of, without `script` and `last_edit`; nothing where it is no script of a session.
 std::optional<LostSession> read_lost_session(std::string_view script);
 // Those of which something is unsaved, the latest first. Scripts of which nothing is are taken away; what a running
-// process owns, and what is no such script, is left alone.
-std::vector<LostSession> find_lost_sessions(const std::filesystem::path& folder);
+// process owns, and what is no such script, is left alone. A folder that is not there has none; one that may not be read is
+// a failure.
+Result<std::vector<LostSession>> find_lost_sessions(const std::filesystem::path& folder);
+// Lists them anew in the session; on failure there are none.
+Status list_lost_sessions(Session& session);
 // "in.obj, 3 edits, 2026-11-21 20:15"
 Text describe(const LostSession& lost);
 

@@ -29,6 +29,8 @@ Session::Session(std::unique_ptr<Document> document) {
 
 void Session::set_document(std::unique_ptr<Document> document) {
   document_ = std::move(document);
+  files.begin_document();
+  if (!document_->path().empty()) files.reads(document_->path(), FileRole::mesh);
   document_->add_listener([this](std::size_t transaction) { follow(transaction); });
   picker_.reset();
   highlights_.reset();

@@ -11,6 +11,7 @@
 
 #include "app/editor/document.h"
 #include "app/editor/recovery.h"
+#include "app/editor/run_files.h"
 #include "core/analysis/boundary_loop_count.h"
 #include "core/analysis/euler_poincare.h"
 #include "core/analysis/mesh_kind.h"
@@ -59,6 +60,8 @@ class Session {
   std::vector<LostSession> lost;        // as they were listed last
 
   bool strict = false;  // warnings refuse too
+  RunFiles files{
+      RunFiles::Policy::by_kind};  // asked before a command writes; another policy is set by whoever runs scripts
   // Makes a picture of the session; set by whoever can draw. Commands that need it fail without.
   std::function<Status(const std::filesystem::path&)> take_picture;
   // Told how far long work is, and may cancel it; set by whoever can show it.

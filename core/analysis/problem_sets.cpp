@@ -89,6 +89,10 @@ void ProblemSets::set(ProblemKind kind, std::uint32_t index, bool is_member) {
   if (is_member ? members.insert(index) : members.erase(index)) changes_.push_back({kind, index, is_member});
 }
 
+void ProblemSets::leave_out(ProblemKind kind, std::span<const Vertex> vertices) {
+  for (Vertex v : vertices) sets_[static_cast<std::size_t>(kind)].erase(v.index);
+}
+
 void ProblemSets::update(const Mesh& mesh, const Journal& journal, std::size_t i) {
   // The journal does not list the cells of a column of copies that came or went as a whole.
   if (journal.replaces_everything(i) || had_copies_ != mesh.has_copies()) {

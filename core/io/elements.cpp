@@ -4,6 +4,17 @@
 
 namespace ryosen {
 
+ElementTotals totals_of(const MeshFile& file) {
+  ElementTotals totals;
+  for (const LineElement& item : file.elements.items) ++(item.is_points ? totals.points : totals.lines);
+  for (const PropertyTable& table : file.properties.tables) {
+    const bool names_vertices = std::any_of(table.properties.begin(), table.properties.end(),
+                                            [](const Property& p) { return p.role == PropertyRole::vertex_number; });
+    if (table.kind == TableKind::other && names_vertices) totals.lines += table.rows;
+  }
+  return totals;
+}
+
 ElementList renumbered(const ElementList& elements, std::span<const std::uint32_t> vertex_number,
                        std::span<const std::uint32_t> face_number, std::size_t old_vertices, std::size_t new_vertices) {
   const auto old_end = static_cast<std::int64_t>(std::min(old_vertices, vertex_number.size()));

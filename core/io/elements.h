@@ -9,6 +9,12 @@
 
 namespace ryosen {
 
+// The lines and points of a file, and the rows of its other elements that name vertices (edges of PLY), as lines.
+struct ElementTotals {
+  std::uint64_t lines = 0, points = 0;
+};
+ElementTotals totals_of(const MeshFile& file);
+
 // `vertex_number` and `face_number` give the new number for each old one, no_index for what is gone; faces keep their
 // order. The file had `old_vertices` vertices and gets `new_vertices`: a number past the old end stays as far past the
 // new one, negative ones stay. A vertex that is gone leaves its line or points; a line of fewer than two and points of

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "core/io/byte_colours.h"
 #include "core/io/ply_columns.h"
@@ -173,17 +172,36 @@ std::uint64_t wordless_head(const MeshFile& file, Holds held) {
   return has_wordless_head(file) && !(holds(held, Holds::first_comment) && may_head_stl(file.stl_head)) ? 1 : 0;
 }
 
-std::uint64_t inexact_vertices(const MeshFile& file, Holds held) {
+// What single precision makes of a number.
+enum class Single { same, rounded, zero, infinite };
+
+Single as_single(double value) {
+  if (!std::isfinite(value)) return Single::same;
+  constexpr double least_infinite = 0x1.ffffffp127;  // from here on the nearest single is infinity
+  if (std::abs(value) >= least_infinite) return Single::infinite;
+  const auto single = static_cast<float>(value);
+  if (static_cast<double>(single) == value) return Single::same;
+  return single == 0 ? Single::zero : Single::rounded;
+}
+
+template <Single Fate>
+bool meets(const glm::dvec3& p) {
+  return as_single(p.x) == Fate || as_single(p.y) == Fate || as_single(p.z) == Fate;
+}
+
+template <Single Fate>
+std::uint64_t count_singles(const MeshFile& file, Holds held) {
   if (holds(held, Holds::doubles)) return 0;
-  const auto is_inexact = [](double value) {
-    if (!std::isfinite(value)) return false;
-    if (std::abs(value) > static_cast<double>(std::numeric_limits<float>::max())) return true;
-    return static_cast<double>(static_cast<float>(value)) != value;
-  };
   const auto& positions = file.mesh.positions;
-  return static_cast<std::uint64_t>(std::count_if(positions.begin(), positions.end(), [&](const glm::dvec3& p) {
-    return is_inexact(p.x) || is_inexact(p.y) || is_inexact(p.z);
-  }));
+  return static_cast<std::uint64_t>(std::count_if(positions.begin(), positions.end(), meets<Fate>));
+}
+
+template <Single Fate>
+std::optional<std::uint64_t> first_single(const MeshFile& file, Holds held) {
+  const auto& positions = file.mesh.positions;
+  const auto found = std::find_if(positions.begin(), positions.end(), meets<Fate>);
+  if (holds(held, Holds::doubles) || found == positions.end()) return std::nullopt;
+  return static_cast<std::uint64_t>(found - positions.begin());
 }
 
 template <Holds Held, class Get>
@@ -205,7 +223,13 @@ const std::vector<LossKind>& loss_kinds() {
       {"loses_topology", "points at equal places, which become one, or at no place, which fall apart",
        "同じ位置にある別々の点(1 点になります)と、位置を持たない点(ばらばらになります)", welded_points},
       {"loses_precision", "vertices whose coordinates need more than single precision, which are rounded",
-       "単精度では表せない座標を持つ頂点(丸められます)", inexact_vertices},
+       "単精度では表せない座標を持つ頂点(丸められます)", count_singles<Single::rounded>},
+      {"loses_large_numbers", "vertices with coordinates beyond single precision, which become infinite",
+       "単精度の範囲を超える座標を持つ頂点(無限大になります)", count_singles<Single::infinite>,
+       LossSentence::cannot_hold, first_single<Single::infinite>},
+      {"loses_small_numbers", "vertices with coordinates too small for single precision, which become 0",
+       "単精度には小さすぎる座標を持つ頂点(0 になります)", count_singles<Single::zero>, LossSentence::cannot_hold,
+       first_single<Single::zero>},
       {"loses_wires", "edges without a face", "面を持たない稜線",
        [](File f, Holds h) { return unless<Holds::elements>(h, [&] { return f.wires.size(); }); }},
       {"loses_wires", "Edges without a face are written as lines, and reading gives lines back, not edges",
@@ -263,15 +287,19 @@ Message Loss::message(const Text& format) const {
   if (kind->sentence == LossSentence::own)
     return make_message(Severity::warning, kind->code,
                         {std::string(kind->en) + ": " + number + ".", std::string(kind->ja) + ": " + number + "。"});
+  const std::string vertex = first ? "v" + std::to_string(*first) : "";
   return make_message(Severity::warning, kind->code,
-                      {format.en + " cannot hold " + std::string(kind->en) + ": " + number + ".",
-                       format.ja + " は次のものを保持できません: " + std::string(kind->ja) + " " + number + " 個。"});
+                      {format.en + " cannot hold " + std::string(kind->en) + ": " + number +
+                           (first ? " (the first is " + vertex + ")." : "."),
+                       format.ja + " は次のものを保持できません: " + std::string(kind->ja) + " " + number + " 個" +
+                           (first ? "(最初は " + vertex + ")。" : "。")});
 }
 
 std::vector<Loss> find_losses(const MeshFile& file, Holds held) {
   std::vector<Loss> losses;
   for (const LossKind& kind : loss_kinds()) {
-    if (const std::uint64_t count = kind.count(file, held)) losses.push_back({&kind, count});
+    if (const std::uint64_t count = kind.count(file, held))
+      losses.push_back({&kind, count, kind.first ? kind.first(file, held) : std::nullopt});
   }
   return losses;
 }

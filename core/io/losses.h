@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -61,12 +62,15 @@ struct LossKind {
   // How many of them a format that holds this much would lose. O(size of what it looks at).
   std::uint64_t (*count)(const MeshFile& file, Holds held);
   LossSentence sentence = LossSentence::cannot_hold;
+  // The first vertex that would lose it; null where vertices are not what is counted.
+  std::optional<std::uint64_t> (*first)(const MeshFile& file, Holds held) = nullptr;
 };
 const std::vector<LossKind>& loss_kinds();
 
 struct Loss {
   const LossKind* kind;
   std::uint64_t count;
+  std::optional<std::uint64_t> first = std::nullopt;  // vertex, where the kind tells it
 
   // The warning, with the name of the format.
   Message message(const Text& format) const;

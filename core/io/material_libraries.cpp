@@ -9,7 +9,7 @@ namespace {
 // Longer names cannot be of files; looking at their parts would only cost time.
 constexpr std::size_t longest_name = 4096;
 
-enum class Library { found, missing, outside };
+enum class Library { found, missing, no_file, unknown, outside };
 
 Library look_for(std::string name, const std::filesystem::path& folder) {
   if (name.size() > longest_name) return Library::missing;
@@ -18,7 +18,16 @@ Library look_for(std::string name, const std::filesystem::path& folder) {
   const bool has_drive = name.size() >= 2 && name[1] == ':';
   if (path.is_absolute() || has_drive || path.begin() == path.end() || *path.begin() == "..") return Library::outside;
   std::error_code error;
-  return std::filesystem::is_regular_file(folder / path, error) ? Library::found : Library::missing;
+  switch (std::filesystem::status(folder / path, error).type()) {
+    case std::filesystem::file_type::regular:
+      return Library::found;
+    case std::filesystem::file_type::not_found:
+      return Library::missing;
+    case std::filesystem::file_type::none:
+      return Library::unknown;
+    default:
+      return Library::no_file;
+  }
 }
 
 std::vector<std::string> split(std::string_view text) {
@@ -49,6 +58,8 @@ MaterialLibraries look_for_libraries(std::string_view text, const std::filesyste
   for (std::string& name : names) {
     const Library library = look_for(name, folder);
     if (library == Library::missing) out.missing.push_back(std::move(name));
+    if (library == Library::no_file) out.no_files.push_back(std::move(name));
+    if (library == Library::unknown) out.unknown.push_back(std::move(name));
     if (library == Library::outside) out.outside.push_back(std::move(name));
   }
   return out;

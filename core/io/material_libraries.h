@@ -10,7 +10,9 @@ namespace ryosen {
 
 struct MaterialLibraries {
   std::vector<std::string> missing;
-  std::vector<std::string> outside;  // absolute, or leading out of the model's folder: not even looked for
+  std::vector<std::string> no_files;  // there, but folders, pipes or devices
+  std::vector<std::string> unknown;   // in a folder that may not be looked into
+  std::vector<std::string> outside;   // absolute, or leading out of the model's folder: not even looked for
 };
 
 // `text` is what stands after mtllib: one name with spaces in it, or several names parted by spaces (a backslash keeps

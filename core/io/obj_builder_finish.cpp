@@ -27,7 +27,7 @@ void ObjBuilder::material_library(std::string_view text) {
   const FilePlace place = FilePlace::at_line(lines_->first_line());
   if (name.empty()) {
     reporter_.leave_out(&LeftOut::lines);
-    reporter_.warn("material_library_missing", place, [] {
+    reporter_.warn("material_library_unnamed", place, [] {
       return Text{"The line mtllib names no file.", "mtllib の行にファイル名がありません。"};
     });
     return;
@@ -36,18 +36,23 @@ void ObjBuilder::material_library(std::string_view text) {
   file_.material_libraries.emplace_back(name);
   if (model_.empty() || libraries_.size() > most_libraries) return;
   const MaterialLibraries libraries = look_for_libraries(name, model_.parent_path());
-  for (const std::string& missing : libraries.missing) {
-    reporter_.warn("material_library_missing", place, [&] {
-      return Text{"The material library " + shown(missing) + " is not there; the names of its materials are kept.",
-                  "マテリアルファイル " + shown(missing) + " が見つかりません(マテリアル名は保持します)。"};
-    });
-  }
-  for (const std::string& outside : libraries.outside) {
-    reporter_.warn("material_library_outside", place, [&] {
-      return Text{"The material library " + shown(outside) + " lies outside the model's folder and is not opened.",
-                  "マテリアルファイル " + shown(outside) + " はモデルのフォルダの外にあるため開きません。"};
-    });
-  }
+  // The mesh is the same with them and without, so nothing here is a warning.
+  const auto note = [&](const std::vector<std::string>& names, Code code, const Text& what) {
+    for (const std::string& one : names)
+      reporter_.note(code, place, [&] {
+        return Text{"The material library " + shown(one) + what.en, "マテリアルファイル " + shown(one) + what.ja};
+      });
+  };
+  note(libraries.missing, "material_library_missing",
+       {" is not there; the names of its materials are kept.", " が見つかりません(マテリアル名は保持します)。"});
+  note(libraries.no_files, "material_library_no_file",
+       {" is a folder, a pipe or a device, not a file; the names of its materials are kept.",
+        " はファイルではありません(フォルダ、パイプ、デバイスなど)。マテリアル名は保持します。"});
+  note(libraries.unknown, "material_library_unknown",
+       {" cannot be looked for, because its folder may not be read; the names of its materials are kept.",
+        " は、フォルダを読めないため探せません(マテリアル名は保持します)。"});
+  note(libraries.outside, "material_library_outside",
+       {" lies outside the model's folder and is not opened.", " はモデルのフォルダの外にあるため開きません。"});
 }
 
 Text ObjBuilder::stray_value_text(bool is_normal, std::int64_t index) {

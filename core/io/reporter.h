@@ -52,9 +52,12 @@ class Reporter {
   // Adds a warning; `text` is a function that makes the sentence and is only called when the warning is listed.
   template <class MakeText>
   void warn(Code code, FilePlace place, MakeText&& text) {
-    if (count(code) <= listed_per_code) {
-      messages_.push_back(make_message(Severity::warning, code, std::forward<MakeText>(text)(), place));
-    }
+    list(Severity::warning, code, place, std::forward<MakeText>(text));
+  }
+  // The same for what is good to know and no fault of the file.
+  template <class MakeText>
+  void note(Code code, FilePlace place, MakeText&& text) {
+    list(Severity::info, code, place, std::forward<MakeText>(text));
   }
 
   // Notes that something of the file is not taken over; there should be a warning about it, too.
@@ -63,15 +66,25 @@ class Reporter {
 
   bool is_empty() const { return counts_.empty(); }
 
-  // The warnings in the order of the file, then per kind one sentence with the number of those not listed.
+  // The messages in the order of the file, then per kind one sentence with the number of those not listed.
   std::vector<Message> take();
 
  private:
-  std::size_t count(Code code);
+  template <class MakeText>
+  void list(Severity severity, Code code, FilePlace place, MakeText&& text) {
+    if (count(code, severity) <= listed_per_code)
+      messages_.push_back(make_message(severity, code, std::forward<MakeText>(text)(), place));
+  }
+  std::size_t count(Code code, Severity severity);
 
   std::vector<Message> messages_;
   LeftOut left_out_;
-  std::vector<std::pair<Code, std::size_t>> counts_;
+  struct Count {
+    Code code;
+    std::size_t number;
+    Severity severity;  // the highest of them
+  };
+  std::vector<Count> counts_;
 };
 
 }  // namespace ryosen

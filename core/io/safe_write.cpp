@@ -1,16 +1,18 @@
 #include "core/io/safe_write.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <string>
-#include <system_error>
 #include <utility>
 
+#include "core/io/file_target.h"
 #include "core/io/system_reason.h"
 
 namespace ryosen {
@@ -62,10 +64,17 @@ class Descriptor {
   int number_;
 };
 
+// For a descriptor that whoever handed it over has set to wait for nobody.
+bool wait_until_writable(int descriptor) {
+  pollfd wanted{descriptor, POLLOUT, 0};
+  return retried([&] { return ::poll(&wanted, 1, -1); }) > 0;
+}
+
 bool write_all(int descriptor, std::string_view bytes) {
   constexpr std::size_t most = std::size_t{1} << 30;
   while (!bytes.empty()) {
     const ssize_t written = retried([&] { return ::write(descriptor, bytes.data(), std::min(bytes.size(), most)); });
+    if (written < 0 && errno == EAGAIN && wait_until_writable(descriptor)) continue;
     if (written < 0) return false;
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
@@ -77,27 +86,38 @@ bool synchronise(int descriptor) {
   return retried([&] { return ::fsync(descriptor); }) == 0 || errno == EINVAL || errno == ENOTSUP;
 }
 
-// Where the bytes go in the end, through any chain of links, the last of which may point to nothing yet.
-std::filesystem::path follow_links(std::filesystem::path path, int& error) {
-  constexpr int most_links = 40;
-  error = 0;
-  for (int i = 0; i < most_links; ++i) {
-    std::error_code code;
-    if (!std::filesystem::is_symlink(std::filesystem::symlink_status(path, code))) return path;
-    const std::filesystem::path target = std::filesystem::read_symlink(path, code);
-    if (code) {
-      error = code.value();
-      return path;
-    }
-    path = target.is_absolute() ? target : path.parent_path() / target;
-  }
-  error = ELOOP;
-  return path;
+// For its life the reader of a pipe who goes away makes a write fail and does not end the program.
+class PipeSignal {
+ public:
+  PipeSignal() : before_(std::signal(SIGPIPE, SIG_IGN)) {}
+  PipeSignal(const PipeSignal&) = delete;
+  PipeSignal& operator=(const PipeSignal&) = delete;
+  ~PipeSignal() { std::signal(SIGPIPE, before_); }
+
+ private:
+  void (*before_)(int);
+};
+
+Failure nobody_reads(const std::filesystem::path& path) {
+  Failure failure = not_writable(path, "output_not_writable", 0);
+  failure.message.text = {
+      "Cannot write " + path.string() + ": nobody reads this pipe; start its reader first.",
+      path.string() + " に書き込めません：パイプの読み手がいません（先に読み手を起動してください）。"};
+  return failure;
 }
 
-Status write_through(const std::filesystem::path& path, const std::filesystem::path& target, std::string_view bytes) {
-  Descriptor out(retried([&] { return ::open(target.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY); }));
-  if (!out.is_open() || !write_all(out.number(), bytes) || !out.close()) {
+// Into what is there: a device, a pipe, or whatever a descriptor is of that the program was handed.
+Status write_through(const std::filesystem::path& path, const FileTarget& target, std::string_view bytes) {
+  // A pipe that nobody reads would keep whoever opens it waiting.
+  const bool is_pipe = S_ISFIFO(target.status.st_mode) && !target.descriptor;
+  const int flags = O_WRONLY | O_CLOEXEC | O_NOCTTY | (is_pipe ? O_NONBLOCK : 0);
+  Descriptor out(retried([&] {
+    return target.descriptor ? ::fcntl(*target.descriptor, F_DUPFD_CLOEXEC, 0) : ::open(target.path.c_str(), flags);
+  }));
+  if (!out.is_open() && is_pipe && errno == ENXIO) return nobody_reads(path);
+  const PipeSignal ignored;
+  if (!out.is_open() || (is_pipe && ::fcntl(out.number(), F_SETFL, 0) != 0) || !write_all(out.number(), bytes) ||
+      !out.close()) {
     return not_writable(path, "output_not_writable", errno);
   }
   return success();
@@ -155,16 +175,14 @@ bool take_over_rights(int descriptor, const struct stat& old) {
 }  // namespace
 
 Status safe_write(const std::filesystem::path& path, std::string_view bytes) {
-  int link_error = 0;
-  const std::filesystem::path target = follow_links(path, link_error);
+  const FileTarget found = target_of(path);
+  const std::filesystem::path& target = found.path;
   const auto failed = [&] { return not_writable(path, "output_not_writable", errno); };
-  if (link_error != 0) return not_writable(path, "output_not_writable", link_error);
-  struct stat old;
-  const bool replaces = ::stat(target.c_str(), &old) == 0;
-  if (!replaces && errno != ENOENT) return failed();
-  if (replaces && S_ISDIR(old.st_mode)) return not_writable(path, "output_is_folder", EISDIR);
+  if (found.error != 0) return not_writable(path, "output_not_writable", found.error);
+  const bool replaces = found.kind != FileTarget::Kind::nothing;
+  if (found.kind == FileTarget::Kind::folder) return not_writable(path, "output_is_folder", EISDIR);
   if (target.filename().empty()) return not_writable(path, "output_not_writable", ENOENT);
-  if (replaces && !S_ISREG(old.st_mode)) return write_through(path, target, bytes);
+  if (found.kind == FileTarget::Kind::stream || found.descriptor) return write_through(path, found, bytes);
   if (replaces && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) return failed();
 
   const std::filesystem::path parent = target.has_parent_path() ? target.parent_path() : ".";
@@ -172,7 +190,7 @@ Status safe_write(const std::filesystem::path& path, std::string_view bytes) {
   const Descriptor folder(retried([&] { return ::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); }));
   if (!folder.is_open() && errno != EACCES) return failed();
   Beside beside(parent / target.filename());
-  if (!beside.exists() || (replaces && !take_over_rights(beside.descriptor(), old)) ||
+  if (!beside.exists() || (replaces && !take_over_rights(beside.descriptor(), found.status)) ||
       !write_all(beside.descriptor(), bytes) || !synchronise(beside.descriptor()) || !beside.rename_to(target)) {
     return failed();
   }

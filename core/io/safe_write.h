@@ -9,8 +9,9 @@
 namespace ryosen {
 
 // Puts `bytes` in the place of the file: written beside it, brought to the disk, then renamed, and the folder is
-// brought to the disk too. Links are followed, the permissions of a file that is replaced stay; a device or pipe is
-// written to directly. Whatever moment the process is killed at, there is the whole old or the whole new file; what it
+// brought to the disk too. Links are followed, the permissions of a file that is replaced stay. A device, a pipe that
+// somebody reads, and what a descriptor is of that the program was handed (/dev/stdout) are written to instead; there the
+// rest does not hold. Whatever moment the process is killed at, there is the whole old or the whole new file; what it
 // had written beside stays then as `.NAME.PROCESS.N`, which nobody reads.
 //
 // On failure (exit code output_not_writable) what was there before is unchanged and nothing new remains, but for one

@@ -35,6 +35,8 @@ constexpr std::array system_reasons{
     ReasonRow{ENAMETOOLONG, "the name is too long", "名前が長すぎます"},
     ReasonRow{EMFILE, "this program has too many files open", "このプログラムが開いているファイルが多すぎます"},
     ReasonRow{ENFILE, "the system has too many files open", "システムで開いているファイルが多すぎます"},
+    ReasonRow{EPIPE, "whoever read the pipe has closed it", "パイプの読み手が閉じました"},
+    ReasonRow{EBADF, "it is not open for that", "その向きには開かれていません"},
     ReasonRow{ENOMEM, "there is not enough memory", "メモリが足りません"},
 };
 

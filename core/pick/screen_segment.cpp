@@ -25,7 +25,7 @@ std::optional<NearestOnScreen> ScreenProjection::nearest_on_segment(const glm::d
   if (!camera_.ortho_height) {
     // The part in front of the eye.
     const double depth_a = glm::dot(a - camera_.eye, axes_.forward), depth_b = glm::dot(b - camera_.eye, axes_.forward);
-    const double least = 1e-6 * glm::length(camera_.target - camera_.eye);
+    const double least = 1e-6 * length_of(camera_.target - camera_.eye);
     if (depth_a < least && depth_b < least) return std::nullopt;
     if (depth_a < least) from = (least - depth_a) / (depth_b - depth_a);
     if (depth_b < least) to = (least - depth_a) / (depth_b - depth_a);
@@ -44,7 +44,7 @@ std::optional<NearestOnScreen> ScreenProjection::nearest_on_segment(const glm::d
 }
 
 glm::dmat4 ScreenProjection::clip_from_mesh() const {
-  const double distance = glm::length(camera_.target - camera_.eye);
+  const double distance = length_of(camera_.target - camera_.eye);
   const double aspect = static_cast<double>(view_.width) / view_.height;
   return clip_from_view(camera_, aspect, 1e-6 * distance, 1e6 * distance) * view_from_mesh(camera_);
 }

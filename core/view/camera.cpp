@@ -18,7 +18,23 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // Tangent of half the vertical opening angle.
 double half_height(const Camera& camera) { return std::tan(glm::radians(camera.fov_y_deg) / 2); }
 
-double target_depth(const Camera& camera) { return glm::length(camera.target - camera.eye); }
+double target_depth(const Camera& camera) { return length_of(camera.target - camera.eye); }
+
+bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+double largest_of(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+// Such that 2^-exponent brings the vector to about unit size.
+int exponent_of(const glm::dvec3& v) {
+  int exponent = 0;
+  std::frexp(largest_of(v), &exponent);
+  return exponent;
+}
+
+// Times a power of two: exact, but for numbers too large or too small.
+glm::dvec3 scaled(const glm::dvec3& v, int exponent) {
+  return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+}
 
 glm::dvec3 turned(const glm::dvec3& vector, const glm::dvec3& axis, double angle_rad) {
   return glm::dvec3(glm::rotate(glm::dmat4(1.0), angle_rad, axis) * glm::dvec4(vector, 0.0));
@@ -31,13 +47,14 @@ struct Extent {
   double right = -infinity, left = -infinity, above = -infinity, below = -infinity;
 };
 
-Extent extent_of(std::span<const glm::dvec3> points, const CameraAxes& a, const glm::dvec3& origin, double tan_x,
-                 double tan_y) {
+// In units of 2^exponent, from an origin amid them.
+Extent extent_of(std::span<const glm::dvec3> points, const CameraAxes& a, const glm::dvec3& origin, int exponent,
+                 double tan_x, double tan_y) {
   Extent e;
   for (const glm::dvec3& point : points) {
-    const glm::dvec3 p = point - origin;
+    const glm::dvec3 p = scaled(point - origin, -exponent);
     const glm::dvec3 q(glm::dot(p, a.right), glm::dot(p, a.up), glm::dot(p, a.forward));
-    if (!std::isfinite(q.x + q.y + q.z)) continue;
+    if (!is_finite(q)) continue;
     e.low = glm::min(e.low, q);
     e.high = glm::max(e.high, q);
     e.right = std::max(e.right, q.x - tan_x * q.z);
@@ -50,10 +67,27 @@ Extent extent_of(std::span<const glm::dvec3> points, const CameraAxes& a, const 
 
 }  // namespace
 
+double length_of(const glm::dvec3& vector) {
+  const int exponent = exponent_of(vector);
+  return std::ldexp(glm::length(scaled(vector, -exponent)), exponent);
+}
+
+glm::dvec3 unit_vector(const glm::dvec3& vector) { return glm::normalize(scaled(vector, -exponent_of(vector))); }
+
+namespace {
+
+// From the eye to the target, or half of it where that is more than the largest number.
+glm::dvec3 way_to_target(const Camera& camera) {
+  const glm::dvec3 way = camera.target - camera.eye;
+  return is_finite(way) ? way : 0.5 * camera.target - 0.5 * camera.eye;
+}
+
+}  // namespace
+
 Bounds bounds_of(std::span<const glm::dvec3> points) {
   Bounds bounds{glm::dvec3(infinity), glm::dvec3(-infinity)};
   for (const glm::dvec3& p : points) {
-    if (!std::isfinite(p.x + p.y + p.z)) continue;
+    if (!is_finite(p)) continue;
     bounds.min = glm::min(bounds.min, p);
     bounds.max = glm::max(bounds.max, p);
   }
@@ -62,8 +96,8 @@ Bounds bounds_of(std::span<const glm::dvec3> points) {
 
 CameraAxes axes(const Camera& camera) {
   CameraAxes a;
-  a.forward = glm::normalize(camera.target - camera.eye);
-  a.right = glm::normalize(glm::cross(a.forward, camera.up));
+  a.forward = unit_vector(way_to_target(camera));
+  a.right = glm::normalize(glm::cross(a.forward, unit_vector(camera.up)));
   a.up = glm::cross(a.right, a.forward);
   return a;
 }
@@ -84,7 +118,7 @@ glm::dmat4 clip_from_view(const Camera& camera, double aspect, double near_dista
     clip[1][1] = 1 / half_height(camera);
     clip[2][2] = -(far_distance + near_distance) / depth;
     clip[2][3] = -1;
-    clip[3][2] = -2 * far_distance * near_distance / depth;
+    clip[3][2] = -2 * near_distance * (far_distance / depth);
   }
   return clip;
 }
@@ -112,23 +146,45 @@ std::optional<NamedView> named_view_of(std::string_view name) {
   return std::nullopt;
 }
 
+namespace {
+
+// Where a point lies that is `offset` from the origin in units of 2^exponent. A point beyond the largest number comes back
+// along `way`, which has length 1, as far as it must.
+glm::dvec3 place(const glm::dvec3& origin, const glm::dvec3& offset, int exponent, const glm::dvec3& way) {
+  const glm::dvec3 far_off = scaled(origin, -exponent) + offset;
+  const double largest = std::ldexp(std::numeric_limits<double>::max() / 2, -exponent) * 2 * (1 - 1e-9);
+  double back = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double beyond = std::abs(far_off[axis]) - largest;
+    if (beyond > 0 && far_off[axis] * way[axis] < 0) back = std::max(back, beyond / std::abs(way[axis]));
+  }
+  return scaled(far_off + way * back, exponent);
+}
+
+}  // namespace
+
 Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double aspect, double margin) {
   Camera result = camera;
   const CameraAxes a = axes(camera);
   const double share = 1 - 2 * margin;
   const double tan_y = half_height(camera) * share;
   const double tan_x = tan_y * aspect;
-  const glm::dvec3 origin = bounds_of(points).centre();
-  const Extent e = extent_of(points, a, origin, tan_x, tan_y);
+  const Bounds box = bounds_of(points);
+  const glm::dvec3 origin = box.centre();
+  const glm::dvec3 half_size = 0.5 * box.max - 0.5 * box.min;
+  const int exponent = largest_of(half_size) > 0 ? exponent_of(half_size) : 0;
+  const Extent e = extent_of(points, a, origin, exponent, tan_x, tan_y);
   if (!(e.low.x <= e.high.x)) return result;
   const glm::dvec3 middle = 0.5 * (e.low + e.high);
   const glm::dvec3 size = e.high - e.low;
   const double widest = std::max({size.x / aspect, size.y, size.z * 1e-3});
   if (camera.ortho_height) {
-    result.ortho_height = widest > 0 ? widest / share : 1;
-    result.target = origin + a.right * middle.x + a.up * middle.y + a.forward * middle.z;
-    const double radius = std::max(glm::length(size), *result.ortho_height);
-    result.eye = result.target - a.forward * (2 * radius);
+    const double height = widest > 0 ? widest / share : 1;
+    const double radius = std::max(glm::length(size), height);
+    const glm::dvec3 target = a.right * middle.x + a.up * middle.y + a.forward * middle.z;
+    result.ortho_height = std::min(std::ldexp(height, exponent), std::numeric_limits<double>::max());
+    result.target = place(origin, target, exponent, a.forward);
+    result.eye = place(origin, target - a.forward * (2 * radius), exponent, a.forward);
     return result;
   }
   // The eye lies at depth z where the two pyramid sides that touch the points left and right (or above and below) meet.
@@ -136,8 +192,9 @@ Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double a
   // It keeps some distance from the nearest point, and a single place fills a view one unit high.
   const double nearest = e.low.z - (widest > 0 ? 0.1 * widest : 0.5 / half_height(camera));
   const double depth = widest > 0 ? std::min(-back, nearest) : nearest;
-  result.eye = origin + a.right * ((e.right - e.left) / 2) + a.up * ((e.above - e.below) / 2) + a.forward * depth;
-  result.target = result.eye + a.forward * (middle.z - depth);
+  const glm::dvec3 eye = a.right * ((e.right - e.left) / 2) + a.up * ((e.above - e.below) / 2) + a.forward * depth;
+  result.eye = place(origin, eye, exponent, a.forward);
+  result.target = place(origin, eye + a.forward * (middle.z - depth), exponent, a.forward);
   return result;
 }
 

@@ -18,8 +18,12 @@ struct Bounds {
   glm::dvec3 min{0};
   glm::dvec3 max{0};
 
-  glm::dvec3 centre() const { return 0.5 * (min + max); }
+  glm::dvec3 centre() const { return 0.5 * min + 0.5 * max; }
 };
+
+// Length, and the vector of length 1 in the same direction, also where their squares are too large or too small a number.
+double length_of(const glm::dvec3& vector);
+glm::dvec3 unit_vector(const glm::dvec3& vector);
 
 // The box around finite points; a box at the origin when there is none.
 Bounds bounds_of(std::span<const glm::dvec3> points);
@@ -51,7 +55,8 @@ std::optional<NamedView> named_view_of(std::string_view name);
 inline constexpr double default_margin = 0.06;
 
 // The camera with the same direction that shows all points, centred, as large as the margin allows. The target comes to
-// lie in the depth of the middle of their box. Points at a single place are shown with a view one unit high. Linear.
+// lie in the depth of the middle of their box. Points at a single place are shown with a view one unit high. Where the
+// eye would lie beyond the largest number it comes as far as it can. Linear.
 Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double aspect, double margin = default_margin);
 Camera fitted(const Camera& camera, const Bounds& box, double aspect, double margin = default_margin);
 // front looks along -Z with +Y up, right along -X, top along -Y with -Z up, iso along (-1,-1,-1); fitted.

@@ -124,12 +124,67 @@ TEST(check, fail_on_chooses_the_kinds_that_count) {
 
 TEST(check, warnings_of_the_reader_count_as_problems) {
   const TemporaryFolder folder;
-  folder.write("m.obj", "mtllib nowhere.mtl\n" + std::string(triangle));
+  folder.write("m.obj", "curv 0 1\n" + std::string(triangle));
   const ProgramRun run = run_program({"check", folder.at("m.obj"), "--json"});
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_EQ(run.line()["status"], "warnings");
   EXPECT_EQ(run.err, "") << "the JSON carries them";
   EXPECT_NE(run_program({"check", folder.at("m.obj")}).err.find("m.obj:1: warning: "), std::string::npos);
+}
+
+TEST(check, says_the_same_of_a_mesh_with_its_material_library_and_without) {
+  const TemporaryFolder folder;
+  folder.write("m.obj", "mtllib some.mtl\n" + std::string(triangle));
+  const auto check = [&] { return run_program({"check", folder.at("m.obj"), "--json"}); };
+  const auto note = [](const ProgramRun& run) { return run.line()["messages"][0]; };
+  const ProgramRun without = check();
+  EXPECT_EQ(without.exit_code, 0);
+  EXPECT_EQ(without.line()["status"], "ok");
+  EXPECT_EQ(note(without)["code"], "material_library_missing");
+  EXPECT_EQ(note(without)["severity"], "info");
+  EXPECT_EQ(note(without)["line"], 1);
+  ASSERT_EQ(::mkfifo(folder.at("some.mtl").c_str(), 0600), 0);
+  EXPECT_EQ(note(check())["code"], "material_library_no_file");
+  EXPECT_EQ(check().line()["status"], "ok");
+  std::filesystem::remove(folder.at("some.mtl"));
+  folder.write("some.mtl", "newmtl x\n");
+  const ProgramRun with = check();
+  EXPECT_EQ(with.exit_code, 0);
+  EXPECT_EQ(with.line()["messages"], Json::array());
+  Json before = without.line(), after = with.line();
+  before.erase("messages");
+  after.erase("messages");
+  EXPECT_EQ(before, after);
+}
+
+TEST(check, counts_lines_and_points_and_calls_none_of_their_vertices_isolated) {
+  const TemporaryFolder folder;
+  const std::string five = std::string(triangle) + "v 5 0 0\nv 6 0 0\nv 7 0 0\n";
+  folder.write("lines.obj", five + "l 4 5\nl 1 2 3\np 6\n");
+  folder.write("alone.obj", five + "l 4 5\n");
+  folder.write("edges.ply",
+               "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+               "element face 1\nproperty list uchar int vertex_indices\nelement edge 1\nproperty int vertex1\n"
+               "property int vertex2\nend_header\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n3 0 1 2\n3 4\n");
+  const ProgramRun run = run_program({"check", folder.at("lines.obj"), "--json"});
+  const Json lines = run.line();
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(lines["lines"], 2);
+  EXPECT_EQ(lines["points"], 1);
+  EXPECT_EQ(lines["isolated_vertices"], 0);
+  EXPECT_EQ(lines["euler_characteristic"], 1) << "that of the surface";
+  const std::vector<std::string> keys = keys_of(lines);
+  EXPECT_EQ((std::vector<std::string>(keys.begin() + 5, keys.begin() + 9)),
+            (std::vector<std::string>{"faces", "lines", "points", "edges"}));
+  const Json alone = run_program({"check", folder.at("alone.obj"), "--json"}).line();
+  EXPECT_EQ(alone["lines"], 1);
+  EXPECT_FALSE(alone.contains("points"));
+  EXPECT_EQ(alone["isolated_vertices"], 1);
+  EXPECT_EQ(alone["problems"][0]["elements"], Json::array({"v5"}));
+  const ProgramRun edges = run_program({"check", folder.at("edges.ply"), "--json"});
+  EXPECT_EQ(edges.exit_code, 0) << edges.out;
+  EXPECT_EQ(edges.line()["lines"], 1);
+  EXPECT_NE(run_program({"check", folder.at("lines.obj")}).out.find("lines  "), std::string::npos);
 }
 
 TEST(check, walks_folders_in_byte_order) {

@@ -136,6 +136,13 @@ TEST(doctor, reports_backends_fonts_and_packages) {
   EXPECT_TRUE(report["versions"].contains("compiler"));
 }
 
+TEST(command_line, h_is_help) {
+  EXPECT_EQ(run_program({"-h"}).out, run_program({"--help"}).out);
+  const ProgramRun run = run_program({"check", "-h"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.out, run_program({"help", "check"}).out);
+}
+
 // The commands that only look at meshes leave the graphics libraries alone.
 TEST(command_line, loads_no_graphics) {
   const std::string cube = asset("cube.obj");

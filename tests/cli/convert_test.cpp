@@ -15,6 +15,26 @@ Json loss(const Json& report, const std::string& code) {
   return {};
 }
 
+TEST(convert, numbers_that_single_precision_loses_altogether_are_said_as_that) {
+  const TemporaryFolder folder;
+  folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1e-60 1\nv 0 1e39 -1e300\nv 0.1 2 0\nf 1 2 3\nf 2 3 4\nf 1 2 5\n");
+  const auto convert = [&](std::vector<std::string> further) {
+    further.insert(further.begin(), {"convert", "a.obj", "--json"});
+    return run_program(further, folder.path());
+  };
+  const Json report = convert({"-o", "o.stl"}).line();
+  EXPECT_EQ(loss(report, "loses_large_numbers")["count"], 1);
+  EXPECT_NE(
+      loss(report, "loses_large_numbers")["en"].get<std::string>().find("which become infinite: 1 (the first is v3)"),
+      std::string::npos);
+  EXPECT_EQ(loss(report, "loses_small_numbers")["count"], 1);
+  EXPECT_NE(loss(report, "loses_small_numbers")["ja"].get<std::string>().find("1 個(最初は v2)。"), std::string::npos);
+  EXPECT_EQ(loss(report, "loses_precision")["count"], 1);
+  EXPECT_EQ(run_program({"check", folder.at("o.stl"), "--json"}).line()["nonfinite_vertices"], 1);
+  EXPECT_EQ(convert({"-o", "strict.stl", "--strict"}).exit_code, 6);
+  EXPECT_EQ(convert({"-o", "text.stl", "--format", "stl-ascii", "--strict"}).exit_code, 0);
+}
+
 TEST(convert, writes_the_format_of_the_name) {
   const TemporaryFolder folder;
   folder.write("a.obj", quads);

@@ -20,6 +20,16 @@ const Json* repair_of(const Json& report, const std::string& kind) {
   return nullptr;
 }
 
+TEST(repair, the_usual_repairs_together_take_no_number) {
+  const std::string cube = asset("cube.obj");
+  const ProgramRun run = run_program({"repair", cube, "--kinds", "default=5"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("--kinds: default stands for several repairs and takes no number."), std::string::npos)
+      << run.err;
+  EXPECT_EQ(run.err.find("Did you mean"), std::string::npos) << run.err;
+  EXPECT_EQ(run_program({"repair", cube, "--kinds", "default,weld_close=1e-9"}).exit_code, 0);
+}
+
 TEST(repair, keeps_all_geometry_unless_asked_and_says_what_is_left) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a.obj", broken);

@@ -48,6 +48,43 @@ TEST(shot, every_flag_changes_the_picture) {
   }
 }
 
+// A cube of side 2 s around the origin.
+std::string cube_of(const std::string& s) {
+  std::string text;
+  for (const char* signs : {"---", "+--", "++-", "-+-", "--+", "+-+", "+++", "-++"}) {
+    text += "v";
+    for (int i = 0; i < 3; ++i) text += std::string(signs[i] == '-' ? " -" : " ") + s;
+    text += "\n";
+  }
+  return text + "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+}
+
+TEST(shot, a_mesh_looks_the_same_however_large_or_small_it_is) {
+  const test::TemporaryFolder folder;
+  const std::string one = folder.write("one.obj", cube_of("1")), reference = folder.at("one.png");
+  for (const std::vector<std::string>& flags :
+       {std::vector<std::string>{}, {"--view", "iso"}, {"--script", folder.write("s", "projection orthographic\n")}}) {
+    ASSERT_EQ(shot(one, reference, flags), 0);
+    for (const char* size : {"1e300", "1e-300", "1e200", "1e-200", "1e307"}) {
+      std::vector<std::string> further{"--compare", reference};
+      further.insert(further.end(), flags.begin(), flags.end());
+      EXPECT_EQ(shot(folder.write("other.obj", cube_of(size)), folder.at("other.png"), further), 0) << size;
+    }
+  }
+}
+
+TEST(shot, a_mesh_as_large_as_numbers_go_is_seen) {
+  const test::TemporaryFolder folder;
+  ASSERT_EQ(shot(folder.write("none.obj", "v 0 0 0\n"), folder.at("none.png"), {"--show", "none"}), 0);
+  const Result<Image> none = read_png(folder.at("none.png"));
+  for (const char* size : {"1e308", "1.797e308"}) {
+    ASSERT_EQ(shot(folder.write("large.obj", cube_of(size)), folder.at("large.png"), {"--show", "none"}), 0);
+    const Result<Image> large = read_png(folder.at("large.png"));
+    ASSERT_TRUE(none && large);
+    EXPECT_GT(compare(*none, *large)->share, 0.2) << size;
+  }
+}
+
 TEST(shot, ends_as_the_contract_says) {
   const test::TemporaryFolder folder;
   const std::string mesh = asset("tetrahedron.off"), out = folder.at("o.png");

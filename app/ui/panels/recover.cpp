@@ -26,7 +26,8 @@ std::string draw_lost(PanelContext& context, std::size_t n) {
 
 // What a crash left unsaved.
 void draw_recover(PanelContext& context) {
-  if (ImGui::IsWindowAppearing()) context.session.lost = find_lost_sessions(recovery_folder());
+  // Where the folder cannot be read, the command says why.
+  if (ImGui::IsWindowAppearing() && !list_lost_sessions(context.session)) context.run("recover list");
   const std::vector<LostSession>& lost = context.session.lost;
   dim_text(context, context.text(lost.empty() ? UiText::nothing_to_recover : UiText::recover_question));
   ImGui::Dummy({0, 4 * context.scale});

@@ -107,7 +107,7 @@ TEST(killed_session, is_recovered_as_it_was_after_the_last_edit) {
         walk_and_die(file, folder.path(), std::chrono::microseconds(static_cast<long>(share * took.count())));
     ASSERT_GE(told, 0);
     const auto now = static_cast<std::size_t>(told), next = std::min<std::size_t>(now + 1, walk_steps);
-    const std::vector<LostSession> lost = find_lost_sessions(folder.path());
+    const std::vector<LostSession> lost = find_lost_sessions(folder.path()).value();
     if (lost.empty()) {
       EXPECT_FALSE(states[now].is_modified && states[next].is_modified) << "after step " << told;
       ++saved;

@@ -80,7 +80,7 @@ TEST_F(RecoveryTest, what_a_crash_leaves_is_done_again) {
   const std::vector<std::string> log = crashed->session.log();
   ASSERT_EQ(log.size(), 7u);
   EXPECT_EQ(kept().size(), 1u);
-  EXPECT_TRUE(find_lost_sessions(recovery_folder()).empty()) << "it is still running";
+  EXPECT_TRUE(find_lost_sessions(recovery_folder()).value().empty()) << "it is still running";
   crashed.reset();
 
   auto again = open_nothing();
@@ -99,7 +99,7 @@ TEST_F(RecoveryTest, what_a_crash_leaves_is_done_again) {
   EXPECT_EQ(again->session.document().path(), path);
   EXPECT_EQ(test::read_file(path), test::read_file(test::asset("torus.off"))) << "only a save writes";
   // It goes on with the script, and another crash loses nothing either.
-  EXPECT_TRUE(find_lost_sessions(recovery_folder()).empty());
+  EXPECT_TRUE(find_lost_sessions(recovery_folder()).value().empty());
   again->run("split 2-3");
   const std::uint64_t later = again->session.mesh().hash();
   again.reset();
@@ -132,7 +132,7 @@ TEST_F(RecoveryTest, nothing_is_offered_that_is_saved_or_undone_or_given_up) {
   undone->run("undo");
   undone.reset();
   EXPECT_EQ(kept().size(), 3u) << "two scripts and what the first began with";
-  EXPECT_TRUE(find_lost_sessions(recovery_folder()).empty());
+  EXPECT_TRUE(find_lost_sessions(recovery_folder()).value().empty());
   EXPECT_TRUE(kept().empty());
   auto left = open(path);
   left->run("split 2-3");
@@ -154,7 +154,7 @@ TEST_F(RecoveryTest, edits_after_a_save_over_the_file_begin_with_what_it_held) {
   crashed.reset();
   ASSERT_NE(saved, test::read_file(test::asset("torus.off")));
 
-  const auto lost = find_lost_sessions(recovery_folder());
+  const auto lost = find_lost_sessions(recovery_folder()).value();
   ASSERT_EQ(lost.size(), 1u);
   EXPECT_EQ(lost[0].unsaved, 2u);
   EXPECT_EQ(lost[0].edits.size(), 4u);
@@ -252,7 +252,7 @@ TEST_F(RecoveryTest, a_file_that_has_changed_is_said_and_the_line_that_fails) {
   again->run("split 2-3");
   const std::uint64_t hash = again->session.mesh().hash();
   again.reset();
-  const auto lost = find_lost_sessions(recovery_folder());
+  const auto lost = find_lost_sessions(recovery_folder()).value();
   ASSERT_EQ(lost.size(), 2u);
   auto third = open_nothing();
   const LostSession& later =
@@ -316,7 +316,7 @@ TEST_F(RecoveryTest, what_is_no_script_of_a_session_is_left_alone) {
   state_.write("ryosen/recovery/session-2.ryosen", "split 0-1");
   state_.write("ryosen/recovery/notes.txt", "mine");
   state_.write("ryosen/recovery/session-3.ryosen", "");  // a crash right after it was made
-  EXPECT_TRUE(find_lost_sessions(recovery_folder()).empty());
+  EXPECT_TRUE(find_lost_sessions(recovery_folder()).value().empty());
   EXPECT_EQ(kept().size(), 3u);
 }
 
@@ -379,6 +379,19 @@ TEST_F(RecoveryTest, without_a_window_nothing_is_kept_unless_asked) {
   EXPECT_EQ(test::run_program({"edit", "--new", "--do", "recover 1; save"}, {}, {variable}).exit_code, 2);
   EXPECT_EQ(test::run_program({"edit", "--new", "--do", "recover discard 1"}, {}, {variable}).exit_code, 0);
   EXPECT_TRUE(kept().empty());
+}
+
+TEST_F(RecoveryTest, a_folder_that_cannot_be_read_is_not_an_empty_one) {
+  Session session(std::make_unique<Document>());
+  EXPECT_TRUE(session.run("recover list").done()) << "no folder, nothing lost";
+  files_.write("file", "");
+  setenv("XDG_STATE_HOME", files_.at("file").c_str(), 1);
+  for (const char* line : {"recover list", "recover 1"}) {
+    const Outcome outcome = session.run(line);
+    EXPECT_EQ(outcome.exit_code, ExitCode::input_missing) << line;
+    EXPECT_NE(outcome.sentence.en.find("cannot be read: a part of the path is not a folder"), std::string::npos)
+        << outcome.sentence.en;
+  }
 }
 
 }  // namespace

@@ -15,6 +15,12 @@ TEST(elements, stay_the_same_without_change) {
   EXPECT_TRUE(io_test::same_elements(renumbered(file.elements, vertices, faces, 4, 4), file.elements));
 }
 
+TEST(elements, are_counted) {
+  const ElementTotals totals = totals_of(io_test::read_sound("obj", sample_text));
+  EXPECT_EQ(totals.lines, 3u);
+  EXPECT_EQ(totals.points, 2u);
+}
+
 TEST(elements, follow_their_vertices_and_lose_those_that_are_gone) {
   const MeshFile file = io_test::read_sound("obj", sample_text);
   // Vertex 1 and face 0 are gone, two vertices and a face are new.

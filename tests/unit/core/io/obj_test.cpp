@@ -254,7 +254,10 @@ TEST(obj_read, libraries_are_looked_for_in_the_folder_only) {
   EXPECT_EQ(codes("a b.mtl"), Names{});
   EXPECT_EQ(codes("a\\ b.mtl c.mtl"), Names{});
   EXPECT_EQ(codes("c.mtl gone.mtl"), Names{"material_library_missing"});
-  EXPECT_EQ(codes(""), Names{"material_library_missing"});
+  std::filesystem::create_directory(folder / "d.mtl");
+  EXPECT_EQ(codes("d.mtl"), Names{"material_library_no_file"});
+  EXPECT_EQ(codes("c.mtl/x.mtl"), Names{"material_library_missing"});
+  EXPECT_EQ(codes(""), Names{"material_library_unnamed"});
   EXPECT_EQ(codes("/etc/passwd"), Names{"material_library_outside"});
   EXPECT_EQ(codes("../x.mtl"), Names{"material_library_outside"});
   EXPECT_EQ(codes("sub/../../x.mtl"), Names{"material_library_outside"});

@@ -1,5 +1,6 @@
 #include "core/io/safe_write.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -117,6 +118,45 @@ TEST(safe_write, devices_are_written_to_not_replaced) {
   ASSERT_FALSE(full.ok());
   EXPECT_EQ(full.failure().exit_code, ExitCode::output_not_writable);
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST(safe_write, a_pipe_that_nobody_reads_is_refused_at_once) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  const Status alone = safe_write(folder / "pipe", "x");
+  ASSERT_FALSE(alone.ok());
+  EXPECT_EQ(alone.failure().exit_code, ExitCode::output_not_writable);
+  EXPECT_NE(alone.failure().message.text.en.find("nobody reads this pipe"), std::string::npos);
+  const int reader = ::open((folder / "pipe").c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  EXPECT_TRUE(safe_write(folder / "pipe", "hello").ok());
+  char got[16] = {};
+  EXPECT_EQ(::read(reader, got, sizeof got), 5);
+  EXPECT_EQ(std::string(got), "hello");
+  ::close(reader);
+  EXPECT_TRUE(fs::is_fifo(folder / "pipe"));
+}
+
+TEST(safe_write, a_reader_who_goes_away_is_a_failure_and_not_the_end) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  ::close(ends[0]);
+  const Status status = safe_write("/dev/fd/" + std::to_string(ends[1]), "x");
+  ::close(ends[1]);
+  ASSERT_FALSE(status.ok());
+  EXPECT_NE(status.failure().message.text.en.find("has closed it"), std::string::npos)
+      << status.failure().message.text.en;
+}
+
+TEST(safe_write, what_a_handed_descriptor_is_of_is_written_on_not_replaced) {
+  const TemporaryFolder folder;
+  const int file = ::open((folder / "log").c_str(), O_WRONLY | O_CREAT, 0600);
+  ASSERT_GE(file, 0);
+  ASSERT_EQ(::write(file, "before ", 7), 7);
+  EXPECT_TRUE(safe_write("/proc/self/fd/" + std::to_string(file), "after").ok());
+  ::close(file);
+  EXPECT_EQ(whole_file(folder / "log"), "before after");
+  EXPECT_EQ(folder.entry_count(), 1u);
 }
 
 }  // namespace

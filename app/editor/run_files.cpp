@@ -1,0 +1,85 @@
+#include "app/editor/run_files.h"
+
+#include <unistd.h>
+
+#include <array>
+
+namespace ryosen {
+
+namespace {
+
+struct RoleRow {
+  FileRole role;
+  bool is_read, is_picture;
+  std::string_view en, ja;          // what the file is
+  std::string_view new_en, new_ja;  // what would take its place; nothing does that is only read
+};
+
+constexpr std::array role_rows{
+    RoleRow{FileRole::mesh, true, false, "a mesh that this run reads", "この実行で読み込むメッシュ", "", ""},
+    RoleRow{FileRole::script, true, false, "the script of this run", "この実行のスクリプト", "", ""},
+    RoleRow{FileRole::reference, true, true, "the reference of --compare", "比較の基準画像（--compare）", "", ""},
+    RoleRow{FileRole::saved, false, false, "a mesh that this run saves", "この実行で保存するメッシュ", "a saved mesh",
+            "保存するメッシュ"},
+    RoleRow{FileRole::result, false, false, "the mesh of -o", "出力のメッシュ（-o）", "the mesh of -o",
+            "出力のメッシュ（-o）"},
+    RoleRow{FileRole::picture, false, true, "a picture that this run makes", "この実行で作る画像", "a picture", "画像"},
+    RoleRow{FileRole::difference, false, true, "the picture of --diff", "差分画像（--diff）", "the picture of --diff",
+            "差分画像（--diff）"},
+};
+
+constexpr bool rows_are_in_order() {
+  for (std::size_t i = 0; i < role_rows.size(); ++i)
+    if (role_rows[i].role != static_cast<FileRole>(i)) return false;
+  return true;
+}
+static_assert(rows_are_in_order());
+
+const RoleRow& role_row(FileRole role) { return role_rows[static_cast<std::size_t>(role)]; }
+
+}  // namespace
+
+bool RunFiles::may_replace(const Known& known, FileRole role) const {
+  if (policy_ == Policy::overwrite) return true;
+  if (policy_ == Policy::by_kind) return role_row(known.role).is_picture == role_row(role).is_picture;
+  return role == FileRole::saved && known.role == role && known.document == document_;
+}
+
+void RunFiles::reads(const std::filesystem::path& path, FileRole role) {
+  known_.push_back({path, target_of(path), role, document_});
+}
+
+Status RunFiles::may_write(const std::filesystem::path& path, FileRole role) const {
+  const FileTarget target = target_of(path);
+  if (target.kind == FileTarget::Kind::stream) return success();
+  for (const Known& known : known_) {
+    if (!is_same_file(known.target, target) || may_replace(known, role)) continue;
+    const std::string name = path.string(), other = known.path.string();
+    const RoleRow &is = role_row(known.role), &becomes = role_row(role);
+    const bool is_linked = name != other;
+    Failure failure;
+    failure.exit_code = ExitCode::output_not_writable;
+    failure.message.code = is.is_read ? Code("input_would_be_replaced") : Code("output_would_be_replaced");
+    Text& text = failure.message.text;
+    text.en = name + (is_linked ? " is the file " + other + ", " : " is ") + std::string(is.en) + "; " +
+              (known.role == role ? "another one" : std::string(becomes.new_en)) + " would replace it. ";
+    text.ja = name + (is_linked ? " は " + other + " と同じファイルで、" : " は") + std::string(is.ja) + "です。" +
+              (known.role == role ? "別のもの" : std::string(becomes.new_ja)) + "で置き換えることになります。";
+    const bool by_kind = policy_ == Policy::by_kind;
+    text.en += by_kind ? "Choose another name." : "Choose another name, or allow it by --overwrite.";
+    text.ja += by_kind ? "別の名前にしてください。" : "別の名前にするか、--overwrite を指定してください。";
+    return failure;
+  }
+  return success();
+}
+
+void RunFiles::writes(const std::filesystem::path& path, FileRole role) {
+  FileTarget target = target_of(path);
+  uses_stdout_ = uses_stdout_ || target.descriptor == STDOUT_FILENO;
+  std::erase_if(known_, [&](const Known& known) {
+    return known.role == role && known.document == document_ && is_same_file(known.target, target);
+  });
+  known_.push_back({path, std::move(target), role, document_});
+}
+
+}  // namespace ryosen

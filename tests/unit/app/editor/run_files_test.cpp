@@ -1,0 +1,80 @@
+#include "app/editor/run_files.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fcntl.h>
+
+#include "tests/support/app/program.h"
+
+namespace ryosen::test {
+namespace {
+
+using Policy = RunFiles::Policy;
+
+std::string code(const Status& status) { return status ? "" : status.failure().message.code; }
+
+TEST(run_files, what_is_read_is_not_written_under_any_name) {
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", "x");
+  std::filesystem::create_symlink("in.off", folder.at("soft.png"));
+  std::filesystem::create_hard_link(in, folder.at("hard.png"));
+  std::filesystem::create_directory_symlink(".", folder.at("here"));
+  RunFiles files(Policy::keep);
+  files.reads(in, FileRole::mesh);
+  files.reads(folder.at("later.png"), FileRole::reference);
+  std::filesystem::create_symlink("later.png", folder.at("to_later.png"));
+  const int descriptor = ::open(in.c_str(), O_RDONLY);
+  ASSERT_GE(descriptor, 0);
+  const std::string handed = "/proc/self/fd/" + std::to_string(descriptor);
+  for (const std::string& name : {in, folder.at("./in.off"), folder.at("soft.png"), folder.at("hard.png"),
+                                  folder.at("here/in.off"), folder.at("to_later.png"), handed}) {
+    const Status status = files.may_write(name, FileRole::picture);
+    EXPECT_EQ(code(status), "input_would_be_replaced") << name;
+    if (status) continue;
+    EXPECT_EQ(status.failure().exit_code, ExitCode::output_not_writable);
+  }
+  ::close(descriptor);
+  EXPECT_EQ(code(files.may_write(folder.at("other.off"), FileRole::saved)), "");
+  EXPECT_EQ(code(files.may_write("/dev/null", FileRole::saved)), "");
+  RunFiles may(Policy::overwrite);
+  may.reads(in, FileRole::mesh);
+  EXPECT_EQ(code(may.may_write(in, FileRole::picture)), "");
+}
+
+TEST(run_files, both_roles_are_named_in_both_languages) {
+  const TemporaryFolder folder;
+  RunFiles files(Policy::keep);
+  files.reads(folder.at("ref.png"), FileRole::reference);
+  const Text text = files.may_write(folder.at("ref.png"), FileRole::picture).failure().message.text;
+  EXPECT_NE(text.en.find("ref.png is the reference of --compare; a picture would replace it."), text.en.npos)
+      << text.en;
+  EXPECT_NE(text.ja.find("ref.png は比較の基準画像（--compare）です。画像で置き換える"), text.ja.npos) << text.ja;
+}
+
+TEST(run_files, only_the_same_document_is_saved_to_its_file_again) {
+  const TemporaryFolder folder;
+  RunFiles files(Policy::keep);
+  files.writes(folder.at("a.obj"), FileRole::saved);
+  EXPECT_EQ(code(files.may_write(folder.at("a.obj"), FileRole::saved)), "");
+  EXPECT_EQ(code(files.may_write(folder.at("a.obj"), FileRole::picture)), "output_would_be_replaced");
+  EXPECT_EQ(code(files.may_write(folder.at("a.obj"), FileRole::result)), "output_would_be_replaced");
+  files.begin_document();
+  EXPECT_EQ(code(files.may_write(folder.at("a.obj"), FileRole::saved)), "output_would_be_replaced");
+  files.writes(folder.at("p.png"), FileRole::picture);
+  EXPECT_EQ(code(files.may_write(folder.at("p.png"), FileRole::picture)), "output_would_be_replaced");
+  EXPECT_EQ(code(files.may_write(folder.at("p.png"), FileRole::difference)), "output_would_be_replaced");
+}
+
+TEST(run_files, a_user_at_the_window_may_replace_like_by_like) {
+  const TemporaryFolder folder;
+  RunFiles files(Policy::by_kind);
+  files.reads(folder.at("a.obj"), FileRole::mesh);
+  EXPECT_EQ(code(files.may_write(folder.at("a.obj"), FileRole::saved)), "");
+  EXPECT_EQ(code(files.may_write(folder.at("a.obj"), FileRole::picture)), "input_would_be_replaced");
+  files.writes(folder.at("p.png"), FileRole::picture);
+  EXPECT_EQ(code(files.may_write(folder.at("p.png"), FileRole::picture)), "");
+}
+
+}  // namespace
+}  // namespace ryosen::test

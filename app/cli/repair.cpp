@@ -4,10 +4,11 @@
 #include <memory>
 
 #include "app/cli/check_report.h"
+#include "app/cli/contract/record.h"
+#include "app/cli/contract/repair.h"
 #include "app/cli/did_you_mean.h"
 #include "app/cli/edit_script.h"
 #include "app/cli/interrupt.h"
-#include "app/cli/json.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/write_output.h"
 #include "app/editor/document.h"
@@ -123,13 +124,13 @@ class RepairRun {
   }
 
   void print_json() const {
-    Json json;
+    Record<repair_shape> json;
     json["file"] = files_.input;
     json["output"] = output_.is_there ? Json(*files_.output) : Json();
     json["status"] = output_.failure ? "error" : code_ == ExitCode::done && output_.losses.empty() ? "ok" : "warnings";
     json["repairs"] = Json::array();
     for (const Done& done : done_) {
-      Json repair;
+      Record<repair_step_shape> repair;
       repair["kind"] = done.call.row->id;
       repair["number"] = done.call.number ? Json(*done.call.number) : Json();
       repair["changed"] = done.result.changed;
@@ -138,7 +139,7 @@ class RepairRun {
       for (ProblemKind kind : done.call.row->solves) repair["solves"].push_back(row_of(kind).id);
       repair["en"] = done.result.text.en;
       repair["ja"] = done.result.text.ja;
-      json["repairs"].push_back(std::move(repair));
+      json["repairs"].push_back(std::move(repair).json());
     }
     json["vertices"] = after_.figures.vertices;
     json["edges"] = after_.figures.edges;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/cli/console.h"
+#include "app/cli/contract/shape.h"
 #include "core/base/result.h"
 
 namespace ryosen::cli {
@@ -49,6 +50,7 @@ struct Subcommand {
   std::vector<Flag> flags;        // besides the common ones
   std::string (*more)(Language);  // further lines of the help; may be null
   ExitCode (*run)(const Arguments& arguments, const Console& console);
+  Contract contract = {};  // what it prints as JSON and ends with
 };
 
 std::span<const Subcommand> subcommands();

@@ -25,8 +25,8 @@ inline constexpr Shape message_shape{"message", "What is to be said about a file
 inline constexpr JsonKey failure_keys[] = {
     {"file", "string or null", "The file, as it was named; null where the failure is about none.",
      "指定されたとおりのファイル名。ファイルによらないときは null。"},
-    {"format", "string or null", "The format that a malformed file was taken for; null where there is none.",
-     "不正なファイルの推定される形式。ないときは null。", ids_of(Ids::formats)},
+    {"format", "string or null", "The format that check took a malformed file for; else null.",
+     "check が不正なファイルに推定した形式。それ以外は null。", ids_of(Ids::formats)},
     {"status", "string", "Always error.", "常に error。", words("error")},
     {"messages", "array of object", "The failure.", "失敗の内容。", objects(message_shape)},
 };

@@ -54,10 +54,10 @@ class PrintedContract {
     return "view";
   }
 
-  std::string fault_of_exit(const std::string& command, int code) const {
-    const Json& codes = commands_.at(command)["exit_codes"];
-    const bool is_known = std::find(codes.begin(), codes.end(), code) != codes.end();
-    return is_known ? "" : command + " does not end with " + std::to_string(code);
+  std::string fault_of_exit(const std::string& command, int code, SeenOfContract* seen) const {
+    if (!ends_with(command, code)) return command + " does not end with " + std::to_string(code);
+    if (seen && !ends_with(shared, code)) seen->exits.insert(command + " " + std::to_string(code));
+    return {};
   }
 
   // A line may be any of the command's; the fault is that of the one which fits best.
@@ -88,6 +88,9 @@ class PrintedContract {
         for (const Json& key : object["keys"]) all.keys.insert(name_of(object, key));
     for (const auto& [list, rows] : lists_)
       for (const auto& [id, row] : rows) all.ids.insert(list + "." + id);
+    for (const auto& [command, row] : commands_)
+      for (const int code : row["exit_codes"])
+        if (!ends_with(shared, code)) all.exits.insert(command + " " + std::to_string(code));
     return all;
   }
 
@@ -95,12 +98,17 @@ class PrintedContract {
   PrintedContract() {
     std::istringstream text(run_unchecked({"help", "json", "--json"}).out);
     for (std::string line; std::getline(text, line);) {
-      Json json = Json::parse(line);
+      const Json json = Json::parse(line);
       if (json.contains("list"))
         for (const Json& entry : json["entries"]) lists_[json["list"]][entry["id"]] = entry;
       else
-        commands_[json["command"].is_null() ? shared : json["command"].get<std::string>()] = std::move(json);
+        commands_[json["command"].is_null() ? shared : json["command"].get<std::string>()] = json;
     }
+  }
+
+  bool ends_with(const std::string& command, int code) const {
+    const Json& codes = commands_.at(command)["exit_codes"];
+    return std::find(codes.begin(), codes.end(), code) != codes.end();
   }
 
   static std::string name_of(const Json& object, const Json& key) {
@@ -199,7 +207,7 @@ std::string fault_of_run(const std::vector<std::string>& arguments, const Progra
   if (run.exit_code < 0 || run.exit_code > killed) return {};
   const PrintedContract& contract = PrintedContract::get();
   const std::string command = contract.command_of(arguments);
-  std::string faults = contract.fault_of_exit(command, run.exit_code);
+  std::string faults = contract.fault_of_exit(command, run.exit_code, seen);
   if (std::find(arguments.begin(), arguments.end(), "--json") == arguments.end()) return faults;
   std::istringstream text(run.out);
   for (std::string line; std::getline(text, line);) {

@@ -11,8 +11,9 @@ namespace ryosen::test {
 
 // What a number of lines have shown.
 struct SeenOfContract {
-  std::set<std::string> keys;  // "object.key"
-  std::set<std::string> ids;   // "list.id"
+  std::set<std::string> keys;   // "object.key"
+  std::set<std::string> ids;    // "list.id"
+  std::set<std::string> exits;  // "command number", of those that are not every command's
 };
 
 // What does not fit, in words, of a run with these arguments; empty where all does. Every line of a run with --json is
@@ -20,7 +21,7 @@ struct SeenOfContract {
 std::string fault_of_run(const std::vector<std::string>& arguments, const ProgramRun& run,
                          SeenOfContract* seen = nullptr);
 
-// All that there is to be seen of keys, and of codes.
+// All that there is to be seen.
 SeenOfContract all_of_contract();
 
 }  // namespace ryosen::test

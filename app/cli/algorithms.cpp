@@ -4,6 +4,8 @@
 
 #include "app/cli/algorithm_flags.h"
 #include "app/cli/check_report.h"
+#include "app/cli/contract/algorithms.h"
+#include "app/cli/contract/record.h"
 #include "app/cli/did_you_mean.h"
 #include "app/cli/edit_script.h"
 #include "app/cli/interrupt.h"
@@ -117,7 +119,10 @@ class AlgorithmRun {
     });
     code_ = has_problem ? ExitCode::found_problems : ExitCode::done;
     if (wanted_) write();
-    console_.json ? print_json() : print_text();
+    if (!console_.json)
+      print_text();
+    else
+      by_repair_ ? print_json<repair_shape>() : print_json<algorithm_shape>();
     return code_;
   }
 
@@ -163,7 +168,8 @@ class AlgorithmRun {
       console_.print(console_.text("nothing written\n", "書き出しなし\n"));
   }
 
-  static void add_result(Json& json, const Call& call) {
+  template <const Shape& shape>
+  static void add_result(Record<shape>& json, const Call& call) {
     json["changed"] = call.result.changed;
     json["left"] = call.result.left;
     json["solves"] = Json::array();
@@ -172,19 +178,19 @@ class AlgorithmRun {
     json["ja"] = call.result.text.ja;
   }
 
-  void add_repairs(Json& json) const {
+  void add_to(Record<repair_shape>& json) const {
     json["repairs"] = Json::array();
     for (const Call& call : calls_) {
       const ParameterValue* const first = call.row->parameters.empty() ? nullptr : call.values.at(0);
-      Json repair;
+      Record<repair_step_shape> repair;
       repair["kind"] = call.row->id;
       repair["number"] = first ? Json(first->number) : Json();
       add_result(repair, call);
-      json["repairs"].push_back(std::move(repair));
+      json["repairs"].push_back(std::move(repair).json());
     }
   }
 
-  void add_algorithm(Json& json) const {
+  void add_to(Record<algorithm_shape>& json) const {
     const Call& call = calls_.front();
     json["algorithm"] = call.row->id;
     json["parameters"] = Json::object();
@@ -195,12 +201,13 @@ class AlgorithmRun {
     add_result(json, call);
   }
 
+  template <const Shape& shape>
   void print_json() const {
-    Json json;
+    Record<shape> json;
     json["file"] = input_;
     json["output"] = output_.is_there ? Json(*wanted_) : Json();
     json["status"] = output_.failure ? "error" : code_ == ExitCode::done && output_.losses.empty() ? "ok" : "warnings";
-    by_repair_ ? add_repairs(json) : add_algorithm(json);
+    add_to(json);
     json["vertices"] = after_.figures.vertices;
     json["edges"] = after_.figures.edges;
     json["faces"] = after_.figures.faces;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "app/cli/contract/check.h"
+#include "app/cli/contract/record.h"
 #include "app/editor/expect.h"
 #include "core/base/parallel.h"
 #include "core/base/release.h"
@@ -19,7 +21,7 @@ Json bounds(const Figures& f) {
   return f.bounds ? Json::array({to_json((*f.bounds)[0]), to_json((*f.bounds)[1])}) : Json();
 }
 
-void add_figures(const Figures& f, const ElementTotals& beside, Json& json) {
+void add_figures(const Figures& f, const ElementTotals& beside, Record<check_shape>& json) {
   json["vertices"] = f.vertices;
   json["corners"] = f.corners;
   json["faces"] = f.faces;
@@ -126,7 +128,7 @@ namespace {
 
 // Without the names, whose place is an empty array.
 Json without_names(const Problem& problem) {
-  Json json;
+  Record<problem_shape> json;
   json["kind"] = problem.row().id;
   json["severity"] = problem.row().severity == ProblemSeverity::problem ? "problem" : "info";
   json["count"] = problem.count();
@@ -142,7 +144,7 @@ Json without_names(const Problem& problem) {
   json["line"] = problem.line ? Json(problem.line) : Json();
   json["en"] = problem.text.en;
   json["ja"] = problem.text.ja;
-  return json;
+  return std::move(json).json();
 }
 
 }  // namespace
@@ -155,7 +157,7 @@ Json to_json(const NamedProblem& named) {
 
 std::string json_line_of(const CheckReport& report) {
   if (report.failure) return line_of(error_object(report.failure->message, report.file, report.format));
-  Json json;
+  Record<check_shape> json;
   json["file"] = report.file;
   json["format"] = report.format;
   json["status"] = report.status();

@@ -1,6 +1,7 @@
 // `convert`: writes a mesh in another format, after saying what would be lost.
+#include "app/cli/contract/convert.h"
+#include "app/cli/contract/record.h"
 #include "app/cli/did_you_mean.h"
-#include "app/cli/json.h"
 #include "app/cli/outputs.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/visible.h"
@@ -97,7 +98,7 @@ class Conversion {
                                  : std::string(console_.text("nothing written\n", "書き出しなし\n")));
       return;
     }
-    Json json;
+    Record<convert_shape> json;
     json["file"] = input_;
     json["output"] = is_written_ ? Json(output_) : Json();
     json["from"] = file.format->id;
@@ -108,8 +109,12 @@ class Conversion {
     json["losses"] = Json::array();
     for (const Loss& loss : losses_) {
       const Message message = loss.message(target_.format->name);
-      json["losses"].push_back(
-          {{"code", message.code.row().id}, {"count", loss.count}, {"en", message.text.en}, {"ja", message.text.ja}});
+      Record<loss_shape> lost;
+      lost["code"] = message.code.row().id;
+      lost["count"] = loss.count;
+      lost["en"] = message.text.en;
+      lost["ja"] = message.text.ja;
+      json["losses"].push_back(std::move(lost).json());
     }
     json["messages"] = to_json(messages_);
     console_.print(line_of(json));

@@ -9,7 +9,8 @@
 #include <thread>
 
 #include "app/cli/columns.h"
-#include "app/cli/json.h"
+#include "app/cli/contract/lists.h"
+#include "app/cli/contract/record.h"
 #include "app/cli/subcommands.h"
 #include "app/ui/fonts.h"
 #include "render/context/context.h"
@@ -92,13 +93,13 @@ struct Diagnosis {
 };
 
 Json to_json(const Diagnosis& d) {
-  Json json;
+  Record<doctor_shape> json;
   for (const Version& v : versions()) json["versions"][v.of] = v.version;
   json["processors"] = std::thread::hardware_concurrency();
   json["display"] = d.display.empty() ? Json() : Json(d.display);
   json["backends"] = Json::array();
   for (const BackendReport& backend : d.backends) {
-    Json row;
+    Record<backend_shape> row;
     row["backend"] = backend.name;
     row["works"] = backend.works();
     row["library"] = backend.library.empty() ? Json() : Json(backend.library);
@@ -106,14 +107,23 @@ Json to_json(const Diagnosis& d) {
     row["renderer"] = backend.works() ? Json(backend.renderer) : Json();
     if (!backend.works()) row["en"] = backend.problem.en;
     if (!backend.works()) row["ja"] = backend.problem.ja;
-    json["backends"].push_back(row);
+    json["backends"].push_back(std::move(row).json());
   }
   json["fonts"] = Json::array();
-  for (const FontUse& font : font_uses()) json["fonts"].push_back({{"file", font.file}, {"found", font.is_found}});
+  for (const FontUse& font : font_uses()) {
+    Record<font_shape> row;
+    row["file"] = font.file;
+    row["found"] = font.is_found;
+    json["fonts"].push_back(std::move(row).json());
+  }
   json["packages"] = Json::array();
-  for (const Version& p : d.packages)
-    json["packages"].push_back({{"package", p.of}, {"version", p.version.empty() ? Json() : Json(p.version)}});
-  return json;
+  for (const Version& p : d.packages) {
+    Record<package_shape> row;
+    row["package"] = p.of;
+    row["version"] = p.version.empty() ? Json() : Json(p.version);
+    json["packages"].push_back(std::move(row).json());
+  }
+  return std::move(json).json();
 }
 
 std::string to_text(const Diagnosis& d, const Console& console) {

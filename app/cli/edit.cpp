@@ -2,8 +2,9 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/cli/contract/edit.h"
+#include "app/cli/contract/record.h"
 #include "app/cli/edit_script.h"
-#include "app/cli/json.h"
 #include "app/cli/outputs.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/visible.h"
@@ -147,7 +148,7 @@ class EditRun {
   }
 
   void print_json(const Step& step, bool has_message) {
-    Json json;
+    Record<edit_step_shape> json;
     json["line"] = step.line.line;
     json["command"] = step.line.text;
     json["result"] = step.result;
@@ -181,7 +182,7 @@ class EditRun {
   }
 
   void print_json(const Totals& now) {
-    Json json;
+    Record<edit_shape> json;
     json["file"] = files_.input.empty() ? Json() : Json(files_.input);
     json["output"] = written_ ? Json(*written_) : Json();
     json["status"] = code_ == ExitCode::done && output_.losses.empty() ? "ok" : may_write() ? "warnings" : "error";

@@ -1,5 +1,6 @@
 // `forms`: the representations of the source texts side by side for a mesh.
-#include "app/cli/json.h"
+#include "app/cli/contract/forms.h"
+#include "app/cli/contract/record.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/text_table.h"
 #include "core/forms/comparison.h"
@@ -21,14 +22,22 @@ std::optional<double> bytes_per_face(const FormFigures& figures, std::uint32_t f
 
 Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
+Json sentence(std::string_view en, std::string_view ja) {
+  Record<sentence_shape> json;
+  json["en"] = en;
+  json["ja"] = ja;
+  return std::move(json).json();
+}
+
 Json to_json(const FormFigures& figures, std::uint32_t faces) {
   const bool suits = !figures.unsuitable;
-  Json json{{"form", figures.row->id},
-            {"en", figures.row->en},
-            {"ja", figures.row->ja},
-            {"source", {{"en", figures.row->source_en}, {"ja", figures.row->source_ja}}},
-            {"suitable", suits}};
-  json["reason"] = suits ? Json() : Json{{"en", figures.unsuitable->en}, {"ja", figures.unsuitable->ja}};
+  Record<form_shape> json;
+  json["form"] = figures.row->id;
+  json["en"] = figures.row->en;
+  json["ja"] = figures.row->ja;
+  json["source"] = sentence(figures.row->source_en, figures.row->source_ja);
+  json["suitable"] = suits;
+  json["reason"] = suits ? Json() : sentence(figures.unsuitable->en, figures.unsuitable->ja);
   json["bytes"] = suits ? Json(figures.bytes) : Json();
   json["bytes_per_face"] = number_or_null(bytes_per_face(figures, faces));
   json["build_ms"] = suits ? Json(1e3 * figures.build_seconds) : Json();
@@ -37,31 +46,43 @@ Json to_json(const FormFigures& figures, std::uint32_t faces) {
     const auto& seconds = figures.query_seconds[static_cast<std::size_t>(relation.relation)];
     json["query_ns"][std::string(relation.id)] = seconds ? Json(1e9 * *seconds) : Json();
   }
-  return json;
+  return std::move(json).json();
 }
 
 Json to_json(const PairingFigures& figures) {
-  return {{"method", figures.method->id}, {"en", figures.method->en},    {"ja", figures.method->ja},
-          {"faces", figures.faces},       {"whole", figures.is_whole()}, {"ms", 1e3 * figures.seconds}};
+  Record<pairing_shape> json;
+  json["method"] = figures.method->id;
+  json["en"] = figures.method->en;
+  json["ja"] = figures.method->ja;
+  json["faces"] = figures.faces;
+  json["whole"] = figures.is_whole();
+  json["ms"] = 1e3 * figures.seconds;
+  return std::move(json).json();
 }
 
-Json to_json(const Comparison& comparison, const std::string& file) {
-  Json json{{"file", file},
-            {"vertices", comparison.vertices},
-            {"edges", comparison.edges},
-            {"faces", comparison.faces},
-            {"forms", Json::array()},
-            {"pairing", Json::array()},
-            {"texts", Json::array()}};
+Json to_json(const forms::SourceReport& report) {
+  Record<source_shape> json;
+  json["operation"] = report.operation;
+  json["place"] = report.place;
+  json["completed"] = report.outcome.completed;
+  json["en"] = report.outcome.sentence.en;
+  json["ja"] = report.outcome.sentence.ja;
+  return std::move(json).json();
+}
+
+std::string json_line_of(const Comparison& comparison, const std::string& file) {
+  Record<forms_shape> json;
+  json["file"] = file;
+  json["vertices"] = comparison.vertices;
+  json["edges"] = comparison.edges;
+  json["faces"] = comparison.faces;
+  json["forms"] = Json::array();
   for (const FormFigures& figures : comparison.forms) json["forms"].push_back(to_json(figures, comparison.faces));
+  json["pairing"] = Json::array();
   for (const PairingFigures& figures : comparison.pairing) json["pairing"].push_back(to_json(figures));
-  for (const forms::SourceReport& report : comparison.texts)
-    json["texts"].push_back({{"operation", report.operation},
-                             {"place", report.place},
-                             {"completed", report.outcome.completed},
-                             {"en", report.outcome.sentence.en},
-                             {"ja", report.outcome.sentence.ja}});
-  return json;
+  json["texts"] = Json::array();
+  for (const forms::SourceReport& report : comparison.texts) json["texts"].push_back(to_json(report));
+  return line_of(json);
 }
 
 std::string short_or_dash(const std::optional<double>& value, double unit) {
@@ -142,7 +163,7 @@ ExitCode forms_command(const Arguments& arguments, const Console& console) {
   if (!file) return console.fail(file.failure(), path);
   for (const Message& message : file->messages) console.show(message, path);
   const Comparison comparison = forms::compare_forms(from_indexed(std::move(file->mesh)));
-  console.print(console.json ? line_of(to_json(comparison, path)) : to_text(comparison, path, console));
+  console.print(console.json ? json_line_of(comparison, path) : to_text(comparison, path, console));
   return ExitCode::done;
 }
 

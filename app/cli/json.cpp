@@ -1,5 +1,7 @@
 #include "app/cli/json.h"
 
+#include "app/cli/contract/record.h"
+#include "app/cli/contract/shared_shapes.h"
 #include "app/editor/document.h"
 #include "core/base/utf8.h"
 
@@ -76,7 +78,7 @@ std::string line_of(const Json& json) {
 Json to_json(const glm::dvec3& p) { return Json::array({p.x, p.y, p.z}); }
 
 Json to_json(const Message& message) {
-  Json json;
+  Record<message_shape> json;
   json["severity"] = message.severity == Severity::error     ? "error"
                      : message.severity == Severity::warning ? "warning"
                                                              : "info";
@@ -87,7 +89,7 @@ Json to_json(const Message& message) {
   if (message.face) json["face"] = *message.face;
   json["en"] = message.text.en;
   json["ja"] = message.text.ja;
-  return json;
+  return std::move(json).json();
 }
 
 Json to_json(const std::vector<Message>& messages) {
@@ -99,13 +101,13 @@ Json to_json(const std::vector<Message>& messages) {
 Json to_json(const Mesh& mesh, const Reason& reason) {
   const RuleText& rule = text_of(reason.rule);
   const Text text = describe(mesh, reason);
-  Json json;
+  Record<reason_shape> json;
   json["rule"] = rule.id;
   json["severity"] = rule.severity == RuleSeverity::refuse ? "refuse" : "warn";
   json["witnesses"] = names_of(mesh, reason.witnesses);
   json["en"] = text.en;
   json["ja"] = text.ja;
-  return json;
+  return std::move(json).json();
 }
 
 Json to_json(const Mesh& mesh, const std::vector<Reason>& reasons) {
@@ -115,12 +117,12 @@ Json to_json(const Mesh& mesh, const std::vector<Reason>& reasons) {
 }
 
 Json error_object(const Message& message, std::optional<std::string_view> file, std::string_view format) {
-  Json json;
+  Record<failure_shape> json;
   json["file"] = file ? Json(*file) : Json();
   json["format"] = format.empty() ? Json() : Json(format);
   json["status"] = "error";
   json["messages"] = Json::array({to_json(message)});
-  return json;
+  return std::move(json).json();
 }
 
 }  // namespace ryosen::cli

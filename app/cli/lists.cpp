@@ -1,6 +1,7 @@
 // `formats` and `keys`: the tables of core and editor, printed.
+#include "app/cli/contract/lists.h"
 #include "app/cli/columns.h"
-#include "app/cli/json.h"
+#include "app/cli/contract/record.h"
 #include "app/cli/subcommands.h"
 #include "app/editor/keys.h"
 #include "core/io/formats.h"
@@ -13,14 +14,16 @@ ExitCode formats_command(const Arguments&, const Console& console) {
     std::vector<std::string_view> variants;
     for (const FormatVariant& variant : format.variants) variants.push_back(variant.id);
     if (console.json) {
-      console.print(line_of({{"format", format.id},
-                             {"extensions", format.extensions},
-                             {"variants", variants},
-                             {"read", format.read != nullptr},
-                             {"write", format.write != nullptr},
-                             {"gzip", true},
-                             {"en", format.name.en},
-                             {"ja", format.name.ja}}));
+      Record<format_shape> json;
+      json["format"] = format.id;
+      json["extensions"] = format.extensions;
+      json["variants"] = variants;
+      json["read"] = format.read != nullptr;
+      json["write"] = format.write != nullptr;
+      json["gzip"] = true;
+      json["en"] = format.name.en;
+      json["ja"] = format.name.ja;
+      console.print(line_of(json));
       continue;
     }
     std::string text = console.text(format.name) + " (";
@@ -41,11 +44,15 @@ ExitCode formats_command(const Arguments&, const Console& console) {
 ExitCode keys_command(const Arguments&, const Console& console) {
   Columns columns;
   for (const KeyRow& key : key_table()) {
-    if (console.json)
-      console.print(line_of({{"key", key.chord}, {"command", key.command}, {"en", key.help_en}, {"ja", key.help_ja}}));
-    else
-      columns.add(std::string(key.chord),
-                  std::string(console.text(key.help_en, key.help_ja)) + " [" + std::string(key.command) + "]");
+    columns.add(std::string(key.chord),
+                std::string(console.text(key.help_en, key.help_ja)) + " [" + std::string(key.command) + "]");
+    if (!console.json) continue;
+    Record<chord_shape> json;
+    json["key"] = key.chord;
+    json["command"] = key.command;
+    json["en"] = key.help_en;
+    json["ja"] = key.help_ja;
+    console.print(line_of(json));
   }
   if (!console.json) console.print(columns.text());
   return ExitCode::done;

@@ -1,7 +1,8 @@
 // `shot`: a picture of a mesh or of the whole editor, written or compared with another.
 #include <future>
 
-#include "app/cli/json.h"
+#include "app/cli/contract/record.h"
+#include "app/cli/contract/shot.h"
 #include "app/cli/shot_options.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/visible.h"
@@ -104,7 +105,7 @@ class Shot {
 
   ExitCode finish() const {
     if (!console_.json) return code_;
-    Json json;
+    Record<shot_shape> json;
     json["file"] = options_.file;
     json["output"] = is_written_ ? Json(*options_.output) : Json();
     json["status"] = code_ == ExitCode::done ? "ok" : "error";

@@ -3,6 +3,15 @@
 #include <array>
 
 #include "app/cli/algorithm_flags.h"
+#include "app/cli/contract/algorithms.h"
+#include "app/cli/contract/check.h"
+#include "app/cli/contract/convert.h"
+#include "app/cli/contract/edit.h"
+#include "app/cli/contract/forms.h"
+#include "app/cli/contract/help.h"
+#include "app/cli/contract/lists.h"
+#include "app/cli/contract/shot.h"
+#include "app/cli/contract/why.h"
 #include "app/cli/help_topics.h"
 #include "app/cli/subcommands.h"
 
@@ -32,7 +41,8 @@ const std::vector<Subcommand>& table() {
                  "エディタ（コマンドを省いたときもこれ）",
                  {},
                  recovery_topic,
-                 view_command},
+                 view_command,
+                 view_contract},
       Subcommand{"check",
                  "FILE|FOLDER...",
                  1,
@@ -50,7 +60,8 @@ const std::vector<Subcommand>& table() {
                       "入力順を待たず、終わったものから出力"},
                  },
                  problem_kinds_topic,
-                 check_command},
+                 check_command,
+                 check_contract},
       Subcommand{
           "why",
           "FILE",
@@ -66,7 +77,8 @@ const std::vector<Subcommand>& table() {
               {"--geometry", "", false, "with --all: the geometric warnings too", "--all で幾何的な警告も出す"},
           },
           operators_topic,
-          why_command},
+          why_command,
+          why_contract},
       Subcommand{"edit",
                  "FILE",
                  0,
@@ -91,7 +103,8 @@ const std::vector<Subcommand>& table() {
                       "この実行で読み込む、または先に書き出したファイルの置き換えを許す"},
                  },
                  script_commands_topic,
-                 edit_command},
+                 edit_command,
+                 edit_contract},
       Subcommand{"repair",
                  "FILE",
                  1,
@@ -108,7 +121,8 @@ const std::vector<Subcommand>& table() {
                       "この実行で読み込む、または先に書き出したファイルの置き換えを許す"},
                  },
                  repairs_topic,
-                 repair_command},
+                 repair_command,
+                 repair_contract},
       Subcommand{"convert",
                  "FILE",
                  1,
@@ -129,7 +143,8 @@ const std::vector<Subcommand>& table() {
                       "この実行で読み込む、または先に書き出したファイルの置き換えを許す"},
                  },
                  nullptr,
-                 convert_command},
+                 convert_command,
+                 convert_contract},
       Subcommand{
           "shot",
           "FILE",
@@ -162,7 +177,8 @@ const std::vector<Subcommand>& table() {
                "この実行で読み込む、または先に書き出したファイルの置き換えを許す"},
           },
           shot_topic,
-          shot_command},
+          shot_command,
+          shot_contract},
       Subcommand{"forms",
                  "FILE",
                  1,
@@ -171,9 +187,20 @@ const std::vector<Subcommand>& table() {
                  "テキストの形状表現の比較（面あたりのバイト数、構築時間、問い合わせ時間）",
                  {},
                  forms_topic,
-                 forms_command},
-      Subcommand{"formats", "", 0, 0, "the file formats", "ファイル形式の一覧", {}, nullptr, formats_command},
-      Subcommand{"keys", "", 0, 0, "the keys of the editor", "エディタのキー一覧", {}, nullptr, keys_command},
+                 forms_command,
+                 forms_contract},
+      Subcommand{"formats",
+                 "",
+                 0,
+                 0,
+                 "the file formats",
+                 "ファイル形式の一覧",
+                 {},
+                 nullptr,
+                 formats_command,
+                 formats_contract},
+      Subcommand{
+          "keys", "", 0, 0, "the keys of the editor", "エディタのキー一覧", {}, nullptr, keys_command, keys_contract},
       Subcommand{"doctor",
                  "",
                  0,
@@ -182,18 +209,29 @@ const std::vector<Subcommand>& table() {
                  "この環境の状況（版、描画、フォント、パッケージ）",
                  {},
                  nullptr,
-                 doctor_command},
+                 doctor_command,
+                 doctor_contract},
       Subcommand{"help",
-                 "[COMMAND]",
+                 "[COMMAND|json]",
                  0,
                  1,
-                 "what the program and its commands do",
-                 "プログラムとコマンドの使い方",
+                 "what the program and its commands do; json: every key and code that they print",
+                 "プログラムとコマンドの使い方（json：出力するキーとコードのすべて）",
                  {},
                  nullptr,
                  help_command,
+                 help_contract,
                  true},
-      Subcommand{"--version", "", 0, 0, "the version of the program", "プログラムの版", {}, nullptr, version_command},
+      Subcommand{"--version",
+                 "",
+                 0,
+                 0,
+                 "the version of the program",
+                 "プログラムの版",
+                 {},
+                 nullptr,
+                 version_command,
+                 version_contract},
   };
   return rows;
 }
@@ -211,7 +249,7 @@ Subcommand subcommand_of(const AlgorithmRow& row) {
   const auto run = [&row](const Arguments& arguments, const Console& console) {
     return algorithm_command(row, arguments, console);
   };
-  return {row.id, "FILE", 1, 1, row.help_en, row.help_ja, std::move(flags), more, run, false, true};
+  return {row.id, "FILE", 1, 1, row.help_en, row.help_ja, std::move(flags), more, run, algorithm_contract, false, true};
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/cli/console.h"
+#include "app/cli/contract/shape.h"
 #include "core/base/result.h"
 
 namespace ryosen::cli {
@@ -51,6 +52,7 @@ struct Subcommand {
   std::vector<Flag> flags;                    // besides the common ones
   std::function<std::string(Language)> more;  // further lines of the help; may be empty
   std::function<ExitCode(const Arguments& arguments, const Console& console)> run;
+  Contract contract = {};  // what it prints as JSON and ends with
   bool operand_is_command = false;
   bool is_algorithm = false;  // made of its row in the table of algorithms
 };

@@ -1,13 +1,14 @@
 #include "app/cli/verdict_report.h"
 
-#include "app/cli/json.h"
+#include "app/cli/contract/record.h"
+#include "app/cli/contract/why.h"
 #include "app/editor/document.h"
 #include "app/editor/remedy_text.h"
 
 namespace ryosen::cli {
 
 std::string to_json_line(const Mesh& mesh, const VerdictReport& report) {
-  Json json;
+  Record<why_shape> json;
   json["op"] = report.op;
   json["edge"] = report.edge.empty() ? Json() : Json(report.edge);
   json["legal"] = report.verdict.legal();

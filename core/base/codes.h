@@ -42,7 +42,7 @@ inline constexpr CodeRow table[] = {
     {"unknown_operator", error, "There is no such operator, or it does not work on an edge.",
      "そのような操作はないか、稜線に対する操作ではありません。"},
     {"unknown_tool", error, "There is no such tool.", "そのようなツールはありません。"},
-    {"usage", error, "Flags are missing that the command cannot do without.", "必要なフラグがありません。"},
+    {"usage", error, "Flags are missing, or do not go together.", "フラグが足りないか、組み合わせられません。"},
     {"value_missing", error, "A flag has no value.", "フラグの値がありません。"},
 
     // Runs.
@@ -55,8 +55,9 @@ inline constexpr CodeRow table[] = {
     {"no_render_backend", error, "Nothing was found that draws.", "描画する手段が見つかりません。"},
     {"pictures_differ", error, "The picture differs from the one to compare with.", "比較する画像と異なります。"},
     {"png_malformed", error, "A picture cannot be read as PNG.", "画像を PNG として読めません。"},
-    {"refused", error_or_warning, "A command was refused; a warning where the run goes on.",
-     "コマンドが拒否されました（続行するときは警告）。"},
+    {"refused", error_or_warning,
+     "A command, or an output that --strict forbids, was refused; a warning where the run goes on.",
+     "コマンドまたは --strict での書き出しが拒否されました（続行するときは警告）。"},
     {"shader_refused", error, "The graphics driver refuses a shader.",
      "グラフィックスドライバーがシェーダーを受け付けません。"},
 

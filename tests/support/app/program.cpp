@@ -12,6 +12,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/support/app/contract.h"
+
 extern char** environ;
 
 namespace ryosen::test {
@@ -45,6 +47,13 @@ std::vector<std::string> plain_environment(const std::vector<std::string>& furth
 
 ProgramRun run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
                        const std::vector<std::string>& environment) {
+  ProgramRun run = run_unchecked(arguments, folder, environment);
+  EXPECT_EQ(fault_of_run(arguments, run), "");
+  return run;
+}
+
+ProgramRun run_unchecked(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                         const std::vector<std::string>& environment) {
   const TemporaryFolder outputs;
   const std::string out = outputs.at("out"), err = outputs.at("err");
   std::vector<std::string> words{RYOSEN_PROGRAM};

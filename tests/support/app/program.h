@@ -20,9 +20,14 @@ struct ProgramRun {
   Json line() const;
 };
 
-// Without a display, in English, in the folder (the current one when empty). `environment` holds further NAME=VALUE.
+// Without a display, in English, in the folder (the current one when empty). `environment` holds further NAME=VALUE. A
+// run that ends or prints otherwise than `ryosen help json` says fails the test.
 ProgramRun run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder = {},
                        const std::vector<std::string>& environment = {});
+
+// The same, whatever it prints.
+ProgramRun run_unchecked(const std::vector<std::string>& arguments, const std::filesystem::path& folder = {},
+                         const std::vector<std::string>& environment = {});
 
 // A folder of its own, removed with everything in it.
 class TemporaryFolder {

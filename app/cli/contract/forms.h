@@ -1,0 +1,66 @@
+// What `forms` prints.
+#pragma once
+
+#include "app/cli/contract/shared_shapes.h"
+
+namespace ryosen::cli {
+
+inline constexpr JsonKey form_keys[] = {
+    {"form", "string", "The form.", "形状表現。", ids_of(Ids::forms)},
+    {"en", "string", "Its name in English.", "英語名。"},
+    {"ja", "string", "Its name in Japanese.", "日本語名。"},
+    {"source", "object", "Where the source texts describe it.", "テキストでの出典。", objects(sentence_shape)},
+    {"suitable", "boolean", "Whether it can hold this mesh.", "このメッシュを持てるか。"},
+    {"reason", "object or null", "Why it cannot; null where it can.", "持てない理由。持てるとき null。",
+     objects(sentence_shape)},
+    {"bytes", "integer or null", "Its memory; null where it cannot hold the mesh.",
+     "メモリ量。メッシュを持てないとき null。"},
+    {"bytes_per_face", "number or null", "The same per face; null also without faces.",
+     "面あたりのメモリ量。面がないときも null。"},
+    {"build_ms", "number or null", "Milliseconds to build it; null where it cannot hold the mesh.",
+     "構築時間（ミリ秒）。メッシュを持てないとき null。"},
+    {"query_ns", "object",
+     "Nanoseconds per query by relation; null where the form cannot tell, or the mesh has nothing to ask.",
+     "関係ごとの問い合わせ時間（ナノ秒）。答えられない、または問う要素がないとき null。", ids_of(Ids::relations)},
+};
+inline constexpr Shape form_shape{"form", "A representation of the source texts.", "テキストの形状表現。", form_keys};
+
+inline constexpr JsonKey pairing_keys[] = {
+    {"method", "string", "The method.", "方法。", ids_of(Ids::pairings)},
+    {"en", "string", "Its name in English.", "英語名。"},
+    {"ja", "string", "Its name in Japanese.", "日本語名。"},
+    {"faces", "integer", "On how many faces it ran.", "実行した面の数。"},
+    {"whole", "boolean", "Whether these are all.", "すべての面か。"},
+    {"ms", "number", "Milliseconds it took.", "所要時間（ミリ秒）。"},
+};
+inline constexpr Shape pairing_shape{"pairing", "A way to pair the halfedges.", "半稜線の対を見つける方法。",
+                                     pairing_keys};
+
+inline constexpr JsonKey source_keys[] = {
+    {"operation", "string", "The operator of the source texts.", "テキストの操作。", ids_of(Ids::operators)},
+    {"place", "string", "Where it was tried.", "試した場所。", words("boundary_edge beside_boundary")},
+    {"completed", "boolean", "Whether its code came to its end.", "コードが最後まで進んだか。"},
+    {"en", "string", "What happened, in English.", "起きたこと（英語）。"},
+    {"ja", "string", "What happened, in Japanese.", "起きたこと（日本語）。"},
+};
+inline constexpr Shape source_shape{"text", "What the source texts' own code does at a boundary.",
+                                    "境界でテキストのコードがすること。", source_keys};
+
+inline constexpr JsonKey forms_keys[] = {
+    {"file", "string", "The input, as it was named.", "指定されたとおりの入力。"},
+    {"vertices", "integer", "Vertices of the mesh.", "頂点数。"},
+    {"edges", "integer", "Edges of the mesh.", "稜線数。"},
+    {"faces", "integer", "Faces of the mesh.", "面数。"},
+    {"forms", "array of object", "The forms.", "形状表現。", objects(form_shape)},
+    {"pairing", "array of object", "The ways to pair the halfedges.", "半稜線の対を見つける方法。",
+     objects(pairing_shape)},
+    {"texts", "array of object", "What the source texts' own code does at a boundary.",
+     "境界でテキストのコードがすること。", objects(source_shape)},
+};
+inline constexpr Shape forms_shape{"forms", "One line.", "一行。", forms_keys};
+
+inline constexpr const Shape* forms_lines[] = {&forms_shape};
+inline constexpr ExitCode forms_exits[] = {ExitCode::input_missing, ExitCode::input_malformed};
+inline constexpr Contract forms_contract{forms_lines, forms_exits};
+
+}  // namespace ryosen::cli

@@ -1,0 +1,173 @@
+#include "app/cli/contract/help_json.h"
+
+#include <algorithm>
+
+#include "app/cli/columns.h"
+#include "app/cli/contract/help.h"
+#include "app/cli/contract/id_lists.h"
+#include "app/cli/contract/record.h"
+#include "app/cli/subcommand_table.h"
+
+namespace ryosen::cli {
+
+namespace {
+
+struct PrintedObject {
+  const Shape* shape;
+  bool is_line;
+};
+
+void add_object(const Shape& shape, bool is_line, std::vector<PrintedObject>& all) {
+  if (std::any_of(all.begin(), all.end(), [&](const PrintedObject& known) { return known.shape == &shape; })) return;
+  all.push_back({&shape, is_line});
+  for (const JsonKey& key : shape.keys)
+    if (key.limits.shape) add_object(*key.limits.shape, false, all);
+}
+
+// Lines, each before the objects that it holds.
+std::vector<PrintedObject> objects_of(const Contract& contract, const std::vector<PrintedObject>& known = {}) {
+  std::vector<PrintedObject> all = known;
+  for (const Shape* shape : contract.lines) add_object(*shape, true, all);
+  all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(known.size()));
+  return all;
+}
+
+std::vector<int> exits_of(const Contract& contract) {
+  std::vector<int> codes;
+  for (const Contract& part : {shared_contract, contract})
+    for (ExitCode code : part.exits) codes.push_back(static_cast<int>(code));
+  std::sort(codes.begin(), codes.end());
+  codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
+  return codes;
+}
+
+std::vector<std::string> words_of(std::string_view text) {
+  std::vector<std::string> all;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    all.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return all;
+}
+
+Json to_json(const JsonKey& row) {
+  Record<key_shape> json;
+  json["key"] = row.id;
+  json["type"] = row.type;
+  json["optional"] = row.limits.is_optional;
+  json["object"] = row.limits.shape ? Json(row.limits.shape->id) : Json();
+  json["words"] = row.limits.words.empty() ? Json() : Json(words_of(row.limits.words));
+  json["list"] = row.limits.ids != Ids::none ? Json(list_of(row.limits.ids).id) : Json();
+  json["en"] = row.en;
+  json["ja"] = row.ja;
+  return std::move(json).json();
+}
+
+Json to_json(const PrintedObject& object) {
+  Record<object_shape> json;
+  json["object"] = object.shape->id;
+  json["is_line"] = object.is_line;
+  json["en"] = object.shape->en;
+  json["ja"] = object.shape->ja;
+  json["keys"] = Json::array();
+  for (const JsonKey& row : object.shape->keys) json["keys"].push_back(to_json(row));
+  return std::move(json).json();
+}
+
+std::string contract_line(const Json& command, const std::vector<PrintedObject>& printed, const Contract& contract) {
+  Record<contract_shape> json;
+  json["command"] = command;
+  json["objects"] = Json::array();
+  for (const PrintedObject& object : printed) json["objects"].push_back(to_json(object));
+  json["exit_codes"] = exits_of(contract);
+  return line_of(json);
+}
+
+std::string list_line(const IdList& list) {
+  Record<list_shape> json;
+  json["list"] = list.id;
+  json["en"] = list.en;
+  json["ja"] = list.ja;
+  json["entries"] = Json::array();
+  for (const IdEntry& row : list.entries()) {
+    Record<entry_shape> entry;
+    entry["id"] = row.id;
+    if (!row.severities.empty()) entry["severities"] = row.severities;
+    entry["en"] = row.text.en;
+    entry["ja"] = row.text.ja;
+    json["entries"].push_back(std::move(entry).json());
+  }
+  return line_of(json);
+}
+
+// The type of a key with what limits it, as in "array of object (message)".
+std::string type_text(const JsonKey& row) {
+  std::string text(row.type), limits;
+  const auto add = [&](std::string_view limit) { limits.append(limits.empty() ? " (" : ", ").append(limit); };
+  if (row.limits.shape) add(row.limits.shape->id);
+  for (const std::string& word : words_of(row.limits.words)) add(word);
+  if (row.limits.ids != Ids::none) add(list_of(row.limits.ids).id);
+  return text + limits + (limits.empty() ? "" : ")");
+}
+
+std::string objects_text(const std::vector<PrintedObject>& printed, const Console& console) {
+  std::string text;
+  for (const PrintedObject& object : printed) {
+    text.append("\n").append(object.is_line ? "" : "  ").append(object.shape->id).append(console.text(": ", "："));
+    text.append(console.text(object.shape->en, object.shape->ja)).append("\n");
+    Columns columns;
+    for (const JsonKey& row : object.shape->keys)
+      columns.add(std::string(row.id) + (row.limits.is_optional ? "?" : ""),
+                  type_text(row) + std::string(console.text(". ", "。")) + std::string(console.text(row.en, row.ja)));
+    text += columns.text();
+  }
+  return text;
+}
+
+std::string exits_text(const Contract& contract, const Console& console) {
+  std::string text(console.text("exit codes:", "終了コード："));
+  for (const int code : exits_of(contract)) text += " " + std::to_string(code);
+  return text + "\n";
+}
+
+std::string list_text(const IdList& list, const Console& console) {
+  Columns columns;
+  for (const IdEntry& row : list.entries()) {
+    std::string severities;
+    for (const std::string_view severity : row.severities)
+      severities.append(severities.empty() ? "" : ", ") += severity;
+    columns.add(row.id + (severities.empty() ? "" : " (" + severities + ")"), console.text(row.text));
+  }
+  return "\n" + std::string(list.id) + std::string(console.text(": ", "：")) +
+         std::string(console.text(list.en, list.ja)) + "\n" + columns.text();
+}
+
+std::string contract_text(const Console& console) {
+  const std::vector<PrintedObject> shared = objects_of(shared_contract);
+  std::string text(console.text(
+      "What --json prints: one object per line. A key that may be absent is marked by ?; behind the type stand the "
+      "kind\n"
+      "of the objects in it, the only words that it holds, or the list below that they are of.\n\nEvery command, ",
+      "--json の出力：一行に一つのオブジェクト。? はないことのあるキー。型の後の括弧は、中のオブジェクトの種類、\n"
+      "とりうる語、または下の一覧の名前。\n\nすべてのコマンド、"));
+  text += exits_text(shared_contract, console) + objects_text(shared, console);
+  for (const Subcommand& command : subcommands())
+    text += "\n" + std::string(command.id) + std::string(console.text(", ", "、")) +
+            exits_text(command.contract, console) + objects_text(objects_of(command.contract, shared), console);
+  for (const IdList& list : id_lists()) text += list_text(list, console);
+  return text;
+}
+
+}  // namespace
+
+void show_contract(const Console& console) {
+  if (!console.json) return console.print(contract_text(console));
+  const std::vector<PrintedObject> shared = objects_of(shared_contract);
+  console.print(contract_line(nullptr, shared, shared_contract));
+  for (const Subcommand& command : subcommands())
+    console.print(contract_line(command.id, objects_of(command.contract, shared), command.contract));
+  for (const IdList& list : id_lists()) console.print(list_line(list));
+}
+
+}  // namespace ryosen::cli

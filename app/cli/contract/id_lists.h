@@ -1,0 +1,31 @@
+// The tables of the product whose ids stand in what is printed, each read from where it is.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/cli/contract/shape.h"
+#include "core/base/message.h"
+
+namespace ryosen::cli {
+
+struct IdEntry {
+  std::string id;
+  Text text;
+  std::vector<std::string_view> severities;  // with which it occurs; empty where it has none
+};
+
+struct IdList {
+  Ids ids;
+  std::string_view id;
+  std::string_view en, ja;
+  std::vector<IdEntry> (*entries)();
+};
+
+// In the order of Ids, without none.
+std::span<const IdList> id_lists();
+const IdList& list_of(Ids ids);
+
+}  // namespace ryosen::cli

@@ -1,10 +1,10 @@
-// Reverse: turns a component over.
+// Reverse: flips the orientation of a component.
 //
 //        +---->---->+           +<----<----+
 //        | f  | g   |    =>     | f  | g   |
 //        +<----<----+           +---->---->+
 //
-// on the list: all faces joined to fN through shared edges run the other way round; first corners stay.
+// polygon list: all faces connected to fN through shared edges are reversed; first corners stay.
 // needs: a live face.
 // changes: nothing on points. Wires and isolated vertices stay.
 // inverse: itself.

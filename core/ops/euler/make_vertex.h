@@ -1,9 +1,9 @@
-// A free vertex, the beginning of everything.
+// Makes an isolated vertex.
 //
 //                          v
 //        (empty)   =>      o
 //
-// on the list: a live number without a face.
+// polygon list: a new vertex without a face.
 // needs: nothing.
 // changes: V + 1, B + 1, S + 1.
 // inverse: remove_vertex.

@@ -1,9 +1,9 @@
-// Takes a free vertex away.
+// Removes an isolated vertex.
 //
 //        v
 //        o       =>      (empty)
 //
-// on the list: the number dies.
+// polygon list: the vertex is removed.
 // needs: a vertex without edges.
 // changes: V - 1, B - 1, S - 1.
 // inverse: make_vertex.

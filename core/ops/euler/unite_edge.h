@@ -1,10 +1,10 @@
-// Takes a vertex with two edges away and makes them one.
+// Removes a vertex with exactly two edges and unites them.
 //
 //             a-----m-----b       =>       a-----------b
 //
-// on the list: m is taken out of every face and pair.
+// polygon list: m is removed from every face and wire pair.
 // needs: a vertex without copies and with exactly two edges, whose other ends are not joined; faces keep three corners;
-//        no other face is on the points that they keep.
+//        no other face is on their remaining points.
 // changes: V - 1, E - 1.
 // inverse: separate_edge.
 #pragma once

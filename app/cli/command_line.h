@@ -1,4 +1,4 @@
-// Reads the program's arguments against the table of commands.
+// Parsing of the program's arguments by the table of commands.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace ryosen::cli {
 struct CommandLine {
   std::optional<Subcommand> command;
   Arguments arguments;
-  Console console;  // also set as far as it can be where there is a failure
+  Console console;  // set as far as possible even on failure
   std::optional<Failure> failure;
   bool wants_help = false;
 };

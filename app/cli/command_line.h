@@ -17,7 +17,7 @@ struct CommandLine {
   bool wants_help = false;
 };
 
-// Common flags may stand before the command, all flags anywhere after it; `--` ends them. `--flag=value` and
+// Common flags may precede the command, all flags may occur anywhere after it; `--` ends them. `--flag=value` and
 // `--flag value` are the same.
 CommandLine read_command_line(const std::vector<std::string>& arguments);
 

@@ -1,8 +1,8 @@
 // Bridges: edges that a face traverses in both directions; files use them to write a face with holes as one corner
 // list.
 //
-//     3-----------2          the list 0 1 2 3 0 4 7 6 5 4 walks 0-4 both ways; taken out, the outer loop 0 1 2 3 and
-//     |  7-----6  |          the ring 4 7 6 5 are left
+//     3-----------2          the list 0 1 2 3 0 4 7 6 5 4 traverses 0-4 in both directions; without it the outer loop
+//     |  7-----6  |          0 1 2 3 and the ring 4 7 6 5 remain
 //     |  |     |  |
 //     |  4-----5  |
 //     |/          |

@@ -1,7 +1,7 @@
-// Points and their copies: several vertices that stand for one point of the file, each with a fan of faces of its own.
+// Points and their copies: several vertices that represent one point of the file, each with its own fan of faces.
 //
-//      \ f |            the point 5 of a file with a bow-tie is two vertices, 5 and a further one, in one cycle;
-//     f \ | /  g        figures, names and files speak of the point, the kernel of its copies
+//      \ f |            point 5 of a file with a bow-tie becomes two vertices, 5 and a copy, in one cyclic list;
+//     f \ | /  g        figures, names and files refer to the point, the mesh stores its copies
 //        5
 #pragma once
 

@@ -3,8 +3,8 @@
 //            to(h)
 //              o            next(h), prev(h): along the loop of face(h), counter-clockwise
 //      face   /|            twin(h) = h ^ 1, edge(h) = h >> 1
-//       (h)  / |  twin(h)   face(h) none: h runs along a hole or the outer border
-//           h  |            a vertex holds one outgoing halfedge, an outside one if it has any
+//       (h)  / |  twin(h)   face(h) none: a boundary halfedge (is_outside), along a hole, the outer border or a wire
+//           h  |            a vertex stores one outgoing halfedge, a boundary one if it has any
 //          /   |
 //         o----o
 //        from(h)

@@ -1,7 +1,7 @@
 // Detach: gives a sheet its own points wherever it touches other faces.
 //
 //        a---b---c             a---b   b'---c
-//        | f | g |      =>     | f |   |  g |       here g goes; b and d are met by f as well
+//        | f | g |      =>     | f |   |  g |       g is detached; b and d are shared with f
 //        e---d---h             e---d   d'---h
 //
 // polygon list: in the named faces every point shared with other faces is replaced by a new one, the same in all of

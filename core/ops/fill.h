@@ -1,7 +1,7 @@
 // Fill: makes one face on a hole.
 //
 //        d-----c                d-----c
-//        |     |                |  f  |       the face lies left of the outside halfedge a -> b
+//        |     |                |  f  |       the face is left of the boundary halfedge a -> b
 //        |     |       =>       |     |
 //        a---->b                a---->b
 //

@@ -2,7 +2,7 @@
 //
 //        a     c               a     c
 //        | ' f |               | ' f |
-//           v          =>         v           two copies of one point: figures, names and files stay as they are
+//           v          =>         v           two copies of one point: figures, names and files do not change
 //        | ' g |                  v'
 //        b     d               | ' g |
 //                              b     d

@@ -180,8 +180,8 @@ namespace {
 
 // What the swap does to the face at one half of the edge; the other half is symmetric.
 //
-//   forward, left of h:   p -> (next of the twin) -> h -> next(next(h))        the side next(h) goes to the other face
-//   back, left of h:      prev(p) -> h -> (prev of the twin) -> next(h)        the side p = prev(h) goes
+//   forward, left of h:   p -> (next of the twin) -> h -> next(next(h))        next(h) moves to the other face
+//   back, left of h:      prev(p) -> h -> (prev of the twin) -> next(h)        p = prev(h) moves
 struct SwapSide {
   Halfedge half, lost, gained, at_old_origin;
   Vertex old_origin, new_origin;

@@ -194,8 +194,8 @@ StarShape shape_with(const Mesh& m, const VertexSplit& op, const Sector& sector,
 
 // Inserts the new edges, after the old ones have been distributed to v and m.
 //
-//        v --left--> L         The new edge m -> L takes the place of v -> L in the part, and v -> L, L -> m, m -> v
-//         <         /          become a triangle. At R the new edge R -> m takes the place of R -> v.
+//        v --left--> L         The new edge m -> L replaces v -> L in the sector; v -> L, L -> m, m -> v become a
+//         <         /          triangle. At R the new edge R -> m replaces R -> v.
 //           \      v
 //              m
 class Splitter {

@@ -1,7 +1,7 @@
 // Makes an edge without a face (a wire) between two vertices.
 //
-//        a   .   b                a---.---b        the corner at a is the gap into which the edge goes, told by the
-//        |       |       =>       |       |        outside halfedge p -> a that arrives in it; likewise at b
+//        a   .   b                a---.---b        the corner at a is the gap that the edge enters, given by the
+//        |       |       =>       |       |        boundary halfedge p -> a that ends there; likewise at b
 //        p       q                p       q
 //
 // polygon list: a new wire pair.

@@ -1,7 +1,7 @@
 // Makes a face on a boundary cycle of edges.
 //
 //        d-----c                d-----c
-//        |     |                |  f  |       the face lies left of a -> b
+//        |     |                |  f  |       the face is left of a -> b
 //        |     |       =>       |     |
 //        a---->b                a---->b
 //

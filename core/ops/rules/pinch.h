@@ -1,8 +1,8 @@
 // Warning for operators that increase the number of face fans at a point (a pinch): legal but doubtful.
 //
 //      \ f |
-//     f \ | /  g        the fans of a point are the groups in which its faces, those of all its copies, hang together by
-//        p              the edges there, whatever their direction and however many faces they have
+//     f \ | /  g        the fans of a point are the groups of its faces (over all copies) that are connected through
+//        p              edges there, whatever their direction and number of faces
 #pragma once
 
 #include <cstdint>

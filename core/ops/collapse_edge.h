@@ -32,7 +32,7 @@ struct CollapseEdge {
                                "Collapse edge",
                                "稜線削除",
                                "A-B [start|end|mid|X,Y,Z]",
-                               "A goes, B keeps its number and, without a word, its place",
+                               "merges A into B; B keeps its number and, by default, its position",
                                "A が消え、B が番号と（指定がなければ）位置を保つ",
                                'C',
                                OpTargetKind::edge,

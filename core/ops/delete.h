@@ -27,7 +27,7 @@ struct Delete {
                                "Delete",
                                "削除",
                                "vN | A-B | fN",
-                               "deletes the faces at a vertex or edge, a face, or a wire, and what is left without use",
+                               "deletes the faces at a vertex or edge, a face, or a wire, and what becomes unused",
                                "頂点・稜線に接する面、面、面のない稜線を、不要になる要素とともに削除する",
                                '\0',
                                OpTargetKind::any,

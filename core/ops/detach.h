@@ -25,7 +25,7 @@ struct Detach {
                                "Detach",
                                "シートの切り離し",
                                "fN [fM ...]",
-                               "gives a sheet, or the faces named, points of their own",
+                               "separates a sheet, or the named faces, from all other faces",
                                "シート、または指定した面を独立した点に切り離す",
                                '\0',
                                OpTargetKind::face};

@@ -27,7 +27,7 @@ struct Extrude {
                                "Extrude face",
                                "面の押し出し",
                                "fN [DISTANCE|X,Y,Z]",
-                               "moves a face along its normal or by X,Y,Z and joins it to its old place by walls",
+                               "moves a face along its normal or by X,Y,Z and connects it to its old sides by walls",
                                "面を法線方向または X,Y,Z だけ動かし、元の位置と側面でつなぐ",
                                '\0',
                                OpTargetKind::face,

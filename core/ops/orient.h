@@ -26,7 +26,7 @@ struct Orient {
                                "Orient faces",
                                "面の向きを揃える",
                                "",
-                               "turns faces so that fewer neighbours disagree, none where possible",
+                               "flips faces so that neighbours are consistently oriented where possible",
                                "隣り合う面の向きの不一致が減るように、可能ならなくなるように面を裏返す",
                                'O',
                                OpTargetKind::none};

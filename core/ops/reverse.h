@@ -21,7 +21,7 @@ struct Reverse {
                                "Reverse component",
                                "成分の反転",
                                "fN",
-                               "turns all faces of the component of fN over",
+                               "flips all faces of the component of fN",
                                "fN の連結成分の面をすべて裏返す",
                                '\0',
                                OpTargetKind::face};

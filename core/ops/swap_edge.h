@@ -28,7 +28,7 @@ struct SwapEdge {
                                "Swap edge",
                                "稜線交換",
                                "A-B [back]",
-                               "turns the edge by one corner in its two faces",
+                               "rotates the edge by one corner within its two faces",
                                "稜線を両側の面の中で一角ぶん回す",
                                'S',
                                OpTargetKind::edge,

@@ -31,7 +31,7 @@ struct VertexSplit {
                                "Split vertex",
                                "頂点分割",
                                "v L|v-L|- R|v-R|- [X,Y,Z]",
-                               "makes an edge of a vertex; the new end takes what lies from L counter-clockwise to R",
+                               "splits a vertex into an edge; the new end gets the faces from L counter-clockwise to R",
                                "頂点を稜線にする。新しい端点が L から反時計回りに R までの部分を受け持つ",
                                '\0',
                                OpTargetKind::selection,

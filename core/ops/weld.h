@@ -24,7 +24,7 @@ struct Weld {
                                "Weld",
                                "縫合",
                                "A B | A-B C-D",
-                               "makes two vertices, or two boundary edges, one",
+                               "merges two vertices, or two boundary edges",
                                "二つの頂点、または二本の境界稜線を一つにする",
                                '\0',
                                OpTargetKind::selection,

@@ -22,7 +22,7 @@ struct DeleteLoop {
                                "Delete loop",
                                "ループ消去",
                                "fN",
-                               "takes a face away and leaves its edges",
+                               "deletes a face but keeps its edges",
                                "面だけを取り除き、稜線は残す",
                                '\0',
                                OpTargetKind::face,

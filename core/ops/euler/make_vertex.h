@@ -20,7 +20,7 @@ struct MakeVertex {
                                "Make vertex",
                                "頂点生成",
                                "X,Y,Z",
-                               "puts a free vertex at a place",
+                               "makes an isolated vertex at a position",
                                "指定した位置に孤立頂点を置く",
                                '\0',
                                OpTargetKind::none,

@@ -20,7 +20,7 @@ struct RemoveVertex {
                                "Remove vertex",
                                "頂点消去",
                                "vN",
-                               "takes an isolated vertex away",
+                               "removes an isolated vertex",
                                "孤立頂点を取り除く",
                                '\0',
                                OpTargetKind::vertex,

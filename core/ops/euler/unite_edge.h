@@ -20,7 +20,7 @@ struct UniteEdge {
                                "Unite edges",
                                "稜線結合",
                                "vN",
-                               "takes away a vertex with exactly two edges",
+                               "removes a vertex with exactly two edges and unites them",
                                "稜線がちょうど二本の頂点を取り除く",
                                '\0',
                                OpTargetKind::vertex,

@@ -1,4 +1,4 @@
-// The `expect` command: what a script claims about the mesh.
+// The `expect` command: assertions of a script about the mesh.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ namespace ryosen {
 // exit code 1 and says what was found.
 Outcome run_expect(Session& session, std::span<const std::string_view> arguments, std::string_view whole);
 
-// The hash as reports print it: 16 hexadecimal digits.
+// The hash as in reports: 16 hexadecimal digits.
 std::string hash_text(const Mesh& mesh);
 
 }  // namespace ryosen

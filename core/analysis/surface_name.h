@@ -1,4 +1,4 @@
-// What a connected surface is called, by the classification of surfaces.
+// The name of a connected surface by the classification theorem.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Files packed with gzip: their names, unpacking and packing.
+// gzip files: their names, unpacking and packing.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace ryosen {
 
 inline constexpr std::uint64_t most_unpacked_bytes = std::uint64_t{4} << 30;
 
-// Whether bytes begin as such a file does.
+// Whether the bytes start with the gzip magic.
 bool is_gzip(std::string_view bytes);
 
 // Whether a name ends in .gz, in any case, and the name of what is packed there: x.obj of x.obj.gz, else itself.
@@ -28,7 +28,7 @@ Result<FileBytes> unpack_gzip(std::string_view packed, std::uint64_t most = most
 // The first bytes of what is packed there, as many as can be had of `packed`, which may be cut anywhere.
 std::string unpacked_head(std::string_view packed, std::size_t most);
 
-// The same bytes give the same file: there is neither a time nor a name in it.
+// Deterministic: stores neither time nor name.
 std::string pack_gzip(std::string_view bytes);
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-// OFF, the Object File Format of Geomview, with its variants COFF, NOFF, STOFF and any mixture of them.
+// Reader and writer for OFF, Geomview's Object File Format, with its variants COFF, NOFF, STOFF and combinations.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace ryosen {
 
-// What the first word of an OFF file announces for each vertex.
+// The per-vertex data declared by the first word of an OFF file.
 struct OffKind {
   bool has_texcoords = false;        // ST
   bool has_colours = false;          // C
@@ -32,12 +32,12 @@ std::string_view off_count_behind(std::string_view word);
 // is not used. Cost: O(bytes).
 Result<MeshFile> read_off(std::string_view bytes, const std::filesystem::path& path);
 
-// Whether it begins with the word of the format.
+// Whether it starts with the keyword of the format.
 Likeness looks_like_off(std::string_view head, std::uint64_t size);
 
-// The bytes of an OFF file (text) with the same polygons, quarantined ones in their place, colours, and the texture
-// coordinates and normals that are the same at all corners of each vertex. Colours are whole numbers from 0 to 255
-// where the file came with such, else reals with a point.
+// Serialises to text OFF: the polygons, quarantined ones in their place, colours, and texture coordinates and normals
+// if equal at all corners of each vertex. Colours are integers 0..255 if the file had such, else reals with a decimal
+// point.
 std::string write_off(const MeshFile& file);
 
 }  // namespace ryosen

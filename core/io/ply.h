@@ -1,4 +1,4 @@
-// PLY, the polygon file format of Stanford: ascii, binary of either byte order.
+// Reader and writer for PLY, the Stanford polygon file format: ascii, and binary in either byte order.
 #pragma once
 
 #include <filesystem>
@@ -19,13 +19,12 @@ namespace ryosen {
 // Triangle strips are kept, not taken apart. `path` is not used. Cost: O(bytes), one pass.
 Result<MeshFile> read_ply(std::string_view bytes, const std::filesystem::path& path);
 
-// Whether it begins with the word of the format.
+// Whether it starts with the keyword of the format.
 Likeness looks_like_ply(std::string_view head, std::uint64_t size);
 
-// Colours are uchar from 0 to 255 where that gives all of them exactly, else real from 0 to 1.
-// The bytes of a PLY file in this encoding (little endian when automatic), with the elements and
-// properties of the layout that the file came with, in its order. A type that cannot hold a value any more gives way to
-// a wider one, which all components of a position, normal, texture coordinate or colour then have.
+// Serialises to PLY in this encoding (automatic: little endian), with the elements and properties of the file's layout,
+// in its order. A type that cannot hold a value is widened, together for all components of a position, normal, texture
+// coordinate or colour. Colours are uchar 0..255 if that is exact for all of them, else real 0..1.
 std::string write_ply(const MeshFile& file, Encoding encoding);
 
 }  // namespace ryosen

@@ -62,11 +62,10 @@ class MeshBuffers {
 
   void set(const TriangleSource& source, const BufferSpace& space);
 
-  // Brings the copy up to date after a change. `vertices` names the vertices with a new position, `triangles` the
-  // triangles with other corners, face or edge bits and those with a moved corner, `faces` the faces with other tints.
-  // What lies past the old ends of the arrays, or is cut off at their ends, need not be named. Looking for the
-  // triangles of faces with other tints takes a pass over all triangles, unless some triangle of each such face is
-  // named; then all of them must be.
+  // Updates the copy after a change. `vertices` lists the vertices with a new position, `triangles` those with changed
+  // corners, face or edge bits or with a moved corner, `faces` those with changed tints. Elements appended or removed
+  // at the ends of the arrays need not be listed. Finding the triangles of faces with changed tints takes a pass over
+  // all triangles, unless for each such face some triangle is listed; then all its triangles must be.
   MeshChange update(const TriangleSource& source, std::span<const std::uint32_t> vertices,
                     std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces);
 

@@ -93,8 +93,8 @@ class Session {
   const BoundaryLoopCount& boundary_loops();
   // The terms of the Euler–Poincaré sum on points. Kept through operators that keep the topology, else O(edges).
   const EulerPoincare& euler_terms();
-  // What the mesh is, in one word. Where telling takes long (is_kind_evident, and a large mesh) it is not asked after
-  // every edit, but only when `anew` says so; until then it is that of an earlier mesh.
+  // The kind of mesh, in one word. If it is expensive (is_kind_evident, and a large mesh) it is recomputed only if
+  // `anew`, not after every edit; until then it is that of an earlier mesh.
   const KindOfMesh& kind(bool anew = false);
   bool is_kind_stale() const { return kind_revision_ != document_->revision(); }
 

@@ -19,7 +19,7 @@ std::uint32_t count_face_components(Neighbourhood& around);
 
 // Whether the faces can be flipped so that all neighbours across edges with exactly two faces agree. O(edges).
 bool is_orientable(Neighbourhood& around);
-// A halfedge across which they cannot, however the others are turned; none where they can.
+// A halfedge across which two faces cannot agree however faces are flipped; none if orientable.
 Halfedge find_twist(Neighbourhood& around);
 
 }  // namespace ryosen

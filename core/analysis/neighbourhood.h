@@ -1,4 +1,4 @@
-// What lies around the points of a mesh, over all their copies: faces per edge, fans of faces, boundary chains, normals.
+// Adjacency queries on points, over all their copies: faces per edge, fans of faces, boundary chains, normals.
 //
 // Figures and problems refer to points and undirected edges between them; the mesh stores copies and cut edges. A
 // Neighbourhood answers queries on points. If neither end of an edge has copies the answer is read from the links,
@@ -81,18 +81,18 @@ class Neighbourhood {
   void faces_at(Halfedge h, std::vector<Face>& faces);
   // If exactly two faces share the edge of h (which has a face): the halfedge of the other one. Else none.
   Halfedge across(Halfedge h);
-  // Where exactly two faces share the edge on points and e stands for it: a side in each, the first one on e. Else none.
+  // If exactly two faces share the edge on points and e represents it: a side in each, the first one on e. Else none.
   struct TwoSides {
     Halfedge first, second;
   };
   TwoSides two_sides(Edge e);
-  // Whether two sides of one edge on points run in the same direction: their faces are turned against each other then.
+  // Whether two sides of one edge on points have the same direction: their faces are then inconsistently oriented.
   bool run_alike(Halfedge a, Halfedge b) { return point(mesh_.from(a)) == point(mesh_.from(b)); }
   // Fans of faces at the point.
   std::uint32_t fans(Vertex v);
 
-  // The unit normal of a face by the area of its polygon; zero where it has none: no area, or a place that is not
-  // finite. Cost: the corners; of a face with many, once.
+  // The unit normal of a face (of its vector area); zero if the area is zero or a position is not finite. Cost: the
+  // corners; cached for faces with many.
   glm::dvec3 normal(Face f);
 
   // The next boundary edge of the chain, through the fan of faces at the end; `inside` is none if the chain stops at a

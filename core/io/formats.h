@@ -47,7 +47,7 @@ Result<const Format*> recognise(std::string_view bytes, const std::filesystem::p
 // Reads the file at `path`, once. gzip is unpacked if the name ends in .gz or has no known extension; places in
 // messages then refer to the unpacked content. A path that is missing, unreadable or a folder fails with exit code
 // input_missing, content that cannot be read with input_malformed. MeshFile::format is set, warnings are in
-// MeshFile::messages. `taken_for` gets the format that a file, also a refused one, was taken for; null where none.
+// MeshFile::messages. `taken_for` receives the detected format, even if reading fails; null if none.
 Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const Format** taken_for = nullptr);
 
 // The same for bytes of a known format; `path` may be empty.

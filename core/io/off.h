@@ -21,15 +21,14 @@ struct OffKind {
   static std::optional<OffKind> from_word(std::string_view word);
 };
 
-// The digits that stand right behind the word of the format, as in OFF8 6 12; empty where there are none.
+// The digits directly after the keyword of the format, as in OFF8 6 12; empty if there are none.
 std::string_view off_count_behind(std::string_view word);
 
-// Reads an OFF file, text or binary. The counts of its head are claims that must fit the size of the file. A number
-// that cannot be read, a line with too few of them and an early end are errors, but where reading by words comes out
-// (see read_off_words); faces that cannot be used go to the quarantine, lines beyond the claimed counts are left out:
-// each with a warning. Values per vertex are put in the pools of the corners, one entry per vertex. The colour of a
-// face counts from 0 to 255 if all its numbers are written as whole ones or one is above one, else from 0 to 1. `path`
-// is not used. Cost: O(bytes).
+// Reads an OFF file, text or binary. The counts in its header are checked against the size of the file. Unreadable
+// numbers, lines with too few numbers and an early end are errors, unless reading by words succeeds (see
+// read_off_words); unusable faces are quarantined, lines beyond the counts are ignored: each with a warning. Per-vertex
+// values go to the corner pools, one entry per vertex. A face colour ranges over 0..255 if all its numbers are written
+// as integers or one exceeds 1, else over 0..1. `path` is not used. Cost: O(bytes).
 Result<MeshFile> read_off(std::string_view bytes, const std::filesystem::path& path);
 
 // Whether it starts with the keyword of the format.

@@ -10,13 +10,12 @@
 namespace ryosen {
 
 // Reads a PLY file. Positions, normals, texture coordinates and colours per vertex, the faces, their colours and the
-// texture coordinates of their corners become the mesh; every other property and element is kept in
-// MeshFile::properties as it is, with the layout of the file and the lines of its header that PLY does not know. Reals
-// of ascii files are read exactly, whatever type is announced; whole numbers of 64 bits that become the mesh's are
-// doubles there, with a warning where that rounds them. A count of the header is a claim that must fit the size of the
-// file. Numbers that cannot be read, negative lengths and an early end are errors, with their line or byte; so is
-// binary data of the other byte order, where it shows by every face. Faces that cannot be used go to the quarantine.
-// Triangle strips are kept, not taken apart. `path` is not used. Cost: O(bytes), one pass.
+// texture coordinates of their corners become the mesh; all other properties and elements are kept in
+// MeshFile::properties, with the layout of the file and unknown header lines. Reals of ascii files are read as doubles
+// whatever the declared type; 64-bit integers in the mesh become doubles, with a warning if rounded. Counts in the
+// header are checked against the size of the file. Unreadable numbers, negative lengths and an early end are errors,
+// with line or byte; so is binary data in the other byte order, if every face shows it. Unusable faces are quarantined.
+// Triangle strips are kept but not converted to faces. `path` is not used. Cost: O(bytes), one pass.
 Result<MeshFile> read_ply(std::string_view bytes, const std::filesystem::path& path);
 
 // Whether it starts with the keyword of the format.

@@ -62,7 +62,7 @@ enum class PropertyRole : std::uint8_t {
   corner_texcoord,  // IndexedMesh::texcoords, two numbers per corner
   face_colour,      // IndexedMesh::face_colours
   vertex_number,    // in the property; vertex numbers, renumbered with the vertices
-  extra,            // here
+  extra,            // in the property
 };
 
 struct Property {

@@ -8,11 +8,10 @@
 
 namespace ryosen {
 
-// Puts `bytes` in the place of the file: written beside it, brought to the disk, then renamed, and the folder is
-// brought to the disk too. Links are followed, the permissions of a file that is replaced stay. A device, a pipe that
-// somebody reads, and what a descriptor is of that the program was handed (/dev/stdout) are written to instead; there the
-// rest does not hold. Whatever moment the process is killed at, there is the whole old or the whole new file; what it
-// had written beside stays then as `.NAME.PROCESS.N`, which nobody reads.
+// Replaces the content of the file by `bytes`: written to a temporary file beside it, synced, renamed, and the folder
+// synced too. Links are followed and the permissions of a replaced file are kept. A device, a pipe with a reader, and
+// an inherited descriptor (/dev/stdout) are written directly, without these guarantees. If the process is killed at any
+// moment, the file is completely old or completely new; the temporary file may be left as `.NAME.PROCESS.N`.
 //
 // On failure (exit code output_not_writable) the old file is unchanged and no temporary file remains, with one
 // exception: with the code output_not_durable the new file is in place, but syncing the folder failed (see

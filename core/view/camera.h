@@ -21,7 +21,7 @@ struct Bounds {
   glm::dvec3 centre() const { return 0.5 * min + 0.5 * max; }
 };
 
-// Length, and the vector of length 1 in the same direction, also where their squares are too large or too small a number.
+// Length and unit vector, robust against overflow and underflow of the squares.
 double length_of(const glm::dvec3& vector);
 glm::dvec3 unit_vector(const glm::dvec3& vector);
 
@@ -54,9 +54,9 @@ std::optional<NamedView> named_view_of(std::string_view name);
 // `margin` is the share of the view's width and height left free on each side.
 inline constexpr double default_margin = 0.06;
 
-// The camera with the same direction that shows all points, centred, as large as the margin allows. The target comes to
-// lie in the depth of the middle of their box. Points at a single place are shown with a view one unit high. Where the
-// eye would lie beyond the largest number it comes as far as it can. Linear.
+// The camera with the same direction that shows all points, centred, as large as the margin allows. The target is at
+// the depth of the centre of their bounding box. If all points coincide the view is one unit high. An eye position that
+// would overflow is clamped. O(n).
 Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double aspect, double margin = default_margin);
 Camera fitted(const Camera& camera, const Bounds& box, double aspect, double margin = default_margin);
 // front looks along -Z with +Y up, right along -X, top along -Y with -Z up, iso along (-1,-1,-1); fitted.

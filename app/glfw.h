@@ -1,4 +1,4 @@
-// GLFW, loaded when the first window is wanted: commands without a window neither need nor load it.
+// GLFW, loaded at run time for the first window: commands without a window neither need nor load it.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace ryosen {
 
-// The functions of the library that the window uses, by their names without the prefix.
+// The library functions used by the window, named without their prefix.
 struct Glfw {
   decltype(&glfwCreateWindow) create_window = nullptr;
   decltype(&glfwDestroyWindow) destroy_window = nullptr;
@@ -46,7 +46,7 @@ struct Glfw {
   decltype(&glfwWindowHint) window_hint = nullptr;
 };
 
-// Null where the library or one of its functions is missing. It stays loaded.
+// Null if the library or one of its functions is missing. It stays loaded.
 const Glfw* load_glfw();
 
 }  // namespace ryosen

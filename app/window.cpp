@@ -30,7 +30,7 @@ Failure no_window(std::string cause) {
   return failure;
 }
 
-// Only used once load_glfw() has answered.
+// Only called after load_glfw() has succeeded.
 const Glfw& glfw() { return *load_glfw(); }
 
 std::string glfw_error() {
@@ -77,7 +77,7 @@ class GlfwWindow {
     glfw().get_window_content_scale(handle_, &x, &y);
     return std::max(1.f, x);
   }
-  // Places come in screen coordinates, of which a display may have fewer than pixels.
+  // GLFW gives screen coordinates, which may be coarser than pixels.
   glm::dvec2 to_pixels(double x, double y) const {
     int width = 1, height = 1;
     glfw().get_window_size(handle_, &width, &height);
@@ -124,7 +124,7 @@ class Editor {
   void run() {
     while (!gui_.wants_quit()) {
       for (int i = 0; i < settling_frames; ++i) show();
-      // The text cursor blinks; everything else waits for something to happen.
+      // The text cursor blinks; otherwise wait for events.
       if (gui_.owns_keys())
         glfw().wait_events_timeout(0.5);
       else
@@ -136,7 +136,7 @@ class Editor {
  private:
   using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::milliseconds patience{300};
-  static constexpr int settling_frames = 3;  // a panel may need that many to find its size
+  static constexpr int settling_frames = 3;  // a panel may need this many to settle its size
 
   static Editor& of(GLFWwindow* window) { return *static_cast<Editor*>(glfw().get_window_user_pointer(window)); }
 
@@ -174,7 +174,7 @@ class Editor {
     });
   }
 
-  // What the user does reaches the session again when the work is done; until then the mesh is in between.
+  // Input is ignored while an operation runs: the mesh is in an intermediate state.
   void resize() {
     if (is_working_) return;
     const Size size = window_.size();
@@ -202,7 +202,7 @@ class Editor {
     if (action == GLFW_RELEASE) return;
     const std::string chord = chord_of_glfw(key, modifiers);
     const KeyRow* const row = find_key(chord);
-    // An open panel, and a field for text, leave only the way out.
+    // With a modal panel or a focused text field only Escape and F1 act.
     if (!row || ((gui_.owns_keys() || !session_.open_panel.empty()) && chord != "Escape" && chord != "F1")) return;
     gui_.run(session_, std::string(row->command));
     mouse_.point(window_.pointer(), window_.size());
@@ -210,8 +210,8 @@ class Editor {
 
   void cancel_work() { is_cancelled_ = true; }
 
-  // Called while a command works. After a moment shows how far it is, over the picture as it was before, and takes nothing
-  // from the user but that it is to stop.
+  // Called while a command runs. After a short delay shows progress over the previous picture; the only input accepted
+  // is cancelling.
   bool show_progress(double share) {
     if (gui_.is_laying_out()) return true;
     const Clock::time_point now = Clock::now();
@@ -230,14 +230,14 @@ class Editor {
     return !is_cancelled_;
   }
 
-  // After work that was shown: the window may have another size, and the buttons may have been let go.
+  // After an operation with progress display: the window may have been resized and buttons released.
   void end_work() {
     is_working_ = false;
     mouse_.let_go();
     resize();
   }
 
-  // Lays out, draws what has changed, and shows it if anything has.
+  // Lays out a frame, redraws what changed, and presents it if anything did.
   void show() {
     const Clock::time_point start = Clock::now();
     if (gui_.prepare(session_)) canvas_->set_fonts(gui_.fonts());

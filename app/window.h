@@ -12,13 +12,13 @@ struct WindowOptions {
   Language language = Language::english;
 };
 
-// Shows the editor until the user leaves it. Fails with ExitCode::no_backend where no window can be opened, and as
-// Document::open does where the file cannot be read; then no window appears.
+// Runs the editor until the user quits. Fails with ExitCode::no_backend if no window can be opened, and like
+// Document::open if the file cannot be read; then no window appears.
 //
-// Every edit is kept for after a crash (see editor/autosave.h); what an earlier one left is offered at the start.
+// Every edit is recorded for crash recovery (see editor/autosave.h); at the start, recoverable sessions are offered.
 //
-// With RYOSEN_FRAME_LOG=FILE in the environment each picture shown adds a line to FILE: its number, how many pixels
-// were drawn, how long it took, and the state of the document.
+// With RYOSEN_FRAME_LOG=FILE in the environment each presented frame appends a line to FILE: its number, the pixels
+// drawn, the time taken, and the state of the document.
 Status run_window(const WindowOptions& options);
 
 }  // namespace ryosen

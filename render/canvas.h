@@ -1,4 +1,4 @@
-// The picture of the whole window: a view with the user interface over it.
+// The image of the whole window: a view with the user interface composited over it.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace ryosen {
 
-// Keeps the window's picture and redraws of it what has changed.
+// Keeps the window's image and redraws only what has changed.
 class Canvas {
  public:
   static Result<std::unique_ptr<Canvas>> make();
@@ -18,14 +18,14 @@ class Canvas {
   // See UiPass::set_fonts.
   void set_fonts(ImFontAtlas& atlas);
 
-  // Draws what the view has to draw, puts its picture at (x, y), and `ui`, in pixels of the window, over it. Returns
-  // how many pixels were drawn anew; 0 when nothing changed. What neither covers is black.
+  // Updates the view, copies its picture to (x, y), and draws `ui` (in window pixels) over it. Returns the number of
+  // pixels redrawn; 0 if nothing changed. The rest of the window is black.
   std::int64_t compose(View& view, int x, int y, const ImDrawData& ui);
 
-  // Draws over the picture as it is; the next compose() draws all of it anew.
+  // Draws over the current image; the next compose() redraws everything.
   void draw_over(const ImDrawData& ui);
 
-  // Copies the picture to another framebuffer of the same size, the window's being number 0.
+  // Copies the image to another framebuffer of the same size; 0 is the window's.
   void present(GLuint framebuffer) const;
   Image read_pixels() const;
   Size size() const { return target_.size(); }
@@ -37,7 +37,7 @@ class Canvas {
   UiPass ui_;
   UiDamage damage_;
   Framebuffer target_;
-  PixelRect placed_;  // where the view was last
+  PixelRect placed_;  // the last position of the view
 };
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-// Colours.
+// The colour type of the renderer.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 
 namespace ryosen {
 
-// Red, green, blue, alpha from 0 to 255, sRGB; alpha is not multiplied in.
+// Red, green, blue, alpha from 0 to 255, sRGB; straight (not premultiplied) alpha.
 using Rgba = std::array<std::uint8_t, 4>;
 
 constexpr Rgba rgb(std::uint32_t hex, std::uint8_t alpha = 255) {

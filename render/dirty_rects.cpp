@@ -8,7 +8,7 @@ namespace {
 
 std::int64_t area(const PixelRect& rect) { return std::int64_t{rect.width()} * rect.height(); }
 
-// How many pixels more are drawn when both are drawn as one; a draw call costs as much as some thousand pixels.
+// The extra pixels drawn if both are merged, minus the saved draw call, which costs as much as a few thousand pixels.
 std::int64_t waste(const PixelRect& a, const PixelRect& b) {
   constexpr std::int64_t cost_of_a_draw = 4000;
   return area(united(a, b)) - area(a) - area(b) - cost_of_a_draw;

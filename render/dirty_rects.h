@@ -1,4 +1,4 @@
-// The parts of a picture that have to be drawn anew.
+// Dirty rectangles: the parts of a picture that have to be redrawn.
 #pragma once
 
 #include <span>
@@ -8,12 +8,11 @@
 
 namespace ryosen {
 
-// A few rectangles that do not overlap. Near ones are merged, far ones are kept apart, so that little is drawn twice
-// and little in vain.
+// A few disjoint rectangles. Nearby ones are merged, distant ones kept separate, to minimise overdraw and draw calls.
 class DirtyRects {
  public:
   void add(PixelRect rect);
-  // Takes out what is covered by the rectangle as a whole.
+  // Removes the rectangles that lie entirely inside this one.
   void remove_inside(const PixelRect& rect);
   void clear() { rects_.clear(); }
 

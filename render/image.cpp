@@ -7,7 +7,7 @@
 namespace ryosen {
 namespace {
 
-constexpr int tolerance = 8;  // of 255, below which two channels count as equal
+constexpr int tolerance = 8;  // of 255; channels that differ by at most this count as equal
 
 std::string words(Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
 

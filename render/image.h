@@ -1,4 +1,4 @@
-// Pictures in memory, as PNG files, and compared with each other.
+// Images: in memory, as PNG files, and their comparison.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace ryosen {
 
-// A picture: rows from the top down, without padding.
+// An RGBA image, rows top-down, without padding.
 struct Image {
   Size size;
   std::vector<Rgba> pixels;
@@ -31,27 +31,26 @@ struct Image {
   }
 };
 
-// The bytes of a PNG file: 8 bits per channel, with alpha only when some pixel is not opaque. Equal images give equal
-// bytes.
+// The bytes of a PNG file: 8 bits per channel, with alpha only if some pixel is not opaque. Deterministic.
 std::vector<std::uint8_t> encode_png(const Image& image);
 
-// Writes a PNG file whole or not at all: beside the target, flushed to the disk, then renamed over it.
-// Fails with ExitCode::output_not_writable.
+// Writes a PNG file atomically: to a temporary file beside it, flushed to disk, then renamed. Fails with
+// ExitCode::output_not_writable.
 Status write_png(const Image& image, const std::filesystem::path& path);
 
 // Reads a PNG file of any kind as 8-bit RGBA; at most 16384 pixels a side.
 // Fails with ExitCode::input_missing or ExitCode::input_malformed.
 Result<Image> read_png(const std::filesystem::path& path);
 
-// How far two images of one size are apart.
+// The difference of two images of the same size.
 struct ImageDifference {
-  std::uint64_t pixels = 0;  // with any channel more than 8/255 apart
-  double share = 0;          // of all pixels, 0 to 1
-  int largest = 0;           // difference of any channel, 0 to 255
+  std::uint64_t pixels = 0;  // with any channel differing by more than 8/255
+  double share = 0;          // `pixels` as a fraction of all, 0 to 1
+  int largest = 0;           // largest difference of any channel, 0 to 255
   Image picture;             // the second image in pale grey, differing pixels in magenta
 };
 
-// Fails with ExitCode::found_problems when the sizes differ.
+// Fails with ExitCode::found_problems if the sizes differ.
 Result<ImageDifference> compare(const Image& reference, const Image& image);
 
 }  // namespace ryosen

@@ -13,7 +13,7 @@ constexpr glm::uvec4 not_drawn(0);
 
 bool is_drawn(const glm::uvec4& triangle) { return triangle.x != triangle.y || triangle.y != triangle.z; }
 
-// Calls write(first, count) for runs that together cover the sorted numbers; small gaps are written along.
+// Calls write(first, count) for runs that cover the numbers; small gaps are included.
 template <class Write>
 void for_runs(std::vector<std::uint32_t> numbers, const Write& write) {
   constexpr std::uint32_t small_gap = 64;

@@ -1,4 +1,4 @@
-// The drawn copy of a mesh in OpenGL memory: positions, triangles in small clusters, and a byte per face.
+// The GPU copy of a mesh: positions, triangles in small clusters, and a byte of flags per face.
 #pragma once
 
 #include <array>
@@ -15,16 +15,16 @@
 
 namespace ryosen {
 
-// A mesh as triangles, owned by the caller. A triangle whose corners are all equal is not drawn, its face not read.
+// A triangle mesh owned by the caller. A triangle with three equal corners is not drawn and its face is not read.
 struct TriangleSource {
   std::span<const glm::dvec3> positions;
   std::span<const std::array<std::uint32_t, 3>> triangles;  // vertex numbers, counterclockwise seen from the front
   std::span<const std::uint32_t> triangle_face;             // the face of each triangle, below 2^29
-  std::span<const std::uint8_t> triangle_edge_bits;  // bit k: the side from corner k to k+1 is an edge of the polygon
-  std::span<const std::uint8_t> face_tints;          // see face_tint.h; faces past the end have none
+  std::span<const std::uint8_t> triangle_edge_bits;         // bit k: side k to k+1 is an edge of the polygon
+  std::span<const std::uint8_t> face_tints;                 // see face_tint.h; faces past the end have none
 };
 
-// Triangles that lie together, in consecutive slots, with the box around them.
+// Spatially close triangles in consecutive slots, with their bounding box.
 struct Cluster {
   DrawBox box;
   std::uint32_t first = 0;
@@ -32,13 +32,14 @@ struct Cluster {
   bool tinted = false;  // some face of it has a tint
 };
 
-// What an update touched: the boxes of the triangles as they were and as they are, and the numbers of their clusters.
+// What an update changed: the bounding boxes of the triangles before and after, and the numbers of their clusters.
 struct MeshChange {
   std::vector<DrawBox> boxes;
   std::vector<std::uint32_t> clusters;
 };
 
-// From mesh space to buffer space: moved to an origin near the mesh and scaled by a power of two to about unit size.
+// The transform from mesh space to buffer space: translation by an origin near the mesh, then scaling by a power of two
+// to about unit size.
 struct BufferSpace {
   glm::dvec3 origin{0};
   double scale = 1;
@@ -47,13 +48,12 @@ struct BufferSpace {
   // Halves first: the difference of two large numbers may be too large.
   glm::dvec3 place_from_mesh(const glm::dvec3& p) const { return (0.5 * p - 0.5 * origin) * (2 * scale); }
 };
-// The space that suits a mesh within a box.
+// The buffer space for a mesh with these bounds.
 BufferSpace buffer_space(const glm::dvec3& low, const glm::dvec3& high);
 
-// Positions are kept in single precision in the buffer space given with set(). Triangles are stored in the order of a
-// space-filling curve, so that a cluster is small and a part of the view needs few clusters. Triangles with a number
-// that is no vertex or with a position that is not finite are not drawn.
-// set() is linear; update() costs what it is told has changed.
+// Positions are stored in single precision in the buffer space given to set(). Triangles are ordered along a
+// space-filling curve, so that clusters are compact and a part of the view needs few of them. Triangles with an
+// out-of-range vertex or a non-finite position are not drawn. set() is linear; update() costs the listed changes.
 class MeshBuffers {
  public:
   static constexpr std::uint32_t cluster_size = 128;
@@ -62,22 +62,21 @@ class MeshBuffers {
 
   void set(const TriangleSource& source, const BufferSpace& space);
 
-  // Brings the copy up to date after a change. `vertices` names the vertices with a new position, `triangles` the
-  // triangles with other corners, face or edge bits and those with a moved corner, `faces` the faces with other tints.
-  // What lies past the old ends of the arrays, or is cut off at their ends, need not be named. Looking for the
-  // triangles of faces with other tints takes a pass over all triangles, unless some triangle of each such face is
-  // named; then all of them must be.
+  // Updates the copy after a change. `vertices` lists the vertices with a new position, `triangles` those with changed
+  // corners, face or edge bits or with a moved corner, `faces` those with changed tints. Elements appended or removed
+  // at the ends of the arrays need not be listed. Finding the triangles of faces with changed tints takes a pass over
+  // all triangles, unless for each such face some triangle is listed; then all its triangles must be.
   MeshChange update(const TriangleSource& source, std::span<const std::uint32_t> vertices,
                     std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces);
 
-  // Binds the textures that mesh.glsl reads, to the units that set_units() tells a program.
+  // Binds the textures read by mesh.glsl to the units that set_units() assigns to a program.
   void bind() const;
   static void set_units(const Program& program);
 
   const BufferSpace& space() const { return space_; }
   std::span<const Cluster> clusters() const { return clusters_; }
   DrawBox bounds() const;
-  // The number in the source of the triangle in a slot, and its face.
+  // The source triangle number of a slot, and its face.
   std::uint32_t source_of_slot(std::uint32_t slot) const { return source_of_slot_[slot]; }
   std::uint32_t face_of_slot(std::uint32_t slot) const { return triangles_[slot].w >> 3; }
 
@@ -89,7 +88,7 @@ class MeshBuffers {
   std::vector<std::uint32_t> changed_triangles(const TriangleSource& source,
                                                std::span<const std::uint32_t> named) const;
   void write_positions(const TriangleSource& source, std::span<const std::uint32_t> vertices);
-  // Returns the numbers of the clusters written to.
+  // Returns the clusters written to.
   std::vector<std::uint32_t> write_triangles(const TriangleSource& source, std::span<const std::uint32_t> triangles);
   // Returns the faces whose tints are different now.
   std::vector<std::uint32_t> write_tints(const TriangleSource& source, std::span<const std::uint32_t> faces);
@@ -99,7 +98,7 @@ class MeshBuffers {
   BufferSpace space_;
   std::vector<glm::vec4> positions_;   // as uploaded; w is 0
   std::vector<glm::uvec4> triangles_;  // by slot, as uploaded: corners, then face * 8 + edge bits
-  std::vector<std::uint8_t> tints_;    // as uploaded; one for every face that a triangle names, or more
+  std::vector<std::uint8_t> tints_;    // as uploaded; at least one per face used by a triangle
   std::vector<std::uint32_t> slot_of_source_;
   std::vector<std::uint32_t> source_of_slot_;
   std::vector<Cluster> clusters_;

@@ -1,4 +1,4 @@
-// What is drawn over the surface: lines, points and ghosts, as plain data.
+// Overlay primitives drawn over the surface: lines, points and ghost triangles, as plain data.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace ryosen {
 
-// How strongly an element shows through the surface that hides it: 0 not at all, 1 as if in front.
+// Opacity of an element where the surface occludes it: 0 invisible, 1 as if in front.
 inline constexpr float faintly = 0.22f;
 
 struct Line {
@@ -20,7 +20,7 @@ struct Line {
   LineStyle style = LineStyle::solid;
   float width_px = 2;
   float hidden = faintly;
-  bool arrow = false;  // with a head at b
+  bool arrow = false;  // with an arrow head at b
   friend bool operator==(const Line&, const Line&) = default;
 };
 
@@ -33,7 +33,7 @@ struct Point {
   friend bool operator==(const Point&, const Point&) = default;
 };
 
-// A translucent triangle, seen from both sides.
+// A translucent, two-sided triangle.
 struct GhostTriangle {
   std::array<glm::dvec3, 3> corners{};
   Rgba colour{};
@@ -41,7 +41,7 @@ struct GhostTriangle {
   friend bool operator==(const GhostTriangle&, const GhostTriangle&) = default;
 };
 
-// Drawn in this order: ghosts, lines, points; within one list in its own order.
+// Drawn in this order: ghosts, lines, points; each list in its own order.
 struct Overlay {
   std::vector<GhostTriangle> ghosts;
   std::vector<Line> lines;

@@ -37,8 +37,8 @@ void append_chunk(Bytes& bytes, const char* kind, const Bytes& content) {
   append_big_endian(bytes, static_cast<std::uint32_t>(checksum));
 }
 
-// Rows [first, last) as PNG wants them: a filter number, then each byte less the one above it. That filter leaves runs
-// of zeros on the flat and vertically even parts that pictures of meshes consist of.
+// Rows [first, last) with PNG filter type Up: a filter byte, then each byte minus the one above. It gives runs of zeros
+// in flat and vertically uniform areas, of which pictures of meshes mostly consist.
 Bytes filtered_rows(const Image& image, std::size_t channels, int first, int last) {
   const auto width = static_cast<std::size_t>(image.size.width);
   Bytes rows((width * channels + 1) * static_cast<std::size_t>(last - first));
@@ -62,7 +62,7 @@ struct Piece {
   std::size_t length = 0;
 };
 
-// One part of a deflate stream that needs nothing of the parts before it.
+// A part of a deflate stream that does not refer to earlier parts.
 Piece deflate_piece(const Bytes& rows, bool is_last) {
   Piece piece;
   piece.length = rows.size();
@@ -81,8 +81,8 @@ Piece deflate_piece(const Bytes& rows, bool is_last) {
   return piece;
 }
 
-// The zlib stream of the filtered rows. The image is always cut into the same pieces, so the bytes do not depend on how
-// many threads there are.
+// The zlib stream of the filtered rows. The split into pieces is fixed, so the bytes do not depend on the number of
+// threads.
 Bytes compressed_rows(const Image& image, std::size_t channels) {
   constexpr int piece_count = 4;
   Piece pieces[piece_count];

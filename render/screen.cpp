@@ -32,7 +32,7 @@ PixelRect screen_bounds(std::span<const glm::vec3> points, const glm::mat4& clip
     y0 = std::min(y0, y);
     y1 = std::max(y1, y);
   }
-  // Rounding of the rasteriser and of the arithmetic above stays far below the extra pixel.
+  // One extra pixel covers rounding here and in the rasteriser.
   const float margin = reach + 1;
   const auto low = [](float value, int limit) {
     return static_cast<int>(std::clamp(std::floor(value), 0.0f, float(limit)));

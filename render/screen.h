@@ -1,4 +1,4 @@
-// Which pixels things in mesh space can touch.
+// Conservative screen bounds of points and boxes.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -10,7 +10,7 @@
 
 namespace ryosen {
 
-// A box in single precision, relative to the origin of the buffers.
+// An axis-aligned bounding box in buffer space, single precision.
 struct DrawBox {
   glm::vec3 min{std::numeric_limits<float>::infinity()};
   glm::vec3 max{-std::numeric_limits<float>::infinity()};
@@ -20,8 +20,8 @@ struct DrawBox {
   bool empty() const { return !(min.x <= max.x); }
 };
 
-// The smallest rectangle that holds the pixels of all points, widened by `reach` pixels on each side and cut to the
-// view. The whole view when a point lies behind the near plane; empty when there is no point.
+// The bounding rectangle of the projected points, widened by `reach` pixels on each side and clipped to the view. The
+// whole view if a point is in front of the near plane; empty without points.
 PixelRect screen_bounds(std::span<const glm::vec3> points, const glm::mat4& clip_from_mesh, Size view, float reach);
 PixelRect screen_bounds(const DrawBox& box, const glm::mat4& clip_from_mesh, Size view, float reach);
 

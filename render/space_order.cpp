@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t bits_per_axis = 10;
 
-// Moves the ten lowest bits apart so that two free bits follow each.
+// Spreads the ten lowest bits so that each is followed by two zero bits.
 std::uint32_t spread(std::uint32_t value) {
   value = (value | (value << 16)) & 0x030000ffu;
   value = (value | (value << 8)) & 0x0300f00fu;
@@ -18,8 +18,8 @@ std::uint32_t spread(std::uint32_t value) {
   return (value | (value << 2)) & 0x09249249u;
 }
 
-// The place of a cell along a Hilbert curve: turns the bits of the axes into those of the curve, from the coarsest
-// level down [Skilling04]. Unlike a Z curve it never jumps, so a run of it has a small box.
+// The index of a cell on the Hilbert curve, from the coarsest level down [Skilling04]. Unlike a Z-order curve it has no
+// jumps, so every run has a small bounding box.
 std::uint32_t place_on_curve(glm::uvec3 cell) {
   std::uint32_t axis[3] = {cell.x, cell.y, cell.z};
   for (std::uint32_t level = 1u << (bits_per_axis - 1); level > 1; level >>= 1) {

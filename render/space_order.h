@@ -1,4 +1,4 @@
-// An order of points in which neighbours in the list are neighbours in space.
+// Spatial sorting of points along a Hilbert curve.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace ryosen {
 
-// The numbers of the points in the order of a Hilbert curve through their box; equal places keep their order. Linear.
+// The indices of the points in Hilbert curve order within their bounding box; stable. Linear (radix sort).
 std::vector<std::uint32_t> space_order(std::span<const glm::vec3> points);
 
 }  // namespace ryosen

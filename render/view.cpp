@@ -151,7 +151,7 @@ void View::changed(std::span<const TouchedBox> touched) {
     dirty_.add(screen_bounds(t.box, whole.clip_from_buffer, size_, t.reach_px + 1));
     range.add(t.box, glm::dmat4(whole.view_from_buffer));
   }
-  // What comes to lie before the near or behind the far plane needs other planes, and so another picture.
+  // If something moved outside the near and far planes, they must change and everything be redrawn.
   if (range.farthest > far_ || (range.nearest < near_ && range.nearest > 0)) {
     planes_stale_ = true;
     all_changed();
@@ -170,7 +170,7 @@ void View::place_planes() {
   far_ = range.farthest + slack;
   near_ = range.nearest - slack;
   if (!camera_.ortho_height) {
-    // Perspective needs a near plane in front of the eye. The closer the eye is to its target, the closer that plane.
+    // Perspective needs a near plane in front of the eye, closer as the eye gets closer to its target.
     far_ = std::max(far_, 1e-6 * target);
     near_ = std::max(near_, std::min(0.01 * target, 0.5 * far_));
   }
@@ -182,8 +182,8 @@ void View::place_planes() {
   planes_stale_ = false;
 }
 
-// From near to far, so that what is hidden costs no shading. The order stays until the next full picture, because where
-// two triangles lie in the same place the first one is seen.
+// Front to back, so that the depth test rejects occluded fragments before shading. The order is kept until the next
+// full redraw, because of two coincident triangles the first one drawn is visible.
 void View::sort_clusters() {
   const std::span<const Cluster> clusters = mesh_.clusters();
   const glm::dmat4 view = view_from_buffer(camera_, mesh_.space());

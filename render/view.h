@@ -1,4 +1,4 @@
-// One view of a mesh: what is drawn in it, from where, and the picture that comes out.
+// A view of a mesh: its content, its camera, and the rendered picture.
 #pragma once
 
 #include <array>
@@ -27,26 +27,26 @@
 
 namespace ryosen {
 
-// Overlays that change independently of each other, drawn in this order.
+// Overlay layers that change independently, in drawing order.
 enum class Layer { highlights, selection, hover, preview };
 inline constexpr std::size_t layer_count = enum_count<Layer>;
 
-// What is seen at each pixel of a view, rows from the top down.
+// The visible triangle at each pixel of a view, rows top-down.
 struct IdImage {
   Size size;
-  std::vector<std::uint32_t> triangle;  // number in the TriangleSource, no_index where there is none
-  std::vector<std::uint32_t> face;      // its face, no_index where there is none
-  std::vector<float> depth;             // along the view direction, in mesh units; 0 where there is none
+  std::vector<std::uint32_t> triangle;  // number in the TriangleSource, no_index if none
+  std::vector<std::uint32_t> face;      // its face, no_index if none
+  std::vector<float> depth;             // along the view direction, in mesh units; 0 if none
 };
 
-// Keeps a picture of the mesh and redraws of it what has changed. Setters only take note; draw() does the work, in the
-// context that was current when the view was made. Rectangles are in pixels of the picture.
+// Keeps a picture of the mesh and redraws only what has changed. Setters only record changes; draw() does the work and
+// needs the context that was current when the view was made. Rectangles are in picture pixels.
 class View {
  public:
-  // Fails with ExitCode::no_backend when the driver refuses a shader.
+  // Fails with ExitCode::no_backend if a shader does not compile or link.
   static Result<std::unique_ptr<View>> make();
 
-  // The picture's size, and how many rendered pixels a side make one of its pixels (1 to 8).
+  // The picture's size, and the supersampling factor per dimension (1 to 8).
   void resize(Size size, int supersample = 1);
   void set_theme(Theme theme);
   // Without a background the picture has an alpha channel.
@@ -54,31 +54,31 @@ class View {
   void set_camera(const Camera& camera);
   // What the numbers of the faces' tints mean, from 1 on.
   void set_tints(std::span<const DrawnTint> tints);
-  // Replaces what the layer holds.
+  // Replaces the content of a layer.
   void set_overlay(Layer layer, const Overlay& overlay);
-  // Replaces a numbered part of the layer, at the cost of that part; see OverlayBuffer::set_part.
+  // Replaces a numbered part of a layer, at the cost of that part; see OverlayBuffer::set_part.
   void set_overlay_part(Layer layer, std::uint32_t part, const Overlay& overlay);
-  // Takes a mesh anew: the origin of the buffers and their scale are chosen here. Linear.
+  // Replaces the mesh; chooses the buffer space and clears the overlays. Linear.
   void set_mesh(const TriangleSource& source);
-  // Takes over a change of the mesh, see MeshBuffers::update. Costs what changed.
+  // Applies a change of the mesh, see MeshBuffers::update. Costs the changes.
   void update_mesh(const TriangleSource& source, std::span<const std::uint32_t> vertices,
                    std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces);
 
-  // True when draw() would draw something.
+  // True if draw() would draw something.
   bool needs_drawing() const { return !dirty_.empty(); }
-  // Draws what has changed since the last draw, in a few rectangles, and returns the box around them. The picture is
-  // the same, pixel by pixel, as if all of it had been drawn.
+  // Redraws what has changed since the last draw, in a few rectangles, and returns their bounding rectangle. The
+  // picture is identical, pixel by pixel, to a full redraw.
   PixelRect draw();
-  // The rectangles that the last draw() drew.
+  // The rectangles drawn by the last draw().
   std::span<const PixelRect> redrawn() const { return redrawn_.rects(); }
-  // Draws a rectangle, changed or not.
+  // Draws a rectangle unconditionally.
   void draw(const PixelRect& rect);
   void draw_all() { draw(PixelRect::all(size_)); }
 
-  // The picture as it was drawn last.
+  // The last drawn picture.
   Image read_pixels() const;
   const Framebuffer& picture() const { return supersample_ > 1 ? resolved_ : rendered_; }
-  // Draws and reads which triangle is seen where, at one rendered pixel per pixel.
+  // Renders and reads the id image, without supersampling.
   IdImage read_ids();
 
   const Camera& camera() const { return camera_; }
@@ -114,10 +114,10 @@ class View {
   std::vector<DrawnTint> tints_;
   bool transparent_ = false;
   DirtyRects dirty_, redrawn_;
-  bool planes_stale_ = true;               // near, far and the order of clusters belong to another camera or mesh
+  bool planes_stale_ = true;               // near, far and the cluster order are out of date
   double near_ = 0.1, far_ = 1;            // in buffer space
-  std::vector<std::uint32_t> order_;       // clusters from near to far
-  std::vector<PixelRect> cluster_places_;  // where each cluster may be seen, in pixels of the picture
+  std::vector<std::uint32_t> order_;       // clusters front to back
+  std::vector<PixelRect> cluster_places_;  // screen bounds of each cluster, in picture pixels
 };
 
 }  // namespace ryosen

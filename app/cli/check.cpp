@@ -73,7 +73,7 @@ ExitCode code_of(const CheckReport& report, const Options& options) {
   return found ? ExitCode::found_problems : ExitCode::done;
 }
 
-// Checks files on several threads and hands each result to the calling thread.
+// Checks files on several threads and passes each result to the calling thread.
 class Checker {
  public:
   struct Done {
@@ -85,7 +85,7 @@ class Checker {
   Checker(const std::vector<Input>& inputs, const Options& options, const Console& console)
       : inputs_(inputs), options_(options), console_(console), done_(inputs.size()), order_() {}
 
-  // Visits (index, result) in the order of the inputs, or as they are done.
+  // Visits (index, result) in the order of the inputs, or in order of completion.
   template <class Visit>
   void run(Visit visit) {
     std::vector<std::jthread> threads;  // joined at the end of the block

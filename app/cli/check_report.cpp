@@ -71,7 +71,7 @@ std::string_view CheckReport::status() const {
 
 namespace {
 
-// A report that lists more than these serves nobody.
+// Limit on listed pairs; longer reports are useless.
 constexpr std::size_t most_listed_pairs = 1000000;
 
 }  // namespace
@@ -126,7 +126,7 @@ CheckReport check_file(const std::string& path, bool with_self_intersections) {
 
 namespace {
 
-// Without the names, whose place is an empty array.
+// Without the names; an empty array is the placeholder.
 Json without_names(const Problem& problem) {
   Record<problem_shape> json;
   json["kind"] = problem.row().id;
@@ -169,7 +169,7 @@ std::string json_line_of(const CheckReport& report) {
   for (const NamedProblem& problem : report.problems) json["problems"].push_back(without_names(problem.problem));
   json["messages"] = to_json(report.messages);
   const std::string line = line_of(json);
-  // No text of a file looks like this, since quotes inside a string are escaped.
+  // Cannot occur in file contents, since quotes inside strings are escaped.
   constexpr std::string_view place = "\"elements\":[]";
   std::string out;
   std::size_t bytes = line.size(), done = 0;

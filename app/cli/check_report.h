@@ -1,4 +1,4 @@
-// What `check` says about one file.
+// The report of `check` on one file.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace ryosen::cli {
 
-// Names of elements, one behind the other in one text: a broken file may give one for every byte of it.
+// Names of elements, concatenated in one string to save memory: a malformed file may give one per byte.
 class NameList {
  public:
   void add(std::string_view name) {
@@ -33,7 +33,7 @@ class NameList {
       rest.remove_prefix(end + 1);
     }
   }
-  // Of all names together.
+  // Total size of all names.
   std::size_t bytes() const { return text_.size(); }
 
  private:
@@ -47,8 +47,8 @@ struct NamedProblem {
 
 struct CheckReport {
   std::string file;
-  std::string format;              // empty when the file is of none
-  std::optional<Failure> failure;  // then the rest is empty
+  std::string format;              // empty if not recognised
+  std::optional<Failure> failure;  // if set, the rest is empty
   Figures figures;
   KindOfMesh kind;
   ElementTotals beside;  // lines and points of the file, in no face
@@ -60,13 +60,13 @@ struct CheckReport {
   std::string_view status() const;
 };
 
-// Asks everything about the mesh of a file that has been read.
+// Runs all checks on the mesh of a file that has been read.
 CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_intersections = false);
-// Reads the file and asks everything about its mesh.
+// Reads the file and runs all checks on its mesh.
 CheckReport check_file(const std::string& path, bool with_self_intersections = false);
 
-// The object of `check --json` with its line end. The names go into the text alone: as objects they take many times
-// their bytes.
+// The line of `check --json`, with its line end. Names are written straight into the text: as JSON objects they would
+// take many times the memory.
 std::string json_line_of(const CheckReport& report);
 Json to_json(const NamedProblem& problem);
 // A table of figures, then the problems; with `verbose` every element is named.

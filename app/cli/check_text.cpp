@@ -1,4 +1,4 @@
-// The report of `check` for people.
+// The human-readable report of `check`.
 #include <algorithm>
 #include <cstdio>
 
@@ -18,7 +18,7 @@ struct Cell {
   std::string value;
 };
 
-// Columns of a terminal that a text takes: letters of Japanese take two.
+// Display width in terminal columns: Japanese characters take two.
 std::size_t width_of(std::string_view text) {
   std::size_t width = 0;
   for (const char c : text) {

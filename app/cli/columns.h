@@ -1,4 +1,4 @@
-// Rows of two columns, as help and lists print them.
+// Two-column text layout for help and lists.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ class Columns {
   // The left text is ASCII; the right one may be anything.
   void add(std::string left, std::string_view right) { rows_.emplace_back(std::move(left), right); }
 
-  // Indented by two blanks, the right column aligned.
+  // Indented by two spaces, the right column aligned.
   std::string text() const {
     std::size_t width = 0;
     for (const auto& row : rows_) width = std::max(width, row.first.size());

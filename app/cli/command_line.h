@@ -1,4 +1,4 @@
-// Reads the program's arguments against the table of commands.
+// Parsing of the program's arguments by the table of commands.
 #pragma once
 
 #include <optional>
@@ -12,12 +12,12 @@ namespace ryosen::cli {
 struct CommandLine {
   std::optional<Subcommand> command;
   Arguments arguments;
-  Console console;  // also set as far as it can be where there is a failure
+  Console console;  // set as far as possible even on failure
   std::optional<Failure> failure;
   bool wants_help = false;
 };
 
-// Common flags may stand before the command, all flags anywhere after it; `--` ends them. `--flag=value` and
+// Common flags may precede the command, all flags may occur anywhere after it; `--` ends them. `--flag=value` and
 // `--flag value` are the same.
 CommandLine read_command_line(const std::vector<std::string>& arguments);
 

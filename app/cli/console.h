@@ -1,4 +1,4 @@
-// Where a command writes: results to stdout, messages to stderr, both as the user asked for them.
+// Output of a command: results to stdout, messages to stderr, formatted as requested by the common flags.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ Language language_of_environment();
 struct Console {
   Language language = Language::english;
   bool json = false;           // stdout carries JSON only, one object per line
-  bool quiet = false;          // errors alone reach stderr
+  bool quiet = false;          // only errors on stderr
   bool verbose = false;        // nothing is shortened
   bool leaves_stdout = false;  // stdout is an output of the run: results go where messages go
 
@@ -28,14 +28,14 @@ struct Console {
   // Appends to stdout, or to what takes its place. Names of files go through visible_line() before, so that one that holds
   // a line end stays on its line; other control characters become escapes here.
   void print(std::string_view text) const;
-  // The same, and it is seen while the work goes on, also through a pipe.
+  // The same, flushed immediately, also into a pipe.
   void print_now(std::string_view text) const;
   // A line on stderr, unless quiet.
   void note(const Text& text) const;
-  // A message about a file, or about the command line when `file` is empty. Errors are shown
-  // even when quiet, infos only when verbose.
+  // A message about a file, or about the command line if `file` is empty. Errors are shown even if quiet, infos only if
+  // verbose.
   void show(const Message& message, std::string_view file = {}) const;
-  // Shows the failure and, with JSON, prints the object that stands for a file without figures. Returns its exit code.
+  // Shows the failure and, with JSON, prints its error object. Returns its exit code.
   ExitCode fail(const Failure& failure, std::optional<std::string_view> file = {}, std::string_view format = {}) const;
 };
 

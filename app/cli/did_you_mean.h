@@ -1,4 +1,4 @@
-// The hint behind a word that is not known.
+// Suggestions for unknown words.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace ryosen::cli {
 
-// " Did you mean 'x'?", or nothing where no known word is close.
+// " Did you mean 'x'?", or empty if no known word is close.
 inline Text did_you_mean(std::string_view word, const std::vector<std::string>& known) {
   const std::string best = closest_word(word.substr(0, 64), known);
   if (best.empty()) return {};

@@ -41,7 +41,7 @@ std::vector<Version> versions() {
       {"nlohmann json", three(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)}};
 }
 
-// Installed version by package, from the records of dpkg; empty on other systems.
+// Installed version by package, from dpkg; empty on other systems.
 std::map<std::string, std::string> installed_packages() {
   std::map<std::string, std::string> installed;
   std::ifstream records("/var/lib/dpkg/status");
@@ -60,7 +60,7 @@ std::map<std::string, std::string> installed_packages() {
   return installed;
 }
 
-// The packages that building needs, in the order of the scripts; the version is empty where one is missing.
+// The packages required for building, in the order of the scripts; the version is empty if missing.
 std::vector<Version> packages() {
   const std::map<std::string, std::string> installed = installed_packages();
   std::vector<Version> all;

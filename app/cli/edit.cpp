@@ -24,14 +24,14 @@ struct EditFiles {
   RunFiles of_run;
 };
 
-// How one command went, in the words of the report.
+// The result of one command for the report.
 struct Step {
   ScriptLine line;
   std::string_view result = "skipped";
   Outcome outcome;
   Json reasons = Json::array(), warnings = Json::array();
   std::string rules;   // ids of the broken ones
-  std::string remedy;  // for the reader of a refusal; may be empty
+  std::string remedy;  // shown with a refusal; may be empty
 };
 
 struct Totals {
@@ -69,7 +69,7 @@ class EditRun {
   bool may_write() const { return code_ == ExitCode::done || (code_ == ExitCode::found_problems && !failed_); }
 
   void take(Step& step) {
-    // A warning names elements as they are before the operator.
+    // Warnings name elements as before the operator.
     const Parsed<AnyOp> parsed =
         find_op(split_words(step.line.text)[0]) ? parse_line(session_.mesh(), step.line.text) : Parsed<AnyOp>();
     if (parsed.op && console_.json)
@@ -84,7 +84,7 @@ class EditRun {
       note_saved(named.empty() ? session_.document().path().string() : named);
       return;
     }
-    // A save may fail after the file is in its place.
+    // A save may fail after the file has been replaced.
     if (const auto performed = call_of(step.outcome.performed); performed && performed->row.effect == Effect::writes)
       note_saved(file_of(*performed));
     if (step.outcome.exit_code != ExitCode::refused) {

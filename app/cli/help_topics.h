@@ -1,4 +1,4 @@
-// What the help of a command says besides its flags, read from the tables of core and editor.
+// Additional help topics of commands, generated from the tables of core and editor.
 #pragma once
 
 #include <string>
@@ -14,13 +14,13 @@ std::string problem_kinds_topic(Language language);
 std::string shot_topic(Language language);
 // The commands of scripts: operators, then those of the editor.
 std::string script_commands_topic(Language language);
-// The repairs, which of them are done unasked, and what each solves.
+// The repairs, which of them run by default, and what each solves.
 std::string repairs_topic(Language language);
 // How scripts say an algorithm, and what it solves.
 std::string algorithm_topic(const AlgorithmRow& row, Language language);
 // The operators alone.
 std::string operators_topic(Language language);
-// Where edits are kept for after a crash, and how they come back.
+// Where edits are stored for crash recovery, and how to restore them.
 std::string recovery_topic(Language language);
 // The forms of the source texts and the ways to pair halfedges.
 std::string forms_topic(Language language);

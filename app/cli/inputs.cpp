@@ -25,8 +25,8 @@ Failure folder_failure(Code code, Text text) {
   return failure;
 }
 
-// All files below a folder. Links to folders are followed, each folder is gone through once: under its own path where it
-// lies below, else through the first link in byte order.
+// Recursive directory walk. Links to folders are followed, but each folder is visited once: under its own path if it is
+// below the start, else through the first link in byte order.
 class FolderWalk {
  public:
   explicit FolderWalk(const fs::path& folder) {
@@ -66,7 +66,7 @@ class FolderWalk {
 
   std::vector<Input> found_;
   std::set<std::pair<dev_t, ino_t>> entered_;
-  std::set<std::string> links_;  // paths of links to folders, not gone through yet
+  std::set<std::string> links_;  // paths of links to folders, not visited yet
 };
 
 }  // namespace

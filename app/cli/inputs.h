@@ -1,4 +1,4 @@
-// The files that the operands of a command name.
+// Expansion of a command's operands to input files.
 #pragma once
 
 #include <optional>
@@ -14,12 +14,11 @@ struct Input {
   std::optional<Failure> failure;  // a folder that cannot be read or holds no mesh
 };
 
-// Folders are walked with all that lies below them, in byte order of the paths, over the extensions of the format
-// table (see may_be_mesh). Links to folders are followed, but a folder is gone through once, however many lead to it.
-// Everything else stays as it was named, existing or not.
+// Folders are walked recursively, in byte order of the paths, for the extensions of the format table (see may_be_mesh).
+// Links to folders are followed, but each folder is visited once. Other operands are kept as given, existing or not.
 std::vector<Input> find_inputs(const std::vector<std::string>& operands);
 
-// The exit code for what became of each of the inputs; there is at least one.
+// The combined exit code of at least one input.
 ExitCode combine(const std::vector<ExitCode>& codes);
 
 }  // namespace ryosen::cli

@@ -19,7 +19,7 @@ void remember(int) {
 
 Interrupt::Interrupt() : before_(std::signal(SIGINT, remember)) {
   asked = 0;
-  if (before_ == SIG_IGN) std::signal(SIGINT, SIG_IGN);  // as whoever started the program wants it
+  if (before_ == SIG_IGN) std::signal(SIGINT, SIG_IGN);  // the parent process set it to be ignored
 }
 Interrupt::~Interrupt() { std::signal(SIGINT, before_); }
 

@@ -1,4 +1,4 @@
-// Ctrl-C while a command works: it cancels the work instead of killing the program.
+// Handling of Ctrl-C: cancels a running command instead of killing the program.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace ryosen::cli {
 
-// For its life the first interrupt is only remembered; a second one kills as ever.
+// During its lifetime the first interrupt is only recorded; a second one kills the program.
 class Interrupt {
  public:
   Interrupt();
@@ -22,7 +22,7 @@ class Interrupt {
   void (*before_)(int);
 };
 
-// Stops work when it was interrupted, and meanwhile shows on a terminal how far `what` is.
+// A report function that cancels after an interrupt and shows the progress of `what` on a terminal.
 Progress::Report report_on(const Console& console, std::string what);
 
 }  // namespace ryosen::cli

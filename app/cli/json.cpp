@@ -9,7 +9,8 @@ namespace ryosen::cli {
 
 namespace {
 
-// Stand for the halves of a byte until the text is made: characters that are none and are in no name.
+// Placeholders for the two hex digits of an invalid byte until the text is dumped: Unicode noncharacters, which occur
+// in no name.
 constexpr std::string_view high_halves = "\xef\xb7\x90", low_halves = "\xef\xb7\xa0";
 
 bool is_stand_in(std::string_view character) {
@@ -68,7 +69,7 @@ std::string with_escapes(std::string_view text) {
 std::string line_of(const Json& json) {
   try {
     return json.dump() + "\n";
-  } catch (const Json::type_error&) {  // some text is not UTF-8
+  } catch (const Json::type_error&) {  // some string is not UTF-8
     Json copy = json;
     put_stand_ins(copy);
     return with_escapes(copy.dump()) + "\n";

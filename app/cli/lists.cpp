@@ -1,4 +1,4 @@
-// `formats` and `keys`: the tables of core and editor, printed.
+// `formats` and `keys`: print the tables of core and editor.
 #include "app/cli/contract/lists.h"
 #include "app/cli/columns.h"
 #include "app/cli/contract/record.h"

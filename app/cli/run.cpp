@@ -27,11 +27,11 @@ ExitCode run_command(const CommandLine& line) {
     line.console.note({"See: " + help, "使い方は " + help + " で見られます。"});
     return code;
   }
-  // Without a command the program is the editor.
+  // Without a command: the editor.
   return (line.command ? line.command : find_subcommand("view"))->run(line.arguments, line.console);
 }
 
-// What was printed may still be on its way; a full disk shows only here.
+// Output may still be buffered; a full disk is detected only here.
 ExitCode finish_output(const Console& console, ExitCode code) {
   if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
   Message message;

@@ -1,4 +1,4 @@
-// The command line: finds the command, runs it, and turns whatever happens into an exit code.
+// Entry point of the command line: finds the command, runs it, and maps the result to an exit code.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace ryosen::cli {
 
-// `arguments` are those after the program's name. Throws nothing; what goes wrong inside ends with internal_error.
+// `arguments` are those after the program's name. Exceptions end with internal_error.
 ExitCode run(const std::vector<std::string>& arguments) noexcept;
 
 }  // namespace ryosen::cli

@@ -27,7 +27,7 @@ class Shot {
     if (options_.shown) session_.shown = *options_.shown;
     headless_.place_view(session_);
     steps();
-    // A line or name that says nothing leaves no picture; a refusal and a claim that failed do.
+    // Malformed lines and names produce no picture; refusals and failed expectations do.
     if (code_ != ExitCode::done && code_ != ExitCode::refused && code_ != ExitCode::found_problems) return finish();
     if (options_.hover) session_.point_at(*options_.hover);
     const Image picture = headless_.picture(session_);
@@ -140,7 +140,7 @@ ExitCode shot_command(const Arguments& arguments, const Console& given) {
   }
   Console console = given;
   console.leaves_stdout = options->leaves_stdout;
-  // Reading and making a context take about as long as each other and know nothing of each other.
+  // Reading and creating a context take about equally long and are independent.
   std::future<Result<std::unique_ptr<Document>>> reading =
       std::async(std::launch::async, [&] { return Document::open(options->file); });
   Result<std::unique_ptr<Headless>> headless = Headless::make(options->picture);

@@ -67,7 +67,7 @@ class OptionsReader {
                                      flag + " は" + ja + "です（「" + value + "」は使えません）。"}));
   }
 
-  // A whole number from the text, or nothing.
+  // Parses an integer, or none.
   static std::optional<int> number(std::string_view word) {
     int value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -141,7 +141,7 @@ class OptionsReader {
     return id;
   }
 
-  // The parts of a list that is written with commas or blanks.
+  // Splits a list at commas and blanks.
   static std::vector<std::string> parts(const std::string& list) {
     std::vector<std::string> found;
     std::string current;

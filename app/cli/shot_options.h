@@ -1,4 +1,4 @@
-// What a picture shall show and be compared with, read from the flags of `shot`.
+// The options of `shot`: what the picture shows and what it is compared with.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,7 @@ struct ShotOptions {
   double tolerance_percent = 0.2;
   Headless::Options picture;
   bool light_theme = false;
-  std::optional<std::string> view, camera;  // words of the commands with these names
+  std::optional<std::string> view, camera;  // arguments of the script commands with these names
   std::optional<std::set<std::string>> shown;
   std::vector<std::string> selected;
   std::string tool;

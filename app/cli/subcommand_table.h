@@ -1,4 +1,4 @@
-// The one table of the program's commands and their flags. Parsing, help and the tests of both read it; a command or
+// The table of the program's commands and their flags. Parsing, help and their tests are driven by it; a command or
 // flag that is not in it does not exist.
 #pragma once
 
@@ -16,18 +16,18 @@
 namespace ryosen::cli {
 
 struct Flag {
-  std::string name;   // with its dash or dashes
-  std::string value;  // what stands behind it, in words; empty for a switch
+  std::string name;   // including its dashes
+  std::string value;  // description of its value; empty for a switch
   bool repeatable = false;
   std::string en, ja;
 };
 
-// What the user gave, checked against the row of the command.
+// The user's arguments, checked against the row of the command.
 class Arguments {
  public:
   const std::vector<std::string>& operands() const { return operands_; }
   bool has(std::string_view flag) const;
-  // The value of a flag, or null when it was not given.
+  // The value of a flag, or null if not given.
   const std::string* value(std::string_view flag) const;
   // All values of a repeatable flag, in order.
   std::vector<std::string> values(std::string_view flag) const;

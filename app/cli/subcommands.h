@@ -1,4 +1,4 @@
-// The commands of the program, one file each. They get arguments that fit their row of the table.
+// The commands of the program, one file each. Their arguments have been checked against their row of the table.
 #pragma once
 
 #include "app/cli/subcommand_table.h"

@@ -1,4 +1,4 @@
-// Tables for people: columns aligned by the width that their texts take in a terminal.
+// Text tables with columns aligned by display width in a terminal.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace ryosen::cli {
 
-// Columns of a terminal that a text takes: Japanese letters and signs take two, arrows one.
+// Display width in terminal columns: Japanese characters and punctuation take two, arrows one.
 inline std::size_t display_width(std::string_view text) {
   std::size_t width = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -19,12 +19,12 @@ inline std::size_t display_width(std::string_view text) {
   return width;
 }
 
-// The first column is aligned to the left, the others to the right; the first row added is the head.
+// The first column is left-aligned, the others right-aligned; the first row is the header.
 class TextTable {
  public:
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
 
-  // Indented by two blanks, columns two blanks apart.
+  // Indented by two spaces, columns two spaces apart.
   std::string text() const {
     std::vector<std::size_t> widths;
     for (const auto& row : rows_) {

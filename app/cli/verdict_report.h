@@ -1,4 +1,4 @@
-// One answer of `why`: the verdict on an operator with reasons, warnings and remedy.
+// A result of `why`: the verdict on an operator with reasons, warnings and remedy.
 #pragma once
 
 #include <optional>
@@ -11,16 +11,16 @@ namespace ryosen::cli {
 
 struct VerdictReport {
   std::string_view op;
-  std::string edge;       // empty where the operator has none
-  std::string arguments;  // the words behind the operator; of an operator on an edge that edge alone
+  std::string edge;       // empty if the operator has none
+  std::string arguments;  // of the operator; for an operator on an edge only that edge
   Verdict verdict;
   std::vector<Reason> warnings;
-  std::vector<std::string> remedy;  // for a refused one; empty where none was found
-  std::optional<Text> set_aside;    // of a face that is not in the mesh: said in place of the rule's sentence
+  std::vector<std::string> remedy;  // if refused; empty if none was found
+  std::optional<Text> set_aside;    // for a quarantined face: replaces the rule's sentence
 };
 
-// One line of JSON. Its remedy is "never" where the search, which is bounded, has found nothing, whether or not anything
-// could help; the text says which of the two.
+// One line of JSON. Its remedy is "never" if the bounded search found nothing, whether or not a remedy can exist; the
+// text output distinguishes the two.
 std::string to_json_line(const Mesh& mesh, const VerdictReport& report);
 std::string to_text(const Mesh& mesh, const VerdictReport& report, const Console& console);
 

@@ -1,4 +1,4 @@
-// `why`: may an operator be done, and if not, why not, and what would help.
+// `why`: whether an operator is legal, and if not, the reasons and remedies.
 #include <memory>
 #include <optional>
 
@@ -17,7 +17,7 @@ namespace ryosen::cli {
 
 namespace {
 
-// The operator with this id on an edge, without further words.
+// The operator with this id on an edge, without further arguments.
 AnyOp on_edge(std::string_view id, Halfedge h) {
   AnyOp op;
   const auto choose = [&]<class Op>(Op candidate) {
@@ -70,7 +70,7 @@ class Why {
   }
 
  private:
-  // The words of a question: those that the report shows, and the whole line.
+  // A query as text: the parts shown in the report, and the whole line.
   struct Asked {
     std::string edge, arguments, line;
   };
@@ -133,7 +133,7 @@ class Why {
   std::size_t legal_ = 0;
 };
 
-// The operator of --op, or the one that a line begins with.
+// The operator of --op, or the one at the start of a line.
 Result<const OpInfo*> operator_named(const std::string& id, bool needs_edge) {
   const OpInfo* const info = find_op(id);
   if (info && (!needs_edge || info->target == OpTargetKind::edge)) return info;
@@ -145,7 +145,7 @@ Result<const OpInfo*> operator_named(const std::string& id, bool needs_edge) {
                                             "「" + id + "」という操作はここでは使えません。" + hint.ja});
 }
 
-// What is asked for, checked as far as that goes without the mesh.
+// The query, checked as far as possible without the mesh.
 struct Question {
   const OpInfo* info = nullptr;
   std::string line;                 // of --do

@@ -1,4 +1,4 @@
-// Saves what a command has made, and tells what comes of it.
+// Writes a command's output file and reports the result.
 #pragma once
 
 #include <optional>
@@ -12,12 +12,12 @@
 namespace ryosen::cli {
 
 struct WrittenOutput {
-  bool is_there = false;        // the file is the new one, also where a failure came after that
-  std::vector<Message> losses;  // what it cannot hold; empty after a failure to write
+  bool is_there = false;        // the new file is in place, even if a later step failed
+  std::vector<Message> losses;  // what it cannot represent; empty if writing failed
   std::optional<Failure> failure;
 };
 
-// The mesh of -o. Shows the losses and the failure. is_strict: losses are one.
+// The mesh of -o. Shows the losses and the failure. is_strict: losses are a failure.
 WrittenOutput write_output(Document& document, RunFiles& files, const std::string& path, bool is_strict,
                            const Console& console);
 

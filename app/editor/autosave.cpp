@@ -55,7 +55,7 @@ std::optional<Text> Autosave::append(const std::string& text) {
   return give_up({reason.en + ".", reason.ja + "。"});
 }
 
-// A copy of a file that is going to be another.
+// Copies a file that is about to be replaced.
 std::optional<Text> Autosave::keep_original(const fs::path& file) {
   const fs::path& start = start_.file;
   const std::string packing = has_gzip_name(start) ? start.extension().string() : "";
@@ -83,12 +83,12 @@ std::optional<Text> Autosave::open_script(const Session& session) {
   std::string text = "# ryosen session 1\n# mesh " + std::string(hash) + "\n";
   text += start_.file.empty() ? "new\n" : "open " + file_argument(start_.file.string()) + "\n";
   std::optional<Text> warning;
-  if (!start_.original.empty()) {  // it belongs to a script that is lost, and would go with that
+  if (!start_.original.empty()) {  // it is a companion of the lost script and would be deleted with it
     warning = keep_original(start_.original);
     text += original_remark(start_.original);
   }
   if (file_ != start_.file) text += saved_remark();
-  // A recovery may have done some edits before.
+  // A recovery may already have applied some edits.
   for (const std::string& line : session.log())
     if (is_edit(line)) text += line + "\n";
   if (!session.document().is_modified()) text += saved_remark();
@@ -103,7 +103,7 @@ std::optional<Text> Autosave::note(const Session& session, const std::string& li
              is_saved = !session.document().is_modified();
   if (saves) file_ = whole(session.document().path());
   if (has_failed_) {
-    // What was kept before the failure may begin with a file that is another now.
+    // The script from before the failure may start from a file that has now been replaced.
     if (saves) finish();
     return std::nullopt;
   }

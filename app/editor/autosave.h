@@ -1,6 +1,5 @@
-// Keeps a script of what a session does in a folder of the user's while anything is unsaved, so that it can be brought
-// back after the program has crashed (see recovery.h). Not after a crash of the machine: the lines are handed to the
-// system, not brought to the disk.
+// Crash recovery: writes a script of the session's edits to a per-user folder while anything is unsaved (see
+// recovery.h). It survives a crash of the program, not of the machine: lines are written but not synced.
 #pragma once
 
 #include <filesystem>
@@ -12,27 +11,27 @@
 
 namespace ryosen {
 
-// A session tells it what is done. An edit costs one short write. Whatever fails here, the edit stays done: the user is
-// told once, and then nothing more is kept of this document.
+// Called by the session. An edit costs one short write. If writing fails, the edit itself stands: the user is told
+// once, and recording stops for this document.
 class Autosave {
  public:
-  // Nothing is written to the folder before the first edit; an empty path fails then.
+  // Nothing is written before the first edit; with an empty path that write fails.
   explicit Autosave(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  // Another document, just opened: what was kept of the one before is taken away. O(mesh).
+  // For a newly opened document; deletes the script of the previous one. O(mesh).
   void begin(const Document& document);
-  // One that a recovery has brought as far as it could, in a script of its own beside the one that is lost.
+  // For a partially recovered document; uses a new script, the lost one is kept.
   void begin(const Document& document, SessionStart start);
-  // One that a recovery has brought back whole, in the script that was lost.
+  // For a fully recovered document; continues the lost script.
   void go_on(OwnedScript script, const Document& document, SessionStart start);
 
-  // A line has been done and is the last of the log. A sentence where, from now on, nothing can be brought back.
+  // After a line was executed and appended to the log. Returns a message if recording has just failed.
   std::optional<Text> note(const Session& session, const std::string& line);
-  // A file is about to be written. Where the session began with that file, its content is kept first, because the edits
-  // name the elements of it.
+  // Before a file is written. If the session started from that file, a copy is kept first, because the edits refer to
+  // its elements.
   std::optional<Text> before_save(const Session& session, const std::filesystem::path& target);
 
-  // The session ends as its user wants it to, and nothing is left. Without this the script stays, to be recovered.
+  // Ends the session normally and deletes the script. Without this call it stays for recovery.
   void finish();
 
   const std::optional<OwnedScript>& script() const { return script_; }
@@ -48,7 +47,7 @@ class Autosave {
   std::optional<OwnedScript> script_;
   SessionStart start_;
   std::filesystem::path file_;  // the document's, absolute
-  bool has_failed_ = false;     // with this document
+  bool has_failed_ = false;     // for this document
   bool has_warned_ = false;
 };
 

@@ -1,4 +1,4 @@
-// Cameras and pixels as text, for scripts and the command line.
+// Text forms of cameras and pixels, for scripts and the command line.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -11,8 +11,8 @@
 
 namespace ryosen {
 
-// {"eye":[x,y,z],"target":[x,y,z],"up":[x,y,z],"fov_y_deg":35,"ortho_height":null}; keys that are left out keep the
-// value of `base`. Nothing, with a sentence, for anything else or a camera that looks nowhere.
+// {"eye":[x,y,z],"target":[x,y,z],"up":[x,y,z],"fov_y_deg":35,"ortho_height":null}; missing keys keep the value of
+// `base`. None, with an error message, for anything else or a degenerate camera.
 std::optional<Camera> camera_from_json(std::string_view json, const Camera& base, Text& error);
 std::string camera_to_json(const Camera& camera);
 

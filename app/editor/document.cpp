@@ -22,14 +22,14 @@ Text join(const std::vector<Text>& texts) {
   return all;
 }
 
-// Whether an argument of a line is a number or word that names no element whatever the mesh holds.
+// Whether an argument is not syntactically an element name (a number or keyword).
 bool is_value(std::string_view argument) {
   return find_vertex(Mesh(), argument).error == NameError::malformed &&
          find_edge(Mesh(), argument).error == NameError::malformed &&
          find_face(Mesh(), argument).error == NameError::malformed;
 }
 
-// As names_of, but copies of a point are told apart, unless all of its copies are there: then the point stands for them.
+// As names_of, but distinguishes the copies of a point, unless all its copies are included: then the point is named.
 std::vector<std::string> names_with_copies(const Mesh& mesh, const std::vector<Element>& elements) {
   std::vector<std::string> names;
   for (const Element& element : elements) {
@@ -149,7 +149,7 @@ void Document::committed(std::string command, std::optional<std::vector<Quaranti
     other_quarantine_[transaction] = std::move(*quarantine);
     exchange_quarantine(transaction);
   }
-  if (saved_position_ >= journal_.position()) saved_position_ = no_index;  // that place can no longer be reached
+  if (saved_position_ >= journal_.position()) saved_position_ = no_index;  // that position can no longer be reached
   notify(transaction);
 }
 

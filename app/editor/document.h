@@ -1,4 +1,4 @@
-// An open mesh with its history: every change goes through here, as an operator that is one entry of the history.
+// An open mesh with its history. Every change goes through here, as one history entry each.
 #pragma once
 
 #include <cstdint>
@@ -19,28 +19,28 @@
 
 namespace ryosen {
 
-// How an operator or a command went.
+// The result of an operator or a command.
 struct Outcome {
   enum class Kind { done, refused, failed };
   Kind kind = Kind::done;
   ExitCode exit_code = ExitCode::done;
-  // For refused and failed: names the element and the remedy. For done: what should be known of it, mostly nothing.
+  // For refused and failed: names the element and the remedy. For done: a remark, usually empty.
   Text sentence;
-  // The script line of what was done to the mesh or a file, also where it is there and yet failed (a file that may not
-  // survive a power cut); empty where nothing was.
+  // The script line of what was done to the mesh or a file, even if it failed afterwards (a file written but not
+  // synced); empty if nothing was.
   std::string performed;
   std::vector<Reason> reasons;
   std::vector<Reason> warnings;
-  std::vector<std::string> created;  // names, as of after the operator
-  std::vector<std::string> deleted;  // names, as of before it
+  std::vector<std::string> created;  // names after the operator
+  std::vector<std::string> deleted;  // names before it
 
   bool done() const { return kind == Kind::done; }
-  // One sentence more.
+  // Appends a sentence.
   void say(const Text& more);
 };
 
 struct HistoryEntry {
-  std::string command;  // the script line that does the same
+  std::string command;  // the equivalent script line
 };
 
 class Document {
@@ -52,8 +52,8 @@ class Document {
 
   const Mesh& mesh() const { return mesh_; }
   const Journal& journal() const { return journal_; }
-  // What belongs to the file (comments, libraries, messages), and the tables that go with its numbers (names, lines,
-  // quarantine). The mesh of the file has been taken out.
+  // Data of the file (comments, libraries, messages), and its per-element tables (names, lines, quarantine). The mesh
+  // itself has been moved out.
   const MeshFile& file() const { return file_; }
   const FileTables& tables() const { return tables_; }
   const std::filesystem::path& path() const { return path_; }
@@ -64,52 +64,51 @@ class Document {
   // None where `progress` cancels it: nothing has changed then. The values are those on this mesh.
   std::optional<AlgorithmResult> run(const AlgorithmRow& row, const ParameterValues& values, std::string command,
                                      Progress::Report progress = {});
-  // The verdict, and the ghost of the result. The document is unchanged.
+  // The verdict and the ghost of the result. The document is unchanged.
   Preview preview(const AnyOp& op) { return ryosen::preview(mesh_, journal_, op); }
-  // Script lines after which the refused operator that `line` says is legal; empty where none were found.
+  // Script lines after which the refused operator of `line` is legal; empty if none were found.
   std::vector<std::string> remedy(const std::string& line) { return RemedySearch(mesh_).find(line); }
 
-  // Step through the history; false where there is nothing to undo or redo.
+  // Step through the history; false if there is nothing to undo or redo.
   bool undo();
   bool redo();
-  // Goes to a place in the history: 0 is the file as it was read.
+  // Goes to a position in the history; 0 is the file as read.
   void go_to(std::size_t position);
   const std::vector<HistoryEntry>& history() const { return history_; }
   std::size_t position() const { return journal_.position(); }
 
-  // Whether arguments that name no element (with this error) speak of one that another place of the history has: the
-  // answer is then a refusal, not a slip of the pen. A face that was set aside when the file was read is in none.
-  // O(history).
-  enum class Elsewhere { no, earlier, later };  // undo brings an earlier one back, redo a later one
+  // Whether arguments that name no element (with this error) name one that exists at another position of the history:
+  // then the outcome is a refusal, not a usage error. A quarantined face exists at no position. O(history).
+  enum class Elsewhere { no, earlier, later };  // earlier: undo restores it; later: redo does
   Elsewhere exists_elsewhere(NameError error, std::span<const std::string_view> arguments);
-  // When arguments name a face that was set aside: the sentence about it.
+  // If arguments name a quarantined face: the sentence about it.
   std::optional<Text> set_aside(std::span<const std::string_view> arguments) const;
 
   bool is_modified() const { return saved_position_ != journal_.position(); }
-  // No place of the history is that of a file.
+  // Marks every history position as unsaved.
   void mark_unsaved() { saved_position_ = no_index; }
-  // The document as it would be written: all live elements and what belongs to the file.
+  // The document as it would be written: all live elements and the data of the file.
   MeshFile contents() const;
-  // What a file of this name would lose of the document, and what it would keep of what was removed, one warning each;
-  // none where the name says no format.
+  // What writing to a file of this name would lose, and which removed elements it would still contain, one warning
+  // each; empty if the extension is unknown.
   std::vector<Message> losses(const std::filesystem::path& path) const;
   // An empty path means the file that was opened. A pipe or device (see is_stream) gets the format of that file where
   // its name says none; it does not become the document's file, which stays unsaved.
   Status save(const std::filesystem::path& path, WriteOptions options = {});
 
-  // Called after every commit, undo and redo, with the transaction of journal() that it was about.
+  // Called after every commit, undo and redo, with the transaction of journal() concerned.
   using Listener = std::function<void(std::size_t transaction)>;
   void add_listener(Listener listener) { listeners_.push_back(std::move(listener)); }
-  // Grows with every change, also by undo and redo.
+  // Increases with every change, including undo and redo.
   std::uint64_t revision() const { return revision_; }
-  // Different for every document that this process opens; never 0.
+  // Unique among the documents opened by this process; never 0.
   std::uint64_t serial() const { return serial_; }
 
  private:
   Outcome refuse(const AnyOp& op, std::vector<Reason> reasons);
-  // The open edit has become the last transaction; with it these faces are set aside, where that changes.
+  // Records that the open edit has become the last transaction; `quarantine` is the new quarantine, if it changed.
   void committed(std::string command, std::optional<std::vector<QuarantinedFace>> quarantine = {});
-  // The faces set aside are others before and after some transactions.
+  // Swaps the quarantine with the stored one, for transactions that change it.
   void exchange_quarantine(std::size_t transaction);
   void notify(std::size_t transaction);
   const Format* format_for(const std::filesystem::path& path) const;
@@ -129,7 +128,7 @@ class Document {
   std::vector<Listener> listeners_;
 };
 
-// The sentence of a reason with its witnesses named: "... (v7, 5-9)".
+// The sentence of a reason, with its witnesses: "... (v7, 5-9)".
 Text describe(const Mesh& mesh, const Reason& reason);
 std::vector<std::string> names_of(const Mesh& mesh, const std::vector<Element>& elements);
 

@@ -1,4 +1,4 @@
-// The `expect` command: what a script claims about the mesh.
+// The `expect` command: assertions of a script about the mesh.
 #pragma once
 
 #include <span>
@@ -9,11 +9,11 @@
 
 namespace ryosen {
 
-// A term of the Euler–Poincaré sum (analysis/euler_poincare.h), the verdict on a command, or the hash. A claim that does not hold fails with
-// exit code 1 and says what was found.
+// A term of the Euler–Poincaré sum (analysis/euler_poincare.h), the verdict on a command, or the hash. A false
+// assertion fails with exit code 1 and reports the actual value.
 Outcome run_expect(Session& session, std::span<const std::string_view> arguments, std::string_view whole);
 
-// The hash as reports print it: 16 hexadecimal digits.
+// The hash as in reports: 16 hexadecimal digits.
 std::string hash_text(const Mesh& mesh);
 
 }  // namespace ryosen

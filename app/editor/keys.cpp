@@ -43,7 +43,7 @@ constexpr std::array fixed_keys{
 
 namespace {
 
-// The keys of operators come with them; an operator without a target is carried out at once.
+// Keys of operators come from their rows; an operator without a target runs immediately.
 std::vector<KeyRow> all_keys() {
   static std::deque<std::string> texts;
   const auto keep = [](std::string text) -> std::string_view { return texts.emplace_back(std::move(text)); };

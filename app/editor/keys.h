@@ -1,4 +1,4 @@
-// The one table of keys: what each sends. F1, menus, tooltips and `ryosen keys` read it.
+// The table of key bindings. F1, menus, tooltips and `ryosen keys` read it.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ struct KeyRow {
 };
 
 std::span<const KeyRow> key_table();
-// By chord; null when the key does nothing.
+// By chord; null if unbound.
 const KeyRow* find_key(std::string_view chord);
 
 }  // namespace ryosen

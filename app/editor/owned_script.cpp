@@ -23,7 +23,7 @@ Failure cannot_keep(const std::filesystem::path& path, int error) {
   return {ExitCode::output_not_writable, std::move(message)};
 }
 
-// Locks, and makes sure that the locked file is still the one of that name. Where it is not, errno is 0.
+// Locks the file and checks that it still has that name; if not, returns false with errno 0.
 bool own(int descriptor, const std::filesystem::path& path) {
   struct stat locked, named;
   errno = 0;
@@ -46,7 +46,7 @@ Result<OwnedScript> OwnedScript::create(const std::filesystem::path& folder) {
     path = folder / (stem + (i == 1 ? "" : "-" + std::to_string(i)) + std::string(script_suffix));
     const int descriptor = ::open(path.c_str(), O_RDWR | O_APPEND | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
     if (descriptor >= 0) {
-      // Who looks for lost scripts may have been quicker to lock it, and takes it away as empty.
+      // Another process scanning for lost scripts may have locked it first and deleted it as empty.
       if (own(descriptor, path)) return OwnedScript(std::move(path), descriptor);
       const int reason = errno;
       const bool is_contended = reason == EWOULDBLOCK || reason == ENOENT || reason == 0;
@@ -100,7 +100,7 @@ std::string OwnedScript::content() const {
 }
 
 void OwnedScript::cut(std::size_t size) {
-  // Where it cannot be cut, an unfinished line at the end stands alone as one that cannot be read.
+  // If truncation fails, at least terminate the incomplete last line, which then does not parse.
   if (::ftruncate(descriptor_, static_cast<off_t>(size)) != 0) append("\n");
 }
 

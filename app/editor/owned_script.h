@@ -1,4 +1,4 @@
-// A file of lines that one process owns for as long as it lives.
+// An append-only text file that is locked by one process for its lifetime.
 #pragma once
 
 #include <filesystem>
@@ -11,31 +11,30 @@
 
 namespace ryosen {
 
-// Open and locked: no other can own the file meanwhile, in this process or another, and when the process ends, however it
-// ends, nobody owns it. What is appended is handed to the system at once, but not brought to the disk: it outlives the
-// program, not a power cut.
+// Open and exclusively locked; the lock ends with the process, even on a crash. Appended text is written immediately
+// but not synced: it survives a crash of the program, not a power failure.
 class OwnedScript {
  public:
-  // Makes a new file in the folder, and the folder where it is missing; only the user may read them. The name tells the
-  // process. Fails with output_not_writable.
+  // Creates a new file in the folder, and the folder if missing, readable only by the user. The name contains the
+  // process id. Fails with output_not_writable.
   static Result<OwnedScript> create(const std::filesystem::path& folder);
-  // Takes a file that is there; nothing where it is not, or where somebody owns it.
+  // Opens and locks an existing file; none if it does not exist or is locked.
   static std::optional<OwnedScript> take(const std::filesystem::path& path);
 
   OwnedScript(OwnedScript&& other) noexcept;
   OwnedScript& operator=(OwnedScript&& other) noexcept;
-  ~OwnedScript();  // gives the file up; it stays
+  ~OwnedScript();  // releases the lock; the file stays
 
   const std::filesystem::path& path() const { return path_; }
-  // Where this process may put a file that goes with the script, with this extension (".obj").
+  // A path for a companion file of the script with this extension (".obj").
   std::filesystem::path companion(const std::string& extension) const;
-  // All of its bytes; what could be read of them.
+  // The content, as far as it could be read.
   std::string content() const;
-  // Ends the file after so many bytes.
+  // Truncates the file to `size` bytes.
   void cut(std::size_t size);
-  // False, with errno set, where not all could be appended.
+  // False, with errno set, if not all of it could be written.
   bool append(std::string_view text);
-  // Takes the file and its companions away.
+  // Deletes the file and its companions.
   void remove();
 
  private:
@@ -45,7 +44,7 @@ class OwnedScript {
   int descriptor_ = -1;
 };
 
-// The names of scripts begin and end so.
+// Prefix and suffix of script names.
 inline constexpr std::string_view script_prefix = "session-", script_suffix = ".ryosen";
 
 }  // namespace ryosen

@@ -28,7 +28,7 @@ fs::path whole_path(const char* variable) {
   return path.is_absolute() ? path : fs::path();
 }
 
-// What stands behind a remark's first word, where the line is that remark.
+// The rest of a remark line that starts with this word, else none.
 std::optional<std::string_view> remark(std::string_view line, std::string_view word) {
   if (!line.starts_with("# ") || !line.substr(2).starts_with(word)) return std::nullopt;
   const std::string_view rest = line.substr(2 + word.size());
@@ -43,7 +43,7 @@ std::string time_text(std::time_t time) {
   return {text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &local)};
 }
 
-// Whoever looks through the folder owns each script for a moment.
+// Retries, because a process scanning the folder locks each script briefly.
 std::optional<OwnedScript> take(const fs::path& path) {
   for (int i = 0; i < 20; ++i) {
     if (auto script = OwnedScript::take(path)) return script;
@@ -93,7 +93,7 @@ Text count_edits(std::size_t n) {
   return {n == 1 ? "1 edit" : std::to_string(n) + " edits", std::to_string(n) + " 件の編集"};
 }
 
-// Does the edits in the session, up to one that cannot be done.
+// Replays the edits in the session, up to the first that fails.
 Outcome replay(Session& session, const LostSession& lost) {
   for (std::size_t i = 0; i < lost.edits.size(); ++i) {
     const ScriptLine& edit = lost.edits[i];

@@ -7,7 +7,7 @@ namespace ryosen {
 
 namespace {
 
-// Refused because it is done already, or because no operator helps: then the table says so.
+// Refused because there is nothing to do or no operator can help; the table's remedy says so.
 bool is_final(Rule rule) {
   return rule == Rule::oriented || rule == Rule::triangulated || rule == Rule::detached ||
          text_of(rule).remedy_en.starts_with("never");
@@ -22,7 +22,7 @@ Text without_remedy(const Verdict& verdict) {
   for (const Reason& reason : verdict.reasons) {
     const RuleText& row = text_of(reason.rule);
     if (is_final(reason.rule)) return {std::string(row.remedy_en), std::string(row.remedy_ja)};
-    // What stands in the way several times is said once; turning the faces has been tried.
+    // Each remedy once; orienting has already been tried.
     if (reason.rule == Rule::copies || !said.insert(row.remedy_en).second) continue;
     general.en += (general.en.empty() ? "" : "; ") + std::string(row.remedy_en);
     general.ja += (general.ja.empty() ? "" : "；") + std::string(row.remedy_ja);

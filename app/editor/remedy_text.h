@@ -1,4 +1,4 @@
-// What is said of a refused operator for which no script lines were found that make it legal.
+// The text for a refused operator without a remedy.
 #pragma once
 
 #include "core/base/message.h"
@@ -6,8 +6,8 @@
 
 namespace ryosen {
 
-// That nothing ever helps, where a rule is of that kind; otherwise that the search, which is bounded, has found nothing,
-// and what the table of rules names. Without a full stop.
+// Says that nothing can help, if a rule is of that kind; otherwise that the bounded search found nothing, with the
+// general remedies of the rules. Without a full stop.
 Text without_remedy(const Verdict& verdict);
 
 }  // namespace ryosen

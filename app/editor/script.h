@@ -1,4 +1,4 @@
-// The text form of commands: one per line or separated by `;`, `#` begins a comment.
+// Splitting of scripts into commands: one per line or separated by `;`; `#` starts a comment.
 #pragma once
 
 #include <string>
@@ -12,11 +12,11 @@ struct ScriptLine {
   std::string text;  // one command, without blanks around it
 };
 
-// The commands of a script in order; empty ones are left out. A `;` or `#` inside braces or quotes belongs to the text,
-// and within quotes `\"` does not end them (see words.h).
+// The commands of a script in order, without empty ones. A `;` or `#` inside braces or quotes belongs to the text, and
+// within quotes `\"` does not end them (see words.h).
 std::vector<ScriptLine> split_script(std::string_view script);
 
-// The known word that is closest to a misspelt one, or empty when none is close.
+// The known word closest to a misspelt one, or empty if none is close.
 std::string closest_word(std::string_view word, const std::vector<std::string>& known);
 
 }  // namespace ryosen

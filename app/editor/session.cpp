@@ -12,7 +12,7 @@ namespace ryosen {
 
 namespace {
 
-// From the front, a little from above and from the right, so that an unknown shape shows three of its sides.
+// From the front, slightly above and right, so that three sides of the shape are visible.
 Camera first_camera() {
   Camera camera;
   camera.eye = {0.42, 0.36, 1};
@@ -70,7 +70,7 @@ void Session::follow(std::size_t transaction) {
     }
     note_marks(touched);
   }
-  if (drawn_changes_.everything) drawn_changes_ = DrawnChanges();  // nobody needs the lists
+  if (drawn_changes_.everything) drawn_changes_ = DrawnChanges();  // the lists are not needed
   if (boundary_loops_) {
     const IndexSet& boundary = highlights_->of(ProblemKind::boundary_loop);
     Neighbourhood around(m);
@@ -87,7 +87,7 @@ void Session::follow(std::size_t transaction) {
     if (!is_kept) euler_.reset();
   }
   std::erase_if(selection, [&](const Element& e) {
-    // Columns replaced whole number edges and copies anew: only points and faces keep their meaning.
+    // Replaced columns renumber edges and copies: only points and faces keep their numbers.
     const bool keeps_number = e.kind == Element::Kind::face || (e.kind == Element::Kind::vertex && !m.has_copies());
     if (touched.everything && !keeps_number) return true;
     switch (e.kind) {
@@ -104,7 +104,7 @@ void Session::follow(std::size_t transaction) {
   if (hover_) point_at(hover_->pixel);
 }
 
-// Members of the highlights that may lie elsewhere now.
+// Records members of the highlights that may have moved.
 void Session::note_marks(const TouchedElements& touched) {
   const Mesh& m = mesh();
   std::vector<Edge> edges;
@@ -154,7 +154,7 @@ void Session::log_line(Outcome& outcome) {
 
 namespace {
 
-// What a tool needs under the pointer; without one, what the mode says.
+// The kind of element the tool needs under the pointer; without a tool, the current mode.
 PickMode pick_mode(const OpInfo* tool, PickMode mode) {
   if (!tool) return mode;
   switch (tool->target) {
@@ -169,7 +169,7 @@ PickMode pick_mode(const OpInfo* tool, PickMode mode) {
   }
 }
 
-// The picked element and nothing else.
+// Only the picked element; the others are none.
 OpTarget target_of(const Picked& picked) {
   switch (picked.element.kind) {
     case Element::Kind::vertex:

@@ -1,4 +1,4 @@
-// Faces that reading a file set aside: they keep their numbers, but no command can work on them.
+// Messages about quarantined faces: they keep their numbers, but no command can use them.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace ryosen {
 
-// When a name (f7, 0-1@f7, ~0-1@f7, v3@f7) speaks of such a face: that it was set aside, why, and its line. The faces
-// are ascending.
+// If a name (f7, 0-1@f7, ~0-1@f7, v3@f7) refers to such a face: a sentence with the cause and its line. `quarantine` is
+// ascending by face.
 std::optional<Text> set_aside_sentence(std::span<const QuarantinedFace> quarantine, std::string_view name);
-// The sentence about the first of several names that speaks of one.
+// The same for the first of several names that refers to one.
 std::optional<Text> set_aside_sentence(std::span<const QuarantinedFace> quarantine,
                                        std::span<const std::string_view> names);
 

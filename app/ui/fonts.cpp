@@ -25,7 +25,7 @@ constexpr Candidates japanese_files = {
 constexpr ImWchar latin_ranges[] = {0x20,   0x17F,  0x2010, 0x2027, 0x2032, 0x2033, 0x2190, 0x2193, 0x2212,
                                     0x2212, 0x2260, 0x2260, 0x25B2, 0x25C6, 0x2713, 0x2717, 0};
 
-// What the button that leads to Japanese says.
+// The label of the button that switches to Japanese.
 constexpr ImWchar word_ranges[] = {0x65E5, 0x65E5, 0x672C, 0x672C, 0x8A9E, 0x8A9E, 0};
 
 // The first candidate that can be read, or null.
@@ -49,7 +49,7 @@ ImFont* add(ImFontAtlas& atlas, Candidates candidates, float size_px, const ImWc
   config.MergeMode = merge;
   config.PixelSnapH = true;
   config.OversampleH = 1;
-  if (merge) config.GlyphOffset.y = std::round(size_px / 15);  // the letters of both fonts stand on one line
+  if (merge) config.GlyphOffset.y = std::round(size_px / 15);  // align the baselines of both fonts
   return atlas.AddFontFromFileTTF(file, size_px, &config, ranges);
 }
 
@@ -69,7 +69,7 @@ Fonts load_fonts(ImFontAtlas& atlas, float size_px, bool japanese) {
   }
   const ImWchar* const ranges = japanese ? atlas.GetGlyphRangesJapanese() : word_ranges;
   add(atlas, japanese_files, size_px, ranges, true);
-  // Japanese has one weight here: a heading in it would otherwise need all glyphs twice.
+  // One weight only for Japanese: a bold one would need all glyphs twice.
   fonts.bold = japanese ? nullptr : add(atlas, bold_files, size_px, latin_ranges, false);
   if (!fonts.bold) fonts.bold = fonts.normal;
   return fonts;
@@ -81,7 +81,7 @@ std::vector<FontUse> font_uses() {
 }
 
 bool needs_japanese(const char* utf8) {
-  // Two-byte sequences reach to U+07FF; what begins with E3 or more is kana, kanji or beyond.
+  // Two-byte sequences reach to U+07FF; lead bytes from E3 on are kana, kanji or beyond.
   for (; *utf8; ++utf8)
     if (static_cast<unsigned char>(*utf8) >= 0xE3) return true;
   return false;

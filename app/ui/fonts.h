@@ -11,22 +11,22 @@ namespace ryosen {
 
 struct Fonts {
   ImFont* normal = nullptr;
-  ImFont* bold = nullptr;  // the normal one where there is no bold
+  ImFont* bold = nullptr;  // the normal one if there is no bold
 };
 
-// Fills an atlas anew with glyphs `size_px` high: Latin letters and the signs that the window uses, and with `japanese`
-// those of everyday Japanese, which take most of the time. A missing font file leaves ImGui's built-in font.
+// Rebuilds an atlas with glyphs `size_px` high: Latin letters and the symbols used by the window, and with `japanese`
+// common Japanese characters, which take most of the time. If a font file is missing, ImGui's built-in font is used.
 Fonts load_fonts(ImFontAtlas& atlas, float size_px, bool japanese);
 
-// A use of a font, and the file that load_fonts() takes for it: the first of its candidates that can be read.
+// A font role and the file that load_fonts() uses for it: its first readable candidate.
 struct FontUse {
   const char *purpose_en, *purpose_ja;
-  std::string file;  // where none can be read, the first candidate
+  std::string file;  // the first candidate if none is readable
   bool is_found = false;
 };
 std::vector<FontUse> font_uses();
 
-// Whether a text has letters that only the Japanese glyphs cover.
+// Whether a text has characters that only the Japanese glyphs cover.
 bool needs_japanese(const char* utf8);
 
 }  // namespace ryosen

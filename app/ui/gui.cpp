@@ -59,10 +59,10 @@ void Gui::set_scale(float scale) {
 PixelRect Gui::view_area(Size window) const {
   const int left = static_cast<int>(std::lround(left_px * scale_)),
             right = static_cast<int>(std::lround(right_px * scale_));
-  // As high as ImGui makes a menu bar: the font and the padding of the style above and below.
+  // The height of ImGui's menu bar: font size plus vertical padding.
   const int bar = static_cast<int>(std::round(font_px * scale_) + 2 * std::floor(frame_padding_px * scale_));
   PixelRect area{left, bar, window.width - right, window.height - bar};
-  // Of a window that is too small for the columns the view keeps at least a corner.
+  // If the window is too small for the columns the view keeps at least one pixel.
   area.x1 = std::max(area.x1, area.x0 + 1);
   area.y1 = std::max(area.y1, area.y0 + 1);
   return area;
@@ -127,7 +127,7 @@ void Gui::draw_column(PanelContext& context, PanelPlace place, float x, float y,
   for (const OwnPanel& own : panels_) {
     const std::string id(own.row.id);
     if (own.row.place != place || context.session.hidden_panels.contains(id)) continue;
-    // The part behind ### keeps a panel open or closed when the language changes.
+    // The id after ### keeps a panel open or closed when the language changes.
     const std::string title = context.title(own.row) + ("###" + id);
     ImGui::PushFont(context.fonts.bold);
     const bool is_open = ImGui::CollapsingHeader(title.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
@@ -229,7 +229,7 @@ bool Gui::owns_keys() const {
 }
 
 Outcome Gui::run(Session& session, const std::string& line) {
-  // A mesh without a file is saved under a name first.
+  // Without a file, ask for a name.
   const auto call = call_of(line);
   if (call && call->row.file == FileAccess::writes_mesh && file_of(*call).empty() && session.document().path().empty())
     return context(session).run("panel save");

@@ -1,5 +1,5 @@
-// The window's content: the panels laid out around the view by Dear ImGui. Knows neither GL nor the window; whoever has
-// them gives it input and draws what it lays out.
+// The window's content: the panels around the view, laid out by Dear ImGui. Independent of GL and the window: the
+// caller provides input and renders the draw data.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -16,10 +16,10 @@ struct ImFontAtlas;
 
 namespace ryosen {
 
-// Owns a Dear ImGui context, which is the current one from construction on.
+// Owns a Dear ImGui context, which is current from construction on.
 class Gui {
  public:
-  // `scale` is that of the display: 1 for about 96 pixels an inch.
+  // `scale`: display scale, 1 for about 96 pixels per inch.
   explicit Gui(float scale);
   ~Gui();
   Gui(const Gui&) = delete;
@@ -28,42 +28,42 @@ class Gui {
   // A panel beside those of the list, for programs with panels of their own: behind them in its column and the menu, and
   // known to the command `panel` while this lives. The row's texts must live as long.
   void add_panel(const PanelRow& row, std::unique_ptr<Panel> panel);
-  // Another scale, as of the next prepare().
+  // Changes the scale at the next prepare().
   void set_scale(float scale);
-  // The part of a window that the view has.
+  // The area of the view within a window.
   PixelRect view_area(Size window) const;
-  // Gives the session that part.
+  // Sets the session's view to that area.
   void place_view(Session& session, Size window) const;
 
-  // Takes over theme and language. True when the glyphs have changed: their texture must be made anew before the frame.
+  // Applies theme and language. True if the glyphs have changed: rebuild their texture before the frame.
   bool prepare(const Session& session);
-  // Lays out one frame and does the long work that it asks for; prepare() comes first. The very first frame shows
-  // nothing and a panel may need two more to find its size, so a picture takes three.
+  // Lays out one frame and runs the long operations it requests; call prepare() first. The first frame is empty and a
+  // panel may need two more to settle its size, so a picture takes three.
   void frame(Session& session, Size window, double seconds);
-  // Lays out nothing but how far long work is, for the time that it goes on; the mesh is not looked at. True when the
-  // user asks to cancel it. Call it between frames.
+  // Lays out only the progress window of a long operation, without reading the mesh. True if the user cancels. Call it
+  // between frames.
   bool progress_frame(Language language, Size window, double seconds, double share);
   const ImDrawData& draw_data() const;
   ImFontAtlas& fonts() const;
 
-  // Input. Presses are kept until a frame has seen them, however short they are. Keys are those that edit text.
+  // Input. Presses are queued until a frame has processed them, however short. Keys are text editing keys.
   void pointer(glm::dvec2 pixel);
   void button(int number, bool is_down);
   void wheel(double steps);
   void character(unsigned code);
   void key(int imgui_key, bool is_down);
   void modifiers(bool shift, bool ctrl);
-  // Is a pixel the panels', or are the keys?
+  // Whether the panels own a pixel, or keyboard input.
   bool owns_pointer(const Session& session, Size window, glm::dvec2 pixel) const;
   bool owns_keys() const;
 
-  // As panels do: with the outcome kept for the status line.
+  // Like the panels: keeps the outcome for the status line.
   Outcome run(Session& session, const std::string& line);
   Outcome click(Session& session, glm::dvec2 pixel);
   void leave(Session& session, PendingLeave where);
-  // What the status line says of the last command.
+  // The status line's text on the last command.
   const Text& said() const { return state_.last_outcome; }
-  // Between the begin and the end of a frame, when no other can be laid out.
+  // True between begin and end of a frame, when no other can be laid out.
   bool is_laying_out() const { return state_.is_laying_out; }
   bool wants_quit() const { return state_.wants_quit; }
 
@@ -87,7 +87,7 @@ class Gui {
   bool has_fonts_ = false, has_japanese_ = false;
   Theme theme_ = Theme::dark;
   bool is_down_[3] = {}, was_pressed_[3] = {};
-  std::set<int> unseen_keys_, released_keys_;  // pressed since the last frame, and among them up again
+  std::set<int> unseen_keys_, released_keys_;  // pressed since the last frame, and those already released
 };
 
 }  // namespace ryosen

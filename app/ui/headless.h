@@ -1,4 +1,4 @@
-// Pictures of a session without a window: the view alone, or the whole editor with its panels.
+// Headless rendering of a session: the view only, or the whole editor with its panels.
 #pragma once
 
 #include <memory>
@@ -14,22 +14,22 @@ class Headless {
     Backend backend = Backend::automatic;
     Size size{1280, 720};  // of the picture
     bool panels = false;
-    bool transparent = false;  // no background; without effect under panels
+    bool transparent = false;  // no background; no effect with panels
     int supersample = 1;
   };
 
-  // Makes a context and leaves it current; the object is used and destroyed on the same thread. Fails with
+  // Creates a context and leaves it current; use and destroy the object on the same thread. Fails with
   // ExitCode::no_backend.
   static Result<std::unique_ptr<Headless>> make(const Options& options);
   ~Headless();
 
-  // Gives the session the place in the picture that the view has, and fits the mesh into it. Pixels of pick, click and
-  // hover are those of the picture from then on.
+  // Sets the session's view to its area in the picture and fits the mesh into it. Pixels of pick, click and hover then
+  // refer to the picture.
   void place_view(Session& session) const;
   Image picture(Session& session);
-  // What is seen where, in pixels of the view, as of the last picture.
+  // The id image of the last picture, in pixels of the view.
   IdImage read_ids() { return viewport_->view().read_ids(); }
-  // Makes the next picture take everything of its session anew.
+  // Makes the next picture rebuild everything from its session.
   void forget() { viewport_->forget(); }
   std::string_view backend() const { return context_->name(); }
 

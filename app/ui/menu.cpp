@@ -36,7 +36,7 @@ void draw_edit_menu(PanelContext& context) {
   ImGui::Separator();
   for (const OpInfo& op : all_ops()) {
     const std::string id(op.id);
-    if (op.key == '\0') continue;  // the others are in the tools panel
+    if (op.key == '\0') continue;  // operators without a key are only in the tools panel
     item(context, context.text(op.name_en, op.name_ja), is_tool(op) ? "tool " + id : id, true,
          context.session.tool == id);
   }

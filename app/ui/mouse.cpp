@@ -12,7 +12,7 @@ void Mouse::press(MouseButton button, glm::dvec2 pixel, Navigation::Modifiers mo
 void Mouse::release(MouseButton button, glm::dvec2 pixel, double now_s, Size window) {
   gui_.button(static_cast<int>(button), false);
   const auto click = navigation_.release(button, pixel, now_s);
-  // A panel may have opened since the press.
+  // A panel may have been opened since the press.
   if (click && is_over_view(click->pixel, window)) {
     if (click->is_double)
       set_centre(session_, click->pixel);

@@ -1,5 +1,5 @@
-// The mouse over a window with panels. A press goes to what is under the pointer, the view or the panels, and its release
-// to both: whoever has the button lets it go, wherever the pointer is by then.
+// Mouse dispatch in a window with panels. A press goes to what is under the pointer, the view or the panels; its
+// release goes to both, so whichever has the button releases it, wherever the pointer is by then.
 #pragma once
 
 #include "app/ui/gui.h"
@@ -7,7 +7,7 @@
 
 namespace ryosen {
 
-// Pixels are those of the window. The gui and the session must outlive it.
+// Pixels are window pixels. The gui and the session must outlive it.
 class Mouse {
  public:
   Mouse(Gui& gui, Session& session) : gui_(gui), session_(session) {}
@@ -16,12 +16,12 @@ class Mouse {
   void release(MouseButton button, glm::dvec2 pixel, double now_s, Size window);
   void move(glm::dvec2 pixel, Size window);
   void wheel(double steps, glm::dvec2 pixel, Size window);
-  // Hovers what is under the pixel. Over a panel the last element stays, so that what is said of it there can be read and
-  // clicked.
+  // Hovers the element under the pixel. Over a panel the last element stays hovered, so that its information there can
+  // be read and clicked.
   void point(glm::dvec2 pixel, Size window);
   // The pointer has left the window. A drag goes on.
   void leave();
-  // The window has lost the keyboard, and with it the releases that are still to come: ends every press, without a click.
+  // The window has lost focus and will miss releases: ends every press, without a click.
   void let_go();
 
   bool is_dragging() const { return navigation_.is_dragging(); }

@@ -8,8 +8,8 @@ namespace ryosen {
 namespace {
 
 constexpr double double_click_s = 0.4;
-constexpr double wheel_step = 1.15;      // how many times as large one step of the wheel shows things
-constexpr double drag_doubles_px = 120;  // how far a zooming drag goes to double the size
+constexpr double wheel_step = 1.15;      // zoom factor per wheel step
+constexpr double drag_doubles_px = 120;  // length of a zoom drag that doubles the size
 
 }  // namespace
 

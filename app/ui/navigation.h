@@ -1,4 +1,4 @@
-// What the mouse does over the view: drags move the camera, clicks are told apart from drags.
+// Camera navigation with the mouse; distinguishes clicks from drags.
 #pragma once
 
 #include <optional>
@@ -7,13 +7,13 @@
 
 namespace ryosen {
 
-enum class MouseButton { left, right, middle };  // numbered as the toolkits number them
+enum class MouseButton { left, right, middle };  // as numbered by GLFW and ImGui
 
-// A click is a press and a release within this many pixels.
+// A click is a press and a release within this distance.
 inline constexpr double click_reach_px = 4;
 
 // Left drag orbits, right drag or Shift + left pans, middle drag orbits (Shift pans, Ctrl zooms), the wheel zooms to
-// the pointer. Pixels are those of the window; the view may begin anywhere in it.
+// the pointer. Pixels are window pixels; the view may be anywhere in it.
 class Navigation {
  public:
   struct Modifiers {
@@ -24,11 +24,11 @@ class Navigation {
     bool is_double;  // the second of two within 0.4 s at about the same place
   };
 
-  // A drag in progress keeps going when another button is pressed; the same button begins anew.
+  // A drag continues if another button is pressed; the same button restarts it.
   void press(MouseButton button, glm::dvec2 pixel, Modifiers modifiers);
-  // True when the camera moved.
+  // True if the camera moved.
   bool move(Session& session, glm::dvec2 pixel);
-  // A click of the left button, if that is what ended.
+  // Returns the click, if a left click ended.
   std::optional<Click> release(MouseButton button, glm::dvec2 pixel, double now_s);
   void wheel(Session& session, glm::dvec2 pixel, double steps) const;
   // Forgets the drag and the last click.
@@ -42,7 +42,7 @@ class Navigation {
     MouseButton button;
     Motion motion;
     glm::dvec2 start, last;
-    bool moved = false;  // beyond a click's reach
+    bool moved = false;  // farther than click_reach_px
   };
 
   std::optional<Drag> drag_;
@@ -50,8 +50,7 @@ class Navigation {
   double last_click_s_ = 0;
 };
 
-// Moves the view so that what lies under a pixel is in its centre, around which it turns from then on. False when there
-// is nothing.
+// Centres the view on the point under a pixel, which becomes the orbit target. False if there is nothing.
 bool set_centre(Session& session, glm::dvec2 pixel);
 
 }  // namespace ryosen

@@ -21,7 +21,7 @@ class Painter {
   void draw(Vertex v) { point(m_.position(v)); }
   void draw(Edge e) { line(m_.position(ends(m_, e).first), m_.position(ends(m_, e).second)); }
   void draw(Halfedge h) { line(m_.position(m_.from(h)), m_.position(m_.to(h)), true); }
-  // The outline of a face and a mark in its middle, so that a face without area is seen too.
+  // The outline of a face and a mark in its middle, so that degenerate faces are visible too.
   void draw(Face f, bool mark = true) {
     glm::dvec3 sum{};
     double corners = 0;

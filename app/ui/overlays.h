@@ -1,4 +1,4 @@
-// What the layers of the view hold: highlights, selection, the element under the pointer and the preview of a click.
+// The overlays of the view's layers: highlights, selection, hovered element and preview.
 #pragma once
 
 #include "app/editor/session.h"
@@ -11,7 +11,7 @@ namespace ryosen {
 Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, std::uint32_t first, std::uint32_t end,
                           Theme theme);
 Overlay selection_overlay(const Session& session, Theme theme);
-// Without a tool the element itself; with one, green with the ghost of the result or red with the witnesses.
+// Without a tool the element itself; with one, green with the ghost of the result, or red with the witnesses.
 Overlay hover_overlay(const Session& session, Theme theme);
 
 }  // namespace ryosen

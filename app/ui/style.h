@@ -7,7 +7,7 @@
 
 namespace ryosen {
 
-// Colours of the panels that Dear ImGui's own style has no place for.
+// Panel colours beyond Dear ImGui's own style.
 struct UiColours {
   ImVec4 dim, accent, legal, refused, warning, backdrop, panel, line;
 };

@@ -1,4 +1,4 @@
-// The words of the window in both languages. Commands, operators, rules, keys and problems bring their own.
+// UI texts in both languages. Commands, operators, rules, keys and problems have their own.
 #pragma once
 
 #include "core/base/message.h"
@@ -106,7 +106,7 @@ enum class UiText {
   language_other,
 };
 
-// Never null; valid for ever.
+// Never null; static storage.
 const char* text(UiText id, Language language);
 
 }  // namespace ryosen

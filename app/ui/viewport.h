@@ -1,5 +1,4 @@
-// The drawn view of a session: brings the mesh, the highlights, the selection and the preview of the pointer to the
-// renderer, and only what has changed.
+// The rendered view of a session: passes changes of mesh, highlights, selection and hover preview to the renderer.
 #pragma once
 
 #include <cstdint>
@@ -19,15 +18,14 @@ class Viewport {
   // Needs a current context, which must outlive it.
   static Result<std::unique_ptr<Viewport>> make();
 
-  // Takes over whatever changed in the session since the last call: size, theme, camera, mesh, overlays. Cheap when
-  // nothing did.
+  // Applies what changed in the session since the last call: size, theme, camera, mesh, overlays. Cheap if nothing did.
   void follow(Session& session);
-  // Draws what changed; the rectangle is empty when nothing did.
+  // Redraws what changed; the rectangle is empty if nothing did.
   PixelRect draw() { return view_->draw(); }
 
   void set_transparent(bool transparent) { view_->set_transparent(transparent); }
   void set_supersample(int samples);
-  // Forgets the document, so that the next follow() takes everything anew.
+  // Forgets the document, so that the next follow() rebuilds everything.
   void forget() { mesh_of_ = nullptr; }
 
   View& view() { return *view_; }
@@ -51,11 +49,11 @@ class Viewport {
   // Highlights are drawn in blocks of so many slots of a mark, and a block is drawn anew when a member of it has changed.
   static constexpr std::uint32_t block_slots = 512;
   struct DrawnMark {
-    IndexSet blocks;  // that hold something
+    IndexSet blocks;  // non-empty ones
     bool is_shown = false;
   };
   std::map<std::uint32_t, DrawnMark> drawn_marks_;  // by their places in the order of drawing
-  std::vector<Session::Marked> marked_;             // to be drawn anew
+  std::vector<Session::Marked> marked_;             // to be rebuilt
   bool highlights_stale_ = true;                    // all of them
   bool selection_stale_ = true;
   std::vector<Element> selection_;

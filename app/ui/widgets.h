@@ -1,4 +1,4 @@
-// Small pieces that the panels are made of.
+// Small widgets for the panels.
 #pragma once
 
 #include <string>
@@ -8,18 +8,18 @@
 
 namespace ryosen {
 
-// Text in a colour, broken at the panel's edge; dim text likewise.
+// Coloured text, wrapped at the panel's edge; dim text likewise.
 void coloured_text(const ImVec4& colour, const char* text);
 void dim_text(PanelContext& context, const char* text);
-// A dim word and a value in two columns, the second at `column` font heights or behind a longer word.
+// A dim label and a value in two columns, the second at `column` font heights or after a longer label.
 void labelled(PanelContext& context, const char* label, const std::string& value, float column = 5);
 // A row that looks and acts like a link; true when clicked.
 bool link(PanelContext& context, const char* text);
-// Links to elements, separated by blanks, broken at the panel's edge; a click selects one.
+// Links to elements, wrapped at the panel's edge; a click selects one.
 void element_links(PanelContext& context, const std::vector<Element>& elements);
-// A whole-width row with a text to the left and a dim one to the right; true when clicked.
+// A full-width row with a text on the left and a dim one on the right; true when clicked.
 bool row(PanelContext& context, const char* label, const char* right, bool is_active);
-// The line style and mark of a highlight, as the view draws it.
+// A sample of the line style and mark of a highlight, as drawn in the view.
 void swatch(const Style& style, float width_px);
 
 // A panel in the middle over everything else, while session.open_panel names it. False when there is nothing to fill;
@@ -34,7 +34,7 @@ std::string grouped(std::int64_t n);
 // Six significant digits.
 std::string short_number(double value);
 
-// What hovering over the last item shows, wrapped.
+// Tooltip of the last item, wrapped.
 void tip(std::string_view text);
 
 }  // namespace ryosen

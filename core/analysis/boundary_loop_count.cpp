@@ -8,13 +8,13 @@ namespace {
 
 std::uint32_t other_end(std::uint32_t end) { return end ^ 1u; }
 
-// The end that a step leaves its edge over.
+// The end of the edge at which a step leaves it.
 std::uint32_t end_of(const BoundaryStep& step) {
   const bool along_first_half = (step.inside.index & 1u) == 0;
   return 2 * edge(step.inside).index + (step.at_end == along_first_half ? 1u : 0u);
 }
 
-// How many loops two sets of joints between the same ends make together.
+// Number of closed loops formed by two sets of joints between the same ends.
 template <class Joints>
 std::uint32_t loops_of(const Joints& inside, const Joints& outside) {
   std::unordered_set<std::uint32_t> seen;
@@ -29,7 +29,7 @@ std::uint32_t loops_of(const Joints& inside, const Joints& outside) {
       seen.insert(at);
       at = outside.at(at);
     } while (at != no_index && at != start);
-    // A chain that was begun in its middle comes to a stop, and its other half does when it is begun.
+    // An open chain ends at a stop from either direction and is not counted.
     loops += at == start;
   }
   return loops;
@@ -50,7 +50,7 @@ void BoundaryLoopCount::put_links(Neighbourhood& around, Edge e, Put put) {
 std::uint32_t BoundaryLoopCount::count_loops(const IndexSet& boundary) const {
   std::vector<bool> seen(links_.size() / 2, false);
   std::uint32_t loops = 0;
-  // Marks the edges from an end on; where that comes back to.
+  // Marks the edges from an end on; returns where the walk ends.
   const auto follow = [&](End end) {
     while (end != stop && !seen[end / 2]) {
       seen[end / 2] = true;
@@ -78,9 +78,9 @@ BoundaryLoopCount::Links BoundaryLoopCount::links_at(std::span<const Edge> edges
 
 BoundaryLoopCount::Part BoundaryLoopCount::part_of(const Links& links) {
   Part part;
-  std::unordered_set<End> seen;  // both ends of an edge, or none
+  std::unordered_set<End> seen;  // always both ends of an edge
   const auto leads_out = [&](End end) { return end != stop && !links.contains(end); };
-  // From an end to the last one that the boundary reaches within the part.
+  // Follows the boundary from an end to the last end within the part.
   const auto follow = [&](End end) {
     const End start = other_end(end);
     for (;;) {
@@ -136,7 +136,7 @@ void BoundaryLoopCount::update(Neighbourhood& around, const IndexSet& boundary, 
     if (boundary.contains(e.index)) put_links(around, e, [&](End end, End next) { after[end] = next; });
   if (before == after) return;
   const Part part_before = part_of(before), part_after = part_of(after);
-  // The rest goes on where it did, or else the edges were not all there are.
+  // The links out of the part must be unchanged; otherwise `edges` was incomplete: recount.
   for (const auto& [end, joined] : part_before.joints) {
     const auto same = after.find(end);
     if (same == after.end() || same->second != before.at(end)) return search(around, boundary);

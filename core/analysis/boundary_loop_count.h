@@ -1,4 +1,4 @@
-// How many boundary loops there are on points, kept current through edits at the cost of what they touch.
+// The number of boundary loops on points, updated incrementally at the cost of what an edit touches.
 #pragma once
 
 #include <cstdint>
@@ -11,22 +11,22 @@
 
 namespace ryosen {
 
-// Remembers for both ends of every boundary edge where the boundary goes on. An edit changes that at the points it
-// touches only; as long as the boundary comes out of there at the same ends and they are joined there as before, as
-// many loops pass through as before, and nothing else is looked at.
+// Stores for both ends of every boundary edge where the boundary continues. An edit changes these links only at the
+// points it touches; if the boundary leaves that part at the same ends, joined in the same pairs, the number of loops
+// through it is unchanged and nothing else is visited.
 class BoundaryLoopCount {
  public:
   BoundaryLoopCount() = default;
 
-  // Searches anew. `boundary` is the set of ProblemKind::boundary_loop. Cost: the boundary edges.
+  // Counts from scratch. `boundary` is the set of ProblemKind::boundary_loop. Cost: the boundary edges.
   void search(Neighbourhood& around, const IndexSet& boundary);
-  // After an edit: `edges` holds all that are, or were, at the points where anything changed, and those whose
-  // membership in `boundary` changed; ascending. The result is that of search(). Cost: these edges and the stars of
-  // their ends; where the edit joins or parts boundaries also the loops that pass through.
+  // After an edit: `edges` are all edges that are, or were, at the points where anything changed, and those whose
+  // membership in `boundary` changed; ascending. Equivalent to search(). Cost: these edges and the one-rings of their
+  // ends; if the edit joins or splits boundaries also the loops through them.
   void update(Neighbourhood& around, const IndexSet& boundary, std::span<const Edge> edges);
 
   std::uint32_t count() const { return count_; }
-  // Another one whenever the loops may consist of other edges.
+  // Changes whenever the loops may consist of other edges.
   std::uint64_t revision() const { return revision_; }
 
  private:
@@ -35,7 +35,7 @@ class BoundaryLoopCount {
   static constexpr End stop = no_index;  // at a non-manifold edge
   static constexpr End none = no_index - 1;
   using Links = std::unordered_map<End, End>;
-  // Ends at which the boundary leaves a part, and where each is joined through the part: another one, or a stop.
+  // Ends at which the boundary leaves a part, and what each is joined to within the part: another end, or a stop.
   using Joints = std::unordered_map<End, End>;
   struct Part {
     Joints joints;
@@ -47,10 +47,10 @@ class BoundaryLoopCount {
   std::uint32_t count_loops(const IndexSet& boundary) const;
   Links links_at(std::span<const Edge> edges) const;
   static Part part_of(const Links& links);
-  // The joints through everything outside of the part whose links are given.
+  // The joints through the complement of the part with the links `inside`.
   Joints joints_outside(const Part& part, const Links& inside) const;
 
-  std::vector<End> links_;  // by end: where the boundary goes on, or stops, or there is none
+  std::vector<End> links_;  // by end: where the boundary continues, or stop, or none
   std::uint32_t count_ = 0;
   std::uint64_t revision_ = 0;
 };

@@ -8,7 +8,7 @@ Halfedge inside_half(const Mesh& mesh, Edge e) {
   return mesh.is_outside(halfedge(e, 0)) ? halfedge(e, 1) : halfedge(e, 0);
 }
 
-// Appends the edges from `start` on until the chain closes or stops; returns whether it closed.
+// Appends the edges from `start` on until the chain closes or ends; returns whether it closed.
 bool follow(Neighbourhood& around, BoundaryStep start, IndexSet& left, std::vector<Halfedge>& chain) {
   BoundaryStep step = start;
   do {
@@ -35,7 +35,7 @@ BoundaryLoops find_boundary_loops(Neighbourhood& around, const IndexSet& boundar
       loops.halfedges.insert(loops.halfedges.end(), chain.begin(), chain.end());
       loops.offsets.push_back(static_cast<std::uint32_t>(loops.halfedges.size()));
     } else {
-      follow(around, {inside, false}, left, chain);  // so that none of the chain is begun again
+      follow(around, {inside, false}, left, chain);  // removes the other half of the open chain
     }
   });
   return loops;

@@ -10,11 +10,11 @@
 
 namespace ryosen {
 
-// Loops by their lowest edge; each as the halfedges without a face, in the order in which a walk meets the edges (at a
-// misoriented edge the walk goes on against them).
+// Loops sorted by their lowest edge; each as its halfedges without a face, in traversal order (past a misoriented edge
+// they point against it).
 struct BoundaryLoops {
   std::vector<Halfedge> halfedges;
-  std::vector<std::uint32_t> offsets{0};  // one more than there are loops
+  std::vector<std::uint32_t> offsets{0};  // loops + 1 entries
 
   std::size_t size() const { return offsets.size() - 1; }
   std::span<const Halfedge> operator[](std::size_t loop) const {
@@ -23,7 +23,7 @@ struct BoundaryLoops {
 };
 
 // `boundary` holds the edges with one face on points (the set of ProblemKind::boundary_loop). A chain that ends at a
-// non-manifold edge is no loop. Cost: the boundary edges, and the fans at their points where there are copies.
+// non-manifold edge is not a loop. Cost: the boundary edges, plus the fans at points with copies.
 BoundaryLoops find_boundary_loops(Neighbourhood& around, const IndexSet& boundary);
 
 }  // namespace ryosen

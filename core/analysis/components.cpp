@@ -22,13 +22,13 @@ DisjointSets join_faces(Neighbourhood& around) {
   return sets;
 }
 
-// Faces with the parity of turns between each and the root of its set.
+// Union-find with parity: whether each face must be flipped relative to the root of its set.
 class TurnSets {
  public:
   explicit TurnSets(std::uint32_t faces) : parent_(faces), turned_(faces, false) {
     for (std::uint32_t i = 0; i < faces; ++i) parent_[i] = i;
   }
-  // Records that exactly one of the two must be turned, or none or both. False if that contradicts what is known.
+  // Records that exactly one of the two must be flipped (`against`), or none or both. False on contradiction.
   bool join(std::uint32_t f, std::uint32_t g, bool against) {
     const auto [root_f, turn_f] = root(f);
     const auto [root_g, turn_g] = root(g);
@@ -44,7 +44,7 @@ class TurnSets {
     std::uint32_t top = i;
     bool turn = false;
     for (; parent_[top] != top; top = parent_[top]) turn = turn != turned_[top];
-    // Second walk: everything on the way hangs on the top directly.
+    // Path compression.
     for (bool rest = turn; parent_[i] != top && i != top;) {
       const std::uint32_t up = parent_[i];
       const bool own = turned_[i];
@@ -57,7 +57,7 @@ class TurnSets {
   }
 
   std::vector<std::uint32_t> parent_;
-  std::vector<bool> turned_;  // against the parent
+  std::vector<bool> turned_;  // parity relative to the parent
 };
 
 }  // namespace
@@ -74,7 +74,7 @@ FaceComponents find_face_components(Neighbourhood& around) {
   components.of_face.assign(mesh.face_slots(), no_index);
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     if (!mesh.is_alive(Face(i))) continue;
-    const std::uint32_t root = sets.root(i);  // the lowest face, so it is met first
+    const std::uint32_t root = sets.root(i);  // the lowest face, so it is visited first
     components.of_face[i] = root == i ? components.count++ : components.of_face[root];
   }
   return components;

@@ -1,4 +1,4 @@
-// Connected parts of a mesh, on points and in the kernel, and whether its faces can be turned to agree.
+// Connected components of a mesh, on points and on vertices, and orientability.
 #pragma once
 
 #include <cstdint>
@@ -8,18 +8,18 @@
 
 namespace ryosen {
 
-// Faces joined through any edge on points that they share.
+// Faces connected through shared edges (on points).
 struct FaceComponents {
   std::uint32_t count = 0;
-  std::vector<std::uint32_t> of_face;  // per slot, numbered by lowest face; no_index for dead slots
+  std::vector<std::uint32_t> of_face;  // per slot, components ordered by lowest face; no_index for dead slots
 };
 FaceComponents find_face_components(Neighbourhood& around);
-// Only how many. O(edges).
+// Only the number. O(edges).
 std::uint32_t count_face_components(Neighbourhood& around);
 
-// Whether the faces joined through edges with exactly two faces can be turned so that all agree. O(edges).
+// Whether the faces can be flipped so that all neighbours across edges with exactly two faces agree. O(edges).
 bool is_orientable(Neighbourhood& around);
-// A halfedge across which they cannot, however the others are turned; none where they can.
+// A halfedge across which two faces cannot agree however faces are flipped; none if orientable.
 Halfedge find_twist(Neighbourhood& around);
 
 }  // namespace ryosen

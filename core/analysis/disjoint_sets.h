@@ -9,11 +9,11 @@
 
 namespace ryosen {
 
-// The smallest number of a set is its root. Amortized cost per call: O(log n) at most, nearly constant in practice.
+// The smallest number of a set is its root. Amortised cost per call: O(log n), nearly constant in practice.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t n = 0) { reset(n); }
-  // Every number by itself again; keeps the memory.
+  // Resets to n singletons; keeps the memory.
   void reset(std::size_t n) {
     parent_.resize(n);
     std::iota(parent_.begin(), parent_.end(), 0u);
@@ -27,7 +27,7 @@ class DisjointSets {
     }
     return i;
   }
-  // Returns whether the two were apart.
+  // Returns whether they were in different sets.
   bool join(std::uint32_t i, std::uint32_t j) {
     i = root(i);
     j = root(j);
@@ -37,7 +37,7 @@ class DisjointSets {
     --count_;
     return true;
   }
-  // Number of sets, single numbers included.
+  // Number of sets, singletons included.
   std::uint32_t count() const { return count_; }
 
  private:

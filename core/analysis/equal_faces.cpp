@@ -9,9 +9,9 @@ namespace ryosen {
 
 namespace {
 
-// Quick refusal by links alone. A triangle on the same three points lies across all three edges. A quad on the same
-// four points has, at each corner, an edge in common with this one. Both hold where one edge joins two points, so not
-// beside copies.
+// Quick rejection by links only. A triangle on the same three points is the neighbour across all three edges. A quad on
+// the same four points shares an edge with this one at each corner. Both assume at most one edge per pair of points, so
+// not with copies.
 bool may_have_equal_face(const Mesh& mesh, Face f) {
   if (mesh.has_rings(f)) return true;
   const Halfedge a = mesh.halfedge(f), b = mesh.next(a), c = mesh.next(b), d = mesh.next(c);
@@ -30,12 +30,12 @@ bool may_have_equal_face(const Mesh& mesh, Face f) {
   return is_shared(fa, fb) || is_shared(fa, fc) || is_shared(fd, fb) || is_shared(fd, fc);
 }
 
-// A walk over the outgoing halfedges of all copies of a point.
+// Iterates over the outgoing halfedges of all copies of a point.
 class PointWalk {
  public:
   PointWalk(const Mesh& mesh, Vertex v)
       : mesh_(&mesh), first_copy_(v), copy_(v), first_(mesh.halfedge(v)), h_(first_) {}
-  // False once the last one has been passed.
+  // False past the last one.
   bool step() {
     if (first_) {
       h_ = mesh_->counter_clockwise(h_);
@@ -52,8 +52,8 @@ class PointWalk {
   Halfedge first_, h_;
 };
 
-// The corner whose point has the fewest edges; all are counted side by side, so that a hub costs nothing.
-Vertex loneliest_corner(const Mesh& mesh, Face f) {
+// The corner whose point has the lowest valence. All are counted in lockstep, so a point of high valence costs nothing.
+Vertex lowest_valence_corner(const Mesh& mesh, Face f) {
   std::vector<std::pair<Vertex, PointWalk>> walks;
   for (Vertex v : vertices_around(mesh, f)) walks.emplace_back(v, PointWalk(mesh, v));
   for (;;)
@@ -68,11 +68,13 @@ bool has_corner_count(const Mesh& mesh, Face f, std::size_t expected) {
   return n == expected;
 }
 
-// Faces under a number that is equal for equal point sets.
-struct Filed {
+// A face with an order-independent hash of its point set.
+struct KeyedFace {
   std::uint64_t key;
   std::uint32_t face;
-  friend bool operator<(const Filed& a, const Filed& b) { return a.key != b.key ? a.key < b.key : a.face < b.face; }
+  friend bool operator<(const KeyedFace& a, const KeyedFace& b) {
+    return a.key != b.key ? a.key < b.key : a.face < b.face;
+  }
 };
 
 std::uint64_t mix(std::uint64_t x) {
@@ -81,23 +83,24 @@ std::uint64_t mix(std::uint64_t x) {
   return x ^ (x >> 32);
 }
 
-std::vector<Filed> file_faces(Neighbourhood& around) {
+std::vector<KeyedFace> keyed_faces(Neighbourhood& around) {
   const Mesh& mesh = around.mesh();
-  std::vector<Filed> filed;
+  std::vector<KeyedFace> keyed;
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     if (!mesh.is_alive(Face(i)) || !may_have_equal_face(mesh, Face(i))) continue;
-    Filed entry{0, i};
+    KeyedFace entry{0, i};
     for (Vertex v : vertices_around(mesh, Face(i))) entry.key += mix(around.point(v).index);
-    filed.push_back(entry);
+    keyed.push_back(entry);
   }
-  std::sort(filed.begin(), filed.end());
-  return filed;
+  std::sort(keyed.begin(), keyed.end());
+  return keyed;
 }
 
-// Equal keys almost always mean equal sets; this looks. Adds all but the first face of each set.
-void find_in_group(Neighbourhood& around, const Filed* begin, const Filed* end, std::vector<std::uint32_t>& found) {
+// Resolves hash collisions within a group of equal keys. Adds all but the first face of each point set.
+void find_in_group(Neighbourhood& around, const KeyedFace* begin, const KeyedFace* end,
+                   std::vector<std::uint32_t>& found) {
   std::vector<std::pair<std::vector<Vertex>, std::uint32_t>> sets;
-  for (const Filed* i = begin; i < end; ++i) {
+  for (const KeyedFace* i = begin; i < end; ++i) {
     sets.emplace_back();
     sets.back().second = i->face;
     points_of_face(around, Face(i->face), sets.back().first);
@@ -117,7 +120,7 @@ bool has_lower_equal_face(Neighbourhood& around, Face f) {
   points_of_face(around, f, mine);
   std::sort(mine.begin(), mine.end());
   bool found = false;
-  for_each_copy(mesh, loneliest_corner(mesh, f), [&](Vertex copy) {
+  for_each_copy(mesh, lowest_valence_corner(mesh, f), [&](Vertex copy) {
     if (found || mesh.is_isolated(copy)) return;
     for (Face g : faces_around(mesh, copy)) {
       if (!g || g >= f || !has_corner_count(mesh, g, mine.size())) continue;
@@ -131,12 +134,12 @@ bool has_lower_equal_face(Neighbourhood& around, Face f) {
 }
 
 std::vector<std::uint32_t> find_duplicate_faces(Neighbourhood& around) {
-  const std::vector<Filed> filed = file_faces(around);
+  const std::vector<KeyedFace> keyed = keyed_faces(around);
   std::vector<std::uint32_t> found;
-  for (std::size_t begin = 0; begin < filed.size();) {
+  for (std::size_t begin = 0; begin < keyed.size();) {
     std::size_t end = begin + 1;
-    while (end < filed.size() && filed[end].key == filed[begin].key) ++end;
-    if (end - begin > 1) find_in_group(around, filed.data() + begin, filed.data() + end, found);
+    while (end < keyed.size() && keyed[end].key == keyed[begin].key) ++end;
+    if (end - begin > 1) find_in_group(around, keyed.data() + begin, keyed.data() + end, found);
     begin = end;
   }
   std::sort(found.begin(), found.end());
@@ -148,7 +151,7 @@ Face hanging_partner(Neighbourhood& around, Face f) {
   if (!may_have_equal_face(mesh, f)) return Face();
   const Halfedge a = mesh.halfedge(f), b = mesh.next(a), c = mesh.next(b);
   if (mesh.next(c) != a || mesh.has_rings(f)) return Face();
-  // A triangle that shares two edges shares all three points; an edge with a third face leads nowhere.
+  // A triangle that shares two edges shares all three points; across() is none at edges with a third face.
   Face candidates[3];
   for (int i = 0; Halfedge h : {a, b, c}) {
     const Halfedge other = around.across(h);

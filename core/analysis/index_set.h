@@ -1,4 +1,4 @@
-// A set of slot numbers as bits, visited in ascending order.
+// A set of slot numbers as a bit set with ascending iteration.
 #pragma once
 
 #include <bit>
@@ -8,9 +8,8 @@
 
 namespace ryosen {
 
-// Two levels of bits: a summary bit per word that is not zero, so that sparse sets are quick to visit. insert, erase
-// and contains are O(1), a visit costs the members plus one step per 4096 slots, nth() these steps alone. Grows on
-// insertion.
+// Two levels: a summary bit per nonzero word, so that sparse sets are fast to iterate. insert, erase and contains are
+// O(1) (insert may grow the set), iteration costs the members plus one step per 4096 slots, nth() only these steps.
 class IndexSet {
  public:
   bool contains(std::uint32_t i) const {
@@ -43,17 +42,17 @@ class IndexSet {
   }
   void clear() { *this = IndexSet(); }
 
-  // Ascending. The set must not change meanwhile.
+  // In ascending order. The set must not change during the call.
   template <class Visit>
   void for_each(Visit visit) const {
     for_each_from(0, visit);
   }
-  // Those that are not smaller than first.
+  // The members >= first.
   template <class Visit>
   void for_each_from(std::uint32_t first, Visit visit) const {
     for_each_in(first, static_cast<std::uint32_t>(64 * words_.size()), visit);
   }
-  // Those that are not smaller than first, and smaller than end.
+  // The members in [first, end).
   template <class Visit>
   void for_each_in(std::uint32_t first, std::uint32_t end, Visit visit) const {
     for (std::size_t s = first / 4096; s < summary_.size() && s * 4096 < end; ++s)
@@ -65,7 +64,7 @@ class IndexSet {
         }
       }
   }
-  // The member with n smaller ones; n < size().
+  // The n-th member in ascending order, from 0; n < size().
   std::uint32_t nth(std::uint32_t n) const {
     std::size_t s = 0;
     while (n >= members_[s]) n -= members_[s++];
@@ -98,7 +97,7 @@ class IndexSet {
 
   std::vector<std::uint64_t> words_;
   std::vector<std::uint64_t> summary_;  // one bit per word
-  std::vector<std::uint32_t> members_;  // per summary word: how many below it
+  std::vector<std::uint32_t> members_;  // per summary word: number of members it covers
   std::uint32_t size_ = 0;
 };
 

@@ -68,7 +68,7 @@ Broken check_halfedges(const Mesh& m) {
   return {};
 }
 
-// The numbers of the rings of a face, or that its chain does not end or names a dead ring.
+// Collects the starts of a face's rings; reports a chain that does not end or contains a dead ring.
 Broken collect_rings(const Mesh& m, Face f, std::vector<bool>& seen, std::vector<Halfedge>& starts) {
   for (std::uint32_t r = m.first_ring(f); r != no_index; r = m.ring(r).next) {
     if (r >= seen.size() || seen[r]) return broken("ring_chain", f, "has a chain of rings that does not end");
@@ -81,8 +81,8 @@ Broken collect_rings(const Mesh& m, Face f, std::vector<bool>& seen, std::vector
   return {};
 }
 
-// The loops of a face, its bridges taken out, have three or more corners each and share no vertex. `last_face` is where
-// each vertex was met last; only a face that meets one twice can have bridges.
+// With bridges removed, the loops of a face have three or more corners each and share no vertex. `last_face` is the
+// last face seen at each vertex; only a face that visits a vertex twice can have bridges.
 Broken check_loops(const Mesh& m, Face f, const std::vector<Halfedge>& starts, std::vector<Face>& last_face,
                    std::uint32_t& in_loops) {
   Vertex twice;
@@ -114,7 +114,7 @@ Broken check_loops(const Mesh& m, Face f, const std::vector<Halfedge>& starts, s
   return {};
 }
 
-// next is a permutation of the live halfedges here, so loops close.
+// Precondition: next is a permutation of the live halfedges, so loops close.
 Broken check_faces(const Mesh& m) {
   std::uint32_t with_face = 0, in_loops = 0, live = 0, rings = 0;
   for (std::uint32_t i = 0; i < m.halfedge_slots(); ++i) with_face += m.is_alive(Halfedge(i)) && m.face(Halfedge(i));
@@ -164,7 +164,7 @@ Broken check_vertex(const Mesh& m, Vertex v, std::uint32_t outgoing, std::vector
   return {};
 }
 
-// twin(prev(h)) is a permutation of the live halfedges that keeps their origin, so the walks close.
+// Precondition: twin(prev(h)) is a permutation of the live halfedges that preserves the origin, so the walks close.
 Broken check_vertices(const Mesh& m) {
   std::vector<std::uint32_t> outgoing(m.vertex_slots(), 0);
   for (std::uint32_t i = 0; i < m.halfedge_slots(); ++i)

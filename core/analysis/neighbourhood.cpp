@@ -30,7 +30,7 @@ Neighbourhood::Neighbourhood(const Mesh& mesh, Reach reach) : mesh_(mesh), is_wh
   if (!is_whole_ || !mesh.has_copies()) return;
   points_.assign(mesh.vertex_slots(), Vertex());
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
-    // Ascending, so the first copy met is the one that names the point.
+    // Ascending, so the first copy found is the representative.
     if (!mesh.is_alive(Vertex(i)) || points_[i]) continue;
     for_each_copy(mesh, Vertex(i), [&](Vertex copy) { points_[copy.index] = Vertex(i); });
   }
@@ -82,7 +82,7 @@ void Neighbourhood::gather_edges(StarRecord& record) {
     const bool arrives = (side & 1u) != 0;
     const Halfedge corner = corners[side / 2];
     ++(arrives ? e.faces.backward : e.faces.forward);
-    // None is the largest number.
+    // None compares largest.
     e.first_sheet = std::min(e.first_sheet, ryosen::edge(arrives ? mesh_.prev(corner) : corner));
     const Face face = mesh_.face(corner);
     if (!e.last_face || face > e.last_face) e.last_face = face;
@@ -136,7 +136,7 @@ Star Neighbourhood::star(Vertex v) {
 
 StarEdge Neighbourhood::star_edge(Halfedge h, bool& reversed) {
   const Vertex a = point(mesh_.from(h)), b = point(mesh_.to(h));
-  // The smaller point's star serves all its edges, which lie side by side.
+  // Use the smaller point's star: edges sorted by smaller point then share it.
   reversed = b < a;
   const StarEdge* found = star(std::min(a, b)).edge_to(std::max(a, b));
   return found ? *found : StarEdge();
@@ -201,7 +201,7 @@ Neighbourhood::TwoSides Neighbourhood::two_sides(Edge e) {
 
 std::uint32_t Neighbourhood::fans(Vertex v) {
   if (!is_plain(v)) return star(v).fans;
-  // One gap or none: a vertex without a face is isolated or the end of one wire.
+  // At most one gap: without a face the vertex is isolated or the end of one wire.
   const Halfedge h = mesh_.halfedge(v);
   return h && !(mesh_.is_outside(h) && mesh_.counter_clockwise(h) == h) ? 1 : 0;
 }

@@ -1,8 +1,8 @@
-// What lies around the points of a mesh, over all their copies: faces per edge, fans of faces, boundary chains, normals.
+// Adjacency queries on points, over all their copies: faces per edge, fans of faces, boundary chains, normals.
 //
-// Figures and problems speak of points and of undirected edges between them; the kernel holds copies and cut edges. A
-// Neighbourhood answers for points. Where neither end of an edge has copies the answer is read from the links;
-// elsewhere from the star of the point, which is gathered once and kept.
+// Figures and problems refer to points and undirected edges between them; the mesh stores copies and cut edges. A
+// Neighbourhood answers queries on points. If neither end of an edge has copies the answer is read from the links,
+// otherwise from the star of the point, which is gathered once and cached.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -22,84 +22,85 @@ struct StarEdge {
   Vertex neighbour;              // a point
   PointEdge faces;               // forward: away from the star's point
   Edge first_sheet;              // the lowest slot among the sheets with a face
-  Face last_face;                // the highest face on it
-  std::uint32_t first_side = 0;  // its sides are those from here on, faces.faces() of them
+  Face last_face;                // the highest face at it
+  std::uint32_t first_side = 0;  // into sides: the first of its faces.faces() sides
 };
 
-// The corners of faces at a point. Corner c has two sides: 2c along corners[c], and 2c + 1 along the halfedge before it.
-// A view into a Neighbourhood.
+// The face corners at a point. Corner c has two sides: 2c along corners[c], and 2c + 1 along the halfedge before it.
+// Views into a Neighbourhood.
 struct Star {
-  std::span<const Halfedge> corners;            // they leave the point; ascending
+  std::span<const Halfedge> corners;            // outgoing halfedges; ascending
   std::span<const StarEdge> edges;              // ascending by neighbour
-  std::span<const std::uint32_t> sides;         // of all corners, edge after edge
+  std::span<const std::uint32_t> sides;         // of all corners, grouped by edge
   std::span<const std::uint32_t> edge_of_side;  // into edges
-  std::uint32_t fans = 0;                       // groups of corners that shared edges join, whatever their direction
+  std::uint32_t fans = 0;                       // groups of corners connected by shared edges, whatever their direction
   bool has_nonmanifold_edge = false;
 
   // The edge to a point, or null.
   const StarEdge* edge_to(Vertex neighbour_point) const;
-  // Where a boundary side leads on through its fan: the boundary side at the other end, or no_index where an edge with
-  // three or more faces ends the fan.
+  // The boundary side at the other end of a boundary side's fan, or no_index if an edge with three or more faces ends
+  // the fan.
   std::uint32_t other_boundary_side(std::uint32_t side) const;
 };
 
-// A boundary edge, met on the way along a boundary: the side with the face, left over its end or over its origin.
+// A step along a boundary: the halfedge with the face of a boundary edge, and whether the walk leaves it at its end or
+// at its origin.
 struct BoundaryStep {
   Halfedge inside;
   bool at_end = true;
 };
 
-// Views of the mesh, which must outlive it and stay as it is.
+// Refers to the mesh, which must outlive it and not change.
 class Neighbourhood {
  public:
-  // `whole` prepares for questions about every element: O(vertices) where the mesh has copies. Without it each question
-  // costs the stars that it touches, never the mesh.
+  // `whole` prepares for queries about every element: O(vertices) if the mesh has copies. With `local` each query costs
+  // only the stars it touches.
   enum class Reach { local, whole };
   explicit Neighbourhood(const Mesh& mesh, Reach reach = Reach::local);
 
   const Mesh& mesh() const { return mesh_; }
 
   Vertex point(Vertex v);
-  // Whether a vertex is its point alone and holds at most one gap; then it is one fan of faces, or none.
+  // Whether a vertex has no copies and at most one gap; then it has one fan of faces, or none.
   bool is_plain(Vertex v) const;
-  // Whether the edge between the two points is this one sheet, by the rule that one edge joins two vertices.
+  // Whether the edge between the two points has only this sheet: at most one edge joins two vertices.
   bool is_single_sheet(Halfedge h) const {
     return !has_copies(mesh_, mesh_.from(h)) && !has_copies(mesh_, mesh_.to(h));
   }
 
-  // Gathered over all copies. Cost: the corners there, once. The view holds until the next call of any member.
+  // Over all copies. Cost: the corners there, on the first call only. Valid until the next call of any member.
   Star star(Vertex v);
 
   // The faces between the points of h, forward along h.
   PointEdge edge(Halfedge h);
-  // Whether e is the sheet that stands for its edge on points: the lowest slot with a face.
+  // Whether e is the representative sheet of its edge on points: the lowest slot with a face.
   bool is_first_sheet(Edge e);
   // The highest face at the edge on points.
   Face last_face(Halfedge h);
-  // All faces on it, one entry per side.
+  // All faces at it, one entry per side.
   void faces_at(Halfedge h, std::vector<Face>& faces);
-  // Where exactly two faces share the edge of h (which has a face): the halfedge of the other one. Else none.
+  // If exactly two faces share the edge of h (which has a face): the halfedge of the other one. Else none.
   Halfedge across(Halfedge h);
-  // Where exactly two faces share the edge on points and e stands for it: a side in each, the first one on e. Else none.
+  // If exactly two faces share the edge on points and e represents it: a side in each, the first one on e. Else none.
   struct TwoSides {
     Halfedge first, second;
   };
   TwoSides two_sides(Edge e);
-  // Whether two sides of one edge on points run in the same direction: their faces are turned against each other then.
+  // Whether two sides of one edge on points have the same direction: their faces are then inconsistently oriented.
   bool run_alike(Halfedge a, Halfedge b) { return point(mesh_.from(a)) == point(mesh_.from(b)); }
   // Fans of faces at the point.
   std::uint32_t fans(Vertex v);
 
-  // The unit normal of a face by the area of its polygon; zero where it has none: no area, or a place that is not
-  // finite. Cost: the corners; of a face with many, once.
+  // The unit normal of a face (of its vector area); zero if the area is zero or a position is not finite. Cost: the
+  // corners; cached for faces with many.
   glm::dvec3 normal(Face f);
 
-  // The next boundary edge of the chain through the fan of faces at the end; `inside` none where the chain stops at a
+  // The next boundary edge of the chain, through the fan of faces at the end; `inside` is none if the chain stops at a
   // non-manifold edge.
   BoundaryStep next_boundary(BoundaryStep step);
 
  private:
-  // A star's parts in the pools.
+  // The ranges of a star in the pools.
   struct StarRecord {
     std::uint32_t first_corner = 0, corners = 0, first_edge = 0, edges = 0, fans = 0;
     bool has_nonmanifold_edge = false;
@@ -113,7 +114,7 @@ class Neighbourhood {
   Star view(const StarRecord& record) const;
 
   const Mesh& mesh_;
-  // By slot when the whole mesh is asked, by number otherwise.
+  // Arrays by slot with Reach::whole, maps otherwise.
   std::vector<Vertex> points_;
   std::vector<std::uint32_t> record_of_point_;
   std::unordered_map<Vertex, Vertex> known_points_;

@@ -49,7 +49,7 @@ glm::dvec3 NumberedSurface::scaled_normal(const NumberedTriangle& t) const {
   return glm::cross(to_b, to_c);
 }
 
-// From the middle half of places, so that a few far out do not make the others small.
+// From the interquartile range of a sample of positions, so that outliers do not shrink the rest.
 void NumberedSurface::choose_frame() {
   constexpr std::uint32_t most_samples = 1000;
   const std::uint32_t samples = std::min(slots(), most_samples);

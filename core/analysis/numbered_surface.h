@@ -1,4 +1,4 @@
-// The triangles of a mesh with their corners by point.
+// The triangles of a mesh with corners numbered by point.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -10,22 +10,21 @@
 
 namespace ryosen {
 
-// Refers to the mesh, which must stay as it is.
+// Refers to the mesh, which must not change.
 class NumberedSurface {
  public:
   explicit NumberedSurface(const Mesh& mesh);
 
   std::uint32_t slots() const { return static_cast<std::uint32_t>(triangles_.triangles().size()); }
   Face face(std::uint32_t slot) const { return Face(triangles_.faces()[slot]); }
-  // Numbers are those of points: copies of a point have one.
+  // Copies of a point have the same number.
   NumberedTriangle triangle(std::uint32_t slot) const;
-  // Whether the corners lie on one line, exactly; so do those of a slot that is not in use.
+  // Whether the corners are collinear (exact); true for an unused slot.
   bool is_flat(std::uint32_t slot) const;
   // How many triangles have a corner at the point, by its number. O(triangles).
   std::vector<std::uint32_t> triangles_at_points() const;
 
-  // A frame that fits floats, which are finest around zero and hold a mesh of about one unit: places are moved by the
-  // origin, in the middle of the mesh, and then scaled.
+  // A frame suited to floats: positions are translated by the origin, their median, then scaled to about one unit.
   const glm::dvec3& origin() const { return origin_; }
   double scale() const { return scale_; }
   // The cross product of two sides of a triangle in that frame, rounded: twice its area along its normal.

@@ -10,7 +10,7 @@ namespace ryosen {
 void one_ring_sums(const Mesh& mesh, std::span<const glm::dvec3> values, std::span<glm::dvec3> sums) {
   assert(values.size() == mesh.vertex_slots() && sums.size() == mesh.vertex_slots());
   std::fill(sums.begin(), sums.end(), glm::dvec3(0));
-  // Edges come in the order of one of their ends, as builders number them; it is the other that is far.
+  // Edges are sorted by one end (pair_corners), which is in the cache; prefetch the other.
   constexpr std::uint32_t ahead = 32;
   const std::uint32_t edges = mesh.edge_slots();
   for (std::uint32_t e = 0; e < edges; ++e) {

@@ -9,12 +9,12 @@ namespace ryosen {
 
 namespace {
 
-constexpr std::uint32_t least_star = 64;      // triangles around a point that are worth a subtree
-constexpr std::uint32_t least_slivers = 128;  // triangles that are worth a view along them
-constexpr std::uint32_t samples = 16;         // triangles that speak for all of a node
-constexpr double sliver_size = 16.0;          // boxes that are so much larger than their triangles tell little apart
+constexpr std::uint32_t least_star = 64;      // fewest triangles around a point that get a subtree
+constexpr std::uint32_t least_slivers = 128;  // fewest triangles that get a view aligned with them
+constexpr std::uint32_t samples = 16;         // triangles sampled per node
+constexpr double sliver_size = 16.0;          // ratio of box to triangle area above which boxes separate poorly
 
-// Orders by the centers of boxes along the axis on which these lie farthest apart; `middle` is the one that divides them.
+// Partitions at the `middle`-th item by box centre along the axis of largest extent.
 template <class Item, class Number>
 void halve(std::span<Item> items, std::size_t middle, const Number& number) {
   const auto center = [](const Item& item, std::size_t axis) { return item.box.lowest[axis] + item.box.highest[axis]; };
@@ -68,7 +68,7 @@ void OverlapTree::collect_triangles(unsigned threads) {
 std::vector<OverlapTree::Star> OverlapTree::gather_stars() {
   const std::vector<std::uint32_t> at_point = surface_.triangles_at_points();
   if (std::none_of(at_point.begin(), at_point.end(), [](std::uint32_t n) { return n >= least_star; })) return {};
-  // A triangle belongs to the star of that corner which has the most triangles.
+  // A triangle belongs to the star of its corner with the most triangles.
   const auto is_lesser = [&](std::uint32_t a, std::uint32_t b) {
     return at_point[a] != at_point[b] ? at_point[a] < at_point[b] : a > b;
   };
@@ -80,7 +80,7 @@ std::vector<OverlapTree::Star> OverlapTree::gather_stars() {
     star_of[t.slot] = tip;
     ++size[tip];
   }
-  // What is left of a star must be more than a leaf.
+  // A star that kept no more triangles than a leaf holds is dissolved.
   const auto tip_of = [&](const Triangle& t) {
     const std::uint32_t tip = star_of[t.slot];
     return tip != no_index && size[tip] > leaf_size ? tip : no_index;
@@ -169,8 +169,8 @@ const OverlapView& OverlapTree::view_below(std::uint32_t first, std::uint32_t la
   return aslant_size < box_size / 2 ? add_view(aslant) : view;
 }
 
-// Along the normal, with which a flat star lies on the equator of its octahedron and a cone around the pole. Where its
-// triangles do not turn one way, the normal is that of most.
+// Aligned with the mean normal: a flat star then maps to the equator of the octahedron and a cone to a circle around
+// the pole. If the normals cancel, the sum of sign-aligned normals.
 OverlapView OverlapTree::view_of_star(const Star& star) const {
   AlignedSum aligned;
   glm::dvec3 sum(0.0), tip(0.0);

@@ -1,8 +1,9 @@
-// A tree of boxes over the triangles of a surface, which finds the pairs whose boxes overlap.
+// A bounding volume hierarchy over the triangles of a surface for broad-phase self-collision: finds the pairs with
+// overlapping boxes.
 //
-// Boxes along the axes tell little apart where triangles are long and thin: the wedges of a fan all overlap at its tip,
-// and so do parallel slivers aslant. So triangles around a point with many form a star, a subtree of its own in which
-// boxes hold directions from there; and where triangles turn out to be slivers, the boxes of a subtree lie along them.
+// Axis-aligned boxes separate long, thin triangles poorly: the boxes of a fan all overlap at its tip, and so do those
+// of parallel oblique slivers. So the triangles around a point of high valence form a star, a subtree whose boxes bound
+// directions from that point; and subtrees of slivers use boxes oriented along them.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +17,15 @@
 
 namespace ryosen {
 
-// Refers to the surface. Building takes O(n log n). threads: as many as may work at the same time.
+// Refers to the surface. Build: O(n log n), on up to `threads` threads.
 class OverlapTree {
  public:
   OverlapTree(const NumberedSurface& surface, unsigned threads);
 
   std::uint32_t node_count() const { return static_cast<std::uint32_t>(nodes_.size()); }
 
-  // Calls visit(slot, slot) for each pair of triangles with overlapping boxes of which the one that comes first is in the
-  // leaf `node`, until it returns false; then so does this.
+  // Calls visit(slot, slot) for each pair of triangles with overlapping boxes whose first one, in leaf order, is in the
+  // leaf `node`. Stops and returns false when visit does.
   template <class Visit>
   bool visit_pairs(std::uint32_t node, const Visit& visit) const;
 
@@ -35,20 +36,20 @@ class OverlapTree {
     OverlapBox box;  // in the view of its leaf
     std::uint32_t slot;
   };
-  // Nodes lie in depth-first order, so that whatever comes later in the order of leaves lies behind.
+  // Nodes are stored in preorder, so later leaves have larger indices.
   struct Node {
     OverlapBox box;
-    const OverlapView* view;  // the one the box is in
-    std::uint32_t behind;     // the first node that is not below this one
+    const OverlapView* view;  // of the box
+    std::uint32_t behind;     // index past this node's subtree
     std::uint32_t first = 0;  // a leaf's triangles
     std::uint32_t count = 0;
   };
   struct Star {
-    OverlapBox box;             // in the view of space
+    OverlapBox box;             // in the axis-aligned view
     std::uint32_t first, last;  // its triangles
     std::uint32_t point;
   };
-  // The triangles of a leaf in the view of the node at hand.
+  // The triangles of a leaf, in the view of the node they are tested against.
   struct Leaf {
     std::array<OverlapBox, leaf_size> boxes;
     OverlapBox whole;
@@ -65,14 +66,14 @@ class OverlapTree {
   void build(std::uint32_t node, std::uint32_t first, std::uint32_t last, const OverlapView& view, unsigned threads);
   void build_stars(std::uint32_t node, std::span<Star> stars, unsigned threads);
   void divide(std::uint32_t node, std::uint32_t first, std::uint32_t last, const OverlapView& view, unsigned threads);
-  // The view for what is below a node: another one where its triangles are slivers that lie along each other.
+  // The view for a node's children: an oriented one if its triangles are aligned slivers.
   const OverlapView& view_below(std::uint32_t first, std::uint32_t last, const OverlapView& view);
   OverlapView view_of_star(const Star& star) const;
   const OverlapView& add_view(const OverlapView& view);
-  // Brings the boxes of triangles into a view.
+  // Recomputes the boxes of triangles in a view.
   void look(std::uint32_t first, std::uint32_t last, const OverlapView& view);
   void look(const Node& leaf, const OverlapView& view, Leaf& seen) const;
-  // Whether triangle i of a leaf overlaps triangle j of another in the view of the former too.
+  // Whether the boxes of triangle i of a leaf and triangle j of another also overlap in the former's view.
   bool overlap_for_leaf(const Node& leaf, std::uint32_t i, const Node& other, std::uint32_t j) const {
     return leaf.view == other.view || leaf.view == &views_.front() ||
            triangles_[leaf.first + i].box.overlaps(leaf.view->box_of(surface_.triangle(triangles_[j].slot)));
@@ -81,7 +82,7 @@ class OverlapTree {
   const NumberedSurface& surface_;
   std::vector<Triangle> triangles_;
   std::vector<Node> nodes_;
-  std::deque<OverlapView> views_;  // their places stay; the first is that of space
+  std::deque<OverlapView> views_;  // a deque for stable addresses; the first is the axis-aligned view
   std::mutex views_change_;
 };
 

@@ -9,11 +9,11 @@ namespace ryosen {
 
 namespace {
 
-// All floats that a box can have: larger numbers count as these.
+// Box coordinates are clamped to this magnitude.
 constexpr float far_away = 1e37F;
 constexpr OverlapBox everywhere{{-far_away, -far_away, -far_away, -far_away}, {far_away, far_away, far_away, far_away}};
 
-// A box in doubles that is widened by what rounding may have moved.
+// A bounding box in doubles, inflated by rounding error bounds.
 class WideBox {
  public:
   void add(const glm::dvec4& p, const glm::dvec4& rounding) {
@@ -21,7 +21,7 @@ class WideBox {
     highest_ = glm::max(highest_, p + rounding);
     is_finite_ = is_finite_ && std::isfinite(p.x + p.y + p.z + p.w + rounding.x + rounding.w);
   }
-  // Everywhere, if numbers were too large.
+  // `everywhere` on overflow.
   OverlapBox box() const {
     if (!is_finite_) return everywhere;
     OverlapBox box;
@@ -39,14 +39,14 @@ class WideBox {
   glm::dvec4 lowest_{std::numeric_limits<double>::infinity()}, highest_{-lowest_};
 };
 
-// A direction as a place on the octahedron, and how far away it is.
+// A direction projected onto the unit octahedron (L1 sphere), with its L1 distance as fourth coordinate.
 void add_direction(const glm::dvec3& d, WideBox& box) {
   constexpr double rounding = 1e-9;
   const double distance = std::abs(d.x) + std::abs(d.y) + std::abs(d.z);
   box.add({d / distance, distance}, {glm::dvec3(rounding), rounding * distance});
 }
 
-// Where a segment bends on the octahedron: at the edges of that.
+// The bends of a projected segment: where it crosses edges of the octahedron.
 void add_bends(const glm::dvec3& d, const glm::dvec3& e, WideBox& box) {
   for (int k = 0; k < 3; ++k)
     if ((d[k] < 0.0 && e[k] > 0.0) || (d[k] > 0.0 && e[k] < 0.0)) {
@@ -56,13 +56,13 @@ void add_bends(const glm::dvec3& d, const glm::dvec3& e, WideBox& box) {
     }
 }
 
-// The corners of the octahedron that lie behind or before a triangle of directions, at any distance. One that a side of
-// the triangle all but meets is left out: a bend or a corner of the triangle is there.
+// Adds the octahedron's vertices inside the projected triangle, both signs, at distance 0. One that almost lies on a
+// side is skipped: a bend or a corner of the triangle is already there.
 void add_tops(const std::array<glm::dvec3, 3>& d, WideBox& box) {
   constexpr double least_distance = 1e-13;
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
-    // On which side of a side the corner is.
+    // Orientation of the vertex relative to a side.
     const auto side = [&](const glm::dvec3& a, const glm::dvec3& b) {
       const double turn = a[i] * b[j] - a[j] * b[i], length = std::abs(a[i] - b[i]) + std::abs(a[j] - b[j]);
       return turn > least_distance * length ? 1 : turn < -least_distance * length ? -1 : 0;
@@ -97,8 +97,8 @@ OverlapBox OverlapView::box_of_places(const NumberedTriangle& t) const {
   return box.box();
 }
 
-// Rounding moves a direction the farther the nearer its place is to the tip, compared with the corners it lies between.
-// So a triangle counts as everywhere where its corners do not all lie well on one side of the tip.
+// The projection is ill-conditioned where a triangle passes close to the tip relative to its corners' distances. So a
+// triangle gets the box `everywhere` unless its corners' directions are all well within one half-space.
 OverlapBox OverlapView::box_of_directions(const NumberedTriangle& t) const {
   constexpr double smallest = 1e-290, least_cosine = 1e-2;
   std::array<glm::dvec3, 3> places, directions;

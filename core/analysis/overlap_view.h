@@ -1,4 +1,4 @@
-// Ways to look at triangles so that boxes tell apart what is apart.
+// Coordinate maps in which the bounding boxes of disjoint triangles overlap less often.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace ryosen {
 
-// Intervals of three coordinates and a fourth. By floats: where two boxes of doubles overlap, so do these, because
-// rounding keeps the order of numbers.
+// A bounding box in four coordinates. Rounding to float is monotonic, so boxes that overlap in double also overlap in
+// float.
 struct OverlapBox {
   static constexpr std::size_t sides = 4;
   std::array<float, sides> lowest, highest;
@@ -21,7 +21,7 @@ struct OverlapBox {
     constexpr float far = std::numeric_limits<float>::infinity();
     return {{far, far, far, far}, {-far, -far, -far, -far}};
   }
-  // Without branches, which nobody could foretell.
+  // Branchless: the outcome is unpredictable.
   bool overlaps(const OverlapBox& b) const {
     int apart = 0;
     for (std::size_t i = 0; i < sides; ++i)
@@ -34,24 +34,22 @@ struct OverlapBox {
       highest[i] = std::max(highest[i], b.highest[i]);
     }
   }
-  // Half of the surface of the first three sides.
+  // Half the surface area in the first three coordinates.
   float size() const {
     const float x = highest[0] - lowest[0], y = highest[1] - lowest[1], z = highest[2] - lowest[2];
     return x * y + y * z + z * x;
   }
 };
 
-// A map of space, or of the directions from a point, to a space of boxes. Whatever triangles have in common lies in the
-// boxes of each of them; only what they have in common at the point itself, where that is a corner of both, does not
-// count.
+// A map of space, or of the directions from a point (the tip), to box coordinates. Triangles that intersect have
+// overlapping boxes, except if they intersect only at the tip, as a common corner.
 class OverlapView {
  public:
-  // Places, moved to the origin and scaled, then turned.
+  // Positions, translated by the origin, scaled and rotated.
   OverlapView(const glm::dvec3& origin, double scale, const glm::dmat3& axes)
       : origin_(origin), scale_(scale), axes_(axes) {}
-  // The directions from a tip, where many triangles meet whose boxes all overlap: thin arcs for these, apart from each
-  // other but for neighbours. Directions end on the octahedron around the tip, along whose sides what is straight stays
-  // straight.
+  // Directions from a tip at which many triangles meet: their images are thin arcs, which only neighbours share.
+  // Directions are projected onto an octahedron around the tip, on whose faces straight lines stay straight.
   static OverlapView from_tip(const glm::dvec3& tip, double scale, std::uint32_t number, const glm::dmat3& axes);
 
   bool is_from_tip() const { return tip_ != no_index; }
@@ -67,10 +65,10 @@ class OverlapView {
   std::uint32_t tip_ = no_index;
 };
 
-// The axes of a view whose last is the one given; those of space where that has no direction.
+// An orthonormal frame with the given direction as its last axis; the identity if it has no direction.
 glm::dmat3 axes_along(const glm::dvec3& axis);
 
-// A sum of vectors that may point either way: each is added so that it does not shorten the sum.
+// A sum of vectors of arbitrary sign: each is negated if needed so that it does not shorten the sum.
 class AlignedSum {
  public:
   void add(const glm::dvec3& v);

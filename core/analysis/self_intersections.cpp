@@ -12,7 +12,7 @@ namespace ryosen {
 
 namespace {
 
-// Pairs up to so many and one more. A pair may come often, where faces have many triangles.
+// Distinct pairs, full once there are more than `most`. Faces with many triangles report a pair repeatedly.
 class PairList {
  public:
   explicit PairList(std::size_t most) : most_(most), compact_at_(most) {}
@@ -46,7 +46,7 @@ SelfIntersections find_self_intersections(const Mesh& mesh, std::size_t most, un
   const NumberedSurface surface(mesh);
   if (threads == 0) threads = threads_for(surface.slots());
   const OverlapTree tree(surface, threads);
-  // Rounds and parts are of one size however many threads there are, so that a search that ends early ends alike.
+  // Round and part sizes do not depend on the thread count, so that a search cut short by `most` is deterministic.
   constexpr std::uint32_t part_size = 256, parts = 8;
   PairList all(most);
   for (std::uint32_t round = 0; round < tree.node_count() && !all.is_full(); round += parts * part_size) {

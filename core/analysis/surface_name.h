@@ -1,4 +1,4 @@
-// What a connected surface is called, by the classification of surfaces.
+// The name of a connected surface by the classification theorem.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace ryosen {
 
-// "sphere", "torus", "Moebius strip", "Klein bottle", ..., else handles or crosscaps and boundary loops in numbers. None
-// where the figures are not those of one manifold component.
+// "sphere", "torus", "Moebius strip", "Klein bottle", ..., else the numbers of handles or crosscaps and of boundary
+// loops. None if the figures are not those of one manifold component.
 std::optional<Text> surface_name(const Figures& figures);
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-// The one table of the codes of messages: what scripts and tests may rely on, where sentences may change.
+// The table of message codes: stable identifiers that scripts and tests may rely on, while sentences may change.
 #pragma once
 
 #include <cstdint>
@@ -7,20 +7,20 @@
 
 namespace ryosen {
 
-// With which severities messages of a code occur.
+// The severities with which a code occurs.
 enum class CodeSeverity : std::uint8_t { error, warning, error_or_warning, info };
 
 struct CodeRow {
   std::string_view id;
   CodeSeverity severity;
-  std::string_view en, ja;  // one sentence, whatever a single message says besides
+  std::string_view en, ja;  // a general sentence; the single message is more specific
 };
 
 namespace codes {
 
 using enum CodeSeverity;
 
-// By what they are about, in the order of the alphabet there.
+// Grouped by topic, alphabetical within a group.
 inline constexpr CodeRow table[] = {
     // The command line and the lines of scripts.
     {"bad_arguments", error, "The words behind a command do not fit it.", "コマンドの引数が正しくありません。"},
@@ -45,7 +45,7 @@ inline constexpr CodeRow table[] = {
     {"usage", error, "Flags are missing, or do not go together.", "フラグが足りないか、組み合わせられません。"},
     {"value_missing", error, "A flag has no value.", "フラグの値がありません。"},
 
-    // Runs.
+    // Running the program.
     {"cancelled", error, "The command was interrupted.", "コマンドが中止されました。"},
     {"command_failed", error, "A command of a script failed.", "スクリプトのコマンドが失敗しました。"},
     {"image_sizes_differ", error, "The picture and the one to compare with have different sizes.",
@@ -61,7 +61,7 @@ inline constexpr CodeRow table[] = {
     {"shader_refused", error, "The graphics driver refuses a shader.",
      "グラフィックスドライバーがシェーダーを受け付けません。"},
 
-    // Inputs as files and folders.
+    // Input files and folders.
     {"folder_empty", error, "A folder holds no mesh that can be read.", "フォルダに読めるメッシュがありません。"},
     {"folder_unreadable", error, "A folder cannot be read.", "フォルダを読めません。"},
     {"input_is_folder", error, "The input is a folder.", "入力がフォルダです。"},
@@ -70,7 +70,7 @@ inline constexpr CodeRow table[] = {
      "入力が通常のファイルではありません（パイプ、デバイス、ソケット）。"},
     {"input_unreadable", error, "The system does not let the input be read.", "入力を読めません。"},
 
-    // What the content of a file is.
+    // File formats.
     {"binary_content", error, "The content is binary and of no known format.", "内容が未知のバイナリデータです。"},
     {"compressed_file", error, "The file is compressed.", "ファイルが圧縮されています。"},
     {"compressed_twice", error, "The content of a gzip file is itself a gzip file.",
@@ -99,7 +99,7 @@ inline constexpr CodeRow table[] = {
      "数のバイト順が逆になっています。"},
     {"zeros", error, "The file holds zeros alone.", "ファイルがゼロだけです。"},
 
-    // Heads and counts.
+    // Headers and counts.
     {"count_too_large", error, "A count is more than the file can hold.", "個数がファイルの大きさに収まりません。"},
     {"missing_element", error, "The head names no vertices.", "ヘッダーに頂点の要素がありません。"},
     {"missing_format", error, "The head names no encoding.", "ヘッダーに format の行がありません。"},
@@ -165,7 +165,7 @@ inline constexpr CodeRow table[] = {
     {"zero_based", error, "Faces count vertices from 0 where the format counts from 1.",
      "1 から数える形式で、頂点の番号が 0 から始まっています。"},
 
-    // What a file that is written cannot hold, each with its count in the message.
+    // What an output format cannot represent; the message gives the count.
     {"keeps_vertices", warning, "Removed vertices stay in the file, as something beside the mesh uses them.",
      "削除した頂点が、メッシュ以外の要素に使われるためファイルに残ります。"},
     {"loses_comments", warning, "Comments are lost.", "コメントが失われます。"},
@@ -219,15 +219,14 @@ inline constexpr CodeRow table[] = {
 
 }  // namespace codes
 
-// The code of a message: a row of the table. It is made of a literal, and one that the table does not have does not
-// compile.
+// The code of a message: a row of the table. Constructed from a literal; an unknown code does not compile.
 class Code {
  public:
   consteval Code(const char* id) : row_(find(id)) {}
 
   constexpr const CodeRow& row() const { return *row_; }
   constexpr operator std::string_view() const { return row_->id; }
-  // Also with literals, and in tests with texts that are read.
+  // Comparison with literals, and in tests with parsed text.
   friend constexpr bool operator==(Code a, Code b) { return a.row_ == b.row_; }
   friend constexpr bool operator==(Code a, std::string_view b) { return a.row_->id == b; }
   friend constexpr bool operator==(Code a, const char* b) { return a.row_->id == b; }

@@ -1,4 +1,5 @@
-// A list of plain values that takes one pointer where it is empty; for structs of which a file may give millions.
+// An array of trivially copyable values that costs one pointer while empty; for structs that a file may hold by the
+// million.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +13,8 @@
 
 namespace ryosen {
 
-// Contiguous like a vector, but its length changes only as a whole. One block of memory where it is not empty, none
-// where it is. Copies copy the values; a list that was moved from is empty.
+// Contiguous like a vector, but resized only by assigning it as a whole. One allocation if not empty, none otherwise.
+// Copies are deep; a moved-from list is empty.
 template <class Value>
 class CompactList {
   static_assert(std::is_trivially_copyable_v<Value> && alignof(Value) <= sizeof(std::size_t));
@@ -69,7 +70,7 @@ class CompactList {
   }
 
  private:
-  std::unique_ptr<std::byte[]> block_;  // how many there are, then the values
+  std::unique_ptr<std::byte[]> block_;  // the count, then the values
 };
 
 }  // namespace ryosen

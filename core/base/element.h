@@ -1,4 +1,4 @@
-// Any element of a mesh, with its kind: what verdicts, problems and selections speak of.
+// Any element of a mesh, tagged with its kind; used by verdicts, problems and selections.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// Typed element handles: four bytes each, one type per kind of element, so that a vertex never compares with a face.
+// Typed element handles: four bytes each, one type per kind of element, so comparing a vertex with a face does not
+// compile.
 #pragma once
 
 #include <compare>
@@ -11,8 +12,8 @@ namespace ryosen {
 
 inline constexpr std::uint32_t no_index = 0xffffffffu;
 
-// A slot number in the columns of a mesh, or none. Kind tags the element; handles of different kinds do not mix.
-// A handle stays valid while its element lives; slots are never reused, so a stale handle names a dead element.
+// A slot number in the columns of a mesh, or none. Kind is a tag type; handles of different kinds do not convert. A
+// handle stays valid while its element lives; slots are never reused, so a stale handle names a dead element.
 template <class Kind>
 struct Handle {
   std::uint32_t index = no_index;
@@ -31,10 +32,10 @@ using Halfedge = Handle<struct HalfedgeKind>;
 using Edge = Handle<struct EdgeKind>;
 using Face = Handle<struct FaceKind>;
 
-// Halfedges lie in pairs, so twin and edge need no memory.
+// Twins occupy adjacent slots, so twin and edge are computed, not stored.
 constexpr Halfedge twin(Halfedge h) { return Halfedge(h.index ^ 1u); }
 constexpr Edge edge(Halfedge h) { return Edge(h.index >> 1u); }
-// The halfedge of an edge with the even (side 0) or odd (side 1) slot.
+// The even (side 0) or odd (side 1) halfedge of an edge.
 constexpr Halfedge halfedge(Edge e, unsigned side = 0) { return Halfedge((e.index << 1u) | side); }
 
 }  // namespace ryosen

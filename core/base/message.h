@@ -1,4 +1,4 @@
-// Sentences for the user in both languages, and where in a file they belong.
+// User messages in both languages, with the place in a file that they refer to.
 #pragma once
 
 #include <cstdint>

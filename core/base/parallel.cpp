@@ -13,16 +13,16 @@
 namespace ryosen {
 namespace {
 
-// Tasks that one thread wants done. It lies on that thread's stack.
+// The tasks of one run_tasks call; lives on the caller's stack.
 struct Job {
   unsigned tasks;
   void (*call)(const void*, unsigned);
   const void* work;
   std::atomic<unsigned> next = 0;
-  unsigned wanted = 0;   // helpers that may still join; guarded by the mutex of the helpers, as is the next
+  unsigned wanted = 0;   // helpers that may still join; guarded by Helpers::mutex_, as is `helping`
   unsigned helping = 0;  // helpers at work
   std::atomic<bool> has_thrown = false;
-  std::exception_ptr thrown = nullptr;  // by the first that did
+  std::exception_ptr thrown = nullptr;  // the first exception
 
   void run() {
     for (unsigned i = next++; i < tasks; i = next++) {
@@ -35,15 +35,15 @@ struct Job {
   }
 };
 
-// The threads beside those that ask. They are never joined: a process that ends, or one that was forked without them,
-// need not wait for anybody.
+// The pool of worker threads. They are never joined, so neither process exit nor a forked child (which has none of
+// them) waits for them.
 class Helpers {
  public:
   static Helpers& all() {
     static Helpers* const helpers = new Helpers;
     return *helpers;
   }
-  // A forked process has none of the threads, and their lock may be held.
+  // False in a forked child: it has none of the threads, and the mutex may be locked there.
   bool are_here() const { return process_ == getpid(); }
 
   void run(Job& job, unsigned helpers) {
@@ -65,7 +65,7 @@ class Helpers {
     constexpr unsigned most = 16;
     try {
       for (; started_ < std::min(wanted, most); ++started_) std::thread([this] { help(); }).detach();
-    } catch (const std::system_error&) {  // fewer will do
+    } catch (const std::system_error&) {  // run with fewer threads
     }
   }
 
@@ -86,7 +86,7 @@ class Helpers {
   const pid_t process_ = getpid();
   std::mutex mutex_;
   std::condition_variable offered_, finished_;
-  std::vector<Job*> jobs_;  // that want more helpers
+  std::vector<Job*> jobs_;  // jobs that still want helpers
   unsigned started_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Work on parts of a range, on several threads.
+// Parallel loops over ranges and tasks on a small thread pool.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace ryosen {
 
-// How many threads pay for so many steps: one for small work, otherwise up to two.
+// How many threads are worth starting for this many steps: one for small work, otherwise up to two.
 inline unsigned threads_for(std::size_t steps) {
   constexpr std::size_t worth_a_thread = 100000;
   return steps >= worth_a_thread && std::thread::hardware_concurrency() > 1 ? 2 : 1;
@@ -18,20 +18,20 @@ inline std::uint32_t part_begin(std::uint32_t count, unsigned t, unsigned parts)
   return static_cast<std::uint32_t>(std::uint64_t{count} * t / parts);
 }
 
-// Calls call(work, i) once for each i below `tasks`, on up to `threads` threads, the calling one among them. The others
-// live on and wait for more. Each thread takes the next number when it is done with one, so that no thread waits for
-// another that has not begun: on a busy machine, or where the system has no thread to give, the caller does it all. What
-// the work throws first is thrown again when all is done.
+// Calls call(work, i) once for each i below `tasks`, on up to `threads` threads including the calling one; the pool
+// threads persist between calls. Threads take the next i when they finish one, so no thread waits for one that has not
+// started: on a busy machine, or if no thread can be created, the caller does all of it. The first exception thrown by
+// the work is rethrown at the end.
 void run_tasks(unsigned tasks, unsigned threads, void (*call)(const void* work, unsigned i), const void* work);
 
-// Calls work(i) for each i below `tasks`, as run_tasks does. No two calls may need each other.
+// Calls work(i) for each i below `tasks`, as run_tasks does. The calls must be independent of each other.
 template <class Work>
 void for_each_task(unsigned tasks, unsigned threads, const Work& work) {
   run_tasks(
       tasks, threads, [](const void* w, unsigned i) { (*static_cast<const Work*>(w))(i); }, &work);
 }
 
-// Calls work(t, begin, end) for each part of a range of `count`, at the same time where threads are free.
+// Calls work(t, begin, end) for each part of a range of `count`, in parallel where threads are free.
 template <class Work>
 void for_each_part(std::uint32_t count, unsigned parts, const Work& work) {
   for_each_task(parts, parts,

@@ -1,4 +1,4 @@
-// How long work tells how far it is and is asked to stop.
+// Progress reporting and cancellation of long operations.
 #pragma once
 
 #include <chrono>
@@ -9,11 +9,12 @@
 
 namespace ryosen {
 
-// Work that gets one calls go_on() as it proceeds and returns at once when that is false; whoever began the work undoes
-// what it has done. One that nobody listens to never stops anything.
+// The operation calls go_on() as it proceeds and returns at once when that is false; its caller rolls back. Without a
+// Report it never cancels.
 class Progress {
  public:
-  // Gets the share that is done, 0..1, at first and then not more often than the interval; false asks the work to stop.
+  // Called with the fraction done, 0..1, at the first go_on() and then at most once per interval; returning false
+  // cancels.
   using Report = std::function<bool(double share)>;
   using Clock = std::chrono::steady_clock;
 
@@ -21,7 +22,7 @@ class Progress {
   explicit Progress(Report report, Clock::duration interval = std::chrono::milliseconds(50))
       : report_(std::move(report)), interval_(interval) {}
 
-  // From now on the steps are those of this one of so many equal parts of the whole.
+  // The next steps are those of part `part` of `parts` equal parts of the whole.
   void begin_part(std::size_t part, std::size_t parts) {
     part_size_ = 1.0 / static_cast<double>(parts);
     share_ = part_begin_ = static_cast<double>(part) * part_size_;
@@ -32,7 +33,7 @@ class Progress {
     share_ = part_begin_ + share * part_size_;
     return go_on();
   }
-  // Within a step.
+  // Within a step, without advancing.
   bool go_on() {
     if (!report_ || is_cancelled_) return !is_cancelled_;
     const Clock::time_point now = Clock::now();

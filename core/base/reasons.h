@@ -1,4 +1,4 @@
-// The one table of rules: why an operator is refused or warned about, in both languages, and what helps.
+// The table of rules: why an operator is refused or warned about, and the remedy, in both languages.
 #pragma once
 
 #include <cstdint>
@@ -59,10 +59,10 @@ struct RuleText {
   Rule rule;
   std::string_view id;  // as in JSON and scripts
   RuleSeverity severity;
-  std::string_view operators;  // ids, separated by spaces; none: any of them
-  std::string_view en;         // one sentence; the witnesses are named behind it
+  std::string_view operators;  // ids, separated by spaces; empty: all operators
+  std::string_view en;         // one sentence; the witnesses are appended
   std::string_view ja;
-  std::string_view remedy_en;  // what would make it legal, or why nothing does
+  std::string_view remedy_en;  // what would make it legal, or why nothing would
   std::string_view remedy_ja;
 };
 

@@ -1,4 +1,4 @@
-// Gives the memory of a list back, which neither clear() nor the assignment of {} does.
+// Frees the memory of a vector, which neither clear() nor assigning {} does.
 #pragma once
 
 #include <vector>

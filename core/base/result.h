@@ -1,4 +1,4 @@
-// What can fail outside the program: a value, or the failure with its exit code and sentence.
+// The return type of what can fail for external reasons: a value, or a failure with its exit code and message.
 #pragma once
 
 #include <utility>
@@ -8,7 +8,7 @@
 
 namespace ryosen {
 
-// The exit codes of the program; every failure carries the one it leads to.
+// The exit codes of the program; every failure carries one.
 enum class ExitCode {
   done = 0,
   found_problems = 1,
@@ -28,7 +28,8 @@ struct Failure {
   Message message;
 };
 
-// Either a T or a Failure. Cheap to move; reading the side that is not there is a programmer's error.
+// Either a T or a Failure. Cheap to move; reading the alternative it does not hold is a programming error (throws
+// std::bad_variant_access).
 template <class T>
 class [[nodiscard]] Result {
  public:

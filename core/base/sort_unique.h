@@ -1,11 +1,11 @@
-// Lists in which each value stands once.
+// Sorting with removal of duplicates.
 #pragma once
 
 #include <algorithm>
 
 namespace ryosen {
 
-// Sorts the values and keeps each once.
+// Sorts the values and removes duplicates.
 template <class Values>
 void sort_unique(Values& values) {
   std::sort(values.begin(), values.end());

@@ -1,4 +1,4 @@
-// Tells well-formed UTF-8 from other bytes.
+// UTF-8 validation.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,8 @@
 
 namespace ryosen {
 
-// Bytes of the character that begins here (1 to 4), 0 where no whole and well-formed one does. `text` must not be empty.
+// Length in bytes of the well-formed character at the start of `text` (1 to 4), 0 if there is none. `text` must not be
+// empty.
 inline std::size_t utf8_length(std::string_view text) {
   const auto first = static_cast<unsigned char>(text[0]);
   if (first < 0x80) return 1;

@@ -1,4 +1,4 @@
-// May this operation be done, and if not, which rules stand against it and which elements stand in the way.
+// Whether an operation is legal, and if not, which rules it breaks and which elements are in the way.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The one table of forms. Comparison, benchmarks and tests loop over it; a new form is a pair of files and a row.
+// The table of forms. Comparison, benchmarks and tests iterate over it; a new form is a pair of files and a row.
 #pragma once
 
 #include <span>

@@ -18,7 +18,7 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-// Elements to ask about, the same for every form: vertices, edges by their ends, faces.
+// The elements to query, the same for every form: vertices, edges by their ends, faces.
 struct Questions {
   std::vector<std::uint32_t> vertices, faces;
   std::vector<EdgeEnds> edges;
@@ -41,7 +41,7 @@ struct Questions {
   }
 };
 
-// Looks the edges up only as long as the time allows, but for one.
+// Looks up edges until the time is used up, but at least one.
 std::vector<std::uint32_t> handles_of(const Form& form, const std::vector<EdgeEnds>& edges, double seconds) {
   std::vector<std::uint32_t> handles;
   const auto start = Clock::now();
@@ -53,8 +53,8 @@ std::vector<std::uint32_t> handles_of(const Form& form, const std::vector<EdgeEn
   return handles;
 }
 
-// The best of some rounds, each long enough for the clock: what else runs on the machine makes a round slower, never
-// faster. So a round counts as long only when a second one is, too.
+// The fastest of several rounds, each long enough for the clock's resolution: other load only makes a round slower. A
+// round length is accepted only if two rounds in a row are long enough.
 std::optional<double> time_per_query(const Form& form, Relation relation, const std::vector<std::uint32_t>& elements,
                                      double seconds) {
   Answer answer;

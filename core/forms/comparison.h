@@ -1,5 +1,5 @@
-// The forms side by side for one mesh: bytes per face, build time per pairing method, time per query. All figures are
-// measured on the spot.
+// Benchmark of the forms for one mesh: bytes per face, build time per pairing method, time per query. All figures are
+// measured at run time.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@
 namespace ryosen::forms {
 
 struct Effort {
-  double query_seconds = 0.005;  // per form and relation; at least one question is asked
-  double pairing_steps = 1e8;    // a method that needs more is measured on the first faces alone
+  double query_seconds = 0.005;  // per form and relation; at least one query is made
+  double pairing_steps = 1e8;    // a method that needs more is measured on the first faces only
 };
 
 struct FormFigures {
@@ -23,16 +23,16 @@ struct FormFigures {
   std::optional<Text> unsuitable;  // set: the rest is empty
   std::size_t bytes = 0;
   double build_seconds = 0;  // from the mesh
-  // Mean over random elements in the best of some rounds, by relation; empty where the form cannot tell (or there is
-  // nothing to ask about).
+  // Mean over random elements in the fastest round, by relation; empty if the form cannot answer it or there are no
+  // elements.
   std::array<std::optional<double>, relation_count> query_seconds;
 };
 
 struct PairingFigures {
   const PairingMethod* method = nullptr;
-  std::size_t faces = 0, all_faces = 0;  // how many of the first faces were paired, and how many there are
-  double steps_of_all = 1;               // how many times the steps of that part pairing all of them would take
-  double seconds = 0;                    // the best of up to three runs
+  std::size_t faces = 0, all_faces = 0;  // number of (first) faces paired, and of all faces
+  double steps_of_all = 1;               // steps for all faces divided by the steps measured
+  double seconds = 0;                    // the fastest of up to three runs
 
   bool is_whole() const { return faces == all_faces; }
 };
@@ -44,7 +44,7 @@ struct Comparison {
   std::vector<SourceReport> texts;
 };
 
-// Cost: about the effort per form and relation, plus making each form once.
+// Cost: about the effort per form and relation, plus building each form once.
 Comparison compare_forms(const Mesh& mesh, const Effort& effort = {});
 
 // One form of the table for a mesh, and one method.
@@ -55,7 +55,7 @@ PairingFigures measure_pairing(const IndexedMesh& source, const PairingMethod& m
 std::string figure_text(double value);
 std::string duration_text(double seconds);
 
-// How many of the first faces a method may pair within so many steps; all of them if it can.
+// How many of the first faces a method can pair within `steps` steps.
 std::size_t faces_within(const IndexedMesh& source, const PairingMethod& method, double steps);
 
 }  // namespace ryosen::forms

@@ -8,7 +8,7 @@
 
 namespace ryosen::forms {
 
-// Every half-edge has a twin; beside the outside its face is none. The handle of an edge is one of its half-edges.
+// Every half-edge has a twin; outside the surface its face is none. The handle of an edge is one of its half-edges.
 class Dcel : public Form {
  public:
   explicit Dcel(const Mesh& mesh);
@@ -18,7 +18,7 @@ class Dcel : public Form {
   std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const override;
   bool answer(Relation relation, std::uint32_t element, Answer& out) const override;
 
-  // The reads of walk.h.
+  // The interface of walk.h.
   std::uint32_t from(std::uint32_t h) const { return half_edges_[h].origin; }
   std::uint32_t next(std::uint32_t h) const { return half_edges_[h].next; }
   std::uint32_t prev(std::uint32_t h) const { return half_edges_[h].prev; }

@@ -21,7 +21,7 @@ std::size_t FaceAdjacency::bytes() const {
          bytes_of(face_across_);
 }
 
-// The corner across a side is the one of the face there that runs the side the other way.
+// The corner across a side is that of the adjacent face which traverses the side in the opposite direction.
 Mesh FaceAdjacency::to_mesh() const {
   std::vector<std::uint32_t> across(list_.corners.size(), no_index);
   for (std::uint32_t f = 0; f < list_.face_count(); ++f)
@@ -71,7 +71,7 @@ void FaceAdjacency::for_each_face_at(std::uint32_t v, Visit visit) const {
   }
 }
 
-// The end of the side that leaves v in each face, and the start of the one that comes in where nothing lies across it.
+// In each face the end of the side that leaves v, and the start of the incoming side if that is a boundary.
 template <class Visit>
 void FaceAdjacency::for_each_neighbour(std::uint32_t v, Visit visit) const {
   for_each_face_at(v, [&](Place at) {

@@ -1,4 +1,4 @@
-// Table 3 of the source texts: a vertex knows one of its faces, a face its vertices and the faces across its sides.
+// Table 3 of the source texts: a vertex stores one of its faces, a face its vertices and the faces across its sides.
 #pragma once
 
 #include "core/forms/form.h"
@@ -6,8 +6,8 @@
 
 namespace ryosen::forms {
 
-// The neighbours of a face lie in the order of its sides, none on a boundary, so that the faces at a vertex are found
-// by going from one to the next. The handle of an edge is a corner of the list whose side it is.
+// The neighbours of a face are in the order of its sides, none at a boundary, so the faces at a vertex are found by
+// walking from one to the next. The handle of an edge is a corner of the list whose side it is.
 class FaceAdjacency : public Form {
  public:
   explicit FaceAdjacency(const Mesh& mesh);

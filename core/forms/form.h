@@ -1,9 +1,9 @@
-// A form in which the source texts hold a polygon model: made from a Mesh, turned back into one, and asked for the nine
-// relations between vertices, edges and faces.
+// A form: a data structure of the source texts for polygon models. Converts from and to Mesh and answers the nine
+// incidence relations between vertices, edges and faces.
 //
 // Vertices (points) and faces are numbered from 0 without gaps in the order of the mesh, as a saved file numbers them.
-// An edge is answered as the pair of its ends, because most forms do not number edges; in questions it is named by a
-// handle of the form's own. A form answers from what it stores; none of them asks the mesh it came from.
+// An edge is returned as the pair of its ends, because most forms do not number edges; in queries it is given by a
+// form-specific handle. A form answers from its own data, never from the mesh it was made from.
 #pragma once
 
 #include <compare>
@@ -21,7 +21,7 @@
 
 namespace ryosen::forms {
 
-// "vertex_faces": the faces at a vertex. Two edges are neighbours when they share an end, two faces when they share an
+// "vertex_faces": the faces at a vertex. Two edges are neighbours if they share an end, two faces if they share an
 // edge. The valence is the number of edges at a vertex.
 enum class Relation : std::uint8_t {
   vertex_vertices,
@@ -41,7 +41,7 @@ enum class ElementOf : std::uint8_t { vertex, edge, face };
 struct RelationRow {
   Relation relation;
   std::string_view id;
-  ElementOf asks;  // what a question names
+  ElementOf asks;  // the kind of element queried
   std::string_view en, ja;
 };
 // In the order of the enum.
@@ -57,8 +57,8 @@ constexpr EdgeEnds edge_ends(std::uint32_t a, std::uint32_t b) { return a < b ? 
 
 // Each element once. vertex_vertices, vertex_faces, edge_vertices, edge_faces, face_vertices, face_faces and valence
 // (one number) fill `numbers`, the others `edges`. face_vertices and face_edges come in the order of the face, its
-// first corner (and the side that begins there) first, then its inner loops, a bridge and its ends as often as the face
-// passes them; the rest comes in any order.
+// first corner (and the side that starts there) first, then its inner loops; a bridge and its ends occur as often as
+// the face visits them. The rest is in any order.
 struct Answer {
   std::vector<std::uint32_t> numbers;
   std::vector<EdgeEnds> edges;
@@ -73,17 +73,17 @@ class Form {
  public:
   virtual ~Form() = default;
 
-  // What the form stores, positions included, without spare room.
+  // Size of the stored data, positions included, without spare capacity.
   virtual std::size_t bytes() const = 0;
-  // Built from what the form stores; without attributes.
+  // Built from the stored data; without attributes.
   virtual Mesh to_mesh() const = 0;
-  // The form's handle of the edge between two vertices, or no_index where there is none or the form has no edges.
+  // The form's handle of the edge between two vertices, or no_index if there is none or the form has no edges.
   virtual std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const = 0;
-  // Fills the answer about a vertex, an edge (by its handle) or a face that exists. False: the form cannot tell.
+  // Answers a query about an existing vertex, edge (by handle) or face. False: the form cannot answer it.
   virtual bool answer(Relation relation, std::uint32_t element, Answer& out) const = 0;
 };
 
-// What a mesh must be like so that a form can hold it; a combination of bits.
+// What a form requires of a mesh; a combination of bits.
 enum Needs : std::uint32_t {
   any_mesh = 0,
   triangles = 1,             // every face has three corners
@@ -101,13 +101,13 @@ struct FormRow {
   std::string_view en, ja;
   std::string_view source_en, source_ja;  // where the source texts show it
   std::uint32_t needs;
-  // False where the way back numbers the vertices by their first corner instead.
+  // False if the conversion back numbers the vertices by their first corner instead.
   bool keeps_numbers;
   // The mesh must be suitable.
   std::unique_ptr<Form> (*make)(const Mesh& mesh);
 };
 
-// Why the mesh does not suit, naming the first element that is in the way; nothing when it does. O(n).
+// Why the mesh is unsuitable, naming the first offending element; none if it is suitable. O(n).
 std::optional<Text> why_unsuitable(const Mesh& mesh, const FormRow& row);
 
 }  // namespace ryosen::forms

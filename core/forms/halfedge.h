@@ -1,5 +1,5 @@
-// The halfedge structure of the source texts: table 5, with and without halfedges outside, with and without the edge records
-// of table 6.
+// The halfedge structure of the source texts: table 5, with and without boundary halfedges, with and without the edge
+// records of table 6.
 #pragma once
 
 #include "core/forms/form.h"
@@ -7,7 +7,7 @@
 
 namespace ryosen::forms {
 
-// Without edge records the handle of an edge is one of its halfedges, with them the number of its record.
+// The handle of an edge is one of its halfedges, or with edge records the number of its record.
 template <bool outside, bool edge_records>
 class HalfedgeForm : public Form {
  public:

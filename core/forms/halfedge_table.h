@@ -9,8 +9,8 @@
 
 namespace ryosen::forms {
 
-// Plain records; no_index stands for the source texts' null. On a boundary either the pair is none (as in table 5) or a
-// halfedge without a face runs outside (the variant of the source texts' footnote).
+// Plain records; no_index stands for the source texts' null. At a boundary the pair is either none (as in table 5) or a
+// boundary halfedge without a face (the variant of the source texts' footnote).
 struct HalfedgeTable {
   struct Record {
     std::uint32_t vertex, face, pair, next, prev;
@@ -18,13 +18,13 @@ struct HalfedgeTable {
     friend bool operator==(const Record&, const Record&) = default;
   };
   std::vector<glm::dvec3> positions;
-  std::vector<std::uint32_t> vertex_halfedge;  // one that leaves the vertex, or none
+  std::vector<std::uint32_t> vertex_halfedge;  // an outgoing halfedge, or none
   std::vector<Record> halfedges;
   std::vector<std::uint32_t> face_halfedge;
 
   friend bool operator==(const HalfedgeTable&, const HalfedgeTable&) = default;
 
-  // The reads of walk.h.
+  // The interface of walk.h.
   std::uint32_t from(std::uint32_t h) const { return halfedges[h].vertex; }
   std::uint32_t next(std::uint32_t h) const { return halfedges[h].next; }
   std::uint32_t prev(std::uint32_t h) const { return halfedges[h].prev; }
@@ -40,10 +40,9 @@ struct HalfedgeTable {
 
 // The halfedges are the corners, in the order of the faces. No copies, no wires, one fan at each vertex.
 HalfedgeTable inner_halfedges(const Mesh& mesh);
-// The halfedges are those of the mesh, outside ones and wires too. No copies.
+// The halfedges are those of the mesh, including boundary ones and wires. No copies.
 HalfedgeTable all_halfedges(const Mesh& mesh);
 
-// The ways back.
 Mesh mesh_from_inner_halfedges(const HalfedgeTable& table);
 Mesh mesh_from_all_halfedges(const HalfedgeTable& table);
 

@@ -6,8 +6,8 @@
 
 namespace ryosen::forms {
 
-// Every relation but those from a face is found by a search of all faces: O(n) a question. It knows points, not copies,
-// and so holds non-manifold edges, too. The handle of an edge is its first corner in the list.
+// All relations except those of a face need a linear search of all faces: O(n) per query. It stores points, not copies,
+// so it also represents non-manifold edges. The handle of an edge is its first corner in the list.
 class IndexedFaceSet : public Form {
  public:
   explicit IndexedFaceSet(const Mesh& mesh);

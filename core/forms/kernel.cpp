@@ -31,7 +31,7 @@ std::uint32_t Kernel::find_edge(std::uint32_t a, std::uint32_t b) const {
   return found;
 }
 
-// A neighbour that several sheets lead to is met once for each.
+// A neighbour joined by several sheets is added once for each.
 void Kernel::add_neighbours(std::uint32_t point, std::vector<std::uint32_t>& out) const {
   for_each_copy(mesh_, vertex_of(point), [&](Vertex copy) {
     for (const Vertex v : neighbours(mesh_, copy)) out.push_back(point_of(v));

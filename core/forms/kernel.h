@@ -1,12 +1,12 @@
-// The mesh of this program as one more row of the comparison; alone among the forms it answers by the mesh's circulators.
+// This program's Mesh as a row of the comparison; the only form that answers through the mesh's circulators.
 #pragma once
 
 #include "core/forms/form.h"
 
 namespace ryosen::forms {
 
-// Holds any mesh. Answers speak of points: what the copies of a point meet together. The handle of an edge is one of the
-// halfedges between its points.
+// Represents any mesh. Answers refer to points: the union over the copies of a point. The handle of an edge is one of
+// the halfedges between its points.
 class Kernel : public Form {
  public:
   explicit Kernel(const Mesh& mesh);
@@ -27,7 +27,7 @@ class Kernel : public Form {
   void answer_about_face(Relation relation, Face f, Answer& out) const;
 
   Mesh mesh_;
-  std::vector<std::uint32_t> points_, vertices_;  // empty where every vertex is a point
+  std::vector<std::uint32_t> points_, vertices_;  // empty if every vertex is a point
 };
 
 }  // namespace ryosen::forms

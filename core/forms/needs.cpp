@@ -1,4 +1,4 @@
-// Whether a mesh suits a form, and what relations are called.
+// Whether a mesh meets a form's requirements, and the table of relations.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -47,7 +47,7 @@ Reason find_wire(const Mesh& mesh) {
   return {};
 }
 
-// A vertex whose cycle has more than one gap, or a gap beside a closed fan.
+// Finds a vertex with more than one gap in its cycle, or with a gap beside a closed fan.
 Reason find_several_fans(const Mesh& mesh) {
   std::vector<std::uint8_t> gaps(mesh.vertex_slots(), 0);
   for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {

@@ -1,4 +1,4 @@
-// The 3i+j form as plain arrays: corners, opposite halfedges, and one halfedge per vertex.
+// The 3i+j form as plain arrays (a corner table): corners, opposite halfedges, and one halfedge per vertex.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace ryosen::forms {
 
-// Halfedge 3i+j is side j of face i; its opposite is none on a boundary. The halfedge per vertex, which the text does
-// not have, answers what the map cannot. The handle of an edge is one of its halfedges.
+// Halfedge 3i+j is side j of face i; its opposite is none at a boundary. The halfedge per vertex is an addition to the
+// text; with it the vertex relations can be answered. The handle of an edge is one of its halfedges.
 class OppositeArray : public Form {
  public:
   explicit OppositeArray(const Mesh& mesh);
@@ -19,7 +19,7 @@ class OppositeArray : public Form {
   std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const override;
   bool answer(Relation relation, std::uint32_t element, Answer& out) const override;
 
-  // What split_3ij.h asks for.
+  // The interface of split_3ij.h.
   std::uint32_t corner(std::uint32_t h) const { return corners_[h]; }
   std::uint32_t opposite(std::uint32_t h) const { return opposites_[h]; }
   const glm::dvec3& position(std::uint32_t v) const { return positions_[v]; }
@@ -30,7 +30,7 @@ class OppositeArray : public Form {
   void join(std::uint32_t h, std::uint32_t g);
   void set_boundary(std::uint32_t h) { opposites_[h] = no_index; }
 
-  // The reads of walk.h.
+  // The interface of walk.h.
   std::uint32_t from(std::uint32_t h) const { return corners_[h]; }
   std::uint32_t next(std::uint32_t h) const { return h % 3 == 2 ? h - 2 : h + 1; }
   std::uint32_t prev(std::uint32_t h) const { return h % 3 == 0 ? h + 2 : h - 1; }

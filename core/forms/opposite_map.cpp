@@ -12,7 +12,7 @@ OppositeMap::OppositeMap(const Mesh& mesh) {
     const std::uint32_t* corner = polygons.corners.data() + polygons.offsets[f];
     faces_.push_back({corner[0], corner[1], corner[2]});
   }
-  // A side that is met first is a boundary until the one that runs against it comes.
+  // A side is entered as boundary until its opposite is seen.
   for (std::uint32_t h = 0; h < 3 * faces_.size(); ++h) {
     const auto [from, to] = key(h);
     if (const auto other = opposites_.find(Side(to, from)); other != opposites_.end())
@@ -62,7 +62,7 @@ std::uint32_t OppositeMap::add_face() {
   return face_count() - 1;
 }
 
-// Sides that no longer exist leave the map, so that it speaks of the mesh as it is.
+// Erases the face's old sides, so that the map contains only existing ones.
 void OppositeMap::set_face(std::uint32_t f, const std::array<std::uint32_t, 3>& corners) {
   for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) opposites_.erase(key(h));
   faces_[f] = corners;

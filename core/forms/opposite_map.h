@@ -10,7 +10,7 @@
 
 namespace ryosen::forms {
 
-// Counts the bytes that a container has asked for.
+// Counts the bytes allocated by a container.
 template <class T>
 struct CountingAllocator {
   using value_type = T;
@@ -33,9 +33,9 @@ struct CountingAllocator {
   }
 };
 
-// Halfedge 3i+j is side j of face i. The map holds for (from, to) the number of the halfedge opposite; on a boundary
-// -(own number + 1). The text has no way from a vertex to its halfedges, so questions about a vertex stay without an
-// answer. The handle of an edge is one of its halfedges.
+// Halfedge 3i+j is side j of face i. The map stores for (from, to) the number of the opposite halfedge, at a boundary
+// -(own number + 1). The text has no link from a vertex to its halfedges, so vertex relations cannot be answered. The
+// handle of an edge is one of its halfedges.
 class OppositeMap : public Form {
  public:
   explicit OppositeMap(const Mesh& mesh);
@@ -47,11 +47,11 @@ class OppositeMap : public Form {
   std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const override;
   bool answer(Relation relation, std::uint32_t element, Answer& out) const override;
 
-  // The value of the map for the side of a halfedge.
+  // The stored value for the side of a halfedge.
   std::int32_t coded_opposite(std::uint32_t h) const { return opposites_.find(key(h))->second; }
   std::size_t map_size() const { return opposites_.size(); }
 
-  // What split_3ij.h asks for.
+  // The interface of split_3ij.h.
   std::uint32_t corner(std::uint32_t h) const { return faces_[h / 3][h % 3]; }
   std::uint32_t opposite(std::uint32_t h) const {
     const std::int32_t coded = coded_opposite(h);
@@ -65,7 +65,7 @@ class OppositeMap : public Form {
   void join(std::uint32_t h, std::uint32_t g);
   void set_boundary(std::uint32_t h) { opposites_[key(h)] = -(static_cast<std::int32_t>(h) + 1); }
 
-  // The reads of walk.h.
+  // The interface of walk.h.
   std::uint32_t from(std::uint32_t h) const { return corner(h); }
   std::uint32_t next(std::uint32_t h) const { return h % 3 == 2 ? h - 2 : h + 1; }
   std::uint32_t prev(std::uint32_t h) const { return h % 3 == 0 ? h + 2 : h - 1; }

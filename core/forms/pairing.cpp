@@ -14,7 +14,7 @@ struct DirectedSide {
   std::uint32_t from, to;
 };
 
-// The side that begins at each corner.
+// The directed side that starts at each corner.
 std::vector<DirectedSide> sides_of(const IndexedMesh& source) {
   std::vector<DirectedSide> sides(source.corners.size());
   for (std::size_t f = 0; f < source.face_count(); ++f) {
@@ -25,7 +25,7 @@ std::vector<DirectedSide> sides_of(const IndexedMesh& source) {
   return sides;
 }
 
-// Gathers the sides between the points of one side and joins it where exactly one runs each way.
+// Collects the sides between the two points of a side and joins it if there is exactly one in each direction.
 class Candidates {
  public:
   Candidates(const std::vector<DirectedSide>& sides, std::uint32_t corner) : sides_(sides), corner_(corner) {}
@@ -73,7 +73,7 @@ SidePartners by_hash_of_16_bits(const IndexedMesh& source) {
   return partners;
 }
 
-// Finalizer of splitmix64 over both numbers: each bit of the key depends on each bit of both.
+// The splitmix64 finalizer over both numbers: every input bit affects every bit of the hash.
 std::uint64_t mixed(const DirectedSide& side) {
   std::uint64_t key = std::uint64_t{std::min(side.from, side.to)} << 32u | std::max(side.from, side.to);
   key = (key ^ (key >> 30u)) * 0xbf58476d1ce4e5b9ull;
@@ -81,7 +81,7 @@ std::uint64_t mixed(const DirectedSide& side) {
   return key ^ (key >> 31u);
 }
 
-// An open table of half-full power-of-two size; each entry is a pair of points with what runs there so far.
+// Open addressing, power-of-two size, load factor up to 1/2; an entry is a pair of points with the sides seen so far.
 SidePartners by_good_hash(const IndexedMesh& source) {
   const std::vector<DirectedSide> sides = sides_of(source);
   struct Entry {
@@ -110,7 +110,7 @@ SidePartners by_good_hash(const IndexedMesh& source) {
   return partners;
 }
 
-// Every point lists the sides that leave it; the partner of a side is sought in the list of its end.
+// Every point lists its outgoing sides; the partner of a side is searched in the list of its end.
 SidePartners by_vertex_lists(const IndexedMesh& source) {
   const std::vector<DirectedSide> sides = sides_of(source);
   std::vector<std::uint32_t> head(source.positions.size(), no_index), next(sides.size());
@@ -128,7 +128,7 @@ SidePartners by_vertex_lists(const IndexedMesh& source) {
   return partners;
 }
 
-// Element (i, j) of the matrix holds the sides from i to j: compressed rows, each ordered by column.
+// Element (i, j) of the matrix holds the sides from i to j: compressed sparse rows, each sorted by column.
 class SparseMatrix {
  public:
   SparseMatrix(const std::vector<DirectedSide>& sides, std::size_t points)
@@ -141,7 +141,7 @@ class SparseMatrix {
       std::sort(elements_.begin() + row_[i], elements_.begin() + row_[i + 1],
                 [](const Element& a, const Element& b) { return a.column < b.column; });
   }
-  // The side of the only entry, or no_index where the element has none or several.
+  // The side, if the element has exactly one entry, else no_index.
   std::uint32_t only(std::uint32_t i, std::uint32_t j) const {
     const auto begin = elements_.begin() + row_[i], end = elements_.begin() + row_[i + 1];
     const auto found =
@@ -203,7 +203,7 @@ double one_step_per_side(const IndexedMesh& source) { return static_cast<double>
 
 double all_against_all(const IndexedMesh& source) { return one_step_per_side(source) * one_step_per_side(source); }
 
-// A list is read once for each side that leaves its point and once for each that comes.
+// The list of a point is scanned once per outgoing and once per incoming side.
 double squares_of_valences(const IndexedMesh& source) {
   std::vector<double> valence(source.positions.size(), 0.0);
   for (const std::uint32_t corner : source.corners) valence[corner] += 1;

@@ -93,7 +93,7 @@ std::vector<std::uint32_t> corners_across(const Mesh& mesh, const Numbering& num
 
 namespace {
 
-// The halfedge of each corner: edges are numbered by their first corner, whose halfedge is the even one.
+// The halfedge of each corner: edges are numbered by their first corner, which gets the even half.
 std::vector<Halfedge> number_sides(const std::vector<std::uint32_t>& across, std::uint32_t& edges) {
   std::vector<Halfedge> side(across.size());
   for (std::uint32_t c = 0; c < side.size(); ++c)
@@ -107,7 +107,7 @@ void link_gaps(MeshColumns& c) {
     if (!halfedges[i].face) halfedges[i].from = halfedges[halfedges[i ^ 1u].next.index].from;
   for (std::uint32_t i = 0; i < halfedges.size(); ++i) {
     if (halfedges[i].face) continue;
-    // Turn around the end until the fan ends at the next gap.
+    // Rotate about the end to the next gap.
     Halfedge h = twin(Halfedge(i));
     while (halfedges[h.index].face) h = twin(halfedges[h.index].prev);
     halfedges[i].next = h;

@@ -1,4 +1,5 @@
-// What the forms share on their way from and to Mesh: numbers without gaps, corner lists, and a mesh made from sides.
+// Shared parts of the conversions between forms and Mesh: compact numbering, corner lists, and a mesh built from joined
+// sides.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -11,16 +12,16 @@ namespace ryosen::forms {
 
 // The first halfedges of the inner loops of a face; empty for ordinary faces.
 std::vector<Halfedge> inner_loops(const Mesh& mesh, Face f);
-// Gives them to a face that has none yet; face_halfedge must have its length.
+// Sets them for a face that has none yet; face_halfedge must have its final length.
 void set_inner_loops(MeshColumns& columns, Face f, std::span<const Halfedge> starts);
 
-// How many corners the loop of a halfedge has.
+// Number of corners of the loop of a halfedge.
 std::size_t corners_of_loop(const Mesh& mesh, Halfedge start);
 
-// Whether the vertex is a copy of a point that a smaller number names.
+// Whether the vertex is a copy of a point and not its representative.
 bool is_further_copy(const Mesh& mesh, Vertex v);
 
-// Numbers from 0 without gaps by slot, no_index for what is not alive. `point` gives all copies of a point one number.
+// Compact numbers by slot, from 0, no_index for dead slots. `point` gives all copies of a point the same number.
 struct Numbering {
   explicit Numbering(const Mesh& mesh);
 
@@ -32,7 +33,7 @@ struct Numbering {
   }
 };
 
-// The faces as lists of numbers, face after face.
+// The faces as concatenated corner lists.
 struct Polygons {
   std::vector<glm::dvec3> positions;
   std::vector<std::uint32_t> corners;
@@ -43,17 +44,16 @@ struct Polygons {
 // Without inner loops; copies merged into points.
 Polygons polygons_of(const Mesh& mesh, const Numbering& numbers);
 
-// For each corner of polygons_of the corner on the other side of its side, no_index on a boundary. The mesh must have no
-// copies and no rings.
+// For each corner of polygons_of the corner across its side, no_index at a boundary. The mesh must have no copies and
+// no rings.
 std::vector<std::uint32_t> corners_across(const Mesh& mesh, const Numbering& numbers, const Polygons& polygons);
 
-// The mesh of polygons whose sides are joined as `across` says, one fan of faces at each vertex.
+// The mesh of polygons with their sides joined as given by `across`; at most one fan of faces at each vertex.
 Mesh mesh_from_sides(const Polygons& polygons, const std::vector<std::uint32_t>& across);
 
-// The mesh with its dead slots left out, copies and rings as they are; without attributes.
+// The mesh without its dead slots, with copies and rings unchanged; without attributes.
 Mesh without_gaps(const Mesh& mesh, const Numbering& numbers);
 
-// Bytes of a vector's elements.
 template <class T>
 std::size_t bytes_of(const std::vector<T>& values) {
   return values.size() * sizeof(T);

@@ -8,10 +8,10 @@ namespace ryosen::forms {
 
 namespace {
 
-// A link of a halfedge that is not there was to be read or written.
+// Thrown when a link of a missing halfedge would be read or written.
 struct MissingHalfedge {};
 
-// The table with every step looked at first.
+// Checked access to the table.
 class Steps {
  public:
   explicit Steps(HalfedgeTable& table) : table_(table) {}
@@ -54,7 +54,7 @@ class Steps {
   bool has_written_ = false;
 };
 
-// The halfedges on the far side of the four other edges of both triangles: left and right of the top, of the bottom.
+// The halfedges across the four other edges of both triangles: left and right of the top, and of the bottom.
 struct Surroundings {
   std::uint32_t top_left, top_right, bottom_left, bottom_right;
 

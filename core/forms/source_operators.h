@@ -1,7 +1,7 @@
-// What the collapse and the swap of the source texts do, step by step, on the records of table 5.
+// The collapse and the swap of the source texts, executed step by step on the records of table 5.
 //
-// Their code is written for closed triangle models. Here the same steps are taken with every link looked at before it is
-// followed, so that it can be told what happens where a link is missing.
+// Their code assumes closed triangle models. Here every link is checked before it is followed, to report what would
+// happen at a missing one.
 #pragma once
 
 #include <string_view>
@@ -14,19 +14,19 @@ namespace ryosen::forms {
 
 struct SourceOutcome {
   bool completed = false;
-  bool pair_of_edge_missing = false;  // the edge itself is a boundary; otherwise a pair beside it is missing
-  bool changed_before = false;        // something had been written when the missing link was met
-  Text sentence;                      // what the code does there
+  bool pair_of_edge_missing = false;  // the edge itself is a boundary; otherwise an adjacent pair is missing
+  bool changed_before = false;        // something had been written before the missing link was reached
+  Text sentence;                      // what the original code does there
 };
 
-// The start of the halfedge is removed, its end moves to the midpoint, the triangles on both sides go. Of a table of
-// inner halfedges of triangles. Where it stops, the table is left as the code would leave it. Removed vertices and
-// faces have no halfedge any more; removed halfedges have no vertex.
+// The start of the halfedge is removed, its end moves to the midpoint, the triangles on both sides go. For a table of
+// inner halfedges of triangles. If it fails, the table is left as the original code would leave it. Removed vertices
+// and faces have no halfedge; removed halfedges have no vertex.
 SourceOutcome source_collapse(HalfedgeTable& table, std::uint32_t halfedge);
 // The edge becomes the other diagonal of its two triangles.
 SourceOutcome source_swap(HalfedgeTable& table, std::uint32_t halfedge);
 
-// What the two do at the border of an open model, found by letting them run on two triangles with a common edge.
+// The behaviour of both at the boundary of an open model, found by running them on two triangles with a common edge.
 struct SourceReport {
   std::string_view operation;  // collapse, swap
   std::string_view place;      // boundary_edge, beside_boundary

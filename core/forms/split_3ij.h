@@ -16,14 +16,14 @@
 
 namespace ryosen::forms {
 
-// The vertex that a split put in, and the first face that it added.
+// The vertex inserted by a split, and the first face added.
 struct Split3ij {
   std::uint32_t vertex, face;
 };
 
 // Structure offers corner(h), opposite(h) (no_index on a boundary), position(v), add_vertex(position),
-// add_face() and set_face(f, corners), which cut the sides of f loose, join(h, g) and set_boundary(h). Where there are
-// two triangles, their third corners must differ.
+// add_face() and set_face(f, corners), which unlinks the sides of f, join(h, g) and set_boundary(h). If there are two
+// triangles, their third corners must differ.
 template <class Structure>
 Split3ij split_3ij(Structure& mesh, std::uint32_t h, const glm::dvec3& position) {
   const auto next = [](std::uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; };
@@ -64,8 +64,8 @@ Split3ij split_3ij(Structure& mesh, std::uint32_t h, const glm::dvec3& position)
   return {v, new_left};
 }
 
-// Splits the edge of a halfedge at its midpoint, seen from its side that leaves the vertex with the smaller number. The
-// numbers of the source texts' hexagon come about like this.
+// Splits the edge of a halfedge at its midpoint, starting from the halfedge that leaves the smaller vertex; this
+// reproduces the numbering of the source texts' hexagon.
 template <class Structure>
 Split3ij split_edge_3ij(Structure& mesh, std::uint32_t h) {
   const std::uint32_t other = mesh.opposite(h);

@@ -7,8 +7,8 @@
 
 namespace ryosen::forms {
 
-// Points exist as equal coordinates only, so it answers none of the relations. On the way back the points are numbered
-// by their first corner; +0 and -0 are one place.
+// Points exist only as equal coordinates, so it answers no relation. In the conversion back the points are numbered by
+// their first corner; +0 and -0 are equal.
 class TriangleSoup : public Form {
  public:
   explicit TriangleSoup(const Mesh& mesh);

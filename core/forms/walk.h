@@ -1,4 +1,4 @@
-// Answers for every form that links halfedges, from a handful of reads that each of them offers:
+// Generic answers for all forms with linked halfedges, based on these accessors:
 //
 //   from(h), next(h), prev(h)      along the loop of h
 //   pair(h)                        the halfedge on the other side, or no_index
@@ -7,8 +7,8 @@
 //   inner(f)                       the first halfedges of inner loops
 //   at_edge(e)                     a halfedge of an edge by the form's handle
 //
-// Vertices are walked counter-clockwise up to a gap and, if there is one, clockwise from where the walk began; a form
-// with outside halfedges has no gaps.
+// Vertices are circulated counter-clockwise up to a gap and, if there is one, clockwise from the start; a form with
+// boundary halfedges has no gaps.
 #pragma once
 
 #include "core/base/sort_unique.h"
@@ -32,8 +32,8 @@ void for_each_leaving(const Links& links, std::uint32_t start, Visit visit) {
   }
 }
 
-// Calls visit(v) for the other end of every edge at the origin of `start`. A side that comes in over a gap has no pair
-// that leaves.
+// Calls visit(v) for the other end of every edge at the origin of `start`. An incoming side at a gap has no outgoing
+// pair.
 template <class Links, class Visit>
 void for_each_neighbour(const Links& links, std::uint32_t start, Visit visit) {
   for_each_leaving(links, start, [&](std::uint32_t h) {
@@ -90,7 +90,7 @@ void answer_about_vertex(const Links& links, Relation relation, std::uint32_t v,
       for_each_leaving(links, start, [&](std::uint32_t h) {
         if (links.face(h) != no_index) out.numbers.push_back(links.face(h));
       });
-      return sort_unique(out.numbers);  // a face with a bridge comes by twice
+      return sort_unique(out.numbers);  // a face with a bridge is visited twice
     default: {
       std::uint32_t valence = 0;
       for_each_neighbour(links, start, [&](std::uint32_t) { ++valence; });

@@ -34,7 +34,7 @@ std::size_t WingedEdge::bytes() const {
 Mesh WingedEdge::to_mesh() const {
   Polygons polygons;
   polygons.positions = positions_;
-  std::vector<std::uint32_t> corner_of(2 * edges_.size(), no_index);  // of the left and the right side of each edge
+  std::vector<std::uint32_t> corner_of(2 * edges_.size(), no_index);  // per edge: of its left and right side
   std::vector<std::uint32_t> side_of;
   for (std::uint32_t f = 0; f < face_edge_.size(); ++f) {
     for_each_edge_of(f, [&](std::uint32_t e, bool is_left) {
@@ -50,7 +50,7 @@ Mesh WingedEdge::to_mesh() const {
   return mesh_from_sides(polygons, across);
 }
 
-// Counter-clockwise over the side that leaves v up to a gap, then clockwise from the first edge.
+// Counter-clockwise up to a gap, then clockwise from the first edge.
 template <class Visit>
 void WingedEdge::for_each_edge_at(std::uint32_t v, Visit visit) const {
   const std::uint32_t first = vertex_edge_[v];

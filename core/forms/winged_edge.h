@@ -1,4 +1,4 @@
-// Table 4 of the source texts: all links lie in the edges.
+// Table 4 of the source texts: all links are stored in the edges.
 //
 //    left_prev \         / right_next        an edge runs from start to end; seen along it, one face is left, one right;
 //               o--end--o                    "next" and "prev" follow the loop of that face, so left_next begins at end
@@ -13,7 +13,8 @@
 
 namespace ryosen::forms {
 
-// On a boundary the face and its two wings are none. A face begins with its edge. The handle of an edge is its number.
+// At a boundary the face and its two wings are none. A face starts at its stored edge. The handle of an edge is its
+// number.
 class WingedEdge : public Form {
  public:
   explicit WingedEdge(const Mesh& mesh);

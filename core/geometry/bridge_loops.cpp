@@ -16,7 +16,7 @@ namespace ryosen {
 namespace {
 
 constexpr std::size_t most_corners_for_all_pairs = 2000;
-// Segments that a bridge is held against before the search among all pairs is given up for a triangulation.
+// Budget of visibility tests (segments compared with a bridge) before falling back from all pairs to a triangulation.
 constexpr std::size_t most_segments_tried = 20'000'000;
 
 struct Bridge {
@@ -87,7 +87,7 @@ class Bridger {
     return found;
   }
 
-  // Takes bridges from the shortest on until all loops hang together.
+  // Adds bridges, shortest first, until all loops are connected (Kruskal).
   void choose(bool only_visible, bool all_pairs) {
     std::vector<std::uint32_t> set(loops_.size());
     for (std::uint32_t i = 0; i < set.size(); ++i) set[i] = i;
@@ -120,12 +120,12 @@ class Bridger {
     return std::none_of(chosen_.begin(), chosen_.end(), [&](const Bridge& b) { return meets(bridge, b.a, b.b); });
   }
 
-  // Whether the bridge has a point in common with the segment c-d beyond a common end.
+  // Whether the bridge meets the segment c-d other than at a common end.
   bool meets(const Bridge& bridge, std::uint32_t c, std::uint32_t d) const {
     const glm::dvec2 &a = view_[bridge.a], &b = view_[bridge.b], &p = view_[c], &q = view_[d];
     const bool shares_c = c == bridge.a || c == bridge.b, shares_d = d == bridge.a || d == bridge.b;
     if (shares_c || shares_d) {
-      // They meet beyond the common end only when they run the same way.
+      // They overlap only when they leave the common end in the same direction.
       const glm::dvec2& shared = shares_c ? p : q;
       const glm::dvec2& other = shares_c ? q : p;
       const glm::dvec2& far = shared == a ? b : a;
@@ -134,14 +134,14 @@ class Bridger {
     const int pa = orient2d(p, q, a), pb = orient2d(p, q, b), ac = orient2d(a, b, p), ad = orient2d(a, b, q);
     if (pa * pb > 0 || ac * ad > 0) return false;
     if (pa != 0 || pb != 0 || ac != 0 || ad != 0) return true;
-    // All on one line.
+    // All four points collinear.
     const auto overlap = [](double s, double t, double u, double v) {
       return std::max(std::min(s, t), std::min(u, v)) <= std::min(std::max(s, t), std::max(u, v));
     };
     return overlap(a.x, b.x, p.x, q.x) && overlap(a.y, b.y, p.y, q.y);
   }
 
-  // Whether the direction c -> s comes before c -> t counter-clockwise, beginning at the side that leaves c.
+  // Counter-clockwise angular order of c -> s and c -> t, starting at the side that leaves c.
   bool is_before(std::uint32_t c, std::uint32_t s, std::uint32_t t) const {
     const glm::dvec2 &o = view_[c], &n = view_[next_[c]];
     const auto half = [&](std::uint32_t x) {
@@ -157,7 +157,7 @@ class Bridger {
               [&](std::uint32_t s, std::uint32_t t) { return is_before(c, t, s); });
   }
 
-  // Over a bridge, around the loop there, and up to its end again. The depth is the number of loops in a row.
+  // Walks over a bridge and around the loop there, ending at that end of the bridge. Recursion depth: loops in a chain.
   void cross(std::uint32_t here, std::uint32_t there, std::vector<std::uint32_t>& out) {
     const std::vector<std::uint32_t>& at = bridges_at_[there];
     const auto arrival = static_cast<std::size_t>(std::find(at.begin(), at.end(), here) - at.begin());

@@ -35,7 +35,7 @@ class EarClipper {
         here = next_[here];
       }
     }
-    // What is left after the last test, a single triangle as a rule.
+    // The rest: normally one triangle; a fan if the budget of point tests ran out.
     for (; left > 2; --left) {
       cut(next_[here], out);
     }

@@ -1,4 +1,4 @@
-// Triangles for polygons that no sweep can do justice: self-intersecting, flat, or without any inside.
+// Ear clipping: the fallback for polygons that the sweep cannot triangulate (self-intersecting, flat or empty).
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace ryosen {
 
-// Appends size - 2 triangles of the closed corner list `corners` (numbers into `points`), ears first; where no ear is
-// left the next convex corner goes, or else any. Always ends: after a fixed number of point tests (about 0.3 s) the
-// rest becomes a fan. The same input gives the same triangles. Quadratic, hence only a last resort.
+// Appends size - 2 triangles of the closed corner list `corners` (numbers into `points`), ears first; if there is no
+// ear, it cuts the next convex corner, or else any. Terminates: after a fixed number of point tests (about 0.3 s) the
+// rest becomes a fan. Deterministic. O(n²) and worse within that limit.
 void clip_ears(std::span<const glm::dvec2> points, std::span<const std::uint32_t> corners,
                std::vector<CornerTriangle>& out);
 

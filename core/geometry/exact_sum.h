@@ -1,4 +1,5 @@
-// Exact signs of sums of products of doubles: expansions for ordinary magnitudes, a wide accumulator for all others.
+// Exact signs of sums of products of doubles: floating-point expansions for ordinary magnitudes, a wide fixed-point
+// accumulator for all others.
 #pragma once
 
 #include <array>
@@ -23,7 +24,7 @@ inline Pair two_sum(double a, double b) {
   return {sum, (a - a_part) + (b - b_part)};
 }
 
-// The halves of a double with at most 26 significant bits each.
+// Veltkamp split: the halves of a double, at most 26 significant bits each.
 inline Pair split(double a) {
   const double shifted = 134217729.0 * a;  // 2^27 + 1
   const double high = shifted - (shifted - a);
@@ -39,7 +40,7 @@ inline Pair two_product(double a, double b) {
   return {product, x.low * y.low - rest};
 }
 
-// A sum of doubles kept as a nonoverlapping expansion, smallest component first. Capacity bounds the terms added.
+// A sum of doubles as a nonoverlapping expansion, smallest component first. At most Capacity terms may be added.
 template <std::size_t Capacity>
 class Expansion {
  public:
@@ -73,8 +74,8 @@ class Expansion {
   std::size_t size_ = 0;
 };
 
-// A two's complement fixed-point number that holds sums of products of so many finite doubles each exactly, two dozen of
-// them at least: its unit is 2^(-1074 Factors), that power of the smallest double.
+// A two's complement fixed-point number that holds exactly the sum of at least 24 products of `Factors` finite doubles
+// each. Its unit is 2^(-1074 Factors), the product of `Factors` smallest doubles.
 template <std::size_t Factors>
 class ProductSum {
  public:
@@ -91,7 +92,7 @@ class ProductSum {
 
  private:
   __extension__ using Wide = unsigned __int128;
-  using Words = std::array<std::uint64_t, Factors + 1>;  // lowest first; a product and room for a shift
+  using Words = std::array<std::uint64_t, Factors + 1>;  // lowest first; a product plus room for the shift
 
   struct Parts {
     std::uint64_t mantissa;
@@ -143,7 +144,7 @@ class ProductSum {
     }
   }
 
-  // A product of n doubles stays below bit 2098 n; two dozen of them add five bits, and the sign one.
+  // A product of n doubles stays below bit 2098 n; a sum of 24 adds five bits, and the sign one.
   std::array<std::uint64_t, (2098 * Factors + 6 + 63) / 64> limbs_{};
 };
 

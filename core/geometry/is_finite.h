@@ -1,4 +1,4 @@
-// Whether a place has no coordinate that is infinite or not a number.
+// Whether all coordinates are finite.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// A sequence kept in a balanced binary tree (treap), for orders that only a search from the root can tell.
+// A sequence in a balanced binary tree (treap), for orders that only a descent from the root can determine.
 #pragma once
 
 #include <cstdint>
@@ -6,9 +6,9 @@
 
 namespace ryosen {
 
-// Nodes are numbers that the caller hands out, each at one place of the order or out of the tree. Searching means
-// walking from root() by left() and right(); inserting and erasing cost O(log n) on average, whatever the input,
-// because the priorities come from a hash of the number. The same calls give the same tree.
+// Nodes are numbers chosen by the caller, each in the tree at most once. To search, descend from root() by left() and
+// right(). Inserting and erasing cost O(log n) expected for any input, because priorities are hashes of the numbers.
+// Deterministic: the same calls give the same tree.
 class OrderedTree {
  public:
   static constexpr std::uint32_t none = 0xffffffffu;
@@ -22,7 +22,7 @@ class OrderedTree {
   std::uint32_t left(std::uint32_t node) const { return links_[node].child[0]; }
   std::uint32_t right(std::uint32_t node) const { return links_[node].child[1]; }
 
-  // Hangs a node under the empty place where a search ended: `parent` none for an empty tree.
+  // Inserts a node at the empty link where a search ended; `parent` is none for an empty tree.
   void attach(std::uint32_t node, std::uint32_t parent, bool to_the_right) {
     if (links_.size() <= node) links_.resize(node + 1);
     links_[node] = {{none, none}, parent, hash(node)};
@@ -36,7 +36,7 @@ class OrderedTree {
     }
   }
 
-  // Puts a node right behind another one.
+  // Inserts a node directly after another one.
   void insert_after(std::uint32_t node, std::uint32_t before) {
     std::uint32_t place = right(before);
     if (place == none) return attach(node, before, true);

@@ -20,7 +20,7 @@ int exponent_of(double size) { return std::clamp(std::ilogb(size), -1000, 1000);
 ScaledSum newell_sum(std::span<const glm::dvec3> polygon) {
   ScaledSum result;
   if (polygon.size() < 3) return result;
-  // Differences are taken at half size where they could overflow.
+  // Halve the coordinates if differences could overflow.
   const glm::dvec3 origin = polygon[0];
   double largest = 0.0;
   for (const glm::dvec3& p : polygon) largest = std::max(largest, largest_component(p));

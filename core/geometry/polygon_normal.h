@@ -16,11 +16,11 @@ glm::dvec3 vector_area(std::span<const glm::dvec3> polygon);
 // Area of the polygon projected along its normal: the length of vector_area.
 double polygon_area(std::span<const glm::dvec3> polygon);
 
-// Unit normal; the zero vector if the sum vanishes. Right also where the area is too small or large for a double.
+// Unit normal; the zero vector if the sum vanishes. Correct even if the area underflows or overflows a double.
 glm::dvec3 polygon_normal(std::span<const glm::dvec3> polygon);
 
-// Signed volume of the cone from `apex` over the polygon's star around its corners' mean. Summed over the faces of a
-// closed, outward oriented surface it is the volume, for any apex; one near the mesh keeps rounding small.
+// Signed volume of the cone from `apex` over the polygon, fanned from the mean of its corners. Summed over the faces of
+// a closed, outward-oriented surface it is the volume, for any apex; one near the mesh keeps rounding small.
 double polygon_volume(std::span<const glm::dvec3> polygon, const glm::dvec3& apex);
 
 }  // namespace ryosen

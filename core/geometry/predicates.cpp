@@ -10,7 +10,7 @@
 namespace ryosen {
 namespace {
 
-// Magnitudes for which differences, products and their last bits all stay inside the range of normal doubles.
+// Magnitudes for which differences, products and their rounding errors all stay in the range of normal doubles.
 constexpr double smallest_safe = 0x1p-400;
 constexpr double largest_safe = 0x1p+400;
 
@@ -52,7 +52,7 @@ int orient2d_by_expansion(const glm::dvec2& a, const glm::dvec2& b, const glm::d
   return sum.sign();
 }
 
-// Magnitudes for which the same holds of products of three.
+// The same for products of three factors.
 bool is_safe_cubed(double value) {
   const double size = std::abs(value);
   return value == 0.0 || (size >= 0x1p-250 && size <= 0x1p+250);
@@ -65,7 +65,7 @@ Tails difference(const glm::dvec3& p, const glm::dvec3& q) {
   return {exact::two_sum(p.x, -q.x), exact::two_sum(p.y, -q.y), exact::two_sum(p.z, -q.z)};
 }
 
-// Adds x y z of the three pairs, negated if so; what is zero takes no time, and nearly all the low parts are.
+// Adds x y z of the three pairs, negated on request. Zero terms are skipped: nearly all low parts are zero.
 void add_product(exact::Expansion<192>& sum, const exact::Pair& x, const exact::Pair& y, const exact::Pair& z,
                  bool negate) {
   for (const double a : {x.low, x.high}) {
@@ -78,7 +78,7 @@ void add_product(exact::Expansion<192>& sum, const exact::Pair& x, const exact::
   }
 }
 
-// The sign of the determinant of the rows a - d, b - d, c - d.
+// Sign of the determinant of the rows a - d, b - d, c - d.
 int determinant_by_expansion(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
   const Tails u = difference(a, d), v = difference(b, d), w = difference(c, d);
   exact::Expansion<192> sum;
@@ -90,7 +90,7 @@ int determinant_by_expansion(const glm::dvec3& a, const glm::dvec3& b, const glm
   return sum.sign();
 }
 
-// The same as four determinants of three points each.
+// The same, expanded into four determinants of three points each.
 int determinant_by_accumulator(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
   exact::ProductSum<3> sum;
   const auto add = [&](const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& w, bool negate) {
@@ -147,8 +147,8 @@ int orient3d(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, cons
   const double size = std::abs(u.x) * (std::abs(vw_x) + std::abs(wv_x)) +
                       std::abs(u.y) * (std::abs(vw_y) + std::abs(wv_y)) +
                       std::abs(u.z) * (std::abs(vw_z) + std::abs(wv_z));
-  // The bound is that of [Shewchuk97], (7 + 56 u) u, with room to spare. The limits keep what underflow loses, a
-  // smallest double times a difference each time, far below it, and overflow out (a NaN fails all comparisons).
+  // The bound is that of [Shewchuk97], (7 + 56 u) u, with room to spare. The limits keep underflow errors (smallest
+  // double times a difference, each) far below the bound and exclude overflow (a NaN fails all comparisons).
   const double reach = std::abs(u.x) + std::abs(u.y) + std::abs(u.z);
   if (size > 1e-200 && size <= 1e+300 && reach < 1e+100 && std::abs(det) > 8e-16 * size) return det > 0.0 ? -1 : 1;
   if (is_safe_cubed(a) && is_safe_cubed(b) && is_safe_cubed(c) && is_safe_cubed(d))

@@ -25,7 +25,8 @@ bool SweepTriangulator::run(const PlanarLoops& loops, Mode mode, std::vector<Cor
   return true;
 }
 
-// Links each corner to its neighbours at other places; false if a loop has no two different places.
+// Links each corner to its neighbours, skipping repeated positions; false if a loop has fewer than two distinct
+// positions.
 bool SweepTriangulator::link_corners(const PlanarLoops& loops) {
   const std::size_t count = loops.points.size();
   next_.assign(count, none);
@@ -78,14 +79,14 @@ void SweepTriangulator::link_loop(std::uint32_t first, std::uint32_t last) {
   }
 }
 
-// Top to bottom; of points on one level the left one counts as higher, as if the plane were turned a trifle.
+// Top to bottom; at equal height the left point is higher, as if the plane were rotated infinitesimally.
 bool SweepTriangulator::is_above(std::uint32_t a, std::uint32_t b) const {
   const glm::dvec2& p = points_[a];
   const glm::dvec2& q = points_[b];
   return p.y > q.y || (p.y == q.y && p.x < q.x);
 }
 
-// The order of corners at one place: first those that end what lies above, last those that start something below.
+// Tie-break for corners at one position: first those that end an interval above, last those that start one below.
 int SweepTriangulator::kind_of(std::uint32_t v) const {
   const bool prev_above = is_above(prev_[v], v);
   const bool next_above = is_above(next_[v], v);
@@ -120,7 +121,7 @@ bool SweepTriangulator::visit(std::uint32_t v) {
   return visit_above_both(v);
 }
 
-// Both neighbours are higher: the two sides close one interval or join two.
+// Both neighbours are higher (end or merge vertex): the two sides close one interval or join two.
 bool SweepTriangulator::visit_below_both(std::uint32_t v) {
   const std::uint32_t right = left_owner_[prev_[v]];
   const std::uint32_t left = right_owner_[next_[v]];
@@ -130,7 +131,8 @@ bool SweepTriangulator::visit_below_both(std::uint32_t v) {
   return merge(v, left, right);
 }
 
-// Both neighbours are lower: a reflex corner splits the interval that it lies in, a convex one starts a new one.
+// Both neighbours are lower (split or start vertex): a reflex corner splits the interval it lies in, a convex one
+// starts a new one.
 bool SweepTriangulator::visit_above_both(std::uint32_t v) {
   const int bend = turn(prev_[v], v, next_[v]);
   place_parent_ = none;
@@ -152,8 +154,8 @@ bool SweepTriangulator::visit_above_both(std::uint32_t v) {
   return start(v);
 }
 
-// Where a corner lies with respect to an interval. On one of its sides the corner's own sides decide: those of a
-// reflex corner run inside the interval, those of a convex one outside.
+// Where a corner lies relative to an interval. If it lies on a side of the interval its own sides decide: those of a
+// reflex corner are inside the interval, those of a convex one outside.
 SweepTriangulator::Side SweepTriangulator::side_of(std::uint32_t interval, std::uint32_t v, bool reflex) const {
   const std::uint32_t front = nodes_[intervals_[interval].front].corner;
   const int from_left = turn(front, next_[front], v);
@@ -246,8 +248,8 @@ bool SweepTriangulator::emit(std::uint32_t a, std::uint32_t b, std::uint32_t c) 
   return true;
 }
 
-// Cuts off the triangles that a new corner on the left side sees. Chain corners lower than their predecessor lie
-// opposite and are all seen; higher ones belong to the same side and are seen as long as the chain bends towards v.
+// Cuts off the triangles visible from a new corner on the left side. Chain corners lower than their predecessor are on
+// the opposite side and all visible; higher ones are on the same side and visible while the chain bends towards v.
 bool SweepTriangulator::cut_from_left(std::uint32_t interval, std::uint32_t v) {
   std::uint32_t front = intervals_[interval].front;
   for (std::uint32_t after = nodes_[front].after; after != none; after = nodes_[front].after) {

@@ -1,4 +1,4 @@
-// Triangulation of polygons in the plane by one sweep from top to bottom.
+// Plane-sweep triangulation of polygons with holes, top to bottom.
 #pragma once
 
 #include <cstdint>
@@ -11,41 +11,41 @@
 
 namespace ryosen {
 
-// The corners of one or more loops, numbered on from loop to loop; the inside lies left of every side.
+// The corners of one or more loops, numbered consecutively; the interior is left of every side.
 struct PlanarLoops {
   std::span<const glm::dvec2> points;
   std::span<const std::uint32_t> ends;  // one past the last corner of each loop
 };
 
-// Triangulates while sweeping [Hertel83]: between two sides that bound the inside lies an interval, whose part not yet
-// triangulated hangs below a chain of corners bent inwards. Each corner cuts off the triangles that it sees, so no
-// diagonals have to be stored and the work after sorting is linear apart from O(log n) searches.
-// Buffers are kept between calls.
+// Triangulates during the sweep [Hertel83]: an interval is the interior between two adjacent sides on the sweep line,
+// and its untriangulated part is bounded above by a reflex chain of corners. Each corner cuts off the triangles visible
+// from it, so no diagonals are stored, and after sorting the work is linear apart from O(log n) searches. Buffers are
+// kept between calls.
 class SweepTriangulator {
  public:
   enum class Mode {
-    strict,   // gives up when a triangle would be turned over: the loops are not even weakly simple
-    tolerant  // goes on, so that loops with a few crossings get a triangulation with a few turned triangles
+    strict,   // gives up if a triangle would be inverted: the loops are not even weakly simple
+    tolerant  // continues, so that loops with a few crossings get a triangulation with a few inverted triangles
   };
 
-  // Appends the triangles to `out` and tells whether they are complete. If not, `out` holds leftovers.
+  // Appends the triangles to `out`; false if it failed, with an incomplete set in `out`.
   bool run(const PlanarLoops& loops, Mode mode, std::vector<CornerTriangle>& out);
 
  private:
   static constexpr std::uint32_t none = 0xffffffffu;
 
-  // A corner's place in the chain of an interval. After a split a corner hangs in two chains.
+  // A node of an interval's chain. After a split a corner is in two chains.
   struct ChainNode {
     std::uint32_t corner;
     std::uint32_t before;  // towards the left side
     std::uint32_t after;   // towards the right side
   };
 
-  // The inside between the side from front down to its successor and the side from back down to its predecessor.
+  // The interior between the side from front down to its successor and the side from back down to its predecessor.
   struct Interval {
     std::uint32_t front;  // chain node of the left side's upper end
     std::uint32_t back;   // chain node of the right side's upper end
-    std::uint32_t low;    // chain node of the lowest corner, the last that arrived
+    std::uint32_t low;    // chain node of the lowest corner, the last one added
   };
 
   enum class Side { left, inside, right };
@@ -78,8 +78,8 @@ class SweepTriangulator {
   std::vector<CornerTriangle>* out_ = nullptr;
   Mode mode_ = Mode::strict;
   std::vector<std::uint32_t> next_, prev_;
-  std::vector<std::uint32_t> order_;       // corners from top to bottom, repeated ones left out
-  std::vector<std::uint32_t> rank_;        // place in order_
+  std::vector<std::uint32_t> order_;       // corners from top to bottom, without repeated ones
+  std::vector<std::uint32_t> rank_;        // index in order_
   std::vector<std::uint32_t> left_owner_;  // by corner: the interval whose left side starts here
   std::vector<std::uint32_t> right_owner_;
   std::vector<CornerTriangle> repeated_;  // flat triangles that put repeated corners back in

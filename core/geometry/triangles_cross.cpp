@@ -9,7 +9,7 @@ namespace {
 
 using Triangle = std::array<glm::dvec3, 3>;
 
-// On which side of the plane a, b, c the point d lies; 0 where rounding could be larger than the value.
+// orient3d in floating point; 0 if the rounding error could exceed the value.
 int certain_side(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
   const glm::dvec3 u = a - d, v = b - d, w = c - d;
   const double value = glm::dot(u, glm::cross(v, w));

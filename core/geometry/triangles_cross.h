@@ -1,4 +1,4 @@
-// Whether two triangles in space cut through each other.
+// Approximate test whether two triangles in space intersect transversally.
 #pragma once
 
 #include <array>
@@ -6,9 +6,9 @@
 
 namespace ryosen {
 
-// True when a side of one certainly passes through the inside of the other. Touching, sharing corners or sides, and
-// overlap within one plane do not count, nor does what rounding leaves undecided: meant for warnings, not for
-// combinatorial decisions. O(1).
+// True if an edge of one certainly passes through the interior of the other. Touching, shared corners or edges and
+// coplanar overlap do not count, nor cases that rounding leaves undecided: for warnings, not for combinatorial
+// decisions. O(1).
 bool triangles_cross(const std::array<glm::dvec3, 3>& a, const std::array<glm::dvec3, 3>& b);
 
 }  // namespace ryosen

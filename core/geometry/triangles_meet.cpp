@@ -8,10 +8,10 @@ namespace {
 
 using Corners = std::array<glm::dvec3, 3>;
 
-// Whether three signs go both ways: a point or line then passes the triangle by.
+// Whether both signs occur: the point or line then misses the triangle.
 bool has_both_signs(int a, int b, int c) { return (a > 0 || b > 0 || c > 0) && (a < 0 || b < 0 || c < 0); }
 
-// An axis along which a triangle that is not flat does not vanish in projection.
+// An axis along which the projection of a non-degenerate triangle is non-degenerate.
 int view_axis(const Corners& t) {
   int axis = 0;
   while (axis < 2 && cross_component_sign(t[0], t[1], t[2], axis) == 0) ++axis;
@@ -23,14 +23,14 @@ bool covers(const Corners& t, const glm::dvec3& p, int axis) {
                          cross_component_sign(t[2], t[0], p, axis));
 }
 
-// Of a segment and a side that do not lie on one line.
+// Segment and side must not be collinear.
 bool segments_cross(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& a, const glm::dvec3& b, int axis) {
   const int side_a = cross_component_sign(p, q, a, axis), side_b = cross_component_sign(p, q, b, axis);
   if (side_a * side_b > 0 || (side_a == 0 && side_b == 0)) return false;
   return cross_component_sign(a, b, p, axis) * cross_component_sign(a, b, q, axis) <= 0;
 }
 
-// A segment in the plane of the triangle. One that runs along a side either ends in the triangle or crosses the other
+// A segment coplanar with the triangle. If collinear with a side it either ends in the triangle or crosses the other
 // two sides at their ends.
 bool meets_in_plane(const glm::dvec3& p, const glm::dvec3& q, const Corners& t) {
   const int axis = view_axis(t);
@@ -40,7 +40,7 @@ bool meets_in_plane(const glm::dvec3& p, const glm::dvec3& q, const Corners& t) 
   return false;
 }
 
-// Whether a closed segment meets a closed triangle; the sides of the triangle's plane on which its ends lie are known.
+// Whether a closed segment meets a closed triangle, given the orient3d signs of its ends.
 bool meets(const glm::dvec3& p, int side_p, const glm::dvec3& q, int side_q, const Corners& t) {
   if (side_p * side_q > 0) return false;
   if (side_p == 0 && side_q == 0) return meets_in_plane(p, q, t);
@@ -61,7 +61,7 @@ bool has_side_that_meets(const Corners& a, const std::array<int, 3>& sides, cons
   return false;
 }
 
-// Two triangles meet where a side of one meets the other.
+// Without common corners: triangles meet iff a side of one meets the other.
 bool meet_apart(const Corners& a, const Corners& b) {
   std::array<int, 3> a_sides, b_sides;
   for (std::size_t k = 0; k < 3; ++k) a_sides[k] = orient3d(b[0], b[1], b[2], a[k]);
@@ -71,8 +71,8 @@ bool meet_apart(const Corners& a, const Corners& b) {
   return has_side_that_meets(a, a_sides, b) || has_side_that_meets(b, b_sides, a);
 }
 
-// Besides the corner i of one and j of the other, which is the same: whatever else they share, a ray from there leads to
-// it and on to the side across, and the first of the two sides that it reaches lies in the other triangle.
+// With one common corner, i of one and j of the other: the ray from it through any other common point leaves one
+// triangle first, and the opposite side it leaves through meets the other triangle.
 bool meet_beside_corner(const Corners& a, std::size_t i, const Corners& b, std::size_t j) {
   const auto side_meets = [](const Corners& one, std::size_t corner, const Corners& other) {
     const glm::dvec3 &p = one[(corner + 1) % 3], &q = one[(corner + 2) % 3];
@@ -81,14 +81,14 @@ bool meet_beside_corner(const Corners& a, std::size_t i, const Corners& b, std::
   return side_meets(a, i, b) || side_meets(b, j, a);
 }
 
-// Besides the side between two common corners: only where they are folded onto each other.
+// With a common side: only if the triangles are coplanar and folded onto each other.
 bool overlap_beside_side(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& a, const glm::dvec3& b) {
   if (orient3d(p, q, a, b) != 0) return false;
   const int axis = view_axis({p, q, a});
   return cross_component_sign(p, q, a, axis) == cross_component_sign(p, q, b, axis);
 }
 
-// Whether the segment between two corners, all but corner k, is a side.
+// Whether the segment opposite corner k is a side.
 bool is_side_across(std::uint8_t sides, std::size_t k) { return (sides >> (k + 1) % 3 & 1u) != 0; }
 
 }  // namespace

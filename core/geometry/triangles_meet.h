@@ -1,4 +1,4 @@
-// Whether two triangles in space have a point in common besides the corners and sides that they share.
+// Exact test whether two triangles in space intersect other than at shared corners and sides.
 #pragma once
 
 #include <array>
@@ -7,8 +7,8 @@
 
 namespace ryosen {
 
-// A triangle whose corners are known by number. Bit k of `sides` says that the segment from corner k to the next is a
-// side that a neighbour may share; no bit: it is a diagonal within a face.
+// A triangle with numbered corners. Bit k of `sides`: the segment from corner k to the next is a side that a neighbour
+// may share; otherwise it is a diagonal within a face.
 struct NumberedTriangle {
   std::array<glm::dvec3, 3> places;
   std::array<std::uint32_t, 3> numbers;
@@ -16,10 +16,10 @@ struct NumberedTriangle {
 };
 
 // True if and only if the closed triangles have a common point outside of what they share: corners of equal number, and
-// segments between two of them that are sides of both. Touching counts, also in a single point, and so do overlap within
-// one plane, the fold of two triangles over their common side, and three equal numbers. Exact for all finite doubles.
-// Equal numbers must have equal places, and neither triangle may be flat (its corners on one line). About a hundred
-// nanoseconds where filters decide.
+// segments between two of them that are sides of both. Touching counts, even in a single point, and so do coplanar
+// overlap, two triangles folded over their common side, and three equal numbers. Exact for all finite doubles. Equal
+// numbers must have equal places, and neither triangle may be degenerate (collinear corners). About 100 ns if the
+// filters decide.
 bool meet_elsewhere(const NumberedTriangle& a, const NumberedTriangle& b);
 
 }  // namespace ryosen

@@ -16,10 +16,10 @@ namespace {
 using Polygon = std::span<const glm::dvec3>;
 using Triangles = std::vector<CornerTriangle>;
 
-// Up to this many corners ears give the better picture of a self-intersecting polygon; above, they take too long.
+// Up to this many corners ear clipping draws self-intersecting polygons better; above, it takes too long.
 constexpr std::size_t most_corners_for_ears = 1024;
 
-// The view along one axis in which the polygon runs counter-clockwise. Coordinates are copied or mirrored, never
+// The projection along one axis in which the polygon is counter-clockwise. Coordinates are copied or negated, never
 // rounded.
 struct View {
   int axis = 2;
@@ -31,7 +31,7 @@ struct View {
   }
 };
 
-// The axes by falling share of the normal.
+// The axes by descending magnitude of the normal's component.
 std::array<View, 3> views_of(const glm::dvec3& normal) {
   std::array<View, 3> views = {View{2, normal.z < 0.0}, View{1, normal.y < 0.0}, View{0, normal.x < 0.0}};
   const auto share = [&](const View& view) { return std::abs(normal[view.axis]); };
@@ -43,8 +43,8 @@ void add_fan(std::uint32_t count, Triangles& out) {
   for (std::uint32_t i = 1; i + 1 < count; ++i) out.push_back({0, i, i + 1});
 }
 
-// The signs of a quad's four turns in the first view that shows any, turned so that most are positive: of a simple quad
-// at most one corner is reflex.
+// The orientation signs of a quad's four corners in the first projection where any is nonzero, negated if most are
+// negative: a simple quad has at most one reflex corner.
 std::array<int, 4> quad_turns(Polygon quad) {
   std::array<int, 4> turns{};
   for (const View view : views_of(polygon_normal(quad))) {
@@ -67,8 +67,8 @@ std::array<int, 4> quad_turns(Polygon quad) {
 // A quad is cut by its shorter diagonal, or by the one that lies inside.
 void triangulate_quad(Polygon quad, Triangles& out) {
   const std::array<int, 4> turns = quad_turns(quad);
-  const int first = std::min(turns[1], turns[3]);   // what the diagonal 0-2 leaves
-  const int second = std::min(turns[0], turns[2]);  // what the diagonal 1-3 leaves
+  const int first = std::min(turns[1], turns[3]);   // corners opposite diagonal 0-2
+  const int second = std::min(turns[0], turns[2]);  // corners opposite diagonal 1-3
   bool use_first = first >= second;
   if (first > 0 && second > 0) {
     const glm::dvec3 a = quad[2] - quad[0];
@@ -121,8 +121,8 @@ class Triangulator {
     std::transform(corners_.begin(), corners_.end(), points_.begin(), view);
   }
 
-  // Decides by the outer loop's highest place, where a simple polygon is convex, and mirrors the view if needed;
-  // false if the loop is on edge in this view.
+  // Decides by the outer loop's highest point, where a simple polygon is convex, and mirrors the projection if needed;
+  // false if the loop is edge-on (all collinear) in it.
   bool turn_counter_clockwise(View& view) {
     const std::span<const glm::dvec2> outer(points_.data(), ends_[0]);
     const auto is_higher = [](const glm::dvec2& p, const glm::dvec2& q) { return p.y != q.y ? p.y > q.y : p.x < q.x; };
@@ -151,7 +151,7 @@ class Triangulator {
     return true;
   }
 
-  // Turns left at every corner and goes round once: then a fan has neither flat nor turned triangles.
+  // Left turns only, and winds once: then a fan has no degenerate or inverted triangle.
   bool is_strictly_convex() const {
     const std::size_t count = points_.size();
     int direction_changes = 0;
@@ -167,7 +167,7 @@ class Triangulator {
     return direction_changes == 2;
   }
 
-  // One corner list through all loops, each hole tied to the nearest corner so far by a bridge walked both ways.
+  // One corner list through all loops, each hole joined to the nearest corner so far by a bridge.
   void join_loops() {
     joined_.clear();
     for (std::uint32_t i = 0; i < ends_[0]; ++i) joined_.push_back(i);
@@ -184,7 +184,7 @@ class Triangulator {
     }
   }
 
-  // Triangles for corners that have no place: only their number is right.
+  // Triangles for non-finite corners: only their count and corner use are meaningful.
   void fill(std::uint32_t count, Triangles& out) {
     points_.assign(count, glm::dvec2(0.0));
     join_loops();

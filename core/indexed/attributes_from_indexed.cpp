@@ -43,11 +43,11 @@ void add_face_names(const FaceNames& names, std::string_view name, MeshColumns& 
 void add_colours(const IndexedMesh& source, MeshColumns& c) {
   if (source.vertex_colours.empty()) return;
   AttributeColumn column = make_column(attribute_names::colour, ElementKind::vertex, sizeof(glm::dvec4), 0);
-  // A new vertex has no colour, which NaN says.
+  // NaN marks "no colour", the value of new vertices.
   const glm::dvec4 none(std::numeric_limits<double>::quiet_NaN());
   std::memcpy(column.fill.data(), &none, sizeof none);
   copy_words(column, source.vertex_colours);
-  // Copies of a point carry its colour.
+  // Copies of a point take its colour.
   column.data.resize(c.vertex_halfedge.size() * column.words);
   for (std::size_t v = source.vertex_colours.size(); v < c.vertex_halfedge.size(); ++v) {
     Vertex point = c.next_copy[v];

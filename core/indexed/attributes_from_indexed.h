@@ -1,4 +1,4 @@
-// Moves the attributes of a polygon list into columns of the mesh.
+// Conversion of the attributes of a polygon list to mesh columns.
 #pragma once
 
 #include "core/indexed/indexed.h"
@@ -8,7 +8,7 @@
 namespace ryosen {
 
 // Adds one column per attribute that the list uses (names in core/mesh/attribute.h). Copies take the values of their
-// point. Cost: O(size of what is there).
+// point. Linear in the size of the attributes.
 void add_attributes(const IndexedMesh& source, const CornerPairing& pairing, MeshColumns& columns);
 
 }  // namespace ryosen

@@ -11,7 +11,7 @@ namespace ryosen {
 
 namespace {
 
-// Loops without bridges in a form that does not depend on where each begins.
+// Loops without bridges in canonical form, independent of where each starts.
 using LoopSet = std::vector<std::vector<std::uint32_t>>;
 
 LoopSet normal_form(const CornerLoops& list, const LoopSet& places) {
@@ -25,7 +25,7 @@ LoopSet normal_form(const CornerLoops& list, const LoopSet& places) {
   return loops;
 }
 
-// Whether every bridge that is an edge of the mesh is one of the list too, which has the same loops.
+// Whether every bridge of the mesh face is also a side of the list (whose loops are known to be equal).
 bool has_bridges_of(const Mesh& mesh, Face f, std::span<const std::uint32_t> list) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
   for (std::size_t i = 0; i < list.size(); ++i) sides.emplace_back(list[i], list[(i + 1) % list.size()]);
@@ -67,7 +67,7 @@ std::optional<std::vector<std::pair<Halfedge, std::size_t>>> corners_as_in_file(
   if (!parts_now || !parts_then || normal_form(now, *parts_now) != normal_form(then, *parts_then)) return std::nullopt;
   if (!has_bridges_of(mesh, f, list)) return std::nullopt;
   std::sort(corner_of.begin(), corner_of.end());
-  std::vector<std::pair<std::uint32_t, std::size_t>> place_of;  // by point, the place of the list that is the corner's
+  std::vector<std::pair<std::uint32_t, std::size_t>> place_of;  // by point, its index in the list
   for (const auto& part : *parts_then)
     for (std::uint32_t place : part) place_of.emplace_back(list[place], place);
   std::sort(place_of.begin(), place_of.end());

@@ -20,8 +20,8 @@ struct Fan {
 
 Halfedge counter_clockwise(const MeshColumns& c, Halfedge h) { return twin(c.halfedges[h.index].prev); }
 
-// How many halfedges the fans of vertex_halfedge hold, for the vertices begin .. end-1. Walks around several vertices
-// take turns, so that they wait for memory together.
+// Total size of the fans reached from vertex_halfedge, for the vertices begin .. end-1. Walks around several vertices
+// are interleaved, so that their cache misses overlap.
 std::size_t count_in_fans(const MeshColumns& c, std::uint32_t begin, std::uint32_t end) {
   struct Walk {
     Halfedge start, at;
@@ -51,7 +51,7 @@ std::size_t count_in_fans(const MeshColumns& c, std::uint32_t begin, std::uint32
   return count;
 }
 
-// The fans are disjoint, so they hold all halfedges only where each vertex has one.
+// The fans are disjoint, so they cover all halfedges iff each vertex has exactly one.
 bool has_one_fan_each(const MeshColumns& c) {
   const unsigned threads = threads_for(c.halfedges.size());
   std::vector<std::size_t> counts(threads, 0);
@@ -70,7 +70,7 @@ std::uint32_t fan_size(const MeshColumns& c, Halfedge start) {
   return n;
 }
 
-// Points whose outgoing halfedges are more than the fan of vertex_halfedge holds.
+// Points with more outgoing halfedges than the fan of vertex_halfedge contains.
 std::vector<bool> find_points_with_several_fans(const MeshColumns& c, bool& any) {
   std::vector<std::uint32_t> outgoing(c.vertex_halfedge.size(), 0);
   for (const HalfedgeLinks& links : c.halfedges) ++outgoing[links.from.index];
@@ -96,7 +96,7 @@ std::vector<Fan> collect_fans(const MeshColumns& c, const std::vector<bool>& sev
       seen[h.index] = true;
       const Face face = c.halfedges[h.index].face;
       if (!face) fan.halfedge = h;
-      fan.lowest_face = std::min(fan.lowest_face, face);  // none is the largest number
+      fan.lowest_face = std::min(fan.lowest_face, face);  // none compares largest
       h = counter_clockwise(c, h);
     } while (h != Halfedge(i));
     fans.push_back(fan);
@@ -131,7 +131,7 @@ void separate_fans(MeshColumns& c) {
       c.vertex_halfedge[fan.point] = fan.halfedge;
       continue;
     }
-    // A new copy goes to the end of the cycle, which closes at the point itself.
+    // Append the new copy to the cyclic list, which closes at the point itself.
     const Vertex copy(c.vertex_halfedge.size());
     const Vertex before = fans[i - 1].point == fan.point && i >= 2 && fans[i - 2].point == fan.point
                               ? Vertex(copy.index - 1)

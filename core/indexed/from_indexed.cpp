@@ -41,8 +41,8 @@ void link_outside(MeshColumns& c) {
   }
 }
 
-// Joins the two faces at each outside loop of exactly two halves; returns whether there was one. Edges are renumbered
-// without gaps, in their order.
+// Joins the two faces at each boundary loop of exactly two halfedges; returns whether there was one. Edges are
+// renumbered without gaps, keeping their order.
 bool close_two_loops(const MeshColumns& c, CornerPairing& pairing) {
   std::vector<Halfedge> renamed(c.halfedges.size());
   for (std::uint32_t i = 0; i < renamed.size(); ++i) renamed[i] = Halfedge(i);

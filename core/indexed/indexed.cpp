@@ -6,7 +6,7 @@
 namespace ryosen {
 namespace {
 
-// The vertex number that is most plainly out of range: the first negative one, else the largest.
+// The out-of-range vertex number to report: the first negative one, else the largest.
 std::int64_t stray_corner(const CompactList<std::int64_t>& corners) {
   for (const std::int64_t corner : corners) {
     if (corner < 0) return corner;

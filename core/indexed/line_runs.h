@@ -1,4 +1,5 @@
-// The lines on which the elements of a file stand, in runs of one line after another: a few bytes for most files.
+// The line number of each element of a file, run-length encoded (consecutive lines form a run): a few bytes for most
+// files.
 #pragma once
 
 #include <algorithm>
@@ -9,18 +10,18 @@ namespace ryosen {
 
 class LineRuns {
  public:
-  // The line of the next element, from 1.
+  // Appends the line of the next element, from 1.
   void add(std::uint64_t line) {
     begin_run({count_, line});
     ++count_;
   }
-  // The elements of another file that follows this one after so many lines. O(runs).
+  // Appends the elements of a part of the file that starts after `lines_before` lines. O(runs).
   void append(const LineRuns& next, std::uint64_t lines_before) {
     for (const Run& run : next.runs_) begin_run({count_ + run.first, lines_before + run.line});
     count_ += next.count_;
   }
   friend bool operator==(const LineRuns&, const LineRuns&) = default;
-  // 0 where none was added. O(log runs).
+  // The line of an element, 0 if none was added. O(log runs).
   std::uint64_t line(std::uint32_t element) const {
     if (element >= count_) return 0;
     const auto after = std::upper_bound(runs_.begin(), runs_.end(), element,
@@ -34,7 +35,7 @@ class LineRuns {
     std::uint64_t line;
     friend bool operator==(const Run&, const Run&) = default;
   };
-  // Unless the last one goes on like this.
+  // Starts a run unless it continues the last one.
   void begin_run(const Run& run) {
     if (runs_.empty() || line_in(runs_.back(), run.first) != run.line) runs_.push_back(run);
   }

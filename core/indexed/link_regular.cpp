@@ -6,14 +6,14 @@ namespace ryosen {
 
 namespace {
 
-// The outside halfedge that leaves to(outside) along the same fan of faces.
+// The boundary halfedge that leaves to(outside) at the other end of the same fan.
 Halfedge next_outside(const UnwrittenVector<HalfedgeLinks>& halfedges, Halfedge outside) {
   Halfedge h = twin(outside);
   while (halfedges[h.index].face) h = twin(halfedges[h.index].prev);
   return h;
 }
 
-// Where a side of a triangle lies: its corner gives the face and both neighbours in the loop.
+// The links of a triangle's side, derived from its corner number.
 HalfedgeLinks triangle_links(const Halfedge* halfedge, std::uint32_t corner, Vertex from) {
   const std::uint32_t f = corner / 3, first = 3 * f, place = corner - first;
   return {from, halfedge[first + (place == 2 ? 0 : place + 1)], halfedge[first + (place == 0 ? 2 : place - 1)],
@@ -41,7 +41,7 @@ void link_triangles(const RegularPairing& p, unsigned threads, MeshColumns& c) {
                 });
 }
 
-// Any polygons: outside halves first get no face and their origin, then each face links its own.
+// General polygons: first initialise all halves as boundary, then each face links its own.
 void link_polygons(const IndexedMesh& source, const RegularPairing& p, unsigned threads, MeshColumns& c) {
   for (std::uint32_t v = 0, e = 0; v < p.points.size(); ++v) {
     for (; e < p.points[v].edge_end; ++e) {
@@ -60,7 +60,7 @@ void link_polygons(const IndexedMesh& source, const RegularPairing& p, unsigned 
       });
 }
 
-// The halves of edges that have nothing but a down side.
+// Both halves of edges that have only a down side.
 void link_down_only(const IndexedMesh& source, const RegularPairing& p, bool triangles, MeshColumns& c) {
   if (triangles)
     for (std::uint32_t corner : p.down_only)

@@ -1,4 +1,4 @@
-// Links the halves of a pairing without cuts.
+// Halfedge links from a regular pairing (no cuts).
 #pragma once
 
 #include "core/indexed/pair_regular.h"
@@ -6,11 +6,11 @@
 
 namespace ryosen {
 
-// Fills the halfedges, and what vertices and faces hold. The columns of vertices and faces must have their lengths; of a
-// face without corners nothing is written. Triangles are linked edge by edge, in the order of memory. O(corners).
+// Fills halfedges, vertex_halfedge and face_halfedge. The latter two must have their final lengths; faces without
+// corners are not written. Triangles are linked edge by edge, in memory order. O(corners).
 void link_regular(const IndexedMesh& source, const RegularPairing& pairing, unsigned threads, MeshColumns& columns);
 
-// Links an outside half whose fan is linked but for its gap, and makes its origin hold it.
+// Links a boundary halfedge whose fan is otherwise linked, and stores it at its origin.
 void link_outside_half(MeshColumns& columns, Halfedge h);
 
 }  // namespace ryosen

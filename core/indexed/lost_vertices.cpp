@@ -11,7 +11,7 @@ namespace ryosen {
 
 namespace {
 
-// Live points by their places.
+// Live points indexed by position.
 class PointsByPlace {
  public:
   explicit PointsByPlace(const Mesh& mesh) : mesh_(mesh) {
@@ -24,7 +24,7 @@ class PointsByPlace {
     });
   }
 
-  // The lowest one there; none where there is none.
+  // The lowest point at a position, or none.
   Vertex at(const glm::dvec3& place) const {
     if (!is_place(place)) return Vertex();
     const auto found = std::lower_bound(points_.begin(), points_.end(), place,
@@ -59,7 +59,7 @@ LostVertices find_lost(const Mesh& mesh, const FileTables& tables, std::span<con
   const PointsByPlace points(mesh);
   for (const Vertex v : gone) {
     const Vertex there = points.at(mesh.position(v));
-    // One of the file with a higher number keeps the values of its own row.
+    // A file vertex with a higher number does not replace it: it keeps its own row of values.
     if (!there.is_none() && (there < v || there.index >= mesh.file_vertices()))
       lost.replacements.emplace_back(v, there);
     else

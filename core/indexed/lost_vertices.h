@@ -1,4 +1,4 @@
-// The vertices of a file that are gone from the mesh and that something beside it uses.
+// File vertices that were deleted from the mesh but are still referenced from outside it.
 #pragma once
 
 #include <span>
@@ -9,14 +9,14 @@
 
 namespace ryosen {
 
-// What becomes of vertices that are gone and that something beside the mesh uses.
+// How such vertices are written: kept, or replaced by a live point.
 struct LostVertices {
   std::vector<Vertex> kept;                             // ascending
-  std::vector<std::pair<Vertex, Vertex>> replacements;  // and the live point that stands for it
+  std::vector<std::pair<Vertex, Vertex>> replacements;  // deleted vertex, live point that replaces it
 };
 
-// Of those that the faces set aside in `tables` name, and of `used_beside`; which points stand for them is said at
-// to_indexed. O(those named), and a sort of the points when one of them is gone.
+// Considers the vertices referenced by the quarantine in `tables` and by `used_beside`; see to_indexed for which points
+// replace them. Linear in the references, plus a sort of the points if one of them was deleted.
 LostVertices find_lost(const Mesh& mesh, const FileTables& tables, std::span<const Vertex> used_beside);
 
 }  // namespace ryosen

@@ -11,7 +11,7 @@ namespace ryosen {
 
 namespace {
 
-// One side of a face, filed under the smaller of its two points.
+// One side of a face, in the bucket of the smaller of its two points.
 struct Side {
   std::uint32_t larger;
   std::uint32_t corner_and_direction;  // corner * 2 + (runs from the larger to the smaller point)
@@ -55,7 +55,7 @@ CornerPairing pair_with_cuts(const IndexedMesh& source) {
   for_each_side(source, [&](std::uint32_t, std::uint32_t a, std::uint32_t b) { ++bucket_end[std::min(a, b) + 1]; });
   for (std::size_t p = 0; p < points; ++p) bucket_end[p + 1] += bucket_end[p];
 
-  // Filing moves each bucket's start to its end, which is then where the next one begins.
+  // Filling moves each bucket's start to its end, which is where the next one begins.
   std::vector<Side> sides(source.corners.size());
   for_each_side(source, [&](std::uint32_t corner, std::uint32_t a, std::uint32_t b) {
     const std::uint32_t reversed = a > b;

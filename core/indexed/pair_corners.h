@@ -1,4 +1,4 @@
-// Pairing: which halfedge each corner of a polygon list becomes.
+// Pairing of face sides into edges: which halfedge each corner of a polygon list becomes.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,18 @@
 namespace ryosen {
 
 struct CornerPairing {
-  UnwrittenVector<Halfedge> halfedge;  // of the side that begins at each corner
+  UnwrittenVector<Halfedge> halfedge;  // per corner: of the side that starts there
   std::uint32_t edges = 0;
   bool has_cuts = false;  // some point pair is non-manifold or misoriented, so its faces got edges of their own
 };
 
-// Joins two faces that run a pair of points in opposite directions when no third one does; any other face gets an edge
-// of its own. Edges are numbered by their smaller point, so that one-rings lie close together (but see RegularPairing
-// for those at the boundary); an even halfedge runs from the smaller to the larger point. Counting sort on the smaller
-// point: O(corners).
+// Joins two faces that traverse a pair of points in opposite directions if no third face does; any other face gets an
+// edge of its own. Edges are sorted by their smaller point, so that one-rings are close in memory (but see
+// RegularPairing for boundary edges); an even halfedge goes from the smaller to the larger point. Counting sort on the
+// smaller point: O(corners).
 CornerPairing pair_corners(const IndexedMesh& source);
 
-// The same joints, whatever the list holds, with all edges in the order of their smaller, then their larger point.
+// The same pairing for any list, always with the edges sorted by smaller, then larger point.
 CornerPairing pair_with_cuts(const IndexedMesh& source);
 
 }  // namespace ryosen

@@ -17,8 +17,8 @@ namespace {
 using Point = RegularPairing::Point;
 using Sides = RegularPairing::Sides;
 
-// Calls visit(corner, point, next point) for every side of the faces begin .. end-1. Of triangles, what lies in `fetched`
-// for points that will soon come is fetched; null for nothing.
+// Calls visit(corner, point, next point) for every side of the faces begin .. end-1. For triangles, prefetches the
+// entries of `fetched` for points that come soon; null for none.
 template <class Visit>
 void for_each_side(const IndexedMesh& source, bool triangles, std::uint32_t begin, std::uint32_t end, Visit visit,
                    const Point* fetched) {
@@ -47,7 +47,7 @@ void for_each_side(const IndexedMesh& source, bool triangles, std::uint32_t begi
   }
 }
 
-// Whether faces that follow each other mostly lie far apart in the list of points, so that each waits for memory.
+// Whether consecutive faces mostly use distant points, so that each causes cache misses (by sampling).
 bool is_scattered(const IndexedMesh& source, bool triangles) {
   constexpr std::size_t samples = 256;
   constexpr std::uint32_t far = 1u << 16;
@@ -74,8 +74,8 @@ class Pairer {
 
   std::optional<RegularPairing> pair() {
     count();
-    sum_up();
-    file();
+    prefix_sums();
+    fill_buckets();
     match();
     for (const auto& corners : down_only_) out_.down_only.insert(out_.down_only.end(), corners.begin(), corners.end());
     if (!is_regular()) return std::nullopt;
@@ -95,7 +95,7 @@ class Pairer {
     });
   }
 
-  // The up sides at each point, for each thread's part of the faces.
+  // Counts the up sides at each point, per thread's part of the faces.
   void count() {
     for (auto& cursors : cursors_) cursors.resize(source_.positions.size());
     with_sides([&](unsigned t, auto for_each) {
@@ -110,8 +110,8 @@ class Pairer {
     });
   }
 
-  // Counts become the places where each thread begins to file: first the sides of earlier faces.
-  void sum_up() {
+  // Prefix sums: counts become the offsets where each thread starts writing, in face order.
+  void prefix_sums() {
     std::uint32_t sum = 0;
     for (std::size_t p = 0; p < source_.positions.size(); ++p) {
       std::uint32_t last = no_index;
@@ -123,35 +123,35 @@ class Pairer {
         if (cursors[p].last_corner != no_index) last = cursors[p].last_corner;
       }
       cursors_.back()[p].last_corner = last;
-      if (sum - begin > many) crowded_.push_back(static_cast<std::uint32_t>(p));
+      if (sum - begin > many) high_valence_.push_back(static_cast<std::uint32_t>(p));
     }
     out_.up_edges = sum;
   }
 
-  // Files each up side under its smaller point. A down side writes to a slot behind all others instead.
-  void file() {
+  // Writes each up side to the bucket of its smaller point. Branchless: a down side writes to a dummy slot at the end.
+  void fill_buckets() {
     out_.sides.resize(out_.up_edges + look_ahead);
     out_.halfedge.resize(source_.corners.size());
     with_sides([&](unsigned t, auto for_each) {
       Point* points = cursors_[t].data();
       Sides* sides = out_.sides.data();
       Halfedge* halfedges = out_.halfedge.data();
-      const std::uint32_t nowhere = out_.up_edges + t;
+      const std::uint32_t dummy = out_.up_edges + t;
       for_each(
           [&](std::uint32_t corner, std::uint32_t a, std::uint32_t b) {
             const bool up = a < b;
             const std::uint32_t place = points[a].edge_end;
             points[a].edge_end = place + up;
-            sides[up ? place : nowhere] = {b, corner, no_index};
+            sides[up ? place : dummy] = {b, corner, no_index};
             halfedges[corner] = halfedge(Edge(place));
           },
           points);
     });
     std::fill_n(out_.sides.begin() + out_.up_edges, look_ahead, Sides{no_index, no_index, no_index});
-    for (std::uint32_t p : crowded_) sort_edges_of(p);
+    for (std::uint32_t p : high_valence_) sort_edges_of(p);
   }
 
-  // The edges filed under a point.
+  // The edges in the bucket of a point.
   std::pair<std::uint32_t, std::uint32_t> edges_of(std::uint32_t point) const {
     const Point* points = cursors_.back().data();
     return {point == 0 ? 0 : points[point - 1].edge_end, points[point].edge_end};
@@ -164,7 +164,7 @@ class Pairer {
     for (std::uint32_t e = begin; e < end; ++e) out_.halfedge[out_.sides[e].up] = halfedge(Edge(e));
   }
 
-  // Where the edge to `larger` is filed, begin .. end being those of the smaller point; no_index for nowhere.
+  // The edge to `larger` in the bucket begin .. end of the smaller point, or no_index.
   std::uint32_t find(std::uint32_t begin, std::uint32_t end, std::uint32_t larger) const {
     const Sides* at = out_.sides.data() + begin;
     unsigned found = 1u << look_ahead;
@@ -183,15 +183,15 @@ class Pairer {
     return found != last && is_it(*found) ? static_cast<std::uint32_t>(found - out_.sides.data()) : no_index;
   }
 
-  // A side that looks for the edge of its two points.
-  struct Seeker {
+  // A down side whose edge is looked up.
+  struct DownSide {
     std::uint32_t smaller, larger, corner, begin, end;
   };
 
-  // Finds the edges of all down sides. They go in batches, so that they wait for memory together.
+  // Finds the edges of all down sides, in batches with prefetch, so that their cache misses overlap.
   void match() {
     with_sides([&](unsigned t, auto for_each) {
-      std::array<Seeker, 256> batch;
+      std::array<DownSide, 256> batch;
       std::size_t count = 0;
       for_each(
           [&](std::uint32_t corner, std::uint32_t a, std::uint32_t b) {
@@ -206,28 +206,29 @@ class Pairer {
     });
   }
 
-  void match_batch(std::span<Seeker> batch, std::vector<std::uint32_t>& down_only) {
+  void match_batch(std::span<DownSide> batch, std::vector<std::uint32_t>& down_only) {
     const Point* points = cursors_.back().data();
     Sides* sides = out_.sides.data();
-    for (const Seeker& s : batch) __builtin_prefetch(points + s.smaller);
-    for (Seeker& s : batch) {
+    for (const DownSide& s : batch) __builtin_prefetch(points + s.smaller);
+    for (DownSide& s : batch) {
       std::tie(s.begin, s.end) = edges_of(s.smaller);
       __builtin_prefetch(sides + s.begin, 1);
       __builtin_prefetch(sides + s.begin + look_ahead - 1, 1);
     }
-    for (const Seeker& s : batch) {
+    for (const DownSide& s : batch) {
       const std::uint32_t e = find(s.begin, s.end, s.larger);
       if (e == no_index) {
         down_only.push_back(s.corner);
         continue;
       }
       out_.halfedge[s.corner] = halfedge(Edge(e), 1);
-      // Two sides at the same half are found out later, whichever comes last.
+      // If two sides claim the same half either may win; is_regular() detects it.
       std::atomic_ref(sides[e].down).store(s.corner, std::memory_order_relaxed);
     }
   }
 
-  // Every down side found a half of its own, and no two up sides, nor any without an edge, have the same two points.
+  // Every matched down side has a half of its own, and no two up sides, nor two unmatched down sides, have the same two
+  // points.
   bool is_regular() const {
     std::vector<std::size_t> filled(threads_, 0);
     std::atomic<bool> twice = false;
@@ -239,7 +240,7 @@ class Pairer {
                       for (std::uint32_t e = first; e < last; ++e) {
                         if (out_.sides[e].down != no_index)
                           ++count;
-                        else if (is_twice(e, first, last))
+                        else if (has_duplicate(e, first, last))
                           twice = true;
                       }
                     }
@@ -250,8 +251,8 @@ class Pairer {
            are_distinct(out_.down_only);
   }
 
-  // Whether another edge of the point leads to the same one. Of several equal ones only the first is ever matched.
-  bool is_twice(std::uint32_t e, std::uint32_t first, std::uint32_t last) const {
+  // Whether another edge of the bucket has the same two points. Of several equal ones only the first is ever matched.
+  bool has_duplicate(std::uint32_t e, std::uint32_t first, std::uint32_t last) const {
     const std::uint32_t larger = out_.sides[e].larger;
     if (last - first > many)
       return (e > first && out_.sides[e - 1].larger == larger) || (e + 1 < last && out_.sides[e + 1].larger == larger);
@@ -276,9 +277,10 @@ class Pairer {
     return std::adjacent_find(pairs.begin(), pairs.end()) == pairs.end();
   }
 
-  // Edges of a point that are compared at once; the slots behind the last edge serve as nowhere, one per thread.
+  // Edges of a bucket that are compared unconditionally; also the number of dummy slots after the last edge, one per
+  // thread.
   static constexpr unsigned look_ahead = 4;
-  // A point with more edges has them sorted by their larger point, so that a hub costs no square.
+  // Larger buckets are sorted by larger point, which avoids quadratic cost at points of high valence.
   static constexpr std::uint32_t many = 32;
 
   const IndexedMesh& source_;
@@ -286,7 +288,7 @@ class Pairer {
   const std::uint32_t faces_;
   const bool triangles_, scattered_;
   std::vector<UnwrittenVector<Point>> cursors_;
-  std::vector<std::uint32_t> crowded_;  // points with many edges
+  std::vector<std::uint32_t> high_valence_;  // points with more than `many` edges
   std::vector<std::vector<std::uint32_t>> down_only_;
   RegularPairing out_;
 };

@@ -1,4 +1,4 @@
-// Pairing where every two points are joined by one side or by one in each direction: nothing has to be cut.
+// Fast pairing for regular lists: every pair of points has at most one side in each direction, so nothing is cut.
 #pragma once
 
 #include <cstdint>
@@ -11,34 +11,34 @@
 
 namespace ryosen {
 
-// An edge is filed under its smaller point; a side is "up" when it runs from the smaller to the larger one. Edges with
-// an up side come first, by smaller point, then in the order of the faces (at a point with many, by larger point); then
-// those with nothing but a down side. The even half of an edge is the up one.
+// Edges are bucketed by smaller point; a side is "up" if it goes from the smaller to the larger point. Edges with an up
+// side come first, by smaller point, then in face order (in large buckets by larger point); then those with only a down
+// side. The even half of an edge is the up one.
 struct RegularPairing {
   struct Point {
-    std::uint32_t edge_end = 0;            // where its edges end and those of the next point begin
-    std::uint32_t last_corner = no_index;  // the last corner that is on it
+    std::uint32_t edge_end = 0;            // end of its edges, start of the next point's
+    std::uint32_t last_corner = no_index;  // the last corner at it
   };
   struct Sides {
     std::uint32_t larger;  // the larger point
-    std::uint32_t up;      // the corner where the up side begins
-    std::uint32_t down;    // where the down side begins; no_index: outside
+    std::uint32_t up;      // the corner where the up side starts
+    std::uint32_t down;    // where the down side starts; no_index: boundary
   };
   UnwrittenVector<Point> points;
-  UnwrittenVector<Sides> sides;          // per edge with an up side; a few more entries mean nothing
-  UnwrittenVector<Halfedge> halfedge;    // per corner: the side that begins there
+  UnwrittenVector<Sides> sides;          // per edge with an up side; a few dummy entries follow
+  UnwrittenVector<Halfedge> halfedge;    // per corner: of the side that starts there
   std::vector<std::uint32_t> down_only;  // corners whose side is the only one of its edge, in order
   std::uint32_t up_edges = 0;
 
   std::uint32_t edges() const { return up_edges + static_cast<std::uint32_t>(down_only.size()); }
 };
 
-// None where some two points are joined otherwise. Two streams over the corners with a counting sort by smaller point
-// between them, without a branch that depends on the data. The result is the same for any number of threads.
-// O(corners) plus sorting at the few points of high valence.
+// None if the list is not regular. Two passes over the corners with a counting sort by smaller point between them,
+// nearly free of data-dependent branches. The result does not depend on the number of threads. O(corners) plus sorting
+// at the few points of high valence.
 std::optional<RegularPairing> pair_regular(const IndexedMesh& source, unsigned threads);
 
-// The face list is nothing but triangles, none of them quarantined.
+// Whether all faces are triangles and none is quarantined.
 bool is_all_triangles(const IndexedMesh& source);
 
 }  // namespace ryosen

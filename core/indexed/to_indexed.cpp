@@ -24,7 +24,7 @@ void number_vertices(const Mesh& mesh, const std::vector<Vertex>& kept, CompactM
     const Vertex v(i);
     const bool is_kept = next_kept != kept.end() && *next_kept == v;
     if (is_kept) ++next_kept;
-    if (!is_kept && (!mesh.is_alive(v) || out.vertex_number[i] != no_index)) continue;  // a copy of a point met before
+    if (!is_kept && (!mesh.is_alive(v) || out.vertex_number[i] != no_index)) continue;  // point is numbered
     const auto number = static_cast<std::uint32_t>(out.mesh.positions.size());
     if (is_kept)
       out.vertex_number[i] = number;
@@ -34,7 +34,7 @@ void number_vertices(const Mesh& mesh, const std::vector<Vertex>& kept, CompactM
   }
 }
 
-// The column's index of each corner, where the mesh has the column.
+// Builds the CornerValues of one corner attribute; stays empty if the mesh has no such column.
 class CornerColumn {
  public:
   CornerColumn(const Mesh& mesh, std::string_view index_name, std::string_view pool_name, int components,
@@ -54,15 +54,15 @@ class CornerColumn {
   void add(Halfedge corner) {
     if (data_) add_value(data_[corner.index]);
   }
-  // A corner that the file's list has with a value of its own at another place of the same vertex: it keeps that one
-  // while the value of the corner in the mesh is still the file's.
+  // A further occurrence, at index `place` of the file's list, of the corner at `place_of_corner`: it keeps its own
+  // value from the file if the value of the corner is unchanged.
   void add(Halfedge corner, const std::vector<std::uint32_t>& in_file, std::size_t place, std::size_t place_of_corner) {
     if (!data_) return;
     const std::uint32_t value = data_[corner.index];
     const bool is_unchanged = !in_file.empty() && in_file[place_of_corner] == value;
     add_value(is_unchanged ? in_file[place] : value);
   }
-  // A list without a single value is an unused one.
+  // Drops the index if no corner has a value.
   void finish() {
     if (!any_) values_.index.clear();
   }
@@ -161,12 +161,12 @@ void write_quarantine(const Mesh& mesh, const FileTables& tables, CompactMesh& o
   }
 }
 
-// Moves one value per slot to the numbers of the list; slots from values.size() on take `fill`.
+// Reorders one value per slot to the numbers of the list; slots from values.size() on get `fill`.
 template <class Value>
 std::vector<Value> renumbered(const std::vector<Value>& values, const std::vector<std::uint32_t>& number,
                               std::size_t count, const Value& fill) {
   std::vector<Value> result(count, fill);
-  // Downwards, so that of the copies of a point the one that names it decides.
+  // Descending, so that among the copies of a point its representative wins.
   for (std::size_t i = std::min(values.size(), number.size()); i-- > 0;)
     if (number[i] != no_index) result[number[i]] = values[i];
   return result;
@@ -243,7 +243,7 @@ CompactMesh to_indexed(const Mesh& mesh, const FileTables& tables, std::span<con
   FaceWriter(mesh, tables, out).write();
   write_vertex_values(mesh, tables, out);
   write_face_values(mesh, tables, out);
-  // Only now, for the values of a point are those of its live vertices.
+  // Only now: replaced vertices must not contribute attribute values.
   for (const auto& [gone, there] : lost.replacements) out.vertex_number[gone.index] = out.vertex_number[there.index];
   write_quarantine(mesh, tables, out);
   return out;

@@ -11,7 +11,7 @@ namespace ryosen {
 
 namespace {
 
-using Loops = std::vector<std::vector<std::uint32_t>>;  // places in the list of corners
+using Loops = std::vector<std::vector<std::uint32_t>>;  // indices into the corner list
 
 std::vector<glm::dvec3> places_of(const IndexedMesh& source, const std::vector<std::uint32_t>& corners) {
   std::vector<glm::dvec3> places;
@@ -41,7 +41,7 @@ Loops loops_of_face(const IndexedMesh& source, std::uint32_t f) {
   return loops;
 }
 
-// Puts the corners of a list into a new order.
+// Permutes the values of a list.
 void reorder(std::vector<std::uint32_t>& values, const std::vector<std::uint32_t>& order) {
   if (values.empty()) return;
   std::vector<std::uint32_t> sorted;
@@ -85,7 +85,7 @@ std::vector<std::uint32_t> unfold_bridges(IndexedMesh& source) {
 void fold_rings(const std::vector<std::uint32_t>& face_of_ring, std::uint32_t faces, MeshColumns& c) {
   if (face_of_ring.empty()) return;
   c.first_ring.assign(faces, no_index);
-  // From the last one on, so that the chain of a face begins with its first.
+  // In reverse, so that the chain of a face starts with its first ring.
   for (std::size_t i = face_of_ring.size(); i-- > 0;) {
     const Halfedge start = c.face_halfedge[faces + i];
     const Face f(face_of_ring[i]);

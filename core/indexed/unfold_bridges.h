@@ -1,4 +1,4 @@
-// Faces whose corner lists have bridges, taken apart before a polygon list is connected and put together afterwards.
+// Splitting of faces with bridges into loops before a polygon list is connected, and reassembly as rings afterwards.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace ryosen {
 
-// Leaves the outer loop of each face in source.bridged in its place, the one with the largest area projected along the
-// face's normal, and adds its other loops as further faces at the end; returns the face of each of these. Corner values
-// come along. Cost: O(corners) where there is such a face.
+// Replaces each face in source.bridged by its outer loop (the one with the largest area projected along the face's
+// normal) and appends its other loops as further faces; returns the owning face of each of these. Corner values move
+// along. O(corners) if there is such a face.
 std::vector<std::uint32_t> unfold_bridges(IndexedMesh& source);
 
-// Makes the faces from `faces` on rings of the faces that they were unfolded from.
+// Turns the faces from number `faces` on into rings of the faces they were split from.
 void fold_rings(const std::vector<std::uint32_t>& face_of_ring, std::uint32_t faces, MeshColumns& columns);
 
 }  // namespace ryosen

@@ -22,7 +22,7 @@ std::uint64_t count_colours(const IndexedMesh& mesh, Test test) {
   }));
 }
 
-// Whether reading divides the byte back into the component.
+// Whether reading restores the component from the byte.
 bool is_byte_exact(double component) { return as_byte(component) / byte_scale == component || std::isnan(component); }
 
 bool is_whole_byte(double component) {

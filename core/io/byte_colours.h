@@ -1,5 +1,5 @@
-// Colours in text that may count from 0 to 255 instead of from 0 to 1: in OFF those of the vertices do where any of
-// their numbers is above one; each face tells for itself.
+// Colours in OFF text files, which range over 0..255 or 0..1: vertex colours are bytes if any component exceeds 1; face
+// colours are decided per face.
 #pragma once
 
 #include "core/io/mesh_file.h"
@@ -8,18 +8,18 @@ namespace ryosen {
 
 inline constexpr double byte_scale = 255.0;
 
-// The number that reading divides back into the component, a whole one if there is.
+// The byte-scale number that reading converts back to the same component, integral if possible.
 double as_byte(double component);
-// Whether the vertex colours have to be written so to be read again: because one is above one, or because the file came
-// so and its numbers still show it. O(colours).
+// Whether the vertex colours must be written as bytes to be read back: because a component exceeds 1, or because the
+// file had bytes and they are still recognisable. O(colours).
 bool are_byte_colours(const MeshFile& file);
-// How many colours of vertices and faces come back as others, by a rounding or because they are too large; O(colours).
+// The number of vertex and face colours that do not round-trip, because of rounding or range; O(colours).
 std::uint64_t count_rounded_colours(const MeshFile& file);
 
-// How the colour of a face is written, which says by itself what its numbers are: whole numbers are bytes, as are all of
-// a colour with one above one; any others go from 0 to 1.
+// How a face colour is written. The text determines its scale: integers are bytes, as are all components of a colour
+// with one above 1; others range over 0..1.
 enum class ColourForm { bytes, large_bytes, reals };
-// Of a face with three or four numbers: bytes where the file came with such and they are the numbers' own.
+// For a face with three or four components: bytes if the file had bytes and they are exact.
 ColourForm form_of_face_colour(const FaceColours& colours, std::size_t face);
 
 }  // namespace ryosen

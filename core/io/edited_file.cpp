@@ -10,7 +10,7 @@
 namespace ryosen {
 namespace {
 
-// Without those that the lines run along anyway, so that they are not there twice when the file is read again.
+// Without wires that coincide with lines, so that they do not occur twice when the file is read again.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> wires_beside(const ElementList& lines, const Mesh& mesh,
                                                                   const std::vector<std::uint32_t>& number) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> wires;

@@ -21,7 +21,7 @@ ElementList renumbered(const ElementList& elements, std::span<const std::uint32_
   const auto file_end = static_cast<std::int64_t>(old_vertices), new_end = static_cast<std::int64_t>(new_vertices);
   ElementList out;
   std::size_t face = 0;
-  std::uint32_t faces_before = 0;  // faces below `face` that are still there
+  std::uint32_t faces_before = 0;  // remaining faces below `face`
   for (LineElement item : elements.items) {
     for (; face < std::min<std::size_t>(item.before_face, face_number.size()); ++face) {
       if (face_number[face] != no_index) ++faces_before;

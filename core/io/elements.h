@@ -1,4 +1,4 @@
-// Carries the lines and points of a file along when vertices and faces get new numbers.
+// Renumbering of the lines and points of a file.
 #pragma once
 
 #include <cstddef>
@@ -15,10 +15,10 @@ struct ElementTotals {
 };
 ElementTotals totals_of(const MeshFile& file);
 
-// `vertex_number` and `face_number` give the new number for each old one, no_index for what is gone; faces keep their
-// order. The file had `old_vertices` vertices and gets `new_vertices`: a number past the old end stays as far past the
-// new one, negative ones stay. A vertex that is gone leaves its line or points; a line of fewer than two and points of
-// none go too, unless the file had them so. Cost: O(faces + elements).
+// `vertex_number` and `face_number` give the new number for each old one, no_index if removed; faces keep their order.
+// A number past `old_vertices` stays equally far past `new_vertices`, negative ones are unchanged. Removed vertices are
+// dropped from lines and points; lines left with fewer than two vertices and empty point lists are removed, unless the
+// file had them. Cost: O(faces + elements).
 ElementList renumbered(const ElementList& elements, std::span<const std::uint32_t> vertex_number,
                        std::span<const std::uint32_t> face_number, std::size_t old_vertices, std::size_t new_vertices);
 

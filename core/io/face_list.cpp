@@ -53,7 +53,7 @@ bool FaceList::repeats_corner(std::size_t begin, std::size_t end, std::vector<st
     return false;
   }
   stamps.resize(mesh_.positions.size(), no_index);
-  const auto stamp = static_cast<std::uint32_t>(begin);  // differs from face to face
+  const auto stamp = static_cast<std::uint32_t>(begin);  // unique per face
   for (std::size_t i = begin; i < end; ++i) {
     if (std::exchange(stamps[c[i]], stamp) == stamp) return true;
   }
@@ -114,7 +114,7 @@ void FaceList::close_gaps(const std::vector<QuarantinedFace>& removed) {
   remove_ranges(mesh_.corners, mesh_.face_offsets, removed);
   std::uint32_t shift = 0;
   auto next = removed.begin();
-  std::uint32_t begin = 0;  // of the face in the old numbering
+  std::uint32_t begin = 0;  // start of the face in the old numbering
   for (std::size_t face = 0; face + 1 < mesh_.face_offsets.size(); ++face) {
     const std::uint32_t end = mesh_.face_offsets[face + 1];
     if (next != removed.end() && next->face == face) {

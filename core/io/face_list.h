@@ -1,4 +1,4 @@
-// Gathers faces as a file gives them and sets the unusable ones aside once all vertices are known.
+// Collects the faces of a file and quarantines the unusable ones once all vertices are known.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 namespace ryosen {
 
 // Appends to the corners, face_offsets and face_lines of a mesh, which must outlive it. Vertex numbers may be anything
-// until finish(). A format without lines ends all its faces with line 0, and face_lines stays empty. Memory: 4 bytes per
+// until finish(). A format without lines passes line 0 for all faces, and face_lines stays empty. Memory: 4 bytes per
 // corner, and 16 more for one that is negative or beyond 32 bits.
 class FaceList {
  public:
@@ -25,8 +25,8 @@ class FaceList {
       mesh_.corners.push_back(no_index);
     }
   }
-  // For who writes the corners and face_offsets of the mesh itself: the number that belongs to a place of the corners
-  // that holds no_index. Places must ascend.
+  // For callers that write corners and face_offsets themselves: the actual number of a corner stored as no_index. Call
+  // in ascending order of place.
   void note_wide(std::size_t place, std::int64_t vertex) { wide_.emplace_back(place, vertex); }
 
   // Ends the face; its corners are those added since the last call.
@@ -35,16 +35,16 @@ class FaceList {
     if (line != 0) mesh_.face_lines.push_back(line < no_index ? static_cast<std::uint32_t>(line) : no_index);
   }
 
-  // Adds the faces of another list, as if they had been added here. `lines_before` counts the lines before those of the
-  // other's file. Their vertex numbers are those of this mesh. O(corners of the other).
+  // Appends the faces of another list, whose first line follows `lines_before` lines. Their vertex numbers refer to
+  // this mesh. O(corners of the other).
   void append(const FaceList& next, std::uint64_t lines_before);
 
-  // Whether one more line of `bytes` bytes could lead past the 32 bits of the numbering.
+  // Whether one more line of `bytes` bytes could overflow the 32-bit numbering.
   bool is_full(std::size_t bytes) const { return mesh_.corners.size() + bytes >= no_index; }
 
   // Moves every face with fewer than three corners, an index out of range or a repeated corner into the quarantine,
-  // with its texture coordinates and normals, and reports each. A repeated corner of a face with bridges is
-  // in order. Needs the final positions. Cost: O(corners).
+  // with its texture coordinates and normals, and reports each. Repeated corners due to bridges are allowed. Needs the
+  // final positions. Cost: O(corners).
   void finish(Reporter& reporter);
 
  private:
@@ -55,7 +55,7 @@ class FaceList {
     Flaw flaw;
   };
 
-  // Adds the faces begin .. end-1 that have a flaw. `stamps` holds, per vertex, the face that visited it last.
+  // Finds the flawed faces in begin .. end-1. `stamps` holds, per vertex, the last face that visited it.
   void find_flaws(std::uint32_t begin, std::uint32_t end, std::vector<FlawedFace>& flawed) const;
   Flaw flaw(std::size_t face, std::vector<std::uint32_t>& stamps) const;
   bool repeats_corner(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& stamps) const;

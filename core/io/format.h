@@ -1,4 +1,4 @@
-// A row of the table of file formats: all that the program knows of a format.
+// A row of the table of file formats: all facts about a format.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@
 
 namespace ryosen {
 
-// How much the first bytes of a file look like a format.
+// How well the first bytes of a file match a format.
 enum class Likeness { no, maybe, sure };
 
-// A name under which a format is written in one of several encodings.
+// An id for writing a format in one of several encodings.
 struct FormatVariant {
   std::string_view id;  // for --format
   Encoding encoding;
@@ -25,16 +25,16 @@ struct FormatVariant {
 struct Format {
   std::string_view id;                       // stable, for --format and JSON
   Text name;                                 // for menus and help
-  std::vector<std::string_view> extensions;  // lower case with the dot; the first is the usual one
-  // Gets at most sniffed_bytes, and how many bytes the file has.
+  std::vector<std::string_view> extensions;  // lower case with the dot; the first is the default
+  // Gets at most sniffed_bytes, and the size of the file.
   Likeness (*sniff)(std::string_view head, std::uint64_t size);
   Result<MeshFile> (*read)(std::string_view bytes, const std::filesystem::path& path);
-  // The bytes of the file, and what a file in this encoding can hold; both null if the format is only read.
+  // Serialises the file; what a file in this encoding can represent. Both null if the format is read-only.
   std::string (*write)(const MeshFile& file, Encoding encoding) = nullptr;
   Holds (*holds)(Encoding encoding) = nullptr;
-  std::vector<FormatVariant> variants = {};  // empty where there is one encoding alone; else the usual one first
-  bool shares_name = false;                  // files of this name are often no meshes; see may_be_mesh
-  bool is_name_binding = false;  // a file of this name with the content of another format is refused, not read as that
+  std::vector<FormatVariant> variants = {};  // empty if there is only one encoding; else the default first
+  bool shares_name = false;                  // files with this extension are often not meshes; see may_be_mesh
+  bool is_name_binding = false;              // a file with this extension but the content of another format is refused
 };
 
 inline constexpr std::size_t sniffed_bytes = 4096;

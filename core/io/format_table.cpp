@@ -40,7 +40,7 @@ Holds stl_holds(Encoding encoding) {
 
 Holds txt_holds(Encoding) { return Holds::odd_triangles | Holds::vertices | Holds::doubles; }
 
-// The rows of the program, and behind them those that were added.
+// The built-in rows, followed by the added ones.
 std::deque<Format>& all_formats() {
   static std::deque<Format> table = {
       {"obj",

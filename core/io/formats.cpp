@@ -13,7 +13,7 @@
 namespace ryosen {
 namespace {
 
-// Of what is packed, where the file is.
+// The extension, before any .gz.
 std::string extension_of(const std::filesystem::path& path) {
   std::string extension = without_gzip(path).extension().string();
   for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -103,7 +103,7 @@ Result<MeshFile> read_mesh(std::string_view bytes, const Format& format, const s
 
 namespace {
 
-// The bytes, unpacked where the name allows it: it says that they are packed, or no format that is not.
+// The bytes, unpacked if the name ends in .gz or has no known extension.
 Result<FileBytes> unpacked(FileBytes bytes, const std::filesystem::path& path) {
   if (!is_gzip(bytes.view()) || (!has_gzip_name(path) && format_of_extension(path))) return bytes;
   Result<FileBytes> out = unpack_gzip(bytes.view());
@@ -184,7 +184,7 @@ std::optional<WriteOptions> find_target(std::string_view id) {
 
 Encoding encoding_of(const MeshFile& file, const Format& format, Encoding wanted) {
   if (format.variants.empty()) return Encoding::automatic;
-  // A format with one binary form takes that for any binary.
+  // A format with a single binary encoding uses it for either byte order.
   const Encoding binary = file.encoding == Encoding::binary_big ? Encoding::binary_little : file.encoding;
   for (const Encoding encoding : {wanted, file.encoding, binary}) {
     for (const FormatVariant& variant : format.variants) {

@@ -13,10 +13,10 @@
 namespace ryosen {
 namespace {
 
-constexpr int gzip_window = 15 + 16;                        // the largest, with the head and the check sum of gzip
+constexpr int gzip_window = 15 + 16;                        // the largest window, with gzip header and checksum
 constexpr std::size_t most_at_once = std::size_t{1} << 30;  // zlib counts in 32 bits
 
-// Goes over the members of a packed file.
+// Sequential decompression over all members of a gzip file.
 class Inflater {
  public:
   explicit Inflater(std::string_view packed) : packed_(packed) {
@@ -26,8 +26,8 @@ class Inflater {
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
 
-  // Unpacks the next bytes into `room` and tells how many; fewer than there is room for only at the end of the file or
-  // where there is a failure.
+  // Unpacks the next bytes into `room` and returns their number; less than `size` only at the end of the file or on
+  // failure.
   std::size_t read(char* room, std::size_t size) {
     std::size_t done = 0;
     while (done < size && !is_at_end_ && !failure_) done += step(room + done, std::min(size - done, most_at_once));
@@ -40,7 +40,7 @@ class Inflater {
  private:
   std::size_t step(char* room, std::size_t size) {
     const auto given = static_cast<uInt>(std::min(packed_.size() - at_, most_at_once));
-    // zlib only reads; where its headers say otherwise, they are older than const.
+    // zlib only reads; its API is not const-correct.
     stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed_.data() + at_));
     stream_.avail_in = given;
     stream_.next_out = reinterpret_cast<Bytef*>(room);
@@ -52,7 +52,7 @@ class Inflater {
       end_member();
     else if (result == Z_MEM_ERROR)
       throw std::bad_alloc();
-    else if (result == Z_BUF_ERROR)  // nothing more is there
+    else if (result == Z_BUF_ERROR)  // no more input
       cut();
     else if (result != Z_OK)
       damaged();
@@ -105,7 +105,7 @@ Failure too_large(std::uint64_t most, FilePlace place) {
                    place);
 }
 
-// How many bytes there are.
+// The unpacked size.
 Result<std::uint64_t> count_unpacked(std::string_view packed, std::uint64_t most) {
   std::string room(std::size_t{1} << 16, '\0');
   Inflater inflater(packed);

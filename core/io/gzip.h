@@ -1,4 +1,4 @@
-// Files packed with gzip: their names, unpacking and packing.
+// gzip files: their names, unpacking and packing.
 #pragma once
 
 #include <cstdint>
@@ -13,22 +13,22 @@ namespace ryosen {
 
 inline constexpr std::uint64_t most_unpacked_bytes = std::uint64_t{4} << 30;
 
-// Whether bytes begin as such a file does.
+// Whether the bytes start with the gzip magic.
 bool is_gzip(std::string_view bytes);
 
-// Whether a name ends in .gz, in any case, and the name of what is packed there: x.obj of x.obj.gz, else itself.
+// Whether a name ends in .gz (case-insensitive), and the name without it: x.obj for x.obj.gz, else the name itself.
 bool has_gzip_name(const std::filesystem::path& path);
 std::filesystem::path without_gzip(const std::filesystem::path& path);
 
-// What is packed in all members of such a file, one after another. Refuses, with the byte of the packed file, one that
-// is damaged (gzip_damaged), ends early (gzip_cut), goes on with something else (gzip_extra_data) or holds more than
-// `most` bytes (gzip_too_large). Unpacks twice, first only to count, so that a refusal costs no memory. O(unpacked).
+// The concatenated content of all members. Fails, with the byte offset in the packed file, if it is damaged
+// (gzip_damaged), truncated (gzip_cut), followed by other data (gzip_extra_data) or larger than `most` bytes unpacked
+// (gzip_too_large). Unpacks twice, first only to count, so that a failure costs no memory. O(unpacked).
 Result<FileBytes> unpack_gzip(std::string_view packed, std::uint64_t most = most_unpacked_bytes);
 
-// The first bytes of what is packed there, as many as can be had of `packed`, which may be cut anywhere.
+// The first unpacked bytes, as far as available; `packed` may be truncated anywhere.
 std::string unpacked_head(std::string_view packed, std::size_t most);
 
-// The same bytes give the same file: there is neither a time nor a name in it.
+// Deterministic: stores neither time nor name.
 std::string pack_gzip(std::string_view bytes);
 
 }  // namespace ryosen

@@ -18,7 +18,7 @@
 namespace ryosen {
 namespace {
 
-constexpr int not_a_file = -1;  // beside the error numbers of the system
+constexpr int not_a_file = -1;  // not an errno value
 
 Failure failure(const std::filesystem::path& path, int error) {
   const std::string name = path.string();
@@ -41,9 +41,9 @@ Failure failure(const std::filesystem::path& path, int error) {
   return out;
 }
 
-// Reads to the end into a buffer that grows when the size told is not the true one. Returns 0 or an error number.
+// Reads to the end into a buffer that grows if the expected size is wrong. Returns 0 or an error number.
 int read_to_end(int descriptor, std::size_t expected, std::size_t limit, FileBytes& out) {
-  std::size_t capacity = expected + 1;  // the byte more lets the end show without growing
+  std::size_t capacity = expected + 1;  // one extra byte detects the end without growing
   out.data.reset(new (std::nothrow) char[capacity]);
   if (!out.data) return ENOMEM;
   offer_huge_pages(out.data.get(), capacity);
@@ -65,17 +65,17 @@ int read_to_end(int descriptor, std::size_t expected, std::size_t limit, FileByt
   }
 }
 
-// A descriptor that whoever started the program has opened for it: standard input, a shell's <(...).
+// A descriptor inherited from the parent process: standard input, a shell's <(...).
 bool is_handed_over(const std::filesystem::path& path) {
   const std::string& name = path.native();
   return name == "/dev/stdin" || name.starts_with("/dev/fd/") || name.starts_with("/proc/self/fd/");
 }
 
-// Opens without waiting for anybody, and finds out what it is. Returns the descriptor, or -1 with an error.
+// Opens without blocking, and gets the file type. Returns the descriptor, or -1 with an error.
 int open_input(const std::filesystem::path& path, struct stat& status, int& error) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
   if (descriptor < 0) {
-    error = errno == ENXIO ? not_a_file : errno;  // a socket, or a device that nothing answers for
+    error = errno == ENXIO ? not_a_file : errno;  // a socket, or a device without a driver
     return -1;
   }
   if (::fstat(descriptor, &status) != 0)
@@ -83,7 +83,7 @@ int open_input(const std::filesystem::path& path, struct stat& status, int& erro
   else if (S_ISDIR(status.st_mode))
     error = EISDIR;
   else if (S_ISFIFO(status.st_mode) && is_handed_over(path))
-    error = ::fcntl(descriptor, F_SETFL, 0) == 0 ? 0 : errno;  // its writer may be slower than we are: wait
+    error = ::fcntl(descriptor, F_SETFL, 0) == 0 ? 0 : errno;  // back to blocking reads: the writer may be slower
   else if (!S_ISREG(status.st_mode))
     error = not_a_file;
   if (error == 0) return descriptor;
@@ -98,7 +98,7 @@ Result<FileBytes> read_whole_file(const std::filesystem::path& path) {
   int error = 0;
   const int descriptor = open_input(path, status, error);
   if (descriptor < 0) return failure(path, error);
-  // A pipe does not tell its size and may never end.
+  // A pipe has no known size and may never end.
   constexpr std::size_t unknown_size = 1 << 16, most_unknown = 1 << 30;
   const bool is_regular = S_ISREG(status.st_mode);
   const std::size_t expected = is_regular ? static_cast<std::size_t>(status.st_size) : unknown_size;

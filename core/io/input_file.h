@@ -1,4 +1,4 @@
-// Reads a whole file into memory, or says why it cannot.
+// Reading of whole files into memory.
 #pragma once
 
 #include <cstddef>
@@ -17,9 +17,9 @@ struct FileBytes {
   std::string_view view() const { return {data.get(), size}; }
 };
 
-// Reads regular files, and pipes where they were handed to the program (/dev/stdin, /dev/fd/N); other pipes, devices and
-// sockets, which may never end or answer, are refused without waiting. Failures have the exit code input_missing and one
-// of the codes input_missing, input_is_folder, input_not_a_file, input_unreadable.
+// Reads regular files, and pipes inherited by the program (/dev/stdin, /dev/fd/N); other pipes, devices and sockets,
+// which may block forever, are refused without waiting. Failures have the exit code input_missing and one of the codes
+// input_missing, input_is_folder, input_not_a_file, input_unreadable.
 Result<FileBytes> read_whole_file(const std::filesystem::path& path);
 
 }  // namespace ryosen

@@ -86,7 +86,7 @@ std::uint64_t set_aside(const MeshFile& file, Holds held) {
   return faces.size() - static_cast<std::uint64_t>(std::count_if(faces.begin(), faces.end(), is_held));
 }
 
-// By a face that formats without vertices of their own may hold.
+// Vertices used by a face that formats without separate vertices can hold.
 std::vector<bool> used_vertices(const IndexedMesh& mesh) {
   std::vector<bool> used(mesh.positions.size(), false);
   for (const std::uint32_t corner : mesh.corners) used[corner] = true;
@@ -103,15 +103,15 @@ std::uint64_t isolated_vertices(const MeshFile& file, Holds held) {
   return static_cast<std::uint64_t>(std::count(used.begin(), used.end(), false));
 }
 
-// Points that reading would make one with a point before them, or several: those at an equal place, and those at no
-// place at all that more than one corner names.
+// Points whose identity is lost when read back: those at the position of an earlier point, and those with a NaN
+// coordinate used by more than one corner, which become several.
 std::uint64_t welded_points(const MeshFile& file, Holds held) {
   if (holds(held, Holds::vertices)) return 0;
   const IndexedMesh& mesh = file.mesh;
   const std::vector<bool> used = used_vertices(mesh);
   std::vector<std::uint32_t> points;
   std::uint64_t count = 0;
-  std::vector<std::uint8_t> corners_at;  // of points that equal nothing: none, one, more
+  std::vector<std::uint8_t> corners_at;  // of points with a NaN coordinate: 0, 1, or more
   for (std::size_t v = 0; v < used.size(); ++v) {
     if (!used[v]) continue;
     const glm::dvec3& p = mesh.positions[v];

@@ -6,7 +6,7 @@
 namespace ryosen {
 namespace {
 
-// Longer names cannot be of files; looking at their parts would only cost time.
+// Longer names cannot be file names; splitting them would only cost time.
 constexpr std::size_t longest_name = 4096;
 
 enum class Library { found, missing, no_file, unknown, outside };

@@ -1,4 +1,4 @@
-// Looks whether the material libraries that an OBJ file names are there, without opening them.
+// Checks whether the material libraries of an OBJ file exist, without opening them.
 #pragma once
 
 #include <filesystem>
@@ -12,11 +12,11 @@ struct MaterialLibraries {
   std::vector<std::string> missing;
   std::vector<std::string> no_files;  // there, but folders, pipes or devices
   std::vector<std::string> unknown;   // in a folder that may not be looked into
-  std::vector<std::string> outside;   // absolute, or leading out of the model's folder: not even looked for
+  std::vector<std::string> outside;   // absolute, or outside the model's folder: not checked
 };
 
-// `text` is what stands after mtllib: one name with spaces in it, or several names parted by spaces (a backslash keeps
-// a space or is a path's separator). `folder` is the model's; an empty one means the current folder.
+// `text` follows mtllib: one name with spaces, or several names separated by spaces (a backslash escapes a space or is
+// a path separator). `folder` is the model's; empty means the current folder.
 MaterialLibraries look_for_libraries(std::string_view text, const std::filesystem::path& folder);
 
 }  // namespace ryosen

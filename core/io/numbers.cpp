@@ -7,8 +7,8 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// Whether a number that from_chars found out of range is too large rather than too small: the decimal place of its
-// first digit other than zero, shifted by the exponent, decides.
+// Whether a number out of range for from_chars overflows rather than underflows, by the decimal place of its first
+// nonzero digit plus the exponent.
 bool is_too_large(std::string_view digits) {
   std::int64_t place = 0;
   bool after_point = false, found = false;
@@ -54,7 +54,7 @@ NumberRead read_unusual_real(std::string_view token, double& value) {
   }
   if (digits.empty() || digits[0] == '-') return NumberRead::unreadable;
   const double sign = negative ? -1.0 : 1.0;
-  // What the C library of Windows prints, padded with zeros to the wanted precision.
+  // The output of the Windows C library, padded with zeros to the requested precision.
   if (digits.starts_with("1.#")) {
     const std::string_view kind = digits.substr(3);
     const bool infinite = starts_with_word(kind, "inf");

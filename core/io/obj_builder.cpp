@@ -11,16 +11,15 @@
 namespace ryosen {
 namespace {
 
-// An index as OBJ counts (from 1, or back from the end) as a number from 0. Index 0, which OBJ does not have, and
-// indices before the first one come out negative, but not before obj_least_vertex. The largest number, which stands for
-// all that are larger, stays what it is.
+// Converts an OBJ index (from 1, or relative to the end) to a number from 0. Index 0, which is invalid, and indices
+// before the first one become negative, but not below obj_least_vertex. The largest number means overflow and is kept.
 std::int64_t resolve(std::int64_t index, std::size_t count) {
   if (index == std::numeric_limits<std::int64_t>::max()) return index;
   if (index > 0) return index - 1;
   return index == 0 ? -1 : std::max(static_cast<std::int64_t>(count) + index, obj_least_vertex);
 }
 
-// Reads the next index of a corner: none at the end or before a slash. False if it is no whole number.
+// Reads the next index of a corner: none at the end or before a slash. False if it is not an integer.
 bool read_index(const char*& at, const char* end, std::int64_t& value, bool& has) {
   has = at != end && *at != '/';
   if (!has) return true;
@@ -51,7 +50,7 @@ bool ObjBuilder::fail(Code code, const char* at, MakeText text) {
   return has_given_up_ ? false : faults_.add(code, lines_->place(at), text);
 }
 
-// Whether the 32-bit numbering has room for a line of this length; fails otherwise.
+// Whether a line of this length cannot overflow the 32-bit numbering; fails otherwise.
 bool ObjBuilder::has_room(std::size_t bytes) {
   const std::size_t most = std::max({mesh_.positions.size(), mesh_.face_count(), file_.elements.vertices.size(),
                                      mesh_.texcoords.pool.size(), mesh_.normals.pool.size()});
@@ -210,7 +209,7 @@ void ObjBuilder::push_value(std::vector<std::uint32_t>& indices, bool has, std::
   indices.push_back(has ? resolve_value(index, pool, is_normal) : no_index);
 }
 
-// The place in the pool that an index of a corner names, no_index with a warning if there can be none.
+// The pool index for an index of a corner; no_index with a warning if it is invalid.
 std::uint32_t ObjBuilder::resolve_value(std::int64_t index, std::size_t pool, bool is_normal) {
   if (index < 0 && is_later_piece_) has_given_up_ = true;
   const std::int64_t place = resolve(index, pool);
@@ -279,7 +278,7 @@ void ObjBuilder::name(NameKind kind, std::string_view text) {
   table.current = number_of(key, table);
 }
 
-// The number of a name, a new one if it has none.
+// The number of a name, assigning a new one if needed.
 std::uint32_t ObjBuilder::number_of(const std::string& name, NameTable& table) {
   const auto number = static_cast<std::uint32_t>(table.target->names.size());
   const auto [found, is_new] = table.numbers.try_emplace(name, number);

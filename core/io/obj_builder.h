@@ -1,4 +1,4 @@
-// Makes the mesh from the lines of an OBJ file, one call per line.
+// Builds the mesh from the lines of an OBJ file, one call per line.
 #pragma once
 
 #include <array>
@@ -28,8 +28,8 @@ class ObjBuilder {
  public:
   enum class NameKind { object, group, material, smoothing };
 
-  // Both must outlive the builder. One for a later piece of a file gives up on lines that say something only together
-  // with those before (negative indices, elements, libraries), and on any that needs a message.
+  // Both must outlive the builder. A builder for a later piece of a file gives up on lines that depend on earlier ones
+  // (negative indices, elements, libraries), and on any that needs a message.
   ObjBuilder(const TextLines& lines, const std::filesystem::path& model, bool is_later_piece = false);
 
   void comment(std::string_view line);
@@ -45,16 +45,16 @@ class ObjBuilder {
   bool is_done() const { return faults_.is_stopped() || has_given_up_; }
   Result<MeshFile> finish();
 
-  // The builder of a later piece has taken all of its lines.
+  // Whether the builder of a later piece has processed all of its lines.
   bool is_joinable() const { return !is_done() && reporter_.is_empty(); }
   // Nothing is kept any more, as a line before had a fault.
   bool has_fault() const { return faults_.any(); }
-  // Takes over all that the builders of the next pieces hold, as if their lines had come here; they are of no use then.
-  // `lines_before` counts those of the pieces before; the result counts these too. O(size of the pieces).
+  // Moves in the contents of the builders of the next pieces, which must not be used afterwards. `lines_before` is the
+  // number of lines before them; returns it including theirs. O(size of the pieces).
   std::uint64_t append(std::span<ObjBuilder* const> run, std::uint64_t lines_before, unsigned threads);
-  // The calls that follow are about these lines.
+  // The following calls refer to these lines.
   void continue_with(const TextLines& lines) { lines_ = &lines; }
-  // Makes room for what all of the pieces hold.
+  // Reserves memory for the contents of all pieces.
   void reserve_for(std::span<ObjBuilder* const> pieces);
 
  private:
@@ -62,12 +62,12 @@ class ObjBuilder {
     std::int64_t vertex = 0, texcoord = 0, normal = 0;
     bool has_texcoord = false, has_normal = false;
   };
-  // Finds the number of a name by its text.
+  // Interns names.
   struct NameTable {
     FaceNames* target = nullptr;
     std::unordered_map<std::string, std::uint32_t> numbers;
     std::uint32_t current = no_index;
-    // In a later piece: whether a line of it has set the current name, and how many of its faces come before that.
+    // In a later piece: whether one of its lines has set the current name, and the number of its faces before that.
     bool is_set = false;
     std::size_t faces_before = 0;
   };
@@ -108,7 +108,7 @@ class ObjBuilder {
   Faults faults_;
   std::array<NameTable, enum_count<NameKind>> names_;
   std::vector<UnknownKeyword> unknown_;
-  std::uint64_t other_unknown_ = 0;  // lines whose keyword is not in unknown_, which has a limit
+  std::uint64_t other_unknown_ = 0;  // lines whose keyword is not in unknown_, which is limited
   std::unordered_set<std::string> libraries_;
   bool in_head_ = true;
   bool has_known_line_ = false;

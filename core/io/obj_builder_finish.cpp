@@ -1,4 +1,4 @@
-// What the lines of an OBJ file only tell once all of them are read, and the library lines.
+// The parts of ObjBuilder that need the whole file, and library lines.
 #include <algorithm>
 
 #include "core/io/material_libraries.h"
@@ -7,10 +7,10 @@
 namespace ryosen {
 namespace {
 
-// How many different library lines are looked up on the disk.
+// Limit on distinct library lines looked up on disk.
 constexpr std::size_t most_libraries = 100;
 
-// Empties indices that name nothing, as if the file had none.
+// Clears indices that are all none.
 void drop_if_all_none(std::vector<std::uint32_t>& indices) {
   if (std::all_of(indices.begin(), indices.end(), [](std::uint32_t index) { return index == no_index; }))
     indices = std::vector<std::uint32_t>();
@@ -65,7 +65,7 @@ Text ObjBuilder::stray_value_text(bool is_normal, std::int64_t index) {
           "テクスチャ座標 " + number + " は存在しません。面は残し、その頂点の座標は外します。"};
 }
 
-// Drops the indices past the end of the pool. Needs the faces as they are before any is set aside.
+// Drops the indices past the end of the pool. Call it before faces are quarantined.
 void ObjBuilder::drop_stray_values(CornerValues& values, bool is_normal) {
   const std::size_t pool = values.pool.size();
   const auto is_stray = [&](std::uint32_t index) { return index != no_index && index >= pool; };

@@ -1,4 +1,4 @@
-// Joins what was made from the pieces of an OBJ file.
+// Joining of the builders of the pieces of an OBJ file.
 #include <algorithm>
 
 #include "core/base/parallel.h"
@@ -14,8 +14,8 @@ void append_all(const std::vector<Value>& from, std::vector<Value>& to) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-// Appends a column that is empty where the file gives none of it; `none` stands for what is not given. `count` and
-// `next_count` are the lengths that the columns have when they are in use.
+// Appends an optional column, which is empty when unused; `none` is the default value. `count` and `next_count` are the
+// lengths that the columns have when in use.
 template <class Value>
 void append_optional(const std::vector<Value>& from, std::size_t next_count, const Value& none, std::size_t count,
                      std::vector<Value>& to) {
@@ -92,9 +92,9 @@ void ObjBuilder::append_values(const CornerValues& next, std::size_t next_corner
   values.components = std::max(values.components, next.components);
 }
 
-// Faces of the piece before its first line with a name have the name that is current here.
+// Faces of the piece before its first name line have the name current at its start.
 void ObjBuilder::append_names(const NameTable& next, std::size_t next_faces, NameTable& table) {
-  std::vector<std::uint32_t> numbers;  // here, of the names of the piece
+  std::vector<std::uint32_t> numbers;  // of the piece's names in this table
   for (const std::string& name : next.target->names) numbers.push_back(number_of(name, table));
   const auto number = [&](std::uint32_t theirs) { return theirs == no_index ? no_index : numbers[theirs]; };
   const std::size_t inherited = next.is_set ? next.faces_before : next_faces;

@@ -1,4 +1,4 @@
-// An OBJ file in pieces that are read at the same time.
+// Parallel reading of an OBJ file in pieces.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,13 @@
 
 namespace ryosen {
 
-// The bytes in pieces of `piece_bytes` and what is left of the line there: cut only behind a line feed that ends a line
-// which goes on nowhere. At least one piece, none is empty but the only one. O(number of pieces) for usual lines.
+// Splits the bytes into pieces of about `piece_bytes`, extended to the next line feed that does not continue a line. At
+// least one piece; only a single piece may be empty. O(number of pieces) for ordinary lines.
 std::vector<std::string_view> cut_obj(std::string_view bytes, std::size_t piece_bytes);
 
-// As read_obj of the file, whose consecutive pieces by cut_obj these are; what it gives does not depend on the cuts or
-// the threads. Each piece has a parser of its own. One whose lines need those before it, or a message, is read again in
-// its turn. The file has fewer than 2^32 - 1 bytes if there are several pieces.
+// As read_obj on the concatenation of the pieces from cut_obj; the result does not depend on the cuts or threads. Each
+// piece is parsed independently; one that depends on earlier lines or needs a message is parsed again sequentially.
+// With several pieces the file must have fewer than 2^32 - 1 bytes.
 Result<MeshFile> read_obj_pieces(std::span<const std::string_view> pieces, const std::filesystem::path& path,
                                  unsigned threads);
 

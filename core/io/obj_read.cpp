@@ -1,4 +1,4 @@
-// Feeds tinyobjloader an OBJ file line by line; its callbacks say what each line is.
+// Feeds an OBJ file to tinyobjloader line by line; its callbacks classify each line.
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
@@ -16,9 +16,9 @@
 namespace ryosen {
 namespace {
 
-// A stream that hands out one logical line at a time, straight from the bytes of the file where the line stands there
-// whole. When the next line is asked for, no callback has come for some lines (s, l, p, mtllib, a bare keyword, unknown
-// words); these are told from their first word. Comments and blank lines are not handed out at all.
+// A stream buffer that provides one logical line at a time, without copying if it is contiguous in the file. Lines for
+// which no callback came before the next one is requested (s, l, p, mtllib, a bare keyword, unknown words) are
+// classified by their first word. Comments and blank lines are skipped.
 class ObjFeed : public std::streambuf {
  public:
   ObjFeed(TextLines& lines, ObjBuilder& builder) : lines_(lines), builder_(builder) {}
@@ -46,7 +46,7 @@ class ObjFeed : public std::streambuf {
         continue;
       }
       has_called_ = false;
-      // The stream only reads; the type asks for a pointer that could write. The line end belongs to the line.
+      // setg() takes non-const pointers, but the stream only reads. Includes the line end.
       char* const area = const_cast<char*>(begin);
       setg(area, area, const_cast<char*>(end) + (*end == '\r' ? 2 : 1));
       return traits_type::to_int_type(*begin);
@@ -75,13 +75,13 @@ class ObjFeed : public std::streambuf {
 
   TextLines& lines_;
   ObjBuilder& builder_;
-  std::string_view text_;   // the line handed out, without the blanks before it
-  bool has_called_ = true;  // no line is waiting to be told by its first word
+  std::string_view text_;   // the current line, without leading blanks
+  bool has_called_ = true;  // false: the current line had no callback yet
 };
 
 ObjFeed& feed_of(void* data) { return *static_cast<ObjFeed*>(data); }
 
-// The numbers that arrive here are dropped: they are rounded loosely and wrap. The builder reads them from the line.
+// The numbers of tinyobjloader are ignored: they are inexact and wrap around. The builder parses the line itself.
 void on_vertex(void* data, tinyobj::real_t, tinyobj::real_t, tinyobj::real_t, tinyobj::real_t) {
   feed_of(data).builder().vertex(feed_of(data).after_keyword(1));
 }
@@ -102,11 +102,11 @@ void on_object(void* data, const char*) {
   feed_of(data).builder().name(ObjBuilder::NameKind::object, feed_of(data).after_keyword(1));
 }
 
-// Hands the lines to tinyobjloader, whose callbacks hand them to the builder.
+// Passes the lines through tinyobjloader's callbacks to the builder.
 void feed(TextLines& lines, ObjBuilder& builder) {
   ObjFeed source(lines, builder);
   std::istream stream(&source);
-  stream.exceptions(std::ios_base::badbit);  // else the stream would swallow what is thrown while a line is read
+  stream.exceptions(std::ios_base::badbit);  // otherwise the stream swallows exceptions thrown while reading a line
   tinyobj::callback_t callbacks;
   callbacks.vertex_cb = on_vertex;
   callbacks.normal_cb = on_normal;
@@ -115,11 +115,11 @@ void feed(TextLines& lines, ObjBuilder& builder) {
   callbacks.usemtl_cb = on_material;
   callbacks.group_cb = on_group;
   callbacks.object_cb = on_object;
-  // Without a material reader the library opens no file. Its verdict is not asked for: every line is checked here.
+  // Without a material reader the library opens no file. Its result is ignored: every line is checked here.
   tinyobj::LoadObjWithCallback(stream, callbacks, &source, nullptr, nullptr, nullptr);
 }
 
-// A piece of the file, read by itself.
+// A piece of the file, parsed independently.
 struct Piece {
   Piece(std::string_view piece_bytes, const std::filesystem::path& path, bool is_later)
       : bytes(piece_bytes), lines(bytes, true), builder(lines, path, is_later) {}
@@ -137,7 +137,7 @@ struct Piece {
 
 using Pieces = std::vector<std::unique_ptr<Piece>>;
 
-// Goes on in the builder of the first piece with what was made from the others, or with their lines.
+// Appends the other pieces to the builder of the first, as parsed or by parsing their lines again.
 Result<MeshFile> join(const Pieces& pieces, unsigned threads) {
   std::vector<ObjBuilder*> builders;
   for (const auto& piece : pieces) builders.push_back(&piece->builder);
@@ -220,9 +220,9 @@ Result<MeshFile> read_obj_pieces(std::span<const std::string_view> parts, const 
 }
 
 Result<MeshFile> read_obj(std::string_view bytes, const std::filesystem::path& path) {
-  constexpr std::size_t piece_bytes = std::size_t{1} << 20;  // columns of so much are still small
+  constexpr std::size_t piece_bytes = std::size_t{1} << 20;  // keeps the columns of a piece small
   const unsigned threads = threads_for(bytes.size() / 16);
-  // Beyond 32 bits of bytes the numbers of elements must be watched across pieces.
+  // For larger files the 32-bit numbering must be checked across pieces.
   const bool in_pieces = threads > 1 && bytes.size() < no_index;
   return read_obj_pieces(cut_obj(bytes, in_pieces ? piece_bytes : bytes.size()), path, threads);
 }

@@ -9,15 +9,15 @@
 namespace ryosen {
 namespace {
 
-// A text that stands at the end of a line. A backslash there would join the next line, so a space follows it.
+// A text at the end of a line. A final backslash would continue the line, so a space is appended.
 std::string line_end_text(std::string_view text) {
   std::string out = on_one_line(trimmed(text));
   if (!out.empty() && out.back() == '\\') out += ' ';
   return out;
 }
 
-// Writes the lines that change one kind of name (o, g, usemtl, s). A name of the table comes no later than the next one,
-// if need be in a line that the next line overrides, so that reading the file gives the same table again.
+// Writes the lines that change one kind of name (o, g, usemtl, s). Names first occur in table order, if necessary in a
+// line that the next one overrides, so that reading restores the same table.
 class NameWriter {
  public:
   NameWriter(TextOut& out, std::string_view keyword, std::string_view none, const FaceNames& names)
@@ -47,7 +47,7 @@ class NameWriter {
   TextOut& out_;
   std::string_view keyword_, none_;
   const FaceNames& names_;
-  std::size_t written_ = 0;  // names before this one have had a line
+  std::size_t written_ = 0;  // names below this have been written
   std::uint32_t current_ = no_index;
 };
 
@@ -69,7 +69,7 @@ class ObjWriter {
     pool("vn", mesh_.normals);
     faces_and_elements();
     for (NameWriter* names : all_names()) names->finish();
-    if (out_.is_empty()) out_ << "# no vertices\n";  // an empty file would be taken for a damaged one
+    if (out_.is_empty()) out_ << "# no vertices\n";  // an empty file would be refused
     return out_.take();
   }
 
@@ -107,8 +107,8 @@ class ObjWriter {
     }
   }
 
-  // An index as OBJ counts it. What is out of range stays so: 0 for -1, counted back past the first vertex below, and
-  // the largest number, which stands for all that are larger, for itself.
+  // Writes an OBJ index. Out-of-range numbers stay out of range: 0 for -1, a relative index before the first vertex
+  // below that, and the largest number (overflow) unchanged.
   void vertex_index(std::int64_t vertex) {
     if (vertex >= 0) {
       out_ << (vertex == INT64_MAX ? vertex : vertex + 1);
@@ -177,7 +177,7 @@ class ObjWriter {
     wires();
   }
 
-  // They belong to no object or group.
+  // Wires belong to no object or group.
   void wires() {
     if (file_.wires.empty()) return;
     for (NameWriter* names : all_names()) names->change_to(no_index);

@@ -13,10 +13,10 @@ struct Layout {
   bool has_face_colours;
 };
 
-// The description of the format first, then what programs write.
+// First the specification, then what programs write.
 constexpr Layout layouts[] = {{true, true}, {false, false}, {false, true}, {true, false}};
 
-// Takes 32-bit words off a range of bytes.
+// Reads 32-bit words from a byte range.
 class Words {
  public:
   Words(std::string_view bytes, bool is_big_endian) : bytes_(bytes), is_big_endian_(is_big_endian) {}
@@ -24,7 +24,7 @@ class Words {
   std::size_t left() const { return bytes_.size() / 4; }
   std::size_t left_bytes() const { return bytes_.size(); }
   void skip(std::size_t words) { bytes_.remove_prefix(4 * words); }
-  // There must be a word left.
+  // Precondition: left() > 0.
   std::uint32_t take() {
     unsigned char b[4];
     std::memcpy(b, bytes_.data(), 4);
@@ -48,19 +48,19 @@ std::size_t words_per_vertex(OffKind kind) {
   return 3u + (kind.has_normals ? 3u : 0u) + (kind.has_colours ? 4u : 0u) + (kind.has_texcoords ? 2u : 0u);
 }
 
-// The counts if there is room for what they claim.
+// The counts, if the file is large enough for them.
 std::optional<Counts> plausible_counts(Words& words, OffKind kind) {
   if (words.left() < 3) return std::nullopt;
   Counts counts;
   counts.vertices = words.take();
   counts.faces = words.take();
-  words.skip(1);  // the number of edges, which nobody uses
+  words.skip(1);  // the number of edges, unused
   if (counts.vertices > words.left() / words_per_vertex(kind)) return std::nullopt;
   if (counts.faces > words.left() - counts.vertices * words_per_vertex(kind)) return std::nullopt;
   return counts;
 }
 
-// How many bytes are left over if all faces stay inside the file and name vertices that exist, else none.
+// The number of bytes left over if all faces fit in the file and reference existing vertices, else none.
 std::optional<std::size_t> bytes_over(std::string_view data, OffKind kind, Layout layout) {
   Words words(data, layout.is_big_endian);
   const std::optional<Counts> counts = plausible_counts(words, kind);

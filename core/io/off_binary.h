@@ -1,4 +1,4 @@
-// The binary form of OFF.
+// Reader for binary OFF.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace ryosen {
 
-// Reads what follows the line with BINARY, from `start` on. The byte order, and whether each face is followed by a
-// number of colour values as the format's description has it, are not told by the file; the reading counts in which
-// all of it makes sense and the least is left over.
+// Reads the data after the BINARY line, from `start` on. The byte order, and whether each face is followed by a colour
+// count as in the format's specification, are not stored in the file: the interpretation that is consistent and leaves
+// the fewest bytes over is used.
 Result<MeshFile> read_off_binary(std::string_view bytes, std::uint64_t start, OffKind kind);
 
 }  // namespace ryosen

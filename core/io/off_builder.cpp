@@ -24,7 +24,7 @@ bool OffBuilder::add_vertex(const double* values, std::size_t count, std::uint64
   const bool has_meaning = kind_.has_colours ? colours == 0 || colours == 3 || colours == 4 : colours == 0;
   if (!has_meaning) colours = 0;
   if (kind_.has_colours) add_colour(values + before, colours);
-  // With numbers of no meaning in between, the texture coordinates are those that follow the normal.
+  // If there are values without a meaning in between, the texture coordinates are those after the normal.
   const double* const texcoord = values + before + colours;
   if (kind_.has_texcoords) mesh.texcoords.pool.emplace_back(texcoord[0], texcoord[1], 0.0);
   return has_meaning;
@@ -59,7 +59,7 @@ bool OffBuilder::end_face(std::uint64_t line, const double* colour, std::size_t 
   return has_meaning;
 }
 
-// A file in which any colour number is above one counts colours from 0 to 255.
+// If any vertex colour value exceeds 1, all range over 0..255.
 void OffBuilder::scale_byte_colours() {
   std::vector<glm::dvec4>& colours = file_.mesh.vertex_colours;
   const auto is_large = [](const glm::dvec4& c) { return c.x > 1 || c.y > 1 || c.z > 1 || c.w > 1; };

@@ -1,4 +1,4 @@
-// What the first word of an OFF file says.
+// Parsing of the first word of an OFF file.
 #include "core/io/off.h"
 #include "core/io/text_lines.h"
 

@@ -18,7 +18,7 @@ class OffTextReader {
   OffTextReader(std::string_view bytes, TextLines& lines, OffKind kind)
       : bytes_(bytes), lines_(lines), builder_(kind) {}
 
-  // Takes over the comments that stand before the line read last.
+  // Keeps the comments before the current line.
   void keep_comments(std::vector<std::string> comments) { builder_.file().head_comments = std::move(comments); }
 
   // `head` is what follows the first word; the counts may stand there or on the next line.
@@ -33,7 +33,7 @@ class OffTextReader {
  private:
   bool fail(Code code, Text text, FilePlace place) { return faults_.stop(malformed(code, std::move(text), place)); }
 
-  // Goes on to the next line with something besides a comment on it.
+  // Advances to the next line that is not only a comment.
   bool next_line() {
     TextLine line;
     while (lines_.next(line)) {
@@ -202,10 +202,10 @@ class OffTextReader {
   TextLines& lines_;
   OffBuilder builder_;
   Faults faults_;
-  std::string_view rest_;  // what is left of the current line, without its comment
+  std::string_view rest_;  // the rest of the current line, without its comment
   std::vector<double> values_;
   std::size_t vertex_count_ = 0, face_count_ = 0;
-  bool in_head_ = true;  // the counts have not come yet
+  bool in_head_ = true;  // the counts have not been read yet
 };
 
 Failure not_off(std::string_view word, FilePlace place) {
@@ -232,7 +232,7 @@ Result<MeshFile> read_by_lines(std::string_view bytes) {
                      FilePlace::at_byte(0));
   }
   std::optional<OffKind> kind = OffKind::from_word(word);
-  // The word may be left out; then the counts come first.
+  // The keyword may be missing; then the file starts with the counts.
   std::int64_t count = 0;
   const bool begins_with_counts = !kind && read_integer(word, count);
   if (!kind && !begins_with_counts) return not_off(word, lines.place(word.data()));

@@ -1,4 +1,4 @@
-// Finds what lies at the same place, by hashes.
+// A hash table by position, for finding coincident points.
 #pragma once
 
 #include <bit>
@@ -10,7 +10,7 @@
 
 namespace ryosen {
 
-// A hash of a place, the same for 0 and -0. Each of its bits depends on all coordinates.
+// A hash of a position, equal for 0 and -0. Every bit depends on all coordinates.
 template <class Real>
 std::uint32_t hash_of_place(const glm::vec<3, Real>& place) {
   const auto bits = [](Real value) -> std::uint64_t {
@@ -26,19 +26,19 @@ std::uint32_t hash_of_place(const glm::vec<3, Real>& place) {
   return static_cast<std::uint32_t>(h >> 32);
 }
 
-// Numbered things by the hash of their place, in a flat table: the first one at each place. O(1) each; 8 bytes a slot, at
-// most two thirds of them filled.
+// An open-addressing table of item numbers: the first item at each position. O(1) expected; 8 bytes per slot, load
+// factor at most 2/3.
 class PlaceTable {
  public:
-  // A mesh of so many corners has about a sixth as many places.
+  // A mesh has about a sixth as many vertices as corners.
   explicit PlaceTable(std::size_t expected_corners) {
     std::size_t size = 64;
     while (size < expected_corners / 4) size *= 2;
     slots_.assign(size, empty);
   }
 
-  // The one stored at a place; `number` itself, stored from now on, if there is none. is_here(n) says whether a stored
-  // one with the same hash lies there.
+  // The item stored at a position; if there is none, stores and returns `number`. is_here(n) tells whether a stored
+  // item with the same hash is really at that position.
   template <class IsHere>
   std::uint32_t first(std::uint32_t hash, std::uint32_t number, IsHere is_here) {
     if (stored_ * 3 >= slots_.size() * 2) grow();
@@ -55,7 +55,7 @@ class PlaceTable {
     }
   }
 
-  // Fetches what first() will look at for this hash.
+  // Prefetches the slot that first() will probe for this hash.
   void prefetch(std::uint32_t hash) const { __builtin_prefetch(&slots_[hash & (slots_.size() - 1)]); }
 
  private:
@@ -74,7 +74,7 @@ class PlaceTable {
     }
   }
 
-  UnwrittenVector<std::uint64_t> slots_;  // a power of two
+  UnwrittenVector<std::uint64_t> slots_;  // size is a power of two
   std::size_t stored_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// PLY, the polygon file format of Stanford: ascii, binary of either byte order.
+// Reader and writer for PLY, the Stanford polygon file format: ascii, and binary in either byte order.
 #pragma once
 
 #include <filesystem>
@@ -10,22 +10,20 @@
 namespace ryosen {
 
 // Reads a PLY file. Positions, normals, texture coordinates and colours per vertex, the faces, their colours and the
-// texture coordinates of their corners become the mesh; every other property and element is kept in
-// MeshFile::properties as it is, with the layout of the file and the lines of its header that PLY does not know. Reals
-// of ascii files are read exactly, whatever type is announced; whole numbers of 64 bits that become the mesh's are
-// doubles there, with a warning where that rounds them. A count of the header is a claim that must fit the size of the
-// file. Numbers that cannot be read, negative lengths and an early end are errors, with their line or byte; so is
-// binary data of the other byte order, where it shows by every face. Faces that cannot be used go to the quarantine.
-// Triangle strips are kept, not taken apart. `path` is not used. Cost: O(bytes), one pass.
+// texture coordinates of their corners become the mesh; all other properties and elements are kept in
+// MeshFile::properties, with the layout of the file and unknown header lines. Reals of ascii files are read as doubles
+// whatever the declared type; 64-bit integers in the mesh become doubles, with a warning if rounded. Counts in the
+// header are checked against the size of the file. Unreadable numbers, negative lengths and an early end are errors,
+// with line or byte; so is binary data in the other byte order, if every face shows it. Unusable faces are quarantined.
+// Triangle strips are kept but not converted to faces. `path` is not used. Cost: O(bytes), one pass.
 Result<MeshFile> read_ply(std::string_view bytes, const std::filesystem::path& path);
 
-// Whether it begins with the word of the format.
+// Whether it starts with the keyword of the format.
 Likeness looks_like_ply(std::string_view head, std::uint64_t size);
 
-// Colours are uchar from 0 to 255 where that gives all of them exactly, else real from 0 to 1.
-// The bytes of a PLY file in this encoding (little endian when automatic), with the elements and
-// properties of the layout that the file came with, in its order. A type that cannot hold a value any more gives way to
-// a wider one, which all components of a position, normal, texture coordinate or colour then have.
+// Serialises to PLY in this encoding (automatic: little endian), with the elements and properties of the file's layout,
+// in its order. A type that cannot hold a value is widened, together for all components of a position, normal, texture
+// coordinate or colour. Colours are uchar 0..255 if that is exact for all of them, else real 0..1.
 std::string write_ply(const MeshFile& file, Encoding encoding);
 
 }  // namespace ryosen

@@ -1,5 +1,5 @@
-// The binary forms of PLY. Tables of fixed rows are read column by column, faces of corners alone in one loop; anything
-// else value by value.
+// Reader for binary PLY. Tables with fixed-size rows are read column by column, faces with only a corner list in one
+// loop, anything else value by value.
 #include <algorithm>
 #include <atomic>
 #include <bit>
@@ -49,7 +49,7 @@ Number load(const char* at) {
   return std::bit_cast<Number>(bits);
 }
 
-// Bytes that a row has at least.
+// The minimum size of a row in bytes.
 std::size_t least_bytes(const PropertyTable& table) {
   std::size_t bytes = 0;
   for (const Property& property : table.properties)
@@ -144,8 +144,8 @@ class PlyBinaryReader {
     at_ += table.rows * stride;
   }
 
-  // Calls visit(zero of its type, property, where its column begins, rows from .. to) for blocks of rows that stay in the
-  // nearest cache while all their columns are read.
+  // Calls visit(zero of its type, property, where its column begins, rows from .. to) for blocks of rows that stay in
+  // the L1 cache while all their columns are read.
   template <class Visit>
   void for_each_column(const PropertyTable& table, std::size_t begin, std::size_t end, Visit visit) const {
     constexpr std::size_t block = 2048;
@@ -166,7 +166,7 @@ class PlyBinaryReader {
   template <class Number>
   static constexpr bool may_be_rounded = std::is_integral_v<Number> && sizeof(Number) == 8;
 
-  // Whether all are finite, and exact.
+  // Returns whether all values are finite and exact.
   template <class Number>
   static bool read_reals(const char* column, std::size_t stride, std::size_t first, std::size_t last,
                          PlyTarget target) {
@@ -256,8 +256,8 @@ class PlyBinaryReader {
 
   static constexpr std::size_t triangle_bytes = 13;  // with the length of the list
 
-  // Reads up to `rows` rows as long as they are triangles whose numbers fit; their length tells where each one stands,
-  // so parts of them are read at once. Returns how many there are; what stands behind these in the mesh means nothing.
+  // Reads up to `rows` rows while they are triangles with numbers that fit; their size is fixed, so they are read in
+  // parallel. Returns their number; entries after these in the mesh are unspecified.
   std::size_t read_triangles(IndexedMesh& mesh, std::size_t rows) const {
     const unsigned parts = threads_for(3 * rows);
     std::vector<std::uint32_t> ends(parts);
@@ -278,7 +278,7 @@ class PlyBinaryReader {
     return rows;
   }
 
-  // Corners that 32 bits of a vertex number cannot say.
+  // Records corners that do not fit in 32 bits.
   void note_wide(std::uint32_t* corners, std::size_t place, unsigned count, bool is_signed) {
     for (unsigned i = 0; i < count; ++i) {
       const bool is_wide = is_signed ? corners[i] >> 31 != 0 : corners[i] == no_index;

@@ -9,7 +9,7 @@
 namespace ryosen {
 namespace {
 
-// What stands for one in a colour of this type.
+// The value that represents 1 in a colour of this type.
 double full_scale(NumberType type) {
   if (is_real(type)) return 1.0;
   return type == NumberType::u16 || type == NumberType::i16 ? 65535.0 : 255.0;
@@ -97,7 +97,7 @@ void PlyBuilder::warn_rounded(FilePlace place) {
   });
 }
 
-// Lists with two numbers for each corner, or none, become texture coordinates; else they are kept as lists.
+// If every list has two numbers per corner or is empty they become texture coordinates; else they are kept as lists.
 void PlyBuilder::take_corner_texcoords() {
   IndexedMesh& mesh = file_.mesh;
   for (PropertyTable& table : tables()) {
@@ -131,7 +131,7 @@ void PlyBuilder::take_corner_texcoords() {
   }
 }
 
-// Whether no face names vertices that exist and all would with their bytes the other way round.
+// Whether no face references existing vertices, but all would with swapped bytes.
 bool PlyBuilder::has_other_byte_order() const {
   const IndexedMesh& mesh = file_.mesh;
   if (file_.encoding == Encoding::ascii || mesh.quarantine.empty()) return false;

@@ -1,4 +1,4 @@
-// Puts the values of a PLY file where they belong, however they are coded.
+// Distributes the values of a PLY file, text or binary, to the mesh and the property tables.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@
 
 namespace ryosen {
 
-// Where the numbers of a property of one number per row go.
+// The destination of a scalar property's values.
 struct PlyTarget {
   double* first = nullptr;  // null: to Property::data
-  std::size_t stride = 0;   // from row to row, in doubles
+  std::size_t stride = 0;   // between rows, in doubles
   double divisor = 1.0;
 
   void put(std::size_t row, double value) const { first[row * stride] = value / divisor; }
@@ -26,18 +26,18 @@ class PlyBuilder {
   explicit PlyBuilder(PlyHeader header);
 
   std::vector<PropertyTable>& tables() { return file_.properties.tables; }
-  // Makes room for the rows of a table, which must fit the file, and tells where its properties go. `place` is where
-  // its first row stands.
+  // Allocates the rows of a table, whose count must fit the file, and returns the destinations of its properties.
+  // `place` is that of its first row.
   std::vector<PlyTarget> begin_table(std::size_t table, FilePlace place);
 
   IndexedMesh& mesh() { return file_.mesh; }
   FaceList& faces() { return faces_; }
   Reporter& reporter() { return reporter_; }
   void warn_non_finite(FilePlace place);
-  // Of a whole number of 64 bits that the mesh, which has doubles, holds only rounded.
+  // Warns of a 64-bit integer that is rounded to double.
   void warn_rounded(FilePlace place);
 
-  // Sets the unusable faces aside and hands the file over; refuses what looks like the other byte order.
+  // Quarantines the unusable faces and returns the file; fails if it looks like the other byte order.
   Result<MeshFile> finish();
 
  private:

@@ -27,7 +27,7 @@ bool type_holds(NumberType type, double value) {
   });
 }
 
-// The number that stands for a component of a colour and is divided back into it, a whole one where there is.
+// The scaled number that reading converts back to the same colour component, integral if possible.
 double scaled_colour(double component, double scale) {
   if (scale == 1.0) return component;
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -174,7 +174,7 @@ void PlyColumns::add_missing() {
   add_reals(vertices, normal, {"nx", "ny", "nz"});
   add_reals(vertices, texcoord, {"s", "t"});
   add_reals(vertices, vertex_colour, {"red", "green", "blue", "alpha"});
-  // A file of points alone stays without an element for faces.
+  // A file with only points gets no face element.
   const bool has_faces =
       std::any_of(tables_.begin(), tables_.end(), [](const PlyTable& table) { return table.kind == TableKind::faces; });
   if (file_.properties.has_layout() && !has_faces && file_.mesh.face_count() == 0) return;
@@ -207,7 +207,7 @@ double PlyColumns::value(const PlyColumn& column, std::size_t row) const {
       return value_of(mesh.texcoords, (*texcoords_)[row])[c];
     case PropertyRole::vertex_colour: {
       const glm::dvec4& colour = mesh.vertex_colours[row];
-      return scaled_colour(std::isnan(colour.x) ? 1.0 : colour[c], column.scale);  // none is white
+      return scaled_colour(std::isnan(colour.x) ? 1.0 : colour[c], column.scale);  // no colour: white
     }
     default:
       return scaled_colour(mesh.face_colours.count[row] == 0 ? 1.0 : mesh.face_colours.values[row][c], column.scale);
@@ -293,7 +293,7 @@ void PlyColumns::widen_corners(PlyColumn& column) {
       most = std::max(most, corner);
     });
   }
-  // Numbers that no type holds are out of range in any case; the writer gives the nearest that the type has.
+  // Numbers that fit no type are out of range anyway; the writer saturates them.
   for (const NumberType type : {column.type, NumberType::i32, NumberType::u32, NumberType::i32}) {
     column.type = type;
     if (type_holds(type, static_cast<double>(least)) && type_holds(type, static_cast<double>(most))) break;

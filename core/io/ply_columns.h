@@ -1,5 +1,4 @@
-// The columns that a PLY file is written with: those of the layout that the file came with, and those that its mesh
-// needs besides.
+// The columns for writing a PLY file: those of the file's layout, plus those that its mesh needs in addition.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +16,8 @@ struct PlyColumn {
   NumberType count_type = NumberType::u8;
   PropertyRole role = PropertyRole::extra;
   std::uint8_t component = 0;
-  double scale = 1.0;              // of a colour: what one is written as
-  const Property* kept = nullptr;  // where its values are, if not in the mesh
+  double scale = 1.0;              // for colours: the written value of 1
+  const Property* kept = nullptr;  // the source of its values, if not in the mesh
 };
 
 struct PlyTable {
@@ -30,15 +29,14 @@ struct PlyTable {
 
 class PlyColumns {
  public:
-  // Decides about the types: those of the layout where they hold every value of a position, normal, texture coordinate
-  // or colour; else one real type for all of its components, the narrowest that holds them. The file must outlive it.
-  // O(values).
+  // Chooses the types: those of the layout if they hold every value of a position, normal, texture coordinate or
+  // colour; else the narrowest real type that does, for all its components. The file must outlive it. O(values).
   PlyColumns(const MeshFile& file, Encoding encoding);
 
   const std::vector<PlyTable>& tables() const { return tables_; }
-  // The number at a row of a column that is no list and not kept, as it is to be written.
+  // The value to write for a row of a scalar column from the mesh.
   double value(const PlyColumn& column, std::size_t row) const;
-  // The vertices of a face as the file names them, quarantined ones too.
+  // The corners of a face with file numbering, quarantined faces too.
   template <class Visit>
   void for_each_corner(std::size_t face, Visit visit) const {
     if (const QuarantinedFace* const aside = quarantined(face)) {
@@ -48,7 +46,7 @@ class PlyColumns {
     }
   }
   std::size_t corner_count(std::size_t face) const;
-  // The texture coordinates of the corners of a face: nothing where it has none, else one per corner.
+  // The texture coordinates of a face's corners: empty, or one per corner.
   const std::vector<glm::dvec3>& corner_texcoords(std::size_t face) const;
 
  private:
@@ -58,7 +56,7 @@ class PlyColumns {
   bool has_data(PropertyRole role, std::uint8_t component) const;
   void add_reals(PlyTable& table, PropertyRole role, std::initializer_list<std::string_view> names);
   void widen(const PlyTable& table, PlyColumn& column);
-  // The components of one thing have the types of the layout, or all the same one.
+  // Keeps the layout's types for a role, or widens all its components to one type.
   void widen_together(PlyTable& table, PropertyRole role);
   bool keeps_type(const PlyColumn& column, std::size_t rows) const;
   void widen_corners(PlyColumn& column);
@@ -67,14 +65,14 @@ class PlyColumns {
   const MeshFile& file_;
   std::vector<PlyTable> tables_;
   std::optional<std::vector<std::uint32_t>> normals_, texcoords_;
-  std::vector<std::uint32_t> aside_;  // per face the place in the quarantine; empty when there is none
+  std::vector<std::uint32_t> aside_;  // per face the index in the quarantine; empty if there is none
   bool has_corner_texcoords_ = false;
-  int face_colour_components_ = 0;  // 0: PLY cannot hold the colours of the faces
+  int face_colour_components_ = 0;  // 0: PLY cannot hold the face colours
   bool keeps_types_ = false;
   mutable std::vector<glm::dvec3> scratch_;
 };
 
-// How many numbers a colour has that PLY can write for the faces of the mesh: 3 or 4, or 0 if it can hold none.
+// The number of components for writing the face colours to PLY: 3 or 4, or 0 if it cannot hold them.
 int ply_face_colour_components(const FaceColours& colours);
 
 }  // namespace ryosen

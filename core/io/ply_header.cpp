@@ -210,8 +210,8 @@ class HeaderReader {
   bool has_format_ = false;
 };
 
-// The bytes up to the end of the line end_header, so that binary data are not searched for line ends; all bytes where
-// there is no such line.
+// The bytes up to the end of the line end_header (all bytes if there is none), so that binary data are not scanned for
+// line ends.
 std::string_view header_bytes(std::string_view bytes) {
   constexpr std::string_view last = "end_header";
   for (std::size_t at = bytes.find(last); at != std::string_view::npos; at = bytes.find(last, at + 1)) {

@@ -1,4 +1,4 @@
-// The header of a PLY file: how its data are coded, and which tables of which properties follow.
+// The header of a PLY file: the encoding, and the tables and properties that follow.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@ namespace ryosen {
 
 struct PlyHeader {
   Encoding encoding = Encoding::ascii;
-  PropertyTables tables;                     // with roles, without values; rows are claims
-  std::vector<std::uint64_t> element_lines;  // where each table is announced
+  PropertyTables tables;                     // with roles, without values; row counts are unverified
+  std::vector<std::uint64_t> element_lines;  // the header line of each table
   std::vector<std::string> comments;         // without the word
   Reporter reporter;                         // the warnings of the header
   std::string unknown_word;                  // the first one, as it may be shown; empty if there is none
   std::uint64_t unknown_line = 0;            // where it stands
   std::uint64_t lines = 0;                   // of the header
-  std::uint64_t bytes = 0;                   // the data begin there
+  std::uint64_t bytes = 0;                   // offset of the data
 
   // The table of a kind, or null.
   const PropertyTable* find(TableKind kind) const;

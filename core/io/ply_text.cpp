@@ -1,4 +1,4 @@
-// The ascii form of PLY: one row per line.
+// Reader for ascii PLY: one row per line.
 #include <cmath>
 #include <limits>
 
@@ -45,7 +45,7 @@ class PlyTextReader {
     }
     if (table.properties.empty()) return true;
     const std::size_t rows = table.rows;
-    table.rows = std::min(rows, left / least_bytes + 1);  // what there is room for, and one that ends early
+    table.rows = std::min(rows, left / least_bytes + 1);  // at most what fits, plus one incomplete row
     const bool has_first = rows != 0 && next_line();
     targets_ = builder_.begin_table(number, FilePlace::at_line(lines_.count()));
     table.rows = rows;
@@ -88,7 +88,7 @@ class PlyTextReader {
     return true;
   }
 
-  // Whether the whole number that comes first is a double; true for anything else.
+  // Whether a leading integer is exactly representable as a double; true for anything else.
   static bool is_read_exactly(std::string_view text) {
     std::int64_t value = 0;
     std::uint64_t large = 0;
@@ -124,7 +124,7 @@ class PlyTextReader {
     });
   }
 
-  // A value for Property::data. Whole numbers must fit their type; they may be written with a fraction of zero.
+  // Reads a value into Property::data. Integers must fit their type and may be written with a zero fraction.
   bool read_kept(Property& property) {
     if (is_real(property.type)) {
       double value = 0;
@@ -208,7 +208,7 @@ class PlyTextReader {
   PlyBuilder& builder_;
   TextLines lines_;
   Faults faults_;
-  std::string_view rest_;  // what is left of the current line
+  std::string_view rest_;  // the rest of the current line
   std::vector<PlyTarget> targets_;
   bool is_finite_ = true;
 };

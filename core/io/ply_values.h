@@ -1,4 +1,4 @@
-// Reads the data of a PLY file that follow its header.
+// Reading of the data section of a PLY file.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,15 @@
 
 namespace ryosen {
 
-// Hand over all values of `bytes` (the whole file), which the header describes; the failure if there is one.
+// Pass all values of `bytes` (the whole file) to the builder, as described by the header; return the failure, if any.
 std::optional<Failure> read_ply_text(std::string_view bytes, const PlyHeader& header, PlyBuilder& builder);
 std::optional<Failure> read_ply_binary(std::string_view bytes, const PlyHeader& header, PlyBuilder& builder);
 
-// The failure of a count that a file of this size cannot hold.
+// The failure for a count too large for the file's size.
 Failure ply_count_too_large(const PropertyTable& table, std::uint64_t line);
-// The failure of a file that ends after `there` rows of a table.
+// The failure for a file that ends after `there` rows of a table.
 Failure ply_early_end(const PropertyTable& table, std::size_t there, FilePlace place);
-// Whether the claim is out of all proportion to the file: there is room for fewer than a quarter of the rows.
+// Whether a count is implausible: the file has room for fewer than a quarter of the rows.
 bool is_absurd(std::size_t rows, std::size_t least_bytes_each, std::size_t bytes_left);
 
 }  // namespace ryosen

@@ -14,7 +14,7 @@
 namespace ryosen {
 namespace {
 
-// Numbers as words of a line. Whole numbers are written as they are, whatever the type is.
+// Writes numbers as words of a line. Integral values are written as integers, whatever the type.
 class PlyTextSink {
  public:
   explicit PlyTextSink(TextOut& out) : out_(out) {}
@@ -137,7 +137,7 @@ class PlyWriter {
                                    {Encoding::binary_big, "binary_big_endian"}};
     static_assert(rows_are_in_order(rows, &Row::encoding));
     out_ << "ply\nformat " << rows[static_cast<std::size_t>(encoding_)].name << " 1.0\n";
-    // A comment that comes from another format brings that format's mark along.
+    // Comments from another format include that format's comment marker.
     const bool came_from_ply = file_.properties.has_layout();
     for (const std::string& comment : file_.head_comments) {
       std::string_view text = comment;

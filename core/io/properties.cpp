@@ -75,7 +75,7 @@ PropertyTable without_rows(const PropertyTable& table) {
   return out;
 }
 
-// A table of these rows of another one; an empty row for no_index.
+// A table with these rows of another one; an empty row for no_index.
 PropertyTable rows_of(const PropertyTable& table, std::span<const std::uint32_t> source) {
   PropertyTable out = without_rows(table);
   out.rows = source.size();
@@ -119,7 +119,7 @@ class VertexNumbers {
   std::int64_t old_end_, new_end_;
 };
 
-// Rows of an element of its own, such as edges.
+// Rows of an extra element, such as edges.
 PropertyTable with_new_numbers(const PropertyTable& table, const VertexNumbers& numbers) {
   PropertyTable out = without_rows(table);
   for (std::size_t row = 0; row < table.rows; ++row) {

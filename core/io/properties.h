@@ -1,5 +1,5 @@
-// Tables of typed values that a file gives beside its mesh: what PLY calls elements and properties, the attribute
-// numbers of binary STL. They follow their vertices and faces through edits and are written back.
+// Tables of typed values that a file has besides its mesh: elements and properties of PLY, facet attributes of binary
+// STL. They are renumbered with their vertices and faces through edits and written back.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +15,14 @@ namespace ryosen {
 
 enum class NumberType : std::uint8_t { i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };
 
-// Bytes of a number: 1, 2, 4 or 8.
+// Size in bytes: 1, 2, 4 or 8.
 std::size_t size_of(NumberType type);
 bool is_real(NumberType type);
-// The type that a word of a PLY header names, in either spelling (float, float32); false for any other word.
+// Parses a type name of a PLY header, in either spelling (float, float32); false for any other word.
 bool find_number_type(std::string_view word, NumberType& type);
 std::string_view name_of(NumberType type);
 
-// Calls visit with a zero of the C++ type that stands for `type`.
+// Calls visit with a zero of the C++ type corresponding to `type`.
 template <class Visit>
 auto with_number_type(NumberType type, Visit visit) {
   switch (type) {
@@ -49,11 +49,10 @@ auto with_number_type(NumberType type, Visit visit) {
   }
 }
 
-// How bytes stand for numbers; automatic leaves the choice to the format.
+// The encoding of numbers; automatic leaves the choice to the format.
 enum class Encoding : std::uint8_t { automatic, ascii, binary_little, binary_big };
 
-// Where the values of a property went. The mesh holds those of the first rows; the numbered component is given by
-// Property::component.
+// Where the values of a property are stored; the component is given by Property::component.
 enum class PropertyRole : std::uint8_t {
   position,         // IndexedMesh::positions
   normal,           // IndexedMesh::normals, one entry of the pool per vertex
@@ -62,8 +61,8 @@ enum class PropertyRole : std::uint8_t {
   corners,          // the faces
   corner_texcoord,  // IndexedMesh::texcoords, two numbers per corner
   face_colour,      // IndexedMesh::face_colours
-  vertex_number,    // here, but the values name vertices and change with their numbers
-  extra,            // here
+  vertex_number,    // in the property; vertex numbers, renumbered with the vertices
+  extra,            // in the property
 };
 
 struct Property {
@@ -73,16 +72,16 @@ struct Property {
   NumberType count_type = NumberType::u8;  // of a list
   PropertyRole role = PropertyRole::extra;
   std::uint8_t component = 0;
-  // For the last two roles: the values in the byte order of the machine, row after row. Those of row i of a list end
-  // before number ends[i].
+  // For the last two roles: the values in native byte order, row by row. The values of row i of a list end before index
+  // ends[i].
   std::vector<std::byte> data;
   std::vector<std::uint32_t> ends;
 
   bool is_kept() const { return role == PropertyRole::vertex_number || role == PropertyRole::extra; }
-  // Where the values of a row begin and how many there are.
+  // The first value of a row, and their number.
   std::size_t first_value(std::size_t row) const { return !is_list ? row : row == 0 ? 0 : ends[row - 1]; }
   std::size_t value_count(std::size_t row) const { return is_list ? ends[row] - first_value(row) : 1; }
-  std::int64_t integer(std::size_t value) const;  // the types must be one of whole numbers
+  std::int64_t integer(std::size_t value) const;  // only for integer types
   double real(std::size_t value) const;
   void append(std::int64_t value);
   void append(double value);
@@ -93,7 +92,7 @@ enum class TableKind : std::uint8_t { vertices, faces, other };
 struct PropertyTable {
   std::string name;
   TableKind kind = TableKind::other;
-  std::size_t rows = 0;  // of vertices and faces: as many as the mesh has
+  std::size_t rows = 0;  // for vertices and faces: as many as in the mesh
   std::vector<Property> properties;
 };
 
@@ -110,23 +109,23 @@ struct PropertyTables {
   std::vector<PropertyTable> tables;        // in the order of the file
   std::vector<std::string> obj_info;        // header lines of PLY, without the word
   std::vector<UnknownLines> unknown_lines;  // in the order of the file
-  bool has_decimal_reals = false;           // reals were read from text, exactly, whatever type was announced
+  bool has_decimal_reals = false;           // reals were read from text as doubles, whatever the declared type
 
-  // Whether they are all that a PLY file had, and not only what another format has besides its mesh.
+  // Whether they are the complete layout of a PLY file, not just extra data of another format.
   bool has_layout() const;
 };
 
-// Carries the tables along when vertices and faces get new numbers: the new number for each old one, no_index for what
-// is gone. New elements get zeros and empty lists. A row that names a vertex that is gone goes too; in a list of such
-// numbers it becomes -1. A number past the old end stays as far past the new one. O(values).
+// Renumbers the tables: the new number for each old one, no_index if removed. New elements get zeros and empty lists. A
+// row that references a removed vertex is removed; in a list of vertex numbers it becomes -1. A number past the old end
+// stays equally far past the new one. O(values).
 PropertyTables renumbered(const PropertyTables& tables, std::span<const std::uint32_t> vertex_number,
                           std::span<const std::uint32_t> face_number, std::size_t old_vertices,
                           std::size_t new_vertices, std::size_t new_faces);
 
-// The numbers that values of their own rows name as vertices (the ends of edges), in the order of the tables.
+// The vertex numbers in properties (such as ends of edges), in table order.
 std::vector<std::int64_t> vertices_named(const PropertyTables& tables);
 
-// The tables with other faces: the row of each new face is that of an old one. O(values).
+// The tables for a new list of faces: each new face copies the row of an old one. O(values).
 PropertyTables with_faces_of(const PropertyTables& tables, std::span<const std::uint32_t> old_face);
 
 }  // namespace ryosen

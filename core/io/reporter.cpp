@@ -8,7 +8,7 @@
 namespace ryosen {
 namespace {
 
-// Bytes of the UTF-8 character that begins here, 0 if it is broken or a control character.
+// Length of the UTF-8 character at the start, 0 if invalid or a control character.
 std::size_t character_length(std::string_view text) {
   const auto first = static_cast<unsigned char>(text[0]);
   return first < 0x20 || first == 0x7f ? 0 : utf8_length(text);

@@ -1,5 +1,4 @@
-// Collects the warnings of a reader, with a limit per kind, so that a broken file cannot fill the memory with
-// sentences.
+// Collects the warnings of a reader, with a limit per kind, so that a malformed file cannot exhaust memory.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +12,7 @@
 
 namespace ryosen {
 
-// Where in a file a message belongs; zero means not given (byte and face: see the flags).
+// The place in a file that a message refers to; zero means not given (byte and face: see the flags).
 struct FilePlace {
   std::uint64_t line = 0;    // from 1
   std::uint64_t column = 0;  // from 1, in bytes
@@ -29,19 +28,19 @@ struct FilePlace {
 
 Message make_message(Severity severity, Code code, Text text, FilePlace place = {});
 
-// The failure of a file whose content cannot be read; exit code input_malformed.
+// The failure for malformed content; exit code input_malformed.
 Failure malformed(Code code, Text text, FilePlace place = {});
 
-// A token as it may be shown in a sentence: quoted, shortened to 40 bytes, without control characters or broken UTF-8.
+// A token for display in a sentence: quoted, truncated to 40 bytes, without control characters or invalid UTF-8.
 std::string shown(std::string_view token);
 
-// What a reader found in a file and did not take over.
+// Counts of what a reader ignored.
 struct LeftOut {
-  // Lines that it does not understand.
+  // Lines not understood.
   std::uint64_t lines = 0;
-  // Places in the file where a number or an index means nothing, or where a number was rounded.
+  // Numbers and indices that are meaningless, and rounded numbers.
   std::uint64_t values = 0;
-  // Lines or bytes behind the end of the mesh.
+  // Lines or bytes after the end of the mesh.
   std::uint64_t rest = 0;
 };
 
@@ -49,7 +48,7 @@ class Reporter {
  public:
   static constexpr std::size_t listed_per_code = 20;
 
-  // Adds a warning; `text` is a function that makes the sentence and is only called when the warning is listed.
+  // Adds a warning; make_text is only called if the warning is listed.
   template <class MakeText>
   void warn(Code code, FilePlace place, MakeText&& text) {
     list(Severity::warning, code, place, std::forward<MakeText>(text));
@@ -60,7 +59,7 @@ class Reporter {
     list(Severity::info, code, place, std::forward<MakeText>(text));
   }
 
-  // Notes that something of the file is not taken over; there should be a warning about it, too.
+  // Counts something that is ignored; there should also be a warning about it.
   void leave_out(std::uint64_t LeftOut::*what, std::uint64_t count = 1) { left_out_.*what += count; }
   const LeftOut& left_out() const { return left_out_; }
 

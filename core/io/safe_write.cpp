@@ -39,7 +39,7 @@ Failure not_durable(const std::filesystem::path& path, int error) {
   return {ExitCode::output_not_writable, std::move(message)};
 }
 
-// Calls again while a signal gets in the way.
+// Retries on EINTR.
 template <class Call>
 auto retried(const Call& call) {
   auto result = call();
@@ -47,7 +47,7 @@ auto retried(const Call& call) {
   return result;
 }
 
-// Closes a file descriptor at the end of its life, unless closed before.
+// RAII for a file descriptor.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -57,7 +57,7 @@ class Descriptor {
 
   int number() const { return number_; }
   bool is_open() const { return number_ >= 0; }
-  // False if the system reports a late error. A signal does not keep it open.
+  // False if the system reports a late error. EINTR counts as closed.
   bool close() { return number_ < 0 || ::close(std::exchange(number_, -1)) == 0 || errno == EINTR; }
 
  private:
@@ -82,7 +82,7 @@ bool write_all(int descriptor, std::string_view bytes) {
 }
 
 bool synchronise(int descriptor) {
-  // Some file systems cannot; what was written is then as safe as it gets there.
+  // Some file systems do not support it; that is not an error.
   return retried([&] { return ::fsync(descriptor); }) == 0 || errno == EINVAL || errno == ENOTSUP;
 }
 
@@ -123,7 +123,7 @@ Status write_through(const std::filesystem::path& path, const FileTarget& target
   return success();
 }
 
-// The temporary file beside the target, removed unless it is renamed.
+// The temporary file beside the target; removed unless renamed.
 class Beside {
  public:
   explicit Beside(const std::filesystem::path& target)
@@ -143,7 +143,7 @@ class Beside {
   }
 
  private:
-  // Takes the first free name, with the permissions that a new file gets here.
+  // Creates the first free name, with default permissions.
   int open_beside(const std::filesystem::path& target) {
     constexpr int most_tries = 1000;
     const std::string stem = "." + target.filename().string().substr(0, 200) + "." + std::to_string(::getpid()) + ".";
@@ -162,7 +162,7 @@ class Beside {
   Descriptor descriptor_;
 };
 
-// Gives the new file the permissions, and where possible the owner, of the one that it replaces.
+// Gives the new file the permissions and, if possible, the owner of the old one.
 bool take_over_rights(int descriptor, const struct stat& old) {
   struct stat now;
   if (::fstat(descriptor, &now) == 0 && (now.st_uid != old.st_uid || now.st_gid != old.st_gid) &&
@@ -186,7 +186,7 @@ Status safe_write(const std::filesystem::path& path, std::string_view bytes) {
   if (replaces && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) return failed();
 
   const std::filesystem::path parent = target.has_parent_path() ? target.parent_path() : ".";
-  // Opened first, so that after the rename nothing but bringing it to the disk can fail. It may be one to write in only.
+  // Opened first, so that after the rename only the sync can fail. The folder may be write-only.
   const Descriptor folder(retried([&] { return ::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); }));
   if (!folder.is_open() && errno != EACCES) return failed();
   Beside beside(parent / target.filename());

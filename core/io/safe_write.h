@@ -1,4 +1,4 @@
-// Writes a file whole or not at all.
+// Atomic writing of files.
 #pragma once
 
 #include <filesystem>
@@ -8,18 +8,17 @@
 
 namespace ryosen {
 
-// Puts `bytes` in the place of the file: written beside it, brought to the disk, then renamed, and the folder is
-// brought to the disk too. Links are followed, the permissions of a file that is replaced stay. A device, a pipe that
-// somebody reads, and what a descriptor is of that the program was handed (/dev/stdout) are written to instead; there the
-// rest does not hold. Whatever moment the process is killed at, there is the whole old or the whole new file; what it
-// had written beside stays then as `.NAME.PROCESS.N`, which nobody reads.
+// Replaces the content of the file by `bytes`: written to a temporary file beside it, synced, renamed, and the folder
+// synced too. Links are followed and the permissions of a replaced file are kept. A device, a pipe with a reader, and
+// an inherited descriptor (/dev/stdout) are written directly, without these guarantees. If the process is killed at any
+// moment, the file is completely old or completely new; the temporary file may be left as `.NAME.PROCESS.N`.
 //
-// On failure (exit code output_not_writable) what was there before is unchanged and nothing new remains, but for one
-// failure: with the code output_not_durable the whole new file is in its place, and the system could not say that its
-// name is on the disk (see is_in_place). A file system that cannot bring anything to the disk is no failure.
+// On failure (exit code output_not_writable) the old file is unchanged and no temporary file remains, with one
+// exception: with the code output_not_durable the new file is in place, but syncing the folder failed (see
+// is_in_place). A file system without sync support is not a failure.
 Status safe_write(const std::filesystem::path& path, std::string_view bytes);
 
-// Whether the file is there, whole and new: written without failure, or with output_not_durable.
+// Whether the new file is in place: success, or the failure output_not_durable.
 bool is_in_place(const Status& status);
 
 }  // namespace ryosen

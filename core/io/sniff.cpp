@@ -29,7 +29,7 @@ bool is_control(char c) {
   return byte < 0x09 || (byte > 0x0d && byte < 0x20) || byte == 0x7f;
 }
 
-// UTF-16 without its mark: Latin text, so that every other byte is zero.
+// UTF-16 without a byte order mark: in Latin text every other byte is zero.
 bool has_zero_every_second(std::string_view head) {
   if (head.size() < 8) return false;
   std::size_t zeros[2] = {0, 0};

@@ -1,4 +1,4 @@
-// What the first bytes of a file that is of no format tell.
+// Classification of files that match no format, by their first bytes.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,10 @@
 
 namespace ryosen {
 
-// The refusal of a file that no mesh format can be: empty, compressed, UTF-16, or beginning with nothing but zeros.
+// The failure for a file that cannot be any mesh format: empty, compressed, UTF-16, or starting with only zeros.
 std::optional<Failure> refuse_before_sniffing(std::string_view head);
 
-// The refusal of bytes that are no text, for files whose content was not recognised as a binary format.
+// The failure for non-text content that was not recognised as a binary format.
 std::optional<Failure> refuse_binary(std::string_view head);
 
 }  // namespace ryosen

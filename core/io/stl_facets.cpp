@@ -45,7 +45,7 @@ class FacetWelder {
     findings_ = {all_finite, has_attributes};
   }
 
-  // Sets the corners of a share to the first one at their place.
+  // Maps the corners of a share to the first one at their position.
   void find_firsts(unsigned share) {
     PlaceTable table(facets_.corners() / threads_);
     std::array<std::uint32_t, 64> batch;
@@ -65,11 +65,11 @@ class FacetWelder {
 
   std::uint32_t first_at_place_of(std::uint32_t c, PlaceTable& table) const {
     const glm::vec3 place = facets_.place(c);
-    if (place != place) return c;  // equal to none
+    if (place != place) return c;  // NaN equals nothing
     return table.first(hashes_[c], c, [&](std::uint32_t first) { return facets_.place(first) == place; });
   }
 
-  // Numbers the first corners in their order; their hashes give room for that.
+  // Numbers the first corners in order, reusing the memory of their hashes.
   void number_places(std::vector<glm::dvec3>& positions) {
     std::vector<std::uint32_t> begins(threads_ + 1, 0);
     for_each_part(facets_.corners(), threads_, [&](unsigned t, std::uint32_t begin, std::uint32_t end) {
@@ -96,7 +96,7 @@ class FacetWelder {
   const StlFacets& facets_;
   const unsigned threads_;
   UnwrittenVector<std::uint32_t> hashes_;
-  std::vector<std::uint32_t>& corners_;  // holds first corners while they are sought
+  std::vector<std::uint32_t>& corners_;  // holds first corners during the search
   StlFacetFindings findings_;
 };
 

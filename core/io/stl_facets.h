@@ -1,4 +1,4 @@
-// The facets of a binary STL file, and which of their corners lie at the same place.
+// The facets of a binary STL file, and welding of their corners.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace ryosen {
 
-// A number as the file has it, with its lowest byte first, at any address.
+// Reads a little-endian number, unaligned.
 template <class Number>
 Number load_little(const char* at) {
   unsigned char bytes[sizeof(Number)];
@@ -23,7 +23,7 @@ Number load_little(const char* at) {
   return number;
 }
 
-// A view of facets that lie one after another: a normal, three corners, an attribute. 3 * count < 2^32.
+// A view of consecutive facets: a normal, three corners, an attribute. 3 * count < 2^32.
 class StlFacets {
  public:
   StlFacets(const char* first, std::uint32_t count) : first_(first), count_(count) {}
@@ -52,9 +52,9 @@ struct StlFacetFindings {
   bool has_attributes = false;  // some attribute is not zero
 };
 
-// Gives each corner the number of its place, as Welder numbers them, and adds the places to `positions`, which must be
-// empty. The result is the same for any number of threads: each takes the places of its share of the hashes, and what
-// counts in the end is the first corner at a place. O(1) per corner; 16 bytes per corner beside the result.
+// Assigns each corner the number of its distinct position, with the numbering of Welder, and fills `positions`, which
+// must be empty. Deterministic for any number of threads: each handles a share of the hash values, and positions are
+// numbered by first corner. O(1) expected per corner; 16 bytes per corner of temporary memory.
 StlFacetFindings weld_facets(const StlFacets& facets, unsigned threads, std::vector<glm::dvec3>& positions,
                              std::vector<std::uint32_t>& corners);
 

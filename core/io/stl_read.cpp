@@ -101,7 +101,7 @@ class StlBinaryReader {
   void warn_of_the_end(std::size_t claimed, std::size_t whole, std::size_t room) {
     const std::size_t count = std::min(claimed, whole), end = facets_begin + count * stl_facet_bytes;
     if (claimed > whole) {
-      // Without a rest it is the count that is wrong, else the last facet is cut.
+      // If the size is a whole number of facets the count is wrong, else the last facet is truncated.
       const FilePlace place = FilePlace::at_byte(room % stl_facet_bytes == 0 ? stl_head_bytes : end);
       reporter_.warn("unexpected_end", place, [&] {
         const std::string there = std::to_string(whole), all = std::to_string(claimed);

@@ -35,7 +35,7 @@ class StlTextReader {
   bool fail(Code code, Text text, FilePlace place) { return faults_.stop(malformed(code, std::move(text), place)); }
   FilePlace here() const { return lines_.place(word_.data()); }
 
-  // Goes on to the next word, over line ends.
+  // Advances to the next word, across line ends.
   bool next_word() {
     TextLine line;
     word_ = take_word(rest_);
@@ -61,13 +61,13 @@ class StlTextReader {
                 here());
   }
 
-  // The next word must be this one, inside a facet.
+  // Requires this word next, inside a facet.
   bool expect(std::string_view word) {
     if (!next_word()) return ends_early("a facet", "面");
     return is_stl_word(word_, word) || unexpected(word);
   }
 
-  // A file may stand on one line: then the name ends where the first facet begins.
+  // If the file is a single line, the name ends where the first facet starts.
   static std::size_t end_of_name(std::string_view line) {
     for (std::string_view rest = line; !rest.empty();) {
       std::string_view after = rest;
@@ -149,7 +149,7 @@ class StlTextReader {
     file_.mesh.groups.index.push_back(static_cast<std::uint32_t>(solids_.size() - 1));
     if (corners == 3) return true;
     file_.has_free_facets = true;
-    if (corners < 3) return true;  // set aside, with a sentence
+    if (corners < 3) return true;  // quarantined, with a message
     reporter_.warn("facet_many_corners", FilePlace::at_line(line), [&] {
       const std::string count = std::to_string(corners);
       return Text{"The facet has " + count + " corners; it is kept as one face.",
@@ -175,7 +175,7 @@ class StlTextReader {
     return true;
   }
 
-  // Solids are groups where that tells something.
+  // Solids become groups if they have a name or there are several.
   void end_groups() {
     FaceNames& groups = file_.mesh.groups;
     if (solids_.size() == 1 && solids_[0].empty()) {

@@ -1,4 +1,4 @@
-// The ascii form of STL.
+// Reader for ascii STL.
 #pragma once
 
 #include <string_view>
@@ -10,12 +10,12 @@
 
 namespace ryosen {
 
-// Whether `token` is this word of the format, in any case. `word` is in lower case.
+// Whether `token` is this keyword, case-insensitively. `word` is in lower case.
 bool is_stl_word(std::string_view token, std::string_view word);
 
 Result<MeshFile> read_stl_text(std::string_view bytes);
 
-// Sets the unusable faces aside, tells of the welding and hands the file over.
+// Quarantines the unusable faces, reports the welding and returns the file.
 MeshFile finish_stl(MeshFile& file, FaceList& faces, Reporter& reporter);
 
 }  // namespace ryosen

@@ -14,15 +14,15 @@
 namespace ryosen {
 namespace {
 
-// Of length one; zeros where there is none.
+// Unit length, or zero if undefined.
 glm::dvec3 facet_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const glm::dvec3 normal = glm::cross(b - a, c - a);
   const double length = glm::length(normal);
   return length > 0 && std::isfinite(length) ? normal / length : glm::dvec3(0.0);
 }
 
-// The faces that a file of facets can hold, with their vertices: those of the mesh, and of those in quarantine the ones
-// whose corners exist and are as many as `is_free` allows.
+// The faces that an STL file can hold: those of the mesh, and quarantined ones whose corners exist and whose number is
+// allowed by `is_free`.
 template <class Visit>
 void for_each_facet(const IndexedMesh& mesh, bool is_free, Visit visit) {
   std::vector<std::uint32_t> corners;
@@ -55,7 +55,7 @@ class StlTextWriter {
   }
 
  private:
-  // Solids follow the groups as the faces come; one without faces is written before the next one.
+  // Solids follow the groups in face order; a group without faces is written before the next one.
   void begin_solid_of(std::size_t face) {
     const FaceNames& groups = mesh_.groups;
     const std::uint32_t group = face < groups.index.size() ? groups.index[face] : no_index;
@@ -101,7 +101,7 @@ class StlTextWriter {
   TextOut out_;
   std::string name_;
   bool is_open_ = false;
-  std::size_t next_solid_ = 0;  // groups before it have been written
+  std::size_t next_solid_ = 0;  // groups below this have been written
   std::uint32_t current_ = no_index;
 };
 

@@ -1,12 +1,12 @@
-// Why the system did not do what was asked of a file, in both languages.
+// Bilingual texts for system errors on files.
 #pragma once
 
 #include "core/base/message.h"
 
 namespace ryosen {
 
-// What an error number (errno) means and what helps against it, as the rest of a sentence: without a capital and without
-// the stop. A number that is not known here gets the words of the system in both languages.
+// The meaning of an errno value and its remedy, as the end of a sentence: without capital and full stop. Unknown values
+// get the system's message in both languages.
 Text system_reason(int error);
 
 }  // namespace ryosen

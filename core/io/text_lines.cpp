@@ -49,7 +49,7 @@ std::string_view TextLines::take() {
   return {begin, static_cast<std::size_t>(stop - begin)};
 }
 
-// Gathers a line and its continuations in joined_.
+// Joins a line and its continuations in joined_.
 void TextLines::join(std::string_view first) {
   joined_.clear();
   pieces_.clear();

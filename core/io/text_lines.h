@@ -11,35 +11,36 @@
 
 namespace ryosen {
 
-// What some programs put before the first character of a text in UTF-8.
+// The UTF-8 byte order mark that some programs write first.
 inline constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
-// One line without its end. `text` stays valid until the next line is read, and the character after it is a line end:
-// LF, or CR followed by LF.
+// One line without its line end. `text` is valid until the next line is read, and is followed by a line end: LF, or CR
+// LF.
 struct TextLine {
   std::string_view text;
-  std::uint64_t number = 0;  // from 1; of the first one where several were joined
+  std::uint64_t number = 0;  // from 1; of the first one if joined
 };
 
-// Walks over a text once. With `join_continuations` a line that ends in a backslash goes on in the next one, with a
-// space in between; a line whose first character is # never does. Cost: O(bytes), no allocation for ordinary lines.
+// A single pass over a text. With `join_continuations` a line that ends in a backslash is joined with the next one by a
+// space, unless its first character is #. Cost: O(bytes), no allocation for ordinary lines.
 class TextLines {
  public:
-  // `lines_before` is how many lines of the file lie before these bytes; a byte order mark may only be at its beginning.
+  // `lines_before`: number of lines of the file before these bytes; a byte order mark is only allowed at the start of
+  // the file.
   TextLines(std::string_view bytes, bool join_continuations, std::uint64_t lines_before = 0);
 
   bool next(TextLine& line);
-  // The next one that is not blank.
+  // The next non-blank line.
   bool next_filled(TextLine& line);
 
-  // Where a character of the line read last lies in the file; `at` may be one past its end.
+  // The place in the file of a character of the current line; `at` may be one past its end.
   FilePlace place(const char* at) const;
 
-  // The line number of the line read last; of its first one where several were joined.
+  // The number of the current line; of the first one if joined.
   std::uint64_t first_line() const { return is_joined_ ? pieces_.front().number : count_; }
-  // The lines read so far.
+  // The number of lines read so far.
   std::uint64_t count() const { return count_; }
-  // Where the line read last begins, and where the next one begins, in bytes of the file.
+  // The byte offsets of the current and of the next line.
   std::uint64_t line_byte() const { return static_cast<std::uint64_t>(line_begin_ - begin_); }
   std::uint64_t next_byte() const { return static_cast<std::uint64_t>(at_ - begin_); }
 
@@ -56,18 +57,19 @@ class TextLines {
   const char* end_;
   const char* at_;
   const char* line_begin_;
-  // The first CR and LF at or after at_, end_ if there is none; remembered, so that a file without one is searched once.
+  // The first CR and LF at or after at_, end_ if there is none; cached, so that a file without one is searched only
+  // once.
   const char* next_cr_;
   const char* next_lf_;
   bool join_continuations_;
   bool is_joined_ = false;
-  bool has_plain_end_ = false;  // the line read last ends in LF or CRLF
+  bool has_plain_end_ = false;  // the current line ends in LF or CRLF
   std::uint64_t count_ = 0;
   std::string joined_;
   std::vector<Piece> pieces_;
 };
 
-// Takes the next word off the front of `text`: characters up to a space or tab. Empty at the end.
+// Removes and returns the next word of `text`, up to a space or tab. Empty at the end.
 inline std::string_view take_word(std::string_view& text) {
   const char* at = text.data();
   const char* const end = at + text.size();
@@ -78,8 +80,8 @@ inline std::string_view take_word(std::string_view& text) {
   return {begin, static_cast<std::size_t>(at - begin)};
 }
 
-// Takes the next word off the front of `text` if std::from_chars reads all of it; else leaves `text` as it is. The quick
-// way for ordinary numbers, one pass over the characters.
+// Parses and removes the next word of `text` if std::from_chars accepts all of it; else leaves `text` unchanged. The
+// fast path for ordinary numbers.
 template <class Number>
 bool take_number(std::string_view& text, Number& value) {
   const char* at = text.data();
@@ -91,10 +93,10 @@ bool take_number(std::string_view& text, Number& value) {
   return true;
 }
 
-// Whether there is nothing but spaces and tabs.
+// Whether it contains only spaces and tabs.
 inline bool is_blank(std::string_view text) { return text.find_first_not_of(" \t") == std::string_view::npos; }
 
-// Goes over the lines that `next_line` still finds behind the last announced `what` and warns of them (extra_data).
+// Warns about the lines after the last declared `what` (extra_data).
 template <class NextLine>
 void warn_of_lines_left(const TextLines& lines, Reporter& reporter, const Text& what, NextLine next_line) {
   if (!next_line()) return;
@@ -109,7 +111,7 @@ void warn_of_lines_left(const TextLines& lines, Reporter& reporter, const Text& 
   });
 }
 
-// `text` without the spaces and tabs at both ends.
+// `text` without leading and trailing spaces and tabs.
 std::string_view trimmed(std::string_view text);
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-// Gathers the text of a file in memory: words, whole numbers, and decimals that read back to the same bits.
+// Builds the text of a file in memory: words, integers, and decimals that round-trip exactly.
 #pragma once
 
 #include <charconv>
@@ -28,9 +28,9 @@ class TextOut {
   }
   // The shortest decimal that std::from_chars reads as the same double; nan, -nan, inf, -inf.
   TextOut& operator<<(double value) { return put(value); }
-  // The same for float: the shortest decimal that is the same float again.
+  // The same for float.
   TextOut& operator<<(float value) { return put(value); }
-  // The shortest decimal, with a point where it would look like a whole number.
+  // The shortest decimal, with a decimal point if it would look like an integer.
   TextOut& put_real(double value) {
     const std::size_t begin = size_;
     put(value);
@@ -68,7 +68,7 @@ class TextOut {
   std::size_t size_ = 0;
 };
 
-// `text` with every line end and NUL turned into a space, so that it stays on one line of a file.
+// `text` with line ends and NUL replaced by spaces, so that it stays on one line.
 std::string on_one_line(std::string_view text);
 
 }  // namespace ryosen

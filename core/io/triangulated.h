@@ -1,16 +1,16 @@
-// A mesh cut into triangles, for formats that hold nothing else.
+// Triangulation of a mesh file, for formats that hold only triangles.
 #pragma once
 
 #include "core/io/mesh_file.h"
 
 namespace ryosen {
 
-// The same file with every face of more than three corners cut into triangles, which take its place one behind the
-// other and share its names, colours and properties; corners keep their values. Faces in quarantine stay as they are,
-// under the number that they have then. Cost: O(corners), see triangulate.h for a polygon.
+// The file with every face of more than three corners replaced by consecutive triangles, which share its names, colours
+// and properties; corners keep their values. Quarantined faces are kept, renumbered. Cost: O(corners), see
+// triangulate.h for a polygon.
 MeshFile triangulated(const MeshFile& file);
 
-// Whether it would differ.
+// Whether triangulated() would change anything.
 bool has_polygons(const IndexedMesh& mesh);
 
 }  // namespace ryosen

@@ -15,13 +15,13 @@
 namespace ryosen {
 namespace {
 
-// Signs that a list counts its vertices from 0: several faces name the vertex before the first, and none the last.
-// Corners are counted from 0 here, so that vertex is -1.
+// Detects lists that count vertices from 0: several faces reference the vertex before the first (-1 here, since corners
+// are stored from 0), and none the last.
 class ZeroBase {
  public:
   explicit ZeroBase(std::size_t vertices) : last_(static_cast<std::int64_t>(vertices) - 1) {}
 
-  // Whether the face names the vertex before the first.
+  // Returns whether the face references vertex -1.
   template <class Corners>
   bool add_face(const Corners& corners) {
     bool has_zero = false;
@@ -32,13 +32,13 @@ class ZeroBase {
     zero_faces_ += has_zero;
     return has_zero;
   }
-  // Of a list of so many faces. One such face among others is more likely damaged.
+  // For a list of `faces` faces. A single such face among others is more likely damaged.
   bool is_shown(std::size_t faces) const { return is_within_ && (zero_faces_ > 1 || (zero_faces_ == 1 && faces == 1)); }
 
  private:
   std::int64_t last_;
   std::size_t zero_faces_ = 0;
-  bool is_within_ = true;  // no vertex is beyond those that a list from 0 could name
+  bool is_within_ = true;  // no vertex exceeds the range of a list from 0
 };
 
 // Every step returns false where nothing more can be read; what reads a line, where that has a fault.
@@ -188,7 +188,7 @@ class TxtReader {
   bool read_corners(std::array<std::int64_t, 3>& corners) {
     for (std::int64_t& corner : corners) {
       if (!take_number(rest_, corner) && !read_whole(3, corner)) return false;
-      if (corner != INT64_MIN && corner != INT64_MAX) --corner;  // which stand for all beyond
+      if (corner != INT64_MIN && corner != INT64_MAX) --corner;  // unless saturated
     }
     return end_line(3);
   }
@@ -240,7 +240,7 @@ TxtQuarantine::TxtQuarantine(const IndexedMesh& mesh) {
     zero_base.add_face(face.corners);
   }
   if (!zero_base.is_shown(triangles)) return;
-  zero_base.add_face(mesh.corners);  // of all faces that are kept; none of these names the vertex before the first
+  zero_base.add_face(mesh.corners);  // all usable faces; none of them references vertex -1
   looks_zero_based_ = zero_base.is_shown(triangles);
 }
 

@@ -1,4 +1,4 @@
-// Values of corners as formats hold them that know one per vertex.
+// Corner values for formats that store one value per vertex.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace ryosen {
 
-// The place in the pool for each vertex if all corners of a vertex have the same value; none if some differ, if corners
-// lack a value, or if no vertex has one. A vertex without a face takes the entry of its own number when the pool has
-// one entry per vertex, as readers of values per vertex make it. O(corners).
+// The pool index for each vertex, if all corners of each vertex have the same value; none if some differ, if corners
+// lack a value, or if no vertex has one. An isolated vertex gets the entry with its own number if the pool has one
+// entry per vertex, as readers of per-vertex values produce. O(corners).
 std::optional<std::vector<std::uint32_t>> per_vertex(const IndexedMesh& mesh, const CornerValues& values);
 
 // The value of a pool; zeros for no_index.

@@ -1,4 +1,4 @@
-// Finds the corners that lie at the same place, for formats that give every corner its own coordinates.
+// Welding of corners at equal positions, for formats that store coordinates per corner.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace ryosen {
 
-// Numbers places in the order in which they come first. Places are equal as numbers: -0 is 0, and one with a NaN equals
-// none, not even itself; the first corner at a place gives its coordinates. O(1) per corner.
+// Numbers distinct positions in order of first occurrence. -0 equals 0, and a position with a NaN equals none, not even
+// itself; the first corner gives the coordinates. O(1) expected per corner.
 class Welder {
  public:
   // Positions are added to `positions`, which must outlive the welder and be empty.
@@ -20,7 +20,7 @@ class Welder {
     positions_.reserve(expected_corners / 6);
   }
 
-  // The number of a place.
+  // The number of a position.
   std::uint32_t number(const glm::dvec3& p) {
     const auto next = static_cast<std::uint32_t>(positions_.size());
     const std::uint32_t first =

@@ -1,4 +1,4 @@
-// The standard attributes of a mesh and typed reading of their values.
+// The standard attributes of a mesh and typed access to their values.
 #pragma once
 
 #include <cstring>
@@ -23,7 +23,7 @@ inline constexpr std::string_view object = "face.object";
 inline constexpr std::string_view smoothing = "face.smoothing";
 }  // namespace attribute_names
 
-// The value of type T at an index of a column; T has exactly the column's words.
+// The value of type T at an index of a column; sizeof(T) must equal the column's words.
 template <class T>
 T attribute_value(const AttributeColumn& column, std::uint32_t index) {
   T value;
@@ -31,7 +31,7 @@ T attribute_value(const AttributeColumn& column, std::uint32_t index) {
   return value;
 }
 
-// A corner column with its pool, as positions in Mesh::attributes().
+// A corner column with its pool, as indices into Mesh::attributes().
 struct CornerAttribute {
   std::size_t index_column;
   std::size_t pool_column;

@@ -38,8 +38,8 @@ std::vector<Side> sorted_sides(const CornerLoops& loops, const std::vector<std::
   return sides;
 }
 
-// Takes the two sides of each bridge out of `next`, which then leads past them. Sides taken out lead nowhere. The
-// number of bridges, or none where a side is met twice in one direction.
+// Removes the two sides of each bridge from the cycles in `next`. Returns the number of bridges, or none if a side
+// occurs twice in one direction. The entries of removed sides are meaningless afterwards.
 std::optional<std::size_t> unlink_bridges(const CornerLoops& loops, std::vector<std::uint32_t>& next,
                                           std::vector<bool>& taken) {
   const std::vector<Side> sides = sorted_sides(loops, next);
@@ -54,8 +54,8 @@ std::optional<std::size_t> unlink_bridges(const CornerLoops& loops, std::vector<
     opposite[t.place] = s.place;
     ++bridges;
   }
-  // From each side taken out the walk goes on with the one after its opposite. Chains are followed once and remembered;
-  // one that comes back to itself (all edges at a corner are bridges) leads nowhere.
+  // A removed side is replaced by the successor of its opposite. Chains are followed once and memoised; one that closes
+  // on itself (all edges at a corner are bridges) has no end: `nowhere`.
   std::vector<std::uint32_t> behind(next.size(), unknown);
   std::vector<std::uint32_t> chain;
   const auto find_behind = [&](std::uint32_t side) {
@@ -109,7 +109,7 @@ std::optional<std::vector<std::vector<std::uint32_t>>> take_out_bridges(const Co
       parts.back().push_back(k);
     }
   }
-  // Each bridge splits one loop in two, or the number would be smaller.
+  // Removing a bridge must split one loop in two; otherwise there are fewer parts.
   if (parts.size() != loops.ends.size() + *bridges || !are_simple(loops, parts)) return std::nullopt;
   return parts;
 }

@@ -1,7 +1,8 @@
-// Bridges: edges that a face walks both ways, as files write a face with holes in one corner list.
+// Bridges: edges that a face traverses in both directions; files use them to write a face with holes as one corner
+// list.
 //
-//     3-----------2          the list 0 1 2 3 0 4 7 6 5 4 walks 0-4 both ways; taken out, the outer loop 0 1 2 3 and
-//     |  7-----6  |          the ring 4 7 6 5 are left
+//     3-----------2          the list 0 1 2 3 0 4 7 6 5 4 traverses 0-4 in both directions; without it the outer loop
+//     |  7-----6  |          0 1 2 3 and the ring 4 7 6 5 remain
 //     |  |     |  |
 //     |  4-----5  |
 //     |/          |
@@ -15,7 +16,7 @@
 
 namespace ryosen {
 
-// Corner lists of one face, one behind the other: numbers of vertices, and one past the last place of each list.
+// The corner lists of one face, concatenated: vertex numbers, and the end index of each list.
 struct CornerLoops {
   std::vector<std::uint32_t> corners;
   std::vector<std::uint32_t> ends;
@@ -23,9 +24,9 @@ struct CornerLoops {
   void add(std::span<const std::uint32_t> loop);
 };
 
-// The loops that are left when the edges that the lists walk both ways are taken out, as places in `corners`; in the
-// order of their lowest place, from it. None where a loop does not come apart at each of these edges, or where the
-// loops that are left have fewer than three corners or share a vertex. O(n log n).
+// The loops that remain when the edges traversed in both directions are removed, as indices into `corners`; each starts
+// at its lowest index, and they are sorted by it. None if removing such an edge does not split a loop in two, or if a
+// remaining loop has fewer than three corners or two of them share a vertex. O(n log n).
 std::optional<std::vector<std::vector<std::uint32_t>>> take_out_bridges(const CornerLoops& loops);
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-// Which cells an open transaction has recorded already: a flat hash set that is emptied in O(1).
+// The set of cells that an open transaction has recorded already: an open-addressing hash set that is cleared in O(1).
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@ namespace ryosen {
 
 class CellMarks {
  public:
-  // Empties the set.
+  // O(1), except for a full reset once per 2^24 calls.
   void clear() {
     count_ = 0;
     if (++generation_ == generation_end) forget();
   }
 
-  // Whether the cell was not in the set; it is now. O(1) on average.
+  // Inserts the cell; true if it was not in the set. O(1) expected.
   bool insert(Column column, std::uint32_t index) {
     if (2 * (count_ + 1) > slots_.size()) grow();
     const std::uint64_t key = generation_ << key_bits | std::uint64_t{static_cast<std::uint8_t>(column)} << 32 | index;
@@ -31,7 +31,7 @@ class CellMarks {
   }
 
  private:
-  static constexpr unsigned key_bits = 40;  // column and index; the generation lies above
+  static constexpr unsigned key_bits = 40;  // column and index; the generation is in the bits above
   static constexpr std::uint64_t generation_end = std::uint64_t{1} << (64 - key_bits);
 
   std::size_t first_slot(std::uint64_t key) const {
@@ -44,7 +44,7 @@ class CellMarks {
   }
   void grow();
 
-  std::vector<std::uint64_t> slots_;  // a power of two; what carries an older generation is free
+  std::vector<std::uint64_t> slots_;  // size is a power of two; entries of an older generation are free
   std::uint64_t generation_ = 1;
   std::size_t count_ = 0;
 };

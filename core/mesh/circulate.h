@@ -1,7 +1,7 @@
-// Ranges around vertices and faces: the nine relations between vertices, edges and faces, each step O(1).
+// Circulators around vertices and faces: the nine incidence relations between vertices, edges and faces, O(1) per step.
 //
-// All ranges are views of the mesh and stay valid while it is not edited. On a broken mesh a range that does not come
-// back to its start throws BrokenMesh with the halfedge named, after halfedge_slots() + 1 steps at most.
+// All ranges are views and stay valid until the mesh is edited. On a corrupt mesh a cycle that does not return to its
+// start throws BrokenMesh, which names the halfedge, after at most halfedge_slots() + 1 steps.
 #pragma once
 
 #include <iterator>
@@ -12,7 +12,7 @@
 
 namespace ryosen {
 
-// A link walk that does not close; the sentence names the halfedge it began at.
+// A cycle that does not close; what() names the halfedge it started at.
 class BrokenMesh : public std::runtime_error {
  public:
   explicit BrokenMesh(Halfedge start)
@@ -24,7 +24,7 @@ class BrokenMesh : public std::runtime_error {
   Halfedge start_;
 };
 
-// A cyclic walk from a halfedge by Step, each halfedge seen once, mapped to an element by Map. Empty for a none start.
+// The cycle of Step from a halfedge, each halfedge visited once, mapped to an element by Map. Empty if start is none.
 template <class Step, class Map>
 class CycleRange {
  public:
@@ -149,7 +149,7 @@ class FaceRange {
   std::uint32_t ring_;
 };
 
-// Around a vertex, counter-clockwise. faces_around may yield none (the gap at a boundary).
+// Around a vertex (its one-ring), counter-clockwise. faces_around may yield none (the gap at a boundary).
 inline auto outgoing(const Mesh& m, Vertex v) {
   return CycleRange<detail::StepLeft, detail::ToHalfedge>(m, m.halfedge(v));
 }
@@ -166,7 +166,7 @@ inline auto faces_around(const Mesh& m, Vertex v) {
   return CycleRange<detail::StepLeft, detail::ToFace>(m, m.halfedge(v));
 }
 
-// Around a loop of a face or outside, counter-clockwise.
+// Around a loop of a face, or a boundary loop, in the direction of next.
 inline auto loop(const Mesh& m, Halfedge start) { return CycleRange<detail::StepNext, detail::ToHalfedge>(m, start); }
 inline auto loop_clockwise(const Mesh& m, Halfedge start) {
   return CycleRange<detail::StepPrev, detail::ToHalfedge>(m, start);
@@ -183,7 +183,7 @@ inline std::pair<Vertex, Vertex> ends(const Mesh& m, Edge e) {
 }
 inline std::pair<Face, Face> faces(const Mesh& m, Edge e) { return {m.face(halfedge(e, 0)), m.face(halfedge(e, 1))}; }
 
-// Corners of all loops.
+// Number of corners over all loops.
 inline std::uint32_t corner_count(const Mesh& m, Face f) {
   std::uint32_t n = 0;
   for ([[maybe_unused]] Halfedge h : halfedges_around(m, f)) ++n;

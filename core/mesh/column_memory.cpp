@@ -21,7 +21,7 @@ void offer_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_
   const auto address = reinterpret_cast<std::uintptr_t>(memory);
   const std::uintptr_t begin = (address + huge_page - 1) / huge_page * huge_page;
   const std::uintptr_t end = (address + bytes) / huge_page * huge_page;
-  // Only advice: without huge pages everything works, slower.
+  // A hint only, so failure is ignored.
   if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
 #endif
 }

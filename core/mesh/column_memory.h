@@ -1,5 +1,5 @@
-// Memory for columns: large blocks lie on huge pages where the system offers them, so that fresh ones are filled
-// several times faster and random access seldom misses the table of pages.
+// Memory for columns: large blocks are placed on huge pages where available, which makes first-touch page faults
+// several times cheaper and TLB misses on random access rare.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,14 @@
 
 namespace ryosen {
 
-// Blocks of at least the second size are aligned to the first, and so rounded up to it, and offered huge pages.
+// Blocks of at least large_block bytes are aligned to huge_page and marked for huge pages.
 inline constexpr std::size_t huge_page = std::size_t{1} << 21;
 inline constexpr std::size_t large_block = 2 * huge_page;
 
-// Throws std::bad_alloc. Blocks are given back with the size they were taken with.
+// Throws std::bad_alloc. Release a block with the size it was allocated with.
 void* allocate_column(std::size_t bytes);
-// For large memory that others have taken, before it is written: asks for huge pages where whole ones lie in it.
+// For large blocks from another allocator, before they are written: requests huge pages for those that lie wholly
+// inside.
 void offer_huge_pages(void* memory, std::size_t bytes);
 void release_column(void* block, std::size_t bytes) noexcept;
 
@@ -33,7 +34,8 @@ struct ColumnAllocator {
   friend bool operator==(const ColumnAllocator&, const ColumnAllocator&) { return true; }
 };
 
-// As ColumnAllocator, but resize() leaves new elements unwritten: for whoever writes each of them right afterwards.
+// As ColumnAllocator, but resize() leaves new elements uninitialised: for code that writes all of them right
+// afterwards.
 template <class T>
 struct UnwrittenAllocator : ColumnAllocator<T> {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -53,7 +55,7 @@ struct UnwrittenAllocator : ColumnAllocator<T> {
   }
 };
 
-// Reserves room in a vector with an allocator of its own, on huge pages if that is much.
+// reserve() for a vector with any allocator, on huge pages if the block is large.
 template <class Vector>
 void reserve_large(Vector& values, std::size_t count) {
   if (count <= values.capacity()) return;

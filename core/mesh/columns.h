@@ -1,4 +1,4 @@
-// The plain columns that make up a mesh, their lengths, and the names by which the journal addresses their cells.
+// The columns (arrays) that make up a mesh, their lengths, and the column ids by which the journal addresses cells.
 #pragma once
 
 #include <array>
@@ -22,14 +22,15 @@ struct HalfedgeLinks {
   friend bool operator==(const HalfedgeLinks&, const HalfedgeLinks&) = default;
 };
 
-// In vertex_halfedge and face_halfedge: the element is deleted. A dead edge has `dead_from` as origin of its even half.
+// Marks a deleted element in vertex_halfedge and face_halfedge. A deleted edge has `dead_from` as origin of its even
+// half.
 inline constexpr Halfedge dead_halfedge{0xfffffffeu};
 inline constexpr Vertex dead_from{0xfffffffeu};
 
 enum class ElementKind : std::uint8_t { vertex, corner, face, pool };
 
-// A column that files brought along: `words` 32-bit words per vertex, corner (= halfedge) or face, or a pool of values
-// that grows at its end and is named by index from another column.
+// An attribute column read from a file: `words` 32-bit words per vertex, corner (= halfedge) or face, or an append-only
+// pool of values that another column refers to by index.
 struct AttributeColumn {
   std::string name;
   ElementKind element = ElementKind::vertex;
@@ -42,7 +43,7 @@ struct AttributeColumn {
 
 // An inner loop of a face, in the side table of rings.
 struct Ring {
-  Halfedge halfedge;              // one of the loop's; dead_halfedge: the ring is gone
+  Halfedge halfedge;              // any halfedge of the loop; dead_halfedge: deleted
   std::uint32_t next = no_index;  // the next ring of the same face
 
   friend bool operator==(const Ring&, const Ring&) = default;
@@ -62,7 +63,7 @@ struct ColumnLengths {
   friend bool operator==(const ColumnLengths&, const ColumnLengths&) = default;
 };
 
-// Live elements as the kernel counts them: every copy and every cut edge for itself.
+// Live elements as the mesh stores them: every copy of a point and every copy of a cut edge counts.
 struct ElementCounts {
   std::uint32_t vertices = 0;
   std::uint32_t edges = 0;
@@ -77,18 +78,18 @@ struct MeshColumns {
   UnwrittenVector<HalfedgeLinks> halfedges;
   ColumnVector<Halfedge> face_halfedge;
   std::vector<glm::dvec3> positions;
-  std::vector<Vertex> next_copy;          // cycle of the copies of a point; empty while the mesh has none
+  std::vector<Vertex> next_copy;          // cyclic list of the copies of a point; empty while there are none
   std::vector<std::uint32_t> first_ring;  // per face, into rings; empty while no face has had a ring
   std::vector<Ring> rings;
   std::vector<AttributeColumn> attributes;
   ElementCounts live;
   std::uint32_t file_vertices = 0;  // vertex numbers below this come from the file
 
-  // To the byte: a NaN equals itself, 0 and -0 differ.
+  // Bitwise: a NaN equals itself, 0 and -0 differ.
   friend bool operator==(const MeshColumns& a, const MeshColumns& b);
 };
 
-// Columns as the journal names them; attribute k of a mesh is first_attribute + k.
+// Column ids of the journal; attribute k of a mesh is first_attribute + k.
 enum class Column : std::uint8_t {
   vertex_halfedge,
   from,

@@ -31,7 +31,7 @@ std::vector<Halfedge> sheets_between(const Mesh& mesh, Vertex a, Vertex b) {
 
 namespace {
 
-// The halfedges that leave the copies of a point, one after another.
+// Iterates over the outgoing halfedges of all copies of a point.
 class StarWalk {
  public:
   StarWalk(const Mesh& mesh, Vertex v) : mesh_(mesh), first_(v), copy_(v), at_(mesh.halfedge(v)) { skip_isolated(); }

@@ -1,7 +1,7 @@
-// Points and their copies: several vertices that stand for one point of the file, each with a fan of faces of its own.
+// Points and their copies: several vertices that represent one point of the file, each with its own fan of faces.
 //
-//      \ f |            the point 5 of a file with a bow-tie is two vertices, 5 and a further one, in one cycle;
-//     f \ | /  g        figures, names and files speak of the point, the kernel of its copies
+//      \ f |            point 5 of a file with a bow-tie becomes two vertices, 5 and a copy, in one cyclic list;
+//     f \ | /  g        figures, names and files refer to the point, the mesh stores its copies
 //        5
 #pragma once
 
@@ -12,12 +12,12 @@
 
 namespace ryosen {
 
-// The copy that names the point: the one with the smallest number. O(copies).
+// The representative of a point: its copy with the smallest number. O(copies).
 Vertex point(const Mesh& mesh, Vertex v);
 inline bool has_copies(const Mesh& mesh, Vertex v) { return mesh.next_copy(v) != v; }
-// Fans of faces at one vertex; wires are none.
+// Number of face fans at one vertex; wires do not count.
 std::uint32_t count_fans(const Mesh& mesh, Vertex v);
-// Whether the point of v is more than one fan of faces: by its copies or at the vertex itself.
+// Whether the point of v has more than one fan of faces, through its copies or at the vertex itself.
 inline bool has_several_fans(const Mesh& mesh, Vertex v) { return has_copies(mesh, v) || count_fans(mesh, v) > 1; }
 inline bool same_point(const Mesh& mesh, Vertex a, Vertex b) {
   return a == b || (has_copies(mesh, a) && has_copies(mesh, b) && point(mesh, a) == point(mesh, b));
@@ -33,14 +33,14 @@ void for_each_copy(const Mesh& mesh, Vertex v, Visit visit) {
   } while (copy != v);
 }
 
-// The outgoing halfedges of all copies of a to copies of b, those along a face and those outside: one per edge.
+// The halfedges from any copy of a to any copy of b, with or without a face: one per edge.
 std::vector<Halfedge> sheets_between(const Mesh& mesh, Vertex a, Vertex b);
-// Whether there are any. Cost: twice the smaller star, so it is cheap at a hub.
+// Whether there is any. Cost: twice the smaller of the two valences, so it is cheap for one vertex of high valence.
 bool are_joined(const Mesh& mesh, Vertex a, Vertex b);
 
-// What runs between the two points of an edge, over all sheets.
+// The faces along the edge between two points, summed over all sheets.
 struct PointEdge {
-  std::uint32_t forward = 0;   // faces that run it in the direction of the halfedge
+  std::uint32_t forward = 0;   // faces that traverse it in the direction of the halfedge
   std::uint32_t backward = 0;  // and against it
 
   std::uint32_t faces() const { return forward + backward; }
@@ -57,10 +57,10 @@ bool is_cut_on_points(const Mesh& mesh, Halfedge h);
 // Moves all copies of a point.
 void move_point(Edit& edit, Vertex v, const glm::dvec3& position);
 
-// Takes a copy out of its cycle: it is a point of its own then.
+// Unlinks a copy from its point: it becomes a point of its own.
 void leave_copies(Edit& edit, Vertex v);
 
-// Live points and the point pairs joined by an edge, as files and figures count them.
+// Live elements with copies merged: points, and pairs of points joined by an edge, as in files and figures.
 ElementCounts counts_on_points(const Mesh& mesh);
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-// The one writer of a mesh: an edit is a transaction that is committed as a whole or leaves no trace.
+// The only way to write to a mesh: a transaction that is committed as a whole or rolled back.
 #pragma once
 
 #include <cstring>
@@ -9,10 +9,9 @@
 
 namespace ryosen {
 
-// While an Edit is open, old values go to the journal. commit() makes it one entry of the history; destroying it
-// uncommitted restores the mesh to the byte and leaves the redo list alone (so a preview is an Edit that is not
-// committed). With Journal null nothing is recorded and the writes are final: for batch work. At most one Edit may be
-// open on a mesh.
+// While an Edit is open, old values go to the journal. commit() makes it one history entry; destroying it uncommitted
+// restores the mesh byte for byte and keeps the redo list (so a preview is an Edit that is not committed). With a null
+// Journal nothing is recorded and the writes are final: for batch work. At most one Edit may be open on a mesh.
 class Edit {
  public:
   Edit(Mesh& mesh, Journal* journal)
@@ -46,31 +45,31 @@ class Edit {
   void set_position(Vertex v, const glm::dvec3& p) {
     write<Column::position>(v.index, mesh_.columns_.positions[v.index], p);
   }
-  // Makes `next` the successor of v in its cycle of copies.
+  // Makes `next` the successor of v in its cyclic list of copies.
   void set_next_copy(Vertex v, Vertex next);
-  // Gives the face an inner loop: the one of `h`, whose halfedges the caller has given to the face. O(1).
+  // Adds the loop of `h` to the face as a ring; the caller has already set the face of its halfedges. O(1), the mesh's
+  // first ring O(faces).
   void add_ring(Face f, Halfedge h);
-  // Takes a ring out of the face's list; its halfedges are the caller's. Cost: the rings of the face.
+  // Removes a ring from the face's list; the caller updates its halfedges. Cost: the rings of the face.
   void remove_ring(Face f, std::uint32_t ring);
   void set_ring_halfedge(std::uint32_t ring, Halfedge h) {
     write<Column::ring>(ring, mesh_.columns_.rings[ring], Ring{h, mesh_.columns_.rings[ring].next});
   }
 
-  // New elements take the next free slots; their links are none until set. add_edge sets both origins.
+  // New elements are appended; their links are none until set. add_edge sets both origins.
   Vertex add_vertex(const glm::dvec3& position);
   Halfedge add_edge(Vertex from, Vertex to);
   Face add_face(Halfedge first);
-  // The slot stays as a dead one. Links of other elements to it must have been changed by the caller.
+  // The slot stays, marked dead. The caller must already have redirected the links of other elements to it.
   void remove(Vertex v);
   void remove(Edge e);
   void remove(Face f);
 
-  // Attribute values, as the words of their column; append_value adds to a pool and returns the new index.
+  // Attribute values as raw words; append_value appends to a pool and returns the new index.
   void set_attribute(std::size_t attribute, std::uint32_t index, std::span<const std::uint32_t> words);
   std::uint32_t append_value(std::size_t pool_attribute, std::span<const std::uint32_t> words);
 
-  // Exchanges all columns at once: for batch algorithms that build new columns beside the old ones. Must be the only
-  // write of the edit.
+  // Replaces all columns at once: for batch algorithms that build new columns. Must be the only write of the edit.
   void replace(MeshColumns columns);
 
  private:
@@ -80,7 +79,7 @@ class Edit {
     if (journal_ && index < length_before(column)) journal_->record(column, index, &cell, sizeof(Value));
     cell = value;
   }
-  // Cells of elements that this edit itself created need no old value.
+  // Cells at or past this length belong to elements created by this edit and have no old value.
   std::uint32_t length_before(Column column) const {
     switch (column) {
       case Column::from:

@@ -1,4 +1,4 @@
-// The polygon of a face, loop by loop: the one place where corners become places for drawing, picking and measuring.
+// The polygon of a face, loop by loop: the one source of corner positions for drawing, picking and measuring.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 namespace ryosen {
 
 // Corners are numbered from 0, the outer loop from the face's first corner, then ring after ring. Reuse one object for
-// many faces: it keeps its memory.
+// many faces: it keeps its buffers.
 class FacePolygon {
  public:
   FacePolygon() = default;
@@ -24,9 +24,9 @@ class FacePolygon {
   // One past the last corner of each loop.
   const std::vector<std::uint32_t>& loop_ends() const { return loop_ends_; }
   bool is_finite() const;
-  // Puts the corners at a point of the mesh elsewhere.
+  // Moves all corners at the point of v (its copies included) to another position.
   void move(const Mesh& mesh, Vertex v, const glm::dvec3& place);
-  // Puts one corner elsewhere.
+  // Moves one corner.
   void move(Halfedge corner, const glm::dvec3& place);
 
   // The triangles as corner numbers; coordinates must be finite. See triangulate.h.
@@ -34,8 +34,8 @@ class FacePolygon {
   // Whether `second` is the corner after `first` on its loop.
   bool is_side(std::uint32_t first, std::uint32_t second) const;
   std::uint32_t next(std::uint32_t corner) const;
-  // One closed walk over all loops, from ring to ring through the first corners and back: sums over its sides (area,
-  // normal, volume) are those of the face. The places themselves where there is no ring.
+  // One closed polygon over all loops, connected through the first corners and back: sums over its sides (area, normal,
+  // volume) are those of the face. Without rings, just the positions.
   std::vector<glm::dvec3> keyhole_walk() const;
 
  private:
@@ -44,8 +44,8 @@ class FacePolygon {
   std::vector<std::uint32_t> loop_ends_;
 };
 
-// The same walk in a form that does not depend on bridges, on the order of the rings or on where a loop begins, so that
-// sums over a mesh and over the file written of it are equal to the last bit.
+// The same walk in canonical form, independent of bridges, ring order and loop starts, so that sums over a mesh and
+// over the file written from it are bitwise equal.
 std::vector<glm::dvec3> measured_walk(const Mesh& mesh, Face f);
 
 }  // namespace ryosen

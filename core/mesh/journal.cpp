@@ -10,7 +10,7 @@ namespace ryosen {
 
 namespace {
 
-// Calls visit(vector, first element, words per element) for the part of every column behind `lengths`.
+// Calls visit(vector, first element, words per element) for the part of every column past `lengths`.
 template <class Visit>
 void for_each_column_tail(MeshColumns& c, const ColumnLengths& lengths, Visit visit) {
   visit(c.vertex_halfedge, lengths.vertices, 1);
@@ -64,7 +64,7 @@ void restore_tail(MeshColumns& columns, const ColumnLengths& after, const std::v
   });
 }
 
-// Lengths as a word that tells which of them are not 0, and those.
+// Lengths are stored as a bit mask of the nonzero ones, followed by their values.
 constexpr std::size_t length_count = sizeof(ColumnLengths) / sizeof(std::uint32_t);
 static_assert(length_count <= 32 && std::has_unique_object_representations_v<ColumnLengths>);
 constexpr std::size_t count_words = sizeof(ElementCounts) / sizeof(std::uint32_t);
@@ -110,7 +110,7 @@ void Journal::commit() {
   ++position_;
 }
 
-// The open transaction moves into the place of what had been undone.
+// Erases the undone transactions from the streams; the open one moves into their place.
 void Journal::drop_undone() {
   const Transaction dropped = transactions_[position_];
   const auto erase = [](auto& stream, std::size_t begin, std::size_t end) {

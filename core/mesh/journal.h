@@ -1,9 +1,9 @@
-// The history of a mesh: old values of every changed cell, one transaction per committed edit, undone and redone
-// exactly.
+// The undo history of a mesh: the old value of every changed cell, one transaction per committed edit, exact undo and
+// redo.
 //
-// Two byte-dense streams hold all transactions one behind the other: the names of the changed cells, 5 bytes each, and
-// words: the lengths and counts before the edit, then the values of its cells. A cell is recorded once per transaction,
-// with its first value, so exchanging the values with those in the mesh leads from either state to the other.
+// Two packed streams hold all transactions in sequence: the addresses of the changed cells, 5 bytes each, and words:
+// the lengths and counts before the edit, then the cell values. A cell is recorded once per transaction, with its value
+// before it, so swapping the values with those in the mesh leads from either state to the other.
 #pragma once
 
 #include <array>
@@ -27,20 +27,20 @@ struct TouchedCell {
 
 class Journal {
  public:
-  // Committed transactions, and how many of them are in effect; the rest can be redone.
+  // Number of committed transactions, and how many of them are applied; the rest can be redone.
   std::size_t size() const { return transactions_.size(); }
   std::size_t position() const { return position_; }
   bool can_undo() const { return position_ > 0; }
   bool can_redo() const { return position_ < transactions_.size(); }
 
-  // Exchange the values of the last (next) transaction with those in the mesh; its columns are then byte-equal to what
-  // they were. Cost: what the edit touched. The mesh must be the one that the transactions were recorded on.
+  // Swap the values of the last (next) transaction with those in the mesh; the columns are then byte-equal to what they
+  // were. Cost: the cells the edit changed. The mesh must be the one that the transactions were recorded on.
   void undo(Mesh& mesh);
   void redo(Mesh& mesh);
   void clear();
 
   // What transaction i changed: the cells written, each once, and the lengths before it (elements from there on are
-  // new). Replaced columns mean that everything may have changed.
+  // new). If it replaced the columns, everything may have changed.
   std::vector<TouchedCell> touched(std::size_t i) const;
   ColumnLengths lengths_before(std::size_t i) const;
   // The lengths after it; `mesh` must be in the state right before or right after transaction i.
@@ -49,7 +49,7 @@ class Journal {
   }
   bool replaces_everything(std::size_t i) const { return replaced_.contains(i); }
 
-  // Bytes appended to the history so far, without columns replaced whole.
+  // Bytes held by the history, not counting replaced columns.
   std::size_t bytes() const;
 
  private:
@@ -63,12 +63,12 @@ class Journal {
 
   struct Transaction {
     std::size_t first_cell = 0;  // into cells_
-    std::size_t first_word = 0;  // into words_: lengths before it, counts (exchanged with the mesh's own), values
+    std::size_t first_word = 0;  // into words_: lengths before it, then counts (swapped with the mesh's), then values
   };
-  // What only an undone transaction needs; the one undone last is redone first.
+  // What only an undone transaction needs; a stack, the last undone is redone first.
   struct Undone {
     ColumnLengths after;
-    std::vector<std::byte> tail;  // the new elements' bytes
+    std::vector<std::byte> tail;  // column bytes of the new elements
   };
 
   void begin(const Mesh& mesh);
@@ -94,7 +94,7 @@ class Journal {
   std::vector<std::uint32_t> words_;
   std::vector<Transaction> transactions_;
   std::vector<Undone> undone_;
-  std::map<std::size_t, MeshColumns> replaced_;  // by transaction; exchanged with the mesh's own
+  std::map<std::size_t, MeshColumns> replaced_;  // by transaction; swapped with the mesh's columns
   Transaction open_;
   std::optional<MeshColumns> open_replaced_;
   CellMarks marks_;  // the cells of open_

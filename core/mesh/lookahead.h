@@ -1,7 +1,7 @@
-// Fetches what operators on edges are going to touch, for batch work over edges in any order.
+// Software prefetch of what edge operators will touch, for batch work over edges in random order.
 //
-// A mesh of more than the processor's cache holds is slow in random order because each link followed waits for memory.
-// Announcing edges some turns early lets those waits overlap:
+// On a mesh larger than the cache, random order is slow because every dependent link load is a cache miss. Announcing
+// edges a few iterations ahead overlaps those misses:
 //
 //   Lookahead ahead(mesh, Lookahead::Around::ends);
 //   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -9,7 +9,7 @@
 //     ... check and apply an operator on edges[i] ...
 //   }
 //
-// Changes no result; the mesh may be edited in between. Announced edges may be dead by the time of their turn.
+// Only a hint: results do not change, the mesh may be edited in between, and announced edges may die before their turn.
 #pragma once
 
 #include <array>
@@ -20,17 +20,17 @@ namespace ryosen {
 
 class Lookahead {
  public:
-  // What the operator walks around: both ends of the edge (collapse) or the vertices opposite to it (swap).
+  // Whose one-rings the operator visits: both ends of the edge (collapse) or the opposite vertices (swap).
   enum class Around { ends, apexes };
   static constexpr std::uint32_t distance = 8;
 
   Lookahead(const Mesh& mesh, Around around) : mesh_(mesh), around_(around) {}
 
-  // Takes the edges announced before one step further and begins with this one. O(distance).
+  // Advances the prefetch of the edges announced before by one step and starts that of this one. O(distance).
   void announce(Edge e);
 
  private:
-  // Two walks around vertices, one each way. They go on until another edge takes their place.
+  // Two walks around vertices, one in each direction. They continue until another edge takes the slot.
   struct Walks {
     Halfedge counter_clockwise, clockwise;
     bool begins = false;

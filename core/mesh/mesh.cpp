@@ -75,7 +75,7 @@ struct Digest {
   void add(std::uint64_t word) { state = std::rotl((state ^ word) * 0x9e3779b97f4a7c15ull, 29); }
 };
 
-// The rings of a face, each from its smallest vertex, in the order of those.
+// The rings of a face in canonical order: each starts at its smallest vertex, and they are sorted by it.
 void add_rings(Digest& digest, const Mesh& mesh, Face f) {
   std::vector<Halfedge> starts;
   for (std::uint32_t r = mesh.first_ring(f); r != no_index; r = mesh.ring(r).next) {

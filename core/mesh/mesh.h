@@ -1,10 +1,10 @@
-// The halfedge mesh: polygons with boundary in plain columns, read here, written only through Edit.
+// The halfedge mesh: polygonal, with boundary, stored as plain columns. Read access here; written only through Edit.
 //
 //            to(h)
 //              o            next(h), prev(h): along the loop of face(h), counter-clockwise
 //      face   /|            twin(h) = h ^ 1, edge(h) = h >> 1
-//       (h)  / |  twin(h)   face(h) none: h runs along a hole or the outer border
-//           h  |            a vertex holds one outgoing halfedge, an outside one if it has any
+//       (h)  / |  twin(h)   face(h) none: a boundary halfedge (is_outside), along a hole, the outer border or a wire
+//           h  |            a vertex stores one outgoing halfedge, a boundary one if it has any
 //          /   |
 //         o----o
 //        from(h)
@@ -28,10 +28,10 @@ namespace ryosen {
 class Mesh {
  public:
   Mesh() = default;
-  // Takes columns that satisfy the invariants (analysis/invariants.h); builders make them.
+  // The columns must satisfy the invariants (analysis/invariants.h); core/indexed builds them.
   explicit Mesh(MeshColumns columns) : columns_(std::move(columns)) {}
 
-  // Slots, live and dead. Handles run from 0 to these.
+  // Number of slots, live and dead. Handle indices are below these.
   std::uint32_t vertex_slots() const { return static_cast<std::uint32_t>(columns_.vertex_halfedge.size()); }
   std::uint32_t halfedge_slots() const { return static_cast<std::uint32_t>(columns_.halfedges.size()); }
   std::uint32_t edge_slots() const { return halfedge_slots() / 2; }
@@ -42,13 +42,13 @@ class Mesh {
   bool exists(Edge e) const { return e.index < edge_slots(); }
   bool exists(Halfedge h) const { return h.index < halfedge_slots(); }
   bool exists(Face f) const { return f.index < face_slots(); }
-  // Whether an existing element has not been deleted. A quarantined face holds a dead number.
+  // Whether the element of an existing slot has not been deleted. A quarantined face (indexed.h) occupies a dead slot.
   bool is_alive(Vertex v) const { return columns_.vertex_halfedge[v.index] != dead_halfedge; }
   bool is_alive(Edge e) const { return columns_.halfedges[2 * std::size_t{e.index}].from != dead_from; }
   bool is_alive(Halfedge h) const { return is_alive(edge(h)); }
   bool is_alive(Face f) const { return columns_.face_halfedge[f.index] != dead_halfedge; }
 
-  // Links. Each is one read; the element must be alive.
+  // Links. Each is one memory access; the element must be alive.
   Vertex from(Halfedge h) const { return columns_.halfedges[h.index].from; }
   Vertex to(Halfedge h) const { return columns_.halfedges[h.index ^ 1u].from; }
   Halfedge next(Halfedge h) const { return columns_.halfedges[h.index].next; }
@@ -75,7 +75,7 @@ class Mesh {
   bool has_copies() const { return !columns_.next_copy.empty(); }
   Vertex next_copy(Vertex v) const { return columns_.next_copy.empty() ? v : columns_.next_copy[v.index]; }
   bool has_rings() const { return columns_.live.rings != 0; }
-  // The first ring of a face and the ring of a number, see rings.h; no_index for none.
+  // The first ring of a face (no_index if none) and the ring with a given number, see rings.h.
   std::uint32_t first_ring(Face f) const {
     return columns_.first_ring.empty() ? no_index : columns_.first_ring[f.index];
   }
@@ -83,14 +83,14 @@ class Mesh {
   bool has_rings(Face f) const { return first_ring(f) != no_index; }
   std::uint32_t file_vertices() const { return columns_.file_vertices; }
 
-  // The attribute of this name, or -1. Attribute values are read by attribute.h.
+  // The index of the attribute with this name, or -1. See attribute.h for its values.
   int find_attribute(std::string_view name) const;
   std::span<const AttributeColumn> attributes() const { return columns_.attributes; }
 
   const MeshColumns& columns() const { return columns_; }
   ColumnLengths lengths() const;
-  // Order-dependent 64-bit digest of the live elements: slots, positions, corner lists, rings,
-  // wires, copies. Equal on all compilers.
+  // 64-bit hash of the live elements: slots, positions, corner lists, rings, wires, copies. Depends on element and
+  // corner order; the same on all compilers.
   std::uint64_t hash() const;
   // Bytes held by connectivity and positions (no attributes, no copies).
   std::size_t core_bytes() const;
@@ -99,7 +99,7 @@ class Mesh {
   friend class Edit;
   friend class Journal;
 
-  // The first byte of a cell, and how many it has.
+  // The first byte and the size in bytes of a cell.
   std::pair<std::byte*, std::size_t> cell(Column column, std::uint32_t index);
 
   MeshColumns columns_;

@@ -112,7 +112,7 @@ std::string name_of_copy(const Mesh& m, Vertex v) {
   std::string name = name_of(m, v);
   if (!m.exists(v) || !m.is_alive(v) || !has_copies(m, v)) return name;
   Face lowest;
-  for (Face f : faces_around(m, v)) lowest = std::min(lowest, f);  // none is the largest number
+  for (Face f : faces_around(m, v)) lowest = std::min(lowest, f);  // none compares largest
   return lowest ? name + "@f" + number(lowest.index) : "v" + number(v.index);
 }
 

@@ -1,4 +1,4 @@
-// Names of elements as files, commands and reports write them, and back.
+// Formatting and parsing of element names as used in files, commands and reports.
 //
 //   v7  f3  12-88 (halfedge or edge)  12-88@f5 (the half of face 5)  ~12-88@f5 (its twin)  v7@f5 (the copy of face 5)
 //   h12 e6 (by slot)
@@ -13,16 +13,16 @@
 
 namespace ryosen {
 
-// The shortest name that is unique. Edges are named from their smaller point, halfedges from their origin; the face is
-// added where several sheets join the two points.
+// The shortest unique name. Edges are named smaller point first, halfedges origin first; the face is added if several
+// sheets join the two points.
 std::string name_of(const Mesh& mesh, Element element);
-// A vertex by a name that tells it from the other copies of its point: v7@f5 where it has any and a face, its own number
-// where it has no face.
+// A name that distinguishes a vertex from the other copies of its point: v7@f5 if it has copies and a face, its own
+// number if it has no face.
 std::string name_of_copy(const Mesh& mesh, Vertex v);
-// An edge that is cut on points, named for one of its face sides: always with @f.
+// An edge named by points and one of its faces: always with @f, except wires (h12).
 std::string name_with_face(const Mesh& mesh, Halfedge h);
-// The plainest name that find_edge reads as this halfedge: by its points, the first before the second, and where several
-// sheets join them by the face on either side, without `~`.
+// The simplest name that find_edge resolves to this halfedge: its points in order, plus the face on either side if
+// several sheets join them; never with `~`.
 std::string name_to_choose(const Mesh& mesh, Halfedge h);
 
 enum class NameError { none, malformed, never_existed, ambiguous, deleted };
@@ -31,15 +31,15 @@ template <class Handle>
 struct Named {
   Handle element;
   NameError error = NameError::none;
-  Text sentence;  // names the element and, where it is ambiguous, the candidates
+  Text sentence;  // names the element and, if ambiguous, the candidates
 
   bool ok() const { return error == NameError::none; }
 };
 
-// The vertex (v7, 7, v7@f5), face (f3) or edge (12-88, 12-88@f5, ~12-88@f5, h12, e6) that a text names. An edge comes
-// as the halfedge from the first point to the second. `12-88@f5` may name the points in either order: the halfedge then
-// still runs from the first to the second, as the side of face 5 or as its twin. An edge whose points live but are not
-// joined gives never_existed; the history knows whether it did (app/editor).
+// The vertex (v7, 7, v7@f5), face (f3) or edge (12-88, 12-88@f5, ~12-88@f5, h12, e6) with this name. An edge is
+// returned as the halfedge from the first point to the second. `12-88@f5` may give the points in either order: the
+// halfedge then still goes from the first to the second, as the side of face 5 or as its twin. Two live points without
+// an edge give never_existed; only the history knows whether there was one (app/editor).
 Named<Vertex> find_vertex(const Mesh& mesh, std::string_view name);
 Named<Face> find_face(const Mesh& mesh, std::string_view name);
 Named<Halfedge> find_edge(const Mesh& mesh, std::string_view name);

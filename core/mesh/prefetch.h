@@ -1,5 +1,5 @@
-// Asks the processor to bring links near before they are read. Any handle may be named, one that is none too: the cache
-// takes the address for a hint and nothing is read.
+// Prefetches the links of an element into the cache. Any handle is allowed, even none: the address is only a hint and
+// is never dereferenced.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace ryosen {
 
-// Computed as a number, because a pointer must not leave its array.
+// Integer arithmetic, because a pointer past the end of its array would be undefined behaviour.
 template <class Cell>
 void prefetch_cell(const Cell* column, std::uint32_t index) {
   __builtin_prefetch(

@@ -14,7 +14,7 @@
 
 namespace ryosen {
 
-// An edge with the same face on both sides: it joins two loops of the face, which are one list of corners (bridges.h).
+// Whether the edge has the same face on both sides; it merges two loops of the face into one corner list (bridges.h).
 inline bool is_bridge(const Mesh& mesh, Halfedge h) { return mesh.face(h) && mesh.face(h) == mesh.face(twin(h)); }
 
 // Calls visit(start halfedge) for the outer loop and then for each ring.
@@ -24,13 +24,14 @@ void for_each_loop(const Mesh& mesh, Face f, Visit visit) {
   for (std::uint32_t r = mesh.first_ring(f); r != no_index; r = mesh.ring(r).next) visit(mesh.ring(r).halfedge);
 }
 
-// The number of the ring whose loop h is on; no_index on an outer loop. Cost: the loop, and the rings of the face.
+// The number of the ring that h belongs to; no_index if on the outer loop. Cost: the loop, plus r log r for r rings.
 std::uint32_t ring_of(const Mesh& mesh, Halfedge h);
 
-// Lets the loop that is known by `old` be known by `start` instead; false where none is. Cost: the rings of the face.
+// If `old` is the stored start of one of the face's loops, stores `start` instead; else returns false. Cost: the rings
+// of the face.
 bool replace_start(Edit& edit, Face f, Halfedge old, Halfedge start);
 
-// Every ring of the face belongs to `to` from here on. The halfedges keep their face until the caller sets it.
+// Moves all rings of face `from` to face `to`. Does not set the face of their halfedges: the caller does.
 void move_rings(Edit& edit, Face from, Face to);
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-// What a transaction changed, as elements: for everything that is kept current through edits, undo and redo.
+// The elements that a transaction changed: for everything that is updated incrementally through edits, undo and redo.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,9 @@
 
 namespace ryosen {
 
-// Sorted, without repetition. Slots may be dead or lie past the end of the columns (elements that an undo took away).
-// Elements that the transaction makes, or its undo takes away, stand in all lists of their kind. Values are not told.
+// Sorted, without duplicates. Slots may be dead or past the end of the columns (elements removed by an undo). Elements
+// that the transaction creates, or its undo removes, are in all lists of their kind. Attribute changes are not
+// reported.
 struct TouchedElements {
   bool everything = false;          // columns were replaced whole; the lists are empty then
   std::vector<Vertex> vertices;     // its link, its position, or a link of an outgoing halfedge was written
@@ -18,8 +19,8 @@ struct TouchedElements {
   std::vector<Face> faces;          // its link or that of a side was written, or a corner moved
 };
 
-// What transaction i changes between the two states around it. Call it in either state, right after the commit, undo or
-// redo of i. Cost: the cells written, and the stars of moved vertices.
+// The elements that differ between the states before and after transaction i. Call it in either state, right after the
+// commit, undo or redo of i. Cost: the cells written, and the one-rings of moved vertices.
 TouchedElements touched_elements(const Mesh& mesh, const Journal& journal, std::size_t i);
 
 }  // namespace ryosen

@@ -13,7 +13,7 @@ bool is_called(const OpInfo& info, std::string_view id) {
   return std::find(aliases.begin(), aliases.end(), id) != aliases.end();
 }
 
-// Calls visit(std::type_identity<Op>) for the operator with this id.
+// Calls visit(std::type_identity<Op>) for the operator with this id; false if there is none.
 template <class Visit, std::size_t... I>
 bool visit_op(std::string_view id, Visit visit, std::index_sequence<I...>) {
   return ((is_called(std::variant_alternative_t<I, AnyOp>::info, id)

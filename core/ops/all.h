@@ -1,5 +1,5 @@
-// The list of operators. Menus, keys, scripts, the command line, previews and tests read it; a new operator adds a
-// word.
+// The list of operators. Menus, keys, scripts, the command line, previews and tests are generated from it; a new
+// operator adds one word.
 #pragma once
 
 #include <string>
@@ -40,9 +40,9 @@
 namespace ryosen {
 
 using AnyOp = std::variant<CollapseEdge, SwapEdge, SplitEdge, Orient,
-                           // Building up.
+                           // Refining.
                            Poke, VertexSplit, Triangulate, Dissolve, Extrude,
-                           // Taking away, filling, repairing.
+                           // Deleting, filling, repairing.
                            Delete, Fill, MakeFace, Reverse, SeparateFans, Detach, Weld,
                            // The Euler operators of the source texts.
                            MakeVertex, RemoveVertex, MoveVertex, MakeEdge, DeleteEdge, MakeLoop, DeleteLoop,
@@ -55,8 +55,7 @@ void add_ids(const OpInfo& info, std::vector<std::string>& ids);
 // By id or by one of its aliases.
 const OpInfo* find_op(std::string_view id);
 
-// The operator with this id, from the arguments of a script line or from what the pointer is on. The id must be in the
-// list.
+// Parses the arguments of a script line for the operator with this id. The id must be in the list.
 Parsed<AnyOp> parse_op(const Mesh& mesh, std::string_view id, std::span<const std::string_view> arguments);
 // The same from a whole line: the id and its arguments, separated by blanks. An unknown id is malformed.
 Parsed<AnyOp> parse_line(const Mesh& mesh, std::string_view line);

@@ -14,9 +14,10 @@ namespace ryosen {
 
 namespace {
 
-constexpr std::size_t usual_valence = 12;  // lists are reserved for so many
+constexpr std::size_t usual_valence = 12;  // for reserving lists
 
-// The corner values around the edge: corners in the chart of a side take the value at the chosen place of the edge.
+// Interpolates corner values around the edge: corners in the same chart (up to seams) as a side take its value at
+// `along`.
 void blend_corners(Edit& edit, Halfedge h, double along) {
   CornerWriter corners(edit);
   const Mesh& m = edit.mesh();
@@ -47,8 +48,8 @@ void blend_corners(Edit& edit, Halfedge h, double along) {
   }
 }
 
-// A triangle at the edge has become a face of two sides: `going` leads from or to the vertex that went, `staying` is
-// the other side. `staying` takes the place of the twin of `going` in the face (or outside loop) beyond.
+// Removes a triangle that has become a face with two sides: `going` starts or ends at the removed vertex, `staying` is
+// the other side. `staying` replaces the twin of `going` in the adjacent face or boundary loop.
 void close_two_gon(Edit& edit, Halfedge going, Halfedge staying, OpEffect& effect) {
   const Mesh& m = edit.mesh();
   const Halfedge beyond = twin(going);
@@ -96,7 +97,7 @@ Parsed<CollapseEdge> CollapseEdge::parse(const Mesh& mesh, std::span<const std::
 }
 
 CollapseEdge CollapseEdge::at(const Mesh&, const OpTarget& target) {
-  // A is the end nearer to the pointer.
+  // The end nearer to the pointer is a.
   return {target.along <= 0.5 ? target.halfedge : twin(target.halfedge), Place::middle};
 }
 
@@ -187,7 +188,7 @@ OpEffect CollapseEdge::apply(Edit& edit) const {
   };
   const bool left_two_gon = is_plain_triangle(h), right_two_gon = is_plain_triangle(o);
   const Halfedge h_next = m.next(h), h_prev = m.prev(h), o_next = m.next(o), o_prev = m.prev(o);
-  // A wire may end in a tip, where its halves follow one another.
+  // A wire may have a free end, where its halves follow each other.
   const bool tip_kept = h_next == o, tip_gone = o_next == h;
   for (Halfedge side : {h, o}) {
     const Face f = m.face(side);
@@ -204,7 +205,7 @@ OpEffect CollapseEdge::apply(Edit& edit) const {
   if (left_two_gon) close_two_gon(edit, h_prev, h_next, effect);
   if (right_two_gon) close_two_gon(edit, o_next, o_prev, effect);
 
-  // The vertex that stays holds its outside halfedge, if it has one. A wire's tip has nothing behind it.
+  // The remaining vertex must store a boundary halfedge, if it has one. Beyond a free end of a wire there is none.
   const Halfedge some = tip_kept ? o_next : h_next;
   Halfedge hold = m.halfedge(kept) != o ? m.halfedge(kept) : some;
   if (!m.is_alive(hold) || m.from(hold) != kept) hold = some;

@@ -14,7 +14,7 @@ namespace ryosen {
 
 namespace {
 
-// An edge by its points alone stands for all its sheets, so any of them will do.
+// An edge named by its points stands for all its sheets; returns any of them.
 Named<Halfedge> find_any_sheet(const Mesh& mesh, std::string_view name) {
   Named<Halfedge> found = find_edge(mesh, name);
   if (found.error != NameError::ambiguous) return found;
@@ -24,7 +24,7 @@ Named<Halfedge> find_any_sheet(const Mesh& mesh, std::string_view name) {
   return {sheets_between(mesh, a.element, b.element).front(), NameError::none, {}};
 }
 
-// Faces, wires, and for a vertex the copies of its point.
+// The faces and wires to delete, and for a vertex the copies of its point.
 Doomed doomed_by(const Mesh& mesh, Element element) {
   Doomed doomed;
   const auto add_edge = [&](Halfedge h) {
@@ -103,7 +103,7 @@ void take_away(Edit& edit, Sheets& sheets, const Doomed& doomed) {
     bare.insert(bare.end(), {m.from(h), m.to(h)});
     sheets.remove_edge(h);
   }
-  // Vertices that name a point last, so that they find a copy which takes their number over.
+  // Descending, so that the representative of a point comes last and a copy can take over its number.
   std::sort(bare.begin(), bare.end(), std::greater<>());
   bare.erase(std::unique(bare.begin(), bare.end()), bare.end());
   for (Vertex v : bare)

@@ -1,16 +1,17 @@
-// Delete: takes faces away with the edges and vertices that nothing else uses.
+// Delete: removes faces, with the edges and vertices that nothing else uses.
 //
 //        o-----o-----o               o-----o
 //        |  f  |     |               |     |        delete fN: the face; delete A-B: the faces at the edge, or the wire;
 //        |     |     |      =>       |     |        delete vN: the vertex with all faces and wires there
 //        o-----o-----o               o-----o
 //
-// on the list: the faces go. A pair that is named, or has a named end, goes. Numbers without a face or pair go where they
-//              had one; vN goes in any case.
-// needs: a live element. Of a point all copies are meant, of an edge all its sheets.
-// changes: F - 1 for a face, - its faces for an edge or vertex; E - the edges that no other face has; V - the vertices
-//          that lose their last edge (for a lone triangle 3, 3, 1). H - the rings of the faces. A vertex may be left with
-//          several fans. Where two faces of opposite direction are left on an edge that had more, they are joined.
+// polygon list: the faces are removed, and a wire that is named or has a named end. Vertices that thereby lose their
+//               last face or wire are removed; vN in any case.
+// needs: a live element. A point means all its copies, an edge all its sheets.
+// changes: F - 1 for a face, - its faces for an edge or vertex; E - the edges without another face; V - the vertices
+//          that lose their last edge (for a lone triangle 3, 3, 1). H - the rings of the faces. A vertex may be left
+//          with several fans. If exactly two faces of opposite direction remain at an edge that had more, they are
+//          joined.
 // inverse: make_face or fill for one face; undo.
 #pragma once
 
@@ -26,7 +27,7 @@ struct Delete {
                                "Delete",
                                "削除",
                                "vN | A-B | fN",
-                               "deletes the faces at a vertex or edge, a face, or a wire, and what is left without use",
+                               "deletes the faces at a vertex or edge, a face, or a wire, and what becomes unused",
                                "頂点・稜線に接する面、面、面のない稜線を、不要になる要素とともに削除する",
                                '\0',
                                OpTargetKind::any,
@@ -41,14 +42,14 @@ struct Delete {
   OpEffect apply(Edit& edit) const;
 };
 
-// What goes because it is named.
+// The elements to delete explicitly.
 struct Doomed {
   std::vector<Face> faces;
   std::vector<Halfedge> wires;
   std::vector<Vertex> vertices;
 };
 
-// Takes it all away, and edges and vertices that are left without use. Cost: the stars of the points of the faces.
+// Deletes them, and edges and vertices that become unused. Cost: the one-rings of the faces' points.
 void take_away(Edit& edit, Sheets& sheets, const Doomed& doomed);
 
 }  // namespace ryosen

@@ -17,7 +17,7 @@ namespace {
 
 using FaceSet = std::unordered_set<Face>;
 
-// The points that faces of the set share with others, ascending.
+// The points that faces of the set share with other faces, ascending.
 std::vector<Vertex> shared_points(const Mesh& m, const FaceSet& faces) {
   std::vector<Vertex> points;
   for (Face f : faces)
@@ -49,8 +49,8 @@ void make_cycle(Edit& edit, const std::vector<Vertex>& copies) {
   for (std::size_t i = 0; i < copies.size(); ++i) edit.set_next_copy(copies[i], copies[(i + 1) % copies.size()]);
 }
 
-// Gives the fans of the faces at a point vertices of their own, and these a point of their own. All fans are of these
-// faces or of none of them. Returns a vertex of the new point.
+// Moves the fans of these faces at a point to vertices of a new point. Every fan must be entirely in the set or
+// entirely outside. Returns a vertex of the new point.
 Vertex split_point(Edit& edit, Sheets& sheets, Vertex p, const FaceSet& faces) {
   const Mesh& m = edit.mesh();
   std::vector<Vertex> copies, away, rest;
@@ -69,7 +69,7 @@ Vertex split_point(Edit& edit, Sheets& sheets, Vertex p, const FaceSet& faces) {
     for (const Fan& fan : fans)
       if (goes(fan)) away.push_back(sheets.take_out(fan));
   }
-  // The faces that stay keep the number.
+  // The faces that are not detached keep the number.
   if (away[0] < rest[0]) {
     sheets.exchange(away[0], rest[0]);
     std::swap(away[0], rest[0]);

@@ -1,14 +1,14 @@
-// Detach: a sheet gets points of its own wherever it touches other faces.
+// Detach: gives a sheet its own points wherever it touches other faces.
 //
 //        a---b---c             a---b   b'---c
-//        | f | g |      =>     | f |   |  g |       here g goes; b and d are met by f as well
+//        | f | g |      =>     | f |   |  g |       g is detached; b and d are shared with f
 //        e---d---h             e---d   d'---h
 //
-// on the list: in the named faces every point that other faces have as well is replaced by a new one, the same in all of
-//              them. One face alone stands for its sheet, the faces that edges with exactly two faces in opposite
-//              directions join to it, if that touches others; else for itself.
+// polygon list: in the named faces every point shared with other faces is replaced by a new one, the same in all of
+//               them. A single face stands for its sheet (the faces connected to it through edges with exactly two
+//               faces in opposite directions) if that touches others, else for itself.
 // needs: the faces touch others.
-// changes: V + the shared points, E + the shared edges on points; edges that were non-manifold may become ordinary.
+// changes: V + the shared points, E + the shared edges on points; non-manifold edges may become manifold.
 // inverse: weld, point by point, where it is legal.
 #pragma once
 
@@ -25,7 +25,7 @@ struct Detach {
                                "Detach",
                                "シートの切り離し",
                                "fN [fM ...]",
-                               "gives a sheet, or the faces named, points of their own",
+                               "separates a sheet, or the named faces, from all other faces",
                                "シート、または指定した面を独立した点に切り離す",
                                '\0',
                                OpTargetKind::face};

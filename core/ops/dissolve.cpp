@@ -16,19 +16,19 @@ namespace ryosen {
 
 namespace {
 
-// The edges from h on that follow one another through vertices with exactly two edges; h first.
+// The chain of edges from h on through vertices with exactly two edges; h first.
 std::vector<Halfedge> chain_from(const Mesh& m, Halfedge h) {
   std::vector<Halfedge> chain{h};
   while (has_two_edges(m, m.to(chain.back())) && m.next(chain.back()) != h) chain.push_back(m.next(chain.back()));
   return chain;
 }
 
-// What is taken away: edges and the vertices between them, and the faces that become one.
+// What is removed: edges and the vertices between them, and the faces that are merged.
 struct Plan {
   std::vector<std::vector<Halfedge>> chains;
-  std::vector<Vertex> vertices;  // inner ones of the chains, and one that the chains meet at
+  std::vector<Vertex> vertices;  // interior ones of the chains, and the common one
   std::vector<Face> faces;       // ascending
-  bool is_star = false;          // the chains leave one inner vertex
+  bool is_star = false;          // the chains start at one interior vertex
 };
 
 void add_chain(const Mesh& m, std::vector<Halfedge> chain, Plan& plan) {
@@ -41,13 +41,13 @@ void add_chain(const Mesh& m, std::vector<Halfedge> chain, Plan& plan) {
 Plan plan_of_edge(const Mesh& m, Halfedge h) {
   Plan plan;
   const std::vector<Halfedge> back = chain_from(m, twin(h));
-  // All around a face there is no end to begin at.
+  // A closed chain has no end to start at.
   add_chain(m, chain_from(m, has_two_edges(m, m.to(back.back())) ? h : twin(back.back())), plan);
   std::sort(plan.faces.begin(), plan.faces.end());
   return plan;
 }
 
-// The vertex has faces all around, or one gap.
+// The vertex has at most one gap.
 Plan plan_of_vertex(const Mesh& m, Vertex v) {
   Plan plan;
   plan.is_star = !m.is_boundary(v);
@@ -66,7 +66,7 @@ std::vector<Edge> edges_taken(const Plan& plan) {
   return taken;
 }
 
-// The loops of the face that the plan makes, on points.
+// The loops of the resulting face, on points.
 CornerLoops loops_after(const Mesh& m, const Plan& plan) {
   const std::vector<Edge> taken = edges_taken(plan);
   const auto is_taken = [&](Halfedge h) { return std::binary_search(taken.begin(), taken.end(), edge(h)); };
@@ -110,8 +110,8 @@ void check_plan(const Mesh& m, const Plan& plan, Verdict& verdict) {
     bridges += bridges_of(own);
   }
   const auto parts = take_out_bridges(after);
-  // Each face but one joins the others along one loop, and bridges stay; a further edge that two of them share would
-  // become one, and is none.
+  // Each merged face but the first removes one loop, and existing bridges stay; a further shared edge would become a
+  // new bridge, which is not allowed.
   const bool is_one = after.ends.size() + plan.faces.size() == loops + 1;
   if (!parts || !is_one || parts->size() - after.ends.size() != bridges) {
     verdict.reasons.push_back({Rule::loop, faces});
@@ -170,7 +170,7 @@ std::vector<Vertex> inner_vertices(const Mesh& m, const std::vector<Halfedge>& c
   return inner;
 }
 
-// The face beyond a chain joins the one with the lower number.
+// Merges the two faces along a chain into the lower one.
 void unite_along(Edit& edit, const std::vector<Halfedge>& chain, OpEffect& effect) {
   const Mesh& m = edit.mesh();
   const Halfedge first = chain.front(), last = chain.back();
@@ -181,13 +181,13 @@ void unite_along(Edit& edit, const std::vector<Halfedge>& chain, OpEffect& effec
   const Face goes = m.face(left_stays ? twin(first) : first);
   const Halfedge inside = left_stays ? first : twin(first), outside = twin(inside);
   const std::uint32_t ring_inside = ring_of(m, inside), ring_outside = ring_of(m, outside);
-  // What takes the place of the chain in the loop of the face that stays.
+  // The halfedge that replaces the chain in the loop of the remaining face.
   const Halfedge joined = left_stays ? m.next(twin(first)) : m.next(last);
   const Halfedge goes_start = m.halfedge(goes);
   for_each_loop(m, goes, [&](Halfedge start) { set_face_along(edit, start, stays); });
   if (ring_outside != no_index) edit.remove_ring(goes, ring_outside);
   if (ring_inside == no_index && ring_outside != no_index) {
-    // The face that stays lay inside the other one, whose outer loop is theirs.
+    // The remaining face was inside the other one, whose outer loop becomes the common one.
     edit.set_halfedge(stays, goes_start);
     edit.add_ring(stays, joined);
   } else {
@@ -203,7 +203,7 @@ void unite_along(Edit& edit, const std::vector<Halfedge>& chain, OpEffect& effec
   hold_outside(edit, b);
 }
 
-// The last chain of an inner vertex has the face on both sides.
+// The last chain of an interior vertex has the same face on both sides.
 void take_spike_away(Edit& edit, Vertex v, const std::vector<Halfedge>& chain, OpEffect& effect) {
   const Mesh& m = edit.mesh();
   const Face f = m.face(chain.front());

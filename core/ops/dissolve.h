@@ -1,4 +1,4 @@
-// Dissolve: faces become one where an edge, or a vertex, stood between them.
+// Dissolve: removes an edge or a vertex and merges the faces at it.
 //
 //        d---x---c                d---x---c            d-------c                d-------c
 //        | g |   |                |       |            | \   / |                |       |
@@ -6,16 +6,16 @@
 //        |   |   |                |       |            | /   \ |                |       |
 //        a---z---b                a---z---b            a-------b                a-------b
 //
-// on the list: of an edge: the two faces lose the chain that they share, the edges that follow one another through
-//              vertices with exactly two edges, and become one. Of a vertex: all faces at it become one, its edges go
-//              as such chains; inside it goes along, on the boundary only if what is then left of it are exactly two
-//              edges that may become one (unite_edge). A vertex with exactly two edges from the start goes as by
-//              unite_edge. The lowest number stays, with its material and groups; rings go along.
-//              Corners that become one keep the values of the lowest-numbered face among theirs.
-// needs: different faces that share these edges and touch nowhere else; no face is or was on the same points; the edges
-//        are not cut and the vertices that go have no copies.
-// changes: c edges and w vertices go, F - 1 of an edge (w = c - 1), F - k + 1 of a vertex with k faces; H, S, G, B stay.
-// inverse: of an edge separate_loop and separate_edge, of a vertex inside poke.
+// polygon list: edge: the two faces lose their shared chain (edges connected through vertices with exactly two edges)
+//               and are merged. Vertex: all faces at it are merged, its edges are removed as such chains; an interior
+//               vertex is removed too, one on the boundary only if exactly two edges remain at it that may be united
+//               (unite_edge). A vertex that has exactly two edges is removed as by unite_edge. The lowest number stays,
+//               with its material and groups; rings are kept. Merged corners keep the values of the lowest-numbered of
+//               their faces.
+// needs: different faces that share these edges and touch nowhere else; no other face on the same points, before or
+//        after; the edges are not cut and the removed vertices have no copies.
+// changes: E - c, V - w; F - 1 for an edge (w = c - 1), F - k + 1 for a vertex with k faces; H, S, G, B stay.
+// inverse: for an edge separate_loop and separate_edge, for an interior vertex poke.
 #pragma once
 
 #include "core/ops/op.h"

@@ -18,7 +18,7 @@ namespace ryosen {
 
 namespace {
 
-// One side of the face that is no bridge, and what rises over it.
+// One non-bridge side of the face and the wall above it.
 //
 //      from' ---top---> to'
 //        |               |
@@ -32,7 +32,7 @@ struct Wall {
   Vertex from;
 };
 
-// The walls of a face by the vertex that they begin at.
+// The walls of a face, by start vertex.
 class Walls {
  public:
   explicit Walls(std::vector<Wall> walls) : walls_(std::move(walls)), by_vertex_(walls_) {
@@ -48,7 +48,7 @@ class Walls {
   std::vector<Wall> walls_, by_vertex_;
 };
 
-// The new vertices, the edges that rise to them and the sides of the moved face.
+// Makes the new vertices, the edges up to them and the sides of the moved face.
 Walls raise(Edit& edit, Face f, const glm::dvec3& by, OpEffect& effect) {
   const Mesh& m = edit.mesh();
   std::vector<Wall> walls;
@@ -70,7 +70,8 @@ Walls raise(Edit& edit, Face f, const glm::dvec3& by, OpEffect& effect) {
   return Walls(std::move(with_tops));
 }
 
-// The corner values of the walls: texture coordinates go straight up; a normal would be that of another surface.
+// The corner values of the walls: texture coordinates are copied upwards; normals are not set, they belong to the old
+// surface.
 void set_wall_values(Edit& edit, const Walls& walls) {
   CornerWriter corners(edit);
   const std::vector<CornerAttribute> attributes = corner_attributes(edit.mesh());
@@ -157,7 +158,7 @@ OpEffect Extrude::apply(Edit& edit) const {
   const Mesh& m = edit.mesh();
   assert(check(m).legal());
   OpEffect effect;
-  std::vector<std::pair<Halfedge, Halfedge>> order;  // each side of the face and the one after it
+  std::vector<std::pair<Halfedge, Halfedge>> order;  // each side of the face and its successor
   for (Halfedge h : halfedges_around(m, face)) order.emplace_back(h, m.next(h));
   std::vector<Halfedge> bridges;
   for (const auto& [h, after] : order)

@@ -1,4 +1,4 @@
-// Extrude: a face moves away and leaves a wall of quads behind.
+// Extrude: moves a face and connects it to its old boundary by quads.
 //
 //                                d'------c'
 //                               /| f    /|
@@ -7,10 +7,10 @@
 //      a-------b               |/      |/
 //                              a-------b
 //
-// on the list: f = (c0 .. cn-1) becomes (t0 .. tn-1) and quads (ci, cj, tj, ti) are new, one per side ci-cj that is no
-//              bridge, in the order of the sides; rings get their walls too, bridges go along with f.
+// polygon list: f = (c0 .. cn-1) becomes (t0 .. tn-1), with a new quad (ci, cj, tj, ti) per side ci-cj that is no
+//               bridge, in the order of the sides; rings get walls too, bridges move with f.
 // needs: no second face on the same points.
-// changes: V + n, E + 2n, F + n with n = corners of the face, one met at several bridges counted once.
+// changes: V + n, E + 2n, F + n with n = corners of the face, those at bridges counted once.
 // inverse: delete the walls and move f back.
 #pragma once
 
@@ -20,14 +20,14 @@ namespace ryosen {
 
 struct Extrude {
   Face face;
-  std::optional<double> distance = {};  // along the face's normal; without it the square root of its area
+  std::optional<double> distance = {};  // along the face's normal; default: the square root of its area
   std::optional<glm::dvec3> offset = {};
 
   static constexpr OpInfo info{"extrude",
                                "Extrude face",
                                "面の押し出し",
                                "fN [DISTANCE|X,Y,Z]",
-                               "moves a face along its normal or by X,Y,Z and joins it to its old place by walls",
+                               "moves a face along its normal or by X,Y,Z and connects it to its old sides by walls",
                                "面を法線方向または X,Y,Z だけ動かし、元の位置と側面でつなぐ",
                                '\0',
                                OpTargetKind::face,
@@ -42,7 +42,7 @@ struct Extrude {
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
 
-  // By how much the face moves. Zero where the face has no area or none that is finite. O(corners).
+  // The displacement of the face. Zero if its area is zero or not finite. O(corners).
   glm::dvec3 movement(const Mesh& mesh) const;
 };
 

@@ -16,7 +16,7 @@ namespace ryosen {
 
 namespace {
 
-// A point that the cycle visits twice, or none.
+// A point visited twice by the cycle, or none.
 Vertex repeated_point(std::vector<std::uint32_t> points) {
   std::sort(points.begin(), points.end());
   const auto twice = std::adjacent_find(points.begin(), points.end());
@@ -28,7 +28,7 @@ Vertex repeated_point(std::vector<std::uint32_t> points) {
 Parsed<Fill> Fill::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
   ArgumentReader in(mesh, arguments, info.syntax);
   Fill op{in.halfedge()};
-  // A boundary edge has one hole, whichever way it is named.
+  // A boundary edge belongs to one hole, in whichever direction it is named.
   if (!in.failed() && !mesh.is_outside(op.halfedge) && mesh.is_outside(twin(op.halfedge)))
     op.halfedge = twin(op.halfedge);
   return in.result(op);

@@ -1,15 +1,15 @@
-// Fill: one face on a hole.
+// Fill: makes one face on a hole.
 //
 //        d-----c                d-----c
-//        |     |                |  f  |       the face lies left of the outside halfedge a -> b
+//        |     |                |  f  |       the face is left of the boundary halfedge a -> b
 //        |     |       =>       |     |
 //        a---->b                a---->b
 //
-// on the list: the outside cycle through a -> b becomes a face.
-// needs: the halfedge runs outside, on a cycle of three or more edges without a repeated point; no face on the same
-//        points; no edge of the cycle has two faces on points. (make_loop also takes cycles with bridges.)
+// polygon list: the boundary cycle through a -> b becomes a face.
+// needs: a boundary halfedge, on a cycle of three or more edges without a repeated point; no face on the same points;
+//        no edge of the cycle has two faces on points. (make_loop also accepts cycles with bridges.)
 // changes: F + 1, B - 1.
-// inverse: delete_loop; delete where no edge was a wire.
+// inverse: delete_loop; delete if no edge was a wire.
 #pragma once
 
 #include "core/ops/op.h"
@@ -17,7 +17,7 @@
 namespace ryosen {
 
 struct Fill {
-  Halfedge halfedge;  // outside
+  Halfedge halfedge;  // a boundary halfedge
 
   static constexpr OpInfo info{"fill",
                                "Fill hole",

@@ -16,8 +16,8 @@ namespace ryosen {
 
 namespace {
 
-// The outside halfedge between two points that a new face can take: along a face before along none. None where no edge
-// joins them.
+// The boundary halfedge between two points that a new face can use, preferring one whose edge has a face to a wire.
+// None if there is no edge.
 Halfedge free_side(const Mesh& m, Vertex a, Vertex b) {
   Halfedge found;
   for (Halfedge h : sheets_between(m, a, b))
@@ -27,7 +27,7 @@ Halfedge free_side(const Mesh& m, Vertex a, Vertex b) {
 
 bool has_room(const Mesh& m, Vertex v) { return m.is_isolated(v) || m.is_boundary(v); }
 
-// The copy of v that new edges can go to, v before the others, or none.
+// A copy of v with room for new edges, preferring v, or none.
 Vertex roomy_copy(const Mesh& m, Vertex v) {
   if (has_room(m, v)) return v;
   Vertex found;
@@ -37,7 +37,7 @@ Vertex roomy_copy(const Mesh& m, Vertex v) {
   return found;
 }
 
-// Refuses a side that a face runs already, or that two faces have.
+// Refuses a side that a face already traverses in this direction, or that has two faces.
 bool is_free(const Mesh& m, Vertex a, Vertex b, Verdict& verdict) {
   const std::vector<Halfedge> sheets = sheets_between(m, a, b);
   if (sheets.empty()) return true;

@@ -1,16 +1,16 @@
-// Make face: a new face on three or more vertices.
+// Make face: makes a face on three or more vertices.
 //
 //        d     c                d-----c
 //              |                |  f  |       sides that exist must be free on their left, others are made
 //              |       =>       |     |
 //        a-----b                a-----b
 //
-// on the list: the face (A, B, C, ...) is put behind the others. A pair that is one of its sides is none any more.
-// needs: no point twice; no face on the same points; along each side A -> B no face yet, and at most one that runs B -> A;
-//        a corner between two new sides is isolated or has a gap.
-// changes: F + 1, E + the sides that are new; V unless copies become one. B, S and G follow from the sum: on a cycle of
-//          existing edges B - 1.
-// inverse: delete of the face, where no side was a wire and no corner isolated.
+// polygon list: the face (A, B, C, ...) is appended. A wire pair that is one of its sides is removed.
+// needs: no point twice; no face on the same points; no face along any side A -> B, and at most one along B -> A; a
+//        corner between two new sides is isolated or has a gap.
+// changes: F + 1, E + the new sides; V stays unless copies are merged. B, S and G follow from the Euler-Poincare
+//          formula: on a cycle of existing edges B - 1.
+// inverse: delete of the face, if no side was a wire and no corner isolated.
 #pragma once
 
 #include <vector>

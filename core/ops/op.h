@@ -1,4 +1,4 @@
-// What all operators have in common: how one is described, parsed, judged and applied.
+// The operator concept: how an operator is described, parsed, checked and applied.
 //
 // An operator is a small struct with these members:
 //   static constexpr OpInfo info;
@@ -9,8 +9,11 @@
 //   std::vector<Reason> warnings(const Mesh&) const;       what is legal but doubtful; only asked when the check is legal
 //   OpEffect apply(Edit&) const;                           the check must be legal
 // In the line "changes" above an operator, V, E, F, H, S and G are the terms of the Euler–Poincaré sum, and B stands for
-// B + W + I, all walks outside of the faces (analysis/euler_poincare.h): each as the kernel's elements give them.
-// at, command and check take elements that are none, deleted or unknown to the mesh too, as an undo may leave them.
+// B + W + I, all walks outside of the faces (analysis/euler_poincare.h): each as the kernel's elements give them. at,
+// command and check also accept elements that are none, deleted or out of range, as an undo may leave them.
+//
+// The comment above an operator gives its effect on the polygon list (wires are pairs), its preconditions, the changes of
+// the Euler-Poincare counts V E F H S G B, and its inverse.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -27,8 +30,8 @@
 
 namespace ryosen {
 
-// What a click hands to an operator. selection: the elements selected before, in their order, as script arguments. any:
-// the vertex, edge or face that the pointer is on, whichever is picked; the other two are none.
+// What a click passes to an operator. selection: the selected elements, in order, as script arguments. any: the vertex,
+// edge or face under the pointer, whichever is picked; the other two are none.
 enum class OpTargetKind { none, vertex, edge, face, selection, any };
 
 // Whether an operator may change how many boundaries, wires, parts and handles there are (B, W, I, S, G), or nothing but
@@ -38,21 +41,21 @@ enum class Topology { may_change, kept };
 struct OpInfo {
   std::string_view id;
   std::string_view name_en, name_ja;
-  std::string_view syntax;  // arguments of the script line
+  std::string_view syntax;  // of the script line's arguments
   std::string_view help_en, help_ja;
   char key;  // selects the tool in the editor
   OpTargetKind target;
-  std::string_view aliases = "";  // further ids, separated by blanks
+  std::string_view aliases = "";  // further ids, separated by spaces
   Topology topology = Topology::may_change;
 };
 
-// Whether an operator is a tool: it works on what is clicked.
+// Whether an operator is a tool, which acts on the clicked element.
 constexpr bool is_tool(const OpInfo& info) {
   return info.target != OpTargetKind::none && info.target != OpTargetKind::selection;
 }
 
-// What the pointer is on, of the kind that the operator asks for: a halfedge and the place along it, 0 at its origin and
-// 1 at its end, or a vertex or face.
+// The element under the pointer, of the kind that the operator requires: a halfedge and the parameter along it, 0 at
+// its origin and 1 at its end, or a vertex or face.
 struct OpTarget {
   Halfedge halfedge;
   double along = 0.5;
@@ -60,7 +63,7 @@ struct OpTarget {
   Face face = {};
 };
 
-// A parsed operator, or why the line does not say one.
+// A parsed operator, or the parse error.
 template <class Op>
 struct Parsed {
   std::optional<Op> op;
@@ -68,20 +71,20 @@ struct Parsed {
   Text sentence;
 };
 
-// What an operator did. `changed` holds the faces whose corners differ now, new ones included.
+// What an operator did. `changed` holds the faces whose corners changed, including new ones.
 struct OpEffect {
   std::vector<Element> created;
   std::vector<Element> deleted;
   std::vector<Face> changed;
 };
 
-// Whether an element is one, has been there and has not been deleted.
+// Whether an element is not none, in range and alive.
 template <class Handle>
 bool is_there(const Mesh& mesh, Handle element) {
   return element && mesh.exists(element) && mesh.is_alive(element);
 }
 
-// Refuses what is spoken of when it is not there.
+// Refuses an element that is not there.
 inline bool is_gone(const Mesh& mesh, Vertex v, Verdict& verdict) {
   if (is_there(mesh, v)) return false;
   verdict.refuse(Rule::deleted, {v});
@@ -98,7 +101,7 @@ inline bool is_gone(const Mesh& mesh, Face f, Verdict& verdict) {
   return true;
 }
 
-// Reads the edge that an operator is about, and passes a failure on.
+// Parses the single edge argument of an operator; forwards errors.
 template <class Op>
 std::optional<Halfedge> parse_edge_argument(const Mesh& mesh, std::span<const std::string_view> arguments,
                                             Parsed<Op>& out) {
@@ -114,9 +117,9 @@ std::optional<Halfedge> parse_edge_argument(const Mesh& mesh, std::span<const st
   return std::nullopt;
 }
 
-// An argument that cannot be read, and what is expected in its place: in Japanese with its particle.
+// The error for an argument that cannot be parsed; `expected` in Japanese includes its particle.
 Text not_understood(std::string_view argument, const Text& expected);
-// An argument that does not fit an operator's syntax, empty where it takes none.
+// The error for an argument that does not match the operator's syntax (empty if it takes none).
 Text not_of_syntax(std::string_view argument, std::string_view syntax);
 Text argument_missing(std::string_view syntax);
 
@@ -129,7 +132,7 @@ Parsed<Op> malformed_argument(std::string_view argument) {
   return {std::nullopt, NameError::malformed, not_of_syntax(argument, Op::info.syntax)};
 }
 
-// A finite number that takes up the whole text.
+// Parses a finite number that spans the whole text.
 std::optional<double> parse_double(std::string_view text);
 // The shortest decimal that reads back as the same double.
 std::string format_double(double value);

@@ -13,8 +13,8 @@ namespace ryosen {
 
 namespace {
 
-// The face beside f across one of its sides, and whether the two agree in direction; none unless the two are alone
-// there.
+// The adjacent face across a side, and whether the two are consistently oriented; none unless the edge has exactly two
+// faces.
 struct Neighbour {
   Face face;
   bool agrees = true;
@@ -39,7 +39,7 @@ Neighbour across(const Mesh& m, Halfedge side) {
   return {};
 }
 
-// In an order that turning faces does not change, so that orienting twice is orienting once.
+// In an order that is invariant under flipping, so that orient is idempotent.
 std::vector<OrderedNeighbour> neighbours_in_order(const Mesh& m, Face f) {
   std::vector<OrderedNeighbour> found;
   for (Halfedge side : halfedges_around(m, f)) {
@@ -52,7 +52,7 @@ std::vector<OrderedNeighbour> neighbours_in_order(const Mesh& m, Face f) {
   return found;
 }
 
-// Which faces turn.
+// Chooses the faces to flip.
 class Choice {
  public:
   explicit Choice(const Mesh& m)
@@ -68,8 +68,8 @@ class Choice {
   }
 
  private:
-  // Gathers the component and turns its faces one after the other to agree with the one that they are reached from.
-  // Whether all others agree then.
+  // Collects the component breadth-first and orients each face like the one it is reached from. Returns whether all
+  // other neighbours then agree too.
   bool flood(Face start) {
     bool all_agree = true;
     component_.assign(1, start);
@@ -101,8 +101,8 @@ class Choice {
     return graph;
   }
 
-  // The component cannot be oriented: the better of what the faces as they are and the flood lead to, if it is better
-  // than the faces as they are.
+  // For a non-orientable component: shortens the seam starting from the current orientation and from the flood, and
+  // takes the shorter result if it is shorter than the current seam.
   void shorten_the_seam() {
     const FaceGraph graph = graph_of_component();
     std::vector<bool> flooded;
@@ -116,7 +116,7 @@ class Choice {
     for (std::size_t i = 0; i < component_.size(); ++i) turned_[component_[i].index] = is_shorter && best.turned()[i];
   }
 
-  // The side with fewer faces turns.
+  // Flips the smaller of the two sets.
   void keep_majority() {
     std::size_t count = 0;
     for (Face f : component_) count += turned_[f.index];
@@ -127,7 +127,7 @@ class Choice {
 
   const Mesh& m_;
   std::vector<bool> seen_, turned_;
-  std::vector<std::uint32_t> place_;  // of each face in its component
+  std::vector<std::uint32_t> place_;  // index of each face in its component
   std::vector<Face> component_;       // the lowest face first
 };
 

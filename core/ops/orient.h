@@ -1,19 +1,20 @@
-// Orient: turns faces so that all neighbours agree where they can.
+// Orient: flips faces so that neighbours are consistently oriented where possible.
 //
 //     +---->+---->+          +---->+<----+
 //     | f   | g   |    =>    | f   | g   |        f and g ran their common edge in the same direction; now they do not
 //     +<----+<----+          +<----+---->+
 //
-// on the list: some faces run the other way round (the first corner stays); in each component the side with fewer faces
-//              turns, with equal numbers the one without the lowest face. Neighbours are two faces alone on an edge. A
-//              component that cannot be oriented (a Moebius strip) keeps a seam of misoriented edges. There patches, the
-//              faces joined by neighbours that agree, and single faces turn while the seam gets shorter: from the faces
-//              as they are, and from a walk from the lowest face over its neighbours; the shorter result is taken if it
-//              is shorter than the seam that there was, and the component stays as it is otherwise.
-// needs: some two neighbours disagree although they could agree, or a seam gets shorter.
-// changes: V, E and B of the kernel fall as cut edges close; on points only the number of misoriented edges, which falls:
-//          to none on each component that can be oriented.
-// inverse: none of its own; undo.
+// polygon list: some faces are reversed (the first corner stays); in each component the smaller set of faces is
+//               flipped, on a tie the one without the lowest face. Neighbours are the two faces of an edge with exactly
+//               two. A non-orientable component (a Moebius strip) keeps a seam of misoriented edges. There patches
+//               (faces connected through consistent neighbours) and single faces are flipped while the seam gets
+//               shorter: once starting from the current orientation, once from a breadth-first orientation from the
+//               lowest face; the shorter result is taken if it beats the current seam, otherwise the component is
+//               unchanged.
+// needs: neighbours disagree that could agree, or a seam can be shortened.
+// changes: V, E and B of the stored mesh decrease as cut edges close; on points only the number of misoriented edges
+//          decreases, to zero on each orientable component.
+// inverse: undo only.
 #pragma once
 
 #include "core/ops/op.h"
@@ -25,7 +26,7 @@ struct Orient {
                                "Orient faces",
                                "面の向きを揃える",
                                "",
-                               "turns faces so that fewer neighbours disagree, none where possible",
+                               "flips faces so that neighbours are consistently oriented where possible",
                                "隣り合う面の向きの不一致が減るように、可能ならなくなるように面を裏返す",
                                'O',
                                OpTargetKind::none};

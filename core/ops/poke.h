@@ -1,4 +1,4 @@
-// Poke: a face becomes a fan of triangles around a new vertex.
+// Poke: replaces a face by a fan of triangles around a new vertex.
 //
 //        d-------c                d-------c
 //        |       |                | \   / |
@@ -6,7 +6,7 @@
 //        |       |                | /   \ |       the order of the corners
 //        a-------b                a-------b
 //
-// on the list: (c0 .. cn-1) becomes (c0, c1, m), (c1, c2, m), .., (cn-1, c0, m).
+// polygon list: (c0 .. cn-1) becomes (c0, c1, m), (c1, c2, m), .., (cn-1, c0, m).
 // needs: a face without rings and bridges and without a second face on the same points.
 // changes: V + 1, E + n, F + n - 1.
 // inverse: dissolve m.
@@ -18,7 +18,7 @@ namespace ryosen {
 
 struct Poke {
   Face face;
-  std::optional<glm::dvec3> target = {};  // where m lies; without it at the mean of the corners
+  std::optional<glm::dvec3> target = {};  // position of m; default: the mean of the corners
 
   static constexpr OpInfo info{"poke",
                                "Poke face",
@@ -39,7 +39,7 @@ struct Poke {
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
 
-  // Where the vertex will lie: the mean is taken over the corners at finite places. O(corners).
+  // The position of m; the mean is taken over the finite corners. O(corners).
   glm::dvec3 position(const Mesh& mesh) const;
 };
 

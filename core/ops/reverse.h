@@ -1,10 +1,10 @@
-// Reverse: turns a component over.
+// Reverse: flips the orientation of a component.
 //
 //        +---->---->+           +<----<----+
 //        | f  | g   |    =>     | f  | g   |
 //        +<----<----+           +---->---->+
 //
-// on the list: all faces joined to fN through shared edges run the other way round; first corners stay.
+// polygon list: all faces connected to fN through shared edges are reversed; first corners stay.
 // needs: a live face.
 // changes: nothing on points. Wires and isolated vertices stay.
 // inverse: itself.
@@ -21,7 +21,7 @@ struct Reverse {
                                "Reverse component",
                                "成分の反転",
                                "fN",
-                               "turns all faces of the component of fN over",
+                               "flips all faces of the component of fN",
                                "fN の連結成分の面をすべて裏返す",
                                '\0',
                                OpTargetKind::face};

@@ -2,15 +2,15 @@
 //
 //        a     c               a     c
 //        | ' f |               | ' f |
-//           v          =>         v           two copies of one point: figures, names and files stay as they are
+//           v          =>         v           two copies of one point: figures, names and files do not change
 //        | ' g |                  v'
 //        b     d               | ' g |
 //                              b     d
 //
-// on the list: each fan but the one with the lowest face gets a copy of the point; wires stay with the first.
+// polygon list: each fan except the one with the lowest face gets a new copy of the point; wires stay with the first.
 // needs: a vertex with several fans.
-// changes: V + fans - 1 in the kernel, nothing on points; B and S as the outside cycles come apart.
-// inverse: weld of the copies. To make them different points: detach.
+// changes: V + fans - 1 stored vertices, nothing on points; B and S as the boundary cycles split.
+// inverse: weld of the copies. To make them separate points: detach.
 #pragma once
 
 #include "core/ops/op.h"

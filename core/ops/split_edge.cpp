@@ -14,7 +14,7 @@ namespace ryosen {
 
 namespace {
 
-// The halves that one split cuts, from a copy of A to a copy of B, the one with the lowest face first.
+// The halfedges that one split cuts, from a copy of A to a copy of B, the one with the lowest face first.
 std::vector<Halfedge> sheets_of(const Mesh& m, Halfedge h) {
   if (!is_cut_on_points(m, h)) return {h};
   std::vector<Halfedge> sheets = sheets_between(m, m.from(h), m.to(h));
@@ -27,8 +27,8 @@ bool is_triangle_side(const Mesh& m, Halfedge side) {
   return !m.is_outside(side) && is_triangle(m, side) && !m.has_rings(m.face(side));
 }
 
-// Cuts the triangle at `side` from the new vertex `m` to the third corner. The side enters or leaves m: `into` ends at
-// m and `out` begins there. The part that holds the origin of the edge A keeps the face.
+// Cuts a triangle from the new vertex m to the third corner: `into` ends at m and `out` starts there. The part with A,
+// the origin of the edge, keeps the face.
 //
 //            third                      part of A: a -> m -> third
 //           /  |  \                     other:     m -> b -> third
@@ -38,7 +38,7 @@ Face cut_triangle(Edit& edit, Halfedge into, Halfedge out, bool origin_keeps, Op
   const Face old = mesh.face(into);
   const Halfedge after_out = mesh.next(out), before_into = mesh.prev(into);
   const Vertex m = mesh.from(out), third = mesh.from(before_into);
-  const Halfedge down = edit.add_edge(m, third), up = twin(down);  // down closes the part before m, up the part after
+  const Halfedge down = edit.add_edge(m, third), up = twin(down);  // down closes the part before m, up the other
   edit.connect(into, down);
   edit.connect(down, before_into);
   edit.connect(after_out, up);
@@ -48,7 +48,7 @@ Face cut_triangle(Edit& edit, Halfedge into, Halfedge out, bool origin_keeps, Op
   const Face before_m = origin_keeps ? old : fresh, after_m = origin_keeps ? fresh : old;
   for (Halfedge h : {into, down, before_into}) edit.set_face(h, before_m);
   for (Halfedge h : {out, after_out, up}) edit.set_face(h, after_m);
-  // The new corner takes the place of the end that the old face lost.
+  // The new corner replaces the end that the old face lost.
   const Halfedge lost = origin_keeps ? after_out : into;
   if (origin_keeps && mesh.halfedge(old) == lost) edit.set_halfedge(old, down);
   if (!origin_keeps) {
@@ -67,7 +67,7 @@ Face cut_triangle(Edit& edit, Halfedge into, Halfedge out, bool origin_keeps, Op
   return fresh;
 }
 
-// Puts the vertex m on one sheet: h becomes a -> m, a new edge runs m -> b.
+// Inserts the vertex m into one sheet: h becomes a -> m, the new edge is m -> b.
 Vertex cut_sheet(Edit& edit, Halfedge h, double along, const glm::dvec3& position, CutTriangles cut, OpEffect& effect) {
   const Mesh& mesh = edit.mesh();
   const Halfedge o = twin(h), h_next = mesh.next(h), o_prev = mesh.prev(o);
@@ -90,7 +90,7 @@ Vertex cut_sheet(Edit& edit, Halfedge h, double along, const glm::dvec3& positio
   }
   edit.set_from(o, m);
   edit.connect(h, fresh);
-  if (h_next == o) {  // a wire that ends at b
+  if (h_next == o) {  // a wire with a free end at b
     edit.connect(fresh, fresh_twin);
   } else {
     edit.connect(fresh, h_next);
@@ -195,7 +195,7 @@ void warn_of_place(Halfedge h, double along, std::vector<Reason>& reasons) {
 void put_point_into(Edit& edit, Halfedge h, double along, CutTriangles cut, OpEffect& effect) {
   const Mesh& m = edit.mesh();
   const glm::dvec3 p = point_between(m.position(m.from(h)), m.position(m.to(h)), along);
-  // With a new point on it, the outside loop of a cut edge that is closed again has four halves and stays open.
+  // With a new point on it the boundary loop of a closed cut has four halfedges and is no longer closed.
   Sheets cuts(edit);
   if (is_cut_on_points(m, h))
     for (Halfedge sheet : sheets_of(m, h))

@@ -1,4 +1,4 @@
-// Split: a new vertex on an edge.
+// Split: inserts a vertex on an edge and cuts the triangles at it.
 //
 //        c                     c
 //       / \                   /|\                                                          .
@@ -8,9 +8,9 @@
 //       \ /                   \|/
 //        d                     d
 //
-// on the list: every face with the side a-b gets m there; a triangle (a, b, c) becomes (a, m, c) and (m, b, c). The part
-//              that holds A keeps the old number; new faces are numbered with the one left of A-B first.
-// needs: two triangles that would be cut do not have the same third point; no face walks the edge both ways.
+// polygon list: every face with the side a-b gets m there; a triangle (a, b, c) becomes (a, m, c) and (m, b, c). The
+//               part with A keeps the old number; new faces are numbered starting with the one left of A-B.
+// needs: the triangles to be cut have different third points; the edge is no bridge.
 // changes: V + 1, E + 1 + k, F + k with k = triangles at the edge, counted on points. A non-manifold or misoriented edge
 //          is split in all its faces at once, and the new point has one copy per face.
 // inverse: collapse m-b end.
@@ -22,7 +22,7 @@ namespace ryosen {
 
 struct SplitEdge {
   Halfedge halfedge;
-  double along = 0.5;  // the new vertex lies at A + along (B - A)
+  double along = 0.5;  // position A + along (B - A)
 
   static constexpr OpInfo info{"split",
                                "Split edge",
@@ -47,8 +47,8 @@ struct SplitEdge {
 // Warns of a number that does not lie between 0 and 1.
 void warn_of_place(Halfedge h, double along, std::vector<Reason>& reasons);
 
-// Puts a point into all sheets of an edge, with or without cutting the triangles there: what split and separate_edge
-// have in common.
+// Inserts a point into all sheets of an edge, with or without cutting the triangles there. Shared by split and
+// separate_edge.
 enum class CutTriangles { no, yes };
 void put_point_into(Edit& edit, Halfedge h, double along, CutTriangles cut, OpEffect& effect);
 

@@ -15,8 +15,8 @@ namespace ryosen {
 
 namespace {
 
-// The edge a-b with what each side loses and gains: the face at `side` loses `loses` and gains `gains`, the end of the
-// new edge that the other face brings.
+// One side of the swap: the face at `side` loses the vertex `loses` and gains `gains`, the end of the new edge in the
+// other face.
 struct Turn {
   Halfedge side;
   Halfedge lost_corner;
@@ -29,7 +29,7 @@ std::pair<Turn, Turn> turns(const Mesh& m, Halfedge h, bool back) {
   return {{h, m.next(h), m.to(h), m.to(m.next(o))}, {o, m.next(o), m.to(o), m.to(m.next(h))}};
 }
 
-using Points = std::vector<std::uint32_t>;  // a set, ascending
+using Points = std::vector<std::uint32_t>;  // sorted set
 
 Points points_after(const Mesh& m, const Turn& turn) {
   Points points;
@@ -38,7 +38,7 @@ Points points_after(const Mesh& m, const Turn& turn) {
   return point_set(points);
 }
 
-// Whether the face at h is on exactly these points. At bridges it has more corners than points.
+// Whether the face at h has exactly these points. With bridges it has more corners than points.
 bool is_on(const Mesh& m, Halfedge h, const Points& points) {
   std::size_t count = 0;
   const auto is_in_all = [&](const auto& vertices) {
@@ -52,7 +52,7 @@ bool is_on(const Mesh& m, Halfedge h, const Points& points) {
   return is_in_all(CycleRange<detail::StepNext, detail::ToFrom>(m, h));
 }
 
-// Another face on exactly these points, around one of their copies; `except` are the two faces at the edge.
+// Another face with exactly these points in the one-ring of `around` and its copies, ignoring excluded ones.
 template <class IsExcluded>
 Face find_face_on(const Mesh& m, const Points& points, Vertex around, IsExcluded is_excluded) {
   Face found;
@@ -65,7 +65,7 @@ Face find_face_on(const Mesh& m, const Points& points, Vertex around, IsExcluded
   return found;
 }
 
-// The lists of a face with rings or a bridge must still come apart.
+// The lists of a face with rings or a bridge must still split into simple loops.
 void check_inner_loops(const Mesh& m, const Turn& turn, Verdict& verdict) {
   const Face f = m.face(turn.side);
   if (is_one_simple_loop(m, f)) return;
@@ -139,7 +139,7 @@ Verdict SwapEdge::judge(const Mesh& m) const {
     return verdict;
   }
   const auto [left, right] = turns(m, h, back);
-  // With one face on both sides, or one vertex opposite on both, there is no second edge to turn to.
+  // With the same face or the same opposite vertex on both sides there is no other edge to swap to.
   if (m.face(h) == m.face(o) || same_point(m, left.gains, right.gains)) {
     verdict.refuse(Rule::corner_twice, {m.face(h), right.gains});
     return verdict;
@@ -156,7 +156,7 @@ std::vector<Reason> SwapEdge::warnings(const Mesh& m) const {
   if (is_seam(m, halfedge)) found.push_back({Rule::seam, {edge(halfedge)}});
   std::vector<Element> turned, degenerate;
   const auto [left, right] = turns(m, halfedge, back);
-  // The two new faces against the two old ones: each must agree with both.
+  // The normal of each new face must agree with both old ones.
   for (const Turn& turn : {left, right}) {
     FacePolygon polygon(m, m.face(turn.side));
     polygon.move(turn.lost_corner, m.position(turn.gains));
@@ -178,15 +178,15 @@ std::vector<Reason> SwapEdge::warnings(const Mesh& m) const {
 
 namespace {
 
-// What the turn does to the face at one half of the edge; the other half plays the same part with the roles mirrored.
+// What the swap does to the face at one half of the edge; the other half is symmetric.
 //
-//   forward, left of h:   p -> (next of the twin) -> h -> next(next(h))        the side next(h) goes to the other face
-//   back, left of h:      prev(p) -> h -> (prev of the twin) -> next(h)        the side p = prev(h) goes
+//   forward, left of h:   p -> (next of the twin) -> h -> next(next(h))        next(h) moves to the other face
+//   back, left of h:      prev(p) -> h -> (prev of the twin) -> next(h)        p = prev(h) moves
 struct SwapSide {
   Halfedge half, lost, gained, at_old_origin;
   Vertex old_origin, new_origin;
   Face face;
-  std::array<Halfedge, 4> chain;  // part of the face's loop, as it will be
+  std::array<Halfedge, 4> chain;  // part of the face's resulting loop
 
   SwapSide(const Mesh& m, Halfedge h, bool back)
       : half(h), at_old_origin(m.next(twin(h))), old_origin(m.from(h)), face(m.face(h)) {
@@ -203,12 +203,12 @@ void apply_side(Edit& edit, const SwapSide& s) {
   for (std::size_t i = 0; i + 1 < s.chain.size(); ++i) edit.connect(s.chain[i], s.chain[i + 1]);
   edit.set_face(s.gained, s.face);
   edit.set_from(s.half, s.new_origin);
-  // The corner that a face gains takes the place of the one it loses.
+  // The gained corner replaces the lost one.
   if (!replace_start(edit, s.face, s.lost, s.half)) replace_start(edit, s.face, s.half, s.gained);
   if (m.halfedge(s.old_origin) == s.half) edit.set_halfedge(s.old_origin, s.at_old_origin);
 }
 
-// A corner that comes new to a face takes the value of the same vertex in the other one.
+// A corner gained by a face takes the value of the same vertex in the other face.
 void turn_corner_values(Edit& edit, Halfedge h, bool back) {
   const Mesh& m = edit.mesh();
   CornerWriter corners(edit);

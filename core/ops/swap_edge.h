@@ -1,4 +1,4 @@
-// Swap (flip): an edge turns by one corner inside its two faces.
+// Swap (flip): rotates an edge by one corner inside its two faces.
 //
 //        c                     c
 //       / \                   /|\                                                          .
@@ -8,12 +8,12 @@
 //       \ /                   \|/
 //        d                     d
 //
-// on the list: face (a, b, c, ...) becomes (c, ..., a, d), face (b, a, d, ...) becomes (d, ..., b, c). `back` turns the
-//              other way: (a, b, ..., l) and (b, a, ..., r) become (r, b, ..., l) and (l, a, ..., r).
-// needs: two different faces; the new edge does not exist; no face visits a point twice; no face gains or loses a
-//        duplicate; the edge is not non-manifold or misoriented on points.
-// changes: nothing in number.
-// inverse: the swap of the new edge the other way.
+// polygon list: face (a, b, c, ...) becomes (c, ..., a, d), face (b, a, d, ...) becomes (d, ..., b, c). `back` rotates
+//               the other way: (a, b, ..., l) and (b, a, ..., r) become (r, b, ..., l) and (l, a, ..., r).
+// needs: two different faces; the new edge does not exist yet; no face visits a point twice; no face gains or loses a
+//        duplicate; the edge is manifold and consistently oriented on points.
+// changes: no counts.
+// inverse: swap of the new edge in the other direction.
 #pragma once
 
 #include "core/ops/op.h"
@@ -28,7 +28,7 @@ struct SwapEdge {
                                "Swap edge",
                                "稜線交換",
                                "A-B [back]",
-                               "turns the edge by one corner in its two faces",
+                               "rotates the edge by one corner within its two faces",
                                "稜線を両側の面の中で一角ぶん回す",
                                'S',
                                OpTargetKind::edge,
@@ -40,9 +40,9 @@ struct SwapEdge {
   std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
-  // The same verdict, always by judging rule for rule: what check() falls back to, and what tests hold it against.
+  // The same verdict without the fast path, rule by rule; check() falls back to it, and tests compare both.
   Verdict judge(const Mesh& mesh) const;
-  // check(mesh).legal() for batch work: asks for reasons only where no quicker answer is certain.
+  // check(mesh).legal() for batch work; the full check runs only if the fast path is undecided.
   bool is_legal(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;

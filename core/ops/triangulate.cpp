@@ -17,7 +17,7 @@ constexpr std::size_t most_witnesses = 24;
 
 bool has_more_than_three(const Mesh& m, Face f) { return m.has_rings(f) || !is_triangle(m, m.halfedge(f)); }
 
-// Whether a face can be cut, and into what.
+// Whether a face can be triangulated, and the triangles.
 struct Cut {
   FacePolygon polygon;
   std::vector<CornerTriangle> triangles;
@@ -42,7 +42,7 @@ Cut cut_of(const Mesh& m, Face f) {
   return cut;
 }
 
-// Finds the halfedges from corner to corner, and makes those that are new: both of an edge when the first is asked for.
+// Finds the halfedges between corners and creates new edges on first use.
 class Sides {
  public:
   Sides(Edit& edit, const FacePolygon& polygon, OpEffect& effect)
@@ -76,7 +76,7 @@ class Sides {
   const FacePolygon& polygon_;
   OpEffect& effect_;
   CornerWriter corners_;
-  std::vector<New> open_;  // new edges of which one side has been used
+  std::vector<New> open_;  // new edges with one side used
 };
 
 void apply_cut(Edit& edit, Face f, const Cut& cut, OpEffect& effect) {
@@ -123,7 +123,7 @@ Verdict Triangulate::check(const Mesh& mesh) const {
     if (is_gone(mesh, face, verdict)) return verdict;
     return cut_of(mesh, face).verdict;
   }
-  // One face that can be cut is enough; else the first one that should be tells why it cannot.
+  // Legal if any face can be triangulated; else report the reasons of the first non-triangle.
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     if (!mesh.is_alive(Face(i)) || !has_more_than_three(mesh, Face(i))) continue;
     const Verdict own = cut_of(mesh, Face(i)).verdict;

@@ -1,4 +1,4 @@
-// Triangulate: a face, or every face, becomes triangles.
+// Triangulate: cuts a face, or every face, into triangles.
 //
 //        d-------c                d-------c
 //        |       |                |  f' / |       the triangle at the face's first side keeps the number, the others get
@@ -6,12 +6,11 @@
 //        |       |                | /  f  |
 //        a-------b                a-------b
 //
-// on the list: a face of n corners and h rings becomes n + 2h - 2 triangles on its corners, those that are drawn for it
-//              where none of their sides is an edge already, else others (face_triangles.h).
-// needs: a face of more than three corners without a second face on the same points, and a way to cut it without an
-//        edge that exists.
-// changes: E + n + 3h - 3, F + n + 2h - 3, H - h; V stays. Without a face: every face for which this is legal, in order
-//          of their numbers; the others are left as they are.
+// polygon list: a face of n corners and h rings becomes n + 2h - 2 triangles on its corners: the drawn ones if no new
+//               side is already an edge, else others (face_triangles.h).
+// needs: a face of more than three corners without a duplicate, and a triangulation that creates no existing edge.
+// changes: E + n + 3h - 3, F + n + 2h - 3, H - h; V stays. Without a face: every face for which this is legal, in
+//          ascending order; the others are unchanged.
 // inverse: dissolve the new edges.
 #pragma once
 

@@ -19,15 +19,15 @@ namespace ryosen {
 
 namespace {
 
-// The part of a star that the new vertex takes.
+// The part of a one-ring that moves to the new vertex.
 struct Sector {
   std::vector<Halfedge> edges;  // outgoing from v, strictly between left and right, counter-clockwise
-  std::vector<Face> faces;      // those in it, each once
-  std::size_t gaps = 0;         // in it, both ends of an open one aside
-  bool reaches_gap = true;      // where left or right is none
+  std::vector<Face> faces;      // faces in it, each once
+  std::size_t gaps = 0;         // inside it, not counting those at an open end
+  bool reaches_gap = true;      // if left or right is none
 };
 
-// The halfedges of v in the part, and whether a missing end is a gap.
+// Collects the sector; reaches_gap: whether a missing end is at a gap.
 Sector sector_of(const Mesh& m, Halfedge left, Halfedge right) {
   Sector sector;
   const Halfedge start = left ? left : right;
@@ -60,7 +60,7 @@ Sector sector_of(const Mesh& m, Halfedge left, Halfedge right) {
   return sector;
 }
 
-// Whether walking around v from one edge comes to the other without a gap between, in either direction.
+// Whether the two edges are connected around v without a gap between, in either direction.
 bool are_in_one_fan(const Mesh& m, Halfedge a, Halfedge b) {
   for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
     for (Halfedge h = from; !m.is_outside(h);) {
@@ -76,7 +76,7 @@ bool is_taken(const Sector& sector, Halfedge left, Halfedge h) {
   return h == left || std::find(sector.edges.begin(), sector.edges.end(), h) != sector.edges.end();
 }
 
-// The corners of a face with `m` in place of v where the part takes it.
+// The corners of a loop after the split: `fresh` replaces v in the sector.
 template <class Value, class At>
 std::vector<Value> corners_after(const Mesh& mesh, Halfedge start, const Sector& sector, Halfedge left, Value fresh,
                                  At at) {
@@ -100,7 +100,7 @@ void check_faces(const Mesh& m, const Sector& sector, Halfedge left, Verdict& ve
   }
 }
 
-// An edge v -> L (or R) keeps its faces only if there was one on the side where the triangle comes.
+// Refuses a wire v-L (or v-R), and a cut edge that would get an additional face.
 void check_end(const Mesh& m, Halfedge end, bool has_face, Verdict& verdict) {
   if (m.is_wire(edge(end)))
     verdict.refuse(Rule::wire, {edge(end)});
@@ -108,8 +108,7 @@ void check_end(const Mesh& m, Halfedge end, bool has_face, Verdict& verdict) {
     verdict.refuse(Rule::copies, {point(m, m.from(end)), point(m, m.to(end))});
 }
 
-// The outgoing halfedge that an argument names: by its end, or as an edge where several lead to one point. `-` gives
-// none.
+// The outgoing halfedge named by an argument: by its end, or as an edge if several lead to one point. `-` gives none.
 Halfedge read_end(const Mesh& mesh, Vertex v, ArgumentReader& in) {
   const std::string text(in.peek());
   if (in.word("-")) return Halfedge();
@@ -154,7 +153,7 @@ glm::dvec3 mean_of_ends(const Mesh& m, const std::vector<Halfedge>& edges) {
   return mean;
 }
 
-// What turns over or becomes flat with m at a place.
+// What is inverted or degenerate with m at a given position.
 struct StarShape {
   std::vector<Element> turned, degenerate;
 };
@@ -176,7 +175,7 @@ StarShape shape_with(const Mesh& m, const VertexSplit& op, const Sector& sector,
     else if (before.turns_against(after))
       shape.turned.push_back(f);
   }
-  // A new triangle is held against the faces on both sides of its edge.
+  // Compare a new triangle with the faces on both sides of its edge.
   for (Halfedge end : ends) {
     const glm::dvec3 &v = m.position(op.vertex), &x = m.position(m.to(end));
     const FaceGeometry fresh{end == op.left ? std::vector{v, x, place} : std::vector{v, place, x}};
@@ -193,10 +192,10 @@ StarShape shape_with(const Mesh& m, const VertexSplit& op, const Sector& sector,
   return shape;
 }
 
-// Puts the new edges in, v and m having shared out the old ones.
+// Inserts the new edges, after the old ones have been distributed to v and m.
 //
-//        v --left--> L         The new edge m -> L takes the place of v -> L in the part, and v -> L, L -> m, m -> v
-//         <         /          become a triangle. At R the new edge R -> m takes the place of R -> v.
+//        v --left--> L         The new edge m -> L replaces v -> L in the sector; v -> L, L -> m, m -> v become a
+//         <         /          triangle. At R the new edge R -> m replaces R -> v.
 //           \      v
 //              m
 class Splitter {
@@ -227,7 +226,7 @@ class Splitter {
                  {first_inside(right, part_v), first_inside(part_v, right), first_inside(part, beyond_end)});
   }
 
-  // The new edge runs outside, just before `gap`.
+  // Links the boundary halfedge h just before `gap`.
   void lead_past(Halfedge h, Halfedge gap) {
     edit_.connect(m_.prev(gap), h);
     edit_.connect(h, gap);
@@ -236,8 +235,8 @@ class Splitter {
  private:
   Halfedge first_inside(Halfedge a, Halfedge b) const { return m_.is_outside(a) ? b : a; }
 
-  // `fresh` takes the place of `old` in the part; `old` becomes a side of the new triangle, whose corners take their
-  // values from the corners `like`.
+  // `fresh` replaces `old` in the sector; `old` becomes a side of the new triangle, whose corners copy their values
+  // from the corners `like`.
   void add_triangle(std::array<Halfedge, 3> sides, Halfedge old, Halfedge fresh, std::array<Halfedge, 3> like) {
     const Face part = m_.face(old), beside = part ? part : m_.face(twin(old));
     for (std::size_t k = 0; k < corners_.count(); ++k) {
@@ -356,7 +355,7 @@ OpEffect VertexSplit::apply(Edit& edit) const {
   assert(check(mesh).legal());
   const Sector sector = sector_of(mesh, left, right);
   Splitter splitter(edit, vertex, position(mesh));
-  // The outside halfedge that leaves v at the gap where the part begins or ends.
+  // The boundary halfedge that leaves v at the gap where the sector starts or ends.
   Halfedge gap;
   if (!left) gap = mesh.clockwise(sector.edges.empty() ? right : sector.edges.front());
   if (!right) gap = sector.edges.empty() ? Halfedge() : sector.edges.back();

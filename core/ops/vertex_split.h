@@ -1,4 +1,4 @@
-// Vertex split: a vertex becomes the two ends of an edge.
+// Vertex split: replaces a vertex by the two ends of a new edge.
 //
 //        L                     L
 //        |                    / \                                                          .
@@ -8,12 +8,12 @@
 //        |                    \ /          through e and h there.)
 //        R                     R
 //
-// on the list: v is replaced by m in the faces and wires from the edge v-L counter-clockwise to v-R; (v, L, m) and
-//              (v, m, R) are new. With `-` for L or R the part runs from or to the gap of v beside it, and there is no
-//              triangle on that side.
-// needs: L and R are different neighbours of v in one fan of faces, each by an edge with a face; if v has further fans
-//        the part does not run across a gap; no edge that m takes is cut, nor one that gets a face it had not; no
-//        face of m is on the points of another.
+// polygon list: v is replaced by m in the faces and wires from the edge v-L counter-clockwise to v-R (the sector);
+//               (v, L, m) and (v, m, R) are new. With `-` for L or R the sector starts or ends at the adjacent gap of
+//               v, and there is no triangle on that side.
+// needs: L and R are different neighbours of v in one fan of faces, by edges with a face; if v has further fans the
+//        sector contains no gap; no edge that moves to m is cut, nor one that gets an additional face; no face at m
+//        duplicates another.
 // changes: V + 1, E + 3, F + 2, with `-` V + 1, E + 2, F + 1; H, S, G, B stay.
 // inverse: collapse m-v. Source: [Hoppe96].
 #pragma once
@@ -31,7 +31,7 @@ struct VertexSplit {
                                "Split vertex",
                                "頂点分割",
                                "v L|v-L|- R|v-R|- [X,Y,Z]",
-                               "makes an edge of a vertex; the new end takes what lies from L counter-clockwise to R",
+                               "splits a vertex into an edge; the new end gets the faces from L counter-clockwise to R",
                                "頂点を稜線にする。新しい端点が L から反時計回りに R までの部分を受け持つ",
                                '\0',
                                OpTargetKind::selection,
@@ -46,9 +46,9 @@ struct VertexSplit {
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
 
-  // Where m will lie: without a target halfway to the mean of its neighbours-to-be, or, where a face would turn over,
-  // halfway away from the mean of those that v keeps, then a quarter and an eighth of the way on either line. The first
-  // place that turns nothing over is taken, else halfway. O(corners at v).
+  // The position of m. Without a target: halfway to the mean of its future neighbours or, if that inverts a face,
+  // halfway away from the mean of those that v keeps, then a quarter and an eighth of the way on either line; the first
+  // position that inverts nothing, else halfway. O(corners at v).
   glm::dvec3 position(const Mesh& mesh) const;
 };
 

@@ -19,17 +19,17 @@ namespace ryosen {
 
 namespace {
 
-// Points that go, each with the one that it becomes.
+// Removed points, each with the one it is merged into.
 using Pairs = std::vector<std::pair<Vertex, Vertex>>;
 
-// The side without a face, over all sheets, of an edge that one face has.
+// The boundary halfedge, over all sheets, of an edge with one face.
 Halfedge boundary_half(const Mesh& m, Halfedge h) {
   for (Halfedge sheet : sheets_between(m, m.from(h), m.to(h)))
     if (m.is_outside(sheet) != m.is_outside(twin(sheet))) return outside_half(m, sheet);
   return Halfedge();
 }
 
-// What the list of points is after the weld, around the points that are welded.
+// Checks the polygon list after the weld, around the welded points.
 class WeldJudge {
  public:
   WeldJudge(const Mesh& m, const Pairs& pairs, Verdict& verdict) : m_(m), verdict_(verdict) {
@@ -72,7 +72,7 @@ class WeldJudge {
     for (const auto& [goes, stays] : becomes_) verdict_.refuse(Rule::common_face, {f, goes, stays});
   }
 
-  // Edges that fall together must be the two sides of a gap.
+  // Edges that become coincident must be the two sides of a gap.
   void check_edges() {
     struct Joined {
       std::set<std::pair<Vertex, Vertex>> pairs;
@@ -121,7 +121,7 @@ class WeldJudge {
   std::set<Face> faces_;
 };
 
-// Copies of one point: may they become one vertex?
+// Checks merging two copies of one point into one vertex.
 void check_copies(const Mesh& m, Vertex a, Vertex b, Verdict& verdict) {
   for (Vertex v : {a, b})
     if (!m.is_isolated(v) && !m.is_boundary(v)) verdict.refuse(Rule::no_gap, {v, m.face(m.halfedge(v))});
@@ -132,14 +132,14 @@ void check_copies(const Mesh& m, Vertex a, Vertex b, Verdict& verdict) {
       verdict.refuse(Rule::common_neighbour, {point(m, m.to(h)), edge(find_halfedge(m, a, m.to(h))), edge(h)});
 }
 
-// Whether making the two one vertex leaves at most one edge to each neighbour, and both have room.
+// Whether both have a gap and no common neighbour.
 bool can_be_one(const Mesh& m, Vertex a, Vertex b) {
   Verdict verdict;
   check_copies(m, a, b, verdict);
   return verdict.legal() && !m.is_isolated(a) && !m.is_isolated(b);
 }
 
-// The pairs of points that an edge weld makes one; those of the first edge stay.
+// The pairs of points merged by an edge weld; those of the first edge stay.
 Pairs pairs_of_edges(const Mesh& m, Halfedge first, Halfedge second) {
   const Halfedge h = boundary_half(m, first), g = boundary_half(m, second);
   Pairs pairs;
@@ -160,7 +160,8 @@ void check_edges_to_weld(const Mesh& m, Halfedge first, Halfedge second, Verdict
   }
   if (!verdict.legal()) return;
   const Halfedge h = boundary_half(m, first), g = boundary_half(m, second);
-  // Both would lead away from their common end, or into it: turned to each other they would fall onto their own ends.
+  // If both start, or both end, at their common point, welding them in opposite directions would merge each edge's own
+  // ends.
   for (const auto& [x, y] : {std::pair(m.from(h), m.from(g)), std::pair(m.to(h), m.to(g))})
     if (same_point(m, x, y)) return verdict.refuse(Rule::common_face, {m.face(twin(h)), point(m, x)});
   WeldJudge(m, pairs_of_edges(m, first, second), verdict).judge();
@@ -216,7 +217,7 @@ std::vector<Reason> Weld::warnings(const Mesh& mesh) const {
 
 namespace {
 
-// Gives all vertices of the one point the place and values of the other, and makes them its copies.
+// Makes all vertices of one point copies of the other, with its position and values.
 void unite_points(Edit& edit, Sheets& sheets, Vertex goes, Vertex stays) {
   const Mesh& m = edit.mesh();
   move_point(edit, goes, m.position(stays));

@@ -1,14 +1,14 @@
-// Weld: two vertices become one, or two boundary edges.
+// Weld: merges two vertices, or two boundary edges.
 //
 //      o--a   b--o          o----a----o
 //      |   ' '   |    =>    |    |    |        a - x - b is a gap of two edges: they become one edge
 //      o----x----o          o----x----o
 //
-// on the list: b is replaced by a. For edges A-B and C-D: the ends are replaced so that the two faces run the edge in
-//              opposite directions. The lower number stays; the place is that of A, or of A-B.
-// needs: no face has both vertices; an edge from both to the same point has one face each way. Edges: one face each.
-//        No two faces come to lie on the same points. Two copies of one point: both have a gap, no common neighbour.
-// changes: V - 1 (2 for edges without a common end), E - the pairs of edges that become one, on points; F stays.
+// polygon list: b is replaced by a. For edges A-B and C-D: the ends are replaced so that the two faces traverse the
+//               edge in opposite directions. The lower number stays; the position is that of A, or of A-B.
+// needs: no face contains both vertices; edges from both to the same point have one face in each direction. Edges: one
+//        face each. No duplicate faces result. Two copies of one point: both have a gap, and no common neighbour.
+// changes: V - 1 (2 for edges without a common end), E - the pairs of edges that are merged, on points; F stays.
 // inverse: separate_fans and detach.
 #pragma once
 
@@ -24,7 +24,7 @@ struct Weld {
                                "Weld",
                                "縫合",
                                "A B | A-B C-D",
-                               "makes two vertices, or two boundary edges, one",
+                               "merges two vertices, or two boundary edges",
                                "二つの頂点、または二本の境界稜線を一つにする",
                                '\0',
                                OpTargetKind::selection,

@@ -13,23 +13,23 @@
 namespace ryosen {
 namespace {
 
-// Bounds all float rounding in a box test, relative to the numbers that enter it.
+// Relative error bound of the float box test.
 constexpr float margin = 0x1p-20f;
 
-// The double next to nothing by which a plane may miss a box that it touches.
+// Relative tolerance of the plane-box test in double.
 constexpr double plane_margin = 0x1p-46;
 
 }  // namespace
 
-// A ray in the tree's frame, its direction scaled to a largest component of one. Boxes are grown by an amount that
-// covers the rounding of the origin and of the triangle test.
+// A ray in the tree's frame, scaled so that the direction's largest component is 1. Boxes are inflated to cover the
+// rounding of the origin and of the triangle test.
 struct Bvh::LocalRay {
   Float4 before_lowest = Float4::all(0.0f);
   Float4 before_highest = Float4::all(0.0f);
   Float4 inverse = Float4::all(0.0f);
   float nearest = 0.0f;
   float farthest = 0.0f;
-  double world_length = 0.0;  // of one unit of t
+  double world_length = 0.0;  // length of one unit of t in mesh space
   double scale = 0.0;
 
   LocalRay(const Bvh& bvh, const Ray& ray) : world_length(largest_magnitude(ray.direction)), scale(bvh.scale_) {
@@ -37,7 +37,7 @@ struct Bvh::LocalRay {
     const double reach = largest_magnitude(origin);
     nearest = local_limit(ray.t_min, -margin);
     farthest = local_limit(ray.t_max, margin);
-    // From farther than floats resolve every box counts as met; the zero inverse makes all times zero.
+    // Origin too far away for floats: every box counts as hit (a zero inverse makes all entry parameters zero).
     if (!(reach < 1e15)) {
       nearest = 0.0f;
       farthest = std::numeric_limits<float>::infinity();
@@ -57,7 +57,7 @@ struct Bvh::LocalRay {
     inverse = Float4::of(1.0f / slope[0], 1.0f / slope[1], 1.0f / slope[2], 0.0f);
   }
 
-  // A limit of t in the tree's frame, moved by a share of itself.
+  // A limit of t in the tree's frame, shifted by a relative amount.
   float local_limit(double t, float share) const {
     const double limit = std::clamp(t * world_length * scale, -1e37, 1e37);
     return static_cast<float>(limit + static_cast<double>(share) * std::abs(limit));
@@ -67,7 +67,7 @@ struct Bvh::LocalRay {
     if (!unlimited_) farthest = local_limit(t, margin);
   }
 
-  // Where the ray enters a box, or `missed`, which is farther than anything.
+  // The parameter at which the ray enters a box, or `missed` (infinity).
   float enter(const Node& node) const {
     const Float4 a = (node.lower_lanes() - before_lowest) * inverse;
     const Float4 b = (node.upper_lanes() - before_highest) * inverse;
@@ -135,10 +135,10 @@ void Bvh::cast_leaf(std::span<const glm::dvec3> positions, const RayCaster& cast
 void Bvh::visit_frustum_nodes(std::span<const glm::dvec3> positions, const Frustum& frustum, SlotVisitor visit,
                               void* target) const {
   if (live_ == 0) return;
-  // The farthest corner of a box along each plane decides; planes are moved into the tree's frame.
+  // A plane in the tree's frame, tested against the box corner farthest along its normal (p-vertex).
   struct LocalPlane {
     double x, y, z, w;
-    std::array<std::uint8_t, 3> corner;  // its coordinates among the six bounds of a box
+    std::array<std::uint8_t, 3> corner;  // indices of its coordinates among the six bounds of a box
   };
   std::array<LocalPlane, 6> local{};
   for (std::size_t i = 0; i < frustum.count; ++i) {

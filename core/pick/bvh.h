@@ -1,5 +1,5 @@
-// A tree of boxes over triangles, segments and points: ray casting, picking around a pixel and nearest places, kept
-// current while single primitives come, move and go.
+// A dynamic bounding volume hierarchy over triangles, segments and points: ray casting, frustum queries and nearest
+// points, with incremental insertion, update and removal.
 #pragma once
 
 #include <array>
@@ -30,36 +30,36 @@ struct NearestHit {
   glm::dvec3 barycentric{0.0};  // weights of the primitive's vertices
 };
 
-// Primitives live in slots, numbers that the caller chooses and that stay. The tree keeps vertex numbers, not
-// positions: every call gets the same column of positions, which the caller owns and may let grow.
+// Primitives have slots, stable numbers chosen by the caller. The tree stores vertex numbers, not positions: pass the
+// same column of positions to every call; the caller owns it and may let it grow.
 //
-// Answers do not depend on the tree's shape, hence not on the order of edits. Boxes are rounded outwards, so none is
-// missed. A primitive with a position that is not finite keeps its slot but is found by no query.
-// Cost: build O(n log n) by surface areas in bins [Wald07]; queries and single changes O(depth). The tree is kept good
-// by local rotations [Kopta12]; after many changes a rebuild makes it as good as new.
+// Results do not depend on the tree's shape, hence not on the order of edits. Boxes are rounded outwards, so no hit is
+// missed. A primitive with a non-finite position keeps its slot but is found by no query. Cost: build O(n log n) by
+// binned surface area heuristic [Wald07]; queries and single changes typically O(depth). Local rotations maintain the
+// tree's quality [Kopta12]; after many changes, rebuild.
 class Bvh {
  public:
-  // Drops everything and takes primitive i into slot i; those of kind none leave their slot empty.
+  // Replaces the contents: primitive i goes to slot i; empty primitives leave their slot empty.
   void build(std::span<const glm::dvec3> positions, std::vector<Primitive> primitives);
-  // Builds again from the primitives held; is_worn tells when it pays: after changes to a third of them.
+  // Rebuilds from the current primitives; worthwhile when is_worn(): after changes to a third of them.
   void rebuild(std::span<const glm::dvec3> positions);
   bool is_worn() const { return changes_ > 64 && changes_ > live_ / 3; }
 
-  // Puts a primitive into a slot, free or taken; slots may be any numbers, but memory grows with the largest.
+  // Puts a primitive into a slot, free or occupied; memory grows with the largest slot number.
   void insert(std::span<const glm::dvec3> positions, std::uint32_t slot, const Primitive& primitive);
-  // Empties a slot; nothing happens if it is empty.
+  // Empties a slot; no effect if it is empty.
   void erase(std::uint32_t slot);
-  // Follows changed positions of the slot's vertices.
+  // Refits after the positions of the slot's vertices changed.
   void update(std::span<const glm::dvec3> positions, std::uint32_t slot);
-  // Follows changed positions of any vertices: O(n), but without a new tree.
+  // Refits the whole tree after any positions changed: O(n), without rebuilding.
   void update_all(std::span<const glm::dvec3> positions);
 
-  // The first triangle that the ray meets, from either side; at equal t the one with the smallest slot. Segments and
-  // points are never hit.
+  // The first triangle hit by the ray, from either side; at equal t the smallest slot. Segments and points are never
+  // hit.
   std::optional<RayHit> cast(std::span<const glm::dvec3> positions, const Ray& ray) const;
 
-  // Calls visit(slot) for all primitives whose box meets the frustum, in no particular order. Boxes near an edge of
-  // the frustum may be visited although they miss it.
+  // Calls visit(slot) for all primitives whose box meets the frustum, in no particular order. Conservative: boxes near
+  // an edge of the frustum may be visited although they miss it.
   template <class Visit>
   void visit_frustum(std::span<const glm::dvec3> positions, const Frustum& frustum, Visit&& visit) const {
     visit_frustum_nodes(
@@ -68,30 +68,30 @@ class Bvh {
         &visit);
   }
 
-  // The place of any primitive nearest to a point, at most max_distance away; on a tie the smallest slot.
+  // The nearest point on any primitive, at most max_distance away; on a tie the smallest slot.
   std::optional<NearestHit> nearest(std::span<const glm::dvec3> positions, const glm::dvec3& point,
                                     double max_distance) const;
 
-  // The primitive in a slot; of kind none for an empty one.
+  // The primitive in a slot; an empty one for an empty slot.
   Primitive primitive(std::uint32_t slot) const { return slot < primitives_.size() ? primitives_[slot] : Primitive{}; }
   std::size_t slot_count() const { return primitives_.size(); }
   std::size_t size() const { return live_; }  // primitives in the tree
   std::size_t bytes() const;
-  // Names the first broken relation between nodes, boxes and slots, or returns null. For tests; O(n).
+  // Names the first violated invariant of nodes, boxes and slots, or returns null. For tests; O(n).
   const char* find_defect(std::span<const glm::dvec3> positions) const;
 
  private:
   static constexpr std::uint32_t leaf_capacity = 4;
   friend class BvhBuilder;
 
-  // Boxes are floats in the tree's own frame, (p - origin_) * scale_, of magnitude about one.
+  // Boxes are floats in the tree's frame, (p - origin_) * scale_, of magnitude about 1.
   struct alignas(16) Node {
     std::array<float, 3> lowest;
-    std::uint32_t first;  // inner: number of the left child, the right one follows; leaf: block of slots
+    std::uint32_t first;  // inner node: the left child, the right one follows; leaf: block of slots
     std::array<float, 3> highest;
-    std::uint32_t count;  // primitives of a leaf, 0 for an inner node
+    std::uint32_t count;  // primitives in a leaf, 0 for an inner node
 
-    // The three bounds with whatever number comes behind them in the last lane.
+    // The three bounds; the last lane holds whatever follows in memory.
     Float4 lower_lanes() const { return Float4::load(lowest.data()); }
     Float4 upper_lanes() const { return Float4::load(highest.data()); }
   };
@@ -133,9 +133,9 @@ class Bvh {
                            void* target) const;
 
   std::vector<Primitive> primitives_;   // by slot
-  std::vector<std::uint32_t> leaf_of_;  // by slot: its leaf, no_index if it is in no leaf
+  std::vector<std::uint32_t> leaf_of_;  // by slot: its leaf, or no_index
   std::vector<NodePair> pairs_;
-  std::vector<std::uint32_t> parents_;  // by pair: the node whose children they are
+  std::vector<std::uint32_t> parents_;  // by pair of siblings: their parent
   std::vector<SlotBlock> blocks_;
   std::vector<std::uint32_t> free_pairs_, free_blocks_;
   glm::dvec3 origin_{0.0};

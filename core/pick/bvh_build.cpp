@@ -7,7 +7,7 @@
 
 namespace ryosen {
 
-// Splits ranges of primitives top down where the surface areas on both sides promise the cheapest queries.
+// Top-down build that splits ranges of primitives by the surface area heuristic.
 class BvhBuilder {
  public:
   BvhBuilder(Bvh& bvh, std::span<const glm::dvec3> positions) : bvh_(bvh) {
@@ -49,12 +49,12 @@ class BvhBuilder {
 
  private:
   static constexpr std::size_t most_bins = 16;
-  static constexpr std::uint32_t most_depth_by_area = 48;  // deeper ranges are halved, which bounds the depth
+  static constexpr std::uint32_t most_depth_by_area = 48;  // below, median splits bound the depth
 
   struct Item {
     FloatBox box;
     std::uint32_t slot;
-    // Twice the center, which serves as well for sorting.
+    // Twice the centre, which sorts the same.
     Float4 center() const { return box.lowest + box.highest; }
   };
   struct Task {
@@ -84,7 +84,7 @@ class BvhBuilder {
     return bounds;
   }
 
-  // Reorders the range and returns where its second half starts, or the start for a leaf.
+  // Partitions the range and returns where its second part starts, or the range's start for a leaf.
   std::uint32_t choose_middle(const Task& task, const Bounds& bounds) {
     const std::uint32_t count = task.last - task.first;
     if (count == 1) return task.first;
@@ -102,7 +102,7 @@ class BvhBuilder {
     return static_cast<std::uint32_t>(middle - items_.begin());
   }
 
-  // Cuts the range of the centers into equal bins along every axis.
+  // Divides the extent of the centres into equal bins along every axis.
   struct BinScale {
     std::size_t bins;
     std::array<float, 4> extent;
@@ -202,8 +202,8 @@ void Bvh::rebuild(std::span<const glm::dvec3> positions) {
   BvhBuilder(*this, positions).run();
 }
 
-// The frame has its origin in the middle of the primitives and the power of two as scale that makes them about one
-// unit large: floats then resolve a small mesh far from the origin as well as a large one at it.
+// The frame's origin is the centre of the primitives' bounding box and its scale the power of two that makes them about
+// one unit large: floats then resolve a small mesh far from the origin as well as a large one at it.
 void Bvh::choose_frame(std::span<const glm::dvec3> positions) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   glm::dvec3 lowest(infinity);

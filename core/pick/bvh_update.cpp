@@ -9,10 +9,10 @@
 namespace ryosen {
 namespace {
 
-// Coordinates beyond this, in units of the mesh's size, call for a new frame: floats could no longer hold areas.
+// Coordinates beyond this, in the tree's frame, require a rebuild with a new frame: areas would overflow floats.
 constexpr float largest_local = 1e15f;
 
-// A leaf that grows by more than this when a vertex moves gives the primitive away.
+// If a leaf's box grows by more than this factor when a vertex moves, the primitive is reinserted elsewhere.
 constexpr float most_growth = 4.0f;
 
 }  // namespace
@@ -59,7 +59,7 @@ void Bvh::update_all(std::span<const glm::dvec3> positions) {
     const bool belongs = primitives_[slot].size() != 0 && is_finite(positions, primitives_[slot]);
     if (belongs != (leaf_of_[slot] != no_index)) return rebuild(positions);
   }
-  // Parents before children and depth first, the order in which a build lays nodes out; then backwards through it.
+  // Preorder, which is the memory order after a build; refit in reverse.
   std::vector<std::uint32_t> order;
   order.reserve(2 * pairs_.size());
   SmallStack<std::uint32_t> open;
@@ -81,7 +81,7 @@ void Bvh::update_all(std::span<const glm::dvec3> positions) {
 }
 
 bool Bvh::is_finite(std::span<const glm::dvec3> positions, const Primitive& primitive) {
-  // Zero times anything finite is zero; one sum for all coordinates spares a branch each.
+  // Branchless: finite * 0 is 0, while infinities and NaN give NaN.
   double sum = 0.0;
   for (int i = 0; i < primitive.size(); ++i) {
     const glm::dvec3& p = positions[primitive.vertices[static_cast<std::size_t>(i)]];
@@ -99,7 +99,7 @@ FloatBox Bvh::local_box(const Box& box) const {
 FloatBox Bvh::leaf_box(std::span<const glm::dvec3> positions, const Node& leaf) const {
   Box result{glm::dvec3(std::numeric_limits<double>::infinity()), glm::dvec3(-std::numeric_limits<double>::infinity())};
   for (std::uint32_t i = 0; i < leaf.count; ++i) {
-    // A primitive that has lost its place leaves the tree with its own update, which may be still to come.
+    // A primitive whose position became non-finite is removed by its own update, which may still be pending.
     const Primitive& primitive = primitives_[blocks_[leaf.first][i]];
     if (!is_finite(positions, primitive)) continue;
     const Box box = box_of(positions, primitive);
@@ -127,7 +127,7 @@ void Bvh::link_slot(std::span<const glm::dvec3> positions, std::uint32_t slot) {
   const std::uint32_t at = best_sibling(added);
   const Node& sibling = node(at);
   const FloatBox both = united(box(at), added);
-  // A leaf with room takes the primitive if that costs no more than a leaf of its own.
+  // A leaf with free room takes the primitive if that costs no more than a separate leaf.
   const auto count = static_cast<float>(sibling.count);
   const bool joins = sibling.count != 0 && sibling.count < leaf_capacity &&
                      half_area(both) * count <= half_area(both) + half_area(box(at)) * count + half_area(added);
@@ -149,7 +149,7 @@ void Bvh::unlink_slot(std::uint32_t slot) {
   SlotBlock& slots = blocks_[here.first];
   *std::find(slots.begin(), slots.begin() + here.count, slot) = slots[here.count - 1];
   --here.count;
-  // Boxes stay as they are where primitives remain: they still hold them, and rebuilding sharpens them.
+  // Boxes of remaining primitives are not shrunk: they stay valid, and a rebuild tightens them.
   if (here.count != 0) return;
   free_blocks_.push_back(here.first);
   if (leaf == 0) {
@@ -164,7 +164,7 @@ void Bvh::unlink_slot(std::uint32_t slot) {
   if (above != 0) refit_upwards(parent(above), true);
 }
 
-// Walks down to the node beside which a new leaf adds least to the boxes' areas.
+// Descends to the node whose new sibling leaf adds the least surface area.
 std::uint32_t Bvh::best_sibling(const FloatBox& added) const {
   std::uint32_t here = 0;
   while (node(here).count == 0) {
@@ -190,7 +190,7 @@ void Bvh::add_to_leaf(std::uint32_t leaf, std::uint32_t slot) {
   leaf_of_[slot] = leaf;
 }
 
-// Makes a node inner: its content becomes the left child, a new leaf the right one.
+// Turns a node into an inner one: its content becomes the left child, a new leaf the right one.
 void Bvh::split_off(std::uint32_t at, std::uint32_t slot, const FloatBox& added) {
   const std::uint32_t children = new_pair();
   const std::uint32_t block = new_block();
@@ -210,7 +210,7 @@ void Bvh::move_node(std::uint32_t from, std::uint32_t to) {
   adopt(to);
 }
 
-// Tells a node's children or slots where the node is.
+// Updates the back links from a node's children or slots.
 void Bvh::adopt(std::uint32_t i) {
   const Node& here = node(i);
   if (here.count == 0) {
@@ -226,7 +226,7 @@ void Bvh::exchange(std::uint32_t a, std::uint32_t b) {
   adopt(b);
 }
 
-// Exchanges a child with a grandchild on the other side if that makes the box between them smaller [Kopta12].
+// Tree rotation: swaps a child with a grandchild on the other side if that shrinks the other child's box [Kopta12].
 void Bvh::rotate(std::uint32_t i) {
   const std::uint32_t children = node(i).first;
   float best_gain = 0.0f;

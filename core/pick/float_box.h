@@ -1,4 +1,4 @@
-// Boxes of floats in registers of four, the fourth lane being padding, and outward rounding into them.
+// Axis-aligned bounding boxes of floats in SIMD registers (fourth lane unused), and outward rounding into them.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace ryosen {
 
 #if defined(__SSE2__)
 
-// Four floats. smaller and larger give the second operand where one is not a number.
+// Four floats. smaller and larger return the second operand if either is NaN.
 struct Float4 {
   __m128 lanes;
 
@@ -26,7 +26,7 @@ struct Float4 {
   static Float4 load(const void* four) { return {_mm_loadu_ps(static_cast<const float*>(four))}; }
   void store(float* four) const { _mm_storeu_ps(four, lanes); }
   float first() const { return _mm_cvtss_f32(lanes); }
-  // The lanes 0, 1, 2 moved on by one or two places, as far as the lane 0 goes.
+  // Lane 1 (or lane 2) moved to lane 0; the other lanes do not matter.
   Float4 second_first() const { return {_mm_shuffle_ps(lanes, lanes, _MM_SHUFFLE(3, 2, 1, 1))}; }
   Float4 third_first() const { return {_mm_shuffle_ps(lanes, lanes, _MM_SHUFFLE(3, 2, 1, 2))}; }
   friend Float4 operator+(Float4 a, Float4 b) { return {_mm_add_ps(a.lanes, b.lanes)}; }
@@ -77,14 +77,13 @@ struct Float4 {
 
 #endif
 
-// The four floats in memory.
 inline std::array<float, 4> floats_of(Float4 v) {
   std::array<float, 4> result;
   v.store(result.data());
   return result;
 }
 
-// Of the lanes 0, 1, 2.
+// Over the lanes 0, 1, 2.
 inline float smallest_of_three(Float4 v) { return smaller(smaller(v, v.second_first()), v.third_first()).first(); }
 inline float largest_of_three(Float4 v) { return larger(larger(v, v.second_first()), v.third_first()).first(); }
 
@@ -108,7 +107,7 @@ inline FloatBox united(FloatBox a, const FloatBox& b) {
   return a;
 }
 
-// Half the surface; the measure of how likely a ray is to meet the box.
+// Half the surface area: proportional to the probability that a random ray hits the box.
 inline float half_area(const FloatBox& box) {
   const std::array<float, 4> size = floats_of(box.highest - box.lowest);
   return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];

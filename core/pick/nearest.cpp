@@ -14,7 +14,7 @@ NearestPlace nearest_on_segment(const glm::dvec3& a, const glm::dvec3& b, const 
   return {glm::distance(place, point), place, {1.0 - t, t, 0.0}};
 }
 
-// The nearest place of the sides, or the foot of the perpendicular where that lies inside.
+// The foot of the perpendicular if it lies inside, else the nearest point on the sides.
 NearestPlace nearest_on_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                                  const glm::dvec3& point) {
   const glm::dvec3 normal = glm::cross(b - a, c - a);

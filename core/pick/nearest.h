@@ -1,4 +1,4 @@
-// The place of a triangle, segment or point that is nearest to a given point.
+// The nearest point on a triangle, segment or point primitive.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -14,7 +14,7 @@ struct NearestPlace {
   glm::dvec3 barycentric{0.0};  // weights of the vertices; those a primitive does not have are 0
 };
 
-// O(1). Flat triangles count as their longest side. The primitive has at least one vertex.
+// O(1). Degenerate triangles count as their longest side. The primitive has at least one vertex.
 NearestPlace nearest_place(std::span<const glm::dvec3> positions, const Primitive& primitive, const glm::dvec3& point);
 
 }  // namespace ryosen

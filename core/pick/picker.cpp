@@ -43,7 +43,7 @@ struct Candidate {
   }
 };
 
-// One question: gathers what is near the pointer and then asks in order what is hidden.
+// One pick: collects the candidates near the pointer, then tests them for occlusion, best first.
 class PickQuery {
  public:
   PickQuery(const Mesh& mesh, const SurfaceTriangles& triangles, const Bvh& tree, const Camera& camera, Size view,
@@ -69,7 +69,7 @@ class PickQuery {
 
   std::optional<Picked> nearest(bool vertices) {
     gather(vertices);
-    // Mostly one of the first is seen, so the rest need no order.
+    // A heap instead of a sort: usually one of the first is visible.
     const auto is_worse = [](const Candidate& x, const Candidate& y) { return y < x; };
     std::make_heap(candidates_.begin(), candidates_.end(), is_worse);
     while (!candidates_.empty()) {
@@ -109,7 +109,7 @@ class PickQuery {
   }
 
   void add_edge(Vertex a, Vertex b, Face face) {
-    // Both faces of an edge must find the very same place: measure from the smaller vertex.
+    // Both faces of an edge must give bitwise the same point: measure from the smaller vertex.
     const bool swapped = b < a;
     const glm::dvec3 &p = m_.position(swapped ? b : a), &q = m_.position(swapped ? a : b);
     const auto near = screen_.nearest_on_segment(p, q, pixel_);
@@ -118,7 +118,7 @@ class PickQuery {
                            p + near->along * (q - p), swapped ? 1 - near->along : near->along});
   }
 
-  // Whether a surface lies clearly in front of the candidate's place, on the ray through it.
+  // Whether a surface on the ray through the candidate's point is clearly in front of it.
   bool is_hidden(const Candidate& c) const {
     const auto at = screen_.project(c.place);
     if (!at) return true;

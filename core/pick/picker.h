@@ -1,4 +1,4 @@
-// What lies under the pointer: the front-most vertex, edge or face, asked of a tree of the drawn triangles.
+// Picking: the front-most vertex, edge or face at a pixel, by a BVH over the drawn triangles.
 #pragma once
 
 #include <optional>
@@ -15,29 +15,29 @@ namespace ryosen {
 
 enum class PickMode { vertex, edge, face, halfedge };
 
-// How far from the pointer edges and vertices are taken.
+// Maximum distance from the pointer at which edges and vertices are picked.
 inline constexpr double pick_radius_px = 6;
 
 struct Picked {
-  Element element;         // of the kind that was asked for
+  Element element;         // of the requested kind
   Halfedge halfedge;       // for an edge: the half of the face under the pointer, or of a face at the edge
-  double along = 0.5;      // for an edge: the place nearest to the pointer, 0 at from(halfedge)
-  Face face;               // the face under the pointer; none beside the surface
-  glm::dvec3 place{0};     // on the element
+  double along = 0.5;      // for an edge: parameter of the point nearest to the pointer, 0 at from(halfedge)
+  Face face;               // the face under the pointer, or none
+  glm::dvec3 place{0};     // on the element, in mesh space
   double distance_px = 0;  // from the pointer, 0 for a face
 };
 
-// Keeps the triangles of a mesh and a tree over them, the wires and the isolated vertices. Every call gets the same mesh.
-// The tree is built by the first pick: a picture that nobody points at does without.
+// Holds the triangles of a mesh and a BVH over them, the wires and the isolated vertices. Pass the same mesh to every
+// call. The BVH is built by the first pick, so rendering alone does not pay for it.
 class Picker {
  public:
   explicit Picker(const Mesh& mesh) : triangles_(mesh) {}
 
-  // Follows a change of the mesh; returns the triangle slots that changed. Cost: what was touched.
+  // Updates after an edit of the mesh; returns the triangle slots that changed. Cost: the touched elements.
   std::vector<std::uint32_t> update(const Mesh& mesh, const TouchedElements& touched);
 
-  // Of the elements within pick_radius_px that no nearer surface hides at their place: the one with the smallest
-  // distance on the screen, then the least depth, then the smallest number. Pixels count from the upper left corner.
+  // Among the elements within pick_radius_px that are not occluded: the one with the smallest screen distance, then the
+  // smallest depth, then the face under the pointer, then the smallest number. Pixels from the upper left corner.
   std::optional<Picked> pick(const Mesh& mesh, const Camera& camera, Size view, glm::dvec2 pixel, PickMode mode);
 
   const SurfaceTriangles& triangles() const { return triangles_; }

@@ -1,4 +1,4 @@
-// What a bounding volume hierarchy holds: a triangle, a segment or a point, by the numbers of its vertices.
+// The primitives of a bounding volume hierarchy: a triangle, a segment or a point, given by vertex numbers.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace ryosen {
 
 enum class PrimitiveKind : std::uint8_t { none, triangle, segment, point };
 
-// `owner` is the caller's: the face of a triangle, the edge of a segment, the vertex of a point.
+// `owner` is set by the caller: the face of a triangle, the edge of a segment, the vertex of a point.
 struct Primitive {
   std::array<std::uint32_t, 3> vertices{no_index, no_index, no_index};
   std::uint32_t owner = no_index;
@@ -25,7 +25,7 @@ struct Primitive {
   static Primitive point(std::uint32_t vertex) { return {{vertex, no_index, no_index}, vertex}; }
 
   PrimitiveKind kind() const { return static_cast<PrimitiveKind>(size() == 0 ? 0 : 4 - size()); }
-  // How many vertices it has, 0 for none.
+  // Number of vertices, 0 for an empty primitive.
   int size() const {
     if (vertices[0] == no_index) return 0;
     if (vertices[1] == no_index) return 1;
@@ -33,14 +33,14 @@ struct Primitive {
   }
 };
 
-// An axis-parallel box; the corners of a primitive's box are exact.
+// An axis-aligned bounding box; that of a primitive is exact.
 struct Box {
   glm::dvec3 lowest{0.0};
   glm::dvec3 highest{0.0};
 };
 
 inline Box box_of(std::span<const glm::dvec3> positions, const Primitive& primitive) {
-  // Missing vertices repeat the first one, which keeps the common case free of branches.
+  // Missing vertices are replaced by the first one, so the common case has no branches.
   const std::array<std::uint32_t, 3>& v = primitive.vertices;
   const glm::dvec3& a = positions[v[0]];
   const glm::dvec3& b = positions[v[1] == no_index ? v[0] : v[1]];

@@ -9,7 +9,7 @@
 namespace ryosen {
 namespace {
 
-// The same sum for every order of the terms.
+// Bitwise the same sum for every order of the terms.
 double sum_of(double a, double b, double c) {
   if (b < a) std::swap(a, b);
   if (c < b) std::swap(b, c);
@@ -43,20 +43,21 @@ std::optional<TriangleHit> RayCaster::hit_from_origin(const glm::dvec3& a, const
   const double ax = a[x_] - shear_x_ * a[z_], ay = a[y_] - shear_y_ * a[z_];
   const double bx = b[x_] - shear_x_ * b[z_], by = b[y_] - shear_y_ * b[z_];
   const double cx = c[x_] - shear_x_ * c[z_], cy = c[y_] - shear_y_ * c[z_];
-  // Twice the areas that the ray cuts off; exchanging the ends of an edge changes nothing but the sign.
+  // Edge functions (twice the signed areas); swapping the ends of an edge only flips the sign, exactly.
   const double u = cx * by - cy * bx;
   const double v = ax * cy - ay * cx;
   const double w = bx * ay - by * ax;
   if ((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0)) return std::nullopt;
   const double reach = std::max({largest_magnitude(a), largest_magnitude(b), largest_magnitude(c)});
-  // Products of very large or small numbers leave the range of doubles: try again at a size of one.
+  // Products of very large or small numbers overflow or underflow: rescale to size 1 and retry.
   if (size == 1.0 && (reach > 0x1p+300 || (reach < 0x1p-200 && reach > 0.0))) {
     const double scale = std::ldexp(1.0, std::clamp(std::ilogb(reach), -1000, 1000));
     return hit_from_origin(a / scale, b / scale, c / scale, scale);
   }
   const double det = sum_of(std::abs(u), std::abs(v), std::abs(w));
   if (!(det > 0.0)) return std::nullopt;
-  // The signs of a triangle too small for its distance are noise; the ray must also come near its box.
+  // For a triangle too small for its distance the signs are rounding noise; also require the ray to meet its bounding
+  // box.
   const double slack = reach * 0x1p-48;
   if (std::min({ax, bx, cx}) > slack || std::max({ax, bx, cx}) < -slack || std::min({ay, by, cy}) > slack ||
       std::max({ay, by, cy}) < -slack) {

@@ -1,4 +1,4 @@
-// Rays and what they hit.
+// Rays and the ray-triangle test.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace ryosen {
 
 inline double largest_magnitude(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-// The points origin + t * direction with t_min <= t <= t_max. The direction need not have unit length; t is measured in
-// its length. A zero or not finite direction hits nothing.
+// The points origin + t * direction with t_min <= t <= t_max. The direction need not have unit length; t is in units of
+// its length. A zero or non-finite direction hits nothing.
 struct Ray {
   glm::dvec3 origin{0.0};
   glm::dvec3 direction{0.0, 0.0, -1.0};
@@ -21,22 +21,22 @@ struct Ray {
   double t_max = std::numeric_limits<double>::infinity();
 };
 
-// Where a ray meets a triangle. The weights of the corners are in [0, 1] and add up to 1 but for rounding.
+// Where a ray meets a triangle. The barycentric weights are in [0, 1] and sum to 1 up to rounding.
 struct TriangleHit {
   double t = 0.0;
   glm::dvec3 barycentric{0.0};
 };
 
-// A ray prepared for many triangles [Woop13], in double precision: no ray slips through between two triangles that
-// share an edge, and a triangle gives the very same t whatever the order of its corners.
+// A ray prepared for many triangles [Woop13], in double precision: watertight (no ray passes between two triangles that
+// share an edge), and t is bitwise independent of the order of a triangle's corners.
 class RayCaster {
  public:
   explicit RayCaster(const Ray& ray);
 
-  // False for a zero or not finite direction or origin.
+  // False for a zero direction, or a non-finite direction or origin.
   bool is_valid() const { return valid_; }
 
-  // Both sides count. Triangles that are seen edge-on or are flat are not hit.
+  // No back-face culling. Degenerate triangles and those seen edge-on are not hit.
   std::optional<TriangleHit> hit(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const;
 
  private:

@@ -8,7 +8,7 @@ namespace ryosen {
 ScreenProjection::ScreenProjection(const Camera& camera, Size view)
     : camera_(camera), view_(view), axes_(axes(camera)), units_at_one_(units_per_pixel(camera, {1, 1}, 1)) {}
 
-// As the free function of that name, without asking for the axes again and again.
+// As the free function project(), with the camera axes precomputed.
 std::optional<ScreenPoint> ScreenProjection::project(const glm::dvec3& place) const {
   const glm::dvec3 offset = place - camera_.eye;
   const double depth = glm::dot(offset, axes_.forward);
@@ -23,7 +23,7 @@ std::optional<NearestOnScreen> ScreenProjection::nearest_on_segment(const glm::d
                                                                     glm::dvec2 pixel) const {
   double from = 0, to = 1;
   if (!camera_.ortho_height) {
-    // The part in front of the eye.
+    // Clip to the part in front of the eye.
     const double depth_a = glm::dot(a - camera_.eye, axes_.forward), depth_b = glm::dot(b - camera_.eye, axes_.forward);
     const double least = 1e-6 * length_of(camera_.target - camera_.eye);
     if (depth_a < least && depth_b < least) return std::nullopt;
@@ -36,7 +36,7 @@ std::optional<NearestOnScreen> ScreenProjection::nearest_on_segment(const glm::d
   const double length2 = glm::dot(direction, direction);
   const double s = length2 > 0 ? std::clamp(glm::dot(pixel - p->pixel, direction) / length2, 0.0, 1.0) : 0.0;
   NearestOnScreen nearest{glm::length(p->pixel + s * direction - pixel), 0, 0};
-  // Equal steps on the screen are not equal steps in space.
+  // Perspective-correct interpolation.
   const double t = camera_.ortho_height ? s : s * p->depth / ((1 - s) * q->depth + s * p->depth);
   nearest.along = from + t * (to - from);
   nearest.depth = p->depth + t * (q->depth - p->depth);

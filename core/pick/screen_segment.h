@@ -1,4 +1,4 @@
-// Where places and segments appear on the screen, prepared for many questions with one camera.
+// Projection of points and segments to the screen, prepared for many queries with one camera.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -11,8 +11,8 @@
 namespace ryosen {
 
 struct NearestOnScreen {
-  double distance_px;  // from the pixel asked about
-  double along;        // of the place on the segment in space, 0 at its first end
+  double distance_px;  // from the given pixel
+  double along;        // parameter of the point on the segment in space, 0 at its first end
   double depth;        // along the view direction
 };
 
@@ -20,11 +20,11 @@ class ScreenProjection {
  public:
   ScreenProjection(const Camera& camera, Size view);
 
-  // Nothing for a place that is not in front of the eye.
+  // None if the point is not in front of the eye.
   std::optional<ScreenPoint> project(const glm::dvec3& place) const;
-  // The place of the segment that appears nearest to a pixel; nothing when all of it lies behind the eye.
+  // The point of the segment whose projection is nearest to a pixel; none if all of it is behind the eye.
   std::optional<NearestOnScreen> nearest_on_segment(const glm::dvec3& a, const glm::dvec3& b, glm::dvec2 pixel) const;
-  // For frusta; the far plane lies beyond everything that matters there.
+  // For frustum queries; the far plane is beyond everything relevant there.
   glm::dmat4 clip_from_mesh() const;
 
  private:

@@ -1,4 +1,4 @@
-// A stack whose first entries need no allocation.
+// A stack with inline storage for its first entries.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ class SmallStack {
     return value;
   }
 
-  // Pops until an entry is wanted and returns that, or `otherwise` when none is left.
+  // Pops until an entry satisfies the predicate and returns it, or `otherwise` if none does.
   template <class Wanted>
   T pop_until(Wanted&& wanted, const T& otherwise) {
     while (!empty()) {

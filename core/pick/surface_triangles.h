@@ -1,4 +1,5 @@
-// The faces of a mesh as triangles with stable slots, kept current through edits: what is drawn and what is picked.
+// The faces of a mesh as triangles with stable slots, updated incrementally through edits; used for drawing and
+// picking.
 #pragma once
 
 #include <array>
@@ -12,19 +13,18 @@
 
 namespace ryosen {
 
-// Every live face of n finite corners has n - 2 triangles of vertex numbers, two more for each
-// of its rings. A slot that is not in use holds three
-// equal corners and no face. Views are valid until the next update.
+// Every live face with n finite corners has n - 2 triangles of vertex numbers, plus two for each ring. An unused slot
+// holds three equal corners and no face. Returned spans are valid until the next update.
 class SurfaceTriangles {
  public:
   explicit SurfaceTriangles(const Mesh& mesh);
 
-  // Brings the triangles of the touched faces up to date and returns the slots that changed, corners or places,
-  // ascending. Cost: the faces touched. Call it with everything to start anew; all slots are then returned.
+  // Updates the triangles of the touched faces and returns the slots whose corners or positions changed, ascending.
+  // Cost: the touched faces. With `touched.everything` it rebuilds all and returns all slots.
   std::vector<std::uint32_t> update(const Mesh& mesh, const TouchedElements& touched);
 
   std::span<const std::array<std::uint32_t, 3>> triangles() const { return triangles_; }
-  std::span<const std::uint32_t> faces() const { return face_; }          // of each triangle; no_index when not in use
+  std::span<const std::uint32_t> faces() const { return face_; }          // of each triangle; no_index if unused
   std::span<const std::uint8_t> edge_bits() const { return edge_bits_; }  // bit k: the side from corner k is an edge
   // The slots of a face.
   std::vector<std::uint32_t> slots_of(Face f) const;
@@ -40,7 +40,7 @@ class SurfaceTriangles {
   std::vector<std::uint8_t> edge_bits_;
   std::vector<std::uint32_t> next_of_face_;   // chain of slots of a face
   std::vector<std::uint32_t> first_of_face_;  // per face slot
-  std::vector<std::uint32_t> free_;           // slots not in use, the last is taken first
+  std::vector<std::uint32_t> free_;           // unused slots, a stack
   // Scratch of fill.
   FacePolygon polygon_;
   std::vector<std::array<std::uint32_t, 3>> local_;

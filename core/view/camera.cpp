@@ -40,7 +40,8 @@ glm::dvec3 turned(const glm::dvec3& vector, const glm::dvec3& axis, double angle
   return glm::dvec3(glm::rotate(glm::dmat4(1.0), angle_rad, axis) * glm::dvec4(vector, 0.0));
 }
 
-// The extent of points along the camera's axes, and of the pyramid's sides that hold them: x - t z and so on.
+// The extent of points along the camera's axes, and the offsets of the bounding frustum's side planes: max of x - t z
+// etc.
 struct Extent {
   glm::dvec3 low{infinity};
   glm::dvec3 high{-infinity};
@@ -187,9 +188,9 @@ Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double a
     result.eye = place(origin, target - a.forward * (2 * radius), exponent, a.forward);
     return result;
   }
-  // The eye lies at depth z where the two pyramid sides that touch the points left and right (or above and below) meet.
+  // The eye is at the depth where the left and right (or top and bottom) planes of the bounding frustum intersect.
   const double back = std::max((e.right + e.left) / (2 * tan_x), (e.above + e.below) / (2 * tan_y));
-  // It keeps some distance from the nearest point, and a single place fills a view one unit high.
+  // Keep some distance from the nearest point; a single position gets a view one unit high.
   const double nearest = e.low.z - (widest > 0 ? 0.1 * widest : 0.5 / half_height(camera));
   const double depth = widest > 0 ? std::min(-back, nearest) : nearest;
   const glm::dvec3 eye = a.right * ((e.right - e.left) / 2) + a.up * ((e.above - e.below) / 2) + a.forward * depth;
@@ -221,7 +222,7 @@ Camera orbited(const Camera& camera, glm::dvec2 moved_px, Size view) {
   const glm::dvec2 angle = moved_px * (quarter / (0.5 * view.height));
   const glm::dvec3 axis(0, 1, 0);
   const CameraAxes a = axes(camera);
-  // The tilt keeps the camera's up side up: its up vector never points below the horizon.
+  // Clamp the tilt at the poles: the up vector never points below the horizon.
   const double tilt_now = std::atan2(-a.forward.y, a.up.y);
   const double tilt = std::clamp(tilt_now + angle.y, -quarter, quarter) - tilt_now;
   const glm::dvec3 forward = turned(turned(a.forward, a.right, -tilt), axis, -angle.x);

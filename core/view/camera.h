@@ -1,4 +1,4 @@
-// Cameras: where the eye is, what a pixel sees, and how the mouse moves it. All lengths in the units of the mesh, all
+// Cameras: projection, rays through pixels, fitting, and orbit, pan and zoom. All lengths in the units of the mesh, all
 // pixels from the upper left corner of the view (the centre of the first pixel is 0.5, 0.5).
 #pragma once
 
@@ -21,11 +21,11 @@ struct Bounds {
   glm::dvec3 centre() const { return 0.5 * min + 0.5 * max; }
 };
 
-// Length, and the vector of length 1 in the same direction, also where their squares are too large or too small a number.
+// Length and unit vector, robust against overflow and underflow of the squares.
 double length_of(const glm::dvec3& vector);
 glm::dvec3 unit_vector(const glm::dvec3& vector);
 
-// The box around finite points; a box at the origin when there is none.
+// The axis-aligned bounding box of the finite points; a degenerate box at the origin if there are none.
 Bounds bounds_of(std::span<const glm::dvec3> points);
 
 // Perspective, or orthographic when ortho_height is set. eye != target, up not parallel to target - eye.
@@ -34,10 +34,10 @@ struct Camera {
   glm::dvec3 target{0, 0, 0};
   glm::dvec3 up{0, 1, 0};
   double fov_y_deg = 35;
-  std::optional<double> ortho_height;  // what the height of the view shows, in mesh units
+  std::optional<double> ortho_height;  // height of the view in mesh units
 };
 
-// The axes of a camera in the mesh's space: right, up and forward are orthogonal and of length 1.
+// The axes of a camera in mesh space; right, up and forward are orthonormal.
 struct CameraAxes {
   glm::dvec3 right, up, forward;
 };
@@ -54,25 +54,25 @@ std::optional<NamedView> named_view_of(std::string_view name);
 // `margin` is the share of the view's width and height left free on each side.
 inline constexpr double default_margin = 0.06;
 
-// The camera with the same direction that shows all points, centred, as large as the margin allows. The target comes to
-// lie in the depth of the middle of their box. Points at a single place are shown with a view one unit high. Where the
-// eye would lie beyond the largest number it comes as far as it can. Linear.
+// The camera with the same direction that shows all points, centred, as large as the margin allows. The target is at
+// the depth of the centre of their bounding box. If all points coincide the view is one unit high. An eye position that
+// would overflow is clamped. O(n).
 Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double aspect, double margin = default_margin);
 Camera fitted(const Camera& camera, const Bounds& box, double aspect, double margin = default_margin);
 // front looks along -Z with +Y up, right along -X, top along -Y with -Z up, iso along (-1,-1,-1); fitted.
 Camera named_view(NamedView view, std::span<const glm::dvec3> points, double aspect);
 
-// Turns around the target as on a turntable whose axis is Y, and tilts up to the poles. Half the height of the view is
-// a quarter turn.
+// Turntable rotation about the target: azimuth about Y, elevation clamped at the poles. Dragging half the view height
+// turns 90 degrees.
 Camera orbited(const Camera& camera, glm::dvec2 moved_px, Size view);
-// Moves so that what lies in the depth of the target follows the pointer.
+// Pans so that points at the depth of the target follow the pointer.
 Camera panned(const Camera& camera, glm::dvec2 moved_px, Size view);
-// Shows things `factor` times as large; what the pointer shows in the depth of the target stays under it.
+// Magnifies by `factor`; the point under the pointer at the depth of the target stays under it.
 Camera zoomed(const Camera& camera, double factor, glm::dvec2 pointer_px, Size view);
-// Between perspective and orthographic, with the target shown equally large.
+// Switches between perspective and orthographic, keeping the scale at the target.
 Camera with_ortho(const Camera& camera, bool ortho);
 
-// Where a point appears. depth is the distance along the view direction, in perspective > 0.
+// The projection of a point. depth is the distance along the view direction, > 0 in perspective.
 struct ScreenPoint {
   glm::dvec2 pixel;
   double depth;
@@ -80,10 +80,10 @@ struct ScreenPoint {
 // Nothing when the point is not in front of the eye (perspective only).
 std::optional<ScreenPoint> project(const Camera& camera, Size view, const glm::dvec3& point);
 
-// How many mesh units one pixel shows at a depth.
+// The size of a pixel in mesh units at a depth.
 double units_per_pixel(const Camera& camera, Size view, double depth);
 
-// The ray of the mesh points that appear at a pixel, from the eye; in orthographic from the plane of the eye.
+// The ray through a pixel, in mesh space, from the eye; in orthographic from the plane of the eye.
 Ray ray_through(const Camera& camera, Size view, glm::dvec2 pixel);
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-// Convex pieces of space given by planes, and the one around a pixel.
+// Frusta: convex regions bounded by planes, such as the region seen through a pixel.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@ struct Frustum {
   void add(const glm::dvec4& plane) { planes[count++] = plane; }
 };
 
-// What is seen between two corners of a rectangle on the screen, in normalized device coordinates (-1 to 1, y up), in
-// front of the near plane of an OpenGL projection; the far plane does not bound it.
+// The region seen through a screen rectangle, given by two corners in normalized device coordinates (-1 to 1, y up).
+// Bounded by the near plane of an OpenGL projection, not by the far plane.
 Frustum frustum_of_rectangle(const glm::dmat4& clip_from_world, const glm::dvec2& lowest, const glm::dvec2& highest);
 
 // The square of half side `radius_px` around a pixel position (y down, in a viewport of `size_px`).

@@ -1,4 +1,4 @@
-// The two ways to a context without a display, behind one function each.
+// The two headless backends, one function each.
 #pragma once
 
 #include <memory>
@@ -9,25 +9,25 @@
 
 namespace ryosen {
 
-// What came of an attempt: a current context, or the reason for there being none.
+// The result of an attempt: a current context, or why there is none.
 struct Attempt {
   std::unique_ptr<Context> context;
-  std::string library;  // the file that was loaded, empty when none was found
+  std::string library;  // the file that was loaded, empty if none was found
   Text problem;
 };
 
 Attempt make_osmesa_context();
 Attempt make_egl_context();
 
-// Opens the first of the shared libraries that exists and leaves it open until the process ends, because drivers keep
-// threads and exit handlers in it. Null when there is none.
+// Opens the first existing one of the shared libraries and keeps it open until the process ends, because drivers have
+// threads and exit handlers in it. Null if there is none.
 struct LoadedLibrary {
   void* handle = nullptr;
   std::string file;
 };
 LoadedLibrary open_library(std::initializer_list<const char*> names);
 
-// The address of a function in a library, as its type; null when it is not there.
+// The address of a function in a library; null if missing.
 void* find_symbol(const LoadedLibrary& library, const char* name);
 template <class Function>
 Function find_function(const LoadedLibrary& library, const char* name) {

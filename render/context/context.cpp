@@ -26,8 +26,8 @@ std::string gl_string(GLenum name) {
   return text ? reinterpret_cast<const char*>(text) : "";
 }
 
-// Software renderers allocate and free tens of megabytes for every frame. Handing them back to the system each time
-// would cost a third of the frame in page faults, so freed memory stays with the process once it draws.
+// Software renderers allocate and free tens of megabytes per frame. Returning them to the system each time would cost a
+// third of the frame time in page faults, so freed memory is kept by the process.
 void keep_freed_memory() {
 #ifdef __GLIBC__
   mallopt(M_TRIM_THRESHOLD, 1 << 30);

@@ -1,4 +1,4 @@
-// OpenGL contexts without a display, for pictures, tests and machines without a screen.
+// Headless OpenGL contexts, for pictures, tests and machines without a display.
 #pragma once
 
 #include <memory>
@@ -10,11 +10,11 @@
 
 namespace ryosen {
 
-// automatic tries OSMesa (the reference: same pixels everywhere), then EGL.
+// automatic tries OSMesa (the reference: identical pixels everywhere), then EGL.
 enum class Backend { automatic, osmesa, egl };
 
-// A current-able OpenGL 3.3 core context. It has no useful default framebuffer: draw into framebuffers of your own.
-// Objects made in a context must be destroyed while it is current and alive.
+// An OpenGL 3.3 core context without a usable default framebuffer: draw into your own framebuffers. Objects made in a
+// context must be destroyed while it is alive and current.
 class Context {
  public:
   virtual ~Context() = default;
@@ -22,7 +22,7 @@ class Context {
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
 
-  // Makes this the calling thread's context and loads the gl functions that belong to it.
+  // Makes this the calling thread's current context and loads its GL functions.
   virtual bool make_current() = 0;
   // "osmesa" or "egl".
   virtual std::string_view name() const = 0;
@@ -32,13 +32,13 @@ class Context {
 // Fails with ExitCode::no_backend and the cause of each backend tried.
 Result<std::unique_ptr<Context>> make_headless_context(Backend backend);
 
-// What a backend offers on this machine.
+// The availability of a backend on this machine.
 struct BackendReport {
   std::string name;     // "osmesa" or "egl"
-  std::string library;  // the file that was loaded, empty when none was found
-  std::string version;  // GL_VERSION, empty when no context could be made
+  std::string library;  // the file that was loaded, empty if none was found
+  std::string version;  // GL_VERSION, empty if no context could be made
   std::string renderer;
-  Text problem;  // why no context could be made; empty when it works
+  Text problem;  // why no context could be made; empty if it works
 
   bool works() const { return !version.empty(); }
 };

@@ -69,7 +69,7 @@ class EglContext : public Context {
   EGLContext context_;
 };
 
-// Displays that need no window system: Mesa's surfaceless platform, then each device the drivers list.
+// Displays without a window system: Mesa's surfaceless platform, then every EGL device.
 std::vector<EGLDisplay> headless_displays() {
   std::vector<EGLDisplay> displays;
   if (!functions().get_platform_display) return displays;

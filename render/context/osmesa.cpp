@@ -42,7 +42,7 @@ class OsmesaContext : public Context {
   ~OsmesaContext() override { osmesa_library().destroy_context(context_); }
 
   bool make_current() override {
-    constexpr int side = 4;  // of the window-system buffer that OSMesa insists on and nothing is drawn into
+    constexpr int side = 4;  // of the window-system buffer that OSMesa requires; unused
     if (!osmesa_library().make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, side, side)) return false;
     return load_gl([](const char* name) { return osmesa_library().get_proc_address(name); });
   }

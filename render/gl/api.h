@@ -1,4 +1,4 @@
-// The OpenGL 3.3 core functions and how they are loaded.
+// Loading of the OpenGL 3.3 core functions.
 #pragma once
 
 #include <glad/gl.h>
@@ -7,9 +7,8 @@ namespace ryosen {
 
 using GlLoader = GLADapiproc (*)(const char* name);
 
-// Makes the functions of gl.h those that `loader` finds; the context they belong to must be current. The functions are
-// global to the process: call it again after switching to a context that came from another loader. False when they lack
-// OpenGL 3.3.
+// Loads the functions of gl.h through `loader`; their context must be current. The function pointers are global: call
+// it again after switching to a context from another loader. False if OpenGL 3.3 is not supported.
 bool load_gl(GlLoader loader);
 
 }  // namespace ryosen

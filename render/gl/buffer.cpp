@@ -6,7 +6,7 @@ namespace ryosen {
 
 bool Buffer::reserve(std::size_t bytes) {
   if (bytes <= capacity_) return false;
-  // An eighth of slack makes the cost of appending element by element constant on average.
+  // Geometric growth by 1/8 makes appending amortised O(1).
   const std::size_t grown = std::max<std::size_t>(bytes + bytes / 8, 256);
   GlObject<BufferKind> larger(label_.c_str());
   glBindBuffer(GL_COPY_WRITE_BUFFER, larger.id());

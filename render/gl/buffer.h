@@ -1,4 +1,4 @@
-// Growing arrays in OpenGL memory, as vertex data and as textures that shaders read by index.
+// Growable arrays in GPU memory, as vertex data or as buffer textures that shaders read by index.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace ryosen {
 
-// An array of T in OpenGL memory with room to grow. Writing costs what is written; growing beyond the room copies.
+// A growable array of T in GPU memory. Writing costs what is written; growing beyond the capacity copies.
 template <class T>
 class GpuArray;
 
@@ -19,7 +19,7 @@ class Buffer {
  public:
   explicit Buffer(const char* label) : label_(label), object_(label) {}
 
-  // Makes room for at least `bytes`, keeping what is there. True when the storage, and so id(), changed.
+  // Reserves at least `bytes`, keeping the content. True if the storage, and so id(), changed.
   bool reserve(std::size_t bytes);
   void write(std::size_t offset, const void* data, std::size_t bytes);
   GLuint id() const { return object_.id(); }
@@ -38,8 +38,7 @@ class GpuArray {
  public:
   explicit GpuArray(const char* label) : buffer_(label) {}
 
-  // Writes `values` from element `first` on and makes room for them when they reach past the end.
-  // True when the storage changed.
+  // Writes `values` from element `first` on, growing if needed. True if the storage changed.
   bool write(std::size_t first, std::span<const T> values) {
     if (values.empty()) return false;
     const bool moved = buffer_.reserve((first + values.size()) * sizeof(T));
@@ -52,7 +51,7 @@ class GpuArray {
   Buffer buffer_;
 };
 
-// A GpuArray that shaders read with texelFetch; `format` is that of a texel, T one texel or several.
+// A GpuArray that shaders read with texelFetch; `format` is the texel format, T is one or more texels.
 template <class T>
 class TexelArray {
  public:

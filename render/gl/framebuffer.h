@@ -1,4 +1,4 @@
-// Images that passes draw into.
+// Framebuffers: the render targets of passes.
 #pragma once
 
 #include <span>
@@ -11,21 +11,21 @@ namespace ryosen {
 
 enum class PixelFormat { rgba8, r32ui, r32f };
 
-// One colour texture per format given, all of one size, and a depth buffer of 24 bits when asked for.
-// Rows run from the bottom up, as OpenGL has them; PixelRect counts from the top and is turned here.
+// One colour texture per format, all of one size, and optionally a 24-bit depth buffer. Rows are bottom-up, as in
+// OpenGL; PixelRect counts from the top and is converted here.
 class Framebuffer {
  public:
   Framebuffer(const char* label, std::span<const PixelFormat> formats, bool with_depth);
 
-  // Gives all images a new size and undefined content.
+  // Resizes all images; their content is undefined afterwards.
   void resize(Size size);
   Size size() const { return size_; }
   GLuint id() const { return object_.id(); }
   GLuint texture(std::size_t index = 0) const { return textures_[index].id(); }
 
-  // Makes this the target of drawing, restricted to a rectangle of it.
+  // Binds this as the render target, with the scissor set to a rectangle.
   void bind(const PixelRect& rect) const;
-  // Reads one rectangle of one colour image into memory, rows from the top down, without padding.
+  // Reads a rectangle of one colour image into memory, rows top-down, without padding.
   void read(std::size_t index, const PixelRect& rect, void* pixels) const;
 
  private:

@@ -6,7 +6,7 @@ void label_object(GLenum kind, GLuint id, const char* label) {
   if (GLAD_GL_KHR_debug && glObjectLabel) glObjectLabel(kind, id, -1, label);
 }
 
-// A name becomes an object when it is bound for the first time; only then can it be labelled.
+// A buffer name becomes an object when first bound; only then can it be labelled.
 GLuint BufferKind::create() {
   GLuint id = 0;
   glGenBuffers(1, &id);

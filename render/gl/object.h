@@ -1,4 +1,4 @@
-// Ownership of OpenGL objects: move-only, labelled for debuggers, deleted in the context they were made in.
+// RAII for OpenGL objects: move-only, labelled for debuggers; destroy them in the context they were made in.
 #pragma once
 
 #include <utility>
@@ -7,10 +7,10 @@
 
 namespace ryosen {
 
-// Names an object in the messages of the driver and of debuggers, where the driver offers it.
+// Sets the debug label of an object, if the driver supports it.
 void label_object(GLenum kind, GLuint id, const char* label);
 
-// An OpenGL object of the given Kind, or none. Kind says how such objects are made and deleted.
+// An OpenGL object, or none. Kind provides creation and deletion.
 template <class Kind>
 class GlObject {
  public:

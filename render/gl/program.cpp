@@ -20,7 +20,7 @@ Failure refused_by_driver(const std::string& name, const std::string& log) {
   return failure;
 }
 
-// Compiles one shader and attaches it; the driver's words when it fails, else empty.
+// Compiles one shader and attaches it; returns the driver's log on failure, else empty.
 std::string attach(GLuint program, GLenum stage, const char* name) {
   for (const ShaderSource& source : shader_sources()) {
     if (source.name != name) continue;

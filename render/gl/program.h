@@ -1,4 +1,4 @@
-// Shader programs made from the embedded shaders.
+// Shader programs, built from the embedded shaders.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -17,11 +17,10 @@ struct ProgramKind {
   static void destroy(GLuint id);
 };
 
-// A linked program. Uniforms are set by name after use(); a name the shaders do not use is ignored.
+// A linked program. Uniforms are set by name after use(); unused names are ignored.
 class Program {
  public:
-  // Compiles `vertex` and `fragment`, names of files in shaders/. Fails with ExitCode::no_backend and the driver's
-  // words when the driver does not accept them.
+  // Compiles `vertex` and `fragment`, file names in shaders/. Fails with ExitCode::no_backend and the driver's log.
   static Result<Program> make(const char* vertex, const char* fragment);
 
   void use() const { glUseProgram(object_.id()); }

@@ -6,7 +6,7 @@
 
 namespace ryosen {
 
-// One file of shaders/ under its name there ("surface.vert"), its included files already in place.
+// A file of shaders/ by name ("surface.vert"), with includes expanded.
 struct ShaderSource {
   std::string_view name;
   std::string_view text;

@@ -1,4 +1,4 @@
-// Ranges of vertices drawn with one call.
+// Ranges of vertices drawn with one multi-draw call.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace ryosen {
 
 class VertexRuns {
  public:
-  // Appends vertices, joined with the last range where they follow it.
+  // Appends vertices, extending the last range if adjacent to it.
   void add(std::uint32_t first, std::uint32_t count) {
     const auto start = static_cast<GLint>(first);
     if (!first_.empty() && first_.back() + count_.back() == start) {

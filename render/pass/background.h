@@ -1,4 +1,4 @@
-// Fills what the surface left free with the theme's background.
+// The background pass: fills the pixels not covered by the surface.
 #pragma once
 
 #include "core/base/result.h"
@@ -11,7 +11,7 @@ class BackgroundPass {
  public:
   static Result<BackgroundPass> make();
 
-  // Draws only where the depth buffer still holds the far plane.
+  // Draws only where the depth buffer is at the far plane.
   void draw(const Frame& frame) const;
 
  private:

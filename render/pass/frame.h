@@ -1,4 +1,4 @@
-// What all passes of one picture share.
+// The parameters shared by all passes of one frame.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -8,17 +8,17 @@
 
 namespace ryosen {
 
-// Buffer space is the mesh moved to an origin and scaled evenly to about unit size, so that single precision serves.
-// Sizes and rectangles are in rendered pixels, of which pixel_scale make one pixel of the picture.
+// Buffer space is mesh space translated to an origin and scaled uniformly to about unit size, so that single precision
+// suffices. Sizes and rectangles are in rendered pixels; a picture pixel is pixel_scale of them wide.
 struct Frame {
   glm::mat4 clip_from_buffer{1};
-  glm::mat4 view_from_buffer{1};  // of the scale of the buffers: lengths stay
+  glm::mat4 view_from_buffer{1};  // a rigid transform: keeps the scale of the buffers
   glm::mat4 clip_from_view{1};
   bool ortho = false;
-  float near_distance = 0;    // of the near plane
+  float near_distance = 0;    // distance of the near plane
   float units_per_pixel = 0;  // at distance 1 from the eye; everywhere when ortho
   Size size;
-  PixelRect rect;  // the part to draw; the scissor is set to it
+  PixelRect rect;  // the part to draw; also the scissor
   float pixel_scale = 1;
   Theme theme = Theme::dark;
 };

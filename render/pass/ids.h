@@ -1,4 +1,4 @@
-// Draws which triangle is seen at each pixel, and how far away: the measure by which picking is tested.
+// The id pass: triangle number and depth at each pixel; the reference for picking in tests.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ class IdsPass {
  public:
   static Result<IdsPass> make();
 
-  // Draws into its own framebuffer of the frame's size: image 0 holds slot + 1 of the triangle, 0 where there is none,
-  // image 1 the distance along the view direction in buffer space.
+  // Draws into its own framebuffer of the frame's size: image 0 is slot + 1 of the triangle, 0 if none; image 1 is the
+  // depth along the view direction in buffer space.
   const Framebuffer& draw(const Frame& frame, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters);
 
  private:

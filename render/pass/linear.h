@@ -1,4 +1,4 @@
-// Colours as the shaders want them.
+// Conversion of colours for the shaders.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -14,7 +14,7 @@ inline glm::vec4 unit(Rgba c) {
          255.0f;
 }
 
-// For lighting, with the square root as the way back: close to sRGB's curve and cheap.
+// Linear light with gamma 2 (the shader converts back by a square root): close to the sRGB curve and cheap.
 inline glm::vec4 linear(Rgba c) {
   const glm::vec4 v = unit(c);
   return {v.x * v.x, v.y * v.y, v.z * v.z, v.w};

@@ -122,7 +122,7 @@ void OverlayBuffer::put(std::size_t kind, std::uint32_t part, std::span<const Ov
   if (unused_ > 4096 && unused_ > elements_.size() / 2) close_gaps();
 }
 
-// Takes over the elements from number `from` on; those before are the same.
+// Writes the elements from number `from` on; the earlier ones are unchanged.
 void OverlayBuffer::write(Group& group, std::span<const OverlayElement> fresh, std::size_t from) {
   if (fresh.size() > group.room) {
     give_room(group, fresh.size());
@@ -141,7 +141,7 @@ void OverlayBuffer::write(Group& group, std::span<const OverlayElement> fresh, s
   }
 }
 
-// Moves a group to the end. One that has grown before will grow again, so it gets more than it needs.
+// Moves a group to the end with a new capacity. A group that grew before gets half as much again in reserve.
 void OverlayBuffer::give_room(Group& group, std::size_t count) {
   unused_ += group.room;
   const std::size_t room = group.room == 0 ? count : count + count / 2;
@@ -209,7 +209,7 @@ OverlayPass::Selection OverlayPass::select(const Frame& frame, const OverlayBuff
   const bool partial = frame.rect != PixelRect::all(frame.size);
   const int scale = static_cast<int>(frame.pixel_scale);
   const Size size{frame.size.width / scale, frame.size.height / scale};
-  // In pixels of the picture, as places are.
+  // In picture pixels, like the cached bounds.
   const PixelRect rect{frame.rect.x0 / scale, frame.rect.y0 / scale, (frame.rect.x1 + scale - 1) / scale,
                        (frame.rect.y1 + scale - 1) / scale};
   Selection selection;
@@ -220,7 +220,7 @@ OverlayPass::Selection OverlayPass::select(const Frame& frame, const OverlayBuff
   overlay.for_each_group([&](const OverlayBuffer::Group& group) {
     if (!overlap(overlay.place(group, frame.clip_from_buffer, size), rect)) return;
     if (!partial) return add(group.first, group.count, group.shows_hidden);
-    // Elements of a group may lie far apart, so of a small rectangle each is asked.
+    // Elements of a group may be far apart, so test each one against a partial rectangle.
     for (std::uint32_t i = group.first; i < group.first + group.count; ++i)
       if (overlap(overlay.place(group, i, frame.clip_from_buffer, size), rect)) add(i, 1, group.shows_hidden);
   });

@@ -1,4 +1,4 @@
-// Draws lines, points and ghosts over the surface, as quads of a width in pixels with smooth edges.
+// The overlay pass: draws lines, points and ghosts as antialiased screen-space geometry.
 #pragma once
 
 #include <array>
@@ -18,47 +18,47 @@
 
 namespace ryosen {
 
-// A ghost triangle, line or point as overlay.vert reads it: three places in buffer space with the size in pixels, the
-// strength where hidden, and kind + 4 * style in their fourth numbers; then the colour from 0 to 1.
+// A ghost triangle, line or point in the layout of overlay.vert: three positions in buffer space, with the size in
+// pixels, the opacity where occluded, and kind + 4 * style in w; then the colour, 0 to 1.
 struct OverlayElement {
   glm::vec4 texels[4];
   friend bool operator==(const OverlayElement&, const OverlayElement&) = default;
 
   DrawBox box() const;
-  float reach_px() const;  // how far it may be drawn beside its box
+  float reach_px() const;  // how far in pixels it may extend beyond its box
 };
 
-// A box in buffer space, and how many pixels beside it are touched too.
+// A bounding box in buffer space, and a margin in pixels around its projection.
 struct TouchedBox {
   DrawBox box;
   float reach_px = 0;
 };
 
-// The drawn copy of one overlay, or of many numbered parts of one.
+// The GPU copy of one overlay, or of its numbered parts.
 class OverlayBuffer {
  public:
   explicit OverlayBuffer(const char* label) : gpu_(label, GL_RGBA32F) {}
 
-  // Replaces the content. What was and is no longer there, and what is newly there, is appended to `touched`; elements
-  // that stay cost a comparison only. Elements at non-finite places are left out.
+  // Replaces the content. Appends the boxes of removed and added elements to `touched`; unchanged elements cost only a
+  // comparison. Elements at non-finite positions are omitted.
   void set(const Overlay& overlay, const BufferSpace& space, std::vector<TouchedBox>& touched);
-  // Replaces one part alone, at the cost of that part. What is drawn does not depend on the order of such calls: ghosts
-  // of all parts come first, then lines, then points, each in the order of the parts' numbers.
+  // Replaces one part, at the cost of that part. The drawing order does not depend on the order of calls: ghosts of all
+  // parts first, then lines, then points, each by part number.
   void set_part(std::uint32_t part, const Overlay& overlay, const BufferSpace& space, std::vector<TouchedBox>& touched);
 
   void bind(GLuint unit) const { gpu_.bind(unit); }
-  // Consecutive elements of one kind and part, with the box around them.
+  // Consecutive elements of one kind and part, with their bounding box.
   struct Group {
     std::uint32_t part = 0;
     std::uint32_t first = 0;
     std::uint32_t count = 0;
     std::uint32_t room = 0;
     TouchedBox bounds;
-    bool shows_hidden = false;  // some element of it is drawn where the surface hides it
+    bool shows_hidden = false;  // some element is visible where the surface occludes it
     mutable bool is_placed = false, has_placed_elements = false;
     mutable PixelRect place;
   };
-  // Calls visit(group) in the order of drawing.
+  // Calls visit(group) in drawing order.
   template <class Visit>
   void for_each_group(Visit visit) const {
     for (const std::vector<Group>& groups : groups_)
@@ -66,10 +66,10 @@ class OverlayBuffer {
   }
   DrawBox bounds() const;
 
-  // The pixels of a picture of a size that a group or element can touch. Looked for once, until forget_places().
+  // The bounding rectangle of a group or element in a picture of the given size. Cached until forget_places().
   const PixelRect& place(const Group& group, const glm::mat4& clip_from_buffer, Size size) const;
   const PixelRect& place(const Group& group, std::uint32_t element, const glm::mat4& clip_from_buffer, Size size) const;
-  // When the camera or the size has changed.
+  // Call it when the camera or the size has changed.
   void forget_places();
 
  private:
@@ -94,12 +94,12 @@ class OverlayPass {
  public:
   static Result<OverlayPass> make();
 
-  // Draws what can touch the frame's rectangle: first faintly what the surface hides, then the rest.
+  // Draws what can touch the frame's rectangle: first the occluded parts, faintly, then the visible ones.
   void draw(const Frame& frame, const OverlayBuffer& overlay) const;
 
  private:
   struct Selection {
-    VertexRuns all, behind;  // everything, and what shows where it is hidden
+    VertexRuns all, behind;  // everything, and what is visible where occluded
   };
   static Selection select(const Frame& frame, const OverlayBuffer& overlay);
 

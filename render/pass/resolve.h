@@ -1,4 +1,4 @@
-// Shrinks a picture that was rendered several times as large.
+// The resolve pass: downsamples a supersampled picture.
 #pragma once
 
 #include "core/base/result.h"
@@ -11,7 +11,7 @@ class ResolvePass {
  public:
   static Result<ResolvePass> make();
 
-  // Fills a rectangle of `target` from `rendered`, which is `factor` times as large.
+  // Fills a rectangle of `target` from `rendered`, which is `factor` times as large in each dimension.
   void draw(const Framebuffer& rendered, int factor, const Framebuffer& target, const PixelRect& rect) const;
 
  private:

@@ -17,7 +17,7 @@ class SurfacePass {
  public:
   static Result<SurfacePass> make();
 
-  // Draws the clusters of the given numbers in that order into the bound framebuffer.
+  // Draws these clusters in order into the bound framebuffer.
   void draw(const Frame& frame, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters,
             std::span<const DrawnTint> tints) const;
 

@@ -1,4 +1,4 @@
-// Draws what Dear ImGui has laid out.
+// The UI pass: renders Dear ImGui's draw data.
 #pragma once
 
 #include "core/base/result.h"
@@ -12,15 +12,15 @@ struct ImFontAtlas;
 
 namespace ryosen {
 
-// An ImTextureID is the number of an OpenGL texture with alpha multiplied in; the picture of a view can be used as one.
+// An ImTextureID is the name of an OpenGL texture with premultiplied alpha; the picture of a view can be used as one.
 class UiPass {
  public:
   static Result<UiPass> make();
 
-  // Copies the glyphs of an atlas to a texture and tells the atlas its number. Call it again after adding fonts.
+  // Uploads the glyphs of an atlas to a texture and sets the atlas's texture id. Call it again after adding fonts.
   void set_fonts(ImFontAtlas& atlas);
 
-  // Draws into a rectangle of `target`. Positions of the draw data are pixels of `target`, times FramebufferScale.
+  // Draws into a rectangle of `target`. Positions in the draw data times FramebufferScale are pixels of `target`.
   void draw(const ImDrawData& data, const Framebuffer& target, const PixelRect& rect);
 
  private:

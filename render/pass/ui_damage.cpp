@@ -23,7 +23,7 @@ UiDamage::List UiDamage::copied(const ImDrawList& list) {
   return copy;
 }
 
-// True when the triangles are cut and textured as before: at most one command has become longer or shorter.
+// True if clipping and textures are unchanged: at most one command has changed its length.
 bool UiDamage::same_commands(const List& before, const List& now) {
   if (before.commands.size() != now.commands.size()) return false;
   int resized = 0;
@@ -37,7 +37,7 @@ bool UiDamage::same_commands(const List& before, const List& now) {
 
 PixelRect UiDamage::difference(const List& before, const List& now) {
   const std::size_t old_size = before.vertices.size(), new_size = now.vertices.size();
-  std::size_t head = 0, tail = 0, first = 0, last = 0;  // vertices and indices that are equal at both ends
+  std::size_t head = 0, tail = 0, first = 0, last = 0;  // equal vertices and indices at both ends
   if (same_commands(before, now)) {
     const std::size_t vertices = std::min(old_size, new_size);
     while (head < vertices && before.vertices[head] == now.vertices[head]) ++head;

@@ -1,5 +1,5 @@
-// Finds which parts of a user interface, as Dear ImGui has laid it out, look different from the last time. Reads its
-// draw data and makes no GL calls.
+// Damage tracking: the parts of the user interface that changed since the last frame, from Dear ImGui's draw data.
+// Makes no GL calls.
 #pragma once
 
 #include <array>
@@ -13,11 +13,11 @@ struct ImDrawList;
 
 namespace ryosen {
 
-// Remembers the triangles of the last draw data and compares them with the next, list by list, from both ends.
+// Compares the triangles with those of the last draw data, list by list, from both ends.
 class UiDamage {
  public:
-  // The rectangles, cut to `size`, some perhaps empty, outside of which both draw data give the same pixels. Textures
-  // are taken as unchanged. Linear in the triangles.
+  // Rectangles, clipped to `size` and possibly empty, outside of which both give the same pixels. Texture contents are
+  // assumed unchanged. Linear in the triangles.
   std::vector<PixelRect> update(const ImDrawData& data, Size size);
   // Makes the next update return everything.
   void forget() { known_ = false; }

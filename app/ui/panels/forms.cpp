@@ -6,7 +6,7 @@ namespace ryosen {
 
 namespace {
 
-// Short enough to wait for.
+// Short enough to run synchronously.
 constexpr forms::Effort effort{0.0005, 2e7};
 
 void wrapped(const char* text) {

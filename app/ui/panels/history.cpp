@@ -5,7 +5,7 @@ namespace ryosen {
 
 namespace {
 
-// The command that leads from where the history stands to another place of it.
+// The command that goes from the current history position to another.
 std::string step_to(std::size_t position, std::size_t target) {
   return target < position ? "undo " + std::to_string(position - target) : "redo " + std::to_string(target - position);
 }

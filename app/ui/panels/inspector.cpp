@@ -16,7 +16,7 @@ std::string place_text(const glm::dvec3& p) {
   return short_number(p.x) + "  " + short_number(p.y) + "  " + short_number(p.z);
 }
 
-// The vector of the area: normal to the face, as long as its area.
+// The vector area of the face.
 glm::dvec3 area_vector(const Mesh& m, Face f) { return vector_area(FacePolygon(m, f).keyhole_walk()); }
 
 class Inspector {
@@ -91,7 +91,7 @@ class Inspector {
     links(UiText::halfedges, {halfedge(e, 0), halfedge(e, 1)});
   }
 
-  // 180 degrees where the faces lie in one plane, less in a ridge, more in a valley.
+  // The dihedral angle: 180 degrees if coplanar, less at a ridge, more in a valley.
   std::string angle_text(Halfedge h, Face left, Face right) const {
     const glm::dvec3 n = area_vector(m_, left), o = area_vector(m_, right);
     const double size = glm::length(n) * glm::length(o);

@@ -15,7 +15,7 @@ void draw_reason(PanelContext& context, const Reason& reason, const ImVec4& colo
   if (!reason.witnesses.empty()) element_links(context, reason.witnesses);
 }
 
-// "removes 1 V, 3 E, 2 F": what the operator takes away or makes.
+// "removes 1 V, 3 E, 2 F": what the operator removes or creates.
 void draw_change(PanelContext& context, UiText word, const std::vector<Element>& elements) {
   std::array<std::size_t, enum_count<Element::Kind>> n{};
   for (const Element& e : elements) ++n[static_cast<std::size_t>(e.kind)];

@@ -79,14 +79,14 @@ Element Findings::nth(Session& session, const ProblemRow& row, std::size_t n) {
   return loops_[n];
 }
 
-// Selects the element and brings it into view; a quarantined face is in the file only.
+// Selects the element and centres the view on it; quarantined faces exist only in the file.
 void go_to(PanelContext& context, const ProblemRow& row, Element element) {
   if (row.quarantined) return;
   context.run("select " + name_of(context.session.mesh(), element));
   if (!context.session.selection.empty()) context.run("frame selected");
 }
 
-// Only the elements in sight are looked up and named.
+// Only visible rows are looked up and named.
 void draw_elements(PanelContext& context, Findings& findings, const ProblemRow& row, std::size_t count) {
   Session& session = context.session;
   const float line_height = ImGui::GetTextLineHeightWithSpacing();
@@ -135,7 +135,7 @@ void draw_kind(PanelContext& context, Findings& findings, const ProblemRow& row,
   ImGui::PopStyleColor();
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.sentence(count).in(context.language()).c_str());
   if (is_open) {
-    // A repair may have taken away what was counted.
+    // A repair may have removed what was counted.
     if (!draw_repairs(context, row.kind)) draw_elements(context, findings, row, count);
     ImGui::TreePop();
   }

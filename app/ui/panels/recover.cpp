@@ -6,7 +6,7 @@ namespace ryosen {
 
 namespace {
 
-// One session with its buttons; the command that was chosen, else nothing.
+// One session with its buttons; returns the chosen command, or empty.
 std::string draw_lost(PanelContext& context, std::size_t n) {
   const LostSession& lost = context.session.lost[n];
   const std::string number = std::to_string(n + 1);

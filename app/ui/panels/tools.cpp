@@ -7,8 +7,8 @@ namespace ryosen {
 
 namespace {
 
-// What a press of an operator's row does: takes the tool up or puts it away, carries it out on the selection or at once,
-// or lets its arguments be typed.
+// The action of an operator's row: toggles the tool, applies the operator to the selection or immediately, or opens the
+// command line for its arguments.
 void press(PanelContext& context, const OpInfo& op) {
   const std::string id(op.id);
   Session& session = context.session;
@@ -68,7 +68,7 @@ void draw_tools(PanelContext& context) {
                         context.text(UiText::more_operators)))
     for (const OpInfo& op : all_ops())
       if (op.key == '\0') draw_operator(context, op);
-  // A tool knows what it works on; what a click selects is chosen without one.
+  // The pick mode applies only without a tool: a tool determines what it picks.
   ImGui::BeginDisabled(!context.session.tool.empty());
   dim_text(context, context.text(UiText::pick));
   draw_modes(context);

@@ -29,7 +29,7 @@ std::vector<Vertex> copies_of(const Mesh& m, Vertex p) {
   return copies;
 }
 
-// Copies by the group that they stay in, the one of the lowest copy first.
+// Partitions the copies into groups that stay together, the group of the lowest copy first.
 std::vector<std::vector<Vertex>> groups_at(const Mesh& m, const std::vector<Vertex>& copies, bool keep_misoriented) {
   DisjointSets sets(copies.size());
   const auto place_of = [&](Vertex v) {
@@ -55,13 +55,13 @@ std::vector<std::vector<Vertex>> groups_at(const Mesh& m, const std::vector<Vert
   return groups;
 }
 
-// Returns the points that came of each, old and new.
+// Returns the resulting points, old and new.
 std::vector<Vertex> take_apart(Edit& edit, const std::vector<Vertex>& points, bool keep_misoriented) {
   const Mesh& m = edit.mesh();
   Sheets sheets(edit);
   for (Vertex p : points)
     for (Vertex copy : copies_of(m, p)) sheets.separate(copy);
-  // All groups are found before any point is taken apart: edges are judged on the points as they were.
+  // Find all groups before splitting any point: edges are classified on the original points.
   std::vector<std::vector<Vertex>> groups;
   std::vector<Vertex> parts;
   for (Vertex p : points)
@@ -88,7 +88,7 @@ void keep_nonmanifold(const Mesh& m, std::vector<Vertex>& points) {
 
 std::size_t detach_points(Edit& edit, std::vector<Vertex> points) {
   const Mesh& m = edit.mesh();
-  constexpr int most_passes = 8;  // the second takes all that is left apart
+  constexpr int most_passes = 8;  // from the second on, every fan is split off
   std::size_t made = 0;
   for (int pass = 0; pass < most_passes; ++pass) {
     keep_nonmanifold(m, points);
@@ -106,7 +106,7 @@ AlgorithmResult detach_nonmanifold(Edit& edit, const AlgorithmInput&, Progress& 
   AlgorithmResult result;
   result.changed = points.size();
   std::size_t made = 0;
-  while (!points.empty() && progress.go_on()) {  // taking some apart may show others
+  while (!points.empty() && progress.go_on()) {  // splitting some may expose others
     made += detach_points(edit, std::move(points));
     points = nonmanifold_points(m);
   }

@@ -96,7 +96,7 @@ class PatchRefiner {
     return true;
   }
 
-  // The angle across from h is the wider, the more negative; no trigonometry.
+  // Cotangent of the angle opposite h, without trigonometry.
   double cotangent_across(Halfedge h) const {
     const glm::dvec3& apex = place(mesh().to(mesh().next(h)));
     const glm::dvec3 u = place(mesh().from(h)) - apex, v = place(mesh().to(h)) - apex;
@@ -104,7 +104,7 @@ class PatchRefiner {
     return area > 0 ? glm::dot(u, v) / area : glm::dot(u, v) < 0 ? -1e9 : 1e9;
   }
 
-  // The two angles across an edge make up more than a half turn: then the other diagonal is Delaunay.
+  // Delaunay criterion: swap if the opposite angles sum to more than 180 degrees (cotangent sum negative).
   bool swap_if_better(Halfedge h) {
     if (!is_within(h) || !(cotangent_across(h) + cotangent_across(twin(h)) < -1e-9)) return false;
     const SwapEdge op{h};
@@ -149,14 +149,14 @@ void add_times(Places& a, double t, const Places& b) {
   for (std::size_t i = 0; i < a.size(); ++i) a[i] += t * b[i];
 }
 
-// How far each vertex of the patch, and of its border, lies from where its neighbours would have it on a plane, by the
-// cotangents of the angles around it and divided by the root of its area; as a linear function of the inner vertices.
+// The cotangent Laplacian at each vertex of the patch and its boundary, divided by the square root of the vertex area;
+// a linear function of the inner positions. Its squared norm is the thin-plate energy.
 class PlateEquations {
  public:
   PlateEquations(const Mesh& mesh, const Patch& patch) {
     for (Vertex v : patch.inner) inner_.emplace(v, static_cast<std::uint32_t>(inner_.size()));
     for (Vertex v : patch.inner) add_row(v);
-    // Where the surface goes on to another border, the neighbours are not all there.
+    // Skip vertices on another boundary: their one-ring is incomplete.
     for (Vertex v : patch.boundary)
       if (!mesh.is_boundary(v)) add_row(v);
     for (Face f : faces_around_patch(mesh, patch)) add_face(mesh, f);
@@ -167,7 +167,7 @@ class PlateEquations {
     }
   }
 
-  // The values of all rows, with the part of what does not move or without.
+  // The values of all rows, with or without the constant part of the fixed vertices.
   Places values(const Places& inner, bool with_fixed) const {
     Places result(rows_.size(), glm::dvec3(0.0));
     for (std::size_t r = 0; r < result.size(); ++r) {
@@ -216,7 +216,7 @@ class PlateEquations {
       for (std::size_t k = 0; k < 3; ++k) add_corner(mesh, t[k], t[(k + 1) % 3], t[(k + 2) % 3]);
   }
 
-  // The angle at one corner weighs the side across; a third of the triangle belongs to the corner.
+  // The cotangent at a corner is the weight of the opposite side; a third of the triangle's area goes to the corner.
   void add_corner(const Mesh& mesh, std::uint32_t corner, std::uint32_t next, std::uint32_t last) {
     const auto vertex = [&](std::uint32_t c) { return mesh.from(polygon_.corners()[c]); };
     const glm::dvec3& apex = polygon_.places()[corner];
@@ -257,9 +257,9 @@ class PlateEquations {
   std::vector<CornerTriangle> triangles_;
 };
 
-// Conjugate gradients on the normal equations. Asks go_on(step, most steps) before each step.
+// Conjugate gradients on the normal equations. Calls go_on(step, most steps) before each step.
 template <class GoOn>
-Places least_bent(const PlateEquations& plate, Places x, const GoOn& go_on) {
+Places minimise_bending(const PlateEquations& plate, Places x, const GoOn& go_on) {
   Places residual = plate.transposed(plate.values(x, true));
   for (glm::dvec3& r : residual) r = -r;
   Places direction = residual;
@@ -285,7 +285,7 @@ void refine(Edit& edit, Patch& patch, Progress& progress) { PatchRefiner(edit, p
 
 void fair(Edit& edit, const Patch& patch, Progress& progress) {
   if (patch.inner.empty()) return;
-  // The angles are those of the patch as it is, so a better one gives better angles.
+  // The weights depend on the current positions, so iterate.
   constexpr std::size_t large = 5000;
   const std::size_t rounds = patch.inner.size() < large ? 4 : 1;
   for (std::size_t round = 0; round < rounds; ++round) {
@@ -294,7 +294,7 @@ void fair(Edit& edit, const Patch& patch, Progress& progress) {
     };
     Places x;
     for (Vertex v : patch.inner) x.push_back(edit.mesh().position(v));
-    x = least_bent(PlateEquations(edit.mesh(), patch), std::move(x), go_on);
+    x = minimise_bending(PlateEquations(edit.mesh(), patch), std::move(x), go_on);
     for (std::size_t i = 0; i < x.size(); ++i)
       if (is_finite(x[i])) edit.set_position(patch.inner[i], x[i]);
   }

@@ -1,4 +1,4 @@
-// Makes a patch of triangles as fine and as smooth as the surface around it.
+// Refinement and fairing of a patch of triangles to match the surrounding surface.
 #pragma once
 
 #include <vector>
@@ -10,18 +10,18 @@ namespace ryosen {
 
 struct Patch {
   std::vector<Face> faces;       // triangles, without rings
-  std::vector<Vertex> boundary;  // its vertices that were there before, in any order
-  std::vector<Vertex> inner;     // its own
+  std::vector<Vertex> boundary;  // vertices of the hole boundary, in any order
+  std::vector<Vertex> inner;     // vertices added inside
 };
 
-// Divides triangles whose middle is far from their corners, measured by the length of the edges there, and swaps edges
-// towards a Delaunay triangulation, by turns [Liepa03]. Edges of the boundary stay. New faces and vertices are added to
-// the patch. Stops at a hundred thousand of them.
+// Alternately splits triangles whose centroid is far from their corners relative to the edge lengths there, and swaps
+// edges towards a Delaunay triangulation [Liepa03]. Boundary edges stay. New faces and vertices are added to the patch,
+// at most 100000.
 void refine(Edit& edit, Patch& patch, Progress& progress);
 
-// Moves the inner vertices to where the patch bends least, as a thin plate that leaves the surface in its direction: the
-// sum over its vertices, border included, of area times squared mean curvature normal, by cotangent weights [Botsch04].
-// By conjugate gradients, at most a thousand steps, with the weights renewed a few times.
+// Moves the inner vertices to minimise the thin-plate energy, with tangent continuity at the boundary: the sum over the
+// vertices, boundary included, of area times squared mean curvature normal, with cotangent weights [Botsch04].
+// Conjugate gradients, at most 1000 steps; the weights are recomputed a few times.
 void fair(Edit& edit, const Patch& patch, Progress& progress);
 
 }  // namespace ryosen

@@ -22,7 +22,7 @@ namespace ryosen {
 
 namespace {
 
-// A halfedge without a face on each cycle of them that is a hole, ascending by the lowest.
+// One boundary halfedge per hole, ascending by the lowest of its loop.
 struct Holes {
   std::vector<Halfedge> to_fill;
   std::size_t left = 0;
@@ -59,7 +59,7 @@ Holes find_holes(const Mesh& m, std::optional<double> most_edges) {
   return holes;
 }
 
-// The pairs of corners of a loop that edges of the surface join already.
+// The pairs of corners of a loop that are already joined by edges of the surface.
 class JoinedCorners {
  public:
   JoinedCorners(const Mesh& m, const std::vector<Vertex>& corners) {
@@ -87,7 +87,7 @@ glm::dvec3 normal_beyond(const Mesh& m, Halfedge outside) {
   return polygon.is_finite() ? polygon_normal(polygon.keyhole_walk()) : glm::dvec3(0.0);
 }
 
-// Puts the triangles, of corners along the cycle of `sides` and of further vertices behind them, into the hole.
+// Inserts triangles into the hole; corner numbers index the loop `sides`, then the additional vertices.
 class PatchBuilder {
  public:
   PatchBuilder(Edit& edit, std::vector<Halfedge> sides) : edit_(edit), sides_(std::move(sides)) {
@@ -151,7 +151,7 @@ glm::dvec3 middle_of(const std::vector<glm::dvec3>& places) {
   return mean;
 }
 
-// None where every way to close the hole has triangles without area, as at two borders that lie on each other.
+// None if every triangulation of the hole has zero-area triangles, as with two coincident boundaries.
 std::optional<Patch> fill_hole(Edit& edit, Halfedge start) {
   const Mesh& m = edit.mesh();
   HoleLoop hole;
@@ -191,7 +191,7 @@ AlgorithmResult fill_holes(Edit& edit, const AlgorithmInput& input, Progress& pr
   for (Halfedge start : holes.to_fill) {
     progress.begin_part(done++, holes.to_fill.size());
     if (!progress.go_on()) return {};
-    // An earlier patch may stand in the way now.
+    // An earlier patch may have blocked this hole.
     if (!m.is_alive(start) || !m.is_outside(start) || !can_be_filled(m, start)) {
       ++left;
       continue;

@@ -10,7 +10,7 @@ namespace ryosen {
 
 namespace {
 
-// How bad a triangulation is: first by its sharpest fold, then by area.
+// The cost of a triangulation: first its largest dihedral fold, then its area.
 struct Weight {
   double fold = 0;  // 1 - cos of the angle between normals, 0 to 2
   double area = 0;
@@ -26,7 +26,7 @@ struct Normal {
   double area = 0;
 };
 
-// The best triangulations of all parts of a loop from corner i to corner k, with the chord i-k as their last side.
+// Dynamic programming over the optimal triangulations of all sub-polygons from corner i to k, closed by the chord i-k.
 class HoleWeights {
  public:
   explicit HoleWeights(const HoleLoop& loop) : loop_(loop), n_(loop.places.size()), parts_(n_ * n_) {
@@ -54,7 +54,7 @@ class HoleWeights {
  private:
   struct Part {
     Weight weight;
-    glm::dvec3 normal{0.0};  // of the triangle at the chord
+    glm::dvec3 normal{0.0};  // of the triangle adjacent to the chord
     std::size_t middle = 0;
   };
 
@@ -71,11 +71,11 @@ class HoleWeights {
     return {length > 0 ? n / length : glm::dvec3(0.0), length / 2};
   }
 
-  // The fold between a triangle and what lies beyond its side from i to k.
+  // The fold between a triangle and its neighbour across the side from i to k.
   double fold(const glm::dvec3& normal, std::size_t i, std::size_t k) const {
     const bool is_side = k == i + 1 || (i == 0 && k == n_ - 1);
     const glm::dvec3& beyond = k == i + 1 ? loop_.normals[i] : is_side ? loop_.normals[n_ - 1] : part(i, k).normal;
-    // Beyond the loop nothing may be known.
+    // The face beyond the loop may be unknown.
     if (is_side && beyond == glm::dvec3(0.0)) return 0;
     return 1 - glm::dot(normal, beyond);
   }

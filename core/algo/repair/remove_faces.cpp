@@ -19,7 +19,7 @@ namespace {
 
 using PointList = std::vector<std::uint32_t>;
 
-// The same for every way to write a loop down: the smallest list of all.
+// Canonical form, independent of start and direction: the lexicographically smallest list.
 PointList normal_form(const PointList& loop) {
   PointList best, turned = loop;
   for (int way = 0; way < 2; ++way) {
@@ -32,7 +32,7 @@ PointList normal_form(const PointList& loop) {
   return best;
 }
 
-// The loops of a face in normal form, one behind the other with a number between that no point has.
+// The canonical loops of a face, concatenated with a separator.
 PointList shape_of(const Mesh& m, Face f) {
   std::vector<PointList> loops;
   for_each_loop(m, f, [&](Halfedge start) {
@@ -94,7 +94,7 @@ bool apply_if_legal(Edit& edit, const Op& op) {
   return true;
 }
 
-// Lets an edge of the face without length vanish.
+// Collapses a zero-length edge of the face; false if there is none or it may not.
 bool collapse_short_edge(Edit& edit, Face f) {
   const Mesh& m = edit.mesh();
   std::vector<Halfedge> sides;
@@ -106,7 +106,7 @@ bool collapse_short_edge(Edit& edit, Face f) {
   return false;
 }
 
-// The side across from the corner that lies between the two others.
+// The side opposite the middle one of three collinear corners.
 Halfedge longest_side(const Mesh& m, Face f) {
   const Halfedge h = m.halfedge(f);
   for (Halfedge side : {h, m.next(h), m.prev(h)}) {
@@ -119,7 +119,7 @@ Halfedge longest_side(const Mesh& m, Face f) {
   return Halfedge();
 }
 
-// Gives the middle corner of a flat triangle to the face across its longest side.
+// Moves the middle corner of a degenerate triangle into the face across its longest side.
 bool give_corner_away(Edit& edit, Face f) {
   const Mesh& m = edit.mesh();
   if (!is_triangle(m, m.halfedge(f)) || m.has_rings(f)) return false;

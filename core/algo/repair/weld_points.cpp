@@ -20,7 +20,7 @@ namespace ryosen {
 
 namespace {
 
-// Points that become one, ascending; the first keeps its number and place.
+// Points to merge, ascending; the first keeps its number and position.
 using Group = std::vector<Vertex>;
 
 struct CellHash {
@@ -34,13 +34,13 @@ struct CellHash {
   }
 };
 
-// Finds points near a place among those put in. The cells of a grid, a little wider than twice the distance, are named
-// by the whole numbers of their coordinates; whatever is near lies in the same cell or in the one on the nearer side.
+// A hash grid for radius queries. Cells are slightly wider than twice the radius, so per axis a neighbour is in the
+// same cell or in the adjacent one on the nearer side.
 class NearPoints {
  public:
   NearPoints(const Mesh& mesh, double distance) : mesh_(mesh), distance_(distance), width_(distance * 2.001) {}
 
-  // The first group whose first point is near enough, or no_index.
+  // The lowest group whose first point is within the distance, or no_index.
   std::uint32_t group_near(const glm::dvec3& p) const {
     std::array<Interval, 3> cells;
     for (int axis = 0; axis < 3; ++axis) cells[static_cast<std::size_t>(axis)] = cells_near(p[axis]);
@@ -68,7 +68,7 @@ class NearPoints {
     std::span<const double> cells() const { return {numbers.data(), count}; }
   };
 
-  // -0 becomes 0.
+  // + 0.0 turns -0 into 0.
   double cell_of(double x) const { return width_ > 0 ? std::floor(x / width_) + 0.0 : x + 0.0; }
   Interval cells_near(double x) const {
     const double cell = cell_of(x);
@@ -135,7 +135,7 @@ std::size_t drop_groups_within_faces(const Mesh& m, std::vector<Group>& groups) 
   return std::erase_if(groups, [&](const Group& group) { return has_two_points_of_a_face(m, group); });
 }
 
-// All vertices of a group become copies of one point.
+// Makes all vertices of a group copies of one point.
 void unite(Edit& edit, Sheets& sheets, const Group& group) {
   const Mesh& m = edit.mesh();
   std::vector<Vertex> copies;
@@ -160,7 +160,7 @@ void weld_groups(Edit& edit, const std::vector<Group>& groups) {
   sheets.settle(points);
 }
 
-// What is non-manifold then is taken apart again, fan by fan. Returns how many points that makes.
+// Welds, then splits points that became non-manifold, fan by fan. Returns the number of points split off.
 std::size_t weld_soundly(Edit& edit, const std::vector<Group>& groups) {
   weld_groups(edit, groups);
   std::vector<Vertex> points;
@@ -180,7 +180,7 @@ bool is_before(const glm::dvec3& p, const glm::dvec3& q) {
   return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
 }
 
-// Where the corners of faces lie that share their points with a lower face, and are not among `before`; ascending.
+// The corner positions of duplicate faces that are not in `before`; ascending.
 std::vector<glm::dvec3> places_of_duplicates(const Mesh& m, const std::vector<std::uint32_t>& before) {
   Neighbourhood around(m, Neighbourhood::Reach::whole);
   std::vector<glm::dvec3> places;
@@ -192,8 +192,8 @@ std::vector<glm::dvec3> places_of_duplicates(const Mesh& m, const std::vector<st
   return places;
 }
 
-// Drops the groups that would end a non-manifold edge or bring two faces onto the same points, found out by trying. Each
-// round drops one at least.
+// Drops the groups whose weld would create a non-manifold edge or duplicate faces, by trial on a copy. Each round drops
+// at least one.
 std::size_t drop_unsound(const Mesh& m, std::vector<Group>& groups, Progress& progress) {
   Neighbourhood around(m, Neighbourhood::Reach::whole);
   const std::vector<std::uint32_t> before = find_duplicate_faces(around);
@@ -212,7 +212,7 @@ std::size_t drop_unsound(const Mesh& m, std::vector<Group>& groups, Progress& pr
     });
     dropped += now;
     if (now == 0) break;
-    if (round == most_rounds) {  // rather nothing than a defect
+    if (round == most_rounds) {  // give up rather than create a defect
       dropped += groups.size();
       groups.clear();
     }
@@ -233,7 +233,7 @@ AlgorithmResult result_of(std::size_t welded, std::size_t left) {
   return result;
 }
 
-// Collapses edges between points of one group, such that the lower number stays.
+// Collapses edges between points of one group; the lower number stays.
 void collapse_within(Edit& edit, const std::vector<Group>& groups, Progress& progress) {
   const Mesh& m = edit.mesh();
   std::size_t done = 0;
@@ -272,7 +272,7 @@ AlgorithmResult weld_equal_points(Edit& edit, const AlgorithmInput&, Progress& p
     left += weld_soundly(edit, groups);
     const std::uint32_t now = before - counts_on_points(m).vertices;
     welded += now;
-    goes_on = now > 0 && left > 0;  // what stood in a group's way may be gone
+    goes_on = now > 0 && left > 0;  // a group may no longer be blocked
   }
   return result_of(welded, left);
 }

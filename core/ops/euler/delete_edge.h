@@ -1,11 +1,12 @@
-// Takes an edge without a face away; its ends stay.
+// Deletes an edge without a face (a wire); its ends stay.
 //
 //        a---.---b                a   .   b
 //        |       |       =>       |       |
 //
-// on the list: the pair goes.
+// polygon list: the wire's pair is removed.
 // needs: an edge without a face on either side.
-// changes: E - 1, and B - 1 where its sides lie on two cycles; else B + 1, and S + 1 if the ends come apart, G - 1 if not.
+// changes: E - 1, and B - 1 if its sides are on two cycles; else B + 1, and S + 1 if the ends become disconnected, G -
+//          1 if not.
 // inverse: make_edge.
 #pragma once
 

@@ -1,11 +1,11 @@
-// Takes a face away; its edges stay, as wires where no other face holds them.
+// Deletes a face; its edges stay, as wires if they have no other face.
 //
 //        d-----c                d-----c
 //        |  f  |                |     |
 //        |     |       =>       |     |
 //        a-----b                a-----b
 //
-// on the list: the face goes; sides that no other face has become pairs.
+// polygon list: the face is removed; sides without another face become wire pairs.
 // needs: a live face.
 // changes: F - 1, H - r, B + 1 + r for a face with r rings, and per ring S + 1 or G - 1.
 // inverse: make_loop, for a face without rings.
@@ -22,7 +22,7 @@ struct DeleteLoop {
                                "Delete loop",
                                "ループ消去",
                                "fN",
-                               "takes a face away and leaves its edges",
+                               "deletes a face but keeps its edges",
                                "面だけを取り除き、稜線は残す",
                                '\0',
                                OpTargetKind::face,

@@ -12,7 +12,7 @@ namespace ryosen {
 
 namespace {
 
-// The halfedges that arrive at gaps of v, the first `most` of them.
+// The boundary halfedges that end at v (its gaps), at most `most` of them.
 std::vector<Halfedge> some_gaps_at(const Mesh& mesh, Vertex v, std::size_t most) {
   std::vector<Halfedge> gaps;
   for (Halfedge h : outgoing(mesh, v)) {
@@ -22,7 +22,7 @@ std::vector<Halfedge> some_gaps_at(const Mesh& mesh, Vertex v, std::size_t most)
   return gaps;
 }
 
-// A gap that is named needs no list of them all, of which a hub of many wires has as many.
+// If the gap is named, avoids listing all gaps of a vertex with many wires.
 Halfedge read_gap(const Mesh& mesh, Vertex v, ArgumentReader& in) {
   if (in.failed() || in.at_end()) return in.corner(v, gaps_at(mesh, v));
   const Named<Halfedge> named = find_edge(mesh, in.peek());
@@ -39,7 +39,7 @@ Parsed<MakeEdge> MakeEdge::parse(const Mesh& mesh, std::span<const std::string_v
   op.a = in.vertex();
   op.b = in.vertex();
   if (in.failed()) return in.result(op);
-  // One corner that is named belongs to the vertex that it arrives at.
+  // A single named corner belongs to the vertex at which it ends.
   const std::vector<Halfedge> at_a = some_gaps_at(mesh, op.a, 2);
   const Named<Halfedge> named = in.at_end() ? Named<Halfedge>() : find_edge(mesh, in.peek());
   const bool is_for_a = in.left() == 2 || (!in.at_end() && named.ok() && mesh.to(named.element) == op.a);
@@ -53,7 +53,7 @@ MakeEdge MakeEdge::at(const Mesh&, const OpTarget&) { return {}; }
 
 std::string MakeEdge::command(const Mesh& mesh) const {
   std::string line = "make_edge " + name_of_copy(mesh, a) + " " + name_of_copy(mesh, b);
-  // Both corners are named as soon as one has to be, as far as there are any.
+  // If one corner must be named, name both (where they exist).
   const auto has_choice = [&](Vertex v) { return is_there(mesh, v) && some_gaps_at(mesh, v, 2).size() == 2; };
   if (!has_choice(a) && !has_choice(b)) return line;
   for (Halfedge into : {into_a, into_b})

@@ -1,13 +1,13 @@
-// Joins two vertices by an edge without a face (a wire) that runs outside.
+// Makes an edge without a face (a wire) between two vertices.
 //
-//        a   .   b                a---.---b        the corner at a is the gap into which the edge goes, told by the
-//        |       |       =>       |       |        outside halfedge p -> a that arrives in it; likewise at b
+//        a   .   b                a---.---b        the corner at a is the gap that the edge enters, given by the
+//        |       |       =>       |       |        boundary halfedge p -> a that ends there; likewise at b
 //        p       q                p       q
 //
-// on the list: a pair.
-// needs: two different points that no edge joins, each isolated or with a gap.
-// changes: E + 1, and B - 1, S - 1 where an end is isolated or the gaps lie on cycles of two components; B + 1 where
-//          they lie on one cycle; B - 1, G + 1 on two cycles of one component.
+// polygon list: a new wire pair.
+// needs: two different points not joined by an edge, each isolated or with a gap.
+// changes: E + 1, and B - 1, S - 1 if an end is isolated or the gaps are in two components; B + 1 if they are on one
+//          cycle; B - 1, G + 1 if on two cycles of one component.
 // inverse: delete_edge.
 #pragma once
 

@@ -26,8 +26,8 @@ std::string MakeLoop::command(const Mesh& mesh) const { return "make_loop " + na
 
 namespace {
 
-// Whether reading would leave the new face on its edge h: two faces alone and in opposite directions are one edge, and of
-// three or more each has its own.
+// Whether reading the resulting polygon list would give the same sheets at h: exactly two faces in opposite directions
+// share one edge, of three or more each has its own.
 bool keeps_sheets(const Mesh& m, Halfedge h) {
   const PointEdge at = point_edge(m, h);
   if (!m.is_outside(twin(h))) return at.faces() == 1;

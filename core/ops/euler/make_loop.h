@@ -1,13 +1,14 @@
-// Puts a face into an outside cycle of edges.
+// Makes a face on a boundary cycle of edges.
 //
 //        d-----c                d-----c
-//        |     |                |  f  |       the face lies left of a -> b
+//        |     |                |  f  |       the face is left of a -> b
 //        |     |       =>       |     |
 //        a---->b                a---->b
 //
-// on the list: the cycle becomes a face; bridges in it are walked both ways. A wire that gets a face is no pair any more.
-// needs: a halfedge that runs outside; the cycle comes apart at its bridges into simple loops of three or more corners
-//        that share no point; no face on the same points; sheets between the same points stay as reading makes them.
+// polygon list: the cycle becomes a face; bridges in it are traversed in both directions. A wire that gets a face is no
+//               longer a pair.
+// needs: a boundary halfedge; without its bridges the cycle splits into simple loops of three or more corners that
+//        share no point; no face on the same points; sheets between the same points stay as reading would make them.
 // changes: F + 1, B - 1.
 // inverse: delete_loop.
 #pragma once

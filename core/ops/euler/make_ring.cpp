@@ -26,7 +26,7 @@ Vertex smallest_vertex(const Mesh& mesh, Halfedge start) {
   return smallest;
 }
 
-// Whether the first of two loops is the outer one of a face that has this normal.
+// Whether the first of two loops is the outer one, for a face with this normal.
 bool is_outer(const Mesh& mesh, Halfedge first, Halfedge second, const glm::dvec3& normal) {
   const double a = std::abs(projected_area(places_along(mesh, first), normal));
   const double b = std::abs(projected_area(places_along(mesh, second), normal));
@@ -48,7 +48,7 @@ std::string MakeRing::command(const Mesh& mesh) const { return "make_ring " + na
 Verdict MakeRing::check(const Mesh& mesh) const {
   Verdict verdict;
   if (is_gone(mesh, halfedge, verdict)) return verdict;
-  // A face comes apart at each of its bridges, so there is nothing else to ask.
+  // By the invariants every bridge splits a loop in two, so nothing else needs checking.
   if (!is_bridge(mesh, halfedge)) verdict.refuse(Rule::no_bridge, {edge(halfedge)});
   return verdict;
 }
@@ -72,7 +72,7 @@ OpEffect MakeRing::apply(Edit& edit) const {
   hold_outside(edit, b);
   const bool first_is_outer = ring == no_index && is_outer(m, first, second, normal);
   const Halfedge known = first_is_outer ? first : second, inner = first_is_outer ? second : first;
-  // The loop that was known by its start stays so where it can: a file's first corner is a name.
+  // Keep the stored start of the loop if possible: the first corner in the file is part of the data.
   Halfedge keeps = known;
   for (Halfedge h : loop(m, known))
     if (h == start) keeps = start;

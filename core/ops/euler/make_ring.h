@@ -1,4 +1,4 @@
-// Takes a bridge away, so that the inner loop becomes a ring of its face.
+// Removes a bridge, so that the inner loop becomes a ring of its face.
 //
 //        o---------o                o---------o
 //        |  o---o  |                |  o---o  |
@@ -7,9 +7,10 @@
 //        | /       |                |         |
 //        o---------o                o---------o
 //
-// on the list: the list comes apart in two loops.
-// needs: an edge that one face walks both ways, between loops of three or more corners.
-// changes: E - 1, H + 1. The loop with the larger projected area is the outer one, on a tie that with the smaller vertex.
+// polygon list: the corner list splits into two loops.
+// needs: an edge with the same face on both sides, between loops of three or more corners.
+// changes: E - 1, H + 1. The loop with the larger projected area is the outer one, on a tie the one with the smaller
+//          vertex.
 // inverse: unite_ring.
 #pragma once
 

@@ -1,9 +1,9 @@
-// A free vertex, the beginning of everything.
+// Makes an isolated vertex.
 //
 //                          v
 //        (empty)   =>      o
 //
-// on the list: a live number without a face.
+// polygon list: a new vertex without a face.
 // needs: nothing.
 // changes: V + 1, B + 1, S + 1.
 // inverse: remove_vertex.
@@ -20,7 +20,7 @@ struct MakeVertex {
                                "Make vertex",
                                "頂点生成",
                                "X,Y,Z",
-                               "puts a free vertex at a place",
+                               "makes an isolated vertex at a position",
                                "指定した位置に孤立頂点を置く",
                                '\0',
                                OpTargetKind::none,

@@ -4,10 +4,10 @@
 //        o           =>              o v
 //       /|\                     --- /|
 //
-// on the list: nothing but the place.
+// polygon list: only the position changes.
 // needs: a live vertex.
-// changes: nothing in number.
-// inverse: the move back.
+// changes: no counts.
+// inverse: moving back.
 #pragma once
 
 #include "core/ops/op.h"

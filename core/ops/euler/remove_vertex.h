@@ -1,9 +1,9 @@
-// Takes a free vertex away.
+// Removes an isolated vertex.
 //
 //        v
 //        o       =>      (empty)
 //
-// on the list: the number dies.
+// polygon list: the vertex is removed.
 // needs: a vertex without edges.
 // changes: V - 1, B - 1, S - 1.
 // inverse: make_vertex.
@@ -20,7 +20,7 @@ struct RemoveVertex {
                                "Remove vertex",
                                "頂点消去",
                                "vN",
-                               "takes an isolated vertex away",
+                               "removes an isolated vertex",
                                "孤立頂点を取り除く",
                                '\0',
                                OpTargetKind::vertex,

@@ -1,10 +1,10 @@
-// Puts a vertex into an edge and does nothing else.
+// Inserts a vertex into an edge, without cutting faces.
 //
 //             a-----------b       =>       a-----m-----b
 //
-// on the list: every face and pair at the edge gets a corner, triangles too.
-// needs: an edge that no face walks both ways.
-// changes: V + 1, E + 1. All sheets of a non-manifold or misoriented edge are divided, the point has a copy on each.
+// polygon list: every face and wire pair at the edge gets a corner, triangles too.
+// needs: an edge that is no bridge.
+// changes: V + 1, E + 1. All sheets of a non-manifold or misoriented edge are divided; the point has a copy on each.
 // inverse: unite_edge.
 #pragma once
 

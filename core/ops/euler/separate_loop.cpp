@@ -18,8 +18,7 @@ namespace ryosen {
 
 namespace {
 
-// The points of the cycle that an edge from the corner after `into_a` to the one after `into_b` leaves on its left: from
-// b on to a.
+// The corners to the left of an edge from the corner after `into_a` to the one after `into_b`: from b to a.
 std::vector<Halfedge> left_part(const Mesh& mesh, Halfedge into_a, Halfedge into_b) {
   std::vector<Halfedge> part;
   for (Halfedge h = mesh.next(into_b); h != mesh.next(into_a); h = mesh.next(h)) part.push_back(h);
@@ -33,7 +32,7 @@ std::vector<glm::dvec3> places_of(const Mesh& mesh, const std::vector<Halfedge>&
   return places;
 }
 
-// How the face comes apart: the corners of the new face, those that stay on the loop, and the rings that go along.
+// How the face is divided: the corners of the new face, those that remain, and the rings that move to the new face.
 struct Parts {
   bool left_is_new = true;
   std::vector<Halfedge> fresh, kept;
@@ -54,7 +53,7 @@ Parts divide(const Mesh& mesh, Halfedge into_a, Halfedge into_b) {
   if (!mesh.has_rings(f)) return parts;
   const glm::dvec3 normal = polygon_normal(FacePolygon(mesh, f).keyhole_walk());
   const std::uint32_t own = ring_of(mesh, into_a);
-  // On a ring only one part is bounded; the other one has the outer loop around it.
+  // When a ring is divided, only one part is bounded by itself; the other also has the outer loop.
   if (own != no_index && projected_area(places_of(mesh, parts.fresh), normal) <= 0 &&
       projected_area(places_of(mesh, parts.kept), normal) > 0) {
     parts.left_is_new = false;
@@ -73,7 +72,7 @@ std::vector<std::uint32_t> points_of(const Mesh& mesh, const std::vector<Halfedg
   return points;
 }
 
-// The lists of the old face and of the new one.
+// The corner lists of the old face and of the new one.
 std::pair<CornerLoops, CornerLoops> lists_after(const Mesh& mesh, Face f, std::uint32_t own, const Parts& parts) {
   CornerLoops kept, fresh;
   kept.add(points_of(mesh, parts.kept));
@@ -154,7 +153,7 @@ OpEffect SeparateLoop::apply(Edit& edit) const {
   copy_face_values(edit, f, fresh);
   set_face_along(edit, of_fresh, fresh);
   if (m.face(start) == fresh) {
-    // The corner from which the loop was known keeps that role where it stays; else the new edge takes it.
+    // The loop keeps its stored start if that corner stays; else it starts at the new edge.
     if (own == no_index)
       edit.set_halfedge(f, twin(of_fresh));
     else

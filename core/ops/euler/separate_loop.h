@@ -6,11 +6,11 @@
 //        |       |                | /  f  |
 //        a-------b                a-------b
 //
-// on the list: (a, b, c, d) becomes (a, b, c) and the new face (a, c, d); the side that holds a ring in the view along
-//              the old normal takes it, and the old face where that is undecided.
-// needs: two corners of one loop of the face that no edge joins; both faces come apart into simple loops; no face is or
-//        was on the same points as one of them.
-// changes: E + 1, F + 1. Where left of a -> c lies the part with the outer loop, the other part is new.
+// polygon list: (a, b, c, d) becomes (a, b, c) and the new face (a, c, d); a ring goes to the part that contains it in
+//               the projection along the old normal, or stays with the old face if that is undecided.
+// needs: two corners of one loop of the face, not joined by an edge; both faces split into simple loops; no other face
+//        on the same points, before or after.
+// changes: E + 1, F + 1. If the outer loop is to the left of a -> c, the other part is the new face.
 // inverse: unite_loop.
 #pragma once
 
@@ -19,7 +19,7 @@
 namespace ryosen {
 
 struct SeparateLoop {
-  Halfedge into_a, into_b;  // the sides of the face that arrive at the two corners
+  Halfedge into_a, into_b;  // the sides of the face that end at the two corners
 
   static constexpr OpInfo info{"separate_loop",
                                "Divide face",

@@ -14,13 +14,13 @@ namespace ryosen {
 
 namespace {
 
-// The two halfedges that leave the vertex.
+// The two outgoing halfedges.
 std::pair<Halfedge, Halfedge> both_out(const Mesh& mesh, Vertex v) {
   return {mesh.halfedge(v), mesh.counter_clockwise(mesh.halfedge(v))};
 }
 
-// The face on one side of the vertex: what becomes of its list. A second face on its points is the one on the other side
-// and loses the vertex too.
+// Checks the corner list of the face on one side of the vertex. An existing duplicate can only be the face on the other
+// side, which loses the vertex too.
 void check_face(const Mesh& mesh, Face f, Vertex v, Verdict& verdict) {
   CornerLoops after;
   for_each_loop(mesh, f, [&](Halfedge start) {
@@ -66,7 +66,7 @@ Verdict UniteEdge::check(const Mesh& mesh) const {
 
 std::vector<Reason> UniteEdge::warnings(const Mesh&) const { return {}; }
 
-//     a --back--> m --out--> b      out and its twin go; back runs on to b
+//     a --back--> m --out--> b      out and its twin are removed; back is extended to b
 OpEffect UniteEdge::apply(Edit& edit) const {
   const Mesh& m = edit.mesh();
   assert(check(m).legal());

@@ -1,10 +1,10 @@
-// Takes a vertex with two edges away and makes them one.
+// Removes a vertex with exactly two edges and unites them.
 //
 //             a-----m-----b       =>       a-----------b
 //
-// on the list: m is taken out of every face and pair.
+// polygon list: m is removed from every face and wire pair.
 // needs: a vertex without copies and with exactly two edges, whose other ends are not joined; faces keep three corners;
-//        no other face is on the points that they keep.
+//        no other face is on their remaining points.
 // changes: V - 1, E - 1.
 // inverse: separate_edge.
 #pragma once
@@ -20,7 +20,7 @@ struct UniteEdge {
                                "Unite edges",
                                "稜線結合",
                                "vN",
-                               "takes away a vertex with exactly two edges",
+                               "removes a vertex with exactly two edges and unites them",
                                "稜線がちょうど二本の頂点を取り除く",
                                '\0',
                                OpTargetKind::vertex,

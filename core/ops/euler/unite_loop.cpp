@@ -13,7 +13,7 @@ namespace ryosen {
 
 namespace {
 
-// The list of the united face: the two loops at the edge without it, and all other loops of both.
+// The loops of the united face: the two loops at the edge joined without it, and all other loops of both.
 CornerLoops list_after(const Mesh& mesh, Halfedge h) {
   CornerLoops after;
   std::vector<std::uint32_t> joined;
@@ -52,7 +52,7 @@ Verdict UniteLoop::check(const Mesh& mesh) const {
   if (!verdict.legal()) return verdict;
   const CornerLoops after = list_after(mesh, halfedge);
   const auto parts = take_out_bridges(after);
-  // Bridges that both faces had stay; a second shared edge would become one, and is none.
+  // Existing bridges stay; a second shared edge would become a new bridge, which is not allowed.
   if (!parts || parts->size() - after.ends.size() != bridges_of(loops_of(mesh, f)) + bridges_of(loops_of(mesh, g))) {
     verdict.refuse(Rule::loop, {f, g});
     return verdict;
@@ -88,7 +88,7 @@ OpEffect UniteLoop::apply(Edit& edit) const {
   for_each_loop(m, goes, [&](Halfedge start) { set_face_along(edit, start, stays); });
   if (ring_outer != no_index) edit.remove_ring(goes, ring_outer);
   if (ring_inner == no_index && ring_outer != no_index) {
-    // The face that stays lay inside the other one, whose outer loop is theirs.
+    // The remaining face was inside the other one, whose outer loop becomes the common one.
     edit.set_halfedge(stays, goes_start);
     edit.add_ring(stays, joined);
   } else {

@@ -6,9 +6,10 @@
 //        | /  f  |                |       |
 //        a-------b                a-------b
 //
-// on the list: the two lists become one without the edge; rings go along. At the ends of the edge the corner values of
-//              the face that stays are kept.
-// needs: two different faces that share this edge and touch nowhere else; no face is or was on the same points.
+// polygon list: the two lists are joined without the edge; rings are kept. At the ends of the edge the corner values of
+//               the remaining face are kept.
+// needs: two different faces that share this edge and touch nowhere else; no other face on the same points, before or
+//        after.
 // changes: E - 1, F - 1.
 // inverse: separate_loop.
 #pragma once

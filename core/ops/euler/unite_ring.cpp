@@ -37,7 +37,7 @@ OpEffect UniteRing::apply(Edit& edit) const {
   const Mesh& m = edit.mesh();
   assert(check(m).legal());
   const Face f = m.face(into_a);
-  // The outer loop keeps its start; of two rings the one of the second corner goes.
+  // The outer loop keeps its start; of two rings the one of the second corner is removed.
   std::uint32_t gone = ring_of(m, into_b);
   if (gone == no_index) gone = ring_of(m, into_a);
   const Halfedge h = link_inside(edit, into_a, into_b);

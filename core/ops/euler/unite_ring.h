@@ -7,8 +7,8 @@
 //        |         |                | /       |
 //        b---------o                b---------o
 //
-// on the list: the two loops become one list that walks the bridge both ways.
-// needs: corners of different loops of one face, which no edge joins.
+// polygon list: the two loops become one list that traverses the bridge in both directions.
+// needs: corners of different loops of one face, not joined by an edge.
 // changes: E + 1, H - 1.
 // inverse: make_ring.
 #pragma once
@@ -18,7 +18,7 @@
 namespace ryosen {
 
 struct UniteRing {
-  Halfedge into_a, into_b;  // the sides of the face that arrive at the two corners
+  Halfedge into_a, into_b;  // the sides of the face that end at the two corners
 
   static constexpr OpInfo info{"unite_ring",
                                "Unite ring",

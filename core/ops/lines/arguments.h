@@ -1,4 +1,4 @@
-// Reads the arguments of an operator's script line one after another and keeps the first thing that is wrong.
+// Sequential reader of the arguments of an operator's script line; remembers the first error.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -12,8 +12,8 @@
 
 namespace ryosen {
 
-// After a failure every further read returns none and changes nothing, so an operator can read all its arguments and
-// ask once, through result().
+// After an error every further read returns none, so an operator can read all its arguments and check once, through
+// result().
 class ArgumentReader {
  public:
   ArgumentReader(const Mesh& mesh, std::span<const std::string_view> arguments, std::string_view syntax)
@@ -22,24 +22,24 @@ class ArgumentReader {
   bool at_end() const { return next_ >= arguments_.size(); }
   bool failed() const { return error_ != NameError::none; }
   std::size_t left() const { return arguments_.size() - next_; }
-  // The argument as written, or empty. Does not count as read.
+  // The next argument as written, or empty; does not consume it.
   std::string_view peek() const { return at_end() ? std::string_view() : arguments_[next_]; }
 
   Vertex vertex() { return read(find_vertex); }
-  Vertex copy();  // of a point with several: an ambiguity unless the argument says which
+  Vertex copy();  // if the point has several: ambiguous unless the argument names one
   Face face() { return read(find_face); }
   Halfedge halfedge() { return read(find_edge); }
   double number();
   glm::dvec3 place();                    // X,Y,Z, finite
-  bool word(std::string_view expected);  // reads it if it is next
+  bool word(std::string_view expected);  // consumes it if it is next
 
-  // The halfedge that arrives at v in the corner that an operator means: the one named by the next argument (P-V) if
-  // there is one, else the only one of `corners`. Several without a name are an ambiguity; none gives none.
+  // The halfedge that ends at v in the intended corner: the one named by the next argument (P-V), if any, else the only
+  // one of `corners`. Several without an argument are ambiguous; none gives none.
   Halfedge corner(Vertex v, std::span<const Halfedge> corners);
 
   void fail(NameError error, Text sentence);
 
-  // The operator, if all went well and nothing is left over.
+  // The operator, if there was no error and no argument is left over.
   template <class Op>
   Parsed<Op> result(const Op& op) {
     if (!failed() && !at_end()) fail_at(arguments_[next_]);
@@ -69,7 +69,7 @@ class ArgumentReader {
   Text sentence_;
 };
 
-// X,Y,Z; none where it is not three finite numbers.
+// Parses X,Y,Z; none if it is not three finite numbers.
 std::optional<glm::dvec3> parse_place(std::string_view text);
 std::string format_place(const glm::dvec3& place);
 

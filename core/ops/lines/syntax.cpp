@@ -12,7 +12,7 @@ namespace {
 
 using Places = std::set<std::size_t>;
 
-// The pieces of a text between separators that lie outside of brackets; blanks join into one separator.
+// Splits a text at separators outside brackets; empty pieces are dropped.
 std::vector<std::string_view> split(std::string_view text, std::string_view separator) {
   std::vector<std::string_view> pieces;
   std::size_t begin = 0;
@@ -29,19 +29,19 @@ std::vector<std::string_view> split(std::string_view text, std::string_view sepa
   return pieces;
 }
 
-// An empty mesh has no element, but can tell every kind of name.
-const Mesh& nowhere() {
+// An empty mesh: names are checked for their syntax only.
+const Mesh& empty_mesh() {
   static const Mesh mesh;
   return mesh;
 }
 
-bool is_face_name(std::string_view word) { return find_face(nowhere(), word).error != NameError::malformed; }
+bool is_face_name(std::string_view word) { return find_face(empty_mesh(), word).error != NameError::malformed; }
 
-// The part before `@`, and a face behind it where there is one.
+// Checks the part before `@`, and the face after it if present.
 template <class Find>
 bool is_name(std::string_view word, Find find) {
   const std::size_t at = word.find('@');
-  return find(nowhere(), word).error != NameError::malformed &&
+  return find(empty_mesh(), word).error != NameError::malformed &&
          (at == std::string_view::npos || is_face_name(word.substr(at + 1)));
 }
 bool is_vertex_name(std::string_view word) { return is_name(word, find_vertex); }
@@ -60,7 +60,7 @@ class Matcher {
  public:
   explicit Matcher(std::span<const std::string_view> words) : words_(words) {}
 
-  // The places behind what a syntax can take up from some places on.
+  // All positions reachable by matching a syntax from any of the given positions.
   Places match(std::string_view syntax, const Places& from) {
     Places ends;
     const std::vector<std::string_view> lists = split(syntax, " | ");
@@ -69,7 +69,7 @@ class Matcher {
     return ends;
   }
 
-  // The last place at which a word was missing or did not fit.
+  // The last position at which a word was missing or did not match.
   std::size_t farthest() const { return farthest_; }
 
  private:
@@ -122,8 +122,8 @@ std::optional<std::size_t> first_misfit(std::string_view syntax, std::span<const
 }
 
 std::optional<Text> fault_of_arguments(std::string_view id, std::span<const std::string_view> arguments) {
-  // The operator itself may say it better, as far as it reads where no element is found.
-  Parsed<AnyOp> parsed = parse_op(nowhere(), id, arguments);
+  // The operator's own error may be more precise, if its parser gets that far on an empty mesh.
+  Parsed<AnyOp> parsed = parse_op(empty_mesh(), id, arguments);
   if (parsed.error == NameError::malformed) return std::move(parsed.sentence);
   const std::string_view syntax = find_op(id)->syntax;
   const std::optional<std::size_t> place = first_misfit(syntax, arguments);

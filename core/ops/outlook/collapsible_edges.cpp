@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t highest_valence = 64;
 
-// The neighbours of all vertices, one vertex after the other in blocks.
+// The one-rings of all vertices, concatenated and padded to blocks.
 class Stars {
  public:
   struct Star {
@@ -63,10 +63,11 @@ class Stars {
 
   ColumnVector<Star> stars_;
   UnwrittenVector<std::uint32_t> neighbours_;
-  std::uint32_t end_ = 0;  // of the neighbours gathered so far
+  std::uint32_t end_ = 0;  // end of the neighbours collected so far
 };
 
-// Only where nothing else can stand against it: an inner edge of two triangles of which not both ends are at a boundary.
+// Only for cases where the common neighbours decide: an interior edge of two triangles with at most one end on a
+// boundary.
 bool is_surely_legal(const Mesh& mesh, const Stars& stars, Halfedge h) {
   if (mesh.is_outside(h) || mesh.is_outside(twin(h))) return false;
   const Stars::Star &a = stars[mesh.from(h)], &b = stars[mesh.to(h)];

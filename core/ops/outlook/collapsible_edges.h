@@ -1,4 +1,4 @@
-// Which edges of a mesh may collapse, for all of them at once.
+// The legality of collapse for all edges of a mesh at once.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace ryosen {
 
-// One entry per slot of an edge: whether CollapseEdge{halfedge(e)} is legal; 0 for dead edges. Gathers the neighbours
-// of every vertex once, so that an edge among triangles costs one comparison of two short lists: three to four times
-// faster than asking edge by edge. Takes about 64 bytes per vertex meanwhile. O(edges times valence).
+// One entry per edge slot: whether CollapseEdge{halfedge(e)} is legal; 0 for dead edges. Collects every one-ring once,
+// so that an edge between triangles costs one intersection of two short lists: three to four times faster than edge by
+// edge. Temporary memory: about 64 bytes per vertex. O(edges times valence).
 std::vector<std::uint8_t> collapsible_edges(const Mesh& mesh);
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-// The sheets of a mesh whose detachment may be tried.
+// A cache of the sheets of a mesh, for deciding which detachments to try.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,14 @@
 
 namespace ryosen {
 
-// What is known of them. It is kept, so ask one again while the mesh stays as it is. Cost of a question: the faces of
-// the sheet up to the first that is known to be on a large one, a thousand at most, and their stars.
+// Valid while the mesh does not change. Cost of a query: the faces of the sheet, at most 1000 or up to the first one
+// known to be on a large sheet, and their one-rings.
 class KnownSheets {
  public:
-  // Whether the sheet of the face has so many faces that it is not tried.
+  // Whether the sheet of the face is too large to try.
   bool is_large(const Mesh& mesh, Face f) { return key(mesh, f) == large; }
-  // The same number for faces of a small sheet whose detachments are one and the same: all of them, or, where the sheet
-  // touches no other face, each for itself.
+  // Equal for faces of a small sheet whose detachment is the same operation: all faces of the sheet, or each face
+  // separately if the sheet touches no other face. `large` for large sheets.
   std::uint32_t key(const Mesh& mesh, Face f);
 
   static constexpr std::uint32_t large = no_index;

@@ -9,7 +9,7 @@ namespace ryosen {
 
 namespace {
 
-constexpr std::size_t most_faces_tested = 200;  // beyond that the search for crossings would be felt
+constexpr std::size_t most_faces_tested = 200;  // beyond, the search for crossings would be noticeable
 
 // What is looked at while the operator is done, and compared with what was there before.
 struct Seen {

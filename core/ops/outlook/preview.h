@@ -1,4 +1,4 @@
-// What an operator would do, without doing it: the verdict before the click and the ghost of the result.
+// Preview of an operator: its verdict, and the resulting faces to draw as a ghost.
 #pragma once
 
 #include <vector>
@@ -10,15 +10,15 @@ namespace ryosen {
 
 struct Preview {
   Verdict verdict;
-  std::vector<Reason> warnings;  // only for a legal one
-  std::vector<GhostFace> faces;  // empty when refused, or beyond the limit
+  std::vector<Reason> warnings;  // only if legal
+  std::vector<GhostFace> faces;  // empty if refused or over the limit
   std::vector<Element> created;
   std::vector<Element> deleted;
-  bool outline_only = false;  // more than the limit changes; faces was not filled
+  bool outline_only = false;  // over the limit: `faces` was not filled
 };
 
-// Checks the operator and, where it is legal, runs it in an Edit that rolls back: the mesh is byte-equal afterwards and
-// the redo list untouched. Cost: that of the operator and of the faces it changes.
+// Checks the operator and, if legal, runs it in an Edit that is rolled back: the mesh is byte-equal afterwards and the
+// redo list untouched. Cost: the operator and the faces it changes.
 Preview preview(Mesh& mesh, Journal& journal, const AnyOp& op, std::size_t face_limit = 10000);
 
 }  // namespace ryosen

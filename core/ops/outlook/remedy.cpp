@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t longest_remedy = 4;
 
-// Turning faces helps only against copies, and only where some edge at the points of the witnesses is misoriented.
+// Flipping faces helps only against Rule::copies, and only if an edge at the points of the witnesses is misoriented.
 bool is_beside_misoriented_edge(const Mesh& m, const Reason& reason) {
   if (reason.rule != Rule::copies) return false;
   for (const Element& witness : reason.witnesses) {
@@ -33,18 +33,19 @@ bool is_slot(std::string_view word) {
   return word.size() > 1 && (word[0] == 'h' || word[0] == 'e') && word[1] >= '0' && word[1] <= '9';
 }
 
-// Whether the line names an edge by its slot, which another edge may get.
+// Whether the line names an edge by slot (h12, e6), which may mean another edge after other edits.
 bool names_a_slot(std::string_view line) {
   const std::vector<std::string_view> words = split_words(line);
   return std::any_of(words.begin(), words.end(), is_slot);
 }
 
-// An operator in words. Remedies may renumber edges and take faces away, so it is asked for by its names alone.
+// The refused operator as a script line. Remedies may change slots and delete faces, so it is parsed again from its
+// names.
 struct Question {
-  std::string line;   // as it was asked
-  std::string plain;  // where that names slots the operator's own names, otherwise the same
+  std::string line;   // as given
+  std::string plain;  // with names instead of slots
 
-  // The operator as the mesh is now; none when a name is gone or the two lines mean different elements.
+  // The operator on the current mesh; none if a name no longer exists or the two lines mean different elements.
   std::optional<AnyOp> in(const Mesh& mesh) const {
     const Parsed<AnyOp> asked = parse_line(mesh, line);
     if (!asked.op || line == plain) return asked.op;
@@ -58,7 +59,7 @@ struct Question {
   }
 };
 
-// How many reasons a candidate would leave; none when it cannot be done or the question names nothing afterwards.
+// The number of reasons left after a candidate; none if it is not legal or the line no longer parses afterwards.
 std::optional<std::size_t> reasons_after(Mesh& mesh, const Question& question, const AnyOp& candidate) {
   if (!check(mesh, candidate).legal()) return std::nullopt;
   Journal scratch;
@@ -72,8 +73,8 @@ struct Step {
   bool is_last = false;  // no reason is left
 };
 
-// The first candidate that leaves no reason, else the first that leaves fewer. Of several sheets on one edge each comes
-// off for itself, of several edges at a vertex each goes for itself, and the reason stays until the last.
+// The first candidate that leaves no reason, else the first that leaves fewer. Else one of many equal steps: with
+// several sheets at an edge or several edges at a vertex the reason stays until the last one is detached or deleted.
 std::optional<Step> choose_step(Mesh& mesh, const Question& question, const Verdict& verdict, KnownSheets& sheets) {
   std::optional<Step> best, onward;
   for (const Reason& reason : verdict.reasons) {
@@ -88,7 +89,7 @@ std::optional<Step> choose_step(Mesh& mesh, const Question& question, const Verd
   return best ? best : onward;
 }
 
-// Step after step until nothing is against it; `most` steps at most. `sheets` are of the mesh as it is before the first.
+// Greedy search of at most `most` steps until the operator is legal. `sheets` is the cache for the initial mesh.
 std::vector<std::string> find_local_steps(Mesh& mesh, const Question& question, std::size_t most, KnownSheets& sheets) {
   Journal steps;
   std::vector<std::string> commands;

@@ -1,4 +1,4 @@
-// What would make a refused operator legal.
+// Search for remedies: operators that make a refused operator legal.
 #pragma once
 
 #include <memory>
@@ -11,9 +11,9 @@
 
 namespace ryosen {
 
-// Answers many questions about one mesh, which is changed for a moment by each and is byte-equal afterwards. Turning
-// faces, which costs O(mesh), is done once, on a copy, and only when a question needs it; every answer is the same as
-// if it were asked alone. Use it while the mesh stays as it is.
+// For many queries on one mesh; each modifies the mesh temporarily and leaves it byte-equal. Orienting, which costs
+// O(mesh), is done at most once, on a copy. Results are the same as with one search per query. Valid while the mesh
+// does not change.
 class RemedySearch {
  public:
   explicit RemedySearch(Mesh& mesh);
@@ -21,9 +21,9 @@ class RemedySearch {
   RemedySearch(const RemedySearch&) = delete;
   RemedySearch& operator=(const RemedySearch&) = delete;
 
-  // Script lines after which `line` is legal as it stands, in order; empty when no sequence of a few local remedies, or
-  // of `orient` and such, was found. Every answer has been tried: after it the line still names what it names now.
-  // Empty too where the line is legal or names nothing. Cost: a few operators per reason.
+  // Script lines, in order, after which `line` is legal unchanged; empty if no short sequence of local remedies,
+  // optionally after `orient`, was found. Every result has been verified, including that the line still names the same
+  // elements. Empty too if the line is legal or does not parse. Cost: a few operators per reason.
   std::vector<std::string> find(const std::string& line);
 
  private:
@@ -32,10 +32,10 @@ class RemedySearch {
   Mesh& mesh_;
   KnownSheets sheets_, sheets_when_turned_;
   bool orient_was_tried_ = false;
-  std::unique_ptr<Mesh> oriented_;  // none until it is needed, and where no face would turn
+  std::unique_ptr<Mesh> oriented_;  // null until needed, and if no face would be flipped
 };
 
-// One question, about an operator as its own script line names it.
+// A single query, for an operator as named by its own script line.
 std::vector<std::string> find_remedy(Mesh& mesh, const AnyOp& op);
 
 }  // namespace ryosen

@@ -21,7 +21,7 @@ std::vector<Face> faces_of(const Reason& reason) {
   return faces;
 }
 
-// Splits of the sides of faces named as witnesses.
+// Splits of the sides of witness faces.
 void add_splits_of_sides(const Mesh& m, const Reason& reason, std::vector<AnyOp>& candidates) {
   for (const Element& witness : reason.witnesses) {
     if (witness.kind != Element::Kind::face) continue;
@@ -31,13 +31,13 @@ void add_splits_of_sides(const Mesh& m, const Reason& reason, std::vector<AnyOp>
   }
 }
 
-// Splits of the edges named as witnesses.
+// Splits of witness edges.
 void add_splits_of_edges(const Reason& reason, std::vector<AnyOp>& candidates) {
   for (const Element& witness : reason.witnesses)
     if (witness.kind == Element::Kind::edge) candidates.push_back(SplitEdge{halfedge(witness.edge())});
 }
 
-// Cuts through the faces named as witnesses.
+// Triangulations of witness faces.
 void add_triangulations(const Reason& reason, std::vector<AnyOp>& candidates) {
   for (const Element& witness : reason.witnesses)
     if (witness.kind == Element::Kind::face) candidates.push_back(Triangulate{witness.face()});
@@ -57,7 +57,7 @@ bool is_small_hole(const Mesh& m, Halfedge h) {
   return true;
 }
 
-// Faces in the holes along edges that are witnesses.
+// Fills of the holes at witness edges.
 void add_fillings_at_edges(const Mesh& m, const Reason& reason, std::vector<AnyOp>& candidates) {
   for (const Element& witness : reason.witnesses) {
     if (witness.kind != Element::Kind::edge) continue;
@@ -67,7 +67,7 @@ void add_fillings_at_edges(const Mesh& m, const Reason& reason, std::vector<AnyO
   }
 }
 
-// Faces in the holes at vertices that are witnesses.
+// Fills of the holes at witness vertices.
 void add_fillings_at_vertices(const Mesh& m, const Reason& reason, std::vector<AnyOp>& candidates) {
   for (const Element& witness : reason.witnesses) {
     if (witness.kind != Element::Kind::vertex) continue;
@@ -76,7 +76,7 @@ void add_fillings_at_vertices(const Mesh& m, const Reason& reason, std::vector<A
   }
 }
 
-// Triangles beside an edge on the boundary, with the vertex after it or before it.
+// Triangles at a boundary edge, with the next or the previous vertex of the boundary.
 void add_triangles_beside(const Mesh& m, const Reason& reason, std::vector<AnyOp>& candidates) {
   for (const Element& witness : reason.witnesses) {
     if (witness.kind != Element::Kind::edge) continue;
@@ -89,7 +89,7 @@ void add_triangles_beside(const Mesh& m, const Reason& reason, std::vector<AnyOp
   }
 }
 
-// Triangles that close the gaps of vertices that are witnesses.
+// Triangles that close the gaps of witness vertices.
 void add_triangles_in_gaps(const Mesh& m, const Reason& reason, std::vector<AnyOp>& candidates) {
   for (const Element& witness : reason.witnesses) {
     if (witness.kind != Element::Kind::vertex) continue;
@@ -99,7 +99,7 @@ void add_triangles_in_gaps(const Mesh& m, const Reason& reason, std::vector<AnyO
   }
 }
 
-// Diagonals of the faces named as witnesses.
+// Diagonals of witness faces.
 void add_diagonals(const Mesh& m, const Reason& reason, std::vector<AnyOp>& candidates) {
   for (const Element& witness : reason.witnesses) {
     if (witness.kind != Element::Kind::face) continue;
@@ -111,7 +111,7 @@ void add_diagonals(const Mesh& m, const Reason& reason, std::vector<AnyOp>& cand
   }
 }
 
-// The last witness, mostly the face that stands in the way of the first, goes first.
+// Last witness first: it is usually the face in the way.
 void add_removals(const Reason& reason, std::vector<AnyOp>& candidates) {
   for (const Face f : faces_of(reason)) {
     candidates.push_back(DeleteLoop{f});
@@ -119,8 +119,8 @@ void add_removals(const Reason& reason, std::vector<AnyOp>& candidates) {
   }
 }
 
-// Sheets that come off. One face stands for its whole sheet, so that large ones are left out: each try would cost the
-// mesh. A sheet is tried once, but counts as often as it is named.
+// Detachments of sheets, each given by one face. Large sheets are skipped: every trial would cost O(mesh). A sheet is
+// tried once, but counts towards the limit each time it is added.
 class Detachments {
  public:
   Detachments(const Mesh& mesh, KnownSheets& sheets, std::vector<AnyOp>& candidates)
@@ -152,8 +152,8 @@ void add_detachments_of_faces(const Mesh& m, const Reason& reason, KnownSheets& 
   for (const Face f : faces_of(reason)) detachments.add(f);
 }
 
-// The sheets at points named as witnesses come off, those on the edge between two of them first, or their fans come
-// apart.
+// Separated fans of the witness points, and detachments of the sheets there, those at the edge between two witnesses
+// first.
 void add_detachments(const Mesh& m, const Reason& reason, KnownSheets& sheets, std::vector<AnyOp>& candidates) {
   std::vector<Vertex> points;
   for (const Element& witness : reason.witnesses)
@@ -172,7 +172,7 @@ void add_detachments(const Mesh& m, const Reason& reason, KnownSheets& sheets, s
     });
 }
 
-// Vertices in the sides of faces named as witnesses, which cut no triangle.
+// Vertices inserted into the sides of witness faces, without cutting triangles.
 void add_divisions_of_sides(const Mesh& m, const Reason& reason, std::vector<AnyOp>& candidates) {
   for (const Element& witness : reason.witnesses) {
     if (witness.kind != Element::Kind::face) continue;
@@ -181,7 +181,7 @@ void add_divisions_of_sides(const Mesh& m, const Reason& reason, std::vector<Any
   }
 }
 
-// The wires at vertices named as witnesses go, the faces there become wires.
+// Deletions of the wires and (leaving wires) of the faces at witness vertices.
 void add_edges_away(const Mesh& m, const Reason& reason, std::vector<AnyOp>& candidates) {
   for (const Element& witness : reason.witnesses) {
     if (witness.kind != Element::Kind::vertex) continue;
@@ -192,7 +192,7 @@ void add_edges_away(const Mesh& m, const Reason& reason, std::vector<AnyOp>& can
   }
 }
 
-// Wires from the ends of a lone edge to a vertex with room.
+// Wires from the end of a lone edge to a vertex that is isolated or has a gap.
 void add_wires_beside(const Mesh& m, const Reason& reason, std::vector<AnyOp>& candidates) {
   for (const Element& witness : reason.witnesses) {
     if (witness.kind != Element::Kind::edge) continue;
@@ -205,7 +205,7 @@ void add_wires_beside(const Mesh& m, const Reason& reason, std::vector<AnyOp>& c
   }
 }
 
-// Bridges between the loops of a face named as witness.
+// Bridges between the loops of a witness face.
 void add_bridges(const Mesh& m, const Reason& reason, std::vector<AnyOp>& candidates) {
   for (const Element& witness : reason.witnesses) {
     if (witness.kind != Element::Kind::face || !m.has_rings(witness.face())) continue;

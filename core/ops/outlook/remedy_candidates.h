@@ -1,4 +1,4 @@
-// What may help against one reason for a refusal.
+// Candidate remedies for one reason of a refusal.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace ryosen {
 
-// Operators near the witnesses, untried: some may be refused themselves and most will not help. What adds or cuts comes
-// before what takes away. At most a few dozen, without `orient`, which concerns the whole mesh. Cost: the elements at
-// the witnesses, for `lone_edge` at worst the vertices of the mesh. `sheets` must know nothing of another mesh.
+// Operators near the witnesses, unverified: some may be refused themselves and most will not help. Additions and splits
+// come before deletions. At most a few dozen, without `orient`, which affects the whole mesh. Cost: the elements at the
+// witnesses, for `lone_edge` worst case all vertices. `sheets` must be a cache for this mesh.
 std::vector<AnyOp> remedy_candidates(const Mesh& mesh, const Reason& reason, KnownSheets& sheets);
 
 }  // namespace ryosen

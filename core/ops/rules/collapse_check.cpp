@@ -12,7 +12,7 @@ namespace ryosen {
 
 namespace {
 
-// Judges one collapse: `h` runs from the vertex that goes to the one that stays; the one that goes has no copies.
+// Checks one collapse: `h` goes from the removed to the remaining vertex; the removed one has no copies.
 class CollapseJudge {
  public:
   CollapseJudge(const Mesh& mesh, Halfedge h) : m_(mesh), h_(h), gone_(mesh.from(h)), kept_(mesh.to(h)) {
@@ -36,7 +36,7 @@ class CollapseJudge {
  private:
   bool is_apex(Vertex v) const { return std::find(apexes_, apexes_ + apex_count_, v) != apexes_ + apex_count_; }
   bool is_at_edge(Face f) const { return f == m_.face(h_) || f == m_.face(twin(h_)); }
-  // A face of three corners and no rings.
+  // A face with three corners and no rings.
   bool is_plain_triangle(Halfedge side) const {
     return !m_.is_outside(side) && is_triangle(m_, side) && !m_.has_rings(m_.face(side));
   }
@@ -48,7 +48,7 @@ class CollapseJudge {
     return found;
   }
 
-  // Two fans would meet at one point, or an edge that stands alone would leave a free vertex.
+  // Refuses if two fans would meet at one point, or if an isolated edge would leave an isolated vertex.
   void check_wire() {
     if (!m_.is_wire(edge(h_))) return;
     if (count_fans(m_, gone_) > 0 && has_fans_on_point(kept_)) verdict_.refuse(Rule::joins_fans, {gone_, kept_});
@@ -60,8 +60,8 @@ class CollapseJudge {
     if (m_.is_boundary(gone_) && m_.is_boundary(kept_)) verdict_.refuse(Rule::inner_edge, {gone_, kept_});
   }
 
-  // An edge that is non-manifold on points but closed again hangs together only around a vertex without a gap; the
-  // boundary of the vertex that goes would open it.
+  // Two faces can share a halfedge pair at an edge that is non-manifold on points only at a vertex without a gap
+  // (Sheets::is_closed_cut); the boundary at the removed vertex would open it.
   void check_closed_cuts() {
     if (!m_.is_boundary(gone_) || m_.is_boundary(kept_)) return;
     for (Halfedge k : outgoing(m_, kept_))
@@ -90,7 +90,7 @@ class CollapseJudge {
         verdict_.refuse(Rule::closes_hole, {m_.to(m_.next(side)), edge(m_.next(side)), edge(m_.prev(side))});
   }
 
-  // Neighbours of the vertex that goes which some copy of the other point reaches too.
+  // Common neighbours of the removed vertex and of any copy of the remaining point.
   void check_common_neighbours() {
     std::vector<std::pair<Vertex, Halfedge>> reached;  // point, and the halfedge from a copy of kept
     for_each_copy(m_, kept_, [&](Vertex copy) {
@@ -115,7 +115,7 @@ class CollapseJudge {
     }
   }
 
-  // A face with rings or bridges must come apart into simple loops as before.
+  // A face with rings or bridges must still split into simple loops.
   void check_loops() {
     std::vector<Face> looked_at;
     for (Halfedge g : outgoing(m_, gone_)) {
@@ -138,7 +138,7 @@ class CollapseJudge {
     }
   }
 
-  // The points of a face, and as they will be.
+  // The points of a face before and after the collapse.
   std::vector<std::uint32_t> points_after(Face f) const {
     std::vector<std::uint32_t> points;
     for (Vertex v : vertices_around(m_, f)) points.push_back(point(m_, v == gone_ ? kept_ : v).index);
@@ -146,8 +146,8 @@ class CollapseJudge {
   }
   std::vector<std::uint32_t> points_before(Face f) const { return point_set(loops_of(m_, f).corners); }
 
-  // A number that faces on equal points after the collapse have in common, made without sorting them. No face but
-  // those at the edge holds both ends by now. Of the corners of a vertex with bridges only one begins no bridge.
+  // An order-independent hash of the points of a face after the collapse. Only the faces at the edge contain both ends
+  // (checked before). Of the corners at a vertex with bridges exactly one does not start a bridge.
   std::uint64_t key_after(Face f) const {
     const auto mixed = [](Vertex p) {
       std::uint64_t x = (p.index + 1) * 0x9e3779b97f4a7c15ull;
@@ -169,8 +169,8 @@ class CollapseJudge {
     return key;
   }
 
-  // Compares each face of the vertex that goes with those of the other point, of which only the ones with its key can
-  // coincide with it. A face with bridges is met once.
+  // Compares each face of the removed vertex with those of the remaining point that have the same hash. A face with
+  // bridges is considered once.
   void check_duplicates() {
     struct Candidate {
       std::uint64_t key;
@@ -196,7 +196,7 @@ class CollapseJudge {
 
   void compare(Face f, Face g) {
     if (f == g) return;
-    if (is_at_edge(f) && is_at_edge(g) && f < g) return;  // met twice
+    if (is_at_edge(f) && is_at_edge(g) && f < g) return;  // compare such a pair once
     if (points_after(f) == points_after(g) && points_before(f) != points_before(g))
       verdict_.refuse(Rule::duplicate_face, {std::min(f, g), std::max(f, g)});
   }

@@ -1,4 +1,4 @@
-// Counts what two short lists of vertex numbers have in common, several numbers at a time.
+// SIMD intersection count of two short lists of vertex numbers.
 #pragma once
 
 #include <cstdint>
@@ -6,15 +6,15 @@
 
 namespace ryosen {
 
-// The second list is read in blocks of this many numbers.
+// Block size in which the second list is read.
 inline constexpr std::uint32_t ring_block = 8;
 
-// How many pairs of equal numbers there are among the first `a_count` of a and the first `b_count` of b. Behind its
-// numbers b must be readable to the end of the last block, and hold nothing there that is in a.
+// The number of pairs of equal numbers among the first `a_count` of a and the first `b_count` of b. b must be padded to
+// a whole block with numbers that are not in a.
 inline std::uint32_t count_common(const std::uint32_t* a, std::uint32_t a_count, const std::uint32_t* b,
                                   std::uint32_t b_count) {
 #if defined(__GNUC__)
-  // Four numbers in one register, of any processor that the compiler knows.
+  // Four numbers in one register; portable vector extension.
   using Four = std::uint32_t __attribute__((vector_size(16)));
   Four found{};
   for (std::uint32_t k = 0; k < b_count; k += ring_block) {

@@ -56,7 +56,7 @@ bool is_seam(const Mesh& mesh, Halfedge h) {
   return !mesh.is_outside(h) && !mesh.is_outside(twin(h)) && corner_values_differ(mesh, h, twin(h), false);
 }
 
-// The corner `first`, the ones across the edges that go in turn, and `last`, whose edge stays, become one.
+// Merges the corner `first`, the ones across the removed edges in sequence, and `last`, whose edge stays.
 void merge_corner_values(Edit& edit, std::span<const Edge> edges_that_go) {
   const Mesh& m = edit.mesh();
   const auto goes = [&](Halfedge h) { return std::binary_search(edges_that_go.begin(), edges_that_go.end(), edge(h)); };

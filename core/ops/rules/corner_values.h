@@ -1,4 +1,4 @@
-// How corner attributes (texture coordinates, normals) follow an operator.
+// Updates of attributes (texture coordinates, normals, face and vertex values) by operators.
 #pragma once
 
 #include <span>
@@ -8,7 +8,8 @@
 
 namespace ryosen {
 
-// The corner attributes of the mesh under edit, addressed by the halfedge that leaves the corner's vertex in its face.
+// Write access to the corner attributes of the edited mesh. A corner is the halfedge that leaves its vertex along its
+// face.
 class CornerWriter {
  public:
   explicit CornerWriter(Edit& edit) : edit_(edit), attributes_(corner_attributes(edit.mesh())) {}
@@ -16,9 +17,9 @@ class CornerWriter {
   std::size_t count() const { return attributes_.size(); }
   std::uint32_t index(std::size_t attribute, Halfedge corner) const;
   void set(std::size_t attribute, Halfedge corner, std::uint32_t index);
-  // The index of a value at a + t (b - a): a or b itself at the ends, a new one between; none if one end has none.
+  // The index of the value a + t (b - a): a or b itself at the ends, else a new value; none if one end has none.
   std::uint32_t blend(std::size_t attribute, std::uint32_t a, std::uint32_t b, double t);
-  // The index of the mean of the values at some corners, one or more; none if one of them has none.
+  // The index of the mean of the values at one or more corners; none if one of them has none.
   std::uint32_t mean(std::size_t attribute, std::span<const Halfedge> at);
 
  private:
@@ -29,16 +30,16 @@ class CornerWriter {
 // Whether the values at the two ends of an edge differ between its two faces.
 bool is_seam(const Mesh& mesh, Halfedge h);
 
-// The edges (sorted) are about to go and the faces beside them to become one. Corners of several faces that thereby become
-// one take the values of the corner in the face with the lowest number. To be called before the links change.
+// Call before removing these edges (sorted) and merging the faces at them. Corners that will be merged take the values
+// of the corner in the lowest-numbered face.
 void merge_corner_values(Edit& edit, std::span<const Edge> edges_that_go);
 
-// A new face takes the material, group and other face values of the face it was cut from.
+// Copies the material, group and other face values.
 void copy_face_values(Edit& edit, Face from, Face to);
-// A new vertex takes the vertex values (colours) at a + t (b - a); columns of doubles are blended, others copied from
-// a.
+// Sets the vertex values (colours) of a new vertex to a + t (b - a); columns of doubles are interpolated, others copied
+// from a.
 void blend_vertex_values(Edit& edit, Vertex a, Vertex b, double t, Vertex to);
-// The same with the mean over some vertices; other columns are copied from the first.
+// The same with the mean over several vertices; other columns are copied from the first.
 void mean_vertex_values(Edit& edit, std::span<const Vertex> from, Vertex to);
 
 }  // namespace ryosen

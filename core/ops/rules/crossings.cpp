@@ -14,17 +14,17 @@ namespace ryosen {
 
 namespace {
 
-// Beyond this the search would be felt under the pointer.
+// Beyond this the search would be noticeable while hovering.
 constexpr std::size_t most_corners = 5000;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Triangle = std::array<glm::dvec3, 3>;
 
-// A set of handles that asks for no memory while it is small.
+// A hash set of handles with inline storage while it is small.
 template <class Handle>
 class HandleSet {
  public:
-  // Returns whether it was new.
+  // Returns whether it was inserted.
   bool insert(Handle handle) {
     if (2 * (size_ + 1) > slots().size()) grow();
     Handle& slot = find(slots(), handle);
@@ -60,7 +60,7 @@ struct Box {
     lowest = glm::min(lowest, other.lowest);
     highest = glm::max(highest, other.highest);
   }
-  // A box of what is not a number is not even like itself.
+  // A box with NaN is not equal to itself.
   friend bool operator==(const Box&, const Box&) = default;
   bool is_apart_from(const Box& other) const {
     for (int axis = 0; axis < 3; ++axis)
@@ -76,14 +76,14 @@ Box box_of(const Mesh& mesh, Face f) {
   return box;
 }
 
-// A face with its box; its triangles lie in the list of all.
+// A face with its bounding box and its range in the list of triangles.
 struct Shape {
   Face face;
   Box box;
   std::size_t first = 0, end = 0;
 };
 
-// The shapes of faces, as many as are asked for.
+// Triangulates faces on demand.
 class Shapes {
  public:
   explicit Shapes(const Mesh& mesh) : mesh_(mesh) {}
@@ -120,7 +120,7 @@ class Shapes {
       return;
     for (const CornerTriangle& t : corners_) triangles_.push_back({places[t[0]], places[t[1]], places[t[2]]});
   }
-  // A side that ends on a corner of the other triangle does not pass through it, and here all of them do.
+  // Triangles with two common corners do not count as crossing: every side touches a common corner.
   static bool share_a_side(const Triangle& s, const Triangle& t) {
     int shared = 0;
     for (const glm::dvec3& p : s) shared += p == t[0] || p == t[1] || p == t[2];
@@ -133,8 +133,7 @@ class Shapes {
   std::vector<CornerTriangle> corners_;
 };
 
-// The faces and those within two rings of them, each star visited once; nothing once they have too many corners. The
-// faces themselves come first.
+// The faces, followed by those in their two-ring, each one-ring visited once; empty if they have too many corners.
 std::vector<Face> two_rings_around(const Mesh& mesh, const std::vector<Face>& faces) {
   std::vector<Face> all;
   all.reserve(128);

@@ -1,4 +1,4 @@
-// Faces that cut through faces nearby, for the geometric warnings.
+// Local search for intersecting faces, for the geometric warnings.
 #pragma once
 
 #include <span>
@@ -9,11 +9,11 @@
 
 namespace ryosen {
 
-// Two faces that cut through each other, the smaller number first.
+// Two intersecting faces, the smaller number first.
 using Crossing = std::pair<Face, Face>;
 
-// The crossings of the given faces with one another and with the faces within two rings of them; ascending. Dead faces
-// are passed over. Where more than 5,000 corners lie so near, nothing is searched. Cost: the faces there.
+// The crossings of the given faces with each other and with the faces in their two-ring; ascending. Dead faces are
+// skipped. With more than 5,000 corners in the two-ring nothing is searched. Cost: the faces there.
 std::vector<Crossing> crossings_near(const Mesh& mesh, std::span<const Face> faces);
 
 }  // namespace ryosen

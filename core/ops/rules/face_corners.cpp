@@ -10,7 +10,7 @@ namespace ryosen {
 
 namespace {
 
-// The sides of faces that arrive at a point, over all its copies; of one face if it is given.
+// The face sides that end at a point, over all its copies; only of face `only` if given.
 std::vector<Halfedge> sides_into(const Mesh& mesh, Vertex v, Face only) {
   std::vector<Halfedge> sides;
   for_each_copy(mesh, v, [&](Vertex copy) {
@@ -33,10 +33,10 @@ std::vector<Face> common_faces(const Mesh& mesh, Vertex a, Vertex b) {
   return found;
 }
 
-// The face to work in where none was named.
+// The face to use if none was named.
 Face choose_face(const Mesh& mesh, Vertex a, Vertex b, ArgumentReader& in) {
   const std::vector<Face> faces = common_faces(mesh, a, b);
-  // Joined points are refused in whatever face.
+  // Joined points are refused in any face.
   if (faces.size() == 1 || (faces.size() > 1 && are_joined(mesh, a, b))) return faces[0];
   if (faces.empty()) return Face();
   std::string list;
@@ -63,7 +63,7 @@ FaceCorners read_face_corners(const Mesh& mesh, ArgumentReader& in) {
               {name_of(mesh, v) + " is no corner of " + (f ? name_of(mesh, f) : "a face"),
                name_of(mesh, v) + " は" + (f ? " " + name_of(mesh, f) + " " : "どの面") + "の角でもありません"});
   if (in.failed()) return corners;
-  if (f.is_none()) return {at_a[0], at_b[0]};  // of different faces
+  if (f.is_none()) return {at_a[0], at_b[0]};  // in different faces
   corners.into_a = at_a.size() > 1 || in.left() == 2 ? in.corner(a, at_a) : at_a[0];
   corners.into_b = in.corner(b, at_b);
   return corners;

@@ -47,7 +47,7 @@ std::vector<std::uint32_t> point_set(std::span<const std::uint32_t> corners) {
 
 namespace {
 
-// The point with the fewest outgoing halfedges over all its copies.
+// The point of lowest valence over all its copies.
 Vertex loneliest(const Mesh& mesh, std::span<const std::uint32_t> points) {
   Vertex best;
   std::size_t fewest = ~std::size_t{0};

@@ -1,5 +1,5 @@
-// Faces as lists of points, for rules that are about the list that comes out: does it come apart at its bridges, is
-// there a face on the same points.
+// Faces as lists of points, for rules about the resulting corner list: does it split at its bridges, is there a
+// duplicate face.
 #pragma once
 
 #include <span>
@@ -12,24 +12,24 @@
 
 namespace ryosen {
 
-// The points along a cycle of `next` from `start`, each by the number that names it.
+// The points along a cycle of `next` from `start`, by representative.
 std::vector<std::uint32_t> points_along(const Mesh& mesh, Halfedge start);
 // The loops of a face, the outer one first.
 CornerLoops loops_of(const Mesh& mesh, Face f);
 
-// How many edges the lists walk both ways; they must come apart there.
+// The number of bridges; the lists must split at each.
 std::size_t bridges_of(const CornerLoops& loops);
 
 // Whether a face has neither rings nor bridges. O(corners).
 bool is_one_simple_loop(const Mesh& mesh, Face f);
-// Refuses a face that is not one simple loop. Witnesses: the face, the sides of its rings, its bridges; so the fewer
-// there are, the nearer it is to one.
+// Refuses a face that is not one simple loop. Witnesses: the face, the sides of its rings, its bridges; their number
+// measures how far it is from one.
 void refuse_rings(const Mesh& mesh, Face f, Verdict& verdict);
 
-// The different points of some lists, ascending: what equal faces have in common.
+// The distinct points, ascending; equal for duplicate faces.
 std::vector<std::uint32_t> point_set(std::span<const std::uint32_t> corners);
-// A face on exactly these points (ascending), or none; `except` are left out. Cost: the smallest star of the points and
-// the corners of the faces there that have as many.
+// A face on exactly these points (ascending), or none, ignoring `except`. Cost: the smallest one-ring of the points,
+// plus the corners of the faces there with as many points.
 Face face_on(const Mesh& mesh, std::span<const std::uint32_t> points, std::span<const Face> except = {});
 // Another face on the points of f, or none.
 Face equal_face(const Mesh& mesh, Face f);

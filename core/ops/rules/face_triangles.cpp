@@ -16,12 +16,12 @@ namespace {
 
 constexpr std::size_t most_corners_searched = 400;
 constexpr std::size_t most_repairs = 16;
-// So that the search is over while a pointer rests on the face.
+// Bounds the search to hover latency.
 constexpr std::size_t most_steps = 12'000'000;
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-// Places on a circle for each loop, rings within the outer one: the shape of a face that has none.
+// Substitute positions for a non-finite face: concentric circles, rings inside the outer loop.
 std::vector<glm::dvec3> round_places(const FacePolygon& face) {
   std::vector<glm::dvec3> places;
   const auto rings = static_cast<double>(face.loop_ends().size() - 1);
@@ -41,7 +41,7 @@ std::vector<glm::dvec3> round_places(const FacePolygon& face) {
   return places;
 }
 
-// The search for one face. Corners are known by their numbers; a list of them may name one several times.
+// The search for one face. Corners are given by number; a list of them may repeat corners.
 class Search {
  public:
   Search(const Mesh& mesh, const FacePolygon& face)
@@ -93,10 +93,10 @@ class Search {
   bool may_join(std::uint32_t a, std::uint32_t b) const {
     return points_[a] != points_[b] && !std::binary_search(joined_[a].begin(), joined_[a].end(), points_[b]);
   }
-  // The same two points, whichever corners stand for them.
+  // The two points of an edge, whichever corners represent them.
   Pair pair_of(std::uint32_t a, std::uint32_t b) const { return std::minmax(points_[a], points_[b]); }
 
-  // A new edge of the triangles that must not be, by its corners: one that exists, or that is made twice.
+  // A forbidden new edge of the triangles, by its corners: one that exists already or is created twice.
   std::optional<Pair> repeated(const std::vector<CornerTriangle>& triangles) const {
     std::vector<std::pair<Pair, Pair>> made;  // points from and to, and the corners
     for (const CornerTriangle& t : triangles) {
@@ -113,8 +113,8 @@ class Search {
     return std::nullopt;
   }
 
-  // All loops as one list, led from ring to ring by new edges that the list walks both ways; `attempt` chooses among
-  // the shortest ones. Empty where there are not as many.
+  // All loops as one list, joined by new edges (keyholes) traversed in both directions; `attempt` selects among the
+  // shortest ones. Empty if there are not that many.
   std::vector<std::uint32_t> one_list(std::size_t attempt, std::vector<Pair>& keyholes) const {
     std::vector<std::uint32_t> list(face_.loop_ends()[0]);
     for (std::uint32_t i = 0; i < list.size(); ++i) list[i] = i;
@@ -153,10 +153,10 @@ class Search {
     return turned + glm::length(p) + glm::length(q);
   }
 
-  // The cheapest triangles of a list with no new edge that must not be; empty where there are none.
+  // The cheapest triangulation of a list without forbidden edges; empty if there is none.
   std::vector<CornerTriangle> cut_list(const std::vector<std::uint32_t>& list,
                                        const std::vector<Pair>& keyholes) const {
-    std::vector<Pair> banned;  // places in the list
+    std::vector<Pair> banned;  // indices into the list
     const std::size_t repairs = std::min(most_repairs, most_steps / steps_of_attempt());
     for (std::size_t repair = 0; repair <= repairs; ++repair) {
       std::vector<std::array<std::size_t, 3>> at = cheapest(list, keyholes, banned);

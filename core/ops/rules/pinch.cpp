@@ -12,11 +12,11 @@ namespace ryosen {
 
 namespace {
 
-// The corners of faces at one point, each by the points before and after it along its face.
+// The face corners at one point, each given by the previous and next point along its face.
 class CornersAtPoint {
  public:
   void add(std::uint32_t before, std::uint32_t after) { corners_.emplace_back(before, after); }
-  // Those at all copies of a point whose faces count.
+  // Collects those at all copies of a point in faces accepted by `counts`.
   template <class Counts>
   void gather(const Mesh& mesh, Vertex p, Counts counts) {
     for_each_copy(mesh, p, [&](Vertex copy) {
@@ -25,7 +25,7 @@ class CornersAtPoint {
           add(point(mesh, mesh.from(mesh.prev(h))).index, point(mesh, mesh.to(h)).index);
     });
   }
-  // A point becomes another.
+  // Renames a point.
   void replace(std::uint32_t goes, std::uint32_t stays) {
     for (auto& [before, after] : corners_) {
       if (before == goes) before = stays;
@@ -33,7 +33,7 @@ class CornersAtPoint {
     }
   }
 
-  // Groups of corners that meet in a neighbour.
+  // Number of groups of corners connected through shared neighbours.
   std::size_t fans() const {
     std::vector<std::uint32_t> neighbours;
     for (const auto& [before, after] : corners_) neighbours.insert(neighbours.end(), {before, after});
@@ -56,7 +56,7 @@ constexpr auto any_face = [](Face) { return true; };
 }  // namespace
 
 std::vector<Vertex> pinched_by_face(const Mesh& mesh, std::span<const std::uint32_t> loop) {
-  // A bridge lets a loop come to a point more than once.
+  // With bridges a loop may visit a point more than once.
   std::map<std::uint32_t, std::vector<std::size_t>> places;
   for (std::size_t i = 0; i < loop.size(); ++i) places[loop[i]].push_back(i);
   std::vector<Vertex> found;

@@ -1,8 +1,8 @@
-// Where an operator lets more fans of faces meet at a point than met there: legal, and worth a warning.
+// Warning for operators that increase the number of face fans at a point (a pinch): legal but doubtful.
 //
 //      \ f |
-//     f \ | /  g        the fans of a point are the groups in which its faces, those of all its copies, hang together by
-//        p              the edges there, whatever their direction and however many faces they have
+//     f \ | /  g        the fans of a point are the groups of its faces (over all copies) that are connected through
+//        p              edges there, whatever their direction and number of faces
 #pragma once
 
 #include <cstdint>
@@ -15,18 +15,18 @@
 
 namespace ryosen {
 
-// The points of which each has more fans once there is a face on a loop of points. Cost: the stars of its points.
+// The points that get more fans by a new face on a loop of points. Cost: the one-rings of its points.
 std::vector<Vertex> pinched_by_face(const Mesh& mesh, std::span<const std::uint32_t> loop);
 
-// The points that keep other faces, in more fans than now, once these faces (ascending) are gone. `apart`: they are not
-// gone but keep together at points of their own, and their fans count too. Cost: the stars of their points.
+// The points that keep other faces, in more fans than before, when these faces (ascending) are removed. `apart`: they
+// are detached instead of removed, and their fans count too. Cost: the one-rings of their points.
 std::vector<Vertex> pinched_without(const Mesh& mesh, std::span<const Face> faces, bool apart = false);
 
-// The points that have more fans than any of the two that become one, by pairs of points: goes, stays. Named by the one
-// that stays. Cost: their stars.
+// The points that after welding have more fans than either of the two before. Pairs: removed, remaining; returns the
+// remaining. Cost: their one-rings.
 std::vector<Vertex> pinched_by_weld(const Mesh& mesh, std::span<const std::pair<Vertex, Vertex>> pairs);
 
-// Adds the warning where there are any.
+// Adds the warning if there are any.
 void warn_of_pinch(const std::vector<Vertex>& points, std::vector<Reason>& reasons);
 
 }  // namespace ryosen

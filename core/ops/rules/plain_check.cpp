@@ -13,18 +13,18 @@ namespace {
 constexpr unsigned max_neighbours = 32;
 constexpr unsigned steps_at_once = 4;
 
-// Whether the loop of h has three halves. prev(h) is about to be walked over, so this costs no further cache line.
+// Whether the loop of h has three halfedges. prev(h) is loaded next anyway, so this touches no extra cache line.
 bool is_three_loop(const HalfedgeLinks* links, Halfedge h) {
   return links[h.index].next == links[links[h.index].prev.index].prev;
 }
 
-// A walk around an end of an edge, counter-clockwise, from the halfedge that leaves it along the edge. Two walks can be
-// stepped in turn, so that they wait for memory together.
+// A counter-clockwise walk around an end of an edge, starting with the edge. Two walks can be interleaved, so that
+// their cache misses overlap.
 class EndWalk {
  public:
   EndWalk(const HalfedgeLinks* links, Halfedge start) : links_(links), start_(start), at_(start) {}
 
-  // Goes on to the next halfedge; whether that is the one it began at.
+  // Advances to the next halfedge; returns whether that is the start.
   bool step() {
     const HalfedgeLinks& at = links_[at_.index];
     const HalfedgeLinks& before = links_[at.prev.index];
@@ -37,12 +37,12 @@ class EndWalk {
   }
   bool is_full() const { return count_ == max_neighbours; }
 
-  // After the last step: the neighbours in order, the other end of the edge last; outside halfedges; whether some face
-  // is not a triangle.
+  // After the last step: the neighbours in order, the other end of the edge last; the number of boundary halfedges;
+  // whether some face is not a triangle.
   std::uint32_t valence() const { return count_; }
   Vertex neighbour(std::uint32_t i) const { return Vertex(ring_[i]); }
   const std::uint32_t* ring() const { return ring_.data(); }
-  // Puts numbers that no vertex has behind the first `count` neighbours.
+  // Pads the ring after `count` neighbours with numbers that no vertex has.
   void end_ring(std::uint32_t count) { std::fill_n(ring_.begin() + count, ring_block, no_index); }
   std::uint32_t gaps() const { return gaps_; }
   bool is_odd() const { return odd_; }
@@ -55,7 +55,7 @@ class EndWalk {
   std::array<std::uint32_t, max_neighbours + ring_block> ring_;
 };
 
-// Whether both walks came back to their start.
+// Completes both walks; false if one exceeds max_neighbours.
 bool finish(EndWalk& a, EndWalk& b) {
   for (;;) {
     const bool a_done = a.step(), b_done = b.step();
@@ -69,7 +69,7 @@ bool finish(EndWalk& a, EndWalk& b) {
   }
 }
 
-// How many of the first neighbours, from number `skipped` on and without the last 1 + `skipped`, both have.
+// The number of common neighbours, without the first `skipped` and the last 1 + `skipped` of each ring.
 std::uint32_t common_neighbours(const EndWalk& a, EndWalk& b, std::uint32_t skipped) {
   b.end_ring(b.valence() - 1 - skipped);
   return count_common(a.ring() + skipped, a.valence() - 1 - 2 * skipped, b.ring() + skipped,
@@ -89,8 +89,8 @@ bool has_copies(const Mesh& m, std::initializer_list<Vertex> vertices) {
   return false;
 }
 
-// With boundary at both ends: the edge itself must be boundary, its triangle must keep another neighbour, and its
-// outside loop must not be a hole of three edges.
+// If both ends are on the boundary: the edge itself must be a boundary edge, its triangle must keep another neighbour,
+// and its boundary loop must have more than three edges.
 bool may_join_boundary(const HalfedgeLinks* links, Halfedge h) {
   const Halfedge inside = links[h.index].face ? h : twin(h), outside = twin(inside);
   if (!links[inside.index].face || links[outside.index].face) return false;
@@ -99,7 +99,7 @@ bool may_join_boundary(const HalfedgeLinks* links, Halfedge h) {
   return apex_stays && !is_three_loop(links, outside);
 }
 
-// What applying the operator will touch next, fetched while the check walks.
+// Prefetches what apply() will touch, while the check walks.
 void fetch_ends(const Mesh& m, const HalfedgeLinks& a, const HalfedgeLinks& b) {
   for (const HalfedgeLinks* side : {&a, &b}) {
     prefetch(m, side->from);
@@ -107,7 +107,7 @@ void fetch_ends(const Mesh& m, const HalfedgeLinks& a, const HalfedgeLinks& b) {
   }
 }
 
-// The same for the triangles that vanish: their third corners and the faces beyond them.
+// The same for the triangles that vanish: their apexes and adjacent faces.
 void fetch_apexes(const Mesh& m, Halfedge h) {
   for (Halfedge beyond : {twin(m.prev(h)), twin(m.next(twin(h)))}) {
     prefetch(m, m.face(beyond));
@@ -131,7 +131,7 @@ QuickAnswer quick_collapse(const Mesh& m, Halfedge h) {
   fetch_apexes(m, h);
   if (m.has_copies() && (any_copy(m, a) || any_copy(m, b))) return unknown;
   if (a.gaps() + b.gaps() == 0 || (links[h.index].face && links[o.index].face)) {
-    // An inner edge: the first and the last neighbour of each end are the apexes.
+    // An interior edge: the first and the last neighbour of each end are the apexes.
     if (!is_ordinary_inner_edge(a.gaps() + b.gaps(), a.valence(), b.valence())) return unknown;
     return common_neighbours(a, b, 1) == 0 ? legal : refused;
   }
@@ -152,9 +152,9 @@ QuickAnswer quick_swap(const Mesh& m, Halfedge h) {
   if (!is_three_loop(links, h) || !is_three_loop(links, o)) return unknown;
   const Vertex c = links[left.prev.index].from, d = links[right.prev.index].from;
   if (c == d || has_copies(m, {left.from, right.from, c, d})) return unknown;
-  // A second face on the points of an old or a new one would need a second edge a-b or an edge c-d. Around c, from the
-  // two sides that the face at h has there, one way and the other until they meet.
-  // Walking on past that is harmless, so a number of steps that is enough for most vertices needs no branch.
+  // A duplicate of an old or new face would need a second edge a-b or an edge c-d, so search the one-ring of c for d:
+  // in both directions from the face at h until they meet. Walking further is harmless, so the exit test runs only
+  // every few steps (branchless in between).
   Halfedge up = twin(left.next), down = left.prev;
   bool met = false, joined = false;
   for (unsigned steps = 0; steps < max_neighbours && !met; steps += steps_at_once) {

@@ -21,14 +21,14 @@ std::vector<Halfedge> leaving(const Mesh& m, Vertex v) {
   return found;
 }
 
-// The halfedges of a cycle around a vertex that is being cut, from one of them.
+// The halfedges of a cycle around a vertex that is being split, starting with `start`.
 std::vector<Halfedge> cycle_of(const Mesh& m, Halfedge start) {
   std::vector<Halfedge> found{start};
   for (Halfedge h = m.counter_clockwise(start); h != start; h = m.counter_clockwise(h)) found.push_back(h);
   return found;
 }
 
-// The live copies of some points.
+// The live copies of the points.
 std::vector<Vertex> live_copies(const Mesh& m, std::span<const Vertex> points) {
   std::vector<Vertex> found;
   for (Vertex p : points)
@@ -68,7 +68,7 @@ std::vector<Fan> fans_at(const Mesh& m, Vertex v) {
     for (Halfedge h : around) closed.lowest_face = std::min(closed.lowest_face, m.face(h));
     return {closed};
   }
-  // The first one is outside, so a fan that begins ends before the walk does, or there.
+  // The first one is a boundary halfedge, so every fan ends at or before the end of the walk.
   for (std::size_t i = 1; i <= around.size(); ++i) {
     const Halfedge h = around[i % around.size()];
     if (m.is_outside(twin(h)) && !m.is_outside(h)) fans.push_back({h, Halfedge(), Face()});
@@ -125,7 +125,7 @@ void Sheets::join_corner(Halfedge into, Halfedge out) {
     return;
   }
   edit_.connect(into, out);
-  edit_.connect(before, after);  // two cycles now, one with `out` and one with `after`
+  edit_.connect(before, after);  // now two cycles, one with `out` and one with `after`
   for (Halfedge gap : cycle_of(m, out)) {
     if (gap == out || !m.is_outside(gap)) continue;
     edit_.connect(m.prev(gap), after);
@@ -193,7 +193,7 @@ Halfedge Sheets::open(Halfedge h) {
 
 void Sheets::remove_vertex(Vertex v) {
   const Mesh& m = edit_.mesh();
-  // The last copy with edges, or, where there is none, the last one.
+  // The last copy with edges or, if there is none, the last one.
   Vertex heir;
   for_each_copy(m, v, [&](Vertex copy) {
     if (copy == v) return;
@@ -267,8 +267,8 @@ OpEffect Sheets::finish() {
   return effect;
 }
 
-// A cut edge whose outside loop would have exactly two halves: at both ends the fan goes round from one of its faces to
-// the other without meeting another cut.
+// Whether this is a cut edge whose boundary loop would have exactly two halfedges (which reading closes again): at both
+// ends the fan connects its two faces without another cut.
 bool Sheets::is_closed_cut(Halfedge h) const {
   const Mesh& m = edit_.mesh();
   for (Vertex v : {m.from(h), m.to(h)})
@@ -279,7 +279,7 @@ bool Sheets::is_closed_cut(Halfedge h) const {
   return true;
 }
 
-// Edges with two faces that reading would leave open. Their other ends are added to the vertices.
+// Edges with two faces that reading would cut. Their other ends are added to the vertices.
 std::vector<Halfedge> Sheets::sheets_to_open(std::vector<Vertex>& vertices) const {
   const Mesh& m = edit_.mesh();
   std::vector<Halfedge> found;
@@ -295,7 +295,7 @@ std::vector<Halfedge> Sheets::sheets_to_open(std::vector<Vertex>& vertices) cons
   return found;
 }
 
-// Ends of two edges between the same two vertices, which merging vertices may bring about.
+// Finds the ends of double edges (two edges between the same vertices), which can result from merging vertices.
 void Sheets::add_double_ends(std::span<const Vertex> vertices, std::vector<Vertex>& found) const {
   const Mesh& m = edit_.mesh();
   std::vector<Vertex> ends;
@@ -308,7 +308,7 @@ void Sheets::add_double_ends(std::span<const Vertex> vertices, std::vector<Verte
   }
 }
 
-// Edges with one face each that two faces alone run in opposite directions.
+// Edges with one face each whose points have exactly two faces, in opposite directions: reading would join them.
 std::vector<Halfedge> Sheets::sheets_to_join(std::span<const Vertex> vertices) const {
   const Mesh& m = edit_.mesh();
   std::vector<Halfedge> found;
@@ -331,15 +331,15 @@ void Sheets::close_pair(Halfedge h, Halfedge other) {
 
 void Sheets::join_sheet(Halfedge h) {
   const Mesh& m = edit_.mesh();
-  if (!m.is_alive(h) || !has_one_face(m, h)) return;  // joined from its other end
+  if (!m.is_alive(h) || !has_one_face(m, h)) return;  // already joined from its other end
   for (Halfedge other : sheets_between(m, m.from(h), m.to(h))) {
     if (edge(other) == edge(h) || !has_one_face(m, other)) continue;
     return close_pair(h, other);
   }
 }
 
-// Where two edges come to join the same vertices, a wire among them is no pair any more, and two ends of one fan close:
-// the outside loop between them has two halves, wires in their gaps aside.
+// Resolves double edges at v: a wire among them is removed, and two boundary edges of one fan are joined (the boundary
+// loop between them has two halfedges, apart from wires in their gaps).
 void Sheets::close_double_edges(Vertex v) {
   const Mesh& m = edit_.mesh();
   std::vector<std::pair<Vertex, Halfedge>> ends;
@@ -363,7 +363,7 @@ void Sheets::settle(std::span<const Vertex> points) {
   if (!m.has_copies()) return;
   std::vector<Vertex> vertices = live_copies(m, points);
   const std::vector<Halfedge> to_open = sheets_to_open(vertices), to_join = sheets_to_join(vertices);
-  // Where nothing is cut or joined, several fans may stay at a vertex.
+  // Vertices where nothing is cut or joined may keep several fans.
   std::vector<Vertex> touched;
   for (Halfedge h : to_open) touched.insert(touched.end(), {m.from(h), m.to(h)});
   for (Halfedge h : to_join) touched.insert(touched.end(), {m.from(h), m.to(h)});

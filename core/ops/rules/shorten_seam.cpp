@@ -13,13 +13,13 @@ std::size_t Seam::size() const {
 }
 
 void Seam::shorten() {
-  // A face that turns alone may have held two parts of its patch together.
+  // Flipping a single face may split its patch, so repeat.
   do join_patches();
   while (turn_faces());
 }
 
-// Walks each patch to its end before going on across the seam, where the patch beyond, not seen yet, takes the other
-// choice: the joints between two patches all disagree, so they all come to agree or stay as they are.
+// Traverses the patches breadth-first, alternating flipped and unflipped across the seam: all joints between two
+// patches disagree, so flipping one of them makes all agree.
 void Seam::join_patches() {
   std::vector<bool> seen(graph_.size(), false), flipped(graph_.size(), false);
   std::vector<std::uint32_t> patch, reached;
@@ -54,7 +54,7 @@ bool Seam::disagrees_mostly(std::uint32_t face) const {
   return 2 * against > graph_.offsets[face + 1] - graph_.offsets[face];
 }
 
-// Each turn makes the seam shorter, so the queue grows by no more than the neighbours of as many faces.
+// Each flip shortens the seam, so the total queue length is bounded.
 bool Seam::turn_faces() {
   std::vector<std::uint32_t> queue(graph_.size());
   std::iota(queue.begin(), queue.end(), 0u);

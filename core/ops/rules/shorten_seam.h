@@ -1,4 +1,4 @@
-// Fewer misoriented edges on a component that cannot be oriented.
+// Heuristic reduction of misoriented edges on a non-orientable component.
 #pragma once
 
 #include <cstdint>
@@ -7,20 +7,20 @@
 
 namespace ryosen {
 
-// The faces 0 .. of a connected component and, face after face, the neighbours across their sides: each joint of two
-// different faces is named from both of them.
+// The dual graph of a connected component in compressed form: faces from 0, and per face the neighbours across its
+// sides. Each joint of two different faces is listed from both.
 struct FaceGraph {
   struct Side {
     std::uint32_t face;
-    bool agrees;  // whether the two run their edge in opposite directions as they are
+    bool agrees;  // whether the two currently traverse their edge in opposite directions
   };
-  std::vector<std::uint32_t> offsets{0};  // of each face into sides, and the end
+  std::vector<std::uint32_t> offsets{0};  // per face into sides; faces + 1 entries
   std::vector<Side> sides;
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(offsets.size() - 1); }
 };
 
-// A choice of faces that turn, and the joints that disagree after it: the seam.
+// A set of faces to flip. The seam is the joints that disagree after flipping.
 class Seam {
  public:
   Seam(const FaceGraph& graph, std::vector<bool> turned) : graph_(graph), turned_(std::move(turned)) {}
@@ -29,10 +29,10 @@ class Seam {
   // The number of joints that disagree. O(joints).
   std::size_t size() const;
 
-  // Turns patches, the faces joined by joints that agree, and single faces while that makes the seam shorter; at the end
-  // the faces are one patch and no face disagrees with more neighbours than it agrees with. It never gets longer, though
-  // it need not become the shortest that there is. Which faces lie on the same side of the seam does not depend on
-  // whether all faces had been turned before. A pass over the patches, and over the faces, is O(faces + joints).
+  // Flips patches (faces connected through joints that agree) and single faces while that shortens the seam; at the end
+  // there is one patch and no face disagrees with more neighbours than it agrees with. The seam never gets longer; the
+  // result is a local optimum. The partition of the faces does not depend on whether all faces were flipped before.
+  // Each pass over patches and faces is O(faces + joints).
   void shorten();
 
  private:

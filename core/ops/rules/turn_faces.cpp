@@ -30,7 +30,7 @@ class Turner {
  private:
   bool turns(Face f) const { return f && turned_[f.index]; }
 
-  // Afterwards the faces around a vertex turn all together or not at all.
+  // Cuts so that at every vertex either all faces are flipped or none.
   void cut_apart() {
     const std::uint32_t edges = m_.edge_slots(), vertices = m_.vertex_slots();
     for (std::uint32_t i = 0; i < edges; ++i) {
@@ -65,7 +65,7 @@ class Turner {
   void turn_faces() {
     CornerWriter corners(edit_);
     std::vector<std::pair<Halfedge, Face>> sides;
-    std::vector<std::uint32_t> values;  // attribute after attribute of each side
+    std::vector<std::uint32_t> values;  // per side, one per attribute
     std::vector<std::pair<std::uint32_t, Halfedge>> rings;
     for (std::uint32_t i = 0; i < m_.face_slots(); ++i) {
       const Face f(i);
@@ -91,7 +91,7 @@ class Turner {
     for (const auto& [r, h] : rings) edit_.set_ring_halfedge(r, h);
   }
 
-  // Lets the edges leave the vertex in the opposite order. What leads into them follows from it.
+  // Reverses the cyclic order of the outgoing halfedges.
   void turn_around(Vertex v) {
     std::vector<Halfedge> around;
     for (Halfedge h : outgoing(m_, v)) around.push_back(h);

@@ -1,4 +1,4 @@
-// A mesh with some of its faces turned over, connected anew.
+// Flipping of faces with reconnection.
 #pragma once
 
 #include <vector>
@@ -12,11 +12,10 @@ struct TurnedMesh {
   OpEffect effect;
 };
 
-// The columns of the mesh in which every face f with turned[f] runs the other way round, its first corner and its rings
-// kept. Points, faces and dead slots keep their numbers; an edge between a face that turns and one that does not comes
-// apart, edges whose two faces agree now are closed, and new copies take numbers from vertex_slots() on. Wires stay
-// between their vertices: all edges at a vertex change their order with its faces, or none. All attribute values stay
-// with their corners, vertices and faces. O(n).
+// The mesh with every face f with turned[f] reversed, keeping its first corner and rings. Points, faces and dead slots
+// keep their numbers; edges between a flipped and an unflipped face are cut, edges whose two faces now agree are
+// joined, and new copies are numbered from vertex_slots() on. Wires stay between their vertices; the cyclic order of
+// all edges at a vertex is reversed with its faces. Attribute values stay with their corners, vertices and faces. O(n).
 TurnedMesh turn_faces(const Mesh& mesh, const std::vector<bool>& turned);
 
 }  // namespace ryosen

@@ -98,8 +98,7 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
       report.hash = hash_text(mesh);
     }
   });
-  sets.leave_out(ProblemKind::isolated_vertex, used);
-  report.figures.isolated_vertices = sets.count(ProblemKind::isolated_vertex);
+  report.figures.isolated_vertices -= sets.leave_out(ProblemKind::isolated_vertex, used);
   SelfIntersections intersections;
   if (with_self_intersections) intersections = find_self_intersections(mesh, most_listed_pairs);
   std::vector<Problem> problems =

@@ -78,6 +78,42 @@ TEST(check, json_has_the_keys_of_the_contract_in_order) {
   EXPECT_EQ(problem["where"], Json::array({0.5, 0.0, 0.0}));
 }
 
+TEST(check, says_in_one_word_what_a_mesh_is) {
+  const std::pair<const char*, const char*> kinds[] = {
+      {"fin.obj", "non_manifold"},  {"bow_tie.obj", "non_manifold"},
+      {"moebius.off", "one_sided"}, {"misoriented.obj", "misoriented"},
+      {"two_quads.obj", "surface"}, {"stanford_bunny.obj", "surface"},
+      {"cube.obj", "solid"},        {"torus.off", "solid"},
+  };
+  for (const auto& [name, kind] : kinds) {
+    const Json report = run_program({"check", asset(name), "--json"}).line();
+    EXPECT_EQ(report["kind"], kind) << name;
+    EXPECT_EQ(keys_of(report["kind_reason"]), (std::vector<std::string>{"en", "ja"})) << name;
+  }
+  EXPECT_EQ(run_program({"check", asset("fin.obj"), "--json"}).line()["kind_reason"]["en"],
+            "Edge 0-1 carries 3 faces.");
+  const TemporaryFolder folder;
+  const std::string inside_out =
+      folder.write("inside_out.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n");
+  const ProgramRun run = run_program({"check", inside_out});
+  EXPECT_EQ(run.exit_code, 0) << "a kind is no problem";
+  EXPECT_NE(run.out.find("  surface sphere\n"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("  kind inside out: The faces of the shell of f0 look inwards.\n"), std::string::npos)
+      << run.out;
+  EXPECT_EQ(run_program({"check", folder.write("points.off", "OFF\n1 0 0\n0 0 0\n"), "--json"}).line()["kind"],
+            "points");
+}
+
+TEST(check, names_a_surface_whose_faces_have_holes) {
+  const TemporaryFolder folder;
+  const std::string script = std::string(RYOSEN_SOURCE_DIR) + "/assets/exercises/cube_with_hole.ryosen";
+  ASSERT_EQ(run_program({"edit", "--new", "--script", script, "-o", folder.at("holed.obj")}).exit_code, 0);
+  const ProgramRun run = run_program({"check", folder.at("holed.obj")});
+  EXPECT_NE(run.out.find("  surface torus\n"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("  kind solid: "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("ring x2: Faces have 2 rings"), std::string::npos) << run.out;
+}
+
 TEST(check, numbers_that_are_not_finite_become_null) {
   const TemporaryFolder folder;
   folder.write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\n");

@@ -211,6 +211,20 @@ TEST(edit, says_what_it_does_not_count_beside_what_expect_counts) {
   EXPECT_EQ(edit("make_vertex 0,0,0; expect V 1").find("expect counts"), std::string::npos);
 }
 
+TEST(edit, warns_of_what_is_legal_and_doubtful) {
+  const std::pair<const char*, const char*> doubtful[] = {
+      {"split 0-1 1.5", "outside_edge"}, {"separate_edge 0-1 -1", "outside_edge"}, {"split 0-1 0", "same_place"}};
+  for (const auto& [line, rule] : doubtful) {
+    const ProgramRun run = run_program({"edit", asset("cube.obj"), "--do", line, "--json"});
+    EXPECT_EQ(run.exit_code, 0) << line;
+    ASSERT_EQ(run.lines()[0]["warnings"].size(), 1u) << run.out;
+    EXPECT_EQ(run.lines()[0]["warnings"][0]["rule"], rule) << line;
+    EXPECT_EQ(run_program({"edit", asset("cube.obj"), "--do", line, "--strict"}).exit_code, 6) << line;
+    const ProgramRun why = run_program({"why", asset("cube.obj"), "--do", line, "--json"});
+    EXPECT_NE(why.out.find(rule), std::string::npos) << why.out;
+  }
+}
+
 TEST(edit, expect_knows_every_term_of_the_sum) {
   const auto ends_with = [](const std::string& mesh, const std::string& script) {
     return run_program({"edit", asset(mesh), "--do", script}).exit_code;

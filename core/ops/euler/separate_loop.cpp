@@ -134,7 +134,8 @@ std::vector<Reason> SeparateLoop::warnings(const Mesh& mesh) const {
   for (const auto* part : {&parts.fresh, &parts.kept}) {
     const FaceGeometry after(places_of(mesh, *part));
     if (after.is_degenerate()) return {{Rule::degenerate, {mesh.face(into_a)}}};
-    if (ring_of(mesh, into_a) == no_index && before.turns_against(after))
+    // A ring runs the other way round, but the face that is divided from it does not.
+    if ((part == &parts.fresh || ring_of(mesh, into_a) == no_index) && before.turns_against(after))
       return {{Rule::normal_turns, {mesh.face(into_a)}}};
   }
   return {};

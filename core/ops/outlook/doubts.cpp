@@ -68,8 +68,7 @@ bool is_known(const std::vector<Reason>& known, Rule rule) {
 
 }  // namespace
 
-PointPairs points_at_one_place(const Mesh& mesh, const std::vector<Face>& faces, const std::vector<Vertex>& vertices,
-                               bool anywhere) {
+PointPairs points_at_one_place(const Mesh& mesh, const std::vector<Face>& faces, const std::vector<Vertex>& vertices) {
   PointPairs pairs;
   const auto add = [&](Vertex v, Vertex w) {
     if (mesh.position(v) != mesh.position(w) || same_point(mesh, v, w)) return;
@@ -89,7 +88,7 @@ PointPairs points_at_one_place(const Mesh& mesh, const std::vector<Face>& faces,
   for (const Vertex v : vertices) {
     if (!mesh.exists(v) || !mesh.is_alive(v)) continue;
     for (Vertex w : neighbours(mesh, v)) add(v, w);
-    if (anywhere && mesh.vertex_slots() <= most_vertices_searched)
+    if (mesh.is_isolated(v) && mesh.vertex_slots() <= most_vertices_searched)
       for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
         if (mesh.is_alive(Vertex(i))) add(v, Vertex(i));
   }
@@ -101,6 +100,8 @@ std::vector<Reason> doubts_of_faces(const Mesh& before, const std::vector<GhostF
                                     const std::vector<Reason>& known) {
   std::vector<Element> turned, degenerate, crossed;
   const bool says_turned = is_known(known, Rule::normal_turns), says_degenerate = is_known(known, Rule::degenerate);
+  // A point outside of its edge lies on other sides as a matter of course.
+  const bool says_outside = is_known(known, Rule::outside_edge);
   bool crossed_before = false;
   const auto was_crossed = [&](Face f) { return find_crossing(FacePolygon(before, f)).has_value(); };
   const auto name = [&](Vertex v, std::vector<Element>& witnesses) {
@@ -120,8 +121,9 @@ std::vector<Reason> doubts_of_faces(const Mesh& before, const std::vector<GhostF
         turned.emplace_back(f);
       }
     }
+    if (says_outside || shape.is_degenerate()) continue;
     const auto crossing = find_crossing(ghost.polygon);
-    if (!crossing || shape.is_degenerate()) continue;
+    if (!crossing) continue;
     if (is_old && was_crossed(f)) {
       crossed_before = true;
     } else if (is_old) {

@@ -11,11 +11,10 @@
 namespace ryosen {
 
 // Pairs of different points at one place that are corners of one of the faces or joined by an edge at one of the
-// vertices, the lower number first; ascending. `anywhere`: any point may be the other one of a pair, where the mesh has
-// at most 10,000 vertices. Vertices and faces that do not live are passed over.
+// vertices, the lower number first; ascending. With an isolated vertex any point may make a pair, where the mesh has at
+// most 10,000 vertices. Vertices and faces that do not live are passed over.
 using PointPairs = std::vector<std::pair<Vertex, Vertex>>;
-PointPairs points_at_one_place(const Mesh& mesh, const std::vector<Face>& faces, const std::vector<Vertex>& vertices,
-                               bool anywhere);
+PointPairs points_at_one_place(const Mesh& mesh, const std::vector<Face>& faces, const std::vector<Vertex>& vertices);
 
 // Of the changed faces as they would lie, beside the mesh as it is: corners on one line, a normal turned by 90 degrees or
 // more, and sides that cross in the view along the normal (faces of up to 400 corners). What was so before is no news,

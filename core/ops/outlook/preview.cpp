@@ -19,11 +19,6 @@ struct Seen {
   PointPairs at_one_place;
 };
 
-// Whether the place of a vertex is given freely, so that any other may be there.
-bool chooses_place(const AnyOp& op) {
-  return std::holds_alternative<MakeVertex>(op) || std::holds_alternative<MoveVertex>(op);
-}
-
 void run_and_roll_back(Mesh& mesh, Journal& journal, const AnyOp& op, std::size_t face_limit, Preview& result,
                        Seen& seen) {
   Edit edit(mesh, &journal);
@@ -42,7 +37,7 @@ void run_and_roll_back(Mesh& mesh, Journal& journal, const AnyOp& op, std::size_
   if (const auto* move = std::get_if<MoveVertex>(&op)) seen.vertices.push_back(move->vertex);
   if (seen.faces.size() > most_faces_tested) return;
   seen.crossings = crossings_near(mesh, seen.faces);
-  seen.at_one_place = points_at_one_place(mesh, seen.faces, seen.vertices, chooses_place(op));
+  seen.at_one_place = points_at_one_place(mesh, seen.faces, seen.vertices);
 }
 
 // Warns of the pairs that were not there before, by those of the two that have a name already.
@@ -73,8 +68,8 @@ Preview preview(Mesh& mesh, Journal& journal, const AnyOp& op, std::size_t face_
   for (Reason& reason : doubts_of_faces(mesh, result.faces, result.warnings))
     result.warnings.push_back(std::move(reason));
   if (!seen.at_one_place.empty())
-    warn_of_news(mesh, Rule::same_place, seen.at_one_place,
-                 points_at_one_place(mesh, seen.faces, seen.vertices, chooses_place(op)), result);
+    warn_of_news(mesh, Rule::same_place, seen.at_one_place, points_at_one_place(mesh, seen.faces, seen.vertices),
+                 result);
   if (!seen.crossings.empty())
     warn_of_news(mesh, Rule::intersects, seen.crossings, crossings_near(mesh, seen.faces), result);
   return result;

@@ -342,6 +342,22 @@ TEST(session, terms_are_kept_over_rings_copies_and_wires_as_if_made_anew) {
   }
 }
 
+TEST(session, knows_the_kind_of_its_mesh_after_edits) {
+  auto opened = Document::open(RYOSEN_SOURCE_DIR "/assets/cube.obj");
+  ASSERT_TRUE(opened);
+  Session session(std::move(opened).value());
+  const auto kind = [&] { return row_of(session.kind().kind).id; };
+  EXPECT_EQ(kind(), "solid");
+  ASSERT_TRUE(session.run("reverse f0").done());
+  EXPECT_EQ(kind(), "inside_out");
+  ASSERT_TRUE(session.run("delete f0").done());
+  EXPECT_TRUE(session.is_kind_stale());
+  EXPECT_EQ(kind(), "surface");
+  EXPECT_FALSE(session.is_kind_stale());
+  ASSERT_TRUE(session.run("undo 2").done());
+  EXPECT_EQ(kind(), "solid");
+}
+
 TEST(session, says_which_edges_a_file_cannot_hold) {
   Session session(std::make_unique<Document>());
   for (const char* line : {"make_vertex 0,0,0", "make_vertex 1,0,0", "make_edge v0 v1"})

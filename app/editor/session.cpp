@@ -83,7 +83,7 @@ void Session::follow(std::size_t transaction) {
     const std::string& line = document_->history()[transaction].command;
     const OpInfo* op = find_op(std::string_view(line).substr(0, line.find(' ')));
     const bool is_kept = op && op->topology == Topology::kept && !touched.everything &&
-                         follow_operator(*euler_, m, *highlights_, boundary_loops_->count());
+                         follow_operator(*euler_, m, highlights_->problems(), boundary_loops_->count());
     if (!is_kept) euler_.reset();
   }
   std::erase_if(selection, [&](const Element& e) {
@@ -276,15 +276,15 @@ const BoundaryLoopCount& Session::boundary_loops() {
 
 const EulerPoincare& Session::euler_terms() {
   boundary_loops();
-  if (!euler_) euler_ = euler_poincare(mesh(), *highlights_);
+  if (!euler_) euler_ = euler_poincare(mesh(), highlights_->problems());
   return *euler_;
 }
 
 const KindOfMesh& Session::kind(bool anew) {
   constexpr std::uint32_t most_faces = 20000;  // more would be felt after each edit
-  const bool is_quick = mesh().live().faces <= most_faces || is_kind_evident(mesh(), highlights());
+  const bool is_quick = mesh().live().faces <= most_faces || is_kind_evident(mesh(), highlights().problems());
   if (!kind_ || (is_kind_stale() && (anew || is_quick))) {
-    kind_ = find_kind(mesh(), highlights());
+    kind_ = find_kind(mesh(), highlights().problems());
     kind_revision_ = document_->revision();
   }
   return *kind_;

@@ -11,9 +11,9 @@ namespace ryosen {
 
 namespace {
 
-Edge first_edge(const HighlightSets& sets, ProblemKind kind) { return Edge(sets.of(kind).nth(0)); }
+Edge first_edge(const ProblemSets& sets, ProblemKind kind) { return Edge(sets.of(kind).nth(0)); }
 
-void take_counts(EulerPoincare& terms, const Mesh& mesh, const HighlightSets& sets, std::size_t boundary_loops) {
+void take_counts(EulerPoincare& terms, const Mesh& mesh, const ProblemSets& sets, std::size_t boundary_loops) {
   const ElementCounts counts = sets.counts_on_points(mesh);
   terms.vertices = counts.vertices;
   terms.edges = counts.edges;
@@ -24,7 +24,7 @@ void take_counts(EulerPoincare& terms, const Mesh& mesh, const HighlightSets& se
 }
 
 // Where the mesh is no manifold, if the sets of problems say so.
-void find_nonmanifold(EulerPoincare& terms, const HighlightSets& sets) {
+void find_nonmanifold(EulerPoincare& terms, const ProblemSets& sets) {
   if (sets.count(ProblemKind::nonmanifold_edge) > 0) {
     terms.no_genus = NoGenus::nonmanifold_edge;
     terms.at = first_edge(sets, ProblemKind::nonmanifold_edge);
@@ -38,7 +38,7 @@ void find_nonmanifold(EulerPoincare& terms, const HighlightSets& sets) {
 // vertex, and what lies beside its gaps are wires and edges that have one face on points too.
 class WireEnds {
  public:
-  WireEnds(const Mesh& mesh, const HighlightSets& sets) : mesh_(mesh), sets_(sets) {
+  WireEnds(const Mesh& mesh, const ProblemSets& sets) : mesh_(mesh), sets_(sets) {
     if (sets.count(ProblemKind::wire) == 0) return;
     is_end_.assign(mesh.vertex_slots(), false);
     sets.of(ProblemKind::wire).for_each([&](std::uint32_t i) {
@@ -66,12 +66,12 @@ class WireEnds {
   }
 
   const Mesh& mesh_;
-  const HighlightSets& sets_;
+  const ProblemSets& sets_;
   std::vector<bool> is_end_;
   Vertex amid_;
 };
 
-void find_what_hinders(EulerPoincare& terms, Neighbourhood& around, const HighlightSets& sets, const WireEnds& wires) {
+void find_what_hinders(EulerPoincare& terms, Neighbourhood& around, const ProblemSets& sets, const WireEnds& wires) {
   find_nonmanifold(terms, sets);
   if (terms.no_genus != NoGenus::none) return;
   const bool is_misoriented = sets.count(ProblemKind::misoriented_edge) > 0;
@@ -89,7 +89,7 @@ void find_what_hinders(EulerPoincare& terms, Neighbourhood& around, const Highli
   }
 }
 
-std::int64_t count_wire_cycles(const Mesh& mesh, const HighlightSets& sets, const BoundaryLoops& loops) {
+std::int64_t count_wire_cycles(const Mesh& mesh, const ProblemSets& sets, const BoundaryLoops& loops) {
   if (sets.count(ProblemKind::wire) == 0) return 0;
   std::int64_t count = 0;
   std::vector<bool> on_cycle(mesh.halfedge_slots(), false);
@@ -108,7 +108,7 @@ std::int64_t count_wire_cycles(const Mesh& mesh, const HighlightSets& sets, cons
 // A forest of the points, which gives the parts, and one of the faces and walks outside over the edges that are left.
 class TreeAndCotree {
  public:
-  TreeAndCotree(Neighbourhood& around, const HighlightSets& sets)
+  TreeAndCotree(Neighbourhood& around, const ProblemSets& sets)
       : mesh_(around.mesh()), around_(around), sets_(sets), points_(mesh_.vertex_slots()) {
     if (!mesh_.has_copies()) return;
     for (std::uint32_t i = 0; i < mesh_.vertex_slots(); ++i)
@@ -180,7 +180,7 @@ class TreeAndCotree {
 
   const Mesh& mesh_;
   Neighbourhood& around_;
-  const HighlightSets& sets_;
+  const ProblemSets& sets_;
   DisjointSets points_;
   DisjointSets others_;  // faces by slot, then outside halves
   std::vector<Face> faces_;
@@ -188,7 +188,7 @@ class TreeAndCotree {
 
 }  // namespace
 
-EulerPoincare euler_poincare(const Mesh& mesh, const HighlightSets& sets) {
+EulerPoincare euler_poincare(const Mesh& mesh, const ProblemSets& sets) {
   Neighbourhood around(mesh, Neighbourhood::Reach::whole);
   EulerPoincare terms;
   const BoundaryLoops loops = find_boundary_loops(around, sets.of(ProblemKind::boundary_loop));
@@ -205,9 +205,9 @@ EulerPoincare euler_poincare(const Mesh& mesh, const HighlightSets& sets) {
   return terms;
 }
 
-EulerPoincare euler_poincare(const Mesh& mesh) { return euler_poincare(mesh, HighlightSets(mesh)); }
+EulerPoincare euler_poincare(const Mesh& mesh) { return euler_poincare(mesh, ProblemSets(mesh)); }
 
-bool follow_operator(EulerPoincare& terms, const Mesh& mesh, const HighlightSets& sets, std::uint32_t boundary_loops) {
+bool follow_operator(EulerPoincare& terms, const Mesh& mesh, const ProblemSets& sets, std::uint32_t boundary_loops) {
   EulerPoincare now = terms;
   take_counts(now, mesh, sets, boundary_loops);
   now.no_genus = NoGenus::none;

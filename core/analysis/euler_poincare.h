@@ -12,9 +12,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/analysis/problem_sets.h"
 #include "core/base/element.h"
 #include "core/base/message.h"
-#include "core/highlights/highlight_sets.h"
 
 namespace ryosen {
 
@@ -54,13 +54,13 @@ struct EulerPoincare {
 };
 
 // `sets` are those of the mesh as it is. O(edges), and a logarithm beside copies.
-EulerPoincare euler_poincare(const Mesh& mesh, const HighlightSets& sets);
+EulerPoincare euler_poincare(const Mesh& mesh, const ProblemSets& sets);
 // Searches for itself.
 EulerPoincare euler_poincare(const Mesh& mesh);
 
 // Brings the terms up to date after an operator that leaves W, S and G alone (Topology::kept). False where that is
 // not enough and they must be asked anew. O(1).
-bool follow_operator(EulerPoincare& terms, const Mesh& mesh, const HighlightSets& sets, std::uint32_t boundary_loops);
+bool follow_operator(EulerPoincare& terms, const Mesh& mesh, const ProblemSets& sets, std::uint32_t boundary_loops);
 
 // "not manifold at 0-1"; empty where there is a G.
 Text why_no_genus(const Mesh& mesh, const EulerPoincare& terms);

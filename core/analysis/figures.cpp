@@ -74,7 +74,7 @@ void count_vertices(Neighbourhood& around, const ProblemSets& sets, Figures& fig
 }
 
 // As a file that is read again has them: what wires alone hold there has nothing.
-void count_isolated(Neighbourhood& around, const HighlightSets& sets, Figures& figures) {
+void count_isolated(Neighbourhood& around, const ProblemSets& sets, Figures& figures) {
   std::vector<Vertex> bare;
   sets.of(ProblemKind::wire).for_each([&](std::uint32_t i) {
     const auto [a, b] = ends(around.mesh(), Edge(i));

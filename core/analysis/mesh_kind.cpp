@@ -31,14 +31,14 @@ constexpr bool kind_rows_are_in_order() {
 static_assert(kind_rows_are_in_order(), "the table has one row per kind, in the order of the enumeration");
 
 // The lowest element of a kind of problem, by its name.
-std::string first_of(const Mesh& mesh, const HighlightSets& sets, ProblemKind kind) {
+std::string first_of(const Mesh& mesh, const ProblemSets& sets, ProblemKind kind) {
   const std::uint32_t i = sets.of(kind).nth(0);
   return name_on_points(mesh, row_of(kind).vertex ? Element(Vertex(i)) : Element(Edge(i)));
 }
 
 std::string face_name(Face f) { return "f" + std::to_string(f.index); }
 
-KindOfMesh without_faces(const Mesh& mesh, const HighlightSets& sets) {
+KindOfMesh without_faces(const Mesh& mesh, const ProblemSets& sets) {
   const ElementCounts counts = sets.counts_on_points(mesh);
   const std::string edges = std::to_string(counts.edges), vertices = std::to_string(counts.vertices);
   if (counts.edges > 0)
@@ -51,7 +51,7 @@ KindOfMesh without_faces(const Mesh& mesh, const HighlightSets& sets) {
   return {MeshKind::empty, {"There is neither face, edge nor vertex.", "面も稜線も頂点もありません。"}};
 }
 
-std::optional<KindOfMesh> if_not_manifold(Neighbourhood& around, const HighlightSets& sets) {
+std::optional<KindOfMesh> if_not_manifold(Neighbourhood& around, const ProblemSets& sets) {
   const Mesh& mesh = around.mesh();
   if (sets.count(ProblemKind::nonmanifold_edge) > 0) {
     const Edge e(sets.of(ProblemKind::nonmanifold_edge).nth(0));
@@ -68,7 +68,7 @@ std::optional<KindOfMesh> if_not_manifold(Neighbourhood& around, const Highlight
                      name + " の周りの面が " + fans + " つの扇に分かれています。"}};
 }
 
-std::optional<KindOfMesh> if_faces_disagree(Neighbourhood& around, const HighlightSets& sets) {
+std::optional<KindOfMesh> if_faces_disagree(Neighbourhood& around, const ProblemSets& sets) {
   const Mesh& mesh = around.mesh();
   if (sets.count(ProblemKind::misoriented_edge) == 0) return std::nullopt;
   if (const Halfedge twist = find_twist(around)) {
@@ -84,7 +84,7 @@ std::optional<KindOfMesh> if_faces_disagree(Neighbourhood& around, const Highlig
 }
 
 // A point of a face without a finite place.
-Vertex lost_corner(Neighbourhood& around, const HighlightSets& sets) {
+Vertex lost_corner(Neighbourhood& around, const ProblemSets& sets) {
   Vertex lost;
   sets.of(ProblemKind::nonfinite_vertex).for_each([&](std::uint32_t i) {
     if (!lost && around.fans(Vertex(i)) > 0) lost = Vertex(i);
@@ -92,7 +92,7 @@ Vertex lost_corner(Neighbourhood& around, const HighlightSets& sets) {
   return lost;
 }
 
-std::optional<KindOfMesh> if_open(Neighbourhood& around, const HighlightSets& sets) {
+std::optional<KindOfMesh> if_open(Neighbourhood& around, const ProblemSets& sets) {
   const Mesh& mesh = around.mesh();
   if (sets.count(ProblemKind::boundary_loop) > 0) {
     const std::string name = first_of(mesh, sets, ProblemKind::boundary_loop);
@@ -147,12 +147,12 @@ KindOfMesh of_shells(const Shells& shells) {
 std::span<const MeshKindRow> mesh_kind_table() { return kind_rows; }
 const MeshKindRow& row_of(MeshKind kind) { return kind_rows[static_cast<std::size_t>(kind)]; }
 
-bool is_kind_evident(const Mesh& mesh, const HighlightSets& sets) {
+bool is_kind_evident(const Mesh& mesh, const ProblemSets& sets) {
   if (mesh.live().faces == 0 || sets.count(ProblemKind::nonmanifold_vertex) > 0) return true;
   return sets.count(ProblemKind::misoriented_edge) == 0 && sets.count(ProblemKind::boundary_loop) > 0;
 }
 
-KindOfMesh find_kind(const Mesh& mesh, const HighlightSets& sets) {
+KindOfMesh find_kind(const Mesh& mesh, const ProblemSets& sets) {
   if (mesh.live().faces == 0) return without_faces(mesh, sets);
   Neighbourhood around(mesh, is_kind_evident(mesh, sets) ? Neighbourhood::Reach::local : Neighbourhood::Reach::whole);
   if (const auto kind = if_not_manifold(around, sets)) return *kind;

@@ -5,8 +5,8 @@
 #include <span>
 #include <string_view>
 
+#include "core/analysis/problem_sets.h"
 #include "core/base/message.h"
-#include "core/highlights/highlight_sets.h"
 
 namespace ryosen {
 
@@ -38,8 +38,8 @@ struct KindOfMesh {
 };
 
 // `sets` are those of the mesh as it is. Takes next to nothing where is_kind_evident, else O(n log n) (shells.h).
-KindOfMesh find_kind(const Mesh& mesh, const HighlightSets& sets);
+KindOfMesh find_kind(const Mesh& mesh, const ProblemSets& sets);
 // Whether the sets alone tell.
-bool is_kind_evident(const Mesh& mesh, const HighlightSets& sets);
+bool is_kind_evident(const Mesh& mesh, const ProblemSets& sets);
 
 }  // namespace ryosen

@@ -30,9 +30,6 @@ class ProblemSets {
   const IndexSet& of(ProblemKind kind) const { return sets_[static_cast<std::size_t>(kind)]; }
   std::uint32_t count(ProblemKind kind) const { return of(kind).size(); }
 
-  // Removes vertices from a set, for good: no update may follow.
-  void leave_out(ProblemKind kind, std::span<const Vertex> vertices);
-
   // Takes vertices out of a set, for good: no update may follow.
   void leave_out(ProblemKind kind, std::span<const Vertex> vertices);
 

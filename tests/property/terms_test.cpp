@@ -14,6 +14,7 @@
 #include "tests/support/core/oracle/homology.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/random_ops.h"
+#include "tests/support/core/shapes.h"
 #include "tests/support/core/small_surfaces.h"
 
 namespace ryosen {
@@ -99,7 +100,7 @@ TEST(terms, after_random_operators_are_those_of_the_oracle_and_kept_where_an_ope
         if (HasFatalFailure()) return;
         if (info_of(op).topology != Topology::kept) continue;
         ++kept[std::string(info_of(op).id)];
-        const HighlightSets sets(after);
+        const ProblemSets sets(after);
         const EulerPoincare anew = euler_poincare(after, sets);
         ASSERT_EQ(anew.genus, before.genus);
         ASSERT_EQ(anew.parts, before.parts);
@@ -124,7 +125,7 @@ TEST(terms, isolated_vertices_are_those_that_can_be_removed) {
   std::size_t listed = 0, ends_of_wires = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     const Mesh mesh = random_complex(seed);
-    const HighlightSets sets(mesh);
+    const ProblemSets sets(mesh);
     ends_of_wires += sets.count(ProblemKind::wire);
     sets.of(ProblemKind::isolated_vertex).for_each([&](std::uint32_t i) {
       ++listed;

@@ -136,7 +136,7 @@ TEST(euler_poincare, a_wire_between_two_walks_of_one_part_is_a_handle) {
 
 TEST(euler_poincare, a_bridge_is_an_edge_until_make_ring_takes_it) {
   Mesh mesh = mesh_of_exercise("cube_with_hole");
-  const HighlightSets sets(mesh);
+  const ProblemSets sets(mesh);
   EXPECT_EQ(sets.count(ProblemKind::ring), 2u);
   const Face f(sets.of(ProblemKind::ring).nth(0));
   const Halfedge outer = mesh.halfedge(f), ring = mesh.ring(mesh.first_ring(f)).halfedge;
@@ -149,7 +149,7 @@ TEST(euler_poincare, a_bridge_is_an_edge_until_make_ring_takes_it) {
   }
   expect(mesh, {16, 25, 10, 0, 0, 0, 1, 1, 1});
   // The list of problems says the same of the open mesh; the figures are those of the file that it is written to.
-  const HighlightSets after(mesh);
+  const ProblemSets after(mesh);
   EXPECT_EQ(after.count(ProblemKind::ring), 1u);
   EXPECT_EQ(compute_figures(mesh).rings, 2u);
   EXPECT_EQ(compute_figures(mesh).edges, 24u);

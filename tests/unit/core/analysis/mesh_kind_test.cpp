@@ -25,11 +25,11 @@ Mesh asset_of_kind(const std::string& name) {
 }
 
 std::string id_of(const Mesh& mesh) {
-  const KindOfMesh kind = find_kind(mesh, HighlightSets(mesh));
+  const KindOfMesh kind = find_kind(mesh, ProblemSets(mesh));
   EXPECT_FALSE(kind.reason.en.empty() || kind.reason.ja.empty());
   return std::string(row_of(kind.kind).id);
 }
-std::string reason_of(const Mesh& mesh) { return find_kind(mesh, HighlightSets(mesh)).reason.en; }
+std::string reason_of(const Mesh& mesh) { return find_kind(mesh, ProblemSets(mesh)).reason.en; }
 
 // Boxes along the axes in one mesh, each of six quads that look outwards, or inwards.
 class Boxes {

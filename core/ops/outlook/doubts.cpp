@@ -131,10 +131,7 @@ std::vector<Reason> doubts_of_faces(const Mesh& before, const std::vector<GhostF
     } else {
       // A face that would be new has no name yet: the ends of the two sides.
       for (const std::uint32_t corner : *crossing)
-        for (const std::uint32_t end : {corner, ghost.polygon.next(corner)}) {
-          const Halfedge h = ghost.polygon.corners()[end];
-          if (before.exists(h) && before.is_alive(h)) name(before.from(h), crossed);
-        }
+        for (const std::uint32_t end : {corner, ghost.polygon.next(corner)}) name(ghost.vertices[end], crossed);
     }
   }
   std::vector<Reason> found;

@@ -8,6 +8,7 @@ namespace ryosen {
 struct GhostFace {
   Face face;
   FacePolygon polygon;
+  std::vector<Vertex> vertices = {};  // of its corners, where there are more than three
 };
 
 }  // namespace ryosen

@@ -28,16 +28,17 @@ std::string doubts_about(Mesh mesh, const std::string& line) {
   return ids;
 }
 
-Mesh mesh_at(const Places& places, const Polygons& faces) {
+Mesh mesh_at(const Places& places, const Polygons& faces, const std::vector<std::uint32_t>& bridged = {}) {
   IndexedMesh source = indexed(faces, places.size());
   source.positions = places;
+  source.bridged = bridged;
   return from_indexed(std::move(source));
 }
 
 // A plate of 9 by 9 with a square hole from 3 to 6, read as a ring.
 Mesh plate_with_hole() {
   return mesh_at({{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}, {3, 3, 0}, {3, 6, 0}, {6, 6, 0}, {6, 3, 0}},
-                 {{0, 1, 2, 3, 0, 4, 5, 6, 7, 4}});
+                 {{0, 1, 2, 3, 0, 4, 5, 6, 7, 4}}, {0});
 }
 Mesh arrow() {  // its corner 2 lies within
   return mesh_at({{0, 0, 0}, {9, 0, 0}, {1, 1, 0}, {0, 9, 0}}, {{0, 1, 2, 3}});

@@ -152,7 +152,7 @@ constexpr std::array rules{
     RuleText{
         Rule::degenerate, "degenerate", warn,
         "collapse swap split move_vertex make_loop make_face fill separate_loop poke vertex_split triangulate extrude "
-        "unite_loop unite_edge dissolve weld",
+        "unite_edge dissolve weld",
         "A face becomes degenerate: its corners lie on a line.", "面が縮退し、角が一直線に並びます。",
         "choose another position", "別の位置を選びます"},
     RuleText{Rule::seam, "seam", warn, "collapse swap unite_loop dissolve",

@@ -101,6 +101,8 @@ class Survey {
     ask(pillow, op_of(pillow, "unite_loop 0-2"));
     ask(hexagon, op_of(hexagon, "separate_loop 0 3 f0"));
     ask(hexagon, MakeFace{{Vertex(0), Vertex(2)}});
+    ask(hexagon, op_of(hexagon, "split 1-2 1.5"));
+    ask(hexagon, op_of(hexagon, "separate_edge 1-2 -0.5"));
     // A corner so near to the edge that the point on it, rounded, lies on the other side.
     for (int i = 0; i < 2000; ++i) {
       const glm::dvec3 b{1 + dice.unit(), dice.unit(), 0};

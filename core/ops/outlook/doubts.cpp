@@ -62,6 +62,17 @@ std::optional<std::array<std::uint32_t, 2>> find_crossing(const FacePolygon& pol
   return std::nullopt;
 }
 
+// Whether two faces have the same corners: one that only runs the other way round is turned over on purpose.
+bool have_same_corners(const FacePolygon& a, const FacePolygon& b) {
+  const auto in_order = [](std::vector<glm::dvec3> places) {
+    std::sort(places.begin(), places.end(), [](const glm::dvec3& p, const glm::dvec3& q) {
+      return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
+    });
+    return places;
+  };
+  return a.places().size() == b.places().size() && in_order(a.places()) == in_order(b.places());
+}
+
 bool is_known(const std::vector<Reason>& known, Rule rule) {
   return std::any_of(known.begin(), known.end(), [&](const Reason& reason) { return reason.rule == rule; });
 }
@@ -117,7 +128,7 @@ std::vector<Reason> doubts_of_faces(const Mesh& before, const std::vector<GhostF
       const FaceGeometry shape_before(old.is_finite() ? old.keyhole_walk() : std::vector<glm::dvec3>());
       if (shape.is_degenerate()) {
         if (!says_degenerate && !shape_before.is_degenerate()) degenerate.emplace_back(f);
-      } else if (!says_turned && shape_before.turns_against(shape)) {
+      } else if (!says_turned && shape_before.turns_against(shape) && !have_same_corners(old, ghost.polygon)) {
         turned.emplace_back(f);
       }
     }

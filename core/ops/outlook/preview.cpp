@@ -43,13 +43,12 @@ void run_and_roll_back(Mesh& mesh, Journal& journal, const AnyOp& op, std::size_
   seen.at_one_place = points_at_one_place(mesh, seen.faces, seen.vertices);
 }
 
-// Warns of the pairs that were not there before, by those of the two that have a name already.
-template <class Pair>
-void warn_of_news(const Mesh& mesh, Rule rule, const std::vector<Pair>& pairs, const std::vector<Pair>& before,
-                  Preview& result) {
+// Warns of the pairs that were not so before, by those of the two that have a name already.
+template <class Pair, class WasSo>
+void warn_of_news(const Mesh& mesh, Rule rule, const std::vector<Pair>& pairs, const WasSo& was_so, Preview& result) {
   std::vector<Element> witnesses;
   for (const Pair& pair : pairs) {
-    if (std::binary_search(before.begin(), before.end(), pair)) continue;
+    if (was_so(pair)) continue;
     for (const auto element : {pair.first, pair.second})
       if (mesh.exists(element) && mesh.is_alive(element) &&
           std::find(witnesses.begin(), witnesses.end(), Element(element)) == witnesses.end())
@@ -70,11 +69,15 @@ Preview preview(Mesh& mesh, Journal& journal, const AnyOp& op, std::size_t face_
   if (seen.faces.size() > most_faces_tested) return result;
   for (Reason& reason : doubts_of_faces(mesh, result.faces, result.warnings))
     result.warnings.push_back(std::move(reason));
-  if (!seen.at_one_place.empty())
-    warn_of_news(mesh, Rule::same_place, seen.at_one_place, points_at_one_place(mesh, seen.faces, seen.vertices),
-                 result);
-  if (!seen.crossings.empty())
-    warn_of_news(mesh, Rule::intersects, seen.crossings, crossings_near(mesh, seen.faces), result);
+  const auto is_known = [&](Vertex v) { return mesh.exists(v) && mesh.is_alive(v); };
+  const auto were_at_one_place = [&](const std::pair<Vertex, Vertex>& pair) {
+    return is_known(pair.first) && is_known(pair.second) && mesh.position(pair.first) == mesh.position(pair.second);
+  };
+  warn_of_news(mesh, Rule::same_place, seen.at_one_place, were_at_one_place, result);
+  if (seen.crossings.empty()) return result;
+  const std::vector<Crossing> before = crossings_near(mesh, seen.faces);
+  const auto crossed = [&](const Crossing& pair) { return std::binary_search(before.begin(), before.end(), pair); };
+  warn_of_news(mesh, Rule::intersects, seen.crossings, crossed, result);
   return result;
 }
 

@@ -64,7 +64,7 @@ TEST(mesh_kind, each_kind_has_a_mesh_and_names_its_element) {
     EXPECT_EQ(id_of(asset_of_kind(one_sided)), "one_sided") << one_sided;
   EXPECT_EQ(id_of(asset_of_kind("misoriented.obj")), "misoriented");
   EXPECT_EQ(id_of(make_mesh(two_quads())), "surface");
-  EXPECT_EQ(reason_of(make_mesh(two_quads())), "Edge 0-1 has a face on one side only.");
+  EXPECT_EQ(reason_of(make_mesh(two_quads())), "Edge 0-4 has a face on one side only.");
   EXPECT_EQ(id_of(Boxes().cube(0, 1, true).mesh()), "inside_out");
   EXPECT_EQ(reason_of(Boxes().cube(0, 1, true).mesh()), "The faces of the shell of f0 look inwards.");
   EXPECT_EQ(id_of(Boxes().cube(0, 1).mesh()), "solid");
@@ -175,9 +175,10 @@ TEST(mesh_kind, depths_of_random_boxes_are_those_of_their_corners) {
     std::vector<Span> all;
     const int count = 2 + dice.below(3);
     for (int i = 0; i < count; ++i) {
-      const glm::dvec3 lowest(dice.below(8), dice.below(8), dice.below(8));
-      const int most = i == 0 ? 14 : 4;
-      all.push_back({lowest, lowest + glm::dvec3(1 + dice.below(most), 1 + dice.below(most), 1 + dice.below(most))});
+      const auto number = [&](int from, int to) { return static_cast<double>(from + dice.below(to - from + 1)); };
+      const glm::dvec3 lowest = i == 0 ? glm::dvec3(0) : glm::dvec3(number(0, 8), number(0, 8), number(0, 8));
+      const int least = i == 0 ? 12 : 1, most = i == 0 ? 14 : 4;
+      all.push_back({lowest, lowest + glm::dvec3(number(least, most), number(least, most), number(least, most))});
       boxes.add(all.back().lowest, all.back().highest);
     }
     bool meet = false;

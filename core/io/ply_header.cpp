@@ -7,6 +7,7 @@
 #include "core/io/numbers.h"
 #include "core/io/ply_roles.h"
 #include "core/io/text_lines.h"
+#include "core/io/text_out.h"
 
 namespace ryosen {
 namespace {
@@ -42,9 +43,9 @@ class HeaderReader {
     std::string_view rest = text;
     const std::string_view word = take_word(rest);
     if (word == "comment") {
-      header_.comments.emplace_back(after_blank(rest));
+      header_.comments.push_back(on_one_line(after_blank(rest)));
     } else if (word == "obj_info") {
-      header_.tables.obj_info.emplace_back(after_blank(rest));
+      header_.tables.obj_info.push_back(on_one_line(after_blank(rest)));
     } else if (word == "format") {
       format(rest);
     } else if (word == "element") {

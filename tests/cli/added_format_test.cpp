@@ -32,12 +32,12 @@ Format dots_format() {
   return format;
 }
 
-struct Run {
+struct Ended {
   ExitCode code;
   std::string out, err;
 };
 
-Run run(const std::vector<std::string>& arguments) {
+Ended run_here(const std::vector<std::string>& arguments) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   const ExitCode code = cli::run(arguments);
@@ -48,26 +48,26 @@ TEST(added_format, is_read_by_every_command_and_written_by_none) {
   const TemporaryFolder folder;
   folder.write("a.dots", "dot 3\n");
   folder.write("bad.dots", "dot x\n");
-  EXPECT_EQ(run({"formats"}).out.find("dots"), std::string::npos);
+  EXPECT_EQ(run_here({"formats"}).out.find("dots"), std::string::npos);
   const AddedFormat added(dots_format());
 
-  EXPECT_NE(run({"formats", "--lang", "en"}).out.find("dots (.dots); read\n"), std::string::npos);
-  EXPECT_NE(
-      run({"formats", "--json"}).out.find("\"extensions\":[\".dots\"],\"variants\":[],\"read\":true,\"write\":false"),
-      std::string::npos);
-  const Run check = run({"check", "--json", folder.path().string()});
-  EXPECT_EQ(check.code, ExitCode::some_inputs_failed) << "the folder is walked over its extension";
-  EXPECT_NE(check.out.find("a.dots\",\"format\":\"dots\",\"status\":\"warnings\",\"vertices\":3"), std::string::npos);
-  EXPECT_NE(check.out.find("bad.dots\",\"format\":\"dots\",\"status\":\"error\""), std::string::npos);
+  EXPECT_NE(run_here({"formats", "--lang", "en"}).out.find("dots (.dots); read\n"), std::string::npos);
+  EXPECT_NE(run_here({"formats", "--json"})
+                .out.find("\"extensions\":[\".dots\"],\"variants\":[],\"read\":true,\"write\":false"),
+            std::string::npos);
+  const Ended checked = run_here({"check", "--json", folder.path().string()});
+  EXPECT_EQ(checked.code, ExitCode::some_inputs_failed) << "the folder is walked over its extension";
+  EXPECT_NE(checked.out.find("a.dots\",\"format\":\"dots\",\"status\":\"warnings\",\"vertices\":3"), std::string::npos);
+  EXPECT_NE(checked.out.find("bad.dots\",\"format\":\"dots\",\"status\":\"error\""), std::string::npos);
 
   const std::string in = folder.at("a.dots"), out = folder.at("b.dots"), obj = folder.at("b.obj");
-  for (const Run& refused : {run({"convert", in, "-o", out, "--lang", "en"}),
-                             run({"convert", in, "-o", obj, "--format", "dots", "--lang", "en"}),
-                             run({"edit", in, "-o", out, "--do", "undo", "--lang", "en"})}) {
+  for (const Ended& refused : {run_here({"convert", in, "-o", out, "--lang", "en"}),
+                               run_here({"convert", in, "-o", obj, "--format", "dots", "--lang", "en"}),
+                               run_here({"edit", in, "-o", out, "--do", "undo", "--lang", "en"})}) {
     EXPECT_EQ(refused.code, ExitCode::usage);
     EXPECT_NE(refused.err.find("dots are only read, not written"), std::string::npos) << refused.err;
   }
-  EXPECT_EQ(run({"convert", in, "-o", obj}).code, ExitCode::done);
+  EXPECT_EQ(run_here({"convert", in, "-o", obj}).code, ExitCode::done);
 
   Session session(std::make_unique<Document>());
   EXPECT_TRUE(session.run("open " + in).done());

@@ -176,7 +176,7 @@ TEST_F(RecoveryTest, a_packed_file_is_saved_packed_and_its_original_read_by_its_
   crashed->run("collapse 0-1 mid");
   crashed->run("save");
   EXPECT_TRUE(is_gzip(test::read_file(path)));
-  EXPECT_EQ(Document::open(path).value()->mesh().hash(), crashed->session.mesh().hash());
+  EXPECT_EQ(Document::open(path).value()->mesh().live().faces, crashed->session.mesh().live().faces);
   crashed->run("split 40-41");
   const std::uint64_t hash = crashed->session.mesh().hash();
   crashed.reset();

@@ -92,9 +92,8 @@ TEST(gzip, any_change_is_refused_or_changes_nothing) {
     std::string other = packed;
     other[at] = static_cast<char>(other[at] ^ (1 << at % 8));
     const Result<FileBytes> bytes = unpack_gzip(other);
-    if (bytes) {
-      EXPECT_LT(at, 10u) << "of the head";
-      EXPECT_EQ(bytes->view(), text);
+    if (bytes) {  // in the head, or in bits that fill a byte
+      EXPECT_EQ(bytes->view(), text) << at;
     } else {
       EXPECT_LE(bytes.failure().message.byte.value_or(~0u), other.size());
     }

@@ -298,6 +298,16 @@ TEST(ply_read, unknown_lines_of_the_header_keep_their_place) {
   }
 }
 
+TEST(ply_read, damage_in_comments_is_read_as_it_is_written) {
+  const std::string text(
+      "ply\nformat ascii 1.0\ncomment a\0b\nobj_info c\0\nelement vertex 1\nproperty float x\n"
+      "property float y\nproperty float z\nend_header\n0 0 0\n",
+      130);
+  const MeshFile file = read_sound("ply", text);
+  EXPECT_EQ(file.head_comments, std::vector<std::string>{"a b"});
+  EXPECT_EQ(difference_after_round_trip(file, "ply"), "");
+}
+
 TEST(ply_read, a_refusal_names_the_unknown_word_that_may_have_led_to_it) {
   const Failure failure =
       read_refused("ply",

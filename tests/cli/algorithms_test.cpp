@@ -48,6 +48,9 @@ ProgramRun run_here(std::vector<std::string> words, const std::vector<std::strin
 // Two triangles beside each other whose common points lie a thousandth apart.
 constexpr const char* loose = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1.001 0 0\nv 0 1.001 0\nv 1 1 0\nf 1 2 3\nf 4 6 5\n";
 
+// A tetrahedron without one of its faces.
+constexpr const char* with_hole = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";
+
 class Algorithms : public testing::Test {
  protected:
   const ScopedAlgorithm scatter_{scatter_row()};
@@ -138,7 +141,7 @@ TEST_F(Algorithms, are_commands_of_scripts_and_one_entry_of_the_history_that_rep
   for (const std::string line : {"weld_close distance=0.5", "repair weld_close 0.5", "repair weld_close distance=0.5",
                                  "weld_close distance=5%", "fill_holes", "repair orient", "fill_holes most_edges=18",
                                  "scatter distance=1 x=0 copies=2 share=0.5 angle=0 way=up mirror=on at=f0,v3"}) {
-    const std::string input = line.starts_with("fill") ? asset("moebius.off") : folder_.write("loose.obj", loose);
+    const std::string input = folder_.write("a.obj", line.starts_with("fill") ? with_hole : loose);
     const auto open = [&] { return Session(Document::open(input).value()); };
     Session session = open(), again = open();
     const Outcome outcome = session.run(line);
@@ -156,12 +159,13 @@ TEST_F(Algorithms, are_commands_of_scripts_and_one_entry_of_the_history_that_rep
 }
 
 TEST_F(Algorithms, refuse_words_before_a_script_runs) {
-  for (const char* line : {"weld_close", "weld_close distance=x", "weld_close size=1", "repair weld_close",
-                           "repair fill_holes 1.5", "repair nothing", "repair", "repair scatter distance=1 at=v0",
-                           "scatter distance=1 at=q", "fill_holes most_edges=1 most_edges=2", "remove_isolated 3"})
-    EXPECT_TRUE(fault_of_command(line)) << line;
   for (const char* line :
-       {"weld_close 1%", "repair fill_holes 12", "repair weld_close 1e-3", "fill_holes", "scatter distance=1 at=v900"})
+       {"weld_close", "weld_close distance=x", "weld_close size=1", "repair weld_close", "repair fill_holes 1.5",
+        "repair nothing", "repair", "repair scatter distance=1 at=v0", "scatter distance=1 at=q",
+        "fill_holes most_edges=1 most_edges=2", "remove_isolated 3", "values", "values nothing"})
+    EXPECT_TRUE(fault_of_command(line)) << line;
+  for (const char* line : {"weld_close 1%", "repair fill_holes 12", "repair weld_close 1e-3", "fill_holes",
+                           "scatter distance=1 at=v900", "values scatter"})
     EXPECT_FALSE(fault_of_command(line)) << line;
   EXPECT_EQ(fault_of_command("weld_close distance=x")->en,
             "weld_close: distance is a length from 0 up, in units of the mesh or with % of its diagonal, not 'x'");

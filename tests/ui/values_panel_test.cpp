@@ -67,6 +67,13 @@ TEST_F(ValuesPanel, takes_the_selection_for_elements) {
   EXPECT_EQ(session.mesh().position(Vertex(3)), glm::dvec3(9, 9, 9));
 }
 
+TEST_F(ValuesPanel, offers_all_algorithms_before_one_is_asked_for) {
+  ASSERT_TRUE(session.run("panel values").done());
+  frames(3);
+  click({400, 459});
+  EXPECT_EQ(session.asked_algorithm, algorithm_table().front().id);
+}
+
 TEST_F(ValuesPanel, does_nothing_while_a_value_is_missing_or_wrong) {
   ASSERT_TRUE(session.run("values weld_close").done());
   frames(3);

@@ -28,7 +28,7 @@
 namespace ryosen {
 
 // Overlays that change independently of each other, drawn in this order.
-enum class Layer { highlights, selection, hover, preview };
+enum class Layer { highlights, selection, hover };
 inline constexpr std::size_t layer_count = enum_count<Layer>;
 
 // What is seen at each pixel of a view, rows from the top down.
@@ -73,7 +73,6 @@ class View {
   std::span<const PixelRect> redrawn() const { return redrawn_.rects(); }
   // Draws a rectangle, changed or not.
   void draw(const PixelRect& rect);
-  void draw_all() { draw(PixelRect::all(size_)); }
 
   // The picture as it was drawn last.
   Image read_pixels() const;

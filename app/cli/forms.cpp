@@ -1,8 +1,8 @@
 // `forms`: the representations of the source texts side by side for a mesh.
 #include "app/cli/contract/forms.h"
+#include "app/cli/columns.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/subcommands.h"
-#include "app/cli/text_table.h"
 #include "core/forms/comparison.h"
 #include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
@@ -90,7 +90,7 @@ std::string short_or_dash(const std::optional<double>& value, double unit) {
 }
 
 std::string forms_text(const Comparison& comparison, const Console& console) {
-  TextTable table;
+  Columns table(Columns::Others::figures);
   std::vector<std::string> head{"", std::string(console.text("bytes/face", "バイト/面")),
                                 std::string(console.text("build", "構築"))};
   for (const forms::RelationRow& relation : forms::relations())
@@ -118,7 +118,7 @@ std::string forms_text(const Comparison& comparison, const Console& console) {
 }
 
 std::string pairing_text(const Comparison& comparison, const Console& console) {
-  TextTable table;
+  Columns table(Columns::Others::figures);
   std::string parts;
   for (const PairingFigures& figures : comparison.pairing) {
     const std::string name(console.text(figures.method->en, figures.method->ja));

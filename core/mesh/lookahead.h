@@ -10,6 +10,7 @@
 //   }
 //
 // Changes no result; the mesh may be edited in between. Announced edges may be dead by the time of their turn.
+// For programs that use the library; this one edits no edges in bulk.
 #pragma once
 
 #include <array>

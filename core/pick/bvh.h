@@ -74,7 +74,6 @@ class Bvh {
 
   // The primitive in a slot; of kind none for an empty one.
   Primitive primitive(std::uint32_t slot) const { return slot < primitives_.size() ? primitives_[slot] : Primitive{}; }
-  std::size_t slot_count() const { return primitives_.size(); }
   std::size_t size() const { return live_; }  // primitives in the tree
   std::size_t bytes() const;
   // Names the first broken relation between nodes, boxes and slots, or returns null. For tests; O(n).

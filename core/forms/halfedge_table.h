@@ -9,7 +9,8 @@
 
 namespace ryosen::forms {
 
-// Plain records; no_index stands for the source texts' null. On a boundary either the pair is none (as in table 5) or a
+// Plain records; no_index stands for a link that is not there. The listing of the source texts leaves such a link
+// without a value (source_operators.h). On a boundary either the pair is none (as in table 5) or a
 // halfedge without a face runs outside (the variant of the source texts' footnote).
 struct HalfedgeTable {
   struct Record {

@@ -1,7 +1,9 @@
 // What the collapse and the swap of the source texts do, step by step, on the records of table 5.
 //
-// Their code is written for closed triangle models. Here the same steps are taken with every link looked at before it is
-// followed, so that it can be told what happens where a link is missing.
+// Their code is written for closed triangle models. On a boundary setHalfedgePair finds no partner and leaves `pair` as
+// the constructor of Halfedge does: without a value, not null. Following it is undefined behaviour, and no test for null
+// could have found it. Here the same steps are taken with every link looked at before it is followed, so that it can be
+// told where they first go astray.
 #pragma once
 
 #include <string_view>

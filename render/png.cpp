@@ -5,8 +5,8 @@
 #include <cstring>
 #include <memory>
 #include <string>
-#include <thread>
 
+#include "core/base/parallel.h"
 #include "core/io/safe_write.h"
 #include "render/image.h"
 
@@ -84,18 +84,14 @@ Piece deflate_piece(const Bytes& rows, bool is_last) {
 // The zlib stream of the filtered rows. The split into pieces is fixed, so the bytes do not depend on the number of
 // threads.
 Bytes compressed_rows(const Image& image, std::size_t channels) {
-  constexpr int piece_count = 4;
+  constexpr unsigned piece_count = 4, threads = 2;
   Piece pieces[piece_count];
-  const auto work = [&](int begin) {
-    for (int i = begin; i < piece_count; i += 2) {
-      const int first = image.size.height * i / piece_count;
-      const int last = image.size.height * (i + 1) / piece_count;
-      pieces[i] = deflate_piece(filtered_rows(image, channels, first, last), i + 1 == piece_count);
-    }
-  };
-  std::thread odd_pieces(work, 1);
-  work(0);
-  odd_pieces.join();
+  for_each_task(piece_count, threads, [&](unsigned i) {
+    const auto height = static_cast<std::uint32_t>(image.size.height);
+    const auto first = static_cast<int>(part_begin(height, i, piece_count));
+    const auto last = static_cast<int>(part_begin(height, i + 1, piece_count));
+    pieces[i] = deflate_piece(filtered_rows(image, channels, first, last), i + 1 == piece_count);
+  });
   Bytes stream{0x78, 0x01};
   uLong checksum = adler32(0, nullptr, 0);
   for (const Piece& piece : pieces) {

@@ -63,8 +63,7 @@ Result<std::unique_ptr<View>> View::make() {
 
 View::View(Passes passes)
     : passes_(std::move(passes)),
-      overlays_{OverlayBuffer("highlights"), OverlayBuffer("selection"), OverlayBuffer("hover"),
-                OverlayBuffer("preview")},
+      overlays_{OverlayBuffer("highlights"), OverlayBuffer("selection"), OverlayBuffer("hover")},
       rendered_("rendered", picture_formats, true),
       resolved_("resolved", picture_formats, false) {
   resize(size_);

@@ -28,7 +28,7 @@
 namespace ryosen {
 
 // Overlay layers that change independently, in drawing order.
-enum class Layer { highlights, selection, hover, preview };
+enum class Layer { highlights, selection, hover };
 inline constexpr std::size_t layer_count = enum_count<Layer>;
 
 // The visible triangle at each pixel of a view, rows top-down.
@@ -73,7 +73,6 @@ class View {
   std::span<const PixelRect> redrawn() const { return redrawn_.rects(); }
   // Draws a rectangle unconditionally.
   void draw(const PixelRect& rect);
-  void draw_all() { draw(PixelRect::all(size_)); }
 
   // The last drawn picture.
   Image read_pixels() const;

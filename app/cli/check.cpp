@@ -1,8 +1,6 @@
 // `check`: figures and problems of files and folders.
 #include <algorithm>
-#include <atomic>
 #include <charconv>
-#include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -11,6 +9,7 @@
 #include "app/cli/did_you_mean.h"
 #include "app/cli/inputs.h"
 #include "app/cli/subcommands.h"
+#include "core/base/parallel.h"
 
 namespace ryosen::cli {
 
@@ -18,7 +17,7 @@ namespace {
 
 struct Options {
   std::optional<std::vector<std::string>> fail_on;  // ids of kinds
-  std::size_t jobs = 1;
+  unsigned jobs = 1;
   bool unordered = false;
   bool self_intersections = false;
 };
@@ -83,31 +82,27 @@ class Checker {
   };
 
   Checker(const std::vector<Input>& inputs, const Options& options, const Console& console)
-      : inputs_(inputs), options_(options), console_(console), done_(inputs.size()), order_() {}
+      : inputs_(inputs), options_(options), console_(console) {}
 
   // Visits (index, result) in the order of the inputs, or in order of completion.
   template <class Visit>
-  void run(Visit visit) {
-    std::vector<std::jthread> threads;  // joined at the end of the block
-    for (std::size_t i = 0; i < std::min(options_.jobs, inputs_.size()); ++i) threads.emplace_back([this] { work(); });
-    for (std::size_t i = 0; i < inputs_.size(); ++i) {
-      const std::size_t index = wait_for(i);
-      visit(index, *done_[index]);
-      done_[index]->output = {};
-    }
+  void run(Visit visit) const {
+    std::mutex visiting;
+    std::vector<std::optional<Done>> waiting(inputs_.size());
+    std::size_t next = 0;  // in the order of the inputs
+    for_each_task(static_cast<unsigned>(inputs_.size()), options_.jobs, [&](unsigned i) {
+      Done done = check(inputs_[i]);
+      const std::lock_guard lock(visiting);
+      if (options_.unordered) return visit(i, done);
+      waiting[i] = std::move(done);
+      for (; next < waiting.size() && waiting[next]; ++next) {
+        visit(next, *waiting[next]);
+        waiting[next].reset();
+      }
+    });
   }
 
  private:
-  void work() {
-    for (std::size_t i = next_++; i < inputs_.size(); i = next_++) {
-      Done result = check(inputs_[i]);
-      const std::lock_guard lock(mutex_);
-      done_[i] = std::move(result);
-      order_.push_back(i);
-      changed_.notify_one();
-    }
-  }
-
   Done check(const Input& input) const {
     CheckReport report;
     try {
@@ -133,20 +128,9 @@ class Checker {
     return done;
   }
 
-  std::size_t wait_for(std::size_t i) {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return options_.unordered ? order_.size() > i : done_[i].has_value(); });
-    return options_.unordered ? order_[i] : i;
-  }
-
   const std::vector<Input>& inputs_;
   const Options& options_;
   const Console& console_;
-  std::atomic<std::size_t> next_ = 0;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::vector<std::optional<Done>> done_;
-  std::vector<std::size_t> order_;
 };
 
 void print_summary(const std::vector<ExitCode>& codes, const Console& console) {

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/cli/check_report.h"
+#include "app/cli/columns.h"
 #include "app/cli/visible.h"
 #include "core/analysis/surface_name.h"
 #include "core/ops/op.h"
@@ -18,29 +19,14 @@ struct Cell {
   std::string value;
 };
 
-// Display width in terminal columns: Japanese characters take two.
-std::size_t width_of(std::string_view text) {
-  std::size_t width = 0;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80)
-      width += 1;
-    else if (byte >= 0xe0)
-      width += 2;
-    else if (byte >= 0xc0)
-      width += 1;
-  }
-  return width;
-}
-
 std::string spaces(std::size_t wanted, std::size_t used) { return std::string(wanted > used ? wanted - used : 1, ' '); }
 
-// One row of three figures.
+// One row of three figures, at places that are the same in the reports of all files.
 std::string row(const Console& console, const std::vector<Cell>& cells) {
   std::string line = " ";
   for (const Cell& cell : cells) {
     const std::string label(console.text(cell.en, cell.ja));
-    line += " " + label + spaces(20, width_of(label) + width_of(cell.value)) + cell.value + "   ";
+    line += " " + label + spaces(20, display_width(label) + display_width(cell.value)) + cell.value + "   ";
   }
   line.erase(line.find_last_not_of(' ') + 1);
   return line + "\n";

@@ -9,23 +9,49 @@
 
 namespace ryosen::cli {
 
+// Columns of a terminal that a text takes: Japanese letters and signs take two, arrows one.
+inline std::size_t display_width(std::string_view text) {
+  std::size_t width = 0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte & 0xc0u) == 0x80) continue;
+    width += byte >= 0xe3 ? 2 : 1;
+  }
+  return width;
+}
+
+// The first column is aligned to the left; the others too where they are texts, to the right where they are figures.
 class Columns {
  public:
-  // The left text is ASCII; the right one may be anything.
-  void add(std::string left, std::string_view right) { rows_.emplace_back(std::move(left), right); }
+  enum class Others { texts, figures };
+  explicit Columns(Others others = Others::texts) : others_(others) {}
 
-  // Indented by two spaces, the right column aligned.
+  void add(std::string left, std::string_view right) { add({std::move(left), std::string(right)}); }
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+
+  // Indented by two blanks, columns two blanks apart.
   std::string text() const {
-    std::size_t width = 0;
-    for (const auto& row : rows_) width = std::max(width, row.first.size());
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows_) {
+      widths.resize(std::max(widths.size(), row.size()), 0);
+      for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], display_width(row[i]));
+    }
     std::string all;
-    for (const auto& [left, right] : rows_)
-      all += "  " + left + std::string(right.empty() ? 0 : width - left.size() + 2, ' ') + right + "\n";
+    for (const auto& row : rows_) {
+      std::string line;
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        const std::string pad(widths[i] - display_width(row[i]), ' ');
+        line += "  " + (i == 0 || others_ == Others::texts ? row[i] + pad : pad + row[i]);
+      }
+      line.erase(line.find_last_not_of(' ') + 1);
+      all += line + "\n";
+    }
     return all;
   }
 
  private:
-  std::vector<std::pair<std::string, std::string>> rows_;
+  Others others_;
+  std::vector<std::vector<std::string>> rows_;
 };
 
 }  // namespace ryosen::cli

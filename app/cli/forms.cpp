@@ -1,8 +1,8 @@
 // `forms`: the representations of the source texts side by side for a mesh.
 #include "app/cli/contract/forms.h"
+#include "app/cli/columns.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/subcommands.h"
-#include "app/cli/text_table.h"
 #include "core/forms/comparison.h"
 #include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
@@ -90,7 +90,7 @@ std::string short_or_dash(const std::optional<double>& value, double unit) {
 }
 
 std::string forms_text(const Comparison& comparison, const Console& console) {
-  TextTable table;
+  Columns table(Columns::Others::figures);
   std::vector<std::string> head{"", std::string(console.text("bytes/face", "バイト/面")),
                                 std::string(console.text("build", "構築"))};
   for (const forms::RelationRow& relation : forms::relations())
@@ -111,6 +111,11 @@ std::string forms_text(const Comparison& comparison, const Console& console) {
   std::string text(console.text("Forms; nanoseconds per query, - where the form cannot tell:\n",
                                 "形状表現（問い合わせはナノ秒、- は答えられないもの）：\n"));
   text += table.text();
+  for (const forms::SizeClaim& claim : forms::contradicted_claims(comparison))
+    text.append("  * ")
+        .append(console.text(claim.en, claim.ja))
+        .append(console.text(" ", ""))
+        .append(console.text(claim.why_en, claim.why_ja)) += "\n";
   if (!unsuitable.empty())
     text.append(console.text("Forms that cannot hold this mesh:\n", "このメッシュを持てない形状表現：\n")) +=
         unsuitable;
@@ -118,7 +123,7 @@ std::string forms_text(const Comparison& comparison, const Console& console) {
 }
 
 std::string pairing_text(const Comparison& comparison, const Console& console) {
-  TextTable table;
+  Columns table(Columns::Others::figures);
   std::string parts;
   for (const PairingFigures& figures : comparison.pairing) {
     const std::string name(console.text(figures.method->en, figures.method->ja));

@@ -1,11 +1,10 @@
 // `shot`: a picture of a mesh or of the whole editor, written or compared with another.
-#include <future>
-
-#include "app/cli/contract/record.h"
 #include "app/cli/contract/shot.h"
+#include "app/cli/contract/record.h"
 #include "app/cli/shot_options.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/visible.h"
+#include "core/base/parallel.h"
 #include "core/io/safe_write.h"
 
 namespace ryosen::cli {
@@ -141,14 +140,14 @@ ExitCode shot_command(const Arguments& arguments, const Console& given) {
   Console console = given;
   console.leaves_stdout = options->leaves_stdout;
   // Reading and creating a context take about equally long and are independent.
-  std::future<Result<std::unique_ptr<Document>>> reading =
-      std::async(std::launch::async, [&] { return Document::open(options->file); });
-  Result<std::unique_ptr<Headless>> headless = Headless::make(options->picture);
-  Result<std::unique_ptr<Document>> document = reading.get();
-  if (!document) return console.fail(document.failure(), options->file);
-  if (!headless) return console.fail(headless.failure());
-  Session session(std::move(document).value());
-  return Shot(*options, session, **headless, console).run();
+  std::optional<Result<std::unique_ptr<Headless>>> headless;
+  std::optional<Result<std::unique_ptr<Document>>> document;
+  do_beside([&] { headless.emplace(Headless::make(options->picture)); },
+            [&] { document.emplace(Document::open(options->file)); });
+  if (!*document) return console.fail(document->failure(), options->file);
+  if (!*headless) return console.fail(headless->failure());
+  Session session(std::move(*document).value());
+  return Shot(*options, session, *headless->value(), console).run();
 }
 
 }  // namespace ryosen::cli

@@ -93,7 +93,7 @@ class OptionsReader {
     const Size size = options_.picture.size;
     if (!n || *n < 1 || *n > 8 || *n * std::max(size.width, size.height) > largest_side)
       return bad_value("--supersample", *value, "from 1 to 8, with at most 16384 rendered pixels a side",
-                       " 1 から 8（描画は一辺 16384 画素まで）");
+                       " 1 から 8（描画は縦横 16384 画素まで）");
     options_.picture.supersample = *n;
   }
 

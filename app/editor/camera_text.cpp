@@ -107,8 +107,6 @@ Text not_json(const Json::exception& error) {
   return {"it is not JSON from character " + byte + " on" + en, byte + " 文字目から JSON として読めません" + ja};
 }
 
-Json to_array(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
-
 }  // namespace
 
 std::optional<Camera> camera_from_json(std::string_view text, const Camera& base, Text& error) {
@@ -127,16 +125,6 @@ std::optional<Camera> camera_from_json(std::string_view text, const Camera& base
     error = not_json(wrong);
   }
   return std::nullopt;
-}
-
-std::string camera_to_json(const Camera& camera) {
-  Json json;
-  json["eye"] = to_array(camera.eye);
-  json["target"] = to_array(camera.target);
-  json["up"] = to_array(camera.up);
-  json["fov_y_deg"] = camera.fov_y_deg;
-  json["ortho_height"] = camera.ortho_height ? Json(*camera.ortho_height) : Json(nullptr);
-  return json.dump();
 }
 
 std::optional<glm::dvec2> parse_pixel(std::string_view text) {

@@ -14,7 +14,6 @@ namespace ryosen {
 // {"eye":[x,y,z],"target":[x,y,z],"up":[x,y,z],"fov_y_deg":35,"ortho_height":null}; missing keys keep the value of
 // `base`. None, with an error message, for anything else or a degenerate camera.
 std::optional<Camera> camera_from_json(std::string_view json, const Camera& base, Text& error);
-std::string camera_to_json(const Camera& camera);
 
 // "640,360", also with fractions.
 std::optional<glm::dvec2> parse_pixel(std::string_view text);

@@ -29,7 +29,7 @@ std::optional<Text> set_aside_sentence(std::span<const QuarantinedFace> quaranti
   Text text = face->cause();
   const std::string line = std::to_string(face->line);
   text.en += " It has been since the file was read";
-  text.ja += "ファイルを読み込んだときから除外しています";
+  text.ja += "ファイルを読み込んだときからです";
   text.en += face->line > 0 ? " (line " + line + ")." : ".";
   text.ja += face->line > 0 ? "（" + line + " 行目）。" : "。";
   return text;

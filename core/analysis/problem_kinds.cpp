@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/analysis/equal_faces.h"
+#include "core/base/count_text.h"
 #include "core/geometry/is_finite.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/copies.h"
@@ -56,7 +57,7 @@ bool is_isolated_vertex(Neighbourhood& around, Vertex v) {
   return is_isolated;
 }
 
-bool has_inner_loops(Neighbourhood& around, Face f) { return around.mesh().has_rings(f); }
+bool is_face_with_rings(Neighbourhood& around, Face f) { return around.mesh().has_rings(f); }
 
 bool is_nonfinite_vertex(Neighbourhood& around, Vertex v) {
   return !is_finite(around.mesh().position(v)) && around.point(v) == v;
@@ -149,7 +150,7 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .name_ja = "面積ゼロの面",
      .one_en = "The corners of one face lie exactly on a line.",
      .many_en = "The corners of # faces lie exactly on a line.",
-     .many_ja = "角がちょうど一直線に並び、面積がゼロの面が # 個あります。",
+     .many_ja = "角がちょうど一直線に並ぶ、面積ゼロの面が # 個あります。",
      .face = is_degenerate_face},
     {.kind = ProblemKind::duplicate_face,
      .id = "duplicate_face",
@@ -223,7 +224,7 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .one_en = "A face has one ring, an inner loop.",
      .many_en = "Faces have # rings, their inner loops.",
      .many_ja = "面の内側のループ（穴）が # 個あります。",
-     .face = has_inner_loops},
+     .face = is_face_with_rings},
     {.kind = ProblemKind::wire,
      .id = "wire",
      .severity = info,
@@ -237,18 +238,9 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
 
 static_assert(rows_are_in_order(rows, &ProblemRow::kind));
 
-std::string with_number(std::string_view sentence, std::size_t number) {
-  std::string text(sentence);
-  if (const std::size_t place = text.find('#'); place != std::string::npos)
-    text.replace(place, 1, std::to_string(number));
-  return text;
-}
-
 }  // namespace
 
-Text ProblemRow::sentence(std::size_t count) const {
-  return {with_number(count == 1 ? one_en : many_en, count), with_number(many_ja, count)};
-}
+Text ProblemRow::sentence(std::size_t count) const { return count_text(count, one_en, many_en, many_ja); }
 
 std::span<const ProblemRow> problem_table() { return rows; }
 const ProblemRow& row_of(ProblemKind kind) { return rows[static_cast<std::size_t>(kind)]; }

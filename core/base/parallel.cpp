@@ -25,12 +25,14 @@ struct Job {
   std::exception_ptr thrown = nullptr;  // the first exception
 
   void run() {
-    for (unsigned i = next++; i < tasks; i = next++) {
-      try {
-        call(work, i);
-      } catch (...) {
-        if (!has_thrown.exchange(true)) thrown = std::current_exception();
-      }
+    for (unsigned i = next++; i < tasks; i = next++) attempt([&] { call(work, i); });
+  }
+  template <class Work>
+  void attempt(const Work& part) {
+    try {
+      part();
+    } catch (...) {
+      if (!has_thrown.exchange(true)) thrown = std::current_exception();
     }
   }
 };
@@ -46,14 +48,17 @@ class Helpers {
   // False in a forked child: it has none of the threads, and the mutex may be locked there.
   bool are_here() const { return process_ == getpid(); }
 
-  void run(Job& job, unsigned helpers) {
+  // Does here() first and then what nobody else has taken; `spare` threads more are there for what the tasks ask for.
+  template <class Here>
+  void run(Job& job, unsigned helpers, unsigned spare, const Here& here) {
     {
       const std::lock_guard lock(mutex_);
-      start(helpers);
+      start(helpers + spare);
       job.wanted = helpers;
       jobs_.push_back(&job);
     }
     for (unsigned i = 0; i < helpers; ++i) offered_.notify_one();
+    job.attempt(here);
     job.run();
     std::unique_lock lock(mutex_);
     if (job.wanted > 0) jobs_.erase(std::find(jobs_.begin(), jobs_.end(), &job));
@@ -62,7 +67,7 @@ class Helpers {
 
  private:
   void start(unsigned wanted) {
-    constexpr unsigned most = 16;
+    constexpr unsigned most = 1024;
     try {
       for (; started_ < std::min(wanted, most); ++started_) std::thread([this] { help(); }).detach();
     } catch (const std::system_error&) {  // run with fewer threads
@@ -98,7 +103,20 @@ void run_tasks(unsigned tasks, unsigned threads, void (*call)(const void*, unsig
   if (helpers == 0 || !Helpers::all().are_here())
     job.run();
   else
-    Helpers::all().run(job, helpers);
+    Helpers::all().run(job, helpers, 0, [] {});
+  if (job.thrown) std::rethrow_exception(job.thrown);
+}
+
+void run_beside(void (*here)(const void*), const void* here_work, void (*beside)(const void*),
+                const void* beside_work) {
+  const auto call = [&](unsigned) { beside(beside_work); };
+  Job job{1, [](const void* w, unsigned i) { (*static_cast<const decltype(call)*>(w))(i); }, &call};
+  if (Helpers::all().are_here()) {
+    Helpers::all().run(job, 1, 1, [&] { here(here_work); });
+  } else {
+    job.attempt([&] { here(here_work); });
+    job.run();
+  }
   if (job.thrown) std::rethrow_exception(job.thrown);
 }
 

@@ -24,6 +24,17 @@ inline std::uint32_t part_begin(std::uint32_t count, unsigned t, unsigned parts)
 // the work is rethrown at the end.
 void run_tasks(unsigned tasks, unsigned threads, void (*call)(const void* work, unsigned i), const void* work);
 
+// Calls here() on the calling thread, and beside() at the same time on another one, or behind it where none is free. Both
+// may use threads of their own. What either throws first is thrown again when both are done.
+void run_beside(void (*here)(const void* work), const void* here_work, void (*beside)(const void* work),
+                const void* beside_work);
+
+template <class Here, class Beside>
+void do_beside(const Here& here, const Beside& beside) {
+  run_beside([](const void* w) { (*static_cast<const Here*>(w))(); }, &here,
+             [](const void* w) { (*static_cast<const Beside*>(w))(); }, &beside);
+}
+
 // Calls work(i) for each i below `tasks`, as run_tasks does. The calls must be independent of each other.
 template <class Work>
 void for_each_task(unsigned tasks, unsigned threads, const Work& work) {

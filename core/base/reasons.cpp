@@ -30,7 +30,7 @@ constexpr std::array rules{
              "第3の頂点への稜線を細分します"},
     RuleText{Rule::closes_hole, "closes_hole", refuse, "collapse",
              "The edge bounds a hole of three edges, which would close and change the topology.",
-             "稜線は三辺の穴の縁にあり、削除すると穴が閉じて位相が変わります。", "split another edge of the hole",
+             "稜線は稜線三本の穴の縁にあり、削除すると穴が閉じて位相が変わります。", "split another edge of the hole",
              "穴の他の稜線を細分します"},
     RuleText{
         Rule::common_neighbour, "common_neighbour", refuse, "collapse weld",
@@ -153,7 +153,7 @@ constexpr std::array rules{
         Rule::degenerate, "degenerate", warn,
         "collapse swap split move_vertex make_loop make_face fill separate_loop poke vertex_split triangulate extrude "
         "unite_edge dissolve weld",
-        "A face becomes degenerate: its corners lie on a line.", "面が縮退し、角が一直線に並びます。",
+        "A face becomes degenerate: its corners lie on a line.", "角が一直線に並び、面積ゼロの面になります。",
         "choose another position", "別の位置を選びます"},
     RuleText{Rule::seam, "seam", warn, "collapse swap unite_loop dissolve",
              "The edge is a seam: corner values differ between its two sides.",

@@ -47,6 +47,15 @@ struct Comparison {
 // Cost: about the effort per form and relation, plus building each form once.
 Comparison compare_forms(const Mesh& mesh, const Effort& effort = {});
 
+// What a source text says of the memory of two forms.
+struct SizeClaim {
+  std::string_view smaller, larger;  // ids of forms
+  std::string_view en, ja;           // the claim, and that it does not hold here
+  std::string_view why_en, why_ja;
+};
+// Those that the figures contradict.
+std::vector<SizeClaim> contradicted_claims(const Comparison& comparison);
+
 // One form of the table for a mesh, and one method.
 FormFigures measure_form(const Mesh& mesh, const FormRow& row, const Effort& effort);
 PairingFigures measure_pairing(const IndexedMesh& source, const PairingMethod& method, const Effort& effort);

@@ -83,6 +83,25 @@ class Form {
   virtual bool answer(Relation relation, std::uint32_t element, Answer& out) const = 0;
 };
 
+// answer() of a form that answers about each kind of element by a function of its own.
+template <class AboutVertex, class AboutEdge, class AboutFace>
+bool answer_by_element(Relation relation, Answer& out, const AboutVertex& about_vertex, const AboutEdge& about_edge,
+                       const AboutFace& about_face) {
+  out.clear();
+  switch (relations()[static_cast<std::size_t>(relation)].asks) {
+    case ElementOf::vertex:
+      about_vertex();
+      break;
+    case ElementOf::edge:
+      about_edge();
+      break;
+    case ElementOf::face:
+      about_face();
+      break;
+  }
+  return true;
+}
+
 // What a form requires of a mesh; a combination of bits.
 enum Needs : std::uint32_t {
   any_mesh = 0,

@@ -97,19 +97,10 @@ void Kernel::answer_about_face(Relation relation, Face f, Answer& out) const {
 }
 
 bool Kernel::answer(Relation relation, std::uint32_t element, Answer& out) const {
-  out.clear();
-  switch (relations()[static_cast<std::size_t>(relation)].asks) {
-    case ElementOf::vertex:
-      answer_about_vertex(relation, element, out);
-      break;
-    case ElementOf::edge:
-      answer_about_edge(relation, Halfedge(element), out);
-      break;
-    case ElementOf::face:
-      answer_about_face(relation, Face(element), out);
-      break;
-  }
-  return true;
+  return answer_by_element(
+      relation, out, [&] { answer_about_vertex(relation, element, out); },
+      [&] { answer_about_edge(relation, Halfedge(element), out); },
+      [&] { answer_about_face(relation, Face(element), out); });
 }
 
 }  // namespace ryosen::forms

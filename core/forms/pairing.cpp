@@ -57,55 +57,27 @@ SidePartners by_brute_force(const IndexedMesh& source) {
   return partners;
 }
 
-SidePartners by_hash_of_16_bits(const IndexedMesh& source) {
-  const std::vector<DirectedSide> sides = sides_of(source);
-  std::unordered_multimap<std::uint32_t, std::uint32_t> corners_by_key;
-  corners_by_key.reserve(sides.size());
-  for (std::uint32_t c = 0; c < sides.size(); ++c)
-    corners_by_key.emplace(sixteen_bit_key(sides[c].from, sides[c].to), c);
-  SidePartners partners(sides.size());
-  for (std::uint32_t c = 0; c < sides.size(); ++c) {
-    Candidates candidates(sides, c);
-    const auto [begin, end] = corners_by_key.equal_range(sixteen_bit_key(sides[c].from, sides[c].to));
-    for (auto i = begin; i != end; ++i) candidates.consider(i->second);
-    partners[c] = candidates.partner();
-  }
-  return partners;
-}
-
-// The splitmix64 finalizer over both numbers: every input bit affects every bit of the hash.
-std::uint64_t mixed(const DirectedSide& side) {
-  std::uint64_t key = std::uint64_t{std::min(side.from, side.to)} << 32u | std::max(side.from, side.to);
+// The splitmix64 finalizer over both numbers: every input bit affects every bit of the key.
+std::uint64_t mixed_key(std::uint32_t from, std::uint32_t to) {
+  std::uint64_t key = std::uint64_t{std::min(from, to)} << 32u | std::max(from, to);
   key = (key ^ (key >> 30u)) * 0xbf58476d1ce4e5b9ull;
   key = (key ^ (key >> 27u)) * 0x94d049bb133111ebull;
   return key ^ (key >> 31u);
 }
 
-// Open addressing, power-of-two size, load factor up to 1/2; an entry is a pair of points with the sides seen so far.
-SidePartners by_good_hash(const IndexedMesh& source) {
+// One container for all keys, so that what differs in time is due to the key.
+template <auto key_of>
+SidePartners by_hash(const IndexedMesh& source) {
   const std::vector<DirectedSide> sides = sides_of(source);
-  struct Entry {
-    std::uint32_t first = no_index, last = no_index, count = 0;
-  };
-  std::size_t size = 16;
-  while (size < 2 * sides.size()) size *= 2;
-  std::vector<Entry> table(size);
-  const auto runs_between = [&](std::uint32_t c, const DirectedSide& side) {
-    const DirectedSide& other = sides[c];
-    return (other.from == side.from && other.to == side.to) || (other.from == side.to && other.to == side.from);
-  };
+  std::unordered_multimap<std::uint64_t, std::uint32_t> corners_by_key;
+  corners_by_key.reserve(sides.size());
+  for (std::uint32_t c = 0; c < sides.size(); ++c) corners_by_key.emplace(key_of(sides[c].from, sides[c].to), c);
+  SidePartners partners(sides.size());
   for (std::uint32_t c = 0; c < sides.size(); ++c) {
-    std::size_t place = mixed(sides[c]) & (size - 1);
-    while (table[place].count > 0 && !runs_between(table[place].first, sides[c])) place = (place + 1) & (size - 1);
-    Entry& entry = table[place];
-    if (entry.count++ == 0) entry.first = c;
-    entry.last = c;
-  }
-  SidePartners partners(sides.size(), no_index);
-  for (const Entry& entry : table) {
-    if (entry.count != 2 || sides[entry.first].from == sides[entry.last].from) continue;
-    partners[entry.first] = entry.last;
-    partners[entry.last] = entry.first;
+    Candidates candidates(sides, c);
+    const auto [begin, end] = corners_by_key.equal_range(key_of(sides[c].from, sides[c].to));
+    for (auto i = begin; i != end; ++i) candidates.consider(i->second);
+    partners[c] = candidates.partner();
   }
   return partners;
 }
@@ -215,9 +187,9 @@ double squares_of_valences(const IndexedMesh& source) {
 constexpr std::array methods{
     PairingMethod{"brute_force", "every side against every other", "総当たり", by_brute_force, all_against_all},
     PairingMethod{"hash_16", "hash with the 16-bit key of the source texts", "ハッシュ（テキストの 16 ビットのキー）",
-                  by_hash_of_16_bits, one_step_per_side},
-    PairingMethod{"hash", "hash with a key of both numbers in full", "ハッシュ（両端の番号全体のキー）", by_good_hash,
-                  one_step_per_side},
+                  by_hash<sixteen_bit_key>, one_step_per_side},
+    PairingMethod{"hash", "hash with a key of both numbers in full", "ハッシュ（両端の番号全体のキー）",
+                  by_hash<mixed_key>, one_step_per_side},
     PairingMethod{"vertex_lists", "lists of sides at the vertices", "頂点ごとのリスト", by_vertex_lists,
                   squares_of_valences},
     PairingMethod{"sparse_matrix", "sparse matrix of vertex against vertex", "頂点×頂点の疎行列", by_sparse_matrix,

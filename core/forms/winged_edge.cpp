@@ -123,19 +123,9 @@ void WingedEdge::answer_about_face(Relation relation, std::uint32_t f, Answer& o
 }
 
 bool WingedEdge::answer(Relation relation, std::uint32_t element, Answer& out) const {
-  out.clear();
-  switch (relations()[static_cast<std::size_t>(relation)].asks) {
-    case ElementOf::vertex:
-      answer_about_vertex(relation, element, out);
-      break;
-    case ElementOf::edge:
-      answer_about_edge(relation, element, out);
-      break;
-    case ElementOf::face:
-      answer_about_face(relation, element, out);
-      break;
-  }
-  return true;
+  return answer_by_element(
+      relation, out, [&] { answer_about_vertex(relation, element, out); },
+      [&] { answer_about_edge(relation, element, out); }, [&] { answer_about_face(relation, element, out); });
 }
 
 }  // namespace ryosen::forms

@@ -1,10 +1,12 @@
 // Table 4 of the source texts: all links are stored in the edges.
 //
-//    left_prev \         / right_next        an edge runs from start to end; seen along it, one face is left, one right;
-//               o--end--o                    "next" and "prev" follow the loop of that face, so left_next begins at end
-//   left_next     |  ^                       and right_next at start
-//            left |  | right
-//               o-start-o
+//    left_next \ / right_prev    an edge runs from start to end; seen along it, one face is left, one right; "next" and
+//               o end            "prev" follow the loop of that face, counter-clockwise: left_next leaves end and
+//               ^                right_prev comes to it, right_next leaves start and left_prev comes to it
+//          left | right
+//               |
+//               o start
+//    left_prev / \ right_next
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -30,21 +30,21 @@ Text QuarantinedFace::cause() const {
     const std::string count = std::to_string(corners.size());
     return {"Face " + name + " is set aside: it has " + count + (corners.size() == 1 ? " corner" : " corners") +
                 " and a face needs at least 3.",
-            "面 " + name + " を除けてあります: 頂点が " + count + " 個しかありません(3 個以上必要です)。"};
+            "面 " + name + " は隔離されています: 頂点が " + count + " 個しかありません(3 個以上必要です)。"};
   }
   if (code == "index_out_of_range") {
     const std::int64_t stray = stray_corner(corners);
     if (stray < 0) {
       return {"Face " + name + " is set aside: it names a vertex before the first one.",
-              "面 " + name + " を除けてあります: 最初の頂点より前の番号を参照しています。"};
+              "面 " + name + " は隔離されています: 最初の頂点より前の番号を参照しています。"};
     }
     const std::string vertex = "v" + std::to_string(stray);
     return {"Face " + name + " is set aside: it names vertex " + vertex + ", which does not exist.",
-            "面 " + name + " を除けてあります: 存在しない頂点 " + vertex + " を参照しています。"};
+            "面 " + name + " は隔離されています: 存在しない頂点 " + vertex + " を参照しています。"};
   }
   const std::string vertex = "v" + std::to_string(repeated_corner(corners));
   return {"Face " + name + " is set aside: it visits vertex " + vertex + " more than once.",
-          "面 " + name + " を除けてあります: 頂点 " + vertex + " を 2 回以上通ります。"};
+          "面 " + name + " は隔離されています: 頂点 " + vertex + " を 2 回以上通ります。"};
 }
 
 bool QuarantinedFace::has_corners_within(std::size_t vertices) const {

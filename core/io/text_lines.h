@@ -40,8 +40,7 @@ class TextLines {
   std::uint64_t first_line() const { return is_joined_ ? pieces_.front().number : count_; }
   // The number of lines read so far.
   std::uint64_t count() const { return count_; }
-  // The byte offsets of the current and of the next line.
-  std::uint64_t line_byte() const { return static_cast<std::uint64_t>(line_begin_ - begin_); }
+  // Where the next line begins, in bytes of the file.
   std::uint64_t next_byte() const { return static_cast<std::uint64_t>(at_ - begin_); }
 
  private:

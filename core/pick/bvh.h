@@ -74,7 +74,6 @@ class Bvh {
 
   // The primitive in a slot; an empty one for an empty slot.
   Primitive primitive(std::uint32_t slot) const { return slot < primitives_.size() ? primitives_[slot] : Primitive{}; }
-  std::size_t slot_count() const { return primitives_.size(); }
   std::size_t size() const { return live_; }  // primitives in the tree
   std::size_t bytes() const;
   // Names the first violated invariant of nodes, boxes and slots, or returns null. For tests; O(n).

@@ -30,6 +30,15 @@ TEST_P(exercise_script, is_replayed_and_confirmed) {
   EXPECT_EQ(json["genus"], expected.genus);
 }
 
+TEST(exercises, the_triangle_stands_where_the_sample_program_puts_it) {
+  const TemporaryFolder folder;
+  const std::string out = folder.at("triangle.off");
+  ASSERT_EQ(run_program({"edit", "--new", "--script", RYOSEN_SOURCE_DIR "/assets/exercises/triangle.ryosen", "-o", out})
+                .exit_code,
+            0);
+  EXPECT_EQ(read_file(out), "OFF\n3 1 0\n0 10 0\n-10 -10 0\n10 -10 0\n3 0 1 2\n");
+}
+
 INSTANTIATE_TEST_SUITE_P(texts, exercise_script,
                          testing::Values(Exercise{"triangle", 3, 3, 1, 0, 0, 0}, Exercise{"square", 4, 4, 1, 0, 0, 0},
                                          Exercise{"triangular_pyramid", 4, 6, 4, 0, 0, 0},

@@ -92,6 +92,13 @@ TEST(forms_command, says_what_the_texts_do_on_a_boundary) {
             std::string::npos);
 }
 
+TEST(forms_command, says_where_a_text_orders_memory_the_other_way) {
+  const std::string text = run_program({"forms", asset("torus.off")}).out;
+  EXPECT_NE(text.find("halfedges take less memory than a set of polygons; here they take more."), text.npos) << text;
+  EXPECT_NE(text.find("180 bytes per face against 96"), text.npos) << text;
+  EXPECT_EQ(run_program({"forms", asset("cube.obj")}).out.find("less memory"), std::string::npos) << "no soup of quads";
+}
+
 TEST(forms_command, help_lists_forms_and_methods) {
   for (const char* language : {"en", "ja"}) {
     const ProgramRun run = run_program({"help", "forms", "--lang", language});

@@ -75,7 +75,7 @@ TEST_F(PanelsTest, one_of_another_program_is_drawn_with_what_it_keeps) {
 }
 
 TEST_F(PanelsTest, one_of_another_program_is_known_to_the_command_and_its_help_while_it_is_there) {
-  const CommandRow& command = *find_command_row("panel");
+  const CommandRow command = *find_command_row("panel");
   const auto names_it = [&](Language language) {
     return help_of(command, language).find("face_curve") != std::string::npos;
   };

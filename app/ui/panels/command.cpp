@@ -3,7 +3,6 @@
 
 #include "app/editor/command_syntax.h"
 #include "app/editor/commands.h"
-#include "app/editor/words.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 

@@ -99,8 +99,9 @@ void draw_texts(PanelContext& context, const forms::Comparison& comparison) {
         on_edge ? context.text("on a boundary edge", "境界の稜線") : context.text("beside the boundary", "境界の隣");
     wrapped((std::string(report.operation) + ", " + place).c_str());
     tip(report.outcome.sentence.in(context.language()));
-    dim_text(context, report.outcome.changed_before ? context.text("fails half done", "途中まで書き換えて異常終了")
-                                                    : context.text("fails at once", "直ちに異常終了"));
+    dim_text(context, report.outcome.changed_before
+                          ? context.text("undefined, half done", "途中まで書き換えて未定義動作")
+                          : context.text("undefined at once", "直ちに未定義動作"));
   }
 }
 
@@ -133,6 +134,10 @@ void FormsPanel::draw(PanelContext& context) {
                   context.text("The mesh has changed since.", "測った後にメッシュが変わりました。"));
   choose_relation(context, relation_);
   draw_query_times(context, measured_->comparison, relation_);
+  for (const forms::SizeClaim& claim : forms::contradicted_claims(measured_->comparison)) {
+    dim_text(context, context.text(claim.en, claim.ja));
+    tip(context.text(claim.why_en, claim.why_ja));
+  }
   draw_pairing_times(context, measured_->comparison);
   draw_texts(context, measured_->comparison);
 }

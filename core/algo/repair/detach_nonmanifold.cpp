@@ -4,6 +4,7 @@
 
 #include "core/analysis/disjoint_sets.h"
 #include "core/analysis/neighbourhood.h"
+#include "core/base/count_text.h"
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
@@ -110,8 +111,8 @@ AlgorithmResult detach_nonmanifold(Edit& edit, const AlgorithmInput&, Progress& 
     made += detach_points(edit, std::move(points));
     points = nonmanifold_points(m);
   }
-  result.text = repair_text(made, "One point was added to take the surface apart",
-                            "# points were added to take the surface apart", "曲面を切り離すため点を # 個追加しました");
+  result.text = count_text(made, "One point was added to take the surface apart",
+                           "# points were added to take the surface apart", "曲面を切り離すため点を # 個追加しました");
   const std::string n = std::to_string(result.changed);
   if (made > 0) {
     result.text.en += " at " + n + (result.changed == 1 ? " place" : " places");

@@ -7,6 +7,7 @@
 
 #include "core/algo/repair/fair_patch.h"
 #include "core/algo/repair/hole_triangles.h"
+#include "core/base/count_text.h"
 #include "core/geometry/is_finite.h"
 #include "core/geometry/polygon_normal.h"
 #include "core/geometry/predicates.h"
@@ -208,7 +209,7 @@ AlgorithmResult fill_holes(Edit& edit, const AlgorithmInput& input, Progress& pr
     vertices += patch->inner.size();
   }
   AlgorithmResult result{filled, left, {}};
-  result.text = repair_text(filled, "One hole was filled", "# holes were filled", "穴を # 個ふさぎました");
+  result.text = count_text(filled, "One hole was filled", "# holes were filled", "穴を # 個ふさぎました");
   if (filled > 0) {
     result.text.en += " by " + std::to_string(faces) + " triangles and " + std::to_string(vertices) + " new vertices";
     result.text.ja += "（三角形 " + std::to_string(faces) + "、新しい頂点 " + std::to_string(vertices) + "）";

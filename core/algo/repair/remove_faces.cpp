@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/analysis/equal_faces.h"
+#include "core/base/count_text.h"
 #include "core/base/sort_unique.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/circulate.h"
@@ -157,8 +158,8 @@ AlgorithmResult remove_duplicate_faces(Edit& edit, const AlgorithmInput&, Progre
     if (kept.size() > 1) result.left += kept.size() - 1;
   }
   result.changed = doomed.size();
-  result.text = repair_text(doomed.size(), "One duplicate face was removed.", "# duplicate faces were removed.",
-                            "重複面を # 個削除しました。");
+  result.text = count_text(doomed.size(), "One duplicate face was removed.", "# duplicate faces were removed.",
+                           "重複面を # 個削除しました。");
   if (!doomed.empty()) delete_faces(edit, std::move(doomed));
   return result;
 }
@@ -189,8 +190,8 @@ AlgorithmResult remove_degenerate_faces(Edit& edit, const AlgorithmInput&, Progr
     }
     std::erase_if(flat, [&](Face f) { return !m.is_alive(f) || !is_degenerate(m, f); });
   }
-  result.text = repair_text(result.changed, "One face without area was removed", "# faces without area were removed",
-                            "面積ゼロの面を # 個なくしました");
+  result.text = count_text(result.changed, "One face without area was removed", "# faces without area were removed",
+                           "面積ゼロの面を # 個なくしました");
   const std::string c = std::to_string(collapsed), g = std::to_string(given), d = std::to_string(flat.size());
   if (result.changed > 0) {
     result.text.en += ": " + c + " edges collapsed, " + g + " corners given to the face across, " + d + " deleted";
@@ -217,8 +218,8 @@ AlgorithmResult remove_isolated_vertices(Edit& edit, const AlgorithmInput& input
     result.changed += is_alone;
     sheets.remove_vertex(v);
   }
-  result.text = repair_text(result.changed, "One isolated vertex was removed.", "# isolated vertices were removed.",
-                            "孤立頂点を # 個削除しました。");
+  result.text = count_text(result.changed, "One isolated vertex was removed.", "# isolated vertices were removed.",
+                           "孤立頂点を # 個削除しました。");
   if (result.left > 0) {
     const std::string left = std::to_string(result.left);
     result.text.en += result.left == 1 ? " One stays: a face set aside, a line or a point of the file uses it."

@@ -7,6 +7,7 @@
 #include "core/algo/repair/remove_faces.h"
 #include "core/algo/repair/weld_points.h"
 #include "core/analysis/neighbourhood.h"
+#include "core/base/count_text.h"
 #include "core/ops/op.h"
 #include "core/ops/orient.h"
 
@@ -27,8 +28,8 @@ AlgorithmResult orient_faces(Edit& edit, const AlgorithmInput&, Progress&) {
   if (Orient().check(edit.mesh()).legal()) result.changed = Orient().apply(edit).changed.size();
   result.left = misoriented_edges(edit.mesh());
   result.text =
-      repair_text(result.changed, "One face was turned round or joined to a neighbour",
-                  "# faces were turned round or joined to their neighbours", "面を # 枚、裏返すか隣の面とつなぎました");
+      count_text(result.changed, "One face was turned round or joined to a neighbour",
+                 "# faces were turned round or joined to their neighbours", "面を # 枚、裏返すか隣の面とつなぎました");
   if (const std::string n = std::to_string(result.left); result.left > 0) {
     result.text.en += "; " + n + (result.left == 1 ? " edge stays" : " edges stay") + " misoriented";
     result.text.ja += "（向きの揃わない稜線 " + n + "）";
@@ -40,8 +41,8 @@ AlgorithmResult orient_faces(Edit& edit, const AlgorithmInput&, Progress&) {
 
 AlgorithmResult drop_set_aside(Edit&, const AlgorithmInput& input, Progress&) {
   return {input.set_aside, 0,
-          repair_text(input.set_aside, "One quarantined face was dropped.", "# quarantined faces were dropped.",
-                      "隔離された面を # 個捨てました。"),
+          count_text(input.set_aside, "One quarantined face was dropped.", "# quarantined faces were dropped.",
+                     "隔離された面を # 個捨てました。"),
           input.set_aside > 0};
 }
 
@@ -143,16 +144,6 @@ std::vector<AlgorithmRow> repair_rows() {
        {Kind::quarantined_face, Kind::degenerate_repeat},
        drop_set_aside},
   };
-}
-
-Text repair_text(std::size_t changed, std::string_view en_one, std::string_view en_many, std::string_view ja) {
-  const auto filled = [&](std::string_view sentence) {
-    std::string text(sentence);
-    if (const std::size_t place = text.find('#'); place != std::string::npos)
-      text.replace(place, 1, std::to_string(changed));
-    return text;
-  };
-  return {changed == 1 ? std::string(en_one) : filled(en_many), filled(ja)};
 }
 
 }  // namespace ryosen

@@ -10,7 +10,4 @@ namespace ryosen {
 
 std::vector<AlgorithmRow> repair_rows();
 
-// "{done}; {left} ..." put together from a count and a noun with its verb: sentences of the repairs.
-Text repair_text(std::size_t changed, std::string_view en_one, std::string_view en_many, std::string_view ja);
-
 }  // namespace ryosen

@@ -10,6 +10,7 @@
 
 #include "core/algo/repair/detach_nonmanifold.h"
 #include "core/analysis/equal_faces.h"
+#include "core/base/count_text.h"
 #include "core/geometry/is_finite.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
@@ -222,8 +223,8 @@ std::size_t drop_unsound(const Mesh& m, std::vector<Group>& groups, Progress& pr
 
 AlgorithmResult result_of(std::size_t welded, std::size_t left) {
   AlgorithmResult result{welded, left, {}};
-  result.text = repair_text(welded, "One point was welded to another", "# points were welded to others",
-                            "点を # 個、ほかの点に統合しました");
+  result.text = count_text(welded, "One point was welded to another", "# points were welded to others",
+                           "点を # 個、ほかの点に統合しました");
   if (left > 0) {
     result.text.en += "; " + std::to_string(left) + (left == 1 ? " place was left apart" : " places were left apart");
     result.text.ja += "（統合できない箇所 " + std::to_string(left) + "）";

@@ -14,7 +14,7 @@ constexpr Size view_size{320, 240};
 
 // The picture after drawing all of it anew.
 Image full_picture(View& view) {
-  view.draw_all();
+  view.draw(PixelRect::all(view.size()));
   return view.read_pixels();
 }
 
@@ -229,7 +229,7 @@ TEST(view, partial_redraw_equals_full_redraw) {
         overlay.points.push_back({at(2), rgb(0x56B4E9), static_cast<PointShape>(below(5)), 6});
         overlay.ghosts.push_back({{at(0), 1.05 * at(1), at(2)}, rgb(0x009E73, 100)});
       }
-      view->set_overlay(static_cast<Layer>(below(4)), overlay);
+      view->set_overlay(static_cast<Layer>(below(layer_count)), overlay);
     }
     view->update_mesh(scene.source(), vertices, triangles, faces);
     const PixelRect rect = view->draw();

@@ -40,7 +40,7 @@ TEST(set_aside, commands_say_why_the_face_is_not_there) {
     EXPECT_EQ(outcome.exit_code, code) << line;
     EXPECT_NE(outcome.sentence.en.find("f1 is set aside"), std::string::npos) << line << ": " << outcome.sentence.en;
     EXPECT_NE(outcome.sentence.en.find("line 6"), std::string::npos) << outcome.sentence.en;
-    EXPECT_NE(outcome.sentence.ja.find("除けて"), std::string::npos) << outcome.sentence.ja;
+    EXPECT_NE(outcome.sentence.ja.find("隔離"), std::string::npos) << outcome.sentence.ja;
     EXPECT_EQ(outcome.sentence.en.find("no longer"), std::string::npos) << outcome.sentence.en;
   }
 }

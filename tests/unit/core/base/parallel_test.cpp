@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <numeric>
 #include <stdexcept>
 
@@ -81,6 +82,35 @@ TEST(parallel, what_is_thrown_arrives_after_all_else_is_done) {
   };
   EXPECT_THROW(for_each_task(20, 2, work), std::runtime_error);
   EXPECT_EQ(done, 19u);
+}
+
+TEST(parallel, what_is_done_here_stays_on_its_thread_whatever_goes_on_beside_it) {
+  for (int turn = 0; turn < 50; ++turn) {
+    std::thread::id here;
+    std::atomic<unsigned> sum = 0;
+    do_beside([&] { here = std::this_thread::get_id(); }, [&] { for_each_task(10, 2, [&](unsigned i) { sum += i; }); });
+    EXPECT_EQ(here, std::this_thread::get_id());
+    EXPECT_EQ(sum, 45u);
+  }
+}
+
+TEST(parallel, here_and_beside_it_go_on_at_the_same_time) {
+  std::atomic<int> begun = 0;
+  const auto meets_the_other = [&] {
+    ++begun;
+    for (int i = 0; i < 10000 && begun < 2; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_EQ(begun, 2);
+  };
+  do_beside(meets_the_other, meets_the_other);
+}
+
+TEST(parallel, what_either_side_throws_arrives_when_both_are_done) {
+  std::atomic<unsigned> done = 0;
+  const auto work = [&] { ++done; };
+  const auto fails = [] { throw std::runtime_error("here or beside"); };
+  EXPECT_THROW(do_beside(fails, work), std::runtime_error);
+  EXPECT_THROW(do_beside(work, fails), std::runtime_error);
+  EXPECT_EQ(done, 2u);
 }
 
 }  // namespace

@@ -54,6 +54,52 @@ TEST(forms_comparison, says_why_a_form_does_not_suit) {
   EXPECT_EQ(comparison.edges, 7u);
 }
 
+// The records of the listings of the source texts, and a node of the lists that hold them.
+struct ListedVertex {
+  double x, y, z;
+  void* halfedge;
+};
+struct ListedHalfedge {
+  void *vertex, *face, *pair, *next, *prev;
+};
+struct ListedFace {
+  void* halfedge;
+};
+struct ListedTriangle {
+  double corners[9];
+};
+struct ListNode {
+  void *before, *behind, *element;
+};
+
+TEST(forms_comparison, tells_where_the_texts_order_two_forms_by_memory_the_other_way) {
+  const Comparison comparison = compare_forms(make_mesh(test::torus_grid(20, 20)), quick);
+  const std::vector<SizeClaim> claims = contradicted_claims(comparison);
+  ASSERT_EQ(claims.size(), 1u);
+  EXPECT_EQ(claims[0].smaller, "halfedge");
+  EXPECT_EQ(claims[0].larger, "triangle_soup");
+  const auto bytes = [&](std::string_view id) {
+    for (const FormFigures& figures : comparison.forms)
+      if (figures.row->id == id) return figures.bytes;
+    return std::size_t{0};
+  };
+  EXPECT_GT(bytes("halfedge"), bytes("triangle_soup"));
+  // With a normal at each point, which the soup holds at each corner, it is as the texts say.
+  constexpr std::size_t normal = 3 * sizeof(double);
+  EXPECT_LT(bytes("halfedge") + comparison.vertices * normal, bytes("triangle_soup") + 3 * comparison.faces * normal);
+  // What else the texts say of memory holds.
+  EXPECT_LT(bytes("indexed_face_set"), bytes("halfedge"));
+  EXPECT_LT(bytes("indexed_face_set"), bytes("triangle_soup"));
+  // Half as many vertices as faces.
+  constexpr std::size_t listed_halfedges = (sizeof(ListedVertex) + sizeof(ListNode)) / 2 + 3 * sizeof(ListedHalfedge) +
+                                           sizeof(ListedFace) + sizeof(ListNode);
+  for (const std::string_view why : {claims[0].why_en, claims[0].why_ja}) {
+    EXPECT_NE(why.find(std::to_string(listed_halfedges)), why.npos) << why;
+    EXPECT_NE(why.find(std::to_string(sizeof(ListedTriangle) + sizeof(ListNode))), why.npos) << why;
+  }
+  EXPECT_TRUE(contradicted_claims(compare_forms(make_mesh(test::cube()), quick)).empty()) << "a soup holds no quads";
+}
+
 TEST(forms_comparison, writes_figures_shortly) {
   EXPECT_EQ(figure_text(66.094), "66.1");
   EXPECT_EQ(figure_text(8), "8");

@@ -96,6 +96,11 @@ TEST(texts_operators, boundary_edge_has_no_pair_to_follow) {
     EXPECT_NE(outcome.sentence.en.find("the edge itself"), std::string::npos);
     EXPECT_NE(outcome.sentence.en.find("nothing has been changed"), std::string::npos);
     EXPECT_NE(outcome.sentence.ja.find("何も変わっていません"), std::string::npos);
+    // The listing's constructor sets vertex alone, and no pair is found at a boundary.
+    EXPECT_NE(outcome.sentence.en.find("never set"), std::string::npos);
+    EXPECT_EQ(outcome.sentence.en.find("null"), std::string::npos);
+    EXPECT_NE(outcome.sentence.ja.find("値は不定"), std::string::npos);
+    EXPECT_EQ(outcome.sentence.ja.find("NULL"), std::string::npos);
   }
 }
 

@@ -63,10 +63,10 @@ void compare(unsigned seed, std::uint32_t most, int steps) {
     by_parts->set_overlay_part(Layer::highlights, number, part);
     by_parts->draw();
     at_once->set_overlay(Layer::highlights, joined(parts));
-    at_once->draw_all();
+    at_once->draw(PixelRect::all(at_once->size()));
     ASSERT_EQ(by_parts->read_pixels(), at_once->read_pixels()) << "seed " << seed << " step " << step;
   }
-  by_parts->draw_all();
+  by_parts->draw(PixelRect::all(by_parts->size()));
   EXPECT_EQ(by_parts->read_pixels(), at_once->read_pixels());
   by_parts->set_overlay(Layer::highlights, {});
   at_once->set_overlay(Layer::highlights, {});

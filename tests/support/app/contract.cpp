@@ -48,7 +48,8 @@ class PrintedContract {
   }
 
   std::string command_of(const std::vector<std::string>& arguments) const {
-    if (std::find(arguments.begin(), arguments.end(), "--help") != arguments.end()) return "help";
+    for (const std::string& argument : arguments)
+      if (argument == "--help" || argument == "-h") return "help";
     for (const std::string& argument : arguments)
       if (argument != shared && commands_.contains(argument)) return argument;
     return "view";

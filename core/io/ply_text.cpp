@@ -84,7 +84,7 @@ class PlyTextReader {
     is_finite_ = is_finite_ && std::isfinite(value);
     if (!is_real(property.type) && size_of(property.type) == 8 && !is_read_exactly(before))
       builder_.warn_rounded(lines_.place(before.data()));
-    target.put(row, value);
+    if (!faults_.any()) target.put(row, value);  // rows with faults may be more than there is room for
     return true;
   }
 

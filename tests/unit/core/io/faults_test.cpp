@@ -90,6 +90,18 @@ TEST(faults, every_format_counts_its_places) {
   }
 }
 
+TEST(faults, rows_that_are_too_short_to_have_room_are_counted_all_the_same) {
+  constexpr std::size_t rows = 30000;
+  std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(rows) +
+                     "\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
+  for (std::size_t i = 0; i < rows; ++i) text += "0\n";
+  const Failure failure = read_refused("ply", text);
+  EXPECT_EQ(failure.message.code, "missing_number");
+  EXPECT_NE(failure.message.text.en.find("30000 such places: lines 8, 9, 10, 11, 12 and 29995 more."),
+            std::string::npos)
+      << failure.message.text.en;
+}
+
 TEST(faults, bytes_that_no_text_has_are_counted_as_bytes) {
   const std::string text("v 0 0 0\n\0v\0\0\n", 13);
   for (const char* format : {"obj", "txt"}) {

@@ -1,8 +1,12 @@
 #include "core/analysis/shells.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <limits>
+#include <span>
 
 #include "core/analysis/box_tree.h"
 #include "core/geometry/predicates.h"
@@ -96,7 +100,7 @@ class ShellSearch {
       if (!mesh_.is_alive(Face(i))) continue;
       const std::uint32_t shell = components_.of_face[i];
       faces_[shell].emplace_back(i);
-      for (Vertex v : vertices_around(mesh_, Face(i))) boxes_[shell].add(mesh_.position(v));
+      for (const glm::dvec3& p : places_of(Face(i))) boxes_[shell].add(p);
     }
   }
 
@@ -117,14 +121,21 @@ class ShellSearch {
  private:
   int turned(std::uint32_t shell) {
     VolumeSign volume(boxes_[shell]);
-    for (const Face f : faces_[shell]) {
-      polygon_.read(mesh_, f);
-      if (polygon_.loop_ends().size() == 1)
-        volume.add(polygon_.places());
-      else
-        volume.add(polygon_.keyhole_walk());
-    }
+    for (const Face f : faces_[shell]) volume.add(places_of(f));
     return volume.sign();
+  }
+
+  // One walk around the face, which may go from ring to ring; valid until the next call.
+  std::span<const glm::dvec3> places_of(Face f) {
+    const Halfedge first = mesh_.halfedge(f), second = mesh_.next(first);
+    if (is_triangle(mesh_, first) && !mesh_.has_rings(f)) {
+      triangle_ = {mesh_.position(mesh_.from(first)), mesh_.position(mesh_.from(second)),
+                   mesh_.position(mesh_.to(second))};
+      return triangle_;
+    }
+    polygon_.read(mesh_, f);
+    walk_ = polygon_.keyhole_walk();
+    return walk_;
   }
 
   ShellTriangles triangles_of(std::uint32_t shell) {
@@ -203,7 +214,10 @@ class ShellSearch {
   std::vector<SpaceBox> boxes_;
   BoxTree tree_;
   std::vector<ShellTriangles> triangles_;  // of the shells whose boxes overlap others
+  // Scratch of places_of and triangles_of.
   FacePolygon polygon_;
+  std::array<glm::dvec3, 3> triangle_;
+  std::vector<glm::dvec3> walk_;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // What a face is tinted with, besides its light.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "core/highlights/looks.h"

@@ -13,6 +13,8 @@ TriangleSource source_of(const Mesh& mesh, const SurfaceTriangles& triangles, st
   return {mesh.positions(), triangles.triangles(), triangles.faces(), triangles.edge_bits(), tints};
 }
 
+static_assert(most_highlights <= most_tints);
+
 // The tints of highlights, in the order of the table.
 std::vector<DrawnTint> tints_in(Theme theme) {
   std::vector<DrawnTint> tints;

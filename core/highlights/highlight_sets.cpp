@@ -1,7 +1,6 @@
 #include "core/highlights/highlight_sets.h"
 
 #include <array>
-#include <optional>
 
 #include "core/analysis/ask_elements.h"
 
@@ -32,7 +31,7 @@ void HighlightSets::keep(const Mesh& mesh, const HighlightRow& row, unsigned thr
     search_part<Face>(row, around, part, parts, members(Element::Kind::face));
   });
   kept_[number_of(row)] = true;
-  own_.resize(std::max(own_.size(), (number_of(row) + 1) * enum_count<Element::Kind>));
+  own_.resize(own_marks);
   for_each_own_mark(row, [&](Mark mark) {
     for (const OwnMembers& members : found)
       for (const std::uint32_t i : members[static_cast<std::size_t>(mark.sort)]) own_[mark.number].insert(i);

@@ -56,7 +56,7 @@ class HighlightSets {
 
   ProblemSets problems_;
   std::bitset<most_highlights> kept_;
-  std::vector<IndexSet> own_;  // by the number of the mark; as long as it must be
+  std::vector<IndexSet> own_;  // by the number of the mark; empty while nothing is kept
   std::vector<Change> changes_;
 };
 

@@ -96,6 +96,8 @@ constexpr std::array built_in{
                  .looks = {0xB3E05A, 0x4B7A00, LineStyle::dashed, 2.8f, PointShape::square, 4}},
 };
 
+static_assert(built_in.size() < most_highlights);
+
 struct Table {
   std::array<HighlightRow, most_highlights> rows{};
   std::size_t count = built_in.size();

@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <limits>
-#include <numbers>
+#include <algorithm>
+#include <array>
 
 #include "core/mesh/attribute.h"
 #include "core/mesh/circulate.h"
@@ -49,6 +48,16 @@ TEST(highlight_sets, are_the_same_for_any_number_of_threads) {
     const HighlightSets sets = whole_search(mesh, 1);
     for (const unsigned threads : {2u, 5u}) EXPECT_EQ(sets, whole_search(mesh, threads)) << seed << " " << threads;
   }
+}
+
+TEST(highlight_sets, are_equal_whatever_was_kept_before) {
+  const Mesh mesh = make_mesh(tetrahedron());
+  HighlightSets kept(mesh), kept_and_forgotten(mesh);
+  kept.keep(mesh, creases());
+  for (const HighlightRow* row : {&creases(), &seams()}) kept_and_forgotten.keep(mesh, *row);
+  EXPECT_FALSE(kept == kept_and_forgotten);
+  kept_and_forgotten.forget(seams());
+  EXPECT_TRUE(kept == kept_and_forgotten);
 }
 
 int calls = 0;

@@ -159,6 +159,7 @@ void sweep_losses(Sweep& sweep) {
   sweep.convert("ring.obj",
                 "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nv 3 3 0\nv 6 3 0\nv 6 6 0\nv 3 6 0\nf 1 2 3 4 1 5 8 7 6 5\n",
                 "stl-binary");
+  sweep.convert("large.obj", "v 1e300 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "stl-binary");
   sweep.convert("lines.obj", triangle_obj + "vp 0 0\n", "obj");
   sweep.convert("values.obj", triangle_obj + "v 2 2 2 1 1\n", "obj");
   sweep.convert("rest.off", triangle_off + "3 0 1 2\n", "off");

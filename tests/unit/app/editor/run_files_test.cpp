@@ -12,7 +12,7 @@ namespace {
 
 using Policy = RunFiles::Policy;
 
-std::string code(const Status& status) { return status ? "" : status.failure().message.code; }
+std::string code(const Status& status) { return status ? std::string() : std::string(status.failure().message.code); }
 
 TEST(run_files, what_is_read_is_not_written_under_any_name) {
   const TemporaryFolder folder;

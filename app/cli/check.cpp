@@ -65,7 +65,7 @@ Result<Options> read_options(const Arguments& arguments) {
 
 ExitCode code_of(const CheckReport& report, const Options& options) {
   if (report.failure) return report.failure->exit_code;
-  if (!options.fail_on) return report.status() == "ok" ? ExitCode::done : ExitCode::found_problems;
+  if (!options.fail_on) return report.has_findings() ? ExitCode::found_problems : ExitCode::done;
   const bool found = std::any_of(report.problems.begin(), report.problems.end(), [&](const NamedProblem& p) {
     return std::find(options.fail_on->begin(), options.fail_on->end(), p.problem.row().id) != options.fail_on->end();
   });

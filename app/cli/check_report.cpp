@@ -8,7 +8,6 @@
 #include "core/base/parallel.h"
 #include "core/base/release.h"
 #include "core/indexed/from_indexed.h"
-#include "core/io/edited_file.h"
 #include "core/io/formats.h"
 
 namespace ryosen::cli {
@@ -59,14 +58,19 @@ void add_figures(const Figures& f, const ElementTotals& beside, Record<check_sha
 
 }  // namespace
 
+bool CheckReport::has_findings() const {
+  return std::any_of(problems.begin(), problems.end(),
+                     [](const NamedProblem& p) { return p.problem.row().severity == ProblemSeverity::problem; }) ||
+         std::any_of(messages.begin(), messages.end(), [](const Message& m) {
+           return m.severity == Severity::warning && !m.code.row().is_about_other_file;
+         });
+}
+
 std::string_view CheckReport::status() const {
   if (failure) return "error";
-  const bool has_problem = std::any_of(problems.begin(), problems.end(), [](const NamedProblem& p) {
-    return p.problem.row().severity == ProblemSeverity::problem;
-  });
   const bool has_warning =
       std::any_of(messages.begin(), messages.end(), [](const Message& m) { return m.severity == Severity::warning; });
-  return has_problem || has_warning ? "warnings" : "ok";
+  return has_findings() || has_warning ? "warnings" : "ok";
 }
 
 namespace {
@@ -82,8 +86,7 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
   report.format = file.format ? file.format->id : std::string_view();
   report.messages = std::move(file.messages);
   report.beside = totals_of(file);
-  // What lines and points use is not isolated.
-  const std::vector<Vertex> used = used_beside_the_mesh(file, {}, file.mesh.positions.size());
+  const std::vector<Vertex> on_lines = vertices_on_lines(file);
   std::vector<QuarantinedFace> quarantine = std::move(file.mesh.quarantine);
   const std::vector<std::uint32_t> lines = std::move(file.mesh.face_lines);
   const LineRuns vertex_lines = std::move(file.mesh.vertex_lines);
@@ -98,7 +101,7 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
       report.hash = hash_text(mesh);
     }
   });
-  report.figures.isolated_vertices -= sets.leave_out(ProblemKind::isolated_vertex, used);
+  report.figures.isolated_vertices -= sets.leave_out(ProblemKind::isolated_vertex, on_lines);
   SelfIntersections intersections;
   if (with_self_intersections) intersections = find_self_intersections(mesh, most_listed_pairs);
   std::vector<Problem> problems =

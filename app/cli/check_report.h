@@ -56,6 +56,9 @@ struct CheckReport {
   std::vector<Message> messages;
   std::string hash;
 
+  // Whether there is a problem, or a warning about this file: one about another file, as a material library that is not
+  // there, is listed and is no finding.
+  bool has_findings() const;
   // "ok", "warnings" or "error".
   std::string_view status() const;
 };

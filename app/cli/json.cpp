@@ -80,9 +80,7 @@ Json to_json(const glm::dvec3& p) { return Json::array({p.x, p.y, p.z}); }
 
 Json to_json(const Message& message) {
   Record<message_shape> json;
-  json["severity"] = message.severity == Severity::error     ? "error"
-                     : message.severity == Severity::warning ? "warning"
-                                                             : "info";
+  json["severity"] = message.severity == Severity::error ? "error" : "warning";
   json["code"] = message.code.row().id;
   if (message.line) json["line"] = *message.line;
   if (message.line && message.column) json["column"] = *message.column;
@@ -95,7 +93,8 @@ Json to_json(const Message& message) {
 
 Json to_json(const std::vector<Message>& messages) {
   Json json = Json::array();
-  for (const Message& message : messages) json.push_back(to_json(message));
+  for (const Message& message : messages)
+    if (message.severity != Severity::info) json.push_back(to_json(message));
   return json;
 }
 

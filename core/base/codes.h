@@ -14,6 +14,8 @@ struct CodeRow {
   std::string_view id;
   CodeSeverity severity;
   std::string_view en, ja;  // a general sentence; the single message is more specific
+  // About a file that the mesh does not depend on: such a warning does not set the exit code of `check`.
+  bool is_about_other_file = false;
 };
 
 namespace codes {
@@ -128,13 +130,13 @@ inline constexpr CodeRow table[] = {
      "STL の面の角が 3 個より多くあります（1 つの面として保持）。"},
     {"index_out_of_range", warning, "A face names a vertex that does not exist; it is set aside.",
      "面が、存在しない頂点を参照しています（隔離）。"},
-    {"material_library_missing", info, "A material library is not there.", "マテリアルファイルがありません。"},
-    {"material_library_no_file", info, "A material library is a folder, a pipe or a device.",
-     "マテリアルファイルが、フォルダ、パイプ、デバイスのいずれかです。"},
-    {"material_library_outside", info, "A material library outside the model's folder is not looked at.",
-     "モデルのフォルダの外にあるマテリアルファイルは開きません。"},
-    {"material_library_unknown", info, "The folder of a material library may not be read.",
-     "マテリアルファイルのフォルダを読めません。"},
+    {"material_library_missing", warning, "A material library is not there.", "マテリアルファイルがありません。", true},
+    {"material_library_no_file", warning, "A material library is a folder, a pipe or a device.",
+     "マテリアルファイルが、フォルダ、パイプ、デバイスのいずれかです。", true},
+    {"material_library_outside", warning, "A material library outside the model's folder is not looked at.",
+     "モデルのフォルダの外にあるマテリアルファイルは開きません。", true},
+    {"material_library_unknown", warning, "The folder of a material library may not be read.",
+     "マテリアルファイルのフォルダを読めません。", true},
     {"material_library_unnamed", warning, "A line mtllib names no file.", "mtllib の行にファイル名がありません。"},
     {"missing_endsolid", warning, "The last solid of STL has no end.", "STL の最後の solid に endsolid がありません。"},
     {"missing_number", error, "A line has too few numbers.", "行の数が足りません。"},

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/sort_unique.h"
+
 namespace ryosen {
 
 ElementTotals totals_of(const MeshFile& file) {
@@ -13,6 +15,20 @@ ElementTotals totals_of(const MeshFile& file) {
     if (table.kind == TableKind::other && names_vertices) totals.lines += table.rows;
   }
   return totals;
+}
+
+std::vector<Vertex> vertices_on_lines(const MeshFile& file) {
+  std::vector<Vertex> on_lines;
+  const auto add = [&](std::int64_t number) {
+    if (number >= 0 && number < static_cast<std::int64_t>(file.mesh.positions.size()))
+      on_lines.emplace_back(static_cast<std::uint32_t>(number));
+  };
+  const std::vector<std::int64_t>& vertices = file.elements.vertices;
+  for (const LineElement& item : file.elements.items)
+    if (!item.is_points) std::for_each_n(vertices.begin() + item.first, item.count, add);
+  for (const std::int64_t number : vertices_named(file.properties)) add(number);
+  sort_unique(on_lines);
+  return on_lines;
 }
 
 ElementList renumbered(const ElementList& elements, std::span<const std::uint32_t> vertex_number,

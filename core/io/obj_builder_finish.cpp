@@ -36,22 +36,21 @@ void ObjBuilder::material_library(std::string_view text) {
   file_.material_libraries.emplace_back(name);
   if (model_.empty() || libraries_.size() > most_libraries) return;
   const MaterialLibraries libraries = look_for_libraries(name, model_.parent_path());
-  // The mesh is the same with them and without, so nothing here is a warning.
-  const auto note = [&](const std::vector<std::string>& names, Code code, const Text& what) {
+  const auto warn = [&](const std::vector<std::string>& names, Code code, const Text& what) {
     for (const std::string& one : names)
-      reporter_.note(code, place, [&] {
+      reporter_.warn(code, place, [&] {
         return Text{"The material library " + shown(one) + what.en, "マテリアルファイル " + shown(one) + what.ja};
       });
   };
-  note(libraries.missing, "material_library_missing",
+  warn(libraries.missing, "material_library_missing",
        {" is not there; the names of its materials are kept.", " が見つかりません(マテリアル名は保持します)。"});
-  note(libraries.no_files, "material_library_no_file",
+  warn(libraries.no_files, "material_library_no_file",
        {" is a folder, a pipe or a device, not a file; the names of its materials are kept.",
         " はファイルではありません(フォルダ、パイプ、デバイスなど)。マテリアル名は保持します。"});
-  note(libraries.unknown, "material_library_unknown",
+  warn(libraries.unknown, "material_library_unknown",
        {" cannot be looked for, because its folder may not be read; the names of its materials are kept.",
         " は、フォルダを読めないため探せません(マテリアル名は保持します)。"});
-  note(libraries.outside, "material_library_outside",
+  warn(libraries.outside, "material_library_outside",
        {" lies outside the model's folder and is not opened.", " はモデルのフォルダの外にあるため開きません。"});
 }
 

@@ -52,27 +52,23 @@ std::string shown(std::string_view token) {
   return out + (token.empty() ? "\"" : "...\"");
 }
 
-std::size_t Reporter::count(Code code, Severity severity) {
-  for (Count& known : counts_) {
-    if (known.code != code) continue;
-    known.severity = std::max(known.severity, severity);
-    return ++known.number;
+std::size_t Reporter::count(Code code) {
+  for (auto& [known, number] : counts_) {
+    if (known == code) return ++number;
   }
-  counts_.push_back({code, 1, severity});
+  counts_.emplace_back(code, 1);
   return 1;
 }
 
 std::vector<Message> Reporter::take() {
   std::stable_sort(messages_.begin(), messages_.end(),
                    [](const Message& a, const Message& b) { return order_of(a) < order_of(b); });
-  for (const auto& [code, number, severity] : counts_) {
+  for (const auto& [code, number] : counts_) {
     if (number <= listed_per_code) continue;
-    const std::string rest = std::to_string(number - listed_per_code), kind(code.row().id);
-    const bool is_note = severity == Severity::info;
-    messages_.push_back(make_message(
-        severity, code,
-        {rest + (is_note ? " more notes" : " more warnings") + " of the kind " + kind + " are not listed.",
-         "同じ種類(" + kind + ")の" + (is_note ? "備考" : "警告") + "がほかに " + rest + " 件あります。"}));
+    const std::string rest = std::to_string(number - listed_per_code);
+    messages_.push_back(make_message(Severity::warning, code,
+                                     {rest + " more warnings of the kind " + std::string(code) + " are not listed.",
+                                      "同じ種類(" + std::string(code) + ")の警告がほかに " + rest + " 件あります。"}));
   }
   counts_.clear();
   return std::move(messages_);

@@ -51,12 +51,9 @@ class Reporter {
   // Adds a warning; make_text is only called if the warning is listed.
   template <class MakeText>
   void warn(Code code, FilePlace place, MakeText&& text) {
-    list(Severity::warning, code, place, std::forward<MakeText>(text));
-  }
-  // The same for what is good to know and no fault of the file.
-  template <class MakeText>
-  void note(Code code, FilePlace place, MakeText&& text) {
-    list(Severity::info, code, place, std::forward<MakeText>(text));
+    if (count(code) <= listed_per_code) {
+      messages_.push_back(make_message(Severity::warning, code, std::forward<MakeText>(text)(), place));
+    }
   }
 
   // Counts something that is ignored; there should also be a warning about it.
@@ -65,25 +62,15 @@ class Reporter {
 
   bool is_empty() const { return counts_.empty(); }
 
-  // The messages in the order of the file, then per kind one sentence with the number of those not listed.
+  // The warnings in the order of the file, then per kind one sentence with the number of those not listed.
   std::vector<Message> take();
 
  private:
-  template <class MakeText>
-  void list(Severity severity, Code code, FilePlace place, MakeText&& text) {
-    if (count(code, severity) <= listed_per_code)
-      messages_.push_back(make_message(severity, code, std::forward<MakeText>(text)(), place));
-  }
-  std::size_t count(Code code, Severity severity);
+  std::size_t count(Code code);
 
   std::vector<Message> messages_;
   LeftOut left_out_;
-  struct Count {
-    Code code;
-    std::size_t number;
-    Severity severity;  // the highest of them
-  };
-  std::vector<Count> counts_;
+  std::vector<std::pair<Code, std::size_t>> counts_;
 };
 
 }  // namespace ryosen

@@ -71,6 +71,8 @@ void compare_with_truth(const std::string& folder) {
         EXPECT_EQ(reports[i]["vertices"], rows[i]["V"]) << rows[i]["file"];
         continue;
       }
+      // The figures of that table know no lines.
+      if (key.known == std::string("isolated_v") && reports[i].contains("lines")) continue;
       EXPECT_EQ(reports[i][key.reported], rows[i][key.known]) << rows[i]["file"] << key.known;
     }
   }
@@ -110,7 +112,12 @@ TEST(check_truth, malformed_files) {
     EXPECT_EQ(report["vertices"], row["V"]) << row;
     EXPECT_EQ(static_cast<int>(report["faces"]) - static_cast<int>(report["quarantined"]), row["F"]) << row;
     if (row["expect"] == "warn") {
-      EXPECT_EQ(run.exit_code, 1) << row;
+      EXPECT_EQ(report["status"], "warnings") << row;
+      // Whether a material library is there does not set the exit code.
+      const bool is_about_library = !report["messages"].empty() &&
+                                    report["messages"][0]["code"] == "material_library_missing" &&
+                                    report["problems"].empty();
+      EXPECT_EQ(run.exit_code, is_about_library ? 0 : 1) << row;
     }
     if (row["expect"] == "ok") {
       EXPECT_EQ(report["messages"], Json::array()) << row;

@@ -6,7 +6,7 @@
 namespace ryosen::cli {
 
 inline constexpr JsonKey message_keys[] = {
-    {"severity", "string", "How bad it is.", "重大さ。", words("info warning error")},
+    {"severity", "string", "How bad it is.", "重大さ。", words("warning error")},
     {"code", "string", "What it is about, for scripts.", "内容を表すコード。", ids_of(Ids::codes)},
     {"line", "integer", "The line of the file or of the script, from 1; absent where it belongs to none.",
      "ファイルまたはスクリプトの行（1 から）。行によらないときはない。", optional()},

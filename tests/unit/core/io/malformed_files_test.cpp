@@ -64,8 +64,7 @@ TEST(damaged_files, get_their_code_place_and_what_is_kept) {
     }
     const Message* const message = io_test::find_message(*file, row.code);
     ASSERT_NE(message, nullptr);
-    const bool is_note = message->code.row().severity == CodeSeverity::info;
-    EXPECT_EQ(message->severity, is_note ? Severity::info : Severity::warning);
+    EXPECT_EQ(message->severity, Severity::warning);
     EXPECT_TRUE(is_at(*message, row)) << message->text.en << " line " << message->line.value_or(0) << " byte "
                                       << message->byte.value_or(0);
     EXPECT_EQ(file->mesh.positions.size(), static_cast<std::size_t>(row.vertices));

@@ -82,7 +82,7 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
   report.format = file.format ? file.format->id : std::string_view();
   report.messages = std::move(file.messages);
   report.beside = totals_of(file);
-  // What lines and points use is not isolated.
+  // What lines and points use is no problem; the figure tells of faces alone.
   const std::vector<Vertex> used = used_beside_the_mesh(file, {}, file.mesh.positions.size());
   std::vector<QuarantinedFace> quarantine = std::move(file.mesh.quarantine);
   const std::vector<std::uint32_t> lines = std::move(file.mesh.face_lines);
@@ -98,7 +98,7 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
       report.hash = hash_text(mesh);
     }
   });
-  report.figures.isolated_vertices -= sets.leave_out(ProblemKind::isolated_vertex, used);
+  sets.leave_out(ProblemKind::isolated_vertex, used);
   SelfIntersections intersections;
   if (with_self_intersections) intersections = find_self_intersections(mesh, most_listed_pairs);
   std::vector<Problem> problems =

@@ -95,7 +95,10 @@ Json to_json(const Message& message) {
 
 Json to_json(const std::vector<Message>& messages) {
   Json json = Json::array();
-  for (const Message& message : messages) json.push_back(to_json(message));
+  for (const Message& message : messages) {
+    const bool has_place = message.line || message.byte || message.face;
+    if (message.severity != Severity::info || has_place) json.push_back(to_json(message));
+  }
   return json;
 }
 

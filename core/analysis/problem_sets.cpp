@@ -89,11 +89,8 @@ void ProblemSets::set(ProblemKind kind, std::uint32_t index, bool is_member) {
   if (is_member ? members.insert(index) : members.erase(index)) changes_.push_back({kind, index, is_member});
 }
 
-std::size_t ProblemSets::leave_out(ProblemKind kind, std::span<const Vertex> vertices) {
-  IndexSet& set = sets_[static_cast<std::size_t>(kind)];
-  std::size_t removed = 0;
-  for (Vertex v : vertices) removed += set.erase(v.index);
-  return removed;
+void ProblemSets::leave_out(ProblemKind kind, std::span<const Vertex> vertices) {
+  for (Vertex v : vertices) sets_[static_cast<std::size_t>(kind)].erase(v.index);
 }
 
 void ProblemSets::update(const Mesh& mesh, const Journal& journal, std::size_t i) {

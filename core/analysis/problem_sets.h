@@ -30,8 +30,8 @@ class ProblemSets {
   const IndexSet& of(ProblemKind kind) const { return sets_[static_cast<std::size_t>(kind)]; }
   std::uint32_t count(ProblemKind kind) const { return of(kind).size(); }
 
-  // Takes vertices out of a set, for good: no update may follow. Tells how many were in it.
-  std::size_t leave_out(ProblemKind kind, std::span<const Vertex> vertices);
+  // Takes vertices out of a set, for good: no update may follow.
+  void leave_out(ProblemKind kind, std::span<const Vertex> vertices);
 
   // The live points and the pairs of points joined by an edge, as files and figures count them: counts_on_points() of
   // the mesh, of which these are the sets. O(1).

@@ -8,6 +8,7 @@ namespace ryosen::cli {
 
 RunFiles files_of_run(const Arguments& arguments, const std::string& input) {
   RunFiles files(arguments.has("--overwrite") ? RunFiles::Policy::overwrite : RunFiles::Policy::keep);
+  if (arguments.has("--json")) files.leave_stdout_to_results();
   if (!input.empty()) files.reads(input, FileRole::mesh);
   return files;
 }

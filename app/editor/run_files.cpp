@@ -37,6 +37,16 @@ static_assert(rows_are_in_order());
 
 const RoleRow& role_row(FileRole role) { return role_rows[static_cast<std::size_t>(role)]; }
 
+Failure taken_by_results(const std::filesystem::path& path) {
+  Failure failure;
+  failure.exit_code = ExitCode::usage;
+  failure.message.code = "flags_exclude";
+  const std::string name = path.string();
+  failure.message.text = {name + " is where --json writes; choose another output, or leave --json out.",
+                          name + " には --json の結果を書き出します。別の出力先にするか、--json を外してください。"};
+  return failure;
+}
+
 }  // namespace
 
 bool RunFiles::may_replace(const Known& known, FileRole role) const {
@@ -51,6 +61,7 @@ void RunFiles::reads(const std::filesystem::path& path, FileRole role) {
 
 Status RunFiles::may_write(const std::filesystem::path& path, FileRole role) const {
   const FileTarget target = target_of(path);
+  if (stdout_is_taken_ && target.descriptor == STDOUT_FILENO) return taken_by_results(path);
   if (target.kind == FileTarget::Kind::stream) return success();
   for (const Known& known : known_) {
     if (!is_same_file(known.target, target) || may_replace(known, role)) continue;

@@ -21,6 +21,8 @@ class RunFiles {
   };
   explicit RunFiles(Policy policy) : policy_(policy) {}
 
+  // Results go to standard output, which nothing else may be written to then.
+  void leave_stdout_to_results() { stdout_is_taken_ = true; }
   // Another document from here on.
   void begin_document() { ++document_; }
   void reads(const std::filesystem::path& path, FileRole role);
@@ -45,6 +47,7 @@ class RunFiles {
   std::vector<Known> known_;
   std::uint64_t document_ = 0;
   bool uses_stdout_ = false;
+  bool stdout_is_taken_ = false;
 };
 
 }  // namespace ryosen

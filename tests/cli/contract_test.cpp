@@ -235,6 +235,7 @@ const std::map<std::string, std::string> out_of_reach{
     {"codes.output_not_durable", "the disk would have to fail late; failing_saves_test lets it"},
     {"codes.shader_refused", "the graphics driver would have to be broken"},
     {"codes.too_many_elements", "it takes a file of gigabytes"},
+    {"codes.welded", "a note on a whole file, which JSON leaves out"},
     {"doctor 1", "every way to draw is there where the tests run"},
     {"repair 8", "it takes an interrupt; repair_test sends one"},
     {"shot 7", "every way to draw is there where the tests run"},

@@ -97,7 +97,9 @@ TEST(outputs, standard_output_gets_the_mesh_and_nothing_else) {
     EXPECT_EQ(run.out, tetrahedron) << words[0];
     EXPECT_NE(run.err.find("written: /dev/stdout"), std::string::npos) << run.err;
     arguments.push_back("--json");
-    EXPECT_EQ(run_unchecked(arguments, folder.path()).out, tetrahedron) << "no JSON beside the mesh";
+    const ProgramRun json = run_program(arguments, folder.path());
+    EXPECT_EQ(json.exit_code, 2) << words[0];
+    EXPECT_EQ(json.line()["messages"][0]["code"], "flags_exclude");
   }
   EXPECT_EQ(run_program({"convert", "in.off", "-o", "/dev/stdout"}, folder.path()).exit_code, 2) << "in which format?";
   EXPECT_EQ(run_program({"edit", "--new", "--do", "expect V 0", "-o", "/dev/stdout"}, folder.path()).exit_code, 2);

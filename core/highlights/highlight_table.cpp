@@ -120,12 +120,12 @@ const HighlightRow* find_highlight(std::string_view id) {
   return nullptr;
 }
 
-AddedHighlight::AddedHighlight(const HighlightRow& row) {
+ScopedHighlight::ScopedHighlight(const HighlightRow& row) {
   assert(table().count < most_highlights && !find_highlight(row.id));
   table().rows[table().count++] = row;
 }
 
-AddedHighlight::~AddedHighlight() { --table().count; }
+ScopedHighlight::~ScopedHighlight() { --table().count; }
 
 Mark mark_of(ProblemKind kind) {
   const ProblemRow& row = row_of(kind);

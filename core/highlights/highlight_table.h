@@ -67,12 +67,12 @@ const HighlightRow* find_highlight(std::string_view id);
 // Adds a row at the end of the table while it lives: for programs with highlights of their own, and for tests. What
 // speaks of highlights (sessions, views, HighlightSets) is made after and gone before it; no other thread reads the
 // table when it comes and goes. The one made last goes first.
-class AddedHighlight {
+class ScopedHighlight {
  public:
-  explicit AddedHighlight(const HighlightRow& row);
-  ~AddedHighlight();
-  AddedHighlight(const AddedHighlight&) = delete;
-  AddedHighlight& operator=(const AddedHighlight&) = delete;
+  explicit ScopedHighlight(const HighlightRow& row);
+  ~ScopedHighlight();
+  ScopedHighlight(const ScopedHighlight&) = delete;
+  ScopedHighlight& operator=(const ScopedHighlight&) = delete;
 };
 
 // So many rows are the most that there can be.

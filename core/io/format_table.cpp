@@ -98,12 +98,12 @@ bool is_unread_extension(std::string_view extension) {
          !format_of_extension("x" + std::string(extension));
 }
 
-AddedFormat::AddedFormat(Format format) {
+ScopedFormat::ScopedFormat(Format format) {
   assert(!find_format(format.id) && "the id of a format is its own");
   row_ = &all_formats().emplace_back(std::move(format));
 }
 
-AddedFormat::~AddedFormat() {
+ScopedFormat::~ScopedFormat() {
   assert(row_ == &all_formats().back() && "the format that was added last goes first");
   all_formats().pop_back();
 }

@@ -17,12 +17,12 @@ const std::deque<Format>& formats();
 
 // Adds a row during its lifetime: for programs with a format of their own, and for tests. Destroy in reverse order of
 // construction, not while another thread uses the table, and after all files read with it.
-class AddedFormat {
+class ScopedFormat {
  public:
-  explicit AddedFormat(Format format);  // its id must be unique
-  ~AddedFormat();
-  AddedFormat(const AddedFormat&) = delete;
-  AddedFormat& operator=(const AddedFormat&) = delete;
+  explicit ScopedFormat(Format format);  // its id must be unique
+  ~ScopedFormat();
+  ScopedFormat(const ScopedFormat&) = delete;
+  ScopedFormat& operator=(const ScopedFormat&) = delete;
 
   const Format& row() const { return *row_; }
 

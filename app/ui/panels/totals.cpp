@@ -68,7 +68,7 @@ void draw_kind_of_mesh(PanelContext& context) {
 // The terms of V - E + F + (B + W + I) - H = 2(S - G).
 void draw_totals(PanelContext& context) {
   const EulerPoincare& terms = context.session.euler_terms();
-  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {4 * context.scale, 1.5f * context.scale});
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {4 * context.scale, 1 * context.scale});
   if (ImGui::BeginTable("terms", 3)) {
     ImGui::TableSetupColumn("letter", ImGuiTableColumnFlags_WidthFixed, 1.1f * ImGui::GetFontSize());
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 3);
@@ -77,8 +77,9 @@ void draw_totals(PanelContext& context) {
     draw_term(context, "E", terms.edges, UiText::edges);
     draw_term(context, "F", terms.faces, UiText::faces);
     draw_term(context, "B", terms.boundary_loops, UiText::boundaries);
-    draw_term(context, "W", terms.wire_cycles, UiText::wire_cycles);
-    draw_term(context, "I", terms.isolated, UiText::isolated_vertices);
+    // Most meshes have none of these two, and the column is low.
+    if (terms.wire_cycles != 0) draw_term(context, "W", terms.wire_cycles, UiText::wire_cycles);
+    if (terms.isolated != 0) draw_term(context, "I", terms.isolated, UiText::isolated_vertices);
     draw_term(context, "H", terms.rings, UiText::rings);
     draw_term(context, "S", terms.parts, UiText::parts);
     draw_term(context, "G", terms.genus, UiText::genus);

@@ -63,7 +63,7 @@ TEST(highlight_sets, are_equal_whatever_was_kept_before) {
 int calls = 0;
 
 TEST(highlight_sets, ask_a_predicate_only_while_its_highlight_is_kept) {
-  const AddedHighlight added({.id = "counted",
+  const ScopedHighlight added({.id = "counted",
                               .name_en = "Counted",
                               .name_ja = "計数",
                               .legend_en = "All vertices.",

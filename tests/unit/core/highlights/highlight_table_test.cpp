@@ -52,7 +52,7 @@ TEST(highlight_table, marks_have_numbers_of_their_own) {
 TEST(highlight_table, has_an_added_row_while_it_is_wanted) {
   const std::size_t before = highlight_table().size();
   {
-    const AddedHighlight added({.id = "even",
+    const ScopedHighlight added({.id = "even",
                                 .name_en = "Even",
                                 .name_ja = "偶数",
                                 .legend_en = "Vertices with an even number.",

@@ -181,7 +181,7 @@ TEST(formats, one_that_is_only_read_is_a_row_like_any_other) {
   EXPECT_EQ(recognised("stack 2\n", "a.stack"), "unknown_format");
   EXPECT_FALSE(may_be_mesh(folder / "a.stack"));
   {
-    const AddedFormat added(stack_format());
+    const ScopedFormat added(stack_format());
     EXPECT_EQ(formats().size(), rows + 1);
     EXPECT_EQ(&formats()[0], first) << "rows stay where they are";
     EXPECT_EQ(recognised("stack 2\n", "a"), "stack");

@@ -44,12 +44,12 @@ Ended run_here(const std::vector<std::string>& arguments) {
   return {code, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
 }
 
-TEST(added_format, is_read_by_every_command_and_written_by_none) {
+TEST(scoped_format, is_read_by_every_command_and_written_by_none) {
   const TemporaryFolder folder;
   folder.write("a.dots", "dot 3\n");
   folder.write("bad.dots", "dot x\n");
   EXPECT_EQ(run_here({"formats"}).out.find("dots"), std::string::npos);
-  const AddedFormat added(dots_format());
+  const ScopedFormat added(dots_format());
 
   EXPECT_NE(run_here({"formats", "--lang", "en"}).out.find("dots (.dots); read\n"), std::string::npos);
   EXPECT_NE(run_here({"formats", "--json"})

@@ -12,9 +12,9 @@ namespace ryosen {
 namespace {
 
 // The edges at vertex 0 and the face f0, which it tints.
-class AddedHighlightTest : public testing::Test {
+class ScopedHighlightTest : public testing::Test {
  protected:
-  const AddedHighlight added_{{.id = "first",
+  const ScopedHighlight added_{{.id = "first",
                                .name_en = "First elements",
                                .name_ja = "最初の要素",
                                .legend_en = "The first face and the edges at the first vertex.",
@@ -46,7 +46,7 @@ std::unique_ptr<Session> open_session(const std::string& name) {
   return document ? std::make_unique<Session>(std::move(document).value()) : nullptr;
 }
 
-TEST_F(AddedHighlightTest, is_found_and_counted_when_it_is_shown) {
+TEST_F(ScopedHighlightTest, is_found_and_counted_when_it_is_shown) {
   const auto session = open_session("cube.obj");
   EXPECT_FALSE(session->shown.contains("first"));
   EXPECT_FALSE(session->highlights().keeps(row_));
@@ -60,7 +60,7 @@ TEST_F(AddedHighlightTest, is_found_and_counted_when_it_is_shown) {
   EXPECT_TRUE(session->shown.contains("first"));
 }
 
-TEST_F(AddedHighlightTest, is_drawn_in_its_colour_and_tints_its_face) {
+TEST_F(ScopedHighlightTest, is_drawn_in_its_colour_and_tints_its_face) {
   auto headless = Headless::make({.backend = Backend::osmesa, .size = {320, 240}});
   ASSERT_TRUE(headless);
   const auto session = open_session("cube.obj");
@@ -93,8 +93,8 @@ TEST_F(AddedHighlightTest, is_drawn_in_its_colour_and_tints_its_face) {
   EXPECT_GT(most, 15000) << "a face that fills the picture";
 }
 
-TEST_F(AddedHighlightTest, may_mark_a_kind_of_problem_that_another_marks_too) {
-  const AddedHighlight rim({.id = "rim",
+TEST_F(ScopedHighlightTest, may_mark_a_kind_of_problem_that_another_marks_too) {
+  const ScopedHighlight rim({.id = "rim",
                             .name_en = "Rim",
                             .name_ja = "縁",
                             .legend_en = "The boundary once more.",
@@ -118,7 +118,7 @@ TEST_F(AddedHighlightTest, may_mark_a_kind_of_problem_that_another_marks_too) {
   EXPECT_EQ(session->highlights().count(*find_highlight("rim")), 6u);
 }
 
-TEST_F(AddedHighlightTest, has_a_row_in_the_panel_that_switches_it) {
+TEST_F(ScopedHighlightTest, has_a_row_in_the_panel_that_switches_it) {
   test::Laid laid("cube.obj");
   // The rows of the panel, one after another, from the first.
   const auto press = [&](std::size_t row) { laid.click({20, 305 + 17.0 * static_cast<double>(row)}); };
@@ -134,7 +134,7 @@ TEST_F(AddedHighlightTest, has_a_row_in_the_panel_that_switches_it) {
   EXPECT_GT(count_near((*headless)->picture(*session), row_.looks.dark, 0), 50) << "its line in the panel";
 }
 
-TEST_F(AddedHighlightTest, is_known_to_shot_and_its_help) {
+TEST_F(ScopedHighlightTest, is_known_to_shot_and_its_help) {
   const test::TemporaryFolder folder;
   const auto shot = [&](const std::string& id) {
     return cli::run({"shot", test::asset("cube.obj"), "-o", folder.at("a.png"), "--size", "320x240", "--view", "iso",

@@ -1,4 +1,5 @@
-// UI texts in both languages. Commands, operators, rules, keys and problems have their own.
+// UI texts in both languages that several panels use. Commands, operators, rules, keys and problems have their own; what
+// only one panel says stands there, by PanelContext::text(en, ja).
 #pragma once
 
 #include "core/base/message.h"

@@ -10,8 +10,9 @@ namespace {
 
 std::deque<AlgorithmRow>& algorithm_rows() {
   static std::deque<AlgorithmRow> rows = [] {
-    const std::vector<AlgorithmRow> repairs = repair_rows();
-    return std::deque<AlgorithmRow>(repairs.begin(), repairs.end());
+    std::deque<AlgorithmRow> all;
+    for (const std::vector<AlgorithmRow>& folder : {repair_rows()}) all.insert(all.end(), folder.begin(), folder.end());
+    return all;
   }();
   return rows;
 }

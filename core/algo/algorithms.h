@@ -1,6 +1,7 @@
 // The one table of algorithms: what changes a mesh as a whole.
 //
-// To add one, write its function in a pair of files of its own and its row in the list of its folder. From the row come
+// To add one, write its function in a pair of files of its own and its row in the list of its folder; the lists of the
+// folders are joined in algorithms.cpp. From the row come
 // its subcommand with its flags (`ryosen ID FILE -o OUT --PARAMETER VALUE`), its command in scripts
 // (`ID PARAMETER=VALUE ...`), its fields in the window, help, progress, cancel, the history, recovery, and the tests that
 // go over the table.

@@ -1,6 +1,7 @@
 // The one table of what can be marked on a mesh: findings of problems, and what is no problem.
 //
-// To add a highlight, write its row, with a predicate where it marks no problem. The panel, the drawing, the legend, the
+// To add a highlight, write its row, with a predicate where it marks no problem, and with a pair of line style and point
+// shape that no other has. The panel, the drawing, the legend, the
 // commands and their help read the table.
 #pragma once
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "core/analysis/invariants.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
@@ -203,7 +205,8 @@ AnyOp random_op(const Mesh& mesh, std::size_t place, Dice& dice) {
   const Halfedge a = pick(halfedges_around(mesh, f), dice), b = pick(halfedges_around(mesh, other), dice);
   if (id == "separate_loop") return SeparateLoop{a, b};
   if (id == "unite_ring") return UniteRing{a, b};
-  return MakeVertex{random_place(dice)};
+  if (id == "make_vertex") return MakeVertex{random_place(dice)};
+  throw std::logic_error("random_op has no arguments for " + std::string(id));
 }
 
 AnyOp random_op(const Mesh& mesh, Dice& dice) {

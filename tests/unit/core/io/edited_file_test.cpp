@@ -120,6 +120,7 @@ TEST(edited_file, wires_follow_their_ends_to_new_numbers) {
 TEST(edited_file, wires_are_listed_as_lost_in_every_format) {
   const MeshFile file = after_lines({}, {"make_vertex 0,0,0", "make_vertex 1,0,0", "make_edge 0 1"});
   for (const Format& format : formats()) {
+    if (!format.write) continue;
     const std::vector<Loss> losses = losses_of(file, format);
     const auto wires =
         std::find_if(losses.begin(), losses.end(), [](const Loss& l) { return l.kind->code == "loses_wires"; });

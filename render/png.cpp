@@ -8,6 +8,7 @@
 
 #include "core/base/parallel.h"
 #include "core/io/safe_write.h"
+#include "core/io/system_reason.h"
 #include "render/image.h"
 
 #define STB_IMAGE_IMPLEMENTATION
@@ -131,9 +132,9 @@ Result<Image> read_png(const std::filesystem::path& path) {
   failure.message.code = "input_missing";
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
   if (!file) {
-    const std::string cause = std::strerror(errno);
-    failure.message.text = {"The picture " + path.string() + " cannot be read: " + cause + ".",
-                            "画像 " + path.string() + " を読み込めません: " + cause + "。"};
+    const Text cause = system_reason(errno);
+    failure.message.text = {"The picture " + path.string() + " cannot be read: " + cause.en + ".",
+                            "画像 " + path.string() + " を読み込めません：" + cause.ja + "。"};
     return failure;
   }
   Size size;

@@ -3,6 +3,7 @@
 #include "app/cli/columns.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/subcommands.h"
+#include "app/cli/visible.h"
 #include "core/forms/comparison.h"
 #include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
@@ -154,7 +155,7 @@ std::string sources_text(const Comparison& comparison, const Console& console) {
 std::string to_text(const Comparison& comparison, const std::string& file, const Console& console) {
   const std::string v = std::to_string(comparison.vertices), e = std::to_string(comparison.edges),
                     f = std::to_string(comparison.faces);
-  return file +
+  return visible_line(file) +
          console.text(Text{": vertices " + v + ", edges " + e + ", faces " + f + "\n",
                            "：頂点 " + v + "、稜線 " + e + "、面 " + f + "\n"}) +
          forms_text(comparison, console) + pairing_text(comparison, console) + sources_text(comparison, console);

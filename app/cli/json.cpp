@@ -118,7 +118,7 @@ Json to_json(const Mesh& mesh, const std::vector<Reason>& reasons) {
 
 Json error_object(const Message& message, std::optional<std::string_view> file, std::string_view format) {
   Record<failure_shape> json;
-  json["file"] = file ? Json(*file) : Json();
+  json["file"] = file && !file->empty() ? Json(*file) : Json();
   json["format"] = format.empty() ? Json() : Json(format);
   json["status"] = "error";
   json["messages"] = Json::array({to_json(message)});

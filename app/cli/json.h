@@ -30,6 +30,7 @@ Json to_json(const Mesh& mesh, const Reason& reason);
 Json to_json(const Mesh& mesh, const std::vector<Reason>& reasons);
 
 // The error object for a file that failed, or for the command line (no file, no format).
+// `file` is null where there is none or its name is empty.
 Json error_object(const Message& message, std::optional<std::string_view> file, std::string_view format = {});
 
 }  // namespace ryosen::cli

@@ -133,7 +133,9 @@ ExitCode shot_command(const Arguments& arguments, const Console& given) {
   const Result<ShotOptions> options = read_shot_options(arguments);
   if (!options) {
     const Message& message = options.failure().message;
-    if (given.json) given.print(line_of(error_object(message, {})));
+    // A fault of the flags is about no file.
+    const bool is_of_flags = options.failure().exit_code == ExitCode::usage && !message.line;
+    if (given.json) given.print(line_of(error_object(message, is_of_flags ? "" : arguments.operands()[0])));
     given.show(message, message.line ? *arguments.value("--script") : std::string());
     return options.failure().exit_code;
   }

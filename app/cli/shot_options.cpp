@@ -132,9 +132,11 @@ class OptionsReader {
   }
 
   std::string read_tool(const std::string& id) {
-    if (id.empty() || find_op(id)) return id;
+    const OpInfo* const named = find_op(id);
+    if (id.empty() || (named && is_tool(*named))) return id;
     std::vector<std::string> known;
-    for (const OpInfo& op : all_ops()) add_ids(op, known);
+    for (const OpInfo& op : all_ops())
+      if (is_tool(op)) add_ids(op, known);
     const Text close = did_you_mean(id, known);
     fail(usage_failure("unknown_tool", {"There is no tool '" + id + "'." + close.en,
                                         "「" + id + "」というツールはありません。" + close.ja}));

@@ -31,6 +31,9 @@ const std::array common{
     Flag{"-h", "", false, "the same", "同上"},
 };
 
+const Flag overwrite{"--overwrite", "", false, "allows to replace what the run reads or wrote before",
+                     "この実行で読み込む、または先に書き出したファイルの置き換えを許す"};
+
 const std::vector<Subcommand>& table() {
   static const std::vector<Subcommand> rows{
       Subcommand{"view",
@@ -99,8 +102,7 @@ const std::vector<Subcommand>& table() {
                       "拒否されても続け、結果を書き出し、終了コード 1"},
                      {"--strict", "", false, "warnings refuse too, also those of what a file would lose",
                       "警告も拒否とする（ファイルで失われるものも含む）"},
-                     {"--overwrite", "", false, "allows to replace what the run reads or wrote before",
-                      "この実行で読み込む、または先に書き出したファイルの置き換えを許す"},
+                     overwrite,
                  },
                  script_commands_topic,
                  edit_command,
@@ -117,8 +119,7 @@ const std::vector<Subcommand>& table() {
                      {"--kinds", "KIND[=NUMBER],...", false,
                       "these repairs, in the order of the list below; default stands for all that are done unasked",
                       "行う修復（下の一覧の順に実行。default は省略時の修復すべて）"},
-                     {"--overwrite", "", false, "allows to replace what the run reads or wrote before",
-                      "この実行で読み込む、または先に書き出したファイルの置き換えを許す"},
+                     overwrite,
                  },
                  repairs_topic,
                  repair_command,
@@ -139,8 +140,7 @@ const std::vector<Subcommand>& table() {
                       "失われるものがあれば終了コード 6 で中止する"},
                      {"--triangulate", "", false, "cuts faces of more than three corners into triangles",
                       "4 頂点以上の面を三角形に分割する"},
-                     {"--overwrite", "", false, "allows to replace what the run reads or wrote before",
-                      "この実行で読み込む、または先に書き出したファイルの置き換えを許す"},
+                     overwrite,
                  },
                  nullptr,
                  convert_command,
@@ -173,8 +173,7 @@ const std::vector<Subcommand>& table() {
               {"--diff", "D.png", false, "with --compare: writes where they differ", "--compare の差分画像の出力先"},
               {"--tolerance", "PERCENT", false, "of the pixels may differ; else 0.2",
                "異なってよい画素の割合（省くと 0.2）"},
-              {"--overwrite", "", false, "allows to replace what the run reads or wrote before",
-               "この実行で読み込む、または先に書き出したファイルの置き換えを許す"},
+              overwrite,
           },
           shot_topic,
           shot_command,
@@ -244,7 +243,7 @@ Subcommand subcommand_of(const AlgorithmRow& row) {
     flags.push_back({flag_of(parameter), placeholder(parameter), false, std::string(parameter.help_en) + ": " + is.en,
                      std::string(parameter.help_ja) + "：" + is.ja});
   }
-  flags.push_back({"--overwrite", "", false, "allows to replace an input", "入力の置き換えを許す"});
+  flags.push_back(overwrite);
   const auto more = [&row](Language language) { return algorithm_topic(row, language); };
   const auto run = [&row](const Arguments& arguments, const Console& console) {
     return algorithm_command(row, arguments, console);

@@ -45,7 +45,7 @@ Outcome no_element(Document& document, std::string_view line, NameError error, c
 
 Outcome wrong_arguments(std::string_view id) {
   const auto row = find_command_row(id);
-  const std::string form = std::string(id) + " " + std::string(row->syntax);
+  const std::string form = std::string(id) + (row->syntax.empty() ? "" : " " + std::string(row->syntax));
   return usage_error("the command reads: " + form, "書式：" + form);
 }
 

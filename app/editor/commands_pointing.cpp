@@ -3,6 +3,7 @@
 #include "app/editor/camera_text.h"
 #include "app/editor/command_syntax.h"
 #include "app/editor/pick_modes.h"
+#include "app/editor/script.h"
 #include "core/mesh/find_element.h"
 #include "core/ops/lines/syntax.h"
 
@@ -17,8 +18,15 @@ const OpInfo* find_tool(std::string_view id) {
 }
 
 Outcome not_a_tool(std::string_view id) {
-  if (!find_op(id)) return unknown_command(id);
   const std::string name(id);
+  if (!find_op(id)) {
+    std::vector<std::string> tools;
+    for (const OpInfo& op : all_ops())
+      if (is_tool(op)) add_ids(op, tools);
+    const std::string close = closest_word(name, tools);
+    return usage_error("'" + name + "' is not a tool" + (close.empty() ? "" : "; did you mean " + close + "?"),
+                       "「" + name + "」はツールではありません" + (close.empty() ? "" : "。" + close + " ですか？"));
+  }
   return usage_error(name + " does not work on what is clicked; say it as a command",
                      name + " はクリックした要素に働く操作ではないので、コマンドとして実行してください");
 }

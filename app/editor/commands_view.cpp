@@ -69,7 +69,7 @@ Outcome run_show(Session& session, Words arguments, std::string_view) {
   if (arguments[0] == "all" || std::find(known.begin(), known.end(), arguments[0]) != known.end()) return {};
   const std::string wrong(arguments[0]), close = closest_word(wrong, known);
   return usage_error("there is no highlight '" + wrong + "'" + (close.empty() ? "" : "; did you mean " + close + "?"),
-                     "表示項目「" + wrong + "」はありません" + (close.empty() ? "" : "。" + close + " ですか？"));
+                     "強調表示「" + wrong + "」はありません" + (close.empty() ? "" : "。" + close + " ですか？"));
 }
 
 }  // namespace ryosen

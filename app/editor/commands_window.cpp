@@ -96,7 +96,8 @@ Outcome run_key(Session& session, Words arguments, std::string_view) {
   return session.run(std::string(key->command));
 }
 
-Outcome run_quit(Session& session, Words, std::string_view) {
+Outcome run_quit(Session& session, Words arguments, std::string_view) {
+  if (!arguments.empty()) return wrong_arguments("quit");
   if (session.quit) session.quit();
   return {};
 }

@@ -79,12 +79,17 @@ Failure unreadable_folder(const fs::path& folder, int error) {
   return failure;
 }
 
+// What the edits begin with; empty where that is an empty mesh.
+const fs::path& source_of(const LostSession& lost) {
+  return lost.start.original.empty() ? lost.start.file : lost.start.original;
+}
+
 Result<std::unique_ptr<Document>> begin_again(const LostSession& lost) {
   if (lost.start.file.empty()) {
     MeshFile empty;
     return std::make_unique<Document>(std::move(empty), lost.file);
   }
-  Result<MeshFile> file = read_mesh_file(lost.start.original.empty() ? lost.start.file : lost.start.original);
+  Result<MeshFile> file = read_mesh_file(source_of(lost));
   if (!file) return file.failure();
   return std::make_unique<Document>(std::move(file).value(), lost.file);
 }
@@ -216,7 +221,7 @@ Outcome recover(Session& session, const LostSession& lost) {
   const bool is_same = (*document)->mesh().hash() == lost.start.hash;
   Autosave* const autosave = std::exchange(session.autosave, nullptr);
   const bool was_strict = std::exchange(session.strict, false);
-  session.set_document(std::move(document).value());
+  session.set_document(std::move(document).value(), source_of(lost));
   Outcome outcome = replay(session, lost);
   session.autosave = autosave;
   session.strict = was_strict;

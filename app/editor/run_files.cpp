@@ -37,6 +37,13 @@ static_assert(rows_are_in_order());
 
 const RoleRow& role_row(FileRole role) { return role_rows[static_cast<std::size_t>(role)]; }
 
+// Also the file that standard output was sent to.
+bool is_standard_output(const FileTarget& target) {
+  if (target.descriptor == STDOUT_FILENO) return true;
+  const FileTarget out = target_of("/dev/stdout");
+  return out.kind == FileTarget::Kind::file && target.kind == FileTarget::Kind::file && out.number == target.number;
+}
+
 Failure taken_by_results(const std::filesystem::path& path) {
   Failure failure;
   failure.exit_code = ExitCode::usage;
@@ -55,14 +62,30 @@ bool RunFiles::may_replace(const Known& known, FileRole role) const {
   return role == FileRole::saved && known.role == role && known.document == document_;
 }
 
+// One of those that the program was handed takes one output; a device takes any number.
+Status RunFiles::may_write_to_stream(const std::filesystem::path& path, const FileTarget& target) const {
+  for (const Known& known : known_) {
+    if (!target.descriptor || known.target.descriptor != target.descriptor) continue;
+    const std::string name = path.string();
+    Failure failure;
+    failure.exit_code = ExitCode::output_not_writable;
+    failure.message.code = "output_would_be_replaced";
+    failure.message.text = {
+        name + " gets " + std::string(role_row(known.role).en) + " already; choose another output.",
+        name + " には" + std::string(role_row(known.role).ja) + "を書き出します。別の出力先にしてください。"};
+    return failure;
+  }
+  return success();
+}
+
 void RunFiles::reads(const std::filesystem::path& path, FileRole role) {
   known_.push_back({path, target_of(path), role, document_});
 }
 
 Status RunFiles::may_write(const std::filesystem::path& path, FileRole role) const {
   const FileTarget target = target_of(path);
-  if (stdout_is_taken_ && target.descriptor == STDOUT_FILENO) return taken_by_results(path);
-  if (target.kind == FileTarget::Kind::stream) return success();
+  if (stdout_is_taken_ && is_standard_output(target)) return taken_by_results(path);
+  if (target.kind == FileTarget::Kind::stream) return may_write_to_stream(path, target);
   for (const Known& known : known_) {
     if (!is_same_file(known.target, target) || may_replace(known, role)) continue;
     const std::string name = path.string(), other = known.path.string();
@@ -90,6 +113,9 @@ void RunFiles::writes(const std::filesystem::path& path, FileRole role) {
   std::erase_if(known_, [&](const Known& known) {
     return known.role == role && known.document == document_ && is_same_file(known.target, target);
   });
+  // What had this name is another file now.
+  for (Known& known : known_)
+    if (known.target.path == target.path) known.target = target;
   known_.push_back({path, std::move(target), role, document_});
 }
 

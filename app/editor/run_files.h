@@ -1,6 +1,7 @@
 // The files of one run: what it reads and what it has written, so that no output takes the place of one of them unasked.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,7 @@ class RunFiles {
     std::uint64_t document;
   };
   bool may_replace(const Known& known, FileRole role) const;
+  Status may_write_to_stream(const std::filesystem::path& path, const FileTarget& target) const;
 
   Policy policy_;
   std::vector<Known> known_;

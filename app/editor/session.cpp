@@ -27,10 +27,11 @@ Session::Session(std::unique_ptr<Document> document) {
   set_document(std::move(document));
 }
 
-void Session::set_document(std::unique_ptr<Document> document) {
+void Session::set_document(std::unique_ptr<Document> document, std::optional<std::filesystem::path> read_from) {
   document_ = std::move(document);
   files.begin_document();
-  if (!document_->path().empty()) files.reads(document_->path(), FileRole::mesh);
+  const std::filesystem::path& source = read_from ? *read_from : document_->path();
+  if (!source.empty()) files.reads(source, FileRole::mesh);
   document_->add_listener([this](std::size_t transaction) { follow(transaction); });
   picker_.reset();
   highlights_.reset();

@@ -99,7 +99,8 @@ class Session {
   bool is_kind_stale() const { return kind_revision_ != document_->revision(); }
 
   // Replaces the document; resets selection, hover and log.
-  void set_document(std::unique_ptr<Document> document);
+  // `read_from` is the file that it was read from, where that is not its own: no output of the run takes its place.
+  void set_document(std::unique_ptr<Document> document, std::optional<std::filesystem::path> read_from = {});
   // The positions for framing the view: all vertices except isolated ones, unless there are no others.
   std::vector<glm::dvec3> places_to_frame() const;
   void frame_all();

@@ -85,6 +85,7 @@ void PanelContext::leave(PendingLeave where) {
 }
 
 void PanelContext::go(const PendingLeave& where) {
+  state.pending.reset();
   session.open_panel.clear();
   if (where.quits)
     state.wants_quit = true;

@@ -29,7 +29,7 @@ struct GuiState {
   bool wants_quit = false;  // confirmed
   bool is_laying_out = false;
   std::vector<std::string> waiting;  // lines of long work, which begins when the frame is laid out
-  PendingLeave pending;
+  std::optional<PendingLeave> pending;
   std::string begun_command;  // what the command window takes into its field when it is open
 };
 

@@ -43,10 +43,10 @@ KindOfMesh without_faces(const Mesh& mesh, const ProblemSets& sets) {
   const std::string edges = std::to_string(counts.edges), vertices = std::to_string(counts.vertices);
   if (counts.edges > 0)
     return {MeshKind::wires,
-            {"There is no face; edges: " + edges + ".", "面がありません。稜線は " + edges + " 本です。"}};
+            {"There is no usable face; edges: " + edges + ".", "使える面がありません。稜線は " + edges + " 本です。"}};
   if (counts.vertices > 0)
     return {MeshKind::points,
-            {"There is no face and no edge; vertices: " + vertices + ".",
+            {"There is no usable face and no edge; vertices: " + vertices + ".",
              "面も稜線もありません。頂点は " + vertices + " 個です。"}};
   return {MeshKind::empty, {"There is neither face, edge nor vertex.", "面も稜線も頂点もありません。"}};
 }

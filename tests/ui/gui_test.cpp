@@ -69,7 +69,7 @@ TEST(gui, a_highlight_is_switched_in_its_panel) {
 
 TEST(gui, an_open_panel_takes_the_pointer_and_escape_gives_it_back) {
   Laid laid("cube.obj");
-  for (const char* panel : {"keys", "open", "save", "unsaved"}) {
+  for (const char* panel : {"keys", "open", "save", "command"}) {
     ASSERT_TRUE(laid.gui.run(laid.session, std::string("panel ") + panel).done());
     laid.frames(2);
     EXPECT_TRUE(laid.gui.owns_pointer(laid.session, window, {640, 360})) << panel;
@@ -106,6 +106,15 @@ TEST(gui, asks_before_changes_are_lost) {
   changed.frames(2);
   changed.click({640, 378});  // discard
   EXPECT_TRUE(changed.gui.wants_quit());
+}
+
+TEST(gui, the_question_before_a_loss_is_not_asked_where_nothing_would_be_lost) {
+  Laid laid("torus.off");
+  ASSERT_TRUE(laid.gui.run(laid.session, "split 0-1").done());
+  laid.gui.run(laid.session, "panel unsaved");
+  laid.frames(3);
+  EXPECT_EQ(laid.session.open_panel, "");
+  EXPECT_EQ(laid.session.document().history().size(), 1u) << "the mesh is still there";
 }
 
 TEST(gui, what_a_crash_left_is_recovered_discarded_or_left_for_later) {

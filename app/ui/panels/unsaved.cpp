@@ -6,7 +6,9 @@ namespace {
 
 // The question before changes would be lost.
 void draw_unsaved(PanelContext& context) {
-  const PendingLeave where = context.state.pending;
+  // By the command `panel` it may be opened while nothing waits for the answer.
+  if (!context.state.pending) return void(context.run("panel none"));
+  const PendingLeave where = *context.state.pending;
   const std::string name = context.session.document().path().filename().string();
   const std::string of_file = name.empty() ? "" : name + context.text(": ", "：");
   ImGui::TextWrapped("%s%s", of_file.c_str(), context.text(UiText::unsaved_question));
@@ -21,7 +23,10 @@ void draw_unsaved(PanelContext& context) {
   ImGui::SameLine();
   if (ImGui::Button(context.text(UiText::discard), size)) context.go(where);
   ImGui::SameLine();
-  if (ImGui::Button(context.text(UiText::cancel), size)) context.run("panel none");
+  if (ImGui::Button(context.text(UiText::cancel), size)) {
+    context.state.pending.reset();
+    context.run("panel none");
+  }
 }
 
 }  // namespace

@@ -110,6 +110,21 @@ TEST_F(RecoveryTest, what_a_crash_leaves_is_done_again) {
   EXPECT_TRUE(kept().empty());
 }
 
+TEST_F(RecoveryTest, no_output_takes_the_place_of_what_a_recovered_session_was_read_from) {
+  const std::string in = files_.copy(test::asset("torus.off"), "in.off"), out = files_.at("out.off");
+  auto crashed = open(in);
+  crashed->run("split 0-1");
+  crashed->run("save " + file_argument(out));
+  crashed->run("split 2-3");
+  crashed.reset();
+  auto again = open_nothing();
+  again->session.files = RunFiles(RunFiles::Policy::keep);
+  ASSERT_TRUE(again->session.run("recover").done());
+  ASSERT_TRUE(again->session.run("recover 1").done());
+  EXPECT_FALSE(again->session.files.may_write(in, FileRole::result).ok());
+  EXPECT_TRUE(again->session.files.may_write(out, FileRole::saved).ok());
+}
+
 TEST_F(RecoveryTest, an_orderly_end_leaves_nothing) {
   auto window = open(test::asset("torus.off"));
   window->run("split 0-1");

@@ -66,6 +66,33 @@ TEST(run_files, only_the_same_document_is_saved_to_its_file_again) {
   EXPECT_EQ(code(files.may_write(folder.at("p.png"), FileRole::difference)), "output_would_be_replaced");
 }
 
+TEST(run_files, a_descriptor_that_was_handed_takes_one_output) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  const std::string handed = "/dev/fd/" + std::to_string(ends[1]);
+  RunFiles files(Policy::keep);
+  EXPECT_EQ(code(files.may_write(handed, FileRole::picture)), "");
+  files.writes(handed, FileRole::picture);
+  EXPECT_EQ(code(files.may_write(handed, FileRole::difference)), "output_would_be_replaced");
+  files.writes("/dev/null", FileRole::picture);
+  EXPECT_EQ(code(files.may_write("/dev/null", FileRole::difference)), "") << "a device takes any number";
+  ::close(ends[0]);
+  ::close(ends[1]);
+}
+
+TEST(run_files, a_file_that_was_saved_anew_is_another_one) {
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", "x");
+  std::filesystem::create_hard_link(in, folder.at("old.png"));
+  RunFiles files(Policy::by_kind);
+  files.reads(in, FileRole::mesh);
+  EXPECT_EQ(code(files.may_write(folder.at("old.png"), FileRole::picture)), "input_would_be_replaced");
+  std::filesystem::rename(folder.write("beside", "y"), in);
+  files.writes(in, FileRole::saved);
+  EXPECT_EQ(code(files.may_write(folder.at("old.png"), FileRole::picture)), "") << "no longer the mesh";
+  EXPECT_EQ(code(files.may_write(in, FileRole::picture)), "input_would_be_replaced");
+}
+
 TEST(run_files, a_user_at_the_window_may_replace_like_by_like) {
   const TemporaryFolder folder;
   RunFiles files(Policy::by_kind);

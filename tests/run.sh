@@ -39,6 +39,6 @@ for lines in hashes reports; do
 done
 
 # What a fuzzer does to it, from the inputs that are kept.
-fuzz_seconds=10
+fuzz_seconds=6
 [ -z "${RYOSEN_LONG:-}" ] || fuzz_seconds=240
 "$root/tests/fuzz/run.sh" "$root/build/fuzz" "$fuzz_seconds"

@@ -16,8 +16,10 @@ Mesh random_kernel_mesh(std::uint64_t seed) {
 
 namespace {
 
-// Takes out a face whose corners are all inside and have no copies, so that a hole stays as reading would make it.
+// Takes out a face without rings whose corners are all inside and have no copies, so that a hole stays as reading would
+// make it.
 void make_hole(const Mesh& mesh, Edit& edit, Face f) {
+  if (mesh.has_rings(f)) return;
   std::vector<Halfedge> sides;
   for (Halfedge h : halfedges_around(mesh, f)) {
     if (mesh.is_boundary(mesh.from(h)) || has_copies(mesh, mesh.from(h))) return;

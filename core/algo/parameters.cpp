@@ -110,7 +110,8 @@ std::optional<ParameterValue> read_value(const ParameterRow& row, std::string_vi
   return value;
 }
 
-double diagonal_of(const Mesh& mesh) {
+// That share of the diagonal of the bounding box; on the way nothing is larger than the result or the box.
+double share_of_diagonal(const Mesh& mesh, double share) {
   glm::dvec3 least(infinity), most(-infinity);
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
     if (!mesh.is_alive(Vertex(i))) continue;
@@ -119,7 +120,10 @@ double diagonal_of(const Mesh& mesh) {
     least = glm::min(least, p);
     most = glm::max(most, p);
   }
-  return least.x <= most.x ? glm::distance(least, most) : 0;
+  if (least.x > most.x) return 0;
+  const glm::dvec3 half = 0.5 * most - 0.5 * least;
+  const double largest = std::max({half.x, half.y, half.z});
+  return largest > 0 ? largest * (2 * share * glm::length(half / largest)) : 0;
 }
 
 Text fault_of_value(const ParameterRow& row, std::string_view text, std::string_view called) {
@@ -202,9 +206,9 @@ ReadValues ParameterValues::on(const Mesh& mesh) const {
     if (!values_[i]) continue;
     ParameterValue& value = *read.values->values_[i];
     if (value.is_percent) {
-      value.number *= diagonal_of(mesh) / 100;
+      value.number = share_of_diagonal(mesh, value.number / 100);
       value.is_percent = false;
-      if (!is_in_range(rows_[i], value.number))
+      if (!std::isfinite(value.number) || !is_in_range(rows_[i], value.number))
         return {std::nullopt, NameError::malformed, {}, fault_of_value(rows_[i], text_at(i), rows_[i].id)};
     }
     for (const std::string& name : value.names) {

@@ -125,16 +125,18 @@ void ProblemSets::update(const Mesh& mesh, const Journal& journal, std::size_t i
     for (std::uint32_t k : further_copies_.members_from(mesh.vertex_slots())) further_copies_.erase(k);
     for (std::uint32_t k : further_sheets_.members_from(mesh.edge_slots())) further_sheets_.erase(k);
   }
-  list_edges_asked(mesh);
+  list_edges_asked(around);
 }
 
-void ProblemSets::list_edges_asked(const Mesh& mesh) {
+void ProblemSets::list_edges_asked(Neighbourhood& around) {
+  const Mesh& mesh = around.mesh();
   edges_asked_ = reach_.edges;
   for (const Change& change : changes_)
     if (row_of(change.kind).edge) edges_asked_.emplace_back(change.index);
   // Which sheets are one edge changes with the copies at either end.
   for (Vertex v : reach_.vertices) {
     if (!mesh.exists(v) || !mesh.is_alive(v) || !has_copies(mesh, v)) continue;
+    if (around.point(v) != v) continue;  // all copies are listed with the first one, which is in the reach as well
     for_each_copy(mesh, v, [&](Vertex copy) {
       for (Edge e : edges_around(mesh, copy)) edges_asked_.push_back(e);
     });

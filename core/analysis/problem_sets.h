@@ -64,7 +64,7 @@ class ProblemSets {
  private:
   void set(ProblemKind kind, std::uint32_t index, bool is_member);
   void find_further(Neighbourhood& around);
-  void list_edges_asked(const Mesh& mesh);
+  void list_edges_asked(Neighbourhood& around);
 
   std::array<IndexSet, problem_kinds> sets_;
   IndexSet further_copies_, further_sheets_;  // all but the lowest of a point, and of an edge

@@ -9,6 +9,8 @@
 #include <span>
 
 #include "core/analysis/box_tree.h"
+#include "core/analysis/overlap_tree.h"
+#include "core/base/parallel.h"
 #include "core/geometry/predicates.h"
 #include "core/geometry/triangles_meet.h"
 #include "core/mesh/face_polygon.h"
@@ -65,7 +67,6 @@ class VolumeSign {
 // The triangles of a shell in a tree.
 struct ShellTriangles {
   std::vector<NumberedTriangle> triangles;
-  std::vector<Face> faces;
   BoxTree tree;
 };
 
@@ -152,7 +153,6 @@ class ShellSearch {
         if (are_collinear(place(0), place(1), place(2))) continue;
         boxes.push_back(box_of(triangle));
         found.triangles.push_back(triangle);
-        found.faces.push_back(f);
       }
     }
     found.tree = BoxTree(std::move(boxes));
@@ -166,24 +166,19 @@ class ShellSearch {
                        [&](std::uint32_t other) { return other == shell || visit(other); });
   }
 
+  // Among all triangles in one tree, which tells those of fans and slivers apart.
   std::optional<std::pair<Face, Face>> find_meeting() const {
+    const NumberedSurface surface(mesh_);
+    const OverlapTree tree(surface, threads_for(surface.slots()));
     std::optional<std::pair<Face, Face>> found;
-    for (std::uint32_t i = 0; i < components_.count; ++i)
-      for (std::size_t k = 0; k < triangles_[i].triangles.size(); ++k) {
-        const NumberedTriangle& t = triangles_[i].triangles[k];
-        const SpaceBox box = box_of(t);
-        visit_others(i, box, [&](std::uint32_t j) {
-          if (j < i) return true;  // looked at from there
-          const ShellTriangles& others = triangles_[j];
-          return others.tree.visit([&](const SpaceBox& other) { return other.overlaps(box); },
-                                   [&](std::uint32_t n) {
-                                     if (!meet_elsewhere(t, others.triangles[n])) return true;
-                                     found = {triangles_[i].faces[k], others.faces[n]};
-                                     return false;
-                                   });
-        });
-        if (found) return found;
-      }
+    const auto visit = [&](std::uint32_t a, std::uint32_t b) {
+      const Face f = surface.face(a), g = surface.face(b);
+      if (components_.of_face[f.index] == components_.of_face[g.index]) return true;
+      if (!meet_elsewhere(surface.triangle(a), surface.triangle(b))) return true;
+      found = {std::min(f, g), std::max(f, g)};
+      return false;
+    };
+    for (std::uint32_t node = 0; node < tree.node_count() && tree.visit_pairs(node, visit);) ++node;
     return found;
   }
 

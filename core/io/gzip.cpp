@@ -60,7 +60,8 @@ class Inflater {
   }
 
   void end_member() {
-    is_at_end_ = at_ == packed_.size();
+    // Zeros may fill up the last block of a tape.
+    is_at_end_ = packed_.find_first_not_of('\0', at_) == std::string_view::npos;
     if (is_at_end_) return;
     if (is_gzip(packed_.substr(at_))) {
       ::inflateReset(&stream_);

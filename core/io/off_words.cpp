@@ -25,15 +25,19 @@ class WordStream {
       if (comments_ && comment != line.text.size()) comments_->emplace_back(line.text.substr(comment));
       rest_ = line.text.substr(0, comment);
       word = take_word(rest_);
+      filled_lines_ += !word.empty();
     }
     return word;
   }
   // Where comments go; null: nowhere.
   void keep_comments(std::vector<std::string>* comments) { comments_ = comments; }
   std::uint64_t line() const { return lines_.count(); }
+  // How many lines with words there were so far.
+  std::uint64_t filled_lines() const { return filled_lines_; }
 
  private:
   TextLines lines_;
+  std::uint64_t filled_lines_ = 0;
   std::string_view rest_;
   std::vector<std::string>* comments_ = nullptr;
 };
@@ -44,13 +48,21 @@ class OffWordReader {
   OffWordReader(std::string_view bytes, std::size_t colours, OffBuilder* builder)
       : words_(bytes), colours_(colours), builder_(builder) {}
 
-  bool read() { return read_head() && read_vertices() && read_faces() && words_.next().empty(); }
+  bool read() {
+    return read_head() && read_vertices() && read_faces() && words_.next().empty() && !is_laid_out_by_lines();
+  }
   OffKind kind() const { return kind_; }
   std::uint64_t line() const { return words_.line(); }
 
  private:
   bool read_count(std::string_view word, std::int64_t& count) {
     return read_integer(word, count) && count >= 0 && count < std::int64_t{no_index};
+  }
+
+  // One line of counts and one for each vertex and face: where that cannot be read by lines it is damaged.
+  bool is_laid_out_by_lines() const {
+    return has_line_of_counts_ &&
+           words_.filled_lines() - lines_of_head_ == static_cast<std::uint64_t>(vertices_ + faces_);
   }
 
   bool read_head() {
@@ -62,11 +74,14 @@ class OffWordReader {
       kind_ = *kind;
       word = count.empty() ? words_.next() : count;
     }
+    const std::uint64_t line_of_counts = words_.line();
     std::int64_t edges = 0;  // often wrong and never needed
     const bool done = kind_.is_three_dimensional && kind_.has_colours == (colours_ != 0) &&
                       read_count(word, vertices_) && read_count(words_.next(), faces_) &&
                       read_integer(words_.next(), edges);
     words_.keep_comments(nullptr);
+    has_line_of_counts_ = count.empty() && words_.line() == line_of_counts;
+    lines_of_head_ = words_.filled_lines();
     if (done && builder_) builder_->reserve(static_cast<std::size_t>(vertices_), static_cast<std::size_t>(faces_));
     return done;
   }
@@ -114,6 +129,8 @@ class OffWordReader {
   OffBuilder* builder_;
   OffKind kind_;
   std::int64_t vertices_ = 0, faces_ = 0;
+  bool has_line_of_counts_ = false;
+  std::uint64_t lines_of_head_ = 0;
 };
 
 }  // namespace

@@ -12,8 +12,8 @@ namespace ryosen {
 // Reads the text form as nothing but words: the three counts (the first may stand right behind the word OFF), the
 // numbers of every vertex, then for every face how many corners it has and these. Where a colour ends words cannot
 // tell: those of vertices have all four or all three numbers, faces have none. None unless everything comes out exactly
-// at the end of the file and every face has three or more corners that all exist, so that damage is not taken for such
-// a file.
+// at the end of the file, every face has three or more corners that all exist, and the file is not laid out with a line
+// for each vertex and face, so that damage is not taken for such a file.
 //
 // `line` is where reading by lines failed, for the warning (read_by_words). O(bytes); nothing is kept before all is
 // right.

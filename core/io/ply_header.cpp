@@ -217,6 +217,8 @@ std::string_view header_bytes(std::string_view bytes) {
   constexpr std::string_view last = "end_header";
   for (std::size_t at = bytes.find(last); at != std::string_view::npos; at = bytes.find(last, at + 1)) {
     if (at == 0 || (bytes[at - 1] != '\n' && bytes[at - 1] != '\r')) continue;
+    const std::string_view behind = bytes.substr(at + last.size(), 1);
+    if (!behind.empty() && behind.find_first_of(" \t\r\n") != 0) continue;  // a longer word
     std::size_t end = bytes.find_first_of("\r\n", at);
     if (end == std::string_view::npos) return bytes;
     if (bytes[end] == '\r' && end + 1 < bytes.size() && bytes[end + 1] == '\n') ++end;

@@ -57,6 +57,14 @@ class Algorithms : public testing::Test {
   TemporaryFolder folder_;
 };
 
+TEST_F(Algorithms, a_share_of_the_diagonal_is_a_length_however_large_the_mesh_is) {
+  const std::string file =
+      folder_.write("large.obj", "v -5e199 0 0\nv 5e199 0 0\nv 0 5e199 0\nv 0 -5e199 0\nf 1 2 3\nf 2 1 4\n");
+  const Json report = run_here({"weld_close", file, "--distance", "0.1%", "--json"}).line();
+  EXPECT_EQ(report["changed"], 0) << report;
+  EXPECT_NEAR(report["parameters"]["distance"].get<double>(), 1.414e197, 1e195);
+}
+
 TEST_F(Algorithms, are_subcommands_with_a_flag_for_each_parameter) {
   const std::string input = asset("moebius.off"), output = folder_.at("o.off");
   const std::string all = run_here({"help", "--lang", "en"}).out;

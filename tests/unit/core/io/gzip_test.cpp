@@ -62,6 +62,7 @@ TEST(gzip, a_packed_file_has_neither_time_nor_name) {
 TEST(gzip, members_follow_one_another) {
   const std::string packed = pack_gzip("one ") + pack_gzip("") + pack_gzip("two");
   EXPECT_EQ(text_of(unpack_gzip(packed)), "one two");
+  EXPECT_EQ(text_of(unpack_gzip(packed + std::string(512, '\0'))), "one two") << "the last block of a tape";
 }
 
 TEST(gzip, damage_is_refused_with_its_place) {

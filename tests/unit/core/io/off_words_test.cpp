@@ -95,6 +95,12 @@ TEST(off_words, what_does_not_come_out_keeps_the_refusal_by_lines) {
   EXPECT_EQ(read_refused("off", nul).message.code, "nul_byte") << "no text";
 }
 
+TEST(off_words, a_number_that_slipped_to_the_next_line_is_damage) {
+  const Message refusal = read_refused("off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1\n0 0 1 5\n3 0 1 2\n3 0 1 3\n").message;
+  EXPECT_EQ(refusal.code, "missing_number");
+  EXPECT_EQ(refusal.line, 5u);
+}
+
 TEST(off_words, a_file_is_known_by_its_first_word) {
   EXPECT_EQ((*recognise("# c\nOFF8 6 12\n", "a"))->id, "off");
   EXPECT_EQ((*recognise("STCNOFF8 6 12\n", "a"))->id, "off");

@@ -62,6 +62,15 @@ TEST(ply_read, four_faces) {
   EXPECT_EQ(bytes_of(file, *find_format("ply")), ply_tetrahedron);
 }
 
+TEST(ply_read, a_header_line_may_begin_like_its_end) {
+  const MeshFile file = io_test::read_sound(
+      "ply",
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header_later on\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  EXPECT_EQ(file.mesh.positions.size(), 3u);
+  EXPECT_TRUE(io_test::find_message(file, "unknown_keyword"));
+}
+
 TEST(ply_read, every_property_goes_where_it_belongs) {
   const MeshFile file = read_sound("ply", rich_ply);
   const IndexedMesh& mesh = file.mesh;

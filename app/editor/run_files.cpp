@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "core/base/enum_table.h"
+
 namespace ryosen {
 
 namespace {
@@ -28,12 +30,7 @@ constexpr std::array role_rows{
             "差分画像（--diff）"},
 };
 
-constexpr bool rows_are_in_order() {
-  for (std::size_t i = 0; i < role_rows.size(); ++i)
-    if (role_rows[i].role != static_cast<FileRole>(i)) return false;
-  return true;
-}
-static_assert(rows_are_in_order());
+static_assert(rows_are_in_order(role_rows, &RoleRow::role));
 
 const RoleRow& role_row(FileRole role) { return role_rows[static_cast<std::size_t>(role)]; }
 

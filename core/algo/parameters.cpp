@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/enum_table.h"
 #include "core/mesh/find_element.h"
 #include "core/ops/lines/syntax.h"
 #include "core/ops/op.h"
@@ -40,12 +41,7 @@ constexpr std::array kinds{
             "", "", -infinity, infinity},
 };
 
-constexpr bool are_in_order() {
-  for (std::size_t i = 0; i < kinds.size(); ++i)
-    if (kinds[i].kind != static_cast<ParameterKind>(i)) return false;
-  return true;
-}
-static_assert(are_in_order());
+static_assert(rows_are_in_order(kinds, &KindRow::kind));
 
 const KindRow& kind_of(const ParameterRow& row) { return kinds[static_cast<std::size_t>(row.kind)]; }
 double smallest_of(const ParameterRow& row) { return row.smallest.value_or(kind_of(row).smallest); }

@@ -6,12 +6,13 @@
 
 #include "core/analysis/problems.h"
 #include "core/analysis/shells.h"
+#include "core/base/enum_table.h"
 
 namespace ryosen {
 
 namespace {
 
-constexpr std::array<MeshKindRow, mesh_kinds> kind_rows{{
+constexpr std::array<MeshKindRow, enum_count<MeshKind>> kind_rows{{
     {MeshKind::non_manifold, "non_manifold", "not manifold", "非多様体"},
     {MeshKind::one_sided, "one_sided", "one-sided", "裏表のない曲面"},
     {MeshKind::misoriented, "misoriented", "misoriented", "向きの不一致"},
@@ -23,12 +24,8 @@ constexpr std::array<MeshKindRow, mesh_kinds> kind_rows{{
     {MeshKind::empty, "empty", "empty", "空"},
 }};
 
-constexpr bool kind_rows_are_in_order() {
-  for (std::size_t i = 0; i < kind_rows.size(); ++i)
-    if (static_cast<std::size_t>(kind_rows[i].kind) != i) return false;
-  return true;
-}
-static_assert(kind_rows_are_in_order(), "the table has one row per kind, in the order of the enumeration");
+static_assert(rows_are_in_order(kind_rows, &MeshKindRow::kind),
+              "the table has one row per kind, in the order of the enumeration");
 
 // The lowest element of a kind of problem, by its name.
 std::string first_of(const Mesh& mesh, const ProblemSets& sets, ProblemKind kind) {

@@ -22,7 +22,6 @@ enum class MeshKind : std::uint8_t {
   points,        // nothing but vertices
   empty,
 };
-inline constexpr std::size_t mesh_kinds = 9;
 
 struct MeshKindRow {
   MeshKind kind;

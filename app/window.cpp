@@ -123,7 +123,7 @@ class Editor {
 
   void run() {
     while (!gui_.wants_quit()) {
-      for (int i = 0; i < settling_frames; ++i) show();
+      for (int i = 0; i < settling_frames || gui_.wants_frames(); ++i) show();
       // The text cursor blinks; otherwise wait for events.
       if (gui_.owns_keys())
         glfw().wait_events_timeout(0.5);

@@ -49,6 +49,7 @@ class OptionsReader {
     if (options_.difference) outputs.push_back({*options_.difference, FileRole::difference});
     RunFiles planned = options_.files;
     if (auto fault = find_fault(options_.script, options_.file, outputs, planned)) return *fault;
+    options_.files.plans(planned);
     options_.leaves_stdout = planned.uses_stdout();
     return std::move(options_);
   }

@@ -109,6 +109,7 @@ const std::vector<CommandRow>& editor_rows() {
        .help_ja = "画像を書き出す",
        .effect = Effect::none,
        .run = run_shot,
+       .sees_window = true,
        .file = FileAccess::writes_picture,
        .fault = no_fault},
       {.id = "expect",
@@ -137,15 +138,15 @@ const std::vector<CommandRow>& editor_rows() {
 }
 
 // Those of ScopedCommand.
-std::vector<CommandRow>& further_rows() {
+std::vector<CommandRow>& scoped_rows() {
   static std::vector<CommandRow> rows;
   return rows;
 }
 
 }  // namespace
 
-ScopedCommand::ScopedCommand(CommandRow row) { further_rows().push_back(std::move(row)); }
-ScopedCommand::~ScopedCommand() { further_rows().pop_back(); }
+ScopedCommand::ScopedCommand(CommandRow row) { scoped_rows().push_back(std::move(row)); }
+ScopedCommand::~ScopedCommand() { scoped_rows().pop_back(); }
 
 std::vector<CommandRow> command_table() {
   std::vector<CommandRow> table;
@@ -153,7 +154,7 @@ std::vector<CommandRow> command_table() {
   table.insert(table.end(), editor_rows().begin(), editor_rows().end());
   for (const AlgorithmRow& algorithm : algorithm_table())
     if (!find_op(algorithm.id)) table.push_back(row_of(algorithm));
-  table.insert(table.end(), further_rows().begin(), further_rows().end());
+  table.insert(table.end(), scoped_rows().begin(), scoped_rows().end());
   return table;
 }
 
@@ -162,7 +163,7 @@ std::optional<CommandRow> find_command_row(std::string_view id) {
   for (const CommandRow& row : editor_rows())
     if (row.id == id) return row;
   if (const AlgorithmRow* const algorithm = find_algorithm(id)) return row_of(*algorithm);
-  for (const CommandRow& row : further_rows())
+  for (const CommandRow& row : scoped_rows())
     if (row.id == id) return row;
   return std::nullopt;
 }

@@ -145,12 +145,10 @@ Outcome run_recover(Session& session, Words arguments, std::string_view) {
 
 namespace {
 
-// Of a file that is not there yet.
-std::string free_picture_name() {
+// Of a file that is not there yet, and will not be by this run.
+std::string free_picture_name(const RunFiles& files) {
   std::string name = "ryosen.png";
-  std::error_code ignored;
-  for (int i = 1; std::filesystem::exists(std::filesystem::symlink_status(name, ignored)); ++i)
-    name = "ryosen-" + std::to_string(i) + ".png";
+  for (int i = 1; !files.is_free(name); ++i) name = "ryosen-" + std::to_string(i) + ".png";
   return name;
 }
 
@@ -166,7 +164,7 @@ Outcome run_shot(Session& session, Words, std::string_view whole) {
     return outcome;
   }
   std::string name = file_name(whole);
-  if (name.empty()) name = free_picture_name();
+  if (name.empty()) name = free_picture_name(session.files);
   if (const Status may = session.files.may_write(name, FileRole::picture); !may) return failed(may.failure());
   const Status status = session.take_picture(name);
   if (is_in_place(status)) session.files.writes(name, FileRole::picture);

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 
 #include "core/base/enum_table.h"
@@ -114,6 +115,14 @@ void RunFiles::writes(const std::filesystem::path& path, FileRole role) {
   for (Known& known : known_)
     if (known.target.path == target.path) known.target = target;
   known_.push_back({path, std::move(target), role, document_});
+}
+
+bool RunFiles::is_free(const std::filesystem::path& path) const {
+  std::error_code ignored;
+  if (std::filesystem::exists(std::filesystem::symlink_status(path, ignored))) return false;
+  const FileTarget target = target_of(path);
+  return std::none_of(planned_.begin(), planned_.end(),
+                      [&](const Known& planned) { return is_same_file(planned.target, target); });
 }
 
 }  // namespace ryosen

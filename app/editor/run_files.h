@@ -31,6 +31,10 @@ class RunFiles {
   Status may_write(const std::filesystem::path& path, FileRole role) const;
   // It has been written, or will have been when what follows is asked about.
   void writes(const std::filesystem::path& path, FileRole role);
+  // All that `plan` writes is named by this run, though nothing is there yet.
+  void plans(const RunFiles& plan) { planned_ = plan.known_; }
+  // Whether nothing is there and nothing is planned: for a name that nobody gave.
+  bool is_free(const std::filesystem::path& path) const;
 
   // Whether something of that goes to standard output.
   bool uses_stdout() const { return uses_stdout_; }
@@ -46,7 +50,7 @@ class RunFiles {
   Status may_write_to_stream(const std::filesystem::path& path, const FileTarget& target) const;
 
   Policy policy_;
-  std::vector<Known> known_;
+  std::vector<Known> known_, planned_;
   std::uint64_t document_ = 0;
   bool uses_stdout_ = false;
   bool stdout_is_taken_ = false;

@@ -157,7 +157,11 @@ void Gui::frame(Session& session, Size window, double seconds) {
     if (own.row.place == PanelPlace::over) draw_over(panel_context, own.row, *own.panel);
   state_.is_laying_out = false;
   end_frame();
-  for (const std::string& line : std::exchange(state_.waiting, {})) run(session, line);
+  for (WaitingLine& waiting : std::exchange(state_.waiting, {}))
+    if (waiting.frames-- > 0)
+      state_.waiting.push_back(std::move(waiting));
+    else
+      run(session, waiting.line);
 }
 
 bool Gui::progress_frame(Language language, Size window, double seconds, double share) {

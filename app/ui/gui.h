@@ -66,6 +66,8 @@ class Gui {
   // True between begin and end of a frame, when no other can be laid out.
   bool is_laying_out() const { return state_.is_laying_out; }
   bool wants_quit() const { return state_.wants_quit; }
+  // Lines wait for further frames.
+  bool wants_frames() const { return !state_.waiting.empty(); }
 
  private:
   struct OwnPanel {

@@ -51,17 +51,20 @@ Outcome PanelContext::keep(Outcome outcome) {
 
 namespace {
 
-// Lines that may take long, if they are right: others fail at once, where they were written.
-bool is_long_work(const std::string& line) {
+// How many frames a line waits for behind the one that sends it; none where it is carried out at once, as are lines that
+// are wrong: they fail where they were written.
+std::optional<int> frames_to_wait(const std::string& line) {
   const auto call = call_of(line);
-  return call && call->row.is_long && !fault_of_command(line);
+  if (!call || !(call->row.is_long || call->row.sees_window) || fault_of_command(line)) return std::nullopt;
+  // The panel closes in the next frame; the one behind that is without it, and drawn when a third is laid out.
+  return call->row.sees_window ? 3 : 0;
 }
 
 }  // namespace
 
 Outcome PanelContext::run(const std::string& line) {
-  if (state.is_laying_out && is_long_work(line)) {
-    state.waiting.push_back(line);
+  if (const auto frames = state.is_laying_out ? frames_to_wait(line) : std::nullopt) {
+    state.waiting.push_back({line, *frames});
     return {};
   }
   return keep(session.run(line));

@@ -22,13 +22,19 @@ struct PendingLeave {
   std::string command{};        // where not empty, the one that does it, in place of the above
 };
 
+// A line that was sent while a frame is laid out, and how many further ones come before it is carried out.
+struct WaitingLine {
+  std::string line;
+  int frames;
+};
+
 // What the panels share beside the session. What one of them alone remembers are members of its own.
 struct GuiState {
   Text last_outcome;  // of the last command that was sent from here
   Outcome::Kind last_kind = Outcome::Kind::done;
   bool wants_quit = false;  // confirmed
   bool is_laying_out = false;
-  std::vector<std::string> waiting;  // lines of long work, which begins when the frame is laid out
+  std::vector<WaitingLine> waiting;
   std::optional<PendingLeave> pending;
   std::string begun_command;  // what the command window takes into its field when it is open
 };
@@ -49,7 +55,8 @@ struct PanelContext {
   const char* title(const PanelRow& row) const { return text(row.title_en, row.title_ja); }
   const UiColours& colours() const { return ui_colours(theme); }
 
-  // Sends a command line and keeps its outcome for the status line. Long work waits until the frame is laid out.
+  // Sends a command line and keeps its outcome for the status line. Long work waits until the frame is laid out, and what
+  // looks at the window until a later one has been drawn.
   Outcome run(const std::string& line);
   // A click of the current tool, or a selection, at a pixel of the window.
   Outcome click(glm::dvec2 pixel);

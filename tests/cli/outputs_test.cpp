@@ -85,6 +85,18 @@ TEST(outputs, a_picture_without_a_name_takes_a_free_one) {
   EXPECT_EQ(read_file(folder.at("ryosen-1.png")), "mine");
 }
 
+TEST(outputs, a_free_name_is_none_that_the_run_will_write) {
+  const TemporaryFolder folder;
+  folder.write("in.off", tetrahedron);
+  folder.write("s", "key F12\nview top\nshot ryosen-1.png\n");
+  const std::vector<std::string> shot{"shot", "in.off", "--script", "s", "-o", "ryosen.png", "--size", "32x32"};
+  const ProgramRun run = run_program(shot, folder.path());
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"in.off", "ryosen-1.png", "ryosen-2.png", "ryosen.png", "s"}));
+  EXPECT_EQ(read_file(folder.at("ryosen.png")), read_file(folder.at("ryosen-1.png")));
+  EXPECT_NE(read_file(folder.at("ryosen.png")), read_file(folder.at("ryosen-2.png"))) << "before the view was changed";
+}
+
 TEST(outputs, standard_output_gets_the_mesh_and_nothing_else) {
   const TemporaryFolder folder;
   folder.write("in.off", tetrahedron);

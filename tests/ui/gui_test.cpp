@@ -39,6 +39,37 @@ TEST(gui, lays_out_something_in_every_language_and_theme) {
   }
 }
 
+TEST(gui, a_picture_shows_the_window_without_what_asked_for_it) {
+  Laid laid("cube.obj");
+  // As in the window: a frame is drawn when all of it has been laid out and what it sent has been carried out.
+  int drawn = laid.gui.draw_data().TotalVtxCount;
+  const auto frames = [&](int n) {
+    for (int i = 0; i < n || laid.gui.wants_frames(); ++i) {
+      laid.frames(1);
+      drawn = laid.gui.draw_data().TotalVtxCount;
+    }
+  };
+  std::vector<int> pictured;
+  laid.session.take_picture = [&](const std::filesystem::path&) {
+    EXPECT_FALSE(laid.gui.is_laying_out());
+    pictured.push_back(drawn);
+    return success();
+  };
+  const int bare = drawn;
+  for (const std::string line : {"shot a.png", "key F12"}) {
+    ASSERT_TRUE(laid.gui.run(laid.session, "panel command").done());
+    frames(3);
+    ASSERT_GT(drawn, bare);
+    for (const char c : line) laid.gui.character(static_cast<unsigned>(c));
+    laid.gui.key(ImGuiKey_Enter, true);
+    laid.gui.key(ImGuiKey_Enter, false);
+    frames(2);
+    EXPECT_TRUE(laid.session.open_panel.empty()) << line;
+    EXPECT_FALSE(laid.gui.wants_frames());
+  }
+  EXPECT_EQ(pictured, (std::vector<int>{bare, bare}));
+}
+
 TEST(gui, the_view_lies_between_the_columns) {
   const Laid laid("cube.obj");
   const PixelRect area = laid.gui.view_area(window);

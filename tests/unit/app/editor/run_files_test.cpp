@@ -93,6 +93,20 @@ TEST(run_files, a_file_that_was_saved_anew_is_another_one) {
   EXPECT_EQ(code(files.may_write(in, FileRole::picture)), "input_would_be_replaced");
 }
 
+TEST(run_files, a_name_that_the_run_will_write_is_not_free) {
+  const TemporaryFolder folder;
+  folder.write("there.png", "x");
+  std::filesystem::create_symlink("nowhere.png", folder.at("link.png"));
+  RunFiles files(Policy::overwrite), plan = files;
+  plan.writes(folder.at("./planned.png"), FileRole::picture);
+  EXPECT_TRUE(files.is_free(folder.at("planned.png")));
+  files.plans(plan);
+  for (const char* name : {"planned.png", "there.png", "link.png"})
+    EXPECT_FALSE(files.is_free(folder.at(name))) << name;
+  EXPECT_TRUE(files.is_free(folder.at("other.png")));
+  EXPECT_EQ(code(files.may_write(folder.at("planned.png"), FileRole::picture)), "") << "for whoever planned it";
+}
+
 TEST(run_files, a_user_at_the_window_may_replace_like_by_like) {
   const TemporaryFolder folder;
   RunFiles files(Policy::by_kind);

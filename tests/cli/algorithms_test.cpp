@@ -10,7 +10,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/keys.h"
 #include "tests/support/app/program.h"
-#include "tests/support/core/further_algorithm.h"
+#include "tests/support/core/scatter_algorithm.h"
 
 namespace ryosen::test {
 namespace {

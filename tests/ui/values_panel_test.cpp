@@ -3,7 +3,7 @@
 #include <imgui.h>
 
 #include "tests/support/app/laid.h"
-#include "tests/support/core/further_algorithm.h"
+#include "tests/support/core/scatter_algorithm.h"
 
 namespace ryosen {
 namespace {

@@ -9,7 +9,7 @@
 #include "app/cli/run.h"
 #include "app/editor/autosave.h"
 #include "app/editor/command_syntax.h"
-#include "tests/support/app/further_command.h"
+#include "tests/support/app/probe_command.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

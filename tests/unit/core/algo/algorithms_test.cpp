@@ -7,7 +7,7 @@
 
 #include "core/indexed/from_indexed.h"
 #include "core/ops/all.h"
-#include "tests/support/core/further_algorithm.h"
+#include "tests/support/core/scatter_algorithm.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen::test {
@@ -42,7 +42,7 @@ std::string sound_line(const AlgorithmRow& row) {
 }
 
 class Algorithms : public testing::Test {
-  const ScopedAlgorithm further_{scatter_row()};
+  const ScopedAlgorithm scatter_{scatter_row()};
 };
 
 TEST_F(Algorithms, rows_are_whole) {

@@ -2,15 +2,15 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-#include "tests/support/app/further_command.h"
 #include "tests/support/app/laid.h"
+#include "tests/support/app/probe_command.h"
 
 namespace ryosen {
 namespace {
 
-class FurtherCommand : public testing::Test, protected test::Laid {
+class ScopedCommandTest : public testing::Test, protected test::Laid {
  protected:
-  FurtherCommand() : Laid("cube.obj") {
+  ScopedCommandTest() : Laid("cube.obj") {
     session.on_progress = [this](double) {
       was_laying_out_.push_back(gui.is_laying_out());
       return true;
@@ -32,7 +32,7 @@ class FurtherCommand : public testing::Test, protected test::Laid {
   std::vector<bool> was_laying_out_;
 };
 
-TEST_F(FurtherCommand, that_takes_long_waits_for_the_end_of_the_frame) {
+TEST_F(ScopedCommandTest, that_takes_long_waits_for_the_end_of_the_frame) {
   const ScopedCommand probe(test::probe_row());
   type("probe 3");
   enter();
@@ -41,7 +41,7 @@ TEST_F(FurtherCommand, that_takes_long_waits_for_the_end_of_the_frame) {
   EXPECT_EQ(gui.said().en, "probe 3: done");
 }
 
-TEST_F(FurtherCommand, that_is_quick_is_done_at_once) {
+TEST_F(ScopedCommandTest, that_is_quick_is_done_at_once) {
   CommandRow row = test::probe_row();
   row.is_long = false;
   const ScopedCommand probe(row);
@@ -50,7 +50,7 @@ TEST_F(FurtherCommand, that_is_quick_is_done_at_once) {
   EXPECT_EQ(was_laying_out_, std::vector<bool>{true});
 }
 
-TEST_F(FurtherCommand, that_is_long_and_wrong_fails_where_it_was_typed) {
+TEST_F(ScopedCommandTest, that_is_long_and_wrong_fails_where_it_was_typed) {
   const ScopedCommand probe(test::probe_row());
   type("probe x");
   enter();
@@ -59,7 +59,7 @@ TEST_F(FurtherCommand, that_is_long_and_wrong_fails_where_it_was_typed) {
   EXPECT_EQ(gui.said().en, "probe needs a number");
 }
 
-TEST_F(FurtherCommand, is_suggested) {
+TEST_F(ScopedCommandTest, is_suggested) {
   const ScopedCommand probe(test::probe_row());
   type("prob");
   click({460, 240});  // the first suggestion

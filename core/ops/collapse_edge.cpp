@@ -141,7 +141,7 @@ std::vector<Reason> CollapseEdge::warnings(const Mesh& mesh) const {
   std::vector<Reason> found;
   if (is_seam(mesh, h)) found.push_back({Rule::seam, {edge(h)}});
   const Vertex gone = mesh.from(h), kept = mesh.to(h);
-  std::vector<Element> turned, degenerate;
+  ShapeDoubts shape;
   FacePolygon polygon;
   const auto look = [&](Face f) {
     const bool is_at_edge = f == mesh.face(h) || f == mesh.face(twin(h));
@@ -150,11 +150,7 @@ std::vector<Reason> CollapseEdge::warnings(const Mesh& mesh) const {
     const FaceGeometry before(polygon.keyhole_walk());
     polygon.move(mesh, gone, place_after);
     polygon.move(mesh, kept, place_after);
-    const FaceGeometry after(polygon.keyhole_walk());
-    if (!before.is_degenerate() && after.is_degenerate())
-      degenerate.push_back(f);
-    else if (before.turns_against(after))
-      turned.push_back(f);
+    shape.compare(before, FaceGeometry(polygon.keyhole_walk()), f);
   };
   for (Halfedge g : outgoing(mesh, gone))
     if (!mesh.is_outside(g)) look(mesh.face(g));
@@ -162,8 +158,7 @@ std::vector<Reason> CollapseEdge::warnings(const Mesh& mesh) const {
     for (Halfedge k : outgoing(mesh, copy))
       if (!mesh.is_outside(k) && mesh.face(k) != mesh.face(h) && mesh.face(k) != mesh.face(twin(h))) look(mesh.face(k));
   });
-  if (!turned.empty()) found.push_back({Rule::normal_turns, turned});
-  if (!degenerate.empty()) found.push_back({Rule::degenerate, degenerate});
+  shape.add_to(found);
   return found;
 }
 

@@ -90,8 +90,6 @@ Parsed<Detach> Detach::parse(const Mesh& mesh, std::span<const std::string_view>
   return in.result(op);
 }
 
-Detach Detach::at(const Mesh&, const OpTarget& target) { return {{target.face}}; }
-
 std::string Detach::command(const Mesh& mesh) const {
   std::string line = "detach";
   for (Face f : faces) line += " " + name_of(mesh, f);

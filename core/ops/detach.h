@@ -31,7 +31,7 @@ struct Detach {
                                OpTargetKind::face};
 
   static Parsed<Detach> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
-  static Detach at(const Mesh& mesh, const OpTarget& target);
+  static Detach at(const Mesh&, const OpTarget& target) { return {{target.face}}; }
   std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;

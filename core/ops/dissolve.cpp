@@ -170,37 +170,10 @@ std::vector<Vertex> inner_vertices(const Mesh& m, const std::vector<Halfedge>& c
   return inner;
 }
 
-// Merges the two faces along a chain into the lower one.
 void unite_along(Edit& edit, const std::vector<Halfedge>& chain, OpEffect& effect) {
-  const Mesh& m = edit.mesh();
-  const Halfedge first = chain.front(), last = chain.back();
-  const Vertex a = m.from(first), b = m.to(last);
-  const std::vector<Vertex> inner = inner_vertices(m, chain);
-  const Face stays = std::min(m.face(first), m.face(twin(first)));
-  const bool left_stays = m.face(first) == stays;
-  const Face goes = m.face(left_stays ? twin(first) : first);
-  const Halfedge inside = left_stays ? first : twin(first), outside = twin(inside);
-  const std::uint32_t ring_inside = ring_of(m, inside), ring_outside = ring_of(m, outside);
-  // The halfedge that replaces the chain in the loop of the remaining face.
-  const Halfedge joined = left_stays ? m.next(twin(first)) : m.next(last);
-  const Halfedge goes_start = m.halfedge(goes);
-  for_each_loop(m, goes, [&](Halfedge start) { set_face_along(edit, start, stays); });
-  if (ring_outside != no_index) edit.remove_ring(goes, ring_outside);
-  if (ring_inside == no_index && ring_outside != no_index) {
-    // The remaining face was inside the other one, whose outer loop becomes the common one.
-    edit.set_halfedge(stays, goes_start);
-    edit.add_ring(stays, joined);
-  } else {
-    for (Halfedge h : chain) replace_start(edit, stays, left_stays ? h : twin(h), joined);
-    if (ring_outside != no_index) edit.add_ring(stays, goes_start);
-  }
-  move_rings(edit, goes, stays);
-  for (Halfedge h : chain) unlink_edge(edit, h);
-  edit.remove(goes);
-  effect.deleted.push_back(goes);
+  const std::vector<Vertex> inner = inner_vertices(edit.mesh(), chain);
+  effect.deleted.push_back(unite_faces(edit, chain));
   remove_inner_vertices(edit, chain, inner, effect);
-  hold_outside(edit, a);
-  hold_outside(edit, b);
 }
 
 // The last chain of an interior vertex has the same face on both sides.
@@ -232,8 +205,6 @@ Parsed<Dissolve> Dissolve::parse(const Mesh& mesh, std::span<const std::string_v
     op.vertex = in.copy();
   return in.result(op);
 }
-
-Dissolve Dissolve::at(const Mesh&, const OpTarget& target) { return {target.halfedge}; }
 
 std::string Dissolve::command(const Mesh& mesh) const {
   return "dissolve " + (vertex ? name_of_copy(mesh, vertex) : name_of(mesh, halfedge));

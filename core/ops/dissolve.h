@@ -38,7 +38,7 @@ struct Dissolve {
                                Topology::kept};
 
   static Parsed<Dissolve> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
-  static Dissolve at(const Mesh& mesh, const OpTarget& target);
+  static Dissolve at(const Mesh&, const OpTarget& target) { return {target.halfedge}; }
   std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;

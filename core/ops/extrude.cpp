@@ -117,8 +117,6 @@ Parsed<Extrude> Extrude::parse(const Mesh& mesh, std::span<const std::string_vie
   return out;
 }
 
-Extrude Extrude::at(const Mesh&, const OpTarget& target) { return {target.face}; }
-
 std::string Extrude::command(const Mesh& mesh) const {
   std::string text = "extrude " + name_of(mesh, face);
   if (offset) return text + " " + format_place(*offset);

@@ -35,7 +35,7 @@ struct Extrude {
                                Topology::kept};
 
   static Parsed<Extrude> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
-  static Extrude at(const Mesh& mesh, const OpTarget& target);
+  static Extrude at(const Mesh&, const OpTarget& target) { return {target.face}; }
   std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;

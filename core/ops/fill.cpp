@@ -5,7 +5,6 @@
 
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
-#include "core/ops/lines/arguments.h"
 #include "core/ops/rules/face_geometry.h"
 #include "core/ops/rules/face_lists.h"
 #include "core/ops/rules/pinch.h"
@@ -39,8 +38,6 @@ Fill Fill::at(const Mesh& mesh, const OpTarget& target) {
   return {is_there(mesh, h) && !mesh.is_outside(h) ? twin(h) : h};
 }
 
-std::string Fill::command(const Mesh& mesh) const { return "fill " + name_of(mesh, halfedge); }
-
 Verdict Fill::check(const Mesh& mesh) const {
   Verdict verdict;
   if (is_gone(mesh, halfedge, verdict)) return verdict;
@@ -59,11 +56,10 @@ Verdict Fill::check(const Mesh& mesh) const {
   return verdict;
 }
 
-std::vector<Reason> Fill::warnings(const Mesh& mesh) const {
-  FaceGeometry after;
-  for (Halfedge h : loop(mesh, halfedge)) after.add(mesh.position(mesh.from(h)));
+std::vector<Reason> doubts_of_filling(const Mesh& mesh, Halfedge halfedge) {
   std::vector<Reason> reasons;
-  if (after.is_degenerate()) reasons.push_back({Rule::degenerate, {edge(halfedge)}});
+  if (FaceGeometry(places_along(mesh, halfedge)).is_degenerate())
+    reasons.push_back({Rule::degenerate, {edge(halfedge)}});
   warn_of_pinch(pinched_by_face(mesh, points_along(mesh, halfedge)), reasons);
   return reasons;
 }

@@ -12,13 +12,14 @@
 // inverse: delete_loop; delete if no edge was a wire.
 #pragma once
 
-#include "core/ops/op.h"
+#include "core/ops/lines/on_element.h"
 
 namespace ryosen {
 
-struct Fill {
-  Halfedge halfedge;  // a boundary halfedge
+// What is doubtful about a face on the cycle of a boundary halfedge.
+std::vector<Reason> doubts_of_filling(const Mesh& mesh, Halfedge halfedge);
 
+struct Fill : OnHalfedge<Fill> {
   static constexpr OpInfo info{"fill",
                                "Fill hole",
                                "穴埋め",
@@ -30,10 +31,9 @@ struct Fill {
 
   static Parsed<Fill> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Fill at(const Mesh& mesh, const OpTarget& target);
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
-  std::vector<Reason> warnings(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const { return doubts_of_filling(mesh, halfedge); }
   OpEffect apply(Edit& edit) const;
 };
 

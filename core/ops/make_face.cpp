@@ -62,8 +62,6 @@ Parsed<MakeFace> MakeFace::parse(const Mesh& mesh, std::span<const std::string_v
   return in.result(op);
 }
 
-MakeFace MakeFace::at(const Mesh&, const OpTarget&) { return {}; }
-
 std::string MakeFace::command(const Mesh& mesh) const {
   std::string line = "make_face";
   for (Vertex v : corners) line += " " + name_of_copy(mesh, v);

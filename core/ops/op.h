@@ -21,6 +21,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "core/base/message.h"
@@ -85,19 +86,13 @@ bool is_there(const Mesh& mesh, Handle element) {
 }
 
 // Refuses an element that is not there.
-inline bool is_gone(const Mesh& mesh, Vertex v, Verdict& verdict) {
-  if (is_there(mesh, v)) return false;
-  verdict.refuse(Rule::deleted, {v});
-  return true;
-}
-inline bool is_gone(const Mesh& mesh, Halfedge h, Verdict& verdict) {
-  if (is_there(mesh, h)) return false;
-  verdict.refuse(Rule::deleted, {edge(h)});
-  return true;
-}
-inline bool is_gone(const Mesh& mesh, Face f, Verdict& verdict) {
-  if (is_there(mesh, f)) return false;
-  verdict.refuse(Rule::deleted, {f});
+template <class Handle>
+bool is_gone(const Mesh& mesh, Handle element, Verdict& verdict) {
+  if (is_there(mesh, element)) return false;
+  if constexpr (std::is_same_v<Handle, Halfedge>)
+    verdict.refuse(Rule::deleted, {edge(element)});
+  else
+    verdict.refuse(Rule::deleted, {element});
   return true;
 }
 

@@ -19,8 +19,6 @@ Parsed<Poke> Poke::parse(const Mesh& mesh, std::span<const std::string_view> arg
   return in.result(op);
 }
 
-Poke Poke::at(const Mesh&, const OpTarget& target) { return {target.face}; }
-
 std::string Poke::command(const Mesh& mesh) const {
   return "poke " + name_of(mesh, face) + (target ? " " + format_place(*target) : "");
 }

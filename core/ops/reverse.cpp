@@ -4,28 +4,15 @@
 #include <utility>
 
 #include "core/analysis/components.h"
-#include "core/ops/lines/arguments.h"
 #include "core/ops/rules/turn_faces.h"
 
 namespace ryosen {
-
-Parsed<Reverse> Reverse::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  const Reverse op{in.face()};
-  return in.result(op);
-}
-
-Reverse Reverse::at(const Mesh&, const OpTarget& target) { return {target.face}; }
-
-std::string Reverse::command(const Mesh& mesh) const { return "reverse " + name_of(mesh, face); }
 
 Verdict Reverse::check(const Mesh& mesh) const {
   Verdict verdict;
   is_gone(mesh, face, verdict);
   return verdict;
 }
-
-std::vector<Reason> Reverse::warnings(const Mesh&) const { return {}; }
 
 OpEffect Reverse::apply(Edit& edit) const {
   const Mesh& m = edit.mesh();

@@ -10,13 +10,11 @@
 // inverse: itself.
 #pragma once
 
-#include "core/ops/op.h"
+#include "core/ops/lines/on_element.h"
 
 namespace ryosen {
 
-struct Reverse {
-  Face face;
-
+struct Reverse : OnFace<Reverse> {
   static constexpr OpInfo info{"reverse",
                                "Reverse component",
                                "成分の反転",
@@ -26,12 +24,7 @@ struct Reverse {
                                '\0',
                                OpTargetKind::face};
 
-  static Parsed<Reverse> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
-  static Reverse at(const Mesh& mesh, const OpTarget& target);
-  std::string command(const Mesh& mesh) const;
-
   Verdict check(const Mesh& mesh) const;
-  std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
 };
 

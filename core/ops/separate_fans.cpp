@@ -3,7 +3,6 @@
 #include <cassert>
 
 #include "core/mesh/copies.h"
-#include "core/ops/lines/arguments.h"
 #include "core/ops/rules/sheets.h"
 
 namespace ryosen {
@@ -20,24 +19,12 @@ std::vector<Vertex> with_several_fans(const Mesh& mesh, Vertex v) {
 
 }  // namespace
 
-Parsed<SeparateFans> SeparateFans::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  const SeparateFans op{in.vertex()};
-  return in.result(op);
-}
-
-SeparateFans SeparateFans::at(const Mesh&, const OpTarget& target) { return {target.vertex}; }
-
-std::string SeparateFans::command(const Mesh& mesh) const { return "separate_fans " + name_of(mesh, vertex); }
-
 Verdict SeparateFans::check(const Mesh& mesh) const {
   Verdict verdict;
   if (is_gone(mesh, vertex, verdict)) return verdict;
   if (with_several_fans(mesh, vertex).empty()) verdict.refuse(Rule::one_fan, {point(mesh, vertex)});
   return verdict;
 }
-
-std::vector<Reason> SeparateFans::warnings(const Mesh&) const { return {}; }
 
 OpEffect SeparateFans::apply(Edit& edit) const {
   assert(check(edit.mesh()).legal());

@@ -13,13 +13,11 @@
 // inverse: weld of the copies. To make them separate points: detach.
 #pragma once
 
-#include "core/ops/op.h"
+#include "core/ops/lines/on_element.h"
 
 namespace ryosen {
 
-struct SeparateFans {
-  Vertex vertex;
-
+struct SeparateFans : OnVertex<SeparateFans> {
   static constexpr OpInfo info{"separate_fans",
                                "Separate fans",
                                "扇の分離",
@@ -31,12 +29,7 @@ struct SeparateFans {
                                "",
                                Topology::kept};
 
-  static Parsed<SeparateFans> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
-  static SeparateFans at(const Mesh& mesh, const OpTarget& target);
-  std::string command(const Mesh& mesh) const;
-
   Verdict check(const Mesh& mesh) const;
-  std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
 };
 

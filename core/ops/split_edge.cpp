@@ -131,18 +131,13 @@ Parsed<SplitEdge> SplitEdge::parse(const Mesh& mesh, std::span<const std::string
   return out;
 }
 
-SplitEdge SplitEdge::at(const Mesh&, const OpTarget& target) { return {target.halfedge, 0.5}; }
-
 std::string SplitEdge::command(const Mesh& mesh) const {
   return "split " + name_of(mesh, halfedge) + (along == 0.5 ? "" : " " + format_double(along));
 }
 
 Verdict SplitEdge::check(const Mesh& m) const {
   Verdict verdict;
-  if (!m.exists(halfedge) || !m.is_alive(halfedge)) {
-    verdict.refuse(Rule::deleted, {edge(halfedge)});
-    return verdict;
-  }
+  if (is_gone(m, halfedge, verdict)) return verdict;
   if (is_bridge(m, halfedge)) {
     verdict.refuse(Rule::loop, {edge(halfedge), m.face(halfedge)});
     return verdict;
@@ -160,7 +155,7 @@ Verdict SplitEdge::check(const Mesh& m) const {
 
 std::vector<Reason> SplitEdge::warnings(const Mesh& m) const {
   const glm::dvec3 p = point_between(m.position(m.from(halfedge)), m.position(m.to(halfedge)), along);
-  std::vector<Element> turned, degenerate;
+  ShapeDoubts shape;
   for (Halfedge sheet : sheets_of(m, halfedge)) {
     for (Halfedge side : {sheet, twin(sheet)}) {
       if (!is_triangle_side(m, side)) continue;
@@ -169,14 +164,13 @@ std::vector<Reason> SplitEdge::warnings(const Mesh& m) const {
       const FaceGeometry before{{a, b, third}}, first{{a, p, third}}, second{{p, b, third}};
       if (before.is_degenerate()) continue;
       if (first.is_degenerate() || second.is_degenerate())
-        degenerate.push_back(m.face(side));
+        shape.degenerate.push_back(m.face(side));
       else if (before.turns_against(first) || before.turns_against(second))
-        turned.push_back(m.face(side));
+        shape.turned.push_back(m.face(side));
     }
   }
   std::vector<Reason> found;
-  if (!turned.empty()) found.push_back({Rule::normal_turns, turned});
-  if (!degenerate.empty()) found.push_back({Rule::degenerate, degenerate});
+  shape.add_to(found);
   warn_of_place(halfedge, along, found);
   return found;
 }

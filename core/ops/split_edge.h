@@ -36,7 +36,7 @@ struct SplitEdge {
                                Topology::kept};
 
   static Parsed<SplitEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
-  static SplitEdge at(const Mesh& mesh, const OpTarget& target);
+  static SplitEdge at(const Mesh&, const OpTarget& target) { return {target.halfedge, 0.5}; }
   std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;

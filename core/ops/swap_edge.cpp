@@ -106,8 +106,6 @@ Parsed<SwapEdge> SwapEdge::parse(const Mesh& mesh, std::span<const std::string_v
   return out;
 }
 
-SwapEdge SwapEdge::at(const Mesh&, const OpTarget& target) { return {target.halfedge, false}; }
-
 std::string SwapEdge::command(const Mesh& mesh) const {
   return "swap " + name_of(mesh, halfedge) + (back ? " back" : "");
 }
@@ -126,10 +124,7 @@ bool SwapEdge::is_legal(const Mesh& m) const {
 Verdict SwapEdge::judge(const Mesh& m) const {
   Verdict verdict;
   const Halfedge h = halfedge, o = twin(h);
-  if (!m.exists(h) || !m.is_alive(h)) {
-    verdict.refuse(Rule::deleted, {edge(h)});
-    return verdict;
-  }
+  if (is_gone(m, h, verdict)) return verdict;
   if (is_cut_on_points(m, h)) {
     verdict.refuse(Rule::copies, {point(m, m.from(h)), point(m, m.to(h))});
     return verdict;
@@ -154,7 +149,7 @@ Verdict SwapEdge::judge(const Mesh& m) const {
 std::vector<Reason> SwapEdge::warnings(const Mesh& m) const {
   std::vector<Reason> found;
   if (is_seam(m, halfedge)) found.push_back({Rule::seam, {edge(halfedge)}});
-  std::vector<Element> turned, degenerate;
+  ShapeDoubts shape;
   const auto [left, right] = turns(m, halfedge, back);
   // The normal of each new face must agree with both old ones.
   for (const Turn& turn : {left, right}) {
@@ -167,12 +162,11 @@ std::vector<Reason> SwapEdge::warnings(const Mesh& m) const {
       turns_face |= FaceGeometry(polygon.keyhole_walk()).turns_against(after);
     }
     if (after.is_degenerate())
-      degenerate.push_back(m.face(turn.side));
+      shape.degenerate.push_back(m.face(turn.side));
     else if (turns_face)
-      turned.push_back(m.face(turn.side));
+      shape.turned.push_back(m.face(turn.side));
   }
-  if (!turned.empty()) found.push_back({Rule::normal_turns, turned});
-  if (!degenerate.empty()) found.push_back({Rule::degenerate, degenerate});
+  shape.add_to(found);
   return found;
 }
 

@@ -36,7 +36,7 @@ struct SwapEdge {
                                Topology::kept};
 
   static Parsed<SwapEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
-  static SwapEdge at(const Mesh& mesh, const OpTarget& target);
+  static SwapEdge at(const Mesh&, const OpTarget& target) { return {target.halfedge, false}; }
   std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;

@@ -111,8 +111,6 @@ Parsed<Triangulate> Triangulate::parse(const Mesh& mesh, std::span<const std::st
   return in.result(op);
 }
 
-Triangulate Triangulate::at(const Mesh&, const OpTarget& target) { return {target.face}; }
-
 std::string Triangulate::command(const Mesh& mesh) const {
   return face ? "triangulate " + name_of(mesh, face) : "triangulate";
 }

@@ -33,7 +33,7 @@ struct Triangulate {
                                Topology::kept};
 
   static Parsed<Triangulate> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
-  static Triangulate at(const Mesh& mesh, const OpTarget& target);
+  static Triangulate at(const Mesh&, const OpTarget& target) { return {target.face}; }
   std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;

@@ -153,13 +153,9 @@ glm::dvec3 mean_of_ends(const Mesh& m, const std::vector<Halfedge>& edges) {
   return mean;
 }
 
-// What is inverted or degenerate with m at a given position.
-struct StarShape {
-  std::vector<Element> turned, degenerate;
-};
-
-StarShape shape_with(const Mesh& m, const VertexSplit& op, const Sector& sector, const glm::dvec3& place) {
-  StarShape shape;
+// With m at a given position.
+ShapeDoubts shape_with(const Mesh& m, const VertexSplit& op, const Sector& sector, const glm::dvec3& place) {
+  ShapeDoubts shape;
   std::vector<Halfedge> ends;
   for (Halfedge h : {op.left, op.right})
     if (h) ends.push_back(h);
@@ -169,11 +165,7 @@ StarShape shape_with(const Mesh& m, const VertexSplit& op, const Sector& sector,
       before.add(m.position(m.from(h)));
       after.add(is_taken(sector, op.left, h) ? place : m.position(m.from(h)));
     }
-    if (before.is_degenerate()) continue;
-    if (after.is_degenerate())
-      shape.degenerate.push_back(f);
-    else if (before.turns_against(after))
-      shape.turned.push_back(f);
+    if (!before.is_degenerate()) shape.compare(before, after, f);
   }
   // Compare a new triangle with the faces on both sides of its edge.
   for (Halfedge end : ends) {
@@ -183,8 +175,7 @@ StarShape shape_with(const Mesh& m, const VertexSplit& op, const Sector& sector,
     bool turned = false;
     for (Halfedge side : {end, twin(end)}) {
       if (m.is_outside(side)) continue;
-      FaceGeometry beside;
-      for (Halfedge h : loop(m, m.halfedge(m.face(side)))) beside.add(m.position(m.from(h)));
+      const FaceGeometry beside(places_along(m, m.halfedge(m.face(side))));
       turned = turned || (!beside.is_degenerate() && beside.turns_against(fresh));
     }
     if (turned) shape.turned.push_back(edge(end));
@@ -281,8 +272,6 @@ Parsed<VertexSplit> VertexSplit::parse(const Mesh& mesh, std::span<const std::st
   return in.result(op);
 }
 
-VertexSplit VertexSplit::at(const Mesh&, const OpTarget&) { return {}; }
-
 std::string VertexSplit::command(const Mesh& mesh) const {
   std::string text = "vertex_split " + name_of_copy(mesh, vertex);
   for (Halfedge end : {left, right}) text += " " + end_text(mesh, vertex, end);
@@ -304,7 +293,7 @@ glm::dvec3 VertexSplit::position(const Mesh& m) const {
   for (double step : {0.5, 0.25, 0.125}) {
     for (const glm::dvec3& direction : {to, away}) {
       const glm::dvec3 place = v + step * direction;
-      const StarShape shape = shape_with(m, *this, sector, place);
+      const ShapeDoubts shape = shape_with(m, *this, sector, place);
       if (is_finite(place) && shape.turned.empty() && shape.degenerate.empty()) return place;
     }
   }
@@ -343,10 +332,8 @@ Verdict VertexSplit::check(const Mesh& m) const {
 }
 
 std::vector<Reason> VertexSplit::warnings(const Mesh& m) const {
-  const StarShape shape = shape_with(m, *this, sector_of(m, left, right), position(m));
   std::vector<Reason> found;
-  if (!shape.turned.empty()) found.push_back({Rule::normal_turns, shape.turned});
-  if (!shape.degenerate.empty()) found.push_back({Rule::degenerate, shape.degenerate});
+  shape_with(m, *this, sector_of(m, left, right), position(m)).add_to(found);
   return found;
 }
 

@@ -182,8 +182,6 @@ Parsed<Weld> Weld::parse(const Mesh& mesh, std::span<const std::string_view> arg
   return in.result(op);
 }
 
-Weld Weld::at(const Mesh&, const OpTarget&) { return {}; }
-
 std::string Weld::command(const Mesh& mesh) const {
   if (first) return "weld " + name_of(mesh, first) + " " + name_of(mesh, second);
   return "weld " + name_of_copy(mesh, a) + " " + name_of_copy(mesh, b);

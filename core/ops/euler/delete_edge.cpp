@@ -2,20 +2,9 @@
 
 #include <cassert>
 
-#include "core/ops/lines/arguments.h"
 #include "core/ops/rules/surgery.h"
 
 namespace ryosen {
-
-Parsed<DeleteEdge> DeleteEdge::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  const DeleteEdge op{in.halfedge()};
-  return in.result(op);
-}
-
-DeleteEdge DeleteEdge::at(const Mesh&, const OpTarget& target) { return {target.halfedge}; }
-
-std::string DeleteEdge::command(const Mesh& mesh) const { return "delete_edge " + name_of(mesh, halfedge); }
 
 Verdict DeleteEdge::check(const Mesh& mesh) const {
   Verdict verdict;
@@ -24,8 +13,6 @@ Verdict DeleteEdge::check(const Mesh& mesh) const {
     if (!mesh.is_outside(side)) verdict.refuse(Rule::has_face, {edge(side), mesh.face(side)});
   return verdict;
 }
-
-std::vector<Reason> DeleteEdge::warnings(const Mesh&) const { return {}; }
 
 OpEffect DeleteEdge::apply(Edit& edit) const {
   assert(check(edit.mesh()).legal());

@@ -10,13 +10,11 @@
 // inverse: make_edge.
 #pragma once
 
-#include "core/ops/op.h"
+#include "core/ops/lines/on_element.h"
 
 namespace ryosen {
 
-struct DeleteEdge {
-  Halfedge halfedge;
-
+struct DeleteEdge : OnHalfedge<DeleteEdge> {
   static constexpr OpInfo info{"delete_edge",
                                "Delete edge",
                                "稜線消去",
@@ -26,12 +24,7 @@ struct DeleteEdge {
                                '\0',
                                OpTargetKind::edge};
 
-  static Parsed<DeleteEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
-  static DeleteEdge at(const Mesh& mesh, const OpTarget& target);
-  std::string command(const Mesh& mesh) const;
-
   Verdict check(const Mesh& mesh) const;
-  std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
 };
 

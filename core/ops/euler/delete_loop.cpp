@@ -2,21 +2,10 @@
 
 #include <cassert>
 
-#include "core/ops/lines/arguments.h"
 #include "core/ops/rules/pinch.h"
 #include "core/ops/rules/surgery.h"
 
 namespace ryosen {
-
-Parsed<DeleteLoop> DeleteLoop::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  const DeleteLoop op{in.face()};
-  return in.result(op);
-}
-
-DeleteLoop DeleteLoop::at(const Mesh&, const OpTarget& target) { return {target.face}; }
-
-std::string DeleteLoop::command(const Mesh& mesh) const { return "delete_loop " + name_of(mesh, face); }
 
 Verdict DeleteLoop::check(const Mesh& mesh) const {
   Verdict verdict;

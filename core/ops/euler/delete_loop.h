@@ -11,13 +11,11 @@
 // inverse: make_loop, for a face without rings.
 #pragma once
 
-#include "core/ops/op.h"
+#include "core/ops/lines/on_element.h"
 
 namespace ryosen {
 
-struct DeleteLoop {
-  Face face;
-
+struct DeleteLoop : OnFace<DeleteLoop> {
   static constexpr OpInfo info{"delete_loop",
                                "Delete loop",
                                "ループ消去",
@@ -27,10 +25,6 @@ struct DeleteLoop {
                                '\0',
                                OpTargetKind::face,
                                "kf"};
-
-  static Parsed<DeleteLoop> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
-  static DeleteLoop at(const Mesh& mesh, const OpTarget& target);
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;

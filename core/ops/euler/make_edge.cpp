@@ -49,8 +49,6 @@ Parsed<MakeEdge> MakeEdge::parse(const Mesh& mesh, std::span<const std::string_v
   return in.result(op);
 }
 
-MakeEdge MakeEdge::at(const Mesh&, const OpTarget&) { return {}; }
-
 std::string MakeEdge::command(const Mesh& mesh) const {
   std::string line = "make_edge " + name_of_copy(mesh, a) + " " + name_of_copy(mesh, b);
   // If one corner must be named, name both (where they exist).
@@ -78,8 +76,6 @@ Verdict MakeEdge::check(const Mesh& mesh) const {
   if (are_joined(mesh, a, b)) verdict.refuse(Rule::edge_exists, {edge(sheets_between(mesh, a, b).front())});
   return verdict;
 }
-
-std::vector<Reason> MakeEdge::warnings(const Mesh&) const { return {}; }
 
 OpEffect MakeEdge::apply(Edit& edit) const {
   assert(check(edit.mesh()).legal());

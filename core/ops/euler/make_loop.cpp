@@ -3,26 +3,16 @@
 #include <cassert>
 
 #include "core/mesh/copies.h"
-#include "core/ops/lines/arguments.h"
-#include "core/ops/rules/face_geometry.h"
+#include "core/ops/fill.h"
 #include "core/ops/rules/face_lists.h"
-#include "core/ops/rules/pinch.h"
 #include "core/ops/rules/surgery.h"
 
 namespace ryosen {
-
-Parsed<MakeLoop> MakeLoop::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  const MakeLoop op{in.halfedge()};
-  return in.result(op);
-}
 
 MakeLoop MakeLoop::at(const Mesh& mesh, const OpTarget& target) {
   const Halfedge h = target.halfedge;
   return {is_there(mesh, h) && !mesh.is_outside(h) ? twin(h) : h};
 }
-
-std::string MakeLoop::command(const Mesh& mesh) const { return "make_loop " + name_of(mesh, halfedge); }
 
 namespace {
 
@@ -56,14 +46,7 @@ Verdict MakeLoop::check(const Mesh& mesh) const {
   return verdict;
 }
 
-std::vector<Reason> MakeLoop::warnings(const Mesh& mesh) const {
-  FaceGeometry after;
-  for (Halfedge h : loop(mesh, halfedge)) after.add(mesh.position(mesh.from(h)));
-  std::vector<Reason> reasons;
-  if (after.is_degenerate()) reasons.push_back({Rule::degenerate, {edge(halfedge)}});
-  warn_of_pinch(pinched_by_face(mesh, points_along(mesh, halfedge)), reasons);
-  return reasons;
-}
+std::vector<Reason> MakeLoop::warnings(const Mesh& mesh) const { return doubts_of_filling(mesh, halfedge); }
 
 OpEffect MakeLoop::apply(Edit& edit) const {
   assert(check(edit.mesh()).legal());

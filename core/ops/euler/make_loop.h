@@ -13,13 +13,11 @@
 // inverse: delete_loop.
 #pragma once
 
-#include "core/ops/op.h"
+#include "core/ops/lines/on_element.h"
 
 namespace ryosen {
 
-struct MakeLoop {
-  Halfedge halfedge;
-
+struct MakeLoop : OnHalfedge<MakeLoop> {
   static constexpr OpInfo info{"make_loop",
                                "Make loop",
                                "ループ生成",
@@ -30,9 +28,7 @@ struct MakeLoop {
                                OpTargetKind::edge,
                                "mf"};
 
-  static Parsed<MakeLoop> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static MakeLoop at(const Mesh& mesh, const OpTarget& target);
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;

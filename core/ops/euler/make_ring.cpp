@@ -7,18 +7,12 @@
 #include "core/geometry/locate.h"
 #include "core/geometry/polygon_normal.h"
 #include "core/mesh/face_polygon.h"
-#include "core/ops/lines/arguments.h"
+#include "core/ops/rules/face_lists.h"
 #include "core/ops/rules/surgery.h"
 
 namespace ryosen {
 
 namespace {
-
-std::vector<glm::dvec3> places_along(const Mesh& mesh, Halfedge start) {
-  std::vector<glm::dvec3> places;
-  for (Halfedge h : loop(mesh, start)) places.push_back(mesh.position(mesh.from(h)));
-  return places;
-}
 
 Vertex smallest_vertex(const Mesh& mesh, Halfedge start) {
   Vertex smallest = mesh.from(start);
@@ -35,16 +29,6 @@ bool is_outer(const Mesh& mesh, Halfedge first, Halfedge second, const glm::dvec
 
 }  // namespace
 
-Parsed<MakeRing> MakeRing::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  const MakeRing op{in.halfedge()};
-  return in.result(op);
-}
-
-MakeRing MakeRing::at(const Mesh&, const OpTarget& target) { return {target.halfedge}; }
-
-std::string MakeRing::command(const Mesh& mesh) const { return "make_ring " + name_of(mesh, halfedge); }
-
 Verdict MakeRing::check(const Mesh& mesh) const {
   Verdict verdict;
   if (is_gone(mesh, halfedge, verdict)) return verdict;
@@ -52,8 +36,6 @@ Verdict MakeRing::check(const Mesh& mesh) const {
   if (!is_bridge(mesh, halfedge)) verdict.refuse(Rule::no_bridge, {edge(halfedge)});
   return verdict;
 }
-
-std::vector<Reason> MakeRing::warnings(const Mesh&) const { return {}; }
 
 OpEffect MakeRing::apply(Edit& edit) const {
   const Mesh& m = edit.mesh();

@@ -14,13 +14,11 @@
 // inverse: unite_ring.
 #pragma once
 
-#include "core/ops/op.h"
+#include "core/ops/lines/on_element.h"
 
 namespace ryosen {
 
-struct MakeRing {
-  Halfedge halfedge;
-
+struct MakeRing : OnHalfedge<MakeRing> {
   static constexpr OpInfo info{"make_ring",
                                "Make ring",
                                "リング生成",
@@ -32,12 +30,7 @@ struct MakeRing {
                                "kemr",
                                Topology::kept};
 
-  static Parsed<MakeRing> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
-  static MakeRing at(const Mesh& mesh, const OpTarget& target);
-  std::string command(const Mesh& mesh) const;
-
   Verdict check(const Mesh& mesh) const;
-  std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
 };
 

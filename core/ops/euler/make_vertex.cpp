@@ -12,13 +12,7 @@ Parsed<MakeVertex> MakeVertex::parse(const Mesh& mesh, std::span<const std::stri
   return in.result(op);
 }
 
-MakeVertex MakeVertex::at(const Mesh&, const OpTarget&) { return {}; }
-
 std::string MakeVertex::command(const Mesh&) const { return "make_vertex " + format_place(position); }
-
-Verdict MakeVertex::check(const Mesh&) const { return {}; }
-
-std::vector<Reason> MakeVertex::warnings(const Mesh&) const { return {}; }
 
 OpEffect MakeVertex::apply(Edit& edit) const {
   OpEffect effect;

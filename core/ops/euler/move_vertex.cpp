@@ -31,7 +31,7 @@ Verdict MoveVertex::check(const Mesh& mesh) const {
 }
 
 std::vector<Reason> MoveVertex::warnings(const Mesh& mesh) const {
-  std::vector<Element> turned, degenerate;
+  ShapeDoubts shape;
   FacePolygon polygon;
   for_each_copy(mesh, vertex, [&](Vertex copy) {
     for (Face f : faces_around(mesh, copy)) {
@@ -39,16 +39,11 @@ std::vector<Reason> MoveVertex::warnings(const Mesh& mesh) const {
       polygon.read(mesh, f);
       const FaceGeometry before(polygon.keyhole_walk());
       polygon.move(mesh, vertex, position);
-      const FaceGeometry after(polygon.keyhole_walk());
-      if (!before.is_degenerate() && after.is_degenerate())
-        degenerate.push_back(f);
-      else if (before.turns_against(after))
-        turned.push_back(f);
+      shape.compare(before, FaceGeometry(polygon.keyhole_walk()), f);
     }
   });
   std::vector<Reason> found;
-  if (!turned.empty()) found.push_back({Rule::normal_turns, turned});
-  if (!degenerate.empty()) found.push_back({Rule::degenerate, degenerate});
+  shape.add_to(found);
   return found;
 }
 

@@ -3,17 +3,8 @@
 #include <cassert>
 
 #include "core/mesh/copies.h"
-#include "core/ops/lines/arguments.h"
 
 namespace ryosen {
-
-Parsed<RemoveVertex> RemoveVertex::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  const RemoveVertex op{in.vertex()};
-  return in.result(op);
-}
-
-RemoveVertex RemoveVertex::at(const Mesh&, const OpTarget& target) { return {target.vertex}; }
 
 std::string RemoveVertex::command(const Mesh& mesh) const { return "remove_vertex " + name_of_copy(mesh, vertex); }
 
@@ -23,8 +14,6 @@ Verdict RemoveVertex::check(const Mesh& mesh) const {
   if (!mesh.is_isolated(vertex)) verdict.refuse(Rule::has_edges, {vertex, edge(mesh.halfedge(vertex))});
   return verdict;
 }
-
-std::vector<Reason> RemoveVertex::warnings(const Mesh&) const { return {}; }
 
 OpEffect RemoveVertex::apply(Edit& edit) const {
   assert(check(edit.mesh()).legal());

@@ -9,13 +9,11 @@
 // inverse: make_vertex.
 #pragma once
 
-#include "core/ops/op.h"
+#include "core/ops/lines/on_element.h"
 
 namespace ryosen {
 
-struct RemoveVertex {
-  Vertex vertex;
-
+struct RemoveVertex : OnVertex<RemoveVertex> {
   static constexpr OpInfo info{"remove_vertex",
                                "Remove vertex",
                                "頂点消去",
@@ -26,12 +24,9 @@ struct RemoveVertex {
                                OpTargetKind::vertex,
                                "kvs"};
 
-  static Parsed<RemoveVertex> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
-  static RemoveVertex at(const Mesh& mesh, const OpTarget& target);
   std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
-  std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
 };
 

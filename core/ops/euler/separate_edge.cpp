@@ -15,8 +15,6 @@ Parsed<SeparateEdge> SeparateEdge::parse(const Mesh& mesh, std::span<const std::
   return in.result(op);
 }
 
-SeparateEdge SeparateEdge::at(const Mesh&, const OpTarget& target) { return {target.halfedge, 0.5}; }
-
 std::string SeparateEdge::command(const Mesh& mesh) const {
   return "separate_edge " + name_of(mesh, halfedge) + (along == 0.5 ? "" : " " + format_double(along));
 }

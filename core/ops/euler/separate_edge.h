@@ -28,7 +28,7 @@ struct SeparateEdge {
                                Topology::kept};
 
   static Parsed<SeparateEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
-  static SeparateEdge at(const Mesh& mesh, const OpTarget& target);
+  static SeparateEdge at(const Mesh&, const OpTarget& target) { return {target.halfedge, 0.5}; }
   std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;

@@ -94,8 +94,6 @@ Parsed<SeparateLoop> SeparateLoop::parse(const Mesh& mesh, std::span<const std::
   return in.result(SeparateLoop{corners.into_a, corners.into_b});
 }
 
-SeparateLoop SeparateLoop::at(const Mesh&, const OpTarget&) { return {}; }
-
 std::string SeparateLoop::command(const Mesh& mesh) const {
   return "separate_loop " + face_corners_text(mesh, {into_a, into_b});
 }

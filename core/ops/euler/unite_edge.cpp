@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/mesh/copies.h"
-#include "core/ops/lines/arguments.h"
 #include "core/ops/rules/corner_values.h"
 #include "core/ops/rules/face_lists.h"
 #include "core/ops/rules/surgery.h"
@@ -39,16 +38,6 @@ void check_face(const Mesh& mesh, Face f, Vertex v, Verdict& verdict) {
 
 }  // namespace
 
-Parsed<UniteEdge> UniteEdge::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  const UniteEdge op{in.vertex()};
-  return in.result(op);
-}
-
-UniteEdge UniteEdge::at(const Mesh&, const OpTarget& target) { return {target.vertex}; }
-
-std::string UniteEdge::command(const Mesh& mesh) const { return "unite_edge " + name_of(mesh, vertex); }
-
 Verdict UniteEdge::check(const Mesh& mesh) const {
   Verdict verdict;
   if (is_gone(mesh, vertex, verdict)) return verdict;
@@ -63,8 +52,6 @@ Verdict UniteEdge::check(const Mesh& mesh) const {
   if (g && g != f) check_face(mesh, g, vertex, verdict);
   return verdict;
 }
-
-std::vector<Reason> UniteEdge::warnings(const Mesh&) const { return {}; }
 
 //     a --back--> m --out--> b      out and its twin are removed; back is extended to b
 OpEffect UniteEdge::apply(Edit& edit) const {

@@ -9,13 +9,11 @@
 // inverse: separate_edge.
 #pragma once
 
-#include "core/ops/op.h"
+#include "core/ops/lines/on_element.h"
 
 namespace ryosen {
 
-struct UniteEdge {
-  Vertex vertex;
-
+struct UniteEdge : OnVertex<UniteEdge> {
   static constexpr OpInfo info{"unite_edge",
                                "Unite edges",
                                "稜線結合",
@@ -27,12 +25,7 @@ struct UniteEdge {
                                "jekv",
                                Topology::kept};
 
-  static Parsed<UniteEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
-  static UniteEdge at(const Mesh& mesh, const OpTarget& target);
-  std::string command(const Mesh& mesh) const;
-
   Verdict check(const Mesh& mesh) const;
-  std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
 };
 

@@ -4,7 +4,6 @@
 #include <cassert>
 
 #include "core/mesh/copies.h"
-#include "core/ops/lines/arguments.h"
 #include "core/ops/rules/corner_values.h"
 #include "core/ops/rules/face_lists.h"
 #include "core/ops/rules/surgery.h"
@@ -30,16 +29,6 @@ CornerLoops list_after(const Mesh& mesh, Halfedge h) {
 }
 
 }  // namespace
-
-Parsed<UniteLoop> UniteLoop::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  const UniteLoop op{in.halfedge()};
-  return in.result(op);
-}
-
-UniteLoop UniteLoop::at(const Mesh&, const OpTarget& target) { return {target.halfedge}; }
-
-std::string UniteLoop::command(const Mesh& mesh) const { return "unite_loop " + name_of(mesh, halfedge); }
 
 Verdict UniteLoop::check(const Mesh& mesh) const {
   Verdict verdict;
@@ -74,32 +63,11 @@ std::vector<Reason> UniteLoop::warnings(const Mesh& mesh) const {
 OpEffect UniteLoop::apply(Edit& edit) const {
   const Mesh& m = edit.mesh();
   assert(check(m).legal());
-  const Face stays = std::min(m.face(halfedge), m.face(twin(halfedge)));
-  const Halfedge inner = m.face(halfedge) == stays ? halfedge : twin(halfedge), outer = twin(inner);
-  const Face goes = m.face(outer);
-  const std::uint32_t ring_inner = ring_of(m, inner), ring_outer = ring_of(m, outer);
-  const Vertex a = m.from(halfedge), b = m.to(halfedge);
-  const Halfedge joined = m.next(outer), goes_start = m.halfedge(goes);
   const Edge united[] = {edge(halfedge)};
   merge_corner_values(edit, united);
   OpEffect effect;
-  effect.deleted = {edge(halfedge), goes};
-  effect.changed = {stays};
-  for_each_loop(m, goes, [&](Halfedge start) { set_face_along(edit, start, stays); });
-  if (ring_outer != no_index) edit.remove_ring(goes, ring_outer);
-  if (ring_inner == no_index && ring_outer != no_index) {
-    // The remaining face was inside the other one, whose outer loop becomes the common one.
-    edit.set_halfedge(stays, goes_start);
-    edit.add_ring(stays, joined);
-  } else {
-    replace_start(edit, stays, inner, joined);
-    if (ring_outer != no_index) edit.add_ring(stays, goes_start);
-  }
-  move_rings(edit, goes, stays);
-  unlink_edge(edit, halfedge);
-  edit.remove(goes);
-  hold_outside(edit, a);
-  hold_outside(edit, b);
+  effect.changed = {std::min(m.face(halfedge), m.face(twin(halfedge)))};
+  effect.deleted = {united[0], unite_faces(edit, {&halfedge, 1})};
   return effect;
 }
 

@@ -14,13 +14,11 @@
 // inverse: separate_loop.
 #pragma once
 
-#include "core/ops/op.h"
+#include "core/ops/lines/on_element.h"
 
 namespace ryosen {
 
-struct UniteLoop {
-  Halfedge halfedge;
-
+struct UniteLoop : OnHalfedge<UniteLoop> {
   static constexpr OpInfo info{"unite_loop",
                                "Unite loops",
                                "ループ結合",
@@ -31,10 +29,6 @@ struct UniteLoop {
                                OpTargetKind::edge,
                                "kef",
                                Topology::kept};
-
-  static Parsed<UniteLoop> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
-  static UniteLoop at(const Mesh& mesh, const OpTarget& target);
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;

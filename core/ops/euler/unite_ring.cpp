@@ -15,8 +15,6 @@ Parsed<UniteRing> UniteRing::parse(const Mesh& mesh, std::span<const std::string
   return in.result(UniteRing{corners.into_a, corners.into_b});
 }
 
-UniteRing UniteRing::at(const Mesh&, const OpTarget&) { return {}; }
-
 std::string UniteRing::command(const Mesh& mesh) const {
   return "unite_ring " + face_corners_text(mesh, {into_a, into_b});
 }
@@ -30,8 +28,6 @@ Verdict UniteRing::check(const Mesh& mesh) const {
   if (!existing.empty()) verdict.refuse(Rule::edge_exists, {edge(existing.front())});
   return verdict;
 }
-
-std::vector<Reason> UniteRing::warnings(const Mesh&) const { return {}; }
 
 OpEffect UniteRing::apply(Edit& edit) const {
   const Mesh& m = edit.mesh();

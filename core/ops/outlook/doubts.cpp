@@ -109,7 +109,8 @@ PointPairs points_at_one_place(const Mesh& mesh, const std::vector<Face>& faces,
 
 std::vector<Reason> doubts_of_faces(const Mesh& before, const std::vector<GhostFace>& after,
                                     const std::vector<Reason>& known) {
-  std::vector<Element> turned, degenerate, crossed;
+  ShapeDoubts shapes;
+  std::vector<Element> crossed;
   const bool says_turned = is_known(known, Rule::normal_turns), says_degenerate = is_known(known, Rule::degenerate);
   // A point outside of its edge lies on other sides as a matter of course.
   const bool says_outside = is_known(known, Rule::outside_edge);
@@ -127,9 +128,9 @@ std::vector<Reason> doubts_of_faces(const Mesh& before, const std::vector<GhostF
       const FacePolygon old(before, f);
       const FaceGeometry shape_before(old.is_finite() ? old.keyhole_walk() : std::vector<glm::dvec3>());
       if (shape.is_degenerate()) {
-        if (!says_degenerate && !shape_before.is_degenerate()) degenerate.emplace_back(f);
+        if (!says_degenerate && !shape_before.is_degenerate()) shapes.degenerate.emplace_back(f);
       } else if (!says_turned && shape_before.turns_against(shape) && !have_same_corners(old, ghost.polygon)) {
-        turned.emplace_back(f);
+        shapes.turned.emplace_back(f);
       }
     }
     if (says_outside || shape.is_degenerate()) continue;
@@ -146,8 +147,7 @@ std::vector<Reason> doubts_of_faces(const Mesh& before, const std::vector<GhostF
     }
   }
   std::vector<Reason> found;
-  if (!turned.empty()) found.push_back({Rule::normal_turns, turned});
-  if (!degenerate.empty()) found.push_back({Rule::degenerate, degenerate});
+  shapes.add_to(found);
   sort_unique(crossed);
   if (!crossed.empty() && !crossed_before) found.push_back({Rule::leaves_face, crossed});
   return found;

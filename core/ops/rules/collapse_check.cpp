@@ -217,10 +217,7 @@ Halfedge CollapseEdge::directed(const Mesh& mesh) const {
 
 Verdict CollapseEdge::judge(const Mesh& mesh) const {
   Verdict verdict;
-  if (!mesh.exists(halfedge) || !mesh.is_alive(halfedge)) {
-    verdict.refuse(Rule::deleted, {edge(halfedge)});
-    return verdict;
-  }
+  if (is_gone(mesh, halfedge, verdict)) return verdict;
   const Vertex a = mesh.from(halfedge), b = mesh.to(halfedge);
   if (has_several_fans(mesh, a) && has_several_fans(mesh, b)) {
     verdict.refuse(Rule::copies, {point(mesh, a), point(mesh, b)});

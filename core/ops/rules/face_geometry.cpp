@@ -24,6 +24,18 @@ bool FaceGeometry::turns_against(const FaceGeometry& after) const {
   return glm::dot(n, n_after) <= 0;
 }
 
+void ShapeDoubts::compare(const FaceGeometry& before, const FaceGeometry& after, Element what) {
+  if (!before.is_degenerate() && after.is_degenerate())
+    degenerate.push_back(what);
+  else if (before.turns_against(after))
+    turned.push_back(what);
+}
+
+void ShapeDoubts::add_to(std::vector<Reason>& reasons) const {
+  if (!turned.empty()) reasons.push_back({Rule::normal_turns, turned});
+  if (!degenerate.empty()) reasons.push_back({Rule::degenerate, degenerate});
+}
+
 glm::dvec3 point_between(const glm::dvec3& a, const glm::dvec3& b, double t) {
   const glm::dvec3 p = a + t * (b - a);
   return is_finite(p) ? p : (1 - t) * a + t * b;

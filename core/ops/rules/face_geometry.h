@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/verdict.h"
+
 namespace ryosen {
 
 class FaceGeometry {
@@ -23,6 +25,15 @@ class FaceGeometry {
   glm::dvec3 area_vector() const;
 
   std::vector<glm::dvec3> corners_;
+};
+
+// What an operator would do to the shape of faces: those whose normal turns, and those that lose their area.
+struct ShapeDoubts {
+  std::vector<Element> turned, degenerate;
+
+  // Looks at one face, which is called `what`.
+  void compare(const FaceGeometry& before, const FaceGeometry& after, Element what);
+  void add_to(std::vector<Reason>& reasons) const;
 };
 
 // a + t (b - a), even if b - a overflows.

@@ -12,6 +12,12 @@ std::vector<std::uint32_t> points_along(const Mesh& mesh, Halfedge start) {
   return points;
 }
 
+std::vector<glm::dvec3> places_along(const Mesh& mesh, Halfedge start) {
+  std::vector<glm::dvec3> places;
+  for (Halfedge h : loop(mesh, start)) places.push_back(mesh.position(mesh.from(h)));
+  return places;
+}
+
 CornerLoops loops_of(const Mesh& mesh, Face f) {
   CornerLoops loops;
   for_each_loop(mesh, f, [&](Halfedge start) { loops.add(points_along(mesh, start)); });

@@ -12,8 +12,9 @@
 
 namespace ryosen {
 
-// The points along a cycle of `next` from `start`, by representative.
+// The points along a cycle of `next` from `start`, by representative, and their positions.
 std::vector<std::uint32_t> points_along(const Mesh& mesh, Halfedge start);
+std::vector<glm::dvec3> places_along(const Mesh& mesh, Halfedge start);
 // The loops of a face, the outer one first.
 CornerLoops loops_of(const Mesh& mesh, Face f);
 

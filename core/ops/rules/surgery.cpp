@@ -1,5 +1,7 @@
 #include "core/ops/rules/surgery.h"
 
+#include <algorithm>
+
 #include "core/ops/rules/corner_values.h"
 
 namespace ryosen {
@@ -44,6 +46,36 @@ Halfedge link_inside(Edit& edit, Halfedge into_a, Halfedge into_b) {
     corners.set(k, twin(h), corners.index(k, at_b));
   }
   return h;
+}
+
+Face unite_faces(Edit& edit, std::span<const Halfedge> chain) {
+  const Mesh& m = edit.mesh();
+  const Halfedge first = chain.front(), last = chain.back();
+  const Vertex a = m.from(first), b = m.to(last);
+  const Face stays = std::min(m.face(first), m.face(twin(first)));
+  const bool left_stays = m.face(first) == stays;
+  const Halfedge inside = left_stays ? first : twin(first), outside = twin(inside);
+  const Face goes = m.face(outside);
+  const std::uint32_t ring_inside = ring_of(m, inside), ring_outside = ring_of(m, outside);
+  // The halfedge that replaces the chain in the loop of the remaining face.
+  const Halfedge joined = left_stays ? m.next(twin(first)) : m.next(last);
+  const Halfedge goes_start = m.halfedge(goes);
+  for_each_loop(m, goes, [&](Halfedge start) { set_face_along(edit, start, stays); });
+  if (ring_outside != no_index) edit.remove_ring(goes, ring_outside);
+  if (ring_inside == no_index && ring_outside != no_index) {
+    // The remaining face was inside the other one, whose outer loop becomes the common one.
+    edit.set_halfedge(stays, goes_start);
+    edit.add_ring(stays, joined);
+  } else {
+    for (Halfedge h : chain) replace_start(edit, stays, left_stays ? h : twin(h), joined);
+    if (ring_outside != no_index) edit.add_ring(stays, goes_start);
+  }
+  move_rings(edit, goes, stays);
+  for (Halfedge h : chain) unlink_edge(edit, h);
+  edit.remove(goes);
+  hold_outside(edit, a);
+  hold_outside(edit, b);
+  return goes;
 }
 
 void take_face_away(Edit& edit, Face f) {

@@ -2,6 +2,8 @@
 // of loops are the caller's responsibility unless stated otherwise.
 #pragma once
 
+#include <span>
+
 #include "core/mesh/edit.h"
 #include "core/mesh/rings.h"
 
@@ -24,6 +26,10 @@ void unlink_edge(Edit& edit, Halfedge h);
 // link_edge inside a face, between the corners after two of its sides. The edge has the face on both sides; its corners
 // get the values of the corners it starts from.
 Halfedge link_inside(Edit& edit, Halfedge into_a, Halfedge into_b);
+
+// Unites the two faces along a chain of edges into the lower one, without the chain; vertices within it become isolated.
+// Returns the face that is gone.
+Face unite_faces(Edit& edit, std::span<const Halfedge> chain);
 
 // Deletes a face and its rings; all edges stay. Clears its corner values. Cost: its corners.
 void take_face_away(Edit& edit, Face f);

@@ -10,43 +10,24 @@ namespace ryosen {
 Outcome wrong_arguments(std::string_view id);
 Outcome failed(const Failure& failure);
 
+using RunCommand = Outcome(Session& session, Words arguments, std::string_view whole);
+using FaultOfCommand = std::optional<Text>(Words arguments, const std::string& line);
+
 // Files and the history: commands_document.cpp
-Outcome run_new(Session& session, Words arguments, std::string_view whole);
-Outcome run_open(Session& session, Words arguments, std::string_view whole);
-Outcome run_save(Session& session, Words arguments, std::string_view whole);
-Outcome run_undo(Session& session, Words arguments, std::string_view whole);
-Outcome run_redo(Session& session, Words arguments, std::string_view whole);
-Outcome run_recover(Session& session, Words arguments, std::string_view whole);
-Outcome run_shot(Session& session, Words arguments, std::string_view whole);
-std::optional<Text> fault_of_open(Words arguments, const std::string& line);
-std::optional<Text> fault_of_recover(Words arguments, const std::string& line);
+RunCommand run_new, run_open, run_save, run_undo, run_redo, run_recover, run_shot;
+FaultOfCommand fault_of_open, fault_of_recover;
 bool recover_only_tells(Words arguments);
 // Algorithms: commands_algorithm.cpp
 CommandRow row_of(const AlgorithmRow& algorithm);
-Outcome run_repair(Session& session, Words arguments, std::string_view whole);
-std::optional<Text> fault_of_repair(Words arguments, const std::string& line);
+RunCommand run_repair;
+FaultOfCommand fault_of_repair;
 // What the pointer does: commands_pointing.cpp
-Outcome run_select(Session& session, Words arguments, std::string_view whole);
-std::optional<Text> fault_of_select(Words arguments, const std::string& line);
-Outcome run_walk(Session& session, Words arguments, std::string_view whole);
-Outcome run_tool(Session& session, Words arguments, std::string_view whole);
-Outcome run_mode(Session& session, Words arguments, std::string_view whole);
-Outcome run_click(Session& session, Words arguments, std::string_view whole);
+RunCommand run_select, run_walk, run_tool, run_mode, run_click;
+FaultOfCommand fault_of_select;
 // What is seen: commands_view.cpp
-Outcome run_camera(Session& session, Words arguments, std::string_view whole);
-Outcome run_view(Session& session, Words arguments, std::string_view whole);
-Outcome run_frame(Session& session, Words arguments, std::string_view whole);
-Outcome run_projection(Session& session, Words arguments, std::string_view whole);
-Outcome run_drag(Session& session, Words arguments, std::string_view whole);
-Outcome run_show(Session& session, Words arguments, std::string_view whole);
+RunCommand run_camera, run_view, run_frame, run_projection, run_drag, run_show;
 // The user interface: commands_window.cpp
-Outcome run_panel(Session& session, Words arguments, std::string_view whole);
-Outcome run_values(Session& session, Words arguments, std::string_view whole);
-Outcome run_language(Session& session, Words arguments, std::string_view whole);
-Outcome run_theme(Session& session, Words arguments, std::string_view whole);
-Outcome run_cancel(Session& session, Words arguments, std::string_view whole);
-Outcome run_key(Session& session, Words arguments, std::string_view whole);
+RunCommand run_panel, run_values, run_language, run_theme, run_cancel, run_key, run_quit;
 std::string sent_by_key(Words arguments);
-Outcome run_quit(Session& session, Words arguments, std::string_view whole);
 
 }  // namespace ryosen

@@ -8,13 +8,7 @@
 
 namespace ryosen {
 
-Outcome usage_error(std::string en, std::string ja) {
-  Outcome outcome;
-  outcome.kind = Outcome::Kind::failed;
-  outcome.exit_code = ExitCode::usage;
-  outcome.sentence = {std::move(en), std::move(ja)};
-  return outcome;
-}
+Outcome usage_error(std::string en, std::string ja) { return failed(ExitCode::usage, {std::move(en), std::move(ja)}); }
 
 Outcome no_element(Document& document, std::string_view line, NameError error, const Text& sentence) {
   const std::vector<std::string_view> words = split_words(line);
@@ -49,13 +43,7 @@ Outcome wrong_arguments(std::string_view id) {
   return usage_error("the command reads: " + form, "書式：" + form);
 }
 
-Outcome failed(const Failure& failure) {
-  Outcome outcome;
-  outcome.kind = Outcome::Kind::failed;
-  outcome.exit_code = failure.exit_code;
-  outcome.sentence = failure.message.text;
-  return outcome;
-}
+Outcome failed(const Failure& failure) { return failed(failure.exit_code, failure.message.text); }
 
 std::string help_of(const CommandRow& row, Language language) {
   std::string help(language == Language::japanese ? row.help_ja : row.help_en);

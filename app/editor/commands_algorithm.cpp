@@ -16,14 +16,6 @@ Text not_a_repair(std::string_view word) {
           "修復「" + name + "」はありません" + (close.empty() ? "" : "。" + close + " ですか？")};
 }
 
-Outcome cancelled() {
-  Outcome outcome;
-  outcome.kind = Outcome::Kind::failed;
-  outcome.exit_code = ExitCode::cancelled;
-  outcome.sentence = {"Cancelled; nothing has changed.", "中止しました。何も変わっていません。"};
-  return outcome;
-}
-
 // `called` is the command with its blank, or what stands before the id. A first value without its name stays so.
 Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words words, const std::string& called) {
   const std::string id(row.id);
@@ -36,7 +28,8 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words words, co
   Outcome outcome;
   outcome.performed = called + id + (values.empty() ? "" : " " + values);
   const auto result = session.document().run(row, *found.values, outcome.performed, session.on_progress);
-  if (!result) return cancelled();
+  if (!result)
+    return failed(ExitCode::cancelled, {"Cancelled; nothing has changed.", "中止しました。何も変わっていません。"});
   outcome.sentence = result->text;
   return outcome;
 }

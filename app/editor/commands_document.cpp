@@ -36,16 +36,12 @@ Outcome step_history(Session& session, Words arguments, std::string_view id, boo
     document.go_to(back ? document.position() - *n : document.position() + *n);
     return performed(std::string(id) + (*n == 1 ? "" : " " + std::to_string(*n)));
   }
-  Outcome outcome;
-  outcome.kind = Outcome::Kind::failed;
-  outcome.exit_code = ExitCode::refused;
   const std::string wanted = std::to_string(*n), there = std::to_string(possible), verb(id);
-  outcome.sentence =
-      possible == 0 ? Text{"there is nothing to " + verb, verb + " できる操作がありません"}
-                    : Text{(possible == 1 ? "there is only one edit to " : "there are only " + there + " edits to ") +
-                               verb + ", not " + wanted,
-                           verb + " できる操作は " + there + " 件だけです（" + wanted + " 件の指定）"};
-  return outcome;
+  if (possible == 0)
+    return failed(ExitCode::refused, {"there is nothing to " + verb, verb + " できる操作がありません"});
+  const std::string only = possible == 1 ? "there is only one edit to " : "there are only " + there + " edits to ";
+  return failed(ExitCode::refused, {only + verb + ", not " + wanted,
+                                    verb + " できる操作は " + there + " 件だけです（" + wanted + " 件の指定）"});
 }
 
 }  // namespace
@@ -155,14 +151,9 @@ std::string free_picture_name(const RunFiles& files) {
 }  // namespace
 
 Outcome run_shot(Session& session, Words, std::string_view whole) {
-  if (!session.take_picture) {
-    Outcome outcome;
-    outcome.kind = Outcome::Kind::failed;
-    outcome.exit_code = ExitCode::no_backend;
-    outcome.sentence = {"no picture can be made here; use ryosen shot --script",
-                        "ここでは画像を作れません。ryosen shot --script を使ってください"};
-    return outcome;
-  }
+  if (!session.take_picture)
+    return failed(ExitCode::no_backend, {"no picture can be made here; use ryosen shot --script",
+                                         "ここでは画像を作れません。ryosen shot --script を使ってください"});
   std::string name = file_name(whole);
   if (name.empty()) name = free_picture_name(session.files);
   if (const Status may = session.files.may_write(name, FileRole::picture); !may) return failed(may.failure());

@@ -60,14 +60,9 @@ Outcome run_select(Session& session, Words arguments, std::string_view) {
 Outcome run_walk(Session& session, Words arguments, std::string_view) {
   const std::string_view where = arguments.size() == 1 ? arguments[0] : "";
   if (where != "next" && where != "prev" && where != "twin" && where != "around") return wrong_arguments("walk");
-  if (session.selection.size() != 1 || session.selection[0].kind != Element::Kind::halfedge) {
-    Outcome outcome;
-    outcome.kind = Outcome::Kind::failed;
-    outcome.exit_code = ExitCode::refused;
-    outcome.sentence = {"select one halfedge first; halfedges are walked from there",
-                        "先に半稜線を一つ選択してください。そこから辿ります"};
-    return outcome;
-  }
+  if (session.selection.size() != 1 || session.selection[0].kind != Element::Kind::halfedge)
+    return failed(ExitCode::refused, {"select one halfedge first; halfedges are walked from there",
+                                      "先に半稜線を一つ選択してください。そこから辿ります"});
   const Mesh& mesh = session.mesh();
   const Halfedge h = session.selection[0].halfedge();
   session.selection = {where == "next"   ? mesh.next(h)

@@ -59,6 +59,14 @@ void Outcome::say(const Text& more) {
   sentence.ja += more.ja;
 }
 
+Outcome failed(ExitCode exit_code, Text sentence) {
+  Outcome outcome;
+  outcome.kind = Outcome::Kind::failed;
+  outcome.exit_code = exit_code;
+  outcome.sentence = std::move(sentence);
+  return outcome;
+}
+
 std::vector<std::string> names_of(const Mesh& mesh, const std::vector<Element>& elements) {
   std::vector<std::string> names;
   names.reserve(elements.size());

@@ -39,6 +39,9 @@ struct Outcome {
   void say(const Text& more);
 };
 
+// Nothing was done, for the reason in the sentence.
+Outcome failed(ExitCode exit_code, Text sentence);
+
 struct HistoryEntry {
   std::string command;  // the equivalent script line
 };

@@ -228,12 +228,8 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool) {
   const auto picked = pick(pixel, pick_mode(info, mode));
   if (!picked) {
     selection.clear();
-    Outcome nothing;
-    nothing.kind = Outcome::Kind::failed;
-    nothing.exit_code = ExitCode::found_problems;
-    nothing.sentence = {"there is nothing under the pointer", "ポインタの下に何もありません"};
-    if (!info) nothing = Outcome();
-    return nothing;
+    if (!info) return {};
+    return failed(ExitCode::found_problems, {"there is nothing under the pointer", "ポインタの下に何もありません"});
   }
   if (info) return apply_at(target_of(*picked), with_tool);
   return run("select " + name_of(mesh(), picked->element));

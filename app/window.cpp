@@ -19,15 +19,12 @@ namespace ryosen {
 namespace {
 
 Failure no_window(std::string cause) {
-  Failure failure;
-  failure.exit_code = ExitCode::no_backend;
-  failure.message.code = "no_display";
   if (cause.empty()) cause = "no display";
-  failure.message.text = {
-      "No window can be opened here (" + cause + "). `ryosen shot FILE -o PNG --panels` makes a picture without one.",
-      "ここではウィンドウを開けません（" + cause +
-          "）。`ryosen shot FILE -o PNG --panels` なら画面なしで画像を作れます。"};
-  return failure;
+  return make_failure(
+      ExitCode::no_backend, "no_display",
+      {"No window can be opened here (" + cause + "). `ryosen shot FILE -o PNG --panels` makes a picture without one.",
+       "ここではウィンドウを開けません（" + cause +
+           "）。`ryosen shot FILE -o PNG --panels` なら画面なしで画像を作れます。"});
 }
 
 // Only called after load_glfw() has succeeded.

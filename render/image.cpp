@@ -15,13 +15,10 @@ std::string words(Size size) { return std::to_string(size.width) + "x" + std::to
 
 Result<ImageDifference> compare(const Image& reference, const Image& image) {
   if (reference.size != image.size) {
-    Failure failure;
-    failure.exit_code = ExitCode::found_problems;
-    failure.message.code = "image_sizes_differ";
-    failure.message.text = {
-        "The pictures have different sizes: " + words(reference.size) + " and " + words(image.size) + ".",
-        "画像の大きさが異なります: " + words(reference.size) + " と " + words(image.size) + "。"};
-    return failure;
+    return make_failure(
+        ExitCode::found_problems, "image_sizes_differ",
+        {"The pictures have different sizes: " + words(reference.size) + " and " + words(image.size) + ".",
+         "画像の大きさが異なります: " + words(reference.size) + " と " + words(image.size) + "。"});
   }
   ImageDifference difference;
   difference.picture = Image(image.size);

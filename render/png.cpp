@@ -127,25 +127,20 @@ Status write_png(const Image& image, const std::filesystem::path& path) {
 }
 
 Result<Image> read_png(const std::filesystem::path& path) {
-  Failure failure;
-  failure.exit_code = ExitCode::input_missing;
-  failure.message.code = "input_missing";
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
   if (!file) {
     const Text cause = system_reason(errno);
-    failure.message.text = {"The picture " + path.string() + " cannot be read: " + cause.en + ".",
-                            "画像 " + path.string() + " を読み込めません：" + cause.ja + "。"};
-    return failure;
+    return make_failure(ExitCode::input_missing, "input_missing",
+                        {"The picture " + path.string() + " cannot be read: " + cause.en + ".",
+                         "画像 " + path.string() + " を読み込めません：" + cause.ja + "。"});
   }
   Size size;
   std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_file(file.get(), &size.width, &size.height, nullptr, 4), stbi_image_free);
   if (!pixels) {
-    failure.exit_code = ExitCode::input_malformed;
-    failure.message.code = "png_malformed";
-    failure.message.text = {"The file " + path.string() + " is not a PNG picture that can be read.",
-                            "ファイル " + path.string() + " は読み込める PNG 画像ではありません。"};
-    return failure;
+    return make_failure(ExitCode::input_malformed, "png_malformed",
+                        {"The file " + path.string() + " is not a PNG picture that can be read.",
+                         "ファイル " + path.string() + " は読み込める PNG 画像ではありません。"});
   }
   Image image(size);
   std::memcpy(image.pixels.data(), pixels.get(), image.pixels.size() * sizeof(Rgba));

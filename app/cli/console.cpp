@@ -51,12 +51,6 @@ ExitCode Console::fail(const Failure& failure, std::optional<std::string_view> f
   return failure.exit_code;
 }
 
-Failure usage_failure(Code code, Text text) {
-  Failure failure;
-  failure.exit_code = ExitCode::usage;
-  failure.message.code = code;
-  failure.message.text = std::move(text);
-  return failure;
-}
+Failure usage_failure(Code code, Text text) { return make_failure(ExitCode::usage, code, std::move(text)); }
 
 }  // namespace ryosen::cli

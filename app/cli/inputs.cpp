@@ -17,13 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Failure folder_failure(Code code, Text text) {
-  Failure failure;
-  failure.exit_code = ExitCode::input_missing;
-  failure.message.code = code;
-  failure.message.text = std::move(text);
-  return failure;
-}
+Failure folder_failure(Code code, Text text) { return make_failure(ExitCode::input_missing, code, std::move(text)); }
 
 // Recursive directory walk. Links to folders are followed, but each folder is visited once: under its own path if it is
 // below the start, else through the first link in byte order.

@@ -10,14 +10,6 @@ namespace ryosen::cli {
 
 namespace {
 
-Failure internal_failure(const std::string& what) {
-  Failure failure;
-  failure.exit_code = ExitCode::internal_error;
-  failure.message.code = "internal_error";
-  failure.message.text = {"Internal error: " + what, "内部エラー：" + what};
-  return failure;
-}
-
 ExitCode run_command(const CommandLine& line) {
   if (line.wants_help) return show_help(line.command, line.console);
   if (line.failure) {
@@ -34,11 +26,10 @@ ExitCode run_command(const CommandLine& line) {
 // Output may still be buffered; a full disk is detected only here.
 ExitCode finish_output(const Console& console, ExitCode code) {
   if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
-  Message message;
-  message.code = "output_not_writable";
-  message.text = {"The output cannot be written.", "出力を書き込めません。"};
-  console.show(message);
-  return ExitCode::output_not_writable;
+  const Failure failure = make_failure(ExitCode::output_not_writable, "output_not_writable",
+                                       {"The output cannot be written.", "出力を書き込めません。"});
+  console.show(failure.message);
+  return failure.exit_code;
 }
 
 }  // namespace
@@ -49,7 +40,9 @@ ExitCode run(const std::vector<std::string>& arguments) noexcept {
     line = read_command_line(arguments);
     return finish_output(line.console, run_command(line));
   } catch (const std::exception& error) {
-    return line.console.fail(internal_failure(error.what()));
+    const std::string what = error.what();
+    return line.console.fail(
+        make_failure(ExitCode::internal_error, "internal_error", {"Internal error: " + what, "内部エラー：" + what}));
   }
 }
 

@@ -8,20 +8,11 @@
 #include <cerrno>
 #include <utility>
 
-#include "core/io/system_reason.h"
+#include "core/io/safe_write.h"
 
 namespace ryosen {
 
 namespace {
-
-Failure cannot_keep(const std::filesystem::path& path, int error) {
-  const Text reason = system_reason(error);
-  Message message;
-  message.code = "output_not_writable";
-  message.text = {"Cannot write " + path.string() + ": " + reason.en + ".",
-                  path.string() + " に書き込めません：" + reason.ja + "。"};
-  return {ExitCode::output_not_writable, std::move(message)};
-}
 
 // Locks the file and checks that it still has that name; if not, returns false with errno 0.
 bool own(int descriptor, const std::filesystem::path& path) {
@@ -38,7 +29,7 @@ Result<OwnedScript> OwnedScript::create(const std::filesystem::path& folder) {
   if (std::filesystem::create_directories(folder, error)) {
     std::filesystem::permissions(folder, std::filesystem::perms::owner_all, error);
   }
-  if (error) return cannot_keep(folder, error.value());
+  if (error) return not_writable(folder, error.value());
   constexpr int most_tries = 1000;
   const std::string stem = std::string(script_prefix) + std::to_string(::getpid());
   std::filesystem::path path;
@@ -53,13 +44,13 @@ Result<OwnedScript> OwnedScript::create(const std::filesystem::path& folder) {
       ::close(descriptor);
       if (!is_contended) {
         ::unlink(path.c_str());
-        return cannot_keep(path, reason);
+        return not_writable(path, reason);
       }
     } else if (errno != EEXIST) {
-      return cannot_keep(path, errno);
+      return not_writable(path, errno);
     }
   }
-  return cannot_keep(path, EEXIST);
+  return not_writable(path, EEXIST);
 }
 
 std::optional<OwnedScript> OwnedScript::take(const std::filesystem::path& path) {

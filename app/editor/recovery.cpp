@@ -54,29 +54,18 @@ std::optional<OwnedScript> take(const fs::path& path) {
   return std::nullopt;
 }
 
-Outcome failure_outcome(ExitCode code, Text sentence) {
-  Outcome outcome;
-  outcome.kind = Outcome::Kind::failed;
-  outcome.exit_code = code;
-  outcome.sentence = std::move(sentence);
-  return outcome;
-}
-
 Outcome not_to_be_had(const LostSession& lost) {
   const std::string script = lost.script.string();
-  return failure_outcome(ExitCode::input_missing, {script + " is gone, or another window has recovered it.",
-                                                   script + " がないか、別のウィンドウで復元済みです。"});
+  return failed(ExitCode::input_missing, {script + " is gone, or another window has recovered it.",
+                                          script + " がないか、別のウィンドウで復元済みです。"});
 }
 
 Failure unreadable_folder(const fs::path& folder, int error) {
   const Text reason = system_reason(error);
-  Failure failure;
-  failure.exit_code = ExitCode::input_missing;
-  failure.message.code = "folder_unreadable";
-  failure.message.text = {
-      "The folder " + folder.string() + ", where unsaved edits are kept, cannot be read: " + reason.en + ".",
-      "保存していない編集を置くフォルダ " + folder.string() + " を読めません：" + reason.ja + "。"};
-  return failure;
+  return make_failure(
+      ExitCode::input_missing, "folder_unreadable",
+      {"The folder " + folder.string() + ", where unsaved edits are kept, cannot be read: " + reason.en + ".",
+       "保存していない編集を置くフォルダ " + folder.string() + " を読めません：" + reason.ja + "。"});
 }
 
 // What the edits begin with; empty where that is an empty mesh.
@@ -102,13 +91,13 @@ Text count_edits(std::size_t n) {
 Outcome replay(Session& session, const LostSession& lost) {
   for (std::size_t i = 0; i < lost.edits.size(); ++i) {
     const ScriptLine& edit = lost.edits[i];
-    const Outcome outcome =
-        is_edit(edit.text) ? session.run(edit.text)
-                           : failure_outcome(ExitCode::usage, {"it is not an edit", "編集のコマンドではありません"});
+    const Outcome outcome = is_edit(edit.text)
+                                ? session.run(edit.text)
+                                : failed(ExitCode::usage, {"it is not an edit", "編集のコマンドではありません"});
     if (outcome.done()) continue;
     const std::string place = lost.script.string(), line = std::to_string(edit.line), n = std::to_string(i),
                       all = std::to_string(lost.edits.size());
-    return failure_outcome(
+    return failed(
         outcome.exit_code,
         {n + " of " + all + " edits are recovered; line " + line + " of " + place + " cannot be done again (" +
              edit.text + "): " + outcome.sentence.en + " The script stays there.",
@@ -213,9 +202,8 @@ Outcome recover(Session& session, const LostSession& lost) {
   Result<std::unique_ptr<Document>> document = begin_again(lost);
   if (!document) {
     const Text& reason = document.failure().message.text;
-    return failure_outcome(document.failure().exit_code,
-                           {reason.en + " The edits are still in " + lost.script.string() + ".",
-                            reason.ja + " 編集は " + lost.script.string() + " に残っています。"});
+    return failed(document.failure().exit_code, {reason.en + " The edits are still in " + lost.script.string() + ".",
+                                                 reason.ja + " 編集は " + lost.script.string() + " に残っています。"});
   }
   (*document)->mark_unsaved();
   const bool is_same = (*document)->mesh().hash() == lost.start.hash;

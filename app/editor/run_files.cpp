@@ -43,13 +43,10 @@ bool is_standard_output(const FileTarget& target) {
 }
 
 Failure taken_by_results(const std::filesystem::path& path) {
-  Failure failure;
-  failure.exit_code = ExitCode::usage;
-  failure.message.code = "flags_exclude";
   const std::string name = path.string();
-  failure.message.text = {name + " is where --json writes; choose another output, or leave --json out.",
-                          name + " には --json の結果を書き出します。別の出力先にするか、--json を外してください。"};
-  return failure;
+  return make_failure(ExitCode::usage, "flags_exclude",
+                      {name + " is where --json writes; choose another output, or leave --json out.",
+                       name + " には --json の結果を書き出します。別の出力先にするか、--json を外してください。"});
 }
 
 }  // namespace
@@ -65,13 +62,10 @@ Status RunFiles::may_write_to_stream(const std::filesystem::path& path, const Fi
   for (const Known& known : known_) {
     if (!target.descriptor || known.target.descriptor != target.descriptor) continue;
     const std::string name = path.string();
-    Failure failure;
-    failure.exit_code = ExitCode::output_not_writable;
-    failure.message.code = "output_would_be_replaced";
-    failure.message.text = {
-        name + " gets " + std::string(role_row(known.role).en) + " already; choose another output.",
-        name + " には" + std::string(role_row(known.role).ja) + "を書き出します。別の出力先にしてください。"};
-    return failure;
+    return make_failure(
+        ExitCode::output_not_writable, "output_would_be_replaced",
+        {name + " gets " + std::string(role_row(known.role).en) + " already; choose another output.",
+         name + " には" + std::string(role_row(known.role).ja) + "を書き出します。別の出力先にしてください。"});
   }
   return success();
 }
@@ -89,10 +83,7 @@ Status RunFiles::may_write(const std::filesystem::path& path, FileRole role) con
     const std::string name = path.string(), other = known.path.string();
     const RoleRow &is = role_row(known.role), &becomes = role_row(role);
     const bool is_linked = name != other;
-    Failure failure;
-    failure.exit_code = ExitCode::output_not_writable;
-    failure.message.code = is.is_read ? Code("input_would_be_replaced") : Code("output_would_be_replaced");
-    Text& text = failure.message.text;
+    Text text;
     text.en = name + (is_linked ? " is the file " + other + ", " : " is ") + std::string(is.en) + "; " +
               (known.role == role ? "another one" : std::string(becomes.new_en)) + " would replace it. ";
     text.ja = name + (is_linked ? " は " + other + " と同じファイルで、" : " は") + std::string(is.ja) + "です。" +
@@ -100,7 +91,9 @@ Status RunFiles::may_write(const std::filesystem::path& path, FileRole role) con
     const bool by_kind = policy_ == Policy::by_kind;
     text.en += by_kind ? "Choose another name." : "Choose another name, or allow it by --overwrite.";
     text.ja += by_kind ? "別の名前にしてください。" : "別の名前にするか、--overwrite を指定してください。";
-    return failure;
+    return make_failure(ExitCode::output_not_writable,
+                        is.is_read ? Code("input_would_be_replaced") : Code("output_would_be_replaced"),
+                        std::move(text));
   }
   return success();
 }

@@ -28,6 +28,14 @@ struct Failure {
   Message message;
 };
 
+// One that no place in a file is to blame for.
+inline Failure make_failure(ExitCode exit_code, Code code, Text text) {
+  Failure failure{exit_code, {}};
+  failure.message.code = code;
+  failure.message.text = std::move(text);
+  return failure;
+}
+
 // Either a T or a Failure. Cheap to move; reading the alternative it does not hold is a programming error (throws
 // std::bad_variant_access).
 template <class T>

@@ -205,12 +205,9 @@ std::vector<Loss> losses_of(const MeshFile& file, const Format& format, Encoding
 }
 
 Failure refusal_of_losses() {
-  Failure failure;
-  failure.exit_code = ExitCode::refused;
-  failure.message.code = "refused";
-  failure.message.text = {"Nothing was written: --strict allows none of these warnings.",
-                          "何も書き出していません。--strict はこれらの警告を許しません。"};
-  return failure;
+  return make_failure(ExitCode::refused, "refused",
+                      {"Nothing was written: --strict allows none of these warnings.",
+                       "何も書き出していません。--strict はこれらの警告を許しません。"});
 }
 
 std::vector<Message> loss_messages(const MeshFile& file, const Format& format, Encoding wanted) {

@@ -20,23 +20,18 @@ namespace {
 
 constexpr Code not_durable_code = "output_not_durable";
 
-Failure not_writable(const std::filesystem::path& path, Code code, int error) {
-  const Text reason = system_reason(error);
-  Message message;
-  message.code = code;
-  message.text = {"Cannot write " + path.string() + ": " + reason.en + ".",
-                  path.string() + " に書き込めません：" + reason.ja + "。"};
-  return {ExitCode::output_not_writable, std::move(message)};
+Failure cannot_write(const std::filesystem::path& path, const Text& reason, Code code = "output_not_writable") {
+  return make_failure(ExitCode::output_not_writable, code,
+                      {"Cannot write " + path.string() + ": " + reason.en + ".",
+                       path.string() + " に書き込めません：" + reason.ja + "。"});
 }
 
 Failure not_durable(const std::filesystem::path& path, int error) {
   const Text reason = system_reason(error);
-  Message message;
-  message.code = not_durable_code;
-  message.text = {
-      path.string() + " is written, but it is not certain that it survives a power cut: " + reason.en + ".",
-      path.string() + " は書き出しましたが、停電が起きても残るかどうかは確かではありません：" + reason.ja + "。"};
-  return {ExitCode::output_not_writable, std::move(message)};
+  return make_failure(
+      ExitCode::output_not_writable, not_durable_code,
+      {path.string() + " is written, but it is not certain that it survives a power cut: " + reason.en + ".",
+       path.string() + " は書き出しましたが、停電が起きても残るかどうかは確かではありません：" + reason.ja + "。"});
 }
 
 // Retries on EINTR.
@@ -98,14 +93,6 @@ class PipeSignal {
   void (*before_)(int);
 };
 
-Failure nobody_reads(const std::filesystem::path& path) {
-  Failure failure = not_writable(path, "output_not_writable", 0);
-  failure.message.text = {
-      "Cannot write " + path.string() + ": nobody reads this pipe; start its reader first.",
-      path.string() + " に書き込めません：パイプの読み手がいません（先に読み手を起動してください）。"};
-  return failure;
-}
-
 // Into what is there: a device, a pipe, or whatever a descriptor is of that the program was handed.
 Status write_through(const std::filesystem::path& path, const FileTarget& target, std::string_view bytes) {
   // A pipe that nobody reads would keep whoever opens it waiting.
@@ -114,11 +101,13 @@ Status write_through(const std::filesystem::path& path, const FileTarget& target
   Descriptor out(retried([&] {
     return target.descriptor ? ::fcntl(*target.descriptor, F_DUPFD_CLOEXEC, 0) : ::open(target.path.c_str(), flags);
   }));
-  if (!out.is_open() && is_pipe && errno == ENXIO) return nobody_reads(path);
+  if (!out.is_open() && is_pipe && errno == ENXIO)
+    return cannot_write(path, {"nobody reads this pipe; start its reader first",
+                               "パイプの読み手がいません（先に読み手を起動してください）"});
   const PipeSignal ignored;
   if (!out.is_open() || (is_pipe && ::fcntl(out.number(), F_SETFL, 0) != 0) || !write_all(out.number(), bytes) ||
       !out.close()) {
-    return not_writable(path, "output_not_writable", errno);
+    return not_writable(path, errno);
   }
   return success();
 }
@@ -174,14 +163,16 @@ bool take_over_rights(int descriptor, const struct stat& old) {
 
 }  // namespace
 
+Failure not_writable(const std::filesystem::path& path, int error) { return cannot_write(path, system_reason(error)); }
+
 Status safe_write(const std::filesystem::path& path, std::string_view bytes) {
   const FileTarget found = target_of(path);
   const std::filesystem::path& target = found.path;
-  const auto failed = [&] { return not_writable(path, "output_not_writable", errno); };
-  if (found.error != 0) return not_writable(path, "output_not_writable", found.error);
+  const auto failed = [&] { return not_writable(path, errno); };
+  if (found.error != 0) return not_writable(path, found.error);
   const bool replaces = found.kind != FileTarget::Kind::nothing;
-  if (found.kind == FileTarget::Kind::folder) return not_writable(path, "output_is_folder", EISDIR);
-  if (target.filename().empty()) return not_writable(path, "output_not_writable", ENOENT);
+  if (found.kind == FileTarget::Kind::folder) return cannot_write(path, system_reason(EISDIR), "output_is_folder");
+  if (target.filename().empty()) return not_writable(path, ENOENT);
   if (found.kind == FileTarget::Kind::stream || found.descriptor) return write_through(path, found, bytes);
   if (replaces && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) return failed();
 

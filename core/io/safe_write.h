@@ -18,6 +18,9 @@ namespace ryosen {
 // is_in_place). A file system without sync support is not a failure.
 Status safe_write(const std::filesystem::path& path, std::string_view bytes);
 
+// The failure of a file that cannot be written, with this errno value.
+Failure not_writable(const std::filesystem::path& path, int error);
+
 // Whether the new file is in place: success, or the failure output_not_durable.
 bool is_in_place(const Status& status);
 

@@ -64,12 +64,9 @@ Result<std::unique_ptr<Context>> make_headless_context(Backend backend) {
     causes.en += std::string(row.name) + ": " + attempt.problem.en;
     causes.ja += std::string(row.name) + ": " + attempt.problem.ja;
   }
-  Failure failure;
-  failure.exit_code = ExitCode::no_backend;
-  failure.message.code = "no_render_backend";
-  failure.message.text = {"No way to draw without a display was found (" + causes.en + ").",
-                          "画面なしで描画する手段が見つかりません(" + causes.ja + ")。"};
-  return failure;
+  return make_failure(ExitCode::no_backend, "no_render_backend",
+                      {"No way to draw without a display was found (" + causes.en + ").",
+                       "画面なしで描画する手段が見つかりません(" + causes.ja + ")。"});
 }
 
 std::vector<BackendReport> report_backends() {

@@ -12,12 +12,9 @@ void ProgramKind::destroy(GLuint id) { glDeleteProgram(id); }
 namespace {
 
 Failure refused_by_driver(const std::string& name, const std::string& log) {
-  Failure failure;
-  failure.exit_code = ExitCode::no_backend;
-  failure.message.code = "shader_refused";
-  failure.message.text = {"The graphics driver refuses the shader " + name + ": " + log,
-                          "グラフィックスドライバーがシェーダー " + name + " を受け付けません: " + log};
-  return failure;
+  return make_failure(ExitCode::no_backend, "shader_refused",
+                      {"The graphics driver refuses the shader " + name + ": " + log,
+                       "グラフィックスドライバーがシェーダー " + name + " を受け付けません: " + log});
 }
 
 // Compiles one shader and attaches it; returns the driver's log on failure, else empty.

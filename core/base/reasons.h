@@ -1,4 +1,5 @@
-// The table of rules: why an operator is refused or warned about, and the remedy, in both languages.
+// The table of rules: why an operator is refused or warned about, and the remedy, in both languages. Its rows stand in
+// rules.def.
 #pragma once
 
 #include <cstdint>
@@ -8,49 +9,9 @@
 namespace ryosen {
 
 enum class Rule : std::uint8_t {
-  deleted,
-  copies,
-  isolated_apex,
-  vanishes,
-  closes_hole,
-  common_neighbour,
-  common_face,
-  inner_edge,
-  duplicate_face,
-  boundary,
-  edge_exists,
-  corner_twice,
-  loses_duplicate,
-  same_apex,
-  oriented,
-  has_edges,
-  has_face,
-  same_vertex,
-  no_gap,
-  loop,
-  two_edges,
-  no_bridge,
-  same_loop,
-  different_loops,
-  different_faces,
-  same_face,
-  one_fan,
-  detached,
-  wire,
-  same_edge,
-  has_rings,
-  triangulated,
-  nothing_between,
-  joins_fans,
-  lone_edge,
-  pinch,
-  normal_turns,
-  degenerate,
-  seam,
-  intersects,
-  outside_edge,
-  same_place,
-  leaves_face,
+#define RYOSEN_RULE(id, severity, operators, en, ja, remedy_en, remedy_ja) id,
+#include "core/base/rules.def"
+#undef RYOSEN_RULE
 };
 
 enum class RuleSeverity : std::uint8_t { refuse, warn };

@@ -93,10 +93,6 @@ FormFigures measure(const Mesh& mesh, const FormRow& row, const Questions& quest
 
 }  // namespace
 
-FormFigures measure_form(const Mesh& mesh, const FormRow& row, const Effort& effort) {
-  return measure(mesh, row, Questions(mesh), effort);
-}
-
 std::size_t faces_within(const IndexedMesh& source, const PairingMethod& method, double steps) {
   if (method.steps(source) <= steps) return source.face_count();
   std::size_t enough = 0, too_many = source.face_count();

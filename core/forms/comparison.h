@@ -56,8 +56,7 @@ struct SizeClaim {
 // Those that the figures contradict.
 std::vector<SizeClaim> contradicted_claims(const Comparison& comparison);
 
-// One form of the table for a mesh, and one method.
-FormFigures measure_form(const Mesh& mesh, const FormRow& row, const Effort& effort);
+// One method.
 PairingFigures measure_pairing(const IndexedMesh& source, const PairingMethod& method, const Effort& effort);
 
 // Three significant digits, or whole numbers from 100 on; with a unit from ns to ms.

@@ -1,7 +1,6 @@
 #include "core/view/camera.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
@@ -197,15 +196,6 @@ Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double a
   result.eye = place(origin, eye, exponent, a.forward);
   result.target = place(origin, eye + a.forward * (middle.z - depth), exponent, a.forward);
   return result;
-}
-
-Camera fitted(const Camera& camera, const Bounds& bounds, double aspect, double margin) {
-  std::array<glm::dvec3, 8> corners;
-  for (std::size_t i = 0; i < 8; ++i) {
-    corners[i] = {(i & 1) ? bounds.max.x : bounds.min.x, (i & 2) ? bounds.max.y : bounds.min.y,
-                  (i & 4) ? bounds.max.z : bounds.min.z};
-  }
-  return fitted(camera, corners, aspect, margin);
 }
 
 Camera named_view(NamedView view, std::span<const glm::dvec3> points, double aspect) {

@@ -58,7 +58,6 @@ inline constexpr double default_margin = 0.06;
 // the depth of the centre of their bounding box. If all points coincide the view is one unit high. An eye position that
 // would overflow is clamped. O(n).
 Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double aspect, double margin = default_margin);
-Camera fitted(const Camera& camera, const Bounds& box, double aspect, double margin = default_margin);
 // front looks along -Z with +Y up, right along -X, top along -Y with -Z up, iso along (-1,-1,-1); fitted.
 Camera named_view(NamedView view, std::span<const glm::dvec3> points, double aspect);
 

@@ -69,14 +69,8 @@ namespace detail {
 struct StepNext {
   Halfedge operator()(const Mesh& m, Halfedge h) const { return m.next(h); }
 };
-struct StepPrev {
-  Halfedge operator()(const Mesh& m, Halfedge h) const { return m.prev(h); }
-};
 struct StepLeft {
   Halfedge operator()(const Mesh& m, Halfedge h) const { return m.counter_clockwise(h); }
-};
-struct StepRight {
-  Halfedge operator()(const Mesh& m, Halfedge h) const { return m.clockwise(h); }
 };
 struct ToHalfedge {
   Halfedge operator()(const Mesh&, Halfedge h) const { return h; }
@@ -153,9 +147,6 @@ class FaceRange {
 inline auto outgoing(const Mesh& m, Vertex v) {
   return CycleRange<detail::StepLeft, detail::ToHalfedge>(m, m.halfedge(v));
 }
-inline auto outgoing_clockwise(const Mesh& m, Vertex v) {
-  return CycleRange<detail::StepRight, detail::ToHalfedge>(m, m.halfedge(v));
-}
 inline auto edges_around(const Mesh& m, Vertex v) {
   return CycleRange<detail::StepLeft, detail::ToEdge>(m, m.halfedge(v));
 }
@@ -168,9 +159,6 @@ inline auto faces_around(const Mesh& m, Vertex v) {
 
 // Around a loop of a face, or a boundary loop, in the direction of next.
 inline auto loop(const Mesh& m, Halfedge start) { return CycleRange<detail::StepNext, detail::ToHalfedge>(m, start); }
-inline auto loop_clockwise(const Mesh& m, Halfedge start) {
-  return CycleRange<detail::StepPrev, detail::ToHalfedge>(m, start);
-}
 // Around a face, counter-clockwise: its outer loop, then its rings. neighbour_faces may yield none.
 inline auto halfedges_around(const Mesh& m, Face f) { return FaceRange<detail::ToHalfedge>(m, f); }
 inline auto vertices_around(const Mesh& m, Face f) { return FaceRange<detail::ToFrom>(m, f); }

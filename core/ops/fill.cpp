@@ -6,7 +6,6 @@
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/lines/arguments.h"
-#include "core/ops/rules/face_geometry.h"
 #include "core/ops/rules/face_lists.h"
 #include "core/ops/rules/pinch.h"
 #include "core/ops/rules/sheets.h"
@@ -59,14 +58,7 @@ Verdict Fill::check(const Mesh& mesh) const {
   return verdict;
 }
 
-std::vector<Reason> Fill::warnings(const Mesh& mesh) const {
-  FaceGeometry after;
-  for (Halfedge h : loop(mesh, halfedge)) after.add(mesh.position(mesh.from(h)));
-  std::vector<Reason> reasons;
-  if (after.is_degenerate()) reasons.push_back({Rule::degenerate, {edge(halfedge)}});
-  warn_of_pinch(pinched_by_face(mesh, points_along(mesh, halfedge)), reasons);
-  return reasons;
-}
+std::vector<Reason> Fill::warnings(const Mesh& mesh) const { return warnings_of_face_in(mesh, halfedge); }
 
 OpEffect Fill::apply(Edit& edit) const {
   const Mesh& m = edit.mesh();

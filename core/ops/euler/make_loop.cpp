@@ -4,7 +4,6 @@
 
 #include "core/mesh/copies.h"
 #include "core/ops/lines/arguments.h"
-#include "core/ops/rules/face_geometry.h"
 #include "core/ops/rules/face_lists.h"
 #include "core/ops/rules/pinch.h"
 #include "core/ops/rules/surgery.h"
@@ -56,14 +55,7 @@ Verdict MakeLoop::check(const Mesh& mesh) const {
   return verdict;
 }
 
-std::vector<Reason> MakeLoop::warnings(const Mesh& mesh) const {
-  FaceGeometry after;
-  for (Halfedge h : loop(mesh, halfedge)) after.add(mesh.position(mesh.from(h)));
-  std::vector<Reason> reasons;
-  if (after.is_degenerate()) reasons.push_back({Rule::degenerate, {edge(halfedge)}});
-  warn_of_pinch(pinched_by_face(mesh, points_along(mesh, halfedge)), reasons);
-  return reasons;
-}
+std::vector<Reason> MakeLoop::warnings(const Mesh& mesh) const { return warnings_of_face_in(mesh, halfedge); }
 
 OpEffect MakeLoop::apply(Edit& edit) const {
   assert(check(edit.mesh()).legal());

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <span>
 #include <utility>
 #include <vector>
+
+#include "core/base/verdict.h"
 
 namespace ryosen {
 
@@ -24,6 +27,9 @@ class FaceGeometry {
 
   std::vector<glm::dvec3> corners_;
 };
+
+// The geometric warnings about parts that take the place of a face; none where it had no normal itself.
+std::vector<Reason> warnings_of_parts(Face face, const FaceGeometry& before, std::span<const FaceGeometry> parts);
 
 // a + t (b - a), even if b - a overflows.
 glm::dvec3 point_between(const glm::dvec3& a, const glm::dvec3& b, double t);

@@ -64,8 +64,6 @@ class View {
   void update_mesh(const TriangleSource& source, std::span<const std::uint32_t> vertices,
                    std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces);
 
-  // True if draw() would draw something.
-  bool needs_drawing() const { return !dirty_.empty(); }
   // Redraws what has changed since the last draw, in a few rectangles, and returns their bounding rectangle. The
   // picture is identical, pixel by pixel, to a full redraw.
   PixelRect draw();

@@ -1,4 +1,4 @@
-// One algorithm, or by `repair` those that take whole kinds of problems away; says what was done and what is left.
+// `repair` and the subcommands of the algorithms: run them, report what was done and what is left.
 #include <algorithm>
 #include <memory>
 
@@ -6,15 +6,14 @@
 #include "app/cli/check_report.h"
 #include "app/cli/contract/algorithms.h"
 #include "app/cli/contract/record.h"
-#include "app/cli/did_you_mean.h"
 #include "app/cli/edit_script.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/json.h"
 #include "app/cli/outputs.h"
 #include "app/cli/subcommands.h"
-#include "app/cli/visible.h"
 #include "app/cli/write_output.h"
 #include "app/editor/commands.h"
+#include "app/editor/script.h"
 
 namespace ryosen::cli {
 
@@ -49,7 +48,8 @@ std::optional<Failure> add_calls(const std::string& word, std::vector<Call>& cal
     std::vector<std::string> known{"default"};
     for (const AlgorithmRow& other : algorithm_table())
       if (other.is_repair()) known.emplace_back(other.id);
-    return fail({"there is no repair '" + id + "'", "修復「" + id + "」はありません"}, did_you_mean(id, known));
+    return fail({"there is no repair '" + id + "'", "修復「" + id + "」はありません"},
+                did_you_mean(id, known, HintForm::sentence));
   }
   std::vector<std::string_view> words;
   if (equals < word.size()) words.push_back(std::string_view(word).substr(equals + 1));
@@ -113,7 +113,7 @@ class AlgorithmRun {
       if (const auto failure = run(call)) return console_.fail(*failure, input_);
     interrupt.reset();
     // What is left is named as in the file that is written.
-    after_ = check_mesh(document_.contents(), wanted_.value_or(input_));
+    after_ = check_mesh(document_.contents(), wanted_.value_or(input_), {.figures = console_.json, .kind = false});
     const bool has_problem = std::any_of(after_.problems.begin(), after_.problems.end(), [](const NamedProblem& p) {
       return p.problem.row().severity == ProblemSeverity::problem;
     });
@@ -162,20 +162,21 @@ class AlgorithmRun {
     console_.print(after_.problems.empty() ? console_.text("left: nothing\n", "残り：なし\n")
                                            : console_.text("left:\n", "残り：\n"));
     for (const NamedProblem& problem : after_.problems) console_.print(to_text(problem, console_));
-    if (output_.is_there)
-      console_.print(console_.text(Text{"written: ", "書き出し："}) + visible_line(*wanted_) + "\n");
-    else
-      console_.print(console_.text("nothing written\n", "書き出しなし\n"));
+    console_.print(written_text(output_.is_there ? &*wanted_ : nullptr, console_));
   }
 
   template <const Shape& shape>
   static void add_result(Record<shape>& json, const Call& call) {
+    json["parameters"] = Json::object();
+    for (std::size_t i = 0; i < call.row->parameters.size(); ++i) {
+      const ParameterRow& row = call.row->parameters[i];
+      json["parameters"][std::string(row.id)] = value_json(row, call.values.at(i));
+    }
     json["changed"] = call.result.changed;
     json["left"] = call.result.left;
     json["solves"] = Json::array();
     for (ProblemKind kind : call.row->solves) json["solves"].push_back(row_of(kind).id);
-    json["en"] = call.result.text.en;
-    json["ja"] = call.result.text.ja;
+    json.put(call.result.text);
   }
 
   void add_to(Record<repair_shape>& json) const {
@@ -191,14 +192,8 @@ class AlgorithmRun {
   }
 
   void add_to(Record<algorithm_shape>& json) const {
-    const Call& call = calls_.front();
-    json["algorithm"] = call.row->id;
-    json["parameters"] = Json::object();
-    for (std::size_t i = 0; i < call.row->parameters.size(); ++i) {
-      const ParameterRow& row = call.row->parameters[i];
-      json["parameters"][std::string(row.id)] = value_json(row, call.values.at(i));
-    }
-    add_result(json, call);
+    json["algorithm"] = calls_.front().row->id;
+    add_result(json, calls_.front());
   }
 
   template <const Shape& shape>

@@ -6,9 +6,9 @@
 #include <thread>
 
 #include "app/cli/check_report.h"
-#include "app/cli/did_you_mean.h"
 #include "app/cli/inputs.h"
 #include "app/cli/subcommands.h"
+#include "app/editor/script.h"
 #include "core/base/parallel.h"
 
 namespace ryosen::cli {
@@ -33,9 +33,9 @@ std::optional<Failure> read_fail_on(const std::string& list, std::vector<std::st
     if (!find_problem_row(kind)) {
       std::vector<std::string> known{"none"};
       for (const ProblemRow& row : problem_table()) known.emplace_back(row.id);
-      const Text hint = did_you_mean(kind, known);
-      return usage_failure("bad_value", {"--fail-on: '" + kind + "' is not a kind of problem." + hint.en,
-                                         "--fail-on：「" + kind + "」という種類の問題はありません。" + hint.ja});
+      return usage_failure("bad_value", Text{"--fail-on: '" + kind + "' is not a kind of problem.",
+                                             "--fail-on：「" + kind + "」という種類の問題はありません。"} +
+                                            did_you_mean(kind, known, HintForm::sentence));
     }
     kinds.push_back(kind);
     begin = end + 1;
@@ -110,7 +110,7 @@ class Checker {
         report.file = input.path;
         report.failure = input.failure;
       } else {
-        report = check_file(input.path, options_.self_intersections);
+        report = check_file(input.path, {.self_intersections = options_.self_intersections});
       }
     } catch (const std::exception& error) {
       report = {};

@@ -48,7 +48,7 @@ struct NamedProblem {
 struct CheckReport {
   std::string file;
   std::string format;              // empty if not recognised
-  std::optional<Failure> failure;  // if set, the rest is empty
+  std::optional<Failure> failure;  // if set, the rest is empty; so is what was not looked for
   Figures figures;
   KindOfMesh kind;
   ElementTotals beside;  // lines and points of the file, in no face
@@ -56,17 +56,24 @@ struct CheckReport {
   std::vector<Message> messages;
   std::string hash;
 
-  // Whether there is a problem, or a warning about this file: one about another file, as a material library that is not
-  // there, is listed and is no finding.
+  // Whether there is a problem, or a warning about this file. A warning about another file, such as a missing material
+  // library, is no finding.
   bool has_findings() const;
   // "ok", "warnings" or "error".
   std::string_view status() const;
 };
 
-// Runs all checks on the mesh of a file that has been read.
-CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_intersections = false);
-// Reads the file and runs all checks on its mesh.
-CheckReport check_file(const std::string& path, bool with_self_intersections = false);
+// What a check looks for beside the problems.
+struct CheckScope {
+  bool self_intersections = false;
+  bool figures = true;  // and the hash
+  bool kind = true;
+};
+
+// Runs the checks on the mesh of a file that has been read.
+CheckReport check_mesh(MeshFile file, const std::string& path, const CheckScope& scope = {});
+// Reads the file and runs the checks on its mesh.
+CheckReport check_file(const std::string& path, const CheckScope& scope = {});
 
 // The line of `check --json`, with its line end. Names are written straight into the text: as JSON objects they would
 // take many times the memory.

@@ -1,9 +1,12 @@
 // The human-readable report of `check`.
 #include <algorithm>
 #include <cstdio>
+#include <map>
+#include <set>
 
 #include "app/cli/check_report.h"
 #include "app/cli/columns.h"
+#include "app/cli/contract/check.h"
 #include "app/cli/visible.h"
 #include "core/analysis/surface_name.h"
 #include "core/ops/op.h"
@@ -14,23 +17,7 @@ namespace {
 
 constexpr std::size_t names_shown = 8;
 
-struct Cell {
-  std::string_view en, ja;
-  std::string value;
-};
-
 std::string spaces(std::size_t wanted, std::size_t used) { return std::string(wanted > used ? wanted - used : 1, ' '); }
-
-// One row of three figures, at places that are the same in the reports of all files.
-std::string row(const Console& console, const std::vector<Cell>& cells) {
-  std::string line = " ";
-  for (const Cell& cell : cells) {
-    const std::string label(console.text(cell.en, cell.ja));
-    line += " " + label + spaces(20, display_width(label) + display_width(cell.value)) + cell.value + "   ";
-  }
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line + "\n";
-}
 
 std::string number(std::uint64_t n) { return std::to_string(n); }
 
@@ -44,32 +31,37 @@ std::string place(const glm::dvec3& p) {
   return "(" + short_number(p.x) + ", " + short_number(p.y) + ", " + short_number(p.z) + ")";
 }
 
+std::string value_text(const Json& value, const Console& console) {
+  if (value.is_boolean())
+    return std::string(value == true ? console.text("yes", "はい") : console.text("no", "いいえ"));
+  if (value.is_number_float()) return short_number(value);
+  return value.is_null() ? "-" : value.dump();
+}
+
+// Lines of three figures, at places that are the same in the reports of all files.
+std::string table_text(const CheckReport& report, const Console& console) {
+  std::map<int, std::string> lines;  // by the number of the first cell
+  std::set<int> shown;
+  std::vector<CheckRow> rows = check_rows();
+  std::sort(rows.begin(), rows.end(), [](const CheckRow& a, const CheckRow& b) { return a.value.cell < b.value.cell; });
+  for (const CheckRow& row : rows) {
+    if (row.value.cell < 0) continue;
+    const Json value = row.print(report);
+    if (!is_absent(row, value)) shown.insert(row.value.cell / 3);
+    const std::string label(console.text(row.value.en, row.value.ja)), text = value_text(value, console);
+    lines[row.value.cell / 3] += "  " + label + spaces(20, display_width(label) + display_width(text)) + text + "  ";
+  }
+  std::string all;
+  for (auto& [number, line] : lines) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    if (shown.contains(number)) all += line + "\n";
+  }
+  return all;
+}
+
 std::string figures_text(const CheckReport& report, const Console& console) {
   const Figures& f = report.figures;
-  const auto yes_no = [&](bool yes) {
-    return std::string(yes ? console.text("yes", "はい") : console.text("no", "いいえ"));
-  };
-  std::string text = row(console, {{"vertices", "頂点", number(f.vertices)},
-                                   {"edges", "稜線", number(f.edges)},
-                                   {"faces", "面", number(f.faces)}}) +
-                     row(console, {{"triangles", "三角形", number(f.triangles)},
-                                   {"quads", "四角形", number(f.quads)},
-                                   {"polygons", "多角形", number(f.polygons)}}) +
-                     row(console, {{"boundary edges", "境界稜線", number(f.boundary_edges)},
-                                   {"boundary loops", "境界ループ", number(f.boundary_loops)},
-                                   {"components", "連結成分", number(f.components)}}) +
-                     row(console, {{"Euler char.", "オイラー標数", std::to_string(f.euler_characteristic)},
-                                   {"genus", "種数", f.genus ? std::to_string(*f.genus) : "-"},
-                                   {"rings", "面の穴", number(f.rings)}}) +
-                     row(console, {{"manifold", "多様体", yes_no(f.manifold)},
-                                   {"closed", "閉じている", yes_no(f.closed)},
-                                   {"orientable", "向き付け可能", yes_no(f.orientable)}}) +
-                     row(console, {{"area", "面積", short_number(f.area)},
-                                   {"volume", "体積", f.volume ? short_number(*f.volume) : "-"},
-                                   {"quarantined", "隔離された面", number(f.quarantined)}});
-  if (report.beside.lines + report.beside.points > 0)
-    text +=
-        row(console, {{"lines", "線", number(report.beside.lines)}, {"points", "点", number(report.beside.points)}});
+  std::string text = table_text(report, console);
   if (const auto name = surface_name(f))
     text += "  " + std::string(console.text("surface ", "曲面 ")) + std::string(console.text(*name)) + "\n";
   if (f.bounds)

@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/cli/did_you_mean.h"
 #include "app/cli/subcommands.h"
+#include "app/editor/script.h"
 
 namespace ryosen::cli {
 
 namespace {
 
 std::string in_quotes(std::string_view word) { return "'" + std::string(word) + "'"; }
-
-Text operator+(Text a, const Text& b) { return {a.en + b.en, a.ja + b.ja}; }
 
 class Reader {
  public:
@@ -61,7 +59,7 @@ class Reader {
     for (const Subcommand& command : subcommands()) known.emplace_back(command.id);
     fail("unknown_command",
          Text{in_quotes(word) + " is not a command.", "「" + word + "」というコマンドはありません。"} +
-             did_you_mean(word, known));
+             did_you_mean(word, known, HintForm::sentence));
   }
 
   const Flag* find_flag(std::string_view name) const {
@@ -103,7 +101,7 @@ class Reader {
     const std::string command(line_.command ? line_.command->id : "ryosen");
     fail("unknown_flag", Text{command + " has no flag " + in_quotes(name) + ".",
                               command + " に「" + name + "」という指定はありません。"} +
-                             did_you_mean(name, known));
+                             did_you_mean(name, known, HintForm::sentence));
   }
 
   void apply_common_flags() {
@@ -125,10 +123,10 @@ class Reader {
     const Subcommand& command = *line_.command;
     const std::size_t count = line_.arguments.operands().size();
     const std::string usage = "ryosen " + std::string(command.id) + " " + std::string(command.operands);
-    if (count < command.least_operands)
+    if (count < command.least_operands())
       fail("operand_missing", {"Something is missing: " + usage, "引数が足りません：" + usage});
-    if (count > command.most_operands) {
-      const std::string& first = line_.arguments.operands()[command.most_operands];
+    if (count > command.most_operands()) {
+      const std::string& first = line_.arguments.operands()[command.most_operands()];
       fail("operand_too_many", {in_quotes(first) + " is too much: " + usage, "「" + first + "」は余分です：" + usage});
     }
   }

@@ -1,10 +1,9 @@
 // `convert`: writes a mesh in another format, after saying what would be lost.
 #include "app/cli/contract/convert.h"
 #include "app/cli/contract/record.h"
-#include "app/cli/did_you_mean.h"
 #include "app/cli/outputs.h"
 #include "app/cli/subcommands.h"
-#include "app/cli/visible.h"
+#include "app/editor/script.h"
 #include "core/io/file_target.h"
 #include "core/io/formats.h"
 #include "core/io/safe_write.h"
@@ -29,10 +28,9 @@ Result<WriteOptions> find_wanted(const Arguments& arguments, const std::string& 
     known.emplace_back(format.id);
     for (const FormatVariant& variant : format.variants) known.emplace_back(variant.id);
   }
-  const Text hint = did_you_mean(*id, known);
-  return usage_failure("bad_value",
-                       {"--format: '" + *id + "' is not a format (see ryosen formats)." + hint.en,
-                        "--format：「" + *id + "」という形式はありません（ryosen formats を参照）。" + hint.ja});
+  return usage_failure("bad_value", Text{"--format: '" + *id + "' is not a format (see ryosen formats).",
+                                         "--format：「" + *id + "」という形式はありません（ryosen formats を参照）。"} +
+                                        did_you_mean(*id, known, HintForm::sentence));
 }
 
 class Conversion {
@@ -93,11 +91,7 @@ class Conversion {
   }
 
   void report(const MeshFile& file, ExitCode code) const {
-    if (!console_.json) {
-      console_.print(is_written_ ? console_.text(Text{"written: ", "書き出し："}) + visible_line(output_) + "\n"
-                                 : std::string(console_.text("nothing written\n", "書き出しなし\n")));
-      return;
-    }
+    if (!console_.json) return console_.print(written_text(is_written_ ? &output_ : nullptr, console_));
     Record<convert_shape> json;
     json["file"] = input_;
     json["output"] = is_written_ ? Json(output_) : Json();
@@ -112,8 +106,7 @@ class Conversion {
       Record<loss_shape> lost;
       lost["code"] = message.code.row().id;
       lost["count"] = loss.count;
-      lost["en"] = message.text.en;
-      lost["ja"] = message.text.ja;
+      lost.put(message.text);
       json["losses"].push_back(std::move(lost).json());
     }
     json["messages"] = to_json(messages_);

@@ -7,7 +7,6 @@
 #include "app/cli/edit_script.h"
 #include "app/cli/outputs.h"
 #include "app/cli/subcommands.h"
-#include "app/cli/visible.h"
 #include "app/cli/write_output.h"
 #include "app/editor/commands.h"
 #include "app/editor/expect.h"
@@ -79,7 +78,7 @@ class EditRun {
       step.result = "done";
       ++applied_;
       const auto performed = call_of(step.outcome.performed);
-      if (!performed || performed->row.file != FileAccess::writes_mesh) return;
+      if (!performed || performed->row.effect != Effect::writes) return;
       const std::string named = file_of(*performed);
       note_saved(named.empty() ? session_.document().path().string() : named);
       return;
@@ -216,10 +215,7 @@ class EditRun {
                                         "面のない稜線と橋を含み、隔離された面を含まない（expect の数え方）："}) +
                      "V " + std::to_string(all.vertices) + "  E " + std::to_string(all.edges) + "  F " +
                      std::to_string(all.faces) + "\n");
-    if (written_)
-      console_.print(console_.text(Text{"written: ", "書き出し："}) + visible_line(*written_) + "\n");
-    else
-      console_.print(console_.text("nothing written\n", "書き出しなし\n"));
+    console_.print(written_text(written_ ? &*written_ : nullptr, console_));
   }
 
   EditFiles files_;

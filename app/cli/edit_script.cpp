@@ -60,17 +60,11 @@ std::optional<Failure> fault_of_line(const std::string& line, FileUse& use) {
   if (auto fault = fault_of_command(line))
     return usage_failure(call ? Code("bad_arguments") : Code("unknown_command"), std::move(*fault));
   if (!call) return std::nullopt;
-  switch (call->row.file) {
-    case FileAccess::reads_mesh:
-      return use.open(file_of(*call));
-    case FileAccess::writes_mesh:
-      return use.save(file_of(*call));
-    case FileAccess::writes_picture:
-      return use.shoot(file_of(*call));
-    case FileAccess::none:
-      break;
-  }
-  return call->row.effect == Effect::replaces ? use.begin_another() : std::nullopt;
+  const CommandRow& row = call->row;
+  if (row.file == FileAccess::reads) return use.open(file_of(*call));
+  if (row.file == FileAccess::writes)
+    return row.effect == Effect::writes ? use.save(file_of(*call)) : use.shoot(file_of(*call));
+  return row.effect == Effect::replaces ? use.begin_another() : std::nullopt;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The commands that `edit` is to run, and what can be said against them before any of them runs.
+// The commands of `edit` and `shot`, and the checks made before the first of them runs.
 #pragma once
 
 #include <optional>
@@ -23,15 +23,15 @@ struct EditScript {
 // From the script file, or else from the given lines, which are numbered one after the other.
 Result<EditScript> read_edit_script(const std::string* script_file, const std::vector<std::string>& lines);
 
-// What is written when the script is through.
+// A file that is written after the script has run.
 struct PlannedOutput {
   std::string path;
   FileRole role;
 };
 
-// A line that no mesh can make right, an output in no known format, or a file that the run must not replace: `files`
-// knows what is read besides what the script opens, and knows then what would be written. `input` is empty where the
-// script begins without one.
+// The first fault that shows without a mesh: a line that is wrong on every mesh, an output in an unknown format, or a
+// file that the run must not replace. `files` has the files that are read, but for those that the script opens; what the
+// run would write is added. `input` is empty where the script begins without one.
 std::optional<Failure> find_fault(const EditScript& script, const std::string& input,
                                   const std::vector<PlannedOutput>& outputs, RunFiles& files);
 

@@ -25,8 +25,7 @@ Json number_or_null(const std::optional<double>& value) { return value ? Json(*v
 
 Json sentence(std::string_view en, std::string_view ja) {
   Record<sentence_shape> json;
-  json["en"] = en;
-  json["ja"] = ja;
+  json.put(en, ja);
   return std::move(json).json();
 }
 
@@ -34,8 +33,7 @@ Json to_json(const FormFigures& figures, std::uint32_t faces) {
   const bool suits = !figures.unsuitable;
   Record<form_shape> json;
   json["form"] = figures.row->id;
-  json["en"] = figures.row->en;
-  json["ja"] = figures.row->ja;
+  json.put(figures.row->en, figures.row->ja);
   json["source"] = sentence(figures.row->source_en, figures.row->source_ja);
   json["suitable"] = suits;
   json["reason"] = suits ? Json() : sentence(figures.unsuitable->en, figures.unsuitable->ja);
@@ -53,8 +51,7 @@ Json to_json(const FormFigures& figures, std::uint32_t faces) {
 Json to_json(const PairingFigures& figures) {
   Record<pairing_shape> json;
   json["method"] = figures.method->id;
-  json["en"] = figures.method->en;
-  json["ja"] = figures.method->ja;
+  json.put(figures.method->en, figures.method->ja);
   json["faces"] = figures.faces;
   json["whole"] = figures.is_whole();
   json["ms"] = 1e3 * figures.seconds;
@@ -66,8 +63,7 @@ Json to_json(const forms::SourceReport& report) {
   json["operation"] = report.operation;
   json["place"] = report.place;
   json["completed"] = report.outcome.completed;
-  json["en"] = report.outcome.sentence.en;
-  json["ja"] = report.outcome.sentence.ja;
+  json.put(report.outcome.sentence);
   return std::move(json).json();
 }
 

@@ -4,9 +4,9 @@
 #include "app/cli/contract/help_json.h"
 #include "app/cli/contract/lists.h"
 #include "app/cli/contract/record.h"
-#include "app/cli/did_you_mean.h"
 #include "app/cli/exit_codes.h"
 #include "app/cli/subcommands.h"
+#include "app/editor/script.h"
 
 namespace ryosen::cli {
 
@@ -59,8 +59,7 @@ Json to_json(const Flag& flag) {
   json["flag"] = flag.name;
   json["value"] = flag.value.empty() ? Json() : Json(flag.value);
   json["repeatable"] = flag.repeatable;
-  json["en"] = flag.en;
-  json["ja"] = flag.ja;
+  json.put(flag.en, flag.ja);
   return std::move(json).json();
 }
 
@@ -70,8 +69,7 @@ std::string json_line_of(const Subcommand& command) {
   json["operands"] = command.operands;
   json["flags"] = Json::array();
   for (const Flag& flag : command.flags) json["flags"].push_back(to_json(flag));
-  json["en"] = command.en;
-  json["ja"] = command.ja;
+  json.put(command.en, command.ja);
   return line_of(json);
 }
 
@@ -97,9 +95,9 @@ ExitCode help_command(const Arguments& arguments, const Console& console) {
   }
   std::vector<std::string> known{std::string(json_topic)};
   for (const Subcommand& command : subcommands()) known.emplace_back(command.id);
-  const Text hint = did_you_mean(name, known);
-  return console.fail(usage_failure("unknown_command", {"'" + name + "' is not a command." + hint.en,
-                                                        "「" + name + "」というコマンドはありません。" + hint.ja}));
+  return console.fail(usage_failure(
+      "unknown_command", Text{"'" + name + "' is not a command.", "「" + name + "」というコマンドはありません。"} +
+                             did_you_mean(name, known, HintForm::sentence)));
 }
 
 ExitCode version_command(const Arguments&, const Console& console) {

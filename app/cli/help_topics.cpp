@@ -75,9 +75,9 @@ std::string repairs_topic(Language language) {
 }
 
 std::string algorithm_topic(const AlgorithmRow& row, Language language) {
-  const std::string operator_first = find_op(row.id) ? "repair " : "", syntax = syntax_of(row.parameters);
+  const std::string syntax = syntax_of(row.parameters);
   std::string text(choose(language, "In scripts: ", "スクリプトでは："));
-  text.append(operator_first).append(row.id).append(syntax.empty() ? "" : " ").append(syntax).append("\n");
+  text.append(called(row)).append(syntax.empty() ? "" : " ").append(syntax).append("\n");
   if (row.is_repair()) text.append(choose(language, "Solves: ", "対象：")).append(solved_by(row)).append("\n");
   return text;
 }

@@ -16,7 +16,7 @@ std::string shot_topic(Language language);
 std::string script_commands_topic(Language language);
 // The repairs, which of them run by default, and what each solves.
 std::string repairs_topic(Language language);
-// How scripts say an algorithm, and what it solves.
+// The algorithm's line in a script, and what it solves.
 std::string algorithm_topic(const AlgorithmRow& row, Language language);
 // The operators alone.
 std::string operators_topic(Language language);

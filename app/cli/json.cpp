@@ -86,8 +86,7 @@ Json to_json(const Message& message) {
   if (message.line && message.column) json["column"] = *message.column;
   if (message.byte) json["byte"] = *message.byte;
   if (message.face) json["face"] = *message.face;
-  json["en"] = message.text.en;
-  json["ja"] = message.text.ja;
+  json.put(message.text);
   return std::move(json).json();
 }
 
@@ -105,8 +104,7 @@ Json to_json(const Mesh& mesh, const Reason& reason) {
   json["rule"] = rule.id;
   json["severity"] = rule.severity == RuleSeverity::refuse ? "refuse" : "warn";
   json["witnesses"] = names_of(mesh, reason.witnesses);
-  json["en"] = text.en;
-  json["ja"] = text.ja;
+  json.put(text);
   return std::move(json).json();
 }
 

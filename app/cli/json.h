@@ -23,7 +23,7 @@ std::string line_of(const Json& json);
 
 Json to_json(const glm::dvec3& p);
 Json to_json(const Message& message);
-// Without those of severity info, which say what reading always does.
+// Without those of severity info.
 Json to_json(const std::vector<Message>& messages);
 // Witnesses are named by the current mesh.
 Json to_json(const Mesh& mesh, const Reason& reason);

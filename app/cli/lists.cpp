@@ -21,8 +21,7 @@ ExitCode formats_command(const Arguments&, const Console& console) {
       json["read"] = format.read != nullptr;
       json["write"] = format.write != nullptr;
       json["gzip"] = true;
-      json["en"] = format.name.en;
-      json["ja"] = format.name.ja;
+      json.put(format.name);
       console.print(line_of(json));
       continue;
     }
@@ -50,8 +49,7 @@ ExitCode keys_command(const Arguments&, const Console& console) {
     Record<chord_shape> json;
     json["key"] = key.chord;
     json["command"] = key.command;
-    json["en"] = key.help_en;
-    json["ja"] = key.help_ja;
+    json.put(key.help_en, key.help_ja);
     console.print(line_of(json));
   }
   if (!console.json) console.print(columns.text());

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <charconv>
 
-#include "app/cli/did_you_mean.h"
 #include "app/cli/outputs.h"
 #include "app/editor/camera_text.h"
+#include "app/editor/script.h"
 #include "core/highlights/highlight_table.h"
 
 namespace ryosen::cli {
@@ -138,9 +138,9 @@ class OptionsReader {
     std::vector<std::string> known;
     for (const OpInfo& op : all_ops())
       if (is_tool(op)) add_ids(op, known);
-    const Text close = did_you_mean(id, known);
-    fail(usage_failure("unknown_tool", {"There is no tool '" + id + "'." + close.en,
-                                        "「" + id + "」というツールはありません。" + close.ja}));
+    fail(usage_failure("unknown_tool",
+                       Text{"There is no tool '" + id + "'.", "「" + id + "」というツールはありません。"} +
+                           did_you_mean(id, known, HintForm::sentence)));
     return id;
   }
 
@@ -172,9 +172,9 @@ class OptionsReader {
       } else if (std::find(known.begin(), known.end(), id) != known.end()) {
         shown.insert(id);
       } else {
-        const Text close = did_you_mean(id, known);
-        fail(usage_failure("unknown_highlight", {"There is no highlight '" + id + "'." + close.en,
-                                                 "「" + id + "」という強調表示はありません。" + close.ja}));
+        fail(usage_failure("unknown_highlight",
+                           Text{"There is no highlight '" + id + "'.", "「" + id + "」という強調表示はありません。"} +
+                               did_you_mean(id, known, HintForm::sentence)));
       }
     }
     options_.shown = std::move(shown);

@@ -1,6 +1,8 @@
 #include "app/cli/subcommand_table.h"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 
 #include "app/cli/algorithm_flags.h"
 #include "app/cli/contract/algorithms.h"
@@ -19,8 +21,6 @@ namespace ryosen::cli {
 
 namespace {
 
-constexpr std::size_t any_number = static_cast<std::size_t>(-1);
-
 const std::array common{
     Flag{"--json", "", false, "results as JSON, one object per line, also on failure",
          "結果を JSON で出力（一行に一つ、失敗時も）"},
@@ -38,8 +38,6 @@ const std::vector<Subcommand>& table() {
   static const std::vector<Subcommand> rows{
       Subcommand{"view",
                  "[FILE]",
-                 0,
-                 1,
                  "the editor; also what ryosen does without a command",
                  "エディタ（コマンドを省いたときもこれ）",
                  {},
@@ -48,8 +46,6 @@ const std::vector<Subcommand>& table() {
                  view_contract},
       Subcommand{"check",
                  "FILE|FOLDER...",
-                 1,
-                 any_number,
                  "figures and problems of meshes",
                  "メッシュの諸量と問題点",
                  {
@@ -68,8 +64,6 @@ const std::vector<Subcommand>& table() {
       Subcommand{
           "why",
           "FILE",
-          1,
-          1,
           "may an operator be done, and if not, why not and what would help",
           "操作が可能か、不可能なら理由と対処",
           {
@@ -84,8 +78,6 @@ const std::vector<Subcommand>& table() {
           why_contract},
       Subcommand{"edit",
                  "FILE",
-                 0,
-                 1,
                  "runs commands on a mesh; without -o and save a trial that writes nothing",
                  "コマンドを実行（-o も save もなければ何も書き出さない）",
                  {
@@ -94,7 +86,7 @@ const std::vector<Subcommand>& table() {
                       "format of FILE",
                       "結果の出力先（拒否・失敗があれば書き出さない）。/dev/stdout には結果だけを FILE の形式で出す"},
                      {"--new", "", false, "begins with an empty mesh instead of a FILE",
-                      "FILE の代わりに空のメッシュから始める"},
+                      "FILE の代わりに空のメッシュから始める", true},
                      {"--do", "COMMAND", true, "runs commands, separated by ; (repeatable)",
                       "コマンドを実行（; で区切る、繰り返し可）"},
                      {"--script", "S", false, "runs the commands of a file", "ファイルのコマンドを実行"},
@@ -109,8 +101,6 @@ const std::vector<Subcommand>& table() {
                  edit_contract},
       Subcommand{"repair",
                  "FILE",
-                 1,
-                 1,
                  "takes whole kinds of problems away; without -o a trial that writes nothing",
                  "問題を種類ごとにまとめて直す（-o がなければ何も書き出さない）",
                  {
@@ -126,8 +116,6 @@ const std::vector<Subcommand>& table() {
                  repair_contract},
       Subcommand{"convert",
                  "FILE",
-                 1,
-                 1,
                  "writes a mesh in another format and says first what that format cannot hold",
                  "別の形式で書き出す（その形式で失われるものを先に示す）",
                  {
@@ -148,8 +136,6 @@ const std::vector<Subcommand>& table() {
       Subcommand{
           "shot",
           "FILE",
-          1,
-          1,
           "a picture of a mesh or of the whole editor, without a display",
           "メッシュまたはエディタ全体の画像（ディスプレイ不要）",
           {
@@ -180,30 +166,17 @@ const std::vector<Subcommand>& table() {
           shot_contract},
       Subcommand{"forms",
                  "FILE",
-                 1,
-                 1,
                  "the representations of the source texts for this mesh: bytes per face, build and query times",
                  "テキストの形状表現の比較（面あたりのバイト数、構築時間、問い合わせ時間）",
                  {},
                  forms_topic,
                  forms_command,
                  forms_contract},
-      Subcommand{"formats",
-                 "",
-                 0,
-                 0,
-                 "the file formats",
-                 "ファイル形式の一覧",
-                 {},
-                 nullptr,
-                 formats_command,
-                 formats_contract},
       Subcommand{
-          "keys", "", 0, 0, "the keys of the editor", "エディタのキー一覧", {}, nullptr, keys_command, keys_contract},
+          "formats", "", "the file formats", "ファイル形式の一覧", {}, nullptr, formats_command, formats_contract},
+      Subcommand{"keys", "", "the keys of the editor", "エディタのキー一覧", {}, nullptr, keys_command, keys_contract},
       Subcommand{"doctor",
                  "",
-                 0,
-                 0,
                  "what this machine offers: versions, backends, fonts, packages",
                  "この環境の状況（版、描画、フォント、パッケージ）",
                  {},
@@ -212,8 +185,6 @@ const std::vector<Subcommand>& table() {
                  doctor_contract},
       Subcommand{"help",
                  "[COMMAND|json]",
-                 0,
-                 1,
                  "what the program and its commands do; json: every key and code that they print",
                  "プログラムとコマンドの使い方（json：出力するキーとコードのすべて）",
                  {},
@@ -223,8 +194,6 @@ const std::vector<Subcommand>& table() {
                  true},
       Subcommand{"--version",
                  "",
-                 0,
-                 0,
                  "the version of the program",
                  "プログラムの版",
                  {},
@@ -248,7 +217,7 @@ Subcommand subcommand_of(const AlgorithmRow& row) {
   const auto run = [&row](const Arguments& arguments, const Console& console) {
     return algorithm_command(row, arguments, console);
   };
-  return {row.id, "FILE", 1, 1, row.help_en, row.help_ja, std::move(flags), more, run, algorithm_contract, false, true};
+  return {row.id, "FILE", row.help_en, row.help_ja, std::move(flags), more, run, algorithm_contract, false, true};
 }
 
 }  // namespace
@@ -266,6 +235,16 @@ std::optional<Subcommand> find_subcommand(std::string_view id) {
     if (command.id == id) return command;
   const AlgorithmRow* const algorithm = find_algorithm(id);
   return algorithm ? std::optional(subcommand_of(*algorithm)) : std::nullopt;
+}
+
+std::size_t Subcommand::least_operands() const {
+  const bool may_lack = std::any_of(flags.begin(), flags.end(), [](const Flag& flag) { return flag.replaces_operand; });
+  return may_lack || operands.empty() || operands.starts_with('[') ? 0 : 1;
+}
+
+std::size_t Subcommand::most_operands() const {
+  if (operands.ends_with("...")) return std::numeric_limits<std::size_t>::max();
+  return operands.empty() ? 0 : 1;
 }
 
 bool Arguments::has(std::string_view flag) const { return value(flag) != nullptr; }

@@ -20,6 +20,7 @@ struct Flag {
   std::string value;  // description of its value; empty for a switch
   bool repeatable = false;
   std::string en, ja;
+  bool replaces_operand = false;
 };
 
 // The user's arguments, checked against the row of the command.
@@ -46,15 +47,17 @@ class Arguments {
 
 struct Subcommand {
   std::string_view id;
-  std::string_view operands;  // as in the help
-  std::size_t least_operands, most_operands;
-  std::string_view en, ja;                    // one line
-  std::vector<Flag> flags;                    // besides the common ones
+  std::string_view operands;  // as in the help: none, one, one that may be left out in [], several with ...
+  std::string_view en, ja;    // one line
+  std::vector<Flag> flags;    // besides the common ones
   std::function<std::string(Language)> more;  // further lines of the help; may be empty
   std::function<ExitCode(const Arguments& arguments, const Console& console)> run;
   Contract contract = {};  // what it prints as JSON and ends with
   bool operand_is_command = false;
   bool is_algorithm = false;  // made of its row in the table of algorithms
+
+  std::size_t least_operands() const;
+  std::size_t most_operands() const;
 };
 
 // Those of the program, then the algorithms.

@@ -17,7 +17,7 @@ std::uint32_t code_point(std::string_view character) {
   return code;
 }
 
-// A terminal would do something else with it than show it where it stands.
+// A terminal would not show it at its place: a control character or one that changes the direction of writing.
 bool is_control(std::uint32_t code) {
   const bool turns = code == 0x61c || code == 0x200e || code == 0x200f || (code >= 0x202a && code <= 0x202e) ||
                      (code >= 0x2066 && code <= 0x2069);

@@ -1,4 +1,4 @@
-// Text that may hold what a file or its name says, as it may go to a terminal.
+// Text from files and file names, made safe for a terminal.
 #pragma once
 
 #include <string>

@@ -2,7 +2,6 @@
 #include <memory>
 #include <optional>
 
-#include "app/cli/did_you_mean.h"
 #include "app/cli/edge_sides.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/verdict_report.h"
@@ -140,9 +139,9 @@ Result<const OpInfo*> operator_named(const std::string& id, bool needs_edge) {
   std::vector<std::string> known;
   for (const OpInfo& row : all_ops())
     if (!needs_edge || row.target == OpTargetKind::edge) add_ids(row, known);
-  const Text hint = did_you_mean(id, known);
-  return usage_failure("unknown_operator", {"'" + id + "' is not an operator here." + hint.en,
-                                            "「" + id + "」という操作はここでは使えません。" + hint.ja});
+  return usage_failure("unknown_operator",
+                       Text{"'" + id + "' is not an operator here.", "「" + id + "」という操作はここでは使えません。"} +
+                           did_you_mean(id, known, HintForm::sentence));
 }
 
 // The query, checked as far as possible without the mesh.

@@ -1,5 +1,6 @@
 #include "app/cli/write_output.h"
 
+#include "app/cli/visible.h"
 #include "core/io/formats.h"
 #include "core/io/safe_write.h"
 
@@ -20,6 +21,11 @@ WrittenOutput write_output(Document& document, RunFiles& files, const std::strin
   written.failure = status.failure();
   console.show(written.failure->message, path);
   return written;
+}
+
+std::string written_text(const std::string* path, const Console& console) {
+  if (!path) return std::string(console.text("nothing written\n", "書き出しなし\n"));
+  return console.text(Text{"written: ", "書き出し："}) + visible_line(*path) + "\n";
 }
 
 }  // namespace ryosen::cli

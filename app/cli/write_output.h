@@ -21,4 +21,7 @@ struct WrittenOutput {
 WrittenOutput write_output(Document& document, RunFiles& files, const std::string& path, bool is_strict,
                            const Console& console);
 
+// "written: o.obj", or that nothing was where there is no path, with the line end.
+std::string written_text(const std::string* path, const Console& console);
+
 }  // namespace ryosen::cli

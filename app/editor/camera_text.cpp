@@ -48,9 +48,9 @@ class CameraReader {
   }
 
   void unknown(const std::string& key) {
-    const std::string name = shown(Json(key)), close = closest_word(std::string_view(key).substr(0, 64), keys);
-    fail("there is no key " + name + (close.empty() ? "" : "; did you mean \"" + close + "\"?"),
-         name + " というキーはありません" + (close.empty() ? "" : "（\"" + close + "\" のことですか）"));
+    const std::string name = shown(Json(key));
+    const Text hint = did_you_mean(key, keys);
+    fail("there is no key " + name + hint.en, name + " というキーはありません" + hint.ja);
   }
 
   void read_vector(const Json& json, const std::string& key, glm::dvec3& value) {

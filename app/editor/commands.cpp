@@ -9,6 +9,7 @@
 namespace ryosen {
 
 Outcome usage_error(std::string en, std::string ja) { return failed(ExitCode::usage, {std::move(en), std::move(ja)}); }
+Outcome usage_error(const Text& sentence) { return failed(ExitCode::usage, sentence); }
 
 Outcome no_element(Document& document, std::string_view line, NameError error, const Text& sentence) {
   const std::vector<std::string_view> words = split_words(line);
@@ -62,17 +63,17 @@ std::vector<std::string> command_ids() {
 }
 
 Outcome unknown_command(std::string_view id) {
-  const std::string wrong(id), close = closest_word(id, command_ids());
-  return usage_error("there is no command '" + wrong + "'" + (close.empty() ? "" : "; did you mean " + close + "?"),
-                     "コマンド「" + wrong + "」はありません" + (close.empty() ? "" : "。" + close + " ですか？"));
+  const std::string wrong(id);
+  return usage_error(Text{"there is no command '" + wrong + "'", "コマンド「" + wrong + "」はありません"} +
+                     did_you_mean(id, command_ids()));
 }
 
 Text not_an_operator(std::string_view word) {
   std::vector<std::string> ids;
   for (const OpInfo& op : all_ops()) add_ids(op, ids);
-  const std::string wrong(word), close = closest_word(word, ids);
-  return {"'" + wrong + "' is not an operator" + (close.empty() ? "" : "; did you mean " + close + "?"),
-          "「" + wrong + "」は演算子ではありません" + (close.empty() ? "" : "。" + close + " ですか？")};
+  const std::string wrong(word);
+  return Text{"'" + wrong + "' is not an operator", "「" + wrong + "」は演算子ではありません"} +
+         did_you_mean(word, ids);
 }
 
 }  // namespace ryosen

@@ -27,8 +27,9 @@ enum class Effect {
   writes,    // it to a file
 };
 
-// What a command does with the file that its arguments name.
-enum class FileAccess { none, reads_mesh, writes_mesh, writes_picture };
+// What a command does with the file that its arguments name: one whose effect is to write the document writes a mesh,
+// any other a picture.
+enum class FileAccess { none, reads, writes };
 
 struct CommandRow {
   std::string_view id;
@@ -72,6 +73,8 @@ std::optional<CommandCall> call_of(std::string_view line);
 // picture to one that is not there yet.
 std::string file_of(const CommandCall& call);
 
+// How scripts call an algorithm: by its id, behind `repair` where that is wanted or an operator has the id.
+std::string called(const AlgorithmRow& algorithm, bool as_repair = false);
 // The line that runs an algorithm with these values.
 std::string line_of(const AlgorithmRow& algorithm, const ParameterValues& values);
 
@@ -92,6 +95,7 @@ Outcome unknown_command(std::string_view id);
 // The same of a word in the place of an operator.
 Text not_an_operator(std::string_view word);
 Outcome usage_error(std::string en, std::string ja);
+Outcome usage_error(const Text& sentence);
 // An operator's line names no element of the mesh, with this error: a refusal by the rule `deleted` where the element
 // stands at another place of the history, else usage; with a sentence that says which, and of faces that were set aside.
 Outcome no_element(Document& document, std::string_view line, NameError error, const Text& sentence);

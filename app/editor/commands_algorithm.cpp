@@ -11,13 +11,12 @@ Text not_a_repair(std::string_view word) {
   std::vector<std::string> known;
   for (const AlgorithmRow& row : algorithm_table())
     if (row.is_repair()) known.emplace_back(row.id);
-  const std::string name(word), close = closest_word(word, known);
-  return {"there is no repair '" + name + "'" + (close.empty() ? "" : "; did you mean " + close + "?"),
-          "修復「" + name + "」はありません" + (close.empty() ? "" : "。" + close + " ですか？")};
+  const std::string name(word);
+  return Text{"there is no repair '" + name + "'", "修復「" + name + "」はありません"} + did_you_mean(word, known);
 }
 
-// `called` is the command with its blank, or what stands before the id. A first value without its name stays so.
-Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words words, const std::string& called) {
+// `call` is what stands before the values. A first value without its name stays so.
+Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words words, const std::string& call) {
   const std::string id(row.id);
   const ReadValues given = read_values(row.parameters, words);
   if (!given.values) return usage_error(id + ": " + given.sentence.en, id + "：" + given.sentence.ja);
@@ -26,7 +25,7 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words words, co
   const bool has_bare_value = !words.empty() && words[0].find('=') == std::string_view::npos;
   const std::string values = given.values->line(has_bare_value);
   Outcome outcome;
-  outcome.performed = called + id + (values.empty() ? "" : " " + values);
+  outcome.performed = call + (values.empty() ? "" : " " + values);
   const auto result = session.document().run(row, *found.values, outcome.performed, session.on_progress);
   if (!result)
     return failed(ExitCode::cancelled, {"Cancelled; nothing has changed.", "中止しました。何も変わっていません。"});
@@ -46,16 +45,21 @@ CommandRow row_of(const AlgorithmRow& algorithm) {
           .help_en = algorithm.help_en,
           .help_ja = algorithm.help_ja,
           .effect = Effect::edits,
-          .run = [&algorithm](Session& session, Words words,
-                              std::string_view) { return run_algorithm(session, algorithm, words, {}); },
+          .run = [&algorithm](
+                     Session& session, Words words,
+                     std::string_view) { return run_algorithm(session, algorithm, words, std::string(algorithm.id)); },
           .is_long = true,
           .fault = fault};
 }
 
+std::string called(const AlgorithmRow& algorithm, bool as_repair) {
+  const std::string id(algorithm.id);
+  return as_repair || find_op(id) ? "repair " + id : id;
+}
+
 std::string line_of(const AlgorithmRow& algorithm, const ParameterValues& values) {
-  const std::string id(algorithm.id), text = values.line();
-  // The operator of this name comes first.
-  return (find_op(id) ? "repair " + id : id) + (text.empty() ? "" : " " + text);
+  const std::string text = values.line();
+  return called(algorithm) + (text.empty() ? "" : " " + text);
 }
 
 std::optional<Text> fault_of_repair(Words words, const std::string& line) {
@@ -67,7 +71,8 @@ std::optional<Text> fault_of_repair(Words words, const std::string& line) {
 
 Outcome run_repair(Session& session, Words words, std::string_view) {
   if (const auto fault = fault_of_repair(words, {})) return usage_error(fault->en, fault->ja);
-  return run_algorithm(session, *find_algorithm(words[0]), words.subspan(1), "repair ");
+  const AlgorithmRow& row = *find_algorithm(words[0]);
+  return run_algorithm(session, row, words.subspan(1), called(row, true));
 }
 
 }  // namespace ryosen

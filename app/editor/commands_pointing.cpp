@@ -23,9 +23,8 @@ Outcome not_a_tool(std::string_view id) {
     std::vector<std::string> tools;
     for (const OpInfo& op : all_ops())
       if (is_tool(op)) add_ids(op, tools);
-    const std::string close = closest_word(name, tools);
-    return usage_error("'" + name + "' is not a tool" + (close.empty() ? "" : "; did you mean " + close + "?"),
-                       "「" + name + "」はツールではありません" + (close.empty() ? "" : "。" + close + " ですか？"));
+    return usage_error(Text{"'" + name + "' is not a tool", "「" + name + "」はツールではありません"} +
+                       did_you_mean(name, tools));
   }
   return usage_error(name + " does not work on what is clicked; say it as a command",
                      name + " はクリックした要素に働く操作ではないので、コマンドとして実行してください");

@@ -67,9 +67,9 @@ Outcome run_show(Session& session, Words arguments, std::string_view) {
       session.shown.erase(known.back());
   }
   if (arguments[0] == "all" || std::find(known.begin(), known.end(), arguments[0]) != known.end()) return {};
-  const std::string wrong(arguments[0]), close = closest_word(wrong, known);
-  return usage_error("there is no highlight '" + wrong + "'" + (close.empty() ? "" : "; did you mean " + close + "?"),
-                     "強調表示「" + wrong + "」はありません" + (close.empty() ? "" : "。" + close + " ですか？"));
+  const std::string wrong(arguments[0]);
+  return usage_error(Text{"there is no highlight '" + wrong + "'", "強調表示「" + wrong + "」はありません"} +
+                     did_you_mean(wrong, known));
 }
 
 }  // namespace ryosen

@@ -20,10 +20,9 @@ std::optional<std::size_t> one_of(Words arguments, std::initializer_list<std::st
 Outcome no_such_panel(const std::string& id) {
   std::vector<std::string> known;
   for (const PanelRow& row : panel_list()) known.emplace_back(row.id);
-  const std::string close = closest_word(id, known), all = panel_ids();
-  return usage_error(
-      "there is no panel '" + id + "'; " + (close.empty() ? "known: " + all : "did you mean " + close + "?"),
-      "パネル「" + id + "」はありません。" + (close.empty() ? "あるのは " + all : close + " ですか？"));
+  const Text hint = did_you_mean(id, known), all{"; known: " + panel_ids(), "。あるのは " + panel_ids()};
+  return usage_error(Text{"there is no panel '" + id + "'", "パネル「" + id + "」はありません"} +
+                     (hint.en.empty() ? all : hint));
 }
 
 }  // namespace
@@ -51,9 +50,9 @@ Outcome run_values(Session& session, Words arguments, std::string_view) {
   if (!row) {
     std::vector<std::string> known;
     for (const AlgorithmRow& other : algorithm_table()) known.emplace_back(other.id);
-    const std::string wrong(arguments[0]), close = closest_word(wrong, known);
-    return usage_error("there is no algorithm '" + wrong + "'" + (close.empty() ? "" : "; did you mean " + close + "?"),
-                       "アルゴリズム「" + wrong + "」はありません" + (close.empty() ? "" : "。" + close + " ですか？"));
+    const std::string wrong(arguments[0]);
+    return usage_error(Text{"there is no algorithm '" + wrong + "'", "アルゴリズム「" + wrong + "」はありません"} +
+                       did_you_mean(wrong, known));
   }
   session.asked_algorithm = row->id;
   session.open_panel = "values";

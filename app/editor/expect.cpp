@@ -1,6 +1,6 @@
 #include "app/editor/expect.h"
 
-#include "app/editor/commands.h"
+#include "app/editor/command_functions.h"
 #include "app/editor/words.h"
 #include "core/io/numbers.h"
 #include "core/mesh/copies.h"
@@ -47,43 +47,23 @@ std::string hash_text(const Mesh& mesh) {
 
 namespace {
 
-// A term of the Euler–Poincaré sum by its letter; none for a letter that is none.
-struct Term {
-  std::optional<std::int64_t> value;
-  Text found;  // the number, or why there is none
-};
-std::optional<Term> find_term(Session& session, std::string_view letter) {
-  if (letter.size() != 1 || std::string_view("VEFBHSG").find(letter) == std::string_view::npos) return std::nullopt;
-  const Mesh& mesh = session.mesh();
-  const auto term = [](std::int64_t value) { return Term{value, {std::to_string(value), std::to_string(value)}}; };
-  switch (letter[0]) {
-    case 'V':
-      return term(counts_on_points(mesh).vertices);
-    case 'E':
-      return term(counts_on_points(mesh).edges);
-    case 'F':
-      return term(mesh.live().faces);
-    case 'B':
-      return term(session.boundary_loops().count());
-    case 'H':
-      return term(mesh.live().rings);
-    case 'S':
-      return term(session.euler_terms().parts);
-    default:
-      break;
-  }
-  const EulerPoincare& terms = session.euler_terms();
-  if (terms.genus) return term(*terms.genus);
-  const Text why = why_no_genus(mesh, terms);
-  return Term{std::nullopt, {"none, " + why.en, "種数なし、" + why.ja}};
+// The value of a term, or why it has none.
+Text found_text(Session& session, std::optional<std::int64_t> value) {
+  if (value) return {std::to_string(*value), std::to_string(*value)};
+  const Text why = why_no_genus(session.mesh(), session.euler_terms());
+  return {"none, " + why.en, "種数なし、" + why.ja};
 }
 
 }  // namespace
 
+std::string expect_syntax() {
+  std::string letters;
+  for (const EulerTerm& term : euler_letters()) letters += letters.empty() ? "" : "|", letters += term.letter;
+  return letters + " N|legal COMMAND|refused COMMAND|hash H";
+}
+
 Outcome run_expect(Session& session, std::span<const std::string_view> arguments, std::string_view whole) {
-  const Outcome usage =
-      usage_error("the command reads: expect V|E|F|B|H|S|G N | legal COMMAND | refused COMMAND | hash H",
-                  "書式：expect V|E|F|B|H|S|G N | legal COMMAND | refused COMMAND | hash H");
+  const Outcome usage = wrong_arguments("expect");
   if (arguments.size() < 2) return usage;
   const std::string_view what = arguments[0];
   if (what == "legal" || what == "refused") return expect_verdict(session, behind_word(whole), what == "legal");
@@ -95,9 +75,12 @@ Outcome run_expect(Session& session, std::span<const std::string_view> arguments
   }
   std::int64_t number = 0;
   if (!read_integer(expected, number)) return usage;
-  const std::optional<Term> term = find_term(session, what);
-  if (!term) return usage;
-  return term->value == number ? Outcome() : not_so(std::string(what) + " " + expected, term->found);
+  for (const EulerTerm& term : euler_letters()) {
+    if (what != std::string_view(&term.letter, 1)) continue;
+    const auto found = term.value(session.euler_terms());
+    return found == number ? Outcome() : not_so(std::string(what) + " " + expected, found_text(session, found));
+  }
+  return usage;
 }
 
 }  // namespace ryosen

@@ -24,6 +24,18 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return d[a.size()][b.size()];
 }
 
+std::string closest_word(std::string_view word, const std::vector<std::string>& known) {
+  std::string best;
+  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+  for (const std::string& candidate : known) {
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance >= least) continue;
+    least = distance;
+    best = candidate;
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<ScriptLine> split_script(std::string_view script) {
@@ -59,16 +71,11 @@ std::vector<ScriptLine> split_script(std::string_view script) {
   return lines;
 }
 
-std::string closest_word(std::string_view word, const std::vector<std::string>& known) {
-  std::string best;
-  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
-  for (const std::string& candidate : known) {
-    const std::size_t distance = edit_distance(word, candidate);
-    if (distance >= least) continue;
-    least = distance;
-    best = candidate;
-  }
-  return best;
+Text did_you_mean(std::string_view word, const std::vector<std::string>& known, HintForm form) {
+  const std::string best = closest_word(word.substr(0, 64), known);
+  if (best.empty()) return {};
+  if (form == HintForm::sentence) return {" Did you mean '" + best + "'?", "「" + best + "」のことですか。"};
+  return {"; did you mean " + best + "?", "。" + best + " ですか？"};
 }
 
 }  // namespace ryosen

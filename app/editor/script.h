@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace ryosen {
 
 struct ScriptLine {
@@ -16,7 +18,9 @@ struct ScriptLine {
 // within quotes `\"` does not end them (see words.h).
 std::vector<ScriptLine> split_script(std::string_view script);
 
-// The known word closest to a misspelt one, or empty if none is close.
-std::string closest_word(std::string_view word, const std::vector<std::string>& known);
+// Names the known word that is closest to a misspelt one, to be added to the sentence about it: "; did you mean x?", or
+// " Did you mean 'x'?" after a full stop. Empty if none is close.
+enum class HintForm { clause, sentence };
+Text did_you_mean(std::string_view word, const std::vector<std::string>& known, HintForm form = HintForm::clause);
 
 }  // namespace ryosen

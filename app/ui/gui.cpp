@@ -235,7 +235,7 @@ bool Gui::owns_keys() const {
 Outcome Gui::run(Session& session, const std::string& line) {
   // Without a file, ask for a name.
   const auto call = call_of(line);
-  if (call && call->row.file == FileAccess::writes_mesh && file_of(*call).empty() && session.document().path().empty())
+  if (call && call->row.effect == Effect::writes && file_of(*call).empty() && session.document().path().empty())
     return context(session).run("panel save");
   return context(session).run(line);
 }

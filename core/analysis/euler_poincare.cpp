@@ -11,6 +11,21 @@ namespace ryosen {
 
 namespace {
 
+using Terms = EulerPoincare;
+using Value = std::optional<std::int64_t>;
+
+constexpr EulerTerm letters[] = {
+    {'V', "vertices", "頂点", [](const Terms& t) -> Value { return t.vertices; }},
+    {'E', "edges", "稜線", [](const Terms& t) -> Value { return t.edges; }},
+    {'F', "faces", "面", [](const Terms& t) -> Value { return t.faces; }},
+    {'B', "boundary loops", "境界ループ", [](const Terms& t) -> Value { return t.boundary_loops; }},
+    {'W', "cycles along wires", "稜線だけの輪", [](const Terms& t) -> Value { return t.wire_cycles; }, true},
+    {'I', "isolated vertices", "孤立頂点", [](const Terms& t) -> Value { return t.isolated; }, true},
+    {'H', "rings of faces", "面の穴", [](const Terms& t) -> Value { return t.rings; }},
+    {'S', "connected parts", "つながった部分", [](const Terms& t) -> Value { return t.parts; }},
+    {'G', "handles", "種数", [](const Terms& t) -> Value { return t.genus; }},
+};
+
 Edge first_edge(const ProblemSets& sets, ProblemKind kind) { return Edge(sets.of(kind).nth(0)); }
 
 void take_counts(EulerPoincare& terms, const Mesh& mesh, const ProblemSets& sets, std::size_t boundary_loops) {
@@ -187,6 +202,8 @@ class TreeAndCotree {
 };
 
 }  // namespace
+
+std::span<const EulerTerm> euler_letters() { return letters; }
 
 EulerPoincare euler_poincare(const Mesh& mesh, const ProblemSets& sets) {
   Neighbourhood around(mesh, Neighbourhood::Reach::whole);

@@ -11,6 +11,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string_view>
 
 #include "core/analysis/problem_sets.h"
 #include "core/base/element.h"
@@ -52,6 +54,16 @@ struct EulerPoincare {
   bool holds() const { return genus && left() == right(); }
   friend bool operator==(const EulerPoincare&, const EulerPoincare&) = default;
 };
+
+// A term of the sum by its letter; `value` is empty for G where there is none.
+struct EulerTerm {
+  char letter;
+  std::string_view en, ja;
+  std::optional<std::int64_t> (*value)(const EulerPoincare&);
+  bool is_rare = false;  // 0 for most meshes
+};
+// In the order of the sum.
+std::span<const EulerTerm> euler_letters();
 
 // `sets` are those of the mesh as it is. O(edges), and a logarithm beside copies.
 EulerPoincare euler_poincare(const Mesh& mesh, const ProblemSets& sets);

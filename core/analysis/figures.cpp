@@ -27,23 +27,11 @@ void count_corners(std::uint64_t corners, Figures& figures) {
 }
 
 void count_quarantine(const Mesh& mesh, std::span<const QuarantinedFace> quarantine, Figures& figures) {
-  const auto repeats = row_of(ProblemKind::degenerate_repeat).quarantined;
   for (const QuarantinedFace& face : quarantine) {
     count_corners(face.corners.size(), figures);
-    figures.degenerate_repeat += repeats(face, mesh.file_vertices());
+    for (const ProblemRow& row : problem_table())
+      if (row.quarantined) figures[row.kind] += row.quarantined(face, mesh.file_vertices());
   }
-  figures.quarantined = quarantine.size();
-}
-
-void take_counts(const ProblemSets& sets, Figures& figures) {
-  figures.boundary_edges = sets.count(ProblemKind::boundary_loop);
-  figures.nonmanifold_edges = sets.count(ProblemKind::nonmanifold_edge);
-  figures.nonmanifold_vertices = sets.count(ProblemKind::nonmanifold_vertex);
-  figures.misoriented_edges = sets.count(ProblemKind::misoriented_edge);
-  figures.degenerate_area = sets.count(ProblemKind::degenerate_area);
-  figures.duplicate_faces = sets.count(ProblemKind::duplicate_face);
-  figures.hanging_pairs = sets.count(ProblemKind::hanging_pair);
-  figures.nonfinite_vertices = sets.count(ProblemKind::nonfinite_vertex);
 }
 
 void count_edges(Neighbourhood& around, Figures& figures) {
@@ -73,7 +61,7 @@ void count_vertices(Neighbourhood& around, const ProblemSets& sets, Figures& fig
   });
 }
 
-// As a file that is read again has them: what wires alone hold there has nothing.
+// What wires alone hold is isolated in a file that is read again.
 void count_isolated(Neighbourhood& around, const ProblemSets& sets, Figures& figures) {
   std::vector<Vertex> bare;
   sets.of(ProblemKind::wire).for_each([&](std::uint32_t i) {
@@ -82,7 +70,7 @@ void count_isolated(Neighbourhood& around, const ProblemSets& sets, Figures& fig
       if (around.fans(v) == 0) bare.push_back(around.point(v));
   });
   sort_unique(bare);
-  figures.isolated_vertices = sets.count(ProblemKind::isolated_vertex) + bare.size();
+  figures[ProblemKind::isolated_vertex] += bare.size();
 }
 
 // Bounds, area and volume of faces as they come.
@@ -110,7 +98,8 @@ class Measure {
   void report(Figures& figures) const {
     if (has_faces_) figures.bounds = {low_, high_};
     figures.area = area_;
-    if (figures.closed && figures.manifold && figures.misoriented_edges == 0 && all_finite_) figures.volume = volume_;
+    if (figures.closed && figures.manifold && figures[ProblemKind::misoriented_edge] == 0 && all_finite_)
+      figures.volume = volume_;
   }
 
  private:
@@ -198,15 +187,18 @@ Figures compute_figures(const Mesh& mesh, const ProblemSets& sets, std::span<con
   figures.quads = of_faces.quads;
   figures.polygons = of_faces.polygons;
   figures.components = components;
-  take_counts(sets, figures);
+  for (const ProblemRow& row : problem_table())
+    if (!row.figure.empty()) figures[row.kind] += sets.count(row.kind);
   count_quarantine(mesh, quarantine, figures);
   const std::uint64_t usable = mesh.live().faces;
   figures.faces = usable + quarantine.size();
   figures.rings += mesh.live().rings;
-  figures.euler_characteristic = static_cast<std::int64_t>(figures.vertices - figures.isolated_vertices + usable) -
-                                 static_cast<std::int64_t>(figures.edges + figures.rings);
-  figures.manifold = figures.nonmanifold_edges == 0 && figures.bowtie_vertices == 0;
-  figures.closed = usable > 0 && figures.boundary_edges == 0 && figures.nonmanifold_edges == 0;
+  figures.euler_characteristic =
+      static_cast<std::int64_t>(figures.vertices - figures[ProblemKind::isolated_vertex] + usable) -
+      static_cast<std::int64_t>(figures.edges + figures.rings);
+  figures.manifold = figures[ProblemKind::nonmanifold_edge] == 0 && figures.bowtie_vertices == 0;
+  figures.closed =
+      usable > 0 && figures[ProblemKind::boundary_loop] == 0 && figures[ProblemKind::nonmanifold_edge] == 0;
   if (figures.manifold && figures.orientable && usable > 0)
     figures.genus = (2 * static_cast<std::int64_t>(figures.components) - figures.euler_characteristic -
                      static_cast<std::int64_t>(figures.boundary_loops)) /

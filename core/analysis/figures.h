@@ -15,22 +15,19 @@
 namespace ryosen {
 
 struct Figures {
+  // How many elements there are of a kind that has a figure in its row; of boundary_loop its edges.
+  std::uint64_t operator[](ProblemKind kind) const { return counts[static_cast<std::size_t>(kind)]; }
+  std::uint64_t& operator[](ProblemKind kind) { return counts[static_cast<std::size_t>(kind)]; }
+  std::array<std::uint64_t, most_problem_kinds> counts{};
+
   // Of the file: quarantined faces and their corners count.
   std::uint64_t vertices = 0, corners = 0, faces = 0;
   std::uint64_t triangles = 0, quads = 0, polygons = 0;  // polygons: five or more corners
-  std::uint64_t quarantined = 0;
-  std::uint64_t degenerate_repeat = 0;  // quarantined faces, all corners in range, one repeated
 
   // Of the faces that take part in the mesh. Edges without a face do not count.
   std::uint64_t edges = 0;
   std::uint64_t rings = 0;
-  std::uint64_t boundary_edges = 0, boundary_loops = 0;
-  std::uint64_t nonmanifold_edges = 0, max_edge_faces = 0;
-  std::uint64_t nonmanifold_vertices = 0, bowtie_vertices = 0;
-  std::uint64_t misoriented_edges = 0;
-  std::uint64_t degenerate_area = 0;
-  std::uint64_t duplicate_faces = 0, hanging_pairs = 0;
-  std::uint64_t isolated_vertices = 0, nonfinite_vertices = 0;
+  std::uint64_t boundary_loops = 0, max_edge_faces = 0, bowtie_vertices = 0;
   std::uint64_t components = 0;
   std::int64_t euler_characteristic = 0;
   std::optional<std::int64_t> genus;  // only where manifold, orientable and not empty

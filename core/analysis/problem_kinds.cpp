@@ -7,6 +7,7 @@
 
 #include "core/analysis/equal_faces.h"
 #include "core/base/count_text.h"
+#include "core/base/open_table.h"
 #include "core/geometry/is_finite.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/copies.h"
@@ -106,7 +107,7 @@ bool repeats_corner(const QuarantinedFace& face, std::uint32_t file_vertices) {
 constexpr auto problem = ProblemSeverity::problem;
 constexpr auto info = ProblemSeverity::info;
 
-constexpr std::array<ProblemRow, problem_kinds> rows{{
+constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
     {.kind = ProblemKind::nonmanifold_edge,
      .id = "nonmanifold_edge",
      .severity = problem,
@@ -115,6 +116,9 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .one_en = "One edge carries three or more faces.",
      .many_en = "# edges carry three or more faces.",
      .many_ja = "三つ以上の面が接する稜線が # 本あります。",
+     .figure = "nonmanifold_edges",
+     .figure_en = "Edges of three or more faces.",
+     .figure_ja = "非多様体の稜線数。",
      .edge = is_nonmanifold_edge},
     {.kind = ProblemKind::nonmanifold_vertex,
      .id = "nonmanifold_vertex",
@@ -124,6 +128,9 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .one_en = "The faces at one vertex do not form a single fan, or it ends a non-manifold edge.",
      .many_en = "The faces at # vertices do not form a single fan, or they end non-manifold edges.",
      .many_ja = "周りの面が一つの扇にならないか、非多様体の稜線の端にある頂点が # 個あります。",
+     .figure = "nonmanifold_vertices",
+     .figure_en = "Vertices whose faces form no single fan, or where a non-manifold edge ends.",
+     .figure_ja = "非多様体の頂点数。",
      .vertex = is_nonmanifold_vertex},
     {.kind = ProblemKind::misoriented_edge,
      .id = "misoriented_edge",
@@ -133,6 +140,9 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .one_en = "The two faces at one edge are turned against each other.",
      .many_en = "The two faces at each of # edges are turned against each other.",
      .many_ja = "両側の面の向きが食い違う稜線が # 本あります。",
+     .figure = "misoriented_edges",
+     .figure_en = "Edges whose two faces are turned against each other.",
+     .figure_ja = "向きの不一致な稜線数。",
      .edge = is_misoriented_edge},
     {.kind = ProblemKind::degenerate_repeat,
      .id = "degenerate_repeat",
@@ -142,6 +152,9 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .one_en = "One face visits a vertex more than once.",
      .many_en = "# faces visit a vertex more than once.",
      .many_ja = "同じ頂点を二度以上通る面が # 個あります。",
+     .figure = "degenerate_repeat",
+     .figure_en = "Quarantined faces that visit a vertex twice.",
+     .figure_ja = "同じ頂点を繰り返すため隔離された面の数。",
      .quarantined = repeats_corner},
     {.kind = ProblemKind::degenerate_area,
      .id = "degenerate_area",
@@ -151,6 +164,9 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .one_en = "The corners of one face lie exactly on a line.",
      .many_en = "The corners of # faces lie exactly on a line.",
      .many_ja = "角がちょうど一直線に並ぶ、面積ゼロの面が # 個あります。",
+     .figure = "degenerate_area",
+     .figure_en = "Faces whose corners lie on a line.",
+     .figure_ja = "面積ゼロの面の数。",
      .face = is_degenerate_face},
     {.kind = ProblemKind::duplicate_face,
      .id = "duplicate_face",
@@ -160,6 +176,9 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .one_en = "One face has the same vertices as an earlier one.",
      .many_en = "# faces have the same vertices as an earlier one.",
      .many_ja = "前の面と同じ頂点を持つ重複面が # 個あります。",
+     .figure = "duplicate_faces",
+     .figure_en = "Faces with the same vertices as an earlier one.",
+     .figure_ja = "重複面の数。",
      .face = has_lower_equal_face,
      .find_all = find_duplicate_faces},
     {.kind = ProblemKind::hanging_pair,
@@ -170,6 +189,9 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .one_en = "Two triangles lie back to back and hang on one edge at most.",
      .many_en = "# pairs of triangles lie back to back and hang on one edge at most.",
      .many_ja = "背中合わせに重なり、高々一本の稜線でつながる三角形の組（縮退）が # 組あります。",
+     .figure = "hanging_pairs",
+     .figure_en = "Pairs of triangles back to back that hang on one edge at most.",
+     .figure_ja = "縮退（背中合わせの三角形）の組の数。",
      .face = closes_hanging_pair},
     {.kind = ProblemKind::isolated_vertex,
      .id = "isolated_vertex",
@@ -179,6 +201,9 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .one_en = "One vertex belongs to no face.",
      .many_en = "# vertices belong to no face.",
      .many_ja = "どの面にも属さない頂点が # 個あります。",
+     .figure = "isolated_vertices",
+     .figure_en = "Vertices that no face and no line uses.",
+     .figure_ja = "孤立頂点（面も線も使わない頂点）の数。",
      .vertex = is_isolated_vertex},
     {.kind = ProblemKind::nonfinite_vertex,
      .id = "nonfinite_vertex",
@@ -188,6 +213,9 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .one_en = "One vertex has a coordinate that is not a finite number.",
      .many_en = "# vertices have a coordinate that is not a finite number.",
      .many_ja = "座標が有限の数でない頂点が # 個あります。",
+     .figure = "nonfinite_vertices",
+     .figure_en = "Vertices with a coordinate that is no finite number.",
+     .figure_ja = "座標が有限でない頂点の数。",
      .vertex = is_nonfinite_vertex},
     {.kind = ProblemKind::quarantined_face,
      .id = "quarantined_face",
@@ -197,6 +225,9 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .one_en = "One face of the file cannot be connected and is kept aside.",
      .many_en = "# faces of the file cannot be connected and are kept aside.",
      .many_ja = "接続できず隔離されたファイル中の面が # 個あります。",
+     .figure = "quarantined",
+     .figure_en = "Faces that cannot take part in the mesh.",
+     .figure_ja = "隔離された面の数。",
      .quarantined = is_quarantined},
     {.kind = ProblemKind::self_intersection,
      .id = "self_intersection",
@@ -215,6 +246,9 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .one_en = "The surface has one boundary loop.",
      .many_en = "The surface has # boundary loops.",
      .many_ja = "曲面に境界ループが # 本あります。",
+     .figure = "boundary_edges",
+     .figure_en = "Edges of one face.",
+     .figure_ja = "境界の稜線数。",
      .edge = is_boundary_edge},
     {.kind = ProblemKind::ring,
      .id = "ring",
@@ -236,19 +270,22 @@ constexpr std::array<ProblemRow, problem_kinds> rows{{
      .edge = is_wire_edge},
 }};
 
-static_assert(rows_are_in_order(rows, &ProblemRow::kind));
+static_assert(rows_are_in_order(built_in, &ProblemRow::kind));
+
+constinit OpenTable<ProblemRow, most_problem_kinds> table(built_in);
 
 }  // namespace
 
 Text ProblemRow::sentence(std::size_t count) const { return count_text(count, one_en, many_en, many_ja); }
 
-std::span<const ProblemRow> problem_table() { return rows; }
-const ProblemRow& row_of(ProblemKind kind) { return rows[static_cast<std::size_t>(kind)]; }
+std::span<const ProblemRow> problem_table() { return table.rows(); }
+const ProblemRow& row_of(ProblemKind kind) { return table.rows()[static_cast<std::size_t>(kind)]; }
+const ProblemRow* find_problem_row(std::string_view id) { return table.find(id); }
 
-const ProblemRow* find_problem_row(std::string_view id) {
-  for (const ProblemRow& row : rows)
-    if (row.id == id) return &row;
-  return nullptr;
+ScopedProblem::ScopedProblem(ProblemRow row) : kind(static_cast<ProblemKind>(table.rows().size())) {
+  row.kind = kind;
+  table.add(row);
 }
+ScopedProblem::~ScopedProblem() { table.remove_last(); }
 
 }  // namespace ryosen

@@ -1,8 +1,8 @@
 // The one table of what Ryosen finds in a mesh: what each kind is called, how it is told from one element, how it
 // reads.
 //
-// To add a kind, write its predicate and its row. Panels and reports read the table, highlights name the kinds that they
-// mark. The figures of `check` are fixed fields, which take the kinds that they count by name (figures.cpp).
+// To add a kind, write its predicate and its row. Panels, reports and the figures of `check` read the table, highlights
+// name the kinds that they mark.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,8 @@ enum class ProblemKind : std::uint8_t {
   ring,
   wire,
 };
-inline constexpr std::size_t problem_kinds = enum_count<ProblemKind>;
+// So many rows are the most that there can be.
+inline constexpr std::size_t most_problem_kinds = 20;
 
 enum class ProblemSeverity : std::uint8_t { info, problem };
 
@@ -49,6 +50,8 @@ struct ProblemRow {
   ProblemSeverity severity;
   std::string_view name_en, name_ja;
   std::string_view one_en, many_en, many_ja;  // sentences; # stands for the number
+  // Where `check` has it among its figures: its key there, and what it counts, in a sentence.
+  std::string_view figure = {}, figure_en = {}, figure_ja = {};
 
   bool (*vertex)(Neighbourhood&, Vertex) = nullptr;
   bool (*edge)(Neighbourhood&, Edge) = nullptr;
@@ -67,5 +70,18 @@ std::span<const ProblemRow> problem_table();
 const ProblemRow& row_of(ProblemKind kind);
 // By id; null when there is none.
 const ProblemRow* find_problem_row(std::string_view id);
+
+// Adds a row at the end of the table while it lives: for programs with kinds of their own, and for tests. What was asked
+// of a mesh is made after and gone before it; no other thread reads the table when it comes and goes. The one made last
+// goes first.
+class ScopedProblem {
+ public:
+  explicit ScopedProblem(ProblemRow row);  // its kind is the next number
+  ~ScopedProblem();
+  ScopedProblem(const ScopedProblem&) = delete;
+  ScopedProblem& operator=(const ScopedProblem&) = delete;
+
+  const ProblemKind kind;
+};
 
 }  // namespace ryosen

@@ -10,7 +10,7 @@ namespace ryosen {
 
 namespace {
 
-using Members = std::array<std::vector<std::uint32_t>, problem_kinds>;
+using Members = std::array<std::vector<std::uint32_t>, most_problem_kinds>;
 
 // Asks one of `parts` parts of the vertices, of the edges and of the faces.
 void search_parts(Neighbourhood& around, unsigned part, unsigned parts, Members& members) {
@@ -70,7 +70,7 @@ ProblemSets::ProblemSets(const Mesh& mesh, unsigned threads) : had_copies_(mesh.
       search_parts(own ? *own : around, task - 1, parts, found[task - 1]);
   });
   for (const Members& members : found)
-    for (std::size_t kind = 0; kind < problem_kinds; ++kind)
+    for (std::size_t kind = 0; kind < most_problem_kinds; ++kind)
       for (const std::uint32_t i : members[kind]) sets_[kind].insert(i);
   find_further(around);
 }

@@ -66,7 +66,7 @@ class ProblemSets {
   void find_further(Neighbourhood& around);
   void list_edges_asked(Neighbourhood& around);
 
-  std::array<IndexSet, problem_kinds> sets_;
+  std::array<IndexSet, most_problem_kinds> sets_;
   IndexSet further_copies_, further_sheets_;  // all but the lowest of a point, and of an edge
   EditReach reach_;
   std::vector<Edge> edges_asked_;

@@ -30,7 +30,7 @@ std::string counted(std::uint64_t n, const std::string& one) {
 }  // namespace
 
 std::optional<Text> surface_name(const Figures& f) {
-  if (!f.manifold || f.components != 1 || f.edges == 0 || f.isolated_vertices > 0) return std::nullopt;
+  if (!f.manifold || f.components != 1 || f.edges == 0 || f[ProblemKind::isolated_vertex] > 0) return std::nullopt;
   const std::int64_t lost = 2 - f.euler_characteristic - static_cast<std::int64_t>(f.boundary_loops);
   if (lost < 0 || (f.orientable && lost % 2 != 0)) return std::nullopt;
   const std::int64_t parts = f.orientable ? lost / 2 : lost;

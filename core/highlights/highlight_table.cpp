@@ -1,9 +1,8 @@
 #include "core/highlights/highlight_table.h"
 
-#include <algorithm>
 #include <array>
-#include <cassert>
 
+#include "core/base/open_table.h"
 #include "core/highlights/creases.h"
 #include "core/highlights/seams.h"
 
@@ -96,36 +95,15 @@ constexpr std::array built_in{
                  .looks = {0xB3E05A, 0x4B7A00, LineStyle::dashed, 2.8f, PointShape::square, 4}},
 };
 
-static_assert(built_in.size() < most_highlights);
-
-struct Table {
-  std::array<HighlightRow, most_highlights> rows{};
-  std::size_t count = built_in.size();
-
-  Table() { std::copy(built_in.begin(), built_in.end(), rows.begin()); }
-};
-
-Table& table() {
-  static Table the_table;
-  return the_table;
-}
+constinit OpenTable<HighlightRow, most_highlights> table(built_in);
 
 }  // namespace
 
-std::span<const HighlightRow> highlight_table() { return {table().rows.data(), table().count}; }
+std::span<const HighlightRow> highlight_table() { return table.rows(); }
+const HighlightRow* find_highlight(std::string_view id) { return table.find(id); }
 
-const HighlightRow* find_highlight(std::string_view id) {
-  for (const HighlightRow& row : highlight_table())
-    if (row.id == id) return &row;
-  return nullptr;
-}
-
-ScopedHighlight::ScopedHighlight(const HighlightRow& row) {
-  assert(table().count < most_highlights && !find_highlight(row.id));
-  table().rows[table().count++] = row;
-}
-
-ScopedHighlight::~ScopedHighlight() { --table().count; }
+ScopedHighlight::ScopedHighlight(const HighlightRow& row) { table.add(row); }
+ScopedHighlight::~ScopedHighlight() { table.remove_last(); }
 
 Mark mark_of(ProblemKind kind) {
   const ProblemRow& row = row_of(kind);

@@ -1,8 +1,7 @@
 // The one table of what can be marked on a mesh: findings of problems, and what is no problem.
 //
 // To add a highlight, write its row, with a predicate where it marks no problem, and with a pair of line style and point
-// shape that no other has. The panel, the drawing, the legend, the
-// commands and their help read the table.
+// shape that no other has. The panel, the drawing, the legend, the commands and their help read the table.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +27,7 @@ class ProblemKinds {
   constexpr bool empty() const { return bits_ == 0; }
 
  private:
-  static_assert(problem_kinds <= 32);
+  static_assert(most_problem_kinds <= 32);
   static constexpr std::uint32_t bit(ProblemKind kind) { return std::uint32_t{1} << static_cast<unsigned>(kind); }
   std::uint32_t bits_ = 0;
 };
@@ -77,7 +76,7 @@ class ScopedHighlight {
 };
 
 // So many rows are the most that there can be.
-inline constexpr std::size_t most_highlights = 24;
+inline constexpr std::size_t most_highlights = 20;
 
 // Names a set of elements of one sort: the findings of one kind of problem, or what a predicate of a highlight says.
 struct Mark {
@@ -87,7 +86,7 @@ struct Mark {
   friend bool operator==(const Mark&, const Mark&) = default;
 };
 inline constexpr std::size_t own_marks = most_highlights * enum_count<Element::Kind>;
-inline constexpr std::size_t most_marks = own_marks + problem_kinds;
+inline constexpr std::size_t most_marks = own_marks + most_problem_kinds;
 
 // The mark of a kind that has a predicate about elements of the mesh.
 Mark mark_of(ProblemKind kind);

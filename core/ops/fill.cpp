@@ -5,7 +5,6 @@
 
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
-#include "core/ops/rules/face_geometry.h"
 #include "core/ops/rules/face_lists.h"
 #include "core/ops/rules/pinch.h"
 #include "core/ops/rules/sheets.h"
@@ -56,13 +55,7 @@ Verdict Fill::check(const Mesh& mesh) const {
   return verdict;
 }
 
-std::vector<Reason> doubts_of_filling(const Mesh& mesh, Halfedge halfedge) {
-  std::vector<Reason> reasons;
-  if (FaceGeometry(places_along(mesh, halfedge)).is_degenerate())
-    reasons.push_back({Rule::degenerate, {edge(halfedge)}});
-  warn_of_pinch(pinched_by_face(mesh, points_along(mesh, halfedge)), reasons);
-  return reasons;
-}
+std::vector<Reason> Fill::warnings(const Mesh& mesh) const { return warnings_of_face_in(mesh, halfedge); }
 
 OpEffect Fill::apply(Edit& edit) const {
   const Mesh& m = edit.mesh();

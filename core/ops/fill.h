@@ -16,9 +16,6 @@
 
 namespace ryosen {
 
-// What is doubtful about a face on the cycle of a boundary halfedge.
-std::vector<Reason> doubts_of_filling(const Mesh& mesh, Halfedge halfedge);
-
 struct Fill : OnHalfedge<Fill> {
   static constexpr OpInfo info{"fill",
                                "Fill hole",
@@ -33,7 +30,7 @@ struct Fill : OnHalfedge<Fill> {
   static Fill at(const Mesh& mesh, const OpTarget& target);
 
   Verdict check(const Mesh& mesh) const;
-  std::vector<Reason> warnings(const Mesh& mesh) const { return doubts_of_filling(mesh, halfedge); }
+  std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
 };
 

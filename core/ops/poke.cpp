@@ -44,19 +44,11 @@ Verdict Poke::check(const Mesh& mesh) const {
 std::vector<Reason> Poke::warnings(const Mesh& mesh) const {
   const glm::dvec3 p = position(mesh);
   const FacePolygon polygon(mesh, face);
-  const FaceGeometry before(polygon.places());
-  if (before.is_degenerate()) return {};
-  bool turned = false, degenerate = false;
-  const std::size_t n = polygon.places().size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const FaceGeometry part({polygon.places()[i], polygon.places()[(i + 1) % n], p});
-    degenerate = degenerate || part.is_degenerate();
-    turned = turned || before.turns_against(part);
-  }
-  std::vector<Reason> found;
-  if (turned) found.push_back({Rule::normal_turns, {face}});
-  if (degenerate) found.push_back({Rule::degenerate, {face}});
-  return found;
+  const std::vector<glm::dvec3>& places = polygon.places();
+  std::vector<FaceGeometry> parts;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    parts.push_back(FaceGeometry({places[i], places[(i + 1) % places.size()], p}));
+  return warnings_of_parts(face, FaceGeometry(places), parts);
 }
 
 OpEffect Poke::apply(Edit& edit) const {

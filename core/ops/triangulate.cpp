@@ -135,19 +135,11 @@ Verdict Triangulate::check(const Mesh& mesh) const {
 std::vector<Reason> Triangulate::warnings(const Mesh& mesh) const {
   if (!face) return {};
   const Cut cut = cut_of(mesh, face);
-  const FaceGeometry before(cut.polygon.keyhole_walk());
-  if (!cut.polygon.is_finite() || before.is_degenerate()) return {};
-  bool turned = false, degenerate = false;
-  for (const CornerTriangle& t : cut.triangles) {
-    const std::vector<glm::dvec3>& p = cut.polygon.places();
-    const FaceGeometry part{{p[t[0]], p[t[1]], p[t[2]]}};
-    degenerate = degenerate || part.is_degenerate();
-    turned = turned || before.turns_against(part);
-  }
-  std::vector<Reason> found;
-  if (turned) found.push_back({Rule::normal_turns, {face}});
-  if (degenerate) found.push_back({Rule::degenerate, {face}});
-  return found;
+  if (!cut.polygon.is_finite()) return {};
+  const std::vector<glm::dvec3>& p = cut.polygon.places();
+  std::vector<FaceGeometry> parts;
+  for (const CornerTriangle& t : cut.triangles) parts.push_back(FaceGeometry({p[t[0]], p[t[1]], p[t[2]]}));
+  return warnings_of_parts(face, FaceGeometry(cut.polygon.keyhole_walk()), parts);
 }
 
 OpEffect Triangulate::apply(Edit& edit) const {

@@ -51,8 +51,6 @@ class Bvh {
   void erase(std::uint32_t slot);
   // Refits after the positions of the slot's vertices changed.
   void update(std::span<const glm::dvec3> positions, std::uint32_t slot);
-  // Refits the whole tree after any positions changed: O(n), without rebuilding.
-  void update_all(std::span<const glm::dvec3> positions);
 
   // The first triangle hit by the ray, from either side; at equal t the smallest slot. Segments and points are never
   // hit.
@@ -76,12 +74,11 @@ class Bvh {
   Primitive primitive(std::uint32_t slot) const { return slot < primitives_.size() ? primitives_[slot] : Primitive{}; }
   std::size_t size() const { return live_; }  // primitives in the tree
   std::size_t bytes() const;
-  // Names the first violated invariant of nodes, boxes and slots, or returns null. For tests; O(n).
-  const char* find_defect(std::span<const glm::dvec3> positions) const;
 
  private:
   static constexpr std::uint32_t leaf_capacity = 4;
   friend class BvhBuilder;
+  friend struct BvhInspector;  // of the tests
 
   // Boxes are floats in the tree's frame, (p - origin_) * scale_, of magnitude about 1.
   struct alignas(16) Node {
@@ -124,7 +121,6 @@ class Bvh {
   void refit_upwards(std::uint32_t i, bool with_rotations);
   std::uint32_t new_pair();
   std::uint32_t new_block();
-  const char* find_defect_below(std::span<const glm::dvec3> positions, std::uint32_t top, std::size_t& seen) const;
 
   void cast_leaf(std::span<const glm::dvec3> positions, const RayCaster& caster, const Node& leaf, RayHit& best) const;
   using SlotVisitor = void (*)(void*, std::uint32_t);

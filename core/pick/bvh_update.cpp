@@ -53,33 +53,6 @@ void Bvh::update(std::span<const glm::dvec3> positions, std::uint32_t slot) {
   if (leaf != 0 && !is_same(old_box, new_box)) refit_upwards(parent(leaf), false);
 }
 
-void Bvh::update_all(std::span<const glm::dvec3> positions) {
-  if (live_ == 0) return rebuild(positions);
-  for (std::uint32_t slot = 0; slot < primitives_.size(); ++slot) {
-    const bool belongs = primitives_[slot].size() != 0 && is_finite(positions, primitives_[slot]);
-    if (belongs != (leaf_of_[slot] != no_index)) return rebuild(positions);
-  }
-  // Preorder, which is the memory order after a build; refit in reverse.
-  std::vector<std::uint32_t> order;
-  order.reserve(2 * pairs_.size());
-  SmallStack<std::uint32_t> open;
-  open.push(0);
-  while (!open.empty()) {
-    order.push_back(open.pop());
-    const Node& here = node(order.back());
-    if (here.count != 0) continue;
-    open.push(here.first + 1);
-    open.push(here.first);
-  }
-  for (std::size_t i = order.size(); i-- > 0;) {
-    const Node& here = node(order[i]);
-    const FloatBox fresh = here.count != 0 ? leaf_box(positions, here) : united(box(here.first), box(here.first + 1));
-    set_box(order[i], fresh);
-  }
-  reach_ = std::max(reach_, static_cast<double>(largest_magnitude(box(0))));
-  if (!(reach_ < static_cast<double>(largest_local))) rebuild(positions);
-}
-
 bool Bvh::is_finite(std::span<const glm::dvec3> positions, const Primitive& primitive) {
   // Branchless: finite * 0 is 0, while infinities and NaN give NaN.
   double sum = 0.0;

@@ -4,46 +4,15 @@
 
 #include <cstdlib>
 
-#include "app/cli/run.h"
 #include "app/editor/autosave.h"
 #include "app/editor/command_syntax.h"
 #include "app/editor/commands.h"
 #include "app/editor/keys.h"
-#include "tests/support/app/program.h"
+#include "tests/support/app/algorithm_call.h"
 #include "tests/support/core/scatter_algorithm.h"
 
 namespace ryosen::test {
 namespace {
-
-std::string flag(std::string_view id) {
-  std::string text = "--" + std::string(id);
-  std::replace(text.begin(), text.end(), '_', '-');
-  return text;
-}
-
-// Flags that give every parameter without an initial value one.
-std::vector<std::string> flags_of(const AlgorithmRow& row) {
-  std::vector<std::string> flags;
-  for (const ParameterRow& parameter : row.parameters) {
-    if (!parameter.initial.empty()) continue;
-    flags.push_back(flag(parameter.id));
-    flags.push_back(parameter.kind == ParameterKind::elements ? "v0"
-                    : parameter.kind == ParameterKind::length ? "0.01"
-                                                              : "1");
-  }
-  return flags;
-}
-
-ProgramRun run_here(std::vector<std::string> words, const std::vector<std::string>& further = {}) {
-  words.insert(words.end(), further.begin(), further.end());
-  ProgramRun run;
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  run.exit_code = static_cast<int>(cli::run(words));
-  run.out = testing::internal::GetCapturedStdout();
-  run.err = testing::internal::GetCapturedStderr();
-  return run;
-}
 
 // Two triangles beside each other whose common points lie a thousandth apart.
 constexpr const char* loose = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1.001 0 0\nv 0 1.001 0\nv 1 1 0\nf 1 2 3\nf 4 6 5\n";
@@ -74,12 +43,12 @@ TEST_F(Algorithms, are_subcommands_with_a_flag_for_each_parameter) {
     const std::string help = run_here({"help", id, "--lang", "en"}).out,
                       japanese = run_here({"help", id, "--lang", "ja"}).out;
     for (const ParameterRow& parameter : row.parameters) {
-      EXPECT_NE(help.find(flag(parameter.id) + " " + placeholder(parameter)), std::string::npos) << help;
+      EXPECT_NE(help.find(cli::flag_of(parameter) + " " + placeholder(parameter)), std::string::npos) << help;
       EXPECT_NE(help.find(described(parameter).en), std::string::npos) << help;
       EXPECT_NE(japanese.find(described(parameter).ja), std::string::npos) << japanese;
     }
     EXPECT_EQ(run_here({"help", id, "--json"}).line()["flags"].size(), row.parameters.size() + 2);
-    const ProgramRun run = run_here({id, input, "-o", output, "--json"}, flags_of(row));
+    const ProgramRun run = run_here(words_for(row, input), {"-o", output, "--json"});
     ASSERT_LE(run.exit_code, 1) << id << run.err;
     const Json report = run.line();
     EXPECT_EQ(report["algorithm"], id);
@@ -104,6 +73,7 @@ TEST_F(Algorithms, of_the_program_run_as_repair_does) {
   EXPECT_EQ(alone["changed"], 2);
   EXPECT_EQ(alone["changed"], listed["repairs"][0]["changed"]);
   EXPECT_EQ(alone["parameters"]["distance"], 0.5);
+  EXPECT_EQ(alone["parameters"], listed["repairs"][0]["parameters"]);
   EXPECT_EQ(alone["problems"], listed["problems"]);
   const ProgramRun wrong = run_program({"weld_close", input, "--distance", "-1"});
   EXPECT_EQ(wrong.exit_code, 2);

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
+#include <sstream>
 
-#include "app/cli/algorithm_flags.h"
+#include "app/cli/exit_codes.h"
+#include "tests/support/app/algorithm_call.h"
 #include "tests/support/app/contract.h"
 
 namespace {
@@ -97,14 +100,6 @@ void sweep_inputs_and_outputs(Sweep& sweep) {
   sweep.run({"edit", mesh, "--do", "save o.off", "-o", "o.off"});
 }
 
-// The subcommand of an algorithm; a parameter that must be given is a small number here.
-std::vector<std::string> call_of(const ryosen::AlgorithmRow& row, const std::string& file) {
-  std::vector<std::string> arguments{std::string(row.id), file};
-  for (const ryosen::ParameterRow& parameter : row.parameters)
-    if (parameter.is_required) arguments.insert(arguments.end(), {ryosen::cli::flag_of(parameter), "0.001"});
-  return arguments;
-}
-
 // Every command that reads a mesh, on one that is not there and on one that is malformed.
 void sweep_refused_inputs(Sweep& sweep) {
   const std::string bad = sweep.folder().write("bad.obj", "v 0 0 x\n");
@@ -116,7 +111,7 @@ void sweep_refused_inputs(Sweep& sweep) {
     sweep.run({"convert", file, "-o", "o.obj"});
     sweep.run({"shot", file, "-o", "o.png"});
     sweep.run({"forms", file});
-    for (const ryosen::AlgorithmRow& row : ryosen::algorithm_table()) sweep.run(call_of(row, file));
+    for (const ryosen::AlgorithmRow& row : ryosen::algorithm_table()) sweep.run(words_for(row, file));
   }
   sweep.run({"check", asset("tetrahedron.off"), bad});
 }
@@ -125,7 +120,7 @@ void sweep_refused_inputs(Sweep& sweep) {
 void sweep_algorithms(Sweep& sweep) {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nv 9 9 9\nv 1e999 0 0\n";
   const std::string mesh = sweep.folder().write("problems.obj", points + "f 1 2 3\nf 1 2 4\nf 1 2 5\nf 1 1 2\n");
-  for (const ryosen::AlgorithmRow& row : ryosen::algorithm_table()) sweep.run(call_of(row, mesh));
+  for (const ryosen::AlgorithmRow& row : ryosen::algorithm_table()) sweep.run(words_for(row, mesh));
 }
 
 void sweep_runs(Sweep& sweep) {
@@ -304,6 +299,17 @@ TEST(contract, names_what_every_command_prints) {
   std::vector<std::string> known;
   for (const Json& line : run_program({"help", "--json"}).lines()) known.push_back(line["command"]);
   EXPECT_EQ(commands, known);
+}
+
+TEST(contract, the_readme_names_every_exit_code) {
+  const std::string readme = read_file(std::string(RYOSEN_SOURCE_DIR) + "/README.md");
+  const std::size_t begin = readme.find("exit codes are "), end = readme.find('.', begin);
+  std::set<int> named, known;
+  std::istringstream words(readme.substr(begin, end - begin));
+  for (std::string word; words >> word;)
+    if (std::isdigit(static_cast<unsigned char>(word[0])) != 0) named.insert(std::stoi(word));
+  for (const ryosen::cli::ExitCodeText& row : ryosen::cli::exit_code_texts()) known.insert(static_cast<int>(row.code));
+  EXPECT_EQ(named, known);
 }
 
 // What a test is told of a run that does not fit.

@@ -95,7 +95,7 @@ TEST(edit, a_line_that_does_not_parse_is_found_before_anything_is_written) {
                             "expect",
                             "expect X 1",
                             "expect V many",
-                            "expect W 1",
+                            "expect w 1",
                             "expect G",
                             "expect F 6x",
                             "expect legal",

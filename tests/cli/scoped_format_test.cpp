@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include "app/cli/check_report.h"
-#include "app/cli/run.h"
 #include "app/editor/session.h"
 #include "core/io/formats.h"
 #include "tests/support/app/program.h"
@@ -11,6 +10,8 @@
 namespace ryosen {
 namespace {
 
+using test::ProgramRun;
+using test::run_here;
 using test::TemporaryFolder;
 
 // "dot N": N points. Ends in N where N is no number.
@@ -32,18 +33,6 @@ Format dots_format() {
   return format;
 }
 
-struct Ended {
-  ExitCode code;
-  std::string out, err;
-};
-
-Ended run_here(const std::vector<std::string>& arguments) {
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  const ExitCode code = cli::run(arguments);
-  return {code, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
-}
-
 TEST(scoped_format, is_read_by_every_command_and_written_by_none) {
   const TemporaryFolder folder;
   folder.write("a.dots", "dot 3\n");
@@ -55,19 +44,19 @@ TEST(scoped_format, is_read_by_every_command_and_written_by_none) {
   EXPECT_NE(run_here({"formats", "--json"})
                 .out.find("\"extensions\":[\".dots\"],\"variants\":[],\"read\":true,\"write\":false"),
             std::string::npos);
-  const Ended checked = run_here({"check", "--json", folder.path().string()});
-  EXPECT_EQ(checked.code, ExitCode::some_inputs_failed) << "the folder is walked over its extension";
+  const ProgramRun checked = run_here({"check", "--json", folder.path().string()});
+  EXPECT_EQ(checked.exit_code, 9) << "the folder is walked over its extension";
   EXPECT_NE(checked.out.find("a.dots\",\"format\":\"dots\",\"status\":\"warnings\",\"vertices\":3"), std::string::npos);
   EXPECT_NE(checked.out.find("bad.dots\",\"format\":\"dots\",\"status\":\"error\""), std::string::npos);
 
   const std::string in = folder.at("a.dots"), out = folder.at("b.dots"), obj = folder.at("b.obj");
-  for (const Ended& refused : {run_here({"convert", in, "-o", out, "--lang", "en"}),
-                               run_here({"convert", in, "-o", obj, "--format", "dots", "--lang", "en"}),
-                               run_here({"edit", in, "-o", out, "--do", "undo", "--lang", "en"})}) {
-    EXPECT_EQ(refused.code, ExitCode::usage);
+  for (const ProgramRun& refused : {run_here({"convert", in, "-o", out, "--lang", "en"}),
+                                    run_here({"convert", in, "-o", obj, "--format", "dots", "--lang", "en"}),
+                                    run_here({"edit", in, "-o", out, "--do", "undo", "--lang", "en"})}) {
+    EXPECT_EQ(refused.exit_code, 2);
     EXPECT_NE(refused.err.find("dots are only read, not written"), std::string::npos) << refused.err;
   }
-  EXPECT_EQ(run_here({"convert", in, "-o", obj}).code, ExitCode::done);
+  EXPECT_EQ(run_here({"convert", in, "-o", obj}).exit_code, 0);
 
   Session session(std::make_unique<Document>());
   EXPECT_TRUE(session.run("open " + in).done());
@@ -85,11 +74,19 @@ TEST(check_report, reads_a_refused_file_once) {
   constexpr std::string_view text = "v 0 0 0\nv x 0 0\n";
   ASSERT_EQ(::write(ends[1], text.data(), text.size()), static_cast<ssize_t>(text.size()));
   ::close(ends[1]);
-  const cli::CheckReport report = cli::check_file("/dev/fd/" + std::to_string(ends[0]), false);
+  const cli::CheckReport report = cli::check_file("/dev/fd/" + std::to_string(ends[0]));
   ::close(ends[0]);
   ASSERT_TRUE(report.failure);
   EXPECT_EQ(report.failure->message.code, "unreadable_number");
   EXPECT_EQ(report.format, "obj");
+}
+
+TEST(check_report, has_what_was_asked_for) {
+  const std::string cube = test::asset("cube.obj");
+  EXPECT_NE(cli::check_file(cube).kind.reason.en, "");
+  EXPECT_EQ(cli::check_file(cube, {.kind = false}).kind.reason.en, "");
+  EXPECT_EQ(cli::check_file(cube).figures.vertices, 8u);
+  EXPECT_EQ(cli::check_file(cube, {.figures = false}).figures.vertices, 0u);
 }
 
 }  // namespace

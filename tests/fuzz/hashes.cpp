@@ -39,7 +39,7 @@ void print_figures(const std::string& name, const Mesh& mesh) {
   const Figures figures = compute_figures(mesh);
   print(name + " area", std::bit_cast<std::uint64_t>(figures.area));
   print(name + " volume", std::bit_cast<std::uint64_t>(figures.volume.value_or(0)));
-  print(name + " degenerate", figures.degenerate_area);
+  print(name + " degenerate", figures[ProblemKind::degenerate_area]);
 }
 
 bool commit(Mesh& mesh, const AnyOp& op) {

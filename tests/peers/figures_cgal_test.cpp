@@ -51,8 +51,9 @@ std::vector<Named> clean_meshes() {
       Result<MeshFile> file = read_mesh_file(entry.path());
       if (!file.ok() || !file->mesh.quarantine.empty() || file->mesh.face_count() == 0) continue;
       const Figures figures = compute_figures(from_indexed(file->mesh));
-      const bool is_clean = figures.manifold && figures.orientable && figures.misoriented_edges == 0 &&
-                            figures.isolated_vertices == 0 && figures.nonfinite_vertices == 0 && figures.rings == 0;
+      const bool is_clean = figures.manifold && figures.orientable && figures[ProblemKind::misoriented_edge] == 0 &&
+                            figures[ProblemKind::isolated_vertex] == 0 && figures[ProblemKind::nonfinite_vertex] == 0 &&
+                            figures.rings == 0;
       if (is_clean) meshes.push_back({entry.path().filename().string(), std::move(file->mesh)});
     }
   }
@@ -115,7 +116,7 @@ TEST(figures_against_cgal, of_clean_meshes) {
       EXPECT_NEAR(*figures.volume, pmp::volume(*peer), 1e-9 * std::abs(*figures.volume));
     }
     const auto is_flat = [&](Peer::Face_index face) { return pmp::is_degenerate_triangle_face(face, *peer); };
-    EXPECT_EQ(figures.degenerate_area, std::count_if(peer->faces_begin(), peer->faces_end(), is_flat));
+    EXPECT_EQ(figures[ProblemKind::degenerate_area], std::count_if(peer->faces_begin(), peer->faces_end(), is_flat));
   }
   EXPECT_GE(closed, 2u);
   EXPECT_GE(open, 2u);

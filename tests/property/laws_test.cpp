@@ -117,11 +117,32 @@ struct Stated {
   std::vector<Change> of(const UniteEdge&) const { return {{.v = -1, .e = -1}}; }
   std::vector<Change> of(const MakeRing&) const { return {{.e = -1, .h = 1}}; }
   std::vector<Change> of(const UniteRing&) const { return {{.e = 1, .h = -1}}; }
-  template <class Op>
-  std::vector<Change> of(const Op&) const {
-    return {};
-  }
 };
+
+template <class Laws, class Op>
+concept HasLawOf = requires(const Laws& laws, const Op& op) {
+  laws.of(op);
+};
+
+// What the laws say of the operator; nothing where they have none for it.
+template <class Laws>
+auto law_of(const Laws& laws, const AnyOp& op) {
+  using Law = decltype(laws.of(MakeLoop{}));
+  return std::visit(
+      [&]<class Op>(const Op& o) -> Law {
+        if constexpr (HasLawOf<Laws, Op>) return laws.of(o);
+        return {};
+      },
+      op);
+}
+
+// How many operators they have one for.
+template <class Laws, class... Op>
+constexpr std::size_t count_laws(const std::variant<Op...>*) {
+  return (std::size_t{HasLawOf<Laws, Op>} + ...);
+}
+template <class Laws>
+constexpr std::size_t law_count = count_laws<Laws>(static_cast<const AnyOp*>(nullptr));
 
 TEST(laws, the_terms_of_the_sum_change_as_stated) {
   std::map<std::string, std::size_t> compared, refused;
@@ -141,7 +162,7 @@ TEST(laws, the_terms_of_the_sum_change_as_stated) {
         const KernelSum is = kernel_sum(after);
         ASSERT_EQ(is.left(), is.right()) << command_of(mesh, op);
         ASSERT_GE(is.genus, 0) << command_of(mesh, op);
-        const auto stated = std::visit([&](const auto& o) { return Stated{mesh}.of(o); }, op);
+        const auto stated = law_of(Stated{mesh}, op);
         if (stated.empty()) continue;
         ++compared[std::string(info_of(op).id)];
         const Change change = difference(was, is);
@@ -152,7 +173,7 @@ TEST(laws, the_terms_of_the_sum_change_as_stated) {
   }
   for (const auto& [id, count] : compared)
     std::cout << "  " << id << ": " << count << ", refused " << refused[id] << "\n";
-  EXPECT_EQ(compared.size(), 21u);
+  EXPECT_EQ(compared.size(), law_count<Stated>) << "each law was tried";
 }
 
 // The operator that takes one back, asked after it; none where the header names none or none in this case.
@@ -203,10 +224,6 @@ struct Inverse {
     return UniteRing{before.prev(h), before.prev(twin(h))};
   }
   std::optional<AnyOp> of(const Fill& op) const { return DeleteLoop{after.face(op.halfedge)}; }
-  template <class Op>
-  std::optional<AnyOp> of(const Op&) const {
-    return {};
-  }
 };
 
 TEST(laws, the_inverse_gives_the_list_before) {
@@ -221,7 +238,7 @@ TEST(laws, the_inverse_gives_the_list_before) {
         const AnyOp op = random_op(mesh, place, dice);
         Mesh after = mesh;
         if (!try_apply(after, nullptr, op)) continue;
-        const auto inverse = std::visit([&](const auto& o) { return Inverse{mesh, after}.of(o); }, op);
+        const auto inverse = law_of(Inverse{mesh, after}, op);
         if (!inverse) continue;
         const std::string line = command_of(mesh, op) + ", " + command_of(after, *inverse);
         ASSERT_TRUE(try_apply(after, nullptr, *inverse))
@@ -234,7 +251,7 @@ TEST(laws, the_inverse_gives_the_list_before) {
       }
   }
   for (const auto& [id, count] : proved) std::cout << "  " << id << ": " << count << "\n";
-  EXPECT_EQ(proved.size(), 15u);
+  EXPECT_EQ(proved.size(), law_count<Inverse>) << "each law was tried";
 }
 
 }  // namespace

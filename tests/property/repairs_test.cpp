@@ -153,12 +153,13 @@ class Repairs : public testing::Test {
 TEST_F(Repairs, duplicates_go_and_every_shape_stays) {
   on_all("remove_duplicates", {}, [](const Mesh& before, const Mesh& after, const Proved& proved) {
     EXPECT_EQ(as_set(loops_of_all(before, true)), as_set(loops_of_all(after, true)));
-    EXPECT_EQ(proved.after.duplicate_faces, proved.result.left);
+    EXPECT_EQ(proved.after[ProblemKind::duplicate_face], proved.result.left);
     EXPECT_EQ(proved.before.faces - proved.after.faces, proved.result.changed);
-    EXPECT_EQ(proved.before.duplicate_faces - proved.after.duplicate_faces, proved.result.changed);
+    EXPECT_EQ(proved.before[ProblemKind::duplicate_face] - proved.after[ProblemKind::duplicate_face],
+              proved.result.changed);
     EXPECT_EQ(places_of(before), places_of(after));
-    EXPECT_EQ(proved.after.hanging_pairs, 0u);
-    EXPECT_EQ(proved.before.isolated_vertices, proved.after.isolated_vertices);
+    EXPECT_EQ(proved.after[ProblemKind::hanging_pair], 0u);
+    EXPECT_EQ(proved.before[ProblemKind::isolated_vertex], proved.after[ProblemKind::isolated_vertex]);
   });
 }
 
@@ -167,20 +168,20 @@ TEST_F(Repairs, equal_points_become_one_where_the_surface_stays_sound) {
     EXPECT_EQ(loops_of_all(before, false), loops_of_all(after, false));
     EXPECT_EQ(places_of(before), places_of(after));
     EXPECT_EQ(proved.before.vertices - proved.after.vertices, proved.result.changed);
-    EXPECT_LE(proved.after.nonmanifold_edges, proved.before.nonmanifold_edges);
-    EXPECT_LE(proved.after.nonmanifold_vertices, proved.before.nonmanifold_vertices);
-    EXPECT_LE(proved.after.duplicate_faces, proved.before.duplicate_faces);
-    EXPECT_LE(proved.after.boundary_edges, proved.before.boundary_edges);
+    EXPECT_LE(proved.after[ProblemKind::nonmanifold_edge], proved.before[ProblemKind::nonmanifold_edge]);
+    EXPECT_LE(proved.after[ProblemKind::nonmanifold_vertex], proved.before[ProblemKind::nonmanifold_vertex]);
+    EXPECT_LE(proved.after[ProblemKind::duplicate_face], proved.before[ProblemKind::duplicate_face]);
+    EXPECT_LE(proved.after[ProblemKind::boundary_loop], proved.before[ProblemKind::boundary_loop]);
   });
 }
 
 TEST_F(Repairs, orienting_turns_faces_and_keeps_them) {
   on_all("orient", {}, [](const Mesh& before, const Mesh& after, const Proved& proved) {
     EXPECT_EQ(loops_of_all(before, true), loops_of_all(after, true));
-    EXPECT_LE(proved.after.misoriented_edges, proved.before.misoriented_edges);
-    EXPECT_EQ(proved.after.nonmanifold_edges, proved.before.nonmanifold_edges);
+    EXPECT_LE(proved.after[ProblemKind::misoriented_edge], proved.before[ProblemKind::misoriented_edge]);
+    EXPECT_EQ(proved.after[ProblemKind::nonmanifold_edge], proved.before[ProblemKind::nonmanifold_edge]);
     if (proved.before.orientable) {
-      EXPECT_EQ(proved.after.misoriented_edges, 0u);
+      EXPECT_EQ(proved.after[ProblemKind::misoriented_edge], 0u);
     }
   });
 }
@@ -188,26 +189,26 @@ TEST_F(Repairs, orienting_turns_faces_and_keeps_them) {
 TEST_F(Repairs, detaching_leaves_a_manifold_with_the_same_faces) {
   on_all("detach_nonmanifold", {}, [](const Mesh& before, const Mesh& after, const Proved& proved) {
     EXPECT_EQ(loops_of_all(before, false), loops_of_all(after, false));
-    EXPECT_EQ(proved.after.nonmanifold_edges, 0u);
-    EXPECT_EQ(proved.after.nonmanifold_vertices, 0u);
+    EXPECT_EQ(proved.after[ProblemKind::nonmanifold_edge], 0u);
+    EXPECT_EQ(proved.after[ProblemKind::nonmanifold_vertex], 0u);
     EXPECT_TRUE(proved.after.manifold);
-    EXPECT_EQ(proved.after.isolated_vertices, proved.before.isolated_vertices);
+    EXPECT_EQ(proved.after[ProblemKind::isolated_vertex], proved.before[ProblemKind::isolated_vertex]);
   });
 }
 
 TEST_F(Repairs, isolated_vertices_go_alone) {
   on_all("remove_isolated", {}, [](const Mesh& before, const Mesh& after, const Proved& proved) {
     EXPECT_EQ(loops_of_all(before, false), loops_of_all(after, false));
-    EXPECT_EQ(proved.after.isolated_vertices, 0u);
-    EXPECT_EQ(proved.result.changed, proved.before.isolated_vertices);
+    EXPECT_EQ(proved.after[ProblemKind::isolated_vertex], 0u);
+    EXPECT_EQ(proved.result.changed, proved.before[ProblemKind::isolated_vertex]);
     EXPECT_EQ(proved.before.vertices - proved.after.vertices, proved.result.changed);
   });
 }
 
 TEST_F(Repairs, faces_without_area_go_and_the_surface_keeps_its_area) {
   on_all("remove_degenerate", {}, [](const Mesh&, const Mesh&, const Proved& proved) {
-    EXPECT_EQ(proved.after.degenerate_area, 0u);
-    EXPECT_EQ(proved.result.changed, proved.before.degenerate_area);
+    EXPECT_EQ(proved.after[ProblemKind::degenerate_area], 0u);
+    EXPECT_EQ(proved.result.changed, proved.before[ProblemKind::degenerate_area]);
     EXPECT_LE(proved.after.faces, proved.before.faces);
   });
 }
@@ -237,12 +238,12 @@ TEST_F(Repairs, holes_are_filled_and_nothing_else_changes) {
                       ? after.is_alive(Face(i)) && loop_of(before, Face(i), false) == loop_of(after, Face(i), false)
                       : !after.is_alive(Face(i)));
     if (proved.result.left == 0) {
-      EXPECT_EQ(proved.after.boundary_edges, 0u);
+      EXPECT_EQ(proved.after[ProblemKind::boundary_loop], 0u);
     }
-    EXPECT_LE(proved.after.nonmanifold_edges, proved.before.nonmanifold_edges);
+    EXPECT_LE(proved.after[ProblemKind::nonmanifold_edge], proved.before[ProblemKind::nonmanifold_edge]);
     EXPECT_LE(proved.after.bowtie_vertices, proved.before.bowtie_vertices);
-    EXPECT_LE(proved.after.misoriented_edges, proved.before.misoriented_edges);
-    EXPECT_LE(proved.after.duplicate_faces, proved.before.duplicate_faces);
+    EXPECT_LE(proved.after[ProblemKind::misoriented_edge], proved.before[ProblemKind::misoriented_edge]);
+    EXPECT_LE(proved.after[ProblemKind::duplicate_face], proved.before[ProblemKind::duplicate_face]);
   });
 }
 

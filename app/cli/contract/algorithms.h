@@ -5,44 +5,8 @@
 
 namespace ryosen::cli {
 
-inline constexpr JsonKey repair_step_keys[] = {
-    {"kind", "string", "The repair.", "修復。", ids_of(Ids::repairs)},
-    {"number", "number or null", "Its number; null where it takes none or none was given.",
-     "修復の数値。取らない、または指定がないとき null。"},
-    {"changed", "integer", "How many places were mended.", "直した箇所の数。"},
-    {"left", "integer", "How many were found and could not be.", "見つけたが直せなかった箇所の数。"},
-    {"solves", "array of string", "The kinds of problems it is for.", "対象とする問題の種類。", ids_of(Ids::problems)},
-    {"en", "string", "What was done, in English.", "したこと（英語）。"},
-    {"ja", "string", "What was done, in Japanese.", "したこと（日本語）。"},
-};
-inline constexpr Shape repair_step_shape{"repair_step", "One repair.", "一つの修復。", repair_step_keys};
-
-inline constexpr JsonKey repair_keys[] = {
-    {"file", "string", "The input, as it was named.", "指定されたとおりの入力。"},
-    {"output", "string or null", "The file that was written; null where nothing was.",
-     "書き出したファイル。なければ null。"},
-    {"status", "string", "ok; warnings where problems are left or something is lost; error where it was not written.",
-     "ok。問題が残るか失われるものがあれば warnings、書き出せなければ error。", words("ok warnings error")},
-    {"repairs", "array of object", "The repairs in the order in which they were done.", "行った修復（順に）。",
-     objects(repair_step_shape)},
-    {"vertices", "integer", "As in check, after the repairs.", "修復後の頂点数（check と同じ）。"},
-    {"edges", "integer", "As in check, after the repairs.", "修復後の稜線数（check と同じ）。"},
-    {"faces", "integer", "As in check, after the repairs.", "修復後の面数（check と同じ）。"},
-    {"hash", "string", "As in check, after the repairs.", "修復後のハッシュ値（check と同じ）。"},
-    {"problems", "array of object", "What is left, named as in the output.", "残った問題（出力での名前）。",
-     objects(problem_shape)},
-    {"messages", "array of object", "What reading had to say, and what the output loses; or why it was not written.",
-     "読み込み時のメッセージと出力で失われるもの、または書き出せなかった理由。", objects(message_shape)},
-};
-inline constexpr Shape repair_shape{"repair", "One line.", "一行。", repair_keys};
-
-inline constexpr JsonKey algorithm_keys[] = {
-    {"file", "string", "The input, as it was named.", "指定されたとおりの入力。"},
-    {"output", "string or null", "The file that was written; null where nothing was.",
-     "書き出したファイル。なければ null。"},
-    {"status", "string", "ok; warnings where problems are left or something is lost; error where it was not written.",
-     "ok。問題が残るか失われるものがあれば warnings、書き出せなければ error。", words("ok warnings error")},
-    {"algorithm", "string", "The algorithm.", "アルゴリズム。", ids_of(Ids::algorithms)},
+// What one algorithm did.
+inline constexpr JsonKey result_keys[] = {
     {"parameters", "object", "By parameter the value that was used; null where none was given.",
      "パラメーターごとの値。指定がなければ null。"},
     {"changed", "integer", "How many places were changed.", "変更した箇所の数。"},
@@ -50,22 +14,51 @@ inline constexpr JsonKey algorithm_keys[] = {
     {"solves", "array of string", "The kinds of problems it is for.", "対象とする問題の種類。", ids_of(Ids::problems)},
     {"en", "string", "What was done, in English.", "したこと（英語）。"},
     {"ja", "string", "What was done, in Japanese.", "したこと（日本語）。"},
-    {"vertices", "integer", "As in check, after the algorithm.", "実行後の頂点数（check と同じ）。"},
-    {"edges", "integer", "As in check, after the algorithm.", "実行後の稜線数（check と同じ）。"},
-    {"faces", "integer", "As in check, after the algorithm.", "実行後の面数（check と同じ）。"},
-    {"hash", "string", "As in check, after the algorithm.", "実行後のハッシュ値（check と同じ）。"},
+};
+
+inline constexpr JsonKey repair_id_keys[] = {
+    {"kind", "string", "The repair.", "修復。", ids_of(Ids::repairs)},
+    {"number", "number or null", "The first of its parameters; null where it takes none or none was given.",
+     "最初のパラメーターの数値。取らない、または指定がないとき null。"},
+};
+inline constexpr auto repair_step_keys = joined(repair_id_keys, result_keys);
+inline constexpr Shape repair_step_shape{"repair_step", "One repair.", "一つの修復。", repair_step_keys};
+
+// What a run of one or several began with and came to.
+inline constexpr JsonKey run_keys[] = {
+    {"file", "string", "The input, as it was named.", "指定されたとおりの入力。"},
+    {"output", "string or null", "The file that was written; null where nothing was.",
+     "書き出したファイル。なければ null。"},
+    {"status", "string", "ok; warnings where problems are left or something is lost; error where it was not written.",
+     "ok。問題が残るか失われるものがあれば warnings、書き出せなければ error。", words("ok warnings error")},
+};
+inline constexpr JsonKey outcome_keys[] = {
+    {"vertices", "integer", "As in check, at the end.", "実行後の頂点数（check と同じ）。"},
+    {"edges", "integer", "As in check, at the end.", "実行後の稜線数（check と同じ）。"},
+    {"faces", "integer", "As in check, at the end.", "実行後の面数（check と同じ）。"},
+    {"hash", "string", "As in check, at the end.", "実行後のハッシュ値（check と同じ）。"},
     {"problems", "array of object", "What is left, named as in the output.", "残った問題（出力での名前）。",
      objects(problem_shape)},
     {"messages", "array of object", "What reading had to say, and what the output loses; or why it was not written.",
      "読み込み時のメッセージと出力で失われるもの、または書き出せなかった理由。", objects(message_shape)},
 };
+
+inline constexpr JsonKey repairs_key[] = {
+    {"repairs", "array of object", "The repairs in the order in which they were done.", "行った修復（順に）。",
+     objects(repair_step_shape)},
+};
+inline constexpr auto repair_keys = joined(run_keys, repairs_key, outcome_keys);
+inline constexpr Shape repair_shape{"repair", "One line.", "一行。", repair_keys};
+
+inline constexpr JsonKey algorithm_id_keys[] = {
+    {"algorithm", "string", "The algorithm.", "アルゴリズム。", ids_of(Ids::algorithms)},
+};
+inline constexpr auto algorithm_keys = joined(run_keys, algorithm_id_keys, result_keys, outcome_keys);
 inline constexpr Shape algorithm_shape{"algorithm", "One line.", "一行。", algorithm_keys};
 
-inline constexpr const Shape* repair_lines[] = {&repair_shape};
-inline constexpr ExitCode repair_exits[] = {ExitCode::found_problems, ExitCode::input_missing,
-                                            ExitCode::input_malformed, ExitCode::cancelled};
-inline constexpr Contract repair_contract{repair_lines, repair_exits};
-inline constexpr const Shape* algorithm_lines[] = {&algorithm_shape};
-inline constexpr Contract algorithm_contract{algorithm_lines, repair_exits};
+inline constexpr Contract repair_contract{
+    .lines = {&repair_shape},
+    .exits = {ExitCode::found_problems, ExitCode::input_missing, ExitCode::input_malformed, ExitCode::cancelled}};
+inline constexpr Contract algorithm_contract{.lines = {&algorithm_shape}, .exits = repair_contract.exits};
 
 }  // namespace ryosen::cli

@@ -31,8 +31,7 @@ inline constexpr JsonKey convert_keys[] = {
 };
 inline constexpr Shape convert_shape{"convert", "One line.", "一行。", convert_keys};
 
-inline constexpr const Shape* convert_lines[] = {&convert_shape};
-inline constexpr ExitCode convert_exits[] = {ExitCode::input_missing, ExitCode::input_malformed, ExitCode::refused};
-inline constexpr Contract convert_contract{convert_lines, convert_exits};
+inline constexpr Contract convert_contract{
+    .lines = {&convert_shape}, .exits = {ExitCode::input_missing, ExitCode::input_malformed, ExitCode::refused}};
 
 }  // namespace ryosen::cli

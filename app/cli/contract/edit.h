@@ -43,9 +43,8 @@ inline constexpr JsonKey edit_keys[] = {
 inline constexpr Shape edit_shape{"edit", "The last line, once the commands have run.",
                                   "最後の行（コマンドの実行後）。", edit_keys};
 
-inline constexpr const Shape* edit_lines[] = {&edit_step_shape, &edit_shape};
-inline constexpr ExitCode edit_exits[] = {ExitCode::found_problems, ExitCode::input_missing, ExitCode::input_malformed,
-                                          ExitCode::refused, ExitCode::no_backend};
-inline constexpr Contract edit_contract{edit_lines, edit_exits};
+inline constexpr Contract edit_contract{.lines = {&edit_step_shape, &edit_shape},
+                                        .exits = {ExitCode::found_problems, ExitCode::input_missing,
+                                                  ExitCode::input_malformed, ExitCode::refused, ExitCode::no_backend}};
 
 }  // namespace ryosen::cli

@@ -59,8 +59,7 @@ inline constexpr JsonKey forms_keys[] = {
 };
 inline constexpr Shape forms_shape{"forms", "One line.", "一行。", forms_keys};
 
-inline constexpr const Shape* forms_lines[] = {&forms_shape};
-inline constexpr ExitCode forms_exits[] = {ExitCode::input_missing, ExitCode::input_malformed};
-inline constexpr Contract forms_contract{forms_lines, forms_exits};
+inline constexpr Contract forms_contract{.lines = {&forms_shape},
+                                         .exits = {ExitCode::input_missing, ExitCode::input_malformed}};
 
 }  // namespace ryosen::cli

@@ -81,7 +81,6 @@ inline constexpr JsonKey list_keys[] = {
 inline constexpr Shape list_shape{"list", "help json: one per table whose ids stand in values.",
                                   "help json：値に現れる識別子の表ごとに一行。", list_keys};
 
-inline constexpr const Shape* help_lines[] = {&usage_shape, &contract_shape, &list_shape};
-inline constexpr Contract help_contract{help_lines, {}};
+inline constexpr Contract help_contract{.lines = {&usage_shape, &contract_shape, &list_shape}};
 
 }  // namespace ryosen::cli

@@ -7,6 +7,8 @@
 #include "app/cli/contract/id_lists.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/subcommand_table.h"
+#include "core/base/sort_unique.h"
+#include "core/ops/all.h"
 
 namespace ryosen::cli {
 
@@ -20,14 +22,15 @@ struct PrintedObject {
 void add_object(const Shape& shape, bool is_line, std::vector<PrintedObject>& all) {
   if (std::any_of(all.begin(), all.end(), [&](const PrintedObject& known) { return known.shape == &shape; })) return;
   all.push_back({&shape, is_line});
-  for (const JsonKey& key : shape.keys)
+  for (const JsonKey& key : shape.all_keys())
     if (key.limits.shape) add_object(*key.limits.shape, false, all);
 }
 
 // Lines, each before the objects that it holds.
 std::vector<PrintedObject> objects_of(const Contract& contract, const std::vector<PrintedObject>& known = {}) {
   std::vector<PrintedObject> all = known;
-  for (const Shape* shape : contract.lines) add_object(*shape, true, all);
+  for (const Shape* shape : contract.lines)
+    if (shape) add_object(*shape, true, all);
   all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(known.size()));
   return all;
 }
@@ -36,19 +39,8 @@ std::vector<int> exits_of(const Contract& contract) {
   std::vector<int> codes;
   for (const Contract& part : {shared_contract, contract})
     for (ExitCode code : part.exits) codes.push_back(static_cast<int>(code));
-  std::sort(codes.begin(), codes.end());
-  codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
+  sort_unique(codes);
   return codes;
-}
-
-std::vector<std::string> words_of(std::string_view text) {
-  std::vector<std::string> all;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    all.emplace_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return all;
 }
 
 Json to_json(const JsonKey& row) {
@@ -57,10 +49,9 @@ Json to_json(const JsonKey& row) {
   json["type"] = row.type;
   json["optional"] = row.limits.is_optional;
   json["object"] = row.limits.shape ? Json(row.limits.shape->id) : Json();
-  json["words"] = row.limits.words.empty() ? Json() : Json(words_of(row.limits.words));
-  json["list"] = row.limits.ids != Ids::none ? Json(list_of(row.limits.ids).id) : Json();
-  json["en"] = row.en;
-  json["ja"] = row.ja;
+  json["words"] = row.limits.words.empty() ? Json() : Json(split_words(row.limits.words));
+  json["list"] = row.limits.ids ? Json(list_of(*row.limits.ids).id) : Json();
+  json.put(row.en, row.ja);
   return std::move(json).json();
 }
 
@@ -68,10 +59,9 @@ Json to_json(const PrintedObject& object) {
   Record<object_shape> json;
   json["object"] = object.shape->id;
   json["is_line"] = object.is_line;
-  json["en"] = object.shape->en;
-  json["ja"] = object.shape->ja;
+  json.put(object.shape->en, object.shape->ja);
   json["keys"] = Json::array();
-  for (const JsonKey& row : object.shape->keys) json["keys"].push_back(to_json(row));
+  for (const JsonKey& row : object.shape->all_keys()) json["keys"].push_back(to_json(row));
   return std::move(json).json();
 }
 
@@ -87,15 +77,13 @@ std::string contract_line(const Json& command, const std::vector<PrintedObject>&
 std::string list_line(const IdList& list) {
   Record<list_shape> json;
   json["list"] = list.id;
-  json["en"] = list.en;
-  json["ja"] = list.ja;
+  json.put(list.en, list.ja);
   json["entries"] = Json::array();
   for (const IdEntry& row : list.entries()) {
     Record<entry_shape> entry;
     entry["id"] = row.id;
     if (!row.severities.empty()) entry["severities"] = row.severities;
-    entry["en"] = row.text.en;
-    entry["ja"] = row.text.ja;
+    entry.put(row.text);
     json["entries"].push_back(std::move(entry).json());
   }
   return line_of(json);
@@ -106,8 +94,8 @@ std::string type_text(const JsonKey& row) {
   std::string text(row.type), limits;
   const auto add = [&](std::string_view limit) { limits.append(limits.empty() ? " (" : ", ").append(limit); };
   if (row.limits.shape) add(row.limits.shape->id);
-  for (const std::string& word : words_of(row.limits.words)) add(word);
-  if (row.limits.ids != Ids::none) add(list_of(row.limits.ids).id);
+  for (const std::string_view word : split_words(row.limits.words)) add(word);
+  if (row.limits.ids) add(list_of(*row.limits.ids).id);
   return text + limits + (limits.empty() ? "" : ")");
 }
 
@@ -117,7 +105,7 @@ std::string objects_text(const std::vector<PrintedObject>& printed, const Consol
     text.append("\n").append(object.is_line ? "" : "  ").append(object.shape->id).append(console.text(": ", "："));
     text.append(console.text(object.shape->en, object.shape->ja)).append("\n");
     Columns columns;
-    for (const JsonKey& row : object.shape->keys)
+    for (const JsonKey& row : object.shape->all_keys())
       columns.add(std::string(row.id) + (row.limits.is_optional ? "?" : ""),
                   type_text(row) + std::string(console.text(". ", "。")) + std::string(console.text(row.en, row.ja)));
     text += columns.text();

@@ -9,6 +9,7 @@
 #include "core/analysis/mesh_kind.h"
 #include "core/analysis/problem_kinds.h"
 #include "core/base/codes.h"
+#include "core/base/enum_table.h"
 #include "core/base/reasons.h"
 #include "core/forms/all.h"
 #include "core/forms/pairing.h"
@@ -20,19 +21,9 @@ namespace ryosen::cli {
 
 namespace {
 
-IdEntry entry(std::string_view id, std::string_view en, std::string_view ja,
-              std::vector<std::string_view> severities = {}) {
-  return {std::string(id), {std::string(en), std::string(ja)}, std::move(severities)};
-}
+using Severities = std::vector<std::string_view>;
 
-std::vector<IdEntry> exit_code_entries() {
-  std::vector<IdEntry> all;
-  for (const ExitCodeText& row : exit_code_texts())
-    all.push_back(entry(std::to_string(static_cast<int>(row.code)), row.en, row.ja));
-  return all;
-}
-
-std::vector<std::string_view> severities_of(const CodeRow& row) {
+Severities severities_of(const CodeRow& row) {
   switch (row.severity) {
     case CodeSeverity::error:
       return {"error"};
@@ -46,127 +37,79 @@ std::vector<std::string_view> severities_of(const CodeRow& row) {
   return {"info"};
 }
 
-std::vector<IdEntry> code_entries() {
+Severities severities_of(const RuleText& row) { return {row.severity == RuleSeverity::refuse ? "refuse" : "warn"}; }
+Severities severities_of(const ProblemRow& row) {
+  return {row.severity == ProblemSeverity::problem ? "problem" : "info"};
+}
+template <class Row>
+Severities severities_of(const Row&) {
+  return {};
+}
+
+bool is_no_operator(const CommandRow& row) { return !find_op(row.id); }
+bool is_repair(const AlgorithmRow& row) { return row.is_repair(); }
+
+// Of a table whose rows have an id and these two members.
+template <auto table, auto en, auto ja, auto is_wanted = nullptr>
+std::vector<IdEntry> entries_of() {
   std::vector<IdEntry> all;
-  for (const CodeRow& row : code_table()) all.push_back(entry(row.id, row.en, row.ja, severities_of(row)));
+  for (const auto& row : table()) {
+    if constexpr (!std::is_null_pointer_v<decltype(is_wanted)>)
+      if (!is_wanted(row)) continue;
+    all.push_back({std::string(row.id), {std::string(row.*en), std::string(row.*ja)}, severities_of(row)});
+  }
   return all;
 }
 
-std::vector<IdEntry> rule_entries() {
+std::vector<IdEntry> exit_code_entries() {
   std::vector<IdEntry> all;
-  for (const RuleText& row : rule_table())
-    all.push_back(entry(row.id, row.en, row.ja, {row.severity == RuleSeverity::refuse ? "refuse" : "warn"}));
-  return all;
-}
-
-std::vector<IdEntry> problem_entries() {
-  std::vector<IdEntry> all;
-  for (const ProblemRow& row : problem_table())
-    all.push_back(
-        entry(row.id, row.name_en, row.name_ja, {row.severity == ProblemSeverity::problem ? "problem" : "info"}));
-  return all;
-}
-
-std::vector<IdEntry> highlight_entries() {
-  std::vector<IdEntry> all;
-  for (const HighlightRow& row : highlight_table()) all.push_back(entry(row.id, row.name_en, row.name_ja));
-  return all;
-}
-
-std::vector<IdEntry> operator_entries() {
-  std::vector<IdEntry> all;
-  for (const OpInfo& row : all_ops()) all.push_back(entry(row.id, row.help_en, row.help_ja));
-  return all;
-}
-
-std::vector<IdEntry> command_entries() {
-  std::vector<IdEntry> all;
-  for (const CommandRow& row : command_table())
-    if (!find_op(row.id)) all.push_back(entry(row.id, row.help_en, row.help_ja));
-  return all;
-}
-
-std::vector<IdEntry> repair_entries() {
-  std::vector<IdEntry> all;
-  for (const AlgorithmRow& row : algorithm_table())
-    if (row.is_repair()) all.push_back(entry(row.id, row.help_en, row.help_ja));
-  return all;
-}
-
-std::vector<IdEntry> algorithm_entries() {
-  std::vector<IdEntry> all;
-  for (const AlgorithmRow& row : algorithm_table()) all.push_back(entry(row.id, row.help_en, row.help_ja));
-  return all;
-}
-
-std::vector<IdEntry> mesh_kind_entries() {
-  std::vector<IdEntry> all;
-  for (const MeshKindRow& row : mesh_kind_table()) all.push_back(entry(row.id, row.name_en, row.name_ja));
+  for (const ExitCodeText& row : exit_code_texts())
+    all.push_back({std::to_string(static_cast<int>(row.code)), {std::string(row.en), std::string(row.ja)}, {}});
   return all;
 }
 
 std::vector<IdEntry> format_entries() {
   std::vector<IdEntry> all;
-  for (const Format& row : formats()) all.push_back(entry(row.id, row.name.en, row.name.ja));
-  return all;
-}
-
-std::vector<IdEntry> form_entries() {
-  std::vector<IdEntry> all;
-  for (const forms::FormRow& row : forms::all_forms()) all.push_back(entry(row.id, row.en, row.ja));
-  return all;
-}
-
-std::vector<IdEntry> relation_entries() {
-  std::vector<IdEntry> all;
-  for (const forms::RelationRow& row : forms::relations()) all.push_back(entry(row.id, row.en, row.ja));
-  return all;
-}
-
-std::vector<IdEntry> pairing_entries() {
-  std::vector<IdEntry> all;
-  for (const PairingMethod& row : pairing_methods()) all.push_back(entry(row.id, row.en, row.ja));
-  return all;
-}
-
-std::vector<IdEntry> subcommand_entries() {
-  std::vector<IdEntry> all;
-  for (const Subcommand& row : subcommands()) all.push_back(entry(row.id, row.en, row.ja));
+  for (const Format& row : formats()) all.push_back({std::string(row.id), row.name, {}});
   return all;
 }
 
 constexpr std::array lists{
     IdList{Ids::exit_codes, "exit_codes", "Exit codes", "終了コード", exit_code_entries},
-    IdList{Ids::codes, "codes", "Codes of messages", "メッセージのコード", code_entries},
+    IdList{Ids::codes, "codes", "Codes of messages", "メッセージのコード",
+           entries_of<code_table, &CodeRow::en, &CodeRow::ja>},
     IdList{Ids::rules, "rules", "Rules: why an operator is refused or warned about", "操作の拒否・警告の規則",
-           rule_entries},
-    IdList{Ids::problems, "problems", "Kinds of problems", "問題の種類", problem_entries},
-    IdList{Ids::highlights, "highlights", "Highlights", "強調表示", highlight_entries},
-    IdList{Ids::operators, "operators", "Operators", "操作", operator_entries},
+           entries_of<rule_table, &RuleText::en, &RuleText::ja>},
+    IdList{Ids::problems, "problems", "Kinds of problems", "問題の種類",
+           entries_of<problem_table, &ProblemRow::name_en, &ProblemRow::name_ja>},
+    IdList{Ids::highlights, "highlights", "Highlights", "強調表示",
+           entries_of<highlight_table, &HighlightRow::name_en, &HighlightRow::name_ja>},
+    IdList{Ids::operators, "operators", "Operators", "操作", entries_of<all_ops, &OpInfo::help_en, &OpInfo::help_ja>},
     IdList{Ids::commands, "commands", "Commands of scripts besides operators", "操作以外のスクリプトのコマンド",
-           command_entries},
-    IdList{Ids::repairs, "repairs", "Repairs", "修復", repair_entries},
-    IdList{Ids::algorithms, "algorithms", "Algorithms", "アルゴリズム", algorithm_entries},
-    IdList{Ids::mesh_kinds, "mesh_kinds", "What a mesh is", "メッシュの種類", mesh_kind_entries},
+           entries_of<command_table, &CommandRow::help_en, &CommandRow::help_ja, is_no_operator>},
+    IdList{Ids::repairs, "repairs", "Repairs", "修復",
+           entries_of<algorithm_table, &AlgorithmRow::help_en, &AlgorithmRow::help_ja, is_repair>},
+    IdList{Ids::algorithms, "algorithms", "Algorithms", "アルゴリズム",
+           entries_of<algorithm_table, &AlgorithmRow::help_en, &AlgorithmRow::help_ja>},
+    IdList{Ids::mesh_kinds, "mesh_kinds", "What a mesh is", "メッシュの種類",
+           entries_of<mesh_kind_table, &MeshKindRow::name_en, &MeshKindRow::name_ja>},
     IdList{Ids::formats, "formats", "File formats", "ファイル形式", format_entries},
-    IdList{Ids::forms, "forms", "Representations of the source texts", "テキストの形状表現", form_entries},
+    IdList{Ids::forms, "forms", "Representations of the source texts", "テキストの形状表現",
+           entries_of<forms::all_forms, &forms::FormRow::en, &forms::FormRow::ja>},
     IdList{Ids::relations, "relations", "Queries of elements around an element", "隣接要素の問い合わせ",
-           relation_entries},
-    IdList{Ids::pairings, "pairings", "Ways to pair the halfedges", "半稜線の対を見つける方法", pairing_entries},
-    IdList{Ids::subcommands, "subcommands", "Commands of the program", "プログラムのコマンド", subcommand_entries},
+           entries_of<forms::relations, &forms::RelationRow::en, &forms::RelationRow::ja>},
+    IdList{Ids::pairings, "pairings", "Ways to pair the halfedges", "半稜線の対を見つける方法",
+           entries_of<pairing_methods, &PairingMethod::en, &PairingMethod::ja>},
+    IdList{Ids::subcommands, "subcommands", "Commands of the program", "プログラムのコマンド",
+           entries_of<subcommands, &Subcommand::en, &Subcommand::ja>},
 };
 
-constexpr bool lists_are_in_order() {
-  for (std::size_t i = 0; i < lists.size(); ++i)
-    if (static_cast<std::size_t>(lists[i].ids) != i + 1) return false;
-  return lists.size() == static_cast<std::size_t>(Ids::subcommands);
-}
-static_assert(lists_are_in_order(), "the table has one row per list, in the order of the enumeration");
+static_assert(rows_are_in_order(lists, &IdList::ids));
 
 }  // namespace
 
 std::span<const IdList> id_lists() { return lists; }
 
-const IdList& list_of(Ids ids) { return lists[static_cast<std::size_t>(ids) - 1]; }
+const IdList& list_of(Ids ids) { return lists[static_cast<std::size_t>(ids)]; }
 
 }  // namespace ryosen::cli

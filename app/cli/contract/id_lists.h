@@ -1,4 +1,4 @@
-// The tables of the product whose ids stand in what is printed, each read from where it is.
+// The tables of the product whose ids are printed as values.
 #pragma once
 
 #include <span>
@@ -24,7 +24,7 @@ struct IdList {
   std::vector<IdEntry> (*entries)();
 };
 
-// In the order of Ids, without none.
+// In the order of Ids.
 std::span<const IdList> id_lists();
 const IdList& list_of(Ids ids);
 

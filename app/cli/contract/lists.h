@@ -18,8 +18,7 @@ inline constexpr JsonKey format_keys[] = {
     {"ja", "string", "Its name in Japanese.", "日本語名。"},
 };
 inline constexpr Shape format_shape{"format", "One per format.", "形式ごとに一行。", format_keys};
-inline constexpr const Shape* formats_lines[] = {&format_shape};
-inline constexpr Contract formats_contract{formats_lines, {}};
+inline constexpr Contract formats_contract{.lines = {&format_shape}};
 
 inline constexpr JsonKey chord_keys[] = {
     {"key", "string", "The key with its modifiers.", "キー（修飾キーを含む）。"},
@@ -28,8 +27,7 @@ inline constexpr JsonKey chord_keys[] = {
     {"ja", "string", "What it does, in Japanese.", "動作（日本語）。"},
 };
 inline constexpr Shape chord_shape{"key", "One per key of the editor.", "エディタのキーごとに一行。", chord_keys};
-inline constexpr const Shape* keys_lines[] = {&chord_shape};
-inline constexpr Contract keys_contract{keys_lines, {}};
+inline constexpr Contract keys_contract{.lines = {&chord_shape}};
 
 inline constexpr JsonKey backend_keys[] = {
     {"backend", "string", "Its name.", "名前。"},
@@ -69,16 +67,13 @@ inline constexpr JsonKey doctor_keys[] = {
 };
 inline constexpr Shape doctor_shape{"doctor", "One line; the exit code is 1 where nothing can draw.",
                                     "一行。描画できなければ終了コード 1。", doctor_keys};
-inline constexpr const Shape* doctor_lines[] = {&doctor_shape};
-inline constexpr ExitCode doctor_exits[] = {ExitCode::found_problems};
-inline constexpr Contract doctor_contract{doctor_lines, doctor_exits};
+inline constexpr Contract doctor_contract{.lines = {&doctor_shape}, .exits = {ExitCode::found_problems}};
 
 inline constexpr JsonKey version_keys[] = {{"version", "string", "The version of the program.", "プログラムの版。"}};
 inline constexpr Shape version_shape{"version", "One line.", "一行。", version_keys};
-inline constexpr const Shape* version_lines[] = {&version_shape};
-inline constexpr Contract version_contract{version_lines, {}};
+inline constexpr Contract version_contract{.lines = {&version_shape}};
 
-inline constexpr ExitCode view_exits[] = {ExitCode::input_missing, ExitCode::input_malformed, ExitCode::no_backend};
-inline constexpr Contract view_contract{{}, view_exits};
+inline constexpr Contract view_contract{
+    .exits = {ExitCode::input_missing, ExitCode::input_malformed, ExitCode::no_backend}};
 
 }  // namespace ryosen::cli

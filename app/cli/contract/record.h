@@ -10,7 +10,7 @@
 
 namespace ryosen::cli {
 
-// A key of the shape. It is made of a literal, and one that the shape has no row for does not compile.
+// A key of the shape, made from a literal; one without a row in the shape does not compile.
 template <const Shape& shape>
 class KeyOf {
  public:
@@ -27,11 +27,18 @@ class KeyOf {
   std::string_view id_;
 };
 
-// Keys stay in the order in which they are first named.
+// Keys keep the order of insertion.
 template <const Shape& shape>
 class Record {
  public:
   Json& operator[](KeyOf<shape> key) { return json_[std::string(key.id())]; }
+
+  // The keys en and ja.
+  void put(std::string_view en, std::string_view ja) {
+    (*this)["en"] = en;
+    (*this)["ja"] = ja;
+  }
+  void put(const Text& text) { put(text.en, text.ja); }
 
   const Json& json() const& { return json_; }
   Json&& json() && { return std::move(json_); }

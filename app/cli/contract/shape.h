@@ -2,9 +2,12 @@
 // Record, which takes its keys from these rows; `help json` lists them.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "core/base/result.h"
 
@@ -12,7 +15,6 @@ namespace ryosen::cli {
 
 // Tables of the product whose ids stand in values, in the order of id_lists().
 enum class Ids : std::uint8_t {
-  none,
   exit_codes,
   codes,
   rules,
@@ -32,11 +34,11 @@ enum class Ids : std::uint8_t {
 
 struct Shape;
 
-// What can be said of a key beyond its type.
+// Limits of a key's value beyond its type.
 struct KeyLimits {
   bool is_optional = false;      // it may be absent; the sentence says when
   std::string_view words = {};   // the only values, separated by spaces
-  Ids ids = Ids::none;           // values are ids of this table; of an object: its keys are
+  std::optional<Ids> ids = {};   // values are ids of this table; of an object: its keys are
   const Shape* shape = nullptr;  // of the objects in the value
 };
 
@@ -56,17 +58,34 @@ struct JsonKey {
   KeyLimits limits = {};
 };
 
+// The keys of several lists in one.
+template <std::size_t... counts>
+consteval auto joined(const JsonKey (&... lists)[counts]) {
+  std::array<JsonKey, (counts + ...)> all{};
+  std::size_t next = 0;
+  const auto add = [&](std::span<const JsonKey> list) {
+    for (const JsonKey& key : list) all[next++] = key;
+  };
+  (add(lists), ...);
+  return all;
+}
+
 // A kind of object.
 struct Shape {
   std::string_view id;
   std::string_view en, ja;
   std::span<const JsonKey> keys;
+  std::vector<JsonKey> (*keys_of_tables)() = nullptr;  // instead of `keys`, where some come from tables
+
+  std::vector<JsonKey> all_keys() const {
+    return keys_of_tables ? keys_of_tables() : std::vector(keys.begin(), keys.end());
+  }
 };
 
-// What a command may print and end with, besides what every command may.
+// What a command may print and end with, in addition to shared_contract.
 struct Contract {
-  std::span<const Shape* const> lines;  // each object is one line
-  std::span<const ExitCode> exits;
+  std::array<const Shape*, 3> lines = {};  // each object is one line; null where there are fewer
+  std::array<ExitCode, 5> exits = {};      // filled up with done
 };
 
 }  // namespace ryosen::cli

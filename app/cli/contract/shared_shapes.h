@@ -69,9 +69,8 @@ inline constexpr JsonKey sentence_keys[] = {
 inline constexpr Shape sentence_shape{"sentence", "A sentence or name.", "文または名前。", sentence_keys};
 
 // What every command may print and end with.
-inline constexpr const Shape* shared_lines[] = {&failure_shape};
-inline constexpr ExitCode shared_exits[] = {ExitCode::done, ExitCode::usage, ExitCode::output_not_writable,
-                                            ExitCode::internal_error};
-inline constexpr Contract shared_contract{shared_lines, shared_exits};
+inline constexpr Contract shared_contract{
+    .lines = {&failure_shape},
+    .exits = {ExitCode::done, ExitCode::usage, ExitCode::output_not_writable, ExitCode::internal_error}};
 
 }  // namespace ryosen::cli

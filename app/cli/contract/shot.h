@@ -21,9 +21,8 @@ inline constexpr JsonKey shot_keys[] = {
 };
 inline constexpr Shape shot_shape{"shot", "One line.", "一行。", shot_keys};
 
-inline constexpr const Shape* shot_lines[] = {&shot_shape};
-inline constexpr ExitCode shot_exits[] = {ExitCode::found_problems, ExitCode::input_missing, ExitCode::input_malformed,
-                                          ExitCode::refused, ExitCode::no_backend};
-inline constexpr Contract shot_contract{shot_lines, shot_exits};
+inline constexpr Contract shot_contract{.lines = {&shot_shape},
+                                        .exits = {ExitCode::found_problems, ExitCode::input_missing,
+                                                  ExitCode::input_malformed, ExitCode::refused, ExitCode::no_backend}};
 
 }  // namespace ryosen::cli

@@ -21,8 +21,7 @@ inline constexpr JsonKey why_keys[] = {
 inline constexpr Shape why_shape{"why", "One per question: the verdict on an operator.", "問いごとに一行。操作の可否。",
                                  why_keys};
 
-inline constexpr const Shape* why_lines[] = {&why_shape};
-inline constexpr ExitCode why_exits[] = {ExitCode::input_missing, ExitCode::input_malformed};
-inline constexpr Contract why_contract{why_lines, why_exits};
+inline constexpr Contract why_contract{.lines = {&why_shape},
+                                       .exits = {ExitCode::input_missing, ExitCode::input_malformed}};
 
 }  // namespace ryosen::cli

@@ -22,7 +22,7 @@ class Findings {
 
   std::uint64_t known_document_ = 0;  // its serial number
   std::size_t known_set_aside_ = 0;   // how many faces; a repair may drop them
-  std::array<std::vector<Element>, problem_kinds> quarantined_;
+  std::array<std::vector<Element>, most_problem_kinds> quarantined_;
   std::vector<Element> loops_;  // by their lowest edges, as of this revision of the count
   std::optional<std::uint64_t> known_loops_;
 };
@@ -117,7 +117,7 @@ bool draw_repairs(PanelContext& context, ProblemKind kind) {
       if (ParameterValues(repair.parameters).missing())
         context.run("values " + std::string(repair.id));
       else
-        context.run("repair " + std::string(repair.id));
+        context.run(called(repair, true));
     }
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", context.text(repair.help_en, repair.help_ja));
     ImGui::PopID();

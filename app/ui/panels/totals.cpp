@@ -6,14 +6,14 @@ namespace ryosen {
 namespace {
 
 // A dash where there is no value.
-void draw_term(PanelContext& context, const char* letter, std::optional<std::int64_t> value, UiText name) {
+void draw_term(PanelContext& context, const EulerTerm& term, std::optional<std::int64_t> value) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::PushFont(context.fonts.bold);
-  ImGui::TextColored(context.colours().accent, "%s", letter);
+  ImGui::TextColored(context.colours().accent, "%c", term.letter);
   ImGui::PopFont();
   ImGui::TableNextColumn();
-  ImGui::TextColored(context.colours().dim, "%s", context.text(name));
+  ImGui::TextColored(context.colours().dim, "%s", context.text(term.en, term.ja));
   ImGui::TableNextColumn();
   const std::string figure = value ? grouped(*value) : "\u2212";
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x -
@@ -73,16 +73,8 @@ void draw_totals(PanelContext& context) {
     ImGui::TableSetupColumn("letter", ImGuiTableColumnFlags_WidthFixed, 1.1f * ImGui::GetFontSize());
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 3);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 1.6f);
-    draw_term(context, "V", terms.vertices, UiText::vertices);
-    draw_term(context, "E", terms.edges, UiText::edges);
-    draw_term(context, "F", terms.faces, UiText::faces);
-    draw_term(context, "B", terms.boundary_loops, UiText::boundaries);
-    // Most meshes have none of these two, and the column is low.
-    if (terms.wire_cycles != 0) draw_term(context, "W", terms.wire_cycles, UiText::wire_cycles);
-    if (terms.isolated != 0) draw_term(context, "I", terms.isolated, UiText::isolated_vertices);
-    draw_term(context, "H", terms.rings, UiText::rings);
-    draw_term(context, "S", terms.parts, UiText::parts);
-    draw_term(context, "G", terms.genus, UiText::genus);
+    for (const EulerTerm& term : euler_letters())
+      if (const auto value = term.value(terms); !term.is_rare || value != 0) draw_term(context, term, value);
     ImGui::EndTable();
   }
   ImGui::PopStyleVar();

@@ -3,8 +3,8 @@
 #include <cassert>
 
 #include "core/mesh/copies.h"
-#include "core/ops/fill.h"
 #include "core/ops/rules/face_lists.h"
+#include "core/ops/rules/pinch.h"
 #include "core/ops/rules/surgery.h"
 
 namespace ryosen {
@@ -46,7 +46,7 @@ Verdict MakeLoop::check(const Mesh& mesh) const {
   return verdict;
 }
 
-std::vector<Reason> MakeLoop::warnings(const Mesh& mesh) const { return doubts_of_filling(mesh, halfedge); }
+std::vector<Reason> MakeLoop::warnings(const Mesh& mesh) const { return warnings_of_face_in(mesh, halfedge); }
 
 OpEffect MakeLoop::apply(Edit& edit) const {
   assert(check(edit.mesh()).legal());

@@ -36,6 +36,16 @@ void ShapeDoubts::add_to(std::vector<Reason>& reasons) const {
   if (!degenerate.empty()) reasons.push_back({Rule::degenerate, degenerate});
 }
 
+std::vector<Reason> warnings_of_parts(Face face, const FaceGeometry& before, std::span<const FaceGeometry> parts) {
+  std::vector<Reason> found;
+  if (before.is_degenerate()) return found;
+  if (std::any_of(parts.begin(), parts.end(), [&](const FaceGeometry& part) { return before.turns_against(part); }))
+    found.push_back({Rule::normal_turns, {face}});
+  if (std::any_of(parts.begin(), parts.end(), [](const FaceGeometry& part) { return part.is_degenerate(); }))
+    found.push_back({Rule::degenerate, {face}});
+  return found;
+}
+
 glm::dvec3 point_between(const glm::dvec3& a, const glm::dvec3& b, double t) {
   const glm::dvec3 p = a + t * (b - a);
   return is_finite(p) ? p : (1 - t) * a + t * b;

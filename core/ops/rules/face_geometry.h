@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -35,6 +36,9 @@ struct ShapeDoubts {
   void compare(const FaceGeometry& before, const FaceGeometry& after, Element what);
   void add_to(std::vector<Reason>& reasons) const;
 };
+
+// The geometric warnings about parts that take the place of a face; none where it had no normal itself.
+std::vector<Reason> warnings_of_parts(Face face, const FaceGeometry& before, std::span<const FaceGeometry> parts);
 
 // a + t (b - a), even if b - a overflows.
 glm::dvec3 point_between(const glm::dvec3& a, const glm::dvec3& b, double t);

@@ -7,6 +7,8 @@
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/ops/rules/face_geometry.h"
+#include "core/ops/rules/face_lists.h"
 
 namespace ryosen {
 
@@ -97,6 +99,13 @@ std::vector<Vertex> pinched_by_weld(const Mesh& mesh, std::span<const std::pair<
     if (joined.fans() > std::max(one.fans(), other.fans())) found.push_back(std::min(goes, stays));
   }
   return found;
+}
+
+std::vector<Reason> warnings_of_face_in(const Mesh& mesh, Halfedge outside) {
+  std::vector<Reason> reasons;
+  if (FaceGeometry(places_along(mesh, outside)).is_degenerate()) reasons.push_back({Rule::degenerate, {edge(outside)}});
+  warn_of_pinch(pinched_by_face(mesh, points_along(mesh, outside)), reasons);
+  return reasons;
 }
 
 void warn_of_pinch(const std::vector<Vertex>& points, std::vector<Reason>& reasons) {

@@ -26,6 +26,9 @@ std::vector<Vertex> pinched_without(const Mesh& mesh, std::span<const Face> face
 // remaining. Cost: their one-rings.
 std::vector<Vertex> pinched_by_weld(const Mesh& mesh, std::span<const std::pair<Vertex, Vertex>> pairs);
 
+// What to warn of where a face comes to lie in the cycle of outside halfedges.
+std::vector<Reason> warnings_of_face_in(const Mesh& mesh, Halfedge outside);
+
 // Adds the warning if there are any.
 void warn_of_pinch(const std::vector<Vertex>& points, std::vector<Reason>& reasons);
 

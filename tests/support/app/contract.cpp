@@ -219,6 +219,19 @@ std::string fault_of_run(const std::vector<std::string>& arguments, const Progra
   return faults;
 }
 
+std::vector<std::string> required_keys(const std::vector<Json>& contract, const std::string& object) {
+  std::vector<std::string> keys;
+  for (const Json& line : contract) {
+    if (!line.contains("objects")) continue;
+    for (const Json& row : line["objects"]) {
+      if (row["object"] != object || !keys.empty()) continue;
+      for (const Json& key : row["keys"])
+        if (!key["optional"]) keys.push_back(key["key"]);
+    }
+  }
+  return keys;
+}
+
 SeenOfContract all_of_contract() { return PrintedContract::get().all(); }
 
 }  // namespace ryosen::test

@@ -21,6 +21,9 @@ struct SeenOfContract {
 std::string fault_of_run(const std::vector<std::string>& arguments, const ProgramRun& run,
                          SeenOfContract* seen = nullptr);
 
+// In what `help json` prints, the keys of an object but for those that may be absent, in their order.
+std::vector<std::string> required_keys(const std::vector<Json>& contract, const std::string& object);
+
 // All that there is to be seen.
 SeenOfContract all_of_contract();
 

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "app/cli/run.h"
 #include "tests/support/app/contract.h"
 
 extern char** environ;
@@ -50,6 +51,23 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const std::fil
   ProgramRun run = run_unchecked(arguments, folder, environment);
   EXPECT_EQ(fault_of_run(arguments, run), "");
   return run;
+}
+
+ProgramRun run_here(std::vector<std::string> words, const std::vector<std::string>& further) {
+  words.insert(words.end(), further.begin(), further.end());
+  ProgramRun run;
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  run.exit_code = static_cast<int>(cli::run(words));
+  run.out = testing::internal::GetCapturedStdout();
+  run.err = testing::internal::GetCapturedStderr();
+  return run;
+}
+
+std::vector<std::string> keys_of(const Json& json) {
+  std::vector<std::string> keys;
+  for (const auto& item : json.items()) keys.push_back(item.key());
+  return keys;
 }
 
 ProgramRun run_unchecked(const std::vector<std::string>& arguments, const std::filesystem::path& folder,

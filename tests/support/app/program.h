@@ -10,6 +10,8 @@ namespace ryosen::test {
 
 using Json = nlohmann::ordered_json;
 
+std::vector<std::string> keys_of(const Json& json);
+
 struct ProgramRun {
   int exit_code = -1;  // 128 + signal where the program was killed
   std::string out, err;
@@ -28,6 +30,9 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const std::fil
 // The same, whatever it prints.
 ProgramRun run_unchecked(const std::vector<std::string>& arguments, const std::filesystem::path& folder = {},
                          const std::vector<std::string>& environment = {});
+
+// Of words within this process, which may have rows in its tables that the program has not.
+ProgramRun run_here(std::vector<std::string> words, const std::vector<std::string>& further = {});
 
 // A folder of its own, removed with everything in it.
 class TemporaryFolder {

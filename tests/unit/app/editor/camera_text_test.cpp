@@ -20,7 +20,7 @@ TEST(camera_text, each_fault_has_its_own_sentence) {
   says("", "it is not JSON from character 1 on");
   says("7", "it is 7, expected {");
   says(R"({"eye":[1e999,0,0]})", "a number in it is larger than any");
-  says(R"({"eyes":[1,2,3]})", R"(there is no key "eyes"; did you mean "eye"?)");
+  says(R"({"eyes":[1,2,3]})", R"(there is no key "eyes"; did you mean eye?)");
   says(R"({"zzzzzzzzz":1})", R"(there is no key "zzzzzzzzz")");
   says(R"({"eye":"front"})", R"(eye is three numbers [x,y,z], not "front")");
   says(R"({"target":[1,2]})", "target is three numbers [x,y,z], not 2");

@@ -79,14 +79,12 @@ TEST(commands, one_that_is_new_is_checked_before_a_script_runs_and_explained) {
   EXPECT_FALSE(fault_of_command("probe 2"));
   EXPECT_EQ(fault_of_command("probe x")->en, "probe needs a number");
   EXPECT_EQ(unknown_command("prove").sentence.en, "there is no command 'prove'; did you mean probe?");
-  const auto run = [](const std::vector<std::string>& words) {
-    testing::internal::CaptureStdout();
-    const auto code = static_cast<int>(cli::run(words));
-    return std::pair(code, testing::internal::GetCapturedStdout());
-  };
-  EXPECT_NE(run({"help", "edit"}).second.find("probe N"), std::string::npos);
-  EXPECT_EQ(run({"edit", test::asset("cube.obj"), "--do", "probe 2; expect V 9; undo; expect V 8", "-q"}).first, 0);
-  const auto [code, out] = run({"edit", test::asset("cube.obj"), "--do", "split 0-1; probe x", "-q", "--json"});
+  EXPECT_NE(test::run_here({"help", "edit"}).out.find("probe N"), std::string::npos);
+  EXPECT_EQ(test::run_here({"edit", test::asset("cube.obj"), "--do", "probe 2; expect V 9; undo; expect V 8", "-q"})
+                .exit_code,
+            0);
+  const auto [code, out, err] =
+      test::run_here({"edit", test::asset("cube.obj"), "--do", "split 0-1; probe x", "-q", "--json"});
   EXPECT_EQ(code, 2);
   EXPECT_EQ(out.find("\"done\""), std::string::npos) << "nothing has run";
 }

@@ -23,11 +23,12 @@ TEST(split_script, braces_and_quotes_keep_their_text) {
   EXPECT_EQ(lines[0].text, "save \"a;b#c.obj\"");
 }
 
-TEST(closest_word, finds_slips_but_not_strangers) {
+TEST(did_you_mean, finds_slips_but_not_strangers) {
   const std::vector<std::string> known{"collapse", "swap", "split"};
-  EXPECT_EQ(closest_word("colapse", known), "collapse");
-  EXPECT_EQ(closest_word("sawp", known), "swap");
-  EXPECT_EQ(closest_word("elephant", known), "");
+  EXPECT_EQ(did_you_mean("colapse", known).en, "; did you mean collapse?");
+  EXPECT_EQ(did_you_mean("sawp", known, HintForm::sentence).en, " Did you mean 'swap'?");
+  EXPECT_EQ(did_you_mean("sawp", known).ja, "。swap ですか？");
+  EXPECT_EQ(did_you_mean("elephant", known).en, "");
 }
 
 }  // namespace

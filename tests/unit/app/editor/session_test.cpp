@@ -425,5 +425,15 @@ TEST(session, what_is_expected_of_no_operator_is_named_once) {
   EXPECT_EQ(outcome.sentence.ja, "expect：「spllit」は演算子ではありません。split ですか？");
 }
 
+TEST(expect, takes_every_letter_of_the_sum) {
+  Session session(Document::open(test::asset("cube.obj")).value());
+  for (const EulerTerm& term : euler_letters()) {
+    const std::string line = std::string("expect ") + term.letter + " ";
+    const std::int64_t value = term.value(session.euler_terms()).value();
+    EXPECT_TRUE(session.run(line + std::to_string(value)).done()) << line;
+    EXPECT_EQ(session.run(line + std::to_string(value + 1)).exit_code, ExitCode::found_problems) << line;
+  }
+}
+
 }  // namespace
 }  // namespace ryosen

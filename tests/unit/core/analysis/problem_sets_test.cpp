@@ -127,7 +127,7 @@ TEST(problem_sets, are_kept_current_through_edits_undo_and_redo) {
       kept_loops += loops.count() > 0 && loops.revision() == revision_before;
       // What is listed leads from the sets before to those after.
       ProblemSets replayed = before;
-      std::array<Numbers, problem_kinds> members;
+      std::array<Numbers, most_problem_kinds> members;
       for (const ProblemRow& row : problem_table()) {
         Numbers& set = members[static_cast<std::size_t>(row.kind)];
         set = replayed.of(row.kind).to_vector();

@@ -69,7 +69,7 @@ TEST(one_sided_surfaces, orient_up_to_a_seam_and_are_edited_away_from_it) {
       edit.commit();
     }
     EXPECT_TRUE(Orient{}.check(mesh).has(Rule::oriented));
-    EXPECT_GT(compute_figures(mesh).misoriented_edges, 0u);
+    EXPECT_GT(compute_figures(mesh)[ProblemKind::misoriented_edge], 0u);
     EXPECT_EQ(name_of_surface(mesh), name);
     std::size_t split = 0, refused = 0;
     for (std::uint32_t i = 0, end = mesh.edge_slots(); i < end; ++i) {

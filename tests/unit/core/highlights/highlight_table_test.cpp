@@ -2,20 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
-#include <vector>
 
 namespace ryosen {
 namespace {
-
-using Ids = std::vector<std::string_view>;
-
-Ids ids_of(bool (*wanted)(const HighlightRow&)) {
-  Ids ids;
-  for (const HighlightRow& row : highlight_table())
-    if (wanted(row)) ids.push_back(row.id);
-  return ids;
-}
 
 TEST(highlight_table, rows_say_what_they_mark_in_both_languages) {
   for (const HighlightRow& row : highlight_table()) {
@@ -30,35 +21,38 @@ TEST(highlight_table, rows_say_what_they_mark_in_both_languages) {
 }
 
 TEST(highlight_table, problems_come_first_and_some_are_shown_at_first) {
-  EXPECT_EQ(ids_of([](const HighlightRow& row) { return !row.kinds.empty(); }),
-            (Ids{"boundary", "nonmanifold", "misoriented", "degenerate", "duplicate", "hanging", "isolated", "wires"}));
-  EXPECT_EQ(ids_of([](const HighlightRow& row) { return row.kinds.empty(); }), (Ids{"creases", "seams"}));
-  EXPECT_EQ(ids_of([](const HighlightRow& row) { return row.shown_at_first == ShownAtFirst::yes; }),
-            (Ids{"boundary", "nonmanifold", "misoriented", "degenerate", "wires"}));
+  const auto rows = highlight_table();
+  EXPECT_TRUE(
+      std::is_partitioned(rows.begin(), rows.end(), [](const HighlightRow& row) { return !row.kinds.empty(); }));
+  const auto shown = std::count_if(rows.begin(), rows.end(),
+                                   [](const HighlightRow& row) { return row.shown_at_first == ShownAtFirst::yes; });
+  EXPECT_GT(shown, 0);
+  EXPECT_LT(shown, std::ssize(rows));
 }
 
 TEST(highlight_table, marks_have_numbers_of_their_own) {
   std::set<std::uint16_t> numbers;
   for (const HighlightRow& row : highlight_table()) {
+    const std::size_t before = numbers.size();
     for_each_mark(row, [&](Mark mark) {
       EXPECT_LT(mark.number, most_marks);
       EXPECT_TRUE(numbers.insert(mark.number).second) << row.id;
     });
     for_each_own_mark(row, [&](Mark mark) { EXPECT_LT(mark.number, own_marks) << row.id << " lies beneath problems"; });
+    EXPECT_GT(numbers.size(), before) << row.id << " marks nothing";
   }
-  EXPECT_EQ(numbers.size(), 11u) << "nine kinds of problems are drawn, and two that are none";
 }
 
 TEST(highlight_table, has_an_added_row_while_it_is_wanted) {
   const std::size_t before = highlight_table().size();
   {
     const ScopedHighlight added({.id = "even",
-                                .name_en = "Even",
-                                .name_ja = "偶数",
-                                .legend_en = "Vertices with an even number.",
-                                .legend_ja = "番号が偶数の頂点。",
-                                .vertex = [](Neighbourhood&, Vertex v) { return v.index % 2 == 0; },
-                                .looks = {0x00FF00, 0x00FF00, LineStyle::solid, 2, PointShape::disc, 4}});
+                                 .name_en = "Even",
+                                 .name_ja = "偶数",
+                                 .legend_en = "Vertices with an even number.",
+                                 .legend_ja = "番号が偶数の頂点。",
+                                 .vertex = [](Neighbourhood&, Vertex v) { return v.index % 2 == 0; },
+                                 .looks = {0x00FF00, 0x00FF00, LineStyle::solid, 2, PointShape::disc, 4}});
     ASSERT_EQ(highlight_table().size(), before + 1);
     EXPECT_EQ(find_highlight("even"), &highlight_table().back());
   }

@@ -15,7 +15,7 @@ using namespace test;
 
 TEST(detach, two_tetrahedra_on_an_edge_come_apart) {
   Mesh mesh = make_mesh(two_tetrahedra_on_an_edge());
-  EXPECT_EQ(compute_figures(mesh).nonmanifold_edges, 1u);
+  EXPECT_EQ(compute_figures(mesh)[ProblemKind::nonmanifold_edge], 1u);
   EXPECT_EQ(counts_on_points(mesh), (ElementCounts{6, 11, 8, 0}));
   apply_and_prove(mesh, "detach f0");
   EXPECT_EQ(counts_on_points(mesh), (ElementCounts{8, 12, 8, 0}));
@@ -32,7 +32,7 @@ TEST(detach, bow_tie_and_fin) {
   Mesh fin_mesh = make_mesh(fin());
   apply_and_prove(fin_mesh, "detach f0");
   EXPECT_EQ(counts_on_points(fin_mesh).vertices, 7u);
-  EXPECT_EQ(compute_figures(fin_mesh).nonmanifold_edges, 0u);
+  EXPECT_EQ(compute_figures(fin_mesh)[ProblemKind::nonmanifold_edge], 0u);
 }
 
 TEST(detach, a_face_inside_a_surface_alone) {

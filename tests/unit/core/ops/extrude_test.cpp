@@ -78,9 +78,9 @@ TEST(extrude, edges_that_are_cut_keep_their_faces) {
     const Figures before = compute_figures(mesh);
     EXPECT_EQ(apply_and_prove(mesh, "extrude f0 0.1"), (Change{.v = 3, .e = 6, .f = 3}));
     const Figures after = compute_figures(mesh);
-    EXPECT_EQ(after.nonmanifold_edges, before.nonmanifold_edges);
-    EXPECT_EQ(after.misoriented_edges, before.misoriented_edges);
-    EXPECT_EQ(after.boundary_edges, before.boundary_edges);
+    EXPECT_EQ(after[ProblemKind::nonmanifold_edge], before[ProblemKind::nonmanifold_edge]);
+    EXPECT_EQ(after[ProblemKind::misoriented_edge], before[ProblemKind::misoriented_edge]);
+    EXPECT_EQ(after[ProblemKind::boundary_loop], before[ProblemKind::boundary_loop]);
   }
 }
 

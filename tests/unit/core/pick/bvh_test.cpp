@@ -10,6 +10,7 @@
 #include <set>
 
 #include "core/pick/nearest.h"
+#include "tests/support/core/bvh_inspector.h"
 #include "tests/unit/core/pick/pick_fixtures.h"
 
 namespace ryosen {
@@ -129,7 +130,7 @@ TEST(bvh, random_soups_of_any_size_and_place) {
       const Scene scene = testing::soup(count, static_cast<unsigned>(count), size, center);
       Bvh bvh;
       bvh.build(scene.positions, scene.primitives);
-      ASSERT_EQ(bvh.find_defect(scene.positions), nullptr);
+      ASSERT_EQ(find_defect(bvh, scene.positions), nullptr);
       EXPECT_EQ(bvh.size(), count);
       Comparison comparison(center, size, 5);
       comparison.rays(bvh, scene, 400);
@@ -171,7 +172,6 @@ TEST(bvh, empty_and_single) {
   EXPECT_FALSE(bvh.cast(p, ray));
   bvh.erase(5);
   bvh.update(p, 5);
-  bvh.update_all(p);
   bvh.insert(p, 4, Primitive::triangle(0, 1, 2, 9));
   ASSERT_TRUE(bvh.cast(p, ray));
   EXPECT_EQ(bvh.cast(p, ray)->slot, 4u);
@@ -180,7 +180,7 @@ TEST(bvh, empty_and_single) {
   bvh.erase(4);
   EXPECT_FALSE(bvh.cast(p, ray));
   EXPECT_EQ(bvh.size(), 0u);
-  EXPECT_EQ(bvh.find_defect(p), nullptr);
+  EXPECT_EQ(find_defect(bvh, p), nullptr);
 }
 
 TEST(bvh, places_that_are_not_finite_are_left_out_until_they_are) {
@@ -190,18 +190,18 @@ TEST(bvh, places_that_are_not_finite_are_left_out_until_they_are) {
   Bvh bvh;
   bvh.build(scene.positions, scene.primitives);
   EXPECT_EQ(bvh.size(), 49u);
-  EXPECT_EQ(bvh.find_defect(scene.positions), nullptr);
+  EXPECT_EQ(find_defect(bvh, scene.positions), nullptr);
   scene.positions[3] = before;
   bvh.update(scene.positions, 1);
   EXPECT_EQ(bvh.size(), 50u);
   scene.positions[3].x = std::numeric_limits<double>::infinity();
   bvh.update(scene.positions, 1);
   EXPECT_EQ(bvh.size(), 49u);
-  EXPECT_EQ(bvh.find_defect(scene.positions), nullptr);
+  EXPECT_EQ(find_defect(bvh, scene.positions), nullptr);
   scene.positions[3] = before;
-  bvh.update_all(scene.positions);
+  bvh.update(scene.positions, 1);
   EXPECT_EQ(bvh.size(), 50u);
-  EXPECT_EQ(bvh.find_defect(scene.positions), nullptr);
+  EXPECT_EQ(find_defect(bvh, scene.positions), nullptr);
 }
 
 // Random edits in step with a plain list.
@@ -241,7 +241,7 @@ TEST(bvh, stays_right_through_random_edits) {
     std::mt19937 random(seed);
     for (int round = 0; round < 12; ++round) {
       edit_at_random(bvh, scene, random, 150, 1.0);
-      ASSERT_STREQ(bvh.find_defect(scene.positions), nullptr);
+      ASSERT_STREQ(find_defect(bvh, scene.positions), nullptr);
       Comparison comparison(dvec3(0), 1.0, seed + 100);
       comparison.rays(bvh, scene, 60);
       comparison.frustums(bvh, scene, 5);
@@ -251,7 +251,7 @@ TEST(bvh, stays_right_through_random_edits) {
     EXPECT_TRUE(bvh.is_worn());
     bvh.rebuild(scene.positions);
     EXPECT_FALSE(bvh.is_worn());
-    ASSERT_STREQ(bvh.find_defect(scene.positions), nullptr);
+    ASSERT_STREQ(find_defect(bvh, scene.positions), nullptr);
   }
 }
 
@@ -265,7 +265,7 @@ TEST(bvh, primitives_far_outside_the_first_frame) {
                            {dvec3(-size, -size, size), dvec3(size, -size, size * 1.1), dvec3(0, size, size)});
     scene.primitives.push_back(Primitive::triangle(first, first + 1, first + 2, 0));
     bvh.insert(scene.positions, static_cast<std::uint32_t>(scene.primitives.size() - 1), scene.primitives.back());
-    ASSERT_STREQ(bvh.find_defect(scene.positions), nullptr);
+    ASSERT_STREQ(find_defect(bvh, scene.positions), nullptr);
     Comparison near(dvec3(0), 1.0, 3);
     near.rays(bvh, scene, 200);
     Comparison far(dvec3(0), size, 4);
@@ -285,12 +285,12 @@ TEST(bvh, many_equal_and_strung_out_primitives) {
   }
   Bvh bvh;
   bvh.build(scene.positions, scene.primitives);
-  ASSERT_STREQ(bvh.find_defect(scene.positions), nullptr);
+  ASSERT_STREQ(find_defect(bvh, scene.positions), nullptr);
   Comparison(dvec3(0), 1.0, 3).rays(bvh, scene, 100);
   std::vector<Primitive> primitives = scene.primitives;
   bvh.build(scene.positions, {});
   for (std::uint32_t i = 0; i < 2000; ++i) bvh.insert(scene.positions, i, primitives[i]);
-  ASSERT_STREQ(bvh.find_defect(scene.positions), nullptr);
+  ASSERT_STREQ(find_defect(bvh, scene.positions), nullptr);
   Comparison(dvec3(0), 1.0, 4).rays(bvh, scene, 100);
 }
 
@@ -303,7 +303,7 @@ TEST(bvh, the_bunny_agrees_with_the_plain_loop_before_and_after_edits) {
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
   std::cout << "  built in " << time.count() << " ms, " << bvh.bytes() / scene.primitives.size()
             << " bytes a triangle\n";
-  ASSERT_STREQ(bvh.find_defect(scene.positions), nullptr);
+  ASSERT_STREQ(find_defect(bvh, scene.positions), nullptr);
   const Box root = box_of(scene.positions, Primitive::segment(0, 1, 0));
   dvec3 lowest = root.lowest, highest = root.highest;
   for (const dvec3& p : scene.positions) {
@@ -330,8 +330,8 @@ TEST(bvh, the_bunny_agrees_with_the_plain_loop_before_and_after_edits) {
     }
   }
   for (dvec3& p : scene.positions) p += dvec3(unit(random), unit(random), unit(random)) * size * 0.01;
-  bvh.update_all(scene.positions);
-  ASSERT_STREQ(bvh.find_defect(scene.positions), nullptr);
+  for (std::uint32_t slot = 0; slot < scene.primitives.size(); ++slot) bvh.update(scene.positions, slot);
+  ASSERT_STREQ(find_defect(bvh, scene.positions), nullptr);
   comparison.rays(bvh, scene, 150);
   comparison.frustums(bvh, scene, 20);
 }

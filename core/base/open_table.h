@@ -1,0 +1,42 @@
+// A table of rows with ids, to which programs and tests may add rows for a while.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace ryosen {
+
+// Rows stay where they are. At most `most` of them.
+template <class Row, std::size_t most>
+class OpenTable {
+ public:
+  template <std::size_t count>
+  constexpr explicit OpenTable(const std::array<Row, count>& built_in) : count_(count) {
+    static_assert(count < most);
+    std::copy(built_in.begin(), built_in.end(), rows_.begin());
+  }
+
+  std::span<const Row> rows() const { return {rows_.data(), count_}; }
+  // By id; null when there is none.
+  const Row* find(std::string_view id) const {
+    for (const Row& row : rows())
+      if (row.id == id) return &row;
+    return nullptr;
+  }
+
+  void add(const Row& row) {
+    assert(count_ < most && !find(row.id));
+    rows_[count_++] = row;
+  }
+  void remove_last() { --count_; }
+
+ private:
+  std::array<Row, most> rows_{};
+  std::size_t count_;
+};
+
+}  // namespace ryosen

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/editor/commands.h"
+#include "app/editor/view_switches.h"
 
 namespace ryosen {
 
@@ -32,18 +33,17 @@ Outcome run_walk(Session& session, Words arguments, std::string_view whole);
 Outcome run_tool(Session& session, Words arguments, std::string_view whole);
 Outcome run_mode(Session& session, Words arguments, std::string_view whole);
 Outcome run_click(Session& session, Words arguments, std::string_view whole);
-// What is seen: commands_view.cpp
+// What is seen: view_switches.cpp, commands_view.cpp
+CommandRow row_of(const ViewSwitch& row);
 Outcome run_camera(Session& session, Words arguments, std::string_view whole);
 Outcome run_view(Session& session, Words arguments, std::string_view whole);
 Outcome run_frame(Session& session, Words arguments, std::string_view whole);
-Outcome run_projection(Session& session, Words arguments, std::string_view whole);
 Outcome run_drag(Session& session, Words arguments, std::string_view whole);
 Outcome run_show(Session& session, Words arguments, std::string_view whole);
 // The user interface: commands_window.cpp
 Outcome run_panel(Session& session, Words arguments, std::string_view whole);
 Outcome run_values(Session& session, Words arguments, std::string_view whole);
 Outcome run_language(Session& session, Words arguments, std::string_view whole);
-Outcome run_theme(Session& session, Words arguments, std::string_view whole);
 Outcome run_cancel(Session& session, Words arguments, std::string_view whole);
 Outcome run_key(Session& session, Words arguments, std::string_view whole);
 std::string sent_by_key(Words arguments);

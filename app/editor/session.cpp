@@ -34,6 +34,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   if (!source.empty()) files.reads(source, FileRole::mesh);
   document_->add_listener([this](std::size_t transaction) { follow(transaction); });
   picker_.reset();
+  corner_normals_.reset();
   highlights_.reset();
   boundary_loops_.reset();
   euler_.reset();
@@ -56,6 +57,10 @@ void Session::follow(std::size_t transaction) {
   const TouchedElements touched = touched_elements(m, document_->journal(), transaction);
   if (picker_) {
     const std::vector<std::uint32_t> slots = picker_->update(m, touched);
+    if (touched.everything || settings.shading == Shading::flat) corner_normals_.reset();
+    if (corner_normals_)
+      for (const std::uint32_t slot : corner_normals_->update(m, picker_->triangles(), touched))
+        drawn_changes_.triangles.push_back(slot);
     drawn_changes_.everything |= touched.everything;
     drawn_changes_.triangles.insert(drawn_changes_.triangles.end(), slots.begin(), slots.end());
     for (Vertex v : touched.moved) drawn_changes_.vertices.push_back(v.index);
@@ -248,6 +253,11 @@ std::optional<Picked> Session::pick(glm::dvec2 pixel, PickMode what) {
 Picker& Session::picker() {
   if (!picker_) picker_.emplace(mesh());
   return *picker_;
+}
+
+const CornerNormals& Session::corner_normals() {
+  if (!corner_normals_) corner_normals_.emplace(mesh(), picker().triangles());
+  return *corner_normals_;
 }
 
 void Session::forget_hidden() {

@@ -17,6 +17,8 @@
 #include "core/analysis/mesh_kind.h"
 #include "core/highlights/highlight_sets.h"
 #include "core/pick/picker.h"
+#include "core/view/corner_normals.h"
+#include "core/view/view_settings.h"
 
 namespace ryosen {
 
@@ -53,7 +55,7 @@ class Session {
   std::vector<Element> selection;
   // User interface state changed by commands; stored without effect if there is no UI.
   Language language = Language::english;
-  bool light_theme = false;
+  ViewSettings settings;
   std::string open_panel;               // the one that lies over the view; empty for none
   std::set<std::string> hidden_panels;  // of the columns
   std::string asked_algorithm;          // whose values the panel of values asks for
@@ -87,6 +89,8 @@ class Session {
   // The element under a pixel; none outside the view.
   std::optional<Picked> pick(glm::dvec2 pixel, PickMode what);
   Picker& picker();
+  // For smooth shading. Kept up with edits as long as that is set.
+  const CornerNormals& corner_normals();
   // The sets of problems, and of the highlights that are shown.
   const HighlightSets& highlights();
   // The number of boundary loops on points; as up to date as the highlights.
@@ -112,7 +116,7 @@ class Session {
   // all. Entries may be repeated, dead or past the end.
   struct DrawnChanges {
     bool everything = true;
-    std::vector<std::uint32_t> triangles;  // slots of picker().triangles()
+    std::vector<std::uint32_t> triangles;  // slots of picker().triangles(), also with other normals
     std::vector<std::uint32_t> vertices;   // created or moved
     std::vector<std::uint32_t> faces;      // with changed corners or changed tinting highlights
     std::vector<Marked> marks;
@@ -129,6 +133,7 @@ class Session {
 
   std::unique_ptr<Document> document_;
   std::optional<Picker> picker_;
+  std::optional<CornerNormals> corner_normals_;  // of the triangles of the picker
   std::optional<HighlightSets> highlights_;
   std::optional<BoundaryLoopCount> boundary_loops_;
   std::optional<EulerPoincare> euler_;

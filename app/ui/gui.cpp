@@ -74,13 +74,11 @@ void Gui::place_view(Session& session, Size window) const {
   session.view_origin = {area.x0, area.y0};
 }
 
-PanelContext Gui::context(Session& session) {
-  return {session, state_, fonts_, session.light_theme ? Theme::light : Theme::dark, scale_};
-}
+PanelContext Gui::context(Session& session) { return {session, state_, fonts_, session.settings.theme, scale_}; }
 
 bool Gui::prepare(const Session& session) {
   ImGui::SetCurrentContext(imgui_);
-  const Theme theme = session.light_theme ? Theme::light : Theme::dark;
+  const Theme theme = session.settings.theme;
   if (theme != theme_) apply_style(theme, scale_);
   theme_ = theme;
   const auto names_need_it = [&] {

@@ -1,13 +1,16 @@
 #include "app/editor/commands.h"
+#include "app/editor/view_switches.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
+#include "core/view/named_views.h"
 
 namespace ryosen {
 
 namespace {
 
 void item(PanelContext& context, const char* name, const std::string& line, bool enabled = true, bool ticked = false) {
-  if (ImGui::MenuItem(name, chord_of(line), ticked, enabled)) context.run(line);
+  const std::string chord = chord_of(line);
+  if (ImGui::MenuItem(name, chord.empty() ? nullptr : chord.c_str(), ticked, enabled)) context.run(line);
 }
 void item(PanelContext& context, UiText name, const std::string& line, bool enabled = true, bool ticked = false) {
   item(context, context.text(name), line, enabled, ticked);
@@ -61,22 +64,26 @@ void draw_columns_menu(PanelContext& context) {
   }
 }
 
+// Of two values that a key goes between the second one, ticked where it is on; else one entry for each.
+void draw_switch(PanelContext& context, const ViewSwitch& row) {
+  const std::size_t now = row.value(context.session);
+  const bool is_one = row.toggles() && row.values.size() == 2;
+  for (std::size_t i = is_one ? 1 : 0; i < row.values.size(); ++i) {
+    const SwitchValue& value = row.values[i];
+    item(context, context.text(value.name_en, value.name_ja),
+         is_one ? toggle_line(row) : std::string(row.id) + " " + std::string(value.id), true, i == now);
+  }
+  ImGui::Separator();
+}
+
 void draw_view_menu(PanelContext& context) {
   item(context, UiText::frame_all, "frame all");
   item(context, UiText::frame_selected, "frame selected", !context.session.selection.empty());
   ImGui::Separator();
-  constexpr std::pair<UiText, const char*> views[] = {
-      {UiText::front, "view front"},   {UiText::back, "view back"}, {UiText::left, "view left"},
-      {UiText::right, "view right"},   {UiText::top, "view top"},   {UiText::bottom, "view bottom"},
-      {UiText::isometric, "view iso"},
-  };
-  for (const auto& [name, line] : views) item(context, name, line);
+  for (const NamedView& view : named_views())
+    item(context, context.text(view.name_en, view.name_ja), "view " + std::string(view.id));
   ImGui::Separator();
-  item(context, UiText::projection, "projection toggle", true, context.session.camera.ortho_height.has_value());
-  ImGui::Separator();
-  item(context, UiText::theme_dark, "theme dark", true, !context.session.light_theme);
-  item(context, UiText::theme_light, "theme light", true, context.session.light_theme);
-  ImGui::Separator();
+  for (const ViewSwitch& row : view_switches()) draw_switch(context, row);
   draw_columns_menu(context);
 }
 

@@ -13,7 +13,7 @@ TEST(ui_commands, set_what_they_name) {
   EXPECT_TRUE(session.run("language ja").done());
   EXPECT_EQ(session.language, Language::japanese);
   EXPECT_TRUE(session.run("theme light").done());
-  EXPECT_TRUE(session.light_theme);
+  EXPECT_EQ(session.settings.theme, Theme::light);
   EXPECT_TRUE(session.run("panel keys").done());
   EXPECT_EQ(session.open_panel, "keys");
   for (const char* wrong : {"language", "language de", "theme pink", "panel", "panel kyes", "cancel all"})
@@ -56,7 +56,7 @@ TEST(ui_commands, every_key_sends_a_command_that_is_understood) {
     Session session(std::move(document).value());
     session.take_picture = [](const std::filesystem::path&) { return success(); };
     if (key.command == "save") continue;  // would write the asset
-    EXPECT_NE(session.run(std::string(key.command)).exit_code, ExitCode::usage) << key.chord;
+    EXPECT_NE(session.run(key.command).exit_code, ExitCode::usage) << key.chord;
   }
 }
 

@@ -118,7 +118,8 @@ class Editor {
     session_.autosave = &autosave_;
     autosave_.begin(session_.document());
     // Why the folder cannot be read is said to whoever asks for the list.
-    if (list_lost_sessions(session_) && !session_.lost.empty()) session_.open_panel = "recover";
+    if (list_lost_sessions(session_) && !session_.lost.empty())
+      session_.show(panel_opened_by(PanelOpener::lost_sessions), true);
   }
 
   void run() {

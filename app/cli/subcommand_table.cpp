@@ -56,16 +56,15 @@ std::vector<Flag> shot_flags() {
   for (const ViewSwitch& row : view_switches())
     if (row.has_flag())
       flags.push_back({flag_of(row), ids_of(row.values), false, std::string(row.flag_en), std::string(row.flag_ja)});
-  flags.insert(flags.end(), {
-                                {"--backend", "auto|osmesa|egl", false, "what draws", "描画に使うもの"},
-                                {"--compare", "REF.png", false, "ends with 1 if the picture differs from this one",
-                                 "この画像と異なれば終了コード 1"},
-                                {"--diff", "D.png", false, "with --compare: writes where they differ",
-                                 "--compare の差分画像の出力先"},
-                                {"--tolerance", "PERCENT", false, "of the pixels may differ; else 0.2",
-                                 "異なってよい画素の割合（省くと 0.2）"},
-                                overwrite,
-                            });
+  const std::vector<Flag> behind{
+      {"--backend", "auto|osmesa|egl", false, "what draws", "描画に使うもの"},
+      {"--compare", "REF.png", false, "ends with 1 if the picture differs from this one",
+       "この画像と異なれば終了コード 1"},
+      {"--diff", "D.png", false, "with --compare: writes where they differ", "--compare の差分画像の出力先"},
+      {"--tolerance", "PERCENT", false, "of the pixels may differ; else 0.2", "異なってよい画素の割合（省くと 0.2）"},
+      overwrite,
+  };
+  flags.insert(flags.end(), behind.begin(), behind.end());
   return flags;
 }
 

@@ -24,15 +24,16 @@ Outcome run_panel(Session& session, Words arguments, std::string_view) {
   const bool on = arguments.size() == 1 || arguments[1] == "on";
   if (!on && arguments[1] != "off") return wrong_arguments("panel");
   const std::string id(arguments[0]);
-  if (id == "none" && arguments.size() == 1) {
+  if (id == "none" && arguments.size() > 1)
+    return usage_error("panel none closes what lies over the view; it takes no further word",
+                       "panel none は画面に重なるものを閉じます。後ろに言葉は付けられません");
+  if (id == "none") {
     session.open_panel.clear();
     return {};
   }
   const PanelRow* const row = find_panel(id);
   if (!row) return no_such_panel(id);
-  if (row->place == PanelPlace::over && (on || session.open_panel == id)) session.open_panel = on ? id : "";
-  if (row->place != PanelPlace::over && on) session.hidden_panels.erase(id);
-  if (row->place != PanelPlace::over && !on) session.hidden_panels.insert(id);
+  session.show(*row, on);
   return {};
 }
 
@@ -47,7 +48,7 @@ Outcome run_values(Session& session, Words arguments, std::string_view) {
                        "アルゴリズム「" + wrong + "」はありません" + (close.empty() ? "" : "。" + close + " ですか？"));
   }
   session.asked_algorithm = row->id;
-  session.open_panel = "values";
+  session.show(panel_opened_by(PanelOpener::asked_values), true);
   return {};
 }
 

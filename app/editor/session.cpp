@@ -24,7 +24,25 @@ Camera first_camera() {
 Session::Session(std::unique_ptr<Document> document) {
   for (const HighlightRow& row : highlight_table())
     if (row.shown_at_first == ShownAtFirst::yes) shown.insert(std::string(row.id));
+  for (const PanelRow& row : panel_list())
+    if (row.place == PanelPlace::over && row.shown_at_first()) open_panel = row.id;
   set_document(std::move(document));
+}
+
+bool Session::is_shown(const PanelRow& panel) const {
+  const std::string id(panel.id);
+  return panel.place == PanelPlace::over ? open_panel == id : panel.shown_at_first() != switched_panels.contains(id);
+}
+
+void Session::show(const PanelRow& panel, bool on) {
+  if (is_shown(panel) == on) return;
+  const std::string id(panel.id);
+  if (panel.place == PanelPlace::over)
+    open_panel = on ? id : "";
+  else if (on != panel.shown_at_first())
+    switched_panels.insert(id);
+  else
+    switched_panels.erase(id);
 }
 
 void Session::set_document(std::unique_ptr<Document> document, std::optional<std::filesystem::path> read_from) {
@@ -216,11 +234,17 @@ const std::vector<std::string>& Session::hover_remedy() {
   return remedy_;
 }
 
+std::vector<std::string> Session::selected_names() const {
+  std::vector<std::string> names;
+  for (const Element& element : selection)
+    names.push_back(element.kind == Element::Kind::vertex ? name_of_copy(mesh(), element.vertex())
+                                                          : name_of(mesh(), element));
+  return names;
+}
+
 std::string Session::line_on_selection(const OpInfo& op) const {
   std::string line(op.id);
-  for (const Element& element : selection)
-    line += " " +
-            (element.kind == Element::Kind::vertex ? name_of_copy(mesh(), element.vertex()) : name_of(mesh(), element));
+  for (const std::string& name : selected_names()) line += " " + name;
   return line;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/editor/document.h"
+#include "app/editor/panel_list.h"
 #include "app/editor/recovery.h"
 #include "app/editor/run_files.h"
 #include "core/analysis/boundary_loop_count.h"
@@ -56,10 +57,14 @@ class Session {
   // User interface state changed by commands; stored without effect if there is no UI.
   Language language = Language::english;
   ViewSettings settings;
-  std::string open_panel;               // the one that lies over the view; empty for none
-  std::set<std::string> hidden_panels;  // of the columns
-  std::string asked_algorithm;          // whose values the panel of values asks for
-  std::vector<LostSession> lost;        // as last listed
+  std::string open_panel;                 // the one that lies over the view; empty for none
+  std::set<std::string> switched_panels;  // of the columns: those that are not as at first
+  std::string asked_algorithm;            // whose values the panel of values asks for
+  std::vector<LostSession> lost;          // as last listed
+
+  bool is_shown(const PanelRow& panel) const;
+  // One over the view takes the place of the one that was open.
+  void show(const PanelRow& panel, bool on);
 
   bool strict = false;  // warnings refuse too
   RunFiles files{
@@ -83,7 +88,9 @@ class Session {
   // A click: applies the tool to what is under the pixel, or selects it.
   Outcome click(glm::dvec2 pixel, const std::string& with_tool);
 
-  // The script line of an operator on the selected elements, in order; distinguishes copies of a point.
+  // The selected elements as command lines name them, in order; distinguishes copies of a point.
+  std::vector<std::string> selected_names() const;
+  // The script line of an operator on them.
   std::string line_on_selection(const OpInfo& op) const;
 
   // The element under a pixel; none outside the view.

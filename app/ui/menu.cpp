@@ -16,18 +16,22 @@ void item(PanelContext& context, UiText name, const std::string& line, bool enab
   item(context, context.text(name), line, enabled, ticked);
 }
 
-// Opens a panel over the view.
-void panel_item(PanelContext& context, std::string_view id, const char* behind = "") {
-  const std::string name = std::string(context.title(*find_panel(id))) + behind;
-  item(context, name.c_str(), "panel " + std::string(id));
+// The panels of a menu: opens one over the view, ticks those of the columns that are shown.
+void panel_items(PanelContext& context, PanelMenu menu, const char* behind = "") {
+  for (const PanelRow& row : panel_list()) {
+    if (row.menu != menu) continue;
+    const std::string name = std::string(context.title(row)) + behind, line = "panel " + std::string(row.id);
+    const bool is_ticked = row.place != PanelPlace::over && context.session.is_shown(row);
+    const char* const switched = row.place == PanelPlace::over ? "" : is_ticked ? " off" : " on";
+    item(context, name.c_str(), line + switched, true, is_ticked);
+  }
 }
 
 void draw_file_menu(PanelContext& context) {
-  panel_item(context, "open", "...");
+  panel_items(context, PanelMenu::file_read, "...");
   ImGui::Separator();
   item(context, UiText::save, "save", !context.session.document().path().empty());
-  panel_item(context, "save", "...");
-  panel_item(context, "recover", "...");
+  panel_items(context, PanelMenu::file_write, "...");
   ImGui::Separator();
   item(context, UiText::quit, "quit");
 }
@@ -50,18 +54,8 @@ void draw_edit_menu(PanelContext& context) {
            row.parameters.empty() ? line_of(row, ParameterValues()) : "values " + std::string(row.id));
     ImGui::EndMenu();
   }
-  panel_item(context, "command");
+  panel_items(context, PanelMenu::edit);
   item(context, UiText::select_none, "select none", !context.session.selection.empty());
-}
-
-// A tick for each panel of the columns that is not hidden.
-void draw_columns_menu(PanelContext& context) {
-  for (const PanelRow& row : panel_list()) {
-    if (row.place == PanelPlace::over) continue;
-    const std::string id(row.id);
-    const bool is_shown = !context.session.hidden_panels.contains(id);
-    item(context, context.title(row), "panel " + id + (is_shown ? " off" : " on"), true, is_shown);
-  }
 }
 
 // Of two values that a key goes between the second one, ticked where it is on; else one entry for each.
@@ -84,7 +78,7 @@ void draw_view_menu(PanelContext& context) {
     item(context, context.text(view.name_en, view.name_ja), "view " + std::string(view.id));
   ImGui::Separator();
   for (const ViewSwitch& row : view_switches()) draw_switch(context, row);
-  draw_columns_menu(context);
+  panel_items(context, PanelMenu::view);
 }
 
 void draw_name(PanelContext& context) {
@@ -107,7 +101,7 @@ void draw_menu(PanelContext& context) {
   menu(UiText::menu_file, draw_file_menu);
   menu(UiText::menu_edit, draw_edit_menu);
   menu(UiText::menu_view, draw_view_menu);
-  menu(UiText::menu_help, [](PanelContext& c) { panel_item(c, "keys"); });
+  menu(UiText::menu_help, [](PanelContext& c) { panel_items(c, PanelMenu::help); });
   draw_name(context);
   const char* const other = context.text(UiText::language_other);
   const float width = ImGui::CalcTextSize(other).x + 3 * ImGui::GetStyle().ItemSpacing.x;

@@ -115,7 +115,8 @@ class Editor {
     session_.autosave = &autosave_;
     autosave_.begin(session_.document());
     // Why the folder cannot be read is said to whoever asks for the list.
-    if (list_lost_sessions(session_) && !session_.lost.empty()) session_.open_panel = "recover";
+    if (list_lost_sessions(session_) && !session_.lost.empty())
+      session_.show(panel_opened_by(PanelOpener::lost_sessions), true);
   }
 
   void run() {
@@ -197,11 +198,9 @@ class Editor {
     gui_.modifiers((modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0);
     if (const int edits = imgui_key_of_glfw(key); edits >= 0) gui_.key(edits, action != GLFW_RELEASE);
     if (action == GLFW_RELEASE) return;
-    const std::string chord = chord_of_glfw(key, modifiers);
-    const KeyRow* const row = find_key(chord);
-    // With a modal panel or a focused text field only Escape and F1 act.
-    if (!row || ((gui_.owns_keys() || !session_.open_panel.empty()) && chord != "Escape" && chord != "F1")) return;
-    gui_.run(session_, std::string(row->command));
+    const auto row = find_key(chord_of_glfw(key, modifiers));
+    if (!row || ((gui_.owns_keys() || !session_.open_panel.empty()) && !row->acts_always)) return;
+    gui_.run(session_, row->command);
     mouse_.point(window_.pointer(), window_.size());
   }
 

@@ -44,12 +44,17 @@ BufferSpace buffer_space(const glm::dvec3& low, const glm::dvec3& high) {
 MeshBuffers::MeshBuffers()
     : gpu_positions_("mesh positions", GL_RGBA32F),
       gpu_triangles_("mesh triangles", GL_RGBA32UI),
-      gpu_tints_("face tints", GL_R8UI) {}
+      gpu_normals_("corner normals", GL_RGBA32UI),
+      gpu_tints_("face tints", GL_R8UI) {
+  const glm::uvec4 none(0);
+  gpu_normals_.write(0, {&none, 1});  // so that there is something to bind
+}
 
 void MeshBuffers::set(const TriangleSource& source, const BufferSpace& space) {
   space_ = space;
   positions_.clear();
   triangles_.clear();
+  normals_.clear();
   tints_.clear();
   slot_of_source_.clear();
   source_of_slot_.clear();
@@ -101,6 +106,7 @@ void MeshBuffers::bind() const {
   gpu_positions_.bind(0);
   gpu_triangles_.bind(1);
   gpu_tints_.bind(2);
+  gpu_normals_.bind(3);
 }
 
 void MeshBuffers::set_units(const Program& program) {
@@ -108,6 +114,7 @@ void MeshBuffers::set_units(const Program& program) {
   program.set("positions", 0);
   program.set("triangles", 1);
   program.set("face_tints", 2);
+  program.set("corner_normals", 3);
 }
 
 DrawBox MeshBuffers::bounds() const {
@@ -177,10 +184,15 @@ std::vector<std::uint32_t> MeshBuffers::write_triangles(const TriangleSource& so
                                                         std::span<const std::uint32_t> triangles) {
   std::vector<std::uint32_t> slots;
   slots.reserve(triangles.size());
+  if (!source.corner_normals.empty()) normals_.resize(triangles_.size());
   std::uint32_t faces = static_cast<std::uint32_t>(tints_.size());
   for (const std::uint32_t triangle : triangles) {
     const std::uint32_t slot = slot_of_source_[triangle];
     triangles_[slot] = converted(source, triangle);
+    if (triangle < source.corner_normals.size()) {
+      const auto& [a, b, c] = source.corner_normals[triangle];
+      normals_[slot] = {a, b, c, 0};
+    }
     slots.push_back(slot);
     faces = std::max(faces, (triangles_[slot].w >> 3) + 1);
   }
@@ -194,6 +206,7 @@ std::vector<std::uint32_t> MeshBuffers::write_triangles(const TriangleSource& so
   for (const std::uint32_t slot : slots) touched_clusters.push_back(slot / cluster_size);
   for_runs(std::move(slots), [&](std::uint32_t first, std::uint32_t count) {
     gpu_triangles_.write(first, {triangles_.data() + first, count});
+    if (!normals_.empty()) gpu_normals_.write(first, {normals_.data() + first, count});
   });
   std::sort(touched_clusters.begin(), touched_clusters.end());
   touched_clusters.erase(std::unique(touched_clusters.begin(), touched_clusters.end()), touched_clusters.end());

@@ -1,4 +1,5 @@
-// The GPU copy of a mesh: positions, triangles in small clusters, and a byte of flags per face.
+// The GPU copy of a mesh: positions, triangles in small clusters, normals where there are any, and a byte of flags per
+// face.
 #pragma once
 
 #include <array>
@@ -22,6 +23,8 @@ struct TriangleSource {
   std::span<const std::uint32_t> triangle_face;             // the face of each triangle, below 2^29
   std::span<const std::uint8_t> triangle_edge_bits;         // bit k: side k to k+1 is an edge of the polygon
   std::span<const std::uint8_t> face_tints;                 // see face_tint.h; faces past the end have none
+  // Of the corners of each triangle, see core/view/packed_normal.h. Empty: the surface is not drawn smooth.
+  std::span<const std::array<std::uint32_t, 3>> corner_normals = {};
 };
 
 // Spatially close triangles in consecutive slots, with their bounding box.
@@ -63,7 +66,7 @@ class MeshBuffers {
   void set(const TriangleSource& source, const BufferSpace& space);
 
   // Updates the copy after a change. `vertices` lists the vertices with a new position, `triangles` those with changed
-  // corners, face or edge bits or with a moved corner, `faces` those with changed tints. Elements appended or removed
+  // corners, normals, face or edge bits or with a moved corner, `faces` those with changed tints. Elements appended or removed
   // at the ends of the arrays need not be listed. Finding the triangles of faces with changed tints takes a pass over
   // all triangles, unless for each such face some triangle is listed; then all its triangles must be.
   MeshChange update(const TriangleSource& source, std::span<const std::uint32_t> vertices,
@@ -98,6 +101,7 @@ class MeshBuffers {
   BufferSpace space_;
   std::vector<glm::vec4> positions_;   // as uploaded; w is 0
   std::vector<glm::uvec4> triangles_;  // by slot, as uploaded: corners, then face * 8 + edge bits
+  std::vector<glm::uvec4> normals_;    // by slot, as uploaded: of the corners; empty where the source has none
   std::vector<std::uint8_t> tints_;    // as uploaded; at least one per face used by a triangle
   std::vector<std::uint32_t> slot_of_source_;
   std::vector<std::uint32_t> source_of_slot_;
@@ -107,6 +111,7 @@ class MeshBuffers {
   std::size_t source_tints_ = 0;
   TexelArray<glm::vec4> gpu_positions_;
   TexelArray<glm::uvec4> gpu_triangles_;
+  TexelArray<glm::uvec4> gpu_normals_;
   TexelArray<std::uint8_t> gpu_tints_;
 };
 

@@ -3,12 +3,11 @@
 
 #include <cstdint>
 
+#include "core/view/view_settings.h"
 #include "render/colour.h"
 #include "render/overlay.h"
 
 namespace ryosen {
-
-enum class Theme { dark, light };
 
 // What an element is drawn as because of the pointer or the selection; highlights bring their own looks.
 enum class Role {

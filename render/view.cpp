@@ -83,9 +83,9 @@ void View::resize(Size size, int supersample) {
   all_changed();
 }
 
-void View::set_theme(Theme theme) {
-  if (theme == theme_) return;
-  theme_ = theme;
+void View::set_settings(const ViewSettings& settings) {
+  if (settings == settings_) return;
+  settings_ = settings;
   all_changed();
 }
 
@@ -212,7 +212,7 @@ Frame View::frame(const PixelRect& rect, int scale) const {
   f.units_per_pixel = static_cast<float>(units_per_pixel(camera, f.size, 1));
   f.rect = {rect.x0 * scale, rect.y0 * scale, rect.x1 * scale, rect.y1 * scale};
   f.pixel_scale = static_cast<float>(scale);
-  f.theme = theme_;
+  f.settings = settings_;
   return f;
 }
 

@@ -48,7 +48,7 @@ class View {
 
   // The picture's size, and the supersampling factor per dimension (1 to 8).
   void resize(Size size, int supersample = 1);
-  void set_theme(Theme theme);
+  void set_settings(const ViewSettings& settings);
   // Without a background the picture has an alpha channel.
   void set_transparent(bool transparent);
   void set_camera(const Camera& camera);
@@ -107,7 +107,7 @@ class View {
   Camera camera_;
   Size size_{1, 1};
   int supersample_ = 1;
-  Theme theme_ = Theme::dark;
+  ViewSettings settings_;
   std::vector<DrawnTint> tints_;
   bool transparent_ = false;
   DirtyRects dirty_, redrawn_;

@@ -1,24 +1,48 @@
-// Light of three sources that move with the eye, on a flat triangle seen from either side. Colours are linear.
-uniform mat4 view_from_buffer;  // moves, turns and scales evenly
-uniform float perspective;      // 1, or 0 when all rays are parallel
+// Light of three sources that move with the eye, on a surface seen from either side. Colours are linear.
+uniform usamplerBuffer corner_normals;  // by slot, packed as in core/view/packed_normal.h
+uniform mat4 view_from_buffer;          // moves, turns and scales evenly
+uniform float perspective;              // 1, or 0 when all rays are parallel
+uniform int shading;                    // a Shading of core/view/view_settings.h
 uniform vec3 key_colour;
 uniform vec3 fill_colour;
 uniform vec3 rim_colour;
 uniform vec3 front_colour;
 uniform vec3 back_colour;
 
+const int smooth_shading = 1;
 const vec3 key_direction = normalize(vec3(-0.42, 0.60, 0.68));
 const vec3 fill_direction = normalize(vec3(0.80, -0.10, 0.45));
 
-// What a white triangle would look like; seen_front says which side the eye sees.
+// How much the normal of a surface points to the eye, which sees it at this place.
+float facing_eye(vec3 normal, vec3 place) {
+  vec3 to_eye = -normalize((view_from_buffer * vec4(place, 1.0)).xyz);
+  return dot(normal, mix(vec3(0.0, 0.0, 1.0), to_eye, perspective));
+}
+
+// The normal of the surface at the corner; that of its triangle where there is none.
+vec3 corner_normal(Corner corner, vec3 of_triangle) {
+  uvec4 all = texelFetch(corner_normals, corner.slot);
+  uint packed_normal = corner.number == 0 ? all.x : corner.number == 1 ? all.y : all.z;
+  vec2 side = (vec2(packed_normal & 0xffffu, packed_normal >> 16u) - 32768.0) / 32767.0;
+  vec3 normal = vec3(side, 1.0 - abs(side.x) - abs(side.y));
+  float fold = max(-normal.z, 0.0);
+  normal.xy -= vec2(normal.x < 0.0 ? -fold : fold, normal.y < 0.0 ? -fold : fold);
+  return packed_normal == 0u ? of_triangle : normalize(mat3(view_from_buffer) * normal);
+}
+
+// What it would look like if it were white; seen_front says which side the eye sees. With flat shading all corners of a
+// triangle look like its last one.
 vec3 light_on(Corner corner, out float grazing, out bool seen_front) {
   vec3 along = corner.places[1] - corner.places[0], across = corner.places[2] - corner.places[0];
   vec3 normal = normalize(mat3(view_from_buffer) * cross(along, across));
-  vec3 to_eye = -normalize((view_from_buffer * vec4(corner.places[2], 1.0)).xyz);
-  float facing = dot(normal, mix(vec3(0.0, 0.0, 1.0), to_eye, perspective));
-  seen_front = facing > 0.0;
+  vec3 place = corner.places[2];
+  seen_front = facing_eye(normal, place) > 0.0;
+  if (shading == smooth_shading) {
+    normal = corner_normal(corner, normal);
+    place = place_of(corner);
+  }
   if (!seen_front) normal = -normal;
-  grazing = 1.0 - min(abs(facing), 1.0);
+  grazing = 1.0 - clamp(facing_eye(normal, place), 0.0, 1.0);
   float key = max(dot(normal, key_direction), 0.0);
   float fill = max(dot(normal, fill_direction), 0.0);
   float sky = 0.5 + 0.5 * normal.y;

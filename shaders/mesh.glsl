@@ -30,8 +30,11 @@ Corner read_corner() {
   return corner;
 }
 
+vec3 place_of(Corner corner) {
+  return corner.number == 0 ? corner.places[0] : corner.number == 1 ? corner.places[1] : corner.places[2];
+}
+
 // The same expression in every pass, so that equal places get equal depths.
 vec4 clip_place(Corner corner) {
-  vec3 place = corner.number == 0 ? corner.places[0] : corner.number == 1 ? corner.places[1] : corner.places[2];
-  return corner.tint == hidden_face ? nowhere : clip_from_buffer * vec4(place, 1.0);
+  return corner.tint == hidden_face ? nowhere : clip_from_buffer * vec4(place_of(corner), 1.0);
 }

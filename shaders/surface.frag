@@ -1,7 +1,9 @@
 #version 330 core
 in vec2 barycentric;
 flat in vec4 lit;
+in vec3 lit_smoothly;
 
+uniform int shading;       // a Shading of core/view/view_settings.h
 uniform vec3 wire_colour;  // linear
 uniform float wire_strength;
 uniform float pixel_scale;  // rendered pixels per pixel of the picture
@@ -25,5 +27,6 @@ float wire() {
 }
 
 void main() {
-  colour = vec4(sqrt(mix(lit.rgb, wire_colour, wire() * wire_strength)), 1.0);
+  vec3 surface = shading == 0 ? lit.rgb : lit_smoothly;
+  colour = vec4(sqrt(mix(surface, wire_colour, wire() * wire_strength)), 1.0);
 }

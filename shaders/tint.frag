@@ -1,7 +1,9 @@
 #version 330 core
 flat in vec4 tint;
+in vec3 tint_smoothly;
 flat in int pattern;
 
+uniform int shading;        // a Shading of core/view/view_settings.h
 uniform float pixel_scale;  // rendered pixels per pixel of the picture
 
 layout(location = 0) out vec4 colour;
@@ -22,5 +24,6 @@ float share() {
 
 void main() {
   float strength = tint.a * share();
-  colour = vec4(sqrt(tint.rgb) * strength, strength);
+  vec3 surface = shading == 0 ? tint.rgb : tint_smoothly;
+  colour = vec4(sqrt(surface) * strength, strength);
 }

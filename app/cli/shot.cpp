@@ -22,7 +22,7 @@ class Shot {
     };
     session_.files = options_.files;
     session_.language = console_.language;
-    session_.light_theme = options_.light_theme;
+    for (const auto& [row, value] : options_.switches) row.set(session_, value);
     if (options_.shown) session_.shown = *options_.shown;
     headless_.place_view(session_);
     steps();

@@ -7,6 +7,7 @@
 #include "app/editor/camera_text.h"
 #include "app/editor/script.h"
 #include "core/highlights/highlight_table.h"
+#include "core/view/named_views.h"
 
 namespace ryosen::cli {
 
@@ -68,6 +69,20 @@ class OptionsReader {
                                      flag + " は" + ja + "です（「" + value + "」は使えません）。"}));
   }
 
+  // The flag takes one of these words, which are separated by |.
+  void bad_word(const std::string& flag, const std::string& value, const std::string& words) {
+    std::string en, ja;
+    std::size_t count = 0;
+    for (std::size_t at = 0, end = 0; end < words.size(); at = end + 1, ++count) {
+      end = std::min(words.find('|', at), words.size());
+      const std::string word = words.substr(at, end - at);
+      const bool is_last = end == words.size();
+      en.append(count == 0 ? "" : is_last ? " or " : ", ").append(word);
+      ja.append(count == 0 ? " " : count == 1 && is_last ? " か " : "、").append(word);
+    }
+    bad_value(flag, value, en, ja + (count > 2 ? " のいずれか" : " "));
+  }
+
   // Parses an integer, or none.
   static std::optional<int> number(std::string_view word) {
     int value = 0;
@@ -108,9 +123,12 @@ class OptionsReader {
   }
 
   void read_words() {
-    if (const auto theme = text("--theme")) {
-      if (*theme != "dark" && *theme != "light") bad_value("--theme", *theme, "dark or light", " dark か light ");
-      options_.light_theme = *theme == "light";
+    for (const ViewSwitch& row : view_switches()) {
+      const auto word = row.has_flag() ? text(flag_of(row)) : std::nullopt;
+      if (!word) continue;
+      const auto value = find_value(row, *word);
+      if (!value) bad_word(flag_of(row), *word, ids_of(row.values));
+      options_.switches.emplace_back(row, value.value_or(0));
     }
     if (const auto backend = text("--backend")) {
       if (*backend == "osmesa")
@@ -118,11 +136,9 @@ class OptionsReader {
       else if (*backend == "egl")
         options_.picture.backend = Backend::egl;
       else if (*backend != "auto")
-        bad_value("--backend", *backend, "auto, osmesa or egl", " auto、osmesa、egl のいずれか");
+        bad_word("--backend", *backend, "auto|osmesa|egl");
     }
-    if (options_.view && !named_view_of(*options_.view))
-      bad_value("--view", *options_.view, "front, back, left, right, top, bottom or iso",
-                " front、back、left、right、top、bottom、iso のいずれか");
+    if (options_.view && !find_named_view(*options_.view)) bad_word("--view", *options_.view, named_view_ids());
     Text error;
     if (options_.camera && !camera_from_json(*options_.camera, {}, error))
       fail(usage_failure("bad_value", {"--camera: " + error.en + ".", "--camera：" + error.ja + "。"}));

@@ -8,6 +8,7 @@
 
 #include "app/cli/edit_script.h"
 #include "app/cli/subcommand_table.h"
+#include "app/editor/view_switches.h"
 #include "app/ui/headless.h"
 
 namespace ryosen::cli {
@@ -22,8 +23,8 @@ struct ShotOptions {
   std::optional<std::string> output, reference, difference;
   double tolerance_percent = 0.2;
   Headless::Options picture;
-  bool light_theme = false;
-  std::optional<std::string> view, camera;  // arguments of the script commands with these names
+  std::vector<std::pair<ViewSwitch, std::size_t>> switches;  // and the numbers of their values
+  std::optional<std::string> view, camera;                   // arguments of the script commands with these names
   std::optional<std::set<std::string>> shown;
   std::vector<std::string> selected;
   std::string tool;

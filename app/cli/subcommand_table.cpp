@@ -16,6 +16,8 @@
 #include "app/cli/contract/why.h"
 #include "app/cli/help_topics.h"
 #include "app/cli/subcommands.h"
+#include "app/editor/view_switches.h"
+#include "core/view/named_views.h"
 
 namespace ryosen::cli {
 
@@ -34,8 +36,40 @@ const std::array common{
 const Flag overwrite{"--overwrite", "", false, "allows to replace what the run reads or wrote before",
                      "この実行で読み込む、または先に書き出したファイルの置き換えを許す"};
 
-const std::vector<Subcommand>& table() {
-  static const std::vector<Subcommand> rows{
+// Those of `shot`, with one for each switch of the view that has one.
+std::vector<Flag> shot_flags() {
+  std::vector<Flag> flags{
+      {"-o", "PNG", false, "where the picture goes", "画像の出力先"},
+      {"--size", "WxH", false, "in pixels; else 1280x720", "画素数（省くと 1280x720）"},
+      {"--view", named_view_ids(), false, "looks along an axis", "軸方向から見る"},
+      {"--camera", "JSON", false, "eye, target, up, fov_y_deg, ortho_height", "カメラを指定する"},
+      {"--show", "IDS|all|none", false, "the highlights, separated by commas", "強調表示（コンマ区切り）"},
+      {"--select", "NAMES", false, "selects elements", "要素を選択する"},
+      {"--hover", "X,Y", false, "where the pointer is, in pixels of the picture", "ポインタの位置（画素）"},
+      {"--tool", "OP", false, "the tool in hand", "使うツール"},
+      {"--click", "X,Y[,TOOL]", true, "clicks there first (repeatable)", "先にクリックする（繰り返し可）"},
+      {"--script", "S", false, "first runs the commands of a file", "先にファイルのコマンドを実行"},
+      {"--panels", "", false, "the whole window with its panels", "パネルを含む画面全体"},
+      {"--transparent", "", false, "no background", "背景を透明にする"},
+      {"--supersample", "N", false, "smooths by N x N rendered pixels each", "N x N 画素から滑らかに描く"},
+  };
+  for (const ViewSwitch& row : view_switches())
+    if (row.has_flag())
+      flags.push_back({flag_of(row), ids_of(row.values), false, std::string(row.flag_en), std::string(row.flag_ja)});
+  const std::vector<Flag> behind{
+      {"--backend", "auto|osmesa|egl", false, "what draws", "描画に使うもの"},
+      {"--compare", "REF.png", false, "ends with 1 if the picture differs from this one",
+       "この画像と異なれば終了コード 1"},
+      {"--diff", "D.png", false, "with --compare: writes where they differ", "--compare の差分画像の出力先"},
+      {"--tolerance", "PERCENT", false, "of the pixels may differ; else 0.2", "異なってよい画素の割合（省くと 0.2）"},
+      overwrite,
+  };
+  flags.insert(flags.end(), behind.begin(), behind.end());
+  return flags;
+}
+
+std::vector<Subcommand> table() {
+  std::vector<Subcommand> rows{
       Subcommand{"view",
                  "[FILE]",
                  "the editor; also what ryosen does without a command",
@@ -133,37 +167,9 @@ const std::vector<Subcommand>& table() {
                  nullptr,
                  convert_command,
                  convert_contract},
-      Subcommand{
-          "shot",
-          "FILE",
-          "a picture of a mesh or of the whole editor, without a display",
-          "メッシュまたはエディタ全体の画像（ディスプレイ不要）",
-          {
-              {"-o", "PNG", false, "where the picture goes", "画像の出力先"},
-              {"--size", "WxH", false, "in pixels; else 1280x720", "画素数（省くと 1280x720）"},
-              {"--view", "front|back|left|right|top|bottom|iso", false, "looks along an axis", "軸方向から見る"},
-              {"--camera", "JSON", false, "eye, target, up, fov_y_deg, ortho_height", "カメラを指定する"},
-              {"--show", "IDS|all|none", false, "the highlights, separated by commas", "強調表示（コンマ区切り）"},
-              {"--select", "NAMES", false, "selects elements", "要素を選択する"},
-              {"--hover", "X,Y", false, "where the pointer is, in pixels of the picture", "ポインタの位置（画素）"},
-              {"--tool", "OP", false, "the tool in hand", "使うツール"},
-              {"--click", "X,Y[,TOOL]", true, "clicks there first (repeatable)", "先にクリックする（繰り返し可）"},
-              {"--script", "S", false, "first runs the commands of a file", "先にファイルのコマンドを実行"},
-              {"--panels", "", false, "the whole window with its panels", "パネルを含む画面全体"},
-              {"--transparent", "", false, "no background", "背景を透明にする"},
-              {"--supersample", "N", false, "smooths by N x N rendered pixels each", "N x N 画素から滑らかに描く"},
-              {"--theme", "dark|light", false, "the colours", "配色"},
-              {"--backend", "auto|osmesa|egl", false, "what draws", "描画に使うもの"},
-              {"--compare", "REF.png", false, "ends with 1 if the picture differs from this one",
-               "この画像と異なれば終了コード 1"},
-              {"--diff", "D.png", false, "with --compare: writes where they differ", "--compare の差分画像の出力先"},
-              {"--tolerance", "PERCENT", false, "of the pixels may differ; else 0.2",
-               "異なってよい画素の割合（省くと 0.2）"},
-              overwrite,
-          },
-          shot_topic,
-          shot_command,
-          shot_contract},
+      Subcommand{"shot", "FILE", "a picture of a mesh or of the whole editor, without a display",
+                 "メッシュまたはエディタ全体の画像（ディスプレイ不要）", shot_flags(), shot_topic, shot_command,
+                 shot_contract},
       Subcommand{"forms",
                  "FILE",
                  "the representations of the source texts for this mesh: bytes per face, build and query times",

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/editor/commands.h"
+#include "app/editor/view_switches.h"
 
 namespace ryosen {
 
@@ -24,10 +25,11 @@ FaultOfCommand fault_of_repair;
 // What the pointer does: commands_pointing.cpp
 RunCommand run_select, run_walk, run_tool, run_mode, run_click;
 FaultOfCommand fault_of_select;
-// What is seen: commands_view.cpp
-RunCommand run_camera, run_view, run_frame, run_projection, run_drag, run_show;
+// What is seen: view_switches.cpp, commands_view.cpp
+CommandRow row_of(const ViewSwitch& row);
+RunCommand run_camera, run_view, run_frame, run_drag, run_show;
 // The user interface: commands_window.cpp
-RunCommand run_panel, run_values, run_language, run_theme, run_cancel, run_key, run_quit;
+RunCommand run_panel, run_values, run_language, run_cancel, run_key, run_quit;
 std::string sent_by_key(Words arguments);
 
 }  // namespace ryosen

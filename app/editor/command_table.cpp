@@ -5,6 +5,7 @@
 #include "app/editor/panel_list.h"
 #include "app/editor/words.h"
 #include "core/ops/lines/syntax.h"
+#include "core/view/named_views.h"
 
 namespace ryosen {
 
@@ -36,7 +37,8 @@ CommandRow row_of(const OpInfo& op, std::string_view called) {
 
 std::optional<Text> no_fault(Words, const std::string&) { return std::nullopt; }
 
-const std::vector<CommandRow>& editor_rows() {
+// Those before the switches of the view, and those behind them.
+const std::vector<CommandRow>& first_rows() {
   static const std::vector<CommandRow> rows{
       {.id = "open",
        .syntax = "FILE",
@@ -84,12 +86,16 @@ const std::vector<CommandRow>& editor_rows() {
        .fault = fault_of_recover,
        .only_tells = recover_only_tells},
       {"camera", "JSON", "sets eye, target, up, fov_y_deg, ortho_height", "カメラを設定する", Effect::none, run_camera},
-      {"view", "front|back|left|right|top|bottom|iso", "looks along an axis at all of the mesh", "軸方向から全体を見る",
-       Effect::none, run_view},
+      {"view", named_view_ids(), "looks along an axis at all of the mesh", "軸方向から全体を見る", Effect::none,
+       run_view},
       {"frame", "[all|selected]", "fits the mesh or the selection into the view", "全体または選択を画面に収める",
        Effect::none, run_frame},
-      {"projection", "toggle|perspective|orthographic", "switches the projection", "投影法を切り替える", Effect::none,
-       run_projection},
+  };
+  return rows;
+}
+
+const std::vector<CommandRow>& last_rows() {
+  static const std::vector<CommandRow> rows{
       {"show", "ID|all [on|off]", "shows or hides a highlight", "強調表示を切り替える", Effect::none, run_show},
       {"tool", "ID|none", "chooses what a click does", "クリックで使うツールを選ぶ", Effect::none, run_tool},
       {"mode", "vertex|edge|face|halfedge", "chooses what the pointer picks", "ポインタで選ぶ要素を決める",
@@ -129,7 +135,6 @@ const std::vector<CommandRow>& editor_rows() {
       {"values", "ALGORITHM", "opens the fields of an algorithm's values", "アルゴリズムに与える値の入力欄を開く",
        Effect::none, run_values},
       {"language", "en|ja", "sets the language of the window", "画面の言語を選ぶ", Effect::none, run_language},
-      {"theme", "dark|light", "sets the colours of the window", "画面の配色を選ぶ", Effect::none, run_theme},
       {"cancel", "", "closes the open panel, else puts the tool away, else selects nothing",
        "パネル、ツール、選択の順に取り消す", Effect::none, run_cancel},
       {"quit", "", "ends the program", "終了する", Effect::none, run_quit},
@@ -151,7 +156,9 @@ ScopedCommand::~ScopedCommand() { scoped_rows().pop_back(); }
 std::vector<CommandRow> command_table() {
   std::vector<CommandRow> table;
   for (const OpInfo& op : all_ops()) table.push_back(row_of(op, op.id));
-  table.insert(table.end(), editor_rows().begin(), editor_rows().end());
+  table.insert(table.end(), first_rows().begin(), first_rows().end());
+  for (const ViewSwitch& row : view_switches()) table.push_back(row_of(row));
+  table.insert(table.end(), last_rows().begin(), last_rows().end());
   for (const AlgorithmRow& algorithm : algorithm_table())
     if (!find_op(algorithm.id)) table.push_back(row_of(algorithm));
   table.insert(table.end(), scoped_rows().begin(), scoped_rows().end());
@@ -160,8 +167,11 @@ std::vector<CommandRow> command_table() {
 
 std::optional<CommandRow> find_command_row(std::string_view id) {
   if (const OpInfo* const op = find_op(id)) return row_of(*op, id);
-  for (const CommandRow& row : editor_rows())
-    if (row.id == id) return row;
+  for (const std::vector<CommandRow>* rows : {&first_rows(), &last_rows()})
+    for (const CommandRow& row : *rows)
+      if (row.id == id) return row;
+  for (const ViewSwitch& row : view_switches())
+    if (row.id == id) return row_of(row);
   if (const AlgorithmRow* const algorithm = find_algorithm(id)) return row_of(*algorithm);
   for (const CommandRow& row : scoped_rows())
     if (row.id == id) return row;

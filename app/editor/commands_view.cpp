@@ -4,6 +4,7 @@
 
 #include "app/editor/camera_text.h"
 #include "app/editor/script.h"
+#include "core/view/named_views.h"
 
 namespace ryosen {
 
@@ -16,10 +17,10 @@ Outcome run_camera(Session& session, Words, std::string_view whole) {
 }
 
 Outcome run_view(Session& session, Words arguments, std::string_view) {
-  const auto view = arguments.size() == 1 ? named_view_of(arguments[0]) : std::nullopt;
+  const NamedView* const view = arguments.size() == 1 ? find_named_view(arguments[0]) : nullptr;
   if (!view) return wrong_arguments("view");
   session.camera =
-      named_view(*view, session.places_to_frame(), static_cast<double>(session.view.width) / session.view.height);
+      camera_of(*view, session.places_to_frame(), static_cast<double>(session.view.width) / session.view.height);
   return {};
 }
 
@@ -35,14 +36,6 @@ Outcome run_frame(Session& session, Words arguments, std::string_view) {
     outcome.sentence = {"nothing is selected; the whole mesh is shown", "選択がないため、全体を表示しています"};
   session.frame_selection();
   return outcome;
-}
-
-Outcome run_projection(Session& session, Words arguments, std::string_view) {
-  const std::string_view word = arguments.size() == 1 ? arguments[0] : "";
-  if (word != "toggle" && word != "perspective" && word != "orthographic") return wrong_arguments("projection");
-  const bool ortho = word == "toggle" ? !session.camera.ortho_height : word == "orthographic";
-  session.camera = with_ortho(session.camera, ortho);
-  return {};
 }
 
 Outcome run_drag(Session& session, Words arguments, std::string_view) {

@@ -1,7 +1,5 @@
 #include "app/editor/command_functions.h"
 
-#include <algorithm>
-
 #include "app/editor/keys.h"
 #include "app/editor/panel_list.h"
 #include "app/editor/script.h"
@@ -9,13 +7,6 @@
 namespace ryosen {
 
 namespace {
-
-// Which of the words the one argument is.
-std::optional<std::size_t> one_of(Words arguments, std::initializer_list<std::string_view> words) {
-  const auto found = arguments.size() == 1 ? std::find(words.begin(), words.end(), arguments[0]) : words.end();
-  if (found == words.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - words.begin());
-}
 
 Outcome no_such_panel(const std::string& id) {
   std::vector<std::string> known;
@@ -32,15 +23,16 @@ Outcome run_panel(Session& session, Words arguments, std::string_view) {
   const bool on = arguments.size() == 1 || arguments[1] == "on";
   if (!on && arguments[1] != "off") return wrong_arguments("panel");
   const std::string id(arguments[0]);
-  if (id == "none" && arguments.size() == 1) {
+  if (id == "none" && arguments.size() > 1)
+    return usage_error("panel none closes what lies over the view; it takes no further word",
+                       "panel none は画面に重なるものを閉じます。後ろに言葉は付けられません");
+  if (id == "none") {
     session.open_panel.clear();
     return {};
   }
   const PanelRow* const row = find_panel(id);
   if (!row) return no_such_panel(id);
-  if (row->place == PanelPlace::over && (on || session.open_panel == id)) session.open_panel = on ? id : "";
-  if (row->place != PanelPlace::over && on) session.hidden_panels.erase(id);
-  if (row->place != PanelPlace::over && !on) session.hidden_panels.insert(id);
+  session.show(*row, on);
   return {};
 }
 
@@ -55,21 +47,14 @@ Outcome run_values(Session& session, Words arguments, std::string_view) {
                        did_you_mean(wrong, known));
   }
   session.asked_algorithm = row->id;
-  session.open_panel = "values";
+  session.show(panel_opened_by(PanelOpener::asked_values), true);
   return {};
 }
 
 Outcome run_language(Session& session, Words arguments, std::string_view) {
-  const auto which = one_of(arguments, {"en", "ja"});
-  if (!which) return wrong_arguments("language");
-  session.language = *which == 1 ? Language::japanese : Language::english;
-  return {};
-}
-
-Outcome run_theme(Session& session, Words arguments, std::string_view) {
-  const auto which = one_of(arguments, {"dark", "light"});
-  if (!which) return wrong_arguments("theme");
-  session.light_theme = *which == 1;
+  const std::string_view word = arguments.size() == 1 ? arguments[0] : "";
+  if (word != "en" && word != "ja") return wrong_arguments("language");
+  session.language = word == "ja" ? Language::japanese : Language::english;
   return {};
 }
 
@@ -82,17 +67,17 @@ Outcome run_cancel(Session& session, Words arguments, std::string_view) {
 }
 
 std::string sent_by_key(Words arguments) {
-  const KeyRow* const key = arguments.size() == 1 ? find_key(arguments[0]) : nullptr;
-  return key ? std::string(key->command) : std::string();
+  const auto key = arguments.size() == 1 ? find_key(arguments[0]) : std::nullopt;
+  return key ? key->command : std::string();
 }
 
 Outcome run_key(Session& session, Words arguments, std::string_view) {
   if (arguments.size() != 1) return wrong_arguments("key");
-  const KeyRow* key = find_key(arguments[0]);
+  const auto key = find_key(arguments[0]);
   if (!key)
     return usage_error("no key '" + std::string(arguments[0]) + "' (see ryosen keys)",
                        "キー「" + std::string(arguments[0]) + "」はありません（ryosen keys を参照）");
-  return session.run(std::string(key->command));
+  return session.run(key->command);
 }
 
 Outcome run_quit(Session& session, Words arguments, std::string_view) {

@@ -1,19 +1,24 @@
 // The table of key bindings. F1, menus, tooltips and `ryosen keys` read it.
 #pragma once
 
-#include <span>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace ryosen {
 
 struct KeyRow {
-  std::string_view chord;    // "Ctrl+Z", "C", "Home", "Left", "Numpad1"
-  std::string_view command;  // the command line it sends
+  std::string chord;    // "Ctrl+Z", "C", "Home", "Left", "Numpad1"
+  std::string command;  // the command line it sends
   std::string_view help_en, help_ja;
+  // Also while a panel lies over the view, or text is typed.
+  bool acts_always = false;
 };
 
-std::span<const KeyRow> key_table();
-// By chord; null if unbound.
-const KeyRow* find_key(std::string_view chord);
+// The keys of operators, views and switches come from their own rows.
+std::vector<KeyRow> key_table();
+// By chord; none if unbound.
+std::optional<KeyRow> find_key(std::string_view chord);
 
 }  // namespace ryosen

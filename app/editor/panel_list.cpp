@@ -10,7 +10,8 @@ namespace {
 
 std::vector<PanelRow>& panel_rows() {
   static std::vector<PanelRow> rows{
-#define RYOSEN_PANEL(id, place, en, ja) {#id, PanelPlace::place, en, ja},
+#define RYOSEN_PANEL(id, place, menu, opened_by, at_first, en, ja) \
+  {#id, PanelPlace::place, en, ja, PanelMenu::menu, PanelOpener::opened_by, PanelAtFirst::at_first},
 #include "app/editor/panels.def"
 #undef RYOSEN_PANEL
   };
@@ -25,6 +26,13 @@ const PanelRow* find_panel(std::string_view id) {
   for (const PanelRow& row : panel_list())
     if (row.id == id) return &row;
   return nullptr;
+}
+
+const PanelRow& panel_opened_by(PanelOpener opener) {
+  const std::span<const PanelRow> rows = panel_list();
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const PanelRow& r) { return r.opened_by == opener; });
+  assert(row != rows.end());
+  return *row;
 }
 
 std::string panel_ids() {

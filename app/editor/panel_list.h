@@ -10,15 +10,37 @@ namespace ryosen {
 // In a column beside the view until it is hidden, or over the view, one at a time.
 enum class PanelPlace { left, right, over };
 
+// Where the menu bar has an entry for it; of the file menu with what reads, or with what writes and brings back.
+enum class PanelMenu { none, view, file_read, file_write, edit, help };
+// What opens it beside the menu and the command `panel`.
+enum class PanelOpener {
+  nothing,
+  unnamed_save,   // a save where the document has no file yet
+  begun_line,     // a command that was begun elsewhere and needs its arguments
+  loss,           // something that would lose changes that are not saved
+  lost_sessions,  // the start, where a crash left something unsaved
+  asked_values,   // the command `values`
+};
+
+// Before anybody has said anything.
+enum class PanelAtFirst { shown, hidden };
+
 struct PanelRow {
   std::string_view id;
   PanelPlace place;
   std::string_view title_en, title_ja;
+  PanelMenu menu = PanelMenu::view;
+  PanelOpener opened_by = PanelOpener::nothing;
+  PanelAtFirst at_first = PanelAtFirst::shown;
+
+  bool shown_at_first() const { return at_first == PanelAtFirst::shown; }
 };
 
 // The lines of panels.def in their order, behind them what was added. Valid until another is added or taken away.
 std::span<const PanelRow> panel_list();
 const PanelRow* find_panel(std::string_view id);
+// The one that is opened by this, not by nothing.
+const PanelRow& panel_opened_by(PanelOpener opener);
 // "tools, highlights, ...": what the command `panel` may name.
 std::string panel_ids();
 

@@ -24,7 +24,25 @@ Camera first_camera() {
 Session::Session(std::unique_ptr<Document> document) {
   for (const HighlightRow& row : highlight_table())
     if (row.shown_at_first == ShownAtFirst::yes) shown.insert(std::string(row.id));
+  for (const PanelRow& row : panel_list())
+    if (row.place == PanelPlace::over && row.shown_at_first()) open_panel = row.id;
   set_document(std::move(document));
+}
+
+bool Session::is_shown(const PanelRow& panel) const {
+  const std::string id(panel.id);
+  return panel.place == PanelPlace::over ? open_panel == id : panel.shown_at_first() != switched_panels.contains(id);
+}
+
+void Session::show(const PanelRow& panel, bool on) {
+  if (is_shown(panel) == on) return;
+  const std::string id(panel.id);
+  if (panel.place == PanelPlace::over)
+    open_panel = on ? id : "";
+  else if (on != panel.shown_at_first())
+    switched_panels.insert(id);
+  else
+    switched_panels.erase(id);
 }
 
 void Session::set_document(std::unique_ptr<Document> document, std::optional<std::filesystem::path> read_from) {
@@ -34,6 +52,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   if (!source.empty()) files.reads(source, FileRole::mesh);
   document_->add_listener([this](std::size_t transaction) { follow(transaction); });
   picker_.reset();
+  corner_normals_.reset();
   highlights_.reset();
   boundary_loops_.reset();
   euler_.reset();
@@ -56,6 +75,10 @@ void Session::follow(std::size_t transaction) {
   const TouchedElements touched = touched_elements(m, document_->journal(), transaction);
   if (picker_) {
     const std::vector<std::uint32_t> slots = picker_->update(m, touched);
+    if (touched.everything || settings.shading == Shading::flat) corner_normals_.reset();
+    if (corner_normals_)
+      for (const std::uint32_t slot : corner_normals_->update(m, picker_->triangles(), touched))
+        drawn_changes_.triangles.push_back(slot);
     drawn_changes_.everything |= touched.everything;
     drawn_changes_.triangles.insert(drawn_changes_.triangles.end(), slots.begin(), slots.end());
     for (Vertex v : touched.moved) drawn_changes_.vertices.push_back(v.index);
@@ -211,11 +234,17 @@ const std::vector<std::string>& Session::hover_remedy() {
   return remedy_;
 }
 
+std::vector<std::string> Session::selected_names() const {
+  std::vector<std::string> names;
+  for (const Element& element : selection)
+    names.push_back(element.kind == Element::Kind::vertex ? name_of_copy(mesh(), element.vertex())
+                                                          : name_of(mesh(), element));
+  return names;
+}
+
 std::string Session::line_on_selection(const OpInfo& op) const {
   std::string line(op.id);
-  for (const Element& element : selection)
-    line += " " +
-            (element.kind == Element::Kind::vertex ? name_of_copy(mesh(), element.vertex()) : name_of(mesh(), element));
+  for (const std::string& name : selected_names()) line += " " + name;
   return line;
 }
 
@@ -244,6 +273,11 @@ std::optional<Picked> Session::pick(glm::dvec2 pixel, PickMode what) {
 Picker& Session::picker() {
   if (!picker_) picker_.emplace(mesh());
   return *picker_;
+}
+
+const CornerNormals& Session::corner_normals() {
+  if (!corner_normals_) corner_normals_.emplace(mesh(), picker().triangles());
+  return *corner_normals_;
 }
 
 void Session::forget_hidden() {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/editor/document.h"
+#include "app/editor/panel_list.h"
 #include "app/editor/recovery.h"
 #include "app/editor/run_files.h"
 #include "core/analysis/boundary_loop_count.h"
@@ -17,6 +18,8 @@
 #include "core/analysis/mesh_kind.h"
 #include "core/highlights/highlight_sets.h"
 #include "core/pick/picker.h"
+#include "core/view/corner_normals.h"
+#include "core/view/view_settings.h"
 
 namespace ryosen {
 
@@ -53,11 +56,15 @@ class Session {
   std::vector<Element> selection;
   // User interface state changed by commands; stored without effect if there is no UI.
   Language language = Language::english;
-  bool light_theme = false;
-  std::string open_panel;               // the one that lies over the view; empty for none
-  std::set<std::string> hidden_panels;  // of the columns
-  std::string asked_algorithm;          // whose values the panel of values asks for
-  std::vector<LostSession> lost;        // as last listed
+  ViewSettings settings;
+  std::string open_panel;                 // the one that lies over the view; empty for none
+  std::set<std::string> switched_panels;  // of the columns: those that are not as at first
+  std::string asked_algorithm;            // whose values the panel of values asks for
+  std::vector<LostSession> lost;          // as last listed
+
+  bool is_shown(const PanelRow& panel) const;
+  // One over the view takes the place of the one that was open.
+  void show(const PanelRow& panel, bool on);
 
   bool strict = false;  // warnings refuse too
   RunFiles files{
@@ -81,12 +88,16 @@ class Session {
   // A click: applies the tool to what is under the pixel, or selects it.
   Outcome click(glm::dvec2 pixel, const std::string& with_tool);
 
-  // The script line of an operator on the selected elements, in order; distinguishes copies of a point.
+  // The selected elements as command lines name them, in order; distinguishes copies of a point.
+  std::vector<std::string> selected_names() const;
+  // The script line of an operator on them.
   std::string line_on_selection(const OpInfo& op) const;
 
   // The element under a pixel; none outside the view.
   std::optional<Picked> pick(glm::dvec2 pixel, PickMode what);
   Picker& picker();
+  // For smooth shading. Kept up with edits as long as that is set.
+  const CornerNormals& corner_normals();
   // The sets of problems, and of the highlights that are shown.
   const HighlightSets& highlights();
   // The number of boundary loops on points; as up to date as the highlights.
@@ -112,7 +123,7 @@ class Session {
   // all. Entries may be repeated, dead or past the end.
   struct DrawnChanges {
     bool everything = true;
-    std::vector<std::uint32_t> triangles;  // slots of picker().triangles()
+    std::vector<std::uint32_t> triangles;  // slots of picker().triangles(), also with other normals
     std::vector<std::uint32_t> vertices;   // created or moved
     std::vector<std::uint32_t> faces;      // with changed corners or changed tinting highlights
     std::vector<Marked> marks;
@@ -129,6 +140,7 @@ class Session {
 
   std::unique_ptr<Document> document_;
   std::optional<Picker> picker_;
+  std::optional<CornerNormals> corner_normals_;  // of the triangles of the picker
   std::optional<HighlightSets> highlights_;
   std::optional<BoundaryLoopCount> boundary_loops_;
   std::optional<EulerPoincare> euler_;

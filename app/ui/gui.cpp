@@ -74,13 +74,11 @@ void Gui::place_view(Session& session, Size window) const {
   session.view_origin = {area.x0, area.y0};
 }
 
-PanelContext Gui::context(Session& session) {
-  return {session, state_, fonts_, session.light_theme ? Theme::light : Theme::dark, scale_};
-}
+PanelContext Gui::context(Session& session) { return {session, state_, fonts_, session.settings.theme, scale_}; }
 
 bool Gui::prepare(const Session& session) {
   ImGui::SetCurrentContext(imgui_);
-  const Theme theme = session.light_theme ? Theme::light : Theme::dark;
+  const Theme theme = session.settings.theme;
   if (theme != theme_) apply_style(theme, scale_);
   theme_ = theme;
   const auto names_need_it = [&] {
@@ -126,7 +124,7 @@ void Gui::draw_column(PanelContext& context, PanelPlace place, float x, float y,
   ImGui::PopStyleVar();
   for (const OwnPanel& own : panels_) {
     const std::string id(own.row.id);
-    if (own.row.place != place || context.session.hidden_panels.contains(id)) continue;
+    if (own.row.place != place || !context.session.is_shown(own.row)) continue;
     // The id after ### keeps a panel open or closed when the language changes.
     const std::string title = context.title(own.row) + ("###" + id);
     ImGui::PushFont(context.fonts.bold);
@@ -236,7 +234,7 @@ Outcome Gui::run(Session& session, const std::string& line) {
   // Without a file, ask for a name.
   const auto call = call_of(line);
   if (call && call->row.effect == Effect::writes && file_of(*call).empty() && session.document().path().empty())
-    return context(session).run("panel save");
+    return context(session).open(PanelOpener::unnamed_save);
   return context(session).run(line);
 }
 Outcome Gui::click(Session& session, glm::dvec2 pixel) { return context(session).click(pixel); }

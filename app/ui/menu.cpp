@@ -1,30 +1,37 @@
 #include "app/editor/commands.h"
+#include "app/editor/view_switches.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
+#include "core/view/named_views.h"
 
 namespace ryosen {
 
 namespace {
 
 void item(PanelContext& context, const char* name, const std::string& line, bool enabled = true, bool ticked = false) {
-  if (ImGui::MenuItem(name, chord_of(line), ticked, enabled)) context.run(line);
+  const std::string chord = chord_of(line);
+  if (ImGui::MenuItem(name, chord.empty() ? nullptr : chord.c_str(), ticked, enabled)) context.run(line);
 }
 void item(PanelContext& context, UiText name, const std::string& line, bool enabled = true, bool ticked = false) {
   item(context, context.text(name), line, enabled, ticked);
 }
 
-// Opens a panel over the view.
-void panel_item(PanelContext& context, std::string_view id, const char* behind = "") {
-  const std::string name = std::string(context.title(*find_panel(id))) + behind;
-  item(context, name.c_str(), "panel " + std::string(id));
+// The panels of a menu: opens one over the view, ticks those of the columns that are shown.
+void panel_items(PanelContext& context, PanelMenu menu, const char* behind = "") {
+  for (const PanelRow& row : panel_list()) {
+    if (row.menu != menu) continue;
+    const std::string name = std::string(context.title(row)) + behind, line = "panel " + std::string(row.id);
+    const bool is_ticked = row.place != PanelPlace::over && context.session.is_shown(row);
+    const char* const switched = row.place == PanelPlace::over ? "" : is_ticked ? " off" : " on";
+    item(context, name.c_str(), line + switched, true, is_ticked);
+  }
 }
 
 void draw_file_menu(PanelContext& context) {
-  panel_item(context, "open", "...");
+  panel_items(context, PanelMenu::file_read, "...");
   ImGui::Separator();
   item(context, UiText::save, "save", !context.session.document().path().empty());
-  panel_item(context, "save", "...");
-  panel_item(context, "recover", "...");
+  panel_items(context, PanelMenu::file_write, "...");
   ImGui::Separator();
   item(context, UiText::quit, "quit");
 }
@@ -47,37 +54,31 @@ void draw_edit_menu(PanelContext& context) {
            row.parameters.empty() ? line_of(row, ParameterValues()) : "values " + std::string(row.id));
     ImGui::EndMenu();
   }
-  panel_item(context, "command");
+  panel_items(context, PanelMenu::edit);
   item(context, UiText::select_none, "select none", !context.session.selection.empty());
 }
 
-// A tick for each panel of the columns that is not hidden.
-void draw_columns_menu(PanelContext& context) {
-  for (const PanelRow& row : panel_list()) {
-    if (row.place == PanelPlace::over) continue;
-    const std::string id(row.id);
-    const bool is_shown = !context.session.hidden_panels.contains(id);
-    item(context, context.title(row), "panel " + id + (is_shown ? " off" : " on"), true, is_shown);
+// Of two values that a key goes between the second one, ticked where it is on; else one entry for each.
+void draw_switch(PanelContext& context, const ViewSwitch& row) {
+  const std::size_t now = row.value(context.session);
+  const bool is_one = row.toggles() && row.values.size() == 2;
+  for (std::size_t i = is_one ? 1 : 0; i < row.values.size(); ++i) {
+    const SwitchValue& value = row.values[i];
+    item(context, context.text(value.name_en, value.name_ja),
+         is_one ? toggle_line(row) : std::string(row.id) + " " + std::string(value.id), true, i == now);
   }
+  ImGui::Separator();
 }
 
 void draw_view_menu(PanelContext& context) {
   item(context, UiText::frame_all, "frame all");
   item(context, UiText::frame_selected, "frame selected", !context.session.selection.empty());
   ImGui::Separator();
-  constexpr std::pair<UiText, const char*> views[] = {
-      {UiText::front, "view front"},   {UiText::back, "view back"}, {UiText::left, "view left"},
-      {UiText::right, "view right"},   {UiText::top, "view top"},   {UiText::bottom, "view bottom"},
-      {UiText::isometric, "view iso"},
-  };
-  for (const auto& [name, line] : views) item(context, name, line);
+  for (const NamedView& view : named_views())
+    item(context, context.text(view.name_en, view.name_ja), "view " + std::string(view.id));
   ImGui::Separator();
-  item(context, UiText::projection, "projection toggle", true, context.session.camera.ortho_height.has_value());
-  ImGui::Separator();
-  item(context, UiText::theme_dark, "theme dark", true, !context.session.light_theme);
-  item(context, UiText::theme_light, "theme light", true, context.session.light_theme);
-  ImGui::Separator();
-  draw_columns_menu(context);
+  for (const ViewSwitch& row : view_switches()) draw_switch(context, row);
+  panel_items(context, PanelMenu::view);
 }
 
 void draw_name(PanelContext& context) {
@@ -100,7 +101,7 @@ void draw_menu(PanelContext& context) {
   menu(UiText::menu_file, draw_file_menu);
   menu(UiText::menu_edit, draw_edit_menu);
   menu(UiText::menu_view, draw_view_menu);
-  menu(UiText::menu_help, [](PanelContext& c) { panel_item(c, "keys"); });
+  menu(UiText::menu_help, [](PanelContext& c) { panel_items(c, PanelMenu::help); });
   draw_name(context);
   const char* const other = context.text(UiText::language_other);
   const float width = ImGui::CalcTextSize(other).x + 3 * ImGui::GetStyle().ItemSpacing.x;

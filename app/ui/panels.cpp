@@ -6,13 +6,13 @@
 
 namespace ryosen {
 
-#define RYOSEN_PANEL(id, place, en, ja) std::unique_ptr<Panel> make_##id##_panel();
+#define RYOSEN_PANEL(id, place, menu, opened_by, at_first, en, ja) std::unique_ptr<Panel> make_##id##_panel();
 #include "app/editor/panels.def"
 #undef RYOSEN_PANEL
 
 std::vector<std::unique_ptr<Panel>> make_panels() {
   std::vector<std::unique_ptr<Panel>> made;
-#define RYOSEN_PANEL(id, place, en, ja) made.push_back(make_##id##_panel());
+#define RYOSEN_PANEL(id, place, menu, opened_by, at_first, en, ja) made.push_back(make_##id##_panel());
 #include "app/editor/panels.def"
 #undef RYOSEN_PANEL
   return made;
@@ -72,16 +72,17 @@ Outcome PanelContext::run(const std::string& line) {
 
 Outcome PanelContext::click(glm::dvec2 pixel) { return keep(session.click(pixel, session.tool)); }
 
+Outcome PanelContext::open(PanelOpener opener) { return run("panel " + std::string(panel_opened_by(opener).id)); }
+
 void PanelContext::begin_command(std::string line) {
   state.begun_command = std::move(line);
-  run("panel command");
+  open(PanelOpener::begun_line);
 }
 
 void PanelContext::leave(PendingLeave where) {
   if (session.document().is_modified()) {
     state.pending = std::move(where);
-    state.last_outcome = {};
-    session.open_panel = "unsaved";
+    open(PanelOpener::loss);
     return;
   }
   go(where);

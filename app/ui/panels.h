@@ -62,6 +62,8 @@ struct PanelContext {
   Outcome click(glm::dvec2 pixel);
   // Keeps an outcome for the status line: the sentence of one, or that what it performed is done, or nothing.
   Outcome keep(Outcome outcome);
+  // Opens the panel that this opens.
+  Outcome open(PanelOpener opener);
   // Lets the user go on with a line in the command window.
   void begin_command(std::string line);
   // Opens a file or ends the program, after a question where changes would be lost.

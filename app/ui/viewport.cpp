@@ -9,8 +9,12 @@ namespace ryosen {
 
 namespace {
 
-TriangleSource source_of(const Mesh& mesh, const SurfaceTriangles& triangles, std::span<const std::uint8_t> tints) {
-  return {mesh.positions(), triangles.triangles(), triangles.faces(), triangles.edge_bits(), tints};
+TriangleSource source_of(Session& session, std::span<const std::uint8_t> tints) {
+  const SurfaceTriangles& triangles = session.picker().triangles();
+  TriangleSource source{session.mesh().positions(), triangles.triangles(), triangles.faces(), triangles.edge_bits(),
+                        tints};
+  if (session.settings.shading == Shading::smooth) source.corner_normals = session.corner_normals().packed();
+  return source;
 }
 
 static_assert(most_highlights <= most_tints);
@@ -75,11 +79,10 @@ void Viewport::set_supersample(int samples) {
 void Viewport::follow(Session& session) {
   if (session.view != size_) view_->resize(session.view, supersample_);
   size_ = session.view;
-  const Theme theme = session.light_theme ? Theme::light : Theme::dark;
-  if (theme != theme_) highlights_stale_ = true;
-  theme_ = theme;
-  view_->set_theme(theme);
-  view_->set_tints(tints_in(theme));
+  if (session.settings.theme != settings_.theme) highlights_stale_ = true;
+  settings_ = session.settings;
+  view_->set_settings(settings_);
+  view_->set_tints(tints_in(settings_.theme));
   view_->set_camera(session.camera);
   follow_mesh(session);
   follow_overlays(session);
@@ -87,17 +90,17 @@ void Viewport::follow(Session& session) {
 
 void Viewport::follow_mesh(Session& session) {
   const Mesh& mesh = session.mesh();
-  const SurfaceTriangles& triangles = session.picker().triangles();
+  session.picker();  // from now on the session says which triangles change
   const FaceTints tints(session);
   Session::DrawnChanges changes = session.take_drawn_changes();
-  const bool anew = mesh_of_ != &session.document() || changes.everything;
+  const bool anew = mesh_of_ != &session.document() || changes.everything || drawn_shading_ != session.settings.shading;
   const bool other_highlights = shown_ != session.shown || changes.searched;
   if (!anew && !other_highlights && mesh_revision_ == session.document().revision()) return;
   face_tints_.resize(mesh.face_slots());
   if (anew || other_highlights)
     for (std::uint32_t f = 0; f < face_tints_.size(); ++f) face_tints_[f] = tints.of(f);
   if (anew) {
-    view_->set_mesh(source_of(mesh, triangles, face_tints_));
+    view_->set_mesh(source_of(session, face_tints_));
   } else {
     std::erase_if(changes.faces, [&](std::uint32_t f) { return f >= face_tints_.size(); });
     std::erase_if(changes.vertices, [&](std::uint32_t v) { return v >= mesh.vertex_slots(); });
@@ -106,10 +109,11 @@ void Viewport::follow_mesh(Session& session) {
       changes.faces.resize(face_tints_.size());
       std::iota(changes.faces.begin(), changes.faces.end(), 0u);
     }
-    view_->update_mesh(source_of(mesh, triangles, face_tints_), changes.vertices, changes.triangles, changes.faces);
+    view_->update_mesh(source_of(session, face_tints_), changes.vertices, changes.triangles, changes.faces);
   }
   mesh_of_ = &session.document();
   mesh_revision_ = session.document().revision();
+  drawn_shading_ = session.settings.shading;
   shown_ = session.shown;
   marked_ = std::move(changes.marks);
   highlights_stale_ |= anew || changes.searched;
@@ -121,7 +125,7 @@ void Viewport::draw_mark(Session& session, const HighlightRow& row, Mark mark, s
   DrawnMark& drawn = drawn_marks_[place];
   const std::uint32_t first = block * block_slots;
   Overlay overlay;
-  if (drawn.is_shown) overlay = highlight_overlay(session, row, mark, first, first + block_slots, theme_);
+  if (drawn.is_shown) overlay = highlight_overlay(session, row, mark, first, first + block_slots, settings_.theme);
   if (overlay.empty())
     drawn.blocks.erase(block);
   else
@@ -164,10 +168,10 @@ void Viewport::follow_highlights(Session& session) {
 void Viewport::follow_overlays(Session& session) {
   selection_stale_ |= highlights_stale_ || selection_ != session.selection;
   follow_highlights(session);
-  if (selection_stale_) view_->set_overlay(Layer::selection, selection_overlay(session, theme_));
+  if (selection_stale_) view_->set_overlay(Layer::selection, selection_overlay(session, settings_.theme));
   selection_stale_ = false;
   selection_ = session.selection;
-  view_->set_overlay(Layer::hover, hover_overlay(session, theme_));
+  view_->set_overlay(Layer::hover, hover_overlay(session, settings_.theme));
 }
 
 }  // namespace ryosen

@@ -18,7 +18,7 @@ class Viewport {
   // Needs a current context, which must outlive it.
   static Result<std::unique_ptr<Viewport>> make();
 
-  // Applies what changed in the session since the last call: size, theme, camera, mesh, overlays. Cheap if nothing did.
+  // Applies what changed in the session since the last call: size, settings, camera, mesh, overlays. Cheap if nothing did.
   void follow(Session& session);
   // Redraws what changed; the rectangle is empty if nothing did.
   PixelRect draw() { return view_->draw(); }
@@ -39,10 +39,11 @@ class Viewport {
   void draw_mark(Session& session, const HighlightRow& row, Mark mark, std::uint32_t block);
 
   std::unique_ptr<View> view_;
-  Theme theme_ = Theme::dark;
+  ViewSettings settings_;
   int supersample_ = 1;
   Size size_{};
   const Document* mesh_of_ = nullptr;
+  Shading drawn_shading_ = Shading::flat;  // with which the mesh was passed
   std::vector<std::uint8_t> face_tints_;
   std::uint64_t mesh_revision_ = 0;
   std::set<std::string> shown_;

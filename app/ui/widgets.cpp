@@ -142,10 +142,10 @@ bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size) {
 
 void end_over() { ImGui::EndPopup(); }
 
-const char* chord_of(std::string_view command) {
+std::string chord_of(std::string_view command) {
   for (const KeyRow& key : key_table())
-    if (key.command == command) return key.chord.data();
-  return nullptr;
+    if (key.command == command) return key.chord;
+  return {};
 }
 
 std::string grouped(std::int64_t n) {

@@ -27,8 +27,8 @@ void swatch(const Style& style, float width_px);
 bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size);
 void end_over();
 
-// The chord of the key that sends a command, or null.
-const char* chord_of(std::string_view command);
+// The chord of the key that sends a command, or nothing.
+std::string chord_of(std::string_view command);
 // 34834 as 34,834.
 std::string grouped(std::int64_t n);
 // Six significant digits.

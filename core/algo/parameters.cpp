@@ -304,6 +304,22 @@ ReadValues read_values(std::span<const ParameterRow> rows, std::span<const std::
   return read;
 }
 
+ReadValues read_fields(std::span<const ParameterRow> rows, std::span<const std::string> texts) {
+  assert(texts.size() == rows.size());
+  const auto fail = [](const Text& called_in_english, const Text& called_in_japanese) {
+    return ReadValues{std::nullopt, NameError::malformed, {}, {called_in_english.en, called_in_japanese.ja}};
+  };
+  ReadValues read{ParameterValues(rows), NameError::none, {}, {}};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (texts[i].empty()) continue;
+    if (const auto fault = read.values->set(rows[i].id, texts[i], rows[i].name_en))
+      return fail(*fault, *read.values->set(rows[i].id, texts[i], rows[i].name_ja));
+  }
+  if (const ParameterRow* const row = read.values->missing())
+    return fail(fault_of_missing(*row, row->name_en), fault_of_missing(*row, row->name_ja));
+  return read;
+}
+
 std::string syntax_of(std::span<const ParameterRow> rows) {
   std::string syntax;
   for (const ParameterRow& row : rows) {

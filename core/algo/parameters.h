@@ -106,6 +106,8 @@ struct ReadValues {
 
 // `name=value` words in any order; a first word without `=` is the value of the first parameter.
 ReadValues read_values(std::span<const ParameterRow> rows, std::span<const std::string_view> words);
+// The texts of fields, one for each row; an empty one gives no value. Sentences call the rows by their names.
+ReadValues read_fields(std::span<const ParameterRow> rows, std::span<const std::string> texts);
 // "distance=LENGTH [steps=COUNT]": the syntax of such words.
 std::string syntax_of(std::span<const ParameterRow> rows);
 

@@ -7,8 +7,6 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 
-#include "core/base/enum_table.h"
-
 namespace ryosen {
 namespace {
 
@@ -125,29 +123,6 @@ glm::dmat4 clip_from_view(const Camera& camera, double aspect, double near_dista
 
 namespace {
 
-struct NamedViewRow {
-  NamedView view;
-  std::string_view name;
-  glm::dvec3 direction, up;
-};
-constexpr NamedViewRow view_rows[] = {
-    {NamedView::front, "front", {0, 0, -1}, {0, 1, 0}}, {NamedView::back, "back", {0, 0, 1}, {0, 1, 0}},
-    {NamedView::left, "left", {1, 0, 0}, {0, 1, 0}},    {NamedView::right, "right", {-1, 0, 0}, {0, 1, 0}},
-    {NamedView::top, "top", {0, -1, 0}, {0, 0, -1}},    {NamedView::bottom, "bottom", {0, 1, 0}, {0, 0, 1}},
-    {NamedView::iso, "iso", {-1, -1, -1}, {0, 1, 0}},
-};
-static_assert(rows_are_in_order(view_rows, &NamedViewRow::view));
-
-}  // namespace
-
-std::optional<NamedView> named_view_of(std::string_view name) {
-  for (const NamedViewRow& row : view_rows)
-    if (row.name == name) return row.view;
-  return std::nullopt;
-}
-
-namespace {
-
 // Where a point lies that is `offset` from the origin in units of 2^exponent. A point beyond the largest number comes back
 // along `way`, which has length 1, as far as it must.
 glm::dvec3 place(const glm::dvec3& origin, const glm::dvec3& offset, int exponent, const glm::dvec3& way) {
@@ -196,15 +171,6 @@ Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double a
   result.eye = place(origin, eye, exponent, a.forward);
   result.target = place(origin, eye + a.forward * (middle.z - depth), exponent, a.forward);
   return result;
-}
-
-Camera named_view(NamedView view, std::span<const glm::dvec3> points, double aspect) {
-  const NamedViewRow& row = view_rows[static_cast<std::size_t>(view)];
-  Camera camera;
-  camera.eye = -row.direction;
-  camera.target = glm::dvec3(0);
-  camera.up = row.up;
-  return fitted(camera, points, aspect);
 }
 
 Camera orbited(const Camera& camera, glm::dvec2 moved_px, Size view) {

@@ -48,9 +48,6 @@ glm::dmat4 view_from_mesh(const Camera& camera);
 // Takes view space to clip space; near_distance < far_distance along the view direction, near > 0 in perspective.
 glm::dmat4 clip_from_view(const Camera& camera, double aspect, double near_distance, double far_distance);
 
-enum class NamedView { front, back, left, right, top, bottom, iso };
-std::optional<NamedView> named_view_of(std::string_view name);
-
 // `margin` is the share of the view's width and height left free on each side.
 inline constexpr double default_margin = 0.06;
 
@@ -58,8 +55,6 @@ inline constexpr double default_margin = 0.06;
 // the depth of the centre of their bounding box. If all points coincide the view is one unit high. An eye position that
 // would overflow is clamped. O(n).
 Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double aspect, double margin = default_margin);
-// front looks along -Z with +Y up, right along -X, top along -Y with -Z up, iso along (-1,-1,-1); fitted.
-Camera named_view(NamedView view, std::span<const glm::dvec3> points, double aspect);
 
 // Turntable rotation about the target: azimuth about Y, elevation clamped at the poles. Dragging half the view height
 // turns 90 degrees.

@@ -1,5 +1,6 @@
 #include "render/pass/background.h"
 
+#include "render/palette.h"
 #include "render/pass/linear.h"
 
 namespace ryosen {
@@ -11,7 +12,7 @@ Result<BackgroundPass> BackgroundPass::make() {
 }
 
 void BackgroundPass::draw(const Frame& frame) const {
-  const Palette& colours = palette(frame.theme);
+  const Palette& colours = palette(frame.settings.theme);
   program_.use();
   program_.set("top_colour", glm::vec3(unit(colours.background_top)));
   program_.set("bottom_colour", glm::vec3(unit(colours.background_bottom)));

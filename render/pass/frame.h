@@ -4,7 +4,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "core/view/size.h"
-#include "render/palette.h"
+#include "core/view/view_settings.h"
 
 namespace ryosen {
 
@@ -20,7 +20,7 @@ struct Frame {
   Size size;
   PixelRect rect;  // the part to draw; also the scissor
   float pixel_scale = 1;
-  Theme theme = Theme::dark;
+  ViewSettings settings;
 };
 
 }  // namespace ryosen

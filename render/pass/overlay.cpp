@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/enum_table.h"
+#include "render/palette.h"
 #include "render/pass/linear.h"
 
 namespace ryosen {
@@ -238,7 +239,7 @@ void OverlayPass::draw(const Frame& frame, const OverlayBuffer& overlay) const {
   program_.set("perspective", frame.ortho ? 0.0f : 1.0f);
   program_.set("units_per_pixel", frame.units_per_pixel);
   program_.set("near_distance", frame.near_distance);
-  program_.set("outline_colour", unit(palette(frame.theme).outline));
+  program_.set("outline_colour", unit(palette(frame.settings.theme).outline));
   overlay.bind(0);
   glBindVertexArray(no_attributes_.id());
   glDisable(GL_CULL_FACE);

@@ -6,6 +6,7 @@
 
 #include "core/base/enum_table.h"
 #include "render/gl/vertex_runs.h"
+#include "render/palette.h"
 #include "render/pass/linear.h"
 
 namespace ryosen {
@@ -17,7 +18,7 @@ static_assert(enum_count<FacePattern> == 5 && static_cast<int>(FacePattern::diag
               static_cast<int>(FacePattern::vertical) == 4);
 
 void set_light(const Program& program, const Frame& frame) {
-  const Palette& colours = palette(frame.theme);
+  const Palette& colours = palette(frame.settings.theme);
   program.use();
   program.set("clip_from_buffer", frame.clip_from_buffer);
   program.set("view_from_buffer", frame.view_from_buffer);
@@ -28,6 +29,7 @@ void set_light(const Program& program, const Frame& frame) {
   program.set("key_colour", glm::vec3(linear(colours.key)));
   program.set("fill_colour", glm::vec3(linear(colours.fill)));
   program.set("rim_colour", glm::vec3(linear(colours.rim)));
+  frame.settings.for_each([&](const char* name, int value) { program.set(name, value); });
 }
 
 }  // namespace
@@ -55,7 +57,7 @@ void SurfacePass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<co
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);
-  const Palette& colours = palette(frame.theme);
+  const Palette& colours = palette(frame.settings.theme);
   set_light(surface_, frame);
   surface_.set("wire_colour", glm::vec3(linear(colours.wire)));
   surface_.set("wire_strength", unit(colours.wire).w);

@@ -1,5 +1,5 @@
-// Draws the triangles of a mesh: flat shaded, both sides, with the wireframe and the tints of faces. Lighting is done
-// per triangle, because a software renderer has to pay for every pixel.
+// Draws the triangles of a mesh: both sides, flat or smooth, with the wireframe and the tints of faces. Lighting is done
+// per triangle or per corner, because a software renderer has to pay for every pixel.
 #pragma once
 
 #include <cstdint>

@@ -37,7 +37,7 @@ struct Seen {
 struct Golden {
   std::string name, mesh;
   std::vector<std::string> flags;
-  std::vector<Seen> seen;
+  std::vector<Seen> seen = {};
   std::vector<Drawn> unseen = {};
   Theme theme = Theme::dark;
 
@@ -89,6 +89,8 @@ const std::vector<Golden> goldens{
      {"creases"},
      Theme::light},
     {"nothing_shown", "fin.obj", {"--size", small, "--show", "none"}, {}, {"boundary", "nonmanifold", "degenerate"}},
+    {"ball_flat", "ball.off", {"--size", small}},
+    {"ball_smooth", "ball.off", {"--size", small, "--shading", "smooth"}},
     {"split_legal",
      "torus.off",
      {"--size", "640x480", "--theme", "light", "--tool", "split", "--hover", "322,393"},

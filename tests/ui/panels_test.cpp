@@ -74,6 +74,20 @@ TEST_F(PanelsTest, one_of_another_program_is_drawn_with_what_it_keeps) {
   EXPECT_GT(gui.draw_data().TotalVtxCount, with_one) << "a longer curve";
 }
 
+TEST_F(PanelsTest, one_that_is_hidden_at_first_is_drawn_when_it_is_asked_for) {
+  const int before = drawn();
+  PanelRow row = faces_row;
+  row.at_first = PanelAtFirst::hidden;
+  auto made = std::make_unique<FacesPanel>();
+  FacesPanel& panel = *made;
+  gui.add_panel(row, std::move(made));
+  EXPECT_EQ(drawn(), before);
+  EXPECT_TRUE(panel.faces_.empty());
+  ASSERT_TRUE(session.run("panel face_curve").done());
+  EXPECT_GT(drawn(), before);
+  EXPECT_EQ(panel.faces_.size(), 3u);
+}
+
 TEST_F(PanelsTest, one_of_another_program_is_known_to_the_command_and_its_help_while_it_is_there) {
   const CommandRow command = *find_command_row("panel");
   const auto names_it = [&](Language language) {
@@ -98,18 +112,18 @@ TEST_F(PanelsTest, one_of_another_program_is_the_last_of_the_view_menu) {
   gui.add_panel(faces_row, std::move(made));
   frames(3);
   const auto press_last_entry = [&](bool until_hidden) {
-    for (double y = 620; y > 200 && session.hidden_panels.empty() == until_hidden; y -= 8) {
+    for (double y = 660; y > 200 && session.switched_panels.empty() == until_hidden; y -= 8) {
       click(view_menu);
       click({100, y});
     }
   };
   press_last_entry(true);
-  EXPECT_EQ(session.hidden_panels, std::set<std::string>{"face_curve"});
+  EXPECT_EQ(session.switched_panels, std::set<std::string>{"face_curve"});
   const std::size_t seen = panel.faces_.size();
   frames(3);
   EXPECT_EQ(panel.faces_.size(), seen) << "it is not drawn while it is hidden";
   press_last_entry(false);
-  EXPECT_TRUE(session.hidden_panels.empty());
+  EXPECT_TRUE(session.switched_panels.empty());
   EXPECT_GT(panel.faces_.size(), seen);
 }
 

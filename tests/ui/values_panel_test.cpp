@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include "core/mesh/copies.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/core/scatter_algorithm.h"
 
@@ -65,6 +66,30 @@ TEST_F(ValuesPanel, takes_the_selection_for_elements) {
   frames(2);
   EXPECT_EQ(gui.said().en, "mark at=v1,v3: Moved.");
   EXPECT_EQ(session.mesh().position(Vertex(3)), glm::dvec3(9, 9, 9));
+}
+
+TEST_F(ValuesPanel, tells_the_copies_of_a_point_apart) {
+  open("fin.obj");
+  AlgorithmRow lift = test::scatter_row();
+  lift.id = "lift";
+  lift.parameters = {lift.parameters.back()};
+  lift.run = [](Edit&, const AlgorithmInput& input, Progress&) -> AlgorithmResult {
+    return {input.values.elements("at").size(), 0, {"Seen.", "見ました。"}};
+  };
+  const ScopedAlgorithm scoped(lift);
+  std::string names;
+  for (std::uint32_t i = 0; i < session.mesh().vertex_slots(); ++i) {
+    if (!has_copies(session.mesh(), Vertex(i))) continue;
+    session.selection.push_back(Vertex(i));
+    names += (names.empty() ? "" : ",") + name_of_copy(session.mesh(), Vertex(i));
+  }
+  ASSERT_NE(names.find('@'), std::string::npos);
+  ASSERT_TRUE(session.run("values lift").done());
+  frames(3);
+  click(selection_button);
+  click(run_button);
+  frames(2);
+  EXPECT_NE(gui.said().en.find("at=" + names), std::string::npos) << gui.said().en;
 }
 
 TEST_F(ValuesPanel, offers_all_algorithms_before_one_is_asked_for) {

@@ -84,9 +84,10 @@ void CommandPanel::enter(PanelContext& context) {
     typed_.clear();
     return context.leave({false, {}, line});
   }
+  const std::string own = context.session.open_panel;
   if (context.run(line).done()) {
     typed_.clear();
-    if (context.session.open_panel == "command") context.session.open_panel.clear();
+    if (context.session.open_panel == own) context.session.open_panel.clear();
   }
 }
 

@@ -16,7 +16,7 @@ void draw_unsaved(PanelContext& context) {
   const ImVec2 size{120 * context.scale, 0};
   if (ImGui::Button(context.text(UiText::save), size)) {
     if (context.session.document().path().empty())
-      context.run("panel save");
+      context.open(PanelOpener::unnamed_save);
     else if (context.run("save").done())
       context.go(where);
   }

@@ -35,18 +35,9 @@ bool draw_field(PanelContext& context, const ParameterRow& row, std::string& tex
   ImGui::SameLine();
   if (ImGui::Button(context.text("Selection", "選択中の要素"))) {
     text.clear();
-    for (const Element& element : context.session.selection)
-      text += (text.empty() ? "" : ",") + name_of(context.session.mesh(), element);
+    for (const std::string& name : context.session.selected_names()) text += (text.empty() ? "" : ",") + name;
   }
   return entered;
-}
-
-// What the fields say, or what is wrong with them. An empty field is a value that was not given.
-ReadValues values_of(const AlgorithmRow& row, const std::vector<std::string>& texts) {
-  std::vector<std::string> words;
-  for (std::size_t i = 0; i < texts.size(); ++i)
-    if (!texts[i].empty()) words.push_back(std::string(row.parameters[i].id) + "=" + texts[i]);
-  return read_values(row.parameters, std::vector<std::string_view>(words.begin(), words.end()));
 }
 
 // One field per parameter of the algorithm that is asked for; without one, all of them to choose from.
@@ -94,7 +85,7 @@ void ValuesPanel::draw(PanelContext& context) {
   ImGui::TextUnformatted(context.text(row->name_en, row->name_ja));
   dim_text(context, context.text(row->help_en, row->help_ja));
   const bool entered = draw_fields(context, *row, begins);
-  const ReadValues read = values_of(*row, texts_);
+  const ReadValues read = read_fields(row->parameters, texts_);
   ImGui::Dummy({0, 8 * context.scale});
   ImGui::BeginDisabled(!read.values);
   const bool pressed = ImGui::Button(context.text("Run", "実行"), {120 * context.scale, 0});

@@ -18,8 +18,9 @@ struct Scene {
   std::vector<std::uint32_t> faces;
   std::vector<std::uint8_t> edge_bits;
   std::vector<std::uint8_t> tints;
+  std::vector<std::array<std::uint32_t, 3>> normals;  // of the corners, packed; may be empty
 
-  TriangleSource source() const { return {positions, triangles, faces, edge_bits, tints}; }
+  TriangleSource source() const { return {positions, triangles, faces, edge_bits, tints, normals}; }
   void add(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 };
 

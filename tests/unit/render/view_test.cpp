@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/view/packed_normal.h"
 #include "tests/support/render/scene.h"
 
 namespace ryosen {
@@ -285,6 +286,64 @@ TEST(view, unfit_triangles_are_left_out) {
   const auto view = front_view(scene, view_size, 4);
   EXPECT_EQ(view->draw(), PixelRect::all(view_size));
   EXPECT_EQ(view->read_ids().size, view_size);
+}
+
+// The greatest step from a pixel to its right or lower neighbour, in a square amid the picture.
+int greatest_step(const Image& image, int reach) {
+  int greatest = 0;
+  const int x0 = image.size.width / 2, y0 = image.size.height / 2;
+  for (int y = y0 - reach; y < y0 + reach; ++y)
+    for (int x = x0 - reach; x < x0 + reach; ++x)
+      for (const Rgba& other : {pixel_at(image, x + 1, y), pixel_at(image, x, y + 1)})
+        for (std::size_t c = 0; c < 3; ++c)
+          greatest = std::max(greatest, std::abs(int(other[c]) - int(pixel_at(image, x, y)[c])));
+  return greatest;
+}
+
+// A sphere without wireframe whose corners have the normals of the sphere.
+Scene smooth_sphere(int rings) {
+  Scene scene = sphere_scene(rings);
+  std::fill(scene.edge_bits.begin(), scene.edge_bits.end(), std::uint8_t{0});
+  for (const auto& t : scene.triangles)
+    scene.normals.push_back({packed_normal(scene.positions[t[0]]), packed_normal(scene.positions[t[1]]),
+                             packed_normal(scene.positions[t[2]])});
+  return scene;
+}
+
+TEST(view, smooth_shading_has_no_step_at_edges) {
+  const auto view = front_view(smooth_sphere(16), view_size, 2.2);
+  view->draw();
+  const Image flat = view->read_pixels();
+  view->set_settings({.shading = Shading::smooth});
+  EXPECT_EQ(view->draw(), PixelRect::all(view_size)) << "all of it looks different";
+  const Image smooth = view->read_pixels();
+  EXPECT_GT(greatest_step(flat, 60), 12);
+  EXPECT_LE(greatest_step(smooth, 60), 4);
+  for (const int x : {110, 160, 210})
+    EXPECT_NEAR(int(pixel_at(smooth, x, 120)[1]), int(pixel_at(flat, x, 120)[1]), 25) << "lit from where it was";
+  view->set_settings({.shading = Shading::flat});
+  view->draw();
+  EXPECT_TRUE(view->read_pixels() == flat);
+}
+
+TEST(view, smooth_shading_follows_the_normals_of_the_triangles_that_changed) {
+  Scene scene = smooth_sphere(10);
+  const auto view = front_view(scene, view_size, 2.2);
+  view->set_settings({.shading = Shading::smooth});
+  view->draw();
+  const Image before = view->read_pixels();
+  std::vector<std::uint32_t> changed;
+  for (std::uint32_t t = 204; t < 214; ++t) {
+    for (std::uint32_t& normal : scene.normals[t]) normal = packed_normal({1, 0, 0});
+    changed.push_back(t);
+  }
+  view->update_mesh(scene.source(), {}, changed, {});
+  view->draw();
+  const Image followed = view->read_pixels();
+  EXPECT_FALSE(followed == before);
+  EXPECT_TRUE(followed == full_picture(*view));
+  view->set_mesh(scene.source());
+  EXPECT_TRUE(followed == full_picture(*view));
 }
 
 TEST(view, empty_mesh_shows_the_background) {

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "app/editor/keys.h"
+#include "app/editor/panel_list.h"
 #include "app/editor/session.h"
+#include "core/base/enum_table.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {
@@ -13,7 +15,7 @@ TEST(ui_commands, set_what_they_name) {
   EXPECT_TRUE(session.run("language ja").done());
   EXPECT_EQ(session.language, Language::japanese);
   EXPECT_TRUE(session.run("theme light").done());
-  EXPECT_TRUE(session.light_theme);
+  EXPECT_EQ(session.settings.theme, Theme::light);
   EXPECT_TRUE(session.run("panel keys").done());
   EXPECT_EQ(session.open_panel, "keys");
   for (const char* wrong : {"language", "language de", "theme pink", "panel", "panel kyes", "cancel all"})
@@ -26,13 +28,56 @@ TEST(ui_commands, panels_over_the_view_take_turns_and_those_of_the_columns_are_h
   for (const char* line : {"panel keys", "panel history off", "panel open", "panel keys off"})
     EXPECT_TRUE(session.run(line).done()) << line;
   EXPECT_EQ(session.open_panel, "open") << "another than the one that was to be closed";
-  EXPECT_EQ(session.hidden_panels, std::set<std::string>{"history"});
+  EXPECT_FALSE(session.is_shown(*find_panel("history")));
+  EXPECT_TRUE(session.is_shown(*find_panel("tools")));
   for (const char* line : {"panel none", "panel tools off", "panel history"}) EXPECT_TRUE(session.run(line).done());
   EXPECT_EQ(session.open_panel, "");
-  EXPECT_EQ(session.hidden_panels, std::set<std::string>{"tools"});
+  EXPECT_TRUE(session.is_shown(*find_panel("history")));
+  EXPECT_FALSE(session.is_shown(*find_panel("tools")));
   for (const char* wrong : {"panel history maybe", "panel none off", "panel history on on"})
     EXPECT_EQ(session.run(wrong).exit_code, ExitCode::usage) << wrong;
   EXPECT_EQ(session.run("panel histroy").sentence.en, "there is no panel 'histroy'; did you mean history?");
+  for (const char* wrong : {"panel none off", "panel none on"})
+    EXPECT_EQ(session.run(wrong).sentence.en, "panel none closes what lies over the view; it takes no further word");
+}
+
+TEST(ui_commands, panels_begin_as_their_rows_say) {
+  const ScopedPanel quiet(
+      {"quiet", PanelPlace::right, "Quiet", "静か", PanelMenu::view, PanelOpener::nothing, PanelAtFirst::hidden});
+  {
+    Session session(std::make_unique<Document>());
+    EXPECT_EQ(session.open_panel, "");
+    for (const PanelRow& row : panel_list()) EXPECT_EQ(session.is_shown(row), row.shown_at_first()) << row.id;
+    const PanelRow row = *find_panel("quiet");
+    for (const bool on : {true, false}) {
+      EXPECT_TRUE(session.run(on ? "panel quiet" : "panel quiet off").done());
+      EXPECT_EQ(session.is_shown(row), on);
+      EXPECT_TRUE(session.run(on ? "panel quiet on" : "panel quiet off").done()) << "once more changes nothing";
+      EXPECT_EQ(session.is_shown(row), on);
+    }
+  }
+  const ScopedPanel loud(
+      {"loud", PanelPlace::over, "Loud", "声高", PanelMenu::none, PanelOpener::nothing, PanelAtFirst::shown});
+  Session session(std::make_unique<Document>());
+  EXPECT_EQ(session.open_panel, "loud");
+}
+
+TEST(ui_commands, each_opener_opens_one_panel) {
+  std::set<PanelOpener> met;
+  for (const PanelRow& row : panel_list()) {
+    if (row.opened_by == PanelOpener::nothing) continue;
+    EXPECT_TRUE(met.insert(row.opened_by).second) << row.id;
+    EXPECT_EQ(panel_opened_by(row.opened_by).id, row.id);
+    EXPECT_EQ(row.place, PanelPlace::over) << row.id;
+  }
+  EXPECT_EQ(met.size(), enum_count<PanelOpener> - 1);
+}
+
+TEST(ui_commands, only_what_leads_out_and_the_help_acts_while_a_panel_is_open) {
+  std::set<std::string> acting;
+  for (const KeyRow& key : key_table())
+    if (key.acts_always) acting.insert(key.chord);
+  EXPECT_EQ(acting, (std::set<std::string>{"Escape", "F1"}));
 }
 
 TEST(ui_commands, cancel_steps_out_of_one_thing_at_a_time) {
@@ -56,7 +101,7 @@ TEST(ui_commands, every_key_sends_a_command_that_is_understood) {
     Session session(std::move(document).value());
     session.take_picture = [](const std::filesystem::path&) { return success(); };
     if (key.command == "save") continue;  // would write the asset
-    EXPECT_NE(session.run(std::string(key.command)).exit_code, ExitCode::usage) << key.chord;
+    EXPECT_NE(session.run(key.command).exit_code, ExitCode::usage) << key.chord;
   }
 }
 

@@ -39,13 +39,17 @@ TEST(viewport, what_follows_edits_looks_like_what_is_drawn_anew) {
   Viewport& viewport = **made;
   std::mt19937 random(5);
   int edits = 0;
-  for (const char* name : {"fin.obj", "moebius.off", "torus.off", "bow_tie.obj", "hanging_pair.obj", "two_quads.obj"}) {
+  const char* const names[] = {"fin.obj",     "moebius.off",      "torus.off",     "ball.off",
+                               "bow_tie.obj", "hanging_pair.obj", "two_quads.obj", "klein_bottle.off"};
+  for (std::size_t i = 0; i < std::size(names); ++i) {
+    const std::string name = names[i];
     auto document = Document::open(test::asset(name));
     ASSERT_TRUE(document);
     Session session(std::move(document).value());
     session.view = {320, 240};
     session.frame_all();
     ASSERT_TRUE(session.run("show all").done());
+    ASSERT_TRUE(session.run(i % 2 == 0 ? "shading flat" : "shading smooth").done());
     const auto picture = [&](const char* show) {
       EXPECT_TRUE(session.run(show).done());
       viewport.follow(session);

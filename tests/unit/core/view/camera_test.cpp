@@ -70,26 +70,6 @@ TEST(camera, depth_planes_map_to_the_ends_of_clip_space) {
   }
 }
 
-TEST(camera, named_views_look_along_their_axes) {
-  struct Row {
-    const char* name;
-    glm::dvec3 forward, up;
-  };
-  const double third = 1 / std::sqrt(3.0);
-  const Row rows[] = {{"front", {0, 0, -1}, {0, 1, 0}},     {"back", {0, 0, 1}, {0, 1, 0}},
-                      {"right", {-1, 0, 0}, {0, 1, 0}},     {"left", {1, 0, 0}, {0, 1, 0}},
-                      {"top", {0, -1, 0}, {0, 0, -1}},      {"bottom", {0, 1, 0}, {0, 0, 1}},
-                      {"iso", {-third, -third, -third}, {}}};
-  for (const Row& row : rows) {
-    const auto name = named_view_of(row.name);
-    ASSERT_TRUE(name) << row.name;
-    const CameraAxes a = axes(named_view(*name, cloud({5, -3, 2}, 2), aspect));
-    expect_near(a.forward, row.forward);
-    if (row.up != glm::dvec3(0)) expect_near(a.up, row.up);
-  }
-  EXPECT_FALSE(named_view_of("sideways"));
-}
-
 TEST(camera, fitted_points_touch_the_margin_and_no_more) {
   for (const bool ortho : {false, true}) {
     for (const double scale : {1e-6, 1.0, 1e6}) {

@@ -1,0 +1,100 @@
+#include "app/editor/view_switches.h"
+
+#include <cassert>
+#include <type_traits>
+
+#include "app/editor/command_functions.h"
+
+namespace ryosen {
+
+namespace {
+
+// A field of the settings as the value of a row.
+template <auto field>
+std::size_t setting(const Session& session) {
+  return static_cast<std::size_t>(session.settings.*field);
+}
+template <auto field>
+void set_setting(Session& session, std::size_t value) {
+  session.settings.*field = static_cast<std::remove_cvref_t<decltype(session.settings.*field)>>(value);
+}
+
+std::vector<ViewSwitch>& switch_rows() {
+  static std::vector<ViewSwitch> rows{
+      {.id = "projection",
+       .help_en = "switches the projection",
+       .help_ja = "投影法を切り替える",
+       .values = {{"perspective", "Perspective", "透視投影"}, {"orthographic", "Orthographic", "平行投影"}},
+       .value = [](const Session& session) { return std::size_t{session.camera.ortho_height.has_value()}; },
+       .set = [](Session& session, std::size_t value) { session.camera = with_ortho(session.camera, value == 1); },
+       .chord = "Numpad5",
+       .key_en = "perspective or orthographic",
+       .key_ja = "透視投影と平行投影"},
+      {.id = "theme",
+       .help_en = "sets the colours of the window",
+       .help_ja = "画面の配色を選ぶ",
+       .values = {{"dark", "Dark", "暗い配色"}, {"light", "Light", "明るい配色"}},
+       .value = setting<&ViewSettings::theme>,
+       .set = set_setting<&ViewSettings::theme>,
+       .flag_en = "the colours",
+       .flag_ja = "配色"},
+      {.id = "shading",
+       .help_en = "draws each face in a light of its own, or smoothly from face to face except at creases",
+       .help_ja = "面ごとの陰影と、折り目以外で滑らかにつながる陰影を切り替える",
+       .values = {{"flat", "Flat shading", "面ごとの陰影"}, {"smooth", "Smooth shading", "滑らかな陰影"}},
+       .value = setting<&ViewSettings::shading>,
+       .set = set_setting<&ViewSettings::shading>,
+       .chord = "L",
+       .key_en = "flat or smooth shading",
+       .key_ja = "面ごとの陰影と滑らかな陰影",
+       .flag_en = "how faces are lit; else flat",
+       .flag_ja = "面の陰影（省くと flat）"},
+  };
+  return rows;
+}
+
+}  // namespace
+
+std::span<const ViewSwitch> view_switches() { return switch_rows(); }
+
+std::string ids_of(std::span<const SwitchValue> values) {
+  std::string ids;
+  for (const SwitchValue& value : values) ids.append(ids.empty() ? "" : "|").append(value.id);
+  return ids;
+}
+
+std::optional<std::size_t> find_value(const ViewSwitch& row, std::string_view id) {
+  for (std::size_t i = 0; i < row.values.size(); ++i)
+    if (row.values[i].id == id) return i;
+  return std::nullopt;
+}
+
+std::string toggle_line(const ViewSwitch& row) { return std::string(row.id) + " toggle"; }
+
+std::string flag_of(const ViewSwitch& row) { return "--" + std::string(row.id); }
+
+CommandRow row_of(const ViewSwitch& given) {
+  const auto run = [row = given](Session& session, Words arguments, std::string_view) -> Outcome {
+    if (arguments.size() != 1) return wrong_arguments(row.id);
+    auto value = find_value(row, arguments[0]);
+    if (row.toggles() && arguments[0] == "toggle") value = (row.value(session) + 1) % row.values.size();
+    if (!value) return wrong_arguments(row.id);
+    row.set(session, *value);
+    return {};
+  };
+  return {.id = given.id,
+          .syntax = (given.toggles() ? "toggle|" : "") + ids_of(given.values),
+          .help_en = given.help_en,
+          .help_ja = given.help_ja,
+          .effect = Effect::none,
+          .run = run};
+}
+
+ScopedViewSwitch::ScopedViewSwitch(ViewSwitch row) {
+  assert(!find_command_row(row.id) && "every switch has an id of its own, which is its command");
+  switch_rows().push_back(std::move(row));
+}
+
+ScopedViewSwitch::~ScopedViewSwitch() { switch_rows().pop_back(); }
+
+}  // namespace ryosen

@@ -1,0 +1,28 @@
+// The views that have a name. The command `view`, the flag of `shot`, the View menu and the keys read the table.
+#pragma once
+
+#include <string>
+
+#include "core/view/camera.h"
+
+namespace ryosen {
+
+struct NamedView {
+  std::string_view id;
+  std::string_view name_en, name_ja;
+  glm::dvec3 direction, up;  // along which it looks, and what is up then
+  // The key that shows it and what the list of keys says of that; empty where it has none.
+  std::string_view chord = "", key_en = "", key_ja = "";
+};
+
+// In the order of the menu.
+std::span<const NamedView> named_views();
+// By id; null when there is none.
+const NamedView* find_named_view(std::string_view id);
+// "front|back|...": what the command may name.
+std::string named_view_ids();
+
+// The camera that shows all of the points so; see fitted().
+Camera camera_of(const NamedView& view, std::span<const glm::dvec3> points, double aspect);
+
+}  // namespace ryosen

@@ -44,7 +44,7 @@ std::vector<ViewSwitch>& switch_rows() {
        .values = {{"flat", "Flat shading", "面ごとの陰影"}, {"smooth", "Smooth shading", "滑らかな陰影"}},
        .value = setting<&ViewSettings::shading>,
        .set = set_setting<&ViewSettings::shading>,
-       .chord = "L",
+       .chord = "Shift+W",
        .key_en = "flat or smooth shading",
        .key_ja = "面ごとの陰影と滑らかな陰影",
        .flag_en = "how faces are lit; else flat",

@@ -14,6 +14,7 @@ Result<BackgroundPass> BackgroundPass::make() {
 void BackgroundPass::draw(const Frame& frame) const {
   const Palette& colours = palette(frame.settings.theme);
   program_.use();
+  pass_settings(program_, frame);
   program_.set("top_colour", glm::vec3(unit(colours.background_top)));
   program_.set("bottom_colour", glm::vec3(unit(colours.background_bottom)));
   program_.set("height_px", static_cast<float>(frame.size.height));

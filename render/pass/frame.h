@@ -5,6 +5,7 @@
 
 #include "core/view/size.h"
 #include "core/view/view_settings.h"
+#include "render/gl/program.h"
 
 namespace ryosen {
 
@@ -22,5 +23,10 @@ struct Frame {
   float pixel_scale = 1;
   ViewSettings settings;
 };
+
+// Tells a shader, which is in use, the settings that it reads.
+inline void pass_settings(const Program& program, const Frame& frame) {
+  frame.settings.for_each([&](const char* name, int value) { program.set(name, value); });
+}
 
 }  // namespace ryosen

@@ -232,6 +232,7 @@ void OverlayPass::draw(const Frame& frame, const OverlayBuffer& overlay) const {
   const Selection selection = select(frame, overlay);
   if (selection.all.empty()) return;
   program_.use();
+  pass_settings(program_, frame);
   program_.set("view_from_buffer", frame.view_from_buffer);
   program_.set("clip_from_view", frame.clip_from_view);
   program_.set("size_px", glm::vec2(frame.size.width, frame.size.height));

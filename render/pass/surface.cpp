@@ -29,7 +29,7 @@ void set_light(const Program& program, const Frame& frame) {
   program.set("key_colour", glm::vec3(linear(colours.key)));
   program.set("fill_colour", glm::vec3(linear(colours.fill)));
   program.set("rim_colour", glm::vec3(linear(colours.rim)));
-  frame.settings.for_each([&](const char* name, int value) { program.set(name, value); });
+  pass_settings(program, frame);
 }
 
 }  // namespace

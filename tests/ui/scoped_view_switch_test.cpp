@@ -1,6 +1,7 @@
 // A switch of the view is one row: one that this program adds is said, pressed, chosen, given as a flag and explained as
 // all others are.
 #include <gtest/gtest.h>
+#include <imgui.h>
 
 #include "app/cli/run.h"
 #include "app/editor/commands.h"
@@ -76,6 +77,24 @@ TEST_F(ScopedViewSwitchTest, has_an_entry_of_the_view_menu_for_each_value) {
   EXPECT_EQ(fog, 0u);
 }
 
+TEST_F(ScopedViewSwitchTest, is_suggested_in_the_command_window) {
+  test::Laid laid("cube.obj");
+  const auto type = [&](std::string_view text) {
+    for (const char c : text) laid.gui.character(static_cast<unsigned>(c));
+    laid.frames(2);
+  };
+  ASSERT_TRUE(laid.session.run("panel command").done());
+  laid.frames(3);
+  type("fo");
+  laid.click({460, 240});  // the first suggestion
+  laid.click({700, 212});  // the field, behind its text
+  type("thick");
+  laid.gui.key(ImGuiKey_Enter, true);
+  laid.gui.key(ImGuiKey_Enter, false);
+  laid.frames(3);
+  EXPECT_EQ(fog, 2u) << laid.gui.said().en;
+}
+
 TEST_F(ScopedViewSwitchTest, is_a_flag_of_shot_with_its_help) {
   const test::TemporaryFolder folder;
   const auto shot = [&](const std::string& value) {
@@ -110,6 +129,20 @@ TEST(view_switches, begin_with_their_first_value_and_take_each) {
     EXPECT_EQ(find_command_row(row.id)->help_en, row.help_en) << row.id;
   }
   EXPECT_EQ(session.settings, ViewSettings());
+}
+
+TEST(view_switches, reach_shaders_by_the_names_of_their_rows) {
+  ViewSettings().for_each([&](std::string_view name, int first) {
+    EXPECT_EQ(first, 0) << name;
+    std::size_t told = 0;
+    for (const ViewSwitch& row : view_switches()) {
+      if (row.id != name) continue;
+      Session session(std::make_unique<Document>());
+      row.set(session, 1);
+      session.settings.for_each([&](std::string_view other, int value) { told += other == name && value == 1; });
+    }
+    EXPECT_EQ(told, 1u) << name;
+  });
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 
-#include "render/space_order.h"
+#include "render/hilbert_order.h"
 
 namespace ryosen {
 namespace {
@@ -68,7 +68,7 @@ void MeshBuffers::set(const TriangleSource& source, const BufferSpace& space) {
     if (!drawable(corner[0]) || !drawable(corner[1]) || !drawable(corner[2])) continue;
     middles[i] = glm::vec3(positions_[corner[0]] + positions_[corner[1]] + positions_[corner[2]]) / 3.0f;
   }
-  source_of_slot_ = space_order(middles);
+  source_of_slot_ = hilbert_order(middles);
   slot_of_source_.resize(source_of_slot_.size());
   for (std::uint32_t slot = 0; slot < source_of_slot_.size(); ++slot) slot_of_source_[source_of_slot_[slot]] = slot;
   triangles_.assign(source_of_slot_.size(), not_drawn);

@@ -14,9 +14,9 @@ std::string to_json_line(const Mesh& mesh, const VerdictReport& report) {
   json["legal"] = report.verdict.legal();
   json["reasons"] = to_json(mesh, report.verdict.reasons);
   json["warnings"] = to_json(mesh, report.warnings);
-  if (report.set_aside) {
-    json["reasons"][0]["en"] = report.set_aside->en;
-    json["reasons"][0]["ja"] = report.set_aside->ja;
+  if (report.quarantined) {
+    json["reasons"][0]["en"] = report.quarantined->en;
+    json["reasons"][0]["ja"] = report.quarantined->ja;
   }
   const bool never = !report.verdict.legal() && report.remedy.empty();
   json["remedy"] = never ? Json("never") : Json(report.remedy);
@@ -29,7 +29,7 @@ std::string to_text(const Mesh& mesh, const VerdictReport& report, const Console
   text += report.verdict.legal() ? console.text(": legal\n", "：可能\n") : console.text(": refused\n", "：不可\n");
   const auto add = [&](const Reason& reason, std::string_view label) {
     text.append("  ").append(label).append(text_of(reason.rule).id) +=
-        ": " + console.text(report.set_aside.value_or(describe(mesh, reason))) + "\n";
+        ": " + console.text(report.quarantined.value_or(describe(mesh, reason))) + "\n";
   };
   for (const Reason& reason : report.verdict.reasons) add(reason, "");
   for (const Reason& warning : report.warnings) add(warning, console.text("warning: ", "警告："));

@@ -16,7 +16,7 @@ struct VerdictReport {
   Verdict verdict;
   std::vector<Reason> warnings;
   std::vector<std::string> remedy;  // if refused; empty if none was found
-  std::optional<Text> set_aside;    // for a quarantined face: replaces the rule's sentence
+  std::optional<Text> quarantined;  // for a quarantined face: replaces the rule's sentence
 };
 
 // One line of JSON. Its remedy is "never" if the bounded search found nothing, whether or not a remedy can exist; the

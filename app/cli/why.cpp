@@ -5,8 +5,8 @@
 #include "app/cli/edge_sides.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/verdict_report.h"
+#include "app/editor/quarantine_text.h"
 #include "app/editor/script.h"
-#include "app/editor/set_aside.h"
 #include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
 #include "core/ops/outlook/preview.h"
@@ -87,7 +87,7 @@ class Why {
     }
     if (parsed.error != NameError::deleted)
       return console_.fail(usage_failure(code_of(parsed.error), parsed.sentence), file_);
-    VerdictReport report{info.id, edge, std::move(words), {}, {}, {}, set_aside_sentence(quarantine_, arguments)};
+    VerdictReport report{info.id, edge, std::move(words), {}, {}, {}, quarantine_text(quarantine_, arguments)};
     report.verdict.refuse(Rule::deleted, {});
     print(report);
     return ExitCode::done;

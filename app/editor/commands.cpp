@@ -26,7 +26,7 @@ Outcome no_element(Document& document, std::string_view line, NameError error, c
     return outcome;
   };
   if (error == NameError::deleted)
-    if (const auto aside = document.set_aside(arguments)) return refused_as_deleted(*aside);
+    if (const auto aside = document.quarantine_text(arguments)) return refused_as_deleted(*aside);
   const Document::Elsewhere place = document.exists_elsewhere(error, arguments);
   if (place == Document::Elsewhere::no) return usage_error(id + ": " + sentence.en, id + "：" + sentence.ja);
   const RuleText& rule = text_of(Rule::deleted);

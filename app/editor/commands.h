@@ -2,7 +2,8 @@
 // too, read from their own tables.
 //
 // Who has to know what a command does asks its row: the log, autosave and recovery for its effect, the window whether it
-// takes long, the guards of files which one it reads or writes, the check of a script what is wrong with its arguments.
+// takes long or looks at the window itself, the guards of files which one it reads or writes, the check of a script what is
+// wrong with its arguments.
 #pragma once
 
 #include <functional>

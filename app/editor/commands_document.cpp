@@ -106,7 +106,7 @@ Outcome list_lost(const Session& session) {
     const Text text = describe(session.lost[i]);
     outcome.say({number + ": " + text.en + ".", number + "：" + text.ja + "。"});
   }
-  if (session.lost.empty()) outcome.sentence = {"There is nothing to recover.", "復元できるものはありません。"};
+  if (session.lost.empty()) outcome.sentence = nothing_to_recover();
   return outcome;
 }
 

@@ -46,7 +46,7 @@ Outcome run_select(Session& session, Words arguments, std::string_view) {
     for (std::string_view name : arguments) {
       const NamedElement found = find_element(session.mesh(), name);
       if (!found.element) {
-        const Text sentence = session.document().set_aside({&name, 1}).value_or(found.sentence);
+        const Text sentence = session.document().quarantine_text({&name, 1}).value_or(found.sentence);
         return usage_error("select: " + sentence.en, "select：" + sentence.ja);
       }
       selection.push_back(*found.element);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include "app/editor/set_aside.h"
+#include "app/editor/quarantine_text.h"
 #include "core/indexed/from_indexed.h"
 #include "core/io/edited_file.h"
 #include "core/io/file_target.h"
@@ -144,7 +144,8 @@ std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const Para
     if (result.changed == 0) return result;
     edit.commit();
   }
-  committed(std::move(command), result.drops_set_aside ? std::optional(std::vector<QuarantinedFace>()) : std::nullopt);
+  committed(std::move(command),
+            result.drops_quarantined ? std::optional(std::vector<QuarantinedFace>()) : std::nullopt);
   return result;
 }
 
@@ -194,8 +195,8 @@ void Document::go_to(std::size_t position) {
   }
 }
 
-std::optional<Text> Document::set_aside(std::span<const std::string_view> arguments) const {
-  return set_aside_sentence(tables_.quarantine, arguments);
+std::optional<Text> Document::quarantine_text(std::span<const std::string_view> arguments) const {
+  return ryosen::quarantine_text(tables_.quarantine, arguments);
 }
 
 bool Document::is_known(std::string_view name) const {
@@ -209,7 +210,7 @@ bool Document::are_known(std::span<const std::string_view> names) const {
 }
 
 Document::Elsewhere Document::exists_elsewhere(NameError error, std::span<const std::string_view> arguments) {
-  if (arguments.empty() || set_aside(arguments)) return Elsewhere::no;
+  if (arguments.empty() || quarantine_text(arguments)) return Elsewhere::no;
   if (error == NameError::deleted) return Elsewhere::earlier;
   if (error != NameError::never_existed) return Elsewhere::no;
   std::vector<std::string_view> missing;

@@ -85,7 +85,7 @@ class Document {
   enum class Elsewhere { no, earlier, later };  // earlier: undo restores it; later: redo does
   Elsewhere exists_elsewhere(NameError error, std::span<const std::string_view> arguments);
   // If arguments name a quarantined face: the sentence about it.
-  std::optional<Text> set_aside(std::span<const std::string_view> arguments) const;
+  std::optional<Text> quarantine_text(std::span<const std::string_view> arguments) const;
 
   bool is_modified() const { return saved_position_ != journal_.position(); }
   // Marks every history position as unsaved.

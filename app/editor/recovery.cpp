@@ -189,6 +189,8 @@ Result<std::vector<LostSession>> find_lost_sessions(const fs::path& folder) {
   return found;
 }
 
+Text nothing_to_recover() { return {"There is nothing to recover.", "復元できるものはありません。"}; }
+
 Text describe(const LostSession& lost) {
   const std::string name = lost.file.string(), time = time_text(lost.last_edit);
   const Text count = count_edits(lost.unsaved);

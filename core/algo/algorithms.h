@@ -25,14 +25,14 @@ struct AlgorithmInput {
   ParameterValues values = ParameterValues();  // lengths in units of the mesh, elements looked up
   // Vertices that something beside the mesh refers to (faces set aside, lines and points of the file), ascending.
   std::span<const Vertex> used_elsewhere = {};
-  std::size_t set_aside = 0;  // faces of the file that reading could not connect
+  std::size_t quarantined = 0;  // faces of the file that reading could not connect
 };
 
 struct AlgorithmResult {
-  std::size_t changed = 0;       // 0: nothing was written
-  std::size_t left = 0;          // what the algorithm is for, but what it had to leave as it is
-  Text text;                     // a sentence with the numbers
-  bool drops_set_aside = false;  // the faces set aside are to be forgotten
+  std::size_t changed = 0;         // 0: nothing was written
+  std::size_t left = 0;            // what the algorithm is for, but what it had to leave as it is
+  Text text;                       // a sentence with the numbers
+  bool drops_quarantined = false;  // the quarantined faces are to be forgotten
 };
 
 struct AlgorithmRow {

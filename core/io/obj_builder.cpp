@@ -68,14 +68,10 @@ void ObjBuilder::comment(std::string_view line) {
 bool ObjBuilder::read_value(std::string_view word, double& value) {
   const NumberRead read = read_real(word, value);
   if (read == NumberRead::unreadable) {
-    return fail("unreadable_number", word.data(), [&] {
-      return Text{shown(word) + " is not a number.", shown(word) + " は数として読めません。"};
-    });
+    return fail("unreadable_number", word.data(), [&] { return not_a_number(word); });
   }
   if (read == NumberRead::non_finite) {
-    reporter_.warn("nonfinite_number", lines_->place(word.data()), [&] {
-      return Text{shown(word) + " is not a finite number.", shown(word) + " は有限の数ではありません。"};
-    });
+    reporter_.warn("nonfinite_number", lines_->place(word.data()), [&] { return not_a_finite_number(word); });
   }
   return true;
 }

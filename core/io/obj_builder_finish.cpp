@@ -129,14 +129,7 @@ void ObjBuilder::report_unknown() {
   });
 }
 
-void ObjBuilder::report_whole_file() {
-  if (mesh_.positions.empty()) {
-    reporter_.warn("no_vertices", {}, [] { return Text{"The file has no vertices.", "ファイルに頂点がありません。"}; });
-  }
-  if (mesh_.face_count() == 0) {
-    reporter_.warn("no_faces", {}, [] { return Text{"The file has no faces.", "ファイルに面がありません。"}; });
-  }
-}
+void ObjBuilder::report_whole_file() { warn_of_missing_elements(reporter_, mesh_.positions.size(), mesh_.face_count()); }
 
 Result<MeshFile> ObjBuilder::finish() {
   if (faults_.any()) return faults_.take();
@@ -146,10 +139,7 @@ Result<MeshFile> ObjBuilder::finish() {
                       "OBJ の行が 1 つもありません。最初の行は " + unknown_.front().text + " で始まります。"},
                      FilePlace::at_line(unknown_.front().line));
   }
-  if (!has_known_line_ && file_.head_comments.empty()) {
-    return malformed("empty_file", {"The file is empty, it has no vertices.", "ファイルが空です。頂点がありません。"},
-                     FilePlace::at_byte(0));
-  }
+  if (!has_known_line_ && file_.head_comments.empty()) return empty_file();
   drop_stray_values(mesh_.texcoords, false);
   drop_stray_values(mesh_.normals, true);
   check_elements();

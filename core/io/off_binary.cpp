@@ -82,12 +82,6 @@ std::optional<std::size_t> bytes_over(std::string_view data, OffKind kind, Layou
   return words.left_bytes();
 }
 
-void warn_non_finite(OffBuilder& builder, std::uint64_t byte) {
-  builder.reporter().warn("nonfinite_number", FilePlace::at_byte(byte), [] {
-    return Text{"A number of a vertex is not finite.", "頂点に有限でない数があります。"};
-  });
-}
-
 MeshFile read_as(std::string_view bytes, std::uint64_t start, OffKind kind, Layout layout) {
   const std::string_view data = bytes.substr(start);
   Words words(data, layout.is_big_endian);
@@ -103,7 +97,7 @@ MeshFile read_as(std::string_view bytes, std::uint64_t start, OffKind kind, Layo
       values[i] = words.take_real();
       is_finite = is_finite && std::isfinite(values[i]);
     }
-    if (!is_finite) warn_non_finite(builder, byte);
+    if (!is_finite) warn_of_non_finite_vertex(builder.reporter(), FilePlace::at_byte(byte));
     builder.add_vertex(values, words_per_vertex(kind));
   }
   for (std::uint32_t f = 0; f < counts.faces; ++f) {

@@ -79,12 +79,7 @@ MeshFile OffBuilder::finish() {
     mesh.texcoords.components = 2;
   }
   scale_byte_colours();
-  if (mesh.positions.empty()) {
-    reporter_.warn("no_vertices", {}, [] { return Text{"The file has no vertices.", "ファイルに頂点がありません。"}; });
-  }
-  if (mesh.face_count() == 0) {
-    reporter_.warn("no_faces", {}, [] { return Text{"The file has no faces.", "ファイルに面がありません。"}; });
-  }
+  warn_of_missing_elements(reporter_, mesh.positions.size(), mesh.face_count());
   file_.left_out = reporter_.left_out();
   file_.messages = reporter_.take();
   return std::move(file_);

@@ -101,27 +101,18 @@ class OffTextReader {
       double value = 0;
       const NumberRead read = read_real(word, value);
       if (read == NumberRead::unreadable) {
-        return faults_.add("unreadable_number", lines_.place(word.data()), [&] {
-          return Text{shown(word) + " is not a number.", shown(word) + " は数として読めません。"};
-        });
+        return faults_.add("unreadable_number", lines_.place(word.data()), [&] { return not_a_number(word); });
       }
       if (read == NumberRead::non_finite) {
-        builder_.reporter().warn("nonfinite_number", lines_.place(word.data()), [&] {
-          return Text{shown(word) + " is not a finite number.", shown(word) + " は有限の数ではありません。"};
-        });
+        builder_.reporter().warn("nonfinite_number", lines_.place(word.data()),
+                                 [&] { return not_a_finite_number(word); });
       }
       values_.push_back(value);
     }
     return true;
   }
 
-  void warn_extra_values() {
-    builder_.reporter().leave_out(&LeftOut::values);
-    builder_.reporter().warn("extra_values", FilePlace::at_line(lines_.count()), [] {
-      return Text{"The line has more numbers than have a meaning; those too many are left out.",
-                  "この行には意味のある個数より多くの数があるため、余分な数を無視しました。"};
-    });
-  }
+  void warn_extra_values() { warn_of_extra_values(builder_.reporter(), FilePlace::at_line(lines_.count())); }
 
   bool read_vertices() {
     const std::size_t wanted = builder_.numbers_before_colour() + builder_.numbers_after_colour();
@@ -148,9 +139,7 @@ class OffTextReader {
 
   bool read_index(std::string_view word, std::int64_t& value) {
     if (read_integer(word, value)) return true;
-    return faults_.add("unreadable_index", lines_.place(word.data()), [&] {
-      return Text{shown(word) + " is not a whole number.", shown(word) + " は整数として読めません。"};
-    });
+    return faults_.add("unreadable_index", lines_.place(word.data()), [&] { return not_a_whole_number(word); });
   }
 
   bool read_face() {
@@ -187,12 +176,7 @@ class OffTextReader {
         return fail_at_end("it has " + there + " of " + claimed + " faces",
                            "面 " + claimed + " 個のうち " + there + " 個しかありません");
       }
-      if (builder_.is_full(rest_.size())) {
-        return fail("too_many_elements",
-                    {"The file has more corners than fit in 32-bit numbers.",
-                     "面の頂点の総数が 32 ビットの番号に収まりません。"},
-                    FilePlace::at_line(lines_.count()));
-      }
+      if (builder_.is_full(rest_.size())) return faults_.stop(too_many_corners(FilePlace::at_line(lines_.count())));
       read_face();
     }
     return true;
@@ -227,10 +211,7 @@ Result<MeshFile> read_by_lines(std::string_view bytes) {
     rest = line.text.substr(0, comment);
     word = take_word(rest);
   }
-  if (word.empty()) {
-    return malformed("empty_file", {"The file is empty, it has no vertices.", "ファイルが空です。頂点がありません。"},
-                     FilePlace::at_byte(0));
-  }
+  if (word.empty()) return empty_file();
   std::optional<OffKind> kind = OffKind::from_word(word);
   // The keyword may be missing; then the file starts with the counts.
   std::int64_t count = 0;

@@ -119,9 +119,8 @@ class OffWordReader {
   }
 
   void warn_non_finite(std::string_view word) {
-    builder_->reporter().warn("nonfinite_number", FilePlace::at_line(words_.line()), [&] {
-      return Text{shown(word) + " is not a finite number.", shown(word) + " は有限の数ではありません。"};
-    });
+    builder_->reporter().warn("nonfinite_number", FilePlace::at_line(words_.line()),
+                              [&] { return not_a_finite_number(word); });
   }
 
   WordStream words_;

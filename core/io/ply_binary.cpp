@@ -107,10 +107,7 @@ class PlyBinaryReader {
     if (table.rows > left() / least) return ends_early(table, left() / least);
     constexpr std::size_t most_values = no_index;
     if (has_lists(table) && left() >= 2 * most_values) {
-      failure_ = malformed(
-          "too_many_elements",
-          {"The file has more corners than fit in 32-bit numbers.", "面の頂点の総数が 32 ビットの番号に収まりません。"},
-          here());
+      failure_ = too_many_corners(here());
       return false;
     }
     const std::vector<PlyTarget> targets = builder_.begin_table(number, here());

@@ -83,11 +83,7 @@ std::vector<PlyTarget> PlyBuilder::begin_table(std::size_t number, FilePlace pla
   return targets;
 }
 
-void PlyBuilder::warn_non_finite(FilePlace place) {
-  reporter_.warn("nonfinite_number", place, [] {
-    return Text{"A number of a vertex is not finite.", "頂点に有限でない数があります。"};
-  });
-}
+void PlyBuilder::warn_non_finite(FilePlace place) { warn_of_non_finite_vertex(reporter_, place); }
 
 void PlyBuilder::warn_rounded(FilePlace place) {
   reporter_.leave_out(&LeftOut::values);
@@ -153,12 +149,7 @@ void PlyBuilder::warn_of_the_whole() {
                   "三角形ストリップは面に分解しません。そのまま保持して書き戻します。"};
     });
   }
-  if (file_.mesh.positions.empty()) {
-    reporter_.warn("no_vertices", {}, [] { return Text{"The file has no vertices.", "ファイルに頂点がありません。"}; });
-  }
-  if (file_.mesh.face_count() == 0) {
-    reporter_.warn("no_faces", {}, [] { return Text{"The file has no faces.", "ファイルに面がありません。"}; });
-  }
+  warn_of_missing_elements(reporter_, file_.mesh.positions.size(), file_.mesh.face_count());
 }
 
 Result<MeshFile> PlyBuilder::finish() {

@@ -66,13 +66,7 @@ class PlyTextReader {
     if (faults_.any()) return false;
     if (table.kind == TableKind::vertices) builder_.mesh().vertex_lines.add(lines_.count());
     if (!is_finite_) builder_.warn_non_finite(FilePlace::at_line(lines_.count()));
-    if (!is_blank(rest_)) {
-      builder_.reporter().leave_out(&LeftOut::values);
-      builder_.reporter().warn("extra_values", FilePlace::at_line(lines_.count()), [] {
-        return Text{"The line has more numbers than have a meaning; those too many are left out.",
-                    "この行には意味のある個数より多くの数があるため、余分な数を無視しました。"};
-      });
-    }
+    if (!is_blank(rest_)) warn_of_extra_values(builder_.reporter(), FilePlace::at_line(lines_.count()));
     return true;
   }
 
@@ -102,9 +96,7 @@ class PlyTextReader {
     });
   }
   bool unreadable(std::string_view word) {
-    return faults_.add("unreadable_number", lines_.place(word.data()), [&] {
-      return Text{shown(word) + " is not a number.", shown(word) + " は数として読めません。"};
-    });
+    return faults_.add("unreadable_number", lines_.place(word.data()), [&] { return not_a_number(word); });
   }
 
   bool read_number(double& value) {
@@ -119,9 +111,7 @@ class PlyTextReader {
     const std::string_view word = take_word(rest_);
     if (word.empty()) return missing();
     if (read_integer(word, value)) return true;
-    return faults_.add("unreadable_index", lines_.place(word.data()), [&] {
-      return Text{shown(word) + " is not a whole number.", shown(word) + " は整数として読めません。"};
-    });
+    return faults_.add("unreadable_index", lines_.place(word.data()), [&] { return not_a_whole_number(word); });
   }
 
   // Reads a value into Property::data. Integers must fit their type and may be written with a zero fraction.
@@ -171,12 +161,8 @@ class PlyTextReader {
     }
     const bool are_corners = property.role == PropertyRole::corners;
     if (faults_.any()) property.data.clear();  // nothing is kept any more
-    if (are_corners && builder_.faces().is_full(rest_.size())) {
-      return fail(
-          "too_many_elements",
-          {"The file has more corners than fit in 32-bit numbers.", "面の頂点の総数が 32 ビットの番号に収まりません。"},
-          FilePlace::at_line(lines_.count()));
-    }
+    if (are_corners && builder_.faces().is_full(rest_.size()))
+      return faults_.stop(too_many_corners(FilePlace::at_line(lines_.count())));
     for (std::int64_t i = 0; i < count; ++i) {
       if (is_blank(rest_)) return short_list(count, i);
       std::int64_t vertex = 0;

@@ -74,4 +74,49 @@ std::vector<Message> Reporter::take() {
   return std::move(messages_);
 }
 
+Failure empty_file() {
+  return malformed("empty_file", {"The file is empty, it has no vertices.", "ファイルが空です。頂点がありません。"},
+                   FilePlace::at_byte(0));
+}
+
+Failure too_many_corners(FilePlace place) {
+  return malformed(
+      "too_many_elements",
+      {"The file has more corners than fit in 32-bit numbers.", "面の頂点の総数が 32 ビットの番号に収まりません。"},
+      place);
+}
+
+Text not_a_number(std::string_view word) {
+  return {shown(word) + " is not a number.", shown(word) + " は数として読めません。"};
+}
+
+Text not_a_whole_number(std::string_view word) {
+  return {shown(word) + " is not a whole number.", shown(word) + " は整数として読めません。"};
+}
+
+Text not_a_finite_number(std::string_view word) {
+  return {shown(word) + " is not a finite number.", shown(word) + " は有限の数ではありません。"};
+}
+
+void warn_of_non_finite_vertex(Reporter& reporter, FilePlace place) {
+  reporter.warn("nonfinite_number", place, [] {
+    return Text{"A number of a vertex is not finite.", "頂点に有限でない数があります。"};
+  });
+}
+
+void warn_of_extra_values(Reporter& reporter, FilePlace place) {
+  reporter.leave_out(&LeftOut::values);
+  reporter.warn("extra_values", place, [] {
+    return Text{"The line has more numbers than have a meaning; those too many are left out.",
+                "この行には意味のある個数より多くの数があるため、余分な数を無視しました。"};
+  });
+}
+
+void warn_of_missing_elements(Reporter& reporter, std::size_t vertices, std::size_t faces) {
+  if (vertices == 0)
+    reporter.warn("no_vertices", {}, [] { return Text{"The file has no vertices.", "ファイルに頂点がありません。"}; });
+  if (faces == 0)
+    reporter.warn("no_faces", {}, [] { return Text{"The file has no faces.", "ファイルに面がありません。"}; });
+}
+
 }  // namespace ryosen

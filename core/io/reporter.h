@@ -73,4 +73,16 @@ class Reporter {
   std::vector<std::pair<Code, std::size_t>> counts_;
 };
 
+// What several readers say, in the same words.
+Failure empty_file();
+Failure too_many_corners(FilePlace place);
+Text not_a_number(std::string_view word);
+Text not_a_whole_number(std::string_view word);
+Text not_a_finite_number(std::string_view word);
+void warn_of_non_finite_vertex(Reporter& reporter, FilePlace place);
+// Counts the values as left out.
+void warn_of_extra_values(Reporter& reporter, FilePlace place);
+// Where the mesh has no vertices or no faces.
+void warn_of_missing_elements(Reporter& reporter, std::size_t vertices, std::size_t faces);
+
 }  // namespace ryosen

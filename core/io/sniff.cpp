@@ -42,10 +42,7 @@ bool has_zero_every_second(std::string_view head) {
 
 std::optional<Failure> refuse_before_sniffing(std::string_view head) {
   const FilePlace start = FilePlace::at_byte(0);
-  if (head.empty()) {
-    return malformed("empty_file", {"The file is empty, it has no vertices.", "ファイルが空です。頂点がありません。"},
-                     start);
-  }
+  if (head.empty()) return empty_file();
   for (const Signature& signature : compressed) {
     if (!head.starts_with(signature.bytes)) continue;
     const std::string name(signature.name);

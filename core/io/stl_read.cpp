@@ -34,12 +34,7 @@ class StlBinaryReader {
                             std::to_string(whole) + " 個分の大きさしかありません。"},
                        FilePlace::at_byte(stl_head_bytes));
     }
-    if (count > no_index / 3) {
-      return malformed(
-          "too_many_elements",
-          {"The file has more corners than fit in 32-bit numbers.", "面の頂点の総数が 32 ビットの番号に収まりません。"},
-          FilePlace::at_byte(stl_head_bytes));
-    }
+    if (count > no_index / 3) return too_many_corners(FilePlace::at_byte(stl_head_bytes));
     keep_head();
     read_facets(static_cast<std::uint32_t>(count));
     warn_of_the_end(claimed, whole, room);

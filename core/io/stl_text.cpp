@@ -120,9 +120,7 @@ class StlTextReader {
         is_finite_ = false;
         return true;
       default:
-        faults_.add("unreadable_number", here(), [&] {
-          return Text{shown(word_) + " is not a number.", shown(word_) + " は数として読めません。"};
-        });
+        faults_.add("unreadable_number", here(), [&] { return not_a_number(word_); });
         return true;
     }
   }

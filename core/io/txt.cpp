@@ -49,8 +49,7 @@ class TxtReader {
   Result<MeshFile> read() {
     if (!read_counts() || !read_vertices() || !read_faces() || faults_.any()) return faults_.take();
     warn_of_lines_left(lines_, reporter_, {"face", "面"}, [this] { return next_line(); });
-    if (vertices_ == 0) warn("no_vertices", {"The file has no vertices.", "ファイルに頂点がありません。"});
-    if (face_count_ == 0) warn("no_faces", {"The file has no faces.", "ファイルに面がありません。"});
+    warn_of_missing_elements(reporter_, vertices_, face_count_);
     faces_.finish(reporter_);
     file_.left_out = reporter_.left_out();
     file_.messages = reporter_.take();
@@ -59,9 +58,6 @@ class TxtReader {
 
  private:
   bool fail(Code code, Text text, FilePlace place) { return faults_.stop(malformed(code, std::move(text), place)); }
-  void warn(Code code, const Text& text) {
-    reporter_.warn(code, {}, [&] { return text; });
-  }
 
   bool next_line() {
     TextLine line;
@@ -99,9 +95,7 @@ class TxtReader {
     const std::string_view word = take_word(rest_);
     if (word.empty()) return too_few(wanted);
     if (read_integer(word, value)) return true;
-    return faults_.add("unreadable_index", lines_.place(word.data()), [&] {
-      return Text{shown(word) + " is not a whole number.", shown(word) + " は整数として読めません。"};
-    });
+    return faults_.add("unreadable_index", lines_.place(word.data()), [&] { return not_a_whole_number(word); });
   }
 
   bool read_count(std::size_t& count) {
@@ -132,11 +126,7 @@ class TxtReader {
       if (!next_line()) return ends_early(v, vertices_, false);
       glm::dvec3 p;
       if (!read_vertex(p) || faults_.any()) continue;
-      if (!is_finite(p)) {
-        reporter_.warn("nonfinite_number", FilePlace::at_line(lines_.count()), [] {
-          return Text{"A number of a vertex is not finite.", "頂点に有限でない数があります。"};
-        });
-      }
+      if (!is_finite(p)) warn_of_non_finite_vertex(reporter_, FilePlace::at_line(lines_.count()));
       file_.mesh.positions.push_back(p);
       file_.mesh.vertex_lines.add(lines_.count());
     }
@@ -154,9 +144,7 @@ class TxtReader {
     const std::string_view word = take_word(rest_);
     if (word.empty()) return too_few(3);
     if (read_real(word, value) != NumberRead::unreadable) return true;
-    return faults_.add("unreadable_number", lines_.place(word.data()), [&] {
-      return Text{shown(word) + " is not a number.", shown(word) + " は数として読めません。"};
-    });
+    return faults_.add("unreadable_number", lines_.place(word.data()), [&] { return not_a_number(word); });
   }
 
   bool read_faces() {
@@ -164,12 +152,7 @@ class TxtReader {
     std::uint64_t first_zero_line = 0;
     for (std::size_t f = 0; f < face_count_; ++f) {
       if (!next_line()) return ends_early(f, face_count_, true);
-      if (faces_.is_full(3)) {
-        return fail("too_many_elements",
-                    {"The file has more corners than fit in 32-bit numbers.",
-                     "面の頂点の総数が 32 ビットの番号に収まりません。"},
-                    FilePlace::at_line(lines_.count()));
-      }
+      if (faces_.is_full(3)) return faults_.stop(too_many_corners(FilePlace::at_line(lines_.count())));
       std::array<std::int64_t, 3> corners{};
       if (!read_corners(corners) || faults_.any()) continue;
       for (const std::int64_t corner : corners) faces_.add_corner(corner);

@@ -25,25 +25,25 @@ Named<Halfedge> find_any_sheet(const Mesh& mesh, std::string_view name) {
 }
 
 // The faces and wires to delete, and for a vertex the copies of its point.
-Doomed doomed_by(const Mesh& mesh, Element element) {
-  Doomed doomed;
+Deletion deletion_of(const Mesh& mesh, Element element) {
+  Deletion deletion;
   const auto add_edge = [&](Halfedge h) {
     for (Halfedge side : {h, twin(h)})
-      if (!mesh.is_outside(side)) doomed.faces.push_back(mesh.face(side));
-    if (mesh.is_wire(edge(h))) doomed.wires.push_back(h);
+      if (!mesh.is_outside(side)) deletion.faces.push_back(mesh.face(side));
+    if (mesh.is_wire(edge(h))) deletion.wires.push_back(h);
   };
-  if (element.kind == Element::Kind::face) doomed.faces.push_back(element.face());
+  if (element.kind == Element::Kind::face) deletion.faces.push_back(element.face());
   if (element.kind == Element::Kind::edge) {
     const auto [a, b] = ends(mesh, element.edge());
     for (Halfedge h : sheets_between(mesh, a, b)) add_edge(h);
   }
   if (element.kind == Element::Kind::vertex)
     for_each_copy(mesh, element.vertex(), [&](Vertex copy) {
-      doomed.vertices.push_back(copy);
+      deletion.vertices.push_back(copy);
       for (Halfedge h : outgoing(mesh, copy)) add_edge(h);
     });
-  sort_unique(doomed.faces);
-  return doomed;
+  sort_unique(deletion.faces);
+  return deletion;
 }
 
 }  // namespace
@@ -84,20 +84,20 @@ Verdict Delete::check(const Mesh& mesh) const {
 
 std::vector<Reason> Delete::warnings(const Mesh& mesh) const {
   std::vector<Reason> reasons;
-  warn_of_pinch(pinched_without(mesh, doomed_by(mesh, element).faces), reasons);
+  warn_of_pinch(pinched_without(mesh, deletion_of(mesh, element).faces), reasons);
   return reasons;
 }
 
-void take_away(Edit& edit, Sheets& sheets, const Doomed& doomed) {
+void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion) {
   const Mesh& m = edit.mesh();
-  std::vector<Halfedge> unused = doomed.wires;
-  std::vector<Vertex> bare = doomed.vertices, points;
-  for (Face f : doomed.faces)
+  std::vector<Halfedge> unused = deletion.wires;
+  std::vector<Vertex> bare = deletion.vertices, points;
+  for (Face f : deletion.faces)
     for (Halfedge h : halfedges_around(m, f)) {
       unused.push_back(h);
       points.push_back(point(m, m.from(h)));
     }
-  for (Face f : doomed.faces) sheets.remove_face(f);
+  for (Face f : deletion.faces) sheets.remove_face(f);
   for (Halfedge h : unused) {
     if (!m.is_alive(h) || !m.is_wire(edge(h))) continue;
     bare.insert(bare.end(), {m.from(h), m.to(h)});
@@ -114,7 +114,7 @@ void take_away(Edit& edit, Sheets& sheets, const Doomed& doomed) {
 OpEffect Delete::apply(Edit& edit) const {
   assert(check(edit.mesh()).legal());
   Sheets sheets(edit);
-  take_away(edit, sheets, doomed_by(edit.mesh(), element));
+  delete_elements(edit, sheets, deletion_of(edit.mesh(), element));
   return sheets.finish();
 }
 

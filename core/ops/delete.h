@@ -43,13 +43,13 @@ struct Delete {
 };
 
 // The elements to delete explicitly.
-struct Doomed {
+struct Deletion {
   std::vector<Face> faces;
   std::vector<Halfedge> wires;
   std::vector<Vertex> vertices;
 };
 
 // Deletes them, and edges and vertices that become unused. Cost: the one-rings of the faces' points.
-void take_away(Edit& edit, Sheets& sheets, const Doomed& doomed);
+void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion);
 
 }  // namespace ryosen

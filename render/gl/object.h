@@ -38,42 +38,27 @@ class GlObject {
   GLuint id_ = 0;
 };
 
-struct BufferKind {
-  static constexpr GLenum identifier = GL_BUFFER;
-  static GLuint create();
-  static void destroy(GLuint id);
+// What makes and deletes a kind of object. A name becomes an object when it is first bound; only then can it be labelled.
+template <GLenum kind, auto& generate, auto& remove, auto& bind, GLenum... target>
+struct GlKind {
+  static constexpr GLenum identifier = kind;
+  static GLuint create() {
+    GLuint id = 0;
+    generate(1, &id);
+    bind(target..., id);
+    return id;
+  }
+  static void destroy(GLuint id) { remove(1, &id); }
 };
 
-struct TextureKind {
-  static constexpr GLenum identifier = GL_TEXTURE;
-  static GLuint create();
-  static void destroy(GLuint id);
-};
-
-struct BufferTextureKind {
-  static constexpr GLenum identifier = GL_TEXTURE;
-  static GLuint create();
-  static void destroy(GLuint id);
-};
-
-struct RenderbufferKind {
-  static constexpr GLenum identifier = GL_RENDERBUFFER;
-  static GLuint create();
-  static void destroy(GLuint id);
-};
-
-struct FramebufferKind {
-  static constexpr GLenum identifier = GL_FRAMEBUFFER;
-  static GLuint create();
-  static void destroy(GLuint id);
-};
-
-struct VertexArrayKind {
-  static constexpr GLenum identifier = GL_VERTEX_ARRAY;
-  static GLuint create();
-  static void destroy(GLuint id);
-};
-
+using BufferKind = GlKind<GL_BUFFER, glGenBuffers, glDeleteBuffers, glBindBuffer, GL_COPY_WRITE_BUFFER>;
+using TextureKind = GlKind<GL_TEXTURE, glGenTextures, glDeleteTextures, glBindTexture, GL_TEXTURE_2D>;
+using BufferTextureKind = GlKind<GL_TEXTURE, glGenTextures, glDeleteTextures, glBindTexture, GL_TEXTURE_BUFFER>;
+using RenderbufferKind =
+    GlKind<GL_RENDERBUFFER, glGenRenderbuffers, glDeleteRenderbuffers, glBindRenderbuffer, GL_RENDERBUFFER>;
+using FramebufferKind =
+    GlKind<GL_FRAMEBUFFER, glGenFramebuffers, glDeleteFramebuffers, glBindFramebuffer, GL_FRAMEBUFFER>;
+using VertexArrayKind = GlKind<GL_VERTEX_ARRAY, glGenVertexArrays, glDeleteVertexArrays, glBindVertexArray>;
 using VertexArray = GlObject<VertexArrayKind>;
 
 }  // namespace ryosen

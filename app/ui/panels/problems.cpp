@@ -20,8 +20,8 @@ class Findings {
  private:
   void know(const Session& session);
 
-  std::uint64_t known_document_ = 0;  // its serial number
-  std::size_t known_set_aside_ = 0;   // how many faces; a repair may drop them
+  std::uint64_t known_document_ = 0;   // its serial number
+  std::size_t known_quarantined_ = 0;  // how many faces; a repair may drop them
   std::array<std::vector<Element>, most_problem_kinds> quarantined_;
   std::vector<Element> loops_;  // by their lowest edges, as of this revision of the count
   std::optional<std::uint64_t> known_loops_;
@@ -29,8 +29,8 @@ class Findings {
 
 void Findings::know(const Session& session) {
   const Document& document = session.document();
-  if (known_document_ == document.serial() && known_set_aside_ == document.tables().quarantine.size()) return;
-  known_set_aside_ = document.tables().quarantine.size();
+  if (known_document_ == document.serial() && known_quarantined_ == document.tables().quarantine.size()) return;
+  known_quarantined_ = document.tables().quarantine.size();
   known_document_ = document.serial();
   known_loops_.reset();
   for (const ProblemRow& row : problem_table()) {

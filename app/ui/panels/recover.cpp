@@ -29,7 +29,8 @@ void draw_recover(PanelContext& context) {
   // Where the folder cannot be read, the command says why.
   if (ImGui::IsWindowAppearing() && !list_lost_sessions(context.session)) context.run("recover list");
   const std::vector<LostSession>& lost = context.session.lost;
-  dim_text(context, context.text(lost.empty() ? UiText::nothing_to_recover : UiText::recover_question));
+  dim_text(context,
+           lost.empty() ? nothing_to_recover().in(context.language()).c_str() : context.text(UiText::recover_question));
   ImGui::Dummy({0, 4 * context.scale});
   ImGui::BeginChild("lost", {0, -1.5f * ImGui::GetFrameHeightWithSpacing()});
   std::string chosen;

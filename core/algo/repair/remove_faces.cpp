@@ -134,7 +134,7 @@ bool give_corner_away(Edit& edit, Face f) {
 
 void delete_faces(Edit& edit, std::vector<Face> faces) {
   Sheets sheets(edit);
-  take_away(edit, sheets, {std::move(faces), {}, {}});
+  delete_elements(edit, sheets, {std::move(faces), {}, {}});
 }
 
 }  // namespace

@@ -39,11 +39,11 @@ AlgorithmResult orient_faces(Edit& edit, const AlgorithmInput&, Progress&) {
   return result;
 }
 
-AlgorithmResult drop_set_aside(Edit&, const AlgorithmInput& input, Progress&) {
-  return {input.set_aside, 0,
-          count_text(input.set_aside, "One quarantined face was dropped.", "# quarantined faces were dropped.",
+AlgorithmResult drop_quarantined(Edit&, const AlgorithmInput& input, Progress&) {
+  return {input.quarantined, 0,
+          count_text(input.quarantined, "One quarantined face was dropped.", "# quarantined faces were dropped.",
                      "隔離された面を # 個捨てました。"),
-          input.set_aside > 0};
+          input.quarantined > 0};
 }
 
 }  // namespace
@@ -142,7 +142,7 @@ std::vector<AlgorithmRow> repair_rows() {
        {},
        false,
        {Kind::quarantined_face, Kind::degenerate_repeat},
-       drop_set_aside},
+       drop_quarantined},
   };
 }
 

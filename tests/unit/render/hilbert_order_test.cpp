@@ -1,4 +1,4 @@
-#include "render/space_order.h"
+#include "render/hilbert_order.h"
 
 #include <gtest/gtest.h>
 
@@ -8,17 +8,17 @@
 namespace ryosen {
 namespace {
 
-TEST(space_order, names_every_point_once) {
+TEST(hilbert_order, names_every_point_once) {
   std::vector<glm::vec3> points;
   for (int i = 0; i < 1000; ++i) points.push_back({float(i * 37 % 101), float(i * 53 % 97), float(i % 7)});
-  std::vector<std::uint32_t> order = space_order(points);
+  std::vector<std::uint32_t> order = hilbert_order(points);
   std::sort(order.begin(), order.end());
   for (std::uint32_t i = 0; i < order.size(); ++i) ASSERT_EQ(order[i], i);
   EXPECT_EQ(order.size(), points.size());
 }
 
 // On a full grid a Hilbert curve only takes steps to a neighbour.
-TEST(space_order, steps_along_a_grid_are_short) {
+TEST(hilbert_order, steps_along_a_grid_are_short) {
   constexpr int side = 8;
   std::vector<glm::vec3> points;
   for (int x = 0; x < side; ++x) {
@@ -29,7 +29,7 @@ TEST(space_order, steps_along_a_grid_are_short) {
   }
   points.push_back(glm::vec3(0));
   points.push_back(glm::vec3(1023));
-  const std::vector<std::uint32_t> order = space_order(points);
+  const std::vector<std::uint32_t> order = hilbert_order(points);
   std::vector<std::uint32_t> inner;
   for (const std::uint32_t i : order) {
     if (i < side * side * side) inner.push_back(i);
@@ -39,10 +39,10 @@ TEST(space_order, steps_along_a_grid_are_short) {
   }
 }
 
-TEST(space_order, equal_places_keep_their_order) {
+TEST(hilbert_order, equal_places_keep_their_order) {
   const std::vector<glm::vec3> points(5, glm::vec3(2, 3, 4));
-  EXPECT_EQ(space_order(points), (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
-  EXPECT_TRUE(space_order({}).empty());
+  EXPECT_EQ(hilbert_order(points), (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
+  EXPECT_TRUE(hilbert_order({}).empty());
 }
 
 }  // namespace

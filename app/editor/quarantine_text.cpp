@@ -1,4 +1,4 @@
-#include "app/editor/set_aside.h"
+#include "app/editor/quarantine_text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -20,7 +20,7 @@ std::optional<std::uint32_t> face_in(std::string_view name) {
 
 }  // namespace
 
-std::optional<Text> set_aside_sentence(std::span<const QuarantinedFace> quarantine, std::string_view name) {
+std::optional<Text> quarantine_text(std::span<const QuarantinedFace> quarantine, std::string_view name) {
   const auto number = face_in(name);
   if (!number) return std::nullopt;
   const auto face = std::lower_bound(quarantine.begin(), quarantine.end(), *number,
@@ -35,10 +35,10 @@ std::optional<Text> set_aside_sentence(std::span<const QuarantinedFace> quaranti
   return text;
 }
 
-std::optional<Text> set_aside_sentence(std::span<const QuarantinedFace> quarantine,
-                                       std::span<const std::string_view> names) {
+std::optional<Text> quarantine_text(std::span<const QuarantinedFace> quarantine,
+                                    std::span<const std::string_view> names) {
   for (std::string_view name : names)
-    if (auto sentence = set_aside_sentence(quarantine, name)) return sentence;
+    if (auto sentence = quarantine_text(quarantine, name)) return sentence;
   return std::nullopt;
 }
 

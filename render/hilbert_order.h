@@ -9,6 +9,6 @@
 namespace ryosen {
 
 // The indices of the points in Hilbert curve order within their bounding box; stable. Linear (radix sort).
-std::vector<std::uint32_t> space_order(std::span<const glm::vec3> points);
+std::vector<std::uint32_t> hilbert_order(std::span<const glm::vec3> points);
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-#include "render/space_order.h"
+#include "render/hilbert_order.h"
 
 #include <array>
 #include <glm/common.hpp>
@@ -50,7 +50,7 @@ struct Keyed {
 
 }  // namespace
 
-std::vector<std::uint32_t> space_order(std::span<const glm::vec3> points) {
+std::vector<std::uint32_t> hilbert_order(std::span<const glm::vec3> points) {
   DrawBox box;
   for (const glm::vec3& p : points) box.add(p);
   constexpr float cells = float((1u << bits_per_axis) - 1);

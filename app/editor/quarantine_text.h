@@ -11,9 +11,9 @@ namespace ryosen {
 
 // If a name (f7, 0-1@f7, ~0-1@f7, v3@f7) refers to such a face: a sentence with the cause and its line. `quarantine` is
 // ascending by face.
-std::optional<Text> set_aside_sentence(std::span<const QuarantinedFace> quarantine, std::string_view name);
+std::optional<Text> quarantine_text(std::span<const QuarantinedFace> quarantine, std::string_view name);
 // The same for the first of several names that refers to one.
-std::optional<Text> set_aside_sentence(std::span<const QuarantinedFace> quarantine,
-                                       std::span<const std::string_view> names);
+std::optional<Text> quarantine_text(std::span<const QuarantinedFace> quarantine,
+                                    std::span<const std::string_view> names);
 
 }  // namespace ryosen

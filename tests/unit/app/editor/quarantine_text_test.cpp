@@ -1,4 +1,4 @@
-#include "app/editor/set_aside.h"
+#include "app/editor/quarantine_text.h"
 
 #include <gtest/gtest.h>
 
@@ -10,22 +10,22 @@ namespace {
 
 constexpr const char* one_set_aside = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 1 2 2\nf 3 2 4\n";
 
-TEST(set_aside, only_names_that_speak_of_such_a_face) {
+TEST(quarantine_text, only_names_that_speak_of_such_a_face) {
   const std::vector<QuarantinedFace> quarantine{{1, 6, "repeated_corner", {0, 1, 1}, {}, {}},
                                                 {12, 0, "face_too_few_corners", {0, 1}, {}, {}}};
   for (const char* name : {"f1", "0-1@f1", "~0-1@f1", "v2@f1", "f12"})
-    EXPECT_TRUE(set_aside_sentence(quarantine, name)) << name;
+    EXPECT_TRUE(quarantine_text(quarantine, name)) << name;
   for (const char* name : {"f2", "f", "f1x", "v1", "0-1", "0-1@f2", "0-1@", "", "e1", "face1"})
-    EXPECT_FALSE(set_aside_sentence(quarantine, name)) << name;
-  const Text text = *set_aside_sentence(quarantine, "f1");
+    EXPECT_FALSE(quarantine_text(quarantine, name)) << name;
+  const Text text = *quarantine_text(quarantine, "f1");
   EXPECT_NE(text.en.find("set aside"), std::string::npos) << text.en;
   EXPECT_NE(text.en.find("v1 more than once"), std::string::npos) << text.en;
   EXPECT_NE(text.en.find("line 6"), std::string::npos) << text.en;
   EXPECT_NE(text.ja.find("6 行目"), std::string::npos) << text.ja;
-  EXPECT_EQ(set_aside_sentence(quarantine, "f12")->en.find("line"), std::string::npos);
+  EXPECT_EQ(quarantine_text(quarantine, "f12")->en.find("line"), std::string::npos);
 }
 
-TEST(set_aside, commands_say_why_the_face_is_not_there) {
+TEST(quarantine_text, commands_say_why_the_face_is_not_there) {
   const test::TemporaryFolder folder;
   auto document = Document::open(folder.write("q.obj", one_set_aside));
   ASSERT_TRUE(document);
@@ -45,7 +45,7 @@ TEST(set_aside, commands_say_why_the_face_is_not_there) {
   }
 }
 
-TEST(set_aside, whichever_argument_speaks_of_the_face) {
+TEST(quarantine_text, whichever_argument_speaks_of_the_face) {
   const test::TemporaryFolder folder;
   auto document = Document::open(folder.write("q.obj", one_set_aside));
   ASSERT_TRUE(document);

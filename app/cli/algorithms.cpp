@@ -14,6 +14,7 @@
 #include "app/cli/write_output.h"
 #include "app/editor/commands.h"
 #include "app/editor/script.h"
+#include "core/base/split_list.h"
 
 namespace ryosen::cli {
 
@@ -66,11 +67,8 @@ std::optional<Failure> add_calls(const std::string& word, std::vector<Call>& cal
 // Each repair once, in the order of the table; of two calls the later counts.
 Result<std::vector<Call>> read_kinds(const std::string& list) {
   std::vector<Call> given, calls;
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::size_t end = std::min(list.find(',', begin), list.size());
-    if (auto failure = add_calls(list.substr(begin, end - begin), given)) return std::move(*failure);
-    begin = end + 1;
-  }
+  for (const std::string_view word : split_list(list))
+    if (auto failure = add_calls(std::string(word), given)) return std::move(*failure);
   for (const AlgorithmRow& row : algorithm_table()) {
     const auto last = std::find_if(given.rbegin(), given.rend(), [&](const Call& call) { return call.row == &row; });
     if (last != given.rend()) calls.push_back(std::move(*last));

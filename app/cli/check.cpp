@@ -10,6 +10,7 @@
 #include "app/cli/subcommands.h"
 #include "app/editor/script.h"
 #include "core/base/parallel.h"
+#include "core/base/split_list.h"
 
 namespace ryosen::cli {
 
@@ -24,9 +25,8 @@ struct Options {
 
 std::optional<Failure> read_fail_on(const std::string& list, std::vector<std::string>& kinds) {
   if (list == "none") return std::nullopt;
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::size_t end = std::min(list.find(',', begin), list.size());
-    const std::string kind = list.substr(begin, end - begin);
+  for (const std::string_view part : split_list(list)) {
+    const std::string kind(part);
     if (kind == "none")
       return usage_failure("bad_value", {"--fail-on: none stands for itself, without other kinds.",
                                          "--fail-on：none は他の種類と一緒には使えません。"});
@@ -38,7 +38,6 @@ std::optional<Failure> read_fail_on(const std::string& list, std::vector<std::st
                                             did_you_mean(kind, known, HintForm::sentence));
     }
     kinds.push_back(kind);
-    begin = end + 1;
   }
   return std::nullopt;
 }

@@ -161,18 +161,10 @@ class OptionsReader {
   }
 
   // Splits a list at commas and blanks.
-  static std::vector<std::string> parts(const std::string& list) {
-    std::vector<std::string> found;
-    std::string current;
-    for (const char c : list + ",") {
-      if (c != ',' && c != ' ') {
-        current += c;
-      } else if (!current.empty()) {
-        found.push_back(std::move(current));
-        current.clear();
-      }
-    }
-    return found;
+  static std::vector<std::string> parts(std::string list) {
+    std::replace(list.begin(), list.end(), ',', ' ');
+    const std::vector<std::string_view> words = split_words(list);
+    return {words.begin(), words.end()};
   }
 
   void read_highlights() {

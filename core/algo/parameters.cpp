@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "core/base/enum_table.h"
+#include "core/base/split_list.h"
 #include "core/mesh/find_element.h"
 #include "core/ops/lines/syntax.h"
 #include "core/ops/op.h"
@@ -66,19 +67,9 @@ Text range_text(const ParameterRow& row) {
   return text;
 }
 
-std::vector<std::string_view> parts_of(std::string_view list) {
-  std::vector<std::string_view> parts;
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::size_t end = std::min(list.find(',', begin), list.size());
-    parts.push_back(list.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
-
 std::optional<ParameterValue> read_names(std::string_view text) {
   ParameterValue value;
-  for (std::string_view name : parts_of(text)) {
+  for (std::string_view name : split_list(text)) {
     if (!is_element_name(name)) return std::nullopt;
     value.names.emplace_back(name);
   }

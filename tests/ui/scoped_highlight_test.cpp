@@ -145,9 +145,7 @@ TEST_F(ScopedHighlightTest, is_known_to_shot_and_its_help) {
   ASSERT_TRUE(picture);
   EXPECT_GT(count_near(*picture, row_.looks.dark), 100);
   EXPECT_EQ(shot("frist"), ExitCode::usage);
-  testing::internal::CaptureStdout();
-  EXPECT_EQ(cli::run({"help", "shot", "--lang", "en"}), ExitCode::done);
-  const std::string help = testing::internal::GetCapturedStdout();
+  const std::string help = test::run_here({"help", "shot", "--lang", "en"}).out;
   for (const HighlightRow& row : highlight_table()) {
     EXPECT_NE(help.find("  " + std::string(row.id)), std::string::npos) << row.id;
     EXPECT_NE(help.find(row.legend_en), std::string::npos) << row.id;

@@ -10,6 +10,7 @@ namespace ryosen::test {
 
 using Json = nlohmann::ordered_json;
 
+// In their order.
 std::vector<std::string> keys_of(const Json& json);
 
 struct ProgramRun {

@@ -86,7 +86,7 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
   report.format = file.format ? file.format->id : std::string_view();
   report.messages = std::move(file.messages);
   report.beside = totals_of(file);
-  const std::vector<Vertex> on_lines = vertices_on_lines(file);
+  const std::vector<Vertex> on_lines = vertices_on_lines(file, file.mesh.positions.size());
   std::vector<QuarantinedFace> quarantine = std::move(file.mesh.quarantine);
   const std::vector<std::uint32_t> lines = std::move(file.mesh.face_lines);
   const LineRuns vertex_lines = std::move(file.mesh.vertex_lines);
@@ -94,14 +94,13 @@ CheckReport check_mesh(MeshFile file, const std::string& path, bool with_self_in
   ProblemSets sets;
   for_each_task(2, threads_for(mesh.halfedge_slots()), [&](unsigned task) {
     if (task == 0) {
-      sets = ProblemSets(mesh);
+      sets = ProblemSets(mesh, 0, on_lines);
       report.figures = compute_figures(mesh, sets, quarantine);
-      report.kind = find_kind(mesh, sets);
+      report.kind = find_kind(mesh, sets, report.beside.lines);
     } else {
       report.hash = hash_text(mesh);
     }
   });
-  report.figures.isolated_vertices -= sets.leave_out(ProblemKind::isolated_vertex, on_lines);
   SelfIntersections intersections;
   if (with_self_intersections) intersections = find_self_intersections(mesh, most_listed_pairs);
   std::vector<Problem> problems =

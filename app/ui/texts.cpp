@@ -55,7 +55,7 @@ constexpr std::array<Row, enum_count<UiText>> rows{{
     {T::boundaries, "boundary loops", "境界ループ"},
     {T::rings, "rings of faces", "面の穴"},
     {T::wire_cycles, "cycles along wires", "稜線だけの輪"},
-    {T::isolated_vertices, "isolated vertices", "孤立頂点"},
+    {T::points_without_edge, "points without an edge", "稜線のない点"},
     {T::parts, "connected parts", "つながった部分"},
     {T::genus, "handles", "種数"},
     {T::no_genus, "No G", "種数なし"},

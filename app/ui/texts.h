@@ -44,7 +44,7 @@ enum class UiText {
   boundaries,
   rings,
   wire_cycles,
-  isolated_vertices,
+  points_without_edge,
   parts,
   genus,
   no_genus,

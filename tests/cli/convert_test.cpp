@@ -17,7 +17,9 @@ Json loss(const Json& report, const std::string& code) {
 
 TEST(convert, numbers_that_single_precision_loses_altogether_are_said_as_that) {
   const TemporaryFolder folder;
-  folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1e-60 1\nv 0 1e39 -1e300\nv 0.1 2 0\nf 1 2 3\nf 2 3 4\nf 1 2 5\n");
+  folder.write(
+      "a.obj",
+      "v 0 0 0\nv 1 0 0\nv 0 1e-60 1\nv 0 1e39 -1e300\nv 0.1 2 0\nv 1e99 0 1e-99\nf 1 2 3\nf 2 3 4\nf 1 2 5\n");
   const auto convert = [&](std::vector<std::string> further) {
     further.insert(further.begin(), {"convert", "a.obj", "--json"});
     return run_program(further, folder.path());

@@ -79,7 +79,7 @@ void draw_totals(PanelContext& context) {
     draw_term(context, "B", terms.boundary_loops, UiText::boundaries);
     // Most meshes have none of these two, and the column is low.
     if (terms.wire_cycles != 0) draw_term(context, "W", terms.wire_cycles, UiText::wire_cycles);
-    if (terms.isolated != 0) draw_term(context, "I", terms.isolated, UiText::isolated_vertices);
+    if (terms.isolated != 0) draw_term(context, "I", terms.isolated, UiText::points_without_edge);
     draw_term(context, "H", terms.rings, UiText::rings);
     draw_term(context, "S", terms.parts, UiText::parts);
     draw_term(context, "G", terms.genus, UiText::genus);

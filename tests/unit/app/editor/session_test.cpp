@@ -122,7 +122,7 @@ TEST(session, vertices_on_lines_are_not_isolated_whatever_is_edited) {
   EXPECT_EQ(isolated(), (std::vector<std::uint32_t>{5}));
   EXPECT_EQ(session.euler_terms().isolated, 3) << "points without an edge";
   EXPECT_TRUE(session.euler_terms().holds());
-  for (const char* line : {"delete_face f0", "undo", "redo", "make_edge v3 v5", "undo"}) {
+  for (const char* line : {"delete f0", "undo", "redo", "make_edge v3 v5", "undo"}) {
     ASSERT_TRUE(session.run(line).done()) << line;
     EXPECT_EQ(session.highlights(), HighlightSets(session.mesh(), 0, on_lines)) << line;
     EXPECT_TRUE(session.euler_terms().holds()) << line;

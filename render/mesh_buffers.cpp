@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 
+#include "core/geometry/is_finite.h"
 #include "render/hilbert_order.h"
 
 namespace ryosen {
@@ -125,8 +126,7 @@ DrawBox MeshBuffers::bounds() const {
 
 bool MeshBuffers::drawable(std::uint32_t vertex) const {
   if (vertex >= source_positions_) return false;
-  const glm::vec4& p = positions_[vertex];
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+  return is_finite(glm::vec3(positions_[vertex]));
 }
 
 glm::uvec4 MeshBuffers::converted(const TriangleSource& source, std::uint32_t triangle) const {

@@ -38,7 +38,7 @@ CheckReport check_mesh(MeshFile file, const std::string& path, const CheckScope&
   report.format = file.format ? file.format->id : std::string_view();
   report.messages = std::move(file.messages);
   report.beside = totals_of(file);
-  const std::vector<Vertex> on_lines = vertices_on_lines(file);
+  const std::vector<Vertex> on_lines = vertices_on_lines(file, file.mesh.positions.size());
   std::vector<QuarantinedFace> quarantine = std::move(file.mesh.quarantine);
   const std::vector<std::uint32_t> lines = std::move(file.mesh.face_lines);
   const LineRuns vertex_lines = std::move(file.mesh.vertex_lines);
@@ -46,15 +46,13 @@ CheckReport check_mesh(MeshFile file, const std::string& path, const CheckScope&
   ProblemSets sets;
   for_each_task(2, threads_for(mesh.halfedge_slots()), [&](unsigned task) {
     if (task == 0) {
-      sets = ProblemSets(mesh);
+      sets = ProblemSets(mesh, 0, on_lines);
       if (scope.figures) report.figures = compute_figures(mesh, sets, quarantine);
-      if (scope.kind) report.kind = find_kind(mesh, sets);
+      if (scope.kind) report.kind = find_kind(mesh, sets, report.beside.lines);
     } else if (scope.figures) {
       report.hash = hash_text(mesh);
     }
   });
-  const std::size_t on_line = sets.leave_out(ProblemKind::isolated_vertex, on_lines);
-  if (scope.figures) report.figures[ProblemKind::isolated_vertex] -= on_line;
   SelfIntersections intersections;
   if (scope.self_intersections) intersections = find_self_intersections(mesh, most_listed_pairs);
   std::vector<Problem> problems =

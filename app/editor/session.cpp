@@ -5,6 +5,7 @@
 #include "app/editor/autosave.h"
 #include "app/editor/commands.h"
 #include "app/editor/words.h"
+#include "core/io/elements.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 
@@ -286,7 +287,7 @@ void Session::forget_hidden() {
 }
 
 const HighlightSets& Session::highlights() {
-  if (!highlights_) highlights_.emplace(mesh());
+  if (!highlights_) highlights_.emplace(mesh(), 0, vertices_on_lines(document_->file(), mesh().file_vertices()));
   forget_hidden();
   for (const HighlightRow& row : highlight_table()) {
     if (highlights_->keeps(row) || !shown.contains(std::string(row.id))) continue;
@@ -315,7 +316,7 @@ const KindOfMesh& Session::kind(bool anew) {
   constexpr std::uint32_t most_faces = 20000;  // more would be felt after each edit
   const bool is_quick = mesh().live().faces <= most_faces || is_kind_evident(mesh(), highlights().problems());
   if (!kind_ || (is_kind_stale() && (anew || is_quick))) {
-    kind_ = find_kind(mesh(), highlights().problems());
+    kind_ = find_kind(mesh(), highlights().problems(), totals_of(document_->file()).lines);
     kind_revision_ = document_->revision();
   }
   return *kind_;

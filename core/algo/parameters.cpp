@@ -10,6 +10,7 @@
 
 #include "core/base/enum_table.h"
 #include "core/base/split_list.h"
+#include "core/geometry/box.h"
 #include "core/mesh/find_element.h"
 #include "core/ops/lines/syntax.h"
 #include "core/ops/op.h"
@@ -99,16 +100,13 @@ std::optional<ParameterValue> read_value(const ParameterRow& row, std::string_vi
 
 // That share of the diagonal of the bounding box; on the way nothing is larger than the result or the box.
 double share_of_diagonal(const Mesh& mesh, double share) {
-  glm::dvec3 least(infinity), most(-infinity);
+  Box box;
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
-    if (!mesh.is_alive(Vertex(i))) continue;
-    const glm::dvec3 p = mesh.position(Vertex(i));
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) continue;
-    least = glm::min(least, p);
-    most = glm::max(most, p);
+    const glm::dvec3& p = mesh.position(Vertex(i));
+    if (mesh.is_alive(Vertex(i)) && is_finite(p)) box.add(p);
   }
-  if (least.x > most.x) return 0;
-  const glm::dvec3 half = 0.5 * most - 0.5 * least;
+  if (box.is_empty()) return 0;
+  const glm::dvec3 half = 0.5 * box.highest - 0.5 * box.lowest;
   const double largest = std::max({half.x, half.y, half.z});
   return largest > 0 ? largest * (2 * share * glm::length(half / largest)) : 0;
 }

@@ -20,7 +20,7 @@ constexpr EulerTerm letters[] = {
     {'F', "faces", "面", [](const Terms& t) -> Value { return t.faces; }},
     {'B', "boundary loops", "境界ループ", [](const Terms& t) -> Value { return t.boundary_loops; }},
     {'W', "cycles along wires", "稜線だけの輪", [](const Terms& t) -> Value { return t.wire_cycles; }, true},
-    {'I', "isolated vertices", "孤立頂点", [](const Terms& t) -> Value { return t.isolated; }, true},
+    {'I', "points without an edge", "稜線のない点", [](const Terms& t) -> Value { return t.isolated; }, true},
     {'H', "rings of faces", "面の穴", [](const Terms& t) -> Value { return t.rings; }},
     {'S', "connected parts", "つながった部分", [](const Terms& t) -> Value { return t.parts; }},
     {'G', "handles", "種数", [](const Terms& t) -> Value { return t.genus; }},
@@ -35,7 +35,7 @@ void take_counts(EulerPoincare& terms, const Mesh& mesh, const ProblemSets& sets
   terms.faces = counts.faces;
   terms.rings = mesh.live().rings;
   terms.boundary_loops = static_cast<std::int64_t>(boundary_loops);
-  terms.isolated = sets.count(ProblemKind::isolated_vertex);
+  terms.isolated = sets.points_without_edge();
 }
 
 // Where the mesh is no manifold, if the sets of problems say so.
@@ -49,8 +49,8 @@ void find_nonmanifold(EulerPoincare& terms, const ProblemSets& sets) {
   }
 }
 
-// The ends of wires by number, and whether a walk outside comes past each by the kernel's links alone: the point is one
-// vertex, and what lies beside its gaps are wires and edges that have one face on points too.
+// The ends of wires, and whether the kernel's outside links are valid at each: the point is one vertex, and its outside
+// halfedges belong to wires and to boundary edges on points.
 class WireEnds {
  public:
   WireEnds(const Mesh& mesh, const ProblemSets& sets) : mesh_(mesh), sets_(sets) {
@@ -65,7 +65,7 @@ class WireEnds {
     });
   }
   bool contains(Vertex v) const { return !is_end_.empty() && is_end_[v.index]; }
-  // One that is not passed so.
+  // The first end where they are not; none if there is no such end.
   Vertex amid_faces() const { return amid_; }
 
  private:
@@ -120,7 +120,7 @@ std::int64_t count_wire_cycles(const Mesh& mesh, const ProblemSets& sets, const 
   return count;
 }
 
-// A forest of the points, which gives the parts, and one of the faces and walks outside over the edges that are left.
+// A spanning forest of the points, which gives the parts, and one of the faces and outside walks over the other edges.
 class TreeAndCotree {
  public:
   TreeAndCotree(Neighbourhood& around, const ProblemSets& sets)
@@ -130,14 +130,14 @@ class TreeAndCotree {
       if (mesh_.is_alive(Vertex(i))) points_.join(i, mesh_.next_copy(Vertex(i)).index);
   }
 
-  // The forest of the points alone. A face holds its loops together as an edge from ring to ring would.
+  // Only the forest of the points. A face connects its loops like an edge between them.
   void join_points() {
     for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i)
       if (mesh_.is_alive(Edge(i))) join_ends(Edge(i));
     for_each_ring([&](Halfedge outer, Halfedge ring) { join(outer, ring); });
   }
 
-  // Both; the number of edges in neither. The mesh is manifold and orientable, wires are passed by the kernel's links.
+  // Both; returns the number of edges in neither. The mesh is manifold and orientable, wires follow the kernel's links.
   std::int64_t join_all(const WireEnds& wires) {
     others_.reset(std::size_t{mesh_.face_slots()} + mesh_.halfedge_slots());
     join_walks(wires);
@@ -168,7 +168,7 @@ class TreeAndCotree {
 
   std::uint32_t walk(Halfedge outside) const { return mesh_.face_slots() + outside.index; }
   std::uint32_t side(Halfedge h) const { return mesh_.is_outside(h) ? walk(h) : mesh_.face(h).index; }
-  // What lies on the two sides of an edge on points.
+  // The faces or outside walks on the two sides of an edge on points.
   std::pair<std::uint32_t, std::uint32_t> sides(Edge e) {
     const Halfedge h = halfedge(e);
     if (around_.is_single_sheet(h)) return {side(h), side(twin(h))};
@@ -177,7 +177,7 @@ class TreeAndCotree {
     return {faces_[0].index, walk(mesh_.is_outside(h) ? h : twin(h))};
   }
 
-  // Outside halves that follow each other on points become one walk.
+  // Joins outside halfedges that follow each other on points into walks.
   void join_walks(const WireEnds& wires) {
     sets_.of(ProblemKind::boundary_loop).for_each([&](std::uint32_t i) {
       const Halfedge h = halfedge(Edge(i)), outside = mesh_.is_outside(h) ? h : twin(h);
@@ -229,7 +229,7 @@ bool follow_operator(EulerPoincare& terms, const Mesh& mesh, const ProblemSets& 
   take_counts(now, mesh, sets, boundary_loops);
   now.no_genus = NoGenus::none;
   find_nonmanifold(now, sets);
-  // The place of the other reasons may have gone, and a sum that does not hold is worth a second look.
+  // Other reasons may have changed their element; a sum that does not hold is computed again.
   if (now.no_genus != terms.no_genus || (now.no_genus == NoGenus::none && !now.holds())) return false;
   terms = now;
   return true;

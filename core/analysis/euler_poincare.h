@@ -1,12 +1,12 @@
 // The terms of V - E + F + (B + W + I) - H = 2(S - G), on points and undirected edges.
 //
-// B, W and I together are the closed walks outside of the faces, which the sample program and the operators (core/ops)
-// count as one number B. On a manifold, orientable mesh the kernel's cycles of outside halfedges are B + W.
+// B + W + I counts the closed walks outside the faces; the sample program and the operators (core/ops) call the sum B.
+// On a manifold, orientable mesh the kernel has B + W cycles of outside halfedges.
 //
-// A bridge (an edge with the same face on both sides) is an edge like any other until make_ring takes it out and a ring
-// is left. A file cannot tell the two apart: what is written with a bridge reads back as a ring, an edge less and a ring
-// more. So Figures, which speak of the file, count the bridges of an open mesh as rings; the terms, the list of problems
-// and `expect`, which speak of the open mesh, do not. V - E - H is the same either way.
+// A bridge (an edge with the same face on both sides) is an ordinary edge until make_ring replaces it by a ring. Files
+// do not distinguish the two: a bridge that is written reads back as a ring. So Figures, which describe the file, count
+// bridges as rings; the terms, the list of problems and `expect`, which describe the open mesh, do not. V - E - H is
+// the same either way.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ enum class NoGenus : std::uint8_t {
   nonmanifold_edge,    // three or more faces on an edge
   nonmanifold_vertex,  // several fans at a point
   one_sided,           // no turning of faces makes all agree
-  unturned,            // wires, and faces that disagree: on which side of a wire one walks is not said
+  unturned,            // wires beside misoriented faces: the sides of a wire are ambiguous
   wire_at_copies,      // a wire ends at a point with copies, or where the faces leave no gap
 };
 
@@ -35,15 +35,14 @@ struct EulerPoincare {
   std::int64_t edges = 0;           // E: pairs of points with an edge, wires and bridges too
   std::int64_t faces = 0;           // F
   std::int64_t boundary_loops = 0;  // B: of the faces, as `check` and the list of problems count them
-  // W: cycles outside that run along a wire, less the boundary loops that they run along. A wire that stands alone makes
-  // one more. One that hangs on a boundary is part of the walk along that boundary and adds none. One from a boundary
-  // loop to itself parts the walk and makes one more, one between two loops makes one walk of them and one less.
+  // W: outside cycles that contain a wire, minus the boundary loops that they contain. A lone wire counts +1, one with
+  // one end on a boundary 0, one from a boundary loop to itself +1, one between two boundary loops -1.
   std::int64_t wire_cycles = 0;
   std::int64_t isolated = 0;  // I: points without an edge
   std::int64_t rings = 0;     // H: inner loops of faces
   std::int64_t parts = 0;     // S: what hangs together by edges, faces and points; an isolated point is one
-  // G: handles of all parts together. Counted on its own: of the edges that neither a spanning tree of the points nor one
-  // of the faces and of the walks outside holds, half. So the sum is a test.
+  // G: the genus of all parts together: half the edges that are neither in a spanning forest of the points nor in one
+  // of the faces and outside walks. It does not use the other terms, so the sum is a check.
   std::optional<std::int64_t> genus;
   NoGenus no_genus = NoGenus::none;
   Element at;  // where, if there is none
@@ -70,8 +69,8 @@ EulerPoincare euler_poincare(const Mesh& mesh, const ProblemSets& sets);
 // Searches for itself.
 EulerPoincare euler_poincare(const Mesh& mesh);
 
-// Brings the terms up to date after an operator that leaves W, S and G alone (Topology::kept). False where that is
-// not enough and they must be asked anew. O(1).
+// Updates the terms after an operator that keeps W, S and G (Topology::kept). False if they must be computed anew.
+// O(1).
 bool follow_operator(EulerPoincare& terms, const Mesh& mesh, const ProblemSets& sets, std::uint32_t boundary_loops);
 
 // "not manifold at 0-1"; empty where there is a G.

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <vector>
 
 #include "core/analysis/boundary_loops.h"
 #include "core/analysis/components.h"
 #include "core/base/parallel.h"
 #include "core/base/sort_unique.h"
-#include "core/geometry/is_finite.h"
+#include "core/geometry/box.h"
 #include "core/geometry/polygon_normal.h"
 #include "core/mesh/face_polygon.h"
 
@@ -77,16 +75,14 @@ void count_isolated(Neighbourhood& around, const ProblemSets& sets, Figures& fig
 class Measure {
  public:
   void add(std::span<const glm::dvec3> polygon) {
-    const std::array<glm::dvec3, 2> before{low_, high_};
+    const Box before = bounds_;
     for (const glm::dvec3& p : polygon) {
       if (!is_finite(p)) {
         all_finite_ = false;
-        low_ = before[0];
-        high_ = before[1];
+        bounds_ = before;
         return;
       }
-      low_ = glm::min(low_, p);
-      high_ = glm::max(high_, p);
+      bounds_.add(p);
     }
     if (!has_faces_) apex_ = polygon[0];
     has_faces_ = true;
@@ -96,7 +92,7 @@ class Measure {
   }
 
   void report(Figures& figures) const {
-    if (has_faces_) figures.bounds = {low_, high_};
+    if (has_faces_) figures.bounds = {bounds_.lowest, bounds_.highest};
     figures.area = area_;
     if (figures.closed && figures.manifold && figures[ProblemKind::misoriented_edge] == 0 && all_finite_)
       figures.volume = volume_;
@@ -113,8 +109,7 @@ class Measure {
     return true;
   }
 
-  glm::dvec3 low_{std::numeric_limits<double>::infinity()};
-  glm::dvec3 high_{-std::numeric_limits<double>::infinity()};
+  Box bounds_;
   glm::dvec3 apex_{0.0};
   double area_ = 0, volume_ = 0;
   bool has_faces_ = false;
@@ -193,9 +188,10 @@ Figures compute_figures(const Mesh& mesh, const ProblemSets& sets, std::span<con
   const std::uint64_t usable = mesh.live().faces;
   figures.faces = usable + quarantine.size();
   figures.rings += mesh.live().rings;
+  const std::uint64_t on_lines = sets.points_without_edge() - sets.count(ProblemKind::isolated_vertex);
+  const std::uint64_t used = figures.vertices - figures[ProblemKind::isolated_vertex] - on_lines;
   figures.euler_characteristic =
-      static_cast<std::int64_t>(figures.vertices - figures[ProblemKind::isolated_vertex] + usable) -
-      static_cast<std::int64_t>(figures.edges + figures.rings);
+      static_cast<std::int64_t>(used + usable) - static_cast<std::int64_t>(figures.edges + figures.rings);
   figures.manifold = figures[ProblemKind::nonmanifold_edge] == 0 && figures.bowtie_vertices == 0;
   figures.closed =
       usable > 0 && figures[ProblemKind::boundary_loop] == 0 && figures[ProblemKind::nonmanifold_edge] == 0;

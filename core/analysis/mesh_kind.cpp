@@ -35,12 +35,19 @@ std::string first_of(const Mesh& mesh, const ProblemSets& sets, ProblemKind kind
 
 std::string face_name(Face f) { return "f" + std::to_string(f.index); }
 
-KindOfMesh without_faces(const Mesh& mesh, const ProblemSets& sets) {
+KindOfMesh without_faces(const Mesh& mesh, const ProblemSets& sets, std::uint64_t lines) {
   const ElementCounts counts = sets.counts_on_points(mesh);
   const std::string edges = std::to_string(counts.edges), vertices = std::to_string(counts.vertices);
-  if (counts.edges > 0)
+  if (counts.edges > 0 || lines > 0) {
+    const std::string comma_en = counts.edges > 0 && lines > 0 ? ", " : "", comma_ja = comma_en.empty() ? "" : "、";
+    Text found = counts.edges > 0 ? Text{"edges: " + edges, "稜線は " + edges + " 本"} : Text();
+    if (lines > 0) {
+      found.en += comma_en + "lines: " + std::to_string(lines);
+      found.ja += comma_ja + "線は " + std::to_string(lines) + " 本";
+    }
     return {MeshKind::wires,
-            {"There is no usable face; edges: " + edges + ".", "使える面がありません。稜線は " + edges + " 本です。"}};
+            {"There is no usable face; " + found.en + ".", "使える面がありません。" + found.ja + "です。"}};
+  }
   if (counts.vertices > 0)
     return {MeshKind::points,
             {"There is no usable face and no edge; vertices: " + vertices + ".",
@@ -149,8 +156,8 @@ bool is_kind_evident(const Mesh& mesh, const ProblemSets& sets) {
   return sets.count(ProblemKind::misoriented_edge) == 0 && sets.count(ProblemKind::boundary_loop) > 0;
 }
 
-KindOfMesh find_kind(const Mesh& mesh, const ProblemSets& sets) {
-  if (mesh.live().faces == 0) return without_faces(mesh, sets);
+KindOfMesh find_kind(const Mesh& mesh, const ProblemSets& sets, std::uint64_t lines) {
+  if (mesh.live().faces == 0) return without_faces(mesh, sets, lines);
   Neighbourhood around(mesh, is_kind_evident(mesh, sets) ? Neighbourhood::Reach::local : Neighbourhood::Reach::whole);
   if (const auto kind = if_not_manifold(around, sets)) return *kind;
   if (const auto kind = if_faces_disagree(around, sets)) return *kind;

@@ -18,7 +18,7 @@ enum class MeshKind : std::uint8_t {
   surface,       // a boundary, a coordinate that is not finite, a shell without volume, or shells that cross or touch
   inside_out,    // closed; a shell inside an even number of others looks inwards, or one inside an odd number outwards
   solid,         // closed, and every shell looks the right way
-  wires,         // no faces, but edges
+  wires,         // no faces, but edges, or lines beside the mesh
   points,        // nothing but vertices
   empty,
 };
@@ -36,8 +36,9 @@ struct KindOfMesh {
   Text reason;  // a sentence that names the element
 };
 
-// `sets` are those of the mesh as it is. Takes next to nothing where is_kind_evident, else O(n log n) (shells.h).
-KindOfMesh find_kind(const Mesh& mesh, const ProblemSets& sets);
+// `sets` are those of the mesh as it is, `lines` how many lines its file keeps beside it. Takes next to nothing where
+// is_kind_evident, else as much as find_shells (shells.h).
+KindOfMesh find_kind(const Mesh& mesh, const ProblemSets& sets, std::uint64_t lines = 0);
 // Whether the sets alone tell.
 bool is_kind_evident(const Mesh& mesh, const ProblemSets& sets);
 

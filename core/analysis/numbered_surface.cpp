@@ -5,41 +5,71 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/parallel.h"
+#include "core/base/sort_unique.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/copies.h"
 
 namespace ryosen {
 
-NumberedSurface::NumberedSurface(const Mesh& mesh) : mesh_(mesh), triangles_(mesh) {
+NumberedSurface::NumberedSurface(const Mesh& mesh) : places_(mesh.positions().begin(), mesh.positions().end()) {
+  const std::size_t expected = mesh.live().faces;
+  corners_.reserve(expected);
+  faces_.reserve(expected);
+  sides_.reserve(expected);
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
+    if (mesh.is_alive(Face(i))) add(mesh, Face(i));
   choose_frame();
   if (!mesh.has_copies()) return;
-  point_.assign(mesh.vertex_slots(), no_index);
+  std::vector<std::uint32_t> point(mesh.vertex_slots(), no_index);
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
-    if (mesh.is_alive(Vertex(i)) && point_[i] == no_index)
-      for_each_copy(mesh, Vertex(i), [&](Vertex copy) { point_[copy.index] = i; });
+    if (mesh.is_alive(Vertex(i)) && point[i] == no_index)
+      for_each_copy(mesh, Vertex(i), [&](Vertex copy) { point[copy.index] = i; });
+  for (auto& corners : corners_)
+    for (std::uint32_t& corner : corners) corner = point[corner];
+}
+
+NumberedSurface::NumberedSurface(const Mesh& mesh, std::span<const Face> faces) {
+  for (const Face f : faces) add(mesh, f);
+  std::vector<Vertex> points;
+  for (auto& corners : corners_)
+    for (std::uint32_t& corner : corners) points.emplace_back(corner = point(mesh, Vertex(corner)).index);
+  sort_unique(points);
+  for (const Vertex v : points) places_.push_back(mesh.position(v));
+  for (auto& corners : corners_)
+    for (std::uint32_t& corner : corners)
+      corner =
+          static_cast<std::uint32_t>(std::lower_bound(points.begin(), points.end(), Vertex(corner)) - points.begin());
+  choose_frame();
+}
+
+void NumberedSurface::add(const Mesh& mesh, Face f) {
+  polygon_.read(mesh, f);
+  if (!polygon_.is_finite()) return;
+  polygon_.triangulate(triangles_);
+  for (const CornerTriangle& t : triangles_) {
+    const auto vertex = [&](std::size_t k) { return mesh.from(polygon_.corners()[t[k]]).index; };
+    corners_.push_back({vertex(0), vertex(1), vertex(2)});
+    faces_.push_back(f);
+    unsigned sides = 0;
+    for (unsigned k = 0; k < 3; ++k) sides |= unsigned{polygon_.is_side(t[k], t[(k + 1) % 3])} << k;
+    sides_.push_back(static_cast<std::uint8_t>(sides));
+  }
 }
 
 NumberedTriangle NumberedSurface::triangle(std::uint32_t slot) const {
-  NumberedTriangle t;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::uint32_t v = triangles_.triangles()[slot][k];
-    t.places[k] = mesh_.position(Vertex(v));
-    t.numbers[k] = point(v);
-  }
-  t.sides = triangles_.edge_bits()[slot];
-  return t;
+  const auto& [a, b, c] = corners_[slot];
+  return {{places_[a], places_[b], places_[c]}, corners_[slot], sides_[slot]};
 }
 
 bool NumberedSurface::is_flat(std::uint32_t slot) const {
-  const auto& [a, b, c] = triangles_.triangles()[slot];
-  return are_collinear(mesh_.position(Vertex(a)), mesh_.position(Vertex(b)), mesh_.position(Vertex(c)));
+  const auto& [a, b, c] = corners_[slot];
+  return are_collinear(places_[a], places_[b], places_[c]);
 }
 
 std::vector<std::uint32_t> NumberedSurface::triangles_at_points() const {
-  std::vector<std::uint32_t> count(mesh_.vertex_slots(), 0);
-  for (std::uint32_t slot = 0; slot < slots(); ++slot)
-    if (face(slot))
-      for (const std::uint32_t v : triangles_.triangles()[slot]) ++count[point(v)];
+  std::vector<std::uint32_t> count(places_.size(), 0);
+  for (const auto& corners : corners_)
+    for (const std::uint32_t v : corners) ++count[v];
   return count;
 }
 
@@ -58,9 +88,7 @@ void NumberedSurface::choose_frame() {
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> places;
     for (std::uint32_t k = 0; k < samples; ++k)
-      for (const std::uint32_t v : triangles_.triangles()[part_begin(slots(), k, samples)])
-        if (const double place = mesh_.position(Vertex(v))[axis]; std::isfinite(place)) places.push_back(place);
-    if (places.empty()) return;
+      for (const std::uint32_t v : corners_[part_begin(slots(), k, samples)]) places.push_back(places_[v][axis]);
     std::sort(places.begin(), places.end());
     const std::size_t quarter = places.size() / 4;
     origin_[axis] = places[2 * quarter];

@@ -1,25 +1,28 @@
 // The triangles of a mesh with corners numbered by point.
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "core/geometry/triangles_meet.h"
-#include "core/mesh/mesh.h"
-#include "core/pick/surface_triangles.h"
+#include "core/mesh/face_polygon.h"
 
 namespace ryosen {
 
-// Refers to the mesh, which must not change.
 class NumberedSurface {
  public:
+  // Of all faces with finite corners.
   explicit NumberedSurface(const Mesh& mesh);
+  // Of these live faces, whatever the size of the mesh.
+  NumberedSurface(const Mesh& mesh, std::span<const Face> faces);
 
-  std::uint32_t slots() const { return static_cast<std::uint32_t>(triangles_.triangles().size()); }
-  Face face(std::uint32_t slot) const { return Face(triangles_.faces()[slot]); }
+  std::uint32_t slots() const { return static_cast<std::uint32_t>(corners_.size()); }
+  Face face(std::uint32_t slot) const { return faces_[slot]; }
   // Copies of a point have the same number.
   NumberedTriangle triangle(std::uint32_t slot) const;
-  // Whether the corners are collinear (exact); true for an unused slot.
+  // Whether the corners are collinear (exact).
   bool is_flat(std::uint32_t slot) const;
   // How many triangles have a corner at the point, by its number. O(triangles).
   std::vector<std::uint32_t> triangles_at_points() const;
@@ -31,14 +34,18 @@ class NumberedSurface {
   glm::dvec3 scaled_normal(const NumberedTriangle& t) const;
 
  private:
+  void add(const Mesh& mesh, Face f);
   void choose_frame();
-  std::uint32_t point(std::uint32_t vertex) const { return point_.empty() ? vertex : point_[vertex]; }
 
-  const Mesh& mesh_;
-  SurfaceTriangles triangles_;
-  std::vector<std::uint32_t> point_;  // by vertex; empty while the mesh has no copies
+  std::vector<std::array<std::uint32_t, 3>> corners_;  // numbers of points
+  std::vector<Face> faces_;
+  std::vector<std::uint8_t> sides_;
+  std::vector<glm::dvec3> places_;  // by number
   glm::dvec3 origin_{0.0};
   double scale_ = 1.0;
+  // Scratch of add.
+  FacePolygon polygon_;
+  std::vector<CornerTriangle> triangles_;
 };
 
 }  // namespace ryosen

@@ -56,7 +56,13 @@ void put(IndexSet& set, std::uint32_t index, bool is_member) {
 
 }  // namespace
 
-ProblemSets::ProblemSets(const Mesh& mesh, unsigned threads) : had_copies_(mesh.has_copies()) {
+ProblemSets::ProblemSets(const Mesh& mesh, unsigned threads, std::span<const Vertex> on_lines) {
+  for (const Vertex v : on_lines) on_lines_.insert(v.index);
+  search(mesh, threads);
+}
+
+void ProblemSets::search(const Mesh& mesh, unsigned threads) {
+  had_copies_ = mesh.has_copies();
   if (threads == 0) threads = threads_for(mesh.halfedge_slots());
   Neighbourhood around(mesh, Neighbourhood::Reach::whole);
   const unsigned parts = threads == 1 ? 1 : 2 * threads;
@@ -70,8 +76,8 @@ ProblemSets::ProblemSets(const Mesh& mesh, unsigned threads) : had_copies_(mesh.
       search_parts(own ? *own : around, task - 1, parts, found[task - 1]);
   });
   for (const Members& members : found)
-    for (std::size_t kind = 0; kind < most_problem_kinds; ++kind)
-      for (const std::uint32_t i : members[kind]) sets_[kind].insert(i);
+    for (const ProblemRow& row : problem_table())
+      for (const std::uint32_t i : members[static_cast<std::size_t>(row.kind)]) set_for(row, i).insert(i);
   find_further(around);
 }
 
@@ -84,23 +90,19 @@ void ProblemSets::find_further(Neighbourhood& around) {
     if (is_further(around, Edge(i))) further_sheets_.insert(i);
 }
 
-void ProblemSets::set(ProblemKind kind, std::uint32_t index, bool is_member) {
-  IndexSet& members = sets_[static_cast<std::size_t>(kind)];
-  if (is_member ? members.insert(index) : members.erase(index)) changes_.push_back({kind, index, is_member});
-}
-
-std::size_t ProblemSets::leave_out(ProblemKind kind, std::span<const Vertex> vertices) {
-  IndexSet& set = sets_[static_cast<std::size_t>(kind)];
-  std::size_t removed = 0;
-  for (Vertex v : vertices) removed += set.erase(v.index);
-  return removed;
+void ProblemSets::set(const ProblemRow& row, std::uint32_t index, bool is_member) {
+  IndexSet& members = set_for(row, index);
+  if (!(is_member ? members.insert(index) : members.erase(index))) return;
+  if (&members != &only_on_lines_) changes_.push_back({row.kind, index, is_member});
 }
 
 void ProblemSets::update(const Mesh& mesh, const Journal& journal, std::size_t i) {
   // The journal does not list the cells of a column of copies that came or went as a whole.
   if (journal.replaces_everything(i) || had_copies_ != mesh.has_copies()) {
-    *this = ProblemSets(mesh);
-    return;
+    IndexSet on_lines = std::move(on_lines_);
+    *this = ProblemSets();
+    on_lines_ = std::move(on_lines);
+    return search(mesh, 0);
   }
   changes_.clear();
   changed_everything_ = false;
@@ -108,7 +110,7 @@ void ProblemSets::update(const Mesh& mesh, const Journal& journal, std::size_t i
   reach_ = edit_reach(journal, i, around);
   const auto ask = [&](const ProblemRow& row, const auto& elements) {
     for (const auto element : elements)
-      if (speaks_of(row, element)) set(row.kind, element.index, is_member(row, around, element));
+      if (speaks_of(row, element)) set(row, element.index, is_member(row, around, element));
   };
   for (const ProblemRow& row : problem_table()) {
     ask(row, reach_.vertices);
@@ -117,7 +119,7 @@ void ProblemSets::update(const Mesh& mesh, const Journal& journal, std::size_t i
     // Slots that undoing took away.
     if (!row.is_local()) continue;
     const std::uint32_t slots = row.vertex ? mesh.vertex_slots() : row.edge ? mesh.edge_slots() : mesh.face_slots();
-    for (std::uint32_t k : of(row.kind).members_from(slots)) set(row.kind, k, false);
+    for (std::uint32_t k : of(row.kind).members_from(slots)) set(row, k, false);
   }
   if (had_copies_) {
     for (Vertex v : reach_.vertices) put(further_copies_, v.index, is_further(around, v));

@@ -17,8 +17,9 @@ class ProblemSets {
  public:
   ProblemSets() = default;
   // Asks every element of the mesh, on several threads where that pays (0) or on so many; the sets are the same. Beside
-  // copies each has a neighbourhood of its own. O(corners), and a logarithm beside copies.
-  explicit ProblemSets(const Mesh& mesh, unsigned threads = 0);
+  // copies each has a neighbourhood of its own. O(corners), and a logarithm beside copies. `on_lines` are the vertices
+  // that lines beside the mesh use, for good: no isolated ones (ProblemRow::spares_lines).
+  explicit ProblemSets(const Mesh& mesh, unsigned threads = 0, std::span<const Vertex> on_lines = {});
 
   // After transaction i of the journal was committed, undone or redone on the mesh: the sets are those of a fresh
   // search. Asks the stars of the points that it touched, so the mesh's size does not matter; only a transaction that
@@ -30,8 +31,8 @@ class ProblemSets {
   const IndexSet& of(ProblemKind kind) const { return sets_[static_cast<std::size_t>(kind)]; }
   std::uint32_t count(ProblemKind kind) const { return of(kind).size(); }
 
-  // Takes vertices out of a set, for good: no update may follow. Tells how many were in it.
-  std::size_t leave_out(ProblemKind kind, std::span<const Vertex> vertices);
+  // Points without an edge: isolated ones, and those that only lines beside the mesh use.
+  std::uint32_t points_without_edge() const { return count(ProblemKind::isolated_vertex) + only_on_lines_.size(); }
 
   // The live points and the pairs of points joined by an edge, as files and figures count them: counts_on_points() of
   // the mesh, of which these are the sets. O(1).
@@ -58,15 +59,23 @@ class ProblemSets {
   bool changed_everything() const { return changed_everything_; }
 
   friend bool operator==(const ProblemSets& a, const ProblemSets& b) {
-    return a.sets_ == b.sets_ && a.further_copies_ == b.further_copies_ && a.further_sheets_ == b.further_sheets_;
+    return a.sets_ == b.sets_ && a.only_on_lines_ == b.only_on_lines_ && a.further_copies_ == b.further_copies_ &&
+           a.further_sheets_ == b.further_sheets_;
   }
 
  private:
-  void set(ProblemKind kind, std::uint32_t index, bool is_member);
+  // The set that a member of a kind belongs to.
+  IndexSet& set_for(const ProblemRow& row, std::uint32_t index) {
+    const bool is_spared = row.spares_lines && on_lines_.contains(index);
+    return is_spared ? only_on_lines_ : sets_[static_cast<std::size_t>(row.kind)];
+  }
+  void search(const Mesh& mesh, unsigned threads);
+  void set(const ProblemRow& row, std::uint32_t index, bool is_member);
   void find_further(Neighbourhood& around);
   void list_edges_asked(Neighbourhood& around);
 
   std::array<IndexSet, most_problem_kinds> sets_;
+  IndexSet on_lines_, only_on_lines_;
   IndexSet further_copies_, further_sheets_;  // all but the lowest of a point, and of an edge
   EditReach reach_;
   std::vector<Edge> edges_asked_;

@@ -2,90 +2,38 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
-#include <limits>
 #include <span>
 
+#include "core/analysis/box_nesting.h"
 #include "core/analysis/box_tree.h"
 #include "core/analysis/overlap_tree.h"
 #include "core/base/parallel.h"
 #include "core/geometry/predicates.h"
 #include "core/geometry/triangles_meet.h"
+#include "core/geometry/volume_sign.h"
 #include "core/mesh/face_polygon.h"
 
 namespace ryosen {
 
 namespace {
 
-// The signed volume of one shell, times a power of two, and what rounding may have made of it.
-class VolumeSign {
- public:
-  explicit VolumeSign(const SpaceBox& box) : apex_(box.lowest) {
-    const glm::dvec3 half = 0.5 * box.highest - 0.5 * box.lowest;
-    const double extent = std::max({half.x, half.y, half.z});
-    const int exponent = extent > 0 ? -std::ilogb(extent) : 0;
-    // In two steps, as one power may be out of range.
-    scale_ = std::ldexp(1.0, exponent / 2);
-    rest_of_scale_ = std::ldexp(1.0, exponent - exponent / 2);
-  }
-
-  void add(std::span<const glm::dvec3> polygon) {
-    places_.clear();
-    for (const glm::dvec3& p : polygon) places_.push_back((0.5 * p - 0.5 * apex_) * scale_ * rest_of_scale_);
-    if (places_.size() == 3) return add_cone(places_[0], places_[1], places_[2]);
-    glm::dvec3 middle(0.0);
-    for (const glm::dvec3& p : places_) middle += p;
-    middle /= static_cast<double>(places_.size());
-    for (std::size_t i = 0; i < places_.size(); ++i) add_cone(middle, places_[i], places_[(i + 1) % places_.size()]);
-  }
-  int sign() const {
-    const double sum = sum_ + rest_;
-    if (!(std::abs(sum) > 32 * std::numeric_limits<double>::epsilon() * size_)) return 0;
-    return sum > 0 ? 1 : -1;
-  }
-
- private:
-  void add_cone(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    add_term(glm::dot(a, glm::cross(b, c)));
-    size_ += std::sqrt(glm::dot(a, a) * glm::dot(b, b) * glm::dot(c, c));  // a term is off by a few last bits of this
-  }
-  // What is lost of each sum is kept.
-  void add_term(double term) {
-    const double sum = sum_ + term;
-    rest_ += std::abs(sum_) >= std::abs(term) ? (sum_ - sum) + term : (term - sum) + sum_;
-    sum_ = sum;
-  }
-
-  glm::dvec3 apex_;
-  double scale_ = 1, rest_of_scale_ = 1;
-  std::vector<glm::dvec3> places_;
-  double sum_ = 0, rest_ = 0, size_ = 0;
-};
-
 // The triangles of a shell in a tree.
 struct ShellTriangles {
-  std::vector<NumberedTriangle> triangles;
+  std::vector<std::array<glm::dvec3, 3>> triangles;
   BoxTree tree;
 };
 
-SpaceBox box_of(const NumberedTriangle& t) {
-  SpaceBox box;
-  for (const glm::dvec3& p : t.places) box.add(p);
-  return box;
-}
-
 // Whether the ray from p along +x, moved by next to nothing along y and by far less along z, passes through a triangle;
 // p is not on it.
-bool ray_passes(const glm::dvec3& p, const NumberedTriangle& t) {
+bool ray_passes(const glm::dvec3& p, const std::array<glm::dvec3, 3>& t) {
   const auto flat = [](const glm::dvec3& a) { return glm::dvec2(a.y, a.z); };
   const auto side = [&](const glm::dvec3& a, const glm::dvec3& b) {
     if (const int exact = orient2d(flat(a), flat(b), flat(p))) return exact;
     if (a.z != b.z) return a.z > b.z ? 1 : -1;
     return a.y < b.y ? 1 : -1;
   };
-  const auto& [a, b, c] = t.places;
+  const auto& [a, b, c] = t;
   const int facing = orient2d(flat(a), flat(b), flat(c));
   if (facing == 0 || side(a, b) != facing || side(b, c) != facing || side(c, a) != facing) return false;
   // Seen from +x the corners turn as in the plane of y and z, so a triangle with facing 1 has its normal towards +x.
@@ -96,6 +44,7 @@ class ShellSearch {
  public:
   explicit ShellSearch(Neighbourhood& around) : mesh_(around.mesh()), components_(find_face_components(around)) {
     boxes_.resize(components_.count);
+    triangles_.resize(components_.count);
     faces_.resize(components_.count);
     for (std::uint32_t i = 0; i < mesh_.face_slots(); ++i) {
       if (!mesh_.is_alive(Face(i))) continue;
@@ -109,21 +58,25 @@ class ShellSearch {
     Shells shells;
     for (std::uint32_t i = 0; i < components_.count; ++i) shells.all.push_back({faces_[i].front(), turned(i), 0});
     if (components_.count < 2) return shells;
-    tree_ = BoxTree(boxes_);
-    triangles_.resize(components_.count);
-    for (std::uint32_t i = 0; i < components_.count; ++i)
-      if (!visit_others(i, boxes_[i], [](std::uint32_t) { return false; })) triangles_[i] = triangles_of(i);
-    shells.meeting = find_meeting();
+    const BoxNesting nesting(boxes_);
+    const std::vector<std::uint32_t> parents = find_parents(nesting);
+    shells.meeting = find_meeting(parents);
     if (shells.meeting) return shells;
-    for (std::uint32_t i = 0; i < components_.count; ++i) shells.all[i].depth = depth_of(i);
+    for (std::uint32_t n = components_.count; n-- > 0;) {
+      const std::uint32_t shell = nesting.order()[n];
+      if (parents[shell] != no_index) shells.all[shell].depth = shells.all[parents[shell]].depth + 1;
+    }
     return shells;
   }
 
  private:
   int turned(std::uint32_t shell) {
-    VolumeSign volume(boxes_[shell]);
-    for (const Face f : faces_[shell]) volume.add(places_of(f));
-    return volume.sign();
+    RoundedVolume rounded(boxes_[shell].lowest);
+    for (const Face f : faces_[shell]) rounded.add(places_of(f));
+    if (const auto sign = rounded.sign()) return *sign;
+    ExactVolume exact;
+    for (const Face f : faces_[shell]) exact.add(places_of(f));
+    return exact.sign();
   }
 
   // One walk around the face, which may go from ring to ring; valid until the next call.
@@ -142,14 +95,13 @@ class ShellSearch {
   ShellTriangles triangles_of(std::uint32_t shell) {
     ShellTriangles found;
     std::vector<CornerTriangle> corners;
-    std::vector<SpaceBox> boxes;
+    std::vector<Box> boxes;
     for (const Face f : faces_[shell]) {
       polygon_.read(mesh_, f);
       polygon_.triangulate(corners);
       for (const CornerTriangle& t : corners) {
         const auto place = [&](int k) { return polygon_.places()[t[static_cast<std::size_t>(k)]]; };
-        // Different shells have no point in common, so what tells the corners apart does not matter.
-        const NumberedTriangle triangle{{place(0), place(1), place(2)}, {3 * shell, 3 * shell + 1, 3 * shell + 2}, 0};
+        const std::array<glm::dvec3, 3> triangle{place(0), place(1), place(2)};
         if (are_collinear(place(0), place(1), place(2))) continue;
         boxes.push_back(box_of(triangle));
         found.triangles.push_back(triangle);
@@ -159,16 +111,58 @@ class ShellSearch {
     return found;
   }
 
-  // The other shells whose boxes overlap a box, until visit returns false; then so does this.
-  template <class Visit>
-  bool visit_others(std::uint32_t shell, const SpaceBox& box, const Visit& visit) const {
-    return tree_.visit([&](const SpaceBox& other) { return other.overlaps(box); },
-                       [&](std::uint32_t other) { return other == shell || visit(other); });
+  // The innermost shell around each, or none, as if no two met.
+  std::vector<std::uint32_t> find_parents(const BoxNesting& nesting) {
+    std::vector<std::uint32_t> parents;
+    for (std::uint32_t i = 0; i < components_.count; ++i) {
+      const glm::dvec3 p = mesh_.position(mesh_.from(mesh_.halfedge(faces_[i].front())));
+      parents.push_back(nesting.first_around(i, [&](std::uint32_t other) { return is_inside(p, other); }));
+    }
+    return parents;
   }
 
-  // Among all triangles in one tree, which tells those of fans and slivers apart.
-  std::optional<std::pair<Face, Face>> find_meeting() const {
-    const NumberedSurface surface(mesh_);
+  bool is_inside(const glm::dvec3& p, std::uint32_t shell) {
+    if (triangles_[shell].triangles.empty()) triangles_[shell] = triangles_of(shell);
+    const ShellTriangles& found = triangles_[shell];
+    const auto is_on_ray = [&](const Box& box) {
+      return box.highest.x >= p.x && box.lowest.y <= p.y && p.y <= box.highest.y && box.lowest.z <= p.z &&
+             p.z <= box.highest.z;
+    };
+    bool is_inside = false;
+    found.tree.visit(is_on_ray, [&](std::uint32_t n) {
+      is_inside ^= ray_passes(p, found.triangles[n]);
+      return true;
+    });
+    return is_inside;
+  }
+
+  // If any two shells meet, then also two of which one is the parent of the other, or that have the same or no parent:
+  // where those are apart, a shell parts what lies inside of it from what lies outside.
+  std::optional<std::pair<Face, Face>> find_meeting(std::span<const std::uint32_t> parents) const {
+    std::vector<std::vector<std::uint32_t>> families(components_.count + 1);  // the last: of those without a parent
+    for (std::uint32_t i = 0; i < components_.count; ++i)
+      families[std::min(parents[i], components_.count)].push_back(i);
+    for (std::uint32_t i = 0; i <= components_.count; ++i) {
+      if (i < components_.count && !families[i].empty()) families[i].push_back(i);
+      if (const auto found = find_meeting_among(families[i])) return found;
+    }
+    return std::nullopt;
+  }
+
+  // Among all triangles of the shells whose boxes overlap, in one tree, which tells those of fans and slivers apart.
+  std::optional<std::pair<Face, Face>> find_meeting_among(std::span<const std::uint32_t> shells) const {
+    if (shells.size() < 2) return std::nullopt;
+    std::vector<Box> boxes;
+    for (const std::uint32_t shell : shells) boxes.push_back(boxes_[shell]);
+    const BoxTree tree_of_boxes(boxes);
+    std::vector<Face> faces;
+    for (std::size_t i = 0; i < shells.size(); ++i) {
+      const auto is_alone = [&](std::uint32_t other) { return other == i; };
+      const auto overlaps = [&](const Box& box) { return box.overlaps(boxes[i]); };
+      if (tree_of_boxes.visit(overlaps, is_alone)) continue;
+      faces.insert(faces.end(), faces_[shells[i]].begin(), faces_[shells[i]].end());
+    }
+    const NumberedSurface surface(mesh_, faces);
     const OverlapTree tree(surface, threads_for(surface.slots()));
     std::optional<std::pair<Face, Face>> found;
     const auto visit = [&](std::uint32_t a, std::uint32_t b) {
@@ -182,31 +176,10 @@ class ShellSearch {
     return found;
   }
 
-  std::uint32_t depth_of(std::uint32_t shell) const {
-    const glm::dvec3 p = mesh_.position(mesh_.from(mesh_.halfedge(faces_[shell].front())));
-    const auto is_on_ray = [&](const SpaceBox& box) {
-      return box.highest.x >= p.x && box.lowest.y <= p.y && p.y <= box.highest.y && box.lowest.z <= p.z &&
-             p.z <= box.highest.z;
-    };
-    SpaceBox place;
-    place.add(p);
-    std::uint32_t depth = 0;
-    visit_others(shell, place, [&](std::uint32_t other) {
-      bool is_inside = false;
-      triangles_[other].tree.visit(is_on_ray, [&](std::uint32_t n) {
-        is_inside ^= ray_passes(p, triangles_[other].triangles[n]);
-        return true;
-      });
-      depth += is_inside;
-      return true;
-    });
-    return depth;
-  }
-
   const Mesh& mesh_;
   FaceComponents components_;
   std::vector<std::vector<Face>> faces_;  // by shell
-  std::vector<SpaceBox> boxes_;
+  std::vector<Box> boxes_;
   BoxTree tree_;
   std::vector<ShellTriangles> triangles_;  // of the shells whose boxes overlap others
   // Scratch of places_of and triangles_of.

@@ -12,7 +12,7 @@ namespace ryosen {
 
 struct Shell {
   Face first;               // the lowest face
-  int turned = 0;           // +1: faces look outwards, -1: inwards, 0: no volume that rounding would leave a sign to
+  int turned = 0;           // +1: faces look outwards, -1: inwards, 0: no volume; exact (volume_sign.h)
   std::uint32_t depth = 0;  // how many other shells it lies inside of
 };
 
@@ -22,9 +22,10 @@ struct Shells {
   std::optional<std::pair<Face, Face>> meeting;
 };
 
-// The mesh must be manifold, closed, with faces that agree, and finite. Which triangles meet and which a ray passes is
-// decided exactly; only shells whose boxes overlap are looked at. Meetings within one shell are not searched
-// (self_intersections.h). O(n log n), and the triangles of different shells whose boxes overlap.
+// The mesh must be manifold, closed, consistently oriented and finite. Triangle intersections and ray crossings are
+// exact. Self-intersections of one shell are not searched (self_intersections.h). O(n log n), plus pairs of shells of
+// which only the box of one encloses the other, plus pairs of triangles with overlapping boxes among siblings (shells
+// with the same innermost shell around them) and between a shell and the innermost one around it.
 Shells find_shells(Neighbourhood& around);
 
 }  // namespace ryosen

@@ -57,9 +57,7 @@ class Bridger {
     const int axis = view_axis(sum);
     const bool mirrored = sum[axis] < 0;
     for (const glm::dvec3& p : places_) {
-      const glm::dvec2 seen = axis == 0   ? glm::dvec2(p.y, p.z)
-                              : axis == 1 ? glm::dvec2(p.z, p.x)
-                                          : glm::dvec2(p.x, p.y);
+      const glm::dvec2 seen = seen_along(p, axis);
       view_.push_back(mirrored ? glm::dvec2(-seen.x, seen.y) : seen);
     }
   }

@@ -74,13 +74,24 @@ class Expansion {
   std::size_t size_ = 0;
 };
 
-// A two's complement fixed-point number that holds exactly the sum of at least 24 products of `Factors` finite doubles
-// each. Its unit is 2^(-1074 Factors), the product of `Factors` smallest doubles.
+// A two's complement fixed-point number that holds exactly the sum of up to 2^60 products of `Factors` finite doubles
+// each, and small multiples of it. Its unit is 2^(-1074 Factors), the product of `Factors` smallest doubles.
 template <std::size_t Factors>
 class ProductSum {
  public:
   void add_product(double a, double b, bool negate) requires(Factors == 2) { add({a, b}, negate); }
   void add_product(double a, double b, double c, bool negate) requires(Factors == 3) { add({a, b, c}, negate); }
+
+  void add(const ProductSum& other) {
+    std::uint64_t carry = 0;
+    for (std::size_t i = 0; i < limbs_.size(); ++i) {
+      const Wide sum = static_cast<Wide>(limbs_[i]) + other.limbs_[i] + carry;
+      limbs_[i] = static_cast<std::uint64_t>(sum);
+      carry = static_cast<std::uint64_t>(sum >> 64u);
+    }
+  }
+
+  void multiply(std::uint64_t factor) { multiply(limbs_, factor); }
 
   int sign() const {
     if (limbs_.back() >> 63u) return -1;
@@ -109,7 +120,8 @@ class ProductSum {
     return {fraction | 0x10000000000000u, exponent - 1, negative};
   }
 
-  static void multiply(Words& words, std::uint64_t factor) {
+  template <class Limbs>
+  static void multiply(Limbs& words, std::uint64_t factor) {
     std::uint64_t carry = 0;
     for (std::uint64_t& word : words) {
       const Wide product = static_cast<Wide>(word) * factor + carry;
@@ -144,8 +156,8 @@ class ProductSum {
     }
   }
 
-  // A product of n doubles stays below bit 2098 n; a sum of 24 adds five bits, and the sign one.
-  std::array<std::uint64_t, (2098 * Factors + 6 + 63) / 64> limbs_{};
+  // A product of n doubles stays below bit 2098 n; a sum of 2^60 adds 60 bits, a multiple 12, and the sign one.
+  std::array<std::uint64_t, (2098 * Factors + 73 + 63) / 64> limbs_{};
 };
 
 using ProductAccumulator = ProductSum<2>;

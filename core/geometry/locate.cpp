@@ -10,10 +10,6 @@ namespace ryosen {
 
 namespace {
 
-glm::dvec2 seen_along(const glm::dvec3& p, int axis) {
-  return axis == 0 ? glm::dvec2(p.y, p.z) : axis == 1 ? glm::dvec2(p.z, p.x) : glm::dvec2(p.x, p.y);
-}
-
 bool lies_on(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
   if (orient2d(a, b, p) != 0) return false;
   return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&

@@ -107,12 +107,6 @@ int determinant_by_accumulator(const glm::dvec3& a, const glm::dvec3& b, const g
   return sum.sign();
 }
 
-glm::dvec2 without_axis(const glm::dvec3& p, int axis) {
-  if (axis == 0) return {p.y, p.z};
-  if (axis == 1) return {p.z, p.x};
-  return {p.x, p.y};
-}
-
 template <class Point>
 bool all_collinear(std::size_t count, Point&& point) {
   std::size_t second = 1;
@@ -158,7 +152,7 @@ int orient3d(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, cons
 }
 
 int cross_component_sign(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, int axis) {
-  return orient2d(without_axis(a, axis), without_axis(b, axis), without_axis(c, axis));
+  return orient2d(seen_along(a, axis), seen_along(b, axis), seen_along(c, axis));
 }
 
 bool are_collinear(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {

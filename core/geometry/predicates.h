@@ -21,6 +21,11 @@ int orient2d(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c);
 // if coplanar (also if a, b, c are collinear).
 int orient3d(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d);
 
+// The projection along an axis (0, 1, 2), seen from its tip; exact.
+inline glm::dvec2 seen_along(const glm::dvec3& p, int axis) {
+  return axis == 0 ? glm::dvec2(p.y, p.z) : axis == 1 ? glm::dvec2(p.z, p.x) : glm::dvec2(p.x, p.y);
+}
+
 // Sign of component `axis` (0, 1, 2) of the cross product (b - a) x (c - a).
 int cross_component_sign(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, int axis);
 

@@ -26,7 +26,7 @@ struct View {
   bool mirrored = false;
 
   glm::dvec2 operator()(const glm::dvec3& p) const {
-    const glm::dvec2 seen = axis == 0 ? glm::dvec2(p.y, p.z) : axis == 1 ? glm::dvec2(p.z, p.x) : glm::dvec2(p.x, p.y);
+    const glm::dvec2 seen = seen_along(p, axis);
     return mirrored ? glm::dvec2(-seen.x, seen.y) : seen;
   }
 };

@@ -15,7 +15,8 @@ class HighlightSets {
  public:
   HighlightSets() = default;
   // Searches for problems, see ProblemSets.
-  explicit HighlightSets(const Mesh& mesh, unsigned threads = 0) : problems_(mesh, threads) {}
+  explicit HighlightSets(const Mesh& mesh, unsigned threads = 0, std::span<const Vertex> on_lines = {})
+      : problems_(mesh, threads, on_lines) {}
 
   const ProblemSets& problems() const { return problems_; }
   const IndexSet& of(ProblemKind kind) const { return problems_.of(kind); }

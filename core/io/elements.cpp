@@ -10,17 +10,18 @@ ElementTotals totals_of(const MeshFile& file) {
   ElementTotals totals;
   for (const LineElement& item : file.elements.items) ++(item.is_points ? totals.points : totals.lines);
   for (const PropertyTable& table : file.properties.tables) {
-    const bool names_vertices = std::any_of(table.properties.begin(), table.properties.end(),
-                                            [](const Property& p) { return p.role == PropertyRole::vertex_number; });
-    if (table.kind == TableKind::other && names_vertices) totals.lines += table.rows;
+    const bool has_ends = std::any_of(table.properties.begin(), table.properties.end(), [](const Property& p) {
+      return p.role == PropertyRole::vertex_number && !p.is_list;
+    });
+    if (table.kind == TableKind::other && has_ends) totals.lines += table.rows;
   }
   return totals;
 }
 
-std::vector<Vertex> vertices_on_lines(const MeshFile& file) {
+std::vector<Vertex> vertices_on_lines(const MeshFile& file, std::size_t file_vertices) {
   std::vector<Vertex> on_lines;
   const auto add = [&](std::int64_t number) {
-    if (number >= 0 && number < static_cast<std::int64_t>(file.mesh.positions.size()))
+    if (number >= 0 && number < static_cast<std::int64_t>(file_vertices))
       on_lines.emplace_back(static_cast<std::uint32_t>(number));
   };
   const std::vector<std::int64_t>& vertices = file.elements.vertices;

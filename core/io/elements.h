@@ -9,13 +9,13 @@
 
 namespace ryosen {
 
-// The lines and points of a file, and the rows of its other elements that name vertices (edges of PLY), as lines.
+// The lines and points of a file, and the rows of its other elements that name their ends (edges of PLY), as lines.
 struct ElementTotals {
   std::uint64_t lines = 0, points = 0;
 };
 ElementTotals totals_of(const MeshFile& file);
 // The vertices of the file that these lines use, ascending: a vertex on a line is not isolated, a point alone may be.
-std::vector<Vertex> vertices_on_lines(const MeshFile& file);
+std::vector<Vertex> vertices_on_lines(const MeshFile& file, std::size_t file_vertices);
 
 // `vertex_number` and `face_number` give the new number for each old one, no_index if removed; faces keep their order.
 // A number past `old_vertices` stays equally far past `new_vertices`, negative ones are unchanged. Removed vertices are

@@ -189,19 +189,29 @@ bool meets(const glm::dvec3& p) {
   return as_single(p.x) == Fate || as_single(p.y) == Fate || as_single(p.z) == Fate;
 }
 
+// The vertices that are written and fare so.
+template <Single Fate, class Visit>
+void for_each_single(const MeshFile& file, Holds held, const Visit& visit) {
+  if (holds(held, Holds::doubles)) return;
+  std::vector<bool> is_written(file.mesh.positions.size(), holds(held, Holds::vertices));
+  if (!holds(held, Holds::vertices))
+    for (const std::uint32_t corner : file.mesh.corners) is_written[corner] = true;
+  for (std::uint32_t v = 0; v < is_written.size(); ++v)
+    if (is_written[v] && meets<Fate>(file.mesh.positions[v])) visit(v);
+}
+
 template <Single Fate>
 std::uint64_t count_singles(const MeshFile& file, Holds held) {
-  if (holds(held, Holds::doubles)) return 0;
-  const auto& positions = file.mesh.positions;
-  return static_cast<std::uint64_t>(std::count_if(positions.begin(), positions.end(), meets<Fate>));
+  std::uint64_t count = 0;
+  for_each_single<Fate>(file, held, [&](std::uint32_t) { ++count; });
+  return count;
 }
 
 template <Single Fate>
 std::optional<std::uint64_t> first_single(const MeshFile& file, Holds held) {
-  const auto& positions = file.mesh.positions;
-  const auto found = std::find_if(positions.begin(), positions.end(), meets<Fate>);
-  if (holds(held, Holds::doubles) || found == positions.end()) return std::nullopt;
-  return static_cast<std::uint64_t>(found - positions.begin());
+  std::optional<std::uint64_t> first;
+  for_each_single<Fate>(file, held, [&](std::uint32_t v) { first = first.value_or(v); });
+  return first;
 }
 
 template <Holds Held, class Get>

@@ -43,7 +43,7 @@ ObjBuilder::ObjBuilder(const TextLines& lines, const std::filesystem::path& mode
   mesh_.texcoords.components = 0;
 }
 
-// Notes a value that cannot be. The file is read anew from a piece with one on, so what is behind it there counts then.
+// Records an unreadable value. The file is read again from the start of a piece that has one, so later values count.
 template <class MakeText>
 bool ObjBuilder::fail(Code code, const char* at, MakeText text) {
   has_given_up_ = is_later_piece_;

@@ -21,9 +21,9 @@
 
 namespace ryosen {
 
-// The calls take what follows the keyword of the line that `lines` has read last; they read its numbers anew, check
-// them and keep the first fault. Behind a value that cannot be, lines are only looked through for more of these. Where
-// is_done() nothing more needs to be called but finish().
+// Each call takes the text after the keyword of the line that `lines` read last, parses and checks its numbers, and
+// keeps the first fault. After an unreadable value, further lines are only checked for more of them. Once is_done(),
+// only finish() needs to be called.
 class ObjBuilder {
  public:
   enum class NameKind { object, group, material, smoothing };
@@ -47,7 +47,7 @@ class ObjBuilder {
 
   // Whether the builder of a later piece has processed all of its lines.
   bool is_joinable() const { return !is_done() && reporter_.is_empty(); }
-  // Nothing is kept any more, as a line before had a fault.
+  // An earlier line had a fault: contents are no longer stored.
   bool has_fault() const { return faults_.any(); }
   // Moves in the contents of the builders of the next pieces, which must not be used afterwards. `lines_before` is the
   // number of lines before them; returns it including theirs. O(size of the pieces).

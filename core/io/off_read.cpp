@@ -21,6 +21,13 @@ class OffTextReader {
   // Keeps the comments before the current line.
   void keep_comments(std::vector<std::string> comments) { builder_.file().head_comments = std::move(comments); }
 
+  void warn_of_count_behind(std::string_view word) {
+    builder_.reporter().warn("count_behind_word", lines_.place(word.data()), [&] {
+      return Text{shown(word) + " is read as the word OFF and the count of vertices: a blank is missing.",
+                  shown(word) + " を OFF と頂点の個数として読みました(空白がありません)。"};
+    });
+  }
+
   // `head` is what follows the first word; the counts may stand there or on the next line.
   Result<MeshFile> read(std::string_view head) {
     rest_ = head;
@@ -212,7 +219,10 @@ Result<MeshFile> read_by_lines(std::string_view bytes) {
     word = take_word(rest);
   }
   if (word.empty()) return empty_file();
-  std::optional<OffKind> kind = OffKind::from_word(word);
+  const std::string_view behind = off_count_behind(word);
+  std::optional<OffKind> kind = OffKind::from_word(word.substr(0, word.size() - behind.size()));
+  if (kind && !behind.empty())
+    rest = {behind.data(), static_cast<std::size_t>(rest.data() + rest.size() - behind.data())};
   // The keyword may be missing; then the file starts with the counts.
   std::int64_t count = 0;
   const bool begins_with_counts = !kind && read_integer(word, count);
@@ -232,6 +242,7 @@ Result<MeshFile> read_by_lines(std::string_view bytes) {
   if (std::optional<Failure> refusal = refuse_nul_bytes(bytes)) return std::move(*refusal);
   OffTextReader reader(bytes, lines, *kind);
   reader.keep_comments(std::move(comments));
+  if (!behind.empty()) reader.warn_of_count_behind(word);
   return reader.read(rest);
 }
 

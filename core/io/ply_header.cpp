@@ -59,7 +59,7 @@ class HeaderReader {
     }
   }
 
-  // Where a header has no end, the data would be such lines too; these begin with no letter.
+  // If the end_header line is missing, data lines get here too; they do not begin with a letter.
   static bool is_text(std::string_view word, std::string_view line) {
     const char first = word[0] | 0x20;
     const auto is_control = [](char c) { return (c >= 0 && c < ' ' && c != '\t') || c == 0x7f; };

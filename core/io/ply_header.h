@@ -25,13 +25,13 @@ struct PlyHeader {
 
   // The table of a kind, or null.
   const PropertyTable* find(TableKind kind) const;
-  // The failure of a file with this header, which says what else may have led to it.
+  // Adds to a failure of this file the unknown header word that may have caused it.
   Failure explained(Failure failure) const;
 };
 
-// Reads up to the line end_header. A count that is none, a type that is not known, vertices without x, y or z, and
-// faces without a list of vertices are errors with their line. So is a line that begins with no word; one that begins
-// with an unknown word is kept, with a warning. O(header).
+// Reads up to the line end_header. Errors, with their line: an unreadable count, an unknown type, vertices without x, y
+// or z, faces without a vertex list, a line that does not begin with a word. A line that begins with an unknown word is
+// kept, with a warning. O(header).
 Result<PlyHeader> read_ply_header(std::string_view bytes);
 
 }  // namespace ryosen

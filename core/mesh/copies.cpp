@@ -1,7 +1,9 @@
 #include "core/mesh/copies.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 
 namespace ryosen {
@@ -103,20 +105,24 @@ void leave_copies(Edit& edit, Vertex v) {
 ElementCounts counts_on_points(const Mesh& mesh) {
   ElementCounts counts = mesh.live();
   if (!mesh.has_copies()) return counts;
+  std::vector<Vertex> points(mesh.vertex_slots());
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
-    const Vertex v(i);
-    if (mesh.is_alive(v) && point(mesh, v) != v) --counts.vertices;
+    if (!mesh.is_alive(Vertex(i))) continue;
+    // Ascending, so the first copy found is the point.
+    if (points[i])
+      --counts.vertices;
+    else
+      for_each_copy(mesh, Vertex(i), [&](Vertex copy) { points[copy.index] = Vertex(i); });
   }
+  std::vector<std::pair<Vertex, Vertex>> pairs;
   for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
-    const Edge e(i);
-    if (!mesh.is_alive(e)) continue;
-    const auto [a, b] = ends(mesh, e);
-    if (!has_copies(mesh, a) && !has_copies(mesh, b)) continue;
-    const std::vector<Halfedge> sheets = sheets_between(mesh, a, b);
-    const bool is_first =
-        std::all_of(sheets.begin(), sheets.end(), [&](Halfedge h) { return edge(h).index >= e.index; });
-    if (!is_first) --counts.edges;
+    if (!mesh.is_alive(Edge(i))) continue;
+    const auto [a, b] = ends(mesh, Edge(i));
+    if (has_copies(mesh, a) || has_copies(mesh, b)) pairs.push_back(std::minmax(points[a.index], points[b.index]));
   }
+  const std::size_t sheets = pairs.size();
+  sort_unique(pairs);
+  counts.edges -= static_cast<std::uint32_t>(sheets - pairs.size());
   return counts;
 }
 

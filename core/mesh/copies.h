@@ -60,7 +60,8 @@ void move_point(Edit& edit, Vertex v, const glm::dvec3& position);
 // Unlinks a copy from its point: it becomes a point of its own.
 void leave_copies(Edit& edit, Vertex v);
 
-// Live elements with copies merged: points, and pairs of points joined by an edge, as in files and figures.
+// Live elements with copies merged: points, and pairs of points joined by an edge, as in files and figures. O(1)
+// without copies, else O(vertices + edges) and a sort of the edges at copies.
 ElementCounts counts_on_points(const Mesh& mesh);
 
 }  // namespace ryosen

@@ -205,20 +205,16 @@ void Bvh::rebuild(std::span<const glm::dvec3> positions) {
 // The frame's origin is the centre of the primitives' bounding box and its scale the power of two that makes them about
 // one unit large: floats then resolve a small mesh far from the origin as well as a large one at it.
 void Bvh::choose_frame(std::span<const glm::dvec3> positions) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  glm::dvec3 lowest(infinity);
-  glm::dvec3 highest(-infinity);
+  Box box;
   for (const Primitive& primitive : primitives_) {
     if (primitive.size() == 0 || !is_finite(positions, primitive)) continue;
-    const Box box = box_of(positions, primitive);
-    lowest = glm::min(lowest, box.lowest);
-    highest = glm::max(highest, box.highest);
+    box.add(box_of(positions, primitive));
   }
   origin_ = glm::dvec3(0.0);
   scale_ = 1.0;
-  if (!(lowest.x <= highest.x)) return;
-  origin_ = lowest * 0.5 + highest * 0.5;
-  const glm::dvec3 half = highest * 0.5 - lowest * 0.5;
+  if (box.is_empty()) return;
+  origin_ = box.middle();
+  const glm::dvec3 half = box.highest * 0.5 - box.lowest * 0.5;
   const double size = std::max({half.x, half.y, half.z});
   if (size > 0.0) scale_ = std::ldexp(1.0, -std::clamp(std::ilogb(size), -1000, 1000));
 }

@@ -70,14 +70,12 @@ FloatBox Bvh::local_box(const Box& box) const {
 }
 
 FloatBox Bvh::leaf_box(std::span<const glm::dvec3> positions, const Node& leaf) const {
-  Box result{glm::dvec3(std::numeric_limits<double>::infinity()), glm::dvec3(-std::numeric_limits<double>::infinity())};
+  Box result;
   for (std::uint32_t i = 0; i < leaf.count; ++i) {
     // A primitive whose position became non-finite is removed by its own update, which may still be pending.
     const Primitive& primitive = primitives_[blocks_[leaf.first][i]];
     if (!is_finite(positions, primitive)) continue;
-    const Box box = box_of(positions, primitive);
-    result.lowest = glm::min(result.lowest, box.lowest);
-    result.highest = glm::max(result.highest, box.highest);
+    result.add(box_of(positions, primitive));
   }
   return local_box(result);
 }

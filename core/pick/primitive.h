@@ -3,11 +3,11 @@
 
 #include <array>
 #include <cstdint>
-#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 
 #include "core/base/handle.h"
+#include "core/geometry/box.h"
 
 namespace ryosen {
 
@@ -33,12 +33,7 @@ struct Primitive {
   }
 };
 
-// An axis-aligned bounding box; that of a primitive is exact.
-struct Box {
-  glm::dvec3 lowest{0.0};
-  glm::dvec3 highest{0.0};
-};
-
+// Exact.
 inline Box box_of(std::span<const glm::dvec3> positions, const Primitive& primitive) {
   // Missing vertices are replaced by the first one, so the common case has no branches.
   const std::array<std::uint32_t, 3>& v = primitive.vertices;

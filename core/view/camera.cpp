@@ -17,8 +17,6 @@ double half_height(const Camera& camera) { return std::tan(glm::radians(camera.f
 
 double target_depth(const Camera& camera) { return length_of(camera.target - camera.eye); }
 
-bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
 double largest_of(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 // Such that 2^-exponent brings the vector to about unit size.
@@ -82,14 +80,11 @@ glm::dvec3 way_to_target(const Camera& camera) {
 
 }  // namespace
 
-Bounds bounds_of(std::span<const glm::dvec3> points) {
-  Bounds bounds{glm::dvec3(infinity), glm::dvec3(-infinity)};
-  for (const glm::dvec3& p : points) {
-    if (!is_finite(p)) continue;
-    bounds.min = glm::min(bounds.min, p);
-    bounds.max = glm::max(bounds.max, p);
-  }
-  return bounds.min.x <= bounds.max.x ? bounds : Bounds{};
+Box bounds_of(std::span<const glm::dvec3> points) {
+  Box box;
+  for (const glm::dvec3& p : points)
+    if (is_finite(p)) box.add(p);
+  return box.is_empty() ? Box{glm::dvec3(0), glm::dvec3(0)} : box;
 }
 
 CameraAxes axes(const Camera& camera) {
@@ -144,9 +139,9 @@ Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double a
   const double share = 1 - 2 * margin;
   const double tan_y = half_height(camera) * share;
   const double tan_x = tan_y * aspect;
-  const Bounds box = bounds_of(points);
-  const glm::dvec3 origin = box.centre();
-  const glm::dvec3 half_size = 0.5 * box.max - 0.5 * box.min;
+  const Box box = bounds_of(points);
+  const glm::dvec3 origin = box.middle();
+  const glm::dvec3 half_size = 0.5 * box.highest - 0.5 * box.lowest;
   const int exponent = largest_of(half_size) > 0 ? exponent_of(half_size) : 0;
   const Extent e = extent_of(points, a, origin, exponent, tan_x, tan_y);
   if (!(e.low.x <= e.high.x)) return result;

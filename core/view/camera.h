@@ -9,24 +9,18 @@
 #include <span>
 #include <string_view>
 
+#include "core/geometry/box.h"
 #include "core/pick/ray.h"
 #include "core/view/size.h"
 
 namespace ryosen {
-
-struct Bounds {
-  glm::dvec3 min{0};
-  glm::dvec3 max{0};
-
-  glm::dvec3 centre() const { return 0.5 * min + 0.5 * max; }
-};
 
 // Length and unit vector, robust against overflow and underflow of the squares.
 double length_of(const glm::dvec3& vector);
 glm::dvec3 unit_vector(const glm::dvec3& vector);
 
 // The axis-aligned bounding box of the finite points; a degenerate box at the origin if there are none.
-Bounds bounds_of(std::span<const glm::dvec3> points);
+Box bounds_of(std::span<const glm::dvec3> points);
 
 // Perspective, or orthographic when ortho_height is set. eye != target, up not parallel to target - eye.
 struct Camera {

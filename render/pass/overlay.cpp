@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/enum_table.h"
+#include "core/geometry/is_finite.h"
 #include "render/palette.h"
 #include "render/pass/linear.h"
 
@@ -23,11 +24,9 @@ constexpr std::size_t group_size = 128;
 float packed(Kind kind, int style) { return static_cast<float>(kind + 4 * style); }
 Kind kind_of(const OverlayElement& element) { return static_cast<Kind>(static_cast<int>(element.texels[2].w) & 3); }
 
-bool is_finite(const OverlayElement& element) {
-  for (int i = 0; i < 3; ++i) {
-    const glm::vec4& t = element.texels[i];
-    if (!std::isfinite(t.x) || !std::isfinite(t.y) || !std::isfinite(t.z)) return false;
-  }
+bool has_finite_places(const OverlayElement& element) {
+  for (int i = 0; i < 3; ++i)
+    if (!is_finite(glm::vec3(element.texels[i]))) return false;
   return true;
 }
 
@@ -57,7 +56,7 @@ float OverlayElement::reach_px() const {
 OverlayBuffer::Elements OverlayBuffer::converted(const Overlay& overlay, const BufferSpace& space) {
   Elements elements;
   const auto add = [&](std::size_t kind, const OverlayElement& element) {
-    if (is_finite(element)) elements[kind].push_back(element);
+    if (has_finite_places(element)) elements[kind].push_back(element);
   };
   for (const GhostTriangle& g : overlay.ghosts) {
     add(0, {{{space.from_mesh(g.corners[0]), 0.0f},

@@ -181,6 +181,15 @@ TEST(check, counts_lines_and_points_and_calls_no_vertex_of_a_line_isolated) {
   const ProgramRun edges = run_program({"check", folder.at("edges.ply"), "--json"});
   EXPECT_EQ(edges.exit_code, 0) << edges.out;
   EXPECT_EQ(edges.line()["lines"], 1);
+  folder.write("wires.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nl 2 3\n");
+  const Json wires = run_program({"check", folder.at("wires.obj"), "--json"}).line();
+  EXPECT_EQ(wires["kind"], "wires");
+  EXPECT_EQ(wires["kind_reason"]["en"], "There is no usable face; lines: 2.");
+  EXPECT_EQ(lines["kind"], "surface") << "lines beside faces are not the mesh";
+  folder.write("strips.ply",
+               "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+               "element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  EXPECT_EQ(run_program({"check", folder.at("strips.ply"), "--json"}).line()["kind"], "points") << "a strip is no line";
   EXPECT_NE(run_program({"check", folder.at("lines.obj")}).out.find("lines  "), std::string::npos);
 }
 

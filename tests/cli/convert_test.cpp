@@ -33,6 +33,11 @@ TEST(convert, numbers_that_single_precision_loses_altogether_are_said_as_that) {
   EXPECT_EQ(run_program({"check", folder.at("o.stl"), "--json"}).line()["nonfinite_vertices"], 1);
   EXPECT_EQ(convert({"-o", "strict.stl", "--strict"}).exit_code, 6);
   EXPECT_EQ(convert({"-o", "text.stl", "--format", "stl-ascii", "--strict"}).exit_code, 0);
+  folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1e99 0 1e-99\nf 1 2 3\n");
+  const Json unused = convert({"-o", "unused.stl"}).line();
+  EXPECT_EQ(loss(unused, "loses_isolated_vertices")["count"], 1);
+  EXPECT_TRUE(loss(unused, "loses_large_numbers").is_null() && loss(unused, "loses_small_numbers").is_null())
+      << "what is not written becomes nothing";
 }
 
 TEST(convert, writes_the_format_of_the_name) {

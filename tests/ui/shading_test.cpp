@@ -37,8 +37,8 @@ std::size_t colours(const Image& picture) {
 TEST_F(ShadingTest, goes_over_from_face_to_face_or_is_one_light_for_each) {
   const Image flat = picture("shading flat"), smooth = picture("shading smooth");
   EXPECT_GT(colours(smooth), colours(flat) + 300);
-  EXPECT_TRUE(picture("key L") == flat);
-  EXPECT_TRUE(picture("key L") == smooth);
+  EXPECT_TRUE(picture("key Shift+W") == flat);
+  EXPECT_TRUE(picture("key Shift+W") == smooth);
 }
 
 TEST_F(ShadingTest, follows_edits_undo_and_what_is_edited_while_it_is_flat) {

@@ -64,7 +64,11 @@ class Inspector {
       for_each_copy(m_, v, [&](Vertex copy) { copies.push_back(copy); });
       links(UiText::copies, copies);
     }
-    if (m_.is_isolated(v)) return note(UiText::isolated);
+    if (m_.is_isolated(v)) {
+      const IndexSet& isolated = context_.session.highlights().of(ProblemKind::isolated_vertex);
+      if (isolated.contains(point(m_, v).index)) note(UiText::isolated);
+      return;
+    }
     if (m_.is_boundary(v)) note(UiText::boundary);
     std::vector<Element> around, sides;
     for (Vertex w : neighbours(m_, v)) around.push_back(w);

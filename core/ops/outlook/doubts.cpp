@@ -50,10 +50,7 @@ std::optional<std::array<std::uint32_t, 2>> find_crossing(const FacePolygon& pol
   const std::vector<glm::dvec3>& places = polygon.places();
   if (places.size() < 4 || places.size() > most_sides_compared || !polygon.is_finite()) return std::nullopt;
   const int axis = view_axis(polygon_normal(polygon.keyhole_walk()));
-  const auto flat = [&](std::uint32_t corner) {
-    const glm::dvec3& p = places[corner];
-    return axis == 0 ? glm::dvec2(p.y, p.z) : axis == 1 ? glm::dvec2(p.z, p.x) : glm::dvec2(p.x, p.y);
-  };
+  const auto flat = [&](std::uint32_t corner) { return seen_along(places[corner], axis); };
   std::vector<FlatSide> sides;
   for (std::uint32_t i = 0; i < places.size(); ++i) sides.push_back({flat(i), flat(polygon.next(i)), i});
   for (std::size_t i = 0; i < sides.size(); ++i)

@@ -9,8 +9,6 @@ namespace ryosen {
 
 namespace {
 
-constexpr std::size_t most_faces_tested = 200;  // beyond, the search for crossings would be noticeable
-
 // What is looked at while the operator is done, and compared with what was there before.
 struct Seen {
   std::vector<Face> faces;
@@ -38,7 +36,6 @@ void run_and_roll_back(Mesh& mesh, Journal& journal, const AnyOp& op, std::size_
   for (const Element& element : result.created)
     if (element.kind == Element::Kind::vertex) seen.vertices.push_back(element.vertex());
   if (const auto* move = std::get_if<MoveVertex>(&op)) seen.vertices.push_back(move->vertex);
-  if (seen.faces.size() > most_faces_tested) return;
   seen.crossings = crossings_near(mesh, seen.faces);
   seen.at_one_place = points_at_one_place(mesh, seen.faces, seen.vertices);
 }
@@ -66,7 +63,7 @@ Preview preview(Mesh& mesh, Journal& journal, const AnyOp& op, std::size_t face_
   result.warnings = warnings(mesh, op);
   Seen seen;
   run_and_roll_back(mesh, journal, op, face_limit, result, seen);
-  if (seen.faces.size() > most_faces_tested) return result;
+  if (result.outline_only) return result;
   for (Reason& reason : doubts_of_faces(mesh, result.faces, result.warnings))
     result.warnings.push_back(std::move(reason));
   const auto is_known = [&](Vertex v) { return mesh.exists(v) && mesh.is_alive(v); };

@@ -10,7 +10,9 @@ namespace ryosen {
 
 struct Preview {
   Verdict verdict;
-  std::vector<Reason> warnings;  // only if legal
+  // Only if legal. Over the limit only those of the operator itself. Intersecting faces are searched up to the limit of
+  // crossings_near.
+  std::vector<Reason> warnings;
   std::vector<GhostFace> faces;  // empty if refused or over the limit
   std::vector<Element> created;
   std::vector<Element> deleted;

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <glm/common.hpp>
 #include <limits>
+#include <numeric>
 
 #include "core/base/sort_unique.h"
+#include "core/geometry/box.h"
 #include "core/geometry/triangles_cross.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/face_polygon.h"
@@ -53,26 +54,13 @@ class HandleSet {
   std::size_t size_ = 0;
 };
 
-struct Box {
-  glm::dvec3 lowest{0}, highest{0};
-
-  void add(const Box& other) {
-    lowest = glm::min(lowest, other.lowest);
-    highest = glm::max(highest, other.highest);
-  }
-  // A box with NaN is not equal to itself.
-  friend bool operator==(const Box&, const Box&) = default;
-  bool is_apart_from(const Box& other) const {
-    for (int axis = 0; axis < 3; ++axis)
-      if (highest[axis] < other.lowest[axis] || other.highest[axis] < lowest[axis]) return true;
-    return false;
-  }
-};
-
+// All of space where a coordinate is not finite.
 Box box_of(const Mesh& mesh, Face f) {
-  const glm::dvec3& first = mesh.position(mesh.from(mesh.halfedge(f)));
-  Box box{first, first};
-  for (Vertex v : vertices_around(mesh, f)) box.add({mesh.position(v), mesh.position(v)});
+  Box box;
+  for (Vertex v : vertices_around(mesh, f)) {
+    if (!is_finite(mesh.position(v))) return {glm::dvec3(-infinity), glm::dvec3(infinity)};
+    box.add(mesh.position(v));
+  }
   return box;
 }
 
@@ -100,7 +88,7 @@ class Shapes {
   }
 
   bool cross(const Shape& a, const Shape& b) const {
-    if (a.box.is_apart_from(b.box)) return false;
+    if (!a.box.overlaps(b.box)) return false;
     for (std::size_t i = a.first; i < a.end; ++i)
       for (std::size_t k = b.first; k < b.end; ++k)
         if (!share_a_side(triangles_[i], triangles_[k]) && triangles_cross(triangles_[i], triangles_[k])) return true;
@@ -180,15 +168,19 @@ std::vector<Crossing> crossings_near(const Mesh& mesh, std::span<const Face> fac
   for (std::size_t i = 0; i < near.size(); ++i) {
     const Box own = box_of(mesh, near[i]);
     if (i < live.size())
-      box.add(own == own ? own : Box{glm::dvec3(-infinity), glm::dvec3(infinity)});
-    else if (own.is_apart_from(box))
+      box.add(own);
+    else if (!own.overlaps(box))
       continue;
     shapes.push_back(all.make(near[i], own));
   }
-  for (std::size_t i = 0; i < live.size(); ++i) {
-    for (std::size_t k = i + 1; k < shapes.size(); ++k) {
-      const auto [f, g] = std::minmax(shapes[i].face, shapes[k].face);
-      if (all.cross(shapes[i], shapes[k])) found.emplace_back(f, g);
+  std::vector<std::size_t> order(shapes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto begin_of = [&](std::size_t i) { return shapes[i].box.lowest.x; };
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) { return begin_of(i) < begin_of(k); });
+  for (auto a = order.begin(); a != order.end(); ++a) {
+    for (auto b = a + 1; b != order.end() && begin_of(*b) <= shapes[*a].box.highest.x; ++b) {
+      const auto [f, g] = std::minmax(shapes[*a].face, shapes[*b].face);
+      if (std::min(*a, *b) < live.size() && all.cross(shapes[*a], shapes[*b])) found.emplace_back(f, g);
     }
   }
   std::sort(found.begin(), found.end());

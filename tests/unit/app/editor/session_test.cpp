@@ -109,6 +109,28 @@ TEST(session, picker_highlights_and_totals_follow_edits_as_if_made_anew) {
   }
 }
 
+TEST(session, vertices_on_lines_are_not_isolated_whatever_is_edited) {
+  MeshFile file;
+  for (int i = 0; i < 6; ++i) file.mesh.positions.push_back({i, i * i, 0});
+  file.mesh.corners = {0, 1, 2};
+  file.mesh.face_offsets = {0, 3};
+  file.elements.items = {{.before_face = 1, .first = 0, .count = 3}};
+  file.elements.vertices = {2, 3, 4};
+  const std::vector<Vertex> on_lines{Vertex(2), Vertex(3), Vertex(4)};
+  Session session(std::make_unique<Document>(std::move(file)));
+  const auto isolated = [&] { return session.highlights().of(ProblemKind::isolated_vertex).to_vector(); };
+  EXPECT_EQ(isolated(), (std::vector<std::uint32_t>{5}));
+  EXPECT_EQ(session.euler_terms().isolated, 3) << "points without an edge";
+  EXPECT_TRUE(session.euler_terms().holds());
+  for (const char* line : {"delete f0", "undo", "redo", "make_edge v3 v5", "undo"}) {
+    ASSERT_TRUE(session.run(line).done()) << line;
+    EXPECT_EQ(session.highlights(), HighlightSets(session.mesh(), 0, on_lines)) << line;
+    EXPECT_TRUE(session.euler_terms().holds()) << line;
+  }
+  EXPECT_EQ(row_of(session.kind().kind).id, "wires");
+  EXPECT_EQ(session.kind().reason.en, "There is no usable face; lines: 1.");
+}
+
 TEST(session, looks_for_creases_while_they_are_shown_and_no_longer) {
   const auto session = sheet_session();
   const HighlightRow& creases = *find_highlight("creases");

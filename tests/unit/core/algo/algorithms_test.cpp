@@ -34,10 +34,11 @@ std::vector<std::string> malformed_values(const ParameterRow& row) {
   return texts;
 }
 
-std::string sound_line(const AlgorithmRow& row) {
+std::string sound_line(const AlgorithmRow& row, bool only_required = false) {
   std::string line;
   for (const ParameterRow& parameter : row.parameters)
-    line.append(line.empty() ? "" : " ").append(parameter.id).append("=").append(sound_value(parameter));
+    if (parameter.is_required || !only_required)
+      line.append(line.empty() ? "" : " ").append(parameter.id).append("=").append(sound_value(parameter));
   return line;
 }
 
@@ -144,23 +145,65 @@ TEST_F(Algorithms, lengths_and_elements_are_those_of_the_mesh) {
   EXPECT_EQ(missing.name, "v9");
 }
 
+// Something for every row: a sheet with a hole, three faces on an edge, a face twice, a face turned against its
+// neighbour, corners on a line, an edge torn open, points next to each other, and vertices without a face.
+Mesh mesh_of_all_defects() {
+  IndexedMesh source;
+  const auto add = [&](const std::vector<glm::dvec3>& places, const Polygons& faces) {
+    const auto first = static_cast<std::uint32_t>(source.positions.size());
+    source.positions.insert(source.positions.end(), places.begin(), places.end());
+    for (const std::vector<std::uint32_t>& face : faces) {
+      for (const std::uint32_t corner : face) source.corners.push_back(first + corner);
+      source.face_offsets.push_back(static_cast<std::uint32_t>(source.corners.size()));
+    }
+  };
+  std::vector<glm::dvec3> grid;
+  Polygons squares;
+  for (std::uint32_t y = 0; y < 6; ++y)
+    for (std::uint32_t x = 0; x < 6; ++x) {
+      grid.emplace_back(3 * x, 3 * y, 0);
+      if (x < 5 && y < 5 && (x != 2 || y != 2))
+        squares.push_back({6 * y + x, 6 * y + x + 1, 6 * y + x + 7, 6 * y + x + 6});
+    }
+  add(grid, squares);
+  add({{0, 0, 40}, {9, 0, 40}, {0, 9, 40}, {0, -9, 40}, {0, 0, 49}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
+  add({{0, 0, 60}, {9, 0, 60}, {0, 9, 60}}, {{0, 1, 2}, {0, 1, 2}});
+  add({{0, 0, 80}, {9, 0, 80}, {0, 9, 80}, {9, 9, 80}}, {{0, 1, 2}, {1, 2, 3}});
+  add({{0, 0, 100}, {9, 0, 100}, {4, 0, 100}, {4, 9, 100}}, {{0, 1, 2}, {0, 3, 1}});
+  add({{0, 0, 120}, {9, 0, 120}, {0, 9, 120}, {0, 0, 120}, {9, 0, 120}, {0, -9, 120}}, {{0, 1, 2}, {4, 3, 5}});
+  add({{0, 0, 140}, {9, 0, 140}, {0, 9, 140}, {0, -0.5, 140}, {9, -0.5, 140}, {0, -9, 140}}, {{0, 1, 2}, {4, 3, 5}});
+  add({{0, 0, 160}, {9, 0, 160}}, {});
+  return from_indexed(source);
+}
+
 TEST_F(Algorithms, undo_is_exact_and_cancelling_leaves_no_trace) {
+  constexpr std::size_t most_reports = 20;
   for (const AlgorithmRow& row : algorithm_table()) {
-    Mesh mesh = make_mesh(two_quads(), 12);  // with isolated vertices
-    const ReadValues given = read(row, sound_line(row));
-    const AlgorithmInput input{*given.values->on(mesh).values, {}, 0};
+    Mesh mesh = mesh_of_all_defects();
+    const ReadValues given = read(row, sound_line(row, true));
+    const AlgorithmInput input{*given.values->on(mesh).values, {}, 1};
     const MeshColumns before = mesh.columns();
     Journal journal;
-    Progress stopped([](double) { return false; }), unheard;
-    {
-      Edit edit(mesh, &journal);
-      row.run(edit, input, stopped);
+    // Cancelled at the first report, at the second, and so on until it comes to its end.
+    bool is_cancelled = true;
+    for (std::size_t reports = 0; is_cancelled && reports < most_reports; ++reports) {
+      std::size_t heard = 0;
+      Progress progress([&](double) { return heard++ < reports; }, Progress::Clock::duration::zero());
+      {
+        Edit edit(mesh, &journal);
+        row.run(edit, input, progress);
+      }
+      is_cancelled = progress.is_cancelled();
+      EXPECT_EQ(mesh.columns(), before) << row.id << " " << reports;
+      EXPECT_FALSE(journal.can_undo()) << row.id;
     }
-    EXPECT_EQ(mesh.columns(), before) << row.id;
     {
+      Progress unheard;
       Edit edit(mesh, &journal);
       const AlgorithmResult result = row.run(edit, input, unheard);
+      EXPECT_GT(result.changed, 0u) << row.id;
       EXPECT_FALSE(result.text.en.empty() || result.text.ja.empty()) << row.id;
+      EXPECT_TRUE(mesh.columns() != before || result.drops_set_aside) << row.id;
       edit.commit();
     }
     const MeshColumns after = mesh.columns();

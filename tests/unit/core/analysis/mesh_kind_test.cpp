@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <numbers>
 
 #include "core/analysis/shells.h"
 #include "core/indexed/to_indexed.h"
@@ -136,6 +139,110 @@ TEST(mesh_kind, what_encloses_no_volume_is_a_surface) {
     EXPECT_EQ(id_of(Boxes().cube(0, size).mesh()), "solid") << size;
     EXPECT_EQ(id_of(Boxes().cube(0, size, true).mesh()), "inside_out") << size;
   }
+}
+
+TEST(mesh_kind, a_thin_solid_has_a_volume_wherever_it_lies) {
+  for (const double length : {1e8, 1e12, 1e-8, 1e-14}) {
+    EXPECT_EQ(id_of(Boxes().add({0, 0, 0}, {1, 1, length}).mesh()), "solid") << length;
+    EXPECT_EQ(id_of(Boxes().add({0, 0, 0}, {length, 1, 1}, true).mesh()), "inside_out") << length;
+  }
+  const glm::dvec3 far(1e9, -3e9, 7e9), size(1, 1, 0x1p-20);
+  EXPECT_EQ(id_of(Boxes().add(far, far + size).mesh()), "solid");
+  EXPECT_EQ(id_of(Boxes().add(far, far + size, true).mesh()), "inside_out");
+  EXPECT_EQ(id_of(Boxes().add(far, far + glm::dvec3(1, 1, 0)).mesh()), "surface");
+}
+
+// A tilted, bent plate of quads; with thickness 0 both sides are at the same places.
+Mesh plate(double thickness) {
+  constexpr std::uint32_t n = 8;
+  IndexedMesh source;
+  for (const double lift : {0.0, thickness})
+    for (std::uint32_t i = 0; i <= n; ++i)
+      for (std::uint32_t k = 0; k <= n; ++k) {
+        const double x = 0.1 * i, y = 0.3 * k;
+        source.positions.emplace_back(x, y, 0.7 * x - 0.9 * y + 0.01 * x * y + lift);
+      }
+  const auto number = [](std::uint32_t side, std::uint32_t i, std::uint32_t k) {
+    return side * (n + 1) * (n + 1) + i * (n + 1) + k;
+  };
+  const auto add = [&](std::vector<std::uint32_t> face) {
+    source.corners.insert(source.corners.end(), face.begin(), face.end());
+    source.face_offsets.push_back(static_cast<std::uint32_t>(source.corners.size()));
+  };
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t k = 0; k < n; ++k) {
+      add({number(0, i, k), number(0, i, k + 1), number(0, i + 1, k + 1), number(0, i + 1, k)});
+      add({number(1, i, k), number(1, i + 1, k), number(1, i + 1, k + 1), number(1, i, k + 1)});
+    }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    add({number(0, i, 0), number(0, i + 1, 0), number(1, i + 1, 0), number(1, i, 0)});
+    add({number(0, i + 1, n), number(0, i, n), number(1, i, n), number(1, i + 1, n)});
+    add({number(0, 0, i + 1), number(0, 0, i), number(1, 0, i), number(1, 0, i + 1)});
+    add({number(0, n, i), number(0, n, i + 1), number(1, n, i + 1), number(1, n, i)});
+  }
+  return from_indexed(source);
+}
+
+TEST(mesh_kind, a_sheet_covered_twice_has_none) {
+  EXPECT_EQ(id_of(plate(0)), "surface");
+  EXPECT_TRUE(reason_of(plate(0)).ends_with("encloses no volume."));
+  for (const double thickness : {1e-3, 1e-9, 1e-14}) {
+    EXPECT_EQ(id_of(plate(thickness)), "solid") << thickness;
+    EXPECT_EQ(id_of(plate(-thickness)), "inside_out") << thickness;
+  }
+}
+
+TEST(mesh_kind, a_slanted_polygon_is_flat_whatever_its_shape) {
+  for (const std::size_t corners : {4u, 5u, 10u})
+    for (const double height : {0x1p-40, 0.0, -0x1p-40}) {
+      IndexedMesh source;
+      for (const glm::ivec2& p :
+           {glm::ivec2(0, 0), {9, 1}, {14, 4}, {15, 7}, {14, 9}, {12, 10}, {9, 11}, {6, 11}, {3, 9}, {1, 5}})
+        if (source.positions.size() < corners) source.positions.emplace_back(p.x, p.y, p.x + 2 * p.y);
+      const auto tip = static_cast<std::uint32_t>(corners);
+      source.positions.emplace_back(8, 2, 12 + height);
+      for (std::uint32_t i = tip; i-- > 0;) source.corners.push_back(i);
+      source.face_offsets.push_back(tip);
+      for (std::uint32_t i = 0; i < tip; ++i) {
+        for (const std::uint32_t corner : {i, (i + 1) % tip, tip}) source.corners.push_back(corner);
+        source.face_offsets.push_back(source.face_offsets.back() + 3);
+      }
+      EXPECT_EQ(id_of(from_indexed(source)), height > 0   ? "solid"
+                                             : height < 0 ? "inside_out"
+                                                          : "surface")
+          << corners << " " << height;
+    }
+}
+
+// Shells in each other, every other one turned over.
+Mesh nested_cones(std::uint32_t count, std::uint32_t sides) {
+  IndexedMesh source;
+  for (std::uint32_t s = count; s > 0; --s) {
+    const auto tip = static_cast<std::uint32_t>(source.positions.size());
+    source.positions.emplace_back(0, 0, 2.0 * s);
+    source.positions.emplace_back(0, 0, -1.0 * s);
+    for (std::uint32_t i = 0; i < sides; ++i) {
+      const double angle = 2 * std::numbers::pi * i / sides;
+      source.positions.emplace_back(s * std::cos(angle), s * std::sin(angle), -1.0 * s);
+    }
+    for (std::uint32_t i = 0; i < sides; ++i) {
+      std::uint32_t a = tip + 2 + i, b = tip + 2 + (i + 1) % sides;
+      if ((count - s) % 2 == 1) std::swap(a, b);
+      for (const std::uint32_t corner : {tip, a, b, tip + 1, b, a}) source.corners.push_back(corner);
+      for (int k = 0; k < 2; ++k) source.face_offsets.push_back(source.face_offsets.back() + 3);
+    }
+  }
+  return from_indexed(source);
+}
+
+TEST(mesh_kind, thousands_of_shells_in_each_other_are_told_in_no_time) {
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(reason_of(nested_cones(4000, 6)), "All 4000 shells are closed and their faces look out of the solid.");
+  Boxes boxes;
+  for (int i = 0; i < 4000; ++i) boxes.cube(i, 9000 - i, i % 2 == 1);
+  EXPECT_EQ(id_of(boxes.mesh()), "solid");
+  EXPECT_EQ(reason_of(boxes.cube(4100, 4200).cube(4150, 4250).mesh()).substr(0, 27), "Two shells cross or touch: ");
+  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), 20);
 }
 
 TEST(mesh_kind, a_coordinate_that_is_not_finite_leaves_a_surface) {

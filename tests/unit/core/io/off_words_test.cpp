@@ -35,13 +35,20 @@ TEST(off_words, any_layout_is_read) {
   EXPECT_EQ(difference_from(laid_out, replaced(text, "\n", " "), 1), "") << "all on one line";
   EXPECT_EQ(difference_from(laid_out, replaced(replaced(text, " ", "\n"), "\n", "\r\n"), 2), "");
   EXPECT_EQ(difference_from(laid_out, replaced(replaced(text, " ", "\n"), "\n", "\r"), 2), "");
-  EXPECT_EQ(difference_from(laid_out, "OFF4 4 6\n" + text.substr(10), 1), "") << "the count behind the word";
   EXPECT_EQ(difference_from(laid_out, "OFF4 4 6" + replaced(text.substr(9), "\n", " "), 1), "");
   EXPECT_EQ(difference_from(laid_out, replaced(text.substr(4), " ", "\t\n"), 1), "") << "without the word";
   EXPECT_EQ(difference_from(laid_out, "OFF\n4 4 6\n0 0 0 1 0 0 0 1 0\n0 0 1\n" + text.substr(34), 8), "")
       << "three vertices on a line";
   EXPECT_EQ(difference_from(laid_out, replaced(text, "3 1 2 3\n", "3 1\n2 3\n"), 9), "") << "one face on two lines";
   EXPECT_EQ(difference_from(laid_out, "# a\nOFF # b\n" + replaced(text.substr(4), " ", " # 9 9\n"), 3), "");
+}
+
+TEST(off_words, a_count_behind_the_word_is_all_that_is_unusual_where_the_rest_is_laid_out) {
+  MeshFile file = read_sound("off", "OFF4 4 6\n" + std::string(laid_out.substr(10)));
+  ASSERT_EQ(file.messages.size(), 1u);
+  EXPECT_EQ(file.messages[0].code, "count_behind_word");
+  EXPECT_EQ(file.messages[0].line, 1u);
+  EXPECT_EQ(io_test::difference(file, read_sound("off", std::string(laid_out))), "");
 }
 
 TEST(off_words, comments_before_the_numbers_are_kept) {

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 #include "tests/support/core/random_ops.h"
+#include "tests/support/core/shapes.h"
 
 namespace ryosen {
 namespace {
@@ -23,6 +26,16 @@ TEST(copies, points_are_joined_where_there_is_a_sheet_between_them) {
   }
   EXPECT_GT(joined, 1000u);
   EXPECT_GT(pairs, 2 * joined);
+}
+
+TEST(copies, many_fans_at_one_point_are_counted_in_no_time) {
+  constexpr std::uint32_t fans = 20000;
+  test::Polygons faces;
+  for (std::uint32_t i = 0; i < fans; ++i) faces.push_back({0, 2 * i + 1, 2 * i + 2});
+  const Mesh mesh = test::make_mesh(faces);
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(counts_on_points(mesh), (ElementCounts{2 * fans + 1, 3 * fans, fans, 0}));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
 }
 
 }  // namespace

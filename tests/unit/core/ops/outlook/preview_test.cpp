@@ -4,6 +4,7 @@
 
 #include "core/geometry/triangles_cross.h"
 #include "core/mesh/circulate.h"
+#include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {
@@ -77,6 +78,23 @@ TEST(preview, warns_of_turned_and_degenerate_faces) {
   Mesh flat = make_mesh({{0, 1, 2}, {1, 0, 3}});
   const SplitEdge at_end{find_halfedge(flat, Vertex(0), Vertex(1)), 0};
   EXPECT_TRUE(warns(preview(flat, journal, at_end), Rule::degenerate));
+}
+
+TEST(preview, judges_whatever_number_of_faces_it_shows) {
+  constexpr std::uint32_t rim = 3000;
+  IndexedMesh fan;
+  fan.positions.emplace_back(0, 0, 0);
+  for (std::uint32_t i = 0; i < rim; ++i) fan.positions.emplace_back(1 + i % 2, i, 0);
+  for (std::uint32_t i = 1; i < rim; ++i) {
+    fan.corners.insert(fan.corners.end(), {0, i, i + 1});
+    fan.face_offsets.push_back(3 * i);
+  }
+  Mesh mesh = from_indexed(fan);
+  Journal journal;
+  const Preview at_one_place = preview(mesh, journal, op_of(mesh, "move_vertex v0 1,300,0"));
+  EXPECT_EQ(at_one_place.faces.size(), rim - 1);
+  EXPECT_TRUE(warns(at_one_place, Rule::same_place));
+  EXPECT_FALSE(warns(preview(mesh, journal, op_of(mesh, "move_vertex v0 0,0,0.5")), Rule::same_place));
 }
 
 TEST(triangles_cross, proper_crossings_only) {

@@ -203,7 +203,7 @@ TEST_F(Algorithms, undo_is_exact_and_cancelling_leaves_no_trace) {
       const AlgorithmResult result = row.run(edit, input, unheard);
       EXPECT_GT(result.changed, 0u) << row.id;
       EXPECT_FALSE(result.text.en.empty() || result.text.ja.empty()) << row.id;
-      EXPECT_TRUE(mesh.columns() != before || result.drops_set_aside) << row.id;
+      EXPECT_TRUE(mesh.columns() != before || result.drops_quarantined) << row.id;
       edit.commit();
     }
     const MeshColumns after = mesh.columns();

@@ -18,8 +18,10 @@ std::optional<Failure> fault_of_output(const std::string& path, bool has_input) 
   if (format) return refusal_of_target(path, format);
   if (has_input && is_stream(path)) return std::nullopt;
   return usage_failure("unknown_format",
-                       {"The name " + path + " does not say in which format to write (see ryosen formats).",
-                        "ファイル名 " + path + " からは、書き出す形式が決まりません（ryosen formats を参照）。"});
+                       {"The name " + path + " does not say in which format to write; give it an extension, or let " +
+                            "convert --format ID say it (see ryosen formats).",
+                        "ファイル名 " + path + " からは、書き出す形式が決まりません。拡張子を付けるか、" +
+                            "convert の --format ID で指定してください（ryosen formats を参照）。"});
 }
 
 }  // namespace ryosen::cli

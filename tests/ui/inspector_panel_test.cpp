@@ -37,5 +37,15 @@ TEST_F(InspectorPanel, an_edge_of_two_faces_is_misoriented_and_one_of_three_not_
   }
 }
 
+TEST_F(InspectorPanel, what_to_point_at_is_what_the_tool_applies_to) {
+  for (const auto& [line, text] : {std::pair("tool collapse", "Point at an edge."),
+                                   {"tool poke", "Point at a face."},
+                                   {"tool none", "Point at an edge."},
+                                   {"mode vertex", "Point at a vertex."}}) {
+    ASSERT_TRUE(gui.run(session, line).done());
+    EXPECT_EQ(drawn(text), 1u) << line;
+  }
+}
+
 }  // namespace
 }  // namespace ryosen

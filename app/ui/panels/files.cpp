@@ -33,6 +33,7 @@ class FileBrowser : public Panel {
   bool draw_entries(PanelContext& context);
   void draw_losses(PanelContext& context) const;
   void accept(PanelContext& context);
+  void carry_out(PanelContext& context, const std::string& line);
 
   bool saves_;
   fs::path folder_;
@@ -41,11 +42,15 @@ class FileBrowser : public Panel {
   // What the next press of the button does all the same: replace this existing file, lose this in this file.
   fs::path replaces_, loses_;
   std::vector<Message> losses_;
+  // Why this file could not be opened or saved.
+  fs::path failed_;
+  Text why_failed_;
 };
 
 void FileBrowser::begin(const Document& document) {
   replaces_.clear();
   loses_.clear();
+  failed_.clear();
   std::error_code ignored;
   const fs::path& path = document.path();
   name_ = path.filename().string();
@@ -102,10 +107,19 @@ void FileBrowser::draw_losses(PanelContext& context) const {
   if (!losses_.empty()) ImGui::TextColored(context.colours().warning, "%s", context.text(UiText::loss_question));
 }
 
+// Closes the panel, or keeps it open with the reason.
+void FileBrowser::carry_out(PanelContext& context, const std::string& line) {
+  const Outcome outcome = context.run(line);
+  failed_ = outcome.done() ? fs::path() : chosen();
+  why_failed_ = outcome.sentence;
+  if (outcome.done()) context.session.open_panel.clear();
+}
+
 void FileBrowser::accept(PanelContext& context) {
   const fs::path path = chosen();
   if (name_.empty()) return;
-  if (!saves_) return context.leave({false, path});
+  if (!saves_ && context.session.document().is_modified()) return context.leave({false, path});
+  if (!saves_) return carry_out(context, "open " + file_argument(path.string()));
   std::error_code ignored;
   const bool replaces = fs::exists(path, ignored) && path != replaces_;
   if (replaces) replaces_ = path;
@@ -116,7 +130,7 @@ void FileBrowser::accept(PanelContext& context) {
     loses_ = path;
   }
   if (replaces || loses) return;
-  if (context.run("save " + file_argument(path.string())).done()) context.session.open_panel.clear();
+  carry_out(context, "save " + file_argument(path.string()));
 }
 
 void FileBrowser::draw(PanelContext& context) {
@@ -126,7 +140,12 @@ void FileBrowser::draw(PanelContext& context) {
   ImGui::TextColored(context.colours().dim, "%s", folder_.c_str());
   const bool shows_losses = saves_ && loses_ == chosen() && !losses_.empty();
   const float rows = 2.0f + (shows_losses ? 1.0f + 1.5f * static_cast<float>(losses_.size()) : 0.0f);
-  const float below = std::min(rows, 10.0f) * ImGui::GetFrameHeightWithSpacing();
+  const std::string why = failed_ == chosen() ? why_failed_.in(context.language()) : "";
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float below =
+      std::min(rows, 10.0f) * ImGui::GetFrameHeightWithSpacing() +
+      (why.empty() ? 0
+                   : ImGui::CalcTextSize(why.c_str(), nullptr, false, width).y + 2 * ImGui::GetStyle().ItemSpacing.y);
   ImGui::BeginChild("entries", {0, -below}, true);
   bool accepted = draw_entries(context);
   ImGui::EndChild();
@@ -140,6 +159,7 @@ void FileBrowser::draw(PanelContext& context) {
     ImGui::SameLine();
     ImGui::TextColored(context.colours().warning, "%s", context.text(UiText::replace_question));
   }
+  if (!why.empty()) coloured_text(context.colours().refused, why.c_str());
   if (shows_losses) draw_losses(context);
   if (accepted) accept(context);
   if (cancelled) context.run("panel none");

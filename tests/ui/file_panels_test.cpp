@@ -72,5 +72,21 @@ TEST_F(FilePanels, the_question_before_a_loss_says_why_saving_failed) {
   expect_reason_in_panel();
 }
 
+TEST_F(FilePanels, the_second_press_of_a_double_click_on_a_folder_is_none_on_what_it_holds) {
+  folder_.write("inner/torus.off", test::read_file(test::asset("torus.off")));
+  show("open");
+  const glm::dvec2 first_entry = DrawnText(gui).place("inner/");
+  click(first_entry);
+  click(first_entry);
+  EXPECT_EQ(session.open_panel, "open");
+  EXPECT_EQ(session.document().path(), file_);
+  ASSERT_NE(DrawnText(gui).place("torus.off").x, -1e9) << "the folder was entered";
+  frames(30);
+  click(first_entry);
+  EXPECT_EQ(session.open_panel, "open");
+  click(first_entry);
+  EXPECT_EQ(session.document().path(), folder_.at("inner/torus.off")) << "a double click on a file opens it";
+}
+
 }  // namespace
 }  // namespace ryosen

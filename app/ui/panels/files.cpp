@@ -45,12 +45,17 @@ class FileBrowser : public Panel {
   // Why this file could not be opened or saved.
   fs::path failed_;
   Text why_failed_;
+  // When a click entered this folder, and when the button went down last, in seconds: the second press of a double click on
+  // a folder is none on what is listed after the first.
+  double entered_s_ = never_s, pressed_s_ = 0;
+  static constexpr double never_s = -1e9;
 };
 
 void FileBrowser::begin(const Document& document) {
   replaces_.clear();
   loses_.clear();
   failed_.clear();
+  entered_s_ = never_s;
   std::error_code ignored;
   const fs::path& path = document.path();
   name_ = path.filename().string();
@@ -76,14 +81,16 @@ void FileBrowser::enter(const fs::path& folder) {
             [](const auto& a, const auto& b) { return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name; });
 }
 
-// A click takes the name, a double click the file itself. True when a file was double clicked.
+// A click takes the name or enters the folder, a double click takes the file itself. True when a file was double clicked.
 bool FileBrowser::draw_entries(PanelContext& context) {
   bool is_chosen = false;
   fs::path next;
+  if (ImGui::IsMouseClicked(0)) pressed_s_ = ImGui::GetTime();
+  const bool was_entered = pressed_s_ > entered_s_ + ImGui::GetIO().MouseDoubleClickTime;
   for (const Entry& entry : entries_) {
     const std::string label = entry.name + (entry.is_folder ? "/" : "");
     if (entry.is_folder) ImGui::PushStyleColor(ImGuiCol_Text, context.colours().accent);
-    if (ImGui::Selectable(label.c_str(), entry.name == name_, ImGuiSelectableFlags_AllowDoubleClick)) {
+    if (ImGui::Selectable(label.c_str(), entry.name == name_, ImGuiSelectableFlags_AllowDoubleClick) && was_entered) {
       if (entry.is_folder) {
         next = folder_ / entry.name;
       } else {
@@ -93,7 +100,10 @@ bool FileBrowser::draw_entries(PanelContext& context) {
     }
     if (entry.is_folder) ImGui::PopStyleColor();
   }
-  if (!next.empty()) enter(next);
+  if (!next.empty()) {
+    enter(next);
+    entered_s_ = ImGui::GetTime();
+  }
   return is_chosen;
 }
 

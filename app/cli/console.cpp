@@ -5,6 +5,7 @@
 
 #include "app/cli/json.h"
 #include "app/cli/visible.h"
+#include "app/editor/message_place.h"
 
 namespace ryosen::cli {
 
@@ -34,15 +35,11 @@ void Console::note(const Text& message) const {
 void Console::show(const Message& message, std::string_view file) const {
   if (message.severity != Severity::error && quiet) return;
   if (message.severity == Severity::info && !verbose) return;
-  std::string line(file.empty() ? "ryosen" : file);
-  if (message.line) line += ":" + std::to_string(*message.line);
-  if (message.line && message.column) line += ":" + std::to_string(*message.column);
+  std::string line = place_in_file(message, file.empty() ? "ryosen" : file);
   line += message.severity == Severity::error     ? text(": error: ", "：エラー：")
           : message.severity == Severity::warning ? text(": warning: ", "：警告：")
                                                   : text(": note: ", "：備考：");
-  if (message.byte) line.append(text("byte ", "バイト位置 ")) += std::to_string(*message.byte) + ": ";
-  if (message.face) line += "f" + std::to_string(*message.face) + ": ";
-  std::fprintf(stderr, "%s\n", visible_line(line + text(message.text)).c_str());
+  std::fprintf(stderr, "%s\n", visible_line(line + text(place_in_content(message) + message.text)).c_str());
 }
 
 ExitCode Console::fail(const Failure& failure, std::optional<std::string_view> file, std::string_view format) const {

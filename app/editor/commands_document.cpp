@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "app/editor/autosave.h"
+#include "app/editor/message_place.h"
 #include "app/editor/script.h"
 #include "app/editor/words.h"
 #include "core/io/formats.h"
@@ -57,7 +58,7 @@ Outcome run_open(Session& session, Words arguments, std::string_view whole) {
   if (arguments.empty()) return wrong_arguments("open");
   const std::string name = file_name(whole);
   auto document = Document::open(name);
-  if (!document) return failed(document.failure());
+  if (!document) return failed(document.failure().exit_code, text_with_place(document.failure().message, name));
   session.set_document(std::move(document).value());
   return performed("open " + file_argument(name));
 }

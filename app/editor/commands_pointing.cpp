@@ -80,7 +80,7 @@ Outcome run_tool(Session& session, Words arguments, std::string_view) {
 }
 
 Outcome run_mode(Session& session, Words arguments, std::string_view) {
-  for (const auto& [mode, id] : pick_modes) {
+  for (const auto& [mode, id, point_en, point_ja] : pick_modes) {
     if (arguments.size() != 1 || arguments[0] != id) continue;
     session.mode = mode;
     if (session.hover()) session.point_at(session.hover()->pixel);

@@ -208,10 +208,12 @@ OpTarget target_of(const Picked& picked) {
 
 }  // namespace
 
+PickMode Session::pointed_sort() const { return pick_mode(find_op(tool), mode); }
+
 void Session::point_at(glm::dvec2 pixel) {
   hover_.reset();
   const OpInfo* info = find_op(tool);
-  const auto picked = pick(pixel, pick_mode(info, mode));
+  const auto picked = pick(pixel, pointed_sort());
   if (!picked) return;
   Hover hover;
   hover.pixel = pixel;

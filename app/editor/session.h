@@ -62,6 +62,9 @@ class Session {
   std::string asked_algorithm;            // whose values the panel of values asks for
   std::vector<LostSession> lost;          // as last listed
 
+  // What the pointer picks: what the tool applies to, else what `mode` says.
+  PickMode pointed_sort() const;
+
   bool is_shown(const PanelRow& panel) const;
   // One over the view takes the place of the one that was open.
   void show(const PanelRow& panel, bool on);

@@ -141,6 +141,7 @@ void Gui::draw_column(PanelContext& context, PanelPlace place, float x, float y,
 
 void Gui::frame(Session& session, Size window, double seconds) {
   begin_frame(window, seconds);
+  state_.unsettled_frames = std::max(state_.unsettled_frames - 1, 0);
   state_.is_laying_out = true;
   PanelContext panel_context = context(session);
   draw_menu(panel_context);
@@ -180,27 +181,32 @@ ImFontAtlas& Gui::fonts() const {
 }
 
 void Gui::pointer(glm::dvec2 pixel) {
+  state_.unsettle();
   ImGui::SetCurrentContext(imgui_);
   ImGui::GetIO().MousePos = {static_cast<float>(pixel.x), static_cast<float>(pixel.y)};
 }
 
 void Gui::button(int number, bool is_down) {
   if (number < 0 || number > 2) return;
+  state_.unsettle();
   is_down_[number] = is_down;
   was_pressed_[number] = was_pressed_[number] || is_down;
 }
 
 void Gui::wheel(double steps) {
+  state_.unsettle();
   ImGui::SetCurrentContext(imgui_);
   ImGui::GetIO().MouseWheel += static_cast<float>(steps);
 }
 
 void Gui::character(unsigned code) {
+  state_.unsettle();
   ImGui::SetCurrentContext(imgui_);
   ImGui::GetIO().AddInputCharacter(code);
 }
 
 void Gui::key(int imgui_key, bool is_down) {
+  state_.unsettle();
   ImGui::SetCurrentContext(imgui_);
   if (is_down) unseen_keys_.insert(imgui_key);
   if (!is_down && unseen_keys_.contains(imgui_key)) {

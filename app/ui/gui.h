@@ -66,8 +66,8 @@ class Gui {
   // True between begin and end of a frame, when no other can be laid out.
   bool is_laying_out() const { return state_.is_laying_out; }
   bool wants_quit() const { return state_.wants_quit; }
-  // Lines wait for further frames.
-  bool wants_frames() const { return !state_.waiting.empty(); }
+  // Lines wait for further frames, or what is laid out has not settled after an input or a command.
+  bool wants_frames() const { return !state_.waiting.empty() || state_.unsettled_frames > 0; }
 
  private:
   struct OwnPanel {
@@ -80,7 +80,6 @@ class Gui {
   void draw_column(PanelContext& context, PanelPlace place, float x, float y, float width, float height);
   void begin_frame(Size window, double seconds);
   void end_frame();
-
   ImGuiContext* imgui_;
   float scale_;
   GuiState state_;

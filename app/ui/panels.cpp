@@ -38,6 +38,7 @@ std::unique_ptr<Panel> panel_of(void (*draw)(PanelContext& context), ImVec2 size
 }
 
 Outcome PanelContext::keep(Outcome outcome) {
+  state.unsettle();
   state.last_kind = outcome.kind;
   state.last_outcome = outcome.sentence;
   if (outcome.done() && !outcome.performed.empty())
@@ -90,6 +91,7 @@ void PanelContext::leave(PendingLeave where) {
 
 void PanelContext::go(const PendingLeave& where) {
   state.pending.reset();
+  state.unsettle();
   session.open_panel.clear();
   if (where.quits)
     state.wants_quit = true;

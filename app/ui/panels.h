@@ -35,8 +35,12 @@ struct GuiState {
   bool wants_quit = false;  // confirmed
   bool is_laying_out = false;
   std::vector<WaitingLine> waiting;
+  int unsettled_frames = 0;  // how many more are to be laid out although nothing comes in
   std::optional<PendingLeave> pending;
   std::string begun_command;  // what the command window takes into its field when it is open
+
+  // A panel may need this many frames to open, to settle its size, or to close.
+  void unsettle() { unsettled_frames = 3; }
 };
 
 // One frame of one panel.

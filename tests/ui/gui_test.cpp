@@ -70,6 +70,32 @@ TEST(gui, a_picture_shows_the_window_without_what_asked_for_it) {
   EXPECT_EQ(pictured, (std::vector<int>{bare, bare}));
 }
 
+TEST(gui, frames_are_wanted_until_a_closed_panel_has_gone) {
+  Laid laid("torus.off");
+  // As in the window: frames are laid out after input until no more are wanted, and then no further ones.
+  const auto wait = [&] {
+    for (int i = 0; i < 3 || laid.gui.wants_frames(); ++i) laid.frames(1);
+  };
+  const auto closes = [&](glm::dvec2 pixel) {
+    wait();
+    laid.gui.pointer(pixel);
+    wait();
+    laid.gui.button(0, true);
+    laid.gui.button(0, false);  // before there was a frame
+    wait();
+    EXPECT_EQ(laid.session.open_panel, "");
+    const int drawn = laid.gui.draw_data().TotalVtxCount;
+    laid.frames(5);
+    EXPECT_EQ(laid.gui.draw_data().TotalVtxCount, drawn);
+  };
+  ASSERT_TRUE(laid.gui.run(laid.session, "panel recover").done());
+  closes({432, 478});  // later
+  ASSERT_TRUE(laid.gui.run(laid.session, "split 0-1").done());
+  laid.gui.leave(laid.session, {false, test::asset("cube.obj")});
+  closes({640, 378});  // discard
+  EXPECT_EQ(laid.session.mesh().live().vertices, 8u);
+}
+
 TEST(gui, the_view_lies_between_the_columns) {
   const Laid laid("cube.obj");
   const PixelRect area = laid.gui.view_area(window);

@@ -2,10 +2,17 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <algorithm>
+
+#include "app/editor/words.h"
+#include "core/analysis/problems.h"
+#include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 
 namespace ryosen {
 namespace {
+
+using test::DrawnText;
 
 class ProblemsPanel : public testing::Test, protected test::Laid {
  protected:
@@ -55,6 +62,24 @@ TEST_F(ProblemsPanel, a_press_on_an_element_selects_it_and_goes_there) {
   EXPECT_EQ(session.document().position(), 0u);
   EXPECT_EQ(session.selection[0].kind, Element::Kind::edge);
   EXPECT_NE(session.camera.eye, eye);
+}
+
+TEST_F(ProblemsPanel, a_press_on_a_quarantined_face_says_why_it_is_set_aside_and_its_line) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.write("aside.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 1\n");
+  ASSERT_TRUE(session.run("open " + file_argument(path)).done());
+  frames(3);
+  const ProblemRow& kind = *std::find_if(problem_table().begin(), problem_table().end(), [](const ProblemRow& row) {
+    return row.quarantined && row.quarantined(QuarantinedFace{1, 8, "repeated_corner", {0, 1, 1}, {}, {}}, 4);
+  });
+  click(DrawnText(gui).place("1" + std::string(kind.name_en)));
+  click(DrawnText(gui).place("f1"));
+  const std::string why =
+      "Face f1 is set aside: it visits vertex v1 more than once. It has been since the file was read";
+  EXPECT_EQ(gui.said().en, why + " (line 8).");
+  EXPECT_NE(gui.said().ja, gui.said().en);
+  frames(3);
+  EXPECT_EQ(DrawnText(gui).count(gui.said().en), 2u) << "in the status line and beside the pointer";
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ class FileBrowser : public Panel {
   bool draw_entries(PanelContext& context);
   void draw_losses(PanelContext& context) const;
   void accept(PanelContext& context);
+  void carry_out(PanelContext& context, const std::string& line);
 
   bool saves_;
   fs::path folder_;
@@ -41,11 +42,20 @@ class FileBrowser : public Panel {
   // What the next press of the button does all the same: replace this existing file, lose this in this file.
   fs::path replaces_, loses_;
   std::vector<Message> losses_;
+  // Why this file could not be opened or saved.
+  fs::path failed_;
+  Text why_failed_;
+  // When a click entered this folder, and when the button went down last, in seconds: the second press of a double click on
+  // a folder is none on what is listed after the first.
+  double entered_s_ = never_s, pressed_s_ = 0;
+  static constexpr double never_s = -1e9;
 };
 
 void FileBrowser::begin(const Document& document) {
   replaces_.clear();
   loses_.clear();
+  failed_.clear();
+  entered_s_ = never_s;
   std::error_code ignored;
   const fs::path& path = document.path();
   name_ = path.filename().string();
@@ -71,14 +81,16 @@ void FileBrowser::enter(const fs::path& folder) {
             [](const auto& a, const auto& b) { return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name; });
 }
 
-// A click takes the name, a double click the file itself. True when a file was double clicked.
+// A click takes the name or enters the folder, a double click takes the file itself. True when a file was double clicked.
 bool FileBrowser::draw_entries(PanelContext& context) {
   bool is_chosen = false;
   fs::path next;
+  if (ImGui::IsMouseClicked(0)) pressed_s_ = ImGui::GetTime();
+  const bool was_entered = pressed_s_ > entered_s_ + ImGui::GetIO().MouseDoubleClickTime;
   for (const Entry& entry : entries_) {
     const std::string label = entry.name + (entry.is_folder ? "/" : "");
     if (entry.is_folder) ImGui::PushStyleColor(ImGuiCol_Text, context.colours().accent);
-    if (ImGui::Selectable(label.c_str(), entry.name == name_, ImGuiSelectableFlags_AllowDoubleClick)) {
+    if (ImGui::Selectable(label.c_str(), entry.name == name_, ImGuiSelectableFlags_AllowDoubleClick) && was_entered) {
       if (entry.is_folder) {
         next = folder_ / entry.name;
       } else {
@@ -88,7 +100,10 @@ bool FileBrowser::draw_entries(PanelContext& context) {
     }
     if (entry.is_folder) ImGui::PopStyleColor();
   }
-  if (!next.empty()) enter(next);
+  if (!next.empty()) {
+    enter(next);
+    entered_s_ = ImGui::GetTime();
+  }
   return is_chosen;
 }
 
@@ -102,10 +117,19 @@ void FileBrowser::draw_losses(PanelContext& context) const {
   if (!losses_.empty()) ImGui::TextColored(context.colours().warning, "%s", context.text(UiText::loss_question));
 }
 
+// Closes the panel, or keeps it open with the reason.
+void FileBrowser::carry_out(PanelContext& context, const std::string& line) {
+  const Outcome outcome = context.run(line);
+  failed_ = outcome.done() ? fs::path() : chosen();
+  why_failed_ = outcome.sentence;
+  if (outcome.done()) context.session.open_panel.clear();
+}
+
 void FileBrowser::accept(PanelContext& context) {
   const fs::path path = chosen();
   if (name_.empty()) return;
-  if (!saves_) return context.leave({false, path});
+  if (!saves_ && context.session.document().is_modified()) return context.leave({false, path});
+  if (!saves_) return carry_out(context, "open " + file_argument(path.string()));
   std::error_code ignored;
   const bool replaces = fs::exists(path, ignored) && path != replaces_;
   if (replaces) replaces_ = path;
@@ -116,7 +140,7 @@ void FileBrowser::accept(PanelContext& context) {
     loses_ = path;
   }
   if (replaces || loses) return;
-  if (context.run("save " + file_argument(path.string())).done()) context.session.open_panel.clear();
+  carry_out(context, "save " + file_argument(path.string()));
 }
 
 void FileBrowser::draw(PanelContext& context) {
@@ -126,7 +150,12 @@ void FileBrowser::draw(PanelContext& context) {
   ImGui::TextColored(context.colours().dim, "%s", folder_.c_str());
   const bool shows_losses = saves_ && loses_ == chosen() && !losses_.empty();
   const float rows = 2.0f + (shows_losses ? 1.0f + 1.5f * static_cast<float>(losses_.size()) : 0.0f);
-  const float below = std::min(rows, 10.0f) * ImGui::GetFrameHeightWithSpacing();
+  const std::string why = failed_ == chosen() ? why_failed_.in(context.language()) : "";
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float below =
+      std::min(rows, 10.0f) * ImGui::GetFrameHeightWithSpacing() +
+      (why.empty() ? 0
+                   : ImGui::CalcTextSize(why.c_str(), nullptr, false, width).y + 2 * ImGui::GetStyle().ItemSpacing.y);
   ImGui::BeginChild("entries", {0, -below}, true);
   bool accepted = draw_entries(context);
   ImGui::EndChild();
@@ -140,6 +169,7 @@ void FileBrowser::draw(PanelContext& context) {
     ImGui::SameLine();
     ImGui::TextColored(context.colours().warning, "%s", context.text(UiText::replace_question));
   }
+  if (!why.empty()) coloured_text(context.colours().refused, why.c_str());
   if (shows_losses) draw_losses(context);
   if (accepted) accept(context);
   if (cancelled) context.run("panel none");

@@ -85,7 +85,8 @@ class Inspector {
     value(UiText::length, short_number(glm::length(m_.position(b) - m_.position(a))));
     const PointEdge on_points = point_edge(m_, halfedge(e));
     if (on_points.is_boundary()) note(UiText::boundary);
-    if (!on_points.is_regular()) note(UiText::nonmanifold);
+    if (on_points.is_nonmanifold()) note(UiText::nonmanifold);
+    if (on_points.is_misoriented()) note(UiText::misoriented);
     if (!left.is_none() && !right.is_none()) value(UiText::angle, angle_text(halfedge(e), left, right));
     links(UiText::vertices, {a, b});
     std::vector<Element> sides;

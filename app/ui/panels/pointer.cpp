@@ -1,5 +1,6 @@
 #include <array>
 
+#include "app/editor/pick_modes.h"
 #include "app/editor/remedy_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
@@ -47,7 +48,10 @@ void draw_remedy(PanelContext& context, const Verdict& verdict) {
 
 // What a click would do, or why it would not.
 void draw_verdict(PanelContext& context) {
-  if (!context.session.hover()) return dim_text(context, context.text(UiText::nothing_under_pointer));
+  if (!context.session.hover()) {
+    const PickModeRow& sort = pick_modes[static_cast<std::size_t>(context.session.pointed_sort())];
+    return dim_text(context, context.text(sort.point_en, sort.point_ja));
+  }
   const Hover hover = *context.session.hover();
   const OpInfo* const op = hover.op ? &info_of(*hover.op) : nullptr;
   const std::string line =

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/editor/quarantine_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 #include "core/analysis/boundary_loops.h"
@@ -79,9 +80,20 @@ Element Findings::nth(Session& session, const ProblemRow& row, std::size_t n) {
   return loops_[n];
 }
 
-// Selects the element and centres the view on it; quarantined faces exist only in the file.
+// Why a quarantined face is set aside, and where in the file it stands.
+Text why_quarantined(const PanelContext& context, Element face) {
+  return quarantine_text(context.session.document().tables().quarantine, name_on_points(context.session.mesh(), face))
+      .value_or(Text());
+}
+
+// Selects the element and centres the view on it. Quarantined faces exist only in the file: they are told about.
 void go_to(PanelContext& context, const ProblemRow& row, Element element) {
-  if (row.quarantined) return;
+  if (row.quarantined) {
+    Outcome told;
+    told.sentence = why_quarantined(context, element);
+    context.keep(std::move(told));
+    return;
+  }
   context.run("select " + name_of(context.session.mesh(), element));
   if (!context.session.selection.empty()) context.run("frame selected");
 }
@@ -100,6 +112,7 @@ void draw_elements(PanelContext& context, Findings& findings, const ProblemRow& 
       const bool is_selected = !session.selection.empty() && session.selection[0] == element;
       ImGui::PushID(i);
       if (ImGui::Selectable(name_on_points(session.mesh(), element).c_str(), is_selected)) go_to(context, row, element);
+      if (row.quarantined) tip(why_quarantined(context, element).in(context.language()));
       ImGui::PopID();
     }
   }

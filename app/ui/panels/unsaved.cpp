@@ -1,24 +1,39 @@
 #include "app/ui/panels.h"
+#include "app/ui/widgets.h"
 
 namespace ryosen {
 
 namespace {
 
 // The question before changes would be lost.
-void draw_unsaved(PanelContext& context) {
+class UnsavedPanel : public Panel {
+ public:
+  void draw(PanelContext& context) override;
+  ImVec2 size() const override { return {440, why_failed_.en.empty() ? 130.0f : 220.0f}; }
+
+ private:
+  Text why_failed_;  // to save, empty before
+};
+
+void UnsavedPanel::draw(PanelContext& context) {
+  if (ImGui::IsWindowAppearing()) why_failed_ = {};
   // By the command `panel` it may be opened while nothing waits for the answer.
   if (!context.state.pending) return void(context.run("panel none"));
   const PendingLeave where = *context.state.pending;
   const std::string name = context.session.document().path().filename().string();
   const std::string of_file = name.empty() ? "" : name + context.text(": ", "：");
   ImGui::TextWrapped("%s%s", of_file.c_str(), context.text(UiText::unsaved_question));
+  if (!why_failed_.en.empty()) coloured_text(context.colours().refused, why_failed_.in(context.language()).c_str());
   ImGui::Dummy({0, 10 * context.scale});
   const ImVec2 size{120 * context.scale, 0};
   if (ImGui::Button(context.text(UiText::save), size)) {
-    if (context.session.document().path().empty())
+    if (context.session.document().path().empty()) {
       context.open(PanelOpener::unnamed_save);
-    else if (context.run("save").done())
-      context.go(where);
+    } else {
+      const Outcome saved = context.run("save");
+      why_failed_ = saved.done() ? Text() : saved.sentence;
+      if (saved.done()) context.go(where);
+    }
   }
   ImGui::SameLine();
   if (ImGui::Button(context.text(UiText::discard), size)) context.go(where);
@@ -31,6 +46,6 @@ void draw_unsaved(PanelContext& context) {
 
 }  // namespace
 
-std::unique_ptr<Panel> make_unsaved_panel() { return panel_of(draw_unsaved, {440, 130}); }
+std::unique_ptr<Panel> make_unsaved_panel() { return std::make_unique<UnsavedPanel>(); }
 
 }  // namespace ryosen

@@ -210,10 +210,9 @@ AlgorithmResult fill_holes(Edit& edit, const AlgorithmInput& input, Progress& pr
   }
   AlgorithmResult result{filled, left, {}};
   result.text = count_text(filled, "One hole was filled", "# holes were filled", "穴を # 個ふさぎました");
-  if (filled > 0) {
-    result.text.en += " by " + std::to_string(faces) + " triangles and " + std::to_string(vertices) + " new vertices";
-    result.text.ja += "（三角形 " + std::to_string(faces) + "、新しい頂点 " + std::to_string(vertices) + "）";
-  }
+  if (filled > 0)
+    result.text = result.text + count_text(faces, " by # triangle", " by # triangles", "（三角形 #") +
+                  count_text(vertices, " and # new vertex", " and # new vertices", "、新しい頂点 #）");
   if (left > 0) {
     result.text.en += "; " + std::to_string(left) + " could not be";
     result.text.ja += "。ふさげない穴 " + std::to_string(left);

@@ -192,11 +192,11 @@ AlgorithmResult remove_degenerate_faces(Edit& edit, const AlgorithmInput&, Progr
   }
   result.text = count_text(result.changed, "One face without area was removed", "# faces without area were removed",
                            "面積ゼロの面を # 個なくしました");
-  const std::string c = std::to_string(collapsed), g = std::to_string(given), d = std::to_string(flat.size());
-  if (result.changed > 0) {
-    result.text.en += ": " + c + " edges collapsed, " + g + " corners given to the face across, " + d + " deleted";
-    result.text.ja += "（稜線の縮約 " + c + "、向かいの面への統合 " + g + "、削除 " + d + "）";
-  }
+  if (result.changed > 0)
+    result.text = result.text + count_text(collapsed, ": # edge collapsed", ": # edges collapsed", "（稜線の縮約 #") +
+                  count_text(given, ", # corner given to the face across", ", # corners given to the face across",
+                             "、向かいの面への統合 #") +
+                  count_text(flat.size(), ", # deleted", ", # deleted", "、削除 #）");
   result.text.en += ".";
   result.text.ja += "。";
   if (!flat.empty()) delete_faces(edit, std::move(flat));

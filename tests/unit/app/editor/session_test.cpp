@@ -187,6 +187,19 @@ TEST(session, its_log_holds_file_names_of_any_kind) {
   }
 }
 
+TEST(session, a_file_that_cannot_be_opened_is_refused_at_the_place_that_the_command_line_names) {
+  const test::TemporaryFolder folder;
+  const auto session = sheet_session();
+  const std::string bad = folder.write("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1\n3 0 1 2\n");
+  const Text sentence = session->run("open " + file_argument(bad)).sentence;
+  EXPECT_TRUE(sentence.en.starts_with(bad + ":5:4: The vertex ")) << sentence.en;
+  EXPECT_TRUE(sentence.ja.starts_with(bad + ":5:4：")) << sentence.ja;
+  EXPECT_TRUE(test::run_program({"check", bad}).err.starts_with(bad + ":5:4: error: The vertex "));
+  const std::string missing = folder.at("missing.off");
+  EXPECT_EQ(session->run("open " + file_argument(missing)).sentence.en, "There is no file " + missing + ".")
+      << "it is named once";
+}
+
 TEST(session, a_file_name_typed_with_blanks_is_logged_in_quotes) {
   const test::TemporaryFolder folder;
   const auto session = sheet_session();

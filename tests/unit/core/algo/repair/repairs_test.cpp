@@ -88,7 +88,11 @@ TEST(repairs, a_flat_triangle_gives_its_corner_to_the_face_across) {
   Mesh mesh = from_indexed(source);
   const Figures before = compute_figures(mesh);
   EXPECT_EQ(before[ProblemKind::degenerate_area], 1u);
-  EXPECT_EQ(run_repair(mesh, "remove_degenerate").changed, 1u);
+  const AlgorithmResult result = run_repair(mesh, "remove_degenerate");
+  EXPECT_EQ(result.changed, 1u);
+  EXPECT_EQ(result.text.en,
+            "One face without area was removed: 0 edges collapsed, 1 corner given to the face across, 0 deleted.");
+  EXPECT_EQ(result.text.ja, "面積ゼロの面を 1 個なくしました（稜線の縮約 0、向かいの面への統合 1、削除 0）。");
   const Figures after = compute_figures(mesh);
   EXPECT_EQ(after[ProblemKind::degenerate_area], 0u);
   EXPECT_EQ(after[ProblemKind::boundary_loop], before[ProblemKind::boundary_loop]) << "the surface stays closed there";

@@ -1,0 +1,28 @@
+// The text of the last frame, read back from its glyphs. Blanks leave none: they are left out of all texts here.
+#pragma once
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/ui/gui.h"
+
+namespace ryosen::test {
+
+class DrawnText {
+ public:
+  explicit DrawnText(const Gui& gui);
+
+  // How often a text of ASCII characters was drawn.
+  std::size_t count(std::string_view text) const;
+  // The middle of its first character, where it was drawn first; outside of every window if nowhere.
+  glm::dvec2 place(std::string_view text) const;
+
+ private:
+  std::string text_;  // ? for what is not ASCII
+  std::vector<glm::dvec2> places_;
+};
+
+}  // namespace ryosen::test

@@ -1,0 +1,92 @@
+// The panels that open and save files: what a failure says there, and clicks on folders.
+#include <gtest/gtest.h>
+
+#include "app/editor/words.h"
+#include "tests/support/app/drawn_text.h"
+#include "tests/support/app/laid.h"
+
+namespace ryosen {
+namespace {
+
+using test::DrawnText;
+
+constexpr glm::dvec2 name_field{600, 545}, accept_button{370, 570};
+
+class FilePanels : public testing::Test, protected test::Laid {
+ protected:
+  FilePanels() : Laid("torus.off") {
+    file_ = folder_.copy(test::asset("cube.obj"), "cube.obj");
+    EXPECT_TRUE(session.run("open " + file_argument(file_)).done());
+  }
+
+  void show(const std::string& panel) {
+    ASSERT_TRUE(gui.run(session, "panel " + panel).done());
+    frames(3);
+  }
+  // Once in the status line and once in the panel.
+  void expect_reason_in_panel() {
+    frames(3);
+    ASSERT_NE(gui.said().en, "");
+    EXPECT_EQ(DrawnText(gui).count(gui.said().en), 2u) << gui.said().en;
+  }
+
+  test::TemporaryFolder folder_;
+  std::string file_;
+};
+
+TEST_F(FilePanels, a_file_that_cannot_be_read_is_said_why_where_it_was_chosen) {
+  folder_.copy(file_, "other.obj");
+  folder_.write("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1\n3 0 1 2\n");
+  show("open");
+  click(DrawnText(gui).place("bad.off"));
+  click(accept_button);
+  EXPECT_EQ(session.open_panel, "open");
+  EXPECT_TRUE(gui.said().en.starts_with(folder_.at("bad.off") + ":5:")) << gui.said().en;
+  expect_reason_in_panel();
+  click(DrawnText(gui).place("other.obj"));
+  EXPECT_EQ(DrawnText(gui).count(gui.said().en), 1u) << "it is not about this file";
+}
+
+TEST_F(FilePanels, a_file_that_cannot_be_written_is_said_why_and_its_name_stays) {
+  show("save");
+  click(name_field);
+  for (const char c : std::string_view("xyz")) gui.character(static_cast<unsigned>(c));
+  frames(2);
+  click(accept_button);
+  EXPECT_EQ(session.open_panel, "save");
+  expect_reason_in_panel();
+  EXPECT_GE(DrawnText(gui).count("xyz"), 1u);
+  EXPECT_EQ(folder_.names(), std::vector<std::string>{"cube.obj"});
+}
+
+TEST_F(FilePanels, the_question_before_a_loss_says_why_saving_failed) {
+  auto cube = read_mesh_file(file_);
+  ASSERT_TRUE(cube);
+  session.set_document(std::make_unique<Document>(std::move(cube).value(), folder_.at("missing/cube.obj")));
+  ASSERT_TRUE(session.run("split 0-1").done());
+  gui.leave(session, {true, {}});
+  frames(3);
+  click({480, 378});
+  EXPECT_FALSE(gui.wants_quit());
+  EXPECT_EQ(session.open_panel, "unsaved");
+  expect_reason_in_panel();
+}
+
+TEST_F(FilePanels, the_second_press_of_a_double_click_on_a_folder_is_none_on_what_it_holds) {
+  folder_.write("inner/torus.off", test::read_file(test::asset("torus.off")));
+  show("open");
+  const glm::dvec2 first_entry = DrawnText(gui).place("inner/");
+  click(first_entry);
+  click(first_entry);
+  EXPECT_EQ(session.open_panel, "open");
+  EXPECT_EQ(session.document().path(), file_);
+  ASSERT_NE(DrawnText(gui).place("torus.off").x, -1e9) << "the folder was entered";
+  frames(30);
+  click(first_entry);
+  EXPECT_EQ(session.open_panel, "open");
+  click(first_entry);
+  EXPECT_EQ(session.document().path(), folder_.at("inner/torus.off")) << "a double click on a file opens it";
+}
+
+}  // namespace
+}  // namespace ryosen

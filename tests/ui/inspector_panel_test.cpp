@@ -1,0 +1,51 @@
+// What the panels of the pointer and of the selected element say.
+#include <gtest/gtest.h>
+
+#include "app/editor/words.h"
+#include "tests/support/app/drawn_text.h"
+#include "tests/support/app/laid.h"
+
+namespace ryosen {
+namespace {
+
+using test::DrawnText;
+
+class InspectorPanel : public testing::Test, protected test::Laid {
+ protected:
+  InspectorPanel() : Laid("cube.obj", test::tall_window) {}
+
+  std::size_t drawn(const char* text) {
+    frames(3);
+    return DrawnText(gui).count(text);
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(InspectorPanel, an_edge_of_two_faces_is_misoriented_and_one_of_three_not_manifold) {
+  const char* const points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n";
+  const std::string two = folder_.write("two.off", "OFF\n5 2 0\n" + std::string(points) + "3 0 1 2\n3 0 1 3\n");
+  const std::string three =
+      folder_.write("three.off", "OFF\n5 3 0\n" + std::string(points) + "3 0 1 2\n3 1 0 3\n3 0 1 4\n");
+  for (const auto& [file, misoriented, nonmanifold] : {std::tuple(two, 1u, 0u), std::tuple(three, 0u, 1u)}) {
+    ASSERT_TRUE(gui.run(session, "open " + file_argument(file)).done());
+    ASSERT_TRUE(gui.run(session, "select none").done());
+    const std::size_t as_misoriented = drawn("misoriented"), as_nonmanifold = drawn("not manifold");
+    ASSERT_TRUE(gui.run(session, "select 0-1@f0").done());
+    EXPECT_EQ(drawn("misoriented"), as_misoriented + misoriented) << file;
+    EXPECT_EQ(drawn("not manifold"), as_nonmanifold + nonmanifold) << file;
+  }
+}
+
+TEST_F(InspectorPanel, what_to_point_at_is_what_the_tool_applies_to) {
+  for (const auto& [line, text] : {std::pair("tool collapse", "Point at an edge."),
+                                   {"tool poke", "Point at a face."},
+                                   {"tool none", "Point at an edge."},
+                                   {"mode vertex", "Point at a vertex."}}) {
+    ASSERT_TRUE(gui.run(session, line).done());
+    EXPECT_EQ(drawn(text), 1u) << line;
+  }
+}
+
+}  // namespace
+}  // namespace ryosen

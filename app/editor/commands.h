@@ -1,5 +1,6 @@
 // The table of commands: what a script line, a key, a menu entry or a click may say. Operators and algorithms are commands
-// too, read from their own tables.
+// too, read from their own tables. A command that changes the mesh itself sends an operator or an algorithm to the
+// document (Document::apply, Document::run), each one entry of the history; what it needs beyond those is written as one.
 //
 // Who has to know what a command does asks its row: the log, autosave and recovery for its effect, the window whether it
 // takes long or looks at the window itself, the guards of files which one it reads or writes, the check of a script what is
@@ -46,7 +47,7 @@ struct CommandRow {
   bool sees_window = false;       // looks at the window as it is drawn: first without the panel or menu that sent it
   FileAccess file = FileAccess::none;
   // What is wrong with arguments that no mesh and no file can make right. Without it the line is tried on an empty
-  // session, so a command that touches anything outside of its session has one.
+  // session, so a command has one that touches anything outside of its session, or that needs a mesh or its elements.
   std::function<std::optional<Text>(Words arguments, const std::string& line)> fault = {};
   // With these arguments it only tells something: no effect, and not long.
   bool (*only_tells)(Words arguments) = nullptr;

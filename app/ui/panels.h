@@ -1,5 +1,6 @@
 // What a panel is, and what panels share. A new one is one file in panels/, with the state it keeps, and one line in
-// app/editor/panels.def.
+// app/editor/panels.def. It draws itself with Dear ImGui (ImGui::PlotLines for a curve) and widgets.h; what it computes it
+// keeps for a serial number and revision of the document, as forms.cpp does. Golden pictures show those shown at first.
 #pragma once
 
 #include <filesystem>

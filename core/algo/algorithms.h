@@ -1,10 +1,10 @@
 // The one table of algorithms: what changes a mesh as a whole.
 //
 // To add one, write its function in a pair of files of its own and its row in the list of its folder; the lists of the
-// folders are joined in algorithms.cpp. From the row come
-// its subcommand with its flags (`ryosen ID FILE -o OUT --PARAMETER VALUE`), its command in scripts
-// (`ID PARAMETER=VALUE ...`), its fields in the window, help, progress, cancel, the history, recovery, and the tests that
-// go over the table.
+// folders are joined in algorithms.cpp. From the row come its subcommand with its flags
+// (`ryosen ID FILE -o OUT --PARAMETER VALUE`), its command in scripts (`ID PARAMETER=VALUE ...`), its fields in the window,
+// help, progress, cancel, the history, recovery, and the tests that go over the table: these want that each row finds
+// something to do on their mesh of all defects. One with a parameter of each kind is tests/support/core/scatter_algorithm.h.
 #pragma once
 
 #include <cstddef>
@@ -39,6 +39,8 @@ struct AlgorithmRow {
   std::string_view id;
   std::string_view name_en, name_ja;
   std::string_view help_en, help_ja;
+  // One that is required has no initial value. A repair requires its first one at most (`--kinds ID=NUMBER`), and none
+  // where it keeps geometry.
   std::vector<ParameterRow> parameters;
   bool keeps_geometry;  // all places and faces stay what they are: `ryosen repair` does it unless others are named
   std::vector<ProblemKind> solves;  // not empty: a repair

@@ -59,6 +59,8 @@ struct ProblemRow {
   bool (*quarantined)(const QuarantinedFace&, std::uint32_t file_vertices) = nullptr;
   // Takes a search of its own that nobody makes unasked (find_self_intersections).
   bool is_on_request = false;
+  // Speaks of vertices for themselves: the line in the file is theirs, not that of a face there.
+  bool is_of_the_vertex = false;
   // Does not speak of vertices that a line beside the mesh uses.
   bool spares_lines = false;
   // Finds all at once where that is quicker than asking one by one; ascending.

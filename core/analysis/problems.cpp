@@ -114,7 +114,7 @@ std::uint64_t line_of(const Mesh& mesh, ProblemKind kind, Element element, const
   Face face;
   switch (element.kind) {
     case Element::Kind::vertex:
-      if (file.vertex_lines && (kind == ProblemKind::isolated_vertex || kind == ProblemKind::nonfinite_vertex))
+      if (file.vertex_lines && row_of(kind).is_of_the_vertex)
         return file.vertex_lines->line(point(mesh, element.vertex()).index);
       face = last_face_at(mesh, element.vertex());
       break;

@@ -1,7 +1,8 @@
 // The one table of what can be marked on a mesh: findings of problems, and what is no problem.
 //
 // To add a highlight, write its row, with a predicate where it marks no problem, and with a pair of line style and point
-// shape that no other has. The panel, the drawing, the legend, the commands and their help read the table.
+// shape that no other has which may lie on the same element; golden pictures of the panels show it too. The panel, the
+// drawing, the legend, the commands and their help read the table.
 #pragma once
 
 #include <cstdint>
@@ -35,8 +36,8 @@ class ProblemKinds {
 // When a highlight is shown before the user has said anything. without_faces: where a mesh has no face to be seen.
 enum class ShownAtFirst : std::uint8_t { no, yes, without_faces };
 
-// It marks the findings of kinds of problems, or the elements about which predicates of its own say so, or both. Findings
-// are there anyway; what predicates mark is searched for while the highlight is shown, and costs nothing else.
+// It marks the findings of kinds of problems, or the elements about which predicates of its own say so. Findings are there
+// anyway; what predicates mark is searched for while the highlight is shown, and costs nothing else.
 struct HighlightRow {
   std::string_view id;  // as in the commands
   std::string_view name_en, name_ja;

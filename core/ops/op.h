@@ -8,12 +8,14 @@
 //   Verdict check(const Mesh&) const;                      every broken rule, pure
 //   std::vector<Reason> warnings(const Mesh&) const;       what is legal but doubtful; only asked when the check is legal
 //   OpEffect apply(Edit&) const;                           the check must be legal
-// In the line "changes" above an operator, V, E, F, H, S and G are the terms of the Euler–Poincaré sum, and B stands for
-// B + W + I, all walks outside of the faces (analysis/euler_poincare.h): each as the kernel's elements give them. at,
-// command and check also accept elements that are none, deleted or out of range, as an undo may leave them.
+// at, command and check also accept elements that are none, deleted or out of range, as an undo may leave them. One that
+// acts on a single vertex, halfedge or face gets parse, at, command and warnings from ops/lines/on_element.h, as reverse
+// does. What a syntax may say stands in ops/lines/syntax.h.
 //
-// The comment above an operator gives its effect on the polygon list (wires are pairs), its preconditions, the changes of
-// the Euler-Poincare counts V E F H S G B, and its inverse.
+// The comment above an operator gives its effect on the polygon list (wires are pairs), its preconditions, what it
+// changes, and its inverse. In the line "changes" V, E, F, H, S and G are the terms of the Euler-Poincare sum, and B
+// stands for B + W + I, all walks outside of the faces (analysis/euler_poincare.h): each as the kernel's elements give
+// them. tests/property/laws_test.cpp has a row for each such line and each inverse.
 #pragma once
 
 #include <glm/vec3.hpp>

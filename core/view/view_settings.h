@@ -1,5 +1,6 @@
 // How a view draws what it shows, beside the camera: what the switches of the view set (app/editor/view_switches.h) and
-// what its shaders read.
+// what its shaders read. A switch that needs more of the mesh than places and links, as smooth shading needs normals, has
+// that found beside the mesh (corner_normals.h), kept by the session and laid into buffers by render/mesh_buffers.h.
 #pragma once
 
 namespace ryosen {
@@ -8,12 +9,12 @@ enum class Theme { dark, light };
 // Each face in a light of its own, or light that goes over evenly from face to face, except at creases.
 enum class Shading { flat, smooth };
 
-// One field per switch; each begins with the first value of its row.
+// One field per switch, an enumeration in the order of the values of its row; each begins with the first one.
 struct ViewSettings {
   Theme theme = Theme::dark;
   Shading shading = Shading::flat;
 
-  // Calls visit(name, number) for each: a shader gets the number as its `uniform int name`.
+  // Calls visit(name, number) for each, by the id of its row: a shader gets the number as its `uniform int name`.
   template <class Visit>
   void for_each(Visit visit) const {
     visit("theme", static_cast<int>(theme));

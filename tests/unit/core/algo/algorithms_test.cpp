@@ -9,6 +9,7 @@
 #include "core/ops/all.h"
 #include "tests/support/core/scatter_algorithm.h"
 #include "tests/support/core/shapes.h"
+#include "tests/support/core/sound_value.h"
 
 namespace ryosen::test {
 namespace {
@@ -17,11 +18,7 @@ ReadValues read(const AlgorithmRow& row, std::string_view line) {
   return read_values(row.parameters, split_words(line));
 }
 
-// A value that every parameter of the kind takes, and texts that none does.
-std::string sound_value(const ParameterRow& row) {
-  if (!row.initial.empty()) return std::string(row.initial);
-  return row.kind == ParameterKind::elements ? "v0" : format_double(std::max(row.smallest.value_or(0), 1.0));
-}
+// Texts that no parameter of the kind takes.
 std::vector<std::string> malformed_values(const ParameterRow& row) {
   std::vector<std::string> texts{"", "?", "1e999", "nan", "1,,2"};
   if (row.kind == ParameterKind::count) texts.insert(texts.end(), {"1.5", "-1", "3%"});

@@ -1,0 +1,28 @@
+// A value that a parameter takes on a mesh that has a vertex.
+#pragma once
+
+#include <algorithm>
+#include <string>
+
+#include "core/algo/parameters.h"
+#include "core/ops/op.h"
+
+namespace ryosen::test {
+
+inline std::string sound_value(const ParameterRow& row) {
+  if (!row.initial.empty()) return std::string(row.initial);
+  switch (row.kind) {
+    case ParameterKind::elements:
+      return "v0";
+    case ParameterKind::choice:
+      return std::string(row.choices[0].id);
+    case ParameterKind::flag:
+      return "on";
+    case ParameterKind::length:
+      return "0.01";
+    default:
+      return format_double(std::max(row.smallest.value_or(0), 1.0));
+  }
+}
+
+}  // namespace ryosen::test

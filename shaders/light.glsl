@@ -1,15 +1,14 @@
 // Light of three sources that move with the eye, on a surface seen from either side. Colours are linear.
+#include "shading.glsl"
 uniform usamplerBuffer corner_normals;  // by slot, packed as in core/view/packed_normal.h
 uniform mat4 view_from_buffer;          // moves, turns and scales evenly
 uniform float perspective;              // 1, or 0 when all rays are parallel
-uniform int shading;                    // a Shading of core/view/view_settings.h
 uniform vec3 key_colour;
 uniform vec3 fill_colour;
 uniform vec3 rim_colour;
 uniform vec3 front_colour;
 uniform vec3 back_colour;
 
-const int smooth_shading = 1;
 const vec3 key_direction = normalize(vec3(-0.42, 0.60, 0.68));
 const vec3 fill_direction = normalize(vec3(0.80, -0.10, 0.45));
 

@@ -3,7 +3,7 @@ in vec2 barycentric;
 flat in vec4 lit;
 in vec3 lit_smoothly;
 
-uniform int shading;       // a Shading of core/view/view_settings.h
+#include "shading.glsl"
 uniform vec3 wire_colour;  // linear
 uniform float wire_strength;
 uniform float pixel_scale;  // rendered pixels per pixel of the picture
@@ -27,6 +27,6 @@ float wire() {
 }
 
 void main() {
-  vec3 surface = shading == 0 ? lit.rgb : lit_smoothly;
+  vec3 surface = shading == smooth_shading ? lit_smoothly : lit.rgb;
   colour = vec4(sqrt(mix(surface, wire_colour, wire() * wire_strength)), 1.0);
 }

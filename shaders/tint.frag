@@ -3,7 +3,7 @@ flat in vec4 tint;
 in vec3 tint_smoothly;
 flat in int pattern;
 
-uniform int shading;        // a Shading of core/view/view_settings.h
+#include "shading.glsl"
 uniform float pixel_scale;  // rendered pixels per pixel of the picture
 
 layout(location = 0) out vec4 colour;
@@ -24,6 +24,6 @@ float share() {
 
 void main() {
   float strength = tint.a * share();
-  vec3 surface = shading == 0 ? tint.rgb : tint_smoothly;
+  vec3 surface = shading == smooth_shading ? tint_smoothly : tint.rgb;
   colour = vec4(sqrt(surface) * strength, strength);
 }

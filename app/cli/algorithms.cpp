@@ -145,10 +145,8 @@ class AlgorithmRun {
   }
 
   static Failure cancelled() {
-    Failure failure{ExitCode::cancelled, {}};
-    failure.message.code = "cancelled";
-    failure.message.text = {"Cancelled; nothing is written.", "中止しました。何も書き出していません。"};
-    return failure;
+    return make_failure(ExitCode::cancelled, "cancelled",
+                        {"Cancelled; nothing is written.", "中止しました。何も書き出していません。"});
   }
 
   void write() {

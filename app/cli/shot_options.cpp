@@ -13,6 +13,13 @@ namespace ryosen::cli {
 
 namespace {
 
+// With a full stop, unless it ends as a question.
+Text closed(Text sentence) {
+  if (!sentence.en.ends_with("?")) sentence.en += ".";
+  if (!sentence.ja.ends_with("？")) sentence.ja += "。";
+  return sentence;
+}
+
 // Reads all flags and keeps the first failure.
 class OptionsReader {
  public:
@@ -141,7 +148,7 @@ class OptionsReader {
     if (options_.view && !find_named_view(*options_.view)) bad_word("--view", *options_.view, named_view_ids());
     Text error;
     if (options_.camera && !camera_from_json(*options_.camera, {}, error))
-      fail(usage_failure("bad_value", {"--camera: " + error.en + ".", "--camera：" + error.ja + "。"}));
+      fail(usage_failure("bad_value", closed({"--camera: " + error.en, "--camera：" + error.ja})));
     if (options_.camera && options_.view)
       fail(usage_failure("flags_exclude",
                          {"--view and --camera exclude each other.", "--view と --camera は同時に指定できません。"}));

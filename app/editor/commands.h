@@ -99,7 +99,7 @@ Text not_an_operator(std::string_view word);
 Outcome usage_error(std::string en, std::string ja);
 Outcome usage_error(const Text& sentence);
 // An operator's line names no element of the mesh, with this error: a refusal by the rule `deleted` where the element
-// stands at another place of the history, else usage; with a sentence that says which, and of faces that were set aside.
+// stands at another place of the history, else usage; with a sentence that says which, and of quarantined faces.
 Outcome no_element(Document& document, std::string_view line, NameError error, const Text& sentence);
 
 }  // namespace ryosen

@@ -76,7 +76,10 @@ void Session::follow(std::size_t transaction) {
   const TouchedElements touched = touched_elements(m, document_->journal(), transaction);
   if (picker_) {
     const std::vector<std::uint32_t> slots = picker_->update(m, touched);
-    if (touched.everything || settings.shading == Shading::flat) corner_normals_.reset();
+    if (corner_normals_ && (touched.everything || settings.shading == Shading::flat)) {
+      corner_normals_.reset();
+      drawn_changes_.everything = true;  // what was drawn with them knows nothing of this edit
+    }
     if (corner_normals_)
       for (const std::uint32_t slot : corner_normals_->update(m, picker_->triangles(), touched))
         drawn_changes_.triangles.push_back(slot);

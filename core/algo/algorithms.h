@@ -23,7 +23,7 @@ namespace ryosen {
 
 struct AlgorithmInput {
   ParameterValues values = ParameterValues();  // lengths in units of the mesh, elements looked up
-  // Vertices that something beside the mesh refers to (faces set aside, lines and points of the file), ascending.
+  // Vertices that something beside the mesh refers to (quarantined faces, lines and points of the file), ascending.
   std::span<const Vertex> used_elsewhere = {};
   std::size_t quarantined = 0;  // faces of the file that reading could not connect
 };

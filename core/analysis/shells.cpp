@@ -57,7 +57,9 @@ class ShellSearch {
   Shells run() {
     Shells shells;
     for (std::uint32_t i = 0; i < components_.count; ++i) shells.all.push_back({faces_[i].front(), turned(i), 0});
-    if (components_.count < 2) return shells;
+    const bool encloses_nothing =
+        std::any_of(shells.all.begin(), shells.all.end(), [](const Shell& shell) { return shell.turned == 0; });
+    if (components_.count < 2 || encloses_nothing) return shells;
     const BoxNesting nesting(boxes_);
     const std::vector<std::uint32_t> parents = find_parents(nesting);
     shells.meeting = find_meeting(parents);
@@ -180,8 +182,7 @@ class ShellSearch {
   FaceComponents components_;
   std::vector<std::vector<Face>> faces_;  // by shell
   std::vector<Box> boxes_;
-  BoxTree tree_;
-  std::vector<ShellTriangles> triangles_;  // of the shells whose boxes overlap others
+  std::vector<ShellTriangles> triangles_;  // of the shells that were asked whether others lie in them
   // Scratch of places_of and triangles_of.
   FacePolygon polygon_;
   std::array<glm::dvec3, 3> triangle_;

@@ -18,7 +18,8 @@ struct Shell {
 
 struct Shells {
   std::vector<Shell> all;  // by lowest face
-  // Faces of two shells that have a point in common, touching counts; the depths are not known then.
+  // Faces of two shells that have a point in common, touching counts; the depths are not known then. Where a shell has
+  // no volume neither is.
   std::optional<std::pair<Face, Face>> meeting;
 };
 

@@ -28,9 +28,10 @@ class OpenTable {
     return nullptr;
   }
 
+  // Ends the program where there is no room, rather than write beside the table.
   void add(const Row& row) {
-    assert(count_ < most && !find(row.id));
-    rows_[count_++] = row;
+    assert(!find(row.id));
+    rows_.at(count_++) = row;
   }
   void remove_last() { --count_; }
 

@@ -74,7 +74,7 @@ std::uint64_t face_colours(const MeshFile& file, Holds held) {
   return are_held ? without : count.size() - without;
 }
 
-std::uint64_t set_aside(const MeshFile& file, Holds held) {
+std::uint64_t quarantined_faces(const MeshFile& file, Holds held) {
   if (holds(held, Holds::quarantine)) return 0;
   const TxtQuarantine listed(file.mesh);
   const auto is_held = [&](const QuarantinedFace& face) {
@@ -193,9 +193,9 @@ bool meets(const glm::dvec3& p) {
 template <Single Fate, class Visit>
 void for_each_single(const MeshFile& file, Holds held, const Visit& visit) {
   if (holds(held, Holds::doubles)) return;
-  std::vector<bool> is_written(file.mesh.positions.size(), holds(held, Holds::vertices));
-  if (!holds(held, Holds::vertices))
-    for (const std::uint32_t corner : file.mesh.corners) is_written[corner] = true;
+  const std::vector<bool> is_written = holds(held, Holds::vertices)
+                                           ? std::vector<bool>(file.mesh.positions.size(), true)
+                                           : used_vertices(file.mesh);
   for (std::uint32_t v = 0; v < is_written.size(); ++v)
     if (is_written[v] && meets<Fate>(file.mesh.positions[v])) visit(v);
 }
@@ -228,7 +228,7 @@ const std::vector<LossKind>& loss_kinds() {
        "4 頂点以上の面(三角形に分割されます)", many_corners},
       {"loses_rings", "faces with holes, which are cut into triangles", "穴のある面(三角形に分割されます)",
        bridged_faces_lost},
-      {"loses_quarantined", "faces that were set aside", "隔離された面", set_aside},
+      {"loses_quarantined", "faces that were set aside", "隔離された面", quarantined_faces},
       {"loses_isolated_vertices", "vertices without a face", "面に属さない頂点", isolated_vertices},
       {"loses_topology", "points at equal places, which become one, or at no place, which fall apart",
        "同じ位置にある別々の点(1 点になります)と、位置を持たない点(ばらばらになります)", welded_points},

@@ -28,6 +28,11 @@ class SurfaceTriangles {
   std::span<const std::uint8_t> edge_bits() const { return edge_bits_; }  // bit k: the side from corner k is an edge
   // The slots of a face.
   std::vector<std::uint32_t> slots_of(Face f) const;
+  // That of a face which has one; no_index for others.
+  std::uint32_t only_slot_of(Face f) const {
+    const std::uint32_t slot = first_of_face_[f.index];
+    return slot == no_index || next_of_face_[slot] != no_index ? no_index : slot;
+  }
 
  private:
   void rebuild(const Mesh& mesh);

@@ -81,9 +81,7 @@ glm::dvec3 way_to_target(const Camera& camera) {
 }  // namespace
 
 Box bounds_of(std::span<const glm::dvec3> points) {
-  Box box;
-  for (const glm::dvec3& p : points)
-    if (is_finite(p)) box.add(p);
+  const Box box = box_of_finite(points);
   return box.is_empty() ? Box{glm::dvec3(0), glm::dvec3(0)} : box;
 }
 

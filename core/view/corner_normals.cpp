@@ -1,5 +1,6 @@
 #include "core/view/corner_normals.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -72,11 +73,33 @@ void CornerNormals::set_around(Neighbourhood& around, const SurfaceTriangles& tr
       const Face face = corners_[(first + i) % n].face;
       if (face.is_none()) continue;
       visit(face);
-      for (const std::uint32_t slot : triangles.slots_of(face))
-        for (std::size_t k = 0; k < 3; ++k)
-          if (triangles.triangles()[slot][k] == v.index) packed_[slot][k] = normal;
+      set(triangles, face, v, normal);
     }
   }
+}
+
+void CornerNormals::set(const SurfaceTriangles& triangles, Face face, Vertex v, std::uint32_t normal) {
+  const std::uint32_t slot = triangles.only_slot_of(face);
+  if (slot == no_index) return waiting_.push_back({face, v, normal});
+  for (std::size_t k = 0; k < 3; ++k)
+    if (triangles.triangles()[slot][k] == v.index) packed_[slot][k] = normal;
+}
+
+void CornerNormals::finish(const SurfaceTriangles& triangles) {
+  const auto is_before = [](const PolygonCorner& a, const PolygonCorner& b) {
+    return a.face != b.face ? a.face < b.face : a.vertex < b.vertex;
+  };
+  std::stable_sort(waiting_.begin(), waiting_.end(), is_before);
+  for (auto begin = waiting_.cbegin(), end = begin; begin != waiting_.cend(); begin = end) {
+    end = std::find_if(begin, waiting_.cend(), [&](const PolygonCorner& corner) { return corner.face != begin->face; });
+    for (const std::uint32_t slot : triangles.slots_of(begin->face))
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vertex v(triangles.triangles()[slot][k]);
+        const auto found = std::lower_bound(begin, end, PolygonCorner{begin->face, v, 0}, is_before);
+        if (found != end && found->vertex == v) packed_[slot][k] = found->normal;
+      }
+  }
+  waiting_.clear();
 }
 
 CornerNormals::CornerNormals(const Mesh& mesh, const SurfaceTriangles& triangles)
@@ -84,6 +107,8 @@ CornerNormals::CornerNormals(const Mesh& mesh, const SurfaceTriangles& triangles
   Neighbourhood around(mesh);
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
     if (mesh.is_alive(Vertex(i))) set_around(around, triangles, Vertex(i), [](Face) {});
+  finish(triangles);
+  waiting_.shrink_to_fit();
 }
 
 std::vector<std::uint32_t> CornerNormals::update(const Mesh& mesh, const SurfaceTriangles& triangles,
@@ -98,6 +123,7 @@ std::vector<std::uint32_t> CornerNormals::update(const Mesh& mesh, const Surface
   std::vector<Face> faces;
   for (const Vertex v : vertices)
     if (mesh.exists(v) && mesh.is_alive(v)) set_around(around, triangles, v, [&](Face f) { faces.push_back(f); });
+  finish(triangles);
   sort_unique(faces);
   std::vector<std::uint32_t> slots;
   for (const Face f : faces)

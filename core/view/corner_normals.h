@@ -18,7 +18,7 @@ namespace ryosen {
 // their own side. A face that has no normal adds nothing.
 class CornerNormals {
  public:
-  // Linear.
+  // O(corners), and their logarithm for faces that are no triangles.
   CornerNormals(const Mesh& mesh, const SurfaceTriangles& triangles);
 
   // Follows an edit behind the triangles, not where everything was touched. Returns the slots of triangles whose normals
@@ -37,13 +37,24 @@ class CornerNormals {
     glm::dvec3 normal, weighted;
   };
 
+  // A corner of a face of several triangles, which are found at once for all its corners.
+  struct PolygonCorner {
+    Face face;
+    Vertex vertex;
+    std::uint32_t normal;
+  };
+
   void read(Neighbourhood& around, Vertex v);
-  // Sets the corners at a vertex; calls visit(face) for each face there.
+  // Sets the corners at a vertex, those of polygons once finish() is called; calls visit(face) for each face there.
   template <class Visit>
   void set_around(Neighbourhood& around, const SurfaceTriangles& triangles, Vertex v, Visit visit);
+  void set(const SurfaceTriangles& triangles, Face face, Vertex v, std::uint32_t normal);
+  void finish(const SurfaceTriangles& triangles);
 
   std::vector<std::array<std::uint32_t, 3>> packed_;
-  std::vector<Corner> corners_;  // scratch: around one vertex, in order
+  // Scratch: the corners around one vertex, in order; those of polygons that wait for finish().
+  std::vector<Corner> corners_;
+  std::vector<PolygonCorner> waiting_;
 };
 
 }  // namespace ryosen

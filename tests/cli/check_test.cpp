@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "core/ops/all.h"
 #include "tests/support/app/contract.h"
 
 namespace ryosen::test {
@@ -21,13 +22,31 @@ std::vector<std::string> files_of(const std::vector<Json>& lines) {
   return files;
 }
 
+// What programs elsewhere read; further keys may come between them.
+bool holds_in_order(const std::vector<std::string>& keys, std::string_view read) {
+  auto at = keys.begin();
+  for (const std::string_view word : split_words(read)) {
+    at = std::find(at, keys.end(), word);
+    if (at++ == keys.end()) return false;
+  }
+  return true;
+}
+
 TEST(check, json_has_the_keys_of_the_contract_in_order) {
+  constexpr std::string_view read_elsewhere =
+      "file format status vertices corners faces edges triangles quads polygons quarantined rings "
+      "boundary_edges boundary_loops nonmanifold_edges max_edge_faces nonmanifold_vertices bowtie_vertices "
+      "misoriented_edges degenerate_repeat degenerate_area duplicate_faces hanging_pairs isolated_vertices "
+      "nonfinite_vertices components euler_characteristic genus manifold closed orientable bounds area "
+      "volume kind kind_reason hash problems messages";
   const Json report = run_program({"check", asset("fin.obj"), "--json"}).line();
   const std::vector<Json> contract = run_program({"help", "json", "--json"}).lines();
   EXPECT_EQ(keys_of(report), required_keys(contract, "check"));
+  EXPECT_TRUE(holds_in_order(keys_of(report), read_elsewhere));
   ASSERT_FALSE(report["problems"].empty());
   const Json& problem = report["problems"][0];
   EXPECT_EQ(keys_of(problem), required_keys(contract, "problem"));
+  EXPECT_TRUE(holds_in_order(keys_of(problem), "kind severity count elements where line en ja"));
   EXPECT_EQ(problem["kind"], "nonmanifold_edge");
   EXPECT_EQ(problem["elements"], Json::array({"0-1"}));
   EXPECT_EQ(problem["line"], 9);

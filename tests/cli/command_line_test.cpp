@@ -143,6 +143,15 @@ TEST(command_line, h_is_help) {
   EXPECT_EQ(run.out, run_program({"help", "check"}).out);
 }
 
+TEST(command_line, a_sentence_that_asks_ends_as_a_question) {
+  for (const auto& [language, end] : {std::pair("en", "did you mean eye?\n"), {"ja", "eye ですか？\n"}}) {
+    const std::string said = run_program({"shot", asset("cube.obj"), "-o", "/dev/null", "--camera",
+                                          R"({"eyes":[1,2,3]})", "--lang", language})
+                                 .err;
+    EXPECT_TRUE(said.ends_with(end)) << said;
+  }
+}
+
 // The commands that only look at meshes leave the graphics libraries alone.
 TEST(command_line, loads_no_graphics) {
   const std::string cube = asset("cube.obj");

@@ -38,6 +38,9 @@ TEST(convert, numbers_that_single_precision_loses_altogether_are_said_as_that) {
   EXPECT_EQ(loss(unused, "loses_isolated_vertices")["count"], 1);
   EXPECT_TRUE(loss(unused, "loses_large_numbers").is_null() && loss(unused, "loses_small_numbers").is_null())
       << "what is not written becomes nothing";
+  folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1e99 0 0\nf 1 2 3\nf 1 1 4\n");
+  EXPECT_EQ(loss(convert({"-o", "quarantined.stl"}).line(), "loses_large_numbers")["count"], 1)
+      << "a quarantined face is written too";
 }
 
 TEST(convert, writes_the_format_of_the_name) {

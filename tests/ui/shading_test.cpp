@@ -51,9 +51,12 @@ TEST_F(ShadingTest, follows_edits_undo_and_what_is_edited_while_it_is_flat) {
   EXPECT_FALSE(moved == smooth);
   EXPECT_TRUE(is_as_drawn_anew(moved));
   EXPECT_TRUE(picture("undo") == smooth);
+  // What is edited while it is flat, drawn meanwhile or not.
   picture("shading flat");
   picture("redo");
   EXPECT_TRUE(picture("shading smooth") == moved);
+  EXPECT_TRUE(session_.run("shading flat").done() && session_.run("undo").done());
+  EXPECT_TRUE(picture("shading smooth") == smooth);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/editor/commands.h"
 #include "app/editor/quarantine_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
@@ -80,7 +81,7 @@ Element Findings::nth(Session& session, const ProblemRow& row, std::size_t n) {
   return loops_[n];
 }
 
-// Why a quarantined face is set aside, and where in the file it stands.
+// Why a face is quarantined, and where in the file it stands.
 Text why_quarantined(const PanelContext& context, Element face) {
   return quarantine_text(context.session.document().tables().quarantine, name_on_points(context.session.mesh(), face))
       .value_or(Text());

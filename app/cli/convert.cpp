@@ -3,6 +3,7 @@
 #include "app/cli/contract/record.h"
 #include "app/cli/outputs.h"
 #include "app/cli/subcommands.h"
+#include "app/cli/write_output.h"
 #include "app/editor/script.h"
 #include "core/io/file_target.h"
 #include "core/io/formats.h"

@@ -193,9 +193,8 @@ bool meets(const glm::dvec3& p) {
 template <Single Fate, class Visit>
 void for_each_single(const MeshFile& file, Holds held, const Visit& visit) {
   if (holds(held, Holds::doubles)) return;
-  const std::vector<bool> is_written = holds(held, Holds::vertices)
-                                           ? std::vector<bool>(file.mesh.positions.size(), true)
-                                           : used_vertices(file.mesh);
+  const std::vector<bool> is_written =
+      holds(held, Holds::vertices) ? std::vector<bool>(file.mesh.positions.size(), true) : used_vertices(file.mesh);
   for (std::uint32_t v = 0; v < is_written.size(); ++v)
     if (is_written[v] && meets<Fate>(file.mesh.positions[v])) visit(v);
 }

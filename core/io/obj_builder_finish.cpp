@@ -129,7 +129,9 @@ void ObjBuilder::report_unknown() {
   });
 }
 
-void ObjBuilder::report_whole_file() { warn_of_missing_elements(reporter_, mesh_.positions.size(), mesh_.face_count()); }
+void ObjBuilder::report_whole_file() {
+  warn_of_missing_elements(reporter_, mesh_.positions.size(), mesh_.face_count());
+}
 
 Result<MeshFile> ObjBuilder::finish() {
   if (faults_.any()) return faults_.take();

@@ -15,18 +15,18 @@ namespace {
 class ScopedHighlightTest : public testing::Test {
  protected:
   const ScopedHighlight added_{{.id = "first",
-                               .name_en = "First elements",
-                               .name_ja = "最初の要素",
-                               .legend_en = "The first face and the edges at the first vertex.",
-                               .legend_ja = "最初の面と、最初の頂点の稜線。",
-                               .edge =
-                                   [](Neighbourhood& around, Edge e) {
-                                     const auto [a, b] = ends(around.mesh(), e);
-                                     return a == Vertex(0) || b == Vertex(0);
-                                   },
-                               .face = [](Neighbourhood&, Face f) { return f == Face(0); },
-                               .looks = {0x10F0E0, 0x107060, LineStyle::solid, 5, PointShape::square, 6},
-                               .tint = FaceTint{FacePattern::plain, 1}}};
+                                .name_en = "First elements",
+                                .name_ja = "最初の要素",
+                                .legend_en = "The first face and the edges at the first vertex.",
+                                .legend_ja = "最初の面と、最初の頂点の稜線。",
+                                .edge =
+                                    [](Neighbourhood& around, Edge e) {
+                                      const auto [a, b] = ends(around.mesh(), e);
+                                      return a == Vertex(0) || b == Vertex(0);
+                                    },
+                                .face = [](Neighbourhood&, Face f) { return f == Face(0); },
+                                .looks = {0x10F0E0, 0x107060, LineStyle::solid, 5, PointShape::square, 6},
+                                .tint = FaceTint{FacePattern::plain, 1}}};
   const HighlightRow& row_ = *find_highlight("first");
 };
 
@@ -95,12 +95,12 @@ TEST_F(ScopedHighlightTest, is_drawn_in_its_colour_and_tints_its_face) {
 
 TEST_F(ScopedHighlightTest, may_mark_a_kind_of_problem_that_another_marks_too) {
   const ScopedHighlight rim({.id = "rim",
-                            .name_en = "Rim",
-                            .name_ja = "縁",
-                            .legend_en = "The boundary once more.",
-                            .legend_ja = "もう一つの境界。",
-                            .kinds = {ProblemKind::boundary_loop},
-                            .looks = {0xF010C0, 0xF010C0, LineStyle::solid, 9, PointShape::disc, 4}});
+                             .name_en = "Rim",
+                             .name_ja = "縁",
+                             .legend_en = "The boundary once more.",
+                             .legend_ja = "もう一つの境界。",
+                             .kinds = {ProblemKind::boundary_loop},
+                             .looks = {0xF010C0, 0xF010C0, LineStyle::solid, 9, PointShape::disc, 4}});
   const Looks rim_looks = find_highlight("rim")->looks, boundary = find_highlight("boundary")->looks;
   auto headless = Headless::make({.backend = Backend::osmesa, .size = {320, 240}});
   ASSERT_TRUE(headless);

@@ -32,7 +32,9 @@ void ArgumentReader::fail(NameError error, Text sentence) {
   sentence_ = std::move(sentence);
 }
 
-void ArgumentReader::fail_at(std::string_view argument) { fail(NameError::malformed, not_of_syntax(argument, syntax_)); }
+void ArgumentReader::fail_at(std::string_view argument) {
+  fail(NameError::malformed, not_of_syntax(argument, syntax_));
+}
 
 void ArgumentReader::fail_missing() { fail(NameError::malformed, argument_missing(syntax_)); }
 

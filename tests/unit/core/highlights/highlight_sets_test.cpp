@@ -64,12 +64,12 @@ int calls = 0;
 
 TEST(highlight_sets, ask_a_predicate_only_while_its_highlight_is_kept) {
   const ScopedHighlight added({.id = "counted",
-                              .name_en = "Counted",
-                              .name_ja = "計数",
-                              .legend_en = "All vertices.",
-                              .legend_ja = "すべての頂点。",
-                              .vertex = [](Neighbourhood&, Vertex) { return ++calls > 0; },
-                              .looks = {0x00FF00, 0x00FF00, LineStyle::solid, 2, PointShape::disc, 4}});
+                               .name_en = "Counted",
+                               .name_ja = "計数",
+                               .legend_en = "All vertices.",
+                               .legend_ja = "すべての頂点。",
+                               .vertex = [](Neighbourhood&, Vertex) { return ++calls > 0; },
+                               .looks = {0x00FF00, 0x00FF00, LineStyle::solid, 2, PointShape::disc, 4}});
   const HighlightRow& row = *find_highlight("counted");
   Mesh mesh = make_mesh(torus_grid(20, 20));
   Journal journal;

@@ -18,18 +18,19 @@ constexpr Holds per_vertex_values = Holds::vertex_texcoords | Holds::vertex_norm
 Holds obj_holds(Encoding) {
   return Holds::polygons | per_vertex_values | Holds::corner_texcoords | Holds::third_texcoord | Holds::corner_normals |
          Holds::groups | Holds::names | Holds::missing_colours | Holds::weights | Holds::elements | Holds::quarantine |
-         Holds::any_vertex_colours | Holds::vertices | Holds::comments | Holds::doubles;
+         Holds::any_vertex_colours | Holds::vertices | Holds::comments | Holds::doubles | Holds::wide_numbers;
 }
 
 Holds off_holds(Encoding) {
   return Holds::polygons | per_vertex_values | Holds::missing_colours | Holds::face_colours | Holds::any_face_colours |
-         Holds::quarantine | Holds::vertices | Holds::comments | Holds::doubles;
+         Holds::quarantine | Holds::vertices | Holds::comments | Holds::doubles | Holds::wide_numbers;
 }
 
-Holds ply_holds(Encoding) {
-  return Holds::polygons | per_vertex_values | Holds::corner_texcoords | Holds::face_colours | Holds::quarantine |
-         Holds::any_vertex_colours | Holds::vertices | Holds::properties | Holds::facet_attributes | Holds::comments |
-         Holds::doubles;
+Holds ply_holds(Encoding encoding) {
+  const Holds numbers = encoding == Encoding::ascii ? Holds::doubles | Holds::wide_numbers : Holds::doubles;
+  return numbers | Holds::polygons | per_vertex_values | Holds::corner_texcoords | Holds::face_colours |
+         Holds::quarantine | Holds::any_vertex_colours | Holds::vertices | Holds::properties | Holds::facet_attributes |
+         Holds::comments;
 }
 
 Holds stl_holds(Encoding encoding) {

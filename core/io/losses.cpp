@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/io/byte_colours.h"
 #include "core/io/ply_columns.h"
@@ -74,8 +75,25 @@ std::uint64_t face_colours(const MeshFile& file, Holds held) {
   return are_held ? without : count.size() - without;
 }
 
+// Faces with a number that 32 bits do not hold beside the others, with a sign or without.
+std::uint64_t faces_beyond_32_bits(const std::vector<QuarantinedFace>& faces) {
+  std::int64_t least = 0, most = 0;
+  for (const QuarantinedFace& face : faces)
+    for (const std::int64_t corner : face.corners) {
+      least = std::min(least, corner);
+      most = std::max(most, corner);
+    }
+  if (least >= 0 && most <= std::numeric_limits<std::uint32_t>::max()) return 0;
+  using Signed = std::numeric_limits<std::int32_t>;
+  return static_cast<std::uint64_t>(std::count_if(faces.begin(), faces.end(), [](const QuarantinedFace& face) {
+    return std::any_of(face.corners.begin(), face.corners.end(),
+                       [](std::int64_t corner) { return corner < Signed::min() || corner > Signed::max(); });
+  }));
+}
+
 std::uint64_t quarantined_faces(const MeshFile& file, Holds held) {
-  if (holds(held, Holds::quarantine)) return 0;
+  if (holds(held, Holds::quarantine))
+    return holds(held, Holds::wide_numbers) ? 0 : faces_beyond_32_bits(file.mesh.quarantine);
   const TxtQuarantine listed(file.mesh);
   const auto is_held = [&](const QuarantinedFace& face) {
     const bool exists = face.has_corners_within(file.mesh.positions.size());

@@ -38,6 +38,7 @@ enum class Holds : std::uint32_t {
   doubles = 1u << 22,
   any_vertex_colours = 1u << 23,  // vertex and face colours with any values
   free_facets = 1u << 24,         // unusable faces of any size with existing corners, if the file had such
+  wide_numbers = 1u << 25,        // numbers of vertices beyond 32 bits, which are those of unusable faces
 };
 
 constexpr Holds operator|(Holds a, Holds b) {

@@ -293,7 +293,7 @@ void PlyColumns::widen_corners(PlyColumn& column) {
       most = std::max(most, corner);
     });
   }
-  // Numbers that fit no type are out of range anyway; the writer saturates them.
+  // Numbers that fit no type are out of range anyway; the writer saturates them (a loss: Holds::wide_numbers).
   for (const NumberType type : {column.type, NumberType::i32, NumberType::u32, NumberType::i32}) {
     column.type = type;
     if (type_holds(type, static_cast<double>(least)) && type_holds(type, static_cast<double>(most))) break;

@@ -43,6 +43,20 @@ TEST(convert, numbers_that_single_precision_loses_altogether_are_said_as_that) {
       << "a quarantined face is written too";
 }
 
+TEST(convert, a_number_of_a_vertex_beyond_32_bits_is_lost_in_binary_alone) {
+  const TemporaryFolder folder;
+  folder.write("a.off", "OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 5000000000\n3 0 1 4000000000\n");
+  const auto count = [&](const char* format) {
+    const Json report =
+        run_program({"convert", "a.off", "-o", "o.ply", "--format", format, "--json"}, folder.path()).line();
+    return loss(report, "loses_quarantined").is_null() ? 0 : loss(report, "loses_quarantined")["count"].get<int>();
+  };
+  EXPECT_EQ(count("ply-ascii"), 0);
+  EXPECT_EQ(count("ply-little"), 2) << "with a sign both are too large";
+  folder.write("a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 4000000000\n");
+  EXPECT_EQ(count("ply-little"), 0) << "without a sign it is not";
+}
+
 TEST(convert, writes_the_format_of_the_name) {
   const TemporaryFolder folder;
   folder.write("a.obj", quads);

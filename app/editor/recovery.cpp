@@ -11,6 +11,7 @@
 
 #include "app/editor/autosave.h"
 #include "app/editor/commands.h"
+#include "app/editor/message_place.h"
 #include "app/editor/owned_script.h"
 #include "app/editor/session.h"
 #include "app/editor/words.h"
@@ -203,7 +204,7 @@ Outcome recover(Session& session, const LostSession& lost) {
   if (!script) return not_to_be_had(lost);
   Result<std::unique_ptr<Document>> document = begin_again(lost);
   if (!document) {
-    const Text& reason = document.failure().message.text;
+    const Text reason = text_with_place(document.failure().message, lost.start.file.string());
     return failed(document.failure().exit_code, {reason.en + " The edits are still in " + lost.script.string() + ".",
                                                  reason.ja + " 編集は " + lost.script.string() + " に残っています。"});
   }

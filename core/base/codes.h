@@ -102,8 +102,8 @@ inline constexpr CodeRow table[] = {
     {"zeros", error, "The file holds zeros alone.", "ファイルがゼロだけです。"},
 
     // Headers and counts.
-    {"count_behind_word", warning, "The first count stands right behind the word OFF.",
-     "最初の個数が OFF の直後に空白なしで続いています。"},
+    {"count_behind_word", warning, "The first count stands right behind the first word.",
+     "最初の個数が先頭の語の直後に空白なしで続いています。"},
     {"count_too_large", error, "A count is more than the file can hold.", "個数がファイルの大きさに収まりません。"},
     {"missing_element", error, "The head names no vertices.", "ヘッダーに頂点の要素がありません。"},
     {"missing_format", error, "The head names no encoding.", "ヘッダーに format の行がありません。"},

@@ -23,8 +23,9 @@ class OffTextReader {
 
   void warn_of_count_behind(std::string_view word) {
     builder_.reporter().warn("count_behind_word", lines_.place(word.data()), [&] {
-      return Text{shown(word) + " is read as the word OFF and the count of vertices: a blank is missing.",
-                  shown(word) + " を OFF と頂点の個数として読みました(空白がありません)。"};
+      const std::string kind(word.substr(0, word.find_last_not_of("0123456789") + 1));
+      return Text{shown(word) + " is read as the word " + kind + " and the count of vertices: a blank is missing.",
+                  shown(word) + " を " + kind + " と頂点の個数として読みました(空白がありません)。"};
     });
   }
 

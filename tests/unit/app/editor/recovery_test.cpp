@@ -293,6 +293,18 @@ TEST_F(RecoveryTest, where_the_file_is_gone_nothing_changes_and_the_script_is_na
   EXPECT_EQ(again->session.run("recover 1").exit_code, ExitCode::usage);
 }
 
+TEST_F(RecoveryTest, where_the_file_cannot_be_read_any_more_its_line_is_named) {
+  const std::string path = files_.copy(test::asset("torus.off"), "a.off");
+  auto crashed = open(path);
+  crashed->run("split 0-1");
+  crashed.reset();
+  files_.write("a.off", "OFF\n1 0 0\n0 0 x\n");
+  auto again = open(test::asset("cube.obj"));
+  const Outcome outcome = again->session.run("recover 1");
+  EXPECT_EQ(outcome.exit_code, ExitCode::input_malformed);
+  EXPECT_TRUE(outcome.sentence.en.starts_with(path + ":3:5: ")) << outcome.sentence.en;
+}
+
 TEST_F(RecoveryTest, two_windows_keep_two_scripts_and_the_latest_comes_first) {
   auto one = open(test::asset("torus.off")), two = open(test::asset("cube.obj"));
   one->run("split 0-1");

@@ -1,9 +1,11 @@
 #include <csignal>
 
 #include "app/cli/run.h"
+#include "app/cli/signals.h"
 
 int main(int argc, char** argv) {
   // Exceeding the file size limit becomes a failed write with a message instead of killing the program.
   std::signal(SIGXFSZ, SIG_IGN);
+  ryosen::cli::answer_signals();
   return static_cast<int>(ryosen::cli::run({argv + 1, argv + argc}));
 }

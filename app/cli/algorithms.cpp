@@ -7,9 +7,9 @@
 #include "app/cli/contract/algorithms.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/edit_script.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/json.h"
 #include "app/cli/outputs.h"
+#include "app/cli/progress_line.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/write_output.h"
 #include "app/editor/commands.h"
@@ -106,10 +106,8 @@ class AlgorithmRun {
 
   ExitCode run(std::vector<Call> calls) {
     calls_ = std::move(calls);
-    std::optional<Interrupt> interrupt(std::in_place);
     for (Call& call : calls_)
       if (const auto failure = run(call)) return console_.fail(*failure, input_);
-    interrupt.reset();
     // What is left is named as in the file that is written.
     after_ = check_mesh(document_.contents(), wanted_.value_or(input_), {.figures = console_.json, .kind = false});
     const bool has_problem = std::any_of(after_.problems.begin(), after_.problems.end(), [](const NamedProblem& p) {
@@ -136,17 +134,10 @@ class AlgorithmRun {
     ReadValues found = call.values.on(document_.mesh());
     if (!found.values) return usage_failure("bad_value", {found.sentence.en + ".", found.sentence.ja + "。"});
     call.values = std::move(*found.values);
-    std::optional<AlgorithmResult> result = document_.run(*call.row, call.values, line, report_on(console_, name));
-    if (!result || Interrupt::was_asked()) return cancelled();
-    call.result = std::move(*result);
+    call.result = document_.run(*call.row, call.values, line, report_on(console_, name)).value();
     if (!console_.json)
       console_.print_now(name + console_.text(": ", "：").data() + console_.text(call.result.text) + "\n");
     return std::nullopt;
-  }
-
-  static Failure cancelled() {
-    return make_failure(ExitCode::cancelled, "cancelled",
-                        {"Cancelled; nothing is written.", "中止しました。何も書き出していません。"});
   }
 
   void write() {

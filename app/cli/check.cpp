@@ -3,12 +3,14 @@
 #include <charconv>
 #include <exception>
 #include <mutex>
+#include <new>
 #include <thread>
 
 #include "app/cli/check_report.h"
 #include "app/cli/inputs.h"
 #include "app/cli/subcommands.h"
 #include "app/editor/script.h"
+#include "core/base/out_of_memory.h"
 #include "core/base/parallel.h"
 #include "core/base/split_list.h"
 
@@ -111,6 +113,10 @@ class Checker {
       } else {
         report = check_file(input.path, {.self_intersections = options_.self_intersections});
       }
+    } catch (const std::bad_alloc&) {
+      report = {};
+      report.file = input.path;
+      report.failure = out_of_memory();
     } catch (const std::exception& error) {
       report = {};
       report.file = input.path;
@@ -153,7 +159,7 @@ ExitCode check_command(const Arguments& arguments, const Console& console) {
   Checker(inputs, *options, console).run([&](std::size_t i, const Checker::Done& done) {
     codes[i] = done.code;
     console.print(done.output);
-    std::fflush(stdout);
+    Console::flush();
     for (const Message& message : done.messages)  // the JSON carries the warnings
       if (!console.json || message.severity == Severity::error) console.show(message, inputs[i].path);
   });

@@ -6,6 +6,7 @@
 #include "app/cli/json.h"
 #include "app/cli/visible.h"
 #include "app/editor/message_place.h"
+#include "core/base/uninterrupted.h"
 
 namespace ryosen::cli {
 
@@ -20,12 +21,18 @@ Language language_of_environment() {
 void Console::print(std::string_view text) const {
   const std::string shown = json ? std::string() : visible(text);  // JSON has escapes of its own
   const std::string_view bytes = json ? text : shown;
+  const Uninterrupted section(Uninterrupted::Section::print);
   std::fwrite(bytes.data(), 1, bytes.size(), leaves_stdout ? stderr : stdout);
 }
 
 void Console::print_now(std::string_view text) const {
   print(text);
-  std::fflush(stdout);
+  flush();
+}
+
+bool Console::flush() {
+  const Uninterrupted section(Uninterrupted::Section::print);
+  return std::fflush(stdout) == 0 && !std::ferror(stdout);
 }
 
 void Console::note(const Text& message) const {
@@ -35,11 +42,15 @@ void Console::note(const Text& message) const {
 void Console::show(const Message& message, std::string_view file) const {
   if (message.severity != Severity::error && quiet) return;
   if (message.severity == Severity::info && !verbose) return;
+  std::fputs(shown_line(message, file).c_str(), stderr);
+}
+
+std::string Console::shown_line(const Message& message, std::string_view file) const {
   std::string line = place_in_file(message, file.empty() ? "ryosen" : file);
   line += message.severity == Severity::error     ? text(": error: ", "：エラー：")
           : message.severity == Severity::warning ? text(": warning: ", "：警告：")
                                                   : text(": note: ", "：備考：");
-  std::fprintf(stderr, "%s\n", visible_line(line + text(place_in_content(message) + message.text)).c_str());
+  return visible_line(line + text(place_in_content(message) + message.text)) + "\n";
 }
 
 ExitCode Console::fail(const Failure& failure, std::optional<std::string_view> file, std::string_view format) const {

@@ -30,11 +30,15 @@ struct Console {
   void print(std::string_view text) const;
   // The same, flushed immediately, also into a pipe.
   void print_now(std::string_view text) const;
+  // Writes what is printed so far; false where any of it could not be written.
+  static bool flush();
   // A line on stderr, unless quiet.
   void note(const Text& text) const;
   // A message about a file, or about the command line if `file` is empty. Errors are shown even if quiet, infos only if
   // verbose.
   void show(const Message& message, std::string_view file = {}) const;
+  // The line that show() writes about it, with its line end.
+  std::string shown_line(const Message& message, std::string_view file) const;
   // Shows the failure and, with JSON, prints its error object. Returns its exit code.
   ExitCode fail(const Failure& failure, std::optional<std::string_view> file = {}, std::string_view format = {}) const;
 };

@@ -6,6 +6,7 @@
 #include "app/cli/contract/record.h"
 #include "app/cli/edit_script.h"
 #include "app/cli/outputs.h"
+#include "app/cli/signals.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/write_output.h"
 #include "app/editor/commands.h"
@@ -37,6 +38,13 @@ struct Totals {
   std::uint64_t vertices, edges, faces, rings;
 };
 
+// The mesh after the last command.
+struct LastState {
+  Totals totals;
+  ElementCounts all;  // as `expect` counts
+  std::string hash;   // for JSON alone
+};
+
 class EditRun {
  public:
   EditRun(std::unique_ptr<Document> document, EditFiles files, const EditScript& script, bool skip_refused, bool strict,
@@ -56,11 +64,18 @@ class EditRun {
     for (const ScriptLine& line : script_.lines) {
       Step step;
       step.line = line;
+      begin_another_step();
       if (!stopped_) take(step);
       report(step);
     }
+    // Before the file is there: after it the run is to end soon.
+    const LastState last{totals(), counts_on_points(session_.mesh()),
+                         console_.json ? hash_text(session_.mesh()) : std::string()};
     if (may_write() && files_.output) write();
-    finish(before);
+    if (console_.json)
+      print_json(last);
+    else
+      print_text(before, last);
     return code_;
   }
 
@@ -160,6 +175,7 @@ class EditRun {
   }
 
   void write() {
+    begin_another_step();
     output_ = write_output(session_.document(), session_.files, *files_.output, session_.strict, console_);
     if (output_.is_there) written_ = *files_.output;
     if (!output_.failure) return;
@@ -172,15 +188,8 @@ class EditRun {
     return {figures.vertices, figures.edges, figures.faces, figures.rings};
   }
 
-  void finish(const Totals& before) {
-    const Totals now = totals();
-    if (console_.json)
-      print_json(now);
-    else
-      print_text(before, now);
-  }
-
-  void print_json(const Totals& now) {
+  void print_json(const LastState& last) {
+    const Totals& now = last.totals;
     Record<edit_shape> json;
     json["file"] = files_.input.empty() ? Json() : Json(files_.input);
     json["output"] = written_ ? Json(*written_) : Json();
@@ -189,7 +198,7 @@ class EditRun {
     json["edges"] = now.edges;
     json["faces"] = now.faces;
     json["rings"] = now.rings;
-    json["hash"] = hash_text(session_.mesh());
+    json["hash"] = last.hash;
     json["applied"] = applied_;
     json["refused"] = refused_;
     std::vector<Message> messages = output_.losses;
@@ -198,7 +207,8 @@ class EditRun {
     console_.print(line_of(json));
   }
 
-  void print_text(const Totals& before, const Totals& now) {
+  void print_text(const Totals& before, const LastState& last) {
+    const Totals& now = last.totals;
     const auto count = [](std::string_view label, std::uint64_t then, std::uint64_t n) {
       const auto change = static_cast<std::int64_t>(n) - static_cast<std::int64_t>(then);
       return std::string(label) + " " + std::to_string(n) + " (" + (change > 0 ? "+" : "") + std::to_string(change) +
@@ -209,7 +219,7 @@ class EditRun {
                                "  " + count("F", before.faces, now.faces);
     console_.print(console_.text(Text{a + " done, " + r + " refused: ", a + " 件実行、" + r + " 件不可："}) + counts +
                    "\n");
-    const ElementCounts all = counts_on_points(session_.mesh());
+    const ElementCounts& all = last.all;
     if (all.edges != now.edges || all.faces != now.faces)
       console_.print(console_.text(Text{"with wires and bridges, without faces set aside, as expect counts: ",
                                         "面のない稜線と橋を含み、隔離された面を含まない（expect の数え方）："}) +

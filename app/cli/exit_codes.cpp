@@ -17,6 +17,7 @@ constexpr ExitCodeText exit_code_rows[] = {
     {ExitCode::no_backend, "no display or no render backend", "画面または描画バックエンドがない"},
     {ExitCode::cancelled, "cancelled", "中止された"},
     {ExitCode::some_inputs_failed, "some of several inputs failed", "複数の入力の一部が失敗"},
+    {ExitCode::out_of_memory, "not enough memory", "メモリが足りない"},
     {ExitCode::internal_error, "internal error", "内部エラー"},
 };
 

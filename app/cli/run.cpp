@@ -1,16 +1,25 @@
 #include "app/cli/run.h"
 
-#include <cstdio>
 #include <exception>
+#include <new>
 
 #include "app/cli/command_line.h"
+#include "app/cli/last_words.h"
+#include "app/cli/signals.h"
 #include "app/cli/subcommands.h"
 
 namespace ryosen::cli {
 
 namespace {
 
+// What the command is about, where that is one file.
+std::optional<std::string_view> file_of(const CommandLine& line) {
+  const bool is_one = line.command && line.command->operands == "FILE" && line.arguments.operands().size() == 1;
+  return is_one ? std::optional<std::string_view>(line.arguments.operands()[0]) : std::nullopt;
+}
+
 ExitCode run_command(const CommandLine& line) {
+  prepare_last_words(line.console, file_of(line));
   if (line.wants_help) return show_help(line.command, line.console);
   if (line.failure) {
     const ExitCode code = line.console.fail(*line.failure);
@@ -20,12 +29,14 @@ ExitCode run_command(const CommandLine& line) {
     return code;
   }
   // Without a command: the editor.
-  return (line.command ? line.command : find_subcommand("view"))->run(line.arguments, line.console);
+  const std::optional<Subcommand> command = line.command ? line.command : find_subcommand("view");
+  if (command->is_window) end_window_by_signals();
+  return command->run(line.arguments, line.console);
 }
 
 // Output may still be buffered; a full disk is detected only here.
 ExitCode finish_output(const Console& console, ExitCode code) {
-  if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
+  if (Console::flush()) return code;
   const Failure failure = make_failure(ExitCode::output_not_writable, "output_not_writable",
                                        {"The output cannot be written.", "出力を書き込めません。"});
   console.show(failure.message);
@@ -39,6 +50,9 @@ ExitCode run(const std::vector<std::string>& arguments) noexcept {
   try {
     line = read_command_line(arguments);
     return finish_output(line.console, run_command(line));
+  } catch (const std::bad_alloc&) {
+    Console::flush();
+    return say_last_words(LastWords::out_of_memory, true);
   } catch (const std::exception& error) {
     const std::string what = error.what();
     return line.console.fail(

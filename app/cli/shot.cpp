@@ -2,6 +2,7 @@
 #include "app/cli/contract/shot.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/shot_options.h"
+#include "app/cli/signals.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/visible.h"
 #include "core/base/parallel.h"
@@ -28,6 +29,7 @@ class Shot {
     steps();
     // Malformed lines and names produce no picture; refusals and failed expectations do.
     if (code_ != ExitCode::done && code_ != ExitCode::refused && code_ != ExitCode::found_problems) return finish();
+    begin_another_step();
     if (options_.hover) session_.point_at(*options_.hover);
     const Image picture = headless_.picture(session_);
     if (options_.output) {
@@ -53,6 +55,7 @@ class Shot {
   }
 
   void take(const std::string& line, int number = 0) {
+    begin_another_step();
     if (code_ == ExitCode::done) note(session_.run(line), number);
   }
 
@@ -87,6 +90,7 @@ class Shot {
   }
 
   void compare_with_reference(const Image& picture) {
+    begin_another_step();
     const Result<Image> reference = read_png(*options_.reference);
     if (!reference) return fail(reference.failure());
     const Result<ImageDifference> difference = compare(*reference, picture);

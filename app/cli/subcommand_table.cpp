@@ -77,7 +77,9 @@ std::vector<Subcommand> table() {
                  {},
                  recovery_topic,
                  view_command,
-                 view_contract},
+                 view_contract,
+                 false,
+                 true},
       Subcommand{"check",
                  "FILE|FOLDER...",
                  "figures and problems of meshes",
@@ -223,7 +225,8 @@ Subcommand subcommand_of(const AlgorithmRow& row) {
   const auto run = [&row](const Arguments& arguments, const Console& console) {
     return algorithm_command(row, arguments, console);
   };
-  return {row.id, "FILE", row.help_en, row.help_ja, std::move(flags), more, run, algorithm_contract, false, true};
+  return {row.id, "FILE", row.help_en, row.help_ja, std::move(flags), more, run, algorithm_contract,
+          false,  false,  true};
 }
 
 }  // namespace

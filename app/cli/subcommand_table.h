@@ -54,6 +54,7 @@ struct Subcommand {
   std::function<ExitCode(const Arguments& arguments, const Console& console)> run;
   Contract contract = {};  // what it prints as JSON and ends with
   bool operand_is_command = false;
+  bool is_window = false;     // runs until it is closed
   bool is_algorithm = false;  // made of its row in the table of algorithms
 
   std::size_t least_operands() const;

@@ -55,6 +55,7 @@ inline constexpr CodeRow table[] = {
     {"internal_error", error, "The program itself is wrong.", "プログラム自体の誤りです。"},
     {"no_display", error, "There is no display.", "ディスプレイがありません。"},
     {"no_render_backend", error, "Nothing was found that draws.", "描画する手段が見つかりません。"},
+    {"out_of_memory", error, "There is not enough memory.", "メモリが足りません。"},
     {"pictures_differ", error, "The picture differs from the one to compare with.", "比較する画像と異なります。"},
     {"png_malformed", error, "A picture cannot be read as PNG.", "画像を PNG として読めません。"},
     {"refused", error_or_warning,

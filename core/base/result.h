@@ -20,6 +20,7 @@ enum class ExitCode {
   no_backend = 7,
   cancelled = 8,
   some_inputs_failed = 9,
+  out_of_memory = 10,
   internal_error = 70,
 };
 

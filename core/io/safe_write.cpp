@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <string>
-#include <utility>
 
+#include "core/io/beside.h"
+#include "core/io/descriptor.h"
 #include "core/io/file_target.h"
 #include "core/io/system_reason.h"
 
@@ -33,31 +33,6 @@ Failure not_durable(const std::filesystem::path& path, int error) {
       {path.string() + " is written, but it is not certain that it survives a power cut: " + reason.en + ".",
        path.string() + " は書き出しましたが、停電が起きても残るかどうかは確かではありません：" + reason.ja + "。"});
 }
-
-// Retries on EINTR.
-template <class Call>
-auto retried(const Call& call) {
-  auto result = call();
-  while (result < 0 && errno == EINTR) result = call();
-  return result;
-}
-
-// RAII for a file descriptor.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() { close(); }
-
-  int number() const { return number_; }
-  bool is_open() const { return number_ >= 0; }
-  // False if the system reports a late error. EINTR counts as closed.
-  bool close() { return number_ < 0 || ::close(std::exchange(number_, -1)) == 0 || errno == EINTR; }
-
- private:
-  int number_;
-};
 
 // For a descriptor that whoever handed it over has set to wait for nobody.
 bool wait_until_writable(int descriptor) {
@@ -109,47 +84,9 @@ Status write_through(const std::filesystem::path& path, const FileTarget& target
       !out.close()) {
     return not_writable(path, errno);
   }
+  note_what_is_written();
   return success();
 }
-
-// The temporary file beside the target; removed unless renamed.
-class Beside {
- public:
-  explicit Beside(const std::filesystem::path& target)
-      : name_(target.parent_path()), descriptor_(open_beside(target)) {}
-  Beside(const Beside&) = delete;
-  Beside& operator=(const Beside&) = delete;
-  ~Beside() {
-    if (exists_) ::unlink(name_.c_str());
-  }
-
-  bool exists() const { return exists_; }
-  int descriptor() const { return descriptor_.number(); }
-  bool rename_to(const std::filesystem::path& target) {
-    if (!descriptor_.close() || retried([&] { return std::rename(name_.c_str(), target.c_str()); }) != 0) return false;
-    exists_ = false;
-    return true;
-  }
-
- private:
-  // Creates the first free name, with default permissions.
-  int open_beside(const std::filesystem::path& target) {
-    constexpr int most_tries = 1000;
-    const std::string stem = "." + target.filename().string().substr(0, 200) + "." + std::to_string(::getpid()) + ".";
-    int descriptor = -1;
-    for (int i = 0; i < most_tries && descriptor < 0; ++i) {
-      name_ = target.parent_path() / (stem + std::to_string(i));
-      descriptor = retried([&] { return ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666); });
-      if (descriptor < 0 && errno != EEXIST) break;
-    }
-    exists_ = descriptor >= 0;
-    return descriptor;
-  }
-
-  std::filesystem::path name_;
-  bool exists_ = false;
-  Descriptor descriptor_;
-};
 
 // Gives the new file the permissions and, if possible, the owner of the old one.
 bool take_over_rights(int descriptor, const struct stat& old) {
@@ -180,6 +117,7 @@ Status safe_write(const std::filesystem::path& path, std::string_view bytes) {
   // Opened first, so that after the rename only the sync can fail. The folder may be write-only.
   const Descriptor folder(retried([&] { return ::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); }));
   if (!folder.is_open() && errno != EACCES) return failed();
+  clear_leftovers(target);
   Beside beside(parent / target.filename());
   if (!beside.exists() || (replaces && !take_over_rights(beside.descriptor(), found.status)) ||
       !write_all(beside.descriptor(), bytes) || !synchronise(beside.descriptor()) || !beside.rename_to(target)) {

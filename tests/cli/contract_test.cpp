@@ -222,27 +222,21 @@ void sweep_contents(Sweep& sweep) {
 const std::map<std::string, std::string> out_of_reach{
     {"backend.en", "every way to draw is there where the tests run"},
     {"backend.ja", "the same"},
-    {"codes.cancelled", "it takes an interrupt; repair_test sends one"},
+    {"codes.cancelled", "it takes a signal; signals_test sends some"},
     {"codes.folder_unreadable", "a test may run as a user who may read everything"},
     {"codes.gzip_too_large", "it takes a file of gigabytes"},
     {"codes.internal_error", "the program itself would have to be wrong"},
     {"codes.no_render_backend", "every way to draw is there where the tests run"},
+    {"codes.out_of_memory", "it takes a limit of memory; little_memory_test sets some"},
     {"codes.output_not_durable", "the disk would have to fail late; failing_saves_test lets it"},
     {"codes.shader_refused", "the graphics driver would have to be broken"},
     {"codes.too_many_elements", "it takes a file of gigabytes"},
     {"codes.welded", "a note on a whole file, which JSON leaves out"},
     {"doctor 1", "every way to draw is there where the tests run"},
-    {"repair 8", "it takes an interrupt; repair_test sends one"},
     {"shot 7", "every way to draw is there where the tests run"},
     {"view 3", "it takes a display"},
     {"view 4", "it takes a display"},
 };
-
-// Algorithms are cancelled as repairs are.
-bool is_cancelled_algorithm(const std::string& exit) {
-  return std::any_of(ryosen::algorithm_table().begin(), ryosen::algorithm_table().end(),
-                     [&](const ryosen::AlgorithmRow& row) { return exit == std::string(row.id) + " 8"; });
-}
 
 void expect_all(const std::set<std::string>& all, const std::set<std::string>& seen) {
   for (const std::string& name : all) EXPECT_NE(seen.contains(name), out_of_reach.contains(name)) << name;
@@ -261,9 +255,7 @@ TEST(contract, all_that_it_lists_is_printed) {
   sweep_contents(sweep);
   const SeenOfContract all = all_of_contract();
   expect_all(all.keys, sweep.seen.keys);
-  std::set<std::string> exits = all.exits;
-  std::erase_if(exits, is_cancelled_algorithm);
-  expect_all(exits, sweep.seen.exits);
+  expect_all(all.exits, sweep.seen.exits);
   std::set<std::string> codes = all.ids;
   std::erase_if(codes, [](const std::string& id) { return !id.starts_with("codes."); });
   expect_all(codes, sweep.seen.ids);

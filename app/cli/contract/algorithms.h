@@ -58,7 +58,7 @@ inline constexpr Shape algorithm_shape{"algorithm", "One line.", "一行。", al
 
 inline constexpr Contract repair_contract{
     .lines = {&repair_shape},
-    .exits = {ExitCode::found_problems, ExitCode::input_missing, ExitCode::input_malformed, ExitCode::cancelled}};
+    .exits = {ExitCode::found_problems, ExitCode::input_missing, ExitCode::input_malformed}};
 inline constexpr Contract algorithm_contract{.lines = {&algorithm_shape}, .exits = repair_contract.exits};
 
 }  // namespace ryosen::cli

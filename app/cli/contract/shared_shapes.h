@@ -71,6 +71,7 @@ inline constexpr Shape sentence_shape{"sentence", "A sentence or name.", "文ま
 // What every command may print and end with.
 inline constexpr Contract shared_contract{
     .lines = {&failure_shape},
-    .exits = {ExitCode::done, ExitCode::usage, ExitCode::output_not_writable, ExitCode::internal_error}};
+    .exits = {ExitCode::done, ExitCode::usage, ExitCode::output_not_writable, ExitCode::cancelled,
+              ExitCode::out_of_memory, ExitCode::internal_error}};
 
 }  // namespace ryosen::cli

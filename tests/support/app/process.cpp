@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <thread>
 
 namespace ryosen::test {
@@ -16,7 +17,7 @@ Process::Process(std::vector<std::string> arguments, const std::vector<std::stri
   if (id_ != 0) return;
   for (const std::string& variable : environment) putenv(strdup(variable.c_str()));
   if (!freopen(output.c_str(), "w", stdout) || !freopen(errors.c_str(), "w", stderr)) _exit(126);
-  signal(SIGINT, SIG_DFL);
+  for (const int each : {SIGINT, SIGTERM, SIGHUP}) signal(each, SIG_DFL);
   std::vector<char*> words;
   for (std::string& word : arguments) words.push_back(word.data());
   words.push_back(nullptr);
@@ -33,6 +34,13 @@ bool Process::is_over() { return is_over_ || (is_over_ = waitpid(id_, &status_, 
 void Process::end_by(int signal) {
   if (!is_over()) kill(id_, signal);
   wait();
+}
+
+bool Process::handles(int signal) const {
+  std::ifstream status("/proc/" + std::to_string(id_) + "/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("SigCgt:")) return (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1) != 0;
+  return false;
 }
 
 int Process::wait() {

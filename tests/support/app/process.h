@@ -14,8 +14,8 @@ namespace ryosen::test {
 // Runs from construction on; ended (SIGTERM) at the end of its life where it still runs.
 class Process {
  public:
-  // `environment` holds NAME=VALUE beside what the test has; stdout and stderr go to the files. An interrupt (SIGINT)
-  // reaches it even where the test was started to ignore it.
+  // `environment` holds NAME=VALUE beside what the test has; stdout and stderr go to the files. An interrupt, a
+  // request to terminate and a hang-up reach it even where the test was started to ignore them.
   explicit Process(std::vector<std::string> arguments, const std::vector<std::string>& environment = {},
                    const std::string& output = "/dev/null", const std::string& errors = "/dev/null");
   ~Process();
@@ -23,6 +23,8 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   bool is_over();
+  // Whether it has a handler of this signal by now.
+  bool handles(int signal) const;
   // Sends a signal and waits for the end.
   void end_by(int signal);
   // Waits for the end. The exit code; -1 where a signal ended it.

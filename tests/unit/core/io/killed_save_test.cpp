@@ -86,7 +86,7 @@ TEST(killed_save, leaves_the_whole_old_or_the_whole_new_file) {
   const unsigned seed = std::random_device()();
   std::mt19937 random(seed);
   constexpr int kills = 200;
-  int old_stayed = 0, new_came = 0, were_killed = 0;
+  int old_stayed = 0, new_came = 0, were_killed = 0, left_beside = 0;
   std::size_t now = 0;
   for (int i = 0; i < kills; ++i) {
     ASSERT_TRUE(write_mesh_file(path, meshes[now]).ok());
@@ -97,16 +97,18 @@ TEST(killed_save, leaves_the_whole_old_or_the_whole_new_file) {
     wait_for(1.4 * share * typical);
     ::kill(saving.id, SIGKILL);
     were_killed += WIFSIGNALED(saving.wait());
+    left_beside += folder.entry_count() > 1;
     const std::string found = io_test::whole_file(path);
     old_stayed += found == contents[now];
     new_came += found == contents[next];
     ASSERT_EQ(old_stayed + new_came, i + 1) << "neither the old nor the new file; seed " << seed << ", round " << i;
     now = next;
   }
-  const int left_beside = static_cast<int>(folder.entry_count()) - 1;
   std::printf("%d kills (%d before the end, %d while writing) within %.2f ms, seed %u: %d times old, %d times new\n",
               kills, were_killed, left_beside, 1400 * typical.count(), seed, old_stayed, new_came);
   EXPECT_GT(were_killed, 0);
+  ASSERT_TRUE(write_mesh_file(path, meshes[now]).ok());
+  EXPECT_EQ(folder.entry_count(), 1u) << "the next save clears what the kills left";
 }
 
 }  // namespace

@@ -1,0 +1,86 @@
+#include "app/cli/signals.h"
+
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+
+#include "app/cli/last_words.h"
+#include "core/base/uninterrupted.h"
+#include "core/io/unfinished_files.h"
+
+namespace ryosen::cli {
+namespace {
+
+constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGHUP};
+constexpr suseconds_t patience_us = 120'000;
+
+std::atomic<bool> is_window = false;
+std::atomic<bool> was_signalled = false;
+std::atomic<bool> is_overdue = false;          // the patience has run out
+std::atomic<bool> has_written_before = false;  // in an earlier step
+std::atomic<int> last_code = -1;               // what the program is just ending with; -1 while it is not
+
+LastWords words_for_now() {
+  if (is_window) return LastWords::window_ended;
+  if (is_something_written()) return LastWords::report_cut;
+  return has_written_before ? LastWords::cancelled_after_writing : LastWords::cancelled;
+}
+
+// Nothing else writes files or prints meanwhile, but for what a slow reader holds up.
+void end_by_signal(bool is_printing) {
+  if (is_something_written() && !is_window && !is_overdue) return;  // its report follows
+  const LastWords words = words_for_now();
+  last_code = static_cast<int>(words == LastWords::report_cut ? ExitCode::done : ExitCode::cancelled);
+  std::signal(SIGPIPE, SIG_IGN);
+  remove_unfinished_files();
+  if (!is_printing) std::fflush(stdout);
+  ::_exit(static_cast<int>(say_last_words(words, !is_printing)));
+}
+
+void answer(int signal) {
+  const int error = errno;
+  if (signal == SIGALRM && last_code >= 0) ::_exit(last_code);  // nobody takes the last words
+  if (signal == SIGALRM) is_overdue = true;
+  if (!was_signalled.exchange(true)) {
+    constexpr itimerval patience{{0, 0}, {0, patience_us}};
+    ::setitimer(ITIMER_REAL, &patience, nullptr);
+  }
+  end_where_allowed(signal == SIGALRM ? Patience::for_files : Patience::for_all_sections);
+  errno = error;
+}
+
+}  // namespace
+
+void answer_signals() {
+  set_end(end_by_signal);
+  struct sigaction handling {};
+  handling.sa_handler = answer;
+  handling.sa_flags = SA_RESTART;
+  sigemptyset(&handling.sa_mask);
+  for (const int signal : ending_signals) sigaddset(&handling.sa_mask, signal);
+  for (const int signal : ending_signals) {
+    struct sigaction before {};
+    if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;
+    ::sigaction(signal, &handling, nullptr);
+  }
+  ::sigaction(SIGALRM, &handling, nullptr);
+  sigset_t alarm;
+  sigemptyset(&alarm);
+  sigaddset(&alarm, SIGALRM);
+  ::sigprocmask(SIG_UNBLOCK, &alarm, nullptr);
+}
+
+void begin_another_step() {
+  if (!is_something_written()) return;
+  has_written_before = true;
+  forget_what_is_written();
+  if (was_signalled) end_where_allowed(Patience::for_all_sections);
+}
+
+void end_window_by_signals() { is_window = true; }
+
+}  // namespace ryosen::cli

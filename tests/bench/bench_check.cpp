@@ -1,8 +1,6 @@
 // `ryosen check` as a whole, from the start of the process to its end: one large mesh, its self-intersections, a folder
 // of many small files, and the memory for ten million triangles. RYOSEN_DRAGON=FILE.ply.gz adds the dragon. Beside it
 // what CGAL takes to read the same files, or to search the same mesh, on one thread.
-#include <fcntl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -20,49 +18,19 @@
 #include "tests/bench/generated_meshes.h"
 #include "tests/bench/peer_cgal.h"
 #include "tests/bench/peer_cgal_intersections.h"
+#include "tests/bench/process.h"
 
 namespace ryosen::bench {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct ProcessCost {
-  Cost cost;
-  double peak_bytes = 0;
-};
-
-// Runs in a process of its own, whose memory is not that of this one.
-ProcessCost run_process(const std::function<void()>& work) {
-  ProcessCost out;
-  const auto start = std::chrono::steady_clock::now();
-  const pid_t child = fork();
-  if (child == 0) {
-    work();
-    _exit(127);
-  }
-  int status = 0;
-  rusage usage{};
-  if (child < 0 || wait4(child, &status, 0, &usage) != child || !WIFEXITED(status) || WEXITSTATUS(status) == 127) {
-    std::fprintf(stderr, "a process could not be run\n");
-    std::exit(70);
-  }
-  out.cost.wall = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  out.cost.cpu = milliseconds_of(usage);
-  out.peak_bytes = 1024.0 * static_cast<double>(usage.ru_maxrss);
-  return out;
-}
-
 ProcessCost run_check(std::vector<std::string> arguments) {
-  return run_process([&] {
-    arguments.insert(arguments.begin(), {RYOSEN_PROGRAM, "check", "--json"});
-    std::vector<char*> words;
-    for (std::string& argument : arguments) words.push_back(argument.data());
-    words.push_back(nullptr);
-    const int nowhere = open("/dev/null", O_WRONLY);
-    dup2(nowhere, STDOUT_FILENO);
-    dup2(nowhere, STDERR_FILENO);
-    execv(RYOSEN_PROGRAM, words.data());
-  });
+  arguments.insert(arguments.begin(), {"check", "--json"});
+  ProcessCost cost = run_program(std::move(arguments));
+  if (WIFEXITED(cost.status)) return cost;
+  std::fprintf(stderr, "a check ended by a signal\n");
+  std::exit(70);
 }
 
 void write(const IndexedMesh& mesh, const fs::path& path, std::string_view id) {

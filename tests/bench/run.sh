@@ -8,10 +8,11 @@ root=$(cd "$(dirname "$0")/../.." && pwd)
 ensure_packages $build_packages $test_packages libbenchmark-dev
 [ $# = 0 ] || export RYOSEN_DRAGON=$1
 cmake -S "$root" -B "$root/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DRYOSEN_BENCH=ON >&2
-cmake --build "$root/build/release" --target bench_core bench_forms bench_editor bench_peers bench_files bench_check ryosen >&2
+cmake --build "$root/build/release" --target bench_core bench_forms bench_editor bench_peers bench_files bench_check bench_growth ryosen >&2
 "$root/build/release/bin/bench_peers"
 "$root/build/release/bin/bench_files"
 "$root/build/release/bin/bench_check"
+"$root/build/release/bin/bench_growth"
 "$root/build/release/bin/bench_core"
 "$root/build/release/bin/bench_forms" --benchmark_min_time=0.05
 "$root/build/release/bin/bench_editor"

@@ -106,8 +106,7 @@ class AlgorithmRun {
 
   ExitCode run(std::vector<Call> calls) {
     calls_ = std::move(calls);
-    for (Call& call : calls_)
-      if (const auto failure = run(call)) return console_.fail(*failure, input_);
+    if (const auto failure = by_repair_ ? run_recipe() : run(calls_.front())) return console_.fail(*failure, input_);
     // What is left is named as in the file that is written.
     after_ = check_mesh(document_.contents(), wanted_.value_or(input_), {.figures = console_.json, .kind = false});
     const bool has_problem = std::any_of(after_.problems.begin(), after_.problems.end(), [](const NamedProblem& p) {
@@ -129,14 +128,61 @@ class AlgorithmRun {
     return std::string(call.row->id) + (values.empty() ? "" : (by_repair_ ? "=" : " ") + values);
   }
 
-  std::optional<Failure> run(Call& call) {
-    const std::string name = name_of(call), line = line_of(*call.row, call.values);
+  // Gives the call the values on this mesh.
+  std::optional<Failure> look_up_values(Call& call) {
     ReadValues found = call.values.on(document_.mesh());
     if (!found.values) return usage_failure("bad_value", {found.sentence.en + ".", found.sentence.ja + "。"});
     call.values = std::move(*found.values);
-    call.result = document_.run(*call.row, call.values, line, report_on(console_, name)).value();
+    return std::nullopt;
+  }
+
+  void print_step(const std::string& name, const AlgorithmResult& result) const {
     if (!console_.json)
-      console_.print_now(name + console_.text(": ", "：").data() + console_.text(call.result.text) + "\n");
+      console_.print_now(name + console_.text(": ", "：").data() + console_.text(result.text) + "\n");
+  }
+
+  std::optional<Failure> run_recipe() {
+    std::vector<std::string> names;
+    std::vector<RecipeStep> steps;
+    std::string kinds;
+    for (Call& call : calls_) {
+      kinds += (names.empty() ? "" : ",") + names.emplace_back(name_of(call));
+      if (auto failure = look_up_values(call)) return failure;
+      steps.push_back({call.row, call.values});
+    }
+    const auto name_in = [&](const RecipeStep& step, std::size_t round) {
+      const std::string name = names[static_cast<std::size_t>(&step - steps.data())];
+      if (round == 1) return name;
+      return std::string(console_.text("round ", "")) + std::to_string(round) +
+             console_.text(", ", " 巡目、").data() + name;
+    };
+    RecipeEvents events;
+    events.progress = [&](const RecipeStep& step, std::size_t round, double share) {
+      return report_on(console_, name_in(step, round))(share);
+    };
+    events.step_done = [&](const RecipeStep& step, std::size_t round, const AlgorithmResult& result) {
+      if (round == 1 || result.changed > 0) print_step(name_in(step, round), result);
+    };
+    events.round_undone = [&](std::size_t round) { print_undone(round); };
+    RecipeResult result = document_.run(steps, "repair " + kinds, events).value();
+    rounds_ = result.rounds;
+    findings_ = std::move(result.findings);
+    for (std::size_t i = 0; i < calls_.size(); ++i) calls_[i].result = std::move(result.steps[i]);
+    return std::nullopt;
+  }
+
+  void print_undone(std::size_t round) const {
+    const std::string n = std::to_string(round);
+    if (!console_.json)
+      console_.print_now(std::string(console_.text("round " + n + ": undone, since it takes no finding away\n",
+                                                   n + " 巡目：問題が減らないため、元に戻しました\n")));
+  }
+
+  std::optional<Failure> run(Call& call) {
+    const std::string name = name_of(call), line = line_of(*call.row, call.values);
+    if (auto failure = look_up_values(call)) return failure;
+    call.result = document_.run(*call.row, call.values, line, report_on(console_, name)).value();
+    print_step(name, call.result);
     return std::nullopt;
   }
 
@@ -145,7 +191,20 @@ class AlgorithmRun {
     if (output_.failure) code_ = output_.failure->exit_code;
   }
 
+  // "rounds: 2", then "boundary_loop: 1 -> 3 (+2)" for each kind of which the number is another now.
+  void print_findings() const {
+    console_.print(std::string(console_.text("rounds: ", "巡回数：")) + std::to_string(rounds_) + "\n");
+    for (const KindCount& kind : findings_) {
+      if (kind.before == kind.after) continue;
+      std::string line = "  " + std::string(row_of(kind.kind).id) + ": " + std::to_string(kind.before) + " -> " +
+                         std::to_string(kind.after);
+      if (kind.after > kind.before) line += " (+" + std::to_string(kind.after - kind.before) + ")";
+      console_.print(line + "\n");
+    }
+  }
+
   void print_text() const {
+    if (by_repair_) print_findings();
     console_.print(after_.problems.empty() ? console_.text("left: nothing\n", "残り：なし\n")
                                            : console_.text("left:\n", "残り：\n"));
     for (const NamedProblem& problem : after_.problems) console_.print(to_text(problem, console_));
@@ -175,6 +234,15 @@ class AlgorithmRun {
       repair["number"] = first ? Json(first->number) : Json();
       add_result(repair, call);
       json["repairs"].push_back(std::move(repair).json());
+    }
+    json["rounds"] = rounds_;
+    json["findings"] = Json::array();
+    for (const KindCount& kind : findings_) {
+      Record<kind_count_shape> count;
+      count["kind"] = row_of(kind.kind).id;
+      count["before"] = kind.before;
+      count["after"] = kind.after;
+      json["findings"].push_back(std::move(count).json());
     }
   }
 
@@ -209,6 +277,8 @@ class AlgorithmRun {
   const Console& console_;
   bool by_repair_;
   std::vector<Call> calls_;
+  std::size_t rounds_ = 0;
+  std::vector<KindCount> findings_;
   CheckReport after_;
   WrittenOutput output_;
   ExitCode code_ = ExitCode::done;

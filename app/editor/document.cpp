@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 #include "app/editor/quarantine_text.h"
+#include "core/algo/repair/guard.h"
 #include "core/indexed/from_indexed.h"
 #include "core/io/edited_file.h"
+#include "core/io/elements.h"
 #include "core/io/file_target.h"
 #include "core/mesh/copies.h"
 
@@ -139,13 +142,38 @@ std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const Para
     Progress progress(std::move(report));
     Edit edit(mesh_, &journal_);
     const std::vector<Vertex> used = used_beside_the_mesh(file_, tables_, mesh_.file_vertices());
-    result = row.run(edit, {values, used, tables_.quarantine.size()}, progress);
+    const std::vector<Vertex> on_lines = vertices_on_lines(file_, mesh_.file_vertices());
+    FindingCounts counts{};
+    if (row.is_repair()) counts = count_findings(mesh_, on_lines);
+    result = run_guarded(edit, row, {values, used, tables_.quarantine.size(), on_lines}, progress, counts);
     if (progress.is_cancelled()) return std::nullopt;
     if (result.changed == 0) return result;
     edit.commit();
   }
   committed(std::move(command),
             result.drops_quarantined ? std::optional(std::vector<QuarantinedFace>()) : std::nullopt);
+  return result;
+}
+
+std::optional<RecipeResult> Document::run(std::span<const RecipeStep> recipe, std::string command,
+                                          const RecipeEvents& events) {
+  const std::size_t vertices = mesh_.file_vertices();
+  const std::vector<Vertex> used = used_beside_the_mesh(file_, tables_, vertices);
+  const std::vector<Vertex> on_lines = vertices_on_lines(file_, vertices);
+  std::vector<QuarantinedFace> quarantine = std::exchange(tables_.quarantine, {});
+  const std::vector<Vertex> used_later = used_beside_the_mesh(file_, tables_, vertices);
+  tables_.quarantine = std::move(quarantine);
+  std::optional<RecipeResult> result =
+      run_recipe(mesh_, recipe, {tables_.quarantine, used, used_later, on_lines}, events);
+  if (!result || !result->is_changed) return result;
+  {
+    Edit edit(mesh_, &journal_);
+    edit.replace(result->mesh.columns());
+    edit.commit();
+  }
+  result->mesh = Mesh();
+  committed(std::move(command),
+            result->drops_quarantined ? std::optional(std::vector<QuarantinedFace>()) : std::nullopt);
   return result;
 }
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/algo/algorithms.h"
+#include "core/algo/repair/recipe.h"
 #include "core/indexed/to_indexed.h"
 #include "core/io/formats.h"
 #include "core/mesh/touched.h"
@@ -67,6 +67,10 @@ class Document {
   // None where `progress` cancels it: nothing has changed then. The values are those on this mesh.
   std::optional<AlgorithmResult> run(const AlgorithmRow& row, const ParameterValues& values, std::string command,
                                      Progress::Report progress = {});
+  // The same for a recipe, whatever its rounds: one entry of the history or none. The result comes without
+  // its mesh, which is that of the document.
+  std::optional<RecipeResult> run(std::span<const RecipeStep> recipe, std::string command,
+                                  const RecipeEvents& events = {});
   // The verdict and the ghost of the result. The document is unchanged.
   Preview preview(const AnyOp& op) { return ryosen::preview(mesh_, journal_, op); }
   // Script lines after which the refused operator of `line` is legal; empty if none were found.

@@ -26,6 +26,7 @@ struct AlgorithmInput {
   // Vertices that something beside the mesh refers to (quarantined faces, lines and points of the file), ascending.
   std::span<const Vertex> used_elsewhere = {};
   std::size_t quarantined = 0;  // faces of the file that reading could not connect
+  std::span<const Vertex> on_lines = {};  // vertices that lines of the file use: they are not isolated, ascending
 };
 
 struct AlgorithmResult {

@@ -131,16 +131,9 @@ class Choice {
   std::vector<Face> component_;       // the lowest face first
 };
 
-std::vector<bool> choose_turned(const Mesh& m) { return Choice(m).choose(); }
-
-std::vector<Face> faces_to_turn(const std::vector<bool>& turned) {
-  std::vector<Face> faces;
-  for (std::uint32_t f = 0; f < turned.size(); ++f)
-    if (turned[f]) faces.push_back(Face(f));
-  return faces;
-}
-
 }  // namespace
+
+std::vector<bool> turned_by_orient(const Mesh& mesh) { return Choice(mesh).choose(); }
 
 Parsed<Orient> Orient::parse(const Mesh&, std::span<const std::string_view> arguments) {
   if (!arguments.empty()) return malformed_argument<Orient>(arguments[0]);
@@ -151,12 +144,13 @@ Parsed<Orient> Orient::parse(const Mesh&, std::span<const std::string_view> argu
 
 Verdict Orient::check(const Mesh& mesh) const {
   Verdict verdict;
-  if (faces_to_turn(choose_turned(mesh)).empty()) verdict.refuse(Rule::oriented, {});
+  const std::vector<bool> turned = turned_by_orient(mesh);
+  if (std::find(turned.begin(), turned.end(), true) == turned.end()) verdict.refuse(Rule::oriented, {});
   return verdict;
 }
 
 OpEffect Orient::apply(Edit& edit) const {
-  TurnedMesh turned = turn_faces(edit.mesh(), choose_turned(edit.mesh()));
+  TurnedMesh turned = turn_faces(edit.mesh(), turned_by_orient(edit.mesh()));
   assert(!turned.effect.changed.empty());
   edit.replace(std::move(turned.columns));
   return turned.effect;

@@ -17,6 +17,8 @@
 // inverse: undo only.
 #pragma once
 
+#include <vector>
+
 #include "core/ops/op.h"
 
 namespace ryosen {
@@ -39,5 +41,8 @@ struct Orient {
   std::vector<Reason> warnings(const Mesh&) const { return {}; }
   OpEffect apply(Edit& edit) const;
 };
+
+// By face slot whether the operator turns it.
+std::vector<bool> turned_by_orient(const Mesh& mesh);
 
 }  // namespace ryosen

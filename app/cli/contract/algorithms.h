@@ -43,11 +43,23 @@ inline constexpr JsonKey outcome_keys[] = {
      "読み込み時のメッセージと出力で失われるもの、または書き出せなかった理由。", objects(message_shape)},
 };
 
-inline constexpr JsonKey repairs_key[] = {
-    {"repairs", "array of object", "The repairs in the order in which they were done.", "行った修復（順に）。",
-     objects(repair_step_shape)},
+inline constexpr JsonKey kind_count_keys[] = {
+    {"kind", "string", "The kind of finding.", "問題の種類。", ids_of(Ids::problems)},
+    {"before", "integer", "How many there were.", "修復前の数。"},
+    {"after", "integer", "How many there are now.", "修復後の数。"},
 };
-inline constexpr auto repair_keys = joined(run_keys, repairs_key, outcome_keys);
+inline constexpr Shape kind_count_shape{"kind_count", "The findings of one kind.", "一種類の問題の数。",
+                                        kind_count_keys};
+
+inline constexpr JsonKey repairs_keys[] = {
+    {"repairs", "array of object", "The repairs in the order in which they were done, each over all rounds.",
+     "行った修復（順に、全巡の合計）。", objects(repair_step_shape)},
+    {"rounds", "integer", "How often the repairs were done and changed something; a round that was undone does not count.",
+     "修復を繰り返して変更があった回数。元に戻した回は数えない。"},
+    {"findings", "array of object", "Every kind that is looked for unasked, with its number before and after.",
+     "既定で調べるすべての種類について、修復前後の数。", objects(kind_count_shape)},
+};
+inline constexpr auto repair_keys = joined(run_keys, repairs_keys, outcome_keys);
 inline constexpr Shape repair_shape{"repair", "One line.", "一行。", repair_keys};
 
 inline constexpr JsonKey algorithm_id_keys[] = {

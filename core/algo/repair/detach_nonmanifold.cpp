@@ -23,82 +23,128 @@ std::vector<Vertex> nonmanifold_points(const Mesh& m) {
   return found;
 }
 
-std::vector<Vertex> copies_of(const Mesh& m, Vertex p) {
-  std::vector<Vertex> copies;
-  for_each_copy(m, p, [&](Vertex copy) { copies.push_back(copy); });
-  std::sort(copies.begin(), copies.end());
-  return copies;
-}
+using Groups = std::vector<std::vector<Vertex>>;  // of copies that stay together, each ascending
 
-// Partitions the copies into groups that stay together, the group of the lowest copy first.
-std::vector<std::vector<Vertex>> groups_at(const Mesh& m, const std::vector<Vertex>& copies, bool keep_misoriented) {
-  DisjointSets sets(copies.size());
-  const auto place_of = [&](Vertex v) {
+// One turn of taking points apart.
+class Detaching {
+ public:
+  explicit Detaching(Edit& edit) : edit_(edit), m_(edit.mesh()) {}
+
+  // Returns the number of new points.
+  std::size_t take_apart(std::vector<Vertex> gently, std::vector<Vertex> wholly) {
+    Sheets sheets(edit_);
+    for (const std::vector<Vertex>& points : {gently, wholly})
+      for (Vertex p : points) separate_fans_at(sheets, p);
+    // All groups are found before any point is split: edges are judged on the original points.
+    Neighbourhood around(m_);
+    Groups groups;
+    for (Vertex p : gently) add_groups(around, p, true, groups);
+    for (Vertex p : wholly) add_groups(around, p, false, groups);
+    std::vector<Vertex> parts;
+    for (const std::vector<Vertex>& group : groups) {
+      for (std::size_t i = 0; i < group.size(); ++i) edit_.set_next_copy(group[i], group[(i + 1) % group.size()]);
+      if (group.size() > 1) parts.push_back(group[0]);
+    }
+    sheets.settle(parts);
+    find_what_is_next(parts);
+    return groups.size() - gently.size() - wholly.size();
+  }
+
+  // What the last turn asks for.
+  std::vector<Vertex> next_gently, next_wholly;
+
+ private:
+  void separate_fans_at(Sheets& sheets, Vertex p) const {
+    std::vector<Vertex> copies;
+    for_each_copy(m_, p, [&](Vertex copy) { copies.push_back(copy); });
+    for (Vertex copy : copies) sheets.separate(copy);
+  }
+
+  void add_groups(Neighbourhood& around, Vertex p, bool keeps_misoriented, Groups& groups) {
+    std::vector<Vertex> copies;
+    for_each_copy(m_, p, [&](Vertex copy) { copies.push_back(copy); });
+    std::sort(copies.begin(), copies.end());
+    DisjointSets sets(copies.size());
+    const Star star = around.star(p);
+    for (const StarEdge& e : star.edges) {
+      const auto corner = [&](std::uint32_t i) { return star.corners[star.sides[e.first_side + i] / 2]; };
+      if (e.faces.is_misoriented()) {
+        if (keeps_misoriented)
+          sets.join(place_in(copies, m_.from(corner(0))), place_in(copies, m_.from(corner(1))));
+        else
+          cut_ends_.push_back(e.neighbour);
+      }
+      if (e.faces.is_nonmanifold())
+        for (std::uint32_t i = 0; i < e.faces.faces(); ++i) were_nonmanifold_.push_back(side(star, e.first_side + i));
+    }
+    std::vector<std::uint32_t> group_of(copies.size(), no_index);
+    for (std::uint32_t i = 0; i < copies.size(); ++i) {
+      std::uint32_t& group = group_of[sets.root(i)];
+      if (group == no_index) {
+        group = static_cast<std::uint32_t>(groups.size());
+        groups.emplace_back();
+      }
+      groups[group].push_back(copies[i]);
+    }
+  }
+
+  static std::uint32_t place_in(const std::vector<Vertex>& copies, Vertex v) {
     return static_cast<std::uint32_t>(std::lower_bound(copies.begin(), copies.end(), v) - copies.begin());
-  };
-  for (std::uint32_t i = 0; keep_misoriented && i < copies.size(); ++i) {
-    if (m.is_isolated(copies[i])) continue;
-    for (Halfedge h : outgoing(m, copies[i])) {
-      if (!point_edge(m, h).is_misoriented()) continue;
-      for (Halfedge sheet : sheets_between(m, m.from(h), m.to(h))) sets.join(i, place_of(m.from(sheet)));
-    }
   }
-  std::vector<std::vector<Vertex>> groups;
-  std::vector<std::uint32_t> group_of(copies.size(), no_index);
-  for (std::uint32_t i = 0; i < copies.size(); ++i) {
-    std::uint32_t& group = group_of[sets.root(i)];
-    if (group == no_index) {
-      group = static_cast<std::uint32_t>(groups.size());
-      groups.emplace_back();
-    }
-    groups[group].push_back(copies[i]);
+  Halfedge side(const Star& star, std::uint32_t i) const {
+    const Halfedge corner = star.corners[star.sides[i] / 2];
+    return (star.sides[i] & 1u) != 0 ? m_.prev(corner) : corner;
   }
-  return groups;
-}
 
-// Returns the resulting points, old and new.
-std::vector<Vertex> take_apart(Edit& edit, const std::vector<Vertex>& points, bool keep_misoriented) {
-  const Mesh& m = edit.mesh();
-  Sheets sheets(edit);
-  for (Vertex p : points)
-    for (Vertex copy : copies_of(m, p)) sheets.separate(copy);
-  // Find all groups before splitting any point: edges are classified on the original points.
-  std::vector<std::vector<Vertex>> groups;
-  std::vector<Vertex> parts;
-  for (Vertex p : points)
-    for (std::vector<Vertex>& group : groups_at(m, copies_of(m, p), keep_misoriented)) {
-      parts.push_back(group[0]);
-      groups.push_back(std::move(group));
+  void find_what_is_next(const std::vector<Vertex>& parts) {
+    Neighbourhood around(m_);
+    next_gently = std::move(cut_ends_);
+    const auto is_nonmanifold = row_of(ProblemKind::nonmanifold_vertex).vertex;
+    for (Vertex p : parts)
+      if (m_.is_alive(p) && is_nonmanifold(around, around.point(p))) next_wholly.push_back(around.point(p));
+    for (Halfedge h : were_nonmanifold_) {
+      if (!m_.is_alive(h) || !around.edge(h).is_misoriented()) continue;
+      for (Vertex v : {m_.from(h), m_.to(h)})
+        if (has_copies(m_, v)) next_wholly.push_back(around.point(v));
     }
-  for (const std::vector<Vertex>& group : groups)
-    for (std::size_t i = 0; i < group.size(); ++i) edit.set_next_copy(group[i], group[(i + 1) % group.size()]);
-  sheets.settle(parts);
-  return parts;
-}
+    sort_unique(next_wholly);
+  }
 
-void keep_nonmanifold(const Mesh& m, std::vector<Vertex>& points) {
+  Edit& edit_;
+  const Mesh& m_;
+  std::vector<Halfedge> were_nonmanifold_;  // sides of such edges
+  std::vector<Vertex> cut_ends_;            // the other ends of misoriented edges that were cut
+};
+
+// Those that are non-manifold, and in none of the others.
+void keep_nonmanifold(const Mesh& m, std::vector<Vertex>& points, const std::vector<Vertex>& others) {
   Neighbourhood around(m);
   const auto is_nonmanifold = row_of(ProblemKind::nonmanifold_vertex).vertex;
-  for (Vertex& p : points)
-    if (m.is_alive(p)) p = around.point(p);
+  std::erase_if(points, [&](Vertex p) { return !m.is_alive(p); });
+  for (Vertex& p : points) p = around.point(p);
   sort_unique(points);
-  std::erase_if(points, [&](Vertex p) { return !m.is_alive(p) || !is_nonmanifold(around, p); });
+  std::erase_if(points, [&](Vertex p) {
+    return std::binary_search(others.begin(), others.end(), p) || !is_nonmanifold(around, p);
+  });
 }
 
 }  // namespace
 
-std::size_t detach_points(Edit& edit, std::vector<Vertex> points) {
+std::size_t detach_points(Edit& edit, std::vector<Vertex> gently, std::vector<Vertex> wholly) {
   const Mesh& m = edit.mesh();
-  constexpr int most_passes = 8;  // from the second on, every fan is split off
+  std::erase_if(wholly, [&](Vertex p) { return !m.is_alive(p); });
+  for (Vertex& p : wholly) p = point(m, p);
+  sort_unique(wholly);
   std::size_t made = 0;
-  for (int pass = 0; pass < most_passes; ++pass) {
-    keep_nonmanifold(m, points);
-    if (points.empty()) break;
-    const std::size_t before = points.size();
-    points = take_apart(edit, points, pass == 0);
-    made += points.size() - before;
+  // Every turn splits a point, or leaves it to the next one to split wholly.
+  for (;;) {
+    keep_nonmanifold(m, gently, wholly);
+    if (gently.empty() && wholly.empty()) return made;
+    Detaching turn(edit);
+    made += turn.take_apart(std::move(gently), std::move(wholly));
+    gently = std::move(turn.next_gently);
+    wholly = std::move(turn.next_wholly);
   }
-  return made;
 }
 
 AlgorithmResult detach_nonmanifold(Edit& edit, const AlgorithmInput&, Progress& progress) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/algo/repair/delete_soundly.h"
+#include "core/algo/repair/flat_faces.h"
 #include "core/analysis/equal_faces.h"
 #include "core/base/count_text.h"
 #include "core/base/sort_unique.h"
@@ -102,8 +104,11 @@ bool collapse_short_edge(Edit& edit, Face f) {
   for (Halfedge h : halfedges_around(m, f))
     if (m.position(m.from(h)) == m.position(m.to(h))) sides.push_back(h);
   for (Halfedge h : sides)
-    for (Halfedge way : {h, twin(h)})
-      if (apply_if_legal(edit, CollapseEdge{way})) return true;
+    for (Halfedge way : {h, twin(h)}) {
+      if (!collapses_soundly(m, way)) continue;
+      CollapseEdge{way, CollapseEdge::Place::end}.apply(edit);
+      return true;
+    }
   return false;
 }
 
@@ -132,11 +137,6 @@ bool give_corner_away(Edit& edit, Face f) {
   return apply_if_legal(edit, SwapEdge{side}) || apply_if_legal(edit, Dissolve{side});
 }
 
-void delete_faces(Edit& edit, std::vector<Face> faces) {
-  Sheets sheets(edit);
-  delete_elements(edit, sheets, {std::move(faces), {}, {}});
-}
-
 }  // namespace
 
 AlgorithmResult remove_duplicate_faces(Edit& edit, const AlgorithmInput&, Progress&) {
@@ -157,10 +157,11 @@ AlgorithmResult remove_duplicate_faces(Edit& edit, const AlgorithmInput&, Progre
     }
     if (kept.size() > 1) result.left += kept.size() - 1;
   }
-  result.changed = doomed.size();
-  result.text = count_text(doomed.size(), "One duplicate face was removed.", "# duplicate faces were removed.",
+  const std::size_t all = doomed.size();
+  result.changed = delete_soundly(edit, std::move(doomed));
+  result.left += all - result.changed;
+  result.text = count_text(result.changed, "One duplicate face was removed.", "# duplicate faces were removed.",
                            "重複面を # 個削除しました。");
-  if (!doomed.empty()) delete_faces(edit, std::move(doomed));
   return result;
 }
 
@@ -199,7 +200,7 @@ AlgorithmResult remove_degenerate_faces(Edit& edit, const AlgorithmInput&, Progr
                   count_text(flat.size(), ", # deleted", ", # deleted", "、削除 #）");
   result.text.en += ".";
   result.text.ja += "。";
-  if (!flat.empty()) delete_faces(edit, std::move(flat));
+  if (!flat.empty()) result.left = flat.size() - delete_soundly(edit, flat);
   return result;
 }
 

@@ -1,43 +1,15 @@
 #include "core/algo/repair/repairs.h"
 
-#include <string>
-
 #include "core/algo/repair/detach_nonmanifold.h"
 #include "core/algo/repair/fill_holes.h"
+#include "core/algo/repair/orient_faces.h"
 #include "core/algo/repair/remove_faces.h"
 #include "core/algo/repair/weld_points.h"
-#include "core/analysis/neighbourhood.h"
 #include "core/base/count_text.h"
-#include "core/ops/op.h"
-#include "core/ops/orient.h"
 
 namespace ryosen {
 
 namespace {
-
-std::size_t misoriented_edges(const Mesh& m) {
-  Neighbourhood around(m, Neighbourhood::Reach::whole);
-  const auto is_misoriented = row_of(ProblemKind::misoriented_edge).edge;
-  std::size_t n = 0;
-  for (std::uint32_t i = 0; i < m.edge_slots(); ++i) n += m.is_alive(Edge(i)) && is_misoriented(around, Edge(i));
-  return n;
-}
-
-AlgorithmResult orient_faces(Edit& edit, const AlgorithmInput&, Progress&) {
-  AlgorithmResult result;
-  if (Orient().check(edit.mesh()).legal()) result.changed = Orient().apply(edit).changed.size();
-  result.left = misoriented_edges(edit.mesh());
-  result.text =
-      count_text(result.changed, "One face was turned round or joined to a neighbour",
-                 "# faces were turned round or joined to their neighbours", "面を # 枚、裏返すか隣の面とつなぎました");
-  if (const std::string n = std::to_string(result.left); result.left > 0) {
-    result.text.en += "; " + n + (result.left == 1 ? " edge stays" : " edges stay") + " misoriented";
-    result.text.ja += "（向きの揃わない稜線 " + n + "）";
-  }
-  result.text.en += ".";
-  result.text.ja += "。";
-  return result;
-}
 
 AlgorithmResult drop_quarantined(Edit&, const AlgorithmInput& input, Progress&) {
   return {input.quarantined, 0,

@@ -2,292 +2,248 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <span>
-#include <unordered_map>
+#include <map>
+#include <set>
 
-#include "core/algo/repair/detach_nonmanifold.h"
-#include "core/analysis/equal_faces.h"
+#include "core/algo/repair/flat_faces.h"
+#include "core/algo/repair/join_points.h"
+#include "core/algo/repair/near_points.h"
+#include "core/algo/repair/point_merger.h"
+#include "core/algo/repair/sides_apart.h"
+#include "core/analysis/neighbourhood.h"
+#include "core/analysis/problem_kinds.h"
 #include "core/base/count_text.h"
-#include "core/geometry/is_finite.h"
+#include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/collapse_edge.h"
-#include "core/ops/rules/sheets.h"
+#include "core/ops/rules/turn_faces.h"
 
 namespace ryosen {
 
 namespace {
 
-// Points to merge, ascending; the first keeps its number and position.
-using Group = std::vector<Vertex>;
-
-struct CellHash {
-  std::size_t operator()(const std::array<double, 3>& cell) const {
-    std::uint64_t hash = 0;
-    for (double x : cell) {
-      hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15u;
-      hash ^= hash >> 32u;
-    }
-    return hash;
-  }
+struct Welded {
+  std::size_t points = 0, left = 0, turned = 0;
 };
 
-// A hash grid for radius queries. Cells are slightly wider than twice the radius, so per axis a neighbour is in the
-// same cell or in the adjacent one on the nearer side.
-class NearPoints {
+// Which points become one, chosen side by side, so that the faces at every one of them stay one fan.
+class Welding {
  public:
-  NearPoints(const Mesh& mesh, double distance) : mesh_(mesh), distance_(distance), width_(distance * 2.001) {}
-
-  // The lowest group whose first point is within the distance, or no_index.
-  std::uint32_t group_near(const glm::dvec3& p) const {
-    std::array<Interval, 3> cells;
-    for (int axis = 0; axis < 3; ++axis) cells[static_cast<std::size_t>(axis)] = cells_near(p[axis]);
-    std::uint32_t best = no_index;
-    for (const double x : cells[0].cells())
-      for (const double y : cells[1].cells())
-        for (const double z : cells[2].cells()) {
-          const auto cell = cells_.find({x, y, z});
-          if (cell == cells_.end()) continue;
-          for (std::uint32_t g : cell->second)
-            if (g < best && is_near(p, mesh_.position(firsts_[g]))) best = g;
-        }
-    return best;
+  Welding(const Mesh& m, double distance)
+      : m_(m), point_of_(points_by_slot(m)), place_(first_points_within(m, point_of_, distance)) {
+    for (Vertex p : point_of_)
+      if (p && point_of_[p.index] == p && place_[p.index] != p) mates_[place_[p.index]].push_back(p);
+    sort_mates();
   }
-  void add_group(Vertex first) {
-    const glm::dvec3& p = mesh_.position(first);
-    cells_[{cell_of(p.x), cell_of(p.y), cell_of(p.z)}].push_back(static_cast<std::uint32_t>(firsts_.size()));
-    firsts_.push_back(first);
+
+  // Whether a place has several points at all.
+  bool has_mates() const { return !mates_.empty(); }
+
+  // The faces to turn so that sides that lie on each other run in opposite directions, where they can; empty: none.
+  std::vector<bool> faces_to_turn() const { return turns_of(m_, pairs()); }
+
+  Welded weld(Edit& edit, Progress& progress) {
+    Welded welded;
+    PointMerger merger(m_, point_of_, points_to_merge());
+    merger_ = &merger;
+    const std::vector<SidePair> all = pairs();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!progress.go_on(i, all.size())) return welded;
+      if (!all[i].runs_alike) join(all[i]);
+    }
+    std::vector<JoinedPoints> classes;
+    for (const auto& [first, others] : mates_) {
+      const std::size_t apart = add_classes(first, others, classes);
+      welded.left += apart > 1;
+    }
+    for (const JoinedPoints& joined : classes) welded.points += joined.points.size() - 1;
+    join_points(edit, classes);
+    return welded;
   }
 
  private:
-  struct Interval {
-    std::array<double, 2> numbers{};
-    std::size_t count = 1;
-    std::span<const double> cells() const { return {numbers.data(), count}; }
-  };
+  std::vector<SidePair> pairs() const { return sides_at_one_place(m_, point_of_, place_); }
 
-  // + 0.0 turns -0 into 0.
-  double cell_of(double x) const { return width_ > 0 ? std::floor(x / width_) + 0.0 : x + 0.0; }
-  Interval cells_near(double x) const {
-    const double cell = cell_of(x);
-    if (!(width_ > 0)) return {{cell, cell}, 1};
-    return {{cell, (x / width_ - cell < 0.5 ? cell - 1 : cell + 1) + 0.0}, 2};
-  }
-  bool is_near(const glm::dvec3& p, const glm::dvec3& q) const {
-    return distance_ > 0 ? glm::distance(p, q) <= distance_ : p == q;
+  void sort_mates() {
+    for (auto& [first, others] : mates_) {
+      others.push_back(first);
+      sort_unique(others);
+    }
   }
 
-  const Mesh& mesh_;
-  double distance_, width_;
-  std::vector<Vertex> firsts_;
-  std::unordered_map<std::array<double, 3>, std::vector<std::uint32_t>, CellHash> cells_;
+  // Those that are manifold and have a boundary; the others have no side to join.
+  std::vector<Vertex> points_to_merge() const {
+    Neighbourhood around(m_);
+    const auto is_nonmanifold = row_of(ProblemKind::nonmanifold_vertex).vertex;
+    std::vector<Vertex> found;
+    for (const auto& [first, others] : mates_)
+      for (Vertex p : others) {
+        if (m_.is_isolated(p) || ends_a_wire(m_, p)) continue;
+        bool is_inside = true;
+        for_each_copy(m_, p, [&](Vertex copy) { is_inside = is_inside && !m_.is_boundary(copy); });
+        if (!is_inside && !is_nonmanifold(around, p)) found.push_back(p);
+      }
+    return found;
+  }
+
+  glm::dvec3 place_of(Vertex v) const {
+    const Vertex p = point_of_[v.index];
+    return moved_.contains(p) ? m_.position(place_[p.index]) : m_.position(p);
+  }
+
+  bool makes_flat(Vertex moved) const {
+    bool is_bad = false;
+    for_each_copy(m_, moved, [&](Vertex copy) {
+      for (Face f : faces_around(m_, copy))
+        is_bad = is_bad || (f && !is_flat(m_, f) && is_flat_at(m_, f, [&](Vertex v) { return place_of(v); }));
+    });
+    return is_bad;
+  }
+
+  // Points that leave their own position by being welded now.
+  bool move(std::span<const Vertex> points) {
+    std::vector<Vertex> now;
+    for (Vertex p : points)
+      if (m_.position(p) != m_.position(place_[p.index]) && moved_.insert(p).second) now.push_back(p);
+    if (std::none_of(now.begin(), now.end(), [&](Vertex p) { return makes_flat(p); })) return true;
+    for (Vertex p : now) moved_.erase(p);
+    return false;
+  }
+
+  void join(const SidePair& pair) {
+    const std::array<Vertex, 4> ends{point_of_[m_.from(pair.first).index], point_of_[m_.to(pair.second).index],
+                                     point_of_[m_.to(pair.first).index], point_of_[m_.from(pair.second).index]};
+    std::vector<Vertex> merged;
+    std::size_t merges = 0;
+    bool is_sound = true;
+    for (std::size_t i = 0; i < 4 && is_sound; i += 2) {
+      const Vertex a = merger_->root(ends[i]), b = merger_->root(ends[i + 1]);
+      if (a == b) continue;
+      is_sound = merger_->may_merge(a) && merger_->may_merge(b) && merger_->merge(a, b);
+      merges += is_sound;
+      merged.insert(merged.end(), {ends[i], ends[i + 1]});
+    }
+    if (is_sound && move(merged)) return;
+    for (; merges > 0; --merges) merger_->undo();
+  }
+
+  // The classes of several points at one place. Isolated ones join the lowest other. Returns how many points stay apart.
+  std::size_t add_classes(Vertex first, const std::vector<Vertex>& others, std::vector<JoinedPoints>& classes) const {
+    std::map<Vertex, std::vector<Vertex>> by_root;
+    for (Vertex p : others)
+      if (!is_alone(p)) by_root[merger_->root(p)].push_back(p);
+    if (by_root.empty()) by_root[others[0]];
+    const auto lowest = std::min_element(by_root.begin(), by_root.end(), [](const auto& a, const auto& b) {
+      return !b.second.empty() && (a.second.empty() || a.second < b.second);
+    });
+    const bool had_several = lowest->second.size() > 1;
+    const glm::dvec3 own = lowest->second.empty() ? m_.position(first) : m_.position(lowest->second[0]);
+    for (Vertex p : others)
+      if (is_alone(p)) lowest->second.push_back(p);
+    sort_unique(lowest->second);
+    for (auto& [root, points] : by_root) {
+      if (points.size() < 2) continue;
+      const bool stays = root == lowest->first && !had_several;
+      classes.push_back({points, stays ? own : m_.position(first)});
+    }
+    return by_root.size();
+  }
+
+  bool is_alone(Vertex p) const {
+    bool is_isolated = true;
+    for_each_copy(m_, p, [&](Vertex copy) { is_isolated = is_isolated && m_.is_isolated(copy); });
+    return is_isolated;
+  }
+
+  const Mesh& m_;
+  std::vector<Vertex> point_of_;
+  std::vector<Vertex> place_;                      // by point the first one there
+  std::map<Vertex, std::vector<Vertex>> mates_;    // all points at a place of several, ascending
+  std::set<Vertex> moved_;
+  PointMerger* merger_ = nullptr;
 };
 
-bool ends_a_wire(const Mesh& m, Vertex p) {
-  bool found = false;
-  for_each_copy(m, p, [&](Vertex copy) {
-    if (m.is_boundary(copy))
-      for (Edge e : edges_around(m, copy)) found = found || m.is_wire(e);
-  });
-  return found;
+Welded weld_within(Edit& edit, double distance, Progress& progress) {
+  Welding welding(edit.mesh(), distance);
+  return welding.has_mates() ? welding.weld(edit, progress) : Welded{};
 }
 
-std::vector<Group> groups_within(const Mesh& m, double distance) {
-  std::vector<Group> groups;
-  NearPoints near(m, distance);
-  for (std::uint32_t i = 0; i < m.vertex_slots(); ++i) {
-    const Vertex v(i);
-    if (!m.is_alive(v) || point(m, v) != v || !is_finite(m.position(v)) || ends_a_wire(m, v)) continue;
-    if (const std::uint32_t g = near.group_near(m.position(v)); g != no_index) {
-      groups[g].push_back(v);
-    } else {
-      near.add_group(v);
-      groups.push_back({v});
-    }
-  }
-  std::erase_if(groups, [](const Group& g) { return g.size() < 2; });
-  return groups;
-}
-
-template <class Visit>
-void for_each_face_at(const Mesh& m, Vertex p, Visit visit) {
-  for_each_copy(m, p, [&](Vertex copy) {
-    for (Face f : faces_around(m, copy))
-      if (f) visit(f);
-  });
-}
-
-bool has_two_points_of_a_face(const Mesh& m, const Group& group) {
-  bool found = false;
-  for (Vertex p : group)
-    for_each_face_at(m, p, [&](Face f) {
-      for (Vertex v : vertices_around(m, f)) {
-        const Vertex q = point(m, v);
-        found = found || (q != p && std::binary_search(group.begin(), group.end(), q));
-      }
-    });
-  return found;
-}
-
-std::size_t drop_groups_within_faces(const Mesh& m, std::vector<Group>& groups) {
-  return std::erase_if(groups, [&](const Group& group) { return has_two_points_of_a_face(m, group); });
-}
-
-// Makes all vertices of a group copies of one point.
-void unite(Edit& edit, Sheets& sheets, const Group& group) {
+// Collapses edges between points at one place where this is sound and makes no face flat; the lower number stays.
+// Returns how many.
+std::size_t collapse_within(Edit& edit, double distance, Progress& progress) {
   const Mesh& m = edit.mesh();
-  std::vector<Vertex> copies;
-  for (Vertex p : group) for_each_copy(m, p, [&](Vertex copy) { copies.push_back(copy); });
-  const glm::dvec3 place = m.position(group[0]);
-  for (std::size_t i = 0; i < copies.size(); ++i) {
-    if (m.position(copies[i]) != place) sheets.changed_around(copies[i]);
-    edit.set_position(copies[i], place);
-    edit.set_next_copy(copies[i], copies[(i + 1) % copies.size()]);
-  }
-  for (Vertex copy : copies)
-    if (m.is_isolated(copy) && has_copies(m, copy)) sheets.remove_vertex(copy);
-}
-
-void weld_groups(Edit& edit, const std::vector<Group>& groups) {
-  Sheets sheets(edit);
-  std::vector<Vertex> points;
-  for (const Group& group : groups) {
-    unite(edit, sheets, group);
-    points.push_back(group[0]);
-  }
-  sheets.settle(points);
-}
-
-// Welds, then splits points that became non-manifold, fan by fan. Returns the number of points split off.
-std::size_t weld_soundly(Edit& edit, const std::vector<Group>& groups) {
-  weld_groups(edit, groups);
-  std::vector<Vertex> points;
-  for (const Group& group : groups) points.push_back(group[0]);
-  return detach_points(edit, std::move(points));
-}
-
-std::size_t drop_nonmanifold(const Mesh& m, std::vector<Group>& groups) {
-  Neighbourhood around(m, Neighbourhood::Reach::whole);
-  const auto is_nonmanifold = row_of(ProblemKind::nonmanifold_vertex).vertex;
-  return std::erase_if(groups, [&](const Group& group) {
-    return std::any_of(group.begin(), group.end(), [&](Vertex p) { return is_nonmanifold(around, p); });
-  });
-}
-
-bool is_before(const glm::dvec3& p, const glm::dvec3& q) {
-  return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
-}
-
-// The corner positions of duplicate faces that are not in `before`; ascending.
-std::vector<glm::dvec3> places_of_duplicates(const Mesh& m, const std::vector<std::uint32_t>& before) {
-  Neighbourhood around(m, Neighbourhood::Reach::whole);
-  std::vector<glm::dvec3> places;
-  for (std::uint32_t f : find_duplicate_faces(around)) {
-    if (std::binary_search(before.begin(), before.end(), f)) continue;
-    for (Vertex v : vertices_around(m, Face(f))) places.push_back(m.position(v));
-  }
-  std::sort(places.begin(), places.end(), is_before);
-  return places;
-}
-
-// Drops the groups whose weld would create a non-manifold edge or duplicate faces, by trial on a copy. Each round drops
-// at least one.
-std::size_t drop_unsound(const Mesh& m, std::vector<Group>& groups, Progress& progress) {
-  Neighbourhood around(m, Neighbourhood::Reach::whole);
-  const std::vector<std::uint32_t> before = find_duplicate_faces(around);
-  std::size_t dropped = 0;
-  constexpr int most_rounds = 12;
-  for (int round = 0; !groups.empty() && progress.go_on(static_cast<std::size_t>(round), most_rounds); ++round) {
-    Mesh trial = m;
-    Edit edit(trial, nullptr);
-    weld_groups(edit, groups);
-    edit.commit();
-    const std::vector<glm::dvec3> places = places_of_duplicates(trial, before);
-    Neighbourhood welded(trial, Neighbourhood::Reach::whole);
-    const std::size_t now = std::erase_if(groups, [&](const Group& g) {
-      return std::binary_search(places.begin(), places.end(), m.position(g[0]), is_before) ||
-             welded.star(g[0]).has_nonmanifold_edge;
+  const std::vector<Vertex> place = first_points_within(m, points_by_slot(m), distance);
+  std::size_t done = 0;
+  const auto is_near = [&](Vertex a, Vertex b) { return place[a.index] == place[b.index]; };
+  for (std::uint32_t i = m.vertex_slots(); i-- > 0;) {
+    const Vertex p(i);
+    if (!progress.go_on(m.vertex_slots() - i, m.vertex_slots())) return done;
+    if (i >= place.size() || !place[i] || place[i] == p || !m.is_alive(p)) continue;
+    std::vector<std::pair<Vertex, Halfedge>> ways;
+    for_each_copy(m, p, [&](Vertex copy) {
+      if (m.is_isolated(copy)) return;
+      for (Halfedge h : outgoing(m, copy))
+        if (const Vertex end = point(m, m.to(h)); end < p && is_near(p, end)) ways.emplace_back(end, h);
     });
-    dropped += now;
-    if (now == 0) break;
-    if (round == most_rounds) {  // give up rather than create a defect
-      dropped += groups.size();
-      groups.clear();
+    std::sort(ways.begin(), ways.end());
+    for (const auto& [end, h] : ways) {
+      if (!collapses_soundly(m, h)) continue;
+      CollapseEdge{h, CollapseEdge::Place::end}.apply(edit);
+      ++done;
+      break;
     }
   }
-  return dropped;
+  return done;
 }
 
-AlgorithmResult result_of(std::size_t welded, std::size_t left) {
-  AlgorithmResult result{welded, left, {}};
-  result.text = count_text(welded, "One point was welded to another", "# points were welded to others",
+AlgorithmResult result_of(const Welded& welded) {
+  AlgorithmResult result{welded.points + welded.turned, welded.left, {}};
+  result.text = count_text(welded.points, "One point was welded to another", "# points were welded to others",
                            "点を # 個、ほかの点に統合しました");
-  if (left > 0) {
-    result.text.en += "; " + std::to_string(left) + (left == 1 ? " place was left apart" : " places were left apart");
-    result.text.ja += "（統合できない箇所 " + std::to_string(left) + "）";
+  if (welded.turned > 0) {
+    const Text turned = count_text(welded.turned, "; one face was turned round to fit", "; # faces were turned round to fit",
+                                   "（向きを合わせるため面を # 枚裏返しました）");
+    result.text = result.text + turned;
+  }
+  if (welded.left > 0) {
+    const std::string n = std::to_string(welded.left);
+    result.text.en += "; " + n + (welded.left == 1 ? " place was left apart" : " places were left apart");
+    result.text.ja += "（統合できない箇所 " + n + "）";
   }
   result.text.en += ".";
   result.text.ja += "。";
   return result;
 }
 
-// Collapses edges between points of one group; the lower number stays.
-void collapse_within(Edit& edit, const std::vector<Group>& groups, Progress& progress) {
-  const Mesh& m = edit.mesh();
-  std::size_t done = 0;
-  for (const Group& group : groups) {
-    if (!progress.go_on(done++, groups.size())) return;
-    for (std::size_t i = group.size(); i-- > 1;) {
-      if (!m.is_alive(group[i])) continue;
-      std::vector<Halfedge> ways;
-      for_each_copy(m, group[i], [&](Vertex copy) {
-        if (m.is_isolated(copy)) return;
-        for (Halfedge h : outgoing(m, copy))
-          if (std::binary_search(group.begin(), group.end(), point(m, m.to(h)))) ways.push_back(h);
-      });
-      std::sort(ways.begin(), ways.end(),
-                [&](Halfedge a, Halfedge b) { return point(m, m.to(a)) < point(m, m.to(b)); });
-      for (Halfedge h : ways) {
-        const CollapseEdge op{h, CollapseEdge::Place::end};
-        if (point(m, m.to(h)) > group[i] || !op.check(m).legal() || op.directed(m) != h) continue;
-        op.apply(edit);
-        break;
-      }
-    }
-  }
+// Turning replaces all columns, which must be the only write of the edit: then everything is done on a copy.
+template <class Weld>
+Welded turn_and_weld(Edit& edit, double distance, Weld weld) {
+  const std::vector<bool> turned = Welding(edit.mesh(), distance).faces_to_turn();
+  if (turned.empty()) return weld(edit);
+  Mesh copy(turn_faces(edit.mesh(), turned).columns);
+  Edit on_copy(copy, nullptr);
+  Welded welded = weld(on_copy);
+  on_copy.commit();
+  welded.turned = static_cast<std::size_t>(std::count(turned.begin(), turned.end(), true));
+  edit.replace(copy.columns());
+  return welded;
 }
 
 }  // namespace
 
 AlgorithmResult weld_equal_points(Edit& edit, const AlgorithmInput&, Progress& progress) {
-  const Mesh& m = edit.mesh();
-  std::size_t welded = 0, left = 0;
-  for (bool goes_on = true; goes_on;) {
-    std::vector<Group> groups = groups_within(m, 0);
-    left = drop_groups_within_faces(m, groups) + drop_nonmanifold(m, groups) + drop_unsound(m, groups, progress);
-    if (progress.is_cancelled()) return {};
-    const std::uint32_t before = counts_on_points(m).vertices;
-    left += weld_soundly(edit, groups);
-    const std::uint32_t now = before - counts_on_points(m).vertices;
-    welded += now;
-    goes_on = now > 0 && left > 0;  // a group may no longer be blocked
-  }
-  return result_of(welded, left);
+  return result_of(turn_and_weld(edit, 0, [&](Edit& on) { return weld_within(on, 0, progress); }));
 }
 
 AlgorithmResult weld_close_points(Edit& edit, const AlgorithmInput& input, Progress& progress) {
-  const Mesh& m = edit.mesh();
   const double distance = input.values.length("distance");
-  const std::uint32_t before = counts_on_points(m).vertices;
-  collapse_within(edit, groups_within(m, distance), progress);
-  if (progress.is_cancelled()) return {};
-  std::vector<Group> groups = groups_within(m, distance);
-  const std::size_t left = drop_groups_within_faces(m, groups);
-  weld_groups(edit, groups);
-  return result_of(before - counts_on_points(m).vertices, left);
+  return result_of(turn_and_weld(edit, distance, [&](Edit& on) {
+    const std::size_t collapsed = collapse_within(on, distance, progress);
+    Welded welded = weld_within(on, distance, progress);
+    welded.points += collapsed;
+    return welded;
+  }));
 }
 
 }  // namespace ryosen

@@ -1,0 +1,94 @@
+#include "core/algo/repair/delete_soundly.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/algo/repair/detach_nonmanifold.h"
+#include "core/analysis/neighbourhood.h"
+#include "core/base/sort_unique.h"
+#include "core/mesh/circulate.h"
+#include "core/ops/delete.h"
+
+namespace ryosen {
+
+namespace {
+
+using PointPair = std::pair<Vertex, Vertex>;
+
+// The edges of the faces as pairs of points, and the points.
+struct Rim {
+  std::vector<PointPair> edges;
+  std::vector<Vertex> points;
+};
+
+Rim rim_of(Neighbourhood& around, const std::vector<Face>& faces) {
+  Rim rim;
+  for (Face f : faces)
+    for (Halfedge h : halfedges_around(around.mesh(), f)) {
+      rim.edges.push_back(std::minmax({around.point(around.mesh().from(h)), around.point(around.mesh().to(h))}));
+      rim.points.push_back(around.point(around.mesh().from(h)));
+    }
+  sort_unique(rim.edges);
+  sort_unique(rim.points);
+  return rim;
+}
+
+// Keeps those that are as asked, or that are not.
+void keep_nonmanifold(Neighbourhood& around, std::vector<Vertex>& points, bool are_nonmanifold) {
+  const auto is_nonmanifold = row_of(ProblemKind::nonmanifold_vertex).vertex;
+  std::erase_if(points, [&](Vertex p) {
+    return !around.mesh().is_alive(p) || is_nonmanifold(around, p) != are_nonmanifold;
+  });
+}
+
+void keep_misoriented(Neighbourhood& around, std::vector<PointPair>& edges, bool are_misoriented) {
+  std::erase_if(edges, [&](const PointPair& edge) {
+    if (!around.mesh().is_alive(edge.first) || !around.mesh().is_alive(edge.second)) return true;
+    const StarEdge* const found = around.star(edge.first).edge_to(edge.second);
+    return (found && found->faces.is_misoriented()) != are_misoriented;
+  });
+}
+
+// Whether without the deleted faces an edge of f has only two triangles on the same three points left.
+bool holds_a_pair_apart(Neighbourhood& around, Face f, const std::vector<Face>& doomed) {
+  std::vector<Face> at_edge;
+  std::vector<Vertex> points, others;
+  for (Halfedge h : halfedges_around(around.mesh(), f)) {
+    if (!around.edge(h).is_nonmanifold()) continue;
+    around.faces_at(h, at_edge);
+    std::erase_if(at_edge, [&](Face g) { return std::binary_search(doomed.begin(), doomed.end(), g); });
+    if (at_edge.size() != 2 || corner_count(around.mesh(), at_edge[0]) != 3) continue;
+    points_of_face(around, at_edge[0], points);
+    points_of_face(around, at_edge[1], others);
+    std::sort(points.begin(), points.end());
+    std::sort(others.begin(), others.end());
+    if (points == others) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::size_t delete_soundly(Edit& edit, std::vector<Face> faces) {
+  const Mesh& m = edit.mesh();
+  Neighbourhood before(m);
+  sort_unique(faces);
+  const std::vector<Face> doomed = faces;
+  std::erase_if(faces, [&](Face f) { return holds_a_pair_apart(before, f, doomed); });
+  if (faces.empty()) return 0;
+  const std::size_t count = faces.size();
+  Rim rim = rim_of(before, faces);
+  keep_nonmanifold(before, rim.points, false);
+  keep_misoriented(before, rim.edges, false);
+  Sheets sheets(edit);
+  delete_elements(edit, sheets, {std::move(faces), {}, {}});
+  Neighbourhood after(m);
+  keep_nonmanifold(after, rim.points, true);
+  keep_misoriented(after, rim.edges, true);
+  std::vector<Vertex> ends;
+  for (const auto& [a, b] : rim.edges) ends.insert(ends.end(), {a, b});
+  detach_points(edit, std::move(rim.points), std::move(ends));
+  return count;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,60 @@
+#include "core/algo/repair/orient_faces.h"
+
+#include <algorithm>
+#include <string>
+
+#include "core/analysis/neighbourhood.h"
+#include "core/base/count_text.h"
+#include "core/mesh/circulate.h"
+#include "core/ops/orient.h"
+#include "core/ops/rules/face_lists.h"
+#include "core/ops/rules/turn_faces.h"
+
+namespace ryosen {
+
+namespace {
+
+std::size_t misoriented_edges(const Mesh& m) {
+  Neighbourhood around(m, Neighbourhood::Reach::whole);
+  const auto is_misoriented = row_of(ProblemKind::misoriented_edge).edge;
+  std::size_t n = 0;
+  for (std::uint32_t i = 0; i < m.edge_slots(); ++i) n += m.is_alive(Edge(i)) && is_misoriented(around, Edge(i));
+  return n;
+}
+
+// Whether turning the face would make it and another triangle on its points a hanging pair.
+bool would_hang(Neighbourhood& around, Face f) {
+  const Mesh& m = around.mesh();
+  if (corner_count(m, f) != 3 || !equal_face(m, f)) return false;
+  std::size_t of_two_alike = 0;
+  for (Halfedge h : halfedges_around(m, f)) of_two_alike += around.edge(h).is_misoriented();
+  return of_two_alike >= 2;
+}
+
+}  // namespace
+
+AlgorithmResult orient_faces(Edit& edit, const AlgorithmInput&, Progress&) {
+  const Mesh& m = edit.mesh();
+  AlgorithmResult result;
+  std::vector<bool> turned = turned_by_orient(m);
+  Neighbourhood around(m);
+  for (std::uint32_t f = 0; f < turned.size(); ++f) turned[f] = turned[f] && !would_hang(around, Face(f));
+  if (std::find(turned.begin(), turned.end(), true) != turned.end()) {
+    TurnedMesh now = turn_faces(m, turned);
+    result.changed = now.effect.changed.size();
+    edit.replace(std::move(now.columns));
+  }
+  result.left = misoriented_edges(edit.mesh());
+  result.text =
+      count_text(result.changed, "One face was turned round or joined to a neighbour",
+                 "# faces were turned round or joined to their neighbours", "面を # 枚、裏返すか隣の面とつなぎました");
+  if (const std::string n = std::to_string(result.left); result.left > 0) {
+    result.text.en += "; " + n + (result.left == 1 ? " edge stays" : " edges stay") + " misoriented";
+    result.text.ja += "（向きの揃わない稜線 " + n + "）";
+  }
+  result.text.en += ".";
+  result.text.ja += "。";
+  return result;
+}
+
+}  // namespace ryosen

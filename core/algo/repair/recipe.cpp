@@ -1,0 +1,139 @@
+#include "core/algo/repair/recipe.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/algo/repair/guard.h"
+#include "core/analysis/problems.h"
+
+namespace ryosen {
+
+namespace {
+
+// What a round must lower: problems first, then boundary edges.
+using Measure = std::pair<std::size_t, std::size_t>;
+
+struct State {
+  Mesh mesh;
+  bool has_quarantine;
+  FindingCounts counts;
+};
+
+class RecipeRun {
+ public:
+  RecipeRun(std::span<const RecipeStep> steps, const RecipeInput& input, const RecipeEvents& events)
+      : steps_(steps), input_(input), events_(events), results_(steps.size()) {
+    for (const RecipeStep& step : steps)
+      for (ProblemKind kind : step.row->solves) is_for_[static_cast<std::size_t>(kind)] = true;
+  }
+
+  // None: cancelled.
+  std::optional<RecipeResult> run(const Mesh& mesh) {
+    State state{mesh, !input_.quarantine.empty(), count_findings(mesh, input_.on_lines)};
+    RecipeResult result;
+    result.steps.resize(steps_.size());
+    for (std::size_t round = 1;; ++round) {
+      State next = state;
+      if (!run_round(next, round)) return std::nullopt;
+      const bool has_changed =
+          std::any_of(results_.begin(), results_.end(), [](const AlgorithmResult& r) { return r.changed > 0; });
+      const bool is_kept = has_changed && measure(next) < measure(state);
+      if (round == 1 || is_kept) add_round(result, !is_kept);
+      if (!is_kept) {
+        if (has_changed && events_.round_undone) events_.round_undone(round);
+        break;
+      }
+      ++result.rounds;
+      state = std::move(next);
+    }
+    result.is_changed = result.rounds > 0;
+    result.drops_quarantined = !input_.quarantine.empty() && !state.has_quarantine;
+    count(mesh, true, &KindCount::before, result.findings);
+    count(state.mesh, state.has_quarantine, &KindCount::after, result.findings);
+    result.mesh = std::move(state.mesh);
+    return result;
+  }
+
+ private:
+  bool run_round(State& state, std::size_t round) {
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      const RecipeStep& step = steps_[i];
+      Progress progress([&](double share) { return !events_.progress || events_.progress(step, round, share); });
+      Journal journal;
+      Edit edit(state.mesh, &journal);
+      const bool has_quarantine = state.has_quarantine;
+      const AlgorithmInput input{step.values,
+                                 has_quarantine ? input_.used_elsewhere : input_.used_but_by_quarantine,
+                                 has_quarantine ? input_.quarantine.size() : 0, input_.on_lines};
+      results_[i] = run_guarded(edit, *step.row, input, progress, state.counts);
+      if (!progress.go_on() || progress.is_cancelled()) return false;
+      if (results_[i].changed > 0) edit.commit();
+      state.has_quarantine = has_quarantine && !results_[i].drops_quarantined;
+      if (events_.step_done) events_.step_done(step, round, results_[i]);
+    }
+    return true;
+  }
+
+  Measure measure(const State& state) const {
+    std::size_t problems = 0;
+    for (const ProblemRow& row : problem_table()) {
+      const auto k = static_cast<std::size_t>(row.kind);
+      if (!is_for_[k] || row.severity != ProblemSeverity::problem) continue;
+      problems += row.quarantined ? quarantined(row, state.has_quarantine) : state.counts[k];
+    }
+    const auto boundary = static_cast<std::size_t>(ProblemKind::boundary_loop);
+    return {problems, is_for_[boundary] ? state.counts[boundary] : 0};
+  }
+
+  std::size_t quarantined(const ProblemRow& row, bool has_quarantine) const {
+    if (!has_quarantine) return 0;
+    return row.kind == ProblemKind::quarantined_face ? input_.quarantine.size() : 0;
+  }
+
+  void add_round(RecipeResult& result, bool is_undone) const {
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      AlgorithmResult& sum = result.steps[i];
+      const AlgorithmResult& now = results_[i];
+      sum.left = now.left;
+      if (is_undone) sum.left += now.changed;
+      if (is_undone || now.changed == 0) {
+        if (sum.changed == 0) sum.text = is_undone && now.changed > 0 ? undone_text() : now.text;
+        continue;
+      }
+      sum.text = sum.changed == 0 ? now.text : sum.text + Text{" ", ""} + now.text;
+      sum.changed += now.changed;
+      sum.drops_quarantined |= now.drops_quarantined;
+    }
+  }
+
+  static Text undone_text() {
+    return {"Undone, since the repairs together take no finding away.",
+            "修復全体で問題が減らないため、元に戻しました。"};
+  }
+
+  void count(const Mesh& mesh, bool has_quarantine, std::size_t KindCount::*at, std::vector<KindCount>& findings) const {
+    const ProblemSets sets(mesh, 0, input_.on_lines);
+    const FileFaces file{has_quarantine ? input_.quarantine : std::span<const QuarantinedFace>(), {}, nullptr};
+    if (findings.empty())
+      for (const ProblemRow& row : problem_table())
+        if (!row.is_on_request) findings.push_back({row.kind});
+    for (const Problem& problem : find_problems(mesh, sets, file))
+      for (KindCount& entry : findings)
+        if (entry.kind == problem.kind) entry.*at = problem.count();
+  }
+
+  std::span<const RecipeStep> steps_;
+  const RecipeInput& input_;
+  const RecipeEvents& events_;
+  std::array<bool, most_problem_kinds> is_for_{};
+  std::vector<AlgorithmResult> results_;  // of the last round
+};
+
+}  // namespace
+
+std::optional<RecipeResult> run_recipe(const Mesh& mesh, std::span<const RecipeStep> steps, const RecipeInput& input,
+                                       const RecipeEvents& events) {
+  return RecipeRun(steps, input, events).run(mesh);
+}
+
+}  // namespace ryosen

@@ -220,6 +220,7 @@ class AlgorithmRun {
     }
     json["changed"] = call.result.changed;
     json["left"] = call.result.left;
+    json["crossings"] = call.result.crossings ? Json(*call.result.crossings) : Json();
     json["solves"] = Json::array();
     for (ProblemKind kind : call.row->solves) json["solves"].push_back(row_of(kind).id);
     json.put(call.result.text);

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -25,8 +26,8 @@ struct AlgorithmInput {
   ParameterValues values = ParameterValues();  // lengths in units of the mesh, elements looked up
   // Vertices that something beside the mesh refers to (quarantined faces, lines and points of the file), ascending.
   std::span<const Vertex> used_elsewhere = {};
-  std::size_t quarantined = 0;  // faces of the file that reading could not connect
-  std::span<const Vertex> on_lines = {};  // vertices that lines of the file use: they are not isolated, ascending
+  std::size_t quarantined = 0;            // faces of the file that reading could not connect
+  std::span<const Vertex> on_lines = {};  // vertices that lines of the file use, which are not isolated; ascending
 };
 
 struct AlgorithmResult {
@@ -34,6 +35,8 @@ struct AlgorithmResult {
   std::size_t left = 0;            // what the algorithm is for, but what it had to leave as it is
   Text text;                       // a sentence with the numbers
   bool drops_quarantined = false;  // the quarantined faces are to be forgotten
+  // Pairs of faces that meet now and did not before (self_intersections.h), by an algorithm that counts them.
+  std::optional<std::size_t> crossings = {};
 };
 
 struct AlgorithmRow {

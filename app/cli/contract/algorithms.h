@@ -11,6 +11,8 @@ inline constexpr JsonKey result_keys[] = {
      "パラメーターごとの値。指定がなければ null。"},
     {"changed", "integer", "How many places were changed.", "変更した箇所の数。"},
     {"left", "integer", "How many were found and could not be changed.", "見つけたが変更できなかった箇所の数。"},
+    {"crossings", "integer or null", "How many pairs of faces meet now that did not; null where it is not counted.",
+     "新たに交わるようになった面の組の数。数えないとき null。"},
     {"solves", "array of string", "The kinds of problems it is for.", "対象とする問題の種類。", ids_of(Ids::problems)},
     {"en", "string", "What was done, in English.", "したこと（英語）。"},
     {"ja", "string", "What was done, in Japanese.", "したこと（日本語）。"},

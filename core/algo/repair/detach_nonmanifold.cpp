@@ -31,23 +31,25 @@ class Detaching {
   explicit Detaching(Edit& edit) : edit_(edit), m_(edit.mesh()) {}
 
   // Returns the number of new points.
-  std::size_t take_apart(std::vector<Vertex> gently, std::vector<Vertex> wholly) {
+  std::size_t take_apart(const std::vector<Vertex>& gently, std::vector<Vertex> wholly) {
     Sheets sheets(edit_);
     for (const std::vector<Vertex>& points : {gently, wholly})
       for (Vertex p : points) separate_fans_at(sheets, p);
-    // All groups are found before any point is split: edges are judged on the original points.
-    Neighbourhood around(m_);
-    Groups groups;
-    for (Vertex p : gently) add_groups(around, p, true, groups);
-    for (Vertex p : wholly) add_groups(around, p, false, groups);
-    std::vector<Vertex> parts;
-    for (const std::vector<Vertex>& group : groups) {
-      for (std::size_t i = 0; i < group.size(); ++i) edit_.set_next_copy(group[i], group[(i + 1) % group.size()]);
-      if (group.size() > 1) parts.push_back(group[0]);
+    Groups groups = groups_at(gently, wholly);
+    // Two equal triangles that a third face held apart would hang on each other: they are parted at their third corner.
+    for (wholly = points_of_pairs(); !wholly.empty(); wholly = points_of_pairs()) {
+      for (Vertex p : wholly) separate_fans_at(sheets, p);
+      const Groups more = groups_at({}, wholly);
+      groups.insert(groups.end(), more.begin(), more.end());
     }
-    sheets.settle(parts);
+    std::vector<Vertex> parts, unsettled;
+    for (const std::vector<Vertex>& group : groups) {
+      if (has_copies(m_, group[0])) parts.push_back(group[0]);
+      if (has_copies(m_, group[0]) || has_neighbour_with_copies(group[0])) unsettled.push_back(group[0]);
+    }
+    sheets.settle(unsettled);
     find_what_is_next(parts);
-    return groups.size() - gently.size() - wholly.size();
+    return made_;
   }
 
   // What the last turn asks for.
@@ -58,6 +60,39 @@ class Detaching {
     std::vector<Vertex> copies;
     for_each_copy(m_, p, [&](Vertex copy) { copies.push_back(copy); });
     for (Vertex copy : copies) sheets.separate(copy);
+  }
+
+  // Takes the points apart. All groups are found before any is split: edges are judged on the original points.
+  Groups groups_at(const std::vector<Vertex>& gently, const std::vector<Vertex>& wholly) {
+    Neighbourhood around(m_);
+    Groups groups;
+    for (Vertex p : gently) add_groups(around, p, true, groups);
+    for (Vertex p : wholly) add_groups(around, p, false, groups);
+    for (const std::vector<Vertex>& group : groups)
+      for (std::size_t i = 0; i < group.size(); ++i) edit_.set_next_copy(group[i], group[(i + 1) % group.size()]);
+    made_ += groups.size() - gently.size() - wholly.size();
+    return groups;
+  }
+
+  // Points with copies at edges that were non-manifold and now have two triangles on the same points.
+  std::vector<Vertex> points_of_pairs() {
+    Neighbourhood around(m_);
+    std::vector<Vertex> found, points, others;
+    std::vector<Face> faces;
+    for (Halfedge h : were_nonmanifold_) {
+      if (around.edge(h).faces() != 2) continue;
+      around.faces_at(h, faces);
+      if (corner_count(m_, faces[0]) != 3) continue;
+      points_of_face(around, faces[0], points);
+      points_of_face(around, faces[1], others);
+      std::sort(points.begin(), points.end());
+      std::sort(others.begin(), others.end());
+      if (points != others) continue;
+      for (Vertex p : points)
+        if (has_copies(m_, p)) found.push_back(p);
+    }
+    sort_unique(found);
+    return found;
   }
 
   void add_groups(Neighbourhood& around, Vertex p, bool keeps_misoriented, Groups& groups) {
@@ -88,6 +123,12 @@ class Detaching {
     }
   }
 
+  bool has_neighbour_with_copies(Vertex v) const {
+    if (m_.is_isolated(v)) return false;
+    for (Vertex end : neighbours(m_, v))
+      if (has_copies(m_, end)) return true;
+    return false;
+  }
   static std::uint32_t place_in(const std::vector<Vertex>& copies, Vertex v) {
     return static_cast<std::uint32_t>(std::lower_bound(copies.begin(), copies.end(), v) - copies.begin());
   }
@@ -112,6 +153,7 @@ class Detaching {
 
   Edit& edit_;
   const Mesh& m_;
+  std::size_t made_ = 0;
   std::vector<Halfedge> were_nonmanifold_;  // sides of such edges
   std::vector<Vertex> cut_ends_;            // the other ends of misoriented edges that were cut
 };
@@ -141,7 +183,7 @@ std::size_t detach_points(Edit& edit, std::vector<Vertex> gently, std::vector<Ve
     keep_nonmanifold(m, gently, wholly);
     if (gently.empty() && wholly.empty()) return made;
     Detaching turn(edit);
-    made += turn.take_apart(std::move(gently), std::move(wholly));
+    made += turn.take_apart(gently, std::move(wholly));
     gently = std::move(turn.next_gently);
     wholly = std::move(turn.next_wholly);
   }

@@ -102,6 +102,7 @@ class RecipeRun {
       }
       sum.text = sum.changed == 0 ? now.text : sum.text + Text{" ", ""} + now.text;
       sum.changed += now.changed;
+      if (now.crossings) sum.crossings = sum.crossings.value_or(0) + *now.crossings;
       sum.drops_quarantined |= now.drops_quarantined;
     }
   }

@@ -3,18 +3,13 @@
 #include <algorithm>
 
 #include "core/algo/repair/delete_soundly.h"
-#include "core/algo/repair/flat_faces.h"
 #include "core/analysis/equal_faces.h"
 #include "core/base/count_text.h"
 #include "core/base/sort_unique.h"
-#include "core/geometry/predicates.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/rings.h"
-#include "core/ops/collapse_edge.h"
-#include "core/ops/delete.h"
-#include "core/ops/dissolve.h"
-#include "core/ops/swap_edge.h"
+#include "core/ops/rules/sheets.h"
 
 namespace ryosen {
 
@@ -84,59 +79,6 @@ std::vector<FaceOnPoints> faces_with_equals(const Mesh& m, const std::vector<std
   return found;
 }
 
-bool is_degenerate(const Mesh& m, Face f) {
-  std::vector<glm::dvec3> places;
-  for (Vertex v : vertices_around(m, f)) places.push_back(m.position(v));
-  return are_collinear(places);
-}
-
-template <class Op>
-bool apply_if_legal(Edit& edit, const Op& op) {
-  if (!op.check(edit.mesh()).legal()) return false;
-  op.apply(edit);
-  return true;
-}
-
-// Collapses a zero-length edge of the face; false if there is none or it may not.
-bool collapse_short_edge(Edit& edit, Face f) {
-  const Mesh& m = edit.mesh();
-  std::vector<Halfedge> sides;
-  for (Halfedge h : halfedges_around(m, f))
-    if (m.position(m.from(h)) == m.position(m.to(h))) sides.push_back(h);
-  for (Halfedge h : sides)
-    for (Halfedge way : {h, twin(h)}) {
-      if (!collapses_soundly(m, way)) continue;
-      CollapseEdge{way, CollapseEdge::Place::end}.apply(edit);
-      return true;
-    }
-  return false;
-}
-
-// The side opposite the middle one of three collinear corners.
-Halfedge longest_side(const Mesh& m, Face f) {
-  const Halfedge h = m.halfedge(f);
-  for (Halfedge side : {h, m.next(h), m.prev(h)}) {
-    const glm::dvec3 &a = m.position(m.from(side)), &b = m.position(m.to(side)), &c = m.position(m.to(m.next(side)));
-    bool between = true;
-    for (int axis = 0; axis < 3; ++axis)
-      between = between && std::min(a[axis], b[axis]) <= c[axis] && c[axis] <= std::max(a[axis], b[axis]);
-    if (between && c != a && c != b) return side;
-  }
-  return Halfedge();
-}
-
-// Moves the middle corner of a degenerate triangle into the face across its longest side.
-bool give_corner_away(Edit& edit, Face f) {
-  const Mesh& m = edit.mesh();
-  if (!is_triangle(m, m.halfedge(f)) || m.has_rings(f)) return false;
-  const Halfedge side = longest_side(m, f);
-  if (!side) return false;
-  const Face other = m.face(twin(side));
-  if (!other || is_degenerate(m, other)) return false;
-  if (!is_triangle(m, twin(side)) || m.has_rings(other)) return apply_if_legal(edit, Dissolve{side});
-  return apply_if_legal(edit, SwapEdge{side}) || apply_if_legal(edit, Dissolve{side});
-}
-
 }  // namespace
 
 AlgorithmResult remove_duplicate_faces(Edit& edit, const AlgorithmInput&, Progress&) {
@@ -162,45 +104,6 @@ AlgorithmResult remove_duplicate_faces(Edit& edit, const AlgorithmInput&, Progre
   result.left += all - result.changed;
   result.text = count_text(result.changed, "One duplicate face was removed.", "# duplicate faces were removed.",
                            "重複面を # 個削除しました。");
-  return result;
-}
-
-AlgorithmResult remove_degenerate_faces(Edit& edit, const AlgorithmInput&, Progress& progress) {
-  const Mesh& m = edit.mesh();
-  std::vector<Face> flat;
-  Neighbourhood around(m);
-  const auto is_flat = row_of(ProblemKind::degenerate_area).face;
-  for (std::uint32_t i = 0; i < m.face_slots(); ++i)
-    if (m.is_alive(Face(i)) && is_flat(around, Face(i))) flat.emplace_back(i);
-  std::size_t collapsed = 0, given = 0;
-  AlgorithmResult result;
-  result.changed = flat.size();
-  const std::size_t all = flat.size();
-  for (bool removed = true; removed;) {
-    removed = false;
-    for (Face f : flat) {
-      if (!progress.go_on(collapsed + given, all)) return {};
-      if (!m.is_alive(f) || !is_degenerate(m, f)) continue;
-      if (collapse_short_edge(edit, f)) {
-        ++collapsed;
-        removed = true;
-      } else if (give_corner_away(edit, f)) {
-        ++given;
-        removed = true;
-      }
-    }
-    std::erase_if(flat, [&](Face f) { return !m.is_alive(f) || !is_degenerate(m, f); });
-  }
-  result.text = count_text(result.changed, "One face without area was removed", "# faces without area were removed",
-                           "面積ゼロの面を # 個なくしました");
-  if (result.changed > 0)
-    result.text = result.text + count_text(collapsed, ": # edge collapsed", ": # edges collapsed", "（稜線の縮約 #") +
-                  count_text(given, ", # corner given to the face across", ", # corners given to the face across",
-                             "、向かいの面への統合 #") +
-                  count_text(flat.size(), ", # deleted", ", # deleted", "、削除 #）");
-  result.text.en += ".";
-  result.text.ja += "。";
-  if (!flat.empty()) result.left = flat.size() - delete_soundly(edit, flat);
   return result;
 }
 

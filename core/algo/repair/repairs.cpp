@@ -3,6 +3,7 @@
 #include "core/algo/repair/detach_nonmanifold.h"
 #include "core/algo/repair/fill_holes.h"
 #include "core/algo/repair/orient_faces.h"
+#include "core/algo/repair/remove_degenerate.h"
 #include "core/algo/repair/remove_faces.h"
 #include "core/algo/repair/weld_points.h"
 #include "core/base/count_text.h"

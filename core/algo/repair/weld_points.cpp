@@ -12,6 +12,7 @@
 #include "core/algo/repair/sides_apart.h"
 #include "core/analysis/neighbourhood.h"
 #include "core/analysis/problem_kinds.h"
+#include "core/analysis/self_intersections.h"
 #include "core/base/count_text.h"
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
@@ -198,10 +199,10 @@ std::size_t collapse_within(Edit& edit, double distance, Progress& progress) {
 }
 
 AlgorithmResult result_of(const Welded& welded) {
-  AlgorithmResult result{welded.points + welded.turned, welded.left, {}};
+  AlgorithmResult result{welded.points, welded.left, {}};
   result.text = count_text(welded.points, "One point was welded to another", "# points were welded to others",
                            "点を # 個、ほかの点に統合しました");
-  if (welded.turned > 0) {
+  if (welded.points > 0 && welded.turned > 0) {
     const Text turned = count_text(welded.turned, "; one face was turned round to fit", "; # faces were turned round to fit",
                                    "（向きを合わせるため面を # 枚裏返しました）");
     result.text = result.text + turned;
@@ -214,6 +215,19 @@ AlgorithmResult result_of(const Welded& welded) {
   result.text.en += ".";
   result.text.ja += "。";
   return result;
+}
+
+// More pairs are of no use to anyone.
+constexpr std::size_t most_pairs = 1000000;
+
+void add_crossings(const Mesh& before, const Mesh& after, AlgorithmResult& result) {
+  const std::vector<FacePair> old = find_self_intersections(before, most_pairs).pairs;
+  std::vector<FacePair> added = find_self_intersections(after, most_pairs).pairs;
+  std::erase_if(added, [&](const FacePair& pair) { return std::binary_search(old.begin(), old.end(), pair); });
+  result.crossings = added.size();
+  if (added.empty()) return;
+  result.text = result.text + count_text(added.size(), " One pair of faces meets now that did not.",
+                                         " # pairs of faces meet now that did not.", "新たに交わる面が # 組あります。");
 }
 
 // Turning replaces all columns, which must be the only write of the edit: then everything is done on a copy.
@@ -238,12 +252,17 @@ AlgorithmResult weld_equal_points(Edit& edit, const AlgorithmInput&, Progress& p
 
 AlgorithmResult weld_close_points(Edit& edit, const AlgorithmInput& input, Progress& progress) {
   const double distance = input.values.length("distance");
-  return result_of(turn_and_weld(edit, distance, [&](Edit& on) {
+  if (!Welding(edit.mesh(), distance).has_mates()) return result_of({});
+  const Mesh before = edit.mesh();
+  const Welded welded = turn_and_weld(edit, distance, [&](Edit& on) {
     const std::size_t collapsed = collapse_within(on, distance, progress);
-    Welded welded = weld_within(on, distance, progress);
-    welded.points += collapsed;
-    return welded;
-  }));
+    Welded now = weld_within(on, distance, progress);
+    now.points += collapsed;
+    return now;
+  });
+  AlgorithmResult result = result_of(welded);
+  if (result.changed > 0 && progress.go_on()) add_crossings(before, edit.mesh(), result);
+  return result;
 }
 
 }  // namespace ryosen

@@ -5,16 +5,19 @@
 
 namespace ryosen {
 
-// Points with equal coordinates (-0 = 0) are merged, the lowest number stays; isolated ones among them are removed.
-// Coincident sides become one edge if exactly two faces traverse them in opposite directions. If the merged point would
-// be a bow-tie its fans stay separate points. A group is skipped if a face or wire contains two of its points, if one
-// of them is already non-manifold, or if merging would create a non-manifold edge or duplicate faces: so no new
-// defects. Cost: a few rounds of O(n log n).
+// Welds where sides of faces lie on each other: two sides between the same two places, and no third one there, become
+// one edge, and their ends become points. Where both run in one direction the faces of one part of the surface are turned
+// round first, the smaller part, where that makes all agree. A pair is left as a seam if one of its ends is
+// non-manifold, or if a face would visit a point twice, an edge get a third face, or two faces the same points
+// (point_merger.h): so no new findings. Points that no such side joins stay apart, so that no bow-tie is made; isolated
+// ones at a place of others are removed. The lowest number stays, -0 = 0. `left` counts the places that still have
+// several points. Cost: O(n log n), however many points are at one place.
 AlgorithmResult weld_equal_points(Edit& edit, const AlgorithmInput&, Progress& progress);
 
-// The same within a distance, without these guarantees; run only on request. Points join the first one in file order
-// that is within the distance and has not itself joined another, and take its position, so no point moves by more than
-// the distance. Edges within a group are collapsed first; a group that still has two points of one face is skipped.
+// The same within a distance, and edges within it collapse first, where the operator's verdict allows it. Points join
+// the first one in file order that is within the distance and has not itself joined another, and take its position, so no
+// point moves by more than the distance. Nothing is done that would make a face flat. `crossings` counts the pairs of
+// faces that meet afterwards and did not before. Cost: that of two searches for self-intersections.
 AlgorithmResult weld_close_points(Edit& edit, const AlgorithmInput& input, Progress& progress);
 
 }  // namespace ryosen

@@ -1,0 +1,229 @@
+#include "core/algo/repair/remove_degenerate.h"
+
+#include <algorithm>
+#include <deque>
+#include <glm/geometric.hpp>
+
+#include "core/algo/repair/delete_soundly.h"
+#include "core/algo/repair/flat_faces.h"
+#include "core/analysis/boundary_loop_count.h"
+#include "core/analysis/problem_sets.h"
+#include "core/base/count_text.h"
+#include "core/ops/collapse_edge.h"
+#include "core/ops/dissolve.h"
+#include "core/ops/swap_edge.h"
+
+namespace ryosen {
+
+namespace {
+
+template <class Op>
+bool apply_if_legal(Edit& edit, const Op& op) {
+  if (!op.check(edit.mesh()).legal()) return false;
+  op.apply(edit);
+  return true;
+}
+
+bool collapse_if_sound(Edit& edit, Halfedge h) {
+  if (!collapses_soundly(edit.mesh(), h)) return false;
+  CollapseEdge{h, CollapseEdge::Place::end}.apply(edit);
+  return true;
+}
+
+bool is_plain_triangle(const Mesh& m, Face f) { return is_triangle(m, m.halfedge(f)) && !m.has_rings(f); }
+
+double length_of(const Mesh& m, Halfedge h) { return glm::distance(m.position(m.from(h)), m.position(m.to(h))); }
+
+bool collapse_short_edge(Edit& edit, Face f) {
+  const Mesh& m = edit.mesh();
+  std::vector<Halfedge> sides;
+  for (Halfedge h : halfedges_around(m, f))
+    if (m.position(m.from(h)) == m.position(m.to(h))) sides.push_back(h);
+  return std::any_of(sides.begin(), sides.end(),
+                     [&](Halfedge h) { return collapse_if_sound(edit, h) || collapse_if_sound(edit, twin(h)); });
+}
+
+// The side opposite the middle one of three collinear corners at three places; else none.
+Halfedge long_side(const Mesh& m, Face f) {
+  const Halfedge h = m.halfedge(f);
+  for (Halfedge side : {h, m.next(h), m.prev(h)}) {
+    const glm::dvec3 &a = m.position(m.from(side)), &b = m.position(m.to(side)), &c = m.position(m.to(m.next(side)));
+    bool between = true;
+    for (int axis = 0; axis < 3; ++axis)
+      between = between && std::min(a[axis], b[axis]) <= c[axis] && c[axis] <= std::max(a[axis], b[axis]);
+    if (between && c != a && c != b) return side;
+  }
+  return Halfedge();
+}
+
+bool give_corner_away(Edit& edit, Face f) {
+  const Mesh& m = edit.mesh();
+  if (!is_plain_triangle(m, f)) return false;
+  const Halfedge side = long_side(m, f);
+  if (!side) return false;
+  const Face other = m.face(twin(side));
+  if (!other || is_flat(m, other)) return false;
+  if (is_plain_triangle(m, other) && apply_if_legal(edit, SwapEdge{side})) return true;
+  return apply_if_legal(edit, Dissolve{side});
+}
+
+bool shorten_common_side(Edit& edit, Face f) {
+  const Mesh& m = edit.mesh();
+  if (!is_plain_triangle(m, f)) return false;
+  const Halfedge side = long_side(m, f);
+  if (!side) return false;
+  const Face other = m.face(twin(side));
+  if (!other || other == f || !is_plain_triangle(m, other) || !is_flat(m, other)) return false;
+  const glm::dvec3 &c = m.position(m.to(m.next(side))), &d = m.position(m.to(m.next(twin(side))));
+  return glm::distance(c, d) < length_of(m, side) && apply_if_legal(edit, SwapEdge{side});
+}
+
+// Whether the face can go without a hole: its sides without a neighbour are one run, and no other corner is on a boundary.
+bool is_at_border(const Mesh& m, Face f) {
+  if (m.has_rings(f)) return false;
+  std::size_t runs = 0, open = 0;
+  bool others_are_inside = true;
+  for (Halfedge h : halfedges_around(m, f)) {
+    const bool is_open = m.is_outside(twin(h)), was_open = m.is_outside(twin(m.prev(h)));
+    open += is_open;
+    runs += is_open && !was_open;
+    const Vertex v = m.from(h);
+    if (!is_open && !was_open) others_are_inside = others_are_inside && !m.is_boundary(v) && !has_copies(m, v);
+  }
+  return open == corner_count(m, f) || (runs == 1 && others_are_inside);
+}
+
+bool move_corner(Edit& edit, Face f) {
+  const Mesh& m = edit.mesh();
+  std::vector<std::tuple<bool, double, Halfedge>> ways;  // inner corners first, then short ways
+  for (Halfedge side : halfedges_around(m, f))
+    for (Halfedge h : {side, twin(side)}) ways.emplace_back(m.is_boundary(m.from(h)), length_of(m, h), h);
+  std::sort(ways.begin(), ways.end());
+  return std::any_of(ways.begin(), ways.end(), [&](const auto& way) {
+    const CollapseEdge op{std::get<Halfedge>(way), CollapseEdge::Place::end};
+    if (!collapses_soundly(m, op.halfedge)) return false;
+    for (const Reason& reason : op.warnings(m))
+      if (reason.rule != Rule::seam) return false;
+    op.apply(edit);
+    return true;
+  });
+}
+
+std::vector<Face> flat_faces(const Mesh& m) {
+  std::vector<Face> flat;
+  Neighbourhood around(m);
+  const auto is_degenerate = row_of(ProblemKind::degenerate_area).face;
+  for (std::uint32_t i = 0; i < m.face_slots(); ++i)
+    if (m.is_alive(Face(i)) && is_degenerate(around, Face(i))) flat.emplace_back(i);
+  return flat;
+}
+
+std::size_t boundary_loops(const Mesh& m) {
+  const ProblemSets sets(m);
+  Neighbourhood around(m);
+  BoundaryLoopCount loops;
+  loops.search(around, sets.of(ProblemKind::boundary_loop));
+  return loops.count();
+}
+
+class Removal {
+ public:
+  Removal(Edit& edit, Progress& progress) : edit_(edit), m_(edit.mesh()), progress_(progress), flat_(flat_faces(m_)) {
+    all_ = flat_.size();
+  }
+
+  AlgorithmResult run() {
+    while (!flat_.empty()) {
+      const bool goes_on = sweep([&](Face f) { return keep_surface(f); }) || sweep([&](Face f) { return leave_border(f); }) ||
+                           sweep([&](Face f) { return collapsed_ += move_corner(edit_, f), !is_left(f); });
+      if (progress_.is_cancelled()) return {};
+      if (!goes_on) break;
+    }
+    if (!flat_.empty()) open_holes();
+    return result();
+  }
+
+ private:
+  bool is_left(Face f) const { return m_.is_alive(f) && is_flat(m_, f); }
+
+  // Tries a step on each flat face, and again on the flat faces beside one that is gone. Whether any went.
+  template <class Step>
+  bool sweep(Step step) {
+    bool any = false;
+    std::deque<Face> queue(flat_.begin(), flat_.end());
+    std::vector<Face> beside;
+    for (; !queue.empty(); queue.pop_front()) {
+      const Face f = queue.front();
+      if (!progress_.go_on(all_ - flat_.size(), all_)) return false;
+      if (!is_left(f)) continue;
+      beside.clear();
+      for (Halfedge h : halfedges_around(m_, f))
+        if (const Face g = m_.face(twin(h)); g && g != f) beside.push_back(g);
+      if (!step(f)) continue;
+      any = true;
+      for (Face g : beside)
+        if (is_left(g)) queue.push_back(g);
+    }
+    std::erase_if(flat_, [&](Face f) { return !is_left(f); });
+    return any;
+  }
+
+  bool keep_surface(Face f) {
+    if (collapse_short_edge(edit_, f)) return ++collapsed_, true;
+    if (give_corner_away(edit_, f)) return ++given_, true;
+    return shorten_common_side(edit_, f);
+  }
+
+  bool leave_border(Face f) {
+    const std::size_t gone = is_at_border(m_, f) ? delete_soundly(edit_, {f}) : 0;
+    deleted_ += gone;
+    return gone > 0;
+  }
+
+  void open_holes() {
+    const std::size_t before = boundary_loops(m_);
+    deleted_ += delete_soundly(edit_, flat_);
+    const std::size_t after = boundary_loops(m_);
+    opened_ = after > before ? after - before : 0;
+    std::erase_if(flat_, [&](Face f) { return !is_left(f); });
+  }
+
+  AlgorithmResult result() const {
+    AlgorithmResult result;
+    result.changed = collapsed_ + given_ + deleted_ > 0 ? all_ - flat_.size() : 0;
+    result.left = flat_.size();
+    result.text = count_text(result.changed, "One face without area was removed", "# faces without area were removed",
+                             "面積ゼロの面を # 個なくしました");
+    if (result.changed > 0)
+      result.text =
+          result.text + count_text(collapsed_, ": # edge collapsed", ": # edges collapsed", "（稜線の縮約 #") +
+          count_text(given_, ", # corner given to the face across", ", # corners given to the face across",
+                     "、向かいの面への統合 #") +
+          count_text(deleted_, ", # deleted", ", # deleted", "、削除 #）");
+    if (opened_ > 0)
+      result.text = result.text + count_text(opened_, "; this opened one boundary loop", "; this opened # boundary loops",
+                                             "。境界ループが # 本増えました");
+    if (result.left > 0) {
+      const std::string n = std::to_string(result.left);
+      result.text.en += "; " + n + (result.left == 1 ? " stays" : " stay");
+      result.text.ja += "。残り " + n;
+    }
+    result.text.en += ".";
+    result.text.ja += "。";
+    return result;
+  }
+
+  Edit& edit_;
+  const Mesh& m_;
+  Progress& progress_;
+  std::vector<Face> flat_;
+  std::size_t all_ = 0, collapsed_ = 0, given_ = 0, deleted_ = 0, opened_ = 0;
+};
+
+}  // namespace
+
+AlgorithmResult remove_degenerate_faces(Edit& edit, const AlgorithmInput&, Progress& progress) {
+  return Removal(edit, progress).run();
+}
+
+}  // namespace ryosen

@@ -59,6 +59,11 @@ void Outcome::say(const Text& more) {
   sentence.ja += more.ja;
 }
 
+Code code_of(const Outcome& outcome) {
+  if (outcome.exit_code == ExitCode::refused) return "refused";
+  return outcome.exit_code == ExitCode::out_of_memory ? Code("out_of_memory") : Code("command_failed");
+}
+
 Outcome failed(ExitCode exit_code, Text sentence) {
   Outcome outcome;
   outcome.kind = Outcome::Kind::failed;
@@ -121,20 +126,22 @@ Outcome Document::apply(const AnyOp& op, bool strict) {
   Outcome outcome;
   outcome.warnings = std::move(before.warnings);
   outcome.deleted = names_with_copies(mesh_, before.deleted);
-  const std::string command = command_of(mesh_, op);
+  std::string command = command_of(mesh_, op);
   {
     Edit edit(mesh_, &journal_);
     ryosen::apply(edit, op);
+    outcome.created = names_with_copies(mesh_, before.created);
+    make_room_in_history();
     edit.commit();
   }
-  outcome.created = names_with_copies(mesh_, before.created);
-  committed(command);
+  committed(std::move(command));
   return outcome;
 }
 
 std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const ParameterValues& values,
                                              std::string command, Progress::Report report) {
   AlgorithmResult result;
+  OtherQuarantine other;
   {
     Progress progress(std::move(report));
     Edit edit(mesh_, &journal_);
@@ -142,20 +149,25 @@ std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const Para
     result = row.run(edit, {values, used, tables_.quarantine.size()}, progress);
     if (progress.is_cancelled()) return std::nullopt;
     if (result.changed == 0) return result;
+    if (result.drops_quarantined) other[journal_.position()];
+    make_room_in_history();
     edit.commit();
   }
-  committed(std::move(command),
-            result.drops_quarantined ? std::optional(std::vector<QuarantinedFace>()) : std::nullopt);
+  committed(std::move(command), std::move(other));
   return result;
 }
 
-void Document::committed(std::string command, std::optional<std::vector<QuarantinedFace>> quarantine) {
+void Document::make_room_in_history() {
+  if (history_.size() == history_.capacity()) history_.reserve(2 * history_.size() + 1);
+}
+
+void Document::committed(std::string command, OtherQuarantine other) {
   const std::size_t transaction = journal_.position() - 1;
   history_.resize(transaction);
   other_quarantine_.erase(other_quarantine_.lower_bound(transaction), other_quarantine_.end());
   history_.push_back({std::move(command)});
-  if (quarantine) {
-    other_quarantine_[transaction] = std::move(*quarantine);
+  if (!other.empty()) {
+    other_quarantine_.merge(other);
     exchange_quarantine(transaction);
   }
   if (saved_position_ >= journal_.position()) saved_position_ = no_index;  // that position can no longer be reached
@@ -246,11 +258,11 @@ std::vector<Message> Document::losses(const std::filesystem::path& path) const {
 }
 
 Status Document::save(const std::filesystem::path& path, WriteOptions options) {
-  const std::filesystem::path target = path.empty() ? path_ : path;
+  std::filesystem::path target = path.empty() ? path_ : path;
   if (!options.format) options.format = format_for(target);
   Status status = write_mesh_file(target, contents(), options);
   if (!status || is_stream(target)) return status;
-  path_ = target;
+  path_.swap(target);
   saved_position_ = journal_.position();
   return status;
 }

@@ -12,6 +12,7 @@
 #include "app/ui/viewport.h"
 #include "app/window_keys.h"
 #include "render/canvas.h"
+#include "render/context/context.h"
 #include "render/gl/api.h"
 
 namespace ryosen {
@@ -295,6 +296,7 @@ Status run_window(const WindowOptions& options) {
     if (!opened) return opened.failure();
     document = std::move(opened).value();
   }
+  if (auto lack = lack_of_memory_for_context()) return std::move(*lack);
   Result<std::unique_ptr<GlfwWindow>> window = GlfwWindow::make();
   if (!window) return window.failure();
   Result<std::unique_ptr<Viewport>> viewport = Viewport::make();

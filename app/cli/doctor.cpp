@@ -132,8 +132,9 @@ std::string to_text(const Diagnosis& d, const Console& console) {
   for (const Version& v : versions()) columns.add(v.of, v.version);
   columns.add("display", d.display.empty() ? missing : d.display);
   for (const BackendReport& backend : d.backends)
-    columns.add("render: " + backend.name, backend.works() ? backend.renderer + ", OpenGL " + backend.version
-                                                           : missing + ": " + console.text(backend.problem));
+    columns.add("render: " + backend.name,
+                backend.works() ? backend.renderer + ", OpenGL " + backend.version
+                                : std::string(console.text("none: ", "使えません：")) + console.text(backend.problem));
   for (const FontUse& font : font_uses())
     columns.add("font", std::string(console.text(font.purpose_en, font.purpose_ja)) + ": " +
                             (font.is_found ? font.file : missing + " (" + font.file + ")"));

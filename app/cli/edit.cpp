@@ -131,7 +131,7 @@ class EditRun {
   Message message_of(const Step& step) const {
     Message message;
     message.severity = step.result == "refused" && skip_refused_ ? Severity::warning : Severity::error;
-    message.code = step.result == "refused" ? Code("refused") : Code("command_failed");
+    message.code = code_of(step.outcome);
     message.text = step.outcome.sentence;
     if (!step.rules.empty()) {
       message.text.en += " [" + step.rules + "]";

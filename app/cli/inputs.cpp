@@ -85,13 +85,14 @@ std::vector<Input> find_inputs(const std::vector<std::string>& operands) {
 
 ExitCode combine(const std::vector<ExitCode>& codes) {
   if (codes.size() == 1) return codes[0];
+  const auto is_there = [&](ExitCode code) { return std::find(codes.begin(), codes.end(), code) != codes.end(); };
   const auto is_read = [](ExitCode code) { return code == ExitCode::done || code == ExitCode::found_problems; };
   const auto count = std::count_if(codes.begin(), codes.end(), is_read);
   if (count == static_cast<std::ptrdiff_t>(codes.size()))
-    return std::find(codes.begin(), codes.end(), ExitCode::found_problems) != codes.end() ? ExitCode::found_problems
-                                                                                          : ExitCode::done;
-  if (std::find(codes.begin(), codes.end(), ExitCode::internal_error) != codes.end()) return ExitCode::internal_error;
+    return is_there(ExitCode::found_problems) ? ExitCode::found_problems : ExitCode::done;
+  if (is_there(ExitCode::internal_error)) return ExitCode::internal_error;
   if (count > 0) return ExitCode::some_inputs_failed;
+  if (is_there(ExitCode::out_of_memory)) return ExitCode::out_of_memory;
   const bool all_missing =
       std::all_of(codes.begin(), codes.end(), [](ExitCode c) { return c == ExitCode::input_missing; });
   return all_missing ? ExitCode::input_missing : ExitCode::input_malformed;

@@ -56,16 +56,17 @@ void write_whole(int descriptor, std::string_view bytes) noexcept {
 }  // namespace
 
 void prepare_last_words(const Console& console, std::optional<std::string_view> file) {
-  auto lines = std::make_unique<PreparedLines>();
-  for (std::size_t i = 0; i < lines->size(); ++i) {
+  static PreparedLines& lines = *new PreparedLines;  // for ever: a signal may come at the very end
+  prepared_lines = nullptr;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
     const LastWordsRow& row = last_words_rows[i];
     const Message message = failure_of(row).message;
-    PreparedLine& line = (*lines)[i];
+    PreparedLine& line = lines[i];
     line.on_stderr = console.shown_line(message, file.value_or(std::string_view()));
+    line.on_stdout.clear();
     if (console.json && row.exit_code != ExitCode::done) line.on_stdout = line_of(error_object(message, file));
   }
-  // The former are never deleted: a signal may just be reading them.
-  prepared_lines = lines.release();
+  prepared_lines = &lines;
 }
 
 ExitCode say_last_words(LastWords words, bool may_print) noexcept {

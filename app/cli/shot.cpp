@@ -1,16 +1,22 @@
 // `shot`: a picture of a mesh or of the whole editor, written or compared with another.
 #include "app/cli/contract/shot.h"
+
+#include <filesystem>
+
 #include "app/cli/contract/record.h"
 #include "app/cli/shot_options.h"
 #include "app/cli/signals.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/visible.h"
 #include "core/base/parallel.h"
+#include "core/base/resource_limits.h"
 #include "core/io/safe_write.h"
 
 namespace ryosen::cli {
 
 namespace {
+
+constexpr std::uint64_t much_memory = std::uint64_t{1} << 30;  // worth saying before
 
 class Shot {
  public:
@@ -63,7 +69,7 @@ class Shot {
     if (outcome.done()) return;
     code_ = outcome.exit_code;
     Message message;
-    message.code = outcome.exit_code == ExitCode::refused ? Code("refused") : Code("command_failed");
+    message.code = code_of(outcome);
     message.text = outcome.sentence;
     if (line > 0) message.line = static_cast<std::uint64_t>(line);
     console_.show(message, line > 0 ? options_.script.file : std::string());
@@ -131,6 +137,28 @@ class Shot {
   std::vector<Message> messages_;
 };
 
+// Whether the mesh is to be known before the renderer is loaded, to compare what the picture needs with what there is.
+bool needs_much(const ShotOptions& options) {
+  constexpr std::uintmax_t large_file = std::uintmax_t{64} << 20;
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(options.file, error);
+  return is_reserving_limited() || (!error && size >= large_file) ||
+         Headless::need(options.picture, 0).resident >= much_memory;
+}
+
+// No more than are drawn.
+std::uint64_t most_triangles(const Mesh& mesh) {
+  const ElementCounts live = mesh.live();
+  return 2 * (std::uint64_t{live.edges} - std::min(live.edges, live.faces));
+}
+
+void announce_memory(const MemoryNeed& need, const Console& console) {
+  if (need.resident < much_memory) return;
+  const std::string bytes = memory_text(need.resident);
+  console.note({"This picture needs about " + bytes + " of memory besides the mesh.",
+                "この画像には、メッシュのほかに約 " + bytes + " のメモリが必要です。"});
+}
+
 }  // namespace
 
 ExitCode shot_command(const Arguments& arguments, const Console& given) {
@@ -145,11 +173,20 @@ ExitCode shot_command(const Arguments& arguments, const Console& given) {
   }
   Console console = given;
   console.leaves_stdout = options->leaves_stdout;
-  // Reading and creating a context take about equally long and are independent.
   std::optional<Result<std::unique_ptr<Headless>>> headless;
   std::optional<Result<std::unique_ptr<Document>>> document;
-  do_beside([&] { headless.emplace(Headless::make(options->picture)); },
-            [&] { document.emplace(Document::open(options->file)); });
+  const auto read = [&] { document.emplace(Document::open(options->file)); };
+  if (needs_much(*options)) {
+    read();
+    if (*document) {
+      const std::uint64_t triangles = most_triangles((**document)->mesh());
+      announce_memory(Headless::need(options->picture, triangles), console);
+      headless.emplace(Headless::make(options->picture, triangles));
+    }
+  } else {
+    // Reading and creating a context take about equally long and are independent.
+    do_beside([&] { headless.emplace(Headless::make(options->picture)); }, read);
+  }
   if (!*document) return console.fail(document->failure(), options->file);
   if (!*headless) return console.fail(headless->failure());
   Session session(std::move(*document).value());

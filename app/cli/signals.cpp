@@ -7,6 +7,9 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
 
 #include "app/cli/last_words.h"
 #include "core/base/uninterrupted.h"
@@ -53,7 +56,21 @@ void answer(int signal) {
   errno = error;
 }
 
+void end_by_exception() {
+  try {
+    if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    remove_unfinished_files();
+    std::fflush(stdout);
+    ::_exit(static_cast<int>(say_last_words(LastWords::out_of_memory, true)));
+  } catch (...) {
+  }
+  std::abort();
+}
+
 }  // namespace
+
+void answer_lack_of_memory() { std::set_terminate(end_by_exception); }
 
 void answer_signals() {
   set_end(end_by_signal);

@@ -1,4 +1,5 @@
-// The answer to interrupts, requests to terminate and the end of the terminal (INT, TERM, HUP).
+// The answer to what ends the program at once: interrupts, requests to terminate and the end of the terminal (INT, TERM,
+// HUP), and a lack of memory where nothing can be thrown.
 #pragma once
 
 namespace ryosen::cli {
@@ -7,6 +8,10 @@ namespace ryosen::cli {
 // the last words are said, and the exit code is 8. Once an output has its name the run goes on to its report and its own
 // exit code, for at most as long. A signal that is ignored stays ignored. For main() alone: it concerns the process.
 void answer_signals();
+
+// From here on a lack of memory that cannot be thrown further (in a destructor, through a driver) ends the program with its
+// last words and code 10, not by a signal. For main().
+void answer_lack_of_memory();
 
 // More is to be done behind an output that is written, so that a signal cancels again.
 void begin_another_step();

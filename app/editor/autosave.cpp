@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <new>
 
 #include "app/editor/commands.h"
 #include "app/editor/words.h"
@@ -28,9 +29,10 @@ void Autosave::begin(const Document& document) {
 }
 
 void Autosave::begin(const Document& document, SessionStart start) {
+  fs::path file = whole(document.path());
   finish();
   start_ = std::move(start);
-  file_ = whole(document.path());
+  file_.swap(file);
   has_failed_ = false;
 }
 
@@ -123,7 +125,10 @@ std::optional<Text> Autosave::before_save(const Session& session, const fs::path
 }
 
 void Autosave::finish() {
-  if (script_) script_->remove();
+  try {
+    if (script_) script_->remove();
+  } catch (const std::bad_alloc&) {  // it is offered for recovery once more
+  }
   script_.reset();
 }
 

@@ -31,6 +31,9 @@ class Autosave {
   // its elements.
   std::optional<Text> before_save(const Session& session, const std::filesystem::path& target);
 
+  // No further edit of this document is recorded: one could not be.
+  void stop() noexcept { has_failed_ = true; }
+
   // Ends the session normally and deletes the script. Without this call it stays for recovery.
   void finish();
 

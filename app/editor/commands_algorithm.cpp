@@ -26,10 +26,10 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words words, co
   const std::string values = given.values->line(has_bare_value);
   Outcome outcome;
   outcome.performed = call + (values.empty() ? "" : " " + values);
-  const auto result = session.document().run(row, *found.values, outcome.performed, session.on_progress);
+  auto result = session.document().run(row, *found.values, outcome.performed, session.on_progress);
   if (!result)
     return failed(ExitCode::cancelled, {"Cancelled; nothing has changed.", "中止しました。何も変わっていません。"});
-  outcome.sentence = result->text;
+  outcome.sentence = std::move(result->text);  // what is done by now must not fail any more
   return outcome;
 }
 

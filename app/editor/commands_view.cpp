@@ -20,7 +20,7 @@ Outcome run_view(Session& session, Words arguments, std::string_view) {
   const NamedView* const view = arguments.size() == 1 ? find_named_view(arguments[0]) : nullptr;
   if (!view) return wrong_arguments("view");
   session.camera =
-      camera_of(*view, session.places_to_frame(), static_cast<double>(session.view.width) / session.view.height);
+      camera_of(*view, Session::places_to_frame(session.mesh()), static_cast<double>(session.view.width) / session.view.height);
   return {};
 }
 

@@ -62,6 +62,11 @@ void Outcome::say(const Text& more) {
   sentence.ja += more.ja;
 }
 
+Code code_of(const Outcome& outcome) {
+  if (outcome.exit_code == ExitCode::refused) return "refused";
+  return outcome.exit_code == ExitCode::out_of_memory ? Code("out_of_memory") : Code("command_failed");
+}
+
 Outcome failed(ExitCode exit_code, Text sentence) {
   Outcome outcome;
   outcome.kind = Outcome::Kind::failed;
@@ -124,66 +129,73 @@ Outcome Document::apply(const AnyOp& op, bool strict) {
   Outcome outcome;
   outcome.warnings = std::move(before.warnings);
   outcome.deleted = names_with_copies(mesh_, before.deleted);
-  const std::string command = command_of(mesh_, op);
+  std::string command = command_of(mesh_, op);
   {
     Edit edit(mesh_, &journal_);
     ryosen::apply(edit, op);
+    outcome.created = names_with_copies(mesh_, before.created);
+    make_room_in_history();
     edit.commit();
   }
-  outcome.created = names_with_copies(mesh_, before.created);
-  committed(command);
+  committed(std::move(command));
   return outcome;
 }
 
 std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const ParameterValues& values,
                                              std::string command, Progress::Report report) {
   AlgorithmResult result;
+  OtherQuarantine other;
   {
     Progress progress(std::move(report));
     Edit edit(mesh_, &journal_);
-    const std::vector<Vertex> used = used_beside_the_mesh(file_, tables_, mesh_.file_vertices());
+    const std::vector<Vertex> used = used_beside_the_mesh(file_, tables_.quarantine, mesh_.file_vertices());
     const std::vector<Vertex> on_lines = vertices_on_lines(file_, mesh_.file_vertices());
     FindingCounts counts{};
     if (row.is_repair()) counts = count_findings(mesh_, on_lines);
     result = run_guarded(edit, row, {values, used, tables_.quarantine.size(), on_lines}, progress, counts);
     if (progress.is_cancelled()) return std::nullopt;
     if (result.changed == 0) return result;
+    if (result.drops_quarantined) other[journal_.position()];
+    make_room_in_history();
     edit.commit();
   }
-  committed(std::move(command),
-            result.drops_quarantined ? std::optional(std::vector<QuarantinedFace>()) : std::nullopt);
+  committed(std::move(command), std::move(other));
   return result;
 }
 
 std::optional<RecipeResult> Document::run(std::span<const RecipeStep> recipe, std::string command,
                                           const RecipeEvents& events) {
   const std::size_t vertices = mesh_.file_vertices();
-  const std::vector<Vertex> used = used_beside_the_mesh(file_, tables_, vertices);
+  const std::vector<Vertex> used = used_beside_the_mesh(file_, tables_.quarantine, vertices);
+  const std::vector<Vertex> used_later = used_beside_the_mesh(file_, {}, vertices);
   const std::vector<Vertex> on_lines = vertices_on_lines(file_, vertices);
-  std::vector<QuarantinedFace> quarantine = std::exchange(tables_.quarantine, {});
-  const std::vector<Vertex> used_later = used_beside_the_mesh(file_, tables_, vertices);
-  tables_.quarantine = std::move(quarantine);
   std::optional<RecipeResult> result =
       run_recipe(mesh_, recipe, {tables_.quarantine, used, used_later, on_lines}, events);
   if (!result || !result->is_changed) return result;
+  OtherQuarantine other;
   {
     Edit edit(mesh_, &journal_);
     edit.replace(result->mesh.columns());
+    if (result->drops_quarantined) other[journal_.position()];
+    make_room_in_history();
     edit.commit();
   }
   result->mesh = Mesh();
-  committed(std::move(command),
-            result->drops_quarantined ? std::optional(std::vector<QuarantinedFace>()) : std::nullopt);
+  committed(std::move(command), std::move(other));
   return result;
 }
 
-void Document::committed(std::string command, std::optional<std::vector<QuarantinedFace>> quarantine) {
+void Document::make_room_in_history() {
+  if (history_.size() == history_.capacity()) history_.reserve(2 * history_.size() + 1);
+}
+
+void Document::committed(std::string command, OtherQuarantine other) {
   const std::size_t transaction = journal_.position() - 1;
   history_.resize(transaction);
   other_quarantine_.erase(other_quarantine_.lower_bound(transaction), other_quarantine_.end());
   history_.push_back({std::move(command)});
-  if (quarantine) {
-    other_quarantine_[transaction] = std::move(*quarantine);
+  if (!other.empty()) {
+    other_quarantine_.merge(other);
     exchange_quarantine(transaction);
   }
   if (saved_position_ >= journal_.position()) saved_position_ = no_index;  // that position can no longer be reached
@@ -274,11 +286,11 @@ std::vector<Message> Document::losses(const std::filesystem::path& path) const {
 }
 
 Status Document::save(const std::filesystem::path& path, WriteOptions options) {
-  const std::filesystem::path target = path.empty() ? path_ : path;
+  std::filesystem::path target = path.empty() ? path_ : path;
   if (!options.format) options.format = format_for(target);
   Status status = write_mesh_file(target, contents(), options);
   if (!status || is_stream(target)) return status;
-  path_ = target;
+  path_.swap(target);
   saved_position_ = journal_.position();
   return status;
 }

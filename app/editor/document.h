@@ -39,6 +39,9 @@ struct Outcome {
   void say(const Text& more);
 };
 
+// The code of the message about an outcome that is not done.
+Code code_of(const Outcome& outcome);
+
 // Nothing was done, for the reason in the sentence.
 Outcome failed(ExitCode exit_code, Text sentence);
 
@@ -103,7 +106,7 @@ class Document {
   // its name says none; it does not become the document's file, which stays unsaved.
   Status save(const std::filesystem::path& path, WriteOptions options = {});
 
-  // Called after every commit, undo and redo, with the transaction of journal() concerned.
+  // Called after every commit, undo and redo, with the transaction of journal() concerned. Must not throw.
   using Listener = std::function<void(std::size_t transaction)>;
   void add_listener(Listener listener) { listeners_.push_back(std::move(listener)); }
   // Increases with every change, including undo and redo.
@@ -113,8 +116,12 @@ class Document {
 
  private:
   Outcome refuse(const AnyOp& op, std::vector<Reason> reasons);
-  // Records that the open edit has become the last transaction; `quarantine` is the new quarantine, if it changed.
-  void committed(std::string command, std::optional<std::vector<QuarantinedFace>> quarantine = {});
+  using OtherQuarantine = std::map<std::size_t, std::vector<QuarantinedFace>>;  // by transaction
+
+  // So that committed() finds room for one entry more.
+  void make_room_in_history();
+  // Records that the open edit has become the last transaction, with the new quarantine if it changed. Allocates nothing.
+  void committed(std::string command, OtherQuarantine other = {});
   // Swaps the quarantine with the stored one, for transactions that change it.
   void exchange_quarantine(std::size_t transaction);
   void notify(std::size_t transaction);
@@ -128,7 +135,7 @@ class Document {
   FileTables tables_;
   std::filesystem::path path_;
   std::vector<HistoryEntry> history_;
-  std::map<std::size_t, std::vector<QuarantinedFace>> other_quarantine_;  // by transaction
+  OtherQuarantine other_quarantine_;
   std::size_t saved_position_ = 0;
   std::uint64_t revision_ = 0;
   std::uint64_t serial_;

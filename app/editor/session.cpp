@@ -1,10 +1,12 @@
 #include "app/editor/session.h"
 
 #include <cassert>
+#include <new>
 
 #include "app/editor/autosave.h"
 #include "app/editor/commands.h"
 #include "app/editor/words.h"
+#include "core/base/out_of_memory.h"
 #include "core/io/elements.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
@@ -46,12 +48,30 @@ void Session::show(const PanelRow& panel, bool on) {
     switched_panels.erase(id);
 }
 
+// What may find no memory comes first.
 void Session::set_document(std::unique_ptr<Document> document, std::optional<std::filesystem::path> read_from) {
+  RunFiles files_then = files;
+  files_then.begin_document();
+  const std::filesystem::path& source = read_from ? *read_from : document->path();
+  if (!source.empty()) files_then.reads(source, FileRole::mesh);
+  document->add_listener([this](std::size_t transaction) { follow(transaction); });
+  std::set<std::string> shown_then = shown;
+  if (document->mesh().live().faces == 0)
+    for (const HighlightRow& row : highlight_table())
+      if (row.shown_at_first == ShownAtFirst::without_faces) shown_then.insert(std::string(row.id));
+  const Camera camera_then = framing(places_to_frame(document->mesh()), first_camera());
+  if (autosave) autosave->begin(*document);
   document_ = std::move(document);
-  files.begin_document();
-  const std::filesystem::path& source = read_from ? *read_from : document_->path();
-  if (!source.empty()) files.reads(source, FileRole::mesh);
-  document_->add_listener([this](std::size_t transaction) { follow(transaction); });
+  files = std::move(files_then);
+  shown.swap(shown_then);
+  camera = camera_then;
+  forget_derived();
+  remedy_line_.clear();
+  selection.clear();
+  log_.clear();
+}
+
+void Session::forget_derived() {
   picker_.reset();
   corner_normals_.reset();
   highlights_.reset();
@@ -59,19 +79,19 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   euler_.reset();
   kind_.reset();
   hover_.reset();
-  remedy_line_.clear();
-  selection.clear();
-  log_.clear();
   drawn_changes_ = DrawnChanges();
-  if (document_->mesh().live().faces == 0)
-    for (const HighlightRow& row : highlight_table())
-      if (row.shown_at_first == ShownAtFirst::without_faces) shown.insert(std::string(row.id));
-  camera = first_camera();
-  frame_all();
-  if (autosave) autosave->begin(*document_);
 }
 
 void Session::follow(std::size_t transaction) {
+  try {
+    update_derived(transaction);
+  } catch (const std::bad_alloc&) {
+    forget_derived();
+    selection.clear();
+  }
+}
+
+void Session::update_derived(std::size_t transaction) {
   const Mesh& m = mesh();
   const TouchedElements touched = touched_elements(m, document_->journal(), transaction);
   if (picker_) {
@@ -156,6 +176,18 @@ void Session::note_marks(const TouchedElements& touched) {
 }
 
 Outcome Session::run(const std::string& line) {
+  const std::uint64_t serial = document_->serial();
+  const std::size_t position = document_->position();
+  try {
+    return run_line(line);
+  } catch (const std::bad_alloc&) {
+    forget_derived();  // some of it may be half made
+    if (document_->serial() == serial) document_->go_to(position);
+    return failed(ExitCode::out_of_memory, out_of_memory().message.text);
+  }
+}
+
+Outcome Session::run_line(const std::string& line) {
   const std::vector<std::string_view> words = split_words(line);
   if (words.empty()) return {};
   const auto row = find_command_row(words[0]);
@@ -163,21 +195,30 @@ Outcome Session::run(const std::string& line) {
   const std::size_t after_id = static_cast<std::size_t>(words[0].data() - line.data()) + words[0].size();
   [[maybe_unused]] const std::uint64_t serial = document_->serial(), revision = document_->revision();
   [[maybe_unused]] const std::size_t logged = log_.size();
+  // What is needed once the command is done is made before.
+  if (log_.size() == log_.capacity()) log_.reserve(2 * log_.size() + 1);
+  std::string entry, usual = row->effect == Effect::none ? std::string() : std::string(without_blanks(line));
+  entry.reserve(2 * line.size() + 256);
   Outcome outcome = row->run(*this, Words(words).subspan(1), std::string_view(line).substr(after_id));
   // A row that says `none` of a command that changes the mesh would leave it out of the log.
   assert(row->effect != Effect::none || log_.size() > logged ||
          (document_->serial() == serial && document_->revision() == revision));
   if (!outcome.done() || row->effect == Effect::none) return outcome;
   if (row->effect == Effect::edits || row->effect == Effect::steps)
-    if (outcome.performed.empty()) outcome.performed = without_blanks(line);
-  if (!outcome.performed.empty()) log_line(outcome);
+    if (outcome.performed.empty()) outcome.performed = std::move(usual);
+  if (!outcome.performed.empty()) log_line(outcome, std::move(entry));
   return outcome;
 }
 
-void Session::log_line(Outcome& outcome) {
-  log_.push_back(outcome.performed);
+void Session::log_line(Outcome& outcome, std::string entry) {
+  entry = outcome.performed;
+  log_.push_back(std::move(entry));
   if (!autosave) return;
-  if (const auto warning = autosave->note(*this, outcome.performed)) outcome.say(*warning);
+  try {
+    if (const auto warning = autosave->note(*this, outcome.performed)) outcome.say(*warning);
+  } catch (const std::bad_alloc&) {
+    autosave->stop();
+  }
 }
 
 namespace {
@@ -327,17 +368,21 @@ const KindOfMesh& Session::kind(bool anew) {
   return *kind_;
 }
 
-std::vector<glm::dvec3> Session::places_to_frame() const {
+std::vector<glm::dvec3> Session::places_to_frame(const Mesh& mesh) {
   std::vector<glm::dvec3> places, isolated;
-  places.reserve(mesh().vertex_slots());
-  for (std::uint32_t i = 0; i < mesh().vertex_slots(); ++i) {
+  places.reserve(mesh.vertex_slots());
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
     const Vertex v(i);
-    if (mesh().is_alive(v)) (mesh().is_isolated(v) ? isolated : places).push_back(mesh().position(v));
+    if (mesh.is_alive(v)) (mesh.is_isolated(v) ? isolated : places).push_back(mesh.position(v));
   }
   return places.empty() ? isolated : places;
 }
 
-void Session::frame_all() { camera = fitted(camera, places_to_frame(), static_cast<double>(view.width) / view.height); }
+Camera Session::framing(const std::vector<glm::dvec3>& places, const Camera& from) const {
+  return fitted(from, places, static_cast<double>(view.width) / view.height);
+}
+
+void Session::frame_all() { camera = framing(places_to_frame(mesh()), camera); }
 
 void Session::frame_selection() {
   std::vector<glm::dvec3> places;

@@ -116,7 +116,7 @@ class Session {
   // `read_from` is the file that it was read from, where that is not its own: no output of the run takes its place.
   void set_document(std::unique_ptr<Document> document, std::optional<std::filesystem::path> read_from = {});
   // The positions for framing the view: all vertices except isolated ones, unless there are no others.
-  std::vector<glm::dvec3> places_to_frame() const;
+  static std::vector<glm::dvec3> places_to_frame(const Mesh& mesh);
   void frame_all();
   void frame_selection();
 
@@ -135,8 +135,14 @@ class Session {
   DrawnChanges take_drawn_changes();
 
  private:
-  void log_line(Outcome& outcome);
+  Outcome run_line(const std::string& line);
+  // `entry` has room for the line.
+  void log_line(Outcome& outcome, std::string entry);
+  // Updates what is derived from the mesh; forgets it where there is no memory for that.
   void follow(std::size_t transaction);
+  void update_derived(std::size_t transaction);
+  void forget_derived();
+  Camera framing(const std::vector<glm::dvec3>& places, const Camera& from) const;
   void note_marks(const TouchedElements& touched);
   void forget_hidden();
   Outcome apply_at(const OpTarget& target, const std::string& id);

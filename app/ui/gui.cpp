@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <utility>
 
 #include "app/editor/commands.h"
@@ -27,9 +28,16 @@ void draw_over(PanelContext& context, const PanelRow& row, Panel& panel) {
   end_over();
 }
 
+// ImGui itself does not ask whether there was memory.
+ImGuiContext* make_context() {
+  ImGui::SetAllocatorFunctions([](std::size_t bytes, void*) { return ::operator new(bytes); },
+                               [](void* block, void*) { ::operator delete(block); });
+  return ImGui::CreateContext();
+}
+
 }  // namespace
 
-Gui::Gui(float scale) : imgui_(ImGui::CreateContext()), scale_(scale) {
+Gui::Gui(float scale) : imgui_(make_context()), scale_(scale) {
   ImGui::SetCurrentContext(imgui_);
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;

@@ -15,7 +15,19 @@ Headless::Headless(const Options& options, std::unique_ptr<Context> context)
 
 Headless::~Headless() = default;
 
-Result<std::unique_ptr<Headless>> Headless::make(const Options& options) {
+MemoryNeed Headless::need(const Options& options, std::uint64_t triangles) {
+  // Bytes, measured at up to 4000 x 4000 pixels and 4 million triangles: colour and depth of what is rendered, what is
+  // read back and packed of the picture, what triangles take besides the mesh, and the panels with their fonts.
+  constexpr std::uint64_t per_rendered = 9, per_pixel = 9, per_triangle = 130, of_panels = std::uint64_t{32} << 20;
+  const std::uint64_t pixels = std::uint64_t(options.size.width) * std::uint64_t(options.size.height);
+  const std::uint64_t rendered = pixels * std::uint64_t(options.supersample) * std::uint64_t(options.supersample);
+  const std::uint64_t bytes =
+      rendered * per_rendered + pixels * per_pixel + triangles * per_triangle + (options.panels ? of_panels : 0);
+  return context_need + MemoryNeed{bytes, bytes, bytes};
+}
+
+Result<std::unique_ptr<Headless>> Headless::make(const Options& options, std::uint64_t triangles) {
+  if (auto lack = lack_of_memory({"This picture", "この画像"}, need(options, triangles))) return std::move(*lack);
   Result<std::unique_ptr<Context>> context = make_headless_context(options.backend);
   if (!context) return context.failure();
   std::unique_ptr<Headless> made(new Headless(options, std::move(context).value()));

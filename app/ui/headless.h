@@ -18,9 +18,12 @@ class Headless {
     int supersample = 1;
   };
 
+  // What a picture of so many triangles takes besides the mesh.
+  static MemoryNeed need(const Options& options, std::uint64_t triangles);
+
   // Creates a context and leaves it current; use and destroy the object on the same thread. Fails with
-  // ExitCode::no_backend.
-  static Result<std::unique_ptr<Headless>> make(const Options& options);
+  // ExitCode::no_backend, and with ExitCode::out_of_memory where the limits leave less than the picture needs.
+  static Result<std::unique_ptr<Headless>> make(const Options& options, std::uint64_t triangles = 0);
   ~Headless();
 
   // Sets the session's view to its area in the picture and fits the mesh into it. Pixels of pick, click and hover then

@@ -128,8 +128,8 @@ Star Neighbourhood::star(Vertex v) {
     gather_corners(p, record);
     gather_edges(record);
     join_fans(record);
-    number = static_cast<std::uint32_t>(records_.size());
     records_.push_back(record);
+    number = static_cast<std::uint32_t>(records_.size() - 1);
   }
   return view(records_[number]);
 }

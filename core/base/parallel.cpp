@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <new>
 #include <system_error>
 #include <vector>
 
@@ -25,7 +26,7 @@ struct Job {
   std::exception_ptr thrown = nullptr;  // the first exception
 
   void run() {
-    for (unsigned i = next++; i < tasks; i = next++) attempt([&] { call(work, i); });
+    for (unsigned i = next++; i < tasks && !has_thrown; i = next++) attempt([&] { call(work, i); });
   }
   template <class Work>
   void attempt(const Work& part) {
@@ -54,8 +55,8 @@ class Helpers {
     {
       const std::lock_guard lock(mutex_);
       start(helpers + spare);
-      job.wanted = helpers;
-      jobs_.push_back(&job);
+      job.wanted = std::min(helpers, started_);
+      if (job.wanted > 0) jobs_.push_back(&job);
     }
     for (unsigned i = 0; i < helpers; ++i) offered_.notify_one();
     job.attempt(here);
@@ -71,6 +72,7 @@ class Helpers {
     try {
       for (; started_ < std::min(wanted, most); ++started_) std::thread([this] { help(); }).detach();
     } catch (const std::system_error&) {  // run with fewer threads
+    } catch (const std::bad_alloc&) {     // the same
     }
   }
 

@@ -20,8 +20,8 @@ inline std::uint32_t part_begin(std::uint32_t count, unsigned t, unsigned parts)
 
 // Calls call(work, i) once for each i below `tasks`, on up to `threads` threads including the calling one; the pool
 // threads persist between calls. Threads take the next i when they finish one, so no thread waits for one that has not
-// started: on a busy machine, or if no thread can be created, the caller does all of it. The first exception thrown by
-// the work is rethrown at the end.
+// started: on a busy machine, or if no thread can be created, the caller does all of it. After an exception
+// thrown by the work no further task is begun; the first one is rethrown when those under way are done.
 void run_tasks(unsigned tasks, unsigned threads, void (*call)(const void* work, unsigned i), const void* work);
 
 // Calls here() on the calling thread, and beside() at the same time on another one, or behind it where none is free. Both

@@ -31,13 +31,14 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> wires_beside(const ElementL
 
 }  // namespace
 
-std::vector<Vertex> used_beside_the_mesh(const MeshFile& source, const FileTables& tables, std::size_t file_vertices) {
+std::vector<Vertex> used_beside_the_mesh(const MeshFile& source, std::span<const QuarantinedFace> quarantine,
+                                         std::size_t file_vertices) {
   std::vector<Vertex> used;
   const auto add = [&](std::int64_t number) {
     if (number >= 0 && number < static_cast<std::int64_t>(file_vertices))
       used.emplace_back(static_cast<std::uint32_t>(number));
   };
-  for (const QuarantinedFace& face : tables.quarantine) std::for_each(face.corners.begin(), face.corners.end(), add);
+  for (const QuarantinedFace& face : quarantine) std::for_each(face.corners.begin(), face.corners.end(), add);
   std::for_each(source.elements.vertices.begin(), source.elements.vertices.end(), add);
   for (const std::int64_t number : vertices_named(source.properties)) add(number);
   sort_unique(used);
@@ -46,7 +47,7 @@ std::vector<Vertex> used_beside_the_mesh(const MeshFile& source, const FileTable
 
 MeshFile edited_file(const MeshFile& source, const Mesh& mesh, const FileTables& tables) {
   MeshFile file = source;
-  CompactMesh compact = to_indexed(mesh, tables, used_beside_the_mesh(source, tables, mesh.file_vertices()));
+  CompactMesh compact = to_indexed(mesh, tables, used_beside_the_mesh(source, tables.quarantine, mesh.file_vertices()));
   const std::size_t new_vertices = compact.mesh.positions.size();
   file.elements =
       renumbered(source.elements, compact.vertex_number, compact.face_number, mesh.file_vertices(), new_vertices);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/indexed/to_indexed.h"
@@ -11,7 +12,8 @@
 namespace ryosen {
 
 // The file vertices referenced by quarantined faces, lines and points, or extra elements such as edges; ascending.
-std::vector<Vertex> used_beside_the_mesh(const MeshFile& source, const FileTables& tables, std::size_t file_vertices);
+std::vector<Vertex> used_beside_the_mesh(const MeshFile& source, std::span<const QuarantinedFace> quarantine,
+                                         std::size_t file_vertices);
 
 // The file with the current mesh: all other data are renumbered with its vertices and faces, and a vertex they
 // reference is kept even if it was removed from the mesh (MeshFile::kept_vertices). `source` is the file as read, whose

@@ -12,6 +12,7 @@
 #include <string>
 #include <utility>
 
+#include "core/io/descriptor.h"
 #include "core/io/system_reason.h"
 #include "core/mesh/column_memory.h"
 
@@ -21,6 +22,7 @@ namespace {
 constexpr int not_a_file = -1;  // not an errno value
 
 Failure failure(const std::filesystem::path& path, int error) {
+  if (error == ENOMEM) throw std::bad_alloc();
   const std::string name = path.string();
   Failure out{ExitCode::input_missing, {}};
   if (error == ENOENT || error == ENOTDIR) {
@@ -44,15 +46,13 @@ Failure failure(const std::filesystem::path& path, int error) {
 // Reads to the end into a buffer that grows if the expected size is wrong. Returns 0 or an error number.
 int read_to_end(int descriptor, std::size_t expected, std::size_t limit, FileBytes& out) {
   std::size_t capacity = expected + 1;  // one extra byte detects the end without growing
-  out.data.reset(new (std::nothrow) char[capacity]);
-  if (!out.data) return ENOMEM;
+  out.data.reset(new char[capacity]);
   offer_huge_pages(out.data.get(), capacity);
   constexpr std::size_t most = std::size_t{1} << 30;
   while (true) {
     if (out.size > limit) return EFBIG;
     if (out.size == capacity) {
-      std::unique_ptr<char[]> larger(new (std::nothrow) char[2 * capacity]);
-      if (!larger) return ENOMEM;
+      std::unique_ptr<char[]> larger(new char[2 * capacity]);
       std::memcpy(larger.get(), out.data.get(), out.size);
       out.data = std::move(larger);
       capacity *= 2;
@@ -104,8 +104,8 @@ Result<FileBytes> read_whole_file(const std::filesystem::path& path) {
   const std::size_t expected = is_regular ? static_cast<std::size_t>(status.st_size) : unknown_size;
   const std::size_t limit = is_regular ? std::numeric_limits<std::size_t>::max() : most_unknown;
   FileBytes out;
+  const Descriptor owner(descriptor);
   error = read_to_end(descriptor, expected, limit, out);
-  ::close(descriptor);
   if (error != 0) return failure(path, error);
   return out;
 }

@@ -41,15 +41,26 @@ void for_each_column_tail(MeshColumns& c, const ColumnLengths& lengths, Visit vi
   }
 }
 
-void cut_tail(MeshColumns& columns, const ColumnLengths& before, std::vector<std::byte>* tail) {
+std::vector<std::byte> copy_tail(MeshColumns& columns, const ColumnLengths& before) {
+  std::vector<std::byte> tail;
   for_each_column_tail(columns, before, [&](auto& column, std::size_t first, std::size_t words) {
-    if (tail) {
-      const auto* begin = reinterpret_cast<const std::byte*>(column.data() + first * words);
-      const auto* end = reinterpret_cast<const std::byte*>(column.data() + column.size());
-      tail->insert(tail->end(), begin, end);
-    }
-    column.resize(first * words);
+    const auto* begin = reinterpret_cast<const std::byte*>(column.data() + first * words);
+    const auto* end = reinterpret_cast<const std::byte*>(column.data() + column.size());
+    tail.insert(tail.end(), begin, end);
   });
+  return tail;
+}
+
+// Allocates nothing.
+void cut_tail(MeshColumns& columns, const ColumnLengths& before) {
+  for_each_column_tail(columns, before,
+                       [](auto& column, std::size_t first, std::size_t words) { column.resize(first * words); });
+}
+
+// So that restore_tail allocates nothing.
+void make_room_for_tail(MeshColumns& columns, const ColumnLengths& after) {
+  for_each_column_tail(columns, after,
+                       [](auto& column, std::size_t length, std::size_t words) { column.reserve(length * words); });
 }
 
 void restore_tail(MeshColumns& columns, const ColumnLengths& after, const std::vector<std::byte>& tail) {
@@ -90,9 +101,21 @@ ColumnLengths read_lengths(const std::uint32_t* words) {
 
 std::size_t words_of_lengths(std::uint32_t mask) { return 1 + static_cast<std::size_t>(std::popcount(mask)); }
 
+// Makes room for `count` more, as much at once as push_back would.
+template <class Value>
+void make_room(std::vector<Value>& values, std::size_t count) {
+  if (values.capacity() - values.size() < count) values.reserve(std::max(2 * values.capacity(), values.size() + count));
+}
+
 }  // namespace
 
+void Journal::make_room_for_record(std::size_t words) {
+  make_room(cells_, 1);
+  make_room(words_, words);
+}
+
 void Journal::begin(const Mesh& mesh) {
+  make_room(words_, 1 + length_count + count_words);
   open_ = {cells_.size(), words_.size()};
   marks_.clear();
   append_lengths(mesh.lengths(), words_);
@@ -102,9 +125,16 @@ void Journal::begin(const Mesh& mesh) {
 
 void Journal::record_replaced(MeshColumns columns) { open_replaced_ = std::move(columns); }
 
+// What may find no memory comes first.
 void Journal::commit() {
+  make_room(transactions_, 1);
+  std::map<std::size_t, MeshColumns> replaced;
+  if (open_replaced_) replaced.emplace(position_, MeshColumns());
   if (can_redo()) drop_undone();
-  if (open_replaced_) replaced_.emplace(position_, std::move(*open_replaced_));
+  if (open_replaced_) {
+    replaced.begin()->second = std::move(*open_replaced_);
+    replaced_.merge(replaced);
+  }
   open_replaced_.reset();
   transactions_.push_back(open_);
   ++position_;
@@ -132,7 +162,7 @@ void Journal::rollback(Mesh& mesh) {
   } else {
     const std::size_t counts = open_.first_word + words_of_lengths(words_[open_.first_word]);
     exchange_values(mesh, open_.first_cell, cells_.size(), counts + count_words);
-    cut_tail(mesh.columns_, read_lengths(words_.data() + open_.first_word), nullptr);
+    cut_tail(mesh.columns_, read_lengths(words_.data() + open_.first_word));
     exchange_counts(mesh, counts);
   }
   cells_.resize(open_.first_cell);
@@ -168,25 +198,31 @@ void Journal::exchange_counts(Mesh& mesh, std::size_t first_word) {
 }
 
 void Journal::undo(Mesh& mesh) {
-  const std::size_t i = --position_;
-  Undone& undone = undone_.emplace_back();
-  undone.after = mesh.lengths();
-  if (const auto replaced = replaced_.find(i); replaced != replaced_.end()) {
+  const std::size_t i = position_ - 1;
+  const auto replaced = replaced_.find(i);
+  Undone undone{mesh.lengths(), {}};
+  if (replaced == replaced_.end()) undone.tail = copy_tail(mesh.columns_, lengths_before(i));
+  undone_.push_back(std::move(undone));
+  --position_;
+  if (replaced != replaced_.end()) {
     std::swap(mesh.columns_, replaced->second);
     return;
   }
   const Transaction& t = transactions_[i];
   const std::size_t counts = t.first_word + words_of_lengths(words_[t.first_word]);
   exchange_values(mesh, t.first_cell, cell_end(i), counts + count_words);
-  cut_tail(mesh.columns_, lengths_before(i), &undone.tail);
+  cut_tail(mesh.columns_, lengths_before(i));
   exchange_counts(mesh, counts);
 }
 
 void Journal::redo(Mesh& mesh) {
-  const std::size_t i = position_++;
+  const std::size_t i = position_;
+  const auto replaced = replaced_.find(i);
+  if (replaced == replaced_.end()) make_room_for_tail(mesh.columns_, undone_.back().after);
   const Undone undone = std::move(undone_.back());
   undone_.pop_back();
-  if (const auto replaced = replaced_.find(i); replaced != replaced_.end()) {
+  ++position_;
+  if (replaced != replaced_.end()) {
     std::swap(mesh.columns_, replaced->second);
     return;
   }

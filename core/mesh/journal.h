@@ -73,14 +73,18 @@ class Journal {
 
   void begin(const Mesh& mesh);
   void record(Column column, std::uint32_t index, const void* value, std::size_t bytes) {
+    const std::size_t words = bytes / sizeof(std::uint32_t);
+    // What may find no memory comes first, so that a rollback finds whole records.
+    if (cells_.size() == cells_.capacity() || words_.capacity() - words_.size() < words) make_room_for_record(words);
     if (!marks_.insert(column, index)) return;
     PackedCell& cell = cells_.emplace_back();
     cell.column = column;
     std::memcpy(cell.index.data(), &index, sizeof index);
     const std::size_t first = words_.size();
-    words_.resize(first + bytes / sizeof(std::uint32_t));
+    words_.resize(first + words);
     std::memcpy(words_.data() + first, value, bytes);
   }
+  void make_room_for_record(std::size_t words);
   void record_replaced(MeshColumns columns);
   void commit();
   void rollback(Mesh& mesh);

@@ -3,6 +3,9 @@
 #include <dlfcn.h>
 #include <malloc.h>
 
+#include <cstdlib>
+#include <thread>
+
 #include "render/context/backends.h"
 #include "render/gl/api.h"
 
@@ -26,6 +29,9 @@ std::string gl_string(GLenum name) {
   return text ? reinterpret_cast<const char*>(text) : "";
 }
 
+// Threads that llvmpipe and Mesa start at most, besides one per processor.
+constexpr unsigned further_threads = 4;
+
 // Software renderers allocate and free tens of megabytes per frame. Returning them to the system each time would cost a
 // third of the frame time in page faults, so freed memory is kept by the process.
 void keep_freed_memory() {
@@ -35,28 +41,65 @@ void keep_freed_memory() {
 #endif
 }
 
+// Whether the loader says that the file itself is not there, and not one that it needs.
+bool says_absent(std::string_view error, std::string_view name) {
+  return error.starts_with(name) && error.find("No such file") != std::string_view::npos;
+}
+
+bool says_out_of_memory(std::string_view error) {
+  for (const char* const words : {"annot allocate memory", "failed to map segment", "cannot map zero-fill pages",
+                                  "cannot create shared object descriptor", "out of memory"})
+    if (error.find(words) != std::string_view::npos) return true;
+  return false;
+}
+
 }  // namespace
 
+void spare_resources() {
+  const bool is_limited = is_reserving_limited();
+  if (!is_limited) keep_freed_memory();
+  if (!is_limited && can_start_threads(std::thread::hardware_concurrency() + further_threads)) return;
+  ::setenv("LP_NUM_THREADS", "0", 1);
+  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);  // it has a thread of its own
+}
+
+std::optional<Failure> lack_of_memory_for_context() { return lack_of_memory({"Drawing", "描画"}, context_need); }
+
 LoadedLibrary open_library(std::initializer_list<const char*> names) {
+  LoadedLibrary library;
   for (const char* name : names) {
-    if (void* handle = dlopen(name, RTLD_NOW | RTLD_LOCAL)) return {handle, name};
+    if (void* handle = dlopen(name, RTLD_NOW | RTLD_LOCAL)) return {handle, name, {}};
+    const char* const error = dlerror();
+    if (library.error.empty() && error && !says_absent(error, name)) library.error = error;
   }
-  return {};
+  return library;
+}
+
+void explain(Attempt& attempt, const LoadedLibrary& library, const std::string& what) {
+  attempt.lacks_memory = says_out_of_memory(library.error);
+  if (library.error.empty())
+    attempt.problem = {"the library " + what + " is not installed",
+                       "ライブラリ " + what + " がインストールされていません"};
+  else if (attempt.lacks_memory)
+    attempt.problem = {"there is not enough memory to load the library " + what,
+                       "ライブラリ " + what + " を読み込むメモリが足りません"};
+  else
+    attempt.problem = {"the library " + what + " cannot be loaded (" + library.error + ")",
+                       "ライブラリ " + what + " を読み込めません（" + library.error + "）"};
 }
 
 void* find_symbol(const LoadedLibrary& library, const char* name) { return dlsym(library.handle, name); }
 
-Text no_library(const std::string& what) {
-  return {"the library " + what + " is not installed", "ライブラリ " + what + " がインストールされていません"};
-}
-
 Result<std::unique_ptr<Context>> make_headless_context(Backend backend) {
-  keep_freed_memory();
+  spare_resources();
+  if (auto lack = lack_of_memory_for_context()) return std::move(*lack);
   Text causes;
+  bool lacks_memory = false;
   for (const BackendRow& row : backend_rows) {
     if (backend != Backend::automatic && backend != row.backend) continue;
     Attempt attempt = row.make();
     if (attempt.context) return std::move(attempt.context);
+    lacks_memory = lacks_memory || attempt.lacks_memory;
     if (!causes.en.empty()) {
       causes.en += "; ";
       causes.ja += "、";
@@ -64,17 +107,27 @@ Result<std::unique_ptr<Context>> make_headless_context(Backend backend) {
     causes.en += std::string(row.name) + ": " + attempt.problem.en;
     causes.ja += std::string(row.name) + ": " + attempt.problem.ja;
   }
+  if (lacks_memory)
+    return make_failure(ExitCode::out_of_memory, "out_of_memory",
+                        {"There is not enough memory to draw (" + causes.en + "); allow more (ulimit -v).",
+                         "描画するためのメモリが足りません(" + causes.ja + ")。上限（ulimit -v）を上げてください。"});
   return make_failure(ExitCode::no_backend, "no_render_backend",
                       {"No way to draw without a display was found (" + causes.en + ").",
                        "画面なしで描画する手段が見つかりません(" + causes.ja + ")。"});
 }
 
 std::vector<BackendReport> report_backends() {
+  spare_resources();
   std::vector<BackendReport> reports;
   for (const BackendRow& row : backend_rows) {
-    Attempt attempt = row.make();
     BackendReport report;
     report.name = row.name;
+    if (auto lack = lack_of_memory_for_context()) {
+      report.problem = std::move(lack->message.text);
+      reports.push_back(std::move(report));
+      continue;
+    }
+    Attempt attempt = row.make();
     report.library = attempt.library;
     report.problem = attempt.problem;
     if (attempt.context) {

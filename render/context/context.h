@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/resource_limits.h"
 #include "core/base/result.h"
 
 namespace ryosen {
@@ -29,8 +30,17 @@ class Context {
 };
 
 // Makes a context and leaves it current. The libraries are loaded at run time and stay loaded.
-// Fails with ExitCode::no_backend and the cause of each backend tried.
+// Fails with ExitCode::no_backend and the cause of each backend tried, or with ExitCode::out_of_memory: a driver that finds
+// no memory ends the program, so the limits are asked before one is loaded.
 Result<std::unique_ptr<Context>> make_headless_context(Backend backend);
+
+// What a context takes besides what is drawn, measured with Mesa 22.3 (OSMesa and EGL, llvmpipe without threads of its
+// own).
+inline constexpr MemoryNeed context_need{std::uint64_t{265} << 20, std::uint64_t{60} << 20, std::uint64_t{100} << 20};
+// The failure where the limits leave less than that.
+std::optional<Failure> lack_of_memory_for_context();
+// Lets the driver do with little memory and without threads where those are limited. Before the first context.
+void spare_resources();
 
 // The availability of a backend on this machine.
 struct BackendReport {

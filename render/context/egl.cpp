@@ -111,7 +111,7 @@ std::unique_ptr<Context> make_context(EGLDisplay display) {
 Attempt make_egl_context() {
   Attempt attempt;
   if (!egl_library().file.handle || !egl_library().get_proc_address) {
-    attempt.problem = no_library("libEGL");
+    explain(attempt, egl_library().file, "libEGL");
     return attempt;
   }
   attempt.library = egl_library().file.file;

@@ -58,7 +58,7 @@ class OsmesaContext : public Context {
 Attempt make_osmesa_context() {
   Attempt attempt;
   if (!osmesa_library().file.handle) {
-    attempt.problem = no_library("libOSMesa");
+    explain(attempt, osmesa_library().file, "libOSMesa");
     return attempt;
   }
   attempt.library = osmesa_library().file.file;

@@ -2,8 +2,14 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include <atomic>
+#include <fstream>
+#include <thread>
+#include <vector>
 
 #include "tests/unit/core/io/io_helpers.h"
 
@@ -52,6 +58,48 @@ TEST(safe_write, follows_links) {
   EXPECT_EQ(whole_file(folder / "sub/fresh"), "made");
   fs::create_symlink("loop", folder / "loop");
   EXPECT_FALSE(safe_write(folder / "loop", "x").ok());
+}
+
+TEST(safe_write, clears_what_killed_saves_of_this_file_left) {
+  const TemporaryFolder folder;
+  const auto make = [&](const char* name) { std::ofstream(folder / name) << "half"; };
+  const std::vector<const char*> others{".a.1.0.0", ".a.1.", ".a..0", ".a.x.0", "a.1.0", ".b.1.0", ".a.b.1.0", ".a.1"};
+  for (const char* const name : others) make(name);
+  for (const char* const name : {".a.1.0", ".a.4194304.17"}) make(name);
+  fs::create_directory(folder / ".a.2.0");
+  ASSERT_TRUE(safe_write(folder / "a", "whole").ok());
+  EXPECT_EQ(whole_file(folder / "a"), "whole");
+  for (const char* const name : others) EXPECT_TRUE(fs::exists(folder / name)) << name << " is none of its files";
+  EXPECT_FALSE(fs::exists(folder / ".a.1.0"));
+  EXPECT_FALSE(fs::exists(folder / ".a.4194304.17"));
+  EXPECT_TRUE(fs::exists(folder / ".a.2.0")) << "a folder";
+}
+
+TEST(safe_write, leaves_what_a_living_process_is_writing) {
+  const TemporaryFolder folder;
+  const std::string path = folder / ".a.1.0";
+  const int living = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+  ASSERT_EQ(::flock(living, LOCK_EX), 0);
+  ASSERT_TRUE(safe_write(folder / "a", "whole").ok());
+  EXPECT_TRUE(fs::exists(path));
+  ::close(living);
+  ASSERT_TRUE(safe_write(folder / "a", "whole").ok());
+  EXPECT_FALSE(fs::exists(path)) << "its writer is dead by now";
+}
+
+// Writers of one file at the same time clear for each other and never what another is still writing.
+TEST(safe_write, writers_of_one_file_do_not_disturb_each_other) {
+  const TemporaryFolder folder;
+  std::vector<std::thread> writers;
+  std::atomic<int> failures = 0;
+  for (char c = 'a'; c < 'e'; ++c)
+    writers.emplace_back([&, c] {
+      for (int i = 0; i < 100; ++i) failures += !safe_write(folder / "a", std::string(10000, c)).ok();
+    });
+  for (std::thread& writer : writers) writer.join();
+  EXPECT_EQ(failures, 0);
+  EXPECT_EQ(whole_file(folder / "a").size(), 10000u);
+  EXPECT_EQ(folder.entry_count(), 1u);
 }
 
 TEST(safe_write, failures_say_why_and_leave_nothing) {

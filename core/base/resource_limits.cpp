@@ -1,0 +1,156 @@
+#include "core/base/resource_limits.h"
+
+#include <malloc.h>
+#include <pthread.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <climits>
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace ryosen {
+namespace {
+
+struct Limit {
+  std::string name;
+  std::uint64_t whole = 0, used = 0;
+  std::uint64_t MemoryNeed::*counts = nullptr;
+
+  std::uint64_t left() const { return whole - std::min(whole, used); }
+};
+
+// Word `i` of /proc/self/statm, in bytes: 0 is the address space, 5 the writable memory.
+std::uint64_t own_size(unsigned i) {
+  std::ifstream file("/proc/self/statm");
+  std::uint64_t pages = 0;
+  for (unsigned k = 0; k <= i; ++k) file >> pages;
+  return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+void add_own_limit(std::vector<Limit>& limits, decltype(RLIMIT_AS) resource, const char* name, unsigned word,
+                   std::uint64_t MemoryNeed::*counts) {
+  rlimit limit;
+  if (::getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+    limits.push_back({name, limit.rlim_cur, own_size(word), counts});
+}
+
+void add_own_limits(std::vector<Limit>& limits) {
+  add_own_limit(limits, RLIMIT_AS, "ulimit -v", 0, &MemoryNeed::addresses);
+  add_own_limit(limits, RLIMIT_DATA, "ulimit -d", 5, &MemoryNeed::data);
+}
+
+std::optional<std::uint64_t> number_in(const std::string& path) {
+  std::ifstream file(path);
+  std::uint64_t number = 0;  // stays unread where the file says "max"
+  return file >> number ? std::optional(number) : std::nullopt;
+}
+
+// What the system takes back from the group's cache of files when it needs room.
+std::uint64_t reclaimable_in(const std::string& path) {
+  std::ifstream file(path);
+  std::uint64_t number = 0;
+  for (std::string word; file >> word >> number;)
+    if (word == "inactive_file" || word == "total_inactive_file") return number;
+  return 0;
+}
+
+// The control group of this process (version 2, or of memory in version 1), and all that it lies in.
+void add_group_limits(std::vector<Limit>& limits) {
+  struct Files {
+    const char *root, *whole, *used;
+  };
+  std::ifstream groups("/proc/self/cgroup");
+  for (std::string line; std::getline(groups, line);) {
+    const bool is_second = line.starts_with("0::");
+    if (!is_second && line.find(":memory:") == std::string::npos) continue;
+    const Files files = is_second ? Files{"/sys/fs/cgroup", "/memory.max", "/memory.current"}
+                                  : Files{"/sys/fs/cgroup/memory", "/memory.limit_in_bytes", "/memory.usage_in_bytes"};
+    std::string group = line.substr(line.rfind(':') + 1);
+    while (true) {
+      if (group.ends_with('/')) group.pop_back();
+      const std::string folder = files.root + group;
+      const auto whole = number_in(folder + files.whole), used = number_in(folder + files.used);
+      constexpr std::uint64_t none = std::uint64_t{1} << 60;  // version 1 writes a huge number
+      if (whole && used && *whole < none)
+        limits.push_back({"the control group (cgroup)", *whole,
+                          *used - std::min(*used, reclaimable_in(folder + "/memory.stat")), &MemoryNeed::resident});
+      if (group.find('/') == std::string::npos) break;
+      group.resize(group.rfind('/'));
+    }
+  }
+}
+
+std::vector<Limit> memory_limits() {
+  std::vector<Limit> limits;
+  add_own_limits(limits);
+  add_group_limits(limits);
+  return limits;
+}
+
+}  // namespace
+
+bool is_reserving_limited() {
+  std::vector<Limit> limits;
+  add_own_limits(limits);
+  return !limits.empty();
+}
+
+void reserve_little_where_limited() {
+  if (!is_reserving_limited()) return;
+#ifdef __GLIBC__
+  ::mallopt(M_ARENA_MAX, 1);
+#endif
+  // A stack that cannot grow later ends the program, so it grows now.
+  constexpr std::size_t stack = std::size_t{1} << 19, page = 1 << 12;
+  [[maybe_unused]] volatile char room[stack];
+  for (std::size_t i = 0; i < stack; i += page) room[i] = 0;
+}
+
+std::string memory_text(std::uint64_t bytes) {
+  const double mib = static_cast<double>(bytes) / (1 << 20);
+  if (mib < 1024) return std::to_string(std::llround(std::ceil(mib))) + " MiB";
+  const auto tenths = static_cast<std::uint64_t>(std::ceil(mib / 102.4));
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " GiB";
+}
+
+std::optional<Failure> lack_of_memory(const Text& what, const MemoryNeed& need) {
+  for (const Limit& limit : memory_limits()) {
+    if (limit.left() >= need.*limit.counts) continue;
+    const std::string wanted = memory_text(need.*limit.counts), left = memory_text(limit.left()),
+                      whole = memory_text(limit.whole);
+    return make_failure(ExitCode::out_of_memory, "out_of_memory",
+                        {what.en + " needs about " + wanted + " more memory, and " + limit.name + " leaves " + left +
+                             " of its " + whole + "; raise that limit.",
+                         what.ja + "には、あと約 " + wanted + " のメモリが必要ですが、" + limit.name + " の " + whole +
+                             " の残りは " + left + " です。上限を上げてください。"});
+  }
+  return std::nullopt;
+}
+
+bool can_start_threads(unsigned count) {
+  static std::atomic<bool> may_end;
+  may_end = false;
+  const auto wait = [](void*) -> void* {
+    may_end.wait(false);
+    return nullptr;
+  };
+  pthread_attr_t small;
+  if (pthread_attr_init(&small) != 0) return false;
+  pthread_attr_setstacksize(&small, std::max<std::size_t>(PTHREAD_STACK_MIN, std::size_t{1} << 16));
+  std::vector<pthread_t> threads;
+  threads.reserve(count);
+  for (pthread_t thread; threads.size() < count && pthread_create(&thread, &small, wait, nullptr) == 0;)
+    threads.push_back(thread);
+  pthread_attr_destroy(&small);
+  may_end = true;
+  may_end.notify_all();
+  for (const pthread_t thread : threads) pthread_join(thread, nullptr);
+  return threads.size() == count;
+}
+
+}  // namespace ryosen

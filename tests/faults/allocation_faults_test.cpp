@@ -1,0 +1,267 @@
+// Each allocation of reading, checking, repairing, editing and saving small files fails in turn, once and together with
+// all that follow: nothing crashes or leaks, nothing but the lack of memory is said, what was there stays as it was.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <random>
+#include <sstream>
+
+#include "app/cli/run.h"
+#include "app/cli/signals.h"
+#include "app/editor/session.h"
+#include "core/analysis/invariants.h"
+#include "tests/faults/failing_memory.h"
+#include "tests/support/core/long_run.h"
+
+namespace ryosen::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Folder {
+ public:
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "ryosen-faults-XXXXXX").string();
+    path_ = mkdtemp(name.data());
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { fs::remove_all(path_); }
+  std::string at(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  fs::path path_;
+};
+
+std::string content_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string source(const std::string& path) { return std::string(RYOSEN_SOURCE_DIR) + "/" + path; }
+
+enum class Keeps { nothing, history };
+
+// Calls work() with each allocation failing, all of them in a long run and else some `trials` of them, and after() with
+// what became of it: whether it was thrown through.
+template <class Work, class After>
+void at_each_allocation(long trials, Keeps keeps, const Work& work, const After& after) {
+  const auto run = [&] {
+    work();
+    after(false);
+  };
+  run();
+  run();  // by now all that is made once is there
+  const long before = living_blocks();
+  static std::mt19937 random(std::random_device{}());
+  for (const Failing failing : {Failing::once, Failing::from_then_on}) {
+    fail_allocation(0, Failing::once);
+    work();
+    const long all = counted_allocations(), step = is_long_run() ? 1 : std::max(1l, all / trials);
+    after(false);
+    for (long nth = 1 + static_cast<long>(random() % static_cast<unsigned long>(step));; nth += step) {
+      SCOPED_TRACE("allocation " + std::to_string(nth) + (failing == Failing::once ? "" : " and all behind it"));
+      bool is_thrown = false;
+      fail_allocation(nth, failing);
+      try {
+        work();
+      } catch (const std::bad_alloc&) {
+        is_thrown = true;
+      }
+      const bool has_failed = fail_no_more();
+      after(is_thrown);
+      if (!has_failed || testing::Test::HasFailure()) break;
+    }
+  }
+  run();
+  if (keeps == Keeps::nothing) {
+    EXPECT_LE(living_blocks(), before) << "something was not released";
+  }
+}
+
+TEST(allocation_faults, of_reading) {
+  for (const char* const name :
+       {"assets/cube.obj", "assets/klein_bottle.off", "assets/three_tri_edge.off", "tests/data/io/everything.obj",
+        "tests/data/io/everything.ply", "tests/data/io/everything_big.ply", "tests/data/io/two_solids.stl",
+        "tests/data/io/attributes.stl", "tests/data/io/triangles.txt", "tests/data/io/colours.off"}) {
+    SCOPED_TRACE(name);
+    const fs::path path = source(name);
+    const std::size_t faces = read_mesh_file(path)->mesh.face_count();
+    at_each_allocation(
+        150, Keeps::nothing,
+        [&] {
+          const Result<MeshFile> file = read_mesh_file(path);
+          const bool is_right = file.ok() && file->mesh.face_count() == faces;
+          if (!is_right) fail_no_more();
+          ASSERT_TRUE(is_right) << (file ? "" : file.failure().message.text.en);
+        },
+        [](bool) {});
+  }
+}
+
+// Runs the program in a process of its own, with that allocation failing; 128 + signal where one ended it.
+int run_apart(const std::vector<std::string>& line, long nth, Failing failing) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, STDOUT_FILENO);
+    dup2(nowhere, STDERR_FILENO);
+    cli::answer_lack_of_memory();
+    fail_allocation(nth, failing);
+    _exit(static_cast<int>(cli::run(line)));
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+long allocations_of(const std::vector<std::string>& line) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  fail_allocation(0, Failing::once);
+  cli::run(line);
+  const long all = counted_allocations();
+  testing::internal::GetCapturedStdout();
+  testing::internal::GetCapturedStderr();
+  return all;
+}
+
+class Outputs {
+ public:
+  // What is in the folder by now.
+  explicit Outputs(const Folder& folder) : folder_(folder) {
+    for (const auto& entry : fs::directory_iterator(folder_.at("")))
+      whole_.emplace(entry.path().filename().string(), content_of(entry.path().string()));
+  }
+  // Expects each file to be as it was, if it is there, and removes it.
+  void expect_whole_or_absent() const {
+    for (const auto& [name, content] : Outputs(folder_).whole_) {
+      EXPECT_TRUE(whole_.contains(name) && whole_.at(name) == content) << name << " is torn or left over";
+      fs::remove(folder_.at(name));
+    }
+  }
+
+ private:
+  const Folder& folder_;
+  std::map<std::string, std::string> whole_;
+};
+
+void fail_command_line(const std::vector<std::string>& line, const Folder& folder) {
+  SCOPED_TRACE(line[0]);
+  const int usual = run_apart(line, 0, Failing::once);
+  const Outputs outputs(folder);
+  const long all = allocations_of(line);
+  outputs.expect_whole_or_absent();
+  static std::mt19937 random(std::random_device{}());
+  constexpr long trials = 12;
+  const long step = is_long_run() ? 1 : std::max(1l, all / trials);
+  for (const Failing failing : {Failing::once, Failing::from_then_on})
+    for (long nth = 1 + static_cast<long>(random() % static_cast<unsigned long>(step)); nth <= all; nth += step) {
+      const int code = run_apart(line, nth, failing);
+      EXPECT_TRUE(code == usual || code == 10 || (code == 9 && line[0] == "check"))
+          << code << " at allocation " << nth << (failing == Failing::once ? "" : " and all behind it");
+      outputs.expect_whole_or_absent();
+      if (testing::Test::HasFailure()) return;
+    }
+}
+
+TEST(allocation_faults, of_commands) {
+  const std::string cube = source("assets/cube.obj"), fin = source("assets/fin.obj"),
+                    klein = source("assets/klein_bottle.off"), rest = source("tests/data/io/everything.obj");
+  const Folder folder;
+  const std::vector<std::vector<std::string>> lines{
+      {"check", cube, "--self-intersections", "--json"},
+      {"check", cube, fin, rest},
+      {"check", source("tests/data/malformed/cut.txt"), "--json"},
+      {"why", cube, "--op", "swap", "--all"},
+      {"edit", fin, "--do", "split 0-2; undo; save " + folder.at("s.ply"), "-o", folder.at("o.obj"), "--json"},
+      {"convert", rest, "-o", folder.at("o.ply.gz"), "--json"},
+      {"repair", fin, "-o", folder.at("o.obj"), "--json"},
+      {"fill_holes", klein, "-o", folder.at("o.off")},
+      {"help", "json"},
+  };
+  for (const std::vector<std::string>& line : lines) fail_command_line(line, folder);
+  if (is_long_run()) fail_command_line({"forms", fin, "--json"}, folder);
+}
+
+// What a session shows besides the mesh, so that edits keep it up.
+void look_at_all(Session& session) {
+  session.picker();
+  session.corner_normals();
+  session.boundary_loops();
+  session.euler_terms();
+  session.kind();
+}
+
+void expect_as_new(Session& session) {
+  const HighlightSets fresh(session.mesh(), 0, {});
+  for (const ProblemRow& row : problem_table()) {
+    if (row.kind == ProblemKind::self_intersection) continue;
+    EXPECT_EQ(session.highlights().of(row.kind).size(), fresh.of(row.kind).size()) << row.id;
+  }
+}
+
+// Runs the line on this session again and again; where it succeeds, it is undone.
+void fail_command(Session& session, const std::string& line, const std::string& back) {
+  SCOPED_TRACE(line);
+  look_at_all(session);
+  const std::uint64_t before = session.mesh().hash();
+  const std::size_t position = session.document().position();
+  std::uint64_t done = 0;
+  Outcome outcome;
+  std::size_t entries = 0, logged = 0;
+  at_each_allocation(
+      150, Keeps::history,
+      [&] {
+        entries = session.document().history().size();
+        logged = session.log().size();
+        outcome = {};
+        outcome = session.run(line);
+      },
+      [&](bool is_thrown) {
+        const auto broken = check_invariants(session.mesh());
+        EXPECT_FALSE(broken) << broken->sentence;
+        if (!is_thrown && outcome.done()) {
+          if (done == 0) done = session.mesh().hash();
+          EXPECT_EQ(session.mesh().hash(), done);
+          EXPECT_EQ(session.log().size(), logged + 1);
+          EXPECT_TRUE(session.run(back).done());
+        } else {
+          EXPECT_TRUE(is_thrown || outcome.exit_code == ExitCode::out_of_memory) << outcome.sentence.en;
+          EXPECT_EQ(session.document().history().size(), entries);
+          EXPECT_EQ(session.log().size(), logged);
+        }
+        EXPECT_EQ(session.mesh().hash(), before);
+        EXPECT_EQ(session.document().position(), position);
+        expect_as_new(session);
+        look_at_all(session);
+      });
+}
+
+TEST(allocation_faults, of_edits_leave_the_document_as_it_was) {
+  auto document = Document::open(source("assets/fin.obj"));
+  ASSERT_TRUE(document.ok());
+  Session session(std::move(document).value());
+  for (const char* const line : {"split 0-2", "repair detach_nonmanifold", "poke f0"})
+    if (session.run(line).done()) {
+      session.run("undo");
+      fail_command(session, line, "undo");
+    } else {
+      ADD_FAILURE() << line;
+    }
+  ASSERT_TRUE(session.run("repair detach_nonmanifold").done());
+  fail_command(session, "undo", "redo");
+  ASSERT_TRUE(session.run("undo").done());
+  fail_command(session, "redo", "undo");
+}
+
+}  // namespace
+}  // namespace ryosen::test

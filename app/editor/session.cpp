@@ -327,17 +327,24 @@ const KindOfMesh& Session::kind(bool anew) {
   return *kind_;
 }
 
-std::vector<glm::dvec3> Session::places_to_frame() const {
+void Session::with_places_to_frame(const std::function<void(std::span<const glm::dvec3>)>& visit) const {
+  const auto has_edges = [&](std::uint32_t i) { return mesh().is_alive(Vertex(i)) && !mesh().is_isolated(Vertex(i)); };
+  std::uint32_t same = 0;
+  while (same < mesh().vertex_slots() && has_edges(same)) ++same;
+  if (same == mesh().vertex_slots()) return visit(mesh().positions());
   std::vector<glm::dvec3> places, isolated;
   places.reserve(mesh().vertex_slots());
   for (std::uint32_t i = 0; i < mesh().vertex_slots(); ++i) {
     const Vertex v(i);
     if (mesh().is_alive(v)) (mesh().is_isolated(v) ? isolated : places).push_back(mesh().position(v));
   }
-  return places.empty() ? isolated : places;
+  visit(places.empty() ? isolated : places);
 }
 
-void Session::frame_all() { camera = fitted(camera, places_to_frame(), static_cast<double>(view.width) / view.height); }
+void Session::frame_all() {
+  with_places_to_frame(
+      [&](auto places) { camera = fitted(camera, places, static_cast<double>(view.width) / view.height); });
+}
 
 void Session::frame_selection() {
   std::vector<glm::dvec3> places;

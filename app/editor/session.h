@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -115,8 +116,8 @@ class Session {
   // Replaces the document; resets selection, hover and log.
   // `read_from` is the file that it was read from, where that is not its own: no output of the run takes its place.
   void set_document(std::unique_ptr<Document> document, std::optional<std::filesystem::path> read_from = {});
-  // The positions for framing the view: all vertices except isolated ones, unless there are no others.
-  std::vector<glm::dvec3> places_to_frame() const;
+  // Calls visit(positions for framing the view): of all vertices except isolated ones, unless there are no others.
+  void with_places_to_frame(const std::function<void(std::span<const glm::dvec3>)>& visit) const;
   void frame_all();
   void frame_selection();
 

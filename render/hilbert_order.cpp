@@ -2,7 +2,10 @@
 
 #include <array>
 #include <glm/common.hpp>
+#include <utility>
+#include <vector>
 
+#include "core/base/parallel.h"
 #include "render/screen.h"
 
 namespace ryosen {
@@ -48,29 +51,54 @@ struct Keyed {
   std::uint32_t number;
 };
 
+constexpr std::uint32_t digit_bits = 10, digits = 1u << digit_bits;
+
+// One stable pass of a radix sort by the digit of the key at `shift`; each thread counts and moves a part of its own.
+void sort_by_digit(const UnwrittenVector<Keyed>& from, std::uint32_t shift, unsigned threads,
+                   UnwrittenVector<Keyed>& to) {
+  const auto count = static_cast<std::uint32_t>(from.size());
+  const auto digit_of = [shift](const Keyed& item) { return (item.key >> shift) & (digits - 1); };
+  std::vector<std::array<std::uint32_t, digits>> place(threads);
+  for_each_part(count, threads, [&](unsigned t, std::uint32_t begin, std::uint32_t end) {
+    place[t].fill(0);
+    for (std::uint32_t i = begin; i < end; ++i) ++place[t][digit_of(from[i])];
+  });
+  std::uint32_t sum = 0;
+  for (std::uint32_t d = 0; d < digits; ++d)
+    for (auto& of_part : place) sum += std::exchange(of_part[d], sum);
+  for_each_part(count, threads, [&](unsigned t, std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t i = begin; i < end; ++i) to[place[t][digit_of(from[i])]++] = from[i];
+  });
+}
+
 }  // namespace
 
-std::vector<std::uint32_t> hilbert_order(std::span<const glm::vec3> points) {
+UnwrittenVector<std::uint32_t> hilbert_order(std::uint32_t count,
+                                             const std::function<glm::vec3(std::uint32_t)>& point) {
+  const unsigned threads = threads_for(count);
+  std::vector<DrawBox> boxes(threads);
+  for_each_part(count, threads, [&](unsigned t, std::uint32_t begin, std::uint32_t end) {
+    DrawBox box;
+    for (std::uint32_t i = begin; i < end; ++i) box.add(point(i));
+    boxes[t] = box;
+  });
   DrawBox box;
-  for (const glm::vec3& p : points) box.add(p);
+  for (const DrawBox& of_part : boxes) box.add(of_part);
   constexpr float cells = float((1u << bits_per_axis) - 1);
   const glm::vec3 size = box.max - box.min;
   const float largest = glm::max(size.x, glm::max(size.y, size.z));
   const float scale = largest > 0 ? cells / largest : 0;
-  std::vector<Keyed> items(points.size()), other(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    items[i] = {place_on_curve(glm::uvec3((points[i] - box.min) * scale)), i};
-  }
-  constexpr std::uint32_t digit_bits = 10, digits = 1u << digit_bits;
+  UnwrittenVector<Keyed> items(count), other(count);
+  for_each_part(count, threads, [&](unsigned, std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t i = begin; i < end; ++i)
+      items[i] = {place_on_curve(glm::uvec3((point(i) - box.min) * scale)), i};
+  });
   for (std::uint32_t shift = 0; shift < 3 * bits_per_axis; shift += digit_bits) {
-    std::array<std::uint32_t, digits + 1> start{};
-    for (const Keyed& item : items) ++start[((item.key >> shift) & (digits - 1)) + 1];
-    for (std::uint32_t d = 0; d < digits; ++d) start[d + 1] += start[d];
-    for (const Keyed& item : items) other[start[(item.key >> shift) & (digits - 1)]++] = item;
+    sort_by_digit(items, shift, threads, other);
     items.swap(other);
   }
-  std::vector<std::uint32_t> order(points.size());
-  for (std::size_t i = 0; i < items.size(); ++i) order[i] = items[i].number;
+  UnwrittenVector<std::uint32_t> order(count);
+  for (std::uint32_t i = 0; i < count; ++i) order[i] = items[i].number;
   return order;
 }
 

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
+#include <unordered_map>
 
+#include "core/base/parallel.h"
+#include "core/base/sort_unique.h"
 #include "core/geometry/is_finite.h"
 #include "render/hilbert_order.h"
 
@@ -25,6 +28,19 @@ void for_runs(std::vector<std::uint32_t> numbers, const Write& write) {
     while (i < numbers.size() && numbers[i] - last <= small_gap) last = numbers[i++];
     write(first, last - first + 1);
   }
+}
+
+// Calls visit(number, value) for each of the numbers, as often as it is there, reading few parts of the array.
+template <class T, class Visit>
+void read_runs(const TexelArray<T>& from, std::vector<std::uint32_t> numbers, const Visit& visit) {
+  std::sort(numbers.begin(), numbers.end());
+  std::vector<T> values;
+  auto next = numbers.cbegin();
+  for_runs(numbers, [&](std::uint32_t first, std::uint32_t count) {
+    values.resize(count);
+    from.read(first, values);
+    for (; next != numbers.cend() && *next - first < count; ++next) visit(*next, values[*next - first]);
+  });
 }
 
 }  // namespace
@@ -53,53 +69,61 @@ MeshBuffers::MeshBuffers()
 
 void MeshBuffers::set(const TriangleSource& source, const BufferSpace& space) {
   space_ = space;
-  positions_.clear();
-  triangles_.clear();
-  normals_.clear();
   tints_.clear();
   slot_of_source_.clear();
   source_of_slot_.clear();
   clusters_.clear();
   source_positions_ = source_triangles_ = source_tints_ = 0;
   write_positions(source, {});
-
-  std::vector<glm::vec3> middles(source.triangles.size(), glm::vec3(0));
-  for (std::size_t i = 0; i < middles.size(); ++i) {
-    const auto& corner = source.triangles[i];
-    if (!drawable(corner[0]) || !drawable(corner[1]) || !drawable(corner[2])) continue;
-    middles[i] = glm::vec3(positions_[corner[0]] + positions_[corner[1]] + positions_[corner[2]]) / 3.0f;
-  }
-  source_of_slot_ = hilbert_order(middles);
+  source_of_slot_ = hilbert_order(source.triangles, [&](std::uint32_t i) { return middle(source, i); });
   slot_of_source_.resize(source_of_slot_.size());
-  for (std::uint32_t slot = 0; slot < source_of_slot_.size(); ++slot) slot_of_source_[source_of_slot_[slot]] = slot;
-  triangles_.assign(source_of_slot_.size(), not_drawn);
-  source_triangles_ = source.triangles.size();
+  for_each_part(source.triangles, threads_for(source.triangles), [&](unsigned, std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t slot = begin; slot < end; ++slot) slot_of_source_[source_of_slot_[slot]] = slot;
+  });
+  source_triangles_ = source.triangles;
   write_tints(source, {});
-  write_triangles(source, source_of_slot_);
+  write_all(source);
+}
+
+void MeshBuffers::write_all(const TriangleSource& source) {
+  const std::uint32_t slots = source.triangles, threads = threads_for(slots);
+  clusters_.resize((slots + cluster_size - 1) / cluster_size);
+  std::vector<std::uint32_t> faces(threads, 0);
+  const auto fill = [&](glm::uvec4* triangles, glm::uvec4* normals) {
+    for_each_part(static_cast<std::uint32_t>(clusters_.size()), threads,
+                  [&](unsigned t, std::uint32_t begin, std::uint32_t end) {
+                    std::uint32_t used = 0;
+                    for (std::uint32_t i = begin; i < end; ++i) {
+                      const std::size_t first = std::size_t{i} * cluster_size;
+                      used = std::max(used, convert(source, i, triangles + first, normals ? normals + first : nullptr));
+                    }
+                    faces[t] = used;
+                  });
+  };
+  gpu_triangles_.fill(0, slots, [&](glm::uvec4* triangles) {
+    if (source.corner_normals.empty()) return fill(triangles, nullptr);
+    gpu_normals_.fill(0, slots, [&](glm::uvec4* normals) { fill(triangles, normals); });
+  });
+  make_room_for_tints(*std::max_element(faces.begin(), faces.end()));
 }
 
 MeshChange MeshBuffers::update(const TriangleSource& source, std::span<const std::uint32_t> vertices,
                                std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces) {
   MeshChange change;
+  const auto note = [&](const Slot& slot) {
+    if (const DrawBox box = slot.box(); !box.empty()) change.boxes.push_back(box);
+  };
   std::vector<std::uint32_t> changed = changed_triangles(source, triangles);
   add_triangles_of(source, write_tints(source, faces), changed);
-  const auto note_boxes = [&] {
-    for (const std::uint32_t triangle : changed) {
-      if (triangle >= slot_of_source_.size()) continue;
-      const DrawBox box = box_of_slot(slot_of_source_[triangle]);
-      if (!box.empty()) change.boxes.push_back(box);
-    }
-  };
-  note_boxes();
-  for (auto i = static_cast<std::uint32_t>(slot_of_source_.size()); i < source.triangles.size(); ++i) {
+  for (const Slot& slot : read_back(changed)) note(slot);
+  for (auto i = static_cast<std::uint32_t>(slot_of_source_.size()); i < source.triangles; ++i) {
     slot_of_source_.push_back(i);
     source_of_slot_.push_back(i);
-    triangles_.push_back(not_drawn);
   }
   write_positions(source, vertices);
   change.clusters = write_triangles(source, changed);
-  source_triangles_ = source.triangles.size();
-  note_boxes();
+  source_triangles_ = source.triangles;
+  for (const std::uint32_t triangle : changed) note(converted(source, triangle));
   return change;
 }
 
@@ -124,32 +148,93 @@ DrawBox MeshBuffers::bounds() const {
   return box;
 }
 
-bool MeshBuffers::drawable(std::uint32_t vertex) const {
-  if (vertex >= source_positions_) return false;
-  return is_finite(glm::vec3(positions_[vertex]));
-}
-
-glm::uvec4 MeshBuffers::converted(const TriangleSource& source, std::uint32_t triangle) const {
-  if (triangle >= source.triangles.size()) return not_drawn;
-  const auto& corner = source.triangles[triangle];
-  if (corner[0] == corner[1] && corner[1] == corner[2]) return not_drawn;
-  for (const std::uint32_t vertex : corner) {
-    if (!drawable(vertex)) return not_drawn;
-  }
-  return {corner[0], corner[1], corner[2], source.triangle_face[triangle] * 8 + source.triangle_edge_bits[triangle]};
-}
-
-DrawBox MeshBuffers::box_of_slot(std::uint32_t slot) const {
-  const glm::uvec4& triangle = triangles_[slot];
+DrawBox MeshBuffers::Slot::box() const {
   DrawBox box;
   if (!is_drawn(triangle)) return box;
-  for (int k = 0; k < 3; ++k) box.add(glm::vec3(positions_[triangle[k]]));
+  for (const glm::vec3& place : places) box.add(place);
   return box;
+}
+
+MeshBuffers::Slot MeshBuffers::converted(const TriangleSource& source, std::uint32_t number) const {
+  const Slot nothing{not_drawn, {}};
+  if (number >= source.triangles) return nothing;
+  const DrawnTriangle triangle = source.triangle(number);
+  const auto& corner = triangle.corners;
+  if (corner[0] == corner[1] && corner[1] == corner[2]) return nothing;
+  Slot slot{{corner[0], corner[1], corner[2], triangle.face * 8 + triangle.edge_bits}, {}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (corner[k] >= source.positions.size()) return nothing;
+    slot.places[k] = space_.from_mesh(source.positions[corner[k]]);
+    if (!is_finite(slot.places[k])) return nothing;
+  }
+  return slot;
+}
+
+glm::vec3 MeshBuffers::middle(const TriangleSource& source, std::uint32_t triangle) const {
+  const DrawnTriangle read = source.triangle(triangle);
+  glm::vec3 sum(0);
+  for (const std::uint32_t corner : read.corners) {
+    if (corner >= source.positions.size()) return glm::vec3(0);
+    const glm::vec3 place = space_.from_mesh(source.positions[corner]);
+    if (!is_finite(place)) return glm::vec3(0);
+    sum += place;
+  }
+  return sum / 3.0f;
+}
+
+std::uint32_t MeshBuffers::convert(const TriangleSource& source, std::uint32_t number, glm::uvec4* triangles,
+                                   glm::uvec4* normals) {
+  std::uint32_t faces = 0;
+  Cluster& cluster = clusters_[number];
+  cluster.first = number * cluster_size;
+  cluster.count = std::min(cluster_size, static_cast<std::uint32_t>(source_of_slot_.size()) - cluster.first);
+  cluster.box = {};
+  cluster.tinted = false;
+  for (std::uint32_t i = 0; i < cluster.count; ++i) {
+    const std::uint32_t triangle = source_of_slot_[cluster.first + i];
+    const Slot slot = converted(source, triangle);
+    triangles[i] = slot.triangle;
+    if (normals && triangle < source.corner_normals.size()) {
+      const auto& [a, b, c] = source.corner_normals[triangle];
+      normals[i] = {a, b, c, 0};
+    }
+    if (!is_drawn(slot.triangle)) continue;
+    cluster.box.add(slot.box());
+    const std::uint32_t face = slot.triangle.w >> 3;
+    faces = std::max(faces, face + 1);
+    if (face < tints_.size() && tints_[face] != 0) cluster.tinted = true;
+  }
+  return faces;
+}
+
+std::vector<MeshBuffers::Slot> MeshBuffers::read_back(std::span<const std::uint32_t> triangles) const {
+  std::vector<std::uint32_t> slots, vertices;
+  for (const std::uint32_t triangle : triangles)
+    if (triangle < slot_of_source_.size()) slots.push_back(slot_of_source_[triangle]);
+  std::vector<Slot> read;
+  read_runs(gpu_triangles_, slots, [&](std::uint32_t, const glm::uvec4& triangle) {
+    read.push_back({triangle, {}});
+    if (is_drawn(triangle)) vertices.insert(vertices.end(), {triangle.x, triangle.y, triangle.z});
+  });
+  std::unordered_map<std::uint32_t, glm::vec3> places;
+  read_runs(gpu_positions_, vertices, [&](std::uint32_t v, const glm::vec4& place) { places[v] = glm::vec3(place); });
+  for (Slot& slot : read)
+    for (int k = 0; k < 3 && is_drawn(slot.triangle); ++k)
+      slot.places[static_cast<std::size_t>(k)] = places[slot.triangle[k]];
+  return read;
+}
+
+std::vector<std::uint32_t> MeshBuffers::faces_of_slots() const {
+  std::vector<glm::uvec4> triangles(source_of_slot_.size());
+  gpu_triangles_.read(0, triangles);
+  std::vector<std::uint32_t> faces;
+  for (const glm::uvec4& triangle : triangles) faces.push_back(triangle.w >> 3);
+  return faces;
 }
 
 std::vector<std::uint32_t> MeshBuffers::changed_triangles(const TriangleSource& source,
                                                           std::span<const std::uint32_t> named) const {
-  const std::size_t now = source.triangles.size();
+  const std::size_t now = source.triangles;
   std::vector<std::uint32_t> changed;
   for (const std::uint32_t triangle : named) {
     if (triangle < std::min(now, source_triangles_)) changed.push_back(triangle);
@@ -161,71 +246,48 @@ std::vector<std::uint32_t> MeshBuffers::changed_triangles(const TriangleSource& 
 }
 
 void MeshBuffers::write_positions(const TriangleSource& source, std::span<const std::uint32_t> vertices) {
-  const auto convert = [&](std::size_t vertex) {
-    positions_[vertex] = glm::vec4(space_.from_mesh(source.positions[vertex]), 0.0f);
-  };
   const std::size_t now = source.positions.size();
   const std::size_t before = std::min(source_positions_, now);
+  const auto write = [&](std::size_t first, std::size_t count) {
+    gpu_positions_.fill(first, count, [&](glm::vec4* to) {
+      for_each_part(static_cast<std::uint32_t>(count), threads_for(count),
+                    [&](unsigned, std::uint32_t begin, std::uint32_t end) {
+                      for (std::uint32_t i = begin; i < end; ++i)
+                        to[i] = glm::vec4(space_.from_mesh(source.positions[first + i]), 0.0f);
+                    });
+    });
+  };
   std::vector<std::uint32_t> moved;
   for (const std::uint32_t vertex : vertices) {
     if (vertex < before) moved.push_back(vertex);
   }
-  for (const std::uint32_t vertex : moved) convert(vertex);
-  for_runs(std::move(moved), [&](std::uint32_t first, std::uint32_t count) {
-    gpu_positions_.write(first, {positions_.data() + first, count});
-  });
-  if (positions_.size() < now) positions_.resize(now);
-  for (std::size_t vertex = before; vertex < now; ++vertex) convert(vertex);
-  gpu_positions_.write(before, {positions_.data() + before, now - before});
+  for_runs(std::move(moved), [&](std::uint32_t first, std::uint32_t count) { write(first, count); });
+  write(before, now - before);
   source_positions_ = now;
 }
 
 std::vector<std::uint32_t> MeshBuffers::write_triangles(const TriangleSource& source,
                                                         std::span<const std::uint32_t> triangles) {
-  std::vector<std::uint32_t> slots;
-  slots.reserve(triangles.size());
-  if (!source.corner_normals.empty()) normals_.resize(triangles_.size());
-  std::uint32_t faces = static_cast<std::uint32_t>(tints_.size());
-  for (const std::uint32_t triangle : triangles) {
-    const std::uint32_t slot = slot_of_source_[triangle];
-    triangles_[slot] = converted(source, triangle);
-    if (triangle < source.corner_normals.size()) {
-      const auto& [a, b, c] = source.corner_normals[triangle];
-      normals_[slot] = {a, b, c, 0};
-    }
-    slots.push_back(slot);
-    faces = std::max(faces, (triangles_[slot].w >> 3) + 1);
+  std::vector<std::uint32_t> touched;
+  for (const std::uint32_t triangle : triangles) touched.push_back(slot_of_source_[triangle] / cluster_size);
+  sort_unique(touched);
+  while (clusters_.size() * cluster_size < source_of_slot_.size()) clusters_.emplace_back();
+  const bool has_normals = !source.corner_normals.empty();
+  std::array<glm::uvec4, cluster_size> slots, normals{};
+  for (const std::uint32_t cluster : touched) {
+    make_room_for_tints(convert(source, cluster, slots.data(), has_normals ? normals.data() : nullptr));
+    const std::uint32_t first = clusters_[cluster].first, count = clusters_[cluster].count;
+    gpu_triangles_.write(first, std::span(slots).first(count));
+    if (has_normals) gpu_normals_.write(first, std::span(normals).first(count));
   }
-  if (faces > tints_.size()) {
-    const std::size_t before = tints_.size();
-    tints_.resize(faces, 0);
-    gpu_tints_.write(before, {tints_.data() + before, tints_.size() - before});
-  }
-  while (clusters_.size() * cluster_size < triangles_.size()) clusters_.emplace_back();
-  std::vector<std::uint32_t> touched_clusters;
-  for (const std::uint32_t slot : slots) touched_clusters.push_back(slot / cluster_size);
-  for_runs(std::move(slots), [&](std::uint32_t first, std::uint32_t count) {
-    gpu_triangles_.write(first, {triangles_.data() + first, count});
-    if (!normals_.empty()) gpu_normals_.write(first, {normals_.data() + first, count});
-  });
-  std::sort(touched_clusters.begin(), touched_clusters.end());
-  touched_clusters.erase(std::unique(touched_clusters.begin(), touched_clusters.end()), touched_clusters.end());
-  for (const std::uint32_t cluster : touched_clusters) refresh(cluster);
-  return touched_clusters;
+  return touched;
 }
 
-void MeshBuffers::refresh(std::uint32_t number) {
-  Cluster& cluster = clusters_[number];
-  cluster.first = number * cluster_size;
-  cluster.count = std::min(cluster_size, static_cast<std::uint32_t>(triangles_.size()) - cluster.first);
-  cluster.box = {};
-  cluster.tinted = false;
-  for (std::uint32_t i = 0; i < cluster.count; ++i) {
-    const glm::uvec4& triangle = triangles_[cluster.first + i];
-    if (!is_drawn(triangle)) continue;
-    for (int k = 0; k < 3; ++k) cluster.box.add(glm::vec3(positions_[triangle[k]]));
-    if (tints_[triangle.w >> 3] != 0) cluster.tinted = true;
-  }
+void MeshBuffers::make_room_for_tints(std::size_t faces) {
+  if (faces <= tints_.size()) return;
+  const std::size_t before = tints_.size();
+  tints_.resize(faces, 0);
+  gpu_tints_.write(before, {tints_.data() + before, tints_.size() - before});
 }
 
 std::vector<std::uint32_t> MeshBuffers::write_tints(const TriangleSource& source,
@@ -257,17 +319,18 @@ void MeshBuffers::add_triangles_of(const TriangleSource& source, std::vector<std
                                    std::vector<std::uint32_t>& triangles) const {
   if (faces.empty()) return;
   std::vector<std::uint32_t> named;
-  for (const std::uint32_t triangle : triangles) {
-    if (triangle < source.triangles.size()) named.push_back(source.triangle_face[triangle]);
-    if (triangle < slot_of_source_.size()) named.push_back(face_of_slot(slot_of_source_[triangle]));
-  }
-  std::sort(named.begin(), named.end());
+  for (const Slot& slot : read_back(triangles)) named.push_back(slot.triangle.w >> 3);
+  for (const std::uint32_t triangle : triangles)
+    if (triangle < source.triangles) named.push_back(source.triangle(triangle).face);
+  sort_unique(named);
   std::erase_if(faces, [&](std::uint32_t f) { return std::binary_search(named.begin(), named.end(), f); });
   if (faces.empty()) return;
-  std::vector<std::uint8_t> wanted(tints_.size(), 0);
-  for (const std::uint32_t face : faces) wanted[face] = 1;
-  for (std::uint32_t slot = 0; slot < triangles_.size(); ++slot) {
-    if (is_drawn(triangles_[slot]) && wanted[face_of_slot(slot)] != 0) triangles.push_back(source_of_slot_[slot]);
+  std::vector<bool> wanted(tints_.size(), false);
+  for (const std::uint32_t face : faces) wanted[face] = true;
+  const auto drawn = static_cast<std::uint32_t>(std::min<std::size_t>(source_triangles_, source.triangles));
+  for (std::uint32_t i = 0; i < drawn; ++i) {
+    const glm::uvec4 triangle = converted(source, i).triangle;
+    if (is_drawn(triangle) && wanted[triangle.w >> 3]) triangles.push_back(i);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -16,13 +17,19 @@
 
 namespace ryosen {
 
-// A triangle mesh owned by the caller. A triangle with three equal corners is not drawn and its face is not read.
+// One with three equal corners is not drawn, and its face is not read.
+struct DrawnTriangle {
+  std::array<std::uint32_t, 3> corners;  // vertex numbers, counterclockwise seen from the front
+  std::uint32_t face;                    // below 2^29
+  std::uint8_t edge_bits;                // bit k: side k to k+1 is an edge of the polygon
+};
+
+// A triangle mesh owned by the caller.
 struct TriangleSource {
   std::span<const glm::dvec3> positions;
-  std::span<const std::array<std::uint32_t, 3>> triangles;  // vertex numbers, counterclockwise seen from the front
-  std::span<const std::uint32_t> triangle_face;             // the face of each triangle, below 2^29
-  std::span<const std::uint8_t> triangle_edge_bits;         // bit k: side k to k+1 is an edge of the polygon
-  std::span<const std::uint8_t> face_tints;                 // see face_tint.h; faces past the end have none
+  std::uint32_t triangles = 0;
+  std::function<DrawnTriangle(std::uint32_t)> triangle;  // asked from several threads
+  std::span<const std::uint8_t> face_tints;              // see face_tint.h; faces past the end have none
   // Of the corners of each triangle, see core/view/packed_normal.h. Empty: the surface is not drawn smooth.
   std::span<const std::array<std::uint32_t, 3>> corner_normals = {};
 };
@@ -56,7 +63,8 @@ BufferSpace buffer_space(const glm::dvec3& low, const glm::dvec3& high);
 
 // Positions are stored in single precision in the buffer space given to set(). Triangles are ordered along a
 // space-filling curve, so that clusters are compact and a part of the view needs few of them. Triangles with an
-// out-of-range vertex or a non-finite position are not drawn. set() is linear; update() costs the listed changes.
+// out-of-range vertex or a non-finite position are not drawn. set() is linear; update() costs the listed changes. What is
+// on the GPU is not kept beside it: 8 bytes per triangle, their order, and a byte per face are.
 class MeshBuffers {
  public:
   static constexpr std::uint32_t cluster_size = 128;
@@ -79,15 +87,27 @@ class MeshBuffers {
   const BufferSpace& space() const { return space_; }
   std::span<const Cluster> clusters() const { return clusters_; }
   DrawBox bounds() const;
-  // The source triangle number of a slot, and its face.
+  // The source triangle number of a slot.
   std::uint32_t source_of_slot(std::uint32_t slot) const { return source_of_slot_[slot]; }
-  std::uint32_t face_of_slot(std::uint32_t slot) const { return triangles_[slot].w >> 3; }
+  // Reads the faces of all slots back. Linear.
+  std::vector<std::uint32_t> faces_of_slots() const;
 
  private:
-  bool drawable(std::uint32_t vertex) const;
-  glm::uvec4 converted(const TriangleSource& source, std::uint32_t triangle) const;
-  DrawBox box_of_slot(std::uint32_t slot) const;
-  void refresh(std::uint32_t cluster);
+  // As it is on the GPU, and the places of its corners.
+  struct Slot {
+    glm::uvec4 triangle;
+    std::array<glm::vec3, 3> places;
+    DrawBox box() const;
+  };
+
+  glm::vec3 middle(const TriangleSource& source, std::uint32_t triangle) const;
+  Slot converted(const TriangleSource& source, std::uint32_t triangle) const;
+  // Writes the slots of a cluster, with their normals unless null, and makes its record. One more than the largest face.
+  std::uint32_t convert(const TriangleSource& source, std::uint32_t cluster, glm::uvec4* triangles,
+                        glm::uvec4* normals);
+  void write_all(const TriangleSource& source);
+  // The slots of triangles as they are on the GPU.
+  std::vector<Slot> read_back(std::span<const std::uint32_t> triangles) const;
   std::vector<std::uint32_t> changed_triangles(const TriangleSource& source,
                                                std::span<const std::uint32_t> named) const;
   void write_positions(const TriangleSource& source, std::span<const std::uint32_t> vertices);
@@ -97,21 +117,19 @@ class MeshBuffers {
   std::vector<std::uint32_t> write_tints(const TriangleSource& source, std::span<const std::uint32_t> faces);
   void add_triangles_of(const TriangleSource& source, std::vector<std::uint32_t> faces,
                         std::vector<std::uint32_t>& triangles) const;
+  void make_room_for_tints(std::size_t faces);
 
   BufferSpace space_;
-  std::vector<glm::vec4> positions_;   // as uploaded; w is 0
-  std::vector<glm::uvec4> triangles_;  // by slot, as uploaded: corners, then face * 8 + edge bits
-  std::vector<glm::uvec4> normals_;    // by slot, as uploaded: of the corners; empty where the source has none
-  std::vector<std::uint8_t> tints_;    // as uploaded; at least one per face used by a triangle
-  std::vector<std::uint32_t> slot_of_source_;
-  std::vector<std::uint32_t> source_of_slot_;
+  std::vector<std::uint8_t> tints_;  // as uploaded; at least one per face used by a triangle
+  UnwrittenVector<std::uint32_t> slot_of_source_;
+  UnwrittenVector<std::uint32_t> source_of_slot_;
   std::vector<Cluster> clusters_;
   std::size_t source_positions_ = 0;
   std::size_t source_triangles_ = 0;
   std::size_t source_tints_ = 0;
-  TexelArray<glm::vec4> gpu_positions_;
-  TexelArray<glm::uvec4> gpu_triangles_;
-  TexelArray<glm::uvec4> gpu_normals_;
+  TexelArray<glm::vec4> gpu_positions_;   // w is 0
+  TexelArray<glm::uvec4> gpu_triangles_;  // by slot: corners, then face * 8 + edge bits
+  TexelArray<glm::uvec4> gpu_normals_;    // by slot: of the corners; one that means nothing where the source has none
   TexelArray<std::uint8_t> gpu_tints_;
 };
 

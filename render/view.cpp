@@ -281,6 +281,7 @@ IdImage View::read_ids() {
                 std::vector<float>(count)};
   target.read(0, f.rect, image.triangle.data());
   target.read(1, f.rect, image.depth.data());
+  const std::vector<std::uint32_t> faces = mesh_.faces_of_slots();
   for (std::size_t i = 0; i < count; ++i) {
     image.depth[i] = static_cast<float>(image.depth[i] / mesh_.space().scale);
     if (image.triangle[i] == 0) {
@@ -289,7 +290,7 @@ IdImage View::read_ids() {
     }
     const std::uint32_t slot = image.triangle[i] - 1;
     image.triangle[i] = mesh_.source_of_slot(slot);
-    image.face[i] = mesh_.face_of_slot(slot);
+    image.face[i] = faces[slot];
   }
   return image;
 }

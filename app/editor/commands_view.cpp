@@ -19,8 +19,9 @@ Outcome run_camera(Session& session, Words, std::string_view whole) {
 Outcome run_view(Session& session, Words arguments, std::string_view) {
   const NamedView* const view = arguments.size() == 1 ? find_named_view(arguments[0]) : nullptr;
   if (!view) return wrong_arguments("view");
-  session.camera =
-      camera_of(*view, Session::places_to_frame(session.mesh()), static_cast<double>(session.view.width) / session.view.height);
+  Session::with_places_to_frame(session.mesh(), [&](auto places) {
+    session.camera = camera_of(*view, places, static_cast<double>(session.view.width) / session.view.height);
+  });
   return {};
 }
 

@@ -59,7 +59,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   if (document->mesh().live().faces == 0)
     for (const HighlightRow& row : highlight_table())
       if (row.shown_at_first == ShownAtFirst::without_faces) shown_then.insert(std::string(row.id));
-  const Camera camera_then = framing(places_to_frame(document->mesh()), first_camera());
+  const Camera camera_then = framing(document->mesh(), first_camera());
   if (autosave) autosave->begin(*document);
   document_ = std::move(document);
   files = std::move(files_then);
@@ -368,21 +368,29 @@ const KindOfMesh& Session::kind(bool anew) {
   return *kind_;
 }
 
-std::vector<glm::dvec3> Session::places_to_frame(const Mesh& mesh) {
+void Session::with_places_to_frame(const Mesh& mesh,
+                                   const std::function<void(std::span<const glm::dvec3>)>& visit) {
+  const auto has_edges = [&](std::uint32_t i) { return mesh.is_alive(Vertex(i)) && !mesh.is_isolated(Vertex(i)); };
+  std::uint32_t same = 0;
+  while (same < mesh.vertex_slots() && has_edges(same)) ++same;
+  if (same == mesh.vertex_slots()) return visit(mesh.positions());
   std::vector<glm::dvec3> places, isolated;
   places.reserve(mesh.vertex_slots());
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
     const Vertex v(i);
     if (mesh.is_alive(v)) (mesh.is_isolated(v) ? isolated : places).push_back(mesh.position(v));
   }
-  return places.empty() ? isolated : places;
+  visit(places.empty() ? isolated : places);
 }
 
-Camera Session::framing(const std::vector<glm::dvec3>& places, const Camera& from) const {
-  return fitted(from, places, static_cast<double>(view.width) / view.height);
+Camera Session::framing(const Mesh& mesh, const Camera& from) const {
+  Camera found = from;
+  with_places_to_frame(
+      mesh, [&](auto places) { found = fitted(from, places, static_cast<double>(view.width) / view.height); });
+  return found;
 }
 
-void Session::frame_all() { camera = framing(places_to_frame(mesh()), camera); }
+void Session::frame_all() { camera = framing(mesh(), camera); }
 
 void Session::frame_selection() {
   std::vector<glm::dvec3> places;

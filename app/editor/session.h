@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -115,8 +116,9 @@ class Session {
   // Replaces the document; resets selection, hover and log.
   // `read_from` is the file that it was read from, where that is not its own: no output of the run takes its place.
   void set_document(std::unique_ptr<Document> document, std::optional<std::filesystem::path> read_from = {});
-  // The positions for framing the view: all vertices except isolated ones, unless there are no others.
-  static std::vector<glm::dvec3> places_to_frame(const Mesh& mesh);
+  // Calls visit(positions for framing the view): of all vertices except isolated ones, unless there are no others.
+  static void with_places_to_frame(const Mesh& mesh,
+                                   const std::function<void(std::span<const glm::dvec3>)>& visit);
   void frame_all();
   void frame_selection();
 
@@ -142,7 +144,7 @@ class Session {
   void follow(std::size_t transaction);
   void update_derived(std::size_t transaction);
   void forget_derived();
-  Camera framing(const std::vector<glm::dvec3>& places, const Camera& from) const;
+  Camera framing(const Mesh& mesh, const Camera& from) const;
   void note_marks(const TouchedElements& touched);
   void forget_hidden();
   Outcome apply_at(const OpTarget& target, const std::string& id);

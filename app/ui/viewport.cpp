@@ -11,7 +11,12 @@ namespace {
 
 TriangleSource source_of(Session& session, std::span<const std::uint8_t> tints) {
   const SurfaceTriangles& triangles = session.picker().triangles();
-  TriangleSource source{session.mesh().positions(), triangles.triangles(), triangles.faces(), triangles.edge_bits(),
+  const Mesh& mesh = session.mesh();
+  TriangleSource source{mesh.positions(), triangles.slots(),
+                        [&mesh, &triangles](std::uint32_t slot) {
+                          const SurfaceTriangle t = triangles.at(mesh, slot);
+                          return DrawnTriangle{t.corners, t.face, t.edge_bits};
+                        },
                         tints};
   if (session.settings.shading == Shading::smooth) source.corner_normals = session.corner_normals().packed();
   return source;

@@ -21,6 +21,10 @@ std::uint32_t tree_slot_of_wire(Edge e) { return sharers * e.index + 2; }
 
 bool is_live_wire(const Mesh& mesh, Edge e) { return mesh.is_alive(e) && mesh.is_wire(e); }
 
+Primitive primitive_of(const SurfaceTriangle& t) {
+  return Primitive::triangle(t.corners[0], t.corners[1], t.corners[2], t.face);
+}
+
 Primitive wire(const Mesh& mesh, Edge e) {
   const auto [a, b] = ends(mesh, e);
   return Primitive::segment(a.index, b.index, e.index);
@@ -94,7 +98,7 @@ class PickQuery {
         const Vertex a(primitive.vertices[k]), b(primitive.vertices[(k + 1) % corners]);
         if (vertices)
           add_vertex(a, face);
-        else if (corners == 3 ? (triangles_.edge_bits()[slot / sharers] >> k & 1u) != 0 : corners == 2 && k == 0)
+        else if (corners == 3 ? (triangles_.at(m_, slot / sharers).edge_bits >> k & 1u) != 0 : corners == 2 && k == 0)
           add_edge(a, b, face);
       }
     });
@@ -158,15 +162,13 @@ class PickQuery {
 }  // namespace
 
 void Picker::build(const Mesh& mesh) {
-  const auto triangles = triangles_.triangles();
   std::uint32_t wire_slots = mesh.edge_slots();
   while (wire_slots > 0 && !is_live_wire(mesh, Edge(wire_slots - 1))) --wire_slots;
-  const std::size_t slots = std::max({triangles.size(), std::size_t{mesh.vertex_slots()}, std::size_t{wire_slots}});
+  const std::size_t slots = std::max({triangles_.slots(), mesh.vertex_slots(), wire_slots});
   std::vector<Primitive> primitives(sharers * slots);
-  for (std::uint32_t slot = 0; slot < triangles.size(); ++slot) {
-    if (triangles_.faces()[slot] == no_index) continue;
-    const auto& t = triangles[slot];
-    primitives[tree_slot_of_triangle(slot)] = Primitive::triangle(t[0], t[1], t[2], triangles_.faces()[slot]);
+  for (std::uint32_t slot = 0; slot < triangles_.slots(); ++slot) {
+    const SurfaceTriangle t = triangles_.at(mesh, slot);
+    if (t.face != no_index) primitives[tree_slot_of_triangle(slot)] = primitive_of(t);
   }
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
     const Vertex v(i);
@@ -179,12 +181,11 @@ void Picker::build(const Mesh& mesh) {
 }
 
 void Picker::put_triangle(const Mesh& mesh, std::uint32_t slot) {
-  const auto& t = triangles_.triangles()[slot];
-  const std::uint32_t face = triangles_.faces()[slot];
-  if (face == no_index)
+  const SurfaceTriangle t = triangles_.at(mesh, slot);
+  if (t.face == no_index)
     tree_.erase(tree_slot_of_triangle(slot));
   else
-    tree_.insert(mesh.positions(), tree_slot_of_triangle(slot), Primitive::triangle(t[0], t[1], t[2], face));
+    tree_.insert(mesh.positions(), tree_slot_of_triangle(slot), primitive_of(t));
 }
 
 void Picker::put_vertex(const Mesh& mesh, Vertex v) {

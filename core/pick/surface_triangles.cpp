@@ -1,28 +1,84 @@
 #include "core/pick/surface_triangles.h"
 
+#include <atomic>
+
+#include "core/base/parallel.h"
 #include "core/base/sort_unique.h"
+#include "core/geometry/is_finite.h"
 
 namespace ryosen {
+
+namespace {
+
+constexpr std::uint8_t all_sides = 7;
+
+bool is_triangle(const Mesh& mesh, Face f) {
+  const Halfedge h = mesh.halfedge(f);
+  return mesh.next(mesh.next(mesh.next(h))) == h && !mesh.has_rings(f);
+}
+
+// Whether every live face is a triangle with finite corners. O(faces), on several threads.
+bool has_finite_triangles_alone(const Mesh& mesh) {
+  std::atomic<bool> has_other = false;
+  const unsigned threads = threads_for(mesh.halfedge_slots()), parts = 8 * threads;
+  for_each_task(parts, threads, [&](unsigned part) {
+    const std::uint32_t faces = mesh.face_slots(), vertices = mesh.vertex_slots();
+    for (std::uint32_t f = part_begin(faces, part, parts); f < part_begin(faces, part + 1, parts) && !has_other; ++f)
+      if (mesh.is_alive(Face(f)) && !is_triangle(mesh, Face(f))) has_other = true;
+    double nothing = 0;  // stays zero while all are finite
+    for (std::uint32_t v = part_begin(vertices, part, parts); v < part_begin(vertices, part + 1, parts); ++v) {
+      const glm::dvec3& p = mesh.position(Vertex(v));
+      nothing += p.x * 0.0 + p.y * 0.0 + p.z * 0.0;
+    }
+    if (nothing != 0.0) has_other = true;
+  });
+  return !has_other;
+}
+
+}  // namespace
 
 SurfaceTriangles::SurfaceTriangles(const Mesh& mesh) { rebuild(mesh); }
 
 void SurfaceTriangles::rebuild(const Mesh& mesh) {
-  triangles_.clear();
-  face_.clear();
-  edge_bits_.clear();
-  next_of_face_.clear();
+  stored_.clear();
+  next_.clear();
   free_.clear();
-  first_of_face_.assign(mesh.face_slots(), no_index);
+  moved_out_.clear();
+  homes_ = has_finite_triangles_alone(mesh) ? mesh.face_slots() : 0;
+  first_.assign(mesh.face_slots() - homes_, no_index);
+  if (homes_ != 0) return;
   const std::size_t expected = mesh.live().faces;
-  triangles_.reserve(expected);
-  face_.reserve(expected);
-  edge_bits_.reserve(expected);
-  next_of_face_.reserve(expected);
+  stored_.reserve(expected);
+  next_.reserve(expected);
   std::vector<std::uint32_t> ignored;
   for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
     if (mesh.is_alive(Face(f))) fill(mesh, Face(f), ignored);
     ignored.clear();
   }
+}
+
+bool SurfaceTriangles::is_home(const Mesh& mesh, Face f) const {
+  return f.index < homes_ && mesh.exists(f) && mesh.is_alive(f) &&
+         (moved_out_.empty() || !moved_out_.contains(f.index));
+}
+
+SurfaceTriangle SurfaceTriangles::at(const Mesh& mesh, std::uint32_t slot) const {
+  if (slot >= homes_) return stored_[slot - homes_];
+  const Face f(slot);
+  if (!is_home(mesh, f)) return {};
+  const Halfedge h = mesh.halfedge(f);
+  const HalfedgeLinks& links = mesh.links(h);
+  return {{links.from.index, mesh.from(links.next).index, mesh.from(links.prev).index}, slot, all_sides};
+}
+
+std::uint32_t SurfaceTriangles::first_stored(Face f) const {
+  if (f.index >= homes_) return f.index - homes_ < first_.size() ? first_[f.index - homes_] : no_index;
+  const auto found = moved_out_.find(f.index);
+  return found == moved_out_.end() ? no_index : found->second;
+}
+
+void SurfaceTriangles::set_first_stored(Face f, std::uint32_t slot) {
+  (f.index >= homes_ ? first_[f.index - homes_] : moved_out_[f.index]) = slot;
 }
 
 std::uint32_t SurfaceTriangles::take_slot() {
@@ -31,23 +87,22 @@ std::uint32_t SurfaceTriangles::take_slot() {
     free_.pop_back();
     return slot;
   }
-  triangles_.push_back({0, 0, 0});
-  face_.push_back(no_index);
-  edge_bits_.push_back(0);
-  next_of_face_.push_back(no_index);
-  return static_cast<std::uint32_t>(triangles_.size() - 1);
+  stored_.emplace_back();
+  next_.push_back(no_index);
+  return slots() - 1;
 }
 
 void SurfaceTriangles::release(Face f, std::vector<std::uint32_t>& changed) {
-  if (f.index >= first_of_face_.size()) return;
-  std::uint32_t slot = first_of_face_[f.index];
-  first_of_face_[f.index] = no_index;
+  if (f.index < homes_) changed.push_back(f.index);
+  std::uint32_t slot = first_stored(f);
+  if (f.index < homes_)
+    moved_out_.erase(f.index);
+  else if (slot != no_index)
+    set_first_stored(f, no_index);
   while (slot != no_index) {
-    const std::uint32_t next = next_of_face_[slot];
-    triangles_[slot] = {0, 0, 0};
-    face_[slot] = no_index;
-    edge_bits_[slot] = 0;
-    next_of_face_[slot] = no_index;
+    const std::uint32_t next = next_[slot - homes_];
+    stored_[slot - homes_] = {};
+    next_[slot - homes_] = no_index;
     free_.push_back(slot);
     changed.push_back(slot);
     slot = next;
@@ -56,19 +111,23 @@ void SurfaceTriangles::release(Face f, std::vector<std::uint32_t>& changed) {
 
 void SurfaceTriangles::fill(const Mesh& mesh, Face f, std::vector<std::uint32_t>& changed) {
   polygon_.read(mesh, f);
-  if (!polygon_.is_finite()) return;
+  const bool is_finite = polygon_.is_finite();
+  if (f.index < homes_) {
+    if (is_finite && is_triangle(mesh, f)) return;
+    moved_out_[f.index] = no_index;
+  }
+  if (!is_finite) return;
   polygon_.triangulate(local_);
   const auto vertex = [&](std::uint32_t corner) { return mesh.from(polygon_.corners()[corner]).index; };
   for (const auto& t : local_) {
     const std::uint32_t slot = take_slot();
-    triangles_[slot] = {vertex(t[0]), vertex(t[1]), vertex(t[2])};
-    face_[slot] = f.index;
-    std::uint8_t bits = 0;
+    SurfaceTriangle& triangle = stored_[slot - homes_];
+    triangle = {{vertex(t[0]), vertex(t[1]), vertex(t[2])}, f.index, 0};
     for (unsigned k = 0; k < 3; ++k)
-      if (polygon_.is_side(t[k], t[(k + 1) % 3])) bits = static_cast<std::uint8_t>(bits | (1u << k));
-    edge_bits_[slot] = bits;
-    next_of_face_[slot] = first_of_face_[f.index];
-    first_of_face_[f.index] = slot;
+      if (polygon_.is_side(t[k], t[(k + 1) % 3]))
+        triangle.edge_bits = static_cast<std::uint8_t>(triangle.edge_bits | (1u << k));
+    next_[slot - homes_] = first_stored(f);
+    set_first_stored(f, slot);
     changed.push_back(slot);
   }
 }
@@ -77,10 +136,10 @@ std::vector<std::uint32_t> SurfaceTriangles::update(const Mesh& mesh, const Touc
   std::vector<std::uint32_t> changed;
   if (touched.everything) {
     rebuild(mesh);
-    for (std::uint32_t i = 0; i < triangles_.size(); ++i) changed.push_back(i);
+    for (std::uint32_t i = 0; i < slots(); ++i) changed.push_back(i);
     return changed;
   }
-  if (mesh.face_slots() > first_of_face_.size()) first_of_face_.resize(mesh.face_slots(), no_index);
+  if (mesh.face_slots() > homes_ + first_.size()) first_.resize(mesh.face_slots() - homes_, no_index);
   for (Face f : touched.faces) release(f, changed);
   for (Face f : touched.faces)
     if (mesh.exists(f) && mesh.is_alive(f)) fill(mesh, f, changed);
@@ -88,11 +147,17 @@ std::vector<std::uint32_t> SurfaceTriangles::update(const Mesh& mesh, const Touc
   return changed;
 }
 
-std::vector<std::uint32_t> SurfaceTriangles::slots_of(Face f) const {
+std::vector<std::uint32_t> SurfaceTriangles::slots_of(const Mesh& mesh, Face f) const {
+  if (is_home(mesh, f)) return {f.index};
   std::vector<std::uint32_t> slots;
-  for (std::uint32_t slot = first_of_face_[f.index]; slot != no_index; slot = next_of_face_[slot])
-    slots.push_back(slot);
+  for (std::uint32_t slot = first_stored(f); slot != no_index; slot = next_[slot - homes_]) slots.push_back(slot);
   return slots;
+}
+
+std::uint32_t SurfaceTriangles::only_slot_of(const Mesh& mesh, Face f) const {
+  if (is_home(mesh, f)) return f.index;
+  const std::uint32_t slot = first_stored(f);
+  return slot == no_index || next_[slot - homes_] != no_index ? no_index : slot;
 }
 
 }  // namespace ryosen

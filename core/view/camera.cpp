@@ -6,6 +6,9 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
+#include <vector>
+
+#include "core/base/parallel.h"
 
 namespace ryosen {
 namespace {
@@ -47,8 +50,10 @@ struct Extent {
 Extent extent_of(std::span<const glm::dvec3> points, const CameraAxes& a, const glm::dvec3& origin, int exponent,
                  double tan_x, double tan_y) {
   Extent e;
+  const bool is_usual = std::abs(exponent) < 1000;
+  const double factor = is_usual ? std::ldexp(1.0, -exponent) : 1.0;
   for (const glm::dvec3& point : points) {
-    const glm::dvec3 p = scaled(point - origin, -exponent);
+    const glm::dvec3 p = is_usual ? (point - origin) * factor : scaled(point - origin, -exponent);
     const glm::dvec3 q(glm::dot(p, a.right), glm::dot(p, a.up), glm::dot(p, a.forward));
     if (!is_finite(q)) continue;
     e.low = glm::min(e.low, q);
@@ -59,6 +64,23 @@ Extent extent_of(std::span<const glm::dvec3> points, const CameraAxes& a, const 
     e.below = std::max(e.below, -q.y - tan_y * q.z);
   }
   return e;
+}
+
+Extent of_both(const Extent& a, const Extent& b) {
+  return {glm::min(a.low, b.low),   glm::max(a.high, b.high),   std::max(a.right, b.right),
+          std::max(a.left, b.left), std::max(a.above, b.above), std::max(a.below, b.below)};
+}
+
+// The sum, in the sense of unite(), of what of() finds for parts of the points, on several threads.
+template <class Found, class Of, class Unite>
+Found of_parts(std::span<const glm::dvec3> points, const Of& of, const Unite& unite) {
+  const unsigned parts = threads_for(points.size());
+  std::vector<Found> found(parts);
+  for_each_part(
+      static_cast<std::uint32_t>(points.size()), parts,
+      [&](unsigned t, std::uint32_t begin, std::uint32_t end) { found[t] = of(points.subspan(begin, end - begin)); });
+  for (unsigned t = 1; t < parts; ++t) found[0] = unite(found[0], found[t]);
+  return found[0];
 }
 
 }  // namespace
@@ -81,7 +103,10 @@ glm::dvec3 way_to_target(const Camera& camera) {
 }  // namespace
 
 Box bounds_of(std::span<const glm::dvec3> points) {
-  const Box box = box_of_finite(points);
+  const Box box = of_parts<Box>(points, box_of_finite, [](Box a, const Box& b) {
+    a.add(b);
+    return a;
+  });
   return box.is_empty() ? Box{glm::dvec3(0), glm::dvec3(0)} : box;
 }
 
@@ -141,7 +166,8 @@ Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double a
   const glm::dvec3 origin = box.middle();
   const glm::dvec3 half_size = 0.5 * box.highest - 0.5 * box.lowest;
   const int exponent = largest_of(half_size) > 0 ? exponent_of(half_size) : 0;
-  const Extent e = extent_of(points, a, origin, exponent, tan_x, tan_y);
+  const Extent e = of_parts<Extent>(
+      points, [&](auto part) { return extent_of(part, a, origin, exponent, tan_x, tan_y); }, of_both);
   if (!(e.low.x <= e.high.x)) return result;
   const glm::dvec3 middle = 0.5 * (e.low + e.high);
   const glm::dvec3 size = e.high - e.low;

@@ -54,6 +54,7 @@ void CornerNormals::read(Neighbourhood& around, Vertex v) {
 
 template <class Visit>
 void CornerNormals::set_around(Neighbourhood& around, const SurfaceTriangles& triangles, Vertex v, Visit visit) {
+  const Mesh& mesh = around.mesh();
   read(around, v);
   const std::size_t n = corners_.size();
   const auto goes_on_behind = [&](std::size_t i) {
@@ -73,47 +74,50 @@ void CornerNormals::set_around(Neighbourhood& around, const SurfaceTriangles& tr
       const Face face = corners_[(first + i) % n].face;
       if (face.is_none()) continue;
       visit(face);
-      set(triangles, face, v, normal);
+      set(mesh, triangles, face, v, normal);
     }
   }
 }
 
-void CornerNormals::set(const SurfaceTriangles& triangles, Face face, Vertex v, std::uint32_t normal) {
-  const std::uint32_t slot = triangles.only_slot_of(face);
+void CornerNormals::set(const Mesh& mesh, const SurfaceTriangles& triangles, Face face, Vertex v,
+                        std::uint32_t normal) {
+  const std::uint32_t slot = triangles.only_slot_of(mesh, face);
   if (slot == no_index) return waiting_.push_back({face, v, normal});
+  const SurfaceTriangle triangle = triangles.at(mesh, slot);
   for (std::size_t k = 0; k < 3; ++k)
-    if (triangles.triangles()[slot][k] == v.index) packed_[slot][k] = normal;
+    if (triangle.corners[k] == v.index) packed_[slot][k] = normal;
 }
 
-void CornerNormals::finish(const SurfaceTriangles& triangles) {
+void CornerNormals::finish(const Mesh& mesh, const SurfaceTriangles& triangles) {
   const auto is_before = [](const PolygonCorner& a, const PolygonCorner& b) {
     return a.face != b.face ? a.face < b.face : a.vertex < b.vertex;
   };
   std::stable_sort(waiting_.begin(), waiting_.end(), is_before);
   for (auto begin = waiting_.cbegin(), end = begin; begin != waiting_.cend(); begin = end) {
     end = std::find_if(begin, waiting_.cend(), [&](const PolygonCorner& corner) { return corner.face != begin->face; });
-    for (const std::uint32_t slot : triangles.slots_of(begin->face))
+    for (const std::uint32_t slot : triangles.slots_of(mesh, begin->face)) {
+      const SurfaceTriangle triangle = triangles.at(mesh, slot);
       for (std::size_t k = 0; k < 3; ++k) {
-        const Vertex v(triangles.triangles()[slot][k]);
+        const Vertex v(triangle.corners[k]);
         const auto found = std::lower_bound(begin, end, PolygonCorner{begin->face, v, 0}, is_before);
         if (found != end && found->vertex == v) packed_[slot][k] = found->normal;
       }
+    }
   }
   waiting_.clear();
 }
 
-CornerNormals::CornerNormals(const Mesh& mesh, const SurfaceTriangles& triangles)
-    : packed_(triangles.triangles().size()) {
+CornerNormals::CornerNormals(const Mesh& mesh, const SurfaceTriangles& triangles) : packed_(triangles.slots()) {
   Neighbourhood around(mesh);
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
     if (mesh.is_alive(Vertex(i))) set_around(around, triangles, Vertex(i), [](Face) {});
-  finish(triangles);
+  finish(mesh, triangles);
   waiting_.shrink_to_fit();
 }
 
 std::vector<std::uint32_t> CornerNormals::update(const Mesh& mesh, const SurfaceTriangles& triangles,
                                                  const TouchedElements& touched) {
-  packed_.resize(triangles.triangles().size());
+  packed_.resize(triangles.slots());
   std::vector<Vertex> vertices = touched.vertices;
   for (const Face f : touched.faces)
     if (mesh.exists(f) && mesh.is_alive(f))
@@ -123,11 +127,11 @@ std::vector<std::uint32_t> CornerNormals::update(const Mesh& mesh, const Surface
   std::vector<Face> faces;
   for (const Vertex v : vertices)
     if (mesh.exists(v) && mesh.is_alive(v)) set_around(around, triangles, v, [&](Face f) { faces.push_back(f); });
-  finish(triangles);
+  finish(mesh, triangles);
   sort_unique(faces);
   std::vector<std::uint32_t> slots;
   for (const Face f : faces)
-    for (const std::uint32_t slot : triangles.slots_of(f)) slots.push_back(slot);
+    for (const std::uint32_t slot : triangles.slots_of(mesh, f)) slots.push_back(slot);
   return slots;
 }
 

@@ -48,8 +48,8 @@ class CornerNormals {
   // Sets the corners at a vertex, those of polygons once finish() is called; calls visit(face) for each face there.
   template <class Visit>
   void set_around(Neighbourhood& around, const SurfaceTriangles& triangles, Vertex v, Visit visit);
-  void set(const SurfaceTriangles& triangles, Face face, Vertex v, std::uint32_t normal);
-  void finish(const SurfaceTriangles& triangles);
+  void set(const Mesh& mesh, const SurfaceTriangles& triangles, Face face, Vertex v, std::uint32_t normal);
+  void finish(const Mesh& mesh, const SurfaceTriangles& triangles);
 
   std::vector<std::array<std::uint32_t, 3>> packed_;
   // Scratch: the corners around one vertex, in order; those of polygons that wait for finish().

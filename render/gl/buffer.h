@@ -6,6 +6,7 @@
 #include <string>
 #include <type_traits>
 
+#include "core/mesh/column_memory.h"
 #include "render/gl/object.h"
 
 namespace ryosen {
@@ -22,6 +23,12 @@ class Buffer {
   // Reserves at least `bytes`, keeping the content. True if the storage, and so id(), changed.
   bool reserve(std::size_t bytes);
   void write(std::size_t offset, const void* data, std::size_t bytes);
+  void read(std::size_t offset, void* data, std::size_t bytes) const;
+  // The memory of a part, to be written as a whole before unmap(); null if the driver does not give it. Nothing may use
+  // the buffer meanwhile.
+  void* map(std::size_t offset, std::size_t bytes);
+  // False if what was written is lost.
+  bool unmap();
   GLuint id() const { return object_.id(); }
   std::size_t capacity() const { return capacity_; }
 
@@ -45,6 +52,25 @@ class GpuArray {
     buffer_.write(first * sizeof(T), values.data(), values.size_bytes());
     return moved;
   }
+  // As write(), of `count` values that put(T*) writes where they stay: drivers that draw in main memory hold no copy.
+  template <class Put>
+  bool fill(std::size_t first, std::size_t count, const Put& put) {
+    if (count == 0) return false;
+    const bool moved = buffer_.reserve((first + count) * sizeof(T));
+    if (void* const place = buffer_.map(first * sizeof(T), count * sizeof(T))) {
+      offer_huge_pages(place, count * sizeof(T));
+      put(static_cast<T*>(place));
+      if (buffer_.unmap()) return moved;
+    }
+    UnwrittenVector<T> values(count);
+    put(values.data());
+    buffer_.write(first * sizeof(T), values.data(), count * sizeof(T));
+    return moved;
+  }
+  // Reads elements that have been written; waits for what is being drawn.
+  void read(std::size_t first, std::span<T> values) const {
+    if (!values.empty()) buffer_.read(first * sizeof(T), values.data(), values.size_bytes());
+  }
   GLuint id() const { return buffer_.id(); }
 
  private:
@@ -58,17 +84,24 @@ class TexelArray {
   TexelArray(const char* label, GLenum format) : array_(label), texture_(label), format_(format) {}
 
   void write(std::size_t first, std::span<const T> values) {
-    if (array_.write(first, values)) {
-      glBindTexture(GL_TEXTURE_BUFFER, texture_.id());
-      glTexBuffer(GL_TEXTURE_BUFFER, format_, array_.id());
-    }
+    if (array_.write(first, values)) attach();
   }
+  template <class Put>
+  void fill(std::size_t first, std::size_t count, const Put& put) {
+    if (array_.fill(first, count, put)) attach();
+  }
+  void read(std::size_t first, std::span<T> values) const { array_.read(first, values); }
   void bind(GLuint unit) const {
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_BUFFER, texture_.id());
   }
 
  private:
+  void attach() {
+    glBindTexture(GL_TEXTURE_BUFFER, texture_.id());
+    glTexBuffer(GL_TEXTURE_BUFFER, format_, array_.id());
+  }
+
   GpuArray<T> array_;
   GlObject<BufferTextureKind> texture_;
   GLenum format_;

@@ -20,7 +20,13 @@ struct Scene {
   std::vector<std::uint8_t> tints;
   std::vector<std::array<std::uint32_t, 3>> normals;  // of the corners, packed; may be empty
 
-  TriangleSource source() const { return {positions, triangles, faces, edge_bits, tints, normals}; }
+  TriangleSource source() const {
+    return {positions, static_cast<std::uint32_t>(triangles.size()),
+            [this](std::uint32_t i) {
+              return DrawnTriangle{triangles[i], faces[i], edge_bits[i]};
+            },
+            tints, normals};
+  }
   void add(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 };
 

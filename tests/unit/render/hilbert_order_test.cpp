@@ -4,14 +4,23 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <vector>
+
+#include "core/base/handle.h"
 
 namespace ryosen {
 namespace {
 
+std::vector<std::uint32_t> order_of(const std::vector<glm::vec3>& points) {
+  const auto order =
+      hilbert_order(static_cast<std::uint32_t>(points.size()), [&](std::uint32_t i) { return points[i]; });
+  return {order.begin(), order.end()};
+}
+
 TEST(hilbert_order, names_every_point_once) {
   std::vector<glm::vec3> points;
   for (int i = 0; i < 1000; ++i) points.push_back({float(i * 37 % 101), float(i * 53 % 97), float(i % 7)});
-  std::vector<std::uint32_t> order = hilbert_order(points);
+  std::vector<std::uint32_t> order = order_of(points);
   std::sort(order.begin(), order.end());
   for (std::uint32_t i = 0; i < order.size(); ++i) ASSERT_EQ(order[i], i);
   EXPECT_EQ(order.size(), points.size());
@@ -29,7 +38,7 @@ TEST(hilbert_order, steps_along_a_grid_are_short) {
   }
   points.push_back(glm::vec3(0));
   points.push_back(glm::vec3(1023));
-  const std::vector<std::uint32_t> order = hilbert_order(points);
+  const std::vector<std::uint32_t> order = order_of(points);
   std::vector<std::uint32_t> inner;
   for (const std::uint32_t i : order) {
     if (i < side * side * side) inner.push_back(i);
@@ -41,8 +50,20 @@ TEST(hilbert_order, steps_along_a_grid_are_short) {
 
 TEST(hilbert_order, equal_places_keep_their_order) {
   const std::vector<glm::vec3> points(5, glm::vec3(2, 3, 4));
-  EXPECT_EQ(hilbert_order(points), (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
-  EXPECT_TRUE(hilbert_order({}).empty());
+  EXPECT_EQ(order_of(points), (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
+  EXPECT_TRUE(order_of({}).empty());
+}
+
+// So many that several threads share them.
+TEST(hilbert_order, of_many_points_is_that_of_their_cells_and_stable) {
+  std::vector<glm::vec3> points;
+  for (int i = 0; i < 250000; ++i) points.push_back({float(i * 37 % 101), float(i * 53 % 97), float(i % 7)});
+  const std::vector<std::uint32_t> order = order_of(points);
+  std::vector<std::uint32_t> place(order.size(), no_index);
+  for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+  constexpr int period = 101 * 97 * 7;  // points so far apart in the list are equal
+  for (std::size_t i = 0; i + period < points.size(); ++i) ASSERT_LT(place[i], place[i + period]);
+  EXPECT_EQ(std::count(place.begin(), place.end(), no_index), 0);
 }
 
 }  // namespace

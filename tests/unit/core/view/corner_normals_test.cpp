@@ -22,9 +22,9 @@ Mesh asset_mesh(const std::string& name) {
 
 // Calls visit(slot, k, normal) for each corner of each triangle that is used.
 template <class Visit>
-void for_corners(const SurfaceTriangles& triangles, const CornerNormals& normals, Visit visit) {
-  for (std::uint32_t slot = 0; slot < triangles.faces().size(); ++slot)
-    for (std::uint32_t k = 0; triangles.faces()[slot] != no_index && k < 3; ++k)
+void for_corners(const Mesh& mesh, const SurfaceTriangles& triangles, const CornerNormals& normals, Visit visit) {
+  for (std::uint32_t slot = 0; slot < triangles.slots(); ++slot)
+    for (std::uint32_t k = 0; triangles.at(mesh, slot).face != no_index && k < 3; ++k)
       visit(slot, k, unpacked_normal(normals.packed()[slot][k]));
 }
 
@@ -32,11 +32,12 @@ TEST(corner_normals, of_a_ball_point_away_from_its_middle) {
   const Mesh mesh = asset_mesh("ball.off");
   const SurfaceTriangles triangles(mesh);
   int corners = 0;
-  for_corners(triangles, CornerNormals(mesh, triangles), [&](std::uint32_t slot, std::uint32_t k, glm::dvec3 normal) {
-    const glm::dvec3 outward = glm::normalize(mesh.position(Vertex(triangles.triangles()[slot][k])));
-    EXPECT_GT(glm::dot(normal, outward), 0.999);
-    ++corners;
-  });
+  for_corners(mesh, triangles, CornerNormals(mesh, triangles),
+              [&](std::uint32_t slot, std::uint32_t k, glm::dvec3 normal) {
+                const glm::dvec3 outward = glm::normalize(mesh.position(Vertex(triangles.at(mesh, slot).corners[k])));
+                EXPECT_GT(glm::dot(normal, outward), 0.999);
+                ++corners;
+              });
   EXPECT_EQ(corners, 3 * (16 * 2 + 2 * 96));
 }
 
@@ -46,10 +47,11 @@ TEST(corner_normals, stay_on_their_side_of_creases_boundaries_and_copies) {
     const SurfaceTriangles triangles(mesh);
     Neighbourhood around(mesh);
     int corners = 0;
-    for_corners(triangles, CornerNormals(mesh, triangles), [&](std::uint32_t slot, std::uint32_t, glm::dvec3 normal) {
-      EXPECT_GT(glm::dot(normal, around.normal(Face(triangles.faces()[slot]))), 1 - 1e-7) << name;
-      ++corners;
-    });
+    for_corners(mesh, triangles, CornerNormals(mesh, triangles),
+                [&](std::uint32_t slot, std::uint32_t, glm::dvec3 normal) {
+                  EXPECT_GT(glm::dot(normal, around.normal(Face(triangles.at(mesh, slot).face))), 1 - 1e-7) << name;
+                  ++corners;
+                });
     EXPECT_GE(corners, 6) << name;
   }
 }
@@ -65,11 +67,12 @@ TEST(corner_normals, weigh_faces_by_their_angles) {
   const Mesh mesh = from_indexed(std::move(roof));
   const SurfaceTriangles triangles(mesh);
   int corners = 0;
-  for_corners(triangles, CornerNormals(mesh, triangles), [&](std::uint32_t slot, std::uint32_t k, glm::dvec3 normal) {
-    if (triangles.triangles()[slot][k] > 1) return;
-    EXPECT_LT(glm::length(normal - glm::dvec3(0, 0, 1)), 2e-4);
-    ++corners;
-  });
+  for_corners(mesh, triangles, CornerNormals(mesh, triangles),
+              [&](std::uint32_t slot, std::uint32_t k, glm::dvec3 normal) {
+                if (triangles.at(mesh, slot).corners[k] > 1) return;
+                EXPECT_LT(glm::length(normal - glm::dvec3(0, 0, 1)), 2e-4);
+                ++corners;
+              });
   EXPECT_EQ(corners, 7);
 }
 
@@ -82,7 +85,7 @@ TEST(corner_normals, have_no_direction_where_no_face_has_one) {
   const SurfaceTriangles triangles(mesh);
   const CornerNormals normals(mesh, triangles);
   int flat = 0;
-  for_corners(triangles, normals,
+  for_corners(mesh, triangles, normals,
               [&](std::uint32_t slot, std::uint32_t k, glm::dvec3) { flat += normals.packed()[slot][k] == no_normal; });
   EXPECT_EQ(flat, 3);
 }
@@ -108,7 +111,7 @@ TEST(corner_normals, follow_edits_as_if_found_anew) {
         }
         const std::vector<std::uint32_t> told = followed.update(mesh, triangles, touched);
         const CornerNormals anew(mesh, triangles);
-        for_corners(triangles, followed, [&](std::uint32_t slot, std::uint32_t k, glm::dvec3 normal) {
+        for_corners(mesh, triangles, followed, [&](std::uint32_t slot, std::uint32_t k, glm::dvec3 normal) {
           EXPECT_LT(glm::length(normal - unpacked_normal(anew.packed()[slot][k])), 1e-3) << seed << " " << step;
           const bool is_other = slot >= old.size() || old[slot][k] != followed.packed()[slot][k];
           EXPECT_TRUE(!is_other || std::count(told.begin(), told.end(), slot) == 1) << seed << " " << step;

@@ -28,11 +28,18 @@ struct AlgorithmInput {
   std::size_t quarantined = 0;  // faces of the file that reading could not connect
 };
 
+// What an algorithm left for one reason.
+struct LeftForReason {
+  Text reason;                    // a clause: "every patch would ..."
+  std::vector<Element> elements;  // one for each thing left, which names it
+};
+
 struct AlgorithmResult {
-  std::size_t changed = 0;         // 0: nothing was written
-  std::size_t left = 0;            // what the algorithm is for, but what it had to leave as it is
-  Text text;                       // a sentence with the numbers
-  bool drops_quarantined = false;  // the quarantined faces are to be forgotten
+  std::size_t changed = 0;                   // 0: nothing was written
+  std::size_t left = 0;                      // what the algorithm is for, but what it had to leave as it is
+  Text text;                                 // a sentence with the numbers
+  bool drops_quarantined = false;            // the quarantined faces are to be forgotten
+  std::vector<LeftForReason> left_for = {};  // where reasons are told: all of what is left, by reason
 };
 
 struct AlgorithmRow {

@@ -16,6 +16,7 @@
 
 #include "core/algo/parameters.h"
 #include "core/analysis/problem_kinds.h"
+#include "core/base/element.h"
 #include "core/base/message.h"
 #include "core/base/progress.h"
 #include "core/mesh/edit.h"
@@ -30,6 +31,12 @@ struct AlgorithmInput {
   std::span<const Vertex> on_lines = {};  // vertices that lines of the file use, which are not isolated; ascending
 };
 
+// What an algorithm left for one reason.
+struct LeftForReason {
+  Text reason;                    // a clause: "every patch would ..."
+  std::vector<Element> elements;  // one for each thing left, which names it
+};
+
 struct AlgorithmResult {
   std::size_t changed = 0;         // 0: nothing was written
   std::size_t left = 0;            // what the algorithm is for, but what it had to leave as it is
@@ -37,6 +44,7 @@ struct AlgorithmResult {
   bool drops_quarantined = false;  // the quarantined faces are to be forgotten
   // Pairs of faces that meet now and did not before (self_intersections.h), by an algorithm that counts them.
   std::optional<std::size_t> crossings = {};
+  std::vector<LeftForReason> left_for = {};  // where reasons are told: all of what is left, by reason
 };
 
 struct AlgorithmRow {

@@ -29,13 +29,15 @@ struct Normal {
 // Dynamic programming over the optimal triangulations of all sub-polygons from corner i to k, closed by the chord i-k.
 class HoleWeights {
  public:
-  explicit HoleWeights(const HoleLoop& loop) : loop_(loop), n_(loop.places.size()), parts_(n_ * n_) {
+  HoleWeights(const HoleLoop& loop, bool joins_all, Progress& progress)
+      : loop_(loop), joins_all_(joins_all), n_(loop.places.size()), parts_(n_ * n_) {
     for (std::size_t length = 2; length < n_; ++length)
-      for (std::size_t i = 0; i + length < n_; ++i) weigh(i, i + length);
+      for (std::size_t i = 0; i + length < n_ && progress.go_on(); ++i) weigh(i, i + length);
+    if (progress.is_cancelled()) parts_[n_ - 1].weight = impossible;
   }
 
-  std::optional<std::vector<CornerTriangle>> best() const {
-    if (!(part(0, n_ - 1).weight < impossible)) return std::nullopt;
+  std::vector<CornerTriangle> best() const {
+    if (!(part(0, n_ - 1).weight < impossible)) return {};
     std::vector<CornerTriangle> triangles;
     std::vector<std::pair<std::size_t, std::size_t>> open{{0, n_ - 1}};
     while (!open.empty()) {
@@ -84,7 +86,8 @@ class HoleWeights {
     Part& result = parts_[i * n_ + k];
     result.weight = impossible;
     const bool is_whole = i == 0 && k == n_ - 1;
-    if (!is_whole && !loop_.may_join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k))) return;
+    if (!is_whole && !joins_all_ && !loop_.may_join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k)))
+      return;
     for (std::size_t m = i + 1; m < k; ++m) {
       const Weight sides = part(i, m).weight + part(m, k).weight;
       if (!(sides < result.weight) || is_flat(i, m, k)) continue;
@@ -97,26 +100,34 @@ class HoleWeights {
   }
 
   const HoleLoop& loop_;
+  bool joins_all_;  // whatever edges there are
   std::size_t n_;
   std::vector<Part> parts_;
 };
 
 }  // namespace
 
-std::optional<std::vector<CornerTriangle>> triangulate_hole(const HoleLoop& loop) {
-  const std::size_t n = loop.places.size();
-  if (n <= most_weighed_corners) return HoleWeights(loop).best();
-  std::vector<CornerTriangle> triangles;
-  triangulate(loop.places, triangles);
-  for (const CornerTriangle& t : triangles) {
-    if (are_collinear(loop.places[t[0]], loop.places[t[1]], loop.places[t[2]])) return std::nullopt;
+HoleTriangles weigh_triangles(const HoleLoop& loop, Progress& progress) {
+  HoleTriangles found{HoleWeights(loop, false, progress).best()};
+  if (found.triangles.empty())
+    found.cause =
+        HoleWeights(loop, true, progress).best().empty() ? NoTriangles::without_area : NoTriangles::edge_exists;
+  return found;
+}
+
+HoleTriangles project_triangles(const HoleLoop& loop) {
+  const std::uint32_t n = loop.size();
+  HoleTriangles found;
+  triangulate(loop.places, found.triangles);
+  for (const CornerTriangle& t : found.triangles) {
+    if (are_collinear(loop.places[t[0]], loop.places[t[1]], loop.places[t[2]])) return {{}, NoTriangles::without_area};
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
       const bool is_side = high == low + 1 || (low == 0 && high == n - 1);
-      if (!is_side && !loop.may_join(low, high)) return std::nullopt;
+      if (!is_side && !loop.may_join(low, high)) return {{}, NoTriangles::edge_exists};
     }
   }
-  return triangles;
+  return found;
 }
 
 }  // namespace ryosen

@@ -95,6 +95,7 @@ class RecipeRun {
       AlgorithmResult& sum = result.steps[i];
       const AlgorithmResult& now = results_[i];
       sum.left = now.left;
+      sum.left_for = now.left_for;
       if (is_undone) sum.left += now.changed;
       if (is_undone || now.changed == 0) {
         if (sum.changed == 0) sum.text = is_undone && now.changed > 0 ? undone_text() : now.text;

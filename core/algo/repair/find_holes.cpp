@@ -1,0 +1,101 @@
+#include "core/algo/repair/find_holes.h"
+
+#include <array>
+
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/ops/rules/face_lists.h"
+
+namespace ryosen {
+
+namespace {
+
+constexpr std::array<WhyOpenRow, 7> why_open_rows{{
+    {WhyOpen::not_finite, "a corner is not a finite place", "座標が有限でない点を通るため"},
+    {WhyOpen::visits_twice, "the loop visits a point twice (detach_nonmanifold parts them)",
+     "同じ点を二度通るため（detach_nonmanifold で分けられます）"},
+    {WhyOpen::cut_edge, "an edge has more than one face (detach_nonmanifold or orient)",
+     "面が二つ以上ある稜線を通るため（detach_nonmanifold か orient）"},
+    {WhyOpen::face_exists, "a face on the same three points is there already", "同じ三点の面がすでにあるため"},
+    {WhyOpen::without_area, "every patch has a face without area (weld_equal joins borders that coincide)",
+     "どのふさぎ方でも面積ゼロの面ができるため（重なる境界は weld_equal でつながります）"},
+    {WhyOpen::edge_exists, "every patch needs an edge that is there already",
+     "どのふさぎ方でもすでにある稜線が必要になるため"},
+    {WhyOpen::crosses, "every patch that was tried crosses the surface or itself",
+     "試したどのふさぎ方でも曲面または自分自身と交わるため"},
+}};
+
+WhyOpen cause_before_trying(const Mesh& m, Halfedge start, const std::vector<std::uint32_t>& point_of) {
+  std::vector<std::uint32_t> points;
+  for (Halfedge h : loop(m, start)) {
+    if (!is_finite(m.position(m.from(h)))) return WhyOpen::not_finite;
+    if (point_edge(m, h).faces() != 1) return WhyOpen::cut_edge;
+    points.push_back(point_of[m.from(h).index]);
+  }
+  const std::size_t n = points.size();
+  sort_unique(points);
+  if (n < 3 || points.size() < n) return WhyOpen::visits_twice;
+  return n == 3 && face_on(m, points) ? WhyOpen::face_exists : WhyOpen::untried;
+}
+
+}  // namespace
+
+std::span<const WhyOpenRow> reasons_to_stay_open() { return why_open_rows; }
+
+std::vector<Hole> find_holes(const Mesh& mesh, std::optional<double> most_edges,
+                             const std::vector<std::uint32_t>& points, Progress& progress) {
+  std::vector<Hole> holes;
+  std::vector<bool> seen(mesh.halfedge_slots(), false);
+  const auto number = [&](Halfedge h) { return points[mesh.from(h).index]; };
+  for (std::uint32_t i = 0; i < mesh.halfedge_slots() && progress.go_on(); ++i) {
+    Halfedge start(i);
+    if (seen[i] || !mesh.is_alive(start) || !mesh.is_outside(start)) continue;
+    std::size_t edges = 0;
+    bool has_face = false;
+    for (Halfedge h : loop(mesh, Halfedge(i))) {
+      seen[h.index] = true;
+      ++edges;
+      has_face = has_face || !mesh.is_outside(twin(h));
+      if (number(h) < number(start)) start = h;
+    }
+    if (has_face && !(most_edges && static_cast<double>(edges) > *most_edges)) holes.push_back({start});
+  }
+  const auto order = [&](const Hole& hole) { return std::pair(number(hole.start), number(mesh.next(hole.start))); };
+  std::sort(holes.begin(), holes.end(), [&](const Hole& a, const Hole& b) { return order(a) < order(b); });
+  for (Hole& hole : holes)
+    if (progress.go_on()) hole.cause = cause_before_trying(mesh, hole.start, points);
+  return holes;
+}
+
+std::vector<std::uint32_t> points_of_vertices(const Mesh& mesh) {
+  std::vector<std::uint32_t> points(mesh.vertex_slots());
+  for (std::uint32_t i = 0; i < points.size(); ++i) points[i] = i;
+  if (!mesh.has_copies()) return points;
+  std::vector<bool> seen(points.size(), false);
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (!mesh.is_alive(Vertex(i)) || seen[i]) continue;
+    for_each_copy(mesh, Vertex(i), [&](Vertex copy) {
+      points[copy.index] = i;
+      seen[copy.index] = true;
+    });
+  }
+  return points;
+}
+
+JoinedPoints joined_corners(const Mesh& mesh, std::span<const Hole> holes, std::span<const std::uint32_t> chosen,
+                            const std::vector<std::uint32_t>& points) {
+  std::vector<bool> is_corner(mesh.vertex_slots(), false);
+  for (std::uint32_t i : chosen)
+    for (Halfedge h : loop(mesh, holes[i].start)) is_corner[points[mesh.from(h).index]] = true;
+  JoinedPoints joined;
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+    const Halfedge h = halfedge(Edge(i), 0);
+    if (!mesh.is_alive(h)) continue;
+    const std::uint32_t a = points[mesh.from(h).index], b = points[mesh.to(h).index];
+    if (is_corner[a] && is_corner[b]) joined.add(a, b);
+  }
+  joined.sort();
+  return joined;
+}
+
+}  // namespace ryosen

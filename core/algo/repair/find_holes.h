@@ -1,0 +1,48 @@
+// The holes of a mesh, and why one stays open.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/algo/repair/hole_loop.h"
+#include "core/base/message.h"
+#include "core/base/progress.h"
+
+namespace ryosen {
+
+// Of several causes the last one counts: it got furthest.
+enum class WhyOpen : std::uint8_t {
+  untried,
+  not_finite,
+  visits_twice,
+  cut_edge,
+  face_exists,
+  without_area,
+  edge_exists,
+  crosses,
+  filled,
+};
+
+struct WhyOpenRow {
+  WhyOpen cause;
+  std::string_view en, ja;  // clauses
+};
+// Of those that are told, in the order of reports.
+std::span<const WhyOpenRow> reasons_to_stay_open();
+
+struct Hole {
+  Halfedge start;  // halfedge without a face; the loop's lowest point is where it begins
+  WhyOpen cause = WhyOpen::untried;
+};
+
+// Every boundary loop of at most so many edges, ascending by lowest point. Neither wires nor what is longer is a hole.
+std::vector<Hole> find_holes(const Mesh& mesh, std::optional<double> most_edges,
+                             const std::vector<std::uint32_t>& points, Progress& progress);
+
+// By vertex the number of its point. O(vertices).
+std::vector<std::uint32_t> points_of_vertices(const Mesh& mesh);
+// The edges of the mesh that join corners of these holes. O(edges), and a sort of those.
+JoinedPoints joined_corners(const Mesh& mesh, std::span<const Hole> holes, std::span<const std::uint32_t> chosen,
+                            const std::vector<std::uint32_t>& points);
+
+}  // namespace ryosen

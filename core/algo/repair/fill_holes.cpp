@@ -8,6 +8,7 @@
 #include "core/algo/repair/patch_crossings.h"
 #include "core/algo/repair/plan_patch.h"
 #include "core/base/count_text.h"
+#include "core/geometry/is_finite.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/names.h"
 #include "core/ops/rules/sheets.h"

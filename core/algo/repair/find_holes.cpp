@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/geometry/is_finite.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/rules/face_lists.h"

@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/geometry/is_finite.h"
 #include "core/geometry/polygon_normal.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/face_polygon.h"

@@ -53,7 +53,11 @@ std::vector<OrderedNeighbour> neighbours_in_order(Neighbourhood& around, Face f)
 class Choice {
  public:
   explicit Choice(const Mesh& m)
-      : m_(m), around_(m, Neighbourhood::Reach::whole), seen_(m.face_slots(), false), turned_(m.face_slots(), false), place_(m.face_slots(), 0) {}
+      : m_(m),
+        around_(m, Neighbourhood::Reach::whole),
+        seen_(m.face_slots(), false),
+        turned_(m.face_slots(), false),
+        place_(m.face_slots(), 0) {}
 
   std::vector<bool> choose() {
     for (std::uint32_t start = 0; start < m_.face_slots(); ++start) {

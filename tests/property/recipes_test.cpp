@@ -40,7 +40,8 @@ std::string recipe_for(std::uint64_t seed) {
 }
 
 void expect_rules(const MeshFile& file, const std::string& kinds, const std::string& what) {
-  for (const std::string& broken : broken_rules(file, kinds)) ADD_FAILURE() << what << " --kinds " << kinds << ": " << broken;
+  for (const std::string& broken : broken_rules(file, kinds))
+    ADD_FAILURE() << what << " --kinds " << kinds << ": " << broken;
 }
 
 void expect_rules_on_files(const fs::path& folder, std::uintmax_t most_bytes, std::uint64_t recipes) {
@@ -63,7 +64,8 @@ TEST(recipes, keep_the_rules_on_random_soups) {
 }
 
 TEST(recipes, keep_the_rules_on_the_assets) {
-  expect_rules_on_files(fs::path(RYOSEN_SOURCE_DIR) / "assets", is_long_run() ? 1u << 30 : 2000, is_long_run() ? 40 : 2);
+  expect_rules_on_files(fs::path(RYOSEN_SOURCE_DIR) / "assets", is_long_run() ? 1u << 30 : 2000,
+                        is_long_run() ? 40 : 2);
 }
 
 TEST(recipes, keep_the_rules_on_the_shared_meshes) {
@@ -93,7 +95,9 @@ TEST(recipes, a_round_that_takes_nothing_away_is_undone) {
   std::size_t undone = 0, steps = 0;
   RecipeEvents events;
   events.round_undone = [&](std::size_t round) { undone = round; };
-  events.step_done = [&](const RecipeStep&, std::size_t, const AlgorithmResult& result) { steps += result.changed > 0; };
+  events.step_done = [&](const RecipeStep&, std::size_t, const AlgorithmResult& result) {
+    steps += result.changed > 0;
+  };
   const NamedRecipe recipe = recipe_of(mesh, "weld_close=20%");
   const RecipeResult result = *run_recipe(mesh, recipe.steps, {}, events);
   EXPECT_GT(steps, 0u);

@@ -212,14 +212,14 @@ class Removal {
     result.text = count_text(result.changed, "One face without area was removed", "# faces without area were removed",
                              "面積ゼロの面を # 個なくしました");
     if (result.changed > 0)
-      result.text =
-          result.text + count_text(collapsed_, ": # edge collapsed", ": # edges collapsed", "（稜線の縮約 #") +
-          count_text(given_, ", # corner given to the face across", ", # corners given to the face across",
-                     "、向かいの面への統合 #") +
-          count_text(deleted_, ", # deleted", ", # deleted", "、削除 #）");
+      result.text = result.text +
+                    count_text(collapsed_, ": # edge collapsed", ": # edges collapsed", "（稜線の縮約 #") +
+                    count_text(given_, ", # corner given to the face across", ", # corners given to the face across",
+                               "、向かいの面への統合 #") +
+                    count_text(deleted_, ", # deleted", ", # deleted", "、削除 #）");
     if (opened_ > 0)
-      result.text = result.text + count_text(opened_, "; this opened one boundary loop", "; this opened # boundary loops",
-                                             "。境界ループが # 本増えました");
+      result.text = result.text + count_text(opened_, "; this opened one boundary loop",
+                                             "; this opened # boundary loops", "。境界ループが # 本増えました");
     if (result.left > 0) {
       const std::string n = std::to_string(result.left);
       result.text.en += "; " + n + (result.left == 1 ? " stays" : " stay");

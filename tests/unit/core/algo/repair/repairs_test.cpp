@@ -104,8 +104,8 @@ TEST(repairs, equal_triangles_that_run_alike_are_not_turned_into_a_hanging_pair)
 }
 
 TEST(repairs, duplicates_go_without_a_misoriented_edge) {
-  // Two triangles that run their common edge alike, one of them twice: the edge had three faces.
-  Mesh mesh = make_mesh({{0, 1, 2}, {0, 1, 3}, {1, 3, 0}});
+  // Two triangles that run their common edge alike, and one of them again the other way: the edge has three faces.
+  Mesh mesh = make_mesh({{0, 1, 2}, {0, 1, 3}, {0, 3, 1}});
   ASSERT_EQ(compute_figures(mesh)[ProblemKind::misoriented_edge], 0u);
   EXPECT_EQ(run_repair(mesh, "remove_duplicates").changed, 1u);
   const Figures after = compute_figures(mesh);

@@ -137,8 +137,7 @@ class AlgorithmRun {
   }
 
   void print_step(const std::string& name, const AlgorithmResult& result) const {
-    if (!console_.json)
-      console_.print_now(name + console_.text(": ", "：").data() + console_.text(result.text) + "\n");
+    if (!console_.json) console_.print_now(name + console_.text(": ", "：").data() + console_.text(result.text) + "\n");
   }
 
   std::optional<Failure> run_recipe() {
@@ -153,8 +152,8 @@ class AlgorithmRun {
     const auto name_in = [&](const RecipeStep& step, std::size_t round) {
       const std::string name = names[static_cast<std::size_t>(&step - steps.data())];
       if (round == 1) return name;
-      return std::string(console_.text("round ", "")) + std::to_string(round) +
-             console_.text(", ", " 巡目、").data() + name;
+      return std::string(console_.text("round ", "")) + std::to_string(round) + console_.text(", ", " 巡目、").data() +
+             name;
     };
     RecipeEvents events;
     events.progress = [&](const RecipeStep& step, std::size_t round, double share) {

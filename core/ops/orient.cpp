@@ -4,8 +4,8 @@
 #include <cassert>
 #include <utility>
 
+#include "core/analysis/neighbourhood.h"
 #include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
 #include "core/ops/rules/shorten_seam.h"
 #include "core/ops/rules/turn_faces.h"
 
@@ -27,25 +27,22 @@ struct OrderedNeighbour {
   friend auto operator<=>(const OrderedNeighbour&, const OrderedNeighbour&) = default;
 };
 
-Neighbour across(const Mesh& m, Halfedge side) {
-  const Halfedge o = twin(side);
-  if (!has_copies(m, m.from(side)) && !has_copies(m, m.to(side))) return {m.face(o), true};
-  const PointEdge on_points = point_edge(m, side);
-  if (on_points.faces() != 2) return {};
-  if (!m.is_outside(o)) return {m.face(o), true};
-  for (Halfedge sheet : sheets_between(m, m.from(side), m.to(side)))
-    for (Halfedge h : {sheet, twin(sheet)})
-      if (!m.is_outside(h) && h != side) return {m.face(h), !same_point(m, m.from(h), m.from(side))};
-  return {};
+Neighbour across(Neighbourhood& around, Halfedge side) {
+  const Mesh& m = around.mesh();
+  if (around.is_single_sheet(side)) return {m.face(twin(side)), true};
+  const Halfedge other = around.across(side);
+  if (!other) return {};
+  return {m.face(other), !around.run_alike(side, other)};
 }
 
 // In an order that is invariant under flipping, so that orient is idempotent.
-std::vector<OrderedNeighbour> neighbours_in_order(const Mesh& m, Face f) {
+std::vector<OrderedNeighbour> neighbours_in_order(Neighbourhood& around, Face f) {
+  const Mesh& m = around.mesh();
   std::vector<OrderedNeighbour> found;
   for (Halfedge side : halfedges_around(m, f)) {
-    const Neighbour next = across(m, side);
+    const Neighbour next = across(around, side);
     if (!next.face) continue;
-    const auto [smaller, larger] = std::minmax({point(m, m.from(side)), point(m, m.to(side))});
+    const auto [smaller, larger] = std::minmax({around.point(m.from(side)), around.point(m.to(side))});
     found.push_back({next.face, smaller, larger, next.agrees});
   }
   std::sort(found.begin(), found.end());
@@ -56,7 +53,11 @@ std::vector<OrderedNeighbour> neighbours_in_order(const Mesh& m, Face f) {
 class Choice {
  public:
   explicit Choice(const Mesh& m)
-      : m_(m), seen_(m.face_slots(), false), turned_(m.face_slots(), false), place_(m.face_slots(), 0) {}
+      : m_(m),
+        around_(m, Neighbourhood::Reach::whole),
+        seen_(m.face_slots(), false),
+        turned_(m.face_slots(), false),
+        place_(m.face_slots(), 0) {}
 
   std::vector<bool> choose() {
     for (std::uint32_t start = 0; start < m_.face_slots(); ++start) {
@@ -77,7 +78,7 @@ class Choice {
     for (std::size_t i = 0; i < component_.size(); ++i) {
       const Face f = component_[i];
       place_[f.index] = static_cast<std::uint32_t>(i);
-      for (const OrderedNeighbour& next : neighbours_in_order(m_, f)) {
+      for (const OrderedNeighbour& next : neighbours_in_order(around_, f)) {
         const bool turns = turned_[f.index] != !next.agrees;
         if (!seen_[next.face.index]) {
           seen_[next.face.index] = true;
@@ -91,10 +92,10 @@ class Choice {
     return all_agree;
   }
 
-  FaceGraph graph_of_component() const {
+  FaceGraph graph_of_component() {
     FaceGraph graph;
     for (Face f : component_) {
-      for (const OrderedNeighbour& next : neighbours_in_order(m_, f))
+      for (const OrderedNeighbour& next : neighbours_in_order(around_, f))
         if (next.face != f) graph.sides.push_back({place_[next.face.index], next.agrees});
       graph.offsets.push_back(static_cast<std::uint32_t>(graph.sides.size()));
     }
@@ -126,6 +127,7 @@ class Choice {
   }
 
   const Mesh& m_;
+  Neighbourhood around_;
   std::vector<bool> seen_, turned_;
   std::vector<std::uint32_t> place_;  // index of each face in its component
   std::vector<Face> component_;       // the lowest face first

@@ -122,6 +122,47 @@ TEST(repair, fills_the_holes_of_the_bunny) {
   EXPECT_EQ(report["problems"], Json::array());
 }
 
+std::pair<int, int> counts_of(const Json& report, const std::string& kind) {
+  for (const Json& count : report["findings"])
+    if (count["kind"] == kind) return {count["before"], count["after"]};
+  return {-1, -1};
+}
+
+TEST(repair, a_recipe_tells_its_rounds_and_each_kind_before_and_after) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.obj", broken);
+  const std::vector<std::string> words{"repair", path, "--kinds", "default,remove_isolated,drop_quarantined"};
+  std::vector<std::string> with_json = words;
+  with_json.push_back("--json");
+  const Json report = run_program(with_json).line();
+  EXPECT_EQ(report["rounds"], 1);
+  EXPECT_EQ(counts_of(report, "duplicate_face"), std::pair(1, 0));
+  EXPECT_EQ(counts_of(report, "quarantined_face"), std::pair(1, 0));
+  EXPECT_EQ(counts_of(report, "isolated_vertex"), std::pair(1, 0));
+  EXPECT_EQ(counts_of(report, "nonmanifold_edge").second, 0);
+  EXPECT_EQ(counts_of(report, "self_intersection"), std::pair(-1, -1)) << "not looked for";
+  const ProgramRun text = run_program(words);
+  EXPECT_NE(text.out.find("rounds: 1\n  degenerate_repeat: 1 -> 0\n  duplicate_face: 1 -> 0\n"), std::string::npos)
+      << text.out;
+  const ProgramRun risen = run_program({"repair", asset("three_tri_edge.off")});
+  EXPECT_NE(risen.out.find("boundary_loop: 0 -> 3 (+3)"), std::string::npos) << risen.out;
+}
+
+TEST(repair, the_recipe_of_the_readme_leaves_the_bunny_closed_and_does_nothing_again) {
+  const TemporaryFolder folder;
+  const std::string kinds = "default,weld_close=0.001,remove_degenerate,fill_holes";
+  for (const char* format : {".obj", ".ply", ".off"}) {
+    const std::string out = folder.at(std::string("o") + format);
+    EXPECT_EQ(run_program({"repair", asset("stanford_bunny.obj"), "-o", out, "--kinds", kinds}).exit_code, 0);
+    const Json check = run_program({"check", out, "--json"}).line();
+    EXPECT_EQ(check["manifold"], true);
+    EXPECT_EQ(check["closed"], true);
+    const Json again = run_program({"repair", out, "--kinds", kinds, "--json"}).line();
+    EXPECT_EQ(again["rounds"], 0) << format;
+    EXPECT_EQ(again["hash"], check["hash"]) << format;
+  }
+}
+
 TEST(repair, wrong_use_is_explained) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a.obj", broken);
@@ -147,7 +188,7 @@ TEST(repair, is_a_command_of_scripts_and_one_entry_of_the_history) {
   EXPECT_EQ(
       edit("repair remove_duplicates; repair weld_equal; expect V 5; expect F 2; undo; expect V 7; undo; expect F 3"),
       0);
-  EXPECT_EQ(edit("repair weld_close 0.5; undo; redo; expect V 5"), 0);
+  EXPECT_EQ(edit("repair remove_duplicates; repair weld_close 0.5; undo; redo; expect V 5"), 0);
   EXPECT_EQ(edit("repair orient; repair orient"), 0) << "nothing to do is no failure";
   EXPECT_EQ(edit("repair"), 2);
   EXPECT_EQ(edit("repair weld_close"), 2);

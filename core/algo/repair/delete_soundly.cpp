@@ -36,9 +36,8 @@ Rim rim_of(Neighbourhood& around, const std::vector<Face>& faces) {
 // Keeps those that are as asked, or that are not.
 void keep_nonmanifold(Neighbourhood& around, std::vector<Vertex>& points, bool are_nonmanifold) {
   const auto is_nonmanifold = row_of(ProblemKind::nonmanifold_vertex).vertex;
-  std::erase_if(points, [&](Vertex p) {
-    return !around.mesh().is_alive(p) || is_nonmanifold(around, p) != are_nonmanifold;
-  });
+  std::erase_if(points,
+                [&](Vertex p) { return !around.mesh().is_alive(p) || is_nonmanifold(around, p) != are_nonmanifold; });
 }
 
 void keep_misoriented(Neighbourhood& around, std::vector<PointPair>& edges, bool are_misoriented) {

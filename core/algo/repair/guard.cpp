@@ -13,8 +13,9 @@ AlgorithmResult refusal(const AlgorithmRow& row, const AlgorithmResult& wanted, 
   AlgorithmResult result;
   result.left = wanted.changed + wanted.left;
   const std::string n = std::to_string(more), id(row.id);
-  result.text = {"Nothing was changed: " + id + " would add " + n + " of the kind " + std::string(kind.id) + ".",
-                 "変更していません（" + id + " を行うと「" + std::string(kind.name_ja) + "」が " + n + " 増えるため）。"};
+  result.text = {
+      "Nothing was changed: " + id + " would add " + n + " of the kind " + std::string(kind.id) + ".",
+      "変更していません（" + id + " を行うと「" + std::string(kind.name_ja) + "」が " + n + " 増えるため）。"};
   return result;
 }
 

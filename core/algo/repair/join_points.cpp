@@ -185,11 +185,11 @@ class Joiner {
   Edit& edit_;
   const Mesh& m_;
   const std::vector<JoinedPoints>& classes_;
-  std::vector<Vertex> point_after_;                       // by slot
-  std::map<Vertex, std::vector<Vertex>> copies_;          // by point afterwards, of the points concerned
-  std::map<Vertex, Vertex> root_of_;                      // of vertices that are joined to others
-  std::map<Vertex, std::vector<Halfedge>> leaving_;       // by root, before anything is joined
-  std::set<Vertex> is_joined_;                            // the first points of the classes
+  std::vector<Vertex> point_after_;                  // by slot
+  std::map<Vertex, std::vector<Vertex>> copies_;     // by point afterwards, of the points concerned
+  std::map<Vertex, Vertex> root_of_;                 // of vertices that are joined to others
+  std::map<Vertex, std::vector<Halfedge>> leaving_;  // by root, before anything is joined
+  std::set<Vertex> is_joined_;                       // the first points of the classes
   std::vector<Vertex> unsettled_;
 };
 

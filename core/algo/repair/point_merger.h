@@ -59,10 +59,10 @@ class PointMerger {
   const Mesh& mesh_;
   std::unordered_map<Vertex, Vertex> parent_;  // only of points that are no roots
   std::unordered_map<Vertex, Class> classes_;
-  std::unordered_map<Key, PointEdge> edges_;     // by roots; forward: from the lower number to the higher
-  std::unordered_map<Face, Key> shape_of_;       // a sum over the face's points
+  std::unordered_map<Key, PointEdge> edges_;       // by roots; forward: from the lower number to the higher
+  std::unordered_map<Face, Key> shape_of_;         // a sum over the face's points
   std::unordered_map<Key, std::uint32_t> shapes_;  // how many faces have it
-  std::unordered_set<Key> visits_;               // a face and the root of a class at it
+  std::unordered_set<Key> visits_;                 // a face and the root of a class at it
   std::vector<Undo> undo_;
 };
 

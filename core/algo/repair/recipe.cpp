@@ -62,8 +62,7 @@ class RecipeRun {
       Journal journal;
       Edit edit(state.mesh, &journal);
       const bool has_quarantine = state.has_quarantine;
-      const AlgorithmInput input{step.values,
-                                 has_quarantine ? input_.used_elsewhere : input_.used_but_by_quarantine,
+      const AlgorithmInput input{step.values, has_quarantine ? input_.used_elsewhere : input_.used_but_by_quarantine,
                                  has_quarantine ? input_.quarantine.size() : 0, input_.on_lines};
       results_[i] = run_guarded(edit, *step.row, input, progress, state.counts);
       if (!progress.go_on() || progress.is_cancelled()) return false;
@@ -113,7 +112,8 @@ class RecipeRun {
             "修復全体で問題が減らないため、元に戻しました。"};
   }
 
-  void count(const Mesh& mesh, bool has_quarantine, std::size_t KindCount::*at, std::vector<KindCount>& findings) const {
+  void count(const Mesh& mesh, bool has_quarantine, std::size_t KindCount::*at,
+             std::vector<KindCount>& findings) const {
     const ProblemSets sets(mesh, 0, input_.on_lines);
     const FileFaces file{has_quarantine ? input_.quarantine : std::span<const QuarantinedFace>(), {}, nullptr};
     if (findings.empty())

@@ -37,13 +37,13 @@ struct KindCount {
 };
 
 struct RecipeResult {
-  Mesh mesh;                            // the repaired one
-  bool is_changed = false;              // whether anything differs
-  bool drops_quarantined = false;       // the quarantined faces are to be forgotten
-  std::size_t rounds = 0;               // that changed something and were kept
-  std::vector<AlgorithmResult> steps;   // by step, over the rounds that were kept; `left` and a text of nothing done
-                                        // are those of the last
-  std::vector<KindCount> findings;      // every kind that is found unasked, in the order of the table
+  Mesh mesh;                           // the repaired one
+  bool is_changed = false;             // whether anything differs
+  bool drops_quarantined = false;      // the quarantined faces are to be forgotten
+  std::size_t rounds = 0;              // that changed something and were kept
+  std::vector<AlgorithmResult> steps;  // by step, over the rounds that were kept; `left` and a text of nothing done
+                                       // are those of the last
+  std::vector<KindCount> findings;     // every kind that is found unasked, in the order of the table
 };
 
 // Runs the steps in their order, again and again until a round changes nothing. A round is for the kinds in the steps'

@@ -10,6 +10,7 @@
 #include "core/analysis/problem_sets.h"
 #include "core/base/count_text.h"
 #include "core/ops/collapse_edge.h"
+#include "core/ops/delete.h"
 #include "core/ops/dissolve.h"
 #include "core/ops/swap_edge.h"
 
@@ -134,8 +135,10 @@ class Removal {
 
   AlgorithmResult run() {
     while (!flat_.empty()) {
-      const bool goes_on = sweep([&](Face f) { return keep_surface(f); }) || sweep([&](Face f) { return leave_border(f); }) ||
-                           sweep([&](Face f) { return collapsed_ += move_corner(edit_, f), !is_left(f); });
+      const bool goes_on = sweep([&](Face f) { return keep_surface(f); }) ||
+                           sweep([&](Face f) { return leave_border(f); }) ||
+                           sweep([&](Face f) { return shorten_common_side(edit_, f); }) ||
+                           sweep([&](Face f) { return move_corner(edit_, f) && ++collapsed_ > 0; });
       if (progress_.is_cancelled()) return {};
       if (!goes_on) break;
     }
@@ -171,11 +174,25 @@ class Removal {
   bool keep_surface(Face f) {
     if (collapse_short_edge(edit_, f)) return ++collapsed_, true;
     if (give_corner_away(edit_, f)) return ++given_, true;
-    return shorten_common_side(edit_, f);
+    return false;
+  }
+
+  // Whether no corner has copies.
+  bool is_alone(Face f) const {
+    for (Vertex v : vertices_around(m_, f))
+      if (has_copies(m_, v)) return false;
+    return true;
   }
 
   bool leave_border(Face f) {
-    const std::size_t gone = is_at_border(m_, f) ? delete_soundly(edit_, {f}) : 0;
+    if (!is_at_border(m_, f)) return false;
+    std::size_t gone = 1;
+    if (is_alone(f)) {  // then nothing else can become unsound
+      Sheets sheets(edit_);
+      delete_elements(edit_, sheets, {{f}, {}, {}});
+    } else {
+      gone = delete_soundly(edit_, {f});
+    }
     deleted_ += gone;
     return gone > 0;
   }
@@ -195,14 +212,14 @@ class Removal {
     result.text = count_text(result.changed, "One face without area was removed", "# faces without area were removed",
                              "面積ゼロの面を # 個なくしました");
     if (result.changed > 0)
-      result.text =
-          result.text + count_text(collapsed_, ": # edge collapsed", ": # edges collapsed", "（稜線の縮約 #") +
-          count_text(given_, ", # corner given to the face across", ", # corners given to the face across",
-                     "、向かいの面への統合 #") +
-          count_text(deleted_, ", # deleted", ", # deleted", "、削除 #）");
+      result.text = result.text +
+                    count_text(collapsed_, ": # edge collapsed", ": # edges collapsed", "（稜線の縮約 #") +
+                    count_text(given_, ", # corner given to the face across", ", # corners given to the face across",
+                               "、向かいの面への統合 #") +
+                    count_text(deleted_, ", # deleted", ", # deleted", "、削除 #）");
     if (opened_ > 0)
-      result.text = result.text + count_text(opened_, "; this opened one boundary loop", "; this opened # boundary loops",
-                                             "。境界ループが # 本増えました");
+      result.text = result.text + count_text(opened_, "; this opened one boundary loop",
+                                             "; this opened # boundary loops", "。境界ループが # 本増えました");
     if (result.left > 0) {
       const std::string n = std::to_string(result.left);
       result.text.en += "; " + n + (result.left == 1 ? " stays" : " stay");

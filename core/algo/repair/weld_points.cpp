@@ -159,8 +159,8 @@ class Welding {
 
   const Mesh& m_;
   std::vector<Vertex> point_of_;
-  std::vector<Vertex> place_;                      // by point the first one there
-  std::map<Vertex, std::vector<Vertex>> mates_;    // all points at a place of several, ascending
+  std::vector<Vertex> place_;                    // by point the first one there
+  std::map<Vertex, std::vector<Vertex>> mates_;  // all points at a place of several, ascending
   std::set<Vertex> moved_;
   PointMerger* merger_ = nullptr;
 };
@@ -203,8 +203,8 @@ AlgorithmResult result_of(const Welded& welded) {
   result.text = count_text(welded.points, "One point was welded to another", "# points were welded to others",
                            "点を # 個、ほかの点に統合しました");
   if (welded.points > 0 && welded.turned > 0) {
-    const Text turned = count_text(welded.turned, "; one face was turned round to fit", "; # faces were turned round to fit",
-                                   "（向きを合わせるため面を # 枚裏返しました）");
+    const Text turned = count_text(welded.turned, "; one face was turned round to fit",
+                                   "; # faces were turned round to fit", "（向きを合わせるため面を # 枚裏返しました）");
     result.text = result.text + turned;
   }
   if (welded.left > 0) {

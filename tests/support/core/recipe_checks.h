@@ -27,7 +27,7 @@ std::string random_recipe(std::uint64_t seed);
 // read. What is broken of the rules, one line each; empty: nothing.
 //  - sound columns, and those that reading gives
 //  - no more findings of a kind that must_not_grow
-//  - the rounds lower what they are for, and no step is refused by its guard
+//  - no step is refused by its guard (guard.h): the repairs themselves judge what is sound
 //  - running it again changes nothing
 std::vector<std::string> broken_rules(MeshFile file, const std::string& kinds,
                                       const std::vector<std::string>& formats = {"obj", "ply", "off"});

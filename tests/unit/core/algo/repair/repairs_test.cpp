@@ -60,13 +60,57 @@ TEST(repairs, two_cubes_at_one_edge_stay_two_solids) {
   EXPECT_EQ(run_repair(mesh, "weld_equal").left, 2u) << "the ends of the common edge";
   EXPECT_EQ(compute_figures(mesh)[ProblemKind::nonmanifold_edge], 0u);
   Mesh other = from_indexed(two);
-  run_repair(other, "weld_close", 0.0);
-  EXPECT_EQ(compute_figures(other)[ProblemKind::nonmanifold_edge], 1u);
-  EXPECT_EQ(run_repair(other, "detach_nonmanifold").changed, 2u);
-  const Figures apart = compute_figures(other);
+  EXPECT_EQ(run_repair(other, "weld_close", 0.0).left, 2u);
+  EXPECT_EQ(compute_figures(other)[ProblemKind::nonmanifold_edge], 0u) << "nor does welding close points";
+}
+
+TEST(repairs, two_cubes_on_the_points_of_one_edge_come_apart) {
+  IndexedMesh two = indexed(cube());
+  for (std::uint32_t i = 0; i < 8; ++i) two.positions[i] = {i & 1u, i >> 1 & 1u, i >> 2};
+  const std::vector<std::uint32_t> corners = two.corners;
+  for (std::uint32_t i = 0; i < 8; ++i) two.positions.push_back(two.positions[i] + glm::dvec3(1, 1, 0));
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::uint32_t c = corners[i];
+    two.corners.push_back((c & 3u) == 0 ? c + 3 : c + 8);  // its edge at (1, 1) is that of the first cube
+    if ((i + 1) % 4 == 0) two.face_offsets.push_back(static_cast<std::uint32_t>(two.corners.size()));
+  }
+  Mesh mesh = from_indexed(two);
+  ASSERT_EQ(compute_figures(mesh)[ProblemKind::nonmanifold_edge], 1u);
+  EXPECT_EQ(run_repair(mesh, "detach_nonmanifold").changed, 2u);
+  const Figures apart = compute_figures(mesh);
   EXPECT_TRUE(apart.manifold && apart.closed);
   EXPECT_EQ(apart.components, 2u);
-  EXPECT_EQ(apart.vertices, 16u);
+}
+
+TEST(repairs, a_flat_face_within_a_disc_goes_without_a_hole) {
+  // A fan of six around vertex 0 in which 0, 1 and 2 lie on a line, the flat face 0-1-2 included; across its long side 0-2
+  // lies the flat face 0-2-3.
+  IndexedMesh disc = indexed({{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1}, {1, 5, 6}, {1, 6, 2}, {2, 6, 3}});
+  disc.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {0, 3, 0}, {-3, -3, 0}, {3, -3, 0}};
+  Mesh mesh = from_indexed(disc);
+  const Figures before = compute_figures(mesh);
+  ASSERT_EQ(before[ProblemKind::degenerate_area], 2u);
+  run_repair(mesh, "remove_degenerate");
+  const Figures after = compute_figures(mesh);
+  EXPECT_EQ(after[ProblemKind::degenerate_area], 0u);
+  EXPECT_EQ(after.boundary_loops, before.boundary_loops);
+  EXPECT_TRUE(after.manifold);
+}
+
+TEST(repairs, equal_triangles_that_run_alike_are_not_turned_into_a_hanging_pair) {
+  Mesh mesh = make_mesh({{0, 1, 2}, {1, 2, 0}});
+  EXPECT_EQ(run_repair(mesh, "orient").changed, 0u);
+  EXPECT_EQ(compute_figures(mesh)[ProblemKind::hanging_pair], 0u);
+}
+
+TEST(repairs, duplicates_go_without_a_misoriented_edge) {
+  // Two triangles that run their common edge alike, and one of them again the other way: the edge has three faces.
+  Mesh mesh = make_mesh({{0, 1, 2}, {0, 1, 3}, {0, 3, 1}});
+  ASSERT_EQ(compute_figures(mesh)[ProblemKind::misoriented_edge], 0u);
+  EXPECT_EQ(run_repair(mesh, "remove_duplicates").changed, 1u);
+  const Figures after = compute_figures(mesh);
+  EXPECT_EQ(after[ProblemKind::misoriented_edge], 0u);
+  EXPECT_TRUE(after.manifold);
 }
 
 TEST(repairs, close_points_join_the_first_and_take_its_place) {

@@ -1,0 +1,161 @@
+// Every repair and random recipes on the meshes at hand and on random ones: the rules of recipe_checks.h.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/algo/repair/recipe.h"
+#include "core/analysis/figures.h"
+#include "core/indexed/from_indexed.h"
+#include "core/io/formats.h"
+#include "tests/support/core/long_run.h"
+#include "tests/support/core/random_meshes.h"
+#include "tests/support/core/recipe_checks.h"
+#include "tests/support/core/shapes.h"
+
+namespace ryosen::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string usual = "remove_duplicates,weld_equal,orient,detach_nonmanifold";
+
+// A random mesh whose points lie on a small grid, so that many are equal and many faces have no area; or apart.
+MeshFile random_soup(std::uint64_t seed) {
+  const SeededMesh source = seeded_mesh(seed);
+  MeshFile file;
+  file.mesh = indexed(source.faces, source.points);
+  Dice dice(seed * 7919);
+  const int size = 1 + dice.below(6);
+  if (!dice.one_in(4))
+    for (glm::dvec3& p : file.mesh.positions) p = {dice.below(size), dice.below(size), dice.below(size)};
+  return file;
+}
+
+std::string recipe_for(std::uint64_t seed) {
+  Dice dice(seed);
+  const std::vector<std::string> single = single_repairs();
+  if (dice.one_in(4)) return single[static_cast<std::size_t>(dice.below(static_cast<int>(single.size())))];
+  return dice.one_in(6) ? usual : random_recipe(seed);
+}
+
+void expect_rules(const MeshFile& file, const std::string& kinds, const std::string& what) {
+  for (const std::string& broken : broken_rules(file, kinds))
+    ADD_FAILURE() << what << " --kinds " << kinds << ": " << broken;
+}
+
+void expect_rules_on_files(const fs::path& folder, std::uintmax_t most_bytes, std::uint64_t recipes) {
+  std::vector<std::string> all = single_repairs();
+  all.push_back(usual);
+  all.push_back(usual + ",weld_close=0.1%,remove_degenerate,fill_holes");
+  for (std::uint64_t seed = 1; seed <= recipes; ++seed) all.push_back(random_recipe(seed));
+  for (const fs::path& path : mesh_files_in(folder, most_bytes)) {
+    const Result<MeshFile> file = read_mesh_file(path);
+    if (!file) continue;
+    for (const std::string& kinds : all) expect_rules(*file, kinds, path.string());
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(recipes, keep_the_rules_on_random_soups) {
+  const std::uint64_t last = is_long_run() ? 50000 : 250;
+  for (std::uint64_t seed = 1; seed <= last && !HasFailure(); ++seed)
+    expect_rules(random_soup(seed), recipe_for(seed), "soup of seed " + std::to_string(seed));
+}
+
+TEST(recipes, keep_the_rules_on_the_assets) {
+  expect_rules_on_files(fs::path(RYOSEN_SOURCE_DIR) / "assets", is_long_run() ? 1u << 30 : 2000,
+                        is_long_run() ? 40 : 2);
+}
+
+TEST(recipes, keep_the_rules_on_the_shared_meshes) {
+  if (is_long_run()) expect_rules_on_files(fs::path(RYOSEN_SHARED_DIR) / "meshes", 1u << 30, 40);
+}
+
+RecipeResult run_on(const Mesh& mesh, const std::string& kinds) {
+  return *run_recipe(mesh, recipe_of(mesh, kinds).steps, {});
+}
+
+std::size_t after(const RecipeResult& result, ProblemKind kind) {
+  for (const KindCount& count : result.findings)
+    if (count.kind == kind) return count.after;
+  return 0;
+}
+
+TEST(recipes, three_faces_at_an_edge_come_apart_and_the_loops_rise) {
+  const RecipeResult result = run_on(make_mesh(fin()), usual);
+  EXPECT_EQ(result.rounds, 1u);
+  EXPECT_EQ(after(result, ProblemKind::nonmanifold_edge), 0u);
+  EXPECT_EQ(after(result, ProblemKind::boundary_loop), 3u) << "said, and allowed";
+}
+
+TEST(recipes, a_round_that_takes_nothing_away_is_undone) {
+  // A closed surface with nothing wrong, of which some points are close.
+  const Mesh mesh = make_mesh(torus_grid(6, 8));
+  std::size_t undone = 0, steps = 0;
+  RecipeEvents events;
+  events.round_undone = [&](std::size_t round) { undone = round; };
+  events.step_done = [&](const RecipeStep&, std::size_t, const AlgorithmResult& result) {
+    steps += result.changed > 0;
+  };
+  const NamedRecipe recipe = recipe_of(mesh, "weld_close=20%");
+  const RecipeResult result = *run_recipe(mesh, recipe.steps, {}, events);
+  EXPECT_GT(steps, 0u);
+  EXPECT_EQ(undone, 1u);
+  EXPECT_EQ(result.rounds, 0u);
+  EXPECT_FALSE(result.is_changed);
+  EXPECT_EQ(result.mesh.columns(), mesh.columns());
+  EXPECT_EQ(result.steps[0].changed, 0u);
+  EXPECT_GT(result.steps[0].left, 0u);
+}
+
+TEST(recipes, cancelled_in_any_step_give_nothing) {
+  const Mesh mesh = make_mesh(fin());
+  const NamedRecipe recipe = recipe_of(mesh, usual);
+  for (std::size_t last = 0; last < 4; ++last) {
+    std::size_t calls = 0;
+    RecipeEvents events;
+    events.progress = [&](const RecipeStep&, std::size_t, double) { return calls++ < last; };
+    EXPECT_FALSE(run_recipe(mesh, recipe.steps, {}, events)) << last;
+  }
+}
+
+// Squares of a strip that share no point; every other one may be turned round. `twist`: the last joins the first turned.
+MeshFile loose_band(std::uint32_t squares, bool turns_some, bool twist) {
+  MeshFile file;
+  const auto place = [&](std::uint32_t i, bool up) {
+    const double angle = 2 * M_PI * i / squares;
+    const bool is_up = i == squares && twist ? !up : up;
+    return glm::dvec3(10 * std::cos(i == squares ? 0 : angle), 10 * std::sin(i == squares ? 0 : angle), is_up ? 1 : -1);
+  };
+  for (std::uint32_t i = 0; i < squares; ++i) {
+    std::vector<glm::dvec3> corners{place(i, false), place(i + 1, false), place(i + 1, true), place(i, true)};
+    if (turns_some && i % 2 == 1) std::reverse(corners.begin(), corners.end());
+    for (const glm::dvec3& p : corners) {
+      file.mesh.corners.push_back(static_cast<std::uint32_t>(file.mesh.positions.size()));
+      file.mesh.positions.push_back(p);
+    }
+    file.mesh.face_offsets.push_back(static_cast<std::uint32_t>(file.mesh.corners.size()));
+  }
+  return file;
+}
+
+TEST(recipes, welding_turns_parts_so_that_they_agree) {
+  const Mesh mesh = from_indexed(loose_band(8, true, false).mesh);
+  const RecipeResult result = run_on(mesh, "weld_equal");
+  EXPECT_EQ(after(result, ProblemKind::boundary_loop), 2u);
+  EXPECT_EQ(after(result, ProblemKind::misoriented_edge), 0u);
+  EXPECT_EQ(compute_figures(result.mesh).vertices, 16u);
+  EXPECT_EQ(result.steps[0].text.en, "16 points were welded to others; 4 faces were turned round to fit.");
+}
+
+TEST(recipes, welding_leaves_a_seam_in_a_band_of_one_side) {
+  const Mesh mesh = from_indexed(loose_band(9, false, true).mesh);
+  const RecipeResult result = run_on(mesh, "weld_equal");
+  EXPECT_EQ(after(result, ProblemKind::misoriented_edge), 0u);
+  EXPECT_EQ(compute_figures(result.mesh).vertices, 20u) << "one seam stays open";
+  EXPECT_EQ(result.steps[0].left, 2u) << "its two ends";
+}
+
+}  // namespace
+}  // namespace ryosen::test

@@ -42,12 +42,6 @@ NumberedSurface::NumberedSurface(const Mesh& mesh, std::span<const Face> faces) 
   choose_frame();
 }
 
-NumberedSurface::NumberedSurface(std::vector<glm::dvec3> places, std::vector<std::array<std::uint32_t, 3>> corners,
-                                 std::vector<std::uint8_t> sides)
-    : corners_(std::move(corners)), faces_(corners_.size()), sides_(std::move(sides)), places_(std::move(places)) {
-  choose_frame();
-}
-
 void NumberedSurface::add(const Mesh& mesh, Face f) {
   polygon_.read(mesh, f);
   if (!polygon_.is_finite()) return;

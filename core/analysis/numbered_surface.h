@@ -17,9 +17,6 @@ class NumberedSurface {
   explicit NumberedSurface(const Mesh& mesh);
   // Of these live faces, whatever the size of the mesh.
   NumberedSurface(const Mesh& mesh, std::span<const Face> faces);
-  // Of triangles that belong to no face. Corners index the places, sides are those of NumberedTriangle.
-  NumberedSurface(std::vector<glm::dvec3> places, std::vector<std::array<std::uint32_t, 3>> corners,
-                  std::vector<std::uint8_t> sides);
 
   std::uint32_t slots() const { return static_cast<std::uint32_t>(corners_.size()); }
   Face face(std::uint32_t slot) const { return faces_[slot]; }

@@ -161,7 +161,8 @@ Places minimise_bending(const PlateEquations& plate, Places x, std::size_t most_
   return x;
 }
 
-// Whether all corners and the vertices around them lie in a plane, but for rounding.
+}  // namespace
+
 bool is_flat(const HoleLoop& loop) {
   const glm::dvec3 normal = polygon_normal(loop.places);
   double reach = 0, height = 0;
@@ -172,8 +173,6 @@ bool is_flat(const HoleLoop& loop) {
     }
   return normal != glm::dvec3(0.0) && height <= 1e-6 * reach;
 }
-
-}  // namespace
 
 void fair(HolePatch& patch, const HoleLoop& loop, Progress& progress) {
   const std::size_t n = patch.new_vertices();

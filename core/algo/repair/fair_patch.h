@@ -12,4 +12,7 @@ namespace ryosen {
 // where the patch and the faces around it lie in a plane.
 void fair(HolePatch& patch, const HoleLoop& loop, Progress& progress);
 
+// Whether all corners and the vertices around them lie in a plane, but for rounding.
+bool is_flat(const HoleLoop& loop);
+
 }  // namespace ryosen

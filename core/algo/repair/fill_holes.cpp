@@ -138,6 +138,7 @@ class HoleFiller {
     std::vector<Vertex> corners;
     auto pair = crossings.pairs.begin();
     for (std::uint32_t k = 0; k < planned.size(); ++k) {
+      if (!progress_.go_on()) return;
       const auto& [hole, patch] = planned[k];
       Hole& which = holes_[planned_for[k]];
       const bool is_sound = !crossings.crosses[k], adds_edges = is_sound && made.add(planned[k]);

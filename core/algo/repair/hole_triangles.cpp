@@ -107,6 +107,24 @@ class HoleWeights {
 
 }  // namespace
 
+namespace {
+
+// Cuts a convex polygon in halves, and these again: no corner gets many triangles.
+void halve_convex(std::uint32_t first, std::uint32_t last, std::vector<CornerTriangle>& out) {
+  if (last - first < 2) return;
+  const std::uint32_t middle = first + (last - first) / 2;
+  out.push_back({first, middle, last});
+  halve_convex(first, middle, out);
+  halve_convex(middle, last, out);
+}
+
+// What triangulate() makes of a convex polygon.
+bool is_fan(std::span<const CornerTriangle> triangles) {
+  return std::all_of(triangles.begin(), triangles.end(), [](const CornerTriangle& t) { return t[0] == 0; });
+}
+
+}  // namespace
+
 HoleTriangles weigh_triangles(const HoleLoop& loop, Progress& progress) {
   HoleTriangles found{HoleWeights(loop, false, progress).best()};
   if (found.triangles.empty())
@@ -119,6 +137,10 @@ HoleTriangles project_triangles(const HoleLoop& loop) {
   const std::uint32_t n = loop.size();
   HoleTriangles found;
   triangulate(loop.places, found.triangles);
+  if (n > 4 && is_fan(found.triangles)) {
+    found.triangles.clear();
+    halve_convex(0, n - 1, found.triangles);
+  }
   for (const CornerTriangle& t : found.triangles) {
     if (are_collinear(loop.places[t[0]], loop.places[t[1]], loop.places[t[2]])) return {{}, NoTriangles::without_area};
     for (std::size_t k = 0; k < 3; ++k) {

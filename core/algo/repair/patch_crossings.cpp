@@ -1,7 +1,11 @@
 #include "core/algo/repair/patch_crossings.h"
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "core/algo/repair/projected_patch.h"
 #include "core/analysis/box_tree.h"
-#include "core/analysis/overlap_tree.h"
+#include "core/geometry/predicates.h"
 #include "core/geometry/triangles_meet.h"
 #include "core/mesh/face_polygon.h"
 
@@ -9,120 +13,171 @@ namespace ryosen {
 
 namespace {
 
-// The triangles of the patches and of the faces near them, with corners numbered by place; new vertices have numbers of
-// their own.
-class PatchesAndFaces {
+// Whether a triangle may meet a box: no axis that separates them for certain. Boxes of slivers overlap where
+// the slivers are far apart.
+bool may_meet(const std::array<glm::dvec3, 3>& triangle, const Box& box) {
+  if (!box.overlaps(box_of(triangle))) return false;
+  const glm::dvec3 middle = box.middle(), half = 0.5 * (box.highest - box.lowest);
+  const std::array<glm::dvec3, 3> v{triangle[0] - middle, triangle[1] - middle, triangle[2] - middle};
+  const glm::dvec3 reach = glm::max(glm::max(glm::abs(v[0]), glm::abs(v[1])), glm::abs(v[2])) + half;
+  const auto separates = [&](const glm::dvec3& axis) {
+    const double a = glm::dot(axis, v[0]), b = glm::dot(axis, v[1]), c = glm::dot(axis, v[2]);
+    const double wide = glm::dot(glm::abs(axis), half) + 1e-12 * glm::dot(glm::abs(axis), reach);
+    return std::min({a, b, c}) > wide || std::max({a, b, c}) < -wide;
+  };
+  const std::array<glm::dvec3, 3> sides{v[1] - v[0], v[2] - v[1], v[0] - v[2]};
+  for (const glm::dvec3& e : sides)
+    if (separates({0, -e.z, e.y}) || separates({e.z, 0, -e.x}) || separates({-e.y, e.x, 0})) return false;
+  return !separates(glm::cross(sides[0], sides[1]));
+}
+
+// Finds the triangles that meet those of the patches. Corners are numbered: those of faces by place, new vertices have
+// numbers of their own.
+class CrossingSearch {
  public:
-  PatchesAndFaces(const Mesh& mesh, std::span<const PlannedPatch> patches, Progress& progress)
-      : mesh_(mesh), patches_(patches) {
-    std::vector<Box> boxes;
-    for (const PlannedPatch& planned : patches_)
-      for (const CornerTriangle& t : planned.patch.triangles) boxes.push_back(box_of(planned.patch, t));
-    const BoxTree near(std::move(boxes));
-    for (std::uint32_t i = 0; i < mesh.face_slots() && progress.go_on(); ++i)
-      if (mesh.is_alive(Face(i))) add_if_near(Face(i), near);
-    number_by_place();
-    for (std::uint32_t k = 0; k < patches_.size(); ++k) add_patch(k);
+  CrossingSearch(const Mesh& mesh, std::span<const PlannedPatch> patches, Progress& progress)
+      : mesh_(mesh), patches_(patches), progress_(progress), in_(patches.size()) {
+    found_.crosses.assign(patches.size(), false);
   }
 
-  NumberedSurface surface() { return {std::move(places_), std::move(corners_), std::move(sides_)}; }
-  // The patch that a triangle belongs to; no_index for one of the mesh.
-  std::uint32_t patch(std::uint32_t slot) const { return slot < faces_end_ ? no_index : patch_of_[slot - faces_end_]; }
+  PatchCrossings run() {
+    number_places();
+    for (std::uint32_t k = 0; k < patches_.size(); ++k) add_patch(k);
+    std::vector<Box> boxes;
+    for (const NumberedTriangle& t : triangles_) boxes.push_back(box_of(t.places));
+    tree_ = BoxTree(std::move(boxes));
+    for (std::uint32_t i = 0; i < mesh_.face_slots() && goes_on(); ++i)
+      if (mesh_.is_alive(Face(i))) compare_face(Face(i));
+    const bool is_alone = patches_.size() == 1;
+    for (std::uint32_t k = 0; k < triangles_.size() && goes_on(); ++k)
+      if (!(is_alone && is_clear_[0])) compare(triangles_[k], k);
+    std::erase_if(found_.pairs, [&](const auto& p) { return found_.crosses[p.first] || found_.crosses[p.second]; });
+    sort_unique(found_.pairs);
+    return std::move(found_);
+  }
 
  private:
-  static Box box_of(const HolePatch& patch, const CornerTriangle& t) {
-    Box box;
-    for (std::uint32_t v : t) box.add(patch.places[v]);
-    return box;
-  }
+  // Not only when cancelled: also when there is nothing left to be found.
+  bool goes_on() { return in_ > 0 && progress_.go_on(); }
 
-  void add_if_near(Face f, const BoxTree& near) {
-    polygon_.read(mesh_, f);
-    if (!polygon_.is_finite()) return;
-    const Box box = ryosen::box_of(polygon_.places());
-    const bool is_far =
-        near.visit([&](const Box& other) { return box.overlaps(other); }, [](std::uint32_t) { return false; });
-    if (is_far) return;
-    polygon_.triangulate(triangles_);
-    for (const CornerTriangle& t : triangles_) {
-      const auto vertex = [&](std::size_t k) { return mesh_.from(polygon_.corners()[t[k]]).index; };
-      corners_.push_back({vertex(0), vertex(1), vertex(2)});
-      unsigned sides = 0;
-      for (unsigned k = 0; k < 3; ++k) sides |= unsigned{polygon_.is_side(t[k], t[(k + 1) % 3])} << k;
-      sides_.push_back(static_cast<std::uint8_t>(sides));
-    }
-  }
-
-  // Replaces the vertices of the faces by the numbers of their places.
-  void number_by_place() {
-    std::vector<std::uint32_t> vertices;
-    for (const auto& corners : corners_) vertices.insert(vertices.end(), corners.begin(), corners.end());
+  // The places of the loops' corners have the numbers from 0; other corners of faces are no patch's.
+  void number_places() {
     for (const PlannedPatch& planned : patches_)
-      for (Halfedge h : planned.hole.sides) vertices.push_back(mesh_.from(h).index);
-    sort_unique(vertices);
-    const auto place = [&](std::uint32_t v) -> const glm::dvec3& { return mesh_.position(Vertex(v)); };
-    std::sort(vertices.begin(), vertices.end(), [&](std::uint32_t a, std::uint32_t b) {
-      const glm::dvec3 &p = place(a), &q = place(b);
-      return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
-    });
-    for (std::uint32_t v : vertices) {
-      if (places_.empty() || places_.back() != place(v)) places_.push_back(place(v));
-      number_.emplace(v, static_cast<std::uint32_t>(places_.size()) - 1);
-    }
-    for (auto& corners : corners_)
-      for (std::uint32_t& corner : corners) corner = number_.at(corner);
-    faces_end_ = static_cast<std::uint32_t>(corners_.size());
+      for (const glm::dvec3& p : planned.hole.places) places_.push_back(p);
+    std::sort(places_.begin(), places_.end(), is_before);
+    places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
+    next_number_ = static_cast<std::uint32_t>(places_.size());
+  }
+  static bool is_before(const glm::dvec3& p, const glm::dvec3& q) {
+    return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
+  }
+  // no_index where no loop has a corner.
+  std::uint32_t number_of(const glm::dvec3& place) const {
+    const auto at = std::lower_bound(places_.begin(), places_.end(), place, is_before);
+    return at != places_.end() && *at == place ? static_cast<std::uint32_t>(at - places_.begin()) : no_index;
   }
 
   void add_patch(std::uint32_t k) {
-    const auto& [hole, patch] = patches_[k];
-    const auto first_new = static_cast<std::uint32_t>(places_.size());
-    places_.insert(places_.end(), patch.places.begin() + patch.corners, patch.places.end());
-    const auto number = [&](std::uint32_t v) {
-      return v < patch.corners ? number_.at(mesh_.from(hole.sides[v]).index) : first_new + v - patch.corners;
-    };
+    const HolePatch& patch = patches_[k].patch;
+    std::vector<std::uint32_t> number;
+    for (std::uint32_t v = 0; v < patch.places.size(); ++v)
+      number.push_back(v < patch.corners ? number_of(patch.places[v]) : next_number_++);
     for (const CornerTriangle& t : patch.triangles) {
-      corners_.push_back({number(t[0]), number(t[1]), number(t[2])});
-      sides_.push_back(7);
+      triangles_.push_back(
+          {{patch.places[t[0]], patch.places[t[1]], patch.places[t[2]]}, {number[t[0]], number[t[1]], number[t[2]]}});
       patch_of_.push_back(k);
+    }
+    is_clear_.push_back(covers_once_in_projection(patch));
+  }
+
+  void compare_face(Face f) {
+    polygon_.read(mesh_, f);
+    if (!polygon_.is_finite()) return;
+    const Box box = box_of(polygon_.places());
+    if (tree_.visit([&](const Box& other) { return box.overlaps(other); }, [](std::uint32_t) { return false; })) return;
+    polygon_.triangulate(corners_);
+    for (const CornerTriangle& t : corners_) {
+      NumberedTriangle triangle{};
+      unsigned sides = 0;
+      for (unsigned k = 0; k < 3; ++k) {
+        triangle.places[k] = polygon_.places()[t[k]];
+        triangle.numbers[k] = number_of(triangle.places[k]);
+        if (triangle.numbers[k] == no_index) triangle.numbers[k] = no_index - k;
+        sides |= unsigned{polygon_.is_side(t[k], t[(k + 1) % 3])} << k;
+      }
+      triangle.sides = static_cast<std::uint8_t>(sides);
+      if (!are_collinear(triangle.places[0], triangle.places[1], triangle.places[2])) compare(triangle, no_index);
+    }
+  }
+
+  // With the triangles of the patches behind the one of this index, or with all of them.
+  void compare(const NumberedTriangle& triangle, std::uint32_t index) {
+    const std::uint32_t p = index == no_index ? no_index : patch_of_[index];
+    if (is_out(p)) return;
+    tree_.visit([&](const Box& box) { return may_meet(triangle.places, box); },
+                [&](std::uint32_t k) {
+                  const std::uint32_t q = patch_of_[k];
+                  const bool is_asked = index == no_index || (k > index && !(p == q && is_clear_[p]));
+                  if (is_asked && !is_out(q) && meet_elsewhere(triangle, triangles_[k])) note(p, q);
+                  return !is_out(p) && goes_on();
+                });
+  }
+
+  bool is_out(std::uint32_t patch) const { return patch != no_index && found_.crosses[patch]; }
+
+  void note(std::uint32_t p, std::uint32_t q) {
+    if (p == no_index || p == q) {
+      found_.crosses[q] = true;
+      --in_;
+    } else {
+      found_.pairs.emplace_back(std::min(p, q), std::max(p, q));
     }
   }
 
   const Mesh& mesh_;
   std::span<const PlannedPatch> patches_;
-  std::vector<glm::dvec3> places_;
-  std::vector<std::array<std::uint32_t, 3>> corners_;
-  std::vector<std::uint8_t> sides_;
-  std::uint32_t faces_end_ = 0;
-  std::vector<std::uint32_t> patch_of_;
-  std::unordered_map<std::uint32_t, std::uint32_t> number_;  // by vertex
+  Progress& progress_;
+  std::size_t in_;  // patches that are not known to cross
+  PatchCrossings found_;
+  std::vector<glm::dvec3> places_;  // of the loops' corners, ascending
+  std::uint32_t next_number_ = 0;
+  std::vector<NumberedTriangle> triangles_;  // of the patches
+  std::vector<std::uint32_t> patch_of_;      // by triangle
+  std::vector<bool> is_clear_;               // by patch: it is known not to cross itself
+  BoxTree tree_;                             // of the triangles
   FacePolygon polygon_;
-  std::vector<CornerTriangle> triangles_;
+  std::vector<CornerTriangle> corners_;
 };
 
 }  // namespace
 
+bool lies_on_surroundings(const HoleLoop& hole, const HolePatch& patch) {
+  const std::uint32_t n = patch.corners;
+  const auto beside_place = [&](std::uint32_t v) { return v < n ? hole.places[v] : hole.around.places[v - n]; };
+  // Numbers beside the loop go from no_index down, those of the patch up.
+  const auto beside_number = [&](std::uint32_t v) { return v < n ? v : no_index - (v - n); };
+  std::vector<std::uint32_t> beside(n, no_index);  // by side of the loop
+  for (std::uint32_t t = 0; t < hole.around.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t end = hole.around.triangles[t][k], start = hole.around.triangles[t][(k + 1) % 3];
+      if (start < n && end == (start + 1) % n) beside[start] = t;
+    }
+  for (const CornerTriangle& t : patch.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t start = t[k];
+      if (start >= n || t[(k + 1) % 3] != (start + 1) % n || beside[start] == no_index) continue;
+      const CornerTriangle& b = hole.around.triangles[beside[start]];
+      const NumberedTriangle of_patch{{patch.places[t[0]], patch.places[t[1]], patch.places[t[2]]}, t};
+      const NumberedTriangle of_mesh{{beside_place(b[0]), beside_place(b[1]), beside_place(b[2])},
+                                     {beside_number(b[0]), beside_number(b[1]), beside_number(b[2])}};
+      const bool is_flat = are_collinear(of_mesh.places[0], of_mesh.places[1], of_mesh.places[2]);
+      if (!is_flat && meet_elsewhere(of_patch, of_mesh)) return true;
+    }
+  return false;
+}
+
 PatchCrossings find_patch_crossings(const Mesh& mesh, std::span<const PlannedPatch> patches, Progress& progress) {
-  PatchesAndFaces triangles(mesh, patches, progress);
-  const NumberedSurface surface = triangles.surface();
-  PatchCrossings found{std::vector<bool>(patches.size(), false), {}};
-  if (progress.is_cancelled()) return found;
-  const OverlapTree tree(surface, 1);
-  const auto is_out = [&](std::uint32_t patch) { return patch != no_index && found.crosses[patch]; };
-  for (std::uint32_t node = 0; node < tree.node_count(); ++node)
-    tree.visit_pairs(node, [&](std::uint32_t a, std::uint32_t b) {
-      std::uint32_t p = triangles.patch(a), q = triangles.patch(b);
-      if ((p == no_index && q == no_index) || is_out(p) || is_out(q)) return progress.go_on();
-      if (!meet_elsewhere(surface.triangle(a), surface.triangle(b))) return progress.go_on();
-      if (p != q && p != no_index && q != no_index)
-        found.pairs.push_back(std::minmax(p, q));
-      else
-        found.crosses[p == no_index ? q : p] = true;
-      return progress.go_on();
-    });
-  std::erase_if(found.pairs, [&](const auto& pair) { return is_out(pair.first) || is_out(pair.second); });
-  sort_unique(found.pairs);
-  return found;
+  return CrossingSearch(mesh, patches, progress).run();
 }
 
 }  // namespace ryosen

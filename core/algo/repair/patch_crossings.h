@@ -27,4 +27,8 @@ struct PatchCrossings {
 // used when cancelled.
 PatchCrossings find_patch_crossings(const Mesh& mesh, std::span<const PlannedPatch> patches, Progress& progress);
 
+// Whether a triangle of the patch lies on the face across a side of the loop, as every patch in its plane does to the
+// outer border of a flat sheet. O(n), to be asked first.
+bool lies_on_surroundings(const HoleLoop& hole, const HolePatch& patch);
+
 }  // namespace ryosen

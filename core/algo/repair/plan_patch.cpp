@@ -4,6 +4,7 @@
 
 #include "core/algo/repair/cut_ears.h"
 #include "core/algo/repair/fair_patch.h"
+#include "core/algo/repair/patch_crossings.h"
 #include "core/algo/repair/refine_patch.h"
 #include "core/geometry/predicates.h"
 
@@ -62,12 +63,15 @@ WhyOpen plan_patch(const WayToFill& way, const HoleLoop& hole, bool snaps_to_flo
   patch.places = hole.places;
   patch.triangles = std::move(base.triangles);
   if (patch.triangles.size() == patch.corners) add_middle(patch);
-  if (way.refines && !has_flat_triangle(patch)) refine(patch, hole, progress);
+  if (has_flat_triangle(patch)) return WhyOpen::without_area;
+  if (is_flat(hole) && lies_on_surroundings(hole, patch)) return WhyOpen::crosses;
+  if (way.refines) refine(patch, hole, progress);
   if (way.fairs) fair(patch, hole, progress);
   if (snaps_to_floats)
     for (std::uint32_t v = patch.corners; v < patch.places.size(); ++v)
       patch.places[v] = glm::dvec3(glm::vec3(patch.places[v]));
-  return has_flat_triangle(patch) ? WhyOpen::without_area : WhyOpen::filled;
+  if (has_flat_triangle(patch)) return WhyOpen::without_area;
+  return lies_on_surroundings(hole, patch) ? WhyOpen::crosses : WhyOpen::filled;
 }
 
 }  // namespace ryosen

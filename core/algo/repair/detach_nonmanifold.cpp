@@ -70,8 +70,7 @@ std::vector<Vertex> take_apart(Edit& edit, const std::vector<Vertex>& points, bo
       parts.push_back(group[0]);
       groups.push_back(std::move(group));
     }
-  for (const std::vector<Vertex>& group : groups)
-    for (std::size_t i = 0; i < group.size(); ++i) edit.set_next_copy(group[i], group[(i + 1) % group.size()]);
+  for (const std::vector<Vertex>& group : groups) link_copies(edit, group);
   sheets.settle(parts);
   return parts;
 }

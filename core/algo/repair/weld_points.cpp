@@ -145,8 +145,8 @@ void unite(Edit& edit, Sheets& sheets, const Group& group) {
   for (std::size_t i = 0; i < copies.size(); ++i) {
     if (m.position(copies[i]) != place) sheets.changed_around(copies[i]);
     edit.set_position(copies[i], place);
-    edit.set_next_copy(copies[i], copies[(i + 1) % copies.size()]);
   }
+  link_copies(edit, copies);
   for (Vertex copy : copies)
     if (m.is_isolated(copy) && has_copies(m, copy)) sheets.remove_vertex(copy);
 }

@@ -37,7 +37,7 @@ Json kind_reason(const CheckReport& report) {
   return std::move(json).json();
 }
 
-// Without the names; an empty array is the placeholder.
+// Without the names and the pairs; empty arrays are the placeholders.
 Json without_names(const Problem& problem) {
   Record<problem_shape> json;
   json["kind"] = problem.row().id;
@@ -46,10 +46,7 @@ Json without_names(const Problem& problem) {
   json["elements"] = Json::array();
   if (problem.row().is_on_request) {
     json["pairs"] = Json::array();
-    const auto name = [](Face f) { return "f" + std::to_string(f.index); };
-    for (const FacePair& pair : problem.intersections.pairs)
-      json["pairs"].push_back({name(pair.first), name(pair.second)});
-    json["complete"] = problem.intersections.is_all;
+    json["complete"] = problem.intersections.is_all();
   }
   json["where"] = problem.where ? to_json(*problem.where) : Json();
   json["line"] = problem.line ? Json(problem.line) : Json();
@@ -177,6 +174,33 @@ std::vector<JsonKey> check_keys() {
   return keys;
 }
 
+namespace {
+
+void append_name(std::string_view name, std::string& out) {
+  if (out.back() != '[') out += ',';
+  out += '"';
+  out += name;
+  out += '"';
+}
+
+void append_pairs(const std::vector<FacePair>& pairs, std::string& out) {
+  for (const FacePair& pair : pairs) {
+    out += out.back() == '[' ? "[" : ",[";
+    for (Face f : {pair.first, pair.second}) append_name("f" + std::to_string(f.index), out);
+    out += ']';
+  }
+}
+
+// At least what the names and pairs take.
+std::size_t bytes_of_lists(const NamedProblem& named) {
+  constexpr std::size_t around_two_names = std::string_view("[\"f\",\"f\"],").size();
+  const std::vector<FacePair>& pairs = named.problem.intersections.pairs;
+  const std::size_t digits = pairs.empty() ? 0 : std::to_string(named.problem.elements.back().index).size();
+  return named.names.bytes() + 2 * named.problem.count() + pairs.size() * (around_two_names + 2 * digits);
+}
+
+}  // namespace
+
 Json to_json(const NamedProblem& named) {
   Json json = without_names(named.problem);
   named.names.for_each(named.problem.count(), [&](std::string_view name) { json["elements"].push_back(name); });
@@ -189,22 +213,22 @@ std::string json_line_of(const CheckReport& report) {
   for (const CheckRow& row : check_rows())
     if (Json value = row.print(report); !is_absent(row, value)) json[std::string(row.key.id)] = std::move(value);
   const std::string line = line_of(json);
-  // Cannot occur in file contents, since quotes inside strings are escaped.
-  constexpr std::string_view place = "\"elements\":[]";
   std::string out;
   std::size_t bytes = line.size(), done = 0;
-  for (const NamedProblem& problem : report.problems) bytes += problem.names.bytes() + 2 * problem.problem.count();
+  for (const NamedProblem& problem : report.problems) bytes += bytes_of_lists(problem);
   out.reserve(bytes);
-  for (const NamedProblem& problem : report.problems) {
-    const std::size_t at = line.find(place, done) + place.size() - 1;
+  // Copies up to the empty array of this key. It cannot occur in file contents, since quotes in strings are escaped.
+  const auto go_into = [&](std::string_view array) {
+    const std::size_t at = line.find(array, done) + array.size() - 1;
     out.append(line, done, at - done);
-    problem.names.for_each(problem.problem.count(), [&](std::string_view name) {
-      if (out.back() != '[') out += ',';
-      out += '"';
-      out += name;
-      out += '"';
-    });
     done = at;
+  };
+  for (const NamedProblem& problem : report.problems) {
+    go_into("\"elements\":[]");
+    problem.names.for_each(problem.problem.count(), [&](std::string_view name) { append_name(name, out); });
+    if (!problem.problem.row().is_on_request) continue;
+    go_into("\"pairs\":[]");
+    append_pairs(problem.problem.intersections.pairs, out);
   }
   return out.append(line, done);
 }

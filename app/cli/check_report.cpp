@@ -1,6 +1,7 @@
 #include "app/cli/check_report.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "app/editor/expect.h"
 #include "core/base/parallel.h"
@@ -27,8 +28,14 @@ std::string_view CheckReport::status() const {
 
 namespace {
 
-// Limit on listed pairs; longer reports are useless.
-constexpr std::size_t most_listed_pairs = 1000000;
+// How many pairs of a file a report lists. A process may take 64 MiB and 64 times the file; these are the shares for
+// pairs, each of which takes up to 64 bytes while the report is written.
+std::size_t most_listed_pairs(const std::string& path) {
+  constexpr std::size_t share = std::size_t{40} << 20, share_per_byte = 16, bytes_per_pair = 64;
+  std::error_code unknown;
+  const std::uintmax_t bytes = std::filesystem::file_size(path, unknown);
+  return (share + (unknown ? 0 : share_per_byte * static_cast<std::size_t>(bytes))) / bytes_per_pair;
+}
 
 }  // namespace
 
@@ -54,7 +61,7 @@ CheckReport check_mesh(MeshFile file, const std::string& path, const CheckScope&
     }
   });
   SelfIntersections intersections;
-  if (scope.self_intersections) intersections = find_self_intersections(mesh, most_listed_pairs);
+  if (scope.self_intersections) intersections = find_self_intersections(mesh, scope.most_pairs);
   std::vector<Problem> problems =
       find_problems(mesh, sets, {quarantine, lines, &vertex_lines}, std::move(intersections));
   release(quarantine);
@@ -69,7 +76,11 @@ CheckReport check_mesh(MeshFile file, const std::string& path, const CheckScope&
 CheckReport check_file(const std::string& path, const CheckScope& scope) {
   const Format* taken_for = nullptr;
   Result<MeshFile> file = read_mesh_file(path, &taken_for);
-  if (file) return check_mesh(std::move(file).value(), path, scope);
+  if (file) {
+    CheckScope bounded = scope;
+    bounded.most_pairs = most_listed_pairs(path);
+    return check_mesh(std::move(file).value(), path, bounded);
+  }
   CheckReport report;
   report.file = path;
   report.failure = file.failure();

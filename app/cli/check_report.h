@@ -66,7 +66,8 @@ struct CheckReport {
 // What a check looks for beside the problems.
 struct CheckScope {
   bool self_intersections = false;
-  bool figures = true;  // and the hash
+  std::size_t most_pairs = 0;  // of those, to be listed; the others are counted
+  bool figures = true;         // and the hash
   bool kind = true;
 };
 

@@ -70,10 +70,11 @@ std::string figures_text(const CheckReport& report, const Console& console) {
   return text;
 }
 
-NameList names_of_pairs(const Problem& problem) {
+NameList names_of_pairs(const Problem& problem, std::size_t most) {
   NameList names;
-  for (const FacePair& pair : problem.intersections.pairs)
-    names.add("f" + number(pair.first.index) + " x f" + number(pair.second.index));
+  const std::vector<FacePair>& pairs = problem.intersections.pairs;
+  for (std::size_t i = 0; i < std::min(most, pairs.size()); ++i)
+    names.add("f" + number(pairs[i].first.index) + " x f" + number(pairs[i].second.index));
   return names;
 }
 
@@ -86,9 +87,9 @@ std::string to_text(const NamedProblem& named, const Console& console) {
                      " " + std::string(problem.row().id) + " x" + number(problem.count()) + ": " +
                      console.text(problem.text) + "\n    ";
   const bool has_pairs = !problem.intersections.pairs.empty();
-  const NameList pairs = names_of_pairs(problem);
   const std::size_t count = has_pairs ? problem.intersections.pairs.size() : problem.count();
   const std::size_t shown = console.verbose ? count : std::min(count, names_shown);
+  const NameList pairs = names_of_pairs(problem, shown);
   std::string_view separator;
   (has_pairs ? pairs : named.names).for_each(shown, [&](std::string_view name) {
     text += separator;

@@ -34,6 +34,7 @@ void add_written_cell(const Mesh& mesh, TouchedCell cell, WrittenValues values, 
     case Column::vertex_halfedge:
     case Column::position:
     case Column::next_copy:
+    case Column::copy_point:
       reach.vertices.emplace_back(cell.index);
       break;
     case Column::from:

@@ -28,6 +28,7 @@ Broken check_lengths(const Mesh& m) {
   if (c.positions.size() != c.vertex_halfedge.size()) return wrong("there is not one position per vertex");
   if (!c.next_copy.empty() && c.next_copy.size() != c.vertex_halfedge.size())
     return wrong("there is not one copy link per vertex");
+  if (c.copy_point.size() != c.next_copy.size()) return wrong("there is not one point per copy link");
   if (!c.first_ring.empty() && c.first_ring.size() != c.face_halfedge.size())
     return wrong("there is not one chain of rings per face");
   for (const AttributeColumn& a : c.attributes) {
@@ -181,6 +182,22 @@ Broken check_vertices(const Mesh& m) {
   return {};
 }
 
+// Precondition: next_copy is a permutation, so lists close.
+Broken check_points_of_copies(const Mesh& m) {
+  std::vector<bool> visited(m.vertex_slots(), false);
+  for (std::uint32_t i = 0; i < m.vertex_slots(); ++i) {
+    if (visited[i]) continue;
+    Vertex copy(i);  // ascending, so the first of a list is its smallest
+    do {
+      visited[copy.index] = true;
+      if (m.copy_point(copy) != Vertex(i))
+        return broken("copy_point", copy, "does not tell its point " + name(Vertex(i)));
+      copy = m.next_copy(copy);
+    } while (copy != Vertex(i));
+  }
+  return {};
+}
+
 Broken check_copies(const Mesh& m) {
   if (!m.has_copies()) return {};
   std::vector<bool> reached(m.vertex_slots(), false);
@@ -196,7 +213,7 @@ Broken check_copies(const Mesh& m) {
     const glm::dvec3 &p = m.position(v), &q = m.position(next);
     if (std::memcmp(&p, &q, sizeof p) != 0) return broken("copy_position", v, "and its copy lie at different places");
   }
-  return {};
+  return check_points_of_copies(m);
 }
 
 }  // namespace

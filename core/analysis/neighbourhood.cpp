@@ -26,25 +26,6 @@ std::uint32_t Star::other_boundary_side(std::uint32_t side) const {
   }
 }
 
-Neighbourhood::Neighbourhood(const Mesh& mesh, Reach reach) : mesh_(mesh), is_whole_(reach == Reach::whole) {
-  if (!is_whole_ || !mesh.has_copies()) return;
-  points_.assign(mesh.vertex_slots(), Vertex());
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
-    // Ascending, so the first copy found is the representative.
-    if (!mesh.is_alive(Vertex(i)) || points_[i]) continue;
-    for_each_copy(mesh, Vertex(i), [&](Vertex copy) { points_[copy.index] = Vertex(i); });
-  }
-}
-
-Vertex Neighbourhood::point(Vertex v) {
-  if (!has_copies(mesh_, v)) return v;
-  if (!points_.empty()) return points_[v.index];
-  if (const auto known = known_points_.find(v); known != known_points_.end()) return known->second;
-  const Vertex p = ryosen::point(mesh_, v);
-  for_each_copy(mesh_, v, [&](Vertex copy) { known_points_[copy] = p; });
-  return p;
-}
-
 bool Neighbourhood::is_plain(Vertex v) const {
   if (has_copies(mesh_, v)) return false;
   if (!mesh_.is_boundary(v)) return true;

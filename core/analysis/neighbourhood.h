@@ -53,14 +53,15 @@ struct BoundaryStep {
 // Refers to the mesh, which must outlive it and not change.
 class Neighbourhood {
  public:
-  // `whole` prepares for queries about every element: O(vertices) if the mesh has copies. With `local` each query costs
-  // only the stars it touches.
+  // `whole` prepares for queries about every element: O(vertices) once a star is asked for. With `local` each query
+  // costs only the stars it touches.
   enum class Reach { local, whole };
-  explicit Neighbourhood(const Mesh& mesh, Reach reach = Reach::local);
+  explicit Neighbourhood(const Mesh& mesh, Reach reach = Reach::local)
+      : mesh_(mesh), is_whole_(reach == Reach::whole) {}
 
   const Mesh& mesh() const { return mesh_; }
 
-  Vertex point(Vertex v);
+  Vertex point(Vertex v) const { return ryosen::point(mesh_, v); }
   // Whether a vertex has no copies and at most one gap; then it has one fan of faces, or none.
   bool is_plain(Vertex v) const;
   // Whether the edge between the two points has only this sheet: at most one edge joins two vertices.
@@ -87,7 +88,7 @@ class Neighbourhood {
   };
   TwoSides two_sides(Edge e);
   // Whether two sides of one edge on points have the same direction: their faces are then inconsistently oriented.
-  bool run_alike(Halfedge a, Halfedge b) { return point(mesh_.from(a)) == point(mesh_.from(b)); }
+  bool run_alike(Halfedge a, Halfedge b) const { return point(mesh_.from(a)) == point(mesh_.from(b)); }
   // Fans of faces at the point.
   std::uint32_t fans(Vertex v);
 
@@ -114,10 +115,8 @@ class Neighbourhood {
   Star view(const StarRecord& record) const;
 
   const Mesh& mesh_;
-  // Arrays by slot with Reach::whole, maps otherwise.
-  std::vector<Vertex> points_;
+  // An array by slot with Reach::whole, a map otherwise.
   std::vector<std::uint32_t> record_of_point_;
-  std::unordered_map<Vertex, Vertex> known_points_;
   std::unordered_map<Vertex, std::uint32_t> known_records_;
   std::unordered_map<Face, glm::dvec3> known_normals_;
 

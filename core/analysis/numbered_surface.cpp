@@ -20,12 +20,8 @@ NumberedSurface::NumberedSurface(const Mesh& mesh) : places_(mesh.positions().be
     if (mesh.is_alive(Face(i))) add(mesh, Face(i));
   choose_frame();
   if (!mesh.has_copies()) return;
-  std::vector<std::uint32_t> point(mesh.vertex_slots(), no_index);
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
-    if (mesh.is_alive(Vertex(i)) && point[i] == no_index)
-      for_each_copy(mesh, Vertex(i), [&](Vertex copy) { point[copy.index] = i; });
   for (auto& corners : corners_)
-    for (std::uint32_t& corner : corners) corner = point[corner];
+    for (std::uint32_t& corner : corners) corner = point(mesh, Vertex(corner)).index;
 }
 
 NumberedSurface::NumberedSurface(const Mesh& mesh, std::span<const Face> faces) {

@@ -56,9 +56,10 @@ Face last_face_at(const Mesh& mesh, Vertex v) {
 }
 
 void add_that_more_are_left(Problem& found) {
-  const std::string pairs = std::to_string(found.intersections.pairs.size());
-  found.text.en += " The search ended at " + pairs + " pairs; there are more.";
-  found.text.ja += pairs + " 組で探索を打ち切りました。ほかにもあります。";
+  const std::string listed = std::to_string(found.intersections.pairs.size());
+  const std::string all = std::to_string(found.intersections.count);
+  found.text.en += " Of " + all + " pairs " + listed + " are listed.";
+  found.text.ja += all + " 組のうち " + listed + " 組を挙げています。";
 }
 
 }  // namespace
@@ -70,14 +71,14 @@ std::vector<Problem> find_problems(const Mesh& mesh, const ProblemSets& sets, co
   for (const ProblemRow& row : problem_table()) {
     Problem problem{row.kind, elements_of(row, around, sets, file.quarantine), {}, {}, 0, {}};
     if (row.kind == ProblemKind::self_intersection) {
-      for (Face f : faces_of(intersections.pairs)) problem.elements.emplace_back(f);
+      problem.elements.assign(intersections.faces.begin(), intersections.faces.end());
       problem.intersections = std::move(intersections);
     }
     if (problem.elements.empty()) continue;
     problem.where = place_of(mesh, problem.elements.front(), file);
     problem.line = line_of(mesh, problem.kind, problem.elements.front(), file);
     problem.text = row.sentence(problem.count());
-    if (!problem.intersections.is_all) add_that_more_are_left(problem);
+    if (!problem.intersections.is_all()) add_that_more_are_left(problem);
     problems.push_back(std::move(problem));
   }
   return problems;

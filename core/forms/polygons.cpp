@@ -31,11 +31,7 @@ std::size_t corners_of_loop(const Mesh& mesh, Halfedge start) {
   return n;
 }
 
-bool is_further_copy(const Mesh& mesh, Vertex v) {
-  for (Vertex copy = mesh.next_copy(v); copy != v; copy = mesh.next_copy(copy))
-    if (copy < v) return true;
-  return false;
-}
+bool is_further_copy(const Mesh& mesh, Vertex v) { return mesh.copy_point(v) != v; }
 
 Numbering::Numbering(const Mesh& mesh)
     : vertex(mesh.vertex_slots(), no_index),
@@ -154,7 +150,10 @@ Mesh without_gaps(const Mesh& mesh, const Numbering& numbers) {
     if (!mesh.is_alive(v)) continue;
     c.vertex_halfedge.push_back(numbers.halfedge(mesh.halfedge(v)));
     c.positions.push_back(mesh.position(v));
-    if (mesh.has_copies()) c.next_copy.emplace_back(numbers.vertex[mesh.next_copy(v).index]);
+    if (mesh.has_copies()) {
+      c.next_copy.emplace_back(numbers.vertex[mesh.next_copy(v).index]);
+      c.copy_point.emplace_back(numbers.vertex[mesh.copy_point(v).index]);
+    }
     if (i < mesh.file_vertices()) ++c.file_vertices;
   }
   for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {

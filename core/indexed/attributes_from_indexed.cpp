@@ -50,8 +50,7 @@ void add_colours(const IndexedMesh& source, MeshColumns& c) {
   // Copies of a point take its colour.
   column.data.resize(c.vertex_halfedge.size() * column.words);
   for (std::size_t v = source.vertex_colours.size(); v < c.vertex_halfedge.size(); ++v) {
-    Vertex point = c.next_copy[v];
-    while (point.index >= source.vertex_colours.size()) point = c.next_copy[point.index];
+    const Vertex point = c.copy_point[v];
     std::memcpy(column.data.data() + v * column.words, &source.vertex_colours[point.index], sizeof(glm::dvec4));
   }
   c.attributes.push_back(std::move(column));

@@ -125,6 +125,7 @@ void separate_fans(MeshColumns& c) {
   const std::vector<Fan> fans = collect_fans(c, several);
   c.next_copy.resize(c.positions.size());
   for (std::uint32_t v = 0; v < c.next_copy.size(); ++v) c.next_copy[v] = Vertex(v);
+  c.copy_point = c.next_copy;
   for (std::size_t i = 0; i < fans.size(); ++i) {
     const Fan& fan = fans[i];
     if (i == 0 || fans[i - 1].point != fan.point) {
@@ -139,6 +140,7 @@ void separate_fans(MeshColumns& c) {
     c.vertex_halfedge.push_back(fan.halfedge);
     c.positions.push_back(c.positions[fan.point]);
     c.next_copy.push_back(Vertex(fan.point));
+    c.copy_point.push_back(Vertex(fan.point));
     c.next_copy[before.index] = copy;
     set_origin_of_fan(c, fan.halfedge, copy);
     ++c.live.vertices;

@@ -55,7 +55,7 @@ struct ColumnLengths {
   std::uint32_t vertices = 0;
   std::uint32_t halfedges = 0;
   std::uint32_t faces = 0;
-  std::uint32_t copies = 0;        // length of next_copy: 0 or the number of vertices
+  std::uint32_t copies = 0;        // length of next_copy and copy_point: 0 or the number of vertices
   std::uint32_t ringed_faces = 0;  // length of first_ring: 0 or the number of faces
   std::uint32_t rings = 0;
   std::array<std::uint32_t, max_pools> pools{};
@@ -79,6 +79,7 @@ struct MeshColumns {
   ColumnVector<Halfedge> face_halfedge;
   std::vector<glm::dvec3> positions;
   std::vector<Vertex> next_copy;          // cyclic list of the copies of a point; empty while there are none
+  std::vector<Vertex> copy_point;         // the smallest copy in the list of each; empty as next_copy is
   std::vector<std::uint32_t> first_ring;  // per face, into rings; empty while no face has had a ring
   std::vector<Ring> rings;
   std::vector<AttributeColumn> attributes;
@@ -99,6 +100,7 @@ enum class Column : std::uint8_t {
   face_halfedge,
   position,
   next_copy,
+  copy_point,
   first_ring,
   ring,
   first_attribute

@@ -24,13 +24,15 @@ void Edit::commit() {
   open_ = false;
 }
 
-void Edit::set_next_copy(Vertex v, Vertex next) {
-  std::vector<Vertex>& column = mesh_.columns_.next_copy;
-  if (column.empty()) {
-    column.resize(mesh_.vertex_slots());
-    for (std::uint32_t i = 0; i < column.size(); ++i) column[i] = Vertex(i);
+void Edit::set_copy_links(Vertex v, Vertex next, Vertex point) {
+  std::vector<Vertex>&next_copy = mesh_.columns_.next_copy, &copy_point = mesh_.columns_.copy_point;
+  if (next_copy.empty()) {
+    next_copy.resize(mesh_.vertex_slots());
+    for (std::uint32_t i = 0; i < next_copy.size(); ++i) next_copy[i] = Vertex(i);
+    copy_point = next_copy;
   }
-  write<Column::next_copy>(v.index, column[v.index], next);
+  write<Column::next_copy>(v.index, next_copy[v.index], next);
+  write<Column::copy_point>(v.index, copy_point[v.index], point);
 }
 
 void Edit::add_ring(Face f, Halfedge h) {
@@ -67,7 +69,10 @@ Vertex Edit::add_vertex(const glm::dvec3& position) {
   const Vertex v(c.vertex_halfedge.size());
   c.vertex_halfedge.emplace_back();
   c.positions.push_back(position);
-  if (!c.next_copy.empty()) c.next_copy.push_back(v);
+  if (!c.next_copy.empty()) {
+    c.next_copy.push_back(v);
+    c.copy_point.push_back(v);
+  }
   extend_attributes(ElementKind::vertex, 1);
   ++c.live.vertices;
   return v;

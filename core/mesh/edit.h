@@ -45,8 +45,8 @@ class Edit {
   void set_position(Vertex v, const glm::dvec3& p) {
     write<Column::position>(v.index, mesh_.columns_.positions[v.index], p);
   }
-  // Makes `next` the successor of v in its cyclic list of copies.
-  void set_next_copy(Vertex v, Vertex next);
+  // The successor of v in its cyclic list of copies, and the smallest of the list. copies.h has what keeps lists whole.
+  void set_copy_links(Vertex v, Vertex next, Vertex point);
   // Adds the loop of `h` to the face as a ring; the caller has already set the face of its halfedges. O(1), the mesh's
   // first ring O(faces).
   void add_ring(Face f, Halfedge h);
@@ -90,6 +90,7 @@ class Edit {
       case Column::face_halfedge:
         return before_.faces;
       case Column::next_copy:
+      case Column::copy_point:
         return before_.copies;
       case Column::first_ring:
         return before_.ringed_faces;

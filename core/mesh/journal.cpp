@@ -18,6 +18,7 @@ void for_each_column_tail(MeshColumns& c, const ColumnLengths& lengths, Visit vi
   visit(c.halfedges, lengths.halfedges, 1);
   visit(c.face_halfedge, lengths.faces, 1);
   visit(c.next_copy, lengths.copies, 1);
+  visit(c.copy_point, lengths.copies, 1);
   visit(c.first_ring, lengths.ringed_faces, 1);
   visit(c.rings, lengths.rings, 1);
   std::size_t pool = 0;

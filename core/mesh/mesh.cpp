@@ -55,6 +55,8 @@ std::pair<std::byte*, std::size_t> Mesh::cell(Column column, std::uint32_t index
       return bytes(c.positions[index]);
     case Column::next_copy:
       return bytes(c.next_copy[index]);
+    case Column::copy_point:
+      return bytes(c.copy_point[index]);
     case Column::first_ring:
       return bytes(c.first_ring[index]);
     case Column::ring:

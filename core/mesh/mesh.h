@@ -74,6 +74,8 @@ class Mesh {
 
   bool has_copies() const { return !columns_.next_copy.empty(); }
   Vertex next_copy(Vertex v) const { return columns_.next_copy.empty() ? v : columns_.next_copy[v.index]; }
+  // The smallest copy of the point of v: v itself where it is the only one.
+  Vertex copy_point(Vertex v) const { return columns_.copy_point.empty() ? v : columns_.copy_point[v.index]; }
   bool has_rings() const { return columns_.live.rings != 0; }
   // The first ring of a face (no_index if none) and the ring with a given number, see rings.h.
   std::uint32_t first_ring(Face f) const {

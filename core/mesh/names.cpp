@@ -18,10 +18,6 @@ std::string ends_of(const Mesh& m, Halfedge h) {
   return number(point(m, m.from(h)).index) + "-" + number(point(m, m.to(h)).index);
 }
 
-bool joined_by_several_sheets(const Mesh& m, Halfedge h) {
-  return (has_copies(m, m.from(h)) || has_copies(m, m.to(h))) && sheets_between(m, m.from(h), m.to(h)).size() > 1;
-}
-
 std::string name_of_vertex(const Mesh& m, Vertex v) {
   return "v" + number(m.exists(v) && m.is_alive(v) ? point(m, v).index : v.index);
 }
@@ -29,7 +25,7 @@ std::string name_of_vertex(const Mesh& m, Vertex v) {
 std::string name_of_edge(const Mesh& m, Edge e) {
   Halfedge h = halfedge(e);
   if (point(m, m.from(h)) > point(m, m.to(h))) h = twin(h);
-  return joined_by_several_sheets(m, h) ? name_with_face(m, h) : ends_of(m, h);
+  return has_several_sheets(m, h) ? name_with_face(m, h) : ends_of(m, h);
 }
 
 std::optional<std::uint32_t> parse_number(std::string_view text) {
@@ -125,7 +121,7 @@ std::string name_with_face(const Mesh& m, Halfedge h) {
 
 std::string name_to_choose(const Mesh& m, Halfedge h) {
   const Face f = m.is_outside(h) ? m.face(twin(h)) : m.face(h);
-  if (!joined_by_several_sheets(m, h) || !f) return name_of(m, h);
+  if (!has_several_sheets(m, h) || !f) return name_of(m, h);
   return ends_of(m, h) + "@f" + number(f.index);
 }
 
@@ -143,7 +139,7 @@ std::string name_of(const Mesh& m, Element element) {
   }
   const Halfedge h = element.halfedge();
   if (!m.exists(h) || !m.is_alive(h)) return "h" + number(h.index);
-  return joined_by_several_sheets(m, h) ? name_with_face(m, h) : ends_of(m, h);
+  return has_several_sheets(m, h) ? name_with_face(m, h) : ends_of(m, h);
 }
 
 Named<Face> find_face(const Mesh& m, std::string_view name) {

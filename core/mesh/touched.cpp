@@ -27,6 +27,7 @@ TouchedElements touched_elements(const Mesh& mesh, const Journal& journal, std::
         [[fallthrough]];
       case Column::vertex_halfedge:
       case Column::next_copy:
+      case Column::copy_point:
         touched.vertices.push_back(Vertex(cell.index));
         break;
       case Column::from:

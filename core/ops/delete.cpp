@@ -106,8 +106,8 @@ void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion) {
   // Descending, so that the representative of a point comes last and a copy can take over its number.
   std::sort(bare.begin(), bare.end(), std::greater<>());
   bare.erase(std::unique(bare.begin(), bare.end()), bare.end());
-  for (Vertex v : bare)
-    if (m.is_alive(v) && m.is_isolated(v)) sheets.remove_vertex(v);
+  std::erase_if(bare, [&](Vertex v) { return !m.is_alive(v) || !m.is_isolated(v); });
+  sheets.remove_vertices(bare);
   sheets.settle(points);
 }
 

@@ -45,10 +45,6 @@ FaceSet faces_meant(const Mesh& m, const std::vector<Face>& named) {
   return sheet;
 }
 
-void make_cycle(Edit& edit, const std::vector<Vertex>& copies) {
-  for (std::size_t i = 0; i < copies.size(); ++i) edit.set_next_copy(copies[i], copies[(i + 1) % copies.size()]);
-}
-
 // Moves the fans of these faces at a point to vertices of a new point. Every fan must be entirely in the set or
 // entirely outside. Returns a vertex of the new point.
 Vertex split_point(Edit& edit, Sheets& sheets, Vertex p, const FaceSet& faces) {
@@ -74,8 +70,8 @@ Vertex split_point(Edit& edit, Sheets& sheets, Vertex p, const FaceSet& faces) {
     sheets.exchange(away[0], rest[0]);
     std::swap(away[0], rest[0]);
   }
-  make_cycle(edit, away);
-  make_cycle(edit, rest);
+  link_copies(edit, away);
+  link_copies(edit, rest);
   for (Vertex v : away) sheets.changed_around(v);
   return away[0];
 }

@@ -197,8 +197,7 @@ void put_point_into(Edit& edit, Halfedge h, double along, CutTriangles cut, OpEf
   const std::vector<Halfedge> sheets = sheets_of(m, h);
   std::vector<Vertex> copies;
   for (Halfedge sheet : sheets) copies.push_back(cut_sheet(edit, sheet, along, p, cut, effect));
-  if (copies.size() > 1)
-    for (std::size_t i = 0; i < copies.size(); ++i) edit.set_next_copy(copies[i], copies[(i + 1) % copies.size()]);
+  if (copies.size() > 1) link_copies(edit, copies);
 }
 
 }  // namespace ryosen

@@ -223,9 +223,7 @@ void unite_points(Edit& edit, Sheets& sheets, Vertex goes, Vertex stays) {
     blend_vertex_values(edit, stays, stays, 0, copy);
     sheets.changed_around(copy);
   });
-  const Vertex after_goes = m.next_copy(goes), after_stays = m.next_copy(stays);
-  edit.set_next_copy(goes, after_stays);
-  edit.set_next_copy(stays, after_goes);
+  join_copies(edit, goes, stays);
 }
 
 void make_one(Edit& edit, Sheets& sheets, Vertex a, Vertex b) {

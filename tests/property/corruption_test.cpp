@@ -32,8 +32,9 @@ class Corruption {
     if (kind == 7 && !c_.rings.empty()) c_.rings[any_of(c_.rings)].next = number(c_.rings.size());
     if (kind == 8 && !c_.rings.empty()) c_.rings[any_of(c_.rings)].halfedge = Halfedge(number(c_.halfedges.size()));
     if (kind == 9 && !c_.next_copy.empty()) c_.next_copy[v] = Vertex(number(c_.next_copy.size()));
+    if (kind == 10 && !c_.copy_point.empty()) c_.copy_point[v] = Vertex(number(c_.copy_point.size()));
   }
-  static constexpr int kinds = 10;
+  static constexpr int kinds = 11;
 
  private:
   template <class Column>

@@ -68,8 +68,7 @@ class Detaching {
     Groups groups;
     for (Vertex p : gently) add_groups(around, p, true, groups);
     for (Vertex p : wholly) add_groups(around, p, false, groups);
-    for (const std::vector<Vertex>& group : groups)
-      for (std::size_t i = 0; i < group.size(); ++i) edit_.set_next_copy(group[i], group[(i + 1) % group.size()]);
+    for (const std::vector<Vertex>& group : groups) link_copies(edit_, group);
     made_ += groups.size() - gently.size() - wholly.size();
     return groups;
   }

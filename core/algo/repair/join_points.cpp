@@ -166,20 +166,16 @@ class Joiner {
     for (auto& [first, copies] : copies_) {
       std::erase_if(copies, [&](Vertex v) {
         if (!root_of_.contains(v) || root_of(v) == v) return false;
-        follow(v, v);
+        edit_.set_copy_links(v, v, v);
         edit_.remove(v);
         return true;
       });
-      for (std::size_t i = 0; i < copies.size(); ++i) follow(copies[i], copies[(i + 1) % copies.size()]);
+      if (!copies.empty()) ryosen::link_copies(edit_, copies);
       // Reading may join more at a point that was non-manifold before.
       if (copies.size() > 1 && !is_joined_.contains(first)) unsettled_.push_back(first);
     }
     for (const JoinedPoints& joined : classes_)
       for (Vertex v : copies_[joined.points[0]]) edit_.set_position(v, joined.place);
-  }
-
-  void follow(Vertex copy, Vertex next) {
-    if (m_.next_copy(copy) != next) edit_.set_next_copy(copy, next);
   }
 
   Edit& edit_;

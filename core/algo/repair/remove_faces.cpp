@@ -17,15 +17,19 @@ namespace {
 
 using PointList = std::vector<std::uint32_t>;
 
-// Canonical form, independent of start and direction: the lexicographically smallest list.
-PointList normal_form(const PointList& loop) {
-  PointList best, turned = loop;
+// Canonical form, independent of start and direction: the lexicographically smallest list, which begins with the smallest
+// point. Only at bridges does a loop come to a point again.
+PointList normal_form(PointList loop) {
+  PointList best;
+  const std::uint32_t smallest = *std::min_element(loop.begin(), loop.end());
   for (int way = 0; way < 2; ++way) {
-    for (std::size_t i = 0; i < turned.size(); ++i) {
-      std::rotate(turned.begin(), turned.begin() + 1, turned.end());
-      if (best.empty() || turned < best) best = turned;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      if (loop[i] != smallest) continue;
+      PointList turned(loop.begin() + static_cast<std::ptrdiff_t>(i), loop.end());
+      turned.insert(turned.end(), loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(i));
+      if (best.empty() || turned < best) best = std::move(turned);
     }
-    std::reverse(turned.begin(), turned.end());
+    std::reverse(loop.begin(), loop.end());
   }
   return best;
 }
@@ -36,7 +40,7 @@ PointList shape_of(const Mesh& m, Face f) {
   for_each_loop(m, f, [&](Halfedge start) {
     PointList loop_points;
     for (Halfedge h : loop(m, start)) loop_points.push_back(point(m, m.from(h)).index);
-    loops.push_back(normal_form(loop_points));
+    loops.push_back(normal_form(std::move(loop_points)));
   });
   std::sort(loops.begin(), loops.end());
   PointList shape;

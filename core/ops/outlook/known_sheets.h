@@ -17,11 +17,19 @@ class KnownSheets {
   // Equal for faces of a small sheet whose detachment is the same operation: all faces of the sheet, or each face
   // separately if the sheet touches no other face. `large` for large sheets.
   std::uint32_t key(const Mesh& mesh, Face f);
+  // Equal for all faces of a small sheet; `large` for all faces of large ones.
+  std::uint32_t number(const Mesh& mesh, Face f) { return find(mesh, f).number; }
 
   static constexpr std::uint32_t large = no_index;
 
  private:
-  std::unordered_map<Face, std::uint32_t> keys_;
+  struct Sheet {
+    std::uint32_t number = large;  // its face that was asked for first
+    bool touches = false;          // a face of another sheet
+  };
+  const Sheet& find(const Mesh& mesh, Face f);
+
+  std::unordered_map<Face, Sheet> sheets_;
 };
 
 }  // namespace ryosen

@@ -11,21 +11,65 @@ namespace {
 
 constexpr std::size_t longest_remedy = 4;
 
-// Flipping faces helps only against Rule::copies, and only if an edge at the points of the witnesses is misoriented.
-bool is_beside_misoriented_edge(const Mesh& m, const Reason& reason) {
+bool has_misoriented_edge(const Mesh& m, Vertex point) {
+  return any_of_copies(m, point, [&](Vertex copy) {
+    for (Halfedge h : outgoing(m, copy))
+      if (point_edge(m, h).is_misoriented()) return true;
+    return false;
+  });
+}
+
+// The halfedge that an operator on an edge is about; none for others.
+Halfedge halfedge_of(const AnyOp& op) {
+  return std::visit(
+      []<class Op>(const Op& o) {
+        if constexpr (requires { Halfedge(o.halfedge); })
+          return o.halfedge;
+        else
+          return Halfedge();
+      },
+      op);
+}
+
+// Whether the reason is the number of faces at the edge of h itself.
+bool is_about(const Mesh& m, const Reason& reason, Halfedge h) {
   if (reason.rule != Rule::copies) return false;
-  for (const Element& witness : reason.witnesses) {
-    const Vertex v = witness.kind == Element::Kind::vertex ? witness.vertex()
-                     : witness.kind == Element::Kind::edge ? m.from(halfedge(witness.edge()))
-                                                           : Vertex();
-    if (!v) continue;
-    bool found = false;
-    for_each_copy(m, v, [&](Vertex copy) {
-      for (Halfedge h : outgoing(m, copy)) found = found || point_edge(m, h).is_misoriented();
-    });
-    if (found) return true;
-  }
-  return false;
+  if (reason.witnesses.size() == 1) return reason.witnesses[0] == Element(edge(h));
+  const Vertex a = point(m, m.from(h)), b = point(m, m.to(h));
+  return reason.witnesses == std::vector<Element>{a, b} || reason.witnesses == std::vector<Element>{b, a};
+}
+
+// Whether more than `most` sheets meet at a point, or at its edge to another one.
+bool has_more_sheets(std::size_t most, const Mesh& m, Vertex at, std::optional<Vertex> to, KnownSheets& known) {
+  std::vector<std::uint32_t> met;
+  return any_of_copies(m, at, [&](Vertex copy) {
+    for (Halfedge h : outgoing(m, copy)) {
+      if (to && !same_point(m, m.to(h), *to)) continue;
+      for (Halfedge side : {h, twin(h)}) {
+        if (m.is_outside(side)) continue;
+        const std::uint32_t number = known.number(m, m.face(side));
+        if (std::find(met.begin(), met.end(), number) == met.end()) met.push_back(number);
+      }
+    }
+    return met.size() > most;
+  });
+}
+
+// Whether what is refused for the faces at its own edge will be so after that many steps. A step takes one sheet away
+// from an edge, and of the sheets at a point hardly ever more than two: it may join two others.
+bool outlasts(std::size_t steps, const Mesh& m, const AnyOp& op, Halfedge h, KnownSheets& known) {
+  if (has_more_sheets(steps + 2, m, m.from(h), m.to(h), known)) return true;
+  // Two points with several fans each do not collapse, whatever their edge.
+  return std::holds_alternative<CollapseEdge>(op) && has_more_sheets(2 * steps + 1, m, m.from(h), {}, known) &&
+         has_more_sheets(2 * steps + 1, m, m.to(h), {}, known);
+}
+
+// Whether the operator is refused for the faces at its own edge, and these steps will not help.
+bool is_hopeless(std::size_t steps, const Mesh& m, const AnyOp& op, const Verdict& verdict, KnownSheets& known) {
+  const Halfedge h = halfedge_of(op);
+  return is_there(m, h) && std::any_of(verdict.reasons.begin(), verdict.reasons.end(), [&](const Reason& reason) {
+           return is_about(m, reason, h) && outlasts(steps, m, op, h, known);
+         });
 }
 
 bool is_slot(std::string_view word) {
@@ -75,7 +119,10 @@ struct Step {
 
 // The first candidate that leaves no reason, else the first that leaves fewer. Else one of many equal steps: with
 // several sheets at an edge or several edges at a vertex the reason stays until the last one is detached or deleted.
-std::optional<Step> choose_step(Mesh& mesh, const Question& question, const Verdict& verdict, KnownSheets& sheets) {
+std::optional<Step> choose_step(Mesh& mesh, const Question& question, const AnyOp& op, KnownSheets& sheets) {
+  const Verdict verdict = check(mesh, op);
+  // Where the only reason outlasts a step, no candidate can do better than the first that leads on.
+  const bool takes_longer = verdict.reasons.size() == 1 && is_hopeless(1, mesh, op, verdict, sheets);
   std::optional<Step> best, onward;
   for (const Reason& reason : verdict.reasons) {
     for (const AnyOp& candidate : remedy_candidates(mesh, reason, sheets)) {
@@ -84,6 +131,7 @@ std::optional<Step> choose_step(Mesh& mesh, const Question& question, const Verd
       if (left && *left < verdict.reasons.size() && !best) best = Step{candidate};
       const bool is_one_of_many = std::holds_alternative<Detach>(candidate) || reason.rule == Rule::has_edges;
       if (left == verdict.reasons.size() && !onward && is_one_of_many) onward = Step{candidate};
+      if (takes_longer && onward) return onward;
     }
   }
   return best ? best : onward;
@@ -98,7 +146,7 @@ std::vector<std::string> find_local_steps(Mesh& mesh, const Question& question, 
     const std::optional<AnyOp> now = question.in(mesh);
     KnownSheets after_steps;
     KnownSheets& known = commands.empty() ? sheets : after_steps;
-    const std::optional<Step> step = now ? choose_step(mesh, question, check(mesh, *now), known) : std::nullopt;
+    const std::optional<Step> step = now ? choose_step(mesh, question, *now, known) : std::nullopt;
     if (!step) break;
     commands.push_back(command_of(mesh, step->op));
     legal = step->is_last;
@@ -127,14 +175,29 @@ Mesh* RemedySearch::oriented() {
   return oriented_.get();
 }
 
+// Flipping faces helps only against Rule::copies, and only if an edge at the points of the witnesses is misoriented.
+bool RemedySearch::is_beside_misoriented_edge(const Reason& reason) {
+  if (reason.rule != Rule::copies) return false;
+  return std::any_of(reason.witnesses.begin(), reason.witnesses.end(), [&](const Element& witness) {
+    const Vertex v = witness.kind == Element::Kind::vertex ? witness.vertex()
+                     : witness.kind == Element::Kind::edge ? mesh_.from(halfedge(witness.edge()))
+                                                           : Vertex();
+    if (!v) return false;
+    const auto [known, is_new] = beside_misoriented_.try_emplace(point(mesh_, v));
+    if (is_new) known->second = has_misoriented_edge(mesh_, v);
+    return known->second;
+  });
+}
+
 std::vector<std::string> RemedySearch::find(const std::string& line) {
   const Parsed<AnyOp> asked = parse_line(mesh_, line);
   if (!asked.op) return {};
   const Verdict verdict = check(mesh_, *asked.op);
   if (verdict.legal() || verdict.has(Rule::deleted)) return {};
+  if (is_hopeless(longest_remedy, mesh_, *asked.op, verdict, sheets_)) return {};
   const Question question{line, names_a_slot(line) ? command_of(mesh_, *asked.op) : line};
   const bool may_turn = std::any_of(verdict.reasons.begin(), verdict.reasons.end(),
-                                    [&](const Reason& reason) { return is_beside_misoriented_edge(mesh_, reason); });
+                                    [&](const Reason& reason) { return is_beside_misoriented_edge(reason); });
   Mesh* const turned = may_turn ? oriented() : nullptr;
   if (turned && question.reasons_against(*turned) == 0u) return {"orient"};
   std::vector<std::string> steps = find_local_steps(mesh_, question, longest_remedy, sheets_);

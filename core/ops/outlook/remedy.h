@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "core/ops/all.h"
@@ -28,9 +29,11 @@ class RemedySearch {
 
  private:
   Mesh* oriented();
+  bool is_beside_misoriented_edge(const Reason& reason);
 
   Mesh& mesh_;
   KnownSheets sheets_, sheets_when_turned_;
+  std::unordered_map<Vertex, bool> beside_misoriented_;  // of points
   bool orient_was_tried_ = false;
   std::unique_ptr<Mesh> oriented_;  // null until needed, and if no face would be flipped
 };

@@ -11,6 +11,8 @@ namespace ryosen {
 namespace {
 
 constexpr std::size_t most_sides_tried = 12;
+// A trial costs the copies of its points; with more than these it is not made.
+constexpr std::size_t most_copies_tried = 64;
 constexpr std::size_t longest_hole_filled = 64;
 
 // Collects the operators that may help against one reason: each way looks at the witnesses of the kind that it is about.
@@ -31,7 +33,8 @@ class Candidates {
     for (Face f : faces_) {
       std::size_t tried = 0;
       for (Halfedge h : halfedges_around(m_, f))
-        if (tried++ < most_sides_tried) found_.push_back(SplitEdge{h});
+        if (tried++ < most_sides_tried && !(has_many_copies(m_.from(h)) && has_many_copies(m_.to(h))))
+          found_.push_back(SplitEdge{h});
     }
   }
 
@@ -102,6 +105,7 @@ class Candidates {
       const auto [a, b] = ends(m_, witness.edge());
       points.insert(points.end(), {a, b});
     }
+    if (std::any_of(points.begin(), points.end(), [&](Vertex v) { return has_many_copies(v); })) return;
     for (Vertex v : points) found_.push_back(SeparateFans{{v}});
     if (points.size() == 2)
       for (Halfedge h : sheets_between(m_, points[0], points[1])) {
@@ -109,8 +113,9 @@ class Candidates {
         detach(m_.face(twin(h)));
       }
     for (Vertex v : points)
-      for_each_copy(m_, v, [&](Vertex copy) {
+      any_of_copies(m_, v, [&](Vertex copy) {
         for (Face f : faces_around(m_, copy)) detach(f);
+        return has_enough_sheets();
       });
   }
 
@@ -164,10 +169,17 @@ class Candidates {
     found_.push_back(Fill{{h}});
   }
 
+  bool has_many_copies(Vertex v) const {
+    std::size_t copies = 0;
+    return any_of_copies(m_, v, [&](Vertex) { return ++copies > most_copies_tried; });
+  }
+
+  bool has_enough_sheets() const { return found_.size() + repeated_ >= most_sides_tried; }
+
   // The sheet of a face. Large sheets are skipped: every trial would cost O(mesh). A sheet is tried once, but counts
   // towards the limit each time it is added.
   void detach(Face f) {
-    if (!f || found_.size() + repeated_ >= most_sides_tried) return;
+    if (!f || has_enough_sheets()) return;
     const std::uint32_t key = sheets_.key(m_, f);
     if (key == KnownSheets::large) return;
     if (std::find(detached_.begin(), detached_.end(), key) != detached_.end()) {

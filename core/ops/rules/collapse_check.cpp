@@ -18,6 +18,7 @@ class CollapseJudge {
   CollapseJudge(const Mesh& mesh, Halfedge h) : m_(mesh), h_(h), gone_(mesh.from(h)), kept_(mesh.to(h)) {
     for (Halfedge side : {h_, twin(h_)})
       if (is_plain_triangle(side)) apexes_[apex_count_++] = m_.to(m_.next(side));
+    find_smaller_star();
   }
 
   Verdict judge() {
@@ -34,6 +35,64 @@ class CollapseJudge {
   }
 
  private:
+  // Of the two ends the one where less begins, so that what both share is found from there at little cost.
+  void find_smaller_star() {
+    std::vector<Halfedge> at_gone, at_kept;
+    Halfedge g = h_, k = twin(h_);
+    Vertex copy = kept_;
+    for (;;) {
+      at_gone.push_back(g);
+      at_kept.push_back(k);
+      g = m_.counter_clockwise(g);
+      k = m_.counter_clockwise(k);
+      if (g == h_) {
+        smaller_ = std::move(at_gone);
+        beyond_ = kept_;
+        return;
+      }
+      if (k != (copy == kept_ ? twin(h_) : m_.halfedge(copy))) continue;
+      do copy = m_.next_copy(copy);
+      while (m_.is_isolated(copy));
+      if (copy == kept_) break;
+      k = m_.halfedge(copy);
+    }
+    smaller_ = std::move(at_kept);
+    beyond_ = gone_;
+  }
+
+  // Whether the two ends have a neighbour in common that may be in the way: no if not, else perhaps.
+  bool may_share_neighbours() const {
+    return std::any_of(smaller_.begin(), smaller_.end(), [&](Halfedge k) {
+      const Vertex v = m_.to(k);
+      if (same_point(m_, v, beyond_)) return false;
+      // Another copy of it may be a neighbour of the removed end.
+      const bool is_only = beyond_ == kept_ || !has_copies(m_, v);
+      if (is_only && (is_apex(v) || is_tip_of_three_edge_hole(v))) return false;
+      return are_joined(m_, v, beyond_);
+    });
+  }
+
+  bool may_share_faces() const {
+    return std::any_of(smaller_.begin(), smaller_.end(), [&](Halfedge k) {
+      if (m_.is_outside(k) || is_at_edge(m_.face(k))) return false;
+      for (Halfedge corner : halfedges_around(m_, m_.face(k)))
+        if (same_point(m_, m_.from(corner), beyond_)) return true;
+      return false;
+    });
+  }
+
+  // Where the ends share no neighbours but the apexes, two faces become one on the same points only if a triangle joins
+  // one end to both apexes, or has more than three corners.
+  bool may_make_duplicates() const {
+    const auto is_at_apex = [&](Vertex v) {
+      return apex_count_ == 2 && (same_point(m_, v, apexes_[0]) || same_point(m_, v, apexes_[1]));
+    };
+    return std::any_of(smaller_.begin(), smaller_.end(), [&](Halfedge k) {
+      if (m_.is_outside(k) || is_dropped(k)) return false;
+      return !is_plain_triangle(k) || (is_at_apex(m_.to(k)) && is_at_apex(m_.from(m_.prev(k))));
+    });
+  }
+
   bool is_apex(Vertex v) const { return std::find(apexes_, apexes_ + apex_count_, v) != apexes_ + apex_count_; }
   bool is_at_edge(Face f) const { return f == m_.face(h_) || f == m_.face(twin(h_)); }
   // A face with three corners and no rings.
@@ -92,22 +151,18 @@ class CollapseJudge {
 
   // Common neighbours of the removed vertex and of any copy of the remaining point.
   void check_common_neighbours() {
-    std::vector<std::pair<Vertex, Halfedge>> reached;  // point, and the halfedge from a copy of kept
-    for_each_copy(m_, kept_, [&](Vertex copy) {
-      for (Halfedge k : outgoing(m_, copy)) reached.emplace_back(point(m_, m_.to(k)), k);
-    });
-    std::sort(reached.begin(), reached.end());
+    if (!may_share_neighbours()) return;
     for (Halfedge g : outgoing(m_, gone_)) {
       const Vertex x = m_.to(g);
       if (x == kept_ || is_apex(x) || is_tip_of_three_edge_hole(x)) continue;
-      const Vertex p = point(m_, x);
-      const auto found = std::lower_bound(reached.begin(), reached.end(), std::pair(p, Halfedge(0)));
-      if (found != reached.end() && found->first == p)
-        verdict_.refuse(Rule::common_neighbour, {x, edge(g), edge(found->second)});
+      const std::vector<Halfedge> sheets = sheets_between(m_, kept_, x);
+      if (!sheets.empty())
+        verdict_.refuse(Rule::common_neighbour, {x, edge(g), edge(*std::min_element(sheets.begin(), sheets.end()))});
     }
   }
 
   void check_common_faces() {
+    if (!may_share_faces()) return;
     for (Halfedge g : outgoing(m_, gone_)) {
       if (m_.is_outside(g) || is_at_edge(m_.face(g))) continue;
       for (Halfedge corner : halfedges_around(m_, m_.face(g)))
@@ -172,6 +227,7 @@ class CollapseJudge {
   // Compares each face of the removed vertex with those of the remaining point that have the same hash. A face with
   // bridges is considered once.
   void check_duplicates() {
+    if (!may_make_duplicates()) return;
     struct Candidate {
       std::uint64_t key;
       std::size_t order;
@@ -206,6 +262,8 @@ class CollapseJudge {
   Vertex gone_, kept_;
   Vertex apexes_[2];
   int apex_count_ = 0;
+  std::vector<Halfedge> smaller_;  // what begins at the end of lower valence, over all copies
+  Vertex beyond_;                  // the other end
   Verdict verdict_;
 };
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
 
+#include "core/analysis/overlap_tree.h"
 #include "core/base/sort_unique.h"
 #include "core/geometry/box.h"
 #include "core/geometry/triangles_cross.h"
@@ -151,6 +151,38 @@ std::vector<Face> two_rings_around(const Mesh& mesh, const std::vector<Face>& fa
   return all;
 }
 
+// A tree pays from here on.
+constexpr std::size_t many_faces = 64;
+
+// Whether the faces are triangles with an area: then a tree over them misses no pair that crosses.
+bool are_sound_triangles(const NumberedSurface& surface, const std::vector<Shape>& shapes) {
+  if (surface.slots() != shapes.size()) return false;
+  for (std::uint32_t slot = 0; slot < surface.slots(); ++slot)
+    if (surface.is_flat(slot) || surface.face(slot) != shapes[slot].face) return false;
+  return true;
+}
+
+// Calls visit(i, k) for pairs of shapes that may cross, one of them among the first `live`.
+template <class Visit>
+void for_each_candidate(const Mesh& mesh, const std::vector<Shape>& shapes, std::size_t live, const Visit& visit) {
+  if (live > many_faces) {
+    std::vector<Face> faces;
+    for (const Shape& shape : shapes) faces.push_back(shape.face);
+    const NumberedSurface surface(mesh, faces);
+    if (are_sound_triangles(surface, shapes)) {
+      const OverlapTree tree(surface, 1);
+      for (std::uint32_t node = 0; node < tree.node_count(); ++node)
+        tree.visit_pairs(node, [&](std::uint32_t a, std::uint32_t b) {
+          if (std::min(a, b) < live) visit(a, b);
+          return true;
+        });
+      return;
+    }
+  }
+  for (std::size_t i = 0; i < live; ++i)
+    for (std::size_t k = i + 1; k < shapes.size(); ++k) visit(i, k);
+}
+
 }  // namespace
 
 std::vector<Crossing> crossings_near(const Mesh& mesh, std::span<const Face> faces) {
@@ -173,16 +205,9 @@ std::vector<Crossing> crossings_near(const Mesh& mesh, std::span<const Face> fac
       continue;
     shapes.push_back(all.make(near[i], own));
   }
-  std::vector<std::size_t> order(shapes.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto begin_of = [&](std::size_t i) { return shapes[i].box.lowest.x; };
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) { return begin_of(i) < begin_of(k); });
-  for (auto a = order.begin(); a != order.end(); ++a) {
-    for (auto b = a + 1; b != order.end() && begin_of(*b) <= shapes[*a].box.highest.x; ++b) {
-      const auto [f, g] = std::minmax(shapes[*a].face, shapes[*b].face);
-      if (std::min(*a, *b) < live.size() && all.cross(shapes[*a], shapes[*b])) found.emplace_back(f, g);
-    }
-  }
+  for_each_candidate(mesh, shapes, live.size(), [&](std::size_t i, std::size_t k) {
+    if (all.cross(shapes[i], shapes[k])) found.push_back(std::minmax(shapes[i].face, shapes[k].face));
+  });
   std::sort(found.begin(), found.end());
   return found;
 }

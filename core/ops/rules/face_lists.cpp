@@ -59,14 +59,12 @@ Vertex loneliest(const Mesh& mesh, std::span<const std::uint32_t> points) {
   std::size_t fewest = ~std::size_t{0};
   for (std::uint32_t p : points) {
     std::size_t n = 0;
-    for_each_copy(mesh, Vertex(p), [&](Vertex copy) {
-      if (mesh.is_isolated(copy)) return;
-      for (Halfedge h : outgoing(mesh, copy)) {
-        static_cast<void>(h);
-        if (++n >= fewest) return;
-      }
+    const bool is_more = any_of_copies(mesh, Vertex(p), [&](Vertex copy) {
+      for ([[maybe_unused]] Halfedge h : outgoing(mesh, copy))
+        if (++n >= fewest) return true;
+      return false;
     });
-    if (n >= fewest) continue;
+    if (is_more) continue;
     fewest = n;
     best = Vertex(p);
   }
@@ -86,11 +84,13 @@ bool has_points(const Mesh& mesh, Face f, std::span<const std::uint32_t> points)
 
 Face face_on(const Mesh& mesh, std::span<const std::uint32_t> points, std::span<const Face> except) {
   Face found;
-  for_each_copy(mesh, loneliest(mesh, points), [&](Vertex copy) {
+  any_of_copies(mesh, loneliest(mesh, points), [&](Vertex copy) {
     for (Face f : faces_around(mesh, copy)) {
-      if (!f || found || std::find(except.begin(), except.end(), f) != except.end()) continue;
-      if (has_points(mesh, f, points)) found = f;
+      if (!f || std::find(except.begin(), except.end(), f) != except.end() || !has_points(mesh, f, points)) continue;
+      found = f;
+      return true;
     }
+    return false;
   });
   return found;
 }

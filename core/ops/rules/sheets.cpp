@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "core/base/sort_unique.h"
@@ -28,12 +30,14 @@ std::vector<Halfedge> cycle_of(const Mesh& m, Halfedge start) {
   return found;
 }
 
-// The live copies of the points.
-std::vector<Vertex> live_copies(const Mesh& m, std::span<const Vertex> points) {
-  std::vector<Vertex> found;
-  for (Vertex p : points)
-    if (m.is_alive(p)) for_each_copy(m, p, [&](Vertex copy) { found.push_back(copy); });
-  sort_unique(found);
+// The live copies of the points, each given by any of them, ascending.
+std::vector<Vertex> live_copies(const Mesh& m, std::span<const Vertex> given) {
+  std::vector<Vertex> points, found;
+  for (Vertex v : given)
+    if (m.is_alive(v)) points.push_back(point(m, v));
+  sort_unique(points);
+  for (Vertex p : points) for_each_copy(m, p, [&](Vertex copy) { found.push_back(copy); });
+  std::sort(found.begin(), found.end());
   return found;
 }
 
@@ -98,8 +102,7 @@ Vertex Sheets::take_out(const Fan& fan) {
   edit_.set_halfedge(copy, fan.last);
   edit_.set_halfedge(v, rest);
   hold_outside(edit_, v);
-  edit_.set_next_copy(copy, m.next_copy(v));
-  edit_.set_next_copy(v, copy);
+  join_copies(edit_, v, copy);
   return copy;
 }
 
@@ -137,8 +140,7 @@ void Sheets::join_corner(Halfedge into, Halfedge out) {
   rename(cycle_of(m, after), copy);
   edit_.set_halfedge(copy, after);
   edit_.set_halfedge(p, out);
-  edit_.set_next_copy(copy, m.next_copy(p));
-  edit_.set_next_copy(p, copy);
+  join_copies(edit_, p, copy);
 }
 
 void Sheets::join_edges(Halfedge h, Halfedge back) {
@@ -191,23 +193,40 @@ Halfedge Sheets::open(Halfedge h) {
   return k;
 }
 
-void Sheets::remove_vertex(Vertex v) {
+void Sheets::remove_vertices(std::span<const Vertex> descending) {
   const Mesh& m = edit_.mesh();
-  // The last copy with edges or, if there is none, the last one.
-  Vertex heir;
-  for_each_copy(m, v, [&](Vertex copy) {
-    if (copy == v) return;
-    const bool is_better = !heir || (m.is_isolated(heir) == m.is_isolated(copy) ? copy > heir : m.is_isolated(heir));
-    if (is_better) heir = copy;
-  });
-  if (heir && heir > v && point(m, v) == v) {
-    rename(leaving(m, heir), v);
-    edit_.set_halfedge(v, m.halfedge(heir));
-    v = heir;
+  const auto goes = [&](Vertex v) {
+    return std::binary_search(descending.begin(), descending.end(), v, std::greater<>());
+  };
+  std::unordered_map<Vertex, Vertex> heirs;  // of points that go: the copies that go in their place
+  std::unordered_set<Vertex> known;
+  for (Vertex v : descending) {
+    const Vertex p = point(m, v);
+    if (!has_copies(m, v) || !known.insert(p).second) continue;
+    std::vector<Vertex> stay, go;
+    for_each_copy(m, p, [&](Vertex copy) { (goes(copy) ? go : stay).push_back(copy); });
+    if (goes(p) && !stay.empty()) {
+      // The last copy with edges or, if there is none, the last one.
+      const auto heir = std::max_element(stay.begin(), stay.end(), [&](Vertex x, Vertex y) {
+        return std::pair(!m.is_isolated(x), x) < std::pair(!m.is_isolated(y), y);
+      });
+      heirs[p] = *heir;
+      *std::find(go.begin(), go.end(), p) = *heir;
+      stay.erase(heir);
+      stay.insert(stay.begin(), p);
+    }
+    for (Vertex copy : go) edit_.set_copy_links(copy, copy, copy);
+    if (!stay.empty()) link_copies(edit_, stay);
   }
-  leave_copies(edit_, v);
-  edit_.remove(v);
-  effect_.deleted.push_back(v);
+  for (Vertex v : descending) {
+    if (const auto heir = heirs.find(v); heir != heirs.end()) {
+      rename(leaving(m, heir->second), v);
+      edit_.set_halfedge(v, m.halfedge(heir->second));
+      v = heir->second;
+    }
+    edit_.remove(v);
+    effect_.deleted.push_back(v);
+  }
 }
 
 void Sheets::drop(Edge e) {

@@ -64,7 +64,9 @@ class Sheets {
   // skipped.
   void settle(std::span<const Vertex> points);
   // Deletes an isolated vertex. If it is the representative of its point, another copy takes over the number.
-  void remove_vertex(Vertex v);
+  void remove_vertex(Vertex v) { remove_vertices({&v, 1}); }
+  // The same for several, given in descending order. Cost: the copies of their points, once.
+  void remove_vertices(std::span<const Vertex> descending);
   // Unlinks an edge from its cycles and deletes it.
   void remove_edge(Halfedge h);
   void remove_face(Face f);

@@ -125,7 +125,7 @@ bool meet_elsewhere(const Triangle& a, const Triangle& b) {
 
 std::vector<FacePair> pairs_in(const Mesh& mesh, unsigned threads = 0) {
   const SelfIntersections found = find_self_intersections(mesh, std::numeric_limits<std::size_t>::max(), threads);
-  EXPECT_TRUE(found.is_all);
+  EXPECT_TRUE(found.is_all());
   return found.pairs;
 }
 
@@ -321,7 +321,7 @@ TEST(self_intersections, a_pair_of_faces_counts_once_however_many_triangles_meet
     combs.face_offsets.push_back(static_cast<std::uint32_t>(combs.corners.size()));
   }
   const SelfIntersections found = find_self_intersections(from_indexed(std::move(combs)), 1);
-  EXPECT_TRUE(found.is_all);
+  EXPECT_TRUE(found.is_all());
   EXPECT_EQ(found.pairs, (std::vector<FacePair>{{Face(0), Face(1)}}));
 }
 
@@ -337,11 +337,13 @@ TEST(self_intersections, a_search_may_end_early_with_some_pairs) {
   const Mesh mesh = from_indexed(std::move(stack));
   const std::vector<FacePair> all = pairs_in(mesh);
   EXPECT_EQ(all.size(), 300u * 299u / 2u);
-  EXPECT_TRUE(find_self_intersections(mesh, all.size()).is_all);
+  EXPECT_TRUE(find_self_intersections(mesh, all.size()).is_all());
   for (const std::size_t most : {all.size() - 1, std::size_t{1000}, std::size_t{1}, std::size_t{0}}) {
     const SelfIntersections some = find_self_intersections(mesh, most, 2);
-    EXPECT_FALSE(some.is_all);
+    EXPECT_FALSE(some.is_all());
     EXPECT_EQ(some.pairs.size(), most);
+    EXPECT_EQ(some.count, all.size());
+    EXPECT_EQ(some.faces, faces_of(all));
     EXPECT_TRUE(std::includes(all.begin(), all.end(), some.pairs.begin(), some.pairs.end()));
     EXPECT_EQ(some.pairs, find_self_intersections(mesh, most, 1).pairs);
   }

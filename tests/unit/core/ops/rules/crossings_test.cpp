@@ -77,6 +77,23 @@ TEST(crossings, are_those_that_a_search_over_all_pairs_finds) {
   EXPECT_GT(found, 300u);
 }
 
+TEST(crossings, among_many_faces_around_a_point_are_those_of_all_pairs) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Dice dice(seed);
+    constexpr std::uint32_t spokes = 150;
+    IndexedMesh list = indexed(closed_fan(spokes));
+    list.positions[0] = {0, 0, 0};
+    for (std::uint32_t i = 1; i <= spokes; ++i)
+      list.positions[i] = {2 * dice.unit() - 1, 2 * dice.unit() - 1, dice.unit()};
+    const Mesh mesh = from_indexed(std::move(list));
+    std::vector<Face> faces;
+    for (std::uint32_t i = 0; i < spokes; i += seed % 2 == 0 ? 1 : 2) faces.emplace_back(i);
+    const std::vector<Crossing> expected = all_crossings_near(mesh, faces);
+    EXPECT_GT(expected.size(), 100u);
+    EXPECT_EQ(crossings_near(mesh, faces), expected) << "seed " << seed;
+  }
+}
+
 TEST(crossings, are_found_beside_a_place_that_is_not_finite) {
   IndexedMesh list = indexed({{0, 1, 2}, {0, 3, 4}, {0, 4, 5}});
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -19,7 +19,7 @@ namespace ryosen::cli {
 namespace {
 
 constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGHUP};
-constexpr suseconds_t patience_us = 120'000;
+constexpr suseconds_t patience_us = 80'000;
 
 std::atomic<bool> is_window = false;
 std::atomic<bool> was_signalled = false;

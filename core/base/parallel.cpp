@@ -20,20 +20,25 @@ struct Job {
   void (*call)(const void*, unsigned);
   const void* work;
   std::atomic<unsigned> next = 0;
-  unsigned wanted = 0;   // helpers that may still join; guarded by Helpers::mutex_, as is `helping`
-  unsigned helping = 0;  // helpers at work
-  std::atomic<bool> has_thrown = false;
-  std::exception_ptr thrown = nullptr;  // the first exception
+  unsigned wanted = 0;                   // helpers that may still join; guarded by Helpers::mutex_, as is `helping`
+  unsigned helping = 0;                  // helpers at work
+  std::atomic<bool> has_thrown = false;  // a task, or what is done beside them
+  std::atomic<bool> is_stopped = false;  // a task has thrown
+  std::exception_ptr thrown = nullptr;   // the first exception
 
   void run() {
-    for (unsigned i = next++; i < tasks && !has_thrown; i = next++) attempt([&] { call(work, i); });
+    for (unsigned i = next++; i < tasks && !is_stopped; i = next++)
+      if (!attempt([&] { call(work, i); })) is_stopped = true;
   }
+  // False where it throws.
   template <class Work>
-  void attempt(const Work& part) {
+  bool attempt(const Work& part) {
     try {
       part();
+      return true;
     } catch (...) {
       if (!has_thrown.exchange(true)) thrown = std::current_exception();
+      return false;
     }
   }
 };

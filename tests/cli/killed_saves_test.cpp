@@ -57,6 +57,8 @@ TEST(killed_saves, the_program_leaves_the_whole_old_or_the_whole_new_file) {
   std::printf("%d kills between %.1f and %.1f ms, seed %u: %d times the old file, %d times the new\n", kills,
               500 * typical.count(), 1400 * typical.count(), seed, old_stayed, new_came);
   EXPECT_EQ(old_stayed + new_came, kills);
+  ASSERT_EQ(test::Process(words(0)).wait(), 0);
+  EXPECT_EQ(outputs.names(), std::vector<std::string>{"out.ply"}) << "the next save clears what the kills left";
 }
 
 }  // namespace

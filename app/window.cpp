@@ -106,6 +106,7 @@ class Editor {
     session_.language = language;
     session_.quit = [this] { gui_.leave(session_, {true, {}}); };
     session_.take_picture = [this](const std::filesystem::path& path) {
+      draw_whole();
       return write_png(canvas_->read_pixels(), path);
     };
     session_.on_progress = [this](double share) { return show_progress(share); };
@@ -122,9 +123,17 @@ class Editor {
 
   void run() {
     while (!gui_.wants_quit()) {
-      for (int i = 0; i < settling_frames || gui_.wants_frames(); ++i) show();
+      std::optional<Clock::duration> next;
+      for (int i = 0; !next && (i < settling_frames || gui_.wants_frames()); ++i) {
+        show();
+        next = viewport_->time_to_next_frame(Clock::now());
+      }
       // The text cursor blinks; otherwise wait for events.
-      if (gui_.owns_keys())
+      if (next && *next == Clock::duration(0))
+        glfw().poll_events();
+      else if (next)
+        glfw().wait_events_timeout(std::chrono::duration<double>(*next).count());
+      else if (gui_.owns_keys())
         glfw().wait_events_timeout(0.5);
       else
         glfw().wait_events();
@@ -242,16 +251,30 @@ class Editor {
     if (is_working_) end_work();
     last_frame_ = start;
     viewport_->follow(session_);
-    const PixelRect area = gui_.view_area(canvas_->size());
-    const std::int64_t pixels = canvas_->compose(viewport_->view(), area.x0, area.y0, gui_.draw_data());
+    viewport_->keep_pace(session_, start);
+    const Clock::time_point drawing = Clock::now();
+    const std::int64_t pixels = compose();
     show_title();
     if (pixels == 0 && !must_present_) return;
     canvas_->present(0);
     must_present_ = false;
     glFinish();
+    viewport_->took(Clock::now() - drawing);
     const double took_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     glfw().swap_buffers(window_.handle());
     log_frame(pixels, took_ms);
+  }
+
+  std::int64_t compose() {
+    const PixelRect area = gui_.view_area(canvas_->size());
+    return canvas_->compose(viewport_->view(), area.x0, area.y0, gui_.draw_data());
+  }
+
+  // What is shown may be a part of it. Between frames only: a panel that is being laid out has nothing to be drawn.
+  void draw_whole() {
+    if (gui_.is_laying_out() || viewport_->view().is_whole()) return;
+    viewport_->hurry();
+    compose();
   }
 
   void show_title() {

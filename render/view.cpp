@@ -22,11 +22,6 @@ glm::dmat4 view_from_buffer(const Camera& camera, const BufferSpace& space) {
   return view_from_mesh(in_buffer(camera, space));
 }
 
-bool is_same(const Camera& a, const Camera& b) {
-  return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fov_y_deg == b.fov_y_deg &&
-         a.ortho_height == b.ortho_height;
-}
-
 struct DepthRange {
   double nearest = std::numeric_limits<double>::infinity();
   double farthest = -std::numeric_limits<double>::infinity();
@@ -70,6 +65,7 @@ View::View(Passes passes)
 }
 
 void View::all_changed() {
+  waiting_.clear();
   dirty_.clear();
   dirty_.add(PixelRect::all(size_));
 }
@@ -96,9 +92,15 @@ void View::set_transparent(bool transparent) {
 }
 
 void View::set_camera(const Camera& camera) {
-  if (is_same(camera, camera_)) return;
+  if (camera == camera_) return;
   camera_ = camera;
   planes_stale_ = true;
+  all_changed();
+}
+
+void View::set_thinning(std::uint32_t thinning) {
+  if (thinning == thinning_) return;
+  thinning_ = thinning;
   all_changed();
 }
 
@@ -212,6 +214,7 @@ Frame View::frame(const PixelRect& rect, int scale) const {
   f.units_per_pixel = static_cast<float>(units_per_pixel(camera, f.size, 1));
   f.rect = {rect.x0 * scale, rect.y0 * scale, rect.x1 * scale, rect.y1 * scale};
   f.pixel_scale = static_cast<float>(scale);
+  f.thinning = thinning_;
   f.settings = settings_;
   return f;
 }
@@ -228,10 +231,55 @@ std::vector<std::uint32_t> View::clusters_in(const PixelRect& rect) const {
   return inside;
 }
 
+std::size_t View::triangles_in_view() const {
+  const bool is_placed = cluster_places_.size() == mesh_.clusters().size();
+  return is_placed ? triangles_in(PixelRect::all(size_)) : mesh_.clusters().size() * MeshBuffers::cluster_size;
+}
+
+std::size_t View::triangles_in(const PixelRect& rect) const {
+  std::size_t triangles = 0;
+  for (std::size_t i = 0; i < cluster_places_.size(); ++i)
+    if (overlap(cluster_places_[i], rect)) triangles += mesh_.clusters()[i].count;
+  return triangles;
+}
+
+PixelRect View::take_waiting() {
+  constexpr int least = 16;  // pixels; below, halving gains nothing
+  while (most_triangles_ != 0) {
+    PixelRect &rest = waiting_.back(), part = rest;
+    const bool is_wide = rest.width() > rest.height();
+    if (std::max(rest.width(), rest.height()) < 2 * least || triangles_in(rest) / thinning_ <= most_triangles_) break;
+    if (is_wide)
+      part.x1 = rest.x0 = (rest.x0 + rest.x1) / 2;
+    else
+      part.y1 = rest.y0 = (rest.y0 + rest.y1) / 2;
+    waiting_.push_back(part);
+  }
+  const PixelRect next = waiting_.back();
+  waiting_.pop_back();
+  return next;
+}
+
 PixelRect View::draw() {
-  if (planes_stale_) all_changed();
-  redrawn_ = dirty_;
-  for (const PixelRect& rect : redrawn_.rects()) draw(rect);
+  if (planes_stale_) {
+    place_planes();
+    all_changed();
+  }
+  waiting_.insert(waiting_.end(), dirty_.rects().begin(), dirty_.rects().end());
+  dirty_.clear();
+  redrawn_.clear();
+  triangles_drawn_ = 0;
+  while (!waiting_.empty() && (most_triangles_ == 0 || triangles_drawn_ < most_triangles_)) {
+    const PixelRect rect = take_waiting();
+    const std::size_t triangles = triangles_in(rect) / thinning_;
+    if (most_triangles_ != 0 && triangles_drawn_ != 0 && triangles_drawn_ + triangles > most_triangles_) {
+      waiting_.push_back(rect);
+      break;
+    }
+    triangles_drawn_ += triangles;
+    redrawn_.add(rect);
+    draw(rect);
+  }
   return redrawn_.bounds();
 }
 

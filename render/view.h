@@ -52,6 +52,13 @@ class View {
   // Without a background the picture has an alpha channel.
   void set_transparent(bool transparent);
   void set_camera(const Camera& camera);
+  // Draws every so many-th triangle only, a part that is even over the surface, since they are ordered along it. A power
+  // of two up to MeshBuffers::cluster_size; at first 1, which draws all.
+  void set_thinning(std::uint32_t thinning);
+  std::uint32_t thinning() const { return thinning_; }
+  // draw() stops after about so many triangles, at least one rectangle, and goes on when it is called again; 0 as at
+  // first: it does not stop.
+  void set_most_triangles(std::size_t most) { most_triangles_ = most; }
   // What the numbers of the faces' tints mean, from 1 on.
   void set_tints(std::span<const DrawnTint> tints);
   // Replaces the content of a layer.
@@ -65,8 +72,16 @@ class View {
                    std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces);
 
   // Redraws what has changed since the last draw, in a few rectangles, and returns their bounding rectangle. The
-  // picture is identical, pixel by pixel, to a full redraw.
+  // picture is identical, pixel by pixel, to a full redraw, once is_drawn().
   PixelRect draw();
+  // Whether nothing is left to be redrawn.
+  bool is_drawn() const { return dirty_.empty() && waiting_.empty() && !planes_stale_; }
+  // Whether the picture shows all triangles, and is_drawn().
+  bool is_whole() const { return thinning_ == 1 && is_drawn(); }
+  // How many triangles the last draw() drew, and how many lie in the view as it was drawn last, thinned or not;
+  // about all before it was.
+  std::size_t triangles_drawn() const { return triangles_drawn_; }
+  std::size_t triangles_in_view() const;
   // The rectangles drawn by the last draw().
   std::span<const PixelRect> redrawn() const { return redrawn_.rects(); }
   // Draws a rectangle unconditionally.
@@ -98,6 +113,9 @@ class View {
   Frame frame(const PixelRect& rect, int scale) const;
   void place_cluster(std::uint32_t cluster, const Frame& whole);
   std::vector<std::uint32_t> clusters_in(const PixelRect& rect) const;
+  std::size_t triangles_in(const PixelRect& rect) const;
+  // Takes the next rectangle that waits, halved until it has no more triangles than one draw() may draw.
+  PixelRect take_waiting();
 
   Passes passes_;
   MeshBuffers mesh_;
@@ -110,7 +128,10 @@ class View {
   ViewSettings settings_;
   std::vector<DrawnTint> tints_;
   bool transparent_ = false;
+  std::uint32_t thinning_ = 1;
+  std::size_t most_triangles_ = 0, triangles_drawn_ = 0;
   DirtyRects dirty_, redrawn_;
+  std::vector<PixelRect> waiting_;         // what draw() has left, the next one last; may overlap
   bool planes_stale_ = true;               // near, far and the cluster order are out of date
   double near_ = 0.1, far_ = 1;            // in buffer space
   std::vector<std::uint32_t> order_;       // clusters front to back

@@ -1,8 +1,9 @@
-// Reads a mesh from texture buffers: vertex number n of a draw is corner n % 3 of the triangle in slot n / 3.
+// Reads a mesh from texture buffers: vertex number n of a draw is corner n % 3 of the triangle in slot n / 3 * thinning.
 uniform samplerBuffer positions;   // in buffer space
 uniform usamplerBuffer triangles;  // three vertex numbers, then face * 8 + edge bits
 uniform usamplerBuffer face_tints;
 uniform mat4 clip_from_buffer;
+uniform int thinning;  // every so many-th triangle is drawn
 
 const uint hidden_face = 255u;
 const vec4 nowhere = vec4(2.0, 2.0, 2.0, 1.0);  // outside of the view
@@ -18,8 +19,9 @@ struct Corner {
 
 Corner read_corner() {
   Corner corner;
-  corner.slot = gl_VertexID / 3;
-  corner.number = gl_VertexID - 3 * corner.slot;
+  int drawn = gl_VertexID / 3;
+  corner.number = gl_VertexID - 3 * drawn;
+  corner.slot = drawn * thinning;
   uvec4 triangle = texelFetch(triangles, corner.slot);
   corner.places[0] = texelFetch(positions, int(triangle.x)).xyz;
   corner.places[1] = texelFetch(positions, int(triangle.y)).xyz;

@@ -93,6 +93,26 @@ void Viewport::follow(Session& session) {
   follow_overlays(session);
 }
 
+void Viewport::keep_pace(const Session& session, FramePace::Clock::time_point now) {
+  pace_.see(session.camera, now);
+  const bool is_moving = pace_.time_to_rest(now).has_value();
+  view_->set_thinning(is_moving ? pace_.thinning(view_->triangles_in_view()) : 1);
+  view_->set_most_triangles(is_moving ? 0 : pace_.triangles_of_slice());
+}
+
+void Viewport::took(FramePace::Clock::duration time) { pace_.took(view_->thinning(), view_->triangles_drawn(), time); }
+
+std::optional<FramePace::Clock::duration> Viewport::time_to_next_frame(FramePace::Clock::time_point now) const {
+  if (!view_->is_drawn()) return FramePace::Clock::duration(0);
+  if (view_->thinning() == 1) return std::nullopt;
+  return pace_.time_to_rest(now).value_or(FramePace::Clock::duration(0));
+}
+
+void Viewport::hurry() {
+  view_->set_thinning(1);
+  view_->set_most_triangles(0);
+}
+
 void Viewport::follow_mesh(Session& session) {
   const Mesh& mesh = session.mesh();
   session.picker();  // from now on the session says which triangles change

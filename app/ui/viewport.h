@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/editor/session.h"
+#include "app/ui/frame_pace.h"
 #include "render/view.h"
 
 namespace ryosen {
@@ -20,6 +21,15 @@ class Viewport {
 
   // Applies what changed in the session since the last call: size, settings, camera, mesh, overlays. Cheap if nothing did.
   void follow(Session& session);
+  // For windows, between follow() and draw(): the next draw() shows a part of the surface if the camera moves, and of the
+  // rest a slice if it has come to rest.
+  void keep_pace(const Session& session, FramePace::Clock::time_point now);
+  // What that draw() took, until it was shown.
+  void took(FramePace::Clock::duration time);
+  // When the next frame is due, though nothing happens; none if the whole is drawn.
+  std::optional<FramePace::Clock::duration> time_to_next_frame(FramePace::Clock::time_point now) const;
+  // From now on all is drawn at once, until keep_pace() is called again.
+  void hurry();
   // Redraws what changed; the rectangle is empty if nothing did.
   PixelRect draw() { return view_->draw(); }
 
@@ -39,6 +49,7 @@ class Viewport {
   void draw_mark(Session& session, const HighlightRow& row, Mark mark, std::uint32_t block);
 
   std::unique_ptr<View> view_;
+  FramePace pace_;
   ViewSettings settings_;
   int supersample_ = 1;
   Size size_{};

@@ -29,6 +29,8 @@ struct Camera {
   glm::dvec3 up{0, 1, 0};
   double fov_y_deg = 35;
   std::optional<double> ortho_height;  // height of the view in mesh units
+
+  friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 // The axes of a camera in mesh space; right, up and forward are orthonormal.

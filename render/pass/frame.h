@@ -1,6 +1,7 @@
 // The parameters shared by all passes of one frame.
 #pragma once
 
+#include <cstdint>
 #include <glm/mat4x4.hpp>
 
 #include "core/view/size.h"
@@ -21,6 +22,7 @@ struct Frame {
   Size size;
   PixelRect rect;  // the part to draw; also the scissor
   float pixel_scale = 1;
+  std::uint32_t thinning = 1;  // every so many-th triangle of the surface is drawn
   ViewSettings settings;
 };
 

@@ -61,7 +61,7 @@ void SurfacePass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<co
   set_light(surface_, frame);
   surface_.set("wire_colour", glm::vec3(linear(colours.wire)));
   surface_.set("wire_strength", unit(colours.wire).w);
-  draw_clusters(mesh, clusters);
+  draw_clusters(surface_, mesh, clusters, frame.thinning);
 
   std::vector<std::uint32_t> tinted;
   for (const std::uint32_t cluster : clusters) {
@@ -80,14 +80,16 @@ void SurfacePass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<co
     tint_.set(("tints" + place).c_str(), colour);
     tint_.set(("patterns" + place).c_str(), static_cast<int>(tints[i].tint.pattern));
   }
-  draw_clusters(mesh, tinted);
+  draw_clusters(tint_, mesh, tinted, frame.thinning);
 }
 
-void draw_clusters(const MeshBuffers& mesh, std::span<const std::uint32_t> clusters) {
+void draw_clusters(const Program& program, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters,
+                   std::uint32_t thinning) {
+  program.set("thinning", static_cast<int>(thinning));
   VertexRuns runs;
   for (const std::uint32_t number : clusters) {
     const Cluster& cluster = mesh.clusters()[number];
-    runs.add(3 * cluster.first, 3 * cluster.count);
+    runs.add(3 * (cluster.first / thinning), 3 * ((cluster.count + thinning - 1) / thinning));
   }
   if (!runs.empty()) runs.draw();
 }

@@ -29,7 +29,9 @@ class SurfacePass {
   VertexArray no_attributes_;
 };
 
-// Issues the triangles of clusters as vertices 3 * slot + corner; a vertex array must be bound.
-void draw_clusters(const MeshBuffers& mesh, std::span<const std::uint32_t> clusters);
+// Issues the triangles of clusters, or every so many-th, as vertices 3 * slot / thinning + corner, and tells the shader in
+// use; a vertex array must be bound. `thinning` divides the size of a cluster.
+void draw_clusters(const Program& program, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters,
+                   std::uint32_t thinning);
 
 }  // namespace ryosen

@@ -8,7 +8,9 @@ root=$(cd "$(dirname "$0")/../.." && pwd)
 ensure_packages $build_packages $test_packages libbenchmark-dev
 [ $# = 0 ] || export RYOSEN_DRAGON=$1
 cmake -S "$root" -B "$root/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DRYOSEN_BENCH=ON >&2
-cmake --build "$root/build/release" --target bench_core bench_forms bench_editor bench_peers bench_files bench_check bench_growth ryosen >&2
+targets="bench_core bench_forms bench_editor bench_peers bench_files bench_check bench_growth write_torus ryosen"
+# shellcheck disable=SC2086
+cmake --build "$root/build/release" --target $targets >&2
 "$root/build/release/bin/bench_peers"
 "$root/build/release/bin/bench_files"
 "$root/build/release/bin/bench_check"
@@ -33,3 +35,4 @@ program=$root/build/release/bin/ryosen
 bunny=$root/assets/stanford_bunny.obj
 echo "bunny to picture, ms: $(median_of_11 "$program" shot "$bunny" -o "$picture" --overwrite)"
 echo "bunny to picture with panels, ms: $(median_of_11 "$program" shot "$bunny" --panels -o "$picture" --overwrite)"
+"$root/tests/bench/pictures.sh" "$program" "$root/build/release/bin/write_torus" ${1+"$1"}

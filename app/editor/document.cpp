@@ -123,7 +123,7 @@ Outcome Document::apply(const AnyOp& op, bool strict) {
   outcome.deleted = names_with_copies(mesh_, before.deleted);
   const std::string command = command_of(mesh_, op);
   {
-    Edit edit(mesh_, &journal_);
+    Edit edit(writable(), &journal_);
     ryosen::apply(edit, op);
     edit.commit();
   }
@@ -137,7 +137,7 @@ std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const Para
   AlgorithmResult result;
   {
     Progress progress(std::move(report));
-    Edit edit(mesh_, &journal_);
+    Edit edit(writable(), &journal_);
     const std::vector<Vertex> used = used_beside_the_mesh(file_, tables_, mesh_.file_vertices());
     result = row.run(edit, {values, used, tables_.quarantine.size()}, progress);
     if (progress.is_cancelled()) return std::nullopt;
@@ -174,7 +174,7 @@ void Document::notify(std::size_t transaction) {
 
 bool Document::undo() {
   if (!journal_.can_undo()) return false;
-  journal_.undo(mesh_);
+  journal_.undo(writable());
   exchange_quarantine(journal_.position());
   notify(journal_.position());
   return true;
@@ -182,7 +182,7 @@ bool Document::undo() {
 
 bool Document::redo() {
   if (!journal_.can_redo()) return false;
-  journal_.redo(mesh_);
+  journal_.redo(writable());
   exchange_quarantine(journal_.position() - 1);
   notify(journal_.position() - 1);
   return true;
@@ -220,15 +220,15 @@ Document::Elsewhere Document::exists_elsewhere(NameError error, std::span<const 
   const std::size_t now = journal_.position();
   Elsewhere found = Elsewhere::no;
   while (found == Elsewhere::no && journal_.can_undo()) {
-    journal_.undo(mesh_);
+    journal_.undo(writable());
     if (are_known(missing)) found = Elsewhere::earlier;
   }
-  while (journal_.position() < now) journal_.redo(mesh_);
+  while (journal_.position() < now) journal_.redo(writable());
   while (found == Elsewhere::no && journal_.can_redo()) {
-    journal_.redo(mesh_);
+    journal_.redo(writable());
     if (are_known(missing)) found = Elsewhere::later;
   }
-  while (journal_.position() > now) journal_.undo(mesh_);
+  while (journal_.position() > now) journal_.undo(writable());
   return found;
 }
 

@@ -47,7 +47,9 @@ void Session::show(const PanelRow& panel, bool on) {
 }
 
 void Session::set_document(std::unique_ptr<Document> document, std::optional<std::filesystem::path> read_from) {
+  preparation_.reset();
   document_ = std::move(document);
+  document_->before_writing = [this] { preparation_.reset(); };
   files.begin_document();
   const std::filesystem::path& source = read_from ? *read_from : document_->path();
   if (!source.empty()) files.reads(source, FileRole::mesh);
@@ -273,12 +275,36 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool) {
 std::optional<Picked> Session::pick(glm::dvec2 pixel, PickMode what) {
   const glm::dvec2 inside = pixel - view_origin;
   if (inside.x < 0 || inside.y < 0 || inside.x >= view.width || inside.y >= view.height) return std::nullopt;
+  if (preparation_) return std::nullopt;
   return picker().pick(mesh(), camera, view, inside, what);
 }
 
 Picker& Session::picker() {
   if (!picker_) picker_.emplace(mesh());
   return *picker_;
+}
+
+void Session::prepare() {
+  constexpr std::uint32_t least_faces = 200000;  // less is not felt
+  if (preparation_ && preparation_->is_done()) finish_preparation();
+  if (preparation_ || highlights_ || mesh().live().faces < least_faces) return;
+  Preparation::Beside beside{
+      vertices_on_lines(document_->file(), mesh().file_vertices()), totals_of(document_->file()).lines, {}};
+  for (const HighlightRow& row : highlight_table())
+    if (row.has_predicate() && shown.contains(std::string(row.id))) beside.shown.push_back(&row);
+  preparation_ = std::make_unique<Preparation>(mesh(), picker(), std::move(beside));
+}
+
+void Session::finish_preparation() {
+  if (!preparation_) return;
+  Findings found = preparation_->take();
+  preparation_.reset();
+  highlights_ = std::move(found.highlights);
+  boundary_loops_ = std::move(found.boundary_loops);
+  euler_ = std::move(found.euler);
+  kind_ = std::move(found.kind);
+  kind_revision_ = document_->revision();
+  drawn_changes_.searched = true;
 }
 
 const CornerNormals& Session::corner_normals() {
@@ -292,6 +318,7 @@ void Session::forget_hidden() {
 }
 
 const HighlightSets& Session::highlights() {
+  finish_preparation();
   if (!highlights_) highlights_.emplace(mesh(), 0, vertices_on_lines(document_->file(), mesh().file_vertices()));
   forget_hidden();
   for (const HighlightRow& row : highlight_table()) {

@@ -127,6 +127,7 @@ class Editor {
       for (int i = 0; !next && (i < settling_frames || gui_.wants_frames()); ++i) {
         show();
         next = viewport_->time_to_next_frame(Clock::now());
+        if (!next && session_.preparing()) next = std::chrono::milliseconds(100);
       }
       // The text cursor blinks; otherwise wait for events.
       if (next && *next == Clock::duration(0))
@@ -246,6 +247,7 @@ class Editor {
   // Lays out a frame, redraws what changed, and presents it if anything did.
   void show() {
     const Clock::time_point start = Clock::now();
+    session_.prepare();
     if (gui_.prepare(session_)) canvas_->set_fonts(gui_.fonts());
     gui_.frame(session_, canvas_->size(), std::chrono::duration<double>(start - last_frame_).count());
     if (is_working_) end_work();

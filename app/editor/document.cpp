@@ -131,7 +131,7 @@ Outcome Document::apply(const AnyOp& op, bool strict) {
   outcome.deleted = names_with_copies(mesh_, before.deleted);
   std::string command = command_of(mesh_, op);
   {
-    Edit edit(mesh_, &journal_);
+    Edit edit(writable(), &journal_);
     ryosen::apply(edit, op);
     outcome.created = names_with_copies(mesh_, before.created);
     make_room_in_history();
@@ -147,7 +147,7 @@ std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const Para
   OtherQuarantine other;
   {
     Progress progress(std::move(report));
-    Edit edit(mesh_, &journal_);
+    Edit edit(writable(), &journal_);
     const std::vector<Vertex> used = used_beside_the_mesh(file_, tables_.quarantine, mesh_.file_vertices());
     const std::vector<Vertex> on_lines = vertices_on_lines(file_, mesh_.file_vertices());
     FindingCounts counts{};
@@ -174,7 +174,7 @@ std::optional<RecipeResult> Document::run(std::span<const RecipeStep> recipe, st
   if (!result || !result->is_changed) return result;
   OtherQuarantine other;
   {
-    Edit edit(mesh_, &journal_);
+    Edit edit(writable(), &journal_);
     edit.replace(result->mesh.columns());
     if (result->drops_quarantined) other[journal_.position()];
     make_room_in_history();
@@ -214,7 +214,7 @@ void Document::notify(std::size_t transaction) {
 
 bool Document::undo() {
   if (!journal_.can_undo()) return false;
-  journal_.undo(mesh_);
+  journal_.undo(writable());
   exchange_quarantine(journal_.position());
   notify(journal_.position());
   return true;
@@ -222,7 +222,7 @@ bool Document::undo() {
 
 bool Document::redo() {
   if (!journal_.can_redo()) return false;
-  journal_.redo(mesh_);
+  journal_.redo(writable());
   exchange_quarantine(journal_.position() - 1);
   notify(journal_.position() - 1);
   return true;
@@ -260,15 +260,15 @@ Document::Elsewhere Document::exists_elsewhere(NameError error, std::span<const 
   const std::size_t now = journal_.position();
   Elsewhere found = Elsewhere::no;
   while (found == Elsewhere::no && journal_.can_undo()) {
-    journal_.undo(mesh_);
+    journal_.undo(writable());
     if (are_known(missing)) found = Elsewhere::earlier;
   }
-  while (journal_.position() < now) journal_.redo(mesh_);
+  while (journal_.position() < now) journal_.redo(writable());
   while (found == Elsewhere::no && journal_.can_redo()) {
-    journal_.redo(mesh_);
+    journal_.redo(writable());
     if (are_known(missing)) found = Elsewhere::later;
   }
-  while (journal_.position() > now) journal_.undo(mesh_);
+  while (journal_.position() > now) journal_.undo(writable());
   return found;
 }
 

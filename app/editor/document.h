@@ -75,9 +75,9 @@ class Document {
   std::optional<RecipeResult> run(std::span<const RecipeStep> recipe, std::string command,
                                   const RecipeEvents& events = {});
   // The verdict and the ghost of the result. The document is unchanged.
-  Preview preview(const AnyOp& op) { return ryosen::preview(mesh_, journal_, op); }
+  Preview preview(const AnyOp& op) { return ryosen::preview(writable(), journal_, op); }
   // Script lines after which the refused operator of `line` is legal; empty if none were found.
-  std::vector<std::string> remedy(const std::string& line) { return RemedySearch(mesh_).find(line); }
+  std::vector<std::string> remedy(const std::string& line) { return RemedySearch(writable()).find(line); }
 
   // Step through the history; false if there is nothing to undo or redo.
   bool undo();
@@ -109,12 +109,18 @@ class Document {
   // Called after every commit, undo and redo, with the transaction of journal() concerned. Must not throw.
   using Listener = std::function<void(std::size_t transaction)>;
   void add_listener(Listener listener) { listeners_.push_back(std::move(listener)); }
+  // Called before the mesh is touched, though it be as it was behind a preview: for whoever reads it on another thread.
+  std::function<void()> before_writing;
   // Increases with every change, including undo and redo.
   std::uint64_t revision() const { return revision_; }
   // Unique among the documents opened by this process; never 0.
   std::uint64_t serial() const { return serial_; }
 
  private:
+  Mesh& writable() {
+    if (before_writing) before_writing();
+    return mesh_;
+  }
   Outcome refuse(const AnyOp& op, std::vector<Reason> reasons);
   using OtherQuarantine = std::map<std::size_t, std::vector<QuarantinedFace>>;  // by transaction
 

@@ -10,8 +10,8 @@ namespace {
 
 std::vector<PanelRow>& panel_rows() {
   static std::vector<PanelRow> rows{
-#define RYOSEN_PANEL(id, place, menu, opened_by, at_first, en, ja) \
-  {#id, PanelPlace::place, en, ja, PanelMenu::menu, PanelOpener::opened_by, PanelAtFirst::at_first},
+#define RYOSEN_PANEL(id, place, menu, opened_by, at_first, reads, en, ja) \
+  {#id, PanelPlace::place, en, ja, PanelMenu::menu, PanelOpener::opened_by, PanelAtFirst::at_first, PanelReads::reads},
 #include "app/editor/panels.def"
 #undef RYOSEN_PANEL
   };

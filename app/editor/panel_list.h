@@ -25,6 +25,10 @@ enum class PanelOpener {
 // Before anybody has said anything.
 enum class PanelAtFirst { shown, hidden };
 
+// What is in it while the findings of a large mesh are being searched for (Session::prepare): itself if it reads the mesh
+// alone, else how far the search is.
+enum class PanelReads { mesh, findings };
+
 struct PanelRow {
   std::string_view id;
   PanelPlace place;
@@ -32,6 +36,7 @@ struct PanelRow {
   PanelMenu menu = PanelMenu::view;
   PanelOpener opened_by = PanelOpener::nothing;
   PanelAtFirst at_first = PanelAtFirst::shown;
+  PanelReads reads = PanelReads::mesh;
 
   bool shown_at_first() const { return at_first == PanelAtFirst::shown; }
 };

@@ -60,7 +60,9 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
     for (const HighlightRow& row : highlight_table())
       if (row.shown_at_first == ShownAtFirst::without_faces) shown_then.insert(std::string(row.id));
   const Camera camera_then = framing(document->mesh(), first_camera());
+  document->before_writing = [this] { preparation_.reset(); };
   if (autosave) autosave->begin(*document);
+  preparation_.reset();
   document_ = std::move(document);
   files = std::move(files_then);
   shown.swap(shown_then);
@@ -314,12 +316,36 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool) {
 std::optional<Picked> Session::pick(glm::dvec2 pixel, PickMode what) {
   const glm::dvec2 inside = pixel - view_origin;
   if (inside.x < 0 || inside.y < 0 || inside.x >= view.width || inside.y >= view.height) return std::nullopt;
+  if (preparation_) return std::nullopt;
   return picker().pick(mesh(), camera, view, inside, what);
 }
 
 Picker& Session::picker() {
   if (!picker_) picker_.emplace(mesh());
   return *picker_;
+}
+
+void Session::prepare() {
+  constexpr std::uint32_t least_faces = 200000;  // less is not felt
+  if (preparation_ && preparation_->is_done()) finish_preparation();
+  if (preparation_ || highlights_ || mesh().live().faces < least_faces) return;
+  Preparation::Beside beside{
+      vertices_on_lines(document_->file(), mesh().file_vertices()), totals_of(document_->file()).lines, {}};
+  for (const HighlightRow& row : highlight_table())
+    if (row.has_predicate() && shown.contains(std::string(row.id))) beside.shown.push_back(&row);
+  preparation_ = std::make_unique<Preparation>(mesh(), picker(), std::move(beside));
+}
+
+void Session::finish_preparation() {
+  if (!preparation_) return;
+  Findings found = preparation_->take();
+  preparation_.reset();
+  highlights_ = std::move(found.highlights);
+  boundary_loops_ = std::move(found.boundary_loops);
+  euler_ = std::move(found.euler);
+  kind_ = std::move(found.kind);
+  kind_revision_ = document_->revision();
+  drawn_changes_.searched = true;
 }
 
 const CornerNormals& Session::corner_normals() {
@@ -333,6 +359,7 @@ void Session::forget_hidden() {
 }
 
 const HighlightSets& Session::highlights() {
+  finish_preparation();
   if (!highlights_) highlights_.emplace(mesh(), 0, vertices_on_lines(document_->file(), mesh().file_vertices()));
   forget_hidden();
   for (const HighlightRow& row : highlight_table()) {

@@ -12,6 +12,7 @@
 
 #include "app/editor/document.h"
 #include "app/editor/panel_list.h"
+#include "app/editor/preparation.h"
 #include "app/editor/recovery.h"
 #include "app/editor/run_files.h"
 #include "core/analysis/boundary_loop_count.h"
@@ -100,6 +101,14 @@ class Session {
   // The element under a pixel; none outside the view.
   std::optional<Picked> pick(glm::dvec2 pixel, PickMode what);
   Picker& picker();
+
+  // For windows, before each frame: begins to find in the background what a large mesh needs to be picked and for its
+  // lists of problems, or takes it over when it is found. Until then nothing is picked and no highlights are drawn; what
+  // else asks for findings waits for them. An edit ends it, and waits for that.
+  void prepare();
+  // The share that is done while that goes on; none when everything is there.
+  std::optional<double> preparing() const { return preparation_ ? std::optional(preparation_->share()) : std::nullopt; }
+
   // For smooth shading. Kept up with edits as long as that is set.
   const CornerNormals& corner_normals();
   // The sets of problems, and of the highlights that are shown.
@@ -141,6 +150,7 @@ class Session {
   // `entry` has room for the line.
   void log_line(Outcome& outcome, std::string entry);
   // Updates what is derived from the mesh; forgets it where there is no memory for that.
+  void finish_preparation();
   void follow(std::size_t transaction);
   void update_derived(std::size_t transaction);
   void forget_derived();
@@ -163,6 +173,7 @@ class Session {
   std::string remedy_line_;
   std::uint64_t remedy_revision_ = 0;
   DrawnChanges drawn_changes_;
+  std::unique_ptr<Preparation> preparation_;  // reads what stands above, so that it ends first
 };
 
 }  // namespace ryosen

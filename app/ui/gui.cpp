@@ -140,7 +140,11 @@ void Gui::draw_column(PanelContext& context, PanelPlace place, float x, float y,
     ImGui::PopFont();
     if (!is_open) continue;
     ImGui::PushID(id.c_str());
-    own.panel->draw(context);
+    const auto share = context.session.preparing();
+    if (share && own.row.reads == PanelReads::findings)
+      draw_preparing(context, *share);
+    else
+      own.panel->draw(context);
     ImGui::PopID();
     ImGui::Dummy({0, 2 * context.scale});
   }

@@ -97,6 +97,8 @@ void draw_menu(PanelContext& context);
 void draw_status(PanelContext& context);
 // Beside the pointer: why a click would be refused.
 void draw_pointer_tip(PanelContext& context);
+// In place of a panel that waits for findings.
+void draw_preparing(PanelContext& context, double share);
 // Over everything while long work goes on; true when it is to be cancelled. The session is not looked at.
 bool draw_progress_window(Language language, float scale, double share);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/ui/panels.h"
+#include "app/ui/widgets.h"
 
 namespace ryosen {
 
@@ -20,6 +21,11 @@ bool draw_progress_window(Language language, float scale, double share) {
   const bool wants_cancel = ImGui::Button(in("Cancel (Esc)", "中止 (Esc)"), {120 * scale, 0});
   ImGui::End();
   return wants_cancel;
+}
+
+void draw_preparing(PanelContext& context, double share) {
+  dim_text(context, context.text("Looking at the mesh", "メッシュを調べています"));
+  ImGui::ProgressBar(static_cast<float>(share), {-1, 0});
 }
 
 }  // namespace ryosen

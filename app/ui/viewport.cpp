@@ -37,6 +37,7 @@ std::vector<DrawnTint> tints_in(Theme theme) {
 class FaceTints {
  public:
   explicit FaceTints(Session& session) {
+    if (session.preparing()) return;
     const HighlightSets& sets = session.highlights();
     std::uint8_t number = 0;
     for (const HighlightRow& row : highlight_table()) {
@@ -192,7 +193,7 @@ void Viewport::follow_highlights(Session& session) {
 
 void Viewport::follow_overlays(Session& session) {
   selection_stale_ |= highlights_stale_ || selection_ != session.selection;
-  follow_highlights(session);
+  if (!session.preparing()) follow_highlights(session);
   if (selection_stale_) view_->set_overlay(Layer::selection, selection_overlay(session, settings_.theme));
   selection_stale_ = false;
   selection_ = session.selection;

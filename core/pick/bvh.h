@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/pick/float_box.h"
 #include "core/pick/primitive.h"
 #include "core/pick/ray.h"
@@ -41,6 +42,8 @@ class Bvh {
  public:
   // Replaces the contents: primitive i goes to slot i; empty primitives leave their slot empty.
   void build(std::span<const glm::dvec3> positions, std::vector<Primitive> primitives);
+  // The same, told by the share of the primitives that have their place. Cancelled: false, and the tree is empty.
+  bool build(std::span<const glm::dvec3> positions, std::vector<Primitive> primitives, Progress& progress);
   // Rebuilds from the current primitives; worthwhile when is_worn(): after changes to a third of them.
   void rebuild(std::span<const glm::dvec3> positions);
   bool is_worn() const { return changes_ > 64 && changes_ > live_ / 3; }
@@ -106,6 +109,7 @@ class Bvh {
 
   FloatBox local_box(const Box& box) const;
   static bool is_finite(std::span<const glm::dvec3> positions, const Primitive& primitive);
+  bool rebuild(std::span<const glm::dvec3> positions, Progress& progress);
   void choose_frame(std::span<const glm::dvec3> positions);
 
   void link_slot(std::span<const glm::dvec3> positions, std::uint32_t slot);

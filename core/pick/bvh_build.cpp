@@ -19,9 +19,10 @@ class BvhBuilder {
     }
   }
 
-  void run() {
+  // False if cancelled.
+  bool run(Progress& progress) {
     bvh_.live_ = items_.size();
-    if (items_.empty()) return;
+    if (items_.empty()) return true;
     bvh_.pairs_.reserve(items_.size() / 2 + 1);
     bvh_.parents_.reserve(items_.size() / 2 + 1);
     bvh_.blocks_.reserve(items_.size() / 2 + 1);
@@ -30,6 +31,7 @@ class BvhBuilder {
     while (!tasks.empty()) {
       const Task task = tasks.back();
       tasks.pop_back();
+      if (task.last - task.first >= worth_telling && !progress.go_on(task.first, items_.size())) return false;
       const Bounds bounds = bounds_of(task);
       bvh_.set_box(task.node, bounds.box);
       bvh_.reach_ = std::max(bvh_.reach_, static_cast<double>(largest_magnitude(bounds.box)));
@@ -45,10 +47,12 @@ class BvhBuilder {
       tasks.push_back({children + 1, middle, task.last, task.depth + 1});
       tasks.push_back({children, task.first, middle, task.depth + 1});
     }
+    return true;
   }
 
  private:
   static constexpr std::size_t most_bins = 16;
+  static constexpr std::uint32_t worth_telling = 1000;     // primitives of a node
   static constexpr std::uint32_t most_depth_by_area = 48;  // below, median splits bound the depth
 
   struct Item {
@@ -185,11 +189,23 @@ class BvhBuilder {
 };
 
 void Bvh::build(std::span<const glm::dvec3> positions, std::vector<Primitive> primitives) {
+  Progress unseen;
+  build(positions, std::move(primitives), unseen);
+}
+
+bool Bvh::build(std::span<const glm::dvec3> positions, std::vector<Primitive> primitives, Progress& progress) {
   primitives_ = std::move(primitives);
-  rebuild(positions);
+  if (rebuild(positions, progress)) return true;
+  *this = Bvh();
+  return false;
 }
 
 void Bvh::rebuild(std::span<const glm::dvec3> positions) {
+  Progress unseen;
+  rebuild(positions, unseen);
+}
+
+bool Bvh::rebuild(std::span<const glm::dvec3> positions, Progress& progress) {
   leaf_of_.assign(primitives_.size(), no_index);
   pairs_.clear();
   parents_.clear();
@@ -199,7 +215,7 @@ void Bvh::rebuild(std::span<const glm::dvec3> positions) {
   reach_ = 0.0;
   changes_ = 0;
   choose_frame(positions);
-  BvhBuilder(*this, positions).run();
+  return BvhBuilder(*this, positions).run(progress);
 }
 
 // The frame's origin is the centre of the primitives' bounding box and its scale the power of two that makes them about

@@ -161,7 +161,11 @@ class PickQuery {
 
 }  // namespace
 
-void Picker::build(const Mesh& mesh) {
+void Picker::prepare(const Mesh& mesh, Progress& progress) {
+  if (!has_tree_) build(mesh, progress);
+}
+
+void Picker::build(const Mesh& mesh, Progress& progress) {
   std::uint32_t wire_slots = mesh.edge_slots();
   while (wire_slots > 0 && !is_live_wire(mesh, Edge(wire_slots - 1))) --wire_slots;
   const std::size_t slots = std::max({triangles_.slots(), mesh.vertex_slots(), wire_slots});
@@ -176,8 +180,7 @@ void Picker::build(const Mesh& mesh) {
   }
   for (std::uint32_t i = 0; i < wire_slots; ++i)
     if (is_live_wire(mesh, Edge(i))) primitives[tree_slot_of_wire(Edge(i))] = wire(mesh, Edge(i));
-  tree_.build(mesh.positions(), std::move(primitives));
-  has_tree_ = true;
+  has_tree_ = tree_.build(mesh.positions(), std::move(primitives), progress);
 }
 
 void Picker::put_triangle(const Mesh& mesh, std::uint32_t slot) {
@@ -203,7 +206,8 @@ std::vector<std::uint32_t> Picker::update(const Mesh& mesh, const TouchedElement
   std::vector<std::uint32_t> changed = triangles_.update(mesh, touched);
   if (!has_tree_) return changed;
   if (touched.everything) {
-    build(mesh);
+    Progress unseen;
+    build(mesh, unseen);
     return changed;
   }
   for (std::uint32_t slot : changed) put_triangle(mesh, slot);
@@ -217,7 +221,8 @@ std::vector<std::uint32_t> Picker::update(const Mesh& mesh, const TouchedElement
 }
 
 std::optional<Picked> Picker::pick(const Mesh& mesh, const Camera& camera, Size view, glm::dvec2 pixel, PickMode mode) {
-  if (!has_tree_) build(mesh);
+  Progress unseen;
+  prepare(mesh, unseen);
   PickQuery query(mesh, triangles_, tree_, camera, view, pixel);
   if (mode == PickMode::face) return query.face();
   std::optional<Picked> picked = query.nearest(mode == PickMode::vertex);

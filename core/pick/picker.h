@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/element.h"
+#include "core/base/progress.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/touched.h"
 #include "core/pick/bvh.h"
@@ -40,10 +41,13 @@ class Picker {
   // smallest depth, then the face under the pointer, then the smallest number. Pixels from the upper left corner.
   std::optional<Picked> pick(const Mesh& mesh, const Camera& camera, Size view, glm::dvec2 pixel, PickMode mode);
 
+  // Builds the BVH now, unless it is there or `progress` cancels. No other call but triangles() may go on meanwhile.
+  void prepare(const Mesh& mesh, Progress& progress);
+
   const SurfaceTriangles& triangles() const { return triangles_; }
 
  private:
-  void build(const Mesh& mesh);
+  void build(const Mesh& mesh, Progress& progress);
   void put_triangle(const Mesh& mesh, std::uint32_t slot);
   void put_vertex(const Mesh& mesh, Vertex v);
   void put_wire(const Mesh& mesh, Edge e);

@@ -103,7 +103,7 @@ class HoleFiller {
 
   void try_way(const WayToFill& way, std::vector<std::uint32_t>& open) {
     const std::vector<std::uint32_t> points = points_of_vertices(mesh());
-    const JoinedPoints joined = joined_corners(mesh(), holes_, open, points);
+    const JoinedCorners joined = joined_corners(mesh(), holes_, open, points);
     NormalsOfFaces normals;
     // The first way does most of the work; it tells how far it is, later ones only that they live.
     Progress alive([this](double) { return progress_.go_on(); }, {});

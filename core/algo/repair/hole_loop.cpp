@@ -107,7 +107,7 @@ const glm::dvec3& NormalsOfFaces::of(const Mesh& mesh, Face f) {
 }
 
 HoleLoop read_hole(const Mesh& mesh, Halfedge start, const std::vector<std::uint32_t>& points,
-                   const JoinedPoints& joined, NormalsOfFaces& normals) {
+                   const JoinedCorners& joined, NormalsOfFaces& normals) {
   HoleLoop hole;
   hole.joined = &joined;
   for (Halfedge h : loop(mesh, start)) {

@@ -14,7 +14,7 @@
 namespace ryosen {
 
 // Which points are joined by edges, as pairs of their numbers.
-class JoinedPoints {
+class JoinedCorners {
  public:
   void add(std::uint32_t a, std::uint32_t b) { keys_.push_back(key(a, b)); }
   // Call when all are added.
@@ -45,7 +45,7 @@ struct HoleLoop {
   std::vector<glm::dvec3> places;     // by corner; finite
   std::vector<glm::dvec3> normals;    // of the face across each side; unit, or zero if unknown
   HoleSurroundings around;
-  const JoinedPoints* joined = nullptr;
+  const JoinedCorners* joined = nullptr;
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(places.size()); }
   // Whether an edge may join two corners that are not neighbours.
@@ -64,7 +64,7 @@ class NormalsOfFaces {
 
 // Reads the loop from the corner at `start`. `points` holds the point of each vertex.
 HoleLoop read_hole(const Mesh& mesh, Halfedge start, const std::vector<std::uint32_t>& points,
-                   const JoinedPoints& joined, NormalsOfFaces& normals);
+                   const JoinedCorners& joined, NormalsOfFaces& normals);
 
 struct HolePatch {
   std::uint32_t corners = 0;              // of the loop; they are the first vertices

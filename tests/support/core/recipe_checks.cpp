@@ -23,10 +23,8 @@ struct Opened {
     points = file.mesh.positions.size();
     on_lines = vertices_on_lines(file, points);
     mesh = from_indexed(std::move(file.mesh));
-    used = used_beside_the_mesh(file, tables, points);
-    FileTables without = tables;
-    without.quarantine.clear();
-    used_later = used_beside_the_mesh(file, without, points);
+    used = used_beside_the_mesh(file, tables.quarantine, points);
+    used_later = used_beside_the_mesh(file, {}, points);
   }
   RecipeInput input() const { return {tables.quarantine, used, used_later, on_lines}; }
 

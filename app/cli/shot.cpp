@@ -146,7 +146,7 @@ bool needs_much(const ShotOptions& options) {
          Headless::need(options.picture, 0).resident >= much_memory;
 }
 
-// No more than are drawn.
+// At least as many as are drawn: n - 2 of a face with n sides.
 std::uint64_t most_triangles(const Mesh& mesh) {
   const ElementCounts live = mesh.live();
   return 2 * (std::uint64_t{live.edges} - std::min(live.edges, live.faces));

@@ -1,5 +1,6 @@
 #include "app/editor/preparation.h"
 
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -18,6 +19,8 @@ Preparation::Preparation(const Mesh& mesh, Picker& picker, Beside beside)
   try {
     thread_ = std::thread([this] { run(); });
   } catch (const std::system_error&) {
+    run();
+  } catch (const std::bad_alloc&) {
     run();
   }
 }

@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <new>
+#include <utility>
 
 #include "app/editor/autosave.h"
 #include "app/editor/commands.h"
@@ -74,6 +75,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
 }
 
 void Session::forget_derived() {
+  preparation_.reset();  // it builds the tree of the picker
   picker_.reset();
   corner_normals_.reset();
   highlights_.reset();
@@ -329,6 +331,7 @@ void Session::prepare() {
   constexpr std::uint32_t least_faces = 200000;  // less is not felt
   if (preparation_ && preparation_->is_done()) finish_preparation();
   if (preparation_ || highlights_ || mesh().live().faces < least_faces) return;
+  if (unprepared_revision_ == document_->revision()) return;
   Preparation::Beside beside{
       vertices_on_lines(document_->file(), mesh().file_vertices()), totals_of(document_->file()).lines, {}};
   for (const HighlightRow& row : highlight_table())
@@ -338,8 +341,14 @@ void Session::prepare() {
 
 void Session::finish_preparation() {
   if (!preparation_) return;
-  Findings found = preparation_->take();
-  preparation_.reset();
+  const std::unique_ptr<Preparation> done = std::exchange(preparation_, nullptr);
+  Findings found;
+  try {
+    found = done->take();
+  } catch (const std::bad_alloc&) {  // what is asked for is found when it is asked for
+    unprepared_revision_ = document_->revision();
+    return;
+  }
   highlights_ = std::move(found.highlights);
   boundary_loops_ = std::move(found.boundary_loops);
   euler_ = std::move(found.euler);

@@ -167,6 +167,7 @@ class Session {
   std::optional<EulerPoincare> euler_;
   std::optional<KindOfMesh> kind_;
   std::uint64_t kind_revision_ = 0;
+  std::optional<std::uint64_t> unprepared_revision_;  // of the mesh that was too large to prepare
   std::optional<Hover> hover_;
   std::vector<std::string> log_;
   std::vector<std::string> remedy_;  // for remedy_line_ at remedy_revision_

@@ -25,10 +25,9 @@ std::optional<FramePace::Clock::duration> FramePace::time_to_rest(Clock::time_po
 
 std::uint32_t FramePace::thinning(std::size_t triangles_in_view) const {
   std::uint32_t thinning = 1;
-  while (
-      thinning<MeshBuffers::cluster_size&& static_cast<double>(triangles_in_view) / thinning * moving_ns_> nanoseconds(
-          moving_frame))
-    thinning *= 2;
+  const double whole_ns = static_cast<double>(triangles_in_view) * moving_ns_;
+  const double most_ns = nanoseconds(moving_frame);
+  while (thinning < MeshBuffers::cluster_size && whole_ns / thinning > most_ns) thinning *= 2;
   return thinning;
 }
 

@@ -10,7 +10,9 @@
 #include <climits>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ryosen {
@@ -53,10 +55,14 @@ std::optional<std::uint64_t> number_in(const std::string& path) {
 // What the system takes back from the group's cache of files when it needs room.
 std::uint64_t reclaimable_in(const std::string& path) {
   std::ifstream file(path);
-  std::uint64_t number = 0;
-  for (std::string word; file >> word >> number;)
-    if (word == "inactive_file" || word == "total_inactive_file") return number;
-  return 0;
+  constexpr std::string_view second[] = {"inactive_file", "active_file", "slab_reclaimable"};
+  constexpr std::string_view first[] = {"total_inactive_file", "total_active_file"};
+  std::uint64_t number = 0, of_second = 0, of_first = 0;  // version 1 also names those of the group alone
+  for (std::string word; file >> word >> number;) {
+    if (std::find(std::begin(second), std::end(second), word) != std::end(second)) of_second += number;
+    if (std::find(std::begin(first), std::end(first), word) != std::end(first)) of_first += number;
+  }
+  return of_first > 0 ? of_first : of_second;
 }
 
 // The control group of this process (version 2, or of memory in version 1), and all that it lies in.
@@ -107,6 +113,8 @@ void reserve_little_where_limited() {
 #endif
   // A stack that cannot grow later ends the program, so it grows now.
   constexpr std::size_t stack = std::size_t{1} << 19, page = 1 << 12;
+  rlimit limit;
+  if (::getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur < 2 * stack) return;
   [[maybe_unused]] volatile char room[stack];
   for (std::size_t i = 0; i < stack; i += page) room[i] = 0;
 }

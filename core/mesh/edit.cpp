@@ -25,7 +25,8 @@ void Edit::commit() {
 }
 
 void Edit::set_copy_links(Vertex v, Vertex next, Vertex point) {
-  std::vector<Vertex>&next_copy = mesh_.columns_.next_copy, &copy_point = mesh_.columns_.copy_point;
+  std::vector<Vertex>& next_copy = mesh_.columns_.next_copy;
+  std::vector<Vertex>& copy_point = mesh_.columns_.copy_point;
   if (next_copy.empty()) {
     next_copy.resize(mesh_.vertex_slots());
     for (std::uint32_t i = 0; i < next_copy.size(); ++i) next_copy[i] = Vertex(i);

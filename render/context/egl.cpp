@@ -110,8 +110,12 @@ std::unique_ptr<Context> make_context(EGLDisplay display) {
 
 Attempt make_egl_context() {
   Attempt attempt;
-  if (!egl_library().file.handle || !egl_library().get_proc_address) {
+  if (!egl_library().file.handle) {
     explain(attempt, egl_library().file, "libEGL");
+    return attempt;
+  }
+  if (!egl_library().get_proc_address) {
+    attempt.problem = {"libEGL lacks eglGetProcAddress", "libEGL に eglGetProcAddress がありません"};
     return attempt;
   }
   attempt.library = egl_library().file.file;

@@ -98,7 +98,7 @@ class Search {
 
   void search(Part& part, bool keeps) {
     for (; part.nodes.begin < part.nodes.end; ++part.nodes.begin) {
-      if (part.pairs.size() >= enough) return;
+      if (part.pairs.size() + part.one_of_many.size() >= enough) return;
       tree_.visit_pairs(part.nodes.begin, [&](std::uint32_t a, std::uint32_t b) {
         const FirstMeeting::Answer answer = meeting_.between(a, b);
         if (answer == FirstMeeting::Answer::no) return true;

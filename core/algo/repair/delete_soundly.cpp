@@ -1,6 +1,7 @@
 #include "core/algo/repair/delete_soundly.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "core/algo/repair/detach_nonmanifold.h"
@@ -48,22 +49,19 @@ void keep_misoriented(Neighbourhood& around, std::vector<PointPair>& edges, bool
   });
 }
 
-// Whether without the deleted faces an edge of f has only two triangles on the same three points left.
-bool holds_a_pair_apart(Neighbourhood& around, Face f, const std::vector<Face>& doomed) {
+// Whether without the deleted faces an edge has only two triangles on the same three points left.
+bool has_only_a_pair_left(Neighbourhood& around, Halfedge h, const std::vector<Face>& doomed) {
+  if (!around.edge(h).is_nonmanifold()) return false;
   std::vector<Face> at_edge;
   std::vector<Vertex> points, others;
-  for (Halfedge h : halfedges_around(around.mesh(), f)) {
-    if (!around.edge(h).is_nonmanifold()) continue;
-    around.faces_at(h, at_edge);
-    std::erase_if(at_edge, [&](Face g) { return std::binary_search(doomed.begin(), doomed.end(), g); });
-    if (at_edge.size() != 2 || corner_count(around.mesh(), at_edge[0]) != 3) continue;
-    points_of_face(around, at_edge[0], points);
-    points_of_face(around, at_edge[1], others);
-    std::sort(points.begin(), points.end());
-    std::sort(others.begin(), others.end());
-    if (points == others) return true;
-  }
-  return false;
+  around.faces_at(h, at_edge);
+  std::erase_if(at_edge, [&](Face g) { return std::binary_search(doomed.begin(), doomed.end(), g); });
+  if (at_edge.size() != 2 || corner_count(around.mesh(), at_edge[0]) != 3) return false;
+  points_of_face(around, at_edge[0], points);
+  points_of_face(around, at_edge[1], others);
+  std::sort(points.begin(), points.end());
+  std::sort(others.begin(), others.end());
+  return points == others;
 }
 
 }  // namespace
@@ -73,7 +71,16 @@ std::size_t delete_soundly(Edit& edit, std::vector<Face> faces) {
   Neighbourhood before(m);
   sort_unique(faces);
   const std::vector<Face> doomed = faces;
-  std::erase_if(faces, [&](Face f) { return holds_a_pair_apart(before, f, doomed); });
+  std::map<std::pair<Vertex, Vertex>, bool> known;  // by the points of the edge
+  const auto holds_a_pair_apart = [&](Halfedge h) {
+    const auto [place, is_new] = known.try_emplace(std::minmax({before.point(m.from(h)), before.point(m.to(h))}), false);
+    if (is_new) place->second = has_only_a_pair_left(before, h, doomed);
+    return place->second;
+  };
+  std::erase_if(faces, [&](Face f) {
+    const auto around = halfedges_around(m, f);
+    return std::any_of(around.begin(), around.end(), holds_a_pair_apart);
+  });
   if (faces.empty()) return 0;
   const std::size_t count = faces.size();
   Rim rim = rim_of(before, faces);

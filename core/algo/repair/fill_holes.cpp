@@ -142,7 +142,8 @@ class HoleFiller {
       const auto& [hole, patch] = planned[k];
       Hole& which = holes_[planned_for[k]];
       const bool is_sound = !crossings.crosses[k], adds_edges = is_sound && made.add(planned[k]);
-      which.cause = !is_sound ? WhyOpen::crosses : !adds_edges ? WhyOpen::edge_exists : WhyOpen::filled;
+      const WhyOpen cause = !is_sound ? WhyOpen::crosses : !adds_edges ? WhyOpen::edge_exists : WhyOpen::filled;
+      which.cause = std::max(which.cause, cause);
       for (; pair != crossings.pairs.end() && pair->first == k; ++pair)
         if (adds_edges) crossings.crosses[pair->second] = true;
       if (!adds_edges) continue;

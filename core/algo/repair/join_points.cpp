@@ -52,9 +52,7 @@ class Joiner {
     rename();
     link_copies();
     Sheets sheets(edit_);
-    for (const JoinedPoints& joined : classes_)
-      for (Vertex v : copies_[joined.points[0]])
-        if (m_.is_isolated(v) && has_copies(m_, v)) sheets.remove_vertex(v);
+    sheets.remove_vertices(isolated_copies());
     sort_unique(unsettled_);
     sheets.settle(unsettled_);
   }
@@ -176,6 +174,20 @@ class Joiner {
     }
     for (const JoinedPoints& joined : classes_)
       for (Vertex v : copies_[joined.points[0]]) edit_.set_position(v, joined.place);
+  }
+
+  // Those that go; of a point without edges the smallest copy stays. Descending.
+  std::vector<Vertex> isolated_copies() {
+    std::vector<Vertex> found;
+    for (const JoinedPoints& joined : classes_) {
+      std::vector<Vertex> isolated = copies_[joined.points[0]];
+      const std::size_t all = isolated.size();
+      std::erase_if(isolated, [&](Vertex v) { return !m_.is_isolated(v); });
+      std::sort(isolated.begin(), isolated.end());
+      found.insert(found.end(), isolated.begin() + (isolated.size() == all), isolated.end());
+    }
+    std::sort(found.begin(), found.end(), [](Vertex a, Vertex b) { return b < a; });
+    return found;
   }
 
   Edit& edit_;

@@ -38,7 +38,7 @@ class RecipeRun {
       const bool has_changed =
           std::any_of(results_.begin(), results_.end(), [](const AlgorithmResult& r) { return r.changed > 0; });
       const bool is_kept = has_changed && measure(next) < measure(state);
-      if (round == 1 || is_kept) add_round(result, !is_kept);
+      if (round == 1 || is_kept || !has_changed) add_round(result, has_changed && !is_kept);
       if (!is_kept) {
         if (has_changed && events_.round_undone) events_.round_undone(round);
         break;

@@ -404,8 +404,7 @@ const KindOfMesh& Session::kind(bool anew) {
   return *kind_;
 }
 
-void Session::with_places_to_frame(const Mesh& mesh,
-                                   const std::function<void(std::span<const glm::dvec3>)>& visit) {
+void Session::with_places_to_frame(const Mesh& mesh, const std::function<void(std::span<const glm::dvec3>)>& visit) {
   const auto has_edges = [&](std::uint32_t i) { return mesh.is_alive(Vertex(i)) && !mesh.is_isolated(Vertex(i)); };
   std::uint32_t same = 0;
   while (same < mesh.vertex_slots() && has_edges(same)) ++same;

@@ -126,8 +126,7 @@ class Session {
   // `read_from` is the file that it was read from, where that is not its own: no output of the run takes its place.
   void set_document(std::unique_ptr<Document> document, std::optional<std::filesystem::path> read_from = {});
   // Calls visit(positions for framing the view): of all vertices except isolated ones, unless there are no others.
-  static void with_places_to_frame(const Mesh& mesh,
-                                   const std::function<void(std::span<const glm::dvec3>)>& visit);
+  static void with_places_to_frame(const Mesh& mesh, const std::function<void(std::span<const glm::dvec3>)>& visit);
   void frame_all();
   void frame_selection();
 

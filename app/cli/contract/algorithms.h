@@ -72,8 +72,7 @@ inline constexpr auto algorithm_keys = joined(run_keys, algorithm_id_keys, resul
 inline constexpr Shape algorithm_shape{"algorithm", "One line.", "一行。", algorithm_keys};
 
 inline constexpr Contract repair_contract{
-    .lines = {&repair_shape},
-    .exits = {ExitCode::found_problems, ExitCode::input_missing, ExitCode::input_malformed}};
+    .lines = {&repair_shape}, .exits = {ExitCode::found_problems, ExitCode::input_missing, ExitCode::input_malformed}};
 inline constexpr Contract algorithm_contract{.lines = {&algorithm_shape}, .exits = repair_contract.exits};
 
 }  // namespace ryosen::cli

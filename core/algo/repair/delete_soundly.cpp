@@ -73,7 +73,8 @@ std::size_t delete_soundly(Edit& edit, std::vector<Face> faces) {
   const std::vector<Face> doomed = faces;
   std::map<std::pair<Vertex, Vertex>, bool> known;  // by the points of the edge
   const auto holds_a_pair_apart = [&](Halfedge h) {
-    const auto [place, is_new] = known.try_emplace(std::minmax({before.point(m.from(h)), before.point(m.to(h))}), false);
+    const auto [place, is_new] =
+        known.try_emplace(std::minmax({before.point(m.from(h)), before.point(m.to(h))}), false);
     if (is_new) place->second = has_only_a_pair_left(before, h, doomed);
     return place->second;
   };

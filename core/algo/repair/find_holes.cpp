@@ -84,7 +84,7 @@ std::vector<std::uint32_t> points_of_vertices(const Mesh& mesh) {
 }
 
 JoinedCorners joined_corners(const Mesh& mesh, std::span<const Hole> holes, std::span<const std::uint32_t> chosen,
-                            const std::vector<std::uint32_t>& points) {
+                             const std::vector<std::uint32_t>& points) {
   std::vector<bool> is_corner(mesh.vertex_slots(), false);
   for (std::uint32_t i : chosen)
     for (Halfedge h : loop(mesh, holes[i].start)) is_corner[points[mesh.from(h).index]] = true;

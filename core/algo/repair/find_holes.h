@@ -45,6 +45,6 @@ std::vector<Hole> find_holes(const Mesh& mesh, std::optional<double> most_edges,
 std::vector<std::uint32_t> points_of_vertices(const Mesh& mesh);
 // The edges of the mesh that join corners of these holes. O(edges), and a sort of those.
 JoinedCorners joined_corners(const Mesh& mesh, std::span<const Hole> holes, std::span<const std::uint32_t> chosen,
-                            const std::vector<std::uint32_t>& points);
+                             const std::vector<std::uint32_t>& points);
 
 }  // namespace ryosen

@@ -48,7 +48,8 @@ TEST(off_words, a_count_behind_the_word_is_all_that_is_unusual_where_the_rest_is
   ASSERT_EQ(file.messages.size(), 1u);
   EXPECT_EQ(file.messages[0].code, "count_behind_word");
   EXPECT_EQ(file.messages[0].line, 1u);
-  EXPECT_EQ(file.messages[0].text.en, "\"OFF4\" is read as the word OFF and the count of vertices: a blank is missing.");
+  EXPECT_EQ(file.messages[0].text.en,
+            "\"OFF4\" is read as the word OFF and the count of vertices: a blank is missing.");
   EXPECT_EQ(io_test::difference(file, read_sound("off", std::string(laid_out))), "");
 }
 

@@ -15,6 +15,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/script.h"
 #include "core/base/split_list.h"
+#include "core/mesh/names.h"
 
 namespace ryosen::cli {
 
@@ -89,6 +90,20 @@ Json value_json(const ParameterRow& row, const ParameterValue* value) {
       return value->names;
     default:
       return value->number;
+  }
+}
+
+bool is_there(const Mesh& mesh, const Element& element) {
+  const auto is_alive = [&](auto handle) { return mesh.exists(handle) && mesh.is_alive(handle); };
+  switch (element.kind) {
+    case Element::Kind::vertex:
+      return is_alive(element.vertex());
+    case Element::Kind::halfedge:
+      return is_alive(element.halfedge());
+    case Element::Kind::edge:
+      return is_alive(halfedge(element.edge()));
+    default:
+      return is_alive(element.face());
   }
 }
 
@@ -173,8 +188,9 @@ class AlgorithmRun {
   void print_undone(std::size_t round) const {
     const std::string n = std::to_string(round);
     if (!console_.json)
-      console_.print_now(std::string(console_.text("round " + n + ": undone, since it takes no finding away\n",
-                                                   n + " 巡目：問題が減らないため、元に戻しました\n")));
+      console_.print_now(
+          std::string(console_.text("round " + n + ": undone, since it takes away nothing that the repairs are for\n",
+                                    n + " 巡目：対象の問題が減らないため、元に戻しました\n")));
   }
 
   std::optional<Failure> run(Call& call) {
@@ -210,8 +226,17 @@ class AlgorithmRun {
     console_.print(written_text(output_.is_there ? &*wanted_ : nullptr, console_));
   }
 
+  Json reason_json(const LeftForReason& left) const {
+    Record<left_shape> json;
+    json["elements"] = Json::array();
+    for (const Element& element : left.elements)
+      if (is_there(document_.mesh(), element)) json["elements"].push_back(name_of(document_.mesh(), element));
+    json.put(left.reason);
+    return std::move(json).json();
+  }
+
   template <const Shape& shape>
-  static void add_result(Record<shape>& json, const Call& call) {
+  void add_result(Record<shape>& json, const Call& call) const {
     json["parameters"] = Json::object();
     for (std::size_t i = 0; i < call.row->parameters.size(); ++i) {
       const ParameterRow& row = call.row->parameters[i];
@@ -219,6 +244,8 @@ class AlgorithmRun {
     }
     json["changed"] = call.result.changed;
     json["left"] = call.result.left;
+    json["left_for"] = Json::array();
+    for (const LeftForReason& left : call.result.left_for) json["left_for"].push_back(reason_json(left));
     json["crossings"] = call.result.crossings ? Json(*call.result.crossings) : Json();
     json["solves"] = Json::array();
     for (ProblemKind kind : call.row->solves) json["solves"].push_back(row_of(kind).id);

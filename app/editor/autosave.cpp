@@ -107,7 +107,8 @@ std::optional<Text> Autosave::note(const Session& session, const std::string& li
   if (has_failed_) {
     // The script from before the failure may start from a file that has now been replaced.
     if (saves) finish();
-    return std::nullopt;
+    if (!std::exchange(lacked_memory_, false)) return std::nullopt;
+    return give_up({"there was not enough memory.", "メモリが足りませんでした。"});
   }
   if (edits && !script_) return open_script(session);
   if (!script_ || !(edits || saves)) return std::nullopt;

@@ -31,8 +31,8 @@ class Autosave {
   // its elements.
   std::optional<Text> before_save(const Session& session, const std::filesystem::path& target);
 
-  // No further edit of this document is recorded: one could not be.
-  void stop() noexcept { has_failed_ = true; }
+  // No further edit of this document is recorded, for one found no memory; the next note says so.
+  void stop() noexcept { has_failed_ = lacked_memory_ = true; }
 
   // Ends the session normally and deletes the script. Without this call it stays for recovery.
   void finish();
@@ -51,6 +51,7 @@ class Autosave {
   SessionStart start_;
   std::filesystem::path file_;  // the document's, absolute
   bool has_failed_ = false;     // for this document
+  bool lacked_memory_ = false;  // and nobody has been told
   bool has_warned_ = false;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry/single_precision.h"
 #include "core/io/byte_colours.h"
 #include "core/io/ply_columns.h"
 #include "core/io/reporter.h"
@@ -147,7 +148,7 @@ std::uint64_t welded_points(const MeshFile& file, Holds held) {
   const bool is_rounded = !holds(held, Holds::doubles);
   const auto place = [&](std::uint32_t v) {
     glm::dvec3 p = mesh.positions[v] + 0.0;  // -0 is 0
-    if (is_rounded) p = glm::dvec3(glm::vec3(p));
+    if (is_rounded) p = to_single(p);
     return std::array{p.x, p.y, p.z};
   };
   std::sort(points.begin(), points.end(), [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });

@@ -122,6 +122,17 @@ TEST(repair, fills_the_holes_of_the_bunny) {
   EXPECT_EQ(report["problems"], Json::array());
 }
 
+TEST(repair, what_is_left_is_named_with_the_reason) {
+  const TemporaryFolder folder;
+  const Json json =
+      run_program({"fill_holes", folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "--json"}).line();
+  EXPECT_EQ(json["left"], 1);
+  const Json reason{{"elements", {"0-1"}},
+                    {"en", "a face on the same three points is there already"},
+                    {"ja", "同じ三点の面がすでにあるため"}};
+  EXPECT_EQ(json["left_for"], Json::array({reason}));
+}
+
 std::pair<int, int> counts_of(const Json& report, const std::string& kind) {
   for (const Json& count : report["findings"])
     if (count["kind"] == kind) return {count["before"], count["after"]};

@@ -5,12 +5,23 @@
 
 namespace ryosen::cli {
 
+inline constexpr JsonKey left_keys[] = {
+    {"elements", "array of string", "One for each place, where it is still there.",
+     "箇所ごとに一つの要素名（残っているもの）。"},
+    {"en", "string", "The reason, in English.", "理由（英語）。"},
+    {"ja", "string", "The reason, in Japanese.", "理由（日本語）。"},
+};
+inline constexpr Shape left_shape{"left_for_reason", "What was left for one reason.", "一つの理由で残したもの。",
+                                  left_keys};
+
 // What one algorithm did.
 inline constexpr JsonKey result_keys[] = {
     {"parameters", "object", "By parameter the value that was used; null where none was given.",
      "パラメーターごとの値。指定がなければ null。"},
     {"changed", "integer", "How many places were changed.", "変更した箇所の数。"},
     {"left", "integer", "How many were found and could not be changed.", "見つけたが変更できなかった箇所の数。"},
+    {"left_for", "array of object", "Those of them for which a reason is known.", "そのうち理由の分かるもの。",
+     objects(left_shape)},
     {"crossings", "integer or null", "How many pairs of faces meet now that did not; null where it is not counted.",
      "新たに交わるようになった面の組の数。数えないとき null。"},
     {"solves", "array of string", "The kinds of problems it is for.", "対象とする問題の種類。", ids_of(Ids::problems)},

@@ -9,6 +9,7 @@
 #include "core/algo/repair/plan_patch.h"
 #include "core/base/count_text.h"
 #include "core/geometry/is_finite.h"
+#include "core/geometry/single_precision.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/names.h"
 #include "core/ops/rules/sheets.h"
@@ -19,7 +20,7 @@ namespace {
 
 bool are_all_floats(std::span<const glm::dvec3> places) {
   return std::all_of(places.begin(), places.end(),
-                     [](const glm::dvec3& p) { return !is_finite(p) || glm::dvec3(glm::vec3(p)) == p; });
+                     [](const glm::dvec3& p) { return !is_finite(p) || to_single(p) == p; });
 }
 
 // The edges that patches make between points of loops.

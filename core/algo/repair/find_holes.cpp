@@ -11,10 +11,11 @@ namespace ryosen {
 
 namespace {
 
-constexpr std::array<WhyOpenRow, 7> why_open_rows{{
+constexpr std::array<WhyOpenRow, 8> why_open_rows{{
     {WhyOpen::not_finite, "a corner is not a finite place", "座標が有限でない点を通るため"},
     {WhyOpen::visits_twice, "the loop visits a point twice (detach_nonmanifold parts them)",
      "同じ点を二度通るため（detach_nonmanifold で分けられます）"},
+    {WhyOpen::has_wire, "an edge without a face hangs there", "面のない稜線が付いているため"},
     {WhyOpen::cut_edge, "an edge has more than one face (detach_nonmanifold or orient)",
      "面が二つ以上ある稜線を通るため（detach_nonmanifold か orient）"},
     {WhyOpen::face_exists, "a face on the same three points is there already", "同じ三点の面がすでにあるため"},
@@ -30,7 +31,8 @@ WhyOpen cause_before_trying(const Mesh& m, Halfedge start, const std::vector<std
   std::vector<std::uint32_t> points;
   for (Halfedge h : loop(m, start)) {
     if (!is_finite(m.position(m.from(h)))) return WhyOpen::not_finite;
-    if (point_edge(m, h).faces() != 1) return WhyOpen::cut_edge;
+    const std::uint32_t faces = point_edge(m, h).faces();
+    if (faces != 1) return faces == 0 ? WhyOpen::has_wire : WhyOpen::cut_edge;
     points.push_back(point_of[m.from(h).index]);
   }
   const std::size_t n = points.size();

@@ -17,6 +17,7 @@ enum class WhyOpen : std::uint8_t {
   untried,
   not_finite,
   visits_twice,
+  has_wire,
   cut_edge,
   face_exists,
   without_area,

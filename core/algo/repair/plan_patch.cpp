@@ -7,6 +7,7 @@
 #include "core/algo/repair/patch_crossings.h"
 #include "core/algo/repair/refine_patch.h"
 #include "core/geometry/predicates.h"
+#include "core/geometry/single_precision.h"
 
 namespace ryosen {
 
@@ -68,8 +69,7 @@ WhyOpen plan_patch(const WayToFill& way, const HoleLoop& hole, bool snaps_to_flo
   if (way.refines) refine(patch, hole, progress);
   if (way.fairs) fair(patch, hole, progress);
   if (snaps_to_floats)
-    for (std::uint32_t v = patch.corners; v < patch.places.size(); ++v)
-      patch.places[v] = glm::dvec3(glm::vec3(patch.places[v]));
+    for (std::uint32_t v = patch.corners; v < patch.places.size(); ++v) patch.places[v] = to_single(patch.places[v]);
   if (has_flat_triangle(patch)) return WhyOpen::without_area;
   return lies_on_surroundings(hole, patch) ? WhyOpen::crosses : WhyOpen::filled;
 }

@@ -94,7 +94,7 @@ class RecipeRun {
       AlgorithmResult& sum = result.steps[i];
       const AlgorithmResult& now = results_[i];
       sum.left = now.left;
-      sum.left_for = now.left_for;
+      if (!is_undone) sum.left_for = now.left_for;
       if (is_undone) sum.left += now.changed;
       if (is_undone || now.changed == 0) {
         if (sum.changed == 0) sum.text = is_undone && now.changed > 0 ? undone_text() : now.text;
@@ -108,8 +108,8 @@ class RecipeRun {
   }
 
   static Text undone_text() {
-    return {"Undone, since the repairs together take no finding away.",
-            "修復全体で問題が減らないため、元に戻しました。"};
+    return {"Undone, since the repairs together take away nothing that they are for.",
+            "修復全体で対象の問題が減らないため、元に戻しました。"};
   }
 
   void count(const Mesh& mesh, bool has_quarantine, std::size_t KindCount::*at,

@@ -32,9 +32,9 @@ class PatchRefiner {
     std::vector<std::pair<std::uint64_t, std::uint32_t>> sides;
     for (std::uint32_t s = 0; s < across_.size(); ++s) sides.emplace_back(edge_of(from(s), to(s)), s);
     std::sort(sides.begin(), sides.end());
-    for (std::size_t i = 1; i < sides.size(); ++i) {
+    for (std::size_t i = 0; i < sides.size(); ++i) {
       edges_.insert(sides[i].first);
-      if (sides[i - 1].first == sides[i].first) connect(sides[i - 1].second, sides[i].second);
+      if (i > 0 && sides[i - 1].first == sides[i].first) connect(sides[i - 1].second, sides[i].second);
     }
   }
 

@@ -89,7 +89,9 @@ std::vector<bool> turns_of(const Mesh& m, const std::vector<SidePair>& pairs) {
     if (m.is_alive(h) && !m.is_outside(h) && !m.is_outside(twin(h)))
       sets.join(m.face(h).index, m.face(twin(h)).index, false);
   }
-  for (const SidePair& pair : pairs) sets.join(m.face(pair.first).index, m.face(pair.second).index, pair.runs_alike);
+  for (const bool turns : {false, true})  // where not all can agree, those that agree as they are come first
+    for (const SidePair& pair : pairs)
+      if (pair.runs_alike == turns) sets.join(m.face(pair.first).index, m.face(pair.second).index, turns);
   // Per set how many are against its beginning; the fewer are turned.
   std::vector<std::uint32_t> faces(m.face_slots(), 0), against(m.face_slots(), 0);
   for (std::uint32_t f = 0; f < m.face_slots(); ++f) {

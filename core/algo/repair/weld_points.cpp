@@ -221,13 +221,21 @@ AlgorithmResult result_of(const Welded& welded) {
 constexpr std::size_t most_pairs = 1000000;
 
 void add_crossings(const Mesh& before, const Mesh& after, AlgorithmResult& result) {
-  const std::vector<FacePair> old = find_self_intersections(before, most_pairs).pairs;
-  std::vector<FacePair> added = find_self_intersections(after, most_pairs).pairs;
-  std::erase_if(added, [&](const FacePair& pair) { return std::binary_search(old.begin(), old.end(), pair); });
-  result.crossings = added.size();
-  if (added.empty()) return;
-  result.text = result.text + count_text(added.size(), " One pair of faces meets now that did not.",
-                                         " # pairs of faces meet now that did not.", "新たに交わる面が # 組あります。");
+  const SelfIntersections old = find_self_intersections(before, most_pairs);
+  SelfIntersections now = find_self_intersections(after, most_pairs);
+  std::size_t added = now.count - std::min(now.count, old.count);
+  const bool is_exact = now.is_all() && old.is_all();
+  if (is_exact)
+    added = std::erase_if(
+        now.pairs, [&](const FacePair& pair) { return !std::binary_search(old.pairs.begin(), old.pairs.end(), pair); });
+  result.crossings = added;
+  if (added == 0) return;
+  result.text =
+      result.text +
+      (is_exact ? count_text(added, " One pair of faces meets now that did not.",
+                             " # pairs of faces meet now that did not.", "新たに交わる面が # 組あります。")
+                : count_text(added, " At least one more pair of faces meets now.",
+                             " At least # more pairs of faces meet now.", "交わる面が少なくとも # 組増えました。"));
 }
 
 // Turning replaces all columns, which must be the only write of the edit: then everything is done on a copy.

@@ -9,6 +9,7 @@
 #include "core/algo/repair/find_holes.h"
 #include "core/analysis/figures.h"
 #include "core/analysis/self_intersections.h"
+#include "core/geometry/single_precision.h"
 #include "core/indexed/from_indexed.h"
 #include "core/indexed/to_indexed.h"
 #include "core/io/formats.h"
@@ -174,11 +175,11 @@ TEST(fill_holes, corners_in_a_row_make_no_flat_faces) {
 
 TEST(fill_holes, in_a_mesh_of_floats_new_places_are_floats) {
   IndexedMesh list = band(40, 1.2, 0.3);
-  for (Place& p : list.positions) p = Place(glm::vec3(p));
+  for (Place& p : list.positions) p = to_single(p);
   Mesh mesh = from_indexed(list);
   EXPECT_EQ(fill(mesh).changed, 2u);
   EXPECT_GT(mesh.vertex_slots(), 100u);
-  for (const Place& p : mesh.positions()) EXPECT_EQ(p, Place(glm::vec3(p)));
+  for (const Place& p : mesh.positions()) EXPECT_EQ(p, to_single(p));
 }
 
 TEST(fill_holes, two_holes_that_want_the_same_edge_do_not_both_get_it) {

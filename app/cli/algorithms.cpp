@@ -230,7 +230,7 @@ class AlgorithmRun {
     Record<left_shape> json;
     json["elements"] = Json::array();
     for (const Element& element : left.elements)
-      if (is_there(document_.mesh(), element)) json["elements"].push_back(name_of(document_.mesh(), element));
+      if (is_there(document_.mesh(), element)) json["elements"].push_back(ryosen::name_of(document_.mesh(), element));
     json.put(left.reason);
     return std::move(json).json();
   }

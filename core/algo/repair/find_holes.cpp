@@ -72,16 +72,8 @@ std::vector<Hole> find_holes(const Mesh& mesh, std::optional<double> most_edges,
 
 std::vector<std::uint32_t> points_of_vertices(const Mesh& mesh) {
   std::vector<std::uint32_t> points(mesh.vertex_slots());
-  for (std::uint32_t i = 0; i < points.size(); ++i) points[i] = i;
-  if (!mesh.has_copies()) return points;
-  std::vector<bool> seen(points.size(), false);
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    if (!mesh.is_alive(Vertex(i)) || seen[i]) continue;
-    for_each_copy(mesh, Vertex(i), [&](Vertex copy) {
-      points[copy.index] = i;
-      seen[copy.index] = true;
-    });
-  }
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+    points[i] = mesh.is_alive(Vertex(i)) ? point(mesh, Vertex(i)).index : i;
   return points;
 }
 

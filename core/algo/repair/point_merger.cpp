@@ -22,11 +22,8 @@ std::uint64_t number_of(Vertex point) {
 
 std::vector<Vertex> points_by_slot(const Mesh& mesh) {
   std::vector<Vertex> points(mesh.vertex_slots());
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    // Ascending, so the first copy found is the point.
-    if (!mesh.is_alive(Vertex(i)) || points[i]) continue;
-    for_each_copy(mesh, Vertex(i), [&](Vertex copy) { points[copy.index] = Vertex(i); });
-  }
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+    if (mesh.is_alive(Vertex(i))) points[i] = point(mesh, Vertex(i));
   return points;
 }
 

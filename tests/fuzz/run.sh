@@ -1,7 +1,8 @@
 #!/bin/sh
 # Runs fuzz targets from their corpora, as many at once as there are cores. Where one fails, prints the steps that lead
 # there and keeps the input.
-#   tests/fuzz/run.sh BUILD SECONDS [TARGET]     TARGET is one of *_fuzz, else all of them
+#   tests/fuzz/run.sh BUILD SECONDS [TARGET]     TARGET is one of *_fuzz, else all of them; in 0 seconds each kept input is
+#                                                run once, which needs no build that is guided by coverage
 #   tests/fuzz/run.sh BUILD renew                makes the corpora anew from themselves and what the last runs found
 set -eu
 folder=$(cd "$(dirname "$0")" && pwd)
@@ -44,8 +45,15 @@ if [ "$seconds" -le 60 ]; then
   mkdir "$found/found"
 fi
 # One allocation beyond what a file of this size may cost is a failure too: 64 MiB, and 64 times the longest input.
-if "$build/bin/$name" "$found/found" "$found/corpus" -max_total_time="$seconds" -seed="$seed" -max_len=4096 -timeout=60 \
-  -malloc_limit_mb=65 -artifact_prefix="$found/" -print_final_stats=1 >"$found/log" 2>&1; then
+run() {
+  "$build/bin/$name" -timeout=60 -malloc_limit_mb=65 -artifact_prefix="$found/" "$@" >"$found/log" 2>&1
+}
+if [ "$seconds" -eq 0 ]; then
+  if run "$found/corpus"/*; then
+    echo "$name: $(grep -a -c "^Executed " "$found/log") kept inputs run"
+    exit
+  fi
+elif run "$found/found" "$found/corpus" -max_total_time="$seconds" -seed="$seed" -max_len=4096 -print_final_stats=1; then
   grep -a -E "^stat::(number_of_executed_units|average_exec_per_sec)" "$found/log" | sed "s/^/$name /"
   exit
 fi

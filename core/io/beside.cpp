@@ -20,10 +20,10 @@ namespace {
 
 using Section = Uninterrupted::Section;
 
-// What the names of all temporary files of this target begin with.
+// What the names of all temporary files of this target begin with; no file of a person's own does by chance.
 std::string stem_beside(const std::filesystem::path& target) {
   constexpr std::size_t most = 200;  // file systems allow 255
-  return "." + target.filename().string().substr(0, most) + ".";
+  return "." + target.filename().string().substr(0, most) + ".ryosen-";
 }
 
 // Whether it goes on as PROCESS.N.

@@ -9,7 +9,7 @@
 
 namespace ryosen {
 
-// Named `.NAME.PROCESS.N`, locked (flock) for its life, and removed unless renamed. Failures leave errno set.
+// Named `.NAME.ryosen-PROCESS.N`, locked (flock) for its life, and removed unless renamed. Failures leave errno set.
 class Beside {
  public:
   // Makes it with default permissions under the first free name; not there where none can be made.

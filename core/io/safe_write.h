@@ -11,8 +11,8 @@ namespace ryosen {
 // Replaces the content of the file by `bytes`: written to a temporary file beside it, synced, renamed, and the folder
 // synced too. Links are followed and the permissions of a replaced file are kept. A device, a pipe with a reader, and
 // an inherited descriptor (/dev/stdout) are written directly, without these guarantees. If the process is killed at any
-// moment, the file is completely old or completely new; the temporary file may be left as `.NAME.PROCESS.N`. It is locked
-// (flock) while it is written, and the next save of that file deletes those that nobody has locked.
+// moment, the file is completely old or completely new; the temporary file may be left as `.NAME.ryosen-PROCESS.N`. It
+// is locked (flock) while it is written, and the next save of that file deletes those that nobody has locked.
 //
 // On failure (exit code output_not_writable) the old file is unchanged and no temporary file remains, with one
 // exception: with the code output_not_durable the new file is in place, but syncing the folder failed (see

@@ -63,21 +63,23 @@ TEST(safe_write, follows_links) {
 TEST(safe_write, clears_what_killed_saves_of_this_file_left) {
   const TemporaryFolder folder;
   const auto make = [&](const char* name) { std::ofstream(folder / name) << "half"; };
-  const std::vector<const char*> others{".a.1.0.0", ".a.1.", ".a..0", ".a.x.0", "a.1.0", ".b.1.0", ".a.b.1.0", ".a.1"};
+  const std::vector<const char*> others{".a.ryosen-1.0.0", ".a.ryosen-1.", ".a.ryosen-.0",
+                                        ".a.ryosen-x.0",   "a.ryosen-1.0", ".b.ryosen-1.0",
+                                        ".a.b.ryosen-1.0", ".a.ryosen-1",  ".a.1.0"};
   for (const char* const name : others) make(name);
-  for (const char* const name : {".a.1.0", ".a.4194304.17"}) make(name);
-  fs::create_directory(folder / ".a.2.0");
+  for (const char* const name : {".a.ryosen-1.0", ".a.ryosen-4194304.17"}) make(name);
+  fs::create_directory(folder / ".a.ryosen-2.0");
   ASSERT_TRUE(safe_write(folder / "a", "whole").ok());
   EXPECT_EQ(whole_file(folder / "a"), "whole");
   for (const char* const name : others) EXPECT_TRUE(fs::exists(folder / name)) << name << " is none of its files";
-  EXPECT_FALSE(fs::exists(folder / ".a.1.0"));
-  EXPECT_FALSE(fs::exists(folder / ".a.4194304.17"));
-  EXPECT_TRUE(fs::exists(folder / ".a.2.0")) << "a folder";
+  EXPECT_FALSE(fs::exists(folder / ".a.ryosen-1.0"));
+  EXPECT_FALSE(fs::exists(folder / ".a.ryosen-4194304.17"));
+  EXPECT_TRUE(fs::exists(folder / ".a.ryosen-2.0")) << "a folder";
 }
 
 TEST(safe_write, leaves_what_a_living_process_is_writing) {
   const TemporaryFolder folder;
-  const std::string path = folder / ".a.1.0";
+  const std::string path = folder / ".a.ryosen-1.0";
   const int living = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
   ASSERT_EQ(::flock(living, LOCK_EX), 0);
   ASSERT_TRUE(safe_write(folder / "a", "whole").ok());

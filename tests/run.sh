@@ -10,7 +10,9 @@ configure_arguments=
 
 # shellcheck disable=SC2086
 ensure_packages $build_packages $test_packages
-cmake -S "$root" -B "$root/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DRYOSEN_TESTS=ON >&2
+# g++ takes a tenth less time where it collects its garbage later.
+cmake -S "$root" -B "$root/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DRYOSEN_TESTS=ON \
+  -DCMAKE_CXX_FLAGS=--param=ggc-min-heapsize=524288 >&2
 build "$root/build/release" all
 if [ -n "${RYOSEN_LONG:-}" ]; then  # each header and each source file is complete in itself
   build "$root/build/release" ryosen_core_verify_interface_header_sets

@@ -159,6 +159,12 @@ void View::changed(std::span<const TouchedBox> touched) {
   }
 }
 
+void View::follow_camera() {
+  if (!planes_stale_) return;
+  place_planes();
+  all_changed();
+}
+
 void View::place_planes() {
   const glm::dmat4 view = view_from_buffer(camera_, mesh_.space());
   DepthRange range;
@@ -231,9 +237,9 @@ std::vector<std::uint32_t> View::clusters_in(const PixelRect& rect) const {
   return inside;
 }
 
-std::size_t View::triangles_in_view() const {
-  const bool is_placed = cluster_places_.size() == mesh_.clusters().size();
-  return is_placed ? triangles_in(PixelRect::all(size_)) : mesh_.clusters().size() * MeshBuffers::cluster_size;
+std::size_t View::triangles_in_view() {
+  follow_camera();
+  return triangles_in(PixelRect::all(size_));
 }
 
 std::size_t View::triangles_in(const PixelRect& rect) const {
@@ -261,10 +267,7 @@ PixelRect View::take_waiting() {
 }
 
 PixelRect View::draw() {
-  if (planes_stale_) {
-    place_planes();
-    all_changed();
-  }
+  follow_camera();
   waiting_.insert(waiting_.end(), dirty_.rects().begin(), dirty_.rects().end());
   dirty_.clear();
   redrawn_.clear();
@@ -318,10 +321,7 @@ Image View::read_pixels() const {
 }
 
 IdImage View::read_ids() {
-  if (planes_stale_) {
-    place_planes();
-    all_changed();
-  }
+  follow_camera();
   const Frame f = frame(PixelRect::all(size_), 1);
   const Framebuffer& target = passes_.ids.draw(f, mesh_, clusters_in(PixelRect::all(size_)));
   const auto count = static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height);

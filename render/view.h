@@ -78,10 +78,9 @@ class View {
   bool is_drawn() const { return dirty_.empty() && waiting_.empty() && !planes_stale_; }
   // Whether the picture shows all triangles, and is_drawn().
   bool is_whole() const { return thinning_ == 1 && is_drawn(); }
-  // How many triangles the last draw() drew, and how many lie in the view as it was drawn last, thinned or not;
-  // about all before it was.
+  // How many triangles the last draw() drew, and among how many the next one, if it drew all, would find those it shows.
   std::size_t triangles_drawn() const { return triangles_drawn_; }
-  std::size_t triangles_in_view() const;
+  std::size_t triangles_in_view();
   // The rectangles drawn by the last draw().
   std::span<const PixelRect> redrawn() const { return redrawn_.rects(); }
   // Draws a rectangle unconditionally.
@@ -108,6 +107,7 @@ class View {
   explicit View(Passes passes);
   void all_changed();
   void changed(std::span<const TouchedBox> touched);
+  void follow_camera();  // places the planes where they are stale; then all is to be redrawn
   void place_planes();
   void sort_clusters();
   Frame frame(const PixelRect& rect, int scale) const;

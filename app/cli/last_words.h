@@ -9,7 +9,7 @@
 
 namespace ryosen::cli {
 
-enum class LastWords { cancelled, cancelled_after_writing, window_ended, report_cut, out_of_memory };
+enum class LastWords { cancelled, cancelled_after_writing, stream_cut, window_ended, report_cut, out_of_memory };
 
 // Composes them for this run, about this file where there is one. Before, they are in English and not JSON.
 void prepare_last_words(const Console& console, std::optional<std::string_view> file);

@@ -29,13 +29,14 @@ std::atomic<int> last_code = -1;               // what the program is just endin
 
 LastWords words_for_now() {
   if (is_window) return LastWords::window_ended;
+  if (is_stream_unfinished()) return LastWords::stream_cut;
   if (is_something_written()) return LastWords::report_cut;
   return has_written_before ? LastWords::cancelled_after_writing : LastWords::cancelled;
 }
 
 // Nothing else writes files or prints meanwhile, but for what a slow reader holds up.
 void end_by_signal(bool is_printing) {
-  if (is_something_written() && !is_window && !is_overdue) return;  // its report follows
+  if (words_for_now() == LastWords::report_cut && !is_overdue) return;  // its report follows
   const LastWords words = words_for_now();
   last_code = static_cast<int>(words == LastWords::report_cut ? ExitCode::done : ExitCode::cancelled);
   std::signal(SIGPIPE, SIG_IGN);

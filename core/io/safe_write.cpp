@@ -80,6 +80,7 @@ Status write_through(const std::filesystem::path& path, const FileTarget& target
     return cannot_write(path, {"nobody reads this pipe; start its reader first",
                                "パイプの読み手がいません（先に読み手を起動してください）"});
   const PipeSignal ignored;
+  if (out.is_open()) note_begun_stream();
   if (!out.is_open() || (is_pipe && ::fcntl(out.number(), F_SETFL, 0) != 0) || !write_all(out.number(), bytes) ||
       !out.close()) {
     return not_writable(path, errno);

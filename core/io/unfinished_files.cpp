@@ -10,6 +10,7 @@ namespace {
 
 std::array<std::atomic<const char*>, 8> unfinished_paths{};
 std::atomic<bool> is_file_in_place = false;
+std::atomic<bool> is_stream_begun = false;
 
 }  // namespace
 
@@ -30,7 +31,14 @@ void remove_unfinished_files() noexcept {
 }
 
 bool is_something_written() noexcept { return is_file_in_place; }
-void note_what_is_written() noexcept { is_file_in_place = true; }
+bool is_stream_unfinished() noexcept { return is_stream_begun; }
+void note_begun_stream() noexcept { is_stream_begun = true; }
+
+void note_what_is_written() noexcept {
+  is_file_in_place = true;
+  is_stream_begun = false;
+}
+
 void forget_what_is_written() noexcept { is_file_in_place = false; }
 
 }  // namespace ryosen

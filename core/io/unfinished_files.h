@@ -1,4 +1,4 @@
-// The temporary files of saves that are under way, for whoever ends the program in the middle of one.
+// What saves that are under way have begun to write, for whoever ends the program in the middle of one.
 #pragma once
 
 #include <cstddef>
@@ -20,6 +20,10 @@ class UnfinishedFile {
 
 // Deletes those that are listed. May be called within a signal handler, while no section is under way.
 void remove_unfinished_files() noexcept;
+
+// Whether a pipe, a device or a descriptor that was handed over is being written, or was left in the middle.
+bool is_stream_unfinished() noexcept;
+void note_begun_stream() noexcept;  // note_what_is_written() ends it
 
 // Whether a file has been written whole, and its name is in place, since the start or the last call of
 // forget_what_is_written().

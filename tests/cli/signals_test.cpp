@@ -145,25 +145,54 @@ TEST(signals, that_are_ignored_stay_ignored) {
   EXPECT_TRUE(folder.has("o.ply"));
 }
 
-// Nobody reads what it prints, so that it stands still in the middle of a line.
+// A pipe that nobody reads, so that whoever writes into it stands still in the middle.
+class HeldPipe {
+ public:
+  HeldPipe() {
+    EXPECT_EQ(mkfifo(path().c_str(), 0600), 0);
+    reader_ = open(path().c_str(), O_RDWR | O_CLOEXEC);
+  }
+  HeldPipe(const HeldPipe&) = delete;
+  HeldPipe& operator=(const HeldPipe&) = delete;
+  ~HeldPipe() { close(reader_); }
+
+  std::string path() const { return folder_.at("pipe"); }
+  void wait_until_full() const {
+    int waiting = 0, before = -1;
+    wait_for([&] {
+      before = waiting;
+      return ioctl(reader_, FIONREAD, &waiting) == 0 && waiting > 0 && waiting == before;
+    });
+  }
+
+ private:
+  TemporaryFolder folder_;
+  int reader_ = -1;
+};
+
+TEST(signals, say_that_a_stream_ends_in_the_middle) {
+  const TemporaryFolder folder;
+  const HeldPipe pipe;
+  Process process({RYOSEN_PROGRAM, "convert", asset("stanford_bunny.obj"), "-o", pipe.path(), "--format", "ply"}, {},
+                  folder.at("out"), folder.at("err"));
+  pipe.wait_until_full();
+  process.end_by(SIGTERM);
+  EXPECT_EQ(process.exit_code(), 8);
+  const std::string err = read_file(folder.at("err"));
+  EXPECT_NE(err.find("ends in the middle"), std::string::npos) << err;
+}
+
 TEST(signals, end_what_a_reader_holds_up) {
   const TemporaryFolder folder;
-  const std::string pipe = folder.at("pipe");
-  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  const int reader = open(pipe.c_str(), O_RDWR | O_CLOEXEC);
-  Process process({RYOSEN_PROGRAM, "why", asset("stanford_bunny.obj"), "--op", "swap", "--all", "--json"}, {}, pipe,
-                  folder.at("err"));
-  int waiting = 0, before = -1;
-  wait_for([&] {
-    before = waiting;
-    return ioctl(reader, FIONREAD, &waiting) == 0 && waiting > 0 && waiting == before;
-  });
+  const HeldPipe pipe;
+  Process process({RYOSEN_PROGRAM, "why", asset("stanford_bunny.obj"), "--op", "swap", "--all", "--json"}, {},
+                  pipe.path(), folder.at("err"));
+  pipe.wait_until_full();
   const Clock::time_point start = Clock::now();
   process.end_by(SIGTERM);
   EXPECT_EQ(process.exit_code(), 8);
   EXPECT_LT(Seconds(Clock::now() - start), Seconds(1));
   EXPECT_NE(read_file(folder.at("err")).find("Cancelled"), std::string::npos);
-  close(reader);
 }
 
 }  // namespace

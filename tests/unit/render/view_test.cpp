@@ -363,6 +363,22 @@ std::vector<double> covered(const Image& picture, const Image& whole, const Imag
   return shares;
 }
 
+TEST(view, triangles_are_counted_for_the_camera_that_comes_next) {
+  const Scene ball = sphere_scene(80);
+  const auto view = front_view(ball, {200, 200}, 2.4);
+  EXPECT_EQ(view->triangles_in_view(), ball.triangles.size()) << "before anything was drawn";
+  view->draw();
+  Camera near = view->camera();
+  near.eye = near.target + 0.02 * (near.eye - near.target);
+  if (near.ortho_height) near.ortho_height = 0.02 * *near.ortho_height;
+  view->set_camera(near);
+  const std::size_t seen = view->triangles_in_view();
+  EXPECT_LT(seen, ball.triangles.size() / 2);
+  view->draw();
+  EXPECT_EQ(view->triangles_drawn(), seen);
+  EXPECT_TRUE(view->is_drawn());
+}
+
 TEST(view, a_thinned_surface_is_even_and_its_rest_comes_in_slices_that_make_the_whole) {
   const Scene ball = sphere_scene(80);
   const auto view = front_view(ball, {200, 200}, 2.4);

@@ -9,7 +9,7 @@
 #include "app/editor/script.h"
 #include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
-#include "core/ops/outlook/preview.h"
+#include "core/ops/outlook/known_answers.h"
 #include "core/ops/outlook/remedy.h"
 
 namespace ryosen::cli {
@@ -17,12 +17,13 @@ namespace ryosen::cli {
 namespace {
 
 // The operator with this id on an edge, without further arguments.
-AnyOp on_edge(std::string_view id, Halfedge h) {
+AnyOp on_edge(const Mesh& mesh, std::string_view id, Halfedge h) {
   AnyOp op;
   const auto choose = [&]<class Op>(Op candidate) {
     if constexpr (requires { candidate.halfedge; }) {
       if (Op::info.id != id) return;
       candidate.halfedge = h;
+      if constexpr (requires { Op::of_edge(mesh, h); }) candidate = Op::of_edge(mesh, h);
       op = candidate;
     }
   };
@@ -56,10 +57,10 @@ class Why {
   ExitCode answer_all(const OpInfo& info, bool geometry) {
     std::size_t questions = 0;
     for (const EdgeSide& side : find_edge_sides(mesh_)) {
-      ask_edge(info, name_of(side), on_edge(info.id, side.halfedge), geometry);
+      ask_edge(info, name_of(side), side.halfedge, geometry);
       ++questions;
       if (info.id != CollapseEdge::info.id) continue;
-      ask_edge(info, name_of(side, true), on_edge(info.id, twin(side.halfedge)), geometry);
+      ask_edge(info, name_of(side, true), twin(side.halfedge), geometry);
       ++questions;
     }
     const std::string legal = std::to_string(legal_), all = std::to_string(questions);
@@ -104,14 +105,16 @@ class Why {
     }
   }
 
-  void ask_edge(const OpInfo& info, const std::string& edge, const AnyOp& op, bool geometry) {
-    ask(info, {edge, edge, std::string(info.id) + " " + edge}, op, geometry);
+  void ask_edge(const OpInfo& info, const std::string& edge, Halfedge h, bool geometry) {
+    ask(info, {edge, edge, std::string(info.id) + " " + edge}, on_edge(mesh_, info.id, h), geometry);
   }
 
   void ask(const OpInfo& info, Asked words, const AnyOp& op, bool geometry) {
-    VerdictReport report{info.id, std::move(words.edge), std::move(words.arguments), check(mesh_, op), {}, {}, {}};
+    Answer answer = answers_.ask(mesh_, op, geometry);
+    VerdictReport report{info.id, std::move(words.edge), std::move(words.arguments), std::move(answer.verdict), {}, {},
+                         {}};
     if (report.verdict.legal()) {
-      if (geometry) report.warnings = preview(mesh_, journal_, op).warnings;
+      report.warnings = std::move(answer.warnings);
       ++legal_;
     } else {
       report.remedy = remedies_.find(words.line);
@@ -127,7 +130,7 @@ class Why {
   std::vector<QuarantinedFace> quarantine_;
   Mesh mesh_;
   const Console& console_;
-  Journal journal_;  // of previews; nothing is committed
+  KnownAnswers answers_;
   RemedySearch remedies_{mesh_};
   std::size_t legal_ = 0;
 };

@@ -83,11 +83,25 @@ std::vector<Halfedge> sheets_between(const Mesh& mesh, Vertex a, Vertex b) {
   return sheets;
 }
 
-bool are_joined(const Mesh& mesh, Vertex a, Vertex b) {
-  bool found = false;
-  const auto stop = [&](Halfedge) { return found = true; };
+Halfedge any_sheet_between(const Mesh& mesh, Vertex a, Vertex b) {
+  Halfedge found;
+  const auto stop = [&](Halfedge h) {
+    found = h;
+    return true;
+  };
   walk_both(mesh, a, b, stop, stop);
   return found;
+}
+
+Vertex loneliest_point(const Mesh& mesh, std::span<const std::uint32_t> points) {
+  std::vector<StarWalk> walks;
+  walks.reserve(points.size());
+  for (const std::uint32_t p : points) walks.emplace_back(mesh, Vertex(p));
+  for (;;)
+    for (std::size_t i = 0; i < walks.size(); ++i) {
+      if (walks[i].at_end()) return Vertex(points[i]);
+      walks[i].step();
+    }
 }
 
 bool has_several_sheets(const Mesh& mesh, Halfedge h) {

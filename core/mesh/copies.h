@@ -49,8 +49,11 @@ bool any_of_copies(const Mesh& mesh, Vertex v, Is is) {
 // The halfedges from any copy of a to any copy of b, with or without a face: one per edge, in the order around the copies
 // of a. Where there are several: the valence of a.
 std::vector<Halfedge> sheets_between(const Mesh& mesh, Vertex a, Vertex b);
-// Whether there is any.
-bool are_joined(const Mesh& mesh, Vertex a, Vertex b);
+// One of them, whichever is met first, or none.
+Halfedge any_sheet_between(const Mesh& mesh, Vertex a, Vertex b);
+inline bool are_joined(const Mesh& mesh, Vertex a, Vertex b) { return bool(any_sheet_between(mesh, a, b)); }
+// Of these points the one of lowest valence, the first of equals. Cost: their number times that valence.
+Vertex loneliest_point(const Mesh& mesh, std::span<const std::uint32_t> points);
 // Whether there is another edge between the points of h.
 bool has_several_sheets(const Mesh& mesh, Halfedge h);
 

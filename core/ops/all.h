@@ -69,11 +69,33 @@ inline const OpInfo& info_of(const AnyOp& op) {
 inline Verdict check(const Mesh& mesh, const AnyOp& op) {
   return std::visit([&](const auto& o) { return o.check(mesh); }, op);
 }
+// The same for many questions about one mesh.
+inline Verdict check(const Mesh& mesh, const AnyOp& op, LocalFacts& known) {
+  return std::visit(
+      [&](const auto& o) {
+        if constexpr (requires { o.check(mesh, known); })
+          return o.check(mesh, known);
+        else
+          return o.check(mesh);
+      },
+      op);
+}
 inline std::vector<Reason> warnings(const Mesh& mesh, const AnyOp& op) {
   return std::visit([&](const auto& o) { return o.warnings(mesh); }, op);
 }
 inline OpEffect apply(Edit& edit, const AnyOp& op) {
   return std::visit([&](const auto& o) { return o.apply(edit); }, op);
+}
+// The halfedge that an operator on an edge is about; none for others.
+inline Halfedge halfedge_of(const AnyOp& op) {
+  return std::visit(
+      []<class Op>(const Op& o) {
+        if constexpr (requires { Halfedge(o.halfedge); })
+          return o.halfedge;
+        else
+          return Halfedge();
+      },
+      op);
 }
 inline std::string command_of(const Mesh& mesh, const AnyOp& op) {
   return std::visit([&](const auto& o) { return o.command(mesh); }, op);

@@ -21,6 +21,8 @@
 
 namespace ryosen {
 
+class LocalFacts;
+
 struct CollapseEdge {
   enum class Place { automatic, start, end, middle, point };  // automatic: at the remaining point
 
@@ -46,6 +48,9 @@ struct CollapseEdge {
   Verdict check(const Mesh& mesh) const;
   // The same verdict without the fast path, rule by rule; check() falls back to it, and tests compare both.
   Verdict judge(const Mesh& mesh) const;
+  // Both for many questions about one mesh.
+  Verdict check(const Mesh& mesh, LocalFacts& known) const;
+  Verdict judge(const Mesh& mesh, LocalFacts& known) const;
   // check(mesh).legal() for batch work; the full check runs only if the fast path is undecided.
   bool is_legal(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;

@@ -23,13 +23,14 @@ Vertex repeated_point(std::vector<std::uint32_t> points) {
 
 }  // namespace
 
+Fill Fill::of_edge(const Mesh& mesh, Halfedge h) {
+  return {!mesh.is_outside(h) && mesh.is_outside(twin(h)) ? twin(h) : h};
+}
+
 Parsed<Fill> Fill::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
   ArgumentReader in(mesh, arguments, info.syntax);
-  Fill op{in.halfedge()};
-  // A boundary edge belongs to one hole, in whichever direction it is named.
-  if (!in.failed() && !mesh.is_outside(op.halfedge) && mesh.is_outside(twin(op.halfedge)))
-    op.halfedge = twin(op.halfedge);
-  return in.result(op);
+  const Halfedge h = in.halfedge();
+  return in.result(in.failed() ? Fill() : of_edge(mesh, h));
 }
 
 Fill Fill::at(const Mesh& mesh, const OpTarget& target) {

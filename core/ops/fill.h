@@ -24,8 +24,13 @@ struct Fill : OnHalfedge<Fill> {
                                "puts one face on the hole at a boundary edge",
                                "境界稜線 A-B の穴に一枚の面を張る",
                                '\0',
-                               OpTargetKind::edge};
+                               OpTargetKind::edge,
+                               "",
+                               Topology::may_change,
+                               Subject::cycle};
 
+  // A boundary edge belongs to one hole, in whichever direction it is named.
+  static Fill of_edge(const Mesh& mesh, Halfedge h);
   static Parsed<Fill> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Fill at(const Mesh& mesh, const OpTarget& target);
 

@@ -38,18 +38,27 @@ Vertex roomy_copy(const Mesh& m, Vertex v) {
 }
 
 // Refuses a side that a face already traverses in this direction, or that has two faces.
-bool is_free(const Mesh& m, Vertex a, Vertex b, Verdict& verdict) {
-  const std::vector<Halfedge> sheets = sheets_between(m, a, b);
-  if (sheets.empty()) return true;
-  const PointEdge faces = point_edge(m, sheets[0]);
-  if (faces.forward == 0 && faces.backward <= 1) return true;
-  for (Halfedge h : sheets) {
+void check_side(const Mesh& m, Vertex a, Vertex b, Verdict& verdict) {
+  const Halfedge any = any_sheet_between(m, a, b);
+  if (any.is_none()) return;
+  const PointEdge faces = point_edge(m, any);
+  if (faces.forward == 0 && faces.backward <= 1) return;
+  const auto refuse = [&](Halfedge h) {
     const Halfedge side = m.is_outside(h) ? twin(h) : h;
-    if (m.is_outside(side)) continue;
+    if (m.is_outside(side)) return false;
     verdict.refuse(Rule::has_face, {edge(h), m.face(side)});
-    return false;
+    return true;
+  };
+  if (has_copies(m, a) || has_copies(m, b)) {  // the first of perhaps many, in the order of sheets_between
+    any_of_copies(m, a, [&](Vertex copy) {
+      for (Halfedge h : outgoing(m, copy))
+        if (same_point(m, m.to(h), b) && refuse(h)) return true;
+      return false;
+    });
+    return;
   }
-  return true;
+  for (Halfedge h : sheets_between(m, a, b))
+    if (refuse(h)) return;
 }
 
 }  // namespace
@@ -82,8 +91,8 @@ Verdict MakeFace::check(const Mesh& m) const {
   const std::size_t n = corners.size();
   std::vector<bool> is_new(n);
   for (std::size_t i = 0; i < n; ++i) {
-    is_new[i] = sheets_between(m, corners[i], corners[(i + 1) % n]).empty();
-    is_free(m, corners[i], corners[(i + 1) % n], verdict);
+    is_new[i] = !are_joined(m, corners[i], corners[(i + 1) % n]);
+    check_side(m, corners[i], corners[(i + 1) % n], verdict);
   }
   for (std::size_t i = 0; i < n; ++i)
     if (is_new[i] && is_new[(i + n - 1) % n] && !roomy_copy(m, corners[i]))

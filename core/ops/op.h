@@ -41,6 +41,12 @@ enum class OpTargetKind { none, vertex, edge, face, selection, any };
 // V, E, F and H.
 enum class Topology { may_change, kept };
 
+// What a question about an edge is really about: the edge itself, all sheets from one point to the other (a bridge for
+// itself), or the cycle at its boundary halfedge. Edges with the same subject have the same verdict and the same
+// warnings, but for reasons that name the edge. Along a cycle reasons come in the order from the edge, and warnings differ
+// where a face is not plane.
+enum class Subject { edge, points, cycle };
+
 struct OpInfo {
   std::string_view id;
   std::string_view name_en, name_ja;
@@ -50,6 +56,7 @@ struct OpInfo {
   OpTargetKind target;
   std::string_view aliases = "";  // further ids, separated by spaces
   Topology topology = Topology::may_change;
+  Subject subject = Subject::edge;
 };
 
 // Whether an operator is a tool, which acts on the clicked element.

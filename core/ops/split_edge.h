@@ -33,7 +33,8 @@ struct SplitEdge {
                                'D',
                                OpTargetKind::edge,
                                "",
-                               Topology::kept};
+                               Topology::kept,
+                               Subject::points};
 
   static Parsed<SplitEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static SplitEdge at(const Mesh&, const OpTarget& target) { return {target.halfedge, 0.5}; }

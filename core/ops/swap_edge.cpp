@@ -52,10 +52,12 @@ bool is_on(const Mesh& m, Halfedge h, const Points& points) {
   return is_in_all(CycleRange<detail::StepNext, detail::ToFrom>(m, h));
 }
 
-// Another face with exactly these points in the one-ring of `around` and its copies, ignoring excluded ones.
-template <class IsExcluded>
-Face find_face_on(const Mesh& m, const Points& points, Vertex around, IsExcluded is_excluded) {
+// Another face with exactly these points: of several the last one in the one-ring of `around` and its copies.
+Face find_face_on(const Mesh& m, const Points& points, Vertex around, std::span<const Face> except) {
+  const std::vector<Face> equal = faces_on(m, points, except, 2);
+  if (equal.size() < 2) return equal.empty() ? Face() : equal[0];
   Face found;
+  const auto is_excluded = [&](Face f) { return std::find(except.begin(), except.end(), f) != except.end(); };
   for_each_copy(m, around, [&](Vertex copy) {
     for (Halfedge h : outgoing(m, copy)) {
       const Face f = m.face(h);
@@ -86,11 +88,10 @@ void check_side(const Mesh& m, const Turn& turn, const Turn& other, Verdict& ver
   }
   check_inner_loops(m, turn, verdict);
   const Face f = m.face(turn.side), g = m.face(other.side);
-  const auto at_edge = [&](Face face) { return face == f || face == g; };
+  const Face at_edge[] = {f, g};
   if (const Face twin_face = find_face_on(m, points_after(m, turn), turn.gains, at_edge))
     verdict.refuse(Rule::duplicate_face, {std::min(f, twin_face), std::max(f, twin_face)});
-  const auto is_itself = [&](Face face) { return face == f; };
-  if (const Face old_twin = find_face_on(m, point_set(loops_of(m, f).corners), turn.loses, is_itself))
+  if (const Face old_twin = find_face_on(m, point_set(loops_of(m, f).corners), turn.loses, {at_edge, 1}))
     verdict.refuse(Rule::loses_duplicate, {f, old_twin});
 }
 

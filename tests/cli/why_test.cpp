@@ -1,7 +1,10 @@
 // `why`: which lines it prints, in which order, and that its remedies hold.
 #include <gtest/gtest.h>
 
+#include "core/io/formats.h"
+#include "core/ops/all.h"
 #include "tests/support/app/program.h"
+#include "tests/support/core/ugly_meshes.h"
 
 namespace ryosen::test {
 namespace {
@@ -111,6 +114,47 @@ TEST(why, geometry_adds_warnings_under_all) {
   };
   EXPECT_EQ(warned({"why", asset("sliver.obj"), "--op", "collapse", "--all", "--json"}), 0u);
   EXPECT_GT(warned({"why", asset("sliver.obj"), "--op", "collapse", "--all", "--geometry", "--json"}), 0u);
+}
+
+// Every line of --all says what --edge says about that edge.
+TEST(why, answers_about_all_edges_as_about_one) {
+  const TemporaryFolder folder;
+  const auto write = [&](const std::string& name, const IndexedMesh& mesh) {
+    MeshFile file;
+    file.mesh = mesh;
+    EXPECT_TRUE(write_mesh_file(folder.at(name), file, *find_target("off")));
+    return folder.at(name);
+  };
+  const std::vector<std::string> files{write("fan.off", fan(7)), write("book.off", book(6)),
+                                       write("equal.off", equal_triangles(4)), write("face.off", large_face(5)),
+                                       asset("misoriented.obj")};
+  std::size_t asked = 0;
+  for (const std::string& file : files)
+    for (const OpInfo& op : all_ops()) {
+      if (op.target != OpTargetKind::edge) continue;
+      const std::string id(op.id);
+      for (const Json& line : run_program({"why", file, "--op", id, "--all", "--geometry", "--json"}).lines()) {
+        const std::string edge = line["edge"];
+        EXPECT_EQ(line, run_program({"why", file, "--op", id, "--edge", edge, "--json"}).line()) << id << " " << edge;
+        ++asked;
+      }
+    }
+  EXPECT_GT(asked, 500u);
+}
+
+// Of n triangles on the same points one can be deleted in a step, and only so many steps are looked for.
+TEST(why, gives_up_where_too_many_triangles_have_one_apex) {
+  const TemporaryFolder folder;
+  const auto remedy = [&](int copies) {
+    std::string off = "OFF\n3 " + std::to_string(copies) + " 0\n0 0 0\n1 0 0\n0 1 0\n";
+    for (int i = 0; i < copies; ++i) off += "3 0 1 2\n";
+    folder.write("equal.off", off);
+    const std::string edge = "0-1@f" + std::to_string(copies - 1);
+    return run_program({"why", folder.at("equal.off"), "--op", "split", "--edge", edge, "--json"}).line()["remedy"];
+  };
+  EXPECT_TRUE(remedy(2).is_array());
+  EXPECT_TRUE(remedy(5).is_array());
+  EXPECT_EQ(remedy(6), "never");
 }
 
 TEST(why, names_what_was_asked) {

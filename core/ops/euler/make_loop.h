@@ -26,7 +26,9 @@ struct MakeLoop : OnHalfedge<MakeLoop> {
                                "半稜線 A-B の左の外側の閉路に面を張る",
                                '\0',
                                OpTargetKind::edge,
-                               "mf"};
+                               "mf",
+                               Topology::may_change,
+                               Subject::cycle};
 
   static MakeLoop at(const Mesh& mesh, const OpTarget& target);
 

@@ -25,7 +25,8 @@ struct SeparateEdge {
                                '\0',
                                OpTargetKind::edge,
                                "semv",
-                               Topology::kept};
+                               Topology::kept,
+                               Subject::points};
 
   static Parsed<SeparateEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static SeparateEdge at(const Mesh&, const OpTarget& target) { return {target.halfedge, 0.5}; }

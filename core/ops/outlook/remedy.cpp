@@ -19,18 +19,6 @@ bool has_misoriented_edge(const Mesh& m, Vertex point) {
   });
 }
 
-// The halfedge that an operator on an edge is about; none for others.
-Halfedge halfedge_of(const AnyOp& op) {
-  return std::visit(
-      []<class Op>(const Op& o) {
-        if constexpr (requires { Halfedge(o.halfedge); })
-          return o.halfedge;
-        else
-          return Halfedge();
-      },
-      op);
-}
-
 // Whether the reason is the number of faces at the edge of h itself.
 bool is_about(const Mesh& m, const Reason& reason, Halfedge h) {
   if (reason.rule != Rule::copies) return false;
@@ -64,12 +52,44 @@ bool outlasts(std::size_t steps, const Mesh& m, const AnyOp& op, Halfedge h, Kno
          has_more_sheets(2 * steps + 1, m, m.to(h), {}, known);
 }
 
-// Whether the operator is refused for the faces at its own edge, and these steps will not help.
+// Whether these steps will not help: the operator is refused for the faces at its own edge and they will stay, or more
+// triangles have the same third vertex than can be deleted, one in a step.
 bool is_hopeless(std::size_t steps, const Mesh& m, const AnyOp& op, const Verdict& verdict, KnownSheets& known) {
+  const auto is_same_apex = [](const Reason& reason) { return reason.rule == Rule::same_apex; };
+  const auto same_apexes = std::count_if(verdict.reasons.begin(), verdict.reasons.end(), is_same_apex);
+  if (static_cast<std::size_t>(same_apexes) > steps) return true;
   const Halfedge h = halfedge_of(op);
   return is_there(m, h) && std::any_of(verdict.reasons.begin(), verdict.reasons.end(), [&](const Reason& reason) {
            return is_about(m, reason, h) && outlasts(steps, m, op, h, known);
          });
+}
+
+// Whether more than that many halfedges begin at a point.
+bool has_higher_valence(const Mesh& m, Vertex v, std::size_t most) {
+  std::size_t valence = 0;
+  return any_of_copies(m, v, [&](Vertex copy) {
+    for ([[maybe_unused]] Halfedge h : outgoing(m, copy))
+      if (++valence > most) return true;
+    return false;
+  });
+}
+
+bool is_longer_cycle(const Mesh& m, Halfedge h, std::size_t most) {
+  std::size_t length = 0;
+  for ([[maybe_unused]] Halfedge side : loop(m, h))
+    if (++length > most) return true;
+  return false;
+}
+
+// Whether every trial would be costly: it asks the question again, which goes along the faces and holes at an edge, and
+// for a collapse around its ends.
+bool is_costly(const Mesh& m, const AnyOp& op) {
+  constexpr std::size_t most = 1000;
+  const Halfedge h = halfedge_of(op);
+  if (!is_there(m, h)) return false;
+  if (is_longer_cycle(m, h, most) || is_longer_cycle(m, twin(h), most)) return true;
+  return std::holds_alternative<CollapseEdge>(op) &&
+         (has_higher_valence(m, m.from(h), most) || has_higher_valence(m, m.to(h), most));
 }
 
 bool is_slot(std::string_view word) {
@@ -97,6 +117,18 @@ struct Question {
     return named.op && command_of(mesh, *named.op) == command_of(mesh, *asked.op) ? asked.op : std::nullopt;
   }
 
+  // Whether a name is by a face that the candidate deletes (0-1@f5): it would mean nothing afterwards.
+  bool loses_its_name(const AnyOp& candidate) const {
+    Face face;
+    if (const auto* loop = std::get_if<DeleteLoop>(&candidate)) face = loop->face;
+    if (const auto* any = std::get_if<Delete>(&candidate); any && any->element.kind == Element::Kind::face)
+      face = any->element.face();
+    if (face.is_none()) return false;
+    const std::string suffix = "@f" + std::to_string(face.index);
+    const std::vector<std::string_view> words = split_words(plain);
+    return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return word.ends_with(suffix); });
+  }
+
   std::optional<std::size_t> reasons_against(const Mesh& mesh) const {
     const std::optional<AnyOp> op = in(mesh);
     return op ? std::optional(check(mesh, *op).reasons.size()) : std::nullopt;
@@ -105,7 +137,7 @@ struct Question {
 
 // The number of reasons left after a candidate; none if it is not legal or the line no longer parses afterwards.
 std::optional<std::size_t> reasons_after(Mesh& mesh, const Question& question, const AnyOp& candidate) {
-  if (!check(mesh, candidate).legal()) return std::nullopt;
+  if (question.loses_its_name(candidate) || !check(mesh, candidate).legal()) return std::nullopt;
   Journal scratch;
   Edit trial(mesh, &scratch);
   apply(trial, candidate);
@@ -191,7 +223,7 @@ bool RemedySearch::is_beside_misoriented_edge(const Reason& reason) {
 
 std::vector<std::string> RemedySearch::find(const std::string& line) {
   const Parsed<AnyOp> asked = parse_line(mesh_, line);
-  if (!asked.op) return {};
+  if (!asked.op || is_costly(mesh_, *asked.op)) return {};
   const Verdict verdict = check(mesh_, *asked.op);
   if (verdict.legal() || verdict.has(Rule::deleted)) return {};
   if (is_hopeless(longest_remedy, mesh_, *asked.op, verdict, sheets_)) return {};

@@ -24,7 +24,8 @@ class RemedySearch {
 
   // Script lines, in order, after which `line` is legal unchanged; empty if no short sequence of local remedies,
   // optionally after `orient`, was found. Every result has been verified, including that the line still names the same
-  // elements. Empty too if the line is legal or does not parse. Cost: a few operators per reason.
+  // elements. Empty too if the line is legal or does not parse, at faces and holes of more than 1000 sides, and for a
+  // collapse at points of a higher valence. Cost: a few operators per reason.
   std::vector<std::string> find(const std::string& line);
 
  private:

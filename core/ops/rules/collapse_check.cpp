@@ -6,6 +6,7 @@
 #include "core/mesh/copies.h"
 #include "core/ops/collapse_edge.h"
 #include "core/ops/rules/face_lists.h"
+#include "core/ops/rules/local_facts.h"
 #include "core/ops/rules/plain_check.h"
 
 namespace ryosen {
@@ -15,7 +16,8 @@ namespace {
 // Checks one collapse: `h` goes from the removed to the remaining vertex; the removed one has no copies.
 class CollapseJudge {
  public:
-  CollapseJudge(const Mesh& mesh, Halfedge h) : m_(mesh), h_(h), gone_(mesh.from(h)), kept_(mesh.to(h)) {
+  CollapseJudge(const Mesh& mesh, Halfedge h, LocalFacts& known)
+      : m_(mesh), known_(known), h_(h), gone_(mesh.from(h)), kept_(mesh.to(h)) {
     for (Halfedge side : {h_, twin(h_)})
       if (is_plain_triangle(side)) apexes_[apex_count_++] = m_.to(m_.next(side));
     find_smaller_star();
@@ -74,16 +76,62 @@ class CollapseJudge {
 
   bool may_share_faces() const {
     return std::any_of(smaller_.begin(), smaller_.end(), [&](Halfedge k) {
-      if (m_.is_outside(k) || is_at_edge(m_.face(k))) return false;
-      for (Halfedge corner : halfedges_around(m_, m_.face(k)))
-        if (same_point(m_, m_.from(corner), beyond_)) return true;
-      return false;
+      return !m_.is_outside(k) && !is_at_edge(m_.face(k)) && reaches_beyond(m_.face(k));
+    });
+  }
+
+  // Whether the other end is a corner of the face.
+  bool reaches_beyond(Face f) const { return touches(m_, f, beyond_); }
+
+  // Only the loops of a face at both ends change otherwise than in the number of a vertex.
+  bool may_break_loops() const {
+    return std::any_of(smaller_.begin(), smaller_.end(), [&](Halfedge k) {
+      if (m_.is_outside(k) || is_plain_triangle(k)) return false;
+      const Face f = m_.face(k);
+      return (is_at_edge(f) || reaches_beyond(f)) && !known_.is_one_simple_loop(m_, f);
     });
   }
 
   // Where the ends share no neighbours but the apexes, two faces become one on the same points only if a triangle joins
   // one end to both apexes, or has more than three corners.
   bool may_make_duplicates() const {
+    if (!may_make_triangles_equal()) return false;
+    // Such a face shares its corners beside the end with another one, which has the other end.
+    return std::any_of(smaller_.begin(), smaller_.end(), [&](Halfedge k) {
+      if (m_.is_outside(k) || is_dropped(k)) return false;
+      const std::uint32_t beside[] = {m_.to(k).index, m_.from(m_.prev(k)).index};
+      const Vertex ends[] = {gone_, kept_};
+      const auto is_end = [&](std::uint32_t v) {
+        return same_point(m_, Vertex(v), ends[0]) || same_point(m_, Vertex(v), ends[1]);
+      };
+      if (is_end(beside[0]) && is_end(beside[1])) return true;
+      const Vertex corner = is_end(beside[0])   ? Vertex(beside[1])
+                            : is_end(beside[1]) ? Vertex(beside[0])
+                                                : loneliest_point(m_, beside);
+      const auto has = [&](Face g, std::uint32_t v) { return is_end(v) || touches(m_, g, Vertex(v)); };
+      return any_of_copies(m_, corner, [&](Vertex copy) {
+        for (Face g : faces_around(m_, copy))
+          if (g && g != m_.face(k) && are_of_similar_size(m_.face(k), g) && reaches_beyond(g) && has(g, beside[0]) &&
+              has(g, beside[1]))
+            return true;
+        return false;
+      });
+    });
+  }
+
+  // Whether two faces may have the same number of points afterwards: with bridges there are up to twice as many corners.
+  bool are_of_similar_size(Face f, Face g) const {
+    const auto of_f = halfedges_around(m_, f), of_g = halfedges_around(m_, g);
+    auto at_f = of_f.begin(), at_g = of_g.begin();
+    std::size_t fewer = 0, more = 0;
+    for (; at_f != of_f.end() && at_g != of_g.end(); ++at_f, ++at_g) ++fewer;
+    auto& at = at_f == of_f.end() ? at_g : at_f;
+    const auto end = at_f == of_f.end() ? of_g.end() : of_f.end();
+    for (; at != end && more <= fewer + 2; ++at) ++more;
+    return more <= fewer + 2;
+  }
+
+  bool may_make_triangles_equal() const {
     const auto is_at_apex = [&](Vertex v) {
       return apex_count_ == 2 && (same_point(m_, v, apexes_[0]) || same_point(m_, v, apexes_[1]));
     };
@@ -122,7 +170,7 @@ class CollapseJudge {
   // Two faces can share a halfedge pair at an edge that is non-manifold on points only at a vertex without a gap
   // (Sheets::is_closed_cut); the boundary at the removed vertex would open it.
   void check_closed_cuts() {
-    if (!m_.is_boundary(gone_) || m_.is_boundary(kept_)) return;
+    if (!m_.has_copies() || !m_.is_boundary(gone_) || m_.is_boundary(kept_)) return;
     for (Halfedge k : outgoing(m_, kept_))
       if (is_cut_on_points(m_, k)) verdict_.refuse(Rule::copies, {edge(k)});
   }
@@ -172,6 +220,7 @@ class CollapseJudge {
 
   // A face with rings or bridges must still split into simple loops.
   void check_loops() {
+    if (!may_break_loops()) return;
     std::vector<Face> looked_at;
     for (Halfedge g : outgoing(m_, gone_)) {
       const Face f = m_.face(g);
@@ -258,6 +307,7 @@ class CollapseJudge {
   }
 
   const Mesh& m_;
+  LocalFacts& known_;
   Halfedge h_;
   Vertex gone_, kept_;
   Vertex apexes_[2];
@@ -273,21 +323,32 @@ Halfedge CollapseEdge::directed(const Mesh& mesh) const {
   return has_several_fans(mesh, mesh.from(halfedge)) ? twin(halfedge) : halfedge;
 }
 
-Verdict CollapseEdge::judge(const Mesh& mesh) const {
+Verdict CollapseEdge::judge(const Mesh& mesh, LocalFacts& known) const {
   Verdict verdict;
   if (is_gone(mesh, halfedge, verdict)) return verdict;
   const Vertex a = mesh.from(halfedge), b = mesh.to(halfedge);
-  if (has_several_fans(mesh, a) && has_several_fans(mesh, b)) {
+  const bool goes_to_a = known.has_several_fans(mesh, a);
+  if (goes_to_a && known.has_several_fans(mesh, b)) {
     verdict.refuse(Rule::copies, {point(mesh, a), point(mesh, b)});
     return verdict;
   }
-  return CollapseJudge(mesh, directed(mesh)).judge();
+  return CollapseJudge(mesh, goes_to_a ? twin(halfedge) : halfedge, known).judge();
+}
+
+Verdict CollapseEdge::check(const Mesh& mesh, LocalFacts& known) const {
+  if (mesh.exists(halfedge) && mesh.is_alive(halfedge) && quick_collapse(mesh, halfedge) == QuickAnswer::legal)
+    return {};
+  return judge(mesh, known);
 }
 
 Verdict CollapseEdge::check(const Mesh& mesh) const {
-  if (mesh.exists(halfedge) && mesh.is_alive(halfedge) && quick_collapse(mesh, halfedge) == QuickAnswer::legal)
-    return {};
-  return judge(mesh);
+  LocalFacts known;
+  return check(mesh, known);
+}
+
+Verdict CollapseEdge::judge(const Mesh& mesh) const {
+  LocalFacts known;
+  return judge(mesh, known);
 }
 
 bool CollapseEdge::is_legal(const Mesh& mesh) const {

@@ -29,6 +29,22 @@ std::size_t bridges_of(const CornerLoops& loops) {
   return parts ? parts->size() - loops.ends.size() : 0;
 }
 
+bool touches(const Mesh& mesh, Face f, Vertex v) {
+  const auto corners = halfedges_around(mesh, f);
+  auto corner = corners.begin();
+  bool found = false;
+  any_of_copies(mesh, v, [&](Vertex copy) {
+    for (Halfedge h : outgoing(mesh, copy)) {
+      if (corner == corners.end()) return true;
+      found = mesh.face(h) == f || same_point(mesh, mesh.from(*corner), v);
+      if (found) return true;
+      ++corner;
+    }
+    return false;
+  });
+  return found;
+}
+
 bool is_one_simple_loop(const Mesh& mesh, Face f) {
   if (mesh.has_rings(f)) return false;
   for (Halfedge h : loop(mesh, mesh.halfedge(f)))
@@ -53,24 +69,6 @@ std::vector<std::uint32_t> point_set(std::span<const std::uint32_t> corners) {
 
 namespace {
 
-// The point of lowest valence over all its copies.
-Vertex loneliest(const Mesh& mesh, std::span<const std::uint32_t> points) {
-  Vertex best;
-  std::size_t fewest = ~std::size_t{0};
-  for (std::uint32_t p : points) {
-    std::size_t n = 0;
-    const bool is_more = any_of_copies(mesh, Vertex(p), [&](Vertex copy) {
-      for ([[maybe_unused]] Halfedge h : outgoing(mesh, copy))
-        if (++n >= fewest) return true;
-      return false;
-    });
-    if (is_more) continue;
-    fewest = n;
-    best = Vertex(p);
-  }
-  return best;
-}
-
 bool has_points(const Mesh& mesh, Face f, std::span<const std::uint32_t> points) {
   std::size_t corners = 0;
   for (Vertex v : vertices_around(mesh, f)) {
@@ -82,17 +80,26 @@ bool has_points(const Mesh& mesh, Face f, std::span<const std::uint32_t> points)
 
 }  // namespace
 
-Face face_on(const Mesh& mesh, std::span<const std::uint32_t> points, std::span<const Face> except) {
-  Face found;
-  any_of_copies(mesh, loneliest(mesh, points), [&](Vertex copy) {
+std::vector<Face> faces_on(const Mesh& mesh, std::span<const std::uint32_t> points, std::span<const Face> except,
+                           std::size_t most) {
+  std::vector<Face> found;
+  const auto is_in = [](std::span<const Face> faces, Face f) {
+    return std::find(faces.begin(), faces.end(), f) != faces.end();
+  };
+  any_of_copies(mesh, loneliest_point(mesh, points), [&](Vertex copy) {
     for (Face f : faces_around(mesh, copy)) {
-      if (!f || std::find(except.begin(), except.end(), f) != except.end() || !has_points(mesh, f, points)) continue;
-      found = f;
-      return true;
+      if (!f || is_in(except, f) || is_in(found, f) || !has_points(mesh, f, points)) continue;
+      found.push_back(f);
+      if (found.size() == most) return true;
     }
     return false;
   });
   return found;
+}
+
+Face face_on(const Mesh& mesh, std::span<const std::uint32_t> points, std::span<const Face> except) {
+  const std::vector<Face> found = faces_on(mesh, points, except, 1);
+  return found.empty() ? Face() : found[0];
 }
 
 Face equal_face(const Mesh& mesh, Face f) {

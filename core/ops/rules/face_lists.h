@@ -21,6 +21,8 @@ CornerLoops loops_of(const Mesh& mesh, Face f);
 // The number of bridges; the lists must split at each.
 std::size_t bridges_of(const CornerLoops& loops);
 
+// Whether a point is a corner of a face. Cost: the valence of the point or the corners, whichever is less.
+bool touches(const Mesh& mesh, Face f, Vertex v);
 // Whether a face has neither rings nor bridges. O(corners).
 bool is_one_simple_loop(const Mesh& mesh, Face f);
 // Refuses a face that is not one simple loop. Witnesses: the face, the sides of its rings, its bridges; their number
@@ -32,6 +34,9 @@ std::vector<std::uint32_t> point_set(std::span<const std::uint32_t> corners);
 // A face on exactly these points (ascending), or none, ignoring `except`. Cost: the smallest one-ring of the points,
 // plus the corners of the faces there with as many points.
 Face face_on(const Mesh& mesh, std::span<const std::uint32_t> points, std::span<const Face> except = {});
+// The same: up to `most` of them.
+std::vector<Face> faces_on(const Mesh& mesh, std::span<const std::uint32_t> points, std::span<const Face> except,
+                           std::size_t most);
 // Another face on the points of f, or none.
 Face equal_face(const Mesh& mesh, Face f);
 

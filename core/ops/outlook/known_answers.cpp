@@ -1,0 +1,59 @@
+#include "core/ops/outlook/known_answers.h"
+
+#include <algorithm>
+
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/mesh/rings.h"
+#include "core/ops/outlook/preview.h"
+
+namespace ryosen {
+
+namespace {
+
+bool name(const std::vector<Reason>& reasons, Edge e) {
+  return std::any_of(reasons.begin(), reasons.end(), [&](const Reason& reason) {
+    return std::find(reason.witnesses.begin(), reason.witnesses.end(), Element(e)) != reason.witnesses.end();
+  });
+}
+
+// Along a cycle several reasons come in the order from the edge that was asked about, and a face in it is triangulated
+// from there.
+bool holds_for_all(const Answer& answer, const AnyOp& op) {
+  const Edge asked = edge(halfedge_of(op));
+  if (name(answer.verdict.reasons, asked) || name(answer.warnings, asked)) return false;
+  return info_of(op).subject != Subject::cycle || answer.verdict.reasons.size() <= 1;
+}
+
+}  // namespace
+
+Halfedge KnownAnswers::first_of_cycle(const Mesh& mesh, Halfedge h) {
+  if (first_of_cycle_.empty()) first_of_cycle_.resize(2 * std::size_t{mesh.edge_slots()});
+  if (!first_of_cycle_[h.index])
+    for (Halfedge side : loop(mesh, h)) first_of_cycle_[side.index] = h;
+  return first_of_cycle_[h.index];
+}
+
+// None if the edge shares its subject with no other one.
+std::optional<std::uint64_t> KnownAnswers::subject(const Mesh& mesh, const AnyOp& op) {
+  const Halfedge h = halfedge_of(op);
+  const OpInfo& info = info_of(op);
+  if (!is_there(mesh, h)) return std::nullopt;
+  if (info.subject == Subject::cycle && mesh.is_outside(h)) return first_of_cycle(mesh, h).index;
+  if (info.subject != Subject::points || is_bridge(mesh, h) || !is_cut_on_points(mesh, h)) return std::nullopt;
+  return std::uint64_t{point(mesh, mesh.from(h)).index} << 32u | point(mesh, mesh.to(h)).index;
+}
+
+Answer KnownAnswers::ask(Mesh& mesh, const AnyOp& op, bool geometry) {
+  const std::optional<std::uint64_t> about = subject(mesh, op);
+  const bool looks_at_shape = geometry && info_of(op).subject == Subject::cycle;
+  const auto known = about ? answers_.find(*about) : answers_.end();
+  const bool is_known = known != answers_.end();
+  if (is_known && !(looks_at_shape && known->second.verdict.legal())) return known->second;
+  Answer answer{is_known ? known->second.verdict : check(mesh, op, facts_), {}};
+  if (geometry && answer.verdict.legal()) answer.warnings = preview(mesh, journal_, op).warnings;
+  if (about && !is_known && holds_for_all(answer, op)) answers_.emplace(*about, answer);
+  return answer;
+}
+
+}  // namespace ryosen

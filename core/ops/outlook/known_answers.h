@@ -1,0 +1,37 @@
+// A cache of answers to questions about the edges of a mesh, for asking about many.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "core/ops/all.h"
+#include "core/ops/rules/local_facts.h"
+
+namespace ryosen {
+
+struct Answer {
+  Verdict verdict;
+  std::vector<Reason> warnings;
+};
+
+// Valid while the mesh does not change. An edge with the same subject (op.h) as one before costs the size of its answer,
+// unless that names the edge or, along a cycle, has several reasons or warnings. All questions must be about the same
+// operator without further arguments.
+class KnownAnswers {
+ public:
+  // With the warnings of a preview, or with none. The mesh is byte-equal afterwards.
+  Answer ask(Mesh& mesh, const AnyOp& op, bool geometry);
+
+ private:
+  std::optional<std::uint64_t> subject(const Mesh& mesh, const AnyOp& op);
+  Halfedge first_of_cycle(const Mesh& mesh, Halfedge h);
+
+  std::unordered_map<std::uint64_t, Answer> answers_;
+  LocalFacts facts_;
+  std::vector<Halfedge> first_of_cycle_;  // of each boundary halfedge asked about, the first of its cycle
+  Journal journal_;                       // of previews; nothing is committed
+};
+
+}  // namespace ryosen

@@ -1,0 +1,20 @@
+#include "core/ops/rules/local_facts.h"
+
+#include "core/mesh/copies.h"
+#include "core/ops/rules/face_lists.h"
+
+namespace ryosen {
+
+bool LocalFacts::has_several_fans(const Mesh& mesh, Vertex v) {
+  const auto [known, is_new] = several_fans_.try_emplace(v);
+  if (is_new) known->second = ryosen::has_several_fans(mesh, v);
+  return known->second;
+}
+
+bool LocalFacts::is_one_simple_loop(const Mesh& mesh, Face f) {
+  const auto [known, is_new] = one_simple_loop_.try_emplace(f);
+  if (is_new) known->second = ryosen::is_one_simple_loop(mesh, f);
+  return known->second;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,23 @@
+// A cache of what rules ask of whole stars and whole faces, for asking about many edges of one mesh.
+#pragma once
+
+#include <unordered_map>
+
+#include "core/mesh/mesh.h"
+
+namespace ryosen {
+
+// Valid while the mesh does not change. The first question about a vertex or face costs its valence or its corners.
+class LocalFacts {
+ public:
+  // See mesh/copies.h.
+  bool has_several_fans(const Mesh& mesh, Vertex v);
+  // See rules/face_lists.h.
+  bool is_one_simple_loop(const Mesh& mesh, Face f);
+
+ private:
+  std::unordered_map<Vertex, bool> several_fans_;
+  std::unordered_map<Face, bool> one_simple_loop_;
+};
+
+}  // namespace ryosen

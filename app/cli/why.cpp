@@ -63,8 +63,8 @@ class Why {
       ++questions;
     }
     const std::string legal = std::to_string(legal_), all = std::to_string(questions);
-    if (!console_.json)
-      console_.print(console_.text(Text{legal + " of " + all + " legal\n", all + " のうち " + legal + " が可能\n"}));
+    const Text summary{legal + " of " + all + " legal\n", all + " のうち " + legal + " が可能\n"};
+    console_.conclude(console_.json ? std::string() : console_.text(summary), ExitCode::done);
     return ExitCode::done;
   }
 
@@ -82,14 +82,14 @@ class Why {
     if (parsed.op) {
       std::string line(info.id);
       for (const std::string_view argument : arguments) line.append(" ").append(argument);
-      ask(info, {edge, words, std::move(line)}, *parsed.op, true);
+      console_.conclude(text_of(ask(info, {edge, words, std::move(line)}, *parsed.op, true)), ExitCode::done);
       return ExitCode::done;
     }
     if (parsed.error != NameError::deleted)
       return console_.fail(usage_failure(code_of(parsed.error), parsed.sentence), file_);
     VerdictReport report{info.id, edge, std::move(words), {}, {}, {}, quarantine_text(quarantine_, arguments)};
     report.verdict.refuse(Rule::deleted, {});
-    print(report);
+    console_.conclude(text_of(report), ExitCode::done);
     return ExitCode::done;
   }
 
@@ -105,10 +105,10 @@ class Why {
   }
 
   void ask_edge(const OpInfo& info, const std::string& edge, const AnyOp& op, bool geometry) {
-    ask(info, {edge, edge, std::string(info.id) + " " + edge}, op, geometry);
+    console_.print(text_of(ask(info, {edge, edge, std::string(info.id) + " " + edge}, op, geometry)));
   }
 
-  void ask(const OpInfo& info, Asked words, const AnyOp& op, bool geometry) {
+  VerdictReport ask(const OpInfo& info, Asked words, const AnyOp& op, bool geometry) {
     VerdictReport report{info.id, std::move(words.edge), std::move(words.arguments), check(mesh_, op), {}, {}, {}};
     if (report.verdict.legal()) {
       if (geometry) report.warnings = preview(mesh_, journal_, op).warnings;
@@ -116,11 +116,11 @@ class Why {
     } else {
       report.remedy = remedies_.find(words.line);
     }
-    print(report);
+    return report;
   }
 
-  void print(const VerdictReport& report) const {
-    console_.print(console_.json ? to_json_line(mesh_, report) : to_text(mesh_, report, console_));
+  std::string text_of(const VerdictReport& report) const {
+    return console_.json ? to_json_line(mesh_, report) : to_text(mesh_, report, console_);
   }
 
   std::string file_;

@@ -197,6 +197,13 @@ void OverlapTree::look(std::uint32_t first, std::uint32_t last, const OverlapVie
   for (std::uint32_t i = first; i < last; ++i) triangles_[i].box = view.box_of(surface_.triangle(triangles_[i].slot));
 }
 
+std::vector<std::uint32_t> OverlapTree::leaves_of_slots() const {
+  std::vector<std::uint32_t> leaves(surface_.slots(), no_index);
+  for (std::uint32_t node = 0; node < node_count(); ++node)
+    for (std::uint32_t i = 0; i < nodes_[node].count; ++i) leaves[triangles_[nodes_[node].first + i].slot] = node;
+  return leaves;
+}
+
 void OverlapTree::look(const Node& leaf, const OverlapView& view, Leaf& seen) const {
   seen.view = &view;
   seen.whole = OverlapBox::of_nothing();

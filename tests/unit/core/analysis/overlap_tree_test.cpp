@@ -153,10 +153,12 @@ std::size_t overlapping_pairs(const Mesh& mesh) {
   const OverlapTree tree(surface, 1);
   std::size_t pairs = 0;
   for (std::uint32_t node = 0; node < tree.node_count(); ++node)
-    tree.visit_pairs(node, [&](std::uint32_t, std::uint32_t) {
-      ++pairs;
-      return true;
-    });
+    tree.visit_pairs(
+        node, [](std::uint32_t, std::uint32_t) { return true; },
+        [&](std::uint32_t, std::uint32_t) {
+          ++pairs;
+          return true;
+        });
   return pairs;
 }
 

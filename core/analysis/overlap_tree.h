@@ -3,7 +3,9 @@
 //
 // Axis-aligned boxes separate long, thin triangles poorly: the boxes of a fan all overlap at its tip, and so do those
 // of parallel oblique slivers. So the triangles around a point of high valence form a star, a subtree whose boxes bound
-// directions from that point; and subtrees of slivers use boxes oriented along them.
+// directions from that point; and subtrees of slivers use boxes oriented along them. Neither do they tell large triangles
+// apart that lie over each other like the walls of stacked cups: those are parted by their normals first, and then have
+// boxes that lie flat along them.
 #pragma once
 
 #include <cstdint>
@@ -73,11 +75,20 @@ class OverlapTree {
   std::vector<Star> gather_stars();
   void build(std::uint32_t node, std::uint32_t first, std::uint32_t last, const OverlapView& view, unsigned threads);
   void build_stars(std::uint32_t node, std::span<Star> stars, unsigned threads);
-  void divide(std::uint32_t node, std::uint32_t first, std::uint32_t last, const OverlapView& view, unsigned threads);
+  enum class By { place, normal };
+  void divide(std::uint32_t node, std::uint32_t first, std::uint32_t last, const OverlapView& view, unsigned threads,
+              By by = By::place);
   // The view for a node's children: an oriented one if its triangles are aligned slivers.
   const OverlapView& view_below(std::uint32_t first, std::uint32_t last, const OverlapView& view);
   OverlapView view_of_star(const Star& star) const;
   const OverlapView& add_view(const OverlapView& view);
+  // Whether the boxes in a node lie over each other along all axes.
+  bool is_stack(std::uint32_t first, std::uint32_t last) const;
+  enum class Sheets { parallel, of_several_normals, not_apart };
+  // How the triangles of a stack are told apart, with the view for it where they are parallel.
+  Sheets sheets_in(std::uint32_t first, std::uint32_t last, OverlapView& view) const;
+  // Partitions at the `middle`-th by normal, of either sign, along the axis in which normals differ most.
+  void halve_by_normal(std::uint32_t first, std::uint32_t middle, std::uint32_t last);
   // Recomputes the boxes of triangles in a view.
   void look(std::uint32_t first, std::uint32_t last, const OverlapView& view);
   void look(const Node& leaf, const OverlapView& view, Leaf& seen) const;

@@ -223,7 +223,7 @@ class AlgorithmRun {
     console_.print(after_.problems.empty() ? console_.text("left: nothing\n", "残り：なし\n")
                                            : console_.text("left:\n", "残り：\n"));
     for (const NamedProblem& problem : after_.problems) console_.print(to_text(problem, console_));
-    console_.print(written_text(output_.is_there ? &*wanted_ : nullptr, console_));
+    console_.conclude(written_text(output_.is_there ? &*wanted_ : nullptr, console_), code_);
   }
 
   Json reason_json(const LeftForReason& left) const {
@@ -294,7 +294,7 @@ class AlgorithmRun {
     std::vector<Message> messages = output_.failure ? std::vector{output_.failure->message} : document_.file().messages;
     messages.insert(messages.end(), output_.losses.begin(), output_.losses.end());
     json["messages"] = cli::to_json(messages);
-    console_.print(line_of(json));
+    console_.conclude(line_of(json), code_);
   }
 
   Document& document_;

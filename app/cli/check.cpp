@@ -156,10 +156,14 @@ ExitCode check_command(const Arguments& arguments, const Console& console) {
   if (!options) return console.fail(options.failure());
   const std::vector<Input> inputs = find_inputs(arguments.operands());
   std::vector<ExitCode> codes(inputs.size());
+  std::size_t left = inputs.size();
   Checker(inputs, *options, console).run([&](std::size_t i, const Checker::Done& done) {
     codes[i] = done.code;
-    console.print(done.output);
-    Console::flush();
+    // Without JSON a summary or messages follow.
+    if (--left == 0 && console.json)
+      console.conclude(done.output, combine(codes));
+    else
+      console.print_now(done.output);
     for (const Message& message : done.messages)  // the JSON carries the warnings
       if (!console.json || message.severity == Severity::error) console.show(message, inputs[i].path);
   });

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "app/cli/json.h"
+#include "app/cli/last_words.h"
 #include "app/cli/visible.h"
 #include "app/editor/message_place.h"
 #include "core/base/uninterrupted.h"
@@ -35,6 +36,14 @@ bool Console::flush() {
   return std::fflush(stdout) == 0 && !std::ferror(stdout);
 }
 
+bool Console::conclude(std::string_view text, ExitCode code) const {
+  const Uninterrupted section(Uninterrupted::Section::print);
+  print(text);
+  if (!flush()) return false;
+  note_conclusion(code);
+  return true;
+}
+
 void Console::note(const Text& message) const {
   if (!quiet) std::fprintf(stderr, "%s\n", visible_line(text(message)).c_str());
 }
@@ -54,8 +63,8 @@ std::string Console::shown_line(const Message& message, std::string_view file) c
 }
 
 ExitCode Console::fail(const Failure& failure, std::optional<std::string_view> file, std::string_view format) const {
-  if (json) print(line_of(error_object(failure.message, file, format)));
   show(failure.message, file.value_or(std::string_view()));
+  conclude(json ? line_of(error_object(failure.message, file, format)) : std::string(), failure.exit_code);
   return failure.exit_code;
 }
 

@@ -32,6 +32,9 @@ struct Console {
   void print_now(std::string_view text) const;
   // Writes what is printed so far; false where any of it could not be written.
   static bool flush();
+  // Prints the last of a run and flushes it, in one section: a signal comes before it and cancels, or behind it and ends
+  // the program with this code, without a further word. False where any of what was printed could not be written.
+  bool conclude(std::string_view text, ExitCode code) const;
   // A line on stderr, unless quiet.
   void note(const Text& text) const;
   // A message about a file, or about the command line if `file` is empty. Errors are shown even if quiet, infos only if
@@ -39,7 +42,7 @@ struct Console {
   void show(const Message& message, std::string_view file = {}) const;
   // The line that show() writes about it, with its line end.
   std::string shown_line(const Message& message, std::string_view file) const;
-  // Shows the failure and, with JSON, prints its error object. Returns its exit code.
+  // Shows the failure and, with JSON, prints its error object, as the last of the run. Returns its exit code.
   ExitCode fail(const Failure& failure, std::optional<std::string_view> file = {}, std::string_view format = {}) const;
 };
 

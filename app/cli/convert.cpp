@@ -92,7 +92,10 @@ class Conversion {
   }
 
   void report(const MeshFile& file, ExitCode code) const {
-    if (!console_.json) return console_.print(written_text(is_written_ ? &output_ : nullptr, console_));
+    if (!console_.json) {
+      console_.conclude(written_text(is_written_ ? &output_ : nullptr, console_), code);
+      return;
+    }
     Record<convert_shape> json;
     json["file"] = input_;
     json["output"] = is_written_ ? Json(output_) : Json();
@@ -111,7 +114,7 @@ class Conversion {
       json["losses"].push_back(std::move(lost).json());
     }
     json["messages"] = to_json(messages_);
-    console_.print(line_of(json));
+    console_.conclude(line_of(json), code);
   }
 
   std::string input_, output_;

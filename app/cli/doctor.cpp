@@ -151,8 +151,9 @@ std::string to_text(const Diagnosis& d, const Console& console) {
 
 ExitCode doctor_command(const Arguments&, const Console& console) {
   const Diagnosis diagnosis;
-  console.print(console.json ? line_of(to_json(diagnosis)) : to_text(diagnosis, console));
-  return diagnosis.can_draw() ? ExitCode::done : ExitCode::found_problems;
+  const ExitCode code = diagnosis.can_draw() ? ExitCode::done : ExitCode::found_problems;
+  console.conclude(console.json ? line_of(to_json(diagnosis)) : to_text(diagnosis, console), code);
+  return code;
 }
 
 }  // namespace ryosen::cli

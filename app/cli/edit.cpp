@@ -204,7 +204,7 @@ class EditRun {
     std::vector<Message> messages = output_.losses;
     if (output_.failure) messages.push_back(output_.failure->message);
     if (!messages.empty()) json["messages"] = to_json(messages);
-    console_.print(line_of(json));
+    console_.conclude(line_of(json), code_);
   }
 
   void print_text(const Totals& before, const LastState& last) {
@@ -225,7 +225,7 @@ class EditRun {
                                         "面のない稜線と橋を含み、隔離された面を含まない（expect の数え方）："}) +
                      "V " + std::to_string(all.vertices) + "  E " + std::to_string(all.edges) + "  F " +
                      std::to_string(all.faces) + "\n");
-    console_.print(written_text(written_ ? &*written_ : nullptr, console_));
+    console_.conclude(written_text(written_ ? &*written_ : nullptr, console_), code_);
   }
 
   EditFiles files_;
@@ -266,8 +266,8 @@ ExitCode edit_command(const Arguments& arguments, const Console& given) {
   if (files.output) outputs.push_back({*files.output, FileRole::result});
   RunFiles planned = files.of_run;
   if (const auto fault = find_fault(*script, input, outputs, planned)) {
-    if (given.json) given.print(line_of(error_object(fault->message, input)));
     given.show(fault->message, fault->message.line ? script->place() : input);
+    given.conclude(given.json ? line_of(error_object(fault->message, input)) : std::string(), fault->exit_code);
     return fault->exit_code;
   }
   Console console = given;

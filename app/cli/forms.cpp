@@ -165,7 +165,7 @@ ExitCode forms_command(const Arguments& arguments, const Console& console) {
   if (!file) return console.fail(file.failure(), path);
   for (const Message& message : file->messages) console.show(message, path);
   const Comparison comparison = forms::compare_forms(from_indexed(std::move(file->mesh)));
-  console.print(console.json ? json_line_of(comparison, path) : to_text(comparison, path, console));
+  console.conclude(console.json ? json_line_of(comparison, path) : to_text(comparison, path, console), ExitCode::done);
   return ExitCode::done;
 }
 

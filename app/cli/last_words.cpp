@@ -44,6 +44,8 @@ using PreparedLines = std::array<PreparedLine, std::size(last_words_rows)>;
 
 std::atomic<const PreparedLines*> prepared_lines = nullptr;
 
+std::atomic<int> concluding_code = -1;  // while nothing is concluded
+
 Failure failure_of(const LastWordsRow& row) {
   return make_failure(row.exit_code, row.code, {std::string(row.en), std::string(row.ja)});
 }
@@ -65,6 +67,7 @@ void write_whole(int descriptor, std::string_view bytes) noexcept {
 void prepare_last_words(const Console& console, std::optional<std::string_view> file) {
   static PreparedLines& lines = *new PreparedLines;  // for ever: a signal may come at the very end
   prepared_lines = nullptr;
+  concluding_code = -1;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const LastWordsRow& row = last_words_rows[i];
     const Message message = failure_of(row).message;
@@ -87,6 +90,13 @@ ExitCode say_last_words(LastWords words, bool may_print) noexcept {
       write_whole(STDERR_FILENO, part);
   }
   return row.exit_code;
+}
+
+void note_conclusion(ExitCode code) noexcept { concluding_code = static_cast<int>(code); }
+
+std::optional<ExitCode> conclusion() noexcept {
+  const int code = concluding_code;
+  return code < 0 ? std::nullopt : std::optional(static_cast<ExitCode>(code));
 }
 
 }  // namespace ryosen::cli

@@ -18,4 +18,8 @@ void prepare_last_words(const Console& console, std::optional<std::string_view> 
 // within a signal handler. Returns the exit code.
 ExitCode say_last_words(LastWords words, bool may_print) noexcept;
 
+// The run has said its last, whose exit code this is; prepare_last_words() takes it back.
+void note_conclusion(ExitCode code) noexcept;
+std::optional<ExitCode> conclusion() noexcept;
+
 }  // namespace ryosen::cli

@@ -36,7 +36,7 @@ ExitCode run_command(const CommandLine& line) {
 
 // Output may still be buffered; a full disk is detected only here.
 ExitCode finish_output(const Console& console, ExitCode code) {
-  if (Console::flush()) return code;
+  if (console.conclude({}, code)) return code;
   const Failure failure = make_failure(ExitCode::output_not_writable, "output_not_writable",
                                        {"The output cannot be written.", "出力を書き込めません。"});
   console.show(failure.message);

@@ -123,7 +123,7 @@ class Shot {
     json["reference"] = options_.reference ? Json(*options_.reference) : Json();
     json["different_percent"] = percent_ ? Json(*percent_) : Json();
     json["messages"] = cli::to_json(messages_);
-    console_.print(line_of(json));
+    console_.conclude(line_of(json), code_);
     return code_;
   }
 
@@ -167,8 +167,10 @@ ExitCode shot_command(const Arguments& arguments, const Console& given) {
     const Message& message = options.failure().message;
     // A fault of the flags is about no file.
     const bool is_of_flags = options.failure().exit_code == ExitCode::usage && !message.line;
-    if (given.json) given.print(line_of(error_object(message, is_of_flags ? "" : arguments.operands()[0])));
     given.show(message, message.line ? *arguments.value("--script") : std::string());
+    const std::string object =
+        given.json ? line_of(error_object(message, is_of_flags ? "" : arguments.operands()[0])) : std::string();
+    given.conclude(object, options.failure().exit_code);
     return options.failure().exit_code;
   }
   Console console = given;

@@ -36,6 +36,7 @@ LastWords words_for_now() {
 
 // Nothing else writes files or prints meanwhile, but for what a slow reader holds up.
 void end_by_signal(bool is_printing) {
+  if (const auto code = conclusion()) ::_exit(static_cast<int>(*code));
   if (words_for_now() == LastWords::report_cut && !is_overdue) return;  // its report follows
   const LastWords words = words_for_now();
   last_code = static_cast<int>(words == LastWords::report_cut ? ExitCode::done : ExitCode::cancelled);

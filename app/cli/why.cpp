@@ -64,8 +64,8 @@ class Why {
       ++questions;
     }
     const std::string legal = std::to_string(legal_), all = std::to_string(questions);
-    if (!console_.json)
-      console_.print(console_.text(Text{legal + " of " + all + " legal\n", all + " のうち " + legal + " が可能\n"}));
+    const Text summary{legal + " of " + all + " legal\n", all + " のうち " + legal + " が可能\n"};
+    console_.conclude(console_.json ? std::string() : console_.text(summary), ExitCode::done);
     return ExitCode::done;
   }
 
@@ -83,14 +83,14 @@ class Why {
     if (parsed.op) {
       std::string line(info.id);
       for (const std::string_view argument : arguments) line.append(" ").append(argument);
-      ask(info, {edge, words, std::move(line)}, *parsed.op, true);
+      console_.conclude(text_of(ask(info, {edge, words, std::move(line)}, *parsed.op, true)), ExitCode::done);
       return ExitCode::done;
     }
     if (parsed.error != NameError::deleted)
       return console_.fail(usage_failure(code_of(parsed.error), parsed.sentence), file_);
     VerdictReport report{info.id, edge, std::move(words), {}, {}, {}, quarantine_text(quarantine_, arguments)};
     report.verdict.refuse(Rule::deleted, {});
-    print(report);
+    console_.conclude(text_of(report), ExitCode::done);
     return ExitCode::done;
   }
 
@@ -106,10 +106,11 @@ class Why {
   }
 
   void ask_edge(const OpInfo& info, const std::string& edge, Halfedge h, bool geometry) {
-    ask(info, {edge, edge, std::string(info.id) + " " + edge}, on_edge(mesh_, info.id, h), geometry);
+    const AnyOp op = on_edge(mesh_, info.id, h);
+    console_.print(text_of(ask(info, {edge, edge, std::string(info.id) + " " + edge}, op, geometry)));
   }
 
-  void ask(const OpInfo& info, Asked words, const AnyOp& op, bool geometry) {
+  VerdictReport ask(const OpInfo& info, Asked words, const AnyOp& op, bool geometry) {
     Answer answer = answers_.ask(mesh_, op, geometry);
     VerdictReport report{info.id, std::move(words.edge), std::move(words.arguments), std::move(answer.verdict), {}, {},
                          {}};
@@ -119,11 +120,11 @@ class Why {
     } else {
       report.remedy = remedies_.find(words.line);
     }
-    print(report);
+    return report;
   }
 
-  void print(const VerdictReport& report) const {
-    console_.print(console_.json ? to_json_line(mesh_, report) : to_text(mesh_, report, console_));
+  std::string text_of(const VerdictReport& report) const {
+    return console_.json ? to_json_line(mesh_, report) : to_text(mesh_, report, console_);
   }
 
   std::string file_;

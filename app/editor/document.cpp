@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <new>
 #include <utility>
 
 #include "app/editor/quarantine_text.h"
@@ -235,6 +236,19 @@ void Document::go_to(std::size_t position) {
   }
 }
 
+void Document::take_back(std::size_t position) {
+  while (journal_.position() > position && !journal_.is_last_redone()) {
+    const std::size_t transaction = journal_.position() - 1;
+    if (before_writing) before_writing();
+    journal_.withdraw(mesh_);
+    exchange_quarantine(transaction);
+    other_quarantine_.erase(other_quarantine_.lower_bound(transaction), other_quarantine_.end());
+    history_.resize(transaction);
+    ++revision_;
+  }
+  go_to(position);
+}
+
 std::optional<Text> Document::quarantine_text(std::span<const std::string_view> arguments) const {
   return ryosen::quarantine_text(tables_.quarantine, arguments);
 }
@@ -258,17 +272,26 @@ Document::Elsewhere Document::exists_elsewhere(NameError error, std::span<const 
     if (!is_known(name) && !is_value(name)) missing.push_back(name);
   if (missing.empty()) return Elsewhere::no;
   const std::size_t now = journal_.position();
+  const auto go_back = [&] {  // the way back needs no memory
+    while (journal_.position() < now) journal_.redo(writable());
+    while (journal_.position() > now) journal_.undo(writable());
+  };
   Elsewhere found = Elsewhere::no;
-  while (found == Elsewhere::no && journal_.can_undo()) {
-    journal_.undo(writable());
-    if (are_known(missing)) found = Elsewhere::earlier;
+  try {
+    while (found == Elsewhere::no && journal_.can_undo()) {
+      journal_.undo(writable());
+      if (are_known(missing)) found = Elsewhere::earlier;
+    }
+    go_back();
+    while (found == Elsewhere::no && journal_.can_redo()) {
+      journal_.redo(writable());
+      if (are_known(missing)) found = Elsewhere::later;
+    }
+  } catch (const std::bad_alloc&) {
+    go_back();
+    throw;
   }
-  while (journal_.position() < now) journal_.redo(writable());
-  while (found == Elsewhere::no && journal_.can_redo()) {
-    journal_.redo(writable());
-    if (are_known(missing)) found = Elsewhere::later;
-  }
-  while (journal_.position() > now) journal_.undo(writable());
+  go_back();
   return found;
 }
 

@@ -84,6 +84,9 @@ class Document {
   bool redo();
   // Goes to a position in the history; 0 is the file as read.
   void go_to(std::size_t position);
+  // Goes back to the position at which a command began that has found no memory, and forgets what it has added to the
+  // history. Allocates nothing itself.
+  void take_back(std::size_t position);
   const std::vector<HistoryEntry>& history() const { return history_; }
   std::size_t position() const { return journal_.position(); }
 

@@ -138,10 +138,16 @@ void Session::update_derived(std::size_t transaction) {
                          follow_operator(*euler_, m, highlights_->problems(), boundary_loops_->count());
     if (!is_kept) euler_.reset();
   }
+  drop_lost_selection(touched.everything);
+  if (hover_) point_at(hover_->pixel);
+}
+
+void Session::drop_lost_selection(bool is_renumbered) {
+  const Mesh& m = mesh();
   std::erase_if(selection, [&](const Element& e) {
     // Replaced columns renumber edges and copies: only points and faces keep their numbers.
     const bool keeps_number = e.kind == Element::Kind::face || (e.kind == Element::Kind::vertex && !m.has_copies());
-    if (touched.everything && !keeps_number) return true;
+    if (is_renumbered && !keeps_number) return true;
     switch (e.kind) {
       case Element::Kind::vertex:
         return !m.exists(e.vertex()) || !m.is_alive(e.vertex());
@@ -153,7 +159,6 @@ void Session::update_derived(std::size_t transaction) {
         return !m.exists(e.halfedge()) || !m.is_alive(e.halfedge());
     }
   });
-  if (hover_) point_at(hover_->pixel);
 }
 
 // Records members of the highlights that may have moved.
@@ -186,7 +191,10 @@ Outcome Session::run(const std::string& line) {
     return run_line(line);
   } catch (const std::bad_alloc&) {
     forget_derived();  // some of it may be half made
-    if (document_->serial() == serial) document_->go_to(position);
+    if (document_->serial() == serial) {
+      document_->take_back(position);
+      drop_lost_selection(false);
+    }
     return failed(ExitCode::out_of_memory, out_of_memory().message.text);
   }
 }

@@ -155,6 +155,8 @@ class Session {
   void forget_derived();
   Camera framing(const Mesh& mesh, const Camera& from) const;
   void note_marks(const TouchedElements& touched);
+  // Of the selected elements those that live on stay; is_renumbered: the columns have been replaced.
+  void drop_lost_selection(bool is_renumbered);
   void forget_hidden();
   Outcome apply_at(const OpTarget& target, const std::string& id);
 

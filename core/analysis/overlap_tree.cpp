@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::uint32_t least_star = 64;      // fewest triangles around a point that get a subtree
 constexpr std::uint32_t least_slivers = 128;  // fewest triangles that get a view aligned with them
+constexpr std::uint32_t least_stack = 128;    // fewest triangles that are parted by their normals
 constexpr std::uint32_t samples = 16;         // triangles sampled per node
 constexpr double sliver_size = 16.0;          // ratio of box to triangle area above which boxes separate poorly
 
@@ -41,6 +42,22 @@ glm::dvec3 longest_side(const NumberedTriangle& t) {
     if (glm::dot(side, side) > glm::dot(longest, longest)) longest = side;
   }
   return longest;
+}
+
+// How many of the boxes would fit side by side along the axis along which they lie furthest apart for their size.
+float separation(std::span<const OverlapBox> boxes) {
+  float most = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    float lowest = std::numeric_limits<float>::infinity(), highest = -lowest, width = 0;
+    for (const OverlapBox& box : boxes) {
+      const float middle = 0.5F * box.lowest[axis] + 0.5F * box.highest[axis];
+      lowest = std::min(lowest, middle);
+      highest = std::max(highest, middle);
+      width += (box.highest[axis] - box.lowest[axis]) / static_cast<float>(boxes.size());
+    }
+    if (highest > lowest) most = std::max(most, (highest - lowest) / width);
+  }
+  return most;
 }
 
 }  // namespace
@@ -118,7 +135,15 @@ void OverlapTree::build(std::uint32_t node, std::uint32_t first, std::uint32_t l
   }
   const OverlapView& below = view_below(first, last, view);
   if (&below != &view) look(first, last, below);
-  divide(node, first, last, below, threads);
+  if (last - first < least_stack || view.is_from_tip() || !is_stack(first, last))
+    return divide(node, first, last, below, threads);
+  OverlapView along = below;
+  const Sheets sheets = sheets_in(first, last, along);
+  if (sheets != Sheets::parallel)
+    return divide(node, first, last, below, threads, sheets == Sheets::not_apart ? By::place : By::normal);
+  const OverlapView& flat = add_view(along);
+  look(first, last, flat);
+  divide(node, first, last, flat, threads);
 }
 
 void OverlapTree::build_stars(std::uint32_t node, std::span<Star> stars, unsigned threads) {
@@ -138,9 +163,12 @@ void OverlapTree::build_stars(std::uint32_t node, std::span<Star> stars, unsigne
 }
 
 void OverlapTree::divide(std::uint32_t node, std::uint32_t first, std::uint32_t last, const OverlapView& view,
-                         unsigned threads) {
+                         unsigned threads, By by) {
   const std::uint32_t middle = first + leaf_size * ((leaf_count(last - first) + 1) / 2);
-  halve(std::span(triangles_).subspan(first, last - first), middle - first, [](const Triangle& t) { return t.slot; });
+  if (by == By::normal)
+    halve_by_normal(first, middle, last);
+  else
+    halve(std::span(triangles_).subspan(first, last - first), middle - first, [](const Triangle& t) { return t.slot; });
   const std::uint32_t left = node + 1, right = left + nodes_for(middle - first);
   for_each_part(2, threads > 1 ? 2 : 1, [&](unsigned, std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t half = begin; half < end; ++half)
@@ -169,6 +197,60 @@ const OverlapView& OverlapTree::view_below(std::uint32_t first, std::uint32_t la
   return aslant_size < box_size / 2 ? add_view(aslant) : view;
 }
 
+bool OverlapTree::is_stack(std::uint32_t first, std::uint32_t last) const {
+  constexpr float least_separation = 4;
+  std::array<OverlapBox, samples> boxes;
+  for (std::uint32_t k = 0; k < samples; ++k) boxes[k] = triangles_[part_begin(last - first, k, samples) + first].box;
+  return separation(boxes) < least_separation;
+}
+
+OverlapTree::Sheets OverlapTree::sheets_in(std::uint32_t first, std::uint32_t last, OverlapView& view) const {
+  constexpr double least_parallel = 0.99;
+  constexpr float better = 4;
+  std::array<OverlapBox, samples> now, then;
+  AlignedSum along;
+  double size = 0.0;
+  const auto sample = [&](std::uint32_t k) -> const Triangle& {
+    return triangles_[part_begin(last - first, k, samples) + first];
+  };
+  for (std::uint32_t k = 0; k < samples; ++k) {
+    const glm::dvec3 normal = surface_.scaled_normal(surface_.triangle(sample(k).slot));
+    along.add(normal);
+    size += glm::length(normal);
+    now[k] = sample(k).box;
+  }
+  if (!(glm::length(along.value()) >= least_parallel * size)) return Sheets::of_several_normals;
+  view = OverlapView(surface_.origin(), surface_.scale(), axes_along(along.value()));
+  for (std::uint32_t k = 0; k < samples; ++k) then[k] = view.box_of(surface_.triangle(sample(k).slot));
+  return separation(then) > better * separation(now) ? Sheets::parallel : Sheets::not_apart;
+}
+
+void OverlapTree::halve_by_normal(std::uint32_t first, std::uint32_t middle, std::uint32_t last) {
+  std::vector<glm::dvec3> normals(last - first);
+  AlignedSum along;
+  for (std::uint32_t i = first; i < last; ++i) {
+    const glm::dvec3 normal = surface_.scaled_normal(surface_.triangle(triangles_[i].slot));
+    const double length = glm::length(normal);
+    normals[i - first] = length > 0.0 ? normal / length : glm::dvec3(0.0);
+    along.add(normals[i - first]);
+  }
+  glm::dvec3 sum(0.0), squares(0.0);
+  for (glm::dvec3& normal : normals) {
+    if (glm::dot(normal, along.value()) < 0.0) normal = -normal;
+    sum += normal;
+    squares += normal * normal;
+  }
+  const glm::dvec3 spread = squares - sum * sum / static_cast<double>(normals.size());
+  const int axis = spread.x >= spread.y && spread.x >= spread.z ? 0 : spread.y >= spread.z ? 1 : 2;
+  std::vector<std::pair<double, Triangle>> keyed;
+  keyed.reserve(normals.size());
+  for (std::uint32_t i = first; i < last; ++i) keyed.emplace_back(normals[i - first][axis], triangles_[i]);
+  std::nth_element(keyed.begin(), keyed.begin() + (middle - first), keyed.end(), [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : a.second.slot < b.second.slot;
+  });
+  for (std::uint32_t i = first; i < last; ++i) triangles_[i] = keyed[i - first].second;
+}
+
 // Aligned with the mean normal: a flat star then maps to the equator of the octahedron and a cone to a circle around
 // the pole. If the normals cancel, the sum of sign-aligned normals.
 OverlapView OverlapTree::view_of_star(const Star& star) const {
@@ -195,6 +277,13 @@ const OverlapView& OverlapTree::add_view(const OverlapView& view) {
 
 void OverlapTree::look(std::uint32_t first, std::uint32_t last, const OverlapView& view) {
   for (std::uint32_t i = first; i < last; ++i) triangles_[i].box = view.box_of(surface_.triangle(triangles_[i].slot));
+}
+
+std::vector<std::uint32_t> OverlapTree::leaves_of_slots() const {
+  std::vector<std::uint32_t> leaves(surface_.slots(), no_index);
+  for (std::uint32_t node = 0; node < node_count(); ++node)
+    for (std::uint32_t i = 0; i < nodes_[node].count; ++i) leaves[triangles_[nodes_[node].first + i].slot] = node;
+  return leaves;
 }
 
 void OverlapTree::look(const Node& leaf, const OverlapView& view, Leaf& seen) const {

@@ -1,6 +1,7 @@
 #include "core/analysis/self_intersections.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <deque>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "core/analysis/overlap_tree.h"
 #include "core/base/parallel.h"
 #include "core/base/sort_unique.h"
+#include "core/geometry/triangle_plane.h"
 #include "core/geometry/triangles_meet.h"
 
 namespace ryosen {
@@ -19,47 +21,82 @@ struct SlotRange {
   std::uint32_t size() const { return end - begin; }
 };
 
-// Finds each pair of faces once, although several of their triangles may meet: where the first ones do. Pairs of faces
-// with too many triangles for that are found as often as their triangles meet.
+// How many triangles the face of each slot has, and which pairs of faces have too many to be told by FirstMeeting.
+class FaceSizes {
+ public:
+  explicit FaceSizes(const NumberedSurface& surface) {
+    for_each_face(surface, [&](SlotRange slots) {
+      if (slots.size() > least_large) large_.push_back(slots);
+    });
+    if (large_.empty()) return;
+    sizes_.resize(surface.slots());
+    for_each_face(surface, [&](SlotRange slots) {
+      const auto size = static_cast<std::uint8_t>(std::min(slots.size(), most_told));
+      std::fill(sizes_.begin() + slots.begin, sizes_.begin() + slots.end, size);
+    });
+  }
+
+  // More than 64 pairs of triangles. One of the faces is large then.
+  bool are_many(std::uint32_t a, std::uint32_t b) const {
+    return !sizes_.empty() && unsigned{sizes_[a]} * sizes_[b] > least_large * least_large;
+  }
+  // Whether such a pair of faces is searched from that of a.
+  bool is_searched_from(std::uint32_t a, std::uint32_t b) const {
+    return sizes_[a] != sizes_[b] ? sizes_[a] > sizes_[b] : a < b;
+  }
+  // The slots of each large face.
+  const std::vector<SlotRange>& large() const { return large_; }
+
+ private:
+  static constexpr std::uint32_t least_large = 8, most_told = 255;
+
+  template <class Visit>
+  static void for_each_face(const NumberedSurface& surface, const Visit& visit) {
+    for (std::uint32_t begin = 0, end = 0; begin < surface.slots(); begin = end) {
+      while (end < surface.slots() && surface.face(end) == surface.face(begin)) ++end;
+      visit(SlotRange{begin, end});
+    }
+  }
+
+  std::vector<SlotRange> large_;
+  std::vector<std::uint8_t> sizes_;  // by slot, none above most_told; empty where no face is large
+};
+
+// Finds each pair of faces with few triangles once, although several of them may meet: where the first ones do.
 class FirstMeeting {
  public:
   explicit FirstMeeting(const NumberedSurface& surface) : surface_(surface) {}
 
-  enum class Answer { no, yes, one_of_many };
-  Answer between(std::uint32_t a, std::uint32_t b) const {
+  bool is_between(std::uint32_t a, std::uint32_t b) const {
     if (surface_.face(b) < surface_.face(a)) std::swap(a, b);
-    const Face f = surface_.face(a), g = surface_.face(b);
-    if (f == g || !meet(a, b)) return Answer::no;
+    if (surface_.face(a) == surface_.face(b) || !meet(a, b)) return false;
     const SlotRange of_f = triangles_about(a), of_g = triangles_about(b);
-    if (of_f.size() * of_g.size() > most_tests) return Answer::one_of_many;
     for (std::uint32_t i = of_f.begin; i <= a; ++i)
       for (std::uint32_t k = of_g.begin; k < (i == a ? b : of_g.end); ++k)
-        if (!surface_.is_flat(i) && !surface_.is_flat(k) && meet(i, k)) return Answer::no;
-    return Answer::yes;
+        if (!surface_.is_flat(i) && !surface_.is_flat(k) && meet(i, k)) return false;
+    return true;
   }
-
- private:
-  static constexpr std::uint32_t most_tests = 64;
-
   bool meet(std::uint32_t a, std::uint32_t b) const {
     return meet_elsewhere(surface_.triangle(a), surface_.triangle(b));
   }
-  // The triangles of a face, which follow each other; not all if there are more than most_tests on one side.
+
+ private:
+  // The triangles of a face, which follow each other.
   SlotRange triangles_about(std::uint32_t slot) const {
     SlotRange range{slot, slot + 1};
     const Face f = surface_.face(slot);
-    while (range.begin > 0 && slot - range.begin <= most_tests && surface_.face(range.begin - 1) == f) --range.begin;
-    while (range.end < surface_.slots() && range.end - slot <= most_tests && surface_.face(range.end) == f) ++range.end;
+    while (range.begin > 0 && surface_.face(range.begin - 1) == f) --range.begin;
+    while (range.end < surface_.slots() && surface_.face(range.end) == f) ++range.end;
     return range;
   }
 
   const NumberedSurface& surface_;
 };
 
-// What the search of a range of nodes found, and where it stopped because that was enough.
+// A range of nodes or of large faces, where its search stopped because that was enough, and what it found.
 struct Part {
-  SlotRange nodes;
-  std::vector<FacePair> pairs, one_of_many;
+  SlotRange left;
+  std::vector<FacePair> pairs;
   std::size_t uncounted = 0;  // pairs that were not kept
 };
 
@@ -68,51 +105,90 @@ class Search {
   Search(const Mesh& mesh, std::size_t most, unsigned threads)
       : mesh_(mesh),
         surface_(mesh),
+        sizes_(surface_),
         most_(most),
         threads_(threads == 0 ? threads_for(surface_.slots()) : threads),
         tree_(surface_, threads_),
         meeting_(surface_) {}
 
   SelfIntersections run() {
-    for (std::uint32_t node = 0; node < tree_.node_count(); node += part_size)
-      left_.push_back({node, std::min(node + part_size, tree_.node_count())});
-    while (!left_.empty()) search_some();
+    search_all(tree_.node_count(), part_of_nodes,
+               [&](unsigned, Part& part, bool keeps) { search_node(part, part.left.begin, keeps); });
+    if (!sizes_.large().empty()) {
+      leaves_ = tree_.leaves_of_slots();
+      for (auto& met : met_by_task_) met.assign(mesh_.face_slots(), 0);
+      search_all(static_cast<std::uint32_t>(sizes_.large().size()), part_of_large,
+                 [&](unsigned task, Part& part, bool keeps) {
+                   search_large(part, sizes_.large()[part.left.begin], keeps, met_by_task_[task]);
+                 });
+    }
     return take();
   }
 
  private:
-  // Neither depends on the number of threads, so the pairs kept do not.
-  static constexpr std::uint32_t part_size = 256, parts = 8;
-  static constexpr std::size_t enough = 1 << 15;  // pairs that a part holds
+  // None depends on the number of threads, so the pairs kept do not.
+  static constexpr std::uint32_t part_of_nodes = 256, part_of_large = 64, tasks = 8;
+  static constexpr std::size_t enough = 1 << 15;  // pairs that a part holds before it stops
 
-  void search_some() {
-    std::vector<Part> found;
-    for (; found.size() < parts && !left_.empty(); left_.pop_front()) found.push_back({left_.front(), {}, {}, 0});
-    const bool keeps = result_.pairs.size() < most_;
-    if (!keeps && met_.empty()) met_.resize(mesh_.face_slots());
-    for_each_task(static_cast<unsigned>(found.size()), threads_, [&](unsigned i) { search(found[i], keeps); });
-    for (std::size_t i = found.size(); i-- > 0;)
-      if (found[i].nodes.size() > 0) left_.push_front(found[i].nodes);
-    for (Part& part : found) add(part);
+  // Calls search_one(task, part, keeps) for each number below `count`, which begins what is left of the part.
+  template <class SearchOne>
+  void search_all(std::uint32_t count, std::uint32_t part_size, const SearchOne& search_one) {
+    std::deque<SlotRange> left;
+    for (std::uint32_t i = 0; i < count; i += part_size) left.push_back({i, std::min(i + part_size, count)});
+    while (!left.empty()) {
+      std::vector<Part> found;
+      for (; found.size() < tasks && !left.empty(); left.pop_front()) found.push_back({left.front(), {}, 0});
+      const bool keeps = result_.pairs.size() < most_;
+      if (!keeps && met_.empty()) met_.resize(mesh_.face_slots());
+      for_each_task(static_cast<unsigned>(found.size()), threads_, [&](unsigned i) {
+        for (Part& part = found[i]; part.left.size() > 0 && part.pairs.size() < enough; ++part.left.begin)
+          search_one(i, part, keeps);
+      });
+      for (std::size_t i = found.size(); i-- > 0;)
+        if (found[i].left.size() > 0) left.push_front(found[i].left);
+      for (Part& part : found) add(part);
+    }
   }
 
-  void search(Part& part, bool keeps) {
-    for (; part.nodes.begin < part.nodes.end; ++part.nodes.begin) {
-      if (part.pairs.size() + part.one_of_many.size() >= enough) return;
-      tree_.visit_pairs(part.nodes.begin, [&](std::uint32_t a, std::uint32_t b) {
-        const FirstMeeting::Answer answer = meeting_.between(a, b);
-        if (answer == FirstMeeting::Answer::no) return true;
-        const Face f = std::min(surface_.face(a), surface_.face(b)), g = std::max(surface_.face(a), surface_.face(b));
-        if (answer == FirstMeeting::Answer::one_of_many) {
-          part.one_of_many.push_back({f, g});
-        } else if (keeps) {
-          part.pairs.push_back({f, g});
-        } else {
-          ++part.uncounted;
-          mark(f, g);
-        }
-        return true;
+  void search_node(Part& part, std::uint32_t node, bool keeps) {
+    const auto may = [&](std::uint32_t a, std::uint32_t b) { return !sizes_.are_many(a, b); };
+    tree_.visit_pairs(node, may, [&](std::uint32_t a, std::uint32_t b) {
+      if (meeting_.is_between(a, b)) note(part, surface_.face(a), surface_.face(b), keeps);
+      return true;
+    });
+  }
+
+  // The faces that a large one meets, each once; those with many triangles in common with it alone. `met` is all zero.
+  void search_large(Part& part, SlotRange slots, bool keeps, std::vector<std::uint8_t>& met) {
+    const Face f = surface_.face(slots.begin);
+    std::vector<Face> found;
+    for (std::uint32_t slot = slots.begin; slot < slots.end; ++slot) {
+      if (leaves_[slot] == no_index) continue;
+      const TrianglePlane plane(surface_.triangle(slot).places);
+      const auto may = [&](std::uint32_t other) {
+        const Face g = surface_.face(other);
+        return met[g.index] == 0 && g != f && sizes_.are_many(slot, other) && sizes_.is_searched_from(slot, other) &&
+               !plane.is_clear_of(surface_.triangle(other).places);
+      };
+      tree_.visit_overlaps(slot, leaves_[slot], may, [&](std::uint32_t other) {
+        const Face g = surface_.face(other);
+        if (!meeting_.meet(slot, other)) return;
+        met[g.index] = 1;
+        found.push_back(g);
       });
+    }
+    for (const Face g : found) {
+      met[g.index] = 0;
+      note(part, f, g, keeps);
+    }
+  }
+
+  void note(Part& part, Face f, Face g, bool keeps) {
+    if (keeps) {
+      part.pairs.push_back({std::min(f, g), std::max(f, g)});
+    } else {
+      ++part.uncounted;
+      mark(f, g);
     }
   }
 
@@ -123,10 +199,6 @@ class Search {
   void add(Part& part) {
     result_.count += part.pairs.size() + part.uncounted;
     for (const FacePair& pair : part.pairs) keep(pair);
-    many_.insert(many_.end(), part.one_of_many.begin(), part.one_of_many.end());
-    if (many_.size() < compact_at_) return;
-    sort_unique(many_);
-    compact_at_ = std::max(enough, 2 * many_.size());
   }
 
   void keep(const FacePair& pair) {
@@ -139,9 +211,6 @@ class Search {
   }
 
   SelfIntersections take() {
-    sort_unique(many_);
-    result_.count += many_.size();
-    for (const FacePair& pair : many_) keep(pair);
     std::sort(result_.pairs.begin(), result_.pairs.end());
     result_.faces = faces_of(result_.pairs);
     for (std::uint32_t i = 0; i < met_.size(); ++i)
@@ -152,15 +221,16 @@ class Search {
 
   const Mesh& mesh_;
   NumberedSurface surface_;
+  FaceSizes sizes_;
   std::size_t most_;
   unsigned threads_;
   OverlapTree tree_;
   FirstMeeting meeting_;
-  std::deque<SlotRange> left_;  // nodes
   SelfIntersections result_;
-  std::vector<FacePair> many_;  // pairs of faces with many triangles
-  std::size_t compact_at_ = enough;
   std::vector<std::uint8_t> met_;  // by face: whether a pair that was not kept has it; empty while all are kept
+  // Where a face is large:
+  std::vector<std::uint32_t> leaves_;                         // by slot
+  std::array<std::vector<std::uint8_t>, tasks> met_by_task_;  // by face
 };
 
 }  // namespace

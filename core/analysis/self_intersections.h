@@ -31,9 +31,8 @@ struct SelfIntersections {
 
 // All such pairs. Of more than `most` that many are kept and the others only counted: n copies of a triangle make
 // n^2 / 2. Exact on the stored doubles. O(n log n + pairs of overlapping boxes); fans, cones and oblique slivers produce
-// few overlaps (overlap_tree.h), many faces at one edge produce all pairs. Memory: O(n) and the pairs kept; beyond that
-// only pairs of faces that have many triangles each. threads: 0 chooses automatically. The result does not depend on it
-// nor, if complete, on the order of faces and corners.
+// few overlaps (overlap_tree.h), many faces at one edge produce all pairs. Memory: O(n) and the pairs kept. threads: 0
+// chooses automatically. The result does not depend on it nor, if complete, on the order of faces and corners.
 SelfIntersections find_self_intersections(const Mesh& mesh, std::size_t most = std::numeric_limits<std::size_t>::max(),
                                           unsigned threads = 0);
 

@@ -7,6 +7,7 @@
 
 #include "core/analysis/box_nesting.h"
 #include "core/analysis/box_tree.h"
+#include "core/analysis/leaf_planes.h"
 #include "core/analysis/overlap_tree.h"
 #include "core/base/parallel.h"
 #include "core/geometry/predicates.h"
@@ -167,14 +168,18 @@ class ShellSearch {
     const NumberedSurface surface(mesh_, faces);
     const OverlapTree tree(surface, threads_for(surface.slots()));
     std::optional<std::pair<Face, Face>> found;
+    LeafPlanes planes(surface);
+    const auto may = [&](std::uint32_t a, std::uint32_t b) {
+      const Face f = surface.face(a), g = surface.face(b);
+      return components_.of_face[f.index] != components_.of_face[g.index] && !planes.are_clear(a, b);
+    };
     const auto visit = [&](std::uint32_t a, std::uint32_t b) {
       const Face f = surface.face(a), g = surface.face(b);
-      if (components_.of_face[f.index] == components_.of_face[g.index]) return true;
       if (!meet_elsewhere(surface.triangle(a), surface.triangle(b))) return true;
       found = {std::min(f, g), std::max(f, g)};
       return false;
     };
-    for (std::uint32_t node = 0; node < tree.node_count() && tree.visit_pairs(node, visit);) ++node;
+    for (std::uint32_t node = 0; node < tree.node_count() && tree.visit_pairs(node, may, visit);) ++node;
     return found;
   }
 

@@ -15,6 +15,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/split_list.h"
+
 namespace ryosen {
 namespace {
 
@@ -65,21 +67,41 @@ std::uint64_t reclaimable_in(const std::string& path) {
   return of_first > 0 ? of_first : of_second;
 }
 
+// A line of the list: ID:CONTROLLERS:GROUP, without controllers in version 2.
+struct GroupLine {
+  std::string_view controllers, group;
+};
+
+std::optional<GroupLine> split_group_line(std::string_view line) {
+  const std::size_t first = line.find(':');
+  if (first == std::string_view::npos) return std::nullopt;
+  const std::size_t second = line.find(':', first + 1);
+  if (second == std::string_view::npos) return std::nullopt;
+  return GroupLine{line.substr(first + 1, second - first - 1), line.substr(second + 1)};
+}
+
+bool concern_memory(std::string_view controllers) {
+  for (const std::string_view controller : split_list(controllers))
+    if (controller == "memory") return true;
+  return false;
+}
+
 // The control group of this process (version 2, or of memory in version 1), and all that it lies in.
-void add_group_limits(std::vector<Limit>& limits) {
+void add_group_limits(std::vector<Limit>& limits, const ControlGroups& groups) {
   struct Files {
-    const char *root, *whole, *used;
+    const char *folder, *whole, *used;
   };
-  std::ifstream groups("/proc/self/cgroup");
-  for (std::string line; std::getline(groups, line);) {
-    const bool is_second = line.starts_with("0::");
-    if (!is_second && line.find(":memory:") == std::string::npos) continue;
-    const Files files = is_second ? Files{"/sys/fs/cgroup", "/memory.max", "/memory.current"}
-                                  : Files{"/sys/fs/cgroup/memory", "/memory.limit_in_bytes", "/memory.usage_in_bytes"};
-    std::string group = line.substr(line.rfind(':') + 1);
+  std::ifstream list(groups.list);
+  for (std::string line; std::getline(list, line);) {
+    const auto parts = split_group_line(line);
+    if (!parts || (!parts->controllers.empty() && !concern_memory(parts->controllers))) continue;
+    const Files files = parts->controllers.empty()
+                            ? Files{"", "/memory.max", "/memory.current"}
+                            : Files{"/memory", "/memory.limit_in_bytes", "/memory.usage_in_bytes"};
+    std::string group(parts->group);
     while (true) {
       if (group.ends_with('/')) group.pop_back();
-      const std::string folder = files.root + group;
+      const std::string folder = groups.root + files.folder + group;
       const auto whole = number_in(folder + files.whole), used = number_in(folder + files.used);
       constexpr std::uint64_t none = std::uint64_t{1} << 60;  // version 1 writes a huge number
       if (whole && used && *whole < none)
@@ -91,10 +113,10 @@ void add_group_limits(std::vector<Limit>& limits) {
   }
 }
 
-std::vector<Limit> memory_limits() {
+std::vector<Limit> memory_limits(const ControlGroups& groups) {
   std::vector<Limit> limits;
   add_own_limits(limits);
-  add_group_limits(limits);
+  add_group_limits(limits, groups);
   return limits;
 }
 
@@ -126,8 +148,8 @@ std::string memory_text(std::uint64_t bytes) {
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " GiB";
 }
 
-std::optional<Failure> lack_of_memory(const Text& what, const MemoryNeed& need) {
-  for (const Limit& limit : memory_limits()) {
+std::optional<Failure> lack_of_memory(const Text& what, const MemoryNeed& need, const ControlGroups& groups) {
+  for (const Limit& limit : memory_limits(groups)) {
     if (limit.left() >= need.*limit.counts) continue;
     const std::string wanted = memory_text(need.*limit.counts), left = memory_text(limit.left()),
                       whole = memory_text(limit.whole);

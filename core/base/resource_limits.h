@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "core/base/result.h"
 
@@ -25,9 +26,15 @@ bool is_reserving_limited();
 // take what it needs. Before the first thread.
 void reserve_little_where_limited();
 
+// Where the system tells of control groups; another place for tests.
+struct ControlGroups {
+  std::string list = "/proc/self/cgroup";  // those of this process
+  std::string root = "/sys/fs/cgroup";
+};
+
 // The failure out_of_memory, which names `what` ("Drawing"), its need and the limit, where a limit leaves less than that;
 // none where no limit does, which is no promise. O(1); allocates little.
-std::optional<Failure> lack_of_memory(const Text& what, const MemoryNeed& need);
+std::optional<Failure> lack_of_memory(const Text& what, const MemoryNeed& need, const ControlGroups& groups = {});
 
 // "300 MiB", "2.4 GiB".
 std::string memory_text(std::uint64_t bytes);

@@ -137,6 +137,7 @@ void Journal::commit() {
     replaced_.merge(replaced);
   }
   open_replaced_.reset();
+  redone_.clear();
   transactions_.push_back(open_);
   ++position_;
 }
@@ -201,9 +202,16 @@ void Journal::exchange_counts(Mesh& mesh, std::size_t first_word) {
 void Journal::undo(Mesh& mesh) {
   const std::size_t i = position_ - 1;
   const auto replaced = replaced_.find(i);
-  Undone undone{mesh.lengths(), {}};
-  if (replaced == replaced_.end()) undone.tail = copy_tail(mesh.columns_, lengths_before(i));
-  undone_.push_back(std::move(undone));
+  if (redone_.empty()) {
+    make_room(undone_, 1);
+    make_room(redone_, undone_.size() + 1);
+    Undone undone{mesh.lengths(), {}};
+    if (replaced == replaced_.end()) undone.tail = copy_tail(mesh.columns_, lengths_before(i));
+    undone_.push_back(std::move(undone));
+  } else {
+    undone_.push_back(std::move(redone_.back()));
+    redone_.pop_back();
+  }
   --position_;
   if (replaced != replaced_.end()) {
     std::swap(mesh.columns_, replaced->second);
@@ -220,8 +228,9 @@ void Journal::redo(Mesh& mesh) {
   const std::size_t i = position_;
   const auto replaced = replaced_.find(i);
   if (replaced == replaced_.end()) make_room_for_tail(mesh.columns_, undone_.back().after);
-  const Undone undone = std::move(undone_.back());
+  redone_.push_back(std::move(undone_.back()));
   undone_.pop_back();
+  const Undone& undone = redone_.back();
   ++position_;
   if (replaced != replaced_.end()) {
     std::swap(mesh.columns_, replaced->second);
@@ -232,6 +241,21 @@ void Journal::redo(Mesh& mesh) {
   restore_tail(mesh.columns_, undone.after, undone.tail);
   exchange_values(mesh, t.first_cell, cell_end(i), counts + count_words);
   exchange_counts(mesh, counts);
+}
+
+void Journal::withdraw(Mesh& mesh) noexcept {
+  redone_.clear();
+  const auto replaced = replaced_.find(--position_);
+  if (replaced != replaced_.end()) open_replaced_ = std::move(replaced->second);
+  replaced_.erase(replaced_.lower_bound(position_), replaced_.end());
+  open_ = transactions_[position_];
+  if (const std::size_t next = position_ + 1; next < transactions_.size()) {
+    cells_.resize(transactions_[next].first_cell);
+    words_.resize(transactions_[next].first_word);
+  }
+  transactions_.resize(position_);
+  undone_.clear();
+  rollback(mesh);
 }
 
 void Journal::clear() { *this = Journal(); }

@@ -34,9 +34,14 @@ class Journal {
   bool can_redo() const { return position_ < transactions_.size(); }
 
   // Swap the values of the last (next) transaction with those in the mesh; the columns are then byte-equal to what they
-  // were. Cost: the cells the edit changed. The mesh must be the one that the transactions were recorded on.
+  // were. Cost: the cells the edit changed. The mesh must be the one that the transactions were recorded on. Where there
+  // is no memory for it nothing changes; a way that was gone needs none to be gone back, until the next commit.
   void undo(Mesh& mesh);
   void redo(Mesh& mesh);
+  // Undoes the last transaction and forgets it, with all that can be redone. Allocates nothing.
+  void withdraw(Mesh& mesh) noexcept;
+  // Whether the last transaction was redone, and nothing has been committed since.
+  bool is_last_redone() const { return !redone_.empty(); }
   void clear();
 
   // What transaction i changed: the cells written, each once, and the lengths before it (elements from there on are
@@ -65,7 +70,8 @@ class Journal {
     std::size_t first_cell = 0;  // into cells_
     std::size_t first_word = 0;  // into words_: lengths before it, then counts (swapped with the mesh's), then values
   };
-  // What only an undone transaction needs; a stack, the last undone is redone first.
+  // What only an undone transaction needs. Two stacks: the last undone is redone first; one that is redone keeps it for
+  // the way back.
   struct Undone {
     ColumnLengths after;
     std::vector<std::byte> tail;  // column bytes of the new elements
@@ -97,7 +103,7 @@ class Journal {
   std::vector<PackedCell> cells_;
   std::vector<std::uint32_t> words_;
   std::vector<Transaction> transactions_;
-  std::vector<Undone> undone_;
+  std::vector<Undone> undone_, redone_;
   std::map<std::size_t, MeshColumns> replaced_;  // by transaction; swapped with the mesh's columns
   Transaction open_;
   std::optional<MeshColumns> open_replaced_;

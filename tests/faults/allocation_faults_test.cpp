@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -161,8 +162,9 @@ void fail_command_line(const std::vector<std::string>& line, const Folder& folde
   const long all = allocations_of(line);
   outputs.expect_whole_or_absent();
   static std::mt19937 random(std::random_device{}());
-  constexpr long trials = 12;
-  const long step = is_long_run() ? 1 : std::max(1l, all / trials);
+  const long trials = is_long_run() ? 1500 : 12;  // each is a process of its own
+  const long step = std::max(1l, all / trials);
+  if (is_long_run()) std::printf("%s: %ld allocations, every %ld. fails\n", line[0].c_str(), all, step);
   for (const Failing failing : {Failing::once, Failing::from_then_on})
     for (long nth = 1 + static_cast<long>(random() % static_cast<unsigned long>(step)); nth <= all; nth += step) {
       const int code = run_apart(line, nth, failing);
@@ -261,6 +263,44 @@ TEST(allocation_faults, of_edits_leave_the_document_as_it_was) {
   fail_command(session, "undo", "redo");
   ASSERT_TRUE(session.run("undo").done());
   fail_command(session, "redo", "undo");
+}
+
+// Wherever it runs out on a way through several entries, the document is back where it was, and the way is still there.
+TEST(allocation_faults, of_long_ways_through_the_history_lead_back) {
+  auto document = Document::open(source("assets/fin.obj"));
+  ASSERT_TRUE(document.ok());
+  Session session(std::move(document).value());
+  for (const char* const line : {"split 0-2", "repair detach_nonmanifold", "poke f0", "poke f1"})
+    ASSERT_TRUE(session.run(line).done()) << line;
+  fail_command(session, "undo 4", "redo 4");
+  ASSERT_TRUE(session.run("undo 4").done());
+  fail_command(session, "redo 4", "undo 4");
+  ASSERT_TRUE(session.run("redo 2").done());
+  fail_command(session, "undo 2", "redo 2");
+  fail_command(session, "redo 2", "undo 2");
+}
+
+// A name that is unknown here is looked for at the other ends of the history.
+TEST(allocation_faults, of_a_search_through_the_history_lead_back) {
+  auto document = Document::open(source("assets/fin.obj"));
+  ASSERT_TRUE(document.ok());
+  Session session(std::move(document).value());
+  for (const char* const line : {"poke f0", "split 0-2", "repair detach_nonmanifold", "poke f1"})
+    ASSERT_TRUE(session.run(line).done()) << line;
+  const std::string last = "poke f" + std::to_string(session.mesh().face_slots() - 1);
+  ASSERT_TRUE(session.run("undo 2").done());
+  const std::uint64_t before = session.mesh().hash();
+  for (const std::string& line : {last, std::string("poke f99")}) {
+    SCOPED_TRACE(line);
+    ASSERT_FALSE(session.run(line).done());
+    at_each_allocation(
+        150, Keeps::history, [&] { EXPECT_FALSE(session.run(line).done()); },
+        [&](bool) {
+          EXPECT_EQ(session.mesh().hash(), before);
+          EXPECT_EQ(session.document().position(), 2u);
+          EXPECT_EQ(session.document().history().size(), 4u);
+        });
+  }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // The real window on a display of its own: the pointer hovers and clicks an edge, the mesh changes, Ctrl+Z restores it.
 #include <gtest/gtest.h>
+#include <signal.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -44,8 +45,32 @@ class WindowTest : public testing::Test {
     editor_ = std::make_unique<Process>(
         std::vector<std::string>{RYOSEN_PROGRAM, mesh},
         std::vector<std::string>{"DISPLAY=:" + number_, "RYOSEN_FRAME_LOG=" + folder_.at("frames"), "LC_ALL=C",
-                                 "XDG_STATE_HOME=" + state_.path().string()});
+                                 "XDG_STATE_HOME=" + state_.path().string()},
+        "/dev/null", folder_.at("err"));
     ASSERT_TRUE(wait_for([&] { return last().number > 0; })) << "no picture appeared";
+  }
+
+  // Opens the command window and runs a line there.
+  void type(const std::string& line) const {
+    const long before = last().number;
+    xdotool("mousemove 640 400 key F3");
+    ASSERT_TRUE(wait_for([&] { return last().number > before; })) << "the command window did not open";
+    std::this_thread::sleep_for(300ms);  // until its field has the keys
+    xdotool("type --delay 20 '" + line + "'");
+    xdotool("key Return");
+  }
+
+  // Sends the signal and expects the answer: soon, with code 8 and a sentence.
+  void expect_end_by(int signal) {
+    const auto start = std::chrono::steady_clock::now();
+    editor_->end_by(signal);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, 1s) << "a busy machine may take its time; else it is 0.2 s";
+    EXPECT_EQ(editor_->exit_code(), 8);
+    const std::string err = test::read_file(folder_.at("err"));
+    EXPECT_NE(err.find("The editor was ended; edits that are not saved are offered again at its next start."),
+              std::string::npos)
+        << err;
+    std::filesystem::remove(folder_.at("frames"));
   }
 
   void xdotool(const std::string& words) const {
@@ -116,12 +141,7 @@ TEST_F(WindowTest, after_a_crash_the_next_start_brings_the_edits_back) {
   const std::string mesh = folder_.copy(test::asset("torus.off"), "torus.off");
   open(mesh);
   const long vertices = last().vertices;
-  const long before = last().number;
-  xdotool("mousemove 640 400 key F3");
-  ASSERT_TRUE(wait_for([&] { return last().number > before; })) << "the command window did not open";
-  std::this_thread::sleep_for(300ms);  // until its field has the keys
-  xdotool("type --delay 20 'split 0-1'");
-  xdotool("key Return");
+  type("split 0-1");
   ASSERT_TRUE(wait_for([&] { return last().history == 1; })) << "nothing was split";
   EXPECT_EQ(state_.names().size(), 1u);
   editor_->end_by(SIGKILL);
@@ -147,12 +167,8 @@ TEST_F(WindowTest, after_a_crash_the_next_start_brings_the_edits_back) {
 
 TEST_F(WindowTest, shows_long_work_and_lets_it_be_cancelled) {
   open(folder_.write("band.obj", test::band_around_holes()));
-  const long vertices = last().vertices, before = last().number;
-  xdotool("mousemove 640 400 key F3");
-  ASSERT_TRUE(wait_for([&] { return last().number > before; })) << "the command window did not open";
-  std::this_thread::sleep_for(300ms);  // until its field has the keys
-  xdotool("type --delay 20 'repair fill_holes'");
-  xdotool("key Return");
+  const long vertices = last().vertices;
+  type("repair fill_holes");
   const auto is_shown = [&] { return test::read_file(folder_.at("frames")).find("progress ") != std::string::npos; };
   ASSERT_TRUE(wait_for(is_shown)) << "no progress is shown";
   xdotool("key Escape");
@@ -173,6 +189,53 @@ TEST_F(WindowTest, ends_when_asked_to) {
   xdotool("mousemove 640 400 key ctrl+q");
   ASSERT_TRUE(wait_for([&] { return editor_->is_over(); }));
   EXPECT_EQ(editor_->exit_code(), 0);
+}
+
+TEST_F(WindowTest, a_signal_ends_it_and_leaves_its_edits_to_be_recovered) {
+  const std::string mesh = folder_.copy(test::asset("torus.off"), "torus.off"), content = test::read_file(mesh);
+  const std::vector<std::string> state{"XDG_STATE_HOME=" + state_.path().string()};
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+    SCOPED_TRACE(signal);
+    open(mesh);
+    type("split 0-1");
+    ASSERT_TRUE(wait_for([&] { return last().history == 1; })) << "nothing was split";
+    const long vertices = last().vertices;
+    expect_end_by(signal);
+    EXPECT_EQ(test::read_file(mesh), content);
+    EXPECT_EQ(state_.names().size(), 1u);
+    const auto again =
+        test::run_program({"edit", "--new", "--do", "recover 1; expect V " + std::to_string(vertices)}, {}, state);
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_EQ(test::run_program({"edit", "--new", "--do", "recover discard 1"}, {}, state).exit_code, 0);
+    EXPECT_TRUE(state_.names().empty());
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"display", "err", "torus.off"})) << "something is left over";
+  }
+}
+
+// Nothing was edited, so that there is nothing to recover; and what is at work is not waited for.
+TEST_F(WindowTest, a_signal_ends_it_while_it_works) {
+  open(folder_.write("band.obj", test::band_around_holes()));
+  type("repair fill_holes");
+  const auto is_shown = [&] { return test::read_file(folder_.at("frames")).find("progress ") != std::string::npos; };
+  ASSERT_TRUE(wait_for(is_shown)) << "no progress is shown";
+  expect_end_by(SIGTERM);
+  EXPECT_TRUE(state_.names().empty());
+}
+
+TEST_F(WindowTest, a_signal_ends_its_start_at_any_moment) {
+  const std::string mesh = folder_.copy(test::asset("torus.off"), "torus.off");
+  for (int after_ms = 0; after_ms < 400; after_ms += 40) {
+    editor_ = std::make_unique<Process>(
+        std::vector<std::string>{RYOSEN_PROGRAM, mesh},
+        std::vector<std::string>{"DISPLAY=:" + number_, "LC_ALL=C", "XDG_STATE_HOME=" + state_.path().string()},
+        "/dev/null", folder_.at("err"));
+    ASSERT_TRUE(wait_for([&] { return editor_->handles(SIGTERM); }));
+    std::this_thread::sleep_for(std::chrono::milliseconds(after_ms));
+    editor_->end_by(SIGTERM);
+    EXPECT_EQ(editor_->exit_code(), 8) << after_ms;
+    EXPECT_NE(test::read_file(folder_.at("err")), "") << after_ms;
+    EXPECT_TRUE(state_.names().empty());
+  }
 }
 
 }  // namespace

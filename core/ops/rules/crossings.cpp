@@ -171,9 +171,10 @@ void for_each_candidate(const Mesh& mesh, const std::vector<Shape>& shapes, std:
     const NumberedSurface surface(mesh, faces);
     if (are_sound_triangles(surface, shapes)) {
       const OverlapTree tree(surface, 1);
+      const auto may = [&](std::uint32_t a, std::uint32_t b) { return std::min(a, b) < live; };
       for (std::uint32_t node = 0; node < tree.node_count(); ++node)
-        tree.visit_pairs(node, [&](std::uint32_t a, std::uint32_t b) {
-          if (std::min(a, b) < live) visit(a, b);
+        tree.visit_pairs(node, may, [&](std::uint32_t a, std::uint32_t b) {
+          visit(a, b);
           return true;
         });
       return;

@@ -31,8 +31,12 @@ Process::~Process() {
 
 bool Process::is_over() { return is_over_ || (is_over_ = waitpid(id_, &status_, WNOHANG) == id_); }
 
-void Process::end_by(int signal) {
+void Process::send(int signal) {
   if (!is_over()) kill(id_, signal);
+}
+
+void Process::end_by(int signal) {
+  send(signal);
   wait();
 }
 

@@ -25,6 +25,7 @@ class Process {
   bool is_over();
   // Whether it has a handler of this signal by now.
   bool handles(int signal) const;
+  void send(int signal);
   // Sends a signal and waits for the end.
   void end_by(int signal);
   // Waits for the end. The exit code; -1 where a signal ended it.

@@ -11,6 +11,7 @@
 #include "core/analysis/shells.h"
 #include "core/indexed/to_indexed.h"
 #include "core/io/formats.h"
+#include "tests/support/core/pairs_by_asking_all.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
@@ -304,6 +305,49 @@ TEST(mesh_kind, depths_of_random_boxes_are_those_of_their_corners) {
   }
   EXPECT_GT(met, 20u);
   EXPECT_GT(deep, 10u);
+}
+
+// Tetrahedra with corners on a grid and between its lines, in and through each other: shells meet where any of their
+// faces do, and one lies in another where a ray from it passes the other an odd number of times.
+TEST(mesh_kind, shells_of_random_tetrahedra_are_those_of_asking_all) {
+  Dice dice(11);
+  std::size_t met = 0, deep = 0;
+  for (int round = 0; round < 400; ++round) {
+    IndexedMesh source;
+    const int count = 2 + dice.below(4);
+    std::vector<std::array<glm::dvec3, 4>> all;
+    for (int i = 0; i < count; ++i) {
+      const double size = i == 0 ? 24 : 1 + dice.below(6), unit = dice.one_in(2) ? 1.0 : 0.9;
+      const glm::dvec3 at(unit * dice.below(9), unit * dice.below(9), unit * dice.below(9));
+      const glm::dvec3 from = i == 0 ? glm::dvec3(-1) : at;
+      all.push_back(
+          {from, from + glm::dvec3(size, 0, 0), from + glm::dvec3(0, size, 0), from + glm::dvec3(0, 0, size)});
+      const auto first = static_cast<std::uint32_t>(source.positions.size());
+      for (const glm::dvec3& p : all.back()) source.positions.push_back(p);
+      for (const auto& [a, b, c] : {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}) {
+        for (const int k : {a, b, c}) source.corners.push_back(first + static_cast<std::uint32_t>(k));
+        source.face_offsets.push_back(static_cast<std::uint32_t>(source.corners.size()));
+      }
+    }
+    const std::vector<FacePair> pairs = pairs_by_asking_all(source);
+    const Mesh mesh = from_indexed(std::move(source));
+    Neighbourhood around(mesh, Neighbourhood::Reach::whole);
+    const Shells shells = find_shells(around);
+    ASSERT_EQ(shells.all.size(), all.size());
+    ASSERT_EQ(shells.meeting.has_value(), !pairs.empty()) << round;
+    met += !pairs.empty();
+    if (shells.meeting) continue;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto is_around = [&](const std::array<glm::dvec3, 4>& other) {
+        const glm::dvec3 d = all[i][0] - other[0];
+        return d.x > 0 && d.y > 0 && d.z > 0 && d.x + d.y + d.z < other[1].x - other[0].x;
+      };
+      EXPECT_EQ(shells.all[i].depth, std::count_if(all.begin(), all.end(), is_around)) << round << " " << i;
+      deep += shells.all[i].depth > 0;
+    }
+  }
+  EXPECT_GT(met, 20u);
+  EXPECT_GT(deep, 20u);
 }
 
 }  // namespace

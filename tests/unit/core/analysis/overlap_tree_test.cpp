@@ -153,10 +153,12 @@ std::size_t overlapping_pairs(const Mesh& mesh) {
   const OverlapTree tree(surface, 1);
   std::size_t pairs = 0;
   for (std::uint32_t node = 0; node < tree.node_count(); ++node)
-    tree.visit_pairs(node, [&](std::uint32_t, std::uint32_t) {
-      ++pairs;
-      return true;
-    });
+    tree.visit_pairs(
+        node, [](std::uint32_t, std::uint32_t) { return true; },
+        [&](std::uint32_t, std::uint32_t) {
+          ++pairs;
+          return true;
+        });
   return pairs;
 }
 
@@ -215,6 +217,56 @@ TEST(overlap_tree, tells_long_and_thin_triangles_apart) {
       EXPECT_LT(overlapping_pairs(mesh), 16u * mesh.face_slots())
           << "shape " << shape << ", waves " << waves << (is_tilted ? ", tilted" : "");
     }
+}
+
+// Cups in each other, each a closed shell with walls inside and outside, that grow from one to the next.
+ThinSolid cups(std::uint32_t count, std::uint32_t sides, double growth) {
+  constexpr double apart = 0.01;
+  ThinSolid solid;
+  for (std::uint32_t s = 0; s < count; ++s) {
+    const double radius = 1 + growth * s, height = 2 * radius, bottom = growth > 0 ? -0.1 * apart * s : apart * s;
+    const std::uint32_t tip = solid.add_point({0, 0, bottom + height});
+    solid.add_point({0, 0, bottom + height - 0.5 * apart});
+    for (const double r : {radius, radius * (1 - 0.5 * apart / height)})
+      for (std::uint32_t i = 0; i < sides; ++i) {
+        const double angle = 2 * std::numbers::pi * i / sides;
+        solid.add_point({r * std::cos(angle), r * std::sin(angle), bottom});
+      }
+    for (std::uint32_t i = 0; i < sides; ++i) {
+      const std::uint32_t a = tip + 2 + i, b = tip + 2 + (i + 1) % sides, c = a + sides, d = b + sides;
+      solid.add_triangle(tip, a, b);
+      solid.add_triangle(tip + 1, d, c);
+      solid.add_triangle(a, c, d);
+      solid.add_triangle(a, d, b);
+    }
+  }
+  return solid;
+}
+
+TEST(overlap_tree, finds_what_asking_all_pairs_finds_in_stacked_cups) {
+  std::size_t found = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    Dice dice(seed);
+    const auto sides = static_cast<std::uint32_t>(5 + dice.below(8));
+    ThinSolid solid = cups(20, sides, dice.one_in(2) ? 0.02 : 0.0);
+    if (dice.one_in(2)) solid.tilt();
+    solid.shake(dice, dice.one_in(2) ? 0.01 : 0.004);
+    const std::vector<FacePair> expected = pairs_by_asking_all(solid.mesh);
+    found += expected.size();
+    const Mesh mesh = from_indexed(std::move(solid.mesh));
+    ASSERT_EQ(find_self_intersections(mesh).pairs, expected) << "seed " << seed;
+    ASSERT_EQ(find_self_intersections(mesh, expected.size(), 2).pairs, expected) << "seed " << seed;
+  }
+  EXPECT_GT(found, 1000u);
+}
+
+// Not as the pairs of cups, of which all boxes overlap.
+TEST(overlap_tree, overlaps_in_stacked_cups_grow_little_faster_than_their_number) {
+  for (const double growth : {0.0, 0.02}) {
+    const std::size_t of_few = overlapping_pairs(from_indexed(cups(100, 12, growth).mesh)),
+                      of_many = overlapping_pairs(from_indexed(cups(400, 12, growth).mesh));
+    EXPECT_LT(of_many, 9 * of_few) << growth << ": " << of_few << " and " << of_many;
+  }
 }
 
 }  // namespace

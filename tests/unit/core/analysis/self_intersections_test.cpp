@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "core/indexed/from_indexed.h"
+#include "tests/support/core/long_run.h"
 #include "tests/support/core/pairs_by_asking_all.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
@@ -323,6 +325,54 @@ TEST(self_intersections, a_pair_of_faces_counts_once_however_many_triangles_meet
   const SelfIntersections found = find_self_intersections(from_indexed(std::move(combs)), 1);
   EXPECT_TRUE(found.is_all());
   EXPECT_EQ(found.pairs, (std::vector<FacePair>{{Face(0), Face(1)}}));
+}
+
+// Regular polygons of 3 to 40 corners, in planes of all kinds: pairs with few and with many pairs of triangles.
+IndexedMesh random_polygons(std::uint64_t seed, int count) {
+  Dice dice(seed);
+  IndexedMesh mesh;
+  for (int f = 0; f < count; ++f) {
+    const int corners = dice.one_in(2) ? 3 + dice.below(4) : 9 + dice.below(32), axis = dice.below(3);
+    const auto number = [&] { return 0.25 * dice.below(20); };
+    const glm::dvec3 middle(number(), number(), number());
+    const double size = 0.5 + 0.25 * dice.below(8);
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * std::numbers::pi * i / corners;
+      glm::dvec3 p = middle;
+      p[axis] += size * std::cos(angle);
+      p[(axis + 1) % 3] += size * std::sin(angle);
+      mesh.corners.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+      mesh.positions.push_back(p);
+    }
+    mesh.face_offsets.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+  }
+  return mesh;
+}
+
+TEST(self_intersections, of_faces_of_all_sizes_are_those_of_all_pairs_of_their_triangles) {
+  for (std::uint64_t seed = 0; seed < (is_long_run() ? 50u : 5u); ++seed) {
+    const Mesh mesh = from_indexed(random_polygons(seed, 60));
+    const NumberedSurface surface(mesh);
+    std::vector<FacePair> expected;
+    for (std::uint32_t a = 0; a < surface.slots(); ++a)
+      for (std::uint32_t b = a + 1; b < surface.slots(); ++b) {
+        const Face f = surface.face(a), g = surface.face(b);
+        if (f == g || surface.is_flat(a) || surface.is_flat(b)) continue;
+        if (!expected.empty() && expected.back() == FacePair{f, g}) continue;
+        if (meet_elsewhere(surface.triangle(a), surface.triangle(b))) expected.push_back({f, g});
+      }
+    std::sort(expected.begin(), expected.end());
+    expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
+    EXPECT_GT(expected.size(), 50u);
+    EXPECT_EQ(pairs_in(mesh, 1), expected) << seed;
+    for (const std::size_t most : {expected.size() - 1, std::size_t{20}, std::size_t{0}}) {
+      const SelfIntersections some = find_self_intersections(mesh, most, 2);
+      EXPECT_EQ(some.pairs.size(), most);
+      EXPECT_EQ(some.count, expected.size());
+      EXPECT_EQ(some.faces, faces_of(expected));
+      EXPECT_EQ(some.pairs, find_self_intersections(mesh, most, 1).pairs);
+    }
+  }
 }
 
 TEST(self_intersections, a_search_may_end_early_with_some_pairs) {

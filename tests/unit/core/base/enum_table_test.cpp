@@ -9,7 +9,7 @@ namespace ryosen {
 namespace {
 
 enum class Colour : std::uint8_t { red, green2, blue };
-enum class Nothing {};
+enum class NoRow {};
 struct Row {
   Colour colour;
   int value;
@@ -25,7 +25,7 @@ static_assert(rows_are_in_order(complete, &Row::colour));
 
 TEST(enum_table, counts_the_values_that_have_a_name) {
   EXPECT_EQ(enum_count<Colour>, 3u);
-  EXPECT_EQ(enum_count<Nothing>, 0u);
+  EXPECT_EQ(enum_count<NoRow>, 0u);
 }
 
 TEST(enum_table, finds_rows_that_are_missing_turned_or_too_many) {

@@ -149,6 +149,25 @@ TEST(recipes, welding_turns_parts_so_that_they_agree) {
   EXPECT_EQ(result.steps[0].text.en, "16 points were welded to others; 4 faces were turned round to fit.");
 }
 
+TEST(recipes, welding_leaves_alone_what_stays_in_the_file) {
+  // Two triangles with a slit, one of whose corners a face set aside uses: gone from the mesh, it stays in the file.
+  MeshFile file;
+  file.mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1.001, 0, 0}, {1, 1, 0}, {0, 1.001, 0}};
+  file.mesh.corners = {0, 1, 2, 3, 4, 5, 3, 3, 4};
+  file.mesh.face_offsets = {0, 3, 6, 9};
+  const std::string kinds = "weld_close=1%,remove_isolated";
+  const std::string bytes = bytes_of(file, *find_format("off"));
+  EXPECT_EQ(broken_rules(*read_mesh(bytes, *find_format("off")), kinds), std::vector<std::string>());
+
+  MeshFile read = *read_mesh(bytes, *find_format("off"));
+  ASSERT_EQ(read.mesh.quarantine.size(), 1u);
+  const std::vector<Vertex> used{Vertex(3), Vertex(4)};
+  const std::vector<QuarantinedFace> quarantine = read.mesh.quarantine;
+  const Mesh mesh = from_indexed(std::move(read.mesh));
+  const RecipeResult result = *run_recipe(mesh, recipe_of(mesh, kinds).steps, {quarantine, used, {}, {}});
+  EXPECT_EQ(after(result, ProblemKind::isolated_vertex), 1u) << "as the file that is written has it";
+}
+
 TEST(recipes, welding_leaves_a_seam_in_a_band_of_one_side) {
   const Mesh mesh = from_indexed(loose_band(9, false, true).mesh);
   const RecipeResult result = run_on(mesh, "weld_equal");

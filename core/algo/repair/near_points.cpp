@@ -1,5 +1,6 @@
 #include "core/algo/repair/near_points.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -86,7 +87,15 @@ bool ends_a_wire(const Mesh& m, Vertex p) {
   return found;
 }
 
-std::vector<Vertex> first_points_within(const Mesh& m, const std::vector<Vertex>& point_of, double distance) {
+bool is_isolated_point(const Mesh& m, Vertex p) {
+  return !any_of_copies(m, p, [&](Vertex copy) { return !m.is_isolated(copy); });
+}
+
+std::vector<Vertex> first_points_within(const Mesh& m, const std::vector<Vertex>& point_of, double distance,
+                                        std::span<const Vertex> used_elsewhere) {
+  const auto stays_in_file = [&](Vertex v) {
+    return std::binary_search(used_elsewhere.begin(), used_elsewhere.end(), v) && is_isolated_point(m, v);
+  };
   std::vector<Vertex> first(m.vertex_slots());
   NearPoints near(m, distance);
   for (std::uint32_t i = 0; i < m.vertex_slots(); ++i) {
@@ -96,7 +105,7 @@ std::vector<Vertex> first_points_within(const Mesh& m, const std::vector<Vertex>
     if (!is_finite(m.position(v)) || ends_a_wire(m, v)) continue;
     if (const Vertex other = near.first_near(m.position(v)))
       first[i] = other;
-    else
+    else if (!stays_in_file(v))
       near.add(v);
   }
   return first;

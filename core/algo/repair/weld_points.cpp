@@ -24,6 +24,12 @@ namespace ryosen {
 
 namespace {
 
+// What is welded.
+struct Reach {
+  double distance;
+  std::span<const Vertex> used;  // elsewhere (AlgorithmInput)
+};
+
 struct Welded {
   std::size_t points = 0, left = 0, turned = 0;
 };
@@ -31,8 +37,11 @@ struct Welded {
 // Which points become one, chosen side by side, so that the faces at every one of them stay one fan.
 class Welding {
  public:
-  Welding(const Mesh& m, double distance)
-      : m_(m), point_of_(points_by_slot(m)), place_(first_points_within(m, point_of_, distance)) {
+  Welding(const Mesh& m, const Reach& reach)
+      : m_(m),
+        point_of_(points_by_slot(m)),
+        used_(reach.used),
+        place_(first_points_within(m, point_of_, reach.distance, reach.used)) {
     for (Vertex p : point_of_)
       if (p && point_of_[p.index] == p && place_[p.index] != p) mates_[place_[p.index]].push_back(p);
     sort_mates();
@@ -133,48 +142,63 @@ class Welding {
   std::size_t add_classes(Vertex first, const std::vector<Vertex>& others, std::vector<JoinedPoints>& classes) const {
     std::map<Vertex, std::vector<Vertex>> by_root;
     for (Vertex p : others)
-      if (!is_alone(p)) by_root[merger_->root(p)].push_back(p);
+      if (!is_isolated_point(m_, p)) by_root[merger_->root(p)].push_back(p);
     if (by_root.empty()) by_root[others[0]];
     const auto lowest = std::min_element(by_root.begin(), by_root.end(), [](const auto& a, const auto& b) {
       return !b.second.empty() && (a.second.empty() || a.second < b.second);
     });
     const bool had_several = lowest->second.size() > 1;
     const glm::dvec3 own = lowest->second.empty() ? m_.position(first) : m_.position(lowest->second[0]);
-    for (Vertex p : others)
-      if (is_alone(p)) lowest->second.push_back(p);
-    sort_unique(lowest->second);
+    std::size_t apart = by_root.size();
+    apart += add_isolated(others, had_several ? m_.position(first) : own, lowest->second);
     for (auto& [root, points] : by_root) {
       if (points.size() < 2) continue;
       const bool stays = root == lowest->first && !had_several;
       classes.push_back({points, stays ? own : m_.position(first)});
     }
-    return by_root.size();
+    return apart;
   }
 
-  bool is_alone(Vertex p) const {
-    bool is_isolated = true;
-    for_each_copy(m_, p, [&](Vertex copy) { is_isolated = is_isolated && m_.is_isolated(copy); });
-    return is_isolated;
+  // Adds isolated points to a class that will be at this place. One that is used elsewhere goes only where the file can
+  // do without it (to_indexed.h): to a lower point at its very place. Returns how many stay alone.
+  std::size_t add_isolated(const std::vector<Vertex>& others, const glm::dvec3& place,
+                           std::vector<Vertex>& points) const {
+    std::vector<Vertex> used;
+    for (Vertex p : others)
+      if (is_isolated_point(m_, p)) (std::binary_search(used_.begin(), used_.end(), p) ? used : points).push_back(p);
+    if (points.empty()) points.push_back(used[0]);
+    sort_unique(points);
+    const Vertex lowest = points[0];
+    std::size_t alone = 0;
+    for (Vertex p : used) {
+      if (p == lowest) continue;
+      const bool may_go = lowest < p && m_.position(p) == place;
+      if (may_go) points.push_back(p);
+      alone += !may_go;
+    }
+    sort_unique(points);
+    return alone;
   }
 
   const Mesh& m_;
   std::vector<Vertex> point_of_;
+  std::span<const Vertex> used_;                 // elsewhere
   std::vector<Vertex> place_;                    // by point the first one there
   std::map<Vertex, std::vector<Vertex>> mates_;  // all points at a place of several, ascending
   std::set<Vertex> moved_;
   PointMerger* merger_ = nullptr;
 };
 
-Welded weld_within(Edit& edit, double distance, Progress& progress) {
-  Welding welding(edit.mesh(), distance);
+Welded weld_within(Edit& edit, const Reach& reach, Progress& progress) {
+  Welding welding(edit.mesh(), reach);
   return welding.has_mates() ? welding.weld(edit, progress) : Welded{};
 }
 
 // Collapses edges between points at one place where this is sound and makes no face flat; the lower number stays.
 // Returns how many.
-std::size_t collapse_within(Edit& edit, double distance, Progress& progress) {
+std::size_t collapse_within(Edit& edit, const Reach& reach, Progress& progress) {
   const Mesh& m = edit.mesh();
-  const std::vector<Vertex> place = first_points_within(m, points_by_slot(m), distance);
+  const std::vector<Vertex> place = first_points_within(m, points_by_slot(m), reach.distance, reach.used);
   std::size_t done = 0;
   const auto is_near = [&](Vertex a, Vertex b) { return place[a.index] == place[b.index]; };
   for (std::uint32_t i = m.vertex_slots(); i-- > 0;) {
@@ -240,8 +264,8 @@ void add_crossings(const Mesh& before, const Mesh& after, AlgorithmResult& resul
 
 // Turning replaces all columns, which must be the only write of the edit: then everything is done on a copy.
 template <class Weld>
-Welded turn_and_weld(Edit& edit, double distance, Weld weld) {
-  const std::vector<bool> turned = Welding(edit.mesh(), distance).faces_to_turn();
+Welded turn_and_weld(Edit& edit, const Reach& reach, Weld weld) {
+  const std::vector<bool> turned = Welding(edit.mesh(), reach).faces_to_turn();
   if (turned.empty()) return weld(edit);
   Mesh copy(turn_faces(edit.mesh(), turned).columns);
   Edit on_copy(copy, nullptr);
@@ -254,17 +278,18 @@ Welded turn_and_weld(Edit& edit, double distance, Weld weld) {
 
 }  // namespace
 
-AlgorithmResult weld_equal_points(Edit& edit, const AlgorithmInput&, Progress& progress) {
-  return result_of(turn_and_weld(edit, 0, [&](Edit& on) { return weld_within(on, 0, progress); }));
+AlgorithmResult weld_equal_points(Edit& edit, const AlgorithmInput& input, Progress& progress) {
+  const Reach reach{0, input.used_elsewhere};
+  return result_of(turn_and_weld(edit, reach, [&](Edit& on) { return weld_within(on, reach, progress); }));
 }
 
 AlgorithmResult weld_close_points(Edit& edit, const AlgorithmInput& input, Progress& progress) {
-  const double distance = input.values.length("distance");
-  if (!Welding(edit.mesh(), distance).has_mates()) return result_of({});
+  const Reach reach{input.values.length("distance"), input.used_elsewhere};
+  if (!Welding(edit.mesh(), reach).has_mates()) return result_of({});
   const Mesh before = edit.mesh();
-  const Welded welded = turn_and_weld(edit, distance, [&](Edit& on) {
-    const std::size_t collapsed = collapse_within(on, distance, progress);
-    Welded now = weld_within(on, distance, progress);
+  const Welded welded = turn_and_weld(edit, reach, [&](Edit& on) {
+    const std::size_t collapsed = collapse_within(on, reach, progress);
+    Welded now = weld_within(on, reach, progress);
     now.points += collapsed;
     return now;
   });

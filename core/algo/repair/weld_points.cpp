@@ -5,30 +5,24 @@
 #include <map>
 #include <set>
 
+#include "core/algo/repair/collapse_near.h"
 #include "core/algo/repair/flat_faces.h"
 #include "core/algo/repair/join_points.h"
 #include "core/algo/repair/near_points.h"
+#include "core/algo/repair/new_crossings.h"
 #include "core/algo/repair/point_merger.h"
 #include "core/algo/repair/sides_apart.h"
 #include "core/analysis/neighbourhood.h"
 #include "core/analysis/problem_kinds.h"
-#include "core/analysis/self_intersections.h"
 #include "core/base/count_text.h"
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
-#include "core/ops/collapse_edge.h"
 #include "core/ops/rules/turn_faces.h"
 
 namespace ryosen {
 
 namespace {
-
-// What is welded.
-struct Reach {
-  double distance;
-  std::span<const Vertex> used;  // elsewhere (AlgorithmInput)
-};
 
 struct Welded {
   std::size_t points = 0, left = 0, turned = 0;
@@ -37,18 +31,12 @@ struct Welded {
 // Which points become one, chosen side by side, so that the faces at every one of them stay one fan.
 class Welding {
  public:
-  Welding(const Mesh& m, const Reach& reach)
-      : m_(m),
-        point_of_(points_by_slot(m)),
-        used_(reach.used),
-        place_(first_points_within(m, point_of_, reach.distance, reach.used)) {
+  Welding(const Mesh& m, const NearPoints& near, const Reach& reach)
+      : m_(m), point_of_(near.point_of), place_(near.first), used_(reach.used) {
     for (Vertex p : point_of_)
       if (p && point_of_[p.index] == p && place_[p.index] != p) mates_[place_[p.index]].push_back(p);
     sort_mates();
   }
-
-  // Whether a place has several points at all.
-  bool has_mates() const { return !mates_.empty(); }
 
   // The faces to turn so that sides that lie on each other run in opposite directions, where they can; empty: none.
   std::vector<bool> faces_to_turn() const { return turns_of(m_, pairs()); }
@@ -181,46 +169,13 @@ class Welding {
   }
 
   const Mesh& m_;
-  std::vector<Vertex> point_of_;
+  const std::vector<Vertex>& point_of_;
+  const std::vector<Vertex>& place_;             // by point the first one there
   std::span<const Vertex> used_;                 // elsewhere
-  std::vector<Vertex> place_;                    // by point the first one there
   std::map<Vertex, std::vector<Vertex>> mates_;  // all points at a place of several, ascending
   std::set<Vertex> moved_;
   PointMerger* merger_ = nullptr;
 };
-
-Welded weld_within(Edit& edit, const Reach& reach, Progress& progress) {
-  Welding welding(edit.mesh(), reach);
-  return welding.has_mates() ? welding.weld(edit, progress) : Welded{};
-}
-
-// Collapses edges between points at one place where this is sound and makes no face flat; the lower number stays.
-// Returns how many.
-std::size_t collapse_within(Edit& edit, const Reach& reach, Progress& progress) {
-  const Mesh& m = edit.mesh();
-  const std::vector<Vertex> place = first_points_within(m, points_by_slot(m), reach.distance, reach.used);
-  std::size_t done = 0;
-  const auto is_near = [&](Vertex a, Vertex b) { return place[a.index] == place[b.index]; };
-  for (std::uint32_t i = m.vertex_slots(); i-- > 0;) {
-    const Vertex p(i);
-    if (!progress.go_on(m.vertex_slots() - i, m.vertex_slots())) return done;
-    if (i >= place.size() || !place[i] || place[i] == p || !m.is_alive(p)) continue;
-    std::vector<std::pair<Vertex, Halfedge>> ways;
-    for_each_copy(m, p, [&](Vertex copy) {
-      if (m.is_isolated(copy)) return;
-      for (Halfedge h : outgoing(m, copy))
-        if (const Vertex end = point(m, m.to(h)); end < p && is_near(p, end)) ways.emplace_back(end, h);
-    });
-    std::sort(ways.begin(), ways.end());
-    for (const auto& [end, h] : ways) {
-      if (!collapses_soundly(m, h)) continue;
-      CollapseEdge{h, CollapseEdge::Place::end}.apply(edit);
-      ++done;
-      break;
-    }
-  }
-  return done;
-}
 
 AlgorithmResult result_of(const Welded& welded) {
   AlgorithmResult result{welded.points, welded.left, {}};
@@ -241,35 +196,14 @@ AlgorithmResult result_of(const Welded& welded) {
   return result;
 }
 
-// More pairs are of no use to anyone.
-constexpr std::size_t most_pairs = 1000000;
-
-void add_crossings(const Mesh& before, const Mesh& after, AlgorithmResult& result) {
-  const SelfIntersections old = find_self_intersections(before, most_pairs);
-  SelfIntersections now = find_self_intersections(after, most_pairs);
-  std::size_t added = now.count - std::min(now.count, old.count);
-  const bool is_exact = now.is_all() && old.is_all();
-  if (is_exact)
-    added = std::erase_if(
-        now.pairs, [&](const FacePair& pair) { return !std::binary_search(old.pairs.begin(), old.pairs.end(), pair); });
-  result.crossings = added;
-  if (added == 0) return;
-  result.text =
-      result.text +
-      (is_exact ? count_text(added, " One pair of faces meets now that did not.",
-                             " # pairs of faces meet now that did not.", "新たに交わる面が # 組あります。")
-                : count_text(added, " At least one more pair of faces meets now.",
-                             " At least # more pairs of faces meet now.", "交わる面が少なくとも # 組増えました。"));
-}
-
 // Turning replaces all columns, which must be the only write of the edit: then everything is done on a copy.
 template <class Weld>
-Welded turn_and_weld(Edit& edit, const Reach& reach, Weld weld) {
-  const std::vector<bool> turned = Welding(edit.mesh(), reach).faces_to_turn();
-  if (turned.empty()) return weld(edit);
+Welded turn_and_weld(Edit& edit, const NearPoints& near, const Reach& reach, Weld weld) {
+  const std::vector<bool> turned = Welding(edit.mesh(), near, reach).faces_to_turn();
+  if (turned.empty()) return weld(edit, near);
   Mesh copy(turn_faces(edit.mesh(), turned).columns);
   Edit on_copy(copy, nullptr);
-  Welded welded = weld(on_copy);
+  Welded welded = weld(on_copy, find_near_points(copy, reach));
   on_copy.commit();
   welded.turned = static_cast<std::size_t>(std::count(turned.begin(), turned.end(), true));
   edit.replace(copy.columns());
@@ -280,21 +214,27 @@ Welded turn_and_weld(Edit& edit, const Reach& reach, Weld weld) {
 
 AlgorithmResult weld_equal_points(Edit& edit, const AlgorithmInput& input, Progress& progress) {
   const Reach reach{0, input.used_elsewhere};
-  return result_of(turn_and_weld(edit, reach, [&](Edit& on) { return weld_within(on, reach, progress); }));
+  const NearPoints near = find_near_points(edit.mesh(), reach);
+  if (!near.are_any()) return result_of({});
+  return result_of(turn_and_weld(edit, near, reach, [&](Edit& on, const NearPoints& now) {
+    return Welding(on.mesh(), now, reach).weld(on, progress);
+  }));
 }
 
 AlgorithmResult weld_close_points(Edit& edit, const AlgorithmInput& input, Progress& progress) {
   const Reach reach{input.values.length("distance"), input.used_elsewhere};
-  if (!Welding(edit.mesh(), reach).has_mates()) return result_of({});
+  const NearPoints near = find_near_points(edit.mesh(), reach);
+  if (!near.are_any()) return result_of({});
   const Mesh before = edit.mesh();
-  const Welded welded = turn_and_weld(edit, reach, [&](Edit& on) {
-    const std::size_t collapsed = collapse_within(on, reach, progress);
-    Welded now = weld_within(on, reach, progress);
-    now.points += collapsed;
-    return now;
+  const Welded welded = turn_and_weld(edit, near, reach, [&](Edit& on, const NearPoints& at_first) {
+    const std::size_t collapsed = collapse_near(on, at_first, progress);
+    const NearPoints now = collapsed > 0 ? find_near_points(on.mesh(), reach) : at_first;
+    Welded result = Welding(on.mesh(), now, reach).weld(on, progress);
+    result.points += collapsed;
+    return result;
   });
   AlgorithmResult result = result_of(welded);
-  if (result.changed > 0 && progress.go_on()) add_crossings(before, edit.mesh(), result);
+  if (result.changed > 0 && progress.go_on()) add_new_crossings(before, edit.mesh(), result);
   return result;
 }
 

@@ -6,30 +6,13 @@
 #include "core/algo/repair/folded_patch.h"
 #include "core/analysis/box_tree.h"
 #include "core/geometry/predicates.h"
+#include "core/geometry/surely_apart.h"
 #include "core/geometry/triangles_meet.h"
 #include "core/mesh/face_polygon.h"
 
 namespace ryosen {
 
 namespace {
-
-// Whether a triangle may meet a box: no axis that separates them for certain. Boxes of slivers overlap where
-// the slivers are far apart.
-bool may_meet(const std::array<glm::dvec3, 3>& triangle, const Box& box) {
-  if (!box.overlaps(box_of(triangle))) return false;
-  const glm::dvec3 middle = box.middle(), half = 0.5 * (box.highest - box.lowest);
-  const std::array<glm::dvec3, 3> v{triangle[0] - middle, triangle[1] - middle, triangle[2] - middle};
-  const glm::dvec3 reach = glm::max(glm::max(glm::abs(v[0]), glm::abs(v[1])), glm::abs(v[2])) + half;
-  const auto separates = [&](const glm::dvec3& axis) {
-    const double a = glm::dot(axis, v[0]), b = glm::dot(axis, v[1]), c = glm::dot(axis, v[2]);
-    const double wide = glm::dot(glm::abs(axis), half) + 1e-12 * glm::dot(glm::abs(axis), reach);
-    return std::min({a, b, c}) > wide || std::max({a, b, c}) < -wide;
-  };
-  const std::array<glm::dvec3, 3> sides{v[1] - v[0], v[2] - v[1], v[0] - v[2]};
-  for (const glm::dvec3& e : sides)
-    if (separates({0, -e.z, e.y}) || separates({e.z, 0, -e.x}) || separates({-e.y, e.x, 0})) return false;
-  return !separates(glm::cross(sides[0], sides[1]));
-}
 
 // Finds the triangles that meet those of the patches. Corners are numbered: those of faces by place, new vertices have
 // numbers of their own.
@@ -127,15 +110,19 @@ class CrossingSearch {
 
   // Compares a triangle of the mesh (p is no_index) with all patches; one of a patch with later patches.
   void compare(const NumberedTriangle& triangle, std::uint32_t p) {
-    const auto may = [&](const Box& box) { return may_meet(triangle.places, box); };
+    const auto may = [&](const Box& box) { return !are_surely_apart(triangle.places, box); };
     tree_.visit(may, [&](std::uint32_t q) {
       if (is_out(p)) return false;
-      if ((p != no_index && q <= p) || is_out(q)) return goes_on();
-      const bool is_clear = parts_[q].tree.visit(
-          may, [&](std::uint32_t i) { return !meet_elsewhere(triangle, triangles_[parts_[q].first + i]); });
+      if ((p != no_index && q <= p) || is_out(q)) return true;
+      const bool is_clear =
+          parts_[q].tree.visit(may, [&](std::uint32_t i) { return !meet(triangle, triangles_[parts_[q].first + i]); });
       if (!is_clear) note(p, q);
-      return goes_on();
+      return true;
     });
+  }
+
+  static bool meet(const NumberedTriangle& a, const NumberedTriangle& b) {
+    return !are_surely_apart(a.places, b.places) && meet_elsewhere(a, b);
   }
 
   bool is_out(std::uint32_t patch) const { return patch != no_index && found_.crosses[patch]; }

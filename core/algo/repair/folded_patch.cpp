@@ -4,6 +4,7 @@
 
 #include "core/algo/repair/projected_patch.h"
 #include "core/analysis/overlap_tree.h"
+#include "core/geometry/place_order.h"
 
 namespace ryosen {
 

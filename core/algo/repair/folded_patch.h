@@ -5,11 +5,6 @@
 
 namespace ryosen {
 
-// An order of places.
-inline bool is_before(const glm::dvec3& p, const glm::dvec3& q) {
-  return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
-}
-
 // Exact, with corners at one place as one (find_patch_crossings). The patch must have no degenerate triangles. O(n log n +
 // pairs of overlapping boxes, of which fans have few); O(n log n) for one that covers its projection once.
 bool crosses_itself(const HolePatch& patch);

@@ -5,6 +5,7 @@
 
 #include "core/algo/repair/folded_patch.h"
 #include "core/analysis/box_tree.h"
+#include "core/geometry/place_order.h"
 #include "core/geometry/predicates.h"
 #include "core/geometry/surely_apart.h"
 #include "core/geometry/triangles_meet.h"

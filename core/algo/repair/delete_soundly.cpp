@@ -8,6 +8,7 @@
 #include "core/analysis/neighbourhood.h"
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
 #include "core/ops/delete.h"
 
 namespace ryosen {
@@ -49,6 +50,14 @@ void keep_misoriented(Neighbourhood& around, std::vector<PointPair>& edges, bool
   });
 }
 
+// At a point that was non-manifold deletion leaves several fans at a vertex, which reading gives vertices of their own.
+void separate_fans(Sheets& sheets, const Mesh& m, Vertex point) {
+  if (!m.is_alive(point)) return;
+  std::vector<Vertex> copies;
+  for_each_copy(m, point, [&](Vertex copy) { copies.push_back(copy); });
+  for (Vertex copy : copies) sheets.separate(copy);
+}
+
 // Whether without the deleted faces an edge has only two triangles on the same three points left.
 bool has_only_a_pair_left(Neighbourhood& around, Halfedge h, const std::vector<Face>& doomed) {
   if (!around.edge(h).is_nonmanifold()) return false;
@@ -85,10 +94,12 @@ std::size_t delete_soundly(Edit& edit, std::vector<Face> faces) {
   if (faces.empty()) return 0;
   const std::size_t count = faces.size();
   Rim rim = rim_of(before, faces);
+  const std::vector<Vertex> points = rim.points;
   keep_nonmanifold(before, rim.points, false);
   keep_misoriented(before, rim.edges, false);
   Sheets sheets(edit);
   delete_elements(edit, sheets, {std::move(faces), {}, {}});
+  for (Vertex p : points) separate_fans(sheets, m, p);
   Neighbourhood after(m);
   keep_nonmanifold(after, rim.points, true);
   keep_misoriented(after, rim.edges, true);

@@ -11,6 +11,7 @@
 #include "core/geometry/is_finite.h"
 #include "core/geometry/single_precision.h"
 #include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
 #include "core/mesh/names.h"
 #include "core/ops/rules/sheets.h"
 
@@ -46,10 +47,18 @@ class EdgesMade {
   std::set<std::pair<std::uint32_t, std::uint32_t>> made_;
 };
 
+// Gives every fan of faces a vertex of its own, as reading does: their borders are loops of their own then.
+Edit& with_fans_apart(Edit& edit) {
+  Sheets sheets(edit);
+  for (std::uint32_t i = 0; i < edit.mesh().vertex_slots(); ++i)
+    if (edit.mesh().is_alive(Vertex(i)) && count_fans(edit.mesh(), Vertex(i)) > 1) sheets.separate(Vertex(i));
+  return edit;
+}
+
 class HoleFiller {
  public:
   HoleFiller(Edit& edit, std::optional<double> most_edges, Progress& progress)
-      : edit_(edit),
+      : edit_(with_fans_apart(edit)),
         progress_(progress),
         snaps_to_floats_(are_all_floats(edit.mesh().positions())),
         holes_(find_holes(edit.mesh(), most_edges, points_of_vertices(edit.mesh()), progress)),

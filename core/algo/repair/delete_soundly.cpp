@@ -80,8 +80,8 @@ std::size_t delete_soundly(Edit& edit, std::vector<Face> faces) {
   Neighbourhood before(m);
   sort_unique(faces);
   const std::vector<Face> doomed = faces;
-  std::map<std::pair<Vertex, Vertex>, bool> known;  // by the points of the edge
-  const auto holds_a_pair_apart = [&](Halfedge h) {
+  std::map<PointPair, bool> known;  // by edge: whether a face must stay there
+  const auto must_hold_a_pair_apart = [&](Halfedge h) -> bool& {
     const auto [place, is_new] =
         known.try_emplace(std::minmax({before.point(m.from(h)), before.point(m.to(h))}), false);
     if (is_new) place->second = has_only_a_pair_left(before, h, doomed);
@@ -89,7 +89,10 @@ std::size_t delete_soundly(Edit& edit, std::vector<Face> faces) {
   };
   std::erase_if(faces, [&](Face f) {
     const auto around = halfedges_around(m, f);
-    return std::any_of(around.begin(), around.end(), holds_a_pair_apart);
+    const bool stays = std::any_of(around.begin(), around.end(), must_hold_a_pair_apart);
+    if (stays)
+      for (Halfedge h : around) must_hold_a_pair_apart(h) = false;
+    return stays;
   });
   if (faces.empty()) return 0;
   const std::size_t count = faces.size();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/base/sort_unique.h"
@@ -35,6 +36,12 @@ NumberedSurface::NumberedSurface(const Mesh& mesh, std::span<const Face> faces) 
     for (std::uint32_t& corner : corners)
       corner =
           static_cast<std::uint32_t>(std::lower_bound(points.begin(), points.end(), Vertex(corner)) - points.begin());
+  choose_frame();
+}
+
+NumberedSurface::NumberedSurface(std::vector<glm::dvec3> places, std::vector<std::array<std::uint32_t, 3>> corners)
+    : corners_(std::move(corners)), sides_(corners_.size(), 7), places_(std::move(places)) {
+  for (std::uint32_t i = 0; i < corners_.size(); ++i) faces_.emplace_back(i);
   choose_frame();
 }
 

@@ -18,6 +18,9 @@ class NumberedSurface {
   // Of these live faces, whatever the size of the mesh.
   NumberedSurface(const Mesh& mesh, std::span<const Face> faces);
 
+  // Of these triangles between places, each a face of its own.
+  NumberedSurface(std::vector<glm::dvec3> places, std::vector<std::array<std::uint32_t, 3>> corners);
+
   std::uint32_t slots() const { return static_cast<std::uint32_t>(corners_.size()); }
   Face face(std::uint32_t slot) const { return faces_[slot]; }
   // Copies of a point have the same number.

@@ -149,6 +149,48 @@ TEST(recipes, welding_turns_parts_so_that_they_agree) {
   EXPECT_EQ(result.steps[0].text.en, "16 points were welded to others; 4 faces were turned round to fit.");
 }
 
+// What is broken of the rules on a mesh given as the text of an OBJ file.
+std::vector<std::string> broken_on(const std::string& text, const std::string& kinds) {
+  return broken_rules(*read_mesh(text, *find_format("obj")), kinds);
+}
+
+TEST(recipes, welding_beside_a_nonmanifold_point_leaves_what_reading_gives) {
+  // At the place of point 5, which ends an edge of three faces, lie two isolated points.
+  const std::string text =
+      "v 0 1 0\nv 0 1 1\nv 0 0 0\nv 0 1 0\nv 1 0 0\nv 1 0 0\nv 1 0 1\nv 1 1 0\nv 0 0 1\nv 0 1 0\nv 1 0 0\n"
+      "f 3 7 1 6 9\nf 4 3 9 8\nf 2 6 9\nf 8 9 6 4\n";
+  EXPECT_EQ(broken_on(text, "weld_close=0"), std::vector<std::string>());
+}
+
+TEST(recipes, a_hole_at_a_nonmanifold_point_is_filled_at_once) {
+  // Without its face on a line the surface has a hole at point 6, where it already had two fans.
+  const std::string text =
+      "v 4 0 1\nv 2 5 2\nv 3 1 1\nv 4 4 0\nv 2 4 5\nv 0 2 1\nv 1 4 3\nv 1 4 3\nv 4 5 5\nv 0 2 5\nv 3 3 4\n"
+      "v 2 5 5\nv 3 4 4\nv 0 0 2\nv 1 5 2\nv 2 2 0\nv 4 0 3\nv 0 3 1\n"
+      "f 7 6 10\nf 11 2 5 16\nf 14 13 3 9\nf 1 15 7\nf 1 7 18\nf 16 12 4 11\nf 15 7 13\nf 3 2 11 4 9\n"
+      "f 6 12 10\nf 16 5 13 14 12\nf 15 17 7\nf 12 7 10\nf 7 12 18\nf 13 5 2 3\nf 12 14 9 4\n";
+  EXPECT_EQ(broken_on(text, "weld_close=5%,remove_degenerate,fill_holes"), std::vector<std::string>());
+}
+
+TEST(recipes, welding_leaves_alone_what_stays_in_the_file) {
+  // Two triangles with a slit, one of whose corners a face set aside uses: gone from the mesh, it stays in the file.
+  MeshFile file;
+  file.mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1.001, 0, 0}, {1, 1, 0}, {0, 1.001, 0}};
+  file.mesh.corners = {0, 1, 2, 3, 4, 5, 3, 3, 4};
+  file.mesh.face_offsets = {0, 3, 6, 9};
+  const std::string kinds = "weld_close=1%,remove_isolated";
+  const std::string bytes = bytes_of(file, *find_format("off"));
+  EXPECT_EQ(broken_rules(*read_mesh(bytes, *find_format("off")), kinds), std::vector<std::string>());
+
+  MeshFile read = *read_mesh(bytes, *find_format("off"));
+  ASSERT_EQ(read.mesh.quarantine.size(), 1u);
+  const std::vector<Vertex> used{Vertex(3), Vertex(4)};
+  const std::vector<QuarantinedFace> quarantine = read.mesh.quarantine;
+  const Mesh mesh = from_indexed(std::move(read.mesh));
+  const RecipeResult result = *run_recipe(mesh, recipe_of(mesh, kinds).steps, {quarantine, used, {}, {}});
+  EXPECT_EQ(after(result, ProblemKind::isolated_vertex), 1u) << "as the file that is written has it";
+}
+
 TEST(recipes, welding_leaves_a_seam_in_a_band_of_one_side) {
   const Mesh mesh = from_indexed(loose_band(9, false, true).mesh);
   const RecipeResult result = run_on(mesh, "weld_equal");

@@ -8,6 +8,7 @@
 #include "core/analysis/neighbourhood.h"
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
 #include "core/ops/delete.h"
 
 namespace ryosen {
@@ -49,6 +50,14 @@ void keep_misoriented(Neighbourhood& around, std::vector<PointPair>& edges, bool
   });
 }
 
+// At a point that was non-manifold deletion leaves several fans at a vertex, which reading gives vertices of their own.
+void separate_fans(Sheets& sheets, const Mesh& m, Vertex point) {
+  if (!m.is_alive(point)) return;
+  std::vector<Vertex> copies;
+  for_each_copy(m, point, [&](Vertex copy) { copies.push_back(copy); });
+  for (Vertex copy : copies) sheets.separate(copy);
+}
+
 // Whether without the deleted faces an edge has only two triangles on the same three points left.
 bool has_only_a_pair_left(Neighbourhood& around, Halfedge h, const std::vector<Face>& doomed) {
   if (!around.edge(h).is_nonmanifold()) return false;
@@ -71,8 +80,8 @@ std::size_t delete_soundly(Edit& edit, std::vector<Face> faces) {
   Neighbourhood before(m);
   sort_unique(faces);
   const std::vector<Face> doomed = faces;
-  std::map<std::pair<Vertex, Vertex>, bool> known;  // by the points of the edge
-  const auto holds_a_pair_apart = [&](Halfedge h) {
+  std::map<PointPair, bool> known;  // by edge: whether a face must stay there
+  const auto must_hold_a_pair_apart = [&](Halfedge h) -> bool& {
     const auto [place, is_new] =
         known.try_emplace(std::minmax({before.point(m.from(h)), before.point(m.to(h))}), false);
     if (is_new) place->second = has_only_a_pair_left(before, h, doomed);
@@ -80,15 +89,20 @@ std::size_t delete_soundly(Edit& edit, std::vector<Face> faces) {
   };
   std::erase_if(faces, [&](Face f) {
     const auto around = halfedges_around(m, f);
-    return std::any_of(around.begin(), around.end(), holds_a_pair_apart);
+    const bool stays = std::any_of(around.begin(), around.end(), must_hold_a_pair_apart);
+    if (stays)
+      for (Halfedge h : around) must_hold_a_pair_apart(h) = false;
+    return stays;
   });
   if (faces.empty()) return 0;
   const std::size_t count = faces.size();
   Rim rim = rim_of(before, faces);
+  const std::vector<Vertex> points = rim.points;
   keep_nonmanifold(before, rim.points, false);
   keep_misoriented(before, rim.edges, false);
   Sheets sheets(edit);
   delete_elements(edit, sheets, {std::move(faces), {}, {}});
+  for (Vertex p : points) separate_fans(sheets, m, p);
   Neighbourhood after(m);
   keep_nonmanifold(after, rim.points, true);
   keep_misoriented(after, rim.edges, true);

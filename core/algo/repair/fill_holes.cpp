@@ -11,6 +11,7 @@
 #include "core/geometry/is_finite.h"
 #include "core/geometry/single_precision.h"
 #include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
 #include "core/mesh/names.h"
 #include "core/ops/rules/sheets.h"
 
@@ -46,13 +47,22 @@ class EdgesMade {
   std::set<std::pair<std::uint32_t, std::uint32_t>> made_;
 };
 
+// Gives every fan of faces a vertex of its own, as reading does: their borders are loops of their own then.
+Edit& with_fans_apart(Edit& edit) {
+  Sheets sheets(edit);
+  for (std::uint32_t i = 0; i < edit.mesh().vertex_slots(); ++i)
+    if (edit.mesh().is_alive(Vertex(i)) && count_fans(edit.mesh(), Vertex(i)) > 1) sheets.separate(Vertex(i));
+  return edit;
+}
+
 class HoleFiller {
  public:
   HoleFiller(Edit& edit, std::optional<double> most_edges, Progress& progress)
-      : edit_(edit),
+      : edit_(with_fans_apart(edit)),
         progress_(progress),
         snaps_to_floats_(are_all_floats(edit.mesh().positions())),
-        holes_(find_holes(edit.mesh(), most_edges, points_of_vertices(edit.mesh()), progress)) {}
+        holes_(find_holes(edit.mesh(), most_edges, points_of_vertices(edit.mesh()), progress)),
+        bases_(holes_.size()) {}
 
   // Holes that a patch has touched since they were tried are tried again.
   void run() {
@@ -68,6 +78,7 @@ class HoleFiller {
       }
       std::erase_if(open, [&](std::uint32_t i) { return !is_touched(holes_[i]); });
     }
+    tell_coinciding_borders(mesh(), holes_);
   }
 
   AlgorithmResult result() const {
@@ -116,7 +127,8 @@ class HoleFiller {
       if (!progress.go_on()) return;
       Hole& hole = holes_[open[k]];
       PlannedPatch plan{read_hole(mesh(), hole.start, points, joined, normals), {}};
-      const WhyOpen cause = plan_patch(way, plan.hole, snaps_to_floats_, plan.patch, progress);
+      const HoleTriangles& base = base_of(open[k], way, plan.hole, progress);
+      const WhyOpen cause = plan_patch(way, base, plan.hole, snaps_to_floats_, plan.patch, progress);
       if (progress.is_cancelled()) return;
       if (cause != WhyOpen::filled) {
         hole.cause = std::max(hole.cause, cause);
@@ -128,7 +140,16 @@ class HoleFiller {
     if (is_first_) progress_.begin_part(open.size(), open.size() + 1);
     is_first_ = false;
     if (!planned.empty()) insert_sound(planned, planned_for);
+    for (std::uint32_t i : open)
+      if (holes_[i].cause == WhyOpen::filled || is_touched(holes_[i])) bases_[i].clear();
     std::erase_if(open, [&](std::uint32_t i) { return holes_[i].cause == WhyOpen::filled; });
+  }
+
+  // Made once for the ways that begin with it, while no patch touches the hole.
+  const HoleTriangles& base_of(std::uint32_t i, const WayToFill& way, const HoleLoop& hole, Progress& progress) {
+    for (const Base& base : bases_[i])
+      if (base.by == way.triangulate) return base.triangles;
+    return bases_[i].emplace_back(Base{way.triangulate, way.triangulate(hole, progress)}).triangles;
   }
 
   // Of patches that exclude each other the first is taken.
@@ -159,7 +180,7 @@ class HoleFiller {
   }
 
   void add_left(const WhyOpenRow& row, AlgorithmResult& result) const {
-    LeftForReason left{{std::string(row.en), std::string(row.ja)}, {}};
+    LeftForReason left{row.text(), {}};
     for (const Hole& hole : holes_) {
       if (hole.cause != row.cause) continue;
       Edge lowest = edge(hole.start);
@@ -187,7 +208,12 @@ class HoleFiller {
   bool snaps_to_floats_;
   bool is_first_ = true;
   std::vector<Hole> holes_;
-  std::vector<bool> touched_;  // by vertex: points on loops that were filled
+  struct Base {
+    decltype(WayToFill::triangulate) by;
+    HoleTriangles triangles;
+  };
+  std::vector<std::vector<Base>> bases_;  // by hole
+  std::vector<bool> touched_;             // by vertex: points on loops that were filled
   std::size_t filled_ = 0, faces_ = 0, vertices_ = 0;
 };
 

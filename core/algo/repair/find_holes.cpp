@@ -1,8 +1,13 @@
 #include "core/algo/repair/find_holes.h"
 
+#include <algorithm>
 #include <array>
 
+#include "core/algo/repair/detach_nonmanifold.h"
+#include "core/algo/repair/orient_faces.h"
+#include "core/algo/repair/weld_points.h"
 #include "core/geometry/is_finite.h"
+#include "core/geometry/place_order.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/rules/face_lists.h"
@@ -11,21 +16,34 @@ namespace ryosen {
 
 namespace {
 
-constexpr std::array<WhyOpenRow, 8> why_open_rows{{
+constexpr std::array<WhyOpenRow, 9> why_open_rows{{
     {WhyOpen::not_finite, "a corner is not a finite place", "座標が有限でない点を通るため"},
-    {WhyOpen::visits_twice, "the loop visits a point twice (detach_nonmanifold parts them)",
-     "同じ点を二度通るため（detach_nonmanifold で分けられます）"},
+    {WhyOpen::visits_twice,
+     "the loop visits a point twice (# parts them)",
+     "同じ点を二度通るため（# で分けられます）",
+     {detach_nonmanifold}},
     {WhyOpen::has_wire, "an edge without a face hangs there", "面のない稜線が付いているため"},
-    {WhyOpen::cut_edge, "an edge has more than one face (detach_nonmanifold or orient)",
-     "面が二つ以上ある稜線を通るため（detach_nonmanifold か orient）"},
+    {WhyOpen::cut_edge,
+     "an edge has more than one face (# or #)",
+     "面が二つ以上ある稜線を通るため（# か #）",
+     {detach_nonmanifold, orient_faces}},
+    {WhyOpen::coincides,
+     "its border lies on another one (# joins them)",
+     "境界が別の境界と重なっているため（# でつながります）",
+     {weld_equal_points}},
     {WhyOpen::face_exists, "a face on the same three points is there already", "同じ三点の面がすでにあるため"},
-    {WhyOpen::without_area, "every patch has a face without area (weld_equal joins borders that coincide)",
-     "どのふさぎ方でも面積ゼロの面ができるため（重なる境界は weld_equal でつながります）"},
+    {WhyOpen::without_area, "every patch has a face without area", "どのふさぎ方でも面積ゼロの面ができるため"},
     {WhyOpen::edge_exists, "every patch needs an edge that is there already",
      "どのふさぎ方でもすでにある稜線が必要になるため"},
     {WhyOpen::crosses, "every patch that was tried crosses the surface or itself",
      "試したどのふさぎ方でも曲面または自分自身と交わるため"},
 }};
+
+std::string_view id_of(AlgorithmResult (*run)(Edit&, const AlgorithmInput&, Progress&)) {
+  for (const AlgorithmRow& row : algorithm_table())
+    if (row.run == run) return row.id;
+  return {};
+}
 
 WhyOpen cause_before_trying(const Mesh& m, Halfedge start, const std::vector<std::uint32_t>& point_of) {
   std::vector<std::uint32_t> points;
@@ -42,6 +60,15 @@ WhyOpen cause_before_trying(const Mesh& m, Halfedge start, const std::vector<std
 }
 
 }  // namespace
+
+Text WhyOpenRow::text() const {
+  Text text{std::string(en), std::string(ja)};
+  for (const auto remedy : remedies)
+    for (std::string* const clause : {&text.en, &text.ja})
+      if (const std::size_t at = clause->find('#'); remedy && at != std::string::npos)
+        clause->replace(at, 1, id_of(remedy));
+  return text;
+}
 
 std::span<const WhyOpenRow> reasons_to_stay_open() { return why_open_rows; }
 
@@ -68,6 +95,37 @@ std::vector<Hole> find_holes(const Mesh& mesh, std::optional<double> most_edges,
   for (Hole& hole : holes)
     if (progress.go_on()) hole.cause = cause_before_trying(mesh, hole.start, points);
   return holes;
+}
+
+void tell_coinciding_borders(const Mesh& mesh, std::vector<Hole>& holes) {
+  using Side = std::pair<glm::dvec3, glm::dvec3>;  // places, in order
+  const auto side_of = [&](Halfedge h) {
+    const glm::dvec3 &p = mesh.position(mesh.from(h)), &q = mesh.position(mesh.to(h));
+    return is_before(q, p) ? Side(q, p) : Side(p, q);
+  };
+  const auto is_less = [](const Side& a, const Side& b) {
+    return a.first != b.first ? is_before(a.first, b.first) : is_before(a.second, b.second);
+  };
+  const auto is_in_vain = [](const Hole& hole) {
+    return hole.cause >= WhyOpen::face_exists && hole.cause < WhyOpen::filled;
+  };
+  if (std::none_of(holes.begin(), holes.end(), is_in_vain)) return;
+  std::vector<Side> sides;
+  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.is_alive(h) || !mesh.is_outside(h) || mesh.is_outside(twin(h))) continue;
+    if (is_finite(mesh.position(mesh.from(h))) && is_finite(mesh.position(mesh.to(h)))) sides.push_back(side_of(h));
+  }
+  std::sort(sides.begin(), sides.end(), is_less);
+  for (Hole& hole : holes) {
+    if (!is_in_vain(hole)) continue;
+    const auto around = loop(mesh, hole.start);
+    const bool coincides = std::all_of(around.begin(), around.end(), [&](Halfedge h) {
+      const auto [first, last] = std::equal_range(sides.begin(), sides.end(), side_of(h), is_less);
+      return last - first > 1;
+    });
+    if (coincides) hole.cause = WhyOpen::coincides;
+  }
 }
 
 std::vector<std::uint32_t> points_of_vertices(const Mesh& mesh) {

@@ -1,11 +1,13 @@
 // The holes of a mesh, and why one stays open.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "core/algo/algorithms.h"
 #include "core/algo/repair/hole_loop.h"
 #include "core/base/message.h"
 #include "core/base/progress.h"
@@ -23,12 +25,17 @@ enum class WhyOpen : std::uint8_t {
   without_area,
   edge_exists,
   crosses,
+  coincides,
   filled,
 };
 
 struct WhyOpenRow {
   WhyOpen cause;
-  std::string_view en, ja;  // clauses
+  std::string_view en, ja;  // clauses; `#` stands for the next remedy
+  std::array<AlgorithmResult (*)(Edit&, const AlgorithmInput&, Progress&), 2> remedies = {};
+
+  // With the ids of the remedies.
+  Text text() const;
 };
 // Of those that are told, in the order of reports.
 std::span<const WhyOpenRow> reasons_to_stay_open();
@@ -41,6 +48,10 @@ struct Hole {
 // Every boundary loop of at most so many edges, ascending by lowest point. Neither wires nor what is longer is a hole.
 std::vector<Hole> find_holes(const Mesh& mesh, std::optional<double> most_edges,
                              const std::vector<std::uint32_t>& points, Progress& progress);
+
+// Gives holes that were tried in vain, and each of whose sides lies on a further open side of a face, that cause: welding
+// is for them. A pass over the halfedges and a sort, if there is such a hole.
+void tell_coinciding_borders(const Mesh& mesh, std::vector<Hole>& holes);
 
 // By vertex the number of its point. O(vertices).
 std::vector<std::uint32_t> points_of_vertices(const Mesh& mesh);

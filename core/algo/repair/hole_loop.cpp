@@ -1,5 +1,6 @@
 #include "core/algo/repair/hole_loop.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "core/geometry/is_finite.h"
@@ -56,8 +57,15 @@ class SurroundingsReader {
       else
         add_corner(i, h);
     }
-    around().spacing.push_back(edges > 0 ? sum / static_cast<double>(edges) : 0);
+    const double mean = edges > 0 ? sum / static_cast<double>(edges) : 0;
+    around().spacing.push_back(std::min(mean, length_of_sides(i)));
     if (gaps > 1) around().is_open[i] = true;
+  }
+
+  // Of the two at a corner together.
+  double length_of_sides(std::uint32_t i) const {
+    const std::uint32_t before = (i + hole_.size() - 1) % hole_.size(), after = (i + 1) % hole_.size();
+    return glm::distance(hole_.places[before], hole_.places[i]) + glm::distance(hole_.places[i], hole_.places[after]);
   }
 
   std::uint32_t number_of(Vertex v) {

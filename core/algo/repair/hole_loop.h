@@ -33,7 +33,7 @@ class JoinedCorners {
 
 // The faces at a hole's corners. Vertices are numbered: first the corners of the loop, then those in `places`.
 struct HoleSurroundings {
-  std::vector<double> spacing;            // by corner: the mean length of its edges
+  std::vector<double> spacing;            // by corner: the mean length of its edges, but no more than its two sides
   std::vector<std::uint8_t> is_open;      // by corner: whether it has another gap, or faces that are not in `triangles`
   std::vector<glm::dvec3> places;         // of vertices beside the loop
   std::vector<CornerTriangle> triangles;  // of the faces; of one with many corners, those at the loop

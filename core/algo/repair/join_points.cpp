@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "core/algo/repair/point_merger.h"
@@ -60,7 +59,6 @@ class Joiner {
  private:
   void collect_copies() {
     for (const JoinedPoints& joined : classes_) {
-      is_joined_.insert(joined.points[0]);
       for (Vertex p : joined.points)
         for_each_copy(m_, p, [&](Vertex copy) { copies_[joined.points[0]].push_back(copy); });
     }
@@ -169,8 +167,10 @@ class Joiner {
         return true;
       });
       if (copies.size() > 1 || (!copies.empty() && has_copies(m_, copies[0]))) ryosen::link_copies(edit_, copies);
-      // Reading may join more at a point that was non-manifold before.
-      if (copies.size() > 1 && !is_joined_.contains(first)) unsettled_.push_back(first);
+      // Reading may join more at a point that was non-manifold before, alone or with isolated ones.
+      std::vector<Vertex> fans = copies;
+      std::erase_if(fans, [&](Vertex v) { return m_.is_isolated(v); });
+      if (fans.size() > 1) unsettled_.push_back(fans[0]);
     }
     for (const JoinedPoints& joined : classes_)
       for (Vertex v : copies_[joined.points[0]]) edit_.set_position(v, joined.place);
@@ -197,7 +197,6 @@ class Joiner {
   std::map<Vertex, std::vector<Vertex>> copies_;     // by point afterwards, of the points concerned
   std::map<Vertex, Vertex> root_of_;                 // of vertices that are joined to others
   std::map<Vertex, std::vector<Halfedge>> leaving_;  // by root, before anything is joined
-  std::set<Vertex> is_joined_;                       // the first points of the classes
   std::vector<Vertex> unsettled_;
 };
 

@@ -3,33 +3,17 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "core/algo/repair/projected_patch.h"
+#include "core/algo/repair/folded_patch.h"
 #include "core/analysis/box_tree.h"
+#include "core/geometry/place_order.h"
 #include "core/geometry/predicates.h"
+#include "core/geometry/surely_apart.h"
 #include "core/geometry/triangles_meet.h"
 #include "core/mesh/face_polygon.h"
 
 namespace ryosen {
 
 namespace {
-
-// Whether a triangle may meet a box: no axis that separates them for certain. Boxes of slivers overlap where
-// the slivers are far apart.
-bool may_meet(const std::array<glm::dvec3, 3>& triangle, const Box& box) {
-  if (!box.overlaps(box_of(triangle))) return false;
-  const glm::dvec3 middle = box.middle(), half = 0.5 * (box.highest - box.lowest);
-  const std::array<glm::dvec3, 3> v{triangle[0] - middle, triangle[1] - middle, triangle[2] - middle};
-  const glm::dvec3 reach = glm::max(glm::max(glm::abs(v[0]), glm::abs(v[1])), glm::abs(v[2])) + half;
-  const auto separates = [&](const glm::dvec3& axis) {
-    const double a = glm::dot(axis, v[0]), b = glm::dot(axis, v[1]), c = glm::dot(axis, v[2]);
-    const double wide = glm::dot(glm::abs(axis), half) + 1e-12 * glm::dot(glm::abs(axis), reach);
-    return std::min({a, b, c}) > wide || std::max({a, b, c}) < -wide;
-  };
-  const std::array<glm::dvec3, 3> sides{v[1] - v[0], v[2] - v[1], v[0] - v[2]};
-  for (const glm::dvec3& e : sides)
-    if (separates({0, -e.z, e.y}) || separates({e.z, 0, -e.x}) || separates({-e.y, e.x, 0})) return false;
-  return !separates(glm::cross(sides[0], sides[1]));
-}
 
 // Finds the triangles that meet those of the patches. Corners are numbered: those of faces by place, new vertices have
 // numbers of their own.
@@ -44,19 +28,29 @@ class CrossingSearch {
     number_places();
     for (std::uint32_t k = 0; k < patches_.size(); ++k) add_patch(k);
     std::vector<Box> boxes;
-    for (const NumberedTriangle& t : triangles_) boxes.push_back(box_of(t.places));
+    for (const Triangles& patch : parts_) boxes.push_back(patch.box);
     tree_ = BoxTree(std::move(boxes));
     for (std::uint32_t i = 0; i < mesh_.face_slots() && goes_on(); ++i)
       if (mesh_.is_alive(Face(i))) compare_face(Face(i));
-    const bool is_alone = patches_.size() == 1;
-    for (std::uint32_t k = 0; k < triangles_.size() && goes_on(); ++k)
-      if (!(is_alone && is_clear_[0])) compare(triangles_[k], k);
+    for (std::uint32_t p = 0; p < parts_.size() && goes_on(); ++p)
+      if (!is_out(p) && crosses_itself(patches_[p].patch)) note(p, p);
+    for (std::uint32_t p = 0; p < parts_.size(); ++p)
+      for (std::uint32_t k = parts_[p].first; k < parts_[p].last && goes_on(); ++k) compare(triangles_[k], p);
     std::erase_if(found_.pairs, [&](const auto& p) { return found_.crosses[p.first] || found_.crosses[p.second]; });
     sort_unique(found_.pairs);
     return std::move(found_);
   }
 
  private:
+  // The triangles of a patch, numbered from `first`.
+  struct Triangles {
+    Box box;
+    std::uint32_t first, last;
+    BoxTree tree;
+  };
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(triangles_.size()); }
+
   // Not only when cancelled: also when there is nothing left to be found.
   bool goes_on() { return in_ > 0 && progress_.go_on(); }
 
@@ -67,9 +61,6 @@ class CrossingSearch {
     std::sort(places_.begin(), places_.end(), is_before);
     places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
     next_number_ = static_cast<std::uint32_t>(places_.size());
-  }
-  static bool is_before(const glm::dvec3& p, const glm::dvec3& q) {
-    return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
   }
   // no_index where no loop has a corner.
   std::uint32_t number_of(const glm::dvec3& place) const {
@@ -82,19 +73,27 @@ class CrossingSearch {
     std::vector<std::uint32_t> number;
     for (std::uint32_t v = 0; v < patch.places.size(); ++v)
       number.push_back(v < patch.corners ? number_of(patch.places[v]) : next_number_++);
+    Triangles part{{}, size(), size(), {}};
+    std::vector<Box> boxes;
     for (const CornerTriangle& t : patch.triangles) {
       triangles_.push_back(
           {{patch.places[t[0]], patch.places[t[1]], patch.places[t[2]]}, {number[t[0]], number[t[1]], number[t[2]]}});
-      patch_of_.push_back(k);
+      boxes.push_back(box_of(triangles_.back().places));
+      part.box.add(boxes.back());
     }
-    is_clear_.push_back(covers_once_in_projection(patch));
+    part.last = size();
+    part.tree = BoxTree(std::move(boxes));
+    parts_.push_back(std::move(part));
   }
 
   void compare_face(Face f) {
     polygon_.read(mesh_, f);
     if (!polygon_.is_finite()) return;
     const Box box = box_of(polygon_.places());
-    if (tree_.visit([&](const Box& other) { return box.overlaps(other); }, [](std::uint32_t) { return false; })) return;
+    const auto overlaps = [&](const Box& other) { return box.overlaps(other); };
+    const bool is_far = tree_.visit(
+        overlaps, [&](std::uint32_t p) { return parts_[p].tree.visit(overlaps, [](std::uint32_t) { return false; }); });
+    if (is_far) return;
     polygon_.triangulate(corners_);
     for (const CornerTriangle& t : corners_) {
       NumberedTriangle triangle{};
@@ -110,17 +109,21 @@ class CrossingSearch {
     }
   }
 
-  // With the triangles of the patches behind the one of this index, or with all of them.
-  void compare(const NumberedTriangle& triangle, std::uint32_t index) {
-    const std::uint32_t p = index == no_index ? no_index : patch_of_[index];
-    if (is_out(p)) return;
-    tree_.visit([&](const Box& box) { return may_meet(triangle.places, box); },
-                [&](std::uint32_t k) {
-                  const std::uint32_t q = patch_of_[k];
-                  const bool is_asked = index == no_index || (k > index && !(p == q && is_clear_[p]));
-                  if (is_asked && !is_out(q) && meet_elsewhere(triangle, triangles_[k])) note(p, q);
-                  return !is_out(p) && goes_on();
-                });
+  // Compares a triangle of the mesh (p is no_index) with all patches; one of a patch with later patches.
+  void compare(const NumberedTriangle& triangle, std::uint32_t p) {
+    const auto may = [&](const Box& box) { return !are_surely_apart(triangle.places, box); };
+    tree_.visit(may, [&](std::uint32_t q) {
+      if (is_out(p)) return false;
+      if ((p != no_index && q <= p) || is_out(q)) return true;
+      const bool is_clear =
+          parts_[q].tree.visit(may, [&](std::uint32_t i) { return !meet(triangle, triangles_[parts_[q].first + i]); });
+      if (!is_clear) note(p, q);
+      return true;
+    });
+  }
+
+  static bool meet(const NumberedTriangle& a, const NumberedTriangle& b) {
+    return !are_surely_apart(a.places, b.places) && meet_elsewhere(a, b);
   }
 
   bool is_out(std::uint32_t patch) const { return patch != no_index && found_.crosses[patch]; }
@@ -142,9 +145,8 @@ class CrossingSearch {
   std::vector<glm::dvec3> places_;  // of the loops' corners, ascending
   std::uint32_t next_number_ = 0;
   std::vector<NumberedTriangle> triangles_;  // of the patches
-  std::vector<std::uint32_t> patch_of_;      // by triangle
-  std::vector<bool> is_clear_;               // by patch: it is known not to cross itself
-  BoxTree tree_;                             // of the triangles
+  std::vector<Triangles> parts_;             // by patch
+  BoxTree tree_;                             // of the patches
   FacePolygon polygon_;
   std::vector<CornerTriangle> corners_;
 };

@@ -56,13 +56,12 @@ bool has_flat_triangle(const HolePatch& patch) {
 
 std::span<const WayToFill> ways_to_fill() { return known_ways; }
 
-WhyOpen plan_patch(const WayToFill& way, const HoleLoop& hole, bool snaps_to_floats, HolePatch& patch,
-                   Progress& progress) {
-  HoleTriangles base = way.triangulate(hole, progress);
+WhyOpen plan_patch(const WayToFill& way, const HoleTriangles& base, const HoleLoop& hole, bool snaps_to_floats,
+                   HolePatch& patch, Progress& progress) {
   if (base.triangles.empty()) return cause_of(base.cause);
   patch.corners = hole.size();
   patch.places = hole.places;
-  patch.triangles = std::move(base.triangles);
+  patch.triangles = base.triangles;
   if (patch.triangles.size() == patch.corners) add_middle(patch);
   if (has_flat_triangle(patch)) return WhyOpen::without_area;
   if (is_flat(hole) && lies_on_surroundings(hole, patch)) return WhyOpen::crosses;

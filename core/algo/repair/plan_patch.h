@@ -16,9 +16,9 @@ struct WayToFill {
 // In the order in which they are to be tried.
 std::span<const WayToFill> ways_to_fill();
 
-// Makes a patch for the hole without degenerate triangles; `filled`, or why there is none. With `snaps_to_floats` new
-// places are floats. Not to be used when cancelled.
-WhyOpen plan_patch(const WayToFill& way, const HoleLoop& hole, bool snaps_to_floats, HolePatch& patch,
-                   Progress& progress);
+// Makes a patch for the hole without degenerate triangles from `base`, what the way's triangulate() gives; `filled`, or
+// why there is none. With `snaps_to_floats` new places are floats. Not to be used when cancelled.
+WhyOpen plan_patch(const WayToFill& way, const HoleTriangles& base, const HoleLoop& hole, bool snaps_to_floats,
+                   HolePatch& patch, Progress& progress);
 
 }  // namespace ryosen

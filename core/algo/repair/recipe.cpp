@@ -5,6 +5,7 @@
 
 #include "core/algo/repair/guard.h"
 #include "core/analysis/problems.h"
+#include "core/indexed/lost_vertices.h"
 
 namespace ryosen {
 
@@ -122,6 +123,17 @@ class RecipeRun {
     for (const Problem& problem : find_problems(mesh, sets, file))
       for (KindCount& entry : findings)
         if (entry.kind == problem.kind) entry.*at = problem.count();
+    for (KindCount& entry : findings)
+      if (entry.kind == ProblemKind::isolated_vertex) entry.*at += kept_by_the_file(mesh, has_quarantine);
+  }
+
+  // Vertices that are gone from the mesh and that writing brings back without a face.
+  std::size_t kept_by_the_file(const Mesh& mesh, bool has_quarantine) const {
+    const std::span<const Vertex> used = has_quarantine ? input_.used_elsewhere : input_.used_but_by_quarantine;
+    const std::vector<Vertex> kept = find_lost(mesh, {}, used).kept;
+    return static_cast<std::size_t>(std::count_if(kept.begin(), kept.end(), [&](Vertex v) {
+      return !std::binary_search(input_.on_lines.begin(), input_.on_lines.end(), v);
+    }));
   }
 
   std::span<const RecipeStep> steps_;

@@ -11,11 +11,8 @@ namespace ryosen {
 namespace {
 
 // How much longer edges become with each unit of distance from the loop: small holes are as fine as what surrounds them,
-// with more corners the number of new vertices stays in proportion.
-double growth_of_edges(std::uint32_t corners) {
-  const double n = corners;
-  return std::max(std::min(0.4, n / 1000), n / 50000);
-}
+// large ones get new vertices in proportion to their corners.
+double growth_of_edges(std::uint32_t corners) { return std::min(0.4, corners / 1000.0); }
 
 // A patch with the neighbours of its triangles. Side 3 t + k runs from corner k of triangle t to its next corner.
 class PatchRefiner {
@@ -156,7 +153,8 @@ class PatchRefiner {
   // Out of a plane the swaps need not come to an end.
   void relax() {
     std::size_t swaps_left = 20 * patch_.triangles.size();
-    while (!doubtful_.empty() && progress_.go_on()) {
+    for (std::size_t step = 0; !doubtful_.empty(); ++step) {
+      if (step % 1024 == 0 && !progress_.go_on()) return;
       const std::uint32_t side = doubtful_.back();
       doubtful_.pop_back();
       if (swap_if_better(side) && --swaps_left == 0) doubtful_.clear();

@@ -79,6 +79,12 @@ bool shorten_common_side(Edit& edit, Face f) {
   return glm::distance(c, d) < length_of(m, side) && apply_if_legal(edit, SwapEdge{side});
 }
 
+bool is_loose(const Mesh& m, Face f) {
+  const auto around = halfedges_around(m, f);
+  return !m.has_rings(f) &&
+         std::all_of(around.begin(), around.end(), [&](Halfedge h) { return m.is_outside(twin(h)); });
+}
+
 // Whether the face can go without a hole: its sides without a neighbour are one run, and no other corner is on a boundary.
 bool is_at_border(const Mesh& m, Face f) {
   if (m.has_rings(f)) return false;
@@ -135,7 +141,7 @@ class Removal {
 
   AlgorithmResult run() {
     while (!flat_.empty()) {
-      const bool goes_on = sweep([&](Face f) { return keep_surface(f); }) ||
+      const bool goes_on = sweep([&](Face f) { return keep_surface(f); }) || drop_loose() ||
                            sweep([&](Face f) { return leave_border(f); }) ||
                            sweep([&](Face f) { return shorten_common_side(edit_, f); }) ||
                            sweep([&](Face f) { return move_corner(edit_, f) && ++collapsed_ > 0; });
@@ -182,6 +188,18 @@ class Removal {
     for (Vertex v : vertices_around(m_, f))
       if (has_copies(m_, v)) return false;
     return true;
+  }
+
+  // Faces without a neighbour that meet others at their points, all at once: there may be many at one edge.
+  bool drop_loose() {
+    std::vector<Face> loose;
+    for (Face f : flat_)
+      if (is_left(f) && is_loose(m_, f) && !is_alone(f)) loose.push_back(f);
+    if (loose.empty()) return false;
+    const std::size_t gone = delete_soundly(edit_, std::move(loose));
+    deleted_ += gone;
+    std::erase_if(flat_, [&](Face f) { return !is_left(f); });
+    return gone > 0;
   }
 
   bool leave_border(Face f) {

@@ -5,19 +5,19 @@
 #include <map>
 #include <set>
 
+#include "core/algo/repair/collapse_near.h"
 #include "core/algo/repair/flat_faces.h"
 #include "core/algo/repair/join_points.h"
 #include "core/algo/repair/near_points.h"
+#include "core/algo/repair/new_crossings.h"
 #include "core/algo/repair/point_merger.h"
 #include "core/algo/repair/sides_apart.h"
 #include "core/analysis/neighbourhood.h"
 #include "core/analysis/problem_kinds.h"
-#include "core/analysis/self_intersections.h"
 #include "core/base/count_text.h"
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
-#include "core/ops/collapse_edge.h"
 #include "core/ops/rules/turn_faces.h"
 
 namespace ryosen {
@@ -31,15 +31,12 @@ struct Welded {
 // Which points become one, chosen side by side, so that the faces at every one of them stay one fan.
 class Welding {
  public:
-  Welding(const Mesh& m, double distance)
-      : m_(m), point_of_(points_by_slot(m)), place_(first_points_within(m, point_of_, distance)) {
+  Welding(const Mesh& m, const NearPoints& near, const Reach& reach)
+      : m_(m), point_of_(near.point_of), place_(near.first), used_(reach.used) {
     for (Vertex p : point_of_)
       if (p && point_of_[p.index] == p && place_[p.index] != p) mates_[place_[p.index]].push_back(p);
     sort_mates();
   }
-
-  // Whether a place has several points at all.
-  bool has_mates() const { return !mates_.empty(); }
 
   // The faces to turn so that sides that lie on each other run in opposite directions, where they can; empty: none.
   std::vector<bool> faces_to_turn() const { return turns_of(m_, pairs()); }
@@ -133,70 +130,52 @@ class Welding {
   std::size_t add_classes(Vertex first, const std::vector<Vertex>& others, std::vector<JoinedPoints>& classes) const {
     std::map<Vertex, std::vector<Vertex>> by_root;
     for (Vertex p : others)
-      if (!is_alone(p)) by_root[merger_->root(p)].push_back(p);
+      if (!is_isolated_point(m_, p)) by_root[merger_->root(p)].push_back(p);
     if (by_root.empty()) by_root[others[0]];
     const auto lowest = std::min_element(by_root.begin(), by_root.end(), [](const auto& a, const auto& b) {
       return !b.second.empty() && (a.second.empty() || a.second < b.second);
     });
     const bool had_several = lowest->second.size() > 1;
     const glm::dvec3 own = lowest->second.empty() ? m_.position(first) : m_.position(lowest->second[0]);
-    for (Vertex p : others)
-      if (is_alone(p)) lowest->second.push_back(p);
-    sort_unique(lowest->second);
+    std::size_t apart = by_root.size();
+    apart += add_isolated(others, had_several ? m_.position(first) : own, lowest->second);
     for (auto& [root, points] : by_root) {
       if (points.size() < 2) continue;
       const bool stays = root == lowest->first && !had_several;
       classes.push_back({points, stays ? own : m_.position(first)});
     }
-    return by_root.size();
+    return apart;
   }
 
-  bool is_alone(Vertex p) const {
-    bool is_isolated = true;
-    for_each_copy(m_, p, [&](Vertex copy) { is_isolated = is_isolated && m_.is_isolated(copy); });
-    return is_isolated;
+  // Adds isolated points to a class that will be at this place. One that is used elsewhere goes only where the file can
+  // do without it (to_indexed.h): to a lower point at its very place. Returns how many stay alone.
+  std::size_t add_isolated(const std::vector<Vertex>& others, const glm::dvec3& place,
+                           std::vector<Vertex>& points) const {
+    std::vector<Vertex> used;
+    for (Vertex p : others)
+      if (is_isolated_point(m_, p)) (std::binary_search(used_.begin(), used_.end(), p) ? used : points).push_back(p);
+    if (points.empty()) points.push_back(used[0]);
+    sort_unique(points);
+    const Vertex lowest = points[0];
+    std::size_t alone = 0;
+    for (Vertex p : used) {
+      if (p == lowest) continue;
+      const bool may_go = lowest < p && m_.position(p) == place;
+      if (may_go) points.push_back(p);
+      alone += !may_go;
+    }
+    sort_unique(points);
+    return alone;
   }
 
   const Mesh& m_;
-  std::vector<Vertex> point_of_;
-  std::vector<Vertex> place_;                    // by point the first one there
+  const std::vector<Vertex>& point_of_;
+  const std::vector<Vertex>& place_;             // by point the first one there
+  std::span<const Vertex> used_;                 // elsewhere
   std::map<Vertex, std::vector<Vertex>> mates_;  // all points at a place of several, ascending
   std::set<Vertex> moved_;
   PointMerger* merger_ = nullptr;
 };
-
-Welded weld_within(Edit& edit, double distance, Progress& progress) {
-  Welding welding(edit.mesh(), distance);
-  return welding.has_mates() ? welding.weld(edit, progress) : Welded{};
-}
-
-// Collapses edges between points at one place where this is sound and makes no face flat; the lower number stays.
-// Returns how many.
-std::size_t collapse_within(Edit& edit, double distance, Progress& progress) {
-  const Mesh& m = edit.mesh();
-  const std::vector<Vertex> place = first_points_within(m, points_by_slot(m), distance);
-  std::size_t done = 0;
-  const auto is_near = [&](Vertex a, Vertex b) { return place[a.index] == place[b.index]; };
-  for (std::uint32_t i = m.vertex_slots(); i-- > 0;) {
-    const Vertex p(i);
-    if (!progress.go_on(m.vertex_slots() - i, m.vertex_slots())) return done;
-    if (i >= place.size() || !place[i] || place[i] == p || !m.is_alive(p)) continue;
-    std::vector<std::pair<Vertex, Halfedge>> ways;
-    for_each_copy(m, p, [&](Vertex copy) {
-      if (m.is_isolated(copy)) return;
-      for (Halfedge h : outgoing(m, copy))
-        if (const Vertex end = point(m, m.to(h)); end < p && is_near(p, end)) ways.emplace_back(end, h);
-    });
-    std::sort(ways.begin(), ways.end());
-    for (const auto& [end, h] : ways) {
-      if (!collapses_soundly(m, h)) continue;
-      CollapseEdge{h, CollapseEdge::Place::end}.apply(edit);
-      ++done;
-      break;
-    }
-  }
-  return done;
-}
 
 AlgorithmResult result_of(const Welded& welded) {
   AlgorithmResult result{welded.points, welded.left, {}};
@@ -217,35 +196,14 @@ AlgorithmResult result_of(const Welded& welded) {
   return result;
 }
 
-// More pairs are of no use to anyone.
-constexpr std::size_t most_pairs = 1000000;
-
-void add_crossings(const Mesh& before, const Mesh& after, AlgorithmResult& result) {
-  const SelfIntersections old = find_self_intersections(before, most_pairs);
-  SelfIntersections now = find_self_intersections(after, most_pairs);
-  std::size_t added = now.count - std::min(now.count, old.count);
-  const bool is_exact = now.is_all() && old.is_all();
-  if (is_exact)
-    added = std::erase_if(
-        now.pairs, [&](const FacePair& pair) { return !std::binary_search(old.pairs.begin(), old.pairs.end(), pair); });
-  result.crossings = added;
-  if (added == 0) return;
-  result.text =
-      result.text +
-      (is_exact ? count_text(added, " One pair of faces meets now that did not.",
-                             " # pairs of faces meet now that did not.", "新たに交わる面が # 組あります。")
-                : count_text(added, " At least one more pair of faces meets now.",
-                             " At least # more pairs of faces meet now.", "交わる面が少なくとも # 組増えました。"));
-}
-
 // Turning replaces all columns, which must be the only write of the edit: then everything is done on a copy.
 template <class Weld>
-Welded turn_and_weld(Edit& edit, double distance, Weld weld) {
-  const std::vector<bool> turned = Welding(edit.mesh(), distance).faces_to_turn();
-  if (turned.empty()) return weld(edit);
+Welded turn_and_weld(Edit& edit, const NearPoints& near, const Reach& reach, Weld weld) {
+  const std::vector<bool> turned = Welding(edit.mesh(), near, reach).faces_to_turn();
+  if (turned.empty()) return weld(edit, near);
   Mesh copy(turn_faces(edit.mesh(), turned).columns);
   Edit on_copy(copy, nullptr);
-  Welded welded = weld(on_copy);
+  Welded welded = weld(on_copy, find_near_points(copy, reach));
   on_copy.commit();
   welded.turned = static_cast<std::size_t>(std::count(turned.begin(), turned.end(), true));
   edit.replace(copy.columns());
@@ -254,22 +212,29 @@ Welded turn_and_weld(Edit& edit, double distance, Weld weld) {
 
 }  // namespace
 
-AlgorithmResult weld_equal_points(Edit& edit, const AlgorithmInput&, Progress& progress) {
-  return result_of(turn_and_weld(edit, 0, [&](Edit& on) { return weld_within(on, 0, progress); }));
+AlgorithmResult weld_equal_points(Edit& edit, const AlgorithmInput& input, Progress& progress) {
+  const Reach reach{0, input.used_elsewhere};
+  const NearPoints near = find_near_points(edit.mesh(), reach);
+  if (!near.are_any()) return result_of({});
+  return result_of(turn_and_weld(edit, near, reach, [&](Edit& on, const NearPoints& now) {
+    return Welding(on.mesh(), now, reach).weld(on, progress);
+  }));
 }
 
 AlgorithmResult weld_close_points(Edit& edit, const AlgorithmInput& input, Progress& progress) {
-  const double distance = input.values.length("distance");
-  if (!Welding(edit.mesh(), distance).has_mates()) return result_of({});
+  const Reach reach{input.values.length("distance"), input.used_elsewhere};
+  const NearPoints near = find_near_points(edit.mesh(), reach);
+  if (!near.are_any()) return result_of({});
   const Mesh before = edit.mesh();
-  const Welded welded = turn_and_weld(edit, distance, [&](Edit& on) {
-    const std::size_t collapsed = collapse_within(on, distance, progress);
-    Welded now = weld_within(on, distance, progress);
-    now.points += collapsed;
-    return now;
+  const Welded welded = turn_and_weld(edit, near, reach, [&](Edit& on, const NearPoints& at_first) {
+    const std::size_t collapsed = collapse_near(on, at_first, progress);
+    const NearPoints now = collapsed > 0 ? find_near_points(on.mesh(), reach) : at_first;
+    Welded result = Welding(on.mesh(), now, reach).weld(on, progress);
+    result.points += collapsed;
+    return result;
   });
   AlgorithmResult result = result_of(welded);
-  if (result.changed > 0 && progress.go_on()) add_crossings(before, edit.mesh(), result);
+  if (result.changed > 0 && progress.go_on()) add_new_crossings(before, edit.mesh(), result);
   return result;
 }
 

@@ -35,6 +35,13 @@ struct Opened {
   std::vector<Vertex> on_lines, used, used_later;
 };
 
+// Then vertices are isolated in the new file that were not.
+bool loses_what_uses_vertices(const MeshFile& file, const Format& format) {
+  const Holds held = format.holds(encoding_of(file, format, Encoding::automatic));
+  return (!file.elements.items.empty() && !holds(held, Holds::elements)) ||
+         (!vertices_named(file.properties).empty() && !holds(held, Holds::properties));
+}
+
 std::string id_of(ProblemKind kind) { return std::string(row_of(kind).id); }
 
 class RuleCheck {
@@ -56,7 +63,9 @@ class RuleCheck {
     if (run_one(opened, recipe, "again: ")->is_changed) broken_.push_back("again: changes something");
     for (const std::string& id : formats) {
       const Format& format = *find_format(id);
-      const std::string bytes = bytes_of(edited_file(opened.file, opened.mesh, opened.tables), format);
+      const MeshFile written = edited_file(opened.file, opened.mesh, opened.tables);
+      if (loses_what_uses_vertices(written, format)) continue;
+      const std::string bytes = bytes_of(written, format);
       Result<MeshFile> back = read_mesh(bytes, format);
       if (!back) {
         broken_.push_back(id + ": cannot be read again");

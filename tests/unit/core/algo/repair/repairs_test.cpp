@@ -152,6 +152,33 @@ TEST(repairs, an_edge_without_length_collapses) {
   EXPECT_EQ(compute_figures(mesh).boundary_loops, 1u);
 }
 
+// Points 0, 1, 2, and flat faces on 0-1 (the first half of them) and 1-2, each with a point of its own.
+IndexedMesh with_pages(Polygons faces, std::uint32_t pages) {
+  for (std::uint32_t i = 0; i < pages; ++i)
+    faces.push_back(i < pages / 2 ? std::vector<std::uint32_t>{0, 1, i + 3} : std::vector<std::uint32_t>{1, 2, i + 3});
+  IndexedMesh list = indexed(faces);
+  list.positions[0] = {0, 0, 0};
+  list.positions[1] = {1, 0, 0};
+  list.positions[2] = {1, 1, 0};
+  for (std::uint32_t i = 0; i < pages; ++i)
+    list.positions[i + 3] = i < pages / 2 ? glm::dvec3(i + 2, 0, 0) : glm::dvec3(1, i + 2, 0);
+  return list;
+}
+
+TEST(repairs, flat_pages_of_a_book_go_at_once) {
+  Mesh mesh = from_indexed(with_pages({{0, 1, 2}}, 20000));  // one by one it takes minutes
+  EXPECT_EQ(run_repair(mesh, "remove_degenerate").changed, 20000u);
+  EXPECT_EQ(compute_figures(mesh).faces, 1u);
+}
+
+TEST(repairs, flat_pages_that_hold_a_pair_apart_stay_one_per_edge) {
+  Mesh mesh = from_indexed(with_pages({{0, 1, 2}, {1, 0, 2}}, 6));
+  const AlgorithmResult result = run_repair(mesh, "remove_degenerate");
+  EXPECT_EQ(result.changed, 4u);
+  EXPECT_EQ(result.left, 2u);
+  EXPECT_EQ(compute_figures(mesh)[ProblemKind::hanging_pair], 0u);
+}
+
 TEST(repairs, duplicates_of_another_shape_stay) {
   IndexedMesh source = indexed({{0, 1, 2, 3}, {2, 1, 0, 3}, {0, 2, 1, 3}});
   Mesh mesh = from_indexed(source);

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/ext/matrix_transform.hpp>
+#include <numeric>
 #include <unordered_map>
 
 #include "core/base/parallel.h"
 #include "core/base/sort_unique.h"
 #include "core/geometry/is_finite.h"
+#include "core/mesh/prefetch.h"
 #include "render/hilbert_order.h"
 
 namespace ryosen {
@@ -16,6 +17,18 @@ namespace {
 constexpr glm::uvec4 not_drawn(0);
 
 bool is_drawn(const glm::uvec4& triangle) { return triangle.x != triangle.y || triangle.y != triangle.z; }
+
+// Reads triangles of these numbers, those past the end as not drawn, and fetches the places of their corners.
+void read_with_places(const TriangleSource& source, std::span<const std::uint32_t> numbers, DrawnTriangle* to) {
+  const auto is_past = [&](std::uint32_t number) { return number >= source.triangles; };
+  if (std::none_of(numbers.begin(), numbers.end(), is_past))
+    source.read(numbers, to);
+  else
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      to[i] = is_past(numbers[i]) ? DrawnTriangle() : source.triangle(numbers[i]);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    for (const std::uint32_t corner : to[i].corners) prefetch_cell(source.positions.data(), corner);
+}
 
 // Calls write(first, count) for runs that cover the numbers; small gaps are included.
 template <class Write>
@@ -67,15 +80,17 @@ MeshBuffers::MeshBuffers()
   gpu_normals_.write(0, {&none, 1});  // so that there is something to bind
 }
 
-void MeshBuffers::set(const TriangleSource& source, const BufferSpace& space) {
-  space_ = space;
+void MeshBuffers::set(const TriangleSource& source, const glm::dvec3& low, const glm::dvec3& high) {
+  space_ = buffer_space(low, high);
   tints_.clear();
   slot_of_source_.clear();
   source_of_slot_.clear();
   clusters_.clear();
   source_positions_ = source_triangles_ = source_tints_ = 0;
   write_positions(source, {});
-  source_of_slot_ = hilbert_order(source.triangles, [&](std::uint32_t i) { return middle(source, i); });
+  source_of_slot_ =
+      hilbert_order(source.triangles, DrawBox{space_.from_mesh(low), space_.from_mesh(high)},
+                    [&](std::uint32_t first, std::span<glm::vec3> middles) { read_middles(source, first, middles); });
   slot_of_source_.resize(source_of_slot_.size());
   for_each_part(source.triangles, threads_for(source.triangles), [&](unsigned, std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t slot = begin; slot < end; ++slot) slot_of_source_[source_of_slot_[slot]] = slot;
@@ -123,7 +138,8 @@ MeshChange MeshBuffers::update(const TriangleSource& source, std::span<const std
   write_positions(source, vertices);
   change.clusters = write_triangles(source, changed);
   source_triangles_ = source.triangles;
-  for (const std::uint32_t triangle : changed) note(converted(source, triangle));
+  for (const std::uint32_t triangle : changed)
+    if (triangle < source.triangles) note(converted(source, source.triangle(triangle)));
   return change;
 }
 
@@ -155,10 +171,8 @@ DrawBox MeshBuffers::Slot::box() const {
   return box;
 }
 
-MeshBuffers::Slot MeshBuffers::converted(const TriangleSource& source, std::uint32_t number) const {
+MeshBuffers::Slot MeshBuffers::converted(const TriangleSource& source, const DrawnTriangle& triangle) const {
   const Slot nothing{not_drawn, {}};
-  if (number >= source.triangles) return nothing;
-  const DrawnTriangle triangle = source.triangle(number);
   const auto& corner = triangle.corners;
   if (corner[0] == corner[1] && corner[1] == corner[2]) return nothing;
   Slot slot{{corner[0], corner[1], corner[2], triangle.face * 8 + triangle.edge_bits}, {}};
@@ -170,19 +184,21 @@ MeshBuffers::Slot MeshBuffers::converted(const TriangleSource& source, std::uint
   return slot;
 }
 
-glm::vec3 MeshBuffers::middle(const TriangleSource& source, std::uint32_t triangle) const {
-  const DrawnTriangle read = source.triangle(triangle);
-  glm::vec3 sum(0);
-  for (const std::uint32_t corner : read.corners) {
-    if (corner >= source.positions.size()) return glm::vec3(0);
-    const glm::vec3 place = space_.from_mesh(source.positions[corner]);
-    if (!is_finite(place)) return glm::vec3(0);
-    sum += place;
+void MeshBuffers::read_middles(const TriangleSource& source, std::uint32_t first, std::span<glm::vec3> middles) const {
+  std::array<std::uint32_t, cluster_size> numbers;
+  std::array<DrawnTriangle, cluster_size> triangles;
+  for (std::size_t begin = 0; begin < middles.size(); begin += cluster_size) {
+    const std::size_t count = std::min<std::size_t>(cluster_size, middles.size() - begin);
+    std::iota(numbers.begin(), numbers.end(), first + static_cast<std::uint32_t>(begin));
+    read_with_places(source, std::span(numbers).first(count), triangles.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      const Slot slot = converted(source, triangles[i]);
+      middles[begin + i] = (slot.places[0] + slot.places[1] + slot.places[2]) / 3.0f;
+    }
   }
-  return sum / 3.0f;
 }
 
-std::uint32_t MeshBuffers::convert(const TriangleSource& source, std::uint32_t number, glm::uvec4* triangles,
+std::uint32_t MeshBuffers::convert(const TriangleSource& source, std::uint32_t number, glm::uvec4* to,
                                    glm::uvec4* normals) {
   std::uint32_t faces = 0;
   Cluster& cluster = clusters_[number];
@@ -190,12 +206,14 @@ std::uint32_t MeshBuffers::convert(const TriangleSource& source, std::uint32_t n
   cluster.count = std::min(cluster_size, static_cast<std::uint32_t>(source_of_slot_.size()) - cluster.first);
   cluster.box = {};
   cluster.tinted = false;
+  const auto sources = std::span(source_of_slot_).subspan(cluster.first, cluster.count);
+  std::array<DrawnTriangle, cluster_size> triangles;
+  read_with_places(source, sources, triangles.data());
   for (std::uint32_t i = 0; i < cluster.count; ++i) {
-    const std::uint32_t triangle = source_of_slot_[cluster.first + i];
-    const Slot slot = converted(source, triangle);
-    triangles[i] = slot.triangle;
-    if (normals && triangle < source.corner_normals.size()) {
-      const auto& [a, b, c] = source.corner_normals[triangle];
+    const Slot slot = converted(source, triangles[i]);
+    to[i] = slot.triangle;
+    if (normals && sources[i] < source.corner_normals.size()) {
+      const auto& [a, b, c] = source.corner_normals[sources[i]];
       normals[i] = {a, b, c, 0};
     }
     if (!is_drawn(slot.triangle)) continue;
@@ -329,7 +347,7 @@ void MeshBuffers::add_triangles_of(const TriangleSource& source, std::vector<std
   for (const std::uint32_t face : faces) wanted[face] = true;
   const auto drawn = static_cast<std::uint32_t>(std::min<std::size_t>(source_triangles_, source.triangles));
   for (std::uint32_t i = 0; i < drawn; ++i) {
-    const glm::uvec4 triangle = converted(source, i).triangle;
+    const glm::uvec4 triangle = converted(source, source.triangle(i)).triangle;
     if (is_drawn(triangle) && wanted[triangle.w >> 3]) triangles.push_back(i);
   }
 }

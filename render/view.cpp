@@ -124,7 +124,7 @@ void View::set_overlay_part(Layer layer, std::uint32_t part, const Overlay& over
 
 void View::set_mesh(const TriangleSource& source) {
   const Box box = bounds_of(source.positions);
-  mesh_.set(source, buffer_space(box.lowest, box.highest));
+  mesh_.set(source, box.lowest, box.highest);
   std::vector<TouchedBox> nothing_left;
   for (OverlayBuffer& overlay : overlays_) overlay.set({}, mesh_.space(), nothing_left);
   planes_stale_ = true;

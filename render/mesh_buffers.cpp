@@ -9,6 +9,7 @@
 #include "core/base/sort_unique.h"
 #include "core/geometry/is_finite.h"
 #include "core/mesh/prefetch.h"
+#include "render/face_tint.h"
 #include "render/hilbert_order.h"
 
 namespace ryosen {
@@ -175,6 +176,7 @@ MeshBuffers::Slot MeshBuffers::converted(const TriangleSource& source, const Dra
   const Slot nothing{not_drawn, {}};
   const auto& corner = triangle.corners;
   if (corner[0] == corner[1] && corner[1] == corner[2]) return nothing;
+  if (triangle.face < tints_.size() && tints_[triangle.face] == hidden_face) return nothing;
   Slot slot{{corner[0], corner[1], corner[2], triangle.face * 8 + triangle.edge_bits}, {}};
   for (std::size_t k = 0; k < 3; ++k) {
     if (corner[k] >= source.positions.size()) return nothing;
@@ -337,7 +339,8 @@ void MeshBuffers::add_triangles_of(const TriangleSource& source, std::vector<std
                                    std::vector<std::uint32_t>& triangles) const {
   if (faces.empty()) return;
   std::vector<std::uint32_t> named;
-  for (const Slot& slot : read_back(triangles)) named.push_back(slot.triangle.w >> 3);
+  for (const Slot& slot : read_back(triangles))
+    if (is_drawn(slot.triangle)) named.push_back(slot.triangle.w >> 3);
   for (const std::uint32_t triangle : triangles)
     if (triangle < source.triangles) named.push_back(source.triangle(triangle).face);
   sort_unique(named);
@@ -347,8 +350,8 @@ void MeshBuffers::add_triangles_of(const TriangleSource& source, std::vector<std
   for (const std::uint32_t face : faces) wanted[face] = true;
   const auto drawn = static_cast<std::uint32_t>(std::min<std::size_t>(source_triangles_, source.triangles));
   for (std::uint32_t i = 0; i < drawn; ++i) {
-    const glm::uvec4 triangle = converted(source, source.triangle(i)).triangle;
-    if (is_drawn(triangle) && wanted[triangle.w >> 3]) triangles.push_back(i);
+    const std::uint32_t face = source.triangle(i).face;
+    if (face < wanted.size() && wanted[face]) triangles.push_back(i);
   }
 }
 

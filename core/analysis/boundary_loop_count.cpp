@@ -2,6 +2,8 @@
 
 #include <unordered_set>
 
+#include "core/base/interruption.h"
+
 namespace ryosen {
 
 namespace {
@@ -41,6 +43,7 @@ template <class Put>
 void BoundaryLoopCount::put_links(Neighbourhood& around, Edge e, Put put) {
   const Mesh& mesh = around.mesh();
   const Halfedge inside = mesh.is_outside(halfedge(e, 0)) ? halfedge(e, 1) : halfedge(e, 0);
+  stop_if_interrupted();
   for (const bool at_end : {true, false}) {
     const BoundaryStep step{inside, at_end}, next = around.next_boundary(step);
     put(end_of(step), next.inside ? other_end(end_of(next)) : stop);

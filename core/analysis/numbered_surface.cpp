@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/base/interruption.h"
 #include "core/base/parallel.h"
 #include "core/base/sort_unique.h"
 #include "core/geometry/predicates.h"
@@ -39,6 +40,7 @@ NumberedSurface::NumberedSurface(const Mesh& mesh, std::span<const Face> faces) 
 }
 
 void NumberedSurface::add(const Mesh& mesh, Face f) {
+  stop_if_interrupted();
   polygon_.read(mesh, f);
   if (!polygon_.is_finite()) return;
   polygon_.triangulate(triangles_);

@@ -14,6 +14,7 @@
 
 #include "core/analysis/numbered_surface.h"
 #include "core/analysis/overlap_view.h"
+#include "core/base/interruption.h"
 
 namespace ryosen {
 
@@ -88,6 +89,7 @@ class OverlapTree {
 
 template <class Visit>
 bool OverlapTree::visit_pairs(std::uint32_t node, const Visit& visit) const {
+  stop_if_interrupted();
   const Node& leaf = nodes_[node];
   if (leaf.count == 0) return true;
   Leaf seen;

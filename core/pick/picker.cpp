@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <tuple>
 
+#include "core/base/interruption.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/pick/screen_segment.h"
@@ -171,16 +172,23 @@ void Picker::build(const Mesh& mesh, Progress& progress) {
   const std::size_t slots = std::max({triangles_.slots(), mesh.vertex_slots(), wire_slots});
   std::vector<Primitive> primitives(sharers * slots);
   for (std::uint32_t slot = 0; slot < triangles_.slots(); ++slot) {
+    stop_if_interrupted(slot);
     const SurfaceTriangle t = triangles_.at(mesh, slot);
     if (t.face != no_index) primitives[tree_slot_of_triangle(slot)] = primitive_of(t);
   }
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+    stop_if_interrupted(i);
     const Vertex v(i);
     if (mesh.is_alive(v) && mesh.is_isolated(v)) primitives[tree_slot_of_vertex(v)] = Primitive::point(i);
   }
   for (std::uint32_t i = 0; i < wire_slots; ++i)
     if (is_live_wire(mesh, Edge(i))) primitives[tree_slot_of_wire(Edge(i))] = wire(mesh, Edge(i));
-  has_tree_ = tree_.build(mesh.positions(), std::move(primitives), progress);
+  try {
+    has_tree_ = tree_.build(mesh.positions(), std::move(primitives), progress);
+  } catch (...) {
+    tree_ = Bvh();
+    throw;
+  }
 }
 
 void Picker::put_triangle(const Mesh& mesh, std::uint32_t slot) {

@@ -110,6 +110,22 @@ TEST(little_memory, a_picture_says_what_it_needs) {
   EXPECT_FALSE(folder.has("p.png"));
 }
 
+TEST(little_memory, a_picture_counts_what_its_switches_take) {
+  const TemporaryFolder folder;
+  const std::string script = folder.write("smooth.script", "shading smooth\n");
+  const auto need = [&](std::vector<std::string> flags) {
+    std::vector<std::string> words{"shot", asset("stanford_bunny.obj"), "-o", "o.png"};
+    words.insert(words.end(), flags.begin(), flags.end());
+    const ProgramRun run = run_limited("-v 200000", words, folder);
+    EXPECT_EQ(run.exit_code, 10);
+    EXPECT_NE(run.err.find("This picture needs about "), std::string::npos) << run.err;
+    return run.err.substr(0, run.err.find(';'));
+  };
+  EXPECT_EQ(need({"--shading", "flat"}), need({}));
+  EXPECT_NE(need({"--shading", "smooth"}), need({}));
+  EXPECT_EQ(need({"--script", script}), need({"--shading", "smooth"}));
+}
+
 // A few in the suite.
 std::vector<std::vector<std::string>> lines_for_other_limits() {
   const std::string mesh = asset(is_long_run() ? "stanford_bunny.obj" : "cube.obj");

@@ -123,7 +123,12 @@ BoundaryLoopCount::Joints BoundaryLoopCount::joints_outside(const Part& part, co
 }
 
 void BoundaryLoopCount::search(Neighbourhood& around, const IndexSet& boundary) {
-  links_.assign(2 * std::size_t{around.mesh().edge_slots()}, none);
+  links_.clear();
+  resize_in_steps(links_, 2 * std::size_t{around.mesh().edge_slots()});
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    stop_if_interrupted(static_cast<std::uint32_t>(i));
+    links_[i] = none;
+  }
   boundary.for_each(
       [&](std::uint32_t i) { put_links(around, Edge(i), [&](End end, End next) { links_[end] = next; }); });
   count_ = count_loops(boundary);

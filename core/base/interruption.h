@@ -1,7 +1,9 @@
 // Ends a long search on a thread of its own whose findings nobody wants any more.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 
 namespace ryosen {
@@ -33,6 +35,17 @@ inline void stop_if_interrupted() {
 // The same for steps that take no more than that.
 inline void stop_if_interrupted(std::uint32_t step) {
   if (step % 4096 == 0) stop_if_interrupted();
+}
+
+// As resize() to a larger size; of many values that takes long.
+template <class Values>
+void resize_in_steps(Values& values, std::size_t size) {
+  constexpr std::size_t step = 1 << 16;
+  values.reserve(size);
+  while (values.size() < size) {
+    stop_if_interrupted();
+    values.resize(std::min(size, values.size() + step));
+  }
 }
 
 }  // namespace ryosen

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/base/interruption.h"
+#include "core/mesh/column_memory.h"
 #include "core/pick/bvh.h"
 
 namespace ryosen {
@@ -12,7 +13,7 @@ namespace ryosen {
 class BvhBuilder {
  public:
   BvhBuilder(Bvh& bvh, std::span<const glm::dvec3> positions) : bvh_(bvh) {
-    items_.reserve(bvh.primitives_.size());
+    reserve_large(items_, bvh.primitives_.size());
     for (std::uint32_t slot = 0; slot < bvh.primitives_.size(); ++slot) {
       stop_if_interrupted(slot);
       const Primitive& primitive = bvh.primitives_[slot];
@@ -212,7 +213,12 @@ void Bvh::rebuild(std::span<const glm::dvec3> positions) {
 }
 
 bool Bvh::rebuild(std::span<const glm::dvec3> positions, Progress& progress) {
-  leaf_of_.assign(primitives_.size(), no_index);
+  leaf_of_.clear();
+  reserve_large(leaf_of_, primitives_.size());
+  for (std::uint32_t slot = 0; slot < primitives_.size(); ++slot) {
+    stop_if_interrupted(slot);
+    leaf_of_.push_back(no_index);
+  }
   pairs_.clear();
   parents_.clear();
   blocks_.clear();

@@ -120,6 +120,7 @@ void View::set_camera(const Camera& camera) {
 void View::set_thinning(std::uint32_t thinning) {
   if (thinning == thinning_) return;
   thinning_ = thinning;
+  planes_stale_ = true;  // the clusters are placed by it
   all_changed();
 }
 
@@ -198,7 +199,7 @@ void View::place_planes() {
     near_ = std::max(near_, std::min(0.01 * target, 0.5 * far_));
   }
   for (OverlayBuffer& overlay : overlays_) overlay.forget_places();
-  places_.place_all(mesh_.clusters(), view, frame(PixelRect::all(size_), 1).clip_from_buffer, size_);
+  places_.place_all(mesh_.clusters(), thinning_, view, frame(PixelRect::all(size_), 1).clip_from_buffer, size_);
   planes_stale_ = false;
 }
 
@@ -297,7 +298,7 @@ void View::draw(const PixelRect& asked) {
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
-  draw_surface(f, places_.inside(rect));
+  draw_surface(f, places_.inside(mesh_.clusters(), rect));
   if (!transparent_) passes_.background.draw(f);
   for (const OverlayBuffer& overlay : overlays_) passes_.overlay.draw(f, overlay);
   if (supersample_ > 1) passes_.resolve.draw(rendered_, supersample_, resolved_, rect);
@@ -321,7 +322,7 @@ Image View::read_pixels() const {
 IdImage View::read_ids() {
   follow_camera();
   const Frame f = frame(PixelRect::all(size_), 1);
-  const Framebuffer& target = passes_.ids.draw(f, mesh_, places_.inside(PixelRect::all(size_)));
+  const Framebuffer& target = passes_.ids.draw(f, mesh_, places_.inside(mesh_.clusters(), PixelRect::all(size_)));
   const auto count = static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height);
   IdImage image{size_, std::vector<std::uint32_t>(count), std::vector<std::uint32_t>(count, no_index),
                 std::vector<float>(count)};

@@ -102,6 +102,7 @@ class MeshBuffers {
   struct Slot {
     glm::uvec4 triangle;
     std::array<glm::vec3, 3> places;
+    bool is_drawn() const { return triangle.x != triangle.y || triangle.y != triangle.z; }
     DrawBox box() const;
   };
 

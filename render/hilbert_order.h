@@ -4,13 +4,18 @@
 #include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "core/mesh/column_memory.h"
+#include "render/screen.h"
 
 namespace ryosen {
 
-// The numbers of points in Hilbert curve order within their bounding box; stable. point(i) gives a place, always the same
-// one, and is asked twice for each of `count`, from several threads where there are many. Linear (radix sort).
-UnwrittenVector<std::uint32_t> hilbert_order(std::uint32_t count, const std::function<glm::vec3(std::uint32_t)>& point);
+// Writes the points from the number `first` on; asked from several threads where there are many.
+using ReadPoints = std::function<void(std::uint32_t first, std::span<glm::vec3> points)>;
+
+// The numbers of `count` points in the order of a Hilbert curve through the box; stable. Each is asked for once. One
+// outside the box counts as the nearest one inside. Linear (radix sort).
+UnwrittenVector<std::uint32_t> hilbert_order(std::uint32_t count, const DrawBox& box, const ReadPoints& read);
 
 }  // namespace ryosen

@@ -2,45 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/ext/matrix_transform.hpp>
-#include <unordered_map>
+#include <numeric>
 
 #include "core/base/parallel.h"
-#include "core/base/sort_unique.h"
 #include "core/geometry/is_finite.h"
+#include "core/mesh/prefetch.h"
+#include "render/face_tint.h"
 #include "render/hilbert_order.h"
+#include "render/number_runs.h"
 
 namespace ryosen {
 namespace {
 
 constexpr glm::uvec4 not_drawn(0);
 
-bool is_drawn(const glm::uvec4& triangle) { return triangle.x != triangle.y || triangle.y != triangle.z; }
-
-// Calls write(first, count) for runs that cover the numbers; small gaps are included.
-template <class Write>
-void for_runs(std::vector<std::uint32_t> numbers, const Write& write) {
-  constexpr std::uint32_t small_gap = 64;
-  if (!std::is_sorted(numbers.begin(), numbers.end())) std::sort(numbers.begin(), numbers.end());
-  for (std::size_t i = 0; i < numbers.size();) {
-    const std::uint32_t first = numbers[i];
-    std::uint32_t last = first;
-    while (i < numbers.size() && numbers[i] - last <= small_gap) last = numbers[i++];
-    write(first, last - first + 1);
-  }
-}
-
-// Calls visit(number, value) for each of the numbers, as often as it is there, reading few parts of the array.
-template <class T, class Visit>
-void read_runs(const TexelArray<T>& from, std::vector<std::uint32_t> numbers, const Visit& visit) {
-  std::sort(numbers.begin(), numbers.end());
-  std::vector<T> values;
-  auto next = numbers.cbegin();
-  for_runs(numbers, [&](std::uint32_t first, std::uint32_t count) {
-    values.resize(count);
-    from.read(first, values);
-    for (; next != numbers.cend() && *next - first < count; ++next) visit(*next, values[*next - first]);
-  });
+// Reads triangles of these numbers, those past the end as not drawn, and fetches the places of their corners.
+void read_with_places(const TriangleSource& source, std::span<const std::uint32_t> numbers, DrawnTriangle* to) {
+  const auto is_past = [&](std::uint32_t number) { return number >= source.triangles; };
+  if (std::none_of(numbers.begin(), numbers.end(), is_past))
+    source.read(numbers, to);
+  else
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      to[i] = is_past(numbers[i]) ? DrawnTriangle() : source.triangle(numbers[i]);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    for (const std::uint32_t corner : to[i].corners) prefetch_cell(source.positions.data(), corner);
 }
 
 }  // namespace
@@ -67,15 +52,17 @@ MeshBuffers::MeshBuffers()
   gpu_normals_.write(0, {&none, 1});  // so that there is something to bind
 }
 
-void MeshBuffers::set(const TriangleSource& source, const BufferSpace& space) {
-  space_ = space;
+void MeshBuffers::set(const TriangleSource& source, const glm::dvec3& low, const glm::dvec3& high) {
+  space_ = buffer_space(low, high);
   tints_.clear();
   slot_of_source_.clear();
   source_of_slot_.clear();
   clusters_.clear();
   source_positions_ = source_triangles_ = source_tints_ = 0;
   write_positions(source, {});
-  source_of_slot_ = hilbert_order(source.triangles, [&](std::uint32_t i) { return middle(source, i); });
+  source_of_slot_ =
+      hilbert_order(source.triangles, DrawBox{space_.from_mesh(low), space_.from_mesh(high)},
+                    [&](std::uint32_t first, std::span<glm::vec3> middles) { read_middles(source, first, middles); });
   slot_of_source_.resize(source_of_slot_.size());
   for_each_part(source.triangles, threads_for(source.triangles), [&](unsigned, std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t slot = begin; slot < end; ++slot) slot_of_source_[source_of_slot_[slot]] = slot;
@@ -107,26 +94,6 @@ void MeshBuffers::write_all(const TriangleSource& source) {
   make_room_for_tints(*std::max_element(faces.begin(), faces.end()));
 }
 
-MeshChange MeshBuffers::update(const TriangleSource& source, std::span<const std::uint32_t> vertices,
-                               std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces) {
-  MeshChange change;
-  const auto note = [&](const Slot& slot) {
-    if (const DrawBox box = slot.box(); !box.empty()) change.boxes.push_back(box);
-  };
-  std::vector<std::uint32_t> changed = changed_triangles(source, triangles);
-  add_triangles_of(source, write_tints(source, faces), changed);
-  for (const Slot& slot : read_back(changed)) note(slot);
-  for (auto i = static_cast<std::uint32_t>(slot_of_source_.size()); i < source.triangles; ++i) {
-    slot_of_source_.push_back(i);
-    source_of_slot_.push_back(i);
-  }
-  write_positions(source, vertices);
-  change.clusters = write_triangles(source, changed);
-  source_triangles_ = source.triangles;
-  for (const std::uint32_t triangle : changed) note(converted(source, triangle));
-  return change;
-}
-
 void MeshBuffers::bind() const {
   gpu_positions_.bind(0);
   gpu_triangles_.bind(1);
@@ -150,17 +117,16 @@ DrawBox MeshBuffers::bounds() const {
 
 DrawBox MeshBuffers::Slot::box() const {
   DrawBox box;
-  if (!is_drawn(triangle)) return box;
+  if (!is_drawn()) return box;
   for (const glm::vec3& place : places) box.add(place);
   return box;
 }
 
-MeshBuffers::Slot MeshBuffers::converted(const TriangleSource& source, std::uint32_t number) const {
+MeshBuffers::Slot MeshBuffers::converted(const TriangleSource& source, const DrawnTriangle& triangle) const {
   const Slot nothing{not_drawn, {}};
-  if (number >= source.triangles) return nothing;
-  const DrawnTriangle triangle = source.triangle(number);
   const auto& corner = triangle.corners;
   if (corner[0] == corner[1] && corner[1] == corner[2]) return nothing;
+  if (triangle.face < tints_.size() && tints_[triangle.face] == hidden_face) return nothing;
   Slot slot{{corner[0], corner[1], corner[2], triangle.face * 8 + triangle.edge_bits}, {}};
   for (std::size_t k = 0; k < 3; ++k) {
     if (corner[k] >= source.positions.size()) return nothing;
@@ -170,19 +136,21 @@ MeshBuffers::Slot MeshBuffers::converted(const TriangleSource& source, std::uint
   return slot;
 }
 
-glm::vec3 MeshBuffers::middle(const TriangleSource& source, std::uint32_t triangle) const {
-  const DrawnTriangle read = source.triangle(triangle);
-  glm::vec3 sum(0);
-  for (const std::uint32_t corner : read.corners) {
-    if (corner >= source.positions.size()) return glm::vec3(0);
-    const glm::vec3 place = space_.from_mesh(source.positions[corner]);
-    if (!is_finite(place)) return glm::vec3(0);
-    sum += place;
+void MeshBuffers::read_middles(const TriangleSource& source, std::uint32_t first, std::span<glm::vec3> middles) const {
+  std::array<std::uint32_t, cluster_size> numbers;
+  std::array<DrawnTriangle, cluster_size> triangles;
+  for (std::size_t begin = 0; begin < middles.size(); begin += cluster_size) {
+    const std::size_t count = std::min<std::size_t>(cluster_size, middles.size() - begin);
+    std::iota(numbers.begin(), numbers.end(), first + static_cast<std::uint32_t>(begin));
+    read_with_places(source, std::span(numbers).first(count), triangles.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      const Slot slot = converted(source, triangles[i]);
+      middles[begin + i] = (slot.places[0] + slot.places[1] + slot.places[2]) / 3.0f;
+    }
   }
-  return sum / 3.0f;
 }
 
-std::uint32_t MeshBuffers::convert(const TriangleSource& source, std::uint32_t number, glm::uvec4* triangles,
+std::uint32_t MeshBuffers::convert(const TriangleSource& source, std::uint32_t number, glm::uvec4* to,
                                    glm::uvec4* normals) {
   std::uint32_t faces = 0;
   Cluster& cluster = clusters_[number];
@@ -190,15 +158,17 @@ std::uint32_t MeshBuffers::convert(const TriangleSource& source, std::uint32_t n
   cluster.count = std::min(cluster_size, static_cast<std::uint32_t>(source_of_slot_.size()) - cluster.first);
   cluster.box = {};
   cluster.tinted = false;
+  const auto sources = std::span(source_of_slot_).subspan(cluster.first, cluster.count);
+  std::array<DrawnTriangle, cluster_size> triangles;
+  read_with_places(source, sources, triangles.data());
   for (std::uint32_t i = 0; i < cluster.count; ++i) {
-    const std::uint32_t triangle = source_of_slot_[cluster.first + i];
-    const Slot slot = converted(source, triangle);
-    triangles[i] = slot.triangle;
-    if (normals && triangle < source.corner_normals.size()) {
-      const auto& [a, b, c] = source.corner_normals[triangle];
+    const Slot slot = converted(source, triangles[i]);
+    to[i] = slot.triangle;
+    if (normals && sources[i] < source.corner_normals.size()) {
+      const auto& [a, b, c] = source.corner_normals[sources[i]];
       normals[i] = {a, b, c, 0};
     }
-    if (!is_drawn(slot.triangle)) continue;
+    if (!slot.is_drawn()) continue;
     cluster.box.add(slot.box());
     const std::uint32_t face = slot.triangle.w >> 3;
     faces = std::max(faces, face + 1);
@@ -207,42 +177,12 @@ std::uint32_t MeshBuffers::convert(const TriangleSource& source, std::uint32_t n
   return faces;
 }
 
-std::vector<MeshBuffers::Slot> MeshBuffers::read_back(std::span<const std::uint32_t> triangles) const {
-  std::vector<std::uint32_t> slots, vertices;
-  for (const std::uint32_t triangle : triangles)
-    if (triangle < slot_of_source_.size()) slots.push_back(slot_of_source_[triangle]);
-  std::vector<Slot> read;
-  read_runs(gpu_triangles_, slots, [&](std::uint32_t, const glm::uvec4& triangle) {
-    read.push_back({triangle, {}});
-    if (is_drawn(triangle)) vertices.insert(vertices.end(), {triangle.x, triangle.y, triangle.z});
-  });
-  std::unordered_map<std::uint32_t, glm::vec3> places;
-  read_runs(gpu_positions_, vertices, [&](std::uint32_t v, const glm::vec4& place) { places[v] = glm::vec3(place); });
-  for (Slot& slot : read)
-    for (int k = 0; k < 3 && is_drawn(slot.triangle); ++k)
-      slot.places[static_cast<std::size_t>(k)] = places[slot.triangle[k]];
-  return read;
-}
-
 std::vector<std::uint32_t> MeshBuffers::faces_of_slots() const {
   std::vector<glm::uvec4> triangles(source_of_slot_.size());
   gpu_triangles_.read(0, triangles);
   std::vector<std::uint32_t> faces;
   for (const glm::uvec4& triangle : triangles) faces.push_back(triangle.w >> 3);
   return faces;
-}
-
-std::vector<std::uint32_t> MeshBuffers::changed_triangles(const TriangleSource& source,
-                                                          std::span<const std::uint32_t> named) const {
-  const std::size_t now = source.triangles;
-  std::vector<std::uint32_t> changed;
-  for (const std::uint32_t triangle : named) {
-    if (triangle < std::min(now, source_triangles_)) changed.push_back(triangle);
-  }
-  for (std::size_t i = std::min(now, source_triangles_); i < std::max(now, source_triangles_); ++i) {
-    changed.push_back(static_cast<std::uint32_t>(i));
-  }
-  return changed;
 }
 
 void MeshBuffers::write_positions(const TriangleSource& source, std::span<const std::uint32_t> vertices) {
@@ -264,23 +204,6 @@ void MeshBuffers::write_positions(const TriangleSource& source, std::span<const 
   for_runs(std::move(moved), [&](std::uint32_t first, std::uint32_t count) { write(first, count); });
   write(before, now - before);
   source_positions_ = now;
-}
-
-std::vector<std::uint32_t> MeshBuffers::write_triangles(const TriangleSource& source,
-                                                        std::span<const std::uint32_t> triangles) {
-  std::vector<std::uint32_t> touched;
-  for (const std::uint32_t triangle : triangles) touched.push_back(slot_of_source_[triangle] / cluster_size);
-  sort_unique(touched);
-  while (clusters_.size() * cluster_size < source_of_slot_.size()) clusters_.emplace_back();
-  const bool has_normals = !source.corner_normals.empty();
-  std::array<glm::uvec4, cluster_size> slots, normals{};
-  for (const std::uint32_t cluster : touched) {
-    make_room_for_tints(convert(source, cluster, slots.data(), has_normals ? normals.data() : nullptr));
-    const std::uint32_t first = clusters_[cluster].first, count = clusters_[cluster].count;
-    gpu_triangles_.write(first, std::span(slots).first(count));
-    if (has_normals) gpu_normals_.write(first, std::span(normals).first(count));
-  }
-  return touched;
 }
 
 void MeshBuffers::make_room_for_tints(std::size_t faces) {
@@ -313,25 +236,6 @@ std::vector<std::uint32_t> MeshBuffers::write_tints(const TriangleSource& source
   gpu_tints_.write(before, {tints_.data() + before, end - before});
   source_tints_ = now;
   return written;
-}
-
-void MeshBuffers::add_triangles_of(const TriangleSource& source, std::vector<std::uint32_t> faces,
-                                   std::vector<std::uint32_t>& triangles) const {
-  if (faces.empty()) return;
-  std::vector<std::uint32_t> named;
-  for (const Slot& slot : read_back(triangles)) named.push_back(slot.triangle.w >> 3);
-  for (const std::uint32_t triangle : triangles)
-    if (triangle < source.triangles) named.push_back(source.triangle(triangle).face);
-  sort_unique(named);
-  std::erase_if(faces, [&](std::uint32_t f) { return std::binary_search(named.begin(), named.end(), f); });
-  if (faces.empty()) return;
-  std::vector<bool> wanted(tints_.size(), false);
-  for (const std::uint32_t face : faces) wanted[face] = true;
-  const auto drawn = static_cast<std::uint32_t>(std::min<std::size_t>(source_triangles_, source.triangles));
-  for (std::uint32_t i = 0; i < drawn; ++i) {
-    const glm::uvec4 triangle = converted(source, i).triangle;
-    if (is_drawn(triangle) && wanted[triangle.w >> 3]) triangles.push_back(i);
-  }
 }
 
 }  // namespace ryosen

@@ -11,27 +11,31 @@
 #include <span>
 #include <vector>
 
+#include "core/pick/surface_triangles.h"
 #include "render/gl/buffer.h"
 #include "render/gl/program.h"
 #include "render/screen.h"
 
 namespace ryosen {
 
-// One with three equal corners is not drawn, and its face is not read.
-struct DrawnTriangle {
-  std::array<std::uint32_t, 3> corners;  // vertex numbers, counterclockwise seen from the front
-  std::uint32_t face;                    // below 2^29
-  std::uint8_t edge_bits;                // bit k: side k to k+1 is an edge of the polygon
-};
+// One with three equal corners is not drawn, and its face is not read; that of others is below 2^29.
+using DrawnTriangle = SurfaceTriangle;
 
 // A triangle mesh owned by the caller.
 struct TriangleSource {
   std::span<const glm::dvec3> positions;
   std::uint32_t triangles = 0;
-  std::function<DrawnTriangle(std::uint32_t)> triangle;  // asked from several threads
-  std::span<const std::uint8_t> face_tints;              // see face_tint.h; faces past the end have none
+  // Writes the triangles of these numbers, in their order; asked from several threads.
+  std::function<void(std::span<const std::uint32_t> numbers, DrawnTriangle* to)> read;
+  std::span<const std::uint8_t> face_tints;  // see face_tint.h; faces past the end have none
   // Of the corners of each triangle, see core/view/packed_normal.h. Empty: the surface is not drawn smooth.
   std::span<const std::array<std::uint32_t, 3>> corner_normals = {};
+
+  DrawnTriangle triangle(std::uint32_t number) const {
+    DrawnTriangle one;
+    read({&number, 1}, &one);
+    return one;
+  }
 };
 
 // Spatially close triangles in consecutive slots, with their bounding box.
@@ -61,7 +65,7 @@ struct BufferSpace {
 // The buffer space for a mesh with these bounds.
 BufferSpace buffer_space(const glm::dvec3& low, const glm::dvec3& high);
 
-// Positions are stored in single precision in the buffer space given to set(). Triangles are ordered along a
+// Positions are stored in single precision in the buffer space of the bounds given to set(). Triangles are ordered along a
 // space-filling curve, so that clusters are compact and a part of the view needs few of them. Triangles with an
 // out-of-range vertex or a non-finite position are not drawn. set() is linear; update() costs the listed changes. What is
 // on the GPU is not kept beside it: 8 bytes per triangle, their order, and a byte per face are.
@@ -71,7 +75,8 @@ class MeshBuffers {
 
   MeshBuffers();
 
-  void set(const TriangleSource& source, const BufferSpace& space);
+  // `low` and `high` bound the positions that are finite.
+  void set(const TriangleSource& source, const glm::dvec3& low, const glm::dvec3& high);
 
   // Updates the copy after a change. `vertices` lists the vertices with a new position, `triangles` those with changed
   // corners, normals, face or edge bits or with a moved corner, `faces` those with changed tints. Elements appended or removed
@@ -97,11 +102,13 @@ class MeshBuffers {
   struct Slot {
     glm::uvec4 triangle;
     std::array<glm::vec3, 3> places;
+    bool is_drawn() const { return triangle.x != triangle.y || triangle.y != triangle.z; }
     DrawBox box() const;
   };
 
-  glm::vec3 middle(const TriangleSource& source, std::uint32_t triangle) const;
-  Slot converted(const TriangleSource& source, std::uint32_t triangle) const;
+  // Where triangles are on the space-filling curve; any place for one that is not drawn.
+  void read_middles(const TriangleSource& source, std::uint32_t first, std::span<glm::vec3> middles) const;
+  Slot converted(const TriangleSource& source, const DrawnTriangle& triangle) const;
   // Writes the slots of a cluster, with their normals unless null, and makes its record. One more than the largest face.
   std::uint32_t convert(const TriangleSource& source, std::uint32_t cluster, glm::uvec4* triangles,
                         glm::uvec4* normals);

@@ -7,16 +7,6 @@
 
 namespace ryosen {
 
-void DrawBox::add(const glm::vec3& p) {
-  min = glm::min(min, p);
-  max = glm::max(max, p);
-}
-
-void DrawBox::add(const DrawBox& b) {
-  min = glm::min(min, b.min);
-  max = glm::max(max, b.max);
-}
-
 PixelRect screen_bounds(std::span<const glm::vec3> points, const glm::mat4& clip_from_mesh, Size view, float reach) {
   if (points.empty()) return {};
   const float width = static_cast<float>(view.width), height = static_cast<float>(view.height);

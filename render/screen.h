@@ -1,6 +1,7 @@
 // Conservative screen bounds of points and boxes.
 #pragma once
 
+#include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -15,8 +16,14 @@ struct DrawBox {
   glm::vec3 min{std::numeric_limits<float>::infinity()};
   glm::vec3 max{-std::numeric_limits<float>::infinity()};
 
-  void add(const glm::vec3& p);
-  void add(const DrawBox& b);
+  void add(const glm::vec3& p) {
+    min = glm::min(min, p);
+    max = glm::max(max, p);
+  }
+  void add(const DrawBox& b) {
+    min = glm::min(min, b.min);
+    max = glm::max(max, b.max);
+  }
   bool empty() const { return !(min.x <= max.x); }
 };
 

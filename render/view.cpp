@@ -5,6 +5,8 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <limits>
 
+#include "core/base/parallel.h"
+
 namespace ryosen {
 namespace {
 
@@ -38,6 +40,23 @@ struct DepthRange {
     }
   }
 };
+
+DepthRange depths_of(std::span<const Cluster> clusters, const glm::dmat4& view) {
+  constexpr std::size_t steps_each = 20;  // of work for each cluster
+  const auto count = static_cast<std::uint32_t>(clusters.size());
+  std::vector<DepthRange> parts(threads_for(count * steps_each));
+  for_each_part(count, static_cast<unsigned>(parts.size()), [&](unsigned t, std::uint32_t begin, std::uint32_t end) {
+    DepthRange range;
+    for (std::uint32_t i = begin; i < end; ++i) range.add(clusters[i].box, view);
+    parts[t] = range;
+  });
+  DepthRange all;
+  for (const DepthRange& part : parts) {
+    all.nearest = std::min(all.nearest, part.nearest);
+    all.farthest = std::max(all.farthest, part.farthest);
+  }
+  return all;
+}
 
 }  // namespace
 
@@ -101,6 +120,7 @@ void View::set_camera(const Camera& camera) {
 void View::set_thinning(std::uint32_t thinning) {
   if (thinning == thinning_) return;
   thinning_ = thinning;
+  planes_stale_ = true;  // the clusters are placed by it
   all_changed();
 }
 
@@ -124,7 +144,7 @@ void View::set_overlay_part(Layer layer, std::uint32_t part, const Overlay& over
 
 void View::set_mesh(const TriangleSource& source) {
   const Box box = bounds_of(source.positions);
-  mesh_.set(source, buffer_space(box.lowest, box.highest));
+  mesh_.set(source, box.lowest, box.highest);
   std::vector<TouchedBox> nothing_left;
   for (OverlayBuffer& overlay : overlays_) overlay.set({}, mesh_.space(), nothing_left);
   planes_stale_ = true;
@@ -136,9 +156,7 @@ void View::update_mesh(const TriangleSource& source, std::span<const std::uint32
   const MeshChange change = mesh_.update(source, vertices, triangles, faces);
   if (planes_stale_) return;
   const Frame whole = frame(PixelRect::all(size_), 1);
-  for (auto i = static_cast<std::uint32_t>(order_.size()); i < mesh_.clusters().size(); ++i) order_.push_back(i);
-  cluster_places_.resize(order_.size());
-  for (const std::uint32_t cluster : change.clusters) place_cluster(cluster, whole);
+  places_.place(mesh_.clusters(), change.clusters, whole.clip_from_buffer, size_);
   std::vector<TouchedBox> touched;
   for (const DrawBox& box : change.boxes) touched.push_back({box, 0});
   changed(touched);
@@ -167,8 +185,7 @@ void View::follow_camera() {
 
 void View::place_planes() {
   const glm::dmat4 view = view_from_buffer(camera_, mesh_.space());
-  DepthRange range;
-  for (const Cluster& cluster : mesh_.clusters()) range.add(cluster.box, view);
+  DepthRange range = depths_of(mesh_.clusters(), view);
   for (const OverlayBuffer& overlay : overlays_) range.add(overlay.bounds(), view);
   const Camera camera = in_buffer(camera_, mesh_.space());
   const double target = length_of(camera.target - camera.eye);
@@ -181,28 +198,9 @@ void View::place_planes() {
     far_ = std::max(far_, 1e-6 * target);
     near_ = std::max(near_, std::min(0.01 * target, 0.5 * far_));
   }
-  sort_clusters();
   for (OverlayBuffer& overlay : overlays_) overlay.forget_places();
-  const Frame whole = frame(PixelRect::all(size_), 1);
-  cluster_places_.resize(order_.size());
-  for (const std::uint32_t cluster : order_) place_cluster(cluster, whole);
+  places_.place_all(mesh_.clusters(), thinning_, view, frame(PixelRect::all(size_), 1).clip_from_buffer, size_);
   planes_stale_ = false;
-}
-
-// Front to back, so that the depth test rejects occluded fragments before shading. The order is kept until the next
-// full redraw, because of two coincident triangles the first one drawn is visible.
-void View::sort_clusters() {
-  const std::span<const Cluster> clusters = mesh_.clusters();
-  const glm::dmat4 view = view_from_buffer(camera_, mesh_.space());
-  std::vector<double> depth(clusters.size(), 0.0);
-  for (std::size_t i = 0; i < clusters.size(); ++i) {
-    if (clusters[i].box.empty()) continue;
-    const glm::dvec3 centre = 0.5 * (glm::dvec3(clusters[i].box.min) + glm::dvec3(clusters[i].box.max));
-    depth[i] = -(view * glm::dvec4(centre, 1.0)).z;
-  }
-  order_.resize(clusters.size());
-  for (std::uint32_t i = 0; i < order_.size(); ++i) order_[i] = i;
-  std::stable_sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) { return depth[a] < depth[b]; });
 }
 
 Frame View::frame(const PixelRect& rect, int scale) const {
@@ -225,28 +223,9 @@ Frame View::frame(const PixelRect& rect, int scale) const {
   return f;
 }
 
-void View::place_cluster(std::uint32_t cluster, const Frame& whole) {
-  cluster_places_[cluster] = screen_bounds(mesh_.clusters()[cluster].box, whole.clip_from_buffer, size_, 1);
-}
-
-std::vector<std::uint32_t> View::clusters_in(const PixelRect& rect) const {
-  std::vector<std::uint32_t> inside;
-  for (const std::uint32_t cluster : order_) {
-    if (overlap(cluster_places_[cluster], rect)) inside.push_back(cluster);
-  }
-  return inside;
-}
-
 std::size_t View::triangles_in_view() {
   follow_camera();
-  return triangles_in(PixelRect::all(size_));
-}
-
-std::size_t View::triangles_in(const PixelRect& rect) const {
-  std::size_t triangles = 0;
-  for (std::size_t i = 0; i < cluster_places_.size(); ++i)
-    if (overlap(cluster_places_[i], rect)) triangles += mesh_.clusters()[i].count;
-  return triangles;
+  return places_.triangles_inside(mesh_.clusters(), PixelRect::all(size_));
 }
 
 PixelRect View::take_waiting() {
@@ -254,7 +233,9 @@ PixelRect View::take_waiting() {
   while (most_triangles_ != 0) {
     PixelRect &rest = waiting_.back(), part = rest;
     const bool is_wide = rest.width() > rest.height();
-    if (std::max(rest.width(), rest.height()) < 2 * least || triangles_in(rest) / thinning_ <= most_triangles_) break;
+    if (std::max(rest.width(), rest.height()) < 2 * least ||
+        places_.triangles_inside(mesh_.clusters(), rest) / thinning_ <= most_triangles_)
+      break;
     if (is_wide)
       part.x1 = rest.x0 = (rest.x0 + rest.x1) / 2;
     else
@@ -271,10 +252,10 @@ PixelRect View::draw() {
   waiting_.insert(waiting_.end(), dirty_.rects().begin(), dirty_.rects().end());
   dirty_.clear();
   redrawn_.clear();
-  triangles_drawn_ = 0;
+  triangles_drawn_ = triangles_hidden_ = 0;
   while (!waiting_.empty() && (most_triangles_ == 0 || triangles_drawn_ < most_triangles_)) {
     const PixelRect rect = take_waiting();
-    const std::size_t triangles = triangles_in(rect) / thinning_;
+    const std::size_t triangles = places_.triangles_inside(mesh_.clusters(), rect) / thinning_;
     if (most_triangles_ != 0 && triangles_drawn_ != 0 && triangles_drawn_ + triangles > most_triangles_) {
       waiting_.push_back(rect);
       break;
@@ -284,6 +265,24 @@ PixelRect View::draw() {
     draw(rect);
   }
   return redrawn_.bounds();
+}
+
+void View::draw_surface(const Frame& frame, std::span<const std::uint32_t> clusters) {
+  // To look costs about as much as to draw so many triangles, and some for each pixel.
+  constexpr std::size_t worth_looking = 100000, worth_pixels = 4, most_looks = 4;
+  const std::size_t pixels = std::size_t(frame.rect.width()) * std::size_t(frame.rect.height());
+  const std::size_t least = std::max(worth_looking, pixels / worth_pixels) * thinning_ / MeshBuffers::cluster_size;
+  const std::size_t part = std::max(least / 2, clusters.size() / most_looks);
+  std::vector<std::uint32_t> left(clusters.begin(), clusters.end());
+  while (left.size() > std::max(least, part)) {
+    passes_.surface.draw(frame, mesh_, std::span(left).first(part), tints_);
+    left.erase(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(part));
+    occlusion_.read(rendered_, frame.rect);
+    triangles_hidden_ +=
+        places_.remove_hidden(mesh_.clusters(), occlusion_, frame.clip_from_buffer, supersample_, left) / thinning_;
+    rendered_.bind(frame.rect);
+  }
+  passes_.surface.draw(frame, mesh_, left, tints_);
 }
 
 void View::draw(const PixelRect& asked) {
@@ -299,7 +298,7 @@ void View::draw(const PixelRect& asked) {
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
-  passes_.surface.draw(f, mesh_, clusters_in(rect), tints_);
+  draw_surface(f, places_.inside(mesh_.clusters(), rect));
   if (!transparent_) passes_.background.draw(f);
   for (const OverlayBuffer& overlay : overlays_) passes_.overlay.draw(f, overlay);
   if (supersample_ > 1) passes_.resolve.draw(rendered_, supersample_, resolved_, rect);
@@ -323,7 +322,7 @@ Image View::read_pixels() const {
 IdImage View::read_ids() {
   follow_camera();
   const Frame f = frame(PixelRect::all(size_), 1);
-  const Framebuffer& target = passes_.ids.draw(f, mesh_, clusters_in(PixelRect::all(size_)));
+  const Framebuffer& target = passes_.ids.draw(f, mesh_, places_.inside(mesh_.clusters(), PixelRect::all(size_)));
   const auto count = static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height);
   IdImage image{size_, std::vector<std::uint32_t>(count), std::vector<std::uint32_t>(count, no_index),
                 std::vector<float>(count)};

@@ -12,6 +12,7 @@
 #include "core/base/handle.h"
 #include "core/base/result.h"
 #include "core/view/camera.h"
+#include "render/cluster_places.h"
 #include "render/dirty_rects.h"
 #include "render/face_tint.h"
 #include "render/gl/framebuffer.h"
@@ -78,9 +79,11 @@ class View {
   bool is_drawn() const { return dirty_.empty() && waiting_.empty() && !planes_stale_; }
   // Whether the picture shows all triangles, and is_drawn().
   bool is_whole() const { return thinning_ == 1 && is_drawn(); }
-  // How many triangles the last draw() drew, and among how many the next one, if it drew all, would find those it shows.
+  // How many triangles the last draw() drew or found hidden, and among how many the next one, if it drew all, would find those it shows.
   std::size_t triangles_drawn() const { return triangles_drawn_; }
   std::size_t triangles_in_view();
+  // How many of them the last draw() left out, because nearer ones hide them.
+  std::size_t triangles_hidden() const { return triangles_hidden_; }
   // The rectangles drawn by the last draw().
   std::span<const PixelRect> redrawn() const { return redrawn_.rects(); }
   // Draws a rectangle unconditionally.
@@ -109,11 +112,9 @@ class View {
   void changed(std::span<const TouchedBox> touched);
   void follow_camera();  // places the planes where they are stale; then all is to be redrawn
   void place_planes();
-  void sort_clusters();
   Frame frame(const PixelRect& rect, int scale) const;
-  void place_cluster(std::uint32_t cluster, const Frame& whole);
-  std::vector<std::uint32_t> clusters_in(const PixelRect& rect) const;
-  std::size_t triangles_in(const PixelRect& rect) const;
+  // Draws these clusters from front to back. Where there are many it looks in between which of the rest are hidden.
+  void draw_surface(const Frame& frame, std::span<const std::uint32_t> clusters);
   // Takes the next rectangle that waits, halved until it has no more triangles than one draw() may draw.
   PixelRect take_waiting();
 
@@ -129,13 +130,13 @@ class View {
   std::vector<DrawnTint> tints_;
   bool transparent_ = false;
   std::uint32_t thinning_ = 1;
-  std::size_t most_triangles_ = 0, triangles_drawn_ = 0;
+  std::size_t most_triangles_ = 0, triangles_drawn_ = 0, triangles_hidden_ = 0;
   DirtyRects dirty_, redrawn_;
-  std::vector<PixelRect> waiting_;         // what draw() has left, the next one last; may overlap
-  bool planes_stale_ = true;               // near, far and the cluster order are out of date
-  double near_ = 0.1, far_ = 1;            // in buffer space
-  std::vector<std::uint32_t> order_;       // clusters front to back
-  std::vector<PixelRect> cluster_places_;  // screen bounds of each cluster, in picture pixels
+  std::vector<PixelRect> waiting_;  // what draw() has left, the next one last; may overlap
+  bool planes_stale_ = true;        // near, far and the cluster order are out of date
+  double near_ = 0.1, far_ = 1;     // in buffer space
+  ClusterPlaces places_;
+  Occlusion occlusion_;
 };
 
 }  // namespace ryosen

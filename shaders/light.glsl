@@ -1,6 +1,11 @@
 // Light of three sources that move with the eye, on a surface seen from either side. Colours are linear.
-#include "shading.glsl"
+// With SMOOTH the colour goes over from corner to corner; without, a triangle looks like its last corner.
+#ifdef SMOOTH
+#define SHADED smooth
 uniform usamplerBuffer corner_normals;  // by slot, packed as in core/view/packed_normal.h
+#else
+#define SHADED flat
+#endif
 uniform mat4 view_from_buffer;          // moves, turns and scales evenly
 uniform float perspective;              // 1, or 0 when all rays are parallel
 uniform vec3 key_colour;
@@ -18,6 +23,7 @@ float facing_eye(vec3 normal, vec3 place) {
   return dot(normal, mix(vec3(0.0, 0.0, 1.0), to_eye, perspective));
 }
 
+#ifdef SMOOTH
 // The normal of the surface at the corner; that of its triangle where there is none.
 vec3 corner_normal(Corner corner, vec3 of_triangle) {
   uvec4 all = texelFetch(corner_normals, corner.slot);
@@ -28,18 +34,18 @@ vec3 corner_normal(Corner corner, vec3 of_triangle) {
   normal.xy -= vec2(normal.x < 0.0 ? -fold : fold, normal.y < 0.0 ? -fold : fold);
   return packed_normal == 0u ? of_triangle : normalize(mat3(view_from_buffer) * normal);
 }
+#endif
 
-// What it would look like if it were white; seen_front says which side the eye sees. With flat shading all corners of a
-// triangle look like its last one.
+// What it would look like if it were white; seen_front says which side the eye sees.
 vec3 light_on(Corner corner, out float grazing, out bool seen_front) {
   vec3 along = corner.places[1] - corner.places[0], across = corner.places[2] - corner.places[0];
   vec3 normal = normalize(mat3(view_from_buffer) * cross(along, across));
   vec3 place = corner.places[2];
   seen_front = facing_eye(normal, place) > 0.0;
-  if (shading == smooth_shading) {
-    normal = corner_normal(corner, normal);
-    place = place_of(corner);
-  }
+#ifdef SMOOTH
+  normal = corner_normal(corner, normal);
+  place = place_of(corner);
+#endif
   if (!seen_front) normal = -normal;
   grazing = 1.0 - clamp(facing_eye(normal, place), 0.0, 1.0);
   float key = max(dot(normal, key_direction), 0.0);

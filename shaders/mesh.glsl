@@ -1,11 +1,9 @@
 // Reads a mesh from texture buffers: vertex number n of a draw is corner n % 3 of the triangle in slot n / 3 * thinning.
 uniform samplerBuffer positions;   // in buffer space
 uniform usamplerBuffer triangles;  // three vertex numbers, then face * 8 + edge bits
-uniform usamplerBuffer face_tints;
 uniform mat4 clip_from_buffer;
 uniform int thinning;  // every so many-th triangle is drawn
 
-const uint hidden_face = 255u;
 const vec4 nowhere = vec4(2.0, 2.0, 2.0, 1.0);  // outside of the view
 
 struct Corner {
@@ -14,7 +12,6 @@ struct Corner {
   vec3 places[3];  // of all corners of the triangle
   uint face;
   uint edge_bits;
-  uint tint;  // 0, the number of its tint from 1 on, or hidden_face
 };
 
 Corner read_corner() {
@@ -28,7 +25,6 @@ Corner read_corner() {
   corner.places[2] = texelFetch(positions, int(triangle.z)).xyz;
   corner.face = triangle.w >> 3u;
   corner.edge_bits = triangle.w & 7u;
-  corner.tint = texelFetch(face_tints, int(corner.face)).r;
   return corner;
 }
 
@@ -37,6 +33,4 @@ vec3 place_of(Corner corner) {
 }
 
 // The same expression in every pass, so that equal places get equal depths.
-vec4 clip_place(Corner corner) {
-  return corner.tint == hidden_face ? nowhere : clip_from_buffer * vec4(place_of(corner), 1.0);
-}
+vec4 clip_place(Corner corner) { return clip_from_buffer * vec4(place_of(corner), 1.0); }

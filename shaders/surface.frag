@@ -1,9 +1,12 @@
 #version 330 core
 in vec2 barycentric;
-flat in vec4 lit;
-in vec3 lit_smoothly;
+#ifdef SMOOTH
+smooth in vec3 lit;
+#else
+flat in vec3 lit;
+#endif
+flat in float edge_bits;
 
-#include "shading.glsl"
 uniform vec3 wire_colour;  // linear
 uniform float wire_strength;
 uniform float pixel_scale;  // rendered pixels per pixel of the picture
@@ -17,16 +20,15 @@ float wire() {
   vec3 dx = vec3(gx, -gx.x - gx.y), dy = vec3(gy, -gy.x - gy.y);
   vec3 distance_px = weight * inversesqrt(max(dx * dx + dy * dy, vec3(1e-20)));
   // Side k runs from corner k to k + 1, opposite of corner k + 2.
-  uint edge_bits = uint(lit.w);
-  if ((edge_bits & 1u) == 0u) distance_px.z = 1e6;
-  if ((edge_bits & 2u) == 0u) distance_px.x = 1e6;
-  if ((edge_bits & 4u) == 0u) distance_px.y = 1e6;
+  uint bits = uint(edge_bits);
+  if ((bits & 1u) == 0u) distance_px.z = 1e6;
+  if ((bits & 2u) == 0u) distance_px.x = 1e6;
+  if ((bits & 4u) == 0u) distance_px.y = 1e6;
   float nearest = min(min(distance_px.x, distance_px.y), distance_px.z) / pixel_scale;
   float size = inversesqrt(max(abs(gx.x * gy.y - gx.y * gy.x), 1e-20)) / pixel_scale;
   return clamp(1.1 - nearest, 0.0, 1.0) * smoothstep(2.0, 12.0, size);
 }
 
 void main() {
-  vec3 surface = shading == smooth_shading ? lit_smoothly : lit.rgb;
-  colour = vec4(sqrt(mix(surface, wire_colour, wire() * wire_strength)), 1.0);
+  colour = vec4(sqrt(mix(lit, wire_colour, wire() * wire_strength)), 1.0);
 }

@@ -1,9 +1,12 @@
 #version 330 core
-flat in vec4 tint;
-in vec3 tint_smoothly;
+#ifdef SMOOTH
+smooth in vec3 tint;
+#else
+flat in vec3 tint;
+#endif
+flat in float strength;
 flat in int pattern;
 
-#include "shading.glsl"
 uniform float pixel_scale;  // rendered pixels per pixel of the picture
 
 layout(location = 0) out vec4 colour;
@@ -23,7 +26,6 @@ float share() {
 }
 
 void main() {
-  float strength = tint.a * share();
-  vec3 surface = shading == smooth_shading ? tint_smoothly : tint.rgb;
-  colour = vec4(sqrt(surface) * strength, strength);
+  float covered = strength * share();
+  colour = vec4(sqrt(tint) * covered, covered);
 }

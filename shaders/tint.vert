@@ -3,11 +3,12 @@
 #include "mesh.glsl"
 #include "light.glsl"
 
+uniform usamplerBuffer face_tints;  // 0, or the number of its tint from 1 on
 uniform vec4 tints[32];     // linear colour and strength
 uniform int patterns[32];
 
-flat out vec4 tint;
-out vec3 tint_smoothly;  // the same colour, which goes over from corner to corner
+SHADED out vec3 tint;  // linear colour
+flat out float strength;
 flat out int pattern;
 
 void main() {
@@ -15,9 +16,10 @@ void main() {
   float grazing;
   bool seen_front;
   vec3 light = light_on(corner, grazing, seen_front);
-  int number = clamp(int(corner.tint) - 1, 0, 31);
-  tint = vec4(tints[number].rgb * (0.35 + 0.65 * light), tints[number].a);
-  tint_smoothly = tint.rgb;
+  uint of_face = texelFetch(face_tints, int(corner.face)).r;
+  int number = clamp(int(of_face) - 1, 0, 31);
+  tint = tints[number].rgb * (0.35 + 0.65 * light);
+  strength = tints[number].a;
   pattern = patterns[number];
-  gl_Position = corner.tint == 0u ? nowhere : clip_place(corner);
+  gl_Position = of_face == 0u ? nowhere : clip_place(corner);
 }

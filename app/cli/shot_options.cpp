@@ -52,6 +52,7 @@ class OptionsReader {
       options_.files.reads(*script_file, FileRole::script);
     }
     if (options_.reference) options_.files.reads(*options_.reference, FileRole::reference);
+    options_.picture.bytes_per_triangle = bytes_of_switches();
     std::vector<PlannedOutput> outputs;
     if (options_.output) outputs.push_back({*options_.output, FileRole::picture});
     if (options_.difference) outputs.push_back({*options_.difference, FileRole::difference});
@@ -153,6 +154,21 @@ class OptionsReader {
       fail(usage_failure("flags_exclude",
                          {"--view and --camera exclude each other.", "--view と --camera は同時に指定できません。"}));
     options_.tool = read_tool(text("--tool").value_or(""));
+  }
+
+  // Those of the values that flags set, and those that the script may set.
+  std::uint64_t bytes_of_switches() const {
+    std::uint64_t bytes = 0;
+    for (const ViewSwitch& row : view_switches()) {
+      std::uint64_t most = 0;
+      for (const auto& [of_flag, value] : options_.switches)
+        if (of_flag.id == row.id) most = of_flag.values[value].bytes_per_triangle;
+      for (const ScriptLine& line : options_.script.lines)
+        if (split_words(line.text).front() == row.id)
+          for (const SwitchValue& value : row.values) most = std::max(most, value.bytes_per_triangle);
+      bytes += most;
+    }
+    return bytes;
   }
 
   std::string read_tool(const std::string& id) {

@@ -4,6 +4,8 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/interruption.h"
+
 namespace ryosen {
 
 namespace {
@@ -43,7 +45,9 @@ bool Preparation::go_on(double share) {
 
 void Preparation::run() {
   try {
+    const Interruptible interruptible(&is_cancelled_);
     find();
+  } catch (const Interrupted&) {  // nobody takes what is found
   } catch (...) {
     thrown_ = std::current_exception();
   }

@@ -36,7 +36,7 @@ class Preparation {
     std::vector<const HighlightRow*> shown;
   };
 
-  // The picker's tree is built too; nobody picks meanwhile.
+  // The picker's tree is built too; nobody picks meanwhile. Cancelled, it ends within milliseconds.
   Preparation(const Mesh& mesh, Picker& picker, Beside beside);
   ~Preparation();
   Preparation(const Preparation&) = delete;

@@ -41,7 +41,7 @@ std::vector<ViewSwitch>& switch_rows() {
       {.id = "shading",
        .help_en = "draws each face in a light of its own, or smoothly from face to face except at creases",
        .help_ja = "面ごとの陰影と、折り目以外で滑らかにつながる陰影を切り替える",
-       .values = {{"flat", "Flat shading", "面ごとの陰影"}, {"smooth", "Smooth shading", "滑らかな陰影"}},
+       .values = {{"flat", "Flat shading", "面ごとの陰影"}, {"smooth", "Smooth shading", "滑らかな陰影", 28}},
        .value = setting<&ViewSettings::shading>,
        .set = set_setting<&ViewSettings::shading>,
        .chord = "Shift+W",

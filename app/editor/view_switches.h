@@ -5,6 +5,7 @@
 // the table.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,7 +18,8 @@ namespace ryosen {
 
 struct SwitchValue {
   std::string_view id;
-  std::string_view name_en, name_ja;  // in the menu
+  std::string_view name_en, name_ja;     // in the menu
+  std::uint64_t bytes_per_triangle = 0;  // that a picture takes with it, more than without
 };
 
 struct ViewSwitch {

@@ -21,8 +21,9 @@ MemoryNeed Headless::need(const Options& options, std::uint64_t triangles) {
   constexpr std::uint64_t per_rendered = 9, per_pixel = 9, per_triangle = 130, of_panels = std::uint64_t{32} << 20;
   const std::uint64_t pixels = std::uint64_t(options.size.width) * std::uint64_t(options.size.height);
   const std::uint64_t rendered = pixels * std::uint64_t(options.supersample) * std::uint64_t(options.supersample);
-  const std::uint64_t bytes =
-      rendered * per_rendered + pixels * per_pixel + triangles * per_triangle + (options.panels ? of_panels : 0);
+  const std::uint64_t bytes = rendered * per_rendered + pixels * per_pixel +
+                              triangles * (per_triangle + options.bytes_per_triangle) +
+                              (options.panels ? of_panels : 0);
   return context_need + MemoryNeed{bytes, bytes, bytes};
 }
 

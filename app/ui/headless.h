@@ -16,6 +16,7 @@ class Headless {
     bool panels = false;
     bool transparent = false;  // no background; no effect with panels
     int supersample = 1;
+    std::uint64_t bytes_per_triangle = 0;  // that the switches of the view take (SwitchValue)
   };
 
   // What a picture of so many triangles takes besides the mesh.

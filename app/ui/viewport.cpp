@@ -1,5 +1,6 @@
 #include "app/ui/viewport.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "app/ui/overlays.h"
@@ -12,12 +13,10 @@ namespace {
 TriangleSource source_of(Session& session, std::span<const std::uint8_t> tints) {
   const SurfaceTriangles& triangles = session.picker().triangles();
   const Mesh& mesh = session.mesh();
-  TriangleSource source{mesh.positions(), triangles.slots(),
-                        [&mesh, &triangles](std::uint32_t slot) {
-                          const SurfaceTriangle t = triangles.at(mesh, slot);
-                          return DrawnTriangle{t.corners, t.face, t.edge_bits};
-                        },
-                        tints};
+  TriangleSource source{
+      mesh.positions(), triangles.slots(),
+      [&mesh, &triangles](std::span<const std::uint32_t> slots, DrawnTriangle* to) { triangles.read(mesh, slots, to); },
+      tints};
   if (session.settings.shading == Shading::smooth) source.corner_normals = session.corner_normals().packed();
   return source;
 }
@@ -53,6 +52,14 @@ class FaceTints {
     for (const auto& [set, number] : shown_)
       if (set->contains(face)) return number;
     return 0;
+  }
+  // As of(), of all faces; at the cost of those that have a tint.
+  void write(std::vector<std::uint8_t>& tints) const {
+    std::fill(tints.begin(), tints.end(), std::uint8_t{0});
+    for (auto shown = shown_.rbegin(); shown != shown_.rend(); ++shown)
+      shown->first->for_each([&](std::uint32_t face) {
+        if (face < tints.size()) tints[face] = shown->second;
+      });
   }
 
  private:
@@ -123,8 +130,7 @@ void Viewport::follow_mesh(Session& session) {
   const bool other_highlights = shown_ != session.shown || changes.searched;
   if (!anew && !other_highlights && mesh_revision_ == session.document().revision()) return;
   face_tints_.resize(mesh.face_slots());
-  if (anew || other_highlights)
-    for (std::uint32_t f = 0; f < face_tints_.size(); ++f) face_tints_[f] = tints.of(f);
+  if (anew || other_highlights) tints.write(face_tints_);
   if (anew) {
     view_->set_mesh(source_of(session, face_tints_));
   } else {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/analysis/neighbourhood.h"
+#include "core/base/interruption.h"
 #include "core/base/parallel.h"
 
 namespace ryosen {
@@ -45,15 +46,24 @@ bool is_member(const Row& row, Neighbourhood& around, Element element) {
   return around.mesh().exists(element) && around.mesh().is_alive(element) && holds(row, around, element);
 }
 
-// Adds the members among one of `parts` parts of the vertices, of the edges or of the faces.
+// Adds the members among a range of the vertices, of the edges or of the faces.
+template <class Element, class Row>
+void search_range(const Row& row, Neighbourhood& around, std::uint32_t begin, std::uint32_t end,
+                  std::vector<std::uint32_t>& members) {
+  if (!speaks_of(row, Element())) return;
+  const Mesh& mesh = around.mesh();
+  for (std::uint32_t i = begin; i < end; ++i) {
+    stop_if_interrupted(i);
+    if (mesh.is_alive(Element(i)) && holds(row, around, Element(i))) members.push_back(i);
+  }
+}
+
+// The same of one of `parts` parts.
 template <class Element, class Row>
 void search_part(const Row& row, Neighbourhood& around, unsigned part, unsigned parts,
                  std::vector<std::uint32_t>& members) {
-  if (!speaks_of(row, Element())) return;
-  const Mesh& mesh = around.mesh();
-  const std::uint32_t slots = slots_of(mesh, Element()), end = part_begin(slots, part + 1, parts);
-  for (std::uint32_t i = part_begin(slots, part, parts); i < end; ++i)
-    if (mesh.is_alive(Element(i)) && holds(row, around, Element(i))) members.push_back(i);
+  const std::uint32_t slots = slots_of(around.mesh(), Element());
+  search_range<Element>(row, around, part_begin(slots, part, parts), part_begin(slots, part + 1, parts), members);
 }
 
 }  // namespace ryosen

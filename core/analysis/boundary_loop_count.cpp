@@ -2,6 +2,8 @@
 
 #include <unordered_set>
 
+#include "core/base/interruption.h"
+
 namespace ryosen {
 
 namespace {
@@ -41,6 +43,7 @@ template <class Put>
 void BoundaryLoopCount::put_links(Neighbourhood& around, Edge e, Put put) {
   const Mesh& mesh = around.mesh();
   const Halfedge inside = mesh.is_outside(halfedge(e, 0)) ? halfedge(e, 1) : halfedge(e, 0);
+  stop_if_interrupted();
   for (const bool at_end : {true, false}) {
     const BoundaryStep step{inside, at_end}, next = around.next_boundary(step);
     put(end_of(step), next.inside ? other_end(end_of(next)) : stop);
@@ -120,7 +123,12 @@ BoundaryLoopCount::Joints BoundaryLoopCount::joints_outside(const Part& part, co
 }
 
 void BoundaryLoopCount::search(Neighbourhood& around, const IndexSet& boundary) {
-  links_.assign(2 * std::size_t{around.mesh().edge_slots()}, none);
+  links_.clear();
+  resize_in_steps(links_, 2 * std::size_t{around.mesh().edge_slots()});
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    stop_if_interrupted(static_cast<std::uint32_t>(i));
+    links_[i] = none;
+  }
   boundary.for_each(
       [&](std::uint32_t i) { put_links(around, Edge(i), [&](End end, End next) { links_[end] = next; }); });
   count_ = count_loops(boundary);

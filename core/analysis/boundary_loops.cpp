@@ -1,5 +1,7 @@
 #include "core/analysis/boundary_loops.h"
 
+#include "core/base/interruption.h"
+
 namespace ryosen {
 
 namespace {
@@ -12,6 +14,7 @@ Halfedge inside_half(const Mesh& mesh, Edge e) {
 bool follow(Neighbourhood& around, BoundaryStep start, IndexSet& left, std::vector<Halfedge>& chain) {
   BoundaryStep step = start;
   do {
+    stop_if_interrupted();
     left.erase(edge(step.inside).index);
     chain.push_back(twin(step.inside));
     step = around.next_boundary(step);

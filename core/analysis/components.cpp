@@ -1,6 +1,7 @@
 #include "core/analysis/components.h"
 
 #include "core/analysis/disjoint_sets.h"
+#include "core/base/interruption.h"
 
 namespace ryosen {
 
@@ -11,6 +12,7 @@ DisjointSets join_faces(Neighbourhood& around) {
   DisjointSets sets(mesh.face_slots());
   std::vector<Face> faces;
   for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+    stop_if_interrupted();
     const Edge e(i);
     if (!mesh.is_alive(e)) continue;
     const Face f = mesh.face(halfedge(e, 0)), g = mesh.face(halfedge(e, 1));
@@ -73,6 +75,7 @@ FaceComponents find_face_components(Neighbourhood& around) {
   FaceComponents components;
   components.of_face.assign(mesh.face_slots(), no_index);
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+    stop_if_interrupted();
     if (!mesh.is_alive(Face(i))) continue;
     const std::uint32_t root = sets.root(i);  // the lowest face, so it is visited first
     components.of_face[i] = root == i ? components.count++ : components.of_face[root];
@@ -86,6 +89,7 @@ Halfedge find_twist(Neighbourhood& around) {
   const Mesh& mesh = around.mesh();
   TurnSets sets(mesh.face_slots());
   for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
+    stop_if_interrupted();
     const Halfedge h(i);
     if (!mesh.is_alive(h) || mesh.is_outside(h)) continue;
     const Halfedge other = around.across(h);

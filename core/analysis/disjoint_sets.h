@@ -3,9 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 #include <vector>
+
+#include "core/base/interruption.h"
 
 namespace ryosen {
 
@@ -15,8 +16,12 @@ class DisjointSets {
   explicit DisjointSets(std::size_t n = 0) { reset(n); }
   // Resets to n singletons; keeps the memory.
   void reset(std::size_t n) {
-    parent_.resize(n);
-    std::iota(parent_.begin(), parent_.end(), 0u);
+    parent_.clear();
+    resize_in_steps(parent_, n);
+    for (std::uint32_t i = 0; i < n; ++i) {
+      stop_if_interrupted(i);
+      parent_[i] = i;
+    }
     count_ = static_cast<std::uint32_t>(n);
   }
 

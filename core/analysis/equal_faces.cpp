@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/interruption.h"
 #include "core/mesh/circulate.h"
 
 namespace ryosen {
@@ -87,6 +88,7 @@ std::vector<KeyedFace> keyed_faces(Neighbourhood& around) {
   const Mesh& mesh = around.mesh();
   std::vector<KeyedFace> keyed;
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+    stop_if_interrupted(i);
     if (!mesh.is_alive(Face(i)) || !may_have_equal_face(mesh, Face(i))) continue;
     KeyedFace entry{0, i};
     for (Vertex v : vertices_around(mesh, Face(i))) entry.key += mix(around.point(v).index);
@@ -101,6 +103,7 @@ void find_in_group(Neighbourhood& around, const KeyedFace* begin, const KeyedFac
                    std::vector<std::uint32_t>& found) {
   std::vector<std::pair<std::vector<Vertex>, std::uint32_t>> sets;
   for (const KeyedFace* i = begin; i < end; ++i) {
+    stop_if_interrupted();
     sets.emplace_back();
     sets.back().second = i->face;
     points_of_face(around, Face(i->face), sets.back().first);

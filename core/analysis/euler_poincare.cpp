@@ -5,6 +5,7 @@
 #include "core/analysis/boundary_loops.h"
 #include "core/analysis/components.h"
 #include "core/analysis/problems.h"
+#include "core/base/interruption.h"
 #include "core/mesh/circulate.h"
 
 namespace ryosen {
@@ -132,8 +133,10 @@ class TreeAndCotree {
 
   // Only the forest of the points. A face connects its loops like an edge between them.
   void join_points() {
-    for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i)
+    for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
+      stop_if_interrupted();
       if (mesh_.is_alive(Edge(i))) join_ends(Edge(i));
+    }
     for_each_ring([&](Halfedge outer, Halfedge ring) { join(outer, ring); });
   }
 
@@ -143,6 +146,7 @@ class TreeAndCotree {
     join_walks(wires);
     std::int64_t in_neither = 0;
     for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
+      stop_if_interrupted();
       const Edge e(i);
       if (!mesh_.is_alive(e) || sets_.is_further_sheet(e) || join_ends(e)) continue;
       const auto [a, b] = sides(e);
@@ -180,6 +184,7 @@ class TreeAndCotree {
   // Joins outside halfedges that follow each other on points into walks.
   void join_walks(const WireEnds& wires) {
     sets_.of(ProblemKind::boundary_loop).for_each([&](std::uint32_t i) {
+      stop_if_interrupted();
       const Halfedge h = halfedge(Edge(i)), outside = mesh_.is_outside(h) ? h : twin(h);
       for (const bool at_end : {true, false}) {
         const Vertex v = at_end ? mesh_.to(outside) : mesh_.from(outside);

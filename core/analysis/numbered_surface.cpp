@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "core/base/interruption.h"
 #include "core/base/parallel.h"
 #include "core/base/sort_unique.h"
 #include "core/geometry/predicates.h"
@@ -46,6 +47,7 @@ NumberedSurface::NumberedSurface(std::vector<glm::dvec3> places, std::vector<std
 }
 
 void NumberedSurface::add(const Mesh& mesh, Face f) {
+  stop_if_interrupted();
   polygon_.read(mesh, f);
   if (!polygon_.is_finite()) return;
   polygon_.triangulate(triangles_);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "core/base/interruption.h"
 #include "core/base/parallel.h"
 
 namespace ryosen {
@@ -276,6 +277,7 @@ const OverlapView& OverlapTree::add_view(const OverlapView& view) {
 }
 
 void OverlapTree::look(std::uint32_t first, std::uint32_t last, const OverlapView& view) {
+  stop_if_interrupted();
   for (std::uint32_t i = first; i < last; ++i) triangles_[i].box = view.box_of(surface_.triangle(triangles_[i].slot));
 }
 

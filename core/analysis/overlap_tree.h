@@ -16,6 +16,7 @@
 
 #include "core/analysis/numbered_surface.h"
 #include "core/analysis/overlap_view.h"
+#include "core/base/interruption.h"
 
 namespace ryosen {
 
@@ -107,6 +108,7 @@ class OverlapTree {
 
 template <class May, class Visit>
 bool OverlapTree::visit_pairs(std::uint32_t node, const May& may, const Visit& visit) const {
+  stop_if_interrupted();
   const Node& leaf = nodes_[node];
   if (leaf.count == 0) return true;
   Leaf seen;
@@ -136,6 +138,7 @@ bool OverlapTree::visit_pairs(std::uint32_t node, const May& may, const Visit& v
 
 template <class May, class Visit>
 void OverlapTree::visit_overlaps(std::uint32_t slot, std::uint32_t node, const May& may, const Visit& visit) const {
+  stop_if_interrupted();
   const Node& leaf = nodes_[node];
   std::uint32_t own = 0;
   while (triangles_[leaf.first + own].slot != slot) ++own;

@@ -1,8 +1,10 @@
 #include "core/analysis/problem_sets.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "core/analysis/ask_elements.h"
+#include "core/base/interruption.h"
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 
@@ -12,15 +14,23 @@ namespace {
 
 using Members = std::array<std::vector<std::uint32_t>, most_problem_kinds>;
 
-// Asks one of `parts` parts of the vertices, of the edges and of the faces.
+// Asks one of `parts` parts of the elements of a sort: a few at a time by all rows, while their surroundings are in the
+// cache.
+template <class Element>
+void search_part(Neighbourhood& around, unsigned part, unsigned parts, Members& members) {
+  constexpr std::uint32_t at_once = 1024;
+  const std::uint32_t slots = slots_of(around.mesh(), Element()), end = part_begin(slots, part + 1, parts);
+  for (std::uint32_t first = part_begin(slots, part, parts); first < end; first += at_once)
+    for (const ProblemRow& row : problem_table())
+      if (!row.find_all)
+        search_range<Element>(row, around, first, std::min(first + at_once, end),
+                              members[static_cast<std::size_t>(row.kind)]);
+}
+
 void search_parts(Neighbourhood& around, unsigned part, unsigned parts, Members& members) {
-  for (const ProblemRow& row : problem_table()) {
-    if (row.find_all) continue;
-    std::vector<std::uint32_t>& found = members[static_cast<std::size_t>(row.kind)];
-    search_part<Vertex>(row, around, part, parts, found);
-    search_part<Edge>(row, around, part, parts, found);
-    search_part<Face>(row, around, part, parts, found);
-  }
+  search_part<Vertex>(around, part, parts, members);
+  search_part<Edge>(around, part, parts, members);
+  search_part<Face>(around, part, parts, members);
 }
 
 void search_whole(Neighbourhood& around, Members& members) {
@@ -84,10 +94,14 @@ void ProblemSets::search(const Mesh& mesh, unsigned threads) {
 void ProblemSets::find_further(Neighbourhood& around) {
   const Mesh& mesh = around.mesh();
   if (!mesh.has_copies()) return;
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+    stop_if_interrupted();
     if (is_further(around, Vertex(i))) further_copies_.insert(i);
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i)
+  }
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+    stop_if_interrupted();
     if (is_further(around, Edge(i))) further_sheets_.insert(i);
+  }
 }
 
 void ProblemSets::set(const ProblemRow& row, std::uint32_t index, bool is_member) {

@@ -9,6 +9,7 @@
 #include "core/analysis/box_tree.h"
 #include "core/analysis/leaf_planes.h"
 #include "core/analysis/overlap_tree.h"
+#include "core/base/interruption.h"
 #include "core/base/parallel.h"
 #include "core/geometry/predicates.h"
 #include "core/geometry/triangles_meet.h"
@@ -48,6 +49,7 @@ class ShellSearch {
     triangles_.resize(components_.count);
     faces_.resize(components_.count);
     for (std::uint32_t i = 0; i < mesh_.face_slots(); ++i) {
+      stop_if_interrupted();
       if (!mesh_.is_alive(Face(i))) continue;
       const std::uint32_t shell = components_.of_face[i];
       faces_[shell].emplace_back(i);
@@ -84,6 +86,7 @@ class ShellSearch {
 
   // One walk around the face, which may go from ring to ring; valid until the next call.
   std::span<const glm::dvec3> places_of(Face f) {
+    stop_if_interrupted();
     const Halfedge first = mesh_.halfedge(f), second = mesh_.next(first);
     if (is_triangle(mesh_, first) && !mesh_.has_rings(f)) {
       triangle_ = {mesh_.position(mesh_.from(first)), mesh_.position(mesh_.from(second)),
@@ -100,6 +103,7 @@ class ShellSearch {
     std::vector<CornerTriangle> corners;
     std::vector<Box> boxes;
     for (const Face f : faces_[shell]) {
+      stop_if_interrupted();
       polygon_.read(mesh_, f);
       polygon_.triangulate(corners);
       for (const CornerTriangle& t : corners) {

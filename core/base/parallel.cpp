@@ -11,6 +11,8 @@
 #include <system_error>
 #include <vector>
 
+#include "core/base/interruption.h"
+
 namespace ryosen {
 namespace {
 
@@ -25,8 +27,10 @@ struct Job {
   std::atomic<bool> has_thrown = false;  // a task, or what is done beside them
   std::atomic<bool> is_stopped = false;  // a task has thrown
   std::exception_ptr thrown = nullptr;   // the first exception
+  const std::atomic<bool>* interruption = detail::interruption;  // as of whoever asks for it
 
   void run() {
+    const Interruptible interruptible(interruption);
     for (unsigned i = next++; i < tasks && !is_stopped; i = next++)
       if (!attempt([&] { call(work, i); })) is_stopped = true;
   }

@@ -11,9 +11,12 @@ namespace ryosen {
 class LineRuns {
  public:
   // Appends the line of the next element, from 1.
-  void add(std::uint64_t line) {
+  void add(std::uint64_t line) { add(line, 1); }
+  // Appends the lines of as many elements, one after the other.
+  void add(std::uint64_t line, std::size_t elements) {
+    if (elements == 0) return;
     begin_run({count_, line});
-    ++count_;
+    count_ += static_cast<std::uint32_t>(elements);
   }
   // Appends the elements of a part of the file that starts after `lines_before` lines. O(runs).
   void append(const LineRuns& next, std::uint64_t lines_before) {

@@ -4,6 +4,7 @@
 
 #include "core/io/faults.h"
 #include "core/io/numbers.h"
+#include "core/io/ply_plain_rows.h"
 #include "core/io/ply_values.h"
 #include "core/io/text_lines.h"
 
@@ -50,11 +51,21 @@ class PlyTextReader {
     targets_ = builder_.begin_table(number, FilePlace::at_line(lines_.count()));
     table.rows = rows;
     for (std::size_t row = 0; row < rows; ++row) {
+      if (row == 1 && !faults_.any()) row += read_plain(table, rows - 1);
+      if (row == rows) break;
       if (row == 0 ? !has_first : !next_line())
         return faults_.stop(ply_early_end(table, row, FilePlace::at_line(lines_.count() + 1)));
       if (!read_row(table, row) && faults_.is_stopped()) return false;
     }
     return true;
+  }
+
+  // Returns the number of rows read behind the first one.
+  std::size_t read_plain(PropertyTable& table, std::size_t most) {
+    const std::string_view text = bytes_.substr(lines_.next_byte());
+    const PlainRows read = read_plain_rows(text, table, targets_, 1, most, lines_.count(), builder_);
+    lines_.skip(read.bytes, read.rows);
+    return read.rows;
   }
 
   bool read_row(PropertyTable& table, std::size_t row) {

@@ -33,6 +33,12 @@ class TextLines {
   // The next non-blank line.
   bool next_filled(TextLine& line);
 
+  // Passes over so many bytes, which are so many whole lines.
+  void skip(std::size_t bytes, std::uint64_t lines) {
+    at_ += bytes;
+    count_ += lines;
+  }
+
   // The place in the file of a character of the current line; `at` may be one past its end.
   FilePlace place(const char* at) const;
 

@@ -3,6 +3,8 @@
 #include <glm/common.hpp>
 #include <limits>
 
+#include "core/base/interruption.h"
+#include "core/mesh/column_memory.h"
 #include "core/pick/bvh.h"
 
 namespace ryosen {
@@ -11,8 +13,9 @@ namespace ryosen {
 class BvhBuilder {
  public:
   BvhBuilder(Bvh& bvh, std::span<const glm::dvec3> positions) : bvh_(bvh) {
-    items_.reserve(bvh.primitives_.size());
+    reserve_large(items_, bvh.primitives_.size());
     for (std::uint32_t slot = 0; slot < bvh.primitives_.size(); ++slot) {
+      stop_if_interrupted(slot);
       const Primitive& primitive = bvh.primitives_[slot];
       if (primitive.size() == 0 || !Bvh::is_finite(positions, primitive)) continue;
       items_.push_back({bvh.local_box(box_of(positions, primitive)), slot});
@@ -81,6 +84,7 @@ class BvhBuilder {
   Bounds bounds_of(const Task& task) const {
     Bounds bounds;
     for (std::uint32_t i = task.first; i < task.last; ++i) {
+      stop_if_interrupted(i);
       grow(bounds.box, items_[i].box);
       const Float4 center = items_[i].center();
       grow(bounds.centers, {center, center});
@@ -100,7 +104,9 @@ class BvhBuilder {
     const float leaf_cost = static_cast<float>(count) * half_area(bounds.box);
     if (fits && leaf_cost <= plane.cost + 2.0f * half_area(bounds.box)) return task.first;
     const auto axis = static_cast<std::size_t>(plane.axis);
+    std::uint32_t step = 0;
     const auto middle = std::partition(items_.begin() + task.first, items_.begin() + task.last, [&](const Item& item) {
+      stop_if_interrupted(step++);
       return scale.bins_of(item.center())[axis] <= plane.bin;
     });
     return static_cast<std::uint32_t>(middle - items_.begin());
@@ -131,6 +137,7 @@ class BvhBuilder {
   Plane best_plane(const Task& task, const BinScale& scale) {
     for (auto& axis : bins_) std::fill_n(axis.begin(), scale.bins, Bin{});
     for (std::uint32_t i = task.first; i < task.last; ++i) {
+      stop_if_interrupted(i);
       const std::array<int, 3> place = scale.bins_of(items_[i].center());
       for (std::size_t axis = 0; axis < 3; ++axis) {
         Bin& bin = bins_[axis][static_cast<std::size_t>(place[axis])];
@@ -206,7 +213,12 @@ void Bvh::rebuild(std::span<const glm::dvec3> positions) {
 }
 
 bool Bvh::rebuild(std::span<const glm::dvec3> positions, Progress& progress) {
-  leaf_of_.assign(primitives_.size(), no_index);
+  leaf_of_.clear();
+  reserve_large(leaf_of_, primitives_.size());
+  for (std::uint32_t slot = 0; slot < primitives_.size(); ++slot) {
+    stop_if_interrupted(slot);
+    leaf_of_.push_back(no_index);
+  }
   pairs_.clear();
   parents_.clear();
   blocks_.clear();
@@ -222,7 +234,9 @@ bool Bvh::rebuild(std::span<const glm::dvec3> positions, Progress& progress) {
 // one unit large: floats then resolve a small mesh far from the origin as well as a large one at it.
 void Bvh::choose_frame(std::span<const glm::dvec3> positions) {
   Box box;
+  std::uint32_t step = 0;
   for (const Primitive& primitive : primitives_) {
+    stop_if_interrupted(step++);
     if (primitive.size() == 0 || !is_finite(positions, primitive)) continue;
     box.add(box_of(positions, primitive));
   }

@@ -5,7 +5,9 @@
 #include <glm/geometric.hpp>
 #include <tuple>
 
+#include "core/base/interruption.h"
 #include "core/mesh/circulate.h"
+#include "core/mesh/column_memory.h"
 #include "core/mesh/copies.h"
 #include "core/pick/screen_segment.h"
 
@@ -71,8 +73,20 @@ class PickQuery {
     return Picked{under_, Halfedge(), 0.5, under_, place_, 0};
   }
 
+  // Looks further only where there is nothing to be seen near the pointer: of a dense mesh there are thousands of
+  // elements within the whole radius.
   std::optional<Picked> nearest(bool vertices) {
-    gather(vertices);
+    double within = 0;
+    for (const double radius_px : {0.25, 1.0, pick_radius_px}) {
+      gather(vertices, within, radius_px);
+      if (const auto found = nearest_visible(vertices)) return found;
+      within = std::nextafter(radius_px, 2 * radius_px);  // up to there all are hidden
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::optional<Picked> nearest_visible(bool vertices) {
     // A heap instead of a sort: usually one of the first is visible.
     const auto is_worse = [](const Candidate& x, const Candidate& y) { return y < x; };
     std::make_heap(candidates_.begin(), candidates_.end(), is_worse);
@@ -85,11 +99,13 @@ class PickQuery {
     return std::nullopt;
   }
 
- private:
-  void gather(bool vertices) {
+  // Those at a distance from `within` to `radius_px`, both included.
+  void gather(bool vertices, double within, double radius_px) {
+    within_ = within;
+    radius_px_ = radius_px;
     const glm::dmat4 clip_from_mesh = screen_.clip_from_mesh();
-    const Frustum frustum =
-        frustum_around_pixel(clip_from_mesh, {view_.width, view_.height}, pixel_, pick_radius_px + 0.5);
+    const Frustum frustum = frustum_around_pixel(clip_from_mesh, {view_.width, view_.height}, pixel_,
+                                                 std::min(1.5 * radius_px, radius_px + 0.5));
     tree_.visit_frustum(m_.positions(), frustum, [&](std::uint32_t slot) {
       const Primitive primitive = tree_.primitive(slot);
       const auto corners = static_cast<unsigned>(primitive.size());
@@ -108,7 +124,7 @@ class PickQuery {
     const auto at = screen_.project(m_.position(v));
     if (!at) return;
     const double distance = glm::length(at->pixel - pixel_);
-    if (distance > pick_radius_px) return;
+    if (distance < within_ || distance > radius_px_) return;
     candidates_.push_back({distance, at->depth, face == under_, v.index, v, Vertex(), face, m_.position(v), 0});
   }
 
@@ -117,7 +133,7 @@ class PickQuery {
     const bool swapped = b < a;
     const glm::dvec3 &p = m_.position(swapped ? b : a), &q = m_.position(swapped ? a : b);
     const auto near = screen_.nearest_on_segment(p, q, pixel_);
-    if (!near || near->distance_px > pick_radius_px) return;
+    if (!near || near->distance_px < within_ || near->distance_px > radius_px_) return;
     candidates_.push_back({near->distance_px, near->depth, face == under_, face.index, a, b, face,
                            p + near->along * (q - p), swapped ? 1 - near->along : near->along});
   }
@@ -156,6 +172,7 @@ class PickQuery {
   ScreenProjection screen_;
   Face under_;
   glm::dvec3 place_{0};
+  double within_ = 0, radius_px_ = 0;
   std::vector<Candidate> candidates_;
 };
 
@@ -169,18 +186,27 @@ void Picker::build(const Mesh& mesh, Progress& progress) {
   std::uint32_t wire_slots = mesh.edge_slots();
   while (wire_slots > 0 && !is_live_wire(mesh, Edge(wire_slots - 1))) --wire_slots;
   const std::size_t slots = std::max({triangles_.slots(), mesh.vertex_slots(), wire_slots});
-  std::vector<Primitive> primitives(sharers * slots);
+  std::vector<Primitive> primitives;
+  reserve_large(primitives, sharers * slots);
+  resize_in_steps(primitives, sharers * slots);
   for (std::uint32_t slot = 0; slot < triangles_.slots(); ++slot) {
+    stop_if_interrupted(slot);
     const SurfaceTriangle t = triangles_.at(mesh, slot);
     if (t.face != no_index) primitives[tree_slot_of_triangle(slot)] = primitive_of(t);
   }
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+    stop_if_interrupted(i);
     const Vertex v(i);
     if (mesh.is_alive(v) && mesh.is_isolated(v)) primitives[tree_slot_of_vertex(v)] = Primitive::point(i);
   }
   for (std::uint32_t i = 0; i < wire_slots; ++i)
     if (is_live_wire(mesh, Edge(i))) primitives[tree_slot_of_wire(Edge(i))] = wire(mesh, Edge(i));
-  has_tree_ = tree_.build(mesh.positions(), std::move(primitives), progress);
+  try {
+    has_tree_ = tree_.build(mesh.positions(), std::move(primitives), progress);
+  } catch (...) {
+    tree_ = Bvh();
+    throw;
+  }
 }
 
 void Picker::put_triangle(const Mesh& mesh, std::uint32_t slot) {

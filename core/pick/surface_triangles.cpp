@@ -1,10 +1,12 @@
 #include "core/pick/surface_triangles.h"
 
+#include <algorithm>
 #include <atomic>
 
 #include "core/base/parallel.h"
 #include "core/base/sort_unique.h"
 #include "core/geometry/is_finite.h"
+#include "core/mesh/prefetch.h"
 
 namespace ryosen {
 
@@ -67,8 +69,24 @@ SurfaceTriangle SurfaceTriangles::at(const Mesh& mesh, std::uint32_t slot) const
   const Face f(slot);
   if (!is_home(mesh, f)) return {};
   const Halfedge h = mesh.halfedge(f);
-  const HalfedgeLinks& links = mesh.links(h);
-  return {{links.from.index, mesh.from(links.next).index, mesh.from(links.prev).index}, slot, all_sides};
+  return {{mesh.from(h).index, mesh.to(h).index, mesh.from(mesh.prev(h)).index}, slot, all_sides};
+}
+
+void SurfaceTriangles::read(const Mesh& mesh, std::span<const std::uint32_t> slots, SurfaceTriangle* to) const {
+  constexpr std::size_t most = 128;  // as many as a cache holds
+  for (; !slots.empty(); to += std::min(most, slots.size()), slots = slots.subspan(std::min(most, slots.size()))) {
+    const std::span<const std::uint32_t> part = slots.first(std::min(most, slots.size()));
+    const auto for_homes = [&](const auto& visit) {
+      for (const std::uint32_t slot : part)
+        if (slot < homes_ && mesh.exists(Face(slot))) visit(Face(slot));
+    };
+    for_homes([&](Face f) { prefetch(mesh, f); });
+    for_homes([&](Face f) { prefetch(mesh, mesh.halfedge(f)); });
+    for_homes([&](Face f) {
+      if (mesh.is_alive(f)) prefetch(mesh, mesh.prev(mesh.halfedge(f)));
+    });
+    for (std::size_t i = 0; i < part.size(); ++i) to[i] = at(mesh, part[i]);
+  }
 }
 
 std::uint32_t SurfaceTriangles::first_stored(Face f) const {

@@ -8,6 +8,7 @@
 
 #include "core/mesh/column_memory.h"
 #include "render/gl/object.h"
+#include "render/gl/own_memory.h"
 
 namespace ryosen {
 
@@ -34,6 +35,7 @@ class Buffer {
 
  private:
   std::string label_;
+  OwnMemory memory_;  // of the object, where the driver takes it
   GlObject<BufferKind> object_;
   std::size_t capacity_ = 0;
 };

@@ -63,9 +63,19 @@ void Framebuffer::read(std::size_t index, const PixelRect& rect, void* pixels) c
   const FormatRow r = row(formats_[index]);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, object_.id());
   glReadBuffer(static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + index));
+  read_top_down(rect, r.format, r.type, r.bytes, pixels);
+}
+
+void Framebuffer::read_depth(const PixelRect& rect, float* depths) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, object_.id());
+  read_top_down(rect, GL_DEPTH_COMPONENT, GL_FLOAT, sizeof(float), depths);
+}
+
+void Framebuffer::read_top_down(const PixelRect& rect, GLenum format, GLenum type, std::size_t bytes_each,
+                                void* pixels) const {
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(rect.x0, size_.height - rect.y1, rect.width(), rect.height(), r.format, r.type, pixels);
-  const std::size_t row_bytes = r.bytes * static_cast<std::size_t>(rect.width());
+  glReadPixels(rect.x0, size_.height - rect.y1, rect.width(), rect.height(), format, type, pixels);
+  const std::size_t row_bytes = bytes_each * static_cast<std::size_t>(rect.width());
   auto* bytes = static_cast<unsigned char*>(pixels);
   std::vector<unsigned char> swap(row_bytes);
   for (int y = 0; y < rect.height() / 2; ++y) {

@@ -27,8 +27,12 @@ class Framebuffer {
   void bind(const PixelRect& rect) const;
   // Reads a rectangle of one colour image into memory, rows top-down, without padding.
   void read(std::size_t index, const PixelRect& rect, void* pixels) const;
+  // The same of the depths, from 0 to 1.
+  void read_depth(const PixelRect& rect, float* depths) const;
 
  private:
+  void read_top_down(const PixelRect& rect, GLenum format, GLenum type, std::size_t bytes_each, void* pixels) const;
+
   const char* label_;
   std::vector<PixelFormat> formats_;
   bool with_depth_;

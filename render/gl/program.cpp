@@ -1,5 +1,7 @@
 #include "render/gl/program.h"
 
+#include <array>
+#include <iterator>
 #include <string>
 
 #include "render/gl/shader_sources.h"
@@ -18,13 +20,19 @@ Failure refused_by_driver(const std::string& name, const std::string& log) {
 }
 
 // Compiles one shader and attaches it; returns the driver's log on failure, else empty.
-std::string attach(GLuint program, GLenum stage, const char* name) {
+std::string attach(GLuint program, GLenum stage, const char* name, std::string_view defines) {
   for (const ShaderSource& source : shader_sources()) {
     if (source.name != name) continue;
     const GLuint shader = glCreateShader(stage);
-    const char* text = source.text.data();
-    const auto length = static_cast<GLint>(source.text.size());
-    glShaderSource(shader, 1, &text, &length);
+    const std::size_t version_end = source.text.find('\n') + 1;
+    const std::string_view all(source.text), parts[] = {all.substr(0, version_end), defines, all.substr(version_end)};
+    std::array<const char*, std::size(parts)> texts;
+    std::array<GLint, std::size(parts)> lengths;
+    for (std::size_t i = 0; i < std::size(parts); ++i) {
+      texts[i] = parts[i].data() ? parts[i].data() : "";
+      lengths[i] = static_cast<GLint>(parts[i].size());
+    }
+    glShaderSource(shader, static_cast<GLsizei>(texts.size()), texts.data(), lengths.data());
     glCompileShader(shader);
     GLint compiled = 0;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
@@ -44,11 +52,12 @@ std::string attach(GLuint program, GLenum stage, const char* name) {
 
 }  // namespace
 
-Result<Program> Program::make(const char* vertex, const char* fragment) {
+Result<Program> Program::make(const char* vertex, const char* fragment, std::string_view defines) {
   Program program(vertex);
   const GLuint id = program.object_.id();
-  if (const std::string log = attach(id, GL_VERTEX_SHADER, vertex); !log.empty()) return refused_by_driver(vertex, log);
-  if (const std::string log = attach(id, GL_FRAGMENT_SHADER, fragment); !log.empty()) {
+  if (const std::string log = attach(id, GL_VERTEX_SHADER, vertex, defines); !log.empty())
+    return refused_by_driver(vertex, log);
+  if (const std::string log = attach(id, GL_FRAGMENT_SHADER, fragment, defines); !log.empty()) {
     return refused_by_driver(fragment, log);
   }
   glLinkProgram(id);

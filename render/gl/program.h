@@ -6,6 +6,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <string_view>
+
 #include "core/base/result.h"
 #include "render/gl/object.h"
 
@@ -20,8 +22,9 @@ struct ProgramKind {
 // A linked program. Uniforms are set by name after use(); unused names are ignored.
 class Program {
  public:
-  // Compiles `vertex` and `fragment`, file names in shaders/. Fails with ExitCode::no_backend and the driver's log.
-  static Result<Program> make(const char* vertex, const char* fragment);
+  // Compiles `vertex` and `fragment`, file names in shaders/, with `defines` behind the line of their version. Fails with
+  // ExitCode::no_backend and the driver's log.
+  static Result<Program> make(const char* vertex, const char* fragment, std::string_view defines = {});
 
   void use() const { glUseProgram(object_.id()); }
   void set(const char* name, int value) const { glUniform1i(location(name), value); }

@@ -35,17 +35,23 @@ void set_light(const Program& program, const Frame& frame) {
 }  // namespace
 
 Result<SurfacePass> SurfacePass::make() {
-  Result<Program> surface = Program::make("surface.vert", "surface.frag");
-  if (!surface) return surface.failure();
-  Result<Program> tint = Program::make("tint.vert", "tint.frag");
-  if (!tint) return tint.failure();
-  return SurfacePass(std::move(*surface), std::move(*tint));
+  ByShading programs;
+  for (const Shading shading : {Shading::flat, Shading::smooth}) {
+    const char* const defines = shading == Shading::smooth ? "#define SMOOTH\n" : "";
+    Result<Program> surface = Program::make("surface.vert", "surface.frag", defines);
+    if (!surface) return surface.failure();
+    Result<Program> tint = Program::make("tint.vert", "tint.frag", defines);
+    if (!tint) return tint.failure();
+    programs[static_cast<std::size_t>(shading)].emplace(Programs{std::move(*surface), std::move(*tint)});
+  }
+  return SurfacePass(std::move(programs));
 }
 
-SurfacePass::SurfacePass(Program surface, Program tint)
-    : surface_(std::move(surface)), tint_(std::move(tint)), no_attributes_("surface") {
-  MeshBuffers::set_units(surface_);
-  MeshBuffers::set_units(tint_);
+SurfacePass::SurfacePass(ByShading programs) : programs_(std::move(programs)), no_attributes_("surface") {
+  for (const std::optional<Programs>& each : programs_) {
+    MeshBuffers::set_units(each->surface);
+    MeshBuffers::set_units(each->tint);
+  }
 }
 
 void SurfacePass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters,
@@ -57,11 +63,12 @@ void SurfacePass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<co
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);
+  const auto& [surface, tint] = *programs_[static_cast<std::size_t>(frame.settings.shading)];
   const Palette& colours = palette(frame.settings.theme);
-  set_light(surface_, frame);
-  surface_.set("wire_colour", glm::vec3(linear(colours.wire)));
-  surface_.set("wire_strength", unit(colours.wire).w);
-  draw_clusters(surface_, mesh, clusters, frame.thinning);
+  set_light(surface, frame);
+  surface.set("wire_colour", glm::vec3(linear(colours.wire)));
+  surface.set("wire_strength", unit(colours.wire).w);
+  draw_clusters(surface, mesh, clusters, frame.thinning);
 
   std::vector<std::uint32_t> tinted;
   for (const std::uint32_t cluster : clusters) {
@@ -72,15 +79,15 @@ void SurfacePass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<co
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDepthFunc(GL_EQUAL);
   glDepthMask(GL_FALSE);
-  set_light(tint_, frame);
+  set_light(tint, frame);
   for (std::size_t i = 0; i < std::min(tints.size(), most_tints); ++i) {
     const std::string place = "[" + std::to_string(i) + "]";
     glm::vec4 colour = linear(tints[i].colour);
     colour.w = tints[i].tint.strength;
-    tint_.set(("tints" + place).c_str(), colour);
-    tint_.set(("patterns" + place).c_str(), static_cast<int>(tints[i].tint.pattern));
+    tint.set(("tints" + place).c_str(), colour);
+    tint.set(("patterns" + place).c_str(), static_cast<int>(tints[i].tint.pattern));
   }
-  draw_clusters(tint_, mesh, tinted, frame.thinning);
+  draw_clusters(tint, mesh, tinted, frame.thinning);
 }
 
 void draw_clusters(const Program& program, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters,

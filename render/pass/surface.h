@@ -2,10 +2,14 @@
 // per triangle or per corner, because a software renderer has to pay for every pixel.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
+#include "core/base/enum_table.h"
 #include "core/base/result.h"
+#include "core/view/view_settings.h"
 #include "render/face_tint.h"
 #include "render/gl/program.h"
 #include "render/mesh_buffers.h"
@@ -22,10 +26,15 @@ class SurfacePass {
             std::span<const DrawnTint> tints) const;
 
  private:
-  SurfacePass(Program surface, Program tint);
+  // A shader each: a software renderer pays for what is not looked at.
+  struct Programs {
+    Program surface;
+    Program tint;
+  };
+  using ByShading = std::array<std::optional<Programs>, enum_count<Shading>>;
+  explicit SurfacePass(ByShading programs);
 
-  Program surface_;
-  Program tint_;
+  ByShading programs_;
   VertexArray no_attributes_;
 };
 

@@ -48,6 +48,7 @@ class Costs {
   }
   bool empty() const { return wall_.empty(); }
   double least() const { return *std::min_element(wall_.begin(), wall_.end()); }
+  double most() const { return *std::max_element(wall_.begin(), wall_.end()); }
   double least_cpu() const { return least_cpu_; }
   double median() const {
     std::vector<double> values = wall_;

@@ -8,7 +8,7 @@ root=$(cd "$(dirname "$0")/../.." && pwd)
 ensure_packages $build_packages $test_packages libbenchmark-dev
 [ $# = 0 ] || export RYOSEN_DRAGON=$1
 cmake -S "$root" -B "$root/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DRYOSEN_BENCH=ON >&2
-targets="bench_core bench_forms bench_editor bench_peers bench_files bench_check bench_growth write_torus ryosen"
+targets="bench_core bench_forms bench_editor bench_large bench_peers bench_files bench_check bench_growth write_torus ryosen"
 # shellcheck disable=SC2086
 cmake --build "$root/build/release" --target $targets >&2
 "$root/build/release/bin/bench_peers"
@@ -18,6 +18,7 @@ cmake --build "$root/build/release" --target $targets >&2
 "$root/build/release/bin/bench_core"
 "$root/build/release/bin/bench_forms" --benchmark_min_time=0.05
 "$root/build/release/bin/bench_editor"
+[ $# = 0 ] || "$root/build/release/bin/bench_large"
 
 # median_of_11 COMMAND... prints the median wall time of 11 runs after one that is not counted, in milliseconds.
 median_of_11() {

@@ -186,6 +186,22 @@ TEST(little_memory, of_a_real_control_group_is_said) {
   EXPECT_EQ(run("check " + asset("cube.obj")), 0) << read_file(folder.at("err"));
 }
 
+TEST(little_memory, a_picture_counts_what_its_switches_take) {
+  const TemporaryFolder folder;
+  const std::string script = folder.write("smooth.script", "shading smooth\n");
+  const auto need = [&](std::vector<std::string> flags) {
+    std::vector<std::string> words{"shot", asset("stanford_bunny.obj"), "-o", "o.png"};
+    words.insert(words.end(), flags.begin(), flags.end());
+    const ProgramRun run = run_limited("-v 200000", words, folder);
+    EXPECT_EQ(run.exit_code, 10);
+    EXPECT_NE(run.err.find("This picture needs about "), std::string::npos) << run.err;
+    return run.err.substr(0, run.err.find(';'));
+  };
+  EXPECT_EQ(need({"--shading", "flat"}), need({}));
+  EXPECT_NE(need({"--shading", "smooth"}), need({}));
+  EXPECT_EQ(need({"--script", script}), need({"--shading", "smooth"}));
+}
+
 // A few in the suite.
 std::vector<Words> lines_for_other_limits(const TemporaryFolder& made) {
   if (is_long_run()) return lines_of_all(asset("stanford_bunny.obj"), made);

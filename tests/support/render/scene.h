@@ -22,8 +22,8 @@ struct Scene {
 
   TriangleSource source() const {
     return {positions, static_cast<std::uint32_t>(triangles.size()),
-            [this](std::uint32_t i) {
-              return DrawnTriangle{triangles[i], faces[i], edge_bits[i]};
+            [this](std::span<const std::uint32_t> numbers, DrawnTriangle* to) {
+              for (const std::uint32_t i : numbers) *to++ = {triangles[i], faces[i], edge_bits[i]};
             },
             tints, normals};
   }

@@ -12,8 +12,12 @@ namespace ryosen {
 namespace {
 
 std::vector<std::uint32_t> order_of(const std::vector<glm::vec3>& points) {
+  DrawBox box;
+  for (const glm::vec3& p : points) box.add(p);
   const auto order =
-      hilbert_order(static_cast<std::uint32_t>(points.size()), [&](std::uint32_t i) { return points[i]; });
+      hilbert_order(static_cast<std::uint32_t>(points.size()), box, [&](std::uint32_t first, std::span<glm::vec3> to) {
+        std::copy_n(points.begin() + first, to.size(), to.begin());
+      });
   return {order.begin(), order.end()};
 }
 

@@ -240,6 +240,25 @@ TEST(view, partial_redraw_equals_full_redraw) {
   EXPECT_GT(partial, 30);
 }
 
+// The picture of so many triangles that those behind nearer ones are looked for, and of the same in small rectangles, where
+// they are not.
+TEST(view, what_nearer_triangles_hide_is_left_out_unseen) {
+  for (const bool is_perspective : {false, true}) {
+    const auto view = front_view(sphere_scene(260), view_size, 2.4);
+    if (is_perspective) {
+      Camera camera;
+      camera.eye = {0.7, 0.9, 1.8};
+      view->set_camera(camera);
+    }
+    view->draw();
+    EXPECT_GT(view->triangles_hidden(), view->triangles_drawn() / 6);
+    const Image whole = view->read_pixels();
+    for (int y = 0; y < view_size.height; y += 20)
+      for (int x = 0; x < view_size.width; x += 20) view->draw({x, y, x + 20, y + 20});
+    EXPECT_EQ(view->read_pixels(), whole);
+  }
+}
+
 TEST(view, a_rectangle_drawn_again_changes_nothing) {
   const auto view = front_view(sphere_scene(16), view_size, 2.4);
   view->draw();

@@ -8,6 +8,9 @@
 #include <thread>
 
 #include "app/editor/session.h"
+#include "core/analysis/components.h"
+#include "core/analysis/shells.h"
+#include "core/base/interruption.h"
 
 namespace ryosen {
 namespace {
@@ -74,6 +77,31 @@ TEST(preparation, ends_for_an_edit_and_begins_anew_behind_it) {
   EXPECT_TRUE(session->preparing());
   wait_for(*session);
   expect_as_if_asked_at_once(*session);
+}
+
+// Each of what is found ends before its time where somebody does not want to wait for it.
+TEST(preparation, every_stage_can_be_interrupted) {
+  const auto session = large_session();
+  const Mesh& mesh = session->mesh();
+  const HighlightSets sets(mesh);
+  Picker picker(mesh);
+  Progress unseen;
+  const std::atomic<bool> flag = true;
+  {
+    const Interruptible interruptible(&flag);
+    EXPECT_THROW(picker.prepare(mesh, unseen), Interrupted);
+    EXPECT_THROW(HighlightSets{mesh}, Interrupted);
+    EXPECT_THROW((HighlightSets{mesh, 1}), Interrupted);
+    EXPECT_THROW(euler_poincare(mesh, sets.problems()), Interrupted);
+    Neighbourhood around(mesh, Neighbourhood::Reach::whole);
+    EXPECT_THROW(BoundaryLoopCount().search(around, sets.of(ProblemKind::boundary_loop)), Interrupted);
+    EXPECT_THROW(find_shells(around), Interrupted);
+    EXPECT_THROW(find_twist(around), Interrupted);
+  }
+  int picked = 0;
+  for (int x = 100; x < 1200; x += 50)
+    picked += picker.pick(mesh, session->camera, session->view, {x, 360}, PickMode::face).has_value();
+  EXPECT_GT(picked, 5);
 }
 
 TEST(preparation, is_waited_for_by_who_asks) {

@@ -395,6 +395,47 @@ TEST(ply_read, long_files_are_read_in_parts_as_if_in_one) {
   }
 }
 
+// Lines of plain numbers are read in blocks; anything else, from where it stands on, line by line.
+TEST(ply_read, long_text_is_read_in_blocks_as_if_line_by_line) {
+  constexpr std::uint32_t rows = 40000;
+  const auto text_with = [&](const auto& vertex, const auto& face) {
+    std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(rows) +
+                       "\nproperty float x\nproperty float y\nproperty double z\nproperty uchar red\n"
+                       "property uchar green\nproperty uchar blue\nelement face " +
+                       std::to_string(rows) + "\nproperty list uchar int vertex_indices\nend_header\n";
+    for (std::uint32_t i = 0; i < rows; ++i) text += vertex(i);
+    for (std::uint32_t i = 0; i < rows; ++i) text += face(i);
+    return text;
+  };
+  const auto plain_vertex = [](std::uint32_t i) {
+    return std::to_string(i) + ".25 -1e-3\t" + std::to_string(i % 7) + " 255 " + std::to_string(i % 256) + " 0 \r\n";
+  };
+  const auto plain_face = [](std::uint32_t i) {
+    return "3 " + std::to_string(i) + " " + std::to_string((i + 1) % rows) + "  " + std::to_string((i + 2) % rows) +
+           "\n";
+  };
+  const MeshFile in_blocks = read_sound("ply", text_with(plain_vertex, plain_face));
+  EXPECT_TRUE(in_blocks.messages.empty());
+  EXPECT_EQ(in_blocks.mesh.vertex_lines.line(rows - 1), 12u + rows);
+  EXPECT_EQ(in_blocks.mesh.face_lines[rows - 1], 12u + 2 * rows);
+  EXPECT_EQ(in_blocks.mesh.positions[rows - 1], glm::dvec3(rows - 0.75, -1e-3, (rows - 1) % 7));
+  for (const std::uint32_t odd : {0u, 1u, 2u, 12345u, rows - 1}) {  // a sign, zeros before: the same, but not plain
+    const MeshFile by_line = read_sound(
+        "ply", text_with([&](std::uint32_t i) { return (i == odd ? "+" : "") + plain_vertex(i); },
+                         [&](std::uint32_t i) { return i == odd ? "0000000000" + plain_face(i) : plain_face(i); }));
+    EXPECT_EQ(io_test::difference(in_blocks, by_line), "") << odd;
+    EXPECT_EQ(by_line.mesh.face_lines, in_blocks.mesh.face_lines);
+    EXPECT_EQ(by_line.mesh.vertex_lines, in_blocks.mesh.vertex_lines);
+  }
+  const MeshFile flawed =
+      read_sound("ply", text_with([&](std::uint32_t i) { return i == 20000 ? "nan 0 0 0 0 0\n\n" : plain_vertex(i); },
+                                  [&](std::uint32_t i) { return i == 30000 ? "4 1 2 3 4 5\n" : plain_face(i); }));
+  ASSERT_EQ(flawed.messages.size(), 2u);
+  EXPECT_EQ(flawed.messages[0].line, 13u + 20000);
+  EXPECT_EQ(flawed.messages[1].line, 13u + rows + 1 + 30000);
+  EXPECT_EQ(flawed.mesh.face_lines.back(), 12u + 2 * rows + 1);
+}
+
 TEST(ply_read, many_elements_are_read_in_time_that_grows_with_their_number) {
   std::string header =
       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n";

@@ -1,2 +1,0 @@
-uniform int shading;  // a Shading of core/view/view_settings.h
-const int smooth_shading = 1;

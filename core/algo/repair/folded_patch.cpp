@@ -30,8 +30,9 @@ bool crosses_itself(const HolePatch& patch) {
   if (covers_once_in_projection(patch)) return false;
   const NumberedSurface surface = surface_of(patch);
   const OverlapTree tree(surface, 1);
+  const auto all = [](std::uint32_t, std::uint32_t) { return true; };
   for (std::uint32_t node = 0; node < tree.node_count(); ++node) {
-    const bool is_clear = tree.visit_pairs(node, [&](std::uint32_t a, std::uint32_t b) {
+    const bool is_clear = tree.visit_pairs(node, all, [&](std::uint32_t a, std::uint32_t b) {
       return !meet_elsewhere(surface.triangle(a), surface.triangle(b));
     });
     if (!is_clear) return true;

@@ -255,12 +255,11 @@ PixelRect View::draw() {
   triangles_drawn_ = triangles_hidden_ = 0;
   while (!waiting_.empty() && (most_triangles_ == 0 || triangles_drawn_ < most_triangles_)) {
     const PixelRect rect = take_waiting();
-    const std::size_t triangles = places_.triangles_inside(mesh_.clusters(), rect) / thinning_;
-    if (most_triangles_ != 0 && triangles_drawn_ != 0 && triangles_drawn_ + triangles > most_triangles_) {
+    if (most_triangles_ != 0 && triangles_drawn_ != 0 &&
+        triangles_drawn_ + places_.triangles_inside(mesh_.clusters(), rect) / thinning_ > most_triangles_) {
       waiting_.push_back(rect);
       break;
     }
-    triangles_drawn_ += triangles;
     redrawn_.add(rect);
     draw(rect);
   }
@@ -298,7 +297,11 @@ void View::draw(const PixelRect& asked) {
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
-  draw_surface(f, places_.inside(mesh_.clusters(), rect));
+  const std::vector<std::uint32_t> clusters = places_.inside(mesh_.clusters(), rect);
+  std::size_t triangles = 0;
+  for (const std::uint32_t cluster : clusters) triangles += mesh_.clusters()[cluster].count;
+  triangles_drawn_ += triangles / thinning_;
+  draw_surface(f, clusters);
   if (!transparent_) passes_.background.draw(f);
   for (const OverlayBuffer& overlay : overlays_) passes_.overlay.draw(f, overlay);
   if (supersample_ > 1) passes_.resolve.draw(rendered_, supersample_, resolved_, rect);

@@ -15,6 +15,7 @@
 #include "core/io/descriptor.h"
 #include "core/io/system_reason.h"
 #include "core/mesh/column_memory.h"
+#include "core/mesh/touch_pages.h"
 
 namespace ryosen {
 namespace {
@@ -48,6 +49,7 @@ int read_to_end(int descriptor, std::size_t expected, std::size_t limit, FileByt
   std::size_t capacity = expected + 1;  // one extra byte detects the end without growing
   out.data.reset(new char[capacity]);
   offer_huge_pages(out.data.get(), capacity);
+  touch_pages(out.data.get(), capacity);
   constexpr std::size_t most = std::size_t{1} << 30;
   while (true) {
     if (out.size > limit) return EFBIG;

@@ -10,6 +10,7 @@
 #include "core/io/numbers.h"
 #include "core/io/ply_values.h"
 #include "core/mesh/column_memory.h"
+#include "core/mesh/touch_pages.h"
 
 namespace ryosen {
 namespace {
@@ -224,6 +225,7 @@ class PlyBinaryReader {
     const bool has_signed_count = table.properties[0].count_type == NumberType::i8;
     const std::size_t expected = std::min(3 * table.rows, left() / 4);
     reserve_large(mesh.corners, expected);
+    if (mesh.corners.empty()) touch_pages(mesh.corners.data(), expected * sizeof(std::uint32_t));
     mesh.corners.resize(expected);
     mesh.face_offsets.resize(table.rows + 1);
     const std::size_t triangles = read_triangles(mesh, std::min(table.rows, left() / triangle_bytes));

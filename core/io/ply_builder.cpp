@@ -5,6 +5,7 @@
 
 #include "core/base/release.h"
 #include "core/mesh/column_memory.h"
+#include "core/mesh/touch_pages.h"
 
 namespace ryosen {
 namespace {
@@ -58,6 +59,7 @@ std::vector<PlyTarget> PlyBuilder::begin_table(std::size_t number, FilePlace pla
   places_[number] = place;
   if (table.kind == TableKind::vertices) {
     reserve_large(mesh.positions, table.rows);
+    if (mesh.positions.empty()) touch_pages(mesh.positions.data(), table.rows * sizeof(glm::dvec3));
     mesh.positions.resize(table.rows);
   }
   if (table.kind == TableKind::faces) reserve_large(mesh.face_offsets, table.rows + 1);

@@ -124,8 +124,8 @@ class LargeScene {
 };
 
 void print_pair(const char* name, const Costs& dragon, const Costs& large, double bar_ms) {
-  std::printf("%-26s %10.3f %10.3f %10.3f %7.2fx", name, dragon.median(), large.median(), large.most(),
-              large.median() / dragon.median());
+  std::printf("%-26s %10.3f %10.3f %10.3f %7.2fx %10.3f %10.3f", name, dragon.median(), large.median(), large.most(),
+              large.median() / dragon.median(), dragon.mean_cpu(), large.mean_cpu());
   const bool is_reached = bar_ms > 0 ? large.most() <= bar_ms : large.median() <= 2 * dragon.median();
   std::printf("   %s\n", bar_ms < 0 ? "" : is_reached ? "reached" : "short");
 }
@@ -143,7 +143,8 @@ int run(double millions) {
     return LargeScene(std::move(mesh), **viewport).run();
   };
   const Reactions small = reactions_to(dragon()), large = reactions_to(torus(2 * columns, columns));
-  std::printf("%-26s %10s %10s %10s %8s\n", "ms", "dragon", "large", "its most", "ratio");
+  std::printf("%-26s %10s %10s %10s %8s %10s %10s\n", "ms", "dragon", "large", "its most", "ratio", "mean cpu",
+              "mean cpu");
   print_pair("mesh to picture", small.first_picture, large.first_picture, -1);
   print_pair("frame of a moving camera", small.moving_frame, large.moving_frame, frame_bar_ms);
   print_pair("hover", small.hover, large.hover, 0);

@@ -45,11 +45,13 @@ class Costs {
   void add(Cost cost) {
     wall_.push_back(cost.wall);
     least_cpu_ = std::min(least_cpu_, cost.cpu);
+    sum_of_cpu_ += cost.cpu;
   }
   bool empty() const { return wall_.empty(); }
   double least() const { return *std::min_element(wall_.begin(), wall_.end()); }
   double most() const { return *std::max_element(wall_.begin(), wall_.end()); }
   double least_cpu() const { return least_cpu_; }
+  double mean_cpu() const { return sum_of_cpu_ / static_cast<double>(wall_.size()); }
   double median() const {
     std::vector<double> values = wall_;
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -59,6 +61,7 @@ class Costs {
 
  private:
   std::vector<double> wall_;
+  double sum_of_cpu_ = 0;
   double least_cpu_ = std::numeric_limits<double>::infinity();
 };
 

@@ -27,6 +27,10 @@ class OverlapTree {
 
   std::uint32_t node_count() const { return static_cast<std::uint32_t>(nodes_.size()); }
 
+  // Whether is(slot) holds for all triangles in the leaf `node`; true where it is no leaf.
+  template <class Is>
+  bool holds_for_all(std::uint32_t node, const Is& is) const;
+
   // Calls visit(slot, slot) for each pair of triangles with overlapping boxes whose first one, in leaf order, is in the
   // leaf `node`. Stops and returns false when visit does. Leaves out pairs for which may(slot, slot) is false, which is
   // asked first: it should be quick.
@@ -105,6 +109,14 @@ class OverlapTree {
   std::deque<OverlapView> views_;  // a deque for stable addresses; the first is the axis-aligned view
   std::mutex views_change_;
 };
+
+template <class Is>
+bool OverlapTree::holds_for_all(std::uint32_t node, const Is& is) const {
+  const Node& leaf = nodes_[node];
+  for (std::uint32_t i = 0; i < leaf.count; ++i)
+    if (!is(triangles_[leaf.first + i].slot)) return false;
+  return true;
+}
 
 template <class May, class Visit>
 bool OverlapTree::visit_pairs(std::uint32_t node, const May& may, const Visit& visit) const {

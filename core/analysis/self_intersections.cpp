@@ -40,6 +40,10 @@ class FaceSizes {
   bool are_many(std::uint32_t a, std::uint32_t b) const {
     return !sizes_.empty() && unsigned{sizes_[a]} * sizes_[b] > least_large * least_large;
   }
+  // With whatever other face.
+  bool are_many_with_any(std::uint32_t slot) const {
+    return !sizes_.empty() && sizes_[slot] > least_large * least_large;
+  }
   // Whether such a pair of faces is searched from that of a.
   bool is_searched_from(std::uint32_t a, std::uint32_t b) const {
     return sizes_[a] != sizes_[b] ? sizes_[a] > sizes_[b] : a < b;
@@ -151,6 +155,7 @@ class Search {
   }
 
   void search_node(Part& part, std::uint32_t node, bool keeps) {
+    if (tree_.holds_for_all(node, [&](std::uint32_t slot) { return sizes_.are_many_with_any(slot); })) return;
     const auto may = [&](std::uint32_t a, std::uint32_t b) { return !sizes_.are_many(a, b); };
     tree_.visit_pairs(node, may, [&](std::uint32_t a, std::uint32_t b) {
       if (meeting_.is_between(a, b)) note(part, surface_.face(a), surface_.face(b), keeps);

@@ -25,7 +25,9 @@ std::atomic<bool> is_window = false;
 std::atomic<bool> was_signalled = false;
 std::atomic<bool> is_overdue = false;          // the patience has run out
 std::atomic<bool> has_written_before = false;  // in an earlier step
-std::atomic<int> last_code = -1;               // what the program is just ending with; -1 while it is not
+std::atomic<int> alarms = 0;
+std::atomic<int> words_behind_flush = -1;  // those that follow what is just being flushed; -1 while nothing is
+std::atomic<bool> are_words_said = false;
 
 LastWords words_for_now() {
   if (is_window) return LastWords::window_ended;
@@ -39,17 +41,30 @@ void end_by_signal(bool is_printing) {
   if (const auto code = conclusion()) ::_exit(static_cast<int>(*code));
   if (words_for_now() == LastWords::report_cut && !is_overdue) return;  // its report follows
   const LastWords words = words_for_now();
-  last_code = static_cast<int>(words == LastWords::report_cut ? ExitCode::done : ExitCode::cancelled);
   std::signal(SIGPIPE, SIG_IGN);
   remove_unfinished_files();
-  if (!is_printing) std::fflush(stdout);
+  if (!is_printing) {
+    words_behind_flush = static_cast<int>(words);
+    std::fflush(stdout);
+  }
+  while (are_words_said.exchange(true)) ::pause();  // the alarm has, on another thread
   ::_exit(static_cast<int>(say_last_words(words, !is_printing)));
+}
+
+// Only what is flushed waits for a reader; on a busy machine the rest may take longer, and is not cut short.
+void end_overdue_flush() {
+  constexpr int most_alarms = 2;
+  const int words = words_behind_flush;
+  if (++alarms < most_alarms || words < 0 || are_words_said.exchange(true)) return;
+  ::_exit(static_cast<int>(say_last_words(static_cast<LastWords>(words), false)));
 }
 
 void answer(int signal) {
   const int error = errno;
-  if (signal == SIGALRM && last_code >= 0) ::_exit(last_code);  // nobody takes the last words
-  if (signal == SIGALRM) is_overdue = true;
+  if (signal == SIGALRM) {
+    end_overdue_flush();
+    is_overdue = true;
+  }
   if (!was_signalled.exchange(true)) {
     constexpr itimerval patience{{0, 0}, {0, patience_us}};
     ::setitimer(ITIMER_REAL, &patience, nullptr);

@@ -252,4 +252,25 @@ OpEffect Dissolve::apply(Edit& edit) const {
   return effect;
 }
 
+bool dissolve_together(Edit& edit, std::vector<Halfedge> sides) {
+  const Mesh& m = edit.mesh();
+  // Lower faces first: the lowest takes the common face, and the others come to it.
+  std::sort(sides.begin(), sides.end(), [&](Halfedge a, Halfedge b) { return m.face(a) < m.face(b); });
+  Plan plan;
+  for (Halfedge h : sides) {
+    if (!m.face(h) || !m.face(twin(h)) || has_two_edges(m, m.from(h)) || has_two_edges(m, m.to(h))) return false;
+    add_chain(m, {h}, plan);
+  }
+  sort_unique(plan.faces);
+  if (plan.faces.size() != sides.size() + 1) return false;
+  Verdict verdict;
+  check_copies(m, plan, verdict);
+  if (verdict.legal()) check_plan(m, plan, verdict);
+  if (!verdict.legal()) return false;
+  merge_corner_values(edit, edges_taken(plan));
+  OpEffect effect;
+  for (const std::vector<Halfedge>& chain : plan.chains) unite_along(edit, chain, effect);
+  return true;
+}
+
 }  // namespace ryosen

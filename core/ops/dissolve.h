@@ -46,4 +46,9 @@ struct Dissolve {
   OpEffect apply(Edit& edit) const;
 };
 
+// Dissolves the sides of a face beyond which lie different other ones (whose halfedges these are), if this is legal for
+// all together and no end of a side goes with it; else does nothing and returns false. O(n log n) in the corners of the
+// faces, where one after the other would read the common face each time.
+bool dissolve_together(Edit& edit, std::vector<Halfedge> sides);
+
 }  // namespace ryosen

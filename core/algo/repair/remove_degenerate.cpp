@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <deque>
 #include <glm/geometric.hpp>
+#include <map>
+#include <span>
 
 #include "core/algo/repair/delete_soundly.h"
 #include "core/algo/repair/flat_faces.h"
@@ -66,6 +68,15 @@ bool give_corner_away(Edit& edit, Face f) {
   if (!other || is_flat(m, other)) return false;
   if (is_plain_triangle(m, other) && apply_if_legal(edit, SwapEdge{side})) return true;
   return apply_if_legal(edit, Dissolve{side});
+}
+
+// Gives corners to the same face at once, by halves where that is not legal. Returns how many.
+std::size_t give_corners_away(Edit& edit, std::span<const Halfedge> sides) {
+  constexpr std::size_t few = 8;
+  if (sides.size() < few) return 0;
+  if (dissolve_together(edit, {sides.begin(), sides.end()})) return sides.size();
+  const std::size_t half = sides.size() / 2;
+  return give_corners_away(edit, sides.first(half)) + give_corners_away(edit, sides.subspan(half));
 }
 
 bool shorten_common_side(Edit& edit, Face f) {
@@ -141,7 +152,7 @@ class Removal {
 
   AlgorithmResult run() {
     while (!flat_.empty()) {
-      const bool goes_on = sweep([&](Face f) { return keep_surface(f); }) || drop_loose() ||
+      const bool goes_on = give_many_away() || sweep([&](Face f) { return keep_surface(f); }) || drop_loose() ||
                            sweep([&](Face f) { return leave_border(f); }) ||
                            sweep([&](Face f) { return shorten_common_side(edit_, f); }) ||
                            sweep([&](Face f) { return move_corner(edit_, f) && ++collapsed_ > 0; });
@@ -175,6 +186,23 @@ class Removal {
     }
     std::erase_if(flat_, [&](Face f) { return !is_left(f); });
     return any;
+  }
+
+  // Corners given to faces with many: each gets all of its at once.
+  bool give_many_away() {
+    constexpr std::size_t many = 16;
+    std::map<Face, std::vector<Halfedge>> sides;
+    for (Face f : flat_) {
+      if (!is_plain_triangle(m_, f)) continue;
+      const Halfedge side = long_side(m_, f);
+      if (side && m_.face(twin(side))) sides[m_.face(twin(side))].push_back(side);
+    }
+    const std::size_t before = given_;
+    for (const auto& [face, at_face] : sides)
+      if (m_.is_alive(face) && at_face.size() >= many && !is_flat(m_, face))
+        given_ += give_corners_away(edit_, at_face);
+    std::erase_if(flat_, [&](Face f) { return !is_left(f); });
+    return given_ > before;
   }
 
   bool keep_surface(Face f) {

@@ -143,6 +143,29 @@ TEST(repairs, a_flat_triangle_gives_its_corner_to_the_face_across) {
   EXPECT_DOUBLE_EQ(after.area, before.area);
 }
 
+TEST(repairs, a_face_of_many_corners_takes_all_corners_at_once) {
+  // A convex face with a flat triangle at each side but the last; one by one it takes minutes.
+  constexpr std::uint32_t n = 20000;
+  Polygons faces(1);
+  std::vector<glm::dvec3> places;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    faces[0].push_back(i);
+    places.push_back({2.0 * i, 2.0 * i * i, 0});
+  }
+  for (std::uint32_t i = 0; i + 1 < n; ++i) {
+    faces.push_back({i + 1, i, n + i});
+    places.push_back((places[i] + places[i + 1]) / 2.0);
+  }
+  IndexedMesh source = indexed(faces);
+  source.positions = places;
+  Mesh mesh = from_indexed(source);
+  EXPECT_EQ(run_repair(mesh, "remove_degenerate").changed, n - 1);
+  const Figures after = compute_figures(mesh);
+  EXPECT_EQ(after.faces, 1u);
+  EXPECT_EQ(after.vertices, 2 * n - 1);
+  EXPECT_EQ(after[ProblemKind::degenerate_area], 0u);
+}
+
 TEST(repairs, an_edge_without_length_collapses) {
   IndexedMesh source = indexed({{0, 1, 2}, {1, 3, 2}, {0, 4, 1}, {4, 3, 1}});
   source.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, -1, 0}};

@@ -79,9 +79,9 @@ class MeshBuffers {
   void set(const TriangleSource& source, const glm::dvec3& low, const glm::dvec3& high);
 
   // Updates the copy after a change. `vertices` lists the vertices with a new position, `triangles` those with changed
-  // corners, normals, face or edge bits or with a moved corner, `faces` those with changed tints. Elements appended or removed
-  // at the ends of the arrays need not be listed. Finding the triangles of faces with changed tints takes a pass over
-  // all triangles, unless for each such face some triangle is listed; then all its triangles must be.
+  // corners, normals, face or edge bits or with a moved corner, `faces` those with changed tints. Elements appended or
+  // removed at the ends of the arrays need not be listed. Finding the triangles of faces with changed tints takes a pass
+  // over all triangles, unless for each such face some triangle is listed; then all its triangles must be.
   MeshChange update(const TriangleSource& source, std::span<const std::uint32_t> vertices,
                     std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces);
 

@@ -79,7 +79,8 @@ class View {
   bool is_drawn() const { return dirty_.empty() && waiting_.empty() && !planes_stale_; }
   // Whether the picture shows all triangles, and is_drawn().
   bool is_whole() const { return thinning_ == 1 && is_drawn(); }
-  // How many triangles the last draw() drew or found hidden, and among how many the next one, if it drew all, would find those it shows.
+  // How many triangles the last draw() drew or found hidden, and among how many the next one, if it drew all, would find
+  // those it shows.
   std::size_t triangles_drawn() const { return triangles_drawn_; }
   std::size_t triangles_in_view();
   // How many of them the last draw() left out, because nearer ones hide them.

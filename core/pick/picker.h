@@ -41,7 +41,8 @@ class Picker {
   // smallest depth, then the face under the pointer, then the smallest number. Pixels from the upper left corner.
   std::optional<Picked> pick(const Mesh& mesh, const Camera& camera, Size view, glm::dvec2 pixel, PickMode mode);
 
-  // Builds the BVH now, unless it is there or `progress` cancels; may be interrupted (interruption.h). No other call but triangles() may go on meanwhile.
+  // Builds the BVH now, unless it is there or `progress` cancels; may be interrupted (interruption.h). No other call but
+  // triangles() may go on meanwhile.
   void prepare(const Mesh& mesh, Progress& progress);
 
   const SurfaceTriangles& triangles() const { return triangles_; }

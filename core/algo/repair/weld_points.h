@@ -10,8 +10,9 @@ namespace ryosen {
 // round first, the smaller part, where that makes all agree. A pair is left as a seam if one of its ends is
 // non-manifold, or if a face would visit a point twice, an edge get a third face, or two faces the same points
 // (point_merger.h): so no new findings. Points that no such side joins stay apart, so that no bow-tie is made; isolated
-// ones at a place of others are removed, but for those that something beside the mesh uses and that stay in the file for it. The lowest number stays, -0 = 0. `left` counts the places that still have
-// several points. Cost: O(n log n), however many points are at one place.
+// ones at a place of others are removed, but for those that something beside the mesh uses and that stay in the file for
+// it. The lowest number stays, -0 = 0. `left` counts the places that still have several points. Cost: O(n log n),
+// however many points are at one place.
 AlgorithmResult weld_equal_points(Edit& edit, const AlgorithmInput&, Progress& progress);
 
 // The same within a distance, and edges within it collapse first, where the operator's verdict allows it. Points join

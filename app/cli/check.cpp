@@ -159,13 +159,11 @@ ExitCode check_command(const Arguments& arguments, const Console& console) {
   std::size_t left = inputs.size();
   Checker(inputs, *options, console).run([&](std::size_t i, const Checker::Done& done) {
     codes[i] = done.code;
-    // Without JSON a summary or messages follow.
-    if (--left == 0 && console.json)
-      console.conclude(done.output, combine(codes));
-    else
-      console.print_now(done.output);
+    const bool is_last = --left == 0 && console.json;  // without JSON a summary or messages follow
+    if (!is_last) console.print_now(done.output);
     for (const Message& message : done.messages)  // the JSON carries the warnings
       if (!console.json || message.severity == Severity::error) console.show(message, inputs[i].path);
+    if (is_last) console.conclude(done.output, combine(codes));
   });
   if (inputs.size() > 1 && !console.json) print_summary(codes, console);
   return combine(codes);

@@ -54,7 +54,9 @@ void write_whole(int descriptor, std::string_view bytes) noexcept {
   while (!bytes.empty()) {
     constexpr int patience_ms = 20;  // a full pipe whose reader sleeps is not waited for
     pollfd wanted{descriptor, POLLOUT, 0};
-    if (::poll(&wanted, 1, patience_ms) == 0) return;
+    const int ready = ::poll(&wanted, 1, patience_ms);
+    if (ready < 0 && errno == EINTR) continue;
+    if (ready <= 0) return;
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) return;

@@ -25,8 +25,7 @@ std::atomic<bool> is_window = false;
 std::atomic<bool> was_signalled = false;
 std::atomic<bool> is_overdue = false;          // the patience has run out
 std::atomic<bool> has_written_before = false;  // in an earlier step
-std::atomic<int> alarms = 0;
-std::atomic<int> words_behind_flush = -1;  // those that follow what is just being flushed; -1 while nothing is
+std::atomic<int> words_behind_flush = -1;      // those that follow what is just being flushed; -1 while nothing is
 std::atomic<bool> are_words_said = false;
 
 LastWords words_for_now() {
@@ -36,6 +35,27 @@ LastWords words_for_now() {
   return has_written_before ? LastWords::cancelled_after_writing : LastWords::cancelled;
 }
 
+void start_patience() {
+  constexpr itimerval patience{{0, 0}, {0, patience_us}};
+  ::setitimer(ITIMER_REAL, &patience, nullptr);
+}
+
+// Also within the handler of an alarm.
+void let_alarms_in() {
+  sigset_t alarm;
+  sigemptyset(&alarm);
+  sigaddset(&alarm, SIGALRM);
+  ::pthread_sigmask(SIG_UNBLOCK, &alarm, nullptr);
+}
+
+// Flushes what is printed so far, before these words; its reader may sleep.
+void flush_with_patience(LastWords words) {
+  let_alarms_in();  // an earlier one comes before there are words
+  words_behind_flush = static_cast<int>(words);
+  start_patience();
+  std::fflush(stdout);
+}
+
 // Nothing else writes files or prints meanwhile, but for what a slow reader holds up.
 void end_by_signal(bool is_printing) {
   if (const auto code = conclusion()) ::_exit(static_cast<int>(*code));
@@ -43,19 +63,15 @@ void end_by_signal(bool is_printing) {
   const LastWords words = words_for_now();
   std::signal(SIGPIPE, SIG_IGN);
   remove_unfinished_files();
-  if (!is_printing) {
-    words_behind_flush = static_cast<int>(words);
-    std::fflush(stdout);
-  }
+  if (!is_printing) flush_with_patience(words);
   while (are_words_said.exchange(true)) ::pause();  // the alarm has, on another thread
   ::_exit(static_cast<int>(say_last_words(words, !is_printing)));
 }
 
 // Only what is flushed waits for a reader; on a busy machine the rest may take longer, and is not cut short.
 void end_overdue_flush() {
-  constexpr int most_alarms = 2;
   const int words = words_behind_flush;
-  if (++alarms < most_alarms || words < 0 || are_words_said.exchange(true)) return;
+  if (words < 0 || are_words_said.exchange(true)) return;
   ::_exit(static_cast<int>(say_last_words(static_cast<LastWords>(words), false)));
 }
 
@@ -65,10 +81,7 @@ void answer(int signal) {
     end_overdue_flush();
     is_overdue = true;
   }
-  if (!was_signalled.exchange(true)) {
-    constexpr itimerval patience{{0, 0}, {0, patience_us}};
-    ::setitimer(ITIMER_REAL, &patience, nullptr);
-  }
+  if (!was_signalled.exchange(true)) start_patience();
   end_where_allowed(signal == SIGALRM ? Patience::for_files : Patience::for_all_sections);
   errno = error;
 }
@@ -102,10 +115,7 @@ void answer_signals() {
     ::sigaction(signal, &handling, nullptr);
   }
   ::sigaction(SIGALRM, &handling, nullptr);
-  sigset_t alarm;
-  sigemptyset(&alarm);
-  sigaddset(&alarm, SIGALRM);
-  ::sigprocmask(SIG_UNBLOCK, &alarm, nullptr);
+  let_alarms_in();
 }
 
 void begin_another_step() {

@@ -162,6 +162,9 @@ PlainRows read_plain_rows(std::string_view text, PropertyTable& table, std::span
   const bool are_triangles = table.properties.size() == 1 && table.properties[0].role == PropertyRole::corners;
   const bool are_numbers =
       std::equal(table.properties.begin(), table.properties.end(), targets.begin(), targets.end(), goes_to_the_mesh);
+  // No row of them is shorter: a digit and a separator for each number. What may be announced beyond that is not there,
+  // and the table has no room for it.
+  most = std::min(most, text.size() / (are_triangles ? 8 : std::max<std::size_t>(2 * table.properties.size(), 1)));
   if (most < worth_it || !(are_triangles || are_numbers)) return {};
   if (lines + builder.mesh().corners.size() + text.size() >= no_index) return {};  // numbers might not fit
   std::vector<Block> blocks = blocks_of(text);

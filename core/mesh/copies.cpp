@@ -1,6 +1,7 @@
 #include "core/mesh/copies.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "core/base/sort_unique.h"
@@ -94,6 +95,7 @@ Halfedge any_sheet_between(const Mesh& mesh, Vertex a, Vertex b) {
 }
 
 Vertex loneliest_point(const Mesh& mesh, std::span<const std::uint32_t> points) {
+  assert(!points.empty());
   std::vector<StarWalk> walks;
   walks.reserve(points.size());
   for (const std::uint32_t p : points) walks.emplace_back(mesh, Vertex(p));

@@ -52,7 +52,7 @@ std::vector<Halfedge> sheets_between(const Mesh& mesh, Vertex a, Vertex b);
 // One of them, whichever is met first, or none.
 Halfedge any_sheet_between(const Mesh& mesh, Vertex a, Vertex b);
 inline bool are_joined(const Mesh& mesh, Vertex a, Vertex b) { return bool(any_sheet_between(mesh, a, b)); }
-// Of these points the one of lowest valence, the first of equals. Cost: their number times that valence.
+// Of these points, of which there are some, the one of lowest valence, the first of equals. Cost: their number times that valence.
 Vertex loneliest_point(const Mesh& mesh, std::span<const std::uint32_t> points);
 // Whether there is another edge between the points of h.
 bool has_several_sheets(const Mesh& mesh, Halfedge h);

@@ -10,6 +10,7 @@
 #include "core/ops/lines/arguments.h"
 #include "core/ops/rules/corner_values.h"
 #include "core/ops/rules/face_lists.h"
+#include "core/ops/rules/plain_faces.h"
 #include "core/ops/rules/surgery.h"
 
 namespace ryosen {
@@ -208,6 +209,15 @@ Parsed<Dissolve> Dissolve::parse(const Mesh& mesh, std::span<const std::string_v
 
 std::string Dissolve::command(const Mesh& mesh) const {
   return "dissolve " + (vertex ? name_of_copy(mesh, vertex) : name_of(mesh, halfedge));
+}
+
+// Without a chain of further edges it unites two faces.
+Verdict Dissolve::check(const Mesh& mesh, LocalFacts& known) const {
+  const bool is_edge = vertex.is_none() && is_there(mesh, halfedge);
+  if (is_edge && !has_two_edges(mesh, mesh.from(halfedge)) && !has_two_edges(mesh, mesh.to(halfedge)) &&
+      unite_plainly(mesh, halfedge, known))
+    return {};
+  return check(mesh);
 }
 
 Verdict Dissolve::check(const Mesh& mesh) const {

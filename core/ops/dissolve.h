@@ -22,6 +22,8 @@
 
 namespace ryosen {
 
+class LocalFacts;
+
 struct Dissolve {
   Halfedge halfedge;   // the edge, or
   Vertex vertex = {};  // the vertex
@@ -42,6 +44,8 @@ struct Dissolve {
   std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
+  // For many questions about one mesh.
+  Verdict check(const Mesh& mesh, LocalFacts& known) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
 };

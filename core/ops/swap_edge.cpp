@@ -10,6 +10,7 @@
 #include "core/ops/rules/face_geometry.h"
 #include "core/ops/rules/face_lists.h"
 #include "core/ops/rules/plain_check.h"
+#include "core/ops/rules/plain_faces.h"
 
 namespace ryosen {
 
@@ -95,6 +96,17 @@ void check_side(const Mesh& m, const Turn& turn, const Turn& other, Verdict& ver
     verdict.refuse(Rule::loses_duplicate, {f, old_twin});
 }
 
+bool is_plainly_legal(const Mesh& m, Halfedge h, bool back, LocalFacts& known) {
+  const Halfedge o = twin(h);
+  if (m.is_outside(h) || m.is_outside(o) || m.face(h) == m.face(o) || is_cut_on_points(m, h)) return false;
+  const auto [left, right] = turns(m, h, back);
+  if (same_point(m, left.gains, right.gains) || are_joined(m, left.gains, right.gains)) return false;
+  // Each side keeps the end that the other one loses.
+  const Face f = m.face(h), g = m.face(o);
+  return changes_plainly(m, {f, g, right.loses, left.gains}, known) &&
+         changes_plainly(m, {g, f, left.loses, right.gains}, known);
+}
+
 }  // namespace
 
 Parsed<SwapEdge> SwapEdge::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
@@ -114,6 +126,12 @@ std::string SwapEdge::command(const Mesh& mesh) const {
 Verdict SwapEdge::check(const Mesh& m) const {
   if (m.exists(halfedge) && m.is_alive(halfedge) && quick_swap(m, halfedge) == QuickAnswer::legal) return {};
   return judge(m);
+}
+
+Verdict SwapEdge::check(const Mesh& m, LocalFacts& known) const {
+  const bool is_plain = is_there(m, halfedge) && quick_swap(m, halfedge) != QuickAnswer::legal &&
+                        is_plainly_legal(m, halfedge, back, known);
+  return is_plain ? Verdict() : check(m);
 }
 
 bool SwapEdge::is_legal(const Mesh& m) const {

@@ -20,6 +20,8 @@
 
 namespace ryosen {
 
+class LocalFacts;
+
 struct SwapEdge {
   Halfedge halfedge;
   bool back = false;
@@ -40,6 +42,8 @@ struct SwapEdge {
   std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
+  // For many questions about one mesh.
+  Verdict check(const Mesh& mesh, LocalFacts& known) const;
   // The same verdict without the fast path, rule by rule; check() falls back to it, and tests compare both.
   Verdict judge(const Mesh& mesh) const;
   // check(mesh).legal() for batch work; the full check runs only if the fast path is undecided.

@@ -183,6 +183,7 @@ void Picker::prepare(const Mesh& mesh, Progress& progress) {
 }
 
 void Picker::build(const Mesh& mesh, Progress& progress) {
+  has_tree_ = false;
   std::uint32_t wire_slots = mesh.edge_slots();
   while (wire_slots > 0 && !is_live_wire(mesh, Edge(wire_slots - 1))) --wire_slots;
   const std::size_t slots = std::max({triangles_.slots(), mesh.vertex_slots(), wire_slots});

@@ -76,7 +76,8 @@ std::size_t give_corners_away(Edit& edit, std::span<const Halfedge> sides) {
   if (sides.size() < few) return 0;
   if (dissolve_together(edit, {sides.begin(), sides.end()})) return sides.size();
   const std::size_t half = sides.size() / 2;
-  return give_corners_away(edit, sides.first(half)) + give_corners_away(edit, sides.subspan(half));
+  const std::size_t in_first = give_corners_away(edit, sides.first(half));
+  return in_first + give_corners_away(edit, sides.subspan(half));
 }
 
 bool shorten_common_side(Edit& edit, Face f) {
@@ -165,6 +166,7 @@ class Removal {
 
  private:
   bool is_left(Face f) const { return m_.is_alive(f) && is_flat(m_, f); }
+  bool may_go_on() { return progress_.go_on(all_ - std::min(all_, flat_.size()), all_); }
 
   // Tries a step on each flat face, and again on the flat faces beside one that is gone. Whether any went.
   template <class Step>
@@ -174,7 +176,7 @@ class Removal {
     std::vector<Face> beside;
     for (; !queue.empty(); queue.pop_front()) {
       const Face f = queue.front();
-      if (!progress_.go_on(all_ - flat_.size(), all_)) return false;
+      if (!may_go_on()) return false;
       if (!is_left(f)) continue;
       beside.clear();
       for (Halfedge h : halfedges_around(m_, f))
@@ -191,6 +193,7 @@ class Removal {
   // Corners given to faces with many: each gets all of its at once.
   bool give_many_away() {
     constexpr std::size_t many = 16;
+    if (!may_go_on()) return false;
     std::map<Face, std::vector<Halfedge>> sides;
     for (Face f : flat_) {
       if (!is_plain_triangle(m_, f)) continue;
@@ -220,6 +223,7 @@ class Removal {
 
   // Faces without a neighbour that meet others at their points, all at once: there may be many at one edge.
   bool drop_loose() {
+    if (!may_go_on()) return false;
     std::vector<Face> loose;
     for (Face f : flat_)
       if (is_left(f) && is_loose(m_, f) && !is_alone(f)) loose.push_back(f);

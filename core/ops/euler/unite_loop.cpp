@@ -6,6 +6,7 @@
 #include "core/mesh/copies.h"
 #include "core/ops/rules/corner_values.h"
 #include "core/ops/rules/face_lists.h"
+#include "core/ops/rules/plain_faces.h"
 #include "core/ops/rules/surgery.h"
 
 namespace ryosen {
@@ -53,6 +54,11 @@ Verdict UniteLoop::check(const Mesh& mesh) const {
   if (const Face other = face_on(mesh, point_set(after.corners), except))
     verdict.refuse(Rule::duplicate_face, {std::min(f, g), other});
   return verdict;
+}
+
+Verdict UniteLoop::check(const Mesh& mesh, LocalFacts& known) const {
+  if (is_there(mesh, halfedge) && unite_plainly(mesh, halfedge, known)) return {};
+  return check(mesh);
 }
 
 std::vector<Reason> UniteLoop::warnings(const Mesh& mesh) const {

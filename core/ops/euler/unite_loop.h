@@ -18,6 +18,8 @@
 
 namespace ryosen {
 
+class LocalFacts;
+
 struct UniteLoop : OnHalfedge<UniteLoop> {
   static constexpr OpInfo info{"unite_loop",
                                "Unite loops",
@@ -31,6 +33,8 @@ struct UniteLoop : OnHalfedge<UniteLoop> {
                                Topology::kept};
 
   Verdict check(const Mesh& mesh) const;
+  // For many questions about one mesh.
+  Verdict check(const Mesh& mesh, LocalFacts& known) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
 };

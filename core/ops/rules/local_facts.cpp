@@ -1,5 +1,6 @@
 #include "core/ops/rules/local_facts.h"
 
+#include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/rules/face_lists.h"
 
@@ -14,6 +15,18 @@ bool LocalFacts::has_several_fans(const Mesh& mesh, Vertex v) {
 bool LocalFacts::is_one_simple_loop(const Mesh& mesh, Face f) {
   const auto [known, is_new] = one_simple_loop_.try_emplace(f);
   if (is_new) known->second = ryosen::is_one_simple_loop(mesh, f);
+  return known->second;
+}
+
+bool LocalFacts::has_equal_face(const Mesh& mesh, Face f) {
+  const auto [known, is_new] = equal_face_.try_emplace(f);
+  if (is_new) known->second = bool(equal_face(mesh, f));
+  return known->second;
+}
+
+std::uint32_t LocalFacts::corner_count(const Mesh& mesh, Face f) {
+  const auto [known, is_new] = corner_count_.try_emplace(f);
+  if (is_new) known->second = ryosen::corner_count(mesh, f);
   return known->second;
 }
 

@@ -1,6 +1,7 @@
 // A cache of what rules ask of whole stars and whole faces, for asking about many edges of one mesh.
 #pragma once
 
+#include <cstdint>
 #include <unordered_map>
 
 #include "core/mesh/mesh.h"
@@ -14,10 +15,13 @@ class LocalFacts {
   bool has_several_fans(const Mesh& mesh, Vertex v);
   // See rules/face_lists.h.
   bool is_one_simple_loop(const Mesh& mesh, Face f);
+  bool has_equal_face(const Mesh& mesh, Face f);
+  std::uint32_t corner_count(const Mesh& mesh, Face f);
 
  private:
   std::unordered_map<Vertex, bool> several_fans_;
-  std::unordered_map<Face, bool> one_simple_loop_;
+  std::unordered_map<Face, bool> one_simple_loop_, equal_face_;
+  std::unordered_map<Face, std::uint32_t> corner_count_;
 };
 
 }  // namespace ryosen

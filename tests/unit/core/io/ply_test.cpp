@@ -52,6 +52,16 @@ std::string big_endian(float value) {
   return out;
 }
 
+// More vertices are announced than the rest of the file could hold; blank lines are no rows.
+TEST(ply_read, rows_behind_very_many_blank_lines) {
+  std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 300000\nproperty float x\nproperty float y\nproperty float z\n"
+      "end_header\n0 0 0\n";
+  ply.append(262144, '\n');
+  for (int i = 0; i < 31309; ++i) ply += "1 1 1\n";
+  read_refused("ply", ply);
+}
+
 TEST(ply_read, four_faces) {
   const MeshFile file = read_sound("ply", ply_tetrahedron);
   EXPECT_TRUE(file.messages.empty());

@@ -53,8 +53,20 @@ Mesh placed_at_random(const RandomMesh& random) {
   return from_indexed(std::move(list));
 }
 
+// Two polygons of n corners joined by n squares.
+Mesh prism(std::uint32_t n) {
+  Polygons faces(2);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    faces[0].push_back(n - 1 - i);
+    faces[1].push_back(n + i);
+    faces.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
+  }
+  return make_mesh(faces);
+}
+
 TEST(known_answers, are_those_of_single_questions) {
   std::size_t asked = 0;
+  for (std::uint32_t n = 3; n < 7; ++n) ASSERT_NO_FATAL_FAILURE(compare_all(prism(n), asked));
   for (const UglyFamily& family : ugly_families()) {
     SCOPED_TRACE(family.id);
     ASSERT_NO_FATAL_FAILURE(compare_all(from_indexed(family.make(12)), asked));

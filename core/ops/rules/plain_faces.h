@@ -1,0 +1,23 @@
+// Quick answers about the two faces at an edge: true where the operator is legal beyond doubt. Between questions the
+// corners of large faces are remembered, so that one costs what is near the edge, not the size of the faces.
+#pragma once
+
+#include "core/ops/rules/local_facts.h"
+
+namespace ryosen {
+
+// Whether two faces are simple loops that touch at this edge alone, each the only one on its points, and no third face
+// lies on the points of both: they may be united.
+bool unite_plainly(const Mesh& mesh, Halfedge h, LocalFacts& known);
+
+// One face of a swap: it loses one corner and gains another one.
+struct CornerChange {
+  Face face, beside;  // at the edge
+  Vertex stays;       // the end of the edge that the face keeps
+  Vertex gains;
+};
+// Whether the face is a simple loop and the only one on its points, does not touch the vertex that it gains, and no face
+// but the one beside it can be on its points afterwards.
+bool changes_plainly(const Mesh& mesh, const CornerChange& change, LocalFacts& known);
+
+}  // namespace ryosen

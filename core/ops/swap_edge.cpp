@@ -103,8 +103,8 @@ bool is_plainly_legal(const Mesh& m, Halfedge h, bool back, LocalFacts& known) {
   if (same_point(m, left.gains, right.gains) || are_joined(m, left.gains, right.gains)) return false;
   // Each side keeps the end that the other one loses.
   const Face f = m.face(h), g = m.face(o);
-  return changes_plainly(m, {f, g, right.loses, left.gains}, known) &&
-         changes_plainly(m, {g, f, left.loses, right.gains}, known);
+  return changes_plainly(m, {f, g, left.loses, right.loses, left.gains}, known) &&
+         changes_plainly(m, {g, f, right.loses, left.loses, right.gains}, known);
 }
 
 }  // namespace

@@ -29,17 +29,30 @@ bool unite_plainly(const Mesh& m, Halfedge h, LocalFacts& known) {
   });
 }
 
+namespace {
+
+// Whether another face may get the points that this one will have: it has the first few of them.
+bool may_equal(const Mesh& m, Face other, const CornerChange& change, LocalFacts& known) {
+  constexpr int few = 8;
+  if (known.corner_count(m, other) < known.corner_count(m, change.face) || !touches(m, other, change.gains))
+    return false;
+  int asked = 0;
+  for (Vertex v : vertices_around(m, change.face)) {
+    if (v != change.loses && !touches(m, other, v)) return false;
+    if (++asked == few) break;
+  }
+  return true;
+}
+
+}  // namespace
+
 bool changes_plainly(const Mesh& m, const CornerChange& change, LocalFacts& known) {
   const Face f = change.face;
   if (!known.is_one_simple_loop(m, f) || known.has_equal_face(m, f) || touches(m, f, change.gains)) return false;
   const std::uint32_t both[] = {change.stays.index, change.gains.index};
-  const Vertex near = loneliest_point(m, both);
-  const Vertex far = near == change.stays ? change.gains : change.stays;
-  return !any_of_copies(m, near, [&](Vertex copy) {
+  return !any_of_copies(m, loneliest_point(m, both), [&](Vertex copy) {
     for (Face other : faces_around(m, copy))
-      if (other && other != f && other != change.beside && known.corner_count(m, other) >= known.corner_count(m, f) &&
-          touches(m, other, far))
-        return true;
+      if (other && other != f && other != change.beside && may_equal(m, other, change, known)) return true;
     return false;
   });
 }

@@ -12,8 +12,8 @@ bool unite_plainly(const Mesh& mesh, Halfedge h, LocalFacts& known);
 
 // One face of a swap: it loses one corner and gains another one.
 struct CornerChange {
-  Face face, beside;  // at the edge
-  Vertex stays;       // the end of the edge that the face keeps
+  Face face, beside;    // at the edge
+  Vertex loses, stays;  // the ends of the edge
   Vertex gains;
 };
 // Whether the face is a simple loop and the only one on its points, does not touch the vertex that it gains, and no face

@@ -18,7 +18,7 @@ struct Answer {
 
 // Valid while the mesh does not change. An edge with the same subject (op.h) as one before costs the size of its answer,
 // unless that names the edge or, along a cycle, has several reasons or warnings. All questions must be about the same
-// operator without further arguments.
+// operator without further arguments, and with the same `geometry`.
 class KnownAnswers {
  public:
   // With the warnings of a preview, or with none. The mesh is byte-equal afterwards.

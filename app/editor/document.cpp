@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <new>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "app/editor/quarantine_text.h"
@@ -35,18 +37,25 @@ bool is_value(std::string_view argument) {
 
 // As names_of, but distinguishes the copies of a point, unless all its copies are included: then the point is named.
 std::vector<std::string> names_with_copies(const Mesh& mesh, const std::vector<Element>& elements) {
+  std::unordered_set<std::uint32_t> vertices;
+  for (const Element& element : elements)
+    if (element.kind == Element::Kind::vertex) vertices.insert(element.index);
+  std::unordered_map<Vertex, bool> known;
+  const auto is_whole = [&](Vertex v) {
+    const auto [entry, is_new] = known.try_emplace(point(mesh, v));
+    if (is_new)
+      entry->second = !any_of_copies(mesh, v, [&](Vertex copy) { return !vertices.contains(copy.index); });
+    return entry->second;
+  };
   std::vector<std::string> names;
   for (const Element& element : elements) {
-    std::string name = name_of(mesh, element);
-    if (element.kind == Element::Kind::vertex && has_copies(mesh, element.vertex())) {
-      bool is_whole = true;
-      for_each_copy(mesh, element.vertex(), [&](Vertex copy) {
-        is_whole = is_whole && std::find(elements.begin(), elements.end(), Element(copy)) != elements.end();
-      });
-      if (is_whole && element.vertex() != point(mesh, element.vertex())) continue;
-      if (!is_whole) name = name_of_copy(mesh, element.vertex());
-    }
-    names.push_back(std::move(name));
+    const bool is_copy = element.kind == Element::Kind::vertex && has_copies(mesh, element.vertex());
+    if (!is_copy)
+      names.push_back(name_of(mesh, element));
+    else if (!is_whole(element.vertex()))
+      names.push_back(name_of_copy(mesh, element.vertex()));
+    else if (element.vertex() == point(mesh, element.vertex()))
+      names.push_back(name_of(mesh, element));
   }
   return names;
 }

@@ -43,8 +43,7 @@ std::vector<std::string> names_with_copies(const Mesh& mesh, const std::vector<E
   std::unordered_map<Vertex, bool> known;
   const auto is_whole = [&](Vertex v) {
     const auto [entry, is_new] = known.try_emplace(point(mesh, v));
-    if (is_new)
-      entry->second = !any_of_copies(mesh, v, [&](Vertex copy) { return !vertices.contains(copy.index); });
+    if (is_new) entry->second = !any_of_copies(mesh, v, [&](Vertex copy) { return !vertices.contains(copy.index); });
     return entry->second;
   };
   std::vector<std::string> names;

@@ -43,8 +43,7 @@ enum class Topology { may_change, kept };
 
 // What a question about an edge is really about: the edge itself, all sheets from one point to the other (a bridge for
 // itself), or the cycle at its boundary halfedge. Edges with the same subject have the same verdict and the same
-// warnings, but for reasons that name the edge. Along a cycle reasons come in the order from the edge, and warnings differ
-// where a face is not plane.
+// warnings, but for reasons that name the edge. Along a cycle reasons come in the order from the edge.
 enum class Subject { edge, points, cycle };
 
 struct OpInfo {

@@ -17,12 +17,12 @@ bool name(const std::vector<Reason>& reasons, Edge e) {
   });
 }
 
-// Along a cycle several reasons come in the order from the edge that was asked about, and a face in it is triangulated
-// from there.
+// Along a cycle several reasons come in the order from the edge that was asked about, and warnings from its start.
 bool holds_for_all(const Answer& answer, const AnyOp& op) {
   const Edge asked = edge(halfedge_of(op));
-  if (name(answer.verdict.reasons, asked) || name(answer.warnings, asked)) return false;
-  return info_of(op).subject != Subject::cycle || answer.verdict.reasons.size() <= 1;
+  const bool is_cycle = info_of(op).subject == Subject::cycle;
+  return !name(answer.verdict.reasons, asked) &&
+         (is_cycle ? answer.verdict.reasons.size() <= 1 : !name(answer.warnings, asked));
 }
 
 }  // namespace
@@ -46,13 +46,11 @@ std::optional<std::uint64_t> KnownAnswers::subject(const Mesh& mesh, const AnyOp
 
 Answer KnownAnswers::ask(Mesh& mesh, const AnyOp& op, bool geometry) {
   const std::optional<std::uint64_t> about = subject(mesh, op);
-  const bool looks_at_shape = geometry && info_of(op).subject == Subject::cycle;
-  const auto known = about ? answers_.find(*about) : answers_.end();
-  const bool is_known = known != answers_.end();
-  if (is_known && !(looks_at_shape && known->second.verdict.legal())) return known->second;
-  Answer answer{is_known ? known->second.verdict : check(mesh, op, facts_), {}};
+  if (about)
+    if (const auto known = answers_.find(*about); known != answers_.end()) return known->second;
+  Answer answer{check(mesh, op, facts_), {}};
   if (geometry && answer.verdict.legal()) answer.warnings = preview(mesh, journal_, op).warnings;
-  if (about && !is_known && holds_for_all(answer, op)) answers_.emplace(*about, answer);
+  if (about && holds_for_all(answer, op)) answers_.emplace(*about, answer);
   return answer;
 }
 

@@ -17,7 +17,7 @@ struct Answer {
 };
 
 // Valid while the mesh does not change. An edge with the same subject (op.h) as one before costs the size of its answer,
-// unless that names the edge or, along a cycle, has several reasons or warnings. All questions must be about the same
+// unless that names the edge or, along a cycle, has several reasons. All questions must be about the same
 // operator without further arguments, and with the same `geometry`.
 class KnownAnswers {
  public:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/mesh/circulate.h"
 #include "core/ops/outlook/doubts.h"
 #include "core/ops/rules/crossings.h"
 
@@ -16,6 +17,18 @@ struct Seen {
   std::vector<Crossing> crossings;
   PointPairs at_one_place;
 };
+
+// The same operator at the lowest halfedge of the cycle, where it is about one.
+AnyOp at_start_of_cycle(const Mesh& mesh, AnyOp op) {
+  if (info_of(op).subject != Subject::cycle) return op;
+  std::visit(
+      [&](auto& o) {
+        if constexpr (requires { Halfedge(o.halfedge); })
+          for (Halfedge h : loop(mesh, o.halfedge)) o.halfedge = std::min(o.halfedge, h);
+      },
+      op);
+  return op;
+}
 
 void run_and_roll_back(Mesh& mesh, Journal& journal, const AnyOp& op, std::size_t face_limit, Preview& result,
                        Seen& seen) {
@@ -56,10 +69,11 @@ void warn_of_news(const Mesh& mesh, Rule rule, const std::vector<Pair>& pairs, c
 
 }  // namespace
 
-Preview preview(Mesh& mesh, Journal& journal, const AnyOp& op, std::size_t face_limit) {
+Preview preview(Mesh& mesh, Journal& journal, const AnyOp& asked, std::size_t face_limit) {
   Preview result;
-  result.verdict = check(mesh, op);
+  result.verdict = check(mesh, asked);
   if (!result.verdict.legal()) return result;
+  const AnyOp op = at_start_of_cycle(mesh, asked);
   result.warnings = warnings(mesh, op);
   Seen seen;
   run_and_roll_back(mesh, journal, op, face_limit, result, seen);

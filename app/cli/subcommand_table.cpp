@@ -107,7 +107,10 @@ std::vector<Subcommand> table() {
               {"--edge", "A-B", false, "asks about one edge", "一本の稜線について答える"},
               {"--all", "", false, "asks about every edge", "すべての稜線について答える"},
               {"--do", "COMMAND", false, "asks about a command as scripts write it", "スクリプトの一行について答える"},
-              {"--geometry", "", false, "with --all: the geometric warnings too", "--all で幾何的な警告も出す"},
+              {"--geometry", "", false,
+               "with --all: the geometric warnings too (of edges at more than 400 sides or edges: that there are so "
+               "many)",
+               "--all で幾何的な警告も出す（辺や稜線が 400 を超える所では、多いことだけを伝える）"},
           },
           operators_topic,
           why_command,

@@ -10,6 +10,7 @@
 #include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
 #include "core/ops/outlook/known_answers.h"
+#include "core/ops/outlook/preview.h"
 #include "core/ops/outlook/remedy.h"
 
 namespace ryosen::cli {
@@ -83,7 +84,9 @@ class Why {
     if (parsed.op) {
       std::string line(info.id);
       for (const std::string_view argument : arguments) line.append(" ").append(argument);
-      console_.conclude(text_of(ask(info, {edge, words, std::move(line)}, *parsed.op, true)), ExitCode::done);
+      Preview seen = preview(mesh_, journal_, *parsed.op);
+      Answer alone{std::move(seen.verdict), std::move(seen.warnings)};
+      console_.conclude(text_of(report(info, {edge, words, std::move(line)}, std::move(alone))), ExitCode::done);
       return ExitCode::done;
     }
     if (parsed.error != NameError::deleted)
@@ -107,11 +110,11 @@ class Why {
 
   void ask_edge(const OpInfo& info, const std::string& edge, Halfedge h, bool geometry) {
     const AnyOp op = on_edge(mesh_, info.id, h);
-    console_.print(text_of(ask(info, {edge, edge, std::string(info.id) + " " + edge}, op, geometry)));
+    Asked words{edge, edge, std::string(info.id) + " " + edge};
+    console_.print(text_of(report(info, std::move(words), answers_.ask(mesh_, op, geometry))));
   }
 
-  VerdictReport ask(const OpInfo& info, Asked words, const AnyOp& op, bool geometry) {
-    Answer answer = answers_.ask(mesh_, op, geometry);
+  VerdictReport report(const OpInfo& info, Asked words, Answer answer) {
     VerdictReport report{info.id, std::move(words.edge), std::move(words.arguments), std::move(answer.verdict), {}, {},
                          {}};
     if (report.verdict.legal()) {
@@ -131,7 +134,8 @@ class Why {
   std::vector<QuarantinedFace> quarantine_;
   Mesh mesh_;
   const Console& console_;
-  KnownAnswers answers_;
+  KnownAnswers answers_;  // about all edges
+  Journal journal_;       // of the preview of one; nothing is committed
   RemedySearch remedies_{mesh_};
   std::size_t legal_ = 0;
 };

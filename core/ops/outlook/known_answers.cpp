@@ -6,10 +6,13 @@
 #include "core/mesh/copies.h"
 #include "core/mesh/rings.h"
 #include "core/ops/outlook/preview.h"
+#include "core/ops/outlook/reach.h"
 
 namespace ryosen {
 
 namespace {
+
+constexpr std::size_t most_looked_at = 400;
 
 bool name(const std::vector<Reason>& reasons, Edge e) {
   return std::any_of(reasons.begin(), reasons.end(), [&](const Reason& reason) {
@@ -49,7 +52,10 @@ Answer KnownAnswers::ask(Mesh& mesh, const AnyOp& op, bool geometry) {
   if (about)
     if (const auto known = answers_.find(*about); known != answers_.end()) return known->second;
   Answer answer{check(mesh, op, facts_), {}};
-  if (geometry && answer.verdict.legal()) answer.warnings = preview(mesh, journal_, op).warnings;
+  if (geometry && answer.verdict.legal())
+    answer.warnings = !about && reaches_further(mesh, op, most_looked_at)
+                          ? std::vector<Reason>{{Rule::shape_unseen, {}}}
+                          : preview(mesh, journal_, op).warnings;
   if (about && holds_for_all(answer, op)) answers_.emplace(*about, answer);
   return answer;
 }

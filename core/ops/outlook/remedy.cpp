@@ -2,14 +2,18 @@
 
 #include <algorithm>
 
+#include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/ops/outlook/reach.h"
 
 namespace ryosen {
 
 namespace {
 
 constexpr std::size_t longest_remedy = 4;
+// Where an operator reaches further, every trial would be costly: it asks the question again.
+constexpr std::size_t most_reached = 1000;
 
 bool has_misoriented_edge(const Mesh& m, Vertex point) {
   return any_of_copies(m, point, [&](Vertex copy) {
@@ -19,12 +23,27 @@ bool has_misoriented_edge(const Mesh& m, Vertex point) {
   });
 }
 
-// Whether the reason is the number of faces at the edge of h itself.
-bool is_about(const Mesh& m, const Reason& reason, Halfedge h) {
-  if (reason.rule != Rule::copies) return false;
-  if (reason.witnesses.size() == 1) return reason.witnesses[0] == Element(edge(h));
-  const Vertex a = point(m, m.from(h)), b = point(m, m.to(h));
-  return reason.witnesses == std::vector<Element>{a, b} || reason.witnesses == std::vector<Element>{b, a};
+using PointPair = std::pair<Vertex, Vertex>;
+
+PointPair points_of(const Mesh& m, Halfedge h) { return std::minmax(point(m, m.from(h)), point(m, m.to(h))); }
+
+// The edge that is refused for the number of its faces, by its points.
+std::optional<PointPair> edge_with_many_faces(const Mesh& m, const Reason& reason) {
+  const std::vector<Element>& at = reason.witnesses;
+  if (reason.rule != Rule::copies) return std::nullopt;
+  if (at.size() == 1 && at[0].kind == Element::Kind::edge) return points_of(m, halfedge(at[0].edge()));
+  if (at.size() == 2 && at[0].kind == Element::Kind::vertex && at[1].kind == Element::Kind::vertex)
+    return std::minmax(at[0].vertex(), at[1].vertex());
+  return std::nullopt;
+}
+
+// All of them, ascending.
+std::vector<PointPair> edges_with_many_faces(const Mesh& m, const Verdict& verdict) {
+  std::vector<PointPair> found;
+  for (const Reason& reason : verdict.reasons)
+    if (const std::optional<PointPair> points = edge_with_many_faces(m, reason)) found.push_back(*points);
+  sort_unique(found);
+  return found;
 }
 
 // Whether more than `most` sheets meet at a point, or at its edge to another one.
@@ -59,37 +78,29 @@ bool is_hopeless(std::size_t steps, const Mesh& m, const AnyOp& op, const Verdic
   const auto same_apexes = std::count_if(verdict.reasons.begin(), verdict.reasons.end(), is_same_apex);
   if (static_cast<std::size_t>(same_apexes) > steps) return true;
   const Halfedge h = halfedge_of(op);
-  return is_there(m, h) && std::any_of(verdict.reasons.begin(), verdict.reasons.end(), [&](const Reason& reason) {
-           return is_about(m, reason, h) && outlasts(steps, m, op, h, known);
-         });
-}
-
-// Whether more than that many halfedges begin at a point.
-bool has_higher_valence(const Mesh& m, Vertex v, std::size_t most) {
-  std::size_t valence = 0;
-  return any_of_copies(m, v, [&](Vertex copy) {
-    for ([[maybe_unused]] Halfedge h : outgoing(m, copy))
-      if (++valence > most) return true;
-    return false;
-  });
-}
-
-bool is_longer_cycle(const Mesh& m, Halfedge h, std::size_t most) {
-  std::size_t length = 0;
-  for ([[maybe_unused]] Halfedge side : loop(m, h))
-    if (++length > most) return true;
-  return false;
-}
-
-// Whether every trial would be costly: it asks the question again, which goes along the faces and holes at an edge, and
-// for a collapse around its ends.
-bool is_costly(const Mesh& m, const AnyOp& op) {
-  constexpr std::size_t most = 1000;
-  const Halfedge h = halfedge_of(op);
   if (!is_there(m, h)) return false;
-  if (is_longer_cycle(m, h, most) || is_longer_cycle(m, twin(h), most)) return true;
-  return std::holds_alternative<CollapseEdge>(op) &&
-         (has_higher_valence(m, m.from(h), most) || has_higher_valence(m, m.to(h), most));
+  const std::vector<PointPair> refused = edges_with_many_faces(m, verdict);
+  return std::binary_search(refused.begin(), refused.end(), points_of(m, h)) && outlasts(steps, m, op, h, known);
+}
+
+// The edges that stay refused for the number of their faces after a step: the edge itself and, of an operator on a cycle,
+// those of the cycle; ascending.
+std::vector<PointPair> edges_that_outlast_a_step(const Mesh& m, const AnyOp& op, const Verdict& verdict,
+                                                 KnownSheets& known) {
+  std::vector<PointPair> staying;
+  const Halfedge h = halfedge_of(op);
+  const std::vector<PointPair> refused = edges_with_many_faces(m, verdict);
+  if (!is_there(m, h) || refused.empty()) return staying;
+  const auto look = [&](Halfedge side) {
+    const PointPair points = points_of(m, side);
+    if (std::binary_search(refused.begin(), refused.end(), points) && outlasts(1, m, op, side, known))
+      staying.push_back(points);
+  };
+  look(h);
+  if (info_of(op).subject == Subject::cycle)
+    for (Halfedge side : loop(m, h)) look(side);
+  sort_unique(staying);
+  return staying;
 }
 
 bool is_slot(std::string_view word) {
@@ -151,19 +162,30 @@ struct Step {
 
 // The first candidate that leaves no reason, else the first that leaves fewer. Else one of many equal steps: with
 // several sheets at an edge or several edges at a vertex the reason stays until the last one is detached or deleted.
-std::optional<Step> choose_step(Mesh& mesh, const Question& question, const AnyOp& op, KnownSheets& sheets) {
+// None if it would have to be the last one and cannot be.
+std::optional<Step> choose_step(Mesh& mesh, const Question& question, const AnyOp& op, bool must_be_last,
+                                KnownSheets& sheets) {
   const Verdict verdict = check(mesh, op);
-  // Where the only reason outlasts a step, no candidate can do better than the first that leads on.
-  const bool takes_longer = verdict.reasons.size() == 1 && is_hopeless(1, mesh, op, verdict, sheets);
+  const std::vector<PointPair> staying = edges_that_outlast_a_step(mesh, op, verdict, sheets);
+  if (must_be_last && !staying.empty()) return std::nullopt;
+  const auto stays = [&](const Reason& reason) {
+    const std::optional<PointPair> points = edge_with_many_faces(mesh, reason);
+    return points && std::binary_search(staying.begin(), staying.end(), *points);
+  };
   std::optional<Step> best, onward;
+  std::unordered_map<std::string, std::optional<std::size_t>> tried;  // several reasons may suggest the same
   for (const Reason& reason : verdict.reasons) {
+    const bool outlasts_this = stays(reason);  // then no step against it does better than the first that leads on
+    if (outlasts_this && onward) continue;
     for (const AnyOp& candidate : remedy_candidates(mesh, reason, sheets)) {
-      const auto left = reasons_after(mesh, question, candidate);
+      const auto [known, is_new] = tried.try_emplace(command_of(mesh, candidate));
+      if (is_new) known->second = reasons_after(mesh, question, candidate);
+      const std::optional<std::size_t> left = known->second;
       if (left == 0u) return Step{candidate, true};
       if (left && *left < verdict.reasons.size() && !best) best = Step{candidate};
       const bool is_one_of_many = std::holds_alternative<Detach>(candidate) || reason.rule == Rule::has_edges;
       if (left == verdict.reasons.size() && !onward && is_one_of_many) onward = Step{candidate};
-      if (takes_longer && onward) return onward;
+      if (outlasts_this && onward) break;
     }
   }
   return best ? best : onward;
@@ -178,7 +200,8 @@ std::vector<std::string> find_local_steps(Mesh& mesh, const Question& question, 
     const std::optional<AnyOp> now = question.in(mesh);
     KnownSheets after_steps;
     KnownSheets& known = commands.empty() ? sheets : after_steps;
-    const std::optional<Step> step = now ? choose_step(mesh, question, *now, known) : std::nullopt;
+    const std::optional<Step> step =
+        now ? choose_step(mesh, question, *now, commands.size() + 1 == most, known) : std::nullopt;
     if (!step) break;
     commands.push_back(command_of(mesh, step->op));
     legal = step->is_last;
@@ -223,7 +246,7 @@ bool RemedySearch::is_beside_misoriented_edge(const Reason& reason) {
 
 std::vector<std::string> RemedySearch::find(const std::string& line) {
   const Parsed<AnyOp> asked = parse_line(mesh_, line);
-  if (!asked.op || is_costly(mesh_, *asked.op)) return {};
+  if (!asked.op || reaches_further(mesh_, *asked.op, most_reached)) return {};
   const Verdict verdict = check(mesh_, *asked.op);
   if (verdict.legal() || verdict.has(Rule::deleted)) return {};
   if (is_hopeless(longest_remedy, mesh_, *asked.op, verdict, sheets_)) return {};

@@ -79,5 +79,18 @@ TEST(known_answers, are_those_of_single_questions) {
   EXPECT_GT(asked, 10000u);
 }
 
+TEST(known_answers, say_where_the_shape_of_very_many_faces_was_not_looked_at) {
+  for (const std::uint32_t n : {300u, 500u}) {
+    Mesh mesh = from_indexed(fan(n));
+    KnownAnswers known;
+    const Vertex hub(0);
+    const Answer answer = known.ask(mesh, CollapseEdge{mesh.halfedge(hub)}, true);
+    ASSERT_TRUE(answer.verdict.legal());
+    const bool is_unseen = answer.warnings == std::vector<Reason>{{Rule::shape_unseen, {}}};
+    EXPECT_EQ(is_unseen, n > 400) << n;
+    EXPECT_TRUE(known.ask(mesh, CollapseEdge{mesh.halfedge(hub)}, false).warnings.empty());
+  }
+}
+
 }  // namespace
 }  // namespace ryosen

@@ -121,8 +121,10 @@ class EditRun {
 
   void describe_refusal(Step& step, const Parsed<AnyOp>& parsed) {
     step.reasons = to_json(session_.mesh(), step.outcome.reasons);
-    for (const Reason& reason : step.outcome.reasons)
-      step.rules += (step.rules.empty() ? "" : ", ") + std::string(text_of(reason.rule).id);
+    std::vector<std::string_view> rules;
+    for (const Reason& reason : step.outcome.reasons) rules.push_back(text_of(reason.rule).id);
+    rules.erase(std::unique(rules.begin(), rules.end()), rules.end());  // they stand in the order of the rules
+    for (const std::string_view rule : rules) step.rules.append(step.rules.empty() ? "" : ", ").append(rule);
     if (!parsed.op) return;
     for (const std::string& line : session_.document().remedy(step.line.text))
       step.remedy += (step.remedy.empty() ? "" : "; ") + line;

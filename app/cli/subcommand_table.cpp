@@ -110,7 +110,7 @@ std::vector<Subcommand> table() {
               {"--geometry", "", false,
                "with --all: the geometric warnings too (of edges at more than 400 sides or edges: that there are so "
                "many)",
-               "--all で幾何的な警告も出す（辺や稜線が 400 を超える所では、多いことだけを伝える）"},
+               "--all で幾何的な警告も出す（稜線が 400 を超える所では、多いことだけを伝える）"},
           },
           operators_topic,
           why_command,

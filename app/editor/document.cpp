@@ -102,6 +102,16 @@ Text describe(const Mesh& mesh, const Reason& reason) {
   return text;
 }
 
+std::vector<Text> describe_first(const Mesh& mesh, const std::vector<Reason>& reasons) {
+  constexpr std::size_t most = 8;
+  std::vector<Text> sentences;
+  for (std::size_t i = 0; i < reasons.size() && i < most; ++i) sentences.push_back(describe(mesh, reasons[i]));
+  if (reasons.size() <= most) return sentences;
+  const std::string more = std::to_string(reasons.size() - most);
+  sentences.push_back({"There are " + more + " more reasons.", "理由はほかに " + more + " 件あります。"});
+  return sentences;
+}
+
 Document::Document() : Document(MeshFile()) {}
 
 Document::Document(MeshFile file, std::filesystem::path path)
@@ -121,10 +131,8 @@ Outcome Document::refuse(const AnyOp& op, std::vector<Reason> reasons) {
   Outcome outcome;
   outcome.kind = Outcome::Kind::refused;
   outcome.exit_code = ExitCode::refused;
-  std::vector<Text> sentences;
-  for (const Reason& reason : reasons) sentences.push_back(describe(mesh_, reason));
   const std::string command = command_of(mesh_, op);
-  outcome.sentence = join(sentences);
+  outcome.sentence = join(describe_first(mesh_, reasons));
   outcome.sentence.en = command + " is refused: " + outcome.sentence.en;
   outcome.sentence.ja = command + " は実行できません：" + outcome.sentence.ja;
   outcome.reasons = std::move(reasons);

@@ -153,6 +153,8 @@ class Document {
 
 // The sentence of a reason, with its witnesses: "... (v7, 5-9)".
 Text describe(const Mesh& mesh, const Reason& reason);
+// The sentences of the first reasons; the last one says how many more there are.
+std::vector<Text> describe_first(const Mesh& mesh, const std::vector<Reason>& reasons);
 std::vector<std::string> names_of(const Mesh& mesh, const std::vector<Element>& elements);
 
 }  // namespace ryosen

@@ -23,7 +23,8 @@ void draw_pointer_tip(PanelContext& context) {
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::PushTextWrapPos(width);
   const std::vector<Reason>& reasons = legal ? hover.preview.warnings : hover.preview.verdict.reasons;
-  for (const Reason& reason : reasons) ImGui::TextUnformatted(describe(mesh, reason).in(context.language()).c_str());
+  for (const Text& sentence : describe_first(mesh, reasons))
+    ImGui::TextUnformatted(sentence.in(context.language()).c_str());
   if (!legal) {
     std::string help;
     for (const std::string& line : context.session.hover_remedy()) help += (help.empty() ? "" : "; ") + line;

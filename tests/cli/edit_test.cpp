@@ -1,6 +1,8 @@
 // `edit`: scripts, refusals, what is written and what never is.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/app/program.h"
 
 namespace ryosen::test {
@@ -150,6 +152,31 @@ TEST(edit, a_stop_says_what_had_been_saved) {
   EXPECT_EQ(refused.exit_code, 6);
   EXPECT_NE(refused.err.find("（ここまでに保存：c.obj）"), std::string::npos) << refused.err;
   EXPECT_EQ(edit("split 0-77; save d.obj", "en").err.find("saved"), std::string::npos);
+}
+
+TEST(edit, a_refusal_for_very_many_reasons_says_the_first_and_how_many_more) {
+  const TemporaryFolder folder;
+  std::string lines = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (int i = 0; i < 20; ++i) lines += "f 1 2 3\n";
+  folder.write("equal.obj", lines);
+  const ProgramRun run = run_program({"edit", "equal.obj", "--do", "split 0-1@f0", "--json"}, folder.path());
+  EXPECT_EQ(run.exit_code, 6);
+  EXPECT_EQ(run.lines()[0]["reasons"].size(), 19u);
+  const std::string said = run_program({"edit", "equal.obj", "--do", "split 0-1@f0"}, folder.path()).err;
+  EXPECT_NE(said.find("There are 11 more reasons. [same_apex]"), std::string::npos) << said;
+}
+
+TEST(edit, names_a_point_that_goes_with_all_its_copies_once) {
+  const TemporaryFolder folder;
+  folder.write("book.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n");
+  const Json gone =
+      run_program({"edit", "book.obj", "--do", "delete v0", "--json"}, folder.path()).lines()[0]["deleted"];
+  for (const char* name : {"v0", "v1", "v2", "v3", "v4"})
+    EXPECT_EQ(std::count(gone.begin(), gone.end(), Json(name)), 1) << name << " in " << gone;
+  const Json some =
+      run_program({"edit", "book.obj", "--do", "delete f1", "--json"}, folder.path()).lines()[0]["deleted"];
+  EXPECT_EQ(std::count(some.begin(), some.end(), Json("v0")), 0) << some;
+  EXPECT_EQ(std::count(some.begin(), some.end(), Json("v0@f1")), 1) << some;
 }
 
 TEST(edit, unknown_element_stops_even_when_skipping) {

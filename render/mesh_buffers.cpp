@@ -16,6 +16,10 @@ namespace {
 
 constexpr glm::uvec4 not_drawn(0);
 
+// Reading triangles from the mesh costs more than all else here, so of a mesh of moderate size they are read once; of a
+// larger one the copy would raise the peak of memory.
+constexpr std::uint32_t most_copied = 1u << 21;
+
 // Reads triangles of these numbers, those past the end as not drawn, and fetches the places of their corners.
 void read_with_places(const TriangleSource& source, std::span<const std::uint32_t> numbers, DrawnTriangle* to) {
   const auto is_past = [&](std::uint32_t number) { return number >= source.triangles; };
@@ -26,6 +30,30 @@ void read_with_places(const TriangleSource& source, std::span<const std::uint32_
       to[i] = is_past(numbers[i]) ? DrawnTriangle() : source.triangle(numbers[i]);
   for (std::size_t i = 0; i < numbers.size(); ++i)
     for (const std::uint32_t corner : to[i].corners) prefetch_cell(source.positions.data(), corner);
+}
+
+// All triangles of the source, in its order.
+UnwrittenVector<DrawnTriangle> read_all(const TriangleSource& source) {
+  constexpr std::uint32_t at_once = 128;
+  UnwrittenVector<DrawnTriangle> all(source.triangles);
+  for_each_part(source.triangles, threads_for(source.triangles), [&](unsigned, std::uint32_t begin, std::uint32_t end) {
+    std::array<std::uint32_t, at_once> numbers;
+    for (std::uint32_t first = begin; first < end; first += at_once) {
+      const std::uint32_t count = std::min(at_once, end - first);
+      std::iota(numbers.begin(), numbers.begin() + count, first);
+      source.read(std::span(numbers).first(count), all.data() + first);
+    }
+  });
+  return all;
+}
+
+// The same source, read from a copy of its triangles.
+TriangleSource read_from(TriangleSource source, const UnwrittenVector<DrawnTriangle>& all) {
+  source.read = [&all](std::span<const std::uint32_t> numbers, DrawnTriangle* to) {
+    for (const std::uint32_t number : numbers) prefetch_cell(all.data(), number);
+    for (const std::uint32_t number : numbers) *to++ = all[number];
+  };
+  return source;
 }
 
 }  // namespace
@@ -52,7 +80,13 @@ MeshBuffers::MeshBuffers()
   gpu_normals_.write(0, {&none, 1});  // so that there is something to bind
 }
 
-void MeshBuffers::set(const TriangleSource& source, const glm::dvec3& low, const glm::dvec3& high) {
+void MeshBuffers::set(const TriangleSource& given, const glm::dvec3& low, const glm::dvec3& high) {
+  UnwrittenVector<DrawnTriangle> copies;
+  TriangleSource source = given;
+  if (given.triangles <= most_copied) {
+    copies = read_all(given);
+    source = read_from(given, copies);
+  }
   space_ = buffer_space(low, high);
   tints_.clear();
   slot_of_source_.clear();

@@ -76,7 +76,7 @@ class MeshBuffers {
   MeshBuffers();
 
   // `low` and `high` bound the positions that are finite.
-  void set(const TriangleSource& source, const glm::dvec3& low, const glm::dvec3& high);
+  void set(const TriangleSource& given, const glm::dvec3& low, const glm::dvec3& high);
 
   // Updates the copy after a change. `vertices` lists the vertices with a new position, `triangles` those with changed
   // corners, normals, face or edge bits or with a moved corner, `faces` those with changed tints. Elements appended or

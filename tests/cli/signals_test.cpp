@@ -158,6 +158,14 @@ class HeldPipe {
   std::string path() const { return folder_.at("pipe"); }
   // As little as the system lets a pipe hold.
   void hold_little() const { fcntl(reader_, F_SETPIPE_SZ, 1); }
+  // Lets nothing more in.
+  void fill() const {
+    hold_little();
+    const int flags = fcntl(reader_, F_GETFL);
+    fcntl(reader_, F_SETFL, flags | O_NONBLOCK);
+    while (write(reader_, ".", 1) == 1) continue;
+    fcntl(reader_, F_SETFL, flags);
+  }
   // What it holds, read until the process is over.
   std::string read_until_end_of(Process& process) const {
     std::string all;
@@ -207,6 +215,29 @@ TEST(signals, end_what_a_reader_holds_up) {
   EXPECT_EQ(process.exit_code(), 8);
   EXPECT_LT(Seconds(Clock::now() - start), Seconds(1));
   EXPECT_NE(read_file(folder.at("err")).find("Cancelled"), std::string::npos);
+}
+
+// What it prints fits into its buffer, so that it stands still when it has computed all.
+TEST(signals, end_what_a_full_pipe_holds_up_at_its_last_line) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> words{RYOSEN_PROGRAM, "check", asset("stanford_bunny.obj"), "--self-intersections",
+                                       "--json"};
+  const Clock::time_point begin = Clock::now();
+  ASSERT_EQ(Process(words, {}, folder.at("out"), folder.at("err")).wait(), 1);
+  const Seconds time = Clock::now() - begin;
+  for (const double share : {0.3, 4.0}) {
+    SCOPED_TRACE(share);
+    const HeldPipe pipe;
+    pipe.fill();
+    Process process(words, {}, pipe.path(), folder.at("err"));
+    wait_for([&] { return process.handles(SIGTERM) || process.is_over(); });
+    std::this_thread::sleep_for(share * time);
+    const Clock::time_point start = Clock::now();
+    process.end_by(SIGTERM);
+    EXPECT_EQ(process.exit_code(), 8);
+    EXPECT_LT(Seconds(Clock::now() - start), Seconds(1));
+    EXPECT_NE(read_file(folder.at("err")).find("Cancelled"), std::string::npos);
+  }
 }
 
 // The signal comes while the only object is being flushed: it is cut, or it is the last of the run.

@@ -43,7 +43,9 @@ Outcome run_drag(Session& session, Words arguments, std::string_view) {
   const auto from = arguments.size() == 2 ? parse_pixel(arguments[0]) : std::nullopt;
   const auto to = arguments.size() == 2 ? parse_pixel(arguments[1]) : std::nullopt;
   if (!from || !to) return wrong_arguments("drag");
-  session.camera = orbited(session.camera, *to - *from, session.view);
+  Navigation navigation;
+  navigation.press(MouseButton::left, *from, {});
+  navigation.move(session, *to);
   return {};
 }
 

@@ -320,7 +320,7 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool) {
     return failed(ExitCode::found_problems, {"there is nothing under the pointer", "ポインタの下に何もありません"});
   }
   if (info) return apply_at(target_of(*picked), with_tool);
-  return run("select " + name_of(mesh(), picked->element));
+  return run("select " + name_to_select(mesh(), picked->element));
 }
 
 std::optional<Picked> Session::pick(glm::dvec2 pixel, PickMode what) {

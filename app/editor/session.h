@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/editor/document.h"
+#include "app/editor/navigation.h"
 #include "app/editor/panel_list.h"
 #include "app/editor/preparation.h"
 #include "app/editor/recovery.h"
@@ -50,6 +51,7 @@ class Session {
 
   // State changed by commands.
   Camera camera;
+  OrbitAbout orbit_about = OrbitAbout::point;
   Size view{1280, 720};
   glm::dvec2 view_origin{0};  // of the view in the picture or window; pixels are relative to the latter
   std::string tool;           // id of an operator, or empty: select

@@ -14,7 +14,7 @@ void Mouse::release(MouseButton button, glm::dvec2 pixel, double now_s, Size win
   const auto click = navigation_.release(button, pixel, now_s);
   // A panel may have been opened since the press.
   if (click && is_over_view(click->pixel, window)) {
-    if (click->is_double)
+    if (click->is_double && session_.tool.empty())  // with a tool two quick clicks are two edits
       set_centre(session_, click->pixel);
     else
       gui_.click(session_, click->pixel);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/ui/gui.h"
-#include "app/ui/navigation.h"
+#include "app/editor/navigation.h"
 
 namespace ryosen {
 

@@ -52,7 +52,7 @@ void element_links(PanelContext& context, const std::vector<Element>& elements) 
     ImGui::PushID(static_cast<int>(i));
     if (i > 0 && ImGui::GetItemRectMax().x + gap + ImGui::CalcTextSize(name.c_str()).x < right_edge)
       ImGui::SameLine(0, gap);
-    if (link(context, name.c_str())) chosen = name;
+    if (link(context, name.c_str())) chosen = name_to_select(context.session.mesh(), elements[i]);
     ImGui::PopID();
   }
   if (elements.size() > most) {

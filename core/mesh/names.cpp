@@ -142,6 +142,10 @@ std::string name_of(const Mesh& m, Element element) {
   return has_several_sheets(m, h) ? name_with_face(m, h) : ends_of(m, h);
 }
 
+std::string name_to_select(const Mesh& m, Element element) {
+  return element.kind == Element::Kind::halfedge ? "h" + number(element.index) : name_of(m, element);
+}
+
 Named<Face> find_face(const Mesh& m, std::string_view name) {
   const auto slot = name.starts_with('f') ? parse_number(name.substr(1)) : std::nullopt;
   if (!slot) return malformed<Face>(name, {"f3", "f3 "});

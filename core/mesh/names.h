@@ -16,6 +16,8 @@ namespace ryosen {
 // The shortest unique name. Edges are named smaller point first, halfedges origin first; the face is added if several
 // sheets join the two points.
 std::string name_of(const Mesh& mesh, Element element);
+// As name_of, but a halfedge by its slot (h12), where 3-7 would mean its edge.
+std::string name_to_select(const Mesh& mesh, Element element);
 // A name that distinguishes a vertex from the other copies of its point: v7@f5 if it has copies and a face, its own
 // number if it has no face.
 std::string name_of_copy(const Mesh& mesh, Vertex v);

@@ -192,7 +192,7 @@ Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double a
   return result;
 }
 
-Camera orbited(const Camera& camera, glm::dvec2 moved_px, Size view) {
+Camera orbited(const Camera& camera, glm::dvec2 moved_px, Size view, const glm::dvec3& about) {
   const double quarter = glm::radians(90.0);
   const glm::dvec2 angle = moved_px * (quarter / (0.5 * view.height));
   const glm::dvec3 axis(0, 1, 0);
@@ -200,29 +200,27 @@ Camera orbited(const Camera& camera, glm::dvec2 moved_px, Size view) {
   // Clamp the tilt at the poles: the up vector never points below the horizon.
   const double tilt_now = std::atan2(-a.forward.y, a.up.y);
   const double tilt = std::clamp(tilt_now + angle.y, -quarter, quarter) - tilt_now;
-  const glm::dvec3 forward = turned(turned(a.forward, a.right, -tilt), axis, -angle.x);
-  const glm::dvec3 up = turned(turned(a.up, a.right, -tilt), axis, -angle.x);
+  const auto rotated = [&](const glm::dvec3& v) { return turned(turned(v, a.right, -tilt), axis, -angle.x); };
+  const glm::dvec3 forward = rotated(a.forward), to_target = camera.target - about;
+  const bool is_about_target = to_target == glm::dvec3(0);  // which then stays to the last bit
   Camera result = camera;
-  result.eye = camera.target - forward * target_depth(camera);
-  result.up = up;
+  result.target = is_about_target ? camera.target : about + rotated(to_target);
+  result.eye = result.target - forward * target_depth(camera);
+  result.up = rotated(a.up);
   return result;
 }
 
-Camera panned(const Camera& camera, glm::dvec2 moved_px, Size view) {
+Camera panned(const Camera& camera, glm::dvec2 moved_px, Size view, const glm::dvec3& grabbed) {
   const CameraAxes a = axes(camera);
   const glm::dvec3 shift =
-      (a.up * moved_px.y - a.right * moved_px.x) * units_per_pixel(camera, view, target_depth(camera));
+      (a.up * moved_px.y - a.right * moved_px.x) * units_per_pixel(camera, view, depth_of(camera, grabbed));
   Camera result = camera;
   result.eye += shift;
   result.target += shift;
   return result;
 }
 
-Camera zoomed(const Camera& camera, double factor, glm::dvec2 pointer_px, Size view) {
-  const CameraAxes a = axes(camera);
-  const glm::dvec2 off = pointer_px - 0.5 * glm::dvec2(view.width, view.height);
-  const double scale = units_per_pixel(camera, view, target_depth(camera));
-  const glm::dvec3 fixed = camera.target + (a.right * off.x - a.up * off.y) * scale;
+Camera zoomed(const Camera& camera, double factor, const glm::dvec3& fixed) {
   Camera result = camera;
   result.target = fixed + (camera.target - fixed) / factor;
   if (camera.ortho_height) {
@@ -231,6 +229,14 @@ Camera zoomed(const Camera& camera, double factor, glm::dvec2 pointer_px, Size v
   } else {
     result.eye = fixed + (camera.eye - fixed) / factor;
   }
+  return result;
+}
+
+Camera centred(const Camera& camera, const glm::dvec3& point) {
+  const glm::dvec3 forward = axes(camera).forward, shift = point - camera.target;
+  Camera result = camera;
+  result.target = point;
+  result.eye += shift - forward * glm::dot(shift, forward);
   return result;
 }
 
@@ -267,6 +273,15 @@ Ray ray_through(const Camera& camera, Size view, glm::dvec2 pixel) {
   const glm::dvec3 across = (a.right * off.x - a.up * off.y) * units_per_pixel(camera, view, 1);
   if (camera.ortho_height) return {camera.eye + across, a.forward};
   return {camera.eye, glm::normalize(a.forward + across)};
+}
+
+double depth_of(const Camera& camera, const glm::dvec3& point) {
+  return glm::dot(point - camera.eye, axes(camera).forward);
+}
+
+glm::dvec3 place_at(const Camera& camera, Size view, glm::dvec2 pixel, double depth) {
+  const Ray ray = ray_through(camera, view, pixel);
+  return ray.origin + ray.direction * (depth / glm::dot(ray.direction, axes(camera).forward));
 }
 
 }  // namespace ryosen

@@ -52,13 +52,16 @@ inline constexpr double default_margin = 0.06;
 // would overflow is clamped. O(n).
 Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double aspect, double margin = default_margin);
 
-// Turntable rotation about the target: azimuth about Y, elevation clamped at the poles. Dragging half the view height
-// turns 90 degrees.
-Camera orbited(const Camera& camera, glm::dvec2 moved_px, Size view);
-// Pans so that points at the depth of the target follow the pointer.
-Camera panned(const Camera& camera, glm::dvec2 moved_px, Size view);
-// Magnifies by `factor`; the point under the pointer at the depth of the target stays under it.
-Camera zoomed(const Camera& camera, double factor, glm::dvec2 pointer_px, Size view);
+// Turntable rotation about a point, which stays where it is in the view: azimuth about Y, elevation clamped at the poles.
+// Dragging half the view height turns 90 degrees.
+Camera orbited(const Camera& camera, glm::dvec2 moved_px, Size view, const glm::dvec3& about);
+// Pans so that what is as deep in the view as `grabbed` follows the pointer.
+Camera panned(const Camera& camera, glm::dvec2 moved_px, Size view, const glm::dvec3& grabbed);
+// Magnifies what is at `fixed` by `factor`: the eye goes towards it by a share of its distance, so never through it, and
+// it stays where it is in the view.
+Camera zoomed(const Camera& camera, double factor, const glm::dvec3& fixed);
+// Puts a point into the middle of the view and makes it the target; the eye moves parallel to the view.
+Camera centred(const Camera& camera, const glm::dvec3& point);
 // Switches between perspective and orthographic, keeping the scale at the target.
 Camera with_ortho(const Camera& camera, bool ortho);
 
@@ -75,5 +78,10 @@ double units_per_pixel(const Camera& camera, Size view, double depth);
 
 // The ray through a pixel, in mesh space, from the eye; in orthographic from the plane of the eye.
 Ray ray_through(const Camera& camera, Size view, glm::dvec2 pixel);
+
+// How deep in the view a point lies: its distance from the plane of the eye.
+double depth_of(const Camera& camera, const glm::dvec3& point);
+// The point at a pixel that lies so deep.
+glm::dvec3 place_at(const Camera& camera, Size view, glm::dvec2 pixel, double depth);
 
 }  // namespace ryosen

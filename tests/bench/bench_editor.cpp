@@ -152,7 +152,8 @@ void redraw(benchmark::State& state, Source source, Reaction reaction) {
   for (auto _ : state) {
     const glm::dvec2 pixel = pixels[i++ % pixels.size()];
     const auto start = Clock::now();
-    if (reaction == Reaction::camera) session->camera = orbited(session->camera, {3, 1}, session->view);
+    if (reaction == Reaction::camera)
+      session->camera = orbited(session->camera, {3, 1}, session->view, session->camera.target);
     if (reaction == Reaction::hover) session->point_at(pixel);
     if (reaction == Reaction::edit) session->click(pixel, "collapse");
     show();

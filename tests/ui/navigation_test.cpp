@@ -1,7 +1,8 @@
-#include "app/ui/navigation.h"
+#include "app/editor/navigation.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "tests/support/app/program.h"
@@ -52,16 +53,65 @@ TEST(navigation, drags_do_what_the_status_line_says) {
   EXPECT_GT(distance_to_target(*session), before);
 }
 
-TEST(navigation, the_wheel_keeps_what_is_under_the_pointer) {
+constexpr glm::dvec2 on_torus{640, 560};
+
+TEST(navigation, the_wheel_goes_towards_the_surface_and_never_through_it) {
+  const auto session = torus();
+  const auto picked = session->pick(on_torus, PickMode::face);
+  ASSERT_TRUE(picked);
+  double depth = depth_of(session->camera, picked->place);
+  for (int notch = 0; notch < 100; ++notch) {
+    Navigation().wheel(*session, on_torus, 1);
+    const double now = depth_of(session->camera, picked->place);
+    EXPECT_NEAR(now * 1.15, depth, 1e-9);
+    EXPECT_LT(glm::length(project(session->camera, session->view, picked->place)->pixel - on_torus), 0.5) << notch;
+    depth = now;
+  }
+  EXPECT_GT(depth, 0);
+}
+
+TEST(navigation, the_wheel_over_the_background_goes_as_far_as_the_nearest_surface_allows) {
   const auto session = torus();
   session->view_origin = {100, 50};
-  const glm::dvec2 pixel = glm::dvec2(400, 300) + session->view_origin;
+  const glm::dvec2 pixel = glm::dvec2(3, 3) + session->view_origin;
+  ASSERT_FALSE(session->pick(pixel, PickMode::face));
   const Ray ray = ray_through(session->camera, session->view, pixel - session->view_origin);
-  const double before = distance_to_target(*session);
-  Navigation().wheel(*session, pixel, 2);
-  EXPECT_LT(distance_to_target(*session), before);
+  const glm::dvec3 forward = axes(session->camera).forward;
+  const glm::dvec3 before = session->camera.eye;
+  double nearest = 1e300;
+  for (const glm::dvec3& p : session->mesh().positions()) nearest = std::min(nearest, depth_of(session->camera, p));
+  Navigation().wheel(*session, pixel, 1);
+  const double gone = glm::dot(session->camera.eye - before, forward);
+  EXPECT_GT(gone, 0);
+  EXPECT_NEAR(gone, nearest * (1 - 1 / 1.15), 0.1 * gone);
   const Ray after = ray_through(session->camera, session->view, pixel - session->view_origin);
   EXPECT_LT(glm::length(ray.direction - after.direction), 1e-12);
+}
+
+TEST(navigation, drags_hold_on_to_the_point_that_was_pressed) {
+  for (const MouseButton button : {MouseButton::left, MouseButton::right}) {
+    const auto session = torus();
+    const glm::dvec3 held = session->pick(on_torus, PickMode::face)->place;
+    const glm::dvec3 target = session->camera.target;
+    Navigation navigation;
+    navigation.press(button, on_torus, {});
+    for (int i = 1; i <= 8; ++i) navigation.move(*session, on_torus + glm::dvec2(20, -9) * double(i));
+    const glm::dvec2 now = project(session->camera, session->view, held)->pixel;
+    const bool is_pan = button == MouseButton::right;
+    EXPECT_LT(glm::length(now - on_torus - (is_pan ? glm::dvec2(160, -72) : glm::dvec2(0))), 0.5);
+    EXPECT_NE(session->camera.target, target);
+  }
+}
+
+TEST(navigation, a_switch_turns_about_the_centre) {
+  const auto session = torus();
+  ASSERT_TRUE(session->run("orbit centre").done());
+  const glm::dvec3 target = session->camera.target;
+  ASSERT_TRUE(session->run("drag 640,560 700,500").done());
+  EXPECT_EQ(session->camera.target, target);
+  ASSERT_TRUE(session->run("orbit point").done());
+  ASSERT_TRUE(session->run("drag 640,560 700,500").done());
+  EXPECT_NE(session->camera.target, target);
 }
 
 TEST(navigation, a_click_stays_within_four_pixels) {
@@ -97,10 +147,9 @@ TEST(navigation, two_quick_clicks_are_a_double_click) {
 TEST(navigation, the_centre_is_what_was_clicked) {
   const auto session = torus();
   ASSERT_FALSE(set_centre(*session, middle)) << "the hole of the torus";
-  const glm::dvec2 pixel(640, 560);
-  const auto picked = session->pick(pixel, PickMode::face);
+  const auto picked = session->pick(on_torus, PickMode::face);
   ASSERT_TRUE(picked);
-  ASSERT_TRUE(set_centre(*session, pixel));
+  ASSERT_TRUE(set_centre(*session, on_torus));
   EXPECT_LT(glm::length(session->camera.target - picked->place), 1e-12);
   EXPECT_LT(glm::length(project(session->camera, session->view, picked->place)->pixel - middle), 1e-6);
 }

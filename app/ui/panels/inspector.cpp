@@ -53,7 +53,7 @@ class Inspector {
     ImGui::SameLine(5 * ImGui::GetFontSize());
     if (element.index == no_index) return ImGui::TextUnformatted(context_.text(UiText::outside));
     ImGui::PushID(static_cast<int>(label));
-    if (link(context_, name_of(m_, element).c_str())) context_.run("select " + name_of(m_, element));
+    if (link(context_, name_of(m_, element).c_str())) context_.run("select " + name_to_select(m_, element));
     ImGui::PopID();
   }
 

@@ -95,7 +95,7 @@ void go_to(PanelContext& context, const ProblemRow& row, Element element) {
     context.keep(std::move(told));
     return;
   }
-  context.run("select " + name_of(context.session.mesh(), element));
+  context.run("select " + name_to_select(context.session.mesh(), element));
   if (!context.session.selection.empty()) context.run("frame selected");
 }
 

@@ -115,28 +115,53 @@ TEST(camera, fitting_odd_inputs_leaves_a_usable_camera) {
   }
 }
 
-TEST(camera, zoom_keeps_what_is_under_the_pointer) {
+// A point away from the target, nearer to the eye than it.
+glm::dvec3 point_beside(const Camera& camera) {
+  const CameraAxes a = axes(camera);
+  return camera.target - 0.4 * glm::length(camera.target - camera.eye) * a.forward + 0.3 * a.right + 0.2 * a.up;
+}
+
+glm::dvec2 pixel_of(const Camera& camera, const glm::dvec3& p) { return project(camera, view, p)->pixel; }
+
+TEST(camera, zoom_keeps_its_point_in_the_view_and_never_goes_through_it) {
   for (const bool ortho : {false, true}) {
-    const Camera camera = slanted(ortho);
-    const glm::dvec2 pointer(500, 90);
-    const CameraAxes a = axes(camera);
-    const Ray ray = ray_through(camera, view, pointer);
-    const double depth = glm::dot(camera.target - ray.origin, a.forward) / glm::dot(ray.direction, a.forward);
-    const glm::dvec3 under = ray.origin + depth * ray.direction;
-    const Camera closer = zoomed(camera, 3, pointer, view);
-    EXPECT_NEAR(glm::length(project(closer, view, under)->pixel - pointer), 0, 1e-9);
-    EXPECT_NEAR(units_per_pixel(closer, view, glm::length(closer.target - closer.eye)) * 3,
-                units_per_pixel(camera, view, glm::length(camera.target - camera.eye)), 1e-12);
+    Camera camera = slanted(ortho);
+    const glm::dvec3 fixed = point_beside(camera);
+    const glm::dvec2 pixel = pixel_of(camera, fixed);
+    for (int notch = 0; notch < 60; ++notch) {
+      const Camera closer = zoomed(camera, 1.15, fixed);
+      EXPECT_NEAR(glm::length(pixel_of(closer, fixed) - pixel), 0, 1e-6);
+      EXPECT_NEAR(units_per_pixel(closer, view, depth_of(closer, fixed)) * 1.15,
+                  units_per_pixel(camera, view, depth_of(camera, fixed)), 1e-12);
+      if (!ortho) EXPECT_NEAR(depth_of(closer, fixed) * 1.15, depth_of(camera, fixed), 1e-12);
+      EXPECT_GT(depth_of(closer, fixed), 0);
+      camera = closer;
+    }
+    expect_near(zoomed(zoomed(camera, 3, fixed), 1 / 3.0, fixed).eye, camera.eye, 1e-12);
   }
 }
 
-TEST(camera, pan_moves_the_target_with_the_pointer) {
+TEST(camera, pan_keeps_what_was_grabbed_under_the_pointer) {
   for (const bool ortho : {false, true}) {
     const Camera camera = slanted(ortho);
-    const Camera moved = panned(camera, {30, -12}, view);
-    const glm::dvec2 pixel = project(moved, view, camera.target)->pixel;
-    EXPECT_NEAR(pixel.x, 320 + 30, 1e-9);
-    EXPECT_NEAR(pixel.y, 180 - 12, 1e-9);
+    for (const glm::dvec3& grabbed : {camera.target, point_beside(camera)}) {
+      const glm::dvec2 to = pixel_of(panned(camera, {30, -12}, view, grabbed), grabbed);
+      EXPECT_NEAR(glm::length(to - pixel_of(camera, grabbed) - glm::dvec2(30, -12)), 0, 1e-9);
+    }
+  }
+}
+
+TEST(camera, orbit_keeps_its_point_in_the_view) {
+  for (const bool ortho : {false, true}) {
+    const Camera camera = slanted(ortho);
+    const glm::dvec3 about = point_beside(camera);
+    Camera turned = camera;
+    for (int i = 0; i < 40; ++i) {
+      turned = orbited(turned, {17, -5}, view, about);
+      EXPECT_NEAR(glm::length(pixel_of(turned, about) - pixel_of(camera, about)), 0, 1e-6);
+      EXPECT_NEAR(glm::length(turned.eye - about), glm::length(camera.eye - about), 1e-9);
+      EXPECT_NEAR(glm::length(turned.target - turned.eye), glm::length(camera.target - camera.eye), 1e-9);
+    }
   }
 }
 
@@ -145,16 +170,38 @@ TEST(camera, orbit_keeps_distance_and_stops_at_the_poles) {
   const double distance = glm::length(camera.target - camera.eye);
   Camera turned = camera;
   for (int i = 0; i < 100; ++i) {
-    turned = orbited(turned, {13, 9}, view);
+    turned = orbited(turned, {13, 9}, view, camera.target);
+    EXPECT_EQ(turned.target, camera.target);
     EXPECT_NEAR(glm::length(turned.target - turned.eye), distance, 1e-9);
     EXPECT_GE(axes(turned).up.y, -1e-9);
   }
   EXPECT_NEAR(axes(turned).forward.y, -1, 1e-6);
   // Back again, sideways only: a full turn is four half views.
-  const Camera around = orbited(camera, {4.0 * view.height / 2, 0}, view);
+  const Camera around = orbited(camera, {4.0 * view.height / 2, 0}, view, camera.target);
   expect_near(around.eye, camera.eye, 1e-9);
   // Dragging to the right brings the left side to the front: the eye goes left.
-  EXPECT_LT(glm::dot(orbited(camera, {5, 0}, view).eye - camera.eye, axes(camera).right), 0);
+  EXPECT_LT(glm::dot(orbited(camera, {5, 0}, view, camera.target).eye - camera.eye, axes(camera).right), 0);
+}
+
+TEST(camera, a_new_centre_moves_the_eye_parallel_to_the_view) {
+  for (const bool ortho : {false, true}) {
+    const Camera camera = slanted(ortho);
+    const glm::dvec3 point = point_beside(camera);
+    const Camera centre = centred(camera, point);
+    EXPECT_EQ(centre.target, point);
+    EXPECT_NEAR(glm::dot(centre.eye - camera.eye, axes(camera).forward), 0, 1e-12);
+    EXPECT_NEAR(glm::length(axes(centre).forward - axes(camera).forward), 0, 1e-12);
+    EXPECT_NEAR(glm::length(pixel_of(centre, point) - glm::dvec2(view.width, view.height) / 2.0), 0, 1e-6);
+  }
+}
+
+TEST(camera, a_pixel_and_a_depth_are_a_place) {
+  for (const bool ortho : {false, true}) {
+    const Camera camera = slanted(ortho);
+    const glm::dvec3 place = place_at(camera, view, {500, 90}, 1.25);
+    EXPECT_NEAR(glm::length(pixel_of(camera, place) - glm::dvec2(500, 90)), 0, 1e-9);
+    EXPECT_NEAR(depth_of(camera, place), 1.25, 1e-12);
+  }
 }
 
 TEST(camera, switching_the_projection_keeps_the_target_as_large) {

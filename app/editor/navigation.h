@@ -1,19 +1,27 @@
 // Camera navigation with the mouse; distinguishes clicks from drags.
 #pragma once
 
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <optional>
 
-#include "app/editor/session.h"
-
 namespace ryosen {
+
+class Session;
 
 enum class MouseButton { left, right, middle };  // as numbered by GLFW and ImGui
 
 // A click is a press and a release within this distance.
 inline constexpr double click_reach_px = 4;
 
+// What a drag that orbits turns about: the point of the mesh that was pressed, or always the target of the camera.
+enum class OrbitAbout { point, centre };
+
 // Left drag orbits, right drag or Shift + left pans, middle drag orbits (Shift pans, Ctrl zooms), the wheel zooms to
-// the pointer. Pixels are window pixels; the view may be anywhere in it.
+// the pointer. A drag holds on to the point of the mesh under the press: orbiting turns about it, panning keeps it under
+// the pointer. The wheel brings the eye towards the point under the pointer by a share of its distance. Where there is
+// none, orbiting turns about the target, and the others act as deep as the nearest of the surface that is seen, or as the
+// target. Pixels are window pixels; the view may be anywhere in it.
 class Navigation {
  public:
   struct Modifiers {
@@ -43,6 +51,7 @@ class Navigation {
     Motion motion;
     glm::dvec2 start, last;
     bool moved = false;  // farther than click_reach_px
+    glm::dvec3 held{0};  // set when it has moved
   };
 
   std::optional<Drag> drag_;
@@ -50,7 +59,8 @@ class Navigation {
   double last_click_s_ = 0;
 };
 
-// Centres the view on the point under a pixel, which becomes the orbit target. False if there is nothing.
+// Centres the view on the point of the mesh under a pixel, which becomes the target; the eye moves parallel to the view.
+// False if there is nothing.
 bool set_centre(Session& session, glm::dvec2 pixel);
 
 }  // namespace ryosen

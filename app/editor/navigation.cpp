@@ -1,0 +1,117 @@
+#include "app/editor/navigation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "app/editor/session.h"
+
+namespace ryosen {
+
+namespace {
+
+constexpr double double_click_s = 0.4;
+constexpr double wheel_step = 1.15;      // zoom factor per wheel step
+constexpr double drag_doubles_px = 120;  // length of a zoom drag that doubles the size
+
+// The place of the mesh at a pixel: on a face, else on an edge or a vertex near by.
+std::optional<glm::dvec3> place_under(Session& session, glm::dvec2 pixel) {
+  for (const PickMode what : {PickMode::face, PickMode::edge, PickMode::vertex})
+    if (const auto picked = session.pick(pixel, what)) return picked->place;
+  return std::nullopt;
+}
+
+// How deep the nearest of the surface lies that a grid of rays meets, else the target.
+double nearest_depth(Session& session) {
+  constexpr int columns = 16, rows = 10;
+  std::optional<double> nearest;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const glm::dvec2 share((column + 0.5) / columns, (row + 0.5) / rows);
+      const glm::dvec2 pixel = session.view_origin + share * glm::dvec2(session.view.width, session.view.height);
+      const auto picked = session.pick(pixel, PickMode::face);
+      if (!picked) continue;
+      const double depth = depth_of(session.camera, picked->place);
+      nearest = std::min(nearest.value_or(depth), depth);
+    }
+  return nearest.value_or(depth_of(session.camera, session.camera.target));
+}
+
+// The point that the view moves about or towards, for a pixel.
+glm::dvec3 held_at(Session& session, glm::dvec2 pixel) {
+  if (const auto place = place_under(session, pixel)) return *place;
+  return place_at(session.camera, session.view, pixel - session.view_origin, nearest_depth(session));
+}
+
+glm::dvec3 centre_of_orbit(Session& session, glm::dvec2 pixel) {
+  if (session.orbit_about == OrbitAbout::centre) return session.camera.target;
+  return place_under(session, pixel).value_or(session.camera.target);
+}
+
+}  // namespace
+
+void Navigation::press(MouseButton button, glm::dvec2 pixel, Modifiers modifiers) {
+  if (drag_ && drag_->button != button) return;
+  Motion motion = Motion::orbit;
+  if (button == MouseButton::right || modifiers.shift)
+    motion = Motion::pan;
+  else if (button == MouseButton::middle && modifiers.ctrl)
+    motion = Motion::zoom;
+  drag_ = Drag{button, motion, pixel, pixel};
+}
+
+bool Navigation::move(Session& session, glm::dvec2 pixel) {
+  if (!drag_) return false;
+  Camera& camera = session.camera;
+  if (!drag_->moved) {
+    if (glm::length(pixel - drag_->start) <= click_reach_px) return false;
+    drag_->moved = true;
+    drag_->held =
+        drag_->motion == Motion::orbit ? centre_of_orbit(session, drag_->start) : held_at(session, drag_->start);
+  }
+  const glm::dvec2 moved = pixel - drag_->last;
+  drag_->last = pixel;
+  switch (drag_->motion) {
+    case Motion::orbit:
+      camera = orbited(camera, moved, session.view, drag_->held);
+      break;
+    case Motion::pan:
+      camera = panned(camera, moved, session.view, drag_->held);
+      break;
+    case Motion::zoom:
+      camera = zoomed(camera, std::exp2(-moved.y / drag_doubles_px), drag_->held);
+      break;
+  }
+  return true;
+}
+
+std::optional<Navigation::Click> Navigation::release(MouseButton button, glm::dvec2 pixel, double now_s) {
+  if (!drag_ || drag_->button != button) return std::nullopt;
+  const Drag ended = *drag_;
+  drag_.reset();
+  if (button != MouseButton::left || ended.moved || glm::length(pixel - ended.start) > click_reach_px)
+    return std::nullopt;
+  Click click{ended.start, false};
+  click.is_double = last_click_ && !last_click_->is_double && now_s - last_click_s_ < double_click_s &&
+                    glm::length(last_click_->pixel - click.pixel) <= click_reach_px;
+  last_click_ = click;
+  last_click_s_ = now_s;
+  return click;
+}
+
+void Navigation::cancel() {
+  drag_.reset();
+  last_click_.reset();
+}
+
+void Navigation::wheel(Session& session, glm::dvec2 pixel, double steps) const {
+  session.camera = zoomed(session.camera, std::pow(wheel_step, steps), held_at(session, pixel));
+}
+
+bool set_centre(Session& session, glm::dvec2 pixel) {
+  const auto place = place_under(session, pixel);
+  if (place) session.camera = centred(session.camera, *place);
+  return place.has_value();
+}
+
+}  // namespace ryosen

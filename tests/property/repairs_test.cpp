@@ -131,6 +131,8 @@ Proved repair_and_prove(Mesh& mesh, const RepairCall& call) {
 }
 
 constexpr std::uint64_t seeds = 2500;
+// One on which a repair once did more when it was run twice: a hole that it opened led on.
+constexpr std::uint64_t kept_seed = 17220;
 
 class Repairs : public testing::Test {
  protected:
@@ -138,7 +140,8 @@ class Repairs : public testing::Test {
   void on_all(std::string_view id, std::optional<double> number, Judge judge) {
     std::size_t changed = 0;
     const std::uint64_t last = is_long_run() ? 20 * seeds : seeds;
-    for (std::uint64_t seed = 1; seed <= last && !HasFailure(); ++seed) {
+    for (std::uint64_t run = 0; run <= last && !HasFailure(); ++run) {
+      const std::uint64_t seed = run == 0 ? kept_seed : run;
       SCOPED_TRACE(std::string(id) + ", seed " + std::to_string(seed));
       Mesh mesh = mesh_on_grid(seed);
       const Mesh before = mesh;

@@ -152,21 +152,24 @@ class Removal {
   }
 
   AlgorithmResult run() {
-    while (!flat_.empty()) {
-      const bool goes_on = give_many_away() || sweep([&](Face f) { return keep_surface(f); }) || drop_loose() ||
-                           sweep([&](Face f) { return leave_border(f); }) ||
-                           sweep([&](Face f) { return shorten_common_side(edit_, f); }) ||
-                           sweep([&](Face f) { return move_corner(edit_, f) && ++collapsed_ > 0; });
+    do {
+      while (!flat_.empty() && takes_some_away()) continue;
       if (progress_.is_cancelled()) return {};
-      if (!goes_on) break;
-    }
-    if (!flat_.empty()) open_holes();
+    } while (!flat_.empty() && open_holes());  // where one has opened, other ways may have too
     return result();
   }
 
  private:
   bool is_left(Face f) const { return m_.is_alive(f) && is_flat(m_, f); }
   bool may_go_on() { return progress_.go_on(all_ - std::min(all_, flat_.size()), all_); }
+
+  // One way after the other, those that keep the surface first. Whether some face went.
+  bool takes_some_away() {
+    return give_many_away() || sweep([&](Face f) { return keep_surface(f); }) || drop_loose() ||
+           sweep([&](Face f) { return leave_border(f); }) ||
+           sweep([&](Face f) { return shorten_common_side(edit_, f); }) ||
+           sweep([&](Face f) { return move_corner(edit_, f) && ++collapsed_ > 0; });
+  }
 
   // Tries a step on each flat face, and again on the flat faces beside one that is gone. Whether any went.
   template <class Step>
@@ -247,12 +250,15 @@ class Removal {
     return gone > 0;
   }
 
-  void open_holes() {
+  // Deletes what no other way takes away. Whether some face went.
+  bool open_holes() {
     const std::size_t before = boundary_loops(m_);
-    deleted_ += delete_soundly(edit_, flat_);
+    const std::size_t gone = delete_soundly(edit_, flat_);
     const std::size_t after = boundary_loops(m_);
-    opened_ = after > before ? after - before : 0;
+    deleted_ += gone;
+    opened_ += after > before ? after - before : 0;
     std::erase_if(flat_, [&](Face f) { return !is_left(f); });
+    return gone > 0;
   }
 
   AlgorithmResult result() const {

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/analysis/numbered_surface.h"
+#include "core/geometry/triangles_meet.h"
 #include "core/indexed/from_indexed.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/pairs_by_asking_all.h"

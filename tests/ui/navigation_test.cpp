@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "app/editor/session.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

@@ -9,6 +9,7 @@
 
 #include "app/editor/quarantine_text.h"
 #include "core/algo/repair/guard.h"
+#include "core/base/count_text.h"
 #include "core/indexed/from_indexed.h"
 #include "core/io/edited_file.h"
 #include "core/io/elements.h"
@@ -107,8 +108,8 @@ std::vector<Text> describe_first(const Mesh& mesh, const std::vector<Reason>& re
   std::vector<Text> sentences;
   for (std::size_t i = 0; i < reasons.size() && i < most; ++i) sentences.push_back(describe(mesh, reasons[i]));
   if (reasons.size() <= most) return sentences;
-  const std::string more = std::to_string(reasons.size() - most);
-  sentences.push_back({"There are " + more + " more reasons.", "理由はほかに " + more + " 件あります。"});
+  sentences.push_back(count_text(reasons.size() - most, "There is one more reason.", "There are # more reasons.",
+                                 "理由はほかに # 件あります。"));
   return sentences;
 }
 

@@ -96,8 +96,9 @@ std::vector<PointPair> edges_that_outlast_a_step(const Mesh& m, const AnyOp& op,
     if (std::binary_search(refused.begin(), refused.end(), points) && outlasts(1, m, op, side, known))
       staying.push_back(points);
   };
-  look(h);
-  if (info_of(op).subject == Subject::cycle)
+  if (info_of(op).subject != Subject::cycle)
+    look(h);
+  else
     for (Halfedge side : loop(m, h)) look(side);
   sort_unique(staying);
   return staying;

@@ -110,11 +110,13 @@ bool is_there(const Mesh& mesh, const Element& element) {
 class AlgorithmRun {
  public:
   // By `repair` each call is one of a list, else there is only one.
-  AlgorithmRun(Document& document, std::string input, std::optional<std::string> output, RunFiles files,
-               const Console& console, bool by_repair)
+  // `given_up`: the warnings about what the document has lost already for the sake of the format of the output.
+  AlgorithmRun(Document& document, std::string input, std::optional<std::string> output, std::vector<Message> given_up,
+               RunFiles files, const Console& console, bool by_repair)
       : document_(document),
         input_(std::move(input)),
         wanted_(std::move(output)),
+        given_up_(std::move(given_up)),
         files_(std::move(files)),
         console_(console),
         by_repair_(by_repair) {}
@@ -202,7 +204,7 @@ class AlgorithmRun {
   }
 
   void write() {
-    output_ = write_output(document_, files_, *wanted_, false, console_);
+    output_ = write_output(document_, files_, *wanted_, false, console_, given_up_);
     if (output_.failure) code_ = output_.failure->exit_code;
   }
 
@@ -300,6 +302,7 @@ class AlgorithmRun {
   Document& document_;
   std::string input_;
   std::optional<std::string> wanted_;  // -o
+  std::vector<Message> given_up_;
   RunFiles files_;
   const Console& console_;
   bool by_repair_;
@@ -321,10 +324,15 @@ ExitCode run_on_file(std::vector<Call> calls, const Arguments& arguments, const 
   if (const auto fault = find_fault({}, input, outputs, planned)) return given.fail(*fault, input);
   Console console = given;
   console.leaves_stdout = planned.uses_stdout();
-  const Result<std::unique_ptr<Document>> document = Document::open(input);
-  if (!document) return console.fail(document.failure(), input);
-  for (const Message& message : (*document)->file().messages) console.show(message, input);
-  return AlgorithmRun(**document, input, output ? std::optional(*output) : std::nullopt, files, console, by_repair)
+  Result<MeshFile> file = read_mesh_file(input);
+  if (!file) return console.fail(file.failure(), input);
+  for (const Message& message : file->messages) console.show(message, input);
+  std::vector<Message> given_up;
+  if (const Format* const format = output ? format_to_write(*output, *file) : nullptr)
+    given_up = give_up_lost_elements(*file, *format);
+  Document document(std::move(file).value(), input);
+  return AlgorithmRun(document, input, output ? std::optional(*output) : std::nullopt, std::move(given_up), files,
+                      console, by_repair)
       .run(std::move(calls));
 }
 

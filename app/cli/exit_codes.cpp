@@ -6,8 +6,8 @@ namespace {
 
 constexpr ExitCodeText exit_code_rows[] = {
     {ExitCode::done, "done, nothing found", "完了、問題なし"},
-    {ExitCode::found_problems, "done; problems or differences found, or a failed expect",
-     "完了、問題・差異あり、または expect の不一致"},
+    {ExitCode::found_problems, "done; problems, differences or warnings about the file found, or a failed expect",
+     "完了、問題・差異・ファイルへの警告あり、または expect の不一致"},
     {ExitCode::usage, "usage, a line that does not parse, an element that never existed",
      "使い方の誤り、解釈できない行、存在したことのない要素"},
     {ExitCode::input_missing, "input missing or unreadable", "入力がない、または読めない"},

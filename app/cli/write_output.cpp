@@ -1,5 +1,8 @@
 #include "app/cli/write_output.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "app/cli/visible.h"
 #include "core/io/formats.h"
 #include "core/io/safe_write.h"
@@ -7,9 +10,12 @@
 namespace ryosen::cli {
 
 WrittenOutput write_output(Document& document, RunFiles& files, const std::string& path, bool is_strict,
-                           const Console& console) {
+                           const Console& console, const std::vector<Message>& given_up) {
   WrittenOutput written;
-  std::vector<Message> losses = document.losses(path);
+  std::vector<Message> losses = given_up;
+  for (Message& loss : document.losses(path))
+    if (std::none_of(given_up.begin(), given_up.end(), [&](const Message& m) { return m.code == loss.code; }))
+      losses.push_back(std::move(loss));
   const bool is_refused = is_strict && !losses.empty();
   Status status = is_refused ? Status(refusal_of_losses()) : files.may_write(path, FileRole::result);
   if (status) status = document.save(path);

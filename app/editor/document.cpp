@@ -314,20 +314,15 @@ Document::Elsewhere Document::exists_elsewhere(NameError error, std::span<const 
 
 MeshFile Document::contents() const { return edited_file(file_, mesh_, tables_); }
 
-const Format* Document::format_for(const std::filesystem::path& path) const {
-  const Format* const format = format_of_extension(path);
-  return format || !is_stream(path) ? format : file_.format;
-}
-
 std::vector<Message> Document::losses(const std::filesystem::path& path) const {
-  const Format* const format = format_for(path.empty() ? path_ : path);
+  const Format* const format = format_to_write(path.empty() ? path_ : path, file_);
   if (!format || !format->write) return {};
   return loss_messages(contents(), *format);
 }
 
 Status Document::save(const std::filesystem::path& path, WriteOptions options) {
   std::filesystem::path target = path.empty() ? path_ : path;
-  if (!options.format) options.format = format_for(target);
+  if (!options.format) options.format = format_to_write(target, file_);
   Status status = write_mesh_file(target, contents(), options);
   if (!status || is_stream(target)) return status;
   path_.swap(target);

@@ -134,7 +134,6 @@ class Document {
   // Swaps the quarantine with the stored one, for transactions that change it.
   void exchange_quarantine(std::size_t transaction);
   void notify(std::size_t transaction);
-  const Format* format_for(const std::filesystem::path& path) const;
   bool is_known(std::string_view name) const;
   bool are_known(std::span<const std::string_view> names) const;
 

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <fstream>
 
+#include "core/io/file_target.h"
 #include "core/io/gzip.h"
 #include "core/io/input_file.h"
 #include "core/io/reporter.h"
@@ -52,6 +53,11 @@ const Format* format_of_extension(const std::filesystem::path& path) {
     }
   }
   return nullptr;
+}
+
+const Format* format_to_write(const std::filesystem::path& path, const MeshFile& source) {
+  const Format* const format = format_of_extension(path);
+  return format || !is_stream(path) ? format : source.format;
 }
 
 bool may_be_mesh(const std::filesystem::path& path) {
@@ -224,6 +230,27 @@ std::vector<Message> loss_messages(const MeshFile& file, const Format& format, E
                         "a line, a point or an edge of the file uses " + (one ? "it." : "them."),
                     "削除した頂点のうち " + count +
                         " 個は、隔離された面・線・点・稜線の要素が使うため、面のない頂点としてファイルに残ります。"}));
+  return messages;
+}
+
+std::vector<Message> give_up_lost_elements(MeshFile& file, const Format& format, Encoding wanted) {
+  if (!format.holds) return {};
+  const Encoding encoding = encoding_of(file, format, wanted);
+  const Holds held = format.holds(encoding);
+  const auto is_other = [](const PropertyTable& table) { return table.kind == TableKind::other; };
+  const std::vector<PropertyTable>& tables = file.properties.tables;
+  const bool loses_elements = !holds(held, Holds::elements) && !file.elements.items.empty();
+  const bool loses_tables = !holds(held, Holds::properties) && std::any_of(tables.begin(), tables.end(), is_other);
+  if (!loses_elements && !loses_tables) return {};
+  const std::vector<Loss> before = losses_of(file, format, encoding);
+  if (loses_elements) file.elements = {};
+  if (loses_tables) std::erase_if(file.properties.tables, is_other);
+  const std::vector<Loss> after = losses_of(file, format, encoding);
+  std::vector<Message> messages;
+  for (const Loss& loss : before)
+    if (std::none_of(after.begin(), after.end(),
+                     [&](const Loss& left) { return left.kind == loss.kind && left.count == loss.count; }))
+      messages.push_back(loss.message(format.name));
   return messages;
 }
 

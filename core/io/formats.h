@@ -32,6 +32,8 @@ class ScopedFormat {
 // By id, or by the extension of a path (case-insensitive, before any .gz); null if there is none.
 const Format* find_format(std::string_view id);
 const Format* format_of_extension(const std::filesystem::path& path);
+// That of a file to be written; a pipe or device (is_stream) gets the format of the source where its name says none.
+const Format* format_to_write(const std::filesystem::path& path, const MeshFile& source);
 // Whether the extension belongs to a well-known mesh format that is not supported.
 bool is_unread_extension(std::string_view extension);
 
@@ -70,6 +72,10 @@ std::vector<Loss> losses_of(const MeshFile& file, const Format& format, Encoding
 Failure refusal_of_losses();
 // Warnings about the losses, and one about vertices that are written although they were removed from the mesh.
 std::vector<Message> loss_messages(const MeshFile& file, const Format& format, Encoding wanted = Encoding::automatic);
+
+// Takes away what uses vertices beside the faces and cannot be held by the format: lines and points, elements such as the
+// edges of PLY. What counts on the file then counts as on the one to be written. Returns the warnings about them.
+std::vector<Message> give_up_lost_elements(MeshFile& file, const Format& format, Encoding wanted = Encoding::automatic);
 
 // Why a file of this name cannot be written in this format (null if the extension is unknown): unknown or read-only
 // format (exit code usage, code unknown_format).

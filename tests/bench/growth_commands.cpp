@@ -40,8 +40,7 @@ class CommandList {
         add("why --op " + id + " --all", {"why", "--op", id, "--all"});
         add("why --op " + id + " --all --geometry", {"why", "--op", id, "--all", "--geometry"});
       }
-    for (const OpInfo& op : all_ops())
-      if (op.target != OpTargetKind::selection) add_edit(op);
+    for (const OpInfo& op : all_ops()) op.target == OpTargetKind::selection ? add_edit_of_points(op) : add_edit(op);
     add_writing("repair", {"repair"}, "ply");
     for (const AlgorithmRow& row : algorithm_table()) add_algorithm(row);
     for (const Format& format : formats()) add_conversions(format);
@@ -69,7 +68,18 @@ class CommandList {
     const OpTarget target{Halfedge(0), 0.5, Vertex(0), op.target == OpTargetKind::any ? Face() : Face(0)};
     const std::string line =
         op.target == OpTargetKind::none ? std::string(op.id) : command_of(mesh_, op_at(mesh_, op.id, target));
-    if (parse_line(mesh_, line).op) add_writing("edit --do " + std::string(op.id), {"edit", "--do", line}, "ply");
+    if (parse_line(mesh_, line).op) add_edit(op, line);
+  }
+
+  // On the first two or three points.
+  void add_edit_of_points(const OpInfo& op) {
+    const std::string id(op.id);
+    for (const std::string& line : {id + " 0 1", id + " 0 1 2"})
+      if (parse_line(mesh_, line).op) return add_edit(op, line);
+  }
+
+  void add_edit(const OpInfo& op, const std::string& line) {
+    add_writing("edit --do " + std::string(op.id), {"edit", "--do", line}, "ply");
   }
 
   void add_algorithm(const AlgorithmRow& row) {

@@ -39,6 +39,11 @@ TEST_F(Growth, verdicts_on_every_edge) {
   EXPECT_EQ(run_within(seconds, voxel_block(128), "why", "--op collapse --all"), 0);
 }
 
+TEST_F(Growth, remedies) {
+  EXPECT_EQ(run_within(seconds, equal_triangles(4000), "edit", "--do 'weld 0 1'"), 6);
+  EXPECT_EQ(run_within(seconds, flat_chain(4000), "why", "--op make_loop --all"), 0);  // turned it has one long cycle
+}
+
 TEST_F(Growth, repairs_at_many_copies) {
   EXPECT_EQ(run_within(seconds, equal_triangles(2000), "repair", ""), 0);
   EXPECT_EQ(run_within(seconds, book(2000), "repair", ""), 0);

@@ -1,6 +1,8 @@
 // `repair`, and the script command of the same name.
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "app/editor/session.h"
 #include "tests/support/app/process.h"
 #include "tests/support/app/program.h"
@@ -54,6 +56,31 @@ TEST(repair, keeps_all_geometry_unless_asked_and_says_what_is_left) {
   EXPECT_EQ(check["quarantined"], 1);
   EXPECT_EQ(check["hash"], report["hash"]);
   EXPECT_EQ(check["problems"].size(), report["problems"].size());
+}
+
+// OFF has no lines and OBJ no edges of its own: what only they use is isolated in the file that is written.
+TEST(repair, counts_by_what_the_format_of_the_output_can_hold) {
+  const TemporaryFolder folder;
+  const std::string lines = folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nv 6 6 6\nf 1 2 3\nl 4 5\n");
+  const std::string edges = folder.write(
+      "a.ply",
+      "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+      "property list uchar int vertex_index\nelement edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n5 5 5\n6 6 6\n3 0 1 2\n3 4\n");
+  for (const auto& [input, kept, lost, loss] : {std::tuple{lines, "o.obj", "o.off", "loses_elements"},
+                                                std::tuple{edges, "o.ply", "o.obj", "loses_extra_elements"}}) {
+    const auto repair = [&](const std::string& path, const std::string& kinds) {
+      return run_program({"repair", path, "-o", folder.at(kinds + lost), "--overwrite", "--kinds", kinds, "--json"});
+    };
+    const Json left = repair(input, "default").line();
+    EXPECT_EQ(left["problems"][0]["kind"], "isolated_vertex") << left;
+    EXPECT_EQ(left["messages"].back()["code"], loss);
+    EXPECT_EQ(run_program({"check", folder.at(std::string("default") + lost)}).exit_code, 1);
+    EXPECT_EQ((*repair_of(repair(input, "remove_isolated").line(), "remove_isolated"))["changed"], 2);
+    EXPECT_EQ(repair(folder.at(std::string("remove_isolated") + lost), "remove_isolated").line()["rounds"], 0);
+    const Json held = run_program({"repair", input, "-o", folder.at(kept), "--json"}).line();
+    EXPECT_EQ(held["problems"][0]["kind"], "boundary_loop") << held;
+  }
 }
 
 TEST(repair, vertices_that_other_things_of_the_file_use_are_not_isolated) {

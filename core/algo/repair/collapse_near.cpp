@@ -1,6 +1,7 @@
 #include "core/algo/repair/collapse_near.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "core/algo/repair/flat_faces.h"
 #include "core/mesh/circulate.h"
@@ -9,29 +10,71 @@
 
 namespace ryosen {
 
+namespace {
+
+// Grows a point by collapsing its edges to near points onto it, so that a collapse moves only the faces of the point
+// that goes: the other way round, those of a point that has taken up many would be moved again and again.
+class Growth {
+ public:
+  Growth(Edit& edit, const std::vector<Vertex>& place) : edit_(edit), m_(edit.mesh()), place_(place) {}
+
+  std::size_t grow(Vertex point) {
+    grown_ = point;
+    std::vector<Halfedge> ways, refused;
+    add_ways(point, ways);
+    std::size_t done = 0, done_before = 0;
+    do {  // what was refused may be sound once others are gone
+      done_before = done;
+      for (std::size_t i = 0; i < ways.size(); ++i) {
+        if (!m_.is_alive(ways[i]) || !is_way(ways[i])) continue;
+        take_up(ways[i], ways) ? void(++done) : refused.push_back(ways[i]);
+      }
+      ways.swap(refused);
+      refused.clear();
+    } while (done > done_before && !ways.empty());
+    return done;
+  }
+
+ private:
+  bool is_way(Halfedge h) const {
+    const Vertex end = point(m_, m_.to(h));
+    return grown_ < end && place_[end.index] == place_[grown_.index];
+  }
+
+  void add_ways(Vertex from, std::vector<Halfedge>& ways) const {
+    for_each_copy(m_, from, [&](Vertex copy) {
+      if (m_.is_isolated(copy)) return;
+      for (Halfedge h : outgoing(m_, copy))
+        if (is_way(h)) ways.push_back(h);
+    });
+  }
+
+  // Collapses the end of a way onto the point, whose further ways are those of the end.
+  bool take_up(Halfedge way, std::vector<Halfedge>& ways) {
+    if (!collapses_soundly(m_, twin(way))) return false;
+    const std::size_t first = ways.size();
+    add_ways(m_.to(way), ways);
+    CollapseEdge{twin(way), CollapseEdge::Place::end}.apply(edit_);
+    ways.erase(std::remove_if(ways.begin() + static_cast<std::ptrdiff_t>(first), ways.end(),
+                              [&](Halfedge h) { return !m_.is_alive(h); }),
+               ways.end());
+    return true;
+  }
+
+  Edit& edit_;
+  const Mesh& m_;
+  const std::vector<Vertex>& place_;
+  Vertex grown_;
+};
+
+}  // namespace
+
 std::size_t collapse_near(Edit& edit, const NearPoints& near, Progress& progress) {
   const Mesh& m = edit.mesh();
-  const std::vector<Vertex>& place = near.first;
+  Growth growth(edit, near.first);
   std::size_t done = 0;
-  const auto is_near = [&](Vertex a, Vertex b) { return place[a.index] == place[b.index]; };
-  for (std::uint32_t i = m.vertex_slots(); i-- > 0;) {
-    const Vertex p(i);
-    if (!progress.go_on(m.vertex_slots() - i, m.vertex_slots())) return done;
-    if (i >= place.size() || !place[i] || place[i] == p || !m.is_alive(p)) continue;
-    std::vector<std::pair<Vertex, Halfedge>> ways;
-    for_each_copy(m, p, [&](Vertex copy) {
-      if (m.is_isolated(copy)) return;
-      for (Halfedge h : outgoing(m, copy))
-        if (const Vertex end = point(m, m.to(h)); end < p && is_near(p, end)) ways.emplace_back(end, h);
-    });
-    std::sort(ways.begin(), ways.end());
-    for (const auto& [end, h] : ways) {
-      if (!collapses_soundly(m, h)) continue;
-      CollapseEdge{h, CollapseEdge::Place::end}.apply(edit);
-      ++done;
-      break;
-    }
-  }
+  for (std::uint32_t i = 0; i < m.vertex_slots() && progress.go_on(i, m.vertex_slots()); ++i)
+    if (const Vertex p(i); m.is_alive(p) && point(m, p) == p) done += growth.grow(p);
   return done;
 }
 

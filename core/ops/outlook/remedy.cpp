@@ -71,12 +71,23 @@ bool outlasts(std::size_t steps, const Mesh& m, const AnyOp& op, Halfedge h, Kno
          has_more_sheets(2 * steps + 1, m, m.to(h), {}, known);
 }
 
-// Whether these steps will not help: the operator is refused for the faces at its own edge and they will stay, or more
-// triangles have the same third vertex than can be deleted, one in a step.
+// How many faces stand in the way that a step takes away or divides one at a time: triangles with the same third vertex,
+// and what two points to be welded have in common.
+std::size_t single_obstacles(const AnyOp& op, const Verdict& verdict) {
+  std::vector<Element> faces;
+  std::size_t same_apexes = 0;
+  for (const Reason& reason : verdict.reasons) {
+    same_apexes += reason.rule == Rule::same_apex;
+    if (reason.rule == Rule::common_face && std::holds_alternative<Weld>(op)) faces.push_back(reason.witnesses[0]);
+  }
+  sort_unique(faces);
+  return same_apexes + faces.size();
+}
+
+// Whether these steps will not help: there are more single obstacles, or the operator is refused for the faces at its own
+// edge and they will stay.
 bool is_hopeless(std::size_t steps, const Mesh& m, const AnyOp& op, const Verdict& verdict, KnownSheets& known) {
-  const auto is_same_apex = [](const Reason& reason) { return reason.rule == Rule::same_apex; };
-  const auto same_apexes = std::count_if(verdict.reasons.begin(), verdict.reasons.end(), is_same_apex);
-  if (static_cast<std::size_t>(same_apexes) > steps) return true;
+  if (single_obstacles(op, verdict) > steps) return true;
   const Halfedge h = halfedge_of(op);
   if (!is_there(m, h)) return false;
   const std::vector<PointPair> refused = edges_with_many_faces(m, verdict);
@@ -139,6 +150,12 @@ struct Question {
     const std::string suffix = "@f" + std::to_string(face.index);
     const std::vector<std::string_view> words = split_words(plain);
     return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return word.ends_with(suffix); });
+  }
+
+  // Misoriented strips that are turned may have one long cycle where there were many.
+  bool reaches_further(const Mesh& mesh) const {
+    const std::optional<AnyOp> op = in(mesh);
+    return op && ryosen::reaches_further(mesh, *op, most_reached);
   }
 
   std::optional<std::size_t> reasons_against(const Mesh& mesh) const {
@@ -254,7 +271,8 @@ std::vector<std::string> RemedySearch::find(const std::string& line) {
   const Question question{line, names_a_slot(line) ? command_of(mesh_, *asked.op) : line};
   const bool may_turn = std::any_of(verdict.reasons.begin(), verdict.reasons.end(),
                                     [&](const Reason& reason) { return is_beside_misoriented_edge(reason); });
-  Mesh* const turned = may_turn ? oriented() : nullptr;
+  Mesh* turned = may_turn ? oriented() : nullptr;
+  if (turned && question.reaches_further(*turned)) turned = nullptr;
   if (turned && question.reasons_against(*turned) == 0u) return {"orient"};
   std::vector<std::string> steps = find_local_steps(mesh_, question, longest_remedy, sheets_);
   if (!steps.empty() || !turned) return steps;

@@ -16,13 +16,13 @@ bool unite_plainly(const Mesh& m, Halfedge h, LocalFacts& known) {
   const bool left_is_larger = known.corner_count(m, f) > known.corner_count(m, g);
   const Halfedge side = left_is_larger ? twin(h) : h;  // of the smaller face
   const Face larger = m.face(twin(side));
-  std::vector<std::uint32_t> others;
+  std::vector<std::uint32_t> united{m.from(side).index, m.to(side).index};  // corners of both, as many as are looked at
   for (Halfedge corner = m.next(m.next(side)); corner != side; corner = m.next(corner)) {
     if (touches(m, larger, m.from(corner))) return false;
-    others.push_back(m.from(corner).index);
+    united.push_back(m.from(corner).index);
   }
   const std::uint32_t corners_after = known.corner_count(m, f) + known.corner_count(m, g) - 2;
-  return !any_of_copies(m, loneliest_point(m, others), [&](Vertex copy) {
+  return !any_of_copies(m, loneliest_point(m, united), [&](Vertex copy) {
     for (Face third : faces_around(m, copy))
       if (third && third != f && third != g && known.corner_count(m, third) >= corners_after) return true;
     return false;

@@ -29,6 +29,8 @@ constexpr std::array families{
     UglyFamily{"apex_soup", "loose triangles that touch at one place", apex_soup},
     UglyFamily{"comb", "holes in a strip", comb_of_holes},
     UglyFamily{"slivers", "thin triangles around one corner", sliver_fan},
+    UglyFamily{"flat_chain", "flat triangles in a row", flat_chain},
+    UglyFamily{"spokes", "triangles between a point and a line, and flat ones on it", spokes_on_a_line},
     UglyFamily{"grid", "triangles of a regular grid", clean_grid},
 };
 
@@ -124,6 +126,23 @@ IndexedMesh sliver_fan(std::uint32_t n) {
   mesh.positions.push_back({0, 0, 0});
   for (std::uint32_t i = 0; i <= n; ++i) mesh.positions.push_back({1, 1e-6 * i, 0});
   for (std::uint32_t i = 0; i < n; ++i) add_polygon(mesh, {0, 1 + i, 2 + i});
+  return mesh;
+}
+
+IndexedMesh flat_chain(std::uint32_t n) {
+  IndexedMesh mesh;
+  for (std::uint32_t i = 0; i < n + 2; ++i) mesh.positions.push_back({i, 0, 0});
+  for (std::uint32_t i = 0; i < n; ++i) add_polygon(mesh, {i, i + 1, i + 2});
+  return mesh;
+}
+
+IndexedMesh spokes_on_a_line(std::uint32_t n) {
+  IndexedMesh mesh;
+  const std::uint32_t points = 2 * n / 3 + 1;
+  for (std::uint32_t i = 0; i < points; ++i) mesh.positions.push_back({i, 0, 0});
+  mesh.positions.push_back({0, 1, 0});
+  for (std::uint32_t i = 0; i + 1 < points; ++i) add_polygon(mesh, {i, i + 1, points});
+  for (std::uint32_t i = 0; i + 2 < points; i += 2) add_polygon(mesh, {i, i + 2, i + 1});
   return mesh;
 }
 

@@ -34,6 +34,10 @@ IndexedMesh apex_soup(std::uint32_t n);
 IndexedMesh comb_of_holes(std::uint32_t n);
 // n long and very thin triangles around one corner, in a plane.
 IndexedMesh sliver_fan(std::uint32_t n);
+// n triangles on a line, each on three points in a row, so that neighbours disagree in direction.
+IndexedMesh flat_chain(std::uint32_t n);
+// About n triangles: those between an apex and a line of points, and flat ones on every second three of these.
+IndexedMesh spokes_on_a_line(std::uint32_t n);
 // About n triangles of a regular grid.
 IndexedMesh clean_grid(std::uint32_t n);
 

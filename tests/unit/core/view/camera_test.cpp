@@ -133,7 +133,9 @@ TEST(camera, zoom_keeps_its_point_in_the_view_and_never_goes_through_it) {
       EXPECT_NEAR(glm::length(pixel_of(closer, fixed) - pixel), 0, 1e-6);
       EXPECT_NEAR(units_per_pixel(closer, view, depth_of(closer, fixed)) * 1.15,
                   units_per_pixel(camera, view, depth_of(camera, fixed)), 1e-12);
-      if (!ortho) EXPECT_NEAR(depth_of(closer, fixed) * 1.15, depth_of(camera, fixed), 1e-12);
+      if (!ortho) {
+        EXPECT_NEAR(depth_of(closer, fixed) * 1.15, depth_of(camera, fixed), 1e-12);
+      }
       EXPECT_GT(depth_of(closer, fixed), 0);
       camera = closer;
     }

@@ -42,6 +42,19 @@ TEST(remedy, makes_the_operator_legal) {
   expect_remedy_works({{0, 1, 2}, {0, 1, 3}}, "swap 0-1@f0");
 }
 
+// The points 0 and 1 are corners of each face, which a step divides.
+TEST(remedy, there_is_none_where_more_faces_hold_both_points_than_it_has_steps) {
+  const auto faces = [](std::uint32_t count) {
+    Polygons all;
+    for (std::uint32_t i = 0; i < count; ++i) all.push_back({0, 4 * i + 2, 4 * i + 3, 1, 4 * i + 4, 4 * i + 5});
+    return all;
+  };
+  Mesh mesh = make_mesh(faces(3));
+  EXPECT_EQ(RemedySearch(mesh).find("weld 0 1").size(), 3u);
+  mesh = make_mesh(faces(5));
+  EXPECT_TRUE(RemedySearch(mesh).find("weld 0 1").empty());
+}
+
 std::vector<std::string> remedy_for(Polygons faces, const std::string& line) {
   Mesh mesh = make_mesh(faces);
   return RemedySearch(mesh).find(line);

@@ -15,6 +15,7 @@ struct Glfw {
   decltype(&glfwGetCursorPos) get_cursor_pos = nullptr;
   decltype(&glfwGetError) get_error = nullptr;
   decltype(&glfwGetFramebufferSize) get_framebuffer_size = nullptr;
+  decltype(&glfwGetKey) get_key = nullptr;
   decltype(&glfwGetProcAddress) get_proc_address = nullptr;
   decltype(&glfwGetTime) get_time = nullptr;
   decltype(&glfwGetWindowContentScale) get_window_content_scale = nullptr;

@@ -8,8 +8,8 @@
 #include "app/editor/keys.h"
 #include "app/glfw.h"
 #include "app/ui/gui.h"
-#include "app/ui/mouse.h"
 #include "app/ui/viewport.h"
+#include "app/ui/window_input.h"
 #include "app/window_keys.h"
 #include "render/canvas.h"
 #include "render/context/context.h"
@@ -82,10 +82,19 @@ class GlfwWindow {
     const Size pixels = size();
     return {x * pixels.width / std::max(width, 1), y * pixels.height / std::max(height, 1)};
   }
-  glm::dvec2 pointer() const {
+  Pointer pointer() const {
     double x = 0, y = 0;
     glfw().get_cursor_pos(handle_, &x, &y);
-    return to_pixels(x, y);
+    return pointer_at(to_pixels(x, y));
+  }
+  Pointer pointer_at(glm::dvec2 pixel) const {
+    const auto holds = [&](int left, int right) {
+      return glfw().get_key(handle_, left) == GLFW_PRESS || glfw().get_key(handle_, right) == GLFW_PRESS;
+    };
+    const Modifiers modifiers{holds(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+                              holds(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
+                              holds(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)};
+    return {pixel, modifiers, glfw().get_time()};
   }
 
  private:
@@ -155,7 +164,7 @@ class Editor {
     glfw().set_framebuffer_size_callback(w, [](GLFWwindow* x, int, int) { of(x).resize(); });
     glfw().set_window_content_scale_callback(w, [](GLFWwindow* x, float, float) { of(x).resize(); });
     glfw().set_window_focus_callback(w, [](GLFWwindow* x, int focused) {
-      if (!focused && !of(x).is_working_) of(x).mouse_.let_go();
+      if (!focused && !of(x).is_working_) of(x).input_.let_go();
     });
     glfw().set_window_refresh_callback(w, [](GLFWwindow* x) { of(x).must_present_ = true; });
     glfw().set_window_close_callback(w, [](GLFWwindow* x) {
@@ -164,15 +173,15 @@ class Editor {
     });
     glfw().set_cursor_pos_callback(w, [](GLFWwindow* x, double px, double py) {
       const glm::dvec2 pixel = of(x).window_.to_pixels(px, py);
-      of(x).is_working_ ? of(x).gui_.pointer(pixel) : of(x).mouse_.move(pixel, of(x).window_.size());
+      of(x).is_working_ ? of(x).gui_.pointer(pixel) : of(x).input_.move(of(x).window_.pointer_at(pixel));
     });
     glfw().set_cursor_enter_callback(w, [](GLFWwindow* x, int entered) {
-      if (!entered && !of(x).is_working_) of(x).mouse_.leave();
+      if (!entered && !of(x).is_working_) of(x).input_.leave();
     });
     glfw().set_mouse_button_callback(
-        w, [](GLFWwindow* x, int button, int action, int mods) { of(x).button(button, action == GLFW_PRESS, mods); });
+        w, [](GLFWwindow* x, int button, int action, int) { of(x).button(button, action == GLFW_PRESS); });
     glfw().set_scroll_callback(w, [](GLFWwindow* x, double, double steps) {
-      if (!of(x).is_working_) of(x).mouse_.wheel(steps, of(x).window_.pointer(), of(x).window_.size());
+      if (!of(x).is_working_) of(x).input_.wheel(steps, of(x).window_.pointer());
     });
     glfw().set_key_callback(w, [](GLFWwindow* x, int key, int, int action, int mods) { of(x).key(key, action, mods); });
     glfw().set_char_callback(w, [](GLFWwindow* x, unsigned code) {
@@ -190,29 +199,26 @@ class Editor {
     canvas_->resize(size);
     gui_.set_scale(window_.scale());
     gui_.place_view(session_, size);
+    input_.resize(size);
   }
 
-  void button(int number, bool is_down, int modifiers) {
+  void button(int number, bool is_down) {
     if (number > GLFW_MOUSE_BUTTON_MIDDLE) return;
     if (is_working_) return gui_.button(number, is_down);
     const auto which = static_cast<MouseButton>(number);  // GLFW's order
     if (is_down)
-      mouse_.press(which, window_.pointer(), {(modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0},
-                   window_.size());
+      input_.press(which, window_.pointer());
     else
-      mouse_.release(which, window_.pointer(), glfw().get_time(), window_.size());
+      input_.release(which, window_.pointer());
   }
 
   void key(int key, int action, int modifiers) {
     if (is_working_ && key == GLFW_KEY_ESCAPE && action == GLFW_PRESS) cancel_work();
     if (is_working_ && action != GLFW_RELEASE) return;
-    gui_.modifiers((modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0);
-    if (const int edits = imgui_key_of_glfw(key); edits >= 0) gui_.key(edits, action != GLFW_RELEASE);
-    if (action == GLFW_RELEASE) return;
-    const auto row = find_key(chord_of_glfw(key, modifiers));
-    if (!row || ((gui_.owns_keys() || !session_.open_panel.empty()) && !row->acts_always)) return;
-    gui_.run(session_, row->command);
-    mouse_.point(window_.pointer(), window_.size());
+    const std::string chord = chord_of_glfw(key, modifiers);
+    if (action == GLFW_RELEASE) return input_.key_up(chord);
+    input_.key_down(chord);
+    input_.point(window_.pointer().pixel);
   }
 
   void cancel_work() { is_cancelled_ = true; }
@@ -240,7 +246,7 @@ class Editor {
   // After an operation with progress display: the window may have been resized and buttons released.
   void end_work() {
     is_working_ = false;
-    mouse_.let_go();
+    input_.let_go();
     resize();
   }
 
@@ -301,7 +307,7 @@ class Editor {
   std::unique_ptr<Viewport> viewport_;
   std::unique_ptr<Canvas> canvas_;
   Gui gui_;
-  Mouse mouse_{gui_, session_};
+  WindowInput input_{gui_, session_};
   Autosave autosave_{recovery_folder()};
   std::string title_;
   std::ofstream log_;

@@ -1,7 +1,5 @@
 #include "app/window_keys.h"
 
-#include <imgui.h>
-
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -27,6 +25,23 @@ std::string name_of_key(int key) {
       return "Down";
     case GLFW_KEY_HOME:
       return "Home";
+    case GLFW_KEY_END:
+      return "End";
+    case GLFW_KEY_PAGE_UP:
+      return "PageUp";
+    case GLFW_KEY_PAGE_DOWN:
+      return "PageDown";
+    case GLFW_KEY_TAB:
+      return "Tab";
+    case GLFW_KEY_SPACE:
+      return "Space";
+    case GLFW_KEY_DELETE:
+      return "Delete";
+    case GLFW_KEY_BACKSPACE:
+      return "Backspace";
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+      return "Enter";
     case GLFW_KEY_PERIOD:
     case GLFW_KEY_KP_DECIMAL:
       return ".";
@@ -45,46 +60,6 @@ std::string chord_of_glfw(int key, int modifiers) {
   if ((modifiers & GLFW_MOD_ALT) != 0) chord += "Alt+";
   if ((modifiers & GLFW_MOD_SHIFT) != 0) chord += "Shift+";
   return chord + name;
-}
-
-int imgui_key_of_glfw(int key) {
-  switch (key) {
-    case GLFW_KEY_TAB:
-      return ImGuiKey_Tab;
-    case GLFW_KEY_LEFT:
-      return ImGuiKey_LeftArrow;
-    case GLFW_KEY_RIGHT:
-      return ImGuiKey_RightArrow;
-    case GLFW_KEY_UP:
-      return ImGuiKey_UpArrow;
-    case GLFW_KEY_DOWN:
-      return ImGuiKey_DownArrow;
-    case GLFW_KEY_HOME:
-      return ImGuiKey_Home;
-    case GLFW_KEY_END:
-      return ImGuiKey_End;
-    case GLFW_KEY_DELETE:
-      return ImGuiKey_Delete;
-    case GLFW_KEY_BACKSPACE:
-      return ImGuiKey_Backspace;
-    case GLFW_KEY_ENTER:
-    case GLFW_KEY_KP_ENTER:
-      return ImGuiKey_Enter;
-    case GLFW_KEY_ESCAPE:
-      return ImGuiKey_Escape;
-    case GLFW_KEY_A:
-      return ImGuiKey_A;
-    case GLFW_KEY_C:
-      return ImGuiKey_C;
-    case GLFW_KEY_V:
-      return ImGuiKey_V;
-    case GLFW_KEY_X:
-      return ImGuiKey_X;
-    case GLFW_KEY_Z:
-      return ImGuiKey_Z;
-    default:
-      return -1;
-  }
 }
 
 }  // namespace ryosen

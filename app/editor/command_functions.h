@@ -25,11 +25,14 @@ FaultOfCommand fault_of_repair;
 // What the pointer does: commands_pointing.cpp
 RunCommand run_select, run_walk, run_tool, run_mode, run_click;
 FaultOfCommand fault_of_select;
+// Events of mouse and keyboard: commands_input.cpp
+RunCommand run_press, run_move, run_release, run_wheel, run_type, run_key;
+FaultOfCommand fault_of_move, fault_of_key;
+std::string sent_by_move(Words arguments), sent_by_key(Words arguments);
 // What is seen: view_switches.cpp, commands_view.cpp
 CommandRow row_of(const ViewSwitch& row);
 RunCommand run_camera, run_view, run_frame, run_drag, run_show;
 // The user interface: commands_window.cpp
-RunCommand run_panel, run_values, run_language, run_cancel, run_key, run_quit;
-std::string sent_by_key(Words arguments);
+RunCommand run_panel, run_values, run_language, run_cancel, run_quit;
 
 }  // namespace ryosen

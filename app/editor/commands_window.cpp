@@ -66,20 +66,6 @@ Outcome run_cancel(Session& session, Words arguments, std::string_view) {
   return session.run("select none");
 }
 
-std::string sent_by_key(Words arguments) {
-  const auto key = arguments.size() == 1 ? find_key(arguments[0]) : std::nullopt;
-  return key ? key->command : std::string();
-}
-
-Outcome run_key(Session& session, Words arguments, std::string_view) {
-  if (arguments.size() != 1) return wrong_arguments("key");
-  const auto key = find_key(arguments[0]);
-  if (!key)
-    return usage_error("no key '" + std::string(arguments[0]) + "' (see ryosen keys)",
-                       "キー「" + std::string(arguments[0]) + "」はありません（ryosen keys を参照）");
-  return session.run(key->command);
-}
-
 Outcome run_quit(Session& session, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("quit");
   if (session.quit) session.quit();

@@ -5,11 +5,11 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
+#include "app/editor/input.h"
+
 namespace ryosen {
 
 class Session;
-
-enum class MouseButton { left, right, middle };  // as numbered by GLFW and ImGui
 
 // A click is a press and a release within this distance.
 inline constexpr double click_reach_px = 4;
@@ -24,9 +24,6 @@ enum class OrbitAbout { point, centre };
 // target. Pixels are window pixels; the view may be anywhere in it.
 class Navigation {
  public:
-  struct Modifiers {
-    bool shift = false, ctrl = false;
-  };
   struct Click {
     glm::dvec2 pixel;
     bool is_double;  // the second of two within 0.4 s at about the same place

@@ -6,6 +6,7 @@
 
 #include "app/editor/autosave.h"
 #include "app/editor/commands.h"
+#include "app/editor/view_input.h"
 #include "app/editor/words.h"
 #include "core/base/out_of_memory.h"
 #include "core/io/elements.h"
@@ -328,6 +329,12 @@ std::optional<Picked> Session::pick(glm::dvec2 pixel, PickMode what) {
   if (inside.x < 0 || inside.y < 0 || inside.x >= view.width || inside.y >= view.height) return std::nullopt;
   if (preparation_) return std::nullopt;
   return picker().pick(mesh(), camera, view, inside, what);
+}
+
+Input& Session::input() {
+  if (frontend_input) return *frontend_input;
+  if (!view_input_) view_input_ = std::make_unique<ViewInput>(*this);
+  return *view_input_;
 }
 
 Picker& Session::picker() {

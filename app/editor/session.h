@@ -78,6 +78,9 @@ class Session {
       RunFiles::Policy::by_kind};  // asked before a command writes; another policy is set by whoever runs scripts
   // Renders a picture of the session; set by a frontend that can draw. Commands that need it fail if unset.
   std::function<Status(const std::filesystem::path&)> take_picture;
+  // Where the events of scripts go: to what a frontend with panels has set, else to the view alone.
+  Input& input();
+  Input* frontend_input = nullptr;
   // Progress reports of long operations, may cancel them; set by the frontend.
   Progress::Report on_progress;
   // Ends the session; set by the window.
@@ -177,6 +180,7 @@ class Session {
   std::string remedy_line_;
   std::uint64_t remedy_revision_ = 0;
   DrawnChanges drawn_changes_;
+  std::unique_ptr<Input> view_input_;         // made when it is asked for
   std::unique_ptr<Preparation> preparation_;  // reads what stands above, so that it ends first
 };
 

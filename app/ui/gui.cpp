@@ -217,6 +217,12 @@ void Gui::character(unsigned code) {
   ImGui::GetIO().AddInputCharacter(code);
 }
 
+void Gui::text(const std::string& utf8) {
+  state_.unsettle();
+  ImGui::SetCurrentContext(imgui_);
+  ImGui::GetIO().AddInputCharactersUTF8(utf8.c_str());
+}
+
 void Gui::key(int imgui_key, bool is_down) {
   state_.unsettle();
   ImGui::SetCurrentContext(imgui_);

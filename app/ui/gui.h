@@ -51,6 +51,7 @@ class Gui {
   void button(int number, bool is_down);
   void wheel(double steps);
   void character(unsigned code);
+  void text(const std::string& utf8);
   void key(int imgui_key, bool is_down);
   void modifiers(bool shift, bool ctrl);
   // Whether the panels own a pixel, or keyboard input.

@@ -1,6 +1,7 @@
 #include "app/ui/headless.h"
 
 #include "app/ui/gui.h"
+#include "app/ui/window_input.h"
 #include "render/canvas.h"
 
 namespace ryosen {
@@ -8,6 +9,7 @@ namespace ryosen {
 struct Headless::Window {
   Gui gui{1};
   std::unique_ptr<Canvas> canvas;
+  std::unique_ptr<WindowInput> input;
 };
 
 Headless::Headless(const Options& options, std::unique_ptr<Context> context)
@@ -46,11 +48,24 @@ Result<std::unique_ptr<Headless>> Headless::make(const Options& options, std::ui
   return made;
 }
 
-void Headless::place_view(Session& session) const {
+void Headless::place_view(Session& session) {
   session.view = options_.size;
   session.view_origin = {0, 0};
-  if (window_) window_->gui.place_view(session, options_.size);
+  if (window_) {
+    window_->gui.place_view(session, options_.size);
+    window_->input = std::make_unique<WindowInput>(window_->gui, session, [this, &session] { lay_out(session); });
+    window_->input->resize(options_.size);
+    session.frontend_input = window_->input.get();
+    lay_out(session);
+  }
   session.frame_all();
+}
+
+void Headless::lay_out(Session& session) {
+  constexpr int to_settle = 3;  // frames that a panel may need
+  if (window_->gui.is_laying_out()) return;
+  if (window_->gui.prepare(session)) window_->canvas->set_fonts(window_->gui.fonts());
+  for (int i = 0; i < to_settle || window_->gui.wants_frames(); ++i) window_->gui.frame(session, options_.size, 0.02);
 }
 
 Image Headless::picture(Session& session) {
@@ -59,8 +74,7 @@ Image Headless::picture(Session& session) {
     viewport_->draw();
     return viewport_->view().read_pixels();
   }
-  if (window_->gui.prepare(session)) window_->canvas->set_fonts(window_->gui.fonts());
-  for (int i = 0; i < 3; ++i) window_->gui.frame(session, options_.size, 1);
+  lay_out(session);
   viewport_->follow(session);
   const PixelRect area = window_->gui.view_area(options_.size);
   window_->canvas->compose(viewport_->view(), area.x0, area.y0, window_->gui.draw_data());

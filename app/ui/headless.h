@@ -28,8 +28,9 @@ class Headless {
   ~Headless();
 
   // Sets the session's view to its area in the picture and fits the mesh into it. Pixels of pick, click and hover then
-  // refer to the picture.
-  void place_view(Session& session) const;
+  // refer to the picture, and with panels its events go to these too, as in a window. The session must outlive this, or
+  // be placed elsewhere.
+  void place_view(Session& session);
   Image picture(Session& session);
   // The id image of the last picture, in pixels of the view.
   IdImage read_ids() { return viewport_->view().read_ids(); }
@@ -41,6 +42,8 @@ class Headless {
   struct Window;  // the editor around the view
 
   Headless(const Options& options, std::unique_ptr<Context> context);
+  // As many frames of the panels as they need.
+  void lay_out(Session& session);
 
   Options options_;
   std::unique_ptr<Context> context_;

@@ -22,7 +22,7 @@ std::unique_ptr<Session> torus() {
 double distance_to_target(const Session& session) { return glm::length(session.camera.eye - session.camera.target); }
 
 // A press, a move by (40, 20), a release. Returns the camera before.
-Camera drag(Session& session, MouseButton button, Navigation::Modifiers modifiers = {}) {
+Camera drag(Session& session, MouseButton button, Modifiers modifiers = {}) {
   Navigation navigation;
   const Camera before = session.camera;
   navigation.press(button, middle, modifiers);

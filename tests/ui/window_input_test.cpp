@@ -1,4 +1,4 @@
-#include "app/ui/mouse.h"
+#include "app/ui/window_input.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
@@ -14,18 +14,19 @@ using test::window;
 
 constexpr glm::dvec2 in_view{640, 560}, on_panel{100, 90};  // on a face of the torus; on a row of the tools
 
-class MouseTest : public testing::Test {
+class WindowInputTest : public testing::Test {
  protected:
+  void SetUp() override { input_.resize(window); }
   void frames(int n) { laid_.frames(n); }
-  void press(glm::dvec2 pixel, MouseButton button = MouseButton::left) { mouse_.press(button, pixel, {}, window); }
+  void press(glm::dvec2 pixel, MouseButton button = MouseButton::left) { input_.press(button, {pixel}); }
   void release(glm::dvec2 pixel, MouseButton button = MouseButton::left) {
-    mouse_.release(button, pixel, now_s_ += 0.1, window);
+    input_.release(button, {pixel, {}, now_s_ += 0.1});
   }
   // Whether the view turns when the pointer moves.
   bool moves_view() {
     const glm::dvec3 before = session_.camera.eye;
-    mouse_.move(in_view + glm::dvec2(60, 0), window);
-    mouse_.move(in_view + glm::dvec2(120, 0), window);
+    input_.move({in_view + glm::dvec2(60, 0)});
+    input_.move({in_view + glm::dvec2(120, 0)});
     return session_.camera.eye != before;
   }
   bool gui_has_a_button() {
@@ -37,12 +38,12 @@ class MouseTest : public testing::Test {
   test::Laid laid_{"torus.off"};
   Session& session_ = laid_.session;
   Gui& gui_ = laid_.gui;
-  Mouse mouse_{gui_, session_};
+  WindowInput input_{gui_, session_};
   double now_s_ = 1;
 };
 
-TEST_F(MouseTest, a_press_on_a_panel_that_ends_over_the_view) {
-  mouse_.move(on_panel, window);
+TEST_F(WindowInputTest, a_press_on_a_panel_that_ends_over_the_view) {
+  input_.move({on_panel});
   press(on_panel);
   EXPECT_TRUE(gui_has_a_button());
   EXPECT_FALSE(moves_view());
@@ -52,61 +53,61 @@ TEST_F(MouseTest, a_press_on_a_panel_that_ends_over_the_view) {
   EXPECT_TRUE(session_.selection.empty()) << "no click";
 }
 
-TEST_F(MouseTest, a_press_in_the_view_that_ends_over_a_panel) {
-  mouse_.move(in_view, window);
+TEST_F(WindowInputTest, a_press_in_the_view_that_ends_over_a_panel) {
+  input_.move({in_view});
   press(in_view);
   EXPECT_TRUE(moves_view());
-  mouse_.move(on_panel, window);
+  input_.move({on_panel});
   release(on_panel);
-  EXPECT_FALSE(mouse_.is_dragging());
+  EXPECT_FALSE(input_.is_dragging());
   EXPECT_FALSE(moves_view());
   EXPECT_FALSE(gui_has_a_button());
   EXPECT_EQ(session_.tool, "") << "the panel was not clicked";
 }
 
-TEST_F(MouseTest, a_press_on_a_panel_during_a_drag_is_released_too) {
+TEST_F(WindowInputTest, a_press_on_a_panel_during_a_drag_is_released_too) {
   press(in_view, MouseButton::right);
-  mouse_.move(on_panel, window);
+  input_.move({on_panel});
   press(on_panel);
   EXPECT_TRUE(gui_has_a_button());
   release(on_panel);
   EXPECT_FALSE(gui_has_a_button());
-  EXPECT_TRUE(mouse_.is_dragging());
+  EXPECT_TRUE(input_.is_dragging());
   release(on_panel, MouseButton::right);
-  EXPECT_FALSE(mouse_.is_dragging());
+  EXPECT_FALSE(input_.is_dragging());
 }
 
-TEST_F(MouseTest, losing_the_keyboard_ends_every_press_without_a_click) {
+TEST_F(WindowInputTest, losing_the_keyboard_ends_every_press_without_a_click) {
   press(in_view);
-  mouse_.let_go();
-  EXPECT_FALSE(mouse_.is_dragging());
+  input_.let_go();
+  EXPECT_FALSE(input_.is_dragging());
   EXPECT_FALSE(moves_view());
   release(in_view);  // the window system may still tell
   EXPECT_TRUE(session_.selection.empty());
 
-  mouse_.move(on_panel, window);
+  input_.move({on_panel});
   press(on_panel);
-  mouse_.let_go();
+  input_.let_go();
   EXPECT_FALSE(gui_has_a_button());
 }
 
-TEST_F(MouseTest, a_release_that_was_never_told_does_not_hold_the_next_press) {
+TEST_F(WindowInputTest, a_release_that_was_never_told_does_not_hold_the_next_press) {
   press(in_view);
   press(in_view + glm::dvec2(200, -200));
   release(in_view + glm::dvec2(200, -200));
-  EXPECT_FALSE(mouse_.is_dragging());
+  EXPECT_FALSE(input_.is_dragging());
 }
 
-TEST_F(MouseTest, a_panel_that_opens_during_a_press_takes_the_click) {
+TEST_F(WindowInputTest, a_panel_that_opens_during_a_press_takes_the_click) {
   press(in_view);
   ASSERT_TRUE(session_.run("panel keys").done());
   frames(2);
   release(in_view);
   EXPECT_TRUE(session_.selection.empty());
-  EXPECT_FALSE(mouse_.is_dragging());
+  EXPECT_FALSE(input_.is_dragging());
 }
 
-TEST_F(MouseTest, a_double_click_sets_the_centre_with_select_and_edits_twice_with_a_tool) {
+TEST_F(WindowInputTest, a_double_click_sets_the_centre_with_select_and_edits_twice_with_a_tool) {
   for (const char* tool : {"tool none", "tool poke"}) {
     const bool edits = std::string_view(tool) != "tool none";
     ASSERT_TRUE(session_.run(tool).done());

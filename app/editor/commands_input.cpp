@@ -1,0 +1,100 @@
+#include "app/editor/camera_text.h"
+#include "app/editor/command_functions.h"
+#include "app/editor/input.h"
+#include "app/editor/keys.h"
+#include "app/editor/view_input.h"
+#include "app/editor/words.h"
+#include "core/ops/op.h"
+
+namespace ryosen {
+
+namespace {
+
+// BUTTON X,Y [MODIFIERS]
+struct ButtonEvent {
+  MouseButton button;
+  Pointer at;
+};
+std::optional<Pointer> read_pointer(Words arguments) {
+  const auto pixel = arguments.empty() ? std::nullopt : parse_pixel(arguments[0]);
+  if (!pixel || arguments.size() > 2) return std::nullopt;
+  const auto modifiers = arguments.size() == 2 ? find_modifiers(arguments[1]) : Modifiers();
+  return modifiers ? std::optional(Pointer{*pixel, *modifiers}) : std::nullopt;
+}
+std::optional<ButtonEvent> read_button_event(Words arguments) {
+  const auto button = arguments.empty() ? std::nullopt : find_button(arguments[0]);
+  const auto at = button ? read_pointer(arguments.subspan(1)) : std::nullopt;
+  return at ? std::optional(ButtonEvent{*button, *at}) : std::nullopt;
+}
+
+// The button is that which is held, and says nothing new.
+std::optional<Pointer> read_move(Words arguments) {
+  const bool has_button = !arguments.empty() && find_button(arguments[0]);
+  return read_pointer(arguments.subspan(has_button));
+}
+
+}  // namespace
+
+Outcome run_press(Session& session, Words arguments, std::string_view) {
+  const auto event = read_button_event(arguments);
+  if (!event) return wrong_arguments("press");
+  session.input().press(event->button, event->at);
+  return {};
+}
+
+Outcome run_release(Session& session, Words arguments, std::string_view) {
+  const auto event = read_button_event(arguments);
+  if (!event) return wrong_arguments("release");
+  return session.input().release(event->button, event->at);
+}
+
+Outcome run_move(Session& session, Words arguments, std::string_view) {
+  if (const auto at = read_move(arguments)) {
+    session.input().move(*at);
+    return {};
+  }
+  const std::string sent = sent_by_move(arguments);
+  return sent.empty() ? wrong_arguments("move") : session.run(sent);
+}
+
+std::string sent_by_move(Words arguments) {
+  if (arguments.size() < 2 || read_move(arguments)) return {};
+  std::string line = "move_vertex";
+  for (const std::string_view word : arguments) line.append(" ").append(word);
+  return line;
+}
+
+std::optional<Text> fault_of_move(Words arguments, const std::string&) {
+  return read_move(arguments) ? std::nullopt : std::optional(wrong_arguments("move").sentence);
+}
+
+Outcome run_wheel(Session& session, Words arguments, std::string_view) {
+  const auto steps = arguments.empty() ? std::nullopt : parse_double(arguments[0]);
+  const auto at = steps ? read_pointer(arguments.subspan(1)) : std::nullopt;
+  if (!at) return wrong_arguments("wheel");
+  session.input().wheel(*steps, *at);
+  return {};
+}
+
+Outcome run_type(Session& session, Words arguments, std::string_view whole) {
+  if (arguments.empty()) return wrong_arguments("type");
+  return session.input().type(without_blanks(whole));
+}
+
+std::string sent_by_key(Words arguments) {
+  const auto key = arguments.size() == 1 ? find_key(arguments[0]) : std::nullopt;
+  return key ? key->command : std::string();
+}
+
+std::optional<Text> fault_of_key(Words arguments, const std::string&) {
+  if (arguments.size() != 1) return wrong_arguments("key").sentence;
+  if (find_key(arguments[0]) || is_panel_key(arguments[0])) return std::nullopt;
+  return no_such_key(arguments[0]).sentence;
+}
+
+Outcome run_key(Session& session, Words arguments, std::string_view) {
+  if (arguments.size() != 1) return wrong_arguments("key");
+  return session.input().key(std::string(arguments[0]));
+}
+
+}  // namespace ryosen

@@ -1,0 +1,67 @@
+#include "app/editor/view_input.h"
+
+#include "app/editor/commands.h"
+#include "app/editor/keys.h"
+
+namespace ryosen {
+
+void ViewInput::press(MouseButton button, const Pointer& at) { navigation_.press(button, at.pixel, at.modifiers); }
+
+Outcome ViewInput::release(MouseButton button, const Pointer& at) {
+  const auto ended = navigation_.release(button, at.pixel, at.now_s);
+  Outcome outcome;
+  // A panel may have been opened since the press.
+  if (ended && is_over_view(ended->pixel)) {
+    if (ended->is_double && session_.tool.empty())  // with a tool two quick clicks are two edits
+      set_centre(session_, ended->pixel);
+    else
+      outcome = click(ended->pixel);
+  }
+  point(at.pixel);
+  return outcome;
+}
+
+void ViewInput::move(const Pointer& at) {
+  if (navigation_.move(session_, at.pixel))
+    session_.point_away();
+  else
+    point(at.pixel);
+}
+
+void ViewInput::wheel(double steps, const Pointer& at) {
+  navigation_.wheel(session_, at.pixel, steps);
+  point(at.pixel);
+}
+
+Outcome ViewInput::key(const std::string& chord) {
+  if (const auto row = find_key(chord)) return session_.run(row->command);
+  return is_panel_key(chord) ? no_panel_for_key(chord) : no_such_key(chord);
+}
+
+Outcome ViewInput::type(std::string_view) { return no_field_to_type(); }
+
+void ViewInput::point(glm::dvec2 pixel) {
+  if (!navigation_.is_dragging() && is_over_view(pixel)) session_.point_at(pixel);
+}
+
+Outcome ViewInput::click(glm::dvec2 pixel) { return session_.click(pixel, session_.tool); }
+
+Outcome no_such_key(std::string_view chord) {
+  const std::string name(chord);
+  return usage_error("no key '" + name + "' (see ryosen keys)",
+                     "キー「" + name + "」はありません（ryosen keys を参照）");
+}
+
+Outcome no_panel_for_key(std::string_view chord) {
+  const std::string name(chord);
+  return failed(ExitCode::refused, {"the key '" + name + "' is for panels, and there are none here",
+                                    "キー「" + name + "」はパネル用ですが、ここにはパネルがありません"});
+}
+
+Outcome no_field_to_type() {
+  return failed(ExitCode::refused,
+                {"no field takes text here; click into one or open one first, such as with key F3",
+                 "文字を受け取る入力欄がありません。先に入力欄をクリックするか、key F3 などで開いてください"});
+}
+
+}  // namespace ryosen

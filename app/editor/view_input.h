@@ -1,0 +1,40 @@
+// What mouse and keyboard do to the view: they navigate, hover, click with the tool in hand, and send commands.
+#pragma once
+
+#include "app/editor/input.h"
+#include "app/editor/navigation.h"
+
+namespace ryosen {
+
+// By itself: for sessions without panels. The session must outlive it.
+class ViewInput : public Input {
+ public:
+  explicit ViewInput(Session& session) : session_(session) {}
+
+  void press(MouseButton button, const Pointer& at) override;
+  Outcome release(MouseButton button, const Pointer& at) override;
+  void move(const Pointer& at) override;
+  void wheel(double steps, const Pointer& at) override;
+  Outcome key(const std::string& chord) override;
+  Outcome type(std::string_view text) override;
+
+  // Hovers what is under the pixel, if it is one of the view.
+  void point(glm::dvec2 pixel);
+  bool is_dragging() const { return navigation_.is_dragging(); }
+
+ protected:
+  Session& session_;
+  Navigation navigation_;
+
+ private:
+  // Those of a frontend with panels take more than this.
+  virtual bool is_over_view(glm::dvec2) const { return true; }
+  virtual Outcome click(glm::dvec2 pixel);
+};
+
+// The failures of a key that is bound to nothing, of one that only panels take, and of text that no field takes.
+Outcome no_such_key(std::string_view chord);
+Outcome no_panel_for_key(std::string_view chord);
+Outcome no_field_to_type();
+
+}  // namespace ryosen

@@ -1,0 +1,123 @@
+#include "app/ui/window_input.h"
+
+#include <imgui.h>
+
+#include <utility>
+
+#include "app/editor/keys.h"
+
+namespace ryosen {
+
+namespace {
+
+constexpr std::pair<std::string_view, int> panel_keys[] = {
+    {"Tab", ImGuiKey_Tab},
+    {"Left", ImGuiKey_LeftArrow},
+    {"Right", ImGuiKey_RightArrow},
+    {"Up", ImGuiKey_UpArrow},
+    {"Down", ImGuiKey_DownArrow},
+    {"Home", ImGuiKey_Home},
+    {"End", ImGuiKey_End},
+    {"Delete", ImGuiKey_Delete},
+    {"Backspace", ImGuiKey_Backspace},
+    {"Enter", ImGuiKey_Enter},
+    {"Escape", ImGuiKey_Escape},
+    {"Space", ImGuiKey_Space},
+    {"PageUp", ImGuiKey_PageUp},
+    {"PageDown", ImGuiKey_PageDown},
+    {"A", ImGuiKey_A},
+    {"C", ImGuiKey_C},
+    {"V", ImGuiKey_V},
+    {"X", ImGuiKey_X},
+    {"Y", ImGuiKey_Y},
+    {"Z", ImGuiKey_Z},
+};
+
+// Of a key that is_panel_key, else -1.
+int panel_key_of(std::string_view chord) {
+  for (const auto& [name, key] : panel_keys)
+    if (name == key_of(chord)) return key;
+  return -1;
+}
+
+}  // namespace
+
+void WindowInput::press(MouseButton button, const Pointer& at) {
+  show_event();
+  gui_.modifiers(at.modifiers.shift, at.modifiers.ctrl);
+  if (is_over_view(at.pixel))
+    ViewInput::press(button, at);
+  else
+    gui_.button(static_cast<int>(button), true);
+  show_event();
+}
+
+Outcome WindowInput::release(MouseButton button, const Pointer& at) {
+  show_event();
+  gui_.button(static_cast<int>(button), false);
+  Outcome outcome = ViewInput::release(button, at);
+  show_event();
+  return outcome;
+}
+
+void WindowInput::move(const Pointer& at) {
+  show_event();
+  gui_.pointer(at.pixel);
+  ViewInput::move(at);
+  show_event();
+}
+
+void WindowInput::wheel(double steps, const Pointer& at) {
+  show_event();
+  if (is_over_view(at.pixel))
+    ViewInput::wheel(steps, at);
+  else
+    gui_.wheel(steps);
+  show_event();
+}
+
+Outcome WindowInput::key_down(const std::string& chord) {
+  const Modifiers modifiers = modifiers_of(chord);
+  gui_.modifiers(modifiers.shift, modifiers.ctrl);
+  if (const int key = panel_key_of(chord); key >= 0) gui_.key(key, true);
+  const auto row = find_key(chord);
+  if (!row || ((gui_.owns_keys() || !session_.open_panel.empty()) && !row->acts_always)) return {};
+  return gui_.run(session_, row->command);
+}
+
+void WindowInput::key_up(const std::string& chord) {
+  const Modifiers modifiers = modifiers_of(chord);
+  gui_.modifiers(modifiers.shift, modifiers.ctrl);
+  if (const int key = panel_key_of(chord); key >= 0) gui_.key(key, false);
+}
+
+Outcome WindowInput::key(const std::string& chord) {
+  show_event();
+  if (!find_key(chord) && !is_panel_key(chord)) return no_such_key(chord);
+  Outcome outcome = key_down(chord);
+  key_up(chord);
+  show_event();
+  gui_.modifiers(false, false);
+  return outcome;
+}
+
+Outcome WindowInput::type(std::string_view text) {
+  show_event();
+  if (!gui_.owns_keys()) return no_field_to_type();
+  gui_.text(std::string(text));
+  show_event();
+  return {};
+}
+
+void WindowInput::leave() {
+  gui_.pointer({-1e9, -1e9});
+  session_.point_away();
+}
+
+void WindowInput::let_go() {
+  navigation_.cancel();
+  for (const MouseButton button : {MouseButton::left, MouseButton::right, MouseButton::middle})
+    gui_.button(static_cast<int>(button), false);
+}
+
+}  // namespace ryosen

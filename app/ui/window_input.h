@@ -1,0 +1,50 @@
+// Mouse and keyboard in a window with panels. A press goes to what is under the pointer, the view or the panels; its
+// release goes to both, so whichever has the button releases it, wherever the pointer is by then. Keys go to a field that
+// has the keyboard, else they send commands.
+#pragma once
+
+#include <functional>
+
+#include "app/editor/view_input.h"
+#include "app/ui/gui.h"
+
+namespace ryosen {
+
+// The gui and the session must outlive it. Over a panel the last element stays hovered, so that its information there can
+// be read and clicked.
+class WindowInput : public ViewInput {
+ public:
+  // `lay_out` is for those who send events faster than frames come: panels see events in frames, one before and one behind.
+  WindowInput(Gui& gui, Session& session, std::function<void()> lay_out = {})
+      : ViewInput(session), gui_(gui), lay_out_(std::move(lay_out)) {}
+
+  void resize(Size window) { window_ = window; }
+
+  void press(MouseButton button, const Pointer& at) override;
+  Outcome release(MouseButton button, const Pointer& at) override;
+  void move(const Pointer& at) override;
+  void wheel(double steps, const Pointer& at) override;
+  Outcome key(const std::string& chord) override;
+  Outcome type(std::string_view text) override;
+
+  // The two halves of a key.
+  Outcome key_down(const std::string& chord);
+  void key_up(const std::string& chord);
+  // The pointer has left the window. A drag goes on.
+  void leave();
+  // The window has lost focus and will miss releases: ends every press, without a click.
+  void let_go();
+
+ private:
+  bool is_over_view(glm::dvec2 pixel) const override { return !gui_.owns_pointer(session_, window_, pixel); }
+  Outcome click(glm::dvec2 pixel) override { return gui_.click(session_, pixel); }
+  void show_event() const {
+    if (lay_out_) lay_out_();
+  }
+
+  Gui& gui_;
+  std::function<void()> lay_out_;
+  Size window_{1, 1};
+};
+
+}  // namespace ryosen

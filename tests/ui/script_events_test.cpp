@@ -1,0 +1,121 @@
+// Mouse and keyboard in scripts: on the view alone, and through panels as in a window.
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "app/ui/headless.h"
+#include "tests/support/app/program.h"
+#include "tests/support/app/window_size.h"
+
+namespace ryosen {
+namespace {
+
+std::unique_ptr<Session> torus() {
+  auto document = Document::open(test::asset("torus.off"));
+  EXPECT_TRUE(document);
+  return std::make_unique<Session>(std::move(document).value());
+}
+
+Outcome run(Session& session, std::initializer_list<std::string> lines) {
+  Outcome outcome;
+  for (const std::string& line : lines) {
+    outcome = session.run(line);
+    EXPECT_TRUE(outcome.done()) << line << ": " << outcome.sentence.en;
+  }
+  return outcome;
+}
+
+constexpr const char* on_torus = "640,560";
+
+TEST(script_events, on_the_view_are_drags_clicks_and_the_wheel) {
+  const auto session = torus(), other = torus();
+  session->frame_all();
+  other->frame_all();
+  run(*session, {"press left 640,560", "move 700,580", "release left 700,580"});
+  run(*other, {"drag 640,560 700,580"});
+  EXPECT_EQ(session->camera.eye, other->camera.eye);
+  EXPECT_TRUE(session->selection.empty());
+
+  const Camera turned = session->camera;
+  run(*session, {"press left 640,560 Shift", "move left 660,560 Shift", "release left 660,560"});
+  const glm::dvec3 turning = session->camera.eye - session->camera.target - (turned.eye - turned.target);
+  EXPECT_LT(glm::length(turning), 1e-12) << "panned";
+  EXPECT_NE(session->camera.eye, turned.eye);
+
+  run(*session, {"frame all", "mode face", "press left 640,560", "release left 641,560"});
+  EXPECT_EQ(session->selection.size(), 1u);
+  EXPECT_EQ(session->log().size(), 0u) << "looking and selecting are no edits";
+  const Camera before = session->camera;
+  run(*session, {"press left 640,560", "release left 640,560"});
+  EXPECT_NE(session->camera.target, before.target) << "time stands still: that was a double click";
+  run(*session, {"frame all", "wheel 2 640,560"});
+  EXPECT_EQ(session->camera.fov_y_deg, before.fov_y_deg);
+  EXPECT_NE(session->camera.eye, before.eye);
+  run(*session, {"frame all", std::string("move ") + on_torus});
+  ASSERT_TRUE(session->hover());
+}
+
+TEST(script_events, a_click_with_a_tool_edits_and_a_refused_one_says_so) {
+  const auto session = torus();
+  session->frame_all();
+  run(*session, {"tool poke", "press left 640,560", "release left 640,560"});
+  ASSERT_EQ(session->log().size(), 1u);
+  EXPECT_EQ(session->log()[0].substr(0, 5), "poke ");
+  run(*session, {"press left 3,3"});
+  EXPECT_EQ(session->run("release left 3,3").exit_code, ExitCode::found_problems) << "there is nothing";
+}
+
+TEST(script_events, say_what_is_wrong_with_them) {
+  const auto session = torus();
+  for (const char* line : {"press", "press left", "press up 3,4", "press left 3", "press left 3,4 shift", "release 3,4",
+                           "move", "move 3,4 5", "move left", "wheel 3", "wheel a 3,4", "type", "key Q"})
+    EXPECT_EQ(session->run(line).exit_code, ExitCode::usage) << line;
+  EXPECT_EQ(session->run("type abc").exit_code, ExitCode::refused);
+  EXPECT_EQ(session->run("key Enter").exit_code, ExitCode::refused);
+}
+
+TEST(script_events, move_with_a_vertex_is_the_operator) {
+  const auto session = torus();
+  run(*session, {"move 3 9,8,7"});
+  EXPECT_EQ(session->mesh().position(Vertex(3)), glm::dvec3(9, 8, 7));
+  ASSERT_EQ(session->log().size(), 1u);
+  EXPECT_EQ(session->log()[0].substr(0, 11), "move_vertex");
+}
+
+class PanelEvents : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto made = Headless::make({.backend = Backend::osmesa, .size = test::window, .panels = true});
+    ASSERT_TRUE(made);
+    headless_ = std::move(made).value();
+    headless_->place_view(*session_);
+  }
+  std::unique_ptr<Session> session_ = torus();
+  std::unique_ptr<Headless> headless_;
+};
+
+TEST_F(PanelEvents, reach_the_rows_of_panels_and_the_view_between_them) {
+  run(*session_, {"move 100,90", "press left 100,90", "release left 100,90"});
+  EXPECT_FALSE(session_->tool.empty()) << "a row of the tools";
+  const Camera before = session_->camera;
+  run(*session_, {"press left 100,90", "move 160,90", "release left 160,90", "wheel 1 100,90"});
+  EXPECT_EQ(session_->camera.eye, before.eye) << "over a panel nothing navigates";
+  run(*session_, {"press left 640,560", "move 700,580", "release left 700,580"});
+  EXPECT_NE(session_->camera.eye, before.eye);
+}
+
+TEST_F(PanelEvents, keys_and_text_go_to_a_field_that_is_open) {
+  run(*session_, {"key F3", "type poke f0", "key Enter"});
+  ASSERT_EQ(session_->log().size(), 1u);
+  EXPECT_EQ(session_->log()[0].substr(0, 7), "poke f0");
+  run(*session_, {"key F3", "type poke f1", "key Backspace", "type 2", "key Enter"});
+  EXPECT_EQ(session_->log().back().substr(0, 7), "poke f2");
+  run(*session_, {"key F3", "type C", "key C"});
+  EXPECT_TRUE(session_->tool.empty()) << "the field has the keyboard";
+  run(*session_, {"key Escape", "key C"});
+  EXPECT_EQ(session_->tool, "collapse");
+  EXPECT_EQ(session_->run("type abc").exit_code, ExitCode::refused);
+}
+
+}  // namespace
+}  // namespace ryosen

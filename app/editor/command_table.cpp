@@ -58,9 +58,10 @@ const std::vector<CommandRow>& first_rows() {
        .file = FileAccess::writes,
        .fault = no_fault},
       {.id = "select",
-       .syntax = "NAME...|none",
-       .help_en = "selects vertices, edges, faces by name",
-       .help_ja = "名前で要素を選択する",
+       .syntax = "NAME...|PROBLEM NAME|none",
+       .help_en =
+           "selects vertices, edges, faces by name, or all that a problem there is about: its loop, fans or pair",
+       .help_ja = "名前で要素を選択する。問題の種類を付けると、それに関わるループ・扇・対の全体",
        .effect = Effect::none,
        .run = run_select,
        .fault = fault_of_select},

@@ -2,6 +2,7 @@
 
 #include "app/editor/camera_text.h"
 #include "app/editor/command_syntax.h"
+#include "app/editor/fly.h"
 #include "app/editor/pick_modes.h"
 #include "app/editor/script.h"
 #include "core/mesh/find_element.h"
@@ -34,6 +35,7 @@ Outcome not_a_tool(std::string_view id) {
 
 std::optional<Text> fault_of_select(Words arguments, const std::string&) {
   if (arguments.size() == 1 && arguments[0] == "none") return std::nullopt;
+  if (arguments.size() == 2 && find_problem_row(arguments[0])) arguments = arguments.subspan(1);
   for (std::string_view name : arguments)
     if (!is_element_name(name))
       return behind("select", not_understood(name, {"the name of an element", "要素の名前を"}));
@@ -42,7 +44,9 @@ std::optional<Text> fault_of_select(Words arguments, const std::string&) {
 
 Outcome run_select(Session& session, Words arguments, std::string_view) {
   std::vector<Element> selection;
-  if (arguments.size() != 1 || arguments[0] != "none") {
+  const ProblemRow* const kind = arguments.size() == 2 ? find_problem_row(arguments[0]) : nullptr;
+  if (kind) arguments = arguments.subspan(1);
+  if (kind || arguments.size() != 1 || arguments[0] != "none") {
     for (std::string_view name : arguments) {
       const NamedElement found = find_element(session.mesh(), name);
       if (!found.element) {
@@ -52,7 +56,7 @@ Outcome run_select(Session& session, Words arguments, std::string_view) {
       selection.push_back(*found.element);
     }
   }
-  session.selection = std::move(selection);
+  session.selection = kind ? session.about(*kind, selection[0]) : std::move(selection);
   return {};
 }
 
@@ -68,6 +72,7 @@ Outcome run_walk(Session& session, Words arguments, std::string_view) {
                        : where == "prev" ? mesh.prev(h)
                        : where == "twin" ? twin(h)
                                          : mesh.counter_clockwise(h)};
+  keep_in_sight(session, session.selection[0]);
   return {};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/editor/camera_text.h"
+#include "app/editor/fly.h"
 #include "app/editor/script.h"
 #include "core/view/named_views.h"
 
@@ -35,7 +36,7 @@ Outcome run_frame(Session& session, Words arguments, std::string_view) {
   Outcome outcome;
   if (session.selection.empty())
     outcome.sentence = {"nothing is selected; the whole mesh is shown", "選択がないため、全体を表示しています"};
-  session.frame_selection();
+  fly_to(session, session.selection);
   return outcome;
 }
 

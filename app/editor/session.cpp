@@ -331,6 +331,24 @@ std::optional<Picked> Session::pick(glm::dvec2 pixel, PickMode what) {
   return picker().pick(mesh(), camera, view, inside, what);
 }
 
+std::vector<Element> Session::about(const ProblemRow& row, Element element) {
+  if (!row.is_local()) return {element};
+  const IndexSet& members = highlights().of(row.kind);
+  // Of what is several in the kernel one is a member.
+  std::vector<Element> same{element};
+  if (element.kind == Element::Kind::vertex) same = {point(mesh(), element.vertex())};
+  if (element.kind == Element::Kind::edge)
+    for (Halfedge h : sheets_between(mesh(), ends(mesh(), element.edge()).first, ends(mesh(), element.edge()).second))
+      same.emplace_back(edge(h));
+  const Element::Kind kind = row.vertex ? Element::Kind::vertex : row.edge ? Element::Kind::edge : Element::Kind::face;
+  for (const Element& e : same) {
+    if (e.kind != kind || !members.contains(e.index)) continue;
+    Neighbourhood around(mesh());
+    return ryosen::about(row, around, members, e);
+  }
+  return {element};
+}
+
 Input& Session::input() {
   if (frontend_input) return *frontend_input;
   if (!view_input_) view_input_ = std::make_unique<ViewInput>(*this);
@@ -441,23 +459,6 @@ Camera Session::framing(const Mesh& mesh, const Camera& from) const {
 }
 
 void Session::frame_all() { camera = framing(mesh(), camera); }
-
-void Session::frame_selection() {
-  std::vector<glm::dvec3> places;
-  const auto add = [&](Vertex v) { places.push_back(mesh().position(v)); };
-  for (const Element& e : selection) {
-    if (e.kind == Element::Kind::vertex) add(e.vertex());
-    if (e.kind == Element::Kind::face)
-      for (Vertex v : vertices_around(mesh(), e.face())) add(v);
-    if (e.kind == Element::Kind::edge || e.kind == Element::Kind::halfedge) {
-      const Edge at = e.kind == Element::Kind::edge ? e.edge() : edge(e.halfedge());
-      add(ends(mesh(), at).first);
-      add(ends(mesh(), at).second);
-    }
-  }
-  if (places.empty()) return frame_all();
-  camera = fitted(camera, places, static_cast<double>(view.width) / view.height, 0.3);
-}
 
 Session::DrawnChanges Session::take_drawn_changes() {
   DrawnChanges changes = std::move(drawn_changes_);

@@ -103,6 +103,9 @@ class Session {
   // The script line of an operator on them.
   std::string line_on_selection(const OpInfo& op) const;
 
+  // What a problem of this kind at an element is about; the element alone where it has none of it.
+  std::vector<Element> about(const ProblemRow& row, Element element);
+
   // The element under a pixel; none outside the view.
   std::optional<Picked> pick(glm::dvec2 pixel, PickMode what);
   Picker& picker();
@@ -133,7 +136,6 @@ class Session {
   // Calls visit(positions for framing the view): of all vertices except isolated ones, unless there are no others.
   static void with_places_to_frame(const Mesh& mesh, const std::function<void(std::span<const glm::dvec3>)>& visit);
   void frame_all();
-  void frame_selection();
 
   // An element that entered or left a highlight set, or moved while in it.
   using Marked = HighlightSets::Change;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/analysis/equal_faces.h"
+#include "core/analysis/problem_subjects.h"
 #include "core/base/count_text.h"
 #include "core/base/open_table.h"
 #include "core/geometry/is_finite.h"
@@ -119,7 +120,8 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .figure = "nonmanifold_edges",
      .figure_en = "Edges of three or more faces.",
      .figure_ja = "非多様体の稜線数。",
-     .edge = is_nonmanifold_edge},
+     .edge = is_nonmanifold_edge,
+     .about = edge_with_faces},
     {.kind = ProblemKind::nonmanifold_vertex,
      .id = "nonmanifold_vertex",
      .severity = problem,
@@ -131,7 +133,8 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .figure = "nonmanifold_vertices",
      .figure_en = "Vertices whose faces form no single fan, or where a non-manifold edge ends.",
      .figure_ja = "非多様体の頂点数。",
-     .vertex = is_nonmanifold_vertex},
+     .vertex = is_nonmanifold_vertex,
+     .about = vertex_with_fans},
     {.kind = ProblemKind::misoriented_edge,
      .id = "misoriented_edge",
      .severity = problem,
@@ -143,7 +146,8 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .figure = "misoriented_edges",
      .figure_en = "Edges whose two faces are turned against each other.",
      .figure_ja = "向きの不一致な稜線数。",
-     .edge = is_misoriented_edge},
+     .edge = is_misoriented_edge,
+     .about = edge_with_faces},
     {.kind = ProblemKind::degenerate_repeat,
      .id = "degenerate_repeat",
      .severity = problem,
@@ -180,6 +184,7 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .figure_en = "Faces with the same vertices as an earlier one.",
      .figure_ja = "重複面の数。",
      .face = has_lower_equal_face,
+     .about = equal_faces_of,
      .find_all = find_duplicate_faces},
     {.kind = ProblemKind::hanging_pair,
      .id = "hanging_pair",
@@ -192,7 +197,8 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .figure = "hanging_pairs",
      .figure_en = "Pairs of triangles back to back that hang on one edge at most.",
      .figure_ja = "縮退（背中合わせの三角形）の組の数。",
-     .face = closes_hanging_pair},
+     .face = closes_hanging_pair,
+     .about = pair_of_face},
     {.kind = ProblemKind::isolated_vertex,
      .id = "isolated_vertex",
      .severity = problem,
@@ -252,7 +258,8 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .figure = "boundary_edges",
      .figure_en = "Edges of one face.",
      .figure_ja = "境界の稜線数。",
-     .edge = is_boundary_edge},
+     .edge = is_boundary_edge,
+     .about = loop_of_edge},
     {.kind = ProblemKind::ring,
      .id = "ring",
      .severity = info,
@@ -283,6 +290,10 @@ Text ProblemRow::sentence(std::size_t count) const { return count_text(count, on
 
 std::span<const ProblemRow> problem_table() { return table.rows(); }
 const ProblemRow& row_of(ProblemKind kind) { return table.rows()[static_cast<std::size_t>(kind)]; }
+std::vector<Element> about(const ProblemRow& row, Neighbourhood& around, const IndexSet& members, Element element) {
+  return row.about ? row.about(around, members, element) : std::vector<Element>{element};
+}
+
 const ProblemRow* find_problem_row(std::string_view id) { return table.find(id); }
 
 ScopedProblem::ScopedProblem(ProblemRow row) : kind(static_cast<ProblemKind>(table.rows().size())) {

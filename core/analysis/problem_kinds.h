@@ -10,7 +10,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/analysis/index_set.h"
 #include "core/analysis/neighbourhood.h"
+#include "core/base/element.h"
 #include "core/base/enum_table.h"
 #include "core/base/message.h"
 #include "core/indexed/indexed.h"
@@ -63,12 +65,18 @@ struct ProblemRow {
   bool is_of_the_vertex = false;
   // Does not speak of vertices that a line beside the mesh uses.
   bool spares_lines = false;
+  // All elements that one of them is about, itself the first: the loop, the fans, the pair; null where it is itself alone.
+  // `members` is the set of the kind.
+  std::vector<Element> (*about)(Neighbourhood&, const IndexSet& members, Element) = nullptr;
   // Finds all at once where that is quicker than asking one by one; ascending.
   std::vector<std::uint32_t> (*find_all)(Neighbourhood&) = nullptr;
 
   bool is_local() const { return vertex || edge || face; }
   Text sentence(std::size_t count) const;
 };
+
+// Of a live element that is a member. Cost: the boundary edges for a loop, else the faces around it.
+std::vector<Element> about(const ProblemRow& row, Neighbourhood& around, const IndexSet& members, Element element);
 
 std::span<const ProblemRow> problem_table();
 const ProblemRow& row_of(ProblemKind kind);

@@ -87,7 +87,7 @@ Text why_quarantined(const PanelContext& context, Element face) {
       .value_or(Text());
 }
 
-// Selects the element and centres the view on it. Quarantined faces exist only in the file: they are told about.
+// Selects what the problem is about and flies there. Quarantined faces exist only in the file: they are told about.
 void go_to(PanelContext& context, const ProblemRow& row, Element element) {
   if (row.quarantined) {
     Outcome told;
@@ -95,7 +95,7 @@ void go_to(PanelContext& context, const ProblemRow& row, Element element) {
     context.keep(std::move(told));
     return;
   }
-  context.run("select " + name_to_select(context.session.mesh(), element));
+  context.run("select " + std::string(row.id) + " " + name_to_select(context.session.mesh(), element));
   if (!context.session.selection.empty()) context.run("frame selected");
 }
 

@@ -1,0 +1,207 @@
+#include "app/editor/fly.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+
+#include "core/geometry/polygon_normal.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/mesh/face_polygon.h"
+
+namespace ryosen {
+
+namespace {
+
+std::vector<Vertex> vertices_of(const Mesh& m, const Element& e) {
+  switch (e.kind) {
+    case Element::Kind::vertex:
+      return {e.vertex()};
+    case Element::Kind::halfedge:
+      return {m.from(e.halfedge()), m.to(e.halfedge())};
+    case Element::Kind::edge:
+      return {ends(m, e.edge()).first, ends(m, e.edge()).second};
+    default: {
+      std::vector<Vertex> corners;
+      for (Vertex v : vertices_around(m, e.face())) corners.push_back(v);
+      return corners;
+    }
+  }
+}
+
+// One place of an element, which picking finds on it.
+glm::dvec3 middle_of(const Mesh& m, const Element& e) {
+  const std::vector<Vertex> vertices = vertices_of(m, e);
+  if (e.kind == Element::Kind::face) {  // in the middle of a triangle of it, so on it though it is not convex
+    const FacePolygon polygon(m, e.face());
+    std::vector<CornerTriangle> triangles;
+    polygon.triangulate(triangles);
+    if (!triangles.empty()) {
+      const CornerTriangle& t = triangles[triangles.size() / 2];
+      return (polygon.places()[t[0]] + polygon.places()[t[1]] + polygon.places()[t[2]]) / 3.0;
+    }
+  }
+  glm::dvec3 sum{0};
+  for (Vertex v : vertices) sum += m.position(v) / static_cast<double>(vertices.size());
+  return sum;
+}
+
+// The faces that look along with an element: its own, its two, or those at all copies of its vertex.
+std::vector<Face> faces_beside(const Mesh& m, const Element& e) {
+  std::vector<Face> found;
+  const auto add = [&](Face f) {
+    if (f) found.push_back(f);
+  };
+  if (e.kind == Element::Kind::face) add(e.face());
+  if (e.kind == Element::Kind::edge)
+    for (int side : {0, 1}) add(m.face(halfedge(e.edge(), side)));
+  if (e.kind == Element::Kind::halfedge) {
+    add(m.face(e.halfedge()));
+    if (found.empty()) add(m.face(twin(e.halfedge())));
+  }
+  if (e.kind == Element::Kind::vertex)
+    for_each_copy(m, e.vertex(), [&](Vertex copy) {
+      for (Face f : faces_around(m, copy)) add(f);
+    });
+  return found;
+}
+
+// Where a camera may look from, as unit vectors from what it looks at.
+class Directions {
+ public:
+  Directions(const Session& session, std::span<const Element> elements) : session_(session) {
+    const Mesh& m = session.mesh();
+    glm::dvec3 normal{0};
+    for (const Element& e : elements)
+      for (Face f : faces_beside(m, e)) {
+        const glm::dvec3 area = vector_area(FacePolygon(m, f).keyhole_walk());
+        if (length_of(area) > 0) normal += unit_vector(area);
+      }
+    now_ = -axes(session.camera).forward;
+    all_.push_back(now_);
+    if (length_of(normal) > 1e-9) {
+      add(unit_vector(normal));
+      add(-unit_vector(normal));
+    }
+    const std::size_t first = all_.size();
+    for (int x = -1; x <= 1; ++x)
+      for (int y = -1; y <= 1; ++y)
+        for (int z = -1; z <= 1; ++z)
+          if (x != 0 || y != 0 || z != 0) add(glm::normalize(glm::dvec3(x, y, z)));
+    std::stable_sort(all_.begin() + static_cast<std::ptrdiff_t>(first), all_.end(),
+                     [&](const auto& a, const auto& b) { return glm::dot(a, now_) > glm::dot(b, now_); });
+  }
+
+  const std::vector<glm::dvec3>& all() const { return all_; }
+
+ private:
+  // The up of the camera stays, so it cannot look along that.
+  void add(glm::dvec3 direction) {
+    constexpr double steepest = 0.97;
+    const glm::dvec3 up = glm::normalize(session_.camera.up);
+    if (std::abs(glm::dot(direction, up)) > steepest) {
+      const glm::dvec3 level = now_ - glm::dot(now_, up) * up;
+      const glm::dvec3 aside = glm::length(level) > 1e-6 ? glm::normalize(level) : axes(session_.camera).right;
+      direction = glm::normalize(direction + 0.3 * aside);
+    }
+    all_.push_back(direction);
+  }
+
+  const Session& session_;
+  glm::dvec3 now_{0};
+  std::vector<glm::dvec3> all_;
+};
+
+// How many of a sample of elements are seen with a camera.
+class Sight {
+ public:
+  Sight(Session& session, std::span<const Element> elements) : session_(session) {
+    constexpr std::size_t most = 16;
+    const std::size_t step = (elements.size() + most - 1) / most;
+    for (std::size_t i = 0; i < elements.size(); i += step) sample_.push_back(elements[i]);
+  }
+
+  std::size_t size() const { return sample_.size(); }
+  // All, as long as it cannot be asked.
+  std::size_t seen(const Camera& camera) const {
+    if (session_.preparing()) return size();
+    return static_cast<std::size_t>(
+        std::count_if(sample_.begin(), sample_.end(), [&](const Element& e) { return is_seen(camera, e); }));
+  }
+
+ private:
+  bool is_seen(const Camera& camera, const Element& e) const {
+    const Mesh& m = session_.mesh();
+    const glm::dvec3 middle = middle_of(m, e);
+    const auto at = project(camera, session_.view, middle);
+    const double width = session_.view.width, height = session_.view.height;
+    if (!at || at->pixel.x < 0 || at->pixel.y < 0 || at->pixel.x >= width || at->pixel.y >= height) return false;
+    const auto front = session_.picker().pick(m, camera, session_.view, at->pixel, PickMode::face);
+    if (!front || depth_of(camera, front->place) >= at->depth * (1 - 1e-6)) return true;
+    for (Vertex v : vertices_of(m, e))  // what meets it there hides nothing of it
+      for (Vertex w : vertices_around(m, front->face))
+        if (same_point(m, v, w) && depth_of(camera, front->place) >= at->depth * (1 - 1e-3)) return true;
+    return false;
+  }
+
+  Session& session_;
+  std::vector<Element> sample_;
+};
+
+// The elements' vertices and all that are joined to them.
+std::vector<glm::dvec3> places_around(const Mesh& m, std::span<const Element> elements) {
+  std::vector<glm::dvec3> places;
+  for (const Element& e : elements)
+    for (Vertex v : vertices_of(m, e))
+      for_each_copy(m, v, [&](Vertex copy) {
+        places.push_back(m.position(copy));
+        if (m.is_isolated(copy)) return;
+        for (Vertex w : neighbours(m, copy)) places.push_back(m.position(w));
+      });
+  return places;
+}
+
+Camera looking_from(Camera camera, const glm::dvec3& direction, const glm::dvec3& at) {
+  const double distance = length_of(camera.eye - camera.target);
+  camera.target = at;
+  camera.eye = at + distance * direction;
+  return camera;
+}
+
+// The first camera with which all is seen, else one with which most is.
+template <class Make>
+Camera best_camera(const Sight& sight, const Directions& directions, Make make) {
+  std::optional<Camera> best;
+  std::size_t most = 0;
+  for (const glm::dvec3& direction : directions.all()) {
+    const Camera camera = make(direction);
+    const std::size_t seen = sight.seen(camera);
+    if (seen == sight.size()) return camera;
+    if (!best || seen > most) best = camera;
+    most = std::max(most, seen);
+  }
+  return *best;
+}
+
+}  // namespace
+
+void fly_to(Session& session, std::span<const Element> elements) {
+  if (elements.empty()) return session.frame_all();
+  constexpr double margin = 0.3;
+  const std::vector<glm::dvec3> places = places_around(session.mesh(), elements);
+  const double aspect = static_cast<double>(session.view.width) / session.view.height;
+  session.camera = best_camera(Sight(session, elements), Directions(session, elements), [&](const glm::dvec3& from) {
+    return fitted(looking_from(session.camera, from, session.camera.target), places, aspect, margin);
+  });
+}
+
+void keep_in_sight(Session& session, const Element& element) {
+  const std::array<Element, 1> one{element};
+  const Sight sight(session, one);
+  if (sight.seen(session.camera) == 1) return;
+  const glm::dvec3 middle = middle_of(session.mesh(), element);
+  session.camera = best_camera(sight, Directions(session, one),
+                               [&](const glm::dvec3& from) { return looking_from(session.camera, from, middle); });
+}
+
+}  // namespace ryosen

@@ -1,0 +1,109 @@
+#include "app/editor/fly.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "core/mesh/circulate.h"
+#include "tests/support/app/program.h"
+
+namespace ryosen {
+namespace {
+
+std::unique_ptr<Session> session_of(const std::string& name) {
+  auto document = Document::open(test::asset(name));
+  EXPECT_TRUE(document) << name;
+  auto session = std::make_unique<Session>(std::move(document).value());
+  session->frame_all();
+  return session;
+}
+
+bool is_in_view(const Session& session, const glm::dvec3& place) {
+  const auto at = project(session.camera, session.view, place);
+  return at && at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x <= session.view.width &&
+         at->pixel.y <= session.view.height;
+}
+
+TEST(fly, shows_a_face_from_a_side_from_which_it_is_seen_with_all_around_it) {
+  for (const char* name : {"stanford_bunny.obj", "torus.off"}) {
+    const auto session = session_of(name);
+    const Mesh& m = session->mesh();
+    std::mt19937 random(5);
+    int shown = 0;
+    constexpr int asked = 60;
+    for (int i = 0; i < asked; ++i) {
+      const Face f(static_cast<std::uint32_t>(random() % m.face_slots()));
+      session->selection = {f};
+      fly_to(*session, session->selection);
+      for (Vertex v : vertices_around(m, f))
+        for (Vertex w : neighbours(m, v)) EXPECT_TRUE(is_in_view(*session, m.position(w))) << name << " f" << f.index;
+      glm::dvec3 middle{0};
+      for (Vertex v : vertices_around(m, f)) middle += m.position(v) / double(corner_count(m, f));
+      const auto front = session->pick(project(session->camera, session->view, middle)->pixel, PickMode::face);
+      shown += front && front->face == f;
+    }
+    EXPECT_GE(shown, asked - 1) << name;
+  }
+}
+
+TEST(fly, keeps_the_direction_where_that_shows_it) {
+  const auto session = session_of("torus.off");
+  const auto front = session->pick({640, 560}, PickMode::face);
+  ASSERT_TRUE(front);
+  const glm::dvec3 before = axes(session->camera).forward;
+  session->selection = {front->face};
+  ASSERT_TRUE(session->run("frame selected").done());
+  EXPECT_LT(glm::length(axes(session->camera).forward - before), 1e-9);
+}
+
+TEST(fly, a_walk_takes_the_camera_along_where_the_next_halfedge_is_hidden) {
+  const auto session = session_of("torus.off");
+  const Mesh& m = session->mesh();
+  session->selection = {Halfedge(0)};
+  int turned = 0;
+  for (int i = 0; i < 60; ++i) {  // around the torus: across each quad
+    const Camera before = session->camera;
+    for (const char* line : {"walk next", "walk next", "walk twin"}) ASSERT_TRUE(session->run(line).done());
+    turned += !(before == session->camera);
+    const Halfedge h = session->selection[0].halfedge();
+    const glm::dvec3 middle = (m.position(m.from(h)) + m.position(m.to(h))) / 2.0;
+    ASSERT_TRUE(is_in_view(*session, middle));
+    const auto front = session->pick(project(session->camera, session->view, middle)->pixel, PickMode::face);
+    if (!front) continue;  // on the silhouette
+    EXPECT_TRUE(front->face == m.face(h) || front->face == m.face(twin(h))) << i;
+  }
+  EXPECT_GT(turned, 0);
+  EXPECT_LT(turned, 40) << "where it is seen the camera stays";
+}
+
+TEST(fly, selects_what_a_problem_is_about) {
+  const auto bunny = session_of("stanford_bunny.obj");
+  const IndexSet& boundary = bunny->highlights().of(ProblemKind::boundary_loop);
+  const Element edge = Edge(boundary.nth(0));
+  ASSERT_TRUE(bunny->run("select boundary_loop " + name_to_select(bunny->mesh(), edge)).done());
+  EXPECT_GT(bunny->selection.size(), 2u);
+  EXPECT_EQ(bunny->selection[0], edge);
+  for (const Element& e : bunny->selection) EXPECT_TRUE(boundary.contains(e.index));
+
+  const auto tie = session_of("bow_tie.obj");
+  const IndexSet& points = tie->highlights().of(ProblemKind::nonmanifold_vertex);
+  ASSERT_EQ(points.size(), 1u);
+  const Element knot = Vertex(points.nth(0));
+  ASSERT_TRUE(tie->run("select nonmanifold_vertex " + name_to_select(tie->mesh(), knot)).done());
+  EXPECT_EQ(tie->selection.size(), 1 + tie->mesh().live().faces) << "the vertex and both fans";
+
+  const auto fin = session_of("fin.obj");
+  const Element many = Edge(fin->highlights().of(ProblemKind::nonmanifold_edge).nth(0));
+  ASSERT_TRUE(fin->run("select nonmanifold_edge " + name_to_select(fin->mesh(), many)).done());
+  EXPECT_EQ(fin->selection.size(), 4u) << "the edge and three faces";
+
+  const auto twice = session_of("duplicate_face.obj");
+  const Element face = Face(twice->highlights().of(ProblemKind::duplicate_face).nth(0));
+  ASSERT_TRUE(twice->run("select duplicate_face " + name_of(twice->mesh(), face)).done());
+  EXPECT_EQ(twice->selection.size(), 2u);
+  EXPECT_EQ(twice->run("select duplicate_face none").exit_code, ExitCode::usage);
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -10,6 +10,8 @@ namespace ryosen {
 // The line says the command in another form than its row shows.
 Outcome wrong_arguments(std::string_view id);
 Outcome failed(const Failure& failure);
+// [N]: a number from 1, which is 1 where it is left out; none for anything else.
+std::optional<std::uint32_t> count_of(Words arguments);
 
 using RunCommand = Outcome(Session& session, Words arguments, std::string_view whole);
 using FaultOfCommand = std::optional<Text>(Words arguments, const std::string& line);
@@ -23,8 +25,8 @@ CommandRow row_of(const AlgorithmRow& algorithm);
 RunCommand run_repair;
 FaultOfCommand fault_of_repair;
 // What the pointer does: commands_pointing.cpp
-RunCommand run_select, run_walk, run_tool, run_mode, run_click;
-FaultOfCommand fault_of_select;
+RunCommand run_select, run_walk, run_tool, run_mode, run_click, run_remedy;
+FaultOfCommand fault_of_select, fault_of_remedy;
 // Events of mouse and keyboard: commands_input.cpp
 RunCommand run_press, run_move, run_release, run_wheel, run_type, run_key;
 FaultOfCommand fault_of_move, fault_of_key;

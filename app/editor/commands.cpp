@@ -1,6 +1,7 @@
 #include "app/editor/commands.h"
 
 #include <algorithm>
+#include <charconv>
 
 #include "app/editor/command_functions.h"
 #include "app/editor/script.h"
@@ -42,6 +43,15 @@ Outcome wrong_arguments(std::string_view id) {
   const auto row = find_command_row(id);
   const std::string form = std::string(id) + (row->syntax.empty() ? "" : " " + std::string(row->syntax));
   return usage_error("the command reads: " + form, "書式：" + form);
+}
+
+std::optional<std::uint32_t> count_of(Words arguments) {
+  if (arguments.empty()) return 1;
+  const std::string_view word = arguments[0];
+  std::uint32_t n = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), n);
+  const bool is_count = error == std::errc() && end == word.data() + word.size() && n > 0 && arguments.size() == 1;
+  return is_count ? std::optional(n) : std::nullopt;
 }
 
 Outcome failed(const Failure& failure) { return failed(failure.exit_code, failure.message.text); }

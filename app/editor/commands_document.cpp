@@ -1,7 +1,5 @@
 #include "app/editor/command_functions.h"
 
-#include <charconv>
-
 #include "app/editor/autosave.h"
 #include "app/editor/message_place.h"
 #include "app/editor/script.h"
@@ -13,14 +11,6 @@ namespace ryosen {
 
 namespace {
 
-std::optional<std::uint32_t> count_of(Words arguments) {
-  if (arguments.empty()) return 1;
-  std::uint32_t n = 0;
-  const auto [end, error] = std::from_chars(arguments[0].data(), arguments[0].data() + arguments[0].size(), n);
-  if (error != std::errc() || end != arguments[0].data() + arguments[0].size() || n == 0) return std::nullopt;
-  return n;
-}
-
 Outcome performed(std::string line) {
   Outcome outcome;
   outcome.performed = std::move(line);
@@ -30,7 +20,7 @@ Outcome performed(std::string line) {
 // Goes N entries through the history, or nowhere when there are not so many.
 Outcome step_history(Session& session, Words arguments, std::string_view id, bool back) {
   const auto n = count_of(arguments);
-  if (!n || arguments.size() > 1) return wrong_arguments(id);
+  if (!n) return wrong_arguments(id);
   Document& document = session.document();
   const std::size_t possible = back ? document.position() : document.history().size() - document.position();
   if (*n <= possible) {

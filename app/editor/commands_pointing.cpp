@@ -4,6 +4,7 @@
 #include "app/editor/command_syntax.h"
 #include "app/editor/fly.h"
 #include "app/editor/pick_modes.h"
+#include "app/editor/remedy_text.h"
 #include "app/editor/script.h"
 #include "core/mesh/find_element.h"
 #include "core/ops/lines/syntax.h"
@@ -80,6 +81,7 @@ Outcome run_tool(Session& session, Words arguments, std::string_view) {
   if (arguments.size() != 1) return wrong_arguments("tool");
   if (arguments[0] != "none" && !find_tool(arguments[0])) return not_a_tool(arguments[0]);
   session.tool = arguments[0] == "none" ? "" : std::string(arguments[0]);
+  session.release_verdict();
   if (session.hover()) session.point_at(session.hover()->pixel);
   return {};
 }
@@ -88,6 +90,7 @@ Outcome run_mode(Session& session, Words arguments, std::string_view) {
   for (const auto& [mode, id, point_en, point_ja] : pick_modes) {
     if (arguments.size() != 1 || arguments[0] != id) continue;
     session.mode = mode;
+    session.release_verdict();
     if (session.hover()) session.point_at(session.hover()->pixel);
     return {};
   }
@@ -99,6 +102,24 @@ Outcome run_click(Session& session, Words arguments, std::string_view) {
   if (!at || arguments.size() > 2) return wrong_arguments("click");
   if (arguments.size() == 2 && !find_tool(arguments[1])) return not_a_tool(arguments[1]);
   return session.click(*at, arguments.size() == 2 ? std::string(arguments[1]) : session.tool);
+}
+
+std::optional<Text> fault_of_remedy(Words arguments, const std::string&) {
+  return count_of(arguments) ? std::nullopt : std::optional(wrong_arguments("remedy").sentence);
+}
+
+Outcome run_remedy(Session& session, Words arguments, std::string_view) {
+  const auto number = count_of(arguments);
+  if (!number) return wrong_arguments("remedy");
+  if (!session.is_verdict_held())
+    return failed(ExitCode::refused, {"no refused click is held, so there is nothing to remedy",
+                                      "拒否されたクリックがないので、実行する対処もありません"});
+  const std::vector<std::string> lines = session.hover_remedy();
+  if (lines.empty()) return failed(ExitCode::refused, without_remedy(session.hover()->preview.verdict));
+  if (*number > lines.size())
+    return failed(ExitCode::refused, {"the remedy has only " + std::to_string(lines.size()) + " lines",
+                                      "対処は " + std::to_string(lines.size()) + " 行しかありません"});
+  return session.run(lines[*number - 1]);
 }
 
 }  // namespace ryosen

@@ -58,10 +58,15 @@ Outcome run_language(Session& session, Words arguments, std::string_view) {
   return {};
 }
 
-// One step out of what was begun: first the open panel, then the tool, then the selection.
+// One step out of what was begun: first the open panel, then a held verdict, the tool, the selection.
 Outcome run_cancel(Session& session, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("cancel");
   if (!session.open_panel.empty()) return session.run("panel none");
+  if (session.is_verdict_held()) {
+    session.release_verdict();
+    session.point_away();
+    return {};
+  }
   if (!session.tool.empty()) return session.run("tool none");
   return session.run("select none");
 }

@@ -84,6 +84,7 @@ void Session::forget_derived() {
   euler_.reset();
   kind_.reset();
   hover_.reset();
+  release_verdict();
   drawn_changes_ = DrawnChanges();
 }
 
@@ -140,7 +141,10 @@ void Session::update_derived(std::size_t transaction) {
     if (!is_kept) euler_.reset();
   }
   drop_lost_selection(touched.everything);
-  if (hover_) point_at(hover_->pixel);
+  if (is_verdict_held_)
+    ask_held_verdict_again();
+  else if (hover_)
+    point_at(hover_->pixel);
 }
 
 void Session::drop_lost_selection(bool is_renumbered) {
@@ -268,6 +272,21 @@ OpTarget target_of(const Picked& picked) {
 PickMode Session::pointed_sort() const { return pick_mode(find_op(tool), mode); }
 
 void Session::point_at(glm::dvec2 pixel) {
+  if (!is_verdict_held_) look_at(pixel);
+}
+
+void Session::point_away() {
+  if (!is_verdict_held_) hover_.reset();
+}
+
+// The camera may have moved since the click.
+void Session::ask_held_verdict_again() {
+  const auto at = project(camera, view, hover_->picked.place);
+  if (at) look_at(at->pixel + view_origin);
+  is_verdict_held_ = at && hover_ && hover_->op && !hover_->preview.verdict.legal();
+}
+
+void Session::look_at(glm::dvec2 pixel) {
   hover_.reset();
   const OpInfo* info = find_op(tool);
   const auto picked = pick(pixel, pointed_sort());
@@ -313,6 +332,7 @@ Outcome Session::apply_at(const OpTarget& target, const std::string& id) {
 }
 
 Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool) {
+  release_verdict();
   const OpInfo* info = find_op(with_tool);
   const auto picked = pick(pixel, pick_mode(info, mode));
   if (!picked) {
@@ -320,7 +340,13 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool) {
     if (!info) return {};
     return failed(ExitCode::found_problems, {"there is nothing under the pointer", "ポインタの下に何もありません"});
   }
-  if (info) return apply_at(target_of(*picked), with_tool);
+  if (info) {
+    Outcome outcome = apply_at(target_of(*picked), with_tool);
+    if (outcome.kind != Outcome::Kind::refused || with_tool != tool) return outcome;
+    look_at(pixel);
+    is_verdict_held_ = hover_ && hover_->op && !hover_->preview.verdict.legal();
+    return outcome;
+  }
   return run("select " + name_to_select(mesh(), picked->element));
 }
 

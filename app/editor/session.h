@@ -90,8 +90,12 @@ class Session {
 
   // Hovering, at pixels from the upper left corner of the picture or window. The picker is updated after every edit.
   void point_at(glm::dvec2 pixel);
-  void point_away() { hover_.reset(); }
+  void point_away();
   const std::optional<Hover>& hover() const { return hover_; }
+  // A click that is refused holds what it pointed at: until the next click or `cancel` the hover stays as it is, so that
+  // the pointer can go to its reasons and remedies. An edit asks anew, and ends it where the operator has become legal.
+  bool is_verdict_held() const { return is_verdict_held_; }
+  void release_verdict() { is_verdict_held_ = false; }
   // The remedy for the operator under the pointer; empty if none was found. Computed on demand, because candidates are
   // tried out, and cached while operator and mesh are unchanged.
   const std::vector<std::string>& hover_remedy();
@@ -166,6 +170,8 @@ class Session {
   void drop_lost_selection(bool is_renumbered);
   void forget_hidden();
   Outcome apply_at(const OpTarget& target, const std::string& id);
+  void look_at(glm::dvec2 pixel);
+  void ask_held_verdict_again();
 
   std::unique_ptr<Document> document_;
   std::optional<Picker> picker_;
@@ -177,6 +183,7 @@ class Session {
   std::uint64_t kind_revision_ = 0;
   std::optional<std::uint64_t> unprepared_revision_;  // of the mesh that was too large to prepare
   std::optional<Hover> hover_;
+  bool is_verdict_held_ = false;
   std::vector<std::string> log_;
   std::vector<std::string> remedy_;  // for remedy_line_ at remedy_revision_
   std::string remedy_line_;

@@ -140,11 +140,14 @@ void Gui::draw_column(PanelContext& context, PanelPlace place, float x, float y,
     ImGui::PopFont();
     if (!is_open) continue;
     ImGui::PushID(id.c_str());
+    const float lines = own.panel->lines();
+    if (lines > 0) ImGui::BeginChild("fixed", {0, lines * ImGui::GetTextLineHeightWithSpacing()});
     const auto share = context.session.preparing();
     if (share && own.row.reads == PanelReads::findings)
       draw_preparing(context, *share);
     else
       own.panel->draw(context);
+    if (lines > 0) ImGui::EndChild();
     ImGui::PopID();
     ImGui::Dummy({0, 2 * context.scale});
   }

@@ -22,19 +22,26 @@ namespace {
 
 class PanelOfFunction : public Panel {
  public:
-  PanelOfFunction(void (*function)(PanelContext&), ImVec2 size) : draw_(function), size_(size) {}
+  PanelOfFunction(void (*function)(PanelContext&), ImVec2 size, float lines)
+      : draw_(function), size_(size), lines_(lines) {}
   void draw(PanelContext& context) override { draw_(context); }
   ImVec2 size() const override { return size_; }
+  float lines() const override { return lines_; }
 
  private:
   void (*draw_)(PanelContext&);
   ImVec2 size_;
+  float lines_;
 };
 
 }  // namespace
 
 std::unique_ptr<Panel> panel_of(void (*draw)(PanelContext& context), ImVec2 size) {
-  return std::make_unique<PanelOfFunction>(draw, size);
+  return std::make_unique<PanelOfFunction>(draw, size, 0.f);
+}
+
+std::unique_ptr<Panel> panel_of_lines(void (*draw)(PanelContext& context), float lines) {
+  return std::make_unique<PanelOfFunction>(draw, ImVec2(), lines);
 }
 
 Outcome PanelContext::keep(Outcome outcome) {

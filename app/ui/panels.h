@@ -85,10 +85,14 @@ class Panel {
   virtual void draw(PanelContext& context) = 0;
   // At scale 1, over the view; a column gives as much as is needed.
   virtual ImVec2 size() const { return {560, 360}; }
+  // In a column: how many lines it always takes, so that what is below stays where it is when the content follows the
+  // pointer. 0: as many as it needs.
+  virtual float lines() const { return 0; }
 };
 
 // A panel that keeps nothing.
 std::unique_ptr<Panel> panel_of(void (*draw)(PanelContext& context), ImVec2 size = {});
+std::unique_ptr<Panel> panel_of_lines(void (*draw)(PanelContext& context), float lines);
 // One of each, in the order of panel_list() as it stands in panels.def.
 std::vector<std::unique_ptr<Panel>> make_panels();
 

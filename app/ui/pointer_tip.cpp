@@ -12,7 +12,13 @@ void draw_pointer_tip(PanelContext& context) {
   const float width = 21 * ImGui::GetFontSize();
   const ImVec2 offset{18 * context.scale, 16 * context.scale};
   const ImVec2 all = ImGui::GetIO().DisplaySize;
-  const ImVec2 at{static_cast<float>(hover.pixel.x), static_cast<float>(hover.pixel.y)};
+  glm::dvec2 pixel = hover.pixel;
+  if (context.session.is_verdict_held()) {  // stays at the element when the camera moves
+    const auto place = project(context.session.camera, context.session.view, hover.picked.place);
+    if (!place) return;
+    pixel = place->pixel + context.session.view_origin;
+  }
+  const ImVec2 at{static_cast<float>(pixel.x), static_cast<float>(pixel.y)};
   const bool leftwards = at.x + offset.x + width > all.x - 300 * context.scale;
   ImGui::SetNextWindowPos({leftwards ? at.x - offset.x : at.x + offset.x, at.y + offset.y}, 0,
                           {leftwards ? 1.f : 0.f, at.y > 0.72f * all.y ? 1.f : 0.f});

@@ -7,7 +7,7 @@
 namespace ryosen {
 namespace {
 
-constexpr glm::dvec2 measure_button{1134, 314};
+constexpr glm::dvec2 measure_button{1134, 607};
 
 class FormsPanel : public testing::Test, protected test::Laid {
  protected:

@@ -20,8 +20,8 @@ class ProblemsPanel : public testing::Test, protected test::Laid {
 
   // Unfolds a kind and clicks a row below it: its repairs come first, then its elements.
   void click_below(int kind, int row) {
-    click({1080, 170 + 19 * kind});
-    click({1030, 170 + 19 * (kind + 1 + row)});
+    click({1080, 463 + 19 * kind});
+    click({1030, 463 + 19 * (kind + 1 + row)});
   }
 };
 

@@ -146,6 +146,6 @@ void draw_inspector(PanelContext& context) {
 
 }  // namespace
 
-std::unique_ptr<Panel> make_inspector_panel() { return panel_of(draw_inspector); }
+std::unique_ptr<Panel> make_inspector_panel() { return panel_of_lines(draw_inspector, 9); }
 
 }  // namespace ryosen

@@ -41,8 +41,12 @@ void draw_remedy(PanelContext& context, const Verdict& verdict) {
     return;
   }
   std::string chosen;
-  for (const std::string& line : remedy)
+  for (const std::string& line : remedy) {
     if (ImGui::Button(line.c_str())) chosen = line;
+    if (!context.session.is_verdict_held() || &line != remedy.data()) continue;
+    ImGui::SameLine();
+    dim_text(context, context.text("Enter", "Enter"));
+  }
   if (!chosen.empty()) context.run(chosen);
 }
 
@@ -84,6 +88,6 @@ void draw_verdict(PanelContext& context) {
 
 }  // namespace
 
-std::unique_ptr<Panel> make_pointer_panel() { return panel_of(draw_verdict); }
+std::unique_ptr<Panel> make_pointer_panel() { return panel_of_lines(draw_verdict, 8); }
 
 }  // namespace ryosen

@@ -218,7 +218,7 @@ class Editor {
     const std::string chord = chord_of_glfw(key, modifiers);
     if (action == GLFW_RELEASE) return input_.key_up(chord);
     input_.key_down(chord);
-    input_.point(window_.pointer().pixel);
+    input_.point(window_.pointer());
   }
 
   void cancel_work() { is_cancelled_ = true; }

@@ -18,6 +18,7 @@ constexpr RoleRow role_rows[] = {
     {Role::refused, {0xD55E00, 0xD55E00, LineStyle::dashed, 4.5f, PointShape::cross, 7}},
     {Role::witness, {0xFFFFFF, 0x000000, LineStyle::dotted, 3.5f, PointShape::diamond, 6}},
     {Role::ghost, {0x5FE0B8, 0x009E73, LineStyle::solid, 1.5f, PointShape::ring, 5}, 96},
+    {Role::goes, {0x06281F, 0x06281F, LineStyle::dashed, 1.75f, PointShape::ring, 5}},
 };
 static_assert(rows_are_in_order(role_rows, &RoleRow::role));
 

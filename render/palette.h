@@ -17,6 +17,7 @@ enum class Role {
   refused,
   witness,
   ghost,
+  goes,  // what an operator takes away
 };
 
 // The looks of a role or a highlight in a theme. Colours are safe for colour-blind people, and no two that can meet share

@@ -42,9 +42,9 @@ struct DepthRange {
 };
 
 DepthRange depths_of(std::span<const Cluster> clusters, const glm::dmat4& view) {
-  constexpr std::size_t steps_each = 20;  // of work for each cluster
+  constexpr std::size_t steps_per_cluster = 20;  // of work for each cluster
   const auto count = static_cast<std::uint32_t>(clusters.size());
-  std::vector<DepthRange> parts(threads_for(count * steps_each));
+  std::vector<DepthRange> parts(threads_for(count * steps_per_cluster));
   for_each_part(count, static_cast<unsigned>(parts.size()), [&](unsigned t, std::uint32_t begin, std::uint32_t end) {
     DepthRange range;
     for (std::uint32_t i = begin; i < end; ++i) range.add(clusters[i].box, view);

@@ -82,7 +82,7 @@ Outcome run_tool(Session& session, Words arguments, std::string_view) {
   if (arguments[0] != "none" && !find_tool(arguments[0])) return not_a_tool(arguments[0]);
   session.tool = arguments[0] == "none" ? "" : std::string(arguments[0]);
   session.release_verdict();
-  if (session.hover()) session.point_at(session.hover()->pixel);
+  if (session.hover()) session.point_at(session.hover()->pixel, session.hover()->modifiers);
   return {};
 }
 
@@ -91,7 +91,7 @@ Outcome run_mode(Session& session, Words arguments, std::string_view) {
     if (arguments.size() != 1 || arguments[0] != id) continue;
     session.mode = mode;
     session.release_verdict();
-    if (session.hover()) session.point_at(session.hover()->pixel);
+    if (session.hover()) session.point_at(session.hover()->pixel, session.hover()->modifiers);
     return {};
   }
   return wrong_arguments("mode");

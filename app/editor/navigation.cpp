@@ -57,7 +57,7 @@ void Navigation::press(MouseButton button, glm::dvec2 pixel, Modifiers modifiers
     motion = Motion::pan;
   else if (button == MouseButton::middle && modifiers.ctrl)
     motion = Motion::zoom;
-  drag_ = Drag{button, motion, pixel, pixel};
+  drag_ = Drag{button, motion, modifiers, pixel, pixel};
 }
 
 bool Navigation::move(Session& session, glm::dvec2 pixel) {
@@ -91,7 +91,7 @@ std::optional<Navigation::Click> Navigation::release(MouseButton button, glm::dv
   drag_.reset();
   if (button != MouseButton::left || ended.moved || glm::length(pixel - ended.start) > click_reach_px)
     return std::nullopt;
-  Click click{ended.start, false};
+  Click click{ended.start, ended.modifiers, false};
   click.is_double = last_click_ && !last_click_->is_double && now_s - last_click_s_ < double_click_s &&
                     glm::length(last_click_->pixel - click.pixel) <= click_reach_px;
   last_click_ = click;

@@ -26,7 +26,8 @@ class Navigation {
  public:
   struct Click {
     glm::dvec2 pixel;
-    bool is_double;  // the second of two within 0.4 s at about the same place
+    Modifiers modifiers;  // of the press
+    bool is_double;       // the second of two within 0.4 s at about the same place
   };
 
   // A drag continues if another button is pressed; the same button restarts it.
@@ -46,6 +47,7 @@ class Navigation {
   struct Drag {
     MouseButton button;
     Motion motion;
+    Modifiers modifiers;
     glm::dvec2 start, last;
     bool moved = false;  // farther than click_reach_px
     glm::dvec3 held{0};  // set when it has moved

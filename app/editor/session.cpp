@@ -1,6 +1,7 @@
 #include "app/editor/session.h"
 
 #include <cassert>
+#include <glm/geometric.hpp>
 #include <new>
 #include <utility>
 
@@ -144,7 +145,7 @@ void Session::update_derived(std::size_t transaction) {
   if (is_verdict_held_)
     ask_held_verdict_again();
   else if (hover_)
-    point_at(hover_->pixel);
+    point_at(hover_->pixel, hover_->modifiers);
 }
 
 void Session::drop_lost_selection(bool is_renumbered) {
@@ -255,24 +256,25 @@ PickMode pick_mode(const OpInfo* tool, PickMode mode) {
   }
 }
 
-// Only the picked element; the others are none.
-OpTarget target_of(const Picked& picked) {
-  switch (picked.element.kind) {
-    case Element::Kind::vertex:
-      return {Halfedge(), 0.5, picked.element.vertex()};
-    case Element::Kind::face:
-      return {Halfedge(), 0.5, Vertex(), picked.element.face()};
-    default:
-      return {picked.halfedge, picked.along};
-  }
-}
-
 }  // namespace
+
+// Only the picked element; the others are none.
+OpTarget Session::target_of(const Picked& picked, Modifiers modifiers) const {
+  if (picked.element.kind == Element::Kind::vertex) return {Halfedge(), 0.5, picked.element.vertex()};
+  if (picked.element.kind == Element::Kind::face) return {Halfedge(), 0.5, Vertex(), picked.element.face()};
+  constexpr double small_px = 24;
+  const auto a = project(camera, view, mesh().position(mesh().from(picked.halfedge)));
+  const auto b = project(camera, view, mesh().position(mesh().to(picked.halfedge)));
+  OpTarget target{picked.halfedge, picked.along};
+  target.is_free = modifiers.shift;
+  target.is_small = a && b && glm::length(a->pixel - b->pixel) < small_px;
+  return target;
+}
 
 PickMode Session::pointed_sort() const { return pick_mode(find_op(tool), mode); }
 
-void Session::point_at(glm::dvec2 pixel) {
-  if (!is_verdict_held_) look_at(pixel);
+void Session::point_at(glm::dvec2 pixel, Modifiers modifiers) {
+  if (!is_verdict_held_) look_at(pixel, modifiers);
 }
 
 void Session::point_away() {
@@ -282,20 +284,21 @@ void Session::point_away() {
 // The camera may have moved since the click.
 void Session::ask_held_verdict_again() {
   const auto at = project(camera, view, hover_->picked.place);
-  if (at) look_at(at->pixel + view_origin);
+  if (at) look_at(at->pixel + view_origin, hover_->modifiers);
   is_verdict_held_ = at && hover_ && hover_->op && !hover_->preview.verdict.legal();
 }
 
-void Session::look_at(glm::dvec2 pixel) {
+void Session::look_at(glm::dvec2 pixel, Modifiers modifiers) {
   hover_.reset();
   const OpInfo* info = find_op(tool);
   const auto picked = pick(pixel, pointed_sort());
   if (!picked) return;
   Hover hover;
   hover.pixel = pixel;
+  hover.modifiers = modifiers;
   hover.picked = *picked;
   if (info && is_tool(*info)) {
-    hover.op = op_at(mesh(), tool, target_of(*picked));
+    hover.op = op_at(mesh(), tool, target_of(*picked, modifiers));
     hover.preview = document_->preview(*hover.op);
   }
   hover_ = std::move(hover);
@@ -331,7 +334,7 @@ Outcome Session::apply_at(const OpTarget& target, const std::string& id) {
   return run(command_of(mesh(), op_at(mesh(), id, target)));
 }
 
-Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool) {
+Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers modifiers) {
   release_verdict();
   const OpInfo* info = find_op(with_tool);
   const auto picked = pick(pixel, pick_mode(info, mode));
@@ -341,9 +344,9 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool) {
     return failed(ExitCode::found_problems, {"there is nothing under the pointer", "ポインタの下に何もありません"});
   }
   if (info) {
-    Outcome outcome = apply_at(target_of(*picked), with_tool);
+    Outcome outcome = apply_at(target_of(*picked, modifiers), with_tool);
     if (outcome.kind != Outcome::Kind::refused || with_tool != tool) return outcome;
-    look_at(pixel);
+    look_at(pixel, modifiers);
     is_verdict_held_ = hover_ && hover_->op && !hover_->preview.verdict.legal();
     return outcome;
   }

@@ -31,6 +31,7 @@ class Autosave;
 // The element under the pointer, and what a click would do.
 struct Hover {
   glm::dvec2 pixel{0};
+  Modifiers modifiers;
   Picked picked;
   std::optional<AnyOp> op;  // if the tool applies to what was picked
   Preview preview;          // of that operator
@@ -89,7 +90,7 @@ class Session {
   Autosave* autosave = nullptr;
 
   // Hovering, at pixels from the upper left corner of the picture or window. The picker is updated after every edit.
-  void point_at(glm::dvec2 pixel);
+  void point_at(glm::dvec2 pixel, Modifiers modifiers = {});
   void point_away();
   const std::optional<Hover>& hover() const { return hover_; }
   // A click that is refused holds what it pointed at: until the next click or `cancel` the hover stays as it is, so that
@@ -99,8 +100,9 @@ class Session {
   // The remedy for the operator under the pointer; empty if none was found. Computed on demand, because candidates are
   // tried out, and cached while operator and mesh are unchanged.
   const std::vector<std::string>& hover_remedy();
-  // A click: applies the tool to what is under the pixel, or selects it.
-  Outcome click(glm::dvec2 pixel, const std::string& with_tool);
+  // A click: applies the tool to what is under the pixel, or selects it. With Shift a tool puts things exactly where the
+  // pointer is.
+  Outcome click(glm::dvec2 pixel, const std::string& with_tool, Modifiers modifiers = {});
 
   // The selected elements as command lines name them, in order; distinguishes copies of a point.
   std::vector<std::string> selected_names() const;
@@ -170,7 +172,8 @@ class Session {
   void drop_lost_selection(bool is_renumbered);
   void forget_hidden();
   Outcome apply_at(const OpTarget& target, const std::string& id);
-  void look_at(glm::dvec2 pixel);
+  void look_at(glm::dvec2 pixel, Modifiers modifiers);
+  OpTarget target_of(const Picked& picked, Modifiers modifiers) const;
   void ask_held_verdict_again();
 
   std::unique_ptr<Document> document_;

@@ -15,9 +15,9 @@ Outcome ViewInput::release(MouseButton button, const Pointer& at) {
     if (ended->is_double && session_.tool.empty())  // with a tool two quick clicks are two edits
       set_centre(session_, ended->pixel);
     else
-      outcome = click(ended->pixel);
+      outcome = click(*ended);
   }
-  point(at.pixel);
+  point(at);
   return outcome;
 }
 
@@ -25,12 +25,12 @@ void ViewInput::move(const Pointer& at) {
   if (navigation_.move(session_, at.pixel))
     session_.point_away();
   else
-    point(at.pixel);
+    point(at);
 }
 
 void ViewInput::wheel(double steps, const Pointer& at) {
   navigation_.wheel(session_, at.pixel, steps);
-  point(at.pixel);
+  point(at);
 }
 
 Outcome ViewInput::key(const std::string& chord) {
@@ -40,11 +40,13 @@ Outcome ViewInput::key(const std::string& chord) {
 
 Outcome ViewInput::type(std::string_view) { return no_field_to_type(); }
 
-void ViewInput::point(glm::dvec2 pixel) {
-  if (!navigation_.is_dragging() && is_over_view(pixel)) session_.point_at(pixel);
+void ViewInput::point(const Pointer& at) {
+  if (!navigation_.is_dragging() && is_over_view(at.pixel)) session_.point_at(at.pixel, at.modifiers);
 }
 
-Outcome ViewInput::click(glm::dvec2 pixel) { return session_.click(pixel, session_.tool); }
+Outcome ViewInput::click(const Navigation::Click& click) {
+  return session_.click(click.pixel, session_.tool, click.modifiers);
+}
 
 Outcome no_such_key(std::string_view chord) {
   const std::string name(chord);

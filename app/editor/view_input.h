@@ -19,7 +19,7 @@ class ViewInput : public Input {
   Outcome type(std::string_view text) override;
 
   // Hovers what is under the pixel, if it is one of the view.
-  void point(glm::dvec2 pixel);
+  void point(const Pointer& at);
   bool is_dragging() const { return navigation_.is_dragging(); }
 
  protected:
@@ -29,7 +29,7 @@ class ViewInput : public Input {
  private:
   // Those of a frontend with panels take more than this.
   virtual bool is_over_view(glm::dvec2) const { return true; }
-  virtual Outcome click(glm::dvec2 pixel);
+  virtual Outcome click(const Navigation::Click& click);
 };
 
 // The failures of a key that is bound to nothing, of one that only panels take, and of text that no field takes.

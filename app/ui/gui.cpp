@@ -264,7 +264,7 @@ Outcome Gui::run(Session& session, const std::string& line) {
     return context(session).open(PanelOpener::unnamed_save);
   return context(session).run(line);
 }
-Outcome Gui::click(Session& session, glm::dvec2 pixel) { return context(session).click(pixel); }
+Outcome Gui::click(Session& session, const Navigation::Click& click) { return context(session).click(click); }
 void Gui::leave(Session& session, PendingLeave where) { context(session).leave(std::move(where)); }
 
 }  // namespace ryosen

@@ -60,7 +60,7 @@ class Gui {
 
   // Like the panels: keeps the outcome for the status line.
   Outcome run(Session& session, const std::string& line);
-  Outcome click(Session& session, glm::dvec2 pixel);
+  Outcome click(Session& session, const Navigation::Click& click);
   void leave(Session& session, PendingLeave where);
   // The status line's text on the last command.
   const Text& said() const { return state_.last_outcome; }

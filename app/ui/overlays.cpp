@@ -1,5 +1,8 @@
 #include "app/ui/overlays.h"
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+
 #include "core/mesh/circulate.h"
 
 namespace ryosen {
@@ -52,19 +55,82 @@ class Painter {
   float hidden_;
 };
 
-void add_ghost(const Preview& preview, Theme theme, Overlay& overlay) {
-  const Style ghost = style(Role::ghost, theme);
-  std::vector<CornerTriangle> triangles;
-  for (const GhostFace& face : preview.faces) {
+// The ghost of what an operator would do, whole in front of the old surface: what stays thin, what goes thinly dashed, what
+// comes thick, and new vertices and those that move as points.
+class Ghost {
+ public:
+  Ghost(const Session& session, Theme theme, Overlay& overlay)
+      : session_(session),
+        m_(session.mesh()),
+        overlay_(overlay),
+        stays_(style(Role::ghost, theme)),
+        comes_(style(Role::legal, theme)),
+        goes_(style(Role::goes, theme)) {}
+
+  void draw(const Preview& preview, const Element& pointed) {
+    thin_out(preview);
+    for (const GhostFace& face : preview.faces) draw(face);
+    Painter old(m_, overlay_, goes_, 1);
+    for (const Element& e : preview.deleted)
+      if (e.kind == Element::Kind::edge || e.kind == Element::Kind::vertex) old.draw(e);
+    const bool is_edge = pointed.kind == Element::Kind::edge || pointed.kind == Element::Kind::halfedge;
+    if (is_edge) old.draw(pointed.kind == Element::Kind::edge ? pointed.edge() : edge(pointed.halfedge()));
+    Painter fresh(m_, overlay_, comes_, 1);
+    for (const glm::dvec3& place : new_places_) fresh.point(place);
+    if (!is_edge && preview.deleted.empty()) fresh.draw(pointed);
+  }
+
+ private:
+  // Where the faces are small on the screen, so are the strokes.
+  void thin_out(const Preview& preview) {
+    constexpr double large_px = 90;
+    double longest_px = 0;
+    for (const GhostFace& face : preview.faces) {
+      const std::vector<glm::dvec3>& places = face.polygon.places();
+      for (std::uint32_t i = 0; i < places.size() && longest_px < large_px; ++i) {
+        const auto a = project(session_.camera, session_.view, places[i]);
+        const auto b = project(session_.camera, session_.view, places[face.polygon.next(i)]);
+        if (a && b) longest_px = std::max(longest_px, glm::length(a->pixel - b->pixel));
+      }
+    }
+    if (longest_px <= 0) return;
+    const auto share = static_cast<float>(std::clamp(longest_px / large_px, 0.4, 1.0));
+    for (Style* each : {&comes_, &goes_, &stays_}) {
+      each->width_px = std::max(each->width_px * share, 1.f);
+      each->radius_px *= share;
+    }
+  }
+
+  bool stays_at(Vertex v, const glm::dvec3& place) const {
+    return m_.exists(v) && m_.is_alive(v) && m_.position(v) == place;
+  }
+  // Whether the side is an edge of the mesh as it is.
+  bool stays(Halfedge h, const glm::dvec3& from, const glm::dvec3& to) const {
+    return m_.exists(h) && m_.is_alive(h) && m_.position(m_.from(h)) == from && m_.position(m_.to(h)) == to;
+  }
+
+  void draw(const GhostFace& face) {
     const std::vector<glm::dvec3>& places = face.polygon.places();
+    std::vector<CornerTriangle> triangles;
     face.polygon.triangulate(triangles);
     for (const CornerTriangle& t : triangles)
-      overlay.ghosts.push_back({{places[t[0]], places[t[1]], places[t[2]]}, ghost.colour, 0});
-    for (std::uint32_t i = 0; i < places.size(); ++i)
-      overlay.lines.push_back({places[i], places[face.polygon.next(i)], with_alpha(ghost.colour, 255), LineStyle::solid,
-                               ghost.width_px, faintly, false});
+      overlay_.ghosts.push_back({{places[t[0]], places[t[1]], places[t[2]]}, stays_.colour, 1});
+    for (std::uint32_t i = 0; i < places.size(); ++i) {
+      const glm::dvec3 &from = places[i], &to = places[face.polygon.next(i)];
+      const Style& side = stays(face.polygon.corners()[i], from, to) ? stays_ : comes_;
+      overlay_.lines.push_back({from, to, with_alpha(side.colour, 255), side.line, side.width_px, 1, false});
+      if (!stays_at(face.vertices[i], from) &&
+          std::find(new_places_.begin(), new_places_.end(), from) == new_places_.end())
+        new_places_.push_back(from);
+    }
   }
-}
+
+  const Session& session_;
+  const Mesh& m_;
+  Overlay& overlay_;
+  Style stays_, comes_, goes_;
+  std::vector<glm::dvec3> new_places_;
+};
 
 }  // namespace
 
@@ -96,12 +162,14 @@ Overlay hover_overlay(const Session& session, Theme theme) {
     Painter(m, overlay, style(Role::hover, theme), 1).draw(hover.picked.element);
     return overlay;
   }
-  const bool legal = hover.preview.verdict.legal();
-  if (legal) add_ghost(hover.preview, theme, overlay);
+  if (hover.preview.verdict.legal()) {
+    Ghost(session, theme, overlay).draw(hover.preview, hover.picked.element);
+    return overlay;
+  }
   Painter witness(m, overlay, style(Role::witness, theme), 0.6f);
   for (const Reason& reason : hover.preview.verdict.reasons)
     for (const Element& e : reason.witnesses) witness.draw(e);
-  Painter(m, overlay, style(legal ? Role::legal : Role::refused, theme), 1).draw(hover.picked.element);
+  Painter(m, overlay, style(Role::refused, theme), 1).draw(hover.picked.element);
   return overlay;
 }
 

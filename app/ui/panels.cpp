@@ -78,7 +78,9 @@ Outcome PanelContext::run(const std::string& line) {
   return keep(session.run(line));
 }
 
-Outcome PanelContext::click(glm::dvec2 pixel) { return keep(session.click(pixel, session.tool)); }
+Outcome PanelContext::click(const Navigation::Click& click) {
+  return keep(session.click(click.pixel, session.tool, click.modifiers));
+}
 
 Outcome PanelContext::open(PanelOpener opener) { return run("panel " + std::string(panel_opened_by(opener).id)); }
 

@@ -64,7 +64,7 @@ struct PanelContext {
   // looks at the window until a later one has been drawn.
   Outcome run(const std::string& line);
   // A click of the current tool, or a selection, at a pixel of the window.
-  Outcome click(glm::dvec2 pixel);
+  Outcome click(const Navigation::Click& click);
   // Keeps an outcome for the status line: the sentence of one, or that what it performed is done, or nothing.
   Outcome keep(Outcome outcome);
   // Opens the panel that this opens.

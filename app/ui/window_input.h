@@ -37,7 +37,7 @@ class WindowInput : public ViewInput {
 
  private:
   bool is_over_view(glm::dvec2 pixel) const override { return !gui_.owns_pointer(session_, window_, pixel); }
-  Outcome click(glm::dvec2 pixel) override { return gui_.click(session_, pixel); }
+  Outcome click(const Navigation::Click& click) override { return gui_.click(session_, click); }
   void show_event() const {
     if (lay_out_) lay_out_();
   }

@@ -97,8 +97,12 @@ Parsed<CollapseEdge> CollapseEdge::parse(const Mesh& mesh, std::span<const std::
 }
 
 CollapseEdge CollapseEdge::at(const Mesh&, const OpTarget& target) {
-  // The end nearer to the pointer is a.
-  return {target.along <= 0.5 ? target.halfedge : twin(target.halfedge), Place::middle};
+  // The end nearer to the pointer is a; over the third at that end the other one comes to it.
+  const bool is_at_start = target.along <= 0.5;
+  const double from_end = is_at_start ? target.along : 1 - target.along;
+  if (!target.is_small && from_end < 1.0 / 3)
+    return {is_at_start ? twin(target.halfedge) : target.halfedge, Place::automatic};
+  return {is_at_start ? target.halfedge : twin(target.halfedge), Place::middle};
 }
 
 std::string CollapseEdge::command(const Mesh& mesh) const {

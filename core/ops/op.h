@@ -70,6 +70,11 @@ struct OpTarget {
   double along = 0.5;
   Vertex vertex = {};
   Face face = {};
+  bool is_free = false;   // no snapping along the edge
+  bool is_small = false;  // on the screen; the thirds of the edge are not told apart
+
+  // The parameter to put something at: the middle from near by, else the nearest tenth; where free, of a thousand.
+  double snapped_along() const;
 };
 
 // A parsed operator, or the parse error.

@@ -37,7 +37,7 @@ struct SplitEdge {
                                Subject::points};
 
   static Parsed<SplitEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
-  static SplitEdge at(const Mesh&, const OpTarget& target) { return {target.halfedge, 0.5}; }
+  static SplitEdge at(const Mesh&, const OpTarget& target) { return {target.halfedge, target.snapped_along()}; }
   std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;

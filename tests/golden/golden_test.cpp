@@ -54,7 +54,7 @@ const std::vector<Golden> goldens{
     {"bunny_legal",
      "stanford_bunny.obj",
      {"--size", small, "--camera", close_to_the_eye, "--tool", "collapse", "--hover", "247,180"},
-     {{Role::legal, 30}, {Role::ghost, 50}},
+     {{Role::legal, 30}, {Role::ghost, 15}},
      {Role::refused}},
     {"bunny_selected",
      "stanford_bunny.obj",

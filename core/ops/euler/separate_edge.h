@@ -29,7 +29,7 @@ struct SeparateEdge {
                                Subject::points};
 
   static Parsed<SeparateEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
-  static SeparateEdge at(const Mesh&, const OpTarget& target) { return {target.halfedge, 0.5}; }
+  static SeparateEdge at(const Mesh&, const OpTarget& target) { return {target.halfedge, target.snapped_along()}; }
   std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;

@@ -8,7 +8,7 @@ namespace ryosen {
 struct GhostFace {
   Face face;
   FacePolygon polygon;
-  std::vector<Vertex> vertices = {};  // of its corners, where there are more than three
+  std::vector<Vertex> vertices = {};  // of its corners
 };
 
 }  // namespace ryosen

@@ -42,8 +42,7 @@ void run_and_roll_back(Mesh& mesh, Journal& journal, const AnyOp& op, std::size_
   for (Face f : effect.changed) {
     result.faces.push_back({f, FacePolygon(mesh, f)});
     GhostFace& ghost = result.faces.back();
-    if (ghost.polygon.corners().size() > 3)
-      for (Halfedge h : ghost.polygon.corners()) ghost.vertices.push_back(mesh.from(h));
+    for (Halfedge h : ghost.polygon.corners()) ghost.vertices.push_back(mesh.from(h));
   }
   seen.faces = std::move(effect.changed);
   for (const Element& element : result.created)

@@ -43,8 +43,8 @@ glm::dvec2 pixel_of(const Session& session, const glm::dvec3& place) {
 
 TEST(session, a_click_sends_the_command_of_the_edge_under_it) {
   const auto clicked = sheet_session(), typed = sheet_session();
-  // A quarter along the edge from vertex 24 at (3,3) to 25 at (4,3): 24 is nearer and goes.
-  const glm::dvec2 pixel = pixel_of(*clicked, {3.25, 3, 0});
+  // Along the edge from vertex 24 at (3,3) to 25 at (4,3), in its middle third: 24 is nearer and goes.
+  const glm::dvec2 pixel = pixel_of(*clicked, {3.4, 3, 0});
   EXPECT_TRUE(clicked->click(pixel, "collapse").done());
   EXPECT_TRUE(typed->run("collapse 24-25 mid").done());
   EXPECT_EQ(clicked->mesh().hash(), typed->mesh().hash());

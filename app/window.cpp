@@ -299,7 +299,9 @@ class Editor {
     const ElementCounts live = session_.mesh().live();
     log_ << "frame " << ++frames_ << " pixels " << pixels << " ms " << took_ms << " V " << live.vertices << " E "
          << live.edges << " F " << live.faces << " history " << session_.document().position() << " hover "
-         << (session_.hover() ? name_of(session_.mesh(), session_.hover()->picked.element) : "-") << std::endl;
+         << (session_.hover() ? name_of(session_.mesh(), session_.hover()->picked.element) : "-") << " held "
+         << session_.is_verdict_held() << " selected " << session_.selection.size() << " eye " << session_.camera.eye.x
+         << ' ' << session_.camera.eye.y << ' ' << session_.camera.eye.z << std::endl;
   }
 
   GlfwWindow& window_;

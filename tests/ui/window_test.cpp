@@ -3,10 +3,13 @@
 #include <signal.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <sstream>
 #include <thread>
 
+#include "core/mesh/circulate.h"
+#include "tests/support/app/laid.h"
 #include "tests/support/app/process.h"
 #include "tests/support/app/program.h"
 
@@ -27,6 +30,9 @@ struct Frame {
   double took_ms = 0;
   long vertices = 0, history = -1;
   std::string hover;
+  bool is_held = false;
+  long selected = 0;
+  glm::dvec3 eye{0};
 };
 
 class WindowTest : public testing::Test {
@@ -88,7 +94,8 @@ class WindowTest : public testing::Test {
     std::string word;
     long ignored = 0;
     line >> word >> frame.number >> word >> frame.pixels >> word >> frame.took_ms >> word >> frame.vertices >> word >>
-        ignored >> word >> ignored >> word >> frame.history >> word >> frame.hover;
+        ignored >> word >> ignored >> word >> frame.history >> word >> frame.hover >> word >> frame.is_held >> word >>
+        frame.selected >> word >> frame.eye.x >> frame.eye.y >> frame.eye.z;
     return frame;
   }
 
@@ -122,6 +129,59 @@ TEST_F(WindowTest, hover_click_and_undo) {
   EXPECT_EQ(last().vertices, vertices);
   xdotool("key ctrl+shift+z");
   ASSERT_TRUE(wait_for([&] { return last().history == 1; }));
+}
+
+// Where the window shows the middle of an edge that is seen, as a session with the same panels says.
+std::string on_an_edge(const std::string& asset) {
+  test::Laid laid(asset, {1280, 800});
+  Session& session = laid.session;
+  const Mesh& m = session.mesh();
+  for (std::uint32_t i = 0; i < m.edge_slots(); ++i) {
+    const auto [a, b] = ends(m, Edge(i));
+    const auto at = project(session.camera, session.view, (m.position(a) + m.position(b)) / 2.0);
+    const glm::dvec2 pixel = at->pixel + session.view_origin;
+    const auto picked = session.pick(pixel, PickMode::edge);
+    if (picked && picked->element == Element(Edge(i)))
+      return std::to_string(std::lround(pixel.x)) + " " + std::to_string(std::lround(pixel.y));
+  }
+  return "0 0";
+}
+
+TEST_F(WindowTest, holds_the_verdict_of_a_refused_click_until_its_remedy_is_done) {
+  open(test::asset("tetrahedron.off"));
+  xdotool("mousemove 640 100 key c mousemove " + on_an_edge("tetrahedron.off"));
+  ASSERT_TRUE(wait_for([&] { return last().hover != "-" && !last().hover.empty(); })) << "nothing is hovered";
+  const std::string edge = last().hover;
+  xdotool("click 1");
+  ASSERT_TRUE(wait_for([&] { return last().is_held; })) << "the click was not refused";
+  const long before = last().number;
+  xdotool("mousemove 300 100 mousemove 1100 300 mousemove 640 90");
+  wait_for([&] { return last().number > before; }, 1s);
+  EXPECT_EQ(last().hover, edge);
+  EXPECT_EQ(last().history, 0);
+  xdotool("key Return");
+  ASSERT_TRUE(wait_for([&] { return last().history == 1; })) << "Enter does the first remedy";
+  xdotool("key Escape");
+  ASSERT_TRUE(wait_for([&] { return !last().is_held; }));
+}
+
+TEST_F(WindowTest, wheel_and_walks_move_the_eye) {
+  open(test::asset("torus.off"));
+  const std::string edge = on_an_edge("torus.off");
+  const glm::dvec3 eye = last().eye;
+  xdotool("mousemove " + edge + " click 4");
+  ASSERT_TRUE(wait_for([&] { return last().eye != eye; })) << "the wheel does not zoom";
+  xdotool("key Home");
+  ASSERT_TRUE(wait_for([&] { return last().eye == eye; }));
+  xdotool("key 4 mousemove " + edge + " click 1");
+  ASSERT_TRUE(wait_for([&] { return last().selected == 1; })) << "a halfedge is selected by a click";
+  for (int i = 0; i < 40 && last().eye == eye; ++i) {
+    const long before = last().number;
+    xdotool("key Right key Right key Up");  // across the faces, round the torus
+    wait_for([&] { return last().number > before; }, 2s);
+  }
+  EXPECT_NE(last().eye, eye) << "the camera follows to where the next halfedge is hidden";
+  EXPECT_EQ(last().selected, 1);
 }
 
 TEST_F(WindowTest, draws_nothing_when_nothing_changes) {

@@ -1,5 +1,7 @@
 #include "app/editor/command_functions.h"
 
+#include <algorithm>
+
 #include "app/editor/camera_text.h"
 #include "app/editor/command_syntax.h"
 #include "app/editor/fly.h"
@@ -34,30 +36,68 @@ Outcome not_a_tool(std::string_view id) {
 
 }  // namespace
 
+namespace {
+
+// What `select` is asked for: names, behind a word that says what becomes of the selection, or behind a kind of problem
+// for all that one there is about.
+struct Selecting {
+  enum class How { anew, add, toggle };
+  How how = How::anew;
+  const ProblemRow* about = nullptr;
+  Words names;
+};
+
+Selecting read_selecting(Words arguments) {
+  if (arguments.size() == 1 && arguments[0] == "none") return {};
+  Selecting asked{.names = arguments};
+  const std::string_view first = arguments.empty() ? "" : arguments[0];
+  if (first == "add" || first == "toggle")
+    asked.how = first == "add" ? Selecting::How::add : Selecting::How::toggle;
+  else if (arguments.size() == 2)
+    asked.about = find_problem_row(first);
+  if (asked.how != Selecting::How::anew || asked.about) asked.names = arguments.subspan(1);
+  return asked;
+}
+
+// Adds what is not there yet; where wanted takes out what is.
+void put_into(std::vector<Element>& selection, std::span<const Element> elements, Selecting::How how) {
+  for (const Element& e : elements) {
+    const auto at = std::find(selection.begin(), selection.end(), e);
+    if (at == selection.end())
+      selection.push_back(e);
+    else if (how == Selecting::How::toggle)
+      selection.erase(at);
+  }
+}
+
+}  // namespace
+
 std::optional<Text> fault_of_select(Words arguments, const std::string&) {
-  if (arguments.size() == 1 && arguments[0] == "none") return std::nullopt;
-  if (arguments.size() == 2 && find_problem_row(arguments[0])) arguments = arguments.subspan(1);
-  for (std::string_view name : arguments)
+  const Selecting asked = read_selecting(arguments);
+  if (asked.how != Selecting::How::anew && asked.names.empty()) return wrong_arguments("select").sentence;
+  for (std::string_view name : asked.names)
     if (!is_element_name(name))
       return behind("select", not_understood(name, {"the name of an element", "要素の名前を"}));
   return std::nullopt;
 }
 
 Outcome run_select(Session& session, Words arguments, std::string_view) {
-  std::vector<Element> selection;
-  const ProblemRow* const kind = arguments.size() == 2 ? find_problem_row(arguments[0]) : nullptr;
-  if (kind) arguments = arguments.subspan(1);
-  if (kind || arguments.size() != 1 || arguments[0] != "none") {
-    for (std::string_view name : arguments) {
-      const NamedElement found = find_element(session.mesh(), name);
-      if (!found.element) {
-        const Text sentence = session.document().quarantine_text({&name, 1}).value_or(found.sentence);
-        return usage_error("select: " + sentence.en, "select：" + sentence.ja);
-      }
-      selection.push_back(*found.element);
+  const Selecting asked = read_selecting(arguments);
+  if (asked.how != Selecting::How::anew && asked.names.empty()) return wrong_arguments("select");
+  std::vector<Element> found;
+  for (std::string_view name : asked.names) {
+    const NamedElement named = find_element(session.mesh(), name);
+    if (!named.element) {
+      const Text sentence = session.document().quarantine_text({&name, 1}).value_or(named.sentence);
+      return usage_error("select: " + sentence.en, "select：" + sentence.ja);
     }
+    found.push_back(*named.element);
   }
-  session.selection = kind ? session.about(*kind, selection[0]) : std::move(selection);
+  if (asked.about) found = session.about(*asked.about, found[0]);
+  if (asked.how == Selecting::How::anew)
+    session.selection = std::move(found);
+  else
+    put_into(session.selection, found, asked.how);
   return {};
 }
 

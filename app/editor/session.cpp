@@ -338,8 +338,9 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers
   release_verdict();
   const OpInfo* info = find_op(with_tool);
   const auto picked = pick(pixel, pick_mode(info, mode));
+  const bool extends = !info && (modifiers.shift || modifiers.ctrl);
   if (!picked) {
-    selection.clear();
+    if (!extends) selection.clear();
     if (!info) return {};
     return failed(ExitCode::found_problems, {"there is nothing under the pointer", "ポインタの下に何もありません"});
   }
@@ -350,7 +351,8 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers
     is_verdict_held_ = hover_ && hover_->op && !hover_->preview.verdict.legal();
     return outcome;
   }
-  return run("select " + name_to_select(mesh(), picked->element));
+  const std::string how = !extends ? "" : modifiers.ctrl ? "toggle " : "add ";
+  return run("select " + how + name_to_select(mesh(), picked->element));
 }
 
 std::optional<Picked> Session::pick(glm::dvec2 pixel, PickMode what) {

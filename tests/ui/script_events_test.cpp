@@ -65,6 +65,29 @@ TEST(script_events, a_click_with_a_tool_edits_and_a_refused_one_says_so) {
   EXPECT_EQ(session->run("release left 3,3").exit_code, ExitCode::found_problems) << "there is nothing";
 }
 
+TEST(script_events, a_click_selects_with_shift_adds_with_ctrl_toggles) {
+  const auto session = torus();
+  session->frame_all();
+  const auto click = [&](const std::string& at, const std::string& with) {
+    run(*session, {"press left " + at + with, "release left " + at + with});
+  };
+  run(*session, {"mode face"});
+  click("640,560", "");
+  click("500,480", " Shift");
+  ASSERT_EQ(session->selection.size(), 2u);
+  const Element second = session->selection[1];
+  click("500,480", " Shift");
+  EXPECT_EQ(session->selection.size(), 2u) << "once";
+  click("640,560", " Ctrl");
+  EXPECT_EQ(session->selection, std::vector<Element>{second});
+  click("3,3", " Shift");
+  EXPECT_EQ(session->selection, std::vector<Element>{second}) << "beside the mesh nothing is lost";
+  click("3,3", "");
+  EXPECT_TRUE(session->selection.empty());
+  for (const char* line : {"select add", "select toggle", "select add none", "select duplicate_face none"})
+    EXPECT_EQ(session->run(line).exit_code, ExitCode::usage) << line;
+}
+
 TEST(script_events, say_what_is_wrong_with_them) {
   const auto session = torus();
   for (const char* line : {"press", "press left", "press up 3,4", "press left 3", "press left 3,4 shift", "release 3,4",

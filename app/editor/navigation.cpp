@@ -92,7 +92,9 @@ std::optional<Navigation::Click> Navigation::release(MouseButton button, glm::dv
   if (button != MouseButton::left || ended.moved || glm::length(pixel - ended.start) > click_reach_px)
     return std::nullopt;
   Click click{ended.start, ended.modifiers, false};
-  click.is_double = last_click_ && !last_click_->is_double && now_s - last_click_s_ < double_click_s &&
+  const auto is_bare = [](const Click& c) { return !c.modifiers.shift && !c.modifiers.ctrl; };
+  click.is_double = last_click_ && !last_click_->is_double && is_bare(click) && is_bare(*last_click_) &&
+                    now_s - last_click_s_ < double_click_s &&
                     glm::length(last_click_->pixel - click.pixel) <= click_reach_px;
   last_click_ = click;
   last_click_s_ = now_s;

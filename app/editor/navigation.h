@@ -27,7 +27,7 @@ class Navigation {
   struct Click {
     glm::dvec2 pixel;
     Modifiers modifiers;  // of the press
-    bool is_double;       // the second of two within 0.4 s at about the same place
+    bool is_double;       // the second of two within 0.4 s at about the same place, without Shift and Ctrl
   };
 
   // A drag continues if another button is pressed; the same button restarts it.

@@ -12,8 +12,7 @@ Outcome ViewInput::release(MouseButton button, const Pointer& at) {
   Outcome outcome;
   // A panel may have been opened since the press.
   if (ended && is_over_view(ended->pixel)) {
-    const bool extends = ended->modifiers.shift || ended->modifiers.ctrl;
-    if (ended->is_double && session_.tool.empty() && !extends)  // with a tool two quick clicks are two edits
+    if (ended->is_double && session_.tool.empty())  // with a tool two quick clicks are two edits
       set_centre(session_, ended->pixel);
     else
       outcome = click(*ended);

@@ -283,9 +283,11 @@ void Session::point_away() {
 
 // The camera may have moved since the click.
 void Session::ask_held_verdict_again() {
+  const Element held = hover_->picked.element;
   const auto at = project(camera, view, hover_->picked.place);
   if (at) look_at(at->pixel + view_origin, hover_->modifiers);
-  is_verdict_held_ = at && hover_ && hover_->op && !hover_->preview.verdict.legal();
+  is_verdict_held_ =
+      at && hover_ && hover_->picked.element == held && hover_->op && !hover_->preview.verdict.legal();
 }
 
 void Session::look_at(glm::dvec2 pixel, Modifiers modifiers) {

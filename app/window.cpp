@@ -216,8 +216,7 @@ class Editor {
     if (is_working_ && key == GLFW_KEY_ESCAPE && action == GLFW_PRESS) cancel_work();
     if (is_working_ && action != GLFW_RELEASE) return;
     const std::string chord = chord_of_glfw(key, modifiers);
-    if (action == GLFW_RELEASE) return input_.key_up(chord);
-    input_.key_down(chord);
+    action == GLFW_RELEASE ? input_.key_up(chord) : void(input_.key_down(chord));
     input_.point(window_.pointer());
   }
 

@@ -89,8 +89,8 @@ const std::vector<CommandRow>& first_rows() {
       {"camera", "JSON", "sets eye, target, up, fov_y_deg, ortho_height", "カメラを設定する", Effect::none, run_camera},
       {"view", named_view_ids(), "looks along an axis at all of the mesh", "軸方向から全体を見る", Effect::none,
        run_view},
-      {"frame", "[all|selected]", "fits the mesh or the selection into the view", "全体または選択を画面に収める",
-       Effect::none, run_frame},
+      {"frame", "[all|selected]", "fits the mesh or the selection into the view, that from a side where it is seen",
+       "全体または選択を画面に収める（選択は見える側から）", Effect::none, run_frame},
   };
   return rows;
 }
@@ -197,10 +197,10 @@ std::vector<CommandRow> command_table() {
 }
 
 std::optional<CommandRow> find_command_row(std::string_view id) {
-  if (const OpInfo* const op = find_op(id)) return row_of(*op, id);
   for (const std::vector<CommandRow>* rows : {&first_rows(), &last_rows()})
     for (const CommandRow& row : *rows)
       if (row.id == id) return row;
+  if (const OpInfo* const op = find_op(id)) return row_of(*op, id);
   for (const ViewSwitch& row : view_switches())
     if (row.id == id) return row_of(row);
   if (const AlgorithmRow* const algorithm = find_algorithm(id)) return row_of(*algorithm);

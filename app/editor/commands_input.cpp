@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "app/editor/camera_text.h"
 #include "app/editor/command_functions.h"
 #include "app/editor/input.h"
@@ -72,6 +74,9 @@ Outcome run_wheel(Session& session, Words arguments, std::string_view) {
   const auto steps = arguments.empty() ? std::nullopt : parse_double(arguments[0]);
   const auto at = steps ? read_pointer(arguments.subspan(1)) : std::nullopt;
   if (!at) return wrong_arguments("wheel");
+  constexpr double most_steps = 100;  // about a million times as large
+  if (std::abs(*steps) > most_steps)
+    return usage_error("wheel: at most 100 steps at a time", "wheel：一度に回せるのは 100 段までです");
   session.input().wheel(*steps, *at);
   return {};
 }

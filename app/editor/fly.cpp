@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
+#include <vector>
 
+#include "core/base/sort_unique.h"
+#include "core/geometry/is_finite.h"
 #include "core/geometry/polygon_normal.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
@@ -95,14 +100,14 @@ class Directions {
   const std::vector<glm::dvec3>& all() const { return all_; }
 
  private:
-  // The up of the camera stays, so it cannot look along that.
+  // Cameras are turned about Y, so they cannot look along it.
   void add(glm::dvec3 direction) {
     constexpr double steepest = 0.97;
-    const glm::dvec3 up = glm::normalize(session_.camera.up);
-    if (std::abs(glm::dot(direction, up)) > steepest) {
-      const glm::dvec3 level = now_ - glm::dot(now_, up) * up;
-      const glm::dvec3 aside = glm::length(level) > 1e-6 ? glm::normalize(level) : axes(session_.camera).right;
-      direction = glm::normalize(direction + 0.3 * aside);
+    if (std::abs(direction.y) > steepest) {
+      const glm::dvec3 level(now_.x, 0, now_.z);
+      const glm::dvec3 aside = length_of(level) > 1e-6 ? unit_vector(level) : glm::dvec3(0, 0, 1);
+      direction =
+          steepest * glm::dvec3(0, std::copysign(1.0, direction.y), 0) + std::sqrt(1 - steepest * steepest) * aside;
     }
     all_.push_back(direction);
   }
@@ -119,6 +124,10 @@ class Sight {
     constexpr std::size_t most = 16;
     const std::size_t step = (elements.size() + most - 1) / most;
     for (std::size_t i = 0; i < elements.size(); i += step) sample_.push_back(elements[i]);
+    if (session.camera.ortho_height) {
+      const Box box = bounds_of(session.mesh().positions());
+      size_ = length_of(box.highest - box.lowest) + length_of(session.camera.eye - session.camera.target);
+    }
   }
 
   std::size_t size() const { return sample_.size(); }
@@ -130,39 +139,53 @@ class Sight {
   }
 
  private:
-  bool is_seen(const Camera& camera, const Element& e) const {
+  bool is_seen(Camera camera, const Element& e) const {
     const Mesh& m = session_.mesh();
+    // An orthographic picture shows what lies behind the eye too.
+    if (camera.ortho_height) camera.eye -= 2 * size_ * axes(camera).forward;
     const glm::dvec3 middle = middle_of(m, e);
     const auto at = project(camera, session_.view, middle);
     const double width = session_.view.width, height = session_.view.height;
     if (!at || at->pixel.x < 0 || at->pixel.y < 0 || at->pixel.x >= width || at->pixel.y >= height) return false;
     const auto front = session_.picker().pick(m, camera, session_.view, at->pixel, PickMode::face);
-    if (!front || depth_of(camera, front->place) >= at->depth * (1 - 1e-6)) return true;
-    for (Vertex v : vertices_of(m, e))  // what meets it there hides nothing of it
-      for (Vertex w : vertices_around(m, front->face))
-        if (same_point(m, v, w) && depth_of(camera, front->place) >= at->depth * (1 - 1e-3)) return true;
+    if (!front) return true;
+    const double depth = depth_of(camera, front->place);
+    if (depth >= at->depth * (1 - 1e-6)) return true;
+    if (depth < at->depth * (1 - 1e-3)) return false;
+    // What meets it there hides nothing of it.
+    std::vector<Vertex> points;
+    for (Vertex v : vertices_of(m, e)) points.push_back(point(m, v));
+    sort_unique(points);
+    for (Vertex w : vertices_around(m, front->face))
+      if (std::binary_search(points.begin(), points.end(), point(m, w))) return true;
     return false;
   }
 
   Session& session_;
   std::vector<Element> sample_;
+  double size_ = 0;  // of what an orthographic picture shows
 };
 
 // The elements' vertices and all that are joined to them.
 std::vector<glm::dvec3> places_around(const Mesh& m, std::span<const Element> elements) {
-  std::vector<glm::dvec3> places;
+  std::vector<Vertex> points;
   for (const Element& e : elements)
-    for (Vertex v : vertices_of(m, e))
-      for_each_copy(m, v, [&](Vertex copy) {
-        places.push_back(m.position(copy));
-        if (m.is_isolated(copy)) return;
-        for (Vertex w : neighbours(m, copy)) places.push_back(m.position(w));
-      });
+    for (Vertex v : vertices_of(m, e)) points.push_back(point(m, v));
+  sort_unique(points);
+  std::vector<glm::dvec3> places;
+  for (Vertex p : points)
+    for_each_copy(m, p, [&](Vertex copy) {
+      places.push_back(m.position(copy));
+      if (m.is_isolated(copy)) return;
+      for (Vertex w : neighbours(m, copy)) places.push_back(m.position(w));
+    });
   return places;
 }
 
+// From another direction than now it stands upright, as orbiting leaves it.
 Camera looking_from(Camera camera, const glm::dvec3& direction, const glm::dvec3& at) {
   const double distance = length_of(camera.eye - camera.target);
+  if (glm::dot(direction, -axes(camera).forward) < 1 - 1e-12) camera.up = {0, 1, 0};
   camera.target = at;
   camera.eye = at + distance * direction;
   return camera;
@@ -197,6 +220,7 @@ void fly_to(Session& session, std::span<const Element> elements) {
 
 void keep_in_sight(Session& session, const Element& element) {
   const std::array<Element, 1> one{element};
+  if (!is_finite(middle_of(session.mesh(), element))) return;
   const Sight sight(session, one);
   if (sight.seen(session.camera) == 1) return;
   const glm::dvec3 middle = middle_of(session.mesh(), element);

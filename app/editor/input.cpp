@@ -36,7 +36,9 @@ bool is_panel_key(std::string_view chord) {
   constexpr std::string_view keys[] = {"Tab",       "Left",  "Right",  "Up",    "Down",   "Home",   "End",
                                        "Backspace", "Enter", "Escape", "Space", "Delete", "PageUp", "PageDown",
                                        "A",         "C",     "V",      "X",     "Y",      "Z"};
-  return std::find(std::begin(keys), std::end(keys), key_of(chord)) != std::end(keys);
+  const std::size_t before = chord.size() - key_of(chord).size();
+  return (before == 0 || find_modifiers(chord.substr(0, before - 1))) &&
+         std::find(std::begin(keys), std::end(keys), key_of(chord)) != std::end(keys);
 }
 
 std::optional<MouseButton> find_button(std::string_view word) {

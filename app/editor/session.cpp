@@ -25,6 +25,19 @@ Camera first_camera() {
   return camera;
 }
 
+bool is_alive(const Mesh& m, const Element& e) {
+  switch (e.kind) {
+    case Element::Kind::vertex:
+      return m.exists(e.vertex()) && m.is_alive(e.vertex());
+    case Element::Kind::face:
+      return m.exists(e.face()) && m.is_alive(e.face());
+    case Element::Kind::edge:
+      return m.exists(e.edge()) && m.is_alive(e.edge());
+    default:
+      return m.exists(e.halfedge()) && m.is_alive(e.halfedge());
+  }
+}
+
 }  // namespace
 
 Session::Session(std::unique_ptr<Document> document) {
@@ -154,16 +167,7 @@ void Session::drop_lost_selection(bool is_renumbered) {
     // Replaced columns renumber edges and copies: only points and faces keep their numbers.
     const bool keeps_number = e.kind == Element::Kind::face || (e.kind == Element::Kind::vertex && !m.has_copies());
     if (is_renumbered && !keeps_number) return true;
-    switch (e.kind) {
-      case Element::Kind::vertex:
-        return !m.exists(e.vertex()) || !m.is_alive(e.vertex());
-      case Element::Kind::face:
-        return !m.exists(e.face()) || !m.is_alive(e.face());
-      case Element::Kind::edge:
-        return !m.exists(e.edge()) || !m.is_alive(e.edge());
-      default:
-        return !m.exists(e.halfedge()) || !m.is_alive(e.halfedge());
-    }
+    return !is_alive(m, e);
   });
 }
 
@@ -281,13 +285,15 @@ void Session::point_away() {
   if (!is_verdict_held_) hover_.reset();
 }
 
-// The camera may have moved since the click.
+// Of the same operator: the camera may have moved, so that another element is where the click was.
 void Session::ask_held_verdict_again() {
-  const Element held = hover_->picked.element;
-  const auto at = project(camera, view, hover_->picked.place);
-  if (at) look_at(at->pixel + view_origin, hover_->modifiers);
-  is_verdict_held_ =
-      at && hover_ && hover_->picked.element == held && hover_->op && !hover_->preview.verdict.legal();
+  if (is_alive(mesh(), hover_->picked.element)) {
+    hover_->preview = document_->preview(*hover_->op);
+    is_verdict_held_ = !hover_->preview.verdict.legal() && !hover_->preview.verdict.has(Rule::deleted);
+    if (is_verdict_held_) return;
+  }
+  release_verdict();
+  hover_.reset();
 }
 
 void Session::look_at(glm::dvec2 pixel, Modifiers modifiers) {
@@ -383,7 +389,7 @@ std::vector<Element> Session::about(const ProblemRow& row, Element element) {
 }
 
 Input& Session::input() {
-  if (frontend_input) return *frontend_input;
+  if (const std::shared_ptr<Input> frontend = frontend_input.lock()) return *frontend;
   if (!view_input_) view_input_ = std::make_unique<ViewInput>(*this);
   return *view_input_;
 }

@@ -79,9 +79,10 @@ class Session {
       RunFiles::Policy::by_kind};  // asked before a command writes; another policy is set by whoever runs scripts
   // Renders a picture of the session; set by a frontend that can draw. Commands that need it fail if unset.
   std::function<Status(const std::filesystem::path&)> take_picture;
-  // Where the events of scripts go: to what a frontend with panels has set, else to the view alone.
+  // Where the events of scripts go: to what a frontend that runs scripts with panels has set, else to the view alone. A
+  // window has its own events, so that what is said there in its command panel goes to the view.
   Input& input();
-  Input* frontend_input = nullptr;
+  std::weak_ptr<Input> frontend_input;
   // Progress reports of long operations, may cancel them; set by the frontend.
   Progress::Report on_progress;
   // Ends the session; set by the window.
@@ -93,8 +94,9 @@ class Session {
   void point_at(glm::dvec2 pixel, Modifiers modifiers = {});
   void point_away();
   const std::optional<Hover>& hover() const { return hover_; }
-  // A click that is refused holds what it pointed at: until the next click or `cancel` the hover stays as it is, so that
-  // the pointer can go to its reasons and remedies. An edit asks anew, and ends it where the operator has become legal.
+  // A click that is refused holds what it pointed at: until the next click, `cancel`, or another tool or mode the hover
+  // stays as it is, so that the pointer can go to its reasons and remedies. An edit asks its operator anew, and ends it
+  // where that has become legal or its element is gone.
   bool is_verdict_held() const { return is_verdict_held_; }
   void release_verdict() { is_verdict_held_ = false; }
   // The remedy for the operator under the pointer; empty if none was found. Computed on demand, because candidates are
@@ -109,7 +111,8 @@ class Session {
   // The script line of an operator on them.
   std::string line_on_selection(const OpInfo& op) const;
 
-  // What a problem of this kind at an element is about; the element alone where it has none of it.
+  // What a problem of this kind at an element is about; the element alone where it has none of it (of equal faces it is the
+  // higher one that has it).
   std::vector<Element> about(const ProblemRow& row, Element element);
 
   // The element under a pixel; none outside the view.

@@ -9,7 +9,7 @@ namespace ryosen {
 struct Headless::Window {
   Gui gui{1};
   std::unique_ptr<Canvas> canvas;
-  std::unique_ptr<WindowInput> input;
+  std::shared_ptr<WindowInput> input;
 };
 
 Headless::Headless(const Options& options, std::unique_ptr<Context> context)
@@ -51,21 +51,23 @@ Result<std::unique_ptr<Headless>> Headless::make(const Options& options, std::ui
 void Headless::place_view(Session& session) {
   session.view = options_.size;
   session.view_origin = {0, 0};
+  session.frontend_input.reset();
   if (window_) {
     window_->gui.place_view(session, options_.size);
-    window_->input = std::make_unique<WindowInput>(window_->gui, session, [this, &session] { lay_out(session); });
+    window_->input = std::make_shared<WindowInput>(window_->gui, session, [this, &session] { lay_out(session); });
     window_->input->resize(options_.size);
-    session.frontend_input = window_->input.get();
+    session.frontend_input = window_->input;
     lay_out(session);
   }
   session.frame_all();
 }
 
 void Headless::lay_out(Session& session) {
-  constexpr int to_settle = 3;  // frames that a panel may need
+  constexpr int to_settle = 3, most = 100;  // frames that a panel may need, and that one may ask for
   if (window_->gui.is_laying_out()) return;
   if (window_->gui.prepare(session)) window_->canvas->set_fonts(window_->gui.fonts());
-  for (int i = 0; i < to_settle || window_->gui.wants_frames(); ++i) window_->gui.frame(session, options_.size, 0.02);
+  for (int i = 0; i < to_settle || (i < most && window_->gui.wants_frames()); ++i)
+    window_->gui.frame(session, options_.size, 0.02);
 }
 
 Image Headless::picture(Session& session) {

@@ -1,6 +1,7 @@
 #include "app/ui/overlays.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
 
 #include "core/mesh/circulate.h"
@@ -69,15 +70,21 @@ class Ghost {
 
   void draw(const Preview& preview, const Element& pointed) {
     thin_out(preview);
+    const bool is_edge = pointed.kind == Element::Kind::edge || pointed.kind == Element::Kind::halfedge;
+    if (is_edge) pointed_ = pointed.kind == Element::Kind::edge ? pointed.edge() : edge(pointed.halfedge());
     for (const GhostFace& face : preview.faces) draw(face);
     Painter old(m_, overlay_, goes_, 1);
     for (const Element& e : preview.deleted)
       if (e.kind == Element::Kind::edge || e.kind == Element::Kind::vertex) old.draw(e);
-    const bool is_edge = pointed.kind == Element::Kind::edge || pointed.kind == Element::Kind::halfedge;
-    if (is_edge) old.draw(pointed.kind == Element::Kind::edge ? pointed.edge() : edge(pointed.halfedge()));
+    if (pointed_ && !pointed_stays_) old.draw(pointed_);
     Painter fresh(m_, overlay_, comes_, 1);
+    const auto is_before = [](const glm::dvec3& a, const glm::dvec3& b) {
+      return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};
+    };
+    std::sort(new_places_.begin(), new_places_.end(), is_before);
+    new_places_.erase(std::unique(new_places_.begin(), new_places_.end()), new_places_.end());
     for (const glm::dvec3& place : new_places_) fresh.point(place);
-    if (!is_edge && preview.deleted.empty()) fresh.draw(pointed);
+    if (pointed_stays_ || (!is_edge && preview.deleted.empty())) fresh.draw(pointed);
   }
 
  private:
@@ -117,11 +124,12 @@ class Ghost {
       overlay_.ghosts.push_back({{places[t[0]], places[t[1]], places[t[2]]}, stays_.colour, 1});
     for (std::uint32_t i = 0; i < places.size(); ++i) {
       const glm::dvec3 &from = places[i], &to = places[face.polygon.next(i)];
-      const Style& side = stays(face.polygon.corners()[i], from, to) ? stays_ : comes_;
+      const Halfedge h = face.polygon.corners()[i];
+      const bool is_old = stays(h, from, to);
+      pointed_stays_ = pointed_stays_ || (is_old && edge(h) == pointed_);
+      const Style& side = is_old ? stays_ : comes_;
       overlay_.lines.push_back({from, to, with_alpha(side.colour, 255), side.line, side.width_px, 1, false});
-      if (!stays_at(face.vertices[i], from) &&
-          std::find(new_places_.begin(), new_places_.end(), from) == new_places_.end())
-        new_places_.push_back(from);
+      if (!stays_at(face.vertices[i], from)) new_places_.push_back(from);
     }
   }
 
@@ -130,6 +138,8 @@ class Ghost {
   Overlay& overlay_;
   Style stays_, comes_, goes_;
   std::vector<glm::dvec3> new_places_;
+  Edge pointed_;  // if it is an edge
+  bool pointed_stays_ = false;
 };
 
 }  // namespace

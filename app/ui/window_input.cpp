@@ -43,8 +43,7 @@ int panel_key_of(std::string_view chord) {
 }  // namespace
 
 void WindowInput::press(MouseButton button, const Pointer& at) {
-  show_event();
-  gui_.modifiers(at.modifiers.shift, at.modifiers.ctrl);
+  show_pointer(at);
   if (is_over_view(at.pixel))
     ViewInput::press(button, at);
   else
@@ -53,7 +52,7 @@ void WindowInput::press(MouseButton button, const Pointer& at) {
 }
 
 Outcome WindowInput::release(MouseButton button, const Pointer& at) {
-  show_event();
+  show_pointer(at);
   gui_.button(static_cast<int>(button), false);
   Outcome outcome = ViewInput::release(button, at);
   show_event();
@@ -61,14 +60,13 @@ Outcome WindowInput::release(MouseButton button, const Pointer& at) {
 }
 
 void WindowInput::move(const Pointer& at) {
-  show_event();
-  gui_.pointer(at.pixel);
+  show_pointer(at);
   ViewInput::move(at);
   show_event();
 }
 
 void WindowInput::wheel(double steps, const Pointer& at) {
-  show_event();
+  show_pointer(at);
   if (is_over_view(at.pixel))
     ViewInput::wheel(steps, at);
   else

@@ -38,6 +38,12 @@ class WindowInput : public ViewInput {
  private:
   bool is_over_view(glm::dvec2 pixel) const override { return !gui_.owns_pointer(session_, window_, pixel); }
   Outcome click(const Navigation::Click& click) override { return gui_.click(session_, click); }
+  // The panels know where the pointer is before they see what it does.
+  void show_pointer(const Pointer& at) const {
+    gui_.pointer(at.pixel);
+    gui_.modifiers(at.modifiers.shift, at.modifiers.ctrl);
+    show_event();
+  }
   void show_event() const {
     if (lay_out_) lay_out_();
   }

@@ -1,6 +1,7 @@
 #include "core/algo/repair/collapse_near.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "core/algo/repair/flat_faces.h"
@@ -16,22 +17,23 @@ namespace {
 // that goes: the other way round, those of a point that has taken up many would be moved again and again.
 class Growth {
  public:
-  Growth(Edit& edit, const std::vector<Vertex>& place) : edit_(edit), m_(edit.mesh()), place_(place) {}
+  Growth(Edit& edit, const std::vector<Vertex>& place, Progress& progress)
+      : edit_(edit), m_(edit.mesh()), place_(place), progress_(progress) {}
 
   std::size_t grow(Vertex point) {
     grown_ = point;
     std::vector<Halfedge> ways, refused;
     add_ways(point, ways);
-    std::size_t done = 0, done_before = 0;
-    do {  // what was refused may be sound once others are gone
-      done_before = done;
-      for (std::size_t i = 0; i < ways.size(); ++i) {
+    std::size_t done = 0;
+    for (int round = 0; round < 2 && !ways.empty(); ++round) {  // what was refused may be sound once others are gone
+      const std::size_t before = done;
+      for (std::size_t i = 0; i < ways.size() && progress_.go_on(); ++i) {
         if (!m_.is_alive(ways[i]) || !is_way(ways[i])) continue;
         take_up(ways[i], ways) ? void(++done) : refused.push_back(ways[i]);
       }
-      ways.swap(refused);
-      refused.clear();
-    } while (done > done_before && !ways.empty());
+      if (done == before) break;
+      ways = std::exchange(refused, {});
+    }
     return done;
   }
 
@@ -64,6 +66,7 @@ class Growth {
   Edit& edit_;
   const Mesh& m_;
   const std::vector<Vertex>& place_;
+  Progress& progress_;
   Vertex grown_;
 };
 
@@ -71,7 +74,7 @@ class Growth {
 
 std::size_t collapse_near(Edit& edit, const NearPoints& near, Progress& progress) {
   const Mesh& m = edit.mesh();
-  Growth growth(edit, near.first);
+  Growth growth(edit, near.first, progress);
   std::size_t done = 0;
   for (std::uint32_t i = 0; i < m.vertex_slots() && progress.go_on(i, m.vertex_slots()); ++i)
     if (const Vertex p(i); m.is_alive(p) && point(m, p) == p) done += growth.grow(p);

@@ -26,7 +26,7 @@ struct MoveVertex {
                                "頂点をそのすべての複製とともに移動する",
                                '\0',
                                OpTargetKind::none,
-                               "",
+                               "move",
                                Topology::kept};
 
   static Parsed<MoveVertex> parse(const Mesh& mesh, std::span<const std::string_view> arguments);

@@ -25,7 +25,8 @@ TEST(commands, every_row_is_whole) {
     ASSERT_TRUE(row.run) << row.id;
     ASSERT_TRUE(find_command_row(row.id)) << row.id;
     EXPECT_EQ(find_command_row(row.id)->effect, row.effect) << row.id;
-    for (std::string_view alias : split_words(row.aliases)) EXPECT_EQ(find_command_row(alias)->id, row.id) << alias;
+    for (std::string_view alias : split_words(row.aliases))  // or a command that sends what is not its own
+      EXPECT_TRUE(find_command_row(alias)->id == row.id || find_command_row(alias)->sends) << alias;
     // Who touches files is not tried to see what is wrong with its arguments.
     EXPECT_TRUE(row.fault || row.file == FileAccess::none) << row.id;
   }

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "core/geometry/is_finite.h"
 #include "core/mesh/circulate.h"
 #include "tests/support/app/program.h"
 
@@ -75,6 +77,61 @@ TEST(fly, a_walk_takes_the_camera_along_where_the_next_halfedge_is_hidden) {
   }
   EXPECT_GT(turned, 0);
   EXPECT_LT(turned, 40) << "where it is seen the camera stays";
+}
+
+TEST(fly, stands_upright_where_it_turns_and_knows_what_an_orthographic_picture_shows) {
+  const auto session = session_of("torus.off");
+  const Mesh& m = session->mesh();
+  for (const char* first : {"view top", "view front", "projection orthographic"}) {
+    ASSERT_TRUE(session->run(first).done()) << first;
+    for (std::uint32_t f = 0; f < m.face_slots(); f += 7) {
+      const glm::dvec3 before = axes(session->camera).forward;
+      ASSERT_TRUE(session->run("select f" + std::to_string(f)).done());
+      ASSERT_TRUE(session->run("frame selected").done());
+      const CameraAxes now = axes(session->camera);
+      if (glm::length(now.forward - before) > 1e-9) {
+        EXPECT_NEAR(now.right.y, 0, 1e-9) << first << " f" << f;
+      }
+      glm::dvec3 middle{0};
+      for (Vertex v : vertices_around(m, Face(f))) middle += m.position(v) / double(corner_count(m, Face(f)));
+      Camera far = session->camera;
+      if (far.ortho_height) far.eye -= 100.0 * now.forward;
+      const auto at = project(far, session->view, middle);
+      const auto front = session->picker().pick(m, far, session->view, at->pixel, PickMode::face);
+      ASSERT_TRUE(front) << first << " f" << f;
+      EXPECT_EQ(front->face, Face(f)) << first;
+    }
+  }
+}
+
+TEST(fly, copes_with_what_has_no_place_and_with_nothing) {
+  const test::TemporaryFolder folder;
+  auto document = Document::open(folder.write("n.off", "OFF\n4 2 0\n0 0 0\n1 0 0\nnan 1 0\n1 1 1\n3 0 1 2\n3 1 0 3\n"));
+  ASSERT_TRUE(document);
+  Session session(std::move(document).value());
+  session.frame_all();
+  for (const char* line : {"select h0", "walk next", "walk twin", "walk next", "walk next", "select v2",
+                           "frame selected", "select f0 f1", "frame selected", "frame all"})
+    ASSERT_TRUE(session.run(line).done()) << line;
+  EXPECT_TRUE(is_finite(session.camera.eye) && is_finite(session.camera.target));
+  Session empty(std::make_unique<Document>());
+  fly_to(empty, {});
+  EXPECT_TRUE(is_finite(empty.camera.eye));
+}
+
+// Each face at the hub would bring all of its neighbours again.
+TEST(fly, costs_no_square_of_the_valence) {
+  const test::TemporaryFolder folder;
+  std::string text = "OFF\n20001 20000 0\n0 0 1\n";
+  for (int i = 0; i < 20000; ++i)
+    text += format_double(std::cos(i * 3.14159e-4)) + " " + format_double(std::sin(i * 3.14159e-4)) + " 0\n";
+  for (int i = 0; i < 20000; ++i)
+    text += "3 0 " + std::to_string(1 + i) + " " + std::to_string(1 + (i + 1) % 20000) + "\n";
+  auto document = Document::open(folder.write("fan.off", text));
+  ASSERT_TRUE(document);
+  Session session(std::move(document).value());
+  for (std::uint32_t f = 0; f < 20000; ++f) session.selection.emplace_back(Face(f));
+  fly_to(session, session.selection);  // else 40 GB
 }
 
 TEST(fly, selects_what_a_problem_is_about) {

@@ -81,6 +81,30 @@ TEST_F(HeldVerdict, enter_carries_out_the_first_remedy_and_asks_again) {
   ASSERT_TRUE(session_.run("undo").done());
 }
 
+// It is asked of its operator, not of what lies at the pixel now.
+TEST_F(HeldVerdict, is_of_the_same_element_though_the_camera_has_gone_round) {
+  refuse();
+  const Element held = session_.hover()->picked.element;
+  session_.camera.eye = 2.0 * session_.camera.target - session_.camera.eye;
+  ASSERT_TRUE(session_.run("remedy").done());
+  if (session_.is_verdict_held()) {
+    EXPECT_EQ(session_.hover()->picked.element, held);
+  }
+  ASSERT_TRUE(session_.run("undo").done());
+}
+
+TEST_F(HeldVerdict, goes_with_its_element) {
+  ASSERT_TRUE(session_.run("split 0-1").done());
+  ASSERT_TRUE(session_.run("tool make_ring").done());
+  const glm::dvec2 pixel = on_edge();
+  if (session_.click(pixel, session_.tool).kind != Outcome::Kind::refused) return;
+  session_.camera.eye = session_.hover()->picked.place + 0.5 * (session_.camera.target - session_.camera.eye);
+  ASSERT_TRUE(session_.run("undo").done());
+  if (session_.hover()) {
+    EXPECT_TRUE(session_.mesh().exists(session_.hover()->picked.element.edge()));
+  }
+}
+
 // The last step ends it; whatever it was held for may be gone with any edit.
 TEST_F(HeldVerdict, ends_where_the_mesh_no_longer_refuses) {
   refuse();

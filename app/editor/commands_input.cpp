@@ -47,7 +47,10 @@ Outcome run_press(Session& session, Words arguments, std::string_view) {
 Outcome run_release(Session& session, Words arguments, std::string_view) {
   const auto event = read_button_event(arguments);
   if (!event) return wrong_arguments("release");
-  return session.input().release(event->button, event->at);
+  const Outcome clicked = session.input().release(event->button, event->at);
+  Outcome outcome;  // the event came where it should: what a hand would be told is no failure of the script
+  outcome.sentence = clicked.sentence;
+  return outcome;
 }
 
 Outcome run_move(Session& session, Words arguments, std::string_view) {

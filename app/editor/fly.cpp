@@ -182,6 +182,20 @@ std::vector<glm::dvec3> places_around(const Mesh& m, std::span<const Element> el
   return places;
 }
 
+glm::dvec3 middle_of_all(const Mesh& m, std::span<const Element> elements) {
+  std::vector<glm::dvec3> places;
+  for (const Element& e : elements)
+    for (Vertex v : vertices_of(m, e)) places.push_back(m.position(v));
+  const Box box = bounds_of(places);
+  return box.lowest + (box.highest - box.lowest) / 2.0;
+}
+
+// About a point, so that this comes into the middle when all are fitted.
+void mirror(std::vector<glm::dvec3>& places, const glm::dvec3& about) {
+  const std::size_t count = places.size();
+  for (std::size_t i = 0; i < count; ++i) places.push_back(about + (about - places[i]));
+}
+
 // From another direction than now it stands upright, as orbiting leaves it.
 Camera looking_from(Camera camera, const glm::dvec3& direction, const glm::dvec3& at) {
   const double distance = length_of(camera.eye - camera.target);
@@ -210,8 +224,9 @@ Camera best_camera(const Sight& sight, const Directions& directions, Make make) 
 
 void fly_to(Session& session, std::span<const Element> elements) {
   if (elements.empty()) return session.frame_all();
-  constexpr double margin = 0.3;
-  const std::vector<glm::dvec3> places = places_around(session.mesh(), elements);
+  constexpr double margin = 0.12;
+  std::vector<glm::dvec3> places = places_around(session.mesh(), elements);
+  mirror(places, middle_of_all(session.mesh(), elements));
   const double aspect = static_cast<double>(session.view.width) / session.view.height;
   session.camera = best_camera(Sight(session, elements), Directions(session, elements), [&](const glm::dvec3& from) {
     return fitted(looking_from(session.camera, from, session.camera.target), places, aspect, margin);

@@ -7,6 +7,7 @@
 
 #include "app/editor/autosave.h"
 #include "app/editor/commands.h"
+#include "app/editor/pick_modes.h"
 #include "app/editor/view_input.h"
 #include "app/editor/words.h"
 #include "core/base/out_of_memory.h"
@@ -350,7 +351,10 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers
   if (!picked) {
     if (!extends) selection.clear();
     if (!info) return {};
-    return failed(ExitCode::found_problems, {"there is nothing under the pointer", "ポインタの下に何もありません"});
+    const PickModeRow& sort = pick_modes[static_cast<std::size_t>(pick_mode(info, mode))];
+    return failed(ExitCode::found_problems,
+                  {"there is nothing under the pointer that it works on. " + std::string(sort.point_en),
+                   "ポインタの下に対象がありません。" + std::string(sort.point_ja)});
   }
   if (info) {
     Outcome outcome = apply_at(target_of(*picked, modifiers), with_tool);

@@ -69,8 +69,7 @@ Fonts load_fonts(ImFontAtlas& atlas, float size_px, bool japanese) {
   }
   const ImWchar* const ranges = japanese ? atlas.GetGlyphRangesJapanese() : word_ranges;
   add(atlas, japanese_files, size_px, ranges, true);
-  // One weight only for Japanese: a bold one would need all glyphs twice.
-  fonts.bold = japanese ? nullptr : add(atlas, bold_files, size_px, latin_ranges, false);
+  fonts.bold = add(atlas, bold_files, size_px, latin_ranges, false);
   if (!fonts.bold) fonts.bold = fonts.normal;
   return fonts;
 }

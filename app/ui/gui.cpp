@@ -82,7 +82,12 @@ void Gui::place_view(Session& session, Size window) const {
   session.view_origin = {area.x0, area.y0};
 }
 
-PanelContext Gui::context(Session& session) { return {session, state_, fonts_, session.settings.theme, scale_}; }
+PanelContext Gui::context(Session& session) {
+  Fonts fonts = fonts_;
+  // One weight only for Japanese: a bold one would need all glyphs twice.
+  if (session.language == Language::japanese) fonts.bold = fonts.normal;
+  return {session, state_, fonts, session.settings.theme, scale_};
+}
 
 bool Gui::prepare(const Session& session) {
   ImGui::SetCurrentContext(imgui_);

@@ -51,12 +51,13 @@ class CommandPanel : public Panel {
   void enter(PanelContext& context);
 
   std::string typed_;
-  bool was_begun_ = false;  // the field has just appeared
+  bool was_begun_ = false;    // the field has just appeared
+  bool was_refused_ = false;  // the text stays, and the field keeps the keyboard
 };
 
 void CommandPanel::draw(PanelContext& context) {
   if (!context.state.begun_command.empty()) typed_ = std::exchange(context.state.begun_command, {});
-  if (ImGui::IsWindowAppearing()) {
+  if (ImGui::IsWindowAppearing() || std::exchange(was_refused_, false)) {
     ImGui::SetKeyboardFocusHere();
     was_begun_ = true;
   }
@@ -88,6 +89,8 @@ void CommandPanel::enter(PanelContext& context) {
   if (context.run(line).done()) {
     typed_.clear();
     if (context.session.open_panel == own) context.session.open_panel.clear();
+  } else {
+    was_refused_ = true;
   }
 }
 

@@ -42,6 +42,11 @@ void draw_remedy(PanelContext& context, const Verdict& verdict) {
   }
   std::string chosen;
   for (const std::string& line : remedy) {
+    if (&line == remedy.data()) {  // beside the words, where there is room for it and the name of its key
+      const float label = ImGui::GetItemRectSize().x + ImGui::GetStyle().ItemSpacing.x;
+      const float wide = ImGui::CalcTextSize(line.c_str()).x + 4 * ImGui::GetFontSize();
+      if (label + wide < ImGui::GetContentRegionAvail().x) ImGui::SameLine();
+    }
     if (ImGui::Button(line.c_str())) chosen = line;
     if (!context.session.is_verdict_held() || &line != remedy.data()) continue;
     ImGui::SameLine();

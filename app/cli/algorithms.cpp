@@ -15,6 +15,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/script.h"
 #include "core/base/split_list.h"
+#include "core/mesh/find_element.h"
 #include "core/mesh/names.h"
 
 namespace ryosen::cli {
@@ -90,20 +91,6 @@ Json value_json(const ParameterRow& row, const ParameterValue* value) {
       return value->names;
     default:
       return value->number;
-  }
-}
-
-bool is_there(const Mesh& mesh, const Element& element) {
-  const auto is_alive = [&](auto handle) { return mesh.exists(handle) && mesh.is_alive(handle); };
-  switch (element.kind) {
-    case Element::Kind::vertex:
-      return is_alive(element.vertex());
-    case Element::Kind::halfedge:
-      return is_alive(element.halfedge());
-    case Element::Kind::edge:
-      return is_alive(halfedge(element.edge()));
-    default:
-      return is_alive(element.face());
   }
 }
 
@@ -232,7 +219,7 @@ class AlgorithmRun {
     Record<left_shape> json;
     json["elements"] = Json::array();
     for (const Element& element : left.elements)
-      if (is_there(document_.mesh(), element)) json["elements"].push_back(ryosen::name_of(document_.mesh(), element));
+      if (is_alive(document_.mesh(), element)) json["elements"].push_back(ryosen::name_of(document_.mesh(), element));
     json.put(left.reason);
     return std::move(json).json();
   }

@@ -13,4 +13,18 @@ NamedElement find_element(const Mesh& mesh, std::string_view name) {
   return as(find_edge(mesh, name), [&](Halfedge h) { return is_half ? Element(h) : Element(edge(h)); });
 }
 
+bool is_alive(const Mesh& mesh, const Element& element) {
+  const auto lives = [&](auto handle) { return mesh.exists(handle) && mesh.is_alive(handle); };
+  switch (element.kind) {
+    case Element::Kind::vertex:
+      return lives(element.vertex());
+    case Element::Kind::halfedge:
+      return lives(element.halfedge());
+    case Element::Kind::edge:
+      return lives(element.edge());
+    default:
+      return lives(element.face());
+  }
+}
+
 }  // namespace ryosen

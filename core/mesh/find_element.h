@@ -16,4 +16,7 @@ struct NamedElement {
 // fN is a face, vN a vertex, hN a halfedge, all else an edge.
 NamedElement find_element(const Mesh& mesh, std::string_view name);
 
+// Whether it is an element of the mesh as it is; not one without a slot.
+bool is_alive(const Mesh& mesh, const Element& element);
+
 }  // namespace ryosen

@@ -33,12 +33,9 @@ Modifiers modifiers_of(std::string_view chord) {
 }
 
 bool is_panel_key(std::string_view chord) {
-  constexpr std::string_view keys[] = {"Tab",       "Left",  "Right",  "Up",    "Down",   "Home",   "End",
-                                       "Backspace", "Enter", "Escape", "Space", "Delete", "PageUp", "PageDown",
-                                       "A",         "C",     "V",      "X",     "Y",      "Z"};
   const std::size_t before = chord.size() - key_of(chord).size();
   return (before == 0 || find_modifiers(chord.substr(0, before - 1))) &&
-         std::find(std::begin(keys), std::end(keys), key_of(chord)) != std::end(keys);
+         std::find(std::begin(panel_keys), std::end(panel_keys), key_of(chord)) != std::end(panel_keys);
 }
 
 std::optional<MouseButton> find_button(std::string_view word) {

@@ -43,7 +43,10 @@ std::optional<Modifiers> find_modifiers(std::string_view text);
 // The parts of a chord, which may end with the key +; what stands before the key in vain is no modifier.
 std::string_view key_of(std::string_view chord);
 Modifiers modifiers_of(std::string_view chord);
-// Whether the key edits text or walks through panels, whatever else it is bound to.
+// The keys that edit text or walk through panels, whatever else they are bound to; and whether a chord is with one.
+inline constexpr std::string_view panel_keys[] = {
+    "Tab",    "Left",  "Right",  "Up",       "Down", "Home", "End", "Delete", "Backspace", "Enter",
+    "Escape", "Space", "PageUp", "PageDown", "A",    "C",    "V",   "X",      "Y",         "Z"};
 bool is_panel_key(std::string_view chord);
 std::optional<MouseButton> find_button(std::string_view word);
 

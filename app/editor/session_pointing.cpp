@@ -4,7 +4,6 @@
 #include "app/editor/commands.h"
 #include "app/editor/pick_modes.h"
 #include "app/editor/session.h"
-#include "app/editor/view_input.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/find_element.h"
 

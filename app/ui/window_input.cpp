@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "app/editor/keys.h"
@@ -10,7 +12,7 @@ namespace ryosen {
 
 namespace {
 
-constexpr std::pair<std::string_view, int> panel_keys[] = {
+constexpr std::pair<std::string_view, int> imgui_keys[] = {
     {"Tab", ImGuiKey_Tab},
     {"Left", ImGuiKey_LeftArrow},
     {"Right", ImGuiKey_RightArrow},
@@ -33,9 +35,12 @@ constexpr std::pair<std::string_view, int> panel_keys[] = {
     {"Z", ImGuiKey_Z},
 };
 
+static_assert(std::equal(std::begin(imgui_keys), std::end(imgui_keys), std::begin(panel_keys), std::end(panel_keys),
+                         [](const auto& row, std::string_view name) { return row.first == name; }));
+
 // Of a key that is_panel_key, else -1.
 int panel_key_of(std::string_view chord) {
-  for (const auto& [name, key] : panel_keys)
+  for (const auto& [name, key] : imgui_keys)
     if (name == key_of(chord)) return key;
   return -1;
 }

@@ -23,6 +23,7 @@ std::optional<Glfw> loaded() {
   find(glfw.get_error, "glfwGetError");
   find(glfw.get_framebuffer_size, "glfwGetFramebufferSize");
   find(glfw.get_key, "glfwGetKey");
+  find(glfw.get_key_name, "glfwGetKeyName");
   find(glfw.get_proc_address, "glfwGetProcAddress");
   find(glfw.get_time, "glfwGetTime");
   find(glfw.get_window_content_scale, "glfwGetWindowContentScale");

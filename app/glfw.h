@@ -16,6 +16,7 @@ struct Glfw {
   decltype(&glfwGetError) get_error = nullptr;
   decltype(&glfwGetFramebufferSize) get_framebuffer_size = nullptr;
   decltype(&glfwGetKey) get_key = nullptr;
+  decltype(&glfwGetKeyName) get_key_name = nullptr;
   decltype(&glfwGetProcAddress) get_proc_address = nullptr;
   decltype(&glfwGetTime) get_time = nullptr;
   decltype(&glfwGetWindowContentScale) get_window_content_scale = nullptr;

@@ -183,7 +183,8 @@ class Editor {
     glfw().set_scroll_callback(w, [](GLFWwindow* x, double, double steps) {
       if (!of(x).is_working_) of(x).input_.wheel(steps, of(x).window_.pointer());
     });
-    glfw().set_key_callback(w, [](GLFWwindow* x, int key, int, int action, int mods) { of(x).key(key, action, mods); });
+    glfw().set_key_callback(
+        w, [](GLFWwindow* x, int key, int place, int action, int mods) { of(x).key(key, place, action, mods); });
     glfw().set_char_callback(w, [](GLFWwindow* x, unsigned code) {
       if (!of(x).is_working_) of(x).gui_.character(code);
     });
@@ -212,11 +213,14 @@ class Editor {
       input_.release(which, window_.pointer());
   }
 
-  void key(int key, int action, int modifiers) {
+  void key(int key, int place, int action, int modifiers) {
     if (is_working_ && key == GLFW_KEY_ESCAPE && action == GLFW_PRESS) cancel_work();
     if (is_working_ && action != GLFW_RELEASE) return;
-    const std::string chord = chord_of_glfw(key, modifiers);
-    action == GLFW_RELEASE ? input_.key_up(chord) : void(input_.key_down(chord));
+    const std::string chord = chord_of_glfw(key, modifiers, glfw().get_key_name(key, place));
+    if (action == GLFW_RELEASE)
+      input_.key_up(chord);
+    else
+      input_.key_down(chord, action == GLFW_REPEAT);
     input_.point(window_.pointer());
   }
 

@@ -7,6 +7,7 @@ namespace ryosen {
 
 namespace {
 
+// By its place on a US keyboard.
 std::string name_of_key(int key) {
   if ((key >= GLFW_KEY_A && key <= GLFW_KEY_Z) || (key >= GLFW_KEY_0 && key <= GLFW_KEY_9))
     return std::string(1, static_cast<char>(key));
@@ -45,20 +46,37 @@ std::string name_of_key(int key) {
     case GLFW_KEY_PERIOD:
     case GLFW_KEY_KP_DECIMAL:
       return ".";
+    case GLFW_KEY_KP_ADD:
+    case GLFW_KEY_EQUAL:
+      return "+";
+    case GLFW_KEY_KP_SUBTRACT:
+    case GLFW_KEY_MINUS:
+      return "-";
     default:
       return {};
   }
 }
 
+bool is_on_numpad(int key) { return key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_EQUAL; }
+
+// What is printed there, where keys are called so.
+std::string name_printed(const char* printed) {
+  const char c = printed && printed[0] != '\0' && printed[1] == '\0' ? printed[0] : '\0';
+  if (c >= 'a' && c <= 'z') return std::string(1, static_cast<char>(c - 'a' + 'A'));
+  if (c == '=') return "+";
+  return c == '+' || c == '-' || c == '.' ? std::string(1, c) : std::string();
+}
+
 }  // namespace
 
-std::string chord_of_glfw(int key, int modifiers) {
-  const std::string name = name_of_key(key);
+std::string chord_of_glfw(int key, int modifiers, const char* printed) {
+  std::string name = is_on_numpad(key) ? std::string() : name_printed(printed);
+  if (name.empty()) name = name_of_key(key);
   if (name.empty()) return {};
   std::string chord;
   if ((modifiers & GLFW_MOD_CONTROL) != 0) chord += "Ctrl+";
   if ((modifiers & GLFW_MOD_ALT) != 0) chord += "Alt+";
-  if ((modifiers & GLFW_MOD_SHIFT) != 0) chord += "Shift+";
+  if ((modifiers & GLFW_MOD_SHIFT) != 0 && name != "+") chord += "Shift+";
   return chord + name;
 }
 

@@ -25,8 +25,12 @@ CommandRow row_of(const AlgorithmRow& algorithm);
 RunCommand run_repair;
 FaultOfCommand fault_of_repair;
 // What the pointer does: commands_pointing.cpp
-RunCommand run_select, run_walk, run_tool, run_mode, run_click, run_remedy;
-FaultOfCommand fault_of_select, fault_of_remedy;
+RunCommand run_walk, run_tool, run_mode, run_click, run_remedy;
+FaultOfCommand fault_of_remedy;
+// Selecting: commands_selecting.cpp
+RunCommand run_select;
+FaultOfCommand fault_of_select;
+std::string select_syntax();
 // Events of mouse and keyboard: commands_input.cpp
 RunCommand run_press, run_move, run_release, run_wheel, run_type, run_key;
 FaultOfCommand fault_of_move, fault_of_key;

@@ -58,10 +58,11 @@ const std::vector<CommandRow>& first_rows() {
        .file = FileAccess::writes,
        .fault = no_fault},
       {.id = "select",
-       .syntax = "NAME...|PROBLEM NAME|none",
-       .help_en =
-           "selects vertices, edges, faces by name, or all that a problem there is about: its loop, fans or pair",
-       .help_ja = "名前で要素を選択する。問題の種類を付けると、それに関わるループ・扇・対の全体",
+       .syntax = select_syntax(),
+       .help_en = "selects by name, all that a problem is about (its loop, fans or pair), all problems of a kind, what "
+                  "grows from the selection, or what has a trait",
+       .help_ja =
+           "名前、問題（関わるループ・扇・対の全体、名前なしなら同種すべて）、選択からの広がり、性質で要素を選択する",
        .effect = Effect::none,
        .run = run_select,
        .fault = fault_of_select},

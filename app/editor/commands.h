@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/editor/session.h"
+#include "core/selection/selectors.h"
 
 namespace ryosen {
 
@@ -77,6 +78,8 @@ std::string file_of(const CommandCall& call);
 
 // How scripts call an algorithm: by its id, behind `repair` where that is wanted or an operator has the id.
 std::string called(const AlgorithmRow& algorithm, bool as_repair = false);
+// The line that selects what a row of the table of selectors finds, with its usual value.
+std::string select_line(const Selector& row);
 // The line that runs an algorithm with these values.
 std::string line_of(const AlgorithmRow& algorithm, const ParameterValues& values);
 

@@ -1,5 +1,6 @@
 #include "app/editor/keys.h"
 
+#include "app/editor/commands.h"
 #include "app/editor/view_switches.h"
 #include "core/ops/all.h"
 #include "core/view/named_views.h"
@@ -15,13 +16,13 @@ const KeyRow first_keys[] = {
     {"2", "mode edge", "pick edges", "稜線モード"},
     {"3", "mode face", "pick faces", "面モード"},
     {"4", "mode halfedge", "pick halfedges", "半稜線モード"},
-    {"Right", "walk next", "from the selected halfedge to the next", "選択した半稜線の次へ"},
-    {"Left", "walk prev", "from the selected halfedge to the previous", "選択した半稜線の前へ"},
-    {"Up", "walk twin", "from the selected halfedge to its twin", "選択した半稜線の対へ"},
-    {"Down", "walk around", "to the next halfedge from the same vertex", "同じ始点の隣の半稜線へ"},
-    {"Ctrl+Z", "undo", "undo", "元に戻す"},
-    {"Ctrl+Shift+Z", "redo", "redo", "やり直す"},
-    {"Ctrl+Y", "redo", "redo", "やり直す"},
+    {"Right", "walk next", "from the selected halfedge to the next", "選択した半稜線の次へ", false, true},
+    {"Left", "walk prev", "from the selected halfedge to the previous", "選択した半稜線の前へ", false, true},
+    {"Up", "walk twin", "from the selected halfedge to its twin", "選択した半稜線の対へ", false, true},
+    {"Down", "walk around", "to the next halfedge from the same vertex", "同じ始点の隣の半稜線へ", false, true},
+    {"Ctrl+Z", "undo", "undo", "元に戻す", false, true},
+    {"Ctrl+Shift+Z", "redo", "redo", "やり直す", false, true},
+    {"Ctrl+Y", "redo", "redo", "やり直す", false, true},
     {"Ctrl+O", "panel open", "open a file", "ファイルを開く"},
     {"Ctrl+S", "save", "save", "保存"},
     {"Ctrl+Shift+S", "panel save", "save under another name", "名前を付けて保存"},
@@ -46,6 +47,9 @@ std::vector<KeyRow> key_table() {
     keys.push_back({std::string(1, op.key), is_tool(op) ? "tool " + id : id, op.name_en, op.name_ja});
   }
   keys.insert(keys.end(), std::begin(first_keys), std::end(first_keys));
+  for (const Selector& row : selectors())
+    if (!row.chord.empty())
+      keys.push_back({std::string(row.chord), select_line(row), row.name_en, row.name_ja, false, row.repeats});
   for (const NamedView& view : named_views())
     if (!view.chord.empty())
       keys.push_back({std::string(view.chord), "view " + std::string(view.id), view.key_en, view.key_ja});

@@ -14,9 +14,10 @@ struct KeyRow {
   std::string_view help_en, help_ja;
   // Also while a panel lies over the view, or text is typed.
   bool acts_always = false;
+  bool repeats = false;  // while it is held down
 };
 
-// The keys of operators, views and switches come from their own rows.
+// The keys of operators, selectors, views and switches come from their own rows.
 std::vector<KeyRow> key_table();
 // By chord; none if unbound.
 std::optional<KeyRow> find_key(std::string_view chord);

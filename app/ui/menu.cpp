@@ -55,7 +55,15 @@ void draw_edit_menu(PanelContext& context) {
     ImGui::EndMenu();
   }
   panel_items(context, PanelMenu::edit);
-  item(context, UiText::select_none, "select none", !context.session.selection.empty());
+}
+
+// What needs a value that has no usual one is only a command.
+void draw_select_menu(PanelContext& context) {
+  for (const Selector& row : selectors()) {
+    if (row.value != Selector::Value::none && row.usual.empty()) continue;
+    item(context, context.text(row.name_en, row.name_ja), select_line(row),
+         missing_for(row, context.session.selection).en.empty());
+  }
 }
 
 // Of two values that a key goes between the second one, ticked where it is on; else one entry for each.
@@ -100,6 +108,7 @@ void draw_menu(PanelContext& context) {
   };
   menu(UiText::menu_file, draw_file_menu);
   menu(UiText::menu_edit, draw_edit_menu);
+  menu(UiText::menu_select, draw_select_menu);
   menu(UiText::menu_view, draw_view_menu);
   menu(UiText::menu_help, [](PanelContext& c) { panel_items(c, PanelMenu::help); });
   draw_name(context);

@@ -79,12 +79,13 @@ void WindowInput::wheel(double steps, const Pointer& at) {
   show_event();
 }
 
-Outcome WindowInput::key_down(const std::string& chord) {
+Outcome WindowInput::key_down(const std::string& chord, bool is_again) {
   const Modifiers modifiers = modifiers_of(chord);
   gui_.modifiers(modifiers.shift, modifiers.ctrl);
   if (const int key = panel_key_of(chord); key >= 0) gui_.key(key, true);
   const auto row = find_key(chord);
-  if (!row || ((gui_.owns_keys() || !session_.open_panel.empty()) && !row->acts_always)) return {};
+  if (!row || (is_again && !row->repeats)) return {};
+  if ((gui_.owns_keys() || !session_.open_panel.empty()) && !row->acts_always) return {};
   return gui_.run(session_, row->command);
 }
 

@@ -27,8 +27,8 @@ class WindowInput : public ViewInput {
   Outcome key(const std::string& chord) override;
   Outcome type(std::string_view text) override;
 
-  // The two halves of a key.
-  Outcome key_down(const std::string& chord);
+  // The two halves of a key. Held down it comes again and again, which not every command does.
+  Outcome key_down(const std::string& chord, bool is_again = false);
   void key_up(const std::string& chord);
   // The pointer has left the window. A drag goes on.
   void leave();

@@ -12,7 +12,7 @@
 namespace ryosen {
 namespace {
 
-constexpr glm::dvec2 view_menu{94, 10};
+constexpr glm::dvec2 view_menu{165, 10};
 
 class PanelsTest : public testing::Test, protected test::Laid {
  protected:
@@ -114,7 +114,7 @@ TEST_F(PanelsTest, one_of_another_program_is_the_last_of_the_view_menu) {
   const auto press_last_entry = [&](bool until_hidden) {
     for (double y = 660; y > 200 && session.switched_panels.empty() == until_hidden; y -= 8) {
       click(view_menu);
-      click({100, y});
+      click({200, y});
     }
   };
   press_last_entry(true);

@@ -142,5 +142,19 @@ TEST(gui, takes_another_scale_while_it_runs) {
   EXPECT_FALSE(gui.prepare(session));
 }
 
+TEST_F(WindowInputTest, a_key_that_is_held_down_repeats_where_that_helps) {
+  session_.run("mode face");
+  session_.run("select f0");
+  input_.key_down("+");
+  const std::size_t once = session_.selection.size();
+  EXPECT_GT(once, 1u);
+  input_.key_down("+", true);
+  EXPECT_GT(session_.selection.size(), once);
+  input_.key_down("I");
+  const std::size_t others = session_.selection.size();
+  input_.key_down("I", true);
+  EXPECT_EQ(session_.selection.size(), others) << "it would come and go";
+}
+
 }  // namespace
 }  // namespace ryosen

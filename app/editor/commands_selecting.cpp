@@ -1,0 +1,159 @@
+// The command `select`.
+#include <algorithm>
+
+#include "app/editor/command_functions.h"
+#include "app/editor/command_syntax.h"
+#include "app/editor/script.h"
+#include "core/base/count_text.h"
+#include "core/mesh/find_element.h"
+#include "core/ops/lines/syntax.h"
+#include "core/selection/element_set.h"
+#include "core/selection/selectors.h"
+
+namespace ryosen {
+
+namespace {
+
+// What is asked for: names, behind a word that says what becomes of the selection; all that a problem is about, or all
+// problems of a kind; or what a selector finds.
+struct Selecting {
+  enum class How { anew, add, toggle };
+  How how = How::anew;
+  const ProblemRow* problem = nullptr;
+  const Selector* selector = nullptr;
+  Words names;  // of elements; the values of a selector
+};
+
+Selecting read_selecting(Words arguments) {
+  Selecting asked{.names = arguments};
+  const std::string_view first = arguments.empty() ? "" : arguments[0];
+  if (first == "add" || first == "toggle") {
+    asked.how = first == "add" ? Selecting::How::add : Selecting::How::toggle;
+    asked.names = arguments.subspan(1);
+    return asked;
+  }
+  asked.selector = find_selector(first);
+  if (arguments.size() <= 2) asked.problem = find_problem_row(first);
+  if (asked.selector || asked.problem) asked.names = arguments.subspan(1);
+  return asked;
+}
+
+std::optional<ValueRange> value_of(const Selector& row, Words values) {
+  if (row.value == Selector::Value::none) return values.empty() ? std::optional(ValueRange()) : std::nullopt;
+  if (values.size() > 1 || (values.empty() && row.usual.empty())) return std::nullopt;
+  return parse_value(row, values.empty() ? row.usual : values[0]);
+}
+
+std::optional<Text> fault_of(const Selecting& asked) {
+  if (asked.how != Selecting::How::anew && asked.names.empty()) return wrong_arguments("select").sentence;
+  if (asked.selector) {
+    if (value_of(*asked.selector, asked.names)) return std::nullopt;
+    const std::string syntax = syntax_of(*asked.selector);
+    return Text{"select: expected " + syntax, "select：書き方は " + syntax};
+  }
+  if (asked.problem && asked.names.empty() && !asked.problem->is_local())
+    return Text{"select: " + std::string(asked.problem->id) + " is not kept; name the element",
+                "select：" + std::string(asked.problem->id) + " は一覧を保持していません。要素名を付けてください"};
+  for (const std::string_view name : asked.names)
+    if (!is_element_name(name))
+      return behind("select", not_understood(name, {"the name of an element", "要素の名前を"}));
+  return std::nullopt;
+}
+
+// Those named; fails at the first that is not there.
+Outcome find_named(Session& session, Words names, Elements& found) {
+  for (const std::string_view name : names) {
+    const NamedElement named = find_element(session.mesh(), name);
+    if (!named.element) {
+      const Text sentence = session.document().quarantine_text({&name, 1}).value_or(named.sentence);
+      return usage_error("select: " + sentence.en, "select：" + sentence.ja);
+    }
+    found.push_back(*named.element);
+  }
+  return {};
+}
+
+Elements all_of(Session& session, const ProblemRow& problem) {
+  const auto kind = problem.vertex ? Element::Kind::vertex : problem.edge ? Element::Kind::edge : Element::Kind::face;
+  Elements found;
+  session.highlights().of(problem.kind).for_each([&](std::uint32_t i) {
+    Element e;
+    e.kind = kind;
+    e.index = i;
+    found.push_back(e);
+  });
+  return found;
+}
+
+// Adds what is not there yet; where wanted takes out what is.
+void put_into(Elements& selection, std::span<const Element> elements, Selecting::How how) {
+  ElementSet selected(selection), taken_out;
+  for (const Element& e : elements) {
+    if (selected.insert(e)) {
+      selection.push_back(e);
+    } else if (how == Selecting::How::toggle) {
+      taken_out.insert(e);
+    }
+  }
+  if (how == Selecting::How::toggle) std::erase_if(selection, [&](const Element& e) { return taken_out.contains(e); });
+}
+
+Element::Kind kind_of(PickMode mode) {
+  switch (mode) {
+    case PickMode::vertex:
+      return Element::Kind::vertex;
+    case PickMode::edge:
+      return Element::Kind::edge;
+    case PickMode::face:
+      return Element::Kind::face;
+    case PickMode::halfedge:
+      return Element::Kind::halfedge;
+  }
+  return Element::Kind::edge;
+}
+
+Outcome select(Session& session, Elements found) {
+  Outcome outcome;
+  outcome.sentence = found.empty() ? Text{"nothing is selected", "選択はありません"}
+                                   : count_text(found.size(), "one element is selected", "# elements are selected",
+                                                "# 個を選択しました");
+  session.selection = std::move(found);
+  return outcome;
+}
+
+}  // namespace
+
+std::string select_syntax() {
+  std::string syntax = "[add|toggle] NAME...|PROBLEM [NAME]";
+  for (const Selector& row : selectors()) syntax += "|" + syntax_of(row);
+  return syntax;
+}
+
+std::string select_line(const Selector& row) {
+  return "select " + std::string(row.id) + (row.usual.empty() ? "" : " " + std::string(row.usual));
+}
+
+std::optional<Text> fault_of_select(Words arguments, const std::string&) { return fault_of(read_selecting(arguments)); }
+
+Outcome run_select(Session& session, Words arguments, std::string_view) {
+  const Selecting asked = read_selecting(arguments);
+  if (const auto fault = fault_of(asked)) return usage_error(*fault);
+  if (asked.selector) {
+    const Selector& row = *asked.selector;
+    if (const Text missing = missing_for(row, session.selection); !missing.en.empty())
+      return failed(ExitCode::refused, missing);
+    return select(session,
+                  row.find(session.mesh(), session.selection, kind_of(session.mode), *value_of(row, asked.names)));
+  }
+  if (asked.problem && asked.names.empty()) return select(session, all_of(session, *asked.problem));
+  Elements found;
+  if (Outcome outcome = find_named(session, asked.names, found); !outcome.done()) return outcome;
+  if (asked.problem) found = session.about(*asked.problem, found[0]);
+  if (asked.how == Selecting::How::anew)
+    session.selection = std::move(found);
+  else
+    put_into(session.selection, found, asked.how);
+  return {};
+}
+
+}  // namespace ryosen

@@ -1,0 +1,241 @@
+#include "core/selection/selectors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+#include <unordered_set>
+
+#include "core/highlights/creases.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/ops/op.h"
+#include "core/selection/element_set.h"
+
+namespace ryosen {
+
+namespace {
+
+using Selected = std::span<const Element>;
+
+std::uint32_t slots(const Mesh& mesh, Vertex) { return mesh.vertex_slots(); }
+std::uint32_t slots(const Mesh& mesh, Halfedge) { return mesh.halfedge_slots(); }
+std::uint32_t slots(const Mesh& mesh, Edge) { return mesh.edge_slots(); }
+std::uint32_t slots(const Mesh& mesh, Face) { return mesh.face_slots(); }
+
+bool counts(const Mesh& mesh, Vertex v) { return mesh.is_alive(v) && point(mesh, v) == v; }
+bool counts(const Mesh& mesh, Halfedge h) { return mesh.is_alive(edge(h)); }
+bool counts(const Mesh& mesh, Edge e) { return mesh.is_alive(e); }
+bool counts(const Mesh& mesh, Face f) { return mesh.is_alive(f); }
+
+// The live elements of a kind, points in place of vertices, that are so; ascending.
+template <class Handle, class Is>
+Elements those(const Mesh& mesh, Is is) {
+  Elements found;
+  for (std::uint32_t i = 0; i < slots(mesh, Handle()); ++i)
+    if (const Handle element(i); counts(mesh, element) && is(element)) found.emplace_back(element);
+  return found;
+}
+template <class Is>
+Elements those(const Mesh& mesh, Element::Kind sort, Is is) {
+  switch (sort) {
+    case Element::Kind::vertex:
+      return those<Vertex>(mesh, is);
+    case Element::Kind::halfedge:
+      return those<Halfedge>(mesh, is);
+    case Element::Kind::edge:
+      return those<Edge>(mesh, is);
+    case Element::Kind::face:
+      return those<Face>(mesh, is);
+  }
+  return {};
+}
+
+Elements find_none(const Mesh&, Selected, Element::Kind, ValueRange) { return {}; }
+
+Elements find_all(const Mesh& mesh, Selected, Element::Kind sort, ValueRange) {
+  return those(mesh, sort, [](auto) { return true; });
+}
+
+Elements find_others(const Mesh& mesh, Selected selection, Element::Kind sort, ValueRange) {
+  ElementSet selected(selection);
+  for (const Element& e : selection)  // a copy stands for its point
+    if (e.kind == Element::Kind::vertex) selected.insert(point(mesh, e.vertex()));
+  return those(mesh, sort, [&](auto element) { return !selected.contains(element); });
+}
+
+// To how many other points edges go.
+std::uint32_t valence(const Mesh& mesh, Vertex v) {
+  if (!has_copies(mesh, v)) {
+    std::uint32_t edges = 0;
+    for ([[maybe_unused]] Halfedge h : outgoing(mesh, v)) ++edges;
+    return edges;
+  }
+  std::unordered_set<std::uint32_t> points;
+  for_each_copy(mesh, v, [&](Vertex copy) {
+    for (Vertex other : neighbours(mesh, copy)) points.insert(point(mesh, other).index);
+  });
+  return static_cast<std::uint32_t>(points.size());
+}
+
+Elements of_valence(const Mesh& mesh, Selected, Element::Kind, ValueRange value) {
+  return those<Vertex>(mesh, [&](Vertex v) { return value.holds(valence(mesh, v)); });
+}
+Elements of_sides(const Mesh& mesh, Selected, Element::Kind, ValueRange value) {
+  return those<Face>(mesh, [&](Face f) { return value.holds(corner_count(mesh, f)); });
+}
+
+// NaN is neither.
+double length(const Mesh& mesh, Edge e) {
+  const auto [a, b] = ends(mesh, e);
+  return glm::distance(mesh.position(a), mesh.position(b));
+}
+Elements shorter(const Mesh& mesh, Selected, Element::Kind, ValueRange value) {
+  return those<Edge>(mesh, [&](Edge e) { return length(mesh, e) < value.low; });
+}
+Elements longer(const Mesh& mesh, Selected, Element::Kind, ValueRange value) {
+  return those<Edge>(mesh, [&](Edge e) { return length(mesh, e) > value.low; });
+}
+
+Elements sharp(const Mesh& mesh, Selected, Element::Kind, ValueRange value) {
+  const double cosine = std::cos(value.low * std::numbers::pi / 180);
+  Neighbourhood around(mesh, Neighbourhood::Reach::whole);
+  return those<Edge>(mesh, [&](Edge e) { return bends(around, e, cosine); });
+}
+
+Elements find_flat(const Mesh& mesh, Selected selection, Element::Kind, ValueRange value) {
+  return flat_regions(mesh, selection, value.low);
+}
+
+template <Elements (*spread)(const Mesh&, Selected)>
+Elements from_selection(const Mesh& mesh, Selected selection, Element::Kind, ValueRange) {
+  return spread(mesh, selection);
+}
+
+constexpr Element::Kind edge_kind = Element::Kind::edge, face_kind = Element::Kind::face;
+
+const Selector rows[] = {
+    {.id = "all", .name_en = "Select everything", .name_ja = "すべてを選択", .find = find_all, .chord = "A"},
+    {.id = "none", .name_en = "Select nothing", .name_ja = "選択を解除", .find = find_none, .chord = "Ctrl+Shift+A"},
+    {.id = "invert",
+     .name_en = "Select the others instead",
+     .name_ja = "選択を反転",
+     .find = find_others,
+     .chord = "I"},
+    {.id = "grow",
+     .name_en = "Select the neighbours too",
+     .name_ja = "選択を隣へ広げる",
+     .find = from_selection<grown>,
+     .chord = "+",
+     .repeats = true,
+     .needs_any = true},
+    {.id = "shrink",
+     .name_en = "Leave out the outermost",
+     .name_ja = "選択を縁から縮める",
+     .find = from_selection<shrunk>,
+     .chord = "-",
+     .repeats = true,
+     .needs_any = true},
+    {.id = "linked",
+     .name_en = "Select all that is linked",
+     .name_ja = "つながる全体を選択",
+     .find = from_selection<linked>,
+     .chord = "K",
+     .needs_any = true},
+    {.id = "loop",
+     .name_en = "Select the loop of edges",
+     .name_ja = "稜線ループを選択",
+     .find = from_selection<edge_loops>,
+     .chord = "L",
+     .needs = edge_kind},
+    {.id = "ring",
+     .name_en = "Select the ring of edges",
+     .name_ja = "稜線リングを選択",
+     .find = from_selection<edge_rings>,
+     .chord = "Shift+L",
+     .needs = edge_kind},
+    {.id = "flat",
+     .name_en = "Select the flat region around",
+     .name_ja = "平らな領域を選択",
+     .find = find_flat,
+     .value = Selector::Value::size,
+     .usual = "1",
+     .needs = face_kind},
+    {.id = "sharp",
+     .name_en = "Select edges that bend by more than 30 degrees",
+     .name_ja = "30 度より曲がる稜線を選択",
+     .find = sharp,
+     .value = Selector::Value::size,
+     .usual = "30"},
+    {.id = "sides",
+     .name_en = "Select faces of more than four sides",
+     .name_ja = "5 角以上の面を選択",
+     .find = of_sides,
+     .value = Selector::Value::count,
+     .usual = "5.."},
+    {.id = "valence",
+     .name_en = "Select vertices of more than six edges",
+     .name_ja = "稜線が 7 本以上の頂点を選択",
+     .find = of_valence,
+     .value = Selector::Value::count,
+     .usual = "7.."},
+    {.id = "shorter",
+     .name_en = "Select edges shorter than",
+     .name_ja = "指定より短い稜線を選択",
+     .find = shorter,
+     .value = Selector::Value::size},
+    {.id = "longer",
+     .name_en = "Select edges longer than",
+     .name_ja = "指定より長い稜線を選択",
+     .find = longer,
+     .value = Selector::Value::size},
+};
+
+}  // namespace
+
+std::span<const Selector> selectors() { return rows; }
+
+const Selector* find_selector(std::string_view id) {
+  const auto row = std::find_if(std::begin(rows), std::end(rows), [&](const Selector& r) { return r.id == id; });
+  return row == std::end(rows) ? nullptr : row;
+}
+
+std::string syntax_of(const Selector& row) {
+  const std::string id(row.id);
+  if (row.value == Selector::Value::none) return id;
+  const std::string value = row.value == Selector::Value::count ? "N..M" : "X";
+  return id + (row.usual.empty() ? " " + value : " [" + value + "]");
+}
+
+std::optional<ValueRange> parse_value(const Selector& row, std::string_view text) {
+  const auto number = [](std::string_view t) {
+    const auto n = parse_double(t);
+    return n && *n >= 0 ? n : std::nullopt;
+  };
+  if (row.value == Selector::Value::none) return std::nullopt;
+  const std::size_t dots = row.value == Selector::Value::count ? text.find("..") : std::string_view::npos;
+  if (dots == std::string_view::npos) {
+    const auto n = number(text);
+    return n ? std::optional(ValueRange{*n, *n}) : std::nullopt;
+  }
+  const std::string_view before = text.substr(0, dots), behind = text.substr(dots + 2);
+  const auto low = before.empty() ? std::optional(0.0) : number(before);
+  const auto high = behind.empty() ? std::optional(std::numeric_limits<double>::infinity()) : number(behind);
+  if (!low || !high || *low > *high || (before.empty() && behind.empty())) return std::nullopt;
+  return ValueRange{*low, *high};
+}
+
+Text missing_for(const Selector& row, std::span<const Element> selection) {
+  if (row.needs_any && selection.empty())
+    return {"select something first; it goes on from there", "先に何か選択してください。そこから広げます"};
+  if (!row.needs) return {};
+  const bool wants_edge = *row.needs == Element::Kind::edge;
+  for (const Element& e : selection)
+    if (e.kind == *row.needs || (wants_edge && e.kind == Element::Kind::halfedge)) return {};
+  return wants_edge
+             ? Text{"select an edge first; it goes on from there", "先に稜線を選択してください。そこから広げます"}
+             : Text{"select a face first; it goes on from there", "先に面を選択してください。そこから広げます"};
+}
+
+}  // namespace ryosen

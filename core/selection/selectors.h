@@ -1,0 +1,49 @@
+// The table of what can be selected at once: all, what grows from the selection, and what has a trait.
+//
+// To add one, write its function and its row. The command `select`, its help, the menu, keys and the tests read the table.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/base/message.h"
+#include "core/selection/spread.h"
+
+namespace ryosen {
+
+// From `low` to `high`, both included.
+struct ValueRange {
+  double low = 0, high = 0;
+
+  bool holds(double value) const { return low <= value && value <= high; }
+};
+
+struct Selector {
+  // What it takes behind its id: nothing, a number of things (N, N..M, N.., ..N), or a length or angle of 0 and more.
+  enum class Value { none, count, size };
+
+  std::string_view id;
+  std::string_view name_en, name_ja;  // in the menu, where it has the value `usual`
+  Elements (*find)(const Mesh& mesh, std::span<const Element> selection, Element::Kind sort, ValueRange value);
+  Value value = Value::none;
+  std::string_view usual = "";  // the value where none is said; empty where one must be
+  std::string_view chord = "";
+  bool repeats = false;  // while its key is held
+  // What must be selected for it; none where it does not look at the selection.
+  std::optional<Element::Kind> needs = std::nullopt;
+  bool needs_any = false;  // of any kind
+};
+
+// `sort` is what elements `all` and `invert` are about, and no other row.
+std::span<const Selector> selectors();
+const Selector* find_selector(std::string_view id);
+// "sides N|N..M|N..|..M"
+std::string syntax_of(const Selector& row);
+// A value as the row takes it.
+std::optional<ValueRange> parse_value(const Selector& row, std::string_view text);
+// What has to be selected before it can do anything; empty where that is so.
+Text missing_for(const Selector& row, std::span<const Element> selection);
+
+}  // namespace ryosen

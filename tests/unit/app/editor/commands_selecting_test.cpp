@@ -1,0 +1,83 @@
+#include <gtest/gtest.h>
+
+#include "app/editor/commands.h"
+#include "app/editor/keys.h"
+#include "core/mesh/circulate.h"
+#include "tests/support/app/program.h"
+
+namespace ryosen {
+namespace {
+
+std::unique_ptr<Session> a_torus() {
+  auto document = Document::open(test::asset("torus.off"));
+  EXPECT_TRUE(document);
+  return std::make_unique<Session>(std::move(document).value());
+}
+
+TEST(selecting, every_selector_is_a_command_and_its_key_sends_it) {
+  const auto session = a_torus();
+  for (const Selector& row : selectors()) {
+    const bool has_usual = row.value == Selector::Value::none || !row.usual.empty();
+    session->run("select v0 0-1 f0");
+    const Outcome outcome = session->run(has_usual ? select_line(row) : "select " + std::string(row.id) + " 0.5");
+    EXPECT_TRUE(outcome.done()) << row.id << ": " << outcome.sentence.en;
+    EXPECT_FALSE(outcome.sentence.en.empty()) << row.id;
+    if (row.chord.empty()) continue;
+    const auto key = find_key(row.chord);
+    ASSERT_TRUE(key) << row.id;
+    EXPECT_EQ(key->command, select_line(row));
+    EXPECT_EQ(key->repeats, row.repeats);
+  }
+  EXPECT_TRUE(session->log().empty()) << "selecting is no edit";
+}
+
+TEST(selecting, is_about_the_elements_of_the_mode) {
+  const auto session = a_torus();
+  const auto live = session->mesh().live();
+  for (const auto& [mode, count] : {std::pair<const char*, std::size_t>{"vertex", live.vertices},
+                                    {"edge", live.edges},
+                                    {"face", live.faces},
+                                    {"halfedge", 2 * live.edges}}) {
+    ASSERT_TRUE(session->run(std::string("mode ") + mode).done());
+    ASSERT_TRUE(session->run("select all").done());
+    EXPECT_EQ(session->selection.size(), count) << mode;
+    ASSERT_TRUE(session->run("select invert").done());
+    EXPECT_TRUE(session->selection.empty()) << mode;
+  }
+}
+
+TEST(selecting, finds_all_problems_of_a_kind) {
+  auto document = Document::open(test::asset("stanford_bunny.obj"));
+  ASSERT_TRUE(document);
+  Session session(std::move(document).value());
+  ASSERT_TRUE(session.run("select boundary_loop").done());
+  EXPECT_EQ(session.selection.size(), session.highlights().count(ProblemKind::boundary_loop));
+  EXPECT_EQ(session.run("select self_intersection").exit_code, ExitCode::usage) << "they are not kept";
+}
+
+TEST(selecting, says_what_is_wrong_or_missing) {
+  const auto session = a_torus();
+  for (const char* line : {"select sides x", "select shorter", "select shorter -1", "select all 3", "select loop 2",
+                           "select sides 3 4", "select add", "select toggle", "select nonsense", "select v99999"})
+    EXPECT_EQ(session->run(line).exit_code, ExitCode::usage) << line;
+  session->run("select none");
+  for (const char* line :
+       {"select grow", "select shrink", "select linked", "select loop", "select ring", "select flat"}) {
+    const Outcome outcome = session->run(line);
+    EXPECT_EQ(outcome.exit_code, ExitCode::refused) << line;
+    EXPECT_NE(outcome.sentence.en.find("first"), std::string::npos) << line;
+    EXPECT_FALSE(outcome.sentence.ja.empty()) << line;
+  }
+}
+
+TEST(selecting, toggles_and_adds_many_at_once) {
+  const auto session = a_torus();
+  session->run("select f3 f1");
+  ASSERT_TRUE(session->run("select add f1 f7 v2").done());
+  EXPECT_EQ(session->selection, (std::vector<Element>{Face(3), Face(1), Face(7), Vertex(2)}));
+  ASSERT_TRUE(session->run("select toggle f1 f9 v2").done());
+  EXPECT_EQ(session->selection, (std::vector<Element>{Face(3), Face(7), Face(9)}));
+}
+
+}  // namespace
+}  // namespace ryosen

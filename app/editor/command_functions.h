@@ -16,6 +16,10 @@ std::optional<std::uint32_t> count_of(Words arguments);
 using RunCommand = Outcome(Session& session, Words arguments, std::string_view whole);
 using FaultOfCommand = std::optional<Text>(Words arguments, const std::string& line);
 
+// Operators, and commands of commands: commands_operator.cpp
+CommandRow row_of(const OpInfo& op, std::string_view called);
+RunCommand run_either;
+FaultOfCommand fault_of_either;
 // Files and the history: commands_document.cpp
 RunCommand run_new, run_open, run_save, run_undo, run_redo, run_recover, run_shot;
 FaultOfCommand fault_of_open, fault_of_recover;
@@ -28,8 +32,8 @@ FaultOfCommand fault_of_repair;
 RunCommand run_walk, run_tool, run_mode, run_click, run_remedy;
 FaultOfCommand fault_of_remedy;
 // Selecting: commands_selecting.cpp
-RunCommand run_select;
-FaultOfCommand fault_of_select;
+RunCommand run_select, run_keep, run_forget;
+FaultOfCommand fault_of_select, fault_of_keep;
 std::string select_syntax();
 // Events of mouse and keyboard: commands_input.cpp
 RunCommand run_press, run_move, run_release, run_wheel, run_type, run_key;

@@ -4,36 +4,11 @@
 #include "app/editor/expect.h"
 #include "app/editor/panel_list.h"
 #include "app/editor/words.h"
-#include "core/ops/lines/syntax.h"
 #include "core/view/named_views.h"
 
 namespace ryosen {
 
 namespace {
-
-// An operator as it is called by this word, its id or one of its aliases.
-CommandRow row_of(const OpInfo& op, std::string_view called) {
-  const std::string word(called);
-  const auto run = [word](Session& session, Words arguments, std::string_view whole) {
-    const Parsed<AnyOp> parsed = parse_op(session.mesh(), word, arguments);
-    if (!parsed.op) return no_element(session.document(), word + std::string(whole), parsed.error, parsed.sentence);
-    Outcome outcome = session.document().apply(*parsed.op, session.strict);
-    if (outcome.done()) outcome.performed = session.document().history().back().command;
-    return outcome;
-  };
-  const auto fault = [word](Words arguments, const std::string&) -> std::optional<Text> {
-    const auto wrong = fault_of_arguments(word, arguments);
-    return wrong ? std::optional(behind(word, *wrong)) : std::nullopt;
-  };
-  return {.id = op.id,
-          .syntax = std::string(op.syntax),
-          .help_en = op.help_en,
-          .help_ja = op.help_ja,
-          .effect = Effect::edits,
-          .run = run,
-          .aliases = op.aliases,
-          .fault = fault};
-}
 
 std::optional<Text> no_fault(Words, const std::string&) { return std::nullopt; }
 
@@ -66,6 +41,27 @@ const std::vector<CommandRow>& first_rows() {
        .effect = Effect::none,
        .run = run_select,
        .fault = fault_of_select},
+      {.id = "keep",
+       .syntax = "NAME",
+       .help_en = "keeps the selection under a name; select kept NAME selects it again",
+       .help_ja = "選択に名前を付けて取っておく（select kept NAME で再び選択）",
+       .effect = Effect::none,
+       .run = run_keep,
+       .fault = fault_of_keep},
+      {.id = "forget",
+       .syntax = "NAME",
+       .help_en = "forgets what was kept under a name",
+       .help_ja = "取っておいた選択を忘れる",
+       .effect = Effect::none,
+       .run = run_forget,
+       .fault = fault_of_keep},
+      {.id = "either",
+       .syntax = "COMMAND | COMMAND ...",
+       .help_en = "does the first of several commands that is possible",
+       .help_ja = "並べたコマンドのうち最初に可能なものを実行する",
+       .effect = Effect::none,
+       .run = run_either,
+       .fault = fault_of_either},
       {"walk", "next|prev|twin|around", "goes on from the one selected halfedge; around: about its first vertex",
        "選択中の半稜線から次へ移る（around：始点のまわり）", Effect::none, run_walk},
       {"undo", "[N]", "takes back the last N edits", "直前の N 回の編集を元に戻す", Effect::steps, run_undo},
@@ -222,6 +218,7 @@ std::optional<CommandCall> call_of(std::string_view line) {
     row->effect = Effect::none;
     row->is_long = false;
   }
+  row->is_long = row->is_long || (row->may_take_long && row->may_take_long(arguments));
   return CommandCall{std::move(*row), std::string(line)};
 }
 

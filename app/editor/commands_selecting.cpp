@@ -9,6 +9,7 @@
 #include "core/ops/lines/syntax.h"
 #include "core/selection/element_set.h"
 #include "core/selection/selectors.h"
+#include "core/selection/slot_ranges.h"
 
 namespace ryosen {
 
@@ -21,7 +22,8 @@ struct Selecting {
   How how = How::anew;
   const ProblemRow* problem = nullptr;
   const Selector* selector = nullptr;
-  Words names;  // of elements; the values of a selector
+  bool is_kept = false;
+  Words names;  // of elements or ranges of them; the values of a selector; the name of a selection that was kept
 };
 
 Selecting read_selecting(Words arguments) {
@@ -32,9 +34,10 @@ Selecting read_selecting(Words arguments) {
     asked.names = arguments.subspan(1);
     return asked;
   }
+  asked.is_kept = first == "kept";
   asked.selector = find_selector(first);
   if (arguments.size() <= 2) asked.problem = find_problem_row(first);
-  if (asked.selector || asked.problem) asked.names = arguments.subspan(1);
+  if (asked.is_kept || asked.selector || asked.problem) asked.names = arguments.subspan(1);
   return asked;
 }
 
@@ -46,6 +49,7 @@ std::optional<ValueRange> value_of(const Selector& row, Words values) {
 
 std::optional<Text> fault_of(const Selecting& asked) {
   if (asked.how != Selecting::How::anew && asked.names.empty()) return wrong_arguments("select").sentence;
+  if (asked.is_kept) return asked.names.size() == 1 ? std::nullopt : std::optional(wrong_arguments("select").sentence);
   if (asked.selector) {
     if (value_of(*asked.selector, asked.names)) return std::nullopt;
     const std::string syntax = syntax_of(*asked.selector);
@@ -55,14 +59,33 @@ std::optional<Text> fault_of(const Selecting& asked) {
     return Text{"select: " + std::string(asked.problem->id) + " is not kept; name the element",
                 "select：" + std::string(asked.problem->id) + " は一覧を保持していません。要素名を付けてください"};
   for (const std::string_view name : asked.names)
-    if (!is_element_name(name))
+    if (!is_element_name(name) && !parse_slot_range(name))
       return behind("select", not_understood(name, {"the name of an element", "要素の名前を"}));
   return std::nullopt;
 }
 
-// Those named; fails at the first that is not there.
+bool has_slot(const Mesh& mesh, const Element& e) {
+  switch (e.kind) {
+    case Element::Kind::vertex:
+      return e.index < mesh.vertex_slots();
+    case Element::Kind::halfedge:
+      return e.index < mesh.halfedge_slots();
+    case Element::Kind::edge:
+      return e.index < mesh.edge_slots();
+    case Element::Kind::face:
+      return e.index < mesh.face_slots();
+  }
+  return false;
+}
+
+// Those named; fails at the first that is not there. Of a range those that are.
 Outcome find_named(Session& session, Words names, Elements& found) {
   for (const std::string_view name : names) {
+    if (const auto range = parse_slot_range(name)) {
+      for (Element e = range->first; e.index <= range->last && has_slot(session.mesh(), e); ++e.index)
+        if (is_alive(session.mesh(), e)) found.push_back(e);
+      continue;
+    }
     const NamedElement named = find_element(session.mesh(), name);
     if (!named.element) {
       const Text sentence = session.document().quarantine_text({&name, 1}).value_or(named.sentence);
@@ -112,6 +135,16 @@ Element::Kind kind_of(PickMode mode) {
   return Element::Kind::edge;
 }
 
+Outcome nothing_kept(const Session& session, std::string_view name) {
+  const std::string wanted(name);
+  std::vector<std::string> known;
+  for (const auto& [kept, elements] : session.selections.kept) known.push_back(kept);
+  const Text hint = did_you_mean(name, known);
+  return failed(
+      ExitCode::refused,
+      Text{"no selection is kept as '" + wanted + "'", "「" + wanted + "」という名前の選択はありません"} + hint);
+}
+
 Outcome select(Session& session, Elements found) {
   Outcome outcome;
   outcome.sentence = found.empty() ? Text{"nothing is selected", "選択はありません"}
@@ -121,10 +154,19 @@ Outcome select(Session& session, Elements found) {
   return outcome;
 }
 
+// What lives of it.
+Outcome select_kept(Session& session, std::string_view name) {
+  const auto kept = session.selections.kept.find(name);
+  if (kept == session.selections.kept.end()) return nothing_kept(session, name);
+  Elements found = kept->second;
+  drop_lost(found, session.mesh(), false);
+  return select(session, std::move(found));
+}
+
 }  // namespace
 
 std::string select_syntax() {
-  std::string syntax = "[add|toggle] NAME...|PROBLEM [NAME]";
+  std::string syntax = "[add|toggle] NAME...|A..B|PROBLEM [NAME]|kept NAME";
   for (const Selector& row : selectors()) syntax += "|" + syntax_of(row);
   return syntax;
 }
@@ -145,6 +187,7 @@ Outcome run_select(Session& session, Words arguments, std::string_view) {
     return select(session,
                   row.find(session.mesh(), session.selection, kind_of(session.mode), *value_of(row, asked.names)));
   }
+  if (asked.is_kept) return select_kept(session, asked.names[0]);
   if (asked.problem && asked.names.empty()) return select(session, all_of(session, *asked.problem));
   Elements found;
   if (Outcome outcome = find_named(session, asked.names, found); !outcome.done()) return outcome;
@@ -153,6 +196,27 @@ Outcome run_select(Session& session, Words arguments, std::string_view) {
     session.selection = std::move(found);
   else
     put_into(session.selection, found, asked.how);
+  return {};
+}
+
+std::optional<Text> fault_of_keep(Words arguments, const std::string& line) {
+  if (arguments.size() == 1) return std::nullopt;
+  return wrong_arguments(line.substr(0, line.find(' '))).sentence;
+}
+
+Outcome run_keep(Session& session, Words arguments, std::string_view) {
+  if (arguments.size() != 1) return wrong_arguments("keep");
+  if (session.selection.empty())
+    return failed(ExitCode::refused, {"nothing is selected that could be kept", "取っておく選択がありません"});
+  session.selections.kept.insert_or_assign(std::string(arguments[0]), session.selection);
+  return {};
+}
+
+Outcome run_forget(Session& session, Words arguments, std::string_view) {
+  if (arguments.size() != 1) return wrong_arguments("forget");
+  const auto kept = session.selections.kept.find(arguments[0]);
+  if (kept == session.selections.kept.end()) return nothing_kept(session, arguments[0]);
+  session.selections.kept.erase(kept);
   return {};
 }
 

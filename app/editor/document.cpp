@@ -159,6 +159,23 @@ Outcome Document::apply(const AnyOp& op, bool strict) {
   return outcome;
 }
 
+std::optional<EachResult> Document::apply_to_each(const OpInfo& op, std::span<const Element> elements,
+                                                  std::span<const std::string_view> arguments, std::string command,
+                                                  bool strict, Progress::Report report) {
+  EachResult result;
+  {
+    Progress progress(std::move(report));
+    Edit edit(writable(), &journal_);
+    result = ryosen::apply_to_each(edit, op, elements, arguments, strict, progress);
+    if (progress.is_cancelled()) return std::nullopt;
+    if (result.done == 0 || result.error != NameError::none) return result;
+    make_room_in_history();
+    edit.commit();
+  }
+  committed(std::move(command));
+  return result;
+}
+
 std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const ParameterValues& values,
                                              std::string command, Progress::Report report) {
   AlgorithmResult result;
@@ -217,7 +234,7 @@ void Document::committed(std::string command, OtherQuarantine other) {
     exchange_quarantine(transaction);
   }
   if (saved_position_ >= journal_.position()) saved_position_ = no_index;  // that position can no longer be reached
-  notify(transaction);
+  notify(transaction, Change::made);
 }
 
 void Document::exchange_quarantine(std::size_t transaction) {
@@ -225,16 +242,16 @@ void Document::exchange_quarantine(std::size_t transaction) {
   if (other != other_quarantine_.end()) std::swap(tables_.quarantine, other->second);
 }
 
-void Document::notify(std::size_t transaction) {
+void Document::notify(std::size_t transaction, Change change) {
   ++revision_;
-  for (const Listener& listener : listeners_) listener(transaction);
+  for (const Listener& listener : listeners_) listener(transaction, change);
 }
 
 bool Document::undo() {
   if (!journal_.can_undo()) return false;
   journal_.undo(writable());
   exchange_quarantine(journal_.position());
-  notify(journal_.position());
+  notify(journal_.position(), Change::undone);
   return true;
 }
 
@@ -242,7 +259,7 @@ bool Document::redo() {
   if (!journal_.can_redo()) return false;
   journal_.redo(writable());
   exchange_quarantine(journal_.position() - 1);
-  notify(journal_.position() - 1);
+  notify(journal_.position() - 1, Change::redone);
   return true;
 }
 

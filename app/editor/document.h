@@ -14,6 +14,7 @@
 #include "core/indexed/to_indexed.h"
 #include "core/io/formats.h"
 #include "core/mesh/touched.h"
+#include "core/ops/each.h"
 #include "core/ops/outlook/preview.h"
 #include "core/ops/outlook/remedy.h"
 
@@ -29,6 +30,7 @@ struct Outcome {
   // The script line of what was done to the mesh or a file, even if it failed afterwards (a file written but not
   // synced); empty if nothing was.
   std::string performed;
+  std::string selecting;  // the line that selects what `performed` works on; empty where that works on no selection
   std::vector<Reason> reasons;
   std::vector<Reason> warnings;
   std::vector<std::string> created;  // names after the operator
@@ -66,6 +68,11 @@ class Document {
 
   // Applies an operator as one entry of the history. Refused: nothing changes. strict: warnings refuse too.
   Outcome apply(const AnyOp& op, bool strict = false);
+  // Applies an operator to each of these elements (see each.h) as one entry of the history, or none where nothing was
+  // done. None where `progress` cancels it.
+  std::optional<EachResult> apply_to_each(const OpInfo& op, std::span<const Element> elements,
+                                          std::span<const std::string_view> arguments, std::string command, bool strict,
+                                          Progress::Report progress = {});
   // Runs an algorithm as one entry of the history, which this command line does again, or none where it changes nothing.
   // None where `progress` cancels it: nothing has changed then. The values are those on this mesh.
   std::optional<AlgorithmResult> run(const AlgorithmRow& row, const ParameterValues& values, std::string command,
@@ -110,7 +117,8 @@ class Document {
   Status save(const std::filesystem::path& path, WriteOptions options = {});
 
   // Called after every commit, undo and redo, with the transaction of journal() concerned. Must not throw.
-  using Listener = std::function<void(std::size_t transaction)>;
+  enum class Change { made, undone, redone };
+  using Listener = std::function<void(std::size_t transaction, Change change)>;
   void add_listener(Listener listener) { listeners_.push_back(std::move(listener)); }
   // Called before the mesh is touched, though it be as it was behind a preview: for whoever reads it on another thread.
   std::function<void()> before_writing;
@@ -133,7 +141,7 @@ class Document {
   void committed(std::string command, OtherQuarantine other = {});
   // Swaps the quarantine with the stored one, for transactions that change it.
   void exchange_quarantine(std::size_t transaction);
-  void notify(std::size_t transaction);
+  void notify(std::size_t transaction, Change change);
   bool is_known(std::string_view name) const;
   bool are_known(std::span<const std::string_view> names) const;
 

@@ -56,7 +56,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   files_then.begin_document();
   const std::filesystem::path& source = read_from ? *read_from : document->path();
   if (!source.empty()) files_then.reads(source, FileRole::mesh);
-  document->add_listener([this](std::size_t transaction) { follow(transaction); });
+  document->add_listener([this](std::size_t transaction, Document::Change change) { follow(transaction, change); });
   std::set<std::string> shown_then = shown;
   if (document->mesh().live().faces == 0)
     for (const HighlightRow& row : highlight_table())
@@ -72,6 +72,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   forget_derived();
   remedy_line_.clear();
   selection.clear();
+  selections.clear();
   log_.clear();
 }
 
@@ -88,16 +89,16 @@ void Session::forget_derived() {
   drawn_changes_ = DrawnChanges();
 }
 
-void Session::follow(std::size_t transaction) {
+void Session::follow(std::size_t transaction, Document::Change change) {
   try {
-    update_derived(transaction);
+    update_derived(transaction, change);
   } catch (const std::bad_alloc&) {
     forget_derived();
     selection.clear();
   }
 }
 
-void Session::update_derived(std::size_t transaction) {
+void Session::update_derived(std::size_t transaction, Document::Change change) {
   const Mesh& m = mesh();
   const TouchedElements touched = touched_elements(m, document_->journal(), transaction);
   if (picker_) {
@@ -140,21 +141,14 @@ void Session::update_derived(std::size_t transaction) {
                          follow_operator(*euler_, m, highlights_->problems(), boundary_loops_->count());
     if (!is_kept) euler_.reset();
   }
-  drop_lost_selection(touched.everything);
+  const auto remember = change == Document::Change::made     ? &SelectionMemory::made
+                        : change == Document::Change::undone ? &SelectionMemory::undone
+                                                             : &SelectionMemory::redone;
+  (selections.*remember)(transaction, selection, m, touched.everything);
   if (is_verdict_held_)
     ask_held_verdict_again();
   else if (hover_)
     point_at(hover_->pixel, hover_->modifiers);
-}
-
-void Session::drop_lost_selection(bool is_renumbered) {
-  const Mesh& m = mesh();
-  std::erase_if(selection, [&](const Element& e) {
-    // Replaced columns renumber edges and copies: only points and faces keep their numbers.
-    const bool keeps_number = e.kind == Element::Kind::face || (e.kind == Element::Kind::vertex && !m.has_copies());
-    if (is_renumbered && !keeps_number) return true;
-    return !is_alive(m, e);
-  });
 }
 
 // Records members of the highlights that may have moved.
@@ -189,7 +183,7 @@ Outcome Session::run(const std::string& line) {
     forget_derived();  // some of it may be half made
     if (document_->serial() == serial) {
       document_->take_back(position);
-      drop_lost_selection(false);
+      drop_lost(selection, mesh(), false);
     }
     return failed(ExitCode::out_of_memory, out_of_memory().message.text);
   }
@@ -204,7 +198,7 @@ Outcome Session::run_line(const std::string& line) {
   [[maybe_unused]] const std::uint64_t serial = document_->serial(), revision = document_->revision();
   [[maybe_unused]] const std::size_t logged = log_.size();
   // What is needed once the command is done is made before.
-  if (log_.size() == log_.capacity()) log_.reserve(2 * log_.size() + 1);
+  if (log_.size() + 2 > log_.capacity()) log_.reserve(2 * log_.size() + 2);
   std::string entry, usual = row->effect == Effect::none ? std::string() : std::string(without_blanks(line));
   entry.reserve(2 * line.size() + 256);
   Outcome outcome = row->run(*this, Words(words).subspan(1), std::string_view(line).substr(after_id));
@@ -214,16 +208,18 @@ Outcome Session::run_line(const std::string& line) {
   if (!outcome.done() || row->effect == Effect::none) return outcome;
   if (row->effect == Effect::edits || row->effect == Effect::steps)
     if (outcome.performed.empty()) outcome.performed = std::move(usual);
-  if (!outcome.performed.empty()) log_line(outcome, std::move(entry));
+  if (outcome.performed.empty()) return outcome;
+  if (!outcome.selecting.empty()) log_line(outcome, std::move(outcome.selecting));
+  entry = outcome.performed;
+  log_line(outcome, std::move(entry));
   return outcome;
 }
 
-void Session::log_line(Outcome& outcome, std::string entry) {
-  entry = outcome.performed;
-  log_.push_back(std::move(entry));
+void Session::log_line(Outcome& outcome, std::string line) {
+  log_.push_back(std::move(line));
   if (!autosave) return;
   try {
-    if (const auto warning = autosave->note(*this, outcome.performed)) outcome.say(*warning);
+    if (const auto warning = autosave->note(*this, log_.back())) outcome.say(*warning);
   } catch (const std::bad_alloc&) {
     autosave->stop();
   }

@@ -16,6 +16,7 @@
 #include "app/editor/preparation.h"
 #include "app/editor/recovery.h"
 #include "app/editor/run_files.h"
+#include "app/editor/selection_memory.h"
 #include "core/analysis/boundary_loop_count.h"
 #include "core/analysis/euler_poincare.h"
 #include "core/analysis/mesh_kind.h"
@@ -58,7 +59,9 @@ class Session {
   std::string tool;           // id of an operator, or empty: select
   PickMode mode = PickMode::edge;
   std::set<std::string> shown;  // ids of the highlight table
+  // Each entry of the history remembers what was selected around it, and brings it back.
   std::vector<Element> selection;
+  SelectionMemory selections;
   // User interface state changed by commands; stored without effect if there is no UI.
   Language language = Language::english;
   ViewSettings settings;
@@ -108,8 +111,8 @@ class Session {
 
   // The selected elements as command lines name them, in order; distinguishes copies of a point.
   std::vector<std::string> selected_names() const;
-  // The script line of an operator on them.
-  std::string line_on_selection(const OpInfo& op) const;
+  // The line that selects them: by names where they are few, else by numbers, several in a row as v3..v9.
+  std::string select_line() const;
 
   // What a problem of this kind at an element is about; the element alone where it has none of it (of equal faces it is the
   // higher one that has it).
@@ -162,17 +165,15 @@ class Session {
 
  private:
   Outcome run_line(const std::string& line);
-  // `entry` has room for the line.
-  void log_line(Outcome& outcome, std::string entry);
+  // The log has room for it.
+  void log_line(Outcome& outcome, std::string line);
   // Updates what is derived from the mesh; forgets it where there is no memory for that.
   void finish_preparation();
-  void follow(std::size_t transaction);
-  void update_derived(std::size_t transaction);
+  void follow(std::size_t transaction, Document::Change change);
+  void update_derived(std::size_t transaction, Document::Change change);
   void forget_derived();
   Camera framing(const Mesh& mesh, const Camera& from) const;
   void note_marks(const TouchedElements& touched);
-  // Of the selected elements those that live on stay; is_renumbered: the columns have been replaced.
-  void drop_lost_selection(bool is_renumbered);
   void forget_hidden();
   Outcome apply_at(const OpTarget& target, const std::string& id);
   void look_at(glm::dvec2 pixel, Modifiers modifiers);

@@ -6,6 +6,7 @@
 #include "app/editor/session.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/find_element.h"
+#include "core/selection/slot_ranges.h"
 
 namespace ryosen {
 
@@ -98,10 +99,15 @@ std::vector<std::string> Session::selected_names() const {
   return names;
 }
 
-std::string Session::line_on_selection(const OpInfo& op) const {
-  std::string line(op.id);
-  for (const std::string& name : selected_names()) line += " " + name;
-  return line;
+std::string Session::select_line() const {
+  constexpr std::size_t most_names = 20;
+  if (selection.size() <= most_names) {
+    std::string line = "select";
+    for (const Element& e : selection)
+      line += " " + (e.kind == Element::Kind::vertex ? name_of_copy(mesh(), e.vertex()) : name_to_select(mesh(), e));
+    return line;
+  }
+  return "select" + slot_ranges(selection);
 }
 
 Outcome Session::apply_at(const OpTarget& target, const std::string& id) {

@@ -64,6 +64,11 @@ void draw_select_menu(PanelContext& context) {
     item(context, context.text(row.name_en, row.name_ja), select_line(row),
          missing_for(row, context.session.selection).en.empty());
   }
+  ImGui::Separator();
+  if (ImGui::MenuItem(context.text(UiText::keep_selection), "", false, !context.session.selection.empty()))
+    context.begin_command("keep ");
+  for (const auto& [name, elements] : context.session.selections.kept)
+    if (ImGui::MenuItem(name.c_str(), std::to_string(elements.size()).c_str())) context.run("select kept " + name);
 }
 
 // Of two values that a key goes between the second one, ticked where it is on; else one entry for each.

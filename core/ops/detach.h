@@ -28,7 +28,11 @@ struct Detach {
                                "separates a sheet, or the named faces, from all other faces",
                                "シート、または指定した面を独立した点に切り離す",
                                '\0',
-                               OpTargetKind::face};
+                               OpTargetKind::face,
+                               "",
+                               Topology::may_change,
+                               Subject::edge,
+                               OnSelection::all};
 
   static Parsed<Detach> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Detach at(const Mesh&, const OpTarget& target) { return {{target.face}}; }

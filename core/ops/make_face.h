@@ -29,7 +29,11 @@ struct MakeFace {
                                "makes a face on three or more vertices, counter-clockwise",
                                "三つ以上の頂点に反時計回りに面を張る",
                                '\0',
-                               OpTargetKind::selection};
+                               OpTargetKind::selection,
+                               "",
+                               Topology::may_change,
+                               Subject::edge,
+                               OnSelection::all};
 
   static Parsed<MakeFace> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static MakeFace at(const Mesh&, const OpTarget&) { return {}; }

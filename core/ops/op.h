@@ -46,6 +46,10 @@ enum class Topology { may_change, kept };
 // warnings, but for reasons that name the edge. Along a cycle reasons come in the order from the edge.
 enum class Subject { edge, points, cycle };
 
+// How the elements of a selection become arguments: one call for each of them (each.h), one call with all of them in
+// their order, or one for each but the last, with the last before it.
+enum class OnSelection { none, each, all, into_last };
+
 struct OpInfo {
   std::string_view id;
   std::string_view name_en, name_ja;
@@ -56,6 +60,7 @@ struct OpInfo {
   std::string_view aliases = "";  // further ids, separated by spaces
   Topology topology = Topology::may_change;
   Subject subject = Subject::edge;
+  OnSelection on_selection = OnSelection::each;
 };
 
 // Whether an operator is a tool, which acts on the clicked element.

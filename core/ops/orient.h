@@ -31,7 +31,11 @@ struct Orient {
                                "flips faces so that neighbours are consistently oriented where possible",
                                "隣り合う面の向きの不一致が減るように、可能ならなくなるように面を裏返す",
                                'O',
-                               OpTargetKind::none};
+                               OpTargetKind::none,
+                               "",
+                               Topology::may_change,
+                               Subject::edge,
+                               OnSelection::none};
 
   static Parsed<Orient> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Orient at(const Mesh&, const OpTarget&) { return {}; }

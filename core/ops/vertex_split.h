@@ -36,7 +36,9 @@ struct VertexSplit {
                                '\0',
                                OpTargetKind::selection,
                                "",
-                               Topology::kept};
+                               Topology::kept,
+                               Subject::edge,
+                               OnSelection::all};
 
   static Parsed<VertexSplit> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static VertexSplit at(const Mesh&, const OpTarget&) { return {}; }

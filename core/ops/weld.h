@@ -28,7 +28,10 @@ struct Weld {
                                "二つの頂点、または二本の境界稜線を一つにする",
                                '\0',
                                OpTargetKind::selection,
-                               "merge"};
+                               "merge",
+                               Topology::may_change,
+                               Subject::edge,
+                               OnSelection::into_last};
 
   static Parsed<Weld> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Weld at(const Mesh&, const OpTarget&) { return {}; }

@@ -159,7 +159,7 @@ class Comparison {
     Outcome reversed{points_};
     for (int g : oracle::component_of(points_, number_of_face))
       for (Corners& loop : reversed.after.faces[g]) std::reverse(loop.begin(), loop.end());
-    compare(Reverse{f}, {reversed});
+    compare(Reverse{{f}}, {reversed});
     detach(f);
     std::vector<Halfedge> corners;
     for (Halfedge h : halfedges_around(mesh_, f)) corners.push_back(h);

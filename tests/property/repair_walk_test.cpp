@@ -202,10 +202,10 @@ TEST(repair_walk, reversed_twice_is_as_before) {
   for_each_shape([](const Mesh& start) {
     for (std::uint32_t f = 0; f < start.face_slots(); ++f) {
       Mesh mesh = start;
-      const Change there = apply_and_prove(mesh, Reverse{Face(f)});
+      const Change there = apply_and_prove(mesh, Reverse{{Face(f)}});
       EXPECT_EQ(there, Change());
       EXPECT_EQ(counts_on_points(mesh), counts_on_points(start));
-      apply_and_prove(mesh, Reverse{Face(f)});
+      apply_and_prove(mesh, Reverse{{Face(f)}});
       EXPECT_EQ(mesh.hash(), start.hash());
       if (testing::Test::HasFailure()) return;
     }

@@ -85,7 +85,7 @@ TEST(terms, of_small_surfaces_are_those_of_the_oracle) {
 TEST(terms, after_random_operators_are_those_of_the_oracle_and_kept_where_an_operator_says_so) {
   Seen seen;
   std::map<std::string, int> kept;
-  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+  for (std::uint64_t seed = 0; seed < 250; ++seed) {
     const Mesh mesh = random_complex(seed);
     compare(mesh, seen);
     const EulerPoincare before = euler_poincare(mesh);

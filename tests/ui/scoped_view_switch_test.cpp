@@ -85,7 +85,7 @@ TEST_F(ScopedViewSwitchTest, is_suggested_in_the_command_window) {
   };
   ASSERT_TRUE(laid.session.run("panel command").done());
   laid.frames(3);
-  type("fo");
+  type("fog");
   laid.click({460, 240});  // the first suggestion
   laid.click({700, 212});  // the field, behind its text
   type("thick");

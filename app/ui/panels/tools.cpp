@@ -15,7 +15,7 @@ void press(PanelContext& context, const OpInfo& op) {
   if (is_tool(op)) {
     context.run(session.tool == id ? "tool none" : "tool " + id);
   } else if (op.target == OpTargetKind::selection && !session.selection.empty()) {
-    context.run(session.line_on_selection(op));
+    context.run(id + " selected");
   } else if (op.syntax.empty()) {
     context.run(id);
   } else {

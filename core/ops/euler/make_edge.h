@@ -26,7 +26,11 @@ struct MakeEdge {
                                "joins two vertices by an edge, in the corners that P-A and Q-B arrive at",
                                "二頂点を稜線で結ぶ。角は着く半稜線 P-A と Q-B で指定する",
                                '\0',
-                               OpTargetKind::selection};
+                               OpTargetKind::selection,
+                               "",
+                               Topology::may_change,
+                               Subject::edge,
+                               OnSelection::all};
 
   static Parsed<MakeEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static MakeEdge at(const Mesh&, const OpTarget&) { return {}; }

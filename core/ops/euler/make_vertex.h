@@ -24,7 +24,10 @@ struct MakeVertex {
                                "指定した位置に孤立頂点を置く",
                                '\0',
                                OpTargetKind::none,
-                               "mvs"};
+                               "mvs",
+                               Topology::may_change,
+                               Subject::edge,
+                               OnSelection::none};
 
   static Parsed<MakeVertex> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static MakeVertex at(const Mesh&, const OpTarget&) { return {}; }

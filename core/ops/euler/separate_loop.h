@@ -30,7 +30,9 @@ struct SeparateLoop {
                                '\0',
                                OpTargetKind::selection,
                                "divide mef",
-                               Topology::kept};
+                               Topology::kept,
+                               Subject::edge,
+                               OnSelection::all};
 
   static Parsed<SeparateLoop> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static SeparateLoop at(const Mesh&, const OpTarget&) { return {}; }

@@ -29,7 +29,9 @@ struct UniteRing {
                                '\0',
                                OpTargetKind::selection,
                                "mekr",
-                               Topology::kept};
+                               Topology::kept,
+                               Subject::edge,
+                               OnSelection::all};
 
   static Parsed<UniteRing> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static UniteRing at(const Mesh&, const OpTarget&) { return {}; }

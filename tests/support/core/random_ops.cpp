@@ -199,7 +199,7 @@ AnyOp random_op(const Mesh& mesh, std::size_t place, Dice& dice) {
   if (id == "poke") return Poke{f};
   if (id == "extrude") return Extrude{f};
   if (id == "triangulate") return Triangulate{dice.one_in(20) ? Face() : f};
-  if (id == "reverse") return Reverse{f};
+  if (id == "reverse") return dice.one_in(2) ? Reverse{{f}} : Reverse{{f, random_face(mesh, dice)}};
   if (id == "detach") return dice.one_in(2) ? Detach{{f}} : Detach{{f, random_face(mesh, dice)}};
   const Face other = dice.one_in(8) ? random_face(mesh, dice) : f;
   const Halfedge a = pick(halfedges_around(mesh, f), dice), b = pick(halfedges_around(mesh, other), dice);

@@ -104,15 +104,27 @@ TEST(reverse, corner_values_stay_with_their_corners) {
             materials);
 }
 
+TEST(reverse, turns_each_component_once_whichever_of_its_faces_are_named) {
+  const Polygons parts{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+  Mesh mesh = make_mesh(parts);
+  const Mesh before = make_mesh(parts);
+  apply_and_prove(mesh, "reverse f0 f1 f3");
+  Mesh apart = make_mesh(parts);
+  apply_and_prove(apart, "reverse f0");
+  apply_and_prove(apart, "reverse f3");
+  EXPECT_EQ(mesh.hash(), apart.hash());
+  EXPECT_NE(mesh.hash(), before.hash());
+}
+
 TEST(reverse, parse_errors) {
   Mesh mesh = make_mesh(bow_tie());
   EXPECT_EQ(parse_error(mesh, "reverse"), NameError::malformed);
   EXPECT_EQ(parse_error(mesh, "reverse 0"), NameError::malformed);
-  EXPECT_EQ(parse_error(mesh, "reverse f0 f1"), NameError::malformed);
+  EXPECT_EQ(parse_error(mesh, "reverse f0 v1"), NameError::malformed);
   EXPECT_EQ(parse_error(mesh, "reverse f7"), NameError::never_existed);
   apply_and_prove(mesh, "delete f0");
   EXPECT_EQ(parse_error(mesh, "reverse f0"), NameError::deleted);
-  EXPECT_TRUE((Reverse{Face(0)}.check(mesh).has(Rule::deleted)));
+  EXPECT_TRUE((Reverse{{Face(0)}}.check(mesh).has(Rule::deleted)));
 }
 
 }  // namespace

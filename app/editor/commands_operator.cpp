@@ -1,0 +1,171 @@
+// Operators as commands, on named elements or on the selection; and `either`, which is told several commands.
+#include <optional>
+
+#include "app/editor/command_functions.h"
+#include "app/editor/command_syntax.h"
+#include "app/editor/words.h"
+#include "core/base/count_text.h"
+#include "core/base/split_list.h"
+#include "core/ops/lines/syntax.h"
+
+namespace ryosen {
+
+namespace {
+
+constexpr std::string_view selected_word = "selected";
+
+bool is_on_selection(Words arguments) { return !arguments.empty() && arguments[0] == selected_word; }
+
+Outcome apply(Session& session, const std::string& called, Words arguments, std::string_view whole) {
+  const Parsed<AnyOp> parsed = parse_op(session.mesh(), called, arguments);
+  if (!parsed.op) return no_element(session.document(), called + std::string(whole), parsed.error, parsed.sentence);
+  Outcome outcome = session.document().apply(*parsed.op, session.strict);
+  if (outcome.done()) outcome.performed = session.document().history().back().command;
+  return outcome;
+}
+
+std::string line_of(const OpInfo& op, Words words) {
+  std::string line(op.id);
+  for (const std::string_view word : words) line.append(" ").append(word);
+  return line;
+}
+
+Outcome nothing_selected(const OpInfo& op) {
+  const std::string id(op.id), syntax(op.syntax);
+  return failed(ExitCode::refused, {id + " selected: nothing is selected that it works on; it takes " + syntax,
+                                    id + " selected：対象となる要素が選択されていません。対象は " + syntax + " です"});
+}
+
+Outcome does_not_fit(const OpInfo& op) {
+  const std::string id(op.id), syntax(op.syntax);
+  return failed(ExitCode::refused,
+                {id + " selected: what is selected does not fit; it takes, in this order, " + syntax,
+                 id + " selected：選択された要素が合いません。この順に必要です：" + syntax});
+}
+
+// "12 done. 3 refused: RULE. 2 were deleted before their turn."
+Text told(const EachResult& result) {
+  Text text{"Nothing was done.", "何も実行していません。"};
+  if (result.done > 0) text = count_text(result.done, "One done.", "# done.", "# 件を実行しました。");
+  for (const EachResult::Refused& refused : result.refused) {
+    const RuleText& rule = text_of(refused.rule);
+    const Text count = count_text(refused.elements.size(), "One refused", "# refused", "# 件は実行できません");
+    text.en += " " + count.en + ": " + std::string(rule.en);
+    text.ja += count.ja + "：" + std::string(rule.ja);
+  }
+  if (result.gone > 0) {
+    const Text gone = count_text(result.gone, "One was deleted before its turn.", "# were deleted before their turn.",
+                                 "# 件は順番の前に削除されました。");
+    text.en += " " + gone.en;
+    text.ja += gone.ja;
+  }
+  return text;
+}
+
+// What was refused stays selected, and so does what is of another kind, or else all that lives on.
+void select_refused(Session& session, const EachResult& result) {
+  if (result.refused.empty()) return;
+  Elements left = result.others;
+  for (const EachResult::Refused& refused : result.refused)
+    left.insert(left.end(), refused.elements.begin(), refused.elements.end());
+  drop_lost(left, session.mesh(), false);
+  session.selection = std::move(left);
+}
+
+Outcome apply_to_each(Session& session, const OpInfo& op, Words words) {
+  Outcome outcome;
+  outcome.performed = line_of(op, words);
+  outcome.selecting = session.select_line();
+  const auto result = session.document().apply_to_each(op, session.selection, words.subspan(1), outcome.performed,
+                                                       session.strict, session.on_progress);
+  if (!result)
+    return failed(ExitCode::cancelled, {"Cancelled; nothing has changed.", "中止しました。何も変わっていません。"});
+  if (result->error != NameError::none) return usage_error(behind(op.id, result->sentence));
+  if (result->done + result->gone + result->refusals() == 0) return nothing_selected(op);
+  outcome.sentence = told(*result);
+  for (const EachResult::Refused& refused : result->refused)
+    outcome.reasons.push_back({refused.rule, refused.elements});
+  if (result->done == 0) {
+    outcome.kind = Outcome::Kind::refused;
+    outcome.exit_code = ExitCode::refused;
+    outcome.performed.clear();
+    return outcome;
+  }
+  select_refused(session, *result);
+  return outcome;
+}
+
+Outcome apply_to_all(Session& session, const OpInfo& op, Words words) {
+  if (session.selection.empty()) return nothing_selected(op);
+  const std::vector<std::string> names = session.selected_names();
+  std::vector<std::string_view> arguments(names.begin(), names.end());
+  arguments.insert(arguments.end(), words.begin() + 1, words.end());
+  if (fault_of_arguments(op.id, arguments)) return does_not_fit(op);
+  return apply(session, std::string(op.id), arguments, line_of(op, arguments).substr(op.id.size()));
+}
+
+Outcome apply_to_selection(Session& session, const OpInfo& op, Words words) {
+  if (op.on_selection == OnSelection::all) return apply_to_all(session, op, words);
+  return apply_to_each(session, op, words);
+}
+
+std::optional<Text> fault_on_selection(const OpInfo& op, Words words) {
+  if (op.on_selection == OnSelection::none) return fault_of_arguments(op.id, words);
+  for (const auto kind : {Element::Kind::vertex, Element::Kind::edge, Element::Kind::face})
+    if (op.on_selection == OnSelection::all || takes(op, kind, words.subspan(1))) return std::nullopt;
+  return not_of_syntax(words.back(), std::string(selected_word) + " | " + std::string(op.syntax));
+}
+
+std::vector<std::string> alternatives(std::string_view whole) {
+  std::vector<std::string> lines;
+  for (const std::string_view line : split_list(whole, '|')) lines.emplace_back(without_blanks(line));
+  return lines;
+}
+
+}  // namespace
+
+CommandRow row_of(const OpInfo& op, std::string_view called) {
+  const std::string word(called);
+  const auto run = [word, &op](Session& session, Words arguments, std::string_view whole) {
+    if (!is_on_selection(arguments)) return apply(session, word, arguments, whole);
+    const auto fault = fault_on_selection(op, arguments);
+    return fault ? usage_error(behind(word, *fault)) : apply_to_selection(session, op, arguments);
+  };
+  const auto fault = [word, &op](Words arguments, const std::string&) -> std::optional<Text> {
+    const auto wrong =
+        is_on_selection(arguments) ? fault_on_selection(op, arguments) : fault_of_arguments(word, arguments);
+    return wrong ? std::optional(behind(word, *wrong)) : std::nullopt;
+  };
+  return {.id = op.id,
+          .syntax = std::string(op.syntax),
+          .help_en = op.help_en,
+          .help_ja = op.help_ja,
+          .effect = Effect::edits,
+          .run = run,
+          .aliases = op.aliases,
+          .may_take_long = is_on_selection,
+          .fault = fault};
+}
+
+std::optional<Text> fault_of_either(Words, const std::string& line) {
+  const std::vector<std::string> lines = alternatives(behind_word(line));
+  if (lines.size() < 2) return wrong_arguments("either").sentence;
+  for (const std::string& each : lines)
+    if (const auto fault = fault_of_command(each)) return fault;
+  return std::nullopt;
+}
+
+// Of several refusals the first is told: it is what was most likely meant.
+Outcome run_either(Session& session, Words arguments, std::string_view whole) {
+  if (const auto fault = fault_of_either(arguments, "either " + std::string(whole))) return usage_error(*fault);
+  std::optional<Outcome> told;
+  for (const std::string& line : alternatives(whole)) {
+    Outcome outcome = session.run(line);
+    if (outcome.done() || outcome.exit_code == ExitCode::cancelled) return outcome;
+    const bool is_better = !told || (told->exit_code == ExitCode::usage && outcome.exit_code == ExitCode::refused);
+    if (is_better) told = std::move(outcome);
+  }
+  return told ? *told : wrong_arguments("either");
+}
+
+}  // namespace ryosen

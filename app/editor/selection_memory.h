@@ -1,0 +1,44 @@
+// What was selected around each entry of the history, and what was selected once and kept under a name.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+#include "core/selection/spread.h"
+
+namespace ryosen {
+
+// Takes out what is deleted; is_renumbered: all columns have been replaced, so that only points and faces have kept their
+// numbers.
+void drop_lost(Elements& elements, const Mesh& mesh, bool is_renumbered);
+
+// Pass the mesh as it is behind the change. A selection that stays the same from entry to entry is held once.
+class SelectionMemory {
+ public:
+  // A selection by its name. Members may be deleted; undo may bring them back.
+  std::map<std::string, Elements, std::less<>> kept;
+
+  // An entry was made; entries behind it are gone. What it deleted is no longer selected.
+  void made(std::size_t entry, Elements& selection, const Mesh& mesh, bool is_renumbered);
+  // What was selected when the entry was made is selected again; what is selected now, when it is redone.
+  void undone(std::size_t entry, Elements& selection, const Mesh& mesh, bool is_renumbered);
+  void redone(std::size_t entry, Elements& selection, const Mesh& mesh, bool is_renumbered);
+  void clear() { *this = SelectionMemory(); }
+
+ private:
+  using Shared = std::shared_ptr<const Elements>;
+  struct Around {
+    Shared before, after;
+    std::map<std::string, Elements, std::less<>> other_kept;  // on the other side of one that renumbers
+  };
+
+  Shared shared(const Elements& selection);
+
+  std::vector<Around> around_;
+  Shared last_;
+};
+
+}  // namespace ryosen

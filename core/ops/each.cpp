@@ -1,0 +1,173 @@
+#include "core/ops/each.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "core/analysis/index_set.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/mesh/find_element.h"
+#include "core/mesh/names.h"
+#include "core/ops/lines/syntax.h"
+
+namespace ryosen {
+
+namespace {
+
+using Words = std::span<const std::string_view>;
+
+// A name that is read in constant time where there is one: edges by a halfedge, from the lower point to the higher one as
+// their own names go.
+std::string quick_name(const Mesh& mesh, Element e) {
+  if (e.kind == Element::Kind::vertex && has_copies(mesh, e.vertex())) return name_of_copy(mesh, e.vertex());
+  if (e.kind == Element::Kind::vertex) return "v" + std::to_string(e.index);
+  if (e.kind == Element::Kind::face) return "f" + std::to_string(e.index);
+  if (e.kind == Element::Kind::halfedge) return "h" + std::to_string(e.index);
+  Halfedge h = halfedge(e.edge(), 0);
+  if (point(mesh, mesh.from(h)) > point(mesh, mesh.to(h))) h = twin(h);
+  return "h" + std::to_string(h.index);
+}
+
+// What became of the subjects (op.h) that were asked about and are shared by several edges, so that many edges of one cost
+// no more than one.
+class AskedSubjects {
+ public:
+  bool is_done(Edge e) const { return done_.contains(e.index); }
+  // The rule by which the cycle was refused, if nothing has changed since then.
+  const Rule* refused(Edge e) const {
+    const auto found = refused_.find(e.index);
+    return found == refused_.end() ? nullptr : &found->second;
+  }
+  void done(const std::vector<Edge>& edges) {
+    for (const Edge e : edges) done_.insert(e.index);
+    refused_.clear();
+  }
+  void refuse(const std::vector<Edge>& edges, Rule rule) {
+    for (const Edge e : edges) refused_.emplace(e.index, rule);
+  }
+
+ private:
+  IndexSet done_;
+  std::unordered_map<std::uint32_t, Rule> refused_;
+};
+
+// The edges that share the subject of one; none if it has its own.
+std::vector<Edge> with_same_subject(const Mesh& mesh, Subject subject, Halfedge h) {
+  std::vector<Edge> edges;
+  if (subject == Subject::points) {
+    for (const Halfedge sheet : sheets_between(mesh, mesh.from(h), mesh.to(h))) edges.push_back(edge(sheet));
+  } else if (subject == Subject::cycle) {
+    for (const Halfedge other : loop(mesh, h)) edges.push_back(edge(other));
+  }
+  return edges;
+}
+
+class Calls {
+ public:
+  Calls(Edit& edit, const OpInfo& op, Words arguments, bool strict)
+      : edit_(edit), op_(op), arguments_(arguments), strict_(strict) {}
+
+  // False where the arguments cannot be.
+  bool call(const Element& e, const Element* with) {
+    if (!is_alive(mesh(), e)) return ++result_.gone, true;
+    Edge at;
+    if (e.kind == Element::Kind::edge) at = e.edge();
+    if (e.kind == Element::Kind::halfedge) at = edge(e.halfedge());
+    if (at && subjects_.is_done(at)) return ++result_.done, true;
+    if (const Rule* const rule = at ? subjects_.refused(at) : nullptr) return refuse(e, *rule), true;
+    const Parsed<AnyOp> parsed = read(e, with);
+    if (!parsed.op) {
+      result_.error = parsed.error;
+      result_.sentence = parsed.sentence;
+      return false;
+    }
+    const auto rule = broken_rule(*parsed.op);
+    Halfedge side = halfedge_of(*parsed.op);
+    if (op_.subject == Subject::cycle && !rule && !mesh().is_outside(side)) side = twin(side);
+    std::vector<Edge> same;
+    if (at && (op_.subject != Subject::cycle || mesh().is_outside(side)))
+      same = with_same_subject(mesh(), op_.subject, side);
+    if (rule) {
+      subjects_.refuse(same, *rule);
+      refuse(e, *rule);
+      return true;
+    }
+    apply(edit_, *parsed.op);
+    subjects_.done(same);
+    ++result_.done;
+    return true;
+  }
+
+  const Mesh& mesh() const { return edit_.mesh(); }
+  EachResult& result() { return result_; }
+
+ private:
+  Parsed<AnyOp> read(const Element& e, const Element* with) const {
+    const std::string name = with ? name_of_one(e) : quick_name(mesh(), e), first = with ? name_of_one(*with) : "";
+    std::vector<std::string_view> words;
+    if (with) words.push_back(first);
+    words.push_back(name);
+    words.insert(words.end(), arguments_.begin(), arguments_.end());
+    return parse_op(mesh(), op_.id, words);
+  }
+  std::string name_of_one(const Element& e) const {
+    return e.kind == Element::Kind::vertex ? quick_name(mesh(), e) : name_of(mesh(), e);
+  }
+  std::optional<Rule> broken_rule(const AnyOp& op) const {
+    if (const Verdict verdict = check(mesh(), op); !verdict.legal()) return verdict.reasons[0].rule;
+    if (!strict_) return std::nullopt;
+    const std::vector<Reason> doubts = warnings(mesh(), op);
+    return doubts.empty() ? std::nullopt : std::optional(doubts[0].rule);
+  }
+  void refuse(const Element& e, Rule rule) {
+    const auto same = [&](const EachResult::Refused& r) { return r.rule == rule; };
+    auto found = std::find_if(result_.refused.begin(), result_.refused.end(), same);
+    if (found == result_.refused.end()) found = result_.refused.insert(found, {rule, {}});
+    found->elements.push_back(e);
+  }
+
+  Edit& edit_;
+  const OpInfo& op_;
+  Words arguments_;
+  bool strict_;
+  AskedSubjects subjects_;
+  EachResult result_;
+};
+
+}  // namespace
+
+std::size_t EachResult::refusals() const {
+  std::size_t sum = 0;
+  for (const Refused& r : refused) sum += r.elements.size();
+  return sum;
+}
+
+bool takes(const OpInfo& op, Element::Kind kind, Words arguments) {
+  const std::string_view name = kind == Element::Kind::vertex ? "v0" : kind == Element::Kind::face ? "f0" : "0-1";
+  std::vector<std::string_view> words{name};
+  if (op.on_selection == OnSelection::into_last) words.push_back(name);
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return !first_misfit(op.syntax, words);
+}
+
+EachResult apply_to_each(Edit& edit, const OpInfo& op, std::span<const Element> elements, Words arguments, bool strict,
+                         Progress& progress) {
+  Calls calls(edit, op, arguments, strict);
+  std::vector<Element> taken;
+  for (const Element& e : elements) (takes(op, e.kind, arguments) ? taken : calls.result().others).push_back(e);
+  Element last;
+  const bool into_last = op.on_selection == OnSelection::into_last && !taken.empty();
+  if (into_last) {
+    last = taken.back();
+    taken.pop_back();
+  }
+  std::sort(taken.begin(), taken.end());
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    if (!progress.go_on(i, taken.size())) break;
+    if (!calls.call(taken[i], into_last ? &last : nullptr)) break;
+    if (into_last && !is_alive(edit.mesh(), last)) last = taken[i];  // the lower number has stayed
+  }
+  return std::move(calls.result());
+}
+
+}  // namespace ryosen

@@ -1,0 +1,39 @@
+// An operator on many elements: once for each of them, judged when its turn comes, or once with all of them.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/ops/all.h"
+
+namespace ryosen {
+
+struct EachResult {
+  std::size_t done = 0;
+  std::size_t gone = 0;  // deleted before their turn
+  struct Refused {
+    Rule rule;  // the first that it breaks
+    std::vector<Element> elements;
+  };
+  std::vector<Refused> refused;       // by rule, in the order in which they came up
+  std::vector<Element> others;        // of a kind that the operator does not take
+  NameError error = NameError::none;  // of arguments that cannot be: then nothing was done
+  Text sentence = {};
+
+  std::size_t refusals() const;
+};
+
+// Whether the operator takes an element of this kind in the place of its first argument, with the others behind it.
+bool takes(const OpInfo& op, Element::Kind kind, std::span<const std::string_view> arguments);
+
+// Within one edit, in ascending order of kinds and slots, whatever their order is; a halfedge is the edge in its
+// direction. Edges with the same subject (op.h) are one: what is done for the first is done for all. With OnSelection::into_last each element but the last is called together with the last, which comes first, or with
+// what has taken its place. `strict`: warnings refuse too. Cost: that of the calls. Cancelled: the edit is not to be
+// committed.
+EachResult apply_to_each(Edit& edit, const OpInfo& op, std::span<const Element> elements,
+                         std::span<const std::string_view> arguments, bool strict, Progress& progress);
+
+}  // namespace ryosen

@@ -10,6 +10,7 @@ flat in float edge_bits;
 uniform vec3 wire_colour;  // linear
 uniform float wire_strength;
 uniform float pixel_scale;  // rendered pixels per pixel of the picture
+uniform int dots;           // 1: vertices are drawn
 
 layout(location = 0) out vec4 colour;
 
@@ -29,6 +30,22 @@ float wire() {
   return clamp(1.1 - nearest, 0.0, 1.0) * smoothstep(2.0, 12.0, size);
 }
 
+// How much of the pixel the dots of the triangle's corners cover, each the part of its disc that lies in the triangle.
+// They fade as the wireframe does, but earlier.
+float dot_cover() {
+  const float radius_px = 2.6;
+  mat2 per_px = mat2(dFdx(barycentric), dFdy(barycentric));
+  float area = abs(determinant(per_px));
+  if (dots != 1 || area < 1e-12) return 0.0;
+  mat2 px = inverse(per_px);
+  float nearest = length(px * (barycentric - vec2(1.0, 0.0)));
+  nearest = min(nearest, length(px * (barycentric - vec2(0.0, 1.0))));
+  nearest = min(nearest, length(px * barycentric));
+  float size = inversesqrt(area) / pixel_scale;
+  return clamp(radius_px + 0.5 - nearest / pixel_scale, 0.0, 1.0) * smoothstep(7.0, 16.0, size);
+}
+
 void main() {
-  colour = vec4(sqrt(mix(lit, wire_colour, wire() * wire_strength)), 1.0);
+  vec3 wired = mix(lit, wire_colour, wire() * wire_strength);
+  colour = vec4(sqrt(mix(wired, wire_colour, dot_cover())), 1.0);
 }

@@ -56,6 +56,16 @@ std::vector<ViewSwitch>& switch_rows() {
        .key_ja = "面ごとの陰影と滑らかな陰影",
        .flag_en = "how faces are lit; else flat",
        .flag_ja = "面の陰影（省くと flat）"},
+      {.id = "dots",
+       .help_en = "draws the vertices of faces: while the pointer picks vertices, always, or never",
+       .help_ja = "面の頂点の表示：頂点モードのときだけ、常に、なし",
+       .values = {{"picked", "Vertices in vertex mode", "頂点モードで頂点を表示"},
+                  {"always", "Vertices always", "頂点を常に表示"},
+                  {"never", "No vertices", "頂点を表示しない"}},
+       .value = setting<&ViewSettings::dots>,
+       .set = set_setting<&ViewSettings::dots>,
+       .flag_en = "whether vertices are drawn; else in vertex mode",
+       .flag_ja = "頂点の表示（省くと頂点モードのとき）"},
   };
   return rows;
 }

@@ -159,7 +159,11 @@ Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, 
 Overlay selection_overlay(const Session& session, Theme theme) {
   Overlay overlay;
   Painter painter(session.mesh(), overlay, style(Role::selected, theme));
-  for (const Element& e : session.selection) painter.draw(e);
+  constexpr std::ptrdiff_t most_outlines = 1000;  // the surface fills them
+  const auto is_face = [](const Element& e) { return e.kind == Element::Kind::face; };
+  const bool has_outlines = std::count_if(session.selection.begin(), session.selection.end(), is_face) <= most_outlines;
+  for (const Element& e : session.selection)
+    if (has_outlines || !is_face(e)) painter.draw(e);
   return overlay;
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/ui/overlays.h"
 #include "core/base/sort_unique.h"
+#include "core/mesh/find_element.h"
 
 namespace ryosen {
 
@@ -21,21 +22,25 @@ TriangleSource source_of(Session& session, std::span<const std::uint8_t> tints) 
   return source;
 }
 
-static_assert(most_highlights <= most_tints);
+static_assert(most_highlights < most_tints);
 
-// The tints of highlights, in the order of the table.
+// The tints of highlights, in the order of the table, and at last that of selected faces.
 std::vector<DrawnTint> tints_in(Theme theme) {
   std::vector<DrawnTint> tints;
   for (const HighlightRow& row : highlight_table())
     if (row.tint) tints.push_back({style(row.looks, theme).colour, *row.tint});
+  tints.push_back({style(Role::selected, theme).colour, {FacePattern::plain, 0.6f}});
   return tints;
 }
 
 // The numbers of the faces' tints, from the highlights that are shown and the sets the faces are in. Of several the
-// first highlight of the table tints.
+// first highlight of the table tints; being selected goes before them.
 class FaceTints {
  public:
-  explicit FaceTints(Session& session) {
+  FaceTints(Session& session, const IndexSet& selected) {
+    const auto tinted =
+        std::count_if(highlight_table().begin(), highlight_table().end(), [](const auto& row) { return row.tint; });
+    shown_.push_back({&selected, static_cast<std::uint8_t>(tinted + 1)});
     if (session.preparing()) return;
     const HighlightSets& sets = session.highlights();
     std::uint8_t number = 0;
@@ -94,6 +99,8 @@ void Viewport::follow(Session& session) {
   size_ = session.view;
   if (session.settings.theme != settings_.theme) highlights_stale_ = true;
   settings_ = session.settings;
+  if (settings_.dots == Dots::picked)
+    settings_.dots = session.pointed_sort() == PickMode::vertex ? Dots::always : Dots::never;
   view_->set_settings(settings_);
   view_->set_tints(tints_in(settings_.theme));
   view_->set_camera(session.camera);
@@ -124,11 +131,13 @@ void Viewport::hurry() {
 void Viewport::follow_mesh(Session& session) {
   const Mesh& mesh = session.mesh();
   session.picker();  // from now on the session says which triangles change
-  const FaceTints tints(session);
   Session::DrawnChanges changes = session.take_drawn_changes();
+  const bool other_selection = selection_ != session.selection;
+  if (other_selection) follow_selected_faces(session, changes);
+  const FaceTints tints(session, selected_faces_);
   const bool anew = mesh_of_ != &session.document() || changes.everything || drawn_shading_ != session.settings.shading;
   const bool other_highlights = shown_ != session.shown || changes.searched;
-  if (!anew && !other_highlights && mesh_revision_ == session.document().revision()) return;
+  if (!anew && !other_highlights && !other_selection && mesh_revision_ == session.document().revision()) return;
   face_tints_.resize(mesh.face_slots());
   if (anew || other_highlights) tints.write(face_tints_);
   if (anew) {
@@ -150,6 +159,27 @@ void Viewport::follow_mesh(Session& session) {
   marked_ = std::move(changes.marks);
   highlights_stale_ |= anew || changes.searched;
   selection_stale_ = true;
+}
+
+void Viewport::follow_selected_faces(Session& session, Session::DrawnChanges& changes) {
+  constexpr std::size_t few = 10000;  // more are found in one pass over all triangles
+  IndexSet selected;
+  for (const Element& e : session.selection)
+    if (e.kind == Element::Kind::face) selected.insert(e.index);
+  std::vector<std::uint32_t> others;
+  selected.for_each([&](std::uint32_t f) {
+    if (!selected_faces_.contains(f)) others.push_back(f);
+  });
+  selected_faces_.for_each([&](std::uint32_t f) {
+    if (!selected.contains(f)) others.push_back(f);
+  });
+  if (others.size() <= few)
+    for (const std::uint32_t f : others)
+      if (is_alive(session.mesh(), Face(f)))
+        for (const std::uint32_t slot : session.picker().triangles().slots_of(session.mesh(), Face(f)))
+          changes.triangles.push_back(slot);
+  changes.faces.insert(changes.faces.end(), others.begin(), others.end());
+  selected_faces_ = std::move(selected);
 }
 
 void Viewport::draw_mark(Session& session, const HighlightRow& row, Mark mark, std::uint32_t block) {

@@ -43,6 +43,8 @@ class Viewport {
  private:
   explicit Viewport(std::unique_ptr<View> view) : view_(std::move(view)) {}
   void follow_mesh(Session& session);
+  // Adds the faces that have come into the selection or left it to what has changed.
+  void follow_selected_faces(Session& session, Session::DrawnChanges& changes);
   void follow_overlays(Session& session);
   void follow_highlights(Session& session);
   void follow_mark(Session& session, const HighlightRow& row, Mark mark);
@@ -69,6 +71,7 @@ class Viewport {
   bool highlights_stale_ = true;                    // all of them
   bool selection_stale_ = true;
   std::vector<Element> selection_;
+  IndexSet selected_faces_;  // as they were drawn
 };
 
 }  // namespace ryosen

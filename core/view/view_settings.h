@@ -8,17 +8,21 @@ namespace ryosen {
 enum class Theme { dark, light };
 // Each face in a light of its own, or light that goes over evenly from face to face, except at creases.
 enum class Shading { flat, smooth };
+// Whether vertices are drawn: while they are what the pointer picks, or always, or never.
+enum class Dots { picked, always, never };
 
 // One field per switch, an enumeration in the order of the values of its row; each begins with the first one.
 struct ViewSettings {
   Theme theme = Theme::dark;
   Shading shading = Shading::flat;
+  Dots dots = Dots::picked;
 
   // Calls visit(name, number) for each, by the id of its row: a shader gets the number as its `uniform int name`.
   template <class Visit>
   void for_each(Visit visit) const {
     visit("theme", static_cast<int>(theme));
     visit("shading", static_cast<int>(shading));
+    visit("dots", static_cast<int>(dots));
   }
 
   friend bool operator==(const ViewSettings&, const ViewSettings&) = default;

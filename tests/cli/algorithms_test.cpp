@@ -39,7 +39,7 @@ TEST_F(Algorithms, are_subcommands_with_a_flag_for_each_parameter) {
   const std::string all = run_here({"help", "--lang", "en"}).out;
   for (const AlgorithmRow& row : algorithm_table()) {
     const std::string id(row.id);
-    EXPECT_NE(all.find("ryosen " + id + " FILE"), std::string::npos) << id;
+    EXPECT_NE(all.find("ryosen " + id + (row.is_primitive ? " [FILE]" : " FILE")), std::string::npos) << id;
     const std::string help = run_here({"help", id, "--lang", "en"}).out,
                       japanese = run_here({"help", id, "--lang", "ja"}).out;
     for (const ParameterRow& parameter : row.parameters) {
@@ -99,6 +99,7 @@ TEST_F(Algorithms, give_their_values_as_json_of_their_kind) {
                                             {"copies", 3},
                                             {"share", 0.5},
                                             {"angle", 180.0},
+                                            {"by", {0.0, 0.0, 0.0}},
                                             {"way", "down"},
                                             {"mirror", true},
                                             {"at", {"v1", "0-2"}}}));
@@ -116,9 +117,10 @@ TEST_F(Algorithms, give_their_values_as_json_of_their_kind) {
 }
 
 TEST_F(Algorithms, are_commands_of_scripts_and_one_entry_of_the_history_that_replays) {
-  for (const std::string line : {"weld_close distance=0.5", "repair weld_close 0.5", "repair weld_close distance=0.5",
-                                 "weld_close distance=5%", "fill_holes", "repair orient", "fill_holes most_edges=18",
-                                 "scatter distance=1 x=0 copies=2 share=0.5 angle=0 way=up mirror=on at=f0,v3"}) {
+  for (const std::string line :
+       {"weld_close distance=0.5", "repair weld_close 0.5", "repair weld_close distance=0.5", "weld_close distance=5%",
+        "fill_holes", "repair orient", "fill_holes most_edges=18",
+        "scatter distance=1 x=0 copies=2 share=0.5 angle=0 by=0,0,0 way=up mirror=on at=f0,v3"}) {
     const std::string input = folder_.write("a.obj", line.starts_with("fill") ? with_hole : loose);
     const auto open = [&] { return Session(Document::open(input).value()); };
     Session session = open(), again = open();

@@ -8,7 +8,7 @@ namespace ryosen {
 
 namespace {
 
-// With both counts of a shape at this a million faces are added, in about half a gigabyte.
+// With both counts of a shape at this a million faces are added, in about 300 MB.
 constexpr double most_parts = 1000;
 
 struct Names {

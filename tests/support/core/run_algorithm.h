@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/algo/algorithms.h"
-#include "core/ops/op.h"
+#include "core/ops/all.h"
 
 namespace ryosen::test {
 

@@ -183,7 +183,9 @@ TEST(primitives, have_no_problem_and_nothing_that_meets) {
     EXPECT_FALSE(mesh.has_copies());
     const ProblemSets sets(mesh);
     for (const ProblemRow& row : problem_table())
-      if (row.severity == ProblemSeverity::problem) EXPECT_EQ(sets.count(row.kind), 0u) << row.id;
+      if (row.severity == ProblemSeverity::problem) {
+        EXPECT_EQ(sets.count(row.kind), 0u) << row.id;
+      }
     EXPECT_TRUE(find_self_intersections(mesh).faces.empty());
     EXPECT_EQ(euler_poincare(mesh).parts, 1);
   }
@@ -222,20 +224,21 @@ TEST(primitives, that_are_round_lie_on_their_surface) {
     before = volume;
   }
   EXPECT_NEAR(before, 4 * pi / 3, 2e-3);
-  for (const glm::dvec3& p : made_by("cylinder radius=2 height=3 segments=9").positions()) {
+  const Mesh cylinder = made_by("cylinder radius=2 height=3 segments=9"), torus = made_by("torus radius=2 tube=0.5");
+  for (const glm::dvec3& p : cylinder.positions()) {
     EXPECT_NEAR(std::hypot(p.x, p.z), 2, 1e-15);
     EXPECT_EQ(std::abs(p.y), 1.5);
   }
-  for (const glm::dvec3& p : made_by("torus radius=2 tube=0.5").positions())
-    EXPECT_NEAR(std::hypot(std::hypot(p.x, p.z) - 2, p.y), 0.5, 1e-15);
+  for (const glm::dvec3& p : torus.positions()) EXPECT_NEAR(std::hypot(std::hypot(p.x, p.z) - 2, p.y), 0.5, 1e-15);
   const Mesh cone = made_by("cone height=3");
   EXPECT_EQ(cone.position(Vertex(32)), glm::dvec3(0, 1.5, 0));
 }
 
 TEST(primitives, of_quarter_turns_are_exact) {
   for (const char* line : {"cylinder segments=4 radius=0.3", "cylinder segments=1000 radius=0.3"}) {
+    const Mesh mesh = made_by(line);
     std::set<std::pair<double, double>> places;
-    for (const glm::dvec3& p : made_by(line).positions()) places.insert({p.x, p.z});
+    for (const glm::dvec3& p : mesh.positions()) places.insert({p.x, p.z});
     for (const auto& [x, z] : places) EXPECT_TRUE(places.contains({-x, z}) && places.contains({z, -x})) << line;
     EXPECT_TRUE(places.contains({0.3, 0})) << line;
   }

@@ -25,7 +25,7 @@ Mesh mesh_with_everything() {
   source.vertex_colours.assign(source.positions.size(), {1, 0.5, 0, 1});
   Mesh mesh = from_indexed(std::move(source));
   Edit edit(mesh, nullptr);
-  apply(edit, *parse_line(mesh, "delete f0").op);
+  ryosen::apply(edit, *parse_line(mesh, "delete f0").op);
   edit.commit();
   return mesh;
 }

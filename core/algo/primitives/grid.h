@@ -1,4 +1,4 @@
-// The primitive that is flat: a grid of squares, which lies as a floor.
+// The primitive that is flat: a grid of quads, which lies as a floor.
 #pragma once
 
 #include "core/algo/algorithms.h"

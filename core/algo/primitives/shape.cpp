@@ -12,12 +12,13 @@ namespace ryosen {
 
 namespace {
 
-// Names the first kind of problem that the shape would have.
+// Its faces fit together whatever the values, so only places can be at fault: too large, or one for several points.
 std::optional<Text> fault_of(const Mesh& shape) {
   const ProblemSets sets(shape);
-  for (const ProblemRow& row : problem_table()) {
-    if (row.severity != ProblemSeverity::problem || sets.count(row.kind) == 0) continue;
-    const std::string n = std::to_string(sets.count(row.kind));
+  for (const ProblemKind kind : {ProblemKind::nonfinite_vertex, ProblemKind::degenerate_area}) {
+    if (sets.count(kind) == 0) continue;
+    const ProblemRow& row = row_of(kind);
+    const std::string n = std::to_string(sets.count(kind));
     return Text{"the values are too far apart, the shape would have " + n + " of the kind " + std::string(row.id),
                 "値の差が大きすぎます（形状に「" + std::string(row.name_ja) + "」が " + n + " できるため）"};
   }

@@ -21,8 +21,8 @@ class Shape {
   void add_face(std::span<const std::uint32_t> corners);
   void add_face(std::initializer_list<std::uint32_t> corners) { add_face({corners.begin(), corners.size()}); }
 
-  // Adds it to the mesh as a component of its own. Where its values leave it with any problem (they are so far apart that
-  // points fall together or overflow), nothing is written and the result says so. Cost: what is added.
+  // Adds it to the mesh as a component of its own. Where its values are so far apart that places overflow or faces have
+  // no area, nothing is written and the result has the fault. Cost: what is added.
   AlgorithmResult add_to(Edit& edit, Progress& progress) &&;
 
  private:

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
+#include <cmath>
+#include <cstring>
+#include <numbers>
 
 #include "core/algo/primitives/primitives.h"
 #include "core/analysis/euler_poincare.h"
@@ -160,7 +162,7 @@ TEST(shapes, take_points_on_a_circle_that_mirror_each_other_exactly) {
     ASSERT_EQ(points.size(), count);
     EXPECT_EQ(points[0], glm::dvec2(1, 0));
     for (std::size_t i = 0; i < count; ++i) {
-      const double angle = 2 * 3.14159265358979323846 * static_cast<double>(i) / static_cast<double>(count);
+      const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
       EXPECT_NEAR(points[i].x, std::cos(angle), 2e-15);
       EXPECT_NEAR(points[i].y, std::sin(angle), 2e-15);
       EXPECT_EQ(points[i], glm::dvec2(1, -1) * points[(count - i) % count]) << i << " of " << count;

@@ -17,7 +17,7 @@
 namespace ryosen::test {
 namespace {
 
-// A fin, which has copies, with values of corners and faces, a removed face and a wire.
+// A fin, which has copies, with values of vertices, corners and faces, and a removed face.
 Mesh mesh_with_everything() {
   IndexedMesh source = indexed(fin(), 6);
   source.texcoords.pool = {{0, 0, 0}, {1, 0, 0}};

@@ -87,6 +87,8 @@ Json value_json(const ParameterRow& row, const ParameterValue* value) {
       return row.choices[static_cast<std::size_t>(value->number)].id;
     case ParameterKind::flag:
       return value->number != 0;
+    case ParameterKind::place:
+      return Json::array({value->place.x, value->place.y, value->place.z});
     case ParameterKind::elements:
       return value->names;
     default:
@@ -186,6 +188,8 @@ class AlgorithmRun {
     const std::string name = name_of(call), line = line_of(*call.row, call.values);
     if (auto failure = look_up_values(call)) return failure;
     call.result = document_.run(*call.row, call.values, line, report_on(console_, name)).value();
+    if (const std::optional<Text>& fault = call.result.fault)
+      return usage_failure("bad_value", {fault->en + ".", fault->ja + "。"});
     print_step(name, call.result);
     return std::nullopt;
   }
@@ -270,7 +274,7 @@ class AlgorithmRun {
   template <const Shape& shape>
   void print_json() const {
     Record<shape> json;
-    json["file"] = input_;
+    json["file"] = input_.empty() ? Json() : Json(input_);
     json["output"] = output_.is_there ? Json(*wanted_) : Json();
     json["status"] = output_.failure ? "error" : code_ == ExitCode::done && output_.losses.empty() ? "ok" : "warnings";
     add_to(json);
@@ -287,7 +291,7 @@ class AlgorithmRun {
   }
 
   Document& document_;
-  std::string input_;
+  std::string input_;                  // empty where it began with an empty mesh
   std::optional<std::string> wanted_;  // -o
   std::vector<Message> given_up_;
   RunFiles files_;
@@ -301,8 +305,9 @@ class AlgorithmRun {
   ExitCode code_ = ExitCode::done;
 };
 
+// Without a file on an empty mesh.
 ExitCode run_on_file(std::vector<Call> calls, const Arguments& arguments, const Console& given, bool by_repair) {
-  const std::string& input = arguments.operands()[0];
+  const std::string input = arguments.operands().empty() ? std::string() : arguments.operands()[0];
   const std::string* const output = arguments.value("-o");
   std::vector<PlannedOutput> outputs;
   if (output) outputs.push_back({*output, FileRole::result});
@@ -311,7 +316,7 @@ ExitCode run_on_file(std::vector<Call> calls, const Arguments& arguments, const 
   if (const auto fault = find_fault({}, input, outputs, planned)) return given.fail(*fault, input);
   Console console = given;
   console.leaves_stdout = planned.uses_stdout();
-  Result<MeshFile> file = read_mesh_file(input);
+  Result<MeshFile> file = arguments.operands().empty() ? Result<MeshFile>(MeshFile()) : read_mesh_file(input);
   if (!file) return console.fail(file.failure(), input);
   for (const Message& message : file->messages) console.show(message, input);
   std::vector<Message> given_up;

@@ -228,8 +228,17 @@ Subcommand subcommand_of(const AlgorithmRow& row) {
   const auto run = [&row](const Arguments& arguments, const Console& console) {
     return algorithm_command(row, arguments, console);
   };
-  return {row.id, "FILE", row.help_en, row.help_ja, std::move(flags), more, run, algorithm_contract,
-          false,  false,  true};
+  return {row.id,
+          row.is_primitive ? "[FILE]" : "FILE",
+          row.help_en,
+          row.help_ja,
+          std::move(flags),
+          more,
+          run,
+          algorithm_contract,
+          false,
+          false,
+          true};
 }
 
 }  // namespace

@@ -36,6 +36,11 @@ void draw_file_menu(PanelContext& context) {
   item(context, UiText::quit, "quit");
 }
 
+void algorithm_item(PanelContext& context, const AlgorithmRow& row) {
+  item(context, context.text(row.name_en, row.name_ja),
+       row.parameters.empty() ? line_of(row, ParameterValues()) : "values " + std::string(row.id));
+}
+
 void draw_edit_menu(PanelContext& context) {
   const Document& document = context.session.document();
   item(context, UiText::undo, "undo", document.position() > 0);
@@ -50,8 +55,7 @@ void draw_edit_menu(PanelContext& context) {
   ImGui::Separator();
   if (ImGui::BeginMenu(context.text("Algorithms", "アルゴリズム"))) {
     for (const AlgorithmRow& row : algorithm_table())
-      item(context, context.text(row.name_en, row.name_ja),
-           row.parameters.empty() ? line_of(row, ParameterValues()) : "values " + std::string(row.id));
+      if (!row.is_primitive) algorithm_item(context, row);
     ImGui::EndMenu();
   }
   panel_items(context, PanelMenu::edit);
@@ -94,6 +98,11 @@ void draw_view_menu(PanelContext& context) {
   panel_items(context, PanelMenu::view);
 }
 
+void draw_add_menu(PanelContext& context) {
+  for (const AlgorithmRow& row : algorithm_table())
+    if (row.is_primitive) algorithm_item(context, row);
+}
+
 void draw_name(PanelContext& context) {
   const Document& document = context.session.document();
   const std::string name = (document.is_modified() ? "* " : "") + document.path().filename().string();
@@ -115,6 +124,7 @@ void draw_menu(PanelContext& context) {
   menu(UiText::menu_edit, draw_edit_menu);
   menu(UiText::menu_select, draw_select_menu);
   menu(UiText::menu_view, draw_view_menu);
+  menu(UiText::menu_add, draw_add_menu);
   menu(UiText::menu_help, [](PanelContext& c) { panel_items(c, PanelMenu::help); });
   draw_name(context);
   const char* const other = context.text(UiText::language_other);

@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "core/algo/primitives/primitives.h"
 #include "core/algo/repair/repairs.h"
 
 namespace ryosen {
@@ -11,7 +12,8 @@ namespace {
 std::deque<AlgorithmRow>& algorithm_rows() {
   static std::deque<AlgorithmRow> rows = [] {
     std::deque<AlgorithmRow> all;
-    for (const std::vector<AlgorithmRow>& folder : {repair_rows()}) all.insert(all.end(), folder.begin(), folder.end());
+    for (const std::vector<AlgorithmRow>& folder : {repair_rows(), primitive_rows()})
+      all.insert(all.end(), folder.begin(), folder.end());
     return all;
   }();
   return rows;

@@ -45,6 +45,8 @@ struct AlgorithmResult {
   // Pairs of faces that meet now and did not before (self_intersections.h), by an algorithm that counts them.
   std::optional<std::size_t> crossings = {};
   std::vector<LeftForReason> left_for = {};  // where reasons are told: all of what is left, by reason
+  // Why these values, each of them in its range, cannot be used together: a clause. Nothing was written then.
+  std::optional<Text> fault = {};
 };
 
 struct AlgorithmRow {
@@ -58,11 +60,14 @@ struct AlgorithmRow {
   std::vector<ProblemKind> solves;  // not empty: a repair
   // Does it within an edit, which is one entry of the history; one that was cancelled is not to be committed.
   AlgorithmResult (*run)(Edit& edit, const AlgorithmInput& input, Progress& progress);
+  // Adds a shape beside what is there, and so needs no mesh to begin with.
+  bool is_primitive = false;
 
   bool is_repair() const { return !solves.empty(); }
 };
 
-// Repairs first, in the order in which they are done, each after those that make its work easier. Rows stay where they are.
+// Repairs first, in the order in which they are done, each after those that make its work easier; then primitives. Rows
+// stay where they are.
 const std::deque<AlgorithmRow>& algorithm_table();
 // By id; null when there is none.
 const AlgorithmRow* find_algorithm(std::string_view id);

@@ -12,6 +12,7 @@
 #include "core/base/split_list.h"
 #include "core/geometry/box.h"
 #include "core/mesh/find_element.h"
+#include "core/ops/lines/arguments.h"
 #include "core/ops/lines/syntax.h"
 #include "core/ops/op.h"
 
@@ -37,6 +38,8 @@ constexpr std::array kinds{
             "メッシュの単位、% を付けると対角線に対する割合", 0, infinity},
     KindRow{ParameterKind::ratio, "RATIO", "a ratio", "比率", "", "", 0, 1},
     KindRow{ParameterKind::angle, "ANGLE", "an angle", "角度", "in degrees", "度", 0, 180},
+    KindRow{ParameterKind::place, "X,Y,Z", "a place X,Y,Z", "座標 X,Y,Z", "in units of the mesh", "メッシュの単位",
+            -infinity, infinity},
     KindRow{ParameterKind::choice, "", "one of ", "", "", "", -infinity, infinity},
     KindRow{ParameterKind::flag, "on|off", "on or off", "on か off", "", "", -infinity, infinity},
     KindRow{ParameterKind::elements, "NAME,...", "names of elements, separated by commas", "要素の名前（コンマ区切り）",
@@ -80,6 +83,12 @@ std::optional<ParameterValue> read_names(std::string_view text) {
 std::optional<ParameterValue> read_value(const ParameterRow& row, std::string_view text) {
   ParameterValue value;
   if (row.kind == ParameterKind::elements) return read_names(text);
+  if (row.kind == ParameterKind::place) {
+    const auto place = parse_place(text);
+    if (!place) return std::nullopt;
+    value.place = *place;
+    return value;
+  }
   if (row.kind == ParameterKind::flag || row.kind == ParameterKind::choice) {
     std::vector<std::string_view> words{"off", "on"};
     if (row.kind == ParameterKind::choice) words.clear();
@@ -244,6 +253,8 @@ std::string ParameterValues::text_at(std::size_t i) const {
       return std::string(rows_[i].choices[static_cast<std::size_t>(value.number)].id);
     case ParameterKind::flag:
       return value.number != 0 ? "on" : "off";
+    case ParameterKind::place:
+      return format_place(value.place);
     case ParameterKind::elements: {
       std::string list;
       for (const std::string& name : value.names) list += (list.empty() ? "" : ",") + name;

@@ -4,9 +4,10 @@
 //
 // A length is in units of the mesh, or with `%` in hundredths of the diagonal of the mesh's bounding box: `0.5`, `0.1%`.
 // It is turned into units of the mesh when the algorithm begins, so a script does the same to the same mesh. An angle is
-// in degrees; elements are names separated by commas; a flag is `on` or `off`.
+// in degrees; a place is X,Y,Z; elements are names separated by commas; a flag is `on` or `off`.
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,7 +20,7 @@
 
 namespace ryosen {
 
-enum class ParameterKind { number, count, length, ratio, angle, choice, flag, elements };
+enum class ParameterKind { number, count, length, ratio, angle, place, choice, flag, elements };
 
 struct Choice {
   std::string_view id, en, ja;
@@ -51,6 +52,7 @@ Text described(const ParameterRow& row);
 struct ParameterValue {
   double number = 0;               // for a choice its place in the list, for a flag 1 where it is on
   bool is_percent = false;         // of a length
+  glm::dvec3 place{0.0};           // of a place
   std::vector<std::string> names;  // of elements
   std::vector<Element> elements;   // once they are looked up
 };
@@ -76,6 +78,7 @@ class ParameterValues {
   double length(std::string_view id) const { return value(id, ParameterKind::length).number; }
   double ratio(std::string_view id) const { return value(id, ParameterKind::ratio).number; }
   double angle_rad(std::string_view id) const;
+  const glm::dvec3& place(std::string_view id) const { return value(id, ParameterKind::place).place; }
   std::string_view choice(std::string_view id) const;  // its id
   bool flag(std::string_view id) const { return value(id, ParameterKind::flag).number != 0; }
   const std::vector<Element>& elements(std::string_view id) const;

@@ -15,6 +15,8 @@ std::string some_value(const ParameterRow& row) {
   switch (row.kind) {
     case ParameterKind::length:
       return "0.1%";
+    case ParameterKind::place:
+      return "0,0,0";
     case ParameterKind::choice:
       return std::string(row.choices.front().id);
     case ParameterKind::flag:

@@ -39,7 +39,7 @@ TEST_F(Algorithms, are_subcommands_with_a_flag_for_each_parameter) {
   const std::string all = run_here({"help", "--lang", "en"}).out;
   for (const AlgorithmRow& row : algorithm_table()) {
     const std::string id(row.id);
-    EXPECT_NE(all.find("ryosen " + id + " FILE"), std::string::npos) << id;
+    EXPECT_NE(all.find("ryosen " + id + (row.is_primitive ? " [FILE]" : " FILE")), std::string::npos) << id;
     const std::string help = run_here({"help", id, "--lang", "en"}).out,
                       japanese = run_here({"help", id, "--lang", "ja"}).out;
     for (const ParameterRow& parameter : row.parameters) {
@@ -99,6 +99,7 @@ TEST_F(Algorithms, give_their_values_as_json_of_their_kind) {
                                             {"copies", 3},
                                             {"share", 0.5},
                                             {"angle", 180.0},
+                                            {"by", {0.0, 0.0, 0.0}},
                                             {"way", "down"},
                                             {"mirror", true},
                                             {"at", {"v1", "0-2"}}}));
@@ -115,10 +116,48 @@ TEST_F(Algorithms, give_their_values_as_json_of_their_kind) {
     EXPECT_EQ(run_here({"scatter", input, "--json", "-q"}, flags).exit_code, 2) << flags.back();
 }
 
+TEST_F(Algorithms, that_are_primitives_begin_with_nothing_or_add_to_a_file) {
+  const std::string first = folder_.at("first.obj"), second = folder_.at("second.obj");
+  for (const AlgorithmRow& row : algorithm_table()) {
+    if (!row.is_primitive) continue;
+    const std::string id(row.id);
+    const ProgramRun alone = run_here({id, "-o", first, "--overwrite", "--json"});
+    EXPECT_EQ(alone.exit_code, 0) << id << alone.err;
+    const Json report = alone.line();
+    EXPECT_TRUE(report["file"].is_null()) << report;
+    EXPECT_EQ(report["changed"], report["faces"]);
+    EXPECT_EQ(run_here({"check", first, "--self-intersections"}).exit_code, 0) << id;
+    const ProgramRun added = run_here({id, first, "-o", second, "--overwrite", "--at=0,9,0", "--json"});
+    EXPECT_EQ(added.exit_code, 0) << id << added.err;
+    EXPECT_EQ(added.line()["file"], first);
+    EXPECT_EQ(added.line()["vertices"], 2 * report["vertices"].get<int>()) << id;
+    EXPECT_EQ(added.line()["faces"], 2 * report["faces"].get<int>()) << id;
+  }
+  EXPECT_EQ(run_program({"cube", "-o", folder_.at("cube.ply"), "--size", "3"}).exit_code, 0);
+  EXPECT_EQ(run_program({"weld_close", "--distance", "1"}).exit_code, 2) << "it needs a mesh";
+  EXPECT_EQ(run_here({"cube", folder_.at("none.obj")}).exit_code, 3);
+}
+
+TEST_F(Algorithms, whose_values_do_not_go_together_end_as_wrong_usage_and_write_nothing) {
+  const std::string output = folder_.at("o.obj");
+  const ProgramRun run = run_here({"torus", "-o", output, "--tube", "2", "--lang", "en"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("must be less than that of the circle it follows (1)."), std::string::npos) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(output));
+  Session session(std::make_unique<Document>());
+  const Outcome outcome = session.run("torus tube=2");
+  EXPECT_EQ(outcome.exit_code, ExitCode::usage);
+  EXPECT_EQ(outcome.sentence.en,
+            "torus: the radius of the tube (2) must be less than that of the circle it follows (1)");
+  EXPECT_TRUE(session.log().empty());
+  EXPECT_EQ(session.document().position(), 0u);
+}
+
 TEST_F(Algorithms, are_commands_of_scripts_and_one_entry_of_the_history_that_replays) {
-  for (const std::string line : {"weld_close distance=0.5", "repair weld_close 0.5", "repair weld_close distance=0.5",
-                                 "weld_close distance=5%", "fill_holes", "repair orient", "fill_holes most_edges=18",
-                                 "scatter distance=1 x=0 copies=2 share=0.5 angle=0 way=up mirror=on at=f0,v3"}) {
+  for (const std::string line :
+       {"weld_close distance=0.5", "repair weld_close 0.5", "repair weld_close distance=0.5", "weld_close distance=5%",
+        "fill_holes", "repair orient", "fill_holes most_edges=18",
+        "scatter distance=1 x=0 copies=2 share=0.5 angle=0 by=0,0,0 way=up mirror=on at=f0,v3"}) {
     const std::string input = folder_.write("a.obj", line.starts_with("fill") ? with_hole : loose);
     const auto open = [&] { return Session(Document::open(input).value()); };
     Session session = open(), again = open();

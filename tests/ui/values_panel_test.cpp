@@ -38,11 +38,12 @@ TEST_F(ValuesPanel, runs_what_its_fields_say_when_the_frame_is_laid_out) {
   ASSERT_TRUE(gui.run(session, "values scatter").done());
   frames(3);
   type("50%");
-  for (int i = 0; i < 5; ++i) press(ImGuiKey_Tab);  // from text to text: the last is that of the elements
+  for (int i = 0; i < 6; ++i) press(ImGuiKey_Tab);  // from text to text: the last is that of the elements
   type("v1,f0");
   press(ImGuiKey_Enter);
   frames(2);
-  EXPECT_EQ(gui.said().en, "scatter distance=50% x=0 copies=1 share=0.5 angle=0 way=up mirror=off at=v1,f0: 1 put.");
+  EXPECT_EQ(gui.said().en,
+            "scatter distance=50% x=0 copies=1 share=0.5 angle=0 by=0,0,0 way=up mirror=off at=v1,f0: 1 put.");
   EXPECT_FALSE(was_laying_out);
   EXPECT_EQ(session.mesh().live().vertices, 9u);
   ASSERT_TRUE(session.run("undo").done());

@@ -39,7 +39,8 @@ inline constexpr Shape repair_step_shape{"repair_step", "One repair.", "一つ�
 
 // What a run of one or several began with and came to.
 inline constexpr JsonKey run_keys[] = {
-    {"file", "string", "The input, as it was named.", "指定されたとおりの入力。"},
+    {"file", "string or null", "The input, as it was named; null where it began with an empty mesh.",
+     "指定されたとおりの入力。空のメッシュから始めたとき null。"},
     {"output", "string or null", "The file that was written; null where nothing was.",
      "書き出したファイル。なければ null。"},
     {"status", "string", "ok; warnings where problems are left or something is lost; error where it was not written.",

@@ -18,6 +18,8 @@ inline std::string sound_value(const ParameterRow& row) {
       return std::string(row.choices[0].id);
     case ParameterKind::flag:
       return "on";
+    case ParameterKind::place:
+      return "1,2,3";
     case ParameterKind::length:
       return "0.01";
     default:

@@ -25,6 +25,8 @@ std::vector<std::string> malformed_values(const ParameterRow& row) {
   if (row.kind == ParameterKind::length) texts.insert(texts.end(), {"-1", "-1%", "%"});
   if (row.kind == ParameterKind::ratio) texts.insert(texts.end(), {"-0.1", "1.1", "50%"});
   if (row.kind == ParameterKind::angle) texts.insert(texts.end(), {"-1", "181"});
+  if (row.kind == ParameterKind::place)
+    texts.insert(texts.end(), {"1", "1,2", "1,2,3,4", "1,2,x", "1,2,1e999", "1%,2,3"});
   if (row.smallest) texts.push_back(format_double(*row.smallest - 1));
   if (row.smallest && row.excludes_smallest) texts.push_back(format_double(*row.smallest));
   if (row.largest) texts.push_back(format_double(*row.largest + 1));
@@ -108,12 +110,15 @@ TEST_F(Algorithms, say_range_and_unit_of_a_value) {
   EXPECT_EQ(expected(2).en, "a whole number from 1 up, vertices");
   EXPECT_EQ(expected(3).en, "a ratio from 0 to 1");
   EXPECT_EQ(expected(4).en, "an angle from 0 to 180, in degrees");
-  EXPECT_EQ(expected(5).en, "one of up, down");
-  EXPECT_EQ(expected(6).en, "on or off");
+  EXPECT_EQ(expected(5).en, "a place X,Y,Z, in units of the mesh");
+  EXPECT_EQ(expected(5).ja, "座標 X,Y,Z（メッシュの単位）");
+  EXPECT_EQ(expected(6).en, "one of up, down");
+  EXPECT_EQ(expected(7).en, "on or off");
   EXPECT_EQ(described(row.parameters[3]).en, "a ratio from 0 to 1; else 0.5");
-  EXPECT_EQ(syntax_of(row.parameters),
-            "distance=LENGTH [x=NUMBER] [copies=COUNT] [share=RATIO] [angle=ANGLE] [way=up|down] [mirror=on|off] "
-            "at=NAME,...");
+  EXPECT_EQ(
+      syntax_of(row.parameters),
+      "distance=LENGTH [x=NUMBER] [copies=COUNT] [share=RATIO] [angle=ANGLE] [by=X,Y,Z] [way=up|down] [mirror=on|off] "
+      "at=NAME,...");
   EXPECT_EQ(read(row, "distance=1 distance=2").sentence.en, "distance is given twice");
   EXPECT_EQ(read(row, "1 at=f0").values->text("distance"), "1") << "the first may go without its name";
   EXPECT_FALSE(read(row, "distance=1 f0").values) << "no other may";
@@ -124,7 +129,7 @@ TEST_F(Algorithms, lengths_and_elements_are_those_of_the_mesh) {
   IndexedMesh source = indexed({{0, 1, 2}});
   source.positions = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};  // a diagonal of 5
   Mesh mesh = from_indexed(source);
-  const ParameterValues given = *read(row, "distance=10% angle=180 way=down share=1 at=v1,f0,0-2").values;
+  const ParameterValues given = *read(row, "distance=10% angle=180 way=down share=1 by=1,-2,0.5 at=v1,f0,0-2").values;
   EXPECT_EQ(given.text("distance"), "10%");
   const ReadValues found = given.on(mesh);
   ASSERT_TRUE(found.values) << found.sentence.en;
@@ -135,7 +140,7 @@ TEST_F(Algorithms, lengths_and_elements_are_those_of_the_mesh) {
   Edit edit(mesh, nullptr);
   EXPECT_EQ(row.run(edit, {*found.values, {}, 0}, unheard).changed, 1u);
   edit.commit();
-  EXPECT_EQ(mesh.position(Vertex(3)), glm::dvec3(0, 0.5, 3.5));
+  EXPECT_EQ(mesh.position(Vertex(3)), glm::dvec3(1, -1.5, 4));
   const ReadValues missing = read(row, "distance=1 at=v1,v9").values->on(mesh);
   EXPECT_FALSE(missing.values);
   EXPECT_EQ(missing.error, NameError::never_existed);

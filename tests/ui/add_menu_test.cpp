@@ -1,0 +1,53 @@
+// The Add menu: an entry for each primitive, which asks for its values; the first shape is seen as a whole.
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <glm/geometric.hpp>
+
+#include "tests/support/app/laid.h"
+
+namespace ryosen {
+namespace {
+
+class AddMenu : public testing::Test, protected test::Laid {
+ protected:
+  AddMenu() : Laid("cube.obj") {}
+
+  static constexpr glm::dvec2 menu{157, 10};
+};
+
+TEST_F(AddMenu, has_an_entry_for_each_primitive_that_asks_for_its_values) {
+  std::vector<std::string> asked, expected;
+  for (const AlgorithmRow& row : algorithm_table())
+    if (row.is_primitive) expected.emplace_back(row.id);
+  for (double y = 24; y < 400; y += 6) {
+    click(menu);
+    click({menu.x + 6, y});
+    if (session.open_panel == "values" && (asked.empty() || asked.back() != session.asked_algorithm))
+      asked.push_back(session.asked_algorithm);
+    session.run("panel none");
+    frames(3);
+  }
+  EXPECT_EQ(asked, expected);
+}
+
+TEST_F(AddMenu, adds_what_the_fields_say_and_shows_all_of_it_where_nothing_was_before) {
+  session.set_document(std::make_unique<Document>());
+  ASSERT_TRUE(session.run("values sphere").done());
+  frames(3);
+  for (const char digit : std::string_view("50")) gui.character(static_cast<unsigned>(digit));  // the radius
+  frames(2);
+  gui.key(ImGuiKey_Enter, true);
+  gui.key(ImGuiKey_Enter, false);
+  frames(4);
+  EXPECT_EQ(session.log(), std::vector<std::string>{"sphere radius=50 segments=32 bands=16 at=0,0,0"}) << gui.said().en;
+  const Camera shown = session.camera;
+  session.frame_all();
+  EXPECT_NEAR(glm::distance(session.camera.eye, shown.eye), 0, 1e-9);
+  session.camera = shown;
+  ASSERT_TRUE(session.run("cube at=900,0,0").done());
+  EXPECT_EQ(session.camera, shown) << "what was looked at stays where it is";
+}
+
+}  // namespace
+}  // namespace ryosen

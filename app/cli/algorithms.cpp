@@ -152,8 +152,8 @@ class AlgorithmRun {
     std::string kinds;
     for (Call& call : calls_) {
       kinds += (names.empty() ? "" : ",") + names.emplace_back(name_of(call));
-      if (auto failure = look_up_values(call)) return failure;
       steps.push_back({call.row, call.values});
+      if (auto failure = look_up_values(call)) return failure;
     }
     const auto name_in = [&](const RecipeStep& step, std::size_t round) {
       const std::string name = names[static_cast<std::size_t>(&step - steps.data())];
@@ -172,6 +172,7 @@ class AlgorithmRun {
     RecipeResult result = document_.run(steps, "repair " + kinds, events).value();
     rounds_ = result.rounds;
     findings_ = std::move(result.findings);
+    boundary_edges_ = {result.boundary_edges_before, result.boundary_edges_after};
     for (std::size_t i = 0; i < calls_.size(); ++i) calls_[i].result = std::move(result.steps[i]);
     return std::nullopt;
   }
@@ -209,6 +210,9 @@ class AlgorithmRun {
       if (kind.after > kind.before) line += " (+" + std::to_string(kind.after - kind.before) + ")";
       console_.print(line + "\n");
     }
+    if (const auto [before, after] = boundary_edges_; before != after)
+      console_.print(std::string(console_.text("  boundary edges: ", "  境界稜線：")) + std::to_string(before) +
+                     " -> " + std::to_string(after) + "\n");
   }
 
   void print_text() const {
@@ -256,6 +260,9 @@ class AlgorithmRun {
       json["repairs"].push_back(std::move(repair).json());
     }
     json["rounds"] = rounds_;
+    json["boundary_edges"] = Json::object();
+    json["boundary_edges"]["before"] = boundary_edges_.first;
+    json["boundary_edges"]["after"] = boundary_edges_.second;
     json["findings"] = Json::array();
     for (const KindCount& kind : findings_) {
       Record<kind_count_shape> count;
@@ -300,6 +307,7 @@ class AlgorithmRun {
   std::vector<Call> calls_;
   std::size_t rounds_ = 0;
   std::vector<KindCount> findings_;
+  std::pair<std::size_t, std::size_t> boundary_edges_;  // before, after
   CheckReport after_;
   WrittenOutput output_;
   ExitCode code_ = ExitCode::done;

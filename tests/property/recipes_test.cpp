@@ -79,7 +79,7 @@ TEST(recipes, keep_the_rules_on_the_shared_meshes) {
 }
 
 RecipeResult run_on(const Mesh& mesh, const std::string& kinds) {
-  return *run_recipe(mesh, recipe_of(mesh, kinds).steps, {});
+  return *run_recipe(mesh, recipe_of(kinds).steps, {});
 }
 
 std::size_t after(const RecipeResult& result, ProblemKind kind) {
@@ -95,6 +95,37 @@ TEST(recipes, three_faces_at_an_edge_come_apart_and_the_loops_rise) {
   EXPECT_EQ(after(result, ProblemKind::boundary_loop), 3u) << "said, and allowed";
 }
 
+// The distance is a share of a diagonal that welding shortens.
+TEST(recipes, shares_of_the_diagonal_are_those_of_the_mesh_that_a_round_begins_with) {
+  MeshFile file;
+  file.mesh.positions = {{2.5, 0.0, -0.0},
+                         {3.5, 0.0, 0.0},
+                         {1.9382101741604567, 1.6263514422820908, -0.17101007166283436},
+                         {2.6580564845534114, 2.230374215837145, 0.17101007166283436},
+                         {0.4544334222210467, 2.5772200056688797, -0.3213938048432696},
+                         {0.5874556437805357, 3.3316265124043687, 0.3213938048432696},
+                         {-1.3749999999999993, 2.3815698604072066, -0.4330127018922193},
+                         {-1.6249999999999993, 2.814582562299426, 0.4330127018922193},
+                         {-2.737489906774458, 0.9963648426700643, -0.492403876506104},
+                         {-2.9006658179409923, 1.0557560172839489, 0.492403876506104},
+                         {-2.9006658179409928, -1.0557560172839482, -0.492403876506104},
+                         {-2.737489906774458, -0.9963648426700636, 0.492403876506104},
+                         {-1.6250000000000013, -2.8145825622994245, -0.43301270189221935},
+                         {-1.3750000000000013, -2.3815698604072058, 0.43301270189221935},
+                         {0.5874556437805343, -3.3316265124043687, -0.32139380484326974},
+                         {0.45443342222104555, -2.57722000566888, 0.32139380484326974},
+                         {2.65805648455341, -2.230374215837146, -0.17101007166283444},
+                         {1.9382101741604565, -1.626351442282092, 0.17101007166283444}};
+  file.mesh.corners = {4, 3, 2, 6, 8, 7, 8, 10, 9, 0, 1, 2, 8, 9, 6};
+  file.mesh.face_offsets = {0, 3, 6, 9, 12, 15};
+  const Mesh mesh = from_indexed(file.mesh);
+  const NamedRecipe recipe =
+      recipe_of("remove_duplicates,weld_equal,orient,detach_nonmanifold,weld_close=20%,remove_degenerate");
+  const RecipeResult first = *run_recipe(mesh, recipe.steps, {});
+  EXPECT_GT(first.rounds, 0u);
+  EXPECT_EQ(run_recipe(first.mesh, recipe.steps, {})->rounds, 0u);
+}
+
 TEST(recipes, a_round_that_takes_nothing_away_is_undone) {
   // A closed surface with nothing wrong, of which some points are close.
   const Mesh mesh = make_mesh(torus_grid(6, 8));
@@ -104,7 +135,7 @@ TEST(recipes, a_round_that_takes_nothing_away_is_undone) {
   events.step_done = [&](const RecipeStep&, std::size_t, const AlgorithmResult& result) {
     steps += result.changed > 0;
   };
-  const NamedRecipe recipe = recipe_of(mesh, "weld_close=20%");
+  const NamedRecipe recipe = recipe_of("weld_close=20%");
   const RecipeResult result = *run_recipe(mesh, recipe.steps, {}, events);
   EXPECT_GT(steps, 0u);
   EXPECT_EQ(undone, 1u);
@@ -117,7 +148,7 @@ TEST(recipes, a_round_that_takes_nothing_away_is_undone) {
 
 TEST(recipes, cancelled_in_any_step_give_nothing) {
   const Mesh mesh = make_mesh(fin());
-  const NamedRecipe recipe = recipe_of(mesh, usual);
+  const NamedRecipe recipe = recipe_of(usual);
   for (std::size_t last = 0; last < 4; ++last) {
     std::size_t calls = 0;
     RecipeEvents events;
@@ -193,7 +224,7 @@ TEST(recipes, welding_leaves_alone_what_stays_in_the_file) {
   const std::vector<Vertex> used{Vertex(3), Vertex(4)};
   const std::vector<QuarantinedFace> quarantine = read.mesh.quarantine;
   const Mesh mesh = from_indexed(std::move(read.mesh));
-  const RecipeResult result = *run_recipe(mesh, recipe_of(mesh, kinds).steps, {quarantine, used, {}, {}});
+  const RecipeResult result = *run_recipe(mesh, recipe_of(kinds).steps, {quarantine, used, {}, {}});
   EXPECT_EQ(after(result, ProblemKind::isolated_vertex), 1u) << "as the file that is written has it";
 }
 

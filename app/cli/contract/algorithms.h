@@ -71,6 +71,9 @@ inline constexpr JsonKey repairs_keys[] = {
     {"rounds", "integer",
      "How often the repairs were done and changed something; a round that was undone does not count.",
      "修復を繰り返して変更があった回数。元に戻した回は数えない。"},
+    {"boundary_edges", "object",
+     "The number of edges with one face, before and after: a round that lowers no problem must lower it.",
+     "面が一枚だけの稜線の数（before、after）。問題が減らない巡回では、これが減ること。"},
     {"findings", "array of object", "Every kind that is looked for unasked, with its number before and after.",
      "既定で調べるすべての種類について、修復前後の数。", objects(kind_count_shape)},
 };

@@ -33,6 +33,7 @@ class RecipeRun {
     State state{mesh, !input_.quarantine.empty(), count_findings(mesh, input_.on_lines)};
     RecipeResult result;
     result.steps.resize(steps_.size());
+    result.boundary_edges_before = boundary_edges(state);
     for (std::size_t round = 1;; ++round) {
       State next = state;
       if (!run_round(next, round)) return std::nullopt;
@@ -48,6 +49,7 @@ class RecipeRun {
       state = std::move(next);
     }
     result.is_changed = result.rounds > 0;
+    result.boundary_edges_after = boundary_edges(state);
     result.drops_quarantined = !input_.quarantine.empty() && !state.has_quarantine;
     count(mesh, true, &KindCount::before, result.findings);
     count(state.mesh, state.has_quarantine, &KindCount::after, result.findings);
@@ -56,14 +58,23 @@ class RecipeRun {
   }
 
  private:
+  static std::size_t boundary_edges(const State& state) {
+    return state.counts[static_cast<std::size_t>(ProblemKind::boundary_loop)];
+  }
+
   bool run_round(State& state, std::size_t round) {
+    std::vector<ReadValues> values;
+    for (const RecipeStep& step : steps_) values.push_back(step.values.on(state.mesh));
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       const RecipeStep& step = steps_[i];
+      results_[i] = {};
+      if (!values[i].values) continue;  // of a share that has become none
       Progress progress([&](double share) { return !events_.progress || events_.progress(step, round, share); });
       Journal journal;
       Edit edit(state.mesh, &journal);
       const bool has_quarantine = state.has_quarantine;
-      const AlgorithmInput input{step.values, has_quarantine ? input_.used_elsewhere : input_.used_but_by_quarantine,
+      const AlgorithmInput input{*values[i].values,
+                                 has_quarantine ? input_.used_elsewhere : input_.used_but_by_quarantine,
                                  has_quarantine ? input_.quarantine.size() : 0, input_.on_lines};
       results_[i] = run_guarded(edit, *step.row, input, progress, state.counts);
       if (!progress.go_on() || progress.is_cancelled()) return false;
@@ -81,8 +92,7 @@ class RecipeRun {
       if (!is_for_[k] || row.severity != ProblemSeverity::problem) continue;
       problems += row.quarantined ? quarantined(row, state.has_quarantine) : state.counts[k];
     }
-    const auto boundary = static_cast<std::size_t>(ProblemKind::boundary_loop);
-    return {problems, is_for_[boundary] ? state.counts[boundary] : 0};
+    return {problems, is_for_[static_cast<std::size_t>(ProblemKind::boundary_loop)] ? boundary_edges(state) : 0};
   }
 
   std::size_t quarantined(const ProblemRow& row, bool has_quarantine) const {

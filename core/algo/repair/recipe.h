@@ -11,7 +11,7 @@ namespace ryosen {
 
 struct RecipeStep {
   const AlgorithmRow* row;  // a repair
-  ParameterValues values;   // lengths in units of the mesh, elements looked up
+  ParameterValues values;   // which are in their ranges on the mesh; shares of the diagonal may be among them
 };
 
 // What lies beside the mesh in its file. Views.
@@ -44,10 +44,11 @@ struct RecipeResult {
   std::vector<AlgorithmResult> steps;  // by step, over the rounds that were kept; `left` and a text of nothing done
                                        // are those of the last
   std::vector<KindCount> findings;     // every kind that is found unasked, in the order of the table
+  std::size_t boundary_edges_before = 0, boundary_edges_after = 0;
 };
 
 // Runs the steps in their order, again and again until a round changes nothing. A round is for the kinds in the steps'
-// `solves`: it is undone, and ends the recipe, unless it lowers the number of problems of these kinds, or keeps it and
+// `solves`, and takes shares of the diagonal from the mesh with which it begins: it is undone, and ends the recipe, unless it lowers the number of problems of these kinds, or keeps it and
 // lowers the number of boundary edges where boundary loops are among them (edges, since welding may make two loops of
 // one: a strip closed to a band). So every recipe ends, and repeating it on its result changes nothing. Each step runs
 // guarded (guard.h). None if it was cancelled. The mesh is not touched. Cost: that of the steps and a copy of the mesh

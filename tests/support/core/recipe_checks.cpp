@@ -50,7 +50,7 @@ class RuleCheck {
 
   std::vector<std::string> run(MeshFile file, const std::vector<std::string>& formats) {
     Opened opened(std::move(file));
-    const NamedRecipe recipe = recipe_of(opened.mesh, kinds_);
+    const NamedRecipe recipe = recipe_of(kinds_);
     const bool is_as_read = differs_from_reading(opened.mesh).empty();
     std::optional<RecipeResult> first = run_one(opened, recipe, "");
     judge(opened, *first, is_as_read);
@@ -108,14 +108,14 @@ class RuleCheck {
 
 }  // namespace
 
-NamedRecipe recipe_of(const Mesh& mesh, const std::string& kinds) {
+NamedRecipe recipe_of(const std::string& kinds) {
   NamedRecipe recipe{kinds, {}};
   for (const std::string_view word : split_list(kinds)) {
     const std::size_t equals = std::min(word.find('='), word.size());
     const AlgorithmRow* const row = find_algorithm(word.substr(0, equals));
     ParameterValues values(row->parameters);
     if (equals < word.size()) values.set(row->parameters[0].id, word.substr(equals + 1), {});
-    recipe.steps.push_back({row, *values.on(mesh).values});
+    recipe.steps.push_back({row, std::move(values)});
   }
   return recipe;
 }

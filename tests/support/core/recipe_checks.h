@@ -17,7 +17,7 @@ struct NamedRecipe {
 };
 
 // From the words of --kinds, without default; a length as a share of the diagonal of the mesh: weld_close=0.1%.
-NamedRecipe recipe_of(const Mesh& mesh, const std::string& kinds);
+NamedRecipe recipe_of(const std::string& kinds);
 // Every repair alone, as --kinds has it.
 std::vector<std::string> single_repairs();
 // Two to five different ones in the order of the table.

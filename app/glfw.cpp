@@ -20,6 +20,7 @@ std::optional<Glfw> loaded() {
   find(glfw.create_window, "glfwCreateWindow");
   find(glfw.destroy_window, "glfwDestroyWindow");
   find(glfw.get_cursor_pos, "glfwGetCursorPos");
+  find(glfw.get_clipboard_string, "glfwGetClipboardString");
   find(glfw.get_error, "glfwGetError");
   find(glfw.get_framebuffer_size, "glfwGetFramebufferSize");
   find(glfw.get_key, "glfwGetKey");
@@ -32,6 +33,7 @@ std::optional<Glfw> loaded() {
   find(glfw.init, "glfwInit");
   find(glfw.make_context_current, "glfwMakeContextCurrent");
   find(glfw.set_char_callback, "glfwSetCharCallback");
+  find(glfw.set_clipboard_string, "glfwSetClipboardString");
   find(glfw.set_cursor_enter_callback, "glfwSetCursorEnterCallback");
   find(glfw.set_cursor_pos_callback, "glfwSetCursorPosCallback");
   find(glfw.set_drop_callback, "glfwSetDropCallback");

@@ -13,6 +13,7 @@ struct Glfw {
   decltype(&glfwCreateWindow) create_window = nullptr;
   decltype(&glfwDestroyWindow) destroy_window = nullptr;
   decltype(&glfwGetCursorPos) get_cursor_pos = nullptr;
+  decltype(&glfwGetClipboardString) get_clipboard_string = nullptr;
   decltype(&glfwGetError) get_error = nullptr;
   decltype(&glfwGetFramebufferSize) get_framebuffer_size = nullptr;
   decltype(&glfwGetKey) get_key = nullptr;
@@ -25,6 +26,7 @@ struct Glfw {
   decltype(&glfwInit) init = nullptr;
   decltype(&glfwMakeContextCurrent) make_context_current = nullptr;
   decltype(&glfwSetCharCallback) set_char_callback = nullptr;
+  decltype(&glfwSetClipboardString) set_clipboard_string = nullptr;
   decltype(&glfwSetCursorEnterCallback) set_cursor_enter_callback = nullptr;
   decltype(&glfwSetCursorPosCallback) set_cursor_pos_callback = nullptr;
   decltype(&glfwSetDropCallback) set_drop_callback = nullptr;

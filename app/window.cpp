@@ -120,6 +120,9 @@ class Editor {
     };
     session_.on_progress = [this](double share) { return show_progress(share); };
     if (const char* const path = std::getenv("RYOSEN_FRAME_LOG")) log_.open(path, std::ios::app);
+    gui_.set_clipboard(
+        window.handle(), [](void* w) { return glfw().get_clipboard_string(static_cast<GLFWwindow*>(w)); },
+        [](void* w, const char* text) { glfw().set_clipboard_string(static_cast<GLFWwindow*>(w), text); });
     set_callbacks();
     resize();
     session_.frame_all();

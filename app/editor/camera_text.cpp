@@ -135,4 +135,6 @@ std::optional<glm::dvec2> parse_pixel(std::string_view text) {
   return glm::dvec2(*x, *y);
 }
 
+std::string format_pixel(glm::dvec2 pixel) { return format_double(pixel.x) + "," + format_double(pixel.y); }
+
 }  // namespace ryosen

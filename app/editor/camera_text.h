@@ -17,5 +17,6 @@ std::optional<Camera> camera_from_json(std::string_view json, const Camera& base
 
 // "640,360", also with fractions.
 std::optional<glm::dvec2> parse_pixel(std::string_view text);
+std::string format_pixel(glm::dvec2 pixel);
 
 }  // namespace ryosen

@@ -33,8 +33,13 @@ RunCommand run_walk, run_tool, run_mode, run_click, run_remedy;
 FaultOfCommand fault_of_remedy;
 // Selecting: commands_selecting.cpp
 RunCommand run_select, run_keep, run_forget;
+enum class SelectHow { anew, add, toggle };
+// Adds what is not there yet; where wanted takes out what is, or what was there before.
+void put_into_selection(Elements& selection, std::span<const Element> elements, SelectHow how);
 FaultOfCommand fault_of_select, fault_of_keep;
 std::string select_syntax();
+// In a region of the picture: commands_region.cpp
+RunCommand run_box, run_lasso, run_band;
 // Events of mouse and keyboard: commands_input.cpp
 RunCommand run_press, run_move, run_release, run_wheel, run_type, run_key;
 FaultOfCommand fault_of_move, fault_of_key;

@@ -18,8 +18,7 @@ namespace {
 // What is asked for: names, behind a word that says what becomes of the selection; all that a problem is about, or all
 // problems of a kind; or what a selector finds.
 struct Selecting {
-  enum class How { anew, add, toggle };
-  How how = How::anew;
+  SelectHow how = SelectHow::anew;
   const ProblemRow* problem = nullptr;
   const Selector* selector = nullptr;
   bool is_kept = false;
@@ -30,7 +29,7 @@ Selecting read_selecting(Words arguments) {
   Selecting asked{.names = arguments};
   const std::string_view first = arguments.empty() ? "" : arguments[0];
   if (first == "add" || first == "toggle") {
-    asked.how = first == "add" ? Selecting::How::add : Selecting::How::toggle;
+    asked.how = first == "add" ? SelectHow::add : SelectHow::toggle;
     asked.names = arguments.subspan(1);
     return asked;
   }
@@ -48,7 +47,7 @@ std::optional<ValueRange> value_of(const Selector& row, Words values) {
 }
 
 std::optional<Text> fault_of(const Selecting& asked) {
-  if (asked.how != Selecting::How::anew && asked.names.empty()) return wrong_arguments("select").sentence;
+  if (asked.how != SelectHow::anew && asked.names.empty()) return wrong_arguments("select").sentence;
   if (asked.is_kept) return asked.names.size() == 1 ? std::nullopt : std::optional(wrong_arguments("select").sentence);
   if (asked.selector) {
     if (value_of(*asked.selector, asked.names)) return std::nullopt;
@@ -108,19 +107,6 @@ Elements all_of(Session& session, const ProblemRow& problem) {
   return found;
 }
 
-// Adds what is not there yet; where wanted takes out what is.
-void put_into(Elements& selection, std::span<const Element> elements, Selecting::How how) {
-  ElementSet selected(selection), taken_out;
-  for (const Element& e : elements) {
-    if (selected.insert(e)) {
-      selection.push_back(e);
-    } else if (how == Selecting::How::toggle) {
-      taken_out.insert(e);
-    }
-  }
-  if (how == Selecting::How::toggle) std::erase_if(selection, [&](const Element& e) { return taken_out.contains(e); });
-}
-
 Element::Kind kind_of(PickMode mode) {
   switch (mode) {
     case PickMode::vertex:
@@ -175,6 +161,19 @@ std::string select_line(const Selector& row) {
   return "select " + std::string(row.id) + (row.usual.empty() ? "" : " " + std::string(row.usual));
 }
 
+void put_into_selection(Elements& selection, std::span<const Element> elements, SelectHow how) {
+  if (how == SelectHow::anew) selection.clear();
+  ElementSet selected(selection), taken_out;
+  for (const Element& e : elements) {
+    if (selected.insert(e)) {
+      selection.push_back(e);
+    } else if (how == SelectHow::toggle) {
+      taken_out.insert(e);
+    }
+  }
+  if (how == SelectHow::toggle) std::erase_if(selection, [&](const Element& e) { return taken_out.contains(e); });
+}
+
 std::optional<Text> fault_of_select(Words arguments, const std::string&) { return fault_of(read_selecting(arguments)); }
 
 Outcome run_select(Session& session, Words arguments, std::string_view) {
@@ -192,10 +191,7 @@ Outcome run_select(Session& session, Words arguments, std::string_view) {
   Elements found;
   if (Outcome outcome = find_named(session, asked.names, found); !outcome.done()) return outcome;
   if (asked.problem) found = session.about(*asked.problem, found[0]);
-  if (asked.how == Selecting::How::anew)
-    session.selection = std::move(found);
-  else
-    put_into(session.selection, found, asked.how);
+  put_into_selection(session.selection, found, asked.how);
   return {};
 }
 

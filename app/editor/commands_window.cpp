@@ -58,9 +58,14 @@ Outcome run_language(Session& session, Words arguments, std::string_view) {
   return {};
 }
 
-// One step out of what was begun: first the open panel, then a held verdict, the tool, the selection.
+// One step out of what was begun: first a band, then the open panel, a held verdict, the tool, the selection.
 Outcome run_cancel(Session& session, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("cancel");
+  if (session.band || session.armed_gesture) {
+    session.band.reset();
+    session.armed_gesture.reset();
+    return {};
+  }
   if (!session.open_panel.empty()) return session.run("panel none");
   if (session.is_verdict_held()) {
     session.release_verdict();

@@ -29,6 +29,9 @@ const KeyRow first_keys[] = {
     {"F", "either make_face selected | fill selected", "make a face on the vertices, or fill holes at the edges",
      "選択した頂点に面を張る、または稜線の穴を埋める"},
     {"E", "extrude selected", "extrude the selected faces", "選択した面を押し出す"},
+    {"B", "band box", "select by a box: drag it, Shift adds, Ctrl takes out, Alt goes through",
+     "ボックス選択（ドラッグ。Shift で追加、Ctrl で反転、Alt で裏側も）"},
+    {"Shift+B", "band lasso", "select by a lasso in the same way", "投げ縄選択（修飾キーは同じ）"},
     {"Ctrl+Z", "undo", "undo", "元に戻す", false, true},
     {"Ctrl+Shift+Z", "redo", "redo", "やり直す", false, true},
     {"Ctrl+Y", "redo", "redo", "やり直す", false, true},
@@ -47,7 +50,7 @@ const KeyRow last_keys[] = {
 
 }  // namespace
 
-std::vector<KeyRow> key_table() {
+std::vector<KeyRow> key_table(const InputPreset& preset) {
   std::vector<KeyRow> keys;
   for (const OpInfo& op : all_ops()) {
     if (op.key == '\0') continue;
@@ -65,11 +68,15 @@ std::vector<KeyRow> key_table() {
   for (const ViewSwitch& row : view_switches())
     if (row.toggles()) keys.push_back({std::string(row.chord), toggle_line(row), row.key_en, row.key_ja});
   keys.insert(keys.end(), std::begin(last_keys), std::end(last_keys));
+  for (const KeyChange& change : preset.keys) {
+    std::erase_if(keys, [&](const KeyRow& row) { return row.chord == change.chord; });
+    keys.push_back({std::string(change.chord), std::string(change.command), change.help_en, change.help_ja});
+  }
   return keys;
 }
 
-std::optional<KeyRow> find_key(std::string_view chord) {
-  std::vector<KeyRow> keys = key_table();
+std::optional<KeyRow> find_key(std::string_view chord, const InputPreset& preset) {
+  std::vector<KeyRow> keys = key_table(preset);
   for (KeyRow& row : keys)
     if (row.chord == chord) return std::move(row);
   return std::nullopt;

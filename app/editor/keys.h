@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "app/editor/gestures.h"
+
 namespace ryosen {
 
 struct KeyRow {
@@ -17,9 +19,9 @@ struct KeyRow {
   bool repeats = false;  // while it is held down
 };
 
-// The keys of operators, selectors, views and switches come from their own rows.
-std::vector<KeyRow> key_table();
+// The keys of operators, selectors, views and switches come from their own rows; other presets than the first change some.
+std::vector<KeyRow> key_table(const InputPreset& preset = input_presets()[0]);
 // By chord; none if unbound.
-std::optional<KeyRow> find_key(std::string_view chord);
+std::optional<KeyRow> find_key(std::string_view chord, const InputPreset& preset = input_presets()[0]);
 
 }  // namespace ryosen

@@ -50,14 +50,9 @@ glm::dvec3 centre_of_orbit(Session& session, glm::dvec2 pixel) {
 
 }  // namespace
 
-void Navigation::press(MouseButton button, glm::dvec2 pixel, Modifiers modifiers) {
+void Navigation::press(MouseButton button, glm::dvec2 pixel, Modifiers modifiers, Gesture gesture) {
   if (drag_ && drag_->button != button) return;
-  Motion motion = Motion::orbit;
-  if (button == MouseButton::right || modifiers.shift)
-    motion = Motion::pan;
-  else if (button == MouseButton::middle && modifiers.ctrl)
-    motion = Motion::zoom;
-  drag_ = Drag{button, motion, modifiers, pixel, pixel};
+  drag_ = Drag{button, gesture, modifiers, pixel, pixel};
 }
 
 bool Navigation::move(Session& session, glm::dvec2 pixel) {
@@ -66,21 +61,29 @@ bool Navigation::move(Session& session, glm::dvec2 pixel) {
   if (!drag_->moved) {
     if (glm::length(pixel - drag_->start) <= click_reach_px) return false;
     drag_->moved = true;
-    drag_->held =
-        drag_->motion == Motion::orbit ? centre_of_orbit(session, drag_->start) : held_at(session, drag_->start);
+    if (selects(drag_->gesture))
+      session.band = Band{drag_->gesture, {drag_->start}};
+    else
+      drag_->held =
+          drag_->gesture == Gesture::orbit ? centre_of_orbit(session, drag_->start) : held_at(session, drag_->start);
   }
   const glm::dvec2 moved = pixel - drag_->last;
   drag_->last = pixel;
-  switch (drag_->motion) {
-    case Motion::orbit:
+  switch (drag_->gesture) {
+    case Gesture::orbit:
       camera = orbited(camera, moved, session.view, drag_->held);
       break;
-    case Motion::pan:
+    case Gesture::pan:
       camera = panned(camera, moved, session.view, drag_->held);
       break;
-    case Motion::zoom:
+    case Gesture::zoom:
       camera = zoomed(camera, std::exp2(-moved.y / drag_doubles_px), drag_->held);
       break;
+    case Gesture::box:
+    case Gesture::lasso:
+      if (!session.band) break;  // it was given up
+      if (drag_->gesture == Gesture::box) session.band->path.resize(1);
+      session.band->path.push_back(pixel);
   }
   return true;
 }
@@ -89,9 +92,10 @@ std::optional<Navigation::Click> Navigation::release(MouseButton button, glm::dv
   if (!drag_ || drag_->button != button) return std::nullopt;
   const Drag ended = *drag_;
   drag_.reset();
-  if (button != MouseButton::left || ended.moved || glm::length(pixel - ended.start) > click_reach_px)
+  if (button == MouseButton::middle || ended.moved || glm::length(pixel - ended.start) > click_reach_px)
     return std::nullopt;
-  Click click{ended.start, ended.modifiers, false};
+  Click click{button, ended.start, ended.modifiers, false};
+  if (button == MouseButton::right) return click;
   const auto is_bare = [](const Click& c) { return !c.modifiers.shift && !c.modifiers.ctrl; };
   click.is_double = last_click_ && !last_click_->is_double && is_bare(click) && is_bare(*last_click_) &&
                     now_s - last_click_s_ < double_click_s &&

@@ -4,8 +4,9 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <vector>
 
-#include "app/editor/input.h"
+#include "app/editor/gestures.h"
 
 namespace ryosen {
 
@@ -17,24 +18,30 @@ inline constexpr double click_reach_px = 4;
 // What a drag that orbits turns about: the point of the mesh that was pressed, or always the target of the camera.
 enum class OrbitAbout { point, centre };
 
-// Left drag orbits, right drag or Shift + left pans, middle drag orbits (Shift pans, Ctrl zooms), the wheel zooms to
-// the pointer. A drag holds on to the point of the mesh under the press: orbiting turns about it, panning keeps it under
+// What a drag has drawn so far, to select by: a box from its first to its last corner, or a lasso.
+struct Band {
+  Gesture gesture = Gesture::box;
+  std::vector<glm::dvec2> path;  // pixels; not empty
+};
+
+// What a drag does says its gesture; the wheel zooms to the pointer. A drag of the camera holds on to the point of the mesh under the press: orbiting turns about it, panning keeps it under
 // the pointer. The wheel brings the eye towards the point under the pointer by a share of its distance. Where there is
 // none, orbiting turns about the target, and the others act as deep as the nearest of the surface that is seen, or as the
 // target. Pixels are window pixels; the view may be anywhere in it.
 class Navigation {
  public:
   struct Click {
+    MouseButton button;
     glm::dvec2 pixel;
     Modifiers modifiers;  // of the press
     bool is_double;       // the second of two within 0.4 s at about the same place, without Shift and Ctrl
   };
 
   // A drag continues if another button is pressed; the same button restarts it.
-  void press(MouseButton button, glm::dvec2 pixel, Modifiers modifiers);
-  // True if the camera moved.
+  void press(MouseButton button, glm::dvec2 pixel, Modifiers modifiers, Gesture gesture);
+  // True if it is a drag: the camera moved, or the band of the session grew.
   bool move(Session& session, glm::dvec2 pixel);
-  // Returns the click, if a left click ended.
+  // Returns the click, if a left or right click ended.
   std::optional<Click> release(MouseButton button, glm::dvec2 pixel, double now_s);
   void wheel(Session& session, glm::dvec2 pixel, double steps) const;
   // Forgets the drag and the last click.
@@ -43,10 +50,9 @@ class Navigation {
   bool is_dragging() const { return drag_.has_value(); }
 
  private:
-  enum class Motion { orbit, pan, zoom };
   struct Drag {
     MouseButton button;
-    Motion motion;
+    Gesture gesture;
     Modifiers modifiers;
     glm::dvec2 start, last;
     bool moved = false;  // farther than click_reach_px

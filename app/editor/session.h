@@ -54,6 +54,9 @@ class Session {
   // State changed by commands.
   Camera camera;
   OrbitAbout orbit_about = OrbitAbout::point;
+  std::size_t input_preset = 0;          // of input_presets()
+  std::optional<Gesture> armed_gesture;  // of the next drag with the left button
+  std::optional<Band> band;              // that a drag draws just now
   Size view{1280, 720};
   glm::dvec2 view_origin{0};  // of the view in the picture or window; pixels are relative to the latter
   std::string tool;           // id of an operator, or empty: select
@@ -108,6 +111,9 @@ class Session {
   // A click: applies the tool to what is under the pixel, or selects it. With Shift a tool puts things exactly where the
   // pointer is.
   Outcome click(glm::dvec2 pixel, const std::string& with_tool, Modifiers modifiers = {});
+
+  // What a menu at a pixel is about is selected, if it is not so already.
+  void select_for_menu(glm::dvec2 pixel);
 
   // The selected elements as command lines name them, in order; distinguishes copies of a point.
   std::vector<std::string> selected_names() const;

@@ -1,4 +1,5 @@
 // What the pointer does to a session: hovering, held verdicts, clicks; and what is picked and selected by it.
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "app/editor/commands.h"
@@ -136,6 +137,13 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers
   }
   const std::string how = !extends ? "" : modifiers.ctrl ? "toggle " : "add ";
   return run("select " + how + name_to_select(mesh(), picked->element));
+}
+
+void Session::select_for_menu(glm::dvec2 pixel) {
+  auto picked = pick(pixel, mode);
+  if (!picked) picked = pick(pixel, PickMode::face);
+  if (!picked || std::find(selection.begin(), selection.end(), picked->element) != selection.end()) return;
+  run("select " + name_to_select(mesh(), picked->element));
 }
 
 std::optional<Picked> Session::pick(glm::dvec2 pixel, PickMode what) {

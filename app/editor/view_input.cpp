@@ -1,18 +1,47 @@
 #include "app/editor/view_input.h"
 
+#include "app/editor/camera_text.h"
 #include "app/editor/commands.h"
 #include "app/editor/keys.h"
 
 namespace ryosen {
 
-void ViewInput::press(MouseButton button, const Pointer& at) { navigation_.press(button, at.pixel, at.modifiers); }
+void ViewInput::press(MouseButton button, const Pointer& at) {
+  const InputPreset& preset = input_presets()[session_.input_preset];
+  const bool is_armed = session_.armed_gesture && button == MouseButton::left;
+  const Gesture gesture = is_armed ? *session_.armed_gesture : gesture_of(preset, button, at.modifiers);
+  band_modifiers_ = at.modifiers;
+  for (const DragRow& row : preset.drags) {
+    if (is_armed || row.button != button || row.shift != at.modifiers.shift || row.ctrl != at.modifiers.ctrl) continue;
+    band_modifiers_.shift = band_modifiers_.ctrl = false;  // they asked for the gesture
+  }
+  navigation_.press(button, at.pixel, at.modifiers, gesture);
+}
+
+std::string ViewInput::line_of_band() const {
+  const Band& band = *session_.band;
+  std::string line(band.gesture == Gesture::box ? "box" : "lasso");
+  for (const glm::dvec2& pixel : band.path) line += " " + format_pixel(pixel);
+  if (band_modifiers_.shift) line += " add";
+  if (band_modifiers_.ctrl && !band_modifiers_.shift) line += " toggle";
+  if (band_modifiers_.alt) line += " through";
+  return line;
+}
 
 Outcome ViewInput::release(MouseButton button, const Pointer& at) {
   const auto ended = navigation_.release(button, at.pixel, at.now_s);
   Outcome outcome;
+  if (session_.band && !navigation_.is_dragging()) {
+    const std::string line = line_of_band();
+    session_.band.reset();
+    session_.armed_gesture.reset();
+    outcome = session_.run(line);
+  }
   // A panel may have been opened since the press.
   if (ended && is_over_view(ended->pixel)) {
-    if (ended->is_double && session_.tool.empty())  // with a tool two quick clicks are two edits
+    if (ended->button == MouseButton::right)
+      outcome = open_menu(*ended);
+    else if (ended->is_double && session_.tool.empty())  // with a tool two quick clicks are two edits
       set_centre(session_, ended->pixel);
     else
       outcome = click(*ended);
@@ -46,6 +75,11 @@ void ViewInput::point(const Pointer& at) {
 
 Outcome ViewInput::click(const Navigation::Click& click) {
   return session_.click(click.pixel, session_.tool, click.modifiers);
+}
+
+Outcome ViewInput::open_menu(const Navigation::Click& click) {
+  session_.select_for_menu(click.pixel);
+  return {};
 }
 
 Outcome no_such_key(std::string_view chord) {

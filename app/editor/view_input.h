@@ -23,6 +23,9 @@ class ViewInput : public Input {
   bool is_dragging() const { return navigation_.is_dragging(); }
 
  protected:
+  // A click with the right button: by itself it only selects what a menu would be about.
+  virtual Outcome open_menu(const Navigation::Click& click);
+
   Session& session_;
   Navigation navigation_;
 
@@ -30,6 +33,10 @@ class ViewInput : public Input {
   // Those of a frontend with panels take more than this.
   virtual bool is_over_view(glm::dvec2) const { return true; }
   virtual Outcome click(const Navigation::Click& click);
+  // The line that selects by the band that a drag has drawn.
+  std::string line_of_band() const;
+
+  Modifiers band_modifiers_;  // of its press, beyond those that ask for the gesture
 };
 
 // The failures of a key that is bound to nothing, of one that only panels take, and of text that no field takes.

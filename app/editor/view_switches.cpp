@@ -19,6 +19,12 @@ void set_setting(Session& session, std::size_t value) {
   session.settings.*field = static_cast<std::remove_cvref_t<decltype(session.settings.*field)>>(value);
 }
 
+std::vector<SwitchValue> preset_values() {
+  std::vector<SwitchValue> values;
+  for (const InputPreset& preset : input_presets()) values.push_back({preset.id, preset.name_en, preset.name_ja});
+  return values;
+}
+
 std::vector<ViewSwitch>& switch_rows() {
   static std::vector<ViewSwitch> rows{
       {.id = "projection",
@@ -37,6 +43,12 @@ std::vector<ViewSwitch>& switch_rows() {
                   {"centre", "Orbit about the centre", "中心のまわりに回す"}},
        .value = [](const Session& session) { return static_cast<std::size_t>(session.orbit_about); },
        .set = [](Session& session, std::size_t value) { session.orbit_about = static_cast<OrbitAbout>(value); }},
+      {.id = "preset",
+       .help_en = "drags and keys as in Ryosen or another program",
+       .help_ja = "ドラッグとキーの割り当てを選ぶ",
+       .values = preset_values(),
+       .value = [](const Session& session) { return session.input_preset; },
+       .set = [](Session& session, std::size_t value) { session.input_preset = value; }},
       {.id = "theme",
        .help_en = "sets the colours of the window",
        .help_ja = "画面の配色を選ぶ",

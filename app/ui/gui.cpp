@@ -172,6 +172,8 @@ void Gui::frame(Session& session, Size window, double seconds) {
               static_cast<float>(window.width - area.x1), height);
   draw_status(panel_context);
   draw_pointer_tip(panel_context);
+  draw_band(panel_context);
+  draw_element_menu(panel_context);
   for (const OwnPanel& own : panels_)
     if (own.row.place == PanelPlace::over) draw_over(panel_context, own.row, *own.panel);
   state_.is_laying_out = false;
@@ -270,6 +272,19 @@ Outcome Gui::run(Session& session, const std::string& line) {
   return context(session).run(line);
 }
 Outcome Gui::click(Session& session, const Navigation::Click& click) { return context(session).click(click); }
+void Gui::open_element_menu() {
+  state_.unsettle();
+  state_.opens_menu = true;
+}
+
+void Gui::set_clipboard(void* system, const char* (*get)(void*), void (*set)(void*, const char*)) {
+  ImGui::SetCurrentContext(imgui_);
+  ImGuiIO& io = ImGui::GetIO();
+  io.ClipboardUserData = system;
+  io.GetClipboardTextFn = get;
+  io.SetClipboardTextFn = set;
+}
+
 void Gui::leave(Session& session, PendingLeave where) { context(session).leave(std::move(where)); }
 
 }  // namespace ryosen

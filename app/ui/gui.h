@@ -62,6 +62,10 @@ class Gui {
   Outcome run(Session& session, const std::string& line);
   Outcome click(Session& session, const Navigation::Click& click);
   void leave(Session& session, PendingLeave where);
+  // Opens the menu of what is selected at the pointer.
+  void open_element_menu();
+  // Where fields copy to and paste from; before the first frame.
+  void set_clipboard(void* system, const char* (*get)(void* system), void (*set)(void* system, const char* text));
   // The status line's text on the last command.
   const Text& said() const { return state_.last_outcome; }
   // True between begin and end of a frame, when no other can be laid out.

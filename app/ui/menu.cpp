@@ -9,7 +9,7 @@ namespace ryosen {
 namespace {
 
 void item(PanelContext& context, const char* name, const std::string& line, bool enabled = true, bool ticked = false) {
-  const std::string chord = chord_of(line);
+  const std::string chord = chord_of(context.session, line);
   if (ImGui::MenuItem(name, chord.empty() ? nullptr : chord.c_str(), ticked, enabled)) context.run(line);
 }
 void item(PanelContext& context, UiText name, const std::string& line, bool enabled = true, bool ticked = false) {

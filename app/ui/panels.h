@@ -38,6 +38,7 @@ struct GuiState {
   std::vector<WaitingLine> waiting;
   int unsettled_frames = 0;  // how many more are to be laid out although nothing comes in
   std::optional<PendingLeave> pending;
+  bool opens_menu = false;    // that of what is selected, in the next frame
   std::string begun_command;  // what the command window takes into its field when it is open
 
   // A panel may need this many frames to open, to settle its size, or to close.
@@ -103,6 +104,10 @@ void draw_status(PanelContext& context);
 void draw_pointer_tip(PanelContext& context);
 // In place of a panel that waits for findings.
 void draw_preparing(PanelContext& context, double share);
+// The menu of what is selected, where the right button was clicked.
+void draw_element_menu(PanelContext& context);
+// What a drag that selects has drawn so far.
+void draw_band(PanelContext& context);
 // Over everything while long work goes on; true when it is to be cancelled. The session is not looked at.
 bool draw_progress_window(Language language, float scale, double share);
 

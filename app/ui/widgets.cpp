@@ -142,8 +142,8 @@ bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size) {
 
 void end_over() { ImGui::EndPopup(); }
 
-std::string chord_of(std::string_view command) {
-  for (const KeyRow& key : key_table())
+std::string chord_of(const Session& session, std::string_view command) {
+  for (const KeyRow& key : key_table(input_presets()[session.input_preset]))
     if (key.command == command) return key.chord;
   return {};
 }
@@ -160,8 +160,8 @@ std::string short_number(double value) {
   return text[0] == '-' ? "\u2212" + std::string(text + 1) : std::string(text);
 }
 
-void tip(std::string_view text) {
-  if (!ImGui::IsItemHovered()) return;
+void tip(std::string_view text, ImGuiHoveredFlags hovered) {
+  if (!ImGui::IsItemHovered(hovered)) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(22 * ImGui::GetFontSize());
   ImGui::TextUnformatted(text.data(), text.data() + text.size());

@@ -28,13 +28,13 @@ bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size);
 void end_over();
 
 // The chord of the key that sends a command, or nothing.
-std::string chord_of(std::string_view command);
+std::string chord_of(const Session& session, std::string_view command);
 // 34834 as 34,834.
 std::string grouped(std::int64_t n);
 // Six significant digits.
 std::string short_number(double value);
 
 // Tooltip of the last item, wrapped.
-void tip(std::string_view text);
+void tip(std::string_view text, ImGuiHoveredFlags hovered = 0);
 
 }  // namespace ryosen

@@ -79,11 +79,21 @@ void WindowInput::wheel(double steps, const Pointer& at) {
   show_event();
 }
 
+Outcome WindowInput::open_menu(const Navigation::Click& click) {
+  Outcome outcome = ViewInput::open_menu(click);
+  gui_.open_element_menu();
+  return outcome;
+}
+
 Outcome WindowInput::key_down(const std::string& chord, bool is_again) {
+  return press_key(chord, is_again, input_presets()[session_.input_preset]);
+}
+
+Outcome WindowInput::press_key(const std::string& chord, bool is_again, const InputPreset& preset) {
   const Modifiers modifiers = modifiers_of(chord);
   gui_.modifiers(modifiers.shift, modifiers.ctrl);
   if (const int key = panel_key_of(chord); key >= 0) gui_.key(key, true);
-  const auto row = find_key(chord);
+  const auto row = find_key(chord, preset);
   if (!row || (is_again && !row->repeats)) return {};
   if ((gui_.owns_keys() || !session_.open_panel.empty()) && !row->acts_always) return {};
   return gui_.run(session_, row->command);
@@ -98,7 +108,7 @@ void WindowInput::key_up(const std::string& chord) {
 Outcome WindowInput::key(const std::string& chord) {
   show_event();
   if (!find_key(chord) && !is_panel_key(chord)) return no_such_key(chord);
-  Outcome outcome = key_down(chord);
+  Outcome outcome = press_key(chord, false, input_presets()[0]);
   key_up(chord);
   show_event();
   gui_.modifiers(false, false);

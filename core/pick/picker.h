@@ -9,6 +9,7 @@
 #include "core/mesh/mesh.h"
 #include "core/mesh/touched.h"
 #include "core/pick/bvh.h"
+#include "core/pick/screen_region.h"
 #include "core/pick/surface_triangles.h"
 #include "core/view/camera.h"
 
@@ -40,6 +41,13 @@ class Picker {
   // Among the elements within pick_radius_px that are not occluded: the one with the smallest screen distance, then the
   // smallest depth, then the face under the pointer, then the smallest number. Pixels from the upper left corner.
   std::optional<Picked> pick(const Mesh& mesh, const Camera& camera, Size view, glm::dvec2 pixel, PickMode mode);
+
+  // All elements, ascending, of which all points lie within the region, points in place of vertices. Seen: no surface is
+  // clearly in front of the vertex, the middle of the edge, or that of a triangle of the face. Cost: the slots of that
+  // kind, and a ray for each that lies within.
+  enum class Depth { seen, through };
+  std::vector<Element> pick_region(const Mesh& mesh, const Camera& camera, Size view, const ScreenRegion& region,
+                                   PickMode mode, Depth depth);
 
   // Builds the BVH now, unless it is there or `progress` cancels; may be interrupted (interruption.h). No other call but
   // triangles() may go on meanwhile.

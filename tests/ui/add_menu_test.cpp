@@ -13,7 +13,7 @@ class AddMenu : public testing::Test, protected test::Laid {
  protected:
   AddMenu() : Laid("cube.obj") {}
 
-  static constexpr glm::dvec2 menu{157, 10};
+  static constexpr glm::dvec2 menu{212, 10};
 };
 
 TEST_F(AddMenu, has_an_entry_for_each_primitive_that_asks_for_its_values) {

@@ -156,5 +156,91 @@ TEST_F(WindowInputTest, a_key_that_is_held_down_repeats_where_that_helps) {
   EXPECT_EQ(session_.selection.size(), others) << "it would come and go";
 }
 
+TEST_F(WindowInputTest, bands_select_what_lies_in_them) {
+  session_.run("mode face");
+  const auto drag = [&](Modifiers modifiers, MouseButton button = MouseButton::left) {
+    const glm::dvec2 low = session_.view_origin,
+                     high = low + glm::dvec2(session_.view.width - 1, session_.view.height - 1);
+    input_.press(button, {low + glm::dvec2(1), modifiers});
+    input_.move({0.5 * low + 0.5 * high, modifiers});
+    EXPECT_TRUE(session_.band);
+    input_.move({high, modifiers});
+    input_.release(button, {high, modifiers});
+    EXPECT_FALSE(session_.band);
+  };
+  const Camera camera = session_.camera;
+  drag({.shift = true, .ctrl = true});
+  const std::size_t seen = session_.selection.size(), all = session_.mesh().live().faces;
+  EXPECT_GT(seen, 0u);
+  EXPECT_LT(seen, all);
+  drag({.shift = true, .ctrl = true, .alt = true});
+  EXPECT_EQ(session_.selection.size(), all) << "through the surface";
+  EXPECT_EQ(session_.camera, camera);
+  input_.key("B");
+  drag({.ctrl = true});
+  EXPECT_EQ(session_.selection.size(), all - seen) << "toggled";
+  input_.key("Shift+B");
+  drag({});
+  EXPECT_TRUE(session_.selection.empty()) << "a lasso along a line surrounds nothing";
+  ASSERT_TRUE(session_.run("preset blender").done());
+  drag({});
+  EXPECT_EQ(session_.selection.size(), seen) << "the left button draws boxes there";
+  EXPECT_TRUE(session_.log().empty());
+}
+
+TEST_F(WindowInputTest, a_band_is_given_up_by_escape) {
+  const glm::dvec2 at = session_.view_origin + glm::dvec2(20);
+  input_.press(MouseButton::left, {at, {.shift = true, .ctrl = true}});
+  input_.move({at + glm::dvec2(200), {}});
+  ASSERT_TRUE(session_.band);
+  input_.key("Escape");
+  input_.move({at + glm::dvec2(300), {}});
+  input_.release(MouseButton::left, {at + glm::dvec2(300), {}});
+  EXPECT_TRUE(session_.selection.empty());
+  EXPECT_FALSE(session_.band);
+}
+
+TEST_F(WindowInputTest, presets_change_drags_and_keys_but_scripts_keep_their_own) {
+  ASSERT_TRUE(session_.run("preset blender").done());
+  input_.key_down("Shift+S");
+  EXPECT_EQ(session_.tool, "swap");
+  session_.run("tool none");
+  EXPECT_EQ(find_key("Shift+S", input_presets()[1])->command, "tool swap");
+  for (const InputPreset& preset : input_presets()) {
+    std::set<std::string> chords;
+    for (const KeyRow& row : key_table(preset)) {
+      EXPECT_TRUE(chords.insert(row.chord).second) << preset.id << " " << row.chord;
+      EXPECT_TRUE(call_of(row.command)) << row.command;
+    }
+    for (const MouseButton button : {MouseButton::left, MouseButton::right, MouseButton::middle})
+      gesture_of(preset, button, {.shift = true, .ctrl = true, .alt = true});
+  }
+}
+
+TEST_F(WindowInputTest, a_right_click_selects_and_opens_the_menu_of_the_element) {
+  session_.run("mode face");
+  const glm::dvec2 middle = in_view;
+  const auto face = session_.pick(middle, PickMode::face);
+  ASSERT_TRUE(face);
+  input_.press(MouseButton::right, {middle, {}});
+  input_.release(MouseButton::right, {middle, {}});
+  EXPECT_EQ(session_.selection, (std::vector<Element>{face->element}));
+  frames(4);
+  EXPECT_TRUE(gui_.owns_pointer(session_, test::window, middle)) << "the menu is open";
+  // Its first entries are operators.
+  const std::size_t before = session_.document().history().size();
+  for (double y = 100; y < 700 && session_.document().history().size() == before; y += 8) {
+    input_.press(MouseButton::right, {middle, {}});
+    input_.release(MouseButton::right, {middle, {}});
+    frames(4);
+    const Pointer entry{{middle.x + 30, y}, {}};
+    input_.press(MouseButton::left, entry);
+    frames(2);
+    input_.release(MouseButton::left, entry);
+    frames(4);
+  }
+  EXPECT_GT(session_.document().history().size(), before);
+}
+
 }  // namespace
 }  // namespace ryosen

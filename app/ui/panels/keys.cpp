@@ -39,7 +39,8 @@ void draw_keys(PanelContext& context) {
   ImGui::BeginChild("keys", {half, 0});
   dim_text(context, context.text(UiText::key));
   table("keys", 2.4f, [&] {
-    for (const KeyRow& key : key_table()) pair_row(context, key.chord.c_str(), context.text(key.help_en, key.help_ja));
+    for (const KeyRow& key : key_table(input_presets()[context.session.input_preset]))
+      pair_row(context, key.chord.c_str(), context.text(key.help_en, key.help_ja));
   });
   ImGui::EndChild();
   ImGui::SameLine(0, 16 * context.scale);

@@ -1,0 +1,66 @@
+// Selecting what lies in a region of the picture: `box`, `lasso`, and `band`, which makes the next drag one of them.
+#include "app/editor/camera_text.h"
+#include "app/editor/command_functions.h"
+#include "core/base/count_text.h"
+#include "core/selection/element_set.h"
+
+namespace ryosen {
+
+namespace {
+
+struct RegionCall {
+  std::vector<glm::dvec2> pixels;
+  SelectHow how = SelectHow::anew;
+  Picker::Depth depth = Picker::Depth::seen;
+};
+
+// X,Y X,Y ... [add|toggle] [through]
+std::optional<RegionCall> read_region(Words arguments, std::size_t least, std::size_t most) {
+  RegionCall call;
+  for (const std::string_view word : arguments) {
+    if (const auto pixel = parse_pixel(word))
+      call.pixels.push_back(*pixel);
+    else if (word == "add" || word == "toggle")
+      call.how = word == "add" ? SelectHow::add : SelectHow::toggle;
+    else if (word == "through")
+      call.depth = Picker::Depth::through;
+    else
+      return std::nullopt;
+  }
+  return call.pixels.size() >= least && call.pixels.size() <= most ? std::optional(call) : std::nullopt;
+}
+
+Outcome select_in(Session& session, const RegionCall& call, const ScreenRegion& region) {
+  const Elements found =
+      session.picker().pick_region(session.mesh(), session.camera, session.view, region, session.mode, call.depth);
+  put_into_selection(session.selection, found, call.how);
+  Outcome outcome;
+  outcome.sentence = count_text(session.selection.size(), "one element is selected", "# elements are selected",
+                                "# 個を選択しています");
+  return outcome;
+}
+
+}  // namespace
+
+Outcome run_box(Session& session, Words arguments, std::string_view) {
+  auto call = read_region(arguments, 2, 2);
+  if (!call) return wrong_arguments("box");
+  return select_in(session, *call,
+                   ScreenRegion::box(call->pixels[0] - session.view_origin, call->pixels[1] - session.view_origin));
+}
+
+Outcome run_lasso(Session& session, Words arguments, std::string_view) {
+  auto call = read_region(arguments, 1, arguments.size());
+  if (!call) return wrong_arguments("lasso");
+  for (glm::dvec2& pixel : call->pixels) pixel -= session.view_origin;
+  return select_in(session, *call, ScreenRegion(call->pixels));
+}
+
+Outcome run_band(Session& session, Words arguments, std::string_view) {
+  const std::string_view word = arguments.size() == 1 ? arguments[0] : "";
+  if (word != "box" && word != "lasso") return wrong_arguments("band");
+  session.armed_gesture = word == "box" ? Gesture::box : Gesture::lasso;
+  return {};
+}
+
+}  // namespace ryosen

@@ -1,0 +1,40 @@
+// What the mouse and the keys do, in the manner of several programs: a table of presets, each with its drags and with the
+// keys that it has otherwise than the first.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "app/editor/input.h"
+
+namespace ryosen {
+
+// What a drag does: with the camera, or selecting what lies in the box or the loop that it draws.
+enum class Gesture { orbit, pan, zoom, box, lasso };
+
+constexpr bool selects(Gesture gesture) { return gesture == Gesture::box || gesture == Gesture::lasso; }
+
+struct DragRow {
+  MouseButton button;
+  bool shift, ctrl;
+  Gesture gesture;
+};
+
+struct KeyChange {
+  std::string_view chord, command, help_en, help_ja;
+};
+
+struct InputPreset {
+  std::string_view id, name_en, name_ja;
+  std::span<const DragRow> drags;
+  std::span<const KeyChange> keys;
+};
+
+// The first is Ryosen's own, which scripts use.
+std::span<const InputPreset> input_presets();
+// Alt makes no other gesture: with one that selects it goes through the surface. With modifiers that no row has it is
+// that of the button alone.
+Gesture gesture_of(const InputPreset& preset, MouseButton button, Modifiers modifiers);
+
+}  // namespace ryosen

@@ -1,0 +1,90 @@
+// The menu of what was clicked with the right button.
+#include <algorithm>
+#include <utility>
+
+#include "app/editor/commands.h"
+#include "app/editor/pick_modes.h"
+#include "app/ui/panels.h"
+#include "app/ui/widgets.h"
+#include "core/ops/each.h"
+
+namespace ryosen {
+
+namespace {
+
+bool works_on(const OpInfo& op, const Elements& selection) {
+  if (op.on_selection == OnSelection::none || selection.empty()) return false;
+  if (op.on_selection != OnSelection::each) return selection.size() > 1 || takes(op, selection[0].kind, {});
+  return std::any_of(selection.begin(), selection.end(), [&](const Element& e) { return takes(op, e.kind, {}); });
+}
+
+// Of one element alone it is known before whether it may be done.
+Verdict verdict_on_one(const Session& session, const OpInfo& op) {
+  if (session.selection.size() != 1) return {};
+  const Parsed<AnyOp> parsed = parse_line(session.mesh(), std::string(op.id) + " " + session.selected_names()[0]);
+  return parsed.op ? check(session.mesh(), *parsed.op) : Verdict();
+}
+
+void operator_item(PanelContext& context, const OpInfo& op) {
+  const std::string line = std::string(op.id) + " selected", chord = chord_of(context.session, line);
+  const Verdict verdict = verdict_on_one(context.session, op);
+  if (ImGui::MenuItem(context.text(op.name_en, op.name_ja), chord.c_str(), false, verdict.legal())) context.run(line);
+  std::string help = context.text(op.help_en, op.help_ja);
+  for (const Text& sentence : describe_first(context.session.mesh(), verdict.reasons))
+    help += "\n" + sentence.in(context.language());
+  tip(help, ImGuiHoveredFlags_AllowWhenDisabled);
+}
+
+std::string title(PanelContext& context) {
+  const std::vector<Element>& selection = context.session.selection;
+  if (selection.empty()) return context.text("Nothing is selected", "選択なし");
+  if (selection.size() == 1) return context.session.selected_names()[0];
+  return std::to_string(selection.size()) + context.text(" selected", " 個を選択中");
+}
+
+}  // namespace
+
+void draw_element_menu(PanelContext& context) {
+  if (std::exchange(context.state.opens_menu, false))
+    ImGui::OpenPopup("##element");  // at the pointer, within the window
+  if (!ImGui::BeginPopup("##element")) return;
+  dim_text(context, title(context).c_str());
+  ImGui::Separator();
+  for (const OpInfo& op : all_ops())
+    if (works_on(op, context.session.selection)) operator_item(context, op);
+  ImGui::Separator();
+  for (const Selector& row : selectors()) {
+    if (row.value != Selector::Value::none && row.usual.empty()) continue;
+    if (!row.needs && !row.needs_any && !context.session.selection.empty()) continue;
+    if (!missing_for(row, context.session.selection).en.empty()) continue;
+    const std::string line = select_line(row), chord = chord_of(context.session, line);
+    if (ImGui::MenuItem(context.text(row.name_en, row.name_ja), chord.c_str())) context.run(line);
+  }
+  const std::string frame = context.session.selection.empty() ? "frame all" : "frame selected";
+  const UiText name = context.session.selection.empty() ? UiText::frame_all : UiText::frame_selected;
+  if (ImGui::MenuItem(context.text(name), chord_of(context.session, frame).c_str())) context.run(frame);
+  ImGui::EndPopup();
+}
+
+void draw_band(PanelContext& context) {
+  if (!context.session.band) return;
+  const Band& band = *context.session.band;
+  std::vector<ImVec2> corners;
+  for (const glm::dvec2& p : band.path) corners.push_back({static_cast<float>(p.x), static_cast<float>(p.y)});
+  if (band.gesture == Gesture::box)
+    corners = {
+        corners.front(), {corners.back().x, corners.front().y}, corners.back(), {corners.front().x, corners.back().y}};
+  const Session& session = context.session;
+  const ImVec2 low{static_cast<float>(session.view_origin.x), static_cast<float>(session.view_origin.y)};
+  ImDrawList* const draw = ImGui::GetBackgroundDrawList();
+  draw->PushClipRect(low,
+                     {low.x + static_cast<float>(session.view.width), low.y + static_cast<float>(session.view.height)});
+  const ImVec4 colour = to_imgui(style(Role::selected, context.theme).colour);
+  if (band.gesture == Gesture::box)
+    draw->AddRectFilled(corners[0], corners[2], ImGui::GetColorU32({colour.x, colour.y, colour.z, 0.12f}));
+  draw->AddPolyline(corners.data(), static_cast<int>(corners.size()), ImGui::GetColorU32(colour),
+                    band.gesture == Gesture::box ? ImDrawFlags_Closed : ImDrawFlags_None, 1.5f * context.scale);
+  draw->PopClipRect();
+}
+
+}  // namespace ryosen

@@ -38,6 +38,8 @@ enum class SelectHow { anew, add, toggle };
 void put_into_selection(Elements& selection, std::span<const Element> elements, SelectHow how);
 FaultOfCommand fault_of_select, fault_of_keep;
 std::string select_syntax();
+// Moving the selection by hand: commands_view.cpp
+RunCommand run_gesture;
 // In a region of the picture: commands_region.cpp
 RunCommand run_box, run_lasso, run_band;
 // Events of mouse and keyboard: commands_input.cpp

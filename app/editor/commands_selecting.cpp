@@ -63,26 +63,11 @@ std::optional<Text> fault_of(const Selecting& asked) {
   return std::nullopt;
 }
 
-bool has_slot(const Mesh& mesh, const Element& e) {
-  switch (e.kind) {
-    case Element::Kind::vertex:
-      return e.index < mesh.vertex_slots();
-    case Element::Kind::halfedge:
-      return e.index < mesh.halfedge_slots();
-    case Element::Kind::edge:
-      return e.index < mesh.edge_slots();
-    case Element::Kind::face:
-      return e.index < mesh.face_slots();
-  }
-  return false;
-}
-
 // Those named; fails at the first that is not there. Of a range those that are.
 Outcome find_named(Session& session, Words names, Elements& found) {
   for (const std::string_view name : names) {
     if (const auto range = parse_slot_range(name)) {
-      for (Element e = range->first; e.index <= range->last && has_slot(session.mesh(), e); ++e.index)
-        if (is_alive(session.mesh(), e)) found.push_back(e);
+      add_living(session.mesh(), *range, found);
       continue;
     }
     const NamedElement named = find_element(session.mesh(), name);

@@ -50,6 +50,14 @@ Outcome run_drag(Session& session, Words arguments, std::string_view) {
   return {};
 }
 
+Outcome run_gesture(Session& session, Words arguments, std::string_view) {
+  const std::string_view word = arguments.size() == 1 ? arguments[0] : "";
+  if (word == "move") return session.begin_gesture(PointTransform::Kind::move);
+  if (word == "turn") return session.begin_gesture(PointTransform::Kind::turn);
+  if (word == "scale") return session.begin_gesture(PointTransform::Kind::scale);
+  return wrong_arguments("gesture");
+}
+
 Outcome run_show(Session& session, Words arguments, std::string_view) {
   if (arguments.empty() || arguments.size() > 2) return wrong_arguments("show");
   const bool on = arguments.size() == 1 || arguments[1] == "on";

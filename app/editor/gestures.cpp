@@ -24,6 +24,7 @@ constexpr DragRow meshlab_drags[] = {
 };
 
 constexpr KeyChange blender_keys[] = {
+    {"S", "gesture scale", "scale the selection", "選択を拡大縮小"},
     {"Shift+S", "tool swap", "Swap edge", "稜線交換"},
     {"Alt+A", "select none", "Select nothing", "選択を解除"},
     {"Ctrl+I", "select invert", "Select the others instead", "選択を反転"},

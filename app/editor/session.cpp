@@ -85,6 +85,7 @@ void Session::forget_derived() {
   euler_.reset();
   kind_.reset();
   hover_.reset();
+  gesturing_.reset();
   release_verdict();
   drawn_changes_ = DrawnChanges();
 }
@@ -195,6 +196,7 @@ Outcome Session::run_line(const std::string& line) {
   const auto row = find_command_row(words[0]);
   if (!row) return unknown_command(words[0]);
   const std::size_t after_id = static_cast<std::size_t>(words[0].data() - line.data()) + words[0].size();
+  if (row->effect != Effect::none) cancel_gesture();
   [[maybe_unused]] const std::uint64_t serial = document_->serial(), revision = document_->revision();
   [[maybe_unused]] const std::size_t logged = log_.size();
   // What is needed once the command is done is made before.

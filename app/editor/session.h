@@ -17,6 +17,7 @@
 #include "app/editor/recovery.h"
 #include "app/editor/run_files.h"
 #include "app/editor/selection_memory.h"
+#include "app/editor/transform_gesture.h"
 #include "core/analysis/boundary_loop_count.h"
 #include "core/analysis/euler_poincare.h"
 #include "core/analysis/mesh_kind.h"
@@ -57,6 +58,7 @@ class Session {
   std::size_t input_preset = 0;          // of input_presets()
   std::optional<Gesture> armed_gesture;  // of the next drag with the left button
   std::optional<Band> band;              // that a drag draws just now
+  glm::dvec2 pointer{-1e9};              // where it was last
   Size view{1280, 720};
   glm::dvec2 view_origin{0};  // of the view in the picture or window; pixels are relative to the latter
   std::string tool;           // id of an operator, or empty: select
@@ -111,6 +113,21 @@ class Session {
   // A click: applies the tool to what is under the pixel, or selects it. With Shift a tool puts things exactly where the
   // pointer is.
   Outcome click(glm::dvec2 pixel, const std::string& with_tool, Modifiers modifiers = {});
+
+  // Moving, turning or scaling the selection by hand. While that lasts only the view changes; its end is one command.
+  // Commands that edit end it without one.
+  Outcome begin_gesture(PointTransform::Kind kind);
+  const TransformGesture* gesture() const;  // null: none goes on
+  void follow_gesture(glm::dvec2 pixel, Modifiers modifiers);
+  std::optional<Outcome> gesture_key(const std::string& chord);  // none: there is no gesture
+  bool widen_gesture(double steps);
+  Outcome end_gesture();
+  void cancel_gesture();
+  // The places of vertices as they are drawn, those of the mesh but for a gesture; the step goes up with it.
+  std::span<const glm::dvec3> drawn_positions() const;
+  std::uint64_t gesture_step() const { return gesture_step_; }
+  // Faces that it would turn over or leave without area.
+  std::span<const Face> spoilt_by_gesture() const;
 
   // What a menu at a pixel is about is selected, if it is not so already.
   void select_for_menu(glm::dvec2 pixel);
@@ -186,7 +203,18 @@ class Session {
   OpTarget target_of(const Picked& picked, Modifiers modifiers) const;
   void ask_held_verdict_again();
 
+  struct Gesturing;
+  struct GesturingDeleter {
+    void operator()(Gesturing* gesturing) const;
+  };
+  void follow_what_moves();
+  void show_gesture();
+  void note_gesture();
+  std::optional<glm::dvec3> place_to_snap_to(glm::dvec2 pixel);
+
   std::unique_ptr<Document> document_;
+  std::unique_ptr<Gesturing, GesturingDeleter> gesturing_;
+  std::uint64_t gesture_step_ = 0;
   std::optional<Picker> picker_;
   std::optional<CornerNormals> corner_normals_;  // of the triangles of the picker
   std::optional<HighlightSets> highlights_;

@@ -46,7 +46,7 @@ OpTarget Session::target_of(const Picked& picked, Modifiers modifiers) const {
 PickMode Session::pointed_sort() const { return pick_mode(find_op(tool), mode); }
 
 void Session::point_at(glm::dvec2 pixel, Modifiers modifiers) {
-  if (!is_verdict_held_) look_at(pixel, modifiers);
+  if (!is_verdict_held_ && !gesturing_) look_at(pixel, modifiers);
 }
 
 void Session::point_away() {

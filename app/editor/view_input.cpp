@@ -1,5 +1,7 @@
 #include "app/editor/view_input.h"
 
+#include <utility>
+
 #include "app/editor/camera_text.h"
 #include "app/editor/commands.h"
 #include "app/editor/keys.h"
@@ -7,6 +9,17 @@
 namespace ryosen {
 
 void ViewInput::press(MouseButton button, const Pointer& at) {
+  session_.pointer = at.pixel;
+  if (session_.gesture() && button != MouseButton::middle) {
+    gesture_ended_ = Outcome();
+    if (button == MouseButton::left) {
+      session_.follow_gesture(at.pixel, at.modifiers);
+      gesture_ended_ = end_gesture();
+    } else {
+      session_.cancel_gesture();
+    }
+    return;
+  }
   const InputPreset& preset = input_presets()[session_.input_preset];
   const bool is_armed = session_.armed_gesture && button == MouseButton::left;
   const Gesture gesture = is_armed ? *session_.armed_gesture : gesture_of(preset, button, at.modifiers);
@@ -29,6 +42,8 @@ std::string ViewInput::line_of_band() const {
 }
 
 Outcome ViewInput::release(MouseButton button, const Pointer& at) {
+  session_.pointer = at.pixel;
+  if (gesture_ended_) return *std::exchange(gesture_ended_, std::nullopt);
   const auto ended = navigation_.release(button, at.pixel, at.now_s);
   Outcome outcome;
   if (session_.band && !navigation_.is_dragging()) {
@@ -51,18 +66,23 @@ Outcome ViewInput::release(MouseButton button, const Pointer& at) {
 }
 
 void ViewInput::move(const Pointer& at) {
-  if (navigation_.move(session_, at.pixel))
+  session_.pointer = at.pixel;
+  if (session_.gesture() && !navigation_.is_dragging())
+    session_.follow_gesture(at.pixel, at.modifiers);
+  else if (navigation_.move(session_, at.pixel))
     session_.point_away();
   else
     point(at);
 }
 
 void ViewInput::wheel(double steps, const Pointer& at) {
+  if (session_.widen_gesture(steps)) return;
   navigation_.wheel(session_, at.pixel, steps);
   point(at);
 }
 
 Outcome ViewInput::key(const std::string& chord) {
+  if (const auto outcome = session_.gesture_key(chord)) return *outcome;
   if (const auto row = find_key(chord)) return session_.run(row->command);
   return is_panel_key(chord) ? no_panel_for_key(chord) : no_such_key(chord);
 }

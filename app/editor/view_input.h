@@ -25,6 +25,7 @@ class ViewInput : public Input {
  protected:
   // A click with the right button: by itself it only selects what a menu would be about.
   virtual Outcome open_menu(const Navigation::Click& click);
+  virtual Outcome end_gesture() { return session_.end_gesture(); }
 
   Session& session_;
   Navigation navigation_;
@@ -36,7 +37,8 @@ class ViewInput : public Input {
   // The line that selects by the band that a drag has drawn.
   std::string line_of_band() const;
 
-  Modifiers band_modifiers_;  // of its press, beyond those that ask for the gesture
+  std::optional<Outcome> gesture_ended_;  // by the press that is still held
+  Modifiers band_modifiers_;              // of its press, beyond those that ask for the gesture
 };
 
 // The failures of a key that is bound to nothing, of one that only panels take, and of text that no field takes.

@@ -285,6 +285,8 @@ void Gui::set_clipboard(void* system, const char* (*get)(void*), void (*set)(voi
   io.SetClipboardTextFn = set;
 }
 
+Outcome Gui::keep(Session& session, Outcome outcome) { return context(session).keep(std::move(outcome)); }
+
 void Gui::leave(Session& session, PendingLeave where) { context(session).leave(std::move(where)); }
 
 }  // namespace ryosen

@@ -61,6 +61,7 @@ class Gui {
   // Like the panels: keeps the outcome for the status line.
   Outcome run(Session& session, const std::string& line);
   Outcome click(Session& session, const Navigation::Click& click);
+  Outcome keep(Session& session, Outcome outcome);
   void leave(Session& session, PendingLeave where);
   // Opens the menu of what is selected at the pointer.
   void open_element_menu();

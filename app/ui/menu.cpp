@@ -134,6 +134,23 @@ void draw_menu(PanelContext& context) {
   ImGui::EndMainMenuBar();
 }
 
+namespace {
+
+UiText does(Gesture gesture) {
+  switch (gesture) {
+    case Gesture::orbit:
+      return UiText::does_orbit;
+    case Gesture::pan:
+      return UiText::does_pan;
+    case Gesture::zoom:
+      return UiText::does_zoom;
+    default:
+      return UiText::does_select_in;
+  }
+}
+
+}  // namespace
+
 void draw_status(PanelContext& context) {
   const float height = ImGui::GetFrameHeight();
   const ImVec2 all = ImGui::GetIO().DisplaySize;
@@ -154,10 +171,23 @@ void draw_status(PanelContext& context) {
     ImGui::TextUnformatted(does.c_str());
     ImGui::SameLine(0, 1.4f * ImGui::GetFontSize());
   };
-  hint(context.text("Click", "クリック"), click);
-  hint(context.text("Drag", "ドラッグ"), context.text(UiText::does_orbit));
-  hint(context.text("Right drag", "右ドラッグ"), context.text(UiText::does_pan));
-  hint(context.text(UiText::wheel), context.text(UiText::does_zoom));
+  if (const TransformGesture* const gesture = context.session.gesture()) {
+    hint(gesture->told().in(context.language()).c_str(), "");
+    hint("X Y Z N", context.text("axis", "軸"));
+    hint("0-9", context.text("number", "数値"));
+    hint("O", context.text("falloff", "減衰"));
+    hint("Ctrl", context.text("snap", "スナップ"));
+    hint(context.text("Enter, click", "Enter・クリック"), context.text("done", "確定"));
+    hint("Esc", context.text("give up", "中止"));
+  } else {
+    const auto drag = [&](MouseButton button) {
+      return context.text(does(gesture_of(input_presets()[context.session.input_preset], button, {})));
+    };
+    hint(context.text("Click", "クリック"), click);
+    hint(context.text("Drag", "ドラッグ"), drag(MouseButton::left));
+    hint(context.text("Right drag", "右ドラッグ"), drag(MouseButton::right));
+    hint(context.text(UiText::wheel), context.text(UiText::does_zoom));
+  }
   const std::string& said = context.state.last_outcome.in(context.language());
   if (!said.empty()) {
     const ImVec4 colour = context.state.last_kind == Outcome::Kind::done      ? context.colours().legal

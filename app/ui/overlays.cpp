@@ -13,8 +13,8 @@ namespace {
 // Adds elements to an overlay in one style.
 class Painter {
  public:
-  Painter(const Mesh& mesh, Overlay& overlay, const Style& style, float hidden = faintly)
-      : m_(mesh), overlay_(overlay), style_(style), hidden_(hidden) {}
+  Painter(const Session& session, Overlay& overlay, const Style& style, float hidden = faintly)
+      : m_(session.mesh()), places_(session.drawn_positions()), overlay_(overlay), style_(style), hidden_(hidden) {}
 
   void line(const glm::dvec3& a, const glm::dvec3& b, bool arrow = false) {
     overlay_.lines.push_back({a, b, style_.colour, style_.line, style_.width_px, hidden_, arrow});
@@ -22,16 +22,16 @@ class Painter {
   void point(const glm::dvec3& at) {
     overlay_.points.push_back({at, style_.colour, style_.point, style_.radius_px, hidden_});
   }
-  void draw(Vertex v) { point(m_.position(v)); }
-  void draw(Edge e) { line(m_.position(ends(m_, e).first), m_.position(ends(m_, e).second)); }
-  void draw(Halfedge h) { line(m_.position(m_.from(h)), m_.position(m_.to(h)), true); }
+  void draw(Vertex v) { point(place(v)); }
+  void draw(Edge e) { line(place(ends(m_, e).first), place(ends(m_, e).second)); }
+  void draw(Halfedge h) { line(place(m_.from(h)), place(m_.to(h)), true); }
   // The outline of a face and a mark in its middle, so that degenerate faces are visible too.
   void draw(Face f, bool mark = true) {
     glm::dvec3 sum{};
     double corners = 0;
     for (Halfedge h : halfedges_around(m_, f)) {
       draw(edge(h));
-      sum += m_.position(m_.from(h));
+      sum += place(m_.from(h));
       ++corners;
     }
     if (mark) point(sum / corners);
@@ -50,7 +50,10 @@ class Painter {
   }
 
  private:
+  const glm::dvec3& place(Vertex v) const { return places_[v.index]; }
+
   const Mesh& m_;
+  std::span<const glm::dvec3> places_;
   Overlay& overlay_;
   Style style_;
   float hidden_;
@@ -73,11 +76,11 @@ class Ghost {
     const bool is_edge = pointed.kind == Element::Kind::edge || pointed.kind == Element::Kind::halfedge;
     if (is_edge) pointed_ = pointed.kind == Element::Kind::edge ? pointed.edge() : edge(pointed.halfedge());
     for (const GhostFace& face : preview.faces) draw(face);
-    Painter old(m_, overlay_, goes_, 1);
+    Painter old(session_, overlay_, goes_, 1);
     for (const Element& e : preview.deleted)
       if (e.kind == Element::Kind::edge || e.kind == Element::Kind::vertex) old.draw(e);
     if (pointed_ && !pointed_stays_) old.draw(pointed_);
-    Painter fresh(m_, overlay_, comes_, 1);
+    Painter fresh(session_, overlay_, comes_, 1);
     const auto is_before = [](const glm::dvec3& a, const glm::dvec3& b) {
       return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};
     };
@@ -147,7 +150,7 @@ class Ghost {
 Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, std::uint32_t first, std::uint32_t end,
                           Theme theme) {
   Overlay overlay;
-  Painter painter(session.mesh(), overlay, style(row.looks, theme));
+  Painter painter(session, overlay, style(row.looks, theme));
   session.highlights().of(mark).for_each_in(first, end, [&](std::uint32_t i) {
     if (mark.sort == Element::Kind::vertex) painter.draw(Vertex(i));
     if (mark.sort == Element::Kind::edge) painter.draw(Edge(i));
@@ -158,7 +161,7 @@ Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, 
 
 Overlay selection_overlay(const Session& session, Theme theme) {
   Overlay overlay;
-  Painter painter(session.mesh(), overlay, style(Role::selected, theme));
+  Painter painter(session, overlay, style(Role::selected, theme));
   constexpr std::ptrdiff_t most_outlines = 1000;  // the surface fills them
   const auto is_face = [](const Element& e) { return e.kind == Element::Kind::face; };
   const bool has_outlines = std::count_if(session.selection.begin(), session.selection.end(), is_face) <= most_outlines;
@@ -169,21 +172,22 @@ Overlay selection_overlay(const Session& session, Theme theme) {
 
 Overlay hover_overlay(const Session& session, Theme theme) {
   Overlay overlay;
+  Painter spoilt(session, overlay, style(Role::refused, theme), 1);
+  for (const Face f : session.spoilt_by_gesture()) spoilt.draw(f, false);
   if (!session.hover()) return overlay;
   const Hover& hover = *session.hover();
-  const Mesh& m = session.mesh();
   if (!hover.op) {
-    Painter(m, overlay, style(Role::hover, theme), 1).draw(hover.picked.element);
+    Painter(session, overlay, style(Role::hover, theme), 1).draw(hover.picked.element);
     return overlay;
   }
   if (hover.preview.verdict.legal()) {
     Ghost(session, theme, overlay).draw(hover.preview, hover.picked.element);
     return overlay;
   }
-  Painter witness(m, overlay, style(Role::witness, theme), 0.6f);
+  Painter witness(session, overlay, style(Role::witness, theme), 0.6f);
   for (const Reason& reason : hover.preview.verdict.reasons)
     for (const Element& e : reason.witnesses) witness.draw(e);
-  Painter(m, overlay, style(Role::refused, theme), 1).draw(hover.picked.element);
+  Painter(session, overlay, style(Role::refused, theme), 1).draw(hover.picked.element);
   return overlay;
 }
 

@@ -15,7 +15,7 @@ TriangleSource source_of(Session& session, std::span<const std::uint8_t> tints) 
   const SurfaceTriangles& triangles = session.picker().triangles();
   const Mesh& mesh = session.mesh();
   TriangleSource source{
-      mesh.positions(), triangles.slots(),
+      session.drawn_positions(), triangles.slots(),
       [&mesh, &triangles](std::span<const std::uint32_t> slots, DrawnTriangle* to) { triangles.read(mesh, slots, to); },
       tints};
   if (session.settings.shading == Shading::smooth) source.corner_normals = session.corner_normals().packed();
@@ -137,7 +137,9 @@ void Viewport::follow_mesh(Session& session) {
   const FaceTints tints(session, selected_faces_);
   const bool anew = mesh_of_ != &session.document() || changes.everything || drawn_shading_ != session.settings.shading;
   const bool other_highlights = shown_ != session.shown || changes.searched;
-  if (!anew && !other_highlights && !other_selection && mesh_revision_ == session.document().revision()) return;
+  if (!anew && !other_highlights && !other_selection && gesture_step_ == session.gesture_step() &&
+      mesh_revision_ == session.document().revision())
+    return;
   face_tints_.resize(mesh.face_slots());
   if (anew || other_highlights) tints.write(face_tints_);
   if (anew) {
@@ -154,6 +156,7 @@ void Viewport::follow_mesh(Session& session) {
   }
   mesh_of_ = &session.document();
   mesh_revision_ = session.document().revision();
+  gesture_step_ = session.gesture_step();
   drawn_shading_ = session.settings.shading;
   shown_ = session.shown;
   marked_ = std::move(changes.marks);

@@ -58,7 +58,7 @@ class Viewport {
   const Document* mesh_of_ = nullptr;
   Shading drawn_shading_ = Shading::flat;  // with which the mesh was passed
   std::vector<std::uint8_t> face_tints_;
-  std::uint64_t mesh_revision_ = 0;
+  std::uint64_t mesh_revision_ = 0, gesture_step_ = 0;
   std::set<std::string> shown_;
   // Highlights are drawn in blocks of so many slots of a mark, and a block is drawn anew when a member of it has changed.
   static constexpr std::uint32_t block_slots = 512;

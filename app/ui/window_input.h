@@ -39,6 +39,7 @@ class WindowInput : public ViewInput {
   bool is_over_view(glm::dvec2 pixel) const override { return !gui_.owns_pointer(session_, window_, pixel); }
   Outcome click(const Navigation::Click& click) override { return gui_.click(session_, click); }
   Outcome open_menu(const Navigation::Click& click) override;
+  Outcome end_gesture() override { return gui_.keep(session_, session_.end_gesture()); }
   Outcome press_key(const std::string& chord, bool is_again, const InputPreset& preset);
   // The panels know where the pointer is before they see what it does.
   void show_pointer(const Pointer& at) const {

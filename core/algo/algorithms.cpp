@@ -4,6 +4,7 @@
 
 #include "core/algo/primitives/primitives.h"
 #include "core/algo/repair/repairs.h"
+#include "core/algo/transform/transforms.h"
 
 namespace ryosen {
 
@@ -12,7 +13,7 @@ namespace {
 std::deque<AlgorithmRow>& algorithm_rows() {
   static std::deque<AlgorithmRow> rows = [] {
     std::deque<AlgorithmRow> all;
-    for (const std::vector<AlgorithmRow>& folder : {repair_rows(), primitive_rows()})
+    for (const std::vector<AlgorithmRow>& folder : {repair_rows(), primitive_rows(), transform_rows()})
       all.insert(all.end(), folder.begin(), folder.end());
     return all;
   }();

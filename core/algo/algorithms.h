@@ -66,7 +66,7 @@ struct AlgorithmRow {
   bool is_repair() const { return !solves.empty(); }
 };
 
-// Repairs first, in the order in which they are done, each after those that make its work easier; then primitives. Rows
+// Repairs first, in the order in which they are done, each after those that make its work easier; then primitives and transforms. Rows
 // stay where they are.
 const std::deque<AlgorithmRow>& algorithm_table();
 // By id; null when there is none.

@@ -15,6 +15,7 @@
 #include "core/ops/lines/arguments.h"
 #include "core/ops/lines/syntax.h"
 #include "core/ops/op.h"
+#include "core/selection/slot_ranges.h"
 
 namespace ryosen {
 
@@ -74,7 +75,7 @@ Text range_text(const ParameterRow& row) {
 std::optional<ParameterValue> read_names(std::string_view text) {
   ParameterValue value;
   for (std::string_view name : split_list(text)) {
-    if (!is_element_name(name)) return std::nullopt;
+    if (!is_element_name(name) && !parse_slot_range(name)) return std::nullopt;
     value.names.emplace_back(name);
   }
   return value;
@@ -206,6 +207,10 @@ ReadValues ParameterValues::on(const Mesh& mesh) const {
         return {std::nullopt, NameError::malformed, {}, fault_of_value(rows_[i], text_at(i), rows_[i].id)};
     }
     for (const std::string& name : value.names) {
+      if (const auto range = parse_slot_range(name)) {
+        add_living(mesh, *range, value.elements);
+        continue;
+      }
       NamedElement found = find_element(mesh, name);
       if (!found.element) return {std::nullopt, found.error, name, std::move(found.sentence)};
       value.elements.push_back(*found.element);

@@ -3,6 +3,8 @@
 #include <array>
 #include <charconv>
 
+#include "core/mesh/find_element.h"
+
 namespace ryosen {
 
 namespace {
@@ -25,6 +27,20 @@ std::optional<Element> parse_slot(std::string_view word) {
       return e;
     }
   return std::nullopt;
+}
+
+bool has_slot(const Mesh& mesh, const Element& e) {
+  switch (e.kind) {
+    case Element::Kind::vertex:
+      return e.index < mesh.vertex_slots();
+    case Element::Kind::halfedge:
+      return e.index < mesh.halfedge_slots();
+    case Element::Kind::edge:
+      return e.index < mesh.edge_slots();
+    case Element::Kind::face:
+      return e.index < mesh.face_slots();
+  }
+  return false;
 }
 
 }  // namespace
@@ -50,6 +66,11 @@ std::optional<SlotRange> parse_slot_range(std::string_view word) {
   if (!first || !last || first->kind != last->kind || last->index < first->index || last->index == no_index)
     return std::nullopt;
   return SlotRange{*first, last->index};
+}
+
+void add_living(const Mesh& mesh, const SlotRange& range, Elements& elements) {
+  for (Element e = range.first; e.index <= range.last && has_slot(mesh, e); ++e.index)
+    if (is_alive(mesh, e)) elements.push_back(e);
 }
 
 }  // namespace ryosen

@@ -20,5 +20,7 @@ struct SlotRange {
 };
 // Of a word as slot_ranges() writes it for several; none for anything else.
 std::optional<SlotRange> parse_slot_range(std::string_view word);
+// Those of a range that are alive.
+void add_living(const Mesh& mesh, const SlotRange& range, Elements& elements);
 
 }  // namespace ryosen

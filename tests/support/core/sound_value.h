@@ -23,7 +23,7 @@ inline std::string sound_value(const ParameterRow& row) {
     case ParameterKind::length:
       return "0.01";
     default:
-      return format_double(std::max(row.smallest.value_or(0), 1.0));
+      return format_double(std::max(row.smallest.value_or(0), 2.0));
   }
 }
 

@@ -1,0 +1,78 @@
+// Moving, turning and scaling the selection by hand: what the pointer and the keys say becomes a transform, which only the
+// view shows until it is carried out as one command.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/editor/input.h"
+#include "core/algo/transform/moved_points.h"
+#include "core/algo/transform/point_transform.h"
+#include "core/mesh/touched.h"
+#include "core/pick/picker.h"
+#include "core/view/camera.h"
+
+namespace ryosen {
+
+class TransformGesture {
+ public:
+  // Begins with the points of the elements, of which there must be one, where the pointer is.
+  TransformGesture(PointTransform::Kind kind, const Mesh& mesh, Elements elements, glm::dvec2 pixel);
+
+  // Follows the pointer. With Ctrl it snaps: a move to what lies under the pointer, or else to a grid, a turn to steps of
+  // 5 degrees, a scaling to tenths. Pixels are those of the view.
+  struct Where {
+    const Camera& camera;
+    Size view;
+    glm::dvec2 pixel;
+    bool snaps = false;
+    std::optional<glm::dvec3> under = {};  // the place under the pointer, where it snaps
+  };
+  void follow(const Mesh& mesh, const Where& where);
+  // X, Y, Z and N (the normal) choose an axis or let it go; digits, sign and dot type the number; Backspace; O switches the
+  // falloff. False: no key of a gesture.
+  bool key(const Mesh& mesh, std::string_view chord);
+  // Widens the falloff by steps of a tenth; false where there is none.
+  bool widen(const Mesh& mesh, double steps);
+
+  // Where the points would be. Their original places are those of the mesh.
+  const std::vector<MovedPoint>& moved() const { return moved_; }
+  glm::dvec3 place(const Mesh& mesh, const MovedPoint& point) const {
+    return transform_(mesh.position(point.point), point.share);
+  }
+  // The line that does it, and whether it would change anything.
+  std::string line(const Mesh& mesh) const;
+  bool does_nothing() const;
+  // "Move X 0.25, falloff 0.5"
+  Text told() const;
+  const Elements& elements() const { return elements_; }
+  glm::dvec3 middle() const { return middle_; }
+  std::optional<glm::dvec3> axis() const { return axis_; }
+
+ private:
+  void find_moved(const Mesh& mesh);
+  void follow_move(const Where& where);
+  void follow_turn(const Where& where);
+  void follow_scale(const Where& where);
+  void take_number();
+  void choose_axis(const Mesh& mesh, char letter);
+
+  PointTransform::Kind kind_;
+  Elements elements_;
+  std::vector<Vertex> points_;
+  std::vector<MovedPoint> moved_;
+  glm::dvec3 middle_{0};
+  double size_ = 1;  // of the mesh
+  double falloff_ = 0;
+  glm::dvec2 start_;
+  std::optional<glm::dvec2> last_;
+  char axis_letter_ = 0;
+  std::optional<glm::dvec3> axis_;
+  std::string typed_;
+  double turned_deg_ = 0;  // by the pointer, over several turns
+  PointTransform transform_;
+};
+
+}  // namespace ryosen

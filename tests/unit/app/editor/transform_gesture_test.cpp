@@ -1,0 +1,169 @@
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "app/editor/commands.h"
+#include "app/editor/view_input.h"
+#include "app/ui/headless.h"
+#include "core/mesh/copies.h"
+#include "tests/support/app/program.h"
+
+namespace ryosen {
+namespace {
+
+class GestureTest : public testing::Test {
+ protected:
+  GestureTest() : session_(open()) {
+    session_->run("mode vertex");
+    session_->run("select v0");
+    session_->run("select grow");
+    session_->run("move 640,360");
+  }
+  static std::unique_ptr<Session> open() {
+    auto document = Document::open(test::asset("torus.off"));
+    EXPECT_TRUE(document);
+    return std::make_unique<Session>(std::move(document).value());
+  }
+  void run(std::initializer_list<const char*> lines) {
+    for (const char* line : lines) {
+      const Outcome outcome = session_->run(line);
+      EXPECT_TRUE(outcome.done()) << line << ": " << outcome.sentence.en;
+    }
+  }
+  std::vector<glm::dvec3> places() const {
+    return {session_->mesh().positions().begin(), session_->mesh().positions().end()};
+  }
+
+  std::unique_ptr<Session> session_;
+};
+
+TEST_F(GestureTest, changes_only_the_view_until_it_ends_as_one_entry) {
+  const std::uint64_t hash = session_->mesh().hash();
+  run({"key G", "move 700,300"});
+  ASSERT_TRUE(session_->gesture());
+  EXPECT_EQ(session_->mesh().hash(), hash);
+  EXPECT_NE(session_->drawn_positions()[0], session_->mesh().position(Vertex(0)));
+  const std::vector<glm::dvec3> shown(session_->drawn_positions().begin(), session_->drawn_positions().end());
+  run({"press left 700,300", "release left 700,300"});
+  EXPECT_FALSE(session_->gesture());
+  EXPECT_EQ(session_->document().history().size(), 1u);
+  ASSERT_EQ(session_->log().size(), 1u);
+  EXPECT_TRUE(session_->log()[0].starts_with("translate by=")) << session_->log()[0];
+  EXPECT_EQ(places(), shown) << "as it was shown";
+  run({"undo"});
+  EXPECT_EQ(session_->mesh().hash(), hash);
+}
+
+TEST_F(GestureTest, escape_costs_nothing_and_so_does_the_right_button) {
+  const std::uint64_t hash = session_->mesh().hash();
+  for (const char* end : {"key Escape", "press right 700,300"}) {
+    run({"key G", "move 700,300", end});
+    EXPECT_FALSE(session_->gesture());
+    EXPECT_TRUE(session_->log().empty());
+    EXPECT_EQ(session_->mesh().hash(), hash);
+    EXPECT_EQ(session_->drawn_positions().data(), session_->mesh().positions().data());
+    session_->run("release right 700,300");
+  }
+  EXPECT_FALSE(session_->selection.empty());
+}
+
+TEST_F(GestureTest, typed_numbers_and_axes_are_exact) {
+  const std::vector<glm::dvec3> before = places();
+  run({"key G", "key Z", "key -", "key 1", "key .", "key 2", "key 5", "key Enter"});
+  for (const Element& e : session_->selection)
+    EXPECT_EQ(session_->mesh().position(e.vertex()), before[e.index] + glm::dvec3(0, 0, -1.25));
+  run({"undo", "key R", "key Y", "key 1", "key 8", "key 0", "key Enter"});
+  EXPECT_TRUE(session_->log().back().starts_with("rotate angle=180 axis=0,1,0 about=")) << session_->log().back();
+  run({"undo", "key Shift+S", "key 2", "key Enter"});
+  EXPECT_TRUE(session_->log().back().starts_with("scale factor=2 about=")) << session_->log().back();
+  EXPECT_EQ(session_->document().history().size(), 1u);
+}
+
+TEST_F(GestureTest, the_pointer_stays_at_what_it_took_hold_of) {
+  const glm::dvec3 middle = session_->run("key G").done() ? session_->gesture()->middle() : glm::dvec3();
+  run({"move 740,280"});
+  const auto before = project(session_->camera, session_->view, middle);
+  run({"press left 740,280", "release left 740,280"});
+  std::vector<Vertex> points;
+  for (const Element& e : session_->selection) points.push_back(e.vertex());
+  const auto after = project(session_->camera, session_->view, middle_of(session_->mesh(), points));
+  EXPECT_NEAR(after->pixel.x - before->pixel.x, 100, 1e-6);
+  EXPECT_NEAR(after->pixel.y - before->pixel.y, -80, 1e-6);
+}
+
+TEST_F(GestureTest, ctrl_snaps_to_another_vertex) {
+  Vertex other;
+  const auto is_selected = [&](Vertex v) {
+    return std::find(session_->selection.begin(), session_->selection.end(), Element(v)) != session_->selection.end();
+  };
+  std::string at;
+  for (std::uint32_t i = 0; i < session_->mesh().vertex_slots() && !other; ++i) {
+    const auto seen = project(session_->camera, session_->view, session_->mesh().position(Vertex(i)));
+    const auto picked = session_->pick(seen->pixel, PickMode::vertex);
+    if (is_selected(Vertex(i)) || !picked || picked->element != Element(Vertex(i))) continue;
+    other = Vertex(i);
+    at = std::to_string(seen->pixel.x) + "," + std::to_string(seen->pixel.y);
+  }
+  ASSERT_TRUE(other);
+  run({"key G"});
+  session_->run("move " + at + " Ctrl");
+  session_->run("press left " + at + " Ctrl");
+  std::vector<Vertex> points;
+  for (const Element& e : session_->selection) points.push_back(e.vertex());
+  EXPECT_NEAR(glm::distance(middle_of(session_->mesh(), points), session_->mesh().position(other)), 0, 1e-9);
+}
+
+TEST_F(GestureTest, falloff_takes_more_along_and_the_wheel_widens_it) {
+  run({"key G", "key O"});
+  const std::size_t few = session_->gesture()->moved().size();
+  for (int i = 0; i < 20; ++i) session_->run("wheel 1 640,360");
+  EXPECT_GT(session_->gesture()->moved().size(), few);
+  run({"key X", "key 1", "key Enter"});
+  EXPECT_NE(session_->log().back().find("falloff="), std::string::npos);
+}
+
+TEST_F(GestureTest, marks_faces_that_turn_over) {
+  run({"key Shift+S", "key -", "key 3"});
+  EXPECT_FALSE(session_->spoilt_by_gesture().empty());
+  run({"key Escape"});
+  EXPECT_TRUE(session_->spoilt_by_gesture().empty());
+}
+
+TEST_F(GestureTest, needs_a_selection_and_gives_way_to_an_edit) {
+  run({"select none"});
+  EXPECT_EQ(session_->run("gesture move").exit_code, ExitCode::refused);
+  run({"select v3", "gesture move", "move 700,300", "poke f0"});
+  EXPECT_FALSE(session_->gesture());
+  EXPECT_EQ(session_->log(), std::vector<std::string>{"poke f0"});
+}
+
+// What is drawn while it goes on and afterwards is what would be drawn anew.
+TEST_F(GestureTest, a_part_that_is_drawn_again_equals_the_whole) {
+  // So that the buffers keep their bounds, and with them every rounding.
+  for (const char* line : {"make_vertex -9,-9,-9", "make_vertex 9,9,9"}) session_->run(line);
+  auto headless = Headless::make({.backend = Backend::osmesa, .size = {640, 480}}).value();
+  headless->place_view(*session_);
+  session_->frame_all();
+  const auto is_as_drawn_anew = [&] {
+    const Image followed = headless->picture(*session_);
+    headless->forget();
+    return followed == headless->picture(*session_);
+  };
+  const Image before = headless->picture(*session_);
+  for (const char* line : {"move 320,240", "key G", "move 380,200", "move 300,300", "key O", "move 350,250",
+                           "wheel 3 350,250", "key Z", "move 360,200"}) {
+    ASSERT_TRUE(session_->run(line).done());
+    EXPECT_TRUE(is_as_drawn_anew()) << line;
+  }
+  EXPECT_FALSE(headless->picture(*session_) == before);
+  session_->run("key Escape");
+  EXPECT_TRUE(is_as_drawn_anew());
+  EXPECT_TRUE(headless->picture(*session_) == before);
+  for (const char* line : {"key R", "move 380,200", "key Enter", "undo", "redo"}) {
+    ASSERT_TRUE(session_->run(line).done());
+    EXPECT_TRUE(is_as_drawn_anew()) << line;
+  }
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -38,9 +38,8 @@ Outcome nothing_selected(const OpInfo& op) {
 
 Outcome does_not_fit(const OpInfo& op) {
   const std::string id(op.id), syntax(op.syntax);
-  return failed(ExitCode::refused,
-                {id + " selected: what is selected does not fit; it takes, in this order, " + syntax,
-                 id + " selected：選択された要素が合いません。この順に必要です：" + syntax});
+  return failed(ExitCode::refused, {id + " selected: what is selected does not fit; it takes, in this order, " + syntax,
+                                    id + " selected：選択された要素が合いません。この順に必要です：" + syntax});
 }
 
 // "12 done. 3 refused: RULE. 2 were deleted before their turn."
@@ -153,6 +152,23 @@ std::optional<Text> fault_of_either(Words, const std::string& line) {
   for (const std::string& each : lines)
     if (const auto fault = fault_of_command(each)) return fault;
   return std::nullopt;
+}
+
+std::optional<Text> fault_of_in_turn(Words, const std::string& line) {
+  const std::vector<std::string> lines = alternatives(behind_word(line));
+  for (const std::string& each : lines)
+    if (const auto fault = fault_of_command(each)) return fault;
+  return lines.size() < 2 ? std::optional(wrong_arguments("in_turn").sentence) : std::nullopt;
+}
+
+Outcome run_in_turn(Session& session, Words arguments, std::string_view whole) {
+  if (const auto fault = fault_of_in_turn(arguments, "in_turn " + std::string(whole))) return usage_error(*fault);
+  Outcome outcome;
+  for (const std::string& line : alternatives(whole)) {
+    outcome = session.run(line);
+    if (!outcome.done()) break;
+  }
+  return outcome;
 }
 
 // Of several refusals the first is told: it is what was most likely meant.

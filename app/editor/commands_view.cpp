@@ -51,11 +51,15 @@ Outcome run_drag(Session& session, Words arguments, std::string_view) {
 }
 
 Outcome run_gesture(Session& session, Words arguments, std::string_view) {
-  const std::string_view word = arguments.size() == 1 ? arguments[0] : "";
-  if (word == "move") return session.begin_gesture(PointTransform::Kind::move);
-  if (word == "turn") return session.begin_gesture(PointTransform::Kind::turn);
-  if (word == "scale") return session.begin_gesture(PointTransform::Kind::scale);
-  return wrong_arguments("gesture");
+  const std::string_view kinds[] = {"move", "turn", "scale"}, axes[] = {"x", "y", "z", "normal"};
+  const std::string_view word = arguments.empty() ? "" : arguments[0];
+  const auto kind = std::find(std::begin(kinds), std::end(kinds), word);
+  const auto axis = arguments.size() == 2 ? std::find(std::begin(axes), std::end(axes), arguments[1]) : std::end(axes);
+  if (kind == std::end(kinds) || arguments.size() > 2 || (arguments.size() == 2 && axis == std::end(axes)))
+    return wrong_arguments("gesture");
+  Outcome outcome = session.begin_gesture(static_cast<PointTransform::Kind>(kind - std::begin(kinds)));
+  if (outcome.done() && axis != std::end(axes)) session.gesture_key(std::string(1, "XYZN"[axis - std::begin(axes)]));
+  return outcome;
 }
 
 Outcome run_show(Session& session, Words arguments, std::string_view) {

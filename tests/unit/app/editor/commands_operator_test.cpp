@@ -203,6 +203,18 @@ TEST(either, does_the_first_that_is_possible_and_tells_the_refusal_that_was_mean
   EXPECT_EQ(session->run("either undo").exit_code, ExitCode::usage);
 }
 
+TEST(in_turn, goes_on_until_one_is_not_possible) {
+  const auto session = session_of("cube.obj");
+  session->run("select f0");
+  ASSERT_TRUE(session->run("in_turn extrude selected | gesture move normal").done());
+  EXPECT_EQ(session->mesh().live().faces, 10u);
+  ASSERT_TRUE(session->gesture());
+  ASSERT_TRUE(session->gesture()->axis());
+  session->run("key Escape");
+  EXPECT_EQ(session->run("in_turn delete v99 | poke f1").exit_code, ExitCode::usage);
+  EXPECT_EQ(session->mesh().live().faces, 10u);
+}
+
 TEST(selection_memory, each_entry_brings_back_what_was_selected_around_it) {
   const auto session = session_of("cube.obj");
   session->run("select f0 f1");

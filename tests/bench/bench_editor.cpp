@@ -161,6 +161,39 @@ void redraw(benchmark::State& state, Source source, Reaction reaction) {
   }
 }
 
+// A step of moving about a hundred neighbouring vertices by hand, with its picture.
+void gesture_step(benchmark::State& state, Source source) {
+  if (source().positions.empty()) return state.SkipWithError("RYOSEN_DRAGON is not set");
+  Screen screen = open_screen();
+  if (!screen.viewport) return state.SkipWithError("no OSMesa");
+  const auto session = open_session(source);
+  const glm::dvec2 pixel = pixels_on(*session, 1)[0];
+  session->run("tool none");
+  session->run("mode vertex");
+  session->click(pixel, "");
+  for (int i = 0; i < 20 && session->selection.size() < 90; ++i) session->run("select grow");
+  session->pointer = pixel;
+  session->begin_gesture(PointTransform::Kind::move);
+  Viewport& viewport = *screen.viewport;
+  int step = 0;
+  const auto show = [&] {
+    session->follow_gesture(pixel + glm::dvec2(step % 7, step % 5), {});
+    ++step;
+    viewport.follow(*session);
+    viewport.draw();
+    benchmark::DoNotOptimize(viewport.view().picture());
+  };
+  show();
+  for (auto _ : state) {
+    const auto start = Clock::now();
+    show();
+    state.SetIterationTime(seconds_since(start));
+  }
+  state.counters["vertices"] = static_cast<double>(session->selection.size());
+}
+
+BENCHMARK_CAPTURE(gesture_step, bunny, bunny)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(300);
+BENCHMARK_CAPTURE(gesture_step, dragon, dragon)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(300);
 BENCHMARK_CAPTURE(hover_verdict, bunny, bunny)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(hover_verdict, dragon, dragon)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(edit_and_follow, bunny, bunny)->UseManualTime()->Unit(benchmark::kMicrosecond)->Iterations(500);

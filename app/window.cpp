@@ -277,8 +277,8 @@ class Editor {
   }
 
   std::int64_t compose() {
-    const PixelRect area = gui_.view_area(canvas_->size());
-    return canvas_->compose(viewport_->view(), area.x0, area.y0, gui_.draw_data());
+    const glm::ivec2 corner(session_.view_origin);
+    return canvas_->compose(viewport_->view(), corner.x, corner.y, gui_.draw_data());
   }
 
   // What is shown may be a part of it. Between frames only: a panel that is being laid out has nothing to be drawn.

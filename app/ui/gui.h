@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/ui/panels.h"
+#include "app/ui/side_columns.h"
 
 struct ImGuiContext;
 struct ImDrawData;
@@ -31,8 +32,8 @@ class Gui {
   // Changes the scale at the next prepare().
   void set_scale(float scale);
   // The area of the view within a window.
-  PixelRect view_area(Size window) const;
-  // Sets the session's view to that area.
+  PixelRect view_area(Size window, const Layout& layout) const { return areas_of(layout, window, scale_).view; }
+  // Sets the session's view to that area, as each frame does.
   void place_view(Session& session, Size window) const;
 
   // Applies theme and language. True if the glyphs have changed: rebuild their texture before the frame.
@@ -71,20 +72,14 @@ class Gui {
   bool wants_frames() const { return !state_.waiting.empty() || state_.unsettled_frames > 0; }
 
  private:
-  struct OwnPanel {
-    PanelRow row;
-    std::unique_ptr<Panel> panel;
-    std::unique_ptr<ScopedPanel> added;  // null for those of the list
-  };
-
   PanelContext context(Session& session);
-  void draw_column(PanelContext& context, PanelPlace place, float x, float y, float width, float height);
   void begin_frame(Size window, double seconds);
   void end_frame();
   ImGuiContext* imgui_;
   float scale_;
   GuiState state_;
   std::vector<OwnPanel> panels_;
+  SideColumns columns_;
   Fonts fonts_;
   bool has_fonts_ = false, has_japanese_ = false;
   Theme theme_ = Theme::dark;

@@ -37,7 +37,8 @@ class WindowInput : public ViewInput {
 
  private:
   bool is_over_view(glm::dvec2 pixel) const override { return !gui_.owns_pointer(session_, window_, pixel); }
-  Outcome click(const Navigation::Click& click) override { return gui_.click(session_, click); }
+  // One beside what a tab has opened closes that and does nothing else.
+  Outcome click(const Navigation::Click& click) override;
   // The panels know where the pointer is before they see what it does.
   void show_pointer(const Pointer& at) const {
     gui_.pointer(at.pixel);

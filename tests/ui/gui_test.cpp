@@ -98,7 +98,7 @@ TEST(gui, frames_are_wanted_until_a_closed_panel_has_gone) {
 
 TEST(gui, the_view_lies_between_the_columns) {
   const Laid laid("cube.obj");
-  const PixelRect area = laid.gui.view_area(window);
+  const PixelRect area = laid.gui.view_area(window, laid.session.layout);
   EXPECT_EQ(laid.session.view, (Size{area.width(), area.height()}));
   EXPECT_EQ(laid.session.view_origin, glm::dvec2(area.x0, area.y0));
   EXPECT_FALSE(laid.gui.owns_pointer(laid.session, window, {640, 360}));
@@ -256,9 +256,9 @@ TEST(gui, what_a_format_cannot_hold_is_listed_before_it_is_written) {
 }
 
 TEST(gui, scales_with_the_display) {
-  const PixelRect once = Gui(1).view_area({1280, 720}), twice = Gui(2).view_area({2560, 1440});
+  const PixelRect once = Gui(1).view_area({1280, 720}, {}), twice = Gui(2).view_area({2560, 1440}, {});
   EXPECT_EQ(twice, (PixelRect{2 * once.x0, 2 * once.y0, 2 * once.x1, 2 * once.y1}));
-  EXPECT_FALSE(Gui(1).view_area({100, 20}).empty());
+  EXPECT_FALSE(Gui(1).view_area({100, 20}, {}).empty());
 }
 
 TEST(gui, nothing_is_said_to_be_done_that_was_not) {

@@ -128,7 +128,8 @@ void end_rows() {
   ImGui::EndChild();
 }
 
-void list_of_rows(const char* id, std::size_t count, std::size_t most, const std::function<void(std::size_t)>& draw) {
+void list_of_rows(const char* id, std::size_t count, std::size_t most, const std::function<void(std::size_t)>& draw,
+                  std::optional<float> scrolls_to) {
   begin_rows(id, static_cast<float>(std::min(count, most)));
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(count), ImGui::GetTextLineHeightWithSpacing());
@@ -139,6 +140,7 @@ void list_of_rows(const char* id, std::size_t count, std::size_t most, const std
       ImGui::PopID();
     }
   }
+  if (scrolls_to) ImGui::SetScrollY(*scrolls_to);
   end_rows();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -25,8 +26,9 @@ bool row(PanelContext& context, const char* label, const char* right, bool is_ac
 // A part of a panel as high as so many lines of text, which scrolls by whole ones. end_rows() must follow.
 void begin_rows(const char* id, float rows);
 void end_rows();
-// A list of rows, as high as there are or as these: draws those that are seen by draw(i).
-void list_of_rows(const char* id, std::size_t count, std::size_t most, const std::function<void(std::size_t)>& draw);
+// A list of rows, as high as there are or as these: draws those that are seen by draw(i), and scrolls to a place.
+void list_of_rows(const char* id, std::size_t count, std::size_t most, const std::function<void(std::size_t)>& draw,
+                  std::optional<float> scrolls_to = {});
 // A text, or as much of it as is no wider, with an ellipsis.
 std::string fitted(std::string_view text, float width_px);
 // A line of text that fits the panel, the whole beside it when it is hovered.

@@ -9,12 +9,6 @@ namespace {
 // Short enough to run synchronously.
 constexpr forms::Effort effort{0.0005, 2e7};
 
-void wrapped(const char* text) {
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text);
-  ImGui::PopTextWrapPos();
-}
-
 void right_aligned(const std::string& text) {
   ImGui::TableNextColumn();
   const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
@@ -55,7 +49,7 @@ void draw_form(PanelContext& context, const forms::FormFigures& figures, std::ui
     right_aligned("-");
     return;
   }
-  wrapped(context.text(row.en, row.ja));
+  wrapped_text(context.text(row.en, row.ja));
   tip(context.text(row.source_en, row.source_ja));
   right_aligned(faces > 0 ? forms::figure_text(static_cast<double>(figures.bytes) / faces) : "-");
   const auto& seconds = figures.query_seconds[static_cast<std::size_t>(relation)];
@@ -80,7 +74,7 @@ void draw_pairing_times(PanelContext& context, const forms::Comparison& comparis
   for (const forms::PairingFigures& figures : comparison.pairing) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    wrapped(context.text(figures.method->en, figures.method->ja));
+    wrapped_text(context.text(figures.method->en, figures.method->ja));
     right_aligned(forms::duration_text(figures.seconds) + (figures.is_whole() ? "" : "*"));
     const std::string part = std::to_string(figures.faces), all = std::to_string(figures.all_faces);
     if (!figures.is_whole())
@@ -97,7 +91,7 @@ void draw_texts(PanelContext& context, const forms::Comparison& comparison) {
     const bool on_edge = report.place == "boundary_edge";
     const std::string place =
         on_edge ? context.text("on a boundary edge", "境界の稜線") : context.text("beside the boundary", "境界の隣");
-    wrapped((std::string(report.operation) + ", " + place).c_str());
+    wrapped_text((std::string(report.operation) + ", " + place).c_str());
     tip(report.outcome.sentence.in(context.language()));
     dim_text(context, report.outcome.changed_before
                           ? context.text("undefined, half done", "途中まで書き換えて未定義動作")

@@ -10,7 +10,7 @@
 namespace ryosen {
 
 // How wide a column may be, in pixels at scale 1.
-inline constexpr int least_column_px = 180, most_column_px = 640;
+inline constexpr int least_column_px = 200, most_column_px = 640;
 
 struct Layout {
   // Ids of panels.

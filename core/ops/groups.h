@@ -14,7 +14,7 @@ inline constexpr OpGroupRow op_groups[] = {
     {OpGroup::refine, "Refine", "細分"},
     {OpGroup::join, "Join and cut", "結合と切断"},
     {OpGroup::fill, "Delete and fill", "削除と穴埋め"},
-    {OpGroup::orient, "Orientation and topology", "向きと接続"},
+    {OpGroup::orient, "Orient and reconnect", "向きと接続"},
     {OpGroup::euler, "Euler operators", "オイラー操作"},
 };
 static_assert(rows_are_in_order(op_groups, &OpGroupRow::group));

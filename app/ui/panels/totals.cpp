@@ -97,8 +97,10 @@ void draw_totals(PanelContext& context) {
     ImGui::EndTable();
   }
   ImGui::PopStyleVar();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 2 * context.scale});
   draw_sum(context, terms);
   draw_kind_of_mesh(context);
+  ImGui::PopStyleVar();
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 
 namespace ryosen {
@@ -12,14 +13,13 @@ namespace {
 class AddMenu : public testing::Test, protected test::Laid {
  protected:
   AddMenu() : Laid("cube.obj") {}
-
-  static constexpr glm::dvec2 menu{157, 10};
 };
 
 TEST_F(AddMenu, has_an_entry_for_each_primitive_that_asks_for_its_values) {
   std::vector<std::string> asked, expected;
   for (const AlgorithmRow& row : algorithm_table())
     if (row.is_primitive) expected.emplace_back(row.id);
+  const glm::dvec2 menu = test::DrawnText(gui).place("Add");
   for (double y = 24; y < 400; y += 6) {
     click(menu);
     click({menu.x + 6, y});

@@ -9,6 +9,7 @@
 #include "app/editor/keys.h"
 #include "app/editor/words.h"
 #include "core/base/enum_table.h"
+#include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 
 namespace ryosen {
@@ -109,17 +110,17 @@ TEST(gui, the_view_lies_between_the_columns) {
 
 TEST(gui, a_click_on_a_tool_takes_it_and_another_puts_it_away) {
   Laid laid("torus.off");
-  const glm::dvec2 second_row(100, 90);
-  laid.click(second_row);
+  const glm::dvec2 row = test::DrawnText(laid.gui).place("Collapse edge");
+  laid.click(row);
   EXPECT_EQ(laid.session.tool, "collapse");
-  laid.click(second_row);
+  laid.click(row);
   EXPECT_EQ(laid.session.tool, "");
 }
 
 TEST(gui, a_highlight_is_switched_in_its_panel) {
   Laid laid("fin.obj");
   ASSERT_TRUE(laid.session.shown.contains("boundary"));
-  laid.click({20, 311});
+  laid.click({16, test::DrawnText(laid.gui).place("Boundary").y});
   EXPECT_FALSE(laid.session.shown.contains("boundary"));
   EXPECT_TRUE(laid.session.shown.contains("nonmanifold"));
 }

@@ -158,6 +158,7 @@ TEST_F(NarrowWindow, a_tab_opens_its_panel_and_another_click_closes_it) {
   const glm::dvec2 tab = place("Totals");
   ASSERT_FALSE(is_seen("vertices"));
   click(tab);
+  frames(2);
   EXPECT_EQ(session.layout.flyout, "totals");
   EXPECT_TRUE(is_seen("vertices"));
   EXPECT_EQ(view().x0, areas_of({}, size_, 1).view.x0) << "the view stays as it is";

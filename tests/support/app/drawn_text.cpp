@@ -28,14 +28,14 @@ DrawnText::DrawnText(const Gui& gui) {
   const ImDrawData& drawn = gui.draw_data();
   for (int i = 0; i < drawn.CmdListsCount; ++i) {
     const ImDrawList& list = *drawn.CmdLists[i];
+    std::vector<bool> is_read(static_cast<std::size_t>(list.VtxBuffer.Size));
     for (const ImDrawCmd& command : list.CmdBuffer) {
-      int seen = -1;
       for (unsigned n = 0; n < command.ElemCount; ++n) {
         const int k = list.IdxBuffer[static_cast<int>(command.IdxOffset + n)] + static_cast<int>(command.VtxOffset);
-        if (k <= seen || k + 2 >= list.VtxBuffer.Size) continue;
+        if (is_read[static_cast<std::size_t>(k)] || k + 2 >= list.VtxBuffer.Size) continue;
         const auto letter = letters.find({list.VtxBuffer[k].uv.x, list.VtxBuffer[k].uv.y});
         if (letter == letters.end()) continue;
-        seen = k + 3;
+        is_read[static_cast<std::size_t>(k)] = true;
         const ImVec2 &corner = list.VtxBuffer[k].pos, &across = list.VtxBuffer[k + 2].pos;
         text_ += letter->second < 128 ? static_cast<char>(letter->second) : '?';
         places_.emplace_back((corner.x + across.x) / 2, (corner.y + across.y) / 2);

@@ -57,6 +57,13 @@ TEST_P(LegibleTest, no_text_is_cut_or_lies_over_another_in_either_language) {
         ASSERT_TRUE(laid.session.run("panel " + std::string(row.id) + " flyout").done());
         is_legible(mesh + " " + language + " " + std::string(row.id));
       }
+      for (const PanelRow& row : panel_list()) {
+        if (row.place != PanelPlace::over) continue;
+        const bool asks = row.opened_by == PanelOpener::asked_values;
+        ASSERT_TRUE(laid.session.run(asks ? "values sphere" : "panel " + std::string(row.id)).done());
+        is_legible(mesh + " " + language + " " + std::string(row.id));
+        ASSERT_TRUE(laid.session.run("panel none").done());
+      }
       for (const char* line : {"columns left 200", "columns right 200"}) ASSERT_TRUE(laid.session.run(line).done());
       is_legible(mesh + " " + language + " narrow");
       for (const char* line : {"columns left 240", "columns right 292"}) ASSERT_TRUE(laid.session.run(line).done());
@@ -71,6 +78,37 @@ INSTANTIATE_TEST_SUITE_P(Windows, LegibleTest,
                            return std::to_string(test.param.size.width) + "_at_" +
                                   std::to_string(static_cast<int>(test.param.scale));
                          });
+
+TEST(legible, problems_remedies_and_measured_forms_fit_a_narrow_column) {
+  for (const std::string language : {"en", "ja"}) {
+    Laid laid("fin.obj", {1280, 1600});
+    for (const std::string line :
+         {"language " + language, std::string("columns right 200"), std::string("tool collapse")})
+      ASSERT_TRUE(laid.session.run(line).done());
+    laid.frames(3);
+    const auto is_legible = [&](const char* what) {
+      laid.frames(3);
+      EXPECT_EQ(DrawnText(laid.gui).cut_sideways(), "") << language << ", " << what;
+      EXPECT_EQ(DrawnText(laid.gui).overlapping(), "") << language << ", " << what;
+    };
+    const PixelRect view = laid.gui.view_area({1280, 1600}, laid.session.layout);
+    // Every header, row and button of the column, one after another.
+    for (double y = view.y0 + 10; y < view.y1; y += 9) {
+      if (laid.session.layout.folded.empty()) laid.click({view.x1 + 60.0, y});
+      if (!laid.session.open_panel.empty()) ASSERT_TRUE(laid.session.run("panel none").done());
+      laid.session.layout.folded.clear();
+      is_legible(std::to_string(y).c_str());
+    }
+    for (double x = view.x0 + 60; x < view.x1; x += 60) {
+      const glm::dvec2 pixel{x, (view.y0 + view.y1) / 2.0};
+      laid.session.point_at(pixel);
+      is_legible("pointed at");
+      laid.gui.click(laid.session, {pixel});
+      is_legible("clicked");
+      laid.session.release_verdict();
+    }
+  }
+}
 
 TEST(legible, the_whole_sum_of_a_mesh_of_thousands_of_parts_is_shown) {
   const test::TemporaryFolder folder;

@@ -94,15 +94,20 @@ void draw_group(PanelContext& context, const OpGroupRow& group) {
                      ImGui::CalcTextSize(more.c_str()).x - ImGui::GetFontSize();
   const std::string name = fitted(context.text(group.en, group.ja), room);
   ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
   const bool is_open = ImGui::TreeNodeEx(
       group.en, ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen, "%s", name.c_str());
+  ImGui::PopStyleVar();
   if (!is_open) {
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(more.c_str()).x - 9 * context.scale);
     ImGui::TextUnformatted(more.c_str());
   }
   ImGui::PopStyleColor();
+  const float indent = 6 * context.scale;
+  ImGui::Indent(indent);
   for (const OpInfo& op : all_ops())
     if (op.group == group.group && (is_open || is_always_there(op))) draw_operator(context, op);
+  ImGui::Unindent(indent);
 }
 
 void draw_modes(PanelContext& context) {

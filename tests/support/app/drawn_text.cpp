@@ -60,7 +60,8 @@ std::string DrawnText::letters_that(Is is) const {
 std::string DrawnText::cut_sideways() const {
   return letters_that([&](std::size_t i) {
     const Glyph& g = glyphs_[i];
-    return g.first.x < g.clip_first.x - 0.5 || g.last.x > g.clip_last.x + 0.5;
+    const double bearing = 0.3 * (g.last.x - g.first.x);  // a J begins left of its place
+    return g.first.x < g.clip_first.x - bearing || g.last.x > g.clip_last.x + bearing;
   });
 }
 

@@ -209,6 +209,20 @@ bool Gui::owns_keys() const {
   return ImGui::GetIO().WantTextInput;
 }
 
+PointerShape Gui::pointer_shape() const {
+  ImGui::SetCurrentContext(imgui_);
+  switch (ImGui::GetMouseCursor()) {
+    case ImGuiMouseCursor_TextInput:
+      return PointerShape::text;
+    case ImGuiMouseCursor_Hand:
+      return PointerShape::hand;
+    case ImGuiMouseCursor_ResizeEW:
+      return PointerShape::sideways;
+    default:
+      return PointerShape::arrow;
+  }
+}
+
 Outcome Gui::run(Session& session, const std::string& line) {
   // Without a file, ask for a name.
   const auto call = call_of(line);

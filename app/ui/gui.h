@@ -17,6 +17,9 @@ struct ImFontAtlas;
 
 namespace ryosen {
 
+// What the pointer looks like over what it is on.
+enum class PointerShape { arrow, text, hand, sideways };
+
 // Owns a Dear ImGui context, which is current from construction on.
 class Gui {
  public:
@@ -58,6 +61,8 @@ class Gui {
   // Whether the panels own a pixel, or keyboard input.
   bool owns_pointer(const Session& session, Size window, glm::dvec2 pixel) const;
   bool owns_keys() const;
+  // As of the last frame.
+  PointerShape pointer_shape() const;
 
   // Like the panels: keeps the outcome for the status line.
   Outcome run(Session& session, const std::string& line);

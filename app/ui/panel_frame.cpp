@@ -15,7 +15,7 @@ void draw_dots(PanelContext& context, ImVec2 from, ImVec2 size) {
     ImGui::GetWindowDrawList()->AddCircleFilled({middle.x + at, middle.y}, radius, colour);
 }
 
-void draw_menu_of(PanelContext& context, const PanelRow& row) {
+void draw_menu_of(PanelContext& context, const PanelRow& row, HeaderClick header) {
   if (!ImGui::BeginPopup("menu")) return;
   const Layout& layout = context.session.layout;
   const std::string panel = "panel " + std::string(row.id);
@@ -23,7 +23,8 @@ void draw_menu_of(PanelContext& context, const PanelRow& row) {
   const auto entry = [&](UiText name, const char* word) {
     if (ImGui::MenuItem(context.text(name))) context.run(panel + word);
   };
-  entry(is_folded ? UiText::panel_unfold : UiText::panel_fold, is_folded ? " unfold" : " fold");
+  if (header == HeaderClick::folds)
+    entry(is_folded ? UiText::panel_unfold : UiText::panel_fold, is_folded ? " unfold" : " fold");
   entry(is_left ? UiText::panel_to_right : UiText::panel_to_left, is_left ? " right" : " left");
   entry(UiText::panel_hide, " off");
   tip(context.text(UiText::panel_hide_help));
@@ -52,7 +53,7 @@ bool draw_header(PanelContext& context, const PanelRow& row, HeaderClick header)
   tip(context.text(UiText::panel_menu));
   ImGui::SetCursorScreenPos(below);
   if (wants_menu) ImGui::OpenPopup("menu");
-  draw_menu_of(context, row);
+  draw_menu_of(context, row, header);
   return is_open;
 }
 

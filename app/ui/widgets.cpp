@@ -114,8 +114,12 @@ bool row(PanelContext& context, const char* label, const char* right, bool is_ac
   return clicked;
 }
 
-void begin_rows(const char* id, float rows) {
-  ImGui::BeginChild(id, {0, rows * ImGui::GetTextLineHeightWithSpacing()});
+void begin_rows(const char* id, float rows, float width_px) {
+  ImGui::BeginChild(id, {width_px, rows * ImGui::GetTextLineHeightWithSpacing()});
+}
+
+void begin_rows_within(const char* id, float height_px, float width_px) {
+  begin_rows(id, std::max(std::floor(height_px / ImGui::GetTextLineHeightWithSpacing()), 1.f), width_px);
 }
 
 void end_rows() {

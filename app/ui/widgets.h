@@ -24,7 +24,9 @@ void element_links(PanelContext& context, const std::vector<Element>& elements);
 // clicked.
 bool row(PanelContext& context, const char* label, const char* right, bool is_active, float free_px = 0);
 // A part of a panel as high as so many lines of text, which scrolls by whole ones. end_rows() must follow.
-void begin_rows(const char* id, float rows);
+void begin_rows(const char* id, float rows, float width_px = 0);
+// As many as fit into a height.
+void begin_rows_within(const char* id, float height_px, float width_px = 0);
 void end_rows();
 // A list of rows, as high as there are or as these: draws those that are seen by draw(i), and scrolls to a place.
 void list_of_rows(const char* id, std::size_t count, std::size_t most, const std::function<void(std::size_t)>& draw,

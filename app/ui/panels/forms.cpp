@@ -16,11 +16,11 @@ void right_aligned(const std::string& text) {
   ImGui::TextUnformatted(text.c_str());
 }
 
-bool begin_table(const char* id, int columns) {
+bool begin_table(const char* id, int columns, float figure_ems) {
   if (!ImGui::BeginTable(id, columns, ImGuiTableFlags_RowBg)) return false;
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
   for (int i = 1; i < columns; ++i)
-    ImGui::TableSetupColumn("figure", ImGuiTableColumnFlags_WidthFixed, 4.6f * ImGui::GetFontSize());
+    ImGui::TableSetupColumn("figure", ImGuiTableColumnFlags_WidthFixed, figure_ems * ImGui::GetFontSize());
   return true;
 }
 
@@ -57,10 +57,11 @@ void draw_form(PanelContext& context, const forms::FormFigures& figures, std::ui
 }
 
 void draw_query_times(PanelContext& context, const forms::Comparison& comparison, forms::Relation relation) {
-  if (!begin_table("forms", 3)) return;
+  if (!begin_table("forms", 3, 3.4f)) return;
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  right_aligned(context.text("bytes/face", "バイト/面"));
+  right_aligned(context.text("B/face", "B/面"));
+  tip(context.text("bytes per face", "面あたりのバイト数"));
   right_aligned("ns");
   tip(context.text("- : the form cannot tell, or cannot hold this mesh",
                    "- ：答えられない、またはこのメッシュを持てない"));
@@ -70,7 +71,7 @@ void draw_query_times(PanelContext& context, const forms::Comparison& comparison
 
 void draw_pairing_times(PanelContext& context, const forms::Comparison& comparison) {
   dim_text(context, context.text("Pairing the halfedges", "半稜線の対を見つける方法"));
-  if (!begin_table("pairing", 2)) return;
+  if (!begin_table("pairing", 2, 4.6f)) return;
   for (const forms::PairingFigures& figures : comparison.pairing) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();

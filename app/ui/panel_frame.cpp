@@ -74,7 +74,7 @@ void draw_framed(PanelContext& context, OwnPanel& own, HeaderClick header) {
   ImGui::PushID(own.row.id.data(), own.row.id.data() + own.row.id.size());
   if (draw_header(context, own.row, header)) {
     draw_body(context, own);
-    ImGui::Dummy({0, 2 * context.scale});
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 3 * context.scale);
   }
   ImGui::PopID();
 }

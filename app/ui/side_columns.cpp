@@ -64,7 +64,7 @@ void SideColumns::draw_column(PanelContext& context, PanelPlace side, const Area
   ImGui::SetNextWindowPos({is_left ? x : x + border, static_cast<float>(area.y0)});
   ImGui::SetNextWindowSize({static_cast<float>(area.width()) - border, static_cast<float>(area.height())});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8 * context.scale, 6 * context.scale});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8 * context.scale, 4 * context.scale});
   ImGui::Begin(is_left ? "##left" : "##right", nullptr, column_flags);
   ImGui::PopStyleVar(2);
   for (OwnPanel& own : panels)
@@ -91,7 +91,7 @@ void SideColumns::draw_flyout(PanelContext& context, const Areas& areas, std::ve
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, static_cast<float>(view.height())});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8 * context.scale, 6 * context.scale});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8 * context.scale, 4 * context.scale});
   ImGui::Begin("##flyout", nullptr,
                (column_flags & ~ImGuiWindowFlags_NoBringToFrontOnFocus) | ImGuiWindowFlags_AlwaysAutoResize);
   ImGui::PopStyleVar(3);

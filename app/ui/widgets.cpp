@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
 #include "app/editor/keys.h"
 #include "core/base/enum_table.h"
@@ -17,13 +18,37 @@ namespace {
 
 bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 
+const char* behind_letter(const char* at, const char* end) {
+  do ++at;
+  while (at < end && !begins_letter(*at));
+  return at;
+}
+
+// No line begins with one of these.
+bool is_closing(std::string_view text) {
+  for (const std::string_view mark : {"、", "。", "）", "」"})
+    if (text.starts_with(mark)) return true;
+  return false;
+}
+
+// Between kana and kanji a line may end anywhere: takes as many of them as fit, where ImGui would end at a blank before.
+const char* with_kanji(const char* begin, const char* at, const char* end, float width_px) {
+  const char* before = at;
+  while (at < end) {
+    const char* next = std::find_if(at, end, [](char c) { return c != ' '; });
+    if (next == end || static_cast<unsigned char>(*next) < 0xE3) return at;
+    next = behind_letter(next, end);
+    if (ImGui::CalcTextSize(begin, next).x > width_px) break;
+    before = std::exchange(at, next);
+  }
+  return before > begin && is_closing({at, static_cast<std::size_t>(end - at)}) ? before : at;
+}
+
 // Where a line that begins at a letter ends when it is no wider than that; at least one letter.
 const char* end_of_line(const char* begin, const char* end, float width_px) {
   end = std::find(begin, end, '\n');
-  const char* at = ImGui::GetFont()->CalcWordWrapPositionA(1, begin, end, width_px);
-  if (at == begin && at < end) ++at;
-  while (at < end && !begins_letter(*at)) ++at;
-  return at;
+  const char* const at = ImGui::GetFont()->CalcWordWrapPositionA(1, begin, end, width_px);
+  return at == begin && at < end ? behind_letter(at, end) : with_kanji(begin, at, end, width_px);
 }
 
 }  // namespace

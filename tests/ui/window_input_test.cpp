@@ -12,7 +12,7 @@ namespace {
 
 using test::window;
 
-constexpr glm::dvec2 in_view{640, 560}, on_panel{100, 142};  // on a face of the torus; on a row of the tools
+constexpr glm::dvec2 in_view{640, 560}, on_panel{100, 132};  // on a face of the torus; on a row of the tools
 
 class WindowInputTest : public testing::Test {
  protected:

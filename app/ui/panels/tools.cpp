@@ -121,7 +121,7 @@ void draw_modes(PanelContext& context) {
                                    {PickMode::halfedge, UiText::halfedge}};
   static_assert(rows_are_in_order(modes, &Mode::mode));
   const float gap = 4 * context.scale, width = (ImGui::GetContentRegionAvail().x - gap) / 2;
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 2 * context.scale});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 1 * context.scale});
   for (std::size_t i = 0; i < std::size(modes); ++i) {
     const bool is_active = context.session.mode == modes[i].mode;
     if (i % 2 == 1) ImGui::SameLine(0, gap);
@@ -138,7 +138,7 @@ void draw_modes(PanelContext& context) {
 
 // What the pointer picks, and the operators by what they are for.
 void draw_tools(PanelContext& context) {
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 2 * context.scale});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 1 * context.scale});
   ImGui::PushID("select");
   const PressRow& tool = presses[static_cast<std::size_t>(Press::takes_tool)];
   if (marked_row(context, context.text(UiText::select_tool), "Esc", context.session.tool.empty(), tool))

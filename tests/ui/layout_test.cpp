@@ -37,7 +37,7 @@ class LayoutTest : public testing::Test, protected test::Laid {
     frames(2);
   }
   // The menu of a panel, by the dots at the end of its header.
-  void open_menu(std::string_view title) { click({gui.view_area(size_, {}).x0 - 38, place(title).y}); }
+  void open_menu(std::string_view title) { click({gui.view_area(size_, {}).x0 - 30, place(title).y}); }
 
   WindowInput input_{gui, session, [this] { frames(1); }};
   double now_s_ = 1;

@@ -46,7 +46,7 @@ TEST_P(LegibleTest, no_text_is_cut_or_lies_over_another_in_either_language) {
     EXPECT_EQ(text.cut_sideways(), "") << where;
     EXPECT_EQ(text.overlapping(), "") << where;
   };
-  for (const std::string mesh : {test::asset("fin.obj"), soup}) {
+  for (const std::string& mesh : {test::asset("fin.obj"), soup}) {
     ASSERT_TRUE(laid.session.run("open " + file_argument(mesh)).done());
     laid.session.run("select f0");
     for (const std::string language : {"en", "ja"}) {
@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(Windows, LegibleTest,
 TEST(legible, problems_remedies_and_measured_forms_fit_a_narrow_column) {
   for (const std::string language : {"en", "ja"}) {
     Laid laid("fin.obj", {1280, 1600});
-    for (const std::string line :
+    for (const std::string& line :
          {"language " + language, std::string("columns right 200"), std::string("tool collapse")})
       ASSERT_TRUE(laid.session.run(line).done());
     laid.frames(3);
@@ -95,7 +95,7 @@ TEST(legible, problems_remedies_and_measured_forms_fit_a_narrow_column) {
     // Every header, row and button of the column, one after another.
     for (double y = view.y0 + 10; y < view.y1; y += 9) {
       if (laid.session.layout.folded.empty()) laid.click({view.x1 + 60.0, y});
-      if (!laid.session.open_panel.empty()) ASSERT_TRUE(laid.session.run("panel none").done());
+      ASSERT_TRUE(laid.session.run("panel none").done());
       laid.session.layout.folded.clear();
       is_legible(std::to_string(y).c_str());
     }
@@ -103,7 +103,7 @@ TEST(legible, problems_remedies_and_measured_forms_fit_a_narrow_column) {
       const glm::dvec2 pixel{x, (view.y0 + view.y1) / 2.0};
       laid.session.point_at(pixel);
       is_legible("pointed at");
-      laid.gui.click(laid.session, {pixel});
+      laid.gui.click(laid.session, {pixel, {}, false});
       is_legible("clicked");
       laid.session.release_verdict();
     }
@@ -130,7 +130,6 @@ TEST(legible, a_long_sentence_ends_with_an_ellipsis_and_is_whole_when_it_is_poin
     EXPECT_EQ(DrawnText(laid.gui).count(std::string(200, 'x')), 0u);
     laid.gui.pointer({width - 30.0, 470});
     laid.frames(3);
-    std::string seen;
     EXPECT_EQ(DrawnText(laid.gui).count(std::string(200, 'x')), 1u) << width;
   }
 }

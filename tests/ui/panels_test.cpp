@@ -45,6 +45,7 @@ TEST(panel_list, has_an_id_and_a_title_in_both_languages_for_each_panel_that_is_
     EXPECT_NE(row.title_en, "") << row.id;
     EXPECT_NE(row.title_ja, "") << row.id;
     EXPECT_NE(row.title_en, row.title_ja) << row.id;
+    EXPECT_EQ(row.short_en.empty(), row.short_ja.empty()) << row.id;
     EXPECT_EQ(find_panel(row.id)->id, row.id);
   }
   EXPECT_EQ(find_panel("none"), nullptr) << "the word that closes";

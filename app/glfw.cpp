@@ -17,6 +17,7 @@ std::optional<Glfw> loaded() {
     function = reinterpret_cast<Function>(dlsym(library, name));
     is_complete = is_complete && function;
   };
+  find(glfw.create_standard_cursor, "glfwCreateStandardCursor");
   find(glfw.create_window, "glfwCreateWindow");
   find(glfw.destroy_window, "glfwDestroyWindow");
   find(glfw.get_cursor_pos, "glfwGetCursorPos");
@@ -34,6 +35,7 @@ std::optional<Glfw> loaded() {
   find(glfw.make_context_current, "glfwMakeContextCurrent");
   find(glfw.set_char_callback, "glfwSetCharCallback");
   find(glfw.set_clipboard_string, "glfwSetClipboardString");
+  find(glfw.set_cursor, "glfwSetCursor");
   find(glfw.set_cursor_enter_callback, "glfwSetCursorEnterCallback");
   find(glfw.set_cursor_pos_callback, "glfwSetCursorPosCallback");
   find(glfw.set_drop_callback, "glfwSetDropCallback");

@@ -10,6 +10,7 @@ namespace ryosen {
 
 // The library functions used by the window, named without their prefix.
 struct Glfw {
+  decltype(&glfwCreateStandardCursor) create_standard_cursor = nullptr;
   decltype(&glfwCreateWindow) create_window = nullptr;
   decltype(&glfwDestroyWindow) destroy_window = nullptr;
   decltype(&glfwGetCursorPos) get_cursor_pos = nullptr;
@@ -27,6 +28,7 @@ struct Glfw {
   decltype(&glfwMakeContextCurrent) make_context_current = nullptr;
   decltype(&glfwSetCharCallback) set_char_callback = nullptr;
   decltype(&glfwSetClipboardString) set_clipboard_string = nullptr;
+  decltype(&glfwSetCursor) set_cursor = nullptr;
   decltype(&glfwSetCursorEnterCallback) set_cursor_enter_callback = nullptr;
   decltype(&glfwSetCursorPosCallback) set_cursor_pos_callback = nullptr;
   decltype(&glfwSetDropCallback) set_drop_callback = nullptr;

@@ -10,6 +10,7 @@
 #include "app/ui/gui.h"
 #include "app/ui/viewport.h"
 #include "app/ui/window_input.h"
+#include "app/window_cursor.h"
 #include "app/window_keys.h"
 #include "render/canvas.h"
 #include "render/context/context.h"
@@ -269,6 +270,7 @@ class Editor {
     const Clock::time_point drawing = Clock::now();
     const std::int64_t pixels = compose();
     show_title();
+    cursor_.show(window_.handle(), gui_.pointer_shape());
     if (pixels == 0 && !must_present_) return;
     canvas_->present(0);
     must_present_ = false;
@@ -280,8 +282,8 @@ class Editor {
   }
 
   std::int64_t compose() {
-    const PixelRect area = gui_.view_area(canvas_->size());
-    return canvas_->compose(viewport_->view(), area.x0, area.y0, gui_.draw_data());
+    const glm::ivec2 corner(session_.view_origin);
+    return canvas_->compose(viewport_->view(), corner.x, corner.y, gui_.draw_data());
   }
 
   // What is shown may be a part of it. Between frames only: a panel that is being laid out has nothing to be drawn.
@@ -318,6 +320,7 @@ class Editor {
   WindowInput input_{gui_, session_};
   Autosave autosave_{recovery_folder()};
   std::string title_;
+  WindowCursor cursor_;
   std::ofstream log_;
   std::uint64_t frames_ = 0;
   bool is_working_ = false, is_cancelled_ = false;

@@ -50,6 +50,7 @@ std::string sent_by_move(Words arguments), sent_by_key(Words arguments);
 CommandRow row_of(const ViewSwitch& row);
 RunCommand run_camera, run_view, run_frame, run_drag, run_show;
 // The user interface: commands_window.cpp
-RunCommand run_panel, run_values, run_language, run_cancel, run_quit;
+std::string panel_syntax();
+RunCommand run_panel, run_columns, run_values, run_language, run_cancel, run_quit;
 
 }  // namespace ryosen

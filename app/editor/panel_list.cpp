@@ -10,8 +10,15 @@ namespace {
 
 std::vector<PanelRow>& panel_rows() {
   static std::vector<PanelRow> rows{
-#define RYOSEN_PANEL(id, place, menu, opened_by, at_first, reads, en, ja) \
-  {#id, PanelPlace::place, en, ja, PanelMenu::menu, PanelOpener::opened_by, PanelAtFirst::at_first, PanelReads::reads},
+#define RYOSEN_PANEL(id, place, menu, opened_by, at_first, reads, en, ja, ...) \
+  {#id,                                                                        \
+   PanelPlace::place,                                                          \
+   en,                                                                         \
+   ja,                                                                         \
+   PanelMenu::menu,                                                            \
+   PanelOpener::opened_by,                                                     \
+   PanelAtFirst::at_first,                                                     \
+   PanelReads::reads __VA_OPT__(, ) __VA_ARGS__},
 #include "app/editor/panels.def"
 #undef RYOSEN_PANEL
   };

@@ -37,6 +37,7 @@ struct PanelRow {
   PanelOpener opened_by = PanelOpener::nothing;
   PanelAtFirst at_first = PanelAtFirst::shown;
   PanelReads reads = PanelReads::mesh;
+  std::string_view short_en = "", short_ja = "";  // for a tab, where the title is long
 
   bool shown_at_first() const { return at_first == PanelAtFirst::shown; }
 };

@@ -35,19 +35,15 @@ Session::Session(std::unique_ptr<Document> document) {
 }
 
 bool Session::is_shown(const PanelRow& panel) const {
-  const std::string id(panel.id);
-  return panel.place == PanelPlace::over ? open_panel == id : panel.shown_at_first() != switched_panels.contains(id);
+  return panel.place == PanelPlace::over ? open_panel == panel.id : layout.is_shown(panel);
 }
 
 void Session::show(const PanelRow& panel, bool on) {
   if (is_shown(panel) == on) return;
-  const std::string id(panel.id);
   if (panel.place == PanelPlace::over)
-    open_panel = on ? id : "";
-  else if (on != panel.shown_at_first())
-    switched_panels.insert(id);
+    open_panel = on ? panel.id : "";
   else
-    switched_panels.erase(id);
+    layout.show(panel, on);
 }
 
 // What may find no memory comes first.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/editor/document.h"
+#include "app/editor/layout.h"
 #include "app/editor/navigation.h"
 #include "app/editor/panel_list.h"
 #include "app/editor/preparation.h"
@@ -70,10 +71,10 @@ class Session {
   // User interface state changed by commands; stored without effect if there is no UI.
   Language language = Language::english;
   ViewSettings settings;
-  std::string open_panel;                 // the one that lies over the view; empty for none
-  std::set<std::string> switched_panels;  // of the columns: those that are not as at first
-  std::string asked_algorithm;            // whose values the panel of values asks for
-  std::vector<LostSession> lost;          // as last listed
+  std::string open_panel;         // the one that lies over the view; empty for none
+  Layout layout;                  // of those in the columns
+  std::string asked_algorithm;    // whose values the panel of values asks for
+  std::vector<LostSession> lost;  // as last listed
 
   // What the pointer picks: what the tool applies to, else what `mode` says.
   PickMode pointed_sort() const;

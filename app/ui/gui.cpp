@@ -14,14 +14,6 @@ namespace ryosen {
 
 namespace {
 
-constexpr float font_px = 15;
-constexpr float frame_padding_px = 4;
-constexpr float left_px = 240, right_px = 292;  // widths of the columns at scale 1
-
-constexpr ImGuiWindowFlags column_flags =
-    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing;
-
 void draw_over(PanelContext& context, const PanelRow& row, Panel& panel) {
   if (!begin_over(context, row, panel.size())) return;
   panel.draw(context);
@@ -64,20 +56,8 @@ void Gui::set_scale(float scale) {
   has_fonts_ = false;
 }
 
-PixelRect Gui::view_area(Size window) const {
-  const int left = static_cast<int>(std::lround(left_px * scale_)),
-            right = static_cast<int>(std::lround(right_px * scale_));
-  // The height of ImGui's menu bar: font size plus vertical padding.
-  const int bar = static_cast<int>(std::round(font_px * scale_) + 2 * std::floor(frame_padding_px * scale_));
-  PixelRect area{left, bar, window.width - right, window.height - bar};
-  // If the window is too small for the columns the view keeps at least one pixel.
-  area.x1 = std::max(area.x1, area.x0 + 1);
-  area.y1 = std::max(area.y1, area.y0 + 1);
-  return area;
-}
-
 void Gui::place_view(Session& session, Size window) const {
-  const PixelRect area = view_area(window);
+  const PixelRect area = view_area(window, session.layout);
   session.view = {area.width(), area.height()};
   session.view_origin = {area.x0, area.y0};
 }
@@ -129,47 +109,14 @@ void Gui::end_frame() {
   released_keys_.clear();
 }
 
-void Gui::draw_column(PanelContext& context, PanelPlace place, float x, float y, float width, float height) {
-  ImGui::SetNextWindowPos({x, y});
-  ImGui::SetNextWindowSize({width, height});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
-  ImGui::Begin(place == PanelPlace::left ? "##left" : "##right", nullptr, column_flags);
-  ImGui::PopStyleVar();
-  for (const OwnPanel& own : panels_) {
-    const std::string id(own.row.id);
-    if (own.row.place != place || !context.session.is_shown(own.row)) continue;
-    // The id after ### keeps a panel open or closed when the language changes.
-    const std::string title = context.title(own.row) + ("###" + id);
-    ImGui::PushFont(context.fonts.bold);
-    const bool is_open = ImGui::CollapsingHeader(title.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
-    ImGui::PopFont();
-    if (!is_open) continue;
-    ImGui::PushID(id.c_str());
-    const float lines = own.panel->lines();
-    if (lines > 0) ImGui::BeginChild("fixed", {0, lines * ImGui::GetTextLineHeightWithSpacing()});
-    const auto share = context.session.preparing();
-    if (share && own.row.reads == PanelReads::findings)
-      draw_preparing(context, *share);
-    else
-      own.panel->draw(context);
-    if (lines > 0) ImGui::EndChild();
-    ImGui::PopID();
-    ImGui::Dummy({0, 2 * context.scale});
-  }
-  ImGui::End();
-}
-
 void Gui::frame(Session& session, Size window, double seconds) {
   begin_frame(window, seconds);
+  place_view(session, window);
   state_.unsettled_frames = std::max(state_.unsettled_frames - 1, 0);
   state_.is_laying_out = true;
   PanelContext panel_context = context(session);
   draw_menu(panel_context);
-  const PixelRect area = view_area(window);
-  const auto top = static_cast<float>(area.y0), height = static_cast<float>(window.height - 2 * area.y0);
-  draw_column(panel_context, PanelPlace::left, 0, top, static_cast<float>(area.x0), height);
-  draw_column(panel_context, PanelPlace::right, static_cast<float>(area.x1), top,
-              static_cast<float>(window.width - area.x1), height);
+  columns_.draw(panel_context, areas_of(session.layout, window, scale_), panels_);
   draw_status(panel_context);
   draw_pointer_tip(panel_context);
   draw_band(panel_context);
@@ -253,15 +200,29 @@ void Gui::modifiers(bool shift, bool ctrl) {
 
 bool Gui::owns_pointer(const Session& session, Size window, glm::dvec2 pixel) const {
   ImGui::SetCurrentContext(imgui_);
-  const PixelRect area = view_area(window);
+  const PixelRect area = view_area(window, session.layout);
   const bool inside = pixel.x >= area.x0 && pixel.x < area.x1 && pixel.y >= area.y0 && pixel.y < area.y1;
-  return !inside || !session.open_panel.empty() || ImGui::IsAnyItemActive() ||
+  return !inside || columns_.covers(pixel) || !session.open_panel.empty() || ImGui::IsAnyItemActive() ||
          ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }
 
 bool Gui::owns_keys() const {
   ImGui::SetCurrentContext(imgui_);
   return ImGui::GetIO().WantTextInput;
+}
+
+PointerShape Gui::pointer_shape() const {
+  ImGui::SetCurrentContext(imgui_);
+  switch (ImGui::GetMouseCursor()) {
+    case ImGuiMouseCursor_TextInput:
+      return PointerShape::text;
+    case ImGuiMouseCursor_Hand:
+      return PointerShape::hand;
+    case ImGuiMouseCursor_ResizeEW:
+      return PointerShape::sideways;
+    default:
+      return PointerShape::arrow;
+  }
 }
 
 Outcome Gui::run(Session& session, const std::string& line) {

@@ -9,12 +9,16 @@
 #include <vector>
 
 #include "app/ui/panels.h"
+#include "app/ui/side_columns.h"
 
 struct ImGuiContext;
 struct ImDrawData;
 struct ImFontAtlas;
 
 namespace ryosen {
+
+// What the pointer looks like over what it is on.
+enum class PointerShape { arrow, text, hand, sideways };
 
 // Owns a Dear ImGui context, which is current from construction on.
 class Gui {
@@ -31,8 +35,8 @@ class Gui {
   // Changes the scale at the next prepare().
   void set_scale(float scale);
   // The area of the view within a window.
-  PixelRect view_area(Size window) const;
-  // Sets the session's view to that area.
+  PixelRect view_area(Size window, const Layout& layout) const { return areas_of(layout, window, scale_).view; }
+  // Sets the session's view to that area, as each frame does.
   void place_view(Session& session, Size window) const;
 
   // Applies theme and language. True if the glyphs have changed: rebuild their texture before the frame.
@@ -57,6 +61,8 @@ class Gui {
   // Whether the panels own a pixel, or keyboard input.
   bool owns_pointer(const Session& session, Size window, glm::dvec2 pixel) const;
   bool owns_keys() const;
+  // As of the last frame.
+  PointerShape pointer_shape() const;
 
   // Like the panels: keeps the outcome for the status line.
   Outcome run(Session& session, const std::string& line);
@@ -76,20 +82,14 @@ class Gui {
   bool wants_frames() const { return !state_.waiting.empty() || state_.unsettled_frames > 0; }
 
  private:
-  struct OwnPanel {
-    PanelRow row;
-    std::unique_ptr<Panel> panel;
-    std::unique_ptr<ScopedPanel> added;  // null for those of the list
-  };
-
   PanelContext context(Session& session);
-  void draw_column(PanelContext& context, PanelPlace place, float x, float y, float width, float height);
   void begin_frame(Size window, double seconds);
   void end_frame();
   ImGuiContext* imgui_;
   float scale_;
   GuiState state_;
   std::vector<OwnPanel> panels_;
+  SideColumns columns_;
   Fonts fonts_;
   bool has_fonts_ = false, has_japanese_ = false;
   Theme theme_ = Theme::dark;

@@ -78,8 +78,8 @@ Image Headless::picture(Session& session) {
   }
   lay_out(session);
   viewport_->follow(session);
-  const PixelRect area = window_->gui.view_area(options_.size);
-  window_->canvas->compose(viewport_->view(), area.x0, area.y0, window_->gui.draw_data());
+  const glm::ivec2 corner(session.view_origin);
+  window_->canvas->compose(viewport_->view(), corner.x, corner.y, window_->gui.draw_data());
   return window_->canvas->read_pixels();
 }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "app/editor/commands.h"
 #include "app/editor/view_switches.h"
 #include "app/ui/panels.h"
@@ -103,12 +105,17 @@ void draw_add_menu(PanelContext& context) {
     if (row.is_primitive) algorithm_item(context, row);
 }
 
-void draw_name(PanelContext& context) {
+// The name of the file: in the middle of the bar, or of what the menus leave of it up to here.
+void draw_name(PanelContext& context, float end) {
   const Document& document = context.session.document();
   const std::string name = (document.is_modified() ? "* " : "") + document.path().filename().string();
-  const float width = ImGui::CalcTextSize(name.c_str()).x;
-  ImGui::SameLine((ImGui::GetIO().DisplaySize.x - width) / 2);
-  ImGui::TextColored(context.colours().dim, "%s", name.c_str());
+  const float gap = ImGui::GetFontSize(), begin = ImGui::GetCursorPosX() + gap, room = end - gap - begin;
+  if (room < 2 * gap) return;
+  const float width = std::min(ImGui::CalcTextSize(name.c_str()).x, room);
+  ImGui::SetCursorPosX(std::clamp((ImGui::GetIO().DisplaySize.x - width) / 2, begin, begin + room - width));
+  ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
+  fitted_text(name, room);
+  ImGui::PopStyleColor();
 }
 
 }  // namespace
@@ -126,81 +133,13 @@ void draw_menu(PanelContext& context) {
   menu(UiText::menu_view, draw_view_menu);
   menu(UiText::menu_add, draw_add_menu);
   menu(UiText::menu_help, [](PanelContext& c) { panel_items(c, PanelMenu::help); });
-  draw_name(context);
   const char* const other = context.text(UiText::language_other);
   const float width = ImGui::CalcTextSize(other).x + 3 * ImGui::GetStyle().ItemSpacing.x;
-  ImGui::SameLine(ImGui::GetIO().DisplaySize.x - width);
+  const float end = ImGui::GetIO().DisplaySize.x - width;
+  draw_name(context, end);
+  ImGui::SameLine(end);
   if (ImGui::MenuItem(other)) context.run(context.language() == Language::english ? "language ja" : "language en");
   ImGui::EndMainMenuBar();
-}
-
-namespace {
-
-UiText does(Gesture gesture) {
-  switch (gesture) {
-    case Gesture::orbit:
-      return UiText::does_orbit;
-    case Gesture::pan:
-      return UiText::does_pan;
-    case Gesture::zoom:
-      return UiText::does_zoom;
-    default:
-      return UiText::does_select_in;
-  }
-}
-
-}  // namespace
-
-void draw_status(PanelContext& context) {
-  const float height = ImGui::GetFrameHeight();
-  const ImVec2 all = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0, all.y - height});
-  ImGui::SetNextWindowSize({all.x, height});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12 * context.scale, (height - ImGui::GetFontSize()) / 2});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
-  ImGui::Begin("##status", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing);
-  const OpInfo* const op = find_op(context.session.tool);
-  const std::string click = op ? context.text(op->name_en, op->name_ja) : context.text(UiText::does_pick);
-  const auto hint = [&](const char* button, const std::string& does) {
-    ImGui::TextColored(context.colours().dim, "%s", button);
-    ImGui::SameLine(0, 0.4f * ImGui::GetFontSize());
-    ImGui::TextUnformatted(does.c_str());
-    ImGui::SameLine(0, 1.4f * ImGui::GetFontSize());
-  };
-  if (const TransformGesture* const gesture = context.session.gesture()) {
-    hint(gesture->told().in(context.language()).c_str(), "");
-    hint("X Y Z N", context.text("axis", "軸"));
-    hint("0-9", context.text("number", "数値"));
-    hint("O", context.text("falloff", "減衰"));
-    hint("Ctrl", context.text("snap", "スナップ"));
-    hint(context.text("Enter, click", "Enter・クリック"), context.text("done", "確定"));
-    hint("Esc", context.text("give up", "中止"));
-  } else {
-    const auto drag = [&](MouseButton button) {
-      return context.text(does(gesture_of(input_presets()[context.session.input_preset], button, {})));
-    };
-    hint(context.text("Click", "クリック"), click);
-    hint(context.text("Drag", "ドラッグ"), drag(MouseButton::left));
-    hint(context.text("Right drag", "右ドラッグ"), drag(MouseButton::right));
-    hint(context.text(UiText::wheel), context.text(UiText::does_zoom));
-  }
-  const std::string& said = context.state.last_outcome.in(context.language());
-  if (!said.empty()) {
-    const ImVec4 colour = context.state.last_kind == Outcome::Kind::done      ? context.colours().legal
-                          : context.state.last_kind == Outcome::Kind::refused ? context.colours().refused
-                                                                              : context.colours().warning;
-    const float width = ImGui::CalcTextSize(said.c_str()).x;
-    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), all.x - width - 12 * context.scale));
-    ImGui::TextColored(colour, "%s", said.c_str());
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", said.c_str());
-  }
-  ImGui::End();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar(3);
 }
 
 }  // namespace ryosen

@@ -6,13 +6,14 @@
 
 namespace ryosen {
 
-#define RYOSEN_PANEL(id, place, menu, opened_by, at_first, reads, en, ja) std::unique_ptr<Panel> make_##id##_panel();
+#define RYOSEN_PANEL(id, place, menu, opened_by, at_first, reads, en, ja, ...) \
+  std::unique_ptr<Panel> make_##id##_panel();
 #include "app/editor/panels.def"
 #undef RYOSEN_PANEL
 
 std::vector<std::unique_ptr<Panel>> make_panels() {
   std::vector<std::unique_ptr<Panel>> made;
-#define RYOSEN_PANEL(id, place, menu, opened_by, at_first, reads, en, ja) made.push_back(make_##id##_panel());
+#define RYOSEN_PANEL(id, place, menu, opened_by, at_first, reads, en, ja, ...) made.push_back(make_##id##_panel());
 #include "app/editor/panels.def"
 #undef RYOSEN_PANEL
   return made;

@@ -59,6 +59,9 @@ struct PanelContext {
     return session.language == Language::japanese ? ja.data() : en.data();
   }
   const char* title(const PanelRow& row) const { return text(row.title_en, row.title_ja); }
+  const char* short_title(const PanelRow& row) const {
+    return row.short_en.empty() ? title(row) : text(row.short_en, row.short_ja);
+  }
   const UiColours& colours() const { return ui_colours(theme); }
 
   // Sends a command line and keeps its outcome for the status line. Long work waits until the frame is laid out, and what

@@ -19,7 +19,8 @@ void draw_pointer_tip(PanelContext& context) {
     pixel = place->pixel + context.session.view_origin;
   }
   const ImVec2 at{static_cast<float>(pixel.x), static_cast<float>(pixel.y)};
-  const bool leftwards = at.x + offset.x + width > all.x - 300 * context.scale;
+  const double right = context.session.view_origin.x + context.session.view.width;
+  const bool leftwards = at.x + offset.x + width > static_cast<float>(right);
   ImGui::SetNextWindowPos({leftwards ? at.x - offset.x : at.x + offset.x, at.y + offset.y}, 0,
                           {leftwards ? 1.f : 0.f, at.y > 0.72f * all.y ? 1.f : 0.f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);

@@ -19,6 +19,7 @@ constexpr struct Ground {
   Tone header{rgb(0x262E39), rgb(0xE6EBF1)};
   Tone header_hovered{rgb(0x303A47), rgb(0xDAE1EA)};
   Tone line{rgb(0x323C49), rgb(0xCBD3DD)};
+  Tone thumb{rgb(0x6F7D8E), rgb(0x7F8C9B)};
   Tone text{rgb(0xDDE3EA), rgb(0x1D2530)};
   Tone dim{rgb(0x8F9BAA), rgb(0x5E6B7B)};
   Tone accent{rgb(0x56B4E9), rgb(0x0072B2)};
@@ -51,8 +52,9 @@ void apply_colours(Theme theme) {
   c[ImGuiCol_CheckMark] = c[ImGuiCol_NavHighlight] = accent;
   c[ImGuiCol_TextSelectedBg] = ImVec4(accent.x, accent.y, accent.z, 0.35f);
   c[ImGuiCol_ScrollbarBg] = none;
-  c[ImGuiCol_ScrollbarGrab] = ground.field_hovered.in(theme);
-  c[ImGuiCol_ScrollbarGrabHovered] = c[ImGuiCol_ScrollbarGrabActive] = ground.field_active.in(theme);
+  c[ImGuiCol_ScrollbarGrab] = ground.thumb.in(theme);
+  c[ImGuiCol_ScrollbarGrabHovered] = ground.dim.in(theme);
+  c[ImGuiCol_ScrollbarGrabActive] = accent;
   c[ImGuiCol_TableRowBg] = c[ImGuiCol_TableRowBgAlt] = none;
   c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = ground.header.in(theme);
   c[ImGuiCol_ModalWindowDimBg] = ground.backdrop.in(theme);
@@ -68,12 +70,13 @@ const UiColours& ui_colours(Theme theme) {
 void apply_style(Theme theme, float scale) {
   ImGuiStyle style;
   style.WindowPadding = {12, 8};
-  style.FramePadding = {6, 4};
+  style.FramePadding = {6, frame_padding_px};
   style.ItemSpacing = {8, 4};
   style.ItemInnerSpacing = {8, 4};
   style.CellPadding = {4, 2};
   style.IndentSpacing = 14;
-  style.ScrollbarSize = 11;
+  style.ScrollbarSize = 16;  // ImGui leaves three pixels on each side of the thumb
+  style.GrabMinSize = 24;
   style.WindowRounding = style.PopupRounding = 6;
   style.FrameRounding = style.ChildRounding = style.GrabRounding = 4;
   style.ScrollbarRounding = 6;

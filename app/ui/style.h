@@ -7,6 +7,9 @@
 
 namespace ryosen {
 
+// At scale 1.
+inline constexpr float font_px = 15, frame_padding_px = 4;
+
 // Panel colours beyond Dear ImGui's own style.
 struct UiColours {
   ImVec4 dim, accent, legal, refused, warning, backdrop, panel, line;

@@ -1,20 +1,75 @@
 #include "app/ui/widgets.h"
 
+#include <imgui_internal.h>  // which window a tooltip belongs to
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
+#include <utility>
 
 #include "app/editor/keys.h"
 #include "core/base/enum_table.h"
 
 namespace ryosen {
 
+namespace {
+
+bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
+
+const char* behind_letter(const char* at, const char* end) {
+  do ++at;
+  while (at < end && !begins_letter(*at));
+  return at;
+}
+
+// No line begins with one of these.
+bool is_closing(std::string_view text) {
+  for (const std::string_view mark : {"、", "。", "）", "」"})
+    if (text.starts_with(mark)) return true;
+  return false;
+}
+
+// Between kana and kanji a line may end anywhere: takes as many of them as fit, where ImGui would end at a blank before.
+const char* with_kanji(const char* begin, const char* at, const char* end, float width_px) {
+  const char* before = at;
+  while (at < end) {
+    const char* next = std::find_if(at, end, [](char c) { return c != ' '; });
+    if (next == end || static_cast<unsigned char>(*next) < 0xE3) return at;
+    next = behind_letter(next, end);
+    if (ImGui::CalcTextSize(begin, next).x > width_px) break;
+    before = std::exchange(at, next);
+  }
+  return before > begin && is_closing({at, static_cast<std::size_t>(end - at)}) ? before : at;
+}
+
+// Where a line that begins at a letter ends when it is no wider than that; at least one letter.
+const char* end_of_line(const char* begin, const char* end, float width_px) {
+  end = std::find(begin, end, '\n');
+  const char* const at = ImGui::GetFont()->CalcWordWrapPositionA(1, begin, end, width_px);
+  return at == begin && at < end ? behind_letter(at, end) : with_kanji(begin, at, end, width_px);
+}
+
+}  // namespace
+
+void wrapped_text(const char* text) {
+  const char *at = text, *const end = text + std::strlen(text);
+  const float width_px = ImGui::GetContentRegionAvail().x;
+  ImGui::BeginGroup();
+  do {
+    const char* const line_end = end_of_line(at, end, width_px);
+    ImGui::TextUnformatted(at, line_end);
+    at = line_end;
+    while (*at == ' ') ++at;
+    if (*at == '\n') ++at;
+  } while (at < end);
+  ImGui::EndGroup();
+}
+
 void coloured_text(const ImVec4& colour, const char* text) {
   ImGui::PushStyleColor(ImGuiCol_Text, colour);
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text);
-  ImGui::PopTextWrapPos();
+  wrapped_text(text);
   ImGui::PopStyleColor();
 }
 
@@ -23,10 +78,10 @@ void dim_text(PanelContext& context, const char* text) { coloured_text(context.c
 void labelled(PanelContext& context, const char* label, const std::string& value, float column) {
   ImGui::TextColored(context.colours().dim, "%s", label);
   const float least = ImGui::GetStyle().WindowPadding.x + ImGui::CalcTextSize(label).x + 0.8f * ImGui::GetFontSize();
-  ImGui::SameLine(std::max(column * ImGui::GetFontSize(), least));
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(value.c_str());
-  ImGui::PopTextWrapPos();
+  const float at = std::max(column * ImGui::GetFontSize(), least), em = ImGui::GetFontSize();
+  const float room = ImGui::GetWindowContentRegionMax().x - at;
+  if (room > ImGui::CalcTextSize(value.c_str()).x || room > 5 * em) ImGui::SameLine(at);
+  wrapped_text(value.c_str());
 }
 
 bool link(PanelContext& context, const char* text) {
@@ -62,24 +117,79 @@ void element_links(PanelContext& context, const std::vector<Element>& elements) 
   if (!chosen.empty()) context.run("select " + chosen);
 }
 
-bool row(PanelContext& context, const char* label, const char* right, bool is_active) {
+bool row(PanelContext& context, const char* label, const char* right, bool is_active, float free_px) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
+  const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFontSize() + 2 * context.scale;
   ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_FrameBgActive));
-  const bool clicked = ImGui::Selectable("##row", is_active, 0, {width, height - ImGui::GetStyle().ItemSpacing.y});
+  const bool clicked = ImGui::Selectable("##row", is_active, 0, {width, height});
   ImGui::PopStyleColor();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float baseline = at.y + (height - ImGui::GetStyle().ItemSpacing.y - ImGui::GetFontSize()) / 2;
+  const float line = at.y + std::floor((height - ImGui::GetFontSize()) / 2);
   if (is_active)
-    list.AddRectFilled({at.x, at.y + 2},
-                       {at.x + 3 * context.scale, at.y + height - ImGui::GetStyle().ItemSpacing.y - 2},
+    list.AddRectFilled({at.x, at.y}, {at.x + 3 * context.scale, at.y + height},
                        ImGui::GetColorU32(context.colours().accent), 2);
-  list.AddText({at.x + 10 * context.scale, baseline}, ImGui::GetColorU32(ImGuiCol_Text), label);
+  const float begin = at.x + 10 * context.scale;
+  float end = at.x + width - 8 * context.scale - free_px;
   if (right && *right) {
-    const float end = at.x + width - ImGui::CalcTextSize(right).x - 8 * context.scale;
-    list.AddText({end, baseline}, ImGui::GetColorU32(context.colours().dim), right);
+    end -= ImGui::CalcTextSize(right).x;
+    list.AddText({end, line}, ImGui::GetColorU32(context.colours().dim), right);
+    end -= 6 * context.scale;
   }
+  list.AddText({begin, line}, ImGui::GetColorU32(ImGuiCol_Text), fitted(label, end - begin).c_str());
   return clicked;
+}
+
+void begin_rows(const char* id, float rows, float width_px) {
+  ImGui::BeginChild(id, {width_px, rows * ImGui::GetTextLineHeightWithSpacing()});
+}
+
+void begin_rows_within(const char* id, float height_px, float width_px) {
+  begin_rows(id, std::max(std::floor(height_px / ImGui::GetTextLineHeightWithSpacing()), 1.f), width_px);
+}
+
+void end_rows() {
+  const float pitch = ImGui::GetTextLineHeightWithSpacing(), now = ImGui::GetScrollY();
+  float& before = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("scroll"));
+  // On to the next whole row in the direction of the wheel.
+  const float whole = (now > before ? std::ceil(now / pitch - 0.01f) : std::floor(now / pitch + 0.01f)) * pitch;
+  before = std::min(whole, ImGui::GetScrollMaxY());
+  if (std::abs(before - now) >= 0.5f) ImGui::SetScrollY(before);
+  ImGui::EndChild();
+}
+
+void list_of_rows(const char* id, std::size_t count, std::size_t most, const std::function<void(std::size_t)>& draw,
+                  std::optional<float> scrolls_to) {
+  begin_rows(id, static_cast<float>(std::min(count, most)));
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(count), ImGui::GetTextLineHeightWithSpacing());
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      ImGui::PushID(i);
+      draw(static_cast<std::size_t>(i));
+      ImGui::PopID();
+    }
+  }
+  if (scrolls_to) ImGui::SetScrollY(*scrolls_to);
+  end_rows();
+}
+
+std::string fitted(std::string_view text, float width_px) {
+  const auto width = [](const std::string& t) { return ImGui::CalcTextSize(t.c_str(), t.c_str() + t.size()).x; };
+  std::string all(text);
+  if (width(all) <= width_px) return all;
+  std::vector<std::size_t> cuts;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (begins_letter(text[i])) cuts.push_back(i);
+  const auto cut = [&](std::size_t at) { return all.substr(0, at) + "\u2026"; };
+  const auto fits = [&](std::size_t at) { return width(cut(at)) <= width_px; };
+  const auto first_too_long = std::partition_point(cuts.begin(), cuts.end(), fits);
+  return cut(first_too_long == cuts.begin() ? 0 : *std::prev(first_too_long));
+}
+
+void fitted_text(const std::string& text, float width_px) {
+  const std::string shown = fitted(text, width_px);
+  ImGui::TextUnformatted(shown.c_str());
+  if (shown != text) tip(text);
 }
 
 namespace {
@@ -162,8 +272,20 @@ std::string short_number(double value) {
 
 void tip(std::string_view text, ImGuiHoveredFlags hovered) {
   if (!ImGui::IsItemHovered(hovered)) return;
+  const ImGuiWindow& panel = *ImGui::GetCurrentWindow()->RootWindow;
+  const ImVec2 all = ImGui::GetIO().DisplaySize, first = ImGui::GetItemRectMin(), last = ImGui::GetItemRectMax();
+  const float em = ImGui::GetFontSize(), gap = em / 2;
+  const float before = panel.Pos.x, behind = all.x - panel.Pos.x - panel.Size.x;
+  const float room = std::max(before, behind) - 2 * gap - 2 * ImGui::GetStyle().WindowPadding.x;
+  const bool is_beside = room > 8 * em;
+  if (is_beside) {
+    const bool goes_right = behind >= before, hangs = first.y < 0.6f * all.y;
+    ImGui::SetNextWindowPos(
+        {goes_right ? panel.Pos.x + panel.Size.x + gap : panel.Pos.x - gap, hangs ? first.y : last.y}, 0,
+        {goes_right ? 0.f : 1.f, hangs ? 0.f : 1.f});
+  }
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(22 * ImGui::GetFontSize());
+  ImGui::PushTextWrapPos(is_beside ? std::min(22 * em, room) : 22 * em);
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();

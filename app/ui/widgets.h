@@ -1,6 +1,8 @@
 // Small widgets for the panels.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -8,7 +10,8 @@
 
 namespace ryosen {
 
-// Coloured text, wrapped at the panel's edge; dim text likewise.
+// Text wrapped at the panel's edge, its lines as far apart as others; coloured and dim text likewise.
+void wrapped_text(const char* text);
 void coloured_text(const ImVec4& colour, const char* text);
 void dim_text(PanelContext& context, const char* text);
 // A dim label and a value in two columns, the second at `column` font heights or after a longer label.
@@ -17,8 +20,21 @@ void labelled(PanelContext& context, const char* label, const std::string& value
 bool link(PanelContext& context, const char* text);
 // Links to elements, wrapped at the panel's edge; a click selects one.
 void element_links(PanelContext& context, const std::vector<Element>& elements);
-// A full-width row with a text on the left and a dim one on the right; true when clicked.
-bool row(PanelContext& context, const char* label, const char* right, bool is_active);
+// A full-width row with a text on the left and a dim one on the right, that leaves some pixels free behind it; true when
+// clicked.
+bool row(PanelContext& context, const char* label, const char* right, bool is_active, float free_px = 0);
+// A part of a panel as high as so many lines of text, which scrolls by whole ones. end_rows() must follow.
+void begin_rows(const char* id, float rows, float width_px = 0);
+// As many as fit into a height.
+void begin_rows_within(const char* id, float height_px, float width_px = 0);
+void end_rows();
+// A list of rows, as high as there are or as these: draws those that are seen by draw(i), and scrolls to a place.
+void list_of_rows(const char* id, std::size_t count, std::size_t most, const std::function<void(std::size_t)>& draw,
+                  std::optional<float> scrolls_to = {});
+// A text, or as much of it as is no wider, with an ellipsis.
+std::string fitted(std::string_view text, float width_px);
+// A line of text that fits the panel, the whole beside it when it is hovered.
+void fitted_text(const std::string& text, float width_px);
 // A sample of the line style and mark of a highlight, as drawn in the view.
 void swatch(const Style& style, float width_px);
 
@@ -34,7 +50,7 @@ std::string grouped(std::int64_t n);
 // Six significant digits.
 std::string short_number(double value);
 
-// Tooltip of the last item, wrapped.
+// Tooltip of the last item, wrapped: beside the panel that it is in, so that it covers nothing of it.
 void tip(std::string_view text, ImGuiHoveredFlags hovered = 0);
 
 }  // namespace ryosen

@@ -124,6 +124,10 @@ Outcome WindowInput::type(std::string_view text) {
   return {};
 }
 
+Outcome WindowInput::click(const Navigation::Click& click) {
+  return session_.layout.flyout.empty() ? gui_.click(session_, click) : gui_.run(session_, "panel none");
+}
+
 void WindowInput::leave() {
   gui_.pointer({-1e9, -1e9});
   session_.point_away();

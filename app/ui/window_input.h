@@ -37,7 +37,8 @@ class WindowInput : public ViewInput {
 
  private:
   bool is_over_view(glm::dvec2 pixel) const override { return !gui_.owns_pointer(session_, window_, pixel); }
-  Outcome click(const Navigation::Click& click) override { return gui_.click(session_, click); }
+  // One beside what a tab has opened closes that and does nothing else.
+  Outcome click(const Navigation::Click& click) override;
   Outcome open_menu(const Navigation::Click& click) override;
   Outcome end_gesture() override { return gui_.keep(session_, session_.end_gesture()); }
   Outcome press_key(const std::string& chord, bool is_again, const InputPreset& preset);

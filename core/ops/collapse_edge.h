@@ -38,6 +38,7 @@ struct CollapseEdge {
                                "A が消え、B が番号と（指定がなければ）位置を保つ",
                                'C',
                                OpTargetKind::edge,
+                               OpGroup::join,
                                "",
                                Topology::kept};
 

@@ -31,6 +31,7 @@ struct Delete {
                                "頂点・稜線に接する面、面、面のない稜線を、不要になる要素とともに削除する",
                                '\0',
                                OpTargetKind::any,
+                               OpGroup::fill,
                                "remove"};
 
   static Parsed<Delete> parse(const Mesh& mesh, std::span<const std::string_view> arguments);

@@ -29,6 +29,7 @@ struct Detach {
                                "シート、または指定した面を独立した点に切り離す",
                                '\0',
                                OpTargetKind::face,
+                               OpGroup::join,
                                "",
                                Topology::may_change,
                                Subject::edge,

@@ -36,6 +36,7 @@ struct Dissolve {
                                "稜線の両側または頂点の周りの面を一つにまとめる",
                                '\0',
                                OpTargetKind::edge,
+                               OpGroup::join,
                                "",
                                Topology::kept};
 

@@ -31,6 +31,7 @@ struct Extrude {
                                "面を法線方向または X,Y,Z だけ動かし、元の位置と側面でつなぐ",
                                '\0',
                                OpTargetKind::face,
+                               OpGroup::refine,
                                "",
                                Topology::kept};
 

@@ -25,6 +25,7 @@ struct Fill : OnHalfedge<Fill> {
                                "境界稜線 A-B の穴に一枚の面を張る",
                                '\0',
                                OpTargetKind::edge,
+                               OpGroup::fill,
                                "",
                                Topology::may_change,
                                Subject::cycle};

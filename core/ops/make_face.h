@@ -30,6 +30,7 @@ struct MakeFace {
                                "三つ以上の頂点に反時計回りに面を張る",
                                '\0',
                                OpTargetKind::selection,
+                               OpGroup::fill,
                                "",
                                Topology::may_change,
                                Subject::edge,

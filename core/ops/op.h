@@ -37,6 +37,9 @@ namespace ryosen {
 // edge or face under the pointer, whichever is picked; the other two are none.
 enum class OpTargetKind { none, vertex, edge, face, selection, any };
 
+// What an operator is for (groups.h).
+enum class OpGroup { refine, join, fill, orient, euler };
+
 // Whether an operator may change how many boundaries, wires, parts and handles there are (B, W, I, S, G), or nothing but
 // V, E, F and H.
 enum class Topology { may_change, kept };
@@ -57,6 +60,7 @@ struct OpInfo {
   std::string_view help_en, help_ja;
   char key;  // selects the tool in the editor
   OpTargetKind target;
+  OpGroup group;
   std::string_view aliases = "";  // further ids, separated by spaces
   Topology topology = Topology::may_change;
   Subject subject = Subject::edge;

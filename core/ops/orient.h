@@ -32,6 +32,7 @@ struct Orient {
                                "隣り合う面の向きの不一致が減るように、可能ならなくなるように面を裏返す",
                                'O',
                                OpTargetKind::none,
+                               OpGroup::orient,
                                "",
                                Topology::may_change,
                                Subject::edge,

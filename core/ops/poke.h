@@ -28,6 +28,7 @@ struct Poke {
                                "面の中に頂点を置き、すべての角と結ぶ",
                                '\0',
                                OpTargetKind::face,
+                               OpGroup::refine,
                                "",
                                Topology::kept};
 

@@ -27,6 +27,7 @@ struct Reverse {
                                "指定した面の連結成分の面をすべて裏返す",
                                '\0',
                                OpTargetKind::face,
+                               OpGroup::orient,
                                "",
                                Topology::may_change,
                                Subject::edge,

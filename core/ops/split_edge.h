@@ -32,6 +32,7 @@ struct SplitEdge {
                                "A + t(B − A) に頂点を置く（t を省くと 0.5）",
                                'D',
                                OpTargetKind::edge,
+                               OpGroup::refine,
                                "",
                                Topology::kept,
                                Subject::points};

@@ -34,6 +34,7 @@ struct SwapEdge {
                                "稜線を両側の面の中で一角ぶん回す",
                                'S',
                                OpTargetKind::edge,
+                               OpGroup::orient,
                                "flip",
                                Topology::kept};
 

@@ -29,6 +29,7 @@ struct Triangulate {
                                "面（省くとすべての面）を三角形に分割する",
                                '\0',
                                OpTargetKind::face,
+                               OpGroup::refine,
                                "",
                                Topology::kept};
 

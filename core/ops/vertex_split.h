@@ -35,6 +35,7 @@ struct VertexSplit {
                                "頂点を稜線にする。新しい端点が L から反時計回りに R までの部分を受け持つ",
                                '\0',
                                OpTargetKind::selection,
+                               OpGroup::refine,
                                "",
                                Topology::kept,
                                Subject::edge,

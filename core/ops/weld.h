@@ -28,6 +28,7 @@ struct Weld {
                                "二つの頂点、または二本の境界稜線を一つにする",
                                '\0',
                                OpTargetKind::selection,
+                               OpGroup::join,
                                "merge",
                                Topology::may_change,
                                Subject::edge,

@@ -118,6 +118,10 @@ const std::vector<Golden> goldens{
      {{"boundary", 1000}, {Role::refused, 300}},
      {Role::legal},
      Theme::light},
+    {"panels_narrow",
+     "fin.obj",
+     {"--panels", "--size", "640x480", "--script", RYOSEN_SOURCE_DIR "/tests/golden/tab.ryosen"},
+     {{"boundary", 500}, {"nonmanifold", 20}}},
 };
 
 int count_coloured(const Image& picture, Rgba colour) {

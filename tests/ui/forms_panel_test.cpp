@@ -2,36 +2,38 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 
 namespace ryosen {
 namespace {
 
-constexpr glm::dvec2 measure_button{1134, 607};
-
 class FormsPanel : public testing::Test, protected test::Laid {
  protected:
   FormsPanel() : Laid("torus.off", test::tall_window) {}
 
-  void press(glm::dvec2 pixel) {
-    click(pixel);
+  void press_measure() {
+    click(button_);
     gui.pointer({640, 1300});
     frames(2);
   }
   int drawn() const { return gui.draw_data().TotalVtxCount; }
+
+ private:
+  glm::dvec2 button_ = test::DrawnText(gui).place("Forms of the source texts") + glm::dvec2(90, 27);
 };
 
 TEST_F(FormsPanel, measures_only_when_asked) {
   const int before = drawn();
   frames(5);
   EXPECT_EQ(drawn(), before);
-  press(measure_button);
+  press_measure();
   EXPECT_GT(drawn(), before + 2000) << "a row per form and method";
 }
 
 TEST_F(FormsPanel, says_that_the_mesh_has_changed_and_forgets_another_document) {
   const int empty = drawn();
-  press(measure_button);
+  press_measure();
   const int measured = drawn();
   ASSERT_TRUE(session.run("split 0-1").done());
   ASSERT_TRUE(session.run("undo").done());
@@ -47,7 +49,7 @@ TEST_F(FormsPanel, speaks_japanese) {
   ASSERT_TRUE(session.run("language ja").done());
   frames(3);
   const int before = drawn();
-  press(measure_button);
+  press_measure();
   EXPECT_GT(drawn(), before + 1500);
 }
 

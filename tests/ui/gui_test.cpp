@@ -9,6 +9,7 @@
 #include "app/editor/keys.h"
 #include "app/editor/words.h"
 #include "core/base/enum_table.h"
+#include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 
 namespace ryosen {
@@ -98,7 +99,7 @@ TEST(gui, frames_are_wanted_until_a_closed_panel_has_gone) {
 
 TEST(gui, the_view_lies_between_the_columns) {
   const Laid laid("cube.obj");
-  const PixelRect area = laid.gui.view_area(window);
+  const PixelRect area = laid.gui.view_area(window, laid.session.layout);
   EXPECT_EQ(laid.session.view, (Size{area.width(), area.height()}));
   EXPECT_EQ(laid.session.view_origin, glm::dvec2(area.x0, area.y0));
   EXPECT_FALSE(laid.gui.owns_pointer(laid.session, window, {640, 360}));
@@ -109,17 +110,17 @@ TEST(gui, the_view_lies_between_the_columns) {
 
 TEST(gui, a_click_on_a_tool_takes_it_and_another_puts_it_away) {
   Laid laid("torus.off");
-  const glm::dvec2 second_row(100, 90);
-  laid.click(second_row);
+  const glm::dvec2 row = test::DrawnText(laid.gui).place("Collapse edge");
+  laid.click(row);
   EXPECT_EQ(laid.session.tool, "collapse");
-  laid.click(second_row);
+  laid.click(row);
   EXPECT_EQ(laid.session.tool, "");
 }
 
 TEST(gui, a_highlight_is_switched_in_its_panel) {
   Laid laid("fin.obj");
   ASSERT_TRUE(laid.session.shown.contains("boundary"));
-  laid.click({20, 311});
+  laid.click({16, test::DrawnText(laid.gui).place("Boundary").y});
   EXPECT_FALSE(laid.session.shown.contains("boundary"));
   EXPECT_TRUE(laid.session.shown.contains("nonmanifold"));
 }
@@ -256,9 +257,9 @@ TEST(gui, what_a_format_cannot_hold_is_listed_before_it_is_written) {
 }
 
 TEST(gui, scales_with_the_display) {
-  const PixelRect once = Gui(1).view_area({1280, 720}), twice = Gui(2).view_area({2560, 1440});
+  const PixelRect once = Gui(1).view_area({1280, 720}, {}), twice = Gui(2).view_area({2560, 1440}, {});
   EXPECT_EQ(twice, (PixelRect{2 * once.x0, 2 * once.y0, 2 * once.x1, 2 * once.y1}));
-  EXPECT_FALSE(Gui(1).view_area({100, 20}).empty());
+  EXPECT_FALSE(Gui(1).view_area({100, 20}, {}).empty());
 }
 
 TEST(gui, nothing_is_said_to_be_done_that_was_not) {

@@ -45,6 +45,7 @@ TEST(panel_list, has_an_id_and_a_title_in_both_languages_for_each_panel_that_is_
     EXPECT_NE(row.title_en, "") << row.id;
     EXPECT_NE(row.title_ja, "") << row.id;
     EXPECT_NE(row.title_en, row.title_ja) << row.id;
+    EXPECT_EQ(row.short_en.empty(), row.short_ja.empty()) << row.id;
     EXPECT_EQ(find_panel(row.id)->id, row.id);
   }
   EXPECT_EQ(find_panel("none"), nullptr) << "the word that closes";
@@ -112,18 +113,18 @@ TEST_F(PanelsTest, one_of_another_program_is_the_last_of_the_view_menu) {
   gui.add_panel(faces_row, std::move(made));
   frames(3);
   const auto press_last_entry = [&](bool until_hidden) {
-    for (double y = 660; y > 200 && session.switched_panels.empty() == until_hidden; y -= 8) {
+    for (double y = 660; y > 200 && session.layout.switched.empty() == until_hidden; y -= 8) {
       click(view_menu);
       click({200, y});
     }
   };
   press_last_entry(true);
-  EXPECT_EQ(session.switched_panels, std::set<std::string>{"face_curve"});
+  EXPECT_EQ(session.layout.switched, std::set<std::string>{"face_curve"});
   const std::size_t seen = panel.faces_.size();
   frames(3);
   EXPECT_EQ(panel.faces_.size(), seen) << "it is not drawn while it is hidden";
   press_last_entry(false);
-  EXPECT_TRUE(session.switched_panels.empty());
+  EXPECT_TRUE(session.layout.switched.empty());
   EXPECT_GT(panel.faces_.size(), seen);
 }
 

@@ -20,8 +20,9 @@ class ProblemsPanel : public testing::Test, protected test::Laid {
 
   // Unfolds a kind and clicks a row below it: its repairs come first, then its elements.
   void click_below(int kind, int row) {
-    click({1080, 463 + 19 * kind});
-    click({1030, 463 + 19 * (kind + 1 + row)});
+    const double first = DrawnText(gui).place("Problems").y + 23;
+    click({1080, first + 19 * kind});
+    click({1030, first + 19 * (kind + 1 + row)});
   }
 };
 

@@ -6,6 +6,7 @@
 #include "app/cli/run.h"
 #include "app/ui/headless.h"
 #include "core/mesh/circulate.h"
+#include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 
 namespace ryosen {
@@ -120,11 +121,10 @@ TEST_F(ScopedHighlightTest, may_mark_a_kind_of_problem_that_another_marks_too) {
 
 TEST_F(ScopedHighlightTest, has_a_row_in_the_panel_that_switches_it) {
   test::Laid laid("cube.obj");
-  // The rows of the panel, one after another, from the first.
-  const auto press = [&](std::size_t row) { laid.click({20, 305 + 17.0 * static_cast<double>(row)}); };
-  press(highlight_table().size() - 1);
+  const auto press = [&] { laid.click({16, test::DrawnText(laid.gui).place(row_.name_en).y}); };
+  press();
   EXPECT_TRUE(laid.session.shown.contains("first"));
-  press(highlight_table().size() - 1);
+  press();
   EXPECT_FALSE(laid.session.shown.contains("first"));
 
   auto headless = Headless::make({.backend = Backend::osmesa, .size = test::window, .panels = true});

@@ -12,7 +12,7 @@ namespace {
 
 using test::window;
 
-constexpr glm::dvec2 in_view{640, 560}, on_panel{100, 90};  // on a face of the torus; on a row of the tools
+constexpr glm::dvec2 in_view{640, 560}, on_panel{100, 132};  // on a face of the torus; on a row of the tools
 
 class WindowInputTest : public testing::Test {
  protected:
@@ -134,7 +134,7 @@ TEST(gui, takes_another_scale_while_it_runs) {
   gui.prepare(session);
   const float before = gui.fonts().Fonts[0]->FontSize;
   gui.set_scale(2);
-  EXPECT_EQ(gui.view_area({2560, 1440}), Gui(2).view_area({2560, 1440}));
+  EXPECT_EQ(gui.view_area({2560, 1440}, {}), Gui(2).view_area({2560, 1440}, {}));
   EXPECT_TRUE(gui.prepare(session)) << "the glyphs are made anew";
   EXPECT_EQ(gui.fonts().Fonts[0]->FontSize, 2 * before);
   gui.frame(session, {2560, 1440}, 0.02);

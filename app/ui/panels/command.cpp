@@ -33,13 +33,13 @@ int go_to_end(ImGuiInputTextCallbackData* data) {
 }
 
 void draw_suggestions(PanelContext& context, std::string& typed) {
-  ImGui::BeginChild("suggestions");
+  begin_rows_within("suggestions", ImGui::GetContentRegionAvail().y);
   for (const CommandRow& row : suggestions(typed)) {
     const std::string label = std::string(row.id) + " " + row.syntax;
     if (ImGui::Selectable(label.c_str())) typed = std::string(row.id) + " ";
     dim_text(context, help_of(row, context.language()).c_str());
   }
-  ImGui::EndChild();
+  end_rows();
 }
 
 // A line with what it may say; Enter carries it out.

@@ -147,7 +147,9 @@ void FileBrowser::draw(PanelContext& context) {
   if (ImGui::IsWindowAppearing()) begin(context.session.document());
   if (ImGui::Button(context.text(UiText::folder_up))) enter(folder_.parent_path());
   ImGui::SameLine();
-  ImGui::TextColored(context.colours().dim, "%s", folder_.c_str());
+  ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
+  fitted_text(folder_.string(), ImGui::GetContentRegionAvail().x);
+  ImGui::PopStyleColor();
   const bool shows_losses = saves_ && loses_ == chosen() && !losses_.empty();
   const float rows = 2.0f + (shows_losses ? 1.0f + 1.5f * static_cast<float>(losses_.size()) : 0.0f);
   const std::string why = failed_ == chosen() ? why_failed_.in(context.language()) : "";
@@ -156,9 +158,11 @@ void FileBrowser::draw(PanelContext& context) {
       std::min(rows, 10.0f) * ImGui::GetFrameHeightWithSpacing() +
       (why.empty() ? 0
                    : ImGui::CalcTextSize(why.c_str(), nullptr, false, width).y + 2 * ImGui::GetStyle().ItemSpacing.y);
-  ImGui::BeginChild("entries", {0, -below}, true);
+  const float bottom = ImGui::GetCursorPosY() + ImGui::GetContentRegionAvail().y - below;
+  begin_rows_within("entries", bottom - ImGui::GetCursorPosY());
   bool accepted = draw_entries(context);
-  ImGui::EndChild();
+  end_rows();
+  ImGui::SetCursorPosY(bottom + ImGui::GetStyle().ItemSpacing.y);
   ImGui::SetNextItemWidth(-1);
   accepted |=
       ImGui::InputTextWithHint("##name", context.text(UiText::file_name), &name_, ImGuiInputTextFlags_EnterReturnsTrue);

@@ -9,12 +9,6 @@ namespace {
 // Short enough to run synchronously.
 constexpr forms::Effort effort{0.0005, 2e7};
 
-void wrapped(const char* text) {
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text);
-  ImGui::PopTextWrapPos();
-}
-
 void right_aligned(const std::string& text) {
   ImGui::TableNextColumn();
   const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
@@ -22,11 +16,11 @@ void right_aligned(const std::string& text) {
   ImGui::TextUnformatted(text.c_str());
 }
 
-bool begin_table(const char* id, int columns) {
+bool begin_table(const char* id, int columns, float figure_ems) {
   if (!ImGui::BeginTable(id, columns, ImGuiTableFlags_RowBg)) return false;
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
   for (int i = 1; i < columns; ++i)
-    ImGui::TableSetupColumn("figure", ImGuiTableColumnFlags_WidthFixed, 4.6f * ImGui::GetFontSize());
+    ImGui::TableSetupColumn("figure", ImGuiTableColumnFlags_WidthFixed, figure_ems * ImGui::GetFontSize());
   return true;
 }
 
@@ -55,7 +49,7 @@ void draw_form(PanelContext& context, const forms::FormFigures& figures, std::ui
     right_aligned("-");
     return;
   }
-  wrapped(context.text(row.en, row.ja));
+  wrapped_text(context.text(row.en, row.ja));
   tip(context.text(row.source_en, row.source_ja));
   right_aligned(faces > 0 ? forms::figure_text(static_cast<double>(figures.bytes) / faces) : "-");
   const auto& seconds = figures.query_seconds[static_cast<std::size_t>(relation)];
@@ -63,10 +57,11 @@ void draw_form(PanelContext& context, const forms::FormFigures& figures, std::ui
 }
 
 void draw_query_times(PanelContext& context, const forms::Comparison& comparison, forms::Relation relation) {
-  if (!begin_table("forms", 3)) return;
+  if (!begin_table("forms", 3, 3.4f)) return;
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  right_aligned(context.text("bytes/face", "バイト/面"));
+  right_aligned(context.text("B/face", "B/面"));
+  tip(context.text("bytes per face", "面あたりのバイト数"));
   right_aligned("ns");
   tip(context.text("- : the form cannot tell, or cannot hold this mesh",
                    "- ：答えられない、またはこのメッシュを持てない"));
@@ -76,11 +71,11 @@ void draw_query_times(PanelContext& context, const forms::Comparison& comparison
 
 void draw_pairing_times(PanelContext& context, const forms::Comparison& comparison) {
   dim_text(context, context.text("Pairing the halfedges", "半稜線の対を見つける方法"));
-  if (!begin_table("pairing", 2)) return;
+  if (!begin_table("pairing", 2, 4.6f)) return;
   for (const forms::PairingFigures& figures : comparison.pairing) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    wrapped(context.text(figures.method->en, figures.method->ja));
+    wrapped_text(context.text(figures.method->en, figures.method->ja));
     right_aligned(forms::duration_text(figures.seconds) + (figures.is_whole() ? "" : "*"));
     const std::string part = std::to_string(figures.faces), all = std::to_string(figures.all_faces);
     if (!figures.is_whole())
@@ -97,7 +92,7 @@ void draw_texts(PanelContext& context, const forms::Comparison& comparison) {
     const bool on_edge = report.place == "boundary_edge";
     const std::string place =
         on_edge ? context.text("on a boundary edge", "境界の稜線") : context.text("beside the boundary", "境界の隣");
-    wrapped((std::string(report.operation) + ", " + place).c_str());
+    wrapped_text((std::string(report.operation) + ", " + place).c_str());
     tip(report.outcome.sentence.in(context.language()));
     dim_text(context, report.outcome.changed_before
                           ? context.text("undefined, half done", "途中まで書き換えて未定義動作")

@@ -22,14 +22,14 @@ void draw_highlight(PanelContext& context, const HighlightRow& row) {
   const bool is_counted = sets.keeps(row);
   const auto n = is_counted ? static_cast<std::int64_t>(sets.count(row)) : 0;
   const char* const name = context.text(row.name_en, row.name_ja);
-  if (n > 0)
-    ImGui::TextUnformatted(name);
-  else
-    ImGui::TextColored(context.colours().dim, "%s", name);
-  tip(legend);
   const std::string count = is_counted ? grouped(n) : "\u2013";
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(count.c_str()).x - 8 * context.scale);
-  ImGui::TextColored(n > 0 ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : context.colours().dim, "%s", count.c_str());
+  const float end = ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(count.c_str()).x - 8 * context.scale;
+  const std::string shown = fitted(name, end - ImGui::GetCursorPosX() - ImGui::GetStyle().ItemSpacing.x);
+  const ImVec4 colour = n > 0 ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : context.colours().dim;
+  ImGui::TextColored(colour, "%s", shown.c_str());
+  tip(shown == name ? legend : std::string(name) + "\n" + legend);
+  ImGui::SameLine(end);
+  ImGui::TextColored(colour, "%s", count.c_str());
   ImGui::PopID();
 }
 

@@ -32,26 +32,21 @@ void HistoryPanel::draw(PanelContext& context) {
   ImGui::EndDisabled();
 
   std::size_t target = position;
-  const float line_height = ImGui::GetTextLineHeightWithSpacing();
-  const float height = std::min(static_cast<float>(size + 1), 7.f) * line_height + 6 * context.scale;
-  ImGui::BeginChild("entries", {0, height});
-  ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(size) + 1, line_height);
-  while (clipper.Step()) {
-    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-      const auto place = static_cast<std::size_t>(i);
-      const std::string label =
-          place == 0 ? context.text(UiText::as_read) : session.document().history()[place - 1].command;
-      ImGui::PushID(i);
-      if (place > position) ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
-      if (ImGui::Selectable(label.c_str(), place == position)) target = place;
-      if (place > position) ImGui::PopStyleColor();
-      ImGui::PopID();
-    }
-  }
-  if (scrolled_position_ != position) ImGui::SetScrollY((static_cast<float>(position) - 3) * line_height);
+  // Before the list scrolls to a whole row.
+  const float scrolled = (static_cast<float>(position) - 3) * ImGui::GetTextLineHeightWithSpacing();
+  list_of_rows(
+      "entries", size + 1, 7,
+      [&](std::size_t place) {
+        const std::string label =
+            place == 0 ? context.text(UiText::as_read) : session.document().history()[place - 1].command;
+        const std::string shown = fitted(label, ImGui::GetContentRegionAvail().x);
+        if (place > position) ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
+        if (ImGui::Selectable((shown + "###entry").c_str(), place == position)) target = place;
+        if (place > position) ImGui::PopStyleColor();
+        if (shown != label) tip(label);
+      },
+      scrolled_position_ == position ? std::nullopt : std::optional(scrolled));
   scrolled_position_ = position;
-  ImGui::EndChild();
   if (target != position) context.run(step_to(position, target));
 }
 

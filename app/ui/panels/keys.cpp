@@ -11,9 +11,7 @@ void pair_row(PanelContext& context, const char* chord, const char* help) {
   ImGui::TableNextColumn();
   coloured_text(context.colours().accent, chord);
   ImGui::TableNextColumn();
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(help);
-  ImGui::PopTextWrapPos();
+  wrapped_text(help);
 }
 
 void draw_mouse(PanelContext& context) {
@@ -35,19 +33,20 @@ void draw_keys(PanelContext& context) {
     fill();
     ImGui::EndTable();
   };
+  const float height = ImGui::GetContentRegionAvail().y;
   const float half = ImGui::GetContentRegionAvail().x / 2 - 8 * context.scale;
-  ImGui::BeginChild("keys", {half, 0});
+  begin_rows_within("keys", height, half);
   dim_text(context, context.text(UiText::key));
   table("keys", 2.4f, [&] {
     for (const KeyRow& key : key_table(input_presets()[context.session.input_preset]))
       pair_row(context, key.chord.c_str(), context.text(key.help_en, key.help_ja));
   });
-  ImGui::EndChild();
+  end_rows();
   ImGui::SameLine(0, 16 * context.scale);
-  ImGui::BeginChild("mouse", {half, 0});
+  begin_rows_within("mouse", height, half);
   dim_text(context, context.text(UiText::mouse));
   table("mouse", 1, [&] { draw_mouse(context); });
-  ImGui::EndChild();
+  end_rows();
 }
 
 }  // namespace

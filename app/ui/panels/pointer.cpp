@@ -35,9 +35,7 @@ void draw_remedy(PanelContext& context, const Verdict& verdict) {
   const std::vector<std::string> remedy = context.session.hover_remedy();
   dim_text(context, context.text(UiText::remedy));
   if (remedy.empty()) {
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(without_remedy(verdict).in(context.language()).c_str());
-    ImGui::PopTextWrapPos();
+    wrapped_text(without_remedy(verdict).in(context.language()).c_str());
     return;
   }
   std::string chosen;
@@ -47,8 +45,13 @@ void draw_remedy(PanelContext& context, const Verdict& verdict) {
       const float wide = ImGui::CalcTextSize(line.c_str()).x + 4 * ImGui::GetFontSize();
       if (label + wide < ImGui::GetContentRegionAvail().x) ImGui::SameLine();
     }
-    if (ImGui::Button(line.c_str())) chosen = line;
-    if (!context.session.is_verdict_held() || &line != remedy.data()) continue;
+    const bool names_key = context.session.is_verdict_held() && &line == remedy.data();
+    const float room = ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().FramePadding.x -
+                       (names_key ? 3.5f * ImGui::GetFontSize() : 0);
+    const std::string shown = fitted(line, room);
+    if (ImGui::SmallButton((shown + "###" + line).c_str())) chosen = line;
+    if (shown != line) tip(line);
+    if (!names_key) continue;
     ImGui::SameLine();
     dim_text(context, context.text("Enter", "Enter"));
   }
@@ -66,7 +69,7 @@ void draw_verdict(PanelContext& context) {
   const std::string line =
       op ? command_of(context.session.mesh(), *hover.op) : name_of(context.session.mesh(), hover.picked.element);
   if (!op) {
-    ImGui::TextUnformatted(line.c_str());
+    wrapped_text(line.c_str());
     return;
   }
   const bool legal = hover.preview.verdict.legal();

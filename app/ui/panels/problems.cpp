@@ -102,22 +102,13 @@ void go_to(PanelContext& context, const ProblemRow& row, Element element) {
 // Only visible rows are looked up and named.
 void draw_elements(PanelContext& context, Findings& findings, const ProblemRow& row, std::size_t count) {
   Session& session = context.session;
-  const float line_height = ImGui::GetTextLineHeightWithSpacing();
-  const auto n = static_cast<int>(count);
-  ImGui::BeginChild("elements", {0, static_cast<float>(std::min(n, 6)) * line_height + 4 * context.scale});
-  ImGuiListClipper clipper;
-  clipper.Begin(n, line_height);
-  while (clipper.Step()) {
-    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-      const Element element = findings.nth(session, row, static_cast<std::size_t>(i));
-      const bool is_selected = !session.selection.empty() && session.selection[0] == element;
-      ImGui::PushID(i);
-      if (ImGui::Selectable(name_on_points(session.mesh(), element).c_str(), is_selected)) go_to(context, row, element);
-      if (row.quarantined) tip(why_quarantined(context, element).in(context.language()));
-      ImGui::PopID();
-    }
-  }
-  ImGui::EndChild();
+  list_of_rows("elements", count, 6, [&](std::size_t i) {
+    const Element element = findings.nth(session, row, i);
+    const bool is_selected = !session.selection.empty() && session.selection[0] == element;
+    const std::string name = fitted(name_on_points(session.mesh(), element), ImGui::GetContentRegionAvail().x);
+    if (ImGui::Selectable(name.c_str(), is_selected)) go_to(context, row, element);
+    if (row.quarantined) tip(why_quarantined(context, element).in(context.language()));
+  });
 }
 
 // The repairs of a kind: one press does it; where a value is needed, its field is opened.
@@ -126,14 +117,17 @@ bool draw_repairs(PanelContext& context, ProblemKind kind) {
   for (const AlgorithmRow& repair : algorithm_table()) {
     if (std::find(repair.solves.begin(), repair.solves.end(), kind) == repair.solves.end()) continue;
     ImGui::PushID(repair.id.data());
-    if (ImGui::SmallButton(context.text(repair.name_en, repair.name_ja))) {
+    const char* const name = context.text(repair.name_en, repair.name_ja);
+    const std::string shown = fitted(name, ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().FramePadding.x);
+    if (ImGui::SmallButton(shown.c_str())) {
       is_pressed = true;
       if (ParameterValues(repair.parameters).missing())
         context.run("values " + std::string(repair.id));
       else
         context.run(called(repair, true));
     }
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", context.text(repair.help_en, repair.help_ja));
+    const char* const help = context.text(repair.help_en, repair.help_ja);
+    tip(shown == name ? help : std::string(name) + "\n" + help);
     ImGui::PopID();
   }
   return is_pressed;
@@ -143,11 +137,12 @@ void draw_kind(PanelContext& context, Findings& findings, const ProblemRow& row,
   const bool is_problem = row.severity == ProblemSeverity::problem;
   ImGui::PushID(static_cast<int>(row.kind));
   const std::string label = grouped(static_cast<std::int64_t>(count)) + "  " + context.text(row.name_en, row.name_ja);
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::GetTreeNodeToLabelSpacing();
   ImGui::PushStyleColor(ImGuiCol_Text,
                         is_problem ? context.colours().refused : ImGui::GetStyleColorVec4(ImGuiCol_Text));
-  const bool is_open = ImGui::TreeNodeEx("kind", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", label.c_str());
+  const bool is_open = ImGui::TreeNodeEx("kind", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", fitted(label, room).c_str());
   ImGui::PopStyleColor();
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.sentence(count).in(context.language()).c_str());
+  tip(row.sentence(count).in(context.language()));
   if (is_open) {
     // A repair may have removed what was counted.
     if (!draw_repairs(context, row.kind)) draw_elements(context, findings, row, count);

@@ -1,37 +1,113 @@
+#include <array>
+
 #include "app/editor/commands.h"
 #include "app/editor/pick_modes.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
+#include "core/ops/groups.h"
 
 namespace ryosen {
 
 namespace {
 
-// The action of an operator's row: toggles the tool, applies the operator to the selection or immediately, or opens the
-// command line for its arguments.
+// What a press on an operator's row does: toggles the tool, applies the operator, to the selection where it takes one, or
+// opens the command line for its arguments.
+enum class Press { takes_tool, acts, asks };
+
+Press press_of(const Session& session, const OpInfo& op) {
+  if (is_tool(op)) return Press::takes_tool;
+  const bool has_all = op.syntax.empty() || (op.target == OpTargetKind::selection && !session.selection.empty());
+  return has_all ? Press::acts : Press::asks;
+}
+
+// The mark of each at the right end of a row, in a square: a pointer, a filled triangle, three dots.
+void mark_tool(ImDrawList& list, ImVec2 at, float size, ImU32 colour) {
+  const auto place = [&](float x, float y) { return ImVec2(at.x + x * size, at.y + y * size); };
+  list.AddTriangleFilled(place(0.25f, 0.1f), place(0.25f, 0.75f), place(0.72f, 0.58f), colour);
+  list.AddLine(place(0.42f, 0.55f), place(0.6f, 0.92f), colour, std::max(size * 0.13f, 1.f));
+}
+void mark_act(ImDrawList& list, ImVec2 at, float size, ImU32 colour) {
+  list.AddTriangleFilled({at.x + 0.2f * size, at.y + 0.15f * size}, {at.x + 0.2f * size, at.y + 0.85f * size},
+                         {at.x + 0.85f * size, at.y + 0.5f * size}, colour);
+}
+void mark_question(ImDrawList& list, ImVec2 at, float size, ImU32 colour) {
+  for (const float x : {0.18f, 0.5f, 0.82f})
+    list.AddCircleFilled({at.x + x * size, at.y + 0.65f * size}, 0.1f * size, colour);
+}
+
+struct PressRow {
+  Press press;
+  void (*mark)(ImDrawList& list, ImVec2 at, float size, ImU32 colour);
+  UiText help;
+};
+constexpr PressRow presses[] = {
+    {Press::takes_tool, mark_tool, UiText::press_takes_tool},
+    {Press::acts, mark_act, UiText::press_acts},
+    {Press::asks, mark_question, UiText::press_asks},
+};
+static_assert(rows_are_in_order(presses, &PressRow::press));
+
 void press(PanelContext& context, const OpInfo& op) {
   const std::string id(op.id);
-  Session& session = context.session;
-  if (is_tool(op)) {
-    context.run(session.tool == id ? "tool none" : "tool " + id);
-  } else if (op.target == OpTargetKind::selection && !session.selection.empty()) {
-    context.run(id + " selected");
-  } else if (op.syntax.empty()) {
-    context.run(id);
-  } else {
-    context.begin_command(id + " ");
+  switch (press_of(context.session, op)) {
+    case Press::takes_tool:
+      context.run(context.session.tool == id ? "tool none" : "tool " + id);
+      return;
+    case Press::acts:
+      context.run(op.syntax.empty() ? id : id + " selected");
+      return;
+    case Press::asks:
+      context.begin_command(id + " ");
+      return;
   }
+}
+
+// A row that ends with the mark of what a press does.
+bool marked_row(PanelContext& context, const char* name, const char* key, bool is_active, const PressRow& kind) {
+  const float size = 11 * context.scale, free = size + 4 * context.scale;
+  const bool is_pressed = row(context, name, key, is_active, free);
+  const ImVec2 first = ImGui::GetItemRectMin(), last = ImGui::GetItemRectMax();
+  const ImVec2 at{std::floor(last.x - size - 9 * context.scale), std::floor((first.y + last.y - size) / 2)};
+  const ImVec4& colour = kind.press == Press::acts ? context.colours().accent : context.colours().dim;
+  kind.mark(*ImGui::GetWindowDrawList(), at, size, ImGui::GetColorU32(colour));
+  return is_pressed;
 }
 
 void draw_operator(PanelContext& context, const OpInfo& op) {
   ImGui::PushID(op.id.data());
   const std::string key(op.key == '\0' ? 0 : 1, op.key);
-  if (row(context, context.text(op.name_en, op.name_ja), key.c_str(), context.session.tool == op.id))
+  const PressRow& kind = presses[static_cast<std::size_t>(press_of(context.session, op))];
+  if (marked_row(context, context.text(op.name_en, op.name_ja), key.c_str(), context.session.tool == op.id, kind))
     press(context, op);
-  const std::string help =
-      std::string(op.id) + " " + std::string(op.syntax) + "\n" + context.text(op.help_en, op.help_ja);
-  tip(help);
+  tip(std::string(op.id) + " " + std::string(op.syntax) + "\n" + context.text(op.help_en, op.help_ja) + "\n" +
+      context.text(kind.help));
   ImGui::PopID();
+}
+
+// The operators of a group that have a key, and the tool; the others when it is unfolded.
+void draw_group(PanelContext& context, const OpGroupRow& group) {
+  const auto is_always_there = [&](const OpInfo& op) { return op.key != '\0' || context.session.tool == op.id; };
+  std::size_t others = 0;
+  for (const OpInfo& op : all_ops()) others += op.group == group.group && !is_always_there(op);
+  const std::string more = others > 0 ? "+" + std::to_string(others) : "";
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::GetTreeNodeToLabelSpacing() -
+                     ImGui::CalcTextSize(more.c_str()).x - ImGui::GetFontSize();
+  const std::string name = fitted(context.text(group.en, group.ja), room);
+  ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
+  const bool is_open = ImGui::TreeNodeEx(
+      group.en, ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen, "%s", name.c_str());
+  ImGui::PopStyleVar();
+  if (!is_open) {
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(more.c_str()).x - 9 * context.scale);
+    ImGui::TextUnformatted(more.c_str());
+  }
+  ImGui::PopStyleColor();
+  const float indent = 6 * context.scale;
+  ImGui::Indent(indent);
+  for (const OpInfo& op : all_ops())
+    if (op.group == group.group && (is_open || is_always_there(op))) draw_operator(context, op);
+  ImGui::Unindent(indent);
 }
 
 void draw_modes(PanelContext& context) {
@@ -45,6 +121,7 @@ void draw_modes(PanelContext& context) {
                                    {PickMode::halfedge, UiText::halfedge}};
   static_assert(rows_are_in_order(modes, &Mode::mode));
   const float gap = 4 * context.scale, width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 1 * context.scale});
   for (std::size_t i = 0; i < std::size(modes); ++i) {
     const bool is_active = context.session.mode == modes[i].mode;
     if (i % 2 == 1) ImGui::SameLine(0, gap);
@@ -54,25 +131,25 @@ void draw_modes(PanelContext& context) {
     }
     if (ImGui::Button(context.text(modes[i].name), {width, 0})) context.run("mode " + std::string(pick_modes[i].id));
     if (is_active) ImGui::PopStyleColor(2);
+    tip(context.text(UiText::pick));
   }
+  ImGui::PopStyleVar();
 }
 
-// The operators and what the pointer picks.
+// What the pointer picks, and the operators by what they are for.
 void draw_tools(PanelContext& context) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 1 * context.scale});
   ImGui::PushID("select");
-  if (row(context, context.text(UiText::select_tool), "Esc", context.session.tool.empty())) context.run("tool none");
+  const PressRow& tool = presses[static_cast<std::size_t>(Press::takes_tool)];
+  if (marked_row(context, context.text(UiText::select_tool), "Esc", context.session.tool.empty(), tool))
+    context.run("tool none");
   ImGui::PopID();
-  for (const OpInfo& op : all_ops())
-    if (op.key != '\0') draw_operator(context, op);
-  if (ImGui::TreeNodeEx("more", ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen, "%s",
-                        context.text(UiText::more_operators)))
-    for (const OpInfo& op : all_ops())
-      if (op.key == '\0') draw_operator(context, op);
   // The pick mode applies only without a tool: a tool determines what it picks.
   ImGui::BeginDisabled(!context.session.tool.empty());
-  dim_text(context, context.text(UiText::pick));
   draw_modes(context);
   ImGui::EndDisabled();
+  for (const OpGroupRow& group : op_groups) draw_group(context, group);
+  ImGui::PopStyleVar();
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
@@ -6,6 +8,8 @@ namespace ryosen {
 namespace {
 
 // A dash where there is no value.
+std::string figure_text(std::optional<std::int64_t> value) { return value ? grouped(*value) : "\u2212"; }
+
 void draw_term(PanelContext& context, const EulerTerm& term, std::optional<std::int64_t> value) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -13,38 +17,51 @@ void draw_term(PanelContext& context, const EulerTerm& term, std::optional<std::
   ImGui::TextColored(context.colours().accent, "%c", term.letter);
   ImGui::PopFont();
   ImGui::TableNextColumn();
-  ImGui::TextColored(context.colours().dim, "%s", context.text(term.en, term.ja));
+  ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
+  fitted_text(context.text(term.en, term.ja), ImGui::GetContentRegionAvail().x);
+  ImGui::PopStyleColor();
   ImGui::TableNextColumn();
-  const std::string figure = value ? grouped(*value) : "\u2212";
+  const std::string figure = figure_text(value);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x -
                        ImGui::CalcTextSize(figure.c_str()).x);
   ImGui::TextUnformatted(figure.c_str());
 }
 
+// Parts of a line, each as a whole on the next one where there is no room left.
+class Flow {
+ public:
+  void add(const std::string& part, const ImVec4& colour = ImGui::GetStyleColorVec4(ImGuiCol_Text)) {
+    const float gap = 0.3f * ImGui::GetFontSize(), end = ImGui::GetItemRectMax().x + gap;
+    const float edge = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (has_begun_ && end + ImGui::CalcTextSize(part.c_str()).x <= edge) ImGui::SameLine(0, gap);
+    has_begun_ = true;
+    ImGui::TextColored(colour, "%s", part.c_str());
+  }
+
+ private:
+  bool has_begun_ = false;
+};
+
 // The sum with its numbers, and a tick where both sides are equal; where there is no G, the reason instead.
 void draw_sum(PanelContext& context, const EulerPoincare& terms) {
   const auto n = [](std::int64_t value) { return std::to_string(value); };
-  dim_text(context, "V\u2212E+F+(B+W+I)\u2212H = 2(S\u2212G)");
-  const std::string counts = n(terms.vertices) + " \u2212 " + n(terms.edges) + " + " + n(terms.faces);
-  std::string rest = " + " + n(terms.outside()) + " \u2212 " + n(terms.rings) + " = " + n(terms.left());
-  if (terms.genus)
-    rest += std::string(terms.holds() ? " = " : " \u2260 ") + n(terms.right()) + " = 2 (" + n(terms.parts) +
-            " \u2212 " + n(*terms.genus) + ")";
-  ImGui::TextUnformatted(counts.c_str());
-  if (ImGui::CalcTextSize((counts + rest).c_str()).x + 2 * ImGui::GetFontSize() < ImGui::GetContentRegionAvail().x)
-    ImGui::SameLine(0, 0.3f * ImGui::GetFontSize());
-  ImGui::TextUnformatted(rest.c_str());
+  const std::string minus = "\u2212 ";
+  Flow formula;
+  for (const char* const part : {"V\u2212E+F+(B+W+I)\u2212H", "= 2(S\u2212G)"})
+    formula.add(part, context.colours().dim);
+  Flow sum;
+  for (const std::string& part : {n(terms.vertices), minus + n(terms.edges), "+ " + n(terms.faces),
+                                  "+ " + n(terms.outside()), minus + n(terms.rings), "= " + n(terms.left())})
+    sum.add(part);
   if (terms.genus) {
-    ImGui::SameLine();
-    ImGui::TextColored(terms.holds() ? context.colours().legal : context.colours().refused, "%s",
-                       terms.holds() ? "\u2713" : "\u2717");
+    sum.add((terms.holds() ? "= " : "\u2260 ") + n(terms.right()));
+    sum.add("= 2 (" + n(terms.parts) + " " + minus + n(*terms.genus) + ")");
+    sum.add(terms.holds() ? "\u2713" : "\u2717", terms.holds() ? context.colours().legal : context.colours().refused);
     return;
   }
   const std::string reason = std::string(context.text(UiText::no_genus)) + ": " +
                              why_no_genus(context.session.mesh(), terms).in(context.language());
-  ImGui::PushTextWrapPos(0);
   coloured_text(context.colours().warning, reason.c_str());
-  ImGui::PopTextWrapPos();
 }
 
 // What the mesh is, in the word of `check`; the reason is its tooltip.
@@ -58,28 +75,32 @@ void draw_kind_of_mesh(PanelContext& context) {
   ImGui::PushFont(context.fonts.bold);
   coloured_text(colour, context.text(row.name_en, row.name_ja));
   ImGui::PopFont();
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", kind.reason.in(context.language()).c_str());
+  tip(kind.reason.in(context.language()));
   if (!is_stale) return;
-  ImGui::SameLine();
   if (ImGui::SmallButton(context.text(UiText::kind_anew))) context.session.kind(true);
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", context.text(UiText::kind_is_stale));
+  tip(context.text(UiText::kind_is_stale));
 }
 
 // The terms of V - E + F + (B + W + I) - H = 2(S - G).
 void draw_totals(PanelContext& context) {
   const EulerPoincare& terms = context.session.euler_terms();
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {4 * context.scale, 1 * context.scale});
+  float widest = 0;
+  for (const EulerTerm& term : euler_letters())
+    widest = std::max(widest, ImGui::CalcTextSize(figure_text(term.value(terms)).c_str()).x);
   if (ImGui::BeginTable("terms", 3)) {
     ImGui::TableSetupColumn("letter", ImGuiTableColumnFlags_WidthFixed, 1.1f * ImGui::GetFontSize());
-    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 3);
-    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 1.6f);
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, widest + 4 * context.scale);
     for (const EulerTerm& term : euler_letters())
       if (const auto value = term.value(terms); !term.is_rare || value != 0) draw_term(context, term, value);
     ImGui::EndTable();
   }
   ImGui::PopStyleVar();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 2 * context.scale});
   draw_sum(context, terms);
   draw_kind_of_mesh(context);
+  ImGui::PopStyleVar();
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ struct DeleteEdge : OnHalfedge<DeleteEdge> {
                                "takes away an edge that has no face",
                                "面を持たない稜線を取り除く",
                                '\0',
-                               OpTargetKind::edge};
+                               OpTargetKind::edge,
+                               OpGroup::euler};
 
   Verdict check(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;

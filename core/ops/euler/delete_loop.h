@@ -24,6 +24,7 @@ struct DeleteLoop : OnFace<DeleteLoop> {
                                "面だけを取り除き、稜線は残す",
                                '\0',
                                OpTargetKind::face,
+                               OpGroup::euler,
                                "kf"};
 
   Verdict check(const Mesh& mesh) const;

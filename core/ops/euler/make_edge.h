@@ -27,6 +27,7 @@ struct MakeEdge {
                                "二頂点を稜線で結ぶ。角は着く半稜線 P-A と Q-B で指定する",
                                '\0',
                                OpTargetKind::selection,
+                               OpGroup::euler,
                                "",
                                Topology::may_change,
                                Subject::edge,

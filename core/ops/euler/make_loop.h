@@ -26,6 +26,7 @@ struct MakeLoop : OnHalfedge<MakeLoop> {
                                "半稜線 A-B の左の外側の閉路に面を張る",
                                '\0',
                                OpTargetKind::edge,
+                               OpGroup::euler,
                                "mf",
                                Topology::may_change,
                                Subject::cycle};

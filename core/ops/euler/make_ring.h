@@ -27,6 +27,7 @@ struct MakeRing : OnHalfedge<MakeRing> {
                                "橋の稜線を取り除き、内側のループを面のリングにする",
                                '\0',
                                OpTargetKind::edge,
+                               OpGroup::euler,
                                "kemr",
                                Topology::kept};
 

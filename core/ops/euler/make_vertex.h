@@ -24,6 +24,7 @@ struct MakeVertex {
                                "指定した位置に孤立頂点を置く",
                                '\0',
                                OpTargetKind::none,
+                               OpGroup::euler,
                                "mvs",
                                Topology::may_change,
                                Subject::edge,

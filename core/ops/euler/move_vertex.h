@@ -26,6 +26,7 @@ struct MoveVertex {
                                "頂点をそのすべての複製とともに移動する",
                                '\0',
                                OpTargetKind::none,
+                               OpGroup::euler,
                                "move",
                                Topology::kept};
 

@@ -14,15 +14,9 @@
 namespace ryosen {
 
 struct RemoveVertex : OnVertex<RemoveVertex> {
-  static constexpr OpInfo info{"remove_vertex",
-                               "Remove vertex",
-                               "頂点消去",
-                               "vN",
-                               "removes an isolated vertex",
-                               "孤立頂点を取り除く",
-                               '\0',
-                               OpTargetKind::vertex,
-                               "kvs"};
+  static constexpr OpInfo info{
+      "remove_vertex",      "Remove vertex", "頂点消去", "vN", "removes an isolated vertex", "孤立頂点を取り除く", '\0',
+      OpTargetKind::vertex, OpGroup::euler,  "kvs"};
 
   std::string command(const Mesh& mesh) const;
 

@@ -24,6 +24,7 @@ struct SeparateEdge {
                                "面を切らずに稜線の途中に頂点を入れる",
                                '\0',
                                OpTargetKind::edge,
+                               OpGroup::euler,
                                "semv",
                                Topology::kept,
                                Subject::points};

@@ -29,6 +29,7 @@ struct SeparateLoop {
                                "面を角 A と角 B を結ぶ稜線で分割する",
                                '\0',
                                OpTargetKind::selection,
+                               OpGroup::euler,
                                "divide mef",
                                Topology::kept,
                                Subject::edge,

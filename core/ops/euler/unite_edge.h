@@ -22,6 +22,7 @@ struct UniteEdge : OnVertex<UniteEdge> {
                                "稜線がちょうど二本の頂点を取り除く",
                                '\0',
                                OpTargetKind::vertex,
+                               OpGroup::euler,
                                "jekv",
                                Topology::kept};
 

@@ -29,6 +29,7 @@ struct UniteLoop : OnHalfedge<UniteLoop> {
                                "稜線の両側の面を一つにまとめる",
                                '\0',
                                OpTargetKind::edge,
+                               OpGroup::euler,
                                "kef",
                                Topology::kept};
 

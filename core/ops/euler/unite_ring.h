@@ -28,6 +28,7 @@ struct UniteRing {
                                "一つの面の二つのループを橋の稜線でつなぐ",
                                '\0',
                                OpTargetKind::selection,
+                               OpGroup::euler,
                                "mekr",
                                Topology::kept,
                                Subject::edge,

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <map>
 #include <string>
 
@@ -20,21 +21,68 @@ std::string without_spaces(std::string_view text) {
 
 DrawnText::DrawnText(const Gui& gui) {
   // A glyph is four vertices; the first has the upper left corner of its picture in the atlas.
-  std::map<std::pair<float, float>, unsigned> glyphs;
+  std::map<std::pair<float, float>, unsigned> letters;
   for (const ImFont* font : gui.fonts().Fonts)
     for (const ImFontGlyph& glyph : font->Glyphs)
-      if (glyph.Visible) glyphs[{glyph.U0, glyph.V0}] = glyph.Codepoint;
+      if (glyph.Visible) letters[{glyph.U0, glyph.V0}] = glyph.Codepoint;
   const ImDrawData& drawn = gui.draw_data();
   for (int i = 0; i < drawn.CmdListsCount; ++i) {
-    const ImVector<ImDrawVert>& vertices = drawn.CmdLists[i]->VtxBuffer;
-    for (int k = 0; k + 2 < vertices.Size; ++k) {
-      const auto glyph = glyphs.find({vertices[k].uv.x, vertices[k].uv.y});
-      if (glyph == glyphs.end()) continue;
-      const ImVec2 &corner = vertices[k].pos, &across = vertices[k + 2].pos;
-      text_ += glyph->second < 128 ? static_cast<char>(glyph->second) : '?';
-      places_.emplace_back((corner.x + across.x) / 2, (corner.y + across.y) / 2);
+    const ImDrawList& list = *drawn.CmdLists[i];
+    std::vector<bool> is_read(static_cast<std::size_t>(list.VtxBuffer.Size));
+    for (const ImDrawCmd& command : list.CmdBuffer) {
+      for (unsigned n = 0; n < command.ElemCount; ++n) {
+        const int k = list.IdxBuffer[static_cast<int>(command.IdxOffset + n)] + static_cast<int>(command.VtxOffset);
+        if (is_read[static_cast<std::size_t>(k)] || k + 2 >= list.VtxBuffer.Size) continue;
+        const auto letter = letters.find({list.VtxBuffer[k].uv.x, list.VtxBuffer[k].uv.y});
+        if (letter == letters.end()) continue;
+        is_read[static_cast<std::size_t>(k)] = true;
+        const ImVec2 &corner = list.VtxBuffer[k].pos, &across = list.VtxBuffer[k + 2].pos;
+        text_ += letter->second < 128 ? static_cast<char>(letter->second) : '?';
+        places_.emplace_back((corner.x + across.x) / 2, (corner.y + across.y) / 2);
+        glyphs_.push_back({{std::min(corner.x, across.x), std::min(corner.y, across.y)},
+                           {std::max(corner.x, across.x), std::max(corner.y, across.y)},
+                           {command.ClipRect.x, command.ClipRect.y},
+                           {command.ClipRect.z, command.ClipRect.w},
+                           i});
+      }
     }
   }
+}
+
+template <class Is>
+std::string DrawnText::letters_that(Is is) const {
+  std::string letters;
+  for (std::size_t i = 0; i < glyphs_.size(); ++i)
+    if (is(i)) letters += text_[i];
+  return letters;
+}
+
+std::string DrawnText::cut_sideways() const {
+  return letters_that([&](std::size_t i) {
+    const Glyph& g = glyphs_[i];
+    const double bearing = 0.3 * (g.last.x - g.first.x);  // a J begins left of its place
+    return g.first.x < g.clip_first.x - bearing || g.last.x > g.clip_last.x + bearing;
+  });
+}
+
+std::string DrawnText::cut_in_height() const {
+  return letters_that([&](std::size_t i) {
+    const Glyph& g = glyphs_[i];
+    const bool is_seen = g.last.y > g.clip_first.y && g.first.y < g.clip_last.y;
+    return is_seen && (g.first.y < g.clip_first.y - 1 || g.last.y > g.clip_last.y + 1);
+  });
+}
+
+std::string DrawnText::overlapping() const {
+  const auto share = [&](const Glyph& g, const Glyph& h) {
+    const glm::dvec2 both = glm::min(g.last, h.last) - glm::max(g.first, h.first), size = g.last - g.first;
+    return both.x > 0 && both.y > 0 ? both.x * both.y / (size.x * size.y) : 0;
+  };
+  return letters_that([&](std::size_t i) {
+    for (std::size_t k = 0; k < glyphs_.size(); ++k)
+      if (k != i && glyphs_[k].window == glyphs_[i].window && share(glyphs_[i], glyphs_[k]) > 0.4) return true;
+    return false;
+  });
 }
 
 std::size_t DrawnText::count(std::string_view text) const {

@@ -19,8 +19,21 @@ class DrawnText {
   std::size_t count(std::string_view text) const;
   // The middle of its first character, where it was drawn first; outside of every window if nowhere.
   glm::dvec2 place(std::string_view text) const;
+  // The text whose letters are cut off at the sides, or above or below, of what they are drawn in.
+  std::string cut_sideways() const;
+  std::string cut_in_height() const;
+  // The text whose letters lie over others of the same window.
+  std::string overlapping() const;
 
  private:
+  struct Glyph {
+    glm::dvec2 first{0}, last{0}, clip_first{0}, clip_last{0};
+    int window = 0;
+  };
+  template <class Is>
+  std::string letters_that(Is is) const;
+
+  std::vector<Glyph> glyphs_;
   std::string text_;  // ? for what is not ASCII
   std::vector<glm::dvec2> places_;
 };

@@ -11,7 +11,9 @@ namespace ryosen::test {
 
 class Laid {
  public:
-  explicit Laid(const std::string& asset_name, Size size = window) : size_(size) { open(asset_name); }
+  explicit Laid(const std::string& asset_name, Size size = window, float scale = 1) : gui(scale), size_(size) {
+    open(asset_name);
+  }
 
   void open(const std::string& asset_name) {
     auto document = Document::open(asset(asset_name));
@@ -27,19 +29,19 @@ class Laid {
       gui.frame(session, size_, 0.02);
     }
   }
-  void click(glm::dvec2 pixel) {
+  void click(glm::dvec2 pixel, int button = 0) {
     gui.pointer(pixel);
     frames(2);
-    gui.button(0, true);
+    gui.button(button, true);
     frames(1);
-    gui.button(0, false);
+    gui.button(button, false);
     frames(2);
   }
 
   Session session{std::make_unique<Document>()};
-  Gui gui{1};
+  Gui gui;
 
- private:
+ protected:
   Size size_;
 };
 

@@ -1,0 +1,55 @@
+#include "app/ui/areas.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/ui/style.h"
+
+namespace ryosen {
+
+namespace {
+
+// At scale 1.
+constexpr int least_window_px = 900;  // that has columns
+constexpr int least_view_px = 200;
+constexpr float tabs_px = 30;
+
+int scaled(float px, float scale) { return static_cast<int>(std::lround(px * scale)); }
+
+// The height of ImGui's menu bar, and of the status line: font size plus vertical padding.
+int bar_px(float scale) {
+  return static_cast<int>(std::round(font_px * scale) + 2 * std::floor(frame_padding_px * scale));
+}
+
+}  // namespace
+
+Areas areas_of(const Layout& layout, Size window, float scale) {
+  Areas areas;
+  areas.has_tabs = static_cast<float>(window.width) < least_window_px * scale;
+  const auto width = [&](PanelPlace side) {
+    if (layout.is_empty(side)) return 0;
+    return scaled(areas.has_tabs ? tabs_px : static_cast<float>(layout.width_px(side)), scale);
+  };
+  int left = width(PanelPlace::left), right = width(PanelPlace::right);
+  const int room = std::max(window.width - scaled(least_view_px, scale), 0);
+  if (!areas.has_tabs && left + right > room) {
+    left = static_cast<int>(std::int64_t{left} * room / (left + right));
+    right = std::min(right, room - left);
+  }
+  const int bar = bar_px(scale);
+  areas.view = {left, bar, window.width - right, window.height - bar};
+  areas.view.x1 = std::max(areas.view.x1, areas.view.x0 + 1);
+  areas.view.y1 = std::max(areas.view.y1, areas.view.y0 + 1);
+  areas.left = {0, bar, areas.view.x0, areas.view.y1};
+  areas.right = {areas.view.x1, bar, window.width, areas.view.y1};
+  return areas;
+}
+
+int widest_column_px(const Layout& layout, PanelPlace side, Size window, float scale) {
+  const PanelPlace other = side == PanelPlace::left ? PanelPlace::right : PanelPlace::left;
+  const int taken = layout.is_empty(other) ? 0 : layout.width_px(other);
+  const auto room = static_cast<int>(static_cast<float>(window.width) / scale) - taken - least_view_px;
+  return std::clamp(room, least_column_px, most_column_px);
+}
+
+}  // namespace ryosen

@@ -1,0 +1,22 @@
+// Which part of a window is the view's, and which the columns'.
+#pragma once
+
+#include "app/editor/layout.h"
+#include "core/view/size.h"
+
+namespace ryosen {
+
+struct Areas {
+  PixelRect view, left, right;  // a column without panels is empty
+  bool has_tabs = false;        // the window is too narrow for columns: they are strips of tabs
+
+  const PixelRect& column(PanelPlace side) const { return side == PanelPlace::left ? left : right; }
+};
+
+// At a scale of the display, 1 for about 96 pixels per inch. The view keeps some room, and at least a pixel.
+Areas areas_of(const Layout& layout, Size window, float scale);
+
+// The widest that a column of a window may be made by hand, at scale 1.
+int widest_column_px(const Layout& layout, PanelPlace side, Size window, float scale);
+
+}  // namespace ryosen

@@ -1,0 +1,22 @@
+// A panel of a column with its header: a click on that folds it, and its menu hides it or puts it on the other side.
+#pragma once
+
+#include <memory>
+
+#include "app/ui/panels.h"
+
+namespace ryosen {
+
+// A panel of the window, with its row.
+struct OwnPanel {
+  PanelRow row;
+  std::unique_ptr<Panel> panel;
+  std::unique_ptr<ScopedPanel> added;  // null for those of the list
+};
+
+// What a click on the header does.
+enum class HeaderClick { folds, closes };
+
+void draw_framed(PanelContext& context, OwnPanel& own, HeaderClick header);
+
+}  // namespace ryosen

@@ -1,0 +1,115 @@
+#include "app/ui/side_columns.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ryosen {
+
+namespace {
+
+constexpr float border_px = 5;  // that can be taken hold of, at scale 1
+
+constexpr ImGuiWindowFlags column_flags =
+    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing;
+
+// The border between a column and the view; a drag makes the column wider or narrower.
+void draw_border(PanelContext& context, PanelPlace side, const PixelRect& column) {
+  const bool is_left = side == PanelPlace::left;
+  const float width = std::round(border_px * context.scale);
+  const ImVec2 at{is_left ? static_cast<float>(column.x1) - width : static_cast<float>(column.x0),
+                  static_cast<float>(column.y0)};
+  const ImVec2 size{width, static_cast<float>(std::max(column.height(), 1))};
+  ImGui::SetNextWindowPos(at);
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::Begin(is_left ? "##left border" : "##right border", nullptr, column_flags | ImGuiWindowFlags_NoScrollbar);
+  ImGui::PopStyleVar(3);
+  ImGui::InvisibleButton("border", size);
+  const bool is_held = ImGui::IsItemActive();
+  if (is_held || ImGui::IsItemHovered()) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    const float line = std::max(2 * context.scale, 1.f), x = is_left ? at.x + width - line : at.x;
+    ImGui::GetWindowDrawList()->AddRectFilled({x, at.y}, {x + line, at.y + size.y},
+                                              ImGui::GetColorU32(context.colours().accent));
+  }
+  if (is_held && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1)) {
+    const ImVec2 all = ImGui::GetIO().DisplaySize;
+    const float pointed = is_left ? ImGui::GetIO().MousePos.x : all.x - ImGui::GetIO().MousePos.x;
+    const Size window{static_cast<int>(all.x), static_cast<int>(all.y)};
+    const int widest = widest_column_px(context.session.layout, side, window, context.scale);
+    const float px = std::clamp(pointed / context.scale, float{least_column_px}, static_cast<float>(widest));
+    const int wanted = static_cast<int>(std::lround(px));
+    if (wanted != context.session.layout.width_px(side))
+      context.run(std::string("columns ") + (is_left ? "left " : "right ") + std::to_string(wanted));
+  }
+  ImGui::End();
+}
+
+bool lies_in(const PanelContext& context, const PanelRow& row, PanelPlace side) {
+  return row.place != PanelPlace::over && context.session.layout.side_of(row) == side && context.session.is_shown(row);
+}
+
+}  // namespace
+
+void SideColumns::draw_column(PanelContext& context, PanelPlace side, const Areas& areas,
+                              std::vector<OwnPanel>& panels) {
+  const PixelRect& area = areas.column(side);
+  if (area.empty()) return;
+  if (areas.has_tabs) return draw_tabs(context, side, area);
+  const bool is_left = side == PanelPlace::left;
+  const float border = std::round(border_px * context.scale), x = static_cast<float>(area.x0);
+  ImGui::SetNextWindowPos({is_left ? x : x + border, static_cast<float>(area.y0)});
+  ImGui::SetNextWindowSize({static_cast<float>(area.width()) - border, static_cast<float>(area.height())});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8 * context.scale, 4 * context.scale});
+  ImGui::Begin(is_left ? "##left" : "##right", nullptr, column_flags);
+  ImGui::PopStyleVar(2);
+  for (OwnPanel& own : panels)
+    if (lies_in(context, own.row, side)) draw_framed(context, own, HeaderClick::folds);
+  ImGui::End();
+  draw_border(context, side, area);
+}
+
+void SideColumns::draw_flyout(PanelContext& context, const Areas& areas, std::vector<OwnPanel>& panels) {
+  flyout_size_ = {0, 0};
+  const std::string open = areas.has_tabs ? context.session.layout.flyout : "";
+  const auto own = std::find_if(panels.begin(), panels.end(), [&](const OwnPanel& p) { return p.row.id == open; });
+  if (own == panels.end()) {
+    context.session.layout.flyout.clear();
+    return;
+  }
+  const PanelPlace side = context.session.layout.side_of(own->row);
+  const PixelRect& view = areas.view;
+  const float wide = static_cast<float>(context.session.layout.width_px(side)) * context.scale;
+  const float width = std::min(std::round(wide), static_cast<float>(view.width()));
+  const bool is_left = side == PanelPlace::left;
+  ImGui::SetNextWindowPos({static_cast<float>(is_left ? view.x0 : view.x1), static_cast<float>(view.y0)}, 0,
+                          {is_left ? 0.f : 1.f, 0});
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, static_cast<float>(view.height())});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8 * context.scale, 4 * context.scale});
+  ImGui::Begin("##flyout", nullptr,
+               (column_flags & ~ImGuiWindowFlags_NoBringToFrontOnFocus) | ImGuiWindowFlags_AlwaysAutoResize);
+  ImGui::PopStyleVar(3);
+  draw_framed(context, *own, HeaderClick::closes);
+  flyout_at_ = ImGui::GetWindowPos();
+  flyout_size_ = ImGui::GetWindowSize();
+  ImGui::End();
+}
+
+void SideColumns::draw(PanelContext& context, const Areas& areas, std::vector<OwnPanel>& panels) {
+  draw_column(context, PanelPlace::left, areas, panels);
+  draw_column(context, PanelPlace::right, areas, panels);
+  draw_flyout(context, areas, panels);
+}
+
+bool SideColumns::covers(glm::dvec2 pixel) const {
+  return pixel.x >= flyout_at_.x && pixel.x < flyout_at_.x + flyout_size_.x && pixel.y >= flyout_at_.y &&
+         pixel.y < flyout_at_.y + flyout_size_.y;
+}
+
+}  // namespace ryosen

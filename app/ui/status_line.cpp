@@ -1,0 +1,117 @@
+// What each button of the mouse does now, and what the last command said.
+#include <algorithm>
+
+#include "app/ui/panels.h"
+#include "app/ui/widgets.h"
+
+namespace ryosen {
+
+namespace {
+
+struct Hint {
+  std::string button, does;
+};
+
+UiText does(Gesture gesture) {
+  switch (gesture) {
+    case Gesture::orbit:
+      return UiText::does_orbit;
+    case Gesture::pan:
+      return UiText::does_pan;
+    case Gesture::zoom:
+      return UiText::does_zoom;
+    default:
+      return UiText::does_select_in;
+  }
+}
+
+std::vector<Hint> hints_of_gesture(const PanelContext& context, const TransformGesture& gesture) {
+  return {{"", gesture.told().in(context.language())},
+          {"X Y Z N", context.text("axis", "軸")},
+          {"0-9", context.text("number", "数値")},
+          {"O", context.text("falloff", "減衰")},
+          {"Ctrl", context.text("snap", "スナップ")},
+          {context.text("Enter, click", "Enter・クリック"), context.text("done", "確定")},
+          {"Esc", context.text("give up", "中止")}};
+}
+
+std::vector<Hint> hints_of(const PanelContext& context) {
+  if (const TransformGesture* const gesture = context.session.gesture()) return hints_of_gesture(context, *gesture);
+  const auto drag = [&](MouseButton button) {
+    return context.text(does(gesture_of(input_presets()[context.session.input_preset], button, {})));
+  };
+  const OpInfo* const op = find_op(context.session.tool);
+  return {{context.text("Click", "クリック"),
+           op ? context.text(op->name_en, op->name_ja) : context.text(UiText::does_pick)},
+          {context.text("Drag", "ドラッグ"), drag(MouseButton::left)},
+          {context.text("Right drag", "右ドラッグ"), drag(MouseButton::right)},
+          {context.text(UiText::wheel), context.text(UiText::does_zoom)}};
+}
+
+float word_gap() { return 0.4f * ImGui::GetFontSize(); }
+float hint_gap() { return 1.4f * ImGui::GetFontSize(); }
+float width_of(const Hint& hint) {
+  return ImGui::CalcTextSize(hint.button.c_str()).x + word_gap() + ImGui::CalcTextSize(hint.does.c_str()).x;
+}
+
+// As many as have room.
+void draw_hints(PanelContext& context, const std::vector<Hint>& hints, float room) {
+  for (const Hint& hint : hints) {
+    room -= width_of(hint);
+    if (room < 0) return;
+    ImGui::TextColored(context.colours().dim, "%s", hint.button.c_str());
+    ImGui::SameLine(0, word_gap());
+    ImGui::TextUnformatted(hint.does.c_str());
+    ImGui::SameLine(0, hint_gap());
+    room -= hint_gap();
+  }
+}
+
+// At the right, with an ellipsis where it does not fit.
+void draw_said(PanelContext& context, const std::string& said, float end, float room) {
+  const ImVec4 colour = context.state.last_kind == Outcome::Kind::done      ? context.colours().legal
+                        : context.state.last_kind == Outcome::Kind::refused ? context.colours().refused
+                                                                            : context.colours().warning;
+  ImGui::SetCursorPosX(end - std::min(room, ImGui::CalcTextSize(said.c_str()).x));
+  ImGui::PushStyleColor(ImGuiCol_Text, colour);
+  fitted_text(said, room);
+  ImGui::PopStyleColor();
+}
+
+void draw_line(PanelContext& context, float width, float padding) {
+  const std::vector<Hint> hints = hints_of(context);
+  const std::string& said = context.state.last_outcome.in(context.language());
+  const float all = width - 2 * padding;
+  if (said.empty() || context.session.gesture()) return draw_hints(context, hints, all);
+  float hinted = 0;
+  for (const Hint& hint : hints) hinted += width_of(hint) + hint_gap();
+  // What was said comes before the hints.
+  const float least = 0.75f * all, wanted = ImGui::CalcTextSize(said.c_str()).x;
+  const float room = std::min(wanted, std::max(all - hinted, least));
+  const ImVec2 begin = ImGui::GetCursorPos();
+  draw_hints(context, hints, all - room - hint_gap());
+  ImGui::SetCursorPos(begin);
+  draw_said(context, said, width - padding, room);
+}
+
+}  // namespace
+
+void draw_status(PanelContext& context) {
+  const float height = ImGui::GetFrameHeight(), padding = 12 * context.scale;
+  const ImVec2 all = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0, all.y - height});
+  ImGui::SetNextWindowSize({all.x, height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {padding, (height - ImGui::GetFontSize()) / 2});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
+  ImGui::Begin("##status", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing);
+  draw_line(context, all.x, padding);
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(3);
+}
+
+}  // namespace ryosen

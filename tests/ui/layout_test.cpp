@@ -1,0 +1,206 @@
+// Where the panels lie: hidden, folded, on the other side, in columns of another width, or behind tabs.
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include "app/editor/layout.h"
+#include "app/ui/window_input.h"
+#include "tests/support/app/drawn_text.h"
+#include "tests/support/app/laid.h"
+
+namespace ryosen {
+namespace {
+
+using test::DrawnText;
+
+class LayoutTest : public testing::Test, protected test::Laid {
+ protected:
+  explicit LayoutTest(Size size = test::window) : Laid("cube.obj", size) { input_.resize(size); }
+
+  void run(const std::string& line) {
+    ASSERT_TRUE(session.run(line).done()) << line;
+    frames(3);
+  }
+  PixelRect view() const { return gui.view_area(size_, session.layout); }
+  glm::dvec2 place(std::string_view text) const { return DrawnText(gui).place(text); }
+  bool is_seen(std::string_view text) const { return DrawnText(gui).count(text) > 0; }
+  void drag(glm::dvec2 from, glm::dvec2 to) {
+    input_.move({from});
+    input_.press(MouseButton::left, {from});
+    for (const double share : {0.3, 0.7, 1.0}) input_.move({from + share * (to - from)});
+    input_.release(MouseButton::left, {to, {}, now_s_ += 1});
+    frames(2);
+  }
+  void view_click(glm::dvec2 at) {
+    input_.move({at});
+    input_.press(MouseButton::left, {at});
+    input_.release(MouseButton::left, {at, {}, now_s_ += 1});
+    frames(2);
+  }
+  // The menu of a panel, by the dots at the end of its header.
+  void open_menu(std::string_view title) { click({gui.view_area(size_, {}).x0 - 30, place(title).y}); }
+
+  WindowInput input_{gui, session, [this] { frames(1); }};
+  double now_s_ = 1;
+};
+
+TEST_F(LayoutTest, a_click_on_a_header_folds_its_panel_and_another_unfolds_it) {
+  ASSERT_TRUE(is_seen("Non-manifold"));
+  const glm::dvec2 header = place("Highlights");
+  click(header);
+  EXPECT_EQ(session.layout.folded, std::set<std::string>{"highlights"});
+  EXPECT_FALSE(is_seen("Non-manifold"));
+  click(header);
+  EXPECT_TRUE(session.layout.folded.empty());
+  EXPECT_TRUE(is_seen("Non-manifold"));
+  run("panel highlights fold");
+  EXPECT_FALSE(is_seen("Non-manifold"));
+  run("language ja");
+  run("language en");
+  EXPECT_FALSE(is_seen("Non-manifold")) << "it stays so";
+}
+
+TEST_F(LayoutTest, a_panel_has_a_menu_that_hides_it_and_puts_it_on_the_other_side) {
+  const int column = view().x0;
+  open_menu("Highlights");
+  EXPECT_TRUE(gui.owns_pointer(session, size_, {640, 360})) << "while the menu is open";
+  click(place("Put on the right"));
+  EXPECT_EQ(session.layout.moved, std::set<std::string>{"highlights"});
+  EXPECT_GT(place("Highlights").x, 640);
+  EXPECT_FALSE(gui.owns_pointer(session, size_, {640, 360}));
+  click(place("Highlights"), 1);
+  click(place("Put on the left"));
+  EXPECT_LT(place("Highlights").x, column);
+  click(place("Highlights"), 1);
+  click(place("Fold"));
+  EXPECT_FALSE(is_seen("Non-manifold"));
+  click(place("Highlights"), 1);
+  click(place("Hide"));
+  EXPECT_FALSE(is_seen("Highlights"));
+  EXPECT_EQ(session.layout.switched, std::set<std::string>{"highlights"});
+  EXPECT_EQ(view().x0, column);
+}
+
+TEST_F(LayoutTest, a_column_without_panels_leaves_its_place_to_the_view) {
+  for (const char* id : {"tools", "highlights", "totals"}) run("panel " + std::string(id) + " off");
+  EXPECT_EQ(view().x0, 0);
+  EXPECT_EQ(session.view_origin.x, 0);
+  EXPECT_EQ(session.view.width, view().width());
+  EXPECT_FALSE(gui.owns_pointer(session, size_, {100, 360}));
+  run("panel history left");
+  EXPECT_GT(view().x0, 0);
+}
+
+TEST_F(LayoutTest, a_drag_of_its_border_makes_a_column_wider_and_the_view_follows) {
+  const PixelRect before = view();
+  drag({before.x0 - 2, 400}, {before.x0 + 98, 430});
+  EXPECT_NEAR(session.layout.left_px, before.x0 + 100, 3);
+  EXPECT_EQ(view().x0, session.layout.left_px);
+  EXPECT_EQ(session.view_origin.x, view().x0);
+  EXPECT_EQ(session.view.width, view().width());
+  EXPECT_TRUE(session.selection.empty());
+  drag({before.x1 + 2, 400}, {before.x1 + 900, 400});
+  EXPECT_EQ(session.layout.right_px, least_column_px);
+  drag({view().x1 + 2, 400}, {5, 400});
+  EXPECT_GE(view().width(), 200) << "the view keeps some room";
+  const PixelRect now = view();
+  drag({(now.x0 + now.x1) / 2, 400}, {now.x1 - 10, 430});
+  EXPECT_EQ(view(), now) << "a drag in the view turns it";
+}
+
+TEST_F(LayoutTest, the_columns_take_widths_within_limits_and_the_view_keeps_its_least) {
+  run("columns left 300");
+  EXPECT_EQ(view().x0, 300);
+  for (const char* wrong : {"columns", "columns left", "columns middle 300", "columns left 20", "columns right 5000",
+                            "columns left wide", "columns left 300 300"})
+    EXPECT_EQ(session.run(wrong).exit_code, ExitCode::usage) << wrong;
+  run("columns left 640");
+  run("columns right 640");
+  EXPECT_EQ(view().width(), 200);
+  EXPECT_TRUE(session.log().empty());
+}
+
+TEST_F(LayoutTest, its_commands_bring_it_back) {
+  EXPECT_TRUE(session.layout.commands().empty());
+  const std::vector<std::string> lines{"panel tools right", "panel totals off", "panel history fold",
+                                       "columns left 300", "columns right 250"};
+  for (const std::string& line : lines) run(line);
+  EXPECT_EQ(session.layout.commands(), lines);
+  Session other(std::make_unique<Document>());
+  for (const std::string& line : session.layout.commands()) ASSERT_TRUE(other.run(line).done()) << line;
+  EXPECT_EQ(other.layout.commands(), lines);
+  for (const char* line : {"panel tools left", "panel totals on", "panel history unfold"}) run(line);
+  EXPECT_EQ(session.layout.commands().size(), 2u);
+}
+
+TEST_F(LayoutTest, what_lies_over_the_view_is_only_opened_and_closed) {
+  for (const char* wrong : {"panel keys fold", "panel keys left", "panel keys flyout", "panel tools over"})
+    EXPECT_EQ(session.run(wrong).exit_code, ExitCode::usage) << wrong;
+}
+
+class NarrowWindow : public LayoutTest {
+ protected:
+  NarrowWindow() : LayoutTest({640, 480}) {}
+};
+
+TEST_F(NarrowWindow, leaves_most_of_its_width_to_the_view) {
+  EXPECT_GE(view().width(), 0.85 * 640);
+  EXPECT_EQ(session.view.width, view().width());
+  EXPECT_TRUE(areas_of({}, {899, 600}, 1).has_tabs);
+  EXPECT_FALSE(areas_of({}, {900, 600}, 1).has_tabs);
+  EXPECT_TRUE(areas_of({}, {1799, 1200}, 2).has_tabs);
+  EXPECT_FALSE(areas_of({}, {1800, 1200}, 2).has_tabs);
+  for (const char* tab : {"Tools", "Highlights", "Totals", "Pointer", "Inspector", "Problems", "History", "Forms"})
+    EXPECT_TRUE(is_seen(tab)) << tab;
+  EXPECT_EQ(DrawnText(gui).cut_sideways() + DrawnText(gui).cut_in_height(), "");
+}
+
+TEST_F(NarrowWindow, a_tab_opens_its_panel_and_another_click_closes_it) {
+  const glm::dvec2 tab = place("Totals");
+  ASSERT_FALSE(is_seen("vertices"));
+  click(tab);
+  frames(2);
+  EXPECT_EQ(session.layout.flyout, "totals");
+  EXPECT_TRUE(is_seen("vertices"));
+  EXPECT_EQ(view().x0, areas_of({}, size_, 1).view.x0) << "the view stays as it is";
+  EXPECT_TRUE(gui.owns_pointer(session, size_, place("vertices")));
+  EXPECT_FALSE(gui.owns_pointer(session, size_, {500, 300}));
+  click(tab);
+  EXPECT_EQ(session.layout.flyout, "");
+  EXPECT_FALSE(is_seen("vertices"));
+  click(place("Highlights"));
+  click(place("Problems"));
+  EXPECT_EQ(session.layout.flyout, "problems") << "one takes the place of another";
+  EXPECT_FALSE(is_seen("Non-manifold"));
+  ASSERT_TRUE(session.run("cancel").done());
+  EXPECT_EQ(session.layout.flyout, "");
+  run("panel tools flyout");
+  EXPECT_TRUE(is_seen("Collapse edge"));
+}
+
+TEST_F(NarrowWindow, a_click_into_the_view_closes_what_a_tab_has_opened_and_does_nothing_else) {
+  run("mode face");
+  run("panel history flyout");
+  const glm::dvec2 in_view{320, 240};
+  ASSERT_TRUE(session.pick(in_view, PickMode::face));
+  const glm::dvec3 eye = session.camera.eye;
+  drag({200, 240}, {260, 240});
+  EXPECT_NE(session.camera.eye, eye);
+  EXPECT_EQ(session.layout.flyout, "history") << "a drag turns the view beside it";
+  view_click(in_view);
+  EXPECT_EQ(session.layout.flyout, "");
+  EXPECT_TRUE(session.selection.empty());
+  view_click(in_view);
+  EXPECT_EQ(session.selection.size(), 1u);
+}
+
+TEST_F(NarrowWindow, a_wider_one_has_columns_again) {
+  run("panel tools flyout");
+  size_ = test::window;
+  frames(3);
+  EXPECT_EQ(session.layout.flyout, "");
+  EXPECT_EQ(view(), areas_of({}, test::window, 1).view);
+  EXPECT_TRUE(is_seen("Collapse edge"));
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -93,6 +93,22 @@ AnyOp random_delete(const Mesh& mesh, Vertex v, Halfedge h, Dice& dice) {
   return Delete{v};
 }
 
+// Half of the time several faces, most of them beside one another.
+AnyOp random_extrude(const Mesh& mesh, Face f, Dice& dice) {
+  Extrude op{{f}};
+  if (dice.one_in(2)) return op;
+  const int more = 1 + dice.below(4);
+  for (int i = 0; i < more; ++i) {
+    const Halfedge side = pick(halfedges_around(mesh, op.faces.back()), dice);
+    Halfedge beside = twin(side);
+    for (Vertex v = mesh.from(side); mesh.is_outside(beside) && (v = mesh.next_copy(v)) != mesh.from(side);)
+      beside = mesh.halfedge(v) ? twin(mesh.halfedge(v)) : beside;
+    const bool is_near = !mesh.is_outside(beside) && !dice.one_in(4);
+    op.faces.push_back(is_near ? mesh.face(beside) : random_face(mesh, dice));
+  }
+  return op;
+}
+
 // Whether reading the points gives the mesh, and no wire lies beside another edge.
 bool reads_back(const Mesh& mesh) {
   const oracle::ComplexFacts facts = oracle::facts_of(complex_of(mesh));
@@ -197,7 +213,7 @@ AnyOp random_op(const Mesh& mesh, std::size_t place, Dice& dice) {
   if (!f) return MakeVertex{random_place(dice)};
   if (id == "delete_loop") return DeleteLoop{f};
   if (id == "poke") return Poke{f};
-  if (id == "extrude") return Extrude{f};
+  if (id == "extrude") return random_extrude(mesh, f, dice);
   if (id == "triangulate") return Triangulate{dice.one_in(20) ? Face() : f};
   if (id == "reverse") return dice.one_in(2) ? Reverse{{f}} : Reverse{{f, random_face(mesh, dice)}};
   if (id == "detach") return dice.one_in(2) ? Detach{{f}} : Detach{{f, random_face(mesh, dice)}};

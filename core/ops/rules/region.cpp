@@ -1,5 +1,6 @@
 #include "core/ops/rules/region.h"
 
+#include <algorithm>
 #include <cstdint>
 
 #include "core/mesh/circulate.h"
@@ -25,7 +26,7 @@ void Region::find_border(const Mesh& mesh) {
   for (Face f : faces_)
     for (Halfedge h : halfedges_around(mesh, f)) {
       if (is_bridge(mesh, h)) continue;
-      const auto [low, high] = std::minmax(point(mesh, mesh.from(h)).index, point(mesh, mesh.to(h)).index);
+      const auto [low, high] = std::minmax({point(mesh, mesh.from(h)).index, point(mesh, mesh.to(h)).index});
       if (met.insert(std::uint64_t{low} << 32 | high).second) add_border(mesh, h);
     }
 }

@@ -217,7 +217,10 @@ class Raise {
       if (left && m_.from(left) != sector.from) left = Halfedge();
       edit_.set_halfedge(sector.from, left);
     }
-    for (const Sector& sector : sectors_) hold_outside(edit_, sector.from);
+    std::vector<Vertex> below;
+    for (const Sector& sector : sectors_) below.push_back(sector.from);
+    sort_unique(below);
+    for (Vertex v : below) hold_outside(edit_, v);
   }
 
   void move_rest() {

@@ -11,7 +11,7 @@
 //               a bridge is not of it. In the named faces every point that lies on the border, or that has another face
 //               or a wire, is replaced by one new point, the same in all of them; their other points move. Each edge of
 //               the border gets a quad (ci, cj, tj, ti), where ci-cj is the first side of a named face there and t are
-//               the new points, in the order of the faces and sides. Which edges these are is decided on points.
+//               the new points, in the order of the faces and sides. A face that is named twice counts once.
 // needs: no face that is not named on the points of one that is.
 // changes: with b edges of the border, V + b, E + 2b, F + b where each point that is replaced is on two of them. Else,
 //          on points, V + p, E + b + q, F + b, with p points replaced, q of them on the border; where more than two edges
@@ -33,8 +33,7 @@ struct Extrude {
       "Extrude faces",
       "面の押し出し",
       "fN [fM ...] [DISTANCE|X,Y,Z]",
-      "moves faces together, along their mean normal or by X,Y,Z, and connects their border to "
-      "its old place by walls",
+      "moves faces together along their mean normal or by X,Y,Z and connects their border to its old place by walls",
       "面をまとめて平均の法線方向または X,Y,Z だけ動かし、まとまりの境界の稜線を元の位置と側面でつなぐ",
       '\0',
       OpTargetKind::face,

@@ -39,7 +39,7 @@ struct Sector {
 //        |               |
 //      from ---side---> to
 struct Wall {
-  Halfedge side, after;  // after: the next side that stays below
+  Halfedge side, after;  // after: the corner of the face at `to`, at a bridge the last one there
   bool is_shared = false;
   Face face;      // of the region
   Halfedge top;   // from' -> to', a side of the face; its twin belongs to the wall

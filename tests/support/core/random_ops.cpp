@@ -93,18 +93,15 @@ AnyOp random_delete(const Mesh& mesh, Vertex v, Halfedge h, Dice& dice) {
   return Delete{v};
 }
 
-// Half of the time several faces, most of them beside one another.
+// Half of the time several faces, most of them at common points.
 AnyOp random_extrude(const Mesh& mesh, Face f, Dice& dice) {
   Extrude op{{f}};
   if (dice.one_in(2)) return op;
   const int more = 1 + dice.below(4);
   for (int i = 0; i < more; ++i) {
-    const Halfedge side = pick(halfedges_around(mesh, op.faces.back()), dice);
-    Halfedge beside = twin(side);
-    for (Vertex v = mesh.from(side); mesh.is_outside(beside) && (v = mesh.next_copy(v)) != mesh.from(side);)
-      beside = mesh.halfedge(v) ? twin(mesh.halfedge(v)) : beside;
-    const bool is_near = !mesh.is_outside(beside) && !dice.one_in(4);
-    op.faces.push_back(is_near ? mesh.face(beside) : random_face(mesh, dice));
+    const Vertex v = pick(vertices_around(mesh, op.faces.back()), dice), copy = mesh.next_copy(v);
+    const Face near = mesh.face(pick(outgoing(mesh, mesh.is_isolated(copy) ? v : copy), dice));
+    op.faces.push_back(near && !dice.one_in(4) ? near : random_face(mesh, dice));
   }
   return op;
 }

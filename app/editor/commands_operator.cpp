@@ -96,7 +96,10 @@ Outcome apply_to_each(Session& session, const OpInfo& op, Words words) {
 
 Outcome apply_to_all(Session& session, const OpInfo& op, Words words) {
   if (session.selection.empty()) return nothing_selected(op);
-  const std::vector<std::string> names = session.selected_names();
+  Elements fitting;  // where one alone is enough; else it is their order that counts
+  for (const Element& e : session.selection)
+    if (takes(op, e.kind, words.subspan(1))) fitting.push_back(e);
+  const std::vector<std::string> names = session.names_of(fitting.empty() ? session.selection : fitting);
   std::vector<std::string_view> arguments(names.begin(), names.end());
   arguments.insert(arguments.end(), words.begin() + 1, words.end());
   if (fault_of_arguments(op.id, arguments)) return does_not_fit(op);

@@ -134,7 +134,8 @@ class Session {
   void select_for_menu(glm::dvec2 pixel);
 
   // The selected elements as command lines name them, in order; distinguishes copies of a point.
-  std::vector<std::string> selected_names() const;
+  std::vector<std::string> selected_names() const { return names_of(selection); }
+  std::vector<std::string> names_of(const Elements& elements) const;
   // The line that selects them: by names where they are few, else by numbers, several in a row as v3..v9.
   std::string select_line() const;
 

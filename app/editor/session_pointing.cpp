@@ -92,9 +92,9 @@ const std::vector<std::string>& Session::hover_remedy() {
   return remedy_;
 }
 
-std::vector<std::string> Session::selected_names() const {
+std::vector<std::string> Session::names_of(const Elements& elements) const {
   std::vector<std::string> names;
-  for (const Element& element : selection)
+  for (const Element& element : elements)
     names.push_back(element.kind == Element::Kind::vertex ? name_of_copy(mesh(), element.vertex())
                                                           : name_of(mesh(), element));
   return names;

@@ -3,95 +3,65 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
 
 #include "core/geometry/is_finite.h"
 #include "core/geometry/polygon_normal.h"
-#include "core/mesh/attribute.h"
 #include "core/mesh/face_polygon.h"
 #include "core/ops/lines/arguments.h"
-#include "core/ops/rules/corner_values.h"
 #include "core/ops/rules/face_geometry.h"
 #include "core/ops/rules/face_lists.h"
-#include "core/ops/rules/surgery.h"
+#include "core/ops/rules/raise.h"
+#include "core/ops/rules/region.h"
 
 namespace ryosen {
 
 namespace {
 
-// One non-bridge side of the face and the wall above it.
-//
-//      from' ---top---> to'
-//        |               |
-//       rise            rise of the next side
-//        |               |
-//      from ---side---> to
-struct Wall {
-  Halfedge side;
-  Halfedge top;   // from' -> to', a side of the face; its twin belongs to the wall
-  Halfedge rise;  // from -> from'
-  Vertex from;
+// Below this share of the sum of the areas the sum of the vector areas is rounding.
+constexpr double least_share = 1e-12;
+
+// The common normal of faces and the square root of their mean area.
+struct Slope {
+  glm::dvec3 normal{0};
+  double size = 0;
 };
 
-// The walls of a face, by start vertex.
-class Walls {
- public:
-  explicit Walls(std::vector<Wall> walls) : walls_(std::move(walls)), by_vertex_(walls_) {
-    std::sort(by_vertex_.begin(), by_vertex_.end(), [](const Wall& a, const Wall& b) { return a.from < b.from; });
+// Areas may overflow where their sums are taken, so each is taken relative to the largest.
+Slope slope_of(const Mesh& mesh, std::span<const Face> faces) {
+  std::vector<std::pair<double, glm::dvec3>> parts;  // area, normal
+  double largest = 0;
+  FacePolygon polygon;
+  for (Face f : faces) {
+    polygon.read(mesh, f);
+    if (!polygon.is_finite()) continue;
+    const std::vector<glm::dvec3> walk = polygon.keyhole_walk();
+    parts.emplace_back(polygon_area(walk), polygon_normal(walk));
+    largest = std::max(largest, parts.back().first);
   }
-  const std::vector<Wall>& in_order() const { return walls_; }
-  const Wall& at(Vertex v) const {
-    return *std::lower_bound(by_vertex_.begin(), by_vertex_.end(), v,
-                             [](const Wall& wall, Vertex key) { return wall.from < key; });
+  if (parts.empty()) return {};
+  if (parts.size() == 1) return {parts[0].second, std::sqrt(largest)};
+  glm::dvec3 sum(0);
+  double all = 0;
+  for (const auto& [area, normal] : parts) {
+    const double share = area == largest ? 1 : area / largest;
+    sum += share * normal;
+    all += share;
   }
-
- private:
-  std::vector<Wall> walls_, by_vertex_;
-};
-
-// Makes the new vertices, the edges up to them and the sides of the moved face.
-Walls raise(Edit& edit, Face f, const glm::dvec3& by, OpEffect& effect) {
-  const Mesh& m = edit.mesh();
-  std::vector<Wall> walls;
-  for (Halfedge h : halfedges_around(m, f))
-    if (!is_bridge(m, h)) walls.push_back({h, Halfedge(), Halfedge(), m.from(h)});
-  for (Wall& wall : walls) {
-    const glm::dvec3 base = m.position(wall.from), moved = base + by;
-    const Vertex top = edit.add_vertex(is_finite(moved) ? moved : base);
-    blend_vertex_values(edit, wall.from, wall.from, 0, top);
-    wall.rise = edit.add_edge(wall.from, top);
-    effect.created.insert(effect.created.end(), {top, edge(wall.rise)});
-  }
-  Walls raised(std::move(walls));
-  std::vector<Wall> with_tops = raised.in_order();
-  for (Wall& wall : with_tops) {
-    wall.top = edit.add_edge(m.to(wall.rise), m.to(raised.at(m.to(wall.side)).rise));
-    effect.created.push_back(edge(wall.top));
-  }
-  return Walls(std::move(with_tops));
+  const double length = glm::length(sum);
+  const double size = std::sqrt(largest) * std::sqrt(all / static_cast<double>(parts.size()));
+  return length > least_share * all ? Slope{sum / length, size} : Slope{};
 }
 
-// The corner values of the walls: texture coordinates are copied upwards; normals are not set, they belong to the old
-// surface.
-void set_wall_values(Edit& edit, const Walls& walls) {
-  CornerWriter corners(edit);
-  const std::vector<CornerAttribute> attributes = corner_attributes(edit.mesh());
-  for (std::size_t k = 0; k < corners.count(); ++k) {
-    const bool is_normal =
-        edit.mesh().attributes()[attributes[k].index_column].name == std::string(attribute_names::normal);
-    std::vector<std::uint32_t> values;
-    for (const Wall& wall : walls.in_order()) {
-      values.push_back(corners.index(k, wall.side));
-      corners.set(k, wall.top, values.back());
-    }
-    for (const Wall& wall : walls.in_order()) {
-      const Wall& after = walls.at(edit.mesh().to(wall.side));
-      const std::uint32_t here = is_normal ? no_index : corners.index(k, wall.top);
-      const std::uint32_t there = is_normal ? no_index : corners.index(k, after.top);
-      corners.set(k, wall.side, here);
-      corners.set(k, twin(wall.rise), here);
-      corners.set(k, twin(wall.top), there);
-      corners.set(k, after.rise, there);
-    }
+// Refuses faces with another one on the same points that would stay.
+void refuse_duplicates(const Mesh& mesh, const Region& region, Verdict& verdict) {
+  std::map<std::vector<std::uint32_t>, Face> asked;  // the first face on each set of points
+  for (Face f : region.faces()) {
+    const std::vector<std::uint32_t> points = point_set(loops_of(mesh, f).corners);
+    if (!asked.emplace(points, f).second) continue;
+    const Face other = face_on_unless(mesh, points, [&](Face g) { return region.contains(g); });
+    if (other) verdict.refuse(Rule::loses_duplicate, {f, other});
   }
 }
 
@@ -99,7 +69,9 @@ void set_wall_values(Edit& edit, const Walls& walls) {
 
 Parsed<Extrude> Extrude::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
   ArgumentReader in(mesh, arguments, info.syntax);
-  Extrude op{in.face()};
+  Extrude op;
+  do op.faces.push_back(in.face());
+  while (!in.failed() && in.peek().starts_with('f'));
   const std::string argument(in.peek());
   if (!in.at_end()) {
     if (argument.find(',') != std::string::npos)
@@ -110,15 +82,17 @@ Parsed<Extrude> Extrude::parse(const Mesh& mesh, std::span<const std::string_vie
   Parsed<Extrude> out = in.result(op);
   if (!out.op || argument.empty()) return out;
   const glm::dvec3 by = op.movement(mesh);
-  for (Vertex v : vertices_around(mesh, op.face))
-    if (is_finite(mesh.position(v)) && !is_finite(mesh.position(v) + by))
-      return malformed_argument<Extrude>(
-          argument, {"a movement that leaves the face at a finite place", "面の座標が有限になる移動量を"});
+  for (Face f : op.faces)
+    for (Vertex v : vertices_around(mesh, f))
+      if (is_finite(mesh.position(v)) && !is_finite(mesh.position(v) + by))
+        return malformed_argument<Extrude>(
+            argument, {"a movement that leaves the face at a finite place", "面の座標が有限になる移動量を"});
   return out;
 }
 
 std::string Extrude::command(const Mesh& mesh) const {
-  std::string text = "extrude " + name_of(mesh, face);
+  std::string text = "extrude";
+  for (Face f : faces) text += " " + name_of(mesh, f);
   if (offset) return text + " " + format_place(*offset);
   if (distance) text += " " + format_double(*distance);
   return text;
@@ -126,73 +100,36 @@ std::string Extrude::command(const Mesh& mesh) const {
 
 glm::dvec3 Extrude::movement(const Mesh& mesh) const {
   if (offset) return *offset;
-  const FacePolygon polygon(mesh, face);
-  if (!polygon.is_finite()) return {};
-  const std::vector<glm::dvec3> walk = polygon.keyhole_walk();
-  const glm::dvec3 by = distance.value_or(std::sqrt(polygon_area(walk))) * polygon_normal(walk);
+  const Region region(mesh, faces);
+  const Slope slope = slope_of(mesh, region.faces());
+  const glm::dvec3 by = distance.value_or(slope.size) * slope.normal;
   return is_finite(by) ? by : glm::dvec3();
 }
 
 Verdict Extrude::check(const Mesh& mesh) const {
   Verdict verdict;
-  if (is_gone(mesh, face, verdict)) return verdict;
-  if (const Face other = equal_face(mesh, face)) verdict.refuse(Rule::loses_duplicate, {face, other});
+  if (faces.empty()) verdict.refuse(Rule::deleted, {Face()});
+  for (Face f : faces)
+    if (is_gone(mesh, f, verdict)) return verdict;
+  if (verdict.legal()) refuse_duplicates(mesh, Region(mesh, faces), verdict);
   return verdict;
 }
 
 std::vector<Reason> Extrude::warnings(const Mesh& mesh) const {
   const glm::dvec3 by = movement(mesh);
+  const Region region(mesh, faces);
   std::vector<Element> flat;
-  for (Halfedge h : halfedges_around(mesh, face)) {
-    if (is_bridge(mesh, h)) continue;
-    const glm::dvec3 &a = mesh.position(mesh.from(h)), &b = mesh.position(mesh.to(h));
-    if (FaceGeometry{{a, b, b + by, a + by}}.is_degenerate()) flat.push_back(edge(h));
+  for (const Region::Border& border : region.border()) {
+    const glm::dvec3 &a = mesh.position(mesh.from(border.side)), &b = mesh.position(mesh.to(border.side));
+    if (FaceGeometry{{a, b, b + by, a + by}}.is_degenerate()) flat.push_back(edge(border.side));
   }
   if (flat.empty()) return {};
   return {{Rule::degenerate, flat}};
 }
 
 OpEffect Extrude::apply(Edit& edit) const {
-  const Mesh& m = edit.mesh();
-  assert(check(m).legal());
-  OpEffect effect;
-  std::vector<std::pair<Halfedge, Halfedge>> order;  // each side of the face and its successor
-  for (Halfedge h : halfedges_around(m, face)) order.emplace_back(h, m.next(h));
-  std::vector<Halfedge> bridges;
-  for (const auto& [h, after] : order)
-    if (is_bridge(m, h)) bridges.push_back(h);
-  const Walls walls = raise(edit, face, movement(m), effect);
-  set_wall_values(edit, walls);
-
-  const auto raised = [&](Halfedge h) { return is_bridge(m, h) ? h : walls.at(m.from(h)).top; };
-  std::vector<std::pair<Halfedge, Halfedge>> links;
-  for (const auto& [h, after] : order) links.emplace_back(raised(h), raised(after));
-  edit.set_halfedge(face, raised(m.halfedge(face)));
-  for (std::uint32_t r = m.first_ring(face); r != no_index; r = m.ring(r).next)
-    edit.set_ring_halfedge(r, raised(m.ring(r).halfedge));
-  for (const auto& [h, after] : links) edit.connect(h, after);
-  for (Halfedge h : bridges) {
-    const Wall& wall = walls.at(m.from(h));
-    if (m.halfedge(wall.from) == h) edit.set_halfedge(wall.from, wall.side);
-    edit.set_from(h, m.to(wall.rise));
-  }
-
-  effect.changed.push_back(face);
-  for (const Wall& wall : walls.in_order()) {
-    const Wall& after = walls.at(m.to(wall.side));
-    const Face fresh = edit.add_face(wall.side);
-    copy_face_values(edit, face, fresh);
-    edit.connect(wall.side, after.rise);
-    edit.connect(after.rise, twin(wall.top));
-    edit.connect(twin(wall.top), twin(wall.rise));
-    edit.connect(twin(wall.rise), wall.side);
-    set_face_along(edit, wall.side, fresh);
-    edit.set_face(wall.top, face);
-    edit.set_halfedge(m.to(wall.rise), wall.top);
-    effect.created.push_back(fresh);
-    effect.changed.push_back(fresh);
-  }
-  return effect;
+  assert(check(edit.mesh()).legal());
+  return raise(edit, Region(edit.mesh(), faces), movement(edit.mesh()));
 }
 
 }  // namespace ryosen

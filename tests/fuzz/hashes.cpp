@@ -78,7 +78,7 @@ void work_on(const std::string& name, Mesh mesh) {
   for (std::uint32_t i = 0; i < faces; i += stride) {
     const Face f(i);
     if (!is_there(mesh, f)) continue;
-    if (i % 4 == 0) run(Extrude{f});
+    if (i % 4 == 0) run(Extrude{{f}});
     if (i % 4 == 1) run(Poke{f});
     if (i % 4 == 2) run(Dissolve{mesh.halfedge(f), {}});
   }

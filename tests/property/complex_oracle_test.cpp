@@ -14,6 +14,7 @@
 #include "tests/support/core/kernel_sum.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/oracle/complex_rules.h"
+#include "tests/support/core/oracle/extruding.h"
 #include "tests/support/core/random_ops.h"
 
 namespace ryosen {
@@ -161,6 +162,7 @@ class Comparison {
       for (Corners& loop : reversed.after.faces[g]) std::reverse(loop.begin(), loop.end());
     compare(Reverse{{f}}, {reversed});
     detach(f);
+    for (int i = 0; i < 3; ++i) extrude(std::get<Extrude>(random_op_of(Extrude::info)));
     std::vector<Halfedge> corners;
     for (Halfedge h : halfedges_around(mesh_, f)) corners.push_back(h);
     for (Halfedge into_a : corners)
@@ -190,6 +192,21 @@ class Comparison {
     compare(Detach{{f}}, outcomes);
   }
 
+  // Faces on equal point sets may not come apart; there is nothing else that raising faces could break.
+  void extrude(const Extrude& op) {
+    std::vector<int> faces;
+    for (Face f : op.faces) faces.push_back(static_cast<int>(f.index));
+    const Outcome outcome{oracle::extruded(points_, faces).after};
+    const bool keeps_equal = oracle::facts_of(outcome.after).equal_faces == points_facts_.equal_faces;
+    compare(op, keeps_equal ? Outcomes{outcome} : Outcomes());
+  }
+
+  AnyOp random_op_of(const OpInfo& wanted) {
+    const auto is_wanted = [&](const OpInfo& info) { return info.id == wanted.id; };
+    const auto found = std::find_if(all_ops().begin(), all_ops().end(), is_wanted);
+    return random_op(mesh_, static_cast<std::size_t>(found - all_ops().begin()), dice_);
+  }
+
   void vertex_operators(Vertex v) {
     const int n = number(v), p = point_of(v);
     compare(UniteEdge{v}, euler(oracle::unite_edge(raw_, n)));
@@ -214,9 +231,7 @@ class Comparison {
       make_edge(v, Vertex(i));
       weld(v, Vertex(i));
     }
-    const auto is_make_face = [](const OpInfo& info) { return info.id == MakeFace::info.id; };
-    const auto found = std::find_if(all_ops().begin(), all_ops().end(), is_make_face);
-    const AnyOp op = random_op(mesh_, static_cast<std::size_t>(found - all_ops().begin()), dice_);
+    const AnyOp op = random_op_of(MakeFace::info);
     if (const MakeFace* face = std::get_if<MakeFace>(&op)) make_face(*face);
   }
 

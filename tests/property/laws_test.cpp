@@ -69,12 +69,20 @@ struct Stated {
     const auto n = corners_of(m, op.face);
     return {{.v = 1, .e = n, .f = n - 1}};
   }
+  // By the sides of the faces as pairs of vertices, on a mesh without copies.
   std::vector<Change> of(const Extrude& op) const {
-    std::set<Vertex> corners;
-    for (Vertex v : vertices_around(m, op.face)) corners.insert(v);
-    if (bridges_of(loops_of(m, op.face)) > 0) return {};
-    const auto n = static_cast<std::int64_t>(corners.size());
-    return {{.v = n, .e = 2 * n, .f = n}};
+    if (m.has_copies()) return {};
+    const std::set<Face> named(op.faces.begin(), op.faces.end());
+    std::map<Vertex, int> border_at;
+    std::int64_t b = 0;
+    for (Face f : named)
+      for (Halfedge h : halfedges_around(m, f)) {
+        if (m.face(twin(h)) && named.contains(m.face(twin(h)))) continue;
+        ++b, ++border_at[m.from(h)], ++border_at[m.to(h)];
+      }
+    for (const auto& [v, edges] : border_at)
+      if (edges != 2) return {};
+    return {{.v = b, .e = 2 * b, .f = b}};
   }
   std::vector<Change> of(const Triangulate& op) const {
     if (!op.face || bridges_of(loops_of(m, op.face)) > 0) return {};

@@ -98,7 +98,7 @@ void compare_all(LocalComparison& c, std::map<std::string, LocalCount>& counts) 
   for (std::uint32_t f = 0; f < faces; ++f) {
     const int face = static_cast<int>(f);
     ASSERT_NO_FATAL_FAILURE(c.compare(Poke{Face(f)}, oracle::poke(c.copies(), face), counts));
-    ASSERT_NO_FATAL_FAILURE(c.compare(Extrude{Face(f)}, oracle::extrude(c.copies(), face), counts));
+    ASSERT_NO_FATAL_FAILURE(c.compare(Extrude{{Face(f)}}, oracle::extrude(c.copies(), face), counts));
     ASSERT_NO_FATAL_FAILURE(c.compare(Triangulate{Face(f)}, oracle::triangulate(c.copies(), face), counts));
   }
   for (std::uint32_t e = 0; e < edges; ++e) {

@@ -102,6 +102,20 @@ Face face_on(const Mesh& mesh, std::span<const std::uint32_t> points, std::span<
   return found.empty() ? Face() : found[0];
 }
 
+Face face_on_unless(const Mesh& mesh, std::span<const std::uint32_t> points,
+                    const std::function<bool(Face)>& is_left_out) {
+  Face found;
+  any_of_copies(mesh, loneliest_point(mesh, points), [&](Vertex copy) {
+    for (Face f : faces_around(mesh, copy)) {
+      if (!f || is_left_out(f) || !has_points(mesh, f, points)) continue;
+      found = f;
+      return true;
+    }
+    return false;
+  });
+  return found;
+}
+
 Face equal_face(const Mesh& mesh, Face f) {
   const Face except[] = {f};
   return face_on(mesh, point_set(loops_of(mesh, f).corners), except);

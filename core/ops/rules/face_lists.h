@@ -2,6 +2,7 @@
 // duplicate face.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -37,6 +38,9 @@ Face face_on(const Mesh& mesh, std::span<const std::uint32_t> points, std::span<
 // The same: up to `most` of them.
 std::vector<Face> faces_on(const Mesh& mesh, std::span<const std::uint32_t> points, std::span<const Face> except,
                            std::size_t most);
+// The same: the first that is not left out.
+Face face_on_unless(const Mesh& mesh, std::span<const std::uint32_t> points,
+                    const std::function<bool(Face)>& is_left_out);
 // Another face on the points of f, or none.
 Face equal_face(const Mesh& mesh, Face f);
 

@@ -93,6 +93,19 @@ AnyOp random_delete(const Mesh& mesh, Vertex v, Halfedge h, Dice& dice) {
   return Delete{v};
 }
 
+// Half of the time several faces, most of them at common points.
+AnyOp random_extrude(const Mesh& mesh, Face f, Dice& dice) {
+  Extrude op{{f}};
+  if (dice.one_in(2)) return op;
+  const int more = 1 + dice.below(4);
+  for (int i = 0; i < more; ++i) {
+    const Vertex v = pick(vertices_around(mesh, op.faces.back()), dice), copy = mesh.next_copy(v);
+    const Face near = mesh.face(pick(outgoing(mesh, mesh.is_isolated(copy) ? v : copy), dice));
+    op.faces.push_back(near && !dice.one_in(4) ? near : random_face(mesh, dice));
+  }
+  return op;
+}
+
 // Whether reading the points gives the mesh, and no wire lies beside another edge.
 bool reads_back(const Mesh& mesh) {
   const oracle::ComplexFacts facts = oracle::facts_of(complex_of(mesh));
@@ -197,7 +210,7 @@ AnyOp random_op(const Mesh& mesh, std::size_t place, Dice& dice) {
   if (!f) return MakeVertex{random_place(dice)};
   if (id == "delete_loop") return DeleteLoop{f};
   if (id == "poke") return Poke{f};
-  if (id == "extrude") return Extrude{f};
+  if (id == "extrude") return random_extrude(mesh, f, dice);
   if (id == "triangulate") return Triangulate{dice.one_in(20) ? Face() : f};
   if (id == "reverse") return dice.one_in(2) ? Reverse{{f}} : Reverse{{f, random_face(mesh, dice)}};
   if (id == "detach") return dice.one_in(2) ? Detach{{f}} : Detach{{f, random_face(mesh, dice)}};

@@ -110,7 +110,7 @@ TEST(extrude, stays_finite_and_warns_of_flat_walls) {
   IndexedMesh flat = indexed({{0, 1, 2}});
   flat.positions = {{0, 0, 0}, {1, 0, 0}, {2, std::nan(""), 0}};
   const Mesh unmeasured = from_indexed(std::move(flat));
-  EXPECT_EQ(Extrude{Face(0)}.movement(unmeasured), glm::dvec3());
+  EXPECT_EQ(Extrude{{Face(0)}}.movement(unmeasured), glm::dvec3());
 }
 
 TEST(extrude, lines_that_say_no_operator) {

@@ -183,7 +183,7 @@ TEST(all_ops, speak_of_elements_that_are_not_there) {
 
 TEST(extrude, names_the_movement_that_it_takes) {
   const Mesh mesh = make_mesh(two_quads());
-  EXPECT_EQ(command_of(mesh, Extrude{Face(0), 2.0, glm::dvec3(0, 0, 1)}), "extrude f0 0,0,1");
+  EXPECT_EQ(command_of(mesh, Extrude{{Face(0)}, 2.0, glm::dvec3(0, 0, 1)}), "extrude f0 0,0,1");
 }
 
 }  // namespace

@@ -113,5 +113,20 @@ TEST(merge_corner_values, corners_belong_to_face_and_vertex_on_many_meshes) {
   EXPECT_GT(united, 100u);
 }
 
+TEST(corner_values_of_walls, each_wall_has_the_texture_coordinates_of_its_face_and_no_normals) {
+  Mesh mesh = with_corner_values({{0, 1, 2, 3}, {1, 4, 5, 2}});
+  apply_and_prove(mesh, "extrude f0 f1 0,0,1");
+  EXPECT_EQ(corners_of(mesh, Face(0)), "6/0/7 9/1/6 7/2/5 8/3/4");
+  EXPECT_EQ(corners_of(mesh, Face(1)), "9/4/3 10/5/2 11/6/1 7/7/0");
+  const std::string none = "/" + std::to_string(no_index);
+  const auto wall = [&](const char* a, const char* b, const char* c, const char* d) {
+    return a + none + " " + b + none + " " + c + none + " " + d + none;
+  };
+  EXPECT_EQ(corners_of(mesh, Face(2)), wall("0/0", "1/1", "9/1", "6/0"));
+  EXPECT_EQ(corners_of(mesh, Face(3)), wall("2/2", "3/3", "8/3", "7/2"));
+  EXPECT_EQ(corners_of(mesh, Face(5)), wall("1/4", "4/5", "10/5", "9/4"));
+  EXPECT_EQ(corners_of(mesh, Face(7)), wall("5/6", "2/7", "7/7", "11/6"));
+}
+
 }  // namespace
 }  // namespace ryosen

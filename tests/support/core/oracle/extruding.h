@@ -1,0 +1,19 @@
+// What raising some faces on walls does to a list of points.
+#pragma once
+
+#include <vector>
+
+#include "tests/support/core/oracle/complex.h"
+
+namespace ryosen::oracle {
+
+struct Extruded {
+  Complex after;
+  int points = 0;         // replaced by new ones, which are numbered from the end on
+  int border_points = 0;  // those of them on the border
+  int walls = 0;
+};
+// `points` is a list whose vertices are their points. The faces in the order in which they are named.
+Extruded extruded(const Complex& points, std::vector<int> faces);
+
+}  // namespace ryosen::oracle

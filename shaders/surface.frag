@@ -10,12 +10,14 @@ flat in float edge_bits;
 uniform vec3 wire_colour;  // linear
 uniform float wire_strength;
 uniform float pixel_scale;  // rendered pixels per pixel of the picture
+uniform int wire;           // 0: the edges of faces are drawn
 uniform int dots;           // 1: vertices are drawn
 
 layout(location = 0) out vec4 colour;
 
 // How much of the pixel the wireframe covers. It fades where triangles get as small as a few pixels.
-float wire() {
+float wire_cover() {
+  if (wire != 0) return 0.0;
   vec3 weight = vec3(barycentric, 1.0 - barycentric.x - barycentric.y);
   vec2 gx = dFdx(barycentric), gy = dFdy(barycentric);
   vec3 dx = vec3(gx, -gx.x - gx.y), dy = vec3(gy, -gy.x - gy.y);
@@ -46,6 +48,6 @@ float dot_cover() {
 }
 
 void main() {
-  vec3 wired = mix(lit, wire_colour, wire() * wire_strength);
+  vec3 wired = mix(lit, wire_colour, wire_cover() * wire_strength);
   colour = vec4(sqrt(mix(wired, wire_colour, dot_cover())), 1.0);
 }

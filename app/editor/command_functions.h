@@ -38,6 +38,13 @@ enum class SelectHow { anew, add, toggle };
 void put_into_selection(Elements& selection, std::span<const Element> elements, SelectHow how);
 FaultOfCommand fault_of_select, fault_of_keep;
 std::string select_syntax();
+// Those named; fails at the first that is not there. Of a range those that are. And what is wrong with the names on any
+// mesh.
+Outcome find_named(Session& session, std::string_view command, Words names, Elements& found);
+std::optional<Text> fault_of_names(std::string_view command, Words names);
+// Hiding: commands_hiding.cpp
+RunCommand run_hide, run_isolate, run_unhide;
+FaultOfCommand fault_of_hide;
 // In a region of the picture: commands_region.cpp
 RunCommand run_box, run_lasso, run_band;
 // Events of mouse and keyboard: commands_input.cpp

@@ -94,6 +94,10 @@ void draw_view_menu(PanelContext& context) {
   for (const NamedView& view : named_views())
     item(context, context.text(view.name_en, view.name_ja), "view " + std::string(view.id));
   ImGui::Separator();
+  item(context, UiText::hide_selected, "hide selected", !context.session.selection.empty());
+  item(context, UiText::isolate_selected, "isolate selected", !context.session.selection.empty());
+  item(context, UiText::unhide, "unhide", !context.session.hidden().empty());
+  ImGui::Separator();
   for (const ViewSwitch& row : view_switches()) draw_switch(context, row);
   panel_items(context, PanelMenu::view);
 }

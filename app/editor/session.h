@@ -134,6 +134,7 @@ class Session {
 
   // The element under a pixel; none outside the view.
   std::optional<Picked> pick(glm::dvec2 pixel, PickMode what);
+  Picker::Depth pick_depth() const;
   Picker& picker();
 
   // For windows, before each frame: begins to find in the background what a large mesh needs to be picked and for its

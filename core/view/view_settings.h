@@ -10,6 +10,8 @@ enum class Theme { dark, light };
 enum class Shading { flat, smooth };
 // Whether the edges of faces are drawn on the surface.
 enum class Wire { on, off };
+// Whether the surface hides what lies behind it, from the eye and the pointer, or is seen through.
+enum class Xray { off, on };
 // Whether vertices are drawn: while they are what the pointer picks, or always, or never.
 enum class Dots { picked, always, never };
 
@@ -18,6 +20,7 @@ struct ViewSettings {
   Theme theme = Theme::dark;
   Shading shading = Shading::flat;
   Wire wire = Wire::on;
+  Xray xray = Xray::off;
   Dots dots = Dots::picked;
 
   // Calls visit(name, number) for each, by the id of its row: a shader gets the number as its `uniform int name`.
@@ -26,6 +29,7 @@ struct ViewSettings {
     visit("theme", static_cast<int>(theme));
     visit("shading", static_cast<int>(shading));
     visit("wire", static_cast<int>(wire));
+    visit("xray", static_cast<int>(xray));
     visit("dots", static_cast<int>(dots));
   }
 

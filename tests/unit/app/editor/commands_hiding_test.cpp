@@ -7,7 +7,7 @@
 namespace ryosen {
 namespace {
 
-std::unique_ptr<Session> session_of(const char* asset) {
+std::unique_ptr<Session> laid_out(const char* asset) {
   auto document = Document::open(test::asset(asset));
   EXPECT_TRUE(document);
   auto session = std::make_unique<Session>(std::move(document).value());
@@ -27,7 +27,7 @@ glm::dvec2 middle_of(const Session& session, Face f) {
 }
 
 TEST(hiding, is_no_edit_and_leaves_the_selection) {
-  const auto session = session_of("torus.off");
+  const auto session = laid_out("torus.off");
   const auto live = session->mesh().live();
   run(*session, {"select f3 f7 v0", "hide f3 f4"});
   EXPECT_EQ(session->hidden().faces().to_vector(), (std::vector<std::uint32_t>{3, 4}));
@@ -42,7 +42,7 @@ TEST(hiding, is_no_edit_and_leaves_the_selection) {
 }
 
 TEST(hiding, goes_by_its_keys) {
-  const auto session = session_of("torus.off");
+  const auto session = laid_out("torus.off");
   run(*session, {"select f1..f5", "key H"});
   EXPECT_EQ(session->hidden().faces().size(), 5u);
   EXPECT_TRUE(session->selection.empty());
@@ -54,7 +54,7 @@ TEST(hiding, goes_by_its_keys) {
 }
 
 TEST(hiding, takes_the_faces_at_edges_and_vertices_along) {
-  const auto session = session_of("cube.obj");
+  const auto session = laid_out("cube.obj");
   run(*session, {"hide v0"});
   EXPECT_EQ(session->hidden().faces().size(), 3u);
   EXPECT_TRUE(session->hidden().hides(session->mesh(), Vertex(0)));
@@ -79,7 +79,7 @@ TEST(hiding, hides_wires_and_isolated_vertices_themselves) {
 }
 
 TEST(hiding, says_what_is_wrong) {
-  const auto session = session_of("cube.obj");
+  const auto session = laid_out("cube.obj");
   for (const char* line : {"hide", "hide nonsense", "isolate", "unhide f1", "hide f99"})
     EXPECT_EQ(session->run(line).exit_code, ExitCode::usage) << line;
   for (const char* line : {"hide selected", "isolate selected"}) {
@@ -92,7 +92,7 @@ TEST(hiding, says_what_is_wrong) {
 
 // A click through the hole meets what lies behind.
 TEST(hiding, what_is_hidden_is_neither_picked_nor_in_the_way) {
-  const auto session = session_of("torus.off");
+  const auto session = laid_out("torus.off");
   const glm::dvec2 pixel = middle_of(*session, Face(0));
   std::vector<std::uint32_t> met;
   for (auto picked = session->pick(pixel, PickMode::face); picked; picked = session->pick(pixel, PickMode::face)) {
@@ -125,7 +125,7 @@ TEST(hiding, what_is_hidden_is_neither_picked_nor_in_the_way) {
 }
 
 TEST(hiding, follows_edits_undo_and_redo) {
-  const auto session = session_of("torus.off");
+  const auto session = laid_out("torus.off");
   run(*session, {"hide f0 f1 f2 f3", "delete f1"});
   EXPECT_EQ(session->hidden().faces().to_vector(), (std::vector<std::uint32_t>{0, 2, 3}));
   run(*session, {"undo"});
@@ -138,8 +138,8 @@ TEST(hiding, follows_edits_undo_and_redo) {
 }
 
 TEST(hiding, ends_where_everything_is_numbered_anew_or_replaced) {
-  const auto session = session_of("torus.off");
-  run(*session, {"hide f0", "subdivide_loop"});
+  const auto session = laid_out("seam.obj");
+  run(*session, {"hide f0", "weld_equal"});
   EXPECT_TRUE(session->hidden().empty());
   run(*session, {"hide f0", "new"});
   EXPECT_TRUE(session->hidden().empty());

@@ -16,9 +16,11 @@ flat out int pattern;
 
 void main() {
   Corner corner = read_corner();
-  float grazing;
-  bool seen_front;
-  light_on(corner, grazing, seen_front);
+  vec3 along = corner.places[1] - corner.places[0], across = corner.places[2] - corner.places[0];
+  vec3 normal = mat3(view_from_buffer) * cross(along, across);
+  normal /= max(length(normal), 1e-30);
+  bool seen_front = facing_eye(normal, corner.places[2]) > 0.0;
+  float grazing = 1.0 - abs(normal.z);  // the same all over a plane
   film = 0.4 + 0.9 * grazing * grazing;
   nearness = seen_front ? 1.0 : 0.6;
   uint of_face = texelFetch(face_tints, int(corner.face)).r;

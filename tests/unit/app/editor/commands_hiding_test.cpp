@@ -138,8 +138,8 @@ TEST(hiding, follows_edits_undo_and_redo) {
 }
 
 TEST(hiding, ends_where_everything_is_numbered_anew_or_replaced) {
-  const auto session = laid_out("seam.obj");
-  run(*session, {"hide f0", "weld_equal"});
+  const auto session = laid_out("misoriented.obj");
+  run(*session, {"hide f0", "orient"});
   EXPECT_TRUE(session->hidden().empty());
   run(*session, {"hide f0", "new"});
   EXPECT_TRUE(session->hidden().empty());

@@ -126,6 +126,8 @@ void Session::update_derived(std::size_t transaction, Document::Change change) {
       drawn_changes_.marks.push_back(change);
     }
     note_marks(touched);
+    // A mark at a point is hidden with all its copies, wherever they are.
+    drawn_changes_.searched |= !hidden_.empty() && m.has_copies();
   }
   if (drawn_changes_.everything) drawn_changes_ = DrawnChanges();  // the lists are not needed
   if (boundary_loops_) {

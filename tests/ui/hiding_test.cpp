@@ -1,6 +1,8 @@
 // What is hidden in the picture of a session: what is redrawn is what is drawn anew.
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "app/ui/headless.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/app/program.h"
@@ -39,6 +41,26 @@ TEST_F(HidingTest, is_redrawn_as_it_is_drawn_anew) {
     }
     EXPECT_TRUE(picture("unhide") == whole) << asset;
   }
+}
+
+TEST_F(HidingTest, is_redrawn_through_edits_as_it_is_drawn_anew) {
+  std::mt19937 random(7);
+  const char* const verbs[] = {"hide f", "hide v", "hide e", "isolate f", "select f", "delete f", "poke f", "split e"};
+  int done = 0;
+  for (const char* asset : {"three_tri_edge.off", "bow_tie.obj", "torus.off", "fan.obj"}) {
+    open(asset);
+    EXPECT_TRUE(session_.run("show all").done());
+    for (int step = 0; step < 60; ++step) {
+      const std::string other = random() % 3 == 0 ? "unhide" : random() % 2 == 0 ? "undo" : "redo";
+      const std::string number = std::to_string(random() % session_.mesh().face_slots());
+      const std::string line = random() % 4 == 0 ? other : verbs[random() % std::size(verbs)] + number;
+      done += session_.run(line).done();
+      const Image followed = headless_->picture(session_);
+      headless_->forget();
+      ASSERT_TRUE(followed == headless_->picture(session_)) << asset << " step " << step << ": " << line;
+    }
+  }
+  EXPECT_GT(done, 100);
 }
 
 TEST_F(HidingTest, leaves_nothing_of_what_is_hidden) {

@@ -31,6 +31,8 @@ constexpr Palette dark_palette = {
     .fill = rgb(0x5D7399),
     .rim = rgb(0x3C4E66),
     .wire = rgb(0x0C1018, 170),
+    .film = rgb(0x141A24),
+    .film_wire = rgb(0x4A6078),
     .outline = rgb(0x0C1018, 220),
 };
 
@@ -43,6 +45,8 @@ constexpr Palette light_palette = {
     .fill = rgb(0x6F86AC),
     .rim = rgb(0x2C3A4C),
     .wire = rgb(0x141A26, 150),
+    .film = rgb(0x1E1812),
+    .film_wire = rgb(0x705C48),
     .outline = rgb(0x202630, 220),
 };
 

@@ -38,7 +38,10 @@ struct Palette {
   Rgba front, back;     // the two sides of the surface
   Rgba key, fill, rim;  // light from the upper left, from the right, and at grazing angles
   Rgba wire;            // its alpha is the strength of the wireframe
-  Rgba outline;         // around points, to set them off from any ground
+  // What each layer of a surface that is seen through adds to a dark ground, or takes from a light one, and what its
+  // wireframe does.
+  Rgba film, film_wire;
+  Rgba outline;  // around points, to set them off from any ground
 };
 const Palette& palette(Theme theme);
 

@@ -63,6 +63,8 @@ DepthRange depths_of(std::span<const Cluster> clusters, const glm::dmat4& view) 
 Result<std::unique_ptr<View>> View::make() {
   Result<SurfacePass> surface = SurfacePass::make();
   if (!surface) return surface.failure();
+  Result<XrayPass> xray = XrayPass::make();
+  if (!xray) return xray.failure();
   Result<BackgroundPass> background = BackgroundPass::make();
   if (!background) return background.failure();
   Result<OverlayPass> overlay = OverlayPass::make();
@@ -71,8 +73,8 @@ Result<std::unique_ptr<View>> View::make() {
   if (!resolve) return resolve.failure();
   Result<IdsPass> ids = IdsPass::make();
   if (!ids) return ids.failure();
-  return std::unique_ptr<View>(new View(
-      {std::move(*surface), std::move(*background), std::move(*overlay), std::move(*resolve), std::move(*ids)}));
+  return std::unique_ptr<View>(new View({std::move(*surface), std::move(*xray), std::move(*background),
+                                         std::move(*overlay), std::move(*resolve), std::move(*ids)}));
 }
 
 View::View(Passes passes)
@@ -266,6 +268,13 @@ PixelRect View::draw() {
   return redrawn_.bounds();
 }
 
+void View::draw_scene(const Frame& frame, std::span<const std::uint32_t> clusters) {
+  const bool is_xray = frame.settings.xray == Xray::on;
+  if (!is_xray) draw_surface(frame, clusters);
+  if (!transparent_) passes_.background.draw(frame);
+  if (is_xray) passes_.xray.draw(frame, mesh_, clusters, tints_);
+}
+
 void View::draw_surface(const Frame& frame, std::span<const std::uint32_t> clusters) {
   // To look costs about as much as to draw so many triangles, and some for each pixel.
   constexpr std::size_t worth_looking = 100000, worth_pixels = 4, most_looks = 4;
@@ -301,8 +310,7 @@ void View::draw(const PixelRect& asked) {
   std::size_t triangles = 0;
   for (const std::uint32_t cluster : clusters) triangles += mesh_.clusters()[cluster].count;
   triangles_drawn_ += triangles / thinning_;
-  draw_surface(f, clusters);
-  if (!transparent_) passes_.background.draw(f);
+  draw_scene(f, clusters);
   for (const OverlayBuffer& overlay : overlays_) passes_.overlay.draw(f, overlay);
   if (supersample_ > 1) passes_.resolve.draw(rendered_, supersample_, resolved_, rect);
 

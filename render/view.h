@@ -25,6 +25,7 @@
 #include "render/pass/overlay.h"
 #include "render/pass/resolve.h"
 #include "render/pass/surface.h"
+#include "render/pass/xray.h"
 
 namespace ryosen {
 
@@ -102,6 +103,7 @@ class View {
  private:
   struct Passes {
     SurfacePass surface;
+    XrayPass xray;
     BackgroundPass background;
     OverlayPass overlay;
     ResolvePass resolve;
@@ -114,6 +116,8 @@ class View {
   void follow_camera();  // places the planes where they are stale; then all is to be redrawn
   void place_planes();
   Frame frame(const PixelRect& rect, int scale) const;
+  // Draws the ground and these clusters over it.
+  void draw_scene(const Frame& frame, std::span<const std::uint32_t> clusters);
   // Draws these clusters from front to back. Where there are many it looks in between which of the rest are hidden.
   void draw_surface(const Frame& frame, std::span<const std::uint32_t> clusters);
   // Takes the next rectangle that waits, halved until it has no more triangles than one draw() may draw.

@@ -1,51 +1,17 @@
 #version 330 core
-in vec2 barycentric;
+#include "wire.glsl"
 #ifdef SMOOTH
 smooth in vec3 lit;
 #else
 flat in vec3 lit;
 #endif
-flat in float edge_bits;
 
 uniform vec3 wire_colour;  // linear
 uniform float wire_strength;
-uniform float pixel_scale;  // rendered pixels per pixel of the picture
-uniform int dots;           // 1: vertices are drawn
 
 layout(location = 0) out vec4 colour;
 
-// How much of the pixel the wireframe covers. It fades where triangles get as small as a few pixels.
-float wire() {
-  vec3 weight = vec3(barycentric, 1.0 - barycentric.x - barycentric.y);
-  vec2 gx = dFdx(barycentric), gy = dFdy(barycentric);
-  vec3 dx = vec3(gx, -gx.x - gx.y), dy = vec3(gy, -gy.x - gy.y);
-  vec3 distance_px = weight * inversesqrt(max(dx * dx + dy * dy, vec3(1e-20)));
-  // Side k runs from corner k to k + 1, opposite of corner k + 2.
-  uint bits = uint(edge_bits);
-  if ((bits & 1u) == 0u) distance_px.z = 1e6;
-  if ((bits & 2u) == 0u) distance_px.x = 1e6;
-  if ((bits & 4u) == 0u) distance_px.y = 1e6;
-  float nearest = min(min(distance_px.x, distance_px.y), distance_px.z) / pixel_scale;
-  float size = inversesqrt(max(abs(gx.x * gy.y - gx.y * gy.x), 1e-20)) / pixel_scale;
-  return clamp(1.1 - nearest, 0.0, 1.0) * smoothstep(2.0, 12.0, size);
-}
-
-// How much of the pixel the dots of the triangle's corners cover, each the part of its disc that lies in the triangle.
-// They fade as the wireframe does, but earlier.
-float dot_cover() {
-  const float radius_px = 2.6;
-  mat2 per_px = mat2(dFdx(barycentric), dFdy(barycentric));
-  float area = abs(determinant(per_px));
-  if (dots != 1 || area < 1e-12) return 0.0;
-  mat2 px = inverse(per_px);
-  float nearest = length(px * (barycentric - vec2(1.0, 0.0)));
-  nearest = min(nearest, length(px * (barycentric - vec2(0.0, 1.0))));
-  nearest = min(nearest, length(px * barycentric));
-  float size = inversesqrt(area) / pixel_scale;
-  return clamp(radius_px + 0.5 - nearest / pixel_scale, 0.0, 1.0) * smoothstep(7.0, 16.0, size);
-}
-
 void main() {
-  vec3 wired = mix(lit, wire_colour, wire() * wire_strength);
+  vec3 wired = mix(lit, wire_colour, wire_cover() * wire_strength);
   colour = vec4(sqrt(mix(wired, wire_colour, dot_cover())), 1.0);
 }

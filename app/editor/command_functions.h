@@ -40,6 +40,13 @@ FaultOfCommand fault_of_select, fault_of_keep;
 std::string select_syntax();
 // Moving the selection by hand: commands_view.cpp
 RunCommand run_gesture;
+// Those named; fails at the first that is not there. Of a range those that are. And what is wrong with the names on any
+// mesh.
+Outcome find_named(Session& session, std::string_view command, Words names, Elements& found);
+std::optional<Text> fault_of_names(std::string_view command, Words names);
+// Hiding: commands_hiding.cpp
+RunCommand run_hide, run_isolate, run_unhide;
+FaultOfCommand fault_of_hide;
 // In a region of the picture: commands_region.cpp
 RunCommand run_box, run_lasso, run_band;
 // Events of mouse and keyboard: commands_input.cpp

@@ -31,8 +31,9 @@ std::optional<RegionCall> read_region(Words arguments, std::size_t least, std::s
 }
 
 Outcome select_in(Session& session, const RegionCall& call, const ScreenRegion& region) {
+  const Picker::Depth depth = call.depth == Picker::Depth::seen ? session.pick_depth() : call.depth;
   const Elements found =
-      session.picker().pick_region(session.mesh(), session.camera, session.view, region, session.mode, call.depth);
+      session.picker().pick_region(session.mesh(), session.camera, session.view, region, session.mode, depth);
   put_into_selection(session.selection, found, call.how);
   Outcome outcome;
   outcome.sentence = count_text(session.selection.size(), "one element is selected", "# elements are selected",

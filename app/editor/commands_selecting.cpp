@@ -57,27 +57,7 @@ std::optional<Text> fault_of(const Selecting& asked) {
   if (asked.problem && asked.names.empty() && !asked.problem->is_local())
     return Text{"select: " + std::string(asked.problem->id) + " is not kept; name the element",
                 "select：" + std::string(asked.problem->id) + " は一覧を保持していません。要素名を付けてください"};
-  for (const std::string_view name : asked.names)
-    if (!is_element_name(name) && !parse_slot_range(name))
-      return behind("select", not_understood(name, {"the name of an element", "要素の名前を"}));
-  return std::nullopt;
-}
-
-// Those named; fails at the first that is not there. Of a range those that are.
-Outcome find_named(Session& session, Words names, Elements& found) {
-  for (const std::string_view name : names) {
-    if (const auto range = parse_slot_range(name)) {
-      add_living(session.mesh(), *range, found);
-      continue;
-    }
-    const NamedElement named = find_element(session.mesh(), name);
-    if (!named.element) {
-      const Text sentence = session.document().quarantine_text({&name, 1}).value_or(named.sentence);
-      return usage_error("select: " + sentence.en, "select：" + sentence.ja);
-    }
-    found.push_back(*named.element);
-  }
-  return {};
+  return fault_of_names("select", asked.names);
 }
 
 Elements all_of(Session& session, const ProblemRow& problem) {
@@ -116,7 +96,9 @@ Outcome nothing_kept(const Session& session, std::string_view name) {
       Text{"no selection is kept as '" + wanted + "'", "「" + wanted + "」という名前の選択はありません"} + hint);
 }
 
+// What was searched for, but for what is hidden.
 Outcome select(Session& session, Elements found) {
+  session.drop_hidden(found);
   Outcome outcome;
   outcome.sentence = found.empty() ? Text{"nothing is selected", "選択はありません"}
                                    : count_text(found.size(), "one element is selected", "# elements are selected",
@@ -135,6 +117,29 @@ Outcome select_kept(Session& session, std::string_view name) {
 }
 
 }  // namespace
+
+Outcome find_named(Session& session, std::string_view command, Words names, Elements& found) {
+  for (const std::string_view name : names) {
+    if (const auto range = parse_slot_range(name)) {
+      add_living(session.mesh(), *range, found);
+      continue;
+    }
+    const NamedElement named = find_element(session.mesh(), name);
+    if (!named.element) {
+      const Text sentence = session.document().quarantine_text({&name, 1}).value_or(named.sentence);
+      return usage_error(behind(command, sentence));
+    }
+    found.push_back(*named.element);
+  }
+  return {};
+}
+
+std::optional<Text> fault_of_names(std::string_view command, Words names) {
+  for (const std::string_view name : names)
+    if (!is_element_name(name) && !parse_slot_range(name))
+      return behind(command, not_understood(name, {"the name of an element", "要素の名前を"}));
+  return std::nullopt;
+}
 
 std::string select_syntax() {
   std::string syntax = "[add|toggle] NAME...|A..B|PROBLEM [NAME]|kept NAME";
@@ -174,7 +179,7 @@ Outcome run_select(Session& session, Words arguments, std::string_view) {
   if (asked.is_kept) return select_kept(session, asked.names[0]);
   if (asked.problem && asked.names.empty()) return select(session, all_of(session, *asked.problem));
   Elements found;
-  if (Outcome outcome = find_named(session, asked.names, found); !outcome.done()) return outcome;
+  if (Outcome outcome = find_named(session, "select", asked.names, found); !outcome.done()) return outcome;
   if (asked.problem) found = session.about(*asked.problem, found[0]);
   put_into_selection(session.selection, found, asked.how);
   return {};

@@ -74,6 +74,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
 
 void Session::forget_derived() {
   preparation_.reset();  // it builds the tree of the picker
+  hidden_ = HiddenElements();
   picker_.reset();
   corner_normals_.reset();
   highlights_.reset();
@@ -98,6 +99,7 @@ void Session::follow(std::size_t transaction, Document::Change change) {
 void Session::update_derived(std::size_t transaction, Document::Change change) {
   const Mesh& m = mesh();
   const TouchedElements touched = touched_elements(m, document_->journal(), transaction);
+  hidden_.follow(m, touched);
   if (picker_) {
     const std::vector<std::uint32_t> slots = picker_->update(m, touched);
     if (corner_normals_ && (touched.everything || settings.shading == Shading::flat)) {
@@ -121,6 +123,8 @@ void Session::update_derived(std::size_t transaction, Document::Change change) {
       drawn_changes_.marks.push_back(change);
     }
     note_marks(touched);
+    // A mark at a point is hidden with all its copies, wherever they are.
+    drawn_changes_.searched |= !hidden_.empty() && m.has_copies();
   }
   if (drawn_changes_.everything) drawn_changes_ = DrawnChanges();  // the lists are not needed
   if (boundary_loops_) {
@@ -142,6 +146,7 @@ void Session::update_derived(std::size_t transaction, Document::Change change) {
                         : change == Document::Change::undone ? &SelectionMemory::undone
                                                              : &SelectionMemory::redone;
   (selections.*remember)(transaction, selection, m, touched.everything);
+  drop_hidden(selection);
   if (is_verdict_held_)
     ask_held_verdict_again();
   else if (hover_)
@@ -164,7 +169,7 @@ void Session::note_marks(const TouchedElements& touched) {
     if (!highlights_->keeps(row)) continue;
     for_each_mark(row, [&](Mark mark) {
       if (highlights_->of(mark).empty()) return;
-      if (mark.sort == Element::Kind::vertex) note(mark, touched.moved);
+      if (mark.sort == Element::Kind::vertex) note(mark, hidden_.empty() ? touched.moved : touched.vertices);
       if (mark.sort == Element::Kind::edge) note(mark, edges);
       if (mark.sort == Element::Kind::face) note(mark, touched.faces);
     });
@@ -230,7 +235,7 @@ Input& Session::input() {
 }
 
 Picker& Session::picker() {
-  if (!picker_) picker_.emplace(mesh());
+  if (!picker_) picker_.emplace(mesh(), &hidden_);
   return *picker_;
 }
 
@@ -336,7 +341,7 @@ void Session::frame_all() { camera = framing(mesh(), camera); }
 
 Session::DrawnChanges Session::take_drawn_changes() {
   DrawnChanges changes = std::move(drawn_changes_);
-  drawn_changes_ = {false, {}, {}, {}, {}, false};
+  drawn_changes_ = {false, {}, {}, {}, {}, false, false};
   return changes;
 }
 

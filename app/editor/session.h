@@ -143,8 +143,17 @@ class Session {
   // higher one that has it).
   std::vector<Element> about(const ProblemRow& row, Element element);
 
+  // Hidden elements are neither drawn nor picked, and no longer selected. No entry of the history: it lasts until they are
+  // shown, deleted or renumbered.
+  const HiddenElements& hidden() const { return hidden_; }
+  void hide(std::span<const Element> elements);
+  void isolate(std::span<const Element> elements);
+  void unhide();
+  void drop_hidden(Elements& elements) const;
+
   // The element under a pixel; none outside the view.
   std::optional<Picked> pick(glm::dvec2 pixel, PickMode what);
+  Picker::Depth pick_depth() const;
   Picker& picker();
 
   // For windows, before each frame: begins to find in the background what a large mesh needs to be picked and for its
@@ -185,6 +194,7 @@ class Session {
     std::vector<std::uint32_t> faces;      // with changed corners or changed tinting highlights
     std::vector<Marked> marks;
     bool searched = true;  // for a highlight: take all marks and tints anew
+    bool hiding = true;    // something was hidden or shown: it is in the lists
   };
   DrawnChanges take_drawn_changes();
 
@@ -199,6 +209,7 @@ class Session {
   void forget_derived();
   Camera framing(const Mesh& mesh, const Camera& from) const;
   void note_marks(const TouchedElements& touched);
+  void follow_hiding(const HiddenElements::Parts& changed);
   void forget_hidden();
   Outcome apply_at(const OpTarget& target, const std::string& id);
   void look_at(glm::dvec2 pixel, Modifiers modifiers);
@@ -217,6 +228,7 @@ class Session {
   std::unique_ptr<Document> document_;
   std::unique_ptr<Gesturing, GesturingDeleter> gesturing_;
   std::uint64_t gesture_step_ = 0;
+  HiddenElements hidden_;
   std::optional<Picker> picker_;
   std::optional<CornerNormals> corner_normals_;  // of the triangles of the picker
   std::optional<HighlightSets> highlights_;

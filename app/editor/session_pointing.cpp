@@ -150,7 +150,11 @@ std::optional<Picked> Session::pick(glm::dvec2 pixel, PickMode what) {
   const glm::dvec2 inside = pixel - view_origin;
   if (inside.x < 0 || inside.y < 0 || inside.x >= view.width || inside.y >= view.height) return std::nullopt;
   if (preparation_) return std::nullopt;
-  return picker().pick(mesh(), camera, view, inside, what);
+  return picker().pick(mesh(), camera, view, inside, what, pick_depth());
+}
+
+Picker::Depth Session::pick_depth() const {
+  return settings.xray == Xray::on ? Picker::Depth::through : Picker::Depth::seen;
 }
 
 std::vector<Element> Session::about(const ProblemRow& row, Element element) {

@@ -63,6 +63,13 @@ void draw_element_menu(PanelContext& context) {
   const std::string frame = context.session.selection.empty() ? "frame all" : "frame selected";
   const UiText name = context.session.selection.empty() ? UiText::frame_all : UiText::frame_selected;
   if (ImGui::MenuItem(context.text(name), chord_of(context.session, frame).c_str())) context.run(frame);
+  const auto hiding = [&](UiText name_of, const char* line) {
+    if (ImGui::MenuItem(context.text(name_of), chord_of(context.session, line).c_str())) context.run(line);
+  };
+  if (!context.session.selection.empty()) {
+    hiding(UiText::hide_selected, "hide selected");
+    hiding(UiText::isolate_selected, "isolate selected");
+  }
   ImGui::EndPopup();
 }
 

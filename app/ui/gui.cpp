@@ -118,6 +118,7 @@ void Gui::frame(Session& session, Size window, double seconds) {
   draw_menu(panel_context);
   columns_.draw(panel_context, areas_of(session.layout, window, scale_), panels_);
   draw_status(panel_context);
+  draw_hidden_note(panel_context);
   draw_pointer_tip(panel_context);
   draw_band(panel_context);
   draw_element_menu(panel_context);
@@ -200,9 +201,11 @@ void Gui::modifiers(bool shift, bool ctrl) {
 
 bool Gui::owns_pointer(const Session& session, Size window, glm::dvec2 pixel) const {
   ImGui::SetCurrentContext(imgui_);
-  const PixelRect area = view_area(window, session.layout);
-  const bool inside = pixel.x >= area.x0 && pixel.x < area.x1 && pixel.y >= area.y0 && pixel.y < area.y1;
-  return !inside || columns_.covers(pixel) || !session.open_panel.empty() || ImGui::IsAnyItemActive() ||
+  const auto is_in = [&](const PixelRect& rect) {
+    return pixel.x >= rect.x0 && pixel.x < rect.x1 && pixel.y >= rect.y0 && pixel.y < rect.y1;
+  };
+  return !is_in(view_area(window, session.layout)) || columns_.covers(pixel) || is_in(state_.note) ||
+         !session.open_panel.empty() || ImGui::IsAnyItemActive() ||
          ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }
 

@@ -71,6 +71,10 @@ void draw_select_menu(PanelContext& context) {
          missing_for(row, context.session.selection).en.empty());
   }
   ImGui::Separator();
+  item(context, UiText::hide_selected, "hide selected", !context.session.selection.empty());
+  item(context, UiText::isolate_selected, "isolate selected", !context.session.selection.empty());
+  item(context, UiText::unhide, "unhide", !context.session.hidden().empty());
+  ImGui::Separator();
   if (ImGui::MenuItem(context.text(UiText::keep_selection), "", false, !context.session.selection.empty()))
     context.begin_command("keep ");
   for (const auto& [name, elements] : context.session.selections.kept)
@@ -78,13 +82,23 @@ void draw_select_menu(PanelContext& context) {
 }
 
 // Of two values that a key goes between the second one, ticked where it is on; else one entry for each.
+bool is_one_entry(const ViewSwitch& row) { return row.toggles() && row.values.size() == 2; }
 void draw_switch(PanelContext& context, const ViewSwitch& row) {
   const std::size_t now = row.value(context.session);
-  const bool is_one = row.toggles() && row.values.size() == 2;
+  const bool is_one = is_one_entry(row);
   for (std::size_t i = is_one ? 1 : 0; i < row.values.size(); ++i) {
     const SwitchValue& value = row.values[i];
     item(context, context.text(value.name_en, value.name_ja),
          is_one ? toggle_line(row) : std::string(row.id) + " " + std::string(value.id), true, i == now);
+  }
+}
+// With lines between them, but not between single entries.
+void draw_switches(PanelContext& context) {
+  const ViewSwitch* before = nullptr;
+  for (const ViewSwitch& row : view_switches()) {
+    if (before && !(is_one_entry(*before) && is_one_entry(row))) ImGui::Separator();
+    draw_switch(context, row);
+    before = &row;
   }
   ImGui::Separator();
 }
@@ -96,7 +110,7 @@ void draw_view_menu(PanelContext& context) {
   for (const NamedView& view : named_views())
     item(context, context.text(view.name_en, view.name_ja), "view " + std::string(view.id));
   ImGui::Separator();
-  for (const ViewSwitch& row : view_switches()) draw_switch(context, row);
+  draw_switches(context);
   panel_items(context, PanelMenu::view);
 }
 

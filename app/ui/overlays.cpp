@@ -152,9 +152,14 @@ Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, 
   Overlay overlay;
   Painter painter(session, overlay, style(row.looks, theme));
   session.highlights().of(mark).for_each_in(first, end, [&](std::uint32_t i) {
-    if (mark.sort == Element::Kind::vertex) painter.draw(Vertex(i));
-    if (mark.sort == Element::Kind::edge) painter.draw(Edge(i));
-    if (mark.sort == Element::Kind::face) painter.draw(Face(i));
+    Element e;
+    e.kind = mark.sort;
+    e.index = i;
+    if (session.hidden().hides(session.mesh(), e)) return;
+    if (mark.sort == Element::Kind::face)
+      painter.draw(Face(i));
+    else
+      painter.draw(e);
   });
   return overlay;
 }
@@ -166,7 +171,7 @@ Overlay selection_overlay(const Session& session, Theme theme) {
   const auto is_face = [](const Element& e) { return e.kind == Element::Kind::face; };
   const bool has_outlines = std::count_if(session.selection.begin(), session.selection.end(), is_face) <= most_outlines;
   for (const Element& e : session.selection)
-    if (has_outlines || !is_face(e)) painter.draw(e);
+    if ((has_outlines || !is_face(e)) && !session.hidden().hides(session.mesh(), e)) painter.draw(e);
   return overlay;
 }
 

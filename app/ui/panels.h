@@ -36,6 +36,7 @@ struct GuiState {
   bool wants_quit = false;  // confirmed
   bool is_laying_out = false;
   std::vector<WaitingLine> waiting;
+  PixelRect note;            // of what lies over the view and takes the pointer; empty where there is none
   int unsettled_frames = 0;  // how many more are to be laid out although nothing comes in
   std::optional<PendingLeave> pending;
   bool opens_menu = false;    // that of what is selected, in the next frame
@@ -107,6 +108,8 @@ void draw_status(PanelContext& context);
 void draw_pointer_tip(PanelContext& context);
 // In place of a panel that waits for findings.
 void draw_preparing(PanelContext& context, double share);
+// In a corner of the view: that something is hidden, and the way back.
+void draw_hidden_note(PanelContext& context);
 // The menu of what is selected, where the right button was clicked.
 void draw_element_menu(PanelContext& context);
 // What a drag that selects has drawn so far.

@@ -34,12 +34,13 @@ std::vector<DrawnTint> tints_in(Theme theme) {
 }
 
 // The numbers of the faces' tints, from the highlights that are shown and the sets the faces are in. Of several the
-// first highlight of the table tints; being selected goes before them.
+// first highlight of the table tints; being selected goes before them, and being hidden before that.
 class FaceTints {
  public:
   FaceTints(Session& session, const IndexSet& selected) {
     const auto tinted =
         std::count_if(highlight_table().begin(), highlight_table().end(), [](const auto& row) { return row.tint; });
+    shown_.push_back({&session.hidden().faces(), hidden_face});
     shown_.push_back({&selected, static_cast<std::uint8_t>(tinted + 1)});
     if (session.preparing()) return;
     const HighlightSets& sets = session.highlights();
@@ -137,7 +138,7 @@ void Viewport::follow_mesh(Session& session) {
   const FaceTints tints(session, selected_faces_);
   const bool anew = mesh_of_ != &session.document() || changes.everything || drawn_shading_ != session.settings.shading;
   const bool other_highlights = shown_ != session.shown || changes.searched;
-  if (!anew && !other_highlights && !other_selection && gesture_step_ == session.gesture_step() &&
+  if (!anew && !other_highlights && !other_selection && !changes.hiding && gesture_step_ == session.gesture_step() &&
       mesh_revision_ == session.document().revision())
     return;
   face_tints_.resize(mesh.face_slots());

@@ -14,28 +14,29 @@ namespace {
 
 class RegionQuery {
  public:
-  RegionQuery(const Mesh& mesh, const SurfaceTriangles& triangles, const Bvh* tree, const Camera& camera, Size view,
-              const ScreenRegion& region)
+  RegionQuery(const Mesh& mesh, const SurfaceTriangles& triangles, const Bvh* tree, const HiddenElements* hidden,
+              const Camera& camera, Size view, const ScreenRegion& region)
       : m_(mesh),
         triangles_(triangles),
         tree_(tree),
+        hidden_(hidden),
         camera_(camera),
         view_(view),
         region_(region),
         screen_(camera, view) {}
 
   bool has(Vertex v) const {
-    return m_.is_alive(v) && point(m_, v) == v && holds(v) && is_seen(m_.position(v), Face());
+    return m_.is_alive(v) && point(m_, v) == v && shows(v) && holds(v) && is_seen(m_.position(v), Face());
   }
   bool has(Edge e) const {
-    if (!m_.is_alive(e)) return false;
+    if (!m_.is_alive(e) || !shows(e)) return false;
     const auto [a, b] = ends(m_, e);
     return holds(a) && holds(b) && is_seen(0.5 * m_.position(a) + 0.5 * m_.position(b), Face());
   }
   bool has(Halfedge h) const { return has(edge(h)); }
   // Seen at the middle of one of its triangles.
   bool has(Face f) const {
-    if (!m_.is_alive(f)) return false;
+    if (!m_.is_alive(f) || !shows(f)) return false;
     for (const Vertex v : vertices_around(m_, f))
       if (!holds(v)) return false;
     if (!tree_) return true;
@@ -49,6 +50,11 @@ class RegionQuery {
   }
 
  private:
+  template <class Handle>
+  bool shows(Handle element) const {
+    return !hidden_ || !hidden_->hides(m_, element);
+  }
+
   bool holds(Vertex v) const {
     const auto at = screen_.project(m_.position(v));
     return at && region_.holds(at->pixel);
@@ -70,6 +76,7 @@ class RegionQuery {
   const Mesh& m_;
   const SurfaceTriangles& triangles_;
   const Bvh* tree_;  // null: through the surface
+  const HiddenElements* hidden_;
   const Camera& camera_;
   Size view_;
   const ScreenRegion& region_;
@@ -94,7 +101,7 @@ std::vector<Element> Picker::pick_region(const Mesh& mesh, const Camera& camera,
                                          PickMode mode, Depth depth) {
   Progress unseen;
   if (depth == Depth::seen) prepare(mesh, unseen);
-  const RegionQuery query(mesh, triangles_, depth == Depth::seen ? &tree_ : nullptr, camera, view, region);
+  const RegionQuery query(mesh, triangles_, depth == Depth::seen ? &tree_ : nullptr, hidden_, camera, view, region);
   switch (mode) {
     case PickMode::vertex:
       return gather<Vertex>(query, mesh.vertex_slots());

@@ -21,8 +21,6 @@ std::uint32_t tree_slot_of_triangle(std::uint32_t slot) { return sharers * slot;
 std::uint32_t tree_slot_of_vertex(Vertex v) { return sharers * v.index + 1; }
 std::uint32_t tree_slot_of_wire(Edge e) { return sharers * e.index + 2; }
 
-bool is_live_wire(const Mesh& mesh, Edge e) { return mesh.is_alive(e) && mesh.is_wire(e); }
-
 Primitive primitive_of(const SurfaceTriangle& t) {
   return Primitive::triangle(t.corners[0], t.corners[1], t.corners[2], t.face);
 }
@@ -53,13 +51,14 @@ struct Candidate {
 class PickQuery {
  public:
   PickQuery(const Mesh& mesh, const SurfaceTriangles& triangles, const Bvh& tree, const Camera& camera, Size view,
-            glm::dvec2 pixel)
+            glm::dvec2 pixel, Picker::Depth depth)
       : m_(mesh),
         triangles_(triangles),
         tree_(tree),
         camera_(camera),
         view_(view),
         pixel_(pixel),
+        depth_(depth),
         screen_(camera, view) {
     const Ray ray = ray_through(camera, view, pixel);
     if (const auto hit = tree_.cast(m_.positions(), ray)) {
@@ -142,6 +141,7 @@ class PickQuery {
   bool is_hidden(const Candidate& c) const {
     const auto at = screen_.project(c.place);
     if (!at) return true;
+    if (depth_ == Picker::Depth::through) return false;
     const Ray ray = ray_through(camera_, view_, at->pixel);
     const auto hit = tree_.cast(m_.positions(), ray);
     if (!hit) return false;
@@ -169,6 +169,7 @@ class PickQuery {
   const Camera& camera_;
   Size view_;
   glm::dvec2 pixel_;
+  Picker::Depth depth_;
   ScreenProjection screen_;
   Face under_;
   glm::dvec3 place_{0};
@@ -182,10 +183,20 @@ void Picker::prepare(const Mesh& mesh, Progress& progress) {
   if (!has_tree_) build(mesh, progress);
 }
 
+bool Picker::shows(const Mesh& mesh, const SurfaceTriangle& triangle) const {
+  return triangle.face != no_index && !(hidden_ && hidden_->hides(mesh, Face(triangle.face)));
+}
+bool Picker::shows(const Mesh& mesh, Vertex v) const {
+  return mesh.is_alive(v) && mesh.is_isolated(v) && !(hidden_ && hidden_->isolated().contains(v.index));
+}
+bool Picker::shows(const Mesh& mesh, Edge e) const {
+  return mesh.is_alive(e) && mesh.is_wire(e) && !(hidden_ && hidden_->wires().contains(e.index));
+}
+
 void Picker::build(const Mesh& mesh, Progress& progress) {
   has_tree_ = false;
   std::uint32_t wire_slots = mesh.edge_slots();
-  while (wire_slots > 0 && !is_live_wire(mesh, Edge(wire_slots - 1))) --wire_slots;
+  while (wire_slots > 0 && !shows(mesh, Edge(wire_slots - 1))) --wire_slots;
   const std::size_t slots = std::max({triangles_.slots(), mesh.vertex_slots(), wire_slots});
   std::vector<Primitive> primitives;
   reserve_large(primitives, sharers * slots);
@@ -193,15 +204,15 @@ void Picker::build(const Mesh& mesh, Progress& progress) {
   for (std::uint32_t slot = 0; slot < triangles_.slots(); ++slot) {
     stop_if_interrupted(slot);
     const SurfaceTriangle t = triangles_.at(mesh, slot);
-    if (t.face != no_index) primitives[tree_slot_of_triangle(slot)] = primitive_of(t);
+    if (shows(mesh, t)) primitives[tree_slot_of_triangle(slot)] = primitive_of(t);
   }
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
     stop_if_interrupted(i);
     const Vertex v(i);
-    if (mesh.is_alive(v) && mesh.is_isolated(v)) primitives[tree_slot_of_vertex(v)] = Primitive::point(i);
+    if (shows(mesh, v)) primitives[tree_slot_of_vertex(v)] = Primitive::point(i);
   }
   for (std::uint32_t i = 0; i < wire_slots; ++i)
-    if (is_live_wire(mesh, Edge(i))) primitives[tree_slot_of_wire(Edge(i))] = wire(mesh, Edge(i));
+    if (shows(mesh, Edge(i))) primitives[tree_slot_of_wire(Edge(i))] = wire(mesh, Edge(i));
   try {
     has_tree_ = tree_.build(mesh.positions(), std::move(primitives), progress);
   } catch (...) {
@@ -212,21 +223,21 @@ void Picker::build(const Mesh& mesh, Progress& progress) {
 
 void Picker::put_triangle(const Mesh& mesh, std::uint32_t slot) {
   const SurfaceTriangle t = triangles_.at(mesh, slot);
-  if (t.face == no_index)
-    tree_.erase(tree_slot_of_triangle(slot));
-  else
+  if (shows(mesh, t))
     tree_.insert(mesh.positions(), tree_slot_of_triangle(slot), primitive_of(t));
+  else
+    tree_.erase(tree_slot_of_triangle(slot));
 }
 
 void Picker::put_vertex(const Mesh& mesh, Vertex v) {
   tree_.erase(tree_slot_of_vertex(v));
-  if (mesh.exists(v) && mesh.is_alive(v) && mesh.is_isolated(v))
+  if (mesh.exists(v) && shows(mesh, v))
     tree_.insert(mesh.positions(), tree_slot_of_vertex(v), Primitive::point(v.index));
 }
 
 void Picker::put_wire(const Mesh& mesh, Edge e) {
   tree_.erase(tree_slot_of_wire(e));
-  if (mesh.exists(e) && is_live_wire(mesh, e)) tree_.insert(mesh.positions(), tree_slot_of_wire(e), wire(mesh, e));
+  if (mesh.exists(e) && shows(mesh, e)) tree_.insert(mesh.positions(), tree_slot_of_wire(e), wire(mesh, e));
 }
 
 std::vector<std::uint32_t> Picker::update(const Mesh& mesh, const TouchedElements& touched) {
@@ -247,10 +258,26 @@ std::vector<std::uint32_t> Picker::update(const Mesh& mesh, const TouchedElement
   return changed;
 }
 
-std::optional<Picked> Picker::pick(const Mesh& mesh, const Camera& camera, Size view, glm::dvec2 pixel, PickMode mode) {
+void Picker::update_hidden(const Mesh& mesh, const HiddenElements::Parts& changed) {
+  if (!has_tree_) return;
+  const std::size_t changes = changed.faces.size() + changed.wires.size() + changed.isolated.size();
+  if (changes > 64 && changes > tree_.size() / 3) {
+    has_tree_ = false;
+    tree_ = Bvh();
+    return;
+  }
+  for (const Face f : changed.faces)
+    for (const std::uint32_t slot : triangles_.slots_of(mesh, f)) put_triangle(mesh, slot);
+  for (const Edge e : changed.wires) put_wire(mesh, e);
+  for (const Vertex v : changed.isolated) put_vertex(mesh, v);
+  if (tree_.is_worn()) tree_.rebuild(mesh.positions());
+}
+
+std::optional<Picked> Picker::pick(const Mesh& mesh, const Camera& camera, Size view, glm::dvec2 pixel, PickMode mode,
+                                   Depth depth) {
   Progress unseen;
   prepare(mesh, unseen);
-  PickQuery query(mesh, triangles_, tree_, camera, view, pixel);
+  PickQuery query(mesh, triangles_, tree_, camera, view, pixel, depth);
   if (mode == PickMode::face) return query.face();
   std::optional<Picked> picked = query.nearest(mode == PickMode::vertex);
   if (picked && mode == PickMode::halfedge) picked->element = picked->halfedge;

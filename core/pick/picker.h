@@ -9,6 +9,7 @@
 #include "core/mesh/mesh.h"
 #include "core/mesh/touched.h"
 #include "core/pick/bvh.h"
+#include "core/pick/hidden_elements.h"
 #include "core/pick/screen_region.h"
 #include "core/pick/surface_triangles.h"
 #include "core/view/camera.h"
@@ -33,19 +34,26 @@ struct Picked {
 // call. The BVH is built by the first pick, so rendering alone does not pay for it.
 class Picker {
  public:
-  explicit Picker(const Mesh& mesh) : triangles_(mesh) {}
+  // What is hidden is not picked and hides nothing; it outlives the picker.
+  explicit Picker(const Mesh& mesh, const HiddenElements* hidden = nullptr) : triangles_(mesh), hidden_(hidden) {}
 
   // Updates after an edit of the mesh; returns the triangle slots that changed. Cost: the touched elements.
   std::vector<std::uint32_t> update(const Mesh& mesh, const TouchedElements& touched);
 
+  // After these have been hidden or shown. Cost: theirs, or the next pick builds the BVH anew.
+  void update_hidden(const Mesh& mesh, const HiddenElements::Parts& changed);
+
+  // Through: what a surface is in front of is picked too.
+  enum class Depth { seen, through };
+
   // Among the elements within pick_radius_px that are not occluded: the one with the smallest screen distance, then the
   // smallest depth, then the face under the pointer, then the smallest number. Pixels from the upper left corner.
-  std::optional<Picked> pick(const Mesh& mesh, const Camera& camera, Size view, glm::dvec2 pixel, PickMode mode);
+  std::optional<Picked> pick(const Mesh& mesh, const Camera& camera, Size view, glm::dvec2 pixel, PickMode mode,
+                             Depth depth = Depth::seen);
 
   // All elements, ascending, of which all points lie within the region, points in place of vertices. Seen: no surface is
   // clearly in front of the vertex, the middle of the edge, or that of a triangle of the face. Cost: the slots of that
   // kind, and a ray for each that lies within.
-  enum class Depth { seen, through };
   std::vector<Element> pick_region(const Mesh& mesh, const Camera& camera, Size view, const ScreenRegion& region,
                                    PickMode mode, Depth depth);
 
@@ -60,8 +68,13 @@ class Picker {
   void put_triangle(const Mesh& mesh, std::uint32_t slot);
   void put_vertex(const Mesh& mesh, Vertex v);
   void put_wire(const Mesh& mesh, Edge e);
+  // Whether it is in the tree.
+  bool shows(const Mesh& mesh, const SurfaceTriangle& triangle) const;
+  bool shows(const Mesh& mesh, Vertex v) const;
+  bool shows(const Mesh& mesh, Edge e) const;
 
   SurfaceTriangles triangles_;
+  const HiddenElements* hidden_;
   Bvh tree_;
   bool has_tree_ = false;
 };

@@ -8,6 +8,10 @@ namespace ryosen {
 enum class Theme { dark, light };
 // Each face in a light of its own, or light that goes over evenly from face to face, except at creases.
 enum class Shading { flat, smooth };
+// Whether the edges of faces are drawn on the surface.
+enum class Wire { on, off };
+// Whether the surface hides what lies behind it, from the eye and the pointer, or is seen through.
+enum class Xray { off, on };
 // Whether vertices are drawn: while they are what the pointer picks, or always, or never.
 enum class Dots { picked, always, never };
 
@@ -15,6 +19,8 @@ enum class Dots { picked, always, never };
 struct ViewSettings {
   Theme theme = Theme::dark;
   Shading shading = Shading::flat;
+  Wire wire = Wire::on;
+  Xray xray = Xray::off;
   Dots dots = Dots::picked;
 
   // Calls visit(name, number) for each, by the id of its row: a shader gets the number as its `uniform int name`.
@@ -22,6 +28,8 @@ struct ViewSettings {
   void for_each(Visit visit) const {
     visit("theme", static_cast<int>(theme));
     visit("shading", static_cast<int>(shading));
+    visit("wire", static_cast<int>(wire));
+    visit("xray", static_cast<int>(xray));
     visit("dots", static_cast<int>(dots));
   }
 

@@ -1,0 +1,13 @@
+// The patterns of tints: a sign other than the colour.
+const int diagonal = 1, chessboard = 2, horizontal = 3, vertical = 4;
+
+// How much a pixel of the picture belongs to the pattern.
+float pattern_share(int pattern, vec2 p) {
+  float rising = step(0.5, fract((p.x - p.y) / 10.0));
+  float falling = step(0.5, fract((p.x + p.y) / 10.0));
+  if (pattern == diagonal) return 0.55 + 0.45 * rising;
+  if (pattern == chessboard) return 0.50 + 0.50 * abs(rising - falling);  // on its corner
+  if (pattern == horizontal) return 0.50 + 0.50 * step(0.5, fract(p.y / 6.0));
+  if (pattern == vertical) return 0.50 + 0.50 * step(0.5, fract(p.x / 6.0));
+  return 1.0;
+}

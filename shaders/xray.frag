@@ -1,0 +1,22 @@
+#version 330 core
+#include "wire.glsl"
+#include "pattern.glsl"
+flat in float film;
+flat in float nearness;
+flat in vec4 tint;
+flat in int pattern;
+
+// What is added to the ground, or taken from it.
+uniform vec3 film_colour;
+uniform vec3 line_colour;
+uniform float takes_light;  // 1: taken
+
+layout(location = 0) out vec4 colour;
+
+void main() {
+  float line = max(wire_cover(), dot_cover()) * nearness;
+  float tinted = tint.a * pattern_share(pattern, gl_FragCoord.xy / pixel_scale);
+  vec3 of_tint = takes_light > 0.5 ? 1.0 - tint.rgb : tint.rgb;
+  vec3 layer = film * film_colour + line * line_colour + 0.45 * tinted * of_tint;
+  colour = vec4(layer, max(max(layer.r, layer.g), layer.b));
+}

@@ -51,6 +51,7 @@ Outcome run_drag(Session& session, Words arguments, std::string_view) {
 }
 
 Outcome run_gesture(Session& session, Words arguments, std::string_view) {
+  if (arguments.size() == 1 && arguments[0] == "extrude") return session.begin_pull();
   const std::string_view kinds[] = {"move", "turn", "scale"}, axes[] = {"x", "y", "z", "normal"};
   const std::string_view word = arguments.empty() ? "" : arguments[0];
   const auto kind = std::find(std::begin(kinds), std::end(kinds), word);

@@ -118,9 +118,9 @@ void Session::update_derived(std::size_t transaction, Document::Change change) {
     forget_hidden();
     highlights_->update(m, document_->journal(), transaction);
     drawn_changes_.everything |= highlights_->changed_everything();
-    for (const Marked& change : highlights_->changes()) {
-      if (change.mark.sort == Element::Kind::face) drawn_changes_.faces.push_back(change.index);
-      drawn_changes_.marks.push_back(change);
+    for (const Marked& marked : highlights_->changes()) {
+      if (marked.mark.sort == Element::Kind::face) drawn_changes_.faces.push_back(marked.index);
+      drawn_changes_.marks.push_back(marked);
     }
     note_marks(touched);
     // A mark at a point is hidden with all its copies, wherever they are.

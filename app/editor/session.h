@@ -118,6 +118,8 @@ class Session {
   // Moving, turning or scaling the selection by hand. While that lasts only the view changes; its end is one command.
   // Commands that edit end it without one.
   Outcome begin_gesture(PointTransform::Kind kind);
+  // Extrudes the selected faces and moves them: one command in the end, and nothing where it is given up.
+  Outcome begin_pull();
   const TransformGesture* gesture() const;  // null: none goes on
   void follow_gesture(glm::dvec2 pixel, Modifiers modifiers);
   std::optional<Outcome> gesture_key(const std::string& chord);  // none: there is no gesture

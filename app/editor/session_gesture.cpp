@@ -5,6 +5,7 @@
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/ops/lines/arguments.h"
 #include "core/ops/rules/face_geometry.h"
 
 namespace ryosen {
@@ -15,6 +16,9 @@ struct Session::Gesturing {
   TouchedElements touched;         // by what is moved
   std::vector<std::uint32_t> triangles;
   std::vector<Face> spoilt;
+  glm::dvec2 pixel{0};  // of the window, where the pointer was last
+  Modifiers modifiers = {};
+  std::string pulls = {};  // faces that have been extruded for it, by nothing as yet
 };
 
 namespace {
@@ -72,8 +76,12 @@ Outcome Session::begin_gesture(PointTransform::Kind kind) {
     start = (seen ? seen->pixel : 0.5 * glm::dvec2(view.width, view.height)) + glm::dvec2(60, 0);
   }
   const std::span<const glm::dvec3> places = mesh().positions();
-  gesturing_.reset(
-      new Gesturing{TransformGesture(kind, mesh(), elements, start), {places.begin(), places.end()}, {}, {}, {}});
+  gesturing_.reset(new Gesturing{TransformGesture(kind, mesh(), elements, start),
+                                 {places.begin(), places.end()},
+                                 {},
+                                 {},
+                                 {},
+                                 start + view_origin});
   hover_.reset();
   release_verdict();
   follow_what_moves();
@@ -114,6 +122,8 @@ void Session::note_gesture() {
 
 void Session::follow_gesture(glm::dvec2 pixel, Modifiers modifiers) {
   Gesturing& g = *gesturing_;
+  g.pixel = pixel;
+  g.modifiers = modifiers;
   TransformGesture::Where where{camera, view, pixel - view_origin, modifiers.ctrl, {}};
   if (modifiers.ctrl) where.under = place_to_snap_to(pixel);
   g.transform.follow(mesh(), where);
@@ -137,10 +147,12 @@ std::optional<Outcome> Session::gesture_key(const std::string& chord) {
   if (!gesturing_) return std::nullopt;
   if (chord == "Escape") {
     cancel_gesture();
+    return Outcome();
   } else if (chord == "Enter") {
     return end_gesture();
   } else if (gesturing_->transform.key(mesh(), chord)) {
     follow_what_moves();
+    follow_gesture(gesturing_->pixel, gesturing_->modifiers);
   }
   return Outcome();
 }
@@ -155,14 +167,38 @@ Outcome Session::end_gesture() {
   if (!gesturing_) return {};
   const std::string line = gesturing_->transform.line(mesh());
   const bool does_nothing = gesturing_->transform.does_nothing();
+  const std::string pulls = gesturing_->pulls;
+  const auto by = gesturing_->transform.movement();
+  if (!pulls.empty() && !by) gesturing_->pulls.clear();  // the extrusion stays as it is, and is moved
   cancel_gesture();
-  return does_nothing ? Outcome() : run(line);
+  if (does_nothing) return {};
+  return !pulls.empty() && by ? run("extrude" + pulls + " " + format_place(*by)) : run(line);
+}
+
+// Extruded by nothing, so that what is moved is there; in the end it is one extrusion, or none.
+Outcome Session::begin_pull() {
+  cancel_gesture();
+  Elements faces;
+  for (const Element& e : selection)
+    if (e.kind == Element::Kind::face) faces.push_back(e);
+  if (faces.empty()) return failed(ExitCode::refused, {"select faces first", "先に面を選択してください"});
+  std::string names;
+  for (const std::string& name : names_of(faces)) names += " " + name;
+  Outcome outcome = run("extrude" + names + " 0");
+  if (!outcome.done()) return outcome;
+  selection = faces;
+  outcome = begin_gesture(PointTransform::Kind::move);
+  gesturing_->pulls = names;
+  gesture_key("N");
+  return outcome;
 }
 
 void Session::cancel_gesture() {
   if (!gesturing_) return;
   note_gesture();
+  const bool takes_back = !gesturing_->pulls.empty();
   gesturing_.reset();
+  if (takes_back) run("undo");
 }
 
 void Session::GesturingDeleter::operator()(Gesturing* gesturing) const { delete gesturing; }

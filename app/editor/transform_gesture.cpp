@@ -9,6 +9,7 @@
 #include "core/geometry/is_finite.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/mesh/find_element.h"
 #include "core/ops/lines/arguments.h"
 #include "core/ops/op.h"
 #include "core/selection/slot_ranges.h"
@@ -30,9 +31,17 @@ double to_step(double value, double step) { return std::round(value / step) * st
 // A power of ten that is about a hundredth of a length.
 double grid_step(double length) { return std::pow(10.0, std::floor(std::log10(length / 30))); }
 
-glm::dvec3 mean_normal(const Mesh& mesh, std::span<const Vertex> points) {
+// Of the faces among the elements; where there are none, of those at the points.
+glm::dvec3 mean_normal(const Mesh& mesh, std::span<const Element> elements, std::span<const Vertex> points) {
   Neighbourhood around(mesh);
   glm::dvec3 sum(0);
+  bool has_faces = false;
+  for (const Element& e : elements) {
+    if (e.kind != Element::Kind::face || !is_alive(mesh, e)) continue;
+    sum += around.normal(e.face());
+    has_faces = true;
+  }
+  if (has_faces) return sum;
   for (const Vertex v : points)
     for_each_copy(mesh, v, [&](Vertex copy) {
       for (const Face f : faces_around(mesh, copy))
@@ -138,7 +147,7 @@ void TransformGesture::choose_axis(const Mesh& mesh, char letter) {
   if (axis_letter_ == 'X') axis_ = glm::dvec3(1, 0, 0);
   if (axis_letter_ == 'Y') axis_ = glm::dvec3(0, 1, 0);
   if (axis_letter_ == 'Z') axis_ = glm::dvec3(0, 0, 1);
-  if (axis_letter_ == 'N') axis_ = direction_of(mean_normal(mesh, points_));
+  if (axis_letter_ == 'N') axis_ = direction_of(mean_normal(mesh, elements_, points_));
   if (!axis_) axis_letter_ = '\0';
   if (kind_ != PointTransform::Kind::move) transform_.axis = axis_;
 }
@@ -180,6 +189,11 @@ bool TransformGesture::does_nothing() const {
       return transform_.factor == 1;
   }
   return true;
+}
+
+std::optional<glm::dvec3> TransformGesture::movement() const {
+  if (kind_ != PointTransform::Kind::move || falloff_ > 0) return std::nullopt;
+  return transform_.by;
 }
 
 std::string TransformGesture::line(const Mesh&) const {

@@ -45,9 +45,12 @@ class TransformGesture {
   // The line that does it, and whether it would change anything.
   std::string line(const Mesh& mesh) const;
   bool does_nothing() const;
+  // How far it moves everything alike; none where it does something else.
+  std::optional<glm::dvec3> movement() const;
   // "Move X 0.25, falloff 0.5"
   Text told() const;
   const Elements& elements() const { return elements_; }
+  bool has_falloff() const { return falloff_ > 0; }
   glm::dvec3 middle() const { return middle_; }
   std::optional<glm::dvec3> axis() const { return axis_; }
 

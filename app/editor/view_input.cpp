@@ -50,7 +50,7 @@ Outcome ViewInput::release(MouseButton button, const Pointer& at) {
     const std::string line = line_of_band();
     session_.band.reset();
     session_.armed_gesture.reset();
-    outcome = session_.run(line);
+    outcome = run(line);
   }
   // A panel may have been opened since the press.
   if (ended && is_over_view(ended->pixel)) {

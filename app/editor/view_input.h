@@ -25,6 +25,7 @@ class ViewInput : public Input {
  protected:
   // A click with the right button: by itself it only selects what a menu would be about.
   virtual Outcome open_menu(const Navigation::Click& click);
+  virtual Outcome run(const std::string& line) { return session_.run(line); }
   virtual Outcome end_gesture() { return session_.end_gesture(); }
 
   Session& session_;

@@ -89,8 +89,8 @@ void draw_band(PanelContext& context) {
   const ImVec4 colour = to_imgui(style(Role::selected, context.theme).colour);
   if (band.gesture == Gesture::box)
     draw->AddRectFilled(corners[0], corners[2], ImGui::GetColorU32({colour.x, colour.y, colour.z, 0.12f}));
-  draw->AddPolyline(corners.data(), static_cast<int>(corners.size()), ImGui::GetColorU32(colour),
-                    band.gesture == Gesture::box ? ImDrawFlags_Closed : ImDrawFlags_None, 1.5f * context.scale);
+  draw->AddPolyline(corners.data(), static_cast<int>(corners.size()), ImGui::GetColorU32(colour), ImDrawFlags_Closed,
+                    1.5f * context.scale);
   draw->PopClipRect();
 }
 

@@ -1,6 +1,7 @@
 #include "app/ui/gui.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>  // closing of menus
 
 #include <algorithm>
 #include <cmath>
@@ -114,6 +115,7 @@ void Gui::frame(Session& session, Size window, double seconds) {
   place_view(session, window);
   state_.unsettled_frames = std::max(state_.unsettled_frames - 1, 0);
   state_.is_laying_out = true;
+  if (std::exchange(state_.closes_menus, false)) ImGui::ClosePopupsExceptModals();
   PanelContext panel_context = context(session);
   draw_menu(panel_context);
   columns_.draw(panel_context, areas_of(session.layout, window, scale_), panels_);
@@ -205,8 +207,17 @@ bool Gui::owns_pointer(const Session& session, Size window, glm::dvec2 pixel) co
     return pixel.x >= rect.x0 && pixel.x < rect.x1 && pixel.y >= rect.y0 && pixel.y < rect.y1;
   };
   return !is_in(view_area(window, session.layout)) || columns_.covers(pixel) || is_in(state_.note) ||
-         !session.open_panel.empty() || ImGui::IsAnyItemActive() ||
-         ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+         !session.open_panel.empty() || ImGui::IsAnyItemActive() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+}
+
+bool Gui::has_menu(const Session& session) const {
+  ImGui::SetCurrentContext(imgui_);
+  return session.open_panel.empty() && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+}
+
+void Gui::close_menus() {
+  state_.unsettle();
+  state_.closes_menus = true;
 }
 
 bool Gui::owns_keys() const {

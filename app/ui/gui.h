@@ -61,6 +61,9 @@ class Gui {
   // Whether the panels own a pixel, or keyboard input.
   bool owns_pointer(const Session& session, Size window, glm::dvec2 pixel) const;
   bool owns_keys() const;
+  // A menu is open, which Escape closes; while it is, keys are not for what lies behind it.
+  bool has_menu(const Session& session) const;
+  void close_menus();
   // As of the last frame.
   PointerShape pointer_shape() const;
 

@@ -167,7 +167,7 @@ Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, 
 Overlay selection_overlay(const Session& session, Theme theme) {
   Overlay overlay;
   Painter painter(session, overlay, style(Role::selected, theme));
-  constexpr std::ptrdiff_t most_outlines = 1000;  // the surface fills them
+  constexpr std::ptrdiff_t most_outlines = 60;  // the surface fills them
   const auto is_face = [](const Element& e) { return e.kind == Element::Kind::face; };
   const bool has_outlines = std::count_if(session.selection.begin(), session.selection.end(), is_face) <= most_outlines;
   for (const Element& e : session.selection)

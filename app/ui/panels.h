@@ -39,6 +39,7 @@ struct GuiState {
   PixelRect note;            // of what lies over the view and takes the pointer; empty where there is none
   int unsettled_frames = 0;  // how many more are to be laid out although nothing comes in
   std::optional<PendingLeave> pending;
+  bool closes_menus = false;  // in the next frame
   bool opens_menu = false;    // that of what is selected, in the next frame
   std::string begun_command;  // what the command window takes into its field when it is open
 

@@ -3,6 +3,7 @@
 
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
+#include "core/base/count_text.h"
 
 namespace ryosen {
 
@@ -26,10 +27,16 @@ UiText does(Gesture gesture) {
 }
 
 std::vector<Hint> hints_of_gesture(const PanelContext& context, const TransformGesture& gesture) {
-  return {{"", gesture.told().in(context.language())},
+  std::string told = gesture.told().in(context.language());
+  if (const std::size_t spoilt = context.session.spoilt_by_gesture().size(); spoilt > 0)
+    told += count_text(spoilt, " (one face turns over or flattens)", " (# faces turn over or flatten)",
+                       "（裏返る面・つぶれる面 #）")
+                .in(context.language());
+  return {{"", told},
           {"X Y Z N", context.text("axis", "軸")},
           {"0-9", context.text("number", "数値")},
-          {"O", context.text("falloff", "減衰")},
+          {"O", gesture.has_falloff() ? context.text("falloff, wheel widens", "減衰（ホイールで広げる）")
+                                      : context.text("falloff", "減衰")},
           {"Ctrl", context.text("snap", "スナップ")},
           {context.text("Enter, click", "Enter・クリック"), context.text("done", "確定")},
           {"Esc", context.text("give up", "中止")}};
@@ -38,6 +45,10 @@ std::vector<Hint> hints_of_gesture(const PanelContext& context, const TransformG
 std::vector<Hint> hints_of(const PanelContext& context) {
   if (const TransformGesture* const gesture = context.session.gesture()) return hints_of_gesture(context, *gesture);
   const auto drag = [&](MouseButton button) {
+    const auto armed = context.session.armed_gesture;
+    if (armed && button == MouseButton::left)
+      return *armed == Gesture::box ? context.text("draw a box, Esc gives up", "ボックスを描く（Esc で中止）")
+                                    : context.text("draw a lasso, Esc gives up", "投げ縄を描く（Esc で中止）");
     return context.text(does(gesture_of(input_presets()[context.session.input_preset], button, {})));
   };
   const OpInfo* const op = find_op(context.session.tool);

@@ -93,6 +93,10 @@ Outcome WindowInput::press_key(const std::string& chord, bool is_again, const In
   const Modifiers modifiers = modifiers_of(chord);
   gui_.modifiers(modifiers.shift, modifiers.ctrl);
   if (const int key = panel_key_of(chord); key >= 0) gui_.key(key, true);
+  if (gui_.has_menu(session_)) {
+    if (chord == "Escape") gui_.close_menus();
+    return {};
+  }
   if (session_.gesture() && !gui_.owns_keys()) return gui_.keep(session_, *session_.gesture_key(chord));
   const auto row = find_key(chord, preset);
   if (!row || (is_again && !row->repeats)) return {};

@@ -40,6 +40,7 @@ class WindowInput : public ViewInput {
   // One beside what a tab has opened closes that and does nothing else.
   Outcome click(const Navigation::Click& click) override;
   Outcome open_menu(const Navigation::Click& click) override;
+  Outcome run(const std::string& line) override { return gui_.run(session_, line); }
   Outcome end_gesture() override { return gui_.keep(session_, session_.end_gesture()); }
   Outcome press_key(const std::string& chord, bool is_again, const InputPreset& preset);
   // The panels know where the pointer is before they see what it does.

@@ -26,9 +26,7 @@ struct SeparateFans : OnVertex<SeparateFans> {
                                "頂点の面の扇ごとに複製の頂点を作る",
                                '\0',
                                OpTargetKind::vertex,
-                               OpGroup::join,
-                               "",
-                               Topology::kept};
+                               OpGroup::join};
 
   Verdict check(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;

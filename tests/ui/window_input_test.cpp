@@ -242,5 +242,20 @@ TEST_F(WindowInputTest, a_right_click_selects_and_opens_the_menu_of_the_element)
   EXPECT_GT(session_.document().history().size(), before);
 }
 
+TEST_F(WindowInputTest, a_menu_takes_the_keys_and_escape_closes_it) {
+  session_.run("mode face");
+  press(in_view, MouseButton::right);
+  release(in_view, MouseButton::right);
+  frames(4);
+  ASSERT_EQ(session_.selection.size(), 1u);
+  ASSERT_TRUE(gui_.has_menu(session_));
+  input_.key_down("X");
+  EXPECT_TRUE(session_.log().empty()) << "nothing behind the menu is deleted";
+  input_.key_down("Escape");
+  frames(4);
+  EXPECT_FALSE(gui_.has_menu(session_));
+  EXPECT_EQ(session_.selection.size(), 1u) << "one step at a time";
+}
+
 }  // namespace
 }  // namespace ryosen

@@ -124,7 +124,6 @@ ParameterRow axis(std::string_view help_en, std::string_view help_ja, std::strin
 std::vector<AlgorithmRow> transform_rows() {
   const auto row = [](AlgorithmRow made, std::vector<ParameterRow> parameters) {
     made.parameters = with_common(std::move(parameters));
-    made.keeps_geometry = false;
     return made;
   };
   return {
@@ -133,6 +132,9 @@ std::vector<AlgorithmRow> transform_rows() {
            .name_ja = "移動",
            .help_en = "moves vertices by a vector",
            .help_ja = "頂点をベクトルだけ動かす",
+           .parameters = {},
+           .keeps_geometry = false,
+           .solves = {},
            .run = translate},
           {{.id = "by",
             .kind = ParameterKind::place,
@@ -146,6 +148,9 @@ std::vector<AlgorithmRow> transform_rows() {
            .name_ja = "回転",
            .help_en = "turns vertices about an axis",
            .help_ja = "頂点を軸のまわりに回す",
+           .parameters = {},
+           .keeps_geometry = false,
+           .solves = {},
            .run = rotate},
           {{.id = "angle",
             .kind = ParameterKind::number,
@@ -163,6 +168,9 @@ std::vector<AlgorithmRow> transform_rows() {
            .name_ja = "拡大縮小",
            .help_en = "scales vertices, everywhere or along an axis",
            .help_ja = "頂点を全方向または軸方向に拡大縮小する",
+           .parameters = {},
+           .keeps_geometry = false,
+           .solves = {},
            .run = scale},
           {{.id = "factor",
             .kind = ParameterKind::number,

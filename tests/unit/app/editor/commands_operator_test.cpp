@@ -14,7 +14,7 @@
 namespace ryosen {
 namespace {
 
-std::unique_ptr<Session> session_of(const RandomMesh& random) {
+std::unique_ptr<Session> session_opened(const RandomMesh& random) {
   MeshFile file;
   Dice dice(random.seed);
   for (int i = 0; i < random.points; ++i) file.mesh.positions.push_back({dice.unit(), dice.unit(), dice.unit()});
@@ -26,7 +26,7 @@ std::unique_ptr<Session> session_of(const RandomMesh& random) {
   return std::make_unique<Session>(std::make_unique<Document>(std::move(file)));
 }
 
-std::unique_ptr<Session> session_of(const char* asset) {
+std::unique_ptr<Session> session_opened(const char* asset) {
   auto document = Document::open(test::asset(asset));
   EXPECT_TRUE(document);
   return std::make_unique<Session>(std::move(document).value());
@@ -108,7 +108,7 @@ TEST(on_selection, each_is_the_same_as_one_command_after_the_other) {
         continue;  // needs more than the element
       SCOPED_TRACE(std::string(op.id) + ", seed " + std::to_string(seed));
       const RandomMesh random = random_mesh(seed);
-      const auto at_once = session_of(random), apart = session_of(random);
+      const auto at_once = session_opened(random), apart = session_opened(random);
       Dice dice(seed);
       const Elements elements = some_elements(at_once->mesh(), dice);
       const std::uint64_t before = at_once->mesh().hash();
@@ -141,7 +141,7 @@ TEST(on_selection, the_log_does_the_same_again) {
     for (const OpInfo& op : all_ops()) {
       if (op.on_selection == OnSelection::none) continue;
       const RandomMesh random = random_mesh(seed);
-      const auto session = session_of(random), again = session_of(random);
+      const auto session = session_opened(random), again = session_opened(random);
       Dice dice(seed + 100);
       session->selection = some_elements(session->mesh(), dice);
       if (op.on_selection != OnSelection::each)
@@ -153,7 +153,7 @@ TEST(on_selection, the_log_does_the_same_again) {
 }
 
 TEST(on_selection, welds_into_the_last_and_fills_each_hole_once) {
-  const auto cubes = session_of("cube.obj");
+  const auto cubes = session_opened("cube.obj");
   cubes->run("delete f0");
   cubes->run("select boundary_loop");
   ASSERT_EQ(cubes->selection.size(), 4u);
@@ -161,7 +161,7 @@ TEST(on_selection, welds_into_the_last_and_fills_each_hole_once) {
   ASSERT_TRUE(filled.done()) << filled.sentence.en;
   EXPECT_EQ(cubes->mesh().live().faces, 6u) << "one face, though four edges are selected";
   EXPECT_EQ(cubes->document().history().size(), 2u);
-  const auto apart = session_of("cube.obj");
+  const auto apart = session_opened("cube.obj");
   for (const char* place : {"5,0,0", "6,0,0", "7,0,0"}) apart->run(std::string("make_vertex ") + place);
   apart->run("select v8 v10 v9");
   ASSERT_TRUE(apart->run("weld selected").done());
@@ -170,7 +170,7 @@ TEST(on_selection, welds_into_the_last_and_fills_each_hole_once) {
 }
 
 TEST(on_selection, says_what_was_refused_and_what_is_missing) {
-  const auto session = session_of("cube.obj");
+  const auto session = session_opened("cube.obj");
   for (const OpInfo& op : all_ops()) {
     session->selection.clear();
     const Outcome outcome = session->run(std::string(op.id) + " selected");
@@ -192,7 +192,7 @@ TEST(on_selection, says_what_was_refused_and_what_is_missing) {
 }
 
 TEST(either, does_the_first_that_is_possible_and_tells_the_refusal_that_was_meant) {
-  const auto session = session_of("cube.obj");
+  const auto session = session_opened("cube.obj");
   session->run("select v0 v2");
   const Outcome joined = session->run("either separate_loop selected | unite_ring selected | make_edge selected");
   ASSERT_TRUE(joined.done()) << joined.sentence.en;
@@ -204,7 +204,7 @@ TEST(either, does_the_first_that_is_possible_and_tells_the_refusal_that_was_mean
 }
 
 TEST(in_turn, goes_on_until_one_is_not_possible) {
-  const auto session = session_of("cube.obj");
+  const auto session = session_opened("cube.obj");
   session->run("select f0");
   ASSERT_TRUE(session->run("in_turn extrude selected | gesture move normal").done());
   EXPECT_EQ(session->mesh().live().faces, 10u);
@@ -216,7 +216,7 @@ TEST(in_turn, goes_on_until_one_is_not_possible) {
 }
 
 TEST(selection_memory, each_entry_brings_back_what_was_selected_around_it) {
-  const auto session = session_of("cube.obj");
+  const auto session = session_opened("cube.obj");
   session->run("select f0 f1");
   session->run("poke f0");
   session->run("select f2");
@@ -233,7 +233,7 @@ TEST(selection_memory, each_entry_brings_back_what_was_selected_around_it) {
 }
 
 TEST(selection_memory, keeps_selections_by_name_through_edits) {
-  const auto session = session_of("cube.obj");
+  const auto session = session_opened("cube.obj");
   EXPECT_EQ(session->run("keep some").exit_code, ExitCode::refused);
   session->run("select f0 f1 v3");
   ASSERT_TRUE(session->run("keep some").done());
@@ -253,7 +253,7 @@ TEST(selection_memory, keeps_selections_by_name_through_edits) {
 }
 
 TEST(selection_memory, many_are_selected_in_few_words) {
-  const auto session = session_of("torus.off");
+  const auto session = session_opened("torus.off");
   session->run("mode face");
   session->run("select all");
   const Elements all = session->selection;

@@ -80,9 +80,9 @@ TEST_F(GestureTest, typed_numbers_and_axes_are_exact) {
 }
 
 TEST_F(GestureTest, the_pointer_stays_at_what_it_took_hold_of) {
-  const glm::dvec3 middle = session_->run("key G").done() ? session_->gesture()->middle() : glm::dvec3();
+  const glm::dvec3 held = session_->run("key G").done() ? session_->gesture()->middle() : glm::dvec3();
   run({"move 740,280"});
-  const auto before = project(session_->camera, session_->view, middle);
+  const auto before = project(session_->camera, session_->view, held);
   run({"press left 740,280", "release left 740,280"});
   std::vector<Vertex> points;
   for (const Element& e : session_->selection) points.push_back(e.vertex());
@@ -135,6 +135,37 @@ TEST_F(GestureTest, needs_a_selection_and_gives_way_to_an_edit) {
   run({"select v3", "gesture move", "move 700,300", "poke f0"});
   EXPECT_FALSE(session_->gesture());
   EXPECT_EQ(session_->log(), std::vector<std::string>{"poke f0"});
+}
+
+TEST_F(GestureTest, a_key_of_an_axis_shows_at_once_what_the_pointer_says_along_it) {
+  run({"key G", "move 700,300", "key X"});
+  const Vertex v = session_->selection[0].vertex();
+  const glm::dvec3 moved = session_->drawn_positions()[v.index] - session_->mesh().position(v);
+  EXPECT_NE(moved.x, 0);
+  EXPECT_EQ(moved.y, 0);
+  EXPECT_EQ(moved.z, 0);
+}
+
+TEST_F(GestureTest, extruding_is_one_entry_along_the_normal_of_the_faces_or_nothing) {
+  const std::uint64_t hash = session_->mesh().hash();
+  run({"mode face", "select f0 f1", "key E"});
+  ASSERT_TRUE(session_->gesture());
+  EXPECT_FALSE(session_->gesture()->movement() && *session_->gesture()->movement() != glm::dvec3(0))
+      << "by nothing yet";
+  run({"key Escape"});
+  EXPECT_EQ(session_->mesh().hash(), hash);
+  EXPECT_EQ(session_->document().position(), 0u);
+  run({"key E", "key 2", "key Enter"});
+  EXPECT_EQ(session_->document().history().size(), 1u);
+  EXPECT_TRUE(session_->document().history()[0].command.starts_with("extrude f0 f1 "))
+      << session_->document().history()[0].command;
+  EXPECT_EQ(session_->selection, (Elements{Face(0), Face(1)}));
+  const std::uint64_t moved = session_->mesh().hash();
+  const auto again = open();
+  for (const std::string& line : session_->log()) ASSERT_TRUE(again->run(line).done()) << line;
+  EXPECT_EQ(again->mesh().hash(), moved);
+  run({"undo"});
+  EXPECT_EQ(session_->mesh().hash(), hash);
 }
 
 // What is drawn while it goes on and afterwards is what would be drawn anew.

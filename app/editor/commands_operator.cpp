@@ -82,8 +82,10 @@ Outcome apply_to_each(Session& session, const OpInfo& op, Words words) {
   if (result->error != NameError::none) return usage_error(behind(op.id, result->sentence));
   if (result->done + result->gone + result->refusals() == 0) return nothing_selected(op);
   outcome.sentence = told(*result);
-  for (const EachResult::Refused& refused : result->refused)
+  for (const EachResult::Refused& refused : result->refused) {
     outcome.reasons.push_back({refused.rule, refused.elements});
+    drop_lost(outcome.reasons.back().witnesses, session.mesh(), false);  // a later call may have deleted some
+  }
   if (result->done == 0) {
     outcome.kind = Outcome::Kind::refused;
     outcome.exit_code = ExitCode::refused;

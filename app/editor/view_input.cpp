@@ -10,6 +10,7 @@ namespace ryosen {
 
 void ViewInput::press(MouseButton button, const Pointer& at) {
   session_.pointer = at.pixel;
+  gesture_ended_.reset();  // the window may have missed its release
   if (session_.gesture() && button != MouseButton::middle) {
     gesture_ended_ = Outcome();
     if (button == MouseButton::left) {

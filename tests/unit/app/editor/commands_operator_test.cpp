@@ -122,6 +122,8 @@ TEST(on_selection, each_is_the_same_as_one_command_after_the_other) {
       ++entries;
       refusals += refused.size();
       for (const Element& e : at_once->selection) EXPECT_TRUE(is_alive(at_once->mesh(), e));
+      for (const Reason& reason : outcome.reasons)
+        for (const Element& e : reason.witnesses) EXPECT_TRUE(is_alive(at_once->mesh(), e)) << "its name is printed";
       if (!refused.empty())
         for (const Element& e : elements)
           if (takes(op, e.kind, {}) && is_alive(at_once->mesh(), e)) {

@@ -40,6 +40,7 @@ const std::vector<CommandRow>& first_rows() {
            "名前、問題（関わるループ・扇・対の全体、名前なしなら同種すべて）、選択からの広がり、性質で要素を選択する",
        .effect = Effect::none,
        .run = run_select,
+       .prepares_edits = true,
        .fault = fault_of_select},
       {"box", "X,Y X,Y [add|toggle] [through]", "selects what lies wholly in a box of the picture and is seen",
        "画面の矩形に収まる、見えている要素を選択する", Effect::none, run_box},

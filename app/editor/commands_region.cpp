@@ -32,6 +32,9 @@ std::optional<RegionCall> read_region(Words arguments, std::size_t least, std::s
 
 Outcome select_in(Session& session, const RegionCall& call, const ScreenRegion& region) {
   const Picker::Depth depth = call.depth == Picker::Depth::seen ? session.pick_depth() : call.depth;
+  if (session.preparing())
+    return failed(ExitCode::refused, {"the mesh is still being prepared; try again in a moment",
+                                      "メッシュの準備中です。少し待ってからやり直してください"});
   const Elements found =
       session.picker().pick_region(session.mesh(), session.camera, session.view, region, session.mode, depth);
   put_into_selection(session.selection, found, call.how);

@@ -128,7 +128,7 @@ fs::path recovery_folder() {
 
 bool is_edit(std::string_view line) {
   const auto call = call_of(line);
-  return call && (call->row.effect == Effect::edits || call->row.effect == Effect::steps);
+  return call && (call->row.effect == Effect::edits || call->row.effect == Effect::steps || call->row.prepares_edits);
 }
 
 std::optional<LostSession> read_lost_session(std::string_view script) {

@@ -169,7 +169,7 @@ Outcome Session::end_gesture() {
   const bool does_nothing = gesturing_->transform.does_nothing();
   const std::string pulls = gesturing_->pulls;
   const auto by = gesturing_->transform.movement();
-  if (!pulls.empty() && !by) gesturing_->pulls.clear();  // the extrusion stays as it is, and is moved
+  if (!pulls.empty() && !by && !does_nothing) gesturing_->pulls.clear();  // the extrusion stays as it is, and is moved
   cancel_gesture();
   if (does_nothing) return {};
   return !pulls.empty() && by ? run("extrude" + pulls + " " + format_place(*by)) : run(line);

@@ -11,21 +11,6 @@ void drop_lost(Elements& elements, const Mesh& mesh, bool is_renumbered) {
   });
 }
 
-// Whether an element of that number was there before.
-static bool was_there(const Element& e, const ColumnLengths& lengths) {
-  switch (e.kind) {
-    case Element::Kind::vertex:
-      return e.index < lengths.vertices;
-    case Element::Kind::face:
-      return e.index < lengths.faces;
-    case Element::Kind::edge:
-      return halfedge(e.edge(), 1).index < lengths.halfedges;
-    case Element::Kind::halfedge:
-      return e.index < lengths.halfedges;
-  }
-  return false;
-}
-
 SelectionMemory::Shared SelectionMemory::shared(const Elements& selection) {
   if (!last_ || *last_ != selection) last_ = std::make_shared<const Elements>(selection);
   return last_;
@@ -37,7 +22,7 @@ void SelectionMemory::made(std::size_t entry, Elements& selection, const Mesh& m
   Around& around = around_.emplace_back();
   around.before = shared(selection);
   drop_lost(selection, mesh, is_renumbered);
-  for (auto& [name, elements] : kept) std::erase_if(elements, [&](const Element& e) { return !was_there(e, before); });
+  for (auto& [name, elements] : kept) std::erase_if(elements, [&](const Element& e) { return !has_slot(before, e); });
   if (!is_renumbered) return;
   around.other_kept = kept;
   for (auto& [name, elements] : kept) drop_lost(elements, mesh, true);

@@ -19,7 +19,7 @@ using FaultOfCommand = std::optional<Text>(Words arguments, const std::string& l
 // Operators, and commands of commands: commands_operator.cpp
 CommandRow row_of(const OpInfo& op, std::string_view called);
 RunCommand run_either;
-FaultOfCommand fault_of_either;
+FaultOfCommand fault_of_either, fault_of_ask;
 // Files and the history: commands_document.cpp
 RunCommand run_new, run_open, run_save, run_undo, run_redo, run_recover, run_shot;
 FaultOfCommand fault_of_open, fault_of_recover;
@@ -29,7 +29,7 @@ CommandRow row_of(const AlgorithmRow& algorithm);
 RunCommand run_repair;
 FaultOfCommand fault_of_repair;
 // What the pointer does: commands_pointing.cpp
-RunCommand run_walk, run_tool, run_mode, run_click, run_remedy;
+RunCommand run_ask, run_walk, run_tool, run_mode, run_click, run_remedy;
 FaultOfCommand fault_of_remedy;
 // Selecting: commands_selecting.cpp
 RunCommand run_select, run_keep, run_forget;

@@ -123,6 +123,13 @@ const std::vector<CommandRow>& last_rows() {
   static const std::vector<CommandRow> rows{
       {"show", "ID|all [on|off]", "shows or hides a highlight", "強調表示を切り替える", Effect::none, run_show},
       {"tool", "ID|none", "chooses what a click does", "クリックで使うツールを選ぶ", Effect::none, run_tool},
+      {.id = "ask",
+       .syntax = "[OPERATOR [NAME...]]",
+       .help_en = "the next clicks give the elements that an operator lacks; alone, carries it out where it lacks none",
+       .help_ja = "操作に足りない要素を次のクリックで与える（引数なし：足りていれば実行する）",
+       .effect = Effect::none,
+       .run = run_ask,
+       .fault = fault_of_ask},
       {"mode", "vertex|edge|face|halfedge", "chooses what the pointer picks", "ポインタで選ぶ要素を決める",
        Effect::none, run_mode},
       {"click", "X,Y [TOOL]", "clicks at a pixel", "画素をクリックする", Effect::none, run_click},

@@ -11,7 +11,8 @@ namespace {
 
 const KeyRow first_keys[] = {
     {"Escape", "cancel", "close, put the tool away, select nothing", "閉じる・ツールを置く・選択解除", true},
-    {"Enter", "remedy", "do the first remedy of a refused click", "拒否されたクリックへの最初の対処を実行"},
+    {"Enter", "either remedy | ask", "do the first remedy of a refused click, or what was asked for elements",
+     "拒否されたクリックへの最初の対処、または要素を待っている操作を実行"},
     {"1", "mode vertex", "pick vertices", "頂点モード"},
     {"2", "mode edge", "pick edges", "稜線モード"},
     {"3", "mode face", "pick faces", "面モード"},

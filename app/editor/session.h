@@ -64,6 +64,7 @@ class Session {
   glm::dvec2 view_origin{0};  // of the view in the picture or window; pixels are relative to the latter
   std::string tool;           // id of an operator, or empty: select
   PickMode mode = PickMode::edge;
+  std::string asked_line;       // of an operator: each click adds an element to it (asking.h); empty for none
   std::set<std::string> shown;  // ids of the highlight table
   // Each entry of the history remembers what was selected around it, and brings it back.
   std::vector<Element> selection;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "app/editor/asking.h"
 #include "app/editor/commands.h"
 #include "app/editor/pick_modes.h"
 #include "app/editor/session.h"
@@ -43,7 +44,10 @@ OpTarget Session::target_of(const Picked& picked, Modifiers modifiers) const {
   return target;
 }
 
-PickMode Session::pointed_sort() const { return pick_mode(find_op(tool), mode); }
+PickMode Session::pointed_sort() const {
+  if (!asked_line.empty()) return asked_for(asked_line).value_or(mode);
+  return pick_mode(find_op(tool), mode);
+}
 
 void Session::point_at(glm::dvec2 pixel, Modifiers modifiers) {
   if (!is_verdict_held_ && !gesturing_) look_at(pixel, modifiers);
@@ -118,6 +122,7 @@ Outcome Session::apply_at(const OpTarget& target, const std::string& id) {
 Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers modifiers) {
   cancel_gesture();  // what is pointed at is the mesh as it is
   release_verdict();
+  if (!asked_line.empty() && with_tool.empty()) return answer(*this, pixel);
   const OpInfo* info = find_op(with_tool);
   const auto picked = pick(pixel, pick_mode(info, mode));
   const bool extends = !info && (modifiers.shift || modifiers.ctrl);

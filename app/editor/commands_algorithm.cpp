@@ -63,7 +63,9 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words words, co
   if (result->fault) return usage_error(id + ": " + result->fault->en, id + "：" + result->fault->ja);
   if (was_empty && result->changed > 0) session.frame_all();  // nobody could have looked at it before
   outcome.sentence = result->text;
-  if (row.is_repair()) session.keep_report(report_of(std::move(*result)));
+  if (!row.is_repair()) return outcome;
+  const BesideRepairs beside = session.document().beside_repairs();
+  session.keep_report(report_of({{{&row, *given.values}}, false}, *result, session.mesh(), beside.input()));
   return outcome;
 }
 

@@ -16,12 +16,17 @@ bool solves(const AlgorithmRow& row, ProblemKind kind) {
 }
 
 // A step has said which of these it left, and why.
-bool is_told(const RepairCall& call, const RecipeResult& result, const ProblemRow& kind) {
+bool is_told(const RepairCall& call, std::span<const AlgorithmResult> results, const ProblemRow& kind) {
   for (std::size_t i = 0; i < call.steps.size(); ++i)
     if (solves(*call.steps[i].row, kind.kind))
-      for (const LeftForReason& left : result.steps[i].left_for)
+      for (const LeftForReason& left : results[i].left_for)
         if (left.elements.front().kind == kind.sort()) return true;
   return false;
+}
+
+bool is_for(const RepairCall& call, ProblemKind kind) {
+  return std::any_of(call.steps.begin(), call.steps.end(),
+                     [&](const RecipeStep& step) { return solves(*step.row, kind); });
 }
 
 // Of a kind that these repairs have not taken away.
@@ -35,9 +40,28 @@ Text reason_of(const RepairCall& call, const ProblemRow& kind) {
     others.ja += (others.ja.empty() ? "" : "」か「") + std::string(row.name_ja);
   }
   const Text name{std::string(kind.name_en), std::string(kind.name_ja)};
-  if (others.en.empty()) return name + Text{": no repair takes it away", "：直せる修復がないため"};
-  return name + Text{": not among these repairs, \"", "：ここには含まれないため（「"} + others +
-         Text{"\" is for it", "」で直せます）"};
+  const bool is_among = is_for(call, kind.kind);
+  if (others.en.empty())
+    return name + (is_among ? Text{": this repair leaves it", "：この修復では残るため"}
+                            : Text{": no repair takes it away", "：直せる修復がないため"});
+  return name + (is_among ? Text{": this repair leaves it", "：この修復では残るため"}
+                          : Text{": not among these repairs", "：ここには含まれないため"}) +
+         Text{", \"", "（「"} + others + Text{"\" is for it", "」で直せます）"};
+}
+
+// What is still found, of all kinds or of those that a single repair is for, and has not been told.
+void add_untold(RepairReport& report, const RepairCall& call, std::span<const AlgorithmResult> results, const Mesh& after,
+                const RecipeInput& input, bool drops_quarantined) {
+  const ProblemSets sets(after, 0, input.on_lines);
+  const FileFaces file{drops_quarantined ? std::span<const QuarantinedFace>() : input.quarantine, {}, nullptr};
+  for (Problem& problem : find_problems(after, sets, file)) {
+    const bool has_repair = std::any_of(algorithm_table().begin(), algorithm_table().end(),
+                                        [&](const AlgorithmRow& row) { return solves(row, problem.kind); });
+    const bool is_wrong = problem.row().severity == ProblemSeverity::problem;
+    const bool is_meant = call.in_rounds ? is_wrong || has_repair : is_for(call, problem.kind);
+    if (is_meant && !is_told(call, results, problem.row()))
+      add_left(report.left, reason_of(call, problem.row()), std::move(problem.elements));
+  }
 }
 
 void add_text(Text& text, const Text& more) {
@@ -54,8 +78,11 @@ void keep_changed(std::vector<KindCount>& findings) {
 
 }  // namespace
 
-RepairReport report_of(AlgorithmResult result) {
-  return {result.changed, std::move(result.text), {}, std::move(result.left_for), std::move(result.fault)};
+RepairReport report_of(const RepairCall& call, const AlgorithmResult& result, const Mesh& after,
+                       const RecipeInput& input) {
+  RepairReport report{result.changed, result.text, {}, result.left_for, result.fault};
+  if (!report.fault) add_untold(report, call, {&result, 1}, after, input, result.drops_quarantined);
+  return report;
 }
 
 RepairReport report_of(const RepairCall& call, const RecipeResult& result, const Mesh& after,
@@ -69,16 +96,7 @@ RepairReport report_of(const RepairCall& call, const RecipeResult& result, const
   if (report.text.en.empty()) report.text = {"Nothing was changed.", "何も変わりません。"};
   report.findings = result.findings;
   keep_changed(report.findings);
-  const ProblemSets sets(after, 0, input.on_lines);
-  const bool drops = result.drops_quarantined;
-  const FileFaces file{drops ? std::span<const QuarantinedFace>() : input.quarantine, {}, nullptr};
-  for (Problem& problem : find_problems(after, sets, file)) {
-    const bool has_repair = std::any_of(algorithm_table().begin(), algorithm_table().end(),
-                                        [&](const AlgorithmRow& row) { return solves(row, problem.kind); });
-    const bool is_wrong = problem.row().severity == ProblemSeverity::problem;
-    if ((is_wrong || has_repair) && !is_told(call, result, problem.row()))
-      add_left(report.left, reason_of(call, problem.row()), std::move(problem.elements));
-  }
+  add_untold(report, call, result.steps, after, input, result.drops_quarantined);
   return report;
 }
 
@@ -101,16 +119,17 @@ std::optional<RepairReport> try_repair(Mesh mesh, const RepairCall& call, const 
   std::vector<KindCount> findings;
   count_kinds(mesh, input, true, &KindCount::before, findings);
   Progress at_work(progress);
-  Edit edit(mesh, nullptr);  // nobody undoes it
+  Journal journal;  // what changes nothing in the end is taken back
+  std::optional<Edit> edit(std::in_place, mesh, &journal);
   FindingCounts counts = count_findings(mesh, input.on_lines);
-  AlgorithmResult result = run_guarded(
-      edit, *step.row, {*values.values, input.used_elsewhere, input.quarantine.size(), input.on_lines}, at_work, counts);
+  const AlgorithmResult result = run_guarded(
+      *edit, *step.row, {*values.values, input.used_elsewhere, input.quarantine.size(), input.on_lines}, at_work, counts);
   if (at_work.is_cancelled()) return std::nullopt;
-  const bool drops = result.drops_quarantined;
-  RepairReport report = report_of(std::move(result));
+  if (result.changed > 0) edit->commit();
+  edit.reset();
+  RepairReport report = report_of(call, result, mesh, input);
   if (report.changed == 0) return report;
-  edit.commit();
-  count_kinds(mesh, input, !drops, &KindCount::after, findings);
+  count_kinds(mesh, input, !result.drops_quarantined, &KindCount::after, findings);
   keep_changed(findings);
   report.findings = std::move(findings);
   return report;

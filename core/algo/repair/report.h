@@ -23,8 +23,10 @@ struct RepairReport {
   std::optional<Text> fault = {};      // why it cannot be run at all: a clause
 };
 
-// Of a single repair; its findings are not counted.
-RepairReport report_of(AlgorithmResult result);
+// Of a single repair; its findings are not counted. Of the kinds that it is for, all that stays is among what is left.
+// O(n log n).
+RepairReport report_of(const RepairCall& call, const AlgorithmResult& result, const Mesh& after,
+                       const RecipeInput& input);
 // Of a list; `after` is the repaired mesh. Kinds that no step is for are among what is left. O(n log n).
 RepairReport report_of(const RepairCall& call, const RecipeResult& result, const Mesh& after, const RecipeInput& input);
 // Tries it on a mesh that is thrown away; the values are in their ranges on it. None: cancelled. Cost: that of the repairs.

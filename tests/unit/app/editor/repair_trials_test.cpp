@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "app/editor/commands.h"
-#include "core/io/mesh_hash.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {
@@ -59,18 +58,18 @@ TEST(repair_trials, what_is_left_is_told_with_its_elements_and_what_is_for_it) {
 
 TEST(repair_trials, a_list_is_one_entry_that_undo_takes_back_and_the_log_does_again) {
   const auto session = repair_session("fin.obj");
-  const std::string before = mesh_hash(session->document().contents());
+  const std::uint64_t before = session->mesh().hash();
   ASSERT_TRUE(session->run("repair default").done());
-  const std::string after = mesh_hash(session->document().contents());
+  const std::uint64_t after = session->mesh().hash();
   EXPECT_NE(before, after);
   ASSERT_EQ(session->document().history().size(), 1u);
   EXPECT_EQ(session->log(), std::vector<std::string>{"repair default"});
   ASSERT_TRUE(session->run("undo").done());
-  EXPECT_EQ(mesh_hash(session->document().contents()), before);
+  EXPECT_EQ(session->mesh().hash(), before);
   EXPECT_EQ(session->last_repair(), nullptr) << "that was another mesh";
   const auto again = repair_session("fin.obj");
   ASSERT_TRUE(again->run(session->log().front()).done());
-  EXPECT_EQ(mesh_hash(again->document().contents()), after);
+  EXPECT_EQ(again->mesh().hash(), after);
 }
 
 TEST(repair_trials, wrong_lists_say_what_is_wrong) {
@@ -96,7 +95,6 @@ TEST(repair_trials, in_the_background_it_is_there_later_and_edits_meanwhile_are_
   session->trials().in_background = true;
   ASSERT_EQ(tried(*session, "repair fill_holes"), nullptr);
   ASSERT_TRUE(session->trials().share());
-  ASSERT_TRUE(session->run("undo").kind == Outcome::Kind::failed || true);
   for (int i = 0; i < 6000 && session->trials().share(); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     session->prepare();
@@ -105,7 +103,7 @@ TEST(repair_trials, in_the_background_it_is_there_later_and_edits_meanwhile_are_
   ASSERT_NE(report, nullptr);
   EXPECT_EQ(report->changed, 5u);
   EXPECT_EQ(tried(*session, "repair default"), nullptr);
-  ASSERT_TRUE(session->run("delete_face f0").done()) << "while the mesh may be copied";
+  ASSERT_TRUE(session->run("delete f0").done()) << "while the mesh may be copied";
   EXPECT_EQ(tried(*session, "repair fill_holes"), nullptr) << "of another revision";
   EXPECT_TRUE(session->trials().share());
   session->trials().cancel();

@@ -20,10 +20,6 @@ Text fault_of(const ReadRepairs& read) {
   return *read.fault + (read.unknown.empty() ? Text() : did_you_mean(read.unknown, ids_of_repairs()));
 }
 
-Outcome cancelled() {
-  return failed(ExitCode::cancelled, {"Cancelled; nothing has changed.", "中止しました。何も変わっていません。"});
-}
-
 // The repairs of a list, in rounds, as one entry of the history.
 Outcome run_recipe(Session& session, const std::string& list) {
   const RepairCall call = read_repairs(list).call;

@@ -30,7 +30,7 @@ void RepairRows::draw_report(PanelContext& context, const std::string& line, con
     wants_trial_ = true;
     if (const RepairReport* const report = tried(context.session, line)) {
       said = told(*report, context.session.mesh());
-      said = (report->fault ? Text() : Text{"Would: ", "結果の見込み："}) + said;
+      said = (report->fault ? Text() : Text{"Trial: ", "結果の見込み："}) + said;
     } else {
       const int percent = static_cast<int>(std::lround(100 * context.session.trials().share().value_or(0)));
       const std::string n = std::to_string(percent);

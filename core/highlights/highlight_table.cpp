@@ -77,7 +77,7 @@ constexpr std::array built_in{
                  .legend_en = "Faces with rings, inner loops.",
                  .legend_ja = "内側のループ（穴）を持つ面。",
                  .kinds = {Kind::ring},
-                 .looks = {0x8FA8C8, 0x55708F, LineStyle::solid, 2, PointShape::disc, 3}},
+                 .looks = {0x8FA8C8, 0x55708F, LineStyle::dashed, 2, PointShape::disc, 3.5f}},
     HighlightRow{.id = "creases",
                  .name_en = "Creases",
                  .name_ja = "折り目",

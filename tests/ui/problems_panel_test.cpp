@@ -58,7 +58,7 @@ TEST_F(ProblemsPanel, a_repair_that_needs_a_value_unfolds_its_field_and_enter_ru
 TEST_F(ProblemsPanel, a_repair_says_before_the_click_what_it_would_change_and_leave) {
   open("bow_tie.obj");
   unfold("1Non-manifoldvertex");
-  EXPECT_TRUE(is_drawn("Would:Onepointwas")) << "in the row";
+  EXPECT_TRUE(is_drawn("Trial:Onepointwas")) << "in the row";
   const std::uint64_t revision = session.document().revision();
   gui.pointer(place("Detachatnon"));
   frames(3);

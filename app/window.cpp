@@ -119,6 +119,7 @@ class Editor {
       draw_whole();
       return write_png(canvas_->read_pixels(), path);
     };
+    session_.trials().in_background = true;
     session_.on_progress = [this](double share) { return show_progress(share); };
     if (const char* const path = std::getenv("RYOSEN_FRAME_LOG")) log_.open(path, std::ios::app);
     gui_.set_clipboard(
@@ -140,7 +141,7 @@ class Editor {
       for (int i = 0; !next && (i < settling_frames || gui_.wants_frames()); ++i) {
         show();
         next = viewport_->time_to_next_frame(Clock::now());
-        if (!next && session_.preparing()) next = std::chrono::milliseconds(100);
+        if (!next && (session_.preparing() || session_.trials().share())) next = std::chrono::milliseconds(100);
       }
       // The text cursor blinks; otherwise wait for events.
       if (next && *next == Clock::duration(0))

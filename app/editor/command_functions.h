@@ -26,8 +26,8 @@ FaultOfCommand fault_of_open, fault_of_recover;
 bool recover_only_tells(Words arguments);
 // Algorithms: commands_algorithm.cpp
 CommandRow row_of(const AlgorithmRow& algorithm);
-RunCommand run_repair;
-FaultOfCommand fault_of_repair;
+RunCommand run_repair, run_would;
+FaultOfCommand fault_of_repair, fault_of_would;
 // What the pointer does: commands_pointing.cpp
 RunCommand run_ask, run_walk, run_tool, run_mode, run_click, run_remedy;
 FaultOfCommand fault_of_remedy;

@@ -85,6 +85,9 @@ std::string select_line(const Selector& row);
 // The line that runs an algorithm with these values.
 std::string line_of(const AlgorithmRow& algorithm, const ParameterValues& values);
 
+// What a line of `repair` without a fault would do; null while that is being tried.
+const RepairReport* tried(Session& session, const std::string& line);
+
 // A further row for its life: for tests, and for programs that embed the editor. The last one made ends first. Not while
 // anything else reads the table.
 class ScopedCommand {

@@ -198,14 +198,16 @@ std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const Para
   return result;
 }
 
+BesideRepairs Document::beside_repairs() const {
+  const std::size_t vertices = mesh_.file_vertices();
+  return {tables_.quarantine, used_beside_the_mesh(file_, tables_.quarantine, vertices),
+          used_beside_the_mesh(file_, {}, vertices), vertices_on_lines(file_, vertices)};
+}
+
 std::optional<RecipeResult> Document::run(std::span<const RecipeStep> recipe, std::string command,
                                           const RecipeEvents& events) {
-  const std::size_t vertices = mesh_.file_vertices();
-  const std::vector<Vertex> used = used_beside_the_mesh(file_, tables_.quarantine, vertices);
-  const std::vector<Vertex> used_later = used_beside_the_mesh(file_, {}, vertices);
-  const std::vector<Vertex> on_lines = vertices_on_lines(file_, vertices);
-  std::optional<RecipeResult> result =
-      run_recipe(mesh_, recipe, {tables_.quarantine, used, used_later, on_lines}, events);
+  const BesideRepairs beside = beside_repairs();
+  std::optional<RecipeResult> result = run_recipe(mesh_, recipe, beside.input(), events);
   if (!result || !result->is_changed) return result;
   OtherQuarantine other;
   {

@@ -51,6 +51,14 @@ struct HistoryEntry {
   std::string command;  // the equivalent script line
 };
 
+// What repairs look at beside the mesh; a copy, so that it can be read on another thread.
+struct BesideRepairs {
+  std::vector<QuarantinedFace> quarantine;
+  std::vector<Vertex> used, used_but_by_quarantine, on_lines;
+
+  RecipeInput input() const { return {quarantine, used, used_but_by_quarantine, on_lines}; }
+};
+
 class Document {
  public:
   // Empty, without a file.
@@ -81,6 +89,7 @@ class Document {
   // its mesh, which is that of the document.
   std::optional<RecipeResult> run(std::span<const RecipeStep> recipe, std::string command,
                                   const RecipeEvents& events = {});
+  BesideRepairs beside_repairs() const;
   // The verdict and the ghost of the result. The document is unchanged.
   Preview preview(const AnyOp& op) { return ryosen::preview(writable(), journal_, op); }
   // Script lines after which the refused operator of `line` is legal; empty if none were found.

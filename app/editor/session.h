@@ -16,6 +16,7 @@
 #include "app/editor/panel_list.h"
 #include "app/editor/preparation.h"
 #include "app/editor/recovery.h"
+#include "app/editor/repair_trials.h"
 #include "app/editor/run_files.h"
 #include "app/editor/selection_memory.h"
 #include "app/editor/transform_gesture.h"
@@ -30,6 +31,12 @@
 namespace ryosen {
 
 class Autosave;
+
+// What the last repair did and left.
+struct LastRepair {
+  std::uint64_t serial, revision;  // of the document behind it
+  RepairReport report;
+};
 
 // The element under the pointer, and what a click would do.
 struct Hover {
@@ -166,6 +173,13 @@ class Session {
   // The share that is done while that goes on; none when everything is there.
   std::optional<double> preparing() const { return preparation_ ? std::optional(preparation_->share()) : std::nullopt; }
 
+  // What repairs would do. On a large mesh only what somebody points at is worth trying.
+  RepairTrials& trials() { return trials_; }
+  bool is_dear_to_try() const { return mesh().live().faces > 20000; }
+  // None where the document has changed since.
+  const RepairReport* last_repair() const;
+  void keep_report(RepairReport report);
+
   // For smooth shading. Kept up with edits as long as that is set.
   const CornerNormals& corner_normals();
   // The sets of problems, and of the highlights that are shown.
@@ -249,8 +263,10 @@ class Session {
   std::string remedy_line_;
   std::uint64_t remedy_revision_ = 0;
   DrawnChanges drawn_changes_;
+  std::optional<LastRepair> last_repair_;
   std::unique_ptr<Input> view_input_;         // made when it is asked for
   std::unique_ptr<Preparation> preparation_;  // reads what stands above, so that it ends first
+  RepairTrials trials_;                       // as this does
 };
 
 }  // namespace ryosen

@@ -173,9 +173,8 @@ std::vector<Element> Session::about(const ProblemRow& row, Element element) {
   if (element.kind == Element::Kind::edge)
     for (Halfedge h : sheets_between(mesh(), ends(mesh(), element.edge()).first, ends(mesh(), element.edge()).second))
       same.emplace_back(edge(h));
-  const Element::Kind kind = row.vertex ? Element::Kind::vertex : row.edge ? Element::Kind::edge : Element::Kind::face;
   for (const Element& e : same) {
-    if (e.kind != kind || !members.contains(e.index)) continue;
+    if (e.kind != row.sort() || !members.contains(e.index)) continue;
     Neighbourhood around(mesh());
     return ryosen::about(row, around, members, e);
   }

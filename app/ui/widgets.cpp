@@ -97,7 +97,7 @@ bool link(PanelContext& context, const char* text) {
   return clicked;
 }
 
-void element_links(PanelContext& context, const std::vector<Element>& elements) {
+bool element_links(PanelContext& context, const std::vector<Element>& elements) {
   constexpr std::size_t most = 24;
   const float right_edge = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
   const float gap = ImGui::GetFontSize() * 0.6f;
@@ -114,7 +114,9 @@ void element_links(PanelContext& context, const std::vector<Element>& elements) 
     ImGui::SameLine(0, gap);
     ImGui::TextDisabled("+%zu", elements.size() - most);
   }
-  if (!chosen.empty()) context.run("select " + chosen);
+  if (chosen.empty()) return false;
+  context.run("select " + chosen);
+  return true;
 }
 
 bool row(PanelContext& context, const char* label, const char* right, bool is_active, float free_px) {

@@ -37,6 +37,11 @@ struct LeftForReason {
   std::vector<Element> elements;  // one for each thing left, which names it
 };
 
+// Adds one where there are such elements.
+inline void add_left(std::vector<LeftForReason>& left_for, Text reason, std::vector<Element> elements) {
+  if (!elements.empty()) left_for.push_back({std::move(reason), std::move(elements)});
+}
+
 struct AlgorithmResult {
   std::size_t changed = 0;         // 0: nothing was written
   std::size_t left = 0;            // what the algorithm is for, but what it had to leave as it is

@@ -83,6 +83,7 @@ Outcome Session::begin_gesture(PointTransform::Kind kind) {
                                  {},
                                  start + view_origin});
   hover_.reset();
+  pointed_handle_ = nullptr;
   release_verdict();
   follow_what_moves();
   return {};

@@ -50,7 +50,23 @@ void Session::point_at(glm::dvec2 pixel, Modifiers modifiers) {
 }
 
 void Session::point_away() {
+  pointed_handle_ = nullptr;
   if (!is_verdict_held_) hover_.reset();
+}
+
+std::optional<Gizmo> Session::gizmo() const {
+  if (gizmo_kind == GizmoKind::none || !tool.empty() || selection.empty() || gesturing_ || band) return std::nullopt;
+  if (middle_.document != document_->serial() || middle_.revision != document_->revision() || middle_.of != selection)
+    middle_ = {selection, document_->serial(), document_->revision(),
+               middle_of(mesh(), points_of(mesh(), selection))};
+  return gizmo_at(gizmo_kind, camera, view, middle_.place);
+}
+
+const HandleRow* Session::handle_at(glm::dvec2 pixel, Modifiers modifiers) const {
+  if (modifiers.shift || modifiers.alt) return nullptr;
+  const auto handles = gizmo();
+  const GizmoHandle* const found = handles ? ryosen::handle_at(*handles, camera, view, pixel - view_origin) : nullptr;
+  return found ? found->row : nullptr;
 }
 
 // Of the same operator: the camera may have moved, so that another element is where the click was.
@@ -66,6 +82,8 @@ void Session::ask_held_verdict_again() {
 
 void Session::look_at(glm::dvec2 pixel, Modifiers modifiers) {
   hover_.reset();
+  pointed_handle_ = handle_at(pixel, modifiers);
+  if (pointed_handle_) return;
   const OpInfo* info = find_op(tool);
   const auto picked = pick(pixel, pointed_sort());
   if (!picked) return;

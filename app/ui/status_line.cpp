@@ -51,6 +51,10 @@ std::vector<Hint> hints_of(const PanelContext& context) {
                                     : context.text("draw a lasso, Esc gives up", "投げ縄を描く（Esc で中止）");
     return context.text(does(gesture_of(input_presets()[context.session.input_preset], button, {})));
   };
+  if (const HandleRow* const handle = context.session.pointed_handle())
+    return {{context.text("Drag", "ドラッグ"), context.text(handle->does_en, handle->does_ja)},
+            {"Ctrl", context.text("snap", "スナップ")},
+            {"Esc", context.text("give up", "中止")}};
   const OpInfo* const op = find_op(context.session.tool);
   return {{context.text("Click", "クリック"),
            op ? context.text(op->name_en, op->name_ja) : context.text(UiText::does_pick)},

@@ -29,7 +29,7 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words words, co
   const bool was_empty = session.mesh().live() == ElementCounts();
   auto result = session.document().run(row, *found.values, outcome.performed, session.on_progress);
   if (!result)
-    return failed(ExitCode::cancelled, {"Cancelled; nothing has changed.", "中止しました。何も変わっていません。"});
+    return cancelled();
   if (result->fault) return usage_error(id + ": " + result->fault->en, id + "：" + result->fault->ja);
   if (was_empty && result->changed > 0) session.frame_all();  // nobody could have looked at it before
   outcome.sentence = std::move(result->text);                 // what is done by now must not fail any more

@@ -50,8 +50,13 @@ class ViewInput : public Input {
   Outcome let_go_of_handle(const Pointer& at);
 
   std::optional<HeldHandle> held_handle_;
-  std::optional<Outcome> gesture_ended_;  // by the press that is still held
-  Modifiers band_modifiers_;              // of its press, beyond those that ask for the gesture
+
+  struct EndedGesture {
+    MouseButton button;
+    Outcome outcome;
+  };
+  std::optional<EndedGesture> gesture_ended_;  // by the press of a button that is still held
+  Modifiers band_modifiers_;                   // of its press, beyond those that ask for the gesture
 };
 
 // The failures of a key that is bound to nothing, of one that only panels take, and of text that no field takes.

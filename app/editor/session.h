@@ -223,6 +223,8 @@ class Session {
   void note_marks(const TouchedElements& touched);
   void follow_hiding(const HiddenElements::Parts& changed);
   void forget_hidden();
+  Edge edge_near(glm::dvec2 pixel);
+  Outcome select_along(glm::dvec2 pixel, Modifiers modifiers);
   Outcome apply_at(const OpTarget& target, const std::string& id);
   void look_at(glm::dvec2 pixel, Modifiers modifiers);
   OpTarget target_of(const Picked& picked, Modifiers modifiers) const;

@@ -5,6 +5,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/pick_modes.h"
 #include "app/editor/session.h"
+#include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/find_element.h"
 #include "core/selection/slot_ranges.h"
@@ -133,10 +134,48 @@ Outcome Session::apply_at(const OpTarget& target, const std::string& id) {
   return run(command_of(mesh(), op_at(mesh(), id, target)));
 }
 
+// The edge under the pointer, else the side of the face there that is nearest to it; none over the background.
+Edge Session::edge_near(glm::dvec2 pixel) {
+  if (const auto picked = pick(pixel, PickMode::edge)) return picked->element.edge();
+  const auto picked = pick(pixel, PickMode::face);
+  if (!picked) return {};
+  Edge nearest;
+  double least = 0;
+  const glm::dvec2 at = pixel - view_origin;
+  for (const Halfedge h : halfedges_around(mesh(), picked->element.face())) {
+    const auto a = project(camera, view, mesh().position(mesh().from(h)));
+    const auto b = project(camera, view, mesh().position(mesh().to(h)));
+    if (!a || !b) continue;
+    const glm::dvec2 along = b->pixel - a->pixel;
+    const double squared = std::max(glm::dot(along, along), 1e-30);
+    const double share = std::clamp(glm::dot(at - a->pixel, along) / squared, 0.0, 1.0);
+    const double distance = glm::length(at - a->pixel - share * along);
+    if (nearest && distance >= least) continue;
+    nearest = edge(h);
+    least = distance;
+  }
+  return nearest;
+}
+
+// The loop or the ring of that edge, whatever the mode.
+Outcome Session::select_along(glm::dvec2 pixel, Modifiers modifiers) {
+  const Edge at = edge_near(pixel);
+  if (!at) {
+    if (!modifiers.shift) selection.clear();
+    return {};
+  }
+  const Element first(at);
+  Elements found = click_selects(modifiers) == ClickSelects::ring ? edge_rings(mesh(), {&first, 1})
+                                                                   : edge_loops(mesh(), {&first, 1});
+  drop_hidden(found);
+  return run((modifiers.shift ? "select add" : "select") + slot_ranges(found));
+}
+
 Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers modifiers) {
   cancel_gesture();  // what is pointed at is the mesh as it is
   release_verdict();
   const OpInfo* info = find_op(with_tool);
+  if (!info && click_selects(modifiers) != ClickSelects::element) return select_along(pixel, modifiers);
   const auto picked = pick(pixel, pick_mode(info, mode));
   const bool extends = !info && (modifiers.shift || modifiers.ctrl);
   if (!picked) {

@@ -9,9 +9,9 @@ namespace ryosen {
 
 namespace {
 
-constexpr float behind_surface = 0.5f;  // of what the surface hides: the middle mostly lies within it
+constexpr float behind_surface = 0.6f;  // of what the surface hides: the middle mostly lies within it
 
-// Strokes on a dark rim, so that they are seen on any ground.
+// Strokes on a dark rim, so that they are seen on any ground; without it where they are hidden.
 class HandlePainter {
  public:
   HandlePainter(Overlay& overlay, Theme theme) : overlay_(overlay), theme_(theme) {}
@@ -31,7 +31,7 @@ class HandlePainter {
   void draw(std::span<const GizmoStroke> strokes, Rgba colour, float width_px) {
     const Rgba rim = palette(theme_).outline;
     for (const GizmoStroke& s : strokes)
-      overlay_.lines.push_back({s.a, s.b, rim, LineStyle::solid, width_px + 2, behind_surface, s.arrow});
+      overlay_.lines.push_back({s.a, s.b, rim, LineStyle::solid, width_px + 2, 0, s.arrow});
     for (const GizmoStroke& s : strokes)
       overlay_.lines.push_back({s.a, s.b, colour, LineStyle::solid, width_px, behind_surface, s.arrow});
   }
@@ -86,7 +86,8 @@ class Guides {
   }
   void line(const glm::dvec3& along, Rgba colour) {
     const glm::dvec3 middle = gesture_.middle();
-    overlay_.lines.push_back({middle - reach_ * along, middle + reach_ * along, colour, LineStyle::solid, 2, behind_surface});
+    overlay_.lines.push_back(
+        {middle - reach_ * along, middle + reach_ * along, colour, LineStyle::solid, 2, behind_surface});
   }
 
   // As far as it reaches in the plane of the view.
@@ -98,7 +99,8 @@ class Guides {
       return gesture_.middle() + gesture_.falloff() * (std::cos(angle) * camera.right + std::sin(angle) * camera.up);
     };
     for (int i = 0; i < sides; ++i)
-      overlay_.lines.push_back({corner(i), corner(i + 1), style(Role::witness, theme_).colour, LineStyle::solid, 1.75f, 1});
+      overlay_.lines.push_back(
+          {corner(i), corner(i + 1), style(Role::witness, theme_).colour, LineStyle::solid, 1.75f, 1});
   }
 
   const Session& session_;

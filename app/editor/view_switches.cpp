@@ -111,7 +111,9 @@ std::vector<ViewSwitch>& switch_rows() {
        .set = [](Session& session, std::size_t value) { session.gizmo_kind = static_cast<GizmoKind>(value); },
        .chord = "Ctrl+G",
        .key_en = "handles that move, turn, scale, or none",
-       .key_ja = "ハンドル（移動・回転・拡大縮小・なし）の切り替え"},
+       .key_ja = "ハンドル（移動・回転・拡大縮小・なし）の切り替え",
+       .menu_en = "Handles at the selection",
+       .menu_ja = "選択のハンドル"},
   };
   return rows;
 }

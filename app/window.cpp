@@ -114,6 +114,7 @@ class Editor {
         canvas_(std::move(canvas)),
         gui_(window.scale()) {
     session_.language = language;
+    session_.gizmo_kind = GizmoKind::move;
     session_.quit = [this] { gui_.leave(session_, {true, {}}); };
     session_.take_picture = [this](const std::filesystem::path& path) {
       draw_whole();
@@ -303,12 +304,17 @@ class Editor {
     title_ = title;
   }
 
+  std::string hovered() const {
+    if (session_.pointed_handle()) return "handle";
+    return session_.hover() ? name_of(session_.mesh(), session_.hover()->picked.element) : "-";
+  }
+
   void log_frame(std::int64_t pixels, double took_ms) {
     if (!log_.is_open()) return;
     const ElementCounts live = session_.mesh().live();
     log_ << "frame " << ++frames_ << " pixels " << pixels << " ms " << took_ms << " V " << live.vertices << " E "
          << live.edges << " F " << live.faces << " history " << session_.document().position() << " hover "
-         << (session_.hover() ? name_of(session_.mesh(), session_.hover()->picked.element) : "-") << " held "
+         << hovered() << " held "
          << session_.is_verdict_held() << " selected " << session_.selection.size() << " eye " << session_.camera.eye.x
          << ' ' << session_.camera.eye.y << ' ' << session_.camera.eye.z << std::endl;
   }

@@ -48,7 +48,7 @@ const std::vector<CommandRow>& first_rows() {
        "画面の多角形に収まる要素を選択する", Effect::none, run_lasso},
       {"band", "box|lasso", "the next drag with the left button selects by a box or a lasso",
        "次の左ドラッグでボックスまたは投げ縄選択をする", Effect::none, run_band},
-      {"gesture", "move|turn|scale [x|y|z|normal] | extrude",
+      {"gesture", "move|turn|scale [x|y|z|normal|yz|zx|xy] | extrude",
        "begins to move the selection with the pointer; X Y Z N, digits, O, Ctrl, Enter or a click ends, Escape gives "
        "up",
        "選択の移動・回転・拡大縮小を始める（X Y Z N、数字、O、Ctrl、Enter かクリックで確定、Escape で中止）",

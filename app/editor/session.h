@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/editor/document.h"
+#include "app/editor/gizmo.h"
 #include "app/editor/layout.h"
 #include "app/editor/navigation.h"
 #include "app/editor/panel_list.h"
@@ -86,6 +87,15 @@ class Session {
 
   // What the pointer picks: what the tool applies to, else what `mode` says.
   PickMode pointed_sort() const;
+
+  // The handles that move the selection, where the switch shows them: with Select in hand, at the middle of what is
+  // selected. None while it is moved.
+  GizmoKind gizmo_kind = GizmoKind::none;
+  std::optional<Gizmo> gizmo() const;
+  // The one at a pixel of the picture or window; none where Shift or Alt ask for something else. And the one that the
+  // pointer is on.
+  const HandleRow* handle_at(glm::dvec2 pixel, Modifiers modifiers) const;
+  const HandleRow* pointed_handle() const { return pointed_handle_; }
 
   bool is_shown(const PanelRow& panel) const;
   // One over the view takes the place of the one that was open.
@@ -228,6 +238,8 @@ class Session {
   void note_marks(const TouchedElements& touched);
   void follow_hiding(const HiddenElements::Parts& changed);
   void forget_hidden();
+  Edge edge_near(glm::dvec2 pixel);
+  Outcome select_along(glm::dvec2 pixel, Modifiers modifiers);
   Outcome apply_at(const OpTarget& target, const std::string& id);
   void look_at(glm::dvec2 pixel, Modifiers modifiers);
   OpTarget target_of(const Picked& picked, Modifiers modifiers) const;
@@ -257,6 +269,13 @@ class Session {
   std::uint64_t kind_revision_ = 0;
   std::optional<std::uint64_t> unprepared_revision_;  // of the mesh that was too large to prepare
   std::optional<Hover> hover_;
+  const HandleRow* pointed_handle_ = nullptr;
+  struct Middle {
+    Elements of;
+    std::uint64_t document = 0, revision = 0;
+    glm::dvec3 place{0};
+  };
+  mutable Middle middle_;  // of the selection, as it was last asked for
   bool is_verdict_held_ = false;
   std::vector<std::string> log_;
   std::vector<std::string> remedy_;  // for remedy_line_ at remedy_revision_

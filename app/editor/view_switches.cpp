@@ -100,6 +100,20 @@ std::vector<ViewSwitch>& switch_rows() {
        .set = set_setting<&ViewSettings::dots>,
        .flag_en = "whether vertices are drawn; else in vertex mode",
        .flag_ja = "頂点の表示（省くと頂点モードのとき）"},
+      {.id = "gizmo",
+       .help_en = "shows handles at the selection, a drag of which moves, turns or scales it; a window begins with move",
+       .help_ja = "選択をドラッグで移動・回転・拡大縮小するハンドルを表示する（ウィンドウでは move から始まる）",
+       .values = {{"off", "No handles", "ハンドルなし"},
+                  {"move", "Handles to move", "移動ハンドル"},
+                  {"turn", "Handles to turn", "回転ハンドル"},
+                  {"scale", "Handles to scale", "拡大縮小ハンドル"}},
+       .value = [](const Session& session) { return static_cast<std::size_t>(session.gizmo_kind); },
+       .set = [](Session& session, std::size_t value) { session.gizmo_kind = static_cast<GizmoKind>(value); },
+       .chord = "Ctrl+G",
+       .key_en = "handles that move, turn, scale, or none",
+       .key_ja = "ハンドル（移動・回転・拡大縮小・なし）の切り替え",
+       .menu_en = "Handles at the selection",
+       .menu_ja = "選択のハンドル"},
   };
   return rows;
 }

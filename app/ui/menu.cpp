@@ -97,7 +97,12 @@ void draw_switches(PanelContext& context) {
   const ViewSwitch* before = nullptr;
   for (const ViewSwitch& row : view_switches()) {
     if (before && !(is_one_entry(*before) && is_one_entry(row))) ImGui::Separator();
-    draw_switch(context, row);
+    if (row.menu_en.empty()) {
+      draw_switch(context, row);
+    } else if (ImGui::BeginMenu(context.text(row.menu_en, row.menu_ja))) {
+      draw_switch(context, row);
+      ImGui::EndMenu();
+    }
     before = &row;
   }
   ImGui::Separator();

@@ -55,6 +55,10 @@ std::vector<Hint> hints_of(const PanelContext& context) {
   if (!context.session.asked_line.empty())
     return {{"", asked_text(context.session.asked_line).in(context.language())},
             {"Esc", context.text("give up", "中止")}};
+  if (const HandleRow* const handle = context.session.pointed_handle())
+    return {{context.text("Drag", "ドラッグ"), context.text(handle->does_en, handle->does_ja)},
+            {"Ctrl", context.text("snap", "スナップ")},
+            {"Esc", context.text("give up", "中止")}};
   const OpInfo* const op = find_op(context.session.tool);
   return {{context.text("Click", "クリック"),
            op ? context.text(op->name_en, op->name_ja) : context.text(UiText::does_pick)},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "app/ui/gizmo_overlay.h"
 #include "app/ui/overlays.h"
 #include "core/base/sort_unique.h"
 #include "core/mesh/find_element.h"
@@ -242,6 +243,7 @@ void Viewport::follow_overlays(Session& session) {
   selection_stale_ = false;
   selection_ = session.selection;
   view_->set_overlay(Layer::hover, hover_overlay(session, settings_.theme));
+  view_->set_overlay(Layer::handles, gizmo_overlay(session, settings_.theme));
 }
 
 }  // namespace ryosen

@@ -138,7 +138,7 @@ void WindowInput::leave() {
 }
 
 void WindowInput::let_go() {
-  navigation_.cancel();
+  give_up_drags();
   for (const MouseButton button : {MouseButton::left, MouseButton::right, MouseButton::middle})
     gui_.button(static_cast<int>(button), false);
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -182,6 +183,49 @@ TEST_F(WindowTest, wheel_and_walks_move_the_eye) {
   }
   EXPECT_NE(last().eye, eye) << "the camera follows to where the next halfedge is hidden";
   EXPECT_EQ(last().selected, 1);
+}
+
+TEST_F(WindowTest, a_drag_of_a_handle_moves_the_selection) {
+  open(test::asset("torus.off"));
+  type("select v0");
+  ASSERT_TRUE(wait_for([&] { return last().selected == 1; }));
+  test::Laid laid("torus.off", {1280, 800});
+  laid.session.gizmo_kind = GizmoKind::move;
+  ASSERT_TRUE(laid.session.run("select v0").done());
+  const auto gizmo = laid.session.gizmo();
+  ASSERT_TRUE(gizmo);
+  const auto up = std::find_if(gizmo->handles.begin(), gizmo->handles.end(),
+                               [](const GizmoHandle& handle) { return handle.row->way == HandleWay::y; });
+  ASSERT_NE(up, gizmo->handles.end());
+  const glm::dvec2 on_it =
+      project(laid.session.camera, laid.session.view, 0.5 * (up->strokes[0].a + up->strokes[0].b))->pixel +
+      laid.session.view_origin;
+  const auto mousemove = [&](double x, double y) {
+    xdotool("mousemove " + std::to_string(std::lround(on_it.x + x)) + " " + std::to_string(std::lround(on_it.y + y)));
+  };
+  const glm::dvec3 eye = last().eye;
+  // The command window may lie over the view for a picture more, so the pointer moves until it is gone.
+  for (int i = 0; i < 20 && last().hover != "handle"; ++i) {
+    mousemove(0, i % 2);
+    wait_for([&] { return last().hover == "handle"; }, 1s);
+  }
+  ASSERT_EQ(last().hover, "handle") << "the pointer is on no handle";
+  xdotool("mousedown 1");
+  mousemove(0, -20);
+  mousemove(4, -60);
+  xdotool("key Escape");
+  mousemove(30, -10);
+  xdotool("mouseup 1");
+  mousemove(0, 0);
+  ASSERT_TRUE(wait_for([&] { return last().hover == "handle"; })) << "Escape has put it back";
+  EXPECT_EQ(last().history, 0);
+  xdotool("mousedown 1");
+  mousemove(0, -20);
+  mousemove(4, -60);
+  xdotool("mouseup 1");
+  ASSERT_TRUE(wait_for([&] { return last().history == 1; })) << "it was not moved";
+  EXPECT_EQ(last().selected, 1);
+  EXPECT_EQ(last().eye, eye) << "no drag of the camera";
 }
 
 TEST_F(WindowTest, draws_nothing_when_nothing_changes) {

@@ -1,6 +1,7 @@
 // The rows of the table of commands, and how they are found.
 #include "app/editor/command_functions.h"
 #include "app/editor/command_syntax.h"
+#include "app/editor/exercises.h"
 #include "app/editor/expect.h"
 #include "app/editor/panel_list.h"
 #include "app/editor/words.h"
@@ -24,6 +25,13 @@ const std::vector<CommandRow>& first_rows() {
        .file = FileAccess::reads,
        .fault = fault_of_open},
       {"new", "", "begins with an empty mesh", "空のメッシュから始める", Effect::replaces, run_new},
+      {.id = "exercise",
+       .syntax = exercise_ids(),
+       .help_en = "builds a solid of the source texts from nothing, an entry of the history for each step",
+       .help_ja = "テキストの立体を空のメッシュから一手ずつ組み立てる",
+       .effect = Effect::none,
+       .run = run_exercise,
+       .fault = fault_of_exercise},
       {.id = "save",
        .syntax = "[FILE]",
        .help_en = "writes the mesh",
@@ -201,6 +209,20 @@ const std::vector<CommandRow>& last_rows() {
       {"values", "ALGORITHM", "opens the fields of an algorithm's values", "アルゴリズムに与える値の入力欄を開く",
        Effect::none, run_values},
       {"language", "en|ja", "sets the language of the window", "画面の言語を選ぶ", Effect::none, run_language},
+      {.id = "prefer",
+       .syntax = prefer_syntax(),
+       .help_en = "sets what the window keeps for the next time; initial is what it was at first",
+       .help_ja = "次回の起動にも引き継ぐ設定を変える（initial で最初の値）",
+       .effect = Effect::none,
+       .run = run_prefer,
+       .ids = preference_ids},
+      {.id = "bind",
+       .syntax = "CHORD COMMAND|none|initial, or all initial",
+       .help_en = "gives a key to a command, takes its key away, or does as the preset again",
+       .help_ja = "キーにコマンドを割り当てる、外す、最初に戻す",
+       .effect = Effect::none,
+       .run = run_bind,
+       .fault = fault_of_bind},
       {"cancel", "",
        "closes the open panel, else lets a held verdict go, else puts the tool away, else selects nothing",
        "パネル、保持中の判定、ツール、選択の順に取り消す", Effect::none, run_cancel},

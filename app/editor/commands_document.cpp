@@ -1,6 +1,7 @@
 #include "app/editor/command_functions.h"
 
 #include "app/editor/autosave.h"
+#include "app/editor/exercises.h"
 #include "app/editor/message_place.h"
 #include "app/editor/script.h"
 #include "app/editor/words.h"
@@ -57,6 +58,26 @@ Outcome run_new(Session& session, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("new");
   session.set_document(std::make_unique<Document>());
   return performed("new");
+}
+
+std::optional<Text> fault_of_exercise(Words arguments, const std::string&) {
+  const bool is_one = arguments.size() == 1 && find_exercise(arguments[0]);
+  return is_one ? std::nullopt : std::optional(wrong_arguments("exercise").sentence);
+}
+
+// Its steps name their elements by numbers, which begin at 0 in an empty mesh without a history only.
+Outcome run_exercise(Session& session, Words arguments, std::string_view) {
+  if (fault_of_exercise(arguments, {})) return wrong_arguments("exercise");
+  if (session.mesh().vertex_slots() > 0 || !session.document().path().empty())
+    return failed(ExitCode::refused, {"an exercise begins with an empty mesh; first say: new",
+                                      "演習は空のメッシュから始めます。先に new を実行してください"});
+  Outcome outcome;
+  for (const ScriptLine& line : split_script(find_exercise(arguments[0])->script))
+    if (outcome = session.run(line.text); !outcome.done()) return outcome;
+  session.frame_all();
+  outcome.performed.clear();
+  outcome.sentence = {"Undo goes back through its steps.", "「元に戻す」で一手ずつ戻れます。"};
+  return outcome;
 }
 
 Outcome run_save(Session& session, Words, std::string_view whole) {

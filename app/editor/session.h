@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/editor/document.h"
+#include "app/editor/keys.h"
 #include "app/editor/layout.h"
 #include "app/editor/navigation.h"
 #include "app/editor/panel_list.h"
@@ -71,6 +72,11 @@ class Session {
   // User interface state changed by commands; stored without effect if there is no UI.
   Language language = Language::english;
   ViewSettings settings;
+  double ui_scale = 1;                // of all of the window, times that of the display
+  int font_size_px = 15;              // at scale 1
+  int samples = 1;                    // a side of each pixel of the view
+  std::vector<KeyBinding> bindings;   // the user's own keys
+  std::vector<std::string> recent{};  // files that were open before, the latest first; kept by the window
   std::string open_panel;         // the one that lies over the view; empty for none
   Layout layout;                  // of those in the columns
   std::string asked_algorithm;    // whose values the panel of values asks for

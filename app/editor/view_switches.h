@@ -34,6 +34,9 @@ struct ViewSwitch {
   // The help of its flag --ID of `shot`; empty where there is none.
   std::string_view flag_en = "", flag_ja = "";
 
+  // Its name among the preferences, which the window keeps; empty where it begins anew each time.
+  std::string_view preference_en = "", preference_ja = "";
+
   bool toggles() const { return !chord.empty(); }
   bool has_flag() const { return !flag_en.empty(); }
 };

@@ -53,7 +53,7 @@ class Viewport {
   std::unique_ptr<View> view_;
   FramePace pace_;
   ViewSettings settings_;
-  int supersample_ = 1;
+  int supersample_ = 1, samples_ = 0;  // those that were set, and those that are drawn
   Size size_{};
   const Document* mesh_of_ = nullptr;
   Shading drawn_shading_ = Shading::flat;  // with which the mesh was passed

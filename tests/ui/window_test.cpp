@@ -51,7 +51,8 @@ class WindowTest : public testing::Test {
     editor_ = std::make_unique<Process>(
         std::vector<std::string>{RYOSEN_PROGRAM, mesh},
         std::vector<std::string>{"DISPLAY=:" + number_, "RYOSEN_FRAME_LOG=" + folder_.at("frames"), "LC_ALL=C",
-                                 "XDG_STATE_HOME=" + state_.path().string()},
+                                 "XDG_STATE_HOME=" + state_.path().string(),
+                                 "XDG_CONFIG_HOME=" + config_.path().string()},
         "/dev/null", folder_.at("err"));
     ASSERT_TRUE(wait_for([&] { return last().number > 0; })) << "no picture appeared";
   }
@@ -99,7 +100,7 @@ class WindowTest : public testing::Test {
     return frame;
   }
 
-  test::TemporaryFolder folder_, state_;
+  test::TemporaryFolder folder_, state_, config_;
   std::unique_ptr<Process> display_, editor_;
   std::string number_;
 };
@@ -287,7 +288,8 @@ TEST_F(WindowTest, a_signal_ends_its_start_at_any_moment) {
   for (int after_ms = 0; after_ms < 400; after_ms += 40) {
     editor_ = std::make_unique<Process>(
         std::vector<std::string>{RYOSEN_PROGRAM, mesh},
-        std::vector<std::string>{"DISPLAY=:" + number_, "LC_ALL=C", "XDG_STATE_HOME=" + state_.path().string()},
+        std::vector<std::string>{"DISPLAY=:" + number_, "LC_ALL=C", "XDG_STATE_HOME=" + state_.path().string(),
+                                 "XDG_CONFIG_HOME=" + config_.path().string()},
         "/dev/null", folder_.at("err"));
     ASSERT_TRUE(wait_for([&] { return editor_->handles(SIGTERM); }));
     std::this_thread::sleep_for(std::chrono::milliseconds(after_ms));

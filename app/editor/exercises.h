@@ -1,0 +1,25 @@
+// The exercises of the source texts: solids that are built from nothing by the scripts in assets/exercises, which are part
+// of the program.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/base/message.h"
+
+namespace ryosen {
+
+struct ExerciseScript {
+  std::string_view id, script;
+};
+
+// By id. The first line of each is a remark that names what comes out.
+std::span<const ExerciseScript> exercise_scripts();
+const ExerciseScript* find_exercise(std::string_view id);
+// "cube|square|...".
+std::string exercise_ids();
+// "Cube with two holes".
+Text name_of_exercise(const ExerciseScript& exercise);
+
+}  // namespace ryosen

@@ -1,20 +1,14 @@
 #include "app/editor/exercises.h"
 
-#include <algorithm>
-#include <cctype>
-
 namespace ryosen {
 
 namespace {
 
-struct NameRow {
-  std::string_view id, ja;
-};
-constexpr NameRow japanese_names[] = {
-    {"triangle", "三角形"},           {"square", "正方形"},
-    {"triangular_pyramid", "三角錐"}, {"cube", "立方体"},
-    {"cube_with_hole", "穴のある立方体"}, {"cube_with_two_holes", "穴が二つある立方体"},
-};
+// What stands in a remark line, from 0, before the figures.
+std::string remark(std::string_view script, int line, std::string_view colon) {
+  for (; line > 0; --line) script.remove_prefix(script.find('\n') + 1);
+  return std::string(script.substr(2, script.find(colon) - 2));
+}
 
 }  // namespace
 
@@ -31,12 +25,7 @@ std::string exercise_ids() {
 }
 
 Text name_of_exercise(const ExerciseScript& exercise) {
-  std::string en(exercise.id);
-  std::replace(en.begin(), en.end(), '_', ' ');
-  en[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(en[0])));
-  const auto row = std::find_if(std::begin(japanese_names), std::end(japanese_names),
-                                [&](const NameRow& name) { return name.id == exercise.id; });
-  return {en, row == std::end(japanese_names) ? en : std::string(row->ja)};
+  return {remark(exercise.script, 0, ":"), remark(exercise.script, 1, "：")};
 }
 
 }  // namespace ryosen

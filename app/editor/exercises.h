@@ -14,12 +14,13 @@ struct ExerciseScript {
   std::string_view id, script;
 };
 
-// By id. The first line of each is a remark that names what comes out.
+// By id. The first two lines of each are remarks that name what comes out, with a colon behind the name: in English, then
+// in Japanese.
 std::span<const ExerciseScript> exercise_scripts();
 const ExerciseScript* find_exercise(std::string_view id);
 // "cube|square|...".
 std::string exercise_ids();
-// "Cube with two holes".
+// "A cube with two through-holes".
 Text name_of_exercise(const ExerciseScript& exercise);
 
 }  // namespace ryosen

@@ -76,6 +76,7 @@ class Session {
   int font_size_px = 15;              // at scale 1
   int samples = 1;                    // a side of each pixel of the view
   std::vector<KeyBinding> bindings;   // the user's own keys
+  bool begins_empty = false;          // somebody wants an empty mesh, not the start page
   std::vector<std::string> recent{};  // files that were open before, the latest first; kept by the window
   std::string open_panel;         // the one that lies over the view; empty for none
   Layout layout;                  // of those in the columns
@@ -85,6 +86,8 @@ class Session {
   // What the pointer picks: what the tool applies to, else what `mode` says.
   PickMode pointed_sort() const;
 
+  // There is nothing yet, and nobody has said that this is wanted.
+  bool is_at_start() const;
   bool is_shown(const PanelRow& panel) const;
   // One over the view takes the place of the one that was open.
   void show(const PanelRow& panel, bool on);

@@ -30,7 +30,7 @@ ImGuiContext* make_context() {
 
 }  // namespace
 
-Gui::Gui(float scale) : imgui_(make_context()), display_scale_(scale), size_(scale) {
+Gui::Gui(float scale) : imgui_(make_context()), display_scale_(scale), size_(scale), styled_(scale) {
   ImGui::SetCurrentContext(imgui_);
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
@@ -49,6 +49,11 @@ void Gui::add_panel(const PanelRow& row, std::unique_ptr<Panel> panel) {
   panels_.push_back({row, std::move(panel), std::make_unique<ScopedPanel>(row)});
 }
 
+void Gui::set_scale(float scale) {
+  size_.scale *= scale / display_scale_;
+  display_scale_ = scale;
+}
+
 void Gui::place_view(Session& session, Size window) const {
   const PixelRect area = view_area(window, session.layout);
   session.view = {area.width(), area.height()};
@@ -65,11 +70,11 @@ PanelContext Gui::context(Session& session) {
 bool Gui::prepare(const Session& session) {
   ImGui::SetCurrentContext(imgui_);
   const Theme theme = session.settings.theme;
-  const UiSize size{display_scale_ * static_cast<float>(session.ui_scale), session.font_size_px};
-  has_fonts_ = has_fonts_ && size == size_;
-  if (theme != theme_ || size != size_) apply_style(theme, size.scale);
+  size_ = {display_scale_ * static_cast<float>(session.ui_scale), session.font_size_px};
+  has_fonts_ = has_fonts_ && size_ == styled_;
+  if (theme != theme_ || size_ != styled_) apply_style(theme, size_.scale);
   theme_ = theme;
-  size_ = size;
+  styled_ = size_;
   const auto names_need_it = [&] {
     return needs_japanese(session.document().path().c_str()) ||
            std::any_of(session.lost.begin(), session.lost.end(),
@@ -116,6 +121,7 @@ void Gui::frame(Session& session, Size window, double seconds) {
   columns_.draw(panel_context, areas_of(session.layout, window, size_), panels_);
   draw_status(panel_context);
   draw_hidden_note(panel_context);
+  start_.draw(panel_context);
   draw_pointer_tip(panel_context);
   draw_band(panel_context);
   draw_element_menu(panel_context);

@@ -10,6 +10,7 @@
 
 #include "app/ui/panels.h"
 #include "app/ui/side_columns.h"
+#include "app/ui/start_page.h"
 
 struct ImGuiContext;
 struct ImDrawData;
@@ -32,8 +33,8 @@ class Gui {
   // A panel beside those of the list, for programs with panels of their own: behind them in its column and the menu, and
   // known to the command `panel` while this lives. The row's texts must live as long.
   void add_panel(const PanelRow& row, std::unique_ptr<Panel> panel);
-  // Changes the scale of the display at the next prepare().
-  void set_scale(float scale) { display_scale_ = scale; }
+  // Changes the scale of the display; letters at the next prepare().
+  void set_scale(float scale);
   // The area of the view within a window.
   PixelRect view_area(Size window, const Layout& layout) const { return areas_of(layout, window, size_).view; }
   // Sets the session's view to that area, as each frame does.
@@ -67,6 +68,8 @@ class Gui {
   // The next key is for a panel that asks which one it is to be (GuiState::asks_for_key); true where it took it.
   bool wants_chord(const Session& session) const { return state_.asks_for_key && !session.open_panel.empty(); }
   bool take_chord(const Session& session, const std::string& chord);
+  // The start page takes the arrow keys and Enter.
+  bool has_start(const Session& session) const { return StartPage::is_shown(session); }
   // As of the last frame.
   PointerShape pointer_shape() const;
 
@@ -93,10 +96,11 @@ class Gui {
   void end_frame();
   ImGuiContext* imgui_;
   float display_scale_;
-  UiSize size_;  // with what the user prefers
+  UiSize size_, styled_;  // with what the user prefers, and what style and letters are made for
   GuiState state_;
   std::vector<OwnPanel> panels_;
   SideColumns columns_;
+  StartPage start_;
   Fonts fonts_;
   bool has_fonts_ = false, has_japanese_ = false;
   Theme theme_ = Theme::dark;

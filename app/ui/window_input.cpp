@@ -99,6 +99,7 @@ Outcome WindowInput::press_key(const std::string& chord, bool is_again, const In
     return {};
   }
   if (session_.gesture() && !gui_.owns_keys()) return gui_.keep(session_, *session_.gesture_key(chord));
+  if (gui_.has_start(session_) && !gui_.owns_keys() && StartPage::takes(chord)) return {};
   const auto row = find_key(chord, preset, session_.bindings);
   if (!row || (is_again && !row->repeats)) return {};
   if ((gui_.owns_keys() || !session_.open_panel.empty()) && !row->acts_always) return {};

@@ -38,6 +38,7 @@ const KeyRow first_keys[] = {
     {"B", "band box", "select by a box: drag it, Shift adds, Ctrl takes out, Alt goes through",
      "ボックス選択（ドラッグ。Shift で追加、Ctrl で反転、Alt で裏側も）"},
     {"Shift+B", "band lasso", "select by a lasso in the same way", "投げ縄選択（修飾キーは同じ）"},
+    {"Shift+D", "duplicate elements=selected", "duplicate the selection", "選択を複製"},
     {"H", "hide selected", "hide the selection", "選択を非表示にする"},
     {"Shift+H", "isolate selected", "hide everything else", "選択以外を非表示にする"},
     {"Ctrl+H", "unhide", "show what is hidden", "非表示の要素を表示する"},

@@ -18,8 +18,8 @@ using FaultOfCommand = std::optional<Text>(Words arguments, const std::string& l
 
 // Operators, and commands of commands: commands_operator.cpp
 CommandRow row_of(const OpInfo& op, std::string_view called);
-RunCommand run_either, run_in_turn;
-FaultOfCommand fault_of_either, fault_of_in_turn;
+RunCommand run_either;
+FaultOfCommand fault_of_either;
 // Files and the history: commands_document.cpp
 RunCommand run_exercise, run_start, run_new, run_open, run_append, run_save, run_save_selected, run_undo, run_redo, run_recover, run_shot;
 FaultOfCommand fault_of_append, fault_of_save_selected, fault_of_exercise, fault_of_open, fault_of_recover;

@@ -10,6 +10,10 @@
 namespace ryosen {
 
 Outcome usage_error(std::string en, std::string ja) { return failed(ExitCode::usage, {std::move(en), std::move(ja)}); }
+Outcome cancelled() {
+  return failed(ExitCode::cancelled, {"Cancelled; nothing has changed.", "中止しました。何も変わっていません。"});
+}
+
 Outcome usage_error(const Text& sentence) { return failed(ExitCode::usage, sentence); }
 
 Outcome no_element(Document& document, std::string_view line, NameError error, const Text& sentence) {

@@ -104,6 +104,8 @@ Outcome unknown_command(std::string_view id);
 Text not_an_operator(std::string_view word);
 Outcome usage_error(std::string en, std::string ja);
 Outcome usage_error(const Text& sentence);
+// Long work that was given up.
+Outcome cancelled();
 // An operator's line names no element of the mesh, with this error: a refusal by the rule `deleted` where the element
 // stands at another place of the history, else usage; with a sentence that says which, and of quarantined faces.
 Outcome no_element(Document& document, std::string_view line, NameError error, const Text& sentence);

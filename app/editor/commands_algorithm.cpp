@@ -53,7 +53,7 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
   const bool was_empty = session.mesh().live() == ElementCounts();
   auto result = session.document().run(row, *found.values, outcome.performed, session.on_progress);
   if (!result)
-    return failed(ExitCode::cancelled, {"Cancelled; nothing has changed.", "中止しました。何も変わっていません。"});
+    return cancelled();
   if (result->fault) return usage_error(id + ": " + result->fault->en, id + "：" + result->fault->ja);
   if (was_empty && result->changed > 0) session.frame_all();  // nobody could have looked at it before
   if (row.selects_added && result->changed > 0) session.selection = before.added_to(session.mesh());

@@ -7,6 +7,8 @@
 #include "core/base/count_text.h"
 #include "core/base/split_list.h"
 #include "core/ops/lines/syntax.h"
+#include "core/selection/element_set.h"
+#include "core/selection/slot_ranges.h"
 
 namespace ryosen {
 
@@ -71,16 +73,30 @@ void select_refused(Session& session, const EachResult& result) {
   session.selection = std::move(left);
 }
 
+// The selection without those that were refused: the same is done with it whatever is refused for.
+std::string line_without_refused(const Elements& selection, const EachResult& result) {
+  ElementSet refused;
+  for (const EachResult::Refused& each : result.refused)
+    for (const Element& e : each.elements) refused.insert(e);
+  Elements left;
+  for (const Element& e : selection)
+    if (!refused.contains(e)) left.push_back(e);
+  return "select" + slot_ranges(left);
+}
+
 Outcome apply_to_each(Session& session, const OpInfo& op, Words words) {
+  const Elements selected = session.selection;
   Outcome outcome;
   outcome.performed = line_of(op, words);
   outcome.selecting = session.select_line();
   const auto result = session.document().apply_to_each(op, session.selection, words.subspan(1), outcome.performed,
                                                        session.strict, session.on_progress);
   if (!result)
-    return failed(ExitCode::cancelled, {"Cancelled; nothing has changed.", "中止しました。何も変わっていません。"});
+    return cancelled();
   if (result->error != NameError::none) return usage_error(behind(op.id, result->sentence));
   if (result->done + result->gone + result->refusals() == 0) return nothing_selected(op);
+  // A script that is not strict would do what was refused for a warning.
+  if (session.strict && result->refusals() > 0) outcome.selecting = line_without_refused(selected, *result);
   outcome.sentence = told(*result);
   for (const EachResult::Refused& refused : result->refused) {
     outcome.reasons.push_back({refused.rule, refused.elements});
@@ -157,23 +173,6 @@ std::optional<Text> fault_of_either(Words, const std::string& line) {
   for (const std::string& each : lines)
     if (const auto fault = fault_of_command(each)) return fault;
   return std::nullopt;
-}
-
-std::optional<Text> fault_of_in_turn(Words, const std::string& line) {
-  const std::vector<std::string> lines = alternatives(behind_word(line));
-  for (const std::string& each : lines)
-    if (const auto fault = fault_of_command(each)) return fault;
-  return lines.size() < 2 ? std::optional(wrong_arguments("in_turn").sentence) : std::nullopt;
-}
-
-Outcome run_in_turn(Session& session, Words arguments, std::string_view whole) {
-  if (const auto fault = fault_of_in_turn(arguments, "in_turn " + std::string(whole))) return usage_error(*fault);
-  Outcome outcome;
-  for (const std::string& line : alternatives(whole)) {
-    outcome = session.run(line);
-    if (!outcome.done()) break;
-  }
-  return outcome;
 }
 
 // Of several refusals the first is told: it is what was most likely meant.

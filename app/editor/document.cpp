@@ -272,7 +272,7 @@ void Document::committed(std::string command, OtherQuarantine other) {
     exchange_quarantine(transaction);
   }
   if (saved_position_ >= journal_.position()) saved_position_ = no_index;  // that position can no longer be reached
-  notify(transaction, Change::made);
+  notify(journal_, transaction, Change::made);
 }
 
 void Document::exchange_quarantine(std::size_t transaction) {
@@ -280,16 +280,36 @@ void Document::exchange_quarantine(std::size_t transaction) {
   if (other != other_quarantine_.end()) std::swap(tables_.quarantine, other->second);
 }
 
-void Document::notify(std::size_t transaction, Change change) {
+void Document::notify(const Journal& journal, std::size_t transaction, Change change) {
   ++revision_;
-  for (const Listener& listener : listeners_) listener(transaction, change);
+  for (const Listener& listener : listeners_) listener(journal, transaction, change);
+}
+
+Outcome Document::try_out(const AnyOp& op) {
+  Verdict verdict = check(mesh_, op);
+  if (!verdict.legal()) return refuse(op, std::move(verdict.reasons));
+  {
+    Edit edit(writable(), &trial_);
+    ryosen::apply(edit, op);
+    edit.commit();
+  }
+  notify(trial_, 0, Change::tried);
+  return {};
+}
+
+void Document::end_trial() {
+  if (!is_on_trial()) return;
+  if (before_writing) before_writing();
+  trial_.undo(mesh_);
+  notify(trial_, 0, Change::trial_ended);
+  trial_.clear();
 }
 
 bool Document::undo() {
   if (!journal_.can_undo()) return false;
   journal_.undo(writable());
   exchange_quarantine(journal_.position());
-  notify(journal_.position(), Change::undone);
+  notify(journal_, journal_.position(), Change::undone);
   return true;
 }
 
@@ -297,7 +317,7 @@ bool Document::redo() {
   if (!journal_.can_redo()) return false;
   journal_.redo(writable());
   exchange_quarantine(journal_.position() - 1);
-  notify(journal_.position() - 1, Change::redone);
+  notify(journal_, journal_.position() - 1, Change::redone);
   return true;
 }
 
@@ -309,6 +329,11 @@ void Document::go_to(std::size_t position) {
 }
 
 void Document::take_back(std::size_t position) {
+  if (is_on_trial()) {
+    if (before_writing) before_writing();
+    trial_.withdraw(mesh_);
+    ++revision_;
+  }
   while (journal_.position() > position && !journal_.is_last_redone()) {
     const std::size_t transaction = journal_.position() - 1;
     if (before_writing) before_writing();

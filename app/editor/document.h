@@ -91,13 +91,19 @@ class Document {
   // Script lines after which the refused operator of `line` is legal; empty if none were found.
   std::vector<std::string> remedy(const std::string& line) { return RemedySearch(writable()).find(line); }
 
+  // Does an operator on trial, beside the history: until the next change, or until the trial is ended, the mesh is as if
+  // it had been applied. Undo, redo and what is saved stay as they are.
+  Outcome try_out(const AnyOp& op);
+  bool is_on_trial() const { return trial_.position() > 0; }
+  void end_trial();
+
   // Step through the history; false if there is nothing to undo or redo.
   bool undo();
   bool redo();
   // Goes to a position in the history; 0 is the file as read.
   void go_to(std::size_t position);
   // Goes back to the position at which a command began that has found no memory, and forgets what it has added to the
-  // history. Allocates nothing itself.
+  // history. Ends a trial, of which no listener is told. Allocates nothing itself.
   void take_back(std::size_t position);
   const std::vector<HistoryEntry>& history() const { return history_; }
   std::size_t position() const { return journal_.position(); }
@@ -121,9 +127,9 @@ class Document {
   // its name says none; it does not become the document's file, which stays unsaved.
   Status save(const std::filesystem::path& path, WriteOptions options = {});
 
-  // Called after every commit, undo and redo, with the transaction of journal() concerned. Must not throw.
-  enum class Change { made, undone, redone };
-  using Listener = std::function<void(std::size_t transaction, Change change)>;
+  // Called after every commit, undo and redo, with the transaction concerned, of journal() or of a trial. Must not throw.
+  enum class Change { made, undone, redone, tried, trial_ended };
+  using Listener = std::function<void(const Journal& journal, std::size_t transaction, Change change)>;
   void add_listener(Listener listener) { listeners_.push_back(std::move(listener)); }
   // Called before the mesh is touched, though it be as it was behind a preview: for whoever reads it on another thread.
   std::function<void()> before_writing;
@@ -134,6 +140,7 @@ class Document {
 
  private:
   Mesh& writable() {
+    end_trial();
     if (before_writing) before_writing();
     return mesh_;
   }
@@ -146,12 +153,13 @@ class Document {
   void committed(std::string command, OtherQuarantine other = {});
   // Swaps the quarantine with the stored one, for transactions that change it.
   void exchange_quarantine(std::size_t transaction);
-  void notify(std::size_t transaction, Change change);
+  void notify(const Journal& journal, std::size_t transaction, Change change);
   bool is_known(std::string_view name) const;
   bool are_known(std::span<const std::string_view> names) const;
 
   Mesh mesh_;
   Journal journal_;
+  Journal trial_;  // one transaction while there is a trial, else none
   MeshFile file_;
   FileTables tables_;
   std::filesystem::path path_;

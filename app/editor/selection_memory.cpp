@@ -16,11 +16,13 @@ SelectionMemory::Shared SelectionMemory::shared(const Elements& selection) {
   return last_;
 }
 
-void SelectionMemory::made(std::size_t entry, Elements& selection, const Mesh& mesh, bool is_renumbered) {
+void SelectionMemory::made(std::size_t entry, Elements& selection, const Mesh& mesh, bool is_renumbered,
+                           const ColumnLengths& before) {
   around_.resize(entry);  // one that was not noted, for want of memory, remembers nothing
   Around& around = around_.emplace_back();
   around.before = shared(selection);
   drop_lost(selection, mesh, is_renumbered);
+  for (auto& [name, elements] : kept) std::erase_if(elements, [&](const Element& e) { return !has_slot(before, e); });
   if (!is_renumbered) return;
   around.other_kept = kept;
   for (auto& [name, elements] : kept) drop_lost(elements, mesh, true);

@@ -21,8 +21,9 @@ class SelectionMemory {
   // A selection by its name. Members may be deleted; undo may bring them back.
   std::map<std::string, Elements, std::less<>> kept;
 
-  // An entry was made; entries behind it are gone. What it deleted is no longer selected.
-  void made(std::size_t entry, Elements& selection, const Mesh& mesh, bool is_renumbered);
+  // An entry was made, on a mesh of these lengths; entries behind it are gone, and with them what they had made and was
+  // kept. What it deleted is no longer selected.
+  void made(std::size_t entry, Elements& selection, const Mesh& mesh, bool is_renumbered, const ColumnLengths& before);
   // What was selected when the entry was made is selected again; what is selected now, when it is redone.
   void undone(std::size_t entry, Elements& selection, const Mesh& mesh, bool is_renumbered);
   void redone(std::size_t entry, Elements& selection, const Mesh& mesh, bool is_renumbered);

@@ -57,7 +57,9 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   files_then.begin_document();
   const std::filesystem::path& source = read_from ? *read_from : document->path();
   if (!source.empty()) files_then.reads(source, FileRole::mesh);
-  document->add_listener([this](std::size_t transaction, Document::Change change) { follow(transaction, change); });
+  document->add_listener([this](const Journal& journal, std::size_t transaction, Document::Change change) {
+    follow(journal, transaction, change);
+  });
   std::set<std::string> shown_then = shown;
   if (document->mesh().live().faces == 0)
     for (const HighlightRow& row : highlight_table())
@@ -92,18 +94,19 @@ void Session::forget_derived() {
   drawn_changes_ = DrawnChanges();
 }
 
-void Session::follow(std::size_t transaction, Document::Change change) {
+void Session::follow(const Journal& journal, std::size_t transaction, Document::Change change) {
   try {
-    update_derived(transaction, change);
+    update_derived(journal, transaction, change);
   } catch (const std::bad_alloc&) {
     forget_derived();
     selection.clear();
   }
 }
 
-void Session::update_derived(std::size_t transaction, Document::Change change) {
+void Session::update_derived(const Journal& journal, std::size_t transaction, Document::Change change) {
   const Mesh& m = mesh();
-  const TouchedElements touched = touched_elements(m, document_->journal(), transaction);
+  if (change == Document::Change::trial_ended) forget_gesture();
+  const TouchedElements touched = touched_elements(m, journal, transaction);
   hidden_.follow(m, touched);
   if (picker_) {
     const std::vector<std::uint32_t> slots = picker_->update(m, touched);
@@ -121,7 +124,7 @@ void Session::update_derived(std::size_t transaction, Document::Change change) {
   }
   if (highlights_) {
     forget_hidden();
-    highlights_->update(m, document_->journal(), transaction);
+    highlights_->update(m, journal, transaction);
     drawn_changes_.everything |= highlights_->changed_everything();
     for (const Marked& marked : highlights_->changes()) {
       if (marked.mark.sort == Element::Kind::face) drawn_changes_.faces.push_back(marked.index);
@@ -140,17 +143,20 @@ void Session::update_derived(std::size_t transaction, Document::Change change) {
     else
       boundary_loops_->update(around, boundary, highlights_->problems().edges_asked());
   }
+  const bool is_trial = change == Document::Change::tried || change == Document::Change::trial_ended;
   if (euler_) {
-    const std::string& line = document_->history()[transaction].command;
-    const OpInfo* op = find_op(std::string_view(line).substr(0, line.find(' ')));
+    const std::string_view line =
+        is_trial ? std::string_view() : std::string_view(document_->history()[transaction].command);
+    const OpInfo* op = find_op(line.substr(0, line.find(' ')));
     const bool is_kept = op && op->topology == Topology::kept && !touched.everything &&
                          follow_operator(*euler_, m, highlights_->problems(), boundary_loops_->count());
     if (!is_kept) euler_.reset();
   }
-  const auto remember = change == Document::Change::made     ? &SelectionMemory::made
-                        : change == Document::Change::undone ? &SelectionMemory::undone
-                                                             : &SelectionMemory::redone;
-  (selections.*remember)(transaction, selection, m, touched.everything);
+  if (change == Document::Change::made)
+    selections.made(transaction, selection, m, touched.everything, journal.lengths_before(transaction));
+  if (change == Document::Change::undone) selections.undone(transaction, selection, m, touched.everything);
+  if (change == Document::Change::redone) selections.redone(transaction, selection, m, touched.everything);
+  if (is_trial) drop_lost(selection, m, false);
   drop_hidden(selection);
   if (is_verdict_held_)
     ask_held_verdict_again();

@@ -215,8 +215,8 @@ class Session {
   void log_line(Outcome& outcome, std::string line);
   // Updates what is derived from the mesh; forgets it where there is no memory for that.
   void finish_preparation();
-  void follow(std::size_t transaction, Document::Change change);
-  void update_derived(std::size_t transaction, Document::Change change);
+  void follow(const Journal& journal, std::size_t transaction, Document::Change change);
+  void update_derived(const Journal& journal, std::size_t transaction, Document::Change change);
   void forget_derived();
   Camera framing(const Mesh& mesh, const Camera& from) const;
   void note_marks(const TouchedElements& touched);
@@ -231,6 +231,8 @@ class Session {
   struct GesturingDeleter {
     void operator()(Gesturing* gesturing) const;
   };
+  void begin_gesture_with(PointTransform::Kind kind, Elements elements);
+  void forget_gesture();
   void follow_what_moves();
   void show_gesture();
   void note_gesture();

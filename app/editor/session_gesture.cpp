@@ -1,6 +1,8 @@
 // A gesture that moves, turns or scales the selection: what the view shows meanwhile, and how it ends.
 #include <algorithm>
+#include <new>
 
+#include "app/editor/commands.h"
 #include "app/editor/session.h"
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
@@ -18,7 +20,9 @@ struct Session::Gesturing {
   std::vector<Face> spoilt;
   glm::dvec2 pixel{0};  // of the window, where the pointer was last
   Modifiers modifiers = {};
-  std::string pulls = {};  // faces that have been extruded for it, by nothing as yet
+  // Of one that pulls faces out: the extrusion by nothing, on trial, and the selection before it and behind it.
+  std::string extrusion = {};
+  Elements selected_before = {}, selected_meanwhile = {};
 };
 
 namespace {
@@ -67,8 +71,12 @@ std::span<const Face> Session::spoilt_by_gesture() const {
 
 Outcome Session::begin_gesture(PointTransform::Kind kind) {
   cancel_gesture();
-  const Elements elements = selection;
-  if (elements.empty()) return failed(ExitCode::refused, {"select something first", "先に何か選択してください"});
+  if (selection.empty()) return failed(ExitCode::refused, {"select something first", "先に何か選択してください"});
+  begin_gesture_with(kind, selection);
+  return {};
+}
+
+void Session::begin_gesture_with(PointTransform::Kind kind, Elements elements) {
   const glm::dvec3 middle = middle_of(mesh(), points_of(mesh(), elements));
   glm::dvec2 start = pointer - view_origin;
   if (start.x < 0 || start.y < 0 || start.x >= view.width || start.y >= view.height) {
@@ -76,7 +84,7 @@ Outcome Session::begin_gesture(PointTransform::Kind kind) {
     start = (seen ? seen->pixel : 0.5 * glm::dvec2(view.width, view.height)) + glm::dvec2(60, 0);
   }
   const std::span<const glm::dvec3> places = mesh().positions();
-  gesturing_.reset(new Gesturing{TransformGesture(kind, mesh(), elements, start),
+  gesturing_.reset(new Gesturing{TransformGesture(kind, mesh(), std::move(elements), start),
                                  {places.begin(), places.end()},
                                  {},
                                  {},
@@ -85,7 +93,6 @@ Outcome Session::begin_gesture(PointTransform::Kind kind) {
   hover_.reset();
   release_verdict();
   follow_what_moves();
-  return {};
 }
 
 // After another set of points is moved.
@@ -165,40 +172,65 @@ bool Session::widen_gesture(double steps) {
 
 Outcome Session::end_gesture() {
   if (!gesturing_) return {};
-  const std::string line = gesturing_->transform.line(mesh());
-  const bool does_nothing = gesturing_->transform.does_nothing();
-  const std::string pulls = gesturing_->pulls;
-  const auto by = gesturing_->transform.movement();
-  if (!pulls.empty() && !by && !does_nothing) gesturing_->pulls.clear();  // the extrusion stays as it is, and is moved
+  const Gesturing& g = *gesturing_;
+  std::vector<std::string> lines{g.transform.line(mesh())};
+  if (!g.extrusion.empty()) {
+    const auto by = g.transform.movement();
+    lines = by ? std::vector{g.extrusion + format_place(*by)} : std::vector{g.extrusion + "0", lines[0]};
+  }
+  const bool does_nothing = g.transform.does_nothing();
   cancel_gesture();
-  if (does_nothing) return {};
-  return !pulls.empty() && by ? run("extrude" + pulls + " " + format_place(*by)) : run(line);
+  Outcome outcome;
+  if (does_nothing) return outcome;
+  for (const std::string& line : lines)
+    if (outcome.done()) outcome = run(line);
+  return outcome;
 }
 
-// Extruded by nothing, so that what is moved is there; in the end it is one extrusion, or none.
+// Extruded by nothing, so that what is moved is there; that is on trial, and in the end it is one extrusion, or none.
 Outcome Session::begin_pull() {
   cancel_gesture();
   Elements faces;
   for (const Element& e : selection)
     if (e.kind == Element::Kind::face) faces.push_back(e);
   if (faces.empty()) return failed(ExitCode::refused, {"select faces first", "先に面を選択してください"});
-  std::string names;
-  for (const std::string& name : names_of(faces)) names += " " + name;
-  Outcome outcome = run("extrude" + names + " 0");
+  std::vector<std::string> names = names_of(faces);
+  std::string line = "extrude ";
+  for (const std::string& name : names) line += name + " ";
+  names.push_back("0");
+  const std::vector<std::string_view> arguments(names.begin(), names.end());
+  const Parsed<AnyOp> extrusion = parse_op(mesh(), "extrude", arguments);
+  if (!extrusion.op) return no_element(document(), line + "0", extrusion.error, extrusion.sentence);
+  Elements selected = selection;
+  hover_.reset();  // its preview would end the trial
+  release_verdict();
+  const Outcome outcome = document_->try_out(*extrusion.op);
   if (!outcome.done()) return outcome;
-  selection = faces;
-  outcome = begin_gesture(PointTransform::Kind::move);
-  gesturing_->pulls = names;
+  begin_gesture_with(PointTransform::Kind::move, std::move(faces));
+  gesturing_->extrusion = std::move(line);
+  gesturing_->selected_meanwhile = selection;
+  gesturing_->selected_before = std::move(selected);
   gesture_key("N");
   return outcome;
 }
 
-void Session::cancel_gesture() {
+// The view is as it was. One that pulls faces out is still to be taken back by the document.
+void Session::forget_gesture() {
   if (!gesturing_) return;
   note_gesture();
-  const bool takes_back = !gesturing_->pulls.empty();
+  if (!gesturing_->extrusion.empty() && selection == gesturing_->selected_meanwhile)
+    selection = std::move(gesturing_->selected_before);
   gesturing_.reset();
-  if (takes_back) run("undo");
+}
+
+void Session::cancel_gesture() {
+  try {
+    document_->end_trial();  // which forgets the gesture that it was for
+  } catch (const std::bad_alloc&) {
+    forget_derived();
+    document_->take_back(document_->position());
+  }
+  forget_gesture();
 }
 
 void Session::GesturingDeleter::operator()(Gesturing* gesturing) const { delete gesturing; }

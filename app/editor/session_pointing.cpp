@@ -116,6 +116,7 @@ Outcome Session::apply_at(const OpTarget& target, const std::string& id) {
 }
 
 Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers modifiers) {
+  cancel_gesture();  // what is pointed at is the mesh as it is
   release_verdict();
   const OpInfo* info = find_op(with_tool);
   const auto picked = pick(pixel, pick_mode(info, mode));
@@ -140,6 +141,7 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers
 }
 
 void Session::select_for_menu(glm::dvec2 pixel) {
+  cancel_gesture();
   auto picked = pick(pixel, mode);
   if (!picked) picked = pick(pixel, PickMode::face);
   if (!picked || std::find(selection.begin(), selection.end(), picked->element) != selection.end()) return;

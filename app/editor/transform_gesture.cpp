@@ -164,7 +164,7 @@ bool TransformGesture::key(const Mesh& mesh, std::string_view chord) {
   } else if (chord == "-") {
     typed_ = typed_.starts_with('-') ? typed_.substr(1) : "-" + typed_;
   } else if (chord.size() == 1 && std::string_view("0123456789.").find(chord[0]) != std::string_view::npos) {
-    typed_ += chord;
+    if (chord != "." || typed_.find('.') == std::string::npos) typed_ += chord;
   } else {
     return false;
   }

@@ -10,12 +10,12 @@ namespace ryosen {
 
 void ViewInput::press(MouseButton button, const Pointer& at) {
   session_.pointer = at.pixel;
-  gesture_ended_.reset();  // the window may have missed its release
+  if (gesture_ended_ && gesture_ended_->button == button) gesture_ended_.reset();  // its release was missed
   if (session_.gesture() && button != MouseButton::middle) {
-    gesture_ended_ = Outcome();
+    gesture_ended_ = {button, {}};
     if (button == MouseButton::left) {
       session_.follow_gesture(at.pixel, at.modifiers);
-      gesture_ended_ = end_gesture();
+      gesture_ended_->outcome = end_gesture();
     } else {
       session_.cancel_gesture();
     }
@@ -44,7 +44,7 @@ std::string ViewInput::line_of_band() const {
 
 Outcome ViewInput::release(MouseButton button, const Pointer& at) {
   session_.pointer = at.pixel;
-  if (gesture_ended_) return *std::exchange(gesture_ended_, std::nullopt);
+  if (gesture_ended_ && gesture_ended_->button == button) return std::exchange(gesture_ended_, std::nullopt)->outcome;
   const auto ended = navigation_.release(button, at.pixel, at.now_s);
   Outcome outcome;
   if (session_.band && !navigation_.is_dragging()) {

@@ -38,7 +38,11 @@ class ViewInput : public Input {
   // The line that selects by the band that a drag has drawn.
   std::string line_of_band() const;
 
-  std::optional<Outcome> gesture_ended_;  // by the press that is still held
+  struct EndedGesture {
+    MouseButton button;
+    Outcome outcome;
+  };
+  std::optional<EndedGesture> gesture_ended_;  // by the press of a button that is still held
   Modifiers band_modifiers_;              // of its press, beyond those that ask for the gesture
 };
 

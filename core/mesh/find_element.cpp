@@ -27,4 +27,17 @@ bool is_alive(const Mesh& mesh, const Element& element) {
   }
 }
 
+bool has_slot(const ColumnLengths& lengths, const Element& element) {
+  switch (element.kind) {
+    case Element::Kind::vertex:
+      return element.index < lengths.vertices;
+    case Element::Kind::halfedge:
+      return element.index < lengths.halfedges;
+    case Element::Kind::edge:
+      return element.index < lengths.halfedges / 2;
+    default:
+      return element.index < lengths.faces;
+  }
+}
+
 }  // namespace ryosen

@@ -18,5 +18,7 @@ NamedElement find_element(const Mesh& mesh, std::string_view name);
 
 // Whether it is an element of the mesh as it is; not one without a slot.
 bool is_alive(const Mesh& mesh, const Element& element);
+// Whether a mesh of these lengths has its slot, alive or not.
+bool has_slot(const ColumnLengths& lengths, const Element& element);
 
 }  // namespace ryosen

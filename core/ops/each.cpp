@@ -28,22 +28,33 @@ std::string quick_name(const Mesh& mesh, Element e) {
   return "h" + std::to_string(h.index);
 }
 
-// What became of the subjects (op.h) that were asked about and are shared by several edges, so that many edges of one cost
+// The halfedges that an element may be asked about at. Both sides of a wire lie along cycles of their own.
+std::vector<Halfedge> asked_at(const Mesh& mesh, const Element& e) {
+  if (e.kind == Element::Kind::edge) return {halfedge(e.edge(), 0), halfedge(e.edge(), 1)};
+  if (e.kind != Element::Kind::halfedge) return {};
+  const Halfedge h = e.halfedge();
+  return mesh.is_outside(h) ? std::vector{h} : std::vector{h, twin(h)};
+}
+
+// What became of the subjects (op.h) that were asked about and are shared by several halfedges, so that many of one cost
 // no more than one.
 class AskedSubjects {
  public:
-  bool is_done(Edge e) const { return done_.contains(e.index); }
-  // The rule by which the cycle was refused, if nothing has changed since then.
-  const Rule* refused(Edge e) const {
-    const auto found = refused_.find(e.index);
-    return found == refused_.end() ? nullptr : &found->second;
+  bool is_done(std::span<const Halfedge> at) const {
+    return std::any_of(at.begin(), at.end(), [&](Halfedge h) { return done_.contains(h.index); });
   }
-  void done(const std::vector<Edge>& edges) {
-    for (const Edge e : edges) done_.insert(e.index);
+  // The rule by which the subject was refused, if nothing has changed since then.
+  const Rule* refused(std::span<const Halfedge> at) const {
+    for (const Halfedge h : at)
+      if (const auto found = refused_.find(h.index); found != refused_.end()) return &found->second;
+    return nullptr;
+  }
+  void done(std::span<const Halfedge> subject) {
+    for (const Halfedge h : subject) done_.insert(h.index);
     refused_.clear();
   }
-  void refuse(const std::vector<Edge>& edges, Rule rule) {
-    for (const Edge e : edges) refused_.emplace(e.index, rule);
+  void refuse(std::span<const Halfedge> subject, Rule rule) {
+    for (const Halfedge h : subject) refused_.emplace(h.index, rule);
   }
 
  private:
@@ -51,15 +62,16 @@ class AskedSubjects {
   std::unordered_map<std::uint32_t, Rule> refused_;
 };
 
-// The edges that share the subject of one; none if it has its own.
-std::vector<Edge> with_same_subject(const Mesh& mesh, Subject subject, Halfedge h) {
-  std::vector<Edge> edges;
+// The halfedges that share the subject of one; none if it has its own.
+std::vector<Halfedge> with_same_subject(const Mesh& mesh, Subject subject, Halfedge h) {
+  std::vector<Halfedge> same;
   if (subject == Subject::points) {
-    for (const Halfedge sheet : sheets_between(mesh, mesh.from(h), mesh.to(h))) edges.push_back(edge(sheet));
+    for (const Halfedge sheet : sheets_between(mesh, mesh.from(h), mesh.to(h)))
+      same.insert(same.end(), {sheet, twin(sheet)});
   } else if (subject == Subject::cycle) {
-    for (const Halfedge other : loop(mesh, h)) edges.push_back(edge(other));
+    for (const Halfedge other : loop(mesh, h)) same.push_back(other);
   }
-  return edges;
+  return same;
 }
 
 class Calls {
@@ -70,11 +82,9 @@ class Calls {
   // False where the arguments cannot be.
   bool call(const Element& e, const Element* with) {
     if (!is_alive(mesh(), e)) return ++result_.gone, true;
-    Edge at;
-    if (e.kind == Element::Kind::edge) at = e.edge();
-    if (e.kind == Element::Kind::halfedge) at = edge(e.halfedge());
-    if (at && subjects_.is_done(at)) return ++result_.done, true;
-    if (const Rule* const rule = at ? subjects_.refused(at) : nullptr) return refuse(e, *rule), true;
+    const std::vector<Halfedge> at = asked_at(mesh(), e);
+    if (subjects_.is_done(at)) return ++result_.done, true;
+    if (const Rule* const rule = subjects_.refused(at)) return refuse(e, *rule), true;
     const Parsed<AnyOp> parsed = read(e, with);
     if (!parsed.op) {
       result_.error = parsed.error;
@@ -84,8 +94,8 @@ class Calls {
     const auto rule = broken_rule(*parsed.op);
     Halfedge side = halfedge_of(*parsed.op);
     if (op_.subject == Subject::cycle && !rule && !mesh().is_outside(side)) side = twin(side);
-    std::vector<Edge> same;
-    if (at && (op_.subject != Subject::cycle || mesh().is_outside(side)))
+    std::vector<Halfedge> same;
+    if (!at.empty() && (op_.subject != Subject::cycle || mesh().is_outside(side)))
       same = with_same_subject(mesh(), op_.subject, side);
     if (rule) {
       subjects_.refuse(same, *rule);

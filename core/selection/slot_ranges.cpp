@@ -29,20 +29,6 @@ std::optional<Element> parse_slot(std::string_view word) {
   return std::nullopt;
 }
 
-bool has_slot(const Mesh& mesh, const Element& e) {
-  switch (e.kind) {
-    case Element::Kind::vertex:
-      return e.index < mesh.vertex_slots();
-    case Element::Kind::halfedge:
-      return e.index < mesh.halfedge_slots();
-    case Element::Kind::edge:
-      return e.index < mesh.edge_slots();
-    case Element::Kind::face:
-      return e.index < mesh.face_slots();
-  }
-  return false;
-}
-
 }  // namespace
 
 std::string slot_ranges(std::span<const Element> elements) {
@@ -69,7 +55,8 @@ std::optional<SlotRange> parse_slot_range(std::string_view word) {
 }
 
 void add_living(const Mesh& mesh, const SlotRange& range, Elements& elements) {
-  for (Element e = range.first; e.index <= range.last && has_slot(mesh, e); ++e.index)
+  const ColumnLengths lengths = mesh.lengths();
+  for (Element e = range.first; e.index <= range.last && has_slot(lengths, e); ++e.index)
     if (is_alive(mesh, e)) elements.push_back(e);
 }
 

@@ -205,16 +205,40 @@ TEST(either, does_the_first_that_is_possible_and_tells_the_refusal_that_was_mean
   EXPECT_EQ(session->run("either undo").exit_code, ExitCode::usage);
 }
 
-TEST(in_turn, goes_on_until_one_is_not_possible) {
+TEST(on_each, both_sides_of_a_wire_are_cycles_of_their_own) {
   const auto session = session_opened("cube.obj");
-  session->run("select f0");
-  ASSERT_TRUE(session->run("in_turn extrude selected | gesture move normal").done());
-  EXPECT_EQ(session->mesh().live().faces, 10u);
-  ASSERT_TRUE(session->gesture());
-  ASSERT_TRUE(session->gesture()->axis());
-  session->run("key Escape");
-  EXPECT_EQ(session->run("in_turn delete v99 | poke f1").exit_code, ExitCode::usage);
-  EXPECT_EQ(session->mesh().live().faces, 10u);
+  for (const char* line : {"make_vertex 5,0,0", "make_vertex 6,0,0", "make_vertex 5,1,0", "make_edge v8 v9",
+                           "make_edge v9 v10", "make_edge v10 v8"})
+    ASSERT_TRUE(session->run(line).done()) << line;
+  const Edge wire = edge(find_edge(session->mesh(), "8-9").element);
+  for (const int side : {0, 1}) session->run("select add h" + std::to_string(halfedge(wire, side).index));
+  const Outcome outcome = session->run("fill selected");
+  ASSERT_TRUE(outcome.done()) << outcome.sentence.en;
+  EXPECT_TRUE(outcome.sentence.en.starts_with("One done. One refused: Two faces would have")) << outcome.sentence.en;
+  EXPECT_EQ(session->mesh().live().faces, 7u);
+}
+
+TEST(on_each, what_is_strict_is_logged_so_that_it_is_done_again_without) {
+  const auto session = session_opened("cube.obj");
+  session->strict = true;
+  session->run("triangulate f0");
+  session->run("select all");
+  const std::string before = session->select_line();
+  if (!session->run("collapse selected").done()) GTEST_FAIL();
+  const auto again = session_opened("cube.obj");
+  for (const std::string& line : session->log()) ASSERT_TRUE(again->run(line).done()) << line;
+  EXPECT_EQ(again->mesh().hash(), session->mesh().hash());
+}
+
+TEST(selection_memory, what_was_kept_on_a_branch_that_is_gone_is_not_of_the_next) {
+  const auto session = session_opened("cube.obj");
+  session->run("poke f0");
+  session->run("select v8 f1");
+  session->run("keep mine");
+  session->run("undo");
+  session->run("poke f3");  // makes another v8
+  ASSERT_TRUE(session->run("select kept mine").done());
+  EXPECT_EQ(session->selection, Elements{Face(1)});
 }
 
 TEST(selection_memory, each_entry_brings_back_what_was_selected_around_it) {

@@ -66,6 +66,19 @@ TEST(preparation, finds_in_the_background_what_would_be_found_at_once) {
   }
 }
 
+TEST(preparation, regions_are_refused_until_it_is_done_rather_than_empty) {
+  const auto session = large_session();
+  session->run("select f7");
+  session->prepare();
+  ASSERT_TRUE(session->preparing());
+  for (const char* line : {"box 0,0 1280,720", "lasso 0,0 1280,0 600,700"})
+    EXPECT_EQ(session->run(line).exit_code, ExitCode::refused) << line;
+  EXPECT_EQ(session->selection, Elements{Face(7)});
+  wait_for(*session);
+  EXPECT_TRUE(session->run("box 0,0 1280,720").done());
+  EXPECT_GT(session->selection.size(), 1u);
+}
+
 TEST(preparation, ends_for_an_edit_and_begins_anew_behind_it) {
   const auto session = large_session();
   session->prepare();

@@ -110,6 +110,21 @@ TEST_F(RecoveryTest, what_a_crash_leaves_is_done_again) {
   EXPECT_TRUE(kept().empty());
 }
 
+// Several ways in which an edit works on a selection, one after the other: without the lines that select, none is done.
+TEST_F(RecoveryTest, edits_on_a_selection_come_back_with_what_they_worked_on) {
+  auto crashed = open(files_.copy(test::asset("torus.off"), "torus.off"));
+  for (const char* line : {"select f0 f1 f2", "poke selected", "select v0 v1", "key G", "move 900,300", "key X", "key 2",
+                           "key Enter", "select f40", "key E", "key 1", "key O", "key Enter", "select f50 f60"})
+    crashed->run(line);
+  const std::uint64_t hash = crashed->session.mesh().hash();
+  EXPECT_EQ(crashed->session.document().history().size(), 4u);
+  crashed.reset();
+  auto again = open_nothing();
+  ASSERT_TRUE(again->session.run("recover 1").done());
+  EXPECT_EQ(again->session.mesh().hash(), hash);
+  EXPECT_EQ(again->session.document().history().size(), 4u);
+}
+
 TEST_F(RecoveryTest, no_output_takes_the_place_of_what_a_recovered_session_was_read_from) {
   const std::string in = files_.copy(test::asset("torus.off"), "in.off"), out = files_.at("out.off");
   auto crashed = open(in);

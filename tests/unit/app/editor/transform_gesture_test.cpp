@@ -168,6 +168,64 @@ TEST_F(GestureTest, extruding_is_one_entry_along_the_normal_of_the_faces_or_noth
   EXPECT_EQ(session_->mesh().hash(), hash);
 }
 
+TEST_F(GestureTest, extruding_that_is_given_up_leaves_what_can_be_redone_and_what_is_saved) {
+  run({"mode face", "select f0 f1", "poke f9", "poke f10", "undo"});
+  const std::string saved = testing::TempDir() + "given_up.off";
+  ASSERT_TRUE(session_->document().save(saved));
+  const std::uint64_t hash = session_->mesh().hash();
+  run({"select f0 f1 v3 0-1"});
+  const Elements selected = session_->selection;
+  for (const char* end : {"key Escape", "press right 700,300"}) {
+    run({"key E"});
+    EXPECT_NE(session_->mesh().hash(), hash);
+    EXPECT_FALSE(session_->document().is_modified());
+    EXPECT_EQ(session_->log().size(), 3u);
+    run({"key 3", end});
+    EXPECT_FALSE(session_->gesture());
+    EXPECT_EQ(session_->mesh().hash(), hash);
+    EXPECT_EQ(session_->selection, selected);
+    EXPECT_FALSE(session_->document().is_modified());
+  }
+  run({"release right 700,300", "redo"});
+  EXPECT_EQ(session_->document().history().back().command, "poke f10");
+  EXPECT_FALSE(session_->run("redo").done());
+}
+
+TEST_F(GestureTest, whatever_edits_points_or_goes_back_ends_an_extrusion_first) {
+  run({"mode face", "poke f9", "select f0 f1"});
+  const std::uint64_t hash = session_->mesh().hash();
+  run({"key E", "undo"});
+  EXPECT_FALSE(session_->gesture());
+  EXPECT_EQ(session_->document().position(), 0u);
+  run({"redo"});
+  EXPECT_EQ(session_->mesh().hash(), hash);
+  EXPECT_FALSE(session_->run("redo").done());
+  run({"select f0 f1", "key E", "poke f20"});
+  EXPECT_EQ(session_->document().history().size(), 2u);
+  run({"undo"});
+  EXPECT_EQ(session_->mesh().hash(), hash);
+  run({"select f0 f1", "key E"});
+  EXPECT_FALSE(session_->run("select v100000").done()) << "and asks whether it was there at another time";
+  run({"key Escape"});
+  EXPECT_EQ(session_->mesh().hash(), hash);
+  run({"key E"});
+  session_->run("click 640,360 poke");
+  EXPECT_FALSE(session_->gesture());
+  EXPECT_EQ(session_->mesh().hash(), hash) << "there is nothing in the middle of a ring";
+}
+
+TEST_F(GestureTest, a_button_that_ends_it_is_told_from_one_that_turns_the_view) {
+  run({"key G", "press middle 640,360", "press left 640,360", "release middle 640,360"});
+  const Camera camera = session_->camera;
+  run({"release left 640,360", "move 700,400"});
+  EXPECT_EQ(session_->camera.eye, camera.eye) << "no drag is left over";
+}
+
+TEST_F(GestureTest, a_second_dot_types_nothing) {
+  run({"key G", "move 700,300", "key X", "key 1", "key .", "key 5", "key .", "key Enter"});
+  EXPECT_TRUE(session_->log().back().starts_with("translate by=1.5,0,0 ")) << session_->log().back();
+}
+
 // What is drawn while it goes on and afterwards is what would be drawn anew.
 TEST_F(GestureTest, a_part_that_is_drawn_again_equals_the_whole) {
   // So that the buffers keep their bounds, and with them every rounding.

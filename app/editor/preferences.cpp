@@ -69,7 +69,7 @@ const std::vector<PreferenceRow>& own_rows() {
         .name_en = "Samples",
         .name_ja = "サンプル数",
         .help_en = "smooths the view by so many rendered pixels a side of each; more take longer",
-        .help_ja = "一画素の一辺に描く点の数（多いほど滑らかで遅い）",
+        .help_ja = "一画素に縦横それぞれ描く点の数（多いほど滑らかで遅い）",
         .initial = "1",
         .smallest = 1,
         .largest = 4},

@@ -245,6 +245,28 @@ TEST_F(WindowTest, shows_long_work_and_lets_it_be_cancelled) {
   EXPECT_EQ(editor_->exit_code(), 0);
 }
 
+TEST_F(WindowTest, keeps_what_the_user_prefers_for_the_next_time) {
+  const std::string mesh = folder_.copy(test::asset("torus.off"), "torus.off");
+  const auto kept = [&](const std::string& name, const std::string& line) {
+    const std::string file = (config_.path() / "ryosen" / name).string();
+    return std::filesystem::exists(file) && test::read_file(file).find(line) != std::string::npos;
+  };
+  open(mesh);
+  type("bind Ctrl+K split 0-1");
+  ASSERT_TRUE(wait_for([&] { return kept("preferences", "bind Ctrl+K split 0-1\n"); }));
+  std::this_thread::sleep_for(300ms);  // until the command window has closed
+  type("panel totals off");
+  ASSERT_TRUE(wait_for([&] { return kept("layout", "panel totals off\n"); }));
+  EXPECT_TRUE(kept("recent", mesh));
+  xdotool("mousemove 640 400 key ctrl+q");
+  ASSERT_TRUE(wait_for([&] { return editor_->is_over(); }));
+  std::filesystem::remove(folder_.at("frames"));
+  open(mesh);
+  xdotool("mousemove 640 400 key ctrl+k");
+  EXPECT_TRUE(wait_for([&] { return last().history == 1; })) << "the key is not known any more";
+  EXPECT_TRUE(kept("layout", "panel totals off\n"));
+}
+
 TEST_F(WindowTest, ends_when_asked_to) {
   open(test::asset("torus.off"));
   xdotool("mousemove 640 400 key ctrl+q");

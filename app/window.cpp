@@ -6,6 +6,8 @@
 
 #include "app/editor/autosave.h"
 #include "app/editor/keys.h"
+#include "app/editor/user_files.h"
+#include "app/editor/user_folders.h"
 #include "app/glfw.h"
 #include "app/ui/gui.h"
 #include "app/ui/viewport.h"
@@ -107,14 +109,18 @@ class GlfwWindow {
 class Editor {
  public:
   Editor(GlfwWindow& window, std::unique_ptr<Document> document, std::unique_ptr<Viewport> viewport,
-         std::unique_ptr<Canvas> canvas, Language language)
+         std::unique_ptr<Canvas> canvas, const WindowOptions& options)
       : window_(window),
         session_(std::move(document)),
         viewport_(std::move(viewport)),
         canvas_(std::move(canvas)),
-        gui_(window.scale()) {
-    session_.language = language;
+        gui_(window.scale()),
+        user_files_(user_folder(UserFolder::config), options.preferences) {
     session_.gizmo_kind = GizmoKind::move;
+    session_.language = options.usual_language;
+    const Text said = user_files_.begin(session_);
+    if (options.language) session_.language = *options.language;
+    user_files_.take_as_given(session_);
     session_.quit = [this] { gui_.leave(session_, {true, {}}); };
     session_.take_picture = [this](const std::filesystem::path& path) {
       draw_whole();
@@ -126,6 +132,8 @@ class Editor {
     gui_.set_clipboard(
         window.handle(), [](void* w) { return glfw().get_clipboard_string(static_cast<GLFWwindow*>(w)); },
         [](void* w, const char* text) { glfw().set_clipboard_string(static_cast<GLFWwindow*>(w), text); });
+    if (!said.en.empty()) gui_.keep(session_, failed(ExitCode::input_malformed, said));
+    if (gui_.prepare(session_)) canvas_->set_fonts(gui_.fonts());  // of the size that the user prefers
     set_callbacks();
     resize();
     session_.frame_all();
@@ -144,6 +152,7 @@ class Editor {
         next = viewport_->time_to_next_frame(Clock::now());
         if (!next && (session_.preparing() || session_.trials().share())) next = std::chrono::milliseconds(100);
       }
+      if (keep_user_files()) continue;
       // The text cursor blinks; otherwise wait for events.
       if (next && *next == Clock::duration(0))
         glfw().poll_events();
@@ -154,10 +163,18 @@ class Editor {
       else
         glfw().wait_events();
     }
+    keep_user_files();
     autosave_.finish();
   }
 
  private:
+  // True when there is something to say about it.
+  bool keep_user_files() {
+    const auto fault = user_files_.keep(session_);
+    if (fault) gui_.keep(session_, failed(ExitCode::output_not_writable, *fault));
+    return fault.has_value();
+  }
+
   using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::milliseconds patience{300};
   static constexpr int settling_frames = 3;  // a panel may need this many to settle its size
@@ -325,6 +342,7 @@ class Editor {
   std::unique_ptr<Canvas> canvas_;
   Gui gui_;
   WindowInput input_{gui_, session_};
+  UserFiles user_files_;
   Autosave autosave_{recovery_folder()};
   std::string title_;
   WindowCursor cursor_;
@@ -352,7 +370,7 @@ Status run_window(const WindowOptions& options) {
   if (!viewport) return viewport.failure();
   Result<std::unique_ptr<Canvas>> canvas = Canvas::make();
   if (!canvas) return canvas.failure();
-  Editor(**window, std::move(document), std::move(viewport).value(), std::move(canvas).value(), options.language).run();
+  Editor(**window, std::move(document), std::move(viewport).value(), std::move(canvas).value(), options).run();
   return success();
 }
 

@@ -31,8 +31,9 @@ enum class Effect {
 };
 
 // What a command does with the file that its arguments name: one whose effect is to write the document writes a mesh,
-// any other a picture.
-enum class FileAccess { none, reads, writes };
+// any other a picture; `writes_part` is a mesh that does
+// not become the document's.
+enum class FileAccess { none, reads, writes, writes_part };
 
 struct CommandRow {
   std::string_view id;

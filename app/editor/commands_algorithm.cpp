@@ -1,6 +1,9 @@
 // Algorithms as commands: each by its id, and `repair`, which knows them by what they solve.
+#include <algorithm>
+
 #include "app/editor/command_functions.h"
 #include "app/editor/command_syntax.h"
+#include "app/editor/first_slots.h"
 #include "app/editor/repair_call.h"
 #include "app/editor/script.h"
 #include "app/editor/words.h"
@@ -42,9 +45,29 @@ Outcome run_recipe(Session& session, const std::string& list) {
   return outcome;
 }
 
+bool means_selection(std::string_view word) { return word == "selected" || word.ends_with("=selected"); }
+
+// The word `selected`, alone or as a value, stands for these names.
+std::vector<std::string> with_names(Words words, const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ",") + name;
+  std::vector<std::string> meant;
+  for (const std::string_view word : words) {
+    meant.emplace_back(word);
+    if (means_selection(word)) meant.back().replace(word.size() - std::string_view("selected").size(), word.npos, list);
+  }
+  return meant;
+}
+
 // `call` is what stands before the values. A first value without its name stays so.
-Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words words, const std::string& call) {
+Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_words, const std::string& call) {
   const std::string id(row.id);
+  if (session.selection.empty() && std::any_of(given_words.begin(), given_words.end(), means_selection))
+    return failed(ExitCode::refused, {id + ": nothing is selected", id + "：選択がありません"});
+  std::vector<std::string> names;
+  if (std::any_of(given_words.begin(), given_words.end(), means_selection)) names = session.selected_names();
+  const std::vector<std::string> meant = with_names(given_words, names);
+  const std::vector<std::string_view> words(meant.begin(), meant.end());
   const ReadValues given = read_values(row.parameters, words);
   if (!given.values) return usage_error(id + ": " + given.sentence.en, id + "：" + given.sentence.ja);
   const ReadValues found = given.values->on(session.mesh());
@@ -53,11 +76,13 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words words, co
   const std::string values = given.values->line(has_bare_value);
   Outcome outcome;
   outcome.performed = call + (values.empty() ? "" : " " + values);
+  const FirstSlots before(session.mesh());
   const bool was_empty = session.mesh().live() == ElementCounts();
   auto result = session.document().run(row, *found.values, outcome.performed, session.on_progress);
   if (!result) return cancelled();
   if (result->fault) return usage_error(id + ": " + result->fault->en, id + "：" + result->fault->ja);
   if (was_empty && result->changed > 0) session.frame_all();  // nobody could have looked at it before
+  if (row.selects_added && result->changed > 0) session.selection = before.added_to(session.mesh());
   outcome.sentence = result->text;
   if (!row.is_repair()) return outcome;
   const BesideRepairs beside = session.document().beside_repairs();
@@ -68,7 +93,9 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words words, co
 }  // namespace
 
 CommandRow row_of(const AlgorithmRow& algorithm) {
-  const auto fault = [&algorithm](Words words, const std::string&) -> std::optional<Text> {
+  const auto fault = [&algorithm](Words given, const std::string&) -> std::optional<Text> {
+    const std::vector<std::string> meant = with_names(given, {"v0"});  // any name does here
+    const std::vector<std::string_view> words(meant.begin(), meant.end());
     ReadValues read = read_values(algorithm.parameters, words);
     return read.values ? std::nullopt : std::optional(behind(algorithm.id, read.sentence));
   };

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/editor/quarantine_text.h"
+#include "core/algo/copying/part.h"
 #include "core/algo/repair/guard.h"
 #include "core/base/count_text.h"
 #include "core/indexed/from_indexed.h"
@@ -220,6 +221,43 @@ std::optional<RecipeResult> Document::run(std::span<const RecipeStep> recipe, st
   result->mesh = Mesh();
   committed(std::move(command), std::move(other));
   return result;
+}
+
+Text Document::append(MeshFile file, std::string command) {
+  const std::size_t unusable = file.mesh.quarantine.size(), lines = file.elements.items.size();
+  const bool has_values = !file.mesh.texcoords.index.empty() || !file.mesh.normals.index.empty() ||
+                          !file.mesh.vertex_colours.empty() || !file.mesh.materials.index.empty();
+  file.mesh.quarantine.clear();
+  const Mesh added = from_indexed(std::move(file.mesh));
+  Part part = part_of(added, all_elements(added));
+  {
+    Edit edit(writable(), &journal_);
+    add_part(edit, std::move(part), false);
+    make_room_in_history();
+    edit.commit();
+  }
+  committed(std::move(command));
+  Text left_out;
+  const auto say = [&](bool is_so, const char* en, const char* ja) {
+    if (!is_so) return;
+    left_out.en += (left_out.en.empty() ? "Left out of that file: " : ", ") + std::string(en);
+    left_out.ja += (left_out.ja.empty() ? "追加しなかったもの：" : "、") + std::string(ja);
+  };
+  say(has_values, "texture coordinates, normals, colours and materials", "テクスチャ座標・法線・色・材質");
+  say(lines > 0, "lines and points", "線と点");
+  say(unusable > 0, "faces that cannot be used", "使えない面");
+  return left_out.en.empty() ? left_out : left_out + Text{".", "。"};
+}
+
+MeshFile Document::part(std::span<const Element> elements) const {
+  Part taken = part_of(mesh_, elements, tables_);
+  MeshFile file;
+  file.mesh = std::move(taken.list);
+  file.wires = std::move(taken.wires);
+  file.format = file_.format;
+  file.encoding = file_.encoding;
+  file.material_libraries = file_.material_libraries;
+  return file;
 }
 
 void Document::make_room_in_history() {

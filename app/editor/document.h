@@ -90,6 +90,11 @@ class Document {
   std::optional<RecipeResult> run(std::span<const RecipeStep> recipe, std::string command,
                                   const RecipeEvents& events = {});
   BesideRepairs beside_repairs() const;
+  // Adds the mesh of a file as parts of their own, as one entry of the history. The sentence says what of the file was
+  // left out: what belongs to corners and faces, lines, and faces that cannot be used; empty where nothing was.
+  Text append(MeshFile file, std::string command);
+  // What part_of() takes of these elements, as a file of its own.
+  MeshFile part(std::span<const Element> elements) const;
   // The verdict and the ghost of the result. The document is unchanged.
   Preview preview(const AnyOp& op) { return ryosen::preview(writable(), journal_, op); }
   // Script lines after which the refused operator of `line` is legal; empty if none were found.

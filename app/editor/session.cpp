@@ -38,6 +38,11 @@ bool Session::is_shown(const PanelRow& panel) const {
   return panel.place == PanelPlace::over ? open_panel == panel.id : layout.is_shown(panel);
 }
 
+bool Session::is_at_start() const {
+  return !begins_empty && document_->path().empty() && document_->history().empty() &&
+         mesh().live() == ElementCounts();
+}
+
 void Session::show(const PanelRow& panel, bool on) {
   if (is_shown(panel) == on) return;
   if (panel.place == PanelPlace::over)

@@ -12,6 +12,7 @@
 
 #include "app/editor/document.h"
 #include "app/editor/gizmo.h"
+#include "app/editor/keys.h"
 #include "app/editor/layout.h"
 #include "app/editor/navigation.h"
 #include "app/editor/panel_list.h"
@@ -80,6 +81,12 @@ class Session {
   // User interface state changed by commands; stored without effect if there is no UI.
   Language language = Language::english;
   ViewSettings settings;
+  double ui_scale = 1;                // of all of the window, times that of the display
+  int font_size_px = 15;              // at scale 1
+  int samples = 1;                    // a side of each pixel of the view
+  std::vector<KeyBinding> bindings;   // the user's own keys
+  bool begins_empty = false;          // somebody wants an empty mesh, not the start page
+  std::vector<std::string> recent{};  // files that were open before, the latest first; kept by the window
   std::string open_panel;         // the one that lies over the view; empty for none
   Layout layout;                  // of those in the columns
   std::string asked_algorithm;    // whose values the panel of values asks for
@@ -97,6 +104,8 @@ class Session {
   const HandleRow* handle_at(glm::dvec2 pixel, Modifiers modifiers) const;
   const HandleRow* pointed_handle() const { return pointed_handle_; }
 
+  // There is nothing yet, and nobody has said that this is wanted.
+  bool is_at_start() const;
   bool is_shown(const PanelRow& panel) const;
   // One over the view takes the place of the one that was open.
   void show(const PanelRow& panel, bool on);

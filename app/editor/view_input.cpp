@@ -122,7 +122,7 @@ void ViewInput::wheel(double steps, const Pointer& at) {
 
 Outcome ViewInput::key(const std::string& chord) {
   if (const auto outcome = session_.gesture_key(chord)) return *outcome;
-  if (const auto row = find_key(chord)) return session_.run(row->command);
+  if (const auto row = find_key(chord, input_presets()[0], session_.bindings)) return session_.run(row->command);
   return is_panel_key(chord) ? no_panel_for_key(chord) : no_such_key(chord);
 }
 

@@ -36,6 +36,9 @@ struct ViewSwitch {
   // Of the menu of its own that its values stand in; empty: in the View menu itself.
   std::string_view menu_en = "", menu_ja = "";
 
+  // Its name among the preferences, which the window keeps; empty where it begins anew each time.
+  std::string_view preference_en = "", preference_ja = "";
+
   bool toggles() const { return !chord.empty(); }
   bool has_flag() const { return !flag_en.empty(); }
 };

@@ -93,12 +93,13 @@ Result<std::unique_ptr<Viewport>> Viewport::make() {
 
 void Viewport::set_supersample(int samples) {
   supersample_ = samples;
-  size_ = {};
 }
 
 void Viewport::follow(Session& session) {
-  if (session.view != size_) view_->resize(session.view, supersample_);
+  const int samples = std::max(supersample_, session.samples);
+  if (session.view != size_ || samples != samples_) view_->resize(session.view, samples);
   size_ = session.view;
+  samples_ = samples;
   if (session.settings.theme != settings_.theme) highlights_stale_ = true;
   settings_ = session.settings;
   if (settings_.dots == Dots::picked)

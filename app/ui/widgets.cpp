@@ -255,7 +255,7 @@ bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size) {
 void end_over() { ImGui::EndPopup(); }
 
 std::string chord_of(const Session& session, std::string_view command) {
-  for (const KeyRow& key : key_table(input_presets()[session.input_preset]))
+  for (const KeyRow& key : key_table(input_presets()[session.input_preset], session.bindings))
     if (key.command == command) return key.chord;
   return {};
 }

@@ -67,11 +67,12 @@ struct AlgorithmRow {
   AlgorithmResult (*run)(Edit& edit, const AlgorithmInput& input, Progress& progress);
   // Adds a shape beside what is there, and so needs no mesh to begin with.
   bool is_primitive = false;
+  bool selects_added = false;  // what it has added is selected afterwards
 
   bool is_repair() const { return !solves.empty(); }
 };
 
-// Repairs first, in the order in which they are done, each after those that make its work easier; then primitives and transforms. Rows
+// Repairs first, in the order in which they are done, each after those that make its work easier; then primitives, transforms and copies. Rows
 // stay where they are.
 const std::deque<AlgorithmRow>& algorithm_table();
 // By id; null when there is none.

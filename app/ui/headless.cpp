@@ -70,6 +70,12 @@ void Headless::lay_out(Session& session) {
     window_->gui.frame(session, options_.size, 0.02);
 }
 
+Image Headless::view_drawn_again() {
+  View& view = viewport_->view();
+  view.draw(PixelRect::all(view.size()));
+  return view.read_pixels();
+}
+
 Image Headless::picture(Session& session) {
   if (!window_) {
     viewport_->follow(session);

@@ -34,6 +34,8 @@ class Headless {
   Image picture(Session& session);
   // The id image of the last picture, in pixels of the view.
   IdImage read_ids() { return viewport_->view().read_ids(); }
+  // The view of the last picture, all of it drawn once more: no pixel differs.
+  Image view_drawn_again();
   // Makes the next picture rebuild everything from its session.
   void forget() { viewport_->forget(); }
   std::string_view backend() const { return context_->name(); }

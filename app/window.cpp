@@ -113,6 +113,7 @@ class Editor {
         viewport_(std::move(viewport)),
         canvas_(std::move(canvas)),
         gui_(window.scale()) {
+    viewport_->set_display_scale(window.scale());
     session_.language = language;
     session_.quit = [this] { gui_.leave(session_, {true, {}}); };
     session_.take_picture = [this](const std::filesystem::path& path) {
@@ -203,6 +204,7 @@ class Editor {
     const Size size = window_.size();
     canvas_->resize(size);
     gui_.set_scale(window_.scale());
+    viewport_->set_display_scale(window_.scale());
     gui_.place_view(session_, size);
     input_.resize(size);
   }

@@ -100,6 +100,18 @@ std::vector<ViewSwitch>& switch_rows() {
        .set = set_setting<&ViewSettings::dots>,
        .flag_en = "whether vertices are drawn; else in vertex mode",
        .flag_ja = "頂点の表示（省くと頂点モードのとき）"},
+      {.id = "numbers",
+       .help_en = "writes the numbers of elements beside them, as many as have room",
+       .help_ja = "要素の番号を、重ならない範囲で表示する",
+       .values = {{"off", "No numbers", "番号を表示しない"},
+                  {"vertices", "Numbers of vertices", "頂点の番号"},
+                  {"edges", "Numbers of edges", "辺の番号"},
+                  {"faces", "Numbers of faces", "面の番号"},
+                  {"halfedges", "Numbers of halfedges", "ハーフエッジの番号"}},
+       .value = setting<&ViewSettings::numbers>,
+       .set = set_setting<&ViewSettings::numbers>,
+       .flag_en = "whose numbers are written; else none",
+       .flag_ja = "番号を表示する要素（省くと off）"},
   };
   return rows;
 }

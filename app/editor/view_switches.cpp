@@ -105,13 +105,15 @@ std::vector<ViewSwitch>& switch_rows() {
        .help_ja = "要素の番号を、重ならない範囲で表示する",
        .values = {{"off", "No numbers", "番号を表示しない"},
                   {"vertices", "Numbers of vertices", "頂点の番号"},
-                  {"edges", "Numbers of edges", "辺の番号"},
+                  {"edges", "Numbers of edges", "稜線の番号"},
                   {"faces", "Numbers of faces", "面の番号"},
                   {"halfedges", "Numbers of halfedges", "ハーフエッジの番号"}},
        .value = setting<&ViewSettings::numbers>,
        .set = set_setting<&ViewSettings::numbers>,
        .flag_en = "whose numbers are written; else none",
-       .flag_ja = "番号を表示する要素（省くと off）"},
+       .flag_ja = "番号を表示する要素（省くと off）",
+       .menu_en = "Numbers",
+       .menu_ja = "番号"},
   };
   return rows;
 }

@@ -33,6 +33,8 @@ struct ViewSwitch {
   std::string_view chord = "", key_en = "", key_ja = "";
   // The help of its flag --ID of `shot`; empty where there is none.
   std::string_view flag_en = "", flag_ja = "";
+  // The menu of its values within the View menu; empty: they stand in that itself.
+  std::string_view menu_en = "", menu_ja = "";
 
   bool toggles() const { return !chord.empty(); }
   bool has_flag() const { return !flag_en.empty(); }

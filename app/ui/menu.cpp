@@ -85,12 +85,14 @@ void draw_select_menu(PanelContext& context) {
 bool is_one_entry(const ViewSwitch& row) { return row.toggles() && row.values.size() == 2; }
 void draw_switch(PanelContext& context, const ViewSwitch& row) {
   const std::size_t now = row.value(context.session);
-  const bool is_one = is_one_entry(row);
+  const bool is_one = is_one_entry(row), has_menu = !row.menu_en.empty();
+  if (has_menu && !ImGui::BeginMenu(context.text(row.menu_en, row.menu_ja))) return;
   for (std::size_t i = is_one ? 1 : 0; i < row.values.size(); ++i) {
     const SwitchValue& value = row.values[i];
     item(context, context.text(value.name_en, value.name_ja),
          is_one ? toggle_line(row) : std::string(row.id) + " " + std::string(value.id), true, i == now);
   }
+  if (has_menu) ImGui::EndMenu();
 }
 // With lines between them, but not between single entries.
 void draw_switches(PanelContext& context) {

@@ -5,6 +5,8 @@
 
 #include "app/editor/labels.h"
 #include "app/ui/headless.h"
+#include "tests/support/app/drawn_text.h"
+#include "tests/support/app/laid.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {
@@ -89,6 +91,19 @@ TEST_F(LabelsTest, do_not_overlap_and_give_way_to_what_is_selected) {
   const std::string name = "f" + std::to_string(seen->element.index);
   ASSERT_TRUE(session_.run("select " + name).done());
   EXPECT_TRUE(texts().contains(name));
+}
+
+// In a menu of their own within the View menu, which has to have room in a window of 720 pixels.
+TEST_F(LabelsTest, are_in_a_menu_of_the_view_menu) {
+  test::Laid laid("cube.obj");
+  laid.click({165, 10});
+  const glm::dvec2 entry = test::DrawnText(laid.gui).place("Numbers");
+  laid.click(entry);
+  laid.frames(3);
+  const glm::dvec2 faces = test::DrawnText(laid.gui).place("Numbers of faces");
+  EXPECT_GT(faces.x, entry.x);
+  laid.click(faces);
+  EXPECT_EQ(laid.session.settings.numbers, Numbers::faces);
 }
 
 // The pixels of the labels differ from those without them, and only those.

@@ -36,6 +36,7 @@ constexpr Palette dark_palette = {
     .label = rgb(0xF2F4F7),
     .label_ground = rgb(0x12161C, 190),
     .outline = rgb(0x0C1018, 220),
+    .axes = {rgb(0xF0524A), rgb(0x8CD04A), rgb(0x4A90FF)},
 };
 
 constexpr Palette light_palette = {
@@ -52,6 +53,7 @@ constexpr Palette light_palette = {
     .label = rgb(0x12161C),
     .label_ground = rgb(0xFFFFFF, 205),
     .outline = rgb(0x202630, 220),
+    .axes = {rgb(0xE23A3A), rgb(0x7CC63C), rgb(0x2E6FE0)},
 };
 
 }  // namespace

@@ -113,7 +113,7 @@ TEST_F(PanelsTest, one_of_another_program_is_the_last_of_the_view_menu) {
   gui.add_panel(faces_row, std::move(made));
   frames(3);
   const auto press_last_entry = [&](bool until_hidden) {
-    for (double y = 690; y > 200 && session.layout.switched.empty() == until_hidden; y -= 8) {
+    for (double y = 700; y > 200 && session.layout.switched.empty() == until_hidden; y -= 8) {
       click(view_menu);
       click({200, y});
     }

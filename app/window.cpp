@@ -116,6 +116,7 @@ class Editor {
         canvas_(std::move(canvas)),
         gui_(window.scale()),
         user_files_(user_folder(UserFolder::config), options.preferences) {
+    viewport_->set_display_scale(window.scale());
     session_.gizmo_kind = GizmoKind::move;
     session_.language = options.usual_language;
     const Text said = user_files_.begin(session_);
@@ -222,6 +223,7 @@ class Editor {
     const Size size = window_.size();
     canvas_->resize(size);
     gui_.set_scale(window_.scale());
+    viewport_->set_display_scale(window_.scale());
     gui_.place_view(session_, size);
     input_.resize(size);
   }

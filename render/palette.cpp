@@ -33,6 +33,8 @@ constexpr Palette dark_palette = {
     .wire = rgb(0x0C1018, 170),
     .film = rgb(0x141A24),
     .film_wire = rgb(0x4A6078),
+    .label = rgb(0xF2F4F7),
+    .label_ground = rgb(0x12161C, 190),
     .outline = rgb(0x0C1018, 220),
     .axes = {rgb(0xF0524A), rgb(0x8CD04A), rgb(0x4A90FF)},
 };
@@ -48,6 +50,8 @@ constexpr Palette light_palette = {
     .wire = rgb(0x141A26, 150),
     .film = rgb(0x1E1812),
     .film_wire = rgb(0x705C48),
+    .label = rgb(0x12161C),
+    .label_ground = rgb(0xFFFFFF, 205),
     .outline = rgb(0x202630, 220),
     .axes = {rgb(0xE23A3A), rgb(0x7CC63C), rgb(0x2E6FE0)},
 };

@@ -42,7 +42,8 @@ struct Palette {
   // What each layer of a surface that is seen through adds to a dark ground, or takes from a light one, and what its
   // wireframe does.
   Rgba film, film_wire;
-  Rgba outline;  // around points, to set them off from any ground
+  Rgba label, label_ground;  // text in the picture, and what lies below it
+  Rgba outline;              // around points, to set them off from any ground
   std::array<Rgba, 3> axes;  // X, Y, Z, which always come with their letters
 };
 const Palette& palette(Theme theme);

@@ -73,8 +73,10 @@ Result<std::unique_ptr<View>> View::make() {
   if (!resolve) return resolve.failure();
   Result<IdsPass> ids = IdsPass::make();
   if (!ids) return ids.failure();
+  Result<LabelsPass> labels = LabelsPass::make();
+  if (!labels) return labels.failure();
   return std::unique_ptr<View>(new View({std::move(*surface), std::move(*xray), std::move(*background),
-                                         std::move(*overlay), std::move(*resolve), std::move(*ids)}));
+                                         std::move(*overlay), std::move(*resolve), std::move(*ids), std::move(*labels)}));
 }
 
 View::View(Passes passes)
@@ -142,6 +144,10 @@ void View::set_overlay(Layer layer, const Overlay& overlay) {
   std::vector<TouchedBox> touched;
   overlays_[static_cast<std::size_t>(layer)].set(overlay, mesh_.space(), touched);
   changed(touched);
+}
+
+void View::set_labels(std::span<const DrawnLabel> texts) {
+  for (const PixelRect& rect : passes_.labels.set(texts)) dirty_.add(intersection(rect, PixelRect::all(size_)));
 }
 
 void View::set_overlay_part(Layer layer, std::uint32_t part, const Overlay& overlay) {
@@ -325,6 +331,7 @@ void View::draw(const PixelRect& asked) {
   triangles_drawn_ += triangles / thinning_;
   draw_all(frame(rect, supersample_), DrawTarget(rendered_), clusters);
   if (supersample_ > 1) passes_.resolve.draw(rendered_, supersample_, resolved_, rect);
+  passes_.labels.draw(picture(), rect);
   refinement_.spoil(rect);
   dirty_.remove_inside(rect);
 }
@@ -346,6 +353,7 @@ void View::refine() {
   draw_all(f, target, clusters);
   for (const std::uint32_t cluster : clusters) triangles_drawn_ += mesh_.clusters()[cluster].count;
   passes_.resolve.draw(fine_, scale, rendered_, rect, f.lower_left / scale);
+  passes_.labels.draw(rendered_, rect);
   redrawn_.add(rect);
 }
 

@@ -23,6 +23,7 @@
 #include "render/refinement.h"
 #include "render/pass/background.h"
 #include "render/pass/ids.h"
+#include "render/pass/labels.h"
 #include "render/pass/overlay.h"
 #include "render/pass/resolve.h"
 #include "render/pass/surface.h"
@@ -72,6 +73,9 @@ class View {
   void set_overlay(Layer layer, const Overlay& overlay);
   // Replaces a numbered part of a layer, at the cost of that part; see OverlayBuffer::set_part.
   void set_overlay_part(Layer layer, std::uint32_t part, const Overlay& overlay);
+  // The texts over the picture, in its pixels, and their glyphs; see LabelsPass.
+  void set_labels(std::span<const DrawnLabel> texts);
+  void set_label_fonts(ImFontAtlas& atlas) { passes_.labels.set_fonts(atlas); }
   // Replaces the mesh; chooses the buffer space and clears the overlays. Linear.
   void set_mesh(const TriangleSource& source);
   // Applies a change of the mesh, see MeshBuffers::update. Costs the changes.
@@ -113,6 +117,7 @@ class View {
     OverlayPass overlay;
     ResolvePass resolve;
     IdsPass ids;
+    LabelsPass labels;
   };
 
   explicit View(Passes passes);

@@ -53,26 +53,31 @@ ImFont* add(ImFontAtlas& atlas, Candidates candidates, float size_px, const ImWc
   return atlas.AddFontFromFileTTF(file, size_px, &config, ranges);
 }
 
-}  // namespace
-
-Fonts load_fonts(ImFontAtlas& atlas, float size_px, bool japanese) {
+// Clears an atlas and adds the Latin letters.
+ImFont* begin(ImFontAtlas& atlas, float size_px) {
   atlas.Clear();
   atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
   atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
   atlas.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
+  if (ImFont* const font = add(atlas, normal_files, size_px, latin_ranges, false)) return font;
+  ImFontConfig config;
+  config.SizePixels = size_px;
+  return atlas.AddFontDefault(&config);
+}
+
+}  // namespace
+
+Fonts load_fonts(ImFontAtlas& atlas, float size_px, bool japanese) {
   Fonts fonts;
-  fonts.normal = add(atlas, normal_files, size_px, latin_ranges, false);
-  if (!fonts.normal) {
-    ImFontConfig config;
-    config.SizePixels = size_px;
-    fonts.normal = atlas.AddFontDefault(&config);
-  }
+  fonts.normal = begin(atlas, size_px);
   const ImWchar* const ranges = japanese ? atlas.GetGlyphRangesJapanese() : word_ranges;
   add(atlas, japanese_files, size_px, ranges, true);
   fonts.bold = add(atlas, bold_files, size_px, latin_ranges, false);
   if (!fonts.bold) fonts.bold = fonts.normal;
   return fonts;
 }
+
+void load_label_font(ImFontAtlas& atlas, float size_px) { begin(atlas, size_px); }
 
 std::vector<FontUse> font_uses() {
   return {use("texts", "文字", normal_files), use("headings", "見出し", bold_files),

@@ -109,6 +109,7 @@ void Viewport::follow(Session& session) {
   view_->set_camera(session.camera);
   follow_mesh(session);
   follow_overlays(session);
+  labels_.follow(session, *view_);
 }
 
 void Viewport::keep_pace(const Session& session, FramePace::Clock::time_point now) {

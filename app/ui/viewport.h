@@ -10,6 +10,7 @@
 
 #include "app/editor/session.h"
 #include "app/ui/frame_pace.h"
+#include "app/ui/label_layer.h"
 #include "render/view.h"
 
 namespace ryosen {
@@ -35,6 +36,7 @@ class Viewport {
 
   void set_transparent(bool transparent) { view_->set_transparent(transparent); }
   void set_supersample(int samples);
+  void set_display_scale(float scale) { labels_.set_scale(scale); }
   // Forgets the document, so that the next follow() rebuilds everything.
   void forget() { mesh_of_ = nullptr; }
 
@@ -51,6 +53,7 @@ class Viewport {
   void draw_mark(Session& session, const HighlightRow& row, Mark mark, std::uint32_t block);
 
   std::unique_ptr<View> view_;
+  LabelLayer labels_;
   FramePace pace_;
   FramePace::Clock::time_point changed_at_;
   ViewSettings settings_;

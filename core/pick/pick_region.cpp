@@ -1,12 +1,12 @@
 // Picking all that lies within a region of the picture.
 #include <algorithm>
-#include <glm/geometric.hpp>
 
 #include "core/base/parallel.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/pick/picker.h"
 #include "core/pick/screen_segment.h"
+#include "core/pick/seen_place.h"
 
 namespace ryosen {
 
@@ -65,12 +65,7 @@ class RegionQuery {
     if (!tree_) return true;
     const auto at = screen_.project(place);
     if (!at) return false;
-    const Ray ray = ray_through(camera_, view_, at->pixel);
-    const auto hit = tree_->cast(m_.positions(), ray);
-    if (!hit || (own && tree_->primitive(hit->slot).owner == own.index)) return true;
-    constexpr double tolerance = 1e-7;
-    const double t = glm::dot(place - ray.origin, ray.direction);
-    return hit->t >= t - tolerance * std::abs(t);
+    return ryosen::is_seen(*tree_, m_, ray_through(camera_, view_, at->pixel), place, own);
   }
 
   const Mesh& m_;

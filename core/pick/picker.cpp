@@ -10,6 +10,7 @@
 #include "core/mesh/column_memory.h"
 #include "core/mesh/copies.h"
 #include "core/pick/screen_segment.h"
+#include "core/pick/seen_place.h"
 
 namespace ryosen {
 
@@ -181,6 +182,13 @@ class PickQuery {
 
 void Picker::prepare(const Mesh& mesh, Progress& progress) {
   if (!has_tree_) build(mesh, progress);
+}
+
+bool Picker::is_seen(const Mesh& mesh, const Camera& camera, Size view, const ScreenPoint& at, const glm::dvec3& place,
+                     Face own) {
+  Progress unseen;
+  prepare(mesh, unseen);
+  return ryosen::is_seen(tree_, mesh, ray_through(camera, view, at.pixel), place, own);
 }
 
 bool Picker::shows(const Mesh& mesh, const SurfaceTriangle& triangle) const {

@@ -57,6 +57,10 @@ class Picker {
   std::vector<Element> pick_region(const Mesh& mesh, const Camera& camera, Size view, const ScreenRegion& region,
                                    PickMode mode, Depth depth);
 
+  // Whether no surface but that of `own` lies clearly in front of a place that is drawn at a pixel.
+  bool is_seen(const Mesh& mesh, const Camera& camera, Size view, const ScreenPoint& at, const glm::dvec3& place,
+               Face own = {});
+
   // Builds the BVH now, unless it is there or `progress` cancels; may be interrupted (interruption.h). No other call but
   // triangles() may go on meanwhile.
   void prepare(const Mesh& mesh, Progress& progress);

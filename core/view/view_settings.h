@@ -14,6 +14,8 @@ enum class Wire { on, off };
 enum class Xray { off, on };
 // Whether vertices are drawn: while they are what the pointer picks, or always, or never.
 enum class Dots { picked, always, never };
+// Of which elements the numbers are drawn.
+enum class Numbers { off, vertices, edges, faces, halfedges };
 
 // One field per switch, an enumeration in the order of the values of its row; each begins with the first one.
 struct ViewSettings {
@@ -22,6 +24,7 @@ struct ViewSettings {
   Wire wire = Wire::on;
   Xray xray = Xray::off;
   Dots dots = Dots::picked;
+  Numbers numbers = Numbers::off;
 
   // Calls visit(name, number) for each, by the id of its row: a shader gets the number as its `uniform int name`.
   template <class Visit>
@@ -31,6 +34,7 @@ struct ViewSettings {
     visit("wire", static_cast<int>(wire));
     visit("xray", static_cast<int>(xray));
     visit("dots", static_cast<int>(dots));
+    visit("numbers", static_cast<int>(numbers));
   }
 
   friend bool operator==(const ViewSettings&, const ViewSettings&) = default;

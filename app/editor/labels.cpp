@@ -1,0 +1,91 @@
+#include "app/editor/labels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/pick/screen_segment.h"
+
+namespace ryosen {
+
+namespace {
+
+constexpr LabelSource sources[] = {
+    {"numbers", [](const Session& session) { return session.settings.numbers != Numbers::off; }, add_numbers},
+};
+
+// The cells of the view that labels cover, so that to ask for room costs the label and not all of the others.
+class TakenCells {
+ public:
+  explicit TakenCells(Size view)
+      : view_(view), columns_((view.width + cell_px - 1) / cell_px), taken_(cells(view)) {}
+
+  // Whether all of it lies in the view and no label is there.
+  bool has_room(const PixelRect& rect) const {
+    if (rect.empty() || intersection(rect, PixelRect::all(view_)) != rect) return false;
+    bool is_free = true;
+    for_each_cell(rect, [&](std::size_t cell) { is_free = is_free && !taken_[cell]; });
+    return is_free;
+  }
+  void take(const PixelRect& rect) {
+    for_each_cell(intersection(rect, PixelRect::all(view_)), [&](std::size_t cell) { taken_[cell] = true; });
+  }
+
+ private:
+  static constexpr int cell_px = 4;
+
+  static std::size_t cells(Size view) {
+    const auto along = [](int pixels) { return static_cast<std::size_t>((pixels + cell_px - 1) / cell_px); };
+    return along(view.width) * along(view.height);
+  }
+  template <class Visit>
+  void for_each_cell(const PixelRect& rect, Visit visit) const {
+    for (int y = rect.y0 / cell_px; y * cell_px < rect.y1; ++y)
+      for (int x = rect.x0 / cell_px; x * cell_px < rect.x1; ++x)
+        visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x));
+  }
+
+  Size view_;
+  int columns_;
+  std::vector<bool> taken_;
+};
+
+// Below half a billion pixels either way, so that it can be counted in.
+bool is_near(glm::dvec2 pixel) { return std::abs(pixel.x) < 5e8 && std::abs(pixel.y) < 5e8; }
+
+}  // namespace
+
+std::span<const LabelSource> label_sources() { return sources; }
+
+std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Size(const std::string& text)>& size_of,
+                                       double scale) {
+  std::vector<Label> labels;
+  for (const LabelSource& source : label_sources())
+    if (source.is_on(session)) source.add(session, labels);
+  std::stable_sort(labels.begin(), labels.end(),
+                   [](const Label& a, const Label& b) { return a.priority > b.priority; });
+  const ScreenProjection screen(session.camera, session.view);
+  const bool hides = session.settings.xray == Xray::off && !session.gesture();
+  // Room around each: more where there are many, so that the mesh stays visible between them.
+  const int margin = static_cast<int>(std::lround((labels.size() > most_labels ? 10 : 2) * scale));
+  TakenCells taken(session.view);
+  std::vector<PlacedLabel> placed;
+  for (const Label& label : labels) {
+    if (placed.size() == most_labels) break;
+    const auto at = label.pixel ? ScreenPoint{*label.pixel, 0} : screen.project(label.at);
+    if (!at || !is_near(at->pixel)) continue;
+    const Size size = size_of(label.text);
+    const glm::dvec2 middle = at->pixel + label.shift_px * scale;
+    const glm::ivec2 corner(static_cast<int>(std::lround(middle.x - 0.5 * size.width)),
+                            static_cast<int>(std::lround(middle.y - 0.5 * size.height)));
+    const PixelRect rect{corner.x, corner.y, corner.x + size.width, corner.y + size.height};
+    if (!taken.has_room(rect)) continue;
+    if (hides && !label.pixel && !label.through &&
+        !session.picker().is_seen(session.mesh(), session.camera, session.view, *at, label.at, label.own))
+      continue;
+    taken.take({rect.x0 - margin, rect.y0 - margin, rect.x1 + margin, rect.y1 + margin});
+    placed.push_back({corner, size, label.text});
+  }
+  return placed;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,13 @@
+// Whether the surface hides a place from the eye.
+#pragma once
+
+#include "core/mesh/mesh.h"
+#include "core/pick/bvh.h"
+#include "core/pick/ray.h"
+
+namespace ryosen {
+
+// Whether no surface in the tree but that of `own` lies clearly in front of a place, which the ray goes through.
+bool is_seen(const Bvh& tree, const Mesh& mesh, const Ray& ray, const glm::dvec3& place, Face own = {});
+
+}  // namespace ryosen

@@ -1,0 +1,166 @@
+// Labels in the picture of a session: where they are, what they leave out, and that they go as they came.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "app/editor/labels.h"
+#include "app/ui/headless.h"
+#include "tests/support/app/drawn_text.h"
+#include "tests/support/app/laid.h"
+#include "tests/support/app/program.h"
+
+namespace ryosen {
+namespace {
+
+class LabelsTest : public testing::Test {
+ protected:
+  void open(const char* name, Headless::Options options = {.backend = Backend::osmesa, .size = {480, 360}}) {
+    session_.set_document(Document::open(test::asset(name)).value());
+    headless_.reset();  // one context at a time
+    headless_ = Headless::make(options).value();
+    headless_->place_view(session_);
+  }
+  Image picture(const std::string& line) {
+    EXPECT_TRUE(session_.run(line).done()) << line;
+    return headless_->picture(session_);
+  }
+  std::vector<PlacedLabel> placed(double scale = 1) {
+    const auto size_of = [&](const std::string& text) {
+      return Size{static_cast<int>(8 * scale * double(text.size())), static_cast<int>(14 * scale)};
+    };
+    return placed_labels(session_, size_of, scale);
+  }
+  std::set<std::string> texts() {
+    std::set<std::string> all;
+    for (const PlacedLabel& label : placed()) all.insert(label.text);
+    return all;
+  }
+
+  Session session_{std::make_unique<Document>()};
+  std::unique_ptr<Headless> headless_;
+};
+
+PixelRect rect_of(const PlacedLabel& label) {
+  return {label.corner.x, label.corner.y, label.corner.x + label.size.width, label.corner.y + label.size.height};
+}
+
+// A cube shows three faces, 7 corners and 9 edges; X-ray shows all.
+TEST_F(LabelsTest, number_what_is_seen) {
+  open("cube.obj");
+  for (const char* line : {"view iso", "numbers faces"}) ASSERT_TRUE(session_.run(line).done());
+  EXPECT_EQ(texts().size(), 3u);
+  ASSERT_TRUE(session_.run("numbers vertices").done());
+  EXPECT_EQ(texts().size(), 7u);
+  ASSERT_TRUE(session_.run("numbers edges").done());
+  EXPECT_EQ(texts().size(), 9u);
+  ASSERT_TRUE(session_.run("numbers halfedges").done());
+  EXPECT_EQ(texts().size(), 12u) << "those of the three faces";
+  ASSERT_TRUE(session_.run("xray on").done());
+  ASSERT_TRUE(session_.run("view front").done());
+  ASSERT_TRUE(session_.run("numbers faces").done());
+  EXPECT_GT(texts().size(), 3u);
+  ASSERT_TRUE(session_.run("numbers off").done());
+  EXPECT_TRUE(texts().empty());
+}
+
+TEST_F(LabelsTest, number_no_hidden_element) {
+  open("cube.obj");
+  for (const char* line : {"view iso", "numbers faces"}) ASSERT_TRUE(session_.run(line).done());
+  const std::set<std::string> before = texts();
+  ASSERT_TRUE(session_.run("hide " + *before.begin()).done());
+  EXPECT_FALSE(texts().contains(*before.begin()));
+}
+
+// Of a dense mesh those that have room, the selected one among them, in the order of the same session each time.
+TEST_F(LabelsTest, do_not_overlap_and_give_way_to_what_is_selected) {
+  open("stanford_bunny.obj");
+  ASSERT_TRUE(session_.run("numbers faces").done());
+  for (const double scale : {1.0, 2.0}) {
+    const std::vector<PlacedLabel> all = placed(scale);
+    EXPECT_EQ(placed(scale), all);
+    EXPECT_GT(all.size(), 10u);
+    EXPECT_LE(all.size(), most_labels);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      EXPECT_EQ(intersection(rect_of(all[i]), PixelRect::all(session_.view)), rect_of(all[i]));
+      for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(overlap(rect_of(all[i]), rect_of(all[k])));
+    }
+  }
+  const std::set<std::string> shown = texts();
+  const auto seen = session_.pick({240, 180}, PickMode::face);
+  ASSERT_TRUE(seen);
+  const std::string name = "f" + std::to_string(seen->element.index);
+  ASSERT_TRUE(session_.run("select " + name).done());
+  EXPECT_TRUE(texts().contains(name));
+}
+
+// In a menu of their own within the View menu, which has to have room in a window of 720 pixels.
+TEST_F(LabelsTest, are_in_a_menu_of_the_view_menu) {
+  test::Laid laid("cube.obj");
+  laid.click({165, 10});
+  const glm::dvec2 entry = test::DrawnText(laid.gui).place("Numbers");
+  laid.click(entry);
+  laid.frames(3);
+  const glm::dvec2 faces = test::DrawnText(laid.gui).place("Numbers of faces");
+  EXPECT_GT(faces.x, entry.x);
+  laid.click(faces);
+  EXPECT_EQ(laid.session.settings.numbers, Numbers::faces);
+}
+
+// The pixels of the labels differ from those without them, and only those.
+TEST_F(LabelsTest, are_drawn_with_and_without_panels_and_leave_nothing_behind) {
+  for (const bool panels : {false, true}) {
+    open("cube.obj", {.backend = Backend::osmesa, .size = {800, 600}, .panels = panels});
+    ASSERT_TRUE(session_.run("view iso").done());
+    const Image without = headless_->picture(session_);
+    const Image with = picture("numbers vertices");
+    const auto size_with_room = [](const std::string&) { return Size{40, 24}; };
+    std::vector<PlacedLabel> labels = placed_labels(session_, size_with_room, 1);
+    EXPECT_EQ(labels.size(), 7u);
+    for (const PlacedLabel& label : labels) {
+      int changed = 0;
+      const PixelRect rect = rect_of(label);
+      const glm::ivec2 origin(session_.view_origin);
+      for (int y = rect.y0; y < rect.y1; ++y)
+        for (int x = rect.x0; x < rect.x1; ++x)
+          changed += with.at(x + origin.x, y + origin.y) != without.at(x + origin.x, y + origin.y);
+      EXPECT_GT(changed, 60) << label.text;
+    }
+    // The panels beside the view may say what was run.
+    const Image after = picture("numbers off");
+    const glm::ivec2 first(session_.view_origin);
+    for (int y = first.y; y < first.y + session_.view.height; ++y)
+      for (int x = first.x; x < first.x + session_.view.width; ++x) ASSERT_EQ(after.at(x, y), without.at(x, y));
+  }
+}
+
+TEST_F(LabelsTest, are_redrawn_as_they_are_drawn_anew) {
+  open("torus.off");
+  for (const char* line : {"numbers faces", "select f3", "poke f3", "numbers vertices", "split e5", "theme light",
+                           "move_vertex v7 0.1,0.2,0.3", "undo", "mode face", "hide f9", "numbers edges", "xray on",
+                           "unhide", "xray off", "view top", "numbers off"}) {
+    const Image now = picture(line);
+    headless_->forget();
+    EXPECT_TRUE(headless_->picture(session_) == now) << line;
+  }
+}
+
+// Finer sampling of the mesh leaves the letters as they are.
+TEST_F(LabelsTest, are_as_sharp_with_supersampling) {
+  open("cube.obj", {.backend = Backend::osmesa, .size = {480, 360}, .transparent = true});
+  for (const char* line : {"view iso", "numbers vertices"}) ASSERT_TRUE(session_.run(line).done());
+  const Image plain = headless_->picture(session_);
+  headless_.reset();
+  headless_ = Headless::make({.backend = Backend::osmesa, .size = {480, 360}, .transparent = true, .supersample = 2}).value();
+  const Image fine = headless_->picture(session_);
+  int letters = 0;
+  for (int y = 0; y < 360; ++y)
+    for (int x = 0; x < 480; ++x) {
+      if (plain.at(x, y) != Rgba{0xF2, 0xF4, 0xF7, 255}) continue;
+      ++letters;
+      EXPECT_EQ(fine.at(x, y), plain.at(x, y));
+    }
+  EXPECT_GT(letters, 8);
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -57,6 +57,7 @@ class Viewport {
   Size size_{};
   const Document* mesh_of_ = nullptr;
   Shading drawn_shading_ = Shading::flat;  // with which the mesh was passed
+  std::optional<Colouring> drawn_colouring_;
   std::vector<std::uint8_t> face_tints_;
   std::uint64_t mesh_revision_ = 0, gesture_step_ = 0;
   std::set<std::string> shown_;

@@ -288,9 +288,9 @@ class Editor {
 
   // What is shown may be a part of it. Between frames only: a panel that is being laid out has nothing to be drawn.
   void draw_whole() {
-    if (gui_.is_laying_out() || viewport_->view().is_whole()) return;
+    if (gui_.is_laying_out()) return;
     viewport_->hurry();
-    compose();
+    while (!viewport_->view().is_whole() || !viewport_->view().is_refined()) compose();
   }
 
   void show_title() {

@@ -5,7 +5,7 @@
 
 namespace ryosen {
 
-void Occlusion::read(const Framebuffer& drawn, const PixelRect& rect) {
+void Occlusion::read(const DrawTarget& drawn, const PixelRect& rect) {
   rect_ = rect;
   columns_ = (rect.width() + square - 1) / square;
   const int rows = (rect.height() + square - 1) / square;

@@ -14,7 +14,7 @@ namespace ryosen {
 class Occlusion {
  public:
   // Reads the depths of a rectangle; waits for what is being drawn.
-  void read(const Framebuffer& drawn, const PixelRect& rect);
+  void read(const DrawTarget& drawn, const PixelRect& rect);
 
   // Whether what lies in the box, and is drawn inside `place`, cannot be seen in the rectangle that was read. Not asked
   // of what reaches in front of the near plane.

@@ -81,7 +81,8 @@ View::View(Passes passes)
     : passes_(std::move(passes)),
       overlays_{OverlayBuffer("highlights"), OverlayBuffer("selection"), OverlayBuffer("hover")},
       rendered_("rendered", picture_formats, true),
-      resolved_("resolved", picture_formats, false) {
+      resolved_("resolved", picture_formats, false),
+      fine_("fine", picture_formats, true) {
   resize(size_);
 }
 
@@ -96,6 +97,10 @@ void View::resize(Size size, int supersample) {
   supersample_ = std::clamp(supersample, 1, 8);
   rendered_.resize({size_.width * supersample_, size_.height * supersample_});
   if (supersample_ > 1) resolved_.resize(size_);
+  glm::ivec2 most{0};
+  glGetIntegerv(GL_MAX_VIEWPORT_DIMS, &most.x);
+  can_refine_ = supersample_ == 1 && std::max(size_.width, size_.height) <= most.x / Refinement::samples;
+  refinement_.begin(size_);
   planes_stale_ = true;
   all_changed();
 }
@@ -230,14 +235,16 @@ std::size_t View::triangles_in_view() {
   return places_.triangles_inside(mesh_.clusters(), PixelRect::all(size_));
 }
 
-PixelRect View::take_waiting() {
+bool View::is_too_much(const PixelRect& rect, std::size_t most_triangles) const {
   constexpr int least = 16;  // pixels; below, halving gains nothing
-  while (most_triangles_ != 0) {
+  return most_triangles != 0 && std::max(rect.width(), rect.height()) >= 2 * least &&
+         places_.triangles_inside(mesh_.clusters(), rect) / thinning_ > most_triangles;
+}
+
+PixelRect View::take_waiting() {
+  while (is_too_much(waiting_.back(), most_triangles_)) {
     PixelRect &rest = waiting_.back(), part = rest;
     const bool is_wide = rest.width() > rest.height();
-    if (std::max(rest.width(), rest.height()) < 2 * least ||
-        places_.triangles_inside(mesh_.clusters(), rest) / thinning_ <= most_triangles_)
-      break;
     if (is_wide)
       part.x1 = rest.x0 = (rest.x0 + rest.x1) / 2;
     else
@@ -265,17 +272,27 @@ PixelRect View::draw() {
     redrawn_.add(rect);
     draw(rect);
   }
+  if (redrawn_.empty() && refines_ && !is_refined()) refine();
   return redrawn_.bounds();
 }
 
-void View::draw_scene(const Frame& frame, std::span<const std::uint32_t> clusters) {
+void View::draw_all(const Frame& frame, const DrawTarget& target, std::span<const std::uint32_t> clusters) {
+  target.bind(frame.rect);
+  glDepthMask(GL_TRUE);
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  draw_scene(frame, target, clusters);
+  for (const OverlayBuffer& overlay : overlays_) passes_.overlay.draw(frame, overlay);
+}
+
+void View::draw_scene(const Frame& frame, const DrawTarget& target, std::span<const std::uint32_t> clusters) {
   const bool is_xray = frame.settings.xray == Xray::on;
-  if (!is_xray) draw_surface(frame, clusters);
+  if (!is_xray) draw_surface(frame, target, clusters);
   if (!transparent_) passes_.background.draw(frame);
   if (is_xray) passes_.xray.draw(frame, mesh_, clusters, tints_);
 }
 
-void View::draw_surface(const Frame& frame, std::span<const std::uint32_t> clusters) {
+void View::draw_surface(const Frame& frame, const DrawTarget& target, std::span<const std::uint32_t> clusters) {
   // To look costs about as much as to draw so many triangles, and some for each pixel.
   constexpr std::size_t worth_looking = 100000, worth_pixels = 4, most_looks = 4;
   const std::size_t pixels = std::size_t(frame.rect.width()) * std::size_t(frame.rect.height());
@@ -285,10 +302,11 @@ void View::draw_surface(const Frame& frame, std::span<const std::uint32_t> clust
   while (left.size() > std::max(least, part)) {
     passes_.surface.draw(frame, mesh_, std::span(left).first(part), tints_);
     left.erase(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(part));
-    occlusion_.read(rendered_, frame.rect);
+    occlusion_.read(target, frame.rect);
+    const int scale = static_cast<int>(frame.pixel_scale);
     triangles_hidden_ +=
-        places_.remove_hidden(mesh_.clusters(), occlusion_, frame.clip_from_buffer, supersample_, left) / thinning_;
-    rendered_.bind(frame.rect);
+        places_.remove_hidden(mesh_.clusters(), occlusion_, frame.clip_from_buffer, scale, left) / thinning_;
+    target.bind(frame.rect);
   }
   passes_.surface.draw(frame, mesh_, left, tints_);
 }
@@ -300,21 +318,34 @@ void View::draw(const PixelRect& asked) {
     rect = PixelRect::all(size_);
   }
   if (rect.empty()) return;
-  const Frame f = frame(rect, supersample_);
-  rendered_.bind(f.rect);
-  glDepthMask(GL_TRUE);
-  glClearColor(0, 0, 0, 0);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-
   const std::vector<std::uint32_t> clusters = places_.inside(mesh_.clusters(), rect);
   std::size_t triangles = 0;
   for (const std::uint32_t cluster : clusters) triangles += mesh_.clusters()[cluster].count;
   triangles_drawn_ += triangles / thinning_;
-  draw_scene(f, clusters);
-  for (const OverlayBuffer& overlay : overlays_) passes_.overlay.draw(f, overlay);
+  draw_all(frame(rect, supersample_), DrawTarget(rendered_), clusters);
   if (supersample_ > 1) passes_.resolve.draw(rendered_, supersample_, resolved_, rect);
-
+  refinement_.spoil(rect);
   dirty_.remove_inside(rect);
+}
+
+void View::refine() {
+  constexpr int scale = Refinement::samples, tile_px = Refinement::tile_px;
+  auto part = refinement_.take();
+  while (part && is_too_much(part->rect, most_triangles_ / 4)) {
+    refinement_.halve(*part);
+    part = refinement_.take();
+  }
+  if (!part) return;
+  const PixelRect rect = part->rect;
+  fine_.resize({tile_px * scale, tile_px * scale});
+  Frame f = frame(rect, scale);
+  const DrawTarget target(fine_, f.size, {part->tile.x0 * scale, part->tile.y0 * scale});
+  f.lower_left = target.lower_left();
+  const std::vector<std::uint32_t> clusters = places_.inside(mesh_.clusters(), rect);
+  draw_all(f, target, clusters);
+  for (const std::uint32_t cluster : clusters) triangles_drawn_ += mesh_.clusters()[cluster].count;
+  passes_.resolve.draw(fine_, scale, rendered_, rect, f.lower_left / scale);
+  redrawn_.add(rect);
 }
 
 Image View::read_pixels() const {

@@ -20,6 +20,7 @@
 #include "render/mesh_buffers.h"
 #include "render/overlay.h"
 #include "render/palette.h"
+#include "render/refinement.h"
 #include "render/pass/background.h"
 #include "render/pass/ids.h"
 #include "render/pass/overlay.h"
@@ -61,6 +62,10 @@ class View {
   // draw() stops after about so many triangles, at least one rectangle, and goes on when it is called again; 0 as at
   // first: it does not stop.
   void set_most_triangles(std::size_t most) { most_triangles_ = most; }
+  // draw() goes on, when all is drawn, to draw a part at a time with several samples a pixel, until is_refined(). What
+  // changes is drawn with one at first. No effect with supersampling.
+  void set_refining(bool refines) { refines_ = refines; }
+  bool is_refined() const { return !can_refine_ || (is_drawn() && refinement_.is_done()); }
   // What the numbers of the faces' tints mean, from 1 on.
   void set_tints(std::span<const DrawnTint> tints);
   // Replaces the content of a layer.
@@ -117,23 +122,30 @@ class View {
   void place_planes();
   Frame frame(const PixelRect& rect, int scale) const;
   // Draws the ground and these clusters over it.
-  void draw_scene(const Frame& frame, std::span<const std::uint32_t> clusters);
+  void draw_scene(const Frame& frame, const DrawTarget& target, std::span<const std::uint32_t> clusters);
   // Draws these clusters from front to back. Where there are many it looks in between which of the rest are hidden.
-  void draw_surface(const Frame& frame, std::span<const std::uint32_t> clusters);
+  void draw_surface(const Frame& frame, const DrawTarget& target, std::span<const std::uint32_t> clusters);
+  // Draws the surface, the ground and the overlays into a rectangle of the frame.
+  void draw_all(const Frame& frame, const DrawTarget& target, std::span<const std::uint32_t> clusters);
+  void refine();
   // Takes the next rectangle that waits, halved until it has no more triangles than one draw() may draw.
   PixelRect take_waiting();
+  // Whether more triangles are in it than these, so that it is to be halved; 0: never.
+  bool is_too_much(const PixelRect& rect, std::size_t most_triangles) const;
 
   Passes passes_;
   MeshBuffers mesh_;
   std::array<OverlayBuffer, layer_count> overlays_;
   Framebuffer rendered_;
   Framebuffer resolved_;
+  Framebuffer fine_;  // a tile of the refinement
+  Refinement refinement_;
   Camera camera_;
   Size size_{1, 1};
   int supersample_ = 1;
   ViewSettings settings_;
   std::vector<DrawnTint> tints_;
-  bool transparent_ = false;
+  bool transparent_ = false, refines_ = false, can_refine_ = true;
   std::uint32_t thinning_ = 1;
   std::size_t most_triangles_ = 0, triangles_drawn_ = 0, triangles_hidden_ = 0;
   DirtyRects dirty_, redrawn_;

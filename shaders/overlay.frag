@@ -1,4 +1,5 @@
 #version 330 core
+#include "pixel.glsl"
 flat in vec4 colour;
 flat in vec4 places;
 flat in vec3 measures;
@@ -22,7 +23,7 @@ float to_stroke(float s, float middle, float on, float period) {
 }
 
 float line(int style, bool arrow) {
-  vec2 p = gl_FragCoord.xy, a = places.xy, b = places.zw;
+  vec2 p = picture_pixel(), a = places.xy, b = places.zw;
   float extent = length(b - a), half_width = measures.x;
   vec2 along = extent > 1e-4 ? (b - a) / extent : vec2(1.0, 0.0);
   float s = dot(p - a, along), across = abs(dot(p - a, vec2(-along.y, along.x)));
@@ -52,7 +53,7 @@ float line(int style, bool arrow) {
 }
 
 float point_distance(int shape) {
-  vec2 p = gl_FragCoord.xy - places.xy;
+  vec2 p = picture_pixel() - places.xy;
   float radius = measures.x;
   vec2 turned = abs(vec2(p.x + p.y, p.x - p.y)) * 0.7071;
   if (shape == ring) return abs(length(p) - 0.78 * radius) - 0.22 * radius;

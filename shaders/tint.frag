@@ -1,4 +1,5 @@
 #version 330 core
+#include "pixel.glsl"
 #include "pattern.glsl"
 #ifdef SMOOTH
 smooth in vec3 tint;
@@ -13,6 +14,6 @@ uniform float pixel_scale;  // rendered pixels per pixel of the picture
 layout(location = 0) out vec4 colour;
 
 void main() {
-  float covered = strength * pattern_share(pattern, gl_FragCoord.xy / pixel_scale);
+  float covered = strength * pattern_share(pattern, picture_pixel() / pixel_scale);
   colour = vec4(sqrt(tint) * covered, covered);
 }

@@ -1,4 +1,5 @@
 #version 330 core
+#include "pixel.glsl"
 #include "wire.glsl"
 #include "pattern.glsl"
 flat in float film;
@@ -15,7 +16,7 @@ layout(location = 0) out vec4 colour;
 
 void main() {
   float line = max(wire_cover(), dot_cover()) * nearness;
-  float tinted = tint.a * pattern_share(pattern, gl_FragCoord.xy / pixel_scale);
+  float tinted = tint.a * pattern_share(pattern, picture_pixel() / pixel_scale);
   vec3 of_tint = takes_light > 0.5 ? 1.0 - tint.rgb : tint.rgb;
   vec3 layer = film * film_colour + line * line_colour + 0.45 * tinted * of_tint;
   colour = vec4(layer, max(max(layer.r, layer.g), layer.b));

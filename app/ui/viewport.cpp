@@ -150,19 +150,23 @@ void Viewport::keep_pace(const Session& session, FramePace::Clock::time_point no
   const bool is_moving = pace_.time_to_rest(now).has_value();
   view_->set_thinning(is_moving ? pace_.thinning(view_->triangles_in_view()) : 1);
   view_->set_most_triangles(is_moving ? 0 : pace_.triangles_of_slice());
+  if (!view_->is_drawn()) changed_at_ = now;
+  view_->set_refining(now - changed_at_ >= FramePace::rest_after);
 }
 
 void Viewport::took(FramePace::Clock::duration time) { pace_.took(view_->thinning(), view_->triangles_drawn(), time); }
 
 std::optional<FramePace::Clock::duration> Viewport::time_to_next_frame(FramePace::Clock::time_point now) const {
   if (!view_->is_drawn()) return FramePace::Clock::duration(0);
-  if (view_->thinning() == 1) return std::nullopt;
-  return pace_.time_to_rest(now).value_or(FramePace::Clock::duration(0));
+  if (view_->thinning() != 1) return pace_.time_to_rest(now).value_or(FramePace::Clock::duration(0));
+  if (view_->is_refined()) return std::nullopt;
+  return std::max(FramePace::Clock::duration(0), changed_at_ + FramePace::rest_after - now);
 }
 
 void Viewport::hurry() {
   view_->set_thinning(1);
   view_->set_most_triangles(0);
+  view_->set_refining(true);
 }
 
 void Viewport::follow_mesh(Session& session) {

@@ -22,13 +22,13 @@ class Viewport {
   // Applies what changed in the session since the last call: size, settings, camera, mesh, overlays. Cheap if nothing did.
   void follow(Session& session);
   // For windows, between follow() and draw(): the next draw() shows a part of the surface if the camera moves, and of the
-  // rest a slice if it has come to rest.
+  // rest a slice if it has come to rest. A while after the last change it refines the picture.
   void keep_pace(const Session& session, FramePace::Clock::time_point now);
   // What that draw() took, until it was shown.
   void took(FramePace::Clock::duration time);
   // When the next frame is due, though nothing happens; none if the whole is drawn.
   std::optional<FramePace::Clock::duration> time_to_next_frame(FramePace::Clock::time_point now) const;
-  // From now on all is drawn at once, until keep_pace() is called again.
+  // From now on all is drawn at once, until keep_pace() is called again, and then refined.
   void hurry();
   // Redraws what changed; the rectangle is empty if nothing did.
   PixelRect draw() { return view_->draw(); }
@@ -52,6 +52,7 @@ class Viewport {
 
   std::unique_ptr<View> view_;
   FramePace pace_;
+  FramePace::Clock::time_point changed_at_;
   ViewSettings settings_;
   int supersample_ = 1;
   Size size_{};

@@ -59,6 +59,13 @@ void Framebuffer::bind(const PixelRect& rect) const {
   glScissor(rect.x0, size_.height - rect.y1, rect.width(), rect.height());
 }
 
+void DrawTarget::bind(const PixelRect& rect) const {
+  buffer_->bind(in_buffer(rect));
+  glViewport(-lower_left().x, -lower_left().y, picture_.width, picture_.height);
+}
+
+void DrawTarget::read_depth(const PixelRect& rect, float* depths) const { buffer_->read_depth(in_buffer(rect), depths); }
+
 void Framebuffer::read(std::size_t index, const PixelRect& rect, void* pixels) const {
   const FormatRow r = row(formats_[index]);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, object_.id());

@@ -1,6 +1,7 @@
 // Framebuffers: the render targets of passes.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <span>
 #include <vector>
 
@@ -40,6 +41,32 @@ class Framebuffer {
   GlObject<FramebufferKind> object_;
   std::vector<GlObject<TextureKind>> textures_;
   GlObject<RenderbufferKind> depth_;
+};
+
+// A picture that is drawn into a framebuffer, or the part of it that the framebuffer has room for. Rectangles are those of
+// the picture.
+class DrawTarget {
+ public:
+  explicit DrawTarget(const Framebuffer& buffer) : DrawTarget(buffer, buffer.size(), {0, 0}) {}
+  // The part with this upper left pixel.
+  DrawTarget(const Framebuffer& buffer, Size picture, glm::ivec2 upper_left)
+      : buffer_(&buffer), picture_(picture), upper_left_(upper_left) {}
+
+  void bind(const PixelRect& rect) const;
+  void read_depth(const PixelRect& rect, float* depths) const;
+  // What is to be added to the pixels of OpenGL, to have those of the picture from its lower left.
+  glm::ivec2 lower_left() const {
+    return {upper_left_.x, picture_.height - upper_left_.y - buffer_->size().height};
+  }
+
+ private:
+  PixelRect in_buffer(const PixelRect& rect) const {
+    return {rect.x0 - upper_left_.x, rect.y0 - upper_left_.y, rect.x1 - upper_left_.x, rect.y1 - upper_left_.y};
+  }
+
+  const Framebuffer* buffer_;
+  Size picture_;
+  glm::ivec2 upper_left_;
 };
 
 }  // namespace ryosen

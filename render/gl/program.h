@@ -29,6 +29,7 @@ class Program {
   void use() const { glUseProgram(object_.id()); }
   void set(const char* name, int value) const { glUniform1i(location(name), value); }
   void set(const char* name, float value) const { glUniform1f(location(name), value); }
+  void set(const char* name, glm::ivec2 value) const { glUniform2i(location(name), value.x, value.y); }
   void set(const char* name, glm::vec2 value) const { glUniform2f(location(name), value.x, value.y); }
   void set(const char* name, glm::vec3 value) const { glUniform3f(location(name), value.x, value.y, value.z); }
   void set(const char* name, glm::vec4 value) const { glUniform4f(location(name), value.x, value.y, value.z, value.w); }

@@ -21,13 +21,15 @@ struct Frame {
   float units_per_pixel = 0;  // at distance 1 from the eye; everywhere when ortho
   Size size;
   PixelRect rect;  // the part to draw; also the scissor
+  glm::ivec2 lower_left{0};  // of what is drawn into, in the picture
   float pixel_scale = 1;
   std::uint32_t thinning = 1;  // every so many-th triangle of the surface is drawn
   ViewSettings settings;
 };
 
-// Tells a shader, which is in use, the settings that it reads.
+// Tells a shader, which is in use, the settings that it reads, and where it draws.
 inline void pass_settings(const Program& program, const Frame& frame) {
+  program.set("lower_left", glm::vec2(frame.lower_left));
   frame.settings.for_each([&](const char* name, int value) { program.set(name, value); });
 }
 

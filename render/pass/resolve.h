@@ -11,8 +11,10 @@ class ResolvePass {
  public:
   static Result<ResolvePass> make();
 
-  // Fills a rectangle of `target` from `rendered`, which is `factor` times as large in each dimension.
-  void draw(const Framebuffer& rendered, int factor, const Framebuffer& target, const PixelRect& rect) const;
+  // Fills a rectangle of `target` from `rendered`, which is `factor` times as large in each dimension and holds it from
+  // this lower left pixel on.
+  void draw(const Framebuffer& rendered, int factor, const Framebuffer& target, const PixelRect& rect,
+            glm::ivec2 lower_left = {0, 0}) const;
 
  private:
   explicit ResolvePass(Program program) : program_(std::move(program)), no_attributes_("resolve") {}

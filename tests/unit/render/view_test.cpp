@@ -449,6 +449,78 @@ TEST(view, slices_follow_what_changes_between_them) {
   EXPECT_TRUE(view->read_pixels() == followed);
 }
 
+// Draws on until nothing is left to be refined, and says in how many parts.
+int refine(View& view) {
+  int parts = 0;
+  view.set_refining(true);
+  for (; !view.is_refined(); ++parts) view.draw();
+  view.set_refining(false);
+  return parts;
+}
+
+// All that is drawn: tints, patterned lines, points, arrows, ghosts.
+std::unique_ptr<View> full_view(Scene& scene, Size size, Xray xray) {
+  for (std::size_t f = 0; f < scene.tints.size(); ++f) scene.tints[f] = std::array<std::uint8_t, 5>{0, 1, 2, 3, 0}[f % 5];
+  auto view = front_view(scene, size, 2.4);
+  ViewSettings settings;
+  settings.xray = xray;
+  view->set_settings(settings);
+  view->set_tints(tints);
+  Overlay overlay;
+  for (std::size_t i = 0; i + 2 < scene.positions.size(); i += 7) {
+    overlay.lines.push_back({1.01 * scene.positions[i], 1.01 * scene.positions[i + 1], rgb(0xE69F00),
+                             static_cast<LineStyle>(i % 4), 3.5f, faintly, i % 3 == 0});
+    overlay.points.push_back({scene.positions[i + 2], rgb(0x56B4E9), static_cast<PointShape>(i % 5), 6});
+  }
+  view->set_overlay(Layer::highlights, overlay);
+  return view;
+}
+
+// The oracle draws the whole picture at four times its size.
+TEST(view, refined_is_the_picture_with_several_samples) {
+  for (const Xray xray : {Xray::off, Xray::on})
+    for (const Size size : {Size{300, 213}, Size{128, 256}}) {
+      Scene ball = sphere_scene(16);
+      const auto view = full_view(ball, size, xray);
+      Camera camera;
+      camera.eye = {0.7, 0.9, 3.4};
+      view->set_camera(camera);
+      view->draw();
+      const Image plain = view->read_pixels();
+      EXPECT_EQ(refine(*view), (size.width + 127) / 128 * ((size.height + 127) / 128));
+      const Image refined = view->read_pixels();
+      EXPECT_GT(compare(plain, refined)->pixels, 1000u);
+      view->resize(size, Refinement::samples);
+      view->draw();
+      EXPECT_TRUE(view->is_refined());
+      EXPECT_EQ(compare(view->read_pixels(), refined)->pixels, 0u) << "but for the rounding of places";
+    }
+}
+
+TEST(view, a_part_that_changed_is_refined_as_the_whole_is) {
+  Scene ball = sphere_scene(40);
+  const auto view = full_view(ball, view_size, Xray::off);
+  refine(*view);
+  const Image before = view->read_pixels();
+  std::mt19937 random(7);
+  const auto any = [&](std::size_t below) { return static_cast<std::uint32_t>(random() % below); };
+  for (int step = 0; step < 12; ++step) {
+    view->draw();
+    Overlay overlay;
+    overlay.points.push_back({ball.positions[any(ball.positions.size())], rgb(0xF0E442), PointShape::disc, 6});
+    view->set_overlay(Layer::hover, overlay);
+    if (step % 3 == 2) view->set_most_triangles(any(2) == 0 ? 0 : 900);
+    EXPECT_FALSE(view->is_refined());
+    view->draw();
+    view->set_refining(true);
+    for (std::uint32_t part = any(4); part > 0; --part) view->draw();  // interrupted by the next step
+    view->set_refining(false);
+  }
+  view->set_overlay(Layer::hover, {});
+  refine(*view);
+  EXPECT_TRUE(view->read_pixels() == before);
+}
+
 TEST(view, empty_mesh_shows_the_background) {
   const auto view = front_view({}, view_size, 4);
   view->draw();

@@ -277,6 +277,9 @@ void Viewport::follow_overlays(Session& session) {
   selection_stale_ |= highlights_stale_ || selection_ != session.selection;
   if (!session.preparing()) follow_highlights(session);
   if (selection_stale_) view_->set_overlay(Layer::selection, selection_overlay(session, settings_.theme));
+  if (selection_stale_ || measures_ != session.measures)
+    view_->set_overlay(Layer::measures, measures_overlay(session, settings_.theme));
+  measures_ = session.measures;
   selection_stale_ = false;
   selection_ = session.selection;
   view_->set_overlay(Layer::hover, hover_overlay(session, settings_.theme));

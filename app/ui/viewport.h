@@ -73,6 +73,7 @@ class Viewport {
   bool highlights_stale_ = true;                    // all of them
   bool selection_stale_ = true;
   std::vector<Element> selection_;
+  std::vector<Elements> measures_;  // as they were drawn
   IndexSet selected_faces_;  // as they were drawn
 };
 

@@ -20,9 +20,9 @@ enum class MapUnit : std::uint8_t { none, length, area, degrees };  // lengths a
 enum class MapScale : std::uint8_t { linear, ratio, about_middle };
 
 struct ColourMap {
-  std::string_view id;  // as in the commands
-  std::string_view name_en, name_ja;
-  std::string_view legend_en, legend_ja;  // what the number is, in a sentence
+  std::string_view id = {};  // as in the commands
+  std::string_view name_en = {}, name_ja = {};
+  std::string_view legend_en = {}, legend_ja = {};  // what the number is, in a sentence
   MapUnit unit = MapUnit::none;
   MapScale scale = MapScale::linear;
   double middle = 0;

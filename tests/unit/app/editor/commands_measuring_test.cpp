@@ -40,7 +40,7 @@ TEST(commands_measuring, wrong_maps_and_ranges_are_refused_with_the_right_ones) 
   }
   EXPECT_NE(session->run("colours edge_lenght").sentence.en.find("edge_length"), std::string::npos);
   session->run("new");
-  EXPECT_EQ(session->run("colours area").kind, Outcome::Kind::refused);
+  EXPECT_EQ(session->run("colours area").exit_code, ExitCode::refused);
   EXPECT_FALSE(session->colouring);
 }
 
@@ -62,13 +62,13 @@ TEST(commands_measuring, measures_follow_the_mesh_and_say_when_they_are_gone) {
   EXPECT_EQ(session->run("measure selected").sentence.en, "distance 0, angle 90°");
   ASSERT_TRUE(session->run("move_vertex v0 -1,0,0").done());
   EXPECT_EQ(measured_text(session->mesh(), session->measures[0]).en, "distance 2");
-  ASSERT_TRUE(session->run("delete_face f0").done());
+  ASSERT_TRUE(session->run("delete f0").done());
   EXPECT_EQ(measured_text(session->mesh(), session->measures[1]).en, "an element of it is gone");
   ASSERT_TRUE(session->run("undo").done());
   EXPECT_EQ(measured_text(session->mesh(), session->measures[1]).en, "distance 0");
   ASSERT_TRUE(session->run("measure clear").done());
   EXPECT_TRUE(session->measures.empty());
-  EXPECT_EQ(session->run("measure v0").kind, Outcome::Kind::refused);
+  EXPECT_EQ(session->run("measure v0").exit_code, ExitCode::refused);
   EXPECT_FALSE(session->run("measure").done());
   EXPECT_FALSE(session->run("measure v0 v99").done());
 }

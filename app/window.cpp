@@ -6,6 +6,8 @@
 
 #include "app/editor/autosave.h"
 #include "app/editor/keys.h"
+#include "app/editor/user_files.h"
+#include "app/editor/user_folders.h"
 #include "app/glfw.h"
 #include "app/ui/gui.h"
 #include "app/ui/viewport.h"
@@ -107,23 +109,31 @@ class GlfwWindow {
 class Editor {
  public:
   Editor(GlfwWindow& window, std::unique_ptr<Document> document, std::unique_ptr<Viewport> viewport,
-         std::unique_ptr<Canvas> canvas, Language language)
+         std::unique_ptr<Canvas> canvas, const WindowOptions& options)
       : window_(window),
         session_(std::move(document)),
         viewport_(std::move(viewport)),
         canvas_(std::move(canvas)),
-        gui_(window.scale()) {
-    session_.language = language;
+        gui_(window.scale()),
+        user_files_(user_folder(UserFolder::config), options.preferences) {
+    session_.gizmo_kind = GizmoKind::move;
+    session_.language = options.usual_language;
+    const Text said = user_files_.begin(session_);
+    if (options.language) session_.language = *options.language;
+    user_files_.take_as_given(session_);
     session_.quit = [this] { gui_.leave(session_, {true, {}}); };
     session_.take_picture = [this](const std::filesystem::path& path) {
       draw_whole();
       return write_png(canvas_->read_pixels(), path);
     };
+    session_.trials().in_background = true;
     session_.on_progress = [this](double share) { return show_progress(share); };
     if (const char* const path = std::getenv("RYOSEN_FRAME_LOG")) log_.open(path, std::ios::app);
     gui_.set_clipboard(
         window.handle(), [](void* w) { return glfw().get_clipboard_string(static_cast<GLFWwindow*>(w)); },
         [](void* w, const char* text) { glfw().set_clipboard_string(static_cast<GLFWwindow*>(w), text); });
+    if (!said.en.empty()) gui_.keep(session_, failed(ExitCode::input_malformed, said));
+    if (gui_.prepare(session_)) canvas_->set_fonts(gui_.fonts());  // of the size that the user prefers
     set_callbacks();
     resize();
     session_.frame_all();
@@ -140,8 +150,9 @@ class Editor {
       for (int i = 0; !next && (i < settling_frames || gui_.wants_frames()); ++i) {
         show();
         next = viewport_->time_to_next_frame(Clock::now());
-        if (!next && session_.preparing()) next = std::chrono::milliseconds(100);
+        if (!next && (session_.preparing() || session_.trials().share())) next = std::chrono::milliseconds(100);
       }
+      if (keep_user_files()) continue;
       // The text cursor blinks; otherwise wait for events.
       if (next && *next == Clock::duration(0))
         glfw().poll_events();
@@ -152,10 +163,18 @@ class Editor {
       else
         glfw().wait_events();
     }
+    keep_user_files();
     autosave_.finish();
   }
 
  private:
+  // True when there is something to say about it.
+  bool keep_user_files() {
+    const auto fault = user_files_.keep(session_);
+    if (fault) gui_.keep(session_, failed(ExitCode::output_not_writable, *fault));
+    return fault.has_value();
+  }
+
   using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::milliseconds patience{300};
   static constexpr int settling_frames = 3;  // a panel may need this many to settle its size
@@ -302,12 +321,17 @@ class Editor {
     title_ = title;
   }
 
+  std::string hovered() const {
+    if (session_.pointed_handle()) return "handle";
+    return session_.hover() ? name_of(session_.mesh(), session_.hover()->picked.element) : "-";
+  }
+
   void log_frame(std::int64_t pixels, double took_ms) {
     if (!log_.is_open()) return;
     const ElementCounts live = session_.mesh().live();
     log_ << "frame " << ++frames_ << " pixels " << pixels << " ms " << took_ms << " V " << live.vertices << " E "
          << live.edges << " F " << live.faces << " history " << session_.document().position() << " hover "
-         << (session_.hover() ? name_of(session_.mesh(), session_.hover()->picked.element) : "-") << " held "
+         << hovered() << " held "
          << session_.is_verdict_held() << " selected " << session_.selection.size() << " eye " << session_.camera.eye.x
          << ' ' << session_.camera.eye.y << ' ' << session_.camera.eye.z << std::endl;
   }
@@ -318,6 +342,7 @@ class Editor {
   std::unique_ptr<Canvas> canvas_;
   Gui gui_;
   WindowInput input_{gui_, session_};
+  UserFiles user_files_;
   Autosave autosave_{recovery_folder()};
   std::string title_;
   WindowCursor cursor_;
@@ -345,7 +370,7 @@ Status run_window(const WindowOptions& options) {
   if (!viewport) return viewport.failure();
   Result<std::unique_ptr<Canvas>> canvas = Canvas::make();
   if (!canvas) return canvas.failure();
-  Editor(**window, std::move(document), std::move(viewport).value(), std::move(canvas).value(), options.language).run();
+  Editor(**window, std::move(document), std::move(viewport).value(), std::move(canvas).value(), options).run();
   return success();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "core/base/result.h"
 
@@ -9,11 +10,15 @@ namespace ryosen {
 
 struct WindowOptions {
   std::filesystem::path file;  // empty: no mesh
-  Language language = Language::english;
+  std::optional<Language> language;   // what a flag says, else what the user prefers, else that of the environment
+  Language usual_language = Language::english;
+  std::filesystem::path preferences;  // a file in place of the user's own
 };
 
 // Runs the editor until the user quits. Fails with ExitCode::no_backend if no window can be opened, and like
 // Document::open if the file cannot be read; then no window appears.
+//
+// Preferences, the layout of the panels and the recent files are kept in the user's folder (editor/user_files.h).
 //
 // Every edit is recorded for crash recovery (see editor/autosave.h); at the start, recoverable sessions are offered.
 //

@@ -34,6 +34,7 @@ constexpr Palette dark_palette = {
     .film = rgb(0x141A24),
     .film_wire = rgb(0x4A6078),
     .outline = rgb(0x0C1018, 220),
+    .axes = {rgb(0xF0524A), rgb(0x8CD04A), rgb(0x4A90FF)},
 };
 
 constexpr Palette light_palette = {
@@ -48,6 +49,7 @@ constexpr Palette light_palette = {
     .film = rgb(0x1E1812),
     .film_wire = rgb(0x705C48),
     .outline = rgb(0x202630, 220),
+    .axes = {rgb(0xE23A3A), rgb(0x7CC63C), rgb(0x2E6FE0)},
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Colours and line styles by what they mean, in a dark and a light theme.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "core/view/view_settings.h"
@@ -42,6 +43,7 @@ struct Palette {
   // wireframe does.
   Rgba film, film_wire;
   Rgba outline;  // around points, to set them off from any ground
+  std::array<Rgba, 3> axes;  // X, Y, Z, which always come with their letters
 };
 const Palette& palette(Theme theme);
 

@@ -13,8 +13,8 @@
 #include "app/cli/subcommands.h"
 #include "app/cli/write_output.h"
 #include "app/editor/commands.h"
+#include "app/editor/repair_call.h"
 #include "app/editor/script.h"
-#include "core/base/split_list.h"
 #include "core/mesh/find_element.h"
 #include "core/mesh/names.h"
 
@@ -28,53 +28,21 @@ struct Call {
   AlgorithmResult result = {};
 };
 
-// One word of --kinds.
-std::optional<Failure> add_calls(const std::string& word, std::vector<Call>& calls) {
-  if (word == "default") {
-    for (const AlgorithmRow& row : algorithm_table())
-      if (row.is_repair() && row.keeps_geometry) calls.push_back({&row, ParameterValues(row.parameters)});
-    return std::nullopt;
-  }
-  if (word.starts_with("default="))
-    return usage_failure(
-        "bad_value",
-        {"--kinds: default stands for several repairs and takes no number. Write default,ID=NUMBER.",
-         "--kinds：default は複数の修復をまとめたもので、数は付けられません。（書式：default,ID=NUMBER）"});
-  const std::size_t equals = std::min(word.find('='), word.size());
-  const std::string id = word.substr(0, equals);
-  const auto fail = [](const Text& sentence, const Text& hint) {
-    return usage_failure("bad_value",
-                         {"--kinds: " + sentence.en + "." + hint.en, "--kinds：" + sentence.ja + "。" + hint.ja});
-  };
-  const AlgorithmRow* const row = find_algorithm(id);
-  if (!row || !row->is_repair()) {
-    std::vector<std::string> known{"default"};
-    for (const AlgorithmRow& other : algorithm_table())
-      if (other.is_repair()) known.emplace_back(other.id);
-    return fail({"there is no repair '" + id + "'", "修復「" + id + "」はありません"},
-                did_you_mean(id, known, HintForm::sentence));
-  }
-  std::vector<std::string_view> words;
-  if (equals < word.size()) words.push_back(std::string_view(word).substr(equals + 1));
-  ReadValues read = read_values(row->parameters, words);
-  if (read.values) {
-    calls.push_back({row, std::move(*read.values)});
-    return std::nullopt;
-  }
-  const std::string syntax = id + kinds_syntax(*row);
-  return fail({id + ": " + read.sentence.en, id + "：" + read.sentence.ja},
-              {" Write " + syntax + ".", "（書式：" + syntax + "）"});
-}
-
 // Each repair once, in the order of the table; of two calls the later counts.
 Result<std::vector<Call>> read_kinds(const std::string& list) {
-  std::vector<Call> given, calls;
-  for (const std::string_view word : split_list(list))
-    if (auto failure = add_calls(std::string(word), given)) return std::move(*failure);
-  for (const AlgorithmRow& row : algorithm_table()) {
-    const auto last = std::find_if(given.rbegin(), given.rend(), [&](const Call& call) { return call.row == &row; });
-    if (last != given.rend()) calls.push_back(std::move(*last));
+  ReadRepairs read = read_repairs(list);
+  if (read.fault) {
+    Text hint{" Write default,ID=NUMBER.", "（書式：default,ID=NUMBER）"};
+    if (!read.unknown.empty()) hint = did_you_mean(read.unknown, ids_of_repairs(), HintForm::sentence);
+    if (read.misused) {
+      const std::string syntax = std::string(read.misused->id) + kinds_syntax(*read.misused);
+      hint = {" Write " + syntax + ".", "（書式：" + syntax + "）"};
+    }
+    return usage_failure("bad_value", {"--kinds: " + read.fault->en + "." + hint.en,
+                                       "--kinds：" + read.fault->ja + "。" + hint.ja});
   }
+  std::vector<Call> calls;
+  for (RecipeStep& step : read.call.steps) calls.push_back({step.row, std::move(step.values)});
   return calls;
 }
 

@@ -23,6 +23,11 @@ class FileUse {
     return std::nullopt;
   }
 
+  std::optional<Failure> read(const std::string& path) {
+    files_.reads(path, FileRole::mesh);
+    return std::nullopt;
+  }
+
   // Another document, of which it is not known here which file it has.
   std::optional<Failure> begin_another() {
     files_.begin_document();
@@ -61,7 +66,9 @@ std::optional<Failure> fault_of_line(const std::string& line, FileUse& use) {
     return usage_failure(call ? Code("bad_arguments") : Code("unknown_command"), std::move(*fault));
   if (!call) return std::nullopt;
   const CommandRow& row = call->row;
-  if (row.file == FileAccess::reads) return use.open(file_of(*call));
+  if (row.file == FileAccess::reads)
+    return row.effect == Effect::replaces ? use.open(file_of(*call)) : use.read(file_of(*call));
+  if (row.file == FileAccess::writes_part) return use.write({file_of(*call), FileRole::saved});
   if (row.file == FileAccess::writes)
     return row.effect == Effect::writes ? use.save(file_of(*call)) : use.shoot(file_of(*call));
   return row.effect == Effect::replaces ? use.begin_another() : std::nullopt;

@@ -50,7 +50,7 @@ std::string shot_topic(Language language) {
   Columns columns;
   for (const HighlightRow& row : highlight_table()) {
     std::string help(choose(language, row.legend_en, row.legend_ja));
-    if (row.shown_at_first == ShownAtFirst::yes) help.append(choose(language, " (shown at first)", "（初めから表示）"));
+    if (row.is_shown_at_first()) help.append(choose(language, " (shown at first)", "（初めから表示）"));
     columns.add(std::string(row.id), help);
   }
   return std::string(choose(language, "Highlights for --show:\n", "--show の強調表示：\n")) + columns.text() + "\n" +

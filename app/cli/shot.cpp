@@ -8,6 +8,7 @@
 #include "app/cli/signals.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/visible.h"
+#include "app/editor/user_files.h"
 #include "core/base/parallel.h"
 #include "core/base/resource_limits.h"
 #include "core/io/safe_write.h"
@@ -29,6 +30,8 @@ class Shot {
     };
     session_.files = options_.files;
     session_.language = console_.language;
+    if (options_.preferences && !read_preferences()) return finish();
+    if (options_.has_language) session_.language = console_.language;
     for (const auto& [row, value] : options_.switches) row.set(session_, value);
     if (options_.shown) session_.shown = *options_.shown;
     headless_.place_view(session_);
@@ -58,6 +61,22 @@ class Shot {
     }
     for (const ShotClick& click : options_.clicks)
       if (code_ == ExitCode::done) note(session_.click(click.pixel, click.tool), 0);
+  }
+
+  // Before what flags say.
+  bool read_preferences() {
+    std::error_code ignored;
+    const std::filesystem::path file = *options_.preferences;
+    Outcome outcome;
+    if (!std::filesystem::exists(file, ignored))
+      outcome = failed(ExitCode::input_missing, {"There is no file " + file.string() + " of preferences.",
+                                                 "設定ファイル " + file.string() + " がありません。"});
+    else if (const auto read = ryosen::read_preferences(session_, file); !read)
+      outcome = failed(read.failure().exit_code, read.failure().message.text);
+    else if (!read->warning.en.empty())
+      console_.note(read->warning);
+    note(outcome, 0);
+    return outcome.done();
   }
 
   void take(const std::string& line, int number = 0) {

@@ -34,6 +34,8 @@ class OptionsReader {
     options_.difference = text("--diff");
     options_.view = text("--view");
     options_.camera = text("--camera");
+    options_.preferences = text("--preferences");
+    options_.has_language = arguments_.has("--lang");
     options_.picture.panels = arguments_.has("--panels");
     options_.picture.transparent = arguments_.has("--transparent");
     read_size();

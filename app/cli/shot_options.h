@@ -27,6 +27,8 @@ struct ShotOptions {
   std::optional<std::string> view, camera;                   // arguments of the script commands with these names
   std::optional<std::set<std::string>> shown;
   std::vector<std::string> selected;
+  std::optional<std::string> preferences;  // a file of them
+  bool has_language = false;               // a flag says it, whatever is preferred
   std::string tool;
   std::optional<glm::dvec2> hover;
   std::vector<ShotClick> clicks;

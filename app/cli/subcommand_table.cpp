@@ -36,6 +36,9 @@ const std::array common{
 const Flag overwrite{"--overwrite", "", false, "allows to replace what the run reads or wrote before",
                      "この実行で読み込む、または先に書き出したファイルの置き換えを許す"};
 
+const Flag preferences{"--preferences", "FILE", false, "reads these preferences; else the editor its user's, a picture none",
+                       "設定ファイル（省くとエディタは利用者の設定、画像は設定なし）"};
+
 // Those of `shot`, with one for each switch of the view that has one.
 std::vector<Flag> shot_flags() {
   std::vector<Flag> flags{
@@ -57,6 +60,7 @@ std::vector<Flag> shot_flags() {
     if (row.has_flag())
       flags.push_back({flag_of(row), ids_of(row.values), false, std::string(row.flag_en), std::string(row.flag_ja)});
   const std::vector<Flag> behind{
+      preferences,
       {"--backend", "auto|osmesa|egl", false, "what draws", "描画に使うもの"},
       {"--compare", "REF.png", false, "ends with 1 if the picture differs from this one",
        "この画像と異なれば終了コード 1"},
@@ -74,7 +78,7 @@ std::vector<Subcommand> table() {
                  "[FILE]",
                  "the editor; also what ryosen does without a command",
                  "エディタ（コマンドを省いたときもこれ）",
-                 {},
+                 {preferences},
                  recovery_topic,
                  view_command,
                  view_contract,

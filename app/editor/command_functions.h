@@ -19,17 +19,17 @@ using FaultOfCommand = std::optional<Text>(Words arguments, const std::string& l
 // Operators, and commands of commands: commands_operator.cpp
 CommandRow row_of(const OpInfo& op, std::string_view called);
 RunCommand run_either;
-FaultOfCommand fault_of_either;
+FaultOfCommand fault_of_either, fault_of_ask;
 // Files and the history: commands_document.cpp
-RunCommand run_new, run_open, run_save, run_undo, run_redo, run_recover, run_shot;
-FaultOfCommand fault_of_open, fault_of_recover;
+RunCommand run_exercise, run_start, run_new, run_open, run_append, run_save, run_save_selected, run_undo, run_redo, run_recover, run_shot;
+FaultOfCommand fault_of_append, fault_of_save_selected, fault_of_exercise, fault_of_open, fault_of_recover;
 bool recover_only_tells(Words arguments);
 // Algorithms: commands_algorithm.cpp
 CommandRow row_of(const AlgorithmRow& algorithm);
-RunCommand run_repair;
-FaultOfCommand fault_of_repair;
+RunCommand run_repair, run_would;
+FaultOfCommand fault_of_repair, fault_of_would;
 // What the pointer does: commands_pointing.cpp
-RunCommand run_walk, run_tool, run_mode, run_click, run_remedy;
+RunCommand run_ask, run_walk, run_tool, run_mode, run_click, run_remedy;
 FaultOfCommand fault_of_remedy;
 // Selecting: commands_selecting.cpp
 RunCommand run_select, run_keep, run_forget;
@@ -60,8 +60,11 @@ std::string sent_by_move(Words arguments), sent_by_key(Words arguments);
 // What is seen: view_switches.cpp, commands_view.cpp
 CommandRow row_of(const ViewSwitch& row);
 RunCommand run_camera, run_view, run_frame, run_drag, run_show;
-// The user interface: commands_window.cpp
+// The user interface: commands_window.cpp, commands_preferences.cpp
 std::string panel_syntax();
+std::string preference_ids(), prefer_syntax();
+RunCommand run_prefer, run_bind;
+FaultOfCommand fault_of_bind;
 RunCommand run_panel, run_columns, run_values, run_language, run_cancel, run_quit;
 
 }  // namespace ryosen

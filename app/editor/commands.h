@@ -31,8 +31,9 @@ enum class Effect {
 };
 
 // What a command does with the file that its arguments name: one whose effect is to write the document writes a mesh,
-// any other a picture.
-enum class FileAccess { none, reads, writes };
+// any other a picture; `writes_part` is a mesh that does
+// not become the document's.
+enum class FileAccess { none, reads, writes, writes_part };
 
 struct CommandRow {
   std::string_view id;
@@ -85,6 +86,9 @@ std::string select_line(const Selector& row);
 // The line that runs an algorithm with these values.
 std::string line_of(const AlgorithmRow& algorithm, const ParameterValues& values);
 
+// What a line of `repair` without a fault would do; null while that is being tried.
+const RepairReport* tried(Session& session, const std::string& line);
+
 // A further row for its life: for tests, and for programs that embed the editor. The last one made ends first. Not while
 // anything else reads the table.
 class ScopedCommand {
@@ -95,6 +99,8 @@ class ScopedCommand {
   ScopedCommand& operator=(const ScopedCommand&) = delete;
 };
 
+// Whether what is selected, or a part of it, can be what an operator works on.
+bool fits_selection(const Session& session, const OpInfo& op);
 // All ids, operators and their aliases included: for "did you mean".
 std::vector<std::string> command_ids();
 // Not a command: usage, with the closest id or alias named.

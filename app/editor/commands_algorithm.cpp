@@ -1,23 +1,73 @@
 // Algorithms as commands: each by its id, and `repair`, which knows them by what they solve.
+#include <algorithm>
+
 #include "app/editor/command_functions.h"
 #include "app/editor/command_syntax.h"
+#include "app/editor/first_slots.h"
+#include "app/editor/repair_call.h"
 #include "app/editor/script.h"
+#include "app/editor/words.h"
 
 namespace ryosen {
 
 namespace {
 
-Text not_a_repair(std::string_view word) {
-  std::vector<std::string> known;
-  for (const AlgorithmRow& row : algorithm_table())
-    if (row.is_repair()) known.emplace_back(row.id);
-  const std::string name(word);
-  return Text{"there is no repair '" + name + "'", "修復「" + name + "」はありません"} + did_you_mean(word, known);
+// The repair of a list or a single word, which fault_of_repair has let pass.
+RepairCall call_of_repair(Words words) {
+  if (is_list_of_repairs(words[0])) return read_repairs(words[0]).call;
+  const AlgorithmRow& row = *find_algorithm(words[0]);
+  return {{{&row, *read_values(row.parameters, words.subspan(1)).values}}, false};
+}
+
+Text fault_of(const ReadRepairs& read) {
+  return *read.fault + (read.unknown.empty() ? Text() : did_you_mean(read.unknown, ids_of_repairs()));
+}
+
+// The repairs of a list, in rounds, as one entry of the history.
+Outcome run_recipe(Session& session, const std::string& list) {
+  const RepairCall call = read_repairs(list).call;
+  for (const RecipeStep& step : call.steps)
+    if (const ReadValues found = step.values.on(session.mesh()); !found.values) return usage_error(found.sentence);
+  Outcome outcome;
+  outcome.performed = "repair " + list;
+  RecipeEvents events;
+  if (session.on_progress)
+    events.progress = [&](const RecipeStep& step, std::size_t, double share) {
+      return session.on_progress((static_cast<double>(&step - call.steps.data()) + share) /
+                                 static_cast<double>(call.steps.size()));
+    };
+  const BesideRepairs beside = session.document().beside_repairs();
+  const auto result = session.document().run(call.steps, outcome.performed, events);
+  if (!result) return cancelled();
+  RepairReport report = report_of(call, *result, session.mesh(), beside.input());
+  outcome.sentence = told(report, session.mesh());
+  session.keep_report(std::move(report));
+  return outcome;
+}
+
+bool means_selection(std::string_view word) { return word == "selected" || word.ends_with("=selected"); }
+
+// The word `selected`, alone or as a value, stands for these names.
+std::vector<std::string> with_names(Words words, const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ",") + name;
+  std::vector<std::string> meant;
+  for (const std::string_view word : words) {
+    meant.emplace_back(word);
+    if (means_selection(word)) meant.back().replace(word.size() - std::string_view("selected").size(), word.npos, list);
+  }
+  return meant;
 }
 
 // `call` is what stands before the values. A first value without its name stays so.
-Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words words, const std::string& call) {
+Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_words, const std::string& call) {
   const std::string id(row.id);
+  if (session.selection.empty() && std::any_of(given_words.begin(), given_words.end(), means_selection))
+    return failed(ExitCode::refused, {id + ": nothing is selected", id + "：選択がありません"});
+  std::vector<std::string> names;
+  if (std::any_of(given_words.begin(), given_words.end(), means_selection)) names = session.selected_names();
+  const std::vector<std::string> meant = with_names(given_words, names);
+  const std::vector<std::string_view> words(meant.begin(), meant.end());
   const ReadValues given = read_values(row.parameters, words);
   if (!given.values) return usage_error(id + ": " + given.sentence.en, id + "：" + given.sentence.ja);
   const ReadValues found = given.values->on(session.mesh());
@@ -26,20 +76,26 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words words, co
   const std::string values = given.values->line(has_bare_value);
   Outcome outcome;
   outcome.performed = call + (values.empty() ? "" : " " + values);
+  const FirstSlots before(session.mesh());
   const bool was_empty = session.mesh().live() == ElementCounts();
   auto result = session.document().run(row, *found.values, outcome.performed, session.on_progress);
-  if (!result)
-    return cancelled();
+  if (!result) return cancelled();
   if (result->fault) return usage_error(id + ": " + result->fault->en, id + "：" + result->fault->ja);
   if (was_empty && result->changed > 0) session.frame_all();  // nobody could have looked at it before
-  outcome.sentence = std::move(result->text);                 // what is done by now must not fail any more
+  if (row.selects_added && result->changed > 0) session.selection = before.added_to(session.mesh());
+  outcome.sentence = result->text;
+  if (!row.is_repair()) return outcome;
+  const BesideRepairs beside = session.document().beside_repairs();
+  session.keep_report(report_of({{{&row, *given.values}}, false}, *result, session.mesh(), beside.input()));
   return outcome;
 }
 
 }  // namespace
 
 CommandRow row_of(const AlgorithmRow& algorithm) {
-  const auto fault = [&algorithm](Words words, const std::string&) -> std::optional<Text> {
+  const auto fault = [&algorithm](Words given, const std::string&) -> std::optional<Text> {
+    const std::vector<std::string> meant = with_names(given, {"v0"});  // any name does here
+    const std::vector<std::string_view> words(meant.begin(), meant.end());
     ReadValues read = read_values(algorithm.parameters, words);
     return read.values ? std::nullopt : std::optional(behind(algorithm.id, read.sentence));
   };
@@ -68,14 +124,40 @@ std::string line_of(const AlgorithmRow& algorithm, const ParameterValues& values
 std::optional<Text> fault_of_repair(Words words, const std::string& line) {
   if (words.empty()) return wrong_arguments("repair").sentence;
   const AlgorithmRow* const row = find_algorithm(words[0]);
-  if (!row || !row->is_repair()) return not_a_repair(words[0]);
-  return row_of(*row).fault(words.subspan(1), line);
+  if (row && row->is_repair()) return row_of(*row).fault(words.subspan(1), line);
+  const ReadRepairs read = read_repairs(words[0]);
+  if (read.fault) return fault_of(read);
+  return words.size() == 1 ? std::nullopt : std::optional(wrong_arguments("repair").sentence);
 }
 
 Outcome run_repair(Session& session, Words words, std::string_view) {
   if (const auto fault = fault_of_repair(words, {})) return usage_error(fault->en, fault->ja);
+  if (is_list_of_repairs(words[0])) return run_recipe(session, std::string(words[0]));
   const AlgorithmRow& row = *find_algorithm(words[0]);
   return run_algorithm(session, row, words.subspan(1), called(row, true));
+}
+
+std::optional<Text> fault_of_would(Words words, const std::string& line) {
+  if (words.empty() || words[0] != "repair") return wrong_arguments("would").sentence;
+  return fault_of_repair(words.subspan(1), line);
+}
+
+Outcome run_would(Session& session, Words words, std::string_view) {
+  if (const auto fault = fault_of_would(words, {})) return usage_error(*fault);
+  const RepairCall call = call_of_repair(words.subspan(1));
+  const BesideRepairs beside = session.document().beside_repairs();
+  const auto report = try_repair(session.mesh(), call, beside.input(), session.on_progress);
+  if (!report) return cancelled();
+  if (report->fault) return usage_error(*report->fault);
+  Outcome outcome;
+  outcome.sentence = Text{"Tried, not done: ", "試しました（変更はしていません）："} + told(*report, session.mesh());
+  return outcome;
+}
+
+const RepairReport* tried(Session& session, const std::string& line) {
+  const std::vector<std::string_view> words = split_words(line);
+  const RepairCall call = call_of_repair(Words(words).subspan(1));
+  return session.trials().of(session.document(), line, call, session.is_dear_to_try());
 }
 
 }  // namespace ryosen

@@ -1,6 +1,8 @@
 #include "app/editor/command_functions.h"
 
 #include "app/editor/autosave.h"
+#include "app/editor/exercises.h"
+#include "app/editor/first_slots.h"
 #include "app/editor/message_place.h"
 #include "app/editor/script.h"
 #include "app/editor/words.h"
@@ -56,7 +58,80 @@ Outcome run_open(Session& session, Words arguments, std::string_view whole) {
 Outcome run_new(Session& session, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("new");
   session.set_document(std::make_unique<Document>());
+  session.begins_empty = true;
   return performed("new");
+}
+
+Outcome run_start(Session& session, Words arguments, std::string_view) {
+  if (!arguments.empty()) return wrong_arguments("start");
+  session.set_document(std::make_unique<Document>());
+  session.begins_empty = false;
+  return performed("new");
+}
+
+std::optional<Text> fault_of_append(Words arguments, const std::string&) {
+  return arguments.empty() ? std::optional(wrong_arguments("append").sentence) : std::nullopt;
+}
+std::optional<Text> fault_of_save_selected(Words arguments, const std::string&) {
+  return arguments.empty() ? std::optional(wrong_arguments("save_selected").sentence) : std::nullopt;
+}
+
+Outcome run_append(Session& session, Words arguments, std::string_view whole) {
+  if (arguments.empty()) return wrong_arguments("append");
+  const std::string name = file_name(whole);
+  Result<MeshFile> file = read_mesh_file(name);
+  if (!file) return failed(file.failure().exit_code, text_with_place(file.failure().message, name));
+  const FirstSlots before(session.mesh());
+  const bool was_empty = session.mesh().live() == ElementCounts();
+  const std::string line = "append " + file_argument(name);
+  const Text left_out = session.document().append(std::move(file).value(), line);
+  session.files.reads(name, FileRole::mesh);
+  session.selection = before.added_to(session.mesh());
+  if (was_empty) session.frame_all();
+  Outcome outcome = performed(line);
+  outcome.sentence = left_out;
+  return outcome;
+}
+
+Outcome run_save_selected(Session& session, Words arguments, std::string_view whole) {
+  if (arguments.empty()) return wrong_arguments("save_selected");
+  if (session.selection.empty())
+    return failed(ExitCode::refused, {"save_selected: nothing is selected", "save_selected：選択がありません"});
+  const std::string name = file_name(whole);
+  if (const Status may = session.files.may_write(name, FileRole::saved); !may) return failed(may.failure());
+  const MeshFile part = session.document().part(session.selection);
+  const Format* const format = format_to_write(name, part);
+  const std::vector<Message> losses = format && format->write ? loss_messages(part, *format) : std::vector<Message>();
+  if (session.strict && !losses.empty()) return failed(refusal_of_losses());
+  const Status status = write_mesh_file(name, part, {.format = format});
+  if (is_in_place(status)) session.files.writes(name, FileRole::saved);
+  if (!status) return failed(status.failure());
+  Outcome outcome;
+  const std::string v = std::to_string(part.mesh.positions.size()), f = std::to_string(part.mesh.face_count());
+  outcome.sentence = {v + " vertices and " + f + " faces were written to " + name + ".",
+                      "頂点 " + v + "、面 " + f + " を " + name + " に書き出しました。"};
+  for (const Message& loss : losses) outcome.say(loss.text);
+  return outcome;
+}
+
+std::optional<Text> fault_of_exercise(Words arguments, const std::string&) {
+  const bool is_one = arguments.size() == 1 && find_exercise(arguments[0]);
+  return is_one ? std::nullopt : std::optional(wrong_arguments("exercise").sentence);
+}
+
+// Its steps name their elements by numbers, which begin at 0 in an empty mesh without a history only.
+Outcome run_exercise(Session& session, Words arguments, std::string_view) {
+  if (fault_of_exercise(arguments, {})) return wrong_arguments("exercise");
+  if (session.mesh().vertex_slots() > 0 || !session.document().path().empty())
+    return failed(ExitCode::refused, {"an exercise begins with an empty mesh; first say: new",
+                                      "演習は空のメッシュから始めます。先に new を実行してください"});
+  Outcome outcome;
+  for (const ScriptLine& line : split_script(find_exercise(arguments[0])->script))
+    if (outcome = session.run(line.text); !outcome.done()) return outcome;
+  session.frame_all();
+  outcome.performed.clear();
+  outcome.sentence = {"Undo goes back through its steps.", "「元に戻す」で一手ずつ戻れます。"};
+  return outcome;
 }
 
 Outcome run_save(Session& session, Words, std::string_view whole) {

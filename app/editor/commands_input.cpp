@@ -96,7 +96,9 @@ std::string sent_by_key(Words arguments) {
 
 std::optional<Text> fault_of_key(Words arguments, const std::string&) {
   if (arguments.size() != 1) return wrong_arguments("key").sentence;
-  if (find_key(arguments[0]) || is_panel_key(arguments[0])) return std::nullopt;
+  // Another key may be bound by then.
+  if (find_key(arguments[0]) || is_panel_key(arguments[0]) || chord_from(arguments[0]) == arguments[0])
+    return std::nullopt;
   return no_such_key(arguments[0]).sentence;
 }
 

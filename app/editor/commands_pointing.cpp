@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "app/editor/asking.h"
 #include "app/editor/camera_text.h"
 #include "app/editor/command_syntax.h"
 #include "app/editor/fly.h"
 #include "app/editor/pick_modes.h"
 #include "app/editor/remedy_text.h"
 #include "app/editor/script.h"
+#include "app/editor/words.h"
 #include "core/mesh/find_element.h"
 #include "core/ops/lines/syntax.h"
 
@@ -56,9 +58,30 @@ Outcome run_tool(Session& session, Words arguments, std::string_view) {
   if (arguments.size() != 1) return wrong_arguments("tool");
   if (arguments[0] != "none" && !find_tool(arguments[0])) return not_a_tool(arguments[0]);
   session.tool = arguments[0] == "none" ? "" : std::string(arguments[0]);
+  session.asked_line.clear();
   session.release_verdict();
   if (session.hover()) session.point_at(session.hover()->pixel, session.hover()->modifiers);
   return {};
+}
+
+std::optional<Text> fault_of_ask(Words arguments, const std::string& line) {
+  if (arguments.empty() || can_be_asked(behind_word(line))) return std::nullopt;
+  return behind("ask", {"'" + std::string(behind_word(line)) + "' lacks no element that could be pointed at",
+                        "「" + std::string(behind_word(line)) + "」には指して与える要素がありません"});
+}
+
+Outcome run_ask(Session& session, Words arguments, std::string_view whole) {
+  if (const auto fault = fault_of_ask(arguments, "ask " + std::string(whole))) return usage_error(*fault);
+  if (!arguments.empty()) {
+    session.tool.clear();
+    session.asked_line = without_blanks(whole);
+    session.release_verdict();
+    return {};
+  }
+  if (session.asked_line.empty())
+    return failed(ExitCode::refused, {"no operator asks for elements", "要素を待っている操作はありません"});
+  if (fault_of_command(session.asked_line)) return failed(ExitCode::refused, asked_text(session.asked_line));
+  return carry_out_asked(session);
 }
 
 Outcome run_mode(Session& session, Words arguments, std::string_view) {

@@ -58,14 +58,8 @@ std::optional<Text> fault_of(const Selecting& asked) {
 }
 
 Elements all_of(Session& session, const ProblemRow& problem) {
-  const auto kind = problem.vertex ? Element::Kind::vertex : problem.edge ? Element::Kind::edge : Element::Kind::face;
   Elements found;
-  session.highlights().of(problem.kind).for_each([&](std::uint32_t i) {
-    Element e;
-    e.kind = kind;
-    e.index = i;
-    found.push_back(e);
-  });
+  session.highlights().of(problem.kind).for_each([&](std::uint32_t i) { found.push_back(problem.element(i)); });
   return found;
 }
 

@@ -52,14 +52,15 @@ Outcome run_drag(Session& session, Words arguments, std::string_view) {
 
 Outcome run_gesture(Session& session, Words arguments, std::string_view) {
   if (arguments.size() == 1 && arguments[0] == "extrude") return session.begin_pull();
-  const std::string_view kinds[] = {"move", "turn", "scale"}, axes[] = {"x", "y", "z", "normal"};
+  const std::string_view kinds[] = {"move", "turn", "scale"}, axes[] = {"x", "y", "z", "normal", "yz", "zx", "xy"};
+  const char* const keys[] = {"X", "Y", "Z", "N", "Shift+X", "Shift+Y", "Shift+Z"};  // that choose them
   const std::string_view word = arguments.empty() ? "" : arguments[0];
   const auto kind = std::find(std::begin(kinds), std::end(kinds), word);
   const auto axis = arguments.size() == 2 ? std::find(std::begin(axes), std::end(axes), arguments[1]) : std::end(axes);
   if (kind == std::end(kinds) || arguments.size() > 2 || (arguments.size() == 2 && axis == std::end(axes)))
     return wrong_arguments("gesture");
   Outcome outcome = session.begin_gesture(static_cast<PointTransform::Kind>(kind - std::begin(kinds)));
-  if (outcome.done() && axis != std::end(axes)) session.gesture_key(std::string(1, "XYZN"[axis - std::begin(axes)]));
+  if (outcome.done() && axis != std::end(axes)) session.gesture_key(keys[axis - std::begin(axes)]);
   return outcome;
 }
 

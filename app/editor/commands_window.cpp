@@ -120,6 +120,10 @@ Outcome run_cancel(Session& session, Words arguments, std::string_view) {
     session.point_away();
     return {};
   }
+  if (!session.asked_line.empty()) {
+    session.asked_line.clear();
+    return {};
+  }
   if (!session.tool.empty()) return session.run("tool none");
   return session.run("select none");
 }

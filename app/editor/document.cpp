@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/editor/quarantine_text.h"
+#include "core/algo/copying/part.h"
 #include "core/algo/repair/guard.h"
 #include "core/base/count_text.h"
 #include "core/indexed/from_indexed.h"
@@ -198,14 +199,16 @@ std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const Para
   return result;
 }
 
+BesideRepairs Document::beside_repairs() const {
+  const std::size_t vertices = mesh_.file_vertices();
+  return {tables_.quarantine, used_beside_the_mesh(file_, tables_.quarantine, vertices),
+          used_beside_the_mesh(file_, {}, vertices), vertices_on_lines(file_, vertices)};
+}
+
 std::optional<RecipeResult> Document::run(std::span<const RecipeStep> recipe, std::string command,
                                           const RecipeEvents& events) {
-  const std::size_t vertices = mesh_.file_vertices();
-  const std::vector<Vertex> used = used_beside_the_mesh(file_, tables_.quarantine, vertices);
-  const std::vector<Vertex> used_later = used_beside_the_mesh(file_, {}, vertices);
-  const std::vector<Vertex> on_lines = vertices_on_lines(file_, vertices);
-  std::optional<RecipeResult> result =
-      run_recipe(mesh_, recipe, {tables_.quarantine, used, used_later, on_lines}, events);
+  const BesideRepairs beside = beside_repairs();
+  std::optional<RecipeResult> result = run_recipe(mesh_, recipe, beside.input(), events);
   if (!result || !result->is_changed) return result;
   OtherQuarantine other;
   {
@@ -218,6 +221,43 @@ std::optional<RecipeResult> Document::run(std::span<const RecipeStep> recipe, st
   result->mesh = Mesh();
   committed(std::move(command), std::move(other));
   return result;
+}
+
+Text Document::append(MeshFile file, std::string command) {
+  const std::size_t unusable = file.mesh.quarantine.size(), lines = file.elements.items.size();
+  const bool has_values = !file.mesh.texcoords.index.empty() || !file.mesh.normals.index.empty() ||
+                          !file.mesh.vertex_colours.empty() || !file.mesh.materials.index.empty();
+  file.mesh.quarantine.clear();
+  const Mesh added = from_indexed(std::move(file.mesh));
+  Part part = part_of(added, all_elements(added));
+  {
+    Edit edit(writable(), &journal_);
+    add_part(edit, std::move(part), false);
+    make_room_in_history();
+    edit.commit();
+  }
+  committed(std::move(command));
+  Text left_out;
+  const auto say = [&](bool is_so, const char* en, const char* ja) {
+    if (!is_so) return;
+    left_out.en += (left_out.en.empty() ? "Left out of that file: " : ", ") + std::string(en);
+    left_out.ja += (left_out.ja.empty() ? "追加しなかったもの：" : "、") + std::string(ja);
+  };
+  say(has_values, "texture coordinates, normals, colours and materials", "テクスチャ座標・法線・色・材質");
+  say(lines > 0, "lines and points", "線と点");
+  say(unusable > 0, "faces that cannot be used", "使えない面");
+  return left_out.en.empty() ? left_out : left_out + Text{".", "。"};
+}
+
+MeshFile Document::part(std::span<const Element> elements) const {
+  Part taken = part_of(mesh_, elements, tables_);
+  MeshFile file;
+  file.mesh = std::move(taken.list);
+  file.wires = std::move(taken.wires);
+  file.format = file_.format;
+  file.encoding = file_.encoding;
+  file.material_libraries = file_.material_libraries;
+  return file;
 }
 
 void Document::make_room_in_history() {

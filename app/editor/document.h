@@ -51,6 +51,14 @@ struct HistoryEntry {
   std::string command;  // the equivalent script line
 };
 
+// What repairs look at beside the mesh; a copy, so that it can be read on another thread.
+struct BesideRepairs {
+  std::vector<QuarantinedFace> quarantine;
+  std::vector<Vertex> used, used_but_by_quarantine, on_lines;
+
+  RecipeInput input() const { return {quarantine, used, used_but_by_quarantine, on_lines}; }
+};
+
 class Document {
  public:
   // Empty, without a file.
@@ -81,6 +89,12 @@ class Document {
   // its mesh, which is that of the document.
   std::optional<RecipeResult> run(std::span<const RecipeStep> recipe, std::string command,
                                   const RecipeEvents& events = {});
+  BesideRepairs beside_repairs() const;
+  // Adds the mesh of a file as parts of their own, as one entry of the history. The sentence says what of the file was
+  // left out: what belongs to corners and faces, lines, and faces that cannot be used; empty where nothing was.
+  Text append(MeshFile file, std::string command);
+  // What part_of() takes of these elements, as a file of its own.
+  MeshFile part(std::span<const Element> elements) const;
   // The verdict and the ghost of the result. The document is unchanged.
   Preview preview(const AnyOp& op) { return ryosen::preview(writable(), journal_, op); }
   // Script lines after which the refused operator of `line` is legal; empty if none were found.

@@ -53,4 +53,10 @@ Gesture gesture_of(const InputPreset& preset, MouseButton button, Modifiers modi
   return alone->gesture;
 }
 
+// The same in every preset.
+ClickSelects click_selects(Modifiers modifiers) {
+  if (!modifiers.alt) return ClickSelects::element;
+  return modifiers.ctrl ? ClickSelects::ring : ClickSelects::loop;
+}
+
 }  // namespace ryosen

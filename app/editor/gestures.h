@@ -21,6 +21,9 @@ struct DragRow {
   Gesture gesture;
 };
 
+// What a click with Select in hand selects: the element, or the loop or ring of the edge that is nearest.
+enum class ClickSelects { element, loop, ring };
+
 struct KeyChange {
   std::string_view chord, command, help_en, help_ja;
 };
@@ -36,5 +39,8 @@ std::span<const InputPreset> input_presets();
 // Alt makes no other gesture: with one that selects it goes through the surface. With modifiers that no row has it is
 // that of the button alone.
 Gesture gesture_of(const InputPreset& preset, MouseButton button, Modifiers modifiers);
+
+// Shift adds to the selection what any of them finds.
+ClickSelects click_selects(Modifiers modifiers);
 
 }  // namespace ryosen

@@ -38,6 +38,29 @@ bool is_panel_key(std::string_view chord) {
          std::find(std::begin(panel_keys), std::end(panel_keys), key_of(chord)) != std::end(panel_keys);
 }
 
+namespace {
+
+bool is_key_name(std::string_view key) {
+  if (std::find(std::begin(panel_keys), std::end(panel_keys), key) != std::end(panel_keys)) return true;
+  if (key.size() == 1)
+    return (key[0] >= 'A' && key[0] <= 'Z') || (key[0] >= '0' && key[0] <= '9') || key == "." || key == "+" ||
+           key == "-";
+  for (int i = 0; i <= 12; ++i)
+    if ((i > 0 && key == "F" + std::to_string(i)) || (i < 10 && key == "Numpad" + std::to_string(i))) return true;
+  return false;
+}
+
+}  // namespace
+
+std::optional<std::string> chord_from(std::string_view text) {
+  const std::string_view key = key_of(text);
+  const std::size_t before = text.size() - key.size();
+  if (!is_key_name(key) || (before > 0 && !find_modifiers(text.substr(0, before - 1)))) return std::nullopt;
+  const Modifiers held = modifiers_of(text);
+  return (held.ctrl ? "Ctrl+" : "") + std::string(held.alt ? "Alt+" : "") + (held.shift ? "Shift+" : "") +
+         std::string(key);
+}
+
 std::optional<MouseButton> find_button(std::string_view word) {
   if (word == "left") return MouseButton::left;
   if (word == "right") return MouseButton::right;

@@ -48,6 +48,9 @@ inline constexpr std::string_view panel_keys[] = {
     "Tab",    "Left",  "Right",  "Up",       "Down", "Home", "End", "Delete", "Backspace", "Enter",
     "Escape", "Space", "PageUp", "PageDown", "A",    "C",    "V",   "X",      "Y",         "Z"};
 bool is_panel_key(std::string_view chord);
+// A chord as keys are bound to it, its modifiers in their usual order; none where the text is no chord of a key that a
+// window can tell.
+std::optional<std::string> chord_from(std::string_view text);
 std::optional<MouseButton> find_button(std::string_view word);
 
 }  // namespace ryosen

@@ -1,5 +1,7 @@
 #include "app/editor/keys.h"
 
+#include <algorithm>
+
 #include "app/editor/commands.h"
 #include "app/editor/view_switches.h"
 #include "core/ops/all.h"
@@ -11,7 +13,8 @@ namespace {
 
 const KeyRow first_keys[] = {
     {"Escape", "cancel", "close, put the tool away, select nothing", "閉じる・ツールを置く・選択解除", true},
-    {"Enter", "remedy", "do the first remedy of a refused click", "拒否されたクリックへの最初の対処を実行"},
+    {"Enter", "either remedy | ask", "do the first remedy of a refused click, or what was asked for elements",
+     "拒否されたクリックへの最初の対処、または要素を待っている操作を実行"},
     {"1", "mode vertex", "pick vertices", "頂点モード"},
     {"2", "mode edge", "pick edges", "稜線モード"},
     {"3", "mode face", "pick faces", "面モード"},
@@ -36,6 +39,7 @@ const KeyRow first_keys[] = {
     {"B", "band box", "select by a box: drag it, Shift adds, Ctrl takes out, Alt goes through",
      "ボックス選択（ドラッグ。Shift で追加、Ctrl で反転、Alt で裏側も）"},
     {"Shift+B", "band lasso", "select by a lasso in the same way", "投げ縄選択（修飾キーは同じ）"},
+    {"Shift+D", "duplicate elements=selected", "duplicate the selection", "選択を複製"},
     {"H", "hide selected", "hide the selection", "選択を非表示にする"},
     {"Shift+H", "isolate selected", "hide everything else", "選択以外を非表示にする"},
     {"Ctrl+H", "unhide", "show what is hidden", "非表示の要素を表示する"},
@@ -55,9 +59,23 @@ const KeyRow last_keys[] = {
     {"Ctrl+Q", "quit", "quit", "終了"},
 };
 
+// A key bound anew tells what the command's other key did, else the help of the command; it repeats as that did.
+void take_over(std::vector<KeyRow>& table, std::span<const KeyBinding> own) {
+  const std::vector<KeyRow> before = table;
+  for (const KeyBinding& binding : own) {
+    std::erase_if(table, [&](const KeyRow& row) { return row.chord == binding.chord; });
+    if (binding.command.empty()) continue;
+    const auto same =
+        std::find_if(before.begin(), before.end(), [&](const KeyRow& row) { return row.command == binding.command; });
+    KeyRow made = same == before.end() ? KeyRow{{}, binding.command, "", ""} : *same;
+    made.chord = binding.chord;
+    table.push_back(std::move(made));
+  }
+}
+
 }  // namespace
 
-std::vector<KeyRow> key_table(const InputPreset& preset) {
+std::vector<KeyRow> key_table(const InputPreset& preset, std::span<const KeyBinding> own) {
   std::vector<KeyRow> keys;
   for (const OpInfo& op : all_ops()) {
     if (op.key == '\0') continue;
@@ -79,14 +97,34 @@ std::vector<KeyRow> key_table(const InputPreset& preset) {
     std::erase_if(keys, [&](const KeyRow& row) { return row.chord == change.chord; });
     keys.push_back({std::string(change.chord), std::string(change.command), change.help_en, change.help_ja});
   }
+  if (!own.empty()) take_over(keys, own);
   return keys;
 }
 
-std::optional<KeyRow> find_key(std::string_view chord, const InputPreset& preset) {
-  std::vector<KeyRow> keys = key_table(preset);
+std::optional<KeyRow> find_key(std::string_view chord, const InputPreset& preset, std::span<const KeyBinding> own) {
+  std::vector<KeyRow> keys = key_table(preset, own);
   for (KeyRow& row : keys)
     if (row.chord == chord) return std::move(row);
   return std::nullopt;
+}
+
+std::vector<KeyRow> rows_without_key(const InputPreset& preset, std::span<const KeyBinding> own) {
+  const std::vector<KeyRow> left = key_table(preset, own);
+  std::vector<KeyRow> lost;
+  const auto has = [](const std::vector<KeyRow>& keys, const KeyRow& row) {
+    return std::any_of(keys.begin(), keys.end(), [&](const KeyRow& key) { return key.command == row.command; });
+  };
+  for (KeyRow& row : key_table(preset))
+    if (!has(left, row) && !has(lost, row)) {
+      row.chord.clear();
+      lost.push_back(std::move(row));
+    }
+  return lost;
+}
+
+Text help_of_key(const KeyRow& row) {
+  if (!row.help_en.empty()) return {std::string(row.help_en), std::string(row.help_ja)};
+  return {row.command, row.command};
 }
 
 }  // namespace ryosen

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/editor/gestures.h"
+#include "core/base/message.h"
 
 namespace ryosen {
 
@@ -19,9 +21,21 @@ struct KeyRow {
   bool repeats = false;  // while it is held down
 };
 
-// The keys of operators, selectors, views and switches come from their own rows; other presets than the first change some.
-std::vector<KeyRow> key_table(const InputPreset& preset = input_presets()[0]);
+// What the user has bound a key to otherwise than its preset; an empty command takes the key away.
+struct KeyBinding {
+  std::string chord, command;
+  bool operator==(const KeyBinding&) const = default;
+};
+
+// The keys of operators, selectors, views and switches come from their own rows; other presets than the first change some,
+// and the user's own bindings stand above all.
+std::vector<KeyRow> key_table(const InputPreset& preset = input_presets()[0], std::span<const KeyBinding> own = {});
 // By chord; none if unbound.
-std::optional<KeyRow> find_key(std::string_view chord, const InputPreset& preset = input_presets()[0]);
+std::optional<KeyRow> find_key(std::string_view chord, const InputPreset& preset = input_presets()[0],
+                               std::span<const KeyBinding> own = {});
+// What had a key in the preset and has none any more because of these bindings: rows without a chord.
+std::vector<KeyRow> rows_without_key(const InputPreset& preset, std::span<const KeyBinding> own);
+// What a key does in words: those of its row, else the help of its command.
+Text help_of_key(const KeyRow& row);
 
 }  // namespace ryosen

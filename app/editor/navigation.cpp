@@ -96,7 +96,7 @@ std::optional<Navigation::Click> Navigation::release(MouseButton button, glm::dv
     return std::nullopt;
   Click click{button, ended.start, ended.modifiers, false};
   if (button == MouseButton::right) return click;
-  const auto is_bare = [](const Click& c) { return !c.modifiers.shift && !c.modifiers.ctrl; };
+  const auto is_bare = [](const Click& c) { return !c.modifiers.shift && !c.modifiers.ctrl && !c.modifiers.alt; };
   click.is_double = last_click_ && !last_click_->is_double && is_bare(click) && is_bare(*last_click_) &&
                     now_s - last_click_s_ < double_click_s &&
                     glm::length(last_click_->pixel - click.pixel) <= click_reach_px;

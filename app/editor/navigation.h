@@ -34,7 +34,7 @@ class Navigation {
     MouseButton button;
     glm::dvec2 pixel;
     Modifiers modifiers;  // of the press
-    bool is_double;       // the second of two within 0.4 s at about the same place, without Shift and Ctrl
+    bool is_double;       // the second of two within 0.4 s at about the same place, without Shift, Ctrl and Alt
   };
 
   // A drag continues if another button is pressed; the same button restarts it.

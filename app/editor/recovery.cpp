@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <cstdlib>
 #include <thread>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include "app/editor/message_place.h"
 #include "app/editor/owned_script.h"
 #include "app/editor/session.h"
+#include "app/editor/user_folders.h"
 #include "app/editor/words.h"
 #include "core/io/system_reason.h"
 
@@ -22,12 +22,6 @@ namespace ryosen {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path whole_path(const char* variable) {
-  const char* const value = std::getenv(variable);
-  const fs::path path = value ? value : "";
-  return path.is_absolute() ? path : fs::path();
-}
 
 // The rest of a remark line that starts with this word, else none.
 std::optional<std::string_view> remark(std::string_view line, std::string_view word) {
@@ -121,9 +115,8 @@ Outcome replay(Session& session, const LostSession& lost) {
 }  // namespace
 
 fs::path recovery_folder() {
-  const fs::path state = whole_path("XDG_STATE_HOME"), home = whole_path("HOME");
-  if (!state.empty()) return state / "ryosen" / "recovery";
-  return home.empty() ? home : home / ".local" / "state" / "ryosen" / "recovery";
+  const fs::path folder = user_folder(UserFolder::state);
+  return folder.empty() ? folder : folder / "recovery";
 }
 
 bool is_edit(std::string_view line) {

@@ -28,7 +28,7 @@ Camera first_camera() {
 
 Session::Session(std::unique_ptr<Document> document) {
   for (const HighlightRow& row : highlight_table())
-    if (row.shown_at_first == ShownAtFirst::yes) shown.insert(std::string(row.id));
+    if (row.is_shown_at_first()) shown.insert(std::string(row.id));
   for (const PanelRow& row : panel_list())
     if (row.place == PanelPlace::over && row.shown_at_first()) open_panel = row.id;
   set_document(std::move(document));
@@ -36,6 +36,11 @@ Session::Session(std::unique_ptr<Document> document) {
 
 bool Session::is_shown(const PanelRow& panel) const {
   return panel.place == PanelPlace::over ? open_panel == panel.id : layout.is_shown(panel);
+}
+
+bool Session::is_at_start() const {
+  return !begins_empty && document_->path().empty() && document_->history().empty() &&
+         mesh().live() == ElementCounts();
 }
 
 void Session::show(const PanelRow& panel, bool on) {
@@ -55,17 +60,16 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   document->add_listener([this](const Journal& journal, std::size_t transaction, Document::Change change) {
     follow(journal, transaction, change);
   });
-  std::set<std::string> shown_then = shown;
-  if (document->mesh().live().faces == 0)
-    for (const HighlightRow& row : highlight_table())
-      if (row.shown_at_first == ShownAtFirst::without_faces) shown_then.insert(std::string(row.id));
   const Camera camera_then = framing(document->mesh(), first_camera());
-  document->before_writing = [this] { preparation_.reset(); };
+  document->before_writing = [this] {
+    preparation_.reset();
+    trials_.let_write();
+  };
+  trials_.forget();
   if (autosave) autosave->begin(*document);
   preparation_.reset();
   document_ = std::move(document);
   files = std::move(files_then);
-  shown.swap(shown_then);
   camera = camera_then;
   forget_derived();
   remedy_line_.clear();
@@ -281,6 +285,7 @@ Picker& Session::picker() {
 
 void Session::prepare() {
   constexpr std::uint32_t least_faces = 200000;  // less is not felt
+  trials_.follow(*document_);
   if (preparation_ && preparation_->is_done()) finish_preparation();
   if (preparation_ || highlights_ || mesh().live().faces < least_faces) return;
   if (unprepared_revision_ == document_->revision()) return;
@@ -307,6 +312,16 @@ void Session::finish_preparation() {
   kind_ = std::move(found.kind);
   kind_revision_ = document_->revision();
   drawn_changes_.searched = true;
+}
+
+const RepairReport* Session::last_repair() const {
+  const bool is_of_now =
+      last_repair_ && last_repair_->serial == document_->serial() && last_repair_->revision == document_->revision();
+  return is_of_now ? &last_repair_->report : nullptr;
+}
+
+void Session::keep_report(RepairReport report) {
+  last_repair_ = {document_->serial(), document_->revision(), std::move(report)};
 }
 
 const CornerNormals& Session::corner_normals() {

@@ -11,11 +11,14 @@
 #include <vector>
 
 #include "app/editor/document.h"
+#include "app/editor/gizmo.h"
+#include "app/editor/keys.h"
 #include "app/editor/layout.h"
 #include "app/editor/navigation.h"
 #include "app/editor/panel_list.h"
 #include "app/editor/preparation.h"
 #include "app/editor/recovery.h"
+#include "app/editor/repair_trials.h"
 #include "app/editor/run_files.h"
 #include "app/editor/selection_memory.h"
 #include "app/editor/transform_gesture.h"
@@ -37,6 +40,12 @@ struct Colouring {
   const ColourMap* map = nullptr;
   MapRange range;
   friend bool operator==(const Colouring&, const Colouring&) = default;
+};
+
+// What the last repair did and left.
+struct LastRepair {
+  std::uint64_t serial, revision;  // of the document behind it
+  RepairReport report;
 };
 
 // The element under the pointer, and what a click would do.
@@ -72,6 +81,7 @@ class Session {
   glm::dvec2 view_origin{0};  // of the view in the picture or window; pixels are relative to the latter
   std::string tool;           // id of an operator, or empty: select
   PickMode mode = PickMode::edge;
+  std::string asked_line;       // of an operator: each click adds an element to it (asking.h); empty for none
   std::set<std::string> shown;  // ids of the highlight table
   // Each entry of the history remembers what was selected around it, and brings it back.
   std::vector<Element> selection;
@@ -81,6 +91,12 @@ class Session {
   // User interface state changed by commands; stored without effect if there is no UI.
   Language language = Language::english;
   ViewSettings settings;
+  double ui_scale = 1;                // of all of the window, times that of the display
+  int font_size_px = 15;              // at scale 1
+  int samples = 1;                    // a side of each pixel of the view
+  std::vector<KeyBinding> bindings;   // the user's own keys
+  bool begins_empty = false;          // somebody wants an empty mesh, not the start page
+  std::vector<std::string> recent{};  // files that were open before, the latest first; kept by the window
   std::string open_panel;         // the one that lies over the view; empty for none
   Layout layout;                  // of those in the columns
   std::string asked_algorithm;    // whose values the panel of values asks for
@@ -89,6 +105,17 @@ class Session {
   // What the pointer picks: what the tool applies to, else what `mode` says.
   PickMode pointed_sort() const;
 
+  // The handles that move the selection, where the switch shows them: with Select in hand, at the middle of what is
+  // selected. None while it is moved.
+  GizmoKind gizmo_kind = GizmoKind::none;
+  std::optional<Gizmo> gizmo() const;
+  // The one at a pixel of the picture or window; none where Shift or Alt ask for something else. And the one that the
+  // pointer is on.
+  const HandleRow* handle_at(glm::dvec2 pixel, Modifiers modifiers) const;
+  const HandleRow* pointed_handle() const { return pointed_handle_; }
+
+  // There is nothing yet, and nobody has said that this is wanted.
+  bool is_at_start() const;
   bool is_shown(const PanelRow& panel) const;
   // One over the view takes the place of the one that was open.
   void show(const PanelRow& panel, bool on);
@@ -175,6 +202,13 @@ class Session {
   // The share that is done while that goes on; none when everything is there.
   std::optional<double> preparing() const { return preparation_ ? std::optional(preparation_->share()) : std::nullopt; }
 
+  // What repairs would do. On a large mesh only what somebody points at is worth trying.
+  RepairTrials& trials() { return trials_; }
+  bool is_dear_to_try() const { return mesh().live().faces > 20000; }
+  // None where the document has changed since.
+  const RepairReport* last_repair() const;
+  void keep_report(RepairReport report);
+
   // For smooth shading. Kept up with edits as long as that is set.
   const CornerNormals& corner_normals();
   // The sets of problems, and of the highlights that are shown.
@@ -226,6 +260,8 @@ class Session {
   void update_map_values(std::size_t transaction);
   void follow_hiding(const HiddenElements::Parts& changed);
   void forget_hidden();
+  Edge edge_near(glm::dvec2 pixel);
+  Outcome select_along(glm::dvec2 pixel, Modifiers modifiers);
   Outcome apply_at(const OpTarget& target, const std::string& id);
   void look_at(glm::dvec2 pixel, Modifiers modifiers);
   OpTarget target_of(const Picked& picked, Modifiers modifiers) const;
@@ -256,14 +292,23 @@ class Session {
   std::uint64_t kind_revision_ = 0;
   std::optional<std::uint64_t> unprepared_revision_;  // of the mesh that was too large to prepare
   std::optional<Hover> hover_;
+  const HandleRow* pointed_handle_ = nullptr;
+  struct Middle {
+    Elements of;
+    std::uint64_t document = 0, revision = 0;
+    glm::dvec3 place{0};
+  };
+  mutable Middle middle_;  // of the selection, as it was last asked for
   bool is_verdict_held_ = false;
   std::vector<std::string> log_;
   std::vector<std::string> remedy_;  // for remedy_line_ at remedy_revision_
   std::string remedy_line_;
   std::uint64_t remedy_revision_ = 0;
   DrawnChanges drawn_changes_;
+  std::optional<LastRepair> last_repair_;
   std::unique_ptr<Input> view_input_;         // made when it is asked for
   std::unique_ptr<Preparation> preparation_;  // reads what stands above, so that it ends first
+  RepairTrials trials_;                       // as this does
 };
 
 }  // namespace ryosen

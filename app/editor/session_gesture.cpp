@@ -91,6 +91,7 @@ void Session::begin_gesture_with(PointTransform::Kind kind, Elements elements) {
                                  {},
                                  start + view_origin});
   hover_.reset();
+  pointed_handle_ = nullptr;
   release_verdict();
   follow_what_moves();
 }

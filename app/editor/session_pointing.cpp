@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "app/editor/asking.h"
 #include "app/editor/commands.h"
 #include "app/editor/pick_modes.h"
 #include "app/editor/session.h"
+#include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/find_element.h"
 #include "core/selection/slot_ranges.h"
@@ -43,14 +45,33 @@ OpTarget Session::target_of(const Picked& picked, Modifiers modifiers) const {
   return target;
 }
 
-PickMode Session::pointed_sort() const { return pick_mode(find_op(tool), mode); }
+PickMode Session::pointed_sort() const {
+  if (!asked_line.empty()) return asked_for(asked_line).value_or(mode);
+  return pick_mode(find_op(tool), mode);
+}
 
 void Session::point_at(glm::dvec2 pixel, Modifiers modifiers) {
   if (!is_verdict_held_ && !gesturing_) look_at(pixel, modifiers);
 }
 
 void Session::point_away() {
+  pointed_handle_ = nullptr;
   if (!is_verdict_held_) hover_.reset();
+}
+
+std::optional<Gizmo> Session::gizmo() const {
+  if (gizmo_kind == GizmoKind::none || !tool.empty() || selection.empty() || gesturing_ || band) return std::nullopt;
+  if (middle_.document != document_->serial() || middle_.revision != document_->revision() || middle_.of != selection)
+    middle_ = {selection, document_->serial(), document_->revision(),
+               middle_of(mesh(), points_of(mesh(), selection))};
+  return gizmo_at(gizmo_kind, camera, view, middle_.place);
+}
+
+const HandleRow* Session::handle_at(glm::dvec2 pixel, Modifiers modifiers) const {
+  if (modifiers.shift || modifiers.alt) return nullptr;
+  const auto handles = gizmo();
+  const GizmoHandle* const found = handles ? ryosen::handle_at(*handles, camera, view, pixel - view_origin) : nullptr;
+  return found ? found->row : nullptr;
 }
 
 // Of the same operator: the camera may have moved, so that another element is where the click was.
@@ -66,6 +87,8 @@ void Session::ask_held_verdict_again() {
 
 void Session::look_at(glm::dvec2 pixel, Modifiers modifiers) {
   hover_.reset();
+  pointed_handle_ = handle_at(pixel, modifiers);
+  if (pointed_handle_) return;
   const OpInfo* info = find_op(tool);
   const auto picked = pick(pixel, pointed_sort());
   if (!picked) return;
@@ -115,10 +138,49 @@ Outcome Session::apply_at(const OpTarget& target, const std::string& id) {
   return run(command_of(mesh(), op_at(mesh(), id, target)));
 }
 
+// The edge under the pointer, else the side of the face there that is nearest to it; none over the background.
+Edge Session::edge_near(glm::dvec2 pixel) {
+  if (const auto picked = pick(pixel, PickMode::edge)) return picked->element.edge();
+  const auto picked = pick(pixel, PickMode::face);
+  if (!picked) return {};
+  Edge nearest;
+  double least = 0;
+  const glm::dvec2 at = pixel - view_origin;
+  for (const Halfedge h : halfedges_around(mesh(), picked->element.face())) {
+    const auto a = project(camera, view, mesh().position(mesh().from(h)));
+    const auto b = project(camera, view, mesh().position(mesh().to(h)));
+    if (!a || !b) continue;
+    const glm::dvec2 along = b->pixel - a->pixel;
+    const double squared = std::max(glm::dot(along, along), 1e-30);
+    const double share = std::clamp(glm::dot(at - a->pixel, along) / squared, 0.0, 1.0);
+    const double distance = glm::length(at - a->pixel - share * along);
+    if (nearest && distance >= least) continue;
+    nearest = edge(h);
+    least = distance;
+  }
+  return nearest;
+}
+
+// The loop or the ring of that edge, whatever the mode.
+Outcome Session::select_along(glm::dvec2 pixel, Modifiers modifiers) {
+  const Edge at = edge_near(pixel);
+  if (!at) {
+    if (!modifiers.shift) selection.clear();
+    return {};
+  }
+  const Element first(at);
+  Elements found = click_selects(modifiers) == ClickSelects::ring ? edge_rings(mesh(), {&first, 1})
+                                                                   : edge_loops(mesh(), {&first, 1});
+  drop_hidden(found);
+  return run((modifiers.shift ? "select add" : "select") + slot_ranges(found));
+}
+
 Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers modifiers) {
   cancel_gesture();  // what is pointed at is the mesh as it is
   release_verdict();
+  if (!asked_line.empty() && with_tool.empty()) return answer(*this, pixel);
   const OpInfo* info = find_op(with_tool);
+  if (!info && click_selects(modifiers) != ClickSelects::element) return select_along(pixel, modifiers);
   const auto picked = pick(pixel, pick_mode(info, mode));
   const bool extends = !info && (modifiers.shift || modifiers.ctrl);
   if (!picked) {
@@ -168,9 +230,8 @@ std::vector<Element> Session::about(const ProblemRow& row, Element element) {
   if (element.kind == Element::Kind::edge)
     for (Halfedge h : sheets_between(mesh(), ends(mesh(), element.edge()).first, ends(mesh(), element.edge()).second))
       same.emplace_back(edge(h));
-  const Element::Kind kind = row.vertex ? Element::Kind::vertex : row.edge ? Element::Kind::edge : Element::Kind::face;
   for (const Element& e : same) {
-    if (e.kind != kind || !members.contains(e.index)) continue;
+    if (e.kind != row.sort() || !members.contains(e.index)) continue;
     Neighbourhood around(mesh());
     return ryosen::about(row, around, members, e);
   }

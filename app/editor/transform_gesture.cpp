@@ -50,7 +50,17 @@ glm::dvec3 mean_normal(const Mesh& mesh, std::span<const Element> elements, std:
   return sum;
 }
 
-std::string letter_name(char letter) { return letter == 0 ? "" : std::string(1, ' ') + letter; }
+// " X", or the plane across it as " YZ".
+std::string axis_name(char letter, bool in_plane) {
+  if (letter == 0) return "";
+  if (!in_plane) return std::string(1, ' ') + letter;
+  return letter == 'X' ? " YZ" : letter == 'Y' ? " ZX" : letter == 'Z' ? " XY" : " ⊥N";
+}
+
+bool is_axis_key(std::string_view chord) {
+  if (chord.starts_with("Shift+")) chord.remove_prefix(std::string_view("Shift+").size());
+  return chord == "X" || chord == "Y" || chord == "Z" || chord == "N";
+}
 
 }  // namespace
 
@@ -81,24 +91,52 @@ void TransformGesture::follow(const Mesh&, const Where& where) {
   take_number();
 }
 
-void TransformGesture::follow_move(const Where& where) {
+// Where the rays of both pixels meet the plane; along it by as much as the view moves where it is seen from the side.
+glm::dvec3 TransformGesture::moved_in_plane(const Where& where) const {
+  const auto met = [&](glm::dvec2 pixel) -> std::optional<glm::dvec3> {
+    const Ray ray = ray_through(where.camera, where.view, pixel);
+    const glm::dvec3 direction = unit_vector(ray.direction);
+    const double towards = glm::dot(direction, *axis_);
+    constexpr double least = 0.02;
+    if (std::abs(towards) < least) return std::nullopt;
+    const double far = glm::dot(middle_ - ray.origin, *axis_) / towards;
+    if (far <= 0 && !where.camera.ortho_height) return std::nullopt;  // above the horizon
+    return ray.origin + far * direction;
+  };
+  const auto from = met(start_), to = met(where.pixel);
+  if (from && to) return *to - *from;
   const double depth = depth_of(where.camera, middle_);
-  glm::dvec3 by =
-      place_at(where.camera, where.view, where.pixel, depth) - place_at(where.camera, where.view, start_, depth);
-  const double step = grid_step(units_per_pixel(where.camera, where.view, depth) * where.view.height);
-  if (where.under) by = *where.under - middle_;
-  if (axis_ && where.under) {
-    by = glm::dot(by, *axis_) * *axis_;
-  } else if (axis_) {
+  return place_at(where.camera, where.view, where.pixel, depth) - place_at(where.camera, where.view, start_, depth);
+}
+
+// Along the axis or in the plane that was chosen, or across the view.
+glm::dvec3 TransformGesture::moved_by(const Where& where, double step) const {
+  const auto stepped = [&](glm::dvec3 by) {
+    for (int k = 0; k < 3 && where.snaps && !where.under; ++k) by[k] = to_step(by[k], step);
+    return by;
+  };
+  const auto in_plane = [&](const glm::dvec3& by) { return by - glm::dot(by, *axis_) * *axis_; };
+  if (where.under) {
+    const glm::dvec3 by = *where.under - middle_;
+    return !axis_ ? by : is_in_plane_ ? in_plane(by) : glm::dot(by, *axis_) * *axis_;
+  }
+  if (is_in_plane_) return in_plane(stepped(in_plane(moved_in_plane(where))));
+  if (axis_) {
     const auto from = nearest_on_axis(middle_, *axis_, ray_through(where.camera, where.view, start_));
     const auto to = nearest_on_axis(middle_, *axis_, ray_through(where.camera, where.view, where.pixel));
-    double along = from && to ? *to - *from : 0;
-    if (where.snaps) along = to_step(along, step);
-    by = along * *axis_;
-  } else if (where.snaps && !where.under) {
-    for (int k = 0; k < 3; ++k) by[k] = to_step(by[k], step);
+    const double along = from && to ? *to - *from : 0;
+    return (where.snaps ? to_step(along, step) : along) * *axis_;
   }
+  const double depth = depth_of(where.camera, middle_);
+  return stepped(place_at(where.camera, where.view, where.pixel, depth) -
+                 place_at(where.camera, where.view, start_, depth));
+}
+
+void TransformGesture::follow_move(const Where& where) {
+  const double unit = units_per_pixel(where.camera, where.view, depth_of(where.camera, middle_));
+  const glm::dvec3 by = moved_by(where, grid_step(unit * where.view.height));
   if (is_finite(by)) transform_.by = by;
+  snapped_to_ = where.under;
 }
 
 void TransformGesture::follow_turn(const Where& where) {
@@ -131,7 +169,7 @@ void TransformGesture::take_number() {
   if (!number) return;
   switch (kind_) {
     case PointTransform::Kind::move:
-      transform_.by = *number * axis_.value_or(glm::dvec3(1, 0, 0));
+      transform_.by = *number * typed_direction();
       break;
     case PointTransform::Kind::turn:
       transform_.angle_deg = *number;
@@ -141,14 +179,25 @@ void TransformGesture::take_number() {
   }
 }
 
-void TransformGesture::choose_axis(const Mesh& mesh, char letter) {
-  axis_letter_ = axis_letter_ == letter ? '\0' : letter;
+// Along which a typed number moves: in a plane its first axis, X, Y or Z.
+glm::dvec3 TransformGesture::typed_direction() const {
+  if (!axis_) return {1, 0, 0};
+  if (!is_in_plane_) return *axis_;
+  const glm::dvec3 x(1, 0, 0), y(0, 1, 0);
+  const glm::dvec3 first = std::abs(axis_->x) < 0.9 ? x : y;
+  return unit_vector(first - glm::dot(first, *axis_) * *axis_);
+}
+
+void TransformGesture::choose_axis(const Mesh& mesh, char letter, bool in_plane) {
+  axis_letter_ = axis_letter_ == letter && is_in_plane_ == in_plane ? '\0' : letter;
+  is_in_plane_ = in_plane;
   axis_.reset();
   if (axis_letter_ == 'X') axis_ = glm::dvec3(1, 0, 0);
   if (axis_letter_ == 'Y') axis_ = glm::dvec3(0, 1, 0);
   if (axis_letter_ == 'Z') axis_ = glm::dvec3(0, 0, 1);
   if (axis_letter_ == 'N') axis_ = direction_of(mean_normal(mesh, elements_, points_));
   if (!axis_) axis_letter_ = '\0';
+  is_in_plane_ = is_in_plane_ && axis_;
   if (kind_ != PointTransform::Kind::move) transform_.axis = axis_;
 }
 
@@ -159,8 +208,8 @@ bool TransformGesture::key(const Mesh& mesh, std::string_view chord) {
   } else if (chord == "O") {
     falloff_ = falloff_ > 0 ? 0 : 0.1 * size_;
     find_moved(mesh);
-  } else if (chord.size() == 1 && std::string_view("XYZN").find(chord[0]) != std::string_view::npos) {
-    choose_axis(mesh, chord[0]);
+  } else if (is_axis_key(chord)) {
+    choose_axis(mesh, chord.back(), chord.size() > 1 && kind_ == PointTransform::Kind::move);
   } else if (chord == "-") {
     typed_ = typed_.starts_with('-') ? typed_.substr(1) : "-" + typed_;
   } else if (chord.size() == 1 && std::string_view("0123456789.").find(chord[0]) != std::string_view::npos) {
@@ -223,11 +272,11 @@ Text TransformGesture::told() const {
     return std::string(text);
   };
   Text text;
-  const std::string letter = letter_name(axis_letter_);
+  const std::string letter = axis_name(axis_letter_, is_in_plane_);
   switch (kind_) {
     case PointTransform::Kind::move: {
       const glm::dvec3& by = transform_.by;
-      const std::string amount = axis_ ? short_text(glm::dot(by, *axis_))
+      const std::string amount = axis_ && !is_in_plane_ ? short_text(glm::dot(by, *axis_))
                                        : short_text(by.x) + ", " + short_text(by.y) + ", " + short_text(by.z);
       text = {"Move" + letter + " " + amount, "移動" + letter + " " + amount};
       break;

@@ -31,7 +31,7 @@ class TransformGesture {
     std::optional<glm::dvec3> under = {};  // the place under the pointer, where it snaps
   };
   void follow(const Mesh& mesh, const Where& where);
-  // X, Y, Z and N (the normal) choose an axis or let it go; digits, sign and dot type the number; Backspace; O switches the
+  // X, Y, Z and N (the normal) choose an axis or let it go; with Shift a movement stays in the plane across it; digits, sign and dot type the number; Backspace; O switches the
   // falloff. False: no key of a gesture.
   bool key(const Mesh& mesh, std::string_view chord);
   // Widens the falloff by steps of a tenth; false where there is none.
@@ -51,16 +51,25 @@ class TransformGesture {
   Text told() const;
   const Elements& elements() const { return elements_; }
   bool has_falloff() const { return falloff_ > 0; }
+  double falloff() const { return falloff_; }
   glm::dvec3 middle() const { return middle_; }
+  // The axis that was chosen, with its letter; whether a movement is in the plane across it. A letter of 0 is none.
   std::optional<glm::dvec3> axis() const { return axis_; }
+  char axis_letter() const { return axis_letter_; }
+  bool is_in_plane() const { return is_in_plane_; }
+  // What it snaps to just now.
+  std::optional<glm::dvec3> snapped_to() const { return typed_.empty() ? snapped_to_ : std::nullopt; }
 
  private:
   void find_moved(const Mesh& mesh);
   void follow_move(const Where& where);
+  glm::dvec3 moved_by(const Where& where, double step) const;
+  glm::dvec3 moved_in_plane(const Where& where) const;
   void follow_turn(const Where& where);
   void follow_scale(const Where& where);
+  glm::dvec3 typed_direction() const;
   void take_number();
-  void choose_axis(const Mesh& mesh, char letter);
+  void choose_axis(const Mesh& mesh, char letter, bool in_plane);
 
   PointTransform::Kind kind_;
   Elements elements_;
@@ -73,6 +82,8 @@ class TransformGesture {
   std::optional<glm::dvec2> last_;
   char axis_letter_ = 0;
   std::optional<glm::dvec3> axis_;
+  bool is_in_plane_ = false;
+  std::optional<glm::dvec3> snapped_to_;
   std::string typed_;
   double turned_deg_ = 0;  // by the pointer, over several turns
   PointTransform transform_;

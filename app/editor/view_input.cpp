@@ -1,5 +1,6 @@
 #include "app/editor/view_input.h"
 
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "app/editor/camera_text.h"
@@ -10,7 +11,9 @@ namespace ryosen {
 
 void ViewInput::press(MouseButton button, const Pointer& at) {
   session_.pointer = at.pixel;
-  if (gesture_ended_ && gesture_ended_->button == button) gesture_ended_.reset();  // its release was missed
+  // The window may have missed its release.
+  if (gesture_ended_ && gesture_ended_->button == button) gesture_ended_.reset();
+  if (button == MouseButton::left) held_handle_.reset();
   if (session_.gesture() && button != MouseButton::middle) {
     gesture_ended_ = {button, {}};
     if (button == MouseButton::left) {
@@ -24,12 +27,44 @@ void ViewInput::press(MouseButton button, const Pointer& at) {
   const InputPreset& preset = input_presets()[session_.input_preset];
   const bool is_armed = session_.armed_gesture && button == MouseButton::left;
   const Gesture gesture = is_armed ? *session_.armed_gesture : gesture_of(preset, button, at.modifiers);
+  const HandleRow* const handle =
+      button == MouseButton::left && !is_armed && !is_dragging() ? session_.handle_at(at.pixel, at.modifiers) : nullptr;
+  if (handle) {
+    held_handle_ = HeldHandle{handle, at.pixel};
+    return;
+  }
   band_modifiers_ = at.modifiers;
   for (const DragRow& row : preset.drags) {
     if (is_armed || row.button != button || row.shift != at.modifiers.shift || row.ctrl != at.modifiers.ctrl) continue;
     band_modifiers_.shift = band_modifiers_.ctrl = false;  // they asked for the gesture
   }
   navigation_.press(button, at.pixel, at.modifiers, gesture);
+}
+
+void ViewInput::drag_handle(const Pointer& at) {
+  if (!held_handle_->has_begun && glm::length(at.pixel - held_handle_->start) > click_reach_px) {
+    held_handle_->has_begun = true;
+    session_.pointer = held_handle_->start;
+    run(std::string(held_handle_->row->line));
+    session_.pointer = at.pixel;
+  }
+  if (session_.gesture()) session_.follow_gesture(at.pixel, at.modifiers);
+}
+
+// The gesture may have been ended before, by a key or the other button.
+Outcome ViewInput::let_go_of_handle(const Pointer& at) {
+  Outcome outcome;
+  if (std::exchange(held_handle_, std::nullopt)->has_begun && session_.gesture()) {
+    session_.follow_gesture(at.pixel, at.modifiers);
+    outcome = end_gesture();
+  }
+  point(at);
+  return outcome;
+}
+
+void ViewInput::give_up_drags() {
+  navigation_.cancel();
+  if (std::exchange(held_handle_, std::nullopt)) session_.cancel_gesture();
 }
 
 std::string ViewInput::line_of_band() const {
@@ -44,6 +79,7 @@ std::string ViewInput::line_of_band() const {
 
 Outcome ViewInput::release(MouseButton button, const Pointer& at) {
   session_.pointer = at.pixel;
+  if (button == MouseButton::left && held_handle_) return let_go_of_handle(at);
   if (gesture_ended_ && gesture_ended_->button == button) return std::exchange(gesture_ended_, std::nullopt)->outcome;
   const auto ended = navigation_.release(button, at.pixel, at.now_s);
   Outcome outcome;
@@ -70,6 +106,8 @@ void ViewInput::move(const Pointer& at) {
   session_.pointer = at.pixel;
   if (session_.gesture() && !navigation_.is_dragging())
     session_.follow_gesture(at.pixel, at.modifiers);
+  else if (held_handle_ && !navigation_.is_dragging())
+    drag_handle(at);
   else if (navigation_.move(session_, at.pixel))
     session_.point_away();
   else
@@ -84,7 +122,7 @@ void ViewInput::wheel(double steps, const Pointer& at) {
 
 Outcome ViewInput::key(const std::string& chord) {
   if (const auto outcome = session_.gesture_key(chord)) return *outcome;
-  if (const auto row = find_key(chord)) return session_.run(row->command);
+  if (const auto row = find_key(chord, input_presets()[0], session_.bindings)) return session_.run(row->command);
   return is_panel_key(chord) ? no_panel_for_key(chord) : no_such_key(chord);
 }
 

@@ -20,6 +20,8 @@ class ViewInput : public Input {
 
   // Hovers what is under the pixel, if it is one of the view.
   void point(const Pointer& at);
+  // Ends every press, without a click; what a drag of a handle has moved is where it was.
+  void give_up_drags();
   bool is_dragging() const { return navigation_.is_dragging(); }
 
  protected:
@@ -38,12 +40,23 @@ class ViewInput : public Input {
   // The line that selects by the band that a drag has drawn.
   std::string line_of_band() const;
 
+  // The left button holds a handle of the gizmo. The gesture begins when the pointer has moved farther than for a click.
+  struct HeldHandle {
+    const HandleRow* row;
+    glm::dvec2 start;
+    bool has_begun = false;
+  };
+  void drag_handle(const Pointer& at);
+  Outcome let_go_of_handle(const Pointer& at);
+
+  std::optional<HeldHandle> held_handle_;
+
   struct EndedGesture {
     MouseButton button;
     Outcome outcome;
   };
   std::optional<EndedGesture> gesture_ended_;  // by the press of a button that is still held
-  Modifiers band_modifiers_;              // of its press, beyond those that ask for the gesture
+  Modifiers band_modifiers_;                   // of its press, beyond those that ask for the gesture
 };
 
 // The failures of a key that is bound to nothing, of one that only panels take, and of text that no field takes.

@@ -33,6 +33,11 @@ struct ViewSwitch {
   std::string_view chord = "", key_en = "", key_ja = "";
   // The help of its flag --ID of `shot`; empty where there is none.
   std::string_view flag_en = "", flag_ja = "";
+  // Of the menu of its own that its values stand in; empty: in the View menu itself.
+  std::string_view menu_en = "", menu_ja = "";
+
+  // Its name among the preferences, which the window keeps; empty where it begins anew each time.
+  std::string_view preference_en = "", preference_ja = "";
 
   bool toggles() const { return !chord.empty(); }
   bool has_flag() const { return !flag_en.empty(); }

@@ -17,13 +17,15 @@ constexpr float tabs_px = 30;
 int scaled(float px, float scale) { return static_cast<int>(std::lround(px * scale)); }
 
 // The height of ImGui's menu bar, and of the status line: font size plus vertical padding.
-int bar_px(float scale) {
-  return static_cast<int>(std::round(font_px * scale) + 2 * std::floor(frame_padding_px * scale));
+int bar_px(const UiSize& size) {
+  return static_cast<int>(std::round(static_cast<float>(size.font_px) * size.scale) +
+                          2 * std::floor(frame_padding_px * size.scale));
 }
 
 }  // namespace
 
-Areas areas_of(const Layout& layout, Size window, float scale) {
+Areas areas_of(const Layout& layout, Size window, const UiSize& size) {
+  const float scale = size.scale;
   Areas areas;
   areas.has_tabs = static_cast<float>(window.width) < least_window_px * scale;
   const auto width = [&](PanelPlace side) {
@@ -36,7 +38,7 @@ Areas areas_of(const Layout& layout, Size window, float scale) {
     left = static_cast<int>(std::int64_t{left} * room / (left + right));
     right = std::min(right, room - left);
   }
-  const int bar = bar_px(scale);
+  const int bar = bar_px(size);
   areas.view = {left, bar, window.width - right, window.height - bar};
   areas.view.x1 = std::max(areas.view.x1, areas.view.x0 + 1);
   areas.view.y1 = std::max(areas.view.y1, areas.view.y0 + 1);

@@ -13,8 +13,16 @@ struct Areas {
   const PixelRect& column(PanelPlace side) const { return side == PanelPlace::left ? left : right; }
 };
 
-// At a scale of the display, 1 for about 96 pixels per inch. The view keeps some room, and at least a pixel.
-Areas areas_of(const Layout& layout, Size window, float scale);
+// How large things are: at a scale, 1 for about 96 pixels per inch, and letters at scale 1.
+struct UiSize {
+  UiSize(float of_all = 1, int of_letters_px = 15) : scale(of_all), font_px(of_letters_px) {}
+  float scale;
+  int font_px;
+  bool operator==(const UiSize&) const = default;
+};
+
+// The view keeps some room, and at least a pixel.
+Areas areas_of(const Layout& layout, Size window, const UiSize& size);
 
 // The widest that a column of a window may be made by hand, at scale 1.
 int widest_column_px(const Layout& layout, PanelPlace side, Size window, float scale);

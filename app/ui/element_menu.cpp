@@ -35,6 +35,19 @@ void operator_item(PanelContext& context, const OpInfo& op) {
   tip(help, ImGuiHoveredFlags_AllowWhenDisabled);
 }
 
+void gesture_items(PanelContext& context) {
+  const auto item = [&](const char* en, const char* ja, const char* line) {
+    if (ImGui::MenuItem(context.text(en, ja), chord_of(context.session, line).c_str())) context.run(line);
+  };
+  item("Move", "移動", "gesture move");
+  item("Turn", "回転", "gesture turn");
+  item("Scale", "拡大縮小", "gesture scale");
+  const auto is_face = [](const Element& e) { return e.kind == Element::Kind::face; };
+  if (std::any_of(context.session.selection.begin(), context.session.selection.end(), is_face))
+    item("Extrude and move", "押し出して移動", "gesture extrude");
+  ImGui::Separator();
+}
+
 std::string title(PanelContext& context) {
   const std::vector<Element>& selection = context.session.selection;
   if (selection.empty()) return context.text("Nothing is selected", "選択なし");
@@ -50,6 +63,7 @@ void draw_element_menu(PanelContext& context) {
   if (!ImGui::BeginPopup("##element")) return;
   dim_text(context, title(context).c_str());
   ImGui::Separator();
+  if (!context.session.selection.empty()) gesture_items(context);
   for (const OpInfo& op : all_ops())
     if (works_on(op, context.session.selection)) operator_item(context, op);
   ImGui::Separator();

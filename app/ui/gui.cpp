@@ -30,7 +30,7 @@ ImGuiContext* make_context() {
 
 }  // namespace
 
-Gui::Gui(float scale) : imgui_(make_context()), scale_(scale) {
+Gui::Gui(float scale) : imgui_(make_context()), display_scale_(scale), size_(scale), styled_(scale) {
   ImGui::SetCurrentContext(imgui_);
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
@@ -38,7 +38,7 @@ Gui::Gui(float scale) : imgui_(make_context()), scale_(scale) {
   io.MousePos = {-1e9f, -1e9f};
   for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-  apply_style(theme_, scale_);
+  apply_style(theme_, size_.scale);
   const std::span<const PanelRow> rows = panel_list();
   for (std::unique_ptr<Panel>& panel : make_panels()) panels_.push_back({rows[panels_.size()], std::move(panel), {}});
 }
@@ -50,11 +50,8 @@ void Gui::add_panel(const PanelRow& row, std::unique_ptr<Panel> panel) {
 }
 
 void Gui::set_scale(float scale) {
-  if (scale == scale_) return;
-  ImGui::SetCurrentContext(imgui_);
-  scale_ = scale;
-  apply_style(theme_, scale_);
-  has_fonts_ = false;
+  size_.scale *= scale / display_scale_;
+  display_scale_ = scale;
 }
 
 void Gui::place_view(Session& session, Size window) const {
@@ -67,14 +64,17 @@ PanelContext Gui::context(Session& session) {
   Fonts fonts = fonts_;
   // One weight only for Japanese: a bold one would need all glyphs twice.
   if (session.language == Language::japanese) fonts.bold = fonts.normal;
-  return {session, state_, fonts, session.settings.theme, scale_};
+  return {session, state_, fonts, session.settings.theme, size_.scale};
 }
 
 bool Gui::prepare(const Session& session) {
   ImGui::SetCurrentContext(imgui_);
   const Theme theme = session.settings.theme;
-  if (theme != theme_) apply_style(theme, scale_);
+  size_ = {display_scale_ * static_cast<float>(session.ui_scale), session.font_size_px};
+  has_fonts_ = has_fonts_ && size_ == styled_;
+  if (theme != theme_ || size_ != styled_) apply_style(theme, size_.scale);
   theme_ = theme;
+  styled_ = size_;
   const auto names_need_it = [&] {
     return needs_japanese(session.document().path().c_str()) ||
            std::any_of(session.lost.begin(), session.lost.end(),
@@ -82,7 +82,7 @@ bool Gui::prepare(const Session& session) {
   };
   const bool japanese = has_japanese_ || session.language == Language::japanese || names_need_it();
   if (has_fonts_ && japanese == has_japanese_) return false;
-  fonts_ = load_fonts(*ImGui::GetIO().Fonts, std::round(font_px * scale_), japanese);
+  fonts_ = load_fonts(*ImGui::GetIO().Fonts, std::round(static_cast<float>(size_.font_px) * size_.scale), japanese);
   unsigned char* alpha = nullptr;
   int width = 0, height = 0;
   ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&alpha, &width, &height);
@@ -118,9 +118,10 @@ void Gui::frame(Session& session, Size window, double seconds) {
   if (std::exchange(state_.closes_menus, false)) ImGui::ClosePopupsExceptModals();
   PanelContext panel_context = context(session);
   draw_menu(panel_context);
-  columns_.draw(panel_context, areas_of(session.layout, window, scale_), panels_);
+  columns_.draw(panel_context, areas_of(session.layout, window, size_), panels_);
   draw_status(panel_context);
   draw_hidden_note(panel_context);
+  start_.draw(panel_context);
   draw_pointer_tip(panel_context);
   draw_band(panel_context);
   draw_element_menu(panel_context);
@@ -137,7 +138,7 @@ void Gui::frame(Session& session, Size window, double seconds) {
 
 bool Gui::progress_frame(Language language, Size window, double seconds, double share) {
   begin_frame(window, seconds);
-  const bool wants_cancel = draw_progress_window(language, scale_, share);
+  const bool wants_cancel = draw_progress_window(language, size_.scale, share);
   end_frame();
   return wants_cancel;
 }
@@ -213,6 +214,14 @@ bool Gui::owns_pointer(const Session& session, Size window, glm::dvec2 pixel) co
 bool Gui::has_menu(const Session& session) const {
   ImGui::SetCurrentContext(imgui_);
   return session.open_panel.empty() && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+}
+
+bool Gui::take_chord(const Session& session, const std::string& chord) {
+  if (!wants_chord(session) || chord.empty()) return false;
+  state_.unsettle();
+  state_.asks_for_key = false;
+  state_.asked_key = chord;
+  return true;
 }
 
 void Gui::close_menus() {

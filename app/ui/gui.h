@@ -10,6 +10,7 @@
 
 #include "app/ui/panels.h"
 #include "app/ui/side_columns.h"
+#include "app/ui/start_page.h"
 
 struct ImGuiContext;
 struct ImDrawData;
@@ -32,14 +33,14 @@ class Gui {
   // A panel beside those of the list, for programs with panels of their own: behind them in its column and the menu, and
   // known to the command `panel` while this lives. The row's texts must live as long.
   void add_panel(const PanelRow& row, std::unique_ptr<Panel> panel);
-  // Changes the scale at the next prepare().
+  // Changes the scale of the display; letters at the next prepare().
   void set_scale(float scale);
   // The area of the view within a window.
-  PixelRect view_area(Size window, const Layout& layout) const { return areas_of(layout, window, scale_).view; }
+  PixelRect view_area(Size window, const Layout& layout) const { return areas_of(layout, window, size_).view; }
   // Sets the session's view to that area, as each frame does.
   void place_view(Session& session, Size window) const;
 
-  // Applies theme and language. True if the glyphs have changed: rebuild their texture before the frame.
+  // Applies theme, language and sizes. True if the glyphs have changed: rebuild their texture before the frame.
   bool prepare(const Session& session);
   // Lays out one frame and runs the long operations it requests; call prepare() first. The first frame is empty and a
   // panel may need two more to settle its size, so a picture takes three.
@@ -64,6 +65,11 @@ class Gui {
   // A menu is open, which Escape closes; while it is, keys are not for what lies behind it.
   bool has_menu(const Session& session) const;
   void close_menus();
+  // The next key is for a panel that asks which one it is to be (GuiState::asks_for_key); true where it took it.
+  bool wants_chord(const Session& session) const { return state_.asks_for_key && !session.open_panel.empty(); }
+  bool take_chord(const Session& session, const std::string& chord);
+  // The start page takes the arrow keys and Enter.
+  bool has_start(const Session& session) const { return StartPage::is_shown(session); }
   // As of the last frame.
   PointerShape pointer_shape() const;
 
@@ -89,10 +95,12 @@ class Gui {
   void begin_frame(Size window, double seconds);
   void end_frame();
   ImGuiContext* imgui_;
-  float scale_;
+  float display_scale_;
+  UiSize size_, styled_;  // with what the user prefers, and what style and letters are made for
   GuiState state_;
   std::vector<OwnPanel> panels_;
   SideColumns columns_;
+  StartPage start_;
   Fonts fonts_;
   bool has_fonts_ = false, has_japanese_ = false;
   Theme theme_ = Theme::dark;

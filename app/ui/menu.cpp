@@ -2,6 +2,7 @@
 
 #include "app/editor/commands.h"
 #include "app/editor/view_switches.h"
+#include "app/editor/words.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 #include "core/view/named_views.h"
@@ -29,11 +30,30 @@ void panel_items(PanelContext& context, PanelMenu menu, const char* behind = "")
   }
 }
 
+// What replaces the document asks before changes would be lost.
+void replacing_item(PanelContext& context, const char* name, const std::string& line) {
+  if (ImGui::MenuItem(name)) context.leave({false, {}, line});
+}
+
+void draw_recent_menu(PanelContext& context) {
+  if (!ImGui::BeginMenu(context.text("Open recent", "最近のファイル"), !context.session.recent.empty())) return;
+  for (const std::string& file : context.session.recent)
+    replacing_item(context, file.c_str(), "open " + file_argument(file));
+  ImGui::EndMenu();
+}
+
 void draw_file_menu(PanelContext& context) {
+  replacing_item(context, context.text("Start page", "開始画面"), "start");
+  replacing_item(context, context.text("New", "新規"), "new");
   panel_items(context, PanelMenu::file_read, "...");
+  draw_recent_menu(context);
   ImGui::Separator();
   item(context, UiText::save, "save", !context.session.document().path().empty());
   panel_items(context, PanelMenu::file_write, "...");
+  if (ImGui::MenuItem(context.text("Append a file...", "ファイルを追加..."))) context.begin_command("append ");
+  if (ImGui::MenuItem(context.text("Save the selection...", "選択を保存..."), "", false,
+                      !context.session.selection.empty()))
+    context.begin_command("save_selected ");
   ImGui::Separator();
   item(context, UiText::quit, "quit");
 }
@@ -54,6 +74,9 @@ void draw_edit_menu(PanelContext& context) {
     item(context, context.text(op.name_en, op.name_ja), is_tool(op) ? "tool " + id : id, true,
          context.session.tool == id);
   }
+  ImGui::Separator();
+  item(context, context.text("Duplicate", "複製"), "duplicate elements=selected", !context.session.selection.empty());
+  item(context, context.text("Mirror...", "鏡像..."), "values mirror");
   ImGui::Separator();
   if (ImGui::BeginMenu(context.text("Algorithms", "アルゴリズム"))) {
     for (const AlgorithmRow& row : algorithm_table())
@@ -97,7 +120,12 @@ void draw_switches(PanelContext& context) {
   const ViewSwitch* before = nullptr;
   for (const ViewSwitch& row : view_switches()) {
     if (before && !(is_one_entry(*before) && is_one_entry(row))) ImGui::Separator();
-    draw_switch(context, row);
+    if (row.menu_en.empty()) {
+      draw_switch(context, row);
+    } else if (ImGui::BeginMenu(context.text(row.menu_en, row.menu_ja))) {
+      draw_switch(context, row);
+      ImGui::EndMenu();
+    }
     before = &row;
   }
   ImGui::Separator();

@@ -166,6 +166,15 @@ Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, 
   return overlay;
 }
 
+// Of several, in a ring: it is the one that the others are welded into.
+static void draw_last_vertex(const Session& session, Theme theme, Overlay& overlay) {
+  if (session.selection.size() < 2 || session.selection.back().kind != Element::Kind::vertex) return;
+  const Vertex last = session.selection.back().vertex();
+  if (session.hidden().hides(session.mesh(), last)) return;
+  overlay.points.push_back(
+      {session.drawn_positions()[last.index], style(Role::witness, theme).colour, PointShape::ring, 11, faintly});
+}
+
 Overlay selection_overlay(const Session& session, Theme theme) {
   Overlay overlay;
   Painter painter(session, overlay, style(Role::selected, theme));
@@ -174,6 +183,7 @@ Overlay selection_overlay(const Session& session, Theme theme) {
   const bool has_outlines = std::count_if(session.selection.begin(), session.selection.end(), is_face) <= most_outlines;
   for (const Element& e : session.selection)
     if ((has_outlines || !is_face(e)) && !session.hidden().hides(session.mesh(), e)) painter.draw(e);
+  draw_last_vertex(session, theme, overlay);
   return overlay;
 }
 

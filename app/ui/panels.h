@@ -41,6 +41,8 @@ struct GuiState {
   std::optional<PendingLeave> pending;
   bool closes_menus = false;  // in the next frame
   bool opens_menu = false;    // that of what is selected, in the next frame
+  bool asks_for_key = false;  // the next key goes there:
+  std::string asked_key;      // its chord
   std::string begun_command;  // what the command window takes into its field when it is open
 
   // A panel may need this many frames to open, to settle its size, or to close.

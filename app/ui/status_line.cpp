@@ -1,6 +1,7 @@
 // What each button of the mouse does now, and what the last command said.
 #include <algorithm>
 
+#include "app/editor/asking.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 #include "core/base/count_text.h"
@@ -51,6 +52,13 @@ std::vector<Hint> hints_of(const PanelContext& context) {
                                     : context.text("draw a lasso, Esc gives up", "投げ縄を描く（Esc で中止）");
     return context.text(does(gesture_of(input_presets()[context.session.input_preset], button, {})));
   };
+  if (!context.session.asked_line.empty())
+    return {{"", asked_text(context.session.asked_line).in(context.language())},
+            {"Esc", context.text("give up", "中止")}};
+  if (const HandleRow* const handle = context.session.pointed_handle())
+    return {{context.text("Drag", "ドラッグ"), context.text(handle->does_en, handle->does_ja)},
+            {"Ctrl", context.text("snap", "スナップ")},
+            {"Esc", context.text("give up", "中止")}};
   const OpInfo* const op = find_op(context.session.tool);
   return {{context.text("Click", "クリック"),
            op ? context.text(op->name_en, op->name_ja) : context.text(UiText::does_pick)},
@@ -93,7 +101,8 @@ void draw_line(PanelContext& context, float width, float padding) {
   const std::vector<Hint> hints = hints_of(context);
   const std::string& said = context.state.last_outcome.in(context.language());
   const float all = width - 2 * padding;
-  if (said.empty() || context.session.gesture()) return draw_hints(context, hints, all);
+  if (said.empty() || context.session.gesture() || !context.session.asked_line.empty())
+    return draw_hints(context, hints, all);
   float hinted = 0;
   for (const Hint& hint : hints) hinted += width_of(hint) + hint_gap();
   // What was said comes before the hints.

@@ -8,7 +8,7 @@
 namespace ryosen {
 
 // At scale 1.
-inline constexpr float font_px = 15, frame_padding_px = 4;
+inline constexpr float frame_padding_px = 4;
 
 // Panel colours beyond Dear ImGui's own style.
 struct UiColours {

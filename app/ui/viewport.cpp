@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/ui/gizmo_overlay.h"
 #include "app/ui/overlays.h"
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
@@ -128,12 +129,13 @@ Result<std::unique_ptr<Viewport>> Viewport::make() {
 
 void Viewport::set_supersample(int samples) {
   supersample_ = samples;
-  size_ = {};
 }
 
 void Viewport::follow(Session& session) {
-  if (session.view != size_) view_->resize(session.view, supersample_);
+  const int samples = std::max(supersample_, session.samples);
+  if (session.view != size_ || samples != samples_) view_->resize(session.view, samples);
   size_ = session.view;
+  samples_ = samples;
   if (session.settings.theme != settings_.theme) highlights_stale_ = true;
   settings_ = session.settings;
   if (settings_.dots == Dots::picked)
@@ -283,6 +285,7 @@ void Viewport::follow_overlays(Session& session) {
   selection_stale_ = false;
   selection_ = session.selection;
   view_->set_overlay(Layer::hover, hover_overlay(session, settings_.theme));
+  view_->set_overlay(Layer::handles, gizmo_overlay(session, settings_.theme));
 }
 
 }  // namespace ryosen

@@ -54,7 +54,7 @@ class Viewport {
   FramePace pace_;
   FramePace::Clock::time_point changed_at_;
   ViewSettings settings_;
-  int supersample_ = 1;
+  int supersample_ = 1, samples_ = 0;  // those that were set, and those that are drawn
   Size size_{};
   const Document* mesh_of_ = nullptr;
   Shading drawn_shading_ = Shading::flat;  // with which the mesh was passed

@@ -97,7 +97,7 @@ bool link(PanelContext& context, const char* text) {
   return clicked;
 }
 
-void element_links(PanelContext& context, const std::vector<Element>& elements) {
+bool element_links(PanelContext& context, const std::vector<Element>& elements) {
   constexpr std::size_t most = 24;
   const float right_edge = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
   const float gap = ImGui::GetFontSize() * 0.6f;
@@ -114,7 +114,9 @@ void element_links(PanelContext& context, const std::vector<Element>& elements) 
     ImGui::SameLine(0, gap);
     ImGui::TextDisabled("+%zu", elements.size() - most);
   }
-  if (!chosen.empty()) context.run("select " + chosen);
+  if (chosen.empty()) return false;
+  context.run("select " + chosen);
+  return true;
 }
 
 bool row(PanelContext& context, const char* label, const char* right, bool is_active, float free_px) {
@@ -253,7 +255,7 @@ bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size) {
 void end_over() { ImGui::EndPopup(); }
 
 std::string chord_of(const Session& session, std::string_view command) {
-  for (const KeyRow& key : key_table(input_presets()[session.input_preset]))
+  for (const KeyRow& key : key_table(input_presets()[session.input_preset], session.bindings))
     if (key.command == command) return key.chord;
   return {};
 }

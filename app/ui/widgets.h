@@ -18,8 +18,8 @@ void dim_text(PanelContext& context, const char* text);
 void labelled(PanelContext& context, const char* label, const std::string& value, float column = 5);
 // A row that looks and acts like a link; true when clicked.
 bool link(PanelContext& context, const char* text);
-// Links to elements, wrapped at the panel's edge; a click selects one.
-void element_links(PanelContext& context, const std::vector<Element>& elements);
+// Links to elements, wrapped at the panel's edge; a click selects one. True when one was clicked.
+bool element_links(PanelContext& context, const std::vector<Element>& elements);
 // A full-width row with a text on the left and a dim one on the right, that leaves some pixels free behind it; true when
 // clicked.
 bool row(PanelContext& context, const char* label, const char* right, bool is_active, float free_px = 0);

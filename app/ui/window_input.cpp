@@ -93,12 +93,14 @@ Outcome WindowInput::press_key(const std::string& chord, bool is_again, const In
   const Modifiers modifiers = modifiers_of(chord);
   gui_.modifiers(modifiers.shift, modifiers.ctrl);
   if (const int key = panel_key_of(chord); key >= 0) gui_.key(key, true);
+  if (gui_.take_chord(session_, chord)) return {};
   if (gui_.has_menu(session_)) {
     if (chord == "Escape") gui_.close_menus();
     return {};
   }
   if (session_.gesture() && !gui_.owns_keys()) return gui_.keep(session_, *session_.gesture_key(chord));
-  const auto row = find_key(chord, preset);
+  if (gui_.has_start(session_) && !gui_.owns_keys() && StartPage::takes(chord)) return {};
+  const auto row = find_key(chord, preset, session_.bindings);
   if (!row || (is_again && !row->repeats)) return {};
   if ((gui_.owns_keys() || !session_.open_panel.empty()) && !row->acts_always) return {};
   return gui_.run(session_, row->command);
@@ -112,7 +114,8 @@ void WindowInput::key_up(const std::string& chord) {
 
 Outcome WindowInput::key(const std::string& chord) {
   show_event();
-  if (!find_key(chord) && !is_panel_key(chord)) return no_such_key(chord);
+  if (!find_key(chord, input_presets()[0], session_.bindings) && !is_panel_key(chord) && !gui_.wants_chord(session_))
+    return no_such_key(chord);
   Outcome outcome = press_key(chord, false, input_presets()[0]);
   key_up(chord);
   show_event();
@@ -138,7 +141,7 @@ void WindowInput::leave() {
 }
 
 void WindowInput::let_go() {
-  navigation_.cancel();
+  give_up_drags();
   for (const MouseButton button : {MouseButton::left, MouseButton::right, MouseButton::middle})
     gui_.button(static_cast<int>(button), false);
 }

@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "core/algo/copying/copying.h"
 #include "core/algo/primitives/primitives.h"
 #include "core/algo/repair/repairs.h"
 #include "core/algo/transform/transforms.h"
@@ -13,7 +14,7 @@ namespace {
 std::deque<AlgorithmRow>& algorithm_rows() {
   static std::deque<AlgorithmRow> rows = [] {
     std::deque<AlgorithmRow> all;
-    for (const std::vector<AlgorithmRow>& folder : {repair_rows(), primitive_rows(), transform_rows()})
+    for (const std::vector<AlgorithmRow>& folder : {repair_rows(), primitive_rows(), transform_rows(), copying_rows()})
       all.insert(all.end(), folder.begin(), folder.end());
     return all;
   }();

@@ -37,6 +37,11 @@ struct LeftForReason {
   std::vector<Element> elements;  // one for each thing left, which names it
 };
 
+// Adds one where there are such elements.
+inline void add_left(std::vector<LeftForReason>& left_for, Text reason, std::vector<Element> elements) {
+  if (!elements.empty()) left_for.push_back({std::move(reason), std::move(elements)});
+}
+
 struct AlgorithmResult {
   std::size_t changed = 0;         // 0: nothing was written
   std::size_t left = 0;            // what the algorithm is for, but what it had to leave as it is
@@ -62,11 +67,12 @@ struct AlgorithmRow {
   AlgorithmResult (*run)(Edit& edit, const AlgorithmInput& input, Progress& progress);
   // Adds a shape beside what is there, and so needs no mesh to begin with.
   bool is_primitive = false;
+  bool selects_added = false;  // what it has added is selected afterwards
 
   bool is_repair() const { return !solves.empty(); }
 };
 
-// Repairs first, in the order in which they are done, each after those that make its work easier; then primitives and transforms. Rows
+// Repairs first, in the order in which they are done, each after those that make its work easier; then primitives, transforms and copies. Rows
 // stay where they are.
 const std::deque<AlgorithmRow>& algorithm_table();
 // By id; null when there is none.

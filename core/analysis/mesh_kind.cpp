@@ -30,7 +30,7 @@ static_assert(rows_are_in_order(kind_rows, &MeshKindRow::kind),
 // The lowest element of a kind of problem, by its name.
 std::string first_of(const Mesh& mesh, const ProblemSets& sets, ProblemKind kind) {
   const std::uint32_t i = sets.of(kind).nth(0);
-  return name_on_points(mesh, row_of(kind).vertex ? Element(Vertex(i)) : Element(Edge(i)));
+  return name_on_points(mesh, row_of(kind).element(i));
 }
 
 std::string face_name(Face f) { return "f" + std::to_string(f.index); }

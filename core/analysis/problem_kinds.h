@@ -72,6 +72,17 @@ struct ProblemRow {
   std::vector<std::uint32_t> (*find_all)(Neighbourhood&) = nullptr;
 
   bool is_local() const { return vertex || edge || face; }
+  // What its findings are; faces too where it has no predicate about elements of the mesh.
+  Element::Kind sort() const {
+    return vertex ? Element::Kind::vertex : edge ? Element::Kind::edge : Element::Kind::face;
+  }
+  // The finding with this number, of a slot or of a face of the file.
+  Element element(std::uint32_t index) const {
+    Element found;
+    found.kind = sort();
+    found.index = index;
+    return found;
+  }
   Text sentence(std::size_t count) const;
 };
 

@@ -38,9 +38,7 @@ std::vector<Element> elements_of(const ProblemRow& row, Neighbourhood& around, c
     });
   } else {
     elements.reserve(sets.count(row.kind));
-    sets.of(row.kind).for_each([&](std::uint32_t i) {
-      elements.push_back(row.vertex ? Element(Vertex(i)) : row.edge ? Element(Edge(i)) : Element(Face(i)));
-    });
+    sets.of(row.kind).for_each([&](std::uint32_t i) { elements.push_back(row.element(i)); });
   }
   return elements;
 }

@@ -19,24 +19,21 @@ constexpr std::array built_in{
                  .legend_en = "Edges with a face on one side only.",
                  .legend_ja = "片側にしか面のない稜線。",
                  .kinds = {Kind::boundary_loop},
-                 .looks = {0x56B4E9, 0x56B4E9, LineStyle::solid, 3, PointShape::ring, 4.5f},
-                 .shown_at_first = ShownAtFirst::yes},
+                 .looks = {0x56B4E9, 0x56B4E9, LineStyle::solid, 3, PointShape::ring, 4.5f}},
     HighlightRow{.id = "nonmanifold",
                  .name_en = "Non-manifold",
                  .name_ja = "非多様体",
                  .legend_en = "Edges with three or more faces, and vertices at one or between several fans of faces.",
                  .legend_ja = "三つ以上の面が接する稜線と、その端または複数の面の扇が集まる頂点。",
                  .kinds = {Kind::nonmanifold_edge, Kind::nonmanifold_vertex},
-                 .looks = {0xD55E00, 0xD55E00, LineStyle::dash_dot, 4, PointShape::diamond, 6},
-                 .shown_at_first = ShownAtFirst::yes},
+                 .looks = {0xD55E00, 0xD55E00, LineStyle::dash_dot, 4, PointShape::diamond, 6}},
     HighlightRow{.id = "misoriented",
                  .name_en = "Misoriented",
                  .name_ja = "向きの不一致",
                  .legend_en = "Edges whose two faces are turned against each other.",
                  .legend_ja = "両側の面の向きが揃っていない稜線。",
                  .kinds = {Kind::misoriented_edge},
-                 .looks = {0x4A90D9, 0x0072B2, LineStyle::dashed, 3.5f, PointShape::ring, 5},
-                 .shown_at_first = ShownAtFirst::yes},
+                 .looks = {0x4A90D9, 0x0072B2, LineStyle::dashed, 3.5f, PointShape::ring, 5}},
     HighlightRow{.id = "degenerate",
                  .name_en = "Degenerate",
                  .name_ja = "面積ゼロの面",
@@ -44,8 +41,7 @@ constexpr std::array built_in{
                  .legend_ja = "角が一直線に並ぶ面。",
                  .kinds = {Kind::degenerate_area},
                  .looks = {0xCC79A7, 0xCC79A7, LineStyle::dotted, 4, PointShape::cross, 6},
-                 .tint = FaceTint{FacePattern::horizontal, 0.8f},
-                 .shown_at_first = ShownAtFirst::yes},
+                 .tint = FaceTint{FacePattern::horizontal, 0.8f}},
     HighlightRow{.id = "duplicate",
                  .name_en = "Duplicate",
                  .name_ja = "重複面",
@@ -67,16 +63,21 @@ constexpr std::array built_in{
                  .legend_en = "Vertices that stand alone.",
                  .legend_ja = "どこにもつながっていない頂点。",
                  .kinds = {Kind::isolated_vertex},
-                 .looks = {0xFFFFFF, 0x000000, LineStyle::solid, 2, PointShape::ring, 5},
-                 .shown_at_first = ShownAtFirst::without_faces},
+                 .looks = {0xFFFFFF, 0x000000, LineStyle::solid, 2, PointShape::ring, 5}},
     HighlightRow{.id = "wires",
                  .name_en = "Wires",
                  .name_ja = "面のない稜線",
                  .legend_en = "Edges without a face.",
                  .legend_ja = "どちら側にも面のない稜線。",
                  .kinds = {Kind::wire},
-                 .looks = {0xE4E8EE, 0x303846, LineStyle::solid, 1.8f, PointShape::disc, 3.5f},
-                 .shown_at_first = ShownAtFirst::yes},
+                 .looks = {0xE4E8EE, 0x303846, LineStyle::solid, 1.8f, PointShape::disc, 3.5f}},
+    HighlightRow{.id = "rings",
+                 .name_en = "Rings",
+                 .name_ja = "面の穴",
+                 .legend_en = "Faces with rings, inner loops.",
+                 .legend_ja = "内側のループ（穴）を持つ面。",
+                 .kinds = {Kind::ring},
+                 .looks = {0x8FA8C8, 0x55708F, LineStyle::dashed, 2, PointShape::disc, 3.5f}},
     HighlightRow{.id = "creases",
                  .name_en = "Creases",
                  .name_ja = "折り目",
@@ -106,10 +107,7 @@ ScopedHighlight::ScopedHighlight(const HighlightRow& row) { table.add(row); }
 ScopedHighlight::~ScopedHighlight() { table.remove_last(); }
 
 Mark mark_of(ProblemKind kind) {
-  const ProblemRow& row = row_of(kind);
-  return {static_cast<std::uint16_t>(own_marks + static_cast<std::size_t>(kind)), row.vertex ? Element::Kind::vertex
-                                                                                  : row.edge ? Element::Kind::edge
-                                                                                             : Element::Kind::face};
+  return {static_cast<std::uint16_t>(own_marks + static_cast<std::size_t>(kind)), row_of(kind).sort()};
 }
 
 Mark own_mark(const HighlightRow& row, Element::Kind sort) {

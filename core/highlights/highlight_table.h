@@ -33,9 +33,6 @@ class ProblemKinds {
   std::uint32_t bits_ = 0;
 };
 
-// When a highlight is shown before the user has said anything. without_faces: where a mesh has no face to be seen.
-enum class ShownAtFirst : std::uint8_t { no, yes, without_faces };
-
 // It marks the findings of kinds of problems, or the elements about which predicates of its own say so. Findings are there
 // anyway; what predicates mark is searched for while the highlight is shown, and costs nothing else.
 struct HighlightRow {
@@ -55,9 +52,10 @@ struct HighlightRow {
 
   Looks looks;
   std::optional<FaceTint> tint = {};  // of the faces that it marks
-  ShownAtFirst shown_at_first = ShownAtFirst::no;
 
   bool has_predicate() const { return vertex || edge || face; }
+  // Before the user has said anything: what is listed as a finding is drawn too.
+  bool is_shown_at_first() const { return !kinds.empty(); }
 };
 
 // Those of problems first, in the order of panels and lists. What stands first is drawn on top.

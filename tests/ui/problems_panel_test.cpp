@@ -18,18 +18,18 @@ class ProblemsPanel : public testing::Test, protected test::Laid {
  protected:
   ProblemsPanel() : Laid("cube.obj") {}
 
-  // Unfolds a kind and clicks a row below it: its repairs come first, then its elements.
-  void click_below(int kind, int row) {
-    const double first = DrawnText(gui).place("Problems").y + 23;
-    click({1080, first + 19 * kind});
-    click({1030, first + 19 * (kind + 1 + row)});
-  }
+  // Unfolds the row of a kind with so many findings.
+  void unfold(const std::string& row) { click(DrawnText(gui).place(row)); }
+  glm::dvec2 place(std::string_view text) { return DrawnText(gui).place(text); }
+  // Everything that is drawn in the panel below a place, as it is read.
+  bool is_drawn(std::string_view text) { return DrawnText(gui).count(text) > 0; }
 };
 
 TEST_F(ProblemsPanel, a_press_on_a_repair_does_it_and_undo_takes_it_back) {
   open("duplicate_face.obj");
   ASSERT_EQ(session.mesh().live().faces, 2u);
-  click_below(1, 0);
+  unfold("1Duplicateface");
+  click(place("Removeduplicatefaces"));
   ASSERT_EQ(session.document().position(), 1u) << "one entry of the history";
   EXPECT_EQ(session.document().history()[0].command, "repair remove_duplicates");
   EXPECT_EQ(session.mesh().live().faces, 1u);
@@ -40,10 +40,11 @@ TEST_F(ProblemsPanel, a_press_on_a_repair_does_it_and_undo_takes_it_back) {
   EXPECT_EQ(session.mesh().live().faces, 2u);
 }
 
-TEST_F(ProblemsPanel, a_repair_that_needs_a_value_opens_its_field) {
+TEST_F(ProblemsPanel, a_repair_that_needs_a_value_unfolds_its_field_and_enter_runs_it) {
   open("moebius.off");
-  click_below(1, 1);
-  ASSERT_EQ(session.open_panel, "values");
+  unfold("1Boundaryloop");
+  click(place("Weldclosepoints"));
+  EXPECT_EQ(session.open_panel, "") << "the field stands in the row";
   EXPECT_EQ(session.document().position(), 0u) << "nothing was done yet";
   frames(3);
   for (const char c : std::string_view("0.001")) gui.character(static_cast<unsigned>(c));
@@ -51,15 +52,153 @@ TEST_F(ProblemsPanel, a_repair_that_needs_a_value_opens_its_field) {
   gui.key(ImGuiKey_Enter, true);
   gui.key(ImGuiKey_Enter, false);
   frames(3);
-  EXPECT_TRUE(gui.said().en.starts_with("weld_close distance=0.001: ")) << gui.said().en;
-  EXPECT_EQ(session.open_panel, "");
+  EXPECT_TRUE(gui.said().en.starts_with("repair weld_close distance=0.001: ")) << gui.said().en;
+}
+
+TEST_F(ProblemsPanel, a_repair_says_before_the_click_what_it_would_change_and_leave) {
+  open("bow_tie.obj");
+  unfold("1Non-manifoldvertex");
+  EXPECT_TRUE(is_drawn("Trial:Onepointwas")) << "in the row";
+  const std::uint64_t revision = session.document().revision();
+  gui.pointer(place("Detachatnon"));
+  frames(3);
+  EXPECT_TRUE(is_drawn("Onepointwasaddedtotakethesurfaceapartat1place.")) << "whole beside the pointer";
+  EXPECT_EQ(session.document().revision(), revision) << "nothing was written";
+  open("seam.obj");
+  unfold("2Boundaryloop");
+  gui.pointer(place("Fillholes"));
+  frames(3);
+  EXPECT_TRUE(is_drawn("2holeswerefilledby4triangles"));
+}
+
+TEST_F(ProblemsPanel, the_numbers_of_a_repair_change_what_it_would_do) {
+  open("seam.obj");
+  unfold("2Boundaryloop");
+  const glm::dvec2 button = place("Fillholes");
+  click({button.x - 22, button.y});
+  ASSERT_TRUE(is_drawn("Mostedges"));
+  click({place("Mostedges").x + 150, place("Mostedges").y});
+  gui.character('3');
+  frames(3);
+  gui.pointer(place("Fillholes"));
+  frames(3);
+  EXPECT_TRUE(is_drawn("0holeswerefilled.Left:Boundaryloop:thisrepairleavesit")) << "their loops have four edges";
+  click(place("Fillholes"));
+  EXPECT_EQ(session.document().position(), 0u);
+  EXPECT_TRUE(gui.said().en.starts_with("repair fill_holes most_edges=3: ")) << gui.said().en;
+}
+
+// Where every row of the panel stands.
+TEST_F(ProblemsPanel, no_row_moves_while_the_pointer_stays_after_a_repair) {
+  open("hanging_pair.obj");  // four kinds that one repair takes away; a boundary loop comes
+  unfold("1Hangingpair");
+  const glm::dvec2 button = place("Removeduplicatefaces"), last = place("1Hangingpair");
+  click(button);
+  ASSERT_EQ(session.document().position(), 1u);
+  EXPECT_TRUE(is_drawn("0Hangingpair:mended"));
+  EXPECT_EQ(place("0Hangingpair:mended").y, last.y);
+  EXPECT_EQ(place("Removeduplicatefaces"), button) << "under the pointer";
+  for (int again = 0; again < 3; ++again) click(button);
+  EXPECT_EQ(session.document().position(), 1u) << "nothing else is done there";
+  EXPECT_GT(place("1Boundaryloop").y, button.y) << "what has come stands behind";
+  gui.pointer({500, 400});
+  frames(3);
+  EXPECT_FALSE(is_drawn("mended")) << "they go when the pointer does";
+}
+
+TEST(problems_panel, double_clicks_in_one_place_never_run_two_different_repairs) {
+  std::size_t repaired = 0;
+  for (const char* file : {"fin.obj", "hanging_pair.obj", "misoriented.obj", "bow_tie.obj", "duplicate_face.obj",
+                           "collinear.obj", "isolated_vertex.obj"}) {
+    test::Laid laid(file);
+    for (const ProblemRow& row : problem_table()) {
+      std::string name(row.name_en);
+      std::erase(name, ' ');
+      if (DrawnText(laid.gui).count(name) > 0) laid.click(DrawnText(laid.gui).place(name));
+    }
+    const glm::dvec2 header = DrawnText(laid.gui).place("Problems");
+    for (double y = 16; y < 460; y += 7) {
+      laid.gui.pointer({500, 400});
+      laid.open(file);
+      const glm::dvec2 at{1060, header.y + y};
+      laid.click(at);
+      const std::vector<HistoryEntry> first = laid.session.document().history();
+      laid.click(at);
+      const std::vector<HistoryEntry>& second = laid.session.document().history();
+      if (first.empty()) continue;
+      ++repaired;
+      for (const HistoryEntry& entry : second) EXPECT_EQ(entry.command, first[0].command) << file << " at " << y;
+    }
+  }
+  EXPECT_GT(repaired, 40u);
+}
+
+TEST_F(ProblemsPanel, repair_all_is_one_entry_and_says_what_could_not_be_mended) {
+  open("isolated_vertex.obj");
+  gui.pointer(place("Repairall"));
+  frames(3);
+  EXPECT_TRUE(is_drawn("\"Removeisolatedvertices\"isforit"));
+  open("fin.obj");
+  click(place("Repairall"));
+  ASSERT_EQ(session.document().history().size(), 1u);
+  EXPECT_EQ(session.document().history()[0].command, "repair default");
+  ASSERT_TRUE(is_drawn("Notmended"));
+  const RepairReport& report = *session.last_repair();
+  ASSERT_FALSE(report.left.empty());
+  session.run("select");
+  const glm::dvec3 eye = session.camera.eye;
+  session.selection.clear();
+  const std::string name = session.names_of({report.left.front().elements.front()}).front();
+  const glm::dvec2 heading = place("Notmended");
+  bool was_found = false;
+  for (double y = heading.y + 12; y < heading.y + 140 && !was_found; y += 6) {
+    click({heading.x + 2, y});
+    was_found = !session.selection.empty();
+  }
+  ASSERT_TRUE(was_found) << "a link to " << name;
+  EXPECT_EQ(session.selected_names().front(), name);
+  EXPECT_NE(session.camera.eye, eye) << "it flies there";
+  EXPECT_EQ(session.document().history().size(), 1u);
+}
+
+TEST_F(ProblemsPanel, on_a_large_mesh_only_what_is_pointed_at_is_tried_and_in_the_background) {
+  open("stanford_bunny.obj");
+  ASSERT_TRUE(session.is_dear_to_try());
+  session.trials().in_background = true;
+  unfold("5Boundaryloop");
+  gui.pointer({500, 400});
+  frames(3);
+  EXPECT_FALSE(session.trials().share()) << "nobody points at one";
+  gui.pointer(place("Fillholes"));
+  frames(3);
+  EXPECT_TRUE(session.trials().share());
+  gui.pointer({500, 400});
+  frames(3);
+  EXPECT_FALSE(session.trials().share()) << "cancelled when the pointer goes";
+}
+
+TEST(problems_panel, is_legible_in_both_languages_and_sizes_with_its_repairs_unfolded) {
+  for (const Size size : {Size{640, 480}, Size{1280, 800}})
+    for (const char* language : {"en", "ja"})
+      for (const char* file : {"fin.obj", "isolated_vertex.obj", "moebius.off"}) {
+        SCOPED_TRACE(std::string(file) + " " + language + " " + std::to_string(size.width));
+        test::Laid laid(file, size);
+        ASSERT_TRUE(laid.session.run(std::string("language ") + language).done());
+        ASSERT_TRUE(laid.session.run("panel problems").done());
+        laid.frames(3);
+        for (int y = 20; y < size.height - 30; y += 21) laid.click({size.width - 120.0, static_cast<double>(y)});
+        laid.frames(3);
+        EXPECT_EQ(DrawnText(laid.gui).cut_sideways(), "");
+        EXPECT_EQ(DrawnText(laid.gui).overlapping(), "");
+      }
 }
 
 TEST_F(ProblemsPanel, a_press_on_an_element_selects_it_and_goes_there) {
   open("duplicate_face.obj");
   const glm::dvec3 eye = session.camera.eye;
-  click_below(0, 2);
-  ASSERT_EQ(session.selection.size(), 3u) << "its loop";
+  unfold("4Misorientededge");
+  click(place("0-1"));
+  ASSERT_EQ(session.selection.size(), 3u) << "the edge and its faces";
   EXPECT_EQ(session.document().position(), 0u);
   EXPECT_EQ(session.selection[0].kind, Element::Kind::edge);
   EXPECT_NE(session.camera.eye, eye);

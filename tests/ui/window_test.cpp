@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -51,7 +52,8 @@ class WindowTest : public testing::Test {
     editor_ = std::make_unique<Process>(
         std::vector<std::string>{RYOSEN_PROGRAM, mesh},
         std::vector<std::string>{"DISPLAY=:" + number_, "RYOSEN_FRAME_LOG=" + folder_.at("frames"), "LC_ALL=C",
-                                 "XDG_STATE_HOME=" + state_.path().string()},
+                                 "XDG_STATE_HOME=" + state_.path().string(),
+                                 "XDG_CONFIG_HOME=" + config_.path().string()},
         "/dev/null", folder_.at("err"));
     ASSERT_TRUE(wait_for([&] { return last().number > 0; })) << "no picture appeared";
   }
@@ -99,7 +101,7 @@ class WindowTest : public testing::Test {
     return frame;
   }
 
-  test::TemporaryFolder folder_, state_;
+  test::TemporaryFolder folder_, state_, config_;
   std::unique_ptr<Process> display_, editor_;
   std::string number_;
 };
@@ -184,6 +186,49 @@ TEST_F(WindowTest, wheel_and_walks_move_the_eye) {
   EXPECT_EQ(last().selected, 1);
 }
 
+TEST_F(WindowTest, a_drag_of_a_handle_moves_the_selection) {
+  open(test::asset("torus.off"));
+  type("select v0");
+  ASSERT_TRUE(wait_for([&] { return last().selected == 1; }));
+  test::Laid laid("torus.off", {1280, 800});
+  laid.session.gizmo_kind = GizmoKind::move;
+  ASSERT_TRUE(laid.session.run("select v0").done());
+  const auto gizmo = laid.session.gizmo();
+  ASSERT_TRUE(gizmo);
+  const auto up = std::find_if(gizmo->handles.begin(), gizmo->handles.end(),
+                               [](const GizmoHandle& handle) { return handle.row->way == HandleWay::y; });
+  ASSERT_NE(up, gizmo->handles.end());
+  const glm::dvec2 on_it =
+      project(laid.session.camera, laid.session.view, 0.5 * (up->strokes[0].a + up->strokes[0].b))->pixel +
+      laid.session.view_origin;
+  const auto mousemove = [&](double x, double y) {
+    xdotool("mousemove " + std::to_string(std::lround(on_it.x + x)) + " " + std::to_string(std::lround(on_it.y + y)));
+  };
+  const glm::dvec3 eye = last().eye;
+  // The command window may lie over the view for a picture more, so the pointer moves until it is gone.
+  for (int i = 0; i < 20 && last().hover != "handle"; ++i) {
+    mousemove(0, i % 2);
+    wait_for([&] { return last().hover == "handle"; }, 1s);
+  }
+  ASSERT_EQ(last().hover, "handle") << "the pointer is on no handle";
+  xdotool("mousedown 1");
+  mousemove(0, -20);
+  mousemove(4, -60);
+  xdotool("key Escape");
+  mousemove(30, -10);
+  xdotool("mouseup 1");
+  mousemove(0, 0);
+  ASSERT_TRUE(wait_for([&] { return last().hover == "handle"; })) << "Escape has put it back";
+  EXPECT_EQ(last().history, 0);
+  xdotool("mousedown 1");
+  mousemove(0, -20);
+  mousemove(4, -60);
+  xdotool("mouseup 1");
+  ASSERT_TRUE(wait_for([&] { return last().history == 1; })) << "it was not moved";
+  EXPECT_EQ(last().selected, 1);
+  EXPECT_EQ(last().eye, eye) << "no drag of the camera";
+}
+
 TEST_F(WindowTest, draws_nothing_when_nothing_changes) {
   open(test::asset("torus.off"));
   xdotool("mousemove 640 400");
@@ -244,6 +289,28 @@ TEST_F(WindowTest, shows_long_work_and_lets_it_be_cancelled) {
   EXPECT_EQ(editor_->exit_code(), 0);
 }
 
+TEST_F(WindowTest, keeps_what_the_user_prefers_for_the_next_time) {
+  const std::string mesh = folder_.copy(test::asset("torus.off"), "torus.off");
+  const auto kept = [&](const std::string& name, const std::string& line) {
+    const std::string file = (config_.path() / "ryosen" / name).string();
+    return std::filesystem::exists(file) && test::read_file(file).find(line) != std::string::npos;
+  };
+  open(mesh);
+  type("bind Ctrl+K split 0-1");
+  ASSERT_TRUE(wait_for([&] { return kept("preferences", "bind Ctrl+K split 0-1\n"); }));
+  std::this_thread::sleep_for(300ms);  // until the command window has closed
+  type("panel totals off");
+  ASSERT_TRUE(wait_for([&] { return kept("layout", "panel totals off\n"); }));
+  EXPECT_TRUE(kept("recent", mesh));
+  xdotool("mousemove 640 400 key ctrl+q");
+  ASSERT_TRUE(wait_for([&] { return editor_->is_over(); }));
+  std::filesystem::remove(folder_.at("frames"));
+  open(mesh);
+  xdotool("mousemove 640 400 key ctrl+k");
+  EXPECT_TRUE(wait_for([&] { return last().history == 1; })) << "the key is not known any more";
+  EXPECT_TRUE(kept("layout", "panel totals off\n"));
+}
+
 TEST_F(WindowTest, ends_when_asked_to) {
   open(test::asset("torus.off"));
   xdotool("mousemove 640 400 key ctrl+q");
@@ -287,7 +354,8 @@ TEST_F(WindowTest, a_signal_ends_its_start_at_any_moment) {
   for (int after_ms = 0; after_ms < 400; after_ms += 40) {
     editor_ = std::make_unique<Process>(
         std::vector<std::string>{RYOSEN_PROGRAM, mesh},
-        std::vector<std::string>{"DISPLAY=:" + number_, "LC_ALL=C", "XDG_STATE_HOME=" + state_.path().string()},
+        std::vector<std::string>{"DISPLAY=:" + number_, "LC_ALL=C", "XDG_STATE_HOME=" + state_.path().string(),
+                                 "XDG_CONFIG_HOME=" + config_.path().string()},
         "/dev/null", folder_.at("err"));
     ASSERT_TRUE(wait_for([&] { return editor_->handles(SIGTERM); }));
     std::this_thread::sleep_for(std::chrono::milliseconds(after_ms));

@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "app/editor/command_syntax.h"
 #include "app/editor/commands.h"
+#include "app/editor/palette.h"
+#include "app/editor/words.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
@@ -12,86 +15,151 @@ namespace ryosen {
 
 namespace {
 
-// The commands that a line may begin with.
-std::vector<CommandRow> suggestions(const std::string& typed) {
-  const std::string_view word = std::string_view(typed).substr(0, typed.find(' '));
-  const bool is_whole = word.size() < typed.size();
-  std::vector<CommandRow> found = command_table();
-  std::erase_if(found,
-                [&](const CommandRow& row) { return is_whole ? row.id != word : row.id.find(word) == row.id.npos; });
-  // What begins with the word comes before what only contains it.
-  std::stable_partition(found.begin(), found.end(), [&](const CommandRow& row) { return row.id.starts_with(word); });
-  return found;
-}
-
-// What is typed goes on behind what stands there already, in place of replacing it.
-int go_to_end(ImGuiInputTextCallbackData* data) {
-  bool& must_go = *static_cast<bool*>(data->UserData);
-  if (must_go) data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
-  must_go = false;
-  return 0;
-}
-
-void draw_suggestions(PanelContext& context, std::string& typed) {
-  begin_rows_within("suggestions", ImGui::GetContentRegionAvail().y);
-  for (const CommandRow& row : suggestions(typed)) {
-    const std::string label = std::string(row.id) + " " + row.syntax;
-    if (ImGui::Selectable(label.c_str())) typed = std::string(row.id) + " ";
-    dim_text(context, help_of(row, context.language()).c_str());
-  }
-  end_rows();
-}
-
 // A line with what it may say; Enter carries it out.
 class CommandPanel : public Panel {
  public:
   void draw(PanelContext& context) override;
 
  private:
+  static int edit(ImGuiInputTextCallbackData* data);
+  void follow_keys(ImGuiInputTextCallbackData& data);
+  void find();
+  void draw_found(PanelContext& context);
   void enter(PanelContext& context);
+  void take(PanelContext& context, const PaletteEntry& entry);
+  void run(PanelContext& context, const std::string& line);
+  void type(std::string line);
 
   std::string typed_;
-  bool was_begun_ = false;    // the field has just appeared
-  bool was_refused_ = false;  // the text stays, and the field keeps the keyboard
+  std::optional<std::string> found_for_;
+  std::vector<PaletteEntry> found_;
+  int chosen_ = -1;                 // of what was found; -1: the line itself
+  std::vector<std::string> lines_;  // that were carried out, the last one last
+  std::size_t line_ = 0;            // of these, that stands in the field; lines_.size(): none
+  bool takes_keys_ = false;         // the field is to have the keyboard
+  bool goes_to_end_ = false;
 };
 
+int CommandPanel::edit(ImGuiInputTextCallbackData* data) {
+  static_cast<CommandPanel*>(data->UserData)->follow_keys(*data);
+  return 0;
+}
+
+// Down and Up go through what was found, Up from the line itself to the lines before; Tab completes.
+void CommandPanel::follow_keys(ImGuiInputTextCallbackData& data) {
+  const auto put = [&](const std::string& line) {
+    data.DeleteChars(0, data.BufTextLen);
+    data.InsertChars(0, line.c_str());
+  };
+  if (data.EventFlag == ImGuiInputTextFlags_CallbackCompletion && !found_.empty()) {
+    put(found_[static_cast<std::size_t>(std::max(chosen_, 0))].line + " ");
+    chosen_ = -1;
+  } else if (data.EventFlag == ImGuiInputTextFlags_CallbackHistory) {
+    const bool is_down = data.EventKey == ImGuiKey_DownArrow;
+    const bool among_lines = line_ < lines_.size();
+    if (is_down && among_lines)
+      put(++line_ < lines_.size() ? lines_[line_] : "");
+    else if (is_down)
+      chosen_ = std::min(chosen_ + 1, static_cast<int>(found_.size()) - 1);
+    else if (chosen_ >= 0)
+      --chosen_;
+    else if (line_ > 0)
+      put(lines_[--line_]);
+  } else if (std::exchange(goes_to_end_, false)) {
+    data.CursorPos = data.SelectionStart = data.SelectionEnd = data.BufTextLen;
+  }
+}
+
+void CommandPanel::find() {
+  if (found_for_ == typed_) return;
+  found_for_ = typed_;
+  found_ = find_in_palette(typed_);
+  chosen_ = -1;
+}
+
+void CommandPanel::type(std::string line) {
+  typed_ = std::move(line);
+  takes_keys_ = true;
+}
+
+void CommandPanel::draw_found(PanelContext& context) {
+  begin_rows_within("suggestions", ImGui::GetContentRegionAvail().y);
+  std::optional<std::size_t> taken;
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    const PaletteEntry& entry = found_[i];
+    const bool is_chosen = chosen_ == static_cast<int>(i);
+    const std::string& name = entry.name.in(context.language());
+    const std::string shown = name == entry.line ? entry.line + " " + entry.syntax : name;
+    const std::string right = name == entry.line ? chord_of(context.session, entry.line) : entry.line;
+    ImGui::PushID(entry.line.c_str());
+    if (row(context, shown.c_str(), right.c_str(), is_chosen)) taken = i;
+    ImGui::PopID();
+    if (is_chosen) ImGui::SetScrollHereY();
+    if (!entry.help.en.empty()) dim_text(context, entry.help.in(context.language()).c_str());
+  }
+  end_rows();
+  if (taken) take(context, PaletteEntry(found_[*taken]));
+}
+
 void CommandPanel::draw(PanelContext& context) {
-  if (!context.state.begun_command.empty()) typed_ = std::exchange(context.state.begun_command, {});
-  if (ImGui::IsWindowAppearing() || std::exchange(was_refused_, false)) {
+  if (ImGui::IsWindowAppearing()) {
+    type("");
+    line_ = lines_.size();
+  }
+  if (!context.state.begun_command.empty()) type(std::exchange(context.state.begun_command, {}));
+  if (std::exchange(takes_keys_, false)) {
     ImGui::SetKeyboardFocusHere();
-    was_begun_ = true;
+    goes_to_end_ = true;
   }
   ImGui::SetNextItemWidth(-1);
   const bool entered = ImGui::InputTextWithHint(
       "##command", context.text(UiText::command_hint), &typed_,
-      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways, go_to_end, &was_begun_);
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways |
+          ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackHistory,
+      &CommandPanel::edit, this);
+  find();
   const Text& outcome = context.state.last_outcome;
   if (context.state.last_kind != Outcome::Kind::done && !outcome.en.empty()) {
     ImGui::PushTextWrapPos(0);
     coloured_text(context.colours().warning, outcome.in(context.language()).c_str());
     ImGui::PopTextWrapPos();
   }
-  draw_suggestions(context, typed_);
+  draw_found(context);
   if (entered) enter(context);
 }
 
+// What is chosen, or the line as it stands, or the only thing that it can mean.
 void CommandPanel::enter(PanelContext& context) {
-  const std::string line = typed_;
-  if (split_words(line).empty()) return;
+  takes_keys_ = true;
+  if (chosen_ >= 0) return take(context, PaletteEntry(found_[static_cast<std::size_t>(chosen_)]));
+  if (split_words(typed_).empty()) return;
+  const bool is_bare_operator = find_op(without_blanks(typed_)) != nullptr;
+  const bool is_line = call_of(typed_) && !is_bare_operator;
+  const bool is_meant = !found_.empty() && (found_.size() == 1 || found_[0].line == without_blanks(typed_));
+  if (!is_line && is_meant) return take(context, PaletteEntry(found_[0]));
+  run(context, typed_);
+}
+
+void CommandPanel::take(PanelContext& context, const PaletteEntry& entry) {
+  const PaletteChoice choice = choice_of(context.session, entry);
+  if (choice.kind == PaletteChoice::Kind::begin) return type(choice.line);
+  run(context, choice.line);
+}
+
+void CommandPanel::run(PanelContext& context, const std::string& line) {
   // What would lose changes asks first.
   const auto call = call_of(line);
   if (context.session.document().is_modified() && call && call->row.effect == Effect::replaces &&
-      !fault_of_command(line)) {
-    typed_.clear();
+      !fault_of_command(line))
     return context.leave({false, {}, line});
-  }
   const std::string own = context.session.open_panel;
-  if (context.run(line).done()) {
-    typed_.clear();
-    if (context.session.open_panel == own) context.session.open_panel.clear();
-  } else {
-    was_refused_ = true;
+  if (!context.run(line).done()) {
+    takes_keys_ = true;
+    return;
   }
+  std::erase(lines_, line);
+  lines_.push_back(line);
+  if (context.session.open_panel == own) context.session.open_panel.clear();
 }
 
 }  // namespace

@@ -4,9 +4,11 @@
 #include "app/editor/commands.h"
 #include "app/editor/quarantine_text.h"
 #include "app/ui/panels.h"
+#include "app/ui/repair_rows.h"
 #include "app/ui/widgets.h"
 #include "core/analysis/boundary_loops.h"
 #include "core/analysis/problems.h"
+#include "core/mesh/find_element.h"
 
 namespace ryosen {
 
@@ -69,7 +71,7 @@ Element Findings::nth(Session& session, const ProblemRow& row, std::size_t n) {
   if (row.kind == ProblemKind::ring) return face_of_ring(session, n);
   if (row.kind != ProblemKind::boundary_loop) {
     const std::uint32_t i = session.highlights().of(row.kind).nth(static_cast<std::uint32_t>(n));
-    return row.vertex ? Element(Vertex(i)) : row.edge ? Element(Edge(i)) : Element(Face(i));
+    return row.element(i);
   }
   if (known_loops_ != session.boundary_loops().revision()) {
     Neighbourhood around(session.mesh());
@@ -99,75 +101,135 @@ void go_to(PanelContext& context, const ProblemRow& row, Element element) {
   if (!context.session.selection.empty()) context.run("frame selected");
 }
 
+// What a kind keeps while the pointer stays in the panel after a repair, so that no row moves under it.
+struct HeldKind {
+  ProblemKind kind;
+  std::size_t rows;  // of its list of elements, at least
+};
+
+constexpr std::size_t most_rows = 6;
+
+// Everything that is wrong with the mesh; a click goes there.
+class ProblemsPanel : public Panel {
+ public:
+  void draw(PanelContext& context) override;
+
+ private:
+  void draw_kinds(PanelContext& context);
+  void draw_kind(PanelContext& context, const ProblemRow& row, std::size_t count);
+  void draw_elements(PanelContext& context, const ProblemRow& row, std::size_t count);
+  void draw_left(PanelContext& context);
+  const HeldKind* held(ProblemKind kind) const;
+  void hold(Session& session);
+
+  Findings findings_;
+  RepairRows repairs_;
+  std::vector<HeldKind> held_;       // as they are drawn; empty: nothing is held
+  std::uint64_t held_document_ = 0;       // its serial number
+  ImVec2 first_, last_;                   // the corners of the panel in the last frame
+};
+
 // Only visible rows are looked up and named.
-void draw_elements(PanelContext& context, Findings& findings, const ProblemRow& row, std::size_t count) {
+void ProblemsPanel::draw_elements(PanelContext& context, const ProblemRow& row, std::size_t count) {
   Session& session = context.session;
-  list_of_rows("elements", count, 6, [&](std::size_t i) {
-    const Element element = findings.nth(session, row, i);
-    const bool is_selected = !session.selection.empty() && session.selection[0] == element;
-    const std::string name = fitted(name_on_points(session.mesh(), element), ImGui::GetContentRegionAvail().x);
-    if (ImGui::Selectable(name.c_str(), is_selected)) go_to(context, row, element);
-    if (row.quarantined) tip(why_quarantined(context, element).in(context.language()));
-  });
+  const std::size_t rows = std::min(count, most_rows);
+  if (rows > 0)
+    list_of_rows("elements", count, most_rows, [&](std::size_t i) {
+      const Element element = findings_.nth(session, row, i);
+      const bool is_selected = !session.selection.empty() && session.selection[0] == element;
+      const std::string name = fitted(name_on_points(session.mesh(), element), ImGui::GetContentRegionAvail().x);
+      if (ImGui::Selectable(name.c_str(), is_selected)) go_to(context, row, element);
+      if (row.quarantined) tip(why_quarantined(context, element).in(context.language()));
+    });
+  const HeldKind* const held = this->held(row.kind);
+  if (!held || held->rows <= rows) return;
+  const float pitch = ImGui::GetTextLineHeightWithSpacing(), gap = rows > 0 ? ImGui::GetStyle().ItemSpacing.y : 0;
+  ImGui::Dummy({1, static_cast<float>(held->rows - rows) * pitch - gap});
 }
 
-// The repairs of a kind: one press does it; where a value is needed, its field is opened.
-bool draw_repairs(PanelContext& context, ProblemKind kind) {
-  bool is_pressed = false;
-  for (const AlgorithmRow& repair : algorithm_table()) {
-    if (std::find(repair.solves.begin(), repair.solves.end(), kind) == repair.solves.end()) continue;
-    ImGui::PushID(repair.id.data());
-    const char* const name = context.text(repair.name_en, repair.name_ja);
-    const std::string shown = fitted(name, ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().FramePadding.x);
-    if (ImGui::SmallButton(shown.c_str())) {
-      is_pressed = true;
-      if (ParameterValues(repair.parameters).missing())
-        context.run("values " + std::string(repair.id));
-      else
-        context.run(called(repair, true));
-    }
-    const char* const help = context.text(repair.help_en, repair.help_ja);
-    tip(shown == name ? help : std::string(name) + "\n" + help);
-    ImGui::PopID();
-  }
-  return is_pressed;
+const HeldKind* ProblemsPanel::held(ProblemKind kind) const {
+  const auto at = std::find_if(held_.begin(), held_.end(), [&](const HeldKind& h) { return h.kind == kind; });
+  return at == held_.end() ? nullptr : &*at;
 }
 
-void draw_kind(PanelContext& context, Findings& findings, const ProblemRow& row, std::size_t count) {
+void ProblemsPanel::hold(Session& session) {
+  held_document_ = session.document().serial();
+  for (const ProblemRow& row : problem_table())
+    if (const std::size_t count = findings_.count(session, row); count > 0 && !held(row.kind))
+      held_.push_back({row.kind, std::min(count, most_rows)});
+}
+
+void ProblemsPanel::draw_kind(PanelContext& context, const ProblemRow& row, std::size_t count) {
+  const bool is_mended = count == 0;
   const bool is_problem = row.severity == ProblemSeverity::problem;
   ImGui::PushID(static_cast<int>(row.kind));
-  const std::string label = grouped(static_cast<std::int64_t>(count)) + "  " + context.text(row.name_en, row.name_ja);
+  std::string label = grouped(static_cast<std::int64_t>(count)) + "  " + context.text(row.name_en, row.name_ja);
+  if (is_mended) label += context.text(": mended", "：修復済み");
   const float room = ImGui::GetContentRegionAvail().x - ImGui::GetTreeNodeToLabelSpacing();
-  ImGui::PushStyleColor(ImGuiCol_Text,
-                        is_problem ? context.colours().refused : ImGui::GetStyleColorVec4(ImGuiCol_Text));
+  ImGui::PushStyleColor(ImGuiCol_Text, is_mended    ? context.colours().legal
+                                       : is_problem ? context.colours().refused
+                                                    : ImGui::GetStyleColorVec4(ImGuiCol_Text));
   const bool is_open = ImGui::TreeNodeEx("kind", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", fitted(label, room).c_str());
   ImGui::PopStyleColor();
   tip(row.sentence(count).in(context.language()));
   if (is_open) {
-    // A repair may have removed what was counted.
-    if (!draw_repairs(context, row.kind)) draw_elements(context, findings, row, count);
+    // Carried out behind this frame.
+    if (repairs_.draw(context, row.kind, is_mended)) hold(context.session);
+    draw_elements(context, row, count);
     ImGui::TreePop();
   }
   ImGui::PopID();
 }
 
-// Everything that is wrong with the mesh; a click goes there.
-class ProblemsPanel : public Panel {
- public:
-  void draw(PanelContext& context) override {
-    bool found = false;
-    for (const ProblemRow& row : problem_table()) {
-      const std::size_t count = findings_.count(context.session, row);
-      if (count == 0) continue;
-      found = true;
-      draw_kind(context, findings_, row, count);
-    }
-    if (!found) coloured_text(context.colours().legal, context.text(UiText::no_problems));
+// What the last repair left, and why: below all rows, so that it moves none of them.
+void ProblemsPanel::draw_left(PanelContext& context) {
+  const RepairReport* const report = context.session.last_repair();
+  if (!report || report->left.empty()) return;
+  ImGui::Separator();
+  ImGui::TextUnformatted(context.text("Not mended", "直せなかったもの"));
+  const std::vector<LeftForReason> all = report->left;  // a press may take it away
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    dim_text(context, all[i].reason.in(context.language()).c_str());
+    std::vector<Element> there;
+    constexpr std::size_t most = 24;
+    for (const Element& element : all[i].elements)
+      if (there.size() < most && is_alive(context.session.mesh(), element)) there.push_back(element);
+    const std::uint64_t revision = context.session.document().revision();
+    if (!there.empty() && element_links(context, there) && revision == context.session.document().revision())
+      context.run("frame selected");
+    ImGui::PopID();
   }
+}
 
- private:
-  Findings findings_;
-};
+// Those that are held keep their places; what a repair has brought forth comes behind them.
+void ProblemsPanel::draw_kinds(PanelContext& context) {
+  std::vector<ProblemKind> kinds;
+  for (const HeldKind& held : held_) kinds.push_back(held.kind);
+  for (const ProblemRow& row : problem_table())
+    if (!held(row.kind) && findings_.count(context.session, row) > 0) kinds.push_back(row.kind);
+  for (const ProblemKind kind : kinds) draw_kind(context, row_of(kind), findings_.count(context.session, row_of(kind)));
+}
+
+void ProblemsPanel::draw(PanelContext& context) {
+  Session& session = context.session;
+  const ImVec2 pointer = ImGui::GetIO().MousePos, first = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const bool is_inside = pointer.x >= first_.x && pointer.x < last_.x && pointer.y >= first_.y && pointer.y < last_.y;
+  if (!is_inside || held_document_ != session.document().serial()) held_.clear();
+  bool has_finding = false;
+  for (const ProblemRow& row : problem_table()) has_finding |= findings_.count(session, row) > 0;
+  if (!has_finding && held_.empty()) {
+    coloured_text(context.colours().legal, context.text(UiText::no_problems));
+  } else {
+    if (repairs_.draw_all(context, !has_finding)) hold(session);
+    draw_kinds(context);
+  }
+  draw_left(context);
+  repairs_.end_frame(context);
+  first_ = first;
+  last_ = {first.x + width, ImGui::GetCursorScreenPos().y};
+}
 
 }  // namespace
 

@@ -1,44 +1,12 @@
 // The values of an algorithm: one field per parameter, as its row describes it.
-#include <algorithm>
-
 #include "app/editor/commands.h"
+#include "app/ui/parameter_field.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
-// clang-format off
-#include <imgui_stdlib.h>  // needs imgui.h before it
-// clang-format on
 
 namespace ryosen {
 
 namespace {
-
-// True when Enter was pressed in a field of text.
-bool draw_field(PanelContext& context, const ParameterRow& row, std::string& text) {
-  const std::string id = "##" + std::string(row.id);
-  if (row.kind == ParameterKind::flag) {
-    bool is_on = text == "on";
-    if (ImGui::Checkbox(id.c_str(), &is_on)) text = is_on ? "on" : "off";
-    return false;
-  }
-  const auto chosen =
-      std::find_if(row.choices.begin(), row.choices.end(), [&](const Choice& c) { return c.id == text; });
-  if (row.kind == ParameterKind::choice) {
-    const char* const shown = chosen == row.choices.end() ? "" : context.text(chosen->en, chosen->ja);
-    if (!ImGui::BeginCombo(id.c_str(), shown)) return false;
-    for (const Choice& choice : row.choices)
-      if (ImGui::Selectable(context.text(choice.en, choice.ja), choice.id == text)) text = choice.id;
-    ImGui::EndCombo();
-    return false;
-  }
-  const bool entered = ImGui::InputText(id.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue);
-  if (row.kind != ParameterKind::elements) return entered;
-  ImGui::SameLine();
-  if (ImGui::Button(context.text("Selection", "選択中の要素"))) {
-    text.clear();
-    for (const std::string& name : context.session.selected_names()) text += (text.empty() ? "" : ",") + name;
-  }
-  return entered;
-}
 
 // One field per parameter of the algorithm that is asked for; without one, all of them to choose from.
 class ValuesPanel : public Panel {
@@ -61,7 +29,7 @@ bool ValuesPanel::draw_fields(PanelContext& context, const AlgorithmRow& row, bo
     ImGui::Dummy({0, 4 * context.scale});
     ImGui::TextUnformatted(context.text(parameter.name_en, parameter.name_ja));
     if (i == 0 && begins) ImGui::SetKeyboardFocusHere();
-    entered = draw_field(context, parameter, texts_[i]) || entered;
+    entered = draw_parameter_field(context, parameter, texts_[i]) || entered;
     tip(context.text(parameter.help_en, parameter.help_ja));
     dim_text(context, described(parameter).in(context.language()).c_str());
   }

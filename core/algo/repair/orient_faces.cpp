@@ -14,12 +14,13 @@ namespace ryosen {
 
 namespace {
 
-std::size_t misoriented_edges(const Mesh& m) {
+std::vector<Element> misoriented_edges(const Mesh& m) {
   Neighbourhood around(m, Neighbourhood::Reach::whole);
   const auto is_misoriented = row_of(ProblemKind::misoriented_edge).edge;
-  std::size_t n = 0;
-  for (std::uint32_t i = 0; i < m.edge_slots(); ++i) n += m.is_alive(Edge(i)) && is_misoriented(around, Edge(i));
-  return n;
+  std::vector<Element> edges;
+  for (std::uint32_t i = 0; i < m.edge_slots(); ++i)
+    if (m.is_alive(Edge(i)) && is_misoriented(around, Edge(i))) edges.emplace_back(Edge(i));
+  return edges;
 }
 
 // Whether turning the face would make it and another triangle on its points a hanging pair.
@@ -44,7 +45,12 @@ AlgorithmResult orient_faces(Edit& edit, const AlgorithmInput&, Progress&) {
     result.changed = now.effect.changed.size();
     edit.replace(std::move(now.columns));
   }
-  result.left = misoriented_edges(edit.mesh());
+  std::vector<Element> left = misoriented_edges(edit.mesh());
+  result.left = left.size();
+  add_left(result.left_for,
+           {"the surface has one side only there, or its faces would lie back to back",
+            "そこでは曲面に表裏がないか、裏返すと面が背中合わせに重なるため"},
+           std::move(left));
   result.text =
       count_text(result.changed, "One face was turned round or joined to a neighbour",
                  "# faces were turned round or joined to their neighbours", "面を # 枚、裏返すか隣の面とつなぎました");

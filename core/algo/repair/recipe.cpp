@@ -20,6 +20,15 @@ struct State {
   FindingCounts counts;
 };
 
+// Vertices that are gone from the mesh and that writing brings back without a face.
+std::size_t kept_by_the_file(const Mesh& mesh, const RecipeInput& input, bool has_quarantine) {
+  const std::span<const Vertex> used = has_quarantine ? input.used_elsewhere : input.used_but_by_quarantine;
+  const std::vector<Vertex> kept = find_lost(mesh, {}, used).kept;
+  return static_cast<std::size_t>(std::count_if(kept.begin(), kept.end(), [&](Vertex v) {
+    return !std::binary_search(input.on_lines.begin(), input.on_lines.end(), v);
+  }));
+}
+
 class RecipeRun {
  public:
   RecipeRun(std::span<const RecipeStep> steps, const RecipeInput& input, const RecipeEvents& events)
@@ -51,8 +60,8 @@ class RecipeRun {
     result.is_changed = result.rounds > 0;
     result.boundary_edges_after = boundary_edges(state);
     result.drops_quarantined = !input_.quarantine.empty() && !state.has_quarantine;
-    count(mesh, true, &KindCount::before, result.findings);
-    count(state.mesh, state.has_quarantine, &KindCount::after, result.findings);
+    count_kinds(mesh, input_, true, &KindCount::before, result.findings);
+    count_kinds(state.mesh, input_, state.has_quarantine, &KindCount::after, result.findings);
     result.mesh = std::move(state.mesh);
     return result;
   }
@@ -123,29 +132,6 @@ class RecipeRun {
             "修復全体で対象の問題が減らないため、元に戻しました。"};
   }
 
-  void count(const Mesh& mesh, bool has_quarantine, std::size_t KindCount::*at,
-             std::vector<KindCount>& findings) const {
-    const ProblemSets sets(mesh, 0, input_.on_lines);
-    const FileFaces file{has_quarantine ? input_.quarantine : std::span<const QuarantinedFace>(), {}, nullptr};
-    if (findings.empty())
-      for (const ProblemRow& row : problem_table())
-        if (!row.is_on_request) findings.push_back({row.kind});
-    for (const Problem& problem : find_problems(mesh, sets, file))
-      for (KindCount& entry : findings)
-        if (entry.kind == problem.kind) entry.*at = problem.count();
-    for (KindCount& entry : findings)
-      if (entry.kind == ProblemKind::isolated_vertex) entry.*at += kept_by_the_file(mesh, has_quarantine);
-  }
-
-  // Vertices that are gone from the mesh and that writing brings back without a face.
-  std::size_t kept_by_the_file(const Mesh& mesh, bool has_quarantine) const {
-    const std::span<const Vertex> used = has_quarantine ? input_.used_elsewhere : input_.used_but_by_quarantine;
-    const std::vector<Vertex> kept = find_lost(mesh, {}, used).kept;
-    return static_cast<std::size_t>(std::count_if(kept.begin(), kept.end(), [&](Vertex v) {
-      return !std::binary_search(input_.on_lines.begin(), input_.on_lines.end(), v);
-    }));
-  }
-
   std::span<const RecipeStep> steps_;
   const RecipeInput& input_;
   const RecipeEvents& events_;
@@ -154,6 +140,20 @@ class RecipeRun {
 };
 
 }  // namespace
+
+void count_kinds(const Mesh& mesh, const RecipeInput& input, bool has_quarantine, std::size_t KindCount::*at,
+                 std::vector<KindCount>& findings) {
+  const ProblemSets sets(mesh, 0, input.on_lines);
+  const FileFaces file{has_quarantine ? input.quarantine : std::span<const QuarantinedFace>(), {}, nullptr};
+  if (findings.empty())
+    for (const ProblemRow& row : problem_table())
+      if (!row.is_on_request) findings.push_back({row.kind});
+  for (const Problem& problem : find_problems(mesh, sets, file))
+    for (KindCount& entry : findings)
+      if (entry.kind == problem.kind) entry.*at = problem.count();
+  for (KindCount& entry : findings)
+    if (entry.kind == ProblemKind::isolated_vertex) entry.*at += kept_by_the_file(mesh, input, has_quarantine);
+}
 
 std::optional<RecipeResult> run_recipe(const Mesh& mesh, std::span<const RecipeStep> steps, const RecipeInput& input,
                                        const RecipeEvents& events) {

@@ -36,6 +36,11 @@ struct KindCount {
   std::size_t before = 0, after = 0;  // findings as reports count them: of boundary edges their loops
 };
 
+// What is found of every kind unasked, put into `at` of its entry; makes the entries where there are none. `has_quarantine`:
+// the quarantined faces have not been dropped. O(n log n).
+void count_kinds(const Mesh& mesh, const RecipeInput& input, bool has_quarantine, std::size_t KindCount::*at,
+                 std::vector<KindCount>& findings);
+
 struct RecipeResult {
   Mesh mesh;                           // the repaired one
   bool is_changed = false;             // whether anything differs

@@ -265,6 +265,9 @@ class Removal {
     AlgorithmResult result;
     result.changed = collapsed_ + given_ + deleted_ > 0 ? all_ - flat_.size() : 0;
     result.left = flat_.size();
+    add_left(result.left_for,
+             {"every way to take it away would make the surface unsound", "どの方法で取り除いても曲面が不健全になるため"},
+             {flat_.begin(), flat_.end()});
     result.text = count_text(result.changed, "One face without area was removed", "# faces without area were removed",
                              "面積ゼロの面を # 個なくしました");
     if (result.changed > 0)

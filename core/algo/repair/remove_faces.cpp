@@ -90,6 +90,7 @@ AlgorithmResult remove_duplicate_faces(Edit& edit, const AlgorithmInput&, Progre
   Neighbourhood around(m, Neighbourhood::Reach::whole);
   const std::vector<FaceOnPoints> faces = faces_with_equals(m, find_duplicate_faces(around));
   std::vector<Face> doomed;
+  std::vector<Element> of_other_loops;
   AlgorithmResult result;
   for (std::size_t first = 0, last = 0; first < faces.size(); first = last) {
     std::vector<PointList> kept;
@@ -98,14 +99,18 @@ AlgorithmResult remove_duplicate_faces(Edit& edit, const AlgorithmInput&, Progre
       PointList shape = shape_of(m, faces[last].face);
       if (std::find(kept.begin(), kept.end(), shape) != kept.end())
         doomed.push_back(faces[last].face);
-      else
-        kept.push_back(std::move(shape));
+      else if (kept.push_back(std::move(shape)); kept.size() > 1)
+        of_other_loops.emplace_back(faces[last].face);
     }
-    if (kept.size() > 1) result.left += kept.size() - 1;
   }
-  const std::size_t all = doomed.size();
-  result.changed = delete_soundly(edit, std::move(doomed));
-  result.left += all - result.changed;
+  result.changed = delete_soundly(edit, doomed);
+  std::erase_if(doomed, [&](Face f) { return !m.is_alive(f); });
+  result.left = of_other_loops.size() + doomed.size();
+  add_left(result.left_for, {"it visits the same points in another order", "同じ点を別の順に通るため"},
+           std::move(of_other_loops));
+  add_left(result.left_for,
+           {"without it two triangles would lie back to back", "なくすと三角形が背中合わせに重なるため"},
+           {doomed.begin(), doomed.end()});
   result.text = count_text(result.changed, "One duplicate face was removed.", "# duplicate faces were removed.",
                            "重複面を # 個削除しました。");
   return result;
@@ -115,17 +120,22 @@ AlgorithmResult remove_isolated_vertices(Edit& edit, const AlgorithmInput& input
   const Mesh& m = edit.mesh();
   Sheets sheets(edit);
   AlgorithmResult result;
+  std::vector<Element> used;
   for (std::uint32_t i = m.vertex_slots(); i-- > 0;) {
     const Vertex v(i);
     if (!m.is_alive(v) || !m.is_isolated(v)) continue;
     const bool is_alone = !has_copies(m, v);
     if (is_alone && std::binary_search(input.used_elsewhere.begin(), input.used_elsewhere.end(), v)) {
-      ++result.left;
+      used.emplace_back(v);
       continue;
     }
     result.changed += is_alone;
     sheets.remove_vertex(v);
   }
+  result.left = used.size();
+  add_left(result.left_for,
+           {"a face set aside, a line or a point of the file uses it", "隔離された面・線・点が使っているため"},
+           std::move(used));
   result.text = count_text(result.changed, "One isolated vertex was removed.", "# isolated vertices were removed.",
                            "孤立頂点を # 個削除しました。");
   if (result.left > 0) {

@@ -25,7 +25,8 @@ namespace ryosen {
 namespace {
 
 struct Welded {
-  std::size_t points = 0, left = 0, turned = 0;
+  std::size_t points = 0, turned = 0;
+  std::vector<Element> left;  // the first point of each place that stays several
 };
 
 // Which points become one, chosen side by side, so that the faces at every one of them stay one fan.
@@ -53,7 +54,7 @@ class Welding {
     std::vector<JoinedPoints> classes;
     for (const auto& [first, others] : mates_) {
       const std::size_t apart = add_classes(first, others, classes);
-      welded.left += apart > 1;
+      if (apart > 1) welded.left.emplace_back(first);
     }
     for (const JoinedPoints& joined : classes) welded.points += joined.points.size() - 1;
     join_points(edit, classes);
@@ -178,7 +179,11 @@ class Welding {
 };
 
 AlgorithmResult result_of(const Welded& welded) {
-  AlgorithmResult result{welded.points, welded.left, {}};
+  AlgorithmResult result{welded.points, welded.left.size(), {}};
+  add_left(result.left_for,
+           {"to join them there would make the surface unsound, or they are not on a boundary",
+            "統合すると曲面が不健全になるか、境界上にないため"},
+           welded.left);
   result.text = count_text(welded.points, "One point was welded to another", "# points were welded to others",
                            "点を # 個、ほかの点に統合しました");
   if (welded.points > 0 && welded.turned > 0) {
@@ -186,9 +191,9 @@ AlgorithmResult result_of(const Welded& welded) {
                                    "; # faces were turned round to fit", "（向きを合わせるため面を # 枚裏返しました）");
     result.text = result.text + turned;
   }
-  if (welded.left > 0) {
-    const std::string n = std::to_string(welded.left);
-    result.text.en += "; " + n + (welded.left == 1 ? " place was left apart" : " places were left apart");
+  if (!welded.left.empty()) {
+    const std::string n = std::to_string(welded.left.size());
+    result.text.en += "; " + n + (welded.left.size() == 1 ? " place was left apart" : " places were left apart");
     result.text.ja += "（統合できない箇所 " + n + "）";
   }
   result.text.en += ".";

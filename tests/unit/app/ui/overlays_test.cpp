@@ -58,5 +58,21 @@ TEST(overlays, ghosts_tell_what_goes_what_comes_and_what_stays) {
   EXPECT_GT(collapse.comes, 2u);
 }
 
+TEST(overlays, the_last_of_several_selected_vertices_has_a_ring) {
+  auto document = Document::open(test::asset("torus.off"));
+  ASSERT_TRUE(document);
+  Session session(std::move(document).value());
+  const auto rings = [&](const char* line) {
+    EXPECT_TRUE(session.run(line).done());
+    std::vector<glm::dvec3> places;
+    for (const Point& point : selection_overlay(session, Theme::dark).points)
+      if (point.shape == PointShape::ring) places.push_back(point.at);
+    return places;
+  };
+  EXPECT_TRUE(rings("select v3").empty());
+  EXPECT_EQ(rings("select v3 v9 v5"), std::vector{session.mesh().position(Vertex(5))});
+  EXPECT_TRUE(rings("select v3 f1").empty());
+}
+
 }  // namespace
 }  // namespace ryosen

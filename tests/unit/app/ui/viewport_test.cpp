@@ -112,5 +112,41 @@ TEST(viewport, a_coloured_surface_follows_edits_as_if_drawn_anew) {
   }
 }
 
+TEST(viewport, handles_and_guides_that_come_and_go_are_drawn_as_in_a_full_redraw) {
+  auto context = make_headless_context(Backend::osmesa);
+  ASSERT_TRUE(context);
+  auto made = Viewport::make();
+  ASSERT_TRUE(made);
+  Viewport& viewport = **made;
+  auto document = Document::open(test::asset("torus.off"));
+  ASSERT_TRUE(document);
+  Session session(std::move(document).value());
+  session.view = {320, 240};
+  session.frame_all();
+  const auto picture = [&] {
+    viewport.follow(session);
+    viewport.draw();
+    return viewport.view().read_pixels();
+  };
+  for (const char* line : {"mode vertex", "select v0 v1 v7"}) ASSERT_TRUE(session.run(line).done());
+  const Image bare = picture();
+  ASSERT_TRUE(session.run("gizmo move").done());
+  EXPECT_TRUE(picture().pixels != bare.pixels) << "handles are drawn";
+  const auto middle = project(session.camera, session.view, session.gizmo()->middle);
+  const auto at = [&](double x, double y) {
+    return std::to_string(middle->pixel.x + x) + "," + std::to_string(middle->pixel.y + y);
+  };
+  const std::string lines[] = {
+      "move " + at(0, 0), "move " + at(2, -50), "press left " + at(2, -50), "move " + at(20, -70), "key O",
+      "wheel 3 " + at(20, -70), "move " + at(40, 10) + " Ctrl", "key Shift+X", "release left " + at(40, 10), "undo",
+      "gizmo turn", "gizmo scale", "move " + at(1, 1), "tool split", "tool none", "select add v20", "gizmo off"};
+  for (const std::string& line : lines) {
+    EXPECT_TRUE(session.run(line).done()) << line;
+    const Image followed = picture();
+    viewport.view().draw(PixelRect::all(session.view));
+    EXPECT_TRUE(followed.pixels == viewport.view().read_pixels().pixels) << line;
+  }
+}
+
 }  // namespace
 }  // namespace ryosen

@@ -1,0 +1,25 @@
+// An operator's line whose elements are still to be pointed at: each click adds one, and the last one carries it out.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app/editor/session.h"
+
+namespace ryosen {
+
+// The kind of the element that an operator's line lacks next; none where it is no operator's, is complete, or lacks
+// something else. A list of any length always takes one more.
+std::optional<PickMode> asked_for(std::string_view line);
+inline bool can_be_asked(std::string_view line) { return asked_for(line).has_value(); }
+// Whether nothing can follow that would have to be pointed at.
+bool is_answered(std::string_view line);
+// Adds what is under the pixel to the session's asked line. Where nothing is missing then, it is carried out, and what was
+// asked begins anew after a refusal.
+Outcome answer(Session& session, glm::dvec2 pixel);
+Outcome carry_out_asked(Session& session);
+// "make_edge v3: point at a vertex"
+Text asked_text(std::string_view line);
+
+}  // namespace ryosen

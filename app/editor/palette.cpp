@@ -1,0 +1,113 @@
+#include "app/editor/palette.h"
+
+#include <algorithm>
+#include <set>
+
+#include "app/editor/asking.h"
+#include "app/editor/command_syntax.h"
+#include "app/editor/keys.h"
+#include "app/editor/view_switches.h"
+#include "app/editor/words.h"
+#include "core/view/named_views.h"
+
+namespace ryosen {
+
+namespace {
+
+Text name_in(std::string_view en, std::string_view ja) { return {std::string(en), std::string(ja)}; }
+
+// Without regard to the case of Latin letters.
+std::string folded(std::string_view text) {
+  std::string folded(text);
+  for (char& c : folded)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return folded;
+}
+
+bool begins_a_word(std::string_view text, std::string_view word) {
+  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1))
+    if (at == 0 || text[at - 1] == ' ' || text[at - 1] == '_') return true;
+  return false;
+}
+
+// The lower the better; none where a word is missing.
+std::optional<int> distance(const PaletteEntry& entry, std::string_view typed) {
+  const std::string line = folded(entry.line), names = folded(entry.name.en + " " + entry.name.ja);
+  const std::string all = line + " " + names + " " + folded(entry.help.en + " " + entry.help.ja);
+  const std::string asked = folded(without_blanks(typed));
+  int worst = 0;
+  for (const std::string_view word : split_words(asked)) {
+    if (all.find(word) == all.npos) return std::nullopt;
+    const bool is_name = begins_a_word(line, word) || begins_a_word(names, word);
+    worst = std::max(worst, is_name ? 2 : line.find(word) != line.npos || names.find(word) != names.npos ? 3 : 4);
+  }
+  if (line == asked) return 0;
+  return line.starts_with(asked) ? 1 : worst;
+}
+
+// A command whose id has been typed, with a blank behind it.
+std::optional<PaletteEntry> begun(std::string_view typed) {
+  const std::size_t end = typed.find(' ');
+  const auto row = end == typed.npos ? std::nullopt : find_command_row(typed.substr(0, end));
+  if (!row) return std::nullopt;
+  const std::string id(row->id);
+  return PaletteEntry{id, {id, id}, {help_of(*row, Language::english), help_of(*row, Language::japanese)}, row->syntax};
+}
+
+}  // namespace
+
+std::vector<PaletteEntry> palette_entries() {
+  std::vector<PaletteEntry> entries;
+  std::set<std::string> lines;
+  const auto add = [&](PaletteEntry entry) {
+    if (lines.insert(entry.line).second) entries.push_back(std::move(entry));
+  };
+  for (const OpInfo& op : all_ops())
+    add({std::string(op.id), name_in(op.name_en, op.name_ja), name_in(op.help_en, op.help_ja), std::string(op.syntax)});
+  for (const AlgorithmRow& row : algorithm_table())
+    if (!find_op(row.id))
+      add({std::string(row.id), name_in(row.name_en, row.name_ja), name_in(row.help_en, row.help_ja), ""});
+  for (const ViewSwitch& row : view_switches())
+    for (const SwitchValue& value : row.values)
+      add({std::string(row.id) + " " + std::string(value.id), name_in(value.name_en, value.name_ja),
+           name_in(row.help_en, row.help_ja), ""});
+  for (const NamedView& view : named_views())
+    add({"view " + std::string(view.id), name_in(view.name_en, view.name_ja), {}, ""});
+  for (const Selector& row : selectors()) add({select_line(row), name_in(row.name_en, row.name_ja), {}, ""});
+  for (const PanelRow& row : panel_list())
+    add({"panel " + std::string(row.id), name_in(row.title_en, row.title_ja), {}, ""});
+  for (const KeyRow& row : key_table()) add({row.command, name_in(row.help_en, row.help_ja), {}, ""});
+  for (const CommandRow& row : command_table()) {
+    const std::string id(row.id);
+    add({id, {id, id}, name_in(row.help_en, row.help_ja), row.syntax});
+  }
+  return entries;
+}
+
+std::vector<PaletteEntry> find_in_palette(std::string_view typed) {
+  if (const auto entry = begun(typed)) return {*entry};
+  std::vector<std::pair<int, PaletteEntry>> found;
+  for (PaletteEntry& entry : palette_entries())
+    if (const auto far = distance(entry, typed)) found.emplace_back(*far, std::move(entry));
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<PaletteEntry> entries;
+  for (auto& [far, entry] : found) entries.push_back(std::move(entry));
+  return entries;
+}
+
+PaletteChoice choice_of(const Session& session, const PaletteEntry& entry) {
+  using Kind = PaletteChoice::Kind;
+  if (const OpInfo* const op = find_op(entry.line)) {
+    if (fits_selection(session, *op)) return {Kind::run, entry.line + " selected"};
+    if (!fault_of_command(entry.line)) return {Kind::run, entry.line};
+    if (is_tool(*op)) return {Kind::run, "tool " + entry.line};
+    if (can_be_asked(entry.line)) return {Kind::run, "ask " + entry.line};
+    return {Kind::begin, entry.line + " "};
+  }
+  if (const AlgorithmRow* const row = find_algorithm(entry.line))
+    return {Kind::run, row->parameters.empty() ? line_of(*row, ParameterValues()) : "values " + entry.line};
+  if (fault_of_command(entry.line)) return {Kind::begin, entry.line + " "};
+  return {Kind::run, entry.line};
+}
+
+}  // namespace ryosen

@@ -1,0 +1,37 @@
+// The command palette: everything that a menu, a key or a script line can do, found by any of its words.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/editor/commands.h"
+
+namespace ryosen {
+
+struct PaletteEntry {
+  std::string line;  // what it says, without arguments that are not known yet
+  Text name;         // as menus have it; where they have none, the id
+  Text help;         // may be empty
+  std::string syntax;
+};
+
+// One for each line that the tables of commands, operators, algorithms, switches, views, selectors, panels and keys have.
+std::vector<PaletteEntry> palette_entries();
+
+// The entries in which each word of what was typed is found, in either language, without regard to case; best first:
+// whose line begins with it, one of whose words begins with it, others. Where a command with arguments is typed: its own.
+std::vector<PaletteEntry> find_in_palette(std::string_view typed);
+
+// What choosing an entry comes to.
+struct PaletteChoice {
+  enum class Kind {
+    run,    // this line: nothing is missing, or what is selected is worked on, or what is missing is pointed at
+    begin,  // this line is to be completed by typing
+  };
+  Kind kind;
+  std::string line;
+};
+PaletteChoice choice_of(const Session& session, const PaletteEntry& entry);
+
+}  // namespace ryosen

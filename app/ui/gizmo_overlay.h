@@ -1,0 +1,14 @@
+// How the handles of the selection are drawn, and what guides the eye while it is moved, turned or scaled.
+#pragma once
+
+#include "app/editor/session.h"
+#include "render/overlay.h"
+#include "render/palette.h"
+
+namespace ryosen {
+
+// The handles, with the one under the pointer marked; or while a gesture lasts the axis or plane that it is bound to, the
+// reach of its falloff, and what it snaps to.
+Overlay gizmo_overlay(const Session& session, Theme theme);
+
+}  // namespace ryosen

@@ -1,0 +1,39 @@
+#include "app/ui/parameter_field.h"
+
+#include <algorithm>
+
+#include "app/ui/widgets.h"
+// clang-format off
+#include <imgui_stdlib.h>  // needs imgui.h before it
+// clang-format on
+
+namespace ryosen {
+
+bool draw_parameter_field(PanelContext& context, const ParameterRow& row, std::string& text) {
+  const std::string id = "##" + std::string(row.id);
+  if (row.kind == ParameterKind::flag) {
+    bool is_on = text == "on";
+    if (ImGui::Checkbox(id.c_str(), &is_on)) text = is_on ? "on" : "off";
+    return false;
+  }
+  const auto chosen =
+      std::find_if(row.choices.begin(), row.choices.end(), [&](const Choice& c) { return c.id == text; });
+  if (row.kind == ParameterKind::choice) {
+    const char* const shown = chosen == row.choices.end() ? "" : context.text(chosen->en, chosen->ja);
+    if (!ImGui::BeginCombo(id.c_str(), shown)) return false;
+    for (const Choice& choice : row.choices)
+      if (ImGui::Selectable(context.text(choice.en, choice.ja), choice.id == text)) text = choice.id;
+    ImGui::EndCombo();
+    return false;
+  }
+  const bool entered = ImGui::InputText(id.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue);
+  if (row.kind != ParameterKind::elements) return entered;
+  ImGui::SameLine();
+  if (ImGui::Button(context.text("Selection", "選択中の要素"))) {
+    text.clear();
+    for (const std::string& name : context.session.selected_names()) text += (text.empty() ? "" : ",") + name;
+  }
+  return entered;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,142 @@
+#include "app/ui/repair_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/editor/commands.h"
+#include "app/editor/repair_call.h"
+#include "app/ui/parameter_field.h"
+#include "app/ui/widgets.h"
+
+namespace ryosen {
+
+RepairRows::Fields& RepairRows::fields_of(const AlgorithmRow& row) {
+  const auto [at, is_new] = fields_.try_emplace(std::string(row.id));
+  if (is_new)
+    for (const ParameterRow& parameter : row.parameters) at->second.texts.emplace_back(parameter.initial);
+  return at->second;
+}
+
+// One line, so that what is below stays where it is; all of it beside the button that is pointed at.
+void RepairRows::draw_report(PanelContext& context, const std::string& line, const char* name, const char* help,
+                             bool is_mended) {
+  const ImVec2 begin = ImGui::GetItemRectMin(), below = ImGui::GetCursorScreenPos();
+  const ImVec2 end{begin.x + ImGui::GetContentRegionAvail().x, below.y + ImGui::GetTextLineHeight()};
+  const bool is_pointed = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(begin, end);
+  const bool is_asked = !is_mended && (is_pointed || !context.session.is_dear_to_try());
+  Text said{"Point here to try it on a copy.", "ここを指すと、写しで試します。"};
+  if (is_mended) said = {"Nothing is left to mend.", "直すものは残っていません。"};
+  if (is_asked) {
+    wants_trial_ = true;
+    if (const RepairReport* const report = tried(context.session, line)) {
+      said = told(*report, context.session.mesh());
+      said = (report->fault ? Text() : Text{"Trial: ", "結果の見込み："}) + said;
+    } else {
+      const int percent = static_cast<int>(std::lround(100 * context.session.trials().share().value_or(0)));
+      const std::string n = std::to_string(percent);
+      said = {"Trying it on a copy: " + n + " %", "写しで試しています：" + n + " %"};
+    }
+  }
+  const std::string& sentence = said.in(context.language());
+  ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
+  ImGui::TextUnformatted(fitted(sentence, ImGui::GetContentRegionAvail().x).c_str());
+  ImGui::PopStyleColor();
+  ImGui::EndGroup();
+  tip(std::string(name) + "\n" + help + "\n\n" + sentence, ImGuiHoveredFlags_AllowWhenDisabled);
+}
+
+bool RepairRows::draw_fields(PanelContext& context, const AlgorithmRow& row, Fields& fields) {
+  bool entered = false;
+  ImGui::Indent(ImGui::GetFontSize());
+  for (std::size_t i = 0; i < row.parameters.size(); ++i) {
+    const ParameterRow& parameter = row.parameters[i];
+    ImGui::PushID(static_cast<int>(i));
+    ImGui::AlignTextToFramePadding();
+    fitted_text(context.text(parameter.name_en, parameter.name_ja), 0.5f * ImGui::GetContentRegionAvail().x);
+    ImGui::SameLine();
+    if (std::exchange(fields.begin, false)) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    entered = draw_parameter_field(context, parameter, fields.texts[i]) || entered;
+    tip(std::string(context.text(parameter.help_en, parameter.help_ja)) + "\n" +
+        described(parameter).in(context.language()));
+    ImGui::PopID();
+  }
+  ImGui::Unindent(ImGui::GetFontSize());
+  return entered;
+}
+
+bool RepairRows::draw_repair(PanelContext& context, const AlgorithmRow& row, bool is_mended) {
+  Fields& fields = fields_of(row);
+  const ReadValues read = read_fields(row.parameters, fields.texts);
+  ImGui::PushID(row.id.data(), row.id.data() + row.id.size());
+  const bool has_fields = !row.parameters.empty();
+  if (has_fields) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
+    if (ImGui::ArrowButton("fields", fields.are_open ? ImGuiDir_Down : ImGuiDir_Right)) fields.are_open ^= true;
+    ImGui::PopStyleVar();
+    tip(context.text("its numbers", "数値の入力欄"));
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  }
+  const char* const name = context.text(row.name_en, row.name_ja);
+  const char* const help = context.text(row.help_en, row.help_ja);
+  const std::string shown = fitted(name, ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().FramePadding.x);
+  const bool is_refused = !read.values && fields.are_open;
+  ImGui::BeginGroup();
+  ImGui::BeginDisabled(is_mended || is_refused);
+  bool is_pressed = ImGui::SmallButton(shown.c_str());
+  ImGui::EndDisabled();
+  std::string line = called(row, true);
+  if (read.values) {
+    const std::string values = read.values->line();
+    line += values.empty() ? "" : " " + values;
+    draw_report(context, line, name, help, is_mended);
+  } else {
+    const std::string fault = read.sentence.in(context.language());
+    ImGui::PushStyleColor(ImGuiCol_Text, context.colours().warning);
+    ImGui::TextUnformatted(fitted(fault, ImGui::GetContentRegionAvail().x).c_str());
+    ImGui::PopStyleColor();
+    ImGui::EndGroup();
+    tip(std::string(name) + "\n" + help + "\n\n" + fault, ImGuiHoveredFlags_AllowWhenDisabled);
+  }
+  if (is_pressed && !read.values) {
+    fields.are_open = fields.begin = true;
+    is_pressed = false;
+  }
+  if (fields.are_open) is_pressed |= draw_fields(context, row, fields) && read.values && !is_mended;
+  if (is_pressed) context.run(line);
+  ImGui::PopID();
+  return is_pressed;
+}
+
+bool RepairRows::draw(PanelContext& context, ProblemKind kind, bool is_mended) {
+  bool is_pressed = false;
+  for (const AlgorithmRow& repair : algorithm_table())
+    if (std::find(repair.solves.begin(), repair.solves.end(), kind) != repair.solves.end())
+      is_pressed |= draw_repair(context, repair, is_mended);
+  return is_pressed;
+}
+
+bool RepairRows::draw_all(PanelContext& context, bool is_mended) {
+  const std::string line = "repair " + std::string(default_repairs);
+  const char* const name = context.text("Repair all", "まとめて修復");
+  std::string help = context.text("Does all repairs that keep every face and place, again until nothing changes: ",
+                                  "形状を保つ修復を、変化がなくなるまで繰り返します：");
+  bool is_first = true;
+  for (const RecipeStep& step : read_repairs(default_repairs).call.steps) {
+    if (!std::exchange(is_first, false)) help += context.text(", ", "、");
+    help += context.text(step.row->name_en, step.row->name_ja);
+  }
+  ImGui::BeginGroup();
+  ImGui::BeginDisabled(is_mended);
+  const bool is_pressed = ImGui::Button(name, {ImGui::GetContentRegionAvail().x, 0});
+  ImGui::EndDisabled();
+  draw_report(context, line, name, help.c_str(), is_mended);
+  if (is_pressed) context.run(line);
+  return is_pressed;
+}
+
+void RepairRows::end_frame(PanelContext& context) {
+  if (!std::exchange(wants_trial_, false)) context.session.trials().cancel();
+}
+
+}  // namespace ryosen

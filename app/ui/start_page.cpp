@@ -1,0 +1,201 @@
+#include "app/ui/start_page.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "app/editor/commands.h"
+#include "app/editor/exercises.h"
+#include "app/editor/words.h"
+#include "app/ui/widgets.h"
+
+namespace ryosen {
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, int>, 5> taken_keys{{{"Up", ImGuiKey_UpArrow},
+                                                                      {"Down", ImGuiKey_DownArrow},
+                                                                      {"Left", ImGuiKey_LeftArrow},
+                                                                      {"Right", ImGuiKey_RightArrow},
+                                                                      {"Enter", ImGuiKey_Enter}}};
+
+void heading(PanelContext& context, const char* text) {
+  ImGui::PushFont(context.fonts.bold);
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+}
+
+// The drag that does this in the preset, alone if there is one.
+const char* drag_for(const PanelContext& context, Gesture gesture) {
+  const InputPreset& preset = input_presets()[context.session.input_preset];
+  const auto row = std::find_if(preset.drags.begin(), preset.drags.end(), [&](const DragRow& drag) {
+    return drag.gesture == gesture && !drag.shift && !drag.ctrl;
+  });
+  if (row == preset.drags.end()) return "";
+  if (row->button == MouseButton::left) return context.text("left drag", "左ドラッグ");
+  return row->button == MouseButton::right ? context.text("right drag", "右ドラッグ")
+                                           : context.text("middle drag", "中ドラッグ");
+}
+
+void draw_hints(PanelContext& context) {
+  const bool ja = context.language() == Language::japanese;
+  const std::string orbit = drag_for(context, Gesture::orbit), pan = drag_for(context, Gesture::pan),
+                    undo = chord_of(context.session, "undo");
+  const std::string look = ja ? "見る：" + orbit + "で回し、" + pan + "で動かし、ホイールで拡大します。"
+                              : "Look: " + orbit + " turns, " + pan + " moves, the wheel zooms.";
+  const char* const pick = context.text("Pick: point at an edge and click; a tool shows what it would do before.",
+                                        "選ぶ：稜線を指してクリック。ツールは結果を先に見せます。");
+  const std::string take_back =
+      ja ? "戻す：" + undo + "。すべての編集を正確に元へ戻せます。" : "Undo: " + undo + " takes back every edit exactly.";
+  dim_text(context, look.c_str());
+  dim_text(context, pick);
+  dim_text(context, take_back.c_str());
+}
+
+}  // namespace
+
+bool StartPage::takes(std::string_view chord) {
+  return std::any_of(taken_keys.begin(), taken_keys.end(), [&](const auto& key) { return key.first == chord; });
+}
+
+void StartPage::entry(PanelContext& context, const std::string& name, const std::string& line, bool fills) {
+  ImGui::PushID(static_cast<int>(entries_.size()));
+  ImGui::BeginDisabled(line.empty());
+  ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {fills ? 0.f : 0.5f, 0.5f});
+  const float room = ImGui::GetContentRegionAvail().x;
+  const std::string label =
+      fills ? fitted(name, room - 2 * ImGui::GetStyle().FramePadding.x) : name;
+  if (ImGui::Button(label.c_str(), {fills ? room : 0, 0})) taken_ = line;
+  ImGui::PopStyleVar();
+  ImGui::EndDisabled();
+  entries_.push_back({line, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
+  if (has_keys_ && focus_ + 1 == entries_.size()) {
+    ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                                        ImGui::GetColorU32(context.colours().accent), 4 * context.scale, 0,
+                                        2 * context.scale);
+    ImGui::SetScrollHereY();
+  }
+  ImGui::PopID();
+}
+
+void StartPage::look_for_recent(const std::vector<std::string>& files) {
+  const bool is_known = std::equal(files.begin(), files.end(), recent_.begin(), recent_.end(),
+                                   [](const std::string& file, const auto& known) { return file == known.first; });
+  if (is_known) return;
+  recent_.clear();
+  std::error_code ignored;
+  for (const std::string& file : files) recent_.emplace_back(file, std::filesystem::is_regular_file(file, ignored));
+}
+
+void StartPage::draw_recent(PanelContext& context) {
+  look_for_recent(context.session.recent);
+  if (recent_.empty()) return;
+  heading(context, context.text("Recent files", "最近のファイル"));
+  for (const auto& [file, is_there] : recent_) {
+    const std::string name = std::filesystem::path(file).filename().string();
+    const std::string gone = context.text(" (not there any more)", "（見つかりません）");
+    entry(context, is_there ? name : name + gone, is_there ? "open " + file_argument(file) : "", true);
+    tip(is_there ? file : file + gone, ImGuiHoveredFlags_AllowWhenDisabled);
+  }
+}
+
+void StartPage::draw_beginnings(PanelContext& context) {
+  entry(context, context.text("New, an empty mesh", "新規（空のメッシュ）"), "new", true);
+  entry(context, context.text("Open...", "開く..."), "panel open", true);
+  dim_text(context, context.text("or drop a file here", "またはここにファイルをドロップ"));
+  draw_recent(context);
+}
+
+// As many in a line as there is room for.
+void StartPage::draw_shapes(PanelContext& context) {
+  heading(context, context.text("A shape", "基本形状"));
+  const float end = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  bool is_first = true;
+  for (const AlgorithmRow& row : algorithm_table()) {
+    if (!row.is_primitive) continue;
+    const std::string name = context.text(row.name_en, row.name_ja);
+    const float width = ImGui::CalcTextSize(name.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+    const bool fits = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= end;
+    if (!std::exchange(is_first, false) && fits) ImGui::SameLine();
+    entry(context, name, line_of(row, ParameterValues()), false);
+    tip(context.text(row.help_en, row.help_ja));
+  }
+  heading(context, context.text("An exercise, step by step", "演習（一手ずつ）"));
+  for (const ExerciseScript& exercise : exercise_scripts()) {
+    entry(context, name_of_exercise(exercise).in(context.language()), "exercise " + std::string(exercise.id), true);
+    tip(context.text("Builds it from nothing by Euler operators; undo goes back through the steps.",
+                     "オイラー操作で空から組み立てます。「元に戻す」で一手ずつ戻れます。"));
+  }
+}
+
+// To the nearest entry in the direction, by what is drawn.
+void StartPage::follow_keys() {
+  const ImVec2 steps[] = {{0, -1}, {0, 1}, {-1, 0}, {1, 0}};
+  const auto middle = [](const Entry& e) { return ImVec2((e.first.x + e.last.x) / 2, (e.first.y + e.last.y) / 2); };
+  focus_ = std::min(focus_, entries_.size() - 1);
+  for (std::size_t k = 0; k < taken_keys.size(); ++k) {
+    if (!ImGui::IsKeyPressed(taken_keys[k].second)) continue;
+    if (k == 4) {
+      if (has_keys_) taken_ = entries_[focus_].line;
+      return;
+    }
+    if (!std::exchange(has_keys_, true)) return;  // the first press shows where it is
+    const ImVec2 from = middle(entries_[focus_]);
+    float nearest = 0;
+    std::size_t found = focus_;
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      const ImVec2 at = middle(entries_[i]), by(at.x - from.x, at.y - from.y);
+      const float along = by.x * steps[k].x + by.y * steps[k].y;
+      const float aside = std::abs(by.x * steps[k].y) + std::abs(by.y * steps[k].x);
+      if (along < 4 || entries_[i].line.empty()) continue;
+      const float cost = along + (k < 2 ? 0.3f : 3.f) * aside;
+      if (found != focus_ && cost >= nearest) continue;
+      found = i;
+      nearest = cost;
+    }
+    focus_ = found;
+  }
+}
+
+void StartPage::draw(PanelContext& context) {
+  const Session& session = context.session;
+  if (!is_shown(session)) {
+    has_keys_ = false;
+    focus_ = 0;
+    recent_.clear();  // it is looked for them anew when this is shown again
+    return;
+  }
+  const float margin = 8 * context.scale;
+  const ImVec2 room(static_cast<float>(session.view.width) - 2 * margin,
+                    static_cast<float>(session.view.height) - 2 * margin);
+  const float width = std::min(room.x, 40 * ImGui::GetFontSize());
+  ImGui::SetNextWindowPos({static_cast<float>(session.view_origin.x) + margin + room.x / 2,
+                           static_cast<float>(session.view_origin.y) + margin + room.y / 2},
+                          0, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, room.y});
+  ImGui::Begin("##start", nullptr,
+               (ImGuiWindowFlags_NoDecoration & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoMove);
+  entries_.clear();
+  taken_.clear();
+  heading(context, context.text("Ryosen: where do you want to begin?", "稜線：何から始めますか"));
+  if (ImGui::BeginTable("ways", 2, ImGuiTableFlags_SizingStretchSame)) {
+    ImGui::TableNextColumn();
+    draw_beginnings(context);
+    ImGui::TableNextColumn();
+    draw_shapes(context);
+    ImGui::EndTable();
+  }
+  ImGui::Separator();
+  draw_hints(context);
+  const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  context.state.note = {static_cast<int>(at.x), static_cast<int>(at.y), static_cast<int>(at.x + size.x),
+                        static_cast<int>(at.y + size.y)};
+  follow_keys();
+  ImGui::End();
+  if (!taken_.empty()) context.run(taken_);
+}
+
+}  // namespace ryosen

@@ -1,0 +1,172 @@
+#include "core/algo/repair/report.h"
+
+#include <algorithm>
+
+#include "core/algo/repair/guard.h"
+#include "core/analysis/problems.h"
+#include "core/mesh/find_element.h"
+#include "core/mesh/names.h"
+
+namespace ryosen {
+
+namespace {
+
+bool solves(const AlgorithmRow& row, ProblemKind kind) {
+  return std::find(row.solves.begin(), row.solves.end(), kind) != row.solves.end();
+}
+
+// A step has said which of these it left, and why.
+bool is_told(const RepairCall& call, std::span<const AlgorithmResult> results, const ProblemRow& kind) {
+  for (std::size_t i = 0; i < call.steps.size(); ++i)
+    if (solves(*call.steps[i].row, kind.kind))
+      for (const LeftForReason& left : results[i].left_for)
+        if (left.elements.front().kind == kind.sort()) return true;
+  return false;
+}
+
+bool is_for(const RepairCall& call, ProblemKind kind) {
+  return std::any_of(call.steps.begin(), call.steps.end(),
+                     [&](const RecipeStep& step) { return solves(*step.row, kind); });
+}
+
+// Of a kind that these repairs have not taken away.
+Text reason_of(const RepairCall& call, const ProblemRow& kind) {
+  Text others;
+  for (const AlgorithmRow& row : algorithm_table()) {
+    const bool is_run =
+        std::any_of(call.steps.begin(), call.steps.end(), [&](const RecipeStep& step) { return step.row == &row; });
+    if (is_run || !solves(row, kind.kind)) continue;
+    others.en += (others.en.empty() ? "" : "\" or \"") + std::string(row.name_en);
+    others.ja += (others.ja.empty() ? "" : "」か「") + std::string(row.name_ja);
+  }
+  const Text name{std::string(kind.name_en), std::string(kind.name_ja)};
+  const bool is_among = is_for(call, kind.kind);
+  if (others.en.empty())
+    return name + (is_among ? Text{": this repair leaves it", "：この修復では残るため"}
+                            : Text{": no repair takes it away", "：直せる修復がないため"});
+  return name + (is_among ? Text{": this repair leaves it", "：この修復では残るため"}
+                          : Text{": not among these repairs", "：ここには含まれないため"}) +
+         Text{", \"", "（「"} + others + Text{"\" is for it", "」で直せます）"};
+}
+
+// What is still found, of all kinds or of those that a single repair is for, and has not been told.
+void add_untold(RepairReport& report, const RepairCall& call, std::span<const AlgorithmResult> results, const Mesh& after,
+                const RecipeInput& input, bool drops_quarantined) {
+  const ProblemSets sets(after, 0, input.on_lines);
+  const FileFaces file{drops_quarantined ? std::span<const QuarantinedFace>() : input.quarantine, {}, nullptr};
+  for (Problem& problem : find_problems(after, sets, file)) {
+    const bool has_repair = std::any_of(algorithm_table().begin(), algorithm_table().end(),
+                                        [&](const AlgorithmRow& row) { return solves(row, problem.kind); });
+    const bool is_wrong = problem.row().severity == ProblemSeverity::problem;
+    const bool is_meant = call.in_rounds ? is_wrong || has_repair : is_for(call, problem.kind);
+    if (is_meant && !is_told(call, results, problem.row()))
+      add_left(report.left, reason_of(call, problem.row()), std::move(problem.elements));
+  }
+}
+
+void add_text(Text& text, const Text& more) {
+  text = text + Text{text.en.empty() || more.en.empty() ? "" : " ", ""} + more;
+}
+
+std::string count_change(const KindCount& kind, std::string_view name) {
+  return std::string(name) + " " + std::to_string(kind.before) + " \u2192 " + std::to_string(kind.after);
+}
+
+void keep_changed(std::vector<KindCount>& findings) {
+  std::erase_if(findings, [](const KindCount& kind) { return kind.before == kind.after; });
+}
+
+}  // namespace
+
+RepairReport report_of(const RepairCall& call, const AlgorithmResult& result, const Mesh& after,
+                       const RecipeInput& input) {
+  RepairReport report{result.changed, result.text, {}, result.left_for, result.fault};
+  if (!report.fault) add_untold(report, call, {&result, 1}, after, input, result.drops_quarantined);
+  return report;
+}
+
+RepairReport report_of(const RepairCall& call, const RecipeResult& result, const Mesh& after,
+                       const RecipeInput& input) {
+  RepairReport report;
+  for (const AlgorithmResult& step : result.steps) {
+    report.changed += result.is_changed ? step.changed : 0;
+    if (step.changed > 0 || (step.left > 0 && step.left_for.empty())) add_text(report.text, step.text);
+    report.left.insert(report.left.end(), step.left_for.begin(), step.left_for.end());
+  }
+  if (report.text.en.empty()) report.text = {"Nothing was changed.", "何も変わりません。"};
+  report.findings = result.findings;
+  keep_changed(report.findings);
+  add_untold(report, call, result.steps, after, input, result.drops_quarantined);
+  return report;
+}
+
+std::optional<RepairReport> try_repair(Mesh mesh, const RepairCall& call, const RecipeInput& input,
+                                       const Progress::Report& progress) {
+  if (call.in_rounds) {
+    RecipeEvents events;
+    if (progress)
+      events.progress = [&](const RecipeStep& step, std::size_t, double share) {
+        const auto done = static_cast<double>(&step - call.steps.data());
+        return progress((done + share) / static_cast<double>(call.steps.size()));
+      };
+    const std::optional<RecipeResult> result = run_recipe(mesh, call.steps, input, events);
+    if (!result) return std::nullopt;
+    return report_of(call, *result, result->mesh, input);
+  }
+  const RecipeStep& step = call.steps.front();
+  ReadValues values = step.values.on(mesh);
+  if (!values.values) return RepairReport{0, {}, {}, {}, std::move(values.sentence)};
+  std::vector<KindCount> findings;
+  count_kinds(mesh, input, true, &KindCount::before, findings);
+  Progress at_work(progress);
+  Journal journal;  // what changes nothing in the end is taken back
+  std::optional<Edit> edit(std::in_place, mesh, &journal);
+  FindingCounts counts = count_findings(mesh, input.on_lines);
+  const AlgorithmResult result = run_guarded(
+      *edit, *step.row, {*values.values, input.used_elsewhere, input.quarantine.size(), input.on_lines}, at_work, counts);
+  if (at_work.is_cancelled()) return std::nullopt;
+  if (result.changed > 0) edit->commit();
+  edit.reset();
+  RepairReport report = report_of(call, result, mesh, input);
+  if (report.changed == 0) return report;
+  count_kinds(mesh, input, !result.drops_quarantined, &KindCount::after, findings);
+  keep_changed(findings);
+  report.findings = std::move(findings);
+  return report;
+}
+
+Text told(const LeftForReason& left, const Mesh& mesh) {
+  constexpr std::size_t most_names = 3;
+  Text names;
+  std::size_t named = 0;
+  for (const Element& element : left.elements) {
+    if (named == most_names) break;
+    if (!is_alive(mesh, element)) continue;
+    const std::string name = name_of(mesh, element);
+    names = names + (named++ == 0 ? Text() : Text{", ", "、"}) + Text{name, name};
+  }
+  if (named > 0 && named < left.elements.size()) names = names + Text{", ...", "…"};
+  const std::string n = std::to_string(left.elements.size());
+  const Text between = named > 0 ? Text{": ", "："} : Text();
+  return left.reason + Text{" (" + n, "（" + n} + between + names + Text{")", "）"};
+}
+
+Text told(const RepairReport& report, const Mesh& mesh) {
+  if (report.fault) return *report.fault + Text{".", "。"};
+  Text text = report.text;
+  Text changes;
+  for (const KindCount& kind : report.findings) {
+    const ProblemRow& row = row_of(kind.kind);
+    changes = changes + (changes.en.empty() ? Text() : Text{", ", "、"}) +
+              Text{count_change(kind, row.name_en), count_change(kind, row.name_ja)};
+  }
+  if (!changes.en.empty()) add_text(text, changes + Text{".", "。"});
+  Text left;
+  for (const LeftForReason& one : report.left)
+    if (text.en.find(one.reason.en) == text.en.npos)  // an algorithm may have said it itself
+      left = left + (left.en.empty() ? Text() : Text{"; ", "、"}) + told(one, mesh);
+  if (!left.en.empty()) add_text(text, Text{"Left: ", "残り："} + left + Text{".", "。"});
+  return text;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,41 @@
+// What repairs change and leave, and why: told of those that were run, and of those that are only tried.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/algo/repair/recipe.h"
+
+namespace ryosen {
+
+// Repairs as one line asks for them: one of them, run once, or a list, run in rounds.
+struct RepairCall {
+  std::vector<RecipeStep> steps;
+  bool in_rounds = false;
+};
+
+struct RepairReport {
+  std::size_t changed = 0;             // 0: nothing is written
+  Text text;                           // sentences with the numbers
+  std::vector<KindCount> findings;     // of the kinds whose number becomes another one
+  std::vector<LeftForReason> left;     // what stays, why, and what is for it
+  std::optional<Text> fault = {};      // why it cannot be run at all: a clause
+};
+
+// Of a single repair; its findings are not counted. Of the kinds that it is for, all that stays is among what is left.
+// O(n log n).
+RepairReport report_of(const RepairCall& call, const AlgorithmResult& result, const Mesh& after,
+                       const RecipeInput& input);
+// Of a list; `after` is the repaired mesh. Kinds that no step is for are among what is left. O(n log n).
+RepairReport report_of(const RepairCall& call, const RecipeResult& result, const Mesh& after, const RecipeInput& input);
+// Tries it on a mesh that is thrown away; the values are in their ranges on it. None: cancelled. Cost: that of the repairs.
+std::optional<RepairReport> try_repair(Mesh mesh, const RepairCall& call, const RecipeInput& input,
+                                       const Progress::Report& progress);
+
+// All of it in sentences, with up to three elements named for each reason; those that are not on the mesh are left out.
+Text told(const RepairReport& report, const Mesh& mesh);
+// "REASON (2: v12, v15)"
+Text told(const LeftForReason& left, const Mesh& mesh);
+
+}  // namespace ryosen

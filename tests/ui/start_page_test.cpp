@@ -1,0 +1,135 @@
+// What lies over the empty view, by mouse and by keys.
+#include "app/ui/start_page.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "app/editor/exercises.h"
+#include "app/ui/headless.h"
+#include "app/ui/window_input.h"
+#include "tests/support/app/drawn_text.h"
+#include "tests/support/app/laid.h"
+
+namespace ryosen {
+namespace {
+
+class StartPageTest : public testing::Test, protected test::Laid {
+ protected:
+  StartPageTest() : Laid("cube.obj", {1280, 800}) {
+    input_.resize(size_);
+    start();
+  }
+  void start() {
+    ASSERT_TRUE(gui.run(session, "start").done());
+    frames(4);
+  }
+  bool has(std::string_view text) const { return test::DrawnText(gui).count(text) > 0; }
+  void take(std::string_view text) {
+    click(test::DrawnText(gui).place(text));
+    frames(4);
+  }
+  void key(const std::string& chord) {
+    EXPECT_TRUE(input_.key(chord).done()) << chord;
+    frames(3);
+  }
+
+  WindowInput input_{gui, session, [this] { frames(1); }};
+};
+
+TEST_F(StartPageTest, offers_shapes_and_goes_away_once_there_is_a_mesh) {
+  ASSERT_TRUE(has("ordropafilehere"));
+  EXPECT_TRUE(has("Undo:Ctrl+Z"));
+  take("Dodecahedron");
+  EXPECT_EQ(session.mesh().live().faces, 12u);
+  EXPECT_FALSE(has("ordropafilehere"));
+  ASSERT_TRUE(session.run("undo").done());
+  frames(3);
+  EXPECT_FALSE(has("ordropafilehere")) << "a history is something";
+}
+
+TEST_F(StartPageTest, new_is_an_empty_mesh_without_it) {
+  take("New,anemptymesh");
+  EXPECT_FALSE(has("ordropafilehere"));
+  start();
+  EXPECT_TRUE(has("ordropafilehere"));
+}
+
+TEST_F(StartPageTest, open_opens_the_browser_and_comes_back_when_that_is_left) {
+  take("Open...");
+  EXPECT_EQ(session.open_panel, "open");
+  EXPECT_FALSE(has("ordropafilehere"));
+  key("Escape");
+  EXPECT_TRUE(has("ordropafilehere"));
+}
+
+TEST_F(StartPageTest, every_exercise_is_built_in_steps_and_holds_what_it_expects) {
+  for (const ExerciseScript& exercise : exercise_scripts()) {
+    start();
+    std::string name_drawn;
+    for (const char c : name_of_exercise(exercise).en)
+      if (c != ' ') name_drawn += c;
+    take(name_drawn);
+    EXPECT_GT(session.document().history().size(), 3u) << exercise.id;
+    EXPECT_GT(session.mesh().live().faces, 0u);
+    const Text name = name_of_exercise(exercise);
+    EXPECT_NE(name.en, "") << exercise.id;
+    EXPECT_NE(name.ja, name.en) << exercise.id;
+    EXPECT_EQ(session.run("exercise " + std::string(exercise.id)).exit_code, ExitCode::refused) << "not on a mesh";
+  }
+  EXPECT_EQ(session.run("exercise nonsense").exit_code, ExitCode::usage);
+}
+
+TEST_F(StartPageTest, arrows_choose_and_enter_takes) {
+  key("Down");   // shows where it is: at New
+  key("Right");  // to the first shape
+  key("Right");
+  key("Enter");
+  EXPECT_EQ(session.mesh().live().faces, 6u) << "the cube";
+  EXPECT_EQ(session.document().history().size(), 1u);
+  EXPECT_FALSE(input_.key("Up").done()) << "it has its usual meaning again: nothing is selected to walk from";
+}
+
+TEST_F(StartPageTest, lists_recent_files_and_says_which_are_gone) {
+  test::TemporaryFolder folder;
+  session.recent = {folder.copy(test::asset("torus.off"), "a torus.off"), folder.at("gone.off")};
+  frames(3);
+  EXPECT_TRUE(has("gone.off(notthereanymore)"));
+  take("gone.off");
+  EXPECT_TRUE(session.is_at_start()) << "nothing happens, nothing is broken";
+  take("atorus.off");
+  EXPECT_EQ(session.document().path(), folder.at("a torus.off"));
+}
+
+TEST_F(StartPageTest, cuts_nothing_in_either_language_and_in_small_windows) {
+  for (const Size size : {Size{1280, 800}, Size{640, 480}})
+    for (const char* const language : {"language en", "language ja"}) {
+      size_ = size;
+      session.recent.assign(10, test::asset("torus.off"));
+      ASSERT_TRUE(session.run(language).done());
+      frames(4);
+      const test::DrawnText text(gui);
+      EXPECT_EQ(text.cut_sideways(), "") << size.width << language;
+      EXPECT_EQ(text.overlapping(), "") << size.width << language;
+    }
+}
+
+TEST(start_page, is_in_pictures_with_panels_only) {
+  Headless::Options options;
+  options.size = {640, 480};
+  const auto differs = [&](bool panels) {
+    options.panels = panels;
+    auto headless = Headless::make(options);
+    EXPECT_TRUE(headless);
+    Session session(std::make_unique<Document>());
+    (*headless)->place_view(session);
+    const Image with = (*headless)->picture(session);
+    session.begins_empty = true;
+    return with.pixels != (*headless)->picture(session).pixels;
+  };
+  EXPECT_TRUE(differs(true));
+  EXPECT_FALSE(differs(false));
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <sstream>
 #include <thread>
+#include <utility>
 
 #include "core/mesh/circulate.h"
 #include "tests/support/app/laid.h"
@@ -232,8 +233,15 @@ TEST_F(WindowTest, a_drag_of_a_handle_moves_the_selection) {
 TEST_F(WindowTest, draws_nothing_when_nothing_changes) {
   open(test::asset("torus.off"));
   xdotool("mousemove 640 400");
-  std::this_thread::sleep_for(600ms);  // until it has settled
-  const long before = last().number;
+  // Until it has settled and is refined, at which it draws part after part.
+  long before = -1;
+  ASSERT_TRUE(wait_for(
+      [&] {
+        const bool has_settled = std::exchange(before, last().number) == before;
+        std::this_thread::sleep_for(400ms);
+        return has_settled;
+      },
+      30s));
   std::this_thread::sleep_for(700ms);
   EXPECT_EQ(last().number, before);
   // A drag turns the view: several pictures of all of it.

@@ -75,9 +75,11 @@ MeshBuffers::MeshBuffers()
     : gpu_positions_("mesh positions", GL_RGBA32F),
       gpu_triangles_("mesh triangles", GL_RGBA32UI),
       gpu_normals_("corner normals", GL_RGBA32UI),
+      gpu_colours_("corner colours", GL_RGBA32UI),
       gpu_tints_("face tints", GL_R8UI) {
   const glm::uvec4 none(0);
   gpu_normals_.write(0, {&none, 1});  // so that there is something to bind
+  gpu_colours_.write(0, {&none, 1});
 }
 
 void MeshBuffers::set(const TriangleSource& given, const glm::dvec3& low, const glm::dvec3& high) {
@@ -93,6 +95,7 @@ void MeshBuffers::set(const TriangleSource& given, const glm::dvec3& low, const 
   source_of_slot_.clear();
   clusters_.clear();
   source_positions_ = source_triangles_ = source_tints_ = 0;
+  paint_ = given.paint;
   write_positions(source, {});
   source_of_slot_ =
       hilbert_order(source.triangles, DrawBox{space_.from_mesh(low), space_.from_mesh(high)},
@@ -110,20 +113,25 @@ void MeshBuffers::write_all(const TriangleSource& source) {
   const std::uint32_t slots = source.triangles, threads = threads_for(slots);
   clusters_.resize((slots + cluster_size - 1) / cluster_size);
   std::vector<std::uint32_t> faces(threads, 0);
-  const auto fill = [&](glm::uvec4* triangles, glm::uvec4* normals) {
+  const auto fill = [&](glm::uvec4* triangles, glm::uvec4* normals, glm::uvec4* colours) {
     for_each_part(static_cast<std::uint32_t>(clusters_.size()), threads,
                   [&](unsigned t, std::uint32_t begin, std::uint32_t end) {
                     std::uint32_t used = 0;
                     for (std::uint32_t i = begin; i < end; ++i) {
                       const std::size_t first = std::size_t{i} * cluster_size;
-                      used = std::max(used, convert(source, i, triangles + first, normals ? normals + first : nullptr));
+                      used = std::max(used, convert(source, i, triangles + first, normals ? normals + first : nullptr,
+                                                    colours ? colours + first : nullptr));
                     }
                     faces[t] = used;
                   });
   };
   gpu_triangles_.fill(0, slots, [&](glm::uvec4* triangles) {
-    if (source.corner_normals.empty()) return fill(triangles, nullptr);
-    gpu_normals_.fill(0, slots, [&](glm::uvec4* normals) { fill(triangles, normals); });
+    const auto fill_colours = [&](glm::uvec4* normals) {
+      if (paint_ == Paint::none) return fill(triangles, normals, nullptr);
+      gpu_colours_.fill(0, slots, [&](glm::uvec4* colours) { fill(triangles, normals, colours); });
+    };
+    if (source.corner_normals.empty()) return fill_colours(nullptr);
+    gpu_normals_.fill(0, slots, fill_colours);
   });
   make_room_for_tints(*std::max_element(faces.begin(), faces.end()));
 }
@@ -133,6 +141,7 @@ void MeshBuffers::bind() const {
   gpu_triangles_.bind(1);
   gpu_tints_.bind(2);
   gpu_normals_.bind(3);
+  gpu_colours_.bind(4);
 }
 
 void MeshBuffers::set_units(const Program& program) {
@@ -141,6 +150,7 @@ void MeshBuffers::set_units(const Program& program) {
   program.set("triangles", 1);
   program.set("face_tints", 2);
   program.set("corner_normals", 3);
+  program.set("corner_colours", 4);
 }
 
 DrawBox MeshBuffers::bounds() const {
@@ -185,7 +195,7 @@ void MeshBuffers::read_middles(const TriangleSource& source, std::uint32_t first
 }
 
 std::uint32_t MeshBuffers::convert(const TriangleSource& source, std::uint32_t number, glm::uvec4* to,
-                                   glm::uvec4* normals) {
+                                   glm::uvec4* normals, glm::uvec4* colours) {
   std::uint32_t faces = 0;
   Cluster& cluster = clusters_[number];
   cluster.first = number * cluster_size;
@@ -202,7 +212,12 @@ std::uint32_t MeshBuffers::convert(const TriangleSource& source, std::uint32_t n
       const auto& [a, b, c] = source.corner_normals[sources[i]];
       normals[i] = {a, b, c, 0};
     }
+    if (colours) colours[i] = glm::uvec4(0);
     if (!slot.is_drawn()) continue;
+    if (colours) {
+      const auto [a, b, c] = source.colours(triangles[i]);
+      colours[i] = {a, b, c, 0};
+    }
     cluster.box.add(slot.box());
     const std::uint32_t face = slot.triangle.w >> 3;
     faces = std::max(faces, face + 1);

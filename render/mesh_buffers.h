@@ -21,6 +21,9 @@ namespace ryosen {
 // One with three equal corners is not drawn, and its face is not read; that of others is below 2^29.
 using DrawnTriangle = SurfaceTriangle;
 
+// sides: each part of a triangle takes the colour of the edge of its face that is nearest.
+enum class Paint : std::uint8_t { none, corners, sides };
+
 // A triangle mesh owned by the caller.
 struct TriangleSource {
   std::span<const glm::dvec3> positions;
@@ -30,6 +33,10 @@ struct TriangleSource {
   std::span<const std::uint8_t> face_tints;  // see face_tint.h; faces past the end have none
   // Of the corners of each triangle, see core/view/packed_normal.h. Empty: the surface is not drawn smooth.
   std::span<const std::array<std::uint32_t, 3>> corner_normals = {};
+  // What the surface is painted with in place of its own colour: 0xAABBGGRR, 0 for none, of the corners of a triangle, or
+  // of its sides from each corner to the next; asked from several threads. Changes are named with the triangles.
+  Paint paint = Paint::none;
+  std::function<std::array<std::uint32_t, 3>(const DrawnTriangle&)> colours = {};
 
   DrawnTriangle triangle(std::uint32_t number) const {
     DrawnTriangle one;
@@ -89,6 +96,7 @@ class MeshBuffers {
   void bind() const;
   static void set_units(const Program& program);
 
+  Paint paint() const { return paint_; }
   const BufferSpace& space() const { return space_; }
   std::span<const Cluster> clusters() const { return clusters_; }
   DrawBox bounds() const;
@@ -109,9 +117,10 @@ class MeshBuffers {
   // Where triangles are on the space-filling curve; any place for one that is not drawn.
   void read_middles(const TriangleSource& source, std::uint32_t first, std::span<glm::vec3> middles) const;
   Slot converted(const TriangleSource& source, const DrawnTriangle& triangle) const;
-  // Writes the slots of a cluster, with their normals unless null, and makes its record. One more than the largest face.
+  // Writes the slots of a cluster, with their normals and colours unless null, and makes its record. One more than the
+  // largest face.
   std::uint32_t convert(const TriangleSource& source, std::uint32_t cluster, glm::uvec4* triangles,
-                        glm::uvec4* normals);
+                        glm::uvec4* normals, glm::uvec4* colours);
   void write_all(const TriangleSource& source);
   // The slots of triangles as they are on the GPU.
   std::vector<Slot> read_back(std::span<const std::uint32_t> triangles) const;
@@ -137,7 +146,9 @@ class MeshBuffers {
   TexelArray<glm::vec4> gpu_positions_;   // w is 0
   TexelArray<glm::uvec4> gpu_triangles_;  // by slot: corners, then face * 8 + edge bits
   TexelArray<glm::uvec4> gpu_normals_;    // by slot: of the corners; one that means nothing where the source has none
+  TexelArray<glm::uvec4> gpu_colours_;    // by slot, likewise
   TexelArray<std::uint8_t> gpu_tints_;
+  Paint paint_ = Paint::none;
 };
 
 }  // namespace ryosen

@@ -81,12 +81,14 @@ std::vector<std::uint32_t> MeshBuffers::write_triangles(const TriangleSource& so
   sort_unique(touched);
   while (clusters_.size() * cluster_size < source_of_slot_.size()) clusters_.emplace_back();
   const bool has_normals = !source.corner_normals.empty();
-  std::array<glm::uvec4, cluster_size> slots, normals{};
+  std::array<glm::uvec4, cluster_size> slots, normals{}, colours;
   for (const std::uint32_t cluster : touched) {
-    make_room_for_tints(convert(source, cluster, slots.data(), has_normals ? normals.data() : nullptr));
+    make_room_for_tints(convert(source, cluster, slots.data(), has_normals ? normals.data() : nullptr,
+                                paint_ != Paint::none ? colours.data() : nullptr));
     const std::uint32_t first = clusters_[cluster].first, count = clusters_[cluster].count;
     gpu_triangles_.write(first, std::span(slots).first(count));
     if (has_normals) gpu_normals_.write(first, std::span(normals).first(count));
+    if (paint_ != Paint::none) gpu_colours_.write(first, std::span(colours).first(count));
   }
   return touched;
 }

@@ -81,8 +81,8 @@ Result<std::unique_ptr<View>> View::make() {
 
 View::View(Passes passes)
     : passes_(std::move(passes)),
-      overlays_{OverlayBuffer("highlights"), OverlayBuffer("selection"), OverlayBuffer("hover"),
-                OverlayBuffer("handles")},
+      overlays_{OverlayBuffer("highlights"), OverlayBuffer("selection"), OverlayBuffer("measures"),
+                OverlayBuffer("hover"), OverlayBuffer("handles")},
       rendered_("rendered", picture_formats, true),
       resolved_("resolved", picture_formats, false),
       fine_("fine", picture_formats, true) {

@@ -6,18 +6,24 @@ uniform float pixel_scale;  // rendered pixels per pixel of the picture
 uniform int wire;           // 0: the edges of faces are drawn
 uniform int dots;           // 1: vertices are drawn
 
-// How much of the pixel the wireframe covers. It fades where triangles get as small as a few pixels.
-float wire_cover() {
-  if (wire != 0) return 0.0;
+// How many rendered pixels away the sides of the triangle are, from corner k to k + 1 each; far for those that are no
+// edges of the face.
+vec3 side_distance_px() {
   vec3 weight = vec3(barycentric, 1.0 - barycentric.x - barycentric.y);
   vec2 gx = dFdx(barycentric), gy = dFdy(barycentric);
   vec3 dx = vec3(gx, -gx.x - gx.y), dy = vec3(gy, -gy.x - gy.y);
   vec3 distance_px = weight * inversesqrt(max(dx * dx + dy * dy, vec3(1e-20)));
-  // Side k runs from corner k to k + 1, opposite of corner k + 2.
+  // Side k lies opposite of corner k + 2.
   uint bits = uint(edge_bits);
-  if ((bits & 1u) == 0u) distance_px.z = 1e6;
-  if ((bits & 2u) == 0u) distance_px.x = 1e6;
-  if ((bits & 4u) == 0u) distance_px.y = 1e6;
+  return vec3((bits & 1u) == 0u ? 1e6 : distance_px.z, (bits & 2u) == 0u ? 1e6 : distance_px.x,
+              (bits & 4u) == 0u ? 1e6 : distance_px.y);
+}
+
+// How much of the pixel the wireframe covers. It fades where triangles get as small as a few pixels.
+float wire_cover() {
+  if (wire != 0) return 0.0;
+  vec3 distance_px = side_distance_px();
+  vec2 gx = dFdx(barycentric), gy = dFdy(barycentric);
   float nearest = min(min(distance_px.x, distance_px.y), distance_px.z) / pixel_scale;
   float size = inversesqrt(max(abs(gx.x * gy.y - gx.y * gy.x), 1e-20)) / pixel_scale;
   return clamp(1.1 - nearest, 0.0, 1.0) * smoothstep(2.0, 12.0, size);

@@ -47,6 +47,10 @@ std::optional<Text> fault_of_names(std::string_view command, Words names);
 // Hiding: commands_hiding.cpp
 RunCommand run_hide, run_isolate, run_unhide;
 FaultOfCommand fault_of_hide;
+// Colouring and measuring: commands_measuring.cpp
+RunCommand run_colours, run_measure;
+FaultOfCommand fault_of_colours, fault_of_measure;
+std::string colours_syntax();
 // In a region of the picture: commands_region.cpp
 RunCommand run_box, run_lasso, run_band;
 // Events of mouse and keyboard: commands_input.cpp

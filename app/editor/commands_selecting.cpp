@@ -40,18 +40,15 @@ Selecting read_selecting(Words arguments) {
   return asked;
 }
 
-std::optional<ValueRange> value_of(const Selector& row, Words values) {
-  if (row.value == Selector::Value::none) return values.empty() ? std::optional(ValueRange()) : std::nullopt;
-  if (values.size() > 1 || (values.empty() && row.usual.empty())) return std::nullopt;
-  return parse_value(row, values.empty() ? row.usual : values[0]);
-}
-
 std::optional<Text> fault_of(const Selecting& asked) {
   if (asked.how != SelectHow::anew && asked.names.empty()) return wrong_arguments("select").sentence;
   if (asked.is_kept) return asked.names.size() == 1 ? std::nullopt : std::optional(wrong_arguments("select").sentence);
   if (asked.selector) {
-    if (value_of(*asked.selector, asked.names)) return std::nullopt;
+    if (parse_values(*asked.selector, asked.names)) return std::nullopt;
     const std::string syntax = syntax_of(*asked.selector);
+    if (asked.selector->value == Selector::Value::map_range)
+      return Text{"select: expected " + syntax + " with one of the maps " + colour_map_ids(),
+                  "select：書き方は " + syntax + "（MAP は " + colour_map_ids() + "）"};
     return Text{"select: expected " + syntax, "select：書き方は " + syntax};
   }
   if (asked.problem && asked.names.empty() && !asked.problem->is_local())
@@ -168,7 +165,7 @@ Outcome run_select(Session& session, Words arguments, std::string_view) {
     if (const Text missing = missing_for(row, session.selection); !missing.en.empty())
       return failed(ExitCode::refused, missing);
     return select(session,
-                  row.find(session.mesh(), session.selection, kind_of(session.mode), *value_of(row, asked.names)));
+                  row.find(session.mesh(), session.selection, kind_of(session.mode), *parse_values(row, asked.names)));
   }
   if (asked.is_kept) return select_kept(session, asked.names[0]);
   if (asked.problem && asked.names.empty()) return select(session, all_of(session, *asked.problem));

@@ -20,6 +20,7 @@ enum class PanelOpener {
   loss,           // something that would lose changes that are not saved
   lost_sessions,  // the start, where a crash left something unsaved
   asked_values,   // the command `values`
+  coloured,       // the command `colours`, or `measure`
 };
 
 // Before anybody has said anything.

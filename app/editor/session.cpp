@@ -75,10 +75,13 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   remedy_line_.clear();
   selection.clear();
   selections.clear();
+  colouring.reset();
+  measures.clear();
   log_.clear();
 }
 
 void Session::forget_derived() {
+  map_values_.reset();
   preparation_.reset();  // it builds the tree of the picker
   hidden_ = HiddenElements();
   picker_.reset();
@@ -121,6 +124,7 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
     for (Vertex v : touched.moved) drawn_changes_.vertices.push_back(v.index);
     for (Face f : touched.faces) drawn_changes_.faces.push_back(f.index);
   }
+  update_map_values(transaction);
   if (highlights_) {
     forget_hidden();
     highlights_->update(m, journal, transaction);
@@ -161,6 +165,36 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
     ask_held_verdict_again();
   else if (hover_)
     point_at(hover_->pixel, hover_->modifiers);
+}
+
+const MapValues& Session::map_values() {
+  assert(colouring);
+  if (!map_values_ || &map_values_->map() != colouring->map) map_values_.emplace(mesh(), *colouring->map);
+  return *map_values_;
+}
+
+// Records the triangles of what has another value, as long as the surface is coloured by it.
+void Session::update_map_values(std::size_t transaction) {
+  if (!map_values_) return;
+  if (!colouring) return map_values_.reset();
+  const Mesh& m = mesh();
+  const auto changed = map_values_->update(m, document_->journal(), transaction);
+  drawn_changes_.everything |= !changed;
+  if (!changed || !picker_) return;
+  const auto note = [&](Face f) {
+    if (!f) return;
+    const std::vector<std::uint32_t> slots = picker_->triangles().slots_of(m, f);
+    drawn_changes_.triangles.insert(drawn_changes_.triangles.end(), slots.begin(), slots.end());
+  };
+  for (const std::uint32_t i : *changed) {
+    if (colouring->map->sort() == Element::Kind::face && m.is_alive(Face(i))) note(Face(i));
+    if (colouring->map->sort() == Element::Kind::edge && m.is_alive(Edge(i)))
+      for (unsigned side : {0u, 1u}) note(m.face(halfedge(Edge(i), side)));
+    if (colouring->map->sort() == Element::Kind::vertex && m.is_alive(Vertex(i)))
+      for_each_copy(m, Vertex(i), [&](Vertex copy) {
+        for (Face f : faces_around(m, copy)) note(f);
+      });
+  }
 }
 
 // Records members of the highlights that may have moved.

@@ -26,6 +26,7 @@
 #include "core/analysis/euler_poincare.h"
 #include "core/analysis/mesh_kind.h"
 #include "core/highlights/highlight_sets.h"
+#include "core/highlights/map_values.h"
 #include "core/pick/picker.h"
 #include "core/view/corner_normals.h"
 #include "core/view/view_settings.h"
@@ -33,6 +34,13 @@
 namespace ryosen {
 
 class Autosave;
+
+// What the surface is coloured by. The range stays through edits, so that equal colours stay equal values.
+struct Colouring {
+  const ColourMap* map = nullptr;
+  MapRange range;
+  friend bool operator==(const Colouring&, const Colouring&) = default;
+};
 
 // What the last repair did and left.
 struct LastRepair {
@@ -78,6 +86,8 @@ class Session {
   // Each entry of the history remembers what was selected around it, and brings it back.
   std::vector<Element> selection;
   SelectionMemory selections;
+  std::optional<Colouring> colouring;
+  std::vector<Elements> measures;  // what was asked for, in that order; read anew when it is shown
   // User interface state changed by commands; stored without effect if there is no UI.
   Language language = Language::english;
   ViewSettings settings;
@@ -203,6 +213,8 @@ class Session {
   const CornerNormals& corner_normals();
   // The sets of problems, and of the highlights that are shown.
   const HighlightSets& highlights();
+  // The values that the surface is coloured by, kept through edits; there must be such a colouring.
+  const MapValues& map_values();
   // The number of boundary loops on points; as up to date as the highlights.
   const BoundaryLoopCount& boundary_loops();
   // The terms of the Euler–Poincaré sum on points. Kept through operators that keep the topology, else O(edges).
@@ -245,6 +257,7 @@ class Session {
   void forget_derived();
   Camera framing(const Mesh& mesh, const Camera& from) const;
   void note_marks(const TouchedElements& touched);
+  void update_map_values(std::size_t transaction);
   void follow_hiding(const HiddenElements::Parts& changed);
   void forget_hidden();
   Edge edge_near(glm::dvec2 pixel);
@@ -272,6 +285,7 @@ class Session {
   std::optional<Picker> picker_;
   std::optional<CornerNormals> corner_normals_;  // of the triangles of the picker
   std::optional<HighlightSets> highlights_;
+  std::optional<MapValues> map_values_;
   std::optional<BoundaryLoopCount> boundary_loops_;
   std::optional<EulerPoincare> euler_;
   std::optional<KindOfMesh> kind_;

@@ -4,7 +4,9 @@
 #include <array>
 #include <glm/geometric.hpp>
 
+#include "core/analysis/measuring.h"
 #include "core/mesh/circulate.h"
+#include "core/mesh/find_element.h"
 
 namespace ryosen {
 
@@ -182,6 +184,21 @@ Overlay selection_overlay(const Session& session, Theme theme) {
   for (const Element& e : session.selection)
     if ((has_outlines || !is_face(e)) && !session.hidden().hides(session.mesh(), e)) painter.draw(e);
   draw_last_vertex(session, theme, overlay);
+  return overlay;
+}
+
+Overlay measures_overlay(const Session& session, Theme theme) {
+  Overlay overlay;
+  const Style looks = style(Role::witness, theme);
+  const auto lives = [&](const Element& e) { return is_alive(session.mesh(), e); };
+  for (const Elements& measured : session.measures) {
+    if (!std::all_of(measured.begin(), measured.end(), lives)) continue;
+    const std::vector<glm::dvec3> path = measure(session.mesh(), measured).path;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      overlay.points.push_back({path[i], looks.colour, PointShape::disc, 3.5f});
+      if (i > 0) overlay.lines.push_back({path[i - 1], path[i], looks.colour, looks.line, 2.5f});
+    }
+  }
   return overlay;
 }
 

@@ -11,6 +11,8 @@ namespace ryosen {
 Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, std::uint32_t first, std::uint32_t end,
                           Theme theme);
 Overlay selection_overlay(const Session& session, Theme theme);
+// The ways along which was measured, where all elements of it are still there.
+Overlay measures_overlay(const Session& session, Theme theme);
 // Without a tool the element itself; with one, green with the ghost of the result, or red with the witnesses.
 Overlay hover_overlay(const Session& session, Theme theme);
 

@@ -61,6 +61,7 @@ class Viewport {
   Size size_{};
   const Document* mesh_of_ = nullptr;
   Shading drawn_shading_ = Shading::flat;  // with which the mesh was passed
+  std::optional<Colouring> drawn_colouring_;
   std::vector<std::uint8_t> face_tints_;
   std::uint64_t mesh_revision_ = 0, gesture_step_ = 0;
   std::set<std::string> shown_;
@@ -75,6 +76,7 @@ class Viewport {
   bool highlights_stale_ = true;                    // all of them
   bool selection_stale_ = true;
   std::vector<Element> selection_;
+  std::vector<Elements> measures_;  // as they were drawn
   IndexSet selected_faces_;  // as they were drawn
 };
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
-#include <unordered_set>
 
+#include "core/analysis/measures.h"
 #include "core/highlights/creases.h"
+#include "core/highlights/map_values.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/op.h"
@@ -65,20 +65,6 @@ Elements find_others(const Mesh& mesh, Selected selection, Element::Kind sort, V
   return those(mesh, sort, [&](auto element) { return !selected.contains(element); });
 }
 
-// To how many other points edges go.
-std::uint32_t valence(const Mesh& mesh, Vertex v) {
-  if (!has_copies(mesh, v)) {
-    std::uint32_t edges = 0;
-    for ([[maybe_unused]] Halfedge h : outgoing(mesh, v)) ++edges;
-    return edges;
-  }
-  std::unordered_set<std::uint32_t> points;
-  for_each_copy(mesh, v, [&](Vertex copy) {
-    for (Vertex other : neighbours(mesh, copy)) points.insert(point(mesh, other).index);
-  });
-  return static_cast<std::uint32_t>(points.size());
-}
-
 Elements of_valence(const Mesh& mesh, Selected, Element::Kind, ValueRange value) {
   return those<Vertex>(mesh, [&](Vertex v) { return value.holds(valence(mesh, v)); });
 }
@@ -87,15 +73,11 @@ Elements of_sides(const Mesh& mesh, Selected, Element::Kind, ValueRange value) {
 }
 
 // NaN is neither.
-double length(const Mesh& mesh, Edge e) {
-  const auto [a, b] = ends(mesh, e);
-  return glm::distance(mesh.position(a), mesh.position(b));
-}
 Elements shorter(const Mesh& mesh, Selected, Element::Kind, ValueRange value) {
-  return those<Edge>(mesh, [&](Edge e) { return length(mesh, e) < value.low; });
+  return those<Edge>(mesh, [&](Edge e) { return edge_length(mesh, e) < value.low; });
 }
 Elements longer(const Mesh& mesh, Selected, Element::Kind, ValueRange value) {
-  return those<Edge>(mesh, [&](Edge e) { return length(mesh, e) > value.low; });
+  return those<Edge>(mesh, [&](Edge e) { return edge_length(mesh, e) > value.low; });
 }
 
 Elements sharp(const Mesh& mesh, Selected, Element::Kind, ValueRange value) {
@@ -106,6 +88,18 @@ Elements sharp(const Mesh& mesh, Selected, Element::Kind, ValueRange value) {
 
 Elements find_flat(const Mesh& mesh, Selected selection, Element::Kind, ValueRange value) {
   return flat_regions(mesh, selection, value.low);
+}
+
+// Those whose value of a colour map lies in a range.
+Elements by_map(const Mesh& mesh, Selected, Element::Kind, ValueRange value) {
+  const MapValues values(mesh, *value.map);
+  Elements found;
+  for (std::uint32_t i = 0; i < values.all().size(); ++i) {
+    if (!value.holds(values.of(i))) continue;
+    found.emplace_back().kind = value.map->sort();
+    found.back().index = i;
+  }
+  return found;
 }
 
 template <Elements (*spread)(const Mesh&, Selected)>
@@ -190,6 +184,11 @@ const Selector rows[] = {
      .name_ja = "指定より長い稜線を選択",
      .find = longer,
      .value = Selector::Value::size},
+    {.id = "by",
+     .name_en = "Select by a colour map",
+     .name_ja = "カラーマップの値で選択",
+     .find = by_map,
+     .value = Selector::Value::map_range},
 };
 
 }  // namespace
@@ -204,6 +203,7 @@ const Selector* find_selector(std::string_view id) {
 std::string syntax_of(const Selector& row) {
   const std::string id(row.id);
   if (row.value == Selector::Value::none) return id;
+  if (row.value == Selector::Value::map_range) return id + " MAP LOW HIGH";
   const std::string value = row.value == Selector::Value::count ? "N..M" : "X";
   return id + (row.usual.empty() ? " " + value : " [" + value + "]");
 }
@@ -213,7 +213,7 @@ std::optional<ValueRange> parse_value(const Selector& row, std::string_view text
     const auto n = parse_double(t);
     return n && *n >= 0 ? n : std::nullopt;
   };
-  if (row.value == Selector::Value::none) return std::nullopt;
+  if (row.value == Selector::Value::none || row.value == Selector::Value::map_range) return std::nullopt;
   const std::size_t dots = row.value == Selector::Value::count ? text.find("..") : std::string_view::npos;
   if (dots == std::string_view::npos) {
     const auto n = number(text);
@@ -224,6 +224,17 @@ std::optional<ValueRange> parse_value(const Selector& row, std::string_view text
   const auto high = behind.empty() ? std::optional(std::numeric_limits<double>::infinity()) : number(behind);
   if (!low || !high || *low > *high || (before.empty() && behind.empty())) return std::nullopt;
   return ValueRange{*low, *high};
+}
+
+std::optional<ValueRange> parse_values(const Selector& row, std::span<const std::string_view> words) {
+  if (row.value == Selector::Value::none) return words.empty() ? std::optional(ValueRange()) : std::nullopt;
+  if (row.value == Selector::Value::map_range) {
+    const ColourMap* const map = words.size() == 3 ? find_colour_map(words[0]) : nullptr;
+    const auto low = map ? parse_double(words[1]) : std::nullopt, high = map ? parse_double(words[2]) : std::nullopt;
+    return low && high && *low <= *high ? std::optional(ValueRange{*low, *high, map}) : std::nullopt;
+  }
+  if (words.size() > 1 || (words.empty() && row.usual.empty())) return std::nullopt;
+  return parse_value(row, words.empty() ? row.usual : words[0]);
 }
 
 Text missing_for(const Selector& row, std::span<const Element> selection) {

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/base/message.h"
+#include "core/highlights/colour_maps.h"
 #include "core/selection/spread.h"
 
 namespace ryosen {
@@ -16,13 +17,15 @@ namespace ryosen {
 // From `low` to `high`, both included.
 struct ValueRange {
   double low = 0, high = 0;
+  const ColourMap* map = nullptr;  // of which these are values
 
   bool holds(double value) const { return low <= value && value <= high; }
 };
 
 struct Selector {
-  // What it takes behind its id: nothing, a number of things (N, N..M, N.., ..N), or a length or angle of 0 and more.
-  enum class Value { none, count, size };
+  // What it takes behind its id: nothing, a number of things (N, N..M, N.., ..N), a length or angle of 0 and more, or
+  // the id of a colour map and a range of its values.
+  enum class Value { none, count, size, map_range };
 
   std::string_view id;
   std::string_view name_en, name_ja;  // in the menu, where it has the value `usual`
@@ -43,6 +46,8 @@ const Selector* find_selector(std::string_view id);
 std::string syntax_of(const Selector& row);
 // A value as the row takes it.
 std::optional<ValueRange> parse_value(const Selector& row, std::string_view text);
+// The same from the words behind the id, where it may say none.
+std::optional<ValueRange> parse_values(const Selector& row, std::span<const std::string_view> words);
 // What has to be selected before it can do anything; empty where that is so.
 Text missing_for(const Selector& row, std::span<const Element> selection);
 

@@ -40,9 +40,12 @@ Result<SurfacePass> SurfacePass::make() {
     const char* const defines = shading == Shading::smooth ? "#define SMOOTH\n" : "";
     Result<Program> surface = Program::make("surface.vert", "surface.frag", defines);
     if (!surface) return surface.failure();
+    Result<Program> painted =
+        Program::make("surface.vert", "surface.frag", (std::string(defines) + "#define PAINTED\n").c_str());
+    if (!painted) return painted.failure();
     Result<Program> tint = Program::make("tint.vert", "tint.frag", defines);
     if (!tint) return tint.failure();
-    programs[static_cast<std::size_t>(shading)].emplace(Programs{std::move(*surface), std::move(*tint)});
+    programs[static_cast<std::size_t>(shading)].emplace(Programs{std::move(*surface), std::move(*painted), std::move(*tint)});
   }
   return SurfacePass(std::move(programs));
 }
@@ -50,6 +53,7 @@ Result<SurfacePass> SurfacePass::make() {
 SurfacePass::SurfacePass(ByShading programs) : programs_(std::move(programs)), no_attributes_("surface") {
   for (const std::optional<Programs>& each : programs_) {
     MeshBuffers::set_units(each->surface);
+    MeshBuffers::set_units(each->painted);
     MeshBuffers::set_units(each->tint);
   }
 }
@@ -63,9 +67,11 @@ void SurfacePass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<co
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);
-  const auto& [surface, tint] = *programs_[static_cast<std::size_t>(frame.settings.shading)];
+  const auto& [plain, painted, tint] = *programs_[static_cast<std::size_t>(frame.settings.shading)];
   const Palette& colours = palette(frame.settings.theme);
+  const Program& surface = mesh.paint() == Paint::none ? plain : painted;
   set_light(surface, frame);
+  if (mesh.paint() != Paint::none) surface.set("paints_sides", mesh.paint() == Paint::sides ? 1 : 0);
   surface.set("wire_colour", glm::vec3(linear(colours.wire)));
   surface.set("wire_strength", unit(colours.wire).w);
   draw_clusters(surface, mesh, clusters, frame.thinning);

@@ -29,6 +29,7 @@ class SurfacePass {
   // A shader each: a software renderer pays for what is not looked at.
   struct Programs {
     Program surface;
+    Program painted;
     Program tint;
   };
   using ByShading = std::array<std::optional<Programs>, enum_count<Shading>>;

@@ -75,6 +75,43 @@ TEST(viewport, what_follows_edits_looks_like_what_is_drawn_anew) {
   EXPECT_GT(edits, 100);
 }
 
+TEST(viewport, a_coloured_surface_follows_edits_as_if_drawn_anew) {
+  auto context = make_headless_context(Backend::osmesa);
+  ASSERT_TRUE(context);
+  auto made = Viewport::make();
+  ASSERT_TRUE(made);
+  Viewport& viewport = **made;
+  std::mt19937 random(7);
+  for (const char* const map : {"edge_length", "valence", "dihedral", "area", "sides"}) {
+    auto document = Document::open(test::asset("ball.off"));
+    ASSERT_TRUE(document);
+    Session session(std::move(document).value());
+    session.view = {240, 200};
+    session.frame_all();
+    const auto picture = [&] {
+      viewport.follow(session);
+      viewport.draw();
+      return viewport.view().read_pixels();
+    };
+    ASSERT_TRUE(session.run("show all off").done());
+    const Image bare = picture();
+    ASSERT_TRUE(session.run(std::string("colours ") + map).done());
+    EXPECT_NE(picture().pixels, bare.pixels) << map;
+    int edits = 0;
+    for (int step = 0; step < 25; ++step) {
+      edits += session.run(random_line(session, random)).done();
+      const Image followed = picture();
+      viewport.forget();
+      ASSERT_EQ(followed.pixels, picture().pixels) << map << " step " << step;
+    }
+    EXPECT_GT(edits, 5);
+    ASSERT_TRUE(session.run("colours off").done());
+    const Image off = picture();
+    viewport.forget();
+    EXPECT_EQ(off.pixels, picture().pixels);
+  }
+}
+
 TEST(viewport, handles_and_guides_that_come_and_go_are_drawn_as_in_a_full_redraw) {
   auto context = make_headless_context(Backend::osmesa);
   ASSERT_TRUE(context);

@@ -1,0 +1,18 @@
+// What is said of measurements and of the values of a colour map.
+#pragma once
+
+#include "core/analysis/measuring.h"
+#include "core/highlights/map_values.h"
+
+namespace ryosen {
+
+// Nine significant digits, and the sign of the unit.
+std::string value_text(double value, MapUnit unit);
+// "distance 1.5, angle 90°"
+Text text_of(const Measurement& found);
+// "Edge length: 1 to 2, mean 1.5, median 1.4, of 12"
+Text text_of(const ColourMap& map, const MapFigures& figures);
+// Of elements as they are now; that one of them is gone, where that is so.
+Text measured_text(const Mesh& mesh, std::span<const Element> elements);
+
+}  // namespace ryosen

@@ -1,0 +1,115 @@
+#include "core/highlights/map_values.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "core/analysis/ask_elements.h"
+#include "core/analysis/edit_reach.h"
+
+namespace ryosen {
+
+const double MapValues::missing = std::numeric_limits<double>::quiet_NaN();
+
+namespace {
+
+// Calls ask(handle of the sort, the row's function about it).
+template <class Ask>
+auto with_sort(const ColourMap& map, Ask ask) {
+  if (map.vertex) return ask(Vertex(), map.vertex);
+  if (map.edge) return ask(Edge(), map.edge);
+  return ask(Face(), map.face);
+}
+
+bool is_same(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+
+}  // namespace
+
+MapValues::MapValues(const Mesh& mesh, const ColourMap& map, unsigned threads)
+    : map_(&map), had_copies_(mesh.has_copies()) {
+  with_sort(map, [&](auto handle, auto value) {
+    using Handle = decltype(handle);
+    const std::uint32_t slots = slots_of(mesh, Handle());
+    values_.assign(slots, missing);
+    for_each_part(slots, threads ? threads : threads_for(slots), [&](unsigned, std::uint32_t begin, std::uint32_t end) {
+      Neighbourhood around(mesh, Neighbourhood::Reach::whole);
+      for (std::uint32_t i = begin; i < end; ++i)
+        if (mesh.is_alive(Handle(i))) values_[i] = value(around, Handle(i));
+    });
+  });
+}
+
+std::optional<std::vector<std::uint32_t>> MapValues::update(const Mesh& mesh, const Journal& journal, std::size_t i) {
+  if (journal.replaces_everything(i) || had_copies_ != mesh.has_copies()) {
+    *this = MapValues(mesh, *map_);
+    return std::nullopt;
+  }
+  Neighbourhood around(mesh);
+  EditReach reach = edit_reach(journal, i, around);
+  if (map_->reads_whole_faces) add_whole_faces(around, reach);
+  std::vector<std::uint32_t> changed;
+  const auto ask = [&](const auto& elements, auto value) {
+    for (const auto element : elements) {
+      if (element.index >= values_.size()) continue;
+      const bool is_there = mesh.exists(element) && mesh.is_alive(element);
+      const double now = is_there ? value(around, element) : missing;
+      if (is_same(now, values_[element.index])) continue;
+      values_[element.index] = now;
+      changed.push_back(element.index);
+    }
+  };
+  with_sort(*map_, [&](auto handle, auto value) {
+    using Handle = decltype(handle);
+    values_.resize(slots_of(mesh, Handle()), missing);
+    if constexpr (std::is_same_v<Handle, Vertex>) ask(reach.vertices, value);
+    if constexpr (std::is_same_v<Handle, Edge>) ask(reach.edges, value);
+    if constexpr (std::is_same_v<Handle, Face>) ask(reach.faces, value);
+  });
+  return changed;
+}
+
+MapFigures figures_of(std::span<const double> values) {
+  MapFigures figures;
+  std::vector<double> sorted;
+  double sum = 0, lost = 0;  // by the rounding of the sum
+  for (std::uint32_t i = 0; i < values.size(); ++i) {
+    const double value = values[i];
+    if (!std::isfinite(value)) continue;
+    if (sorted.empty() || value < figures.lowest) figures.lowest = value, figures.lowest_at = i;
+    if (sorted.empty() || value > figures.highest) figures.highest = value, figures.highest_at = i;
+    sorted.push_back(value);
+    const double add = value - lost, next = sum + add;
+    lost = (next - sum) - add;
+    sum = next;
+  }
+  if (sorted.empty()) return figures;
+  std::sort(sorted.begin(), sorted.end());
+  figures.count = sorted.size();
+  figures.mean = sum / static_cast<double>(sorted.size());
+  const auto at = [&](double share) {
+    const double place = share * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    return std::lerp(sorted[below], sorted[std::min(below + 1, sorted.size() - 1)], place - std::floor(place));
+  };
+  figures.percentile_5 = at(0.05);
+  figures.quartile_1 = at(0.25);
+  figures.median = at(0.5);
+  figures.quartile_3 = at(0.75);
+  figures.percentile_95 = at(0.95);
+  return figures;
+}
+
+std::vector<std::uint32_t> histogram(std::span<const double> values, MapRange range, std::size_t bars) {
+  std::vector<std::uint32_t> counts(bars, 0);
+  const double width = range.high - range.low;
+  for (const double value : values) {
+    if (!std::isfinite(value) || value < range.low || value > range.high) continue;
+    const double place = width > 0 ? (value - range.low) / width * static_cast<double>(bars) : 0;
+    ++counts[std::min(static_cast<std::size_t>(place), bars - 1)];
+  }
+  return counts;
+}
+
+}  // namespace ryosen

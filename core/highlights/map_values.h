@@ -1,0 +1,47 @@
+// The values of a colour map, one per slot of its sort of element, and what is said of them together.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/highlights/colour_maps.h"
+#include "core/mesh/journal.h"
+
+namespace ryosen {
+
+class MapValues {
+ public:
+  // Asks about every element. O(corners); on several threads where that pays. 0 chooses.
+  MapValues(const Mesh& mesh, const ColourMap& map, unsigned threads = 0);
+
+  const ColourMap& map() const { return *map_; }
+  // By slot; NaN where there is none, also of dead elements.
+  std::span<const double> all() const { return values_; }
+  double of(std::uint32_t slot) const { return slot < values_.size() ? values_[slot] : missing; }
+
+  // After transaction i of the journal was committed, undone or redone: asks what it reached. The elements whose value is
+  // another now, in ascending order; none where everything was asked anew.
+  std::optional<std::vector<std::uint32_t>> update(const Mesh& mesh, const Journal& journal, std::size_t i);
+
+ private:
+  static const double missing;
+  const ColourMap* map_;
+  bool had_copies_ = false;
+  std::vector<double> values_;
+};
+
+// Of those values that are finite; all 0 where there are none.
+struct MapFigures {
+  std::size_t count = 0;
+  double lowest = 0, highest = 0, mean = 0;
+  double percentile_5 = 0, quartile_1 = 0, median = 0, quartile_3 = 0, percentile_95 = 0;  // between neighbours linear
+  std::uint32_t lowest_at = no_index, highest_at = no_index;  // the first slots that have them
+};
+MapFigures figures_of(std::span<const double> values);
+
+// How many finite values lie in each of `bars` parts of a range that are equally wide; the last one with its end.
+std::vector<std::uint32_t> histogram(std::span<const double> values, MapRange range, std::size_t bars);
+
+}  // namespace ryosen

@@ -1,0 +1,46 @@
+// The panel of colour maps: its histogram is a tool to select with.
+#include <gtest/gtest.h>
+
+#include "tests/support/app/laid.h"
+
+namespace ryosen::test {
+namespace {
+
+class ColoursPanelTest : public testing::Test, public Laid {
+ public:
+  ColoursPanelTest() : Laid("cube.obj", tall_window) {
+    for (const PanelRow& row : panel_list())
+      if (row.place == PanelPlace::right) session.run("panel " + std::string(row.id) + " off");
+    EXPECT_TRUE(session.run("poke f0").done());
+    EXPECT_TRUE(session.run("colours area").done());
+    frames(4);
+  }
+  // From one share of the right column's width to another, at a height.
+  void drag(double from, double to, double y) {
+    const auto at = [&](double share) { return glm::dvec2(1003 + share * 267, y); };
+    gui.pointer(at(from));
+    frames(2);
+    gui.button(0, true);
+    frames(2);
+    gui.pointer(at(to));
+    frames(2);
+    gui.button(0, false);
+    frames(3);
+  }
+};
+
+TEST_F(ColoursPanelTest, a_drag_over_the_histogram_selects_what_lies_in_its_range) {
+  constexpr double in_histogram = 110;
+  drag(0.0, 0.4, in_histogram);
+  EXPECT_EQ(session.selected_names().size(), 4u) << "the four triangles of a quarter each";
+  drag(1.0, 0.4, in_histogram);
+  EXPECT_EQ(session.selected_names().size(), 5u) << "backwards; the squares of area 1, the highest value";
+  drag(0.0, 1.0, in_histogram);
+  EXPECT_EQ(session.selected_names().size(), 9u);
+  for (const Element& e : session.selection) EXPECT_EQ(e.kind, Element::Kind::face);
+  drag(0.3, 0.6, in_histogram);
+  EXPECT_TRUE(session.selection.empty()) << "nothing lies between";
+}
+
+}  // namespace
+}  // namespace ryosen::test

@@ -119,8 +119,8 @@ class MeshBuffers {
   Slot converted(const TriangleSource& source, const DrawnTriangle& triangle) const;
   // Writes the slots of a cluster, with their normals and colours unless null, and makes its record. One more than the
   // largest face.
-  std::uint32_t convert(const TriangleSource& source, std::uint32_t cluster, glm::uvec4* triangles,
-                        glm::uvec4* normals, glm::uvec4* colours);
+  std::uint32_t convert(const TriangleSource& source, std::uint32_t cluster, glm::uvec4* triangles, glm::uvec4* normals,
+                        glm::uvec4* colours);
   void write_all(const TriangleSource& source);
   // The slots of triangles as they are on the GPU.
   std::vector<Slot> read_back(std::span<const std::uint32_t> triangles) const;

@@ -20,7 +20,6 @@
 #include "render/mesh_buffers.h"
 #include "render/overlay.h"
 #include "render/palette.h"
-#include "render/refinement.h"
 #include "render/pass/background.h"
 #include "render/pass/ids.h"
 #include "render/pass/labels.h"
@@ -28,6 +27,7 @@
 #include "render/pass/resolve.h"
 #include "render/pass/surface.h"
 #include "render/pass/xray.h"
+#include "render/refinement.h"
 
 namespace ryosen {
 

@@ -122,8 +122,9 @@ const std::vector<CommandRow>& first_rows() {
       {"redo", "[N]", "does N undone edits again", "元に戻した N 回の編集をやり直す", Effect::steps, run_redo},
       {.id = "repair",
        .syntax = "KIND [VALUE|NAME=VALUE ...] | KIND[=VALUE],...",
-       .help_en = "takes a kind of problem away everywhere, or several in rounds; default: all that keep the geometry (see "
-                  "ryosen repair --help)",
+       .help_en =
+           "takes a kind of problem away everywhere, or several in rounds; default: all that keep the geometry (see "
+           "ryosen repair --help)",
        .help_ja = "問題をまとめて直す（default：形状を保つ修復すべて。ryosen repair --help を参照）",
        .effect = Effect::edits,
        .run = run_repair,

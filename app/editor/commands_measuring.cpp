@@ -79,15 +79,17 @@ Outcome run_measure(Session& session, Words arguments, std::string_view) {
   if (arguments[0] == "selected") {
     measured = session.selection;
     if (measured.empty())
-      return failed(ExitCode::refused, {"nothing is selected that could be measured", "計測する要素が選択されていません"});
+      return failed(ExitCode::refused,
+                    {"nothing is selected that could be measured", "計測する要素が選択されていません"});
   } else if (Outcome outcome = find_named(session, "measure", arguments, measured); !outcome.done()) {
     return outcome;
   }
   const Measurement found = measure(session.mesh(), measured);
   if (found.values.empty())
-    return failed(ExitCode::refused,
-                  {"there is nothing to measure: name an edge, a face, two elements or three vertices with finite places",
-                   "計測できません。稜線、面、二つの要素、または三つの頂点（座標が有限のもの）を指定してください"});
+    return failed(
+        ExitCode::refused,
+        {"there is nothing to measure: name an edge, a face, two elements or three vertices with finite places",
+         "計測できません。稜線、面、二つの要素、または三つの頂点（座標が有限のもの）を指定してください"});
   session.measures.push_back(std::move(measured));
   show_panel(session);
   Outcome outcome;

@@ -27,10 +27,10 @@ Text text_of(const ColourMap& map, const MapFigures& figures) {
   const auto value = [&](double v) { return value_text(v, map.unit); };
   const std::string low = value(figures.lowest), high = value(figures.highest), mean = value(figures.mean),
                     median = value(figures.median), count = std::to_string(figures.count);
-  return {std::string(map.name_en) + ": " + low + " to " + high + ", mean " + mean + ", median " + median + ", of " +
-              count,
-          std::string(map.name_ja) + "：" + low + " ～ " + high + "、平均 " + mean + "、中央値 " + median + "、個数 " +
-              count};
+  return {
+      std::string(map.name_en) + ": " + low + " to " + high + ", mean " + mean + ", median " + median + ", of " + count,
+      std::string(map.name_ja) + "：" + low + " ～ " + high + "、平均 " + mean + "、中央値 " + median + "、個数 " +
+          count};
 }
 
 Text measured_text(const Mesh& mesh, std::span<const Element> elements) {

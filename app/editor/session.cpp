@@ -39,8 +39,7 @@ bool Session::is_shown(const PanelRow& panel) const {
 }
 
 bool Session::is_at_start() const {
-  return !begins_empty && document_->path().empty() && document_->history().empty() &&
-         mesh().live() == ElementCounts();
+  return !begins_empty && document_->path().empty() && document_->history().empty() && mesh().live() == ElementCounts();
 }
 
 void Session::show(const PanelRow& panel, bool on) {

@@ -97,10 +97,10 @@ class Session {
   std::vector<KeyBinding> bindings;   // the user's own keys
   bool begins_empty = false;          // somebody wants an empty mesh, not the start page
   std::vector<std::string> recent{};  // files that were open before, the latest first; kept by the window
-  std::string open_panel;         // the one that lies over the view; empty for none
-  Layout layout;                  // of those in the columns
-  std::string asked_algorithm;    // whose values the panel of values asks for
-  std::vector<LostSession> lost;  // as last listed
+  std::string open_panel;             // the one that lies over the view; empty for none
+  Layout layout;                      // of those in the columns
+  std::string asked_algorithm;        // whose values the panel of values asks for
+  std::vector<LostSession> lost;      // as last listed
 
   // What the pointer picks: what the tool applies to, else what `mode` says.
   PickMode pointed_sort() const;

@@ -41,7 +41,8 @@ void paint(Session& session, TriangleSource& source) {
       if (sort == Element::Kind::face) colours[k] = of(triangle.face);
       if (sort == Element::Kind::vertex) colours[k] = of(point(mesh, v).index);
       if (sort != Element::Kind::edge || !(triangle.edge_bits >> k & 1)) continue;
-      if (const Halfedge h = find_halfedge(mesh, v, Vertex(triangle.corners[(k + 1) % 3]))) colours[k] = of(edge(h).index);
+      if (const Halfedge h = find_halfedge(mesh, v, Vertex(triangle.corners[(k + 1) % 3])))
+        colours[k] = of(edge(h).index);
     }
     return colours;
   };
@@ -127,9 +128,7 @@ Result<std::unique_ptr<Viewport>> Viewport::make() {
   return std::unique_ptr<Viewport>(new Viewport(std::move(view).value()));
 }
 
-void Viewport::set_supersample(int samples) {
-  supersample_ = samples;
-}
+void Viewport::set_supersample(int samples) { supersample_ = samples; }
 
 void Viewport::follow(Session& session) {
   const int samples = std::max(supersample_, session.samples);
@@ -179,8 +178,8 @@ void Viewport::follow_mesh(Session& session) {
   const bool other_selection = selection_ != session.selection;
   if (other_selection) follow_selected_faces(session, changes);
   const FaceTints tints(session, selected_faces_);
-  const bool anew = mesh_of_ != &session.document() || changes.everything || drawn_shading_ != session.settings.shading ||
-                    drawn_colouring_ != session.colouring;
+  const bool anew = mesh_of_ != &session.document() || changes.everything ||
+                    drawn_shading_ != session.settings.shading || drawn_colouring_ != session.colouring;
   const bool other_highlights = shown_ != session.shown || changes.searched;
   if (!anew && !other_highlights && !other_selection && !changes.hiding && gesture_step_ == session.gesture_step() &&
       mesh_revision_ == session.document().revision())

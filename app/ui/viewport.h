@@ -77,7 +77,7 @@ class Viewport {
   bool selection_stale_ = true;
   std::vector<Element> selection_;
   std::vector<Elements> measures_;  // as they were drawn
-  IndexSet selected_faces_;  // as they were drawn
+  IndexSet selected_faces_;         // as they were drawn
 };
 
 }  // namespace ryosen

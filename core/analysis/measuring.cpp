@@ -118,7 +118,8 @@ Rim rim_of(const Mesh& mesh, const std::set<std::uint32_t>& faces) {
   for (const auto& [ends_of_side, counts] : sides) {
     if (counts.first != counts.second) rim.is_closed = false;
     if (counts.first + counts.second == 1)
-      rim.length += glm::distance(mesh.position(Vertex(ends_of_side.first)), mesh.position(Vertex(ends_of_side.second)));
+      rim.length +=
+          glm::distance(mesh.position(Vertex(ends_of_side.first)), mesh.position(Vertex(ends_of_side.second)));
   }
   return rim;
 }

@@ -45,7 +45,8 @@ Result<SurfacePass> SurfacePass::make() {
     if (!painted) return painted.failure();
     Result<Program> tint = Program::make("tint.vert", "tint.frag", defines);
     if (!tint) return tint.failure();
-    programs[static_cast<std::size_t>(shading)].emplace(Programs{std::move(*surface), std::move(*painted), std::move(*tint)});
+    programs[static_cast<std::size_t>(shading)].emplace(
+        Programs{std::move(*surface), std::move(*painted), std::move(*tint)});
   }
   return SurfacePass(std::move(programs));
 }

@@ -97,8 +97,11 @@ void ColoursPanel::follow_drag(PanelContext& context, float left, float width) {
   const std::size_t first = std::min(bar, grabbed_.value_or(bar)), last = std::max(bar, grabbed_.value_or(bar));
   std::uint64_t count = 0;
   for (std::size_t i = first; i <= last; ++i) count += bars_[i];
-  const std::string low = value_text(edge_of(first), MapUnit::none), high = value_text(edge_of(last + 1), MapUnit::none);
-  if (is_hovered) ImGui::SetTooltip("%s .. %s%s: %s", low.c_str(), high.c_str(), std::string(sign_of(map->unit)).c_str(), grouped(static_cast<std::int64_t>(count)).c_str());
+  const std::string low = value_text(edge_of(first), MapUnit::none),
+                    high = value_text(edge_of(last + 1), MapUnit::none);
+  if (is_hovered)
+    ImGui::SetTooltip("%s .. %s%s: %s", low.c_str(), high.c_str(), std::string(sign_of(map->unit)).c_str(),
+                      grouped(static_cast<std::int64_t>(count)).c_str());
   if (!ImGui::IsItemDeactivated() || !grabbed_) return;
   grabbed_.reset();
   // The last bar holds what lies above its rounded end too.
@@ -116,16 +119,18 @@ void ColoursPanel::draw_histogram(PanelContext& context) {
   const std::uint32_t most = std::max(1u, *std::max_element(bars_.begin(), bars_.end()));
   const float step = width / static_cast<float>(bar_count), pointer = ImGui::GetIO().MousePos.x;
   ImDrawList* const list = ImGui::GetWindowDrawList();
-  const auto under = static_cast<std::size_t>(
-      std::clamp((pointer - at.x) / step, 0.f, static_cast<float>(bar_count - 1)));
+  const auto under =
+      static_cast<std::size_t>(std::clamp((pointer - at.x) / step, 0.f, static_cast<float>(bar_count - 1)));
   for (std::size_t i = 0; i < bar_count; ++i) {
     const float x = at.x + static_cast<float>(i) * step;
     const bool is_marked = grabbed_ ? i >= std::min(under, *grabbed_) && i <= std::max(under, *grabbed_)
                                     : ImGui::IsItemHovered() && i == under;
-    if (is_marked) list->AddRectFilled({x, at.y}, {x + step, at.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBgHovered));
+    if (is_marked)
+      list->AddRectFilled({x, at.y}, {x + step, at.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBgHovered));
     if (bars_[i] == 0) continue;
     const float tall = std::max(2 * context.scale, height * static_cast<float>(bars_[i]) / static_cast<float>(most));
-    const double value = std::lerp(range.low, range.high, (static_cast<double>(i) + 0.5) / static_cast<double>(bar_count));
+    const double value =
+        std::lerp(range.low, range.high, (static_cast<double>(i) + 0.5) / static_cast<double>(bar_count));
     list->AddRectFilled({x, at.y + height - tall}, {x + std::max(1.f, step - 1), at.y + height},
                         colour_of(*map, range, value));
   }

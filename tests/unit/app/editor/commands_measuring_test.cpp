@@ -34,7 +34,8 @@ TEST(commands_measuring, colours_say_what_the_numbers_are_and_keep_their_range) 
 
 TEST(commands_measuring, wrong_maps_and_ranges_are_refused_with_the_right_ones) {
   const auto session = measured_cube();
-  for (const char* line : {"colours", "colours edge_lenght", "colours area 3", "colours area 3 2", "colours area a b"}) {
+  for (const char* line :
+       {"colours", "colours edge_lenght", "colours area 3", "colours area 3 2", "colours area a b"}) {
     EXPECT_FALSE(session->run(line).done()) << line;
     EXPECT_TRUE(fault_of_command(line)) << line;
   }

@@ -19,8 +19,9 @@ TEST(selecting, every_selector_is_a_command_and_its_key_sends_it) {
   for (const Selector& row : selectors()) {
     const bool has_usual = row.value == Selector::Value::none || !row.usual.empty();
     session->run("select v0 0-1 f0");
-    const Outcome outcome = session->run(has_usual ? select_line(row) : "select " + std::string(row.id) +
-                                                 (row.value == Selector::Value::map_range ? " area 0 1" : " 0.5"));
+    const Outcome outcome = session->run(
+        has_usual ? select_line(row)
+                  : "select " + std::string(row.id) + (row.value == Selector::Value::map_range ? " area 0 1" : " 0.5"));
     EXPECT_TRUE(outcome.done()) << row.id << ": " << outcome.sentence.en;
     EXPECT_FALSE(outcome.sentence.en.empty()) << row.id;
     if (row.chord.empty()) continue;

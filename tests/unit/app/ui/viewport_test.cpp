@@ -136,10 +136,23 @@ TEST(viewport, handles_and_guides_that_come_and_go_are_drawn_as_in_a_full_redraw
   const auto at = [&](double x, double y) {
     return std::to_string(middle->pixel.x + x) + "," + std::to_string(middle->pixel.y + y);
   };
-  const std::string lines[] = {
-      "move " + at(0, 0), "move " + at(2, -50), "press left " + at(2, -50), "move " + at(20, -70), "key O",
-      "wheel 3 " + at(20, -70), "move " + at(40, 10) + " Ctrl", "key Shift+X", "release left " + at(40, 10), "undo",
-      "gizmo turn", "gizmo scale", "move " + at(1, 1), "tool split", "tool none", "select add v20", "gizmo off"};
+  const std::string lines[] = {"move " + at(0, 0),
+                               "move " + at(2, -50),
+                               "press left " + at(2, -50),
+                               "move " + at(20, -70),
+                               "key O",
+                               "wheel 3 " + at(20, -70),
+                               "move " + at(40, 10) + " Ctrl",
+                               "key Shift+X",
+                               "release left " + at(40, 10),
+                               "undo",
+                               "gizmo turn",
+                               "gizmo scale",
+                               "move " + at(1, 1),
+                               "tool split",
+                               "tool none",
+                               "select add v20",
+                               "gizmo off"};
   for (const std::string& line : lines) {
     EXPECT_TRUE(session.run(line).done()) << line;
     const Image followed = picture();

@@ -78,9 +78,9 @@ TEST(measures, of_faces_and_edges_are_what_one_computes_by_hand) {
 TEST(measures, of_special_faces_are_what_one_computes_by_hand) {
   IndexedMesh source = indexed({{0, 1, 2}, {3, 4, 5, 6}, {7, 8, 9, 10}});
   const double high = std::sqrt(3.0) / 2;
-  source.positions = {{0, 0, 0}, {1, 0, 0},  {0.5, high, 0},                      // regular
-                      {0, 0, 0}, {1, 0, 0},  {1, 1, 1},      {0, 1, 0},           // one corner lifted
-                      {0, 0, 0}, {2, -2, 0}, {1, 0, 0},      {2, 2, 0}};          // a dart that points inwards at (1, 0)
+  source.positions = {{0, 0, 0}, {1, 0, 0},  {0.5, high, 0},              // regular
+                      {0, 0, 0}, {1, 0, 0},  {1, 1, 1},      {0, 1, 0},   // one corner lifted
+                      {0, 0, 0}, {2, -2, 0}, {1, 0, 0},      {2, 2, 0}};  // a dart that points inwards at (1, 0)
   const Mesh mesh = from_indexed(std::move(source));
   Neighbourhood around(mesh);
   EXPECT_NEAR(aspect_ratio(mesh, Face(0)), 1, 1e-12);

@@ -30,7 +30,8 @@ TEST(colour_maps, grow_evenly_lighter_so_that_lightness_alone_tells_values_apart
 
 TEST(colour_maps, about_a_middle_are_lightest_there_and_darken_to_both_sides) {
   for (int i = 0; i < 8; ++i) {
-    EXPECT_LT(lightness(colour_at(MapScale::about_middle, i / 16.0)), lightness(colour_at(MapScale::about_middle, (i + 1) / 16.0)));
+    EXPECT_LT(lightness(colour_at(MapScale::about_middle, i / 16.0)),
+              lightness(colour_at(MapScale::about_middle, (i + 1) / 16.0)));
     EXPECT_LT(lightness(colour_at(MapScale::about_middle, 1 - i / 16.0)),
               lightness(colour_at(MapScale::about_middle, 1 - (i + 1) / 16.0)));
   }
@@ -51,15 +52,17 @@ TEST(colour_maps, each_speak_of_one_sort_in_both_languages) {
   for (const ColourMap& map : colour_maps()) {
     EXPECT_TRUE(ids.insert(map.id).second) << map.id;
     EXPECT_EQ((map.vertex != nullptr) + (map.edge != nullptr) + (map.face != nullptr), 1) << map.id;
-    for (const std::string_view text : {map.name_en, map.name_ja, map.legend_en, map.legend_ja}) EXPECT_FALSE(text.empty());
+    for (const std::string_view text : {map.name_en, map.name_ja, map.legend_en, map.legend_ja})
+      EXPECT_FALSE(text.empty());
   }
 }
 
 TEST(colour_maps, can_be_added_for_a_while) {
   {
-    const ScopedColourMap added({.id = "slot", .name_en = "Slot", .name_ja = "番号", .face = [](Neighbourhood&, Face f) {
-                                   return double(f.index);
-                                 }});
+    const ScopedColourMap added(
+        {.id = "slot", .name_en = "Slot", .name_ja = "番号", .face = [](Neighbourhood&, Face f) {
+           return double(f.index);
+         }});
     EXPECT_TRUE(find_colour_map("slot"));
   }
   EXPECT_FALSE(find_colour_map("slot"));

@@ -75,7 +75,8 @@ void follow_edits(Mesh mesh, const ColourMap& map, std::uint64_t seed, int& edit
       journal.redo(mesh);
       transaction = journal.position() - 1;
     } else {
-      if (!(what == 2 ? edit_at_random(mesh, journal, dice) : try_apply(mesh, &journal, random_op(mesh, dice)))) continue;
+      if (!(what == 2 ? edit_at_random(mesh, journal, dice) : try_apply(mesh, &journal, random_op(mesh, dice))))
+        continue;
       transaction = journal.size() - 1;
     }
     ++edits;
@@ -86,14 +87,16 @@ void follow_edits(Mesh mesh, const ColourMap& map, std::uint64_t seed, int& edit
     listed.resize(values.all().size(), missing_value);
     for (const std::uint32_t i : *changed) listed[i] = values.of(i);
     for (std::uint32_t i = 0; i < listed.size(); ++i)
-      ASSERT_TRUE(listed[i] == values.of(i) || (std::isnan(listed[i]) && std::isnan(values.of(i)))) << map.id << " " << i;
+      ASSERT_TRUE(listed[i] == values.of(i) || (std::isnan(listed[i]) && std::isnan(values.of(i))))
+          << map.id << " " << i;
   }
 }
 
 TEST(map_values, follow_edits_undo_and_redo) {
   int edits = 0;
   for (const ColourMap& map : colour_maps())
-    for (std::uint64_t seed = 1; seed <= 60 && !HasFailure(); ++seed) follow_edits(random_complex(seed), map, seed, edits);
+    for (std::uint64_t seed = 1; seed <= 60 && !HasFailure(); ++seed)
+      follow_edits(random_complex(seed), map, seed, edits);
   EXPECT_GT(edits, 1000);
 }
 

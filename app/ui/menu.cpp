@@ -135,8 +135,11 @@ void draw_view_menu(PanelContext& context) {
   item(context, UiText::frame_all, "frame all");
   item(context, UiText::frame_selected, "frame selected", !context.session.selection.empty());
   ImGui::Separator();
-  for (const NamedView& view : named_views())
-    item(context, context.text(view.name_en, view.name_ja), "view " + std::string(view.id));
+  if (ImGui::BeginMenu(context.text("Look from", "視点"))) {
+    for (const NamedView& view : named_views())
+      item(context, context.text(view.name_en, view.name_ja), "view " + std::string(view.id));
+    ImGui::EndMenu();
+  }
   ImGui::Separator();
   draw_switches(context);
   panel_items(context, PanelMenu::view);

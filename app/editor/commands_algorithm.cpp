@@ -1,5 +1,6 @@
 // Algorithms as commands: each by its id, and `repair`, which knows them by what they solve.
 #include <algorithm>
+#include <new>
 
 #include "app/editor/command_functions.h"
 #include "app/editor/command_syntax.h"
@@ -23,6 +24,15 @@ Text fault_of(const ReadRepairs& read) {
   return *read.fault + (read.unknown.empty() ? Text() : did_you_mean(read.unknown, ids_of_repairs()));
 }
 
+// What is done is an entry of the history by now, and stays one where there is no memory to say more of it.
+template <class SayMore>
+void unless_memory_lacks(SayMore say_more) {
+  try {
+    say_more();
+  } catch (const std::bad_alloc&) {
+  }
+}
+
 // The repairs of a list, in rounds, as one entry of the history.
 Outcome run_recipe(Session& session, const std::string& list) {
   const RepairCall call = read_repairs(list).call;
@@ -39,9 +49,11 @@ Outcome run_recipe(Session& session, const std::string& list) {
   const BesideRepairs beside = session.document().beside_repairs();
   const auto result = session.document().run(call.steps, outcome.performed, events);
   if (!result) return cancelled();
-  RepairReport report = report_of(call, *result, session.mesh(), beside.input());
-  outcome.sentence = told(report, session.mesh());
-  session.keep_report(std::move(report));
+  unless_memory_lacks([&] {
+    RepairReport report = report_of(call, *result, session.mesh(), beside.input());
+    outcome.sentence = told(report, session.mesh());
+    session.keep_report(std::move(report));
+  });
   return outcome;
 }
 
@@ -82,11 +94,13 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
   if (!result) return cancelled();
   if (result->fault) return usage_error(id + ": " + result->fault->en, id + "：" + result->fault->ja);
   if (was_empty && result->changed > 0) session.frame_all();  // nobody could have looked at it before
-  if (row.selects_added && result->changed > 0) session.selection = before.added_to(session.mesh());
-  outcome.sentence = result->text;
-  if (!row.is_repair()) return outcome;
-  const BesideRepairs beside = session.document().beside_repairs();
-  session.keep_report(report_of({{{&row, *given.values}}, false}, *result, session.mesh(), beside.input()));
+  unless_memory_lacks([&] {
+    if (row.selects_added && result->changed > 0) session.selection = before.added_to(session.mesh());
+    if (!row.is_repair()) return;
+    const BesideRepairs beside = session.document().beside_repairs();
+    session.keep_report(report_of({{{&row, *given.values}}, false}, *result, session.mesh(), beside.input()));
+  });
+  outcome.sentence = std::move(result->text);
   return outcome;
 }
 

@@ -79,6 +79,7 @@ void CommandPanel::find() {
 
 void CommandPanel::type(std::string line) {
   typed_ = std::move(line);
+  chosen_ = -1;
   takes_keys_ = true;
 }
 

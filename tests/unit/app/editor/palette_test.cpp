@@ -1,0 +1,96 @@
+#include "app/editor/palette.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app/editor/asking.h"
+#include "app/editor/command_syntax.h"
+#include "tests/support/app/program.h"
+
+namespace ryosen {
+namespace {
+
+std::unique_ptr<Session> session_with_cube() {
+  auto document = Document::open(test::asset("cube.obj"));
+  EXPECT_TRUE(document);
+  return std::make_unique<Session>(std::move(document).value());
+}
+
+PaletteEntry entry_of(std::string_view line) {
+  for (const PaletteEntry& entry : palette_entries())
+    if (entry.line == line) return entry;
+  ADD_FAILURE() << line;
+  return {};
+}
+
+std::string first_for(std::string_view typed) {
+  const std::vector<PaletteEntry> found = find_in_palette(typed);
+  return found.empty() ? "" : found[0].line;
+}
+
+TEST(palette, has_every_line_once) {
+  std::set<std::string> lines;
+  for (const PaletteEntry& entry : palette_entries()) {
+    EXPECT_TRUE(lines.insert(entry.line).second) << entry.line;
+    EXPECT_FALSE(entry.name.en.empty() || entry.name.ja.empty()) << entry.line;
+    EXPECT_TRUE(call_of(entry.line)) << entry.line;
+  }
+  for (const CommandRow& row : command_table()) EXPECT_TRUE(lines.contains(std::string(row.id))) << row.id;
+}
+
+TEST(palette, finds_by_any_word_in_either_language_best_first) {
+  EXPECT_EQ(first_for("collapse"), "collapse");
+  EXPECT_EQ(first_for("COLLAPSE EDGE"), "collapse");
+  EXPECT_EQ(first_for("edge collapse"), "collapse");
+  EXPECT_EQ(first_for("稜線削除"), "collapse");
+  EXPECT_EQ(first_for("histor"), "panel history");
+  EXPECT_EQ(first_for("履歴"), "panel history");
+  EXPECT_TRUE(find_in_palette("no such thing").empty());
+  EXPECT_EQ(find_in_palette("").size(), palette_entries().size());
+  for (const PaletteEntry& entry : find_in_palette("boundary")) {
+    std::string all = entry.line + entry.name.en + entry.help.en;
+    std::transform(all.begin(), all.end(), all.begin(), [](unsigned char c) { return std::tolower(c); });
+    EXPECT_NE(all.find("boundary"), all.npos) << entry.line;
+  }
+}
+
+TEST(palette, shows_the_syntax_of_what_is_begun) {
+  const std::vector<PaletteEntry> found = find_in_palette("split 0-1");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].line, "split");
+  EXPECT_EQ(found[0].syntax, "A-B [t]");
+}
+
+TEST(palette, works_on_what_is_selected_or_asks_for_it) {
+  const auto session = session_with_cube();
+  EXPECT_EQ(choice_of(*session, entry_of("poke")).line, "tool poke");
+  EXPECT_EQ(choice_of(*session, entry_of("make_edge")).line, "ask make_edge");
+  EXPECT_EQ(choice_of(*session, entry_of("undo")).line, "undo");
+  EXPECT_EQ(choice_of(*session, entry_of("translate")).line, "values translate");
+  const PaletteChoice open = choice_of(*session, entry_of("open"));
+  EXPECT_EQ(open.kind, PaletteChoice::Kind::begin);
+  EXPECT_EQ(open.line, "open ");
+  session->run("select f0 f1");
+  EXPECT_EQ(choice_of(*session, entry_of("poke")).line, "poke selected");
+  EXPECT_EQ(choice_of(*session, entry_of("make_edge")).line, "ask make_edge") << "faces are no ends of an edge";
+}
+
+// Nothing that is offered is a line that could not be said.
+TEST(palette, every_choice_is_a_line) {
+  const auto session = session_with_cube();
+  for (const char* selected : {"select none", "select f0", "select v0 v1", "select 0-1"}) {
+    session->run(selected);
+    for (const PaletteEntry& entry : palette_entries()) {
+      const PaletteChoice choice = choice_of(*session, entry);
+      if (choice.kind == PaletteChoice::Kind::run)
+        EXPECT_FALSE(fault_of_command(choice.line)) << choice.line;
+      else
+        EXPECT_TRUE(choice.line.ends_with(' ')) << choice.line;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -26,14 +26,14 @@ struct OpLine {
     arguments.erase(arguments.begin());
   }
   bool is_complete() const { return !first_misfit(op->syntax, arguments); }
-  bool takes_any_number() const { return op->syntax.find("...") != std::string_view::npos; }
+  bool is_answered() const { return is_complete() && op->syntax.find("...") == std::string_view::npos; }
 };
 
 }  // namespace
 
 std::optional<PickMode> asked_for(std::string_view line) {
   OpLine op_line(line);
-  if (!op_line.op || (op_line.is_complete() && !op_line.takes_any_number())) return std::nullopt;
+  if (!op_line.op || op_line.is_answered()) return std::nullopt;
   op_line.arguments.emplace_back();
   for (const auto& [name, mode] : samples) {
     op_line.arguments.back() = name;
@@ -45,7 +45,7 @@ std::optional<PickMode> asked_for(std::string_view line) {
 
 bool is_answered(std::string_view line) {
   const OpLine op_line(line);
-  return op_line.op && op_line.is_complete() && !op_line.takes_any_number();
+  return op_line.op && op_line.is_answered();
 }
 
 Text asked_text(std::string_view line) {

@@ -1,7 +1,6 @@
 #include "core/pick/picker.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <tuple>
 
@@ -143,12 +142,7 @@ class PickQuery {
     const auto at = screen_.project(c.place);
     if (!at) return true;
     if (depth_ == Picker::Depth::through) return false;
-    const Ray ray = ray_through(camera_, view_, at->pixel);
-    const auto hit = tree_.cast(m_.positions(), ray);
-    if (!hit) return false;
-    const double t = glm::dot(c.place - ray.origin, ray.direction);
-    constexpr double tolerance = 1e-7;
-    return hit->t < t - tolerance * std::abs(t);
+    return !is_seen(tree_, m_, ray_through(camera_, view_, at->pixel), c.place);
   }
 
   Picked edge_result(const Candidate& c) const {

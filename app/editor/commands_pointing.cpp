@@ -85,7 +85,7 @@ Outcome run_ask(Session& session, Words arguments, std::string_view whole) {
 }
 
 Outcome run_mode(Session& session, Words arguments, std::string_view) {
-  for (const auto& [mode, id, point_en, point_ja] : pick_modes) {
+  for (const auto& [mode, id, point_en, point_ja, help_en, help_ja] : pick_modes) {
     if (arguments.size() != 1 || arguments[0] != id) continue;
     session.mode = mode;
     session.release_verdict();

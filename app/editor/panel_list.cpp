@@ -10,7 +10,7 @@ namespace {
 
 std::vector<PanelRow>& panel_rows() {
   static std::vector<PanelRow> rows{
-#define RYOSEN_PANEL(id, place, menu, opened_by, at_first, reads, en, ja, ...) \
+#define RYOSEN_PANEL(id, place, menu, opened_by, at_first, reads, en, ja, help_en, help_ja, ...) \
   {#id,                                                                        \
    PanelPlace::place,                                                          \
    en,                                                                         \
@@ -18,7 +18,9 @@ std::vector<PanelRow>& panel_rows() {
    PanelMenu::menu,                                                            \
    PanelOpener::opened_by,                                                     \
    PanelAtFirst::at_first,                                                     \
-   PanelReads::reads __VA_OPT__(, ) __VA_ARGS__},
+   PanelReads::reads,                                                          \
+   help_en,                                                                    \
+   help_ja __VA_OPT__(, ) __VA_ARGS__},
 #include "app/editor/panels.def"
 #undef RYOSEN_PANEL
   };

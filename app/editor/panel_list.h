@@ -38,6 +38,7 @@ struct PanelRow {
   PanelOpener opened_by = PanelOpener::nothing;
   PanelAtFirst at_first = PanelAtFirst::shown;
   PanelReads reads = PanelReads::mesh;
+  std::string_view help_en = "", help_ja = "";    // what it is for, in a sentence
   std::string_view short_en = "", short_ja = "";  // for a tab, where the title is long
 
   bool shown_at_first() const { return at_first == PanelAtFirst::shown; }

@@ -42,6 +42,7 @@ bool draw_header(PanelContext& context, const PanelRow& row, HeaderClick header)
   const std::string title = fitted(context.title(row), room);
   const bool is_open = ImGui::CollapsingHeader((title + "###header").c_str(), ImGuiTreeNodeFlags_AllowItemOverlap);
   ImGui::PopFont();
+  if (!row.help_en.empty()) tip(context.text(row.help_en, row.help_ja));
   if (is_open != was_open)
     context.run(header == HeaderClick::closes ? "panel none" : panel + (is_open ? " unfold" : " fold"));
   bool wants_menu = ImGui::IsItemClicked(ImGuiMouseButton_Right);

@@ -6,14 +6,15 @@
 
 namespace ryosen {
 
-#define RYOSEN_PANEL(id, place, menu, opened_by, at_first, reads, en, ja, ...) \
+#define RYOSEN_PANEL(id, place, menu, opened_by, at_first, reads, en, ja, help_en, help_ja, ...) \
   std::unique_ptr<Panel> make_##id##_panel();
 #include "app/editor/panels.def"
 #undef RYOSEN_PANEL
 
 std::vector<std::unique_ptr<Panel>> make_panels() {
   std::vector<std::unique_ptr<Panel>> made;
-#define RYOSEN_PANEL(id, place, menu, opened_by, at_first, reads, en, ja, ...) made.push_back(make_##id##_panel());
+#define RYOSEN_PANEL(id, place, menu, opened_by, at_first, reads, en, ja, help_en, help_ja, ...) \
+  made.push_back(make_##id##_panel());
 #include "app/editor/panels.def"
 #undef RYOSEN_PANEL
   return made;

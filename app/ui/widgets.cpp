@@ -108,6 +108,7 @@ bool element_links(PanelContext& context, const std::vector<Element>& elements) 
     if (i > 0 && ImGui::GetItemRectMax().x + gap + ImGui::CalcTextSize(name.c_str()).x < right_edge)
       ImGui::SameLine(0, gap);
     if (link(context, name.c_str())) chosen = name_to_select(context.session.mesh(), elements[i]);
+    tip(context.text("A click selects it.", "クリックすると選択します。"));
     ImGui::PopID();
   }
   if (elements.size() > most) {
@@ -273,7 +274,10 @@ std::string short_number(double value) {
 }
 
 void tip(std::string_view text, ImGuiHoveredFlags hovered) {
-  if (!ImGui::IsItemHovered(hovered)) return;
+  if (ImGui::IsItemHovered(hovered)) tip_shown(text);
+}
+
+void tip_shown(std::string_view text) {
   const ImGuiWindow& panel = *ImGui::GetCurrentWindow()->RootWindow;
   const ImVec2 all = ImGui::GetIO().DisplaySize, first = ImGui::GetItemRectMin(), last = ImGui::GetItemRectMax();
   const float em = ImGui::GetFontSize(), gap = em / 2;

@@ -52,5 +52,7 @@ std::string short_number(double value);
 
 // Tooltip of the last item, wrapped: beside the panel that it is in, so that it covers nothing of it.
 void tip(std::string_view text, ImGuiHoveredFlags hovered = 0);
+// The same, whether or not the pointer is at the last item.
+void tip_shown(std::string_view text);
 
 }  // namespace ryosen

@@ -58,6 +58,7 @@ struct EulerPoincare {
 struct EulerTerm {
   char letter;
   std::string_view en, ja;
+  std::string_view help_en, help_ja;  // what it counts, in a sentence
   std::optional<std::int64_t> (*value)(const EulerPoincare&);
   bool is_rare = false;  // 0 for most meshes
 };

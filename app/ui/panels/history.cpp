@@ -25,10 +25,12 @@ void HistoryPanel::draw(PanelContext& context) {
   const float gap = 4 * context.scale, width = (ImGui::GetContentRegionAvail().x - gap) / 2;
   ImGui::BeginDisabled(position == 0);
   if (ImGui::Button(context.text(UiText::undo), {width, 0})) context.run("undo");
+  tip(context.text("Takes the last edit back, exactly.", "最後の編集を完全に元に戻します。"), ImGuiHoveredFlags_AllowWhenDisabled);
   ImGui::EndDisabled();
   ImGui::SameLine(0, gap);
   ImGui::BeginDisabled(position == size);
   if (ImGui::Button(context.text(UiText::redo), {width, 0})) context.run("redo");
+  tip(context.text("Does again what was taken back.", "元に戻した編集をもう一度行います。"), ImGuiHoveredFlags_AllowWhenDisabled);
   ImGui::EndDisabled();
 
   std::size_t target = position;
@@ -43,7 +45,8 @@ void HistoryPanel::draw(PanelContext& context) {
         if (place > position) ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
         if (ImGui::Selectable((shown + "###entry").c_str(), place == position)) target = place;
         if (place > position) ImGui::PopStyleColor();
-        if (shown != label) tip(label);
+        const char* const help = context.text("A click goes to this state.", "クリックするとこの時点に移ります。");
+        tip(shown != label ? label + "\n" + help : help);
       },
       scrolled_position_ == position ? std::nullopt : std::optional(scrolled));
   scrolled_position_ = position;

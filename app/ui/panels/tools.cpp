@@ -98,6 +98,7 @@ void draw_group(PanelContext& context, const OpGroupRow& group) {
   const bool is_open = ImGui::TreeNodeEx(
       group.en, ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen, "%s", name.c_str());
   ImGui::PopStyleVar();
+  tip(context.text(group.help_en, group.help_ja));
   if (!is_open) {
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(more.c_str()).x - 9 * context.scale);
     ImGui::TextUnformatted(more.c_str());
@@ -131,7 +132,8 @@ void draw_modes(PanelContext& context) {
     }
     if (ImGui::Button(context.text(modes[i].name), {width, 0})) context.run("mode " + std::string(pick_modes[i].id));
     if (is_active) ImGui::PopStyleColor(2);
-    tip(context.text(UiText::pick));
+    tip(context.text(pick_modes[i].help_en, pick_modes[i].help_ja) + std::string("\n") + context.text(UiText::pick),
+        ImGuiHoveredFlags_AllowWhenDisabled);
   }
   ImGui::PopStyleVar();
 }
@@ -143,6 +145,7 @@ void draw_tools(PanelContext& context) {
   const PressRow& tool = presses[static_cast<std::size_t>(Press::takes_tool)];
   if (marked_row(context, context.text(UiText::select_tool), "Esc", context.session.tool.empty(), tool))
     context.run("tool none");
+  tip(context.text(tool.help));
   ImGui::PopID();
   // The pick mode applies only without a tool: a tool determines what it picks.
   ImGui::BeginDisabled(!context.session.tool.empty());

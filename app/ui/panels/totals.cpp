@@ -10,9 +10,16 @@ namespace {
 // A dash where there is no value.
 std::string figure_text(std::optional<std::int64_t> value) { return value ? grouped(*value) : "\u2212"; }
 
+// The tooltip of a row of the table, from one side of the panel to the other.
+void tip_of_row(const char* text, float top_px) {
+  const ImVec2 panel = ImGui::GetWindowPos(), last{panel.x + ImGui::GetWindowWidth(), ImGui::GetItemRectMax().y};
+  if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect({panel.x, top_px}, last, false)) tip_shown(text);
+}
+
 void draw_term(PanelContext& context, const EulerTerm& term, std::optional<std::int64_t> value) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
+  const float top = ImGui::GetCursorScreenPos().y;
   ImGui::PushFont(context.fonts.bold);
   ImGui::TextColored(context.colours().accent, "%c", term.letter);
   ImGui::PopFont();
@@ -25,6 +32,7 @@ void draw_term(PanelContext& context, const EulerTerm& term, std::optional<std::
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x -
                        ImGui::CalcTextSize(figure.c_str()).x);
   ImGui::TextUnformatted(figure.c_str());
+  tip_of_row(context.text(term.help_en, term.help_ja), top);
 }
 
 // Parts of a line, each as a whole on the next one where there is no room left.
@@ -81,6 +89,22 @@ void draw_kind_of_mesh(PanelContext& context) {
   tip(context.text(UiText::kind_is_stale));
 }
 
+// Why there are more vertices and edges in the mesh than the terms say.
+void draw_copies(PanelContext& context, const EulerPoincare& terms) {
+  const Mesh& mesh = context.session.mesh();
+  const auto held = static_cast<std::int64_t>(mesh.live().vertices);
+  if (held == terms.vertices) return;
+  const std::string points = grouped(terms.vertices), vertices = grouped(held);
+  const Text sentence{points + " points, held as " + vertices +
+                          " vertices because sheets of faces that do not fit together each have their own.",
+                      points + " 点を " + vertices + " 頂点で表しています。つながらない面の集まりが、それぞれ頂点をもつためです。"};
+  dim_text(context, std::string(sentence.in(context.language())).c_str());
+  tip(context.text("Where more than two faces share an edge, where neighbours are turned against each other, or where "
+                   "faces touch at a point alone. Files and names keep the one point.",
+                   "三つ以上の面が一つの稜線を共有するところ、隣の面と向きが逆のところ、面が一点だけで接するところです。"
+                   "ファイルと名前では一つの点のままです。"));
+}
+
 // The terms of V - E + F + (B + W + I) - H = 2(S - G).
 void draw_totals(PanelContext& context) {
   const EulerPoincare& terms = context.session.euler_terms();
@@ -100,6 +124,7 @@ void draw_totals(PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 2 * context.scale});
   draw_sum(context, terms);
   draw_kind_of_mesh(context);
+  draw_copies(context, terms);
   ImGui::PopStyleVar();
 }
 

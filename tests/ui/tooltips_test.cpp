@@ -1,0 +1,78 @@
+// Whatever can be pressed in the columns says in a sentence what it is: totals, highlights, modes, tools, buttons, lists.
+#include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>  // what is hovered, and which windows are tooltips
+
+#include <set>
+
+#include "core/analysis/euler_poincare.h"
+#include "tests/support/app/drawn_text.h"
+#include "tests/support/app/laid.h"
+
+namespace ryosen {
+namespace {
+
+using test::DrawnText;
+using test::Laid;
+
+bool is_told() {
+  for (const ImGuiWindow* const one : GImGui->Windows)
+    if (one->Active && (one->Flags & ImGuiWindowFlags_Tooltip) != 0) return true;
+  return false;
+}
+
+bool is_scrollbar(ImGuiID id) {
+  ImGuiWindow* const under = GImGui->HoveredWindow;
+  return under != nullptr && (id == ImGui::GetWindowScrollbarID(under, ImGuiAxis_X) ||
+                              id == ImGui::GetWindowScrollbarID(under, ImGuiAxis_Y));
+}
+
+// Where something that can be pressed tells nothing, by window and pixel.
+std::set<std::string> untold_in_columns(Laid& laid, Size size) {
+  std::set<std::string> untold;
+  const PixelRect view = laid.gui.view_area(size, laid.session.layout);
+  std::set<ImGuiID> seen;
+  for (double y = view.y0 + 3; y < view.y1; y += 7)
+    for (const double x : {40.0, view.x0 - 60.0, view.x1 + 16.0, view.x1 + 90.0, size.width - 50.0}) {
+      laid.gui.pointer({x, y});
+      laid.frames(2);
+      const ImGuiID hovered = GImGui->HoveredId;
+      if (hovered == 0 || is_scrollbar(hovered) || is_told() || !seen.insert(hovered).second) continue;
+      untold.insert(std::string(GImGui->HoveredWindow != nullptr ? GImGui->HoveredWindow->Name : "?") + " at " +
+                    std::to_string(static_cast<int>(x)) + "," + std::to_string(static_cast<int>(y)));
+    }
+  return untold;
+}
+
+TEST(tooltips, stand_at_everything_that_can_be_pressed_in_the_columns) {
+  Laid laid("three_tri_edge.off", test::tall_window);
+  for (const char* const line : {"select v0", "poke f0", "undo", "hide f1"})
+    ASSERT_TRUE(laid.session.run(line).done()) << line;
+  for (const char* const language : {"language en", "language ja"}) {
+    ASSERT_TRUE(laid.session.run(language).done());
+    laid.frames(3);
+    EXPECT_EQ(untold_in_columns(laid, test::tall_window), std::set<std::string>()) << language;
+  }
+}
+
+TEST(tooltips, say_what_each_letter_of_the_sum_counts) {
+  Laid laid("cube.obj", test::tall_window);
+  for (const EulerTerm& term : euler_letters()) {
+    if (term.is_rare) continue;
+    laid.gui.pointer(DrawnText(laid.gui).place(term.en));
+    laid.frames(3);
+    EXPECT_TRUE(is_told()) << term.letter;
+  }
+}
+
+TEST(totals, say_why_a_mesh_has_more_vertices_than_points) {
+  Laid laid("three_tri_edge.off", test::tall_window);
+  const auto held = [&](const char* text) { return DrawnText(laid.gui).count(text); };
+  const std::string vertices = std::to_string(laid.session.mesh().live().vertices);
+  EXPECT_EQ(held(("5 points, held as " + vertices + " vertices").c_str()), 1u);
+  laid.open("cube.obj");
+  EXPECT_EQ(held("held as"), 0u);
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -33,6 +33,32 @@ constexpr KeyChange blender_keys[] = {
     {"Ctrl+-", "select shrink", "Leave out the outermost", "選択を縁から縮める"},
 };
 
+struct GestureHelp {
+  Gesture gesture;
+  std::string_view help_en, help_ja;
+};
+
+constexpr GestureHelp gesture_helps[] = {
+    {orbit, "orbit", "回転"},
+    {pan, "pan", "移動"},
+    {zoom, "zoom", "拡大"},
+    {box, "select by a box", "ボックスで選択"},
+    {lasso, "select by a lasso", "投げ縄で選択"},
+};
+
+constexpr struct {
+  std::string_view input_en, input_ja, does_en, does_ja;
+} clicks[] = {
+    {"click", "クリック", "select; with a tool, edit", "選択（ツールでは編集）"},
+    {"Shift+click", "Shift+クリック", "add to the selection", "選択に追加"},
+    {"Ctrl+click", "Ctrl+クリック", "add, or take out what is selected", "選択に追加、選択済みなら除外"},
+    {"Alt+click", "Alt+クリック", "select the loop of the nearest edge", "最寄りの稜線のループを選択"},
+    {"Ctrl+Alt+click", "Ctrl+Alt+クリック", "select the ring of the nearest edge", "最寄りの稜線のリングを選択"},
+    {"double click", "ダブルクリック", "set the centre, with Select", "選択ツールで中心を決める"},
+    {"right click", "右クリック", "the menu of the element", "要素のメニュー"},
+    {"wheel", "ホイール", "zoom to the pointer", "ポインターへ拡大・縮小"},
+};
+
 constexpr InputPreset presets[] = {
     {"ryosen", "Mouse as in Ryosen", "マウス操作：稜線", ryosen_drags, {}},
     {"blender", "Mouse as in Blender", "マウス操作：Blender", blender_drags, blender_keys},
@@ -57,6 +83,31 @@ Gesture gesture_of(const InputPreset& preset, MouseButton button, Modifiers modi
 ClickSelects click_selects(Modifiers modifiers) {
   if (!modifiers.alt) return ClickSelects::element;
   return modifiers.ctrl ? ClickSelects::ring : ClickSelects::loop;
+}
+
+Text help_of(Gesture gesture) {
+  const auto row = std::find_if(std::begin(gesture_helps), std::end(gesture_helps),
+                                [&](const GestureHelp& help) { return help.gesture == gesture; });
+  return {std::string(row->help_en), std::string(row->help_ja)};
+}
+
+Text name_of(const DragRow& drag) {
+  const std::string held = std::string(drag.ctrl ? "Ctrl+" : "") + (drag.shift ? "Shift+" : "");
+  return {held + (drag.button == left ? "left" : drag.button == right ? "right" : "middle") + " drag",
+          held + (drag.button == left ? "左" : drag.button == right ? "右" : "中") + "ドラッグ"};
+}
+
+std::vector<MouseRow> mouse_table(const InputPreset& preset) {
+  std::vector<MouseRow> rows;
+  for (const DragRow& drag : preset.drags) {
+    Text does = help_of(drag.gesture);
+    if (selects(drag.gesture)) does = {does.en + "; Alt goes through", does.ja + "（Alt で裏側も）"};
+    rows.push_back({name_of(drag), std::move(does)});
+  }
+  for (const auto& click : clicks)
+    rows.push_back({{std::string(click.input_en), std::string(click.input_ja)},
+                    {std::string(click.does_en), std::string(click.does_ja)}});
+  return rows;
 }
 
 }  // namespace ryosen

@@ -5,8 +5,10 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "app/editor/input.h"
+#include "core/base/message.h"
 
 namespace ryosen {
 
@@ -42,5 +44,18 @@ Gesture gesture_of(const InputPreset& preset, MouseButton button, Modifiers modi
 
 // Shift adds to the selection what any of them finds.
 ClickSelects click_selects(Modifiers modifiers);
+
+// What the gesture does, in a few words.
+Text help_of(Gesture gesture);
+
+// What is done with the mouse, and what that does.
+struct MouseRow {
+  Text input, does;
+};
+
+// A drag as it is called: "Shift+left drag", to stand within a sentence.
+Text name_of(const DragRow& drag);
+// All that the mouse does in the preset: its drags, then the clicks and the wheel, which are the same in all.
+std::vector<MouseRow> mouse_table(const InputPreset& preset);
 
 }  // namespace ryosen

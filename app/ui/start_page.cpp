@@ -27,15 +27,12 @@ void heading(PanelContext& context, const char* text) {
 }
 
 // The drag that does this in the preset, alone if there is one.
-const char* drag_for(const PanelContext& context, Gesture gesture) {
+std::string drag_for(const PanelContext& context, Gesture gesture) {
   const InputPreset& preset = input_presets()[context.session.input_preset];
   const auto row = std::find_if(preset.drags.begin(), preset.drags.end(), [&](const DragRow& drag) {
     return drag.gesture == gesture && !drag.shift && !drag.ctrl;
   });
-  if (row == preset.drags.end()) return "";
-  if (row->button == MouseButton::left) return context.text("left drag", "左ドラッグ");
-  return row->button == MouseButton::right ? context.text("right drag", "右ドラッグ")
-                                           : context.text("middle drag", "中ドラッグ");
+  return row == preset.drags.end() ? "" : name_of(*row).in(context.language());
 }
 
 void draw_hints(PanelContext& context) {

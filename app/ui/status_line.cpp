@@ -14,19 +14,6 @@ struct Hint {
   std::string button, does;
 };
 
-UiText does(Gesture gesture) {
-  switch (gesture) {
-    case Gesture::orbit:
-      return UiText::does_orbit;
-    case Gesture::pan:
-      return UiText::does_pan;
-    case Gesture::zoom:
-      return UiText::does_zoom;
-    default:
-      return UiText::does_select_in;
-  }
-}
-
 std::vector<Hint> hints_of_gesture(const PanelContext& context, const TransformGesture& gesture) {
   std::string told = gesture.told().in(context.language());
   if (const std::size_t spoilt = context.session.spoilt_by_gesture().size(); spoilt > 0)
@@ -45,12 +32,12 @@ std::vector<Hint> hints_of_gesture(const PanelContext& context, const TransformG
 
 std::vector<Hint> hints_of(const PanelContext& context) {
   if (const TransformGesture* const gesture = context.session.gesture()) return hints_of_gesture(context, *gesture);
-  const auto drag = [&](MouseButton button) {
+  const auto drag = [&](MouseButton button) -> std::string {
     const auto armed = context.session.armed_gesture;
     if (armed && button == MouseButton::left)
       return *armed == Gesture::box ? context.text("draw a box, Esc gives up", "ボックスを描く（Esc で中止）")
                                     : context.text("draw a lasso, Esc gives up", "投げ縄を描く（Esc で中止）");
-    return context.text(does(gesture_of(input_presets()[context.session.input_preset], button, {})));
+    return help_of(gesture_of(input_presets()[context.session.input_preset], button, {})).in(context.language());
   };
   if (!context.session.asked_line.empty())
     return {{"", asked_text(context.session.asked_line).in(context.language())},
@@ -64,7 +51,7 @@ std::vector<Hint> hints_of(const PanelContext& context) {
            op ? context.text(op->name_en, op->name_ja) : context.text(UiText::does_pick)},
           {context.text("Drag", "ドラッグ"), drag(MouseButton::left)},
           {context.text("Right drag", "右ドラッグ"), drag(MouseButton::right)},
-          {context.text(UiText::wheel), context.text(UiText::does_zoom)}};
+          {context.text(UiText::wheel), help_of(Gesture::zoom).in(context.language())}};
 }
 
 float word_gap() { return 0.4f * ImGui::GetFontSize(); }

@@ -36,18 +36,12 @@ void pair_row(PanelContext& context, const char* chord, const char* help) {
   wrapped_text(help);
 }
 
-void draw_mouse(PanelContext& context) {
-  const std::string middle = std::string(context.text(UiText::does_orbit)) +
-                             " (Shift: " + context.text(UiText::does_pan) +
-                             ", Ctrl: " + context.text(UiText::does_zoom) + ")";
-  pair_row(context, context.text(UiText::left_button), context.text(UiText::does_orbit));
-  pair_row(context, context.text(UiText::right_button), context.text(UiText::does_pan));
-  pair_row(context, context.text(UiText::middle_button), middle.c_str());
-  pair_row(context, context.text(UiText::wheel), context.text(UiText::does_zoom));
-  pair_row(context, context.text(UiText::double_click), context.text(UiText::does_centre));
-}
-
 const InputPreset& preset_of(const PanelContext& context) { return input_presets()[context.session.input_preset]; }
+
+void draw_mouse(PanelContext& context) {
+  for (const MouseRow& row : mouse_table(preset_of(context)))
+    pair_row(context, row.input.in(context.language()).c_str(), row.does.in(context.language()).c_str());
+}
 
 void KeysPanel::draw_presets(PanelContext& context) {
   ImGui::SetNextItemWidth(260 * context.scale);

@@ -2,6 +2,7 @@
 #include "app/cli/contract/forms.h"
 #include "app/cli/columns.h"
 #include "app/cli/contract/record.h"
+#include "app/cli/form_records.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/visible.h"
 #include "core/forms/comparison.h"
@@ -160,11 +161,16 @@ std::string to_text(const Comparison& comparison, const std::string& file, const
 }  // namespace
 
 ExitCode forms_command(const Arguments& arguments, const Console& console) {
+  if (arguments.has("--form") && !arguments.has("--element"))
+    return console.fail(
+        usage_failure("flag_missing", {"--form goes with --element.", "--form は --element と共に使います。"}));
   const std::string& path = arguments.operands()[0];
   Result<MeshFile> file = read_mesh_file(path);
   if (!file) return console.fail(file.failure(), path);
   for (const Message& message : file->messages) console.show(message, path);
-  const Comparison comparison = forms::compare_forms(from_indexed(std::move(file->mesh)));
+  const Mesh mesh = from_indexed(std::move(file->mesh));
+  if (arguments.has("--element")) return print_form_records(mesh, arguments, console);
+  const Comparison comparison = forms::compare_forms(mesh);
   console.conclude(console.json ? json_line_of(comparison, path) : to_text(comparison, path, console), ExitCode::done);
   return ExitCode::done;
 }

@@ -36,7 +36,8 @@ const std::array common{
 const Flag overwrite{"--overwrite", "", false, "allows to replace what the run reads or wrote before",
                      "この実行で読み込む、または先に書き出したファイルの置き換えを許す"};
 
-const Flag preferences{"--preferences", "FILE", false, "reads these preferences; else the editor its user's, a picture none",
+const Flag preferences{"--preferences", "FILE", false,
+                       "reads these preferences; else the editor its user's, a picture none",
                        "設定ファイル（省くとエディタは利用者の設定、画像は設定なし）"};
 
 // Those of `shot`, with one for each switch of the view that has one.
@@ -183,7 +184,11 @@ std::vector<Subcommand> table() {
                  "FILE",
                  "the representations of the source texts for this mesh: bytes per face, build and query times",
                  "テキストの形状表現の比較（面あたりのバイト数、構築時間、問い合わせ時間）",
-                 {},
+                 {
+                     {"--element", "NAME|all", false, "what each form stores of an element, or of all",
+                      "各形状表現が要素（all は全要素）について持つデータ"},
+                     {"--form", "ID", false, "with --element: of this form alone", "--element でこの形状表現だけ"},
+                 },
                  forms_topic,
                  forms_command,
                  forms_contract},

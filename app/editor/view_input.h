@@ -1,8 +1,10 @@
 // What mouse and keyboard do to the view: they navigate, hover, click with the tool in hand, and send commands.
 #pragma once
 
+#include "app/editor/gizmo.h"
 #include "app/editor/input.h"
 #include "app/editor/navigation.h"
+#include "app/editor/session.h"
 
 namespace ryosen {
 

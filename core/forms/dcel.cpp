@@ -62,4 +62,22 @@ bool Dcel::answer(Relation relation, std::uint32_t element, Answer& out) const {
   return true;
 }
 
+Fields Dcel::record(Element own) const {
+  if (own.kind == Element::Kind::vertex) {
+    const VertexRecord& v = vertices_[own.index];
+    return {place("x, y, z", v.coordinates), link("halfedge", "incident_edge", Halfedge(v.incident_edge))};
+  }
+  if (own.kind == Element::Kind::halfedge) {
+    const HalfEdgeRecord& h = half_edges_[own.index];
+    return {link("from", "origin", Vertex(h.origin)), link("twin", "twin", Halfedge(h.twin)),
+            link("next", "next", Halfedge(h.next)), link("prev", "prev", Halfedge(h.prev)),
+            link("face", "face", Face(h.face))};
+  }
+  if (own.kind != Element::Kind::face) return {};
+  const FaceRecord& f = faces_[own.index];
+  return {
+      link("outer", "outer_component", Halfedge(f.outer_component)),
+      links("inner", "inner_components", std::vector<Halfedge>(f.inner_components.begin(), f.inner_components.end()))};
+}
+
 }  // namespace ryosen::forms

@@ -17,6 +17,7 @@ class Dcel : public Form {
   Mesh to_mesh() const override;
   std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const override;
   bool answer(Relation relation, std::uint32_t element, Answer& out) const override;
+  Fields record(Element own) const override;
 
   // The interface of walk.h.
   std::uint32_t from(std::uint32_t h) const { return half_edges_[h].origin; }

@@ -10,7 +10,7 @@ FaceAdjacency::FaceAdjacency(const Mesh& mesh) {
   const Numbering numbers(mesh);
   list_ = polygons_of(mesh, numbers);
   vertex_face_.assign(list_.positions.size(), no_index);
-  for (const std::uint32_t corner : corners_across(mesh, numbers, list_))
+  for (const std::uint32_t corner : corners_across(mesh))
     face_across_.push_back(corner == no_index ? no_index : face_of(corner));
   for (std::uint32_t f = 0; f < list_.face_count(); ++f)
     for (std::uint32_t c = list_.offsets[f]; c < list_.offsets[f + 1]; ++c) vertex_face_[list_.corners[c]] = f;
@@ -132,6 +132,16 @@ bool FaceAdjacency::answer(Relation relation, std::uint32_t element, Answer& out
   return answer_by_element(
       relation, out, [&] { answer_about_vertex(relation, element, out); },
       [&] { answer_about_edge(relation, element, out); }, [&] { answer_about_face(relation, element, out); });
+}
+
+Fields FaceAdjacency::record(Element own) const {
+  if (own.kind == Element::Kind::vertex)
+    return {place("x, y, z", list_.positions[own.index]), link("face", "Face", Face(vertex_face_[own.index]))};
+  if (own.kind != Element::Kind::face) return {};
+  std::vector<Face> across;
+  for (std::uint32_t c = list_.offsets[own.index]; c < list_.offsets[own.index + 1]; ++c)
+    across.emplace_back(face_across_[c]);
+  return {links("vertices", "vertices", vertices_of(list_, own.face())), links("faces", "faces", across)};
 }
 
 }  // namespace ryosen::forms

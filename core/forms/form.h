@@ -17,6 +17,7 @@
 #include "core/base/enum_table.h"
 #include "core/base/handle.h"
 #include "core/base/message.h"
+#include "core/forms/record.h"
 #include "core/mesh/mesh.h"
 
 namespace ryosen::forms {
@@ -81,6 +82,9 @@ class Form {
   virtual std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const = 0;
   // Answers a query about an existing vertex, edge (by handle) or face. False: the form cannot answer it.
   virtual bool answer(Relation relation, std::uint32_t element, Answer& out) const = 0;
+  // What is stored of an element, given and linked by the form's own numbers: vertices, edges and faces in the order of
+  // the mesh, halfedges as the row says. Empty where nothing is stored of its kind.
+  virtual Fields record(Element own) const = 0;
 };
 
 // answer() of a form that answers about each kind of element by a function of its own.
@@ -115,6 +119,9 @@ enum Needs : std::uint32_t {
   no_bridges = 128,       // no edge with one face on both sides
 };
 
+// Which halfedges a form numbers: none; those of faces, as the corners run; or all, in the order of the mesh.
+enum class HalfedgesOf : std::uint8_t { none, faces, all };
+
 struct FormRow {
   std::string_view id;
   std::string_view en, ja;
@@ -122,6 +129,8 @@ struct FormRow {
   std::uint32_t needs;
   // False if the conversion back numbers the vertices by their first corner instead.
   bool keeps_numbers;
+  HalfedgesOf halfedges;
+  bool holds_copies;  // its vertices are those of the mesh; else points
   // The mesh must be suitable.
   std::unique_ptr<Form> (*make)(const Mesh& mesh);
 };

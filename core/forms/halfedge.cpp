@@ -9,16 +9,15 @@ template <bool outside, bool edge_records>
 HalfedgeForm<outside, edge_records>::HalfedgeForm(const Mesh& mesh)
     : table_(outside ? all_halfedges(mesh) : inner_halfedges(mesh)) {
   if constexpr (!edge_records) return;
-  halfedge_edge_.resize(table_.halfedges.size());
-  for (std::uint32_t h = 0; h < table_.halfedges.size(); ++h) {
-    const std::uint32_t pair = table_.pair(h);
-    if (pair < h) {
-      halfedge_edge_[h] = halfedge_edge_[pair];
-      continue;
-    }
-    halfedge_edge_[h] = static_cast<std::uint32_t>(edges_.size());
-    edges_.push_back({table_.from(h), table_.from(table_.next(h)), h, pair});
-  }
+  if (outside)
+    for (std::uint32_t h = 0; h < table_.halfedges.size(); ++h) halfedge_edge_.push_back(h / 2);
+  else
+    for (const Numbering numbers(mesh); const Halfedge h : corner_halfedges(mesh))
+      halfedge_edge_.push_back(numbers.edge[edge(h).index]);
+  edges_.resize(mesh.live().edges);
+  for (std::uint32_t h = 0; h < table_.halfedges.size(); ++h)
+    if (const std::uint32_t pair = table_.pair(h); pair > h)
+      edges_[halfedge_edge_[h]] = {table_.from(h), table_.from(table_.next(h)), h, pair};
 }
 
 template <bool outside, bool edge_records>
@@ -49,6 +48,26 @@ bool HalfedgeForm<outside, edge_records>::answer(Relation relation, std::uint32_
   }
   answer_by_walk(table_, relation, element, out);
   return true;
+}
+
+template <bool outside, bool edge_records>
+Fields HalfedgeForm<outside, edge_records>::record(Element own) const {
+  const std::uint32_t i = own.index;
+  if (own.kind == Element::Kind::vertex)
+    return {place("x, y, z", table_.positions[i]), link("halfedge", "halfedge", Halfedge(table_.vertex_halfedge[i]))};
+  if (own.kind == Element::Kind::face) return {link("halfedge", "halfedge", Halfedge(table_.face_halfedge[i]))};
+  if (own.kind == Element::Kind::halfedge) {
+    const HalfedgeTable::Record& h = table_.halfedges[i];
+    Fields fields{link("from", "vertex", Vertex(h.vertex)), link("face", "face", Face(h.face)),
+                  link("twin", "pair", Halfedge(h.pair)), link("next", "next", Halfedge(h.next)),
+                  link("prev", "prev", Halfedge(h.prev))};
+    if (edge_records) fields.push_back(link("edge", "edge", Edge(halfedge_edge_[i])));
+    return fields;
+  }
+  if (!edge_records) return {};
+  const EdgeRecord& e = edges_[i];
+  return {link("from", "start", Vertex(e.start)), link("to", "end", Vertex(e.end)),
+          link("left", "left", Halfedge(e.left)), link("right", "right", Halfedge(e.right))};
 }
 
 template class HalfedgeForm<false, false>;

@@ -17,6 +17,7 @@ class HalfedgeForm : public Form {
   Mesh to_mesh() const override;
   std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const override;
   bool answer(Relation relation, std::uint32_t element, Answer& out) const override;
+  Fields record(Element own) const override;
 
  private:
   struct EdgeRecord {

@@ -14,7 +14,7 @@ std::size_t HalfedgeTable::bytes() const {
 HalfedgeTable inner_halfedges(const Mesh& mesh) {
   const Numbering numbers(mesh);
   const Polygons polygons = polygons_of(mesh, numbers);
-  const std::vector<std::uint32_t> across = corners_across(mesh, numbers, polygons);
+  const std::vector<std::uint32_t> across = corners_across(mesh);
   HalfedgeTable table;
   table.positions = polygons.positions;
   table.vertex_halfedge.assign(polygons.positions.size(), no_index);

@@ -98,4 +98,10 @@ bool IndexedFaceSet::answer(Relation relation, std::uint32_t element, Answer& ou
       [&] { answer_about_edge(relation, element, out); }, [&] { answer_about_face(relation, element, out); });
 }
 
+Fields IndexedFaceSet::record(Element own) const {
+  if (own.kind == Element::Kind::vertex) return {place("x, y, z", list_.positions[own.index])};
+  if (own.kind == Element::Kind::face) return {links("vertices", "Vertices", vertices_of(list_, own.face()))};
+  return {};
+}
+
 }  // namespace ryosen::forms

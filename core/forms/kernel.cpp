@@ -103,4 +103,21 @@ bool Kernel::answer(Relation relation, std::uint32_t element, Answer& out) const
       [&] { answer_about_face(relation, Face(element), out); });
 }
 
+Fields Kernel::record(Element own) const {
+  if (own.kind == Element::Kind::vertex) {
+    const Vertex v = own.vertex();
+    Fields fields{place("position", mesh_.position(v)), link("halfedge", "halfedge", mesh_.halfedge(v))};
+    if (mesh_.next_copy(v) != v) fields.push_back(link("next_copy", "next_copy", mesh_.next_copy(v)));
+    return fields;
+  }
+  if (own.kind == Element::Kind::edge)
+    return {links("halfedges", "2e, 2e + 1", std::vector{halfedge(own.edge()), twin(halfedge(own.edge()))})};
+  if (own.kind == Element::Kind::face)
+    return {link("outer", "halfedge", mesh_.halfedge(own.face())),
+            links("inner", "rings", inner_loops(mesh_, own.face()))};
+  const Halfedge h = own.halfedge();
+  return {link("from", "from", mesh_.from(h)), link("next", "next", mesh_.next(h)), link("prev", "prev", mesh_.prev(h)),
+          link("face", "face", mesh_.face(h)), link("twin", "h ^ 1", twin(h)),      link("edge", "h >> 1", edge(h))};
+}
+
 }  // namespace ryosen::forms

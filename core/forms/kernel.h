@@ -15,6 +15,7 @@ class Kernel : public Form {
   Mesh to_mesh() const override { return mesh_; }
   std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const override;
   bool answer(Relation relation, std::uint32_t element, Answer& out) const override;
+  Fields record(Element own) const override;
 
  private:
   std::uint32_t point_of(Vertex v) const { return points_.empty() ? v.index : points_[v.index]; }

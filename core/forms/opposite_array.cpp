@@ -6,9 +6,8 @@
 namespace ryosen::forms {
 
 OppositeArray::OppositeArray(const Mesh& mesh) {
-  const Numbering numbers(mesh);
-  Polygons polygons = polygons_of(mesh, numbers);
-  opposites_ = corners_across(mesh, numbers, polygons);
+  Polygons polygons = polygons_of(mesh, Numbering(mesh));
+  opposites_ = corners_across(mesh);
   positions_ = std::move(polygons.positions);
   corners_ = std::move(polygons.corners);
   vertex_halfedge_.assign(positions_.size(), no_index);
@@ -56,6 +55,17 @@ void OppositeArray::set_face(std::uint32_t f, const std::array<std::uint32_t, 3>
 void OppositeArray::join(std::uint32_t h, std::uint32_t g) {
   opposites_[h] = g;
   opposites_[g] = h;
+}
+
+Fields OppositeArray::record(Element own) const {
+  const std::uint32_t i = own.index;
+  if (own.kind == Element::Kind::vertex)
+    return {place("x, y, z", positions_[i]), link("halfedge", "vertex_halfedge", Halfedge(vertex_halfedge_[i]))};
+  if (own.kind == Element::Kind::face)
+    return {links("vertices", "corners",
+                  std::vector{Vertex(corners_[3 * i]), Vertex(corners_[3 * i + 1]), Vertex(corners_[3 * i + 2])})};
+  if (own.kind != Element::Kind::halfedge) return {};
+  return {link("from", "corners", Vertex(corners_[i])), link("twin", "opposites", Halfedge(opposites_[i]))};
 }
 
 }  // namespace ryosen::forms

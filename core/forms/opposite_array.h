@@ -18,6 +18,7 @@ class OppositeArray : public Form {
   Mesh to_mesh() const override;
   std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const override;
   bool answer(Relation relation, std::uint32_t element, Answer& out) const override;
+  Fields record(Element own) const override;
 
   // The interface of split_3ij.h.
   std::uint32_t corner(std::uint32_t h) const { return corners_[h]; }

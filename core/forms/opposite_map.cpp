@@ -1,5 +1,7 @@
 #include "core/forms/opposite_map.h"
 
+#include <utility>
+
 #include "core/forms/polygons.h"
 #include "core/forms/walk.h"
 
@@ -71,6 +73,19 @@ void OppositeMap::set_face(std::uint32_t f, const std::array<std::uint32_t, 3>& 
 void OppositeMap::join(std::uint32_t h, std::uint32_t g) {
   opposites_[key(h)] = static_cast<std::int32_t>(g);
   opposites_[key(g)] = static_cast<std::int32_t>(h);
+}
+
+Fields OppositeMap::record(Element own) const {
+  if (own.kind == Element::Kind::vertex) return {place("x, y, z", positions_[own.index])};
+  if (own.kind == Element::Kind::face) {
+    const auto& [a, b, c] = faces_[own.index];
+    return {links("vertices", "faces", std::vector{Vertex(a), Vertex(b), Vertex(c)})};
+  }
+  if (own.kind != Element::Kind::halfedge) return {};
+  Field opposite_link = link("twin", "opps", Halfedge(opposite(own.index)));
+  opposite_link.stored = {coded_opposite(own.index)};
+  return {link("from", "first", Vertex(key(own.index).first)), link("to", "second", Vertex(key(own.index).second)),
+          std::move(opposite_link)};
 }
 
 }  // namespace ryosen::forms

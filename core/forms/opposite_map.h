@@ -46,6 +46,7 @@ class OppositeMap : public Form {
   Mesh to_mesh() const override;
   std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const override;
   bool answer(Relation relation, std::uint32_t element, Answer& out) const override;
+  Fields record(Element own) const override;
 
   // The stored value for the side of a halfedge.
   std::int32_t coded_opposite(std::uint32_t h) const { return opposites_.find(key(h))->second; }

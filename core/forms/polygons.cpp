@@ -53,6 +53,11 @@ Numbering::Numbering(const Mesh& mesh)
     if (mesh.is_alive(Face(i))) face[i] = faces++;
 }
 
+std::vector<Vertex> vertices_of(const Polygons& polygons, Face f) {
+  const auto begin = polygons.corners.begin();
+  return {begin + polygons.offsets[f.index], begin + polygons.offsets[f.index + 1]};
+}
+
 Polygons polygons_of(const Mesh& mesh, const Numbering& numbers) {
   Polygons polygons;
   polygons.positions.resize(numbers.points);
@@ -71,19 +76,26 @@ Polygons polygons_of(const Mesh& mesh, const Numbering& numbers) {
   return polygons;
 }
 
-std::vector<std::uint32_t> corners_across(const Mesh& mesh, const Numbering& numbers, const Polygons& polygons) {
+std::vector<Halfedge> corner_halfedges(const Mesh& mesh) {
+  std::vector<Halfedge> corners;
+  for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!mesh.is_alive(Face(f))) continue;
+    const Halfedge start = mesh.halfedge(Face(f));
+    Halfedge h = start;
+    do {
+      corners.push_back(h);
+      h = mesh.next(h);
+    } while (h != start);
+  }
+  return corners;
+}
+
+std::vector<std::uint32_t> corners_across(const Mesh& mesh) {
+  const std::vector<Halfedge> corners = corner_halfedges(mesh);
   std::vector<std::uint32_t> corner_of(mesh.halfedge_slots(), no_index);
-  const auto for_each_corner = [&](auto visit) {
-    for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-      if (!mesh.is_alive(Face(i))) continue;
-      Halfedge h = mesh.halfedge(Face(i));
-      const std::uint32_t f = numbers.face[i];
-      for (std::uint32_t c = polygons.offsets[f]; c < polygons.offsets[f + 1]; ++c, h = mesh.next(h)) visit(c, h);
-    }
-  };
-  for_each_corner([&](std::uint32_t corner, Halfedge h) { corner_of[h.index] = corner; });
-  std::vector<std::uint32_t> across(polygons.corners.size());
-  for_each_corner([&](std::uint32_t corner, Halfedge h) { across[corner] = corner_of[twin(h).index]; });
+  for (std::uint32_t c = 0; c < corners.size(); ++c) corner_of[corners[c].index] = c;
+  std::vector<std::uint32_t> across(corners.size());
+  for (std::uint32_t c = 0; c < corners.size(); ++c) across[c] = corner_of[twin(corners[c]).index];
   return across;
 }
 

@@ -41,12 +41,17 @@ struct Polygons {
 
   std::uint32_t face_count() const { return static_cast<std::uint32_t>(offsets.size() - 1); }
 };
+// The corners of a face.
+std::vector<Vertex> vertices_of(const Polygons& polygons, Face f);
 // Without inner loops; copies merged into points.
 Polygons polygons_of(const Mesh& mesh, const Numbering& numbers);
 
+// The halfedge of each corner of polygons_of.
+std::vector<Halfedge> corner_halfedges(const Mesh& mesh);
+
 // For each corner of polygons_of the corner across its side, no_index at a boundary. The mesh must have no copies and
 // no rings.
-std::vector<std::uint32_t> corners_across(const Mesh& mesh, const Numbering& numbers, const Polygons& polygons);
+std::vector<std::uint32_t> corners_across(const Mesh& mesh);
 
 // The mesh of polygons with their sides joined as given by `across`; at most one fan of faces at each vertex.
 Mesh mesh_from_sides(const Polygons& polygons, const std::vector<std::uint32_t>& across);

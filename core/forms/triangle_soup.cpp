@@ -1,9 +1,7 @@
 #include "core/forms/triangle_soup.h"
 
-#include <map>
-
 #include "core/forms/polygons.h"
-#include "core/indexed/from_indexed.h"
+#include "core/forms/same_places.h"
 
 namespace ryosen::forms {
 
@@ -17,24 +15,17 @@ TriangleSoup::TriangleSoup(const Mesh& mesh) {
 
 std::size_t TriangleSoup::bytes() const { return bytes_of(triangles_); }
 
-Mesh TriangleSoup::to_mesh() const {
-  IndexedMesh list;
-  std::map<std::array<double, 3>, std::uint32_t> number;
-  for (const auto& triangle : triangles_) {
-    for (const glm::dvec3& p : triangle) {
-      const auto [found, is_new] =
-          number.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(list.positions.size()));
-      if (is_new) list.positions.push_back(p);
-      list.corners.push_back(found->second);
-    }
-    list.face_offsets.push_back(static_cast<std::uint32_t>(list.corners.size()));
-  }
-  return from_indexed(std::move(list));
-}
+Mesh TriangleSoup::to_mesh() const { return mesh_from_places(triangles_); }
 
 bool TriangleSoup::answer(Relation, std::uint32_t, Answer& out) const {
   out.clear();
   return false;
+}
+
+Fields TriangleSoup::record(Element own) const {
+  if (own.kind != Element::Kind::face) return {};
+  const auto& triangle = triangles_[own.index];
+  return {places("x1, y1, z1, x2, y2, z2, x3, y3, z3", {triangle.begin(), triangle.end()})};
 }
 
 }  // namespace ryosen::forms

@@ -17,6 +17,7 @@ class TriangleSoup : public Form {
   Mesh to_mesh() const override;
   std::uint32_t find_edge(std::uint32_t, std::uint32_t) const override { return no_index; }
   bool answer(Relation, std::uint32_t, Answer& out) const override;
+  Fields record(Element own) const override;
 
  private:
   std::vector<std::array<glm::dvec3, 3>> triangles_;

@@ -128,4 +128,20 @@ bool WingedEdge::answer(Relation relation, std::uint32_t element, Answer& out) c
       [&] { answer_about_edge(relation, element, out); }, [&] { answer_about_face(relation, element, out); });
 }
 
+Fields WingedEdge::record(Element own) const {
+  if (own.kind == Element::Kind::vertex)
+    return {place("x, y, z", positions_[own.index]), link("edge", "edge", Edge(vertex_edge_[own.index]))};
+  if (own.kind == Element::Kind::face) return {link("edge", "edge", Edge(face_edge_[own.index]))};
+  if (own.kind != Element::Kind::edge) return {};
+  const EdgeRecord& e = edges_[own.index];
+  return {link("from", "start", Vertex(e.start)),
+          link("to", "end", Vertex(e.end)),
+          link("left", "left", Face(e.left)),
+          link("right", "right", Face(e.right)),
+          link("left_next", "leftNext", Edge(e.left_next)),
+          link("left_prev", "leftPrev", Edge(e.left_prev)),
+          link("right_next", "rightNext", Edge(e.right_next)),
+          link("right_prev", "rightPrev", Edge(e.right_prev))};
+}
+
 }  // namespace ryosen::forms

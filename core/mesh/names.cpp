@@ -142,6 +142,11 @@ std::string name_of(const Mesh& m, Element element) {
   return has_several_sheets(m, h) ? name_with_face(m, h) : ends_of(m, h);
 }
 
+std::string slot_name(Element element) {
+  constexpr char letters[] = {'v', 'h', 'e', 'f'};
+  return letters[static_cast<std::size_t>(element.kind)] + std::to_string(element.index);
+}
+
 std::string name_to_select(const Mesh& m, Element element) {
   return element.kind == Element::Kind::halfedge ? "h" + number(element.index) : name_of(m, element);
 }

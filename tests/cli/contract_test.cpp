@@ -81,6 +81,7 @@ void sweep_command_lines(Sweep& sweep) {
       {"help", "json"},
       {"--version"},
       {"forms", mesh},
+      {"forms", mesh, "--element", "0-1"},
       {"check", asset("stanford_bunny.obj"), "--self-intersections"},
   };
   for (const std::vector<std::string>& line : lines) sweep.run(line);

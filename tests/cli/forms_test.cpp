@@ -119,5 +119,76 @@ TEST(forms_command, exit_codes) {
   EXPECT_EQ(run_program({"forms", asset("moebius.off")}).exit_code, 0);
 }
 
+// The record of an element in each form, written by hand from the tables of the texts.
+struct RecordCase {
+  const char *file, *element, *form, *fields, *stored;
+};
+
+constexpr RecordCase record_cases[] = {
+    {"tetrahedron.off", "0-1", "winged_edge",
+     R"({"from":"v0","to":"v1","left":"f1","right":"f0","left_next":"e3","left_prev":"e2","right_next":"e0",)"
+     R"("right_prev":"e4"})",
+     R"({"from":0,"to":1,"left":1,"right":0,"left_next":3,"left_prev":2,"right_next":0,"right_prev":4})"},
+    {"tetrahedron.off", "f1", "triangle_soup", R"({"positions":[[0,0,0],[1,0,0],[0,0,1]]})", "{}"},
+    {"tetrahedron.off", "f1", "polygon_set", R"({"positions":[[0,0,0],[1,0,0],[0,0,1]]})", "{}"},
+    {"tetrahedron.off", "f1", "indexed_face_set", R"({"vertices":["v0","v1","v3"]})", R"({"vertices":[0,1,3]})"},
+    {"tetrahedron.off", "f1", "face_adjacency", R"({"vertices":["v0","v1","v3"],"faces":["f0","f2","f3"]})",
+     R"({"vertices":[0,1,3],"faces":[0,2,3]})"},
+    {"tetrahedron.off", "h2", "halfedge", R"({"from":"v0","face":"f1","twin":"h3","next":"h6","prev":"h5"})",
+     R"({"from":0,"face":1,"twin":2,"next":4,"prev":5})"},
+    {"tetrahedron.off", "h2", "halfedge_loop", R"({"edge":"e1","from":"v0","next":"h6","prev":"h5","face":"f1"})",
+     R"({"edge":1,"from":0,"next":6,"prev":5,"face":1})"},
+    {"tetrahedron.off", "h2", "dcel", R"({"from":"v0","twin":"h3","next":"h6","prev":"h5","face":"f1"})",
+     R"({"from":0,"twin":3,"next":6,"prev":5,"face":1})"},
+    {"tetrahedron.off", "h2", "opposite_map", R"({"from":"v0","to":"v1","twin":"h3"})",
+     R"({"from":0,"to":1,"twin":2})"},
+    {"tetrahedron.off", "h2", "opposite_array", R"({"from":"v0","twin":"h3"})", R"({"from":0,"twin":2})"},
+    {"tetrahedron.off", "v3", "face_adjacency", R"({"position":[0,0,1],"face":"f3"})", R"({"face":3})"},
+    {"fan.obj", "f5", "face_adjacency", R"({"vertices":["v0","v6","v1"],"faces":["f4",null,"f0"]})",
+     R"({"vertices":[0,6,1],"faces":[4,null,0]})"},
+    {"two_quads.obj", "1-4", "winged_edge",
+     R"({"from":"v1","to":"v4","left":"f0","right":"f1","left_next":"e4","left_prev":"e0","right_next":"e2",)"
+     R"("right_prev":"e6"})",
+     nullptr},
+    {"two_quads.obj", "f1", "dcel", R"({"outer":"h4","inner":[]})", R"({"outer":4,"inner":[]})"},
+};
+
+TEST(forms_records, are_those_of_the_tables_written_by_hand) {
+  for (const RecordCase& one : record_cases) {
+    const ProgramRun run =
+        run_program({"forms", asset(one.file), "--element", one.element, "--form", one.form, "--json"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.line()["fields"], Json::parse(one.fields)) << one.file << ' ' << one.element << ' ' << one.form;
+    if (one.stored == nullptr) continue;
+    EXPECT_EQ(run.line()["stored"], Json::parse(one.stored)) << one.file << ' ' << one.element << ' ' << one.form;
+  }
+}
+
+TEST(forms_records, of_all_elements_come_in_every_form) {
+  const ProgramRun run = run_program({"forms", asset("two_quads.obj"), "--element", "all", "--json"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  std::map<std::string, std::map<char, int>> told;
+  for (const Json& line : run.lines()) {
+    const std::string element = line["element"];
+    ++told[line["form"]][element[0]];
+    EXPECT_EQ(line["fields"].is_null(), line["none"].is_object()) << line;
+    EXPECT_EQ(line["words"].size(), line["fields"].is_null() ? 0 : line["fields"].size()) << line;
+  }
+  EXPECT_EQ(told.size(), forms::all_forms().size());
+  const std::map<char, int> all{{'v', 6}, {'e', 7}, {'f', 2}, {'h', 14}};
+  for (const auto& [form, counts] : told) EXPECT_EQ(counts, all) << form;
+}
+
+TEST(forms_records, of_nothing_known_are_refused) {
+  const std::string fan = asset("fan.obj");
+  for (const std::vector<std::string>& line : {std::vector<std::string>{"forms", fan, "--element", "v99"},
+                                               {"forms", fan, "--element", "0-1", "--form", "x"},
+                                               {"forms", fan, "--form", "dcel"}}) {
+    const ProgramRun run = run_program(line);
+    EXPECT_EQ(run.exit_code, 2) << line.back();
+    EXPECT_FALSE(run.err.empty()) << line.back();
+  }
+}
+
 }  // namespace
 }  // namespace ryosen::test

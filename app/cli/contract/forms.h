@@ -59,7 +59,27 @@ inline constexpr JsonKey forms_keys[] = {
 };
 inline constexpr Shape forms_shape{"forms", "One line.", "一行。", forms_keys};
 
-inline constexpr Contract forms_contract{.lines = {&forms_shape},
-                                         .exits = {ExitCode::input_missing, ExitCode::input_malformed}};
+inline constexpr JsonKey form_record_keys[] = {
+    {"form", "string", "The form.", "形状表現。", ids_of(Ids::forms)},
+    {"element", "string", "The element that is asked about, by its slot.", "問われた要素（スロット名）。"},
+    {"fields", "object or null",
+     "The fields of its record in the form by Ryosen's words: a link as the slot name of an element or null, several "
+     "as "
+     "an array, a place as an array of numbers; null where the form has no record of it.",
+     "その要素のデータ（キーは Ryosen の語）。リンクはスロット名または "
+     "null、複数なら配列、座標は数の配列。データがないとき null。"},
+    {"none", "object or null", "Why there is no record; null where there is one.", "データがない理由。あるとき null。",
+     objects(sentence_shape)},
+    {"words", "object", "What the source text calls each field.", "各項目のテキストでの呼び名。"},
+    {"stored", "object", "What the form stores for each link: a number, a code below 0, or null.",
+     "各リンクとして格納されている値（番号、負の符号値、または null）。"},
+};
+inline constexpr Shape form_record_shape{"form_record", "With --element: one line per form, and per element of all.",
+                                         "--element のとき、形状表現ごと（all では要素ごとにも）一行。",
+                                         form_record_keys};
+
+inline constexpr Contract forms_contract{
+    .lines = {&forms_shape, &form_record_shape},
+    .exits = {ExitCode::input_missing, ExitCode::input_malformed, ExitCode::usage}};
 
 }  // namespace ryosen::cli

@@ -1,0 +1,127 @@
+#include "app/cli/form_records.h"
+
+#include "app/cli/columns.h"
+#include "app/cli/contract/forms.h"
+#include "app/cli/contract/record.h"
+#include "core/forms/all.h"
+#include "core/forms/records.h"
+#include "core/mesh/find_element.h"
+
+namespace ryosen::cli {
+
+namespace {
+
+using forms::ElementRecord;
+using forms::Field;
+using forms::Records;
+
+Json to_json(const glm::dvec3& place) { return Json::array({place.x, place.y, place.z}); }
+
+Json to_json(Element link) { return link.index == no_index ? Json() : Json(slot_name(link)); }
+
+Json to_json(const std::optional<std::int64_t>& stored) { return stored ? Json(*stored) : Json(); }
+
+// One value, or an array of them where the field is a list.
+template <class Value>
+Json value_of(const Field& field, const std::vector<Value>& values) {
+  if (!field.is_list) return to_json(values.front());
+  Json list = Json::array();
+  for (const Value& value : values) list.push_back(to_json(value));
+  return list;
+}
+
+std::string json_line_of(const Records& records, Element element, const ElementRecord& record) {
+  Record<form_record_shape> json;
+  json["form"] = records.row().id;
+  json["element"] = slot_name(element);
+  json["fields"] = record.none ? Json() : Json::object();
+  json["none"] = Json();
+  if (record.none) {
+    Record<sentence_shape> sentence;
+    sentence.put(*record.none);
+    json["none"] = std::move(sentence).json();
+  }
+  json["words"] = Json::object();
+  json["stored"] = Json::object();
+  for (const Field& field : record.fields) {
+    const std::string key(field.key);
+    json["fields"][key] = field.places.empty() ? value_of(field, field.links) : value_of(field, field.places);
+    json["words"][key] = field.word;
+    if (field.places.empty()) json["stored"][key] = value_of(field, field.stored);
+  }
+  return line_of(json);
+}
+
+// As JSON writes it, without its quotes.
+std::string plain(const Json& json, const Console& console) {
+  if (json.is_null()) return std::string(console.text("none", "なし"));
+  if (!json.is_array()) return json.is_string() ? std::string(json) : json.dump();
+  std::string all;
+  for (const Json& one : json)
+    all += (all.empty() ? "" : " ") + (one.is_array() ? "(" + plain(one, console) + ")" : plain(one, console));
+  return all.empty() ? std::string(console.text("none", "なし")) : all;
+}
+
+std::string text_of(const Records& records, Element element, const ElementRecord& record, const Console& console) {
+  const forms::FormRow& row = records.row();
+  std::string text = slot_name(element) + console.text(" as ", "：").data() +
+                     std::string(console.text(row.en, row.ja)) + " (" +
+                     std::string(console.text(row.source_en, row.source_ja)) + ")\n";
+  if (record.none) return text + "  " + console.text(*record.none) + "\n";
+  Columns table;
+  for (const Field& field : record.fields) {
+    const bool is_place = !field.places.empty();
+    table.add({std::string(field.key), std::string(field.word),
+               plain(is_place ? value_of(field, field.places) : value_of(field, field.links), console),
+               is_place ? "" : "= " + plain(value_of(field, field.stored), console)});
+  }
+  return text + table.text();
+}
+
+std::vector<Element> all_elements(const Mesh& mesh) {
+  std::vector<Element> all;
+  const auto add = [&]<class Handle>(Handle, std::uint32_t slots) {
+    for (std::uint32_t i = 0; i < slots; ++i)
+      if (mesh.is_alive(Handle(i))) all.push_back(Handle(i));
+  };
+  add(Vertex(), mesh.vertex_slots());
+  add(Edge(), mesh.edge_slots());
+  add(Face(), mesh.face_slots());
+  add(Halfedge(), mesh.halfedge_slots());
+  return all;
+}
+
+Failure unknown_form(std::string_view id) {
+  std::string known;
+  for (const forms::FormRow& row : forms::all_forms()) known.append(known.empty() ? "" : ", ").append(row.id);
+  return usage_failure("bad_value", {"There is no form '" + std::string(id) + "'; the forms are " + known + ".",
+                                     "形状表現「" + std::string(id) + "」はありません（" + known + "）。"});
+}
+
+}  // namespace
+
+ExitCode print_form_records(const Mesh& mesh, const Arguments& arguments, const Console& console) {
+  const std::string& asked = *arguments.value("--element");
+  std::vector<Element> elements;
+  if (asked == "all") {
+    elements = all_elements(mesh);
+  } else {
+    NamedElement named = find_element(mesh, asked);
+    if (!named.element) return console.fail(usage_failure("element_unknown", std::move(named.sentence)));
+    elements.push_back(*named.element);
+  }
+  const std::string* const form = arguments.value("--form");
+  if (form != nullptr && forms::find_form(*form) == nullptr) return console.fail(unknown_form(*form));
+  for (const forms::FormRow& row : forms::all_forms()) {
+    if (form != nullptr && row.id != *form) continue;
+    const Records records(mesh, row);
+    for (const Element element : elements) {
+      const ElementRecord record = records.of(element);
+      console.print(console.json ? json_line_of(records, element, record) : text_of(records, element, record, console));
+    }
+  }
+  console.conclude("", ExitCode::done);
+  return ExitCode::done;
+}
+
+}  // namespace ryosen::cli

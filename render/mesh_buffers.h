@@ -21,8 +21,9 @@ namespace ryosen {
 // One with three equal corners is not drawn, and its face is not read; that of others is below 2^29.
 using DrawnTriangle = SurfaceTriangle;
 
-// sides: each part of a triangle takes the colour of the edge of its face that is nearest.
-enum class Paint : std::uint8_t { none, corners, sides };
+// own: lit as the surface's own colour is; else little, so that the colours stay those of a legend. sides: each part of a
+// triangle takes the colour of the edge of its face that is nearest.
+enum class Paint : std::uint8_t { none, own, corners, sides };
 
 // A triangle mesh owned by the caller.
 struct TriangleSource {

@@ -81,7 +81,7 @@ Result<std::unique_ptr<View>> View::make() {
 
 View::View(Passes passes)
     : passes_(std::move(passes)),
-      overlays_{OverlayBuffer("highlights"), OverlayBuffer("selection"), OverlayBuffer("measures"),
+      overlays_{OverlayBuffer("normals"), OverlayBuffer("highlights"), OverlayBuffer("selection"), OverlayBuffer("measures"),
                 OverlayBuffer("hover"), OverlayBuffer("handles")},
       rendered_("rendered", picture_formats, true),
       resolved_("resolved", picture_formats, false),

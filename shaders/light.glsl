@@ -1,5 +1,6 @@
 // Light of three sources that move with the eye, on a surface seen from either side. Colours are linear.
-// With SMOOTH the colour goes over from corner to corner; without, a triangle looks like its last corner.
+// With SMOOTH the colour goes over from corner to corner; without, a triangle looks like its last corner, and alike all
+// triangles of a plane do.
 #ifdef SMOOTH
 #define SHADED smooth
 uniform usamplerBuffer corner_normals;  // by slot, packed as in core/view/packed_normal.h
@@ -44,10 +45,13 @@ vec3 light_on(Corner corner, out float grazing, out bool seen_front) {
   seen_front = facing_eye(normal, place) > 0.0;
 #ifdef SMOOTH
   normal = corner_normal(corner, normal);
-  place = place_of(corner);
 #endif
   if (!seen_front) normal = -normal;
-  grazing = 1.0 - clamp(facing_eye(normal, place), 0.0, 1.0);
+#ifdef SMOOTH
+  grazing = 1.0 - clamp(facing_eye(normal, place_of(corner)), 0.0, 1.0);
+#else
+  grazing = 1.0 - clamp(normal.z, 0.0, 1.0);
+#endif
   float key = max(dot(normal, key_direction), 0.0);
   float fill = max(dot(normal, fill_direction), 0.0);
   float sky = 0.5 + 0.5 * normal.y;

@@ -7,22 +7,12 @@ flat in vec3 lit;
 #endif
 
 #ifdef PAINTED
-smooth in vec4 corner_paint;
-flat in vec4 side_paint[3];
+#include "paint.glsl"
 #ifdef SMOOTH
-smooth in float paint_light;
+smooth in vec3 paint_light;
 #else
-flat in float paint_light;
+flat in vec3 paint_light;
 #endif
-uniform int paints_sides;  // 1: the paint belongs to the sides of faces
-
-// What the surface looks like under its paint, where it has some.
-vec3 painted(vec3 bare) {
-  vec3 away = side_distance_px();
-  int side = away.x <= min(away.y, away.z) ? 0 : away.y <= away.z ? 1 : 2;
-  vec4 paint = paints_sides == 1 ? side_paint[side] : corner_paint;
-  return paint.a > 0.99 ? paint.rgb * paint_light : bare;
-}
 #endif
 
 uniform vec3 wire_colour;  // linear
@@ -32,7 +22,8 @@ layout(location = 0) out vec4 colour;
 
 void main() {
 #ifdef PAINTED
-  vec3 base = painted(lit);
+  vec4 paint = paint_here();
+  vec3 base = paint.a > 0.99 ? paint.rgb * paint_light : lit;
 #else
   vec3 base = lit;
 #endif

@@ -2,6 +2,9 @@
 #include "pixel.glsl"
 #include "wire.glsl"
 #include "pattern.glsl"
+#ifdef PAINTED
+#include "paint.glsl"
+#endif
 flat in float film;
 flat in float nearness;
 flat in vec4 tint;
@@ -18,6 +21,11 @@ void main() {
   float line = max(wire_cover(), dot_cover()) * nearness;
   float tinted = tint.a * pattern_share(pattern, picture_pixel() / pixel_scale);
   vec3 of_tint = takes_light > 0.5 ? 1.0 - tint.rgb : tint.rgb;
-  vec3 layer = film * film_colour + line * line_colour + 0.45 * tinted * of_tint;
+  vec3 of_film = film_colour;
+#ifdef PAINTED
+  vec4 paint = paint_here();
+  if (paint.a > 0.99) of_film = 0.3 * (takes_light > 0.5 ? 1.0 - sqrt(paint.rgb) : sqrt(paint.rgb));
+#endif
+  vec3 layer = film * of_film + line * line_colour + 0.45 * tinted * of_tint;
   colour = vec4(layer, max(max(layer.r, layer.g), layer.b));
 }

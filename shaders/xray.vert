@@ -7,6 +7,9 @@ uniform usamplerBuffer face_tints;  // 0, or the number of its tint from 1 on
 uniform vec4 tints[32];             // colour and strength
 uniform int patterns[32];
 
+#ifdef PAINTED
+#include "paint_out.glsl"
+#endif
 out vec2 barycentric;
 flat out float edge_bits;
 flat out float film;      // how thick it is for the eye
@@ -29,5 +32,8 @@ void main() {
   pattern = patterns[number];
   edge_bits = float(corner.edge_bits);
   barycentric = vec2(corner.number == 0 ? 1.0 : 0.0, corner.number == 1 ? 1.0 : 0.0);
+#ifdef PAINTED
+  pass_paint(corner);
+#endif
   gl_Position = clip_place(corner);
 }

@@ -162,7 +162,7 @@ class OptionsReader {
   std::uint64_t bytes_of_switches() const {
     std::uint64_t bytes = 0;
     for (const ViewSwitch& row : view_switches()) {
-      std::uint64_t most = 0;
+      std::uint64_t most = row.values.front().bytes_per_triangle;
       for (const auto& [of_flag, value] : options_.switches)
         if (of_flag.id == row.id) most = of_flag.values[value].bytes_per_triangle;
       for (const ScriptLine& line : options_.script.lines)

@@ -71,6 +71,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   files = std::move(files_then);
   camera = camera_then;
   forget_derived();
+  file_normals_ = FileNormals();
   remedy_line_.clear();
   selection.clear();
   selections.clear();
@@ -85,6 +86,7 @@ void Session::forget_derived() {
   hidden_ = HiddenElements();
   picker_.reset();
   corner_normals_.reset();
+  file_normals_.end();
   highlights_.reset();
   boundary_loops_.reset();
   euler_.reset();
@@ -109,9 +111,11 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
   if (change == Document::Change::trial_ended) forget_gesture();
   const TouchedElements touched = touched_elements(m, journal, transaction);
   hidden_.follow(m, touched);
+  const bool is_trial = change == Document::Change::tried || change == Document::Change::trial_ended;
+  if (!is_trial) file_normals_.follow(m, touched);
   if (picker_) {
     const std::vector<std::uint32_t> slots = picker_->update(m, touched);
-    if (corner_normals_ && (touched.everything || settings.shading == Shading::flat)) {
+    if (corner_normals_ && (touched.everything || !needs_corner_normals())) {
       corner_normals_.reset();
       drawn_changes_.everything = true;  // what was drawn with them knows nothing of this edit
     }
@@ -145,7 +149,6 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
     else
       boundary_loops_->update(around, boundary, highlights_->problems().edges_asked());
   }
-  const bool is_trial = change == Document::Change::tried || change == Document::Change::trial_ended;
   if (euler_) {
     const std::string_view line =
         is_trial ? std::string_view() : std::string_view(document_->history()[transaction].command);
@@ -324,7 +327,9 @@ void Session::keep_report(RepairReport report) {
 }
 
 const CornerNormals& Session::corner_normals() {
-  if (!corner_normals_) corner_normals_.emplace(mesh(), picker().triangles());
+  if (!corner_normals_ || corner_normals_->crease_deg() != crease_deg)
+    corner_normals_.emplace(mesh(), picker().triangles(), crease_deg,
+                            FileNormals::are_in(mesh()) ? &file_normals_ : nullptr);
   return *corner_normals_;
 }
 

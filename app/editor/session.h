@@ -94,6 +94,7 @@ class Session {
   double ui_scale = 1;                // of all of the window, times that of the display
   int font_size_px = 15;              // at scale 1
   int samples = 1;                    // a side of each pixel of the view
+  double crease_deg = 30;             // edges that bend by more stay sharp where the surface is smooth
   std::vector<KeyBinding> bindings;   // the user's own keys
   bool begins_empty = false;          // somebody wants an empty mesh, not the start page
   std::vector<std::string> recent{};  // files that were open before, the latest first; kept by the window
@@ -209,7 +210,7 @@ class Session {
   const RepairReport* last_repair() const;
   void keep_report(RepairReport report);
 
-  // For smooth shading. Kept up with edits as long as that is set.
+  // For smooth shading, and where normals of vertices are drawn. Kept up with edits as long as one of them is set.
   const CornerNormals& corner_normals();
   // The sets of problems, and of the highlights that are shown.
   const HighlightSets& highlights();
@@ -255,6 +256,9 @@ class Session {
   void follow(const Journal& journal, std::size_t transaction, Document::Change change);
   void update_derived(const Journal& journal, std::size_t transaction, Document::Change change);
   void forget_derived();
+  bool needs_corner_normals() const {
+    return settings.shading == Shading::smooth || settings.normals == Normals::vertices;
+  }
   Camera framing(const Mesh& mesh, const Camera& from) const;
   void note_marks(const TouchedElements& touched);
   void update_map_values(std::size_t transaction);
@@ -283,6 +287,7 @@ class Session {
   std::uint64_t gesture_step_ = 0;
   HiddenElements hidden_;
   std::optional<Picker> picker_;
+  FileNormals file_normals_;
   std::optional<CornerNormals> corner_normals_;  // of the triangles of the picker
   std::optional<HighlightSets> highlights_;
   std::optional<MapValues> map_values_;

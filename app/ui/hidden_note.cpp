@@ -20,7 +20,8 @@ void draw_hidden_note(PanelContext& context) {
   ImGui::TextUnformatted(hidden_text(session.hidden()).in(context.language()).c_str());
   ImGui::SameLine();
   if (ImGui::Button(context.text(UiText::unhide))) context.run("unhide");
-  tip(context.text("Shows again what is hidden.", "非表示にした要素をすべて表示します。") + std::string(" ") + chord_of(session, "unhide"));
+  tip(context.text("Shows again what is hidden.", "非表示にした要素をすべて表示します。") + std::string(" ") +
+      chord_of(session, "unhide"));
   const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   context.state.note = {static_cast<int>(at.x), static_cast<int>(at.y), static_cast<int>(at.x + size.x),
                         static_cast<int>(at.y + size.y)};

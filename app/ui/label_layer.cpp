@@ -23,9 +23,9 @@ void LabelLayer::set_scale(float scale) {
 
 void LabelLayer::follow(Session& session, View& view) {
   const std::span<const LabelSource> sources = label_sources();
-  const bool is_on = !session.preparing() && std::any_of(sources.begin(), sources.end(), [&](const LabelSource& source) {
-    return source.is_on(session);
-  });
+  const bool is_on =
+      !session.preparing() &&
+      std::any_of(sources.begin(), sources.end(), [&](const LabelSource& source) { return source.is_on(session); });
   if (!is_on && is_empty_) return;
   if (is_on && !fonts_) {
     view.set_labels({});
@@ -34,7 +34,9 @@ void LabelLayer::follow(Session& session, View& view) {
     view.set_label_fonts(*fonts_);
   }
   std::vector<PlacedLabel> placed;
-  if (is_on) placed = placed_labels(session, [&](const std::string& s) { return label_size(*fonts_, s); }, scale_);
+  if (is_on)
+    placed = placed_labels(
+        session, [&](const std::string& s) { return label_size(*fonts_, s); }, scale_);
   const Palette& colours = palette(session.settings.theme);
   std::vector<DrawnLabel> texts;
   for (const PlacedLabel& label : placed)

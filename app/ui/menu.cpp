@@ -106,6 +106,7 @@ void draw_select_menu(PanelContext& context) {
 
 // Of two values that a key goes between the second one, ticked where it is on; else one entry for each.
 bool is_one_entry(const ViewSwitch& row) { return row.toggles() && row.values.size() == 2; }
+bool is_one_line(const ViewSwitch& row) { return is_one_entry(row) || !row.menu_en.empty(); }
 void draw_switch(PanelContext& context, const ViewSwitch& row) {
   const std::size_t now = row.value(context.session);
   const bool is_one = is_one_entry(row);
@@ -115,11 +116,11 @@ void draw_switch(PanelContext& context, const ViewSwitch& row) {
          is_one ? toggle_line(row) : std::string(row.id) + " " + std::string(value.id), true, i == now);
   }
 }
-// With lines between them, but not between single entries.
+// With lines between groups, but not between single entries.
 void draw_switches(PanelContext& context) {
   const ViewSwitch* before = nullptr;
   for (const ViewSwitch& row : view_switches()) {
-    if (before && !(is_one_entry(*before) && is_one_entry(row))) ImGui::Separator();
+    if (before && !(is_one_line(*before) && is_one_line(row))) ImGui::Separator();
     if (row.menu_en.empty()) {
       draw_switch(context, row);
     } else if (ImGui::BeginMenu(context.text(row.menu_en, row.menu_ja))) {

@@ -43,8 +43,8 @@ void draw_hints(PanelContext& context) {
                               : "Look: " + orbit + " turns, " + pan + " moves, the wheel zooms.";
   const char* const pick = context.text("Pick: point at an edge and click; a tool shows what it would do before.",
                                         "選ぶ：稜線を指してクリック。ツールは結果を先に見せます。");
-  const std::string take_back =
-      ja ? "戻す：" + undo + "。すべての編集を正確に元へ戻せます。" : "Undo: " + undo + " takes back every edit exactly.";
+  const std::string take_back = ja ? "戻す：" + undo + "。すべての編集を正確に元へ戻せます。"
+                                   : "Undo: " + undo + " takes back every edit exactly.";
   dim_text(context, look.c_str());
   dim_text(context, pick);
   dim_text(context, take_back.c_str());
@@ -61,8 +61,7 @@ void StartPage::entry(PanelContext& context, const std::string& name, const std:
   ImGui::BeginDisabled(line.empty());
   ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {fills ? 0.f : 0.5f, 0.5f});
   const float room = ImGui::GetContentRegionAvail().x;
-  const std::string label =
-      fills ? fitted(name, room - 2 * ImGui::GetStyle().FramePadding.x) : name;
+  const std::string label = fills ? fitted(name, room - 2 * ImGui::GetStyle().FramePadding.x) : name;
   if (ImGui::Button(label.c_str(), {fills ? room : 0, 0})) taken_ = line;
   ImGui::PopStyleVar();
   ImGui::EndDisabled();

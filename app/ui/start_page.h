@@ -36,8 +36,8 @@ class StartPage {
 
   std::vector<Entry> entries_;  // of this frame, in their order
   std::size_t focus_ = 0;
-  bool has_keys_ = false;  // an arrow key was pressed: the focus is drawn
-  std::string taken_;      // the line of what was clicked or entered in this frame
+  bool has_keys_ = false;                             // an arrow key was pressed: the focus is drawn
+  std::string taken_;                                 // the line of what was clicked or entered in this frame
   std::vector<std::pair<std::string, bool>> recent_;  // and whether each is there
 };
 

@@ -6,6 +6,7 @@
 
 #include "app/ui/gizmo_overlay.h"
 #include "app/ui/overlays.h"
+#include "app/ui/surface_paint.h"
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
@@ -15,39 +16,6 @@ namespace ryosen {
 
 namespace {
 
-// The colours of the values that the surface is coloured by.
-void paint(Session& session, TriangleSource& source) {
-  if (!session.colouring) return;
-  const MapValues& values = session.map_values();
-  const Mesh& mesh = session.mesh();
-  const Colouring& colouring = *session.colouring;
-  constexpr std::size_t steps = 1024;
-  std::vector<std::uint32_t> scale(steps);
-  for (std::size_t i = 0; i < steps; ++i) {
-    const auto [r, g, b, a] = rgb(colour_at(colouring.map->scale, double(i) / (steps - 1)));
-    scale[i] = std::uint32_t{r} | std::uint32_t{g} << 8 | std::uint32_t{b} << 16 | std::uint32_t{a} << 24;
-  }
-  const auto of = [&values, colouring, scale = std::move(scale)](std::uint32_t slot) -> std::uint32_t {
-    const double value = values.of(slot);
-    if (std::isnan(value)) return 0;
-    return scale[static_cast<std::size_t>(place_on_scale(*colouring.map, colouring.range, value) * (steps - 1) + 0.5)];
-  };
-  const Element::Kind sort = colouring.map->sort();
-  source.paint = sort == Element::Kind::edge ? Paint::sides : Paint::corners;
-  source.colours = [&mesh, sort, of](const DrawnTriangle& triangle) {
-    std::array<std::uint32_t, 3> colours{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vertex v(triangle.corners[k]);
-      if (sort == Element::Kind::face) colours[k] = of(triangle.face);
-      if (sort == Element::Kind::vertex) colours[k] = of(point(mesh, v).index);
-      if (sort != Element::Kind::edge || !(triangle.edge_bits >> k & 1)) continue;
-      if (const Halfedge h = find_halfedge(mesh, v, Vertex(triangle.corners[(k + 1) % 3])))
-        colours[k] = of(edge(h).index);
-    }
-    return colours;
-  };
-}
-
 TriangleSource source_of(Session& session, std::span<const std::uint8_t> tints) {
   const SurfaceTriangles& triangles = session.picker().triangles();
   const Mesh& mesh = session.mesh();
@@ -56,7 +24,7 @@ TriangleSource source_of(Session& session, std::span<const std::uint8_t> tints) 
       [&mesh, &triangles](std::span<const std::uint32_t> slots, DrawnTriangle* to) { triangles.read(mesh, slots, to); },
       tints};
   if (session.settings.shading == Shading::smooth) source.corner_normals = session.corner_normals().packed();
-  paint(session, source);
+  paint_surface(session, source);
   return source;
 }
 
@@ -179,7 +147,8 @@ void Viewport::follow_mesh(Session& session) {
   if (other_selection) follow_selected_faces(session, changes);
   const FaceTints tints(session, selected_faces_);
   const bool anew = mesh_of_ != &session.document() || changes.everything ||
-                    drawn_shading_ != session.settings.shading || drawn_colouring_ != session.colouring;
+                    drawn_shading_ != session.settings.shading || drawn_colouring_ != session.colouring ||
+                    drawn_file_colours_ != session.settings.file_colours || drawn_crease_deg_ != session.crease_deg;
   const bool other_highlights = shown_ != session.shown || changes.searched;
   if (!anew && !other_highlights && !other_selection && !changes.hiding && gesture_step_ == session.gesture_step() &&
       mesh_revision_ == session.document().revision())
@@ -203,7 +172,10 @@ void Viewport::follow_mesh(Session& session) {
   gesture_step_ = session.gesture_step();
   drawn_shading_ = session.settings.shading;
   drawn_colouring_ = session.colouring;
+  drawn_file_colours_ = session.settings.file_colours;
+  drawn_crease_deg_ = session.crease_deg;
   shown_ = session.shown;
+  normal_lines_.note(session, changes, anew);
   marked_ = std::move(changes.marks);
   highlights_stale_ |= anew || changes.searched;
   selection_stale_ = true;
@@ -278,6 +250,7 @@ void Viewport::follow_highlights(Session& session) {
 void Viewport::follow_overlays(Session& session) {
   selection_stale_ |= highlights_stale_ || selection_ != session.selection;
   if (!session.preparing()) follow_highlights(session);
+  normal_lines_.follow(session, *view_);
   if (selection_stale_) view_->set_overlay(Layer::selection, selection_overlay(session, settings_.theme));
   if (selection_stale_ || measures_ != session.measures)
     view_->set_overlay(Layer::measures, measures_overlay(session, settings_.theme));

@@ -11,6 +11,7 @@
 #include "app/editor/session.h"
 #include "app/ui/frame_pace.h"
 #include "app/ui/label_layer.h"
+#include "app/ui/normal_lines.h"
 #include "render/view.h"
 
 namespace ryosen {
@@ -54,6 +55,7 @@ class Viewport {
 
   std::unique_ptr<View> view_;
   LabelLayer labels_;
+  NormalLines normal_lines_;
   FramePace pace_;
   FramePace::Clock::time_point changed_at_;
   ViewSettings settings_;
@@ -62,6 +64,8 @@ class Viewport {
   const Document* mesh_of_ = nullptr;
   Shading drawn_shading_ = Shading::flat;  // with which the mesh was passed
   std::optional<Colouring> drawn_colouring_;
+  FileColours drawn_file_colours_ = FileColours::on;
+  double drawn_crease_deg_ = 30;
   std::vector<std::uint8_t> face_tints_;
   std::uint64_t mesh_revision_ = 0, gesture_step_ = 0;
   std::set<std::string> shown_;

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "core/base/sort_unique.h"
-#include "core/highlights/creases.h"
 #include "core/mesh/circulate.h"
 #include "core/view/camera.h"
 #include "core/view/packed_normal.h"
@@ -33,7 +32,7 @@ double corner_angle(const Mesh& mesh, Halfedge h, const glm::dvec3& normal) {
 }
 
 // Whether the surface goes on from a face to the next without a crease.
-bool goes_on(Face a, const glm::dvec3& normal_of_a, Face b, const glm::dvec3& normal_of_b) {
+bool goes_on(Face a, const glm::dvec3& normal_of_a, Face b, const glm::dvec3& normal_of_b, double crease_cosine) {
   if (a.is_none() || b.is_none()) return false;
   if (a == b || normal_of_a == glm::dvec3(0) || normal_of_b == glm::dvec3(0)) return true;
   return glm::dot(normal_of_a, normal_of_b) >= crease_cosine;
@@ -59,7 +58,7 @@ void CornerNormals::set_around(Neighbourhood& around, const SurfaceTriangles& tr
   const std::size_t n = corners_.size();
   const auto goes_on_behind = [&](std::size_t i) {
     const Corner &a = corners_[i % n], &b = corners_[(i + 1) % n];
-    return goes_on(a.face, a.normal, b.face, b.normal);
+    return goes_on(a.face, a.normal, b.face, b.normal, crease_cosine_);
   };
   // Begins behind a gap or a crease, if there is one.
   std::size_t first = 0;
@@ -71,10 +70,11 @@ void CornerNormals::set_around(Neighbourhood& around, const SurfaceTriangles& tr
     while (end < n && goes_on_behind(first + end - 1));
     const std::uint32_t normal = packed_normal(sum);
     for (std::size_t i = begin; i < end; ++i) {
-      const Face face = corners_[(first + i) % n].face;
+      const auto& [halfedge, face, own, weighted] = corners_[(first + i) % n];
       if (face.is_none()) continue;
       visit(face);
-      set(mesh, triangles, face, v, normal);
+      const std::uint32_t of_file = of_file_ ? of_file_->at(v, halfedge) : no_normal;
+      set(mesh, triangles, face, v, of_file == no_normal ? normal : of_file);
     }
   }
 }
@@ -107,17 +107,25 @@ void CornerNormals::finish(const Mesh& mesh, const SurfaceTriangles& triangles) 
   waiting_.clear();
 }
 
-CornerNormals::CornerNormals(const Mesh& mesh, const SurfaceTriangles& triangles) : packed_(triangles.slots()) {
+CornerNormals::CornerNormals(const Mesh& mesh, const SurfaceTriangles& triangles, double crease_deg,
+                             const FileNormals* file_normals)
+    : crease_deg_(crease_deg),
+      crease_cosine_(std::cos(crease_deg * std::numbers::pi / 180)),
+      file_normals_(file_normals),
+      packed_(triangles.slots()) {
+  if (file_normals_) of_file_.emplace(*file_normals_, mesh);
   Neighbourhood around(mesh);
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
     if (mesh.is_alive(Vertex(i))) set_around(around, triangles, Vertex(i), [](Face) {});
   finish(mesh, triangles);
+  of_file_.reset();
   waiting_.shrink_to_fit();
 }
 
 std::vector<std::uint32_t> CornerNormals::update(const Mesh& mesh, const SurfaceTriangles& triangles,
                                                  const TouchedElements& touched) {
   packed_.resize(triangles.slots());
+  if (file_normals_) of_file_.emplace(*file_normals_, mesh);
   std::vector<Vertex> vertices = touched.vertices;
   for (const Face f : touched.faces)
     if (mesh.exists(f) && mesh.is_alive(f))
@@ -128,6 +136,7 @@ std::vector<std::uint32_t> CornerNormals::update(const Mesh& mesh, const Surface
   for (const Vertex v : vertices)
     if (mesh.exists(v) && mesh.is_alive(v)) set_around(around, triangles, v, [&](Face f) { faces.push_back(f); });
   finish(mesh, triangles);
+  of_file_.reset();
   sort_unique(faces);
   std::vector<std::uint32_t> slots;
   for (const Face f : faces)

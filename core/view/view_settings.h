@@ -17,6 +17,12 @@ enum class Dots { picked, always, never };
 // Of which elements the numbers are drawn.
 enum class Numbers { off, vertices, edges, faces, halfedges };
 
+// Whether the surface has the colours of the file: those of its faces, and where they have none of its vertices; or of one
+// of the two alone.
+enum class FileColours { on, vertices, faces, off };
+// Of which elements the normals are drawn.
+enum class Normals { off, vertices, faces };
+
 // One field per switch, an enumeration in the order of the values of its row; each begins with the first one.
 struct ViewSettings {
   Theme theme = Theme::dark;
@@ -25,6 +31,8 @@ struct ViewSettings {
   Xray xray = Xray::off;
   Dots dots = Dots::picked;
   Numbers numbers = Numbers::off;
+  FileColours file_colours = FileColours::on;
+  Normals normals = Normals::off;
 
   // Calls visit(name, number) for each, by the id of its row: a shader gets the number as its `uniform int name`.
   template <class Visit>
@@ -35,6 +43,8 @@ struct ViewSettings {
     visit("xray", static_cast<int>(xray));
     visit("dots", static_cast<int>(dots));
     visit("numbers", static_cast<int>(numbers));
+    visit("file_colours", static_cast<int>(file_colours));
+    visit("normals", static_cast<int>(normals));
   }
 
   friend bool operator==(const ViewSettings&, const ViewSettings&) = default;

@@ -8,8 +8,8 @@ Result<ResolvePass> ResolvePass::make() {
   return ResolvePass(std::move(*program));
 }
 
-void ResolvePass::draw(const Framebuffer& rendered, int factor, const Framebuffer& target,
-                       const PixelRect& rect, glm::ivec2 lower_left) const {
+void ResolvePass::draw(const Framebuffer& rendered, int factor, const Framebuffer& target, const PixelRect& rect,
+                       glm::ivec2 lower_left) const {
   target.bind(rect);
   program_.use();
   program_.set("rendered", 0);

@@ -72,7 +72,10 @@ void SurfacePass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<co
   const Palette& colours = palette(frame.settings.theme);
   const Program& surface = mesh.paint() == Paint::none ? plain : painted;
   set_light(surface, frame);
-  if (mesh.paint() != Paint::none) surface.set("paints_sides", mesh.paint() == Paint::sides ? 1 : 0);
+  if (mesh.paint() != Paint::none) {
+    surface.set("paints_sides", mesh.paint() == Paint::sides ? 1 : 0);
+    surface.set("paint_floor", mesh.paint() == Paint::own ? -1.0f : 0.6f);
+  }
   surface.set("wire_colour", glm::vec3(linear(colours.wire)));
   surface.set("wire_strength", unit(colours.wire).w);
   draw_clusters(surface, mesh, clusters, frame.thinning);

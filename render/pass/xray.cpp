@@ -10,35 +10,41 @@
 namespace ryosen {
 
 Result<XrayPass> XrayPass::make() {
-  Result<Program> program = Program::make("xray.vert", "xray.frag");
-  if (!program) return program.failure();
-  return XrayPass(std::move(*program));
+  Result<Program> plain = Program::make("xray.vert", "xray.frag");
+  if (!plain) return plain.failure();
+  Result<Program> painted = Program::make("xray.vert", "xray.frag", "#define PAINTED\n");
+  if (!painted) return painted.failure();
+  return XrayPass(std::move(*plain), std::move(*painted));
 }
 
-XrayPass::XrayPass(Program program) : program_(std::move(program)), no_attributes_("xray") {
-  MeshBuffers::set_units(program_);
+XrayPass::XrayPass(Program plain, Program painted)
+    : plain_(std::move(plain)), painted_(std::move(painted)), no_attributes_("xray") {
+  MeshBuffers::set_units(plain_);
+  MeshBuffers::set_units(painted_);
 }
 
 void XrayPass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters,
                     std::span<const DrawnTint> tints) const {
   const Palette& colours = palette(frame.settings.theme);
   const bool takes_light = frame.settings.theme == Theme::light;
+  const Program& program = mesh.paint() == Paint::none ? plain_ : painted_;
   mesh.bind();
-  program_.use();
-  pass_settings(program_, frame);
-  program_.set("clip_from_buffer", frame.clip_from_buffer);
-  program_.set("view_from_buffer", frame.view_from_buffer);
-  program_.set("pixel_scale", frame.pixel_scale);
-  program_.set("perspective", frame.ortho ? 0.0f : 1.0f);
-  program_.set("film_colour", glm::vec3(unit(colours.film)));
-  program_.set("line_colour", glm::vec3(unit(colours.film_wire)));
-  program_.set("takes_light", takes_light ? 1.0f : 0.0f);
+  program.use();
+  pass_settings(program, frame);
+  if (mesh.paint() != Paint::none) program.set("paints_sides", mesh.paint() == Paint::sides ? 1 : 0);
+  program.set("clip_from_buffer", frame.clip_from_buffer);
+  program.set("view_from_buffer", frame.view_from_buffer);
+  program.set("pixel_scale", frame.pixel_scale);
+  program.set("perspective", frame.ortho ? 0.0f : 1.0f);
+  program.set("film_colour", glm::vec3(unit(colours.film)));
+  program.set("line_colour", glm::vec3(unit(colours.film_wire)));
+  program.set("takes_light", takes_light ? 1.0f : 0.0f);
   for (std::size_t i = 0; i < std::min(tints.size(), most_tints); ++i) {
     const std::string place = "[" + std::to_string(i) + "]";
     glm::vec4 colour = unit(tints[i].colour);
     colour.w = tints[i].tint.strength;
-    program_.set(("tints" + place).c_str(), colour);
-    program_.set(("patterns" + place).c_str(), static_cast<int>(tints[i].tint.pattern));
+    program.set(("tints" + place).c_str(), colour);
+    program.set(("patterns" + place).c_str(), static_cast<int>(tints[i].tint.pattern));
   }
   glBindVertexArray(no_attributes_.id());
   glDisable(GL_CULL_FACE);
@@ -47,7 +53,7 @@ void XrayPass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<const
   glBlendFunc(GL_ONE, GL_ONE);
   // Its coverage is added in either theme: a picture without a background has an alpha channel.
   glBlendEquationSeparate(takes_light ? GL_FUNC_REVERSE_SUBTRACT : GL_FUNC_ADD, GL_FUNC_ADD);
-  draw_clusters(program_, mesh, clusters, frame.thinning);
+  draw_clusters(program, mesh, clusters, frame.thinning);
   glBlendEquation(GL_FUNC_ADD);
 }
 

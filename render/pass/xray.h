@@ -23,9 +23,9 @@ class XrayPass {
             std::span<const DrawnTint> tints) const;
 
  private:
-  explicit XrayPass(Program program);
+  XrayPass(Program plain, Program painted);
 
-  Program program_;
+  Program plain_, painted_;
   VertexArray no_attributes_;
 };
 

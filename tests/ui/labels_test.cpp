@@ -150,7 +150,8 @@ TEST_F(LabelsTest, are_as_sharp_with_supersampling) {
   for (const char* line : {"view iso", "numbers vertices"}) ASSERT_TRUE(session_.run(line).done());
   const Image plain = headless_->picture(session_);
   headless_.reset();
-  headless_ = Headless::make({.backend = Backend::osmesa, .size = {480, 360}, .transparent = true, .supersample = 2}).value();
+  headless_ =
+      Headless::make({.backend = Backend::osmesa, .size = {480, 360}, .transparent = true, .supersample = 2}).value();
   const Image fine = headless_->picture(session_);
   int letters = 0;
   for (int y = 0; y < 360; ++y)

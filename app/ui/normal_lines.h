@@ -1,0 +1,31 @@
+// The overlay of normals: lines from the vertices or the middles of faces along them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "app/editor/session.h"
+#include "render/view.h"
+
+namespace ryosen {
+
+// At a vertex one line for each normal that smooth shading has there: several at creases. Drawn in blocks of elements, those
+// that changed alone.
+class NormalLines {
+ public:
+  // What changed in the mesh since the last call of follow().
+  void note(Session& session, const Session::DrawnChanges& changes, bool everything);
+  // Passes the lines to the view. Linear where the setting or the whole mesh is another.
+  void follow(Session& session, View& view);
+
+ private:
+  Overlay block(Session& session, std::uint32_t number) const;
+
+  Normals drawn_ = Normals::off;
+  Theme theme_ = Theme::dark;
+  bool all_stale_ = true;
+  double length_ = 0;
+  std::vector<std::uint32_t> stale_;  // blocks
+};
+
+}  // namespace ryosen

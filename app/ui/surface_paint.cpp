@@ -1,0 +1,89 @@
+#include "app/ui/surface_paint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/mesh/attribute.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+
+namespace ryosen {
+
+namespace {
+
+// The colours of the values that the surface is coloured by.
+void paint_values(Session& session, TriangleSource& source) {
+  const MapValues& values = session.map_values();
+  const Mesh& mesh = session.mesh();
+  const Colouring& colouring = *session.colouring;
+  constexpr std::size_t steps = 1024;
+  std::vector<std::uint32_t> scale(steps);
+  for (std::size_t i = 0; i < steps; ++i) {
+    const auto [r, g, b, a] = rgb(colour_at(colouring.map->scale, double(i) / (steps - 1)));
+    scale[i] = std::uint32_t{r} | std::uint32_t{g} << 8 | std::uint32_t{b} << 16 | std::uint32_t{a} << 24;
+  }
+  const auto of = [&values, colouring, scale = std::move(scale)](std::uint32_t slot) -> std::uint32_t {
+    const double value = values.of(slot);
+    if (std::isnan(value)) return 0;
+    return scale[static_cast<std::size_t>(place_on_scale(*colouring.map, colouring.range, value) * (steps - 1) + 0.5)];
+  };
+  const Element::Kind sort = colouring.map->sort();
+  source.paint = sort == Element::Kind::edge ? Paint::sides : Paint::corners;
+  source.colours = [&mesh, sort, of](const DrawnTriangle& triangle) {
+    std::array<std::uint32_t, 3> colours{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vertex v(triangle.corners[k]);
+      if (sort == Element::Kind::face) colours[k] = of(triangle.face);
+      if (sort == Element::Kind::vertex) colours[k] = of(point(mesh, v).index);
+      if (sort != Element::Kind::edge || !(triangle.edge_bits >> k & 1)) continue;
+      if (const Halfedge h = find_halfedge(mesh, v, Vertex(triangle.corners[(k + 1) % 3])))
+        colours[k] = of(edge(h).index);
+    }
+    return colours;
+  };
+}
+
+// As of TriangleSource::colours; none where one of the three is not finite.
+std::uint32_t packed_colour(const glm::dvec4& colour) {
+  std::uint32_t bytes = 0xff000000u;
+  for (int i = 0; i < 3; ++i) {
+    if (!std::isfinite(colour[i])) return 0;
+    bytes |= static_cast<std::uint32_t>(std::lround(255 * std::clamp(colour[i], 0.0, 1.0))) << (8 * i);
+  }
+  return bytes;
+}
+
+// The colours of a file, of faces where they have one.
+void paint_file(const Session& session, TriangleSource& source) {
+  const FileColours which = session.settings.file_colours;
+  const Mesh& mesh = session.mesh();
+  const int column = mesh.find_attribute(attribute_names::colour);
+  const AttributeColumn* const of_vertices =
+      which == FileColours::faces || column < 0 ? nullptr : &mesh.attributes()[static_cast<std::size_t>(column)];
+  const FaceColours& colours = session.document().tables().face_colours;
+  const FaceColours* const of_faces = which == FileColours::vertices || colours.values.empty() ? nullptr : &colours;
+  if (which == FileColours::off || (!of_vertices && !of_faces)) return;
+  source.paint = Paint::own;
+  source.colours = [of_vertices, of_faces](const DrawnTriangle& triangle) -> std::array<std::uint32_t, 3> {
+    const std::uint32_t f = triangle.face;
+    const bool has_colour = of_faces && f < of_faces->count.size() && of_faces->count[f] >= 3;
+    const std::uint32_t of_face = has_colour ? packed_colour(of_faces->values[f]) : 0;
+    if (of_face != 0 || !of_vertices) return {of_face, of_face, of_face};
+    std::array<std::uint32_t, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k)
+      corners[k] = packed_colour(attribute_value<glm::dvec4>(*of_vertices, triangle.corners[k]));
+    return corners;
+  };
+}
+
+}  // namespace
+
+void paint_surface(Session& session, TriangleSource& source) {
+  if (session.colouring)
+    paint_values(session, source);
+  else
+    paint_file(session, source);
+}
+
+}  // namespace ryosen

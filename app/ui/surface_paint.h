@@ -1,0 +1,12 @@
+// What the surface is painted with: the values of a colour map, else the colours of the file.
+#pragma once
+
+#include "app/editor/session.h"
+#include "render/mesh_buffers.h"
+
+namespace ryosen {
+
+// Sets paint and colours of the source, where there are any. It reads the session for as long as it is used.
+void paint_surface(Session& session, TriangleSource& source);
+
+}  // namespace ryosen

@@ -162,7 +162,8 @@ class Editor {
       else if (gui_.owns_keys())
         glfw().wait_events_timeout(0.5);
       else
-        glfw().wait_events();
+        glfw().wait_events_timeout(std::chrono::duration<double>(looks_at_disk_after).count());
+      look_at_disk();
     }
     keep_user_files();
     autosave_.finish();
@@ -176,7 +177,16 @@ class Editor {
     return fault.has_value();
   }
 
+  // Where another program may change the file meanwhile.
+  void look_at_disk() {
+    const Clock::time_point now = Clock::now();
+    if (now - looked_at_disk_ < looks_at_disk_after) return;
+    looked_at_disk_ = now;
+    session_.look_at_disk();
+  }
+
   using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::seconds looks_at_disk_after{2};
   static constexpr std::chrono::milliseconds patience{300};
   static constexpr int settling_frames = 3;  // a panel may need this many to settle its size
 
@@ -188,7 +198,11 @@ class Editor {
     glfw().set_framebuffer_size_callback(w, [](GLFWwindow* x, int, int) { of(x).resize(); });
     glfw().set_window_content_scale_callback(w, [](GLFWwindow* x, float, float) { of(x).resize(); });
     glfw().set_window_focus_callback(w, [](GLFWwindow* x, int focused) {
-      if (!focused && !of(x).is_working_) of(x).input_.let_go();
+      if (of(x).is_working_) return;
+      if (focused)
+        of(x).session_.look_at_disk();
+      else
+        of(x).input_.let_go();
     });
     glfw().set_window_refresh_callback(w, [](GLFWwindow* x) { of(x).must_present_ = true; });
     glfw().set_window_close_callback(w, [](GLFWwindow* x) {
@@ -332,10 +346,9 @@ class Editor {
     if (!log_.is_open()) return;
     const ElementCounts live = session_.mesh().live();
     log_ << "frame " << ++frames_ << " pixels " << pixels << " ms " << took_ms << " V " << live.vertices << " E "
-         << live.edges << " F " << live.faces << " history " << session_.document().position() << " hover "
-         << hovered() << " held "
-         << session_.is_verdict_held() << " selected " << session_.selection.size() << " eye " << session_.camera.eye.x
-         << ' ' << session_.camera.eye.y << ' ' << session_.camera.eye.z << std::endl;
+         << live.edges << " F " << live.faces << " history " << session_.document().position() << " hover " << hovered()
+         << " held " << session_.is_verdict_held() << " selected " << session_.selection.size() << " eye "
+         << session_.camera.eye.x << ' ' << session_.camera.eye.y << ' ' << session_.camera.eye.z << std::endl;
   }
 
   GlfwWindow& window_;
@@ -352,6 +365,7 @@ class Editor {
   std::uint64_t frames_ = 0;
   bool is_working_ = false, is_cancelled_ = false;
   Clock::time_point work_began_;
+  Clock::time_point looked_at_disk_;
   Clock::time_point last_frame_ = Clock::now();
   bool must_present_ = true;
 };

@@ -6,6 +6,7 @@
 #include "app/editor/message_place.h"
 #include "app/editor/script.h"
 #include "app/editor/words.h"
+#include "core/io/file_target.h"
 #include "core/io/formats.h"
 #include "core/io/safe_write.h"
 
@@ -134,12 +135,44 @@ Outcome run_exercise(Session& session, Words arguments, std::string_view) {
   return outcome;
 }
 
+Outcome run_reload(Session& session, Words arguments, std::string_view) {
+  if (!arguments.empty()) return wrong_arguments("reload");
+  const std::string name = session.document().path().string();
+  if (name.empty())
+    return failed(ExitCode::refused, {"the mesh has no file that could be read again", "読み直すファイルがありません"});
+  const Camera camera = session.camera;
+  Outcome outcome = session.run("open " + file_argument(name));
+  if (!outcome.done()) return outcome;
+  session.camera = camera;
+  outcome.performed.clear();  // the log begins with what opened it
+  return outcome;
+}
+
+Outcome run_keep_mine(Session& session, Words arguments, std::string_view) {
+  if (!arguments.empty()) return wrong_arguments("keep_mine");
+  session.document().take_file_as_known();
+  session.look_at_disk();
+  return {};
+}
+
 Outcome run_save(Session& session, Words, std::string_view whole) {
   Document& document = session.document();
   const std::string named = file_name(whole);
   const std::filesystem::path target = named.empty() ? document.path() : std::filesystem::path(named);
   if (target.empty()) return usage_error("save needs a file name here", "保存先のファイル名を指定してください");
   if (const Status may = session.files.may_write(target, FileRole::saved); !may) return failed(may.failure());
+  session.look_at_disk();
+  if (session.change_on_disk() == FileState::Change::changed &&
+      is_same_file(target_of(target), target_of(document.path()))) {
+    const std::string name = target.filename().string();
+    return failed(
+        ExitCode::refused,
+        {"Another program has changed " + name +
+             " since it was read; reload reads it again, keep_mine lets "
+             "save replace it.",
+         name + " は読み込み後に他のプログラムが変更しました。reload で読み直すか、keep_mine のあとで保存すると"
+                "上書きできます。"});
+  }
   const std::vector<Message> losses = document.losses(target);
   if (session.strict && !losses.empty()) {
     Outcome outcome = failed(refusal_of_losses());
@@ -154,6 +187,7 @@ Outcome run_save(Session& session, Words, std::string_view whole) {
     if (is_in_place(status)) outcome.performed = "save " + file_argument(target.string());
     return outcome;
   }
+  session.look_at_disk();
   Outcome outcome = performed(named.empty() ? "save" : "save " + file_argument(named));
   for (const Message& loss : losses) outcome.say(loss.text);
   if (warning) outcome.say(*warning);

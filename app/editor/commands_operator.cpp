@@ -92,8 +92,7 @@ Outcome apply_to_each(Session& session, const OpInfo& op, Words words) {
   outcome.selecting = session.select_line();
   const auto result = session.document().apply_to_each(op, session.selection, words.subspan(1), outcome.performed,
                                                        session.strict, session.on_progress);
-  if (!result)
-    return cancelled();
+  if (!result) return cancelled();
   if (result->error != NameError::none) return usage_error(behind(op.id, result->sentence));
   if (result->done + result->gone + result->refusals() == 0) return nothing_selected(op);
   // A script that is not strict would do what was refused for a warning.

@@ -124,9 +124,12 @@ Document::Document(MeshFile file, std::filesystem::path path)
 }
 
 Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& path) {
+  const FileState on_disk = FileState::of(path);  // before, so that what changes meanwhile is noticed
   Result<MeshFile> file = read_mesh_file(path);
   if (!file) return file.failure();
-  return std::make_unique<Document>(std::move(file).value(), path);
+  auto document = std::make_unique<Document>(std::move(file).value(), path);
+  document->on_disk_ = on_disk;
+  return document;
 }
 
 Outcome Document::refuse(const AnyOp& op, std::vector<Reason> reasons) {
@@ -408,6 +411,7 @@ Status Document::save(const std::filesystem::path& path, WriteOptions options) {
   Status status = write_mesh_file(target, contents(), options);
   if (!status || is_stream(target)) return status;
   path_.swap(target);
+  take_file_as_known();
   saved_position_ = journal_.position();
   return status;
 }

@@ -12,6 +12,7 @@
 
 #include "core/algo/repair/recipe.h"
 #include "core/indexed/to_indexed.h"
+#include "core/io/file_state.h"
 #include "core/io/formats.h"
 #include "core/mesh/touched.h"
 #include "core/ops/each.h"
@@ -124,6 +125,10 @@ class Document {
   // If arguments name a quarantined face: the sentence about it.
   std::optional<Text> quarantine_text(std::span<const std::string_view> arguments) const;
 
+  // Whether the file is another one than was read or saved; never where the document has none.
+  FileState::Change change_on_disk() const { return on_disk_.since(path_); }
+  // Takes the file as it is for that from now on, so that the next save may replace it.
+  void take_file_as_known() { on_disk_ = FileState::of(path_); }
   bool is_modified() const { return saved_position_ != journal_.position(); }
   // Marks every history position as unsaved.
   void mark_unsaved() { saved_position_ = no_index; }
@@ -172,6 +177,7 @@ class Document {
   MeshFile file_;
   FileTables tables_;
   std::filesystem::path path_;
+  FileState on_disk_;
   std::vector<HistoryEntry> history_;
   OtherQuarantine other_quarantine_;
   std::size_t saved_position_ = 0;

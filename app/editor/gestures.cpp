@@ -93,8 +93,16 @@ Text help_of(Gesture gesture) {
 
 Text name_of(const DragRow& drag) {
   const std::string held = std::string(drag.ctrl ? "Ctrl+" : "") + (drag.shift ? "Shift+" : "");
-  return {held + (drag.button == left ? "left" : drag.button == right ? "right" : "middle") + " drag",
-          held + (drag.button == left ? "左" : drag.button == right ? "右" : "中") + "ドラッグ"};
+  return {held +
+              (drag.button == left    ? "left"
+               : drag.button == right ? "right"
+                                      : "middle") +
+              " drag",
+          held +
+              (drag.button == left    ? "左"
+               : drag.button == right ? "右"
+                                      : "中") +
+              "ドラッグ"};
 }
 
 std::vector<MouseRow> mouse_table(const InputPreset& preset) {

@@ -91,9 +91,7 @@ class Maker {
   void add_plate(GizmoHandle& to, std::array<int, 2> plane) const {
     const glm::dvec3 u = axis_vector(plane[0]), v = axis_vector(plane[1]);
     if (std::abs(glm::dot(glm::cross(u, v), to_eye_)) < least_face_on) return;
-    const auto corner = [&](double along_u, double along_v) {
-      return middle_ + (along_u * u + along_v * v) * pixel_;
-    };
+    const auto corner = [&](double along_u, double along_v) { return middle_ + (along_u * u + along_v * v) * pixel_; };
     to.plate = {corner(plate_begins, plate_begins), corner(plate_ends, plate_begins), corner(plate_ends, plate_ends),
                 corner(plate_begins, plate_ends)};
     for (std::size_t i = 0; i < to.plate.size(); ++i)

@@ -27,7 +27,8 @@ class NumberLabels {
     std::vector<std::uint32_t> in_view;
     for (std::uint32_t i = 0; i < slots; ++i) {
       const Handle element(i);
-      if (m_.is_alive(element) && is_own(element) && !session_.hidden().hides(m_, element) && is_in_view(middle(element)))
+      if (m_.is_alive(element) && is_own(element) && !session_.hidden().hides(m_, element) &&
+          is_in_view(middle(element)))
         in_view.push_back(i);
     }
     const std::size_t step = in_view.size() / many + 1;

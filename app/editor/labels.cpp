@@ -16,8 +16,7 @@ constexpr LabelSource sources[] = {
 // The cells of the view that labels cover, so that to ask for room costs the label and not all of the others.
 class TakenCells {
  public:
-  explicit TakenCells(Size view)
-      : view_(view), columns_((view.width + cell_px - 1) / cell_px), taken_(cells(view)) {}
+  explicit TakenCells(Size view) : view_(view), columns_((view.width + cell_px - 1) / cell_px), taken_(cells(view)) {}
 
   // Whether all of it lies in the view and no label is there.
   bool has_room(const PixelRect& rect) const {

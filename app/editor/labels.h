@@ -18,13 +18,13 @@
 namespace ryosen {
 
 struct Label {
-  glm::dvec3 at{0};                // in mesh space; the text is centred there
-  std::string text = {};           // one line, UTF-8
-  int priority = 0;                // a higher one goes first; among equal ones the one that comes earlier
-  Face own = {};                   // the face it is written on, which does not hide it
-  glm::dvec2 shift_px{0};          // of the text from there, at display scale 1
+  glm::dvec3 at{0};                      // in mesh space; the text is centred there
+  std::string text = {};                 // one line, UTF-8
+  int priority = 0;                      // a higher one goes first; among equal ones the one that comes earlier
+  Face own = {};                         // the face it is written on, which does not hide it
+  glm::dvec2 shift_px{0};                // of the text from there, at display scale 1
   std::optional<glm::dvec2> pixel = {};  // instead of `at`: of the view, never hidden
-  bool through = false;            // shown though the surface hides its place
+  bool through = false;                  // shown though the surface hides its place
 };
 
 // What labels are about, from the least priority on.

@@ -11,15 +11,15 @@ namespace {
 std::vector<PanelRow>& panel_rows() {
   static std::vector<PanelRow> rows{
 #define RYOSEN_PANEL(id, place, menu, opened_by, at_first, reads, en, ja, help_en, help_ja, ...) \
-  {#id,                                                                        \
-   PanelPlace::place,                                                          \
-   en,                                                                         \
-   ja,                                                                         \
-   PanelMenu::menu,                                                            \
-   PanelOpener::opened_by,                                                     \
-   PanelAtFirst::at_first,                                                     \
-   PanelReads::reads,                                                          \
-   help_en,                                                                    \
+  {#id,                                                                                          \
+   PanelPlace::place,                                                                            \
+   en,                                                                                           \
+   ja,                                                                                           \
+   PanelMenu::menu,                                                                              \
+   PanelOpener::opened_by,                                                                       \
+   PanelAtFirst::at_first,                                                                       \
+   PanelReads::reads,                                                                            \
+   help_en,                                                                                      \
    help_ja __VA_OPT__(, ) __VA_ARGS__},
 #include "app/editor/panels.def"
 #undef RYOSEN_PANEL

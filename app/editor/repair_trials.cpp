@@ -75,9 +75,7 @@ class RepairTrials::Running {
 
 void RepairTrials::RunningDeleter::operator()(Running* running) const { delete running; }
 
-std::optional<double> RepairTrials::share() const {
-  return running_ ? std::optional(running_->share()) : std::nullopt;
-}
+std::optional<double> RepairTrials::share() const { return running_ ? std::optional(running_->share()) : std::nullopt; }
 
 void RepairTrials::forget() {
   running_.reset();

@@ -68,6 +68,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   if (autosave) autosave->begin(*document);
   preparation_.reset();
   document_ = std::move(document);
+  change_on_disk_ = FileState::Change::none;
   files = std::move(files_then);
   camera = camera_then;
   forget_derived();
@@ -273,6 +274,8 @@ void Session::log_line(Outcome& outcome, std::string line) {
     autosave->stop();
   }
 }
+
+bool Session::look_at_disk() { return std::exchange(change_on_disk_, document_->change_on_disk()) != change_on_disk_; }
 
 Input& Session::input() {
   if (const std::shared_ptr<Input> frontend = frontend_input.lock()) return *frontend;

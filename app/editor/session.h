@@ -225,6 +225,11 @@ class Session {
   const KindOfMesh& kind(bool anew = false);
   bool is_kind_stale() const { return kind_revision_ != document_->revision(); }
 
+  // Whether the document's file has changed on disk, as it was last looked at: for windows, now and then, and before a
+  // save. True where that is news.
+  bool look_at_disk();
+  FileState::Change change_on_disk() const { return change_on_disk_; }
+
   // Replaces the document; resets selection, hover and log.
   // `read_from` is the file that it was read from, where that is not its own: no output of the run takes its place.
   void set_document(std::unique_ptr<Document> document, std::optional<std::filesystem::path> read_from = {});
@@ -285,6 +290,7 @@ class Session {
   std::unique_ptr<Document> document_;
   std::unique_ptr<Gesturing, GesturingDeleter> gesturing_;
   std::uint64_t gesture_step_ = 0;
+  FileState::Change change_on_disk_ = FileState::Change::none;
   HiddenElements hidden_;
   std::optional<Picker> picker_;
   FileNormals file_normals_;

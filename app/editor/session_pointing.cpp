@@ -62,8 +62,7 @@ void Session::point_away() {
 std::optional<Gizmo> Session::gizmo() const {
   if (gizmo_kind == GizmoKind::none || !tool.empty() || selection.empty() || gesturing_ || band) return std::nullopt;
   if (middle_.document != document_->serial() || middle_.revision != document_->revision() || middle_.of != selection)
-    middle_ = {selection, document_->serial(), document_->revision(),
-               middle_of(mesh(), points_of(mesh(), selection))};
+    middle_ = {selection, document_->serial(), document_->revision(), middle_of(mesh(), points_of(mesh(), selection))};
   return gizmo_at(gizmo_kind, camera, view, middle_.place);
 }
 
@@ -170,7 +169,7 @@ Outcome Session::select_along(glm::dvec2 pixel, Modifiers modifiers) {
   }
   const Element first(at);
   Elements found = click_selects(modifiers) == ClickSelects::ring ? edge_rings(mesh(), {&first, 1})
-                                                                   : edge_loops(mesh(), {&first, 1});
+                                                                  : edge_loops(mesh(), {&first, 1});
   drop_hidden(found);
   return run((modifiers.shift ? "select add" : "select") + slot_ranges(found));
 }

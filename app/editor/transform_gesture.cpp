@@ -276,8 +276,9 @@ Text TransformGesture::told() const {
   switch (kind_) {
     case PointTransform::Kind::move: {
       const glm::dvec3& by = transform_.by;
-      const std::string amount = axis_ && !is_in_plane_ ? short_text(glm::dot(by, *axis_))
-                                       : short_text(by.x) + ", " + short_text(by.y) + ", " + short_text(by.z);
+      const std::string amount = axis_ && !is_in_plane_
+                                     ? short_text(glm::dot(by, *axis_))
+                                     : short_text(by.x) + ", " + short_text(by.y) + ", " + short_text(by.z);
       text = {"Move" + letter + " " + amount, "移動" + letter + " " + amount};
       break;
     }

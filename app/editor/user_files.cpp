@@ -63,7 +63,8 @@ std::optional<Text> fault_of_line(const std::vector<std::string_view>& words, co
 bool is_known(std::string_view word) { return word == "bind" || find_preference(word); }
 
 constexpr std::string_view preferences_head =
-    "# Preferences of Ryosen: a line each, as the command prefer takes them (ryosen help edit). Lines may be changed or\n"
+    "# Preferences of Ryosen: a line each, as the command prefer takes them (ryosen help edit). Lines may be changed "
+    "or\n"
     "# taken away while no window is open.\n";
 constexpr std::string_view layout_head = "# The panels of Ryosen, as the commands panel and columns set them.\n";
 constexpr std::string_view recent_head = "# The files that were open in Ryosen, the latest first.\n";
@@ -88,8 +89,7 @@ Result<ReadPreferences> read_preferences(Session& session, const fs::path& file)
   for (const std::string& line : known) session.run(line);
   if (read.unknown.empty()) return read;
   std::string names;
-  for (const std::string& line : read.unknown)
-    names.append(names.empty() ? "" : ", ").append(split_words(line)[0]);
+  for (const std::string& line : read.unknown) names.append(names.empty() ? "" : ", ").append(split_words(line)[0]);
   read.warning = {file.string() + " has preferences that this version does not know, which stay there: " + names + ".",
                   file.string() + " にこの版で使わない設定があります（そのまま残します）：" + names + "。"};
   return read;

@@ -120,7 +120,7 @@ void Gui::frame(Session& session, Size window, double seconds) {
   draw_menu(panel_context);
   columns_.draw(panel_context, areas_of(session.layout, window, size_), panels_);
   draw_status(panel_context);
-  draw_hidden_note(panel_context);
+  draw_notes(panel_context);
   start_.draw(panel_context);
   draw_pointer_tip(panel_context);
   draw_band(panel_context);
@@ -207,7 +207,7 @@ bool Gui::owns_pointer(const Session& session, Size window, glm::dvec2 pixel) co
   const auto is_in = [&](const PixelRect& rect) {
     return pixel.x >= rect.x0 && pixel.x < rect.x1 && pixel.y >= rect.y0 && pixel.y < rect.y1;
   };
-  return !is_in(view_area(window, session.layout)) || columns_.covers(pixel) || is_in(state_.note) ||
+  return !is_in(view_area(window, session.layout)) || columns_.covers(pixel) || std::any_of(state_.notes.begin(), state_.notes.end(), is_in) ||
          !session.open_panel.empty() || ImGui::IsAnyItemActive() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }
 

@@ -36,7 +36,7 @@ struct GuiState {
   bool wants_quit = false;  // confirmed
   bool is_laying_out = false;
   std::vector<WaitingLine> waiting;
-  PixelRect note;            // of what lies over the view and takes the pointer; empty where there is none
+  std::vector<PixelRect> notes;  // of what lies over the view and takes the pointer
   int unsettled_frames = 0;  // how many more are to be laid out although nothing comes in
   std::optional<PendingLeave> pending;
   bool closes_menus = false;  // in the next frame
@@ -111,8 +111,8 @@ void draw_status(PanelContext& context);
 void draw_pointer_tip(PanelContext& context);
 // In place of a panel that waits for findings.
 void draw_preparing(PanelContext& context, double share);
-// In a corner of the view: that something is hidden, and the way back.
-void draw_hidden_note(PanelContext& context);
+// Over the view: that something is hidden, that the file has changed on disk, and what can be done about it.
+void draw_notes(PanelContext& context);
 // The menu of what is selected, where the right button was clicked.
 void draw_element_menu(PanelContext& context);
 // What a drag that selects has drawn so far.

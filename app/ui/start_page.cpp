@@ -187,8 +187,8 @@ void StartPage::draw(PanelContext& context) {
   ImGui::Separator();
   draw_hints(context);
   const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-  context.state.note = {static_cast<int>(at.x), static_cast<int>(at.y), static_cast<int>(at.x + size.x),
-                        static_cast<int>(at.y + size.y)};
+  context.state.notes.push_back({static_cast<int>(at.x), static_cast<int>(at.y), static_cast<int>(at.x + size.x),
+                                 static_cast<int>(at.y + size.y)});
   follow_keys();
   ImGui::End();
   if (!taken_.empty()) context.run(taken_);

@@ -116,17 +116,17 @@ TEST_F(ShadingTest, takes_the_normals_of_the_file_until_an_edit_reaches_them) {
   test::TemporaryFolder folder;
   const std::string places = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
   open(folder.write("plain.obj", places + "f 1 2 3 4\n"));
-  const auto square = [&](const char* line) {
+  const auto picture_of_square = [&](const char* line) {
     for (const char* const before : {"wire off", "show boundary off", "view front", "shading smooth"})
       EXPECT_TRUE(session_.run(before).done()) << before;
     return picture(line);
   };
-  const Image plain = square("frame all");
+  const Image plain = picture_of_square("frame all");
   open(folder.write("leaning.obj", places + "vn 0.8 0 0.6\nf 1//1 2//1 3//1 4//1\n"));
-  const Image leaning = square("frame all");
+  const Image leaning = picture_of_square("frame all");
   EXPECT_FALSE(leaning == plain);
   ASSERT_TRUE(session_.run("move_vertex v0 0.1,0.1,0").done());
-  EXPECT_TRUE(square("undo") == plain) << "the surface that is there, not what was said of another one";
+  EXPECT_TRUE(picture_of_square("undo") == plain) << "the surface that is there, not what was said of another one";
 }
 
 TEST_F(ShadingTest, keeps_edges_sharp_above_an_angle_that_can_be_set) {

@@ -1,0 +1,71 @@
+// What lies over the view and waits for an answer, without keeping anybody from working.
+#include "app/editor/hidden_text.h"
+#include "app/ui/panels.h"
+#include "app/ui/widgets.h"
+
+namespace ryosen {
+
+namespace {
+
+template <class Content>
+void draw_note(PanelContext& context, const char* id, ImVec2 at, ImVec2 pivot, Content content) {
+  ImGui::SetNextWindowPos(at, 0, pivot);
+  ImGui::Begin(id, nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoMove);
+  ImGui::AlignTextToFramePadding();
+  content();
+  const ImVec2 from = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  context.state.notes.push_back({static_cast<int>(from.x), static_cast<int>(from.y), static_cast<int>(from.x + size.x),
+                                 static_cast<int>(from.y + size.y)});
+  ImGui::End();
+}
+
+void draw_hidden(PanelContext& context, ImVec2 corner) {
+  const Session& session = context.session;
+  if (session.hidden().empty()) return;
+  draw_note(context, "##hidden", corner, {0, 1}, [&] {
+    ImGui::TextUnformatted(hidden_text(session.hidden()).in(context.language()).c_str());
+    ImGui::SameLine();
+    if (ImGui::Button(context.text(UiText::unhide))) context.run("unhide");
+    tip(context.text("Shows again what is hidden.", "非表示にした要素をすべて表示します。") + std::string(" ") +
+        chord_of(session, "unhide"));
+  });
+}
+
+void draw_change_on_disk(PanelContext& context, ImVec2 top) {
+  const FileState::Change change = context.session.change_on_disk();
+  if (change == FileState::Change::none) return;
+  const bool is_gone = change == FileState::Change::gone;
+  const std::string name = context.session.document().path().filename().string();
+  draw_note(context, "##disk", top, {0.5f, 0}, [&] {
+    ImGui::TextUnformatted((name + (is_gone ? context.text(" is gone from the disk.", " がディスクからなくなりました。")
+                                            : context.text(" has changed on disk.", " がディスク上で変更されました。")))
+                               .c_str());
+    ImGui::SameLine();
+    if (!is_gone) {
+      if (ImGui::Button(context.text("Reload", "読み直す"))) context.leave({false, {}, "reload"});
+      tip(context.text("Reads the file again. Edits that are not saved are lost, after a question.",
+                       "ファイルを読み直します。保存していない編集は、確認のあとで失われます。"));
+      ImGui::SameLine();
+    }
+    if (ImGui::Button(context.text("Keep mine", "こちらを残す"))) context.run("keep_mine");
+    tip(context.text("Goes on with the mesh as it is here; saving writes the file anew.",
+                     "このままのメッシュで続けます。保存するとファイルを書き直します。"));
+  });
+}
+
+}  // namespace
+
+void draw_notes(PanelContext& context) {
+  context.state.notes.clear();
+  const Session& session = context.session;
+  const auto left = static_cast<float>(session.view_origin.x), top = static_cast<float>(session.view_origin.y);
+  const auto width = static_cast<float>(session.view.width), height = static_cast<float>(session.view.height);
+  const float margin = 12 * context.scale;
+  draw_hidden(context, {left + margin, top + height - margin});
+  draw_change_on_disk(context, {left + width / 2, top + margin});
+}
+
+}  // namespace ryosen

@@ -171,8 +171,9 @@ const std::vector<CommandRow>& last_rows() {
       {"show", "ID|all [on|off]", "shows or hides a highlight", "強調表示を切り替える", Effect::none, run_show},
       {.id = "colours",
        .syntax = colours_syntax(),
-       .help_en = "colours the surface by a number of its elements, from LOW to HIGH, and says what the numbers are",
-       .help_ja = "要素ごとの値（LOW から HIGH）で面に色を付け、値の要約を示す",
+       .help_en = "colours the surface by a number of its elements, from LOW to HIGH, over all of them or at first the "
+                  "middle 90 %, and says what the numbers are",
+       .help_ja = "要素ごとの値（LOW から HIGH、all は全体、省くと中央の 90 %）で面に色を付け、値の要約を示す",
        .effect = Effect::none,
        .run = run_colours,
        .fault = fault_of_colours},

@@ -9,13 +9,6 @@ namespace ryosen {
 
 namespace {
 
-// The range that shows all values: as far on both sides of the middle where there is one.
-MapRange whole_range(const ColourMap& map, const MapFigures& figures) {
-  if (map.scale != MapScale::about_middle) return {figures.lowest, figures.highest};
-  const double reach = std::max(figures.highest - map.middle, map.middle - figures.lowest);
-  return {map.middle - reach, map.middle + reach};
-}
-
 std::optional<MapRange> range_of(Words words) {
   const auto low = words.size() == 2 ? parse_double(words[0]) : std::nullopt;
   const auto high = words.size() == 2 ? parse_double(words[1]) : std::nullopt;
@@ -26,11 +19,12 @@ void show_panel(Session& session) { session.show(panel_opened_by(PanelOpener::co
 
 }  // namespace
 
-std::string colours_syntax() { return colour_map_ids() + "|off [LOW HIGH]"; }
+std::string colours_syntax() { return colour_map_ids() + "|off [LOW HIGH|all]"; }
 
 std::optional<Text> fault_of_colours(Words arguments, const std::string&) {
   if (arguments.size() == 1 && arguments[0] == "off") return std::nullopt;
-  if (arguments.empty() || (arguments.size() > 1 && !range_of(arguments.subspan(1))))
+  const bool shows_all = arguments.size() == 2 && arguments[1] == "all";
+  if (arguments.empty() || (arguments.size() > 1 && !shows_all && !range_of(arguments.subspan(1))))
     return wrong_arguments("colours").sentence;
   if (find_colour_map(arguments[0])) return std::nullopt;
   std::vector<std::string> known;
@@ -55,7 +49,8 @@ Outcome run_colours(Session& session, Words arguments, std::string_view) {
     return failed(ExitCode::refused, Text{"nothing here has a value of ", "値を持つ要素がありません："} +
                                          Text{std::string(map->name_en), std::string(map->name_ja)});
   }
-  session.colouring->range = range_of(arguments.subspan(1)).value_or(whole_range(*map, figures));
+  const MapRange usual = arguments.size() == 2 ? whole_range(*map, figures) : first_range(*map, figures);
+  session.colouring->range = range_of(arguments.subspan(1)).value_or(usual);
   show_panel(session);
   Outcome outcome;
   outcome.sentence = text_of(*map, figures);

@@ -13,6 +13,7 @@
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/face_polygon.h"
+#include "core/mesh/middle.h"
 
 namespace ryosen {
 
@@ -32,23 +33,6 @@ std::vector<Vertex> vertices_of(const Mesh& m, const Element& e) {
       return corners;
     }
   }
-}
-
-// One place of an element, which picking finds on it.
-glm::dvec3 middle_of(const Mesh& m, const Element& e) {
-  const std::vector<Vertex> vertices = vertices_of(m, e);
-  if (e.kind == Element::Kind::face) {  // in the middle of a triangle of it, so on it though it is not convex
-    const FacePolygon polygon(m, e.face());
-    std::vector<CornerTriangle> triangles;
-    polygon.triangulate(triangles);
-    if (!triangles.empty()) {
-      const CornerTriangle& t = triangles[triangles.size() / 2];
-      return (polygon.places()[t[0]] + polygon.places()[t[1]] + polygon.places()[t[2]]) / 3.0;
-    }
-  }
-  glm::dvec3 sum{0};
-  for (Vertex v : vertices) sum += m.position(v) / static_cast<double>(vertices.size());
-  return sum;
 }
 
 // The faces that look along with an element: its own, its two, or those at all copies of its vertex.

@@ -11,6 +11,8 @@ namespace {
 
 constexpr LabelSource sources[] = {
     {"numbers", [](const Session& session) { return session.settings.numbers != Numbers::off; }, add_numbers},
+    {"measures", [](const Session& session) { return !session.measures.empty(); }, add_measures},
+    {"map", [](const Session& session) { return session.colouring.has_value(); }, add_map_legend},
 };
 
 // The cells of the view that labels cover, so that to ask for room costs the label and not all of the others.
@@ -72,17 +74,20 @@ std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Siz
     if (placed.size() == most_labels) break;
     const auto at = label.pixel ? ScreenPoint{*label.pixel, 0} : screen.project(label.at);
     if (!at || !is_near(at->pixel)) continue;
-    const Size size = size_of(label.text);
-    const glm::dvec2 middle = at->pixel + label.shift_px * scale;
-    const glm::ivec2 corner(static_cast<int>(std::lround(middle.x - 0.5 * size.width)),
-                            static_cast<int>(std::lround(middle.y - 0.5 * size.height)));
+    Size size = size_of(label.text);
+    size.width = std::max(size.width, static_cast<int>(std::lround(label.least_width_px * scale)));
+    const glm::dvec2 there = at->pixel + label.shift_px * scale;
+    const double before = label.begins_there ? 0 : 0.5 * size.width;
+    const glm::ivec2 corner(static_cast<int>(std::lround(there.x - before)),
+                            static_cast<int>(std::lround(there.y - 0.5 * size.height)));
     const PixelRect rect{corner.x, corner.y, corner.x + size.width, corner.y + size.height};
     if (!taken.has_room(rect)) continue;
     if (hides && !label.pixel && !label.through &&
         !session.picker().is_seen(session.mesh(), session.camera, session.view, *at, label.at, label.own))
       continue;
-    taken.take({rect.x0 - margin, rect.y0 - margin, rect.x1 + margin, rect.y1 + margin});
-    placed.push_back({corner, size, label.text});
+    const int around = label.ground ? 0 : margin;  // those of a legend stand together
+    taken.take({rect.x0 - around, rect.y0 - around, rect.x1 + around, rect.y1 + around});
+    placed.push_back({corner, size, label.text, label.ground});
   }
   return placed;
 }

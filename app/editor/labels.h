@@ -18,17 +18,20 @@
 namespace ryosen {
 
 struct Label {
-  glm::dvec3 at{0};                      // in mesh space; the text is centred there
-  std::string text = {};                 // one line, UTF-8
-  int priority = 0;                      // a higher one goes first; among equal ones the one that comes earlier
-  Face own = {};                         // the face it is written on, which does not hide it
-  glm::dvec2 shift_px{0};                // of the text from there, at display scale 1
-  std::optional<glm::dvec2> pixel = {};  // instead of `at`: of the view, never hidden
-  bool through = false;                  // shown though the surface hides its place
+  glm::dvec3 at{0};                          // in mesh space; the text is centred there
+  std::string text = {};                     // one line, UTF-8
+  int priority = 0;                          // a higher one goes first; among equal ones the one that comes earlier
+  Face own = {};                             // the face it is written on, which does not hide it
+  glm::dvec2 shift_px{0};                    // of the text from there, at display scale 1
+  std::optional<glm::dvec2> pixel = {};      // instead of `at`: of the view, never hidden
+  bool through = false;                      // shown though the surface hides its place
+  bool begins_there = false;                 // the place is the left end of the text, not its middle
+  double least_width_px = 0;                 // at display scale 1
+  std::optional<std::uint32_t> ground = {};  // the colour below the text, 0xRRGGBB; else that of all labels
 };
 
 // What labels are about, from the least priority on.
-inline constexpr int number_priority = 0, selected_priority = 1, measure_priority = 2;
+inline constexpr int number_priority = 0, selected_priority = 1, measure_priority = 2, legend_priority = 3;
 
 struct LabelSource {
   std::string_view id;
@@ -46,6 +49,7 @@ struct PlacedLabel {
   glm::ivec2 corner;
   Size size;
   std::string text;
+  std::optional<std::uint32_t> ground = {};
   friend bool operator==(const PlacedLabel&, const PlacedLabel&) = default;
 };
 
@@ -58,5 +62,9 @@ std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Siz
 // Adds the numbers of elements that the switch `numbers` asks for, in view; the selected ones first. Where there are very
 // many in view, every so many-th. O(slots of that sort).
 void add_numbers(Session& session, std::vector<Label>& labels);
+// Adds what was measured of up to three elements, in the middle of the way along which that was, else of the first one.
+void add_measures(Session& session, std::vector<Label>& labels);
+// Adds the legend of what the surface is coloured by, in the lower left corner: its name, and values on their colours.
+void add_map_legend(Session& session, std::vector<Label>& labels);
 
 }  // namespace ryosen

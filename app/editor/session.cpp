@@ -172,13 +172,23 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
 
 const MapValues& Session::map_values() {
   assert(colouring);
-  if (!map_values_ || &map_values_->map() != colouring->map) map_values_.emplace(mesh(), *colouring->map);
+  if (!map_values_ || &map_values_->map() != colouring->map) {
+    map_extent_.reset();
+    map_values_.emplace(mesh(), *colouring->map);
+  }
   return *map_values_;
+}
+
+MapRange Session::map_extent() {
+  const MapValues& values = map_values();
+  if (!map_extent_) map_extent_ = extent_of(values.all()).value_or(MapRange{});
+  return *map_extent_;
 }
 
 // Records the triangles of what has another value, as long as the surface is coloured by it.
 void Session::update_map_values(std::size_t transaction) {
   if (!map_values_) return;
+  map_extent_.reset();
   if (!colouring) return map_values_.reset();
   const Mesh& m = mesh();
   const auto changed = map_values_->update(m, document_->journal(), transaction);

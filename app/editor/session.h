@@ -216,6 +216,8 @@ class Session {
   const HighlightSets& highlights();
   // The values that the surface is coloured by, kept through edits; there must be such a colouring.
   const MapValues& map_values();
+  // From the lowest to the highest of them; there must be one.
+  MapRange map_extent();
   // The number of boundary loops on points; as up to date as the highlights.
   const BoundaryLoopCount& boundary_loops();
   // The terms of the Euler–Poincaré sum on points. Kept through operators that keep the topology, else O(edges).
@@ -297,6 +299,7 @@ class Session {
   std::optional<CornerNormals> corner_normals_;  // of the triangles of the picker
   std::optional<HighlightSets> highlights_;
   std::optional<MapValues> map_values_;
+  std::optional<MapRange> map_extent_;  // while the values are the same
   std::optional<BoundaryLoopCount> boundary_loops_;
   std::optional<EulerPoincare> euler_;
   std::optional<KindOfMesh> kind_;

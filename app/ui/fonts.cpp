@@ -77,7 +77,10 @@ Fonts load_fonts(ImFontAtlas& atlas, float size_px, bool japanese) {
   return fonts;
 }
 
-void load_label_font(ImFontAtlas& atlas, float size_px) { begin(atlas, size_px); }
+void load_label_font(ImFontAtlas& atlas, float size_px, bool japanese) {
+  begin(atlas, size_px);
+  if (japanese) add(atlas, japanese_files, size_px, atlas.GetGlyphRangesJapanese(), true);
+}
 
 std::vector<FontUse> font_uses() {
   return {use("texts", "文字", normal_files), use("headings", "見出し", bold_files),

@@ -18,8 +18,8 @@ struct Fonts {
 // common Japanese characters, which take most of the time. If a font file is missing, ImGui's built-in font is used.
 Fonts load_fonts(ImFontAtlas& atlas, float size_px, bool japanese);
 
-// As above, with Latin letters of one weight only.
-void load_label_font(ImFontAtlas& atlas, float size_px);
+// As above, of one weight only.
+void load_label_font(ImFontAtlas& atlas, float size_px, bool japanese);
 
 // A font role and the file that load_fonts() uses for it: its first readable candidate.
 struct FontUse {

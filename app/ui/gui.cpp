@@ -207,8 +207,9 @@ bool Gui::owns_pointer(const Session& session, Size window, glm::dvec2 pixel) co
   const auto is_in = [&](const PixelRect& rect) {
     return pixel.x >= rect.x0 && pixel.x < rect.x1 && pixel.y >= rect.y0 && pixel.y < rect.y1;
   };
-  return !is_in(view_area(window, session.layout)) || columns_.covers(pixel) || std::any_of(state_.notes.begin(), state_.notes.end(), is_in) ||
-         !session.open_panel.empty() || ImGui::IsAnyItemActive() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  return !is_in(view_area(window, session.layout)) || columns_.covers(pixel) ||
+         std::any_of(state_.notes.begin(), state_.notes.end(), is_in) || !session.open_panel.empty() ||
+         ImGui::IsAnyItemActive() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }
 
 bool Gui::has_menu(const Session& session) const {

@@ -21,26 +21,45 @@ void LabelLayer::set_scale(float scale) {
   fonts_.reset();
 }
 
+void LabelLayer::load(View& view) {
+  view.set_labels({});
+  fonts_ = std::make_unique<ImFontAtlas>();
+  load_label_font(*fonts_, std::round(label_font_px * scale_), has_japanese_);
+  view.set_label_fonts(*fonts_);
+}
+
 void LabelLayer::follow(Session& session, View& view) {
   const std::span<const LabelSource> sources = label_sources();
   const bool is_on =
       !session.preparing() &&
       std::any_of(sources.begin(), sources.end(), [&](const LabelSource& source) { return source.is_on(session); });
   if (!is_on && is_empty_) return;
-  if (is_on && !fonts_) {
-    view.set_labels({});
-    fonts_ = std::make_unique<ImFontAtlas>();
-    load_label_font(*fonts_, std::round(label_font_px * scale_));
-    view.set_label_fonts(*fonts_);
-  }
   std::vector<PlacedLabel> placed;
-  if (is_on)
-    placed = placed_labels(
-        session, [&](const std::string& s) { return label_size(*fonts_, s); }, scale_);
+  if (is_on) {
+    if (!fonts_) load(view);
+    const auto place = [&] {
+      return placed_labels(
+          session, [&](const std::string& s) { return label_size(*fonts_, s); }, scale_);
+    };
+    placed = place();
+    const bool is_japanese = std::any_of(placed.begin(), placed.end(),
+                                         [](const PlacedLabel& label) { return needs_japanese(label.text.c_str()); });
+    if (is_japanese && !has_japanese_) {
+      has_japanese_ = true;
+      load(view);
+      placed = place();
+    }
+  }
   const Palette& colours = palette(session.settings.theme);
   std::vector<DrawnLabel> texts;
-  for (const PlacedLabel& label : placed)
-    texts.push_back({label.corner, label.size, label.text, colours.label, colours.label_ground});
+  for (const PlacedLabel& label : placed) {
+    DrawnLabel& text =
+        texts.emplace_back(DrawnLabel{label.corner, label.size, label.text, colours.label, colours.label_ground});
+    if (!label.ground) continue;
+    text.ground = rgb(*label.ground);
+    const auto [r, g, b, a] = text.ground;
+    text.colour = 0.3 * r + 0.6 * g + 0.1 * b > 130 ? rgb(0x000000) : rgb(0xffffff);
+  }
   view.set_labels(texts);
   is_empty_ = texts.empty();
 }

@@ -23,8 +23,11 @@ class LabelLayer {
   void follow(Session& session, View& view);
 
  private:
+  void load(View& view);
+
   std::unique_ptr<ImFontAtlas> fonts_;  // null: to be loaded
   float scale_ = 1;
+  bool has_japanese_ = false;  // from the first such text on
   bool is_empty_ = true;
 };
 

@@ -37,7 +37,7 @@ struct GuiState {
   bool is_laying_out = false;
   std::vector<WaitingLine> waiting;
   std::vector<PixelRect> notes;  // of what lies over the view and takes the pointer
-  int unsettled_frames = 0;  // how many more are to be laid out although nothing comes in
+  int unsettled_frames = 0;      // how many more are to be laid out although nothing comes in
   std::optional<PendingLeave> pending;
   bool closes_menus = false;  // in the next frame
   bool opens_menu = false;    // that of what is selected, in the next frame

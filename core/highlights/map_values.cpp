@@ -88,6 +88,9 @@ MapFigures figures_of(std::span<const double> values) {
   std::sort(sorted.begin(), sorted.end());
   figures.count = sorted.size();
   figures.mean = sum / static_cast<double>(sorted.size());
+  double squares = 0;
+  for (const double value : sorted) squares += (value - figures.mean) * (value - figures.mean);
+  figures.deviation = std::sqrt(squares / static_cast<double>(sorted.size()));
   const auto at = [&](double share) {
     const double place = share * static_cast<double>(sorted.size() - 1);
     const auto below = static_cast<std::size_t>(place);
@@ -101,13 +104,49 @@ MapFigures figures_of(std::span<const double> values) {
   return figures;
 }
 
-std::vector<std::uint32_t> histogram(std::span<const double> values, MapRange range, std::size_t bars) {
+std::optional<MapRange> extent_of(std::span<const double> values) {
+  std::optional<MapRange> extent;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    if (!extent) extent = MapRange{value, value};
+    extent->low = std::min(extent->low, value);
+    extent->high = std::max(extent->high, value);
+  }
+  return extent;
+}
+
+namespace {
+
+MapRange about_middle(const ColourMap& map, MapRange range) {
+  if (map.scale != MapScale::about_middle) return range;
+  const double reach = std::max(range.high - map.middle, map.middle - range.low);
+  return {map.middle - reach, map.middle + reach};
+}
+
+}  // namespace
+
+MapRange whole_range(const ColourMap& map, const MapFigures& figures) {
+  return about_middle(map, {figures.lowest, figures.highest});
+}
+
+MapRange first_range(const ColourMap& map, const MapFigures& figures) {
+  const double width = figures.percentile_95 - figures.percentile_5;
+  if (!(width > 0)) return whole_range(map, figures);
+  MapRange range{figures.percentile_5, figures.percentile_95};
+  if (range.low - figures.lowest < 0.02 * width) range.low = figures.lowest;
+  if (figures.highest - range.high < 0.02 * width) range.high = figures.highest;
+  return about_middle(map, range);
+}
+
+std::vector<std::uint32_t> histogram(std::span<const double> values, MapRange range, std::size_t bars,
+                                     Outside outside) {
   std::vector<std::uint32_t> counts(bars, 0);
   const double width = range.high - range.low;
   for (const double value : values) {
-    if (!std::isfinite(value) || value < range.low || value > range.high) continue;
-    const double place = width > 0 ? (value - range.low) / width * static_cast<double>(bars) : 0;
-    ++counts[std::min(static_cast<std::size_t>(place), bars - 1)];
+    const bool is_outside = value < range.low || value > range.high;
+    if (!std::isfinite(value) || (is_outside && outside == Outside::left_out)) continue;
+    const double share = width > 0 ? std::clamp((value - range.low) / width, 0.0, 1.0) : value > range.high ? 1 : 0;
+    ++counts[std::min(static_cast<std::size_t>(share * static_cast<double>(bars)), bars - 1)];
   }
   return counts;
 }

@@ -35,13 +35,25 @@ class MapValues {
 // Of those values that are finite; all 0 where there are none.
 struct MapFigures {
   std::size_t count = 0;
-  double lowest = 0, highest = 0, mean = 0;
+  double lowest = 0, highest = 0, mean = 0, deviation = 0;  // the last: the root of the mean square from the mean
   double percentile_5 = 0, quartile_1 = 0, median = 0, quartile_3 = 0, percentile_95 = 0;  // between neighbours linear
   std::uint32_t lowest_at = no_index, highest_at = no_index;  // the first slots that have them
 };
 MapFigures figures_of(std::span<const double> values);
 
-// How many finite values lie in each of `bars` parts of a range that are equally wide; the last one with its end.
-std::vector<std::uint32_t> histogram(std::span<const double> values, MapRange range, std::size_t bars);
+// The lowest and the highest of those values that are finite; none where there are none.
+std::optional<MapRange> extent_of(std::span<const double> values);
+// What a map shows first: the middle nine tenths of the values, so that a few far ones do not make all others look alike,
+// and as far on both sides of the middle where the map has one; up to the ends where these are near, and all of them where
+// those are equal.
+MapRange first_range(const ColourMap& map, const MapFigures& figures);
+// The range that shows all values, likewise.
+MapRange whole_range(const ColourMap& map, const MapFigures& figures);
+
+// How many finite values lie in each of `bars` parts of a range that are equally wide; the last one with its end. What lies
+// outside counts nowhere, or in the first and the last one.
+enum class Outside : std::uint8_t { left_out, at_the_ends };
+std::vector<std::uint32_t> histogram(std::span<const double> values, MapRange range, std::size_t bars,
+                                     Outside outside = Outside::left_out);
 
 }  // namespace ryosen

@@ -163,5 +163,40 @@ TEST_F(LabelsTest, are_as_sharp_with_supersampling) {
   EXPECT_GT(letters, 8);
 }
 
+// In every picture, with or without panels.
+TEST_F(LabelsTest, tell_what_the_colours_mean) {
+  open("torus.off");
+  const Image bare = picture("colours off");
+  const Image coloured = picture("colours smallest_angle");
+  EXPECT_TRUE(texts().contains("Smallest angle"));
+  int swatches = 0;
+  for (const PlacedLabel& label : placed()) {
+    if (!label.ground) continue;
+    ++swatches;
+    const glm::ivec2 in = label.corner + glm::ivec2(label.size.width - 3, label.size.height / 2);
+    EXPECT_EQ(coloured.at(in.x, in.y), rgb(*label.ground)) << label.text;
+  }
+  EXPECT_EQ(swatches, 7);
+  ASSERT_TRUE(session_.run("language ja").done());
+  EXPECT_TRUE(texts().contains("最小の角"));
+  const Image japanese = headless_->picture(session_);
+  EXPECT_FALSE(japanese == coloured);
+  EXPECT_TRUE(japanese == headless_->view_drawn_again());
+  ASSERT_TRUE(session_.run("language en").done());
+  EXPECT_TRUE(picture("colours off") == bare);
+}
+
+TEST_F(LabelsTest, tell_what_was_measured) {
+  open("cube.obj");
+  picture("measure v0 v1");
+  EXPECT_TRUE(texts().contains("distance 1"));
+  picture("measure f0");
+  EXPECT_TRUE(texts().contains("area 1, perimeter 4"));
+  picture("move_vertex v0 -1,0,0");
+  EXPECT_FALSE(texts().contains("distance 1"));
+  picture("measure clear");
+  EXPECT_TRUE(texts().empty());
+}
+
 }  // namespace
 }  // namespace ryosen

@@ -20,6 +20,7 @@ class ColoursPanel : public Panel {
   void draw_choice(PanelContext& context);
   void draw_legend(PanelContext& context);
   void draw_histogram(PanelContext& context);
+  void draw_range(PanelContext& context);
   void follow_drag(PanelContext& context, float left, float width);
   void draw_measures(PanelContext& context);
   void count_again(Session& session);
@@ -39,7 +40,7 @@ void ColoursPanel::count_again(Session& session) {
   const std::uint64_t serial = session.document().serial(), revision = session.document().revision();
   if (counted_ == session.colouring && counted_serial_ == serial && counted_revision_ == revision) return;
   const MapValues& values = session.map_values();
-  bars_ = histogram(values.all(), session.colouring->range, bar_count);
+  bars_ = histogram(values.all(), session.colouring->range, bar_count, Outside::at_the_ends);
   figures_ = figures_of(values.all());
   counted_ = session.colouring;
   counted_serial_ = serial;
@@ -73,21 +74,24 @@ void ColoursPanel::draw_legend(PanelContext& context) {
     list->AddRectFilled({x, at.y}, {x + 1, at.y + height}, colour_of(*map, range, value));
   }
   ImGui::Dummy({width, height});
-  const auto tick = [&](double value, float share) {
-    const std::string text = short_number(value) + std::string(sign_of(map->unit));
+  const auto tick = [&](double value, float share, const char* sign = "") {
+    const std::string text = sign + short_number(value) + std::string(sign_of(map->unit));
     const float room = ImGui::CalcTextSize(text.c_str()).x;
     const float x = at.x + share * (width - room);
     list->AddText({x, at.y + height}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
   };
-  tick(range.low, 0);
+  tick(range.low, 0, figures_.lowest < range.low ? "< " : "");
   tick(0.5 * range.low + 0.5 * range.high, 0.5f);
-  tick(range.high, 1);
+  tick(range.high, 1, figures_.highest > range.high ? "> " : "");
   ImGui::Dummy({width, ImGui::GetTextLineHeight()});
 }
 
 void ColoursPanel::follow_drag(PanelContext& context, float left, float width) {
   const auto& [map, range] = *context.session.colouring;
+  // The bars at the ends hold what lies beyond the range too.
   const auto edge_of = [&](std::size_t bar) {
+    if (bar == 0) return std::min(range.low, figures_.lowest);
+    if (bar == bar_count) return std::max(range.high, figures_.highest);
     return std::lerp(range.low, range.high, static_cast<double>(bar) / static_cast<double>(bar_count));
   };
   const float share = std::clamp((ImGui::GetIO().MousePos.x - left) / width, 0.f, 0.9999f);
@@ -104,9 +108,8 @@ void ColoursPanel::follow_drag(PanelContext& context, float left, float width) {
                       grouped(static_cast<std::int64_t>(count)).c_str());
   if (!ImGui::IsItemDeactivated() || !grabbed_) return;
   grabbed_.reset();
-  // The last bar holds what lies above its rounded end too.
   char line[160];
-  const double end = last + 1 == bar_count ? range.high : std::nextafter(edge_of(last + 1), range.low);
+  const double end = last + 1 == bar_count ? edge_of(bar_count) : std::nextafter(edge_of(last + 1), range.low);
   std::snprintf(line, sizeof line, "select by %s %.17g %.17g", std::string(map->id).c_str(), edge_of(first), end);
   context.run(line);
 }
@@ -138,6 +141,23 @@ void ColoursPanel::draw_histogram(PanelContext& context) {
   follow_drag(context, at.x, width);
 }
 
+// Which part of the values the colours are spread over, and the other choice.
+void ColoursPanel::draw_range(PanelContext& context) {
+  const auto& [map, range] = *context.session.colouring;
+  const MapRange whole = whole_range(*map, figures_), first = first_range(*map, figures_);
+  if (whole == first) return;
+  const std::string line = "colours " + std::string(map->id);
+  if (range == whole) {
+    if (ImGui::Button(context.text("Middle 90 %", "中央の 90 %"))) context.run(line);
+    tip(context.text("Spreads the colours over the middle nine tenths of the values; the rest look as their ends.",
+                     "色を中央の 9 割の値に割り当てます。外側の値は端の色になります。"));
+  } else {
+    if (ImGui::Button(context.text("All values", "すべての値"))) context.run(line + " all");
+    tip(context.text("Spreads the colours from the lowest value to the highest.",
+                     "色を最小値から最大値までに割り当てます。"));
+  }
+}
+
 void ColoursPanel::draw_measures(PanelContext& context) {
   const Session& session = context.session;
   if (session.measures.empty()) return;
@@ -155,6 +175,7 @@ void ColoursPanel::draw(PanelContext& context) {
     draw_histogram(context);
     draw_legend(context);
     dim_text(context, text_of(*session.colouring->map, figures_).in(context.language()).c_str());
+    draw_range(context);
   }
   ImGui::BeginDisabled(session.selection.empty());
   if (ImGui::Button(context.text("Measure the selection", "選択を計測"))) context.run("measure selected");

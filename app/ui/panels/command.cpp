@@ -113,11 +113,11 @@ void CommandPanel::draw(PanelContext& context) {
     goes_to_end_ = true;
   }
   ImGui::SetNextItemWidth(-1);
-  const bool entered = ImGui::InputTextWithHint(
-      "##command", context.text(UiText::command_hint), &typed_,
-      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways |
-          ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackHistory,
-      &CommandPanel::edit, this);
+  const bool entered =
+      ImGui::InputTextWithHint("##command", context.text(UiText::command_hint), &typed_,
+                               ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways |
+                                   ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackHistory,
+                               &CommandPanel::edit, this);
   find();
   const Text& outcome = context.state.last_outcome;
   if (context.state.last_kind != Outcome::Kind::done && !outcome.en.empty()) {

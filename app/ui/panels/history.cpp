@@ -25,12 +25,14 @@ void HistoryPanel::draw(PanelContext& context) {
   const float gap = 4 * context.scale, width = (ImGui::GetContentRegionAvail().x - gap) / 2;
   ImGui::BeginDisabled(position == 0);
   if (ImGui::Button(context.text(UiText::undo), {width, 0})) context.run("undo");
-  tip(context.text("Takes the last edit back, exactly.", "最後の編集を完全に元に戻します。"), ImGuiHoveredFlags_AllowWhenDisabled);
+  tip(context.text("Takes the last edit back, exactly.", "最後の編集を完全に元に戻します。"),
+      ImGuiHoveredFlags_AllowWhenDisabled);
   ImGui::EndDisabled();
   ImGui::SameLine(0, gap);
   ImGui::BeginDisabled(position == size);
   if (ImGui::Button(context.text(UiText::redo), {width, 0})) context.run("redo");
-  tip(context.text("Does again what was taken back.", "元に戻した編集をもう一度行います。"), ImGuiHoveredFlags_AllowWhenDisabled);
+  tip(context.text("Does again what was taken back.", "元に戻した編集をもう一度行います。"),
+      ImGuiHoveredFlags_AllowWhenDisabled);
   ImGui::EndDisabled();
 
   std::size_t target = position;

@@ -23,8 +23,8 @@ class KeysPanel : public Panel {
   void take(PanelContext& context, const std::string& chord);
   void rebind(PanelContext& context, bool swaps);
 
-  KeyRow asked_;         // which is to get another key, while it is asked for; its chord may be empty
-  std::string wanted_;   // the key that was pressed although another command has it
+  KeyRow asked_;        // which is to get another key, while it is asked for; its chord may be empty
+  std::string wanted_;  // the key that was pressed although another command has it
   bool is_asking_ = false;
 };
 
@@ -110,9 +110,8 @@ void KeysPanel::draw_question(PanelContext& context) {
     return dim_text(context, context.text("Click a key to change it; * is your own.",
                                           "キーをクリックすると変更できます。* は変更したキーです。"));
   if (context.state.asks_for_key)
-    return coloured_text(
-        context.colours().accent,
-        (context.text("Press the new key for: ", "新しいキーを押してください：") + what).c_str());
+    return coloured_text(context.colours().accent,
+                         (context.text("Press the new key for: ", "新しいキーを押してください：") + what).c_str());
   const auto other = conflict_of(context.session, wanted_, asked_.command);
   if (!other) return;
   const std::string in_use = help_of_key(*other).in(context.language());

@@ -125,8 +125,8 @@ class ProblemsPanel : public Panel {
   Findings findings_;
   RepairRows repairs_;
   std::vector<HeldKind> held_;       // as they are drawn; empty: nothing is held
-  std::uint64_t held_document_ = 0;       // its serial number
-  ImVec2 first_, last_;                   // the corners of the panel in the last frame
+  std::uint64_t held_document_ = 0;  // its serial number
+  ImVec2 first_, last_;              // the corners of the panel in the last frame
 };
 
 // Only visible rows are looked up and named.

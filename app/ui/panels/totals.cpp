@@ -95,14 +95,16 @@ void draw_copies(PanelContext& context, const EulerPoincare& terms) {
   const auto held = static_cast<std::int64_t>(mesh.live().vertices);
   if (held == terms.vertices) return;
   const std::string points = grouped(terms.vertices), vertices = grouped(held);
-  const Text sentence{points + " points, held as " + vertices +
-                          " vertices because sheets of faces that do not fit together each have their own.",
-                      points + " 点を " + vertices + " 頂点で表しています。つながらない面の集まりが、それぞれ頂点をもつためです。"};
+  const Text sentence{
+      points + " points, held as " + vertices +
+          " vertices because sheets of faces that do not fit together each have their own.",
+      points + " 点を " + vertices + " 頂点で表しています。つながらない面の集まりが、それぞれ頂点をもつためです。"};
   dim_text(context, std::string(sentence.in(context.language())).c_str());
-  tip(context.text("Where more than two faces share an edge, where neighbours are turned against each other, or where "
-                   "faces touch at a point alone. Files and names keep the one point.",
-                   "三つ以上の面が一つの稜線を共有するところ、隣の面と向きが逆のところ、面が一点だけで接するところです。"
-                   "ファイルと名前では一つの点のままです。"));
+  tip(context.text(
+      "Where more than two faces share an edge, where neighbours are turned against each other, or where "
+      "faces touch at a point alone. Files and names keep the one point.",
+      "三つ以上の面が一つの稜線を共有するところ、隣の面と向きが逆のところ、面が一点だけで接するところです。"
+      "ファイルと名前では一つの点のままです。"));
 }
 
 // The terms of V - E + F + (B + W + I) - H = 2(S - G).

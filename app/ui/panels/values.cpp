@@ -1,7 +1,7 @@
 // The values of an algorithm: one field per parameter, as its row describes it.
 #include "app/editor/commands.h"
-#include "app/ui/parameter_field.h"
 #include "app/ui/panels.h"
+#include "app/ui/parameter_field.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {

@@ -32,10 +32,23 @@ TEST(commands_measuring, colours_say_what_the_numbers_are_and_keep_their_range) 
   EXPECT_FALSE(session->colouring);
 }
 
+TEST(commands_measuring, colours_show_the_middle_of_the_values_first_and_all_where_asked) {
+  auto document = Document::open(test::asset("torus.off"));
+  Session session(std::move(document).value());
+  ASSERT_TRUE(session.run("colours area").done());
+  const MapFigures figures = figures_of(session.map_values().all());
+  EXPECT_EQ(session.colouring->range, first_range(*session.colouring->map, figures));
+  ASSERT_TRUE(session.run("colours area all").done());
+  EXPECT_EQ(session.colouring->range, (MapRange{figures.lowest, figures.highest}));
+  EXPECT_EQ(session.map_extent(), (MapRange{figures.lowest, figures.highest}));
+  ASSERT_TRUE(session.run("move_vertex v0 9,9,9").done());
+  EXPECT_GT(session.map_extent().high, figures.highest) << "followed";
+}
+
 TEST(commands_measuring, wrong_maps_and_ranges_are_refused_with_the_right_ones) {
   const auto session = measured_cube();
-  for (const char* line :
-       {"colours", "colours edge_lenght", "colours area 3", "colours area 3 2", "colours area a b"}) {
+  for (const char* line : {"colours", "colours edge_lenght", "colours area some", "colours area 3", "colours area 3 2",
+                           "colours area a b"}) {
     EXPECT_FALSE(session->run(line).done()) << line;
     EXPECT_TRUE(fault_of_command(line)) << line;
   }

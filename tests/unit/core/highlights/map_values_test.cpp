@@ -108,5 +108,36 @@ TEST(map_values, are_the_same_for_any_number_of_threads) {
   }
 }
 
+TEST(map_values, show_the_middle_nine_tenths_first) {
+  std::vector<double> values;
+  for (int i = 0; i <= 100; ++i) values.push_back(i);
+  values.push_back(1e6);
+  values.push_back(std::nan(""));
+  const MapFigures figures = figures_of(values);
+  const ColourMap linear{.scale = MapScale::linear}, middle{.scale = MapScale::about_middle, .middle = 50};
+  EXPECT_NEAR(first_range(linear, figures).low, 5, 0.1);
+  EXPECT_NEAR(first_range(linear, figures).high, 96, 0.1);
+  EXPECT_EQ(whole_range(linear, figures), (MapRange{0, 1e6}));
+  EXPECT_NEAR(first_range(middle, figures).low, 4, 0.1);  // as far as to the other end
+  EXPECT_EQ(extent_of(values), (MapRange{0, 1e6}));
+  EXPECT_EQ(extent_of(std::vector<double>{std::nan("")}), std::nullopt);
+  const MapFigures near = figures_of(std::vector<double>{1, 1.001, 2, 3, 4, 4.001});
+  EXPECT_EQ(first_range(linear, near), (MapRange{1, 4.001})) << "what is left out is not worth it";
+  const MapFigures equal = figures_of(std::vector<double>(50, 7.0));
+  EXPECT_EQ(first_range(linear, equal), (MapRange{7, 7}));
+}
+
+TEST(map_values, count_what_lies_outside_nowhere_or_at_the_ends) {
+  const std::vector<double> values{-5, 0, 1, 2, 3, 4, 9, std::nan("")};
+  EXPECT_EQ(histogram(values, {0, 4}, 2), (std::vector<std::uint32_t>{2, 3}));
+  EXPECT_EQ(histogram(values, {0, 4}, 2, Outside::at_the_ends), (std::vector<std::uint32_t>{3, 4}));
+  EXPECT_EQ(histogram(values, {2, 2}, 2, Outside::at_the_ends), (std::vector<std::uint32_t>{4, 3}));
+}
+
+TEST(map_values, tell_how_far_they_are_from_their_mean) {
+  EXPECT_DOUBLE_EQ(figures_of(std::vector<double>{2, 4, 4, 4, 5, 5, 7, 9}).deviation, 2);
+  EXPECT_EQ(figures_of(std::vector<double>{}).deviation, 0);
+}
+
 }  // namespace
 }  // namespace ryosen

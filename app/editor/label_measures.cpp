@@ -1,0 +1,66 @@
+#include <cmath>
+
+#include "app/editor/labels.h"
+#include "app/editor/measure_text.h"
+#include "core/analysis/measuring.h"
+#include "core/mesh/find_element.h"
+#include "core/mesh/middle.h"
+
+namespace ryosen {
+
+namespace {
+
+// With four digits.
+std::string short_value(double value, MapUnit unit) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.4g", value);
+  return digits + std::string(sign_of(unit));
+}
+
+}  // namespace
+
+void add_measures(Session& session, std::vector<Label>& labels) {
+  const Mesh& mesh = session.mesh();
+  constexpr std::size_t most = 3;  // of more there is no place where it was measured
+  for (const Elements& measured : session.measures) {
+    bool is_there = measured.size() <= most;
+    for (const Element& e : measured) is_there = is_there && is_alive(mesh, e);
+    if (!is_there || measured.empty()) continue;
+    const Measurement found = measure(mesh, measured);
+    if (found.values.empty()) continue;
+    const bool has_way = found.path.size() > 1;
+    Label label{.at = has_way ? 0.5 * found.path[0] + 0.5 * found.path[1] : middle_of(mesh, measured.front()),
+                .priority = measure_priority,
+                .through = true};
+    for (const MeasuredValue& value : found.values)
+      label.text += (label.text.empty() ? "" : ", ") + value.name.in(session.language) + " " +
+                    short_value(value.value, value.unit);
+    labels.push_back(std::move(label));
+  }
+}
+
+void add_map_legend(Session& session, std::vector<Label>& labels) {
+  constexpr int steps = 7;
+  constexpr double row_px = 17, margin_px = 12, width_px = 84;
+  const auto [map, range] = *session.colouring;
+  const MapRange extent = session.map_extent();
+  const glm::dvec2 corner(0, session.view.height);
+  const auto add = [&](int row, std::string text, std::optional<std::uint32_t> ground) {
+    labels.push_back({.text = std::move(text),
+                      .priority = legend_priority,
+                      .shift_px = {margin_px, -margin_px - (row + 0.5) * row_px},
+                      .pixel = corner,
+                      .begins_there = true,
+                      .least_width_px = ground ? width_px : 0,
+                      .ground = ground});
+  };
+  for (int i = 0; i < steps; ++i) {
+    const double value = std::lerp(range.low, range.high, double(i) / (steps - 1));
+    const bool is_more = i == 0 ? extent.low < range.low : i == steps - 1 && extent.high > range.high;
+    const std::string sign = is_more ? (i == 0 ? "< " : "> ") : "";
+    add(i, sign + short_value(value, map->unit), colour_at(map->scale, place_on_scale(*map, range, value)));
+  }
+  add(steps, std::string(session.language == Language::japanese ? map->name_ja : map->name_en), std::nullopt);
+}
+
+}  // namespace ryosen

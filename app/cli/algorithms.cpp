@@ -38,8 +38,8 @@ Result<std::vector<Call>> read_kinds(const std::string& list) {
       const std::string syntax = std::string(read.misused->id) + kinds_syntax(*read.misused);
       hint = {" Write " + syntax + ".", "（書式：" + syntax + "）"};
     }
-    return usage_failure("bad_value", {"--kinds: " + read.fault->en + "." + hint.en,
-                                       "--kinds：" + read.fault->ja + "。" + hint.ja});
+    return usage_failure("bad_value",
+                         {"--kinds: " + read.fault->en + "." + hint.en, "--kinds：" + read.fault->ja + "。" + hint.ja});
   }
   std::vector<Call> calls;
   for (RecipeStep& step : read.call.steps) calls.push_back({step.row, std::move(step.values)});

@@ -9,6 +9,7 @@
 #include "core/analysis/problem_kinds.h"
 #include "core/forms/all.h"
 #include "core/forms/pairing.h"
+#include "core/highlights/colour_maps.h"
 #include "core/highlights/highlight_table.h"
 
 namespace ryosen::cli {
@@ -86,6 +87,13 @@ std::string operators_topic(Language language) {
   Columns columns;
   for (const OpInfo& op : all_ops()) add(columns, op, language);
   return std::string(choose(language, "Operators:\n", "操作：\n")) + columns.text();
+}
+
+std::string maps_topic(Language language) {
+  Columns rows;
+  for (const ColourMap& map : colour_maps())
+    rows.add(std::string(map.id), choose(language, map.legend_en, map.legend_ja));
+  return std::string(choose(language, "Maps:\n", "項目：\n")) + rows.text();
 }
 
 std::string forms_topic(Language language) {

@@ -22,6 +22,8 @@ std::string algorithm_topic(const AlgorithmRow& row, Language language);
 std::string operators_topic(Language language);
 // Where edits are stored for crash recovery, and how to restore them.
 std::string recovery_topic(Language language);
+// What the mesh can be coloured and measured by.
+std::string maps_topic(Language language);
 // The forms of the source texts and the ways to pair halfedges.
 std::string forms_topic(Language language);
 

@@ -13,13 +13,6 @@ namespace ryosen::cli {
 
 namespace {
 
-// With a full stop, unless it ends as a question.
-Text closed(Text sentence) {
-  if (!sentence.en.ends_with("?")) sentence.en += ".";
-  if (!sentence.ja.ends_with("？")) sentence.ja += "。";
-  return sentence;
-}
-
 // Reads all flags and keeps the first failure.
 class OptionsReader {
  public:

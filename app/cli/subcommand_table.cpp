@@ -12,6 +12,7 @@
 #include "app/cli/contract/forms.h"
 #include "app/cli/contract/help.h"
 #include "app/cli/contract/lists.h"
+#include "app/cli/contract/measure.h"
 #include "app/cli/contract/shot.h"
 #include "app/cli/contract/why.h"
 #include "app/cli/help_topics.h"
@@ -180,6 +181,17 @@ std::vector<Subcommand> table() {
       Subcommand{"shot", "FILE", "a picture of a mesh or of the whole editor, without a display",
                  "メッシュまたはエディタ全体の画像（ディスプレイ不要）", shot_flags(), shot_topic, shot_command,
                  shot_contract},
+      Subcommand{"measure",
+                 "FILE [NAME]...",
+                 "numbers of all elements: lengths, angles, areas, valences; or between elements that are named",
+                 "全要素の長さ・角・面積・価数などの統計、または名前を挙げた要素の計測",
+                 {
+                     {"--map", "ID", false, "of this alone (see below); else of all", "この項目だけ（下の一覧を参照）"},
+                     {"--bars", "N", false, "with a histogram of so many bars", "この数の区間のヒストグラムも出す"},
+                 },
+                 maps_topic,
+                 measure_command,
+                 measure_contract},
       Subcommand{"forms",
                  "FILE",
                  "the representations of the source texts for this mesh: bytes per face, build and query times",

@@ -54,4 +54,10 @@ std::string file_name(std::string_view argument) {
   return name;
 }
 
+Text closed(Text sentence) {
+  if (!sentence.en.ends_with("?")) sentence.en += ".";
+  if (!sentence.ja.ends_with("？")) sentence.ja += "。";
+  return sentence;
+}
+
 }  // namespace ryosen

@@ -19,4 +19,7 @@ std::string file_argument(std::string_view name);
 // literal.
 std::string file_name(std::string_view argument);
 
+// The sentence with a full stop, unless it ends as a question.
+Text closed(Text sentence);
+
 }  // namespace ryosen

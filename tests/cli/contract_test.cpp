@@ -82,6 +82,9 @@ void sweep_command_lines(Sweep& sweep) {
       {"--version"},
       {"forms", mesh},
       {"forms", mesh, "--element", "0-1"},
+      {"measure", mesh, "--bars", "3"},
+      {"measure", mesh, "f0"},
+      {"measure", mesh, "v0"},
       {"check", asset("stanford_bunny.obj"), "--self-intersections"},
   };
   for (const std::vector<std::string>& line : lines) sweep.run(line);
@@ -112,6 +115,7 @@ void sweep_refused_inputs(Sweep& sweep) {
     sweep.run({"convert", file, "-o", "o.obj"});
     sweep.run({"shot", file, "-o", "o.png"});
     sweep.run({"forms", file});
+    sweep.run({"measure", file});
     for (const ryosen::AlgorithmRow& row : ryosen::algorithm_table()) sweep.run(words_for(row, file));
   }
   sweep.run({"check", asset("tetrahedron.off"), bad});

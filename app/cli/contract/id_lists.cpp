@@ -13,6 +13,7 @@
 #include "core/base/reasons.h"
 #include "core/forms/all.h"
 #include "core/forms/pairing.h"
+#include "core/highlights/colour_maps.h"
 #include "core/highlights/highlight_table.h"
 #include "core/io/formats.h"
 #include "core/ops/all.h"
@@ -96,6 +97,8 @@ constexpr std::array lists{
     IdList{Ids::formats, "formats", "File formats", "ファイル形式", format_entries},
     IdList{Ids::forms, "forms", "Representations of the source texts", "テキストの形状表現",
            entries_of<forms::all_forms, &forms::FormRow::en, &forms::FormRow::ja>},
+    IdList{Ids::maps, "maps", "Numbers of elements", "要素ごとの値",
+           entries_of<colour_maps, &ColourMap::legend_en, &ColourMap::legend_ja>},
     IdList{Ids::relations, "relations", "Queries of elements around an element", "隣接要素の問い合わせ",
            entries_of<forms::relations, &forms::RelationRow::en, &forms::RelationRow::ja>},
     IdList{Ids::pairings, "pairings", "Ways to pair the halfedges", "半稜線の対を見つける方法",

@@ -27,6 +27,7 @@ enum class Ids : std::uint8_t {
   mesh_kinds,
   formats,
   forms,
+  maps,
   relations,
   pairings,
   subcommands,

@@ -51,7 +51,7 @@ constexpr struct {
 } clicks[] = {
     {"click", "クリック", "select; with a tool, edit", "選択（ツールでは編集）"},
     {"Shift+click", "Shift+クリック", "add to the selection", "選択に追加"},
-    {"Ctrl+click", "Ctrl+クリック", "add, or take out what is selected", "選択に追加、選択済みなら除外"},
+    {"Ctrl+click", "Ctrl+クリック", "add, or take out what is selected", "選択に追加、選択済みなら解除"},
     {"Alt+click", "Alt+クリック", "select the loop of the nearest edge", "最寄りの稜線のループを選択"},
     {"Ctrl+Alt+click", "Ctrl+Alt+クリック", "select the ring of the nearest edge", "最寄りの稜線のリングを選択"},
     {"double click", "ダブルクリック", "set the centre, with Select", "選択ツールで中心を決める"},

@@ -15,6 +15,11 @@ inline std::string flag_of(const ParameterRow& row) {
   return flag;
 }
 
+// LENGTH; of a flag [on|off], which its name alone turns on.
+inline std::string flag_value(const ParameterRow& row) {
+  return row.kind == ParameterKind::flag ? "[" + placeholder(row) + "]" : placeholder(row);
+}
+
 // MOST-EDGES, the value that stands behind a repair in --kinds; in brackets where it may be left out.
 inline std::string kinds_syntax(const AlgorithmRow& row) {
   if (row.parameters.empty()) return {};

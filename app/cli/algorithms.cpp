@@ -15,6 +15,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/repair_call.h"
 #include "app/editor/script.h"
+#include "core/algo/edge_rules.h"
 #include "core/mesh/find_element.h"
 #include "core/mesh/names.h"
 
@@ -83,19 +84,29 @@ class AlgorithmRun {
     if (const auto failure = by_repair_ ? run_recipe() : run(calls_.front())) return console_.fail(*failure, input_);
     // What is left is named as in the file that is written.
     after_ = check_mesh(document_.contents(), wanted_.value_or(input_), {.figures = console_.json, .kind = false});
-    const bool has_problem = std::any_of(after_.problems.begin(), after_.problems.end(), [](const NamedProblem& p) {
+    has_problem_ = std::any_of(after_.problems.begin(), after_.problems.end(), [](const NamedProblem& p) {
       return p.problem.row().severity == ProblemSeverity::problem;
     });
-    code_ = has_problem ? ExitCode::found_problems : ExitCode::done;
+    code_ = falls_short() ? ExitCode::found_problems : ExitCode::done;
     if (wanted_) write();
     if (!console_.json)
       print_text();
+    else if (by_repair_)
+      print_json<repair_shape>();
     else
-      by_repair_ ? print_json<repair_shape>() : print_json<algorithm_shape>();
+      account() ? print_json<accounting_shape>() : print_json<algorithm_shape>();
     return code_;
   }
 
  private:
+  // Of one that accounts; by repair none does.
+  const Account* account() const {
+    const std::optional<Account>& given = calls_.front().result.account;
+    return !by_repair_ && given ? &*given : nullptr;
+  }
+  // One with a goal is asked for the goal, every other for what is left.
+  bool falls_short() const { return account() ? !account()->is_reached : has_problem_; }
+
   // "weld_close=0.001" as --kinds has it, or the line of a script.
   std::string name_of(const Call& call) const {
     const std::string values = call.values.line(by_repair_);
@@ -156,9 +167,12 @@ class AlgorithmRun {
   std::optional<Failure> run(Call& call) {
     const std::string name = name_of(call), line = line_of(*call.row, call.values);
     if (auto failure = look_up_values(call)) return failure;
-    call.result = document_.run(*call.row, call.values, line, report_on(console_, name)).value();
+    faces_before_ = document_.mesh().live().faces + document_.tables().quarantine.size();
+    call.result = document_.run(*call.row, call.values, line, report_on(console_, name), console_.json).value();
     if (const std::optional<Text>& fault = call.result.fault)
       return usage_failure("bad_value", {fault->en + ".", fault->ja + "。"});
+    if (const std::optional<Text>& refused = call.result.refused)
+      return make_failure(ExitCode::refused, "mesh_refused", {refused->en + ".", refused->ja + "。"});
     print_step(name, call.result);
     return std::nullopt;
   }
@@ -246,12 +260,31 @@ class AlgorithmRun {
     add_result(json, calls_.front());
   }
 
+  void add_to(Record<accounting_shape>& json) const {
+    json["algorithm"] = calls_.front().row->id;
+    add_result(json, calls_.front());
+    json["faces_before"] = faces_before_;
+    json["faces_after"] = after_.figures.faces;
+    json["stopped"] = id_of(account()->stopped);
+    json["remaining"] = Json::object();
+    for (const EdgeRuleRow& row : edge_rules) {
+      const auto i = static_cast<std::size_t>(row.rule);
+      const std::vector<std::size_t>& counts = account()->remaining;
+      json["remaining"][std::string(row.id)] = !counts.empty()              ? counts[i]
+                                               : row.rule == EdgeRule::free ? after_.figures.edges
+                                                                            : 0;
+    }
+    json["error_max"] = account()->error_max ? Json(*account()->error_max) : Json();
+  }
+
   template <const Shape& shape>
   void print_json() const {
     Record<shape> json;
     json["file"] = input_.empty() ? Json() : Json(input_);
     json["output"] = output_.is_there ? Json(*wanted_) : Json();
-    json["status"] = output_.failure ? "error" : code_ == ExitCode::done && output_.losses.empty() ? "ok" : "warnings";
+    json["status"] = output_.failure                                                      ? "error"
+                     : code_ == ExitCode::done && !has_problem_ && output_.losses.empty() ? "ok"
+                                                                                          : "warnings";
     add_to(json);
     json["vertices"] = after_.figures.vertices;
     json["edges"] = after_.figures.edges;
@@ -277,6 +310,8 @@ class AlgorithmRun {
   std::vector<KindCount> findings_;
   std::pair<std::size_t, std::size_t> boundary_edges_;  // before, after
   CheckReport after_;
+  std::size_t faces_before_ = 0;
+  bool has_problem_ = false;
   WrittenOutput output_;
   ExitCode code_ = ExitCode::done;
 };
@@ -322,9 +357,10 @@ ExitCode algorithm_command(const AlgorithmRow& row, const Arguments& arguments, 
     const std::string flag = flag_of(parameter);
     const std::string* const text = arguments.value(flag);
     if (!text) continue;
-    if (const auto fault = values.set(parameter.id, *text, flag)) return fail(*fault);
+    const bool is_switch = parameter.kind == ParameterKind::flag && text->empty();
+    if (const auto fault = values.set(parameter.id, is_switch ? "on" : *text, flag)) return fail(*fault);
   }
-  if (const ParameterRow* const missing = values.missing()) return fail(fault_of_missing(*missing, flag_of(*missing)));
+  if (const auto fault = values.fault_of_missing(flag_of)) return fail(*fault);
   return run_on_file({{&row, std::move(values)}}, arguments, console, false);
 }
 

@@ -84,13 +84,27 @@ class Reader {
         line_.arguments.add_flag(*flag, {});
       return;
     }
+    if (flag->may_lack_value() && !has_value && !next_is_value_of(*flag)) {
+      if (line_.arguments.has(flag->name)) fail_repeated(name);
+      return line_.arguments.add_flag(*flag, {});
+    }
     if (!has_value && (next_ + 1 == words_.size() || find_flag(words_[next_ + 1]))) {
       const std::string expected(flag->value);
       return fail("value_missing", {name + " needs a value: " + expected, name + " には値が必要です：" + expected});
     }
-    if (!flag->repeatable && line_.arguments.has(flag->name))
-      fail("flag_repeated", {name + " is given twice.", name + " が二度指定されています。"});
+    if (!flag->repeatable && line_.arguments.has(flag->name)) fail_repeated(name);
     line_.arguments.add_flag(*flag, has_value ? word.substr(equals + 1) : words_[++next_]);
+  }
+
+  void fail_repeated(const std::string& name) {
+    fail("flag_repeated", {name + " is given twice.", name + " が二度指定されています。"});
+  }
+
+  // Whether the next word is one of those in the brackets of a value that may be left out.
+  bool next_is_value_of(const Flag& flag) const {
+    if (next_ + 1 == words_.size() || words_[next_ + 1].empty()) return false;
+    const std::string all = "|" + flag.value.substr(1, flag.value.size() - 2) + "|";
+    return all.find("|" + words_[next_ + 1] + "|") != std::string::npos;
   }
 
   void unknown_flag(const std::string& name) {

@@ -241,7 +241,7 @@ Subcommand subcommand_of(const AlgorithmRow& row) {
       {"-o", "OUT", false, "writes the result; else a trial", "結果の出力先（省くと書き出さない）"}};
   for (const ParameterRow& parameter : row.parameters) {
     const Text is = described(parameter);
-    flags.push_back({flag_of(parameter), placeholder(parameter), false, std::string(parameter.help_en) + ": " + is.en,
+    flags.push_back({flag_of(parameter), flag_value(parameter), false, std::string(parameter.help_en) + ": " + is.en,
                      std::string(parameter.help_ja) + "：" + is.ja});
   }
   flags.push_back(overwrite);
@@ -256,7 +256,7 @@ Subcommand subcommand_of(const AlgorithmRow& row) {
           std::move(flags),
           more,
           run,
-          algorithm_contract,
+          row.accounts ? account_contract : algorithm_contract,
           false,
           false,
           true};

@@ -17,10 +17,13 @@ namespace ryosen::cli {
 
 struct Flag {
   std::string name;   // including its dashes
-  std::string value;  // description of its value; empty for a switch
+  std::string value;  // description of its value; empty for a switch, in [] where it may be left out
   bool repeatable = false;
   std::string en, ja;
   bool replaces_operand = false;
+
+  // Such a value is one of the words in the brackets; given without one it is empty.
+  bool may_lack_value() const { return value.starts_with('['); }
 };
 
 // The user's arguments, checked against the row of the command.

@@ -93,6 +93,8 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
   auto result = session.document().run(row, *found.values, outcome.performed, session.on_progress);
   if (!result) return cancelled();
   if (result->fault) return usage_error(id + ": " + result->fault->en, id + "：" + result->fault->ja);
+  if (result->refused)
+    return failed(ExitCode::refused, {id + ": " + result->refused->en, id + "：" + result->refused->ja});
   if (was_empty && result->changed > 0) session.frame_all();  // nobody could have looked at it before
   unless_memory_lacks([&] {
     if (row.selects_added && result->changed > 0) session.selection = before.added_to(session.mesh());

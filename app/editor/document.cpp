@@ -181,7 +181,7 @@ std::optional<EachResult> Document::apply_to_each(const OpInfo& op, std::span<co
 }
 
 std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const ParameterValues& values,
-                                             std::string command, Progress::Report report) {
+                                             std::string command, Progress::Report report, bool wants_account) {
   AlgorithmResult result;
   OtherQuarantine other;
   {
@@ -191,7 +191,8 @@ std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const Para
     const std::vector<Vertex> on_lines = vertices_on_lines(file_, mesh_.file_vertices());
     FindingCounts counts{};
     if (row.is_repair()) counts = count_findings(mesh_, on_lines);
-    result = run_guarded(edit, row, {values, used, tables_.quarantine.size(), on_lines}, progress, counts);
+    result =
+        run_guarded(edit, row, {values, used, tables_.quarantine.size(), on_lines, wants_account}, progress, counts);
     if (progress.is_cancelled()) return std::nullopt;
     if (result.changed == 0) return result;
     if (result.drops_quarantined) other[journal_.position()];

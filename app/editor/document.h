@@ -85,7 +85,7 @@ class Document {
   // Runs an algorithm as one entry of the history, which this command line does again, or none where it changes nothing.
   // None where `progress` cancels it: nothing has changed then. The values are those on this mesh.
   std::optional<AlgorithmResult> run(const AlgorithmRow& row, const ParameterValues& values, std::string command,
-                                     Progress::Report progress = {});
+                                     Progress::Report progress = {}, bool wants_account = false);
   // The same for a recipe, whatever its rounds: one entry of the history or none. The result comes without
   // its mesh, which is that of the document.
   std::optional<RecipeResult> run(std::span<const RecipeStep> recipe, std::string command,

@@ -5,6 +5,7 @@
 #include "core/algo/copying/copying.h"
 #include "core/algo/primitives/primitives.h"
 #include "core/algo/repair/repairs.h"
+#include "core/algo/simplify/simplify.h"
 #include "core/algo/transform/transforms.h"
 
 namespace ryosen {
@@ -14,7 +15,8 @@ namespace {
 std::deque<AlgorithmRow>& algorithm_rows() {
   static std::deque<AlgorithmRow> rows = [] {
     std::deque<AlgorithmRow> all;
-    for (const std::vector<AlgorithmRow>& folder : {repair_rows(), primitive_rows(), transform_rows(), copying_rows()})
+    for (const std::vector<AlgorithmRow>& folder :
+         {repair_rows(), primitive_rows(), transform_rows(), copying_rows(), simplify_rows()})
       all.insert(all.end(), folder.begin(), folder.end());
     return all;
   }();

@@ -29,6 +29,7 @@ struct AlgorithmInput {
   std::span<const Vertex> used_elsewhere = {};
   std::size_t quarantined = 0;            // faces of the file that reading could not connect
   std::span<const Vertex> on_lines = {};  // vertices that lines of the file use, which are not isolated; ascending
+  bool wants_account = false;             // of one that accounts: the rule under which each edge stands, see Account
 };
 
 // What an algorithm left for one reason.
@@ -42,6 +43,19 @@ inline void add_left(std::vector<LeftForReason>& left_for, Text reason, std::vec
   if (!elements.empty()) left_for.push_back({std::move(reason), std::move(elements)});
 }
 
+// Why an algorithm with a goal came to its end.
+enum class Stop { goal, error, blocked, cancelled };
+
+// What an algorithm with a goal says of its end.
+struct Account {
+  Stop stopped = Stop::goal;
+  bool is_reached = true;                // the goal; an error that is the only goal is one
+  std::optional<double> error_max = {};  // a distance in units of the mesh
+  // By EdgeRule, of the edges of faces, counted on points: the first rule that holds each. Empty unless it was asked for,
+  // and where every edge is free.
+  std::vector<std::size_t> remaining = {};
+};
+
 struct AlgorithmResult {
   std::size_t changed = 0;         // 0: nothing was written
   std::size_t left = 0;            // what the algorithm is for, but what it had to leave as it is
@@ -52,6 +66,9 @@ struct AlgorithmResult {
   std::vector<LeftForReason> left_for = {};  // where reasons are told: all of what is left, by reason
   // Why these values, each of them in its range, cannot be used together: a clause. Nothing was written then.
   std::optional<Text> fault = {};
+  // Why the mesh is none that it can be done on, as one without faces: a clause. Nothing was written then.
+  std::optional<Text> refused = {};
+  std::optional<Account> account = {};  // of one that accounts
 };
 
 struct AlgorithmRow {
@@ -68,6 +85,8 @@ struct AlgorithmRow {
   // Adds a shape beside what is there, and so needs no mesh to begin with.
   bool is_primitive = false;
   bool selects_added = false;  // what it has added is selected afterwards
+  // Has a goal and tells in its result's account how it ended: its subcommand ends with 1 where it stopped before.
+  bool accounts = false;
 
   bool is_repair() const { return !solves.empty(); }
 };

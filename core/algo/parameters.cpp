@@ -156,15 +156,20 @@ Text expected_value(const ParameterRow& row) {
   return text;
 }
 
-Text fault_of_missing(const ParameterRow& row, std::string_view called) {
-  const Text expected = expected_value(row);
-  const std::string name(called);
-  return {name + " is missing: " + expected.en, name + " を指定してください：" + expected.ja};
+bool must_be_given(std::span<const ParameterRow> rows, const ParameterRow& row) {
+  if (row.one_of.empty()) return row.is_required;
+  const auto first =
+      std::find_if(rows.begin(), rows.end(), [&](const ParameterRow& r) { return r.one_of == row.one_of; });
+  return first->id == row.id;
 }
 
 Text described(const ParameterRow& row) {
   Text text = expected_value(row);
   if (row.is_required) return {text.en + "; must be given", text.ja + "、必須"};
+  const std::string alternatives(row.one_of);
+  if (!alternatives.empty())
+    return {text.en + "; one of " + alternatives + " must be given",
+            text.ja + "、" + alternatives + " のいずれかが必須"};
   if (row.initial.empty()) return {text.en + "; may be left out", text.ja + "、省略可"};
   const std::string initial(row.initial);
   return {text.en + "; else " + initial, text.ja + "、省くと " + initial};
@@ -189,10 +194,23 @@ std::optional<Text> ParameterValues::set(std::string_view id, std::string_view t
               "「" + name + "」という指定はありません。書式：" + syntax};
 }
 
-const ParameterRow* ParameterValues::missing() const {
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    if (!values_[i] && rows_[i].is_required) return &rows_[i];
-  return nullptr;
+std::optional<Text> ParameterValues::fault_of_missing(
+    const std::function<std::string(const ParameterRow&)>& called) const {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (values_[i] || !must_be_given(rows_, rows_[i])) continue;
+    const Text expected = expected_value(rows_[i]);
+    std::string names = called(rows_[i]);
+    if (rows_[i].one_of.empty())
+      return Text{names + " is missing: " + expected.en, names + " を指定してください：" + expected.ja};
+    bool is_given = false;
+    for (std::size_t k = i + 1; k < rows_.size(); ++k) {
+      if (rows_[k].one_of != rows_[i].one_of) continue;
+      is_given = is_given || values_[k];
+      names += ", " + called(rows_[k]);
+    }
+    if (!is_given) return Text{"one of " + names + " must be given", names + " のいずれかを指定してください"};
+  }
+  return std::nullopt;
 }
 
 ReadValues ParameterValues::on(const Mesh& mesh) const {
@@ -305,7 +323,8 @@ ReadValues read_values(std::span<const ParameterRow> rows, std::span<const std::
     given.push_back(id);
     if (auto fault = read.values->set(id, text, id)) return fail(std::move(*fault));
   }
-  if (const ParameterRow* const row = read.values->missing()) return fail(fault_of_missing(*row, row->id));
+  if (auto fault = read.values->fault_of_missing([](const ParameterRow& row) { return std::string(row.id); }))
+    return fail(std::move(*fault));
   return read;
 }
 
@@ -320,8 +339,8 @@ ReadValues read_fields(std::span<const ParameterRow> rows, std::span<const std::
     if (const auto fault = read.values->set(rows[i].id, texts[i], rows[i].name_en))
       return fail(*fault, *read.values->set(rows[i].id, texts[i], rows[i].name_ja));
   }
-  if (const ParameterRow* const row = read.values->missing())
-    return fail(fault_of_missing(*row, row->name_en), fault_of_missing(*row, row->name_ja));
+  if (const auto fault = read.values->fault_of_missing([](const ParameterRow& r) { return std::string(r.name_en); }))
+    return fail(*fault, *read.values->fault_of_missing([](const ParameterRow& r) { return std::string(r.name_ja); }));
   return read;
 }
 

@@ -4,9 +4,11 @@
 //
 // A length is in units of the mesh, or with `%` in hundredths of the diagonal of the mesh's bounding box: `0.5`, `0.1%`.
 // It is turned into units of the mesh when the algorithm begins, so a script does the same to the same mesh. An angle is
-// in degrees; a place is X,Y,Z; elements are names separated by commas; a flag is `on` or `off`.
+// in degrees; a place is X,Y,Z; elements are names separated by commas; a flag is `on` or `off`, and on the command line
+// its name alone means on.
 #pragma once
 
+#include <functional>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -38,15 +40,18 @@ struct ParameterRow {
   bool excludes_smallest = false, excludes_largest = false;
   std::string_view unit_en = "", unit_ja = "";  // of a number or a count
   std::vector<Choice> choices = {};
+  // Ids separated by ", ", the same for all of them and this one's among them: at least one of these must be given.
+  std::string_view one_of = "";
 };
 
 // LENGTH, COUNT, on|off, the ids of a choice: what stands in the place of a value in a syntax.
 std::string placeholder(const ParameterRow& row);
 // "a length from 0 up, in units of the mesh or with % of its diagonal"
 Text expected_value(const ParameterRow& row);
-Text fault_of_missing(const ParameterRow& row, std::string_view called);
 // What is expected, and whether it must be given or what it is else.
 Text described(const ParameterRow& row);
+// Whether it is among the fewest that must be given: it is required, or the first of those of which one is.
+bool must_be_given(std::span<const ParameterRow> rows, const ParameterRow& row);
 
 // A value of its row's kind.
 struct ParameterValue {
@@ -66,8 +71,8 @@ class ParameterValues {
 
   // Takes a value as it is written. A sentence where it is none of this parameter; `called` is what the sentence calls it.
   std::optional<Text> set(std::string_view id, std::string_view text, std::string_view called);
-  // One that must be given and was not; null when there is none.
-  const ParameterRow* missing() const;
+  // The sentence about what must be given and was not, which calls the parameters so; none where nothing is missing.
+  std::optional<Text> fault_of_missing(const std::function<std::string(const ParameterRow&)>& called) const;
   // Lengths in units of the mesh and elements looked up: what an algorithm gets.
   ReadValues on(const Mesh& mesh) const;
 

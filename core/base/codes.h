@@ -53,6 +53,8 @@ inline constexpr CodeRow table[] = {
     {"image_sizes_differ", error, "The picture and the one to compare with have different sizes.",
      "比較する画像と大きさが異なります。"},
     {"internal_error", error, "The program itself is wrong.", "プログラム自体の誤りです。"},
+    {"mesh_refused", error, "The mesh is none that an algorithm can be done on.",
+     "アルゴリズムを適用できないメッシュです。"},
     {"no_display", error, "There is no display.", "ディスプレイがありません。"},
     {"no_render_backend", error, "Nothing was found that draws.", "描画する手段が見つかりません。"},
     {"out_of_memory", error, "There is not enough memory.", "メモリが足りません。"},

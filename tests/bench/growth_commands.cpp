@@ -87,7 +87,7 @@ class CommandList {
   void add_algorithm(const AlgorithmRow& row) {
     std::vector<std::string> arguments{std::string(row.id)};
     for (const ParameterRow& parameter : row.parameters)
-      if (parameter.is_required) {
+      if (must_be_given(row.parameters, parameter)) {
         arguments.push_back(cli::flag_of(parameter));
         arguments.push_back(some_value(parameter));
       }

@@ -9,6 +9,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/keys.h"
 #include "tests/support/app/algorithm_call.h"
+#include "tests/support/core/goal_algorithm.h"
 #include "tests/support/core/scatter_algorithm.h"
 
 namespace ryosen::test {
@@ -43,7 +44,7 @@ TEST_F(Algorithms, are_subcommands_with_a_flag_for_each_parameter) {
     const std::string help = run_here({"help", id, "--lang", "en"}).out,
                       japanese = run_here({"help", id, "--lang", "ja"}).out;
     for (const ParameterRow& parameter : row.parameters) {
-      EXPECT_NE(help.find(cli::flag_of(parameter) + " " + placeholder(parameter)), std::string::npos) << help;
+      EXPECT_NE(help.find(cli::flag_of(parameter) + " " + cli::flag_value(parameter)), std::string::npos) << help;
       EXPECT_NE(help.find(described(parameter).en), std::string::npos) << help;
       EXPECT_NE(japanese.find(described(parameter).ja), std::string::npos) << japanese;
     }
@@ -114,6 +115,63 @@ TEST_F(Algorithms, give_their_values_as_json_of_their_kind) {
                                              {"--distance", "1", "--at", "v9"},
                                              {"--distance", "1", "--at", "v1", "--way", "left"}})
     EXPECT_EQ(run_here({"scatter", input, "--json", "-q"}, flags).exit_code, 2) << flags.back();
+}
+
+TEST_F(Algorithms, with_a_goal_account_for_their_end) {
+  const ScopedAlgorithm wish(wish_row());
+  const std::string cube = asset("cube.obj");  // 6 faces, 12 edges
+  const ProgramRun reached = run_here({"wish", cube, "--faces", "7", "--json"}),
+                   short_of = run_here({"wish", cube, "--ratio", "0.5", "--measured", "--json"});
+  EXPECT_EQ(reached.exit_code, 0);
+  EXPECT_EQ(reached.line()["stopped"], "goal");
+  EXPECT_EQ(reached.line()["faces_before"], 6);
+  EXPECT_EQ(reached.line()["faces_after"], 6);
+  EXPECT_TRUE(reached.line()["error_max"].is_null());
+  EXPECT_EQ(reached.line()["remaining"].size(), edge_rules.size());
+  EXPECT_EQ(reached.line()["remaining"]["free"], 12);
+  EXPECT_EQ(short_of.exit_code, 1);
+  EXPECT_EQ(short_of.line()["stopped"], "blocked");
+  EXPECT_EQ(short_of.line()["error_max"], 0.25);
+  EXPECT_EQ(short_of.line()["remaining"]["structure"], 12);
+  EXPECT_EQ(short_of.line()["remaining"]["free"], 0);
+  EXPECT_EQ(run_here({"wish", cube, "--faces", "7"}).exit_code, 0);
+  EXPECT_EQ(run_here({"wish", folder_.write("empty.off", "OFF\n0 0 0\n"), "--faces", "7"}).exit_code, 6);
+  // What is left of other kinds is told, but does not make it fall short.
+  const std::string sheet = folder_.write("twice.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 3\n");
+  const ProgramRun with_problems = run_here({"wish", sheet, "--faces", "2", "--json"});
+  EXPECT_EQ(with_problems.exit_code, 0);
+  EXPECT_EQ(with_problems.line()["status"], "warnings");
+}
+
+TEST_F(Algorithms, of_whose_goals_one_must_be_given_say_so) {
+  const ScopedAlgorithm wish(wish_row());
+  const ProgramRun none = run_here({"wish", asset("cube.obj"), "--lang", "en"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_NE(none.err.find("one of --faces, --ratio must be given."), std::string::npos) << none.err;
+  EXPECT_EQ(fault_of_command("wish")->en, "wish: one of faces, ratio must be given");
+  EXPECT_FALSE(fault_of_command("wish ratio=0.5"));
+  EXPECT_FALSE(fault_of_command("wish 3 measured=on"));
+  EXPECT_EQ(described(find_algorithm("wish")->parameters[1]).en,
+            "a ratio from 0 to 1; one of faces, ratio must be given");
+}
+
+TEST_F(Algorithms, take_a_flag_by_its_name_alone) {
+  const ScopedAlgorithm wish(wish_row());
+  const std::string cube = asset("cube.obj");
+  const auto measured = [&](const std::vector<std::string>& words) {
+    std::vector<std::string> all{"wish", "--faces", "1", "--json"};
+    all.insert(all.end(), words.begin(), words.end());
+    return run_here(all).line()["parameters"]["measured"];
+  };
+  EXPECT_EQ(measured({cube}), false);
+  EXPECT_EQ(measured({cube, "--measured"}), true);
+  EXPECT_EQ(measured({"--measured", cube}), true) << "the file is not its value";
+  EXPECT_EQ(measured({"--measured", "on", cube}), true);
+  EXPECT_EQ(measured({"--measured", "off", cube}), false);
+  EXPECT_EQ(measured({"--measured=off", cube}), false);
+  for (const std::vector<std::string>& wrong :
+       {std::vector<std::string>{"--measured=maybe"}, {"--measured", "--measured"}, {"--measured", "on", "--measured"}})
+    EXPECT_EQ(run_here({"wish", cube, "--faces", "1"}, wrong).exit_code, 2) << wrong.back();
 }
 
 TEST_F(Algorithms, that_are_primitives_begin_with_nothing_or_add_to_a_file) {

@@ -86,8 +86,29 @@ inline constexpr JsonKey algorithm_id_keys[] = {
 inline constexpr auto algorithm_keys = joined(run_keys, algorithm_id_keys, result_keys, outcome_keys);
 inline constexpr Shape algorithm_shape{"algorithm", "One line.", "一行。", algorithm_keys};
 
+// Of one that accounts for its end.
+inline constexpr JsonKey account_keys[] = {
+    {"faces_before", "integer", "The faces of the input, as in check.", "入力の面数（check と同じ）。"},
+    {"faces_after", "integer", "The same as faces.", "faces と同じ。"},
+    {"stopped", "string",
+     "Why it ended: the goal was reached, the error does not allow more, nothing more can be done, or it was "
+     "cancelled.",
+     "終了の理由：目標に達した、許容誤差に達した、それ以上できない、中止された。",
+     words("goal error blocked cancelled")},
+    {"remaining", "object", "By rule the number of edges that it holds as the first; they add up to edges.",
+     "最初に当てはまる規則ごとの稜線の数。合計は edges。", ids_of(Ids::edge_rules)},
+    {"error_max", "number or null", "The largest error, a distance in units; null where it is not measured.",
+     "誤差の最大値（座標の単位の距離）。測らないとき null。"},
+};
+inline constexpr auto accounting_keys = joined(run_keys, algorithm_id_keys, result_keys, account_keys, outcome_keys);
+inline constexpr Shape accounting_shape{"algorithm_with_goal", "One line, of an algorithm with a goal.",
+                                        "一行（目標のあるアルゴリズム）。", accounting_keys};
+
 inline constexpr Contract repair_contract{
     .lines = {&repair_shape}, .exits = {ExitCode::found_problems, ExitCode::input_missing, ExitCode::input_malformed}};
 inline constexpr Contract algorithm_contract{.lines = {&algorithm_shape}, .exits = repair_contract.exits};
+inline constexpr Contract account_contract{
+    .lines = {&accounting_shape},
+    .exits = {ExitCode::found_problems, ExitCode::input_missing, ExitCode::input_malformed, ExitCode::refused}};
 
 }  // namespace ryosen::cli

@@ -5,7 +5,7 @@
 #include "app/cli/exit_codes.h"
 #include "app/cli/subcommand_table.h"
 #include "app/editor/commands.h"
-#include "core/algo/algorithms.h"
+#include "core/algo/edge_rules.h"
 #include "core/analysis/mesh_kind.h"
 #include "core/analysis/problem_kinds.h"
 #include "core/base/codes.h"
@@ -105,6 +105,8 @@ constexpr std::array lists{
            entries_of<pairing_methods, &PairingMethod::en, &PairingMethod::ja>},
     IdList{Ids::subcommands, "subcommands", "Commands of the program", "プログラムのコマンド",
            entries_of<subcommands, &Subcommand::en, &Subcommand::ja>},
+    IdList{Ids::edge_rules, "edge_rules", "Why an algorithm left an edge", "アルゴリズムが稜線を残した理由",
+           entries_of<edge_rule_table, &EdgeRuleRow::en, &EdgeRuleRow::ja>},
 };
 
 static_assert(rows_are_in_order(lists, &IdList::ids));

@@ -31,6 +31,7 @@ enum class Ids : std::uint8_t {
   relations,
   pairings,
   subcommands,
+  edge_rules,
 };
 
 struct Shape;

@@ -10,7 +10,8 @@ namespace ryosen::test {
 inline std::vector<std::string> words_for(const AlgorithmRow& row, const std::string& file) {
   std::vector<std::string> words{std::string(row.id), file};
   for (const ParameterRow& parameter : row.parameters)
-    if (parameter.is_required) words.insert(words.end(), {cli::flag_of(parameter), sound_value(parameter)});
+    if (must_be_given(row.parameters, parameter))
+      words.insert(words.end(), {cli::flag_of(parameter), sound_value(parameter)});
   return words;
 }
 

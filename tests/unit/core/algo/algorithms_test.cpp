@@ -36,7 +36,7 @@ std::vector<std::string> malformed_values(const ParameterRow& row) {
 std::string sound_line(const AlgorithmRow& row, bool only_required = false) {
   std::string line;
   for (const ParameterRow& parameter : row.parameters)
-    if (parameter.is_required || !only_required)
+    if (must_be_given(row.parameters, parameter) || !only_required)
       line.append(line.empty() ? "" : " ").append(parameter.id).append("=").append(sound_value(parameter));
   return line;
 }
@@ -58,7 +58,14 @@ TEST_F(Algorithms, rows_are_whole) {
       EXPECT_FALSE(parameter.name_en.empty() || parameter.name_ja.empty()) << parameter.id;
       EXPECT_FALSE(parameter.help_en.empty() || parameter.help_ja.empty()) << parameter.id;
       EXPECT_EQ(parameter.kind == ParameterKind::choice, parameter.choices.size() > 1) << parameter.id;
-      EXPECT_FALSE(parameter.is_required && !parameter.initial.empty()) << parameter.id;
+      EXPECT_FALSE((parameter.is_required || !parameter.one_of.empty()) && !parameter.initial.empty()) << parameter.id;
+      EXPECT_FALSE(parameter.is_required && !parameter.one_of.empty()) << parameter.id;
+      if (!parameter.one_of.empty()) {
+        std::string alternatives;
+        for (const ParameterRow& other : row.parameters)
+          if (other.one_of == parameter.one_of) alternatives.append(alternatives.empty() ? "" : ", ").append(other.id);
+        EXPECT_EQ(alternatives, parameter.one_of) << row.id;
+      }
       ParameterValues values(row.parameters);
       EXPECT_EQ(values.has(parameter.id), !parameter.initial.empty()) << "the initial value is out of range";
       // What `ryosen repair` does unasked cannot ask for a value.
@@ -92,7 +99,7 @@ TEST_F(Algorithms, malformed_values_are_refused_and_what_is_expected_is_said) {
         EXPECT_EQ(fault->en, "--it is " + expected.en + ", not '" + text + "'");
         EXPECT_NE(fault->ja.find(expected.ja), std::string::npos) << fault->ja;
       }
-      if (parameter.is_required) {
+      if (must_be_given(row.parameters, parameter)) {
         EXPECT_FALSE(read(row, "").values) << row.id;
       }
     }

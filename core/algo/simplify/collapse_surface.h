@@ -1,0 +1,104 @@
+// The surface while it is simplified: its places, what each vertex has come to stand for, and what may become of an edge.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "core/algo/edge_rules.h"
+#include "core/algo/simplify/quadric.h"
+#include "core/algo/simplify/scaled_places.h"
+#include "core/mesh/mesh.h"
+
+namespace ryosen {
+
+enum class BoundaryMode { free, weighted, locked };
+
+struct CollapseLimits {
+  BoundaryMode boundary = BoundaryMode::weighted;
+  double error = std::numeric_limits<double>::infinity();  // in units of the mesh
+  double turn_rad = 1.5707963267948966;                    // a collapse turns a normal by less; at most a quarter turn
+  double smallest_angle_rad = 0;    // no face gets a smaller one, or one smaller than it had where that was less
+  std::vector<std::uint8_t> fixed;  // by vertex slot: not 0, it stays; empty: none has to
+};
+
+// Which end an edge may lose.
+struct Freedom {
+  Halfedge halfedge;                  // from the vertex that goes to the one that stays, as far as it matters
+  bool is_anchored = false;           // the one that stays keeps its place
+  EdgeRule held_by = EdgeRule::free;  // anchored: why; not possible: under which rule
+  bool is_possible = true;
+};
+
+// A place for the vertex that stays.
+struct Placing {
+  glm::dvec3 place;
+  double cost;           // the sum of the quadrics of both ends there
+  Vertex at = Vertex();  // the end whose place it is
+};
+
+class CollapseSurface {
+ public:
+  // Keeps a reference to the mesh, which changes under it by collapses that are told to merge(). Cost: O(corners), on
+  // several threads.
+  CollapseSurface(const Mesh& mesh, const CollapseLimits& limits);
+
+  const Mesh& mesh() const { return mesh_; }
+  const glm::dvec3& place(Vertex v) const { return places_[v.index]; }
+  const ScaledPlaces& scale() const { return scale_; }
+  bool is_feature(Edge e) const { return edge_flags_[e.index] & feature; }
+
+  Freedom freedom(Halfedge h) const;
+  // The lowest place for this edge, or that of its anchor.
+  Placing lowest(const Freedom& freedom) const;
+  double lowest_cost(Halfedge h) const;
+  // Both ends and the middle, lowest cost first; where it is anchored none beside the anchor.
+  std::array<Placing, 3> others(const Freedom& freedom) const;
+  Placing at_place(const Freedom& freedom, const glm::dvec3& place, Vertex at = {}) const;
+
+  // A distance in scaled units: the root of the mean squared distance from the planes of both ends.
+  double error_of(Halfedge h, double cost) const;
+  bool is_within_error(Halfedge h, double cost) const { return error_of(h, cost) <= error_; }
+  bool limits_error() const { return error_ < std::numeric_limits<double>::infinity(); }
+  // Whether a face would turn too far or lose its area, and whether one would get too small an angle.
+  bool turns_face(Halfedge h, const glm::dvec3& place) const;
+  bool narrows_face(Halfedge h, const glm::dvec3& place) const;
+
+  // `kept` now stands for `gone` too and has come to the place.
+  void merge(Vertex gone, Vertex kept, const glm::dvec3& place);
+  // An edge that took the place of another one between the same points.
+  void take_over(Edge stays, Edge goes) {
+    edge_flags_[stays.index] |= static_cast<std::uint8_t>(edge_flags_[goes.index] & feature);
+  }
+
+  void prefetch_ends(Edge e) const;
+
+ private:
+  enum VertexFlag : std::uint8_t { fixed = 1, on_locked_boundary = 2, on_feature = 4, pinned = 8 };
+  enum EdgeFlag : std::uint8_t { feature = 1 };
+
+  void find_features();
+  void sum_planes();
+  void sum_planes_at(Vertex v);
+  void add_edge_plane(Quadric& sum, Halfedge h, double weight) const;
+  // Twice the area of a face along its normal, with the ends of an edge at a place.
+  glm::dvec3 area_vector(Face f, Vertex a, Vertex b, const glm::dvec3& place) const;
+  glm::dvec3 area_vector(Face f) const { return area_vector(f, Vertex(), Vertex(), {}); }
+  std::optional<EdgeRule> hold(Vertex v, bool along_feature) const;
+  bool turns_too_far(const glm::dvec3& before, const glm::dvec3& after) const;
+  // Calls look(face corner) for what changes its shape until it returns true.
+  template <class Look>
+  bool any_changed_corner(Halfedge h, const glm::dvec3& place, Look look) const;
+
+  const Mesh& mesh_;
+  ScaledPlaces scale_;
+  BoundaryMode boundary_;
+  double error_, turn_cosine_, angle_cosine_;
+  std::vector<glm::dvec3> places_;
+  std::vector<Quadric> quadrics_;
+  std::vector<std::uint8_t> vertex_flags_, edge_flags_;
+};
+
+}  // namespace ryosen

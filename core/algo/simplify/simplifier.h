@@ -1,0 +1,71 @@
+// Simplification by collapses of edges, the one of least error first [Garland97].
+//
+// An edge waits on a level of its cost, which is a lower bound: what its ends stand for only grows. It is asked anew when
+// its turn comes, and goes to a higher level or collapses. One that is refused is blocked until something around it
+// changes. So nothing is written to the queue where a neighbour collapses.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/algo/simplify/collapse_surface.h"
+#include "core/algo/simplify/level_queue.h"
+#include "core/base/progress.h"
+#include "core/mesh/edit.h"
+
+namespace ryosen {
+
+struct SimplifyGoal {
+  std::size_t faces = 0;  // live ones: not more than these
+  unsigned effort = 1;    // 0 to 2
+};
+
+class Simplifier {
+ public:
+  // Collapses edges of the edited mesh: of a copy, since what it writes goes to no journal. Both must outlive it.
+  Simplifier(Edit& edit, const CollapseLimits& limits, const SimplifyGoal& goal);
+
+  // Until the goal is reached or no edge can collapse; false where it was cancelled.
+  bool run(Progress& progress);
+
+  std::size_t collapses() const { return collapses_; }
+  std::size_t asked() const { return asked_; }
+  // The largest error of all collapses, in units of the mesh.
+  double error_max() const { return surface_.scale().restored_length(error_max_); }
+  bool is_at_goal() const { return edit_.mesh().live().faces <= goal_.faces; }
+
+  // The first rule under which an edge is held: every place in either direction is refused by it or by one before it.
+  // Free where there is one that is not.
+  EdgeRule rule_of(Edge e) const;
+
+ private:
+  enum class Answer { done, later, refused };
+
+  void fill_queue();
+  // Adds the edges that can collapse after all; false where there are none.
+  bool find_further();
+  Answer try_edge(Edge e);
+  Answer try_place(const Freedom& freedom, const Placing& placing);
+  bool is_legal(Halfedge h) const;
+  void collapse(const Freedom& freedom, const Placing& placing);
+  void collapse_by_kernel(Halfedge h, const Placing& placing, const glm::dvec3& position);
+  void block(Edge e);
+  void unblock_around(Vertex v);
+  std::optional<EdgeRule> refusal(const Freedom& freedom, const Placing& placing) const;
+
+  Edit& edit_;
+  const Mesh& mesh_;
+  SimplifyGoal goal_;
+  CollapseSurface surface_;
+  LevelQueue queue_;
+  std::vector<std::uint8_t> is_blocked_;     // by edge
+  std::vector<std::uint8_t> has_blocked_;    // by vertex: perhaps one of its edges is
+  std::vector<LevelQueue::Level> waits_at_;  // by edge: scratch of filling, then nothing
+  bool has_corner_values_, has_vertex_values_;
+  std::size_t collapses_ = 0, asked_ = 0;
+  double error_max_ = 0;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,286 @@
+// Simplification: what it promises of every mesh, judged by the plain verdicts and warnings of the kernel's collapse.
+#include "core/algo/simplify/simplify.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <set>
+
+#include "core/algo/simplify/plain_collapse.h"
+#include "core/analysis/figures.h"
+#include "core/analysis/invariants.h"
+#include "core/io/formats.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/ops/collapse_edge.h"
+#include "core/ops/rules/plain_check.h"
+#include "tests/support/core/random_meshes.h"
+#include "tests/support/core/run_algorithm.h"
+#include "tests/support/core/shapes.h"
+
+namespace ryosen::test {
+namespace {
+
+// A sheet of squares cut in two, z = height(x, y).
+template <class Height>
+Mesh sheet(std::uint32_t side, Height height) {
+  IndexedMesh source;
+  for (std::uint32_t y = 0; y <= side; ++y)
+    for (std::uint32_t x = 0; x <= side; ++x) source.positions.emplace_back(x, y, height(x, y));
+  const auto at = [&](std::uint32_t x, std::uint32_t y) { return y * (side + 1) + x; };
+  for (std::uint32_t y = 0; y < side; ++y)
+    for (std::uint32_t x = 0; x < side; ++x) {
+      for (const std::uint32_t corner : {at(x, y), at(x + 1, y), at(x + 1, y + 1)}) source.corners.push_back(corner);
+      source.face_offsets.push_back(static_cast<std::uint32_t>(source.corners.size()));
+      for (const std::uint32_t corner : {at(x, y), at(x + 1, y + 1), at(x, y + 1)}) source.corners.push_back(corner);
+      source.face_offsets.push_back(static_cast<std::uint32_t>(source.corners.size()));
+    }
+  return from_indexed(source);
+}
+
+double wave(std::uint32_t x, std::uint32_t y) { return 0.25 * ((x * 7 + y * 13) % 5) + 0.02 * x * y; }
+
+AlgorithmResult simplified(Mesh& mesh, std::string_view values) {
+  Journal journal;
+  return run_algorithm(mesh, journal, "simplify " + std::string(values));
+}
+
+std::size_t count_of(const AlgorithmResult& result, EdgeRule rule) {
+  return result.account->remaining[static_cast<std::size_t>(rule)];
+}
+
+// Whether the kernel refuses the collapse or warns that a face would turn or lose its area.
+bool is_refused_plainly(const Mesh& mesh, const CollapseEdge& op) {
+  if (!op.judge(mesh).legal()) return true;
+  for (const Reason& warning : op.warnings(mesh))
+    if (warning.rule != Rule::seam) return true;
+  return false;
+}
+
+// Every edge of a mesh that went as far as it could is refused in both directions at the ends and the middle.
+void expect_all_refused(const Mesh& mesh, const std::string& name) {
+  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.is_alive(h) || mesh.is_wire(edge(h))) continue;
+    const bool has_copy = has_copies(mesh, mesh.from(h)) || has_copies(mesh, mesh.to(h));
+    for (const auto place : {CollapseEdge::Place::start, CollapseEdge::Place::end, CollapseEdge::Place::middle}) {
+      // A point with copies stays where it is.
+      if (has_copy && place != CollapseEdge::Place::start && place != CollapseEdge::Place::end) continue;
+      if (has_copy && has_copies(mesh, mesh.from(h)) != (place == CollapseEdge::Place::start)) continue;
+      EXPECT_TRUE(is_refused_plainly(mesh, {h, place})) << name << ": " << CollapseEdge{h, place}.command(mesh);
+    }
+  }
+}
+
+void expect_kept(const Mesh& before, Mesh& mesh, Journal& journal, const std::string& name) {
+  const auto broken = check_invariants(mesh);
+  ASSERT_FALSE(broken) << name << ": " << broken->sentence;
+  const Figures was = compute_figures(before), is = compute_figures(mesh);
+  EXPECT_EQ(is[ProblemKind::nonmanifold_edge], was[ProblemKind::nonmanifold_edge]) << name;
+  EXPECT_EQ(is[ProblemKind::misoriented_edge], was[ProblemKind::misoriented_edge]) << name;
+  EXPECT_EQ(is.components, was.components) << name;
+  EXPECT_EQ(is.euler_characteristic, was.euler_characteristic) << name;
+  EXPECT_LE(is[ProblemKind::duplicate_face], was[ProblemKind::duplicate_face]) << name;
+  if (!journal.can_undo()) return;
+  const MeshColumns after = mesh.columns();
+  journal.undo(mesh);
+  EXPECT_EQ(mesh.columns(), before.columns()) << name;
+  journal.redo(mesh);
+  EXPECT_EQ(mesh.columns(), after) << name;
+}
+
+// To no faces, or as far as it goes.
+void go_all_the_way(Mesh mesh, const std::string& name, bool verify = true) {
+  const Mesh before = mesh;
+  Journal journal;
+  const AlgorithmResult result = run_algorithm(mesh, journal, "simplify faces=0");
+  if (result.refused) return;
+  expect_kept(before, mesh, journal, name);
+  EXPECT_EQ(result.account->stopped, Stop::blocked) << name;
+  EXPECT_FALSE(result.account->is_reached) << name;
+  const std::vector<std::size_t>& remaining = result.account->remaining;
+  EXPECT_EQ(std::accumulate(remaining.begin(), remaining.end(), std::size_t{0}), compute_figures(mesh).edges) << name;
+  EXPECT_EQ(count_of(result, EdgeRule::free), 0u) << name;
+  if (verify) expect_all_refused(mesh, name);
+}
+
+TEST(simplify, collapses_plain_edges_as_the_kernel_does) {
+  Mesh plain = sheet(24, wave), kernel = plain;
+  Edit plain_edit(plain, nullptr), kernel_edit(kernel, nullptr);
+  Dice dice(3);
+  std::size_t done = 0;
+  for (int i = 0; i < 6000; ++i) {
+    const Halfedge h(static_cast<std::uint32_t>(dice.below(static_cast<int>(plain.halfedge_slots()))));
+    if (!plain.is_alive(h)) continue;
+    const QuickAnswer answer = quick_collapse(plain, h);
+    const bool is_legal = CollapseEdge{h}.judge(plain).legal();
+    if (answer != QuickAnswer::unknown) ASSERT_EQ(answer == QuickAnswer::legal, is_legal);
+    if (answer != QuickAnswer::legal) continue;
+    CollapseEdge{h}.apply(kernel_edit);
+    plain_collapse(plain_edit, h, [](Edge, Edge) {});
+    ++done;
+    ASSERT_EQ(plain.hash(), kernel.hash());
+    ASSERT_EQ(plain.columns().vertex_halfedge, kernel.columns().vertex_halfedge);
+    ASSERT_EQ(plain.columns().face_halfedge, kernel.columns().face_halfedge);
+  }
+  EXPECT_GT(done, 500u);
+  EXPECT_FALSE(check_invariants(plain));
+}
+
+TEST(simplify, goes_as_far_as_the_kernel_lets_it_on_any_mesh) {
+  for (std::uint64_t seed = 1; seed <= 400 && !testing::Test::HasFailure(); ++seed) {
+    const SeededMesh seeded = seeded_mesh(seed);
+    go_all_the_way(make_mesh(seeded.faces, seeded.points), "seed " + std::to_string(seed));
+  }
+}
+
+TEST(simplify, goes_as_far_on_named_shapes) {
+  go_all_the_way(make_mesh({{0, 1, 2}}), "a single face");
+  go_all_the_way(make_mesh(tetrahedron()), "tetrahedron");
+  go_all_the_way(make_mesh(cube()), "cube");
+  go_all_the_way(make_mesh(torus_grid(6, 8)), "torus");
+  go_all_the_way(make_mesh(bow_tie()), "bow-tie");
+  go_all_the_way(make_mesh(fin()), "fin");
+  go_all_the_way(make_mesh(moebius_strip()), "strip");
+  go_all_the_way(make_mesh(two_tetrahedra_on_an_edge()), "two tetrahedra");
+  go_all_the_way(sheet(9, wave), "sheet");
+  Mesh empty;
+  EXPECT_TRUE(simplified(empty, "faces=0").refused);
+}
+
+TEST(simplify, of_a_flat_sheet_loses_nothing) {
+  Mesh mesh = sheet(20, [](std::uint32_t, std::uint32_t) { return 3.0; });
+  const AlgorithmResult result = simplified(mesh, "faces=2");
+  EXPECT_EQ(mesh.live().faces, 2u);
+  EXPECT_TRUE(result.account->is_reached);
+  EXPECT_LT(*result.account->error_max, 1e-6);
+  const Figures figures = compute_figures(mesh);
+  EXPECT_NEAR(figures.area, 400, 1e-6) << "the corners are where they were";
+}
+
+TEST(simplify, reaches_a_number_a_ratio_or_an_error) {
+  Mesh number = sheet(20, wave), ratio = number, error = number, relative = number, both = number;
+  EXPECT_TRUE(simplified(number, "faces=300").account->is_reached);
+  EXPECT_EQ(number.live().faces / 2, 150u);
+  EXPECT_TRUE(simplified(ratio, "ratio=0.25").account->is_reached);
+  EXPECT_LE(ratio.live().faces, 200u);
+  EXPECT_GE(ratio.live().faces, 198u);
+  const AlgorithmResult by_error = simplified(error, "error=0.05");
+  EXPECT_EQ(by_error.account->stopped, Stop::error);
+  EXPECT_TRUE(by_error.account->is_reached) << "it is the only goal";
+  EXPECT_LE(*by_error.account->error_max, 0.05);
+  EXPECT_GT(count_of(by_error, EdgeRule::error), 0u);
+  EXPECT_EQ(count_of(by_error, EdgeRule::free), 0u);
+  EXPECT_LT(error.live().faces, 800u);
+  const AlgorithmResult by_share = simplified(relative, "error=0.05 relative=on");
+  EXPECT_GT(*by_share.account->error_max, 0.05) << "a share of a diagonal of 28";
+  EXPECT_LT(relative.live().faces, error.live().faces);
+  const AlgorithmResult by_both = simplified(both, "faces=10 error=0.05");
+  EXPECT_EQ(by_both.account->stopped, Stop::error);
+  EXPECT_FALSE(by_both.account->is_reached);
+  EXPECT_EQ(both.columns(), error.columns()) << "the error comes first";
+}
+
+TEST(simplify, keeps_what_is_locked_and_changes_what_is_selected_alone) {
+  const auto boundary_of = [](const Mesh& mesh) {
+    std::vector<std::pair<std::uint32_t, glm::dvec3>> all;
+    for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+      if (const Vertex v(i); mesh.is_alive(v) && mesh.is_boundary(v)) all.emplace_back(i, mesh.position(v));
+    return all;
+  };
+  const Mesh before = sheet(12, wave);
+  Mesh locked = before, some = before, selected = before;
+  const AlgorithmResult result = simplified(locked, "faces=0 boundary=locked");
+  EXPECT_EQ(boundary_of(locked), boundary_of(before));
+  EXPECT_GT(count_of(result, EdgeRule::boundary), 0u);
+  EXPECT_LT(locked.live().faces, before.live().faces / 2);
+  simplified(some, "faces=0 lock=v0,v84,f100");
+  std::vector<Vertex> kept{Vertex(0), Vertex(84)};
+  for (Vertex v : vertices_around(before, Face(100))) kept.push_back(v);
+  for (Vertex v : kept) {
+    ASSERT_TRUE(some.is_alive(v));
+    EXPECT_EQ(some.position(v), before.position(v));
+  }
+  const AlgorithmResult alone = simplified(selected, "faces=0 select=f100,f101,f102,f103");
+  EXPECT_GT(count_of(alone, EdgeRule::selection), 0u);
+  std::set<std::uint32_t> meant;
+  for (const std::uint32_t f : {100u, 101u, 102u, 103u})
+    for (Vertex v : vertices_around(before, Face(f))) meant.insert(v.index);
+  std::size_t gone = 0;
+  for (std::uint32_t i = 0; i < before.vertex_slots(); ++i) {
+    const Vertex v(i);
+    if (selected.is_alive(v) && selected.position(v) == before.position(v)) continue;
+    EXPECT_TRUE(meant.contains(i)) << i;
+    ++gone;
+  }
+  EXPECT_GT(gone, 0u);
+}
+
+TEST(simplify, keeps_angles_and_turns_within_their_limits) {
+  const Mesh before = sheet(16, wave);
+  Mesh narrow = before, turn = before, any = before;
+  const AlgorithmResult by_angle = simplified(narrow, "faces=0 min_angle=20");
+  EXPECT_GT(count_of(by_angle, EdgeRule::angle), 0u);
+  const AlgorithmResult by_turn = simplified(turn, "faces=0 max_turn=10");
+  EXPECT_GT(count_of(by_turn, EdgeRule::normal), 0u);
+  simplified(any, "faces=0");
+  EXPECT_GT(narrow.live().faces, any.live().faces);
+  EXPECT_GT(turn.live().faces, any.live().faces);
+}
+
+TEST(simplify, does_the_same_to_a_mesh_that_is_huge_tiny_or_far_away) {
+  const Mesh before = sheet(12, wave);
+  Mesh plain = before;
+  simplified(plain, "faces=60");
+  for (const double factor : {0x1p900, 0x1p-900}) {
+    MeshColumns columns = before.columns();
+    for (glm::dvec3& p : columns.positions) p *= factor;
+    Mesh mesh{columns};
+    simplified(mesh, "faces=60");
+    EXPECT_EQ(polygons_of(mesh), polygons_of(plain)) << factor;
+  }
+  MeshColumns columns = before.columns();
+  for (glm::dvec3& p : columns.positions) p += glm::dvec3(1e9, -1e9, 1e9);
+  Mesh away{columns};
+  EXPECT_TRUE(simplified(away, "faces=60").account->is_reached);
+  EXPECT_FALSE(check_invariants(away));
+}
+
+TEST(simplify, leaves_what_is_not_finite_alone) {
+  MeshColumns columns = sheet(8, wave).columns();
+  columns.positions[40].x = std::numeric_limits<double>::infinity();
+  columns.positions[10].y = std::numeric_limits<double>::quiet_NaN();
+  Mesh mesh{columns};
+  EXPECT_GT(simplified(mesh, "faces=0").changed, 0u);
+  EXPECT_FALSE(check_invariants(mesh));
+  EXPECT_TRUE(mesh.is_alive(Vertex(40)) && mesh.is_alive(Vertex(10)));
+}
+
+TEST(simplify, turns_polygons_into_fewer_or_triangulates_them_first) {
+  Mesh squares = make_mesh(torus_grid(10, 12)), triangles = squares;
+  const AlgorithmResult kept = simplified(squares, "faces=60");
+  EXPECT_FALSE(check_invariants(squares));
+  EXPECT_EQ(squares.live().faces <= 60, kept.account->is_reached);
+  const AlgorithmResult cut = simplified(triangles, "faces=60 triangulate=on");
+  EXPECT_FALSE(check_invariants(triangles));
+  EXPECT_TRUE(cut.account->is_reached);
+  for (std::uint32_t i = 0; i < triangles.face_slots(); ++i)
+    if (const Face f(i); triangles.is_alive(f)) EXPECT_TRUE(is_triangle(triangles, triangles.halfedge(f)));
+}
+
+TEST(simplify, refuses_values_with_a_sentence) {
+  const AlgorithmRow& row = *find_algorithm("simplify");
+  for (const char* line : {"", "faces=-1", "faces=1.5", "faces=nan", "faces=1e300", "ratio=2", "ratio=-1", "error=-1",
+                           "error=nan", "ratio=0.5 max_turn=0", "ratio=0.5 max_turn=91", "ratio=0.5 min_angle=61",
+                           "ratio=0.5 effort=3", "ratio=0.5 boundary=none"}) {
+    const ReadValues read = read_values(row.parameters, split_words(line));
+    EXPECT_FALSE(read.values) << line;
+    EXPECT_FALSE(read.sentence.en.empty() || read.sentence.ja.empty()) << line;
+  }
+  Mesh mesh = sheet(3, wave);
+  EXPECT_TRUE(simplified(mesh, "error=1e300").account->is_reached == false) << "nothing is left that the error holds";
+  EXPECT_EQ(simplified(mesh, "faces=1000000").changed, 0u);
+}
+
+}  // namespace
+}  // namespace ryosen::test

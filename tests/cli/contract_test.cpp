@@ -125,7 +125,11 @@ void sweep_refused_inputs(Sweep& sweep) {
 void sweep_algorithms(Sweep& sweep) {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nv 9 9 9\nv 1e999 0 0\n";
   const std::string mesh = sweep.folder().write("problems.obj", points + "f 1 2 3\nf 1 2 4\nf 1 2 5\nf 1 1 2\n");
-  for (const ryosen::AlgorithmRow& row : ryosen::algorithm_table()) sweep.run(words_for(row, mesh));
+  const std::string empty = sweep.folder().write("empty.off", "OFF\n0 0 0\n");
+  for (const ryosen::AlgorithmRow& row : ryosen::algorithm_table()) {
+    sweep.run(words_for(row, mesh));
+    if (row.accounts) sweep.run(words_for(row, empty));
+  }
 }
 
 void sweep_runs(Sweep& sweep) {

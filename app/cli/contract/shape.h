@@ -32,6 +32,8 @@ enum class Ids : std::uint8_t {
   pairings,
   subcommands,
   edge_rules,
+  steps,
+  roles,
 };
 
 struct Shape;

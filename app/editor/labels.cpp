@@ -11,6 +11,7 @@ namespace {
 
 constexpr LabelSource sources[] = {
     {"numbers", [](const Session& session) { return session.settings.numbers != Numbers::off; }, add_numbers},
+    {"links", [](const Session& session) { return session.links.is_on(session); }, add_links},
     {"measures", [](const Session& session) { return !session.measures.empty(); }, add_measures},
     {"map", [](const Session& session) { return session.colouring.has_value(); }, add_map_legend},
 };

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/editor/document.h"
+#include "app/editor/drawn_links.h"
 #include "app/editor/gizmo.h"
 #include "app/editor/keys.h"
 #include "app/editor/layout.h"
@@ -87,6 +88,7 @@ class Session {
   std::vector<Element> selection;
   SelectionMemory selections;
   std::optional<Colouring> colouring;
+  DrawnLinks links;                // as arrows in the view
   std::vector<Elements> measures;  // what was asked for, in that order; read anew when it is shown
   // User interface state changed by commands; stored without effect if there is no UI.
   Language language = Language::english;

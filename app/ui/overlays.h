@@ -13,6 +13,8 @@ Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, 
 Overlay selection_overlay(const Session& session, Theme theme);
 // The ways along which was measured, where all elements of it are still there.
 Overlay measures_overlay(const Session& session, Theme theme);
+// The links of the selected element, or all halfedges, as arrows.
+Overlay links_overlay(Session& session, Theme theme);
 // Without a tool the element itself; with one, green with the ghost of the result, or red with the witnesses.
 Overlay hover_overlay(const Session& session, Theme theme);
 

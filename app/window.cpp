@@ -151,7 +151,8 @@ class Editor {
       for (int i = 0; !next && (i < settling_frames || gui_.wants_frames()); ++i) {
         show();
         next = viewport_->time_to_next_frame(Clock::now());
-        if (!next && (session_.preparing() || session_.trials().share())) next = std::chrono::milliseconds(100);
+        if (!next && (session_.preparing() || session_.trials().share() || gui_.waits_for_work()))
+          next = std::chrono::milliseconds(100);
       }
       if (keep_user_files()) continue;
       // The text cursor blinks; otherwise wait for events.

@@ -3,6 +3,7 @@
 #include "app/cli/columns.h"
 #include "app/cli/contract/forms.h"
 #include "app/cli/contract/record.h"
+#include "app/editor/record_text.h"
 #include "core/forms/all.h"
 #include "core/forms/records.h"
 #include "core/mesh/find_element.h"
@@ -45,21 +46,12 @@ std::string json_line_of(const Records& records, Element element, const ElementR
   json["stored"] = Json::object();
   for (const Field& field : record.fields) {
     const std::string key(field.key);
-    json["fields"][key] = field.places.empty() ? value_of(field, field.links) : value_of(field, field.places);
+    const bool is_place = !field.places.empty();
+    json["fields"][key] = is_place ? value_of(field, field.places) : value_of(field, field.links);
     json["words"][key] = field.word;
-    if (field.places.empty()) json["stored"][key] = value_of(field, field.stored);
+    json["stored"][key] = is_place ? value_of(field, field.places) : value_of(field, field.stored);
   }
   return line_of(json);
-}
-
-// As JSON writes it, without its quotes.
-std::string plain(const Json& json, const Console& console) {
-  if (json.is_null()) return std::string(console.text("none", "なし"));
-  if (!json.is_array()) return json.is_string() ? std::string(json) : json.dump();
-  std::string all;
-  for (const Json& one : json)
-    all += (all.empty() ? "" : " ") + (one.is_array() ? "(" + plain(one, console) + ")" : plain(one, console));
-  return all.empty() ? std::string(console.text("none", "なし")) : all;
 }
 
 std::string text_of(const Records& records, Element element, const ElementRecord& record, const Console& console) {
@@ -69,11 +61,10 @@ std::string text_of(const Records& records, Element element, const ElementRecord
                      std::string(console.text(row.source_en, row.source_ja)) + ")\n";
   if (record.none) return text + "  " + console.text(*record.none) + "\n";
   Columns table;
-  for (const Field& field : record.fields) {
-    const bool is_place = !field.places.empty();
-    table.add({std::string(field.key), std::string(field.word),
-               plain(is_place ? value_of(field, field.places) : value_of(field, field.links), console),
-               is_place ? "" : "= " + plain(value_of(field, field.stored), console)});
+  for (const RecordLine& line : record_lines(record.fields, console.language)) {
+    std::string values;
+    for (const std::string& value : line.values) values += (values.empty() ? "" : " ") + value;
+    table.add({line.key, line.word, values, line.stored});
   }
   return text + table.text();
 }

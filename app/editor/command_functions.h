@@ -21,9 +21,10 @@ CommandRow row_of(const OpInfo& op, std::string_view called);
 RunCommand run_either;
 FaultOfCommand fault_of_either, fault_of_ask;
 // Files and the history: commands_document.cpp
-RunCommand run_exercise, run_start, run_new, run_open, run_reload, run_keep_mine, run_append, run_save,
+RunCommand run_exercise, run_figure, run_start, run_new, run_open, run_reload, run_keep_mine, run_append, run_save,
     run_save_selected, run_undo, run_redo, run_recover, run_shot;
-FaultOfCommand fault_of_append, fault_of_save_selected, fault_of_exercise, fault_of_open, fault_of_recover;
+FaultOfCommand fault_of_append, fault_of_save_selected, fault_of_exercise, fault_of_figure, fault_of_open,
+    fault_of_recover;
 bool recover_only_tells(Words arguments);
 // Algorithms: commands_algorithm.cpp
 CommandRow row_of(const AlgorithmRow& algorithm);

@@ -3,6 +3,7 @@
 #include "app/editor/command_syntax.h"
 #include "app/editor/exercises.h"
 #include "app/editor/expect.h"
+#include "app/editor/figures.h"
 #include "app/editor/panel_list.h"
 #include "app/editor/words.h"
 #include "core/view/named_views.h"
@@ -44,6 +45,13 @@ const std::vector<CommandRow>& first_rows() {
        .effect = Effect::none,
        .run = run_exercise,
        .fault = fault_of_exercise},
+      {.id = "figure",
+       .syntax = figure_ids(),
+       .help_en = "puts the mesh of a figure of the source texts into the empty one",
+       .help_ja = "テキストの図のメッシュを空のメッシュに置く",
+       .effect = Effect::edits,
+       .run = run_figure,
+       .fault = fault_of_figure},
       {.id = "save",
        .syntax = "[FILE]",
        .help_en = "writes the mesh",

@@ -2,6 +2,7 @@
 
 #include "app/editor/autosave.h"
 #include "app/editor/exercises.h"
+#include "app/editor/figures.h"
 #include "app/editor/first_slots.h"
 #include "app/editor/message_place.h"
 #include "app/editor/script.h"
@@ -132,6 +133,28 @@ Outcome run_exercise(Session& session, Words arguments, std::string_view) {
   session.frame_all();
   outcome.performed.clear();
   outcome.sentence = {"Undo goes back through its steps.", "「元に戻す」で一手ずつ戻れます。"};
+  return outcome;
+}
+
+std::optional<Text> fault_of_figure(Words arguments, const std::string&) {
+  const bool is_one = arguments.size() == 1 && find_figure(arguments[0]);
+  return is_one ? std::nullopt : std::optional(wrong_arguments("figure").sentence);
+}
+
+// An entry of the history, so that what is recovered has it too.
+Outcome run_figure(Session& session, Words arguments, std::string_view) {
+  if (fault_of_figure(arguments, {})) return wrong_arguments("figure");
+  if (session.mesh().vertex_slots() > 0 || !session.document().path().empty())
+    return failed(ExitCode::refused, {"a figure comes into an empty mesh; first say: new",
+                                      "図は空のメッシュに置きます。先に new を実行してください"});
+  const Figure& figure = *find_figure(arguments[0]);
+  Result<MeshFile> file = mesh_of_figure(figure);
+  if (!file) return failed(file.failure());
+  const std::string line = "figure " + std::string(figure.id);
+  session.document().append(std::move(file).value(), line);
+  session.frame_all();
+  Outcome outcome = performed(line);
+  outcome.sentence = {std::string(figure.name_en) + ".", std::string(figure.name_ja) + "。"};
   return outcome;
 }
 

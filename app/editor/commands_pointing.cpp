@@ -50,6 +50,7 @@ Outcome run_walk(Session& session, Words arguments, std::string_view) {
                        : where == "prev" ? mesh.prev(h)
                        : where == "twin" ? twin(h)
                                          : mesh.counter_clockwise(h)};
+  session.links.walked(h, session.selection[0].halfedge());
   keep_in_sight(session, session.selection[0]);
   return {};
 }

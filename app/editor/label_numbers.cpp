@@ -1,8 +1,10 @@
 // The numbers of elements as labels.
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "app/editor/labels.h"
+#include "core/forms/polygons.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/pick/screen_segment.h"
@@ -39,6 +41,21 @@ class NumberLabels {
       Label label = label_of(element);
       label.text = letter + std::to_string(element.index);
       label.priority = is_selected ? selected_priority : number_priority;
+      labels_.push_back(std::move(label));
+    }
+  }
+
+  // As text 003 numbers the sides of triangles, and any corners in their order; those at a boundary in a colour of their own.
+  void add_corners() {
+    constexpr std::uint32_t inner_colour = 0x1F5FA8, boundary_colour = 0x00785A;
+    std::uint32_t number = 0;
+    for (const Halfedge h : forms::corner_halfedges(m_)) {
+      const std::uint32_t n = number++;
+      if (session_.hidden().hides(m_, h) || !is_in_view(middle(h))) continue;
+      Label label = label_of(h);
+      label.text = std::to_string(n);
+      label.ground = m_.is_outside(twin(h)) ? boundary_colour : inner_colour;
+      if (selected_.contains(Element(h))) label.priority = selected_priority;
       labels_.push_back(std::move(label));
     }
   }
@@ -110,6 +127,13 @@ void add_numbers(Session& session, std::vector<Label>& labels) {
       return numbers.add<Face>(mesh.face_slots(), 'f');
     case Numbers::halfedges:
       return numbers.add<Halfedge>(mesh.halfedge_slots(), 'h');
+    case Numbers::all:
+      numbers.add<Vertex>(mesh.vertex_slots(), 'v');
+      numbers.add<Face>(mesh.face_slots(), 'f');
+      numbers.add<Halfedge>(mesh.halfedge_slots(), 'h');
+      return numbers.add<Edge>(mesh.edge_slots(), 'e');
+    case Numbers::corners:
+      return numbers.add_corners();
   }
 }
 

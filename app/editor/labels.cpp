@@ -14,6 +14,7 @@ bool is_step_shown(const Session& session) { return session.player && session.pl
 
 constexpr LabelSource sources[] = {
     {"numbers", [](const Session& session) { return session.settings.numbers != Numbers::off; }, add_numbers},
+    {"links", [](const Session& session) { return session.links.is_on(session); }, add_links},
     {"measures", [](const Session& session) { return !session.measures.empty(); }, add_measures},
     {"step", is_step_shown, add_step},
     {"map", [](const Session& session) { return session.colouring.has_value(); }, add_map_legend},

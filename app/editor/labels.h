@@ -31,7 +31,8 @@ struct Label {
 };
 
 // What labels are about, from the least priority on.
-inline constexpr int number_priority = 0, selected_priority = 1, measure_priority = 2, legend_priority = 3;
+inline constexpr int number_priority = 0, selected_priority = 1, measure_priority = 2, link_priority = 3,
+                     legend_priority = 4;
 
 struct LabelSource {
   std::string_view id;
@@ -62,6 +63,8 @@ std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Siz
 // Adds the numbers of elements that the switch `numbers` asks for, in view; the selected ones first. Where there are very
 // many in view, every so many-th. O(slots of that sort).
 void add_numbers(Session& session, std::vector<Label>& labels);
+// Adds what the arrows of the selected element's links are, beside them, away from their edges.
+void add_links(Session& session, std::vector<Label>& labels);
 // Adds what was measured of up to three elements, in the middle of the way along which that was, else of the first one.
 void add_measures(Session& session, std::vector<Label>& labels);
 // Adds the caption of the step that is played, in the upper left corner, and beside its elements the labels of their roles.

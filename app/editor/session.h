@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/editor/document.h"
+#include "app/editor/drawn_links.h"
 #include "app/editor/gizmo.h"
 #include "app/editor/keys.h"
 #include "app/editor/layout.h"
@@ -89,6 +90,7 @@ class Session {
   std::vector<Element> selection;
   SelectionMemory selections;
   std::optional<Colouring> colouring;
+  DrawnLinks links;                // as arrows in the view
   std::vector<Elements> measures;  // what was asked for, in that order; read anew when it is shown
   std::shared_ptr<Player> player;  // of what is played step by step (playing.h); null for nothing
   // User interface state changed by commands; stored without effect if there is no UI.

@@ -9,6 +9,7 @@
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/find_element.h"
+#include "core/mesh/names.h"
 #include "core/selection/slot_ranges.h"
 
 namespace ryosen {
@@ -180,6 +181,8 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers
   if (!asked_line.empty() && with_tool.empty()) return answer(*this, pixel);
   const OpInfo* info = find_op(with_tool);
   if (!info && click_selects(modifiers) != ClickSelects::element) return select_along(pixel, modifiers);
+  if (!info && !modifiers.shift && !modifiers.ctrl && !preparing())
+    if (const Halfedge arrow = links.at(*this, pixel - view_origin)) return run("select " + slot_name(arrow));
   const auto picked = pick(pixel, pick_mode(info, mode));
   const bool extends = !info && (modifiers.shift || modifiers.ctrl);
   if (!picked) {

@@ -6,7 +6,10 @@
 #include "app/editor/pick_modes.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
+#include "core/mesh/middle.h"
 #include "core/ops/each.h"
+#include "core/ops/lines/arguments.h"
+#include "core/ops/lines/syntax.h"
 
 namespace ryosen {
 
@@ -33,6 +36,22 @@ void operator_item(PanelContext& context, const OpInfo& op) {
   for (const Text& sentence : describe_first(context.session.mesh(), verdict.reasons))
     help += "\n" + sentence.in(context.language());
   tip(help, ImGuiHoveredFlags_AllowWhenDisabled);
+}
+
+// What takes a place as well: the line is begun with the middle of the element, for the user to change.
+void place_item(PanelContext& context, const OpInfo& op) {
+  const Elements& selection = context.session.selection;
+  if (selection.size() != 1 || op.on_selection != OnSelection::each || !verdict_on_one(context.session, op).legal())
+    return;
+  const std::string name = context.session.selected_names()[0];
+  const std::string_view words[] = {name, "0,0,0"};
+  if (first_misfit(op.syntax, words)) return;
+  const std::string label =
+      std::string(context.text(op.name_en, op.name_ja)) + context.text(" at X,Y,Z...", "（座標を指定）...");
+  const glm::dvec3 middle = middle_of(context.session.mesh(), selection[0]);
+  if (ImGui::MenuItem(label.c_str()))
+    context.begin_command(std::string(op.id) + " " + name + " " + format_place(middle));
+  tip(context.text(op.help_en, op.help_ja));
 }
 
 void gesture_items(PanelContext& context) {
@@ -65,7 +84,10 @@ void draw_element_menu(PanelContext& context) {
   ImGui::Separator();
   if (!context.session.selection.empty()) gesture_items(context);
   for (const OpInfo& op : all_ops())
-    if (works_on(op, context.session.selection)) operator_item(context, op);
+    if (works_on(op, context.session.selection)) {
+      operator_item(context, op);
+      place_item(context, op);
+    }
   ImGui::Separator();
   for (const Selector& row : selectors()) {
     if (row.value != Selector::Value::none && row.usual.empty()) continue;

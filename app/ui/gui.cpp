@@ -80,7 +80,8 @@ bool Gui::prepare(const Session& session) {
            std::any_of(session.lost.begin(), session.lost.end(),
                        [](const LostSession& lost) { return needs_japanese(lost.file.c_str()); });
   };
-  const bool japanese = has_japanese_ || session.language == Language::japanese || names_need_it();
+  const bool japanese =
+      has_japanese_ || state_.shows_japanese || session.language == Language::japanese || names_need_it();
   if (has_fonts_ && japanese == has_japanese_) return false;
   fonts_ = load_fonts(*ImGui::GetIO().Fonts, std::round(static_cast<float>(size_.font_px) * size_.scale), japanese);
   unsigned char* alpha = nullptr;
@@ -114,6 +115,7 @@ void Gui::frame(Session& session, Size window, double seconds) {
   begin_frame(window, seconds);
   place_view(session, window);
   state_.unsettled_frames = std::max(state_.unsettled_frames - 1, 0);
+  state_.waits_for_work = false;
   state_.is_laying_out = true;
   if (std::exchange(state_.closes_menus, false)) ImGui::ClosePopupsExceptModals();
   PanelContext panel_context = context(session);

@@ -88,6 +88,8 @@ class Gui {
   bool is_laying_out() const { return state_.is_laying_out; }
   bool wants_quit() const { return state_.wants_quit; }
   // Lines wait for further frames, or what is laid out has not settled after an input or a command.
+  // A panel waits for what is found beside the frames: a further one now and then shows it when it is there.
+  bool waits_for_work() const { return state_.waits_for_work; }
   bool wants_frames() const { return !state_.waiting.empty() || state_.unsettled_frames > 0; }
 
  private:

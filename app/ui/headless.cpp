@@ -65,9 +65,10 @@ void Headless::place_view(Session& session) {
 void Headless::lay_out(Session& session) {
   constexpr int to_settle = 3, most = 100;  // frames that a panel may need, and that one may ask for
   if (window_->gui.is_laying_out()) return;
-  if (window_->gui.prepare(session)) window_->canvas->set_fonts(window_->gui.fonts());
-  for (int i = 0; i < to_settle || (i < most && window_->gui.wants_frames()); ++i)
+  for (int i = 0; i < to_settle || (i < most && window_->gui.wants_frames()); ++i) {
+    if (window_->gui.prepare(session)) window_->canvas->set_fonts(window_->gui.fonts());
     window_->gui.frame(session, options_.size, 0.02);
+  }
 }
 
 Image Headless::view_drawn_again() {

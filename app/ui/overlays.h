@@ -15,6 +15,8 @@ Overlay selection_overlay(const Session& session, Theme theme);
 Overlay measures_overlay(const Session& session, Theme theme);
 // The elements of the step that is played, by their roles; nothing where the mesh is no longer the one it is about.
 Overlay step_overlay(const Session& session, Theme theme);
+// The links of the selected element, or all halfedges, as arrows.
+Overlay links_overlay(Session& session, Theme theme);
 // Without a tool the element itself; with one, green with the ghost of the result, or red with the witnesses.
 Overlay hover_overlay(const Session& session, Theme theme);
 

@@ -39,11 +39,13 @@ struct GuiState {
   std::vector<PixelRect> notes;  // of what lies over the view and takes the pointer
   int unsettled_frames = 0;      // how many more are to be laid out although nothing comes in
   std::optional<PendingLeave> pending;
-  bool closes_menus = false;  // in the next frame
-  bool opens_menu = false;    // that of what is selected, in the next frame
-  bool asks_for_key = false;  // the next key goes there:
-  std::string asked_key;      // its chord
-  std::string begun_command;  // what the command window takes into its field when it is open
+  bool closes_menus = false;    // in the next frame
+  bool opens_menu = false;      // that of what is selected, in the next frame
+  bool asks_for_key = false;    // the next key goes there:
+  std::string asked_key;        // its chord
+  bool shows_japanese = false;  // a panel has Japanese words to show, whatever the language
+  bool waits_for_work = false;  // a panel draws what is found beside the frames, when it is there
+  std::string begun_command;    // what the command window takes into its field when it is open
 
   // A panel may need this many frames to open, to settle its size, or to close.
   void unsettle() { unsettled_frames = 3; }

@@ -7,6 +7,7 @@
 
 #include "app/editor/commands.h"
 #include "app/editor/exercises.h"
+#include "app/editor/figures.h"
 #include "app/editor/words.h"
 #include "app/ui/widgets.h"
 
@@ -125,6 +126,27 @@ void StartPage::draw_shapes(PanelContext& context) {
   }
 }
 
+// A line for each text, and as many more as it needs.
+void StartPage::draw_figures(PanelContext& context) {
+  heading(context, context.text("A figure of the source texts", "テキストの図"));
+  const float end = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  std::string_view text_before;
+  for (const Figure& figure : figures()) {
+    const std::string_view text = figure.id.substr(0, figure.id.find('-'));
+    const std::string name(figure.id.substr(text.size() + 1));
+    if (text != text_before) {
+      ImGui::AlignTextToFramePadding();
+      dim_text(context, std::string(text).c_str());
+      text_before = text;
+    }
+    const float width = ImGui::CalcTextSize(name.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+    if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= end) ImGui::SameLine();
+    entry(context, name, "figure " + std::string(figure.id), false);
+    tip(std::string(context.text(figure.name_en, figure.name_ja)) + "\n" +
+        context.text(figure.found_en, figure.found_ja));
+  }
+}
+
 // To the nearest entry in the direction, by what is drawn.
 void StartPage::follow_keys() {
   const ImVec2 steps[] = {{0, -1}, {0, 1}, {-1, 0}, {1, 0}};
@@ -184,6 +206,7 @@ void StartPage::draw(PanelContext& context) {
     draw_shapes(context);
     ImGui::EndTable();
   }
+  draw_figures(context);
   ImGui::Separator();
   draw_hints(context);
   const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();

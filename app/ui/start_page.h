@@ -29,6 +29,7 @@ class StartPage {
   void draw_beginnings(PanelContext& context);
   void draw_recent(PanelContext& context);
   void draw_shapes(PanelContext& context);
+  void draw_figures(PanelContext& context);
   void look_for_recent(const std::vector<std::string>& files);
   // An entry as wide as there is room, or as its name.
   void entry(PanelContext& context, const std::string& name, const std::string& line, bool fills);

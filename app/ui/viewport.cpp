@@ -249,7 +249,9 @@ void Viewport::follow_highlights(Session& session) {
 }
 
 void Viewport::follow_overlays(Session& session) {
-  selection_stale_ |= highlights_stale_ || selection_ != session.selection;
+  selection_stale_ |=
+      highlights_stale_ || selection_ != session.selection || draws_links_ != session.links.is_on(session);
+  draws_links_ = session.links.is_on(session);
   if (!session.preparing()) follow_highlights(session);
   normal_lines_.follow(session, *view_);
   if (selection_stale_) view_->set_overlay(Layer::selection, selection_overlay(session, settings_.theme));
@@ -262,6 +264,7 @@ void Viewport::follow_overlays(Session& session) {
   step_ = step;
   selection_stale_ = false;
   selection_ = session.selection;
+  view_->set_overlay(Layer::links, links_overlay(session, settings_.theme));
   view_->set_overlay(Layer::hover, hover_overlay(session, settings_.theme));
   view_->set_overlay(Layer::handles, gizmo_overlay(session, settings_.theme));
 }

@@ -80,6 +80,7 @@ class Viewport {
   std::vector<Session::Marked> marked_;             // to be rebuilt
   bool highlights_stale_ = true;                    // all of them
   bool selection_stale_ = true;
+  bool draws_links_ = false;
   std::vector<Element> selection_;
   std::vector<Elements> measures_;                // as they were drawn
   IndexSet selected_faces_;                       // as they were drawn

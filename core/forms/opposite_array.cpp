@@ -1,5 +1,7 @@
 #include "core/forms/opposite_array.h"
 
+#include <utility>
+
 #include "core/forms/polygons.h"
 #include "core/forms/walk.h"
 
@@ -7,7 +9,10 @@ namespace ryosen::forms {
 
 OppositeArray::OppositeArray(const Mesh& mesh) {
   Polygons polygons = polygons_of(mesh, Numbering(mesh));
-  opposites_ = corners_across(mesh);
+  const std::vector<std::uint32_t> across = corners_across(mesh);
+  opposites_.resize(across.size());
+  for (std::uint32_t h = 0; h < across.size(); ++h)
+    opposites_[h] = across[h] == no_index ? boundary_code(h) : static_cast<std::int32_t>(across[h]);
   positions_ = std::move(polygons.positions);
   corners_ = std::move(polygons.corners);
   vertex_halfedge_.assign(positions_.size(), no_index);
@@ -23,7 +28,9 @@ Mesh OppositeArray::to_mesh() const {
   polygons.positions = positions_;
   polygons.corners = corners_;
   for (std::uint32_t f = 0; f < face_count(); ++f) polygons.offsets.push_back(3 * f + 3);
-  return mesh_from_sides(polygons, opposites_);
+  std::vector<std::uint32_t> across(opposites_.size());
+  for (std::uint32_t h = 0; h < across.size(); ++h) across[h] = opposite(h);
+  return mesh_from_sides(polygons, across);
 }
 
 std::uint32_t OppositeArray::find_edge(std::uint32_t a, std::uint32_t b) const { return find_side(*this, a, b); }
@@ -40,8 +47,10 @@ std::uint32_t OppositeArray::add_vertex(const glm::dvec3& position) {
 }
 
 std::uint32_t OppositeArray::add_face() {
-  corners_.resize(corners_.size() + 3, no_index);
-  opposites_.resize(corners_.size(), no_index);
+  for (int j = 0; j < 3; ++j) {
+    opposites_.push_back(boundary_code(static_cast<std::uint32_t>(corners_.size())));
+    corners_.push_back(no_index);
+  }
   return face_count() - 1;
 }
 
@@ -53,8 +62,8 @@ void OppositeArray::set_face(std::uint32_t f, const std::array<std::uint32_t, 3>
 }
 
 void OppositeArray::join(std::uint32_t h, std::uint32_t g) {
-  opposites_[h] = g;
-  opposites_[g] = h;
+  opposites_[h] = static_cast<std::int32_t>(g);
+  opposites_[g] = static_cast<std::int32_t>(h);
 }
 
 Fields OppositeArray::record(Element own) const {
@@ -65,7 +74,9 @@ Fields OppositeArray::record(Element own) const {
     return {links("vertices", "corners",
                   std::vector{Vertex(corners_[3 * i]), Vertex(corners_[3 * i + 1]), Vertex(corners_[3 * i + 2])})};
   if (own.kind != Element::Kind::halfedge) return {};
-  return {link("from", "corners", Vertex(corners_[i])), link("twin", "opposites", Halfedge(opposites_[i]))};
+  Field opposite_link = link("twin", "opposites", Halfedge(opposite(i)));
+  opposite_link.stored = {opposites_[i]};
+  return {link("from", "corners", Vertex(corners_[i])), std::move(opposite_link)};
 }
 
 }  // namespace ryosen::forms

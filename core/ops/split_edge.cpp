@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <glm/geometric.hpp>
 
 #include "core/geometry/is_finite.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/rings.h"
+#include "core/ops/lines/arguments.h"
 #include "core/ops/rules/corner_values.h"
 #include "core/ops/rules/face_geometry.h"
 #include "core/ops/rules/sheets.h"
@@ -119,10 +121,14 @@ Parsed<SplitEdge> SplitEdge::parse(const Mesh& mesh, std::span<const std::string
   SplitEdge op{*h};
   if (arguments.size() >= 2) {
     const auto t = parse_double(arguments[1]);
-    if (!t) return malformed_argument<SplitEdge>(arguments[1], {"a number t", "数 t を"});
-    op.along = *t;
+    if (!t) {
+      op.place = parse_place(arguments[1]);
+      if (!op.place)
+        return malformed_argument<SplitEdge>(arguments[1], {"a number t or X,Y,Z", "数 t または X,Y,Z を"});
+    }
+    op.along = t.value_or(op.along);
     const glm::dvec3 &a = mesh.position(mesh.from(*h)), &b = mesh.position(mesh.to(*h));
-    if (is_finite(a) && is_finite(b) && !is_finite(point_between(a, b, *t)))
+    if (is_finite(a) && is_finite(b) && t && !is_finite(point_between(a, b, *t)))
       return malformed_argument<SplitEdge>(
           arguments[1], {"a t that leaves the new vertex at a finite place", "新しい頂点の座標が有限になる t を"});
   }
@@ -132,7 +138,9 @@ Parsed<SplitEdge> SplitEdge::parse(const Mesh& mesh, std::span<const std::string
 }
 
 std::string SplitEdge::command(const Mesh& mesh) const {
-  return "split " + name_of(mesh, halfedge) + (along == 0.5 ? "" : " " + format_double(along));
+  const std::string line = "split " + name_of(mesh, halfedge);
+  if (place) return line + " " + format_place(*place);
+  return line + (along == 0.5 ? "" : " " + format_double(along));
 }
 
 Verdict SplitEdge::check(const Mesh& m) const {
@@ -154,7 +162,7 @@ Verdict SplitEdge::check(const Mesh& m) const {
 }
 
 std::vector<Reason> SplitEdge::warnings(const Mesh& m) const {
-  const glm::dvec3 p = point_between(m.position(m.from(halfedge)), m.position(m.to(halfedge)), along);
+  const glm::dvec3 p = position(m);
   ShapeDoubts shape;
   for (Halfedge sheet : sheets_of(m, halfedge)) {
     for (Halfedge side : {sheet, twin(sheet)}) {
@@ -171,14 +179,26 @@ std::vector<Reason> SplitEdge::warnings(const Mesh& m) const {
   }
   std::vector<Reason> found;
   shape.add_to(found);
-  warn_of_place(halfedge, along, found);
+  if (!place) warn_of_place(halfedge, along, found);
   return found;
+}
+
+glm::dvec3 SplitEdge::position(const Mesh& m) const {
+  return place ? *place : point_between(m.position(m.from(halfedge)), m.position(m.to(halfedge)), along);
+}
+
+double SplitEdge::blend(const Mesh& m) const {
+  if (!place) return along;
+  const glm::dvec3 way = m.position(m.to(halfedge)) - m.position(m.from(halfedge));
+  const double share = glm::dot(*place - m.position(m.from(halfedge)), way) / glm::dot(way, way);
+  return share >= 0 && share <= 1 ? share : share > 1 ? 1 : share < 0 ? 0 : 0.5;
 }
 
 OpEffect SplitEdge::apply(Edit& edit) const {
   assert(check(edit.mesh()).legal());
   OpEffect effect;
-  put_point_into(edit, halfedge, along, CutTriangles::yes, effect);
+  const Mesh& mesh = edit.mesh();
+  put_point_into(edit, halfedge, blend(mesh), position(mesh), CutTriangles::yes, effect);
   return effect;
 }
 
@@ -188,7 +208,11 @@ void warn_of_place(Halfedge h, double along, std::vector<Reason>& reasons) {
 
 void put_point_into(Edit& edit, Halfedge h, double along, CutTriangles cut, OpEffect& effect) {
   const Mesh& m = edit.mesh();
-  const glm::dvec3 p = point_between(m.position(m.from(h)), m.position(m.to(h)), along);
+  put_point_into(edit, h, along, point_between(m.position(m.from(h)), m.position(m.to(h)), along), cut, effect);
+}
+
+void put_point_into(Edit& edit, Halfedge h, double along, const glm::dvec3& p, CutTriangles cut, OpEffect& effect) {
+  const Mesh& m = edit.mesh();
   // With a new point on it the boundary loop of a closed cut has four halfedges and is no longer closed.
   Sheets cuts(edit);
   if (is_cut_on_points(m, h))

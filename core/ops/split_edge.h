@@ -13,8 +13,12 @@
 // needs: the triangles to be cut have different third points; the edge is no bridge.
 // changes: V + 1, E + 1 + k, F + k with k = triangles at the edge, counted on points. A non-manifold or misoriented edge
 //          is split in all its faces at once, and the new point has one copy per face.
+// at a place that is not on the edge values are blended as at the point of the edge that is nearest to it.
 // inverse: collapse m-b end.
 #pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
 
 #include "core/ops/op.h"
 
@@ -22,14 +26,15 @@ namespace ryosen {
 
 struct SplitEdge {
   Halfedge halfedge;
-  double along = 0.5;  // position A + along (B - A)
+  double along = 0.5;                    // position A + along (B - A)
+  std::optional<glm::dvec3> place = {};  // instead; finite
 
   static constexpr OpInfo info{"split",
                                "Split edge",
                                "辺細分",
-                               "A-B [t]",
-                               "puts a vertex at A + t (B - A), 0.5 without t",
-                               "A + t(B − A) に頂点を置く（t を省くと 0.5）",
+                               "A-B [t|X,Y,Z]",
+                               "puts a vertex at A + t (B - A), 0.5 without t, or at a place",
+                               "A + t(B − A)（t を省くと 0.5）、または指定の座標に頂点を置く",
                                'D',
                                OpTargetKind::edge,
                                OpGroup::refine,
@@ -44,6 +49,10 @@ struct SplitEdge {
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+
+  // Where the new vertex comes, and the share of the way along the edge by which values are blended. O(1).
+  glm::dvec3 position(const Mesh& mesh) const;
+  double blend(const Mesh& mesh) const;
 };
 
 // Warns of a number that does not lie between 0 and 1.
@@ -53,5 +62,7 @@ void warn_of_place(Halfedge h, double along, std::vector<Reason>& reasons);
 // separate_edge.
 enum class CutTriangles { no, yes };
 void put_point_into(Edit& edit, Halfedge h, double along, CutTriangles cut, OpEffect& effect);
+// The same at another place, with the values of that point of the edge.
+void put_point_into(Edit& edit, Halfedge h, double along, const glm::dvec3& place, CutTriangles cut, OpEffect& effect);
 
 }  // namespace ryosen

@@ -14,8 +14,8 @@ enum class Wire { on, off };
 enum class Xray { off, on };
 // Whether vertices are drawn: while they are what the pointer picks, or always, or never.
 enum class Dots { picked, always, never };
-// Of which elements the numbers are drawn.
-enum class Numbers { off, vertices, edges, faces, halfedges };
+// Of which elements the numbers are drawn: of one kind, of all, or the numbers 3i+j of the corners of faces.
+enum class Numbers { off, vertices, edges, faces, halfedges, all, corners };
 
 // Whether the surface has the colours of the file: those of its faces, and where they have none of its vertices; or of one
 // of the two alone.

@@ -71,8 +71,8 @@ inline constexpr JsonKey form_record_keys[] = {
     {"none", "object or null", "Why there is no record; null where there is one.", "データがない理由。あるとき null。",
      objects(sentence_shape)},
     {"words", "object", "What the source text calls each field.", "各項目のテキストでの呼び名。"},
-    {"stored", "object", "What the form stores for each link: a number, a code below 0, or null.",
-     "各リンクとして格納されている値（番号、負の符号値、または null）。"},
+    {"stored", "object", "What the form stores in each field: for a link a number, a code below 0, or null; places.",
+     "各項目に格納されている値（リンクは番号、負の符号値、または null。座標はそのまま）。"},
 };
 inline constexpr Shape form_record_shape{"form_record", "With --element: one line per form, and per element of all.",
                                          "--element のとき、形状表現ごと（all では要素ごとにも）一行。",

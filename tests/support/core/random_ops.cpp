@@ -196,7 +196,10 @@ AnyOp random_op(const Mesh& mesh, std::size_t place, Dice& dice) {
   const Halfedge free = mesh.is_outside(h) ? h : twin(h);
   if (id == "collapse") return random_collapse(h, dice);
   if (id == "swap") return SwapEdge{h, dice.one_in(2)};
-  if (id == "split") return SplitEdge{h, 0.25 * dice.below(5)};
+  if (id == "split") {
+    const int t = dice.below(6);
+    return t < 5 ? SplitEdge{h, 0.25 * t} : SplitEdge{h, 0.5, random_place(dice)};
+  }
   if (id == "orient") return Orient{};
   if (id == "delete_edge") return DeleteEdge{h};
   if (id == "make_loop") return MakeLoop{free};

@@ -60,7 +60,7 @@ TEST(palette, shows_the_syntax_of_what_is_begun) {
   const std::vector<PaletteEntry> found = find_in_palette("split 0-1");
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].line, "split");
-  EXPECT_EQ(found[0].syntax, "A-B [t]");
+  EXPECT_EQ(found[0].syntax, "A-B [t|X,Y,Z]");
 }
 
 TEST(palette, works_on_what_is_selected_or_asks_for_it) {

@@ -214,6 +214,91 @@ TEST(records, say_what_random_meshes_say_of_every_element) {
   EXPECT_GT(held, 200);
 }
 
+// Follows the links of the records alone, without a look at the mesh.
+class LinkFollower {
+ public:
+  LinkFollower(const Mesh& mesh, const FormRow& row) : mesh_(mesh), name_(row.id), records_(mesh, row) {}
+
+  int follow_all() {
+    for (std::uint32_t i = 0; i < mesh_.halfedge_slots(); ++i)
+      if (mesh_.is_alive(Halfedge(i))) follow(Halfedge(i));
+    for (std::uint32_t i = 0; i < mesh_.vertex_slots(); ++i)
+      if (mesh_.is_alive(Vertex(i))) follow(Vertex(i));
+    for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i)
+      if (mesh_.is_alive(Edge(i))) follow(Edge(i));
+    for (std::uint32_t i = 0; i < mesh_.face_slots(); ++i)
+      if (mesh_.is_alive(Face(i))) follow(Face(i));
+    return followed_;
+  }
+
+ private:
+  // The links of a field of the record that a link leads to; nothing where there is no such record or field.
+  std::optional<std::vector<Element>> links(Element to, std::string_view key) const {
+    const ElementRecord record = records_.of(to);
+    const Field* const field = field_of(record, key);
+    return field == nullptr ? std::nullopt : std::optional(field->links);
+  }
+  void expect_one_of(Element from, std::string_view key, Element to, std::initializer_list<std::string_view> back) {
+    bool is_there = false, is_back = false;
+    for (const std::string_view field : back) {
+      const auto found = links(to, field);
+      is_there |= found.has_value();
+      is_back |= found && std::find(found->begin(), found->end(), from) != found->end();
+    }
+    if (!is_there) return;
+    ++followed_;
+    EXPECT_TRUE(is_back) << name_ << ' ' << slot_name(from) << ' ' << key << ' ' << slot_name(to);
+  }
+  // What leads back from where a link of an element leads.
+  void follow_link(Element from, const Field& field, Element to) {
+    using Kind = Element::Kind;
+    if (to.index == no_index) return;
+    const std::string_view key = field.key;
+    if (key == "next") return expect_one_of(from, key, to, {"prev"});
+    if (key == "prev") return expect_one_of(from, key, to, {"next"});
+    if (key == "twin") return expect_one_of(from, key, to, {"twin"});
+    if (from.kind == Kind::edge && to.kind == Kind::halfedge) return expect_one_of(from, key, to, {"edge"});
+    if (from.kind == Kind::halfedge && to.kind == Kind::edge)
+      return expect_one_of(from, key, to, {"halfedges", "left", "right"});
+    if (from.kind == Kind::vertex && to.kind == Kind::halfedge) return expect_one_of(from, key, to, {"from"});
+    if (from.kind == Kind::face && to.kind == Kind::halfedge) return expect_one_of(from, key, to, {"face"});
+    if (from.kind == Kind::face && to.kind == Kind::face) return expect_one_of(from, key, to, {"faces"});
+    if (from.kind == Kind::vertex && to.kind == Kind::face) return expect_one_of(from, key, to, {"vertices"});
+    if (from.kind == Kind::vertex && to.kind == Kind::edge) return expect_one_of(from, key, to, {"from", "to"});
+    if (from.kind == Kind::face && to.kind == Kind::edge) return expect_one_of(from, key, to, {"left", "right"});
+    // A wing ends in a wing: it has this edge as its next or previous one on either side.
+    if (from.kind == Kind::edge && to.kind == Kind::edge)
+      return expect_one_of(from, key, to, {"left_next", "left_prev", "right_next", "right_prev"});
+  }
+  void follow(Element element) {
+    const ElementRecord record = records_.of(element);
+    for (const Field& field : record.fields)
+      for (const Element& to : field.links) follow_link(element, field, to);
+  }
+
+  const Mesh& mesh_;
+  std::string_view name_;
+  Records records_;
+  int followed_ = 0;
+};
+
+TEST(records, lead_to_records_that_lead_back) {
+  std::map<std::string_view, int> followed;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const RandomMesh random = random_mesh(seed);
+    test::Polygons faces;
+    for (const auto& face : random.faces) faces.emplace_back(face.begin(), face.end());
+    const Mesh mesh = make_mesh(faces, static_cast<std::size_t>(random.points));
+    for (const FormRow& row : all_forms())
+      if (!why_unsuitable(mesh, row)) followed[row.id] += LinkFollower(mesh, row).follow_all();
+  }
+  for (const FormRow& row : all_forms()) {
+    const bool has_links_back =
+        std::set<std::string_view>{"triangle_soup", "polygon_set", "indexed_face_set"}.count(row.id) == 0;
+    EXPECT_EQ(followed[row.id] > 100, has_links_back) << row.id << ' ' << followed[row.id];
+  }
+}
+
 // The fan of three faces around vertex 3, whose boundary is coded as the text has it.
 TEST(records, keep_the_code_of_a_boundary_as_the_text_has_it) {
   const Mesh mesh = make_mesh({{0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
@@ -223,7 +308,7 @@ TEST(records, keep_the_code_of_a_boundary_as_the_text_has_it) {
   EXPECT_EQ(field_of(at_rim, "twin")->stored.at(0), -1);  // halfedge 0 has no opposite
   EXPECT_EQ(field_of(at_rim, "twin")->links.at(0), none_of(Element::Kind::halfedge));
   EXPECT_EQ(field_of(at_spoke, "twin")->stored.at(0), 5);  // 1-3 is number 1, its opposite 3-1 number 5
-  EXPECT_EQ(field_of(array.of(rim.element), "twin")->stored.at(0), std::nullopt);
+  EXPECT_EQ(field_of(array.of(rim.element), "twin")->stored.at(0), -1);
   EXPECT_EQ(map.of(twin(rim.element)).none->en, "It has no halfedge where there is no face.");
 }
 

@@ -121,6 +121,25 @@ TEST(split, cuts_triangles_and_lengthens_polygons) {
   EXPECT_EQ(polygons_of(quads), (Polygons{{0, 6, 1, 2, 3}, {1, 6, 0, 4, 5}}));
 }
 
+// Text 003: the new vertex need not lie on the edge.
+TEST(split, puts_the_vertex_where_it_is_told) {
+  const Mesh before = make_mesh({{0, 1, 2}, {1, 0, 3}});
+  Mesh mesh = before;
+  const AnyOp op = parse(mesh, "split", {"0-1", "0.25,-1,2.5"});
+  EXPECT_EQ(command_of(mesh, op), "split 0-1 0.25,-1,2.5");
+  prove_applying(mesh, op);
+  EXPECT_EQ(mesh.position(Vertex(4)), glm::dvec3(0.25, -1, 2.5));
+  Mesh on_edge = before;
+  prove_applying(on_edge, parse(before, "split", {"0-1"}));
+  EXPECT_EQ(polygons_of(mesh), polygons_of(on_edge));
+  for (const auto& [text, share] : {std::pair{"9,9,9", 1.0}, {"-9,0,0", 0.0}, {"0.25,7,7", 0.25}})
+    EXPECT_EQ(std::get<SplitEdge>(parse(before, "split", {"0-1", text})).blend(before), share) << text;
+  for (const std::string_view wrong : {"1,2", "a,b,c", "1,2,inf", "1,2,3,4"}) {
+    const std::vector<std::string_view> words{"0-1", wrong};
+    EXPECT_EQ(parse_op(before, "split", words).error, NameError::malformed) << wrong;
+  }
+}
+
 TEST(split, cuts_all_sheets_of_a_fin) {
   Mesh mesh = make_mesh(fin());
   const ElementCounts before = counts_on_points(mesh);
@@ -142,6 +161,8 @@ TEST(split, warns_of_faces_that_turn_over) {
   const Mesh mesh = make_mesh({{0, 1, 2}, {1, 0, 3}});
   EXPECT_TRUE(warnings(mesh, parse(mesh, "split", {"0-1", "0.5"})).empty());
   EXPECT_EQ(warnings(mesh, parse(mesh, "split", {"0-1", "5"}))[0].rule, Rule::normal_turns);
+  EXPECT_TRUE(warnings(mesh, parse(mesh, "split", {"0-1", "0.5,0,0.1"})).empty());
+  EXPECT_FALSE(warnings(mesh, parse(mesh, "split", {"0-1", "0.5,99,0"})).empty());
 }
 
 TEST(orient, turns_a_flipped_face_and_leaves_a_seam_on_a_moebius_strip) {

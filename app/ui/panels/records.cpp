@@ -1,0 +1,142 @@
+#include <utility>
+
+#include "app/editor/record_book.h"
+#include "app/editor/record_text.h"
+#include "app/ui/panels.h"
+#include "app/ui/widgets.h"
+#include "core/forms/all.h"
+#include "core/mesh/find_element.h"
+
+namespace ryosen {
+
+namespace {
+
+// On larger meshes a button asks for the forms; on smaller ones they take less than a frame.
+constexpr std::uint32_t most_unasked = 100'000, most_at_once = 1'000;
+
+// What each form of the source texts stores of the selected element, or else of the one under the pointer. The forms are
+// those of one revision, built beside the frames.
+class RecordsPanel : public Panel {
+ public:
+  void draw(PanelContext& context) override;
+
+ private:
+  std::optional<Element> element(const Session& session);
+  // Whether the forms of the mesh as it is are there; else it has drawn why not.
+  bool has_forms(PanelContext& context);
+  void choose_form(PanelContext& context);
+  void draw_record(PanelContext& context, const forms::Records& records, Element element);
+  void draw_line(PanelContext& context, const RecordLine& line);
+  void draw_value(PanelContext& context, const RecordLine& line, std::size_t i);
+
+  RecordBook book_;
+  const forms::FormRow* shown_ = nullptr;  // null: all
+  std::string chosen_;                     // the line of a link that was clicked in this frame
+};
+
+std::optional<Element> RecordsPanel::element(const Session& session) {
+  if (!session.selection.empty()) return session.selection[0];
+  return session.hover() ? std::optional(session.hover()->picked.element) : std::nullopt;
+}
+
+bool RecordsPanel::has_forms(PanelContext& context) {
+  const Session& session = context.session;
+  if (!book_.is_of(session.document())) {
+    if (session.mesh().live().faces > most_unasked) {
+      dim_text(context, context.text("Over 100,000 faces: the forms are built when you ask for them.",
+                                     "10 万面を超えるため、ボタンを押したときに構築します。"));
+      if (!ImGui::Button(context.text("Build the forms", "形状表現を構築"), {ImGui::GetContentRegionAvail().x, 0}))
+        return false;
+    }
+    book_.begin(session.document());
+    // A picture is not drawn again when they are there.
+    if (!context.session.trials().in_background || session.mesh().live().faces <= most_at_once) book_.wait();
+  }
+  if (book_.is_ready()) return true;
+  context.state.waits_for_work = true;
+  dim_text(context, context.text("Building the forms...", "形状表現を構築中..."));
+  return false;
+}
+
+void RecordsPanel::choose_form(PanelContext& context) {
+  const char* const all = context.text("All forms", "すべての表現");
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  if (!ImGui::BeginCombo("##form", shown_ == nullptr ? all : context.text(shown_->en, shown_->ja))) return;
+  if (ImGui::Selectable(all, shown_ == nullptr)) shown_ = nullptr;
+  for (const forms::FormRow& row : forms::all_forms())
+    if (ImGui::Selectable(context.text(row.en, row.ja), shown_ == &row)) shown_ = &row;
+  ImGui::EndCombo();
+}
+
+void RecordsPanel::draw_value(PanelContext& context, const RecordLine& line, std::size_t i) {
+  const bool leads = !line.links.empty() && line.links[i].index != no_index;
+  if (!leads) return ImGui::TextUnformatted(line.values[i].c_str());
+  const Mesh& mesh = context.session.mesh();
+  ImGui::PushID(static_cast<int>(i));
+  if (link(context, line.values[i].c_str())) {
+    const Element to = line.links[i];
+    chosen_ =
+        "select " + (to.kind == Element::Kind::vertex ? name_of_copy(mesh, to.vertex()) : name_to_select(mesh, to));
+  }
+  tip(context.text("A click selects it.", "クリックすると選択します。"));
+  ImGui::PopID();
+}
+
+// Values that have no room go on in the next line.
+void RecordsPanel::draw_line(PanelContext& context, const RecordLine& line) {
+  const float right_edge = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  const float gap = 0.6f * ImGui::GetFontSize();
+  const auto go_on = [&](const std::string& text) {
+    if (ImGui::GetItemRectMax().x + gap + ImGui::CalcTextSize(text.c_str()).x < right_edge) ImGui::SameLine(0, gap);
+  };
+  ImGui::PushID(line.key.c_str());
+  ImGui::TextUnformatted(line.key.c_str());
+  go_on(line.word);
+  if (needs_japanese(line.word.c_str()) && !std::exchange(context.state.shows_japanese, true)) context.state.unsettle();
+  dim_text(context, line.word.c_str());
+  for (std::size_t i = 0; i < line.values.size(); ++i) {
+    go_on(line.values[i]);
+    draw_value(context, line, i);
+  }
+  if (!line.stored.empty()) {
+    go_on(line.stored);
+    dim_text(context, line.stored.c_str());
+  }
+  ImGui::PopID();
+}
+
+void RecordsPanel::draw_record(PanelContext& context, const forms::Records& records, Element element) {
+  const forms::FormRow& row = records.row();
+  ImGui::Separator();
+  ImGui::PushFont(context.fonts.bold);
+  wrapped_text(context.text(row.en, row.ja));
+  ImGui::PopFont();
+  tip(context.text(row.source_en, row.source_ja));
+  const forms::ElementRecord record = records.of(element);
+  if (record.none) return dim_text(context, record.none->in(context.language()).c_str());
+  ImGui::PushID(row.id.data(), row.id.data() + row.id.size());
+  for (const RecordLine& line : record_lines(record.fields, context.language())) draw_line(context, line);
+  ImGui::PopID();
+}
+
+void RecordsPanel::draw(PanelContext& context) {
+  const std::optional<Element> asked = element(context.session);
+  if (!asked || !is_alive(context.session.mesh(), *asked))
+    return dim_text(context, context.text("Point at an element, or select one.", "要素を指すか、選択してください。"));
+  ImGui::PushFont(context.fonts.bold);
+  const std::string name = name_of(context.session.mesh(), *asked), slot = slot_name(*asked);
+  wrapped_text((name == slot ? name : name + "   " + slot).c_str());
+  ImGui::PopFont();
+  if (!has_forms(context)) return;
+  choose_form(context);
+  chosen_.clear();
+  for (const forms::Records& records : book_.records())
+    if (shown_ == nullptr || shown_ == &records.row()) draw_record(context, records, *asked);
+  if (!chosen_.empty()) context.run(chosen_);
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_records_panel() { return std::make_unique<RecordsPanel>(); }
+
+}  // namespace ryosen

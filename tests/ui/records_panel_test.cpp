@@ -1,0 +1,115 @@
+// The panel of records: what it draws is what the command prints, its links select, and large meshes wait to be asked.
+#include <gtest/gtest.h>
+
+#include "app/editor/record_book.h"
+#include "core/forms/all.h"
+#include "core/mesh/names.h"
+#include "tests/support/app/drawn_text.h"
+#include "tests/support/app/laid.h"
+
+namespace ryosen {
+namespace {
+
+// Without blanks, and ? for each character that is not ASCII, as DrawnText has it.
+std::string as_drawn(std::string_view line) {
+  std::string drawn;
+  for (const char c : line) {
+    if (c == ' ' || (static_cast<unsigned char>(c) & 0xC0) == 0x80) continue;
+    drawn += static_cast<unsigned char>(c) < 128 ? c : '?';
+  }
+  return drawn;
+}
+
+class RecordsPanel : public testing::Test, protected test::Laid {
+ protected:
+  RecordsPanel() : Laid("cube.obj", {1280, 4200}) {}
+
+  void show(const std::string& asset_name) {
+    open(asset_name);
+    for (const char* const line : {"panel inspector off", "panel forms off", "panel history off", "panel problems off",
+                                   "panel pointer off", "panel records on", "columns right 420"})
+      ASSERT_TRUE(session.run(line).done()) << line;
+    frames(3);
+  }
+  void select(const std::string& name) {
+    ASSERT_TRUE(session.run("select " + name).done()) << name;
+    frames(4);
+  }
+};
+
+TEST_F(RecordsPanel, shows_what_the_command_prints) {
+  for (const auto& [file, elements] : {std::pair{"tetrahedron.off", std::vector{"v3", "e2", "h3", "f1"}},
+                                       {"two_quads.obj", {"v1", "e1", "h2", "h13", "f0"}},
+                                       {"figures/000-4b.obj", {"f8", "h28"}}}) {
+    show(file);
+    for (const char* const element : elements) {
+      select(element);
+      const test::DrawnText text(gui);
+      const std::string printed = test::run_program({"forms", test::asset(file), "--element", element}).out;
+      std::size_t begin = 0, lines = 0;
+      while (begin < printed.size()) {
+        const std::size_t end = printed.find('\n', begin);
+        const std::string line = printed.substr(begin, end - begin);
+        begin = end + 1;
+        // A heading has the form's name; sentences may be wrapped, which leaves the same letters.
+        const std::size_t as = line.find(" as "), source = line.rfind(" (");
+        const bool is_heading = !line.starts_with(' ') && as != line.npos;
+        const std::string drawn = as_drawn(is_heading ? line.substr(as + 4, source - as - 4) : line);
+        EXPECT_GT(text.count(drawn), 0u) << file << ' ' << element << ": " << line;
+        ++lines;
+      }
+      EXPECT_GE(lines, 2 * forms::all_forms().size()) << file << ' ' << element;
+    }
+  }
+}
+
+TEST_F(RecordsPanel, selects_what_a_link_leads_to) {
+  show("two_quads.obj");
+  select("h2");
+  const test::DrawnText text(gui);
+  glm::dvec2 place = text.place("nextnexth");
+  ASSERT_GT(place.x, 0);
+  const Mesh& mesh = session.mesh();
+  const std::string wanted = slot_name(mesh.next(Halfedge(2)));
+  // The link stands behind the two words.
+  for (double x = place.x; session.selection[0] == Element(Halfedge(2)) && x < 1280; x += 8) click({x, place.y});
+  EXPECT_EQ(session.selection, (std::vector<Element>{mesh.next(Halfedge(2))})) << wanted;
+}
+
+TEST_F(RecordsPanel, follows_an_edit_and_waits_to_be_asked_on_large_meshes) {
+  show("two_quads.obj");
+  select("f0");
+  EXPECT_GT(test::DrawnText(gui).count("v0v1v4v3=0143"), 0u);
+  ASSERT_TRUE(session.run("split 0-1").done());
+  select("f0");
+  EXPECT_GT(test::DrawnText(gui).count("v0v6v1v4v3=06143"), 0u);
+  ASSERT_TRUE(session.run("new").done());
+  ASSERT_TRUE(session.run("grid columns=320 rows=320").done());
+  ASSERT_GT(session.mesh().live().faces, 100'000u);
+  select("f0");
+  EXPECT_EQ(test::DrawnText(gui).count("v0v"), 0u);
+  const glm::dvec2 button = test::DrawnText(gui).place("Buildtheforms");
+  ASSERT_GT(button.x, 0);
+  click(button);
+  frames(3);
+  EXPECT_GT(test::DrawnText(gui).count("=0"), 10u);
+}
+
+TEST(record_book, builds_beside_the_frames_once_for_a_revision) {
+  auto document = Document::open(test::asset("torus.off"));
+  ASSERT_TRUE(document);
+  RecordBook book;
+  EXPECT_FALSE(book.is_of(**document));
+  book.begin(**document);
+  EXPECT_TRUE(book.is_of(**document));
+  book.wait();
+  ASSERT_TRUE(book.is_ready());
+  ASSERT_EQ(book.records().size(), forms::all_forms().size());
+  for (const forms::Records& records : book.records()) {
+    const auto alone = forms::Records((*document)->mesh(), records.row()).of(Face(5));
+    EXPECT_EQ(records.of(Face(5)).fields.size(), alone.fields.size());
+  }
+}
+
+}  // namespace
+}  // namespace ryosen

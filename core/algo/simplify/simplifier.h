@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/algo/simplify/collapse_surface.h"
+#include "core/algo/simplify/crossing_guard.h"
 #include "core/algo/simplify/level_queue.h"
 #include "core/base/progress.h"
 #include "core/mesh/edit.h"
@@ -20,6 +21,8 @@ namespace ryosen {
 struct SimplifyGoal {
   std::size_t faces = 0;  // live ones: not more than these
   unsigned effort = 1;    // 0 to 2
+  // No faces may come to meet: of a mesh of triangles, none of which do.
+  bool no_self_intersections = false;
 };
 
 class Simplifier {
@@ -49,6 +52,9 @@ class Simplifier {
   Answer try_edge(Edge e);
   Answer try_place(const Freedom& freedom, const Placing& placing);
   bool is_legal(Halfedge h) const;
+  // That of a placing, in units of the mesh; to the bit that of an end where it is one.
+  glm::dvec3 position_of(const Placing& placing) const;
+  bool makes_faces_meet(const Freedom& freedom, const Placing& placing) const;
   void collapse(const Freedom& freedom, const Placing& placing);
   void collapse_by_kernel(Halfedge h, const Placing& placing, const glm::dvec3& position);
   void block(Edge e);
@@ -60,9 +66,9 @@ class Simplifier {
   SimplifyGoal goal_;
   CollapseSurface surface_;
   LevelQueue queue_;
-  std::vector<std::uint8_t> is_blocked_;     // by edge
-  std::vector<std::uint8_t> has_blocked_;    // by vertex: perhaps one of its edges is
-  std::vector<LevelQueue::Level> waits_at_;  // by edge: scratch of filling, then nothing
+  std::optional<CrossingGuard> guard_;
+  std::vector<std::uint8_t> is_blocked_;   // by edge
+  std::vector<std::uint8_t> has_blocked_;  // by vertex: perhaps one of its edges is
   bool has_corner_values_, has_vertex_values_;
   std::size_t collapses_ = 0, asked_ = 0;
   double error_max_ = 0;

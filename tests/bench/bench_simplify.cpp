@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "core/algo/simplify/detail_levels.h"
 #include "core/algo/simplify/simplifier.h"
 #include "core/analysis/figures.h"
 #include "core/indexed/from_indexed.h"
@@ -130,8 +131,7 @@ Timed timed(Work work) {
 Timed run_ours(const Mesh& mesh, std::size_t faces, unsigned effort) {
   return timed([&] {
     Mesh work = mesh;
-    Edit edit(work, nullptr);
-    Simplifier simplifier(edit, {}, {.faces = faces, .effort = effort});
+    Simplifier simplifier(work, {}, {.faces = faces, .effort = effort});
     Progress unheard;
     simplifier.run(unheard);
     return [work = std::move(work)] { return soup_of(work); };
@@ -185,6 +185,26 @@ void compare(const Mesh& mesh, const Soup& input, const Nearest& near_input, dou
   }
 }
 
+// The move of a slider by so many collapses, both ways, from several places.
+void time_levels(const Mesh& mesh) {
+  constexpr std::size_t move = 10000;
+  DetailLevels levels(mesh);
+  Progress unheard;
+  levels.build({}, {.faces = mesh.live().faces / 100}, unheard);
+  std::vector<double> times;
+  for (std::size_t from = 0; from + move <= levels.last(); from += 5 * move) {
+    levels.go_to(from);
+    for (const std::size_t to : {from + move, from}) {
+      const auto start = Clock::now();
+      levels.go_to(to);
+      times.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+    }
+  }
+  if (times.empty()) return;
+  std::printf("levels: %zu, %.0f bytes per face beside the mesh; %zu at once in %.1f ms (bar 16)\n", levels.last(),
+              static_cast<double>(levels.bytes()) / mesh.live().faces, move, 1e3 * median(times));
+}
+
 }  // namespace
 }  // namespace ryosen::bench
 
@@ -200,4 +220,5 @@ int main(int argc, char** argv) {
   if (argc > 1) ratios.clear();
   for (int i = 1; i < argc; ++i) ratios.push_back(std::stod(argv[i]));
   for (const double ratio : ratios) compare(mesh, input, near_input, ratio);
+  time_levels(mesh);
 }

@@ -30,9 +30,10 @@ bool has_values(const Mesh& mesh, ElementKind kind) {
 
 }  // namespace
 
-Simplifier::Simplifier(Edit& edit, const CollapseLimits& limits, const SimplifyGoal& goal)
-    : edit_(edit),
-      mesh_(edit.mesh()),
+Simplifier::Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyGoal& goal, Journal* steps)
+    : writable_(mesh),
+      mesh_(mesh),
+      steps_(steps),
       goal_(goal),
       surface_(mesh_, limits),
       queue_(level_bits[goal.effort]),
@@ -41,6 +42,7 @@ Simplifier::Simplifier(Edit& edit, const CollapseLimits& limits, const SimplifyG
       has_corner_values_(!corner_attributes(mesh_).empty()),
       has_vertex_values_(has_values(mesh_, ElementKind::vertex)) {
   if (goal.no_self_intersections) guard_.emplace(mesh_);
+  if (!steps) edit_.emplace(mesh, nullptr);
 }
 
 void Simplifier::fill_queue() {
@@ -139,16 +141,12 @@ void Simplifier::collapse(const Freedom& freedom, const Placing& placing) {
     h = CollapseEdge{h}.directed(mesh_);
   }
   const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
-  const glm::dvec3 position = position_of(placing);
   const std::array<Face, 2> sides{mesh_.face(h), mesh_.face(twin(h))};
-  if (has_vertex_values_)
-    blend_vertex_values(edit_, gone, kept, closest_parameter(surface_.place(gone), surface_.place(kept), placing.place),
-                        kept);
-  if (is_plain) {
-    plain_collapse(edit_, h, [&](Edge stays, Edge goes) { surface_.take_over(stays, goes); });
-    edit_.set_position(kept, position);
-  } else {
-    collapse_by_kernel(h, placing, position);
+  if (steps_) edit_.emplace(writable_, steps_);
+  write_collapse(h, placing, is_plain);
+  if (steps_) {
+    edit_->commit();
+    edit_.reset();
   }
   surface_.merge(gone, kept, placing.place);
   if (guard_) {
@@ -158,6 +156,17 @@ void Simplifier::collapse(const Freedom& freedom, const Placing& placing) {
   }
   ++collapses_;
   unblock_around(kept);
+}
+
+void Simplifier::write_collapse(Halfedge h, const Placing& placing, bool is_plain) {
+  const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
+  const glm::dvec3 position = position_of(placing);
+  if (has_vertex_values_)
+    blend_vertex_values(*edit_, gone, kept,
+                        closest_parameter(surface_.place(gone), surface_.place(kept), placing.place), kept);
+  if (!is_plain) return collapse_by_kernel(h, placing, position);
+  plain_collapse(*edit_, h, [&](Edge stays, Edge goes) { surface_.take_over(stays, goes); });
+  edit_->set_position(kept, position);
 }
 
 void Simplifier::collapse_by_kernel(Halfedge h, const Placing& placing, const glm::dvec3& position) {
@@ -172,7 +181,7 @@ void Simplifier::collapse_by_kernel(Halfedge h, const Placing& placing, const gl
     op.place = CollapseEdge::Place::point;
     op.target = position;
   }
-  op.apply(edit_);
+  op.apply(*edit_);
 }
 
 void Simplifier::block(Edge e) {

@@ -27,8 +27,9 @@ struct SimplifyGoal {
 
 class Simplifier {
  public:
-  // Collapses edges of the edited mesh: of a copy, since what it writes goes to no journal. Both must outlive it.
-  Simplifier(Edit& edit, const CollapseLimits& limits, const SimplifyGoal& goal);
+  // Collapses edges of this mesh, each as an entry of a journal where there is one; without one what it writes is final,
+  // so that it is to be a copy. Both must outlive it.
+  Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyGoal& goal, Journal* steps = nullptr);
 
   // Until the goal is reached or no edge can collapse; false where it was cancelled.
   bool run(Progress& progress);
@@ -37,7 +38,7 @@ class Simplifier {
   std::size_t asked() const { return asked_; }
   // The largest error of all collapses, in units of the mesh.
   double error_max() const { return surface_.scale().restored_length(error_max_); }
-  bool is_at_goal() const { return edit_.mesh().live().faces <= goal_.faces; }
+  bool is_at_goal() const { return mesh_.live().faces <= goal_.faces; }
 
   // The first rule under which an edge is held: every place in either direction is refused by it or by one before it.
   // Free where there is one that is not.
@@ -56,13 +57,16 @@ class Simplifier {
   glm::dvec3 position_of(const Placing& placing) const;
   bool makes_faces_meet(const Freedom& freedom, const Placing& placing) const;
   void collapse(const Freedom& freedom, const Placing& placing);
+  void write_collapse(Halfedge h, const Placing& placing, bool is_plain);
   void collapse_by_kernel(Halfedge h, const Placing& placing, const glm::dvec3& position);
   void block(Edge e);
   void unblock_around(Vertex v);
   std::optional<EdgeRule> refusal(const Freedom& freedom, const Placing& placing) const;
 
-  Edit& edit_;
+  Mesh& writable_;
   const Mesh& mesh_;
+  Journal* steps_;
+  std::optional<Edit> edit_;  // without a journal one for all
   SimplifyGoal goal_;
   CollapseSurface surface_;
   LevelQueue queue_;

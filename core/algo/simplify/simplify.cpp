@@ -102,16 +102,18 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
     return result;
   }
   const std::size_t before = mesh.live().faces + input.quarantined;
-  Mesh work = mesh;
-  Edit batch(work, nullptr);  // on a copy, so that one that is cancelled leaves no trace
+  Mesh work = mesh;  // a copy, so that one that is cancelled leaves no trace
   const bool is_triangulated = values.flag("triangulate") && Triangulate{}.check(work).legal();
-  if (is_triangulated) Triangulate{}.apply(batch);
+  if (is_triangulated) {
+    Edit batch(work, nullptr);
+    Triangulate{}.apply(batch);
+  }
   const bool keeps_apart = values.flag("no_self_intersections");
   if (keeps_apart && (result.refused = why_faces_cannot_be_kept_apart(work))) return result;
   const std::size_t wanted = faces_wanted(values, before);
   const SimplifyGoal goal{wanted - std::min(wanted, input.quarantined), static_cast<unsigned>(values.count("effort")),
                           keeps_apart};
-  Simplifier simplifier(batch, limits_of(work, values), goal);
+  Simplifier simplifier(work, limits_of(work, values), goal);
   Account& account = result.account.emplace();
   if (!simplifier.run(progress)) {
     account = {Stop::cancelled, false};

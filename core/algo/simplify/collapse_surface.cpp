@@ -161,7 +161,8 @@ Placing CollapseSurface::at_place(const Freedom& freedom, const glm::dvec3& plac
   const Vertex a = mesh_.from(freedom.halfedge), b = mesh_.to(freedom.halfedge);
   const glm::dvec3 along = places_[a.index] - places_[b.index];
   const Quadric &qa = quadrics_[a.index], &qb = quadrics_[b.index];
-  return {place, qa.at(place) + qb.at(place) + length_share * (qa.weight + qb.weight) * glm::dot(along, along), at};
+  const double squares = qa.at(place) + qb.at(place);
+  return {place, squares, squares + length_share * (qa.weight + qb.weight) * glm::dot(along, along), at};
 }
 
 Placing CollapseSurface::lowest(const Freedom& freedom) const {
@@ -171,7 +172,8 @@ Placing CollapseSurface::lowest(const Freedom& freedom) const {
   const glm::dvec3 middle = 0.5 * (pa + pb), along = pa - pb;
   const Quadric sum = quadrics_[a.index] + quadrics_[b.index];
   const glm::dvec3 place = sum.lowest(middle);
-  return {place, sum.at(place) + length_share * sum.weight * glm::dot(along, along)};
+  const double squares = sum.at(place);
+  return {place, squares, squares + length_share * sum.weight * glm::dot(along, along)};
 }
 
 double CollapseSurface::lowest_cost(Halfedge h) const {
@@ -187,9 +189,9 @@ std::array<Placing, 3> CollapseSurface::others(const Freedom& freedom) const {
   return all;
 }
 
-double CollapseSurface::error_of(Halfedge h, double cost) const {
+double CollapseSurface::error_of(Halfedge h, const Placing& placing) const {
   const double weight = quadrics_[mesh_.from(h).index].weight + quadrics_[mesh_.to(h).index].weight;
-  return weight > 0 ? std::sqrt(cost / weight) : 0;
+  return weight > 0 ? std::sqrt(placing.squares / weight) : 0;
 }
 
 // A face without area may turn as it likes; one with area may not lose it.

@@ -35,7 +35,8 @@ struct Freedom {
 // A place for the vertex that stays.
 struct Placing {
   glm::dvec3 place;
-  double cost;           // the sum of the quadrics of both ends there
+  double squares;        // the sum of the quadrics of both ends there
+  double cost;           // the same and a little for a long edge: what decides the order
   Vertex at = Vertex();  // the end whose place it is
 };
 
@@ -59,8 +60,8 @@ class CollapseSurface {
   Placing at_place(const Freedom& freedom, const glm::dvec3& place, Vertex at = {}) const;
 
   // A distance in scaled units: the root of the mean squared distance from the planes of both ends.
-  double error_of(Halfedge h, double cost) const;
-  bool is_within_error(Halfedge h, double cost) const { return error_of(h, cost) <= error_; }
+  double error_of(Halfedge h, const Placing& placing) const;
+  bool is_within_error(Halfedge h, const Placing& placing) const { return error_of(h, placing) <= error_; }
   bool limits_error() const { return error_ < std::numeric_limits<double>::infinity(); }
   // Whether a face would turn too far or lose its area, and whether one would get too small an angle.
   bool turns_face(Halfedge h, const glm::dvec3& place) const;

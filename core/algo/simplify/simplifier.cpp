@@ -30,16 +30,20 @@ bool has_values(const Mesh& mesh, ElementKind kind) {
 
 }  // namespace
 
-Simplifier::Simplifier(Edit& edit, const CollapseLimits& limits, const SimplifyGoal& goal)
-    : edit_(edit),
-      mesh_(edit.mesh()),
+Simplifier::Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyGoal& goal, Journal* steps)
+    : writable_(mesh),
+      mesh_(mesh),
+      steps_(steps),
       goal_(goal),
       surface_(mesh_, limits),
       queue_(level_bits[goal.effort]),
       is_blocked_(mesh_.edge_slots()),
       has_blocked_(mesh_.vertex_slots()),
       has_corner_values_(!corner_attributes(mesh_).empty()),
-      has_vertex_values_(has_values(mesh_, ElementKind::vertex)) {}
+      has_vertex_values_(has_values(mesh_, ElementKind::vertex)) {
+  if (goal.no_self_intersections) guard_.emplace(mesh_);
+  if (!steps) edit_.emplace(mesh, nullptr);
+}
 
 void Simplifier::fill_queue() {
   const std::uint32_t slots = mesh_.edge_slots();
@@ -99,7 +103,7 @@ Simplifier::Answer Simplifier::try_edge(Edge e) {
     queue_.add(e.index, level);
     return Answer::later;
   }
-  if (!surface_.is_within_error(freedom.halfedge, lowest.cost) || !is_legal(freedom.halfedge)) return Answer::refused;
+  if (!surface_.is_within_error(freedom.halfedge, lowest) || !is_legal(freedom.halfedge)) return Answer::refused;
   if (const Answer answer = try_place(freedom, lowest); answer != Answer::refused || freedom.is_anchored) return answer;
   for (const Placing& other : surface_.others(freedom))
     if (const Answer answer = try_place(freedom, other); answer != Answer::refused) return answer;
@@ -108,39 +112,61 @@ Simplifier::Answer Simplifier::try_edge(Edge e) {
 
 Simplifier::Answer Simplifier::try_place(const Freedom& freedom, const Placing& placing) {
   const Halfedge h = freedom.halfedge;
-  if (!surface_.is_within_error(h, placing.cost) || surface_.turns_face(h, placing.place) ||
+  if (!surface_.is_within_error(h, placing) || surface_.turns_face(h, placing.place) ||
       surface_.narrows_face(h, placing.place))
     return Answer::refused;
   if (const auto level = queue_.level_of(placing.cost); level > queue_.current()) {
     queue_.add(edge(h).index, level);
     return Answer::later;
   }
+  if (makes_faces_meet(freedom, placing)) return Answer::refused;
   collapse(freedom, placing);
   return Answer::done;
 }
 
+glm::dvec3 Simplifier::position_of(const Placing& placing) const {
+  return placing.at ? mesh_.position(placing.at) : surface_.scale().restored(placing.place);
+}
+
+bool Simplifier::makes_faces_meet(const Freedom& freedom, const Placing& placing) const {
+  return guard_ && guard_->would_meet(freedom.halfedge, position_of(placing));
+}
+
 void Simplifier::collapse(const Freedom& freedom, const Placing& placing) {
   Halfedge h = freedom.halfedge;
-  error_max_ = std::max(error_max_, surface_.error_of(h, placing.cost));
+  error_max_ = std::max(error_max_, surface_.error_of(h, placing));
   const bool is_plain = !has_corner_values_ && quick_collapse(mesh_, h) == QuickAnswer::legal;
   if (!is_plain) {
     if (!CollapseEdge{h}.is_legal(mesh_)) h = twin(h);
     h = CollapseEdge{h}.directed(mesh_);
   }
   const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
-  const glm::dvec3 position = placing.at ? mesh_.position(placing.at) : surface_.scale().restored(placing.place);
-  if (has_vertex_values_)
-    blend_vertex_values(edit_, gone, kept, closest_parameter(surface_.place(gone), surface_.place(kept), placing.place),
-                        kept);
-  if (is_plain) {
-    plain_collapse(edit_, h, [&](Edge stays, Edge goes) { surface_.take_over(stays, goes); });
-    edit_.set_position(kept, position);
-  } else {
-    collapse_by_kernel(h, placing, position);
+  const std::array<Face, 2> sides{mesh_.face(h), mesh_.face(twin(h))};
+  if (steps_) edit_.emplace(writable_, steps_);
+  write_collapse(h, placing, is_plain);
+  if (steps_) {
+    edit_->commit();
+    edit_.reset();
   }
   surface_.merge(gone, kept, placing.place);
+  if (guard_) {
+    for (Face f : sides)
+      if (f) guard_->forget(f);
+    guard_->follow(kept);
+  }
   ++collapses_;
   unblock_around(kept);
+}
+
+void Simplifier::write_collapse(Halfedge h, const Placing& placing, bool is_plain) {
+  const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
+  const glm::dvec3 position = position_of(placing);
+  if (has_vertex_values_)
+    blend_vertex_values(*edit_, gone, kept,
+                        closest_parameter(surface_.place(gone), surface_.place(kept), placing.place), kept);
+  if (!is_plain) return collapse_by_kernel(h, placing, position);
+  plain_collapse(*edit_, h, [&](Edge stays, Edge goes) { surface_.take_over(stays, goes); });
+  edit_->set_position(kept, position);
 }
 
 void Simplifier::collapse_by_kernel(Halfedge h, const Placing& placing, const glm::dvec3& position) {
@@ -155,7 +181,7 @@ void Simplifier::collapse_by_kernel(Halfedge h, const Placing& placing, const gl
     op.place = CollapseEdge::Place::point;
     op.target = position;
   }
-  op.apply(edit_);
+  op.apply(*edit_);
 }
 
 void Simplifier::block(Edge e) {
@@ -183,7 +209,8 @@ std::optional<EdgeRule> Simplifier::refusal(const Freedom& freedom, const Placin
   const Halfedge h = freedom.halfedge;
   if (surface_.turns_face(h, placing.place)) return EdgeRule::normal;
   if (surface_.narrows_face(h, placing.place)) return EdgeRule::angle;
-  if (!surface_.is_within_error(h, placing.cost)) return EdgeRule::error;
+  if (!surface_.is_within_error(h, placing)) return EdgeRule::error;
+  if (makes_faces_meet(freedom, placing)) return EdgeRule::self_intersection;
   return std::nullopt;
 }
 

@@ -6,8 +6,10 @@
 #include "core/algo/simplify/remaining_edges.h"
 #include "core/algo/simplify/simplifier.h"
 #include "core/algo/transform/moved_points.h"
-#include "core/base/count_text.h"
+#include "core/analysis/self_intersections.h"
+#include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/mesh/names.h"
 #include "core/ops/triangulate.h"
 
 namespace ryosen {
@@ -67,6 +69,19 @@ CollapseLimits limits_of(const Mesh& mesh, const ParameterValues& values) {
   return limits;
 }
 
+std::optional<Text> why_faces_cannot_be_kept_apart(const Mesh& mesh) {
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
+    if (const Face f(i); mesh.is_alive(f) && (!is_triangle(mesh, mesh.halfedge(f)) || mesh.has_rings(f)))
+      return Text{
+          name_of(mesh, f) + " is no triangle, so that faces cannot be kept from meeting; triangulate=on does",
+          name_of(mesh, f) + " が三角形でないため、面の交差を防げません（triangulate=on で三角形に分割できます）"};
+  const std::size_t pairs = find_self_intersections(mesh, 0).count;
+  if (pairs == 0) return std::nullopt;
+  const std::string n = std::to_string(pairs);
+  return Text{n + " pairs of faces meet already, so that it cannot be kept free of them",
+              "すでに " + n + " 組の面が交わっているため、交差のない状態を保てません"};
+}
+
 Text text_of(std::size_t before, std::size_t after, const Account& account) {
   const std::string a = std::to_string(before), b = std::to_string(after);
   Text text{"From " + a + " to " + b + " faces", "面 " + a + " 枚から " + b + " 枚へ"};
@@ -87,13 +102,18 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
     return result;
   }
   const std::size_t before = mesh.live().faces + input.quarantined;
-  Mesh work = mesh;
-  Edit batch(work, nullptr);  // on a copy, so that one that is cancelled leaves no trace
+  Mesh work = mesh;  // a copy, so that one that is cancelled leaves no trace
   const bool is_triangulated = values.flag("triangulate") && Triangulate{}.check(work).legal();
-  if (is_triangulated) Triangulate{}.apply(batch);
+  if (is_triangulated) {
+    Edit batch(work, nullptr);
+    Triangulate{}.apply(batch);
+  }
+  const bool keeps_apart = values.flag("no_self_intersections");
+  if (keeps_apart && (result.refused = why_faces_cannot_be_kept_apart(work))) return result;
   const std::size_t wanted = faces_wanted(values, before);
-  const SimplifyGoal goal{wanted - std::min(wanted, input.quarantined), static_cast<unsigned>(values.count("effort"))};
-  Simplifier simplifier(batch, limits_of(work, values), goal);
+  const SimplifyGoal goal{wanted - std::min(wanted, input.quarantined), static_cast<unsigned>(values.count("effort")),
+                          keeps_apart};
+  Simplifier simplifier(work, limits_of(work, values), goal);
   Account& account = result.account.emplace();
   if (!simplifier.run(progress)) {
     account = {Stop::cancelled, false};

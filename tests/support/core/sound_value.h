@@ -22,6 +22,8 @@ inline std::string sound_value(const ParameterRow& row) {
       return "1,2,3";
     case ParameterKind::length:
       return "0.01";
+    case ParameterKind::ratio:
+      return "0.5";
     default:
       return format_double(std::max(row.smallest.value_or(0), 2.0));
   }

@@ -3,12 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <numeric>
 #include <set>
 
+#include "core/algo/edge_rules.h"
 #include "core/algo/simplify/plain_collapse.h"
 #include "core/analysis/figures.h"
 #include "core/analysis/invariants.h"
+#include "core/analysis/self_intersections.h"
 #include "core/io/formats.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
@@ -114,7 +118,7 @@ TEST(simplify, collapses_plain_edges_as_the_kernel_does) {
     if (!plain.is_alive(h)) continue;
     const QuickAnswer answer = quick_collapse(plain, h);
     const bool is_legal = CollapseEdge{h}.judge(plain).legal();
-    if (answer != QuickAnswer::unknown) ASSERT_EQ(answer == QuickAnswer::legal, is_legal);
+    ASSERT_TRUE(answer == QuickAnswer::unknown || (answer == QuickAnswer::legal) == is_legal);
     if (answer != QuickAnswer::legal) continue;
     CollapseEdge{h}.apply(kernel_edit);
     plain_collapse(plain_edit, h, [](Edge, Edge) {});
@@ -155,7 +159,7 @@ TEST(simplify, of_a_flat_sheet_loses_nothing) {
   EXPECT_TRUE(result.account->is_reached);
   EXPECT_LT(*result.account->error_max, 1e-6);
   const Figures figures = compute_figures(mesh);
-  EXPECT_NEAR(figures.area, 400, 1e-6) << "the corners are where they were";
+  EXPECT_NEAR(figures.area, 400, 1e-4) << "the corners are where they were";
 }
 
 TEST(simplify, reaches_a_number_a_ratio_or_an_error) {
@@ -216,15 +220,29 @@ TEST(simplify, keeps_what_is_locked_and_changes_what_is_selected_alone) {
   EXPECT_GT(gone, 0u);
 }
 
+double smallest_angle_deg(const Mesh& mesh) {
+  double smallest = 180;
+  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.is_alive(h) || mesh.is_outside(h)) continue;
+    const glm::dvec3 p = mesh.position(mesh.from(h)), a = mesh.position(mesh.to(h)) - p,
+                     b = mesh.position(mesh.from(mesh.prev(h))) - p;
+    const double cosine = glm::dot(a, b) / std::sqrt(glm::dot(a, a) * glm::dot(b, b));
+    smallest = std::min(smallest, std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / 3.141592653589793);
+  }
+  return smallest;
+}
+
 TEST(simplify, keeps_angles_and_turns_within_their_limits) {
   const Mesh before = sheet(16, wave);
+  ASSERT_GT(smallest_angle_deg(before), 20);
   Mesh narrow = before, turn = before, any = before;
-  const AlgorithmResult by_angle = simplified(narrow, "faces=0 min_angle=20");
-  EXPECT_GT(count_of(by_angle, EdgeRule::angle), 0u);
-  const AlgorithmResult by_turn = simplified(turn, "faces=0 max_turn=10");
+  simplified(any, "faces=60");
+  EXPECT_LT(smallest_angle_deg(any), 19);
+  simplified(narrow, "faces=60 min_angle=20");
+  EXPECT_GT(smallest_angle_deg(narrow), 20 - 1e-9);
+  const AlgorithmResult by_turn = simplified(turn, "faces=0 boundary=locked max_turn=1");
   EXPECT_GT(count_of(by_turn, EdgeRule::normal), 0u);
-  simplified(any, "faces=0");
-  EXPECT_GT(narrow.live().faces, any.live().faces);
   EXPECT_GT(turn.live().faces, any.live().faces);
 }
 
@@ -265,7 +283,39 @@ TEST(simplify, turns_polygons_into_fewer_or_triangulates_them_first) {
   EXPECT_FALSE(check_invariants(triangles));
   EXPECT_TRUE(cut.account->is_reached);
   for (std::uint32_t i = 0; i < triangles.face_slots(); ++i)
-    if (const Face f(i); triangles.is_alive(f)) EXPECT_TRUE(is_triangle(triangles, triangles.halfedge(f)));
+    EXPECT_TRUE(!triangles.is_alive(Face(i)) || is_triangle(triangles, triangles.halfedge(Face(i)))) << i;
+}
+
+// Two sheets close over each other, that do not touch but would if each was straightened in its own way.
+TEST(simplify, keeps_faces_apart_where_it_is_asked_to) {
+  Mesh plain = sheet(14, [](std::uint32_t x, std::uint32_t y) { return 2.0 * ((x / 2 + y / 3) % 2); });
+  Mesh above = plain;
+  {
+    MeshColumns columns = above.columns();
+    for (glm::dvec3& p : columns.positions) p.z += 0.05 + 0.1 * (static_cast<int>(5 * p.x + 3 * p.y) % 4);
+    above = Mesh(columns);
+  }
+  IndexedMesh both;
+  for (const Mesh* mesh : {&plain, &above}) {
+    const auto first = static_cast<std::uint32_t>(both.positions.size());
+    both.positions.insert(both.positions.end(), mesh->positions().begin(), mesh->positions().end());
+    for (const auto& face : polygons_of(*mesh)) {
+      for (const std::uint32_t corner : face) both.corners.push_back(first + corner);
+      both.face_offsets.push_back(static_cast<std::uint32_t>(both.corners.size()));
+    }
+  }
+  const Mesh before = from_indexed(both);
+  ASSERT_EQ(find_self_intersections(before).count, 0u);
+  Mesh free = before, kept = before;
+  simplified(free, "faces=60");
+  const AlgorithmResult result = simplified(kept, "faces=60 no_self_intersections=on");
+  EXPECT_GT(find_self_intersections(free).count, 0u) << "or the test asks nothing";
+  EXPECT_EQ(find_self_intersections(kept).count, 0u);
+  EXPECT_LT(kept.live().faces, before.live().faces / 2);
+  EXPECT_TRUE(result.account->is_reached || count_of(result, EdgeRule::self_intersection) > 0);
+  EXPECT_TRUE(simplified(free, "faces=9 no_self_intersections=on").refused);
+  Mesh squares = make_mesh(torus_grid(4, 5));
+  EXPECT_TRUE(simplified(squares, "faces=9 no_self_intersections=on").refused);
 }
 
 TEST(simplify, refuses_values_with_a_sentence) {

@@ -72,6 +72,7 @@ Result<std::unique_ptr<steps::Sequence>> make_played(const Document& document, s
 Player::Player(std::string call, std::unique_ptr<steps::Sequence> sequence, const Document& document)
     : call_(std::move(call)),
       sequence_(std::move(sequence)),
+      tables_(*sequence_),
       serial_(document.serial()),
       revision_(document.revision()),
       hash_(document.mesh().hash()),

@@ -10,6 +10,7 @@
 
 #include "app/editor/document.h"
 #include "core/steps/all.h"
+#include "core/steps/tables.h"
 
 namespace ryosen {
 
@@ -37,6 +38,8 @@ class Player {
   // That which leads to the position; null before the first one.
   const steps::Step* step() const { return step_ ? &*step_ : nullptr; }
   Text remark() const { return sequence_->remark(); }
+  // As all steps up to the position have filled them.
+  const steps::Tables& tables() { return tables_.at(position_); }
   bool is_running = false;  // a frontend goes forward from time to time
 
   // Whether the document is the one that it was made for, at the same place of its history.
@@ -51,6 +54,7 @@ class Player {
  private:
   std::string call_;
   std::unique_ptr<steps::Sequence> sequence_;
+  steps::TablesAlong tables_;
   std::size_t position_ = 0;
   std::optional<steps::Step> step_;
   std::uint64_t serial_, revision_, hash_;  // of the document; the hash without a trial

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <iterator>
+
 #include "app/editor/exercises.h"
 #include "app/editor/playing.h"
 #include "app/ui/panels.h"
@@ -17,7 +20,7 @@ class StepsPanel : public Panel {
  private:
   void draw_choice(PanelContext& context);
   void draw_ways(PanelContext& context, const Player& player);
-  void draw_step(PanelContext& context, const Player& player);
+  void draw_step(PanelContext& context, Player& player);
   void go_on(PanelContext& context, const Player& player);
 
   std::optional<double> next_at_;  // when it goes forward by itself
@@ -121,12 +124,32 @@ void draw_roles(PanelContext& context, const steps::Step& step) {
   }
 }
 
-void StepsPanel::draw_step(PanelContext& context, const Player& player) {
+// The tables as they stand, that of the step's first cell open.
+void draw_tables(PanelContext& context, Player& player) {
+  const std::string& first = player.step()->rows.front().table;
+  if (!ImGui::CollapsingHeader(context.text("The whole table", "表全体"))) return;
+  const steps::Tables::Rows& rows = player.tables().rows_of(first);
+  dim_text(context, (first + ", " + std::to_string(rows.size())).c_str());
+  auto at = rows.begin();
+  std::size_t place = 0;
+  list_of_rows("table", rows.size(), 12, [&](std::size_t i) {
+    std::advance(at, static_cast<std::ptrdiff_t>(i) - static_cast<std::ptrdiff_t>(place));
+    place = i;
+    std::string fields;
+    for (const auto& [field, value] : at->second) fields += (fields.empty() ? "" : ", ") + field + " " + value;
+    const float room = 0.75f * ImGui::GetContentRegionAvail().x;
+    row(context, at->first.c_str(), fitted(fields, room).c_str(), false);
+    tip(at->first + ": " + fields);
+  });
+}
+
+void StepsPanel::draw_step(PanelContext& context, Player& player) {
   const steps::Step* const step = player.step();
   if (!step) return dim_text(context, context.text("Before the first step.", "最初の手順の前です。"));
   wrapped_text(step->caption.in(context.language()).c_str());
   if (step->delta) coloured_text(context.colours().accent, steps::text_of(*step->delta).in(context.language()).c_str());
   draw_cells(context, step->rows);
+  if (!step->rows.empty()) draw_tables(context, player);
   draw_roles(context, *step);
   if (!step->source) return;
   std::string source = std::string(context.text("Text ", "テキスト ")) + std::string(step->source->text) + ", " +

@@ -68,11 +68,13 @@ struct AlgorithmRow {
   // Adds a shape beside what is there, and so needs no mesh to begin with.
   bool is_primitive = false;
   bool selects_added = false;  // what it has added is selected afterwards
+  // The program has a command of this name, which prints what other algorithms do not have.
+  bool has_own_subcommand = false;
 
   bool is_repair() const { return !solves.empty(); }
 };
 
-// Repairs first, in the order in which they are done, each after those that make its work easier; then primitives, transforms and copies. Rows
+// Repairs first, in the order in which they are done, each after those that make its work easier; then primitives, transforms, copies and the hull. Rows
 // stay where they are.
 const std::deque<AlgorithmRow>& algorithm_table();
 // By id; null when there is none.

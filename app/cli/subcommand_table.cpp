@@ -11,6 +11,7 @@
 #include "app/cli/contract/edit.h"
 #include "app/cli/contract/forms.h"
 #include "app/cli/contract/help.h"
+#include "app/cli/contract/hull.h"
 #include "app/cli/contract/lists.h"
 #include "app/cli/contract/measure.h"
 #include "app/cli/contract/shot.h"
@@ -179,6 +180,24 @@ std::vector<Subcommand> table() {
                  nullptr,
                  convert_command,
                  convert_contract},
+      Subcommand{
+          "hull",
+          "FILE",
+          "the convex hull of the points of a file (- reads lines of three numbers from standard input); without -o "
+          "nothing is written",
+          "ファイルの点の凸包（- なら標準入力から一行三数の座標を読む）。-o がなければ何も書き出さない",
+          {
+              {"-o", "OUT", false, "writes the hull", "凸包の出力先"},
+              {"--facets", "", false, "facets as polygons; this is also done unasked", "面を多角形のまま出す（既定）"},
+              {"--triangles", "", false, "cuts each facet into the fan from its lowest number",
+               "各面を番号最小の頂点からの扇で三角形に分ける"},
+              {"--skip-nonfinite", "", false, "leaves points out that are not finite; else they are refused",
+               "有限でない点を除く（省くと拒否する）"},
+              overwrite,
+          },
+          nullptr,
+          hull_command,
+          hull_contract},
       Subcommand{"shot", "FILE", "a picture of a mesh or of the whole editor, without a display",
                  "メッシュまたはエディタ全体の画像（ディスプレイ不要）", shot_flags(), shot_topic, shot_command,
                  shot_contract},
@@ -280,7 +299,8 @@ Subcommand subcommand_of(const AlgorithmRow& row) {
 
 std::vector<Subcommand> subcommands() {
   std::vector<Subcommand> all = table();
-  for (const AlgorithmRow& row : algorithm_table()) all.push_back(subcommand_of(row));
+  for (const AlgorithmRow& row : algorithm_table())
+    if (!row.has_own_subcommand) all.push_back(subcommand_of(row));
   return all;
 }
 

@@ -14,6 +14,7 @@ ExitCode view_command(const Arguments& arguments, const Console& console);
 ExitCode repair_command(const Arguments& arguments, const Console& console);
 ExitCode algorithm_command(const AlgorithmRow& row, const Arguments& arguments, const Console& console);
 ExitCode shot_command(const Arguments& arguments, const Console& console);
+ExitCode hull_command(const Arguments& arguments, const Console& console);
 ExitCode measure_command(const Arguments& arguments, const Console& console);
 ExitCode steps_command(const Arguments& arguments, const Console& console);
 ExitCode forms_command(const Arguments& arguments, const Console& console);

@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "core/algo/copying/copying.h"
+#include "core/algo/hull/hull.h"
 #include "core/algo/primitives/primitives.h"
 #include "core/algo/repair/repairs.h"
 #include "core/algo/simplify/simplify.h"
@@ -16,7 +17,7 @@ std::deque<AlgorithmRow>& algorithm_rows() {
   static std::deque<AlgorithmRow> rows = [] {
     std::deque<AlgorithmRow> all;
     for (const std::vector<AlgorithmRow>& folder :
-         {repair_rows(), primitive_rows(), transform_rows(), copying_rows(), simplify_rows()})
+         {repair_rows(), primitive_rows(), transform_rows(), copying_rows(), simplify_rows(), hull_rows()})
       all.insert(all.end(), folder.begin(), folder.end());
     return all;
   }();

@@ -87,11 +87,13 @@ struct AlgorithmRow {
   bool selects_added = false;  // what it has added is selected afterwards
   // Has a goal and tells in its result's account how it ended: its subcommand ends with 1 where it stopped before.
   bool accounts = false;
+  // The program has a command of this name, which prints what other algorithms do not have.
+  bool has_own_subcommand = false;
 
   bool is_repair() const { return !solves.empty(); }
 };
 
-// Repairs first, in the order in which they are done, each after those that make its work easier; then primitives, transforms and copies. Rows
+// Repairs first, in the order in which they are done, each after those that make its work easier; then primitives, transforms, copies and the hull. Rows
 // stay where they are.
 const std::deque<AlgorithmRow>& algorithm_table();
 // By id; null when there is none.

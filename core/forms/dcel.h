@@ -2,8 +2,10 @@
 // face, faces with an outer component and inner components.
 #pragma once
 
-#include <glm/vec3.hpp>
+#include <utility>
+#include <vector>
 
+#include "core/forms/dcel_records.h"
 #include "core/forms/form.h"
 
 namespace ryosen::forms {
@@ -12,6 +14,10 @@ namespace ryosen::forms {
 class Dcel : public Form {
  public:
   explicit Dcel(const Mesh& mesh);
+  // Every row is in use, and the links are those of a mesh.
+  explicit Dcel(DcelRecords records) : records_(std::move(records)) {}
+
+  const DcelRecords& records() const { return records_; }
 
   std::size_t bytes() const override;
   Mesh to_mesh() const override;
@@ -20,31 +26,18 @@ class Dcel : public Form {
   Fields record(Element own) const override;
 
   // The interface of walk.h.
-  std::uint32_t from(std::uint32_t h) const { return half_edges_[h].origin; }
-  std::uint32_t next(std::uint32_t h) const { return half_edges_[h].next; }
-  std::uint32_t prev(std::uint32_t h) const { return half_edges_[h].prev; }
-  std::uint32_t pair(std::uint32_t h) const { return half_edges_[h].twin; }
-  std::uint32_t face(std::uint32_t h) const { return half_edges_[h].face; }
-  std::uint32_t at_vertex(std::uint32_t v) const { return vertices_[v].incident_edge; }
-  std::uint32_t at_face(std::uint32_t f) const { return faces_[f].outer_component; }
+  std::uint32_t from(std::uint32_t h) const { return records_.half_edges[h].origin; }
+  std::uint32_t next(std::uint32_t h) const { return records_.half_edges[h].next; }
+  std::uint32_t prev(std::uint32_t h) const { return records_.half_edges[h].prev; }
+  std::uint32_t pair(std::uint32_t h) const { return records_.half_edges[h].twin; }
+  std::uint32_t face(std::uint32_t h) const { return records_.half_edges[h].face; }
+  std::uint32_t at_vertex(std::uint32_t v) const { return records_.vertices[v].incident_edge; }
+  std::uint32_t at_face(std::uint32_t f) const { return records_.faces[f].outer_component; }
   std::uint32_t at_edge(std::uint32_t h) const { return h; }
-  const std::vector<std::uint32_t>& inner(std::uint32_t f) const { return faces_[f].inner_components; }
+  const std::vector<std::uint32_t>& inner(std::uint32_t f) const { return records_.faces[f].inner_components; }
 
  private:
-  struct VertexRecord {
-    glm::dvec3 coordinates;
-    std::uint32_t incident_edge;
-  };
-  struct HalfEdgeRecord {
-    std::uint32_t origin, twin, next, prev, face;
-  };
-  struct FaceRecord {
-    std::uint32_t outer_component;
-    std::vector<std::uint32_t> inner_components;
-  };
-  std::vector<VertexRecord> vertices_;
-  std::vector<HalfEdgeRecord> half_edges_;
-  std::vector<FaceRecord> faces_;
+  DcelRecords records_;
 };
 
 }  // namespace ryosen::forms

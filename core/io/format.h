@@ -36,6 +36,7 @@ struct Format {
   std::vector<FormatVariant> variants = {};  // empty if there is only one encoding; else the default first
   bool shares_name = false;                  // files with this extension are often not meshes; see may_be_mesh
   bool is_name_binding = false;              // a file with this extension but the content of another format is refused
+  bool may_be_empty = false;                 // a file of this name without a byte is one without elements
 };
 
 inline constexpr std::size_t sniffed_bytes = 4096;

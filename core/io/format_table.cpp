@@ -9,6 +9,7 @@
 #include "core/io/ply.h"
 #include "core/io/stl.h"
 #include "core/io/txt.h"
+#include "core/io/xyz.h"
 
 namespace ryosen {
 namespace {
@@ -85,6 +86,13 @@ std::deque<Format>& all_formats() {
        txt_holds,
        {},
        true},
+      {.id = "xyz",
+       .name = {"list of points", "点の座標リスト"},
+       .extensions = {".xyz"},
+       .sniff = looks_like_xyz,
+       .read = read_xyz,
+       .shares_name = true,
+       .may_be_empty = true},
   };
   return table;
 }

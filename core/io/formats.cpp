@@ -74,6 +74,7 @@ bool may_be_mesh(const std::filesystem::path& path) {
 
 Result<const Format*> recognise(std::string_view bytes, const std::filesystem::path& path) {
   const std::string_view head = bytes.substr(0, sniffed_bytes);
+  if (const Format* const named = format_of_extension(path); bytes.empty() && named && named->may_be_empty) return named;
   if (auto refusal = refuse_before_sniffing(head)) return std::move(*refusal);
   const Format* const by_content = looks_like(bytes, Likeness::sure);
   const std::string extension = extension_of(path);
@@ -101,7 +102,8 @@ Result<const Format*> recognise(std::string_view bytes, const std::filesystem::p
 }
 
 Result<MeshFile> read_mesh(std::string_view bytes, const Format& format, const std::filesystem::path& path) {
-  if (auto refusal = refuse_before_sniffing(bytes.substr(0, sniffed_bytes))) return std::move(*refusal);
+  if (!(bytes.empty() && format.may_be_empty))
+    if (auto refusal = refuse_before_sniffing(bytes.substr(0, sniffed_bytes))) return std::move(*refusal);
   Result<MeshFile> file = format.read(bytes, path);
   if (file) file->format = &format;
   return file;

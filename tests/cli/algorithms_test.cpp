@@ -39,6 +39,7 @@ TEST_F(Algorithms, are_subcommands_with_a_flag_for_each_parameter) {
   const std::string input = asset("moebius.off"), output = folder_.at("o.off");
   const std::string all = run_here({"help", "--lang", "en"}).out;
   for (const AlgorithmRow& row : algorithm_table()) {
+    if (row.has_own_subcommand) continue;
     const std::string id(row.id);
     EXPECT_NE(all.find("ryosen " + id + (row.is_primitive ? " [FILE]" : " FILE")), std::string::npos) << id;
     const std::string help = run_here({"help", id, "--lang", "en"}).out,

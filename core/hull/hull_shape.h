@@ -1,0 +1,34 @@
+// A convex hull as a shape: its size, and its faces as a polygon list.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/base/message.h"
+#include "core/hull/convex_hull.h"
+#include "core/indexed/indexed.h"
+
+namespace ryosen {
+
+struct HullSize {
+  double volume = 0;  // of a solid
+  double area = 0;    // of all facets; of a polygon that of one side
+};
+
+// In units of the points, rounded; infinite where beyond the largest double. Cost: O(corners).
+HullSize hull_size(std::span<const glm::dvec3> points, const ConvexHull& hull);
+
+enum class HullFaces { facets, triangles };  // triangles: of each facet the fan from its lowest number
+
+struct HullList {
+  IndexedMesh list;                                            // the extreme points by ascending number, and the faces
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> wires;  // the segment of dimension 1, by numbers in the list
+};
+HullList hull_list(std::span<const glm::dvec3> points, const ConvexHull& hull, HullFaces faces);
+
+// "The hull has dimension 2: a polygon of 5 vertices."
+Text hull_sentence(const ConvexHull& hull);
+
+}  // namespace ryosen

@@ -1,0 +1,37 @@
+#include "core/hull/insertion_order.h"
+
+#include <array>
+#include <numeric>
+#include <random>
+#include <utility>
+
+#include "core/base/enum_table.h"
+
+namespace ryosen {
+
+namespace {
+
+constexpr std::array orders{
+    HullOrderRow{HullOrder::as_given, "as_given", "as given", "与えられた順"},
+    HullOrderRow{HullOrder::random, "random", "random", "ランダム"},
+    HullOrderRow{HullOrder::farthest, "farthest", "farthest first", "最も遠い点から"},
+};
+static_assert(rows_are_in_order(orders, &HullOrderRow::order));
+
+}  // namespace
+
+std::span<const HullOrderRow> hull_orders() { return orders; }
+
+std::vector<std::uint32_t> shuffled_numbers(std::uint32_t count, std::uint64_t seed) {
+  std::vector<std::uint32_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0u);
+  std::mt19937_64 random(seed);
+  for (std::uint32_t i = count; i > 1; --i) {
+    // The upper half of a product instead of a remainder: a number below i, all equally likely but for 2^-32 of them.
+    const auto j = static_cast<std::uint32_t>(((random() >> 32u) * i) >> 32u);
+    std::swap(numbers[i - 1], numbers[j]);
+  }
+  return numbers;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,19 @@
+// Reader for lists of points: a line of three numbers each.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "core/io/format.h"
+
+namespace ryosen {
+
+// Blank lines and what stands behind # are passed over; further numbers of a line are left out with a warning. A line
+// with fewer than three numbers, or an unreadable one, is an error. A list without a line is one of no points. `path` is
+// not used. Cost: O(bytes), one pass.
+Result<MeshFile> read_xyz(std::string_view bytes, const std::filesystem::path& path);
+
+// May be where every line has three numbers or more.
+Likeness looks_like_xyz(std::string_view head, std::uint64_t size);
+
+}  // namespace ryosen

@@ -1,0 +1,163 @@
+// `hull`: the contract of its output, what it reads and what it refuses.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "tests/support/app/program.h"
+
+namespace ryosen::test {
+namespace {
+
+class HullCommand : public testing::Test {
+ protected:
+  // Of points alone, a line each.
+  ProgramRun hull_of(const std::string& lines, std::vector<std::string> flags = {}) {
+    const std::string file = folder_.write("points.xyz", lines);
+    std::vector<std::string> words{"hull", file, "--json", "-v"};
+    words.insert(words.end(), flags.begin(), flags.end());
+    return run_program(words);
+  }
+  TemporaryFolder folder_;
+};
+
+constexpr const char* cube_with_more =
+    "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n.5 .5 .5\n.5 0 0\n1 .5 .5\n0 0 0\n";
+
+TEST_F(HullCommand, says_what_the_hull_of_a_cube_is) {
+  const Json line = hull_of(cube_with_more).line();
+  EXPECT_EQ(line["dimension"], 3);
+  EXPECT_EQ(line["vertices"], 8);
+  EXPECT_EQ(line["facets"], 6);
+  EXPECT_EQ(line["volume"], 1.0);
+  EXPECT_EQ(line["area"], 6.0);
+  EXPECT_EQ(line["used"], 12);
+  EXPECT_EQ(line["points"], 12);
+  EXPECT_EQ(line["facet_list"], Json::parse("[[0,1,5,4],[0,3,2,1],[0,4,7,3],[1,2,6,5],[2,3,7,6],[4,5,6,7]]"));
+  EXPECT_TRUE(line["output"].is_null());
+  EXPECT_EQ(line["status"], "ok");
+}
+
+TEST_F(HullCommand, writes_facets_or_triangles) {
+  const std::string facets = folder_.at("facets.obj"), triangles = folder_.at("triangles.obj");
+  EXPECT_EQ(hull_of(cube_with_more, {"-o", facets}).line()["facets"], 6);
+  const Json line = hull_of(cube_with_more, {"--triangles", "-o", triangles}).line();
+  EXPECT_EQ(line["facets"], 6) << "the united ones";
+  EXPECT_EQ(line["output"], triangles);
+  const Json checked = run_program({"check", facets, "--json"}).line();
+  EXPECT_EQ(checked["quads"], 6);
+  EXPECT_EQ(checked["volume"], 1.0);
+  EXPECT_EQ(run_program({"check", triangles, "--json"}).line()["triangles"], 12);
+  EXPECT_NE(read_file(triangles).find("f 1 2 6\nf 1 6 5\n"), std::string::npos) << "fans from the lowest number";
+}
+
+TEST_F(HullCommand, answers_in_every_dimension) {
+  const std::pair<const char*, Json> cases[] = {
+      {"", {-1, 0, 0, 0.0}},
+      {"# nothing\n", {-1, 0, 0, 0.0}},
+      {"1 2 3\n1 2 3\n", {0, 1, 0, 0.0}},
+      {"0 0 0\n1 1 1\n2 2 2\n", {1, 2, 0, 0.0}},
+      {"0 0 0\n2 0 0\n0 2 0\n2 2 0\n1 1 0\n", {2, 4, 1, 4.0}},
+  };
+  for (const auto& [lines, expected] : cases) {
+    const std::string output = folder_.at("o" + std::to_string(&lines - &cases[0].first) + ".obj");
+    const ProgramRun run = hull_of(lines, {"-o", output});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const Json line = run.line();
+    EXPECT_EQ(Json({line["dimension"], line["vertices"], line["facets"], line["area"]}), expected) << lines;
+    EXPECT_EQ(line["volume"], 0.0);
+    EXPECT_TRUE(folder_.has(std::filesystem::path(output).filename()));
+  }
+  EXPECT_EQ(hull_of(cases[4].first).line()["facet_list"], Json::parse("[[0,1,3,2]]"));
+}
+
+TEST_F(HullCommand, an_edge_and_a_point_are_written_as_far_as_the_format_holds_them) {
+  const char* const segment = "0 0 0\n1 1 1\n2 2 2\n";
+  hull_of(segment, {"-o", folder_.at("o.obj")});
+  EXPECT_NE(read_file(folder_.at("o.obj")).find("l 1 2"), std::string::npos);
+  const Json ply = hull_of(segment, {"-o", folder_.at("o.ply")}).line();
+  EXPECT_EQ(ply["status"], "warnings");
+  EXPECT_EQ(ply["messages"][0]["code"], "loses_wires");
+  for (const char* const lines : {"", "1 2 3\n", segment}) {
+    const ProgramRun run = hull_of(lines, {"-o", folder_.at("o.stl")});
+    EXPECT_EQ(run.exit_code, 6);
+    EXPECT_EQ(run.line()["status"], "error");
+    EXPECT_EQ(run.line()["messages"][0]["code"], "refused");
+    EXPECT_FALSE(folder_.has("o.stl"));
+  }
+  EXPECT_EQ(hull_of("0 0 0\n1 0 0\n0 1 0\n", {"-o", folder_.at("o.stl")}).exit_code, 0);
+}
+
+TEST_F(HullCommand, reads_points_alone) {
+  const std::string corners = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  const std::string obj = folder_.write("p.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
+  const std::string ply = folder_.write("p.ply",
+                                        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                                        "property float z\nend_header\n" +
+                                            corners);
+  for (const std::string& file : {obj, ply}) {
+    const ProgramRun run = run_program({"hull", file, "--json", "-v"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.line()["facet_list"], Json::parse("[[0,1,3],[0,2,1],[0,3,2],[1,2,3]]")) << file;
+  }
+  const Json wide = hull_of("0 0 0 255 1\n1 0 0\n0 1 0\n0 0 1\n").line();
+  EXPECT_EQ(wide["facets"], 4);
+  EXPECT_EQ(wide["messages"][0]["code"], "extra_values");
+  EXPECT_EQ(hull_of("0 0\n").exit_code, 4);
+  EXPECT_EQ(hull_of("0 0 zero\n").exit_code, 4);
+}
+
+TEST_F(HullCommand, reads_standard_input) {
+  const std::string points = folder_.write("points", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n"), nothing = folder_.write("no", "");
+  const auto dimension = [&](const std::string& input) {
+    const std::string output = folder_.at("line");
+    const std::string line = std::string("'") + RYOSEN_PROGRAM + "' hull - --json < '" + input + "' > '" + output + "'";
+    EXPECT_EQ(std::system(line.c_str()), 0);
+    return Json::parse(read_file(output))["dimension"];
+  };
+  EXPECT_EQ(dimension(points), 3);
+  EXPECT_EQ(dimension(nothing), -1);
+}
+
+TEST_F(HullCommand, refuses_what_is_not_finite_unless_it_may_be_left_out) {
+  const std::string lines = "nan 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1e999\n0 0 1\n";
+  const ProgramRun refused = hull_of(lines);
+  EXPECT_EQ(refused.exit_code, 6);
+  EXPECT_NE(refused.err.find("v0"), std::string::npos);
+  const Json line = hull_of(lines, {"--skip-nonfinite"}).line();
+  EXPECT_EQ(line["points"], 6);
+  EXPECT_EQ(line["used"], 4);
+  EXPECT_EQ(line["facet_list"], Json::parse("[[1,2,5],[1,3,2],[1,5,3],[2,3,5]]"));
+}
+
+TEST_F(HullCommand, figures_hold_for_huge_and_tiny_coordinates) {
+  const Json tiny = hull_of("0 0 0\n1e-100 0 0\n0 1e-100 0\n0 0 1e-100\n").line();
+  EXPECT_NEAR(double(tiny["volume"]) * 1e300, 1 / 6., 1e-9);
+  const Json huge = hull_of("0 0 0\n1e300 0 0\n0 1e300 0\n0 0 1e300\n-1e308 -1e308 -1e308\n").line();
+  EXPECT_TRUE(huge["volume"].is_null());
+  EXPECT_EQ(huge["vertices"], 4);
+  EXPECT_EQ(hull_of("5e-324 0 0\n0 5e-324 0\n0 0 5e-324\n0 0 0\n").line()["facets"], 4);
+}
+
+TEST_F(HullCommand, says_what_is_wrong_with_its_words) {
+  EXPECT_EQ(hull_of("", {"--facets", "--triangles"}).exit_code, 2);
+  EXPECT_EQ(hull_of("", {"-o", folder_.at("o.xyz")}).exit_code, 2) << "that is only read";
+  EXPECT_EQ(hull_of("", {"-o", folder_.at("points.xyz")}).exit_code, 2);
+  const std::string cube = folder_.copy(asset("cube.obj"), "cube.obj");
+  EXPECT_EQ(run_program({"hull", cube, "-o", cube}).exit_code, 5);
+  EXPECT_EQ(run_program({"hull", cube, "-o", cube, "--overwrite"}).exit_code, 0);
+  EXPECT_EQ(run_program({"hull", "nosuch.obj"}).exit_code, 3);
+  const std::string text = run_program({"hull", cube, "--lang", "en"}).out;
+  EXPECT_NE(text.find("8 vertices and 6 facets"), std::string::npos) << text;
+}
+
+TEST_F(HullCommand, the_command_of_scripts_adds_the_same) {
+  const std::string cube = asset("cube.obj");
+  const Json edit = run_program({"edit", cube, "--do", "hull; expect V 16; expect F 12", "--json"}).lines().back();
+  EXPECT_EQ(edit["status"], "ok") << edit;
+  EXPECT_EQ(
+      run_program({"edit", cube, "--do", "hull triangles elements=v0,v1,v2,v5; expect V 12; expect F 10"}).exit_code,
+      0);
+}
+
+}  // namespace
+}  // namespace ryosen::test

@@ -4,7 +4,7 @@ flat in vec4 colour;
 flat in vec4 places;
 flat in vec3 measures;
 
-uniform float pixel_scale;   // rendered pixels per pixel of the picture
+uniform float pixel_scale;   // rendered pixels per pixel at display scale 1
 uniform vec4 outline_colour;  // around points
 
 layout(location = 0) out vec4 result;

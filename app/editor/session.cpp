@@ -78,6 +78,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   selections.clear();
   colouring.reset();
   measures.clear();
+  cut.reset();
   log_.clear();
 }
 
@@ -295,6 +296,7 @@ Input& Session::input() {
 
 Picker& Session::picker() {
   if (!picker_) picker_.emplace(mesh(), &hidden_);
+  picker_->set_clip(clip_plane());
   return *picker_;
 }
 

@@ -70,7 +70,7 @@ void main() {
     result = premultiplied;
   } else if (kind == kind_point) {
     float distance = point_distance(style);
-    float outer = coverage(distance - 1.3 * pixel_scale) * outline_colour.a * colour.a;
+    float outer = coverage(distance - min(1.3 * pixel_scale, 0.4 * measures.x)) * outline_colour.a * colour.a;
     result = mix(vec4(outline_colour.rgb * outer, outer), premultiplied, coverage(distance));
   } else {
     result = premultiplied * line(style, kind == kind_arrow);

@@ -72,11 +72,11 @@ vec4 line(vec3 from, vec3 to, float width, int kind, int corner) {
   return clip_place(end.xy + across * side * reach + along * (at_end ? reach : -reach), end.z);
 }
 
-// A point shrinks to half of its room in mesh space, but not out of sight.
+// A point shrinks to about a third of its room in mesh space, but not out of sight.
 float radius_within(float radius, float room, vec3 place) {
   float distance = perspective > 0.5 ? -place.z : 1.0;
   float room_px = room / (units_per_pixel * pixel_scale * max(distance, 1e-9));
-  return room > 0.0 ? clamp(0.5 * room_px, min(1.5, radius), radius) : radius;
+  return room > 0.0 ? clamp(0.35 * room_px, min(1.5, radius), radius) : radius;
 }
 
 vec4 point(vec3 at, float radius, int corner) {

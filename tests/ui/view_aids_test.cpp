@@ -155,7 +155,7 @@ std::string dust(int side) {
   std::string text;
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x)
-      text += "v " + std::to_string(double(x) / side) + " " + std::to_string(double(y) / side) + " 0\n";
+      text += "v " + std::to_string((x + 0.5) / side) + " " + std::to_string((y + 0.5) / side) + " 0\n";
   return text;
 }
 
@@ -168,7 +168,7 @@ TEST_F(ViewAidsTest, rings_shrink_where_there_are_many) {
     headless_->place_view(*session_);
     picture(R"(camera {"eye":[0.5,0.5,9],"target":[0.5,0.5,0],"up":[0,1,0],"ortho_height":1})");
     const Image with = picture("show isolated on"), without = picture("show isolated off");
-    return different(with, without, {50, 50, 350, 350}) / (300.0 * 300);
+    return different(with, without, {0, 0, 400, 400}) / (400.0 * 400);
   };
   const double one = covered(5) / (5 * 5);
   EXPECT_NEAR(covered(9) / (9 * 9), one, 0.1 * one) << "few are as large as others";

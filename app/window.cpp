@@ -116,8 +116,9 @@ class Editor {
         canvas_(std::move(canvas)),
         gui_(window.scale()),
         user_files_(user_folder(UserFolder::config), options.preferences) {
-    viewport_->set_display_scale(window.scale());
+    session_.display_scale = window.scale();
     session_.gizmo_kind = GizmoKind::move;
+    session_.shows_axes = true;
     session_.language = options.usual_language;
     const Text said = user_files_.begin(session_);
     if (options.language) session_.language = *options.language;
@@ -238,7 +239,7 @@ class Editor {
     const Size size = window_.size();
     canvas_->resize(size);
     gui_.set_scale(window_.scale());
-    viewport_->set_display_scale(window_.scale());
+    session_.display_scale = window_.scale();
     gui_.place_view(session_, size);
     input_.resize(size);
   }
@@ -339,7 +340,7 @@ class Editor {
   }
 
   std::string hovered() const {
-    if (session_.pointed_handle()) return "handle";
+    if (session_.pointed_handle() || session_.pointed_axis_end()) return "handle";
     return session_.hover() ? name_of(session_.mesh(), session_.hover()->picked.element) : "-";
   }
 

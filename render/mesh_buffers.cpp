@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numeric>
 
 #include "core/base/parallel.h"
@@ -56,6 +57,16 @@ TriangleSource read_from(TriangleSource source, const UnwrittenVector<DrawnTrian
   return source;
 }
 
+// The root of twice the area that half of the triangles are below, of the squares of those; in steps of an eighth of an
+// octave. Orders them anew.
+float size_in_the_middle(std::span<float> squared_areas) {
+  if (squared_areas.empty()) return 0;
+  const auto middle = squared_areas.begin() + static_cast<std::ptrdiff_t>(squared_areas.size() / 2);
+  std::nth_element(squared_areas.begin(), middle, squared_areas.end());
+  constexpr float steps = 8;
+  return *middle > 0 ? std::exp2(std::round(steps * 0.25f * std::log2(*middle)) / steps) : 0;
+}
+
 }  // namespace
 
 BufferSpace buffer_space(const glm::dvec3& low, const glm::dvec3& high) {
@@ -76,7 +87,8 @@ MeshBuffers::MeshBuffers()
       gpu_triangles_("mesh triangles", GL_RGBA32UI),
       gpu_normals_("corner normals", GL_RGBA32UI),
       gpu_colours_("corner colours", GL_RGBA32UI),
-      gpu_tints_("face tints", GL_R8UI) {
+      gpu_tints_("face tints", GL_R8UI),
+      gpu_sizes_("sizes of clusters", GL_R32F) {
   const glm::uvec4 none(0);
   gpu_normals_.write(0, {&none, 1});  // so that there is something to bind
   gpu_colours_.write(0, {&none, 1});
@@ -133,6 +145,9 @@ void MeshBuffers::write_all(const TriangleSource& source) {
     if (source.corner_normals.empty()) return fill_colours(nullptr);
     gpu_normals_.fill(0, slots, fill_colours);
   });
+  gpu_sizes_.fill(0, clusters_.size(), [&](float* to) {
+    for (const Cluster& cluster : clusters_) *to++ = cluster.size;
+  });
   make_room_for_tints(*std::max_element(faces.begin(), faces.end()));
 }
 
@@ -142,6 +157,7 @@ void MeshBuffers::bind() const {
   gpu_tints_.bind(2);
   gpu_normals_.bind(3);
   gpu_colours_.bind(4);
+  gpu_sizes_.bind(5);
 }
 
 void MeshBuffers::set_units(const Program& program) {
@@ -151,6 +167,7 @@ void MeshBuffers::set_units(const Program& program) {
   program.set("face_tints", 2);
   program.set("corner_normals", 3);
   program.set("corner_colours", 4);
+  program.set("cluster_sizes", 5);
 }
 
 DrawBox MeshBuffers::bounds() const {
@@ -164,6 +181,11 @@ DrawBox MeshBuffers::Slot::box() const {
   if (!is_drawn()) return box;
   for (const glm::vec3& place : places) box.add(place);
   return box;
+}
+
+float MeshBuffers::Slot::squared_area() const {
+  const glm::vec3 across = glm::cross(places[1] - places[0], places[2] - places[0]);
+  return glm::dot(across, across);
 }
 
 MeshBuffers::Slot MeshBuffers::converted(const TriangleSource& source, const DrawnTriangle& triangle) const {
@@ -204,6 +226,8 @@ std::uint32_t MeshBuffers::convert(const TriangleSource& source, std::uint32_t n
   cluster.tinted = false;
   const auto sources = std::span(source_of_slot_).subspan(cluster.first, cluster.count);
   std::array<DrawnTriangle, cluster_size> triangles;
+  std::array<float, cluster_size> areas;
+  std::size_t drawn = 0;
   read_with_places(source, sources, triangles.data());
   for (std::uint32_t i = 0; i < cluster.count; ++i) {
     const Slot slot = converted(source, triangles[i]);
@@ -219,10 +243,12 @@ std::uint32_t MeshBuffers::convert(const TriangleSource& source, std::uint32_t n
       colours[i] = {a, b, c, 0};
     }
     cluster.box.add(slot.box());
+    areas[drawn++] = slot.squared_area();
     const std::uint32_t face = slot.triangle.w >> 3;
     faces = std::max(faces, face + 1);
     if (face < tints_.size() && tints_[face] != 0) cluster.tinted = true;
   }
+  cluster.size = size_in_the_middle(std::span(areas).first(drawn));
   return faces;
 }
 

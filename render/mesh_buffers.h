@@ -52,9 +52,11 @@ struct Cluster {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   bool tinted = false;  // some face of it has a tint
+  float size = 0;       // that of its triangles in the middle, rounded, so that an edit seldom changes it
 };
 
-// What an update changed: the bounding boxes of the triangles before and after, and the numbers of their clusters.
+// What an update changed: the bounding boxes of the triangles before and after, of all of a cluster where its size is
+// another, and the numbers of their clusters.
 struct MeshChange {
   std::vector<DrawBox> boxes;
   std::vector<std::uint32_t> clusters;
@@ -113,6 +115,7 @@ class MeshBuffers {
     std::array<glm::vec3, 3> places;
     bool is_drawn() const { return triangle.x != triangle.y || triangle.y != triangle.z; }
     DrawBox box() const;
+    float squared_area() const;  // times four
   };
 
   // Where triangles are on the space-filling curve; any place for one that is not drawn.
@@ -128,8 +131,8 @@ class MeshBuffers {
   std::vector<std::uint32_t> changed_triangles(const TriangleSource& source,
                                                std::span<const std::uint32_t> named) const;
   void write_positions(const TriangleSource& source, std::span<const std::uint32_t> vertices);
-  // Returns the clusters written to.
-  std::vector<std::uint32_t> write_triangles(const TriangleSource& source, std::span<const std::uint32_t> triangles);
+  // Adds the clusters written to, and the boxes of those with another size.
+  void write_triangles(const TriangleSource& source, std::span<const std::uint32_t> triangles, MeshChange& change);
   // Returns the faces whose tints are different now.
   std::vector<std::uint32_t> write_tints(const TriangleSource& source, std::span<const std::uint32_t> faces);
   void add_triangles_of(const TriangleSource& source, std::vector<std::uint32_t> faces,
@@ -149,6 +152,7 @@ class MeshBuffers {
   TexelArray<glm::uvec4> gpu_normals_;    // by slot: of the corners; one that means nothing where the source has none
   TexelArray<glm::uvec4> gpu_colours_;    // by slot, likewise
   TexelArray<std::uint8_t> gpu_tints_;
+  TexelArray<float> gpu_sizes_;  // of the triangles of each cluster
   Paint paint_ = Paint::none;
 };
 

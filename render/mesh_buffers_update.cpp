@@ -38,7 +38,7 @@ MeshChange MeshBuffers::update(const TriangleSource& source, std::span<const std
     source_of_slot_.push_back(i);
   }
   write_positions(source, vertices);
-  change.clusters = write_triangles(source, changed);
+  write_triangles(source, changed, change);
   source_triangles_ = source.triangles;
   for (const std::uint32_t triangle : changed)
     if (triangle < source.triangles) note(converted(source, source.triangle(triangle)));
@@ -74,23 +74,28 @@ std::vector<std::uint32_t> MeshBuffers::changed_triangles(const TriangleSource& 
   return changed;
 }
 
-std::vector<std::uint32_t> MeshBuffers::write_triangles(const TriangleSource& source,
-                                                        std::span<const std::uint32_t> triangles) {
-  std::vector<std::uint32_t> touched;
+void MeshBuffers::write_triangles(const TriangleSource& source, std::span<const std::uint32_t> triangles,
+                                  MeshChange& change) {
+  std::vector<std::uint32_t>& touched = change.clusters;
   for (const std::uint32_t triangle : triangles) touched.push_back(slot_of_source_[triangle] / cluster_size);
   sort_unique(touched);
   while (clusters_.size() * cluster_size < source_of_slot_.size()) clusters_.emplace_back();
   const bool has_normals = !source.corner_normals.empty();
   std::array<glm::uvec4, cluster_size> slots, normals{}, colours;
   for (const std::uint32_t cluster : touched) {
+    const Cluster before = clusters_[cluster];
     make_room_for_tints(convert(source, cluster, slots.data(), has_normals ? normals.data() : nullptr,
                                 paint_ != Paint::none ? colours.data() : nullptr));
     const std::uint32_t first = clusters_[cluster].first, count = clusters_[cluster].count;
     gpu_triangles_.write(first, std::span(slots).first(count));
     if (has_normals) gpu_normals_.write(first, std::span(normals).first(count));
     if (paint_ != Paint::none) gpu_colours_.write(first, std::span(colours).first(count));
+    const Cluster& now = clusters_[cluster];
+    gpu_sizes_.write(cluster, {&now.size, 1});
+    if (now.size == before.size) continue;
+    for (const DrawBox& box : {before.box, now.box})
+      if (!box.empty()) change.boxes.push_back(box);
   }
-  return touched;
 }
 
 void MeshBuffers::add_triangles_of(const TriangleSource& source, std::vector<std::uint32_t> faces,

@@ -30,6 +30,7 @@ struct Point {
   PointShape shape = PointShape::disc;
   float radius_px = 4;
   float hidden = faintly;
+  double room = 0;  // it shrinks to what it has of this length in mesh space, so that many stay apart; 0: it does not
   friend bool operator==(const Point&, const Point&) = default;
 };
 

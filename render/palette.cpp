@@ -12,10 +12,10 @@ struct RoleRow {
 };
 
 constexpr RoleRow role_rows[] = {
-    {Role::hover, {0xF0E442, 0xF0E442, LineStyle::solid, 4, PointShape::disc, 6}},
-    {Role::selected, {0xE69F00, 0xE69F00, LineStyle::solid, 3.5f, PointShape::square, 5}},
-    {Role::legal, {0x009E73, 0x009E73, LineStyle::solid, 4.5f, PointShape::disc, 5.5f}},
-    {Role::refused, {0xD55E00, 0xD55E00, LineStyle::dashed, 4.5f, PointShape::cross, 7}},
+    {Role::hover, {0xFFF070, 0x370098, LineStyle::solid, 4, PointShape::disc, 6}},
+    {Role::selected, {0xEBA509, 0xF8A519, LineStyle::solid, 3.5f, PointShape::square, 5}},
+    {Role::legal, {0x099D5C, 0x2EA361, LineStyle::solid, 4.5f, PointShape::disc, 5.5f}},
+    {Role::refused, {0xE35000, 0xDD5310, LineStyle::dashed, 4.5f, PointShape::cross, 7}},
     {Role::witness, {0xFFFFFF, 0x000000, LineStyle::dotted, 3.5f, PointShape::diamond, 6}},
     {Role::ghost, {0x5FE0B8, 0x009E73, LineStyle::solid, 1.5f, PointShape::ring, 5}, 96},
     {Role::goes, {0x06281F, 0x06281F, LineStyle::dashed, 1.75f, PointShape::ring, 5}},
@@ -36,6 +36,8 @@ constexpr Palette dark_palette = {
     .label = rgb(0xF2F4F7),
     .label_ground = rgb(0x12161C, 190),
     .outline = rgb(0x0C1018, 220),
+    .cut = rgb(0x0C1018),
+    .grid = rgb(0xA9B8CC, 150),
     .axes = {rgb(0xF0524A), rgb(0x8CD04A), rgb(0x4A90FF)},
 };
 
@@ -53,6 +55,8 @@ constexpr Palette light_palette = {
     .label = rgb(0x12161C),
     .label_ground = rgb(0xFFFFFF, 205),
     .outline = rgb(0x202630, 220),
+    .cut = rgb(0x0C1018),
+    .grid = rgb(0x4A5A70, 150),
     .axes = {rgb(0xE23A3A), rgb(0x7CC63C), rgb(0x2E6FE0)},
 };
 

@@ -44,6 +44,8 @@ struct Palette {
   Rgba film, film_wire;
   Rgba label, label_ground;  // text in the picture, and what lies below it
   Rgba outline;              // around points, to set them off from any ground
+  Rgba cut;                  // where the surface is cut
+  Rgba grid;                 // on the ground; its alpha is that of every tenth line
   std::array<Rgba, 3> axes;  // X, Y, Z, which always come with their letters
 };
 const Palette& palette(Theme theme);

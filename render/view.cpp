@@ -63,10 +63,14 @@ DepthRange depths_of(std::span<const Cluster> clusters, const glm::dmat4& view) 
 Result<std::unique_ptr<View>> View::make() {
   Result<SurfacePass> surface = SurfacePass::make();
   if (!surface) return surface.failure();
+  Result<CutPass> cut = CutPass::make();
+  if (!cut) return cut.failure();
   Result<XrayPass> xray = XrayPass::make();
   if (!xray) return xray.failure();
   Result<BackgroundPass> background = BackgroundPass::make();
   if (!background) return background.failure();
+  Result<GridPass> grid = GridPass::make();
+  if (!grid) return grid.failure();
   Result<OverlayPass> overlay = OverlayPass::make();
   if (!overlay) return overlay.failure();
   Result<ResolvePass> resolve = ResolvePass::make();
@@ -76,15 +80,15 @@ Result<std::unique_ptr<View>> View::make() {
   Result<LabelsPass> labels = LabelsPass::make();
   if (!labels) return labels.failure();
   return std::unique_ptr<View>(
-      new View({std::move(*surface), std::move(*xray), std::move(*background), std::move(*overlay), std::move(*resolve),
-                std::move(*ids), std::move(*labels)}));
+      new View({std::move(*surface), std::move(*cut), std::move(*xray), std::move(*background), std::move(*grid),
+                std::move(*overlay), std::move(*resolve), std::move(*ids), std::move(*labels)}));
 }
 
 View::View(Passes passes)
     : passes_(std::move(passes)),
       overlays_{OverlayBuffer("normals"),  OverlayBuffer("highlights"), OverlayBuffer("selection"),
-                OverlayBuffer("measures"), OverlayBuffer("steps"),      OverlayBuffer("hover"),
-                OverlayBuffer("handles")},
+                OverlayBuffer("links"),    OverlayBuffer("measures"),   OverlayBuffer("steps"),
+                OverlayBuffer("hover"),    OverlayBuffer("handles"),    OverlayBuffer("axes")},
       rendered_("rendered", picture_formats, true),
       resolved_("resolved", picture_formats, false),
       fine_("fine", picture_formats, true) {
@@ -113,6 +117,19 @@ void View::resize(Size size, int supersample) {
 void View::set_settings(const ViewSettings& settings) {
   if (settings == settings_) return;
   settings_ = settings;
+  all_changed();
+}
+
+void View::set_display_scale(float scale) {
+  if (scale == display_scale_) return;
+  display_scale_ = scale;
+  for (OverlayBuffer& overlay : overlays_) overlay.set_display_scale(scale);
+  all_changed();
+}
+
+void View::set_clip(const std::optional<ClipPlane>& plane) {
+  if (plane == clip_) return;
+  clip_ = plane;
   all_changed();
 }
 
@@ -183,7 +200,7 @@ void View::changed(std::span<const TouchedBox> touched) {
   const Frame whole = frame(PixelRect::all(size_), 1);
   DepthRange range;
   for (const TouchedBox& t : touched) {
-    dirty_.add(screen_bounds(t.box, whole.clip_from_buffer, size_, t.reach_px + 1));
+    dirty_.add(screen_bounds(t.box, whole.clip_from_buffer, size_, display_scale_ * t.reach_px + 1));
     range.add(t.box, glm::dmat4(whole.view_from_buffer));
   }
   // If something moved outside the near and far planes, they must change and everything be redrawn.
@@ -196,6 +213,14 @@ void View::changed(std::span<const TouchedBox> touched) {
 void View::follow_camera() {
   if (!planes_stale_) return;
   place_planes();
+  all_changed();
+}
+
+void View::follow_ground() {
+  if (settings_.grid == Grid::off) return;
+  const Ground ground = ground_below(mesh_.bounds(), mesh_.space());
+  if (ground == ground_) return;
+  ground_ = ground;
   all_changed();
 }
 
@@ -234,7 +259,13 @@ Frame View::frame(const PixelRect& rect, int scale) const {
   f.units_per_pixel = static_cast<float>(units_per_pixel(camera, f.size, 1));
   f.rect = {rect.x0 * scale, rect.y0 * scale, rect.x1 * scale, rect.y1 * scale};
   f.pixel_scale = static_cast<float>(scale);
+  f.display_scale = display_scale_;
   f.thinning = thinning_;
+  f.is_cut = clip_.has_value();
+  if (clip_) {
+    const double offset = -clip_->beyond(mesh_.space().origin) * mesh_.space().scale;
+    f.clip_plane = glm::vec4(-clip_->normal, offset);
+  }
   f.settings = settings_;
   return f;
 }
@@ -267,6 +298,7 @@ PixelRect View::take_waiting() {
 
 PixelRect View::draw() {
   follow_camera();
+  follow_ground();
   waiting_.insert(waiting_.end(), dirty_.rects().begin(), dirty_.rects().end());
   dirty_.clear();
   redrawn_.clear();
@@ -291,13 +323,19 @@ void View::draw_all(const Frame& frame, const DrawTarget& target, std::span<cons
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   draw_scene(frame, target, clusters);
-  for (const OverlayBuffer& overlay : overlays_) passes_.overlay.draw(frame, overlay);
+  for (std::size_t i = 0; i < layer_count; ++i)
+    passes_.overlay.draw(frame, overlays_[i],
+                         static_cast<Layer>(i) <= Layer::hover ? OverlayPass::Of::mesh : OverlayPass::Of::view);
 }
 
 void View::draw_scene(const Frame& frame, const DrawTarget& target, std::span<const std::uint32_t> clusters) {
   const bool is_xray = frame.settings.xray == Xray::on;
-  if (!is_xray) draw_surface(frame, target, clusters);
+  if (!is_xray) {
+    draw_surface(frame, target, clusters);
+    passes_.cut.draw(frame, mesh_, clusters);
+  }
   if (!transparent_) passes_.background.draw(frame);
+  if (frame.settings.grid == Grid::on) passes_.grid.draw(frame, ground_);
   if (is_xray) passes_.xray.draw(frame, mesh_, clusters, tints_);
 }
 
@@ -322,6 +360,7 @@ void View::draw_surface(const Frame& frame, const DrawTarget& target, std::span<
 
 void View::draw(const PixelRect& asked) {
   PixelRect rect = intersection(asked, PixelRect::all(size_));
+  follow_ground();
   if (planes_stale_) {
     place_planes();
     rect = PixelRect::all(size_);

@@ -12,6 +12,7 @@
 #include "core/base/handle.h"
 #include "core/base/result.h"
 #include "core/view/camera.h"
+#include "core/view/clip_plane.h"
 #include "render/cluster_places.h"
 #include "render/dirty_rects.h"
 #include "render/face_tint.h"
@@ -21,6 +22,8 @@
 #include "render/overlay.h"
 #include "render/palette.h"
 #include "render/pass/background.h"
+#include "render/pass/cut.h"
+#include "render/pass/grid.h"
 #include "render/pass/ids.h"
 #include "render/pass/labels.h"
 #include "render/pass/overlay.h"
@@ -32,7 +35,7 @@
 namespace ryosen {
 
 // Overlay layers that change independently, in drawing order.
-enum class Layer { normals, highlights, selection, links, measures, steps, hover, handles };
+enum class Layer { normals, highlights, selection, links, measures, steps, hover, handles, axes };
 inline constexpr std::size_t layer_count = enum_count<Layer>;
 
 // The visible triangle at each pixel of a view, rows top-down.
@@ -53,9 +56,13 @@ class View {
   // The picture's size, and the supersampling factor per dimension (1 to 8).
   void resize(Size size, int supersample = 1);
   void set_settings(const ViewSettings& settings);
+  // How many pixels wide is what lines, points and patterns count as one; 1 at first.
+  void set_display_scale(float scale);
   // Without a background the picture has an alpha channel.
   void set_transparent(bool transparent);
   void set_camera(const Camera& camera);
+  // What lies beyond a plane is not drawn, nor what the layers up to `hover` have there.
+  void set_clip(const std::optional<ClipPlane>& plane);
   // Draws every so many-th triangle only, a part that is even over the surface, since they are ordered along it. A power
   // of two up to MeshBuffers::cluster_size; at first 1, which draws all.
   void set_thinning(std::uint32_t thinning);
@@ -112,8 +119,10 @@ class View {
  private:
   struct Passes {
     SurfacePass surface;
+    CutPass cut;
     XrayPass xray;
     BackgroundPass background;
+    GridPass grid;
     OverlayPass overlay;
     ResolvePass resolve;
     IdsPass ids;
@@ -125,6 +134,7 @@ class View {
   void changed(std::span<const TouchedBox> touched);
   void follow_camera();  // places the planes where they are stale; then all is to be redrawn
   void place_planes();
+  void follow_ground();  // where it is another, all is to be redrawn
   Frame frame(const PixelRect& rect, int scale) const;
   // Draws the ground and these clusters over it.
   void draw_scene(const Frame& frame, const DrawTarget& target, std::span<const std::uint32_t> clusters);
@@ -148,7 +158,10 @@ class View {
   Camera camera_;
   Size size_{1, 1};
   int supersample_ = 1;
+  float display_scale_ = 1;
   ViewSettings settings_;
+  std::optional<ClipPlane> clip_;
+  Ground ground_;
   std::vector<DrawnTint> tints_;
   bool transparent_ = false, refines_ = false, can_refine_ = true;
   std::uint32_t thinning_ = 1;

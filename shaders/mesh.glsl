@@ -2,6 +2,7 @@
 uniform samplerBuffer positions;   // in buffer space
 uniform usamplerBuffer triangles;  // three vertex numbers, then face * 8 + edge bits
 uniform mat4 clip_from_buffer;
+uniform vec4 clip_plane;  // what is kept is on the side where it is above 0
 uniform int thinning;  // every so many-th triangle is drawn
 
 const vec4 nowhere = vec4(2.0, 2.0, 2.0, 1.0);  // outside of the view
@@ -33,4 +34,8 @@ vec3 place_of(Corner corner) {
 }
 
 // The same expression in every pass, so that equal places get equal depths.
-vec4 clip_place(Corner corner) { return clip_from_buffer * vec4(place_of(corner), 1.0); }
+vec4 clip_place(Corner corner) {
+  vec4 place = vec4(place_of(corner), 1.0);
+  gl_ClipDistance[0] = dot(clip_plane, place);
+  return clip_from_buffer * place;
+}

@@ -4,7 +4,7 @@ flat in vec4 colour;
 flat in vec4 places;
 flat in vec3 measures;
 
-uniform float pixel_scale;   // rendered pixels per pixel of the picture
+uniform float pixel_scale;   // rendered pixels per pixel at display scale 1
 uniform vec4 outline_colour;  // around points
 
 layout(location = 0) out vec4 result;
@@ -70,7 +70,7 @@ void main() {
     result = premultiplied;
   } else if (kind == kind_point) {
     float distance = point_distance(style);
-    float outer = coverage(distance - 1.3 * pixel_scale) * outline_colour.a * colour.a;
+    float outer = coverage(distance - min(1.3 * pixel_scale, 0.4 * measures.x)) * outline_colour.a * colour.a;
     result = mix(vec4(outline_colour.rgb * outer, outer), premultiplied, coverage(distance));
   } else {
     result = premultiplied * line(style, kind == kind_arrow);

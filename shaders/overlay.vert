@@ -4,10 +4,11 @@ uniform samplerBuffer elements;  // four texels each, see OverlayElement
 uniform mat4 view_from_buffer;
 uniform mat4 clip_from_view;
 uniform vec2 size_px;
-uniform float pixel_scale;      // rendered pixels per pixel of the picture
+uniform float pixel_scale;      // rendered pixels per pixel at display scale 1
 uniform float perspective;      // 1, or 0 when all rays are parallel
 uniform float units_per_pixel;  // in view space, at distance 1 in perspective
 uniform float near_distance;
+uniform vec4 clip_plane;        // in the space of the elements: what is kept is where it is above 0
 uniform float hidden_pass;      // 1 while drawing what the surface hides, else 0
 
 flat out vec4 colour;
@@ -71,6 +72,13 @@ vec4 line(vec3 from, vec3 to, float width, int kind, int corner) {
   return clip_place(end.xy + across * side * reach + along * (at_end ? reach : -reach), end.z);
 }
 
+// A point shrinks to about a third of its room in mesh space, but not out of sight.
+float radius_within(float radius, float room, vec3 place) {
+  float distance = perspective > 0.5 ? -place.z : 1.0;
+  float room_px = room / (units_per_pixel * pixel_scale * max(distance, 1e-9));
+  return room > 0.0 ? clamp(0.35 * room_px, min(1.5, radius), radius) : radius;
+}
+
 vec4 point(vec3 at, float radius, int corner) {
   vec3 place = view_place(at);
   if (perspective > 0.5 && place.z > -near_distance) return nowhere;
@@ -92,9 +100,14 @@ void main() {
   float size = texel[0].w, hidden = texel[1].w;
   measures = vec3(0.5 * size * pixel_scale, float(kind), floor(texel[2].w / 4.0));
   places = vec4(0.0);
+  bool is_line = kind != kind_ghost && kind != kind_point;
+  bool at_second = is_line ? corner == 1 || corner == 2 || corner == 4 : kind == kind_ghost && corner == 1;
+  vec3 place = kind == kind_ghost && corner == 2 ? texel[2].xyz : at_second ? texel[1].xyz : texel[0].xyz;
+  gl_ClipDistance[0] = dot(clip_plane, vec4(place, 1.0));
   if (kind == kind_ghost) {
     gl_Position = ghost(texel, corner);
   } else if (kind == kind_point) {
+    size = radius_within(size, length(texel[1].xyz - texel[0].xyz), view_place(texel[0].xyz));
     measures.x = size * pixel_scale;
     gl_Position = point(texel[0].xyz, size, corner);
   } else {

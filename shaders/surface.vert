@@ -1,10 +1,9 @@
 #version 330 core
 #include "mesh.glsl"
 #include "light.glsl"
+#include "wire_out.glsl"
 
-out vec2 barycentric;
 SHADED out vec3 lit;  // linear colour
-flat out float edge_bits;
 #ifdef PAINTED
 #include "paint_out.glsl"
 SHADED out vec3 paint_light;
@@ -18,8 +17,7 @@ void main() {
   bool seen_front;
   vec3 light = light_on(corner, grazing, seen_front);
   lit = (seen_front ? front_colour : back_colour) * light + rim_colour * grazing * grazing * grazing;
-  edge_bits = float(corner.edge_bits);
-  barycentric = vec2(corner.number == 0 ? 1.0 : 0.0, corner.number == 1 ? 1.0 : 0.0);
+  pass_wire(corner);
 #ifdef PAINTED
   pass_paint(corner);
   paint_light = paint_floor < 0.0 ? light + rim_colour * grazing * grazing * grazing

@@ -9,7 +9,7 @@ flat in vec3 tint;
 flat in float strength;
 flat in int pattern;
 
-uniform float pixel_scale;  // rendered pixels per pixel of the picture
+uniform float pixel_scale;  // rendered pixels per pixel at display scale 1
 
 layout(location = 0) out vec4 colour;
 

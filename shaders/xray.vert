@@ -2,6 +2,7 @@
 // The surface as a film that one sees through.
 #include "mesh.glsl"
 #include "light.glsl"
+#include "wire_out.glsl"
 
 uniform usamplerBuffer face_tints;  // 0, or the number of its tint from 1 on
 uniform vec4 tints[32];             // colour and strength
@@ -10,8 +11,6 @@ uniform int patterns[32];
 #ifdef PAINTED
 #include "paint_out.glsl"
 #endif
-out vec2 barycentric;
-flat out float edge_bits;
 flat out float film;      // how thick it is for the eye
 flat out float nearness;  // of its edges: those on the far side are fainter
 flat out vec4 tint;       // colour and strength
@@ -30,8 +29,7 @@ void main() {
   int number = clamp(int(of_face) - 1, 0, 31);
   tint = of_face == 0u ? vec4(0.0) : tints[number];
   pattern = patterns[number];
-  edge_bits = float(corner.edge_bits);
-  barycentric = vec2(corner.number == 0 ? 1.0 : 0.0, corner.number == 1 ? 1.0 : 0.0);
+  pass_wire(corner);
 #ifdef PAINTED
   pass_paint(corner);
 #endif

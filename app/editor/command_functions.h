@@ -66,6 +66,9 @@ std::string sent_by_move(Words arguments), sent_by_key(Words arguments);
 // What is seen: view_switches.cpp, commands_view.cpp
 CommandRow row_of(const ViewSwitch& row);
 RunCommand run_camera, run_view, run_frame, run_drag, run_show;
+// Where the mesh is cut: cutting.cpp
+RunCommand run_clip_at;
+FaultOfCommand fault_of_clip_at;
 // The user interface: commands_window.cpp, commands_preferences.cpp
 std::string panel_syntax();
 std::string preference_ids(), prefer_syntax();

@@ -166,8 +166,8 @@ const std::vector<CommandRow>& first_rows() {
        .fault = fault_of_recover,
        .only_tells = recover_only_tells},
       {"camera", "JSON", "sets eye, target, up, fov_y_deg, ortho_height", "カメラを設定する", Effect::none, run_camera},
-      {"view", named_view_ids(), "looks along an axis at all of the mesh", "軸方向から全体を見る", Effect::none,
-       run_view},
+      {"view", named_view_ids() + " [here]", "looks along an axis at all of the mesh, or at what is in the middle now",
+       "軸方向から全体を見る（here：今の中心と距離のまま）", Effect::none, run_view},
       {"frame", "[all|selected]", "fits the mesh or the selection into the view, that from a side where it is seen",
        "全体または選択を画面に収める（選択は見える側から）", Effect::none, run_frame},
   };
@@ -176,6 +176,15 @@ const std::vector<CommandRow>& first_rows() {
 
 const std::vector<CommandRow>& last_rows() {
   static const std::vector<CommandRow> rows{
+      {.id = "clip_at",
+       .syntax = "SHARE|+STEP|-STEP",
+       .help_en =
+           "moves the clipping plane so that this share of the extent across it is kept, from 0 to 1, or on by a "
+           "step",
+       .help_ja = "断面を動かす：断面に垂直な方向の広がりのうち残す割合（0 から 1）、または増減",
+       .effect = Effect::none,
+       .run = run_clip_at,
+       .fault = fault_of_clip_at},
       {"show", "ID|all [on|off]", "shows or hides a highlight", "強調表示を切り替える", Effect::none, run_show},
       {.id = "colours",
        .syntax = colours_syntax(),

@@ -18,8 +18,13 @@ Outcome run_camera(Session& session, Words, std::string_view whole) {
 }
 
 Outcome run_view(Session& session, Words arguments, std::string_view) {
-  const NamedView* const view = arguments.size() == 1 ? find_named_view(arguments[0]) : nullptr;
+  const bool is_here = arguments.size() == 2 && arguments[1] == "here";
+  const NamedView* const view = arguments.size() == 1 || is_here ? find_named_view(arguments[0]) : nullptr;
   if (!view) return wrong_arguments("view");
+  if (is_here) {
+    session.camera = turned_to(*view, session.camera);
+    return {};
+  }
   Session::with_places_to_frame(session.mesh(), [&](auto places) {
     session.camera = camera_of(*view, places, static_cast<double>(session.view.width) / session.view.height);
   });

@@ -6,11 +6,13 @@
 #include <limits>
 #include <numbers>
 
+#include "app/editor/axis_letters.h"
+
 namespace ryosen {
 
 namespace {
 
-// In pixels.
+// In pixels at display scale 1.
 constexpr double shaft_begins = 20, shaft = 84, letter_at = 97, letter_size = 4.5;
 constexpr double plate_begins = 30, plate_ends = 48;
 constexpr double ring = 10, arc = 74, outer_arc = 92, knob = 5;
@@ -41,12 +43,12 @@ glm::dvec3 axis_vector(int axis) {
   return vector;
 }
 
-// Makes the strokes of handles, in units of a pixel where the middle is.
+// Makes the strokes of handles, in units of a pixel at display scale 1 where the middle is.
 class Maker {
  public:
-  Maker(const Camera& camera, Size view, const glm::dvec3& middle)
-      : axes_(axes(camera)), camera_(camera), view_(view), middle_(middle) {
-    pixel_ = units_per_pixel(camera, view, depth_of(camera, middle));
+  Maker(const Camera& camera, Size view, const glm::dvec3& middle, double scale)
+      : axes_(axes(camera)), camera_(camera), view_(view), middle_(middle), scale_(scale) {
+    pixel_ = scale * units_per_pixel(camera, view, depth_of(camera, middle));
     to_eye_ = camera.ortho_height ? -axes_.forward : unit_vector(camera.eye - middle);
   }
 
@@ -74,7 +76,7 @@ class Maker {
     const glm::dvec3 direction = axis_vector(axis);
     const glm::dvec3 tip = at(direction, shaft);
     const auto a = project(camera_, view_, middle_), b = project(camera_, view_, tip);
-    if (!a || !b || glm::length(a->pixel - b->pixel) < least_shaft) return;
+    if (!a || !b || glm::length(a->pixel - b->pixel) < least_shaft * scale_) return;
     const bool is_arrow = to.row->kind == GizmoKind::move;
     to.strokes.push_back({at(direction, shaft_begins), tip, is_arrow});
     if (!is_arrow) add_knob(to, tip);
@@ -124,16 +126,8 @@ class Maker {
   }
 
   void add_letter(GizmoHandle& to, int axis, const glm::dvec3& at_place) const {
-    struct Pair {
-      glm::dvec2 a, b;
-    };
-    static const std::array<std::vector<Pair>, 3> letters{{
-        {{{-0.8, -1}, {0.8, 1}}, {{-0.8, 1}, {0.8, -1}}},
-        {{{-0.8, 1}, {0, 0}}, {{0.8, 1}, {0, 0}}, {{0, 0}, {0, -1}}},
-        {{{-0.8, 1}, {0.8, 1}}, {{0.8, 1}, {-0.8, -1}}, {{-0.8, -1}, {0.8, -1}}},
-    }};
-    for (const Pair& pair : letters[static_cast<std::size_t>(axis)]) {
-      const glm::dvec2 a = pair.a * letter_size, b = pair.b * letter_size;
+    for (const LetterStroke& stroke : axis_letter(axis)) {
+      const glm::dvec2 a = stroke.a * letter_size, b = stroke.b * letter_size;
       to.letter.push_back({across(at_place, a.x, a.y), across(at_place, b.x, b.y)});
     }
   }
@@ -142,7 +136,7 @@ class Maker {
   const Camera& camera_;
   Size view_;
   glm::dvec3 middle_, to_eye_;
-  double pixel_;
+  double scale_, pixel_;
 };
 
 double distance_to(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
@@ -163,7 +157,8 @@ bool is_inside(glm::dvec2 p, std::span<const glm::dvec2> corners) {
 }
 
 // In pixels; 0 on a plate and within the ring at the middle.
-double distance_to(const GizmoHandle& handle, const Gizmo& gizmo, const Camera& camera, Size view, glm::dvec2 pixel) {
+double distance_to(const GizmoHandle& handle, const Gizmo& gizmo, const Camera& camera, Size view, glm::dvec2 pixel,
+                   double scale) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const GizmoStroke& stroke : handle.strokes) {
     const auto a = project(camera, view, stroke.a), b = project(camera, view, stroke.b);
@@ -175,16 +170,16 @@ double distance_to(const GizmoHandle& handle, const Gizmo& gizmo, const Camera& 
   if (is_inside(pixel, corners)) return 0;
   const bool is_ring = handle.row->way == HandleWay::free && handle.row->kind != GizmoKind::turn;
   if (const auto middle = project(camera, view, gizmo.middle); is_ring && middle)
-    if (glm::length(pixel - middle->pixel) < ring) return 0;
+    if (glm::length(pixel - middle->pixel) < ring * scale) return 0;
   return nearest;
 }
 
 }  // namespace
 
-Gizmo gizmo_at(GizmoKind kind, const Camera& camera, Size view, const glm::dvec3& middle) {
+Gizmo gizmo_at(GizmoKind kind, const Camera& camera, Size view, const glm::dvec3& middle, double scale) {
   Gizmo gizmo{middle, {}};
   if (!project(camera, view, middle)) return gizmo;
-  const Maker maker(camera, view, middle);
+  const Maker maker(camera, view, middle, scale);
   for (const HandleRow& row : handle_rows) {
     if (row.kind != kind) continue;
     GizmoHandle handle = maker.handle(row);
@@ -193,11 +188,11 @@ Gizmo gizmo_at(GizmoKind kind, const Camera& camera, Size view, const glm::dvec3
   return gizmo;
 }
 
-const GizmoHandle* handle_at(const Gizmo& gizmo, const Camera& camera, Size view, glm::dvec2 pixel) {
+const GizmoHandle* handle_at(const Gizmo& gizmo, const Camera& camera, Size view, glm::dvec2 pixel, double scale) {
   const GizmoHandle* found = nullptr;
-  double nearest = reach;
+  double nearest = reach * scale;
   for (const GizmoHandle& handle : gizmo.handles) {
-    const double distance = distance_to(handle, gizmo, camera, view, pixel);
+    const double distance = distance_to(handle, gizmo, camera, view, pixel, scale);
     if (distance >= nearest) continue;
     nearest = distance;
     found = &handle;

@@ -46,11 +46,11 @@ struct Gizmo {
   std::vector<GizmoHandle> handles;
 };
 
-// The handles of a kind at a place, as large in every view; without axes that point at the eye and plates that are seen
+// The handles of a kind at a place, as large in every view, by the scale of the display; without axes that point at the eye and plates that are seen
 // from the side. No handles where the place is not in front of the eye.
-Gizmo gizmo_at(GizmoKind kind, const Camera& camera, Size view, const glm::dvec3& middle);
+Gizmo gizmo_at(GizmoKind kind, const Camera& camera, Size view, const glm::dvec3& middle, double scale = 1);
 // The nearest handle at a pixel of the view, within some pixels; null if there is none.
-const GizmoHandle* handle_at(const Gizmo& gizmo, const Camera& camera, Size view, glm::dvec2 pixel);
+const GizmoHandle* handle_at(const Gizmo& gizmo, const Camera& camera, Size view, glm::dvec2 pixel, double scale = 1);
 
 // 0, 1 or 2 for a way along or about one axis; none for the others.
 std::optional<int> axis_of(HandleWay way);

@@ -56,6 +56,8 @@ const KeyRow first_keys[] = {
     {"Ctrl+Shift+S", "panel save", "save under another name", "名前を付けて保存"},
     {"Home", "frame all", "frame all", "全体を表示"},
     {".", "frame selected", "frame the selection", "選択を表示"},
+    {"PageUp", "clip_at +0.02", "keep more behind the clipping plane", "断面を進める", false, true},
+    {"PageDown", "clip_at -0.02", "keep less behind the clipping plane", "断面を戻す", false, true},
 };
 const KeyRow last_keys[] = {
     {"F1", "panel keys", "keys", "キー一覧", true},

@@ -70,6 +70,7 @@ std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Siz
   std::stable_sort(labels.begin(), labels.end(),
                    [](const Label& a, const Label& b) { return a.priority > b.priority; });
   const ScreenProjection screen(session.camera, session.view);
+  const std::optional<ClipPlane> clip = session.clip_plane();
   const bool hides = session.settings.xray == Xray::off && !session.gesture();
   // Room around each: more where there are many, so that the mesh stays visible between them.
   const int margin = static_cast<int>(std::lround((labels.size() > most_labels ? 10 : 2) * scale));
@@ -79,6 +80,7 @@ std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Siz
     if (placed.size() == most_labels) break;
     const auto at = label.pixel ? ScreenPoint{*label.pixel, 0} : screen.project(label.at);
     if (!at || !is_near(at->pixel)) continue;
+    if (clip && !label.pixel && clip->cuts(label.at)) continue;
     Size size = size_of(label.text);
     size.width = std::max(size.width, static_cast<int>(std::lround(label.least_width_px * scale)));
     const glm::dvec2 there = at->pixel + label.shift_px * scale;

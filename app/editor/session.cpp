@@ -80,6 +80,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   colouring.reset();
   measures.clear();
   player.reset();
+  cut.reset();
   log_.clear();
 }
 
@@ -308,6 +309,7 @@ Input& Session::input() {
 
 Picker& Session::picker() {
   if (!picker_) picker_.emplace(mesh(), &hidden_);
+  picker_->set_clip(clip_plane());
   return *picker_;
 }
 

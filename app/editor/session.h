@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/corner_axes.h"
 #include "app/editor/document.h"
 #include "app/editor/drawn_links.h"
 #include "app/editor/gizmo.h"
@@ -29,6 +30,7 @@
 #include "core/highlights/highlight_sets.h"
 #include "core/highlights/map_values.h"
 #include "core/pick/picker.h"
+#include "core/view/clip_plane.h"
 #include "core/view/corner_normals.h"
 #include "core/view/view_settings.h"
 
@@ -44,6 +46,12 @@ struct Colouring {
 };
 
 class Player;
+// Where the mesh is cut: the switch says across which axis, the share of its extent how far along.
+struct Cut {
+  ClipWay way = ClipWay::off;
+  double share = 0.5;
+  ClipPlane plane;
+};
 
 // What the last repair did and left.
 struct LastRepair {
@@ -97,6 +105,7 @@ class Session {
   Language language = Language::english;
   ViewSettings settings;
   double ui_scale = 1;                // of all of the window, times that of the display
+  double display_scale = 1;           // set by the window
   int font_size_px = 15;              // at scale 1
   int samples = 1;                    // a side of each pixel of the view
   double crease_deg = 30;             // edges that bend by more stay sharp where the surface is smooth
@@ -110,6 +119,20 @@ class Session {
 
   // What the pointer picks: what the tool applies to, else what `mode` says.
   PickMode pointed_sort() const;
+
+  // How many pixels of the view lines, points, handles, labels and the reach of the pointer count as one.
+  double size_scale() const { return display_scale * ui_scale; }
+
+  // The axes in the corner of the view, where a switch shows them and there is room; the end that is at a pixel of the
+  // picture or window, and the one that the pointer is on. A click on one looks from there.
+  bool shows_axes = false;
+  std::optional<CornerAxes> axes_in_corner() const;
+  const AxisEnd* axis_end_at(glm::dvec2 pixel) const;
+  const AxisEnd* pointed_axis_end() const { return pointed_axis_end_; }
+
+  // What lies beyond the plane is neither drawn nor picked. It stays where it is through edits, and through the camera.
+  std::optional<Cut> cut;
+  std::optional<ClipPlane> clip_plane() const { return cut ? std::optional(cut->plane) : std::nullopt; }
 
   // The handles that move the selection, where the switch shows them: with Select in hand, at the middle of what is
   // selected. None while it is moved.
@@ -312,6 +335,7 @@ class Session {
   std::optional<std::uint64_t> unprepared_revision_;  // of the mesh that was too large to prepare
   std::optional<Hover> hover_;
   const HandleRow* pointed_handle_ = nullptr;
+  const AxisEnd* pointed_axis_end_ = nullptr;
   struct Middle {
     Elements of;
     std::uint64_t document = 0, revision = 0;

@@ -92,6 +92,7 @@ void Session::begin_gesture_with(PointTransform::Kind kind, Elements elements) {
                                  start + view_origin});
   hover_.reset();
   pointed_handle_ = nullptr;
+  pointed_axis_end_ = nullptr;
   release_verdict();
   follow_what_moves();
 }

@@ -37,7 +37,7 @@ PickMode pick_mode(const OpInfo* tool, PickMode mode) {
 OpTarget Session::target_of(const Picked& picked, Modifiers modifiers) const {
   if (picked.element.kind == Element::Kind::vertex) return {Halfedge(), 0.5, picked.element.vertex()};
   if (picked.element.kind == Element::Kind::face) return {Halfedge(), 0.5, Vertex(), picked.element.face()};
-  constexpr double small_px = 24;
+  const double small_px = 24 * size_scale();
   const auto a = project(camera, view, mesh().position(mesh().from(picked.halfedge)));
   const auto b = project(camera, view, mesh().position(mesh().to(picked.halfedge)));
   OpTarget target{picked.halfedge, picked.along};
@@ -57,6 +57,7 @@ void Session::point_at(glm::dvec2 pixel, Modifiers modifiers) {
 
 void Session::point_away() {
   pointed_handle_ = nullptr;
+  pointed_axis_end_ = nullptr;
   if (!is_verdict_held_) hover_.reset();
 }
 
@@ -64,13 +65,23 @@ std::optional<Gizmo> Session::gizmo() const {
   if (gizmo_kind == GizmoKind::none || !tool.empty() || selection.empty() || gesturing_ || band) return std::nullopt;
   if (middle_.document != document_->serial() || middle_.revision != document_->revision() || middle_.of != selection)
     middle_ = {selection, document_->serial(), document_->revision(), middle_of(mesh(), points_of(mesh(), selection))};
-  return gizmo_at(gizmo_kind, camera, view, middle_.place);
+  return gizmo_at(gizmo_kind, camera, view, middle_.place, size_scale());
+}
+
+std::optional<CornerAxes> Session::axes_in_corner() const {
+  return shows_axes ? corner_axes(camera, view, size_scale()) : std::nullopt;
+}
+
+const AxisEnd* Session::axis_end_at(glm::dvec2 pixel) const {
+  const auto axes = axes_in_corner();
+  return axes ? end_at(*axes, pixel - view_origin) : nullptr;
 }
 
 const HandleRow* Session::handle_at(glm::dvec2 pixel, Modifiers modifiers) const {
   if (modifiers.shift || modifiers.alt) return nullptr;
   const auto handles = gizmo();
-  const GizmoHandle* const found = handles ? ryosen::handle_at(*handles, camera, view, pixel - view_origin) : nullptr;
+  const GizmoHandle* const found =
+      handles ? ryosen::handle_at(*handles, camera, view, pixel - view_origin, size_scale()) : nullptr;
   return found ? found->row : nullptr;
 }
 
@@ -87,8 +98,9 @@ void Session::ask_held_verdict_again() {
 
 void Session::look_at(glm::dvec2 pixel, Modifiers modifiers) {
   hover_.reset();
-  pointed_handle_ = handle_at(pixel, modifiers);
-  if (pointed_handle_) return;
+  pointed_axis_end_ = axis_end_at(pixel);
+  pointed_handle_ = pointed_axis_end_ ? nullptr : handle_at(pixel, modifiers);
+  if (pointed_handle_ || pointed_axis_end_) return;
   const OpInfo* info = find_op(tool);
   const auto picked = pick(pixel, pointed_sort());
   if (!picked) return;
@@ -178,6 +190,7 @@ Outcome Session::select_along(glm::dvec2 pixel, Modifiers modifiers) {
 Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers modifiers) {
   cancel_gesture();  // what is pointed at is the mesh as it is
   release_verdict();
+  if (const AxisEnd* const end = axis_end_at(pixel)) return run(line_of(*end, camera));
   if (!asked_line.empty() && with_tool.empty()) return answer(*this, pixel);
   const OpInfo* info = find_op(with_tool);
   if (!info && click_selects(modifiers) != ClickSelects::element) return select_along(pixel, modifiers);
@@ -216,7 +229,7 @@ std::optional<Picked> Session::pick(glm::dvec2 pixel, PickMode what) {
   const glm::dvec2 inside = pixel - view_origin;
   if (inside.x < 0 || inside.y < 0 || inside.x >= view.width || inside.y >= view.height) return std::nullopt;
   if (preparation_) return std::nullopt;
-  return picker().pick(mesh(), camera, view, inside, what, pick_depth());
+  return picker().pick(mesh(), camera, view, inside, what, pick_depth(), pick_radius_px * size_scale());
 }
 
 Picker::Depth Session::pick_depth() const {

@@ -28,7 +28,9 @@ void ViewInput::press(MouseButton button, const Pointer& at) {
   const bool is_armed = session_.armed_gesture && button == MouseButton::left;
   const Gesture gesture = is_armed ? *session_.armed_gesture : gesture_of(preset, button, at.modifiers);
   const HandleRow* const handle =
-      button == MouseButton::left && !is_armed && !is_dragging() ? session_.handle_at(at.pixel, at.modifiers) : nullptr;
+      button == MouseButton::left && !is_armed && !is_dragging() && !session_.axis_end_at(at.pixel)
+          ? session_.handle_at(at.pixel, at.modifiers)
+          : nullptr;
   if (handle) {
     held_handle_ = HeldHandle{handle, at.pixel};
     return;
@@ -42,7 +44,8 @@ void ViewInput::press(MouseButton button, const Pointer& at) {
 }
 
 void ViewInput::drag_handle(const Pointer& at) {
-  if (!held_handle_->has_begun && glm::length(at.pixel - held_handle_->start) > click_reach_px) {
+  if (!held_handle_->has_begun &&
+      glm::length(at.pixel - held_handle_->start) > click_reach_px * session_.size_scale()) {
     held_handle_->has_begun = true;
     session_.pointer = held_handle_->start;
     run(std::string(held_handle_->row->line));
@@ -93,7 +96,8 @@ Outcome ViewInput::release(MouseButton button, const Pointer& at) {
   if (ended && is_over_view(ended->pixel)) {
     if (ended->button == MouseButton::right)
       outcome = open_menu(*ended);
-    else if (ended->is_double && session_.tool.empty())  // with a tool two quick clicks are two edits
+    else if (ended->is_double && session_.tool.empty() &&
+             !session_.axis_end_at(ended->pixel))  // with a tool two quick clicks are two edits
       set_centre(session_, ended->pixel);
     else
       outcome = click(*ended);

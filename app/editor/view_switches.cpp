@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "app/editor/command_functions.h"
+#include "app/editor/cutting.h"
 
 namespace ryosen {
 
@@ -168,6 +169,48 @@ std::vector<ViewSwitch>& switch_rows() {
        .flag_ja = "法線を表示する要素（省くと off）",
        .menu_en = "Normals",
        .menu_ja = "法線"},
+      {.id = "grid",
+       .help_en = "draws a grid on the ground below the mesh, with lines at round coordinates",
+       .help_ja = "メッシュの下の地面に、切りのよい座標ごとの格子を表示する",
+       .values = {{"off", "No ground grid", "地面の格子なし"}, {"on", "Ground grid", "地面の格子"}},
+       .value = setting<&ViewSettings::grid>,
+       .set = set_setting<&ViewSettings::grid>,
+       .chord = "Shift+G",
+       .key_en = "with or without a grid on the ground",
+       .key_ja = "地面の格子の切り替え",
+       .flag_en = "whether there is a grid on the ground; else off",
+       .flag_ja = "地面の格子（省くと off）"},
+      {.id = "axes",
+       .help_en =
+           "draws the axes X, Y and Z in the corner, a click on which looks from there; a window begins with them",
+       .help_ja = "隅に座標軸を表示し、クリックした方向から見る（ウィンドウでは表示から始まる）",
+       .values = {{"off", "No axes in the corner", "隅の座標軸なし"}, {"on", "Axes in the corner", "隅の座標軸"}},
+       .value = [](const Session& session) { return std::size_t{session.shows_axes}; },
+       .set = [](Session& session, std::size_t value) { session.shows_axes = value == 1; },
+       .chord = "Shift+V",
+       .key_en = "with or without the axes in the corner",
+       .key_ja = "隅の座標軸の切り替え",
+       .flag_en = "whether the axes stand in the corner; else off",
+       .flag_ja = "隅の座標軸（省くと off）"},
+      {.id = "clip",
+       .help_en =
+           "cuts the mesh in the middle across an axis: what lies beyond, on the side of the sign, is neither drawn "
+           "nor picked; or across the line of sight",
+       .help_ja = "メッシュを中央で切り、軸の符号の側を表示も選択もしない（view：視線に垂直に手前を切る）",
+       .values = {{"off", "No clipping plane", "断面なし"},
+                  {"x", "Cut off +X", "+X 側を切る"},
+                  {"-x", "Cut off -X", "−X 側を切る"},
+                  {"y", "Cut off +Y", "+Y 側を切る"},
+                  {"-y", "Cut off -Y", "−Y 側を切る"},
+                  {"z", "Cut off +Z", "+Z 側を切る"},
+                  {"-z", "Cut off -Z", "−Z 側を切る"},
+                  {"view", "Cut off what is nearer", "手前を切る"}},
+       .value = [](const Session& session) -> std::size_t { return session.cut ? std::size_t(session.cut->way) : 0; },
+       .set = [](Session& session, std::size_t value) { cut_across(session, static_cast<ClipWay>(value)); },
+       .flag_en = "where the mesh is cut; else nowhere",
+       .flag_ja = "断面（省くと off）",
+       .menu_en = "Clipping plane",
+       .menu_ja = "断面"},
       {.id = "gizmo",
        .help_en =
            "shows handles at the selection, a drag of which moves, turns or scales it; a window begins with move",

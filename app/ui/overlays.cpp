@@ -17,14 +17,19 @@ namespace {
 // Adds elements to an overlay in one style.
 class Painter {
  public:
-  Painter(const Session& session, Overlay& overlay, const Style& style, float hidden = faintly)
-      : m_(session.mesh()), places_(session.drawn_positions()), overlay_(overlay), style_(style), hidden_(hidden) {}
+  Painter(const Session& session, Overlay& overlay, const Style& style, float hidden = faintly, double room = 0)
+      : m_(session.mesh()),
+        places_(session.drawn_positions()),
+        overlay_(overlay),
+        style_(style),
+        hidden_(hidden),
+        room_(room) {}
 
   void line(const glm::dvec3& a, const glm::dvec3& b, bool arrow = false) {
     overlay_.lines.push_back({a, b, style_.colour, style_.line, style_.width_px, hidden_, arrow});
   }
   void point(const glm::dvec3& at) {
-    overlay_.points.push_back({at, style_.colour, style_.point, style_.radius_px, hidden_});
+    overlay_.points.push_back({at, style_.colour, style_.point, style_.radius_px, hidden_, room_});
   }
   void draw(Vertex v) { point(place(v)); }
   void draw(Edge e) { line(place(ends(m_, e).first), place(ends(m_, e).second)); }
@@ -61,6 +66,7 @@ class Painter {
   Overlay& overlay_;
   Style style_;
   float hidden_;
+  double room_;
 };
 
 // The ghost of what an operator would do, whole in front of the old surface: what stays thin, what goes thinly dashed, what
@@ -152,9 +158,9 @@ class Ghost {
 }  // namespace
 
 Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, std::uint32_t first, std::uint32_t end,
-                          Theme theme) {
+                          Theme theme, double room) {
   Overlay overlay;
-  Painter painter(session, overlay, style(row.looks, theme));
+  Painter painter(session, overlay, style(row.looks, theme), faintly, room);
   session.highlights().of(mark).for_each_in(first, end, [&](std::uint32_t i) {
     Element e;
     e.kind = mark.sort;

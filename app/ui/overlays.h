@@ -8,8 +8,9 @@
 namespace ryosen {
 
 // The members of a mark of a highlight with slot numbers from first to before end.
+// Points have so much room, see Point.
 Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, std::uint32_t first, std::uint32_t end,
-                          Theme theme);
+                          Theme theme, double room);
 Overlay selection_overlay(const Session& session, Theme theme);
 // The ways along which was measured, where all elements of it are still there.
 Overlay measures_overlay(const Session& session, Theme theme);

@@ -46,6 +46,10 @@ std::vector<Hint> hints_of(const PanelContext& context) {
     return {{context.text("Drag", "ドラッグ"), context.text(handle->does_en, handle->does_ja)},
             {"Ctrl", context.text("snap", "スナップ")},
             {"Esc", context.text("give up", "中止")}};
+  if (const AxisEnd* const end = context.session.pointed_axis_end())
+    return {{context.text("Click", "クリック"),
+             context.text("look from ", "") + std::string(end->name) + context.text("", " 側から見る")},
+            {context.text("Drag", "ドラッグ"), drag(MouseButton::left)}};
   const OpInfo* const op = find_op(context.session.tool);
   return {{context.text("Click", "クリック"),
            op ? context.text(op->name_en, op->name_ja) : context.text(UiText::does_pick)},

@@ -5,10 +5,13 @@
 #include <numeric>
 
 #include "app/editor/playing.h"
+#include "app/ui/axes_overlay.h"
 #include "app/ui/gizmo_overlay.h"
 #include "app/ui/overlays.h"
 #include "app/ui/surface_paint.h"
 #include "core/base/sort_unique.h"
+#include "core/geometry/box.h"
+#include "core/geometry/is_finite.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/find_element.h"
@@ -89,6 +92,25 @@ std::uint32_t drawing_place(const HighlightRow& row, Mark mark) {
   return static_cast<std::uint32_t>(static_cast<std::size_t>(below) * (drawing_places / most_highlights) + within);
 }
 
+// How much room points at the members of a mark have, as if they were even over a surface as large as the two longer sides
+// of their bounds, in whole octaves, so that an edit seldom changes it; none for other members, and where they are few.
+// Linear.
+double room_of(Session& session, Mark mark) {
+  constexpr std::size_t few = 100;
+  const IndexSet& members = session.highlights().of(mark);
+  if (mark.sort != Element::Kind::vertex || members.size() < few) return 0;
+  Box bounds;
+  members.for_each([&](std::uint32_t i) {
+    if (is_finite(session.drawn_positions()[i])) bounds.add(session.drawn_positions()[i]);
+  });
+  if (bounds.is_empty()) return 0;
+  const glm::dvec3 size = bounds.highest - bounds.lowest;
+  const double smallest = std::min({size.x, size.y, size.z}), largest = std::max({size.x, size.y, size.z});
+  const double middle = size.x + size.y + size.z - smallest - largest, count = static_cast<double>(members.size());
+  const double room = std::max(std::sqrt(largest * middle / count), largest / count);
+  return room > 0 && std::isfinite(room) ? std::exp2(std::round(std::log2(room))) : 0;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Viewport>> Viewport::make() {
@@ -109,6 +131,10 @@ void Viewport::follow(Session& session) {
   if (settings_.dots == Dots::picked)
     settings_.dots = session.pointed_sort() == PickMode::vertex ? Dots::always : Dots::never;
   view_->set_settings(settings_);
+  const auto scale = static_cast<float>(session.size_scale());
+  view_->set_display_scale(scale);
+  labels_.set_scale(scale);
+  view_->set_clip(session.clip_plane());
   view_->set_tints(tints_in(settings_.theme));
   view_->set_camera(session.camera);
   follow_mesh(session);
@@ -208,7 +234,8 @@ void Viewport::draw_mark(Session& session, const HighlightRow& row, Mark mark, s
   DrawnMark& drawn = drawn_marks_[place];
   const std::uint32_t first = block * block_slots;
   Overlay overlay;
-  if (drawn.is_shown) overlay = highlight_overlay(session, row, mark, first, first + block_slots, settings_.theme);
+  if (drawn.is_shown)
+    overlay = highlight_overlay(session, row, mark, first, first + block_slots, settings_.theme, drawn.room);
   if (overlay.empty())
     drawn.blocks.erase(block);
   else
@@ -222,7 +249,9 @@ void Viewport::follow_mark(Session& session, const HighlightRow& row, Mark mark)
   DrawnMark& drawn = drawn_marks_[drawing_place(row, mark)];
   const bool is_shown = session.shown.contains(std::string(row.id));
   std::vector<std::uint32_t> blocks;
-  if (is_shown != drawn.is_shown) {
+  const bool is_marked = std::any_of(marked_.begin(), marked_.end(), [&](const auto& m) { return m.mark == mark; });
+  const double room = !is_shown ? 0 : is_shown != drawn.is_shown || is_marked ? room_of(session, mark) : drawn.room;
+  if (is_shown != drawn.is_shown || room != drawn.room) {
     blocks = drawn.blocks.to_vector();
     if (is_shown)
       session.highlights().of(mark).for_each([&](std::uint32_t i) {
@@ -234,6 +263,7 @@ void Viewport::follow_mark(Session& session, const HighlightRow& row, Mark mark)
     sort_unique(blocks);
   }
   drawn.is_shown = is_shown;
+  drawn.room = room;
   for (std::uint32_t block : blocks) draw_mark(session, row, mark, block);
 }
 
@@ -267,6 +297,7 @@ void Viewport::follow_overlays(Session& session) {
   view_->set_overlay(Layer::links, links_overlay(session, settings_.theme));
   view_->set_overlay(Layer::hover, hover_overlay(session, settings_.theme));
   view_->set_overlay(Layer::handles, gizmo_overlay(session, settings_.theme));
+  view_->set_overlay(Layer::axes, axes_overlay(session, settings_.theme));
 }
 
 }  // namespace ryosen

@@ -38,7 +38,6 @@ class Viewport {
 
   void set_transparent(bool transparent) { view_->set_transparent(transparent); }
   void set_supersample(int samples);
-  void set_display_scale(float scale) { labels_.set_scale(scale); }
   // Forgets the document, so that the next follow() rebuilds everything.
   void forget() { mesh_of_ = nullptr; }
 
@@ -75,6 +74,7 @@ class Viewport {
   struct DrawnMark {
     IndexSet blocks;  // non-empty ones
     bool is_shown = false;
+    double room = 0;  // of its points
   };
   std::map<std::uint32_t, DrawnMark> drawn_marks_;  // by their places in the order of drawing
   std::vector<Session::Marked> marked_;             // to be rebuilt

@@ -195,41 +195,6 @@ void fitted_text(const std::string& text, float width_px) {
   if (shown != text) tip(text);
 }
 
-namespace {
-
-// The lengths of dashes and gaps of a line style, in widths of the line; a zero ends the list.
-struct DashRow {
-  LineStyle style;
-  std::array<float, 4> lengths;
-};
-constexpr DashRow dashes[] = {
-    {LineStyle::solid, {}},
-    {LineStyle::dashed, {3, 2, 0, 0}},
-    {LineStyle::dash_dot, {3, 1.5f, 1, 1.5f}},
-    {LineStyle::dotted, {1, 1.5f, 0, 0}},
-};
-static_assert(rows_are_in_order(dashes, &DashRow::style));
-
-}  // namespace
-
-void swatch(const Style& style, float width_px) {
-  const float height = ImGui::GetFontSize();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::Dummy({width_px, height});
-  const ImU32 colour = to_imgui32(style.colour);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float middle = std::floor(at.y + height / 2), half = 1.5f;
-  const std::array<float, 4>& pattern = dashes[static_cast<std::size_t>(style.line)].lengths;
-  if (pattern[0] == 0) return list.AddRectFilled({at.x, middle - half}, {at.x + width_px, middle + half}, colour);
-  float x = at.x;
-  for (std::size_t i = 0; x < at.x + width_px; i = (i + 1) % 4) {
-    const float length = pattern[i] * 3;
-    if (i % 2 == 0 && length > 0)
-      list.AddRectFilled({x, middle - half}, {std::min(x + length, at.x + width_px), middle + half}, colour);
-    x += length;
-  }
-}
-
 bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size) {
   const bool wanted = context.session.open_panel == row.id;
   const std::string name = context.title(row) + ("###" + std::string(row.id));

@@ -35,8 +35,6 @@ void list_of_rows(const char* id, std::size_t count, std::size_t most, const std
 std::string fitted(std::string_view text, float width_px);
 // A line of text that fits the panel, the whole beside it when it is hovered.
 void fitted_text(const std::string& text, float width_px);
-// A sample of the line style and mark of a highlight, as drawn in the view.
-void swatch(const Style& style, float width_px);
 
 // A panel in the middle over everything else, while session.open_panel names it. False when there is nothing to fill;
 // else end_over() must follow.

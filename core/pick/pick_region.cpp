@@ -15,7 +15,7 @@ namespace {
 class RegionQuery {
  public:
   RegionQuery(const Mesh& mesh, const SurfaceTriangles& triangles, const Bvh* tree, const HiddenElements* hidden,
-              const Camera& camera, Size view, const ScreenRegion& region)
+              const Camera& camera, Size view, const ScreenRegion& region, const std::optional<ClipPlane>& clip)
       : m_(mesh),
         triangles_(triangles),
         tree_(tree),
@@ -23,6 +23,7 @@ class RegionQuery {
         camera_(camera),
         view_(view),
         region_(region),
+        clip_(clip),
         screen_(camera, view) {}
 
   bool has(Vertex v) const {
@@ -56,6 +57,7 @@ class RegionQuery {
   }
 
   bool holds(Vertex v) const {
+    if (clip_ && clip_->cuts(m_.position(v))) return false;
     const auto at = screen_.project(m_.position(v));
     return at && region_.holds(at->pixel);
   }
@@ -65,7 +67,7 @@ class RegionQuery {
     if (!tree_) return true;
     const auto at = screen_.project(place);
     if (!at) return false;
-    return ryosen::is_seen(*tree_, m_, ray_through(camera_, view_, at->pixel), place, own);
+    return ryosen::is_seen(*tree_, m_, kept(ray_through(camera_, view_, at->pixel), clip_), place, own);
   }
 
   const Mesh& m_;
@@ -75,6 +77,7 @@ class RegionQuery {
   const Camera& camera_;
   Size view_;
   const ScreenRegion& region_;
+  const std::optional<ClipPlane>& clip_;
   ScreenProjection screen_;
 };
 
@@ -96,7 +99,8 @@ std::vector<Element> Picker::pick_region(const Mesh& mesh, const Camera& camera,
                                          PickMode mode, Depth depth) {
   Progress unseen;
   if (depth == Depth::seen) prepare(mesh, unseen);
-  const RegionQuery query(mesh, triangles_, depth == Depth::seen ? &tree_ : nullptr, hidden_, camera, view, region);
+  const RegionQuery query(mesh, triangles_, depth == Depth::seen ? &tree_ : nullptr, hidden_, camera, view, region,
+                          clip_);
   switch (mode) {
     case PickMode::vertex:
       return gather<Vertex>(query, mesh.vertex_slots());

@@ -51,7 +51,7 @@ struct Candidate {
 class PickQuery {
  public:
   PickQuery(const Mesh& mesh, const SurfaceTriangles& triangles, const Bvh& tree, const Camera& camera, Size view,
-            glm::dvec2 pixel, Picker::Depth depth)
+            glm::dvec2 pixel, Picker::Depth depth, const std::optional<ClipPlane>& clip)
       : m_(mesh),
         triangles_(triangles),
         tree_(tree),
@@ -59,8 +59,9 @@ class PickQuery {
         view_(view),
         pixel_(pixel),
         depth_(depth),
+        clip_(clip),
         screen_(camera, view) {
-    const Ray ray = ray_through(camera, view, pixel);
+    const Ray ray = kept(ray_through(camera, view, pixel), clip);
     if (const auto hit = tree_.cast(m_.positions(), ray)) {
       under_ = Face(tree_.primitive(hit->slot).owner);
       place_ = ray.origin + hit->t * ray.direction;
@@ -74,9 +75,9 @@ class PickQuery {
 
   // Looks further only where there is nothing to be seen near the pointer: of a dense mesh there are thousands of
   // elements within the whole radius.
-  std::optional<Picked> nearest(bool vertices) {
+  std::optional<Picked> nearest(bool vertices, double most_px) {
     double within = 0;
-    for (const double radius_px : {0.25, 1.0, pick_radius_px}) {
+    for (const double radius_px : {0.25, 1.0, most_px}) {
       gather(vertices, within, radius_px);
       if (const auto found = nearest_visible(vertices)) return found;
       within = std::nextafter(radius_px, 2 * radius_px);  // up to there all are hidden
@@ -121,7 +122,7 @@ class PickQuery {
 
   void add_vertex(Vertex v, Face face) {
     const auto at = screen_.project(m_.position(v));
-    if (!at) return;
+    if (!at || (clip_ && clip_->cuts(m_.position(v)))) return;
     const double distance = glm::length(at->pixel - pixel_);
     if (distance < within_ || distance > radius_px_) return;
     candidates_.push_back({distance, at->depth, face == under_, v.index, v, Vertex(), face, m_.position(v), 0});
@@ -131,7 +132,12 @@ class PickQuery {
     // Both faces of an edge must give bitwise the same point: measure from the smaller vertex.
     const bool swapped = b < a;
     const glm::dvec3 &p = m_.position(swapped ? b : a), &q = m_.position(swapped ? a : b);
-    const auto near = screen_.nearest_on_segment(p, q, pixel_);
+    const auto part = kept(p, q, clip_);
+    if (!part) return;
+    const bool is_whole = part->first == 0 && part->last == 1;
+    auto near = screen_.nearest_on_segment(is_whole ? p : p + part->first * (q - p),
+                                           is_whole ? q : p + part->last * (q - p), pixel_);
+    if (near && !is_whole) near->along = part->first + near->along * (part->last - part->first);
     if (!near || near->distance_px < within_ || near->distance_px > radius_px_) return;
     candidates_.push_back({near->distance_px, near->depth, face == under_, face.index, a, b, face,
                            p + near->along * (q - p), swapped ? 1 - near->along : near->along});
@@ -142,7 +148,7 @@ class PickQuery {
     const auto at = screen_.project(c.place);
     if (!at) return true;
     if (depth_ == Picker::Depth::through) return false;
-    return !is_seen(tree_, m_, ray_through(camera_, view_, at->pixel), c.place);
+    return !is_seen(tree_, m_, kept(ray_through(camera_, view_, at->pixel), clip_), c.place);
   }
 
   Picked edge_result(const Candidate& c) const {
@@ -165,6 +171,7 @@ class PickQuery {
   Size view_;
   glm::dvec2 pixel_;
   Picker::Depth depth_;
+  const std::optional<ClipPlane>& clip_;
   ScreenProjection screen_;
   Face under_;
   glm::dvec3 place_{0};
@@ -182,7 +189,8 @@ bool Picker::is_seen(const Mesh& mesh, const Camera& camera, Size view, const Sc
                      Face own) {
   Progress unseen;
   prepare(mesh, unseen);
-  return ryosen::is_seen(tree_, mesh, ray_through(camera, view, at.pixel), place, own);
+  if (clip_ && clip_->cuts(place)) return false;
+  return ryosen::is_seen(tree_, mesh, kept(ray_through(camera, view, at.pixel), clip_), place, own);
 }
 
 bool Picker::shows(const Mesh& mesh, const SurfaceTriangle& triangle) const {
@@ -276,12 +284,12 @@ void Picker::update_hidden(const Mesh& mesh, const HiddenElements::Parts& change
 }
 
 std::optional<Picked> Picker::pick(const Mesh& mesh, const Camera& camera, Size view, glm::dvec2 pixel, PickMode mode,
-                                   Depth depth) {
+                                   Depth depth, double radius_px) {
   Progress unseen;
   prepare(mesh, unseen);
-  PickQuery query(mesh, triangles_, tree_, camera, view, pixel, depth);
+  PickQuery query(mesh, triangles_, tree_, camera, view, pixel, depth, clip_);
   if (mode == PickMode::face) return query.face();
-  std::optional<Picked> picked = query.nearest(mode == PickMode::vertex);
+  std::optional<Picked> picked = query.nearest(mode == PickMode::vertex, radius_px);
   if (picked && mode == PickMode::halfedge) picked->element = picked->halfedge;
   return picked;
 }

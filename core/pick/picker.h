@@ -13,12 +13,13 @@
 #include "core/pick/screen_region.h"
 #include "core/pick/surface_triangles.h"
 #include "core/view/camera.h"
+#include "core/view/clip_plane.h"
 
 namespace ryosen {
 
 enum class PickMode { vertex, edge, face, halfedge };
 
-// Maximum distance from the pointer at which edges and vertices are picked.
+// Maximum distance from the pointer at which edges and vertices are picked, at display scale 1.
 inline constexpr double pick_radius_px = 6;
 
 struct Picked {
@@ -46,10 +47,13 @@ class Picker {
   // Through: what a surface is in front of is picked too.
   enum class Depth { seen, through };
 
-  // Among the elements within pick_radius_px that are not occluded: the one with the smallest screen distance, then the
+  // What is beyond a plane is not picked and hides nothing.
+  void set_clip(const std::optional<ClipPlane>& plane) { clip_ = plane; }
+
+  // Among the elements within the radius that are not occluded: the one with the smallest screen distance, then the
   // smallest depth, then the face under the pointer, then the smallest number. Pixels from the upper left corner.
   std::optional<Picked> pick(const Mesh& mesh, const Camera& camera, Size view, glm::dvec2 pixel, PickMode mode,
-                             Depth depth = Depth::seen);
+                             Depth depth = Depth::seen, double radius_px = pick_radius_px);
 
   // All elements, ascending, of which all points lie within the region, points in place of vertices. Seen: no surface is
   // clearly in front of the vertex, the middle of the edge, or that of a triangle of the face. Cost: the slots of that
@@ -79,6 +83,7 @@ class Picker {
 
   SurfaceTriangles triangles_;
   const HiddenElements* hidden_;
+  std::optional<ClipPlane> clip_;
   Bvh tree_;
   bool has_tree_ = false;
 };

@@ -40,4 +40,11 @@ Camera camera_of(const NamedView& view, std::span<const glm::dvec3> points, doub
   return fitted(camera, points, aspect);
 }
 
+Camera turned_to(const NamedView& view, const Camera& camera) {
+  Camera turned = camera;
+  turned.eye = camera.target - unit_vector(view.direction) * length_of(camera.target - camera.eye);
+  turned.up = view.up;
+  return turned;
+}
+
 }  // namespace ryosen

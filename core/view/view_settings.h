@@ -23,6 +23,9 @@ enum class FileColours { on, vertices, faces, off };
 // Of which elements the normals are drawn.
 enum class Normals { off, vertices, faces };
 
+// Whether there is a grid on the ground.
+enum class Grid { off, on };
+
 // One field per switch, an enumeration in the order of the values of its row; each begins with the first one.
 struct ViewSettings {
   Theme theme = Theme::dark;
@@ -33,6 +36,7 @@ struct ViewSettings {
   Numbers numbers = Numbers::off;
   FileColours file_colours = FileColours::on;
   Normals normals = Normals::off;
+  Grid grid = Grid::off;
 
   // Calls visit(name, number) for each, by the id of its row: a shader gets the number as its `uniform int name`.
   template <class Visit>
@@ -45,6 +49,7 @@ struct ViewSettings {
     visit("numbers", static_cast<int>(numbers));
     visit("file_colours", static_cast<int>(file_colours));
     visit("normals", static_cast<int>(normals));
+    visit("grid", static_cast<int>(grid));
   }
 
   friend bool operator==(const ViewSettings&, const ViewSettings&) = default;

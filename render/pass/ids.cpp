@@ -38,7 +38,7 @@ const Framebuffer& IdsPass::draw(const Frame& frame, const MeshBuffers& mesh, st
   program_.set("view_from_buffer", frame.view_from_buffer);
   mesh.bind();
   glBindVertexArray(no_attributes_.id());
-  draw_clusters(program_, mesh, clusters, 1);
+  draw_clusters(program_, frame, mesh, clusters, 1);
   return target_;
 }
 

@@ -72,7 +72,8 @@ OverlayBuffer::Elements OverlayBuffer::converted(const Overlay& overlay, const B
   for (const Point& p : overlay.points) {
     const glm::vec3 at = space.from_mesh(p.at);
     const float kind = packed(point_kind, static_cast<int>(p.shape));
-    add(2, {{{at, p.radius_px}, {at, p.hidden}, {at, kind}, unit(p.colour)}});
+    const glm::vec3 aside = at + glm::vec3(static_cast<float>(p.room * space.scale), 0, 0);
+    add(2, {{{at, p.radius_px}, {aside, p.hidden}, {at, kind}, unit(p.colour)}});
   }
   return elements;
 }
@@ -176,7 +177,8 @@ DrawBox OverlayBuffer::bounds() const {
 }
 
 const PixelRect& OverlayBuffer::place(const Group& group, const glm::mat4& clip_from_buffer, Size size) const {
-  if (!group.is_placed) group.place = screen_bounds(group.bounds.box, clip_from_buffer, size, group.bounds.reach_px);
+  if (!group.is_placed)
+    group.place = screen_bounds(group.bounds.box, clip_from_buffer, size, display_scale_ * group.bounds.reach_px);
   group.is_placed = true;
   return group.place;
 }
@@ -185,9 +187,14 @@ const PixelRect& OverlayBuffer::place(const Group& group, std::uint32_t element,
                                       Size size) const {
   if (!group.has_placed_elements)
     for (std::uint32_t i = group.first; i < group.first + group.count; ++i)
-      places_[i] = screen_bounds(elements_[i].box(), clip_from_buffer, size, elements_[i].reach_px());
+      places_[i] = screen_bounds(elements_[i].box(), clip_from_buffer, size, display_scale_ * elements_[i].reach_px());
   group.has_placed_elements = true;
   return places_[element];
+}
+
+void OverlayBuffer::set_display_scale(float scale) {
+  display_scale_ = scale;
+  forget_places();
 }
 
 void OverlayBuffer::forget_places() {
@@ -227,7 +234,7 @@ OverlayPass::Selection OverlayPass::select(const Frame& frame, const OverlayBuff
   return selection;
 }
 
-void OverlayPass::draw(const Frame& frame, const OverlayBuffer& overlay) const {
+void OverlayPass::draw(const Frame& frame, const OverlayBuffer& overlay, Of of) const {
   const Selection selection = select(frame, overlay);
   if (selection.all.empty()) return;
   program_.use();
@@ -235,11 +242,15 @@ void OverlayPass::draw(const Frame& frame, const OverlayBuffer& overlay) const {
   program_.set("view_from_buffer", frame.view_from_buffer);
   program_.set("clip_from_view", frame.clip_from_view);
   program_.set("size_px", glm::vec2(frame.size.width, frame.size.height));
-  program_.set("pixel_scale", frame.pixel_scale);
+  program_.set("pixel_scale", frame.size_scale());
   program_.set("perspective", frame.ortho ? 0.0f : 1.0f);
   program_.set("units_per_pixel", frame.units_per_pixel);
   program_.set("near_distance", frame.near_distance);
   program_.set("outline_colour", unit(palette(frame.settings.theme).outline));
+  // To switch the clipping off is not enough: llvmpipe goes on with it in the next draw.
+  const bool is_cut = frame.is_cut && of == Of::mesh;
+  program_.set("clip_plane", is_cut ? frame.clip_plane : glm::vec4(0, 0, 0, 1));
+  if (is_cut) glEnable(GL_CLIP_DISTANCE0);
   overlay.bind(0);
   glBindVertexArray(no_attributes_.id());
   glDisable(GL_CULL_FACE);
@@ -255,6 +266,7 @@ void OverlayPass::draw(const Frame& frame, const OverlayBuffer& overlay) const {
   glDepthFunc(GL_LEQUAL);
   program_.set("hidden_pass", 0.0f);
   selection.all.draw();
+  glDisable(GL_CLIP_DISTANCE0);
 }
 
 }  // namespace ryosen

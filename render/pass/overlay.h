@@ -19,16 +19,17 @@
 namespace ryosen {
 
 // A ghost triangle, line or point in the layout of overlay.vert: three positions in buffer space, with the size in
-// pixels, the opacity where occluded, and kind + 4 * style in w; then the colour, 0 to 1.
+// pixels, the opacity where occluded, and kind + 4 * style in w; then the colour, 0 to 1. The second position of a point is
+// as far from the first as it has room.
 struct OverlayElement {
   glm::vec4 texels[4];
   friend bool operator==(const OverlayElement&, const OverlayElement&) = default;
 
   DrawBox box() const;
-  float reach_px() const;  // how far in pixels it may extend beyond its box
+  float reach_px() const;  // how far in pixels it may extend beyond its box, at display scale 1
 };
 
-// A bounding box in buffer space, and a margin in pixels around its projection.
+// A bounding box in buffer space, and a margin around its projection in pixels at display scale 1.
 struct TouchedBox {
   DrawBox box;
   float reach_px = 0;
@@ -71,6 +72,8 @@ class OverlayBuffer {
   const PixelRect& place(const Group& group, std::uint32_t element, const glm::mat4& clip_from_buffer, Size size) const;
   // Call it when the camera or the size has changed.
   void forget_places();
+  // That of Frame; all places are forgotten with it.
+  void set_display_scale(float scale);
 
  private:
   static constexpr std::size_t kinds = 3;  // ghosts, lines, points
@@ -87,6 +90,7 @@ class OverlayBuffer {
   mutable std::vector<PixelRect> places_;
   std::array<std::vector<Group>, kinds> groups_;  // ascending by part
   std::size_t unused_ = 0;                        // elements in the gaps
+  float display_scale_ = 1;
   TexelArray<OverlayElement> gpu_;
 };
 
@@ -94,8 +98,10 @@ class OverlayPass {
  public:
   static Result<OverlayPass> make();
 
-  // Draws what can touch the frame's rectangle: first the occluded parts, faintly, then the visible ones.
-  void draw(const Frame& frame, const OverlayBuffer& overlay) const;
+  // Draws what can touch the frame's rectangle: first the occluded parts, faintly, then the visible ones. What belongs to
+  // the mesh is cut as that is.
+  enum class Of { mesh, view };
+  void draw(const Frame& frame, const OverlayBuffer& overlay, Of of = Of::mesh) const;
 
  private:
   struct Selection {

@@ -12,6 +12,7 @@
 namespace ryosen {
 namespace {
 
+static_assert(MeshBuffers::cluster_size == 128, "as in wire_out.glsl");
 // As in tint.frag.
 static_assert(enum_count<FacePattern> == 5 && static_cast<int>(FacePattern::diagonal) == 1 &&
               static_cast<int>(FacePattern::chessboard) == 2 && static_cast<int>(FacePattern::horizontal) == 3 &&
@@ -22,7 +23,8 @@ void set_light(const Program& program, const Frame& frame) {
   program.use();
   program.set("clip_from_buffer", frame.clip_from_buffer);
   program.set("view_from_buffer", frame.view_from_buffer);
-  program.set("pixel_scale", frame.pixel_scale);
+  program.set("pixel_scale", frame.size_scale());
+  program.set("units_per_pixel", frame.units_per_pixel);
   program.set("perspective", frame.ortho ? 0.0f : 1.0f);
   program.set("front_colour", glm::vec3(linear(colours.front)));
   program.set("back_colour", glm::vec3(linear(colours.back)));
@@ -78,7 +80,7 @@ void SurfacePass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<co
   }
   surface.set("wire_colour", glm::vec3(linear(colours.wire)));
   surface.set("wire_strength", unit(colours.wire).w);
-  draw_clusters(surface, mesh, clusters, frame.thinning);
+  draw_clusters(surface, frame, mesh, clusters, frame.thinning);
 
   std::vector<std::uint32_t> tinted;
   for (const std::uint32_t cluster : clusters) {
@@ -97,18 +99,22 @@ void SurfacePass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<co
     tint.set(("tints" + place).c_str(), colour);
     tint.set(("patterns" + place).c_str(), static_cast<int>(tints[i].tint.pattern));
   }
-  draw_clusters(tint, mesh, tinted, frame.thinning);
+  draw_clusters(tint, frame, mesh, tinted, frame.thinning);
 }
 
-void draw_clusters(const Program& program, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters,
-                   std::uint32_t thinning) {
+void draw_clusters(const Program& program, const Frame& frame, const MeshBuffers& mesh,
+                   std::span<const std::uint32_t> clusters, std::uint32_t thinning) {
   program.set("thinning", static_cast<int>(thinning));
+  program.set("clip_plane", frame.clip_plane);
   VertexRuns runs;
   for (const std::uint32_t number : clusters) {
     const Cluster& cluster = mesh.clusters()[number];
     runs.add(3 * (cluster.first / thinning), 3 * ((cluster.count + thinning - 1) / thinning));
   }
-  if (!runs.empty()) runs.draw();
+  if (runs.empty()) return;
+  if (frame.is_cut) glEnable(GL_CLIP_DISTANCE0);
+  runs.draw();
+  glDisable(GL_CLIP_DISTANCE0);
 }
 
 }  // namespace ryosen

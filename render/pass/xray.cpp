@@ -34,7 +34,8 @@ void XrayPass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<const
   if (mesh.paint() != Paint::none) program.set("paints_sides", mesh.paint() == Paint::sides ? 1 : 0);
   program.set("clip_from_buffer", frame.clip_from_buffer);
   program.set("view_from_buffer", frame.view_from_buffer);
-  program.set("pixel_scale", frame.pixel_scale);
+  program.set("pixel_scale", frame.size_scale());
+  program.set("units_per_pixel", frame.units_per_pixel);
   program.set("perspective", frame.ortho ? 0.0f : 1.0f);
   program.set("film_colour", glm::vec3(unit(colours.film)));
   program.set("line_colour", glm::vec3(unit(colours.film_wire)));
@@ -53,7 +54,7 @@ void XrayPass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<const
   glBlendFunc(GL_ONE, GL_ONE);
   // Its coverage is added in either theme: a picture without a background has an alpha channel.
   glBlendEquationSeparate(takes_light ? GL_FUNC_REVERSE_SUBTRACT : GL_FUNC_ADD, GL_FUNC_ADD);
-  draw_clusters(program, mesh, clusters, frame.thinning);
+  draw_clusters(program, frame, mesh, clusters, frame.thinning);
   glBlendEquation(GL_FUNC_ADD);
 }
 

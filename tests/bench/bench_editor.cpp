@@ -1,6 +1,7 @@
-// The editor's reactions at 1280x720 through OSMesa: hover, edit, frames. RYOSEN_DRAGON=FILE.ply.gz adds the dragon.
+// The editor's reactions at 1280x720 through OSMesa: hover, edit, frames, tiles. RYOSEN_DRAGON=FILE.ply.gz adds the dragon.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <chrono>
 #include <random>
 
@@ -192,6 +193,75 @@ void gesture_step(benchmark::State& state, Source source) {
   state.counters["vertices"] = static_cast<double>(session->selection.size());
 }
 
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 0 : values[values.size() / 2];
+}
+
+// Camera frames of the same views, flat and smooth in turns; the ratio of their medians is the counter.
+void smooth_frame(benchmark::State& state, Source source) {
+  if (source().positions.empty()) return state.SkipWithError("RYOSEN_DRAGON is not set");
+  const Screen screen = open_screen();
+  auto second = screen.viewport ? Viewport::make() : Result<std::unique_ptr<Viewport>>(nullptr);
+  if (!screen.viewport || !second) return state.SkipWithError("no OSMesa");
+  Viewport* const viewports[] = {screen.viewport.get(), second->get()};
+  const std::unique_ptr<Session> sessions[] = {open_session(source), open_session(source)};
+  sessions[1]->run("shading smooth");
+  std::vector<double> times[2];
+  const auto frame = [&](std::size_t which) {
+    Session& session = *sessions[which];
+    session.camera = orbited(session.camera, {3, 1}, session.view, session.camera.target);
+    const auto start = Clock::now();
+    viewports[which]->follow(session);
+    viewports[which]->draw();
+    benchmark::DoNotOptimize(viewports[which]->view().picture());
+    return seconds_since(start);
+  };
+  for (const std::size_t which : {0u, 1u, 0u, 1u}) frame(which);
+  for (auto _ : state) {
+    for (const std::size_t which : {0u, 1u}) times[which].push_back(frame(which));
+    state.SetIterationTime(times[1].back());
+  }
+  state.counters["smooth/flat"] = median(times[1]) / median(times[0]);
+}
+
+// The tiles in which a picture is refined, one to a frame and as large as the window has them.
+void refined_tile(benchmark::State& state, Source source) {
+  if (source().positions.empty()) return state.SkipWithError("RYOSEN_DRAGON is not set");
+  const Screen screen = open_screen();
+  if (!screen.viewport) return state.SkipWithError("no OSMesa");
+  const auto session = open_session(source);
+  Viewport& viewport = *screen.viewport;
+  FramePace::Clock::time_point now{};
+  const auto frame = [&] {
+    now += std::chrono::seconds(1);  // nothing moves for longer than that takes to be seen
+    viewport.follow(*session);
+    viewport.keep_pace(*session, now);
+    const auto start = FramePace::Clock::now();
+    viewport.draw();
+    benchmark::DoNotOptimize(viewport.view().picture());
+    const auto time = FramePace::Clock::now() - start;
+    viewport.took(time);
+    return std::chrono::duration<double>(time).count();
+  };
+  std::vector<double> times;
+  for (auto _ : state) {
+    if (viewport.view().is_refined())
+      session->camera = orbited(session->camera, {3, 1}, session->view, session->camera.target);
+    do frame();
+    while (!viewport.view().is_drawn());
+    times.push_back(frame());
+    state.SetIterationTime(times.back());
+  }
+  state.counters["median_ms"] = 1e3 * median(times);
+  std::sort(times.begin(), times.end());
+  state.counters["of_20_19_below_ms"] = 1e3 * times[times.size() * 19 / 20];
+}
+
+BENCHMARK_CAPTURE(smooth_frame, bunny, bunny)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(40);
+BENCHMARK_CAPTURE(smooth_frame, dragon, dragon)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(20);
+BENCHMARK_CAPTURE(refined_tile, bunny, bunny)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(300);
+BENCHMARK_CAPTURE(refined_tile, dragon, dragon)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(100);
 BENCHMARK_CAPTURE(gesture_step, bunny, bunny)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(300);
 BENCHMARK_CAPTURE(gesture_step, dragon, dragon)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(300);
 BENCHMARK_CAPTURE(hover_verdict, bunny, bunny)->Unit(benchmark::kMicrosecond);

@@ -1,4 +1,5 @@
 #include "app/ui/panels.h"
+#include "app/ui/swatch.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {
@@ -14,7 +15,7 @@ void draw_highlight(PanelContext& context, const HighlightRow& row) {
   ImGui::PopStyleVar();
   ImGui::SameLine();
   const char* const legend = context.text(row.legend_en, row.legend_ja);
-  swatch(style(row.looks, context.theme), 30 * context.scale);
+  swatch(row, context.theme, 30 * context.scale, context.scale);
   tip(legend);
   ImGui::SameLine();
   // What nobody looks at is not searched for, so it has no count.

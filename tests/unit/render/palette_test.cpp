@@ -6,25 +6,18 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/base/enum_table.h"
 #include "core/highlights/highlight_table.h"
+#include "tests/support/render/colour_difference.h"
 
 namespace ryosen {
 namespace {
 
 const Looks& looks_of(std::string_view id) { return find_highlight(id)->looks; }
 
-TEST(palette, colours_of_the_design) {
-  for (const Theme theme : {Theme::dark, Theme::light}) {
-    EXPECT_EQ(style(Role::hover, theme).colour, rgb(0xF0E442));
-    EXPECT_EQ(style(Role::selected, theme).colour, rgb(0xE69F00));
-    EXPECT_EQ(style(looks_of("boundary"), theme).colour, rgb(0x56B4E9));
-    EXPECT_EQ(style(looks_of("nonmanifold"), theme).colour, rgb(0xD55E00));
-    EXPECT_EQ(style(looks_of("degenerate"), theme).colour, rgb(0xCC79A7));
-    EXPECT_EQ(style(Role::legal, theme).colour, rgb(0x009E73));
-    EXPECT_EQ(style(Role::refused, theme).colour, rgb(0xD55E00));
-  }
+TEST(palette, signs_of_the_design) {
   EXPECT_EQ(looks_of("boundary").line, LineStyle::solid);
   EXPECT_EQ(looks_of("nonmanifold").line, LineStyle::dash_dot);
   EXPECT_EQ(looks_of("degenerate").line, LineStyle::dotted);
@@ -57,6 +50,69 @@ TEST(palette, every_role_and_highlight_is_seen_on_both_grounds) {
       expect_seen(style(static_cast<Role>(role), theme), std::to_string(role));
     for (const HighlightRow& row : highlight_table()) expect_seen(style(row.looks, theme), row.id);
   }
+}
+
+struct NamedColour {
+  std::string name;
+  Rgba colour;
+};
+
+// What can stand beside each other in a picture and has to be told apart.
+std::vector<NamedColour> colours_that_meet(Theme theme) {
+  std::vector<NamedColour> met;
+  for (const auto& [name, role] : {std::pair("hover", Role::hover), std::pair("selected", Role::selected),
+                                   std::pair("legal", Role::legal), std::pair("refused", Role::refused)})
+    met.push_back({name, style(role, theme).colour});
+  for (const char* const id : {"boundary", "nonmanifold", "misoriented", "degenerate", "hanging"})
+    met.push_back({id, style(looks_of(id), theme).colour});
+  return met;
+}
+
+// In every pair, for all kinds of sight, whatever the pattern.
+TEST(palette, colours_that_meet_differ_for_the_colour_blind_too) {
+  constexpr double least = 12;
+  for (const Theme theme : {Theme::dark, Theme::light})
+    for (const test::Sight sight : {test::Sight::usual, test::Sight::deuteranopia, test::Sight::protanopia}) {
+      const std::vector<NamedColour> met = colours_that_meet(theme);
+      for (std::size_t i = 0; i < met.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          EXPECT_GE(test::ciede2000(test::lab_as_seen(met[i].colour, sight), test::lab_as_seen(met[j].colour, sight)),
+                    least)
+              << met[i].name << " and " << met[j].name << " in theme " << static_cast<int>(theme) << ", sight "
+              << static_cast<int>(sight);
+    }
+}
+
+// In the light that the surface has from its brightest side to its shadows.
+TEST(palette, hover_and_selection_are_clear_on_the_surface) {
+  for (const Theme theme : {Theme::dark, Theme::light})
+    for (const test::Sight sight : {test::Sight::usual, test::Sight::deuteranopia, test::Sight::protanopia})
+      for (const Role role : {Role::hover, Role::selected})
+        for (const double light : {1.0, 0.8, 0.6}) {
+          Rgba tone = palette(theme).front;
+          for (std::size_t i = 0; i < 3; ++i) tone[i] = static_cast<std::uint8_t>(light * tone[i]);
+          EXPECT_GE(
+              test::ciede2000(test::lab_as_seen(style(role, theme).colour, sight), test::lab_as_seen(tone, sight)), 15)
+              << static_cast<int>(role) << " in theme " << static_cast<int>(theme) << ", sight "
+              << static_cast<int>(sight) << ", light " << light;
+        }
+}
+
+// Published pairs that reach each branch of the formula [Sharma05].
+TEST(palette, difference_of_colours_is_the_published_one) {
+  using test::Lab;
+  const auto expect = [](const Lab& a, const Lab& b, double difference) {
+    EXPECT_NEAR(test::ciede2000(a, b), difference, 5e-5);
+    EXPECT_NEAR(test::ciede2000(b, a), difference, 5e-5);
+  };
+  expect({50, 2.6772, -79.7751}, {50, 0, -82.7485}, 2.0425);
+  expect({50, -1.3802, -84.2814}, {50, 0, -82.7485}, 1.0000);
+  expect({50, 0, 0}, {50, -1, 2}, 2.3669);
+  expect({50, 2.49, -0.001}, {50, -2.49, 0.0009}, 7.1792);
+  expect({50, 2.5, 0}, {73, 25, -18}, 27.1492);
+  expect({50, 2.5, 0}, {58, 24, 15}, 19.4535);
+  expect({60.2574, -34.0099, 36.2677}, {60.4626, -34.1751, 39.4387}, 1.2644);
+  expect({2.0776, 0.0795, -1.135}, {0.9033, -0.0636, -0.5514}, 0.9082);
 }
 
 }  // namespace

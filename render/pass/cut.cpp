@@ -1,0 +1,57 @@
+#include "render/pass/cut.h"
+
+#include <vector>
+
+#include "render/palette.h"
+#include "render/pass/linear.h"
+#include "render/pass/surface.h"
+
+namespace ryosen {
+namespace {
+
+// Whether the plane goes through a box.
+bool meets(const glm::vec4& plane, const DrawBox& box) {
+  bool is_kept = false, is_cut_off = false;
+  for (unsigned i = 0; i < 8; ++i) {
+    const glm::vec4 corner((i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y,
+                           (i & 4) ? box.max.z : box.min.z, 1.0f);
+    (glm::dot(plane, corner) >= 0 ? is_kept : is_cut_off) = true;
+  }
+  return is_kept && is_cut_off;
+}
+
+}  // namespace
+
+Result<CutPass> CutPass::make() {
+  Result<Program> program = Program::make("cut.vert", "cut.frag");
+  if (!program) return program.failure();
+  return CutPass(std::move(*program));
+}
+
+CutPass::CutPass(Program program) : program_(std::move(program)), no_attributes_("cut") {
+  MeshBuffers::set_units(program_);
+}
+
+void CutPass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters) const {
+  if (!frame.is_cut) return;
+  std::vector<std::uint32_t> met;
+  for (const std::uint32_t cluster : clusters)
+    if (!mesh.clusters()[cluster].box.empty() && meets(frame.clip_plane, mesh.clusters()[cluster].box))
+      met.push_back(cluster);
+  if (met.empty()) return;
+  mesh.bind();
+  program_.use();
+  program_.set("clip_from_buffer", frame.clip_from_buffer);
+  program_.set("pixel_scale", frame.size_scale());
+  program_.set("line_colour", unit(palette(frame.settings.theme).cut));
+  glBindVertexArray(no_attributes_.id());
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_EQUAL);
+  glDepthMask(GL_FALSE);
+  draw_clusters(program_, frame, mesh, met, frame.thinning);
+}
+
+}  // namespace ryosen

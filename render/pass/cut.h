@@ -1,0 +1,28 @@
+// The cut pass: a line along which the clipping plane cuts the surface.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "core/base/result.h"
+#include "render/gl/program.h"
+#include "render/mesh_buffers.h"
+#include "render/pass/frame.h"
+
+namespace ryosen {
+
+class CutPass {
+ public:
+  static Result<CutPass> make();
+
+  // Over the surface of these clusters, which is there already; nothing where the frame is not cut.
+  void draw(const Frame& frame, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters) const;
+
+ private:
+  explicit CutPass(Program program);
+
+  Program program_;
+  VertexArray no_attributes_;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,75 @@
+#include "render/pass/grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/palette.h"
+#include "render/pass/linear.h"
+
+namespace ryosen {
+namespace {
+
+// The largest of 1, 2 and 5 times a power of ten that is no larger.
+double round_step(double length) {
+  const double power = std::pow(10, std::floor(std::log10(length)));
+  const double leading = length / power;
+  return (leading >= 5 ? 5 : leading >= 2 ? 2 : 1) * power;
+}
+
+}  // namespace
+
+Ground ground_below(const DrawBox& given, const BufferSpace& space) {
+  constexpr double cells = 8, reaches = 1.6, below = 0.002;
+  constexpr DrawBox around_origin{glm::vec3(-0.5f), glm::vec3(0.5f)};
+  const DrawBox box = given.empty() ? around_origin : given;
+  const glm::dvec3 size(box.max - box.min);
+  const double extent = std::max({size.x, size.z, 0.5 * size.y, 1e-6});
+  Ground ground;
+  ground.step = round_step(extent / cells / space.scale);
+  ground.step_scaled = ground.step * space.scale;
+  ground.height = box.min.y - below * extent;
+  ground.x = 0.5 * (double{box.min.x} + box.max.x);
+  ground.z = 0.5 * (double{box.min.z} + box.max.z);
+  ground.reach = reaches * extent;
+  const auto lines = [&](double middle, double origin, double& from_tenth, double& from_zero) {
+    from_zero = (middle / space.scale + origin) / ground.step;
+    from_tenth = from_zero - 10 * std::round(from_zero / 10);
+  };
+  lines(ground.x, space.origin.x, ground.line_x, ground.zero_x);
+  lines(ground.z, space.origin.z, ground.line_z, ground.zero_z);
+  return ground;
+}
+
+Result<GridPass> GridPass::make() {
+  Result<Program> program = Program::make("grid.vert", "grid.frag");
+  if (!program) return program.failure();
+  return GridPass(std::move(*program));
+}
+
+void GridPass::draw(const Frame& frame, const Ground& ground) const {
+  const Palette& colours = palette(frame.settings.theme);
+  program_.use();
+  program_.set("clip_from_buffer", frame.clip_from_buffer);
+  program_.set("middle", glm::vec3(ground.x, ground.height, ground.z));
+  program_.set("reach", static_cast<float>(ground.reach));
+  program_.set("step_size", static_cast<float>(ground.step_scaled));
+  program_.set("line_at_middle", glm::vec2(ground.line_x, ground.line_z));
+  // Far from there they are of no use, and too large for single precision.
+  program_.set("zero_at_middle", glm::vec2(std::clamp(ground.zero_x, -1e4, 1e4), std::clamp(ground.zero_z, -1e4, 1e4)));
+  program_.set("pixel_scale", frame.size_scale());
+  program_.set("line_colour", unit(colours.grid));
+  program_.set("x_colour", glm::vec3(unit(colours.axes[0])));
+  program_.set("z_colour", glm::vec3(unit(colours.axes[2])));
+  glBindVertexArray(no_attributes_.id());
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_DEPTH_CLAMP);
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  glDisable(GL_DEPTH_CLAMP);
+}
+
+}  // namespace ryosen

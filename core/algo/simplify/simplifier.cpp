@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/algo/simplify/plain_collapse.h"
+#include "core/algo/simplify/small_parts.h"
 #include "core/base/parallel.h"
 #include "core/mesh/attribute.h"
 #include "core/mesh/circulate.h"
@@ -75,7 +76,19 @@ bool Simplifier::run(Progress& progress) {
         return false;
     }
   } while (!is_at_goal() && collapses_ > before && find_further());
+  if (goal_.removes_small_parts && !is_at_goal()) remove_small_parts();
   return progress.go_on();
+}
+
+void Simplifier::remove_small_parts() {
+  const double limit = surface_.limits_error() ? surface_.error_limit() : error_max_;
+  for (const SmallPart& part : find_small_parts(surface_, limit)) {
+    if (is_at_goal()) return;
+    if (steps_) edit_.emplace(writable_, steps_);
+    remove_part(*edit_, part.vertices);
+    if (steps_) edit_->commit();
+    ++removed_parts_;
+  }
 }
 
 bool Simplifier::find_further() {

@@ -112,7 +112,7 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   if (keeps_apart && (result.refused = why_faces_cannot_be_kept_apart(work))) return result;
   const std::size_t wanted = faces_wanted(values, before);
   const SimplifyGoal goal{wanted - std::min(wanted, input.quarantined), static_cast<unsigned>(values.count("effort")),
-                          keeps_apart};
+                          keeps_apart, values.flag("remove_small")};
   Simplifier simplifier(work, limits_of(work, values), goal);
   Account& account = result.account.emplace();
   if (!simplifier.run(progress)) {
@@ -127,7 +127,7 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   account.is_reached = has_number ? after <= wanted : account.stopped == Stop::error;
   account.error_max = simplifier.error_max();
   result.text = text_of(before, after, account);
-  result.changed = simplifier.collapses() + (is_triangulated ? 1 : 0);
+  result.changed = simplifier.collapses() + simplifier.removed_parts() + (is_triangulated ? 1 : 0);
   if (result.changed > 0) edit.replace(work.columns());
   return result;
 }

@@ -318,6 +318,36 @@ TEST(simplify, keeps_faces_apart_where_it_is_asked_to) {
   EXPECT_TRUE(simplified(squares, "faces=9 no_self_intersections=on").refused);
 }
 
+// A sheet with a crowd of tetrahedra above it, which cannot collapse.
+TEST(simplify, removes_parts_smaller_than_the_error_where_it_is_asked_to) {
+  const Mesh ground = sheet(6, wave);
+  IndexedMesh source;
+  source.positions.assign(ground.positions().begin(), ground.positions().end());
+  const auto add = [&](const Polygons& faces, std::uint32_t first) {
+    for (const auto& face : faces) {
+      for (const std::uint32_t corner : face) source.corners.push_back(first + corner);
+      source.face_offsets.push_back(static_cast<std::uint32_t>(source.corners.size()));
+    }
+  };
+  add(polygons_of(ground), 0);
+  for (int i = 0; i < 5; ++i) {
+    const auto first = static_cast<std::uint32_t>(source.positions.size());
+    const double size = i == 4 ? 2 : 0.01;
+    for (const glm::dvec3& p : {glm::dvec3(0, 0, 0), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)})
+      source.positions.push_back(glm::dvec3(i, i, 9) + size * p);
+    add({{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}, first);
+  }
+  const Mesh before = from_indexed(source);
+  Mesh kept = before, removed = before, locked = before;
+  EXPECT_FALSE(simplified(kept, "faces=6 error=0.1").account->is_reached);
+  EXPECT_EQ(compute_figures(kept).components, 6u);
+  simplified(removed, "faces=6 error=0.1 remove_small=on");
+  EXPECT_EQ(compute_figures(removed).components, 2u) << "the ground and the large one";
+  EXPECT_FALSE(check_invariants(removed));
+  simplified(locked, "faces=6 error=0.1 remove_small=on lock=v49");
+  EXPECT_EQ(compute_figures(locked).components, 3u) << "one with a locked vertex stays";
+}
+
 TEST(simplify, refuses_values_with_a_sentence) {
   const AlgorithmRow& row = *find_algorithm("simplify");
   for (const char* line : {"", "faces=-1", "faces=1.5", "faces=nan", "faces=1e300", "ratio=2", "ratio=-1", "error=-1",

@@ -19,7 +19,7 @@ namespace ryosen {
 namespace {
 
 // Levels from one cost to twice that cost, as a power of two: fewer are faster, more are nearer to the least error.
-constexpr std::array<unsigned, 3> level_bits{2, 4, 6};
+constexpr std::array<unsigned, 3> level_bits{0, 2, 6};
 // How many edges ahead the links and what the ends stand for are asked from memory.
 constexpr std::size_t links_ahead = 16, ends_ahead = 8;
 constexpr std::size_t edges_between_reports = 1024;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/algo/simplify/remaining_edges.h"
+#include "core/algo/simplify/shared_values.h"
 #include "core/algo/simplify/simplifier.h"
 #include "core/algo/transform/moved_points.h"
 #include "core/analysis/self_intersections.h"
@@ -104,9 +105,10 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   const std::size_t before = mesh.live().faces + input.quarantined;
   Mesh work = mesh;  // a copy, so that one that is cancelled leaves no trace
   const bool is_triangulated = values.flag("triangulate") && Triangulate{}.check(work).legal();
-  if (is_triangulated) {
+  {
     Edit batch(work, nullptr);
-    Triangulate{}.apply(batch);
+    if (is_triangulated) Triangulate{}.apply(batch);
+    share_equal_values(batch);
   }
   const bool keeps_apart = values.flag("no_self_intersections");
   if (keeps_apart && (result.refused = why_faces_cannot_be_kept_apart(work))) return result;

@@ -62,6 +62,9 @@ class CollapseSurface {
   // A distance in scaled units: the root of the mean squared distance from the planes of both ends.
   double error_of(Halfedge h, const Placing& placing) const;
   bool is_within_error(Halfedge h, const Placing& placing) const { return error_of(h, placing) <= error_; }
+  double error_limit() const { return error_; }
+  // Whether nothing keeps the vertex in its place.
+  bool is_free(Vertex v) const { return !hold(v, true); }
   bool limits_error() const { return error_ < std::numeric_limits<double>::infinity(); }
   // Whether a face would turn too far or lose its area, and whether one would get too small an angle.
   bool turns_face(Halfedge h, const glm::dvec3& place) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/algo/simplify/plain_collapse.h"
+#include "core/algo/simplify/small_parts.h"
 #include "core/base/parallel.h"
 #include "core/mesh/attribute.h"
 #include "core/mesh/circulate.h"
@@ -18,7 +19,7 @@ namespace ryosen {
 namespace {
 
 // Levels from one cost to twice that cost, as a power of two: fewer are faster, more are nearer to the least error.
-constexpr std::array<unsigned, 3> level_bits{2, 4, 6};
+constexpr std::array<unsigned, 3> level_bits{0, 2, 6};
 // How many edges ahead the links and what the ends stand for are asked from memory.
 constexpr std::size_t links_ahead = 16, ends_ahead = 8;
 constexpr std::size_t edges_between_reports = 1024;
@@ -75,7 +76,19 @@ bool Simplifier::run(Progress& progress) {
         return false;
     }
   } while (!is_at_goal() && collapses_ > before && find_further());
+  if (goal_.removes_small_parts && !is_at_goal()) remove_small_parts();
   return progress.go_on();
+}
+
+void Simplifier::remove_small_parts() {
+  const double limit = surface_.limits_error() ? surface_.error_limit() : error_max_;
+  for (const SmallPart& part : find_small_parts(surface_, limit)) {
+    if (is_at_goal()) return;
+    if (steps_) edit_.emplace(writable_, steps_);
+    remove_part(*edit_, part.vertices);
+    if (steps_) edit_->commit();
+    ++removed_parts_;
+  }
 }
 
 bool Simplifier::find_further() {

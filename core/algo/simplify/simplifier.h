@@ -23,6 +23,9 @@ struct SimplifyGoal {
   unsigned effort = 1;    // 0 to 2
   // No faces may come to meet: of a mesh of triangles, none of which do.
   bool no_self_intersections = false;
+  // Where the goal is not reached, parts of the surface go that are smaller than the error: than its limit, or without
+  // one, than the largest error that was made.
+  bool removes_small_parts = false;
 };
 
 class Simplifier {
@@ -35,6 +38,7 @@ class Simplifier {
   bool run(Progress& progress);
 
   std::size_t collapses() const { return collapses_; }
+  std::size_t removed_parts() const { return removed_parts_; }
   std::size_t asked() const { return asked_; }
   // The largest error of all collapses, in units of the mesh.
   double error_max() const { return surface_.scale().restored_length(error_max_); }
@@ -50,6 +54,8 @@ class Simplifier {
   void fill_queue();
   // Adds the edges that can collapse after all; false where there are none.
   bool find_further();
+  // Removes them, the smallest first, until the goal is reached.
+  void remove_small_parts();
   Answer try_edge(Edge e);
   Answer try_place(const Freedom& freedom, const Placing& placing);
   bool is_legal(Halfedge h) const;
@@ -74,7 +80,7 @@ class Simplifier {
   std::vector<std::uint8_t> is_blocked_;   // by edge
   std::vector<std::uint8_t> has_blocked_;  // by vertex: perhaps one of its edges is
   bool has_corner_values_, has_vertex_values_;
-  std::size_t collapses_ = 0, asked_ = 0;
+  std::size_t collapses_ = 0, asked_ = 0, removed_parts_ = 0;
   double error_max_ = 0;
 };
 

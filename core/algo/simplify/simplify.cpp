@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/algo/simplify/remaining_edges.h"
+#include "core/algo/simplify/shared_values.h"
 #include "core/algo/simplify/simplifier.h"
 #include "core/algo/transform/moved_points.h"
 #include "core/analysis/self_intersections.h"
@@ -104,15 +105,16 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   const std::size_t before = mesh.live().faces + input.quarantined;
   Mesh work = mesh;  // a copy, so that one that is cancelled leaves no trace
   const bool is_triangulated = values.flag("triangulate") && Triangulate{}.check(work).legal();
-  if (is_triangulated) {
+  {
     Edit batch(work, nullptr);
-    Triangulate{}.apply(batch);
+    if (is_triangulated) Triangulate{}.apply(batch);
+    share_equal_values(batch);
   }
   const bool keeps_apart = values.flag("no_self_intersections");
   if (keeps_apart && (result.refused = why_faces_cannot_be_kept_apart(work))) return result;
   const std::size_t wanted = faces_wanted(values, before);
   const SimplifyGoal goal{wanted - std::min(wanted, input.quarantined), static_cast<unsigned>(values.count("effort")),
-                          keeps_apart};
+                          keeps_apart, values.flag("remove_small")};
   Simplifier simplifier(work, limits_of(work, values), goal);
   Account& account = result.account.emplace();
   if (!simplifier.run(progress)) {
@@ -127,7 +129,7 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   account.is_reached = has_number ? after <= wanted : account.stopped == Stop::error;
   account.error_max = simplifier.error_max();
   result.text = text_of(before, after, account);
-  result.changed = simplifier.collapses() + (is_triangulated ? 1 : 0);
+  result.changed = simplifier.collapses() + simplifier.removed_parts() + (is_triangulated ? 1 : 0);
   if (result.changed > 0) edit.replace(work.columns());
   return result;
 }

@@ -14,9 +14,11 @@
 #include "core/analysis/invariants.h"
 #include "core/analysis/self_intersections.h"
 #include "core/io/formats.h"
+#include "core/mesh/attribute.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/collapse_edge.h"
+#include "core/ops/rules/corner_values.h"
 #include "core/ops/rules/plain_check.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/run_algorithm.h"
@@ -316,6 +318,83 @@ TEST(simplify, keeps_faces_apart_where_it_is_asked_to) {
   EXPECT_TRUE(simplified(free, "faces=9 no_self_intersections=on").refused);
   Mesh squares = make_mesh(torus_grid(4, 5));
   EXPECT_TRUE(simplified(squares, "faces=9 no_self_intersections=on").refused);
+}
+
+// Texture coordinates are the places, but from x = 8 on they lie 100 further: there is a seam along that column.
+TEST(simplify, keeps_seams_and_carries_values_along) {
+  constexpr std::uint32_t side = 16;
+  const Mesh plain = sheet(side, wave);
+  IndexedMesh source;
+  source.positions.assign(plain.positions().begin(), plain.positions().end());
+  source.texcoords.components = 2;
+  for (const auto& face : polygons_of(plain)) {
+    double right = 0;
+    for (const std::uint32_t corner : face) right = std::max(right, plain.position(Vertex(corner)).x);
+    for (const std::uint32_t corner : face) {
+      const glm::dvec3 p = plain.position(Vertex(corner));
+      source.corners.push_back(corner);
+      source.texcoords.index.push_back(static_cast<std::uint32_t>(source.texcoords.pool.size()));
+      source.texcoords.pool.emplace_back(p.x + (right > 8 ? 100 : 0), p.y, 0);
+    }
+    source.face_offsets.push_back(static_cast<std::uint32_t>(source.corners.size()));
+  }
+  Mesh mesh = from_indexed(source);
+  const AlgorithmResult result = simplified(mesh, "faces=80");
+  EXPECT_TRUE(result.account->is_reached);
+  EXPECT_FALSE(check_invariants(mesh));
+  const CornerAttribute values = corner_attributes(mesh).front();
+  const auto value = [&](Halfedge h) {
+    return attribute_value<glm::dvec3>(mesh.attributes()[values.pool_column],
+                                       mesh.attributes()[values.index_column].data[h.index]);
+  };
+  std::size_t seam_edges = 0;
+  double seam_length = 0;
+  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.is_alive(h) || mesh.is_outside(h)) continue;
+    const glm::dvec3 p = mesh.position(mesh.from(h));
+    // A chart does not mix with the other one, and its values stay near their places.
+    const double across = value(h).x - p.x;
+    EXPECT_TRUE(std::abs(across) < 2 || std::abs(across - 100) < 2) << across;
+    EXPECT_LT(std::abs(value(h).y - p.y), 2);
+    if (h > twin(h) || mesh.is_outside(twin(h)) || !is_seam(mesh, h)) continue;
+    ++seam_edges;
+    seam_length += std::abs(mesh.position(mesh.to(h)).y - p.y);
+    EXPECT_LT(std::abs(p.x - 8), 0.5);
+  }
+  EXPECT_GT(seam_edges, 0u);
+  EXPECT_LT(seam_edges, side) << "it loses vertices too";
+  EXPECT_NEAR(seam_length, side, 1e-9) << "and goes from end to end";
+}
+
+// A sheet with a crowd of tetrahedra above it, which cannot collapse.
+TEST(simplify, removes_parts_smaller_than_the_error_where_it_is_asked_to) {
+  const Mesh ground = sheet(6, wave);
+  IndexedMesh source;
+  source.positions.assign(ground.positions().begin(), ground.positions().end());
+  const auto add = [&](const Polygons& faces, std::uint32_t first) {
+    for (const auto& face : faces) {
+      for (const std::uint32_t corner : face) source.corners.push_back(first + corner);
+      source.face_offsets.push_back(static_cast<std::uint32_t>(source.corners.size()));
+    }
+  };
+  add(polygons_of(ground), 0);
+  for (int i = 0; i < 5; ++i) {
+    const auto first = static_cast<std::uint32_t>(source.positions.size());
+    const double size = i == 4 ? 2 : 0.01;
+    for (const glm::dvec3& p : {glm::dvec3(0, 0, 0), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)})
+      source.positions.push_back(glm::dvec3(i, i, 9) + size * p);
+    add({{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}, first);
+  }
+  const Mesh before = from_indexed(source);
+  Mesh kept = before, removed = before, locked = before;
+  EXPECT_FALSE(simplified(kept, "faces=6 error=0.1").account->is_reached);
+  EXPECT_EQ(compute_figures(kept).components, 6u);
+  simplified(removed, "faces=6 error=0.1 remove_small=on");
+  EXPECT_EQ(compute_figures(removed).components, 2u) << "the ground and the large one";
+  EXPECT_FALSE(check_invariants(removed));
+  simplified(locked, "faces=6 error=0.1 remove_small=on lock=v49");
+  EXPECT_EQ(compute_figures(locked).components, 3u) << "one with a locked vertex stays";
 }
 
 TEST(simplify, refuses_values_with_a_sentence) {

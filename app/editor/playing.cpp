@@ -88,10 +88,16 @@ void Player::go_to(Document& document, std::size_t position) {
   if (position > 0) step_ = sequence_->at(position);
   if (sequence_->edits()) {
     const Mesh& mesh = sequence_->mesh_at(position);
-    if (mesh.hash() == hash_)
-      document.end_trial();
-    else
+    const bool differs = mesh.hash() != hash_;
+    if (differs)
       document.show_on_trial(mesh.columns());
+    else
+      document.end_trial();
+    // A preview, of a tool that points at something, ends a trial at once.
+    if (document.is_on_trial() != differs) {
+      revision_ = 0;
+      return;
+    }
   }
   revision_ = document.revision();
 }
@@ -108,6 +114,7 @@ Outcome begin_playing(Session& session, std::span<const std::string> words) {
   if (!sequence) return failed(sequence.failure());
   std::string call;
   for (const std::string& word : words) call += (call.empty() ? "" : " ") + word;
+  session.run("tool none");  // whose previews would end what is shown on trial
   session.player = std::make_shared<Player>(std::move(call), std::move(sequence).value(), document);
   // What begins with nothing is looked at as it ends.
   if (document.mesh().live().vertices == 0) {

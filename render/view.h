@@ -32,7 +32,7 @@
 namespace ryosen {
 
 // Overlay layers that change independently, in drawing order.
-enum class Layer { normals, highlights, selection, measures, hover, handles };
+enum class Layer { normals, highlights, selection, measures, steps, hover, handles };
 inline constexpr std::size_t layer_count = enum_count<Layer>;
 
 // The visible triangle at each pixel of a view, rows top-down.

@@ -5,12 +5,14 @@
 #include "app/cli/algorithm_flags.h"
 #include "app/cli/columns.h"
 #include "app/editor/commands.h"
+#include "app/editor/exercises.h"
 #include "app/editor/recovery.h"
 #include "core/analysis/problem_kinds.h"
 #include "core/forms/all.h"
 #include "core/forms/pairing.h"
 #include "core/highlights/colour_maps.h"
 #include "core/highlights/highlight_table.h"
+#include "core/steps/all.h"
 
 namespace ryosen::cli {
 
@@ -106,6 +108,17 @@ std::string forms_topic(Language language) {
   return std::string(choose(language, "Forms:\n", "形状表現：\n")) + rows.text() +
          std::string(choose(language, "Ways to pair the halfedges:\n", "半稜線の対を見つける方法：\n")) +
          methods.text();
+}
+
+std::string steps_topic(Language language) {
+  Columns rows;
+  for (const steps::StepsRow& row : steps::all_steps())
+    rows.add(steps::call_of(row), choose(language, row.help_en, row.help_ja));
+  return std::string(choose(language, "WHAT is one of these; S is one of ", "WHAT は次のどれか。S は ")) +
+         built_in_script_ids() +
+         std::string(choose(language, ",\nwhich need no FILE, or the name of a script:\n",
+                            "（FILE は不要）、\nまたはスクリプトのファイル名：\n")) +
+         rows.text();
 }
 
 std::string recovery_topic(Language language) {

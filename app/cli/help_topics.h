@@ -26,5 +26,7 @@ std::string recovery_topic(Language language);
 std::string maps_topic(Language language);
 // The forms of the source texts and the ways to pair halfedges.
 std::string forms_topic(Language language);
+// What can be played step by step.
+std::string steps_topic(Language language);
 
 }  // namespace ryosen::cli

@@ -15,6 +15,7 @@
 #include "app/cli/contract/lists.h"
 #include "app/cli/contract/measure.h"
 #include "app/cli/contract/shot.h"
+#include "app/cli/contract/steps.h"
 #include "app/cli/contract/why.h"
 #include "app/cli/help_topics.h"
 #include "app/cli/subcommands.h"
@@ -223,6 +224,19 @@ std::vector<Subcommand> table() {
                  forms_topic,
                  forms_command,
                  forms_contract},
+      Subcommand{"steps",
+                 "WHAT... FILE",
+                 "plays something step by step: what is done, what changes, and where the source texts say so",
+                 "一手ずつ再生（何をし、何が変わり、テキストのどこにあるか）",
+                 {
+                     {"--at", "N", false, "this step alone, from 1", "この手順だけ（1 から）"},
+                     {"-o", "PNG", false, "a picture of this step, else of the last one",
+                      "この手順（省くと最後）の画像の出力先"},
+                     overwrite,
+                 },
+                 steps_topic,
+                 steps_command,
+                 steps_contract},
       Subcommand{
           "formats", "", "the file formats", "ファイル形式の一覧", {}, nullptr, formats_command, formats_contract},
       Subcommand{"keys", "", "the keys of the editor", "エディタのキー一覧", {}, nullptr, keys_command, keys_contract},
@@ -305,7 +319,7 @@ std::size_t Subcommand::least_operands() const {
 }
 
 std::size_t Subcommand::most_operands() const {
-  if (operands.ends_with("...")) return std::numeric_limits<std::size_t>::max();
+  if (operands.find("...") != std::string_view::npos) return std::numeric_limits<std::size_t>::max();
   return operands.empty() ? 0 : 1;
 }
 

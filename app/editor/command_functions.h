@@ -52,6 +52,10 @@ FaultOfCommand fault_of_hide;
 RunCommand run_colours, run_measure;
 FaultOfCommand fault_of_colours, fault_of_measure;
 std::string colours_syntax();
+// Playing step by step: commands_playing.cpp
+RunCommand run_steps;
+FaultOfCommand fault_of_steps;
+std::string steps_syntax();
 // In a region of the picture: commands_region.cpp
 RunCommand run_box, run_lasso, run_band;
 // Events of mouse and keyboard: commands_input.cpp

@@ -302,6 +302,15 @@ Outcome Document::try_out(const AnyOp& op) {
   return {};
 }
 
+void Document::show_on_trial(MeshColumns columns) {
+  {
+    Edit edit(writable(), &trial_);
+    edit.replace(std::move(columns));
+    edit.commit();
+  }
+  notify(trial_, 0, Change::tried);
+}
+
 void Document::end_trial() {
   if (!is_on_trial()) return;
   if (before_writing) before_writing();

@@ -104,6 +104,8 @@ class Document {
   // Does an operator on trial, beside the history: until the next change, or until the trial is ended, the mesh is as if
   // it had been applied. Undo, redo and what is saved stay as they are.
   Outcome try_out(const AnyOp& op);
+  // The same with any other mesh, whole.
+  void show_on_trial(MeshColumns columns);
   bool is_on_trial() const { return trial_.position() > 0; }
   void end_trial();
 

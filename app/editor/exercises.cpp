@@ -18,9 +18,21 @@ const ExerciseScript* find_exercise(std::string_view id) {
   return nullptr;
 }
 
+const ExerciseScript* find_built_in_script(std::string_view id) {
+  for (const ExerciseScript& figure : figure_scripts())
+    if (figure.id == id) return &figure;
+  return find_exercise(id);
+}
+
 std::string exercise_ids() {
   std::string ids;
   for (const ExerciseScript& exercise : exercise_scripts()) ids.append(ids.empty() ? "" : "|").append(exercise.id);
+  return ids;
+}
+
+std::string built_in_script_ids() {
+  std::string ids = exercise_ids();
+  for (const ExerciseScript& figure : figure_scripts()) ids.append("|").append(figure.id);
   return ids;
 }
 

@@ -18,8 +18,14 @@ struct ExerciseScript {
 // in Japanese.
 std::span<const ExerciseScript> exercise_scripts();
 const ExerciseScript* find_exercise(std::string_view id);
+// Of the figures of text 002: an operator and its inverse each. The same otherwise.
+std::span<const ExerciseScript> figure_scripts();
+// Of both.
+const ExerciseScript* find_built_in_script(std::string_view id);
 // "cube|square|...".
 std::string exercise_ids();
+// The same of both kinds.
+std::string built_in_script_ids();
 // "A cube with two through-holes".
 Text name_of_exercise(const ExerciseScript& exercise);
 

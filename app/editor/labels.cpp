@@ -3,15 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/editor/playing.h"
 #include "core/pick/screen_segment.h"
 
 namespace ryosen {
 
 namespace {
 
+bool is_step_shown(const Session& session) { return session.player && session.player->is_shown(session.document()); }
+
 constexpr LabelSource sources[] = {
     {"numbers", [](const Session& session) { return session.settings.numbers != Numbers::off; }, add_numbers},
     {"measures", [](const Session& session) { return !session.measures.empty(); }, add_measures},
+    {"step", is_step_shown, add_step},
     {"map", [](const Session& session) { return session.colouring.has_value(); }, add_map_legend},
 };
 

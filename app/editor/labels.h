@@ -64,6 +64,8 @@ std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Siz
 void add_numbers(Session& session, std::vector<Label>& labels);
 // Adds what was measured of up to three elements, in the middle of the way along which that was, else of the first one.
 void add_measures(Session& session, std::vector<Label>& labels);
+// Adds the caption of the step that is played, in the upper left corner, and beside its elements the labels of their roles.
+void add_step(Session& session, std::vector<Label>& labels);
 // Adds the legend of what the surface is coloured by, in the lower left corner: its name, and values on their colours.
 void add_map_legend(Session& session, std::vector<Label>& labels);
 

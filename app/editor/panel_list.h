@@ -21,6 +21,7 @@ enum class PanelOpener {
   lost_sessions,  // the start, where a crash left something unsaved
   asked_values,   // the command `values`
   coloured,       // the command `colours`, or `measure`
+  played,         // the command `steps`
 };
 
 // Before anybody has said anything.

@@ -6,6 +6,7 @@
 
 #include "app/editor/autosave.h"
 #include "app/editor/commands.h"
+#include "app/editor/playing.h"
 #include "app/editor/view_input.h"
 #include "app/editor/words.h"
 #include "core/base/out_of_memory.h"
@@ -78,6 +79,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   selections.clear();
   colouring.reset();
   measures.clear();
+  player.reset();
   log_.clear();
 }
 
@@ -128,7 +130,13 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
     for (Vertex v : touched.moved) drawn_changes_.vertices.push_back(v.index);
     for (Face f : touched.faces) drawn_changes_.faces.push_back(f.index);
   }
-  update_map_values(transaction);
+  if (!is_trial) {
+    update_map_values(transaction);
+  } else if (map_values_) {  // a trial is no transaction of the history
+    map_values_.reset();
+    map_extent_.reset();
+    drawn_changes_.everything = true;
+  }
   if (highlights_) {
     forget_hidden();
     highlights_->update(m, journal, transaction);
@@ -254,8 +262,12 @@ Outcome Session::run_line(const std::string& line) {
   const auto row = find_command_row(words[0]);
   if (!row) return unknown_command(words[0]);
   const std::size_t after_id = static_cast<std::size_t>(words[0].data() - line.data()) + words[0].size();
-  if (row->effect != Effect::none) cancel_gesture();
-  [[maybe_unused]] const std::uint64_t serial = document_->serial(), revision = document_->revision();
+  if (row->effect != Effect::none) {
+    cancel_gesture();
+    end_playing(*this);
+  }
+  [[maybe_unused]] const std::uint64_t serial = document_->serial();
+  [[maybe_unused]] const std::size_t position = document_->position(), entries = document_->history().size();
   [[maybe_unused]] const std::size_t logged = log_.size();
   // What is needed once the command is done is made before.
   if (log_.size() + 2 > log_.capacity()) log_.reserve(2 * log_.size() + 2);
@@ -263,8 +275,9 @@ Outcome Session::run_line(const std::string& line) {
   entry.reserve(2 * line.size() + 256);
   Outcome outcome = row->run(*this, Words(words).subspan(1), std::string_view(line).substr(after_id));
   // A row that says `none` of a command that changes the mesh would leave it out of the log.
-  assert(row->effect != Effect::none || log_.size() > logged ||
-         (document_->serial() == serial && document_->revision() == revision));
+  assert(
+      row->effect != Effect::none || log_.size() > logged ||
+      (document_->serial() == serial && document_->position() == position && document_->history().size() == entries));
   if (!outcome.done() || row->effect == Effect::none) return outcome;
   if (row->effect == Effect::edits || row->effect == Effect::steps)
     if (outcome.performed.empty()) outcome.performed = std::move(usual);

@@ -42,6 +42,8 @@ struct Colouring {
   friend bool operator==(const Colouring&, const Colouring&) = default;
 };
 
+class Player;
+
 // What the last repair did and left.
 struct LastRepair {
   std::uint64_t serial, revision;  // of the document behind it
@@ -88,6 +90,7 @@ class Session {
   SelectionMemory selections;
   std::optional<Colouring> colouring;
   std::vector<Elements> measures;  // what was asked for, in that order; read anew when it is shown
+  std::shared_ptr<Player> player;  // of what is played step by step (playing.h); null for nothing
   // User interface state changed by commands; stored without effect if there is no UI.
   Language language = Language::english;
   ViewSettings settings;

@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/geometric.hpp>
 
+#include "app/editor/playing.h"
 #include "core/analysis/measuring.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/find_element.h"
@@ -198,6 +199,34 @@ Overlay measures_overlay(const Session& session, Theme theme) {
       overlay.points.push_back({path[i], looks.colour, PointShape::disc, 3.5f});
       if (i > 0) overlay.lines.push_back({path[i - 1], path[i], looks.colour, looks.line, 2.5f});
     }
+  }
+  return overlay;
+}
+
+static Style style(steps::RoleLook look, Theme theme) {
+  switch (look) {
+    case steps::RoleLook::main:
+      return style(Role::selected, theme);
+    case steps::RoleLook::good:
+      return style(Role::legal, theme);
+    case steps::RoleLook::bad:
+      return style(Role::refused, theme);
+    case steps::RoleLook::other:
+      return style(Role::hover, theme);
+    case steps::RoleLook::quiet:
+      break;
+  }
+  return style(Role::witness, theme);
+}
+
+Overlay step_overlay(const Session& session, Theme theme) {
+  Overlay overlay;
+  if (!session.player || !session.player->is_shown(session.document()) || !session.player->step()) return overlay;
+  // The first mark of an element is what it is above all: it is drawn last.
+  const std::vector<steps::Mark>& marks = session.player->step()->marks;
+  for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
+    if (!has_slot(session.mesh().lengths(), mark->element) || !is_alive(session.mesh(), mark->element)) continue;
+    Painter(session, overlay, style(steps::row_of(mark->role).look, theme), 0.6f).draw(mark->element);
   }
   return overlay;
 }

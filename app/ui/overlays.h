@@ -13,6 +13,8 @@ Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, 
 Overlay selection_overlay(const Session& session, Theme theme);
 // The ways along which was measured, where all elements of it are still there.
 Overlay measures_overlay(const Session& session, Theme theme);
+// The elements of the step that is played, by their roles; nothing where the mesh is no longer the one it is about.
+Overlay step_overlay(const Session& session, Theme theme);
 // Without a tool the element itself; with one, green with the ghost of the result, or red with the witnesses.
 Overlay hover_overlay(const Session& session, Theme theme);
 

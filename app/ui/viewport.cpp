@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/editor/playing.h"
 #include "app/ui/gizmo_overlay.h"
 #include "app/ui/overlays.h"
 #include "app/ui/surface_paint.h"
@@ -255,6 +256,10 @@ void Viewport::follow_overlays(Session& session) {
   if (selection_stale_ || measures_ != session.measures)
     view_->set_overlay(Layer::measures, measures_overlay(session, settings_.theme));
   measures_ = session.measures;
+  const Player* const player = session.player.get();
+  const std::pair<const Player*, std::size_t> step(player, player ? player->position() : 0);
+  if (selection_stale_ || step_ != step) view_->set_overlay(Layer::steps, step_overlay(session, settings_.theme));
+  step_ = step;
   selection_stale_ = false;
   selection_ = session.selection;
   view_->set_overlay(Layer::hover, hover_overlay(session, settings_.theme));

@@ -6,6 +6,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/editor/session.h"
@@ -80,8 +81,9 @@ class Viewport {
   bool highlights_stale_ = true;                    // all of them
   bool selection_stale_ = true;
   std::vector<Element> selection_;
-  std::vector<Elements> measures_;  // as they were drawn
-  IndexSet selected_faces_;         // as they were drawn
+  std::vector<Elements> measures_;                // as they were drawn
+  IndexSet selected_faces_;                       // as they were drawn
+  std::pair<const Player*, std::size_t> step_{};  // what is played, and how far it was drawn
 };
 
 }  // namespace ryosen

@@ -82,6 +82,10 @@ void sweep_command_lines(Sweep& sweep) {
       {"--version"},
       {"forms", mesh},
       {"forms", mesh, "--element", "0-1"},
+      {"steps", "script", "triangle"},
+      {"steps", "script"},
+      {"steps", "collapse 0-1", asset("cube.obj")},
+      {"steps", "nonsense", mesh},
       {"measure", mesh, "--bars", "3"},
       {"measure", mesh, "f0"},
       {"measure", mesh, "v0"},
@@ -115,6 +119,7 @@ void sweep_refused_inputs(Sweep& sweep) {
     sweep.run({"convert", file, "-o", "o.obj"});
     sweep.run({"shot", file, "-o", "o.png"});
     sweep.run({"forms", file});
+    sweep.run({"steps", "script", "cube", file});
     sweep.run({"measure", file});
     for (const ryosen::AlgorithmRow& row : ryosen::algorithm_table()) sweep.run(words_for(row, file));
   }
@@ -238,6 +243,7 @@ const std::map<std::string, std::string> out_of_reach{
     {"codes.too_many_elements", "it takes a file of gigabytes"},
     {"codes.welded", "a note on a whole file, which JSON leaves out"},
     {"doctor 1", "every way to draw is there where the tests run"},
+    {"steps 7", "every way to draw is there where the tests run"},
     {"shot 7", "every way to draw is there where the tests run"},
     {"view 3", "it takes a display"},
     {"view 4", "it takes a display"},

@@ -17,6 +17,7 @@
 #include "core/highlights/highlight_table.h"
 #include "core/io/formats.h"
 #include "core/ops/all.h"
+#include "core/steps/all.h"
 
 namespace ryosen::cli {
 
@@ -105,6 +106,10 @@ constexpr std::array lists{
            entries_of<pairing_methods, &PairingMethod::en, &PairingMethod::ja>},
     IdList{Ids::subcommands, "subcommands", "Commands of the program", "プログラムのコマンド",
            entries_of<subcommands, &Subcommand::en, &Subcommand::ja>},
+    IdList{Ids::steps, "steps", "What is played step by step", "一手ずつ再生できるもの",
+           entries_of<steps::all_steps, &steps::StepsRow::help_en, &steps::StepsRow::help_ja>},
+    IdList{Ids::roles, "roles", "Parts that elements take in a step", "手順での要素の役割",
+           entries_of<steps::roles, &steps::RoleRow::en, &steps::RoleRow::ja>},
 };
 
 static_assert(rows_are_in_order(lists, &IdList::ids));

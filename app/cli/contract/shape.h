@@ -31,6 +31,8 @@ enum class Ids : std::uint8_t {
   relations,
   pairings,
   subcommands,
+  steps,
+  roles,
 };
 
 struct Shape;

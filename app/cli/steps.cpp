@@ -1,0 +1,185 @@
+// `steps`: what can be played step by step, one line each.
+#include <charconv>
+
+#include "app/cli/columns.h"
+#include "app/cli/contract/record.h"
+#include "app/cli/contract/steps.h"
+#include "app/cli/outputs.h"
+#include "app/cli/subcommands.h"
+#include "app/editor/playing.h"
+#include "app/ui/headless.h"
+#include "core/mesh/names.h"
+#include "core/ops/all.h"
+
+namespace ryosen::cli {
+
+namespace {
+
+Json to_json(const steps::Mark& mark) {
+  Record<mark_shape> json;
+  json["role"] = steps::row_of(mark.role).id;
+  json["element"] = slot_name(mark.element);
+  return std::move(json).json();
+}
+
+Json to_json(const std::optional<std::string>& value) { return value ? Json(*value) : Json(); }
+
+Json to_json(const steps::RowChange& row) {
+  Record<row_shape> json;
+  json["table"] = row.table;
+  json["row"] = row.row;
+  json["field"] = row.field;
+  json["old"] = to_json(row.old_value);
+  json["new"] = to_json(row.new_value);
+  return std::move(json).json();
+}
+
+Json to_json(const steps::Source& source) {
+  Record<step_source_shape> json;
+  json["text"] = source.text;
+  Record<sentence_shape> listing;
+  listing.put(source.listing_en, source.listing_ja);
+  json["listing"] = std::move(listing).json();
+  json["line"] = source.line > 0 ? Json(source.line) : Json();
+  return std::move(json).json();
+}
+
+Json to_json(const steps::Delta& delta) {
+  Record<delta_shape> json;
+  json["V"] = delta.v;
+  json["E"] = delta.e;
+  json["F"] = delta.f;
+  json["B"] = delta.b;
+  json["H"] = delta.h;
+  json["S"] = delta.s;
+  json["G"] = delta.g ? Json(*delta.g) : Json();
+  return std::move(json).json();
+}
+
+std::string step_line(const steps::Step& step, std::size_t at, std::size_t of) {
+  Record<step_shape> json;
+  json["at"] = at;
+  json["of"] = of;
+  Record<sentence_shape> caption;
+  caption.put(step.caption);
+  json["caption"] = std::move(caption).json();
+  json["marks"] = Json::array();
+  for (const steps::Mark& mark : step.marks) json["marks"].push_back(to_json(mark));
+  json["rows"] = Json::array();
+  for (const steps::RowChange& row : step.rows) json["rows"].push_back(to_json(row));
+  json["source"] = step.source ? to_json(*step.source) : Json();
+  if (step.delta) json["delta"] = to_json(*step.delta);
+  return line_of(json);
+}
+
+std::string step_text(const steps::Step& step, std::size_t at, std::size_t of, const Console& console) {
+  std::string text = std::to_string(at) + "/" + std::to_string(of) + "  " + console.text(step.caption);
+  if (step.source) {
+    text.append("  [").append(step.source->text).append(", ");
+    text.append(console.text(step.source->listing_en, step.source->listing_ja));
+    if (step.source->line > 0) text += ":" + std::to_string(step.source->line);
+    text += "]";
+  }
+  text += "\n";
+  Columns table;
+  const std::string none(console.text("none", "なし"));
+  for (const steps::RowChange& row : step.rows) {
+    const std::string is = row.new_value.value_or(none);
+    table.add({row.table, row.row, row.field,
+               row.old_value == row.new_value ? is : row.old_value.value_or(none) + " -> " + is});
+  }
+  return text + table.text();
+}
+
+// What stands in front of the file.
+std::vector<std::string> what_words(const std::vector<std::string>& operands) {
+  std::vector<std::string> words;
+  for (const std::string_view word : split_words(operands[0])) words.emplace_back(word);
+  words.insert(words.end(), operands.begin() + 1, operands.end());
+  return words;
+}
+
+// The words that call what is played, and the file behind them; none where an empty mesh will do.
+struct PlayCall {
+  std::vector<std::string> words;
+  std::optional<std::string> file;
+};
+
+Result<PlayCall> wanted_play(const Arguments& arguments) {
+  PlayCall call{what_words(arguments.operands()), {}};
+  const auto row = find_played(call.words.empty() ? std::string_view() : call.words[0]);
+  if (!row) return row.failure();
+  const std::size_t words_without_file = (*row)->plays_script ? 2 : 0;
+  if (call.words.size() < 2 && !(*row)->plays_script)
+    return usage_failure("usage", {"The FILE is missing: steps " + steps::call_of(**row) + " FILE.",
+                                   "FILE がありません：steps " + steps::call_of(**row) + " FILE。"});
+  if (call.words.size() == words_without_file) return call;
+  if ((*row)->plays_script && call.words.size() < 2) return call;
+  call.file = call.words.back();
+  call.words.pop_back();
+  return call;
+}
+
+Result<std::size_t> wanted_step(const std::string& word, std::size_t size) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (error == std::errc() && end == word.data() + word.size() && number >= 1 && number <= size) return number;
+  const std::string n = std::to_string(size);
+  return usage_failure("bad_value", {"--at takes the number of a step, from 1 to " + n + " here.",
+                                     "--at は手順の番号です（ここでは 1 から " + n + "）。"});
+}
+
+// The view of the editor on the step, with its marks and caption.
+std::optional<Failure> draw_step(std::unique_ptr<Document> document, const std::vector<std::string>& words,
+                                 std::size_t at, const std::string& path, const Console& console) {
+  const auto headless = Headless::make({.size = {1280, 720}});
+  if (!headless) return headless.failure();
+  Session session(std::move(document));
+  session.language = console.language;
+  (*headless)->place_view(session);
+  const Outcome begun = begin_playing(session, words);
+  if (!begun.done()) return make_failure(begun.exit_code, code_of(begun), begun.sentence);
+  session.player->go_to(session.document(), at);
+  const Status written = write_png((*headless)->picture(session), path);
+  return written ? std::nullopt : std::optional(written.failure());
+}
+
+ExitCode print_steps(const Arguments& arguments, const PlayCall& call, std::unique_ptr<Document> document,
+                     const Console& console) {
+  const Result<std::unique_ptr<steps::Sequence>> played = make_played(*document, call.words);
+  if (!played) return console.fail(played.failure(), call.file.value_or(""));
+  steps::Sequence& sequence = **played;
+  std::size_t first = 1, last = sequence.size();
+  if (const std::string* const at = arguments.value("--at")) {
+    const Result<std::size_t> number = wanted_step(*at, sequence.size());
+    if (!number) return console.fail(number.failure());
+    first = last = *number;
+  }
+  if (const Text remark = sequence.remark(); !remark.en.empty()) console.note(remark);
+  for (std::size_t i = first; i <= last; ++i) {
+    const steps::Step step = sequence.at(i);
+    console.print(console.json ? step_line(step, i, sequence.size()) : step_text(step, i, sequence.size(), console));
+  }
+  if (const std::string* const path = arguments.value("-o"))
+    if (const auto failure = draw_step(std::move(document), call.words, last, *path, console))
+      return console.fail(*failure);
+  console.conclude("", ExitCode::done);
+  return ExitCode::done;
+}
+
+}  // namespace
+
+ExitCode steps_command(const Arguments& arguments, const Console& console) {
+  const Result<PlayCall> call = wanted_play(arguments);
+  if (!call) return console.fail(call.failure());
+  if (const std::string* const path = arguments.value("-o"))
+    if (const Status may = files_of_run(arguments, call->file.value_or("")).may_write(*path, FileRole::picture); !may)
+      return console.fail(may.failure());
+  if (!call->file) return print_steps(arguments, *call, std::make_unique<Document>(), console);
+  Result<std::unique_ptr<Document>> document = Document::open(*call->file);
+  if (!document) return console.fail(document.failure(), *call->file);
+  for (const Message& message : (*document)->file().messages) console.show(message, *call->file);
+  return print_steps(arguments, *call, std::move(document).value(), console);
+}
+
+}  // namespace ryosen::cli

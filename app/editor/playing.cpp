@@ -1,0 +1,126 @@
+#include "app/editor/playing.h"
+
+#include "app/editor/command_functions.h"
+#include "app/editor/exercises.h"
+#include "app/editor/script.h"
+#include "app/editor/session.h"
+#include "core/io/input_file.h"
+#include "core/steps/players.h"
+
+namespace ryosen {
+
+namespace {
+
+Failure usage(Text sentence) { return make_failure(ExitCode::usage, "bad_arguments", std::move(sentence)); }
+
+std::vector<std::string> lines_of(std::string_view script) {
+  std::vector<std::string> lines;
+  for (ScriptLine& line : split_script(script)) lines.push_back(std::move(line.text));
+  return lines;
+}
+
+Result<std::unique_ptr<steps::Sequence>> make_script(const Mesh& mesh, const steps::StepsRow& row,
+                                                     std::span<const std::string> words) {
+  if (words.size() != 2)
+    return usage({"'" + steps::call_of(row) + "': S is an exercise or figure (" + built_in_script_ids() +
+                      ") or the name of a script file.",
+                  "「" + steps::call_of(row) + "」の S は演習・図（" + built_in_script_ids() +
+                      "）かスクリプトのファイル名です。"});
+  if (const ExerciseScript* const exercise = find_built_in_script(words[1]))
+    return row.make(Mesh(), lines_of(exercise->script));
+  const Result<FileBytes> bytes = read_whole_file(words[1]);
+  if (!bytes) return bytes.failure();
+  return row.make(mesh, lines_of(bytes->view()));
+}
+
+}  // namespace
+
+Result<const steps::StepsRow*> find_played(std::string_view word) {
+  if (const steps::StepsRow* const row = steps::find_steps(word)) return row;
+  std::vector<std::string> ids;
+  std::string known;
+  for (const steps::StepsRow& row : steps::all_steps()) {
+    ids.emplace_back(row.id);
+    known += (known.empty() ? "" : ", ") + steps::call_of(row);
+  }
+  const Text hint = did_you_mean(word, ids, HintForm::sentence);
+  return usage({"There is nothing to play by the name '" + std::string(word) + "'; there are " + known + "." + hint.en,
+                "「" + std::string(word) + "」という再生はありません（" + known + "）。" + hint.ja});
+}
+
+Result<std::unique_ptr<steps::Sequence>> make_played(const Mesh& mesh, std::span<const std::string> words) {
+  const Result<const steps::StepsRow*> row = find_played(words.empty() ? std::string_view() : words[0]);
+  if (!row) return row.failure();
+  if ((*row)->plays_script) return make_script(mesh, **row, words);
+  return (*row)->make(mesh, words.subspan(1));
+}
+
+Result<std::unique_ptr<steps::Sequence>> make_played(const Document& document, std::span<const std::string> words) {
+  if (words.size() != 2 || words[1] != "history") return make_played(document.mesh(), words);
+  const Result<const steps::StepsRow*> row = find_played(words[0]);
+  if (!row) return row.failure();
+  if (!(*row)->plays_script) return make_played(document.mesh(), words);
+  std::vector<std::string> lines;
+  for (const HistoryEntry& entry : document.history()) lines.push_back(entry.command);
+  if (lines.empty())
+    return make_failure(
+        ExitCode::refused, "refused",
+        {"The history is empty: edit the mesh first.", "履歴がありません。先にメッシュを編集してください。"});
+  return steps::play_history(document.mesh(), document.journal(), lines);
+}
+
+Player::Player(std::string call, std::unique_ptr<steps::Sequence> sequence, const Document& document)
+    : call_(std::move(call)),
+      sequence_(std::move(sequence)),
+      tables_(*sequence_),
+      serial_(document.serial()),
+      revision_(document.revision()),
+      hash_(document.mesh().hash()),
+      history_position_(document.position()) {}
+
+bool Player::fits(const Document& document) const {
+  return document.serial() == serial_ && document.position() == history_position_;
+}
+
+void Player::go_to(Document& document, std::size_t position) {
+  position_ = position;
+  step_.reset();
+  if (position > 0) step_ = sequence_->at(position);
+  if (sequence_->edits()) {
+    const Mesh& mesh = sequence_->mesh_at(position);
+    if (mesh.hash() == hash_)
+      document.end_trial();
+    else
+      document.show_on_trial(mesh.columns());
+  }
+  revision_ = document.revision();
+}
+
+void Player::end(Document& document) const {
+  if (is_shown(document)) document.end_trial();
+}
+
+Outcome begin_playing(Session& session, std::span<const std::string> words) {
+  end_playing(session);
+  Document& document = session.document();
+  document.end_trial();
+  Result<std::unique_ptr<steps::Sequence>> sequence = make_played(document, words);
+  if (!sequence) return failed(sequence.failure());
+  std::string call;
+  for (const std::string& word : words) call += (call.empty() ? "" : " ") + word;
+  session.player = std::make_shared<Player>(std::move(call), std::move(sequence).value(), document);
+  // What begins with nothing is looked at as it ends.
+  if (document.mesh().live().vertices == 0) {
+    session.player->go_to(document, session.player->size());
+    session.frame_all();
+  }
+  session.player->go_to(document, 0);
+  return {};
+}
+
+void end_playing(Session& session) {
+  if (session.player) session.player->end(session.document());
+  session.player.reset();
+}
+
+}  // namespace ryosen

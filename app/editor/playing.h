@@ -1,0 +1,68 @@
+// What is played step by step (core/steps), by the words that call it: "collapse 0-1", "script cube"; and how a session
+// plays it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/editor/document.h"
+#include "core/steps/all.h"
+#include "core/steps/tables.h"
+
+namespace ryosen {
+
+class Session;
+
+// Its row; a failure names those that there are.
+Result<const steps::StepsRow*> find_played(std::string_view word);
+
+// The steps that the words call on a mesh. A script is an exercise by its id, which begins with an empty mesh, or a file,
+// which goes on from this one.
+Result<std::unique_ptr<steps::Sequence>> make_played(const Mesh& mesh, std::span<const std::string> words);
+// The same on that of a document; `script history` plays its history.
+Result<std::unique_ptr<steps::Sequence>> make_played(const Document& document, std::span<const std::string> words);
+
+// Plays a sequence on the document of a session. The mesh of a state is shown on trial, beside the history, so that
+// nothing of the document changes; whatever edits it ends the player.
+class Player {
+ public:
+  // Of the words that call it. Before the first step.
+  Player(std::string call, std::unique_ptr<steps::Sequence> sequence, const Document& document);
+
+  const std::string& call() const { return call_; }
+  std::size_t size() const { return sequence_->size(); }
+  std::size_t position() const { return position_; }
+  // That which leads to the position; null before the first one.
+  const steps::Step* step() const { return step_ ? &*step_ : nullptr; }
+  Text remark() const { return sequence_->remark(); }
+  // As all steps up to the position have filled them.
+  const steps::Tables& tables() { return tables_.at(position_); }
+  bool is_running = false;  // a frontend goes forward from time to time
+
+  // Whether the document is the one that it was made for, at the same place of its history.
+  bool fits(const Document& document) const;
+  // Whether the document also shows the state that the player is in: then the marks of the step are its elements.
+  bool is_shown(const Document& document) const { return fits(document) && document.revision() == revision_; }
+  // Must fit. position <= size().
+  void go_to(Document& document, std::size_t position);
+  // Takes back what is on trial.
+  void end(Document& document) const;
+
+ private:
+  std::string call_;
+  std::unique_ptr<steps::Sequence> sequence_;
+  steps::TablesAlong tables_;
+  std::size_t position_ = 0;
+  std::optional<steps::Step> step_;
+  std::uint64_t serial_, revision_, hash_;  // of the document; the hash without a trial
+  std::size_t history_position_;
+};
+
+// Begins to play in place of what is played.
+Outcome begin_playing(Session& session, std::span<const std::string> words);
+void end_playing(Session& session);
+
+}  // namespace ryosen

@@ -1,0 +1,194 @@
+#include <algorithm>
+#include <iterator>
+
+#include "app/editor/exercises.h"
+#include "app/editor/playing.h"
+#include "app/ui/panels.h"
+#include "app/ui/widgets.h"
+
+namespace ryosen {
+
+namespace {
+
+constexpr double seconds_per_step = 0.8;
+
+// What is played step by step: what there is to play, the way through it, and what the step does.
+class StepsPanel : public Panel {
+ public:
+  void draw(PanelContext& context) override;
+
+ private:
+  void draw_choice(PanelContext& context);
+  void draw_ways(PanelContext& context, const Player& player);
+  void draw_step(PanelContext& context, Player& player);
+  void go_on(PanelContext& context, const Player& player);
+
+  std::optional<double> next_at_;  // when it goes forward by itself
+};
+
+std::string call_text(const steps::StepsRow& row, const std::vector<std::string>& arguments) {
+  std::string call(row.id);
+  for (const std::string& argument : arguments) call += " " + argument;
+  return call;
+}
+
+// Scripts by name, the rest as it fits the mesh and the selection.
+void StepsPanel::draw_choice(PanelContext& context) {
+  const Session& session = context.session;
+  const auto offer = [&](const std::string& label, const std::string& call, const char* help) {
+    ImGui::PushID(call.c_str());
+    if (row(context, label.c_str(), "", false)) context.run("steps " + call);
+    tip(std::string(help) + "\nsteps " + call);
+    ImGui::PopID();
+  };
+  for (const steps::StepsRow& steps_row : steps::all_steps()) {
+    const char* const help = context.text(steps_row.help_en, steps_row.help_ja);
+    dim_text(context, context.text(steps_row.en, steps_row.ja));
+    if (steps_row.plays_script) {
+      for (const std::span<const ExerciseScript> scripts : {exercise_scripts(), figure_scripts()})
+        for (const ExerciseScript& script : scripts)
+          offer(name_of_exercise(script).in(context.language()),
+                std::string(steps_row.id) + " " + std::string(script.id), help);
+      if (!session.document().history().empty())
+        offer(context.text("The history of this mesh", "このメッシュの履歴"), std::string(steps_row.id) + " history",
+              help);
+      continue;
+    }
+    const std::vector<std::vector<std::string>> choices = steps_row.choices(session.mesh(), session.selection);
+    for (const std::vector<std::string>& arguments : choices) {
+      const std::string call = call_text(steps_row, arguments);
+      offer(call, call, help);
+    }
+    if (choices.empty()) dim_text(context, context.text("  not on this mesh", "  このメッシュでは再生できません"));
+  }
+}
+
+void StepsPanel::draw_ways(PanelContext& context, const Player& player) {
+  const bool at_start = player.position() == 0, at_end = player.position() == player.size();
+  struct Button {
+    const char* label;
+    const char* line;
+    const char *help_en, *help_ja;
+    bool is_off;
+  };
+  const Button buttons[] = {
+      {"|<", "steps first", "To the state before the first step.", "最初の手順の前に戻ります。", at_start},
+      {"<", "steps back", "One step back.", "一手戻ります。", at_start},
+      {player.is_running ? "||" : context.text("Play", "再生"), "steps play", "Goes forward by itself, or stops.",
+       "自動で進みます。もう一度押すと止まります。", false},
+      {">", "steps forward", "One step forward.", "一手進みます。", at_end},
+      {">|", "steps last", "To the end.", "最後まで進みます。", at_end},
+  };
+  const float gap = 4 * context.scale, width = (ImGui::GetContentRegionAvail().x - 4 * gap) / 5;
+  for (const Button& button : buttons) {
+    if (&button != buttons) ImGui::SameLine(0, gap);
+    ImGui::PushID(button.line);
+    ImGui::BeginDisabled(button.is_off);
+    if (ImGui::Button(button.label, {width, 0})) context.run(button.line);
+    ImGui::EndDisabled();
+    const std::string chord = chord_of(context.session, button.line);
+    tip(std::string(context.text(button.help_en, button.help_ja)) + (chord.empty() ? "" : " (" + chord + ")"),
+        ImGuiHoveredFlags_AllowWhenDisabled);
+    ImGui::PopID();
+  }
+}
+
+void draw_cells(PanelContext& context, const std::vector<steps::RowChange>& cells) {
+  const std::string none = context.text("none", "なし");
+  list_of_rows("cells", cells.size(), 9, [&](std::size_t i) {
+    const steps::RowChange& cell = cells[i];
+    const std::string is = cell.new_value.value_or(none);
+    const std::string values = cell.old_value == cell.new_value ? is : cell.old_value.value_or(none) + " > " + is;
+    const std::string label = cell.row + " " + cell.field;
+    ImGui::PushID(static_cast<int>(i));
+    const std::string shown = fitted(values, 0.6f * ImGui::GetContentRegionAvail().x);
+    row(context, label.c_str(), shown.c_str(), cell.old_value != cell.new_value);
+    tip(cell.table + " " + label + ": " + values);
+    ImGui::PopID();
+  });
+}
+
+// Each role once, with its elements.
+void draw_roles(PanelContext& context, const steps::Step& step) {
+  std::vector<steps::Role> told;
+  for (const steps::Mark& mark : step.marks) {
+    if (std::find(told.begin(), told.end(), mark.role) != told.end()) continue;
+    told.push_back(mark.role);
+    std::vector<Element> elements;
+    for (const steps::Mark& other : step.marks)
+      if (other.role == mark.role && elements.size() < 12) elements.push_back(other.element);
+    const steps::RoleRow& role = steps::row_of(mark.role);
+    std::string names;
+    for (const Element element : elements) names += (names.empty() ? "" : " ") + slot_name(element);
+    labelled(context, context.text(role.en, role.ja), names, 9);
+  }
+}
+
+// The tables as they stand, that of the step's first cell open.
+void draw_tables(PanelContext& context, Player& player) {
+  const std::string& first = player.step()->rows.front().table;
+  if (!ImGui::CollapsingHeader(context.text("The whole table", "表全体"))) return;
+  const steps::Tables::Rows& rows = player.tables().rows_of(first);
+  dim_text(context, (first + ", " + std::to_string(rows.size())).c_str());
+  auto at = rows.begin();
+  std::size_t place = 0;
+  list_of_rows("table", rows.size(), 12, [&](std::size_t i) {
+    std::advance(at, static_cast<std::ptrdiff_t>(i) - static_cast<std::ptrdiff_t>(place));
+    place = i;
+    std::string fields;
+    for (const auto& [field, value] : at->second) fields += (fields.empty() ? "" : ", ") + field + " " + value;
+    const float room = 0.75f * ImGui::GetContentRegionAvail().x;
+    row(context, at->first.c_str(), fitted(fields, room).c_str(), false);
+    tip(at->first + ": " + fields);
+  });
+}
+
+void StepsPanel::draw_step(PanelContext& context, Player& player) {
+  const steps::Step* const step = player.step();
+  if (!step) return dim_text(context, context.text("Before the first step.", "最初の手順の前です。"));
+  wrapped_text(step->caption.in(context.language()).c_str());
+  if (step->delta) coloured_text(context.colours().accent, steps::text_of(*step->delta).in(context.language()).c_str());
+  draw_cells(context, step->rows);
+  if (!step->rows.empty()) draw_tables(context, player);
+  draw_roles(context, *step);
+  if (!step->source) return;
+  std::string source = std::string(context.text("Text ", "テキスト ")) + std::string(step->source->text) + ", " +
+                       context.text(step->source->listing_en, step->source->listing_ja);
+  if (step->source->line > 0)
+    source += context.language() == Language::japanese ? " " + std::to_string(step->source->line) + " 行目"
+                                                       : ", line " + std::to_string(step->source->line);
+  dim_text(context, source.c_str());
+}
+
+void StepsPanel::go_on(PanelContext& context, const Player& player) {
+  if (!player.is_running) return next_at_.reset();
+  const double now = ImGui::GetTime();
+  if (!next_at_) next_at_ = now + seconds_per_step;
+  context.state.unsettle();  // so that further frames come
+  if (now < *next_at_) return;
+  next_at_ = now + seconds_per_step;
+  context.run("steps forward");
+}
+
+void StepsPanel::draw(PanelContext& context) {
+  const std::shared_ptr<Player> player = context.session.player;
+  if (!player) return draw_choice(context);
+  const std::string at = std::to_string(player->position()) + " / " + std::to_string(player->size());
+  if (row(context, player->call().c_str(), at.c_str(), true)) context.run("steps close");
+  tip(context.text("A click ends it, and shows what else there is to play.",
+                   "クリックすると終わり、ほかに再生できるものを表示します。"));
+  if (!player->fits(context.session.document()))
+    coloured_text(context.colours().warning, context.text("The mesh has changed since; play it again.",
+                                                          "再生を始めた後にメッシュが変わりました。"));
+  draw_ways(context, *player);
+  if (const Text remark = player->remark(); !remark.en.empty())
+    dim_text(context, remark.in(context.language()).c_str());
+  draw_step(context, *player);
+  go_on(context, *player);
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_steps_panel() { return std::make_unique<StepsPanel>(); }
+
+}  // namespace ryosen

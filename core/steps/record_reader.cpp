@@ -1,0 +1,137 @@
+#include "core/steps/record_reader.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/forms/polygons.h"
+
+namespace ryosen::steps {
+
+namespace {
+
+using forms::Field;
+
+std::optional<Element> first_live(const Mesh& mesh, Element::Kind kind) {
+  const auto first = [&]<class Handle>(Handle, std::uint32_t slots) -> std::optional<Element> {
+    for (std::uint32_t i = 0; i < slots; ++i)
+      if (mesh.is_alive(Handle(i))) return Handle(i);
+    return {};
+  };
+  switch (kind) {
+    case Element::Kind::vertex:
+      return first(Vertex(), mesh.vertex_slots());
+    case Element::Kind::halfedge:
+      // One with a face: forms whose halfedges are corners store nothing of the others.
+      for (std::uint32_t f = 0; f < mesh.face_slots(); ++f)
+        if (mesh.is_alive(Face(f))) return mesh.halfedge(Face(f));
+      return first(Halfedge(), mesh.halfedge_slots());
+    case Element::Kind::edge:
+      return first(Edge(), mesh.edge_slots());
+    default:
+      return first(Face(), mesh.face_slots());
+  }
+}
+
+const Field* field_of(const forms::Fields& fields, std::string_view key) {
+  for (const Field& field : fields)
+    if (field.key == key) return &field;
+  return nullptr;
+}
+
+std::array<double, 3> sortable(const glm::dvec3& place) { return {place.x, place.y, place.z}; }
+
+}  // namespace
+
+RecordReader::RecordReader(const Mesh& mesh, const forms::FormRow& row)
+    : mesh_(mesh), records_(mesh, row), unsuitable_(forms::why_unsuitable(mesh, row)) {}
+
+bool RecordReader::stores(Element::Kind kind, std::string_view key) const {
+  const std::optional<Element> element = first_live(mesh_, kind);
+  return element && field_of(records_.of(*element).fields, key);
+}
+
+const Field* RecordReader::field(Element of, std::string_view key) {
+  if (seen_.insert(of).second) order_.push_back(of);
+  if (last_element_ != of) {
+    last_ = records_.of(of);
+    last_element_ = of;
+  }
+  return field_of(last_.fields, key);
+}
+
+Element RecordReader::link(Element of, std::string_view key) {
+  const Field* const found = field(of, key);
+  return found && !found->links.empty() ? found->links.front() : Element();
+}
+
+std::vector<Element> RecordReader::links(Element of, std::string_view key) {
+  const Field* const found = field(of, key);
+  return found ? found->links : std::vector<Element>();
+}
+
+std::vector<Vertex> RecordReader::corners_by_place(Face f) {
+  if (places_.empty()) {
+    for (std::uint32_t v = 0; v < mesh_.vertex_slots(); ++v)
+      if (mesh_.is_alive(Vertex(v))) places_.push_back({sortable(mesh_.position(Vertex(v))), v});
+    std::sort(places_.begin(), places_.end());
+  }
+  std::vector<Vertex> corners;
+  const Field* const found = field(f, "positions");
+  if (!found) return corners;
+  for (const glm::dvec3& place : found->places) {
+    const auto at = std::lower_bound(places_.begin(), places_.end(), std::pair(sortable(place), std::uint32_t{0}));
+    corners.emplace_back(at == places_.end() ? no_index : at->second);
+  }
+  return corners;
+}
+
+RecordLinks::RecordLinks(RecordReader& reader)
+    : reader_(reader),
+      has_next_(reader.stores(Element::Kind::halfedge, "next")),
+      has_twin_(reader.stores(Element::Kind::halfedge, "twin")),
+      has_inner_(reader.stores(Element::Kind::face, "inner")) {
+  for (const std::string_view key : {"halfedge", "outer"})
+    if (reader.stores(Element::Kind::face, key)) first_of_face_ = key;
+  if (has_next_) return;
+  corners_ = forms::corner_halfedges(reader.mesh());
+  corner_of_.assign(reader.mesh().halfedge_slots(), no_index);
+  for (std::uint32_t c = 0; c < corners_.size(); ++c) corner_of_[corners_[c].index] = c;
+}
+
+std::uint32_t RecordLinks::next(std::uint32_t h) const {
+  if (has_next_) return reader_.link(Halfedge(h), "next").index;
+  const std::uint32_t c = corner_of_[h];
+  return corners_[c % 3 == 2 ? c - 2 : c + 1].index;
+}
+
+std::uint32_t RecordLinks::prev(std::uint32_t h) const {
+  if (has_next_) return reader_.link(Halfedge(h), "prev").index;
+  const std::uint32_t c = corner_of_[h];
+  return corners_[c % 3 == 0 ? c + 2 : c - 1].index;
+}
+
+// Without a pair of its own: the other half of the parent edge.
+std::uint32_t RecordLinks::pair(std::uint32_t h) const {
+  if (has_twin_) return reader_.link(Halfedge(h), "twin").index;
+  for (const Element half : reader_.links(reader_.link(Halfedge(h), "edge"), "halfedges"))
+    if (half.index != h) return half.index;
+  return no_index;
+}
+
+std::uint32_t RecordLinks::face(std::uint32_t h) const {
+  if (has_next_) return reader_.link(Halfedge(h), "face").index;
+  return reader_.mesh().face(corners_[corner_of_[h] / 3 * 3]).index;
+}
+
+std::uint32_t RecordLinks::at_face(std::uint32_t f) const {
+  return first_of_face_.empty() ? reader_.mesh().halfedge(Face(f)).index : reader_.link(Face(f), first_of_face_).index;
+}
+
+std::vector<std::uint32_t> RecordLinks::inner(std::uint32_t f) const {
+  std::vector<std::uint32_t> starts;
+  if (!has_inner_) return starts;
+  for (const Element start : reader_.links(Face(f), "inner")) starts.push_back(start.index);
+  return starts;
+}
+
+}  // namespace ryosen::steps

@@ -1,0 +1,26 @@
+// Where the source texts say what is played: one place for the names of their listings.
+#pragma once
+
+#include "core/steps/step.h"
+
+namespace ryosen::steps {
+
+// Text 000.
+constexpr Source build_list(int line) { return {"000", "section 4, list of steps", "4 節の手順", line}; }
+constexpr Source code_2(int line) { return {"000", "program code 2", "プログラムコード 2", line}; }
+constexpr Source code_3(int line) { return {"000", "program code 3", "プログラムコード 3", line}; }
+constexpr Source code_4(int line) { return {"000", "program code 4", "プログラムコード 4", line}; }
+inline constexpr Source vertex_lists_text{"000", "section 4, links from vertices",
+                                          "4 節「頂点→ハーフエッジのリンクの利用」"};
+inline constexpr Source matrix_text{"000", "section 4, a matrix", "4 節「行列を使う」"};
+// Text 002.
+inline constexpr Source problem_2{"002", "section 4, problem 2", "4 節 問題 2"};
+inline constexpr Source loop_text{"002", "section 4, corners of a loop", "4 節 ループの角数"};
+// Text 003.
+constexpr Source map_code(int line) { return {"003", "building the halfedges", "半辺データ構造の構築", line}; }
+constexpr Source split_code(int line) { return {"003", "edge_split", "edge_split", line}; }
+
+// Where the texts show an operator; none for one of this program alone.
+std::optional<Source> source_of_operator(std::string_view id);
+
+}  // namespace ryosen::steps

@@ -1,0 +1,105 @@
+// `steps`: what is played, as lines and as pictures.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/steps/all.h"
+#include "render/image.h"
+#include "tests/support/app/program.h"
+
+namespace ryosen::test {
+namespace {
+
+// Every line is whole; they count up.
+void expect_lines(const ProgramRun& run) {
+  const std::vector<Json> lines = run.lines();
+  ASSERT_FALSE(lines.empty()) << run.err;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    EXPECT_EQ(lines[i]["at"], i + 1);
+    EXPECT_EQ(lines[i]["of"], lines.size());
+    EXPECT_NE(lines[i]["caption"]["en"], "");
+    EXPECT_NE(lines[i]["caption"]["ja"], "");
+  }
+}
+
+TEST(steps_command, plays_every_row_of_the_table) {
+  const std::string fan = asset("fan.obj");
+  const std::vector<std::vector<std::string>> lines = {
+      {"steps", "script", "cube"},        {"steps", "build", fan},
+      {"steps", "pair", "hash", fan},     {"steps", "collapse", "0-1", fan},
+      {"steps", "swap", "0-1", fan},      {"steps", "split3", "1,4", fan},
+      {"steps", "split3", "1", "4", fan}, {"steps", "walk", "v0", fan},
+      {"steps", "loop", "f0", fan},       {"steps", "relation", "vertex_faces", "v0", fan}};
+  std::set<std::string> played;
+  for (std::vector<std::string> line : lines) {
+    played.insert(line[1]);
+    line.push_back("--json");
+    const ProgramRun run = run_program(line);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    expect_lines(run);
+  }
+  for (const steps::StepsRow& row : steps::all_steps()) EXPECT_TRUE(played.contains(std::string(row.id))) << row.id;
+  EXPECT_EQ(run_program({"steps", "split3 1,4", fan, "--json"}).out,
+            run_program({"steps", "split3", "1", "4", fan, "--json"}).out)
+      << "in one word or in several";
+}
+
+TEST(steps_command, gives_the_delta_of_what_edits) {
+  const ProgramRun run = run_program({"steps", "script", "cube_with_hole", "--json"});
+  Json sum = {{"V", 0}, {"E", 0}, {"F", 0}, {"B", 0}, {"H", 0}, {"S", 0}, {"G", 0}};
+  for (const Json& line : run.lines()) {
+    if (!line.contains("delta")) continue;
+    EXPECT_EQ(keys_of(line["delta"]), keys_of(sum));
+    for (const auto& [term, by] : line["delta"].items()) sum[term] = int(sum[term]) + int(by);
+  }
+  EXPECT_EQ(sum, (Json{{"V", 16}, {"E", 24}, {"F", 10}, {"B", 0}, {"H", 2}, {"S", 1}, {"G", 1}}));
+}
+
+TEST(steps_command, plays_a_script_of_a_file_on_a_mesh) {
+  TemporaryFolder folder;
+  const std::string script = folder.write("s.ryosen", "split 0-1; collapse 0-2\n");
+  const ProgramRun run = run_program({"steps", "script", script, asset("tetrahedron.off"), "--json"});
+  ASSERT_EQ(run.lines().size(), 2u) << run.err;
+  EXPECT_EQ(run.lines()[0]["delta"]["V"], 1);
+}
+
+TEST(steps_command, tells_one_step_and_says_it_in_words) {
+  const std::string fan = asset("fan.obj");
+  const ProgramRun one = run_program({"steps", "walk", "v0", fan, "--at", "2", "--json"});
+  EXPECT_EQ(one.line()["at"], 2);
+  EXPECT_NE(run_program({"steps", "walk", "v0", fan, "--at", "1"}).out.find("halfedge(v0)"), std::string::npos);
+  EXPECT_NE(run_program({"steps", "walk", "v0", fan, "--at", "1", "--lang", "ja"}).out.find("頂点"), std::string::npos);
+  for (const char* const wrong : {"0", "99", "x"})
+    EXPECT_EQ(run_program({"steps", "walk", "v0", fan, "--at", wrong}).exit_code, 2) << wrong;
+}
+
+TEST(steps_command, refuses_what_cannot_be_played) {
+  const std::string cube = asset("cube.obj");
+  const std::vector<std::pair<std::vector<std::string>, int>> wrong = {{{"steps"}, 2},
+                                                                       {{"steps", "script"}, 2},
+                                                                       {{"steps", "script", "nosuch.ryosen"}, 3},
+                                                                       {{"steps", "nonsense", cube}, 2},
+                                                                       {{"steps", "build"}, 2},
+                                                                       {{"steps", "build", "nosuch.obj"}, 3},
+                                                                       {{"steps", "walk", "v99", cube}, 2},
+                                                                       {{"steps", "collapse", "0-1", cube}, 6},
+                                                                       {{"steps", "walk", "v0", cube, "-o", cube}, 5}};
+  for (const auto& [line, exit_code] : wrong) EXPECT_EQ(run_program(line).exit_code, exit_code) << line.back();
+}
+
+TEST(steps_command, draws_the_step_with_its_marks) {
+  TemporaryFolder folder;
+  const std::string fan = asset("fan.obj");
+  const auto draw = [&](const std::string& at, const std::string& name) {
+    const ProgramRun run = run_program({"steps", "collapse", "1-0", fan, "--at", at, "-o", folder.at(name), "--json"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return read_png(folder.at(name));
+  };
+  const auto first = draw("1", "1.png"), again = draw("1", "1b.png"), later = draw("2", "2.png");
+  ASSERT_TRUE(first && again && later);
+  EXPECT_EQ(compare(*first, *again)->share, 0.0);
+  EXPECT_GT(compare(*first, *later)->share, 0.001);
+}
+
+}  // namespace
+}  // namespace ryosen::test

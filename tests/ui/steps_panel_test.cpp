@@ -1,0 +1,151 @@
+// What is played step by step in the window: by commands, by keys and by the panel; the document stays as it is.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "app/editor/labels.h"
+#include "app/editor/playing.h"
+#include "app/ui/overlays.h"
+#include "app/ui/window_input.h"
+#include "tests/support/app/drawn_text.h"
+#include "tests/support/app/laid.h"
+
+namespace ryosen {
+namespace {
+
+class StepsPanelTest : public testing::Test, protected test::Laid {
+ protected:
+  StepsPanelTest() : Laid("fan.obj", test::tall_window) {
+    input_.resize(size_);
+    for (const PanelRow& row : panel_list())
+      if (row.place == PanelPlace::right) session.run("panel " + std::string(row.id) + " off");
+  }
+  Outcome say(const std::string& line) {
+    Outcome outcome = gui.run(session, line);
+    frames(3);
+    return outcome;
+  }
+  bool has(std::string_view text) const { return test::DrawnText(gui).count(text) > 0; }
+  void take(std::string_view text) {
+    click(test::DrawnText(gui).place(text));
+    frames(3);
+  }
+  std::set<std::string> labels() {
+    const auto size_of = [](const std::string& text) { return Size{static_cast<int>(8 * text.size()), 14}; };
+    std::set<std::string> all;
+    for (const PlacedLabel& label : placed_labels(session, size_of, 1)) all.insert(label.text);
+    return all;
+  }
+
+  WindowInput input_{gui, session, [this] { frames(1); }};
+};
+
+TEST_F(StepsPanelTest, every_row_and_script_is_offered_and_goes_forth_and_back) {
+  ASSERT_TRUE(say("panel steps").done());
+  EXPECT_TRUE(has("Acube"));
+  EXPECT_TRUE(has("walkv0"));
+  const std::uint64_t hash = session.mesh().hash();
+  const auto expect_playing = [&](const std::string& call) {
+    ASSERT_TRUE(say("steps " + call).done()) << call;
+    ASSERT_TRUE(session.player);
+    EXPECT_EQ(session.player->position(), 0u);
+    ASSERT_TRUE(say("steps last").done());
+    EXPECT_EQ(session.player->position(), session.player->size());
+    EXPECT_TRUE(session.player->is_shown(session.document()));
+    while (session.player->position() > 0) ASSERT_TRUE(session.run("steps back").done());
+    EXPECT_EQ(say("steps close").kind, Outcome::Kind::done);
+    EXPECT_EQ(session.mesh().hash(), hash) << call;
+    EXPECT_TRUE(session.document().history().empty()) << "it is no edit";
+    EXPECT_FALSE(session.document().is_modified());
+  };
+  for (const char* const script : {"triangle", "cube_with_hole", "figure_2", "figure_6"})
+    expect_playing("script " + std::string(script));
+  for (const steps::StepsRow& row : steps::all_steps()) {
+    if (row.plays_script) continue;
+    std::string call(row.id);
+    for (const std::string& argument : row.choices(session.mesh(), session.selection).front()) call += " " + argument;
+    expect_playing(call);
+  }
+}
+
+TEST_F(StepsPanelTest, the_panel_leads_through_and_says_what_changes) {
+  ASSERT_TRUE(say("steps script triangle").done());
+  EXPECT_TRUE(has("0/14"));
+  EXPECT_TRUE(has("Beforethefirststep."));
+  for (int i = 0; i < 4; ++i) take(">");
+  EXPECT_TRUE(has("4/14"));
+  EXPECT_TRUE(has("E+1,B-1,S-1"));
+  EXPECT_TRUE(has("none>h0"));
+  EXPECT_TRUE(has("MakeEdge,figure4"));
+  EXPECT_EQ(session.mesh().live().edges, 1u) << "the view shows the state";
+  take("scripttriangle");
+  EXPECT_FALSE(session.player);
+  EXPECT_EQ(session.mesh().live().faces, 6u) << "the fan is back";
+}
+
+TEST_F(StepsPanelTest, keys_lead_through) {
+  ASSERT_TRUE(say("steps walk v0").done());
+  EXPECT_TRUE(input_.key("Alt+Right").done());
+  EXPECT_EQ(session.player->position(), 1u);
+  EXPECT_TRUE(input_.key("Alt+End").done());
+  EXPECT_EQ(session.player->position(), session.player->size());
+  EXPECT_TRUE(input_.key("Alt+Left").done());
+  EXPECT_EQ(session.player->position(), session.player->size() - 1);
+  EXPECT_TRUE(input_.key("Alt+Home").done());
+  EXPECT_EQ(session.player->position(), 0u);
+}
+
+TEST_F(StepsPanelTest, it_plays_by_itself_and_stops_at_the_end) {
+  ASSERT_TRUE(say("steps loop f0").done());
+  ASSERT_TRUE(say("steps play").done());
+  EXPECT_TRUE(session.player->is_running);
+  frames(30);
+  EXPECT_EQ(session.player->position(), 0u) << "not yet: frames are a fiftieth of a second";
+  frames(30);
+  EXPECT_GE(session.player->position(), 1u);
+  frames(400);
+  EXPECT_EQ(session.player->position(), session.player->size());
+  EXPECT_FALSE(session.player->is_running);
+}
+
+TEST_F(StepsPanelTest, marks_and_labels_are_in_the_view) {
+  ASSERT_TRUE(say("steps collapse 0-1").done());
+  EXPECT_TRUE(step_overlay(session, Theme::dark).empty());
+  ASSERT_TRUE(say("steps forward").done());
+  EXPECT_FALSE(step_overlay(session, Theme::dark).empty());
+  const std::set<std::string> texts = labels();
+  for (const char* const label : {"(1)", "(2)", "(3)", "(4)"}) EXPECT_TRUE(texts.contains(label)) << label;
+  bool has_caption = false;
+  for (const std::string& text : texts) has_caption |= text.starts_with("1/");
+  EXPECT_TRUE(has_caption);
+}
+
+TEST_F(StepsPanelTest, the_history_is_a_script_too) {
+  EXPECT_EQ(say("steps script history").exit_code, ExitCode::refused) << "there is none yet";
+  ASSERT_TRUE(say("split 0-1").done());
+  ASSERT_TRUE(say("poke f0").done());
+  const std::uint64_t hash = session.mesh().hash();
+  ASSERT_TRUE(say("steps script history").done());
+  EXPECT_EQ(session.player->size(), 2u);
+  EXPECT_EQ(session.mesh().live().vertices, 7u) << "as it was read";
+  ASSERT_TRUE(say("steps last").done());
+  EXPECT_EQ(session.mesh().hash(), hash);
+  ASSERT_TRUE(say("steps first").done());
+  ASSERT_TRUE(say("undo").done());
+  EXPECT_FALSE(session.player) << "what edits ends it";
+  EXPECT_EQ(session.mesh().live().vertices, 8u);
+}
+
+TEST_F(StepsPanelTest, refuses_what_is_not_there) {
+  EXPECT_EQ(say("steps forward").exit_code, ExitCode::refused);
+  EXPECT_EQ(say("steps nonsense").exit_code, ExitCode::usage);
+  EXPECT_EQ(say("steps").exit_code, ExitCode::usage);
+  ASSERT_TRUE(say("steps walk v0").done());
+  EXPECT_EQ(say("steps at 99").exit_code, ExitCode::usage);
+  EXPECT_EQ(say("steps at x").exit_code, ExitCode::usage);
+  ASSERT_TRUE(say("steps at 2").done());
+  EXPECT_EQ(session.player->position(), 2u);
+}
+
+}  // namespace
+}  // namespace ryosen

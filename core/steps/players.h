@@ -36,5 +36,8 @@ Choices choices_of_loop(const Mesh& mesh, Selected selection);
 // relation.cpp
 Made play_relation(const Mesh& mesh, Arguments arguments);
 Choices choices_of_relation(const Mesh& mesh, Selected selection);
+// hull.cpp: of all points; refused where these lie in a plane.
+Made play_hull(const Mesh& mesh, Arguments arguments);
+Choices choices_of_hull(const Mesh& mesh, Selected selection);
 
 }  // namespace ryosen::steps

@@ -24,12 +24,17 @@ void expect_lines(const ProgramRun& run) {
 
 TEST(steps_command, plays_every_row_of_the_table) {
   const std::string fan = asset("fan.obj");
-  const std::vector<std::vector<std::string>> lines = {
-      {"steps", "script", "cube"},        {"steps", "build", fan},
-      {"steps", "pair", "hash", fan},     {"steps", "collapse", "0-1", fan},
-      {"steps", "swap", "0-1", fan},      {"steps", "split3", "1,4", fan},
-      {"steps", "split3", "1", "4", fan}, {"steps", "walk", "v0", fan},
-      {"steps", "loop", "f0", fan},       {"steps", "relation", "vertex_faces", "v0", fan}};
+  const std::vector<std::vector<std::string>> lines = {{"steps", "script", "cube"},
+                                                       {"steps", "build", fan},
+                                                       {"steps", "pair", "hash", fan},
+                                                       {"steps", "collapse", "0-1", fan},
+                                                       {"steps", "swap", "0-1", fan},
+                                                       {"steps", "split3", "1,4", fan},
+                                                       {"steps", "split3", "1", "4", fan},
+                                                       {"steps", "walk", "v0", fan},
+                                                       {"steps", "loop", "f0", fan},
+                                                       {"steps", "relation", "vertex_faces", "v0", fan},
+                                                       {"steps", "hull", asset("tetrahedron.off")}};
   std::set<std::string> played;
   for (std::vector<std::string> line : lines) {
     played.insert(line[1]);

@@ -61,7 +61,7 @@ TEST_F(StepsPanelTest, every_row_and_script_is_offered_and_goes_forth_and_back) 
   for (const char* const script : {"triangle", "cube_with_hole", "figure_2", "figure_6"})
     expect_playing("script " + std::string(script));
   for (const steps::StepsRow& row : steps::all_steps()) {
-    if (row.plays_script) continue;
+    if (row.plays_script || row.choices(session.mesh(), session.selection).empty()) continue;
     std::string call(row.id);
     for (const std::string& argument : row.choices(session.mesh(), session.selection).front()) call += " " + argument;
     expect_playing(call);

@@ -98,7 +98,10 @@ TEST(steps, arguments_that_do_not_fit_are_usage_in_both_languages) {
                                                                 {"relation", {"vertex_faces"}},
                                                                 {"relation", {"x", "v0"}},
                                                                 {"relation", {"edge_faces", "v0"}},
-                                                                {"relation", {"vertex_faces", "f0"}}};
+                                                                {"relation", {"vertex_faces", "f0"}},
+                                                                {"hull", {"x"}},
+                                                                {"hull", {"random", "x"}},
+                                                                {"hull", {"farthest", "1"}}};
   for (const auto& [id, arguments] : wrong) {
     const auto sequence = play(id, mesh, arguments);
     ASSERT_FALSE(sequence.ok()) << id;

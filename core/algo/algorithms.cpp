@@ -4,7 +4,10 @@
 
 #include "core/algo/copying/copying.h"
 #include "core/algo/primitives/primitives.h"
+#include "core/algo/remesh/remeshings.h"
 #include "core/algo/repair/repairs.h"
+#include "core/algo/smooth/smoothings.h"
+#include "core/algo/subdivide/subdivisions.h"
 #include "core/algo/transform/transforms.h"
 
 namespace ryosen {
@@ -14,7 +17,8 @@ namespace {
 std::deque<AlgorithmRow>& algorithm_rows() {
   static std::deque<AlgorithmRow> rows = [] {
     std::deque<AlgorithmRow> all;
-    for (const std::vector<AlgorithmRow>& folder : {repair_rows(), primitive_rows(), transform_rows(), copying_rows()})
+    for (const std::vector<AlgorithmRow>& folder : {repair_rows(), primitive_rows(), transform_rows(), copying_rows(),
+                                                    subdivision_rows(), smoothing_rows(), remeshing_rows()})
       all.insert(all.end(), folder.begin(), folder.end());
     return all;
   }();

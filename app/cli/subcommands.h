@@ -17,6 +17,7 @@ ExitCode shot_command(const Arguments& arguments, const Console& console);
 ExitCode hull_command(const Arguments& arguments, const Console& console);
 ExitCode measure_command(const Arguments& arguments, const Console& console);
 ExitCode steps_command(const Arguments& arguments, const Console& console);
+ExitCode distance_command(const Arguments& arguments, const Console& console);
 ExitCode forms_command(const Arguments& arguments, const Console& console);
 ExitCode formats_command(const Arguments& arguments, const Console& console);
 ExitCode keys_command(const Arguments& arguments, const Console& console);

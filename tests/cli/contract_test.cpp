@@ -89,6 +89,7 @@ void sweep_command_lines(Sweep& sweep) {
       {"measure", mesh, "--bars", "3"},
       {"measure", mesh, "f0"},
       {"measure", mesh, "v0"},
+      {"distance", mesh, three},
       {"check", asset("stanford_bunny.obj"), "--self-intersections"},
   };
   for (const std::vector<std::string>& line : lines) sweep.run(line);
@@ -121,6 +122,7 @@ void sweep_refused_inputs(Sweep& sweep) {
     sweep.run({"forms", file});
     sweep.run({"steps", "script", "cube", file});
     sweep.run({"measure", file});
+    sweep.run({"distance", file, file});
     for (const ryosen::AlgorithmRow& row : ryosen::algorithm_table()) sweep.run(words_for(row, file));
   }
   sweep.run({"check", asset("tetrahedron.off"), bad});
@@ -135,6 +137,8 @@ void sweep_algorithms(Sweep& sweep) {
     sweep.run(words_for(row, mesh));
     if (row.accounts) sweep.run(words_for(row, empty));
   }
+  sweep.run({"distance", mesh, mesh});
+  sweep.run({"distance", mesh, sweep.folder().write("points.obj", points)});
 }
 
 void sweep_runs(Sweep& sweep) {

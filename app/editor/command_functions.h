@@ -52,6 +52,9 @@ FaultOfCommand fault_of_hide;
 RunCommand run_colours, run_measure;
 FaultOfCommand fault_of_colours, fault_of_measure;
 std::string colours_syntax();
+// Searching on request: commands_searching.cpp
+RunCommand run_self_intersections;
+FaultOfCommand fault_of_self_intersections;
 // In a region of the picture: commands_region.cpp
 RunCommand run_box, run_lasso, run_band;
 // Events of mouse and keyboard: commands_input.cpp
@@ -66,6 +69,6 @@ std::string panel_syntax();
 std::string preference_ids(), prefer_syntax();
 RunCommand run_prefer, run_bind;
 FaultOfCommand fault_of_bind;
-RunCommand run_panel, run_columns, run_values, run_language, run_cancel, run_quit;
+RunCommand run_panel, run_menu, run_columns, run_values, run_language, run_cancel, run_quit;
 
 }  // namespace ryosen

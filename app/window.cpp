@@ -294,14 +294,23 @@ class Editor {
     resize();
   }
 
+  void lay_out(Clock::time_point now) {
+    if (gui_.prepare(session_)) canvas_->set_fonts(gui_.fonts());
+    gui_.frame(session_, canvas_->size(), std::chrono::duration<double>(now - last_frame_).count());
+    if (is_working_) end_work();
+    last_frame_ = now;
+  }
+
+  // Until all that came in has been done.
+  void catch_up() {
+    for (int i = 0; i < settling_frames || gui_.wants_frames(); ++i) lay_out(Clock::now());
+  }
+
   // Lays out a frame, redraws what changed, and presents it if anything did.
   void show() {
     const Clock::time_point start = Clock::now();
     session_.prepare();
-    if (gui_.prepare(session_)) canvas_->set_fonts(gui_.fonts());
-    gui_.frame(session_, canvas_->size(), std::chrono::duration<double>(start - last_frame_).count());
-    if (is_working_) end_work();
-    last_frame_ = start;
+    lay_out(start);
     viewport_->follow(session_);
     viewport_->keep_pace(session_, start);
     const Clock::time_point drawing = Clock::now();
@@ -358,7 +367,7 @@ class Editor {
   std::unique_ptr<Viewport> viewport_;
   std::unique_ptr<Canvas> canvas_;
   Gui gui_;
-  WindowInput input_{gui_, session_};
+  WindowInput input_{gui_, session_, {}, [this] { catch_up(); }};
   UserFiles user_files_;
   Autosave autosave_{recovery_folder()};
   std::string title_;

@@ -70,6 +70,8 @@ std::string name_printed(const char* printed) {
 }  // namespace
 
 std::string chord_of_glfw(int key, int modifiers, const char* printed) {
+  // The right one writes letters on some keyboards.
+  if (key == GLFW_KEY_LEFT_ALT) return (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT)) == 0 ? "Alt" : "";
   std::string name = is_on_numpad(key) ? std::string() : name_printed(printed);
   if (name.empty()) name = name_of_key(key);
   if (name.empty()) return {};

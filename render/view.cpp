@@ -86,9 +86,9 @@ Result<std::unique_ptr<View>> View::make() {
 
 View::View(Passes passes)
     : passes_(std::move(passes)),
-      overlays_{OverlayBuffer("normals"),  OverlayBuffer("highlights"), OverlayBuffer("selection"),
-                OverlayBuffer("links"),    OverlayBuffer("measures"),   OverlayBuffer("steps"),
-                OverlayBuffer("hover"),    OverlayBuffer("handles"),    OverlayBuffer("axes")},
+      overlays_{OverlayBuffer("normals"), OverlayBuffer("highlights"), OverlayBuffer("selection"),
+                OverlayBuffer("links"),   OverlayBuffer("measures"),   OverlayBuffer("steps"),
+                OverlayBuffer("hover"),   OverlayBuffer("handles"),    OverlayBuffer("axes")},
       rendered_("rendered", picture_formats, true),
       resolved_("resolved", picture_formats, false),
       fine_("fine", picture_formats, true) {
@@ -108,7 +108,8 @@ void View::resize(Size size, int supersample) {
   if (supersample_ > 1) resolved_.resize(size_);
   glm::ivec2 most{0};
   glGetIntegerv(GL_MAX_VIEWPORT_DIMS, &most.x);
-  can_refine_ = supersample_ == 1 && std::max(size_.width, size_.height) <= most.x / Refinement::samples;
+  can_refine_ =
+      supersample_ < Refinement::samples && std::max(size_.width, size_.height) <= most.x / Refinement::samples;
   refinement_.begin(size_);
   planes_stale_ = true;
   all_changed();
@@ -393,8 +394,9 @@ void View::refine() {
   const std::vector<std::uint32_t> clusters = places_.inside(mesh_.clusters(), rect);
   draw_all(f, target, clusters);
   for (const std::uint32_t cluster : clusters) triangles_drawn_ += mesh_.clusters()[cluster].count;
-  passes_.resolve.draw(fine_, scale, rendered_, rect, f.lower_left / scale);
-  passes_.labels.draw(rendered_, rect);
+  Framebuffer& picture = supersample_ > 1 ? resolved_ : rendered_;
+  passes_.resolve.draw(fine_, scale, picture, rect, f.lower_left / scale);
+  passes_.labels.draw(picture, rect);
   redrawn_.add(rect);
 }
 

@@ -71,7 +71,7 @@ class View {
   // first: it does not stop.
   void set_most_triangles(std::size_t most) { most_triangles_ = most; }
   // draw() goes on, when all is drawn, to draw a part at a time with several samples a pixel, until is_refined(). What
-  // changes is drawn with one at first. No effect with supersampling.
+  // changes is drawn with those of resize() at first. No effect where they are as many.
   void set_refining(bool refines) { refines_ = refines; }
   bool is_refined() const { return !can_refine_ || (is_drawn() && refinement_.is_done()); }
   // What the numbers of the faces' tints mean, from 1 on.

@@ -57,6 +57,9 @@ std::string colours_syntax();
 RunCommand run_steps;
 FaultOfCommand fault_of_steps;
 std::string steps_syntax();
+// Searching on request: commands_searching.cpp
+RunCommand run_self_intersections;
+FaultOfCommand fault_of_self_intersections;
 // In a region of the picture: commands_region.cpp
 RunCommand run_box, run_lasso, run_band;
 // Events of mouse and keyboard: commands_input.cpp
@@ -74,6 +77,6 @@ std::string panel_syntax();
 std::string preference_ids(), prefer_syntax();
 RunCommand run_prefer, run_bind;
 FaultOfCommand fault_of_bind;
-RunCommand run_panel, run_columns, run_values, run_language, run_cancel, run_quit;
+RunCommand run_panel, run_menu, run_columns, run_values, run_language, run_cancel, run_quit;
 
 }  // namespace ryosen

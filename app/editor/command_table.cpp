@@ -4,6 +4,7 @@
 #include "app/editor/exercises.h"
 #include "app/editor/expect.h"
 #include "app/editor/figures.h"
+#include "app/editor/menu_bar.h"
 #include "app/editor/panel_list.h"
 #include "app/editor/words.h"
 #include "core/view/named_views.h"
@@ -209,6 +210,16 @@ const std::vector<CommandRow>& last_rows() {
        .effect = Effect::none,
        .run = run_steps,
        .fault = fault_of_steps},
+      {.id = "self_intersections",
+       .syntax = "[off]",
+       .help_en =
+           "searches for faces that meet others elsewhere than in common vertices and edges, marks and lists them "
+           "until the next edit; off forgets them",
+       .help_ja = "自己交差する面を探して強調し、次の編集まで一覧に加える（off で消す）",
+       .effect = Effect::none,
+       .run = run_self_intersections,
+       .is_long = true,
+       .fault = fault_of_self_intersections},
       {"tool", "ID|none", "chooses what a click does", "クリックで使うツールを選ぶ", Effect::none, run_tool},
       {.id = "ask",
        .syntax = "[OPERATOR [NAME...]]",
@@ -283,6 +294,8 @@ const std::vector<CommandRow>& last_rows() {
        .effect = Effect::none,
        .run = run_panel,
        .ids = panel_ids},
+      {"menu", "[" + menu_ids() + "]", "opens a menu of the bar, for the arrow keys; alone the first one",
+       "メニューを矢印キー用に開く（省くと最初のメニュー）", Effect::none, run_menu},
       {"columns", "left|right PIXELS", "sets the width of a column, in pixels of a display at scale 1",
        "列の幅を決める（等倍の画素数）", Effect::none, run_columns},
       {"values", "ALGORITHM", "opens the fields of an algorithm's values", "アルゴリズムに与える値の入力欄を開く",

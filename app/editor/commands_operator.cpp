@@ -33,16 +33,72 @@ std::string line_of(const OpInfo& op, Words words) {
   return line;
 }
 
+// What one element of a selection may be: "a vertex or an edge"; empty where none alone is enough.
+Text kinds_taken(const OpInfo& op) {
+  constexpr struct {
+    Element::Kind kind;
+    const char *en, *ja;
+  } words[] = {{Element::Kind::vertex, "a vertex", "頂点"},
+               {Element::Kind::edge, "an edge", "稜線"},
+               {Element::Kind::face, "a face", "面"}};
+  Text told;
+  for (const auto& [kind, en, ja] : words) {
+    if (!takes(op, kind, {})) continue;
+    if (!told.en.empty()) told = told + Text{" or ", "または"};
+    told = told + Text{en, ja};
+  }
+  return told;
+}
+
+// A syntax that asks for several elements in words: "two vertices in order; a face behind them where several come into
+// question". As it stands where it asks for something else.
+Text in_words(std::string_view syntax) {
+  int vertices = 0, faces = 0;
+  bool may_be_more = false, may_name_face = false, may_name_sides = false;
+  for (const std::string_view word : split_words(syntax)) {
+    if (word == "..." || word == "...]")
+      may_be_more = true;
+    else if (word.size() == 1 && word[0] >= 'A' && word[0] <= 'Z')
+      ++vertices;
+    else if (word == "fN")
+      ++faces;
+    else if (word == "[fN]")
+      may_name_face = true;
+    else if (word == "[P-A]" || word == "[Q-B]")
+      may_name_sides = true;
+    else if (word != "[fM" && word != "[DISTANCE|X,Y,Z]")
+      return {std::string(syntax), std::string(syntax)};
+  }
+  const bool is_of_faces = faces > 0;
+  const int n = is_of_faces ? faces : vertices;
+  constexpr const char* numbers[] = {"no", "one", "two", "three"};
+  if (n < 1 || n > 3 || (vertices > 0 && is_of_faces)) return {std::string(syntax), std::string(syntax)};
+  Text told{std::string(numbers[n]) + (is_of_faces ? n == 1 ? " face" : " faces"
+                                       : n == 1    ? " vertex"
+                                                   : " vertices"),
+            (is_of_faces ? "面を " : "頂点を ") + std::to_string(n) + " 個"};
+  if (may_be_more) told = told + Text{" or more", "以上"};
+  if (n > 1) told = told + Text{", in order", "、この順に"};
+  if (may_name_face)
+    told = told + Text{"; then a face, where several have them", "（面が一つに決まらなければ続けて面）"};
+  if (may_name_sides)
+    told = told + Text{"; then the halfedges that end there, where several do",
+                       "（場所が一つに決まらなければ続けて終点での半稜線）"};
+  return told;
+}
+
 Outcome nothing_selected(const OpInfo& op) {
-  const std::string id(op.id), syntax(op.syntax);
-  return failed(ExitCode::refused, {id + " selected: nothing is selected that it works on; it takes " + syntax,
-                                    id + " selected：対象となる要素が選択されていません。対象は " + syntax + " です"});
+  const std::string id(op.id);
+  const Text kinds = op.on_selection == OnSelection::all ? in_words(op.syntax) : kinds_taken(op);
+  return failed(ExitCode::refused, {id + " selected: nothing is selected that it works on; select " + kinds.en,
+                                    id + " selected：対象となる要素が選択されていません。選択するもの：" + kinds.ja});
 }
 
 Outcome does_not_fit(const OpInfo& op) {
-  const std::string id(op.id), syntax(op.syntax);
-  return failed(ExitCode::refused, {id + " selected: what is selected does not fit; it takes, in this order, " + syntax,
-                                    id + " selected：選択された要素が合いません。この順に必要です：" + syntax});
+  const std::string id(op.id);
+  const Text wanted = in_words(op.syntax);
+  return failed(ExitCode::refused, {id + " selected: what is selected does not fit; it takes " + wanted.en,
+                                    id + " selected：選択された要素が合いません。必要なもの：" + wanted.ja});
 }
 
 // "12 done. 3 refused: RULE. 2 were deleted before their turn."

@@ -3,6 +3,7 @@
 
 #include "app/editor/command_functions.h"
 #include "app/editor/command_syntax.h"
+#include "app/editor/pick_modes.h"
 #include "app/editor/script.h"
 #include "core/base/count_text.h"
 #include "core/mesh/find_element.h"
@@ -51,7 +52,8 @@ std::optional<Text> fault_of(const Selecting& asked) {
                   "select：書き方は " + syntax + "（MAP は " + colour_map_ids() + "）"};
     return Text{"select: expected " + syntax, "select：書き方は " + syntax};
   }
-  if (asked.problem && asked.names.empty() && !asked.problem->is_local())
+  const bool is_kept = asked.problem && (asked.problem->is_local() || asked.problem->is_on_request);
+  if (asked.problem && asked.names.empty() && !is_kept)
     return Text{"select: " + std::string(asked.problem->id) + " is not kept; name the element",
                 "select：" + std::string(asked.problem->id) + " は一覧を保持していません。要素名を付けてください"};
   return fault_of_names("select", asked.names);
@@ -75,6 +77,11 @@ Element::Kind kind_of(PickMode mode) {
       return Element::Kind::halfedge;
   }
   return Element::Kind::edge;
+}
+
+const PickModeRow& mode_of(Element::Kind kind) {
+  return *std::find_if(std::begin(pick_modes), std::end(pick_modes),
+                       [&](const PickModeRow& row) { return kind_of(row.mode) == kind; });
 }
 
 Outcome nothing_kept(const Session& session, std::string_view name) {
@@ -164,8 +171,10 @@ Outcome run_select(Session& session, Words arguments, std::string_view) {
     const Selector& row = *asked.selector;
     if (const Text missing = missing_for(row, session.selection); !missing.en.empty())
       return failed(ExitCode::refused, missing);
-    return select(session,
-                  row.find(session.mesh(), session.selection, kind_of(session.mode), *parse_values(row, asked.names)));
+    Elements found =
+        row.find(session.mesh(), session.selection, kind_of(session.mode), *parse_values(row, asked.names));
+    if (row.turns_into) session.run("mode " + std::string(mode_of(*row.turns_into).id));
+    return select(session, std::move(found));
   }
   if (asked.is_kept) return select_kept(session, asked.names[0]);
   if (asked.problem && asked.names.empty()) return select(session, all_of(session, *asked.problem));

@@ -70,6 +70,13 @@ std::string panel_syntax() {
   return "ID|none [" + words + "]";
 }
 
+Outcome run_menu(Session& session, Words arguments, std::string_view) {
+  const MenuRow* const menu = arguments.empty() ? menu_bar : find_menu(arguments[0]);
+  if (!menu || arguments.size() > 1) return wrong_arguments("menu");
+  session.asked_menu = menu;
+  return {};
+}
+
 Outcome run_columns(Session& session, Words arguments, std::string_view) {
   const std::string_view side = arguments.size() == 2 ? arguments[0] : "";
   if (side != "left" && side != "right") return wrong_arguments("columns");

@@ -42,6 +42,7 @@ namespace {
 
 bool is_key_name(std::string_view key) {
   if (std::find(std::begin(panel_keys), std::end(panel_keys), key) != std::end(panel_keys)) return true;
+  if (key == lone_key) return true;
   if (key.size() == 1)
     return (key[0] >= 'A' && key[0] <= 'Z') || (key[0] >= '0' && key[0] <= '9') || key == "." || key == "+" ||
            key == "-";

@@ -48,6 +48,8 @@ inline constexpr std::string_view panel_keys[] = {
     "Tab",    "Left",  "Right",  "Up",       "Down", "Home", "End", "Delete", "Backspace", "Enter",
     "Escape", "Space", "PageUp", "PageDown", "A",    "C",    "V",   "X",      "Y",         "Z"};
 bool is_panel_key(std::string_view chord);
+// The modifier that is a key too: pressed and let go alone.
+inline constexpr std::string_view lone_key = "Alt";
 // A chord as keys are bound to it, its modifiers in their usual order; none where the text is no chord of a key that a
 // window can tell.
 std::optional<std::string> chord_from(std::string_view text);

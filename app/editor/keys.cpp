@@ -62,6 +62,8 @@ const KeyRow first_keys[] = {
 const KeyRow last_keys[] = {
     {"F1", "panel keys", "keys", "キー一覧", true},
     {"F3", "panel command", "say a command", "コマンド入力"},
+    {"F10", "menu", "open the menus: arrows, Enter, Escape", "メニューを開く（矢印、Enter、Escape）"},
+    {std::string(lone_key), "menu", "alone: open the menus", "単独で押すとメニューを開く"},
     {"F12", "shot", "screenshot", "画面の保存"},
     {"Ctrl+Q", "quit", "quit", "終了"},
 };

@@ -16,6 +16,7 @@
 #include "app/editor/gizmo.h"
 #include "app/editor/keys.h"
 #include "app/editor/layout.h"
+#include "app/editor/menu_bar.h"
 #include "app/editor/navigation.h"
 #include "app/editor/panel_list.h"
 #include "app/editor/preparation.h"
@@ -104,18 +105,19 @@ class Session {
   // User interface state changed by commands; stored without effect if there is no UI.
   Language language = Language::english;
   ViewSettings settings;
-  double ui_scale = 1;                // of all of the window, times that of the display
-  double display_scale = 1;           // set by the window
-  int font_size_px = 15;              // at scale 1
-  int samples = 1;                    // a side of each pixel of the view
-  double crease_deg = 30;             // edges that bend by more stay sharp where the surface is smooth
-  std::vector<KeyBinding> bindings;   // the user's own keys
-  bool begins_empty = false;          // somebody wants an empty mesh, not the start page
-  std::vector<std::string> recent{};  // files that were open before, the latest first; kept by the window
-  std::string open_panel;             // the one that lies over the view; empty for none
-  Layout layout;                      // of those in the columns
-  std::string asked_algorithm;        // whose values the panel of values asks for
-  std::vector<LostSession> lost;      // as last listed
+  double ui_scale = 1;                  // of all of the window, times that of the display
+  double display_scale = 1;             // set by the window
+  int font_size_px = 15;                // at scale 1
+  int samples = 1;                      // a side of each pixel of the view
+  double crease_deg = 30;               // edges that bend by more stay sharp where the surface is smooth
+  std::vector<KeyBinding> bindings;     // the user's own keys
+  bool begins_empty = false;            // somebody wants an empty mesh, not the start page
+  std::vector<std::string> recent{};    // files that were open before, the latest first; kept by the window
+  std::string open_panel;               // the one that lies over the view; empty for none
+  const MenuRow* asked_menu = nullptr;  // the window opens it for the keyboard in its next frame
+  Layout layout;                        // of those in the columns
+  std::string asked_algorithm;          // whose values the panel of values asks for
+  std::vector<LostSession> lost;        // as last listed
 
   // What the pointer picks: what the tool applies to, else what `mode` says.
   PickMode pointed_sort() const;
@@ -242,6 +244,11 @@ class Session {
   const CornerNormals& corner_normals();
   // The sets of problems, and of the highlights that are shown.
   const HighlightSets& highlights();
+  // The findings of a kind that is searched for on request (ProblemRow::is_on_request): marked and listed until the next
+  // edit. Whether it was searched for since.
+  void put_findings(ProblemKind kind, std::span<const std::uint32_t> found);
+  void forget_findings(ProblemKind kind);
+  bool has_searched(ProblemKind kind) const;
   // The values that the surface is coloured by, kept through edits; there must be such a colouring.
   const MapValues& map_values();
   // From the lowest to the highest of them; there must be one.
@@ -296,6 +303,7 @@ class Session {
   }
   Camera framing(const Mesh& mesh, const Camera& from) const;
   void note_marks(const TouchedElements& touched);
+  void note_finding(const Marked& marked);
   void update_map_values(std::size_t transaction);
   void follow_hiding(const HiddenElements::Parts& changed);
   void forget_hidden();
@@ -326,6 +334,11 @@ class Session {
   FileNormals file_normals_;
   std::optional<CornerNormals> corner_normals_;  // of the triangles of the picker
   std::optional<HighlightSets> highlights_;
+  struct Searched {
+    ProblemKind kind;
+    std::uint64_t document, revision;
+  };
+  std::optional<Searched> searched_;
   std::optional<MapValues> map_values_;
   std::optional<MapRange> map_extent_;  // while the values are the same
   std::optional<BoundaryLoopCount> boundary_loops_;

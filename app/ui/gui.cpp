@@ -101,6 +101,12 @@ void Gui::begin_frame(Size window, double seconds) {
     const bool was_pressed = std::exchange(was_pressed_[i], false);
     io.MouseDown[i] = is_down_[i] || was_pressed;
   }
+  // Arrows walk through menus and what lies over the view; Enter presses there as Space does.
+  const bool walks = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  io.ConfigFlags = walks ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard
+                         : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
+  const bool enters = io.KeysDown[ImGuiKey_Enter] && io.KeysDownDuration[ImGuiKey_Enter] < 0;
+  if (walks && enters) io.NavInputs[ImGuiNavInput_Activate] = 1;
   ImGui::NewFrame();
 }
 
@@ -134,8 +140,10 @@ void Gui::frame(Session& session, Size window, double seconds) {
   for (WaitingLine& waiting : std::exchange(state_.waiting, {}))
     if (waiting.frames-- > 0)
       state_.waiting.push_back(std::move(waiting));
-    else
+    else if (waiting.asks_again.empty())
       run(session, waiting.line);
+    else
+      context(session).run_from(waiting.line, waiting.asks_again);
 }
 
 bool Gui::progress_frame(Language language, Size window, double seconds, double share) {
@@ -230,6 +238,10 @@ bool Gui::take_chord(const Session& session, const std::string& chord) {
 void Gui::close_menus() {
   state_.unsettle();
   state_.closes_menus = true;
+}
+
+bool Gui::awaits_frame() const {
+  return unseen_keys_.contains(ImGuiKey_Enter) || unseen_keys_.contains(ImGuiKey_Escape);
 }
 
 bool Gui::owns_keys() const {

@@ -65,6 +65,8 @@ class Gui {
   // A menu is open, which Escape closes; while it is, keys are not for what lies behind it.
   bool has_menu(const Session& session) const;
   void close_menus();
+  // Enter or Escape was pressed and no frame has seen it: who has the keyboard may change.
+  bool awaits_frame() const;
   // The next key is for a panel that asks which one it is to be (GuiState::asks_for_key); true where it took it.
   bool wants_chord(const Session& session) const { return state_.asks_for_key && !session.open_panel.empty(); }
   bool take_chord(const Session& session, const std::string& chord);

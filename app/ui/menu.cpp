@@ -1,6 +1,11 @@
+#include <imgui_internal.h>  // moves of the keyboard that no menu has taken
+
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "app/editor/commands.h"
+#include "app/editor/menu_bar.h"
 #include "app/editor/view_switches.h"
 #include "app/editor/words.h"
 #include "app/ui/panels.h"
@@ -50,10 +55,6 @@ void draw_file_menu(PanelContext& context) {
   ImGui::Separator();
   item(context, UiText::save, "save", !context.session.document().path().empty());
   panel_items(context, PanelMenu::file_write, "...");
-  if (ImGui::MenuItem(context.text("Append a file...", "ファイルを追加..."))) context.begin_command("append ");
-  if (ImGui::MenuItem(context.text("Save the selection...", "選択を保存..."), "", false,
-                      !context.session.selection.empty()))
-    context.begin_command("save_selected ");
   ImGui::Separator();
   item(context, UiText::quit, "quit");
 }
@@ -151,6 +152,29 @@ void draw_add_menu(PanelContext& context) {
     if (row.is_primitive) algorithm_item(context, row);
 }
 
+// In the order of menu_bar.
+constexpr std::array<void (*)(PanelContext&), std::size(menu_bar)> menus{
+    draw_file_menu, draw_edit_menu, draw_select_menu,
+    draw_view_menu, draw_add_menu,  [](PanelContext& context) { panel_items(context, PanelMenu::help); }};
+
+// With its first entry chosen. Where the pointer lies counts again once it moves.
+void open_for_keys(const char* title) {
+  ImGui::OpenPopup(title);
+  GImGui->NavDisableHighlight = false;
+  GImGui->NavDisableMouseHover = true;
+}
+
+// An arrow to the side that no menu below has taken leads to the next menu of the bar.
+void go_sideways(PanelContext& context, const MenuRow& open) {
+  if (!ImGui::NavMoveRequestButNoResultYet()) return;
+  const ImGuiDir direction = GImGui->NavMoveDir;
+  if (direction != ImGuiDir_Left && direction != ImGuiDir_Right) return;
+  const std::size_t n = std::size(menu_bar), at = static_cast<std::size_t>(&open - menu_bar);
+  context.session.asked_menu = &menu_bar[(at + (direction == ImGuiDir_Left ? n - 1 : 1)) % n];
+  context.state.unsettle();
+  ImGui::NavMoveRequestCancel();
+}
+
 // The name of the file: in the middle of the bar, or of what the menus leave of it up to here.
 void draw_name(PanelContext& context, float end) {
   const Document& document = context.session.document();
@@ -168,17 +192,17 @@ void draw_name(PanelContext& context, float end) {
 
 void draw_menu(PanelContext& context) {
   if (!ImGui::BeginMainMenuBar()) return;
-  const auto menu = [&](UiText title, void (*draw)(PanelContext&)) {
-    if (!ImGui::BeginMenu(context.text(title))) return;
-    draw(context);
+  const MenuRow* const asked = std::exchange(context.session.asked_menu, nullptr);
+  const MenuRow* open = nullptr;
+  for (std::size_t i = 0; i < std::size(menu_bar); ++i) {
+    const char* const title = context.text(menu_bar[i].title_en, menu_bar[i].title_ja);
+    if (&menu_bar[i] == asked && context.session.open_panel.empty()) open_for_keys(title);
+    if (!ImGui::BeginMenu(title)) continue;
+    open = &menu_bar[i];
+    menus[i](context);
     ImGui::EndMenu();
-  };
-  menu(UiText::menu_file, draw_file_menu);
-  menu(UiText::menu_edit, draw_edit_menu);
-  menu(UiText::menu_select, draw_select_menu);
-  menu(UiText::menu_view, draw_view_menu);
-  menu(UiText::menu_add, draw_add_menu);
-  menu(UiText::menu_help, [](PanelContext& c) { panel_items(c, PanelMenu::help); });
+  }
+  if (open) go_sideways(context, *open);
   const char* const other = context.text(UiText::language_other);
   const float width = ImGui::CalcTextSize(other).x + 3 * ImGui::GetStyle().ItemSpacing.x;
   const float end = ImGui::GetIO().DisplaySize.x - width;

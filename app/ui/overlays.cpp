@@ -174,13 +174,27 @@ Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, 
   return overlay;
 }
 
-// Of several, in a ring: it is the one that the others are welded into.
-static void draw_last_vertex(const Session& session, Theme theme, Overlay& overlay) {
-  if (session.selection.size() < 2 || session.selection.back().kind != Element::Kind::vertex) return;
-  const Vertex last = session.selection.back().vertex();
-  if (session.hidden().hides(session.mesh(), last)) return;
-  overlay.points.push_back(
-      {session.drawn_positions()[last.index], style(Role::witness, theme).colour, PointShape::ring, 11, faintly});
+// Of several the last, in a ring at its middle: it is the one that others are welded into, and from which paths go.
+static void draw_last(const Session& session, Theme theme, Overlay& overlay) {
+  if (session.selection.size() < 2) return;
+  const Mesh& mesh = session.mesh();
+  const Element& last = session.selection.back();
+  if (session.hidden().hides(mesh, last)) return;
+  glm::dvec3 sum(0);
+  double n = 0;
+  const auto add = [&](Vertex v) {
+    sum += session.drawn_positions()[v.index];
+    ++n;
+  };
+  if (last.kind == Element::Kind::vertex) add(last.vertex());
+  if (last.kind == Element::Kind::face)
+    for (const Vertex v : vertices_around(mesh, last.face())) add(v);
+  if (last.kind == Element::Kind::edge || last.kind == Element::Kind::halfedge) {
+    const auto [a, b] = ends(mesh, last.kind == Element::Kind::edge ? last.edge() : edge(last.halfedge()));
+    add(a);
+    add(b);
+  }
+  overlay.points.push_back({sum / n, style(Role::witness, theme).colour, PointShape::ring, 11, faintly});
 }
 
 Overlay selection_overlay(const Session& session, Theme theme) {
@@ -197,7 +211,7 @@ Overlay selection_overlay(const Session& session, Theme theme) {
   };
   for (const Element& e : session.selection)
     if (is_drawn(e)) painter.draw(e);
-  draw_last_vertex(session, theme, overlay);
+  draw_last(session, theme, overlay);
   return overlay;
 }
 

@@ -72,12 +72,16 @@ std::optional<int> frames_to_wait(const std::string& line) {
 
 }  // namespace
 
-Outcome PanelContext::run(const std::string& line) {
+Outcome PanelContext::run_from(const std::string& line, const std::string& panel_id) {
+  if (!panel_id.empty()) session.open_panel.clear();
   if (const auto frames = state.is_laying_out ? frames_to_wait(line) : std::nullopt) {
-    state.waiting.push_back({line, *frames});
+    state.waiting.push_back({line, *frames, panel_id});
     return {};
   }
-  return keep(session.run(line));
+  Outcome outcome = keep(session.run(line));
+  const bool asks_again = !panel_id.empty() && !outcome.done() && outcome.exit_code != ExitCode::cancelled;
+  if (asks_again && session.open_panel.empty()) session.open_panel = panel_id;
+  return outcome;
 }
 
 Outcome PanelContext::click(const Navigation::Click& click) {

@@ -27,6 +27,7 @@ struct PendingLeave {
 struct WaitingLine {
   std::string line;
   int frames;
+  std::string asks_again;  // the id of the panel that opens again where it fails; empty for none
 };
 
 // What the panels share beside the session. What one of them alone remembers are members of its own.
@@ -72,7 +73,9 @@ struct PanelContext {
 
   // Sends a command line and keeps its outcome for the status line. Long work waits until the frame is laid out, and what
   // looks at the window until a later one has been drawn.
-  Outcome run(const std::string& line);
+  Outcome run(const std::string& line) { return run_from(line, {}); }
+  // Closes this panel, which opens again where the line fails.
+  Outcome run_from(const std::string& line, const std::string& panel_id);
   // A click of the current tool, or a selection, at a pixel of the window.
   Outcome click(const Navigation::Click& click);
   // Keeps an outcome for the status line: the sentence of one, or that what it performed is done, or nothing.

@@ -26,7 +26,8 @@ bool draw_parameter_field(PanelContext& context, const ParameterRow& row, std::s
     ImGui::EndCombo();
     return false;
   }
-  const bool entered = ImGui::InputText(id.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered =
+      ImGui::InputText(id.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   if (row.kind != ParameterKind::elements) return entered;
   ImGui::SameLine();
   if (ImGui::Button(context.text("Selection", "選択中の要素"))) {

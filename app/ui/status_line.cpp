@@ -30,6 +30,25 @@ std::vector<Hint> hints_of_gesture(const PanelContext& context, const TransformG
           {"Esc", context.text("give up", "中止")}};
 }
 
+// "2 vertices, 1 face"
+Text counted(const Elements& selection) {
+  Text told;
+  constexpr struct {
+    Element::Kind kind;
+    const char *one_en, *many_en, *many_ja;
+  } words[] = {{Element::Kind::vertex, "1 vertex", "# vertices", "頂点 #"},
+               {Element::Kind::edge, "1 edge", "# edges", "稜線 #"},
+               {Element::Kind::halfedge, "1 halfedge", "# halfedges", "半稜線 #"},
+               {Element::Kind::face, "1 face", "# faces", "面 #"}};
+  for (const auto& [kind, one_en, many_en, many_ja] : words) {
+    const auto n = std::count_if(selection.begin(), selection.end(), [&](const Element& e) { return e.kind == kind; });
+    if (n == 0) continue;
+    if (!told.en.empty()) told = told + Text{", ", "、"};
+    told = told + count_text(static_cast<std::size_t>(n), one_en, many_en, many_ja);
+  }
+  return told;
+}
+
 std::vector<Hint> hints_of(const PanelContext& context) {
   if (const TransformGesture* const gesture = context.session.gesture()) return hints_of_gesture(context, *gesture);
   const auto drag = [&](MouseButton button) -> std::string {
@@ -51,11 +70,15 @@ std::vector<Hint> hints_of(const PanelContext& context) {
              context.text("look from ", "") + std::string(end->name) + context.text("", " 側から見る")},
             {context.text("Drag", "ドラッグ"), drag(MouseButton::left)}};
   const OpInfo* const op = find_op(context.session.tool);
-  return {{context.text("Click", "クリック"),
-           op ? context.text(op->name_en, op->name_ja) : context.text(UiText::does_pick)},
-          {context.text("Drag", "ドラッグ"), drag(MouseButton::left)},
-          {context.text("Right drag", "右ドラッグ"), drag(MouseButton::right)},
-          {context.text(UiText::wheel), help_of(Gesture::zoom).in(context.language())}};
+  std::vector<Hint> hints{{context.text("Click", "クリック"),
+                           op ? context.text(op->name_en, op->name_ja) : context.text(UiText::does_pick)},
+                          {context.text("Drag", "ドラッグ"), drag(MouseButton::left)},
+                          {context.text("Right drag", "右ドラッグ"), drag(MouseButton::right)},
+                          {context.text(UiText::wheel), help_of(Gesture::zoom).in(context.language())}};
+  if (!context.session.selection.empty())
+    hints.insert(hints.begin(),
+                 {context.text("Selected", "選択中"), counted(context.session.selection).in(context.language())});
+  return hints;
 }
 
 float word_gap() { return 0.4f * ImGui::GetFontSize(); }

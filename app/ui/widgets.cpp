@@ -134,16 +134,19 @@ bool row(PanelContext& context, const char* label, const char* right, bool is_ac
   const float begin = at.x + 10 * context.scale;
   float end = at.x + width - 8 * context.scale - free_px;
   if (right && *right) {
-    end -= ImGui::CalcTextSize(right).x;
-    list.AddText({end, line}, ImGui::GetColorU32(context.colours().dim), right);
-    end -= 6 * context.scale;
+    // What is on the right may take what the label leaves, and always two fifths.
+    const float gap = 6 * context.scale, room = end - begin, left = room - ImGui::CalcTextSize(label).x - gap;
+    const std::string shown = fitted(right, std::max(left, 0.4f * room));
+    end -= ImGui::CalcTextSize(shown.c_str()).x;
+    list.AddText({end, line}, ImGui::GetColorU32(context.colours().dim), shown.c_str());
+    end -= gap;
   }
   list.AddText({begin, line}, ImGui::GetColorU32(ImGuiCol_Text), fitted(label, end - begin).c_str());
   return clicked;
 }
 
 void begin_rows(const char* id, float rows, float width_px) {
-  ImGui::BeginChild(id, {width_px, rows * ImGui::GetTextLineHeightWithSpacing()});
+  ImGui::BeginChild(id, {width_px, rows * ImGui::GetTextLineHeightWithSpacing()}, false, ImGuiWindowFlags_NavFlattened);
 }
 
 void begin_rows_within(const char* id, float height_px, float width_px) {
@@ -208,6 +211,8 @@ bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size) {
   const bool is_shown = ImGui::BeginPopupModal(name.c_str(), &stays_open,
                                                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
+  // Its first field or button can be pressed at once.
+  if (is_shown && ImGui::IsWindowAppearing()) GImGui->NavDisableHighlight = false;
   if (is_shown && wanted) return true;
   if (is_shown) {
     ImGui::CloseCurrentPopup();

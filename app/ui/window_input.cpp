@@ -48,6 +48,7 @@ int panel_key_of(std::string_view chord) {
 }  // namespace
 
 void WindowInput::press(MouseButton button, const Pointer& at) {
+  is_alone_ = false;
   show_pointer(at);
   if (is_over_view(at.pixel))
     ViewInput::press(button, at);
@@ -71,6 +72,7 @@ void WindowInput::move(const Pointer& at) {
 }
 
 void WindowInput::wheel(double steps, const Pointer& at) {
+  is_alone_ = false;
   show_pointer(at);
   if (is_over_view(at.pixel))
     ViewInput::wheel(steps, at);
@@ -86,30 +88,43 @@ Outcome WindowInput::open_menu(const Navigation::Click& click) {
 }
 
 Outcome WindowInput::key_down(const std::string& chord, bool is_again) {
+  if (catch_up_ && gui_.awaits_frame()) catch_up_();
   return press_key(chord, is_again, input_presets()[session_.input_preset]);
 }
 
 Outcome WindowInput::press_key(const std::string& chord, bool is_again, const InputPreset& preset) {
   const Modifiers modifiers = modifiers_of(chord);
   gui_.modifiers(modifiers.shift, modifiers.ctrl);
+  is_alone_ = chord == lone_key && (!is_again || is_alone_);
+  if (chord == lone_key) return {};
   if (const int key = panel_key_of(chord); key >= 0) gui_.key(key, true);
+  return act_on(chord, is_again, preset);
+}
+
+Outcome WindowInput::act_on(const std::string& chord, bool is_again, const InputPreset& preset) {
   if (gui_.take_chord(session_, chord)) return {};
+  const auto row = find_key(chord, preset, session_.bindings);
   if (gui_.has_menu(session_)) {
-    if (chord == "Escape") gui_.close_menus();
+    const bool opens_menus = row && row->command == find_key(lone_key, preset)->command;
+    if (chord == "Escape" || opens_menus) gui_.close_menus();
     return {};
   }
   if (session_.gesture() && !gui_.owns_keys()) return gui_.keep(session_, *session_.gesture_key(chord));
   if (gui_.has_start(session_) && !gui_.owns_keys() && StartPage::takes(chord)) return {};
-  const auto row = find_key(chord, preset, session_.bindings);
   if (!row || (is_again && !row->repeats)) return {};
   if ((gui_.owns_keys() || !session_.open_panel.empty()) && !row->acts_always) return {};
   return gui_.run(session_, row->command);
 }
 
-void WindowInput::key_up(const std::string& chord) {
+Outcome WindowInput::let_key_go(const std::string& chord, const InputPreset& preset) {
   const Modifiers modifiers = modifiers_of(chord);
   gui_.modifiers(modifiers.shift, modifiers.ctrl);
   if (const int key = panel_key_of(chord); key >= 0) gui_.key(key, false);
+  return chord == lone_key && std::exchange(is_alone_, false) ? act_on(chord, false, preset) : Outcome();
+}
+
+Outcome WindowInput::key_up(const std::string& chord) {
+  return let_key_go(chord, input_presets()[session_.input_preset]);
 }
 
 Outcome WindowInput::key(const std::string& chord) {
@@ -117,7 +132,7 @@ Outcome WindowInput::key(const std::string& chord) {
   if (!find_key(chord, input_presets()[0], session_.bindings) && !is_panel_key(chord) && !gui_.wants_chord(session_))
     return no_such_key(chord);
   Outcome outcome = press_key(chord, false, input_presets()[0]);
-  key_up(chord);
+  if (Outcome then = let_key_go(chord, input_presets()[0]); chord == lone_key) outcome = std::move(then);
   show_event();
   gui_.modifiers(false, false);
   return outcome;
@@ -142,6 +157,7 @@ void WindowInput::leave() {
 
 void WindowInput::let_go() {
   give_up_drags();
+  is_alone_ = false;
   for (const MouseButton button : {MouseButton::left, MouseButton::right, MouseButton::middle})
     gui_.button(static_cast<int>(button), false);
 }

@@ -15,8 +15,10 @@ namespace ryosen {
 class WindowInput : public ViewInput {
  public:
   // `lay_out` is for those who send events faster than frames come: panels see events in frames, one before and one behind.
-  WindowInput(Gui& gui, Session& session, std::function<void()> lay_out = {})
-      : ViewInput(session), gui_(gui), lay_out_(std::move(lay_out)) {}
+  // A window, whose frames come by themselves, gives `catch_up`: it lays out frames until the panels have seen all keys,
+  // for a key behind one that may close a panel.
+  WindowInput(Gui& gui, Session& session, std::function<void()> lay_out = {}, std::function<void()> catch_up = {})
+      : ViewInput(session), gui_(gui), lay_out_(std::move(lay_out)), catch_up_(std::move(catch_up)) {}
 
   void resize(Size window) { window_ = window; }
 
@@ -29,7 +31,7 @@ class WindowInput : public ViewInput {
 
   // The two halves of a key. Held down it comes again and again, which not every command does.
   Outcome key_down(const std::string& chord, bool is_again = false);
-  void key_up(const std::string& chord);
+  Outcome key_up(const std::string& chord);
   // The pointer has left the window. A drag goes on.
   void leave();
   // The window has lost focus and will miss releases: ends every press, without a click.
@@ -43,6 +45,8 @@ class WindowInput : public ViewInput {
   Outcome run(const std::string& line) override { return gui_.run(session_, line); }
   Outcome end_gesture() override { return gui_.keep(session_, session_.end_gesture()); }
   Outcome press_key(const std::string& chord, bool is_again, const InputPreset& preset);
+  Outcome let_key_go(const std::string& chord, const InputPreset& preset);
+  Outcome act_on(const std::string& chord, bool is_again, const InputPreset& preset);
   // The panels know where the pointer is before they see what it does.
   void show_pointer(const Pointer& at) const {
     gui_.pointer(at.pixel);
@@ -54,8 +58,9 @@ class WindowInput : public ViewInput {
   }
 
   Gui& gui_;
-  std::function<void()> lay_out_;
+  std::function<void()> lay_out_, catch_up_;
   Size window_{1, 1};
+  bool is_alone_ = false;  // lone_key is down, and nothing else has been since
 };
 
 }  // namespace ryosen

@@ -110,6 +110,12 @@ void ProblemSets::set(const ProblemRow& row, std::uint32_t index, bool is_member
   if (&members != &only_on_lines_) changes_.push_back({row.kind, index, is_member});
 }
 
+void ProblemSets::put_findings(ProblemKind kind, std::span<const std::uint32_t> found) {
+  IndexSet& members = sets_[static_cast<std::size_t>(kind)];
+  members.clear();
+  for (const std::uint32_t i : found) members.insert(i);
+}
+
 void ProblemSets::update(const Mesh& mesh, const Journal& journal, std::size_t i) {
   // The journal does not list the cells of a column of copies that came or went as a whole.
   if (journal.replaces_everything(i) || had_copies_ != mesh.has_copies()) {
@@ -130,6 +136,8 @@ void ProblemSets::update(const Mesh& mesh, const Journal& journal, std::size_t i
     ask(row, reach_.vertices);
     ask(row, reach_.edges);
     ask(row, reach_.faces);
+    if (row.is_on_request)
+      for (const std::uint32_t k : of(row.kind).to_vector()) set(row, k, false);
     // Slots that undoing took away.
     if (!row.is_local()) continue;
     const std::uint32_t slots = row.vertex ? mesh.vertex_slots() : row.edge ? mesh.edge_slots() : mesh.face_slots();

@@ -26,6 +26,10 @@ class ProblemSets {
   // replaces all columns is searched anew.
   void update(const Mesh& mesh, const Journal& journal, std::size_t i);
 
+  // The findings of a kind that is searched for on request (ProblemRow::is_on_request), in place of those before. The next
+  // update drops them, because nobody searches again.
+  void put_findings(ProblemKind kind, std::span<const std::uint32_t> found);
+
   // Slot numbers of vertices, edges or faces, by the predicate that the kind's row has; empty for kinds that are found
   // in the quarantine. An edge that is several sheets, or a point that has copies, is in it once.
   const IndexSet& of(ProblemKind kind) const { return sets_[static_cast<std::size_t>(kind)]; }

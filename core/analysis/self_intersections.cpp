@@ -106,8 +106,9 @@ struct Part {
 
 class Search {
  public:
-  Search(const Mesh& mesh, std::size_t most, unsigned threads)
+  Search(const Mesh& mesh, std::size_t most, unsigned threads, Progress& progress)
       : mesh_(mesh),
+        progress_(progress),
         surface_(mesh),
         sizes_(surface_),
         most_(most),
@@ -115,10 +116,13 @@ class Search {
         tree_(surface_, threads_),
         meeting_(surface_) {}
 
-  SelfIntersections run() {
+  std::optional<SelfIntersections> run() {
+    const std::size_t parts = sizes_.large().empty() ? 1 : 2;
+    progress_.begin_part(0, parts);
     search_all(tree_.node_count(), part_of_nodes,
                [&](unsigned, Part& part, bool keeps) { search_node(part, part.left.begin, keeps); });
     if (!sizes_.large().empty()) {
+      progress_.begin_part(1, parts);
       leaves_ = tree_.leaves_of_slots();
       for (auto& met : met_by_task_) met.assign(mesh_.face_slots(), 0);
       search_all(static_cast<std::uint32_t>(sizes_.large().size()), part_of_large,
@@ -126,6 +130,7 @@ class Search {
                    search_large(part, sizes_.large()[part.left.begin], keeps, met_by_task_[task]);
                  });
     }
+    if (progress_.is_cancelled()) return std::nullopt;
     return take();
   }
 
@@ -139,9 +144,12 @@ class Search {
   void search_all(std::uint32_t count, std::uint32_t part_size, const SearchOne& search_one) {
     std::deque<SlotRange> left;
     for (std::uint32_t i = 0; i < count; i += part_size) left.push_back({i, std::min(i + part_size, count)});
-    while (!left.empty()) {
+    // By what has been begun; the rest of a part that was enough for once is little.
+    std::uint32_t begun = 0;
+    while (!left.empty() && progress_.go_on(begun, count)) {
       std::vector<Part> found;
       for (; found.size() < tasks && !left.empty(); left.pop_front()) found.push_back({left.front(), {}, 0});
+      begun = std::max(begun, found.back().left.end);
       const bool keeps = result_.pairs.size() < most_;
       if (!keeps && met_.empty()) met_.resize(mesh_.face_slots());
       for_each_task(static_cast<unsigned>(found.size()), threads_, [&](unsigned i) {
@@ -225,6 +233,7 @@ class Search {
   }
 
   const Mesh& mesh_;
+  Progress& progress_;
   NumberedSurface surface_;
   FaceSizes sizes_;
   std::size_t most_;
@@ -241,7 +250,13 @@ class Search {
 }  // namespace
 
 SelfIntersections find_self_intersections(const Mesh& mesh, std::size_t most, unsigned threads) {
-  return Search(mesh, most, threads).run();
+  Progress never_cancelled;
+  return *find_self_intersections(mesh, most, threads, never_cancelled);
+}
+
+std::optional<SelfIntersections> find_self_intersections(const Mesh& mesh, std::size_t most, unsigned threads,
+                                                         Progress& progress) {
+  return Search(mesh, most, threads, progress).run();
 }
 
 std::vector<Face> faces_of(const std::vector<FacePair>& pairs) {

@@ -10,8 +10,10 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/mesh/mesh.h"
 
 namespace ryosen {
@@ -35,6 +37,10 @@ struct SelfIntersections {
 // chooses automatically. The result does not depend on it nor, if complete, on the order of faces and corners.
 SelfIntersections find_self_intersections(const Mesh& mesh, std::size_t most = std::numeric_limits<std::size_t>::max(),
                                           unsigned threads = 0);
+
+// The same, or none where it was cancelled meanwhile.
+std::optional<SelfIntersections> find_self_intersections(const Mesh& mesh, std::size_t most, unsigned threads,
+                                                         Progress& progress);
 
 // The faces that occur in the pairs, ascending, each once.
 std::vector<Face> faces_of(const std::vector<FacePair>& pairs);

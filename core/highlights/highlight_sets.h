@@ -21,6 +21,8 @@ class HighlightSets {
   const ProblemSets& problems() const { return problems_; }
   const IndexSet& of(ProblemKind kind) const { return problems_.of(kind); }
   std::uint32_t count(ProblemKind kind) const { return problems_.count(kind); }
+  // See ProblemSets.
+  void put_findings(ProblemKind kind, std::span<const std::uint32_t> found) { problems_.put_findings(kind, found); }
   ElementCounts counts_on_points(const Mesh& mesh) const { return problems_.counts_on_points(mesh); }
 
   // Whether the sets of a highlight are there. Those of problems are; what predicates of its own mark is searched for by

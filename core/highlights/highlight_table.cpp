@@ -1,5 +1,6 @@
 #include "core/highlights/highlight_table.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/base/open_table.h"
@@ -50,6 +51,14 @@ constexpr std::array built_in{
                  .kinds = {Kind::duplicate_face},
                  .looks = {0xBBBBBB, 0x666666, LineStyle::dash_dot, 2.5f, PointShape::square, 4.5f},
                  .tint = FaceTint{FacePattern::chessboard, 0.8f}},
+    HighlightRow{.id = "intersecting",
+                 .name_en = "Intersecting",
+                 .name_ja = "自己交差",
+                 .legend_en = "Faces that meet others elsewhere than in common vertices and edges.",
+                 .legend_ja = "共有する頂点・稜線以外で他の面と交わる面。",
+                 .kinds = {Kind::self_intersection},
+                 .looks = {0xFF6B8B, 0xB0003A, LineStyle::solid, 2.2f, PointShape::cross, 5},
+                 .tint = FaceTint{FacePattern::diagonal, 0.7f}},
     HighlightRow{.id = "hanging",
                  .name_en = "Hanging pairs",
                  .name_ja = "縮退",
@@ -101,6 +110,12 @@ constinit OpenTable<HighlightRow, most_highlights> table(built_in);
 }  // namespace
 
 std::span<const HighlightRow> highlight_table() { return table.rows(); }
+bool HighlightRow::is_on_request() const {
+  const std::span<const ProblemRow> problems = problem_table();
+  return std::any_of(problems.begin(), problems.end(),
+                     [&](const ProblemRow& problem) { return problem.is_on_request && kinds.contains(problem.kind); });
+}
+
 const HighlightRow* find_highlight(std::string_view id) { return table.find(id); }
 
 ScopedHighlight::ScopedHighlight(const HighlightRow& row) { table.add(row); }

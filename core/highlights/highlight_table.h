@@ -56,6 +56,8 @@ struct HighlightRow {
   bool has_predicate() const { return vertex || edge || face; }
   // Before the user has said anything: what is listed as a finding is drawn too.
   bool is_shown_at_first() const { return !kinds.empty(); }
+  // It has members only when somebody has searched for them.
+  bool is_on_request() const;
 };
 
 // Those of problems first, in the order of panels and lists. What stands first is drawn on top.
@@ -102,7 +104,7 @@ void for_each_own_mark(const HighlightRow& row, Visit visit) {
 template <class Visit>
 void for_each_mark(const HighlightRow& row, Visit visit) {
   for (const ProblemRow& problem : problem_table())
-    if (problem.is_local() && row.kinds.contains(problem.kind)) visit(mark_of(problem.kind));
+    if ((problem.is_local() || problem.is_on_request) && row.kinds.contains(problem.kind)) visit(mark_of(problem.kind));
   for_each_own_mark(row, visit);
 }
 

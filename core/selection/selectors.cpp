@@ -11,6 +11,7 @@
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/op.h"
+#include "core/selection/conversion.h"
 #include "core/selection/element_set.h"
 
 namespace ryosen {
@@ -107,6 +108,11 @@ Elements from_selection(const Mesh& mesh, Selected selection, Element::Kind, Val
   return spread(mesh, selection);
 }
 
+template <Element::Kind kind>
+Elements as(const Mesh& mesh, Selected selection, Element::Kind, ValueRange) {
+  return converted(mesh, selection, kind);
+}
+
 constexpr Element::Kind edge_kind = Element::Kind::edge, face_kind = Element::Kind::face;
 
 const Selector rows[] = {
@@ -149,6 +155,34 @@ const Selector rows[] = {
      .find = from_selection<edge_rings>,
      .chord = "Shift+L",
      .needs = edge_kind},
+    {.id = "as_vertices",
+     .name_en = "Turn the selection into vertices",
+     .name_ja = "選択を頂点に変換",
+     .find = as<Element::Kind::vertex>,
+     .chord = "Ctrl+1",
+     .needs_any = true,
+     .turns_into = Element::Kind::vertex},
+    {.id = "as_edges",
+     .name_en = "Turn the selection into edges",
+     .name_ja = "選択を稜線に変換",
+     .find = as<Element::Kind::edge>,
+     .chord = "Ctrl+2",
+     .needs_any = true,
+     .turns_into = Element::Kind::edge},
+    {.id = "as_faces",
+     .name_en = "Turn the selection into faces",
+     .name_ja = "選択を面に変換",
+     .find = as<Element::Kind::face>,
+     .chord = "Ctrl+3",
+     .needs_any = true,
+     .turns_into = Element::Kind::face},
+    {.id = "as_halfedges",
+     .name_en = "Turn the selection into halfedges",
+     .name_ja = "選択を半稜線に変換",
+     .find = as<Element::Kind::halfedge>,
+     .chord = "Ctrl+4",
+     .needs_any = true,
+     .turns_into = Element::Kind::halfedge},
     {.id = "flat",
      .name_en = "Select the flat region around",
      .name_ja = "平らな領域を選択",

@@ -37,6 +37,8 @@ struct Selector {
   // What must be selected for it; none where it does not look at the selection.
   std::optional<Element::Kind> needs = std::nullopt;
   bool needs_any = false;  // of any kind
+  // What is found is of this kind, which the pointer picks from then on.
+  std::optional<Element::Kind> turns_into = std::nullopt;
 };
 
 // `sort` is what elements `all` and `invert` are about, and no other row.

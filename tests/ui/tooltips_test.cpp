@@ -5,7 +5,11 @@
 
 #include <set>
 
+#include "app/editor/pick_modes.h"
+#include "app/editor/preferences.h"
+#include "app/editor/view_switches.h"
 #include "core/analysis/euler_poincare.h"
+#include "core/ops/groups.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 
@@ -53,6 +57,24 @@ TEST(tooltips, stand_at_everything_that_can_be_pressed_in_the_columns) {
     laid.frames(3);
     EXPECT_EQ(untold_in_columns(laid, test::tall_window), std::set<std::string>()) << language;
   }
+}
+
+// What a tooltip says comes from the tables: no row may be without its sentence in either language.
+TEST(tooltips, have_a_sentence_in_every_row_of_the_tables) {
+  const auto tells = [](std::string_view id, std::string_view en, std::string_view ja) {
+    EXPECT_GT(en.size(), 8u) << id;
+    EXPECT_GT(ja.size(), 8u) << id;
+    EXPECT_NE(en, ja) << id;
+  };
+  for (const HighlightRow& row : highlight_table()) tells(row.id, row.legend_en, row.legend_ja);
+  for (const PickModeRow& row : pick_modes) tells(row.id, row.help_en, row.help_ja);
+  for (const OpInfo& op : all_ops()) tells(op.id, op.help_en, op.help_ja);
+  for (const OpGroupRow& group : op_groups) tells(group.en, group.help_en, group.help_ja);
+  for (const PanelRow& row : panel_list()) tells(row.id, row.help_en, row.help_ja);
+  for (const ViewSwitch& row : view_switches()) tells(row.id, row.help_en, row.help_ja);
+  for (const PreferenceRow& row : preference_table()) tells(row.field.id, row.field.help_en, row.field.help_ja);
+  for (const ColourMap& map : colour_maps()) tells(map.id, map.legend_en, map.legend_ja);
+  for (const AlgorithmRow& row : algorithm_table()) tells(row.id, row.help_en, row.help_ja);
 }
 
 TEST(tooltips, say_what_each_letter_of_the_sum_counts) {

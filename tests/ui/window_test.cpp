@@ -6,11 +6,15 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <sstream>
 #include <thread>
 #include <utility>
 
+#include "core/io/formats.h"
 #include "core/mesh/circulate.h"
+#include "core/mesh/names.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/app/process.h"
 #include "tests/support/app/program.h"
@@ -228,6 +232,92 @@ TEST_F(WindowTest, a_drag_of_a_handle_moves_the_selection) {
   ASSERT_TRUE(wait_for([&] { return last().history == 1; })) << "it was not moved";
   EXPECT_EQ(last().selected, 1);
   EXPECT_EQ(last().eye, eye) << "no drag of the camera";
+}
+
+// Where the window shows a place at a share of an edge that is seen and long enough to be divided, and the edge.
+struct OnEdge {
+  std::string pixel, edge;
+  glm::dvec3 place{0};
+};
+OnEdge on_long_edge(const std::string& file, double share) {
+  test::Laid laid("cube.obj", {1280, 800});
+  EXPECT_TRUE(laid.session.run("open " + file).done());
+  laid.session.frame_all();
+  const Mesh& m = laid.session.mesh();
+  for (std::uint32_t i = 0; i < m.edge_slots(); ++i) {
+    const auto [a, b] = ends(m, Edge(i));
+    const glm::dvec3 place = m.position(a) + share * (m.position(b) - m.position(a));
+    const auto from = project(laid.session.camera, laid.session.view, m.position(a));
+    const auto to = project(laid.session.camera, laid.session.view, m.position(b));
+    const glm::dvec2 pixel =
+        glm::round(project(laid.session.camera, laid.session.view, place)->pixel + laid.session.view_origin);
+    const auto picked = laid.session.pick(pixel, PickMode::edge);
+    if (glm::distance(from->pixel, to->pixel) < 60 || !picked || picked->element != Element(Edge(i))) continue;
+    return {std::to_string(std::lround(pixel.x)) + " " + std::to_string(std::lround(pixel.y)), name_of(m, Edge(i)),
+            place};
+  }
+  return {};
+}
+
+// Sentences of the editor's contract by hand: where on the edge, the table of input, selecting, operators on what is
+// selected, moving by typed numbers, and the menus by keys.
+TEST_F(WindowTest, selects_edits_and_moves_by_mouse_and_keys) {
+  const std::string mesh = folder_.copy(test::asset("cube.obj"), "cube.obj");
+  open(mesh);
+  const long vertices = last().vertices;
+  const OnEdge at = on_long_edge(mesh, 0.3);
+  ASSERT_FALSE(at.pixel.empty());
+  const auto has_selected = [&](long n) { return wait_for([&] { return last().selected == n; }); };
+  const auto has_history = [&](long n) { return wait_for([&] { return last().history == n; }); };
+  xdotool("mousemove " + at.pixel + " click 1");
+  ASSERT_TRUE(has_selected(1)) << "a click selects the edge";
+  xdotool("key ctrl+1");
+  ASSERT_TRUE(has_selected(2)) << "its two ends";
+  xdotool("key a");
+  ASSERT_TRUE(has_selected(8)) << "all vertices";
+  xdotool("key i");
+  ASSERT_TRUE(has_selected(0)) << "none are left";
+  // A box round everything, from corner to corner of the view.
+  xdotool(
+      "mousemove 320 60 keydown ctrl keydown shift mousedown 1 mousemove 600 400 mousemove 960 740 mouseup 1 "
+      "keyup shift keyup ctrl");
+  EXPECT_TRUE(wait_for([&] { return last().selected >= 7; })) << "those that are seen; selected " << last().selected;
+  xdotool("key Escape");
+  ASSERT_TRUE(has_selected(0));
+
+  // The tool splits where the pointer is.
+  xdotool("key d mousemove 300 700 mousemove " + at.pixel + " click 1");
+  ASSERT_TRUE(has_history(1)) << "nothing was split";
+  EXPECT_EQ(last().vertices, vertices + 1);
+  xdotool("key Escape key ctrl+s");
+  const auto added = [&] {
+    auto saved = read_mesh_file(mesh);
+    return saved && saved.value().mesh.positions.size() == 9 ? saved.value().mesh.positions[8] : glm::dvec3(1e9);
+  };
+  ASSERT_TRUE(wait_for([&] { return glm::distance(added(), at.place) < 1e-9; }))
+      << at.edge << ": " << added().x << " " << added().y << " " << added().z;
+  // Moved along an axis by a number that is typed.
+  xdotool("key 1 mousemove " + at.pixel + " click 1");
+  ASSERT_TRUE(has_selected(1));
+  xdotool("key g key x key 2 key Return");
+  ASSERT_TRUE(has_history(2)) << "nothing was moved";
+  xdotool("key ctrl+s");
+  EXPECT_TRUE(wait_for([&] { return glm::distance(added(), at.place + glm::dvec3(2, 0, 0)) < 1e-9; })) << added().x;
+
+  // Undone from the menus: Edit is the second, Undo its first entry; by F10, then by Alt alone.
+  for (const auto& [key, history] : {std::pair("F10", 1L), {"alt", 0L}}) {
+    xdotool("key " + std::string(key));
+    std::this_thread::sleep_for(200ms);
+    xdotool("key Right");
+    std::this_thread::sleep_for(200ms);
+    xdotool("key Return");
+    ASSERT_TRUE(has_history(history)) << key;
+  }
+  // An operator on what is selected.
+  xdotool("key 3 key a");
+  ASSERT_TRUE(has_selected(6));
+  xdotool("key x");
+  ASSERT_TRUE(has_history(1)) << "nothing was deleted";
 }
 
 TEST_F(WindowTest, draws_nothing_when_nothing_changes) {

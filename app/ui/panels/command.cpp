@@ -5,6 +5,7 @@
 #include "app/editor/command_syntax.h"
 #include "app/editor/commands.h"
 #include "app/editor/palette.h"
+#include "app/editor/path_completion.h"
 #include "app/editor/words.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
@@ -51,7 +52,16 @@ void CommandPanel::follow_keys(ImGuiInputTextCallbackData& data) {
     data.DeleteChars(0, data.BufTextLen);
     data.InsertChars(0, line.c_str());
   };
-  if (data.EventFlag == ImGuiInputTextFlags_CallbackCompletion && !found_.empty()) {
+  const std::string typed(data.Buf, static_cast<std::size_t>(data.BufTextLen));
+  const auto call = call_of(typed);
+  const std::size_t word = typed.find(' ');
+  const bool names_file = call && call->row.file != FileAccess::none && word != typed.npos;
+  if (data.EventFlag == ImGuiInputTextFlags_CallbackCompletion && names_file) {
+    std::error_code ignored;
+    const std::string argument = file_name(typed.substr(word));
+    const std::string path = completed_path(argument, std::filesystem::current_path(ignored));
+    if (path != argument) put(typed.substr(0, word + 1) + file_argument(path));
+  } else if (data.EventFlag == ImGuiInputTextFlags_CallbackCompletion && !found_.empty()) {
     put(found_[static_cast<std::size_t>(std::max(chosen_, 0))].line + " ");
     chosen_ = -1;
   } else if (data.EventFlag == ImGuiInputTextFlags_CallbackHistory) {
@@ -83,7 +93,9 @@ void CommandPanel::type(std::string line) {
   takes_keys_ = true;
 }
 
+// Each a row and its help on one line, so that all lines end whole; the help of the only one stands there to its end.
 void CommandPanel::draw_found(PanelContext& context) {
+  const float pitch = ImGui::GetTextLineHeightWithSpacing(), indent = 10 * context.scale;
   begin_rows_within("suggestions", ImGui::GetContentRegionAvail().y);
   std::optional<std::size_t> taken;
   for (std::size_t i = 0; i < found_.size(); ++i) {
@@ -92,11 +104,25 @@ void CommandPanel::draw_found(PanelContext& context) {
     const std::string& name = entry.name.in(context.language());
     const std::string shown = name == entry.line ? entry.line + " " + entry.syntax : name;
     const std::string right = name == entry.line ? chord_of(context.session, entry.line) : entry.line;
+    const float top = ImGui::GetCursorPosY();
     ImGui::PushID(entry.line.c_str());
     if (row(context, shown.c_str(), right.c_str(), is_chosen)) taken = i;
     ImGui::PopID();
     if (is_chosen) ImGui::SetScrollHereY();
-    if (!entry.help.en.empty()) dim_text(context, entry.help.in(context.language()).c_str());
+    const std::string& help = entry.help.in(context.language());
+    if (found_.size() == 1) {
+      if (!entry.syntax.empty()) dim_text(context, (entry.line + " " + entry.syntax).c_str());
+      if (!help.empty()) dim_text(context, help.c_str());
+      break;
+    }
+    ImGui::SetCursorPosY(top + pitch);
+    if (help.empty()) continue;
+    ImGui::Indent(indent);
+    ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
+    fitted_text(help, ImGui::GetContentRegionAvail().x);
+    ImGui::PopStyleColor();
+    ImGui::Unindent(indent);
+    ImGui::SetCursorPosY(top + 2 * pitch);
   }
   end_rows();
   if (taken) take(context, PaletteEntry(found_[*taken]));

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <utility>
 
+#include "app/editor/path_completion.h"
 #include "app/editor/words.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
@@ -14,31 +16,46 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder, what is in it, and the name in the field: of a file to open, or to save as.
+// What is done with the file that is chosen.
+struct FileUse {
+  std::string_view command;
+  const char *button_en, *button_ja;
+  bool writes;
+  bool replaces;  // the open mesh: unsaved changes would be lost
+  bool is_whole;  // it is written whole, under the name that is offered
+};
+constexpr FileUse to_open{"open", "Open", "開く", false, true, false};
+constexpr FileUse to_append{"append", "Append", "追加", false, false, false};
+constexpr FileUse to_save{"save", "Save", "保存", true, false, true};
+constexpr FileUse to_save_selected{"save_selected", "Save", "保存", true, false, false};
+
+// A folder, what is in it, and the name in the field, which has the keyboard: Up and Down go through the entries, Tab
+// completes a path, Enter takes it.
 class FileBrowser : public Panel {
  public:
-  explicit FileBrowser(bool saves) : saves_(saves) {}
+  explicit FileBrowser(const FileUse& use) : use_(use) {}
   void draw(PanelContext& context) override;
   ImVec2 size() const override { return {640, 460}; }
 
  private:
-  struct Entry {
-    std::string name;
-    bool is_folder = false;
-  };
-
-  fs::path chosen() const { return folder_ / name_; }
+  fs::path chosen() const { return folder_ / without_tilde(name_); }
   void begin(const Document& document);
   void enter(const fs::path& folder);
+  bool is_listed(const fs::path& file) const;
   bool draw_entries(PanelContext& context);
+  bool draw_name(PanelContext& context);
+  static int edit(ImGuiInputTextCallbackData* data);
+  void follow_keys(ImGuiInputTextCallbackData& data);
   void draw_losses(PanelContext& context) const;
   void accept(PanelContext& context);
   void carry_out(PanelContext& context, const std::string& line);
 
-  bool saves_;
+  FileUse use_;
   fs::path folder_;
-  std::vector<Entry> entries_;  // folders first, by name
+  std::vector<FolderEntry> entries_;
   std::string name_;
+  bool takes_keys_ = false;    // the field is to have the keyboard
+  bool shows_chosen_ = false;  // the list is to show the entry of this name
   // What the next press of the button does all the same: replace this existing file, lose this in this file.
   fs::path replaces_, loses_;
   std::vector<Message> losses_;
@@ -58,27 +75,19 @@ void FileBrowser::begin(const Document& document) {
   entered_s_ = never_s;
   std::error_code ignored;
   const fs::path& path = document.path();
-  name_ = path.filename().string();
+  name_ = use_.writes && !use_.is_whole ? "" : path.filename().string();
+  takes_keys_ = true;
   enter(path.empty() ? fs::current_path(ignored) : fs::absolute(path, ignored).parent_path());
 }
 
-// Folders and the files of known formats, to save as of those that can be written; hidden ones are left out.
+// Files of known formats, to save as of those that can be written.
+bool FileBrowser::is_listed(const fs::path& file) const {
+  return may_be_mesh(file) && (!use_.writes || format_of_extension(file)->write);
+}
+
 void FileBrowser::enter(const fs::path& folder) {
-  folder_ = folder;
-  entries_.clear();
-  std::error_code error;
-  fs::directory_iterator entries(folder_, error);
-  for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
-    std::error_code ignored;
-    const std::string name = entries->path().filename().string();
-    if (name.starts_with('.')) continue;
-    const bool is_folder = entries->is_directory(ignored);
-    const Format* const format = format_of_extension(entries->path());
-    const bool is_listed = may_be_mesh(entries->path()) && (!saves_ || format->write);
-    if (is_folder || is_listed) entries_.push_back({name, is_folder});
-  }
-  std::sort(entries_.begin(), entries_.end(),
-            [](const auto& a, const auto& b) { return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name; });
+  folder_ = folder.lexically_normal();
+  entries_ = entries_of_folder(folder_, [&](const fs::path& file) { return is_listed(file); });
 }
 
 // A click takes the name or enters the folder, a double click takes the file itself. True when a file was double clicked.
@@ -87,10 +96,13 @@ bool FileBrowser::draw_entries(PanelContext& context) {
   fs::path next;
   if (ImGui::IsMouseClicked(0)) pressed_s_ = ImGui::GetTime();
   const bool was_entered = pressed_s_ > entered_s_ + ImGui::GetIO().MouseDoubleClickTime;
-  for (const Entry& entry : entries_) {
+  for (const FolderEntry& entry : entries_) {
     const std::string label = entry.name + (entry.is_folder ? "/" : "");
     if (entry.is_folder) ImGui::PushStyleColor(ImGuiCol_Text, context.colours().accent);
-    if (ImGui::Selectable(label.c_str(), entry.name == name_, ImGuiSelectableFlags_AllowDoubleClick) && was_entered) {
+    const bool is_named = label == name_ || entry.name == name_;
+    const bool is_pressed = ImGui::Selectable(label.c_str(), is_named, ImGuiSelectableFlags_AllowDoubleClick);
+    if (is_named && std::exchange(shows_chosen_, false)) ImGui::SetScrollHereY();
+    if (is_pressed && was_entered) {
       if (entry.is_folder) {
         next = folder_ / entry.name;
       } else {
@@ -105,6 +117,44 @@ bool FileBrowser::draw_entries(PanelContext& context) {
     entered_s_ = ImGui::GetTime();
   }
   return is_chosen;
+}
+
+int FileBrowser::edit(ImGuiInputTextCallbackData* data) {
+  static_cast<FileBrowser*>(data->UserData)->follow_keys(*data);
+  return 0;
+}
+
+void FileBrowser::follow_keys(ImGuiInputTextCallbackData& data) {
+  const auto put = [&](const std::string& name) {
+    data.DeleteChars(0, data.BufTextLen);
+    data.InsertChars(0, name.c_str());
+  };
+  const std::string typed(data.Buf, static_cast<std::size_t>(data.BufTextLen));
+  if (data.EventFlag == ImGuiInputTextFlags_CallbackCompletion)
+    return put(completed_path(typed, folder_, [&](const fs::path& file) { return is_listed(file); }));
+  if (data.EventFlag != ImGuiInputTextFlags_CallbackHistory || entries_.empty()) return;
+  const auto at = std::find_if(entries_.begin(), entries_.end(), [&](const FolderEntry& entry) {
+    return entry.name == typed || entry.name + "/" == typed;
+  });
+  const auto now = at - entries_.begin(), last = std::ssize(entries_) - 1;
+  const bool is_down = data.EventKey == ImGuiKey_DownArrow;
+  const auto next = now > last ? (is_down ? 0 : last) : std::clamp<std::ptrdiff_t>(now + (is_down ? 1 : -1), 0, last);
+  const FolderEntry& entry = entries_[static_cast<std::size_t>(next)];
+  put(entry.name + (entry.is_folder ? "/" : ""));
+  shows_chosen_ = true;
+}
+
+// True where the name was entered.
+bool FileBrowser::draw_name(PanelContext& context) {
+  if (std::exchange(takes_keys_, false)) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  const bool entered =
+      ImGui::InputTextWithHint("##name", context.text(UiText::file_name), &name_,
+                               ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
+                                   ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackHistory,
+                               &FileBrowser::edit, this);
+  takes_keys_ = takes_keys_ || entered;
+  return entered;
 }
 
 // What the file would not hold, which the next press accepts.
@@ -128,19 +178,24 @@ void FileBrowser::carry_out(PanelContext& context, const std::string& line) {
 void FileBrowser::accept(PanelContext& context) {
   const fs::path path = chosen();
   if (name_.empty()) return;
-  if (!saves_ && context.session.document().is_modified()) return context.leave({false, path});
-  if (!saves_) return carry_out(context, "open " + file_argument(path.string()));
   std::error_code ignored;
+  if (fs::is_directory(path, ignored)) {
+    name_.clear();
+    return enter(path);
+  }
+  if (use_.replaces && context.session.document().is_modified()) return context.leave({false, path});
+  const std::string line = std::string(use_.command) + " " + file_argument(path.string());
+  if (!use_.writes) return carry_out(context, line);
   const bool replaces = fs::exists(path, ignored) && path != replaces_;
   if (replaces) replaces_ = path;
   bool loses = false;
-  if (path != loses_) {
+  if (use_.is_whole && path != loses_) {
     losses_ = context.session.document().losses(path);
     loses = !losses_.empty();
     loses_ = path;
   }
   if (replaces || loses) return;
-  carry_out(context, "save " + file_argument(path.string()));
+  carry_out(context, line);
 }
 
 void FileBrowser::draw(PanelContext& context) {
@@ -150,7 +205,7 @@ void FileBrowser::draw(PanelContext& context) {
   ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
   fitted_text(folder_.string(), ImGui::GetContentRegionAvail().x);
   ImGui::PopStyleColor();
-  const bool shows_losses = saves_ && loses_ == chosen() && !losses_.empty();
+  const bool shows_losses = use_.is_whole && loses_ == chosen() && !losses_.empty();
   const float rows = 2.0f + (shows_losses ? 1.0f + 1.5f * static_cast<float>(losses_.size()) : 0.0f);
   const std::string why = failed_ == chosen() ? why_failed_.in(context.language()) : "";
   const float width = ImGui::GetContentRegionAvail().x;
@@ -163,13 +218,11 @@ void FileBrowser::draw(PanelContext& context) {
   bool accepted = draw_entries(context);
   end_rows();
   ImGui::SetCursorPosY(bottom + ImGui::GetStyle().ItemSpacing.y);
-  ImGui::SetNextItemWidth(-1);
-  accepted |=
-      ImGui::InputTextWithHint("##name", context.text(UiText::file_name), &name_, ImGuiInputTextFlags_EnterReturnsTrue);
-  accepted |= ImGui::Button(context.text(saves_ ? UiText::save : UiText::open));
+  accepted |= draw_name(context);
+  accepted |= ImGui::Button(context.text(use_.button_en, use_.button_ja));
   ImGui::SameLine();
   const bool cancelled = ImGui::Button(context.text(UiText::cancel));
-  if (saves_ && replaces_ == chosen()) {
+  if (use_.writes && replaces_ == chosen()) {
     ImGui::SameLine();
     ImGui::TextColored(context.colours().warning, "%s", context.text(UiText::replace_question));
   }
@@ -181,7 +234,9 @@ void FileBrowser::draw(PanelContext& context) {
 
 }  // namespace
 
-std::unique_ptr<Panel> make_open_panel() { return std::make_unique<FileBrowser>(false); }
-std::unique_ptr<Panel> make_save_panel() { return std::make_unique<FileBrowser>(true); }
+std::unique_ptr<Panel> make_open_panel() { return std::make_unique<FileBrowser>(to_open); }
+std::unique_ptr<Panel> make_append_panel() { return std::make_unique<FileBrowser>(to_append); }
+std::unique_ptr<Panel> make_save_panel() { return std::make_unique<FileBrowser>(to_save); }
+std::unique_ptr<Panel> make_save_selected_panel() { return std::make_unique<FileBrowser>(to_save_selected); }
 
 }  // namespace ryosen

@@ -37,8 +37,11 @@ void draw_highlight(PanelContext& context, const HighlightRow& row) {
 // What is highlighted, how it is drawn, and how much of it there is: problems first, then what is none.
 void draw_highlights(PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 2 * context.scale});
+  const auto is_there = [&](const HighlightRow& row) {
+    return !row.is_on_request() || context.session.highlights().count(row) > 0;
+  };
   for (const HighlightRow& row : highlight_table())
-    if (!row.kinds.empty()) draw_highlight(context, row);
+    if (!row.kinds.empty() && is_there(row)) draw_highlight(context, row);
   for (const HighlightRow& row : highlight_table())
     if (row.kinds.empty()) draw_highlight(context, row);
   ImGui::PopStyleVar();

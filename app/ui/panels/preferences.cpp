@@ -65,7 +65,7 @@ void PreferencesPanel::draw(PanelContext& context) {
     fault_ = {};
   }
   const float below = 2.2f * ImGui::GetFrameHeightWithSpacing();
-  ImGui::BeginChild("rows", {0, -below});
+  ImGui::BeginChild("rows", {0, -below}, false, ImGuiWindowFlags_NavFlattened);
   if (ImGui::BeginTable("preferences", 3)) {
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 1);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 1.6f);

@@ -119,6 +119,7 @@ class ProblemsPanel : public Panel {
   void draw_kind(PanelContext& context, const ProblemRow& row, std::size_t count);
   void draw_elements(PanelContext& context, const ProblemRow& row, std::size_t count);
   void draw_left(PanelContext& context);
+  void draw_searches(PanelContext& context);
   const HeldKind* held(ProblemKind kind) const;
   void hold(Session& session);
 
@@ -202,6 +203,14 @@ void ProblemsPanel::draw_left(PanelContext& context) {
   }
 }
 
+// What nobody searches for unasked, until it is asked for.
+void ProblemsPanel::draw_searches(PanelContext& context) {
+  if (context.session.mesh().live().faces == 0 || context.session.has_searched(ProblemKind::self_intersection)) return;
+  if (link(context, context.text("Search for self-intersections", "自己交差を探す"))) context.run("self_intersections");
+  tip(context.text("Faces that meet others elsewhere than in common vertices and edges. It may take a moment.",
+                   "共有する頂点・稜線以外で他の面と交わる面を探します。少し時間がかかることがあります。"));
+}
+
 // Those that are held keep their places; what a repair has brought forth comes behind them.
 void ProblemsPanel::draw_kinds(PanelContext& context) {
   std::vector<ProblemKind> kinds;
@@ -226,6 +235,7 @@ void ProblemsPanel::draw(PanelContext& context) {
     draw_kinds(context);
   }
   draw_left(context);
+  draw_searches(context);
   repairs_.end_frame(context);
   first_ = first;
   last_ = {first.x + width, ImGui::GetCursorScreenPos().y};

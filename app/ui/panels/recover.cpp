@@ -32,7 +32,7 @@ void draw_recover(PanelContext& context) {
   dim_text(context,
            lost.empty() ? nothing_to_recover().in(context.language()).c_str() : context.text(UiText::recover_question));
   ImGui::Dummy({0, 4 * context.scale});
-  ImGui::BeginChild("lost", {0, -1.5f * ImGui::GetFrameHeightWithSpacing()});
+  ImGui::BeginChild("lost", {0, -1.5f * ImGui::GetFrameHeightWithSpacing()}, false, ImGuiWindowFlags_NavFlattened);
   std::string chosen;
   for (std::size_t n = 0; n < lost.size(); ++n)
     if (std::string command = draw_lost(context, n); !command.empty()) chosen = std::move(command);

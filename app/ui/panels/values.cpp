@@ -19,6 +19,7 @@ class ValuesPanel : public Panel {
   bool draw_fields(PanelContext& context, const AlgorithmRow& row, bool begins);
 
   std::string algorithm_;           // its id
+  bool has_run_ = false;            // with these values; where that failed, the reason stands beside them
   std::vector<std::string> texts_;  // what stands in the fields of its parameters
 };
 
@@ -43,8 +44,10 @@ void ValuesPanel::draw(PanelContext& context) {
       if (link(context, context.text(other.name_en, other.name_ja))) context.run("values " + std::string(other.id));
     return;
   }
+  const bool has_failed = algorithm_ == row->id && has_run_ && context.state.last_kind != Outcome::Kind::done;
   const bool begins = algorithm_ != row->id || ImGui::IsWindowAppearing();
-  if (begins) {
+  if (begins && !has_failed) {
+    has_run_ = false;
     algorithm_ = row->id;
     texts_.clear();
     for (const ParameterRow& parameter : row->parameters) texts_.emplace_back(parameter.initial);
@@ -59,10 +62,11 @@ void ValuesPanel::draw(PanelContext& context) {
   const bool pressed = ImGui::Button(context.text("Run", "実行"), {120 * context.scale, 0});
   ImGui::EndDisabled();
   if (!read.values) coloured_text(context.colours().warning, read.sentence.in(context.language()).c_str());
+  if (has_failed) coloured_text(context.colours().warning, context.state.last_outcome.in(context.language()).c_str());
   ImGui::PopTextWrapPos();
   if (!read.values || !(pressed || entered)) return;
-  context.session.open_panel.clear();
-  context.run(line_of(*row, *read.values));
+  has_run_ = true;
+  context.run_from(line_of(*row, *read.values), context.session.open_panel);
 }
 
 }  // namespace

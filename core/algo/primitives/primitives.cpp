@@ -86,7 +86,8 @@ AlgorithmRow primitive(const Names& names, std::vector<ParameterRow> parameters,
           .keeps_geometry = true,
           .solves = {},
           .run = run,
-          .is_primitive = true};
+          .is_primitive = true,
+          .selects_added = true};
 }
 
 ParameterRow circumradius() { return radius("from the centre to each vertex", "中心から頂点までの距離"); }

@@ -460,7 +460,8 @@ int refine(View& view) {
 
 // All that is drawn: tints, patterned lines, points, arrows, ghosts.
 std::unique_ptr<View> full_view(Scene& scene, Size size, Xray xray) {
-  for (std::size_t f = 0; f < scene.tints.size(); ++f) scene.tints[f] = std::array<std::uint8_t, 5>{0, 1, 2, 3, 0}[f % 5];
+  for (std::size_t f = 0; f < scene.tints.size(); ++f)
+    scene.tints[f] = std::array<std::uint8_t, 5>{0, 1, 2, 3, 0}[f % 5];
   auto view = front_view(scene, size, 2.4);
   ViewSettings settings;
   settings.xray = xray;
@@ -494,6 +495,11 @@ TEST(view, refined_is_the_picture_with_several_samples) {
       view->draw();
       EXPECT_TRUE(view->is_refined());
       EXPECT_EQ(compare(view->read_pixels(), refined)->pixels, 0u) << "but for the rounding of places";
+      view->resize(size, 2);
+      view->draw();
+      EXPECT_FALSE(view->is_refined()) << "with fewer samples there is something to refine";
+      refine(*view);
+      EXPECT_TRUE(view->read_pixels() == refined);
     }
 }
 

@@ -291,5 +291,23 @@ TEST(selection_memory, many_are_selected_in_few_words) {
     EXPECT_EQ(session->run(wrong).exit_code, ExitCode::usage) << wrong;
 }
 
+TEST(on_selection, says_in_words_what_an_operator_takes) {
+  auto document = Document::open(test::asset("cube.obj"));
+  ASSERT_TRUE(document);
+  Session session(std::move(document).value());
+  for (const OpInfo& op : all_ops()) {
+    if (op.on_selection == OnSelection::none) continue;
+    const Outcome outcome = session.run(std::string(op.id) + " selected");
+    ASSERT_EQ(outcome.exit_code, ExitCode::refused) << op.id;
+    const std::string& told = outcome.sentence.en;
+    EXPECT_TRUE(told.find("vertex") != told.npos || told.find("vertices") != told.npos ||
+                told.find("edge") != told.npos || told.find("face") != told.npos || op.id == "vertex_split")
+        << told;
+    EXPECT_TRUE(told.find("[") == told.npos || op.id == "vertex_split") << told;
+  }
+  ASSERT_TRUE(session.run("select v0").done());
+  EXPECT_NE(session.run("make_edge selected").sentence.en.find("two vertices, in order"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace ryosen

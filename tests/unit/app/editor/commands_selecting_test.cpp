@@ -81,5 +81,22 @@ TEST(selecting, toggles_and_adds_many_at_once) {
   EXPECT_EQ(session->selection, (std::vector<Element>{Face(3), Face(7), Face(9)}));
 }
 
+TEST(select, as_another_kind_turns_the_mode_too) {
+  auto document = Document::open(test::asset("cube.obj"));
+  ASSERT_TRUE(document);
+  Session session(std::move(document).value());
+  ASSERT_TRUE(session.run("select f0").done());
+  ASSERT_TRUE(session.run("key Ctrl+1").done());
+  EXPECT_EQ(session.selection.size(), 4u);
+  EXPECT_EQ(session.mode, PickMode::vertex);
+  ASSERT_TRUE(session.run("key Ctrl+3").done());
+  EXPECT_EQ(session.selected_names(), std::vector<std::string>{"f0"});
+  EXPECT_EQ(session.mode, PickMode::face);
+  ASSERT_TRUE(session.run("key 2").done());
+  EXPECT_EQ(session.selected_names(), std::vector<std::string>{"f0"}) << "without Ctrl the selection stays";
+  ASSERT_TRUE(session.run("select none").done());
+  EXPECT_EQ(session.run("select as_edges").exit_code, ExitCode::refused);
+}
+
 }  // namespace
 }  // namespace ryosen

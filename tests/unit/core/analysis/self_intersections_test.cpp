@@ -401,5 +401,24 @@ TEST(self_intersections, a_search_may_end_early_with_some_pairs) {
   }
 }
 
+TEST(self_intersections, a_search_that_is_cancelled_finds_nothing) {
+  const Mesh mesh = test::make_mesh(test::torus_grid(8, 8));
+  Progress cancelled([](double) { return false; });
+  EXPECT_FALSE(find_self_intersections(mesh, 10, 1, cancelled));
+  std::vector<double> shares;
+  Progress told([&](double share) {
+    shares.push_back(share);
+    return true;
+  });
+  const auto found = find_self_intersections(mesh, 10, 1, told);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->count, find_self_intersections(mesh, 10, 1).count);
+  ASSERT_FALSE(shares.empty());
+  for (const double share : shares) {
+    EXPECT_GE(share, 0);
+    EXPECT_LE(share, 1);
+  }
+}
+
 }  // namespace
 }  // namespace ryosen::test

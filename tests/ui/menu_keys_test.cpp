@@ -1,0 +1,187 @@
+// The menus, the files and the palette by the keyboard alone.
+#include <gtest/gtest.h>
+
+#include "app/editor/menu_bar.h"
+#include "app/editor/words.h"
+#include "app/ui/window_input.h"
+#include "tests/support/app/drawn_text.h"
+#include "tests/support/app/laid.h"
+
+namespace ryosen {
+namespace {
+
+using test::DrawnText;
+using test::window;
+
+class MenuKeys : public testing::Test, protected test::Laid {
+ protected:
+  MenuKeys() : Laid("cube.obj") { input_.resize(window); }
+
+  void press(const std::string& chord) {
+    input_.key_down(chord);
+    frames(2);
+    input_.key_up(chord);
+    frames(3);
+  }
+  void write(const std::string& text) {
+    gui.text(text);
+    frames(3);
+  }
+  bool shows(std::string_view text) { return DrawnText(gui).count(text) > 0; }
+
+  WindowInput input_{gui, session, {}, [this] { frames(4); }};
+};
+
+TEST_F(MenuKeys, f10_opens_them_and_arrows_walk_through_all) {
+  press("F10");
+  ASSERT_TRUE(gui.has_menu(session));
+  EXPECT_TRUE(shows("Append...")) << "the first one";
+  press("Right");
+  EXPECT_TRUE(shows("Duplicate"));
+  EXPECT_FALSE(shows("Append..."));
+  press("Left");
+  press("Left");
+  EXPECT_TRUE(shows("Keys and mouse")) << "round the end of the bar";
+  for (std::size_t i = 0; i < std::size(menu_bar); ++i) press("Right");
+  EXPECT_TRUE(shows("Keys and mouse"));
+  press("F10");
+  EXPECT_FALSE(gui.has_menu(session));
+}
+
+TEST_F(MenuKeys, enter_takes_an_entry_and_escape_closes) {
+  ASSERT_TRUE(session.run("split 0-1").done());
+  for (const char* chord : {"F10", "Right", "Escape"}) press(chord);
+  EXPECT_FALSE(gui.has_menu(session));
+  EXPECT_EQ(session.document().position(), 1u);
+  for (const char* chord : {"F10", "Right", "Enter"}) press(chord);
+  EXPECT_EQ(session.document().position(), 0u) << "undo is the first entry of Edit";
+  EXPECT_FALSE(gui.has_menu(session));
+  for (const char* chord : {"F10", "Right", "Down", "Enter"}) press(chord);
+  EXPECT_EQ(session.document().position(), 1u) << "what cannot be done is passed over: redo";
+}
+
+TEST_F(MenuKeys, arrows_go_into_a_menu_of_a_menu_and_out_again) {
+  const glm::dvec3 eye = session.camera.eye;
+  ASSERT_TRUE(session.run("menu view").done());
+  frames(3);
+  for (const char* chord : {"Down", "Down", "Right"}) press(chord);
+  ASSERT_TRUE(shows("Front")) << "the named views";
+  press("Left");
+  EXPECT_FALSE(shows("Front"));
+  for (const char* chord : {"Right", "Down", "Enter"}) press(chord);
+  EXPECT_NE(session.camera.eye, eye);
+  EXPECT_EQ(session.run("menu nothing").exit_code, ExitCode::usage);
+}
+
+TEST_F(MenuKeys, alt_alone_opens_them_but_not_with_anything_else) {
+  input_.key_down("Alt");
+  input_.key_down("Alt+K");
+  input_.key_up("Alt+K");
+  input_.key_up("Alt");
+  input_.key_down("Alt");
+  input_.press(MouseButton::left, {{640, 560}, {.alt = true}});
+  input_.release(MouseButton::left, {{640, 560}, {.alt = true}});
+  input_.key_up("Alt");
+  input_.key_down("Alt");
+  input_.let_go();
+  input_.key_up("Alt");
+  frames(4);
+  EXPECT_FALSE(gui.has_menu(session));
+  press("Alt");
+  EXPECT_TRUE(gui.has_menu(session));
+  press("Alt");
+  EXPECT_FALSE(gui.has_menu(session));
+  ASSERT_TRUE(gui.run(session, "panel keys").done());
+  frames(3);
+  press("Alt");
+  EXPECT_EQ(session.open_panel, "keys");
+}
+
+TEST_F(MenuKeys, a_palette_that_was_just_used_opens_again_at_once) {
+  input_.key_down("F3");
+  frames(4);
+  gui.text("split 0-1");
+  frames(1);
+  // No frame comes between these.
+  input_.key_down("Enter");
+  input_.key_up("Enter");
+  input_.key_down("F3");
+  EXPECT_EQ(session.document().position(), 1u);
+  EXPECT_EQ(session.open_panel, "command");
+  frames(3);
+  gui.text("undo");
+  input_.key_down("Enter");
+  input_.key_up("Enter");
+  frames(3);
+  EXPECT_EQ(session.document().position(), 0u) << "its field has the keyboard and was empty";
+}
+
+TEST_F(MenuKeys, the_palette_cuts_no_name_short_for_a_long_line) {
+  press("F3");
+  write("divide");
+  EXPECT_TRUE(shows("divide a face from vertex to vertex, or join"));
+  EXPECT_EQ(DrawnText(gui).cut_in_height(), "") << "its lines end whole";
+  EXPECT_EQ(DrawnText(gui).cut_sideways(), "");
+}
+
+TEST_F(MenuKeys, the_palette_completes_paths) {
+  test::TemporaryFolder folder;
+  folder.write("inner place/torus.off", test::read_file(test::asset("torus.off")));
+  press("F3");
+  write("open " + folder.path().string() + "/in");
+  press("Tab");
+  press("Tab");
+  press("Enter");
+  EXPECT_EQ(session.document().path(), folder.at("inner place/torus.off"));
+}
+
+TEST_F(MenuKeys, a_file_is_opened_by_typing_arrows_and_tab) {
+  test::TemporaryFolder folder;
+  folder.write("inner/torus.off", test::read_file(test::asset("torus.off")));
+  folder.copy(test::asset("cube.obj"), "cube.obj");
+  folder.copy(test::asset("fin.obj"), "fin.obj");
+  ASSERT_TRUE(session.run("open " + file_argument(folder.at("cube.obj"))).done());
+  press("Ctrl+O");
+  write("fi");
+  press("Tab");
+  press("Enter");
+  EXPECT_EQ(session.document().path(), folder.at("fin.obj"));
+  press("Ctrl+O");
+  for (const char* chord : {"Up", "Up", "Up", "Enter"}) press(chord);
+  EXPECT_EQ(session.open_panel, "open") << "it is in the folder now";
+  for (const char* chord : {"Down", "Enter"}) press(chord);
+  EXPECT_EQ(session.document().path(), folder.at("inner/torus.off"));
+  EXPECT_EQ(session.open_panel, "");
+}
+
+TEST_F(MenuKeys, files_are_appended_and_the_selection_saved_from_the_browser) {
+  test::TemporaryFolder folder;
+  folder.copy(test::asset("cube.obj"), "cube.obj");
+  ASSERT_TRUE(session.run("open " + file_argument(folder.at("cube.obj"))).done());
+  ASSERT_TRUE(gui.run(session, "panel append").done());
+  frames(3);
+  press("Enter");
+  EXPECT_EQ(session.mesh().live().faces, 12u);
+  EXPECT_EQ(session.open_panel, "");
+  ASSERT_TRUE(session.run("select f0").done());
+  ASSERT_TRUE(gui.run(session, "panel save_selected").done());
+  frames(3);
+  write("one.off");
+  press("Enter");
+  auto part = Document::open(folder.at("one.off"));
+  ASSERT_TRUE(part);
+  EXPECT_EQ(part.value()->mesh().live().faces, 1u);
+  EXPECT_EQ(session.document().path(), folder.at("cube.obj")) << "the document stays what it is";
+}
+
+TEST_F(MenuKeys, a_question_is_answered_by_arrows_and_enter) {
+  ASSERT_TRUE(session.run("split 0-1").done());
+  gui.leave(session, {true, {}});
+  frames(4);
+  press("Right");
+  press("Enter");
+  EXPECT_TRUE(gui.wants_quit()) << "the second button discards";
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -142,7 +142,10 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
     forget_hidden();
     highlights_->update(m, journal, transaction);
     drawn_changes_.everything |= highlights_->changed_everything();
-    for (const Marked& marked : highlights_->changes()) note_finding(marked);
+    for (const Marked& marked : highlights_->changes()) {
+      if (marked.mark.sort == Element::Kind::face) drawn_changes_.faces.push_back(marked.index);
+      drawn_changes_.marks.push_back(marked);
+    }
     note_marks(touched);
     // A mark at a point is hidden with all its copies, wherever they are.
     drawn_changes_.searched |= !hidden_.empty() && m.has_copies();
@@ -378,19 +381,14 @@ const HighlightSets& Session::highlights() {
 void Session::put_findings(ProblemKind kind, std::span<const std::uint32_t> found) {
   forget_findings(kind);
   highlights_->put_findings(kind, found);
-  for (const std::uint32_t i : found) note_finding({mark_of(kind), i});
   searched_ = {kind, document_->serial(), document_->revision()};
 }
 
 void Session::forget_findings(ProblemKind kind) {
-  for (const std::uint32_t i : highlights().of(kind).to_vector()) note_finding({mark_of(kind), i});
+  highlights();  // are there
   highlights_->put_findings(kind, {});
+  drawn_changes_.searched = true;
   searched_.reset();
-}
-
-void Session::note_finding(const Marked& marked) {
-  if (marked.mark.sort == Element::Kind::face) drawn_changes_.faces.push_back(marked.index);
-  drawn_changes_.marks.push_back(marked);
 }
 
 bool Session::has_searched(ProblemKind kind) const {

@@ -303,7 +303,6 @@ class Session {
   }
   Camera framing(const Mesh& mesh, const Camera& from) const;
   void note_marks(const TouchedElements& touched);
-  void note_finding(const Marked& marked);
   void update_map_values(std::size_t transaction);
   void follow_hiding(const HiddenElements::Parts& changed);
   void forget_hidden();

@@ -192,12 +192,13 @@ void draw_name(PanelContext& context, float end) {
 
 void draw_menu(PanelContext& context) {
   if (!ImGui::BeginMainMenuBar()) return;
+  // Before any is drawn: all have one window, which is to show one of them in a frame.
+  const auto title_of = [&](const MenuRow& row) { return context.text(row.title_en, row.title_ja); };
   const MenuRow* const asked = std::exchange(context.session.asked_menu, nullptr);
+  if (asked && context.session.open_panel.empty()) open_for_keys(title_of(*asked));
   const MenuRow* open = nullptr;
   for (std::size_t i = 0; i < std::size(menu_bar); ++i) {
-    const char* const title = context.text(menu_bar[i].title_en, menu_bar[i].title_ja);
-    if (&menu_bar[i] == asked && context.session.open_panel.empty()) open_for_keys(title);
-    if (!ImGui::BeginMenu(title)) continue;
+    if (!ImGui::BeginMenu(title_of(menu_bar[i]))) continue;
     open = &menu_bar[i];
     menus[i](context);
     ImGui::EndMenu();

@@ -73,14 +73,15 @@ std::optional<int> frames_to_wait(const std::string& line) {
 }  // namespace
 
 Outcome PanelContext::run_from(const std::string& line, const std::string& panel_id) {
-  if (!panel_id.empty()) session.open_panel.clear();
+  const std::string own = panel_id;  // it may be session.open_panel itself
+  if (!own.empty()) session.open_panel.clear();
   if (const auto frames = state.is_laying_out ? frames_to_wait(line) : std::nullopt) {
-    state.waiting.push_back({line, *frames, panel_id});
+    state.waiting.push_back({line, *frames, own});
     return {};
   }
   Outcome outcome = keep(session.run(line));
-  const bool asks_again = !panel_id.empty() && !outcome.done() && outcome.exit_code != ExitCode::cancelled;
-  if (asks_again && session.open_panel.empty()) session.open_panel = panel_id;
+  const bool asks_again = !own.empty() && !outcome.done() && outcome.exit_code != ExitCode::cancelled;
+  if (asks_again && session.open_panel.empty()) session.open_panel = own;
   return outcome;
 }
 

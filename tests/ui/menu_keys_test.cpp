@@ -21,6 +21,7 @@ class MenuKeys : public testing::Test, protected test::Laid {
     input_.key_down(chord);
     frames(2);
     input_.key_up(chord);
+    gui.modifiers(false, false);
     frames(3);
   }
   void write(const std::string& text) {
@@ -64,7 +65,7 @@ TEST_F(MenuKeys, arrows_go_into_a_menu_of_a_menu_and_out_again) {
   const glm::dvec3 eye = session.camera.eye;
   ASSERT_TRUE(session.run("menu view").done());
   frames(3);
-  for (const char* chord : {"Down", "Down", "Right"}) press(chord);
+  for (const char* chord : {"Down", "Right"}) press(chord);  // past what needs a selection
   ASSERT_TRUE(shows("Front")) << "the named views";
   press("Left");
   EXPECT_FALSE(shows("Front"));

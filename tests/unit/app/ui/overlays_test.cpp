@@ -58,7 +58,7 @@ TEST(overlays, ghosts_tell_what_goes_what_comes_and_what_stays) {
   EXPECT_GT(collapse.comes, 2u);
 }
 
-TEST(overlays, the_last_of_several_selected_vertices_has_a_ring) {
+TEST(overlays, the_last_of_several_selected_has_a_ring_at_its_middle) {
   auto document = Document::open(test::asset("torus.off"));
   ASSERT_TRUE(document);
   Session session(std::move(document).value());
@@ -71,7 +71,11 @@ TEST(overlays, the_last_of_several_selected_vertices_has_a_ring) {
   };
   EXPECT_TRUE(rings("select v3").empty());
   EXPECT_EQ(rings("select v3 v9 v5"), std::vector{session.mesh().position(Vertex(5))});
-  EXPECT_TRUE(rings("select v3 f1").empty());
+  const auto place = [&](std::uint32_t v) { return session.mesh().position(Vertex(v)); };
+  const auto [a, b] = ends(session.mesh(), Edge(7));
+  EXPECT_EQ(rings("select v3 e7"), std::vector{(place(a.index) + place(b.index)) / 2.0});
+  EXPECT_EQ(rings("select v3 f1").size(), 1u);
+  EXPECT_TRUE(rings("select f1").empty());
 }
 
 }  // namespace

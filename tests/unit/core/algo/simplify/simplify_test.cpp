@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <set>
@@ -13,6 +14,7 @@
 #include "core/analysis/figures.h"
 #include "core/analysis/invariants.h"
 #include "core/analysis/self_intersections.h"
+#include "core/geometry/is_finite.h"
 #include "core/io/formats.h"
 #include "core/mesh/attribute.h"
 #include "core/mesh/circulate.h"
@@ -20,6 +22,7 @@
 #include "core/ops/collapse_edge.h"
 #include "core/ops/rules/corner_values.h"
 #include "core/ops/rules/plain_check.h"
+#include "tests/support/core/long_run.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/shapes.h"
@@ -68,6 +71,8 @@ void expect_all_refused(const Mesh& mesh, const std::string& name) {
   for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
     const Halfedge h(i);
     if (!mesh.is_alive(h) || mesh.is_wire(edge(h))) continue;
+    // What has no place is left where it is.
+    if (!is_finite(mesh.position(mesh.from(h))) || !is_finite(mesh.position(mesh.to(h)))) continue;
     const bool has_copy = has_copies(mesh, mesh.from(h)) || has_copies(mesh, mesh.to(h));
     for (const auto place : {CollapseEdge::Place::start, CollapseEdge::Place::end, CollapseEdge::Place::middle}) {
       // A point with copies stays where it is.
@@ -152,6 +157,24 @@ TEST(simplify, goes_as_far_on_named_shapes) {
   go_all_the_way(sheet(9, wave), "sheet");
   Mesh empty;
   EXPECT_TRUE(simplified(empty, "faces=0").refused);
+}
+
+// Of the folder of meshes beside the project, where it is there.
+TEST(simplify, goes_as_far_on_every_mesh_of_the_corpus) {
+  const std::filesystem::path folder = RYOSEN_SHARED_DIR "/meshes";
+  if (!is_long_run() || !std::filesystem::exists(folder)) GTEST_SKIP() << "in long runs alone";
+  std::size_t meshes = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    constexpr std::uintmax_t largest = 4 << 20;
+    if (!entry.is_regular_file() || entry.file_size() > largest) continue;
+    const Result<MeshFile> file = read_mesh_file(entry.path());
+    if (!file) continue;
+    // The kernel only warns of a seam, which here holds what is on it.
+    const bool has_seams = !file->mesh.texcoords.index.empty() || !file->mesh.normals.index.empty();
+    go_all_the_way(from_indexed(file->mesh), entry.path().string(), !has_seams);
+    ++meshes;
+  }
+  EXPECT_GT(meshes, 100u);
 }
 
 TEST(simplify, of_a_flat_sheet_loses_nothing) {

@@ -63,7 +63,9 @@ TEST_F(StepsPanelTest, every_row_and_script_is_offered_and_goes_forth_and_back) 
   for (const steps::StepsRow& row : steps::all_steps()) {
     if (row.plays_script || row.choices(session.mesh(), session.selection).empty()) continue;
     std::string call(row.id);
-    for (const std::string& argument : row.choices(session.mesh(), session.selection).front()) call += " " + argument;
+    const std::vector<std::vector<std::string>> choices = row.choices(session.mesh(), session.selection);
+    ASSERT_FALSE(choices.empty()) << row.id;
+    for (const std::string& argument : choices.front()) call += " " + argument;
     expect_playing(call);
   }
 }

@@ -218,7 +218,7 @@ void View::follow_camera() {
 }
 
 void View::follow_ground() {
-  if (settings_.grid == Grid::off) return;
+  if (settings_.ground == GroundGrid::off) return;
   const Ground ground = ground_below(mesh_.bounds(), mesh_.space());
   if (ground == ground_) return;
   ground_ = ground;
@@ -336,7 +336,7 @@ void View::draw_scene(const Frame& frame, const DrawTarget& target, std::span<co
     passes_.cut.draw(frame, mesh_, clusters);
   }
   if (!transparent_) passes_.background.draw(frame);
-  if (frame.settings.grid == Grid::on) passes_.grid.draw(frame, ground_);
+  if (frame.settings.ground == GroundGrid::on) passes_.grid.draw(frame, ground_);
   if (is_xray) passes_.xray.draw(frame, mesh_, clusters, tints_);
 }
 

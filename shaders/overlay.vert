@@ -76,7 +76,7 @@ vec4 line(vec3 from, vec3 to, float width, int kind, int corner) {
 float radius_within(float radius, float room, vec3 place) {
   float distance = perspective > 0.5 ? -place.z : 1.0;
   float room_px = room / (units_per_pixel * pixel_scale * max(distance, 1e-9));
-  return room > 0.0 ? clamp(0.35 * room_px, min(1.5, radius), radius) : radius;
+  return room > 0.0 ? clamp(0.3 * room_px, min(1.5, radius), radius) : radius;
 }
 
 vec4 point(vec3 at, float radius, int corner) {

@@ -24,7 +24,7 @@ enum class FileColours { on, vertices, faces, off };
 enum class Normals { off, vertices, faces };
 
 // Whether there is a grid on the ground.
-enum class Grid { off, on };
+enum class GroundGrid { off, on };
 
 // One field per switch, an enumeration in the order of the values of its row; each begins with the first one.
 struct ViewSettings {
@@ -36,7 +36,7 @@ struct ViewSettings {
   Numbers numbers = Numbers::off;
   FileColours file_colours = FileColours::on;
   Normals normals = Normals::off;
-  Grid grid = Grid::off;
+  GroundGrid ground = GroundGrid::off;
 
   // Calls visit(name, number) for each, by the id of its row: a shader gets the number as its `uniform int name`.
   template <class Visit>
@@ -49,7 +49,7 @@ struct ViewSettings {
     visit("numbers", static_cast<int>(numbers));
     visit("file_colours", static_cast<int>(file_colours));
     visit("normals", static_cast<int>(normals));
-    visit("grid", static_cast<int>(grid));
+    visit("ground", static_cast<int>(ground));
   }
 
   friend bool operator==(const ViewSettings&, const ViewSettings&) = default;

@@ -41,24 +41,24 @@ class ViewAidsTest : public testing::Test {
 constexpr PixelRect whole{0, 0, 640, 480};
 
 TEST_F(ViewAidsTest, the_grid_lies_below_the_mesh_and_fades) {
-  const Image bare = picture("view iso"), grid = picture("grid on");
+  const Image bare = picture("view iso"), grid = picture("ground on");
   EXPECT_GT(different(bare, grid, whole), 3000);
   EXPECT_EQ(different(bare, grid, {0, 0, 40, 40}), 0) << "not as far as that";
   // From the side it is a line or nothing, and all of it below the middle of the mesh.
   const Image side = picture("view front");
-  EXPECT_EQ(different(picture("grid off"), side, {0, 0, 640, 240}), 0);
+  EXPECT_EQ(different(picture("ground off"), side, {0, 0, 640, 240}), 0);
   for (const char* const theme : {"theme light", "theme dark"}) {
     picture("view top");
     const Image without = picture(theme);
-    EXPECT_GT(different(picture("grid on"), without, whole), 1000) << theme;
-    picture("grid off");
+    EXPECT_GT(different(picture("ground on"), without, whole), 1000) << theme;
+    picture("ground off");
     picture("view front");
   }
 }
 
 TEST_F(ViewAidsTest, the_grid_does_not_cover_what_is_above_it) {
   picture("view top");
-  const Image bare = picture("grid off"), grid = picture("grid on");
+  const Image bare = picture("ground off"), grid = picture("ground on");
   const glm::dvec3 on_top = [&] {
     glm::dvec3 highest(0, -1e9, 0);
     for (const glm::dvec3& place : session_->mesh().positions())
@@ -70,7 +70,7 @@ TEST_F(ViewAidsTest, the_grid_does_not_cover_what_is_above_it) {
 }
 
 TEST_F(ViewAidsTest, the_grid_follows_the_lowest_of_the_mesh) {
-  picture("grid on");
+  picture("ground on");
   picture("view iso");
   for (const char* const line :
        {"move_vertex v0 0,-3,0", "translate by=0,1,0", "undo", "undo", "shading smooth", "xray on", "xray off"})

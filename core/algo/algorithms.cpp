@@ -5,8 +5,11 @@
 #include "core/algo/copying/copying.h"
 #include "core/algo/hull/hull.h"
 #include "core/algo/primitives/primitives.h"
+#include "core/algo/remesh/remeshings.h"
 #include "core/algo/repair/repairs.h"
 #include "core/algo/simplify/simplify.h"
+#include "core/algo/smooth/smoothings.h"
+#include "core/algo/subdivide/subdivisions.h"
 #include "core/algo/transform/transforms.h"
 
 namespace ryosen {
@@ -17,7 +20,8 @@ std::deque<AlgorithmRow>& algorithm_rows() {
   static std::deque<AlgorithmRow> rows = [] {
     std::deque<AlgorithmRow> all;
     for (const std::vector<AlgorithmRow>& folder :
-         {repair_rows(), primitive_rows(), transform_rows(), copying_rows(), simplify_rows(), hull_rows()})
+         {repair_rows(), primitive_rows(), transform_rows(), copying_rows(), simplify_rows(), hull_rows(),
+          subdivision_rows(), smoothing_rows(), remeshing_rows()})
       all.insert(all.end(), folder.begin(), folder.end());
     return all;
   }();

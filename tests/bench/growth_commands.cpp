@@ -14,7 +14,7 @@ namespace {
 std::string some_value(const ParameterRow& row) {
   switch (row.kind) {
     case ParameterKind::length:
-      return "0.1%";
+      return row.excludes_smallest ? "2%" : "0.1%";
     case ParameterKind::place:
       return "0,0,0";
     case ParameterKind::choice:

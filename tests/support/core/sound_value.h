@@ -21,7 +21,7 @@ inline std::string sound_value(const ParameterRow& row) {
     case ParameterKind::place:
       return "1,2,3";
     case ParameterKind::length:
-      return "0.01";
+      return row.excludes_smallest ? "20%" : "0.01";  // one that cannot be 0 is a size
     case ParameterKind::ratio:
       return "0.5";
     default:

@@ -1,0 +1,44 @@
+// Remeshing: other triangles on the same surface.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "core/algo/remesh/sizing.h"
+#include "core/base/message.h"
+#include "core/base/progress.h"
+
+namespace ryosen::remesh {
+
+struct Options {
+  double length = 0;      // of edges, above 0
+  bool adaptive = false;  // shorter where the surface bends (sizing.h)
+  double tolerance = 0;   // of adaptive ones, above 0
+  std::size_t rounds = 5;
+  double feature_angle_rad = 0.8;
+};
+
+struct Remeshed {
+  MeshColumns columns;
+  std::size_t cut_faces = 0;  // polygons, cut into triangles first
+  bool is_cancelled = false;
+  std::optional<Text> fault = {};
+};
+
+// Rounds of remesher.h. Elements that stay keep their numbers, new ones come behind them. O(rounds times n log n).
+Remeshed remeshed(const Mesh& mesh, const Options& options, Progress& progress);
+
+struct Swapped {
+  MeshColumns columns;
+  std::size_t cut_faces = 0, swaps = 0;
+  std::size_t refused = 0;  // edges that are not Delaunay and may not be swapped
+  bool is_cancelled = false;
+  std::optional<Text> fault = {};
+};
+
+// Swaps edges whose opposite angles are together above 180 degrees and whose faces bend by at most `most_turn_rad`, as long
+// as the cotangents of the angles of both triangles together become less, which comes to an end [Bobenko07]. Features
+// (features.h, with that angle) stay.
+Swapped delaunay_swapped(const Mesh& mesh, double most_turn_rad, Progress& progress);
+
+}  // namespace ryosen::remesh

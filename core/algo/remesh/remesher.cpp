@@ -1,0 +1,236 @@
+#include "core/algo/remesh/remesher.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.h"
+#include "core/mesh/copies.h"
+#include "core/ops/collapse_edge.h"
+#include "core/ops/split_edge.h"
+#include "core/ops/swap_edge.h"
+
+namespace ryosen::remesh {
+
+namespace {
+
+constexpr double longest_share = 4.0 / 3, shortest_share = 4.0 / 5;
+constexpr double cosine_of_turn = 0.5;  // of 60 degrees
+constexpr std::size_t between_reports = 256;
+
+}  // namespace
+
+Remesher::Remesher(Edit& edit, Features features, const Target& target)
+    : edit_(edit), mesh_(edit.mesh()), features_(std::move(features)), target_(target) {
+  for (std::uint32_t i = 0; i < mesh_.vertex_slots(); ++i) wanted_.push_back(target.length_at(Vertex(i)));
+}
+
+double Remesher::length_of(Edge e) const {
+  const auto [a, b] = ends(mesh_, e);
+  return glm::distance(mesh_.position(a), mesh_.position(b));
+}
+
+double Remesher::wanted(Edge e) const {
+  const auto [a, b] = ends(mesh_, e);
+  return std::min(wanted_[a.index], wanted_[b.index]);
+}
+
+template <class IsWanted>
+std::vector<Edge> Remesher::edges_by_length(bool longest_first, const IsWanted& is_wanted) const {
+  std::vector<std::pair<double, std::uint32_t>> found;
+  for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
+    if (!mesh_.is_alive(Edge(i)) || mesh_.is_wire(Edge(i))) continue;
+    const double length = length_of(Edge(i));
+    if (std::isfinite(length) && is_wanted(Edge(i), length)) found.emplace_back(longest_first ? -length : length, i);
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<Edge> edges;
+  for (const auto& [length, i] : found) edges.emplace_back(i);
+  return edges;
+}
+
+bool Remesher::split_long(Progress& progress) {
+  const auto is_long = [&](Edge e, double length) { return length > longest_share * wanted(e); };
+  for (;;) {
+    const std::vector<Edge> edges = edges_by_length(true, is_long);
+    std::size_t done = 0;
+    for (const Edge e : edges) {
+      if (done % between_reports == 0 && !progress.go_on()) return false;
+      // Another sheet of the same edge may have split it already.
+      if (!is_long(e, length_of(e)) || !SplitEdge{halfedge(e)}.check(mesh_).legal()) continue;
+      split(e);
+      ++done;
+    }
+    if (done == 0) return true;
+  }
+}
+
+void Remesher::split(Edge e) {
+  const Vertex a = point(mesh_, mesh_.from(halfedge(e))), b = point(mesh_, mesh_.to(halfedge(e)));
+  const bool was_feature = is_feature(e);
+  const double length = (wanted_[a.index] + wanted_[b.index]) / 2;
+  const std::uint32_t first = mesh_.vertex_slots();
+  SplitEdge{halfedge(e)}.apply(edit_);
+  features_.edges.resize(mesh_.edge_slots(), 0);
+  features_.vertices.resize(mesh_.vertex_slots(), was_feature ? 1 : 0);
+  wanted_.resize(mesh_.vertex_slots(), length);
+  for (Vertex v(first); v.index < mesh_.vertex_slots(); ++v.index)
+    for (const Halfedge h : outgoing(mesh_, v)) {
+      const Vertex end = point(mesh_, mesh_.to(h));
+      features_.edges[edge(h).index] = was_feature && (end == a || end == b) ? 1 : 0;
+    }
+  if (was_feature) return;
+  // Half way along a chord the surface may lie elsewhere.
+  const Vertex middle(first);
+  const auto nearest = target_.nearest(mesh_.position(middle));
+  if (!nearest) return;
+  wanted_[first] = nearest->length;
+  if (faces_stay(middle, nearest->place)) edit_.set_position(middle, nearest->place);
+}
+
+// Of the faces around v none turns away when it lies at `place`.
+bool Remesher::faces_stay(Vertex v, const glm::dvec3& place) const {
+  for (const Halfedge h : outgoing(mesh_, v)) {
+    if (mesh_.is_outside(h)) continue;
+    Corners corners = corners_of(mesh_, h);
+    const glm::dvec3 before = area_normal(corners);
+    corners[0] = place;
+    if (!keeps_facing(before, area_normal(corners), cosine_of_turn)) return false;
+  }
+  return true;
+}
+
+bool Remesher::collapse_short(Progress& progress) {
+  const auto is_short = [&](Edge e, double length) {
+    const auto [a, b] = ends(mesh_, e);
+    return length < shortest_share * wanted(e) && !is_feature(e) && !(is_fixed(a) && is_fixed(b));
+  };
+  const std::vector<Edge> edges = edges_by_length(false, is_short);
+  std::size_t done = 0;
+  for (const Edge e : edges) {
+    if (done++ % between_reports == 0 && !progress.go_on()) return false;
+    if (mesh_.is_alive(e) && is_short(e, length_of(e))) try_collapse(e);
+  }
+  return true;
+}
+
+bool Remesher::try_collapse(Edge e) {
+  Halfedge h = halfedge(e);
+  if (is_fixed(mesh_.from(h))) h = twin(h);
+  const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
+  const bool stays = is_fixed(kept);
+  const glm::dvec3 place = stays ? mesh_.position(kept) : 0.5 * mesh_.position(gone) + 0.5 * mesh_.position(kept);
+  if (!may_collapse(h, place)) return false;
+  const CollapseEdge collapse{h, stays ? CollapseEdge::Place::end : CollapseEdge::Place::point, place};
+  if (!collapse.is_legal(mesh_)) return false;
+  // The edges that vanish may be marked where those that stay are not.
+  for (const Halfedge side : {h, twin(h)}) {
+    const Edge one = edge(mesh_.prev(side)), other = edge(mesh_.next(side));
+    if (is_feature(one) || is_feature(other)) features_.edges[one.index] = features_.edges[other.index] = 1;
+  }
+  collapse.apply(edit_);
+  if (!stays) wanted_[kept.index] = std::min(wanted_[gone.index], wanted_[kept.index]);
+  return true;
+}
+
+// No edge around becomes too long, and no face turns.
+bool Remesher::may_collapse(Halfedge h, const glm::dvec3& place) const {
+  const Halfedge o = twin(h);
+  for (const Halfedge start : {h, o}) {
+    const Vertex v = mesh_.from(start);
+    if (is_fixed(v) && place == mesh_.position(v)) continue;
+    for (const Halfedge out : outgoing(mesh_, v)) {
+      const Vertex w = mesh_.to(out);
+      if (w != mesh_.from(h) && w != mesh_.to(h)) {
+        const double most = longest_share * std::min(wanted_[v.index], wanted_[w.index]);
+        if (glm::distance(place, mesh_.position(w)) > most) return false;
+      }
+      const Face f = mesh_.face(out);
+      if (!f || f == mesh_.face(h) || f == mesh_.face(o)) continue;
+      Corners corners = corners_of(mesh_, out);
+      const glm::dvec3 before = area_normal(corners);
+      corners[0] = place;
+      if (!keeps_facing(before, area_normal(corners), cosine_of_turn)) return false;
+    }
+  }
+  return true;
+}
+
+int Remesher::valence_error(Vertex v, int valence) const { return std::abs(valence - (mesh_.is_boundary(v) ? 4 : 6)); }
+
+bool Remesher::swap_for_valence(Progress& progress) {
+  std::vector<int> valences(mesh_.vertex_slots(), 0);
+  for (std::uint32_t i = 0; i < mesh_.halfedge_slots(); ++i)
+    if (mesh_.is_alive(Halfedge(i))) ++valences[mesh_.from(Halfedge(i)).index];
+  for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
+    if (i % (between_reports * 16) == 0 && !progress.go_on()) return false;
+    if (mesh_.is_alive(Edge(i)) && !is_feature(Edge(i))) try_swap(Edge(i), valences);
+  }
+  return true;
+}
+
+bool Remesher::try_swap(Edge e, std::vector<int>& valences) {
+  const Halfedge h = halfedge(e), o = twin(h);
+  const Vertex a = mesh_.from(h), b = mesh_.to(h), c = mesh_.from(mesh_.prev(h)), d = mesh_.from(mesh_.prev(o));
+  const auto error = [&](Vertex v, int more) { return valence_error(v, valences[v.index] + more); };
+  const int now = error(a, 0) + error(b, 0) + error(c, 0) + error(d, 0);
+  if (error(a, -1) + error(b, -1) + error(c, 1) + error(d, 1) >= now) return false;
+  const glm::dvec3 &pa = mesh_.position(a), &pb = mesh_.position(b), &pc = mesh_.position(c), &pd = mesh_.position(d);
+  const glm::dvec3 left = area_normal({pa, pb, pc}), right = area_normal({pb, pa, pd});
+  const glm::dvec3 first = area_normal({pc, pd, pb}), second = area_normal({pd, pc, pa});
+  for (const glm::dvec3& before : {left, right})
+    for (const glm::dvec3& after : {first, second})
+      if (!keeps_facing(before, after, cosine_of_turn)) return false;
+  const SwapEdge swap{h};
+  if (!swap.is_legal(mesh_)) return false;
+  swap.apply(edit_);
+  --valences[a.index];
+  --valences[b.index];
+  ++valences[c.index];
+  ++valences[d.index];
+  return true;
+}
+
+bool Remesher::relax(Progress& progress) {
+  const std::uint32_t n = mesh_.vertex_slots();
+  std::vector<glm::dvec3> places(mesh_.positions().begin(), mesh_.positions().end());
+  std::vector<double> lengths = wanted_;
+  const auto relaxed = [&](Vertex v) {
+    glm::dvec3 sum(0), normal(0);
+    double weights = 0;
+    for (const Halfedge h : outgoing(mesh_, v)) {
+      const Corners c = corners_of(mesh_, h);
+      const glm::dvec3 area = area_normal(c);
+      const double length = wanted_[mesh_.to(h).index] + wanted_[mesh_.from(mesh_.prev(h)).index];
+      const double weight = glm::length(area) / (target_.is_adaptive() ? length * length : 1);
+      sum += weight * (c[0] + c[1] + c[2]) / 3.0;
+      normal += area;
+      weights += weight;
+    }
+    const glm::dvec3& here = mesh_.position(v);
+    if (!(weights > 0)) return;
+    normal = unit_or_zero(normal);
+    const glm::dvec3 mean = sum / weights;
+    const auto nearest = target_.nearest(mean + glm::dot(normal, here - mean) * normal);
+    if (!nearest) return;
+    places[v.index] = nearest->place;
+    lengths[v.index] = nearest->length;
+  };
+  constexpr std::uint32_t block = 1 << 15;
+  for (std::uint32_t first = 0; first < n; first += block) {
+    if (!progress.go_on()) return false;
+    const std::uint32_t count = std::min(block, n - first);
+    for_each_part(count, count > 2000 ? threads_for(1000000) : 1,
+                  [&](unsigned, std::uint32_t begin, std::uint32_t end) {
+                    for (Vertex v(first + begin); v.index < first + end; ++v.index)
+                      if (mesh_.is_alive(v) && !is_fixed(v)) relaxed(v);
+                  });
+  }
+  for (Vertex v(0); v.index < n; ++v.index) {
+    if (!mesh_.is_alive(v) || is_fixed(v) || !faces_stay(v, places[v.index])) continue;
+    edit_.set_position(v, places[v.index]);
+    wanted_[v.index] = lengths[v.index];
+  }
+  return progress.go_on();
+}
+
+}  // namespace ryosen::remesh

@@ -1,0 +1,52 @@
+// The passes of isotropic remeshing [Botsch04], by the kernel's operators and their verdicts.
+#pragma once
+
+#include <vector>
+
+#include "core/algo/remesh/features.h"
+#include "core/algo/remesh/sizing.h"
+#include "core/base/progress.h"
+#include "core/mesh/edit.h"
+
+namespace ryosen::remesh {
+
+// Of triangles. Feature edges are split alone, feature points never move; everything else stays on the surface that the
+// target holds. Each pass goes over the edges in a fixed order, so the result does not depend on threads; false: cancelled.
+class Remesher {
+ public:
+  Remesher(Edit& edit, Features features, const Target& target);
+
+  // Splits edges longer than 4/3 of what is wanted, the longest first, until there is none.
+  bool split_long(Progress& progress);
+  // Collapses edges shorter than 4/5 of it, the shortest first, where the kernel allows it, no longer edge than 4/3 comes
+  // of it and no face turns by 60 degrees: into the middle, or into an end that stays.
+  bool collapse_short(Progress& progress);
+  // Swaps edges where that brings valences nearer to 6, and 4 at boundaries, and no face turns by 60 degrees.
+  bool swap_for_valence(Progress& progress);
+  // Moves points within the plane across their normal to the mean of the triangles around, by their areas, and back to the
+  // surface; not where a face would turn by 60 degrees.
+  bool relax(Progress& progress);
+
+ private:
+  bool is_feature(Edge e) const { return features_.edges[e.index] != 0; }
+  bool is_fixed(Vertex v) const { return features_.vertices[v.index] != 0; }
+  double length_of(Edge e) const;
+  double wanted(Edge e) const;
+  // By length, those that `is_wanted`.
+  template <class IsWanted>
+  std::vector<Edge> edges_by_length(bool longest_first, const IsWanted& is_wanted) const;
+  void split(Edge e);
+  bool try_collapse(Edge e);
+  bool may_collapse(Halfedge h, const glm::dvec3& place) const;
+  bool try_swap(Edge e, std::vector<int>& valences);
+  int valence_error(Vertex v, int valence) const;
+  bool faces_stay(Vertex v, const glm::dvec3& place) const;
+
+  Edit& edit_;
+  const Mesh& mesh_;
+  Features features_;
+  const Target& target_;
+  std::vector<double> wanted_;  // per vertex
+};
+
+}  // namespace ryosen::remesh

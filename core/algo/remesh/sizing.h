@@ -1,0 +1,45 @@
+// How long edges are to be: everywhere alike, or shorter where the surface bends.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/algo/remesh/triangle_shape.h"
+#include "core/pick/bvh.h"
+
+namespace ryosen::remesh {
+
+struct SizeOptions {
+  double length = 1;  // where the surface is flat
+  bool adaptive = false;
+  double tolerance = 0;  // of adaptive ones: how far a triangle may leave the surface
+};
+
+// The surface as it was, to which new points are brought back, with the wanted length at each of its points.
+class Target {
+ public:
+  // Of a mesh of triangles. An adaptive length is that of edges which leave a circle of the largest curvature by the
+  // tolerance, but at least an eighth of `length` and at most all of it [Dunyach13]; O(n), and n log n for the tree.
+  Target(const Mesh& mesh, const SizeOptions& options);
+
+  struct Nearest {
+    glm::dvec3 place;
+    double length;
+  };
+  // None on a mesh without triangles.
+  std::optional<Nearest> nearest(const glm::dvec3& place) const;
+  double length_at(Vertex v) const { return lengths_.empty() ? options_.length : lengths_[v.index]; }
+  bool is_adaptive() const { return !lengths_.empty(); }
+
+ private:
+  SizeOptions options_;
+  std::vector<glm::dvec3> places_;
+  std::vector<double> lengths_;  // per vertex; empty where all are alike
+  Bvh tree_;
+};
+
+// The largest absolute principal curvature at each vertex slot, by the cotangent Laplacian and the angle deficit over a
+// third of the area around [Meyer03]; 0 at boundaries. Triangles.
+std::vector<double> largest_curvatures(const Mesh& mesh);
+
+}  // namespace ryosen::remesh

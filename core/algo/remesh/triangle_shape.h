@@ -1,0 +1,41 @@
+// Normals and angles of the triangles of a mesh, by one of their halfedges.
+#pragma once
+
+#include <array>
+#include <glm/geometric.hpp>
+
+#include "core/mesh/circulate.h"
+
+namespace ryosen::remesh {
+
+using Corners = std::array<glm::dvec3, 3>;
+
+inline Corners corners_of(const Mesh& mesh, Halfedge h) {
+  return {mesh.position(mesh.from(h)), mesh.position(mesh.to(h)), mesh.position(mesh.from(mesh.prev(h)))};
+}
+// Twice the area along the normal.
+inline glm::dvec3 area_normal(const Corners& c) { return glm::cross(c[1] - c[0], c[2] - c[0]); }
+// Of length 1, or 0 where there is no area.
+inline glm::dvec3 unit_or_zero(const glm::dvec3& n) {
+  const double length = glm::length(n);
+  return length > 0 ? n / length : glm::dvec3(0);
+}
+inline glm::dvec3 unit_normal(const Mesh& mesh, Halfedge h) { return unit_or_zero(area_normal(corners_of(mesh, h))); }
+
+// Whether the normal of a triangle turns by less than the angle with this cosine; one without area may do anything that
+// gives it one, and none may lose its own.
+inline bool keeps_facing(const glm::dvec3& before, const glm::dvec3& after, double least_cosine) {
+  const double product = glm::dot(before, after), lengths = glm::length(before) * glm::length(after);
+  if (!(glm::dot(before, before) > 0)) return true;
+  return lengths > 0 && product > least_cosine * lengths;
+}
+
+// The cotangent of the angle at a, between b and c; large where there is no area.
+inline double cotangent_at(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const glm::dvec3 u = b - a, v = c - a;
+  const double area = glm::length(glm::cross(u, v)), most = 1e12;
+  const double product = glm::dot(u, v);
+  return area * most > std::abs(product) ? product / area : product < 0 ? -most : most;
+}
+
+}  // namespace ryosen::remesh

@@ -1,0 +1,162 @@
+#include "core/algo/smooth/smooth.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/algo/smooth/implicit_step.h"
+#include "core/algo/smooth/keep_volume.h"
+#include "core/algo/unit_scale.h"
+#include "core/base/parallel.h"
+#include "core/geometry/is_finite.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+
+namespace ryosen::smooth {
+
+namespace {
+
+struct Sliding {
+  std::uint32_t point, before, after;
+};
+
+class Smoother {
+ public:
+  Smoother(const Mesh& mesh, const Options& options, std::vector<double> shares)
+      : mesh_(mesh),
+        options_(options),
+        shares_(std::move(shares)),
+        scale_(unit_scale(mesh.positions())),
+        triangles_(triangles_of(mesh, scale_)),
+        laplacian_(mesh, options.weights, triangles_) {
+    places_.reserve(mesh.vertex_slots());
+    for (const glm::dvec3& p : mesh.positions()) places_.push_back(p * scale_);
+    hold_what_stays();
+  }
+
+  Smoothed run(Progress& progress) {
+    Smoothed result;
+    const Places start = places_;
+    for (std::size_t step = 0; step < options_.steps; ++step) {
+      if (progress.go_on(step, options_.steps) && take_step(progress)) continue;
+      result.is_cancelled = true;
+      return result;
+    }
+    if (options_.keeps_volume) {
+      const KeptVolume kept = keep_volume(mesh_, scale_, shares_, start, places_);
+      result.kept_parts = kept.parts;
+      result.open_parts = kept.open_parts;
+    }
+    result.places = std::move(places_);
+    for (std::uint32_t i = 0; i < result.places.size(); ++i) {
+      const bool stays = result.places[i] == start[i] || !is_finite(result.places[i]);
+      result.places[i] = stays ? mesh_.position(Vertex(i)) : result.places[i] / scale_;
+    }
+    return result;
+  }
+
+ private:
+  void hold_what_stays() {
+    for (std::uint32_t i = 0; i < mesh_.vertex_slots(); ++i) {
+      const Vertex v(i);
+      const bool is_moved = mesh_.is_alive(v) && !mesh_.is_isolated(v) && !has_copies(mesh_, v) &&
+                            is_finite(mesh_.position(v)) && !ends_a_wire_or_fan(v);
+      if (!is_moved) shares_[i] = 0;
+      if (shares_[i] == 0 || !mesh_.is_boundary(v) || options_.boundary == BoundaryRule::free) continue;
+      if (options_.boundary == BoundaryRule::sliding) add_sliding(v);
+      shares_[i] = 0;
+    }
+  }
+
+  bool ends_a_wire_or_fan(Vertex v) const {
+    if (!mesh_.is_boundary(v)) return false;
+    std::uint32_t gaps = 0;
+    for (const Halfedge h : outgoing(mesh_, v)) {
+      if (mesh_.is_wire(edge(h))) return true;
+      gaps += mesh_.is_outside(h) ? 1u : 0u;
+    }
+    return gaps > 1;
+  }
+
+  void add_sliding(Vertex v) {
+    const Halfedge out = mesh_.halfedge(v);
+    const std::uint32_t after = point(mesh_, mesh_.to(out)).index,
+                        before = point(mesh_, mesh_.from(mesh_.prev(out))).index;
+    const glm::dvec3 come = places_[v.index] - places_[before], go = places_[after] - places_[v.index];
+    const double product = glm::dot(come, go), lengths = glm::length(come) * glm::length(go);
+    if (product * product * 2 < lengths * lengths || product <= 0) return;  // it bends by more than 45 degrees
+    sliding_.push_back({v.index, before, after});
+    slide_shares_.push_back(shares_[v.index]);
+  }
+
+  // Towards the middle of the neighbours, but only along the line through both.
+  void slide(double strength) {
+    Places moved;
+    moved.reserve(sliding_.size());
+    for (std::size_t i = 0; i < sliding_.size(); ++i) {
+      const Sliding& s = sliding_[i];
+      const glm::dvec3 &here = places_[s.point], along = places_[s.after] - places_[s.before];
+      const glm::dvec3 middle = 0.5 * places_[s.before] + 0.5 * places_[s.after];
+      const double square = glm::dot(along, along);
+      const double part = square > 0 ? glm::dot(middle - here, along) / square : 0;
+      moved.push_back(here + (slide_shares_[i] * strength * part) * along);
+    }
+    for (std::size_t i = 0; i < sliding_.size(); ++i) places_[sliding_[i].point] = moved[i];
+  }
+
+  bool take_step(Progress& progress) {
+    const double s = options_.strength;
+    switch (options_.method) {
+      case Method::laplace:
+        explicit_step(s);
+        return true;
+      case Method::taubin:
+        explicit_step(s);
+        explicit_step(1 / (options_.pass_band - 1 / s));
+        return true;
+      case Method::implicit:
+        break;
+    }
+    slide(std::min(s, 1.0));
+    laplacian_.weigh(triangles_, places_);
+    std::vector<double> strengths = shares_;
+    for (double& share : strengths) share *= s;
+    return implicit_step(laplacian_, strengths, places_, progress);
+  }
+
+  void explicit_step(double strength) {
+    laplacian_.weigh(triangles_, places_);
+    Places next = places_;
+    const auto count = static_cast<std::uint32_t>(places_.size());
+    for_each_part(count, threads_for(count), [&](unsigned, std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t i = begin; i < end; ++i) {
+        if (shares_[i] == 0) continue;
+        const glm::dvec3& here = places_[i];
+        next[i] = here + (shares_[i] * strength) * (laplacian_.mean(i, places_, here) - here);
+      }
+    });
+    slide(strength);
+    for (const Sliding& s : sliding_) next[s.point] = places_[s.point];
+    places_ = std::move(next);
+  }
+
+  const Mesh& mesh_;
+  const Options& options_;
+  std::vector<double> shares_;
+  double scale_;
+  std::vector<Triangle> triangles_;
+  Laplacian laplacian_;
+  Places places_;  // scaled
+  std::vector<Sliding> sliding_;
+  std::vector<double> slide_shares_;
+};
+
+}  // namespace
+
+Smoothed smoothed(const Mesh& mesh, const Options& options, std::vector<double> shares, Progress& progress) {
+  Smoothed cancelled;
+  cancelled.is_cancelled = true;
+  if (!progress.go_on(0, options.steps)) return cancelled;
+  return Smoother(mesh, options, std::move(shares)).run(progress);
+}
+
+}  // namespace ryosen::smooth

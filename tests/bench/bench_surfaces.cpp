@@ -1,0 +1,128 @@
+// Subdivision and remeshing against CGAL's in one run: milliseconds, their ratio, and the ratio to reach.
+//   bench_surfaces [WORD...]   only the rows whose name holds one of the words. RYOSEN_DRAGON=FILE.ply.gz adds the dragon.
+// Both sides run in turn; a ratio is the median of the ratios of turns.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <string>
+#include <vector>
+
+#include "core/algo/remesh/remesh.h"
+#include "core/algo/subdivide/subdivide.h"
+#include "core/indexed/from_indexed.h"
+#include "core/mesh/circulate.h"
+#include "tests/bench/bench_meshes.h"
+#include "tests/bench/peer_cgal_surfaces.h"
+
+namespace ryosen::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Run = std::function<double()>;  // milliseconds
+
+std::vector<std::string> wanted_words;
+
+template <class Work>
+double milliseconds(const Work& work) {
+  const auto start = Clock::now();
+  work();
+  return 1000 * std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double median_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+void compare(const std::string& name, int turns, const Run& ours, const Run& theirs) {
+  const bool is_wanted =
+      wanted_words.empty() || std::any_of(wanted_words.begin(), wanted_words.end(),
+                                          [&](const auto& w) { return name.find(w) != std::string::npos; });
+  if (!is_wanted) return;
+  std::vector<double> mine, peer, ratios;
+  for (int i = 0; i <= turns; ++i) {
+    const double a = ours(), b = theirs();
+    if (i == 0 && turns > 1) continue;  // warm up
+    mine.push_back(a);
+    peer.push_back(b);
+    ratios.push_back(b / a);
+  }
+  constexpr double bar = 3;
+  std::printf("%-32s %9.1f %9.1f %7.2fx %7.2fx %s\n", name.c_str(), median_of(mine), median_of(peer), median_of(ratios),
+              bar, median_of(ratios) >= bar ? "reached" : "short");
+  std::fflush(stdout);
+}
+
+void compare_steps(const std::string& name, const IndexedMesh& source, int turns) {
+  if (source.positions.empty()) return;
+  const Mesh mesh = from_indexed(source);
+  const SurfacesPeer peer(source);
+  for (const subdivide::Scheme scheme :
+       {subdivide::Scheme::loop, subdivide::Scheme::catmull_clark, subdivide::Scheme::sqrt3}) {
+    const char* const title = scheme == subdivide::Scheme::loop            ? "Loop step "
+                              : scheme == subdivide::Scheme::catmull_clark ? "Catmull-Clark step "
+                                                                           : "sqrt(3) step ";
+    compare(
+        title + name, turns,
+        [&] {
+          return milliseconds([&] {
+            Progress unheard;
+            const subdivide::Subdivided made = subdivide::subdivided(mesh, {.scheme = scheme}, unheard);
+            if (made.fault) std::printf("%s\n", made.fault->en.c_str());
+          });
+        },
+        [&] { return peer.milliseconds_of_step(title[0]); });
+  }
+}
+
+double mean_length(const Mesh& mesh) {
+  double sum = 0;
+  for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) {
+    const auto [a, b] = ends(mesh, Edge(e));
+    sum += glm::distance(mesh.position(a), mesh.position(b));
+  }
+  return sum / mesh.edge_slots();
+}
+
+// How far the lengths spread and how many valences are 6, of both results.
+void print_quality(const char* who, const SurfaceQuality& q) {
+  std::printf("  %-8s faces %zu, lengths %.3f +- %.3f of the wanted one, smallest angle %.1f, valence 6 %.1f %%\n", who,
+              q.faces, q.mean_length, q.spread, q.smallest_angle_deg, 100 * q.valence_six);
+}
+
+void compare_remeshing(const std::string& name, const IndexedMesh& source, int turns, unsigned rounds) {
+  const Mesh mesh = from_indexed(source);
+  const SurfacesPeer peer(source);
+  const double length = mean_length(mesh);
+  MeshColumns ours;
+  SurfaceQuality theirs;
+  compare(
+      "remesh " + name + ", rounds " + std::to_string(rounds), turns,
+      [&] {
+        return milliseconds([&] {
+          Progress unheard;
+          ours =
+              remesh::remeshed(mesh, {.length = length, .rounds = rounds, .feature_angle_rad = 3.2}, unheard).columns;
+        });
+      },
+      [&] { return peer.milliseconds_of_remeshing(length, rounds, theirs); });
+  if (ours.positions.empty()) return;
+  print_quality("ryosen", quality_of(Mesh(std::move(ours)), length));
+  print_quality("CGAL", theirs);
+}
+
+}  // namespace
+}  // namespace ryosen::bench
+
+int main(int argc, char** argv) {
+  using namespace ryosen::bench;
+  wanted_words.assign(argv + 1, argv + argc);
+  std::printf("%-32s %9s %9s %8s %8s\n", "milliseconds, medians", "ryosen", "CGAL", "ratio", "bar");
+  compare_steps("bunny", bunny(), 5);
+  compare_steps("dragon", dragon(), 5);
+  compare_remeshing("bunny", bunny(), 1, 1);
+  compare_remeshing("bunny", bunny(), 1, 5);
+}

@@ -1,0 +1,35 @@
+// CGAL's subdivision and isotropic remeshing behind plain functions, and the figures by which results are compared.
+#pragma once
+
+#include <memory>
+
+#include "core/indexed/indexed.h"
+#include "core/mesh/mesh.h"
+
+namespace ryosen::bench {
+
+struct SurfaceQuality {
+  std::size_t faces = 0;
+  double mean_length = 0, spread = 0;  // in shares of the wanted length: the mean and the standard deviation
+  double smallest_angle_deg = 0;
+  double valence_six = 0;  // the share of the vertices
+};
+SurfaceQuality quality_of(const Mesh& mesh, double wanted_length);
+
+class SurfacesPeer {
+ public:
+  explicit SurfacesPeer(const IndexedMesh& source);
+  ~SurfacesPeer();
+  SurfacesPeer(const SurfacesPeer&) = delete;
+  SurfacesPeer& operator=(const SurfacesPeer&) = delete;
+
+  // Of one step on a copy, which is not counted; by the first letter of the scheme: L, C or s.
+  double milliseconds_of_step(char scheme) const;
+  double milliseconds_of_remeshing(double length, unsigned rounds, SurfaceQuality& quality) const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace ryosen::bench

@@ -1,0 +1,252 @@
+// Smoothing against closed forms: waves on a closed grid, symmetric solids, cylinders, planes.
+#include "core/algo/smooth/smooth.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <random>
+
+#include "core/analysis/figures.h"
+#include "core/mesh/copies.h"
+#include "tests/support/core/run_algorithm.h"
+#include "tests/support/core/shapes.h"
+
+namespace ryosen::test {
+namespace {
+
+using smooth::BoundaryRule;
+using smooth::Method;
+using smooth::Options;
+using smooth::WeightKind;
+
+constexpr double turn = 2 * std::numbers::pi;
+
+Mesh placed(const Polygons& faces, const std::vector<glm::dvec3>& places) {
+  IndexedMesh list = indexed(faces, places.size());
+  list.positions = places;
+  return from_indexed(list);
+}
+
+std::vector<glm::dvec3> smoothed_places(const Mesh& mesh, const Options& options, std::vector<double> shares = {}) {
+  Progress unheard;
+  if (shares.empty()) shares.assign(mesh.vertex_slots(), 1.0);
+  return smooth::smoothed(mesh, options, shares, unheard).places;
+}
+
+// On a grid that closes both ways each wave is multiplied by a number of its own in every step.
+TEST(Smooth, waves_on_a_closed_grid_fade_by_their_frequency) {
+  constexpr std::uint32_t rows = 12, columns = 16;
+  for (const auto& [k, l] : std::vector<std::pair<int, int>>{{1, 0}, {0, 2}, {3, 1}, {8, 6}}) {
+    std::vector<glm::dvec3> places;
+    for (std::uint32_t r = 0; r < rows; ++r)
+      for (std::uint32_t c = 0; c < columns; ++c) {
+        const double angle = turn * (double(k * int(c)) / columns + double(l * int(r)) / rows);
+        places.emplace_back(std::cos(angle), std::sin(angle), 3);
+      }
+    const Mesh mesh = placed(torus_grid(rows, columns), places);
+    const double a = turn * k / columns, b = turn * l / rows;  // its squares have a diagonal
+    const double frequency = 1 - (std::cos(a) + std::cos(b) + std::cos(a + b)) / 3;
+    const auto expect = [&](const Options& options, double factor) {
+      const std::vector<glm::dvec3> after = smoothed_places(mesh, options);
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        const glm::dvec3 wanted(factor * places[i].x, factor * places[i].y, 3);
+        EXPECT_LT(glm::distance(after[i], wanted), 1e-10) << k << " " << l;
+      }
+    };
+    const Options uniform{.weights = WeightKind::uniform, .steps = 5, .strength = 0.4};
+    expect(uniform, std::pow(1 - 0.4 * frequency, 5));
+    Options implicit = uniform;
+    implicit.method = Method::implicit;
+    implicit.strength = 20;
+    expect(implicit, std::pow(1 + 20 * frequency, -5));
+    Options taubin = uniform;
+    taubin.method = Method::taubin;
+    const double back = 1 / (0.1 - 1 / 0.4);
+    expect(taubin, std::pow((1 - 0.4 * frequency) * (1 - back * frequency), 5));
+  }
+}
+
+// All vertices are alike, so they move towards the middle by the same factor, whatever the weights.
+TEST(Smooth, regular_solids_shrink_towards_their_middle) {
+  const Mesh solid = made_by("icosahedron");
+  const double factor = 1 - 0.5 * (1 - 1 / std::sqrt(5.0));  // the cosine between two of its neighbours
+  for (const WeightKind weights : {WeightKind::uniform, WeightKind::cotangent}) {
+    const std::vector<glm::dvec3> after = smoothed_places(solid, {.weights = weights, .steps = 3});
+    for (std::uint32_t i = 0; i < after.size(); ++i)
+      EXPECT_LT(glm::distance(after[i], std::pow(factor, 3) * solid.position(Vertex(i))), 1e-13);
+    const std::vector<glm::dvec3> kept = smoothed_places(solid, {.weights = weights, .steps = 3, .keeps_volume = true});
+    for (std::uint32_t i = 0; i < kept.size(); ++i)
+      EXPECT_LT(glm::distance(kept[i], solid.position(Vertex(i))), 1e-13) << "a closed one comes back";
+  }
+}
+
+// n sides of length s, rows of height h: the sides weigh h / s, the rows s / h.
+TEST(Smooth, a_cylinder_shrinks_by_its_curvature) {
+  constexpr std::uint32_t n = 24, rows = 9;
+  const double height = 0.3, side = 2 * std::sin(turn / 2 / n);
+  std::vector<glm::dvec3> places;
+  Polygons faces;
+  for (std::uint32_t r = 0; r < rows; ++r)
+    for (std::uint32_t c = 0; c < n; ++c) {
+      places.emplace_back(std::cos(turn * c / n), std::sin(turn * c / n), height * r);
+      const std::uint32_t a = r * n + c, b = r * n + (c + 1) % n;
+      if (r + 1 < rows) faces.insert(faces.end(), {{a, b, b + n}, {a, b + n, a + n}});
+    }
+  const Mesh mesh = placed(faces, places);
+  const std::vector<glm::dvec3> after = smoothed_places(mesh, {.steps = 1, .strength = 0.8});
+  const double around = height / side, along = side / height;
+  const double radius = 1 - 0.8 * around * (1 - std::cos(turn / n)) / (around + along);
+  for (std::uint32_t i = 0; i < after.size(); ++i) {
+    const bool is_inside = i >= n && i < (rows - 1) * n;
+    const double scale = is_inside ? radius : 1;
+    EXPECT_LT(glm::distance(after[i], places[i] * glm::dvec3(scale, scale, 1)), 1e-13) << i;
+  }
+}
+
+std::vector<glm::dvec3> uneven_grid(std::uint32_t n, Polygons& faces) {
+  std::vector<glm::dvec3> places;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> aside(-0.15, 0.15);
+  for (std::uint32_t y = 0; y <= n; ++y)
+    for (std::uint32_t x = 0; x <= n; ++x) {
+      const bool on_x = x == 0 || x == n, on_y = y == 0 || y == n;
+      places.emplace_back(x + (on_x ? 0 : aside(random)), y + (on_y ? 0 : aside(random)), 0.0);
+      const std::uint32_t a = y * (n + 1) + x, b = a + 1, c = b + n + 1, d = a + n + 1;
+      if (x < n && y < n) faces.insert(faces.end(), {{a, b, d}, {b, c, d}});
+    }
+  return places;
+}
+
+TEST(Smooth, boundaries_stay_slide_or_move) {
+  Polygons faces;
+  constexpr std::uint32_t n = 8;
+  const std::vector<glm::dvec3> places = uneven_grid(n, faces);
+  const Mesh mesh = placed(faces, places);
+  const auto is_on_border = [&](const glm::dvec3& p) { return p.x == 0 || p.y == 0 || p.x == n || p.y == n; };
+  for (const Method method : {Method::laplace, Method::implicit, Method::taubin}) {
+    for (const BoundaryRule rule : {BoundaryRule::locked, BoundaryRule::sliding, BoundaryRule::free}) {
+      const std::vector<glm::dvec3> after =
+          smoothed_places(mesh, {.method = method, .weights = WeightKind::uniform, .boundary = rule, .steps = 200});
+      std::size_t moved = 0;
+      double area = 0;
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        EXPECT_EQ(after[i].z, 0);
+        if (!is_on_border(places[i])) continue;
+        moved += after[i] != places[i];
+        if (rule == BoundaryRule::sliding) {
+          EXPECT_TRUE(is_on_border(after[i])) << "on the straight lines";
+        }
+      }
+      for (const std::vector<std::uint32_t>& f : faces)
+        area += glm::cross(after[f[1]] - after[f[0]], after[f[2]] - after[f[0]]).z / 2;
+      EXPECT_EQ(moved > 0, rule != BoundaryRule::locked);
+      if (rule != BoundaryRule::free) {
+        EXPECT_NEAR(area, n * n, 1e-9) << int(method) << int(rule);
+      }
+      if (rule == BoundaryRule::sliding && method == Method::laplace) {  // evenly spread in the end
+        for (std::uint32_t x = 0; x <= n; ++x) EXPECT_LT(glm::distance(after[x], glm::dvec3(x, 0, 0)), 1e-4);
+      }
+    }
+  }
+}
+
+// What is linear over the plane has no curvature: with cotangents nothing there moves, however uneven the triangles.
+TEST(Smooth, by_cotangents_a_plane_stays_as_it_is) {
+  Polygons faces;
+  const std::vector<glm::dvec3> places = uneven_grid(8, faces);
+  Mesh mesh = placed(faces, places);
+  Journal journal;
+  run_algorithm(mesh, journal, "delaunay");  // so that no weight is negative
+  for (const Method method : {Method::laplace, Method::implicit}) {
+    const std::vector<glm::dvec3> after = smoothed_places(mesh, {.method = method, .steps = 3});
+    for (std::size_t i = 0; i < places.size(); ++i) EXPECT_LT(glm::distance(after[i], places[i]), 1e-10);
+    const std::vector<glm::dvec3> uniform =
+        smoothed_places(mesh, {.method = method, .weights = WeightKind::uniform, .steps = 3});
+    double most = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) most = std::max(most, glm::distance(uniform[i], places[i]));
+    EXPECT_GT(most, 0.01);
+  }
+}
+
+TEST(Smooth, shares_and_the_volume_of_each_part) {
+  Mesh mesh = made_by("sphere");
+  Journal journal;
+  run_algorithm(mesh, journal, "cube at=9,0,0");
+  run_algorithm(mesh, journal, "grid at=0,0,9");
+  const Figures before = compute_figures(mesh);
+  const Mesh kept = mesh;
+  const AlgorithmResult all =
+      run_algorithm(mesh, journal, "smooth steps=5 weights=uniform keep_volume=on boundary=free");
+  EXPECT_NE(all.text.en.find("2 parts kept their volume; one part has no volume"), std::string::npos) << all.text.en;
+  Mesh closed = made_by("sphere");
+  run_algorithm(closed, journal, "cube at=9,0,0");
+  const double volume = *compute_figures(closed).volume;
+  run_algorithm(closed, journal, "smooth steps=5 keep_volume=on");
+  EXPECT_NEAR(*compute_figures(closed).volume, volume, 1e-12 * volume);
+  run_algorithm(closed, journal, "smooth steps=5");
+  EXPECT_LT(*compute_figures(closed).volume, 0.99 * volume);
+  // One vertex alone, and then those around it too, but less.
+  Mesh one = kept;
+  EXPECT_EQ(run_algorithm(one, journal, "smooth steps=1 select=v0").changed, 1u);
+  Mesh some = kept;
+  EXPECT_GT(run_algorithm(some, journal, "smooth steps=1 select=v0 falloff=0.5").changed, 3u);
+  EXPECT_EQ(one.position(Vertex(0)), some.position(Vertex(0)));
+  EXPECT_EQ(before.vertices, compute_figures(mesh).vertices);
+}
+
+TEST(Smooth, copies_and_what_is_not_finite_stay) {
+  for (const Polygons& faces : {fin(), bow_tie(), moebius_strip(), two_tetrahedra_on_an_edge(), Polygons{{0, 1, 2}}}) {
+    Mesh mesh = make_mesh(faces);
+    for (const char* line :
+         {"smooth boundary=free", "smooth boundary=free method=implicit", "smooth boundary=sliding"}) {
+      Mesh after = mesh;
+      Journal journal;
+      run_algorithm(after, journal, line);
+      for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+        if (has_copies(mesh, Vertex(i))) {
+          EXPECT_EQ(after.position(Vertex(i)), mesh.position(Vertex(i)));
+        }
+    }
+  }
+  Mesh sphere = made_by("sphere");
+  MeshColumns columns = sphere.columns();
+  columns.positions[20].x = std::nan("");
+  const Mesh broken(columns);
+  for (const Method method : {Method::laplace, Method::implicit, Method::taubin}) {
+    const std::vector<glm::dvec3> after = smoothed_places(broken, {.method = method});
+    for (std::size_t i = 0; i < after.size(); ++i) EXPECT_EQ(i == 20, std::isnan(after[i].x)) << i;
+  }
+}
+
+TEST(Smooth, the_size_of_the_mesh_does_not_matter) {
+  const Mesh sphere = made_by("sphere");
+  for (const Method method : {Method::laplace, Method::implicit, Method::taubin}) {
+    const Options options{.method = method, .steps = 3, .keeps_volume = true};
+    const std::vector<glm::dvec3> plain = smoothed_places(sphere, options);
+    for (const double size : {0x1p-900, 0x1p900}) {
+      MeshColumns scaled = sphere.columns();
+      for (glm::dvec3& p : scaled.positions) p *= size;
+      const std::vector<glm::dvec3> after = smoothed_places(Mesh(scaled), options);
+      for (std::size_t i = 0; i < plain.size(); ++i) EXPECT_EQ(after[i], plain[i] * size);
+    }
+  }
+}
+
+TEST(Smooth, garbage_is_refused_with_a_sentence) {
+  const AlgorithmRow& row = *find_algorithm("smooth");
+  for (const std::string_view word : {"steps=0", "steps=-3", "steps=nan", "steps=1e300", "strength=0", "strength=-1",
+                                      "strength=nan", "strength=1e300", "pass_band=0", "falloff=-1", "method=magic"})
+    EXPECT_FALSE(read_values(row.parameters, std::span(&word, 1)).values) << word;
+  Mesh sphere = made_by("sphere");
+  Journal journal;
+  EXPECT_TRUE(run_algorithm(sphere, journal, "smooth strength=2").fault);
+  EXPECT_TRUE(run_algorithm(sphere, journal, "smooth method=taubin strength=1 pass_band=1").fault);
+  EXPECT_FALSE(run_algorithm(sphere, journal, "smooth method=implicit strength=2").fault);
+  Mesh empty;
+  EXPECT_TRUE(run_algorithm(empty, journal, "smooth").refused);
+}
+
+}  // namespace
+}  // namespace ryosen::test

@@ -22,7 +22,7 @@ AlgorithmResult remesh_mesh(Edit& edit, const AlgorithmInput& input, Progress& p
   const ParameterValues& values = input.values;
   AlgorithmResult result;
   if (mesh.live().faces == 0) {
-    result.text = {"There is no face.", "面がありません。"};
+    result.refused = Text{"there are no faces", "面がありません"};
     return result;
   }
   remesh::Options options{.length = values.length("length"),
@@ -35,6 +35,7 @@ AlgorithmResult remesh_mesh(Edit& edit, const AlgorithmInput& input, Progress& p
   remesh::Remeshed made = remesh::remeshed(mesh, options, progress);
   if (made.is_cancelled) return result;
   if ((result.fault = std::move(made.fault))) return result;
+  result.account.emplace();
   result.changed = made.columns.live.faces;
   const std::string after = std::to_string(made.columns.live.faces);
   result.text = Text{before + " faces became " + after, "面 " + before + " 個が " + after + " 個になりました"} +
@@ -129,7 +130,8 @@ AlgorithmRow remesh_row() {
                       .initial = "45"}},
       .keeps_geometry = false,
       .solves = {},
-      .run = remesh_mesh};
+      .run = remesh_mesh,
+      .accounts = true};
 }
 
 }  // namespace

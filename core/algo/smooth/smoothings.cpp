@@ -70,9 +70,14 @@ AlgorithmResult smooth_mesh(Edit& edit, const AlgorithmInput& input, Progress& p
   const Mesh& mesh = edit.mesh();
   const smooth::Options options = options_of_smoothing(input.values);
   AlgorithmResult result;
+  if (mesh.live().faces == 0) {
+    result.refused = Text{"there are no faces", "面がありません"};
+    return result;
+  }
   if ((result.fault = fault_of_smoothing(options))) return result;
   const smooth::Smoothed made = smooth::smoothed(mesh, options, shares_of(mesh, input.values), progress);
   if (made.is_cancelled) return result;
+  result.account.emplace();
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
     const Vertex v(i);
     if (!mesh.is_alive(v) || point(mesh, v) != v || made.places[i] == mesh.position(v) || !is_finite(made.places[i]))
@@ -172,7 +177,8 @@ std::vector<AlgorithmRow> smoothing_rows() {
            .parameters = smoothing_parameters(),
            .keeps_geometry = false,
            .solves = {},
-           .run = smooth_mesh}};
+           .run = smooth_mesh,
+           .accounts = true}};
 }
 
 }  // namespace ryosen

@@ -37,7 +37,7 @@ AlgorithmResult subdivide_mesh(Edit& edit, const AlgorithmInput& input, Progress
   AlgorithmResult result;
   const std::size_t before = edit.mesh().live().faces;
   if (edit.mesh().live().edges == 0) {
-    result.text = {"There is no face and no edge to divide.", "分割する面も稜線もありません。"};
+    result.refused = Text{"there is no face and no edge to divide", "分割する面も稜線もありません"};
     return result;
   }
   subdivide::Subdivided made = subdivide::subdivided(edit.mesh(), options_of(input.values), progress);
@@ -46,6 +46,7 @@ AlgorithmResult subdivide_mesh(Edit& edit, const AlgorithmInput& input, Progress
     result.fault = std::move(made.fault);
     return result;
   }
+  result.account.emplace();
   result.changed = std::max<std::size_t>(made.columns.live.faces, 1);
   const std::string old_count = std::to_string(before), count = std::to_string(made.columns.live.faces);
   result.text = {old_count + " faces became " + count, "面 " + old_count + " 個が " + count + " 個になりました"};
@@ -123,7 +124,8 @@ std::vector<AlgorithmRow> subdivision_rows() {
            .parameters = parameters,
            .keeps_geometry = false,
            .solves = {},
-           .run = subdivide_mesh}};
+           .run = subdivide_mesh,
+           .accounts = true}};
 }
 
 }  // namespace ryosen

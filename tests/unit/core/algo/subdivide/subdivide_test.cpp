@@ -443,7 +443,7 @@ TEST(Subdivide, what_cannot_be_is_refused_with_a_sentence) {
   }
   Mesh empty;
   Journal journal;
-  EXPECT_EQ(run_algorithm(empty, journal, "subdivide").changed, 0u);
+  EXPECT_TRUE(run_algorithm(empty, journal, "subdivide").refused);
 }
 
 TEST(Subdivide, as_an_algorithm_tells_what_it_did) {

@@ -259,16 +259,12 @@ OnEdge on_long_edge(const std::string& file, double share) {
   return {};
 }
 
-// Sentences of the editor's contract by hand: where on the edge, the table of input, selecting, operators on what is
-// selected, moving by typed numbers, and the menus by keys.
-TEST_F(WindowTest, selects_edits_and_moves_by_mouse_and_keys) {
+TEST_F(WindowTest, selects_and_converts_by_mouse_and_keys) {
   const std::string mesh = folder_.copy(test::asset("cube.obj"), "cube.obj");
   open(mesh);
-  const long vertices = last().vertices;
   const OnEdge at = on_long_edge(mesh, 0.3);
   ASSERT_FALSE(at.pixel.empty());
   const auto has_selected = [&](long n) { return wait_for([&] { return last().selected == n; }); };
-  const auto has_history = [&](long n) { return wait_for([&] { return last().history == n; }); };
   xdotool("mousemove " + at.pixel + " click 1");
   ASSERT_TRUE(has_selected(1)) << "a click selects the edge";
   xdotool("key ctrl+1");
@@ -277,47 +273,8 @@ TEST_F(WindowTest, selects_edits_and_moves_by_mouse_and_keys) {
   ASSERT_TRUE(has_selected(8)) << "all vertices";
   xdotool("key i");
   ASSERT_TRUE(has_selected(0)) << "none are left";
-  // A box round everything, from corner to corner of the view.
-  xdotool(
-      "mousemove 320 60 keydown ctrl keydown shift mousedown 1 mousemove 600 400 mousemove 960 740 mouseup 1 "
-      "keyup shift keyup ctrl");
-  EXPECT_TRUE(wait_for([&] { return last().selected >= 7; })) << "those that are seen; selected " << last().selected;
-  xdotool("key Escape");
-  ASSERT_TRUE(has_selected(0));
-
-  // The tool splits where the pointer is.
-  xdotool("key d mousemove 300 700 mousemove " + at.pixel + " click 1");
-  ASSERT_TRUE(has_history(1)) << "nothing was split";
-  EXPECT_EQ(last().vertices, vertices + 1);
-  xdotool("key Escape key ctrl+s");
-  const auto added = [&] {
-    auto saved = read_mesh_file(mesh);
-    return saved && saved.value().mesh.positions.size() == 9 ? saved.value().mesh.positions[8] : glm::dvec3(1e9);
-  };
-  ASSERT_TRUE(wait_for([&] { return glm::distance(added(), at.place) < 1e-9; }))
-      << at.edge << ": " << added().x << " " << added().y << " " << added().z;
-  // Moved along an axis by a number that is typed.
-  xdotool("key 1 mousemove " + at.pixel + " click 1");
-  ASSERT_TRUE(has_selected(1));
-  xdotool("key g key x key 2 key Return");
-  ASSERT_TRUE(has_history(2)) << "nothing was moved";
-  xdotool("key ctrl+s");
-  EXPECT_TRUE(wait_for([&] { return glm::distance(added(), at.place + glm::dvec3(2, 0, 0)) < 1e-9; })) << added().x;
-
-  // Undone from the menus: Edit is the second, Undo its first entry; by F10, then by Alt alone.
-  for (const auto& [key, history] : {std::pair("F10", 1L), {"alt", 0L}}) {
-    xdotool("key " + std::string(key));
-    std::this_thread::sleep_for(200ms);
-    xdotool("key Right");
-    std::this_thread::sleep_for(200ms);
-    xdotool("key Return");
-    ASSERT_TRUE(has_history(history)) << key;
-  }
-  // An operator on what is selected.
   xdotool("key 3 key a");
-  ASSERT_TRUE(has_selected(6));
-  xdotool("key x");
-  ASSERT_TRUE(has_history(1)) << "nothing was deleted";
+  ASSERT_TRUE(has_selected(6)) << "all faces";
 }
 
 TEST_F(WindowTest, draws_nothing_when_nothing_changes) {

@@ -1,4 +1,6 @@
 // The values of an algorithm: one field per parameter, as its row describes it.
+#include <utility>
+
 #include "app/editor/commands.h"
 #include "app/ui/panels.h"
 #include "app/ui/parameter_field.h"
@@ -20,6 +22,7 @@ class ValuesPanel : public Panel {
 
   std::string algorithm_;           // its id
   bool has_run_ = false;            // with these values; where that failed, the reason stands beside them
+  bool takes_keys_ = false;         // the first field is to have the keyboard, where this is asked again
   std::vector<std::string> texts_;  // what stands in the fields of its parameters
 };
 
@@ -55,7 +58,7 @@ void ValuesPanel::draw(PanelContext& context) {
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(context.text(row->name_en, row->name_ja));
   dim_text(context, context.text(row->help_en, row->help_ja));
-  const bool entered = draw_fields(context, *row, begins);
+  const bool entered = draw_fields(context, *row, begins || std::exchange(takes_keys_, false));
   const ReadValues read = read_fields(row->parameters, texts_);
   ImGui::Dummy({0, 8 * context.scale});
   ImGui::BeginDisabled(!read.values);
@@ -65,7 +68,7 @@ void ValuesPanel::draw(PanelContext& context) {
   if (has_failed) coloured_text(context.colours().warning, context.state.last_outcome.in(context.language()).c_str());
   ImGui::PopTextWrapPos();
   if (!read.values || !(pressed || entered)) return;
-  has_run_ = true;
+  has_run_ = takes_keys_ = true;
   context.run_from(line_of(*row, *read.values), context.session.open_panel);
 }
 

@@ -8,6 +8,7 @@
 #include "app/cli/contract/algorithms.h"
 #include "app/cli/contract/check.h"
 #include "app/cli/contract/convert.h"
+#include "app/cli/contract/distance.h"
 #include "app/cli/contract/edit.h"
 #include "app/cli/contract/forms.h"
 #include "app/cli/contract/help.h"
@@ -192,6 +193,21 @@ std::vector<Subcommand> table() {
                  maps_topic,
                  measure_command,
                  measure_contract},
+      Subcommand{"distance",
+                 "FILE OTHER",
+                 "how far two surfaces are from each other: largest, mean and root mean square distance, both ways",
+                 "二つの曲面の距離（最大、平均、二乗平均平方根、両方向）",
+                 {
+                     {"--gap", "G", false,
+                      "how much the bound of the largest distance may be above it, as a share of it; else 1e-6",
+                      "最大距離の上界が超えてよい割合（省くと 1e-6）"},
+                     {"--samples", "N", false,
+                      "about so many for the means; else 200000, or one per triangle where these are more",
+                      "平均に用いる標本のおよその数（省くと 200000、三角形がそれより多ければその数）"},
+                 },
+                 nullptr,
+                 distance_command,
+                 distance_contract},
       Subcommand{"forms",
                  "FILE",
                  "the representations of the source texts for this mesh: bytes per face, build and query times",
@@ -279,14 +295,29 @@ std::optional<Subcommand> find_subcommand(std::string_view id) {
   return algorithm ? std::optional(subcommand_of(*algorithm)) : std::nullopt;
 }
 
+namespace {
+
+template <class Counts>
+std::size_t count_words(std::string_view words, const Counts& counts) {
+  std::size_t count = 0;
+  while (!words.empty()) {
+    const std::string_view word = words.substr(0, words.find(' '));
+    if (counts(word)) ++count;
+    words.remove_prefix(std::min(words.size(), word.size() + 1));
+  }
+  return count;
+}
+
+}  // namespace
+
 std::size_t Subcommand::least_operands() const {
   const bool may_lack = std::any_of(flags.begin(), flags.end(), [](const Flag& flag) { return flag.replaces_operand; });
-  return may_lack || operands.empty() || operands.starts_with('[') ? 0 : 1;
+  return may_lack ? 0 : count_words(operands, [](std::string_view word) { return !word.starts_with('['); });
 }
 
 std::size_t Subcommand::most_operands() const {
   if (operands.ends_with("...")) return std::numeric_limits<std::size_t>::max();
-  return operands.empty() ? 0 : 1;
+  return count_words(operands, [](std::string_view) { return true; });
 }
 
 bool Arguments::has(std::string_view flag) const { return value(flag) != nullptr; }

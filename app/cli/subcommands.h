@@ -15,6 +15,7 @@ ExitCode repair_command(const Arguments& arguments, const Console& console);
 ExitCode algorithm_command(const AlgorithmRow& row, const Arguments& arguments, const Console& console);
 ExitCode shot_command(const Arguments& arguments, const Console& console);
 ExitCode measure_command(const Arguments& arguments, const Console& console);
+ExitCode distance_command(const Arguments& arguments, const Console& console);
 ExitCode forms_command(const Arguments& arguments, const Console& console);
 ExitCode formats_command(const Arguments& arguments, const Console& console);
 ExitCode keys_command(const Arguments& arguments, const Console& console);

@@ -47,6 +47,7 @@ class CommandList {
     for (const AlgorithmRow& row : algorithm_table()) add_algorithm(row);
     for (const Format& format : formats()) add_conversions(format);
     add("forms", {"forms"});
+    add("distance", {"distance", file_});
     add_writing("shot", {"shot", "--size", "320x180"}, "png");
     return std::move(commands_);
   }

@@ -85,6 +85,7 @@ void sweep_command_lines(Sweep& sweep) {
       {"measure", mesh, "--bars", "3"},
       {"measure", mesh, "f0"},
       {"measure", mesh, "v0"},
+      {"distance", mesh, three},
       {"check", asset("stanford_bunny.obj"), "--self-intersections"},
   };
   for (const std::vector<std::string>& line : lines) sweep.run(line);
@@ -116,6 +117,7 @@ void sweep_refused_inputs(Sweep& sweep) {
     sweep.run({"shot", file, "-o", "o.png"});
     sweep.run({"forms", file});
     sweep.run({"measure", file});
+    sweep.run({"distance", file, file});
     for (const ryosen::AlgorithmRow& row : ryosen::algorithm_table()) sweep.run(words_for(row, file));
   }
   sweep.run({"check", asset("tetrahedron.off"), bad});
@@ -126,6 +128,8 @@ void sweep_algorithms(Sweep& sweep) {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nv 9 9 9\nv 1e999 0 0\n";
   const std::string mesh = sweep.folder().write("problems.obj", points + "f 1 2 3\nf 1 2 4\nf 1 2 5\nf 1 1 2\n");
   for (const ryosen::AlgorithmRow& row : ryosen::algorithm_table()) sweep.run(words_for(row, mesh));
+  sweep.run({"distance", mesh, mesh});
+  sweep.run({"distance", mesh, sweep.folder().write("points.obj", points)});
 }
 
 void sweep_runs(Sweep& sweep) {

@@ -79,7 +79,8 @@ IndexedMesh moved(IndexedMesh mesh, double factor, const glm::dvec3& by) {
   return mesh;
 }
 
-SurfaceDistance measured(const IndexedMesh& a, const IndexedMesh& b, const DistanceOptions& options = {}) {
+SurfaceDistance measured(const IndexedMesh& a, const IndexedMesh& b,
+                         const DistanceOptions& options = {.samples = 2000}) {
   Progress unseen;
   return surface_distance(from_indexed(IndexedMesh(a)), from_indexed(IndexedMesh(b)), options, unseen).value();
 }
@@ -94,19 +95,19 @@ void expect_bounds_hold(const OneWayDistance& way, const SlowFigures& slow, doub
 
 TEST(distance, equals_what_trying_everything_gives) {
   Dice dice(1);
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 10; ++i) {
     const double size = std::ldexp(1.0, -dice.below(4));
     const IndexedMesh a = random_soup(dice, 1 + dice.below(12), size), b = random_soup(dice, 1 + dice.below(12), size);
     const DistanceOptions options{.gap = i % 2 == 0 ? 1e-6 : 0.01, .samples = 20000};
     const SurfaceDistance found = measured(a, b, options);
     const std::vector<SlowTriangle> of_a = triangles_of(a), of_b = triangles_of(b);
-    const SlowFigures forward = slow_figures(of_a, of_b, 40), backward = slow_figures(of_b, of_a, 40);
+    const SlowFigures forward = slow_figures(of_a, of_b, 24), backward = slow_figures(of_b, of_a, 24);
     expect_bounds_hold(found.forward, forward, options.gap, 2);
     expect_bounds_hold(found.backward, backward, options.gap, 2);
-    EXPECT_NEAR(found.forward.mean, forward.mean, 2e-4) << i;
-    EXPECT_NEAR(found.forward.rms, forward.rms, 2e-4) << i;
-    EXPECT_NEAR(found.backward.mean, backward.mean, 2e-4) << i;
-    EXPECT_NEAR(found.backward.rms, backward.rms, 2e-4) << i;
+    EXPECT_NEAR(found.forward.mean, forward.mean, 5e-4) << i;
+    EXPECT_NEAR(found.forward.rms, forward.rms, 5e-4) << i;
+    EXPECT_NEAR(found.backward.mean, backward.mean, 5e-4) << i;
+    EXPECT_NEAR(found.backward.rms, backward.rms, 5e-4) << i;
     EXPECT_EQ(found.hausdorff, std::max(found.forward.hausdorff, found.backward.hausdorff));
   }
 }

@@ -41,18 +41,20 @@ inline glm::dvec3 way_from_triangle(const glm::dvec3& a, const glm::dvec3& b, co
   if (ac_cp >= 0 && ab_cp <= ac_cp) return cp;
 
   // Weights of the corners at the foot of the normal, times the square of twice the area.
-  const double of_c = ab_ap * ac_bp - ab_bp * ac_ap;
-  const double of_b = ab_cp * ac_ap - ab_ap * ac_cp;
-  const double of_a = ab_bp * ac_cp - ab_cp * ac_bp;
-  const double sum = of_a + of_b + of_c;
+  const glm::dvec3 normal = glm::cross(ab, ac);
+  const double sum = glm::dot(normal, normal);
+  const double of_b = glm::dot(glm::cross(ap, ac), normal), of_c = glm::dot(glm::cross(ab, ap), normal);
+  const double of_a = sum - of_b - of_c;
   const bool is_inside = of_a > 0 && of_b > 0 && of_c > 0;
-  const glm::dvec3 foot = is_inside ? ap - (of_b / sum) * ab - (of_c / sum) * ac : ap;
-  // Where the sine at a is less than 1e-4 these signs may be those of rounding.
+  // Where the sine at a is less than 1e-4 these signs may be those of rounding, and the foot is looked for again from there.
   if (!(sum > 1e-8 * glm::dot(ab, ab) * glm::dot(ac, ac))) {
     const glm::dvec3 side = detail::way_from_sides(a, b, c, p);
-    return is_inside ? detail::shorter(side, foot) : side;
+    if (!is_inside) return side;
+    const glm::dvec3 near = ap - (of_b / sum) * ab - (of_c / sum) * ac;
+    const double more_b = glm::dot(glm::cross(near, ac), normal), more_c = glm::dot(glm::cross(ab, near), normal);
+    return detail::shorter(side, near - (more_b / sum) * ab - (more_c / sum) * ac);
   }
-  if (is_inside) return foot;
+  if (is_inside) return ap - (of_b / sum) * ab - (of_c / sum) * ac;
   if (of_c <= 0 && ab_ap >= 0 && ab_bp <= 0) return ap - (ab_ap / (ab_ap - ab_bp)) * ab;
   if (of_b <= 0 && ac_ap >= 0 && ac_cp <= 0) return ap - (ac_ap / (ac_ap - ac_cp)) * ac;
   const double from_b = ac_bp - ab_bp, from_c = ab_cp - ac_cp;

@@ -31,6 +31,8 @@ class TriangleTree {
   const std::array<std::uint32_t, 3>& corners(std::uint32_t t) const { return corners_[t]; }
   std::uint32_t owner(std::uint32_t t) const { return owners_[t]; }
   std::span<const glm::dvec3> points() const { return points_; }
+  // Half the longest side of the box around the points.
+  double reach() const { return reach_; }
   std::array<glm::dvec3, 3> places(std::uint32_t t) const {
     const auto& [a, b, c] = corners_[t];
     return {points_[a], points_[b], points_[c]};

@@ -5,10 +5,10 @@ set -eu
 root=$(cd "$(dirname "$0")/../.." && pwd)
 . "$root/app/setup.sh"
 # shellcheck disable=SC2086
-ensure_packages $build_packages $test_packages libbenchmark-dev libmeshoptimizer-dev
+ensure_packages $build_packages $test_packages libbenchmark-dev libmeshoptimizer-dev libeigen3-dev
 [ $# = 0 ] || export RYOSEN_DRAGON=$1
 cmake -S "$root" -B "$root/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DRYOSEN_BENCH=ON >&2
-targets="bench_core bench_forms bench_editor bench_large bench_peers bench_surfaces bench_files bench_check bench_growth bench_simplify write_torus ryosen"
+targets="bench_core bench_forms bench_editor bench_large bench_peers bench_surfaces bench_files bench_check bench_growth bench_simplify write_torus measure_quality simplify_peers ryosen"
 # shellcheck disable=SC2086
 cmake --build "$root/build/release" --target $targets >&2
 "$root/build/release/bin/bench_peers"
@@ -39,3 +39,4 @@ bunny=$root/assets/stanford_bunny.obj
 echo "bunny to picture, ms: $(median_of_11 "$program" shot "$bunny" -o "$picture" --overwrite)"
 echo "bunny to picture with panels, ms: $(median_of_11 "$program" shot "$bunny" --panels -o "$picture" --overwrite)"
 "$root/tests/bench/pictures.sh" "$program" "$root/build/release/bin/write_torus" ${1+"$1"}
+"$root/tests/bench/quality.sh" "$root/build/release/bin"

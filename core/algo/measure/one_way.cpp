@@ -44,7 +44,10 @@ struct SampledPart {
 class OneWay {
  public:
   OneWay(const TriangleTree& from, const TriangleTree& to, const DistanceOptions& options)
-      : from_(from), to_(to), options_(options), enough_{options.gap, 1e-10} {}
+      : from_(from),
+        to_(to),
+        options_(options),
+        enough_{options.gap, 2e-10 * std::max(from.reach(), to.reach()) + 0x1p-50} {}
 
   bool run(OneWayDistance& way, Progress& progress) {
     threads_ = options_.threads ? options_.threads : threads_for(from_.size() + options_.samples);
@@ -174,7 +177,7 @@ class OneWay {
     static constexpr std::size_t size = 16;
     struct Pending {
       std::uint32_t piece, index;
-      double weight;
+      double weight, bound;  // the bound is of the whole piece
       FarthestCell cell;
     };
     std::array<Pending, size> pending;
@@ -188,14 +191,25 @@ class OneWay {
     const TrianglePlaces places = places_of(piece);
     ask_lattice(piece, places, lattice);
     const double weight = area_ > 0 ? area_of(places) / (double(piece.cells) * piece.cells) : 1;
+    const double bound = piece.cells > 1 ? bound_by_middle(places) : std::numeric_limits<double>::infinity();
     for_each_cell(piece, places, lattice, [&](std::uint32_t index, const FarthestCell& cell) {
       if (block.count == SampleBlock::size) finish(block, part);
       const auto nearer = std::min_element(cell.near.begin(), cell.near.end(),
                                            [](const Nearest& a, const Nearest& b) { return a.distance < b.distance; });
       block.middles[block.count] = (cell.corners[0] + cell.corners[1] + cell.corners[2]) / 3.0;
       block.near[block.count] = *nearer;
-      block.pending[block.count++] = {number, index, weight, cell};
+      block.pending[block.count++] = {number, index, weight, bound, cell};
     });
+  }
+
+  // A piece that lies along one triangle: so far from that which is nearest to its middle.
+  double bound_by_middle(const TrianglePlaces& places) const {
+    return bound_by((nearest_of(to_, (places[0] + places[1] + places[2]) / 3.0, no_index)).triangle, places);
+  }
+  double bound_by(std::uint32_t triangle, const TrianglePlaces& places) const {
+    double bound = 0;
+    for (const glm::dvec3& corner : places) bound = std::max(bound, without_rounding(to_.distance(corner, triangle)));
+    return bound;
   }
 
   void finish(SampleBlock& block, SampledPart& part) const {
@@ -221,7 +235,8 @@ class OneWay {
     note(part, near.distance, middle);
     part.sums.weight += sample.weight;
     ++part.sums.samples;
-    const double wanted = enough_.from(part.farthest), bound = quick_bound(sample.cell, middle, near, wanted);
+    const double wanted = enough_.from(part.farthest);
+    const double bound = sample.bound <= wanted ? sample.bound : quick_bound(sample.cell, middle, near, wanted);
     if (bound > wanted)
       part.open.push_back({sample.piece, sample.index, above(bound)});
     else
@@ -243,9 +258,7 @@ class OneWay {
     for (const glm::dvec3& corner : cell.corners) reach = std::max(reach, squared(corner - middle));
     const double by_reach = near.distance + std::sqrt(reach);
     if (by_reach <= wanted) return by_reach;
-    double by_middle = 0;
-    for (const glm::dvec3& corner : cell.corners)
-      by_middle = std::max(by_middle, without_rounding(to_.distance(corner, near.triangle)));
+    const double by_middle = bound_by(near.triangle, cell.corners);
     if (by_middle <= wanted) return by_middle;
     return std::min({by_reach, by_middle, bound_of(to_, cell, wanted)});
   }

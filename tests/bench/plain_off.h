@@ -1,0 +1,69 @@
+// OFF files of triangles for programs that are compared with Ryosen and must share nothing with it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace plain {
+
+struct Triangles {
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::uint32_t, 3>> faces;
+};
+
+// Leaves out faces of another number of corners. Ends the program where the file is no OFF.
+inline Triangles read_off(const char* path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const char* at = text.c_str();
+  if (text.compare(0, 3, "OFF") != 0) {
+    std::fprintf(stderr, "%s is no OFF\n", path);
+    std::exit(2);
+  }
+  at += 3;
+  char* end = nullptr;
+  const auto number = [&] {
+    while (*at == '#' || *at == ' ' || *at == '\n' || *at == '\r')
+      if (*at == '#')
+        while (*at != '\n' && *at != '\0') ++at;
+      else
+        ++at;
+    const double value = std::strtod(at, &end);
+    at = end;
+    return value;
+  };
+  Triangles mesh;
+  mesh.points.resize(static_cast<std::size_t>(number()));
+  const auto faces = static_cast<std::size_t>(number());
+  number();
+  for (auto& p : mesh.points)
+    for (double& x : p) x = number();
+  for (std::size_t f = 0; f < faces; ++f) {
+    const auto corners = static_cast<std::size_t>(number());
+    std::array<std::uint32_t, 3> face{};
+    for (std::size_t i = 0; i < corners; ++i) {
+      const auto corner = static_cast<std::uint32_t>(number());
+      if (i < 3) face[i] = corner;
+    }
+    if (corners == 3) mesh.faces.push_back(face);
+    while (*at != '\n' && *at != '\0') ++at;  // colours
+  }
+  return mesh;
+}
+
+inline void write_off(const char* path, const Triangles& mesh) {
+  std::FILE* const file = std::fopen(path, "w");
+  if (!file) std::exit(5);
+  std::fprintf(file, "OFF\n%zu %zu 0\n", mesh.points.size(), mesh.faces.size());
+  for (const auto& p : mesh.points) std::fprintf(file, "%.17g %.17g %.17g\n", p[0], p[1], p[2]);
+  for (const auto& f : mesh.faces) std::fprintf(file, "3 %u %u %u\n", f[0], f[1], f[2]);
+  std::fclose(file);
+}
+
+}  // namespace plain

@@ -1,0 +1,72 @@
+#!/bin/sh
+# Simplified meshes beside each other: Ryosen, meshoptimizer and CGAL (Garland and Heckbert; Lindstrom and Turk) to 50, 10
+# and 1 percent of the faces. Each row: seconds, faces, RMS and largest distance in percent of the input's diagonal,
+# non-manifold edges, turned faces, self-intersections (ryosen check). Distances are measured by measure_quality, which has
+# nothing of any of them.
+#   tests/bench/quality.sh PROGRAM_FOLDER [MESH...]
+# PROGRAM_FOLDER holds ryosen, simplify_peers and measure_quality. Without meshes: the bunny, and the 20 largest files below
+# ../shared/meshes where that is there. METHODS names some of "ryosen meshoptimizer garland-heckbert lindstrom-turk".
+set -eu
+programs=$1
+shift
+root=$(cd "$(dirname "$0")/../.." && pwd)
+methods=${METHODS-ryosen meshoptimizer garland-heckbert lindstrom-turk}
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+# Wall seconds of a command.
+seconds_of() {
+  begin=$(date +%s%N)
+  "$@" >/dev/null 2>&1 || true
+  end=$(date +%s%N)
+  awk -v ns=$((end - begin)) 'BEGIN { printf "%.4f", ns / 1e9 }'
+}
+
+# simplify METHOD FACES: writes out.off and prints the seconds. Ryosen's are those of the program less those of the same
+# program that is asked for no fewer faces than there are, so that reading and writing count for none of them.
+simplify() {
+  if [ "$1" != ryosen ]; then
+    "$programs/simplify_peers" "$1" "$folder/in.off" "$folder/out.off" "$2"
+    return
+  fi
+  nothing=$(seconds_of "$programs/ryosen" simplify "$folder/in.off" -o "$folder/same.off" --overwrite --faces "$faces")
+  all=$(seconds_of "$programs/ryosen" simplify "$folder/in.off" -o "$folder/out.off" --overwrite --faces "$2")
+  awk -v all="$all" -v nothing="$nothing" 'BEGIN { printf "%.4f\n", all > nothing ? all - nothing : 0 }'
+}
+
+intersections() {
+  "$programs/ryosen" check "$1" --self-intersections --fail-on none --json 2>/dev/null |
+    grep -o '"kind":"self_intersection","severity":"problem","count":[0-9]*' | grep -o '[0-9]*$' || echo 0
+}
+
+row() {
+  name=$(basename "$1")
+  "$programs/ryosen" convert "$1" -o "$folder/in.off" --triangulate --overwrite -q >/dev/null || return 0
+  faces=$("$programs/ryosen" check "$folder/in.off" --json --fail-on none | grep -o '"faces":[0-9]*' | head -1 | cut -d: -f2)
+  for percent in 50 10 1; do
+    goal=$((faces * percent / 100))
+    [ "$goal" -ge 4 ] || continue
+    for method in $methods; do
+      rm -f "$folder/out.off"
+      seconds=$(simplify "$method" "$goal") || seconds=-
+      [ -s "$folder/out.off" ] || { printf '%-28s %3s%%  %-16s failed\n' "$name" $percent "$method"; continue; }
+      # shellcheck disable=SC2046
+      set -- $("$programs/measure_quality" "$folder/in.off" "$folder/out.off") $(intersections "$folder/out.off")
+      printf '%-28s %3s%%  %-16s %9s %8s %9s %9s %5s %5s %5s\n' "$name" $percent "$method" "$seconds" "$@"
+    done
+  done
+}
+
+printf '%-28s %4s  %-16s %9s %8s %9s %9s %5s %5s %5s\n' mesh to by seconds faces 'rms %' 'max %' nm turned cross
+if [ $# = 0 ]; then
+  meshes=$root/../shared/meshes
+  set -- "$root/assets/stanford_bunny.obj"
+  dragon=$root/../shared/assets/stanford_dragon.ply.gz
+  [ ! -f "$dragon" ] || set -- "$@" "$dragon"
+  if [ -d "$meshes" ]; then
+    # shellcheck disable=SC2046
+    set -- "$@" $(find "$meshes" -type f \( -name '*.off' -o -name '*.obj' -o -name '*.ply' -o -name '*.stl' \) \
+      -printf '%s %p\n' | sort -rn | head -20 | cut -d' ' -f2)
+  fi
+fi
+for mesh in "$@"; do row "$mesh"; done

@@ -75,14 +75,16 @@ Result<std::unique_ptr<View>> View::make() {
   if (!ids) return ids.failure();
   Result<LabelsPass> labels = LabelsPass::make();
   if (!labels) return labels.failure();
-  return std::unique_ptr<View>(new View({std::move(*surface), std::move(*xray), std::move(*background),
-                                         std::move(*overlay), std::move(*resolve), std::move(*ids), std::move(*labels)}));
+  return std::unique_ptr<View>(
+      new View({std::move(*surface), std::move(*xray), std::move(*background), std::move(*overlay), std::move(*resolve),
+                std::move(*ids), std::move(*labels)}));
 }
 
 View::View(Passes passes)
     : passes_(std::move(passes)),
-      overlays_{OverlayBuffer("normals"), OverlayBuffer("highlights"), OverlayBuffer("selection"), OverlayBuffer("measures"),
-                OverlayBuffer("hover"), OverlayBuffer("handles")},
+      overlays_{OverlayBuffer("normals"), OverlayBuffer("highlights"), OverlayBuffer("selection"),
+                OverlayBuffer("links"),   OverlayBuffer("measures"),   OverlayBuffer("hover"),
+                OverlayBuffer("handles")},
       rendered_("rendered", picture_formats, true),
       resolved_("resolved", picture_formats, false),
       fine_("fine", picture_formats, true) {

@@ -16,6 +16,7 @@ ExitCode algorithm_command(const AlgorithmRow& row, const Arguments& arguments, 
 ExitCode shot_command(const Arguments& arguments, const Console& console);
 ExitCode measure_command(const Arguments& arguments, const Console& console);
 ExitCode forms_command(const Arguments& arguments, const Console& console);
+ExitCode practice_command(const Arguments& arguments, const Console& console);
 ExitCode formats_command(const Arguments& arguments, const Console& console);
 ExitCode keys_command(const Arguments& arguments, const Console& console);
 ExitCode doctor_command(const Arguments& arguments, const Console& console);

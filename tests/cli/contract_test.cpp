@@ -82,6 +82,8 @@ void sweep_command_lines(Sweep& sweep) {
       {"--version"},
       {"forms", mesh},
       {"forms", mesh, "--element", "0-1"},
+      {"practice", "--count", "10"},
+      {"practice", mesh, "--seed", "3", "--answer", "h1"},
       {"measure", mesh, "--bars", "3"},
       {"measure", mesh, "f0"},
       {"measure", mesh, "v0"},
@@ -116,6 +118,7 @@ void sweep_refused_inputs(Sweep& sweep) {
     sweep.run({"shot", file, "-o", "o.png"});
     sweep.run({"forms", file});
     sweep.run({"measure", file});
+    sweep.run({"practice", file});
     for (const ryosen::AlgorithmRow& row : ryosen::algorithm_table()) sweep.run(words_for(row, file));
   }
   sweep.run({"check", asset("tetrahedron.off"), bad});

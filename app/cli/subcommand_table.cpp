@@ -15,6 +15,7 @@
 #include "app/cli/contract/hull.h"
 #include "app/cli/contract/lists.h"
 #include "app/cli/contract/measure.h"
+#include "app/cli/contract/practice.h"
 #include "app/cli/contract/shot.h"
 #include "app/cli/contract/steps.h"
 #include "app/cli/contract/why.h"
@@ -253,6 +254,21 @@ std::vector<Subcommand> table() {
                  steps_topic,
                  steps_command,
                  steps_contract},
+      Subcommand{"practice",
+                 "[FILE]",
+                 "questions about the structure of a mesh, or of a figure of the source texts, and their answers",
+                 "メッシュやテキストの図の構造についての問題と答え",
+                 {
+                     {"--seed", "N", false, "draws the question; else 1", "問題を選ぶ数（省くと 1）"},
+                     {"--kind", "next|twin|record|legal|valence", false, "of this kind alone", "この種類の問題だけ"},
+                     {"--answer", "WORD", false, "judges it: an element, a number, none, yes, or the rule that forbids",
+                      "答えを判定する（要素、数、none、yes、または禁じる規則）"},
+                     {"--count", "N", false, "so many questions, of this seed and the following ones",
+                      "出題数（続く数の問題も出す）"},
+                 },
+                 nullptr,
+                 practice_command,
+                 practice_contract},
       Subcommand{
           "formats", "", "the file formats", "ファイル形式の一覧", {}, nullptr, formats_command, formats_contract},
       Subcommand{"keys", "", "the keys of the editor", "エディタのキー一覧", {}, nullptr, keys_command, keys_contract},

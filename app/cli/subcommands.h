@@ -19,6 +19,7 @@ ExitCode measure_command(const Arguments& arguments, const Console& console);
 ExitCode steps_command(const Arguments& arguments, const Console& console);
 ExitCode distance_command(const Arguments& arguments, const Console& console);
 ExitCode forms_command(const Arguments& arguments, const Console& console);
+ExitCode practice_command(const Arguments& arguments, const Console& console);
 ExitCode formats_command(const Arguments& arguments, const Console& console);
 ExitCode keys_command(const Arguments& arguments, const Console& console);
 ExitCode doctor_command(const Arguments& arguments, const Console& console);

@@ -40,7 +40,7 @@ class ArrowMaker {
     double room = length;
     if (f || across) {
       const Frame& frame = frame_of(f ? f : across);
-      inward = glm::cross(frame.normal, along) * (f ? 1.0 : -1.0);
+      inward = glm::cross(frame.normal, along);  // without a face it leads away from that of the twin
       if (f) room = frame.inradius;
     }
     if (!is_finite_way(inward)) inward = glm::cross(along, forward_);
@@ -98,7 +98,7 @@ class ArrowMaker {
   std::map<std::uint32_t, Frame> frames_;
 };
 
-Text word(const char* en, const char* ja, Element to) {
+Text link_text(const char* en, const char* ja, Element to) {
   const std::string name = to.index == no_index ? "" : " " + slot_name(to);
   return {en + name, ja + name};
 }
@@ -126,13 +126,13 @@ class LinksOf {
   const glm::dvec3& place(Vertex v) const { return places_[v.index]; }
 
   void arrow(Halfedge h, LinkRole role, const char* en, const char* ja) {
-    if (auto made = make_.of(h, role, word(en, ja, h))) arrows_.push_back(std::move(*made));
+    if (auto made = make_.of(h, role, link_text(en, ja, h))) arrows_.push_back(std::move(*made));
   }
   void arrow_to(const glm::dvec3& from, const glm::dvec3& to, LinkRole role, Face on, Text label) {
     arrows_.push_back({from, to, role, {}, on, {}, false, std::move(label)});
   }
   void mark(Vertex v, const char* en, const char* ja) {
-    arrow_to(place(v), place(v), LinkRole::vertex, {}, word(en, ja, v));
+    arrow_to(place(v), place(v), LinkRole::vertex, {}, link_text(en, ja, v));
   }
 
   void add(Halfedge h) {
@@ -146,7 +146,7 @@ class LinksOf {
     const Face f = m_.face(h);
     if (!f) return;
     const glm::dvec3 middle = 0.5 * (place(m_.from(h)) + place(m_.to(h)));
-    arrow_to(middle, middle_of(m_, f), LinkRole::face, f, word("face", "面", f));
+    arrow_to(middle, middle_of(m_, f), LinkRole::face, f, link_text("face", "面", f));
   }
 
   void add(Edge e) {
@@ -162,13 +162,13 @@ class LinksOf {
                              Side{t, "right", "右", "right next", "右の次", "right prev", "右の前"}}) {
       const Face f = m_.face(side.h);
       if (!f) continue;
-      arrow_to(middle, middle_of(m_, f), LinkRole::face, f, word(side.en, side.ja, f));
+      arrow_to(middle, middle_of(m_, f), LinkRole::face, f, link_text(side.en, side.ja, f));
       wing(m_.next(side.h), side.next_en, side.next_ja);
       wing(m_.prev(side.h), side.prev_en, side.prev_ja);
     }
   }
   void wing(Halfedge h, const char* en, const char* ja) {
-    if (auto made = make_.of(h, LinkRole::wing, word(en, ja, edge(h)))) arrows_.push_back(std::move(*made));
+    if (auto made = make_.of(h, LinkRole::wing, link_text(en, ja, edge(h)))) arrows_.push_back(std::move(*made));
   }
 
   void add(Vertex v) {
@@ -188,7 +188,8 @@ class LinksOf {
 
   void add(Face f) {
     const glm::dvec3 middle = middle_of(m_, f);
-    arrow_to(middle, middle + make_.size(f) * make_.normal(f), LinkRole::normal, {}, word("normal", "法線", Face()));
+    arrow_to(middle, middle + make_.size(f) * make_.normal(f), LinkRole::normal, {},
+             link_text("normal", "法線", Face()));
     add_loop(m_.halfedge(f), LinkRole::around, true);
     for (const Halfedge ring : forms::inner_loops(m_, f)) add_loop(ring, LinkRole::ring, false);
   }

@@ -11,10 +11,10 @@ namespace {
 std::string none_in(Language language) { return language == Language::japanese ? "なし" : "none"; }
 
 // The shortest digits that read back as the same number.
-std::string digits(double value) { return nlohmann::json(value).dump(); }
+std::string shortest_digits(double value) { return nlohmann::json(value).dump(); }
 
 std::string place_text(const glm::dvec3& at, bool is_list) {
-  const std::string numbers = digits(at.x) + " " + digits(at.y) + " " + digits(at.z);
+  const std::string numbers = shortest_digits(at.x) + " " + shortest_digits(at.y) + " " + shortest_digits(at.z);
   return is_list ? "(" + numbers + ")" : numbers;
 }
 

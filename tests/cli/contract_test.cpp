@@ -86,6 +86,8 @@ void sweep_command_lines(Sweep& sweep) {
       {"steps", "script"},
       {"steps", "collapse 0-1", asset("cube.obj")},
       {"steps", "nonsense", mesh},
+      {"practice", "--count", "10"},
+      {"practice", mesh, "--seed", "3", "--answer", "h1"},
       {"measure", mesh, "--bars", "3"},
       {"measure", mesh, "f0"},
       {"measure", mesh, "v0"},
@@ -123,6 +125,7 @@ void sweep_refused_inputs(Sweep& sweep) {
     sweep.run({"steps", "script", "cube", file});
     sweep.run({"measure", file});
     sweep.run({"distance", file, file});
+    sweep.run({"practice", file});
     for (const ryosen::AlgorithmRow& row : ryosen::algorithm_table()) sweep.run(words_for(row, file));
   }
   sweep.run({"check", asset("tetrahedron.off"), bad});

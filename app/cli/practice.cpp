@@ -1,0 +1,136 @@
+// `practice`: asks about the structure of a mesh, and judges an answer.
+#include "app/editor/practice.h"
+
+#include <charconv>
+
+#include "app/cli/contract/practice.h"
+#include "app/cli/contract/record.h"
+#include "app/cli/subcommands.h"
+#include "app/editor/figures.h"
+#include "core/indexed/from_indexed.h"
+#include "core/io/formats.h"
+#include "core/mesh/names.h"
+
+namespace ryosen::cli {
+
+namespace {
+
+// The mesh that is asked about, and what it is called.
+struct Asked {
+  std::string name;
+  Mesh mesh;
+};
+
+Result<std::uint64_t> number_of(const Arguments& arguments, std::string_view flag, std::uint64_t usual,
+                                std::uint64_t most) {
+  const std::string* const words = arguments.value(flag);
+  if (!words) return usual;
+  std::uint64_t number = 0;
+  const char* const end = words->data() + words->size();
+  const auto [behind, error] = std::from_chars(words->data(), end, number);
+  if (error == std::errc() && behind == end && number <= most) return number;
+  const std::string name(flag), limit = std::to_string(most);
+  return usage_failure("bad_value", {name + " takes a whole number from 0 to " + limit + ".",
+                                     name + " は 0 から " + limit + " までの整数です。"});
+}
+
+Result<Mesh> mesh_at(const std::string& path, const Console& console) {
+  Result<MeshFile> file = read_mesh_file(path);
+  if (!file) return file.failure();
+  for (const Message& message : file->messages) console.show(message, path);
+  return from_indexed(std::move(file->mesh));
+}
+
+std::string json_line_of(const Asked& asked, std::uint64_t seed, const Question& question, const Solution& solution,
+                         const std::string* given) {
+  const auto or_null = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
+  const auto sentence = [](const Text& text) {
+    Record<sentence_shape> record;
+    record.put(text);
+    return std::move(record).json();
+  };
+  Record<practice_shape> json;
+  json["seed"] = seed;
+  json["kind"] = question_kinds()[static_cast<std::size_t>(question.kind)].id;
+  json["mesh"] = asked.name;
+  json["about"] = slot_name(question.about);
+  json["form"] = or_null(question.form);
+  json["field"] = or_null(question.field);
+  json["command"] = or_null(question.line);
+  json["question"] = sentence(question.asks);
+  json["answers"] = solution.answers;
+  json["why"] = sentence(solution.why);
+  json["witnesses"] = Json::array();
+  for (const Element& witness : solution.witnesses) json["witnesses"].push_back(slot_name(witness));
+  json["given"] = given ? Json(*given) : Json();
+  json["right"] = given ? Json(is_right(asked.mesh, solution, *given)) : Json();
+  return line_of(json);
+}
+
+std::string text_of(const Asked& asked, const Question& question, const Solution& solution, const std::string* given,
+                    const Console& console) {
+  std::string text = asked.name + ": " + console.text(question.asks) + "\n";
+  if (!given) return text;
+  const bool right = is_right(asked.mesh, solution, *given);
+  if (right)
+    text += console.text("  Right. ", "  正解です。");
+  else
+    text.append(console.text("  No: ", "  違います。正解は "))
+        .append(solution.answers.front())
+        .append(console.text(". ", "。"));
+  text += console.text(solution.why);
+  for (std::size_t i = 0; i < solution.witnesses.size(); ++i)
+    text += (i == 0 ? " (" : ", ") + slot_name(solution.witnesses[i]);
+  return text + (solution.witnesses.empty() ? "\n" : ")\n");
+}
+
+}  // namespace
+
+ExitCode practice_command(const Arguments& arguments, const Console& console) {
+  const Result<std::uint64_t> seed = number_of(arguments, "--seed", 1, 1'000'000'000'000);
+  if (!seed) return console.fail(seed.failure());
+  const Result<std::uint64_t> count = number_of(arguments, "--count", 1, 100'000);
+  if (!count) return console.fail(count.failure());
+  const std::string* const kind_id = arguments.value("--kind");
+  const QuestionKindRow* const wanted = kind_id ? find_question_kind(*kind_id) : nullptr;
+  if (kind_id && !wanted)
+    return console.fail(usage_failure("bad_value", {"--kind is next, twin, record, legal or valence.",
+                                                    "--kind は next、twin、record、legal、valence のいずれかです。"}));
+  const std::string* const given = arguments.value("--answer");
+  Asked asked;
+  const bool has_file = !arguments.operands().empty();
+  if (has_file) {
+    asked.name = arguments.operands()[0];
+    Result<Mesh> mesh = mesh_at(asked.name, console);
+    if (!mesh) return console.fail(mesh.failure(), asked.name);
+    asked.mesh = std::move(mesh).value();
+    if (asked.mesh.live().edges == 0 || asked.mesh.live().faces == 0)
+      return console.fail(
+          make_failure(ExitCode::refused, "refused",
+                       {"There is nothing to ask about: it has no faces.", "面がないため出題できません。"}),
+          asked.name);
+  }
+  bool all_right = true;
+  for (std::uint64_t n = 0; n < *count; ++n) {
+    const std::uint64_t each = *seed + n;
+    if (!has_file) {
+      const std::string_view figure = figure_to_ask_about(each);
+      if (asked.name != figure) {
+        Result<MeshFile> file = mesh_of_figure(*find_figure(figure));
+        if (!file) return console.fail(file.failure());
+        asked = {std::string(figure), from_indexed(std::move(file->mesh))};
+      }
+    }
+    const QuestionKind kind = wanted ? wanted->kind : question_kinds()[each / 7 % question_kinds().size()].kind;
+    const Question question = make_question(asked.mesh, kind, each);
+    const Solution solution = solve(asked.mesh, question);
+    all_right &= !given || is_right(asked.mesh, solution, *given);
+    console.print(console.json ? json_line_of(asked, each, question, solution, given)
+                               : text_of(asked, question, solution, given, console));
+  }
+  const ExitCode code = all_right ? ExitCode::done : ExitCode::found_problems;
+  console.conclude("", code);
+  return code;
+}
+
+}  // namespace ryosen::cli

@@ -1,0 +1,243 @@
+#include "app/editor/practice.h"
+
+#include <algorithm>
+#include <array>
+
+#include "app/editor/document.h"
+#include "app/editor/figures.h"
+#include "core/base/enum_table.h"
+#include "core/forms/all.h"
+#include "core/forms/records.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/find_element.h"
+#include "core/ops/all.h"
+
+namespace ryosen {
+
+namespace {
+
+constexpr QuestionKindRow kind_rows[] = {
+    {QuestionKind::next, "next", "Next halfedge", "次の半稜線"},
+    {QuestionKind::twin, "twin", "Twin", "対の半稜線"},
+    {QuestionKind::record, "record", "What a record holds", "データの中身"},
+    {QuestionKind::legal, "legal", "May it be done", "操作の可否"},
+    {QuestionKind::valence, "valence", "Edges at a vertex", "頂点の稜線の本数"},
+};
+static_assert(rows_are_in_order(kind_rows, &QuestionKindRow::kind));
+
+// Numbers from a seed (splitmix64), the same on every platform.
+class Draws {
+ public:
+  explicit Draws(std::uint64_t seed) : state_(seed) {}
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(next() % n); }
+
+ private:
+  std::uint64_t next() {
+    std::uint64_t z = state_ += 0x9E3779B97F4A7C15u;
+    z = (z ^ (z >> 30u)) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ (z >> 27u)) * 0x94D049BB133111EBu;
+    return z ^ (z >> 31u);
+  }
+  std::uint64_t state_;
+};
+
+template <class Handle>
+Handle draw_one(const Mesh& mesh, std::uint32_t slots, Draws& draws) {
+  for (;;)
+    if (const Handle element(static_cast<std::uint32_t>(draws.below(slots))); mesh.is_alive(element)) return element;
+}
+
+std::string full_name(const Mesh& mesh, Element e) {
+  const std::string slot = slot_name(e), name = name_of(mesh, e);
+  return name == slot ? slot : slot + " (" + name + ")";
+}
+
+Question ask_for_record(const Mesh& mesh, Draws& draws) {
+  const std::span<const forms::FormRow> rows = forms::all_forms();
+  const auto has_links = [](const forms::Field& field) { return !field.is_list && field.links.size() == 1; };
+  for (;;) {
+    const forms::FormRow& row = rows[draws.below(rows.size())];
+    if (why_unsuitable(mesh, row)) continue;
+    const forms::Records records(mesh, row);
+    for (int tries = 0; tries < 20; ++tries) {
+      Element e;
+      switch (draws.below(4)) {
+        case 0:
+          e = draw_one<Vertex>(mesh, mesh.vertex_slots(), draws);
+          break;
+        case 1:
+          e = draw_one<Edge>(mesh, mesh.edge_slots(), draws);
+          break;
+        case 2:
+          e = draw_one<Face>(mesh, mesh.face_slots(), draws);
+          break;
+        default:
+          e = draw_one<Halfedge>(mesh, mesh.halfedge_slots(), draws);
+      }
+      const forms::ElementRecord record = records.of(e);
+      std::vector<const forms::Field*> fields;
+      for (const forms::Field& field : record.fields)
+        if (has_links(field)) fields.push_back(&field);
+      if (fields.empty()) continue;
+      const forms::Field& field = *fields[draws.below(fields.size())];
+      const std::string name = full_name(mesh, e), key(field.key), word(field.word);
+      return {
+          QuestionKind::record,
+          e,
+          {"In the form \"" + std::string(row.en) + "\": what stands in the field " + key + " (" + word + ") of " +
+               name + "?",
+           "「" + std::string(row.ja) + "」で、" + name + " の " + key + "（" + word + "）には何が入っていますか。"},
+          std::string(row.id),
+          key,
+          {}};
+    }
+  }
+}
+
+Question ask_for_verdict(const Mesh& mesh, Draws& draws) {
+  const Halfedge h = draw_one<Halfedge>(mesh, mesh.halfedge_slots(), draws);
+  const bool collapses = draws.below(2) == 0;
+  const AnyOp op = op_at(mesh, collapses ? CollapseEdge::info.id : SwapEdge::info.id, {h, 0.5});
+  const std::string line = command_of(mesh, op), edge_name = full_name(mesh, edge(h));
+  return {QuestionKind::legal,
+          edge(h),
+          {std::string("May the edge ") + edge_name + (collapses ? " collapse" : " be swapped") +
+               "? Answer yes, or the rule that forbids it.",
+           "稜線 " + edge_name + " は" + (collapses ? "削除" : "交換") +
+               "できますか。yes か、できない理由の規則で答えてください。"},
+          {},
+          {},
+          line};
+}
+
+Solution solve_link(const Mesh& mesh, Halfedge h, Halfedge answer, Text why) {
+  return {{slot_name(answer)}, Element(answer), std::move(why), {h, answer, mesh.from(answer)}};
+}
+
+Solution solve_record(const Mesh& mesh, const Question& question) {
+  const forms::FormRow& row = *forms::find_form(question.form);
+  const forms::ElementRecord record = forms::Records(mesh, row).of(question.about);
+  const auto field = std::find_if(record.fields.begin(), record.fields.end(),
+                                  [&](const forms::Field& f) { return f.key == question.field; });
+  const Element link = field->links[0];
+  Solution solution;
+  solution.witnesses = {question.about};
+  const std::optional<std::int64_t> stored = field->stored[0];
+  const std::string number = stored ? std::to_string(*stored) : "";
+  if (link.index == no_index) {
+    solution.answers = {"none", "なし"};
+    if (stored) solution.answers.push_back(number);
+    solution.why = {"There is none." + (stored ? " It stores " + number + "." : ""),
+                    "ありません。" + (stored ? "格納されているのは " + number + " です。" : "")};
+    return solution;
+  }
+  solution.answers = {slot_name(link), number};
+  solution.element = link;
+  solution.witnesses.push_back(link);
+  const std::string name = full_name(mesh, link);
+  solution.why = {"It leads to " + name + " and stores " + number + ".",
+                  name + " へのリンクで、格納されているのは " + number + " です。"};
+  return solution;
+}
+
+Solution solve_verdict(const Mesh& mesh, const Question& question) {
+  const Verdict verdict = check(mesh, *parse_line(mesh, question.line).op);
+  if (verdict.legal())
+    return {{"yes", "legal", "はい"}, {}, {"No rule is broken.", "どの規則にも反しません。"}, {question.about}};
+  Solution solution;
+  for (const Reason& reason : verdict.reasons) {
+    solution.answers.emplace_back(text_of(reason.rule).id);
+    solution.witnesses.insert(solution.witnesses.end(), reason.witnesses.begin(), reason.witnesses.end());
+  }
+  for (const Text& sentence : describe_first(mesh, verdict.reasons)) {
+    solution.why.en += (solution.why.en.empty() ? "" : " ") + sentence.en;
+    solution.why.ja += sentence.ja;
+  }
+  return solution;
+}
+
+Solution solve_valence(const Mesh& mesh, Vertex v) {
+  Solution solution;
+  std::string names;
+  if (!mesh.is_isolated(v))
+    for (const Halfedge h : outgoing(mesh, v)) {
+      solution.witnesses.push_back(edge(h));
+      names += (names.empty() ? "" : ", ") + slot_name(edge(h));
+    }
+  const std::string n = std::to_string(solution.witnesses.size());
+  solution.answers = {n};
+  solution.why = {"From one halfedge to the next around it: " + names + ".", "周囲を巡ると " + names + " です。"};
+  return solution;
+}
+
+}  // namespace
+
+std::span<const QuestionKindRow> question_kinds() { return kind_rows; }
+
+const QuestionKindRow* find_question_kind(std::string_view id) {
+  const auto found =
+      std::find_if(std::begin(kind_rows), std::end(kind_rows), [&](const auto& row) { return row.id == id; });
+  return found == std::end(kind_rows) ? nullptr : found;
+}
+
+Question make_question(const Mesh& mesh, QuestionKind kind, std::uint64_t seed) {
+  Draws draws(seed);
+  if (kind == QuestionKind::record) return ask_for_record(mesh, draws);
+  if (kind == QuestionKind::legal) return ask_for_verdict(mesh, draws);
+  if (kind == QuestionKind::valence) {
+    const Vertex v = draw_one<Vertex>(mesh, mesh.vertex_slots(), draws);
+    return {kind, v,  {"How many edges meet at " + slot_name(v) + "?", slot_name(v) + " に接続する稜線は何本ですか。"},
+            {},   {}, {}};
+  }
+  const Halfedge h = draw_one<Halfedge>(mesh, mesh.halfedge_slots(), draws);
+  const std::string name = full_name(mesh, h);
+  if (kind == QuestionKind::next)
+    return {kind, h, {"Which halfedge is the next of " + name + "?", name + " の次の半稜線はどれですか。"}, {}, {}, {}};
+  return {kind, h, {"Which halfedge is the twin of " + name + "?", name + " の対の半稜線はどれですか。"}, {}, {}, {}};
+}
+
+Solution solve(const Mesh& mesh, const Question& question) {
+  const Halfedge h = question.about.halfedge();
+  switch (question.kind) {
+    case QuestionKind::next: {
+      const std::string end = slot_name(mesh.to(h)), to = full_name(mesh, mesh.next(h));
+      const std::string side = mesh.face(h) ? "face " + slot_name(mesh.face(h)) : std::string("outside");
+      const std::string side_ja = mesh.face(h) ? "面 " + slot_name(mesh.face(h)) : std::string("外側");
+      return solve_link(
+          mesh, h, mesh.next(h),
+          {"It ends at " + end + "; on the same side, " + side + ", the loop goes on from there with " + to + ".",
+           "終点は " + end + "。同じ側（" + side_ja + "）で、そこから先は " + to + " です。"});
+    }
+    case QuestionKind::twin: {
+      const std::string name = slot_name(edge(h)), to = full_name(mesh, twin(h));
+      return solve_link(mesh, h, twin(h),
+                        {"The other halfedge of its edge " + name + " runs the other way: " + to + ".",
+                         "親稜線 " + name + " のもう一方で、逆向きの " + to + " です。"});
+    }
+    case QuestionKind::record:
+      return solve_record(mesh, question);
+    case QuestionKind::legal:
+      return solve_verdict(mesh, question);
+    case QuestionKind::valence:
+      return solve_valence(mesh, question.about.vertex());
+  }
+  return {};
+}
+
+bool is_right(const Mesh& mesh, const Solution& solution, std::string_view word) {
+  if (std::find(solution.answers.begin(), solution.answers.end(), word) != solution.answers.end()) return true;
+  if (!solution.element || word.find_first_not_of("0123456789") == word.npos) return false;
+  if (solution.element->kind == Element::Kind::halfedge) {
+    const Named<Halfedge> named = find_edge(mesh, word);  // 1-2 means the halfedge from 1 to 2 here
+    return named.ok() && !word.starts_with('e') && named.element == solution.element->halfedge();
+  }
+  const NamedElement named = find_element(mesh, word);
+  return named.element && *named.element == *solution.element;
+}
+
+std::string_view figure_to_ask_about(std::uint64_t seed) {
+  const std::span<const Figure> all = figures();
+  return all[seed % all.size()].id;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,52 @@
+// Questions about the structure of a mesh, and what answers them, from the kernel.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/element.h"
+#include "core/base/message.h"
+#include "core/mesh/mesh.h"
+
+namespace ryosen {
+
+enum class QuestionKind : std::uint8_t { next, twin, record, legal, valence };
+struct QuestionKindRow {
+  QuestionKind kind;
+  std::string_view id, en, ja;
+};
+// In the order of the enum.
+std::span<const QuestionKindRow> question_kinds();
+const QuestionKindRow* find_question_kind(std::string_view id);
+
+struct Question {
+  QuestionKind kind = QuestionKind::next;
+  Element about;
+  Text asks;
+  std::string form, field;  // of a question about a record
+  std::string line;         // of one about an operator: what is asked for, "collapse 0-1"
+};
+
+struct Solution {
+  // The words that are right, the plainest first: a slot name, a number, yes, or the id of a rule that is broken.
+  std::vector<std::string> answers;
+  std::optional<Element> element;  // that a click may answer with
+  Text why;
+  std::vector<Element> witnesses;
+};
+
+// The same seed asks the same of the same mesh. The mesh must have an edge, and for a record a face. Cost: for a record that
+// of building one form, else O(slots).
+Question make_question(const Mesh& mesh, QuestionKind kind, std::uint64_t seed);
+Solution solve(const Mesh& mesh, const Question& question);
+// Whether a word is one of the answers, or names the element that is.
+bool is_right(const Mesh& mesh, const Solution& solution, std::string_view word);
+
+// The id of the figure that a seed asks about where there is no mesh: one of those that fit all kinds.
+std::string_view figure_to_ask_about(std::uint64_t seed);
+
+}  // namespace ryosen

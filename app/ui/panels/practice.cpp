@@ -1,0 +1,123 @@
+#include <array>
+#include <optional>
+
+#include "app/editor/practice.h"
+#include "app/ui/panels.h"
+#include "app/ui/widgets.h"
+#include "core/mesh/find_element.h"
+
+namespace ryosen {
+
+namespace {
+
+// Asks about the mesh that is open; takes a click on the answer or a word, and shows why with the elements that prove it.
+class PracticePanel : public Panel {
+ public:
+  void draw(PanelContext& context) override;
+
+ private:
+  struct Asked {
+    Question question;
+    Solution solution;
+    Elements selected;  // when it was asked
+    std::uint64_t serial, revision;
+  };
+  void ask(const Session& session);
+  void choose_kind(PanelContext& context);
+  void draw_answer_field(PanelContext& context);
+  void take_click(const Session& session);
+  void draw_judgement(PanelContext& context);
+
+  std::uint64_t seed_ = 1;
+  std::optional<QuestionKind> kind_;  // none: any
+  std::optional<Asked> asked_;
+  std::array<char, 64> word_{};
+  std::optional<bool> right_;  // what was answered last
+};
+
+void PracticePanel::ask(const Session& session) {
+  const QuestionKind kind = kind_.value_or(question_kinds()[seed_ % question_kinds().size()].kind);
+  const Question question = make_question(session.mesh(), kind, seed_);
+  asked_ = {question, solve(session.mesh(), question), session.selection, session.document().serial(),
+            session.document().revision()};
+  word_.fill(0);
+  right_.reset();
+}
+
+void PracticePanel::choose_kind(PanelContext& context) {
+  const auto name = [&](std::optional<QuestionKind> kind) {
+    if (!kind) return context.text("Any question", "すべての問題");
+    const QuestionKindRow& row = question_kinds()[static_cast<std::size_t>(*kind)];
+    return context.text(row.en, row.ja);
+  };
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  if (!ImGui::BeginCombo("##kind", name(kind_))) return;
+  const auto choice = [&](std::optional<QuestionKind> kind) {
+    if (!ImGui::Selectable(name(kind), kind == kind_)) return;
+    kind_ = kind;
+    asked_.reset();
+  };
+  choice({});
+  for (const QuestionKindRow& row : question_kinds()) choice(row.kind);
+  ImGui::EndCombo();
+}
+
+void PracticePanel::draw_answer_field(PanelContext& context) {
+  const float button = 5 * ImGui::GetFontSize();
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
+  const bool entered = ImGui::InputText("##answer", word_.data(), word_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  tip(context.text("h3, 1-2, v4, a number, none, yes, or the rule that forbids it; or click the element in the view.",
+                   "h3、1-2、v4、数、none、yes、または禁じる規則。画面で要素をクリックしても答えられます。"));
+  ImGui::SameLine();
+  if (ImGui::Button(context.text("Answer", "答える"), {button, 0}) || entered)
+    right_ = is_right(context.session.mesh(), asked_->solution, word_.data());
+}
+
+// What is selected since the question was asked is an answer, if it is of the kind that is asked for.
+void PracticePanel::take_click(const Session& session) {
+  if (right_ || !asked_->solution.element || session.selection == asked_->selected || session.selection.size() != 1)
+    return;
+  const Element given = session.selection[0];
+  if (given == asked_->question.about || given.kind != asked_->solution.element->kind) return;
+  right_ = given == *asked_->solution.element;
+}
+
+void PracticePanel::draw_judgement(PanelContext& context) {
+  if (*right_)
+    coloured_text(context.colours().legal, context.text("Right.", "正解です。"));
+  else
+    coloured_text(context.colours().warning,
+                  (context.text("No: ", "違います。正解は ") + asked_->solution.answers.front()).c_str());
+  wrapped_text(asked_->solution.why.in(context.language()).c_str());
+  ImGui::PushID("why");
+  element_links(context, asked_->solution.witnesses);
+  ImGui::PopID();
+}
+
+void PracticePanel::draw(PanelContext& context) {
+  const Session& session = context.session;
+  if (session.mesh().live().faces == 0 || session.mesh().live().edges == 0)
+    return dim_text(context, context.text("Open a mesh first: the start page has the figures of the source texts.",
+                                          "先にメッシュを開いてください。開始画面にテキストの図があります。"));
+  choose_kind(context);
+  const bool is_stale =
+      asked_ && (asked_->serial != session.document().serial() || asked_->revision != session.document().revision());
+  if (!asked_ || is_stale) ask(session);
+  wrapped_text(asked_->question.asks.in(context.language()).c_str());
+  ImGui::PushID("about");
+  element_links(context, {asked_->question.about});
+  ImGui::PopID();
+  take_click(session);
+  draw_answer_field(context);
+  if (right_) draw_judgement(context);
+  if (ImGui::Button(context.text("Next question", "次の問題"), {ImGui::GetContentRegionAvail().x, 0})) {
+    ++seed_;
+    ask(session);
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_practice_panel() { return std::make_unique<PracticePanel>(); }
+
+}  // namespace ryosen

@@ -1,0 +1,205 @@
+// Links as arrows: they lie inside their faces, twins side by side; each is labelled, selected by a click, and walked along.
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <map>
+#include <set>
+
+#include "app/editor/labels.h"
+#include "app/ui/overlays.h"
+#include "core/mesh/circulate.h"
+#include "tests/support/app/program.h"
+
+namespace ryosen {
+namespace {
+
+class LinksTest : public testing::Test {
+ protected:
+  void open(const std::string& name, std::initializer_list<const char*> lines) {
+    session_.set_document(Document::open(test::asset(name)).value());
+    session_.view = {900, 700};
+    session_.frame_all();
+    for (const char* const line : lines) ASSERT_TRUE(session_.run(line).done()) << line;
+  }
+  const std::vector<LinkArrow>& arrows() { return session_.links.of(session_); }
+  glm::dvec2 pixel_of(const LinkArrow& arrow) {
+    return session_.view_origin + project(session_.camera, session_.view, 0.5 * (arrow.from + arrow.to))->pixel;
+  }
+  const LinkArrow* find(LinkRole role, Halfedge h = {}) {
+    for (const LinkArrow& arrow : arrows())
+      if (arrow.role == role && (!h || arrow.halfedge == h)) return &arrow;
+    return nullptr;
+  }
+  std::vector<PlacedLabel> placed() {
+    const auto size_of = [](const std::string& text) { return Size{static_cast<int>(8 * text.size()), 16}; };
+    return placed_labels(session_, size_of, 1);
+  }
+  void expect_no_overlap() {
+    const std::vector<PlacedLabel> labels = placed();
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const auto rect = [&](std::size_t k) {
+          const PlacedLabel& l = labels[k];
+          return PixelRect{l.corner.x, l.corner.y, l.corner.x + l.size.width, l.corner.y + l.size.height};
+        };
+        EXPECT_TRUE(intersection(rect(i), rect(j)).empty()) << labels[i].text << ' ' << labels[j].text;
+      }
+  }
+
+  Session session_{std::make_unique<Document>()};
+};
+
+// Signed areas in the plane of the picture; the meshes here are flat and seen from the front.
+double side(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& p) {
+  return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+}
+
+TEST_F(LinksTest, lie_inside_their_faces_and_beside_their_twins) {
+  for (const char* const name :
+       {"two_quads.obj", "figures/003-image41.obj", "figures/000-14.obj", "figures/002-1.obj"}) {
+    open(name, {"view front", "links all"});
+    const Mesh& m = session_.mesh();
+    ASSERT_EQ(arrows().size(), 2 * m.live().edges) << name;
+    for (const LinkArrow& arrow : arrows()) {
+      const Halfedge h = arrow.halfedge;
+      const glm::dvec3 &p = m.position(m.from(h)), &q = m.position(m.to(h));
+      EXPECT_GT(glm::dot(q - p, arrow.to - arrow.from), 0.1 * glm::dot(q - p, q - p)) << "along its edge";
+      EXPECT_NEAR(glm::length(glm::cross(q - p, arrow.to - arrow.from)), 0, 1e-12) << "and parallel to it";
+      for (const glm::dvec3& end : {arrow.from, arrow.to}) {
+        EXPECT_GT(side(p, q, end), 0) << name << " h" << h.index << ": left of it";
+        if (!m.face(h)) continue;
+        for (const Halfedge k : loop(m, h))
+          EXPECT_GT(side(m.position(m.from(k)), m.position(m.to(k)), end), 0) << name << " h" << h.index;
+      }
+    }
+  }
+}
+
+TEST_F(LinksTest, are_each_selected_by_a_click) {
+  for (const char* const name : {"fan.obj", "figures/003-image41.obj", "two_quads.obj"}) {
+    open(name, {"view front", "links all"});
+    const std::vector<LinkArrow> all = arrows();
+    ASSERT_EQ(all.size(), 2 * session_.mesh().live().edges);
+    for (const LinkArrow& arrow : all) {
+      ASSERT_TRUE(session_.click(pixel_of(arrow), "").done());
+      EXPECT_EQ(session_.selection, (std::vector<Element>{arrow.halfedge})) << name << " h" << arrow.halfedge.index;
+    }
+  }
+  // Those of a solid that face away are hidden, and so not clicked.
+  open("figures/000-4b.obj", {"view iso", "links all"});
+  std::size_t clicked = 0;
+  const std::vector<LinkArrow> all = arrows();
+  for (const LinkArrow& arrow : all) {
+    session_.selection.clear();
+    session_.click(pixel_of(arrow), "");
+    clicked += session_.selection == std::vector<Element>{arrow.halfedge} ? 1 : 0;
+  }
+  EXPECT_GE(clicked, 12u + 4u);
+  EXPECT_LT(clicked, all.size());
+}
+
+TEST_F(LinksTest, of_a_halfedge_are_its_links) {
+  open("fan.obj", {"view front", "mode halfedge", "select 0-1"});
+  const Halfedge h = find_edge(session_.mesh(), "0-1").element;
+  session_.selection = {h};
+  const Mesh& m = session_.mesh();
+  for (const auto& [role, to] : {std::pair{LinkRole::itself, h},
+                                 {LinkRole::next, m.next(h)},
+                                 {LinkRole::prev, m.prev(h)},
+                                 {LinkRole::twin, twin(h)}}) {
+    ASSERT_NE(find(role), nullptr);
+    EXPECT_EQ(find(role)->halfedge, to);
+    EXPECT_NE(find(role)->label.en.find("h" + std::to_string(to.index)), std::string::npos);
+    EXPECT_NE(find(role)->label.ja, find(role)->label.en);
+  }
+  EXPECT_EQ(find(LinkRole::vertex)->from, m.position(m.from(h)));
+  EXPECT_EQ(find(LinkRole::face)->on, m.face(h));
+  std::set<std::string> texts;
+  for (const PlacedLabel& label : placed()) texts.insert(label.text);
+  EXPECT_GE(texts.size(), 5u);
+  expect_no_overlap();
+  // In another mode they are not drawn, unless they are asked for.
+  ASSERT_TRUE(session_.run("mode edge").done());
+  EXPECT_TRUE(arrows().empty());
+  ASSERT_TRUE(session_.run("links selection").done());
+  EXPECT_FALSE(arrows().empty());
+  ASSERT_TRUE(session_.run("links off").done());
+  EXPECT_TRUE(arrows().empty());
+}
+
+TEST_F(LinksTest, of_edges_vertices_and_faces_are_what_they_store) {
+  open("figures/000-4b.obj", {"view iso", "links selection"});
+  const Mesh& m = session_.mesh();
+  const auto count = [&](LinkRole role) {
+    return std::count_if(arrows().begin(), arrows().end(), [&](const LinkArrow& a) { return a.role == role; });
+  };
+  session_.selection = {edge(m.halfedge(Face(1)))};
+  EXPECT_EQ(count(LinkRole::vertex), 2);
+  EXPECT_EQ(count(LinkRole::face), 2);
+  EXPECT_EQ(count(LinkRole::wing), 4);
+  session_.selection = {Vertex(5)};
+  EXPECT_EQ(count(LinkRole::itself), 1);
+  EXPECT_EQ(find(LinkRole::itself)->halfedge, m.halfedge(Vertex(5)));
+  EXPECT_EQ(count(LinkRole::around), 2) << "the cycle, of three";
+  session_.selection = {Face(8)};
+  EXPECT_EQ(find(LinkRole::itself)->halfedge, m.halfedge(Face(8)));
+  EXPECT_EQ(count(LinkRole::around), 3);
+  EXPECT_EQ(count(LinkRole::ring), 4);
+  const LinkArrow* const normal = find(LinkRole::normal);
+  ASSERT_NE(normal, nullptr);
+  EXPECT_LT((normal->to - normal->from).z, 0) << "the bottom looks down";
+}
+
+TEST_F(LinksTest, are_walked_and_the_trail_stays) {
+  open("fan.obj", {"view front", "mode halfedge"});
+  session_.selection = {find_edge(session_.mesh(), "0-1").element};
+  std::vector<Halfedge> expected{session_.selection[0].halfedge()};
+  for (const char* const step : {"next", "next", "twin", "around"}) {
+    ASSERT_TRUE(session_.run(std::string("walk ") + step).done());
+    expected.push_back(session_.selection[0].halfedge());
+  }
+  EXPECT_EQ(session_.links.trail(), expected);
+  EXPECT_NE(find(LinkRole::trail), nullptr);
+  session_.selection = {twin(expected[0])};
+  EXPECT_EQ(find(LinkRole::trail), nullptr) << "elsewhere it is not shown";
+  ASSERT_TRUE(session_.run("walk next").done());
+  EXPECT_EQ(session_.links.trail().size(), 2u) << "and begins anew";
+}
+
+TEST_F(LinksTest, are_at_most_two_thousand_and_follow_edits) {
+  open("stanford_bunny.obj", {"links all"});
+  const std::size_t whole = arrows().size();
+  EXPECT_LT(whole, 200u) << "from afar its edges are too short to tell";
+  ASSERT_TRUE(session_.run("select f1000").done());
+  ASSERT_TRUE(session_.run("frame selected").done());
+  session_.selection.clear();
+  EXPECT_LE(arrows().size(), DrawnLinks::most);
+  open("torus.off", {"links all"});
+  const std::size_t before = arrows().size();
+  EXPECT_GT(before, 100u);
+  ASSERT_TRUE(session_.run("split 0-1").done());
+  EXPECT_NE(arrows().size(), before);
+  ASSERT_TRUE(session_.run("hide f3").done());
+  for (const LinkArrow& arrow : arrows()) EXPECT_NE(arrow.on, Face(3));
+}
+
+TEST_F(LinksTest, and_all_numbers_overlap_nowhere) {
+  for (const char* const name : {"fan.obj", "figures/003-image43.obj", "figures/000-4b.obj"})
+    for (const char* const numbers : {"numbers all", "numbers corners"}) {
+      open(name, {"view iso", "links all", numbers, "select f1"});
+      expect_no_overlap();
+      EXPECT_GT(placed().size(), 10u) << name << numbers;
+    }
+}
+
+TEST_F(LinksTest, numbers_of_corners_are_3i_plus_j_in_two_colours) {
+  open("figures/003-image43.obj", {"view front", "numbers corners", "links off"});
+  std::map<std::string, std::uint32_t> ground;
+  for (const PlacedLabel& label : placed()) ground[label.text] = label.ground.value_or(0);
+  ASSERT_EQ(ground.size(), 30u);
+  EXPECT_NE(ground.at("24"), ground.at("1")) << "24 has become a boundary, 1 is inside";
+  EXPECT_EQ(ground.at("1"), ground.at("3"));
+}
+
+}  // namespace
+}  // namespace ryosen

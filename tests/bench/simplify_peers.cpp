@@ -58,7 +58,7 @@ struct FacesLeft {
   std::size_t wanted;
   template <class Cost, class Profile>
   bool operator()(const Cost&, const Profile& profile, std::size_t, std::size_t) const {
-    return num_faces(profile.surface_mesh()) <= wanted;
+    return profile.surface_mesh().number_of_faces() <= wanted;  // num_faces() counts removed ones too
   }
 };
 

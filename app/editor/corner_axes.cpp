@@ -36,7 +36,8 @@ std::optional<CornerAxes> corner_axes(const Camera& camera, Size view, double sc
     const AxisEnd& end = axis_ends[i];
     const glm::dvec3 direction = direction_of(end);
     const glm::dvec2 off(glm::dot(direction, a.right), -glm::dot(direction, a.up));
-    made.ends[i] = {&end, made.middle + off * (arm * scale), (end.is_negative ? negative_radius : positive_radius) * scale};
+    made.ends[i] = {&end, made.middle + off * (arm * scale),
+                    (end.is_negative ? negative_radius : positive_radius) * scale};
   }
   std::stable_sort(made.ends.begin(), made.ends.end(), [&](const PlacedAxisEnd& x, const PlacedAxisEnd& y) {
     return glm::dot(direction_of(*x.end), a.forward) > glm::dot(direction_of(*y.end), a.forward);

@@ -74,7 +74,8 @@ bool may_be_mesh(const std::filesystem::path& path) {
 
 Result<const Format*> recognise(std::string_view bytes, const std::filesystem::path& path) {
   const std::string_view head = bytes.substr(0, sniffed_bytes);
-  if (const Format* const named = format_of_extension(path); bytes.empty() && named && named->may_be_empty) return named;
+  if (const Format* const named = format_of_extension(path); bytes.empty() && named && named->may_be_empty)
+    return named;
   if (auto refusal = refuse_before_sniffing(head)) return std::move(*refusal);
   const Format* const by_content = looks_like(bytes, Likeness::sure);
   const std::string extension = extension_of(path);

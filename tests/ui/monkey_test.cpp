@@ -105,7 +105,6 @@ class MonkeyTest : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
     before_ = std::filesystem::current_path();
-    std::filesystem::copy_file(test::asset(GetParam()), folder_.at(GetParam()));
     std::filesystem::current_path(folder_.path());
     auto made = Headless::make({.backend = Backend::osmesa, .size = test::window, .panels = true});
     ASSERT_TRUE(made);
@@ -121,7 +120,10 @@ class MonkeyTest : public testing::TestWithParam<const char*> {
   }
   // With the file as it was, and nothing of what came before.
   void begin() {
-    auto document = Document::open(test::asset(GetParam()));
+    // A copy: what random keys save replaces the file that is open.
+    const std::filesystem::path copy = folder_.at(GetParam());
+    std::filesystem::copy_file(test::asset(GetParam()), copy, std::filesystem::copy_options::overwrite_existing);
+    auto document = Document::open(copy);
     ASSERT_TRUE(document);
     session_->set_document(std::move(document).value());
     for (const char* line : {"panel none", "prefer all initial", "tool none"}) session_->run(line);

@@ -275,7 +275,9 @@ const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
   std::vector<Halfedge> drawn;
   for (const LinkArrow& arrow : arrows_) drawn.push_back(arrow.halfedge);
   const auto add = [&](Halfedge h, LinkRole role) {
-    if (!lives(h) || std::find(drawn.begin(), drawn.end(), h) != drawn.end()) return;
+    const Face f = session.mesh().face(h);
+    if (!lives(h) || (f && session.hidden().hides(session.mesh(), f))) return;
+    if (std::find(drawn.begin(), drawn.end(), h) != drawn.end()) return;
     if (auto arrow = make.of(h, role)) arrows_.push_back(std::move(*arrow));
   };
   if (goes_on)

@@ -92,6 +92,7 @@ void sweep_command_lines(Sweep& sweep) {
       {"measure", mesh, "f0"},
       {"measure", mesh, "v0"},
       {"distance", mesh, three},
+      {"hull", mesh, "-v"},
       {"check", asset("stanford_bunny.obj"), "--self-intersections"},
   };
   for (const std::vector<std::string>& line : lines) sweep.run(line);
@@ -126,6 +127,7 @@ void sweep_refused_inputs(Sweep& sweep) {
     sweep.run({"measure", file});
     sweep.run({"distance", file, file});
     sweep.run({"practice", file});
+    sweep.run({"hull", file});
     for (const ryosen::AlgorithmRow& row : ryosen::algorithm_table()) sweep.run(words_for(row, file));
   }
   sweep.run({"check", asset("tetrahedron.off"), bad});
@@ -141,6 +143,9 @@ void sweep_algorithms(Sweep& sweep) {
     if (row.accounts) sweep.run(words_for(row, empty));
   }
   sweep.run({"distance", mesh, mesh});
+  sweep.run({"hull", mesh});
+  sweep.run({"practice", empty});
+  sweep.run({"remesh", empty, "--length", "1"});
   sweep.run({"distance", mesh, sweep.folder().write("points.obj", points)});
 }
 
@@ -254,6 +259,8 @@ const std::map<std::string, std::string> out_of_reach{
     {"codes.too_many_elements", "it takes a file of gigabytes"},
     {"codes.welded", "a note on a whole file, which JSON leaves out"},
     {"doctor 1", "every way to draw is there where the tests run"},
+    {"remesh 1", "it always reaches its goal"},
+    {"subdivide 1", "it always reaches its goal"},
     {"steps 7", "every way to draw is there where the tests run"},
     {"shot 7", "every way to draw is there where the tests run"},
     {"view 3", "it takes a display"},

@@ -92,7 +92,7 @@ TEST_F(RecordsPanel, follows_an_edit_and_waits_to_be_asked_on_large_meshes) {
   ASSERT_GT(button.x, 0);
   click(button);
   frames(3);
-  EXPECT_GT(test::DrawnText(gui).count("=0"), 10u);
+  EXPECT_GE(test::DrawnText(gui).count("=0"), 10u);
 }
 
 TEST(record_book, builds_beside_the_frames_once_for_a_revision) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/ui/headless.h"
+#include "render/palette.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {
@@ -42,6 +43,7 @@ TEST_F(XrayTest, goes_by_its_key_and_shows_what_is_behind) {
   // One vertex on the near side and one on the far side: with X-ray both are drawn in full.
   for (const char* theme : {"theme dark", "theme light"}) {
     EXPECT_TRUE(session_.run(theme).done());
+    const Rgba selected = style(Role::selected, session_.settings.theme).colour;
     for (const char* on : {"xray on", "xray off"}) {
       int shown = 0;
       EXPECT_TRUE(session_.run(on).done());
@@ -49,7 +51,7 @@ TEST_F(XrayTest, goes_by_its_key_and_shows_what_is_behind) {
         const Image image = picture("select v" + std::to_string(i));
         const auto at = project(session_.camera, session_.view, session_.mesh().position(Vertex(i)))->pixel;
         const Rgba there = image.at(static_cast<int>(at.x), static_cast<int>(at.y));
-        shown += there == Rgba{0xE6, 0x9F, 0x00, 255};
+        shown += there == selected;
       }
       const auto all = static_cast<int>(session_.mesh().vertex_slots());
       if (session_.settings.xray == Xray::on)

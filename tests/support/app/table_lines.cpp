@@ -28,6 +28,13 @@ Words further_words(std::string_view id) {
   return found == needed.end() ? Words() : found->second;
 }
 
+// A mesh, unless the command takes more.
+Words operands_of(std::string_view id, const std::string& mesh) {
+  const std::map<std::string_view, Words> several{{"distance", {mesh, mesh}}, {"steps", {"walk v0", mesh}}};
+  const auto found = several.find(id);
+  return found == several.end() ? Words{mesh} : found->second;
+}
+
 Words line_of(const cli::Subcommand& row, const std::string& mesh) {
   if (row.is_algorithm) {
     Words words = words_for(*find_algorithm(row.id), mesh);
@@ -38,7 +45,7 @@ Words line_of(const cli::Subcommand& row, const std::string& mesh) {
   if (row.operand_is_command)
     words.push_back("json");
   else if (row.most_operands() > 0)
-    words.push_back(mesh);
+    for (const std::string& word : operands_of(row.id, mesh)) words.push_back(word);
   for (const std::string& word : further_words(row.id)) words.push_back(word);
   return words;
 }

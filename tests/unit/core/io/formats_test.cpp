@@ -68,7 +68,7 @@ TEST(formats, several_formats_that_begin_alike) {
   EXPECT_EQ(recognised("3 1\n0 0 0\n", "a.off"), "txt");
   EXPECT_EQ(recognised("3 1\n", "a"), "txt");
   EXPECT_EQ(recognised("3 1\n0 0\n", "a"), "unknown_format");
-  EXPECT_EQ(recognised("3 1 0\n0 0 0\n", "a"), "unknown_format");
+  EXPECT_EQ(recognised("3 1 0\n0 0 0\n", "a"), "xyz");
   EXPECT_EQ(recognised(obj_text, "a.stl"), "content_mismatch");
   EXPECT_EQ(recognised(obj_text, "a.txt"), "obj");
 }

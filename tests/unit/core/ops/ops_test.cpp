@@ -132,8 +132,13 @@ TEST(split, puts_the_vertex_where_it_is_told) {
   Mesh on_edge = before;
   prove_applying(on_edge, parse(before, "split", {"0-1"}));
   EXPECT_EQ(polygons_of(mesh), polygons_of(on_edge));
-  for (const auto& [text, share] : {std::pair{"9,9,9", 1.0}, {"-9,0,0", 0.0}, {"0.25,7,7", 0.25}})
-    EXPECT_EQ(std::get<SplitEdge>(parse(before, "split", {"0-1", text})).blend(before), share) << text;
+  const glm::dvec3 start = before.position(Vertex(0)), way = before.position(Vertex(1)) - start;
+  const glm::dvec3 aside = glm::cross(way, glm::dvec3(3, 1, 2));
+  for (const auto& [along, share] : {std::pair{9.0, 1.0}, {-9.0, 0.0}, {0.25, 0.25}}) {
+    const glm::dvec3 p = start + along * way + aside;
+    const std::string text = std::to_string(p.x) + "," + std::to_string(p.y) + "," + std::to_string(p.z);
+    EXPECT_NEAR(std::get<SplitEdge>(parse(before, "split", {"0-1", text})).blend(before), share, 1e-5) << text;
+  }
   for (const std::string_view wrong : {"1,2", "a,b,c", "1,2,inf", "1,2,3,4"}) {
     const std::vector<std::string_view> words{"0-1", wrong};
     EXPECT_EQ(parse_op(before, "split", words).error, NameError::malformed) << wrong;

@@ -74,7 +74,7 @@ TEST(form, every_operator_reads_its_own_lines_and_no_line_that_does_not_fit) {
 TEST(form, what_is_expected_is_said_in_each_language) {
   const Mesh mesh = make_mesh(tetrahedron());
   const auto japanese = [&](std::string_view line) { return parse_line(mesh, line).sentence.ja; };
-  EXPECT_EQ(japanese("split 0-1 x"), "「x」は解釈できません。数 t を指定してください");
+  EXPECT_EQ(japanese("split 0-1 x"), "「x」は解釈できません。数 t または X,Y,Z を指定してください");
   EXPECT_EQ(japanese("collapse 0-1 x"), "「x」は解釈できません。start、end、mid、X,Y,Z のいずれかを指定してください");
   EXPECT_EQ(japanese("orient x"), "「x」は解釈できません。引数は付けられません");
   EXPECT_EQ(japanese("swap x"), "「x」は名前ではありません。A-B、A-B@f5、h12、e6 のいずれかの形で書いてください");

@@ -1,14 +1,14 @@
 // `hull`: the convex hull of the points of a file.
 #include <algorithm>
+#include <numeric>
 
-#include "app/cli/contract/hull.h"
-#include "app/cli/contract/record.h"
+#include "app/cli/hull_report.h"
 #include "app/cli/outputs.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/write_output.h"
 #include "core/geometry/is_finite.h"
-#include "core/hull/hull_shape.h"
+#include "core/hull/hull_parts.h"
 #include "core/io/file_target.h"
 #include "core/io/formats.h"
 #include "core/io/input_file.h"
@@ -43,115 +43,114 @@ std::optional<Failure> fault_of_points(const std::vector<glm::dvec3>& points) {
 }
 
 // Where the format holds nothing but triangles and there is none.
-std::optional<Failure> fault_of_format(const Format& format, const MeshFile& source, const ConvexHull& hull) {
+std::optional<Failure> fault_of_format(const Format& format, const MeshFile& source, int dimension) {
   const bool holds_points = holds(format.holds(encoding_of(source, format)), Holds::vertices);
-  if (holds_points || hull.dimension >= 2) return std::nullopt;
+  if (holds_points || dimension >= 2) return std::nullopt;
   return make_failure(ExitCode::refused, "refused",
-                      {"A hull of dimension " + std::to_string(hull.dimension) + " has no face, and " + format.name.en +
+                      {"A hull of dimension " + std::to_string(dimension) + " has no face, and " + format.name.en +
                            " holds nothing else; write it as OBJ, PLY or OFF.",
-                       "次元 " + std::to_string(hull.dimension) + " の凸包には面がなく、" + format.name.ja +
+                       "次元 " + std::to_string(dimension) + " の凸包には面がなく、" + format.name.ja +
                            " は面しか保存できません。OBJ・PLY・OFF で書き出してください。"});
+}
+
+// The ends of the edges that the file has without a face.
+PointPairs lines_of(const MeshFile& file) {
+  PointPairs pairs = file.wires;
+  const auto count = static_cast<std::int64_t>(file.mesh.positions.size());
+  for (const LineElement& line : file.elements.items)
+    for (std::uint32_t k = 1; !line.is_points && k < line.count; ++k) {
+      const std::int64_t a = file.elements.vertices[line.first + k - 1], b = file.elements.vertices[line.first + k];
+      if (std::min(a, b) >= 0 && std::max(a, b) < count) pairs.emplace_back(a, b);
+    }
+  return pairs;
 }
 
 class HullRun {
  public:
-  HullRun(std::string input, const std::string* output, HullFaces faces, const Console& console)
-      : input_(std::move(input)), output_(output), faces_(faces), console_(console) {}
+  HullRun(std::string input, const std::string* output, HullWishes wishes, const Console& console)
+      : output_(output), console_(console), report_(std::move(input), wishes) {}
 
   ExitCode run(bool skips_nonfinite) {
-    Result<MeshFile> file = read_points(input_);
-    if (!file) return console_.fail(file.failure(), input_);
-    messages_ = file->messages;
-    for (const Message& message : messages_) console_.show(message, input_);
-    points_ = std::move(file->mesh.positions);
-    if (const auto fault = skips_nonfinite ? std::nullopt : fault_of_points(points_))
-      return console_.fail(*fault, input_);
-    Progress progress(report_on(console_, "hull"));
-    hull_ = convex_hull(points_, progress);
+    Result<MeshFile> file = read_points(report_.input);
+    if (!file) return console_.fail(file.failure(), report_.input);
+    report_.messages = file->messages;
+    for (const Message& message : report_.messages) console_.show(message, report_.input);
+    const std::vector<std::vector<std::uint32_t>> parts =
+        report_.wishes.per_component ? joined_points(file->mesh, lines_of(*file)) : all_together(*file);
+    report_.points = std::move(file->mesh.positions);
+    if (const auto fault = skips_nonfinite ? std::nullopt : fault_of_points(report_.points))
+      return console_.fail(*fault, report_.input);
+    project(report_.points, report_.wishes.projection);
+    make_hulls(parts);
     ExitCode code = ExitCode::done;
     if (output_) code = write(*file);
-    report(code);
+    const std::string* const written = is_written_ ? output_ : nullptr;
+    console_.conclude(console_.json ? report_.json_line(code, written, console_) : report_.text(written, console_),
+                      code);
     return code;
   }
 
  private:
+  static std::vector<std::vector<std::uint32_t>> all_together(const MeshFile& file) {
+    std::vector<std::vector<std::uint32_t>> all(1);
+    all[0].resize(file.mesh.positions.size());
+    std::iota(all[0].begin(), all[0].end(), 0u);
+    return all;
+  }
+
+  void make_hulls(const std::vector<std::vector<std::uint32_t>>& parts) {
+    Progress progress(report_on(console_, "hull"));
+    for (const std::vector<std::uint32_t>& part : parts) {
+      progress.begin_part(report_.hulls.size(), parts.size());
+      MadeHull& made = report_.hulls.emplace_back();
+      made.points = part.size();
+      made.hull = hull_of_some(report_.points, part, progress);
+      made.size = hull_size(report_.points, made.hull);
+      if (report_.wishes.measure) made.extent = hull_extent(report_.points, made.hull, progress);
+    }
+  }
+
   ExitCode fail(const Failure& failure) {
-    messages_.push_back(failure.message);
+    report_.messages.push_back(failure.message);
     console_.show(failure.message, *output_);
     return failure.exit_code;
   }
 
   ExitCode write(const MeshFile& source) {
-    HullList list = hull_list(points_, hull_, faces_);
+    HullList list;
+    for (const MadeHull& made : report_.hulls) add_hull(report_.points, made.hull, report_.wishes.faces, list);
     MeshFile out;
     out.mesh = std::move(list.list);
     out.wires = std::move(list.wires);
     const Format& format = *format_to_write(*output_, source);
-    if (const auto fault = fault_of_format(format, out, hull_)) return fail(*fault);
+    if (const auto fault = fault_of_format(format, out, report_.dimension())) return fail(*fault);
     const std::vector<Message> losses = loss_messages(out, format);
     for (const Message& loss : losses) console_.show(loss, *output_);
-    messages_.insert(messages_.end(), losses.begin(), losses.end());
+    report_.messages.insert(report_.messages.end(), losses.begin(), losses.end());
     const Status status = write_mesh_file(*output_, out, {&format});
     is_written_ = is_in_place(status);
     return status ? ExitCode::done : fail(status.failure());
   }
 
-  void report(ExitCode code) const {
-    if (console_.json) {
-      console_.conclude(json_line(code), code);
-      return;
-    }
-    std::string text = console_.text(hull_sentence(hull_)) + "\n";
-    const HullSize size = hull_size(points_, hull_);
-    const auto add = [&](std::string_view en, std::string_view ja, double value) {
-      char number[32];
-      std::snprintf(number, sizeof number, "%.9g", value);
-      text.append(console_.text(en, ja)).append(console_.text(": ", "：")).append(number).append("\n");
-    };
-    if (hull_.dimension == 3) add("volume", "体積", size.volume);
-    if (hull_.dimension >= 2) add("area", "面積", size.area);
-    if (console_.verbose)
-      for (std::size_t f = 0; f < hull_.facet_count(); ++f) {
-        for (const std::uint32_t i : hull_.facet(f)) text += "v" + std::to_string(i) + " ";
-        text.back() = '\n';
-      }
-    console_.conclude(text + written_text(is_written_ ? output_ : nullptr, console_), code);
-  }
-
-  std::string json_line(ExitCode code) const {
-    const HullSize size = hull_size(points_, hull_);
-    const bool warns = std::any_of(messages_.begin(), messages_.end(),
-                                   [](const Message& m) { return m.severity == Severity::warning; });
-    Record<hull_shape> json;
-    json["file"] = input_;
-    json["output"] = is_written_ ? Json(*output_) : Json();
-    json["status"] = code != ExitCode::done ? "error" : warns ? "warnings" : "ok";
-    json["dimension"] = hull_.dimension;
-    json["vertices"] = hull_.vertices.size();
-    json["facets"] = hull_.facet_count();
-    json["volume"] = size.volume;
-    json["area"] = size.area;
-    json["used"] = hull_.used;
-    json["points"] = points_.size();
-    if (console_.verbose) {
-      Json& facets = json["facet_list"] = Json::array();
-      for (std::size_t f = 0; f < hull_.facet_count(); ++f)
-        facets.push_back(std::vector<std::uint32_t>(hull_.facet(f).begin(), hull_.facet(f).end()));
-    }
-    json["messages"] = cli::to_json(messages_);
-    json.put(hull_sentence(hull_));
-    return line_of(json);
-  }
-
-  std::string input_;
   const std::string* output_;
-  HullFaces faces_;
   const Console& console_;
-  std::vector<glm::dvec3> points_;
-  ConvexHull hull_;
-  std::vector<Message> messages_;
+  HullReport report_;
   bool is_written_ = false;
 };
+
+// What is asked for; none where --project names nothing.
+std::optional<HullWishes> wishes_of(const Arguments& arguments) {
+  HullWishes wishes;
+  if (arguments.has("--triangles")) wishes.faces = HullFaces::triangles;
+  wishes.per_component = arguments.has("--per-component");
+  wishes.measure = arguments.has("--measure");
+  if (const std::string* const id = arguments.value("--project")) {
+    const ProjectionRow* const row = find_projection(*id);
+    if (!row || row->projection == Projection::none) return std::nullopt;
+    wishes.projection = row->projection;
+  }
+  return wishes;
+}
 
 }  // namespace
 
@@ -161,6 +160,10 @@ ExitCode hull_command(const Arguments& arguments, const Console& given) {
   if (arguments.has("--facets") && arguments.has("--triangles"))
     return given.fail(usage_failure("flags_exclude", {"--facets and --triangles exclude each other.",
                                                       "--facets と --triangles は同時に指定できません。"}));
+  const std::optional<HullWishes> wishes = wishes_of(arguments);
+  if (!wishes)
+    return given.fail(usage_failure(
+        "bad_value", {"--project takes x, y, z or best.", "--project の値は x、y、z、best のいずれかです。"}));
   RunFiles files = files_of_run(arguments, input == "-" ? std::string() : input);
   if (output) {
     if (const auto fault = fault_of_output(*output, false)) return given.fail(*fault);
@@ -169,8 +172,7 @@ ExitCode hull_command(const Arguments& arguments, const Console& given) {
   }
   Console console = given;
   console.leaves_stdout = files.uses_stdout();
-  const HullFaces faces = arguments.has("--triangles") ? HullFaces::triangles : HullFaces::facets;
-  return HullRun(input, output, faces, console).run(arguments.has("--skip-nonfinite"));
+  return HullRun(input, output, *wishes, console).run(arguments.has("--skip-nonfinite"));
 }
 
 }  // namespace ryosen::cli

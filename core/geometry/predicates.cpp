@@ -1,5 +1,6 @@
 #include "core/geometry/predicates.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -78,9 +79,8 @@ void add_product(exact::Expansion<192>& sum, const exact::Pair& x, const exact::
   }
 }
 
-// Sign of the determinant of the rows a - d, b - d, c - d.
-int determinant_by_expansion(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
-  const Tails u = difference(a, d), v = difference(b, d), w = difference(c, d);
+// Sign of the determinant of three rows.
+int determinant_by_expansion(const Tails& u, const Tails& v, const Tails& w) {
   exact::Expansion<192> sum;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
@@ -90,21 +90,61 @@ int determinant_by_expansion(const glm::dvec3& a, const glm::dvec3& b, const glm
   return sum.sign();
 }
 
-// The same, expanded into four determinants of three points each.
+// The determinant of three places, which may be subtracted.
+void add_determinant(exact::ProductSum<3>& sum, const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& w,
+                     bool negate) {
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    sum.add_product(u[i], v[j], w[k], negate);
+    sum.add_product(u[i], v[k], w[j], !negate);
+  }
+}
+
+// Of the rows a - d, b - d, c - d, expanded into four determinants of three points each.
 int determinant_by_accumulator(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
   exact::ProductSum<3> sum;
-  const auto add = [&](const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& w, bool negate) {
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3, k = (i + 2) % 3;
-      sum.add_product(u[i], v[j], w[k], negate);
-      sum.add_product(u[i], v[k], w[j], !negate);
-    }
-  };
-  add(a, b, c, false);
-  add(b, c, d, true);
-  add(a, c, d, false);
-  add(a, b, d, true);
+  add_determinant(sum, a, b, c, false);
+  add_determinant(sum, b, c, d, true);
+  add_determinant(sum, a, c, d, false);
+  add_determinant(sum, a, b, d, true);
   return sum.sign();
+}
+
+// Of three differences, expanded into eight determinants.
+int determinant_by_accumulator(const Difference& u, const Difference& v, const Difference& w) {
+  exact::ProductSum<3> sum;
+  for (const bool a : {false, true})
+    for (const bool b : {false, true})
+      for (const bool c : {false, true})
+        add_determinant(sum, a ? u.from : u.to, b ? v.from : v.to, c ? w.from : w.to, (a != b) != c);
+  return sum.sign();
+}
+
+bool is_safe_cubed(const Difference& u) { return is_safe_cubed(u.from) && is_safe_cubed(u.to); }
+bool is_finite_difference(const Difference& u) { return is_finite(u.from) && is_finite(u.to); }
+
+// The determinant of three rows where rounding cannot have changed its sign, else 0. The bound is that of [Shewchuk97],
+// (7 + 56 u) u, with room to spare. The limits keep underflow errors (smallest double times a difference, each) far below
+// the bound and exclude overflow (a NaN fails all comparisons).
+int sure_determinant_sign(const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& w) {
+  const double vw_x = v.y * w.z, wv_x = v.z * w.y, vw_y = v.z * w.x, wv_y = v.x * w.z, vw_z = v.x * w.y,
+               wv_z = v.y * w.x;
+  const double det = u.x * (vw_x - wv_x) + u.y * (vw_y - wv_y) + u.z * (vw_z - wv_z);
+  const double size = std::abs(u.x) * (std::abs(vw_x) + std::abs(wv_x)) +
+                      std::abs(u.y) * (std::abs(vw_y) + std::abs(wv_y)) +
+                      std::abs(u.z) * (std::abs(vw_z) + std::abs(wv_z));
+  const double reach = std::abs(u.x) + std::abs(u.y) + std::abs(u.z);
+  if (size > 1e-200 && size <= 1e+300 && reach < 1e+100 && std::abs(det) > 8e-16 * size) return det > 0.0 ? 1 : -1;
+  return 0;
+}
+
+// Adds the square of the length of a difference, or subtracts it.
+void add_square(exact::ProductAccumulator& sum, const Difference& u, bool negate) {
+  for (int axis = 0; axis < 3; ++axis) {
+    sum.add_product(u.to[axis], u.to[axis], negate);
+    sum.add_product(u.from[axis], u.from[axis], negate);
+    for (int twice = 0; twice < 2; ++twice) sum.add_product(u.to[axis], u.from[axis], !negate);
+  }
 }
 
 template <class Point>
@@ -134,21 +174,31 @@ int orient2d(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
 }
 
 int orient3d(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
-  const glm::dvec3 u = a - d, v = b - d, w = c - d;
-  const double vw_x = v.y * w.z, wv_x = v.z * w.y, vw_y = v.z * w.x, wv_y = v.x * w.z, vw_z = v.x * w.y,
-               wv_z = v.y * w.x;
-  const double det = u.x * (vw_x - wv_x) + u.y * (vw_y - wv_y) + u.z * (vw_z - wv_z);
-  const double size = std::abs(u.x) * (std::abs(vw_x) + std::abs(wv_x)) +
-                      std::abs(u.y) * (std::abs(vw_y) + std::abs(wv_y)) +
-                      std::abs(u.z) * (std::abs(vw_z) + std::abs(wv_z));
-  // The bound is that of [Shewchuk97], (7 + 56 u) u, with room to spare. The limits keep underflow errors (smallest
-  // double times a difference, each) far below the bound and exclude overflow (a NaN fails all comparisons).
-  const double reach = std::abs(u.x) + std::abs(u.y) + std::abs(u.z);
-  if (size > 1e-200 && size <= 1e+300 && reach < 1e+100 && std::abs(det) > 8e-16 * size) return det > 0.0 ? -1 : 1;
+  if (const int sign = sure_determinant_sign(a - d, b - d, c - d)) return -sign;
   if (is_safe_cubed(a) && is_safe_cubed(b) && is_safe_cubed(c) && is_safe_cubed(d))
-    return -determinant_by_expansion(a, b, c, d);
+    return -determinant_by_expansion(difference(a, d), difference(b, d), difference(c, d));
   if (!is_finite(a) || !is_finite(b) || !is_finite(c) || !is_finite(d)) return 0;
   return -determinant_by_accumulator(a, b, c, d);
+}
+
+int determinant_sign(const Difference& u, const Difference& v, const Difference& w) {
+  if (const int sign = sure_determinant_sign(u.to - u.from, v.to - v.from, w.to - w.from)) return sign;
+  if (is_safe_cubed(u) && is_safe_cubed(v) && is_safe_cubed(w))
+    return determinant_by_expansion(difference(u.to, u.from), difference(v.to, v.from), difference(w.to, w.from));
+  if (!is_finite_difference(u) || !is_finite_difference(v) || !is_finite_difference(w)) return 0;
+  return determinant_by_accumulator(u, v, w);
+}
+
+int compare_lengths(const Difference& u, const Difference& v) {
+  const auto square = [](const glm::dvec3& d) { return d.x * d.x + d.y * d.y + d.z * d.z; };
+  const double a = square(u.to - u.from), b = square(v.to - v.from), larger = std::max(a, b);
+  if (larger > 1e-280 && larger <= std::numeric_limits<double>::max() && std::abs(a - b) > 2e-15 * larger)
+    return a > b ? 1 : -1;
+  if (!is_finite_difference(u) || !is_finite_difference(v)) return 0;
+  exact::ProductAccumulator sum;
+  add_square(sum, u, false);
+  add_square(sum, v, true);
+  return sum.sign();
 }
 
 int cross_component_sign(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, int axis) {

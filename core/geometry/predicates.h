@@ -21,6 +21,18 @@ int orient2d(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c);
 // if coplanar (also if a, b, c are collinear).
 int orient3d(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d);
 
+// The vector from one point to another, as these two: so it is exact where its coordinates cannot be.
+struct Difference {
+  glm::dvec3 from, to;
+};
+
+// Sign of the determinant of three rows u, v, w: +1 where w is on the side of u and v from which u turns
+// counter-clockwise to v.
+int determinant_sign(const Difference& u, const Difference& v, const Difference& w);
+
+// Sign of the length of u less that of v.
+int compare_lengths(const Difference& u, const Difference& v);
+
 // The projection along an axis (0, 1, 2), seen from its tip; exact.
 inline glm::dvec2 seen_along(const glm::dvec3& p, int axis) {
   return axis == 0 ? glm::dvec2(p.y, p.z) : axis == 1 ? glm::dvec2(p.z, p.x) : glm::dvec2(p.x, p.y);

@@ -1,44 +1,16 @@
 #include "core/hull/hull_shape.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
+
+#include "core/hull/in_short.h"
+#include "core/hull/unit_places.h"
 
 namespace ryosen {
 
-namespace {
-
-// Places relative to the first vertex in units of a power of two, below 1 in magnitude, so that no product overflows and
-// only what is far below the others underflows.
-class UnitPlaces {
- public:
-  UnitPlaces(std::span<const glm::dvec3> points, const ConvexHull& hull) : points_(points) {
-    if (hull.vertices.empty()) return;
-    half_origin_ = points[hull.vertices[0]] / 2.0;
-    double largest = 0;
-    for (const std::uint32_t i : hull.vertices) {
-      const glm::dvec3 d = points[i] / 2.0 - half_origin_;
-      largest = std::max({largest, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-    }
-    if (largest > 0) std::frexp(largest, &exponent_);
-  }
-  glm::dvec3 operator[](std::uint32_t i) const {
-    const glm::dvec3 d = points_[i] / 2.0 - half_origin_;
-    return {std::ldexp(d.x, -exponent_), std::ldexp(d.y, -exponent_), std::ldexp(d.z, -exponent_)};
-  }
-  // A number of so many dimensions in units of the points.
-  double full(double value, int dimensions) const { return std::ldexp(value, dimensions * (exponent_ + 1)); }
-
- private:
-  std::span<const glm::dvec3> points_;
-  glm::dvec3 half_origin_{0.0};
-  int exponent_ = 0;
-};
-
-}  // namespace
-
 HullSize hull_size(std::span<const glm::dvec3> points, const ConvexHull& hull) {
-  const UnitPlaces places(points, hull);
+  const hull::UnitPlaces places(points, hull.vertices);
+  const glm::dvec3 origin = hull.vertices.empty() ? glm::dvec3(0.0) : places[hull.vertices[0]];
   double six_volumes = 0, area = 0;
   for (std::size_t f = 0; f < hull.facet_count(); ++f) {
     const std::span<const std::uint32_t> facet = hull.facet(f);
@@ -46,32 +18,38 @@ HullSize hull_size(std::span<const glm::dvec3> points, const ConvexHull& hull) {
     glm::dvec3 normal(0.0);
     for (std::size_t i = 2; i < facet.size(); ++i) normal += glm::cross(places[facet[i - 1]] - a, places[facet[i]] - a);
     area += glm::length(normal) / 2;
-    six_volumes += glm::dot(a, normal);
+    six_volumes += glm::dot(a - origin, normal);
   }
   return {hull.dimension == 3 ? places.full(six_volumes / 6, 3) : 0.0, places.full(area, 2)};
 }
 
-HullList hull_list(std::span<const glm::dvec3> points, const ConvexHull& hull, HullFaces faces) {
-  HullList result;
-  IndexedMesh& list = result.list;
-  list.positions.reserve(hull.vertices.size());
+void add_hull(std::span<const glm::dvec3> points, const ConvexHull& hull, HullFaces faces, HullList& to) {
+  IndexedMesh& list = to.list;
+  const auto first = static_cast<std::uint32_t>(list.positions.size());
   for (const std::uint32_t i : hull.vertices) list.positions.push_back(points[i]);
-  if (hull.dimension == 1) result.wires.emplace_back(0, 1);
-  std::vector<std::uint32_t> number(hull.vertices.empty() ? 0 : hull.vertices.back() + std::size_t{1});
-  for (std::uint32_t i = 0; i < hull.vertices.size(); ++i) number[hull.vertices[i]] = i;
+  if (hull.dimension == 1) to.wires.emplace_back(first, first + 1);
+  const auto add_corner = [&](std::uint32_t i) {
+    const auto at = std::lower_bound(hull.vertices.begin(), hull.vertices.end(), i);
+    list.corners.push_back(first + static_cast<std::uint32_t>(at - hull.vertices.begin()));
+  };
   const auto end_face = [&] { list.face_offsets.push_back(static_cast<std::uint32_t>(list.corners.size())); };
   for (std::size_t f = 0; f < hull.facet_count(); ++f) {
     const std::span<const std::uint32_t> facet = hull.facet(f);
     if (faces == HullFaces::facets) {
-      for (const std::uint32_t i : facet) list.corners.push_back(number[i]);
+      for (const std::uint32_t i : facet) add_corner(i);
       end_face();
       continue;
     }
     for (std::size_t i = 2; i < facet.size(); ++i) {
-      for (const std::uint32_t corner : {facet[0], facet[i - 1], facet[i]}) list.corners.push_back(number[corner]);
+      for (const std::uint32_t corner : {facet[0], facet[i - 1], facet[i]}) add_corner(corner);
       end_face();
     }
   }
+}
+
+HullList hull_list(std::span<const glm::dvec3> points, const ConvexHull& hull, HullFaces faces) {
+  HullList result;
+  add_hull(points, hull, faces, result);
   return result;
 }
 
@@ -93,6 +71,22 @@ Text hull_sentence(const ConvexHull& hull) {
       return {"The hull is a solid of " + vertices + " vertices and " + facets + " facets (dimension 3).",
               "凸包は頂点 " + vertices + " 個、面 " + facets + " 枚の立体です（次元 3）。"};
   }
+}
+
+Text size_sentence(const ConvexHull& hull, const HullSize& size) {
+  if (hull.dimension < 2) return {};
+  const std::string volume = hull::in_short(size.volume), area = hull::in_short(size.area);
+  if (hull.dimension == 2) return {"Area " + area + ".", "面積 " + area + "。"};
+  return {"Volume " + volume + ", area " + area + ".", "体積 " + volume + "、面積 " + area + "。"};
+}
+
+Text hulls_sentence(std::size_t count, std::size_t vertices, std::size_t facets, const HullSize& size) {
+  const std::string parts = std::to_string(count), v = std::to_string(vertices), f = std::to_string(facets),
+                    volume = hull::in_short(size.volume), area = hull::in_short(size.area);
+  return {"The hulls of " + parts + " components have " + v + " vertices and " + f + " facets. Volume " + volume +
+              ", area " + area + " together.",
+          "連結成分 " + parts + " 個の凸包は、合わせて頂点 " + v + " 個、面 " + f + " 枚です。体積の和 " + volume +
+              "、面積の和 " + area + "。"};
 }
 
 }  // namespace ryosen

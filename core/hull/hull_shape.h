@@ -26,9 +26,15 @@ struct HullList {
   IndexedMesh list;                                            // the extreme points by ascending number, and the faces
   std::vector<std::pair<std::uint32_t, std::uint32_t>> wires;  // the segment of dimension 1, by numbers in the list
 };
+// Behind what is in the list already.
+void add_hull(std::span<const glm::dvec3> points, const ConvexHull& hull, HullFaces faces, HullList& to);
 HullList hull_list(std::span<const glm::dvec3> points, const ConvexHull& hull, HullFaces faces);
 
 // "The hull has dimension 2: a polygon of 5 vertices."
 Text hull_sentence(const ConvexHull& hull);
+// "Volume 1, area 6." Empty below dimension 2.
+Text size_sentence(const ConvexHull& hull, const HullSize& size);
+// "The hulls of 3 components have 12 vertices and 9 facets. Volume 1, area 6 together."
+Text hulls_sentence(std::size_t count, std::size_t vertices, std::size_t facets, const HullSize& size);
 
 }  // namespace ryosen

@@ -92,7 +92,8 @@ void sweep_command_lines(Sweep& sweep) {
       {"measure", mesh, "f0"},
       {"measure", mesh, "v0"},
       {"distance", mesh, three},
-      {"hull", mesh, "-v"},
+      {"hull", mesh, "-v", "--measure"},
+      {"hull", mesh, "-v", "--measure", "--per-component"},
       {"check", asset("stanford_bunny.obj"), "--self-intersections"},
   };
   for (const std::vector<std::string>& line : lines) sweep.run(line);

@@ -1,6 +1,7 @@
 // `hull`: the contract of its output, what it reads and what it refuses.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 
 #include "tests/support/app/program.h"
@@ -136,6 +137,80 @@ TEST_F(HullCommand, figures_hold_for_huge_and_tiny_coordinates) {
   EXPECT_TRUE(huge["volume"].is_null());
   EXPECT_EQ(huge["vertices"], 4);
   EXPECT_EQ(hull_of("5e-324 0 0\n0 5e-324 0\n0 0 5e-324\n0 0 0\n").line()["facets"], 4);
+}
+
+TEST_F(HullCommand, measures_how_long_and_how_thin_it_is) {
+  const Json line = hull_of(cube_with_more, {"--measure"}).line();
+  EXPECT_DOUBLE_EQ(line["diameter"], std::sqrt(3));
+  EXPECT_EQ(line["farthest"], Json({0, 6}));
+  EXPECT_EQ(line["width"], 1.0);
+  EXPECT_EQ(line["between"], Json::parse("[[0,1,5,4],[3]]"));
+  EXPECT_EQ(line["extreme"], Json({0, 1, 2, 3, 4, 5, 6, 7}));
+  const Json edges = hull_of("1 1 1\n1 -1 -1\n-1 1 -1\n-1 -1 1\n", {"--measure"}).line();
+  EXPECT_EQ(edges["width"], 2.0);
+  EXPECT_EQ(edges["between"].size(), 2u);
+  EXPECT_EQ(edges["between"][0].size(), 2u) << edges;
+  const Json polygon = hull_of("0 0 0\n4 0 0\n4 1 0\n0 1 0\n", {"--measure"}).line();
+  EXPECT_EQ(polygon["width"], 1.0);
+  EXPECT_EQ(polygon["between"], Json::parse("[[0,1],[2]]"));
+  const Json segment = hull_of("0 0 0\n3 4 0\n", {"--measure"}).line();
+  EXPECT_EQ(segment["diameter"], 5.0);
+  EXPECT_EQ(segment["width"], 0.0);
+  EXPECT_EQ(segment["between"], Json::array());
+  const Json nothing = hull_of("", {"--measure"}).line();
+  EXPECT_EQ(nothing["diameter"], 0.0);
+  EXPECT_EQ(nothing["farthest"], Json::array());
+  const std::string text = run_program({"hull", asset("cube.obj"), "--measure", "--lang", "en"}).out;
+  EXPECT_NE(text.find("Farthest apart: v0 and v6, 1.73205081. Smallest width: 1,"), std::string::npos) << text;
+}
+
+TEST_F(HullCommand, makes_one_of_each_component) {
+  const std::string file = folder_.write(
+      "parts.obj",
+      "v 5 5 5\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 6 5 5\nv 6 6 5\nv 9 9 9\nv 7 7 7\nv 8 8 8\nv 6.5 5.5 5\n"
+      "f 2 3 4\nf 2 3 5\nf 1 6 7\nl 9 10\n");
+  const std::string output = folder_.at("o.obj");
+  const Json line = run_program({"hull", file, "--per-component", "--measure", "--json", "-v", "-o", output}).line();
+  EXPECT_EQ(line["dimension"], 3);
+  EXPECT_EQ(line["points"], 11);
+  EXPECT_EQ(line["vertices"], 3 + 4 + 1 + 2 + 1);
+  EXPECT_EQ(line["facets"], 5);
+  EXPECT_NEAR(line["volume"], 1 / 6., 1e-15);
+  EXPECT_NEAR(line["area"], .5 + 1.5 + std::sqrt(.75), 1e-12);
+  EXPECT_EQ(line["facet_list"], Json::parse("[[0,5,6],[1,2,4],[1,3,2],[1,4,3],[2,3,4]]"));
+  EXPECT_FALSE(line.contains("diameter"));
+  std::vector<Json> dimensions, extremes;
+  for (const Json& part : line["components"]) {
+    dimensions.push_back(part["dimension"]);
+    extremes.push_back(part["extreme"]);
+  }
+  EXPECT_EQ(Json(dimensions), Json({2, 3, 0, 1, 0}));
+  EXPECT_EQ(Json(extremes), Json::parse("[[0,5,6],[1,2,3,4],[7],[8,9],[10]]"));
+  EXPECT_NEAR(line["components"][3]["diameter"], std::sqrt(3), 1e-12);
+  const Json checked = run_program({"check", output, "--json"}).line();
+  EXPECT_EQ(checked["faces"], 5);
+  EXPECT_EQ(checked["components"], 2);
+  EXPECT_EQ(run_program({"hull", asset("cube.obj"), "--per-component", "--json"}).line()["components"].size(), 1u);
+  EXPECT_EQ(run_program({"hull", folder_.write("none.xyz", ""), "--per-component", "--json"}).line()["dimension"], -1);
+  const std::string script = "hull per_component=on; expect V 22; expect F 8";
+  EXPECT_EQ(run_program({"edit", file, "--do", script}).exit_code, 0);
+}
+
+TEST_F(HullCommand, of_points_seen_along_an_axis) {
+  const char* const lines = "0 0 0\n2 0 1\n2 3 0\n0 3 1\n1 1 9\n1 4 0\n";
+  const Json along_z = hull_of(lines, {"--project", "z"}).line();
+  EXPECT_EQ(along_z["dimension"], 2);
+  EXPECT_EQ(along_z["facet_list"], Json::parse("[[0,1,2,5,3]]"));
+  EXPECT_EQ(along_z["area"], 7.0);
+  EXPECT_EQ(hull_of(lines, {"--project", "best"}).line(), hull_of(lines, {"--project", "x"}).line());
+  const Json along_y = hull_of(lines, {"--project", "y", "-o", folder_.at("o.obj")}).line();
+  EXPECT_EQ(along_y["vertices"], 5);
+  EXPECT_NE(read_file(folder_.at("o.obj")).find("v 1 0 9"), std::string::npos);
+  EXPECT_EQ(hull_of("0 0 0\n0 0 5\n", {"--project", "z"}).line()["dimension"], 0);
+  EXPECT_EQ(hull_of("nan 0 0\n0 0 5\n", {"--project", "x"}).exit_code, 6);
+  for (const char* const wrong : {"none", "w", ""})
+    EXPECT_EQ(hull_of(lines, {"--project", wrong}).exit_code, 2) << wrong;
+  EXPECT_EQ(run_program({"edit", asset("cube.obj"), "--do", "hull project=y; expect V 12; expect F 7"}).exit_code, 0);
 }
 
 TEST_F(HullCommand, says_what_is_wrong_with_its_words) {

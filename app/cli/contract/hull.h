@@ -22,7 +22,35 @@ inline constexpr JsonKey hull_figure_keys[] = {
      "With -v: each facet by the numbers of its points from the lowest, counter-clockwise seen from outside, in "
      "lexicographic order; else absent.",
      "-v のとき、各面の点の番号（最小から、外から見て反時計回り、辞書順）。それ以外はない。", optional()},
+    {"extreme", "array of integer", "With -v: the numbers of the extreme points, ascending; else absent.",
+     "-v のとき、端点の番号（昇順）。それ以外はない。", optional()},
 };
+
+// Of each hull by --measure; with --per-component not of all together.
+inline constexpr JsonKey hull_extent_keys[] = {
+    {"diameter", "number or null",
+     "By --measure: how far the farthest two points are apart; null where it is beyond the largest number.",
+     "--measure のとき、最も遠い 2 点の距離。表せる最大の数を超えるとき null。", optional()},
+    {"farthest", "array of integer", "By --measure: their numbers, ascending; none below dimension 1.",
+     "--measure のとき、その 2 点の番号（昇順）。次元 1 未満では空。", optional()},
+    {"width", "number or null",
+     "By --measure: the least distance of parallel planes, of a polygon of lines, with the hull between them; null "
+     "where "
+     "it is beyond the largest number.",
+     "--measure のとき、凸包を挟む平行な 2 平面（多角形では 2 直線）の最小の距離。表せる最大の数を超えるとき null。",
+     optional()},
+    {"between", "array of array of integer",
+     "By --measure: what lies on these, by numbers of points: a facet and a point, or two edges; of a polygon a side "
+     "and "
+     "a point; none below dimension 2.",
+     "--measure のとき、その上にあるもの（点の番号）：面と点、または 2 本の稜線。多角形では稜線と点。次元 2 "
+     "未満では空。",
+     optional()},
+};
+
+inline constexpr auto hull_component_keys = joined(hull_figure_keys, hull_extent_keys);
+inline constexpr Shape hull_component_shape{"hull_component", "The hull of a connected component.", "連結成分の凸包。",
+                                            hull_component_keys};
 
 inline constexpr JsonKey hull_run_keys[] = {
     {"file", "string", "The input, as it was named.", "指定されたとおりの入力。"},
@@ -32,12 +60,17 @@ inline constexpr JsonKey hull_run_keys[] = {
      "ok。警告があれば warnings、拒否または書き出せなければ error。", words("ok warnings error")},
 };
 inline constexpr JsonKey hull_end_keys[] = {
+    {"components", "array of object",
+     "With --per-component: the hull of each, by the lowest number of its points; the figures above are sums then, and "
+     "the dimension is the largest. Else absent.",
+     "--per-component のとき、連結成分ごとの凸包（最小の点の番号順）。上の数はその和、次元はその最大。それ以外はない。",
+     optional(objects(hull_component_shape))},
     {"messages", "array of object", "What reading had to say, and what the output loses; or why it was not written.",
      "読み込み時のメッセージと出力で失われるもの、または書き出せなかった理由。", objects(message_shape)},
     {"en", "string", "What the hull is, in English.", "凸包の説明（英語）。"},
     {"ja", "string", "What the hull is, in Japanese.", "凸包の説明（日本語）。"},
 };
-inline constexpr auto hull_keys = joined(hull_run_keys, hull_figure_keys, hull_end_keys);
+inline constexpr auto hull_keys = joined(hull_run_keys, hull_figure_keys, hull_extent_keys, hull_end_keys);
 inline constexpr Shape hull_shape{"hull", "One line.", "一行。", hull_keys};
 
 inline constexpr Contract hull_contract{

@@ -246,5 +246,41 @@ TEST(predicates, numbers_that_are_not_finite_do_no_harm) {
   EXPECT_EQ(orient2d({inf, 0}, {1, 0}, {0, 1}), 0);
 }
 
+std::array<BigInteger, 3> scaled(const Difference& d) {
+  return {BigInteger::scaled(d.to.x) - BigInteger::scaled(d.from.x),
+          BigInteger::scaled(d.to.y) - BigInteger::scaled(d.from.y),
+          BigInteger::scaled(d.to.z) - BigInteger::scaled(d.from.z)};
+}
+
+void expect_signs_of(const std::array<Difference, 3>& d) {
+  const auto u = scaled(d[0]), v = scaled(d[1]), w = scaled(d[2]);
+  const BigInteger determinant =
+      u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) + u[2] * (v[0] * w[1] - v[1] * w[0]);
+  ASSERT_EQ(determinant_sign(d[0], d[1], d[2]), determinant.sign());
+  const BigInteger longer = (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]) - (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  ASSERT_EQ(compare_lengths(d[0], d[1]), longer.sign());
+}
+
+TEST(predicates, signs_of_differences_agree_with_integers) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  std::uniform_int_distribution<int> small(-2, 2), exponent(-1074, 1020);
+  const double step = std::numeric_limits<double>::epsilon();
+  for (int round = 0; round < 3000; ++round) {
+    const int kind = round % 4;
+    const double scale = std::ldexp(1.0, exponent(random));
+    const auto value = [&] {
+      if (kind == 0) return any_double(random);
+      if (kind == 1) return unit(random);
+      if (kind == 2) return small(random) * scale;
+      return 1 + small(random) * step;
+    };
+    const auto point = [&] { return dvec3(value(), value(), value()); };
+    std::array<Difference, 3> d;
+    for (Difference& difference : d) difference = {point(), point()};
+    expect_signs_of(d);
+  }
+}
+
 }  // namespace
 }  // namespace ryosen

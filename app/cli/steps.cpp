@@ -15,6 +15,9 @@ namespace ryosen::cli {
 
 namespace {
 
+// Of more steps only those are made that are asked for.
+constexpr std::size_t most_printed = 100000;
+
 Json to_json(const steps::Mark& mark) {
   Record<mark_shape> json;
   json["role"] = steps::row_of(mark.role).id;
@@ -56,7 +59,14 @@ Json to_json(const steps::Delta& delta) {
   return std::move(json).json();
 }
 
-std::string step_line(const steps::Step& step, std::size_t at, std::size_t of) {
+// The number of the curve behind a step.
+std::optional<std::uint32_t> count_at(const steps::Sequence& sequence, std::size_t i) {
+  const std::optional<steps::Curve> curve = sequence.curve();
+  return curve && i <= curve->values.size() ? std::optional(curve->values[i - 1]) : std::nullopt;
+}
+
+std::string step_line(const steps::Step& step, std::size_t at, std::size_t of,
+                      const std::optional<std::uint32_t>& count) {
   Record<step_shape> json;
   json["at"] = at;
   json["of"] = of;
@@ -67,6 +77,7 @@ std::string step_line(const steps::Step& step, std::size_t at, std::size_t of) {
   for (const steps::Mark& mark : step.marks) json["marks"].push_back(to_json(mark));
   json["rows"] = Json::array();
   for (const steps::RowChange& row : step.rows) json["rows"].push_back(to_json(row));
+  if (count) json["count"] = *count;
   json["source"] = step.source ? to_json(*step.source) : Json();
   if (step.delta) json["delta"] = to_json(*step.delta);
   return line_of(json);
@@ -155,10 +166,18 @@ ExitCode print_steps(const Arguments& arguments, const PlayCall& call, std::uniq
     if (!number) return console.fail(number.failure());
     first = last = *number;
   }
+  if (sequence.size() > most_printed && !arguments.has("--at")) {
+    const std::string n = std::to_string(sequence.size());
+    return console.fail(make_failure(ExitCode::refused, "refused",
+                                     {"There are " + n + " steps; --at N makes one of them.",
+                                      "手順が " + n + " 個あります。--at N で一つを指定してください。"}),
+                        call.file.value_or(""));
+  }
   if (const Text remark = sequence.remark(); !remark.en.empty()) console.note(remark);
   for (std::size_t i = first; i <= last; ++i) {
     const steps::Step step = sequence.at(i);
-    console.print(console.json ? step_line(step, i, sequence.size()) : step_text(step, i, sequence.size(), console));
+    console.print(console.json ? step_line(step, i, sequence.size(), count_at(sequence, i))
+                               : step_text(step, i, sequence.size(), console));
   }
   if (const std::string* const path = arguments.value("-o"))
     if (const auto failure = draw_step(std::move(document), call.words, last, *path, console))

@@ -38,8 +38,12 @@ class Player {
   // That which leads to the position; null before the first one.
   const steps::Step* step() const { return step_ ? &*step_ : nullptr; }
   Text remark() const { return sequence_->remark(); }
+  std::optional<steps::Curve> curve() const { return sequence_->curve(); }
+  // Of very many steps there is none: all steps before would have to be made.
+  bool has_tables() const { return sequence_->size() <= most_with_tables; }
   // As all steps up to the position have filled them.
   const steps::Tables& tables() { return tables_.at(position_); }
+  static constexpr std::size_t most_with_tables = 5000;
   bool is_running = false;  // a frontend goes forward from time to time
 
   // Whether the document is the one that it was made for, at the same place of its history.

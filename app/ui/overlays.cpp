@@ -255,6 +255,11 @@ Overlay step_overlay(const Session& session, Theme theme) {
     if (!has_slot(session.mesh().lengths(), mark->element) || !is_alive(session.mesh(), mark->element)) continue;
     Painter(session, overlay, style(steps::row_of(mark->role).look, theme), 0.6f).draw(mark->element);
   }
+  for (const steps::Gone& gone : session.player->step()->gone) {
+    const Style looks = style(steps::row_of(gone.role).look, theme);
+    for (std::size_t i = 1; i < gone.places.size(); ++i)
+      overlay.lines.push_back({gone.places[i - 1], gone.places[i], looks.colour, LineStyle::dashed, 1.5f});
+  }
   return overlay;
 }
 

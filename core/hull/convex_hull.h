@@ -32,7 +32,8 @@ struct ConvexHull {
 // Dimension 2 has one facet, seen counter-clockwise from where the largest component of its normal points (of equal
 // ones the first); below there is none. All signs are exact, for all finite doubles. Points deep inside are taken
 // away first, by a star of directions around a point inside; what is left goes through lists of points outside each face,
-// the farthest first, as [Barber96]. Cost: O(n log n) for the usual inputs, O(n h) at worst for h facets; at
+// the farthest first, as [Barber96], and in random order [Clarkson89] where that takes long. Cost: for n points O(n log n)
+// expected hand-overs from face to face whatever their places, each to one of k new faces by O(log k) exact signs; at
 // the peak 10 bytes a point where most are taken away, 360 to 560 for each extreme one. A cancelled one has dimension -1
 // and no vertices.
 ConvexHull convex_hull(std::span<const glm::dvec3> points, Progress& progress);

@@ -1,11 +1,14 @@
 #include "core/hull/solid_hull.h"
 
+#include <algorithm>
+#include <bit>
 #include <limits>
 #include <optional>
 
 #include "core/base/handle.h"
 #include "core/hull/face_plane.h"
 #include "core/hull/fan_sectors.h"
+#include "core/hull/insertion_order.h"
 
 namespace ryosen::hull {
 
@@ -42,19 +45,18 @@ class Builder {
       high = glm::max(high, p);
     }
     reach_ = high - low;
+    most_work_ = points.size() * (8 + 4 * static_cast<std::size_t>(std::bit_width(points.size())));
   }
 
   std::vector<HullTriangle> build(const std::array<Index, 4>& basis) {
     make_tetrahedron(basis);
-    std::size_t step = 0, done = 0;
-    while (!waiting_.empty()) {
+    while (!waiting_.empty() && work_ < most_work_) {
       const Index f = waiting_.back();
       waiting_.pop_back();
       if (faces_[f].mark == dead_mark || faces_[f].first_outside == no_index) continue;
-      if (++step % 256 == 0 && !progress_.go_on(done, points_.size())) return {};
-      insert(faces_[f].farthest, f);
-      done = points_.size() - outside_;
+      if (!insert(faces_[f].farthest, f)) return {};
     }
+    if (!insert_by_chance()) return {};
     return triangles();
   }
 
@@ -91,7 +93,7 @@ class Builder {
     faces_[new_faces_[1]].beside = {new_faces_[0], new_faces_[3], new_faces_[2]};
     faces_[new_faces_[2]].beside = {new_faces_[0], new_faces_[1], new_faces_[3]};
     faces_[new_faces_[3]].beside = {new_faces_[0], new_faces_[2], new_faces_[1]};
-    find_inside(b);
+    inside_.emplace(std::array{points_[b[0]], points_[b[1]], points_[b[2]], points_[b[3]]});
     for (Index i = 0; i < points_.size(); ++i) {
       if (i == b[0] || i == b[1] || i == b[2] || i == b[3]) continue;
       ++outside_;
@@ -100,15 +102,19 @@ class Builder {
     for (const Index f : new_faces_) wait_for(f);
   }
 
-  // The middle of the first tetrahedron, where that is a double strictly inside.
-  void find_inside(const std::array<Index, 4>& b) {
-    glm::dvec3 middle(0.0);
-    for (const Index i : b) middle += points_[i] / 4.0;
-    for (const Index f : new_faces_) {
-      const Face& face = faces_[f];
-      if (orient3d(points_[face.corners[0]], points_[face.corners[1]], points_[face.corners[2]], middle) >= 0) return;
-    }
-    inside_ = middle;
+  // What is left, in random order: so that a point is handed on O(log n) times, which the farthest first does not promise.
+  bool insert_by_chance() {
+    face_of_.assign(points_.size(), no_index);
+    std::vector<Index> left;
+    for (Index f = 0; f < faces_.size(); ++f)
+      for (Index i = faces_[f].mark == dead_mark ? no_index : faces_[f].first_outside; i != no_index; i = next_[i]) {
+        face_of_[i] = f;
+        left.push_back(i);
+      }
+    std::sort(left.begin(), left.end());
+    for (const Index k : shuffled_numbers(static_cast<Index>(left.size()), 1))
+      if (face_of_[left[k]] != no_index && !insert(left[k], face_of_[left[k]])) return false;
+    return true;
   }
 
   void wait_for(Index f) {
@@ -121,6 +127,7 @@ class Builder {
     if (!sees(points_[i], face, height)) return false;
     next_[i] = face.first_outside;
     face.first_outside = i;
+    if (!face_of_.empty()) face_of_[i] = f;
     if (face.farthest == no_index || height > face.farthest_height) {
       face.farthest = i;
       face.farthest_height = height;
@@ -180,8 +187,11 @@ class Builder {
     return face.corners[0] == corner ? 0 : face.corners[1] == corner ? 1 : 2;
   }
 
-  void insert(Index p, Index start) {
+  // False where it was cancelled.
+  bool insert(Index p, Index start) {
+    if (++steps_ % 256 == 0 && !progress_.go_on(points_.size() - outside_, points_.size())) return false;
     find_horizon(p, start);
+    work_ += horizon_.size();
     new_faces_.clear();
     for (const HorizonEdge& edge : horizon_) {
       const Index f = add_face(edge.from, edge.to, p);
@@ -200,13 +210,14 @@ class Builder {
       free_.push_back(f);
     }
     for (const Index f : new_faces_) wait_for(f);
+    return true;
   }
 
   // A point that saw a face which is gone, and is not inside now, sees a new one.
   void hand_on(Index p) {
     constexpr std::size_t few_faces = 24;
     std::optional<FanSectors> sectors;
-    if (inside_ && new_faces_.size() > few_faces) {
+    if (new_faces_.size() > few_faces || !face_of_.empty()) {
       horizon_corners_.clear();
       for (const HorizonEdge& edge : horizon_) horizon_corners_.push_back(edge.from);
       sectors.emplace(points_, *inside_, points_[p], horizon_corners_);
@@ -215,6 +226,8 @@ class Builder {
     for (const Index f : seen_)
       for (Index i = faces_[f].first_outside, after = no_index; i != no_index; i = after) {
         after = next_[i];
+        ++work_;
+        if (!face_of_.empty()) face_of_[i] = no_index;
         if (i == p)
           --outside_;
         else if (!sectors)
@@ -246,12 +259,15 @@ class Builder {
   Progress& progress_;
   std::vector<Index> next_;  // in the list of each point
   glm::dvec3 reach_{0.0};
-  std::optional<glm::dvec3> inside_;
+  std::optional<InsidePoint> inside_;
   std::vector<Face> faces_;
   std::vector<Index> free_, waiting_, seen_, new_faces_, horizon_corners_;
   std::vector<HorizonEdge> horizon_;
   std::vector<Step> walk_;
-  std::size_t last_hit_ = 0, outside_ = 0;
+  std::size_t last_hit_ = 0, outside_ = 0, steps_ = 0;
+  // Points handed on and faces made; so many where the farthest first is no good order, twice what usual points take.
+  std::size_t work_ = 0, most_work_;
+  std::vector<Index> face_of_;  // of each point outside, once what is left goes in by chance
   Index round_ = 0;
 };
 

@@ -31,9 +31,11 @@ constexpr std::array steps_rows{
     StepsRow{"relation", "R X", "relation", "関係",
              "one of the nine relations on each form, with the number of records read",
              "9 種類の関係を各形状表現で、読んだデータの数とともに", false, play_relation, choices_of_relation},
-    StepsRow{"hull", "[ORDER [SEED]]", "convex hull", "凸包",
-             "text 004's hull of the points, one by one: random, as_given or farthest",
-             "テキスト 004 の凸包を一点ずつ（ORDER は random、as_given、farthest）", false, play_hull, choices_of_hull},
+    StepsRow{
+        "hull", "[ORDER [SEED]] [project=AXIS]", "convex hull", "凸包",
+        "text 004's hull of the points, one by one: random, as_given or farthest; project: as seen along x, y, z, best",
+        "テキスト 004 の凸包を一点ずつ（ORDER は random、as_given、farthest。project は x、y、z、best 方向の投影）",
+        false, play_hull, choices_of_hull},
 };
 
 }  // namespace

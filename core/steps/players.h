@@ -36,7 +36,7 @@ Choices choices_of_loop(const Mesh& mesh, Selected selection);
 // relation.cpp
 Made play_relation(const Mesh& mesh, Arguments arguments);
 Choices choices_of_relation(const Mesh& mesh, Selected selection);
-// hull.cpp: of all points; refused where these lie in a plane.
+// hull.cpp: of all points; refused where these lie on a line.
 Made play_hull(const Mesh& mesh, Arguments arguments);
 Choices choices_of_hull(const Mesh& mesh, Selected selection);
 

@@ -20,6 +20,7 @@ enum class Role : std::uint8_t {
   missing,
   visible,
   horizon,
+  united,
   l1,
   l2,
   l3,

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,6 +13,13 @@
 #include "core/steps/step.h"
 
 namespace ryosen::steps {
+
+// A number that grows with the steps.
+struct Curve {
+  Text name;
+  // Behind step 1, 2, ...; of steps that are made only when they are asked for those that were so far.
+  std::span<const std::uint32_t> values;
+};
 
 // Step i, from 1, leads from state i - 1 to state i; state 0 is before the first one. Steps may be asked for in any
 // order; the same one is always the same. Not for two threads at a time.
@@ -26,6 +36,8 @@ class Sequence {
   virtual bool edits() const = 0;
   // What is to be said of the whole, such as that only the first faces are played; usually empty.
   virtual Text remark() const { return {}; }
+  // What is shown along the steps; valid until the sequence is asked again.
+  virtual std::optional<Curve> curve() const { return {}; }
 };
 
 // Steps that are known beforehand, on a mesh that some of them edit: each edit is transactions of the journal. To a step

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,14 @@ struct Mark {
   Element element;
 
   friend bool operator==(const Mark&, const Mark&) = default;
+};
+
+// What the step has taken away, where it was: a chain of places.
+struct Gone {
+  Role role = Role::deleted;
+  std::vector<glm::dvec3> places;
+
+  friend bool operator==(const Gone&, const Gone&) = default;
 };
 
 // A cell of a table that the step writes, or that it reads: then both values are the same. No value: null, or the row
@@ -54,7 +63,8 @@ struct Step {
   std::vector<Mark> marks;
   std::vector<RowChange> rows;
   std::optional<Source> source;
-  std::optional<Delta> delta;  // where it edits the kernel's mesh
+  std::optional<Delta> delta;   // where it edits the kernel's mesh
+  std::vector<Gone> gone = {};  // to be seen beside the marks
 };
 
 }  // namespace ryosen::steps

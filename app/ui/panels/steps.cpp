@@ -143,13 +143,35 @@ void draw_tables(PanelContext& context, Player& player) {
   });
 }
 
+// The number that grows with the steps, and where in it the position is.
+void draw_curve(PanelContext& context, const Player& player) {
+  const std::optional<steps::Curve> curve = player.curve();
+  if (!curve || curve->values.empty()) return;
+  const std::size_t position = std::min(player.position(), curve->values.size());
+  const std::uint32_t now = position == 0 ? 0 : curve->values[position - 1];
+  labelled(context, curve->name.in(context.language()).c_str(), std::to_string(now), 9);
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, 64 * context.scale), from = ImGui::GetCursorScreenPos();
+  const float most = static_cast<float>(curve->values.back());
+  // As many values as there are pixels, from 0 steps on.
+  const std::size_t shown = std::min(curve->values.size() + 1, static_cast<std::size_t>(std::max(2.0f, size.x)));
+  const auto value_at = [&](std::size_t pixel) {
+    const std::size_t step = pixel * curve->values.size() / (shown - 1);
+    return step == 0 ? 0.0f : static_cast<float>(curve->values[step - 1]);
+  };
+  std::vector<float> values(shown);
+  for (std::size_t i = 0; i < shown; ++i) values[i] = value_at(i);
+  ImGui::PlotLines("##curve", values.data(), static_cast<int>(shown), 0, nullptr, 0, most, size);
+  const float x = from.x + size.x * static_cast<float>(position) / static_cast<float>(curve->values.size());
+  ImGui::GetWindowDrawList()->AddLine({x, from.y}, {x, from.y + size.y}, ImGui::GetColorU32(ImGuiCol_PlotHistogram), 2);
+}
+
 void StepsPanel::draw_step(PanelContext& context, Player& player) {
   const steps::Step* const step = player.step();
   if (!step) return dim_text(context, context.text("Before the first step.", "最初の手順の前です。"));
   wrapped_text(step->caption.in(context.language()).c_str());
   if (step->delta) coloured_text(context.colours().accent, steps::text_of(*step->delta).in(context.language()).c_str());
   draw_cells(context, step->rows);
-  if (!step->rows.empty()) draw_tables(context, player);
+  if (!step->rows.empty() && player.has_tables()) draw_tables(context, player);
   draw_roles(context, *step);
   if (!step->source) return;
   std::string source = std::string(context.text("Text ", "テキスト ")) + std::string(step->source->text) + ", " +
@@ -183,6 +205,7 @@ void StepsPanel::draw(PanelContext& context) {
   draw_ways(context, *player);
   if (const Text remark = player->remark(); !remark.en.empty())
     dim_text(context, remark.in(context.language()).c_str());
+  draw_curve(context, *player);
   draw_step(context, *player);
   go_on(context, *player);
 }

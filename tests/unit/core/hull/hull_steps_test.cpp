@@ -158,9 +158,133 @@ TEST(hull_steps, the_farthest_first_makes_fewest_faces) {
   for (const HullOrderRow& row : hull_orders()) {
     HullSteps steps(points, row.order, 1);
     while (steps.next()) continue;
-    made[row.order] = steps.faces_made();
+    made[row.order] = steps.made_so_far();
   }
   EXPECT_LT(made[HullOrder::farthest], made[HullOrder::random]);
+}
+
+// In a plane the elements are the half-edges within the face.
+class PlanarStepsOf : public testing::TestWithParam<std::tuple<int, HullOrder>> {
+ protected:
+  static std::vector<glm::dvec3> flat_points(int kind) {
+    std::mt19937 random(6);
+    std::uniform_int_distribution<int> small(-3, 3);
+    std::normal_distribution<double> normal;
+    std::vector<glm::dvec3> points;
+    while (points.size() < 150) {
+      const double x = normal(random), y = normal(random);
+      if (kind == 0) points.emplace_back(x, y, 0);
+      if (kind == 1) points.emplace_back(small(random), small(random), 0);
+      if (kind == 2) points.emplace_back(0, std::cos(x * 9), std::sin(x * 9));
+      const int s = small(random), t = small(random);
+      if (kind == 3) points.emplace_back(s + 2 * t, s - t, 1 - 3 * s);  // any plane, all sums exact
+    }
+    return points;
+  }
+  std::vector<glm::dvec3> points_ = flat_points(std::get<0>(GetParam()));
+  HullOrder order_ = std::get<1>(GetParam());
+};
+
+// Half-edges within the face from which the point lies strictly outside, by asking each with the normal of three corners.
+std::set<std::uint32_t> edges_seen(const DcelRecords& records, const std::vector<glm::dvec3>& points, std::uint32_t p) {
+  const auto corner = [&](std::uint32_t h) { return points[records.half_edges[h].origin]; };
+  std::uint32_t start = no_index;
+  std::set<std::uint32_t> all, seen;
+  for (std::uint32_t h = 0; h < records.half_edges.size(); ++h)
+    if (records.half_edges[h].face != no_index) all.insert(start = h);
+  // A point off the plane, above the side from which the face is counter-clockwise.
+  std::uint32_t b = records.half_edges[start].next;
+  while (are_collinear(corner(start), corner(records.half_edges[start].next), corner(b)))
+    b = records.half_edges[b].next;
+  for (const std::uint32_t h : all) {
+    const glm::dvec3 from = corner(h), to = corner(records.half_edges[h].next);
+    int sign = 0, inner = 0;
+    for (int axis = 0; axis < 3 && inner == 0; ++axis) {
+      for (const std::uint32_t k : all)
+        if (inner == 0) inner = cross_component_sign(from, to, corner(k), axis);
+      sign = cross_component_sign(from, to, points[p], axis);
+    }
+    if (sign * inner < 0) seen.insert(h);
+  }
+  return seen;
+}
+
+TEST_P(PlanarStepsOf, are_sound_and_can_be_taken_back) {
+  HullSteps steps(points_, order_, 7);
+  ASSERT_EQ(steps.dimension(), 2);
+  DcelRecords before;
+  for (const glm::dvec3& p : points_) before.vertices.push_back({p, no_index});
+  std::size_t done = 0, united = 0;
+  while (const HullStep* const step = steps.next()) {
+    SCOPED_TRACE(caption(*step).en);
+    EXPECT_TRUE(step->is_planar);
+    if (done++ > 0) {
+      const std::set<std::uint32_t> seen = edges_seen(before, points_, step->point);
+      ASSERT_EQ(std::set(step->seen.begin(), step->seen.end()), seen);
+      ASSERT_EQ(step->kind == HullStep::Kind::extend, !seen.empty());
+      if (!seen.empty()) {
+        ASSERT_EQ(step->horizon.size(), 2u);
+        EXPECT_EQ(before.half_edges[step->horizon[0]].next, step->seen.front());
+        EXPECT_EQ(before.half_edges[step->seen.back()].next, step->horizon[1]);
+        EXPECT_EQ(step->made.size(), 2u);
+      }
+    }
+    united += step->united.size();
+    DcelRecords after = before;
+    apply(*step, after);
+    ASSERT_EQ(after, steps.records());
+    take_back(*step, after);
+    ASSERT_EQ(after, before);
+    apply(*step, before);
+    const Mesh mesh = forms::Dcel(in_use(steps.records())).to_mesh();
+    const auto broken = check_invariants(mesh);
+    ASSERT_FALSE(broken) << broken->sentence;
+    ASSERT_EQ(mesh.live().faces, 1u);
+  }
+  EXPECT_EQ(done, points_.size() - 2);
+  EXPECT_EQ(steps.hull(), convex_hull(points_));
+  if (std::get<0>(GetParam()) % 2 == 1 && order_ == HullOrder::random) {
+    EXPECT_GT(united, 0u);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, PlanarStepsOf,
+                         testing::Combine(testing::Range(0, 4), testing::Values(HullOrder::as_given, HullOrder::random,
+                                                                                HullOrder::farthest)));
+
+TEST(hull_steps, a_copy_goes_on_from_the_same_state) {
+  for (const bool is_flat : {false, true}) {
+    std::vector<glm::dvec3> points = points_of(2, 120, 3);
+    if (is_flat)
+      for (glm::dvec3& p : points) p.z = 0;
+    HullSteps steps(points, HullOrder::farthest);
+    for (int i = 0; i < 40; ++i) steps.next(i % 2 == 0);
+    HullSteps other = steps.copy();
+    EXPECT_EQ(other.steps_done(), 40u);
+    while (const HullStep* const step = steps.next()) {
+      const HullStep* const same = other.next();
+      ASSERT_TRUE(same);
+      ASSERT_EQ(step->changes, same->changes);
+      ASSERT_EQ(step->kind, same->kind);
+      ASSERT_EQ(step->witness, same->witness);
+    }
+    EXPECT_EQ(other.next(), nullptr);
+    EXPECT_EQ(other.hull(), convex_hull(points));
+  }
+}
+
+// A corner that every other one is beside, and points along a curve all of whose pairs are edges: whoever hands all
+// points over all new faces takes n^2 of them; these n points take about 30 hand-overs each.
+TEST(hull_steps, of_bad_shapes_make_few_faces) {
+  std::vector<glm::dvec3> moments;
+  for (int i = -2000; i < 2000; ++i) {
+    const double t = i / 2000.0;
+    moments.emplace_back(t, t * t, t * t * t);
+  }
+  HullSteps steps(moments, HullOrder::random, 3);
+  while (steps.next(false)) continue;
+  EXPECT_LT(steps.made_so_far(), 10 * moments.size());
+  EXPECT_EQ(steps.hull(), convex_hull(moments));
 }
 
 TEST(insertion_order, shuffles_by_the_seed_alone) {

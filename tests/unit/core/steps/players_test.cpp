@@ -101,7 +101,9 @@ TEST(steps, arguments_that_do_not_fit_are_usage_in_both_languages) {
                                                                 {"relation", {"vertex_faces", "f0"}},
                                                                 {"hull", {"x"}},
                                                                 {"hull", {"random", "x"}},
-                                                                {"hull", {"farthest", "1"}}};
+                                                                {"hull", {"farthest", "1"}},
+                                                                {"hull", {"project=w"}},
+                                                                {"hull", {"project=x", "random"}}};
   for (const auto& [id, arguments] : wrong) {
     const auto sequence = play(id, mesh, arguments);
     ASSERT_FALSE(sequence.ok()) << id;

@@ -2,14 +2,25 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/base/result.h"
+#include "core/base/verdict.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/mesh.h"
 #include "core/steps/step.h"
 
 namespace ryosen::steps {
+
+// Why the steps end before what is played does: something is refused, or is not as it was said to be.
+struct Stop {
+  ExitCode exit_code;
+  Text sentence;
+  std::vector<Reason> reasons;  // about the mesh behind the last step
+};
 
 // Step i, from 1, leads from state i - 1 to state i; state 0 is before the first one. Steps may be asked for in any
 // order; the same one is always the same. Not for two threads at a time.
@@ -26,6 +37,12 @@ class Sequence {
   virtual bool edits() const = 0;
   // What is to be said of the whole, such as that only the first faces are played; usually empty.
   virtual Text remark() const { return {}; }
+  // Why it ends with its last step; usually it does not end early.
+  const std::optional<Stop>& stop() const { return stop_; }
+  void stop_for(std::optional<Stop> why) { stop_ = std::move(why); }
+
+ private:
+  std::optional<Stop> stop_;
 };
 
 // Steps that are known beforehand, on a mesh that some of them edit: each edit is transactions of the journal. To a step

@@ -58,13 +58,14 @@ vec4 line(vec3 from, vec3 to, float width, int kind, int corner) {
     vec3 cut = mix(a, b, (limit - a.z) / (b.z - a.z));
     if (a.z > limit) a = cut; else b = cut;
   }
-  float lift = 2.0 + 0.5 * width;
+  float half_width = 0.5 * width * pixel_scale;
+  float reach = (kind == kind_arrow ? 4.0 * half_width + 3.0 * pixel_scale : half_width) + 1.0;
+  // The head of an arrow reaches far to both sides at one depth: on a steep face the surface would hide half of it.
+  float lift = 2.0 + 0.5 * width + (kind == kind_arrow ? reach / pixel_scale : 0.0);
   vec3 pa = on_screen(lifted(a, lift)), pb = on_screen(lifted(b, lift));
   vec2 along = pb.xy - pa.xy;
   along = dot(along, along) > 1e-8 ? normalize(along) : vec2(1.0, 0.0);
   vec2 across = vec2(-along.y, along.x);
-  float half_width = 0.5 * width * pixel_scale;
-  float reach = (kind == kind_arrow ? 4.0 * half_width + 3.0 * pixel_scale : half_width) + 1.0;
   bool at_end = corner == 1 || corner == 2 || corner == 4;
   float side = corner == 0 || corner == 1 || corner == 3 ? -1.0 : 1.0;
   vec3 end = at_end ? pb : pa;

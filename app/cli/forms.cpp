@@ -2,6 +2,7 @@
 #include "app/cli/contract/forms.h"
 #include "app/cli/columns.h"
 #include "app/cli/contract/record.h"
+#include "app/cli/form_growth.h"
 #include "app/cli/form_records.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/visible.h"
@@ -158,17 +159,40 @@ std::string to_text(const Comparison& comparison, const std::string& file, const
          forms_text(comparison, console) + pairing_text(comparison, console) + sources_text(comparison, console);
 }
 
+// Flags that go with one that is not given.
+std::optional<Failure> fault_of_flags(const Arguments& arguments) {
+  constexpr struct {
+    const char *flag, *with;
+  } pairs[] = {{"--form", "--element"},
+               {"--plot", "--growth"},
+               {"--relation", "--plot"},
+               {"--theme", "--plot"},
+               {"--overwrite", "--plot"}};
+  for (const auto& [flag, with] : pairs)
+    if (arguments.has(flag) && !arguments.has(with)) {
+      const std::string a = flag, b = with;
+      return usage_failure("flag_missing", {a + " goes with " + b + ".", a + " は " + b + " と共に使います。"});
+    }
+  if (arguments.has("--growth") && arguments.has("--element"))
+    return usage_failure("flag_missing",
+                         {"--growth and --element do not go together.", "--growth と --element は共に使えません。"});
+  if (arguments.operands().empty() && !arguments.has("--growth"))
+    return usage_failure("operand_missing",
+                         {"Something is missing: ryosen forms FILE", "引数が足りません：ryosen forms FILE"});
+  return {};
+}
+
 }  // namespace
 
 ExitCode forms_command(const Arguments& arguments, const Console& console) {
-  if (arguments.has("--form") && !arguments.has("--element"))
-    return console.fail(
-        usage_failure("flag_missing", {"--form goes with --element.", "--form は --element と共に使います。"}));
+  if (const auto fault = fault_of_flags(arguments)) return console.fail(*fault);
+  if (arguments.operands().empty()) return print_form_growth(nullptr, arguments, console);
   const std::string& path = arguments.operands()[0];
   Result<MeshFile> file = read_mesh_file(path);
   if (!file) return console.fail(file.failure(), path);
   for (const Message& message : file->messages) console.show(message, path);
   const Mesh mesh = from_indexed(std::move(file->mesh));
+  if (arguments.has("--growth")) return print_form_growth(&mesh, arguments, console);
   if (arguments.has("--element")) return print_form_records(mesh, arguments, console);
   const Comparison comparison = forms::compare_forms(mesh);
   console.conclude(console.json ? json_line_of(comparison, path) : to_text(comparison, path, console), ExitCode::done);

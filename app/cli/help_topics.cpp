@@ -6,6 +6,7 @@
 #include "app/cli/columns.h"
 #include "app/editor/commands.h"
 #include "app/editor/exercises.h"
+#include "app/editor/practice.h"
 #include "app/editor/recovery.h"
 #include "core/analysis/problem_kinds.h"
 #include "core/forms/all.h"
@@ -119,6 +120,25 @@ std::string steps_topic(Language language) {
          std::string(choose(language, ",\nwhich need no FILE, or the name of a script:\n",
                             "（FILE は不要）、\nまたはスクリプトのファイル名：\n")) +
          rows.text();
+}
+
+std::string practice_topic(Language language) {
+  Columns kinds, answers;
+  for (const QuestionKindRow& row : question_kinds()) kinds.add(std::string(row.id), choose(language, row.en, row.ja));
+  constexpr struct {
+    const char *word, *en, *ja;
+  } words[] = {{"h3, v4, f0, e2", "an element by its slot", "要素（スロット名）"},
+               {"1-2", "a halfedge or an edge by its ends", "半稜線または稜線（両端の頂点）"},
+               {"6", "a number", "数"},
+               {"none", "for a link that leads nowhere", "行き先のないリンク"},
+               {"yes", "where an operator may be done", "操作が可能なとき"},
+               {"RULE", "one of the rules that forbid it, as `ryosen why` says them",
+                "操作を禁じる規則（ryosen why が示すもの）のどれか"}};
+  for (const auto& [word, en, ja] : words) answers.add(word, choose(language, en, ja));
+  return std::string(choose(language, "Kinds of questions:\n", "問題の種類：\n")) + kinds.text() +
+         std::string(choose(language, "WORD is one of these:\n", "WORD は次のどれか：\n")) + answers.text() +
+         std::string(choose(language, "Exit code 1 where an answer is wrong. In the window: Help > Practice.\n",
+                            "答えが違えば終了コード 1。画面では「ヘルプ」の「練習問題」です。\n"));
 }
 
 std::string recovery_topic(Language language) {

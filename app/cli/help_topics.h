@@ -28,5 +28,7 @@ std::string maps_topic(Language language);
 std::string forms_topic(Language language);
 // What can be played step by step.
 std::string steps_topic(Language language);
+// Kinds of questions of `practice`, and what answers them.
+std::string practice_topic(Language language);
 
 }  // namespace ryosen::cli

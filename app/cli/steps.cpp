@@ -1,4 +1,5 @@
 // `steps`: what can be played step by step, one line each.
+#include <algorithm>
 #include <charconv>
 
 #include "app/cli/columns.h"
@@ -155,6 +156,23 @@ std::optional<Failure> draw_step(std::unique_ptr<Document> document, const std::
   return written ? std::nullopt : std::optional(written.failure());
 }
 
+// Why a script ends early, as `edit` says it.
+Failure failure_of(steps::Sequence& sequence) {
+  const steps::Stop& stop = *sequence.stop();
+  Text sentence = stop.sentence;
+  std::vector<std::string_view> rules;
+  for (const Reason& reason : stop.reasons) rules.push_back(text_of(reason.rule).id);
+  rules.erase(std::unique(rules.begin(), rules.end()), rules.end());
+  if (!rules.empty()) sentence = sentence + Text{":", "："};
+  for (const Text& each : describe_first(sequence.mesh_at(sequence.size()), stop.reasons))
+    sentence = sentence + Text{" " + each.en, each.ja};
+  std::string names;
+  for (const std::string_view rule : rules) names.append(names.empty() ? " [" : ", ").append(rule);
+  if (!names.empty()) sentence = sentence + Text{names + "]", names + "]"};
+  return make_failure(stop.exit_code, stop.exit_code == ExitCode::refused ? Code("refused") : Code("command_failed"),
+                      std::move(sentence));
+}
+
 ExitCode print_steps(const Arguments& arguments, const PlayCall& call, std::unique_ptr<Document> document,
                      const Console& console) {
   const Result<std::unique_ptr<steps::Sequence>> played = make_played(*document, call.words);
@@ -182,6 +200,7 @@ ExitCode print_steps(const Arguments& arguments, const PlayCall& call, std::uniq
   if (const std::string* const path = arguments.value("-o"))
     if (const auto failure = draw_step(std::move(document), call.words, last, *path, console))
       return console.fail(*failure);
+  if (sequence.stop() && last == sequence.size()) return console.fail(failure_of(sequence), call.words.back());
   console.conclude("", ExitCode::done);
   return ExitCode::done;
 }

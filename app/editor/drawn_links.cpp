@@ -140,13 +140,17 @@ class LinksOf {
     const bool turns = n == p, back = n == t;
     arrow(h, LinkRole::itself, "halfedge", "半稜線");
     arrow(t, LinkRole::twin, back ? "twin, next" : "twin", back ? "対・次" : "対");
+    // What comes first is labelled first: there is no other place for the face's label.
+    const Face f = m_.face(h);
+    if (f) {
+      const glm::dvec3 middle = 0.5 * (place(m_.from(h)) + place(m_.to(h)));
+      arrow_to(middle, middle_of(m_, f), LinkRole::face, f, link_text("face", "面", f));
+    }
     if (!back) arrow(n, LinkRole::next, turns ? "next, prev" : "next", turns ? "次・前" : "次");
     if (!turns && p != t) arrow(p, LinkRole::prev, "prev", "前");
     mark(m_.from(h), "from", "始点");
-    const Face f = m_.face(h);
-    if (!f) return;
-    const glm::dvec3 middle = 0.5 * (place(m_.from(h)) + place(m_.to(h)));
-    arrow_to(middle, middle_of(m_, f), LinkRole::face, f, link_text("face", "面", f));
+    // Text 003's v_opps: the corner of a triangle that the halfedge does not touch.
+    if (f && m_.next(n) == p && !turns) mark(m_.to(n), "opposite", "対角頂点");
   }
 
   void add(Edge e) {
@@ -244,6 +248,14 @@ std::vector<Halfedge> halfedges_in_view(const Session& session) {
 }
 
 }  // namespace
+
+std::vector<LinkArrow> arrows_of(const Session& session, const std::vector<Halfedge>& halfedges) {
+  ArrowMaker make(session);
+  std::vector<LinkArrow> arrows;
+  for (const Halfedge h : halfedges)
+    if (auto arrow = make.of(h, LinkRole::all)) arrows.push_back(std::move(*arrow));
+  return arrows;
+}
 
 bool DrawnLinks::is_on(const Session& session) const {
   if (shown == LinksShown::off || session.preparing() || session.gesture()) return false;

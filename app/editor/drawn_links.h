@@ -35,6 +35,9 @@ struct LinkArrow {
   Text label = {};           // empty for none
 };
 
+// Halfedges as such arrows, without those whose edge has no length.
+std::vector<LinkArrow> arrows_of(const Session& session, const std::vector<Halfedge>& halfedges);
+
 // Kept by the session.
 class DrawnLinks {
  public:

@@ -69,8 +69,7 @@ constexpr Figure figure_rows[] = {
     {"003-image42", "image42: after the split at halfedge 1", "image42：半稜線 1 の細分の後",
      "The text's split of image41 by hand.", "image41 を本文の手順で細分したもの。"},
     {"003-image43", "image43: after the split at halfedge 4", "image43：半稜線 4 の細分の後",
-     "The same again; the opposite of 1 is 3, and 24 is a boundary.",
-     "さらに細分したもの。1 の対は 3、24 は境界。"},
+     "The same again; the opposite of 1 is 3, and 24 is a boundary.", "さらに細分したもの。1 の対は 3、24 は境界。"},
 };
 
 }  // namespace

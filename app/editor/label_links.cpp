@@ -22,6 +22,10 @@ glm::dvec2 shift_of(const ScreenProjection& screen, const LinkArrow& arrow, cons
   return size > 1e-6 ? glm::dvec2(1.8 * beside_px * way.x / size, beside_px * way.y / size) : glm::dvec2(0);
 }
 
+// Where a label goes if another has taken its place.
+constexpr glm::dvec2 around_px[] = {{0, 19},   {0, -19}, {44, 0}, {-44, 0}, {44, 19},
+                                    {-44, 19}, {0, 38},  {88, 0}, {-88, 0}};
+
 }  // namespace
 
 void add_links(Session& session, std::vector<Label>& labels) {
@@ -29,10 +33,13 @@ void add_links(Session& session, std::vector<Label>& labels) {
   for (const LinkArrow& arrow : session.links.of(session)) {
     const std::string& text = arrow.label.in(session.language);
     if (text.empty()) continue;
-    const bool ends_free = arrow.role == LinkRole::normal;  // its label stands at its head
+    // The label of a normal, and of a link to a face, stands at its head: others need the room along the way.
+    const bool ends_free = arrow.role == LinkRole::normal || arrow.role == LinkRole::face;
     const glm::dvec3 at = ends_free ? arrow.to : 0.5 * (arrow.from + arrow.to);
-    labels.push_back(
-        {.at = at, .text = text, .priority = link_priority, .own = arrow.on, .shift_px = shift_of(screen, arrow, at)});
+    const glm::dvec2 shift = shift_of(screen, arrow, at);
+    Label label{.at = at, .text = text, .priority = link_priority, .own = arrow.on, .shift_px = shift};
+    for (const glm::dvec2 further : around_px) label.else_px.push_back(shift + further);
+    labels.push_back(std::move(label));
   }
 }
 

@@ -83,18 +83,22 @@ std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Siz
     if (clip && !label.pixel && clip->cuts(label.at)) continue;
     Size size = size_of(label.text);
     size.width = std::max(size.width, static_cast<int>(std::lround(label.least_width_px * scale)));
-    const glm::dvec2 there = at->pixel + label.shift_px * scale;
-    const double before = label.begins_there ? 0 : 0.5 * size.width;
-    const glm::ivec2 corner(static_cast<int>(std::lround(there.x - before)),
-                            static_cast<int>(std::lround(there.y - 0.5 * size.height)));
-    const PixelRect rect{corner.x, corner.y, corner.x + size.width, corner.y + size.height};
+    const auto rect_at = [&](glm::dvec2 shift_px) {
+      const glm::dvec2 there = at->pixel + shift_px * scale;
+      const double before = label.begins_there ? 0 : 0.5 * size.width;
+      const int x = static_cast<int>(std::lround(there.x - before)),
+                y = static_cast<int>(std::lround(there.y - 0.5 * size.height));
+      return PixelRect{x, y, x + size.width, y + size.height};
+    };
+    PixelRect rect = rect_at(label.shift_px);
+    for (std::size_t i = 0; i < label.else_px.size() && !taken.has_room(rect); ++i) rect = rect_at(label.else_px[i]);
     if (!taken.has_room(rect)) continue;
     if (hides && !label.pixel && !label.through &&
         !session.picker().is_seen(session.mesh(), session.camera, session.view, *at, label.at, label.own))
       continue;
     const int around = label.ground ? 0 : margin;  // those of a legend stand together
     taken.take({rect.x0 - around, rect.y0 - around, rect.x1 + around, rect.y1 + around});
-    placed.push_back({corner, size, label.text, label.ground});
+    placed.push_back({{rect.x0, rect.y0}, size, label.text, label.ground});
   }
   return placed;
 }

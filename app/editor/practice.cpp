@@ -224,6 +224,22 @@ Solution solve(const Mesh& mesh, const Question& question) {
   return {};
 }
 
+std::vector<AnswerChoice> answer_choices(const Question& question) {
+  std::vector<AnswerChoice> choices;
+  if (question.kind == QuestionKind::valence)
+    for (int n = 0; n <= 12; ++n) choices.push_back({std::to_string(n), {std::to_string(n), std::to_string(n)}});
+  if (question.kind != QuestionKind::legal) return choices;
+  choices.push_back({"yes", {"Yes, it may.", "できます。"}});
+  const std::string_view asked = split_words(question.line).front();
+  for (const RuleText& rule : rule_table()) {
+    if (rule.severity != RuleSeverity::refuse || rule.id == "deleted") continue;
+    const std::vector<std::string_view> breakers = split_words(rule.operators);
+    if (breakers.empty() || std::find(breakers.begin(), breakers.end(), asked) != breakers.end())
+      choices.push_back({std::string(rule.id), {std::string(rule.en), std::string(rule.ja)}});
+  }
+  return choices;
+}
+
 bool is_right(const Mesh& mesh, const Solution& solution, std::string_view word) {
   if (std::find(solution.answers.begin(), solution.answers.end(), word) != solution.answers.end()) return true;
   if (!solution.element || word.find_first_not_of("0123456789") == word.npos) return false;

@@ -43,6 +43,13 @@ struct Solution {
 // of building one form, else O(slots).
 Question make_question(const Mesh& mesh, QuestionKind kind, std::uint64_t seed);
 Solution solve(const Mesh& mesh, const Question& question);
+// Answers to choose from, right and wrong ones: yes and the rules that may forbid the operator, or numbers. Empty where an
+// element is asked for.
+struct AnswerChoice {
+  std::string word;
+  Text says;
+};
+std::vector<AnswerChoice> answer_choices(const Question& question);
 // Whether a word is one of the answers, or names the element that is.
 bool is_right(const Mesh& mesh, const Solution& solution, std::string_view word);
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/editor/commands.h"
+#include "app/editor/exercises.h"
 #include "app/editor/menu_bar.h"
 #include "app/editor/view_switches.h"
 #include "app/editor/words.h"
@@ -152,10 +153,24 @@ void draw_add_menu(PanelContext& context) {
     if (row.is_primitive) algorithm_item(context, row);
 }
 
+// What the textbooks build or do step by step, as their scripts play it.
+void script_menu(PanelContext& context, const char* title, std::span<const ExerciseScript> scripts) {
+  if (!ImGui::BeginMenu(title)) return;
+  for (const ExerciseScript& script : scripts)
+    item(context, name_of_exercise(script).in(context.language()).c_str(), "steps script " + std::string(script.id));
+  ImGui::EndMenu();
+}
+
+void draw_help_menu(PanelContext& context) {
+  panel_items(context, PanelMenu::help);
+  ImGui::Separator();
+  script_menu(context, context.text("Exercises", "演習"), exercise_scripts());
+  script_menu(context, context.text("Figures 2 to 7 of text 002", "テキスト 002 の図 2〜7"), figure_scripts());
+}
+
 // In the order of menu_bar.
 constexpr std::array<void (*)(PanelContext&), std::size(menu_bar)> menus{
-    draw_file_menu, draw_edit_menu, draw_select_menu,
-    draw_view_menu, draw_add_menu,  [](PanelContext& context) { panel_items(context, PanelMenu::help); }};
+    draw_file_menu, draw_edit_menu, draw_select_menu, draw_view_menu, draw_add_menu, draw_help_menu};
 
 // With its first entry chosen. Where the pointer lies counts again once it moves.
 void open_for_keys(const char* title) {

@@ -253,7 +253,14 @@ Overlay step_overlay(const Session& session, Theme theme) {
   const std::vector<steps::Mark>& marks = session.player->step()->marks;
   for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
     if (!has_slot(session.mesh().lengths(), mark->element) || !is_alive(session.mesh(), mark->element)) continue;
-    Painter(session, overlay, style(steps::row_of(mark->role).look, theme), 0.6f).draw(mark->element);
+    Painter painter(session, overlay, style(steps::row_of(mark->role).look, theme), 0.6f);
+    if (mark->element.kind != Element::Kind::halfedge) {
+      painter.draw(mark->element);
+      continue;
+    }
+    // On its own side of the edge, so that it is told from its twin.
+    for (const LinkArrow& arrow : arrows_of(session, {mark->element.halfedge()}))
+      painter.line(arrow.from, arrow.to, true);
   }
   for (const steps::Gone& gone : session.player->step()->gone) {
     const Style looks = style(steps::row_of(gone.role).look, theme);
@@ -273,7 +280,7 @@ struct LinkLooks {
   float width_px;
 };
 constexpr LinkLooks link_looks[] = {
-    {LinkRole::all, 0x8FC7FF, 0x1F5FA8, LineStyle::solid, 1.3f},
+    {LinkRole::all, 0x8FC7FF, 0x1F5FA8, LineStyle::solid, 1.6f},
     {LinkRole::trail, 0xF0E442, 0x8A7A00, LineStyle::dotted, 2.2f},
     {LinkRole::itself, 0xE69F00, 0xB36B00, LineStyle::solid, 3.4f},
     {LinkRole::next, 0x2BD9A0, 0x007A58, LineStyle::solid, 2.6f},
@@ -301,6 +308,10 @@ Overlay links_overlay(Session& session, Theme theme) {
     std::uint32_t colour = is_dark ? looks.dark : looks.light;
     if (arrow.role == LinkRole::all && arrow.is_boundary) colour = is_dark ? boundary_dark : boundary_light;
     const float hidden = arrow.role == LinkRole::all ? 0 : faintly;
+    // The shaft of a thin one has an edge that sets it off from a surface of any brightness.
+    if (arrow.role == LinkRole::all)
+      overlay.lines.push_back(
+          {arrow.from, arrow.to, palette(theme).outline, looks.line, looks.width_px + 1.8f, hidden, false});
     if (arrow.from == arrow.to)
       overlay.points.push_back({arrow.from, rgb(colour), PointShape::ring, 8, hidden});
     else

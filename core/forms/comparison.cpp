@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <limits>
-#include <random>
 
-#include "core/forms/polygons.h"
+#include "core/base/stopwatch.h"
+#include "core/forms/questions.h"
 #include "core/indexed/to_indexed.h"
 #include "core/mesh/copies.h"
 
@@ -15,70 +14,12 @@ namespace ryosen::forms {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-// The elements to query, the same for every form: vertices, edges by their ends, faces.
-struct Questions {
-  std::vector<std::uint32_t> vertices, faces;
-  std::vector<EdgeEnds> edges;
-
-  explicit Questions(const Mesh& mesh) {
-    constexpr std::size_t count = 256;
-    const Numbering numbers(mesh);
-    std::mt19937 random(1);
-    const auto pick = [&](std::uint32_t end) { return static_cast<std::uint32_t>(random() % end); };
-    std::vector<EdgeEnds> all;
-    for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i)
-      if (mesh.is_alive(Edge(i)))
-        all.push_back(edge_ends(numbers.point[mesh.from(halfedge(Edge(i))).index],
-                                numbers.point[mesh.to(halfedge(Edge(i))).index]));
-    for (std::size_t i = 0; i < count; ++i) {
-      if (numbers.points > 0) vertices.push_back(pick(numbers.points));
-      if (numbers.faces > 0) faces.push_back(pick(numbers.faces));
-      if (!all.empty()) edges.push_back(all[pick(static_cast<std::uint32_t>(all.size()))]);
-    }
-  }
-};
-
-// Looks up edges until the time is used up, but at least one.
-std::vector<std::uint32_t> handles_of(const Form& form, const std::vector<EdgeEnds>& edges, double seconds) {
-  std::vector<std::uint32_t> handles;
-  const auto start = Clock::now();
-  for (const EdgeEnds& ends : edges) {
-    const std::uint32_t handle = form.find_edge(ends.a, ends.b);
-    if (handle != no_index) handles.push_back(handle);
-    if (seconds_since(start) > seconds) break;
-  }
-  return handles;
-}
-
-// The fastest of several rounds, each long enough for the clock's resolution: other load only makes a round slower. A
-// round length is accepted only if two rounds in a row are long enough.
-std::optional<double> time_per_query(const Form& form, Relation relation, const std::vector<std::uint32_t>& elements,
-                                     double seconds) {
-  Answer answer;
-  if (elements.empty() || !form.answer(relation, elements[0], answer)) return {};
-  const auto time_round = [&](std::size_t count) {
-    const auto start = Clock::now();
-    for (std::size_t i = 0; i < count; ++i) form.answer(relation, elements[i % elements.size()], answer);
-    return seconds_since(start);
-  };
-  const double long_enough = seconds / 8;
-  std::size_t count = 1;
-  double best = time_round(count);
-  while (best < long_enough || (best = std::min(best, time_round(count))) < long_enough) best = time_round(count *= 2);
-  for (int round = 0; round < 3; ++round) best = std::min(best, time_round(count));
-  return best / static_cast<double>(count);
-}
-
 FormFigures measure(const Mesh& mesh, const FormRow& row, const Questions& questions, const Effort& effort) {
   FormFigures figures{&row, why_unsuitable(mesh, row), 0, 0, {}};
   if (figures.unsuitable) return figures;
-  const auto start = Clock::now();
+  const Stopwatch watch;
   const std::unique_ptr<Form> form = row.make(mesh);
-  figures.build_seconds = seconds_since(start);
+  figures.build_seconds = watch.seconds();
   figures.bytes = form->bytes();
   const std::vector<std::uint32_t> edges = handles_of(*form, questions.edges, effort.query_seconds);
   for (const RelationRow& relation : relations()) {
@@ -111,9 +52,9 @@ PairingFigures measure_pairing(const IndexedMesh& source, const PairingMethod& m
   constexpr double enough_seconds = 0.1;
   double spent = 0;
   for (int run = 0; run < 3 && spent < enough_seconds; ++run) {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     const SidePartners partners = method.pair(figures.is_whole() ? source : part);
-    const double taken = seconds_since(start);
+    const double taken = watch.seconds();
     figures.seconds = std::min(figures.seconds, taken);
     spent += taken;
   }

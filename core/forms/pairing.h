@@ -21,6 +21,8 @@ struct PairingMethod {
   std::string_view en, ja;
   // Corner lists must be in range and without a repeated point.
   SidePartners (*pair)(const IndexedMesh& source);
+  // The same, and how often two sides, or two keys of sides, were compared.
+  SidePartners (*pair_counting)(const IndexedMesh& source, std::uint64_t& comparisons);
   // Estimated number of sides visited, to predict the run time. O(corners).
   double (*steps)(const IndexedMesh& source);
 };

@@ -38,10 +38,12 @@ class Steps {
     for (const std::uint32_t side : loop) at(side).vertex = no_index;
   }
   bool has_written() const { return has_written_; }
+  std::size_t links_followed() const { return links_followed_; }
 
  private:
   HalfedgeTable::Record& at(std::uint32_t h) const {
     if (h == no_index) throw MissingHalfedge();
+    ++links_followed_;
     return table_.halfedges[h];
   }
   template <class T>
@@ -52,6 +54,7 @@ class Steps {
 
   HalfedgeTable& table_;
   bool has_written_ = false;
+  mutable std::size_t links_followed_ = 0;
 };
 
 // The halfedges across the four other edges of both triangles: left and right of the top, and of the bottom.
@@ -128,6 +131,7 @@ SourceOutcome attempt(HalfedgeTable& table, std::uint32_t h, void (*operation)(S
   } catch (const MissingHalfedge&) {
     outcome.changed_before = steps.has_written();
   }
+  outcome.links_followed = steps.links_followed();
   outcome.sentence = describe(outcome);
   return outcome;
 }

@@ -16,6 +16,7 @@ struct SourceOutcome {
   bool completed = false;
   bool pair_of_edge_missing = false;  // the edge itself is a boundary; otherwise an adjacent pair is missing
   bool changed_before = false;        // something had been written before the missing link was reached
+  std::size_t links_followed = 0;     // how often a record of a halfedge was read or written
   Text sentence;                      // what the original code does there
 };
 

@@ -33,23 +33,27 @@ void for_each_side(const IndexedMesh& source, Visit visit) {
   }
 }
 
-void sort_bucket(Side* begin, Side* end) {
+template <class Counter>
+void sort_bucket(Side* begin, Side* end, Counter& counter) {
   constexpr std::ptrdiff_t small = 24;
+  const auto comes_first = [&](const Side& a, const Side& b) {
+    counter.count();
+    return a < b;
+  };
   if (end - begin > small) {
-    std::sort(begin, end);
+    std::sort(begin, end, comes_first);
     return;
   }
   for (Side* i = begin + 1; i < end; ++i) {
     const Side side = *i;
     Side* place = i;
-    for (; place > begin && side < place[-1]; --place) *place = place[-1];
+    for (; place > begin && comes_first(side, place[-1]); --place) *place = place[-1];
     *place = side;
   }
 }
 
-}  // namespace
-
-CornerPairing pair_with_cuts(const IndexedMesh& source) {
+template <class Counter>
+CornerPairing pair_by_buckets(const IndexedMesh& source, Counter& counter) {
   const std::size_t points = source.positions.size();
   std::vector<std::uint32_t> bucket_end(points + 1, 0);
   for_each_side(source, [&](std::uint32_t, std::uint32_t a, std::uint32_t b) { ++bucket_end[std::min(a, b) + 1]; });
@@ -62,15 +66,19 @@ CornerPairing pair_with_cuts(const IndexedMesh& source) {
     sides[bucket_end[reversed ? b : a]++] = {reversed ? a : b, corner * 2 + reversed};
   });
 
+  const auto is_same = [&](const Side& a, const Side& b) {
+    counter.count();
+    return a.larger == b.larger;
+  };
   CornerPairing pairing;
   pairing.halfedge.resize(source.corners.size());
   std::uint32_t begin = 0;
   for (std::size_t p = 0; p < points; ++p) {
     const std::uint32_t end = bucket_end[p];
-    if (end - begin > 1) sort_bucket(sides.data() + begin, sides.data() + end);
+    if (end - begin > 1) sort_bucket(sides.data() + begin, sides.data() + end, counter);
     while (begin < end) {
       std::uint32_t last = begin + 1;
-      while (last < end && sides[last].larger == sides[begin].larger) ++last;
+      while (last < end && is_same(sides[last], sides[begin])) ++last;
       const bool joined = last - begin == 2 && sides[begin].direction() != sides[begin + 1].direction();
       for (std::uint32_t i = begin; i < last; ++i) {
         pairing.halfedge[sides[i].corner()] = halfedge(Edge(pairing.edges), sides[i].direction());
@@ -83,6 +91,15 @@ CornerPairing pair_with_cuts(const IndexedMesh& source) {
   }
   return pairing;
 }
+
+}  // namespace
+
+CornerPairing pair_with_cuts(const IndexedMesh& source) {
+  NotCounted none;
+  return pair_by_buckets(source, none);
+}
+
+CornerPairing pair_counting(const IndexedMesh& source, Counted& counter) { return pair_by_buckets(source, counter); }
 
 CornerPairing pair_corners(const IndexedMesh& source) {
   std::optional<RegularPairing> regular = pair_regular(source, threads_for(source.corners.size()));

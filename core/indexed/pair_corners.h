@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/comparison_counter.h"
 #include "core/base/handle.h"
 #include "core/indexed/indexed.h"
 #include "core/mesh/column_memory.h"
@@ -24,5 +25,8 @@ CornerPairing pair_corners(const IndexedMesh& source);
 
 // The same pairing for any list, always with the edges sorted by smaller, then larger point.
 CornerPairing pair_with_cuts(const IndexedMesh& source);
+// The same, and how often two sides of a bucket were compared. For a regular list pair_corners() compares the sides of a
+// bucket by fours instead of sorting them.
+CornerPairing pair_counting(const IndexedMesh& source, Counted& counter);
 
 }  // namespace ryosen

@@ -84,12 +84,27 @@ class BuildPlay {
         begin(7, 73, {face + " is made and links to one of them.", face + " を作り、そのうちの 1 つにリンクする。"});
     seen.marks.push_back({Role::created, list_.faces[f]});
     seen.rows.push_back({"faces", face, "halfedge", {}, list_.name(list_.offsets[f])});
+    link_rings(f);
     Step& added = begin(8, 74, {face + " is added to the model.", face + " をモデルに加える。"});
     added.marks.push_back({Role::changed, list_.faces[f]});
     added.rows.push_back({"model", "faces", std::to_string(f), {}, face});
     Step& faced = begin(9, 75, {"The halfedges link to " + face + ".", "半稜線から " + face + " にリンクする。"});
     mark_all(faced, Role::changed, halves);
     for_each_side(f, [&](std::uint32_t side) { link(faced, side, "face", face); });
+  }
+
+  // What the listing's face has no place for.
+  void link_rings(std::uint32_t f) {
+    const std::vector<std::uint32_t> rings = list_.rings_of(f);
+    if (rings.empty()) return;
+    std::vector<Element> starts;
+    for (const std::uint32_t side : rings) starts.push_back(list_.sides[side].halfedge);
+    const std::string face = slot_name(list_.faces[f]), names = names_text(starts);
+    Step& step = begin(
+        7, 0, {face + " also links to its inner loops: " + names, face + " から内側のループへもリンクする：" + names});
+    step.source = inner_loops_text;
+    mark_all(step, Role::changed, starts);
+    step.rows.push_back({"faces", face, "inner", {}, names});
   }
 
   // Through all faces so far, the new one too, up to the first match.

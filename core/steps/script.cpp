@@ -30,15 +30,26 @@ class ScriptPlay {
       return fault_of_line(line, {"a script that is played holds operators and 'expect'.",
                                   "再生できるスクリプトの行は操作と expect だけです。"});
     const Parsed<AnyOp> parsed = parse_line(mesh_, line);
-    if (!parsed.op && parsed.error != NameError::deleted) return fault_of_line(line, parsed.sentence);
+    if (!parsed.op && !was_there(line, parsed.error)) return fault_of_line(line, parsed.sentence);
     Step step{{line + ": " + std::string(info->name_en), line + "：" + std::string(info->name_ja)},
               {},
               {},
               source_of_operator(info->id),
               {}};
-    if (!parsed.op) return refuse(std::move(step), parsed.sentence, {});
+    if (!parsed.op) {
+      const RuleText& rule = ryosen::text_of(Rule::deleted);
+      stop_ = Stop{ExitCode::refused,
+                   {line + " is refused: " + std::string(rule.en) + " (" + parsed.sentence.en + "; " +
+                        std::string(rule.remedy_en) + ") [" + std::string(rule.id) + "]",
+                    line + " は実行できません：" + std::string(rule.ja) + "（" + parsed.sentence.ja + "。" +
+                        std::string(rule.remedy_ja) + "） [" + std::string(rule.id) + "]"},
+                   {}};
+      return refuse(std::move(step), parsed.sentence, {});
+    }
     const Verdict verdict = check(mesh_, *parsed.op);
     if (!verdict.legal()) {
+      const std::string command = command_of(mesh_, *parsed.op);
+      stop_ = Stop{ExitCode::refused, {command + " is refused", command + " は実行できません"}, verdict.reasons};
       const RuleText& rule = ryosen::text_of(verdict.reasons[0].rule);
       return refuse(std::move(step), {std::string(rule.en), std::string(rule.ja)}, verdict.reasons[0].witnesses);
     }
@@ -50,11 +61,27 @@ class ScriptPlay {
   }
 
   std::unique_ptr<Sequence> done() && {
-    return std::make_unique<RecordedSteps>(std::move(mesh_), std::move(journal_), std::move(steps_),
-                                           std::move(positions_));
+    auto sequence = std::make_unique<RecordedSteps>(std::move(mesh_), std::move(journal_), std::move(steps_),
+                                                    std::move(positions_));
+    sequence->stop_for(std::move(stop_));
+    return sequence;
   }
 
  private:
+  // Whether what a line names has been deleted by an earlier one.
+  bool was_there(const std::string& line, NameError error) {
+    if (error == NameError::deleted) return true;
+    if (error != NameError::never_existed) return false;
+    bool is_found = false;
+    const std::size_t now = journal_.position();
+    while (!is_found && journal_.can_undo()) {
+      journal_.undo(mesh_);
+      is_found = parse_line(mesh_, line).op.has_value();
+    }
+    while (journal_.position() < now) journal_.redo(mesh_);
+    return is_found;
+  }
+
   void add(Step step) {
     steps_.push_back(std::move(step));
     positions_.push_back(journal_.position());
@@ -86,6 +113,11 @@ class ScriptPlay {
                 Source{"000", "section 2, the Euler-Poincare formula", "2 節 オイラー・ポアンカレの式"},
                 {}};
       add(std::move(step));
+      const std::string claim = std::string(words[1]) + " " + std::string(words[2]);
+      if (!holds)
+        stop_ = Stop{ExitCode::found_problems,
+                     {"expected " + claim + ", found: " + is, claim + " のはずですが、実際は：" + is},
+                     {}};
       return holds;
     }
     return fault_of_line(line, usage);
@@ -95,6 +127,7 @@ class ScriptPlay {
   Journal journal_;
   std::vector<Step> steps_;
   std::vector<std::size_t> positions_;
+  std::optional<Stop> stop_;
 };
 
 }  // namespace

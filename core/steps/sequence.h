@@ -6,8 +6,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/base/result.h"
+#include "core/base/verdict.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/mesh.h"
 #include "core/steps/step.h"
@@ -19,6 +22,13 @@ struct Curve {
   Text name;
   // Behind step 1, 2, ...; of steps that are made only when they are asked for those that were so far.
   std::span<const std::uint32_t> values;
+};
+
+// Why the steps end before what is played does: something is refused, or is not as it was said to be.
+struct Stop {
+  ExitCode exit_code;
+  Text sentence;
+  std::vector<Reason> reasons;  // about the mesh behind the last step
 };
 
 // Step i, from 1, leads from state i - 1 to state i; state 0 is before the first one. Steps may be asked for in any
@@ -38,6 +48,12 @@ class Sequence {
   virtual Text remark() const { return {}; }
   // What is shown along the steps; valid until the sequence is asked again.
   virtual std::optional<Curve> curve() const { return {}; }
+  // Why it ends with its last step; usually it does not end early.
+  const std::optional<Stop>& stop() const { return stop_; }
+  void stop_for(std::optional<Stop> why) { stop_ = std::move(why); }
+
+ private:
+  std::optional<Stop> stop_;
 };
 
 // Steps that are known beforehand, on a mesh that some of them edit: each edit is transactions of the journal. To a step

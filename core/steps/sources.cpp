@@ -1,6 +1,7 @@
 #include "core/steps/sources.h"
 
 #include <array>
+#include <span>
 
 namespace ryosen::steps {
 
@@ -30,12 +31,33 @@ constexpr std::array shown{
     Shown{"split", {"003", "edge split", "辺細分"}},
 };
 
-}  // namespace
+constexpr std::array forms_shown{
+    Shown{"triangle_soup", {"000", "section 3, table 1", "3 節 表 1"}},
+    Shown{"polygon_set", {"002", "section 2.1, polygon set", "2.1 節 ポリゴンセット"}},
+    Shown{"indexed_face_set",
+          {"000", "section 3, table 2: all faces are looked through", "3 節 表 2（全ての面を探索）"}},
+    Shown{"face_adjacency", {"000", "section 3, table 3: from face to face", "3 節 表 3（面から隣接面へ）"}},
+    Shown{"winged_edge", {"000", "section 3, table 4", "3 節 表 4"}},
+    Shown{"halfedge", {"000", "section 3, table 5", "3 節 表 5"}},
+    Shown{"halfedge_edges", {"000", "section 3, tables 5 and 6", "3 節 表 5・6"}},
+    Shown{"halfedge_outside", {"000", "section 3, table 5 with footnote 9", "3 節 表 5・脚注 9"}},
+    Shown{"halfedge_outside_edges", {"000", "section 3, table 6 with footnote 9", "3 節 表 6・脚注 9"}},
+    Shown{"halfedge_loop", {"002", "section 4, states in a fixed number of steps", "4 節 形状状態参照"}},
+    Shown{"opposite_map", {"003", "operations of halfedges", "半辺の操作"}},
+    Shown{"opposite_array", {"003", "operations of halfedges", "半辺の操作"}},
+    Shown{"dcel", {"004", "section 15.3, adjacent_faces", "15.3 節 adjacent_faces"}},
+};
 
-std::optional<Source> source_of_operator(std::string_view id) {
-  for (const Shown& row : shown)
+std::optional<Source> source_in(std::span<const Shown> rows, std::string_view id) {
+  for (const Shown& row : rows)
     if (row.id == id) return row.source;
   return {};
 }
+
+}  // namespace
+
+std::optional<Source> source_of_form(std::string_view id) { return source_in(forms_shown, id); }
+
+std::optional<Source> source_of_operator(std::string_view id) { return source_in(shown, id); }
 
 }  // namespace ryosen::steps

@@ -21,7 +21,11 @@ constexpr Source map_code(int line) { return {"003", "building the halfedges", "
 constexpr Source split_code(int line) { return {"003", "edge_split", "edge_split", line}; }
 // Text 004.
 inline constexpr Source hull_text{"004", "section 15.2, use for the hull", "15.2 節「凸包での利用」"};
+inline constexpr Source inner_loops_text{"004", "section 15.2, inner_components", "15.2 節 inner_components"};
 inline constexpr Source horizon_text{"004", "section 15.3, the horizon", "15.3 節「ホライゾンの取得」"};
+
+// Where the texts ask a form for its neighbours; none for one of this program alone.
+std::optional<Source> source_of_form(std::string_view id);
 
 // Where the texts show an operator; none for one of this program alone.
 std::optional<Source> source_of_operator(std::string_view id);

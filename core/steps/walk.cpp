@@ -1,86 +1,24 @@
-// The one-ring of a vertex and the loops of a face, link by link: on table 5 where that holds the mesh, else on the
-// kernel.
+// The one-ring of a vertex and the loops of a face, link by link, on any form that can hold the mesh: by halfedges, from face
+// to face, along wings, or, where no link leads on, by a look at every face. Without a form it is table 5, else the kernel.
+#include <algorithm>
+
 #include "core/forms/all.h"
-#include "core/steps/mesh_rows.h"
+#include "core/steps/link_walk.h"
 #include "core/steps/play_texts.h"
 #include "core/steps/players.h"
-#include "core/steps/record_reader.h"
 #include "core/steps/sources.h"
 
 namespace ryosen::steps {
 
 namespace {
 
+using Tell = LinkWalk::Tell;
+
 // Table 5 has the gaps of a boundary; the kernel has none, and holds every mesh.
-const forms::FormRow& form_to_walk_on(const Mesh& mesh) {
+const forms::FormRow& usual_form(const Mesh& mesh) {
   const forms::FormRow& table_5 = *forms::find_form("halfedge");
   return forms::why_unsuitable(mesh, table_5) ? *forms::find_form("ryosen") : table_5;
 }
-
-std::string name_or_none(Element element) { return element.index == no_index ? "none" : slot_name(element); }
-std::string name_or_none_ja(Element element) { return element.index == no_index ? "なし" : slot_name(element); }
-
-// Makes a step of each link that is followed.
-class LinkWalk {
- public:
-  LinkWalk(const Mesh& mesh, const forms::FormRow& form, Source source)
-      : mesh_(mesh), reader_(mesh, form), source_(source) {}
-
-  // A step of its own, or a further link of the last one.
-  enum class Tell { own, more };
-  Element follow(Element of, std::string_view key, Tell tell, Text what = {}) {
-    const Element to = reader_.link(of, key);
-    if (tell == Tell::own || steps_.empty()) {
-      Step& step = begin();
-      step.caption = what + said(of, key, to);
-      step.marks.push_back({Role::asked, of});
-    } else {
-      steps_.back().caption = steps_.back().caption + Text{", ", "、"} + said(of, key, to);
-    }
-    Step& step = steps_.back();
-    const auto value = to.index == no_index ? std::nullopt : std::optional(slot_name(to));
-    step.rows.push_back({std::string(table_of(of.kind)), slot_name(of), std::string(key), value, value});
-    if (to.index == no_index)
-      step.marks.push_back({Role::missing, of});
-    else
-      step.marks.push_back({Role::read, to});
-    return to;
-  }
-  // The one, by number, of several links.
-  std::vector<Element> follow_all(Element of, std::string_view key) { return reader_.links(of, key); }
-
-  void add_to_last(const Text& more) { steps_.back().caption = steps_.back().caption + more; }
-  void mark_last(Role role, Element element) { steps_.back().marks.push_back({role, element}); }
-  void say(Text caption, const std::vector<Element>& answer) {
-    Step& step = begin();
-    step.caption = std::move(caption);
-    mark_all(step, Role::answer, answer);
-    const std::string count = std::to_string(reader_.read().size());
-    step.rows.push_back({"records_read", "all", "count", count, count});
-  }
-  bool stores(Element::Kind kind, std::string_view key) const { return reader_.stores(kind, key); }
-  std::size_t records() const { return reader_.read().size(); }
-
-  std::unique_ptr<Sequence> done(Text remark) && {
-    return std::make_unique<RecordedSteps>(mesh_, std::move(steps_), std::move(remark));
-  }
-
- private:
-  static Text said(Element of, std::string_view key, Element to) {
-    const std::string k(key), name = slot_name(of);
-    return {k + "(" + name + ") = " + name_or_none(to), k + "(" + name + ") = " + name_or_none_ja(to)};
-  }
-  Step& begin() {
-    steps_.emplace_back();
-    steps_.back().source = source_;
-    return steps_.back();
-  }
-
-  const Mesh& mesh_;
-  RecordReader reader_;
-  Source source_;
-  std::vector<Step> steps_;
-};
 
 Text counted(const char* en, const char* ja, const std::vector<Element>& found, std::size_t records) {
   const std::string n = std::to_string(found.size()), names = names_text(found), r = std::to_string(records);
@@ -88,55 +26,134 @@ Text counted(const char* en, const char* ja, const std::vector<Element>& found, 
           std::string(ja) + " " + n + " 個：" + names + "。読んだデータは " + r + " 個"};
 }
 
-// Around a vertex: counter-clockwise by twin(prev(h)) up to a gap, and from the first one clockwise by next(twin(h)).
+const Text counter_clockwise_text{"Counter-clockwise: ", "反時計回りに："},
+    clockwise_text{"Clockwise: ", "時計回りに："}, round_text{": round once", "：一周した"},
+    boundary_text{": here is the boundary", "：境界"};
+
+// What a walk finds around a vertex. Every way goes counter-clockwise up to a gap, and then clockwise from the start.
 class RingWalk {
  public:
   RingWalk(LinkWalk& walk, Vertex v) : walk_(walk), v_(v) {}
 
   std::vector<Element> run() {
-    const Element first =
-        walk_.follow(v_, "halfedge", Tell::own, {"The vertex stores one halfedge: ", "頂点の持つ半稜線は一つ："});
-    if (first.index == no_index) return {};
-    if (!counter_clockwise(first)) clockwise(first);
+    if (walk_.stores(Element::Kind::vertex, "halfedge"))
+      by_halfedges();
+    else if (walk_.stores(Element::Kind::vertex, "edge"))
+      by_wings();
+    else if (walk_.stores(Element::Kind::vertex, "face"))
+      by_faces();
+    else
+      by_search();
     return std::move(found_);
   }
 
  private:
-  using Tell = LinkWalk::Tell;
-
-  // The far end of a halfedge that leaves the vertex is where the next one begins.
-  void visit(Element h) {
-    const Element next = walk_.follow(h, "next", Tell::own, {slot_name(h) + " leaves: ", slot_name(h) + " が出る："});
-    add(walk_.follow(next, "from", Tell::more));
-  }
   void add(Element neighbour) {
+    if (std::find(found_.begin(), found_.end(), neighbour) != found_.end()) return;
     walk_.mark_last(Role::answer, neighbour);
     found_.push_back(neighbour);
   }
 
+  // By twin(prev(h)), and from the first one by next(twin(h)).
+  void by_halfedges() {
+    const Element first =
+        walk_.follow(v_, "halfedge", Tell::own, {"The vertex stores one halfedge: ", "頂点の持つ半稜線は一つ："});
+    if (first.index == no_index || turn(first)) return;
+    Element h = walk_.twin_of(first, Tell::own, {"Back at the start, clockwise: ", "始めに戻り、時計回りに："});
+    while (h.index != no_index) {
+      h = walk_.next(h, Tell::more);
+      visit(h);
+      h = walk_.twin_of(h, Tell::own, clockwise_text);
+    }
+    walk_.add_to_last({": here is the boundary again", "：再び境界"});
+  }
+  // The far end of a halfedge that leaves the vertex is where the next one begins.
+  void visit(Element h) {
+    const Element next = walk_.next(h, Tell::own, {slot_name(h) + " leaves: ", slot_name(h) + " が出る："});
+    add(walk_.follow(next, "from", Tell::more));
+  }
   // True where it comes round.
-  bool counter_clockwise(Element first) {
+  bool turn(Element first) {
     Element h = first;
     do {
       visit(h);
-      const Element incoming = walk_.follow(h, "prev", Tell::own, {"Counter-clockwise: ", "反時計回りに："});
-      h = walk_.follow(incoming, "twin", Tell::more);
+      const Element incoming = walk_.prev(h, Tell::own, counter_clockwise_text);
+      h = walk_.twin_of(incoming, Tell::more);
       if (h.index != no_index) continue;
       walk_.add_to_last({": here is the boundary, whose last neighbour is ", "：境界。最後の隣接頂点は "});
       add(walk_.follow(incoming, "from", Tell::more));
       return false;
     } while (h != first);
-    walk_.add_to_last({": round once", "：一周した"});
+    walk_.add_to_last(round_text);
     return true;
   }
-  void clockwise(Element first) {
-    Element h = walk_.follow(first, "twin", Tell::own, {"Back at the start, clockwise: ", "始めに戻り、時計回りに："});
-    while (h.index != no_index) {
-      h = walk_.follow(h, "next", Tell::more);
-      visit(h);
-      h = walk_.follow(h, "twin", Tell::own, {"Clockwise: ", "時計回りに："});
+
+  // Table 4: the edge before an edge on its left, seen from the vertex, is the next one about it.
+  void by_wings() {
+    const Element first =
+        walk_.follow(v_, "edge", Tell::own, {"The vertex stores one edge: ", "頂点の持つ稜線は一つ："});
+    if (first.index == no_index) return;
+    Element e = first;
+    do {
+      e = wing(e, "left_prev", "right_prev", counter_clockwise_text);
+    } while (e.index != no_index && e != first);
+    if (e == first) return walk_.add_to_last(round_text);
+    walk_.add_to_last(boundary_text);
+    for (e = first; e.index != no_index;) e = wing(e, "right_next", "left_next", clockwise_text);
+    walk_.add_to_last(boundary_text);
+  }
+  // Visits the far end of an edge and goes on.
+  Element wing(Element e, std::string_view from_start, std::string_view from_end, const Text& what) {
+    const Element start = walk_.follow(e, "from", Tell::own, what);
+    const bool leaves = start == Element(v_);
+    add(leaves ? walk_.follow(e, "to", Tell::more) : start);
+    return walk_.follow(e, leaves ? from_start : from_end, Tell::more);
+  }
+
+  // Table 3: the face across the side that ends at the vertex is the next one about it.
+  void by_faces() {
+    const Element first = walk_.follow(v_, "face", Tell::own, {"The vertex stores one face: ", "頂点の持つ面は一つ："});
+    if (first.index == no_index) return;
+    Element f = first;
+    do {
+      f = face_across(f, true);
+    } while (f.index != no_index && f != first);
+    if (f == first) return walk_.add_to_last(round_text);
+    walk_.add_to_last(boundary_text);
+    for (f = first; f.index != no_index;) f = face_across(f, false);
+    walk_.add_to_last(boundary_text);
+  }
+  Element face_across(Element f, bool counter_clockwise) {
+    const std::vector<Element> corners =
+        walk_.follow_all(f, "vertices", Tell::own, counter_clockwise ? counter_clockwise_text : clockwise_text);
+    const std::vector<Element> across = walk_.follow_all(f, "faces", Tell::more);
+    const std::size_t n = corners.size(),
+                      at = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), Element(v_)) -
+                                                    corners.begin()),
+                      before = (at + n - 1) % n;
+    add(corners[(at + 1) % n]);
+    add(corners[before]);
+    return across[counter_clockwise ? before : at];
+  }
+
+  // Table 2 and the lists without links: every face is read.
+  void by_search() {
+    const Mesh& mesh = walk_.mesh();
+    for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+      if (!mesh.is_alive(Face(i))) continue;
+      const std::vector<Element> corners = walk_.corners_of(Face(i));
+      const std::size_t n = corners.size();
+      bool is_there = false;
+      for (std::size_t at = 0; at < n; ++at)
+        if (corners[at] == Element(v_)) {
+          is_there = true;
+          add(corners[(at + 1) % n]);
+          add(corners[(at + n - 1) % n]);
+        }
+      const std::string name = slot_name(v_);
+      walk_.add_to_last(is_there ? Text{": " + name + " is there", "：" + name + " がある"}
+                                 : Text{": " + name + " is not there", "：" + name + " はない"});
     }
-    walk_.add_to_last({": here is the boundary again", "：再び境界"});
   }
 
   LinkWalk& walk_;
@@ -144,14 +161,43 @@ class RingWalk {
   std::vector<Element> found_;
 };
 
-void walk_loop(LinkWalk& walk, Element start, std::vector<Element>& corners) {
+void loop_by_halfedges(LinkWalk& walk, Element start, std::vector<Element>& corners) {
   Element h = start;
   do {
-    corners.push_back(walk.follow(h, "from", LinkWalk::Tell::own));
+    corners.push_back(walk.follow(h, "from", Tell::own));
     walk.mark_last(Role::answer, corners.back());
-    h = walk.follow(h, "next", LinkWalk::Tell::more);
+    h = walk.next(h, Tell::more);
   } while (h != start);
   walk.add_to_last({": back at the start", "：始めに戻った"});
+}
+
+void loop_by_wings(LinkWalk& walk, Face f, std::vector<Element>& corners) {
+  const Element first = walk.follow(f, "edge", Tell::own, {"The face stores one edge: ", "面の持つ稜線は一つ："});
+  Element e = first;
+  do {
+    const bool is_left = walk.follow(e, "left", Tell::own) == Element(f);
+    corners.push_back(walk.follow(e, is_left ? "from" : "to", Tell::more));
+    walk.mark_last(Role::answer, corners.back());
+    e = walk.follow(e, is_left ? "left_next" : "right_next", Tell::more);
+  } while (e != first);
+  walk.add_to_last({": back at the start", "：始めに戻った"});
+}
+
+std::vector<Element> corners_of_face(LinkWalk& walk, Face f) {
+  std::vector<Element> corners;
+  if (walk.stores(Element::Kind::halfedge, "from")) {
+    loop_by_halfedges(walk, walk.first_of(f, Tell::own, {"The face leads to one halfedge: ", "面から半稜線の一つへ："}),
+                      corners);
+    if (!walk.stores(Element::Kind::face, "inner")) return corners;
+    for (const Element inner : walk.follow_all(f, "inner", Tell::own, {"And to its inner loops: ", "内側のループへ："}))
+      loop_by_halfedges(walk, inner, corners);
+  } else if (walk.stores(Element::Kind::face, "edge")) {
+    loop_by_wings(walk, f, corners);
+  } else {
+    corners = walk.corners_of(f);
+    for (const Element corner : corners) walk.mark_last(Role::answer, corner);
+  }
+  return corners;
 }
 
 Text on_form(const forms::FormRow& form) {
@@ -159,43 +205,79 @@ Text on_form(const forms::FormRow& form) {
           std::string(form.ja) + "（" + std::string(form.source_ja) + "）の上で。"};
 }
 
+// The form that is named, or the usual one.
+Result<const forms::FormRow*> wanted_form(const Mesh& mesh, Arguments arguments) {
+  if (arguments.size() < 2) return &usual_form(mesh);
+  const forms::FormRow* const form = forms::find_form(arguments[1]);
+  if (!form) {
+    std::string known;
+    for (const forms::FormRow& row : forms::all_forms()) known.append(known.empty() ? "" : ", ").append(row.id);
+    return usage_of({"There is no form '" + arguments[1] + "'; the forms are " + known + ".",
+                     "形状表現「" + arguments[1] + "」はありません（" + known + "）。"});
+  }
+  if (const auto why = forms::why_unsuitable(mesh, *form)) return refusal_of(on_form(*form) + Text{" ", ""} + *why);
+  return form;
+}
+
+// On each form that can hold the mesh, the usual one first; on a large mesh that alone, since it takes time to see which can.
+Choices choices_on_forms(const Mesh& mesh, const std::string& element) {
+  constexpr std::uint32_t most_faces = 5000;
+  Choices choices{{element}};
+  if (mesh.live().faces > most_faces) return choices;
+  for (const forms::FormRow& row : forms::all_forms())
+    if (!forms::why_unsuitable(mesh, row)) choices.push_back({element, std::string(row.id)});
+  return choices;
+}
+
+constexpr std::uint32_t most_faces_searched = 1000;
+
 }  // namespace
 
 Made play_walk(const Mesh& mesh, Arguments arguments) {
-  if (arguments.size() != 1) return usage_of({"'walk V' takes a vertex vN.", "walk V の V は頂点 vN です。"});
+  if (arguments.empty() || arguments.size() > 2)
+    return usage_of(
+        {"'walk V' takes a vertex vN, and may take a form.", "walk V の V は頂点 vN です（形状表現も指定可）。"});
   const Result<Vertex> v = named_element(find_vertex(mesh, arguments[0]));
   if (!v) return v.failure();
-  const forms::FormRow& form = form_to_walk_on(mesh);
-  LinkWalk walk(mesh, form, problem_2);
-  const std::vector<Element> found = RingWalk(walk, *v).run();
+  const Result<const forms::FormRow*> form = wanted_form(mesh, arguments);
+  if (!form) return form.failure();
+  LinkWalk walk(mesh, **form, problem_2);
+  const bool searches = !walk.stores(Element::Kind::vertex, "halfedge") &&
+                        !walk.stores(Element::Kind::vertex, "edge") && !walk.stores(Element::Kind::vertex, "face");
+  if (searches && mesh.live().faces > most_faces_searched)
+    return refusal_of(on_form(**form) + Text{" It would read every face, and these are too many to show one by one: "
+                                             "'relation vertex_vertices' counts them.",
+                                             "すべての面を読むため、一つずつ示すには多すぎます（relation "
+                                             "vertex_vertices で数を示せます）。"});
+  // Without copies it is the point that has a ring.
+  const Vertex asked = (*form)->holds_copies ? *v : mesh.copy_point(*v);
+  const std::vector<Element> found = RingWalk(walk, asked).run();
   walk.say(counted("neighbours", "隣接頂点", found, walk.records()), found);
-  return std::move(walk).done(on_form(form));
+  return std::move(walk).done(on_form(**form));
 }
 
 Made play_loop(const Mesh& mesh, Arguments arguments) {
-  if (arguments.size() != 1) return usage_of({"'loop F' takes a face fN.", "loop F の F は面 fN です。"});
+  if (arguments.empty() || arguments.size() > 2)
+    return usage_of(
+        {"'loop F' takes a face fN, and may take a form.", "loop F の F は面 fN です（形状表現も指定可）。"});
   const Result<Face> f = named_element(find_face(mesh, arguments[0]));
   if (!f) return f.failure();
-  const forms::FormRow& form = form_to_walk_on(mesh);
-  LinkWalk walk(mesh, form, loop_text);
-  std::vector<Element> corners;
-  const std::string_view first = walk.stores(Element::Kind::face, "outer") ? "outer" : "halfedge";
-  walk_loop(walk,
-            walk.follow(*f, first, LinkWalk::Tell::own, {"The face stores one halfedge: ", "面の持つ半稜線は一つ："}),
-            corners);
-  for (const Element inner : walk.follow_all(*f, "inner")) walk_loop(walk, inner, corners);
+  const Result<const forms::FormRow*> form = wanted_form(mesh, arguments);
+  if (!form) return form.failure();
+  LinkWalk walk(mesh, **form, loop_text);
+  const std::vector<Element> corners = corners_of_face(walk, *f);
   walk.say(counted("corners", "角", corners, walk.records()), corners);
-  return std::move(walk).done(on_form(form));
+  return std::move(walk).done(on_form(**form));
 }
 
 Choices choices_of_walk(const Mesh& mesh, Selected selection) {
   const auto v = usual_of<Vertex>(mesh, selection, mesh.vertex_slots());
-  return v ? Choices{{slot_name(*v)}} : Choices();
+  return v ? choices_on_forms(mesh, slot_name(*v)) : Choices();
 }
 
 Choices choices_of_loop(const Mesh& mesh, Selected selection) {
   const auto f = usual_of<Face>(mesh, selection, mesh.face_slots());
-  return f ? Choices{{slot_name(*f)}} : Choices();
+  return f ? choices_on_forms(mesh, slot_name(*f)) : Choices();
 }
 
 }  // namespace ryosen::steps

@@ -82,6 +82,8 @@ void sweep_command_lines(Sweep& sweep) {
       {"--version"},
       {"forms", mesh},
       {"forms", mesh, "--element", "0-1"},
+      {"forms", mesh, "--growth"},
+      {"forms"},
       {"steps", "script", "triangle"},
       {"steps", "script"},
       {"steps", "collapse 0-1", asset("cube.obj")},
@@ -162,6 +164,8 @@ void sweep_runs(Sweep& sweep) {
   sweep.run({"convert", asset("cube.obj"), "-o", "o.txt", "--strict"});
   sweep.run({"shot", mesh, "-o", "o.png", "--size", "16x16", "--script",
              sweep.folder().write("refused.ryosen", "collapse 0-1\n")});
+  sweep.run({"steps", "script", sweep.folder().write("unlike.ryosen", "expect V 9\n"), mesh});
+  sweep.run({"forms", sweep.folder().write("no_faces.off", "OFF\n0 0 0\n"), "--growth"});
   sweep.run({"shot", mesh, "-o", "small.png", "--size", "16x16"});
   sweep.run({"shot", mesh, "--compare", "small.png", "--size", "16x16", "--view", "front"});
   sweep.run({"shot", mesh, "--compare", "small.png", "--size", "16x8"});
@@ -263,6 +267,7 @@ const std::map<std::string, std::string> out_of_reach{
     {"remesh 1", "it always reaches its goal"},
     {"smooth 1", "it always reaches its goal"},
     {"subdivide 1", "it always reaches its goal"},
+    {"forms 7", "every way to draw is there where the tests run"},
     {"steps 7", "every way to draw is there where the tests run"},
     {"shot 7", "every way to draw is there where the tests run"},
     {"view 3", "it takes a display"},

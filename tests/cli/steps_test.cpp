@@ -68,6 +68,30 @@ TEST(steps_command, plays_a_script_of_a_file_on_a_mesh) {
   EXPECT_EQ(run.lines()[0]["delta"]["V"], 1);
 }
 
+TEST(steps_command, ends_as_edit_does_where_a_script_is_refused_or_wrong) {
+  TemporaryFolder folder;
+  const std::string mesh = asset("tetrahedron.off");
+  for (const char* const lines : {"collapse 0-1\nsplit 0-1\n", "split 0-1\nremove_vertex v0\n", "expect V 9\n",
+                                  "delete f0\nfill 0-1\nsplit 0-1\nswap 0-1\n"}) {
+    const std::string script = folder.write("s.ryosen", lines);
+    const ProgramRun played = run_program({"steps", "script", script, mesh, "--json"}),
+                     edited = run_program({"edit", mesh, "--script", script, "--json"});
+    EXPECT_NE(played.exit_code, 0) << lines;
+    EXPECT_EQ(played.exit_code, edited.exit_code) << lines;
+    const Json failure = played.lines().back();
+    EXPECT_EQ(failure["status"], "error");
+    bool is_said = false;
+    for (const Json& line : edited.lines())
+      for (const Json& message : line.value("messages", Json::array()))
+        is_said |= message["code"] == failure["messages"][0]["code"] &&
+                   message["en"].get<std::string>().starts_with(failure["messages"][0]["en"].get<std::string>());
+    EXPECT_TRUE(is_said) << failure << edited.out;
+    EXPECT_EQ(run_program({"steps", "script", script, mesh, "--at", "1"}).exit_code,
+              played.lines()[0]["of"] == 1 ? played.exit_code : 0)
+        << "a step before it is as good as any";
+  }
+}
+
 TEST(steps_command, tells_one_step_and_says_it_in_words) {
   const std::string fan = asset("fan.obj");
   const ProgramRun one = run_program({"steps", "walk", "v0", fan, "--at", "2", "--json"});

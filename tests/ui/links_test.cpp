@@ -192,6 +192,30 @@ TEST_F(LinksTest, and_all_numbers_overlap_nowhere) {
     }
 }
 
+TEST_F(LinksTest, tell_the_face_of_every_halfedge_that_is_selected) {
+  for (const char* const name : {"fan.obj", "figures/003-image41.obj", "two_quads.obj", "figures/000-3.obj"}) {
+    open(name, {"view front", "links all", "numbers all"});
+    const Mesh& m = session_.mesh();
+    std::size_t told = 0, all = 0;
+    for (std::uint32_t i = 0; i < m.halfedge_slots(); ++i) {
+      const Halfedge h(i);
+      const bool is_seen =
+          std::any_of(arrows().begin(), arrows().end(), [&](const LinkArrow& a) { return a.halfedge == h; });
+      if (!m.face(h) || !is_seen) continue;
+      session_.selection = {h};
+      const std::vector<PlacedLabel> labels = placed();
+      const std::string wanted = "face f" + std::to_string(m.face(h).index);
+      told += std::any_of(labels.begin(), labels.end(), [&](const PlacedLabel& label) { return label.text == wanted; });
+      ++all;
+      expect_no_overlap();
+    }
+    EXPECT_GT(all, 2u) << name;
+    if (std::string_view(name) != "figures/000-3.obj") {
+      EXPECT_EQ(told, all) << name;  // of the tetrahedron some faces are behind
+    }
+  }
+}
+
 TEST_F(LinksTest, numbers_of_corners_are_3i_plus_j_in_two_colours) {
   open("figures/003-image43.obj", {"view front", "numbers corners", "links off"});
   std::map<std::string, std::uint32_t> ground;

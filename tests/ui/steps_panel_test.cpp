@@ -122,6 +122,29 @@ TEST_F(StepsPanelTest, marks_and_labels_are_in_the_view) {
   EXPECT_TRUE(has_caption);
 }
 
+TEST_F(StepsPanelTest, a_halfedge_is_an_arrow_in_its_face_and_not_its_edge) {
+  ASSERT_TRUE(say("steps walk v0").done());
+  std::size_t arrows = 0;
+  while (session.player->position() < session.player->size()) {
+    ASSERT_TRUE(session.run("steps forward").done());
+    std::size_t marked = 0;
+    for (const steps::Mark& mark : session.player->step()->marks)
+      marked += mark.element.kind == Element::Kind::halfedge ? 1 : 0;
+    std::size_t drawn = 0;
+    for (const Line& line : step_overlay(session, Theme::dark).lines) {
+      if (!line.arrow) continue;
+      ++drawn;
+      for (std::uint32_t v = 0; v < session.mesh().vertex_slots(); ++v) {
+        EXPECT_NE(line.a, session.mesh().position(Vertex(v)));
+        EXPECT_NE(line.b, session.mesh().position(Vertex(v)));
+      }
+    }
+    EXPECT_EQ(drawn, marked);
+    arrows += drawn;
+  }
+  EXPECT_GT(arrows, 12u);
+}
+
 TEST_F(StepsPanelTest, the_history_is_a_script_too) {
   EXPECT_EQ(say("steps script history").exit_code, ExitCode::refused) << "there is none yet";
   ASSERT_TRUE(say("split 0-1").done());

@@ -78,8 +78,35 @@ inline constexpr Shape form_record_shape{"form_record", "With --element: one lin
                                          "--element のとき、形状表現ごと（all では要素ごとにも）一行。",
                                          form_record_keys};
 
-inline constexpr Contract forms_contract{
-    .lines = {&forms_shape, &form_record_shape},
-    .exits = {ExitCode::input_missing, ExitCode::input_malformed, ExitCode::usage}};
+inline constexpr JsonKey growth_point_keys[] = {
+    {"faces", "integer", "The number of faces.", "面の数。"},
+    {"comparisons", "number", "How much was counted.", "数えた回数。"},
+    {"ms", "number", "Milliseconds it took.", "所要時間（ミリ秒）。"},
+};
+inline constexpr Shape growth_point_shape{"growth_point", "A mesh that was measured on.", "測ったメッシュ。",
+                                          growth_point_keys};
+
+inline constexpr JsonKey growth_keys[] = {
+    {"of", "string", "What is done.", "測るもの。", words("pairing query collapse")},
+    {"id", "string", "By which pairing, on which form, or in which way.",
+     "対の探索の方法、形状表現、または削除の方法。"},
+    {"relation", "string or null", "The relation that is asked; null where none is.", "問う関係。ないとき null。",
+     ids_of(Ids::relations)},
+    {"en", "string", "Its name in English.", "英語名。"},
+    {"ja", "string", "Its name in Japanese.", "日本語名。"},
+    {"counted", "object", "What is counted.", "数えるもの。", objects(sentence_shape)},
+    {"points", "array of object", "On meshes of growing size.", "大きくなるメッシュでの値。",
+     objects(growth_point_shape)},
+    {"slope", "number or null",
+     "The power of the number of faces that the count grows with; null of fewer than two that are not 0.",
+     "回数が面の数の何乗で増えるか。0 でない値が 2 つないとき null。"},
+    {"time_slope", "number or null", "The same of the time.", "時間について同じ値。"},
+};
+inline constexpr Shape growth_shape{"growth", "With --growth: one line per curve.", "--growth のとき、曲線ごとに一行。",
+                                    growth_keys};
+
+inline constexpr Contract forms_contract{.lines = {&forms_shape, &form_record_shape, &growth_shape},
+                                         .exits = {ExitCode::input_missing, ExitCode::input_malformed, ExitCode::usage,
+                                                   ExitCode::refused, ExitCode::no_backend}};
 
 }  // namespace ryosen::cli

@@ -64,6 +64,6 @@ inline constexpr Shape step_shape{"played_step", "One line per step.", "手順�
 
 inline constexpr Contract steps_contract{.lines = {&step_shape},
                                          .exits = {ExitCode::input_missing, ExitCode::input_malformed, ExitCode::usage,
-                                                   ExitCode::refused, ExitCode::no_backend}};
+                                                   ExitCode::refused, ExitCode::no_backend, ExitCode::found_problems}};
 
 }  // namespace ryosen::cli

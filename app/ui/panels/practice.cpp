@@ -1,4 +1,5 @@
 #include <array>
+#include <cstdio>
 #include <optional>
 
 #include "app/editor/practice.h"
@@ -19,11 +20,13 @@ class PracticePanel : public Panel {
   struct Asked {
     Question question;
     Solution solution;
+    std::vector<AnswerChoice> choices;
     Elements selected;  // when it was asked
     std::uint64_t serial, revision;
   };
   void ask(const Session& session);
   void choose_kind(PanelContext& context);
+  void draw_choices(PanelContext& context);
   void draw_answer_field(PanelContext& context);
   void take_click(const Session& session);
   void draw_judgement(PanelContext& context);
@@ -38,8 +41,8 @@ class PracticePanel : public Panel {
 void PracticePanel::ask(const Session& session) {
   const QuestionKind kind = kind_.value_or(question_kinds()[seed_ % question_kinds().size()].kind);
   const Question question = make_question(session.mesh(), kind, seed_);
-  asked_ = {question, solve(session.mesh(), question), session.selection, session.document().serial(),
-            session.document().revision()};
+  asked_ = {question,          solve(session.mesh(), question), answer_choices(question),
+            session.selection, session.document().serial(),     session.document().revision()};
   word_.fill(0);
   right_.reset();
 }
@@ -60,6 +63,33 @@ void PracticePanel::choose_kind(PanelContext& context) {
   choice({});
   for (const QuestionKindRow& row : question_kinds()) choice(row.kind);
   ImGui::EndCombo();
+}
+
+// A click on a row answers: numbers side by side, rules with their sentences.
+void PracticePanel::draw_choices(PanelContext& context) {
+  const std::vector<AnswerChoice>& choices = asked_->choices;
+  if (choices.empty()) return;
+  const auto answer = [&](const AnswerChoice& choice) {
+    std::snprintf(word_.data(), word_.size(), "%s", choice.word.c_str());
+    right_ = is_right(context.session.mesh(), asked_->solution, choice.word);
+  };
+  if (asked_->question.kind == QuestionKind::valence) {
+    const float gap = 3 * context.scale, width = (ImGui::GetContentRegionAvail().x - 6 * gap) / 7;
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+      if (i % 7 != 0) ImGui::SameLine(0, gap);
+      if (ImGui::Button(choices[i].word.c_str(), {width, 0})) answer(choices[i]);
+    }
+    return;
+  }
+  list_of_rows("choices", choices.size(), 9, [&](std::size_t i) {
+    const AnswerChoice& choice = choices[i];
+    const std::string& says = choice.says.in(context.language());
+    ImGui::PushID(choice.word.c_str());
+    if (row(context, fitted(says, ImGui::GetContentRegionAvail().x).c_str(), "", choice.word == word_.data()))
+      answer(choice);
+    tip(says + "\n" + choice.word);
+    ImGui::PopID();
+  });
 }
 
 void PracticePanel::draw_answer_field(PanelContext& context) {
@@ -108,6 +138,7 @@ void PracticePanel::draw(PanelContext& context) {
   element_links(context, {asked_->question.about});
   ImGui::PopID();
   take_click(session);
+  draw_choices(context);
   draw_answer_field(context);
   if (right_) draw_judgement(context);
   if (ImGui::Button(context.text("Next question", "次の問題"), {ImGui::GetContentRegionAvail().x, 0})) {

@@ -19,12 +19,31 @@ class StepsPanel : public Panel {
 
  private:
   void draw_choice(PanelContext& context);
+  // What the rows of the table offer, asked once for a revision and selection.
+  const std::vector<steps::Choices>& choices(const Session& session);
   void draw_ways(PanelContext& context, const Player& player);
   void draw_step(PanelContext& context, Player& player);
   void go_on(PanelContext& context, const Player& player);
 
   std::optional<double> next_at_;  // when it goes forward by itself
+  std::vector<steps::Choices> choices_;
+  std::uint64_t serial_ = 0, revision_ = 0;  // of what they were asked
+  Elements selection_;
 };
+
+const std::vector<steps::Choices>& StepsPanel::choices(const Session& session) {
+  const Document& document = session.document();
+  if (!choices_.empty() && serial_ == document.serial() && revision_ == document.revision() &&
+      selection_ == session.selection)
+    return choices_;
+  serial_ = document.serial();
+  revision_ = document.revision();
+  selection_ = session.selection;
+  choices_.clear();
+  for (const steps::StepsRow& row : steps::all_steps())
+    choices_.push_back(row.choices(session.mesh(), session.selection));
+  return choices_;
+}
 
 std::string call_text(const steps::StepsRow& row, const std::vector<std::string>& arguments) {
   std::string call(row.id);
@@ -54,12 +73,13 @@ void StepsPanel::draw_choice(PanelContext& context) {
               help);
       continue;
     }
-    const std::vector<std::vector<std::string>> choices = steps_row.choices(session.mesh(), session.selection);
-    for (const std::vector<std::string>& arguments : choices) {
+    const auto row_number = static_cast<std::size_t>(&steps_row - steps::all_steps().data());
+    for (const std::vector<std::string>& arguments : choices(session)[row_number]) {
       const std::string call = call_text(steps_row, arguments);
       offer(call, call, help);
     }
-    if (choices.empty()) dim_text(context, context.text("  not on this mesh", "  このメッシュでは再生できません"));
+    if (choices(session)[row_number].empty())
+      dim_text(context, context.text("  not on this mesh", "  このメッシュでは再生できません"));
   }
 }
 

@@ -86,6 +86,7 @@ std::vector<Mesh> meshes_of_figures() {
 }
 
 TEST(practice, next_twin_and_valence_are_what_the_polygons_say) {
+  int asked = 0;  // of each kind
   for (const Mesh& mesh : meshes_of_figures()) {
     const Sides sides(mesh);
     for (int seed = 0; seed < questions() / 10; ++seed) {
@@ -98,8 +99,10 @@ TEST(practice, next_twin_and_valence_are_what_the_polygons_say) {
       const auto [a, b] = sides.side(twin.about.halfedge());
       EXPECT_EQ(solve(mesh, twin).answers[0], h_name(sides.slot({b, a}))) << twin.asks.en;
       EXPECT_EQ(solve(mesh, valence).answers, std::vector{std::to_string(sides.valence(valence.about.index))});
+      ++asked;
     }
   }
+  EXPECT_GE(asked, questions());
 }
 
 // What a field must hold; nothing where any of several would do, which is then looked at.
@@ -151,6 +154,7 @@ std::optional<std::string> expected_link(const Mesh& mesh, const Sides& sides, c
 
 TEST(practice, records_are_what_the_polygons_say) {
   std::set<std::string> forms_asked;
+  int asked = 0;
   for (const Mesh& mesh : meshes_of_figures()) {
     const Sides sides(mesh);
     for (int seed = 0; seed < questions() / 10; ++seed) {
@@ -161,8 +165,10 @@ TEST(practice, records_are_what_the_polygons_say) {
           << question.asks.en;
       EXPECT_TRUE(is_right(mesh, solution, solution.answers[0]));
       EXPECT_FALSE(is_right(mesh, solution, "h99999"));
+      ++asked;
     }
   }
+  EXPECT_GE(asked, questions());
   EXPECT_GE(forms_asked.size(), 9u);
 }
 
@@ -178,22 +184,33 @@ oracle::Operation operation_of(const std::string& line) {
 }
 
 TEST(practice, verdicts_are_those_of_doing_it_on_the_polygons) {
-  int legal = 0, asked = 0;
+  int legal = 0, asked = 0;  // of those that the oracle can judge
   for (std::uint64_t seed = 1; asked < questions(); ++seed) {
     RandomMesh random = random_mesh(seed);
     const oracle::PolygonList list = oracle::polygon_list(random.points, std::move(random.faces));
     const Mesh mesh = test::kernel_mesh(list, seed);
     if (mesh.live().edges == 0) continue;
     const oracle::Judge judge(oracle::read_copies(list));
-    for (std::uint64_t n = 0; n < 20; ++n, ++asked) {
+    for (std::uint64_t n = 0; n < 20; ++n) {
       const Question question = make_question(mesh, QuestionKind::legal, n);
       if (question.line.starts_with("collapse h") || question.line.find('~') != std::string::npos) continue;
       const Solution solution = solve(mesh, question);
       const bool may = judge.legal(operation_of(question.line));
       legal += may ? 1 : 0;
+      ++asked;
       EXPECT_EQ(is_right(mesh, solution, "yes"), may) << "seed " << seed << ' ' << question.line;
       EXPECT_FALSE(solution.answers.empty());
       EXPECT_TRUE(may || !solution.witnesses.empty()) << question.line;
+      // What may be chosen holds every right answer, and each of the others is called wrong.
+      const std::vector<AnswerChoice> choices = answer_choices(question);
+      for (const std::string& answer : solution.answers)
+        if (answer != "legal" && answer != "はい") {
+          EXPECT_TRUE(std::any_of(choices.begin(), choices.end(), [&](const auto& c) { return c.word == answer; }))
+              << question.line << ' ' << answer;
+        }
+      for (const AnswerChoice& choice : choices)
+        EXPECT_EQ(is_right(mesh, solution, choice.word),
+                  std::count(solution.answers.begin(), solution.answers.end(), choice.word) > 0);
     }
   }
   EXPECT_GT(legal, asked / 10);

@@ -15,9 +15,11 @@
 #include "core/io/formats.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/names.h"
+#include "core/ops/all.h"
 #include "core/steps/all.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
+#include "tests/support/core/stated_changes.h"
 #include "tests/support/core/step_checks.h"
 
 namespace ryosen {
@@ -61,7 +63,9 @@ TEST(steps, every_row_plays_on_the_small_meshes) {
   std::map<std::string, int> count;
   for (const char* const name :
        {"tetrahedron.off", "fan.obj", "cube.obj", "two_quads.obj", "three_tri_edge.off", "bow_tie.obj", "moebius.off",
-        "isolated_vertex.obj", "hanging_pair.obj", "torus.off", "misoriented.obj", "collinear.obj"}) {
+        "isolated_vertex.obj", "hanging_pair.obj", "torus.off", "misoriented.obj", "collinear.obj",
+        "figures/000-4b.obj", "figures/000-5b.obj", "figures/000-14.obj", "figures/000-15.obj",
+        "figures/003-image24.obj", "projective_plane.off"}) {
     const Mesh mesh = asset_mesh(name);
     for (const steps::StepsRow& row : steps::all_steps()) {
       for (const std::vector<std::string>& arguments : row.choices(mesh, {})) {
@@ -156,6 +160,43 @@ TEST(pair_steps, end_with_the_pairing_of_the_kernel) {
   for (const Mesh& mesh : meshes)
     for (const char* const method : {"brute_force", "vertex_lists", "hash_16", "hash", "sparse_matrix"})
       EXPECT_EQ(partners_of(*played("pair", mesh, {method}), mesh), pairing_of_kernel(mesh)) << method;
+}
+
+// Rings are loops of their faces: their sides are paired as all others, by each method, and in the building too.
+TEST(pair_steps, pair_the_sides_of_rings) {
+  for (const char* const name : {"figures/000-4b.obj", "figures/000-4c.obj"}) {
+    const Mesh mesh = asset_mesh(name);
+    ASSERT_TRUE(mesh.has_rings());
+    for (const char* const method : {"brute_force", "vertex_lists", "hash_16", "hash", "sparse_matrix"}) {
+      const auto sequence = played("pair", mesh, {method});
+      EXPECT_NE(sequence->remark().en.find("inner components"), std::string::npos);
+      Tables tables;
+      for (std::size_t i = 1; i <= sequence->size(); ++i) replay(tables, sequence->at(i));
+      for (std::uint32_t h = 0; h < mesh.halfedge_slots(); ++h)
+        EXPECT_EQ(tables["pairs"].at(slot_name(Halfedge(h))).at("pair"), slot_name(twin(Halfedge(h)))) << method;
+    }
+    const auto build = played("build", mesh, {});
+    expect_plays(*build);
+    Tables tables;
+    for (std::size_t i = 1; i <= build->size(); ++i) replay(tables, build->at(i));
+    for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
+      const Halfedge h(i);
+      const auto& row = tables["halfedges"].at(slot_name(h));
+      EXPECT_EQ(row.at("next"), slot_name(mesh.next(h)));
+      EXPECT_EQ(row.at("prev"), slot_name(mesh.prev(h)));
+      EXPECT_EQ(row.at("face"), slot_name(mesh.face(h)));
+      EXPECT_EQ(row.at("twin"), slot_name(twin(h)));
+    }
+    std::size_t inner = 0;
+    for (const auto& [face, fields] : tables["faces"]) {
+      if (!fields.contains("inner")) continue;
+      for (const std::string_view start : split_words(fields.at("inner"))) {
+        EXPECT_EQ(slot_name(mesh.face(find_edge(mesh, start).element)), face);
+        ++inner;
+      }
+    }
+    EXPECT_EQ(inner, mesh.live().rings);
+  }
 }
 
 // The comparisons of the text's code, counted by running it: all faces so far, up to the first match.
@@ -360,6 +401,38 @@ TEST(listing_steps, label_ten_halfedges_and_agree_with_the_kernel_where_that_is_
   EXPECT_NE(kernel.caption.en.find("does it all the same"), std::string::npos);
 }
 
+// What a player does to the kernel's mesh changes the terms as the header of the operator promises. The edits it made.
+int expect_promised(Sequence& sequence, std::string_view op_id, Halfedge h) {
+  int edits = 0;
+  for (std::size_t i = 1; i <= sequence.size(); ++i) {
+    const Step step = sequence.at(i);
+    if (!step.delta) continue;
+    const Mesh before = sequence.mesh_at(i - 1);
+    const Change change{step.delta->v, step.delta->e, step.delta->f,
+                        step.delta->h, step.delta->s, step.delta->g.value_or(0),
+                        step.delta->b};
+    const std::vector<Change> stated = law_of(Stated{before}, op_at(before, op_id, {h, 0.5}));
+    EXPECT_TRUE(std::count(stated.begin(), stated.end(), change)) << op_id << ": " << step.caption.en;
+    ++edits;
+  }
+  return edits;
+}
+
+TEST(listing_steps, change_the_terms_as_their_operators_promise) {
+  int edits = 0;
+  for (const char* const name : {"torus.off", "fan.obj", "figures/000-12.obj", "figures/000-13.obj"}) {
+    const Mesh mesh = asset_mesh(name);
+    const std::vector<Halfedge> corners = forms::corner_halfedges(mesh);
+    for (std::size_t c = 0; c < corners.size(); c += 1 + corners.size() / 12) {
+      const Halfedge h = corners[c];
+      const std::string edge_name = std::to_string(mesh.from(h).index) + "-" + std::to_string(mesh.to(h).index);
+      for (const char* const id : {"collapse", "swap"}) edits += expect_promised(*played(id, mesh, {edge_name}), id, h);
+      EXPECT_EQ(expect_promised(*played("split3", mesh, {std::to_string(c)}), "split", h), 1);
+    }
+  }
+  EXPECT_GT(edits, 40);
+}
+
 TEST(walk_steps, visit_the_one_ring_and_the_loop) {
   for (const char* const name : {"fan.obj", "torus.off", "cube.obj", "three_tri_edge.off", "bow_tie.obj"}) {
     const Mesh mesh = asset_mesh(name);
@@ -384,6 +457,79 @@ TEST(walk_steps, visit_the_one_ring_and_the_loop) {
   std::string all;
   for (std::size_t i = 1; i <= at_boundary->size(); ++i) all += at_boundary->at(i).caption.en;
   EXPECT_NE(all.find("here is the boundary"), std::string::npos) << all;
+}
+
+std::vector<Element> answers_of(const Step& step) {
+  std::vector<Element> found;
+  for (const steps::Mark& mark : step.marks)
+    if (mark.role == steps::Role::answer) found.push_back(mark.element);
+  return found;
+}
+
+TEST(walk_steps, visit_the_same_on_every_form) {
+  std::set<std::string_view> walked, looped;
+  for (const char* const name : {"fan.obj", "torus.off", "cube.obj", "two_quads.obj", "bow_tie.obj", "moebius.off",
+                                 "figures/000-4b.obj", "figures/003-image43.obj"}) {
+    const Mesh mesh = asset_mesh(name);
+    for (const forms::FormRow& form : forms::all_forms()) {
+      if (forms::why_unsuitable(mesh, form)) {
+        EXPECT_EQ(play("walk", mesh, {"v0", std::string(form.id)}).failure().exit_code, ExitCode::refused);
+        continue;
+      }
+      SCOPED_TRACE(std::string(name) + " " + std::string(form.id));
+      for (std::uint32_t v = 0; v < mesh.vertex_slots(); v += 1 + mesh.vertex_slots() / 16) {
+        const auto sequence = played("walk", mesh, {"v" + std::to_string(v), std::string(form.id)});
+        const std::vector<Element> found = answers_of(sequence->at(sequence->size()));
+        // Most forms hold points: the rings of all copies are one.
+        const auto held = [&](Vertex w) { return form.holds_copies ? w : mesh.copy_point(w); };
+        std::set<Element> expected;
+        Vertex copy(v);
+        do {
+          for (const Vertex w : neighbours(mesh, copy)) expected.insert(held(w));
+          copy = form.holds_copies ? copy : mesh.next_copy(copy);
+        } while (copy != Vertex(v));
+        EXPECT_EQ(std::set<Element>(found.begin(), found.end()), expected) << v;
+        EXPECT_EQ(found.size(), expected.size()) << "each once";
+        walked.insert(form.id);
+        if (v == 0) expect_plays(*sequence);
+      }
+      for (std::uint32_t f = 0; f < mesh.face_slots(); f += 1 + mesh.face_slots() / 16) {
+        const auto sequence = played("loop", mesh, {"f" + std::to_string(f), std::string(form.id)});
+        std::vector<Element> expected;
+        for (const Vertex w : vertices_around(mesh, Face(f)))
+          expected.push_back(form.holds_copies ? w : mesh.copy_point(w));
+        const std::vector<Element> found = answers_of(sequence->at(sequence->size()));
+        EXPECT_EQ(std::multiset<Element>(found.begin(), found.end()),
+                  std::multiset<Element>(expected.begin(), expected.end()))
+            << f;
+        looped.insert(form.id);
+        if (f == 0) expect_plays(*sequence);
+      }
+    }
+  }
+  EXPECT_EQ(walked.size(), forms::all_forms().size());
+  EXPECT_EQ(looped.size(), forms::all_forms().size());
+  EXPECT_EQ(play("walk", asset_mesh("fan.obj"), {"v0", "x"}).failure().exit_code, ExitCode::usage);
+}
+
+// Lists of faces are read whole, and what is linked is not.
+TEST(walk_steps, say_how_many_records_they_read) {
+  const Mesh mesh = asset_mesh("torus.off");
+  const auto records = [&](const char* form) {
+    const auto sequence = played("walk", mesh, {"v0", form});
+    return std::stoul(sequence->at(sequence->size()).rows.back().new_value.value());
+  };
+  for (const char* const form : {"triangle_soup", "polygon_set", "indexed_face_set", "opposite_map"})
+    EXPECT_EQ(records(form), mesh.live().faces) << form;
+  EXPECT_EQ(records("face_adjacency"), 7u) << "the vertex and its six faces";
+  EXPECT_EQ(records("winged_edge"), 7u) << "the vertex and its six edges";
+  EXPECT_LE(records("halfedge"), 19u) << "the vertex and the halfedges of six faces";
+}
+
+TEST(walk_steps, refuse_to_show_a_search_through_many_faces) {
+  const Mesh mesh = make_mesh(torus_grid(30, 30));
+  EXPECT_EQ(play("walk", mesh, {"v0", "indexed_face_set"}).failure().exit_code, ExitCode::refused);
+  EXPECT_TRUE(play("walk", mesh, {"v0", "face_adjacency"}).ok());
 }
 
 // A form's own answer in slots of the mesh. Only for meshes without gaps and copies.

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <optional>
-#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -12,12 +11,12 @@
 #include "core/forms/records.h"
 #include "core/mesh/mesh.h"
 
-namespace ryosen::steps {
+namespace ryosen::forms {
 
 class RecordReader {
  public:
   // The mesh is needed as long as the reader.
-  RecordReader(const Mesh& mesh, const forms::FormRow& row);
+  RecordReader(const Mesh& mesh, const FormRow& row);
 
   const Mesh& mesh() const { return mesh_; }
   // Null where the form can hold the mesh.
@@ -33,16 +32,18 @@ class RecordReader {
 
   // In the order in which they were read first, each once.
   const std::vector<Element>& read() const { return order_; }
+  // Nothing has been read.
+  void begin_anew();
 
  private:
-  const forms::Field* field(Element of, std::string_view key);
+  const Field* field(Element of, std::string_view key);
 
   const Mesh& mesh_;
-  forms::Records records_;
+  Records records_;
   std::optional<Text> unsuitable_;
-  std::set<Element> seen_;
+  std::vector<bool> seen_[4];  // by Element::Kind and slot
   std::vector<Element> order_;
-  forms::ElementRecord last_;  // of last_element_
+  ElementRecord last_;  // of last_element_
   std::optional<Element> last_element_;
   std::vector<std::pair<std::array<double, 3>, std::uint32_t>> places_;  // sorted; made when asked for
 };
@@ -71,4 +72,4 @@ class RecordLinks {
   std::vector<std::uint32_t> corner_of_;  // and back
 };
 
-}  // namespace ryosen::steps
+}  // namespace ryosen::forms

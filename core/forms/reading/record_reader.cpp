@@ -1,15 +1,13 @@
-#include "core/steps/record_reader.h"
+#include "core/forms/reading/record_reader.h"
 
 #include <algorithm>
 #include <array>
 
 #include "core/forms/polygons.h"
 
-namespace ryosen::steps {
+namespace ryosen::forms {
 
 namespace {
-
-using forms::Field;
 
 std::optional<Element> first_live(const Mesh& mesh, Element::Kind kind) {
   const auto first = [&]<class Handle>(Handle, std::uint32_t slots) -> std::optional<Element> {
@@ -32,7 +30,7 @@ std::optional<Element> first_live(const Mesh& mesh, Element::Kind kind) {
   }
 }
 
-const Field* field_of(const forms::Fields& fields, std::string_view key) {
+const Field* field_of(const Fields& fields, std::string_view key) {
   for (const Field& field : fields)
     if (field.key == key) return &field;
   return nullptr;
@@ -42,8 +40,8 @@ std::array<double, 3> sortable(const glm::dvec3& place) { return {place.x, place
 
 }  // namespace
 
-RecordReader::RecordReader(const Mesh& mesh, const forms::FormRow& row)
-    : mesh_(mesh), records_(mesh, row), unsuitable_(forms::why_unsuitable(mesh, row)) {}
+RecordReader::RecordReader(const Mesh& mesh, const FormRow& row)
+    : mesh_(mesh), records_(mesh, row), unsuitable_(why_unsuitable(mesh, row)) {}
 
 bool RecordReader::stores(Element::Kind kind, std::string_view key) const {
   const std::optional<Element> element = first_live(mesh_, kind);
@@ -51,12 +49,21 @@ bool RecordReader::stores(Element::Kind kind, std::string_view key) const {
 }
 
 const Field* RecordReader::field(Element of, std::string_view key) {
-  if (seen_.insert(of).second) order_.push_back(of);
+  if (of.index == no_index) return nullptr;
+  std::vector<bool>& seen = seen_[static_cast<std::size_t>(of.kind)];
+  if (of.index >= seen.size()) seen.resize(std::size_t{of.index} + 1);
+  if (!seen[of.index]) order_.push_back(of);
+  seen[of.index] = true;
   if (last_element_ != of) {
     last_ = records_.of(of);
     last_element_ = of;
   }
   return field_of(last_.fields, key);
+}
+
+void RecordReader::begin_anew() {
+  for (const Element element : order_) seen_[static_cast<std::size_t>(element.kind)][element.index] = false;
+  order_.clear();
 }
 
 Element RecordReader::link(Element of, std::string_view key) {
@@ -93,7 +100,7 @@ RecordLinks::RecordLinks(RecordReader& reader)
   for (const std::string_view key : {"halfedge", "outer"})
     if (reader.stores(Element::Kind::face, key)) first_of_face_ = key;
   if (has_next_) return;
-  corners_ = forms::corner_halfedges(reader.mesh());
+  corners_ = corner_halfedges(reader.mesh());
   corner_of_.assign(reader.mesh().halfedge_slots(), no_index);
   for (std::uint32_t c = 0; c < corners_.size(); ++c) corner_of_[corners_[c].index] = c;
 }
@@ -134,4 +141,4 @@ std::vector<std::uint32_t> RecordLinks::inner(std::uint32_t f) const {
   return starts;
 }
 
-}  // namespace ryosen::steps
+}  // namespace ryosen::forms

@@ -1,0 +1,91 @@
+// The panel of practice: questions are answered by a click on a row, on a number or in the view, and judged at once. And what
+// the textbooks build is in the menu Help.
+#include <gtest/gtest.h>
+
+#include "app/editor/exercises.h"
+#include "app/editor/playing.h"
+#include "app/editor/practice.h"
+#include "tests/support/app/drawn_text.h"
+#include "tests/support/app/laid.h"
+
+namespace ryosen {
+namespace {
+
+class PracticePanelTest : public testing::Test, protected test::Laid {
+ protected:
+  PracticePanelTest() : Laid("figures/000-12.obj", test::tall_window) {
+    for (const PanelRow& row : panel_list())
+      if (row.place == PanelPlace::right) session.run("panel " + std::string(row.id) + " off");
+    session.run("panel practice");
+    frames(3);
+  }
+  bool has(std::string_view text) const { return test::DrawnText(gui).count(text) > 0; }
+  void take(std::string_view text) {
+    click(test::DrawnText(gui).place(text));
+    frames(3);
+  }
+  // The panel counts seeds from 1, and asks of all kinds in turn.
+  Question go_to(QuestionKind kind) {
+    while (question_kinds()[seed_ % question_kinds().size()].kind != kind) {
+      take("Nextquestion");
+      ++seed_;
+    }
+    return make_question(session.mesh(), kind, seed_);
+  }
+
+  std::uint64_t seed_ = 1;
+};
+
+TEST_F(PracticePanelTest, takes_a_click_on_a_rule) {
+  for (int n = 0; n < 4; ++n) {
+    const Question question = go_to(QuestionKind::legal);
+    EXPECT_TRUE(has("Yes,itmay."));
+    const bool may = is_right(session.mesh(), solve(session.mesh(), question), "yes");
+    take("Yes,itmay.");
+    EXPECT_EQ(has("Right."), may) << question.line;
+    EXPECT_EQ(has("No:"), !may) << question.line;
+    take("Nextquestion");
+    ++seed_;
+    EXPECT_FALSE(has("Right."));
+  }
+}
+
+TEST_F(PracticePanelTest, takes_a_click_on_a_number) {
+  const Question question = go_to(QuestionKind::valence);
+  const std::string right = solve(session.mesh(), question).answers[0];
+  EXPECT_FALSE(has("Yes,itmay."));
+  for (const char* const wrong : {"11", "12"}) {
+    ASSERT_NE(wrong, right);
+    take(wrong);
+    EXPECT_TRUE(has("No:" + right));
+  }
+}
+
+TEST_F(PracticePanelTest, takes_a_click_in_the_view) {
+  const Question question = go_to(QuestionKind::twin);
+  const Solution solution = solve(session.mesh(), question);
+  session.selection = {*solution.element};
+  frames(3);
+  EXPECT_TRUE(has("Right."));
+}
+
+TEST(help_menu, plays_the_exercises_and_the_figures) {
+  test::Laid laid("fan.obj");
+  const auto take = [&](std::string_view text) {
+    laid.click(test::DrawnText(laid.gui).place(text));
+    laid.frames(3);
+  };
+  take("Help");
+  take("Exercises");
+  for (const ExerciseScript& script : exercise_scripts()) {
+    std::string name = name_of_exercise(script).en;
+    std::erase(name, ' ');
+    EXPECT_GT(test::DrawnText(laid.gui).count(name), 0) << name;
+  }
+  take("Acubewithonethrough-hole");
+  ASSERT_TRUE(laid.session.player);
+  EXPECT_EQ(laid.session.player->call(), "script cube_with_hole");
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -21,7 +21,7 @@ namespace ryosen::cli {
 namespace {
 
 std::string_view word_of(MapUnit unit) {
-  constexpr std::string_view words[] = {"none", "length", "area", "degrees"};
+  constexpr std::string_view words[] = {"none", "length", "area", "degrees", "per_length", "per_area"};
   return words[static_cast<std::size_t>(unit)];
 }
 

@@ -49,6 +49,7 @@ std::optional<std::vector<std::uint32_t>> MapValues::update(const Mesh& mesh, co
   Neighbourhood around(mesh);
   EditReach reach = edit_reach(journal, i, around);
   if (map_->reads_whole_faces) add_whole_faces(around, reach);
+  if (map_->reads_two_rings) add_neighbours(around, reach);
   std::vector<std::uint32_t> changed;
   const auto ask = [&](const auto& elements, auto value) {
     for (const auto element : elements) {

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <limits>
 
+#include "core/algo/measure/other_surface.h"
 #include "core/analysis/curvature.h"
 #include "core/analysis/measures.h"
 #include "core/base/open_table.h"
@@ -34,6 +35,9 @@ double sides(Neighbourhood& around, Face f) { return corner_count(around.mesh(),
 double mean_curvature(Neighbourhood& around, Vertex v) { return curvature_at(around, v).mean(); }
 double gaussian_curvature(Neighbourhood& around, Vertex v) { return curvature_at(around, v).gaussian(); }
 double largest_curvature(Neighbourhood& around, Vertex v) { return curvature_at(around, v).largest; }
+double distance_from_other(const Mesh& mesh, Vertex v, const OtherSurface& other) {
+  return other.distance(mesh.position(v));
+}
 double smallest_curvature(Neighbourhood& around, Vertex v) { return curvature_at(around, v).smallest; }
 
 constexpr std::array built_in_maps{
@@ -143,6 +147,13 @@ constexpr std::array built_in_maps{
               .scale = MapScale::about_middle,
               .vertex = smallest_curvature,
               .reads_two_rings = true},
+    ColourMap{.id = "distance",
+              .name_en = "Distance from the other mesh",
+              .name_ja = "もう一つのメッシュからの距離",
+              .legend_en = "How far each vertex is from the surface of the mesh that this one is compared with.",
+              .legend_ja = "各頂点の、比較しているメッシュの面からの距離。",
+              .unit = MapUnit::length,
+              .against = distance_from_other},
 };
 
 constinit OpenTable<ColourMap, 32> map_table(built_in_maps);

@@ -19,6 +19,8 @@ enum class MapUnit : std::uint8_t { none, length, area, degrees, per_length, per
 // as far on both sides of `middle`.
 enum class MapScale : std::uint8_t { linear, ratio, about_middle };
 
+class OtherSurface;
+
 struct ColourMap {
   std::string_view id = {};  // as in the commands
   std::string_view name_en = {}, name_ja = {};
@@ -31,11 +33,12 @@ struct ColourMap {
   double (*vertex)(Neighbourhood&, Vertex) = nullptr;
   double (*edge)(Neighbourhood&, Edge) = nullptr;
   double (*face)(Neighbourhood&, Face) = nullptr;
+  double (*against)(const Mesh&, Vertex, const OtherSurface&) = nullptr;  // only where there is another mesh
   bool reads_whole_faces = false;
   bool reads_two_rings = false;  // of a vertex: what is two edges away
 
   Element::Kind sort() const {
-    return vertex ? Element::Kind::vertex : edge ? Element::Kind::edge : Element::Kind::face;
+    return vertex || against ? Element::Kind::vertex : edge ? Element::Kind::edge : Element::Kind::face;
   }
 };
 

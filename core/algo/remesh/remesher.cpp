@@ -43,6 +43,7 @@ SwappedTriangles triangles_at(const Mesh& mesh, Halfedge h) {
 Remesher::Remesher(Edit& edit, Features features, const Target& target)
     : edit_(edit), mesh_(edit.mesh()), features_(std::move(features)), target_(target) {
   for (std::uint32_t i = 0; i < mesh_.vertex_slots(); ++i) wanted_.push_back(target.length_at(Vertex(i)));
+  nearby_.assign(mesh_.vertex_slots(), no_index);
 }
 
 double Remesher::length_of(Edge e) const {
@@ -94,6 +95,7 @@ void Remesher::split(Edge e) {
   features_.edges.resize(mesh_.edge_slots(), 0);
   features_.vertices.resize(mesh_.vertex_slots(), was_feature ? 1 : 0);
   wanted_.resize(mesh_.vertex_slots(), length);
+  nearby_.resize(mesh_.vertex_slots(), nearby_[a.index]);
   for (Vertex v(first); v.index < mesh_.vertex_slots(); ++v.index)
     for (const Halfedge h : outgoing(mesh_, v)) {
       const Vertex end = point(mesh_, mesh_.to(h));
@@ -102,9 +104,10 @@ void Remesher::split(Edge e) {
   if (was_feature) return;
   // Half way along a chord the surface may lie elsewhere.
   const Vertex middle(first);
-  const auto nearest = target_.nearest(mesh_.position(middle));
+  const auto nearest = target_.nearest(mesh_.position(middle), nearby_[first]);
   if (!nearest) return;
   wanted_[first] = nearest->length;
+  nearby_[first] = nearest->triangle;
   if (faces_stay(middle, nearest->place)) edit_.set_position(middle, nearest->place);
 }
 
@@ -252,8 +255,9 @@ bool Remesher::relax(Progress& progress) {
     if (!(weights > 0)) return;
     normal = unit_or_zero(normal);
     const glm::dvec3 mean = sum / weights;
-    const auto nearest = target_.nearest(mean + glm::dot(normal, here - mean) * normal);
+    const auto nearest = target_.nearest(mean + glm::dot(normal, here - mean) * normal, nearby_[v.index]);
     if (!nearest) return;
+    nearby_[v.index] = nearest->triangle;
     places[v.index] = nearest->place;
     lengths[v.index] = nearest->length;
   };

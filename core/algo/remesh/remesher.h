@@ -49,7 +49,8 @@ class Remesher {
   const Mesh& mesh_;
   Features features_;
   const Target& target_;
-  std::vector<double> wanted_;  // per vertex
+  std::vector<double> wanted_;         // per vertex
+  std::vector<std::uint32_t> nearby_;  // per vertex, a triangle of the target; no_index where none is known
 };
 
 }  // namespace ryosen::remesh

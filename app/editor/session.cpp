@@ -452,7 +452,16 @@ Camera Session::framing(const Mesh& mesh, const Camera& from) const {
   return found;
 }
 
-void Session::frame_all() { camera = framing(mesh(), camera); }
+void Session::frame_all() {
+  if (!beside_) {
+    camera = framing(mesh(), camera);
+    return;
+  }
+  std::vector<glm::dvec3> both;
+  for (const Mesh* const one : {&mesh(), &beside_->mesh()})
+    with_places_to_frame(*one, [&](auto places) { both.insert(both.end(), places.begin(), places.end()); });
+  camera = fitted(camera, both, static_cast<double>(view.width) / view.height);
+}
 
 Session::DrawnChanges Session::take_drawn_changes() {
   DrawnChanges changes = std::move(drawn_changes_);

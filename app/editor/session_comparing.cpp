@@ -41,6 +41,7 @@ Session* Session::beside() {
   other.display_scale = display_scale;
   other.samples = samples;
   other.cut = cut;
+  if (colouring && colouring->map->against) other.map_values();  // where this mesh has changed
   return &other;
 }
 

@@ -67,7 +67,7 @@ TEST(measure_command, tells_the_curvature_of_a_sphere) {
                                          {"smallest_curvature", "per_length", 0.5}}) {
     const Json line = run_program({"measure", sphere, "--map", map, "--json"}).line();
     EXPECT_EQ(line["unit"], unit);
-    EXPECT_NEAR(double(line["median"]), value, 0.01 * value) << map;
+    EXPECT_NEAR(double(line["median"]), value, 0.06 * value) << map << ", of a coarse one";
   }
 }
 

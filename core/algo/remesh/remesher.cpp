@@ -72,7 +72,8 @@ std::vector<Edge> Remesher::edges_by_length(bool longest_first, const IsWanted& 
 
 bool Remesher::split_long(Progress& progress) {
   const auto is_long = [&](Edge e, double length) { return length > longest_share * wanted(e); };
-  for (;;) {
+  constexpr int most_passes = 64;  // of which each halves the longest; more would only follow rounding
+  for (int pass = 0; pass < most_passes; ++pass) {
     const std::vector<Edge> edges = edges_by_length(true, is_long);
     std::size_t done = 0;
     for (const Edge e : edges) {
@@ -82,8 +83,9 @@ bool Remesher::split_long(Progress& progress) {
       split(e);
       ++done;
     }
-    if (done == 0) return true;
+    if (done == 0) break;
   }
+  return true;
 }
 
 void Remesher::split(Edge e) {

@@ -327,16 +327,13 @@ class Editor {
     log_frame(pixels, took_ms);
   }
 
-  std::int64_t compose() {
-    const glm::ivec2 corner(session_.view_origin);
-    return canvas_->compose(viewport_->view(), corner.x, corner.y, gui_.draw_data());
-  }
+  std::int64_t compose() { return canvas_->compose(viewport_->placed(), gui_.draw_data()); }
 
   // What is shown may be a part of it. Between frames only: a panel that is being laid out has nothing to be drawn.
   void draw_whole() {
     if (gui_.is_laying_out()) return;
     viewport_->hurry();
-    while (!viewport_->view().is_whole() || !viewport_->view().is_refined()) compose();
+    while (!viewport_->is_finished()) compose();
   }
 
   void show_title() {

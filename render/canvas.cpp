@@ -25,20 +25,23 @@ void Canvas::set_fonts(ImFontAtlas& atlas) {
   damage_.forget();
 }
 
-std::int64_t Canvas::compose(View& view, int x, int y, const ImDrawData& ui) {
+std::int64_t Canvas::compose(std::span<const Placed> views, const ImDrawData& ui) {
   const PixelRect all = PixelRect::all(target_.size());
-  const PixelRect place{x, y, x + view.size().width, y + view.size().height};
-  if (place != placed_) damage_.forget();
-  placed_ = place;
-  view.draw();
+  std::vector<PixelRect> places;
+  for (const Placed& one : views)
+    places.push_back({one.x, one.y, one.x + one.view->size().width, one.y + one.view->size().height});
+  if (places != placed_) damage_.forget();
+  placed_ = std::move(places);
   DirtyRects dirty;
-  for (const PixelRect& rect : view.redrawn()) {
-    dirty.add(intersection({rect.x0 + x, rect.y0 + y, rect.x1 + x, rect.y1 + y}, all));
+  for (const auto& [view, x, y] : views) {
+    view->draw();
+    for (const PixelRect& rect : view->redrawn())
+      dirty.add(intersection({rect.x0 + x, rect.y0 + y, rect.x1 + x, rect.y1 + y}, all));
   }
   for (const PixelRect& rect : damage_.update(ui, target_.size())) dirty.add(rect);
   std::int64_t pixels = 0;
   for (const PixelRect& rect : dirty.rects()) {
-    draw(rect, view, ui);
+    draw(rect, views, ui);
     pixels += std::int64_t{rect.width()} * rect.height();
   }
   return pixels;
@@ -51,15 +54,19 @@ void Canvas::draw_over(const ImDrawData& ui) {
   damage_.forget();
 }
 
-void Canvas::draw(const PixelRect& rect, const View& view, const ImDrawData& ui) {
+void Canvas::draw(const PixelRect& rect, std::span<const Placed> views, const ImDrawData& ui) {
   target_.bind(rect);
   glClearColor(0, 0, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   const int height = target_.size().height;
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, view.picture().id());
-  glReadBuffer(GL_COLOR_ATTACHMENT0);
-  glBlitFramebuffer(0, 0, view.size().width, view.size().height, placed_.x0, height - placed_.y1, placed_.x1,
-                    height - placed_.y0, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const View& view = *views[i].view;
+    const PixelRect& place = placed_[i];
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, view.picture().id());
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    glBlitFramebuffer(0, 0, view.size().width, view.size().height, place.x0, height - place.y1, place.x1,
+                      height - place.y0, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
   ui_.draw(ui, target_, rect);
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "render/pass/ui.h"
 #include "render/pass/ui_damage.h"
@@ -18,9 +20,18 @@ class Canvas {
   // See UiPass::set_fonts.
   void set_fonts(ImFontAtlas& atlas);
 
-  // Updates the view, copies its picture to (x, y), and draws `ui` (in window pixels) over it. Returns the number of
-  // pixels redrawn; 0 if nothing changed. The rest of the window is black.
-  std::int64_t compose(View& view, int x, int y, const ImDrawData& ui);
+  // A view, and the place of its upper left corner.
+  struct Placed {
+    View* view;
+    int x, y;
+  };
+  // Updates the views, copies their pictures to their places, and draws `ui` (in window pixels) over them. Returns the number
+  // of pixels redrawn; 0 if nothing changed. The rest of the window is black.
+  std::int64_t compose(std::span<const Placed> views, const ImDrawData& ui);
+  std::int64_t compose(View& view, int x, int y, const ImDrawData& ui) {
+    const Placed placed{&view, x, y};
+    return compose(std::span(&placed, 1), ui);
+  }
 
   // Draws over the current image; the next compose() redraws everything.
   void draw_over(const ImDrawData& ui);
@@ -32,12 +43,12 @@ class Canvas {
 
  private:
   explicit Canvas(UiPass ui);
-  void draw(const PixelRect& rect, const View& view, const ImDrawData& ui);
+  void draw(const PixelRect& rect, std::span<const Placed> views, const ImDrawData& ui);
 
   UiPass ui_;
   UiDamage damage_;
   Framebuffer target_;
-  PixelRect placed_;  // the last position of the view
+  std::vector<PixelRect> placed_;  // the last positions of the views
 };
 
 }  // namespace ryosen

@@ -6,6 +6,7 @@
 #include "app/cli/check_report.h"
 #include "app/cli/contract/algorithms.h"
 #include "app/cli/contract/record.h"
+#include "app/cli/distance_report.h"
 #include "app/cli/edit_script.h"
 #include "app/cli/json.h"
 #include "app/cli/outputs.h"
@@ -70,14 +71,15 @@ class AlgorithmRun {
   // By `repair` each call is one of a list, else there is only one.
   // `given_up`: the warnings about what the document has lost already for the sake of the format of the output.
   AlgorithmRun(Document& document, std::string input, std::optional<std::string> output, std::vector<Message> given_up,
-               RunFiles files, const Console& console, bool by_repair)
+               RunFiles files, const Console& console, bool by_repair, bool wants_distance)
       : document_(document),
         input_(std::move(input)),
         wanted_(std::move(output)),
         given_up_(std::move(given_up)),
         files_(std::move(files)),
         console_(console),
-        by_repair_(by_repair) {}
+        by_repair_(by_repair),
+        wants_distance_(wants_distance) {}
 
   ExitCode run(std::vector<Call> calls) {
     calls_ = std::move(calls);
@@ -168,13 +170,29 @@ class AlgorithmRun {
     const std::string name = name_of(call), line = line_of(*call.row, call.values);
     if (auto failure = look_up_values(call)) return failure;
     faces_before_ = document_.mesh().live().faces + document_.tables().quarantine.size();
+    const std::optional<Mesh> before = wants_distance_ ? std::optional(document_.mesh()) : std::nullopt;
     call.result = document_.run(*call.row, call.values, line, report_on(console_, name), console_.json).value();
     if (const std::optional<Text>& fault = call.result.fault)
       return usage_failure("bad_value", {fault->en + ".", fault->ja + "。"});
     if (const std::optional<Text>& refused = call.result.refused)
       return make_failure(ExitCode::refused, "mesh_refused", {refused->en + ".", refused->ja + "。"});
     print_step(name, call.result);
+    if (before) measure_distance_from(*before);
     return std::nullopt;
+  }
+
+  void print_distance() const {
+    DistanceTable table(console_);
+    table.add(std::string(console_.text("distance", "距離")), *distance_, distance_->diagonal);
+    console_.print_now(table.text());
+  }
+
+  // None where there is nothing to measure.
+  void measure_distance_from(const Mesh& before) {
+    if (!has_surface(before) || !has_surface(document_.mesh())) return;
+    Progress progress(report_on(console_, "distance"));
+    distance_ = surface_distance(before, document_.mesh(), {}, progress);
+    if (distance_ && !console_.json) print_distance();
   }
 
   void write() {
@@ -275,6 +293,11 @@ class AlgorithmRun {
                                                                             : 0;
     }
     json["error_max"] = account()->error_max ? Json(*account()->error_max) : Json();
+    json["distance"] = Json();
+    if (!distance_) return;
+    Record<result_distance_shape> distance;
+    add_figures(distance, *distance_, distance_->diagonal);
+    json["distance"] = std::move(distance).json();
   }
 
   template <const Shape& shape>
@@ -304,13 +327,14 @@ class AlgorithmRun {
   std::vector<Message> given_up_;
   RunFiles files_;
   const Console& console_;
-  bool by_repair_;
+  bool by_repair_, wants_distance_;
   std::vector<Call> calls_;
   std::size_t rounds_ = 0;
   std::vector<KindCount> findings_;
   std::pair<std::size_t, std::size_t> boundary_edges_;  // before, after
   CheckReport after_;
   std::size_t faces_before_ = 0;
+  std::optional<SurfaceDistance> distance_;
   bool has_problem_ = false;
   WrittenOutput output_;
   ExitCode code_ = ExitCode::done;
@@ -335,7 +359,7 @@ ExitCode run_on_file(std::vector<Call> calls, const Arguments& arguments, const 
     given_up = give_up_lost_elements(*file, *format);
   Document document(std::move(file).value(), input);
   return AlgorithmRun(document, input, output ? std::optional(*output) : std::nullopt, std::move(given_up), files,
-                      console, by_repair)
+                      console, by_repair, arguments.has("--distance"))
       .run(std::move(calls));
 }
 

@@ -1,10 +1,7 @@
 // `distance`: how far two surfaces are from each other.
 #include <array>
-#include <cmath>
 
-#include "app/cli/columns.h"
-#include "app/cli/contract/distance.h"
-#include "app/cli/contract/record.h"
+#include "app/cli/distance_report.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/visible.h"
@@ -60,23 +57,6 @@ struct ReadSurface {
   }
 };
 
-Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-
-template <class Figures, const Shape& shape>
-void add_figures(Record<shape>& json, const Figures& f, double diagonal) {
-  const auto share = [&](double length) {
-    return diagonal > 0 && std::isfinite(diagonal) ? number_or_null(length / diagonal) : Json();
-  };
-  json["rms"] = number_or_null(f.rms);
-  json["rms_rel"] = share(f.rms);
-  json["mean"] = number_or_null(f.mean);
-  json["mean_rel"] = share(f.mean);
-  json["hausdorff"] = number_or_null(f.hausdorff);
-  json["hausdorff_rel"] = share(f.hausdorff);
-  json["hausdorff_gap"] = number_or_null(f.hausdorff_gap);
-  json["hausdorff_gap_rel"] = share(f.hausdorff_gap);
-}
-
 Json direction_json(const OneWayDistance& way, const ReadSurface& from, double diagonal) {
   Record<direction_shape> json;
   add_figures(json, way, diagonal);
@@ -105,21 +85,6 @@ std::string line_of(const SurfaceDistance& found, const ReadSurface& a, const Re
   return line_of(json);
 }
 
-std::string digits(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
-}
-
-template <class Figures>
-void add_rows(Columns& table, const std::string& name, const Figures& f, double diagonal, const Console& console) {
-  table.add({name, digits(f.rms), digits(f.mean), digits(f.hausdorff), digits(f.hausdorff_gap)});
-  std::vector<std::string> shares{std::string(console.text("  % of the diagonal", "  対角線に対する %"))};
-  for (const double length : {f.rms, f.mean, f.hausdorff, f.hausdorff_gap})
-    shares.push_back(diagonal > 0 ? digits(100 * length / diagonal) : "-");
-  table.add(shares);
-}
-
 // Reading has said why they are left out.
 std::string left_out_text(const OneWayDistance& way, const ReadSurface& from, const Console& console) {
   const std::size_t faces = way.left_out + from.quarantined;
@@ -132,19 +97,18 @@ std::string left_out_text(const OneWayDistance& way, const ReadSurface& from, co
 }
 
 std::string place_text(const OneWayDistance& way, const ReadSurface& from, const Console& console) {
-  const auto place = [](const glm::dvec3& p) { return digits(p.x) + " " + digits(p.y) + " " + digits(p.z); };
+  const auto place = [](const glm::dvec3& p) {
+    return short_distance(p.x) + " " + short_distance(p.y) + " " + short_distance(p.z);
+  };
   return std::string(console.text("  farthest: ", "  最大の箇所：")) + visible_line(from.path) + " " +
          name_of(from.mesh, way.face) + ", " + place(way.from) + " -> " + place(way.to) + "\n";
 }
 
 std::string text_of(const SurfaceDistance& found, const ReadSurface& a, const ReadSurface& b, const Console& console) {
-  Columns table(Columns::Others::figures);
-  table.add({"", "rms", std::string(console.text("mean", "平均")), std::string(console.text("largest <=", "最大 <=")),
-             std::string(console.text("gap", "上界の幅"))});
-  const auto name = [&](std::string_view en, std::string_view ja) { return std::string(console.text(en, ja)); };
-  add_rows(table, name("both", "両方向"), found, found.diagonal, console);
-  add_rows(table, name("forward", "一つ目から"), found.forward, found.diagonal, console);
-  add_rows(table, name("backward", "二つ目から"), found.backward, found.diagonal, console);
+  DistanceTable table(console);
+  table.add(std::string(console.text("both", "両方向")), found, found.diagonal);
+  table.add(std::string(console.text("forward", "一つ目から")), found.forward, found.diagonal);
+  table.add(std::string(console.text("backward", "二つ目から")), found.backward, found.diagonal);
   return table.text() + place_text(found.forward, a, console) + place_text(found.backward, b, console) +
          left_out_text(found.forward, a, console) + left_out_text(found.backward, b, console);
 }

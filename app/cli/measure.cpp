@@ -11,6 +11,7 @@
 #include "app/editor/command_syntax.h"
 #include "app/editor/measure_text.h"
 #include "app/editor/words.h"
+#include "core/algo/measure/other_surface.h"
 #include "core/highlights/map_values.h"
 #include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
@@ -21,7 +22,7 @@ namespace ryosen::cli {
 namespace {
 
 std::string_view word_of(MapUnit unit) {
-  constexpr std::string_view words[] = {"none", "length", "area", "degrees"};
+  constexpr std::string_view words[] = {"none", "length", "area", "degrees", "per_length", "per_area"};
   return words[static_cast<std::size_t>(unit)];
 }
 
@@ -46,8 +47,9 @@ struct Measured {
   }
 };
 
-Measured measured(const Mesh& mesh, const ColourMap& map, std::size_t bars) {
-  const MapValues values(mesh, map);
+Measured measured(const Mesh& mesh, const ColourMap& map, std::size_t bars,
+                  const std::shared_ptr<const OtherSurface>& other) {
+  const MapValues values(mesh, map, 0, other);
   Measured found{map, figures_of(values.all()), {}};
   if (bars > 0 && found.figures.count > 0)
     found.bars = histogram(values.all(), {found.figures.lowest, found.figures.highest}, bars);
@@ -139,8 +141,13 @@ std::string maps_text(const std::vector<Measured>& all, const Mesh& mesh, const 
 Result<std::vector<const ColourMap*>> wanted_maps(const Arguments& arguments) {
   std::vector<const ColourMap*> maps;
   const std::string* const id = arguments.value("--map");
-  for (const ColourMap& map : colour_maps())
-    if (!id || map.id == *id) maps.push_back(&map);
+  for (const ColourMap& map : colour_maps()) {
+    const bool has_other = !map.against || arguments.has("--against");
+    if (id && map.id == *id && !has_other)
+      return usage_failure("usage", {"That is measured from another mesh: name it by --against.",
+                                     "もう一つのメッシュを --against で指定してください。"});
+    if (id ? map.id == *id : has_other) maps.push_back(&map);
+  }
   if (!maps.empty()) return maps;
   std::vector<std::string> known;
   for (const ColourMap& map : colour_maps()) known.emplace_back(map.id);
@@ -200,14 +207,21 @@ ExitCode measure_elements(const Mesh& mesh, const std::vector<std::string>& oper
 ExitCode measure_command(const Arguments& arguments, const Console& console) {
   const std::string& path = arguments.operands()[0];
   const bool names_elements = arguments.operands().size() > 1;
-  if (names_elements && (arguments.has("--map") || arguments.has("--bars")))
+  if (names_elements && (arguments.has("--map") || arguments.has("--bars") || arguments.has("--against")))
     return console.fail(
-        usage_failure("flags_exclude", {"--map and --bars are about all elements, not about named ones.",
-                                        "--map と --bars は名前を挙げた要素には使えません。"}));
+        usage_failure("flags_exclude", {"--map, --bars and --against are about all elements, not about named ones.",
+                                        "--map、--bars、--against は名前を挙げた要素には使えません。"}));
   const auto maps = wanted_maps(arguments);
   if (!maps) return console.fail(maps.failure());
   const auto bars = wanted_bars(arguments);
   if (!bars) return console.fail(bars.failure());
+  std::shared_ptr<const OtherSurface> other;
+  if (const std::string* const against = arguments.value("--against")) {
+    Result<MeshFile> file = read_mesh_file(*against);
+    if (!file) return console.fail(file.failure(), *against);
+    for (const Message& message : file->messages) console.show(message, *against);
+    other = std::make_shared<const OtherSurface>(from_indexed(std::move(file->mesh)));
+  }
   Result<MeshFile> file = read_mesh_file(path);
   if (!file) return console.fail(file.failure(), path);
   for (const Message& message : file->messages) console.show(message, path);
@@ -216,7 +230,7 @@ ExitCode measure_command(const Arguments& arguments, const Console& console) {
   std::vector<Measured> all;
   std::string lines;
   for (const ColourMap* const map : *maps) {
-    all.push_back(measured(mesh, *map, *bars));
+    all.push_back(measured(mesh, *map, *bars, other));
     if (console.json) lines += json_line_of(all.back(), mesh, path);
   }
   console.conclude(console.json ? lines : maps_text(all, mesh, console), ExitCode::done);

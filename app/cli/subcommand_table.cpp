@@ -217,6 +217,8 @@ std::vector<Subcommand> table() {
                  {
                      {"--map", "ID", false, "of this alone (see below); else of all", "この項目だけ（下の一覧を参照）"},
                      {"--bars", "N", false, "with a histogram of so many bars", "この数の区間のヒストグラムも出す"},
+                     {"--against", "OTHER", false, "also how far the vertices are from this mesh",
+                      "各頂点のこのメッシュからの距離も測る"},
                  },
                  maps_topic,
                  measure_command,
@@ -325,6 +327,9 @@ Subcommand subcommand_of(const AlgorithmRow& row) {
     flags.push_back({flag_of(parameter), flag_value(parameter), false, std::string(parameter.help_en) + ": " + is.en,
                      std::string(parameter.help_ja) + "：" + is.ja});
   }
+  if (row.accounts)
+    flags.push_back({"--distance", "", false, "also measures how far the result is from the input, as distance does",
+                     "結果が入力から離れた距離も測る（distance と同じ）"});
   flags.push_back(overwrite);
   const auto more = [&row](Language language) { return algorithm_topic(row, language); };
   const auto run = [&row](const Arguments& arguments, const Console& console) {

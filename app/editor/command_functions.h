@@ -33,6 +33,9 @@ FaultOfCommand fault_of_repair, fault_of_would;
 // What the pointer does: commands_pointing.cpp
 RunCommand run_ask, run_walk, run_tool, run_mode, run_click, run_remedy;
 FaultOfCommand fault_of_remedy;
+// Another mesh beside this one: commands_comparing.cpp
+RunCommand run_compare;
+FaultOfCommand fault_of_compare;
 // Selecting: commands_selecting.cpp
 RunCommand run_select, run_keep, run_forget;
 enum class SelectHow { anew, add, toggle };

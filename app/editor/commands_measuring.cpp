@@ -41,6 +41,9 @@ Outcome run_colours(Session& session, Words arguments, std::string_view) {
     session.colouring.reset();
     return {};
   }
+  if (map->against && !session.has_beside())
+    return failed(ExitCode::refused, {"there is no other mesh to measure from; compare FILE puts one beside this one",
+                                      "距離を測る相手がありません。compare FILE で並べてください"});
   const std::optional<Colouring> before = session.colouring;
   session.colouring = Colouring{map, {}};
   const MapFigures figures = figures_of(session.map_values().all());

@@ -199,7 +199,7 @@ std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const Para
     make_room_in_history();
     edit.commit();
   }
-  committed(std::move(command), std::move(other));
+  committed(std::move(command), std::move(other), result.has_normals);
   return result;
 }
 
@@ -268,11 +268,11 @@ void Document::make_room_in_history() {
   if (history_.size() == history_.capacity()) history_.reserve(2 * history_.size() + 1);
 }
 
-void Document::committed(std::string command, OtherQuarantine other) {
+void Document::committed(std::string command, OtherQuarantine other, bool has_normals) {
   const std::size_t transaction = journal_.position() - 1;
   history_.resize(transaction);
   other_quarantine_.erase(other_quarantine_.lower_bound(transaction), other_quarantine_.end());
-  history_.push_back({std::move(command)});
+  history_.push_back({std::move(command), has_normals});
   if (!other.empty()) {
     other_quarantine_.merge(other);
     exchange_quarantine(transaction);

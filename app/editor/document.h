@@ -49,7 +49,8 @@ Code code_of(const Outcome& outcome);
 Outcome failed(ExitCode exit_code, Text sentence);
 
 struct HistoryEntry {
-  std::string command;  // the equivalent script line
+  std::string command;       // the equivalent script line
+  bool has_normals = false;  // it gave the corners normals of the surface behind it
 };
 
 // What repairs look at beside the mesh; a copy, so that it can be read on another thread.
@@ -166,7 +167,7 @@ class Document {
   // So that committed() finds room for one entry more.
   void make_room_in_history();
   // Records that the open edit has become the last transaction, with the new quarantine if it changed. Allocates nothing.
-  void committed(std::string command, OtherQuarantine other = {});
+  void committed(std::string command, OtherQuarantine other = {}, bool has_normals = false);
   // Swaps the quarantine with the stored one, for transactions that change it.
   void exchange_quarantine(std::size_t transaction);
   void notify(const Journal& journal, std::size_t transaction, Change change);

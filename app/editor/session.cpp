@@ -69,6 +69,8 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   if (autosave) autosave->begin(*document);
   preparation_.reset();
   document_ = std::move(document);
+  beside_.reset();
+  surface_.reset();
   change_on_disk_ = FileState::Change::none;
   files = std::move(files_then);
   camera = camera_then;
@@ -116,7 +118,12 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
   const TouchedElements touched = touched_elements(m, journal, transaction);
   hidden_.follow(m, touched);
   const bool is_trial = change == Document::Change::tried || change == Document::Change::trial_ended;
-  if (!is_trial) file_normals_.follow(m, touched);
+  const bool has_normals =
+      !is_trial && change != Document::Change::undone && document_->history()[transaction].has_normals;
+  if (has_normals)
+    file_normals_ = FileNormals();
+  else if (!is_trial)
+    file_normals_.follow(m, touched);
   if (picker_) {
     const std::vector<std::uint32_t> slots = picker_->update(m, touched);
     if (corner_normals_ && (touched.everything || !needs_corner_normals())) {
@@ -181,9 +188,11 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
 
 const MapValues& Session::map_values() {
   assert(colouring);
-  if (!map_values_ || &map_values_->map() != colouring->map) {
+  const std::shared_ptr<const OtherSurface> other = colouring->map->against ? other_surface() : nullptr;
+  if (!map_values_ || &map_values_->map() != colouring->map || map_values_->other() != other.get()) {
     map_extent_.reset();
-    map_values_.emplace(mesh(), *colouring->map);
+    drawn_changes_.everything |= map_values_.has_value();
+    map_values_.emplace(mesh(), *colouring->map, 0, other);
   }
   return *map_values_;
 }
@@ -316,6 +325,7 @@ Picker& Session::picker() {
 void Session::prepare() {
   constexpr std::uint32_t least_faces = 200000;  // less is not felt
   trials_.follow(*document_);
+  if (beside_) beside_->prepare();
   if (preparation_ && preparation_->is_done()) finish_preparation();
   if (preparation_ || highlights_ || mesh().live().faces < least_faces) return;
   if (unprepared_revision_ == document_->revision()) return;
@@ -442,7 +452,16 @@ Camera Session::framing(const Mesh& mesh, const Camera& from) const {
   return found;
 }
 
-void Session::frame_all() { camera = framing(mesh(), camera); }
+void Session::frame_all() {
+  if (!beside_) {
+    camera = framing(mesh(), camera);
+    return;
+  }
+  std::vector<glm::dvec3> both;
+  for (const Mesh* const one : {&mesh(), &beside_->mesh()})
+    with_places_to_frame(*one, [&](auto places) { both.insert(both.end(), places.begin(), places.end()); });
+  camera = fitted(camera, both, static_cast<double>(view.width) / view.height);
+}
 
 Session::DrawnChanges Session::take_drawn_changes() {
   DrawnChanges changes = std::move(drawn_changes_);

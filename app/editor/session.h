@@ -25,6 +25,7 @@
 #include "app/editor/run_files.h"
 #include "app/editor/selection_memory.h"
 #include "app/editor/transform_gesture.h"
+#include "core/algo/measure/other_surface.h"
 #include "core/analysis/boundary_loop_count.h"
 #include "core/analysis/euler_poincare.h"
 #include "core/analysis/mesh_kind.h"
@@ -91,7 +92,9 @@ class Session {
   glm::dvec2 pointer{-1e9};              // where it was last
   Size view{1280, 720};
   glm::dvec2 view_origin{0};  // of the view in the picture or window; pixels are relative to the latter
-  std::string tool;           // id of an operator, or empty: select
+  // Sets both of all of the picture that is not covered by panels: this one has the left half where a mesh stands beside it.
+  void place_view(Size whole, glm::dvec2 origin);
+  std::string tool;  // id of an operator, or empty: select
   PickMode mode = PickMode::edge;
   std::string asked_line;       // of an operator: each click adds an element to it (asking.h); empty for none
   std::set<std::string> shown;  // ids of the highlight table
@@ -131,6 +134,15 @@ class Session {
   std::optional<CornerAxes> axes_in_corner() const;
   const AxisEnd* axis_end_at(glm::dvec2 pixel) const;
   const AxisEnd* pointed_axis_end() const { return pointed_axis_end_; }
+
+  // Another mesh beside this one in the picture, to be compared with: seen by the same camera in the same way, never
+  // edited. Null ends that. Both are framed anew.
+  void put_beside(std::unique_ptr<Session> other);
+  bool has_beside() const { return beside_ != nullptr; }
+  // Null where there is none; up to date with what is looked at and how.
+  Session* beside();
+  // That of the mesh beside, or that this one stands beside; null where there is none.
+  std::shared_ptr<const OtherSurface> other_surface();
 
   // What lies beyond the plane is neither drawn nor picked. It stays where it is through edits, and through the camera.
   std::optional<Cut> cut;
@@ -324,6 +336,12 @@ class Session {
   void note_gesture();
   std::optional<glm::dvec3> place_to_snap_to(glm::dvec2 pixel);
 
+  std::shared_ptr<const OtherSurface> surface();  // made anew where the mesh is another
+
+  std::unique_ptr<Session> beside_;
+  Session* stands_beside_ = nullptr;
+  std::shared_ptr<const OtherSurface> surface_;
+  std::uint64_t surface_revision_ = 0;
   std::unique_ptr<Document> document_;
   std::unique_ptr<Gesturing, GesturingDeleter> gesturing_;
   std::uint64_t gesture_step_ = 0;

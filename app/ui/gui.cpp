@@ -56,8 +56,7 @@ void Gui::set_scale(float scale) {
 
 void Gui::place_view(Session& session, Size window) const {
   const PixelRect area = view_area(window, session.layout);
-  session.view = {area.width(), area.height()};
-  session.view_origin = {area.x0, area.y0};
+  session.place_view({area.width(), area.height()}, {area.x0, area.y0});
 }
 
 PanelContext Gui::context(Session& session) {

@@ -1,5 +1,7 @@
 #include "app/ui/headless.h"
 
+#include <algorithm>
+
 #include "app/ui/gui.h"
 #include "app/ui/window_input.h"
 #include "render/canvas.h"
@@ -49,8 +51,7 @@ Result<std::unique_ptr<Headless>> Headless::make(const Options& options, std::ui
 }
 
 void Headless::place_view(Session& session) {
-  session.view = options_.size;
-  session.view_origin = {0, 0};
+  session.place_view(options_.size, {0, 0});
   session.frontend_input.reset();
   if (window_) {
     window_->gui.place_view(session, options_.size);
@@ -77,16 +78,25 @@ Image Headless::view_drawn_again() {
   return view.read_pixels();
 }
 
+Image Headless::beside_each_other() {
+  Image whole(options_.size, options_.transparent ? Rgba{0, 0, 0, 0} : Rgba{0, 0, 0, 255});
+  for (const auto& [view, left, top] : viewport_->placed()) {
+    const Image part = view->read_pixels();
+    for (int y = 0; y < part.size.height; ++y) std::copy_n(&part.at(0, y), part.size.width, &whole.at(left, top + y));
+  }
+  return whole;
+}
+
 Image Headless::picture(Session& session) {
   if (!window_) {
+    session.place_view(options_.size, {0, 0});
     viewport_->follow(session);
     viewport_->draw();
-    return viewport_->view().read_pixels();
+    return viewport_->beside() ? beside_each_other() : viewport_->view().read_pixels();
   }
   lay_out(session);
   viewport_->follow(session);
-  const glm::ivec2 corner(session.view_origin);
-  window_->canvas->compose(viewport_->view(), corner.x, corner.y, window_->gui.draw_data());
+  window_->canvas->compose(viewport_->placed(), window_->gui.draw_data());
   return window_->canvas->read_pixels();
 }
 

@@ -44,6 +44,7 @@ class Headless {
   struct Window;  // the editor around the view
 
   Headless(const Options& options, std::unique_ptr<Context> context);
+  Image beside_each_other();  // those of both views, where a mesh stands beside
   // As many frames of the panels as they need.
   void lay_out(Session& session);
 

@@ -53,6 +53,7 @@ void draw_file_menu(PanelContext& context) {
   replacing_item(context, context.text("New", "新規"), "new");
   panel_items(context, PanelMenu::file_read, "...");
   draw_recent_menu(context);
+  if (context.session.has_beside()) item(context, context.text("Stop comparing", "比較を終える"), "compare off");
   ImGui::Separator();
   item(context, UiText::save, "save", !context.session.document().path().empty());
   panel_items(context, PanelMenu::file_write, "...");

@@ -56,10 +56,28 @@ void draw_change_on_disk(PanelContext& context, ImVec2 top) {
   });
 }
 
+// Which of two meshes beside each other is which.
+void draw_names(PanelContext& context) {
+  Session& session = context.session;
+  const Session* const other = session.beside();
+  if (!other) return;
+  for (const Session* const one : {static_cast<const Session*>(&session), other}) {
+    const std::string name = one->document().path().filename().string();
+    const float margin = 8 * context.scale, gap = 3 * context.scale;
+    const ImVec2 at{static_cast<float>(one->view_origin.x) + margin, static_cast<float>(one->view_origin.y) + margin};
+    const ImVec2 size = ImGui::CalcTextSize(name.c_str());
+    ImDrawList* const list = ImGui::GetBackgroundDrawList();
+    list->AddRectFilled({at.x - gap, at.y - gap}, {at.x + size.x + gap, at.y + size.y + gap},
+                        ImGui::GetColorU32(ImGuiCol_WindowBg), gap);
+    list->AddText(at, ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
+  }
+}
+
 }  // namespace
 
 void draw_notes(PanelContext& context) {
   context.state.notes.clear();
+  draw_names(context);
   const Session& session = context.session;
   const auto left = static_cast<float>(session.view_origin.x), top = static_cast<float>(session.view_origin.y);
   const auto width = static_cast<float>(session.view.width), height = static_cast<float>(session.view.height);

@@ -121,10 +121,49 @@ Result<std::unique_ptr<Viewport>> Viewport::make() {
 
 void Viewport::set_supersample(int samples) { supersample_ = samples; }
 
+void Viewport::set_transparent(bool transparent) {
+  is_transparent_ = transparent;
+  view_->set_transparent(transparent);
+}
+
+void Viewport::forget() {
+  mesh_of_ = nullptr;
+  beside_.reset();
+}
+
+void Viewport::draw() {
+  view_->draw();
+  if (beside_) beside_->draw();
+}
+
+bool Viewport::is_finished() const {
+  return view_->is_whole() && view_->is_refined() && (!beside_ || beside_->is_finished());
+}
+
+std::vector<Canvas::Placed> Viewport::placed() const {
+  std::vector<Canvas::Placed> all{{view_.get(), origin_.x, origin_.y}};
+  if (beside_) all.push_back(beside_->placed()[0]);
+  return all;
+}
+
+void Viewport::follow_beside(Session& session) {
+  Session* const other = session.beside();
+  if (!other) return beside_.reset();
+  if (!beside_) {
+    auto made = make();
+    if (!made) return;
+    beside_ = std::move(made).value();
+    beside_->set_supersample(supersample_);
+    beside_->set_transparent(is_transparent_);
+  }
+  beside_->follow(*other);
+}
+
 void Viewport::follow(Session& session) {
   const int samples = std::max(supersample_, session.samples);
   if (session.view != size_ || samples != samples_) view_->resize(session.view, samples);
   size_ = session.view;
+  origin_ = glm::ivec2(session.view_origin);
   samples_ = samples;
   if (session.settings.theme != settings_.theme) highlights_stale_ = true;
   settings_ = session.settings;
@@ -140,6 +179,7 @@ void Viewport::follow(Session& session) {
   follow_mesh(session);
   follow_overlays(session);
   labels_.follow(session, *view_);
+  follow_beside(session);
 }
 
 void Viewport::keep_pace(const Session& session, FramePace::Clock::time_point now) {
@@ -149,11 +189,20 @@ void Viewport::keep_pace(const Session& session, FramePace::Clock::time_point no
   view_->set_most_triangles(is_moving ? 0 : pace_.triangles_of_slice());
   if (!view_->is_drawn()) changed_at_ = now;
   view_->set_refining(now - changed_at_ >= FramePace::rest_after);
+  if (beside_) beside_->keep_pace(session, now);
 }
 
-void Viewport::took(FramePace::Clock::duration time) { pace_.took(view_->thinning(), view_->triangles_drawn(), time); }
+void Viewport::took(FramePace::Clock::duration time) {
+  pace_.took(view_->thinning(), view_->triangles_drawn(), time);
+  if (beside_) beside_->took(time);
+}
 
 std::optional<FramePace::Clock::duration> Viewport::time_to_next_frame(FramePace::Clock::time_point now) const {
+  const auto own = time_to_own_frame(now), other = beside_ ? beside_->time_to_next_frame(now) : std::nullopt;
+  return own && other ? std::min(*own, *other) : own ? own : other;
+}
+
+std::optional<FramePace::Clock::duration> Viewport::time_to_own_frame(FramePace::Clock::time_point now) const {
   if (!view_->is_drawn()) return FramePace::Clock::duration(0);
   if (view_->thinning() != 1) return pace_.time_to_rest(now).value_or(FramePace::Clock::duration(0));
   if (view_->is_refined()) return std::nullopt;
@@ -164,6 +213,7 @@ void Viewport::hurry() {
   view_->set_thinning(1);
   view_->set_most_triangles(0);
   view_->set_refining(true);
+  if (beside_) beside_->hurry();
 }
 
 void Viewport::follow_mesh(Session& session) {

@@ -13,6 +13,7 @@
 #include "app/ui/frame_pace.h"
 #include "app/ui/label_layer.h"
 #include "app/ui/normal_lines.h"
+#include "render/canvas.h"
 #include "render/view.h"
 
 namespace ryosen {
@@ -33,19 +34,27 @@ class Viewport {
   std::optional<FramePace::Clock::duration> time_to_next_frame(FramePace::Clock::time_point now) const;
   // From now on all is drawn at once, until keep_pace() is called again, and then refined.
   void hurry();
-  // Redraws what changed; the rectangle is empty if nothing did.
-  PixelRect draw() { return view_->draw(); }
+  // Redraws what changed.
+  void draw();
+  // Whether nothing is left to be drawn or refined.
+  bool is_finished() const;
 
-  void set_transparent(bool transparent) { view_->set_transparent(transparent); }
+  void set_transparent(bool transparent);
   void set_supersample(int samples);
   // Forgets the document, so that the next follow() rebuilds everything.
-  void forget() { mesh_of_ = nullptr; }
+  void forget();
 
   View& view() { return *view_; }
+  // That of the mesh beside it, as of the last follow(); null where there is none.
+  Viewport* beside() { return beside_.get(); }
+  // All views with their places in the picture.
+  std::vector<Canvas::Placed> placed() const;
 
  private:
   explicit Viewport(std::unique_ptr<View> view) : view_(std::move(view)) {}
   void follow_mesh(Session& session);
+  void follow_beside(Session& session);
+  std::optional<FramePace::Clock::duration> time_to_own_frame(FramePace::Clock::time_point now) const;
   // Adds the faces that have come into the selection or left it to what has changed.
   void follow_selected_faces(Session& session, Session::DrawnChanges& changes);
   void follow_overlays(Session& session);
@@ -54,6 +63,9 @@ class Viewport {
   void draw_mark(Session& session, const HighlightRow& row, Mark mark, std::uint32_t block);
 
   std::unique_ptr<View> view_;
+  glm::ivec2 origin_{0};
+  bool is_transparent_ = false;
+  std::unique_ptr<Viewport> beside_;
   LabelLayer labels_;
   NormalLines normal_lines_;
   FramePace pace_;

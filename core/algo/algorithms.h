@@ -61,6 +61,7 @@ struct AlgorithmResult {
   std::size_t left = 0;            // what the algorithm is for, but what it had to leave as it is
   Text text;                       // a sentence with the numbers
   bool drops_quarantined = false;  // the quarantined faces are to be forgotten
+  bool has_normals = false;        // it gave the corners normals, which are those of the surface as it is now
   // Pairs of faces that meet now and did not before (self_intersections.h), by an algorithm that counts them.
   std::optional<std::size_t> crossings = {};
   std::vector<LeftForReason> left_for = {};  // where reasons are told: all of what is left, by reason

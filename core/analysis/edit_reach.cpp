@@ -114,4 +114,18 @@ void add_whole_faces(Neighbourhood& around, EditReach& reach) {
   sort_unique(reach.edges);
 }
 
+void add_neighbours(Neighbourhood& around, EditReach& reach) {
+  const Mesh& mesh = around.mesh();
+  const std::vector<Vertex> within = reach.vertices;
+  for (Vertex v : within) {
+    if (!mesh.exists(v) || !mesh.is_alive(v)) continue;
+    for_each_copy(mesh, v, [&](Vertex copy) {
+      reach.vertices.push_back(copy);
+      if (mesh.is_isolated(copy)) return;
+      for (Vertex w : neighbours(mesh, copy)) reach.vertices.push_back(w);
+    });
+  }
+  sort_unique(reach.vertices);
+}
+
 }  // namespace ryosen

@@ -26,5 +26,7 @@ EditReach edit_reach(const Journal& journal, std::size_t i, Neighbourhood& aroun
 
 // Adds the edges and vertices of the faces in it.
 void add_whole_faces(Neighbourhood& around, EditReach& reach);
+// Adds the vertices at the other ends of the edges at its points.
+void add_neighbours(Neighbourhood& around, EditReach& reach);
 
 }  // namespace ryosen

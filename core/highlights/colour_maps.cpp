@@ -7,6 +7,8 @@
 #include <glm/vec3.hpp>
 #include <limits>
 
+#include "core/algo/measure/other_surface.h"
+#include "core/analysis/curvature.h"
 #include "core/analysis/measures.h"
 #include "core/base/open_table.h"
 #include "core/mesh/circulate.h"
@@ -30,6 +32,13 @@ double largest_angle(Neighbourhood& around, Face f) { return corner_angles(aroun
 double aspect(Neighbourhood& around, Face f) { return aspect_ratio(around.mesh(), f); }
 double area(Neighbourhood& around, Face f) { return face_area(around.mesh(), f); }
 double sides(Neighbourhood& around, Face f) { return corner_count(around.mesh(), f); }
+double mean_curvature(Neighbourhood& around, Vertex v) { return curvature_at(around, v).mean(); }
+double gaussian_curvature(Neighbourhood& around, Vertex v) { return curvature_at(around, v).gaussian(); }
+double largest_curvature(Neighbourhood& around, Vertex v) { return curvature_at(around, v).largest; }
+double distance_from_other(const Mesh& mesh, Vertex v, const OtherSurface& other) {
+  return other.distance(mesh.position(v));
+}
+double smallest_curvature(Neighbourhood& around, Vertex v) { return curvature_at(around, v).smallest; }
 
 constexpr std::array built_in_maps{
     ColourMap{.id = "edge_length",
@@ -98,6 +107,53 @@ constexpr std::array built_in_maps{
               .legend_en = "How many corners each face has.",
               .legend_ja = "各面の角の数。",
               .face = sides},
+    ColourMap{.id = "mean_curvature",
+              .name_en = "Mean curvature",
+              .name_ja = "平均曲率",
+              .legend_en = "How much the surface bends at each vertex, both directions together: above 0 on hills, "
+                           "below 0 in hollows.",
+              .legend_ja = "各頂点での曲がり（二方向の平均）。山で正、谷で負。",
+              .unit = MapUnit::per_length,
+              .scale = MapScale::about_middle,
+              .vertex = mean_curvature,
+              .reads_two_rings = true},
+    ColourMap{.id = "gaussian_curvature",
+              .name_en = "Gaussian curvature",
+              .name_ja = "ガウス曲率",
+              .legend_en = "The product of both curvatures at each vertex: above 0 on caps and bowls, below 0 on "
+                           "saddles, 0 where it could be unrolled.",
+              .legend_ja = "各頂点での二つの主曲率の積。椀で正、鞍で負、平らに広げられる所で 0。",
+              .unit = MapUnit::per_area,
+              .scale = MapScale::about_middle,
+              .vertex = gaussian_curvature,
+              .reads_two_rings = true},
+    ColourMap{.id = "largest_curvature",
+              .name_en = "Largest curvature",
+              .name_ja = "最大主曲率",
+              .legend_en = "The curvature at each vertex in the direction in which it is largest: 1 over the radius, "
+                           "above 0 on hills.",
+              .legend_ja = "各頂点で最も大きい方向の曲率（半径の逆数、山で正）。",
+              .unit = MapUnit::per_length,
+              .scale = MapScale::about_middle,
+              .vertex = largest_curvature,
+              .reads_two_rings = true},
+    ColourMap{.id = "smallest_curvature",
+              .name_en = "Smallest curvature",
+              .name_ja = "最小主曲率",
+              .legend_en = "The curvature at each vertex in the direction in which it is smallest: 1 over the radius, "
+                           "below 0 in hollows.",
+              .legend_ja = "各頂点で最も小さい方向の曲率（半径の逆数、谷で負）。",
+              .unit = MapUnit::per_length,
+              .scale = MapScale::about_middle,
+              .vertex = smallest_curvature,
+              .reads_two_rings = true},
+    ColourMap{.id = "distance",
+              .name_en = "Distance from the other mesh",
+              .name_ja = "もう一つのメッシュからの距離",
+              .legend_en = "How far each vertex is from the surface of the mesh that this one is compared with.",
+              .legend_ja = "各頂点の、比較しているメッシュの面からの距離。",
+              .unit = MapUnit::length,
+              .against = distance_from_other},
 };
 
 constinit OpenTable<ColourMap, 32> map_table(built_in_maps);

@@ -14,10 +14,12 @@
 
 namespace ryosen {
 
-enum class MapUnit : std::uint8_t { none, length, area, degrees };  // lengths are in the unit of the file
+enum class MapUnit : std::uint8_t { none, length, area, degrees, per_length, per_area };  // of the unit of the file
 // linear and ratio go from dark to light, ratio by the logarithm; about_middle goes from one colour over white to another,
 // as far on both sides of `middle`.
 enum class MapScale : std::uint8_t { linear, ratio, about_middle };
+
+class OtherSurface;
 
 struct ColourMap {
   std::string_view id = {};  // as in the commands
@@ -31,10 +33,12 @@ struct ColourMap {
   double (*vertex)(Neighbourhood&, Vertex) = nullptr;
   double (*edge)(Neighbourhood&, Edge) = nullptr;
   double (*face)(Neighbourhood&, Face) = nullptr;
+  double (*against)(const Mesh&, Vertex, const OtherSurface&) = nullptr;  // only where there is another mesh
   bool reads_whole_faces = false;
+  bool reads_two_rings = false;  // of a vertex: what is two edges away
 
   Element::Kind sort() const {
-    return vertex ? Element::Kind::vertex : edge ? Element::Kind::edge : Element::Kind::face;
+    return vertex || against ? Element::Kind::vertex : edge ? Element::Kind::edge : Element::Kind::face;
   }
 };
 

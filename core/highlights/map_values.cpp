@@ -17,7 +17,11 @@ namespace {
 
 // Calls ask(handle of the sort, the row's function about it).
 template <class Ask>
-auto with_sort(const ColourMap& map, Ask ask) {
+auto with_sort(const ColourMap& map, const OtherSurface* other, Ask ask) {
+  if (map.against)
+    return ask(Vertex(), [&map, other](Neighbourhood& around, Vertex v) {
+      return other ? map.against(around.mesh(), v, *other) : std::numeric_limits<double>::quiet_NaN();
+    });
   if (map.vertex) return ask(Vertex(), map.vertex);
   if (map.edge) return ask(Edge(), map.edge);
   return ask(Face(), map.face);
@@ -27,9 +31,10 @@ bool is_same(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std
 
 }  // namespace
 
-MapValues::MapValues(const Mesh& mesh, const ColourMap& map, unsigned threads)
-    : map_(&map), had_copies_(mesh.has_copies()) {
-  with_sort(map, [&](auto handle, auto value) {
+MapValues::MapValues(const Mesh& mesh, const ColourMap& map, unsigned threads,
+                     std::shared_ptr<const OtherSurface> other)
+    : map_(&map), other_(std::move(other)), had_copies_(mesh.has_copies()) {
+  with_sort(map, other_.get(), [&](auto handle, auto value) {
     using Handle = decltype(handle);
     const std::uint32_t slots = slots_of(mesh, Handle());
     values_.assign(slots, missing);
@@ -43,12 +48,13 @@ MapValues::MapValues(const Mesh& mesh, const ColourMap& map, unsigned threads)
 
 std::optional<std::vector<std::uint32_t>> MapValues::update(const Mesh& mesh, const Journal& journal, std::size_t i) {
   if (journal.replaces_everything(i) || had_copies_ != mesh.has_copies()) {
-    *this = MapValues(mesh, *map_);
+    *this = MapValues(mesh, *map_, 0, other_);
     return std::nullopt;
   }
   Neighbourhood around(mesh);
   EditReach reach = edit_reach(journal, i, around);
   if (map_->reads_whole_faces) add_whole_faces(around, reach);
+  if (map_->reads_two_rings) add_neighbours(around, reach);
   std::vector<std::uint32_t> changed;
   const auto ask = [&](const auto& elements, auto value) {
     for (const auto element : elements) {
@@ -60,7 +66,7 @@ std::optional<std::vector<std::uint32_t>> MapValues::update(const Mesh& mesh, co
       changed.push_back(element.index);
     }
   };
-  with_sort(*map_, [&](auto handle, auto value) {
+  with_sort(*map_, other_.get(), [&](auto handle, auto value) {
     using Handle = decltype(handle);
     values_.resize(slots_of(mesh, Handle()), missing);
     if constexpr (std::is_same_v<Handle, Vertex>) ask(reach.vertices, value);

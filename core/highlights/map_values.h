@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,9 +15,12 @@ namespace ryosen {
 class MapValues {
  public:
   // Asks about every element. O(corners); on several threads where that pays. 0 chooses.
-  MapValues(const Mesh& mesh, const ColourMap& map, unsigned threads = 0);
+  // `other`: what a map of distances measures from; without it such a map has no values.
+  MapValues(const Mesh& mesh, const ColourMap& map, unsigned threads = 0,
+            std::shared_ptr<const OtherSurface> other = nullptr);
 
   const ColourMap& map() const { return *map_; }
+  const OtherSurface* other() const { return other_.get(); }
   // By slot; NaN where there is none, also of dead elements.
   std::span<const double> all() const { return values_; }
   double of(std::uint32_t slot) const { return slot < values_.size() ? values_[slot] : missing; }
@@ -28,6 +32,7 @@ class MapValues {
  private:
   static const double missing;
   const ColourMap* map_;
+  std::shared_ptr<const OtherSurface> other_;
   bool had_copies_ = false;
   std::vector<double> values_;
 };

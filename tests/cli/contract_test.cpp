@@ -93,6 +93,7 @@ void sweep_command_lines(Sweep& sweep) {
       {"measure", mesh, "--bars", "3"},
       {"measure", mesh, "f0"},
       {"measure", mesh, "v0"},
+      {"simplify", asset("torus.off"), "--ratio", "0.5", "--distance"},
       {"distance", mesh, three},
       {"hull", mesh, "-v", "--measure"},
       {"hull", mesh, "-v", "--measure", "--per-component"},

@@ -27,17 +27,48 @@ TEST(measure_command, says_the_numbers_of_a_cube) {
 
 TEST(measure_command, has_a_line_for_every_map) {
   const ProgramRun run = run_program({"measure", asset("torus.off"), "--json"});
-  ASSERT_EQ(run.lines().size(), colour_maps().size());
-  for (std::size_t i = 0; i < colour_maps().size(); ++i) {
+  std::vector<const ColourMap*> maps;
+  for (const ColourMap& map : colour_maps())
+    if (!map.against) maps.push_back(&map);
+  ASSERT_EQ(run.lines().size(), maps.size());
+  for (std::size_t i = 0; i < maps.size(); ++i) {
     const Json line = run.lines()[i];
-    EXPECT_EQ(line["map"], colour_maps()[i].id);
+    EXPECT_EQ(line["map"], maps[i]->id);
     EXPECT_TRUE(line["histogram"].is_null());
     if (line["count"] == 0) continue;
     EXPECT_LE(double(line["lowest"]), double(line["median"])) << line;
     EXPECT_LE(double(line["median"]), double(line["highest"])) << line;
   }
   const std::string text = run_program({"measure", asset("torus.off"), "--lang", "en"}).out;
-  for (const ColourMap& map : colour_maps()) EXPECT_NE(text.find(map.name_en), std::string::npos) << map.id;
+  for (const ColourMap* const map : maps) EXPECT_NE(text.find(map->name_en), std::string::npos) << map->id;
+}
+
+TEST(measure_command, measures_from_another_mesh_where_one_is_named) {
+  const TemporaryFolder folder;
+  const std::string cube = asset("cube.obj"), larger = folder.at("larger.obj");
+  ASSERT_EQ(run_program({"translate", cube, "-o", larger, "--by", "0,0,0.25"}).exit_code, 0);
+  const Json line = run_program({"measure", larger, "--against", cube, "--map", "distance", "--json"}).line();
+  EXPECT_EQ(line["sort"], "vertex");
+  EXPECT_EQ(line["unit"], "length");
+  EXPECT_EQ(line["count"], 8);
+  EXPECT_EQ(line["lowest"], 0.0) << "of the corners within its sides";
+  EXPECT_EQ(line["highest"], 0.25);
+  EXPECT_EQ(run_program({"measure", larger, "--map", "distance"}).exit_code, 2);
+  EXPECT_EQ(run_program({"measure", larger, "--against", "nosuch.obj"}).exit_code, 3);
+}
+
+TEST(measure_command, tells_the_curvature_of_a_sphere) {
+  const TemporaryFolder folder;
+  const std::string sphere = folder.at("sphere.obj");
+  ASSERT_EQ(run_program({"sphere", "-o", sphere, "--radius", "2"}).exit_code, 0);
+  for (const auto& [map, unit, value] : {std::tuple{"mean_curvature", "per_length", 0.5},
+                                         {"gaussian_curvature", "per_area", 0.25},
+                                         {"largest_curvature", "per_length", 0.5},
+                                         {"smallest_curvature", "per_length", 0.5}}) {
+    const Json line = run_program({"measure", sphere, "--map", map, "--json"}).line();
+    EXPECT_EQ(line["unit"], unit);
+    EXPECT_NEAR(double(line["median"]), value, 0.06 * value) << map << ", of a coarse one";
+  }
 }
 
 TEST(measure_command, measures_what_is_named) {

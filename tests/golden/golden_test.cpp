@@ -105,6 +105,21 @@ const std::vector<Golden> goldens{
     {"links_holed_cube",
      "figures/000-4b.obj",
      {"--size", "640x480", "--view", "iso", "--links", "all", "--numbers", "all", "--select", "f9", "--show", "none"}},
+    {"bunny_curvature",
+     "stanford_bunny.obj",
+     {"--size", small, "--wire", "off", "--show", "none", "--script",
+      RYOSEN_SOURCE_DIR "/tests/golden/curvature.ryosen"}},
+    {"bunny_remeshed",
+     "stanford_bunny.obj",
+     {"--size", small, "--show", "none", "--script", RYOSEN_SOURCE_DIR "/tests/golden/remeshed.ryosen"}},
+    {"limit",
+     "cube.obj",
+     {"--size", small, "--view", "iso", "--shading", "smooth", "--script",
+      RYOSEN_SOURCE_DIR "/tests/golden/limit.ryosen"}},
+    {"limit_creases",
+     "tetrahedron.off",
+     {"--size", small, "--view", "iso", "--shading", "smooth", "--script",
+      RYOSEN_SOURCE_DIR "/tests/golden/limit_creases.ryosen"}},
     {"split_legal",
      "torus.off",
      {"--size", "640x480", "--theme", "light", "--tool", "split", "--hover", "322,393"},
@@ -150,8 +165,7 @@ int count_coloured(const Image& picture, Rgba colour) {
 
 class GoldenTest : public testing::TestWithParam<Golden> {};
 
-TEST_P(GoldenTest, looks_as_it_did) {
-  const Golden& golden = GetParam();
+void expect_golden(const Golden& golden) {
   const test::TemporaryFolder folder;
   const std::string reference = std::string(RYOSEN_SOURCE_DIR) + "/assets/golden/" + golden.name + ".png";
   const std::string written = folder.at("picture.png");
@@ -171,6 +185,19 @@ TEST_P(GoldenTest, looks_as_it_did) {
   if (updates) {
     ASSERT_TRUE(write_png(*picture, reference));
   }
+}
+
+TEST_P(GoldenTest, looks_as_it_did) { expect_golden(GetParam()); }
+
+// Its script names a file.
+TEST(GoldenBeside, two_meshes_lie_beside_each_other_before_one_camera) {
+  const test::TemporaryFolder folder;
+  const std::string script =
+      folder.write("beside.ryosen", "simplify ratio=0.02\ncompare " + test::asset("stanford_bunny.obj") +
+                                        "\ncolours distance\nview front\n");
+  expect_golden({"beside", "stanford_bunny.obj", {"--panels", "--show", "none", "--script", script}});
+  const std::string plain = folder.write("plain.ryosen", "compare " + test::asset("torus.off") + "\n");
+  expect_golden({"beside_plain", "cube.obj", {"--size", small, "--script", plain}});
 }
 
 INSTANTIATE_TEST_SUITE_P(Pictures, GoldenTest, testing::ValuesIn(goldens),

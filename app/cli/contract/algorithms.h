@@ -1,6 +1,7 @@
 // What `repair` and the subcommands of the algorithms print.
 #pragma once
 
+#include "app/cli/contract/distance.h"
 #include "app/cli/contract/shared_shapes.h"
 
 namespace ryosen::cli {
@@ -86,6 +87,9 @@ inline constexpr JsonKey algorithm_id_keys[] = {
 inline constexpr auto algorithm_keys = joined(run_keys, algorithm_id_keys, result_keys, outcome_keys);
 inline constexpr Shape algorithm_shape{"algorithm", "One line.", "一行。", algorithm_keys};
 
+inline constexpr Shape result_distance_shape{"result_distance", "Both directions together, as distance prints them.",
+                                             "両方向を合わせた距離（distance と同じ）。", distance_figure_keys};
+
 // Of one that accounts for its end.
 inline constexpr JsonKey account_keys[] = {
     {"faces_before", "integer", "The faces of the input, as in check.", "入力の面数（check と同じ）。"},
@@ -99,6 +103,9 @@ inline constexpr JsonKey account_keys[] = {
      "最初に当てはまる規則ごとの稜線の数。合計は edges。", ids_of(Ids::edge_rules)},
     {"error_max", "number or null", "The largest error, a distance in units; null where it is not measured.",
      "誤差の最大値（座標の単位の距離）。測らないとき null。"},
+    {"distance", "object or null",
+     "How far the result is from the input; null without --distance, and where there is nothing to measure.",
+     "結果の入力からの距離。--distance がないとき、測るものがないとき null。", objects(result_distance_shape)},
 };
 inline constexpr auto accounting_keys = joined(run_keys, algorithm_id_keys, result_keys, account_keys, outcome_keys);
 inline constexpr Shape accounting_shape{"algorithm_with_goal", "One line, of an algorithm with a goal.",

@@ -19,7 +19,7 @@ inline constexpr JsonKey map_keys[] = {
     {"ja", "string", "Its name in Japanese.", "日本語名。"},
     {"sort", "string", "Of which elements.", "対象の要素。", words("vertex edge face")},
     {"unit", "string", "The unit: lengths are in that of the file.", "単位（長さはファイルの単位）。",
-     words("none length area degrees")},
+     words("none length area degrees per_length per_area")},
     {"count", "integer", "How many elements have a value.", "値を持つ要素の数。"},
     {"lowest", "number or null", "The lowest value; null without values.", "最小値。値がないとき null。"},
     {"highest", "number or null", "The highest value; null without values.", "最大値。値がないとき null。"},

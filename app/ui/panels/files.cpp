@@ -26,6 +26,7 @@ struct FileUse {
 };
 constexpr FileUse to_open{"open", "Open", "開く", false, true, false};
 constexpr FileUse to_append{"append", "Append", "追加", false, false, false};
+constexpr FileUse to_compare{"compare", "Compare", "比較", false, false, false};
 constexpr FileUse to_save{"save", "Save", "保存", true, false, true};
 constexpr FileUse to_save_selected{"save_selected", "Save", "保存", true, false, false};
 
@@ -236,6 +237,7 @@ void FileBrowser::draw(PanelContext& context) {
 
 std::unique_ptr<Panel> make_open_panel() { return std::make_unique<FileBrowser>(to_open); }
 std::unique_ptr<Panel> make_append_panel() { return std::make_unique<FileBrowser>(to_append); }
+std::unique_ptr<Panel> make_compare_panel() { return std::make_unique<FileBrowser>(to_compare); }
 std::unique_ptr<Panel> make_save_panel() { return std::make_unique<FileBrowser>(to_save); }
 std::unique_ptr<Panel> make_save_selected_panel() { return std::make_unique<FileBrowser>(to_save_selected); }
 

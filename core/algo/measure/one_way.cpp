@@ -31,6 +31,7 @@ struct SampleSums {
 struct OpenSample {
   std::uint32_t piece, cell;
   float bound;
+  std::array<std::uint32_t, 3> near;  // what is nearest to its corners
 };
 
 // What one part of the pieces yields.
@@ -67,7 +68,8 @@ class OneWay {
   }
 
  private:
-  static constexpr std::uint32_t most_cells = 64;  // per side of a piece
+  static constexpr std::uint32_t most_cells = 64;         // per side of a piece
+  static constexpr std::uint32_t most_cells_at_once = 5;  // of a piece whose points are asked about together
   static constexpr std::uint32_t points_per_part = 2048, samples_per_part = 2048, parts_per_round = 32;
   static constexpr double share_of_points = 0.25, share_of_samples = 0.75;
 
@@ -141,6 +143,7 @@ class OneWay {
       for (const std::uint32_t corner : corners) lattice.push_back(near_[corner]);
       return;
     }
+    if (piece.parts == 1 && piece.cells <= most_cells_at_once) return ask_at_once(piece, places, lattice);
     for (std::uint32_t line = 0; line <= piece.cells; ++line)
       for (std::uint32_t along = 0; along <= line; ++along) {
         const std::uint32_t hint = along > 0  ? lattice.back().triangle
@@ -148,6 +151,20 @@ class OneWay {
                                               : near_[corners[0]].triangle;
         lattice.push_back(nearest_of(to_, lattice_point(places, piece.cells, line, along), hint));
       }
+  }
+
+  // The points of a small piece lie near each other, and each near to what is nearest to one of its corners.
+  void ask_at_once(const SampledPiece& piece, const TrianglePlaces& places, std::vector<Nearest>& lattice) const {
+    const auto& corners = from_.corners(piece.triangle);
+    std::array<glm::dvec3, (most_cells_at_once + 1) * (most_cells_at_once + 2) / 2> points;
+    for (std::uint32_t line = 0; line <= piece.cells; ++line)
+      for (std::uint32_t along = 0; along <= line; ++along) {
+        const std::size_t nearer = 2 * line < piece.cells ? 0 : 2 * along < line ? 1 : 2;
+        points[lattice.size()] = lattice_point(places, piece.cells, line, along);
+        lattice.push_back({0, near_[corners[nearer]].triangle});
+      }
+    to_.nearest(std::span(points).first(lattice.size()), lattice);
+    for (Nearest& near : lattice) near.distance = without_rounding(near.distance);
   }
 
   static std::size_t lattice_index(std::uint32_t line, std::uint32_t along) {
@@ -238,7 +255,10 @@ class OneWay {
     const double wanted = enough_.from(part.farthest);
     const double bound = sample.bound <= wanted ? sample.bound : quick_bound(sample.cell, middle, near, wanted);
     if (bound > wanted)
-      part.open.push_back({sample.piece, sample.index, above(bound)});
+      part.open.push_back({sample.piece,
+                           sample.index,
+                           above(bound),
+                           {sample.cell.near[0].triangle, sample.cell.near[1].triangle, sample.cell.near[2].triangle}});
     else
       part.closed = std::max(part.closed, bound);
   }
@@ -299,11 +319,8 @@ class OneWay {
   FarthestCell cell_of(const OpenSample& open) const {
     const SampledPiece& piece = pieces_[open.piece];
     FarthestCell cell{subtriangle(places_of(piece), piece.cells, open.cell), {}};
-    std::uint32_t hint = near_[from_.corners(piece.triangle)[0]].triangle;
-    for (std::size_t i = 0; i < 3; ++i) {
-      cell.near[i] = nearest_of(to_, cell.corners[i], hint);
-      hint = cell.near[i].triangle;
-    }
+    for (std::size_t i = 0; i < 3; ++i)
+      cell.near[i] = {without_rounding(to_.distance(cell.corners[i], open.near[i])), open.near[i]};
     return cell;
   }
 

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/algo/remesh/triangle_shape.h"
+#include "core/geometry/is_finite.h"
 #include "core/mesh/attribute.h"
 #include "core/mesh/copies.h"
 
@@ -21,9 +22,15 @@ bool face_values_differ(const Mesh& mesh, Face a, Face b) {
   return false;
 }
 
+bool is_finite_face(const Mesh& mesh, Halfedge h) {
+  const Corners corners = corners_of(mesh, h);
+  return is_finite(corners[0]) && is_finite(corners[1]) && is_finite(corners[2]);
+}
+
 bool is_feature(const Mesh& mesh, Edge e, double least_cosine) {
   const Halfedge h = halfedge(e), t = twin(h);
   if (mesh.is_outside(h) || mesh.is_outside(t) || is_cut_on_points(mesh, h)) return true;
+  if (!is_finite_face(mesh, h) || !is_finite_face(mesh, t)) return true;
   if (face_values_differ(mesh, mesh.face(h), mesh.face(t)) || corner_values_differ(mesh, h, t, false)) return true;
   const glm::dvec3 a = unit_normal(mesh, h), b = unit_normal(mesh, t);
   return glm::dot(a, a) > 0.5 && glm::dot(b, b) > 0.5 && glm::dot(a, b) <= least_cosine;

@@ -43,7 +43,7 @@ bool run_rounds(Remesher& remesher, std::size_t rounds, Progress& progress) {
           remesher.swap_for_valence(progress) && at(3) && remesher.relax(progress)))
       return false;
   }
-  return true;
+  return remesher.swap_slivers(progress);
 }
 
 Mesh scaled(const Mesh& mesh, double scale) {

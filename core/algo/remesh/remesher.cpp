@@ -15,13 +15,35 @@ namespace {
 
 constexpr double longest_share = 4.0 / 3, shortest_share = 4.0 / 5;
 constexpr double cosine_of_turn = 0.5;  // of 60 degrees
+constexpr double sliver_sine = 0.34;    // of 20 degrees: no pass but the splits makes a narrower triangle of wider ones
 constexpr std::size_t between_reports = 256;
+
+// Those on both sides of an edge, and those that a swap makes of them.
+struct SwappedTriangles {
+  std::array<Corners, 2> before, after;
+
+  bool keep_facing() const {
+    for (const Corners& old : before)
+      for (const Corners& made : after)
+        if (!keeps_facing(area_normal(old), area_normal(made), cosine_of_turn)) return false;
+    return true;
+  }
+  double sine_before() const { return std::min(smallest_sine(before[0]), smallest_sine(before[1])); }
+  double sine_after() const { return std::min(smallest_sine(after[0]), smallest_sine(after[1])); }
+  bool makes_slivers() const { return sine_after() < sliver_sine && sine_after() < sine_before(); }
+};
+SwappedTriangles triangles_at(const Mesh& mesh, Halfedge h) {
+  const glm::dvec3 &a = mesh.position(mesh.from(h)), &b = mesh.position(mesh.to(h)),
+                   &c = mesh.position(mesh.from(mesh.prev(h))), &d = mesh.position(mesh.from(mesh.prev(twin(h))));
+  return {{Corners{a, b, c}, Corners{b, a, d}}, {Corners{c, d, b}, Corners{d, c, a}}};
+}
 
 }  // namespace
 
 Remesher::Remesher(Edit& edit, Features features, const Target& target)
     : edit_(edit), mesh_(edit.mesh()), features_(std::move(features)), target_(target) {
   for (std::uint32_t i = 0; i < mesh_.vertex_slots(); ++i) wanted_.push_back(target.length_at(Vertex(i)));
+  nearby_.assign(mesh_.vertex_slots(), no_index);
 }
 
 double Remesher::length_of(Edge e) const {
@@ -50,7 +72,8 @@ std::vector<Edge> Remesher::edges_by_length(bool longest_first, const IsWanted& 
 
 bool Remesher::split_long(Progress& progress) {
   const auto is_long = [&](Edge e, double length) { return length > longest_share * wanted(e); };
-  for (;;) {
+  constexpr int most_passes = 64;  // of which each halves the longest; more would only follow rounding
+  for (int pass = 0; pass < most_passes; ++pass) {
     const std::vector<Edge> edges = edges_by_length(true, is_long);
     std::size_t done = 0;
     for (const Edge e : edges) {
@@ -60,8 +83,9 @@ bool Remesher::split_long(Progress& progress) {
       split(e);
       ++done;
     }
-    if (done == 0) return true;
+    if (done == 0) break;
   }
+  return true;
 }
 
 void Remesher::split(Edge e) {
@@ -73,6 +97,7 @@ void Remesher::split(Edge e) {
   features_.edges.resize(mesh_.edge_slots(), 0);
   features_.vertices.resize(mesh_.vertex_slots(), was_feature ? 1 : 0);
   wanted_.resize(mesh_.vertex_slots(), length);
+  nearby_.resize(mesh_.vertex_slots(), nearby_[a.index]);
   for (Vertex v(first); v.index < mesh_.vertex_slots(); ++v.index)
     for (const Halfedge h : outgoing(mesh_, v)) {
       const Vertex end = point(mesh_, mesh_.to(h));
@@ -81,9 +106,10 @@ void Remesher::split(Edge e) {
   if (was_feature) return;
   // Half way along a chord the surface may lie elsewhere.
   const Vertex middle(first);
-  const auto nearest = target_.nearest(mesh_.position(middle));
+  const auto nearest = target_.nearest(mesh_.position(middle), nearby_[first]);
   if (!nearest) return;
   wanted_[first] = nearest->length;
+  nearby_[first] = nearest->triangle;
   if (faces_stay(middle, nearest->place)) edit_.set_position(middle, nearest->place);
 }
 
@@ -95,6 +121,8 @@ bool Remesher::faces_stay(Vertex v, const glm::dvec3& place) const {
     const glm::dvec3 before = area_normal(corners);
     corners[0] = place;
     if (!keeps_facing(before, area_normal(corners), cosine_of_turn)) return false;
+    if (const double sine = smallest_sine(corners); sine < sliver_sine && sine < smallest_sine(corners_of(mesh_, h)))
+      return false;
   }
   return true;
 }
@@ -174,12 +202,8 @@ bool Remesher::try_swap(Edge e, std::vector<int>& valences) {
   const auto error = [&](Vertex v, int more) { return valence_error(v, valences[v.index] + more); };
   const int now = error(a, 0) + error(b, 0) + error(c, 0) + error(d, 0);
   if (error(a, -1) + error(b, -1) + error(c, 1) + error(d, 1) >= now) return false;
-  const glm::dvec3 &pa = mesh_.position(a), &pb = mesh_.position(b), &pc = mesh_.position(c), &pd = mesh_.position(d);
-  const glm::dvec3 left = area_normal({pa, pb, pc}), right = area_normal({pb, pa, pd});
-  const glm::dvec3 first = area_normal({pc, pd, pb}), second = area_normal({pd, pc, pa});
-  for (const glm::dvec3& before : {left, right})
-    for (const glm::dvec3& after : {first, second})
-      if (!keeps_facing(before, after, cosine_of_turn)) return false;
+  const SwappedTriangles t = triangles_at(mesh_, h);
+  if (!t.keep_facing() || t.makes_slivers()) return false;
   const SwapEdge swap{h};
   if (!swap.is_legal(mesh_)) return false;
   swap.apply(edit_);
@@ -187,6 +211,29 @@ bool Remesher::try_swap(Edge e, std::vector<int>& valences) {
   --valences[b.index];
   ++valences[c.index];
   ++valences[d.index];
+  return true;
+}
+
+bool Remesher::swap_slivers(Progress& progress) {
+  constexpr int most_turns = 8;
+  std::size_t swapped = 1;
+  for (int turn = 0; turn < most_turns && swapped > 0; ++turn) {
+    swapped = 0;
+    for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
+      if (i % (between_reports * 16) == 0 && !progress.go_on()) return false;
+      if (mesh_.is_alive(Edge(i)) && !is_feature(Edge(i))) swapped += try_swap_sliver(Edge(i)) ? 1 : 0;
+    }
+  }
+  return true;
+}
+
+bool Remesher::try_swap_sliver(Edge e) {
+  const SwappedTriangles t = triangles_at(mesh_, halfedge(e));
+  constexpr double clearly = 1.1;
+  if (t.sine_before() >= sliver_sine || t.sine_after() < clearly * t.sine_before() || !t.keep_facing()) return false;
+  const SwapEdge swap{halfedge(e)};
+  if (!swap.is_legal(mesh_)) return false;
+  swap.apply(edit_);
   return true;
 }
 
@@ -210,8 +257,9 @@ bool Remesher::relax(Progress& progress) {
     if (!(weights > 0)) return;
     normal = unit_or_zero(normal);
     const glm::dvec3 mean = sum / weights;
-    const auto nearest = target_.nearest(mean + glm::dot(normal, here - mean) * normal);
+    const auto nearest = target_.nearest(mean + glm::dot(normal, here - mean) * normal, nearby_[v.index]);
     if (!nearest) return;
+    nearby_[v.index] = nearest->triangle;
     places[v.index] = nearest->place;
     lengths[v.index] = nearest->length;
   };

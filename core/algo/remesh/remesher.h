@@ -23,8 +23,10 @@ class Remesher {
   bool collapse_short(Progress& progress);
   // Swaps edges where that brings valences nearer to 6, and 4 at boundaries, and no face turns by 60 degrees.
   bool swap_for_valence(Progress& progress);
+  // Swaps edges between triangles of which one is a sliver, where neither of the two that come of it is as narrow.
+  bool swap_slivers(Progress& progress);
   // Moves points within the plane across their normal to the mean of the triangles around, by their areas, and back to the
-  // surface; not where a face would turn by 60 degrees.
+  // surface; not where a face would turn by 60 degrees or become a sliver.
   bool relax(Progress& progress);
 
  private:
@@ -39,6 +41,7 @@ class Remesher {
   bool try_collapse(Edge e);
   bool may_collapse(Halfedge h, const glm::dvec3& place) const;
   bool try_swap(Edge e, std::vector<int>& valences);
+  bool try_swap_sliver(Edge e);
   int valence_error(Vertex v, int valence) const;
   bool faces_stay(Vertex v, const glm::dvec3& place) const;
 
@@ -46,7 +49,8 @@ class Remesher {
   const Mesh& mesh_;
   Features features_;
   const Target& target_;
-  std::vector<double> wanted_;  // per vertex
+  std::vector<double> wanted_;         // per vertex
+  std::vector<std::uint32_t> nearby_;  // per vertex, a triangle of the target; no_index where none is known
 };
 
 }  // namespace ryosen::remesh

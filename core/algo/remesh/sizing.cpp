@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "core/geometry/is_finite.h"
+#include "core/pick/nearest.h"
 
 namespace ryosen::remesh {
 
@@ -45,29 +47,38 @@ double length_for(double curvature, const SizeOptions& options) {
 
 }  // namespace
 
-Target::Target(const Mesh& mesh, const SizeOptions& options)
-    : options_(options), places_(mesh.positions().begin(), mesh.positions().end()) {
+Target::Target(const Mesh& mesh, const SizeOptions& options) : options_(options) {
   std::vector<Primitive> triangles;
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     if (!mesh.is_alive(Face(i))) continue;
     const Halfedge h = mesh.halfedge(Face(i));
-    triangles.push_back(Primitive::triangle(mesh.from(h).index, mesh.to(h).index, mesh.from(mesh.prev(h)).index, i));
+    const std::array corners{mesh.from(h), mesh.to(h), mesh.from(mesh.prev(h))};
+    const bool is_there =
+        std::all_of(corners.begin(), corners.end(), [&](Vertex v) { return is_finite(mesh.position(v)); });
+    if (is_there) triangles.push_back(Primitive::triangle(corners[0].index, corners[1].index, corners[2].index, i));
   }
-  tree_.build(places_, std::move(triangles));
+  tree_ = TriangleTree(mesh.positions(), triangles, 1);
   if (!options.adaptive) return;
   const std::vector<double> curvatures = largest_curvatures(mesh);
   for (const double curvature : curvatures) lengths_.push_back(length_for(curvature, options));
+  point_lengths_.resize(tree_.points().size());
+  for (std::uint32_t t = 0; t < tree_.size(); ++t) {
+    Halfedge h = mesh.halfedge(Face(tree_.owner(t)));
+    for (const std::uint32_t point : tree_.corners(t)) {
+      point_lengths_[point] = lengths_[mesh.from(h).index];
+      h = mesh.next(h);
+    }
+  }
 }
 
-std::optional<Target::Nearest> Target::nearest(const glm::dvec3& place) const {
-  const auto hit = tree_.nearest(places_, place, std::numeric_limits<double>::infinity());
-  if (!hit) return std::nullopt;
-  Nearest found{hit->place, options_.length};
-  if (lengths_.empty()) return found;
-  found.length = 0;
-  const std::array<std::uint32_t, 3> corners = tree_.primitive(hit->slot).vertices;
-  for (int k = 0; k < 3; ++k) found.length += hit->barycentric[k] * lengths_[corners[static_cast<std::size_t>(k)]];
-  return found;
+std::optional<Target::Nearest> Target::nearest(const glm::dvec3& place, std::uint32_t hint) const {
+  if (tree_.is_empty() || !is_finite(place)) return std::nullopt;
+  const std::uint32_t triangle = tree_.nearest(place, hint).triangle;
+  if (!is_adaptive()) return Nearest{place - tree_.way(place, triangle), options_.length, triangle};
+  const auto& [a, b, c] = tree_.corners(triangle);
+  const NearestPlace near = nearest_place(tree_.points(), Primitive::triangle(a, b, c, 0), place);
+  const glm::dvec3 lengths(point_lengths_[a], point_lengths_[b], point_lengths_[c]);
+  return Nearest{near.place, glm::dot(near.barycentric, lengths), triangle};
 }
 
 }  // namespace ryosen::remesh

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/algo/remesh/triangle_shape.h"
-#include "core/pick/bvh.h"
+#include "core/pick/triangle_tree.h"
 
 namespace ryosen::remesh {
 
@@ -18,24 +18,26 @@ struct SizeOptions {
 // The surface as it was, to which new points are brought back, with the wanted length at each of its points.
 class Target {
  public:
-  // Of a mesh of triangles. An adaptive length is that of edges which leave a circle of the largest curvature by the
+  // Of a mesh of triangles with coordinates of at most about 1; those with corners that are not finite are no surface. An
+  // adaptive length is that of edges which leave a circle of the largest curvature by the
   // tolerance, but at least an eighth of `length` and at most all of it [Dunyach13]; O(n), and n log n for the tree.
   Target(const Mesh& mesh, const SizeOptions& options);
 
   struct Nearest {
     glm::dvec3 place;
     double length;
+    std::uint32_t triangle;  // a number that is a good hint for places near this one
   };
-  // None on a mesh without triangles.
-  std::optional<Nearest> nearest(const glm::dvec3& place) const;
+  // None where there is no surface, and for a place that is not finite.
+  std::optional<Nearest> nearest(const glm::dvec3& place, std::uint32_t hint = no_index) const;
   double length_at(Vertex v) const { return lengths_.empty() ? options_.length : lengths_[v.index]; }
   bool is_adaptive() const { return !lengths_.empty(); }
 
  private:
   SizeOptions options_;
-  std::vector<glm::dvec3> places_;
-  std::vector<double> lengths_;  // per vertex; empty where all are alike
-  Bvh tree_;
+  TriangleTree tree_;
+  std::vector<double> lengths_;        // per vertex; empty where all are alike
+  std::vector<double> point_lengths_;  // the same per point of the tree
 };
 
 // The largest absolute principal curvature at each vertex slot, by the cotangent Laplacian and the angle deficit over a

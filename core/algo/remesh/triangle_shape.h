@@ -1,7 +1,9 @@
 // Normals and angles of the triangles of a mesh, by one of their halfedges.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "core/mesh/circulate.h"
@@ -28,6 +30,14 @@ inline bool keeps_facing(const glm::dvec3& before, const glm::dvec3& after, doub
   const double product = glm::dot(before, after), lengths = glm::length(before) * glm::length(after);
   if (!(glm::dot(before, before) > 0)) return true;
   return lengths > 0 && product > least_cosine * lengths;
+}
+
+// The sine of the smallest angle; 0 without area.
+inline double smallest_sine(const Corners& c) {
+  const double a = glm::dot(c[1] - c[0], c[1] - c[0]), b = glm::dot(c[2] - c[1], c[2] - c[1]),
+               d = glm::dot(c[0] - c[2], c[0] - c[2]);
+  const double least = std::min({a, b, d}), longer = std::sqrt(a) * std::sqrt(b) * std::sqrt(d);
+  return longer > 0 ? glm::length(area_normal(c)) * std::sqrt(least) / longer : 0;
 }
 
 // The cotangent of the angle at a, between b and c; large where there is no area.

@@ -32,7 +32,9 @@ struct Creases {
 enum class VertexRule { smooth, crease, corner };
 struct RuleAt {
   VertexRule rule = VertexRule::smooth;
-  std::array<Vertex, 2> along{};  // of a crease: the next vertices on it, both ways
+  std::array<Vertex, 2> along{};  // of a crease: the next vertices on it, both ways; of a dart one
+
+  bool is_dart() const { return rule == VertexRule::smooth && along[0]; }
 };
 
 // The rule at a vertex when `steps` more steps have been taken from the sharpness. Cost: the valence, O(1) at a boundary
@@ -71,13 +73,13 @@ glm::dvec3 place_on_edge(const Mesh& mesh, const Creases& creases, Edge e, const
 }
 
 // The place on the limit of a vertex: (1 4 1)/6 along a crease, which is the cubic spline through it.
-template <class Smooth>
-glm::dvec3 limit_of_vertex(const Mesh& mesh, const Creases& creases, Vertex v, const Smooth& smooth) {
+template <class Smooth, class Dart>
+glm::dvec3 limit_of_vertex(const Mesh& mesh, const Creases& creases, Vertex v, const Smooth& smooth, const Dart& dart) {
   const glm::dvec3& here = mesh.position(v);
   if (mesh.is_isolated(v)) return here;
   const RuleAt at = rule_at(mesh, creases, v);
   if (at.rule == VertexRule::corner) return here;
-  if (at.rule == VertexRule::smooth) return smooth(v);
+  if (at.rule == VertexRule::smooth) return at.is_dart() ? dart(v) : smooth(v);
   return here * (2.0 / 3) + (mesh.position(at.along[0]) / 6.0 + mesh.position(at.along[1]) / 6.0);
 }
 

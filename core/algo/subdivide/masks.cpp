@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/algo/subdivide/limit_normals.h"
 #include "core/base/parallel.h"
 #include "core/mesh/column_memory.h"
 
@@ -79,10 +80,13 @@ void place_vertices(const Mesh& mesh, Places& places, const Place& place) {
 }
 
 template <class Smooth>
-Places limit_places(const Mesh& mesh, const Creases& creases, const Smooth& smooth) {
+Places limit_places(const Mesh& mesh, const Creases& creases, Scheme scheme, const Smooth& smooth) {
   Places places;
   make_room(places, mesh.vertex_slots());
-  place_vertices(mesh, places, [&](Vertex v) { return limit_of_vertex(mesh, creases, v, smooth); });
+  const auto dart = [&](Vertex v) {
+    return scheme == Scheme::sqrt3 ? smooth(v) : limit_of_dart(mesh, creases, v, scheme);
+  };
+  place_vertices(mesh, places, [&](Vertex v) { return limit_of_vertex(mesh, creases, v, smooth, dart); });
   return places;
 }
 
@@ -121,7 +125,7 @@ void loop_places(const Mesh& mesh, const Creases& creases, Places& places) {
 }
 
 Places loop_limit(const Mesh& mesh, const Creases& creases) {
-  return limit_places(mesh, creases, [&](Vertex v) { return around<loop_limit_weight>(mesh, v); });
+  return limit_places(mesh, creases, Scheme::loop, [&](Vertex v) { return around<loop_limit_weight>(mesh, v); });
 }
 
 void catmull_clark_places(const Mesh& mesh, const Creases& creases, const std::vector<std::uint32_t>& centre_of,
@@ -152,7 +156,7 @@ void catmull_clark_places(const Mesh& mesh, const Creases& creases, const std::v
 }
 
 Places catmull_clark_limit(const Mesh& mesh, const Creases& creases) {
-  return limit_places(mesh, creases, [&](Vertex v) {
+  return limit_places(mesh, creases, Scheme::catmull_clark, [&](Vertex v) {
     const double n = valence(mesh, v), share = 1 / (n * (n + 5));
     glm::dvec3 sum = (n / (n + 5)) * mesh.position(v);
     for (const Halfedge h : outgoing(mesh, v)) {
@@ -186,7 +190,7 @@ void sqrt3_places(const Mesh& mesh, const Creases& creases, bool cuts_creases, P
 }
 
 Places sqrt3_limit(const Mesh& mesh, const Creases& creases) {
-  return limit_places(mesh, creases, [&](Vertex v) { return around<sqrt3_limit_weight>(mesh, v); });
+  return limit_places(mesh, creases, Scheme::sqrt3, [&](Vertex v) { return around<sqrt3_limit_weight>(mesh, v); });
 }
 
 glm::dvec3 third_of_crease(const Mesh& mesh, const Creases& creases, Vertex a, Vertex b) {

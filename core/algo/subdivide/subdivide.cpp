@@ -7,6 +7,7 @@
 #include <new>
 
 #include "core/algo/subdivide/carry.h"
+#include "core/algo/subdivide/limit_normals.h"
 #include "core/algo/subdivide/masks.h"
 #include "core/algo/subdivide/prepare.h"
 #include "core/base/resource_limits.h"
@@ -241,7 +242,10 @@ Subdivided subdivided(const Mesh& mesh, const Options& options, Progress& progre
   if (is_cancelled(options.steps)) return result;
   if (options.to_limit) {
     result.columns = level.columns();
-    if (options.scheme != Scheme::midpoint) result.columns.positions = limit_of(level, creases, options.scheme);
+    if (options.scheme != Scheme::midpoint) {
+      result.columns.positions = limit_of(level, creases, options.scheme);
+      put_normals(result.columns, limit_normals(level, creases, options.scheme));
+    }
   }
   if (is_huge(mesh.positions()) && all_finite(mesh.positions()) && !all_finite(result.columns.positions))
     result.fault = Text{"coordinates would become infinite; scale the mesh down",

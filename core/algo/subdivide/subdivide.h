@@ -25,7 +25,8 @@ struct Options {
   std::optional<double> crease_angle_rad = {};  // edges whose faces bend by at least this are sharp
   std::vector<Element> sharp = {};              // edges that are sharp, vertices that are corners
   std::optional<double> sharp_steps = {};       // for so many steps; for ever without it
-  bool to_limit = false;                        // vertices are put where they would come to in the end
+  bool to_limit = false;                        // vertices are put where they would come to in the end, and corners get
+                                                // the normals there (limit_normals.h)
 };
 
 struct Subdivided {

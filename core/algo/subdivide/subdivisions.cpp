@@ -40,7 +40,8 @@ AlgorithmResult subdivide_mesh(Edit& edit, const AlgorithmInput& input, Progress
     result.refused = Text{"there is no face and no edge to divide", "分割する面も稜線もありません"};
     return result;
   }
-  subdivide::Subdivided made = subdivide::subdivided(edit.mesh(), options_of(input.values), progress);
+  const subdivide::Options options = options_of(input.values);
+  subdivide::Subdivided made = subdivide::subdivided(edit.mesh(), options, progress);
   if (made.is_cancelled) return result;
   if (made.fault) {
     result.fault = std::move(made.fault);
@@ -58,6 +59,7 @@ AlgorithmResult subdivide_mesh(Edit& edit, const AlgorithmInput& input, Progress
                                            "; # edges where the texture is torn stayed creases",
                                            "（テクスチャの継ぎ目の稜線 # 本は折り目のまま）");
   result.text = result.text + Text{".", "。"};
+  result.has_normals = options.to_limit && options.scheme != subdivide::Scheme::midpoint;
   edit.replace(std::move(made.columns));
   return result;
 }
@@ -91,8 +93,8 @@ std::vector<AlgorithmRow> subdivision_rows() {
        .kind = ParameterKind::flag,
        .name_en = "Limit",
        .name_ja = "極限位置",
-       .help_en = "puts the vertices where ever more steps would bring them",
-       .help_ja = "無限に繰り返したときの位置に頂点を置く",
+       .help_en = "puts the vertices where ever more steps would bring them, with the normals there",
+       .help_ja = "無限に繰り返したときの位置に頂点を置き、法線も付ける",
        .initial = "off"},
       {.id = "crease_angle",
        .kind = ParameterKind::angle,

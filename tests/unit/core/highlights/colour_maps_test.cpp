@@ -51,7 +51,8 @@ TEST(colour_maps, each_speak_of_one_sort_in_both_languages) {
   std::set<std::string_view> ids;
   for (const ColourMap& map : colour_maps()) {
     EXPECT_TRUE(ids.insert(map.id).second) << map.id;
-    EXPECT_EQ((map.vertex != nullptr) + (map.edge != nullptr) + (map.face != nullptr), 1) << map.id;
+    EXPECT_EQ((map.vertex != nullptr) + (map.edge != nullptr) + (map.face != nullptr) + (map.against != nullptr), 1)
+        << map.id;
     for (const std::string_view text : {map.name_en, map.name_ja, map.legend_en, map.legend_ja})
       EXPECT_FALSE(text.empty());
   }

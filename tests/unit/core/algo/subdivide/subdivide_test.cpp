@@ -14,6 +14,7 @@
 #include "core/analysis/invariants.h"
 #include "core/analysis/mesh_kind.h"
 #include "core/indexed/to_indexed.h"
+#include "core/mesh/attribute.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "tests/support/core/run_algorithm.h"
@@ -155,6 +156,110 @@ TEST(Subdivide, the_limit_of_a_vertex_is_the_same_from_every_level) {
         const Mesh again = made(mesh, options);
         EXPECT_LT(distance(once, again, once.vertex_slots()), 1e-12);
       }
+}
+
+// A sheet with a bump, and on it a crease that begins and ends within.
+Options with_darts(const Mesh& mesh, Scheme scheme) {
+  const auto edge_between = [&](std::uint32_t a, std::uint32_t b) {
+    return Element(edge(find_halfedge(mesh, Vertex(a), Vertex(b))));
+  };
+  return {.scheme = scheme, .sharp = {edge_between(14, 15), edge_between(15, 16)}};
+}
+Mesh bumpy_sheet(bool triangles) {
+  return sheet(5, triangles,
+               [](double x, double y) { return std::sin(1.3 * x + 0.4) * std::cos(0.9 * y) + 0.2 * x * y; });
+}
+
+TEST(Subdivide, the_limit_of_a_dart_is_the_same_from_every_level) {
+  for (const Scheme scheme : {Scheme::loop, Scheme::catmull_clark}) {
+    const Mesh mesh = bumpy_sheet(scheme == Scheme::loop);
+    Options options = with_darts(mesh, scheme);
+    options.to_limit = true;
+    const Mesh once = made(mesh, options);
+    options.steps = 4;
+    EXPECT_LT(distance(once, made(mesh, options), once.vertex_slots()), 1e-13);
+    Options far = with_darts(mesh, scheme);
+    far.steps = 7;
+    EXPECT_LT(glm::distance(made(mesh, far).position(Vertex(14)), once.position(Vertex(14))), 1e-4)
+        << "a step towards it";
+  }
+}
+
+// The normals of the corners of a vertex: what the attribute says, or those of the faces.
+std::vector<glm::dvec3> normals_at(const Mesh& mesh, Vertex v, bool of_faces) {
+  std::vector<glm::dvec3> found;
+  const int index = mesh.find_attribute(attribute_names::normal),
+            pool = mesh.find_attribute(attribute_names::normal_pool);
+  for (const Halfedge h : outgoing(mesh, v)) {
+    if (mesh.is_outside(h)) continue;
+    if (of_faces) {
+      const glm::dvec3 &a = mesh.position(v), &b = mesh.position(mesh.to(h)),
+                       &c = mesh.position(mesh.from(mesh.prev(h)));
+      found.push_back(glm::normalize(glm::cross(b - a, c - a)));
+      continue;
+    }
+    const auto place = mesh.attributes()[static_cast<std::size_t>(index)].data[h.index];
+    if (place != no_index)
+      found.push_back(attribute_value<glm::dvec3>(mesh.attributes()[static_cast<std::size_t>(pool)], place));
+  }
+  return found;
+}
+
+// How far each of some directions is from the nearest of others.
+double apart(const std::vector<glm::dvec3>& some, const std::vector<glm::dvec3>& others) {
+  double most = 0;
+  for (const glm::dvec3& one : some) {
+    double least = 2;
+    for (const glm::dvec3& other : others) least = std::min(least, glm::distance(one, other));
+    most = std::max(most, least);
+  }
+  return most;
+}
+
+TEST(Subdivide, limit_normals_are_those_of_the_faces_of_ever_finer_levels) {
+  const auto expect_normals = [](const Mesh& mesh, Options options, const char* name) {
+    SCOPED_TRACE(std::string(name) + " " + std::to_string(int(options.scheme)));
+    options.to_limit = true;
+    const Mesh here = made(mesh, options);
+    Options finer = options;
+    std::array<double, 2> errors{};
+    for (const std::size_t more : {2u, 4u}) {
+      finer.steps = options.steps + more;
+      const Mesh fine = made(mesh, finer);
+      for (Vertex v(0); v.index < here.vertex_slots(); ++v.index) {
+        const auto of_limit = normals_at(here, v, false), of_faces = normals_at(fine, v, true);
+        ASSERT_EQ(of_limit.empty(), of_faces.empty()) << v.index;
+        double& error = errors[more == 2 ? 0 : 1];
+        error = std::max({error, apart(of_limit, of_faces), apart(of_faces, of_limit)});
+      }
+    }
+    EXPECT_LT(errors[1], 0.15);
+    EXPECT_LT(errors[1], 0.55 * errors[0] + 1e-9) << "a quarter of the spacing";
+  };
+  for (const Scheme scheme : {Scheme::loop, Scheme::catmull_clark, Scheme::sqrt3}) {
+    const bool triangles = scheme != Scheme::catmull_clark;
+    expect_normals(made_by(triangles ? "tetrahedron" : "cube"), {.scheme = scheme, .steps = 2}, "closed");
+    expect_normals(made_by("icosahedron"), {.scheme = scheme, .steps = 2}, "valence 5");
+    if (scheme == Scheme::sqrt3) continue;  // its boundaries have no masks of their own
+    expect_normals(bumpy_sheet(triangles), {.scheme = scheme, .steps = 2}, "sheet");
+    expect_normals(made_by("cube"), {.scheme = scheme, .steps = 2, .crease_angle_rad = 1.2}, "corners");
+    const Mesh mesh = bumpy_sheet(triangles);
+    Options options = with_darts(mesh, scheme);
+    options.steps = 2;
+    expect_normals(mesh, options, "darts");
+  }
+}
+
+TEST(Subdivide, limit_normals_of_a_plane_are_its_own_and_copies_of_a_smooth_vertex_share_them) {
+  for (const Scheme scheme : {Scheme::loop, Scheme::catmull_clark, Scheme::sqrt3}) {
+    const Mesh made_flat = made(sheet(3, scheme != Scheme::catmull_clark, [](double x, double y) { return x - 2 * y; }),
+                                {.scheme = scheme, .steps = 2, .to_limit = true});
+    for (Vertex v(0); v.index < made_flat.vertex_slots(); ++v.index)
+      for (const glm::dvec3& normal : normals_at(made_flat, v, false))
+        EXPECT_LT(glm::distance(normal, glm::normalize(glm::dvec3(-1, 2, 1))), 1e-12);
+    const int pool = made_flat.find_attribute(attribute_names::normal_pool);
+    EXPECT_EQ(made_flat.attributes()[static_cast<std::size_t>(pool)].data.size(), 6 * made_flat.live().vertices);
+  }
 }
 
 // Cubic splines over a square grid, and box splines over a triangular one, of a quadratic are that quadratic and a

@@ -85,6 +85,7 @@ void sweep_command_lines(Sweep& sweep) {
       {"steps", "script", "triangle"},
       {"steps", "script"},
       {"steps", "collapse 0-1", asset("cube.obj")},
+      {"steps", "hull", mesh},
       {"steps", "nonsense", mesh},
       {"practice", "--count", "10"},
       {"practice", mesh, "--seed", "3", "--answer", "h1"},

@@ -86,8 +86,10 @@ class AlgorithmRun {
     if (const auto failure = by_repair_ ? run_recipe() : run(calls_.front())) return console_.fail(*failure, input_);
     // What is left is named as in the file that is written.
     after_ = check_mesh(document_.contents(), wanted_.value_or(input_), {.figures = console_.json, .kind = false});
-    has_problem_ = std::any_of(after_.problems.begin(), after_.problems.end(), [](const NamedProblem& p) {
-      return p.problem.row().severity == ProblemSeverity::problem;
+    const bool wants_points = !by_repair_ && calls_.front().row->adds_points;
+    has_problem_ = std::any_of(after_.problems.begin(), after_.problems.end(), [&](const NamedProblem& p) {
+      return p.problem.row().severity == ProblemSeverity::problem &&
+             !(wants_points && p.problem.row().kind == ProblemKind::isolated_vertex);
     });
     code_ = falls_short() ? ExitCode::found_problems : ExitCode::done;
     if (wanted_) write();

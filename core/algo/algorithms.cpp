@@ -4,6 +4,7 @@
 
 #include "core/algo/copying/copying.h"
 #include "core/algo/hull/hull.h"
+#include "core/algo/hull/point_cloud.h"
 #include "core/algo/primitives/primitives.h"
 #include "core/algo/remesh/remeshings.h"
 #include "core/algo/repair/repairs.h"
@@ -20,8 +21,8 @@ std::deque<AlgorithmRow>& algorithm_rows() {
   static std::deque<AlgorithmRow> rows = [] {
     std::deque<AlgorithmRow> all;
     for (const std::vector<AlgorithmRow>& folder :
-         {repair_rows(), primitive_rows(), transform_rows(), copying_rows(), simplify_rows(), subdivision_rows(),
-          smoothing_rows(), remeshing_rows(), hull_rows()})
+         {repair_rows(), primitive_rows(), point_cloud_rows(), transform_rows(), copying_rows(), simplify_rows(),
+          subdivision_rows(), smoothing_rows(), remeshing_rows(), hull_rows()})
       all.insert(all.end(), folder.begin(), folder.end());
     return all;
   }();

@@ -86,6 +86,7 @@ struct AlgorithmRow {
   // Adds a shape beside what is there, and so needs no mesh to begin with.
   bool is_primitive = false;
   bool selects_added = false;  // what it has added is selected afterwards
+  bool adds_points = false;    // points by themselves are what is wanted, and no fault of the result
   // Has a goal and tells in its result's account how it ended: its subcommand ends with 1 where it stopped before.
   bool accounts = false;
   // The program has a command of this name, which prints what other algorithms do not have.

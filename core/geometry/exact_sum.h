@@ -68,6 +68,12 @@ class Expansion {
   }
 
   int sign() const { return size_ == 0 ? 0 : (terms_[size_ - 1] > 0.0 ? 1 : -1); }
+  // The sum, right to nearly the last bit.
+  double rounded() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < size_; ++i) sum += terms_[i];
+    return sum;
+  }
 
  private:
   std::array<double, Capacity> terms_{};

@@ -7,6 +7,7 @@
 #include "core/hull/antipodes.h"
 #include "core/hull/farthest_pair.h"
 #include "core/hull/in_short.h"
+#include "core/hull/rounded_products.h"
 
 namespace ryosen {
 
@@ -45,7 +46,8 @@ class Measuring {
   double reach_of(Index p) const { return glm::length(places_[p] - middle_) + radius_; }
   bool may_be_farther(Index p) const { return reach_of(p) > farthest_.length() * (1 - 1e-12); }
 
-  glm::dvec3 normal_of(Index facet) const;
+  glm::dvec3 unit_normal(Index facet) const;
+  double width_below(Index facet, Index p) const;
   void measure_facets(hull::Antipodes& antipodes);
   bool measure_edges(hull::Antipodes& antipodes, Progress& progress);
   bool may_be_thinner(const hull::Antipodes& antipodes, Index side) const;
@@ -108,22 +110,29 @@ void Measuring::guess_farthest() {
   for (const Index i : hull_.vertices) radius_ = std::max(radius_, glm::length(places_[i] - middle_));
 }
 
-glm::dvec3 Measuring::normal_of(Index facet) const {
+glm::dvec3 Measuring::unit_normal(Index facet) const {
   const std::span<const Index> corner = hull_.facet(facet);
-  const glm::dvec3 a = places_[corner[0]];
-  glm::dvec3 normal(0.0);
-  for (std::size_t i = 2; i < corner.size(); ++i)
-    normal += glm::cross(places_[corner[i - 1]] - a, places_[corner[i]] - a);
+  const glm::dvec3 normal = hull::normal_of(places_[corner[0]], places_[corner[1]], places_[corner[2]]);
   const double length = glm::length(normal);
   return length > 0 ? normal / length : glm::dvec3(0.0);
+}
+
+// Between the plane of a facet and a point; what is no number, since a normal is below the smallest doubles, counts for
+// nothing.
+double Measuring::width_below(Index facet, Index p) const {
+  const std::span<const Index> corner = hull_.facet(facet);
+  const glm::dvec3 a = places_[corner[0]], b = places_[corner[1]], c = places_[corner[2]];
+  const double length = glm::length(hull::normal_of(a, b, c));
+  return length > 0 ? std::abs(hull::six_volumes_of(a, b, c, places_[p])) / length
+                    : std::numeric_limits<double>::infinity();
 }
 
 void Measuring::measure_facets(hull::Antipodes& antipodes) {
   for (Index f = 0; f < hull_.facet_count(); ++f) {
     const std::span<const Index> corner = hull_.facet(f);
     const Index lowest = antipodes.lowest()[f];
-    const glm::dvec3 normal = normals_.emplace_back(normal_of(f));
-    const double width = glm::dot(normal, places_[corner[0]] - places_[lowest]);
+    normals_.push_back(unit_normal(f));
+    const double width = width_below(f, lowest);
     widths_.push_back(width);
     if (width < width_) offer_width(width, {corner.begin(), corner.end()}, {lowest});
     if (std::none_of(corner.begin(), corner.end(), [&](Index p) { return may_be_farther(p); })) continue;

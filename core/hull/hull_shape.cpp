@@ -4,23 +4,26 @@
 #include <glm/geometric.hpp>
 
 #include "core/hull/in_short.h"
+#include "core/hull/rounded_products.h"
 #include "core/hull/unit_places.h"
 
 namespace ryosen {
 
 HullSize hull_size(std::span<const glm::dvec3> points, const ConvexHull& hull) {
   const hull::UnitPlaces places(points, hull.vertices);
-  const glm::dvec3 origin = hull.vertices.empty() ? glm::dvec3(0.0) : places[hull.vertices[0]];
+  // From the first extreme point, so that no volume is taken away again.
+  const glm::dvec3 origin = hull.vertices.empty() ? glm::dvec3(0.0) : places.by_axis(hull.vertices[0]);
   double six_volumes = 0, area = 0;
   for (std::size_t f = 0; f < hull.facet_count(); ++f) {
     const std::span<const std::uint32_t> facet = hull.facet(f);
-    const glm::dvec3 a = places[facet[0]];
-    glm::dvec3 normal(0.0);
-    for (std::size_t i = 2; i < facet.size(); ++i) normal += glm::cross(places[facet[i - 1]] - a, places[facet[i]] - a);
-    area += glm::length(normal) / 2;
-    six_volumes += glm::dot(a - origin, normal);
+    for (std::size_t i = 2; i < facet.size(); ++i) {
+      area += glm::length(hull::normal_of(places[facet[0]], places[facet[i - 1]], places[facet[i]])) / 2;
+      if (hull.dimension == 3)
+        six_volumes += hull::six_volumes_of(origin, places.by_axis(facet[0]), places.by_axis(facet[i - 1]),
+                                            places.by_axis(facet[i]));
+    }
   }
-  return {hull.dimension == 3 ? places.full(six_volumes / 6, 3) : 0.0, places.full(area, 2)};
+  return {places.full_volume(six_volumes / 6), places.full(area, 2)};
 }
 
 void add_hull(std::span<const glm::dvec3> points, const ConvexHull& hull, HullFaces faces, HullList& to) {

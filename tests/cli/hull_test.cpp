@@ -139,6 +139,25 @@ TEST_F(HullCommand, figures_hold_for_huge_and_tiny_coordinates) {
   EXPECT_EQ(hull_of("5e-324 0 0\n0 5e-324 0\n0 0 5e-324\n0 0 0\n").line()["facets"], 4);
 }
 
+// Facets are exact there, so what is summed over them must not cancel.
+TEST_F(HullCommand, figures_hold_for_nearly_flat_and_for_skewed_points) {
+  const Json flat =
+      hull_of(
+          "133.71428571428572 0.7142857142857143 134.42857142857144\n"
+          "102.71428571428571 46.142857142857146 148.85714285714286\n"
+          "92.42857142857143 87.14285714285714 179.57142857142856\n41 22.571428571428573 63.57142857142857\n",
+          {"--measure"})
+          .line();
+  EXPECT_EQ(flat["dimension"], 3);
+  EXPECT_NEAR(flat["volume"], 1.352e-11, 1e-14) << "by fractions";
+  EXPECT_GT(flat["width"], 0.0);
+  const Json skewed = hull_of(
+                          "1e308 5e-324 -1e200\n-1e-300 -1e-300 1e308\n1.0000000000000002 -1e200 0\n"
+                          "1e308 -1e-300 1.0000000000000002\n")
+                          .line();
+  EXPECT_TRUE(skewed["volume"].is_null()) << "it is beyond the largest number";
+}
+
 TEST_F(HullCommand, measures_how_long_and_how_thin_it_is) {
   const Json line = hull_of(cube_with_more, {"--measure"}).line();
   EXPECT_DOUBLE_EQ(line["diameter"], std::sqrt(3));

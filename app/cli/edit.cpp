@@ -68,6 +68,7 @@ class EditRun {
       if (!stopped_) take(step);
       report(step);
     }
+    session_.end_trial();
     // Before the file is there: after it the run is to end soon.
     const LastState last{totals(), counts_on_points(session_.mesh()),
                          console_.json ? hash_text(session_.mesh()) : std::string()};
@@ -84,6 +85,7 @@ class EditRun {
 
   void take(Step& step) {
     // Warnings name elements as before the operator.
+    if (find_op(split_words(step.line.text)[0])) session_.end_trial();
     const Parsed<AnyOp> parsed =
         find_op(split_words(step.line.text)[0]) ? parse_line(session_.mesh(), step.line.text) : Parsed<AnyOp>();
     if (parsed.op && console_.json)

@@ -47,8 +47,9 @@ struct CommandRow {
   std::string_view aliases = "";                     // further ids, separated by blanks
   bool is_long = false;                              // may take long: the window first shows that it is at work
   bool (*may_take_long)(Words arguments) = nullptr;  // the same with these arguments
-  bool prepares_edits = false;                       // in the log it says what the next line works on
-  bool sees_window = false;  // looks at the window as it is drawn: first without the panel or menu that sent it
+  bool keeps_trial = false;     // needs no element of the document: what is on trial stays (Session::end_trial)
+  bool prepares_edits = false;  // in the log it says what the next line works on
+  bool sees_window = false;     // looks at the window as it is drawn: first without the panel or menu that sent it
   FileAccess file = FileAccess::none;
   // What is wrong with arguments that no mesh and no file can make right. Without it the line is tried on an empty
   // session, so a command has one that touches anything outside of its session, or that needs a mesh or its elements.

@@ -1,6 +1,7 @@
 // Selecting what lies in a region of the picture: `box`, `lasso`, and `band`, which makes the next drag one of them.
 #include "app/editor/camera_text.h"
 #include "app/editor/command_functions.h"
+#include "app/editor/playing.h"
 #include "core/base/count_text.h"
 #include "core/selection/element_set.h"
 
@@ -32,6 +33,7 @@ std::optional<RegionCall> read_region(Words arguments, std::size_t least, std::s
 
 Outcome select_in(Session& session, const RegionCall& call, const ScreenRegion& region) {
   const Picker::Depth depth = call.depth == Picker::Depth::seen ? session.pick_depth() : call.depth;
+  if (session.shows_step()) return not_on_a_step(session);
   if (session.preparing())
     return failed(ExitCode::refused, {"the mesh is still being prepared; try again in a moment",
                                       "メッシュの準備中です。少し待ってからやり直してください"});

@@ -132,7 +132,7 @@ Outcome run_cancel(Session& session, Words arguments, std::string_view) {
     return {};
   }
   if (!session.tool.empty()) return session.run("tool none");
-  return session.run("select none");
+  return session.shows_step() ? Outcome() : session.run("select none");
 }
 
 Outcome run_quit(Session& session, Words arguments, std::string_view) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <new>
 #include <unordered_map>
 #include <unordered_set>
@@ -254,6 +255,7 @@ Text Document::append(MeshFile file, std::string command) {
 }
 
 MeshFile Document::part(std::span<const Element> elements) const {
+  assert(!is_on_trial() && "the elements are of the mesh without it");
   Part taken = part_of(mesh_, elements, tables_);
   MeshFile file;
   file.mesh = std::move(taken.list);
@@ -407,7 +409,15 @@ Document::Elsewhere Document::exists_elsewhere(NameError error, std::span<const 
   return found;
 }
 
-MeshFile Document::contents() const { return edited_file(file_, mesh_, tables_); }
+Mesh Document::without_trial() const {
+  Mesh mesh = mesh_;
+  if (is_on_trial()) Journal(trial_).undo(mesh);
+  return mesh;
+}
+
+MeshFile Document::contents() const {
+  return is_on_trial() ? edited_file(file_, without_trial(), tables_) : edited_file(file_, mesh_, tables_);
+}
 
 std::vector<Message> Document::losses(const std::filesystem::path& path) const {
   const Format* const format = format_to_write(path.empty() ? path_ : path, file_);

@@ -68,6 +68,7 @@ class Document {
   static Result<std::unique_ptr<Document>> open(const std::filesystem::path& path);
   explicit Document(MeshFile file, std::filesystem::path path = {});
 
+  // With what is on trial.
   const Mesh& mesh() const { return mesh_; }
   const Journal& journal() const { return journal_; }
   // Data of the file (comments, libraries, messages), and its per-element tables (names, lines, quarantine). The mesh
@@ -95,7 +96,7 @@ class Document {
   // Adds the mesh of a file as parts of their own, as one entry of the history. The sentence says what of the file was
   // left out: what belongs to corners and faces, lines, and faces that cannot be used; empty where nothing was.
   Text append(MeshFile file, std::string command);
-  // What part_of() takes of these elements, as a file of its own.
+  // What part_of() takes of these elements, as a file of its own. Nothing is on trial.
   MeshFile part(std::span<const Element> elements) const;
   // The verdict and the ghost of the result. The document is unchanged.
   Preview preview(const AnyOp& op) { return ryosen::preview(writable(), journal_, op); }
@@ -135,7 +136,7 @@ class Document {
   bool is_modified() const { return saved_position_ != journal_.position(); }
   // Marks every history position as unsaved.
   void mark_unsaved() { saved_position_ = no_index; }
-  // The document as it would be written: all live elements and the data of the file.
+  // The document as it would be written: all live elements and the data of the file; never what is on trial.
   MeshFile contents() const;
   // What writing to a file of this name would lose, and which removed elements it would still contain, one warning
   // each; empty if the extension is unknown.
@@ -156,6 +157,7 @@ class Document {
   std::uint64_t serial() const { return serial_; }
 
  private:
+  Mesh without_trial() const;
   Mesh& writable() {
     end_trial();
     if (before_writing) before_writing();

@@ -17,7 +17,7 @@ constexpr double drag_doubles_px = 120;  // length of a zoom drag that doubles t
 // The place of the mesh at a pixel: on a face, else on an edge or a vertex near by.
 std::optional<glm::dvec3> place_under(Session& session, glm::dvec2 pixel) {
   for (const PickMode what : {PickMode::face, PickMode::edge, PickMode::vertex})
-    if (const auto picked = session.pick(pixel, what)) return picked->place;
+    if (const auto picked = session.pick_drawn(pixel, what)) return picked->place;
   return std::nullopt;
 }
 
@@ -29,7 +29,7 @@ double nearest_depth(Session& session) {
     for (int column = 0; column < columns; ++column) {
       const glm::dvec2 share((column + 0.5) / columns, (row + 0.5) / rows);
       const glm::dvec2 pixel = session.view_origin + share * glm::dvec2(session.view.width, session.view.height);
-      const auto picked = session.pick(pixel, PickMode::face);
+      const auto picked = session.pick_drawn(pixel, PickMode::face);
       if (!picked) continue;
       const double depth = depth_of(session.camera, picked->place);
       nearest = std::min(nearest.value_or(depth), depth);

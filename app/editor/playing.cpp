@@ -1,5 +1,7 @@
 #include "app/editor/playing.h"
 
+#include <atomic>
+
 #include "app/editor/command_functions.h"
 #include "app/editor/exercises.h"
 #include "app/editor/script.h"
@@ -31,6 +33,11 @@ Result<std::unique_ptr<steps::Sequence>> make_script(const Mesh& mesh, const ste
   const Result<FileBytes> bytes = read_whole_file(words[1]);
   if (!bytes) return bytes.failure();
   return row.make(mesh, lines_of(bytes->view()));
+}
+
+std::uint64_t next_player_serial() {
+  static std::atomic<std::uint64_t> last = 0;
+  return ++last;
 }
 
 }  // namespace
@@ -70,7 +77,8 @@ Result<std::unique_ptr<steps::Sequence>> make_played(const Document& document, s
 }
 
 Player::Player(std::string call, std::unique_ptr<steps::Sequence> sequence, const Document& document)
-    : call_(std::move(call)),
+    : player_serial_(next_player_serial()),
+      call_(std::move(call)),
       sequence_(std::move(sequence)),
       tables_(*sequence_),
       serial_(document.serial()),
@@ -93,11 +101,6 @@ void Player::go_to(Document& document, std::size_t position) {
       document.show_on_trial(mesh.columns());
     else
       document.end_trial();
-    // A preview, of a tool that points at something, ends a trial at once.
-    if (document.is_on_trial() != differs) {
-      revision_ = 0;
-      return;
-    }
   }
   revision_ = document.revision();
 }
@@ -109,12 +112,11 @@ void Player::end(Document& document) const {
 Outcome begin_playing(Session& session, std::span<const std::string> words) {
   end_playing(session);
   Document& document = session.document();
-  document.end_trial();
+  session.end_trial();
   Result<std::unique_ptr<steps::Sequence>> sequence = make_played(document, words);
   if (!sequence) return failed(sequence.failure());
   std::string call;
   for (const std::string& word : words) call += (call.empty() ? "" : " ") + word;
-  session.run("tool none");  // whose previews would end what is shown on trial
   session.player = std::make_shared<Player>(std::move(call), std::move(sequence).value(), document);
   // What begins with nothing is looked at as it ends.
   if (document.mesh().live().vertices == 0) {
@@ -123,6 +125,13 @@ Outcome begin_playing(Session& session, std::span<const std::string> words) {
   }
   session.player->go_to(document, 0);
   return {};
+}
+
+Outcome not_on_a_step(const Session& session) {
+  const std::string call = session.player ? session.player->call() : "";
+  return failed(ExitCode::refused,
+                {"the view shows a step of " + call + ", not the mesh that is open; steps close ends that",
+                 "ビューは " + call + " の手順を表示中です。steps close で開いているメッシュに戻ります"});
 }
 
 void end_playing(Session& session) {

@@ -32,6 +32,8 @@ class Player {
   // Of the words that call it. Before the first step.
   Player(std::string call, std::unique_ptr<steps::Sequence> sequence, const Document& document);
 
+  // Unique among those of this process; never 0.
+  std::uint64_t serial() const { return player_serial_; }
   const std::string& call() const { return call_; }
   std::size_t size() const { return sequence_->size(); }
   std::size_t position() const { return position_; }
@@ -56,6 +58,7 @@ class Player {
   void end(Document& document) const;
 
  private:
+  std::uint64_t player_serial_;
   std::string call_;
   std::unique_ptr<steps::Sequence> sequence_;
   steps::TablesAlong tables_;
@@ -68,5 +71,7 @@ class Player {
 // Begins to play in place of what is played.
 Outcome begin_playing(Session& session, std::span<const std::string> words);
 void end_playing(Session& session);
+// The refusal of what points into the view while that shows a step of another mesh than the one that is open.
+Outcome not_on_a_step(const Session& session);
 
 }  // namespace ryosen

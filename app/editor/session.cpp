@@ -74,6 +74,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   change_on_disk_ = FileState::Change::none;
   files = std::move(files_then);
   camera = camera_then;
+  aside_.reset();
   forget_derived();
   file_normals_ = FileNormals();
   remedy_line_.clear();
@@ -87,6 +88,8 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
 }
 
 void Session::forget_derived() {
+  if (aside_) selection = std::move(aside_->selection);
+  aside_.reset();
   map_values_.reset();
   preparation_.reset();  // it builds the tree of the picker
   hidden_ = HiddenElements();
@@ -114,6 +117,7 @@ void Session::follow(const Journal& journal, std::size_t transaction, Document::
 
 void Session::update_derived(const Journal& journal, std::size_t transaction, Document::Change change) {
   const Mesh& m = mesh();
+  if (change == Document::Change::tried) set_aside();
   if (change == Document::Change::trial_ended) forget_gesture();
   const TouchedElements touched = touched_elements(m, journal, transaction);
   hidden_.follow(m, touched);
@@ -178,12 +182,38 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
     selections.made(transaction, selection, m, touched.everything, journal.lengths_before(transaction));
   if (change == Document::Change::undone) selections.undone(transaction, selection, m, touched.everything);
   if (change == Document::Change::redone) selections.redone(transaction, selection, m, touched.everything);
-  if (is_trial) drop_lost(selection, m, false);
+  if (change == Document::Change::tried && touched.everything) {
+    selection.clear();
+    measures.clear();
+  }
+  if (change == Document::Change::tried) drop_lost(selection, m, false);
+  if (change == Document::Change::trial_ended) bring_back();
   drop_hidden(selection);
   if (is_verdict_held_)
     ask_held_verdict_again();
   else if (hover_)
     point_at(hover_->pixel, hover_->modifiers);
+}
+
+// Nothing is pointed at meanwhile: a preview would end the trial.
+void Session::set_aside() {
+  release_verdict();
+  hover_.reset();
+  Aside& aside = aside_.emplace(Aside{selection, measures, hidden_.elements(), {}, {}});
+  const bool is_of_now = highlights_ && searched_ && searched_->document == document_->serial() &&
+                         searched_->revision + 1 == document_->revision();
+  if (!is_of_now) return;
+  aside.searched = searched_->kind;
+  aside.findings = highlights_->of(searched_->kind).to_vector();
+}
+
+void Session::bring_back() {
+  if (!aside_) return;
+  const Aside aside = *std::exchange(aside_, std::nullopt);
+  selection = aside.selection;
+  measures = aside.measures;
+  if (!aside.hidden.empty()) hide(aside.hidden);
+  if (aside.searched) put_findings(*aside.searched, aside.findings);
 }
 
 const MapValues& Session::map_values() {
@@ -275,6 +305,8 @@ Outcome Session::run_line(const std::string& line) {
   if (row->effect != Effect::none) {
     cancel_gesture();
     end_playing(*this);
+  } else if (!row->keeps_trial) {
+    end_trial();
   }
   [[maybe_unused]] const std::uint64_t serial = document_->serial();
   [[maybe_unused]] const std::size_t position = document_->position(), entries = document_->history().size();

@@ -206,6 +206,12 @@ class Session {
   bool widen_gesture(double steps);
   Outcome end_gesture();
   void cancel_gesture();
+
+  // Ends what is on trial, of a gesture or of what is played: from then on the mesh is the document's, with what of it was
+  // selected, hidden, measured and found. Each command line begins with that, unless its row keeps trials.
+  void end_trial();
+  // The mesh is that of a step that is played, not the document's: nothing of it is picked or selected.
+  bool shows_step() const { return document_->is_on_trial() && !gesturing_; }
   // The places of vertices as they are drawn, those of the mesh but for a gesture; the step goes up with it.
   std::span<const glm::dvec3> drawn_positions() const;
   std::uint64_t gesture_step() const { return gesture_step_; }
@@ -233,8 +239,10 @@ class Session {
   void unhide();
   void drop_hidden(Elements& elements) const;
 
-  // The element under a pixel; none outside the view.
+  // The element of the document under a pixel; none outside the view, and none while another mesh is on trial.
   std::optional<Picked> pick(glm::dvec2 pixel, PickMode what);
+  // The same of what is drawn, for who needs its place alone.
+  std::optional<Picked> pick_drawn(glm::dvec2 pixel, PickMode what);
   Picker::Depth pick_depth() const;
   Picker& picker();
 
@@ -310,6 +318,8 @@ class Session {
   void follow(const Journal& journal, std::size_t transaction, Document::Change change);
   void update_derived(const Journal& journal, std::size_t transaction, Document::Change change);
   void forget_derived();
+  void set_aside();
+  void bring_back();
   bool needs_corner_normals() const {
     return settings.shading == Shading::smooth || settings.normals == Normals::vertices;
   }
@@ -356,6 +366,15 @@ class Session {
     std::uint64_t document, revision;
   };
   std::optional<Searched> searched_;
+  // What names elements of the document, while another mesh is on trial.
+  struct Aside {
+    Elements selection;
+    std::vector<Elements> measures;
+    Elements hidden;
+    std::optional<ProblemKind> searched;
+    std::vector<std::uint32_t> findings;
+  };
+  std::optional<Aside> aside_;
   std::optional<MapValues> map_values_;
   std::optional<MapRange> map_extent_;  // while the values are the same
   std::optional<BoundaryLoopCount> boundary_loops_;

@@ -20,9 +20,7 @@ struct Session::Gesturing {
   std::vector<Face> spoilt;
   glm::dvec2 pixel{0};  // of the window, where the pointer was last
   Modifiers modifiers = {};
-  // Of one that pulls faces out: the extrusion by nothing, on trial, and the selection before it and behind it.
-  std::string extrusion = {};
-  Elements selected_before = {}, selected_meanwhile = {};
+  std::string extrusion = {};  // of one that pulls faces out: by nothing, on trial
 };
 
 namespace {
@@ -70,6 +68,7 @@ std::span<const Face> Session::spoilt_by_gesture() const {
 }
 
 Outcome Session::begin_gesture(PointTransform::Kind kind) {
+  end_trial();
   cancel_gesture();
   if (selection.empty()) return failed(ExitCode::refused, {"select something first", "先に何か選択してください"});
   begin_gesture_with(kind, selection);
@@ -144,7 +143,7 @@ std::optional<glm::dvec3> Session::place_to_snap_to(glm::dvec2 pixel) {
   const std::vector<Vertex>& own = gesturing_->touched.moved;
   const auto is_own = [&](Vertex v) { return std::binary_search(own.begin(), own.end(), v); };
   for (const PickMode what : {PickMode::vertex, PickMode::edge, PickMode::face}) {
-    const auto picked = pick(pixel, what);
+    const auto picked = pick_drawn(pixel, what);
     if (!picked) continue;
     const std::vector<Vertex> points = points_of(mesh(), std::span(&picked->element, 1));
     if (std::none_of(points.begin(), points.end(), is_own)) return picked->place;
@@ -191,6 +190,7 @@ Outcome Session::end_gesture() {
 
 // Extruded by nothing, so that what is moved is there; that is on trial, and in the end it is one extrusion, or none.
 Outcome Session::begin_pull() {
+  end_trial();
   cancel_gesture();
   Elements faces;
   for (const Element& e : selection)
@@ -203,15 +203,10 @@ Outcome Session::begin_pull() {
   const std::vector<std::string_view> arguments(names.begin(), names.end());
   const Parsed<AnyOp> extrusion = parse_op(mesh(), "extrude", arguments);
   if (!extrusion.op) return no_element(document(), line + "0", extrusion.error, extrusion.sentence);
-  Elements selected = selection;
-  hover_.reset();  // its preview would end the trial
-  release_verdict();
   const Outcome outcome = document_->try_out(*extrusion.op);
   if (!outcome.done()) return outcome;
   begin_gesture_with(PointTransform::Kind::move, std::move(faces));
   gesturing_->extrusion = std::move(line);
-  gesturing_->selected_meanwhile = selection;
-  gesturing_->selected_before = std::move(selected);
   gesture_key("N");
   return outcome;
 }
@@ -220,19 +215,21 @@ Outcome Session::begin_pull() {
 void Session::forget_gesture() {
   if (!gesturing_) return;
   note_gesture();
-  if (!gesturing_->extrusion.empty() && selection == gesturing_->selected_meanwhile)
-    selection = std::move(gesturing_->selected_before);
   gesturing_.reset();
 }
 
 void Session::cancel_gesture() {
+  if (gesturing_) end_trial();  // that of one that pulls
+  forget_gesture();
+}
+
+void Session::end_trial() {
   try {
     document_->end_trial();  // which forgets the gesture that it was for
   } catch (const std::bad_alloc&) {
     forget_derived();
     document_->take_back(document_->position());
   }
-  forget_gesture();
 }
 
 void Session::GesturingDeleter::operator()(Gesturing* gesturing) const { delete gesturing; }

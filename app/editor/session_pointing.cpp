@@ -5,6 +5,7 @@
 #include "app/editor/asking.h"
 #include "app/editor/commands.h"
 #include "app/editor/pick_modes.h"
+#include "app/editor/playing.h"
 #include "app/editor/session.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
@@ -191,6 +192,7 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers
   cancel_gesture();  // what is pointed at is the mesh as it is
   release_verdict();
   if (const AxisEnd* const end = axis_end_at(pixel)) return run(line_of(*end, camera));
+  if (shows_step()) return not_on_a_step(*this);
   if (!asked_line.empty() && with_tool.empty()) return answer(*this, pixel);
   const OpInfo* info = find_op(with_tool);
   if (!info && click_selects(modifiers) != ClickSelects::element) return select_along(pixel, modifiers);
@@ -226,6 +228,10 @@ void Session::select_for_menu(glm::dvec2 pixel) {
 }
 
 std::optional<Picked> Session::pick(glm::dvec2 pixel, PickMode what) {
+  return document_->is_on_trial() ? std::nullopt : pick_drawn(pixel, what);
+}
+
+std::optional<Picked> Session::pick_drawn(glm::dvec2 pixel, PickMode what) {
   const glm::dvec2 inside = pixel - view_origin;
   if (inside.x < 0 || inside.y < 0 || inside.x >= view.width || inside.y >= view.height) return std::nullopt;
   if (preparation_) return std::nullopt;

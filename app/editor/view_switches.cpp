@@ -264,7 +264,8 @@ CommandRow row_of(const ViewSwitch& given) {
           .help_en = given.help_en,
           .help_ja = given.help_ja,
           .effect = Effect::none,
-          .run = run};
+          .run = run,
+          .keeps_trial = true};
 }
 
 ScopedViewSwitch::ScopedViewSwitch(ViewSwitch row) {

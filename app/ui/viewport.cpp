@@ -339,7 +339,7 @@ void Viewport::follow_overlays(Session& session) {
     view_->set_overlay(Layer::measures, measures_overlay(session, settings_.theme));
   measures_ = session.measures;
   const Player* const player = session.player.get();
-  const std::pair<const Player*, std::size_t> step(player, player ? player->position() : 0);
+  const std::pair<std::uint64_t, std::size_t> step(player ? player->serial() : 0, player ? player->position() : 0);
   if (selection_stale_ || step_ != step) view_->set_overlay(Layer::steps, step_overlay(session, settings_.theme));
   step_ = step;
   selection_stale_ = false;

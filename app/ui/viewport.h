@@ -96,7 +96,7 @@ class Viewport {
   std::vector<Element> selection_;
   std::vector<Elements> measures_;                // as they were drawn
   IndexSet selected_faces_;                       // as they were drawn
-  std::pair<const Player*, std::size_t> step_{};  // what is played, and how far it was drawn
+  std::pair<std::uint64_t, std::size_t> step_{};  // the player that was drawn, by its serial number, and how far
 };
 
 }  // namespace ryosen

@@ -128,6 +128,14 @@ bool HiddenElements::hides(const Mesh& mesh, Edge e) const {
   return std::all_of(sheets.begin(), sheets.end(), [&](Halfedge h) { return hides_sheet(mesh, edge(h)); });
 }
 
+std::vector<Element> HiddenElements::elements() const {
+  std::vector<Element> all;
+  faces_.for_each([&](std::uint32_t i) { all.emplace_back(Face(i)); });
+  wires_.for_each([&](std::uint32_t i) { all.emplace_back(Edge(i)); });
+  isolated_.for_each([&](std::uint32_t i) { all.emplace_back(Vertex(i)); });
+  return all;
+}
+
 bool HiddenElements::hides(const Mesh& mesh, const Element& e) const {
   switch (e.kind) {
     case Element::Kind::vertex:

@@ -31,6 +31,8 @@ class HiddenElements {
   // After an edit: what is deleted, or of another sort now, is hidden no more. Where columns were replaced, nothing is.
   void follow(const Mesh& mesh, const TouchedElements& touched);
 
+  // By themselves.
+  std::vector<Element> elements() const;
   bool empty() const { return faces_.empty() && wires_.empty() && isolated_.empty(); }
   const IndexSet& faces() const { return faces_; }
   const IndexSet& wires() const { return wires_; }

@@ -34,6 +34,20 @@ TEST(edit, reports_every_command_then_the_whole) {
   EXPECT_EQ(lines[3]["refused"], 0);
 }
 
+TEST(edit, writes_the_mesh_and_not_the_step_that_is_shown) {
+  const test::TemporaryFolder folder;
+  const ProgramRun run = run_program(
+      {"edit", asset("cube.obj"), "--do", "steps script square; steps last", "-o", "o.obj", "--json"}, folder.path());
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.lines().back()["vertices"], 8);
+  EXPECT_EQ(run_program({"check", folder.at("o.obj"), "--json"}).line()["faces"], 6);
+  // Names are those of the mesh, though a step with others is shown.
+  const ProgramRun split = run_program(
+      {"edit", asset("cube.obj"), "--do", "steps script square; steps last; split 4-5", "--json"}, folder.path());
+  EXPECT_EQ(split.exit_code, 0) << split.err;
+  EXPECT_EQ(split.lines().back()["vertices"], 9);
+}
+
 TEST(edit, runs_scripts_with_comments_and_undoes_them) {
   const TemporaryFolder folder;
   folder.write("s.txt", "# a trial\ncollapse 0-1 mid ; swap 2-3\n\nundo 2\nexpect V 8; expect E 12; expect F 6\n");

@@ -22,8 +22,8 @@ class Telling {
     const std::string made = std::to_string(hull_.made_so_far());
     told.caption =
         told.caption + (step.is_planar
-                            ? Text{" (edges made so far: " + made + ")", "（これまでに作った稜線 " + made + " 本）"}
-                            : Text{" (faces made so far: " + made + ")", "（これまでに作った面 " + made + " 枚）"});
+                            ? Text{" Edges made so far: " + made + ".", "これまでに作った稜線の数 " + made + "。"}
+                            : Text{" Faces made so far: " + made + ".", "これまでに作った面の数 " + made + "。"});
     mark_what_was(told, step);
     for (const DcelChange& change : step.changes) {
       if (told.rows.size() >= RecordedSteps::most_rows) break;

@@ -41,7 +41,7 @@ const KeyRow first_keys[] = {
      "選択を移動（X Y Z N、数字、O、Ctrl。Enter かクリックで確定、Escape で中止）"},
     {"R", "gesture turn", "turn the selection", "選択を回転"},
     {"Shift+S", "gesture scale", "scale the selection", "選択を拡大縮小"},
-    {"B", "band box", "select by a box: drag it, Shift adds, Ctrl takes out, Alt goes through",
+    {"B", "band box", "select by a box: drag it, Shift adds, Ctrl adds or takes out, Alt goes through",
      "ボックス選択（ドラッグ。Shift で追加、Ctrl で反転、Alt で裏側も）"},
     {"Shift+B", "band lasso", "select by a lasso in the same way", "投げ縄選択（修飾キーは同じ）"},
     {"Shift+D", "duplicate elements=selected", "duplicate the selection", "選択を複製"},

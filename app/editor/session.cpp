@@ -340,7 +340,12 @@ void Session::log_line(Outcome& outcome, std::string line) {
   }
 }
 
-bool Session::look_at_disk() { return std::exchange(change_on_disk_, document_->change_on_disk()) != change_on_disk_; }
+bool Session::look_at_disk() {
+  const FileState::Change before = change_on_disk_;
+  change_on_disk_ = document_->change_on_disk();
+  if (change_on_disk_ == FileState::Change::gone) document_->mark_unsaved();  // no file holds this mesh any more
+  return change_on_disk_ != before;
+}
 
 Input& Session::input() {
   if (const std::shared_ptr<Input> frontend = frontend_input.lock()) return *frontend;

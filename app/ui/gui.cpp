@@ -139,8 +139,6 @@ void Gui::frame(Session& session, Size window, double seconds) {
   for (WaitingLine& waiting : std::exchange(state_.waiting, {}))
     if (waiting.frames-- > 0)
       state_.waiting.push_back(std::move(waiting));
-    else if (waiting.asks_again.empty())
-      run(session, waiting.line);
     else
       context(session).run_from(waiting.line, waiting.asks_again);
 }
@@ -262,13 +260,7 @@ PointerShape Gui::pointer_shape() const {
   }
 }
 
-Outcome Gui::run(Session& session, const std::string& line) {
-  // Without a file, ask for a name.
-  const auto call = call_of(line);
-  if (call && call->row.effect == Effect::writes && file_of(*call).empty() && session.document().path().empty())
-    return context(session).open(PanelOpener::unnamed_save);
-  return context(session).run(line);
-}
+Outcome Gui::run(Session& session, const std::string& line) { return context(session).run(line); }
 Outcome Gui::click(Session& session, const Navigation::Click& click) { return context(session).click(click); }
 void Gui::open_element_menu() {
   state_.unsettle();

@@ -36,21 +36,15 @@ void panel_items(PanelContext& context, PanelMenu menu, const char* behind = "")
   }
 }
 
-// What replaces the document asks before changes would be lost.
-void replacing_item(PanelContext& context, const char* name, const std::string& line) {
-  if (ImGui::MenuItem(name)) context.leave({false, {}, line});
-}
-
 void draw_recent_menu(PanelContext& context) {
   if (!ImGui::BeginMenu(context.text("Open recent", "最近のファイル"), !context.session.recent.empty())) return;
-  for (const std::string& file : context.session.recent)
-    replacing_item(context, file.c_str(), "open " + file_argument(file));
+  for (const std::string& file : context.session.recent) item(context, file.c_str(), "open " + file_argument(file));
   ImGui::EndMenu();
 }
 
 void draw_file_menu(PanelContext& context) {
-  replacing_item(context, context.text("Start page", "開始画面"), "start");
-  replacing_item(context, context.text("New", "新規"), "new");
+  item(context, context.text("Start page", "開始画面"), "start");
+  item(context, context.text("New", "新規"), "new");
   panel_items(context, PanelMenu::file_read, "...");
   draw_recent_menu(context);
   if (context.session.has_beside()) item(context, context.text("Stop comparing", "比較を終える"), "compare off");

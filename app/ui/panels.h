@@ -72,9 +72,10 @@ struct PanelContext {
   const UiColours& colours() const { return ui_colours(theme); }
 
   // Sends a command line and keeps its outcome for the status line. Long work waits until the frame is laid out, and what
-  // looks at the window until a later one has been drawn.
-  Outcome run(const std::string& line) { return run_from(line, {}); }
-  // Closes this panel, which opens again where the line fails.
+  // looks at the window until a later one has been drawn. Where edits that are not saved would be lost, or no file
+  // to save to is known, it asks first.
+  Outcome run(const std::string& line);
+  // Without that question. Closes this panel, which opens again where the line fails.
   Outcome run_from(const std::string& line, const std::string& panel_id);
   // A click of the current tool, or a selection, at a pixel of the window.
   Outcome click(const Navigation::Click& click);

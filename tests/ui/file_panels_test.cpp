@@ -88,5 +88,20 @@ TEST_F(FilePanels, the_second_press_of_a_double_click_on_a_folder_is_none_on_wha
   EXPECT_EQ(session.document().path(), folder_.at("inner/torus.off")) << "a double click on a file opens it";
 }
 
+TEST_F(FilePanels, above_a_folder_that_was_typed_with_its_slash_lies_what_it_is_in) {
+  folder_.write("inner/torus.off", test::read_file(test::asset("torus.off")));
+  show("open");
+  gui.text("inner/");
+  frames(2);
+  gui.key(ImGuiKey_Enter, true);
+  gui.key(ImGuiKey_Enter, false);
+  frames(3);
+  ASSERT_NE(DrawnText(gui).place("torus.off").x, -1e9) << "the folder was entered";
+  click(DrawnText(gui).place("Folderabove"));
+  frames(2);
+  EXPECT_NE(DrawnText(gui).place("inner/").x, -1e9);
+  EXPECT_TRUE(gui.owns_keys()) << "typing goes on";
+}
+
 }  // namespace
 }  // namespace ryosen

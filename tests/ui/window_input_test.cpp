@@ -257,5 +257,20 @@ TEST_F(WindowInputTest, a_menu_takes_the_keys_and_escape_closes_it) {
   EXPECT_EQ(session_.selection.size(), 1u) << "one step at a time";
 }
 
+TEST_F(WindowInputTest, a_key_of_ones_own_asks_before_edits_are_lost) {
+  session_.run("split 0-1");
+  const std::uint32_t vertices = session_.mesh().live().vertices;
+  for (const std::string& command :
+       std::vector<std::string>{"new", "start", "open " + test::asset("cube.obj"), "reload"}) {
+    session_.run("bind Ctrl+K " + command);
+    input_.key_down("Ctrl+K");
+    frames(3);
+    EXPECT_EQ(session_.mesh().live().vertices, vertices) << command;
+    EXPECT_EQ(session_.open_panel, panel_opened_by(PanelOpener::loss).id) << command;
+    session_.run("panel none");
+    frames(2);
+  }
+}
+
 }  // namespace
 }  // namespace ryosen

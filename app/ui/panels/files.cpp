@@ -88,6 +88,7 @@ bool FileBrowser::is_listed(const fs::path& file) const {
 
 void FileBrowser::enter(const fs::path& folder) {
   folder_ = folder.lexically_normal();
+  if (!folder_.has_filename() && folder_.has_relative_path()) folder_ = folder_.parent_path();  // a slash at its end
   entries_ = entries_of_folder(folder_, [&](const fs::path& file) { return is_listed(file); });
 }
 
@@ -201,7 +202,10 @@ void FileBrowser::accept(PanelContext& context) {
 
 void FileBrowser::draw(PanelContext& context) {
   if (ImGui::IsWindowAppearing()) begin(context.session.document());
-  if (ImGui::Button(context.text(UiText::folder_up))) enter(folder_.parent_path());
+  if (ImGui::Button(context.text(UiText::folder_up))) {
+    enter(folder_.parent_path());
+    takes_keys_ = true;
+  }
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
   fitted_text(folder_.string(), ImGui::GetContentRegionAvail().x);

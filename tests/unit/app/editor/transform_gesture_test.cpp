@@ -208,7 +208,7 @@ TEST_F(GestureTest, whatever_edits_points_or_goes_back_ends_an_extrusion_first) 
   EXPECT_FALSE(session_->run("select v100000").done()) << "and asks whether it was there at another time";
   run({"key Escape"});
   EXPECT_EQ(session_->mesh().hash(), hash);
-  run({"key E"});
+  run({"select f0 f1", "key E"});
   session_->run("click 640,360 poke");
   EXPECT_FALSE(session_->gesture());
   EXPECT_EQ(session_->mesh().hash(), hash) << "there is nothing in the middle of a ring";

@@ -32,6 +32,7 @@ const KeyRow first_keys[] = {
     {"Delete", "delete selected", "delete the selection", "選択を削除"},
     {"Shift+X", "dissolve selected", "dissolve the selection", "選択を溶解"},
     {"M", "weld selected", "weld the selected vertices into the last one", "選択した頂点を最後の頂点に縫合"},
+    {"Shift+M", "weld selected mid", "weld the selected vertices in their middle", "選択した頂点を中央で縫合"},
     {"J", "either separate_loop selected | unite_ring selected | make_edge selected",
      "divide a face from vertex to vertex, or join them by an edge", "面を二頂点間で分割、または稜線で結ぶ"},
     {"F", "either make_face selected | fill selected", "make a face on the vertices, or fill holes at the edges",

@@ -122,6 +122,7 @@ void Gui::frame(Session& session, Size window, double seconds) {
   state_.unsettled_frames = std::max(state_.unsettled_frames - 1, 0);
   state_.waits_for_work = false;
   state_.is_laying_out = true;
+  laid_out_panel_ = session.open_panel;
   if (std::exchange(state_.closes_menus, false)) ImGui::ClosePopupsExceptModals();
   PanelContext panel_context = context(session);
   draw_menu(panel_context);
@@ -237,8 +238,8 @@ void Gui::close_menus() {
   state_.closes_menus = true;
 }
 
-bool Gui::awaits_frame() const {
-  return unseen_keys_.contains(ImGuiKey_Enter) || unseen_keys_.contains(ImGuiKey_Escape);
+bool Gui::awaits_frame(const Session& session) const {
+  return !unseen_keys_.empty() || session.asked_menu || session.open_panel != laid_out_panel_ || wants_frames();
 }
 
 bool Gui::owns_keys() const {

@@ -83,6 +83,16 @@ void draw_edit_menu(PanelContext& context) {
   panel_items(context, PanelMenu::edit);
 }
 
+// All elements that have a problem of a kind.
+void draw_select_problems(PanelContext& context) {
+  if (!ImGui::BeginMenu(context.text("What is broken", "問題のある要素"))) return;
+  const HighlightSets& sets = context.session.highlights();
+  for (const ProblemRow& row : problem_table())
+    if (row.is_local() || row.is_on_request)
+      item(context, context.text(row.name_en, row.name_ja), "select " + std::string(row.id), sets.count(row.kind) > 0);
+  ImGui::EndMenu();
+}
+
 // What needs a value that has no usual one is only a command.
 void draw_select_menu(PanelContext& context) {
   for (const Selector& row : selectors()) {
@@ -90,6 +100,7 @@ void draw_select_menu(PanelContext& context) {
     item(context, context.text(row.name_en, row.name_ja), select_line(row),
          missing_for(row, context.session.selection).en.empty());
   }
+  draw_select_problems(context);
   ImGui::Separator();
   item(context, UiText::hide_selected, "hide selected", !context.session.selection.empty());
   item(context, UiText::isolate_selected, "isolate selected", !context.session.selection.empty());
@@ -188,7 +199,7 @@ void go_sideways(PanelContext& context, const MenuRow& open) {
 // The name of the file: in the middle of the bar, or of what the menus leave of it up to here.
 void draw_name(PanelContext& context, float end) {
   const Document& document = context.session.document();
-  const std::string name = (document.is_modified() ? "* " : "") + document.path().filename().string();
+  const std::string name = (document.is_modified() ? "* " : "") + context.session.document_name();
   const float gap = ImGui::GetFontSize(), begin = ImGui::GetCursorPosX() + gap, room = end - gap - begin;
   if (room < 2 * gap) return;
   const float width = std::min(ImGui::CalcTextSize(name.c_str()).x, room);

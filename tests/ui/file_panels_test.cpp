@@ -50,13 +50,22 @@ TEST_F(FilePanels, a_file_that_cannot_be_read_is_said_why_where_it_was_chosen) {
 TEST_F(FilePanels, a_file_that_cannot_be_written_is_said_why_and_its_name_stays) {
   show("save");
   click(name_field);
-  for (const char c : std::string_view("xyz")) gui.character(static_cast<unsigned>(c));
+  for (const char c : std::string_view("x.yz")) gui.character(static_cast<unsigned>(c));
   frames(2);
   click(accept_button);
   EXPECT_EQ(session.open_panel, "save");
   expect_reason_in_panel();
-  EXPECT_GE(DrawnText(gui).count("xyz"), 1u);
+  EXPECT_GE(DrawnText(gui).count("x.yz"), 1u);
   EXPECT_EQ(folder_.names(), std::vector<std::string>{"cube.obj"});
+}
+
+TEST_F(FilePanels, a_name_without_an_ending_is_that_of_a_file_as_the_open_one) {
+  show("save");
+  gui.text("xyz");  // in place of the name that is offered
+  frames(2);
+  click(accept_button);
+  EXPECT_EQ(session.open_panel, "");
+  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"cube.obj", "xyz.obj"}));
 }
 
 TEST_F(FilePanels, the_question_before_a_loss_says_why_saving_failed) {

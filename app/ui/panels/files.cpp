@@ -150,11 +150,14 @@ void FileBrowser::follow_keys(ImGuiInputTextCallbackData& data) {
 bool FileBrowser::draw_name(PanelContext& context) {
   if (std::exchange(takes_keys_, false)) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  const bool entered =
-      ImGui::InputTextWithHint("##name", context.text(UiText::file_name), &name_,
-                               ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
-                                   ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackHistory,
-                               &FileBrowser::edit, this);
+  const bool entered = ImGui::InputTextWithHint(
+      "##name",
+      use_.writes ? context.text("File name; OBJ where it has no ending", "ファイル名（拡張子がなければ OBJ）")
+                  : context.text(UiText::file_name),
+      &name_,
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
+          ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackHistory,
+      &FileBrowser::edit, this);
   takes_keys_ = takes_keys_ || entered;
   return entered;
 }
@@ -186,6 +189,11 @@ void FileBrowser::accept(PanelContext& context) {
     return enter(path);
   }
   if (use_.replaces && context.session.document().is_modified()) return context.leave({false, path});
+  if (use_.writes && path.extension().empty()) {  // as the file that is open
+    const std::string usual = context.session.document().path().extension().string();
+    name_ += usual.empty() ? ".obj" : usual;
+    return accept(context);
+  }
   const std::string line = std::string(use_.command) + " " + file_argument(path.string());
   if (!use_.writes) return carry_out(context, line);
   const bool replaces = fs::exists(path, ignored) && path != replaces_;

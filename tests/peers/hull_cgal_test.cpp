@@ -24,13 +24,13 @@ std::set<Place> extreme_places(const std::vector<glm::dvec3>& points) {
 }
 
 std::set<Place> cgal_places(const std::vector<glm::dvec3>& points) {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  std::vector<Kernel::Point_3> given;
+  using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
+  std::vector<Exact::Point_3> given;
   for (const glm::dvec3& p : points) given.emplace_back(p.x, p.y, p.z);
-  CGAL::Surface_mesh<Kernel::Point_3> hull;
+  CGAL::Surface_mesh<Exact::Point_3> hull;
   CGAL::convex_hull_3(given.begin(), given.end(), hull);
   std::set<Place> places;
-  for (const Kernel::Point_3& p : hull.points()) places.insert({p.x(), p.y(), p.z()});
+  for (const Exact::Point_3& p : hull.points()) places.insert({p.x(), p.y(), p.z()});
   return places;
 }
 

@@ -269,7 +269,8 @@ const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
     return arrows_;
   }
   const Document& document = session.document();
-  Key key{document.serial(), document.revision(), trail_, shown, session.camera, session.view, session.selection};
+  Key key{document.serial(), document.revision(),      trail_, shown, session.camera,
+          session.view,      session.selection.stamp()};
   const bool hides = !session.hidden().empty();  // what, may change without a trace here
   if (key_ && *key_ == key && !hides) return arrows_;
   if (hides)

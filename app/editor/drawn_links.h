@@ -64,7 +64,7 @@ class DrawnLinks {
     LinksShown shown = LinksShown::off;
     Camera camera;
     Size view;
-    std::vector<Element> selection;
+    std::uint64_t selection = 0;  // by its stamp
     friend bool operator==(const Key&, const Key&) = default;
   };
   std::optional<Key> key_;

@@ -6,6 +6,7 @@
 
 #include "app/editor/autosave.h"
 #include "app/editor/commands.h"
+#include "app/editor/levels.h"
 #include "app/editor/playing.h"
 #include "app/editor/view_input.h"
 #include "app/editor/words.h"
@@ -83,6 +84,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   colouring.reset();
   measures.clear();
   player.reset();
+  levels.reset();
   cut.reset();
   log_.clear();
 }
@@ -306,6 +308,7 @@ Outcome Session::run_line(const std::string& line) {
   if (row->effect != Effect::none) {
     cancel_gesture();
     end_playing(*this);
+    end_levels(*this);
   } else if (!row->keeps_trial) {
     end_trial();
   }
@@ -401,6 +404,14 @@ const RepairReport* Session::last_repair() const {
 void Session::keep_report(RepairReport report) {
   last_repair_ = {document_->serial(), document_->revision(), std::move(report)};
 }
+
+const EdgeAccount* Session::account() const {
+  const bool is_of_now =
+      account_ && account_->serial == document_->serial() && account_->revision == document_->revision();
+  return is_of_now ? account_.get() : nullptr;
+}
+
+void Session::keep_account(EdgeAccount account) { account_ = std::make_shared<const EdgeAccount>(std::move(account)); }
 
 const CornerNormals& Session::corner_normals() {
   if (!corner_normals_ || corner_normals_->crease_deg() != crease_deg)

@@ -50,6 +50,8 @@ struct Colouring {
 };
 
 class Player;
+class ShownLevels;
+struct EdgeAccount;
 // Where the mesh is cut: the switch says across which axis, the share of its extent how far along.
 struct Cut {
   ClipWay way = ClipWay::off;
@@ -104,9 +106,10 @@ class Session {
   Selection selection;
   SelectionMemory selections;
   std::optional<Colouring> colouring;
-  DrawnLinks links;                // as arrows in the view
-  std::vector<Elements> measures;  // what was asked for, in that order; read anew when it is shown
-  std::shared_ptr<Player> player;  // of what is played step by step (playing.h); null for nothing
+  DrawnLinks links;                     // as arrows in the view
+  std::vector<Elements> measures;       // what was asked for, in that order; read anew when it is shown
+  std::shared_ptr<Player> player;       // of what is played step by step (playing.h); null for nothing
+  std::shared_ptr<ShownLevels> levels;  // of detail, that are gone through (levels.h); null for none
   // User interface state changed by commands; stored without effect if there is no UI.
   Language language = Language::english;
   ViewSettings settings;
@@ -262,6 +265,10 @@ class Session {
   const RepairReport* last_repair() const;
   void keep_report(RepairReport report);
 
+  // What holds the edges that the last simplification left; null where the document has changed since.
+  const EdgeAccount* account() const;
+  void keep_account(EdgeAccount account);
+
   // For smooth shading, and where normals of vertices are drawn. Kept up with edits as long as one of them is set.
   const CornerNormals& corner_normals();
   // The sets of problems, and of the highlights that are shown.
@@ -404,6 +411,7 @@ class Session {
   std::uint64_t remedy_revision_ = 0;
   DrawnChanges drawn_changes_;
   std::optional<LastRepair> last_repair_;
+  std::shared_ptr<const EdgeAccount> account_;
   std::unique_ptr<Input> view_input_;         // made when it is asked for
   std::unique_ptr<Preparation> preparation_;  // reads what stands above, so that it ends first
   RepairTrials trials_;                       // as this does

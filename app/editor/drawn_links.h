@@ -68,8 +68,7 @@ class DrawnLinks {
     Camera camera;
     Size view;
     double scale = 1;
-    Element selected;
-    std::size_t selected_count = 0;  // 0, 1, or 2 for more
+    std::uint64_t selection = 0;  // by its stamp
     friend bool operator==(const Key&, const Key&) = default;
   };
   std::optional<Key> key_;

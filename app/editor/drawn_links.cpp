@@ -270,6 +270,7 @@ const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
     return arrows_;
   }
   const Document& document = session.document();
+  const Selection& selection = session.selection;
   const Key key{.serial = document.serial(),
                 .revision = document.revision(),
                 .hidden = session.hidden().revision(),
@@ -278,7 +279,7 @@ const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
                 .camera = session.camera,
                 .view = session.view,
                 .scale = session.size_scale(),
-                .selection = session.selection.stamp()};
+                .selection = selection.stamp()};
   if (key_ && *key_ == key) return arrows_;
   key_ = key;
   arrows_.clear();

@@ -61,7 +61,7 @@ class DrawnLinks {
   void forget_trail();
 
  private:
-  // All that they depend on. Of the selection that is the first element, and whether it is the only one.
+  // All that they depend on.
   struct Key {
     std::uint64_t serial = 0, revision = 0, hidden = 0, trail = 0;
     LinksShown shown = LinksShown::off;

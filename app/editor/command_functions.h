@@ -60,6 +60,11 @@ std::string colours_syntax();
 RunCommand run_steps;
 FaultOfCommand fault_of_steps;
 std::string steps_syntax();
+// Levels of detail and what holds edges: commands_simplifying.cpp
+RunCommand run_levels, run_account;
+FaultOfCommand fault_of_levels, fault_of_account;
+std::string levels_syntax(), account_syntax();
+bool levels_take_long(Words arguments);
 // Searching on request: commands_searching.cpp
 RunCommand run_self_intersections;
 FaultOfCommand fault_of_self_intersections;

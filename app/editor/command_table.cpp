@@ -235,6 +235,25 @@ const std::vector<CommandRow>& last_rows() {
            .effect = Effect::none,
            .run = run_steps,
            .fault = fault_of_steps}),
+      of_view(
+          {.id = "levels",
+           .syntax = levels_syntax(),
+           .help_en = "shows all levels of detail, beside the history: builds them with values of simplify, goes to "
+                      "one with at "
+                      "most so many faces, keeps that as an edit",
+           .help_ja = "簡略化の全段階をビューに示す（simplify の値で作り、at で面の数を選び、keep で編集として残す）",
+           .effect = Effect::none,
+           .run = run_levels,
+           .may_take_long = levels_take_long,
+           .fault = fault_of_levels}),
+      {.id = "account",
+       .syntax = account_syntax(),
+       .help_en =
+           "tells under which rule how many edges stand that the last simplification left, or selects those of one",
+       .help_ja = "直前の簡略化で残った稜線を、残った理由ごとに数える（理由を付けるとその稜線を選択する）",
+       .effect = Effect::none,
+       .run = run_account,
+       .fault = fault_of_account},
       {.id = "self_intersections",
        .syntax = "[off]",
        .help_en =

@@ -5,6 +5,7 @@
 #include "app/editor/command_functions.h"
 #include "app/editor/command_syntax.h"
 #include "app/editor/first_slots.h"
+#include "app/editor/levels.h"
 #include "app/editor/repair_call.h"
 #include "app/editor/script.h"
 #include "app/editor/words.h"
@@ -90,7 +91,7 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
   outcome.performed = call + (values.empty() ? "" : " " + values);
   const FirstSlots before(session.mesh());
   const bool was_empty = session.mesh().live() == ElementCounts();
-  auto result = session.document().run(row, *found.values, outcome.performed, session.on_progress);
+  auto result = session.document().run(row, *found.values, outcome.performed, session.on_progress, row.accounts);
   if (!result) return cancelled();
   if (result->fault) return usage_error(id + ": " + result->fault->en, id + "：" + result->fault->ja);
   if (result->refused)
@@ -98,6 +99,9 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
   if (was_empty && result->changed > 0) session.frame_all();  // nobody could have looked at it before
   unless_memory_lacks([&] {
     if (row.selects_added && result->changed > 0) session.selection = before.added_to(session.mesh());
+    if (result->account && !result->account->rules.empty())
+      session.keep_account({session.document().serial(), session.document().revision(),
+                            std::move(result->account->rules), std::move(result->account->remaining)});
     if (!row.is_repair()) return;
     const BesideRepairs beside = session.document().beside_repairs();
     session.keep_report(report_of({{{&row, *given.values}}, false}, *result, session.mesh(), beside.input()));

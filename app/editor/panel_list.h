@@ -22,6 +22,7 @@ enum class PanelOpener {
   asked_values,   // the command `values`
   coloured,       // the command `colours`, or `measure`
   played,         // the command `steps`
+  levelled,       // the command `levels`, or `account`
 };
 
 // Before anybody has said anything.

@@ -4,6 +4,7 @@
 
 #include "app/editor/command_functions.h"
 #include "app/editor/exercises.h"
+#include "app/editor/levels.h"
 #include "app/editor/script.h"
 #include "app/editor/session.h"
 #include "app/editor/words.h"
@@ -131,6 +132,10 @@ Outcome begin_playing(Session& session, std::span<const std::string> words) {
 }
 
 Outcome not_on_a_step(const Session& session) {
+  if (session.levels && session.levels->is_shown(session.document()))
+    return failed(ExitCode::refused,
+                  {"the view shows a level of detail, not the mesh that is open; levels close ends that",
+                   "ビューは詳細度の一段階を表示中です。levels close で開いているメッシュに戻ります"});
   const std::string call = session.player ? session.player->call() : "";
   return failed(ExitCode::refused,
                 {"the view shows a step of " + call + ", not the mesh that is open; steps close ends that",

@@ -6,6 +6,7 @@
 
 #include "app/editor/autosave.h"
 #include "app/editor/commands.h"
+#include "app/editor/levels.h"
 #include "app/editor/playing.h"
 #include "app/editor/view_input.h"
 #include "app/editor/words.h"
@@ -84,6 +85,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   measures.clear();
   links.forget_trail();
   player.reset();
+  levels.reset();
   cut.reset();
   log_.clear();
 }
@@ -201,21 +203,22 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
 void Session::set_aside() {
   release_verdict();
   hover_.reset();
-  Aside& aside = aside_.emplace(Aside{selection, measures, hidden_.elements(), {}, {}});
+  Aside& aside = aside_.emplace(Aside{selection, measures, hidden_.elements(), {}, {}, {}});
   const bool is_of_now = highlights_ && searched_ && searched_->document == document_->serial() &&
                          searched_->revision + 1 == document_->revision();
   if (!is_of_now) return;
   aside.searched = searched_->kind;
   aside.findings = highlights_->of(searched_->kind).to_vector();
+  aside.pairs = searched_->pairs;
 }
 
 void Session::bring_back() {
   if (!aside_) return;
-  const Aside aside = *std::exchange(aside_, std::nullopt);
+  Aside aside = *std::exchange(aside_, std::nullopt);
   selection = aside.selection;
   measures = aside.measures;
   if (!aside.hidden.empty()) hide(aside.hidden);
-  if (aside.searched) put_findings(*aside.searched, aside.findings);
+  if (aside.searched) put_findings(*aside.searched, aside.findings, std::move(aside.pairs));
 }
 
 const MapValues& Session::map_values() {
@@ -307,6 +310,7 @@ Outcome Session::run_line(const std::string& line) {
   if (row->effect != Effect::none) {
     cancel_gesture();
     end_playing(*this);
+    end_levels(*this);
   } else if (!row->keeps_trial) {
     end_trial();
   }
@@ -342,7 +346,12 @@ void Session::log_line(Outcome& outcome, std::string line) {
   }
 }
 
-bool Session::look_at_disk() { return std::exchange(change_on_disk_, document_->change_on_disk()) != change_on_disk_; }
+bool Session::look_at_disk() {
+  const FileState::Change before = change_on_disk_;
+  change_on_disk_ = document_->change_on_disk();
+  if (change_on_disk_ == FileState::Change::gone) document_->mark_unsaved();  // no file holds this mesh any more
+  return change_on_disk_ != before;
+}
 
 Input& Session::input() {
   if (const std::shared_ptr<Input> frontend = frontend_input.lock()) return *frontend;
@@ -398,6 +407,14 @@ void Session::keep_report(RepairReport report) {
   last_repair_ = {document_->serial(), document_->revision(), std::move(report)};
 }
 
+const EdgeAccount* Session::account() const {
+  const bool is_of_now =
+      account_ && account_->serial == document_->serial() && account_->revision == document_->revision();
+  return is_of_now ? account_.get() : nullptr;
+}
+
+void Session::keep_account(EdgeAccount account) { account_ = std::make_shared<const EdgeAccount>(std::move(account)); }
+
 const CornerNormals& Session::corner_normals() {
   if (!corner_normals_ || corner_normals_->crease_deg() != crease_deg)
     corner_normals_.emplace(mesh(), picker().triangles(), crease_deg,
@@ -422,10 +439,10 @@ const HighlightSets& Session::highlights() {
   return *highlights_;
 }
 
-void Session::put_findings(ProblemKind kind, std::span<const std::uint32_t> found) {
+void Session::put_findings(ProblemKind kind, std::span<const std::uint32_t> found, std::vector<FacePair> pairs) {
   forget_findings(kind);
   highlights_->put_findings(kind, found);
-  searched_ = {kind, document_->serial(), document_->revision()};
+  searched_ = {kind, document_->serial(), document_->revision(), std::move(pairs)};
 }
 
 void Session::forget_findings(ProblemKind kind) {
@@ -484,6 +501,12 @@ Camera Session::framing(const Mesh& mesh, const Camera& from) const {
   with_places_to_frame(
       mesh, [&](auto places) { found = fitted(from, places, static_cast<double>(view.width) / view.height); });
   return found;
+}
+
+std::string Session::document_name() const {
+  const std::string name = document_->path().filename().string();
+  if (!name.empty() || is_at_start()) return name;
+  return language == Language::japanese ? "（無題）" : "(unnamed)";
 }
 
 void Session::frame_all() {

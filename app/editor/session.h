@@ -29,6 +29,7 @@
 #include "core/analysis/boundary_loop_count.h"
 #include "core/analysis/euler_poincare.h"
 #include "core/analysis/mesh_kind.h"
+#include "core/analysis/self_intersections.h"
 #include "core/highlights/highlight_sets.h"
 #include "core/highlights/map_values.h"
 #include "core/pick/picker.h"
@@ -48,6 +49,8 @@ struct Colouring {
 };
 
 class Player;
+class ShownLevels;
+struct EdgeAccount;
 // Where the mesh is cut: the switch says across which axis, the share of its extent how far along.
 struct Cut {
   ClipWay way = ClipWay::off;
@@ -102,9 +105,10 @@ class Session {
   std::vector<Element> selection;
   SelectionMemory selections;
   std::optional<Colouring> colouring;
-  DrawnLinks links;                // as arrows in the view
-  std::vector<Elements> measures;  // what was asked for, in that order; read anew when it is shown
-  std::shared_ptr<Player> player;  // of what is played step by step (playing.h); null for nothing
+  DrawnLinks links;                     // as arrows in the view
+  std::vector<Elements> measures;       // what was asked for, in that order; read anew when it is shown
+  std::shared_ptr<Player> player;       // of what is played step by step (playing.h); null for nothing
+  std::shared_ptr<ShownLevels> levels;  // of detail, that are gone through (levels.h); null for none
   // User interface state changed by commands; stored without effect if there is no UI.
   Language language = Language::english;
   ViewSettings settings;
@@ -262,13 +266,17 @@ class Session {
   const RepairReport* last_repair() const;
   void keep_report(RepairReport report);
 
+  // What holds the edges that the last simplification left; null where the document has changed since.
+  const EdgeAccount* account() const;
+  void keep_account(EdgeAccount account);
+
   // For smooth shading, and where normals of vertices are drawn. Kept up with edits as long as one of them is set.
   const CornerNormals& corner_normals();
   // The sets of problems, and of the highlights that are shown.
   const HighlightSets& highlights();
   // The findings of a kind that is searched for on request (ProblemRow::is_on_request): marked and listed until the next
-  // edit. Whether it was searched for since.
-  void put_findings(ProblemKind kind, std::span<const std::uint32_t> found);
+  // edit. Whether it was searched for since. `pairs`: which of them belong together, as far as that is known.
+  void put_findings(ProblemKind kind, std::span<const std::uint32_t> found, std::vector<FacePair> pairs = {});
   void forget_findings(ProblemKind kind);
   bool has_searched(ProblemKind kind) const;
   // The values that the surface is coloured by, kept through edits; there must be such a colouring.
@@ -295,6 +303,8 @@ class Session {
   // Calls visit(positions for framing the view): of all vertices except isolated ones, unless there are no others.
   static void with_places_to_frame(const Mesh& mesh, const std::function<void(std::span<const glm::dvec3>)>& visit);
   void frame_all();
+  // For titles: the name of the file, or that there is none; empty at the start.
+  std::string document_name() const;
 
   // An element that entered or left a highlight set, or moved while in it.
   using Marked = HighlightSets::Change;
@@ -367,6 +377,7 @@ class Session {
   struct Searched {
     ProblemKind kind;
     std::uint64_t document, revision;
+    std::vector<FacePair> pairs;
   };
   std::optional<Searched> searched_;
   // What names elements of the document, while another mesh is on trial.
@@ -376,6 +387,7 @@ class Session {
     Elements hidden;
     std::optional<ProblemKind> searched;
     std::vector<std::uint32_t> findings;
+    std::vector<FacePair> pairs;
   };
   std::optional<Aside> aside_;
   std::optional<MapValues> map_values_;
@@ -401,6 +413,7 @@ class Session {
   std::uint64_t remedy_revision_ = 0;
   DrawnChanges drawn_changes_;
   std::optional<LastRepair> last_repair_;
+  std::shared_ptr<const EdgeAccount> account_;
   std::unique_ptr<Input> view_input_;         // made when it is asked for
   std::unique_ptr<Preparation> preparation_;  // reads what stands above, so that it ends first
   RepairTrials trials_;                       // as this does

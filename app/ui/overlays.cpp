@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/geometric.hpp>
 
+#include "app/editor/levels.h"
 #include "app/editor/playing.h"
 #include "core/analysis/measuring.h"
 #include "core/base/enum_table.h"
@@ -175,8 +176,10 @@ Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, 
 }
 
 // Of several the last, in a ring at its middle: it is the one that others are welded into, and from which paths go.
+// Of many, which nobody selects one by one, there is no such order.
 static void draw_last(const Session& session, Theme theme, Overlay& overlay) {
-  if (session.selection.size() < 2) return;
+  constexpr std::size_t most = 20;
+  if (session.selection.size() < 2 || session.selection.size() > most) return;
   const Mesh& mesh = session.mesh();
   const Element& last = session.selection.back();
   if (session.hidden().hides(mesh, last)) return;
@@ -266,6 +269,50 @@ Overlay step_overlay(const Session& session, Theme theme) {
     const Style looks = style(steps::row_of(gone.role).look, theme);
     for (std::size_t i = 1; i < gone.places.size(); ++i)
       overlay.lines.push_back({gone.places[i - 1], gone.places[i], looks.colour, LineStyle::dashed, 1.5f});
+  }
+  return overlay;
+}
+
+namespace {
+
+// The looks of an edge by the rule that holds it.
+struct RuleLooks {
+  EdgeRule rule;
+  std::uint32_t dark, light;  // 0xRRGGBB
+  LineStyle line;
+  float width_px;
+};
+constexpr RuleLooks rule_looks[] = {
+    {EdgeRule::structure, 0xE69F00, 0xB36B00, LineStyle::solid, 2.4f},
+    {EdgeRule::boundary, 0x6CC2FF, 0x1F5FA8, LineStyle::dashed, 2.4f},
+    {EdgeRule::normal, 0xE58CC0, 0x9E3D78, LineStyle::solid, 2.4f},
+    {EdgeRule::angle, 0xF0E442, 0x8A7A00, LineStyle::dash_dot, 2.4f},
+    {EdgeRule::error, 0xFF6F61, 0xB3261E, LineStyle::solid, 2.4f},
+    {EdgeRule::selection, 0xB59CFF, 0x5B3FA8, LineStyle::dashed, 2.4f},
+    {EdgeRule::self_intersection, 0xFFFFFF, 0x202020, LineStyle::dotted, 2.4f},
+    {EdgeRule::free, 0x2BD9A0, 0x007A58, LineStyle::solid, 1.6f},
+};
+static_assert(rows_are_in_order(rule_looks, &RuleLooks::rule));
+
+}  // namespace
+
+std::uint32_t colour_of(EdgeRule rule, Theme theme) {
+  const RuleLooks& looks = rule_looks[static_cast<std::size_t>(rule)];
+  return theme == Theme::dark ? looks.dark : looks.light;
+}
+
+Overlay account_overlay(const Session& session, Theme theme) {
+  Overlay overlay;
+  const EdgeAccount* const account = session.account();
+  if (!account || !session.is_shown(panel_opened_by(PanelOpener::levelled))) return overlay;
+  for (std::uint32_t i = 0; i < account->rules.size(); ++i) {
+    const Edge e(i);
+    if (account->rules[i] == no_rule || session.hidden().hides(session.mesh(), Element(e))) continue;
+    const auto rule = static_cast<EdgeRule>(account->rules[i]);
+    const RuleLooks& looks = rule_looks[account->rules[i]];
+    const auto [a, b] = ends(session.mesh(), e);
+    overlay.lines.push_back({session.mesh().position(a), session.mesh().position(b), rgb(colour_of(rule, theme)),
+                             looks.line, looks.width_px, 0, false});
   }
   return overlay;
 }

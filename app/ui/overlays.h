@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/editor/session.h"
+#include "core/algo/edge_rules.h"
 #include "render/overlay.h"
 #include "render/palette.h"
 
@@ -16,6 +17,11 @@ Overlay selection_overlay(const Session& session, Theme theme);
 Overlay measures_overlay(const Session& session, Theme theme);
 // The elements of the step that is played, by their roles; nothing where the mesh is no longer the one it is about.
 Overlay step_overlay(const Session& session, Theme theme);
+// The edges that the last simplification left, each in the colour of the rule that holds it; nothing where its panel is not
+// shown.
+Overlay account_overlay(const Session& session, Theme theme);
+// The colour of a rule, as 0xRRGGBB.
+std::uint32_t colour_of(EdgeRule rule, Theme theme);
 // The links of the selected element, or all halfedges, as arrows.
 Overlay links_overlay(Session& session, Theme theme);
 // Without a tool the element itself; with one, green with the ghost of the result, or red with the witnesses.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/editor/levels.h"
 #include "app/editor/playing.h"
 #include "app/ui/axes_overlay.h"
 #include "app/ui/gizmo_overlay.h"
@@ -342,6 +343,12 @@ void Viewport::follow_overlays(Session& session) {
   const std::pair<std::uint64_t, std::size_t> step(player ? player->serial() : 0, player ? player->position() : 0);
   if (selection_stale_ || step_ != step) view_->set_overlay(Layer::steps, step_overlay(session, settings_.theme));
   step_ = step;
+  const EdgeAccount* const account =
+      session.is_shown(panel_opened_by(PanelOpener::levelled)) ? session.account() : nullptr;
+  const std::pair<std::uint64_t, std::uint64_t> drawn(account ? account->serial : 0, account ? account->revision : 0);
+  if (selection_stale_ || account_ != drawn)
+    view_->set_overlay(Layer::account, account_overlay(session, settings_.theme));
+  account_ = drawn;
   selection_stale_ = false;
   selection_ = session.selection;
   view_->set_overlay(Layer::links, links_overlay(session, settings_.theme));

@@ -94,9 +94,10 @@ class Viewport {
   bool selection_stale_ = true;
   bool draws_links_ = false;
   std::vector<Element> selection_;
-  std::vector<Elements> measures_;                // as they were drawn
-  IndexSet selected_faces_;                       // as they were drawn
-  std::pair<std::uint64_t, std::size_t> step_{};  // the player that was drawn, by its serial number, and how far
+  std::vector<Elements> measures_;                     // as they were drawn
+  IndexSet selected_faces_;                            // as they were drawn
+  std::pair<std::uint64_t, std::uint64_t> account_{};  // the document and the revision of that which was drawn
+  std::pair<std::uint64_t, std::size_t> step_{};       // the player that was drawn, by its serial number, and how far
 };
 
 }  // namespace ryosen

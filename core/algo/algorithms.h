@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <optional>
 #include <span>
@@ -54,6 +55,8 @@ struct Account {
   // By EdgeRule, of the edges of faces, counted on points: the first rule that holds each. Empty unless it was asked for,
   // and where every edge is free.
   std::vector<std::size_t> remaining = {};
+  // The same by edge slot of the result, or no_rule; of an algorithm that knows it (see remaining_edges.h).
+  std::vector<std::uint8_t> rules = {};
 };
 
 struct AlgorithmResult {

@@ -221,6 +221,7 @@ ReadValues ParameterValues::on(const Mesh& mesh) const {
     if (value.is_percent) {
       value.number = share_of_diagonal(mesh, value.number / 100);
       value.is_percent = false;
+      value.was_percent = true;
       if (!std::isfinite(value.number) || !is_in_range(rows_[i], value.number))
         return {std::nullopt, NameError::malformed, {}, fault_of_value(rows_[i], text_at(i), rows_[i].id)};
     }

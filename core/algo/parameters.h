@@ -57,6 +57,7 @@ bool must_be_given(std::span<const ParameterRow> rows, const ParameterRow& row);
 struct ParameterValue {
   double number = 0;               // for a choice its place in the list, for a flag 1 where it is on
   bool is_percent = false;         // of a length
+  bool was_percent = false;        // the same once it is in units of the mesh
   glm::dvec3 place{0.0};           // of a place
   std::vector<std::string> names;  // of elements
   std::vector<Element> elements;   // once they are looked up
@@ -81,6 +82,8 @@ class ParameterValues {
   double number(std::string_view id) const { return value(id, ParameterKind::number).number; }
   std::size_t count(std::string_view id) const;
   double length(std::string_view id) const { return value(id, ParameterKind::length).number; }
+  // Whether a length was written with %: as a share of the diagonal.
+  bool was_share(std::string_view id) const { return value(id, ParameterKind::length).was_percent; }
   double ratio(std::string_view id) const { return value(id, ParameterKind::ratio).number; }
   double angle_rad(std::string_view id) const;
   const glm::dvec3& place(std::string_view id) const { return value(id, ParameterKind::place).place; }

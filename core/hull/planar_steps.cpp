@@ -35,7 +35,7 @@ Index PlanarSteps::add_edge(Index a, Index b) {
   set_half_edge(outside, Field::origin, b);
   pair(h, outside);
   set_half_edge(h, Field::face, face_);
-  set(Table::vertex, a, Field::incident_edge, h);
+  set(Table::vertex, b, Field::incident_edge, outside);  // as the kernel: a vertex at a gap leads into it
   note_made(h);
   return h;
 }

@@ -4,34 +4,25 @@
 # non-manifold edges, turned faces, self-intersections (ryosen check). Distances are measured by measure_quality, which has
 # nothing of any of them.
 #   tests/bench/quality.sh PROGRAM_FOLDER [MESH...]
-# PROGRAM_FOLDER holds ryosen, simplify_peers and measure_quality. Without meshes: the bunny, and the 20 largest files below
-# ../shared/meshes where that is there. METHODS names some of "ryosen meshoptimizer garland-heckbert lindstrom-turk".
+# PROGRAM_FOLDER holds ryosen, simplify_ours, simplify_peers and measure_quality. Without meshes: the bunny, and the 20
+# largest files below
+# ../shared/meshes where that is there. METHODS names some of "ryosen ryosen-2
+# meshoptimizer garland-heckbert lindstrom-turk", of which the second is Ryosen with effort 2.
 set -eu
 programs=$1
 shift
 root=$(cd "$(dirname "$0")/../.." && pwd)
-methods=${METHODS-ryosen meshoptimizer garland-heckbert lindstrom-turk}
+methods=${METHODS-ryosen ryosen-2 meshoptimizer garland-heckbert lindstrom-turk}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# Wall seconds of a command.
-seconds_of() {
-  begin=$(date +%s%N)
-  "$@" >/dev/null 2>&1 || true
-  end=$(date +%s%N)
-  awk -v ns=$((end - begin)) 'BEGIN { printf "%.4f", ns / 1e9 }'
-}
-
-# simplify METHOD FACES: writes out.off and prints the seconds. Ryosen's are those of the program less those of the same
-# program that is asked for no fewer faces than there are, so that reading and writing count for none of them.
+# simplify METHOD FACES: writes out.off and prints the seconds without reading and writing.
 simplify() {
-  if [ "$1" != ryosen ]; then
-    "$programs/simplify_peers" "$1" "$folder/in.off" "$folder/out.off" "$2"
-    return
-  fi
-  nothing=$(seconds_of "$programs/ryosen" simplify "$folder/in.off" -o "$folder/same.off" --overwrite --faces "$faces")
-  all=$(seconds_of "$programs/ryosen" simplify "$folder/in.off" -o "$folder/out.off" --overwrite --faces "$2")
-  awk -v all="$all" -v nothing="$nothing" 'BEGIN { printf "%.4f\n", all > nothing ? all - nothing : 0 }'
+  case $1 in
+  ryosen) "$programs/simplify_ours" "$folder/in.off" "$folder/out.off" "$2" ;;
+  ryosen-2) "$programs/simplify_ours" "$folder/in.off" "$folder/out.off" "$2" 2 ;;
+  *) "$programs/simplify_peers" "$1" "$folder/in.off" "$folder/out.off" "$2" ;;
+  esac
 }
 
 intersections() {

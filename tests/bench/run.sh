@@ -8,7 +8,7 @@ root=$(cd "$(dirname "$0")/../.." && pwd)
 ensure_packages $build_packages $test_packages libbenchmark-dev libmeshoptimizer-dev libeigen3-dev
 [ $# = 0 ] || export RYOSEN_DRAGON=$1
 cmake -S "$root" -B "$root/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DRYOSEN_BENCH=ON >&2
-targets="bench_core bench_forms bench_editor bench_large bench_peers bench_surfaces bench_files bench_check bench_growth bench_simplify write_torus measure_quality simplify_peers ryosen"
+targets="bench_core bench_forms bench_editor bench_large bench_peers bench_surfaces bench_files bench_check bench_growth bench_hull bench_simplify write_torus measure_quality simplify_ours simplify_peers ryosen"
 # shellcheck disable=SC2086
 cmake --build "$root/build/release" --target $targets >&2
 "$root/build/release/bin/bench_peers"
@@ -17,6 +17,8 @@ cmake --build "$root/build/release" --target $targets >&2
 "$root/build/release/bin/bench_check"
 "$root/build/release/bin/bench_growth"
 "$root/build/release/bin/bench_simplify"
+"$root/build/release/bin/bench_hull"
+"$root/build/release/bin/bench_hull" growth
 "$root/build/release/bin/bench_core"
 "$root/build/release/bin/bench_forms" --benchmark_min_time=0.05
 "$root/build/release/bin/bench_editor"

@@ -10,7 +10,9 @@
 #include "core/algo/edge_rules.h"
 #include "core/algo/simplify/quadric.h"
 #include "core/algo/simplify/scaled_places.h"
+#include "core/mesh/column_memory.h"
 #include "core/mesh/mesh.h"
+#include "core/mesh/prefetch.h"
 
 namespace ryosen {
 
@@ -47,9 +49,9 @@ class CollapseSurface {
   CollapseSurface(const Mesh& mesh, const CollapseLimits& limits);
 
   const Mesh& mesh() const { return mesh_; }
-  const glm::dvec3& place(Vertex v) const { return places_[v.index]; }
+  const glm::dvec3& place(Vertex v) const { return states_[v.index].place; }
   const ScaledPlaces& scale() const { return scale_; }
-  bool is_feature(Edge e) const { return edge_flags_[e.index] & feature; }
+  bool is_feature(Edge e) const { return !edge_flags_.empty() && edge_flags_[e.index] & feature; }
 
   Freedom freedom(Halfedge h) const;
   // The lowest place for this edge, or that of its anchor.
@@ -66,20 +68,53 @@ class CollapseSurface {
   // Whether nothing keeps the vertex in its place.
   bool is_free(Vertex v) const { return !hold(v, true); }
   bool limits_error() const { return error_ < std::numeric_limits<double>::infinity(); }
-  // Whether a face would turn too far or lose its area, and whether one would get too small an angle.
-  bool turns_face(Halfedge h, const glm::dvec3& place) const;
+  // Whether a face would turn too far or lose its area. Minding the input, also whether one would look against the faces
+  // that its corners stand for: no rule, but where such collapses come last, small turns do not add up to a large one.
+  // Judged to the bit of what is written where a face is so small that scaling may lose its shape.
+  bool turns_face(Halfedge h, const Placing& placing, bool minds_input = false) const;
+  // That of a placing, in units of the mesh; to the bit that of an end where it is one.
+  glm::dvec3 position_of(const Placing& placing) const {
+    return placing.at ? mesh_.position(placing.at) : scale_.restored(placing.place);
+  }
+  // Whether one would get too small an angle.
   bool narrows_face(Halfedge h, const glm::dvec3& place) const;
 
-  // `kept` now stands for `gone` too and has come to the place.
-  void merge(Vertex gone, Vertex kept, const glm::dvec3& place);
+  // Whether an edge between two triangles is no crease, and nothing keeps any vertex of both in its place.
+  bool may_swap(Halfedge h) const;
+  // Whether a face would turn too far, lose its area or get too small an angle if it were swapped.
+  bool swap_spoils_face(Halfedge h) const;
+
+  // `kept` now stands for `gone` too and has come to the position.
+  void merge(Vertex gone, Vertex kept, const glm::dvec3& position);
   // An edge that took the place of another one between the same points.
   void take_over(Edge stays, Edge goes) {
-    edge_flags_[stays.index] |= static_cast<std::uint8_t>(edge_flags_[goes.index] & feature);
+    if (!edge_flags_.empty()) edge_flags_[stays.index] |= static_cast<std::uint8_t>(edge_flags_[goes.index] & feature);
+  }
+
+  // What the ends of an edge have become: where it is the same as before, so are their places and what they stand for.
+  struct History {
+    Vertex a, b;
+    std::uint16_t merges_of_a, merges_of_b;
+    friend bool operator==(const History&, const History&) = default;
+  };
+  History history(Halfedge h) const {
+    const Vertex a = mesh_.from(h), b = mesh_.to(h);
+    return {a, b, states_[a.index].merges, states_[b.index].merges};
   }
 
   void prefetch_ends(Edge e) const;
+  void prefetch_place(Vertex v) const { prefetch_cell(states_.data(), v.index); }
 
  private:
+  // All that is asked of a vertex, in two lines of the cache.
+  struct State {
+    glm::dvec3 place{0.0};
+    glm::vec3 normal{0.0f};  // the sum of those of all faces that it stands for, by their areas
+    std::uint8_t flags = 0;
+    std::uint16_t merges = 0;  // so many, as far as they fit
+    Quadric quadric;
+  };
+  static_assert(sizeof(State) == 128);
   enum VertexFlag : std::uint8_t { fixed = 1, on_locked_boundary = 2, on_feature = 4, pinned = 8 };
   enum EdgeFlag : std::uint8_t { feature = 1 };
 
@@ -92,6 +127,7 @@ class CollapseSurface {
   glm::dvec3 area_vector(Face f) const { return area_vector(f, Vertex(), Vertex(), {}); }
   std::optional<EdgeRule> hold(Vertex v, bool along_feature) const;
   bool turns_too_far(const glm::dvec3& before, const glm::dvec3& after) const;
+  bool turns_small_face(Halfedge corner, const glm::dvec3& position) const;
   // Calls look(face corner) for what changes its shape until it returns true.
   template <class Look>
   bool any_changed_corner(Halfedge h, const glm::dvec3& place, Look look) const;
@@ -100,9 +136,8 @@ class CollapseSurface {
   ScaledPlaces scale_;
   BoundaryMode boundary_;
   double error_, turn_cosine_, angle_cosine_;
-  std::vector<glm::dvec3> places_;
-  std::vector<Quadric> quadrics_;
-  std::vector<std::uint8_t> vertex_flags_, edge_flags_;
+  ColumnVector<State> states_;            // by vertex
+  std::vector<std::uint8_t> edge_flags_;  // none where there is no seam
 };
 
 }  // namespace ryosen

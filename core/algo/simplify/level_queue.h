@@ -25,7 +25,6 @@ class LevelQueue {
 
   // Puts it on its level, or on the one that is being taken from where that is already past.
   void add(std::uint32_t number, Level level) { levels_[std::max(level, current_)].push_back(number); }
-  void reserve(Level level, std::size_t count) { levels_[level].reserve(count); }
 
   // Goes to the next number; false where there is none, and everything added from then on is taken from the lowest level
   // again.
@@ -40,6 +39,12 @@ class LevelQueue {
       }
       ++current_;
     }
+    return true;
+  }
+  // The same, but no further than the end of the level.
+  bool next_on_level() {
+    if (place_ + 1 >= levels_[current_].size()) return false;
+    ++place_;
     return true;
   }
   std::uint32_t number() const { return levels_[current_][place_]; }

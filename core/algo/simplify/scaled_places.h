@@ -23,6 +23,8 @@ class ScaledPlaces {
   // Exact but for the rounding of one subtraction.
   glm::dvec3 scaled(const glm::dvec3& p) const { return shifted(p, -exponent_) - middle_; }
   glm::dvec3 restored(const glm::dvec3& q) const { return shifted(q + middle_, exponent_); }
+  // The same without moving the middle to the origin: exact but for what is far smaller than the mesh.
+  glm::dvec3 scaled_alone(const glm::dvec3& p) const { return shifted(p, -exponent_); }
   double scaled_length(double length) const { return std::ldexp(length, -exponent_); }
   double restored_length(double length) const { return std::ldexp(length, exponent_); }
 

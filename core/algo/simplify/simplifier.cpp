@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
+#include "core/algo/simplify/nearer_swaps.h"
 #include "core/algo/simplify/plain_collapse.h"
-#include "core/algo/simplify/small_parts.h"
 #include "core/base/parallel.h"
 #include "core/mesh/attribute.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
-#include "core/mesh/prefetch.h"
 #include "core/ops/collapse_edge.h"
 #include "core/ops/rules/corner_values.h"
 #include "core/ops/rules/face_geometry.h"
@@ -19,10 +18,7 @@ namespace ryosen {
 namespace {
 
 // Levels from one cost to twice that cost, as a power of two: fewer are faster, more are nearer to the least error.
-constexpr std::array<unsigned, 3> level_bits{0, 2, 6};
-// How many edges ahead the links and what the ends stand for are asked from memory.
-constexpr std::size_t links_ahead = 16, ends_ahead = 8;
-constexpr std::size_t edges_between_reports = 1024;
+constexpr std::array<unsigned, 3> level_bits{0, 1, 6};
 
 bool has_values(const Mesh& mesh, ElementKind kind) {
   return std::any_of(mesh.attributes().begin(), mesh.attributes().end(),
@@ -61,39 +57,37 @@ void Simplifier::fill_queue() {
 bool Simplifier::run(Progress& progress) {
   if (is_at_goal()) return progress.go_on();
   fill_queue();
-  const std::size_t first_faces = mesh_.live().faces;
-  std::size_t before = 0;
-  do {
-    before = collapses_;
-    while (!is_at_goal() && queue_.next()) {
-      prefetch(mesh_, halfedge(Edge(queue_.ahead(links_ahead))));
-      surface_.prefetch_ends(Edge(queue_.ahead(ends_ahead)));
-      const Edge e(queue_.number());
-      if (!mesh_.is_alive(e) || mesh_.is_wire(e)) continue;
-      if (try_edge(e) == Answer::refused) block(e);
-      if (++asked_ % edges_between_reports == 0 &&
-          !progress.go_on(first_faces - mesh_.live().faces, first_faces - goal_.faces))
-        return false;
-    }
-  } while (!is_at_goal() && collapses_ > before && find_further());
+  const bool swaps = goal_.effort == 2 && !steps_ && !guard_;
+  const std::vector<glm::dvec3> samples = swaps ? sample_places(surface_) : std::vector<glm::dvec3>();
+  if (!collapse_all(progress)) return false;
+  if (swaps && (swaps_ = swap_nearer(*edit_, surface_, samples, progress)) > 0 && !is_at_goal() &&
+      find_further(progress) && !collapse_all(progress))
+    return false;
   if (goal_.removes_small_parts && !is_at_goal()) remove_small_parts();
   return progress.go_on();
 }
 
-void Simplifier::remove_small_parts() {
-  const double limit = surface_.limits_error() ? surface_.error_limit() : error_max_;
-  for (const SmallPart& part : find_small_parts(surface_, limit)) {
-    if (is_at_goal()) return;
-    if (steps_) edit_.emplace(writable_, steps_);
-    remove_part(*edit_, part.vertices);
-    if (steps_) edit_->commit();
-    ++removed_parts_;
-  }
+bool Simplifier::collapse_all(Progress& progress) {
+  const std::size_t first_faces = mesh_.live().faces;
+  std::size_t before = 0;
+  do {
+    before = collapses_;
+    while (!is_at_goal() && take_batch()) {
+      warm_rings();
+      for (std::size_t i = 0; i < batch_.size() && !is_at_goal(); ++i)
+        if (try_again(batch_[i]) == Answer::refused) block(batch_[i].edge);
+      if (goal_.removes_small_parts) remove_noted_parts();
+      if (!progress.go_on(first_faces - mesh_.live().faces, first_faces - goal_.faces)) return false;
+    }
+  } while (!is_at_goal() && (minds_input_ || collapses_ > before) && find_further(progress));
+  return !progress.is_cancelled();
 }
 
-bool Simplifier::find_further() {
+bool Simplifier::find_further(Progress& progress) {
+  minds_input_ = false;
   bool found = false;
   for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
+    if (i % 256 == 0 && !progress.go_on()) return false;
     const Edge e(i);
     if (!mesh_.is_alive(e) || mesh_.is_wire(e) || rule_of(e) != EdgeRule::free) continue;
     is_blocked_[i] = 0;
@@ -103,12 +97,19 @@ bool Simplifier::find_further() {
   return found;
 }
 
-bool Simplifier::is_legal(Halfedge h) const {
-  const CollapseEdge there{h};
-  return there.is_legal(mesh_) || CollapseEdge{twin(h)}.is_legal(mesh_);
+Simplifier::Legality Simplifier::legality(Halfedge h) const {
+  const QuickAnswer quick = quick_collapse(mesh_, h);
+  if (quick != QuickAnswer::unknown) return quick == QuickAnswer::legal ? Legality::plain : Legality::none;
+  return CollapseEdge{h}.is_legal(mesh_) || CollapseEdge{twin(h)}.is_legal(mesh_) ? Legality::by_kernel
+                                                                                  : Legality::none;
 }
 
-Simplifier::Answer Simplifier::try_edge(Edge e) {
+// One of a batch, after others of it have collapsed.
+Simplifier::Answer Simplifier::try_again(const Candidate& candidate) {
+  const Edge e = candidate.edge;
+  if (!mesh_.is_alive(e) || mesh_.is_wire(e)) return Answer::later;
+  if (surface_.history(candidate.freedom.halfedge) == candidate.history)
+    return try_edge(candidate.freedom, candidate.lowest);
   const Freedom freedom = surface_.freedom(halfedge(e));
   if (!freedom.is_possible) return Answer::refused;
   const Placing lowest = surface_.lowest(freedom);
@@ -116,16 +117,41 @@ Simplifier::Answer Simplifier::try_edge(Edge e) {
     queue_.add(e.index, level);
     return Answer::later;
   }
-  if (!surface_.is_within_error(freedom.halfedge, lowest) || !is_legal(freedom.halfedge)) return Answer::refused;
-  if (const Answer answer = try_place(freedom, lowest); answer != Answer::refused || freedom.is_anchored) return answer;
-  for (const Placing& other : surface_.others(freedom))
-    if (const Answer answer = try_place(freedom, other); answer != Answer::refused) return answer;
+  return try_edge(freedom, lowest);
+}
+
+Simplifier::Answer Simplifier::try_edge(const Freedom& freedom, const Placing& lowest) {
+  const Halfedge h = freedom.halfedge;
+  const auto is_near = [&](const Placing& placing) { return surface_.is_within_error(h, placing); };
+  std::optional<std::array<Placing, 3>> others;
+  if (!is_near(lowest)) {
+    if (freedom.is_anchored) return Answer::refused;
+    others = surface_.others(freedom);  // an end may be exact where the lowest place is so within rounding
+    if (std::none_of(others->begin(), others->end(), is_near)) return Answer::refused;
+  }
+  const Legality legality = this->legality(freedom.halfedge);
+  if (legality == Legality::none) {
+    if (goal_.removes_small_parts) note_small_part(h);
+    return Answer::refused;
+  }
+  // To see whether faces meet all that move are compared with each other: first without moving those of a hub.
+  if (guard_ && !freedom.is_anchored)
+    for (Halfedge end : {h, twin(h)})
+      if (const Vertex hub = mesh_.from(end); is_hub(hub)) {
+        const Placing there = surface_.at_place(freedom, surface_.place(hub), hub);
+        if (const Answer answer = try_place(freedom, there, legality); answer != Answer::refused) return answer;
+      }
+  if (const Answer answer = try_place(freedom, lowest, legality); answer != Answer::refused || freedom.is_anchored)
+    return answer;
+  if (!others) others = surface_.others(freedom);
+  for (const Placing& other : *others)
+    if (const Answer answer = try_place(freedom, other, legality); answer != Answer::refused) return answer;
   return Answer::refused;
 }
 
-Simplifier::Answer Simplifier::try_place(const Freedom& freedom, const Placing& placing) {
+Simplifier::Answer Simplifier::try_place(const Freedom& freedom, const Placing& placing, Legality legality) {
   const Halfedge h = freedom.halfedge;
-  if (!surface_.is_within_error(h, placing) || surface_.turns_face(h, placing.place) ||
+  if (!surface_.is_within_error(h, placing) || surface_.turns_face(h, placing, minds_input_) ||
       surface_.narrows_face(h, placing.place))
     return Answer::refused;
   if (const auto level = queue_.level_of(placing.cost); level > queue_.current()) {
@@ -133,47 +159,43 @@ Simplifier::Answer Simplifier::try_place(const Freedom& freedom, const Placing& 
     return Answer::later;
   }
   if (makes_faces_meet(freedom, placing)) return Answer::refused;
-  collapse(freedom, placing);
+  collapse(freedom, placing, legality == Legality::plain && !has_corner_values_);
   return Answer::done;
 }
 
-glm::dvec3 Simplifier::position_of(const Placing& placing) const {
-  return placing.at ? mesh_.position(placing.at) : surface_.scale().restored(placing.place);
-}
-
 bool Simplifier::makes_faces_meet(const Freedom& freedom, const Placing& placing) const {
-  return guard_ && guard_->would_meet(freedom.halfedge, position_of(placing));
+  return guard_ && guard_->would_meet(freedom.halfedge, surface_.position_of(placing));
 }
 
-void Simplifier::collapse(const Freedom& freedom, const Placing& placing) {
+void Simplifier::collapse(const Freedom& freedom, const Placing& placing, bool is_plain) {
   Halfedge h = freedom.halfedge;
   error_max_ = std::max(error_max_, surface_.error_of(h, placing));
-  const bool is_plain = !has_corner_values_ && quick_collapse(mesh_, h) == QuickAnswer::legal;
   if (!is_plain) {
     if (!CollapseEdge{h}.is_legal(mesh_)) h = twin(h);
     h = CollapseEdge{h}.directed(mesh_);
   }
   const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
   const std::array<Face, 2> sides{mesh_.face(h), mesh_.face(twin(h))};
+  const std::array<Vertex, 2> apexes{mesh_.from(mesh_.prev(h)), mesh_.from(mesh_.prev(twin(h)))};
   if (steps_) edit_.emplace(writable_, steps_);
   write_collapse(h, placing, is_plain);
   if (steps_) {
     edit_->commit();
     edit_.reset();
   }
-  surface_.merge(gone, kept, placing.place);
+  surface_.merge(gone, kept, mesh_.position(kept));
   if (guard_) {
     for (Face f : sides)
       if (f) guard_->forget(f);
     guard_->follow(kept);
   }
   ++collapses_;
-  unblock_around(kept);
+  unblock_around(kept, apexes);
 }
 
 void Simplifier::write_collapse(Halfedge h, const Placing& placing, bool is_plain) {
   const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
-  const glm::dvec3 position = position_of(placing);
+  const glm::dvec3 position = surface_.position_of(placing);
   if (has_vertex_values_)
     blend_vertex_values(*edit_, gone, kept,
                         closest_parameter(surface_.place(gone), surface_.place(kept), placing.place), kept);
@@ -202,25 +224,42 @@ void Simplifier::block(Edge e) {
   for (unsigned side : {0u, 1u}) has_blocked_[mesh_.from(halfedge(e, side)).index] = 1;
 }
 
-// What edges around a vertex and around its neighbours ask has changed: their levels are in the past or still to come.
-void Simplifier::unblock_around(Vertex v) {
-  const auto unblock = [&](Vertex w) {
-    if (!has_blocked_[w.index]) return;
-    has_blocked_[w.index] = 0;
-    for (Halfedge h : outgoing(mesh_, w)) {
-      std::uint8_t& is_blocked = is_blocked_[edge(h).index];
-      if (!is_blocked) continue;
-      is_blocked = 0;
-      queue_.add(edge(h).index, queue_.current());
-    }
+// A vertex of so many edges that not all of them can be asked whenever something changes at one.
+bool Simplifier::is_hub(Vertex v) const {
+  constexpr int most = 64;
+  int count = 0;
+  for (Halfedge h = mesh_.halfedge(v); ++count <= most;) {
+    h = mesh_.counter_clockwise(h);
+    if (h == mesh_.halfedge(v)) return false;
+  }
+  return true;
+}
+
+// What edges around a vertex and around its neighbours ask has changed: their levels are in the past or still to come. Of
+// a hub only those to what has changed; find_further() asks the others in the end.
+void Simplifier::unblock_around(Vertex v, const std::array<Vertex, 2>& apexes) {
+  const auto unblock = [&](Edge e) {
+    if (!is_blocked_[e.index]) return;
+    is_blocked_[e.index] = 0;
+    queue_.add(e.index, queue_.current());
   };
-  unblock(v);
-  for (Halfedge h : outgoing(mesh_, v)) unblock(mesh_.to(h));
+  const auto unblock_all = [&](Vertex w) {
+    has_blocked_[w.index] = 0;
+    for (Halfedge h : outgoing(mesh_, w)) unblock(edge(h));
+  };
+  if (!is_hub(v)) {
+    if (has_blocked_[v.index]) unblock_all(v);
+    for (Halfedge h : outgoing(mesh_, v))
+      if (const Vertex w = mesh_.to(h); has_blocked_[w.index]) is_hub(w) ? unblock(edge(h)) : unblock_all(w);
+    return;
+  }
+  for (Vertex apex : apexes)
+    if (apex && mesh_.is_alive(apex) && has_blocked_[apex.index] && !is_hub(apex)) unblock_all(apex);
 }
 
 std::optional<EdgeRule> Simplifier::refusal(const Freedom& freedom, const Placing& placing) const {
   const Halfedge h = freedom.halfedge;
-  if (surface_.turns_face(h, placing.place)) return EdgeRule::normal;
+  if (surface_.turns_face(h, placing)) return EdgeRule::normal;
   if (surface_.narrows_face(h, placing.place)) return EdgeRule::angle;
   if (!surface_.is_within_error(h, placing)) return EdgeRule::error;
   if (makes_faces_meet(freedom, placing)) return EdgeRule::self_intersection;
@@ -229,7 +268,7 @@ std::optional<EdgeRule> Simplifier::refusal(const Freedom& freedom, const Placin
 
 EdgeRule Simplifier::rule_of(Edge e) const {
   const Freedom freedom = surface_.freedom(halfedge(e));
-  if (!is_legal(halfedge(e))) return EdgeRule::structure;
+  if (legality(halfedge(e)) == Legality::none) return EdgeRule::structure;
   EdgeRule last = EdgeRule::structure;
   const auto add = [&](const Placing& placing) {
     EdgeRule rule = refusal(freedom, placing).value_or(EdgeRule::free);

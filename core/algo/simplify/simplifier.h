@@ -2,7 +2,8 @@
 //
 // An edge waits on a level of its cost, which is a lower bound: what its ends stand for only grows. It is asked anew when
 // its turn comes, and goes to a higher level or collapses. One that is refused is blocked until something around it
-// changes. So nothing is written to the queue where a neighbour collapses.
+// changes. So nothing is written to the queue where a neighbour collapses. Edges of a level are taken many at once
+// (simplifier_batch.cpp); what one of them asked is asked again where a collapse of another has changed it.
 #pragma once
 
 #include <array>
@@ -13,6 +14,7 @@
 #include "core/algo/simplify/collapse_surface.h"
 #include "core/algo/simplify/crossing_guard.h"
 #include "core/algo/simplify/level_queue.h"
+#include "core/algo/simplify/small_parts.h"
 #include "core/base/progress.h"
 #include "core/mesh/edit.h"
 
@@ -20,11 +22,13 @@ namespace ryosen {
 
 struct SimplifyGoal {
   std::size_t faces = 0;  // live ones: not more than these
-  unsigned effort = 1;    // 0 to 2
+  // 0 to 2; where it is 2, and there is neither a journal nor anything to keep apart, edges are swapped in the end where
+  // this brings the surface nearer to the input.
+  unsigned effort = 1;
   // No faces may come to meet: of a mesh of triangles, none of which do.
   bool no_self_intersections = false;
-  // Where the goal is not reached, parts of the surface go that are smaller than the error: than its limit, or without
-  // one, than the largest error that was made.
+  // Parts of the surface go that can collapse no further and are smaller than the error: than its limit, or without one,
+  // than the largest error that was made until then; and where nothing else can collapse, all that are so small.
   bool removes_small_parts = false;
 };
 
@@ -39,6 +43,7 @@ class Simplifier {
 
   std::size_t collapses() const { return collapses_; }
   std::size_t removed_parts() const { return removed_parts_; }
+  std::size_t swaps() const { return swaps_; }
   std::size_t asked() const { return asked_; }
   // The largest error of all collapses, in units of the mesh.
   double error_max() const { return surface_.scale().restored_length(error_max_); }
@@ -50,23 +55,43 @@ class Simplifier {
 
  private:
   enum class Answer { done, later, refused };
+  enum class Legality { none, plain, by_kernel };  // plain: as plain_collapse.h does it
+
+  // An edge that is on the level of its cost.
+  struct Candidate {
+    Edge edge;
+    Freedom freedom;
+    Placing lowest;
+    CollapseSurface::History history;
+  };
 
   void fill_queue();
+  // Until the goal is reached or no edge can collapse; false where it was cancelled.
+  bool collapse_all(Progress& progress);
   // Adds the edges that can collapse after all; false where there are none.
-  bool find_further();
+  bool find_further(Progress& progress);
+  // What may be removed where it is smaller than the error.
+  double small_size() const { return surface_.limits_error() ? surface_.error_limit() : error_max_; }
+  // The part of an edge that cannot collapse, to be removed when the error has become as large as it.
+  void note_small_part(Halfedge h);
+  void remove_noted_parts();
   // Removes them, the smallest first, until the goal is reached.
   void remove_small_parts();
-  Answer try_edge(Edge e);
-  Answer try_place(const Freedom& freedom, const Placing& placing);
-  bool is_legal(Halfedge h) const;
-  // That of a placing, in units of the mesh; to the bit that of an end where it is one.
-  glm::dvec3 position_of(const Placing& placing) const;
+  void remove(const SmallPart& part);
+  bool take_batch();
+  void ask(Edge e);
+  void warm_rings() const;
+  Answer try_again(const Candidate& candidate);
+  Answer try_edge(const Freedom& freedom, const Placing& lowest);
+  Answer try_place(const Freedom& freedom, const Placing& placing, Legality legality);
+  Legality legality(Halfedge h) const;
   bool makes_faces_meet(const Freedom& freedom, const Placing& placing) const;
-  void collapse(const Freedom& freedom, const Placing& placing);
+  void collapse(const Freedom& freedom, const Placing& placing, bool is_plain);
   void write_collapse(Halfedge h, const Placing& placing, bool is_plain);
   void collapse_by_kernel(Halfedge h, const Placing& placing, const glm::dvec3& position);
   void block(Edge e);
-  void unblock_around(Vertex v);
+  bool is_hub(Vertex v) const;
+  void unblock_around(Vertex v, const std::array<Vertex, 2>& apexes);
   std::optional<EdgeRule> refusal(const Freedom& freedom, const Placing& placing) const;
 
   Mesh& writable_;
@@ -76,12 +101,16 @@ class Simplifier {
   SimplifyGoal goal_;
   CollapseSurface surface_;
   LevelQueue queue_;
+  std::vector<Candidate> batch_;  // whose turn it is
   std::optional<CrossingGuard> guard_;
+  // Parts that can collapse no further by their sizes, each by one of its vertices; a heap, the smallest on top.
+  std::vector<std::pair<double, Vertex>> noted_parts_;
   std::vector<std::uint8_t> is_blocked_;   // by edge
   std::vector<std::uint8_t> has_blocked_;  // by vertex: perhaps one of its edges is
   bool has_corner_values_, has_vertex_values_;
-  std::size_t collapses_ = 0, asked_ = 0, removed_parts_ = 0;
+  std::size_t collapses_ = 0, asked_ = 0, removed_parts_ = 0, swaps_ = 0;
   double error_max_ = 0;
+  bool minds_input_ = true;  // until nothing else can collapse
 };
 
 }  // namespace ryosen

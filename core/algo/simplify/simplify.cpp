@@ -17,12 +17,14 @@ namespace ryosen {
 
 namespace {
 
-// Of all faces, those set aside included; without a number or a share, none are wanted and the error decides.
+// Of all faces as they are when polygons are cut, those set aside included; without a number or a share, none are wanted
+// and the error decides.
 std::size_t faces_wanted(const ParameterValues& values, std::size_t faces) {
+  constexpr double rounding = 1e-6;  // 0.29 of 100 is 29
   std::size_t wanted = values.has("faces") || values.has("ratio") ? faces : 0;
   if (values.has("faces")) wanted = std::min(wanted, values.count("faces"));
   if (values.has("ratio"))
-    wanted = std::min(wanted, static_cast<std::size_t>(values.ratio("ratio") * static_cast<double>(faces)));
+    wanted = std::min(wanted, static_cast<std::size_t>(values.ratio("ratio") * static_cast<double>(faces) + rounding));
   return wanted;
 }
 
@@ -36,7 +38,8 @@ double diagonal(const Mesh& mesh) {
 
 double error_of(const Mesh& mesh, const ParameterValues& values) {
   if (!values.has("error")) return std::numeric_limits<double>::infinity();
-  return values.length("error") * (values.flag("relative") ? diagonal(mesh) : 1);
+  const bool is_share = values.flag("relative") && !values.was_share("error");
+  return values.length("error") * (is_share ? diagonal(mesh) : 1);
 }
 
 // By vertex: not 0 where it is locked, or where others are selected.
@@ -70,13 +73,14 @@ CollapseLimits limits_of(const Mesh& mesh, const ParameterValues& values) {
   return limits;
 }
 
-std::optional<Text> why_faces_cannot_be_kept_apart(const Mesh& mesh) {
+std::optional<Text> why_faces_cannot_be_kept_apart(const Mesh& mesh, Progress& progress) {
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
     if (const Face f(i); mesh.is_alive(f) && (!is_triangle(mesh, mesh.halfedge(f)) || mesh.has_rings(f)))
       return Text{
           name_of(mesh, f) + " is no triangle, so that faces cannot be kept from meeting; triangulate=on does",
           name_of(mesh, f) + " が三角形でないため、面の交差を防げません（triangulate=on で三角形に分割できます）"};
-  const std::size_t pairs = find_self_intersections(mesh, 0).count;
+  const auto found = find_self_intersections(mesh, 0, 0, progress);
+  const std::size_t pairs = found ? found->count : 0;  // cancelled: no matter
   if (pairs == 0) return std::nullopt;
   const std::string n = std::to_string(pairs);
   return Text{n + " pairs of faces meet already, so that it cannot be kept free of them",
@@ -92,29 +96,41 @@ Text text_of(std::size_t before, std::size_t after, const Account& account) {
   return text + Text{".", "。"};
 }
 
+// What is simplified, or why it cannot be.
+struct Prepared {
+  Mesh work;  // a copy, so that what is cancelled leaves no trace
+  bool is_triangulated = false;
+  std::optional<Text> refused = {};
+};
+
+Prepared prepare(const Mesh& mesh, const ParameterValues& values, Progress& progress) {
+  if (mesh.live().faces == 0) return {{}, false, Text{"there are no faces to simplify", "簡略化する面がありません"}};
+  Prepared prepared{mesh, values.flag("triangulate") && Triangulate{}.check(mesh).legal()};
+  {
+    Edit batch(prepared.work, nullptr);
+    if (prepared.is_triangulated) Triangulate{}.apply(batch);
+    share_equal_values(batch);
+  }
+  if (values.flag("no_self_intersections")) prepared.refused = why_faces_cannot_be_kept_apart(prepared.work, progress);
+  return prepared;
+}
+
+SimplifyGoal goal_of(const ParameterValues& values, std::size_t faces) {
+  return {faces, static_cast<unsigned>(values.count("effort")), values.flag("no_self_intersections"),
+          values.flag("remove_small")};
+}
+
 }  // namespace
 
 AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& progress) {
-  const Mesh& mesh = edit.mesh();
   const ParameterValues& values = input.values;
   AlgorithmResult result;
-  if (mesh.live().faces == 0) {
-    result.refused = Text{"there are no faces to simplify", "簡略化する面がありません"};
-    return result;
-  }
-  const std::size_t before = mesh.live().faces + input.quarantined;
-  Mesh work = mesh;  // a copy, so that one that is cancelled leaves no trace
-  const bool is_triangulated = values.flag("triangulate") && Triangulate{}.check(work).legal();
-  {
-    Edit batch(work, nullptr);
-    if (is_triangulated) Triangulate{}.apply(batch);
-    share_equal_values(batch);
-  }
-  const bool keeps_apart = values.flag("no_self_intersections");
-  if (keeps_apart && (result.refused = why_faces_cannot_be_kept_apart(work))) return result;
-  const std::size_t wanted = faces_wanted(values, before);
-  const SimplifyGoal goal{wanted - std::min(wanted, input.quarantined), static_cast<unsigned>(values.count("effort")),
-                          keeps_apart, values.flag("remove_small")};
+  Prepared prepared = prepare(edit.mesh(), values, progress);
+  if ((result.refused = prepared.refused)) return result;
+  Mesh& work = prepared.work;
+  const std::size_t before = edit.mesh().live().faces + input.quarantined;
+  const std::size_t wanted = faces_wanted(values, work.live().faces + input.quarantined);
+  const SimplifyGoal goal = goal_of(values, wanted - std::min(wanted, input.quarantined));
   Simplifier simplifier(work, limits_of(work, values), goal);
   Account& account = result.account.emplace();
   if (!simplifier.run(progress)) {
@@ -123,15 +139,31 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   }
   const std::size_t after = work.live().faces + input.quarantined;
   const bool has_number = values.has("faces") || values.has("ratio");
-  if (input.wants_account || !has_number || after > wanted) account.remaining = count_remaining(work, simplifier);
+  if (input.wants_account || !has_number || after > wanted) {
+    account.rules = find_remaining(work, simplifier, progress);
+    if (progress.is_cancelled()) {
+      account = {Stop::cancelled, false};
+      return result;
+    }
+    account.remaining = count_remaining(work, account.rules);
+  }
   if (!has_number || after > wanted)
     account.stopped = account.remaining[static_cast<std::size_t>(EdgeRule::error)] > 0 ? Stop::error : Stop::blocked;
   account.is_reached = has_number ? after <= wanted : account.stopped == Stop::error;
   account.error_max = simplifier.error_max();
   result.text = text_of(before, after, account);
-  result.changed = simplifier.collapses() + simplifier.removed_parts() + (is_triangulated ? 1 : 0);
+  result.changed = simplifier.collapses() + simplifier.removed_parts() + (prepared.is_triangulated ? 1 : 0);
   if (result.changed > 0) edit.replace(work.columns());
   return result;
+}
+
+BuiltLevels build_levels(const Mesh& mesh, const ParameterValues& values, Progress& progress) {
+  Prepared prepared = prepare(mesh, values, progress);
+  if (prepared.refused) return {nullptr, prepared.refused};
+  const CollapseLimits limits = limits_of(prepared.work, values);
+  auto levels = std::make_unique<DetailLevels>(std::move(prepared.work));
+  if (!levels->build(limits, goal_of(values, faces_wanted(values, mesh.live().faces)), progress)) levels.reset();
+  return {std::move(levels)};
 }
 
 }  // namespace ryosen

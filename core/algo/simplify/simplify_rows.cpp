@@ -18,8 +18,8 @@ std::vector<ParameterRow> goal_parameters() {
            .kind = ParameterKind::ratio,
            .name_en = "Ratio",
            .name_ja = "比率",
-           .help_en = "such a share of the faces is left at most",
-           .help_ja = "残す面の割合の上限",
+           .help_en = "such a share of the faces is left at most, of the triangles where polygons are cut",
+           .help_ja = "残す面の割合の上限（三角形分割する場合はその後の面に対する割合）",
            .one_of = goals},
           {.id = "error",
            .kind = ParameterKind::length,
@@ -32,8 +32,8 @@ std::vector<ParameterRow> goal_parameters() {
            .kind = ParameterKind::flag,
            .name_en = "Relative",
            .name_ja = "相対値",
-           .help_en = "the error is a share of the diagonal of the mesh's bounding box",
-           .help_ja = "誤差をメッシュの境界箱の対角線に対する割合とする",
+           .help_en = "the error is a share of the diagonal of the mesh's bounding box, as one with % is anyway",
+           .help_ja = "誤差をメッシュの境界箱の対角線に対する割合とする（% 付きの値は常にそうなる）",
            .initial = "off"}};
 }
 
@@ -103,8 +103,8 @@ std::vector<ParameterRow> way_parameters() {
            .kind = ParameterKind::count,
            .name_en = "Effort",
            .name_ja = "手間",
-           .help_en = "more takes longer and loses less",
-           .help_ja = "大きいほど時間がかかり、誤差が小さい",
+           .help_en = "more takes longer and loses less; 2 also swaps edges where the surface comes nearer",
+           .help_ja = "大きいほど時間がかかり、誤差が小さい（2 では近づく箇所の稜線交換もする）",
            .initial = "1",
            .largest = 2}};
 }

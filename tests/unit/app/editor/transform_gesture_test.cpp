@@ -247,9 +247,10 @@ TEST_F(GestureTest, whatever_edits_points_or_goes_back_ends_an_extrusion_first) 
   EXPECT_EQ(session_->mesh().hash(), hash);
   run({"select f0 f1", "key E"});
   EXPECT_FALSE(session_->run("select v100000").done()) << "and asks whether it was there at another time";
-  run({"key Escape"});
+  EXPECT_FALSE(session_->gesture());
   EXPECT_EQ(session_->mesh().hash(), hash);
-  run({"select f0 f1", "key E"});
+  EXPECT_EQ(session_->selection.size(), 2u) << "the faces that were to be pulled";
+  run({"key E"});
   session_->run("click 640,360 poke");
   EXPECT_FALSE(session_->gesture());
   EXPECT_EQ(session_->mesh().hash(), hash) << "there is nothing in the middle of a ring";

@@ -4,116 +4,24 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <glm/geometric.hpp>
-#include <numeric>
 #include <set>
 
-#include "core/algo/edge_rules.h"
 #include "core/algo/simplify/plain_collapse.h"
 #include "core/analysis/figures.h"
 #include "core/analysis/invariants.h"
 #include "core/analysis/self_intersections.h"
-#include "core/geometry/is_finite.h"
-#include "core/io/formats.h"
 #include "core/mesh/attribute.h"
 #include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
 #include "core/ops/collapse_edge.h"
 #include "core/ops/rules/corner_values.h"
 #include "core/ops/rules/plain_check.h"
-#include "tests/support/core/long_run.h"
 #include "tests/support/core/random_meshes.h"
-#include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/shapes.h"
+#include "tests/support/core/simplified.h"
 
 namespace ryosen::test {
 namespace {
-
-// A sheet of squares cut in two, z = height(x, y).
-template <class Height>
-Mesh sheet(std::uint32_t side, Height height) {
-  IndexedMesh source;
-  for (std::uint32_t y = 0; y <= side; ++y)
-    for (std::uint32_t x = 0; x <= side; ++x) source.positions.emplace_back(x, y, height(x, y));
-  const auto at = [&](std::uint32_t x, std::uint32_t y) { return y * (side + 1) + x; };
-  for (std::uint32_t y = 0; y < side; ++y)
-    for (std::uint32_t x = 0; x < side; ++x) {
-      for (const std::uint32_t corner : {at(x, y), at(x + 1, y), at(x + 1, y + 1)}) source.corners.push_back(corner);
-      source.face_offsets.push_back(static_cast<std::uint32_t>(source.corners.size()));
-      for (const std::uint32_t corner : {at(x, y), at(x + 1, y + 1), at(x, y + 1)}) source.corners.push_back(corner);
-      source.face_offsets.push_back(static_cast<std::uint32_t>(source.corners.size()));
-    }
-  return from_indexed(source);
-}
-
-double wave(std::uint32_t x, std::uint32_t y) { return 0.25 * ((x * 7 + y * 13) % 5) + 0.02 * x * y; }
-
-AlgorithmResult simplified(Mesh& mesh, std::string_view values) {
-  Journal journal;
-  return run_algorithm(mesh, journal, "simplify " + std::string(values));
-}
-
-std::size_t count_of(const AlgorithmResult& result, EdgeRule rule) {
-  return result.account->remaining[static_cast<std::size_t>(rule)];
-}
-
-// Whether the kernel refuses the collapse or warns that a face would turn or lose its area.
-bool is_refused_plainly(const Mesh& mesh, const CollapseEdge& op) {
-  if (!op.judge(mesh).legal()) return true;
-  for (const Reason& warning : op.warnings(mesh))
-    if (warning.rule != Rule::seam) return true;
-  return false;
-}
-
-// Every edge of a mesh that went as far as it could is refused in both directions at the ends and the middle.
-void expect_all_refused(const Mesh& mesh, const std::string& name) {
-  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
-    const Halfedge h(i);
-    if (!mesh.is_alive(h) || mesh.is_wire(edge(h))) continue;
-    // What has no place is left where it is.
-    if (!is_finite(mesh.position(mesh.from(h))) || !is_finite(mesh.position(mesh.to(h)))) continue;
-    const bool has_copy = has_copies(mesh, mesh.from(h)) || has_copies(mesh, mesh.to(h));
-    for (const auto place : {CollapseEdge::Place::start, CollapseEdge::Place::end, CollapseEdge::Place::middle}) {
-      // A point with copies stays where it is.
-      if (has_copy && place != CollapseEdge::Place::start && place != CollapseEdge::Place::end) continue;
-      if (has_copy && has_copies(mesh, mesh.from(h)) != (place == CollapseEdge::Place::start)) continue;
-      EXPECT_TRUE(is_refused_plainly(mesh, {h, place})) << name << ": " << CollapseEdge{h, place}.command(mesh);
-    }
-  }
-}
-
-void expect_kept(const Mesh& before, Mesh& mesh, Journal& journal, const std::string& name) {
-  const auto broken = check_invariants(mesh);
-  ASSERT_FALSE(broken) << name << ": " << broken->sentence;
-  const Figures was = compute_figures(before), is = compute_figures(mesh);
-  EXPECT_EQ(is[ProblemKind::nonmanifold_edge], was[ProblemKind::nonmanifold_edge]) << name;
-  EXPECT_EQ(is[ProblemKind::misoriented_edge], was[ProblemKind::misoriented_edge]) << name;
-  EXPECT_EQ(is.components, was.components) << name;
-  EXPECT_EQ(is.euler_characteristic, was.euler_characteristic) << name;
-  EXPECT_LE(is[ProblemKind::duplicate_face], was[ProblemKind::duplicate_face]) << name;
-  if (!journal.can_undo()) return;
-  const MeshColumns after = mesh.columns();
-  journal.undo(mesh);
-  EXPECT_EQ(mesh.columns(), before.columns()) << name;
-  journal.redo(mesh);
-  EXPECT_EQ(mesh.columns(), after) << name;
-}
-
-// To no faces, or as far as it goes.
-void go_all_the_way(Mesh mesh, const std::string& name, bool verify = true) {
-  const Mesh before = mesh;
-  Journal journal;
-  const AlgorithmResult result = run_algorithm(mesh, journal, "simplify faces=0");
-  if (result.refused) return;
-  expect_kept(before, mesh, journal, name);
-  EXPECT_EQ(result.account->stopped, Stop::blocked) << name;
-  EXPECT_FALSE(result.account->is_reached) << name;
-  const std::vector<std::size_t>& remaining = result.account->remaining;
-  EXPECT_EQ(std::accumulate(remaining.begin(), remaining.end(), std::size_t{0}), compute_figures(mesh).edges) << name;
-  EXPECT_EQ(count_of(result, EdgeRule::free), 0u) << name;
-  if (verify) expect_all_refused(mesh, name);
-}
 
 TEST(simplify, collapses_plain_edges_as_the_kernel_does) {
   Mesh plain = sheet(24, wave), kernel = plain;
@@ -157,24 +65,6 @@ TEST(simplify, goes_as_far_on_named_shapes) {
   go_all_the_way(sheet(9, wave), "sheet");
   Mesh empty;
   EXPECT_TRUE(simplified(empty, "faces=0").refused);
-}
-
-// Of the folder of meshes beside the project, where it is there.
-TEST(simplify, goes_as_far_on_every_mesh_of_the_corpus) {
-  const std::filesystem::path folder = RYOSEN_SHARED_DIR "/meshes";
-  if (!is_long_run() || !std::filesystem::exists(folder)) GTEST_SKIP() << "in long runs alone";
-  std::size_t meshes = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    constexpr std::uintmax_t largest = 4 << 20;
-    if (!entry.is_regular_file() || entry.file_size() > largest) continue;
-    const Result<MeshFile> file = read_mesh_file(entry.path());
-    if (!file) continue;
-    // The kernel only warns of a seam, which here holds what is on it.
-    const bool has_seams = !file->mesh.texcoords.index.empty() || !file->mesh.normals.index.empty();
-    go_all_the_way(from_indexed(file->mesh), entry.path().string(), !has_seams);
-    ++meshes;
-  }
-  EXPECT_GT(meshes, 100u);
 }
 
 TEST(simplify, of_a_flat_sheet_loses_nothing) {

@@ -1,0 +1,112 @@
+// What a collapse or a swap would do to the shapes of the faces around it.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/algo/simplify/collapse_surface.h"
+
+namespace ryosen {
+
+// A face without area may turn as it likes; one with area may not lose it.
+bool CollapseSurface::turns_too_far(const glm::dvec3& before, const glm::dvec3& after) const {
+  const double square = glm::dot(before, before);
+  if (!(square > 0)) return false;
+  const double product = glm::dot(before, after);
+  return !(product > 0) || product * product < turn_cosine_ * turn_cosine_ * square * glm::dot(after, after);
+}
+
+template <class Look>
+bool CollapseSurface::any_changed_corner(Halfedge h, const glm::dvec3& place, Look look) const {
+  const auto is_vanishing = [&](Halfedge side) {
+    return !mesh_.is_outside(side) && !mesh_.has_rings(mesh_.face(side)) &&
+           mesh_.next(mesh_.next(side)) == mesh_.prev(side);
+  };
+  const Face left = is_vanishing(h) ? mesh_.face(h) : Face(),
+             right = is_vanishing(twin(h)) ? mesh_.face(twin(h)) : Face();
+  for (Halfedge end : {h, twin(h)}) {
+    if (states_[mesh_.from(end).index].place == place) continue;
+    Halfedge corner = end;
+    do {
+      if (const Face f = mesh_.face(corner); f && f != left && f != right && look(corner)) return true;
+      corner = mesh_.counter_clockwise(corner);
+    } while (corner != end);
+  }
+  return false;
+}
+
+// Scaled without moving the middle of the mesh, which may take the digits of small faces far from it.
+bool CollapseSurface::turns_small_face(Halfedge corner, const glm::dvec3& position) const {
+  const auto at = [&](const glm::dvec3& p) { return scale_.scaled_alone(p); };
+  const glm::dvec3 x = at(mesh_.position(mesh_.to(corner))), y = at(mesh_.position(mesh_.from(mesh_.prev(corner)))),
+                   p = at(mesh_.position(mesh_.from(corner)));
+  const glm::dvec3 side = y - x;
+  const double longest = std::max({glm::length(side), glm::length(p - x), glm::length(p - y)});
+  if (!(longest > 0)) return false;
+  // So that products of what is tiny are not lost.
+  const double larger = 1 / longest;
+  return turns_too_far(glm::cross(larger * side, larger * (p - x)),
+                       glm::cross(larger * side, larger * (at(position) - x)));
+}
+
+bool CollapseSurface::turns_face(Halfedge h, const Placing& placing, bool minds_input) const {
+  // Squares of twice an area, scaled: of sides shorter than about a millionth.
+  constexpr double small_square = 1e-24;
+  const glm::dvec3& place = placing.place;
+  const Vertex a = mesh_.from(h), b = mesh_.to(h);
+  const glm::vec3 together = states_[a.index].normal + states_[b.index].normal;
+  return any_changed_corner(h, place, [&](Halfedge corner) {
+    const Face f = mesh_.face(corner);
+    const Halfedge next = mesh_.next(corner), prev = mesh_.prev(corner);
+    if (mesh_.next(next) != prev || mesh_.has_rings(f))
+      return turns_too_far(area_vector(f), area_vector(f, a, b, place));
+    const State &p = states_[mesh_.from(corner).index], &x = states_[mesh_.from(next).index],
+                &y = states_[mesh_.from(prev).index];
+    const glm::dvec3 side = y.place - x.place;
+    const glm::dvec3 before = glm::cross(side, p.place - x.place), after = glm::cross(side, place - x.place);
+    if (glm::dot(before, before) < small_square || glm::dot(after, after) < small_square)
+      return turns_small_face(corner, position_of(placing));
+    if (turns_too_far(before, after)) return true;
+    if (!minds_input) return false;
+    const glm::vec3 others = x.normal + y.normal;
+    return !(glm::dot(after, glm::dvec3(others + together)) > 0) && glm::dot(before, glm::dvec3(others + p.normal)) > 0;
+  });
+}
+
+namespace {
+
+// The largest cosine at the corners of a triangle; 1 where two of them meet.
+double largest_cosine(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const auto at = [](const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r) {
+    const double product = glm::dot(q - p, q - p) * glm::dot(r - p, r - p);
+    return product > 0 ? glm::dot(q - p, r - p) / std::sqrt(product) : 1;
+  };
+  return std::max({at(a, b, c), at(b, c, a), at(c, a, b)});
+}
+
+}  // namespace
+
+bool CollapseSurface::narrows_face(Halfedge h, const glm::dvec3& place) const {
+  if (angle_cosine_ > 1) return false;
+  return any_changed_corner(h, place, [&](Halfedge corner) {
+    const Halfedge next = mesh_.next(corner), prev = mesh_.prev(corner);
+    if (mesh_.next(next) != prev) return false;  // angles are those of triangles
+    const glm::dvec3 &p = states_[mesh_.from(corner).index].place, &x = states_[mesh_.from(next).index].place,
+                     &y = states_[mesh_.from(prev).index].place;
+    const double after = largest_cosine(place, x, y);
+    return after > angle_cosine_ && after > largest_cosine(p, x, y);
+  });
+}
+
+bool CollapseSurface::swap_spoils_face(Halfedge h) const {
+  const Halfedge o = twin(h);
+  const glm::dvec3 &a = place(mesh_.from(h)), &b = place(mesh_.to(h)), &c = place(mesh_.from(mesh_.prev(h))),
+                   &d = place(mesh_.from(mesh_.prev(o)));
+  for (const glm::dvec3& before : {glm::cross(b - a, c - a), glm::cross(a - b, d - b)})
+    for (const glm::dvec3& after : {glm::cross(a - c, d - c), glm::cross(b - d, c - d)})
+      if (!(glm::dot(after, after) > 0) || turns_too_far(before, after)) return true;
+  if (angle_cosine_ > 1) return false;
+  const double after = std::max(largest_cosine(c, a, d), largest_cosine(d, b, c));
+  return after > angle_cosine_ && after > std::max(largest_cosine(a, b, c), largest_cosine(b, a, d));
+}
+
+}  // namespace ryosen

@@ -1,0 +1,118 @@
+#include "app/editor/levels.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "app/editor/session.h"
+#include "core/algo/edge_rules.h"
+#include "core/analysis/invariants.h"
+#include "tests/support/app/program.h"
+
+namespace ryosen::test {
+namespace {
+
+class LevelsTest : public testing::Test {
+ protected:
+  Outcome say(const std::string& line) { return session_.run(line); }
+  std::size_t faces() const { return session_.mesh().live().faces; }
+
+  // A torus of triangles, as a file has it.
+  std::string write_torus() const {
+    const std::string file = folder_.at("torus.obj");
+    Session session(std::make_unique<Document>());
+    for (const std::string& line : {std::string("torus segments=24"), std::string("triangulate"), "save " + file})
+      EXPECT_TRUE(session.run(line).done()) << line;
+    return file;
+  }
+
+  TemporaryFolder folder_;
+  Session session_{Document::open(write_torus()).value()};
+};
+
+TEST_F(LevelsTest, are_shown_beside_the_history_forward_and_back) {
+  const std::uint64_t hash = session_.mesh().hash();
+  const std::size_t all = faces();
+  EXPECT_EQ(say("levels at 10").exit_code, ExitCode::refused) << "there are none yet";
+  ASSERT_TRUE(say("levels").done());
+  ASSERT_TRUE(session_.levels);
+  EXPECT_TRUE(session_.is_shown(panel_opened_by(PanelOpener::levelled)));
+  EXPECT_EQ(faces(), all);
+  for (const std::size_t wanted : {all / 2, all / 4, all / 3, std::size_t{0}, all}) {
+    const Outcome outcome = say("levels at " + std::to_string(wanted));
+    ASSERT_TRUE(outcome.done()) << outcome.sentence.en;
+    EXPECT_EQ(outcome.sentence.en.find(std::to_string(faces())), 0u) << outcome.sentence.en;
+    if (wanted > 0) {
+      EXPECT_LE(faces(), wanted);
+    }
+    EXPECT_FALSE(check_invariants(session_.mesh()));
+  }
+  ASSERT_TRUE(say("levels at " + std::to_string(all / 2)).done());
+  EXPECT_TRUE(session_.document().history().empty());
+  EXPECT_FALSE(session_.document().is_modified());
+  EXPECT_TRUE(session_.log().empty());
+  ASSERT_TRUE(say("levels close").done());
+  EXPECT_EQ(session_.mesh().hash(), hash);
+  EXPECT_FALSE(session_.levels);
+}
+
+TEST_F(LevelsTest, are_kept_as_one_edit_that_a_script_does_again) {
+  const std::uint64_t hash = session_.mesh().hash();
+  ASSERT_TRUE(say("levels boundary=locked max_turn=60").done());
+  ASSERT_TRUE(say("levels at 100").done());
+  const std::uint64_t shown = session_.mesh().hash();
+  ASSERT_TRUE(say("levels keep").done());
+  EXPECT_EQ(session_.mesh().hash(), shown) << "what was shown is what is made";
+  EXPECT_FALSE(session_.levels);
+  ASSERT_EQ(session_.log().size(), 1u);
+  ASSERT_EQ(session_.document().position(), 1u);
+  EXPECT_EQ(session_.log()[0].find("simplify faces=100 "), 0u) << session_.log()[0];
+  EXPECT_NE(session_.log()[0].find("max_turn=60"), std::string::npos);
+  ASSERT_TRUE(say("undo").done());
+  EXPECT_EQ(session_.mesh().hash(), hash);
+  ASSERT_TRUE(say(session_.log()[0]).done());
+  EXPECT_EQ(session_.mesh().hash(), shown);
+}
+
+TEST_F(LevelsTest, end_with_any_edit) {
+  ASSERT_TRUE(say("levels").done());
+  ASSERT_TRUE(say("levels at 20").done());
+  const std::size_t entries = session_.document().history().size();
+  ASSERT_TRUE(say("poke f0").done());
+  EXPECT_FALSE(session_.levels);
+  EXPECT_GT(faces(), 20u) << "the whole mesh was poked";
+  EXPECT_EQ(session_.document().history().size(), entries + 1);
+  EXPECT_EQ(say("levels at 20").exit_code, ExitCode::refused);
+}
+
+TEST_F(LevelsTest, refuse_words_that_no_mesh_makes_right) {
+  for (const char* const line :
+       {"levels at", "levels at x", "levels at 1 2", "levels keep 3", "levels faces=3", "levels ratio=0.5",
+        "levels max_turn=0", "levels nothing", "account nothing", "account free free"})
+    EXPECT_EQ(say(line).exit_code, ExitCode::usage) << line;
+  EXPECT_FALSE(session_.levels);
+  Session empty(std::make_unique<Document>());
+  EXPECT_EQ(empty.run("levels").exit_code, ExitCode::refused) << "there are no faces";
+}
+
+TEST_F(LevelsTest, account_of_a_simplification_is_there_until_the_next_change) {
+  EXPECT_EQ(say("account").exit_code, ExitCode::refused);
+  ASSERT_TRUE(say("simplify faces=100").done());
+  const EdgeAccount* const account = session_.account();
+  ASSERT_TRUE(account);
+  EXPECT_EQ(std::accumulate(account->counts.begin(), account->counts.end(), std::size_t{0}),
+            session_.mesh().live().edges);
+  for (const EdgeRuleRow& rule : edge_rules) {
+    const std::size_t count = account->counts[static_cast<std::size_t>(rule.rule)];
+    ASSERT_TRUE(say("account " + std::string(rule.id)).done());
+    EXPECT_EQ(session_.selection.size(), count) << rule.id;
+    for (const Element& e : session_.selection) EXPECT_EQ(e.kind, Element::Kind::edge);
+  }
+  const std::string free = std::to_string(account->counts[static_cast<std::size_t>(EdgeRule::free)]);
+  EXPECT_NE(say("account").sentence.en.find("free " + free), std::string::npos);
+  ASSERT_TRUE(say("undo").done());
+  EXPECT_EQ(say("account").exit_code, ExitCode::refused);
+}
+
+}  // namespace
+}  // namespace ryosen::test

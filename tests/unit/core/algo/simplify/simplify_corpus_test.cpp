@@ -1,0 +1,69 @@
+// Simplification of many meshes that nobody here made, each to no faces or as far as it goes.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/algo/simplify/simplify.h"
+#include "core/io/formats.h"
+#include "tests/support/core/long_run.h"
+#include "tests/support/core/random_meshes.h"
+#include "tests/support/core/simplified.h"
+
+namespace ryosen::test {
+namespace {
+
+// Every hundred collapses, or as often as a test has time for on a large mesh; and back to the bytes of the beginning.
+void expect_sound_on_the_way(const Mesh& mesh, const std::string& name) {
+  const ParameterValues values =
+      *read_values(find_algorithm("simplify")->parameters, split_words("faces=0")).values->on(mesh).values;
+  Progress unheard;
+  const BuiltLevels built = build_levels(mesh, values, unheard);
+  if (!built.levels) return;
+  const MeshColumns before = built.levels->mesh().columns();
+  const std::size_t last = built.levels->last(), step = std::max<std::size_t>(100, last / 200);
+  for (std::size_t level = step; level < last; level += step) {
+    built.levels->go_to(level);
+    const auto broken = check_invariants(built.levels->mesh());
+    ASSERT_FALSE(broken) << name << " after " << level << ": " << broken->sentence;
+  }
+  built.levels->go_to(0);
+  EXPECT_EQ(built.levels->mesh().columns(), before) << name;
+}
+
+void expect_unchanged_where_cancelled(Mesh mesh, int reports, const std::string& name) {
+  const MeshColumns before = mesh.columns();
+  Journal journal;
+  Progress cancelling([&](double) { return reports-- > 0; }, Progress::Clock::duration::zero());
+  const AlgorithmRow& row = *find_algorithm("simplify");
+  {
+    Edit edit(mesh, &journal);
+    row.run(edit, {*read_values(row.parameters, split_words("faces=0")).values->on(mesh).values}, cancelling);
+  }
+  EXPECT_EQ(mesh.columns(), before) << name;
+}
+
+// Of the folder of meshes beside the project, where it is there.
+TEST(simplify_corpus, goes_as_far_on_every_mesh_and_is_sound_on_the_way) {
+  const std::filesystem::path folder = RYOSEN_SHARED_DIR "/meshes";
+  if (!is_long_run() || !std::filesystem::exists(folder)) GTEST_SKIP() << "in long runs alone";
+  std::size_t meshes = 0;
+  Dice dice(7);
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    constexpr std::uintmax_t largest = 4 << 20;
+    if (!entry.is_regular_file() || entry.file_size() > largest) continue;
+    const Result<MeshFile> file = read_mesh_file(entry.path());
+    if (!file) continue;
+    // The kernel only warns of a seam, which here holds what is on it.
+    const bool has_seams = !file->mesh.texcoords.index.empty() || !file->mesh.normals.index.empty();
+    const Mesh mesh = from_indexed(file->mesh);
+    const std::string name = entry.path().string();
+    go_all_the_way(mesh, name, !has_seams);
+    expect_sound_on_the_way(mesh, name);
+    expect_unchanged_where_cancelled(mesh, dice.below(50), name);
+    ++meshes;
+  }
+  EXPECT_GT(meshes, 100u);
+}
+
+}  // namespace
+}  // namespace ryosen::test

@@ -66,7 +66,7 @@ const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
     return arrows_;
   }
   const Document& document = session.document();
-  const Elements& selection = session.selection;
+  const Selection& selection = session.selection;
   const Key key{.serial = document.serial(),
                 .revision = document.revision(),
                 .hidden = session.hidden().revision(),
@@ -75,8 +75,7 @@ const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
                 .camera = session.camera,
                 .view = session.view,
                 .scale = session.size_scale(),
-                .selected = selection.empty() ? Element() : selection[0],
-                .selected_count = std::min<std::size_t>(selection.size(), 2)};
+                .selection = selection.stamp()};
   if (key_ && *key_ == key) return arrows_;
   key_ = key;
   arrows_.clear();

@@ -61,15 +61,14 @@ class DrawnLinks {
   void forget_trail();
 
  private:
-  // All that they depend on. Of the selection that is the first element, and whether it is the only one.
+  // All that they depend on.
   struct Key {
     std::uint64_t serial = 0, revision = 0, hidden = 0, trail = 0;
     LinksShown shown = LinksShown::off;
     Camera camera;
     Size view;
     double scale = 1;
-    Element selected;
-    std::size_t selected_count = 0;  // 0, 1, or 2 for more
+    std::uint64_t selection = 0;  // by its stamp
     friend bool operator==(const Key&, const Key&) = default;
   };
   std::optional<Key> key_;

@@ -183,16 +183,16 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
     if (!is_kept) euler_.reset();
   }
   if (change == Document::Change::made)
-    selections.made(transaction, selection, m, touched.everything, journal.lengths_before(transaction));
-  if (change == Document::Change::undone) selections.undone(transaction, selection, m, touched.everything);
-  if (change == Document::Change::redone) selections.redone(transaction, selection, m, touched.everything);
+    selections.made(transaction, selection.changed(), m, touched.everything, journal.lengths_before(transaction));
+  if (change == Document::Change::undone) selections.undone(transaction, selection.changed(), m, touched.everything);
+  if (change == Document::Change::redone) selections.redone(transaction, selection.changed(), m, touched.everything);
   if (change == Document::Change::tried && touched.everything) {
     selection.clear();
     measures.clear();
   }
-  if (change == Document::Change::tried) drop_lost(selection, m, false);
+  if (change == Document::Change::tried) drop_lost(selection.changed(), m, false);
   if (change == Document::Change::trial_ended) bring_back();
-  drop_hidden(selection);
+  drop_hidden(selection.changed());
   if (is_verdict_held_)
     ask_held_verdict_again();
   else if (hover_)
@@ -295,7 +295,7 @@ Outcome Session::run(const std::string& line) {
     forget_derived();  // some of it may be half made
     if (document_->serial() == serial) {
       document_->take_back(position);
-      drop_lost(selection, mesh(), false);
+      drop_lost(selection.changed(), mesh(), false);
     }
     return failed(ExitCode::out_of_memory, out_of_memory().message.text);
   }

@@ -23,6 +23,7 @@
 #include "app/editor/recovery.h"
 #include "app/editor/repair_trials.h"
 #include "app/editor/run_files.h"
+#include "app/editor/selection.h"
 #include "app/editor/selection_memory.h"
 #include "app/editor/transform_gesture.h"
 #include "core/algo/measure/other_surface.h"
@@ -102,7 +103,7 @@ class Session {
   std::string asked_line;       // of an operator: each click adds an element to it (asking.h); empty for none
   std::set<std::string> shown;  // ids of the highlight table
   // Each entry of the history remembers what was selected around it, and brings it back.
-  std::vector<Element> selection;
+  Selection selection;
   SelectionMemory selections;
   std::optional<Colouring> colouring;
   DrawnLinks links;                     // as arrows in the view
@@ -401,7 +402,7 @@ class Session {
   const HandleRow* pointed_handle_ = nullptr;
   const AxisEnd* pointed_axis_end_ = nullptr;
   struct Middle {
-    Elements of;
+    std::uint64_t selection = 0;  // by its stamp
     std::uint64_t document = 0, revision = 0;
     glm::dvec3 place{0};
   };

@@ -64,8 +64,10 @@ void Session::point_away() {
 
 std::optional<Gizmo> Session::gizmo() const {
   if (gizmo_kind == GizmoKind::none || !tool.empty() || selection.empty() || gesturing_ || band) return std::nullopt;
-  if (middle_.document != document_->serial() || middle_.revision != document_->revision() || middle_.of != selection)
-    middle_ = {selection, document_->serial(), document_->revision(), middle_of(mesh(), points_of(mesh(), selection))};
+  if (middle_.document != document_->serial() || middle_.revision != document_->revision() ||
+      middle_.selection != selection.stamp())
+    middle_ = {selection.stamp(), document_->serial(), document_->revision(),
+               middle_of(mesh(), points_of(mesh(), selection))};
   return gizmo_at(gizmo_kind, camera, view, middle_.place, size_scale());
 }
 

@@ -24,17 +24,17 @@ class StepsPanel : public Panel {
 
   std::vector<steps::Choices> choices_;
   std::uint64_t serial_ = 0, revision_ = 0;  // of what they were asked
-  Elements selection_;
+  std::uint64_t selection_ = 0;              // by its stamp
 };
 
 const std::vector<steps::Choices>& StepsPanel::choices(const Session& session) {
   const Document& document = session.document();
   if (!choices_.empty() && serial_ == document.serial() && revision_ == document.revision() &&
-      selection_ == session.selection)
+      selection_ == session.selection.stamp())
     return choices_;
   serial_ = document.serial();
   revision_ = document.revision();
-  selection_ = session.selection;
+  selection_ = session.selection.stamp();
   choices_.clear();
   for (const steps::StepsRow& row : steps::all_steps())
     choices_.push_back(row.choices(session.mesh(), session.selection));

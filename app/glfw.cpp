@@ -26,6 +26,9 @@ std::optional<Glfw> loaded() {
   find(glfw.get_framebuffer_size, "glfwGetFramebufferSize");
   find(glfw.get_key, "glfwGetKey");
   find(glfw.get_key_name, "glfwGetKeyName");
+  find(glfw.get_monitor_content_scale, "glfwGetMonitorContentScale");
+  find(glfw.get_monitor_workarea, "glfwGetMonitorWorkarea");
+  find(glfw.get_primary_monitor, "glfwGetPrimaryMonitor");
   find(glfw.get_proc_address, "glfwGetProcAddress");
   find(glfw.get_time, "glfwGetTime");
   find(glfw.get_window_content_scale, "glfwGetWindowContentScale");

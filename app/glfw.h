@@ -19,6 +19,9 @@ struct Glfw {
   decltype(&glfwGetFramebufferSize) get_framebuffer_size = nullptr;
   decltype(&glfwGetKey) get_key = nullptr;
   decltype(&glfwGetKeyName) get_key_name = nullptr;
+  decltype(&glfwGetMonitorContentScale) get_monitor_content_scale = nullptr;
+  decltype(&glfwGetMonitorWorkarea) get_monitor_workarea = nullptr;
+  decltype(&glfwGetPrimaryMonitor) get_primary_monitor = nullptr;
   decltype(&glfwGetProcAddress) get_proc_address = nullptr;
   decltype(&glfwGetTime) get_time = nullptr;
   decltype(&glfwGetWindowContentScale) get_window_content_scale = nullptr;

@@ -8,6 +8,7 @@
 #include "app/editor/keys.h"
 #include "app/editor/user_files.h"
 #include "app/editor/user_folders.h"
+#include "app/editor/view_switches.h"
 #include "app/glfw.h"
 #include "app/ui/gui.h"
 #include "app/ui/viewport.h"
@@ -40,6 +41,20 @@ std::string glfw_error() {
   return words ? words : "";
 }
 
+// Of a new window at scale 1: no larger than the display has room for.
+Size first_size() {
+  Size size{1280, 800};
+  GLFWmonitor* const monitor = glfw().get_primary_monitor();
+  if (!monitor) return size;
+  int x = 0, y = 0, width = 0, height = 0;
+  float across = 1, down = 1;
+  glfw().get_monitor_workarea(monitor, &x, &y, &width, &height);
+  glfw().get_monitor_content_scale(monitor, &across, &down);
+  if (width > 0 && across > 0) size.width = std::min(size.width, static_cast<int>(static_cast<float>(width) / across));
+  if (height > 0 && down > 0) size.height = std::min(size.height, static_cast<int>(static_cast<float>(height) / down));
+  return size;
+}
+
 // GLFW and one window with its OpenGL 3.3 context, current on this thread.
 class GlfwWindow {
  public:
@@ -55,10 +70,14 @@ class GlfwWindow {
     glfw().window_hint(GLFW_DEPTH_BITS, 0);
     glfw().window_hint(GLFW_STENCIL_BITS, 0);
     glfw().window_hint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    made->handle_ = glfw().create_window(1280, 800, "Ryosen", nullptr, nullptr);
+    const Size size = first_size();
+    made->handle_ = glfw().create_window(size.width, size.height, "Ryosen", nullptr, nullptr);
     if (!made->handle_) return no_window(glfw_error());
     glfw().make_context_current(made->handle_);
     glfw().swap_interval(1);
+    double x = 0, y = 0;
+    glfw().get_cursor_pos(made->handle_, &x, &y);
+    made->moved_to(x, y);
     if (!load_gl(glfw().get_proc_address)) return no_window("no OpenGL 3.3");
     return made;
   }
@@ -85,11 +104,16 @@ class GlfwWindow {
     const Size pixels = size();
     return {x * pixels.width / std::max(width, 1), y * pixels.height / std::max(height, 1)};
   }
-  Pointer pointer() const {
-    double x = 0, y = 0;
-    glfw().get_cursor_pos(handle_, &x, &y);
-    return pointer_at(to_pixels(x, y));
+  // Where the last event that was handled has put the pointer. It may be elsewhere by now: a press belongs to where it was
+  // made, however many events are waiting behind it.
+  Pointer pointer() const { return pointer_at(pointer_px_); }
+  Pointer moved_to(double x, double y) {
+    pointer_px_ = to_pixels(x, y);
+    return pointer();
   }
+
+ private:
+  GlfwWindow() = default;
   Pointer pointer_at(glm::dvec2 pixel) const {
     const auto holds = [&](int left, int right) {
       return glfw().get_key(handle_, left) == GLFW_PRESS || glfw().get_key(handle_, right) == GLFW_PRESS;
@@ -100,9 +124,8 @@ class GlfwWindow {
     return {pixel, modifiers, glfw().get_time()};
   }
 
- private:
-  GlfwWindow() = default;
   GLFWwindow* handle_ = nullptr;
+  glm::dvec2 pointer_px_{0};
   bool is_up_ = false;
 };
 
@@ -117,8 +140,7 @@ class Editor {
         gui_(window.scale()),
         user_files_(user_folder(UserFolder::config), options.preferences) {
     session_.display_scale = window.scale();
-    session_.gizmo_kind = GizmoKind::move;
-    session_.shows_axes = true;
+    begin_as_window(session_);
     session_.language = options.usual_language;
     const Text said = user_files_.begin(session_);
     if (options.language) session_.language = *options.language;
@@ -212,8 +234,8 @@ class Editor {
       of(x).is_working_ ? of(x).cancel_work() : of(x).session_.quit();
     });
     glfw().set_cursor_pos_callback(w, [](GLFWwindow* x, double px, double py) {
-      const glm::dvec2 pixel = of(x).window_.to_pixels(px, py);
-      of(x).is_working_ ? of(x).gui_.pointer(pixel) : of(x).input_.move(of(x).window_.pointer_at(pixel));
+      const Pointer at = of(x).window_.moved_to(px, py);
+      of(x).is_working_ ? of(x).gui_.pointer(at.pixel) : of(x).input_.move(at);
     });
     glfw().set_cursor_enter_callback(w, [](GLFWwindow* x, int entered) {
       if (!entered && !of(x).is_working_) of(x).input_.leave();
@@ -338,7 +360,7 @@ class Editor {
 
   void show_title() {
     const Document& document = session_.document();
-    const std::string name = document.path().filename().string();
+    const std::string name = session_.document_name();
     const std::string title = (document.is_modified() ? "* " : "") + (name.empty() ? "Ryosen" : name + " - Ryosen");
     if (title == title_) return;
     glfw().set_window_title(window_.handle(), title.c_str());

@@ -52,24 +52,31 @@ vec4 ghost(vec4 texel[3], int corner) {
 
 vec4 line(vec3 from, vec3 to, float width, int kind, int corner) {
   vec3 a = view_place(from), b = view_place(to);
+  vec2 kept = vec2(dot(clip_plane, vec4(from, 1.0)), dot(clip_plane, vec4(to, 1.0)));
   float limit = -near_distance * 1.0001;
   if (perspective > 0.5 && (a.z > limit || b.z > limit)) {
     if (a.z > limit && b.z > limit) return nowhere;
-    vec3 cut = mix(a, b, (limit - a.z) / (b.z - a.z));
-    if (a.z > limit) a = cut; else b = cut;
+    float share = (limit - a.z) / (b.z - a.z);
+    vec3 cut = mix(a, b, share);
+    float kept_there = mix(kept.x, kept.y, share);
+    if (a.z > limit) a = cut, kept.x = kept_there; else b = cut, kept.y = kept_there;
   }
+  if (perspective > 0.5) kept /= vec2(-a.z, -b.z);  // what is linear on the screen, as places are there
   float half_width = 0.5 * width * pixel_scale;
   float reach = (kind == kind_arrow ? 4.0 * half_width + 3.0 * pixel_scale : half_width) + 1.0;
   // The head of an arrow reaches far to both sides at one depth: on a steep face the surface would hide half of it.
   float lift = 2.0 + 0.5 * width + (kind == kind_arrow ? reach / pixel_scale : 0.0);
   vec3 pa = on_screen(lifted(a, lift)), pb = on_screen(lifted(b, lift));
   vec2 along = pb.xy - pa.xy;
-  along = dot(along, along) > 1e-8 ? normalize(along) : vec2(1.0, 0.0);
+  float length_px = max(length(along), 1e-4);
+  along = length_px > 1e-4 ? along / length_px : vec2(1.0, 0.0);
   vec2 across = vec2(-along.y, along.x);
   bool at_end = corner == 1 || corner == 2 || corner == 4;
   float side = corner == 0 || corner == 1 || corner == 3 ? -1.0 : 1.0;
   vec3 end = at_end ? pb : pa;
   places = vec4(pa.xy, pb.xy);
+  float kept_beyond = (kept.y - kept.x) / length_px * reach;
+  gl_ClipDistance[0] = at_end ? kept.y + kept_beyond : kept.x - kept_beyond;
   return clip_place(end.xy + across * side * reach + along * (at_end ? reach : -reach), end.z);
 }
 
@@ -101,10 +108,8 @@ void main() {
   float size = texel[0].w, hidden = texel[1].w;
   measures = vec3(0.5 * size * pixel_scale, float(kind), floor(texel[2].w / 4.0));
   places = vec4(0.0);
-  bool is_line = kind != kind_ghost && kind != kind_point;
-  bool at_second = is_line ? corner == 1 || corner == 2 || corner == 4 : kind == kind_ghost && corner == 1;
-  vec3 place = kind == kind_ghost && corner == 2 ? texel[2].xyz : at_second ? texel[1].xyz : texel[0].xyz;
-  gl_ClipDistance[0] = dot(clip_plane, vec4(place, 1.0));
+  vec3 place = kind != kind_ghost ? texel[0].xyz : texel[min(corner, 2)].xyz;
+  gl_ClipDistance[0] = dot(clip_plane, vec4(place, 1.0));  // of a line by `line`
   if (kind == kind_ghost) {
     gl_Position = ghost(texel, corner);
   } else if (kind == kind_point) {

@@ -7,6 +7,7 @@
 #include "core/forms/all.h"
 #include "core/forms/records.h"
 #include "core/mesh/find_element.h"
+#include "core/mesh/name_failure.h"
 
 namespace ryosen::cli {
 
@@ -92,13 +93,14 @@ Failure unknown_form(std::string_view id) {
 }  // namespace
 
 ExitCode print_form_records(const Mesh& mesh, const Arguments& arguments, const Console& console) {
+  const std::string& path = arguments.operands()[0];
   const std::string& asked = *arguments.value("--element");
   std::vector<Element> elements;
   if (asked == "all") {
     elements = all_elements(mesh);
   } else {
     NamedElement named = find_element(mesh, asked);
-    if (!named.element) return console.fail(usage_failure("element_unknown", std::move(named.sentence)));
+    if (!named.element) return console.fail(failure_of_name(named.error, std::move(named.sentence)), path);
     elements.push_back(*named.element);
   }
   const std::string* const form = arguments.value("--form");

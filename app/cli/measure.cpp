@@ -16,6 +16,7 @@
 #include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
 #include "core/mesh/find_element.h"
+#include "core/mesh/name_failure.h"
 
 namespace ryosen::cli {
 
@@ -172,7 +173,7 @@ ExitCode measure_elements(const Mesh& mesh, const std::vector<std::string>& oper
   std::vector<Element> elements;
   for (const std::string& name : std::span(operands).subspan(1)) {
     NamedElement named = find_element(mesh, name);
-    if (!named.element) return console.fail(usage_failure("element_unknown", std::move(named.sentence)), path);
+    if (!named.element) return console.fail(failure_of_name(named.error, std::move(named.sentence)), path);
     elements.push_back(*named.element);
   }
   const Measurement found = measure(mesh, elements);

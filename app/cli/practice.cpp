@@ -21,17 +21,25 @@ struct Asked {
   Mesh mesh;
 };
 
-Result<std::uint64_t> number_of(const Arguments& arguments, std::string_view flag, std::uint64_t usual,
+// 1 where it is not given.
+Result<std::uint64_t> number_of(const Arguments& arguments, std::string_view flag, std::uint64_t least,
                                 std::uint64_t most) {
   const std::string* const words = arguments.value(flag);
-  if (!words) return usual;
+  if (!words) return std::uint64_t{1};
   std::uint64_t number = 0;
   const char* const end = words->data() + words->size();
   const auto [behind, error] = std::from_chars(words->data(), end, number);
-  if (error == std::errc() && behind == end && number <= most) return number;
-  const std::string name(flag), limit = std::to_string(most);
-  return usage_failure("bad_value", {name + " takes a whole number from 0 to " + limit + ".",
-                                     name + " は 0 から " + limit + " までの整数です。"});
+  if (error == std::errc() && behind == end && number >= least && number <= most) return number;
+  const std::string name(flag), from = std::to_string(least), to = std::to_string(most);
+  return usage_failure("bad_value", {name + " takes a whole number from " + from + " to " + to + ".",
+                                     name + " は " + from + " から " + to + " までの整数です。"});
+}
+
+Failure unknown_kind(const std::string& id) {
+  std::string known;
+  for (const QuestionKindRow& row : question_kinds()) known.append(known.empty() ? "" : ", ").append(row.id);
+  return usage_failure("bad_value", {"There is no kind '" + id + "'; the kinds are " + known + ".",
+                                     "問題の種類「" + id + "」はありません（" + known + "）。"});
 }
 
 Result<Mesh> mesh_at(const std::string& path, const Console& console) {
@@ -87,15 +95,13 @@ std::string text_of(const Asked& asked, const Question& question, const Solution
 }  // namespace
 
 ExitCode practice_command(const Arguments& arguments, const Console& console) {
-  const Result<std::uint64_t> seed = number_of(arguments, "--seed", 1, 1'000'000'000'000);
+  const Result<std::uint64_t> seed = number_of(arguments, "--seed", 0, 1'000'000'000'000);
   if (!seed) return console.fail(seed.failure());
   const Result<std::uint64_t> count = number_of(arguments, "--count", 1, 100'000);
   if (!count) return console.fail(count.failure());
   const std::string* const kind_id = arguments.value("--kind");
   const QuestionKindRow* const wanted = kind_id ? find_question_kind(*kind_id) : nullptr;
-  if (kind_id && !wanted)
-    return console.fail(usage_failure("bad_value", {"--kind is next, twin, record, legal or valence.",
-                                                    "--kind は next、twin、record、legal、valence のいずれかです。"}));
+  if (kind_id && !wanted) return console.fail(unknown_kind(*kind_id));
   const std::string* const given = arguments.value("--answer");
   Asked asked;
   const bool has_file = !arguments.operands().empty();
@@ -121,7 +127,7 @@ ExitCode practice_command(const Arguments& arguments, const Console& console) {
         asked = {std::string(figure), from_indexed(std::move(file->mesh))};
       }
     }
-    const QuestionKind kind = wanted ? wanted->kind : question_kinds()[each / 7 % question_kinds().size()].kind;
+    const QuestionKind kind = wanted ? wanted->kind : kind_of_seed(each);
     const Question question = make_question(asked.mesh, kind, each);
     const Solution solution = solve(asked.mesh, question);
     all_right &= !given || is_right(asked.mesh, solution, *given);

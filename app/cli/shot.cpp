@@ -32,7 +32,6 @@ class Shot {
     session_.language = console_.language;
     if (options_.preferences && !read_preferences()) return finish();
     if (options_.has_language) session_.language = console_.language;
-    for (const auto& [row, value] : options_.switches) row.set(session_, value);
     if (options_.shown) session_.shown = *options_.shown;
     headless_.place_view(session_);
     steps();
@@ -52,6 +51,7 @@ class Shot {
   void steps() {
     if (options_.view) take("view " + *options_.view);
     if (options_.camera) take("camera " + *options_.camera);
+    for (const auto& [row, value] : options_.switches) row.set(session_, value);  // of which one cuts across the camera
     if (!options_.tool.empty()) take("tool " + options_.tool);
     for (const ScriptLine& line : options_.script.lines) take(line.text, line.line);
     if (!options_.selected.empty()) {

@@ -9,6 +9,7 @@
 #include "app/editor/script.h"
 #include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
+#include "core/mesh/name_failure.h"
 #include "core/ops/outlook/known_answers.h"
 #include "core/ops/outlook/preview.h"
 #include "core/ops/outlook/remedy.h"
@@ -89,23 +90,11 @@ class Why {
       console_.conclude(text_of(report(info, {edge, words, std::move(line)}, std::move(alone))), ExitCode::done);
       return ExitCode::done;
     }
-    if (parsed.error != NameError::deleted)
-      return console_.fail(usage_failure(code_of(parsed.error), parsed.sentence), file_);
+    if (parsed.error != NameError::deleted) return console_.fail(failure_of_name(parsed.error, parsed.sentence), file_);
     VerdictReport report{info.id, edge, std::move(words), {}, {}, {}, quarantine_text(quarantine_, arguments)};
     report.verdict.refuse(Rule::deleted, {});
     console_.conclude(text_of(report), ExitCode::done);
     return ExitCode::done;
-  }
-
-  static Code code_of(NameError error) {
-    switch (error) {
-      case NameError::never_existed:
-        return "element_unknown";
-      case NameError::ambiguous:
-        return "name_ambiguous";
-      default:
-        return "line_malformed";
-    }
   }
 
   void ask_edge(const OpInfo& info, const std::string& edge, Halfedge h, bool geometry) {

@@ -174,6 +174,7 @@ Outcome run_reload(Session& session, Words arguments, std::string_view) {
 Outcome run_keep_mine(Session& session, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("keep_mine");
   session.document().take_file_as_known();
+  session.document().mark_unsaved();  // no file holds this mesh
   session.look_at_disk();
   return {};
 }

@@ -18,18 +18,19 @@ Outcome run_self_intersections(Session& session, Words arguments, std::string_vi
     return {};
   }
   Progress progress(session.on_progress);
-  constexpr std::size_t no_pairs = 0;  // only how many there are, and their faces
-  const auto found = find_self_intersections(session.mesh(), no_pairs, 0, progress);
+  constexpr std::size_t most_pairs = 100000;  // of which it is known what a face meets; n copies of one make n^2 / 2
+  auto found = find_self_intersections(session.mesh(), most_pairs, 0, progress);
   if (!found) return cancelled();
   std::vector<std::uint32_t> faces;
   for (const Face f : found->faces) faces.push_back(f.index);
-  session.put_findings(ProblemKind::self_intersection, faces);
+  const std::size_t pairs = found->count;
+  session.put_findings(ProblemKind::self_intersection, faces, std::move(found->pairs));
   Outcome outcome;
   outcome.sentence = {"No face meets another elsewhere than in common vertices and edges.",
                       "共有する頂点・稜線以外で交わる面はありません。"};
   if (!faces.empty()) {
     outcome.sentence = row_of(ProblemKind::self_intersection).sentence(faces.size());
-    outcome.say(count_text(found->count, "It is one pair.", "They are # pairs.", "組の数は # です。"));
+    outcome.say(count_text(pairs, "It is one pair.", "They are # pairs.", "組の数は # です。"));
   }
   return outcome;
 }

@@ -429,9 +429,11 @@ Status Document::save(const std::filesystem::path& path, WriteOptions options) {
   std::filesystem::path target = path.empty() ? path_ : path;
   if (!options.format) options.format = format_to_write(target, file_);
   Status status = write_mesh_file(target, contents(), options);
-  if (!status || is_stream(target)) return status;
-  path_.swap(target);
-  take_file_as_known();
+  if (!is_in_place(status) || is_stream(target)) return status;
+  const bool is_open_here = !path_.empty() && is_same_file(target_of(target), target_of(path_));
+  if (status) path_.swap(target);
+  if (status || is_open_here) take_file_as_known();
+  if (!status) return status;
   saved_position_ = journal_.position();
   return status;
 }

@@ -40,7 +40,7 @@ struct GestureHelp {
 
 constexpr GestureHelp gesture_helps[] = {
     {orbit, "orbit", "回転"},
-    {pan, "pan", "移動"},
+    {pan, "pan", "視点の平行移動"},
     {zoom, "zoom", "拡大"},
     {box, "select by a box", "ボックスで選択"},
     {lasso, "select by a lasso", "投げ縄で選択"},

@@ -50,16 +50,16 @@ glm::dvec3 centre_of_orbit(Session& session, glm::dvec2 pixel) {
 
 }  // namespace
 
-void Navigation::press(MouseButton button, glm::dvec2 pixel, Modifiers modifiers, Gesture gesture) {
+void Navigation::press(MouseButton button, glm::dvec2 pixel, Modifiers modifiers, Gesture gesture, double scale) {
   if (drag_ && drag_->button != button) return;
-  drag_ = Drag{button, gesture, modifiers, pixel, pixel};
+  drag_ = Drag{button, gesture, modifiers, pixel, pixel, click_reach_px * scale};
 }
 
 bool Navigation::move(Session& session, glm::dvec2 pixel) {
   if (!drag_) return false;
   Camera& camera = session.camera;
   if (!drag_->moved) {
-    if (glm::length(pixel - drag_->start) <= click_reach_px) return false;
+    if (glm::length(pixel - drag_->start) <= drag_->reach_px) return false;
     drag_->moved = true;
     if (selects(drag_->gesture))
       session.band = Band{drag_->gesture, {drag_->start}};
@@ -92,14 +92,14 @@ std::optional<Navigation::Click> Navigation::release(MouseButton button, glm::dv
   if (!drag_ || drag_->button != button) return std::nullopt;
   const Drag ended = *drag_;
   drag_.reset();
-  if (button == MouseButton::middle || ended.moved || glm::length(pixel - ended.start) > click_reach_px)
+  if (button == MouseButton::middle || ended.moved || glm::length(pixel - ended.start) > ended.reach_px)
     return std::nullopt;
   Click click{button, ended.start, ended.modifiers, false};
   if (button == MouseButton::right) return click;
   const auto is_bare = [](const Click& c) { return !c.modifiers.shift && !c.modifiers.ctrl && !c.modifiers.alt; };
   click.is_double = last_click_ && !last_click_->is_double && is_bare(click) && is_bare(*last_click_) &&
                     now_s - last_click_s_ < double_click_s &&
-                    glm::length(last_click_->pixel - click.pixel) <= click_reach_px;
+                    glm::length(last_click_->pixel - click.pixel) <= ended.reach_px;
   last_click_ = click;
   last_click_s_ = now_s;
   return click;

@@ -12,7 +12,7 @@ namespace ryosen {
 
 class Session;
 
-// A click is a press and a release within this distance.
+// A click is a press and a release within this distance, at scale 1.
 inline constexpr double click_reach_px = 4;
 
 // What a drag that orbits turns about: the point of the mesh that was pressed, or always the target of the camera.
@@ -37,8 +37,9 @@ class Navigation {
     bool is_double;       // the second of two within 0.4 s at about the same place, without Shift, Ctrl and Alt
   };
 
-  // A drag continues if another button is pressed; the same button restarts it.
-  void press(MouseButton button, glm::dvec2 pixel, Modifiers modifiers, Gesture gesture);
+  // A drag continues if another button is pressed; the same button restarts it. `scale`: of the display, by which a click
+  // reaches farther.
+  void press(MouseButton button, glm::dvec2 pixel, Modifiers modifiers, Gesture gesture, double scale = 1);
   // True if it is a drag: the camera moved, or the band of the session grew.
   bool move(Session& session, glm::dvec2 pixel);
   // Returns the click, if a left or right click ended.
@@ -46,6 +47,8 @@ class Navigation {
   void wheel(Session& session, glm::dvec2 pixel, double steps) const;
   // Forgets the drag and the last click.
   void cancel();
+  // The next click is no second one.
+  void forget_click() { last_click_.reset(); }
 
   bool is_dragging() const { return drag_.has_value(); }
 
@@ -55,7 +58,8 @@ class Navigation {
     Gesture gesture;
     Modifiers modifiers;
     glm::dvec2 start, last;
-    bool moved = false;  // farther than click_reach_px
+    double reach_px;
+    bool moved = false;  // farther than that
     glm::dvec3 held{0};  // set when it has moved
   };
 

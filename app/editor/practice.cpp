@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "app/editor/document.h"
 #include "app/editor/figures.h"
@@ -9,6 +10,7 @@
 #include "core/forms/all.h"
 #include "core/forms/records.h"
 #include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
 #include "core/mesh/find_element.h"
 #include "core/ops/all.h"
 
@@ -81,15 +83,21 @@ Question ask_for_record(const Mesh& mesh, Draws& draws) {
       if (fields.empty()) continue;
       const forms::Field& field = *fields[draws.below(fields.size())];
       const std::string name = full_name(mesh, e), key(field.key), word(field.word);
-      return {
-          QuestionKind::record,
-          e,
-          {"In the form \"" + std::string(row.en) + "\": what stands in the field " + key + " (" + word + ") of " +
-               name + "?",
-           "「" + std::string(row.ja) + "」で、" + name + " の " + key + "（" + word + "）には何が入っていますか。"},
-          std::string(row.id),
-          key,
-          {}};
+      const Element link = field.links[0];
+      const bool is_copy =
+          link.kind == Element::Kind::vertex && link.index != no_index && has_copies(mesh, link.vertex());
+      return {QuestionKind::record,
+              e,
+              Text{"In the form \"" + std::string(row.en) + "\": what stands in the field " + key + " (" + word +
+                       ") of " + name + "?",
+                   "「" + std::string(row.ja) + "」で、" + name + " の " + key + "（" + word +
+                       "）には何が入っていますか。"} +
+                  (is_copy ? Text{" Which of its point's copies, by its slot?",
+                                  "点のどの複製かをスロット名で答えてください。"}
+                           : Text()),
+              std::string(row.id),
+              key,
+              {}};
     }
   }
 }
@@ -108,6 +116,27 @@ Question ask_for_verdict(const Mesh& mesh, Draws& draws) {
           {},
           {},
           line};
+}
+
+// What is counted where that is not plain: copies, and several edges between the same points.
+Text text_of_valence(const Mesh& mesh, Vertex v) {
+  const std::string name = full_name(mesh, v);
+  Text text{"How many edges meet at " + name, name + " に接続する稜線は何本ですか"};
+  if (has_copies(mesh, v)) {
+    std::size_t copies = 0;
+    for_each_copy(mesh, v, [&](Vertex) { ++copies; });
+    const std::string n = std::to_string(copies);
+    text = text + Text{", at all " + n + " copies of its point together", "（点の複製 " + n + " 個すべてで）"};
+  }
+  text = text + Text{"?", "。"};
+  bool has_sheets = false;
+  for_each_copy(mesh, v, [&](Vertex copy) {
+    if (!mesh.is_isolated(copy))
+      for (const Halfedge h : outgoing(mesh, copy)) has_sheets |= has_several_sheets(mesh, h);
+  });
+  return has_sheets
+             ? text + Text{" Edges between the same two points count once.", "同じ二点を結ぶ稜線は一本と数えます。"}
+             : text;
 }
 
 Solution solve_link(const Mesh& mesh, Halfedge h, Halfedge answer, Text why) {
@@ -156,17 +185,31 @@ Solution solve_verdict(const Mesh& mesh, const Question& question) {
   return solution;
 }
 
+// The edges of all copies of a point, as a file has them: those between the same two points are one.
 Solution solve_valence(const Mesh& mesh, Vertex v) {
+  constexpr std::size_t most_named = 24;
   Solution solution;
-  std::string names;
-  if (!mesh.is_isolated(v))
-    for (const Halfedge h : outgoing(mesh, v)) {
-      solution.witnesses.push_back(edge(h));
-      names += (names.empty() ? "" : ", ") + slot_name(edge(h));
-    }
-  const std::string n = std::to_string(solution.witnesses.size());
-  solution.answers = {n};
-  solution.why = {"From one halfedge to the next around it: " + names + ".", "周囲を巡ると " + names + " です。"};
+  std::set<Vertex> ends;
+  for_each_copy(mesh, v, [&](Vertex copy) {
+    std::string names;
+    std::size_t here = 0;
+    if (!mesh.is_isolated(copy))
+      for (const Halfedge h : outgoing(mesh, copy)) {
+        if (!ends.insert(point(mesh, mesh.to(h))).second) continue;
+        solution.witnesses.push_back(edge(h));
+        if (++here <= most_named) names += (names.empty() ? "" : ", ") + slot_name(edge(h));
+      }
+    if (here > most_named) names += ", ...";
+    const std::string name = slot_name(copy);
+    Text sentence{"Around " + name + ", from one halfedge to the next: " + names + ".",
+                  name + " の周囲を巡ると " + names + " です。"};
+    if (mesh.is_isolated(copy))
+      sentence = {"No edge meets " + name + ".", name + " に接続する稜線はありません。"};
+    else if (here == 0)
+      sentence = {"Around " + name + " there is no further one.", name + " の周囲に新しいものはありません。"};
+    solution.why = solution.why + Text{solution.why.en.empty() ? "" : " ", ""} + sentence;
+  });
+  solution.answers = {std::to_string(ends.size())};
   return solution;
 }
 
@@ -180,14 +223,16 @@ const QuestionKindRow* find_question_kind(std::string_view id) {
   return found == std::end(kind_rows) ? nullptr : found;
 }
 
+// Drawn apart from the question itself and from the figure.
+QuestionKind kind_of_seed(std::uint64_t seed) { return kind_rows[Draws(~seed).below(std::size(kind_rows))].kind; }
+
 Question make_question(const Mesh& mesh, QuestionKind kind, std::uint64_t seed) {
   Draws draws(seed);
   if (kind == QuestionKind::record) return ask_for_record(mesh, draws);
   if (kind == QuestionKind::legal) return ask_for_verdict(mesh, draws);
   if (kind == QuestionKind::valence) {
     const Vertex v = draw_one<Vertex>(mesh, mesh.vertex_slots(), draws);
-    return {kind, v,  {"How many edges meet at " + slot_name(v) + "?", slot_name(v) + " に接続する稜線は何本ですか。"},
-            {},   {}, {}};
+    return {kind, v, text_of_valence(mesh, v), {}, {}, {}};
   }
   const Halfedge h = draw_one<Halfedge>(mesh, mesh.halfedge_slots(), draws);
   const std::string name = full_name(mesh, h);

@@ -22,6 +22,8 @@ struct QuestionKindRow {
 // In the order of the enum.
 std::span<const QuestionKindRow> question_kinds();
 const QuestionKindRow* find_question_kind(std::string_view id);
+// Which kind a seed asks where any will do.
+QuestionKind kind_of_seed(std::uint64_t seed);
 
 struct Question {
   QuestionKind kind = QuestionKind::next;

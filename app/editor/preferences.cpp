@@ -20,7 +20,7 @@ PreferenceRow row_of_switch(const ViewSwitch& row) {
            .name_ja = row.preference_ja,
            .help_en = row.help_en,
            .help_ja = row.help_ja,
-           .initial = choices[0].id,
+           .initial = choices[row.first_in_window].id,
            .choices = choices},
           [row](const Session& session) { return std::string(row.values[row.value(session)].id); },
           [row](Session& session, const ParameterValue& value) {

@@ -201,21 +201,22 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
 void Session::set_aside() {
   release_verdict();
   hover_.reset();
-  Aside& aside = aside_.emplace(Aside{selection, measures, hidden_.elements(), {}, {}});
+  Aside& aside = aside_.emplace(Aside{selection, measures, hidden_.elements(), {}, {}, {}});
   const bool is_of_now = highlights_ && searched_ && searched_->document == document_->serial() &&
                          searched_->revision + 1 == document_->revision();
   if (!is_of_now) return;
   aside.searched = searched_->kind;
   aside.findings = highlights_->of(searched_->kind).to_vector();
+  aside.pairs = searched_->pairs;
 }
 
 void Session::bring_back() {
   if (!aside_) return;
-  const Aside aside = *std::exchange(aside_, std::nullopt);
+  Aside aside = *std::exchange(aside_, std::nullopt);
   selection = aside.selection;
   measures = aside.measures;
   if (!aside.hidden.empty()) hide(aside.hidden);
-  if (aside.searched) put_findings(*aside.searched, aside.findings);
+  if (aside.searched) put_findings(*aside.searched, aside.findings, std::move(aside.pairs));
 }
 
 const MapValues& Session::map_values() {
@@ -343,7 +344,12 @@ void Session::log_line(Outcome& outcome, std::string line) {
   }
 }
 
-bool Session::look_at_disk() { return std::exchange(change_on_disk_, document_->change_on_disk()) != change_on_disk_; }
+bool Session::look_at_disk() {
+  const FileState::Change before = change_on_disk_;
+  change_on_disk_ = document_->change_on_disk();
+  if (change_on_disk_ == FileState::Change::gone) document_->mark_unsaved();  // no file holds this mesh any more
+  return change_on_disk_ != before;
+}
 
 Input& Session::input() {
   if (const std::shared_ptr<Input> frontend = frontend_input.lock()) return *frontend;
@@ -431,10 +437,10 @@ const HighlightSets& Session::highlights() {
   return *highlights_;
 }
 
-void Session::put_findings(ProblemKind kind, std::span<const std::uint32_t> found) {
+void Session::put_findings(ProblemKind kind, std::span<const std::uint32_t> found, std::vector<FacePair> pairs) {
   forget_findings(kind);
   highlights_->put_findings(kind, found);
-  searched_ = {kind, document_->serial(), document_->revision()};
+  searched_ = {kind, document_->serial(), document_->revision(), std::move(pairs)};
 }
 
 void Session::forget_findings(ProblemKind kind) {
@@ -493,6 +499,12 @@ Camera Session::framing(const Mesh& mesh, const Camera& from) const {
   with_places_to_frame(
       mesh, [&](auto places) { found = fitted(from, places, static_cast<double>(view.width) / view.height); });
   return found;
+}
+
+std::string Session::document_name() const {
+  const std::string name = document_->path().filename().string();
+  if (!name.empty() || is_at_start()) return name;
+  return language == Language::japanese ? "（無題）" : "(unnamed)";
 }
 
 void Session::frame_all() {

@@ -29,6 +29,7 @@
 #include "core/analysis/boundary_loop_count.h"
 #include "core/analysis/euler_poincare.h"
 #include "core/analysis/mesh_kind.h"
+#include "core/analysis/self_intersections.h"
 #include "core/highlights/highlight_sets.h"
 #include "core/highlights/map_values.h"
 #include "core/pick/picker.h"
@@ -272,8 +273,8 @@ class Session {
   // The sets of problems, and of the highlights that are shown.
   const HighlightSets& highlights();
   // The findings of a kind that is searched for on request (ProblemRow::is_on_request): marked and listed until the next
-  // edit. Whether it was searched for since.
-  void put_findings(ProblemKind kind, std::span<const std::uint32_t> found);
+  // edit. Whether it was searched for since. `pairs`: which of them belong together, as far as that is known.
+  void put_findings(ProblemKind kind, std::span<const std::uint32_t> found, std::vector<FacePair> pairs = {});
   void forget_findings(ProblemKind kind);
   bool has_searched(ProblemKind kind) const;
   // The values that the surface is coloured by, kept through edits; there must be such a colouring.
@@ -300,6 +301,8 @@ class Session {
   // Calls visit(positions for framing the view): of all vertices except isolated ones, unless there are no others.
   static void with_places_to_frame(const Mesh& mesh, const std::function<void(std::span<const glm::dvec3>)>& visit);
   void frame_all();
+  // For titles: the name of the file, or that there is none; empty at the start.
+  std::string document_name() const;
 
   // An element that entered or left a highlight set, or moved while in it.
   using Marked = HighlightSets::Change;
@@ -371,6 +374,7 @@ class Session {
   struct Searched {
     ProblemKind kind;
     std::uint64_t document, revision;
+    std::vector<FacePair> pairs;
   };
   std::optional<Searched> searched_;
   // What names elements of the document, while another mesh is on trial.
@@ -380,6 +384,7 @@ class Session {
     Elements hidden;
     std::optional<ProblemKind> searched;
     std::vector<std::uint32_t> findings;
+    std::vector<FacePair> pairs;
   };
   std::optional<Aside> aside_;
   std::optional<MapValues> map_values_;

@@ -243,6 +243,12 @@ Picker::Depth Session::pick_depth() const {
 }
 
 std::vector<Element> Session::about(const ProblemRow& row, Element element) {
+  if (row.is_on_request && has_searched(row.kind)) {
+    std::vector<Element> found{element};
+    for (const auto& [a, b] : searched_->pairs)
+      if (Element(a) == element || Element(b) == element) found.emplace_back(Element(a) == element ? b : a);
+    return found;
+  }
   if (!row.is_local()) return {element};
   const IndexSet& members = highlights().of(row.kind);
   // Of what is several in the kernel one is a member.

@@ -40,7 +40,7 @@ void ViewInput::press(MouseButton button, const Pointer& at) {
     if (is_armed || row.button != button || row.shift != at.modifiers.shift || row.ctrl != at.modifiers.ctrl) continue;
     band_modifiers_.shift = band_modifiers_.ctrl = false;  // they asked for the gesture
   }
-  navigation_.press(button, at.pixel, at.modifiers, gesture);
+  navigation_.press(button, at.pixel, at.modifiers, gesture, session_.size_scale());
 }
 
 void ViewInput::drag_handle(const Pointer& at) {

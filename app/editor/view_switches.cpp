@@ -179,7 +179,9 @@ std::vector<ViewSwitch>& switch_rows() {
        .key_en = "with or without a grid on the ground",
        .key_ja = "地面の格子の切り替え",
        .flag_en = "whether there is a grid on the ground; else off",
-       .flag_ja = "地面の格子（省くと off）"},
+       .flag_ja = "地面の格子（省くと off）",
+       .preference_en = "Ground grid",
+       .preference_ja = "地面の格子"},
       {.id = "axes",
        .help_en =
            "draws the axes X, Y and Z in the corner, a click on which looks from there; a window begins with them",
@@ -191,7 +193,10 @@ std::vector<ViewSwitch>& switch_rows() {
        .key_en = "with or without the axes in the corner",
        .key_ja = "隅の座標軸の切り替え",
        .flag_en = "whether the axes stand in the corner; else off",
-       .flag_ja = "隅の座標軸（省くと off）"},
+       .flag_ja = "隅の座標軸（省くと off）",
+       .preference_en = "Axes",
+       .preference_ja = "座標軸",
+       .first_in_window = 1},
       {.id = "clip",
        .help_en =
            "cuts the mesh in the middle across an axis: what lies beyond, on the side of the sign, is neither drawn "
@@ -225,7 +230,10 @@ std::vector<ViewSwitch>& switch_rows() {
        .key_en = "handles that move, turn, scale, or none",
        .key_ja = "ハンドル（移動・回転・拡大縮小・なし）の切り替え",
        .menu_en = "Handles at the selection",
-       .menu_ja = "選択のハンドル"},
+       .menu_ja = "選択のハンドル",
+       .preference_en = "Handles",
+       .preference_ja = "ハンドル",
+       .first_in_window = 1},
   };
   return rows;
 }
@@ -244,6 +252,10 @@ std::optional<std::size_t> find_value(const ViewSwitch& row, std::string_view id
   for (std::size_t i = 0; i < row.values.size(); ++i)
     if (row.values[i].id == id) return i;
   return std::nullopt;
+}
+
+void begin_as_window(Session& session) {
+  for (const ViewSwitch& row : view_switches()) row.set(session, row.first_in_window);
 }
 
 std::string toggle_line(const ViewSwitch& row) { return std::string(row.id) + " toggle"; }

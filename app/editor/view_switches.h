@@ -39,6 +39,9 @@ struct ViewSwitch {
   // Its name among the preferences, which the window keeps; empty where it begins anew each time.
   std::string_view preference_en = "", preference_ja = "";
 
+  // The number of the value that a window begins with, and that its preference has at first.
+  std::size_t first_in_window = 0;
+
   bool toggles() const { return !chord.empty(); }
   bool has_flag() const { return !flag_en.empty(); }
 };
@@ -48,6 +51,8 @@ std::span<const ViewSwitch> view_switches();
 // "dark|light"
 std::string ids_of(std::span<const SwitchValue> values);
 std::optional<std::size_t> find_value(const ViewSwitch& row, std::string_view id);
+// Gives each the value that a window begins with.
+void begin_as_window(Session& session);
 // The line of the key.
 std::string toggle_line(const ViewSwitch& row);
 // "--theme"

@@ -54,6 +54,18 @@ void place_item(PanelContext& context, const OpInfo& op) {
   tip(context.text(op.help_en, op.help_ja));
 }
 
+// What unites several may do so in their middle too.
+void middle_item(PanelContext& context, const OpInfo& op) {
+  const Elements& selection = context.session.selection;
+  constexpr std::string_view middle[] = {"mid"};
+  if (op.on_selection != OnSelection::into_last || !takes(op, selection.back().kind, middle)) return;
+  const std::string line = std::string(op.id) + " selected mid", chord = chord_of(context.session, line);
+  const std::string label =
+      std::string(context.text(op.name_en, op.name_ja)) + context.text(" in the middle", "（中央）");
+  if (ImGui::MenuItem(label.c_str(), chord.c_str())) context.run(line);
+  tip(context.text(op.help_en, op.help_ja));
+}
+
 void gesture_items(PanelContext& context) {
   const auto item = [&](const char* en, const char* ja, const char* line) {
     if (ImGui::MenuItem(context.text(en, ja), chord_of(context.session, line).c_str())) context.run(line);
@@ -87,6 +99,7 @@ void draw_element_menu(PanelContext& context) {
     if (works_on(op, context.session.selection)) {
       operator_item(context, op);
       place_item(context, op);
+      middle_item(context, op);
     }
   ImGui::Separator();
   for (const Selector& row : selectors()) {

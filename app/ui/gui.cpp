@@ -122,6 +122,7 @@ void Gui::frame(Session& session, Size window, double seconds) {
   state_.unsettled_frames = std::max(state_.unsettled_frames - 1, 0);
   state_.waits_for_work = false;
   state_.is_laying_out = true;
+  laid_out_panel_ = session.open_panel;
   if (std::exchange(state_.closes_menus, false)) ImGui::ClosePopupsExceptModals();
   PanelContext panel_context = context(session);
   draw_menu(panel_context);
@@ -139,8 +140,6 @@ void Gui::frame(Session& session, Size window, double seconds) {
   for (WaitingLine& waiting : std::exchange(state_.waiting, {}))
     if (waiting.frames-- > 0)
       state_.waiting.push_back(std::move(waiting));
-    else if (waiting.asks_again.empty())
-      run(session, waiting.line);
     else
       context(session).run_from(waiting.line, waiting.asks_again);
 }
@@ -239,8 +238,8 @@ void Gui::close_menus() {
   state_.closes_menus = true;
 }
 
-bool Gui::awaits_frame() const {
-  return unseen_keys_.contains(ImGuiKey_Enter) || unseen_keys_.contains(ImGuiKey_Escape);
+bool Gui::awaits_frame(const Session& session) const {
+  return !unseen_keys_.empty() || session.asked_menu || session.open_panel != laid_out_panel_ || wants_frames();
 }
 
 bool Gui::owns_keys() const {
@@ -262,13 +261,7 @@ PointerShape Gui::pointer_shape() const {
   }
 }
 
-Outcome Gui::run(Session& session, const std::string& line) {
-  // Without a file, ask for a name.
-  const auto call = call_of(line);
-  if (call && call->row.effect == Effect::writes && file_of(*call).empty() && session.document().path().empty())
-    return context(session).open(PanelOpener::unnamed_save);
-  return context(session).run(line);
-}
+Outcome Gui::run(Session& session, const std::string& line) { return context(session).run(line); }
 Outcome Gui::click(Session& session, const Navigation::Click& click) { return context(session).click(click); }
 void Gui::open_element_menu() {
   state_.unsettle();

@@ -65,8 +65,8 @@ class Gui {
   // A menu is open, which Escape closes; while it is, keys are not for what lies behind it.
   bool has_menu(const Session& session) const;
   void close_menus();
-  // Enter or Escape was pressed and no frame has seen it: who has the keyboard may change.
-  bool awaits_frame() const;
+  // A key was pressed that no frame has seen, or what it opened or closed is not laid out yet: who has the keyboard may change.
+  bool awaits_frame(const Session& session) const;
   // The next key is for a panel that asks which one it is to be (GuiState::asks_for_key); true where it took it.
   bool wants_chord(const Session& session) const { return state_.asks_for_key && !session.open_panel.empty(); }
   bool take_chord(const Session& session, const std::string& chord);
@@ -109,6 +109,7 @@ class Gui {
   bool has_fonts_ = false, has_japanese_ = false;
   Theme theme_ = Theme::dark;
   bool is_down_[3] = {}, was_pressed_[3] = {};
+  std::string laid_out_panel_;                 // that was open over the view in the last frame
   std::set<int> unseen_keys_, released_keys_;  // pressed since the last frame, and those already released
 };
 

@@ -36,21 +36,15 @@ void panel_items(PanelContext& context, PanelMenu menu, const char* behind = "")
   }
 }
 
-// What replaces the document asks before changes would be lost.
-void replacing_item(PanelContext& context, const char* name, const std::string& line) {
-  if (ImGui::MenuItem(name)) context.leave({false, {}, line});
-}
-
 void draw_recent_menu(PanelContext& context) {
   if (!ImGui::BeginMenu(context.text("Open recent", "最近のファイル"), !context.session.recent.empty())) return;
-  for (const std::string& file : context.session.recent)
-    replacing_item(context, file.c_str(), "open " + file_argument(file));
+  for (const std::string& file : context.session.recent) item(context, file.c_str(), "open " + file_argument(file));
   ImGui::EndMenu();
 }
 
 void draw_file_menu(PanelContext& context) {
-  replacing_item(context, context.text("Start page", "開始画面"), "start");
-  replacing_item(context, context.text("New", "新規"), "new");
+  item(context, context.text("Start page", "開始画面"), "start");
+  item(context, context.text("New", "新規"), "new");
   panel_items(context, PanelMenu::file_read, "...");
   draw_recent_menu(context);
   if (context.session.has_beside()) item(context, context.text("Stop comparing", "比較を終える"), "compare off");
@@ -89,6 +83,16 @@ void draw_edit_menu(PanelContext& context) {
   panel_items(context, PanelMenu::edit);
 }
 
+// All elements that have a problem of a kind.
+void draw_select_problems(PanelContext& context) {
+  if (!ImGui::BeginMenu(context.text("What is broken", "問題のある要素"))) return;
+  const HighlightSets& sets = context.session.highlights();
+  for (const ProblemRow& row : problem_table())
+    if (row.is_local() || row.is_on_request)
+      item(context, context.text(row.name_en, row.name_ja), "select " + std::string(row.id), sets.count(row.kind) > 0);
+  ImGui::EndMenu();
+}
+
 // What needs a value that has no usual one is only a command.
 void draw_select_menu(PanelContext& context) {
   for (const Selector& row : selectors()) {
@@ -96,6 +100,7 @@ void draw_select_menu(PanelContext& context) {
     item(context, context.text(row.name_en, row.name_ja), select_line(row),
          missing_for(row, context.session.selection).en.empty());
   }
+  draw_select_problems(context);
   ImGui::Separator();
   item(context, UiText::hide_selected, "hide selected", !context.session.selection.empty());
   item(context, UiText::isolate_selected, "isolate selected", !context.session.selection.empty());
@@ -194,7 +199,7 @@ void go_sideways(PanelContext& context, const MenuRow& open) {
 // The name of the file: in the middle of the bar, or of what the menus leave of it up to here.
 void draw_name(PanelContext& context, float end) {
   const Document& document = context.session.document();
-  const std::string name = (document.is_modified() ? "* " : "") + document.path().filename().string();
+  const std::string name = (document.is_modified() ? "* " : "") + context.session.document_name();
   const float gap = ImGui::GetFontSize(), begin = ImGui::GetCursorPosX() + gap, room = end - gap - begin;
   if (room < 2 * gap) return;
   const float width = std::min(ImGui::CalcTextSize(name.c_str()).x, room);

@@ -22,10 +22,10 @@ void draw_note(PanelContext& context, const char* id, ImVec2 at, ImVec2 pivot, C
   ImGui::End();
 }
 
-void draw_hidden(PanelContext& context, ImVec2 corner) {
+void draw_hidden(PanelContext& context, ImVec2 bottom) {
   const Session& session = context.session;
   if (session.hidden().empty()) return;
-  draw_note(context, "##hidden", corner, {0, 1}, [&] {
+  draw_note(context, "##hidden", bottom, {0.5f, 1}, [&] {
     ImGui::TextUnformatted(hidden_text(session.hidden()).in(context.language()).c_str());
     ImGui::SameLine();
     if (ImGui::Button(context.text(UiText::unhide))) context.run("unhide");
@@ -45,7 +45,7 @@ void draw_change_on_disk(PanelContext& context, ImVec2 top) {
                                .c_str());
     ImGui::SameLine();
     if (!is_gone) {
-      if (ImGui::Button(context.text("Reload", "読み直す"))) context.leave({false, {}, "reload"});
+      if (ImGui::Button(context.text("Reload", "読み直す"))) context.run("reload");
       tip(context.text("Reads the file again. Edits that are not saved are lost, after a question.",
                        "ファイルを読み直します。保存していない編集は、確認のあとで失われます。"));
       ImGui::SameLine();
@@ -82,7 +82,7 @@ void draw_notes(PanelContext& context) {
   const auto left = static_cast<float>(session.view_origin.x), top = static_cast<float>(session.view_origin.y);
   const auto width = static_cast<float>(session.view.width), height = static_cast<float>(session.view.height);
   const float margin = 12 * context.scale;
-  draw_hidden(context, {left + margin, top + height - margin});
+  draw_hidden(context, {left + width / 2, top + height - margin});
   draw_change_on_disk(context, {left + width / 2, top + margin});
 }
 

@@ -176,8 +176,10 @@ Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, 
 }
 
 // Of several the last, in a ring at its middle: it is the one that others are welded into, and from which paths go.
+// Of many, which nobody selects one by one, there is no such order.
 static void draw_last(const Session& session, Theme theme, Overlay& overlay) {
-  if (session.selection.size() < 2) return;
+  constexpr std::size_t most = 20;
+  if (session.selection.size() < 2 || session.selection.size() > most) return;
   const Mesh& mesh = session.mesh();
   const Element& last = session.selection.back();
   if (session.hidden().hides(mesh, last)) return;

@@ -70,7 +70,27 @@ std::optional<int> frames_to_wait(const std::string& line) {
   return call->row.sees_window ? 3 : 0;
 }
 
+// Whether edits that are not saved would go with what the line replaces.
+bool loses_edits(const Session& session, const std::string& line) {
+  if (!session.document().is_modified()) return false;
+  const auto call = call_of(line);
+  return call && call->row.effect == Effect::replaces && !fault_of_command(line);
+}
+
+// Whether the line saves to a file that has no name yet.
+bool lacks_file(const Session& session, const std::string& line) {
+  const auto call = call_of(line);
+  return call && call->row.effect == Effect::writes && file_of(*call).empty() && session.document().path().empty();
+}
+
 }  // namespace
+
+Outcome PanelContext::run(const std::string& line) {
+  if (lacks_file(session, line)) return open(PanelOpener::unnamed_save);
+  if (!loses_edits(session, line)) return run_from(line, {});
+  leave({false, {}, line});
+  return {};
+}
 
 Outcome PanelContext::run_from(const std::string& line, const std::string& panel_id) {
   const std::string own = panel_id;  // it may be session.open_panel itself
@@ -112,9 +132,9 @@ void PanelContext::go(const PendingLeave& where) {
   if (where.quits)
     state.wants_quit = true;
   else if (!where.command.empty())
-    run(where.command);
+    run_from(where.command, {});
   else
-    run(where.opens.empty() ? "new" : "open " + file_argument(where.opens.string()));
+    run_from(where.opens.empty() ? "new" : "open " + file_argument(where.opens.string()), {});
 }
 
 }  // namespace ryosen

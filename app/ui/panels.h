@@ -40,10 +40,12 @@ struct GuiState {
   std::vector<PixelRect> notes;  // of what lies over the view and takes the pointer
   int unsettled_frames = 0;      // how many more are to be laid out although nothing comes in
   std::optional<PendingLeave> pending;
-  bool closes_menus = false;    // in the next frame
-  bool opens_menu = false;      // that of what is selected, in the next frame
-  bool asks_for_key = false;    // the next key goes there:
-  std::string asked_key;        // its chord
+  bool is_tight = false;      // the column that is drawn is too long for its window: what says nothing may be left out
+  float saved_px = 0;         // that its panels have saved by that
+  bool closes_menus = false;  // in the next frame
+  bool opens_menu = false;    // that of what is selected, in the next frame
+  bool asks_for_key = false;  // the next key goes there:
+  std::string asked_key;      // its chord
   bool shows_japanese = false;  // a panel has Japanese words to show, whatever the language
   bool waits_for_work = false;  // a panel draws what is found beside the frames, when it is there
   std::string begun_command;    // what the command window takes into its field when it is open
@@ -72,9 +74,10 @@ struct PanelContext {
   const UiColours& colours() const { return ui_colours(theme); }
 
   // Sends a command line and keeps its outcome for the status line. Long work waits until the frame is laid out, and what
-  // looks at the window until a later one has been drawn.
-  Outcome run(const std::string& line) { return run_from(line, {}); }
-  // Closes this panel, which opens again where the line fails.
+  // looks at the window until a later one has been drawn. Where edits that are not saved would be lost, or no file
+  // to save to is known, it asks first.
+  Outcome run(const std::string& line);
+  // Without that question. Closes this panel, which opens again where the line fails.
   Outcome run_from(const std::string& line, const std::string& panel_id);
   // A click of the current tool, or a selection, at a pixel of the window.
   Outcome click(const Navigation::Click& click);

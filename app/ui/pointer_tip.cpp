@@ -1,5 +1,6 @@
 #include "app/editor/remedy_text.h"
 #include "app/ui/panels.h"
+#include "app/ui/widgets.h"
 
 namespace ryosen {
 
@@ -28,20 +29,19 @@ void draw_pointer_tip(PanelContext& context) {
   ImGui::Begin("##tip", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
-  ImGui::PushTextWrapPos(width);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   const std::vector<Reason>& reasons = legal ? hover.preview.warnings : hover.preview.verdict.reasons;
-  for (const Text& sentence : describe_first(mesh, reasons))
-    ImGui::TextUnformatted(sentence.in(context.language()).c_str());
+  for (const Text& sentence : describe_first(mesh, reasons)) wrapped_text(sentence.in(context.language()), width);
   if (!legal) {
     std::string help;
     for (const std::string& line : context.session.hover_remedy()) help += (help.empty() ? "" : "; ") + line;
     if (help.empty()) help = without_remedy(hover.preview.verdict).in(context.language());
     help = context.text(UiText::remedy) + (": " + help);
     ImGui::PushStyleColor(ImGuiCol_Text, context.colours().accent);
-    ImGui::TextUnformatted(help.c_str());
+    wrapped_text(help, width);
     ImGui::PopStyleColor();
   }
-  ImGui::PopTextWrapPos();
+  ImGui::PopStyleVar();
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();

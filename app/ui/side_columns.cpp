@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ryosen {
 
@@ -67,8 +68,16 @@ void SideColumns::draw_column(PanelContext& context, PanelPlace side, const Area
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8 * context.scale, 4 * context.scale});
   ImGui::Begin(is_left ? "##left" : "##right", nullptr, column_flags);
   ImGui::PopStyleVar(2);
+  bool& is_tight = is_tight_[is_left ? 0 : 1];
+  context.state.is_tight = is_tight;
+  context.state.saved_px = 0;
   for (OwnPanel& own : panels)
     if (lies_in(context, own.row, side)) draw_framed(context, own, HeaderClick::folds);
+  // By what the whole would need, so that it does not come and go.
+  const float whole = ImGui::GetCursorPosY() + context.state.saved_px;
+  if (std::exchange(is_tight, whole > static_cast<float>(area.height())) != context.state.is_tight)
+    context.state.unsettle();
+  context.state.is_tight = false;
   ImGui::End();
   draw_border(context, side, area);
 }

@@ -20,6 +20,7 @@ class SideColumns {
   void draw_column(PanelContext& context, PanelPlace side, const Areas& areas, std::vector<OwnPanel>& panels);
   void draw_flyout(PanelContext& context, const Areas& areas, std::vector<OwnPanel>& panels);
 
+  bool is_tight_[2] = {};                       // the left and the right column, as they were in the last frame
   ImVec2 flyout_at_{0, 0}, flyout_size_{0, 0};  // of the last frame
 };
 

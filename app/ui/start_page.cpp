@@ -39,15 +39,23 @@ std::string drag_for(const PanelContext& context, Gesture gesture) {
 void draw_hints(PanelContext& context) {
   const bool ja = context.language() == Language::japanese;
   const std::string orbit = drag_for(context, Gesture::orbit), pan = drag_for(context, Gesture::pan),
-                    undo = chord_of(context.session, "undo");
+                    undo = chord_of(context.session, "undo"), save = chord_of(context.session, "save"),
+                    collapse = chord_of(context.session, "tool collapse"),
+                    split = chord_of(context.session, "tool split"), move = chord_of(context.session, "gesture move");
   const std::string look = ja ? "見る：" + orbit + "で回し、" + pan + "で動かし、ホイールで拡大します。"
                               : "Look: " + orbit + " turns, " + pan + " moves, the wheel zooms.";
-  const char* const pick = context.text("Pick: point at an edge and click; a tool shows what it would do before.",
-                                        "選ぶ：稜線を指してクリック。ツールは結果を先に見せます。");
-  const std::string take_back = ja ? "戻す：" + undo + "。すべての編集を正確に元へ戻せます。"
-                                   : "Undo: " + undo + " takes back every edit exactly.";
+  const std::string edit =
+      ja ? "編集：" + collapse + "（稜線削除）や " + split +
+               "（辺細分）を押し、稜線を指すと結果が見え、クリックで実行します。"
+         : "Edit: press " + collapse + " to collapse or " + split + " to split, point at an edge and click.";
+  const std::string moving =
+      ja ? "動かす：クリックで選び、矢印をドラッグするか、" + move + " を押してから動かしてクリックします。"
+         : "Move: click to select, then drag an arrow, or press " + move + ", move the pointer and click.";
+  const std::string take_back = ja ? "戻す：" + undo + "（正確に元へ戻ります）。保存：" + save + "。"
+                                   : "Undo: " + undo + " takes back every edit exactly. Save: " + save + ".";
   dim_text(context, look.c_str());
-  dim_text(context, pick);
+  dim_text(context, edit.c_str());
+  dim_text(context, moving.c_str());
   dim_text(context, take_back.c_str());
 }
 

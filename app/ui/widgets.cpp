@@ -47,22 +47,27 @@ const char* with_kanji(const char* begin, const char* at, const char* end, float
 // Where a line that begins at a letter ends when it is no wider than that; at least one letter.
 const char* end_of_line(const char* begin, const char* end, float width_px) {
   end = std::find(begin, end, '\n');
-  const char* const at = ImGui::GetFont()->CalcWordWrapPositionA(1, begin, end, width_px);
+  const char* at = ImGui::GetFont()->CalcWordWrapPositionA(1, begin, end, width_px);
+  // ImGui ends lines behind points too, also those of numbers and file names.
+  const char* blank = at;
+  while (blank > begin && *blank != ' ') --blank;
+  if (at < end && *at != ' ' && blank > begin && static_cast<unsigned char>(*at) < 0x80) at = blank;
   return at == begin && at < end ? behind_letter(at, end) : with_kanji(begin, at, end, width_px);
 }
 
 }  // namespace
 
-void wrapped_text(const char* text) {
-  const char *at = text, *const end = text + std::strlen(text);
-  const float width_px = ImGui::GetContentRegionAvail().x;
+void wrapped_text(const char* text) { wrapped_text(text, ImGui::GetContentRegionAvail().x); }
+
+void wrapped_text(std::string_view text, float width_px) {
+  const char *at = text.data(), *const end = at + text.size();
   ImGui::BeginGroup();
   do {
     const char* const line_end = end_of_line(at, end, width_px);
     ImGui::TextUnformatted(at, line_end);
     at = line_end;
-    while (*at == ' ') ++at;
-    if (*at == '\n') ++at;
+    while (at < end && *at == ' ') ++at;
+    if (at < end && *at == '\n') ++at;
   } while (at < end);
   ImGui::EndGroup();
 }
@@ -261,9 +266,9 @@ void tip_shown(std::string_view text) {
         {goes_right ? 0.f : 1.f, hangs ? 0.f : 1.f});
   }
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(is_beside ? std::min(22 * em, room) : 22 * em);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
-  ImGui::PopTextWrapPos();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  wrapped_text(text, is_beside ? std::min(22 * em, room) : 22 * em);
+  ImGui::PopStyleVar();
   ImGui::EndTooltip();
 }
 

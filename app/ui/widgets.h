@@ -12,6 +12,8 @@ namespace ryosen {
 
 // Text wrapped at the panel's edge, its lines as far apart as others; coloured and dim text likewise.
 void wrapped_text(const char* text);
+// The same at a width.
+void wrapped_text(std::string_view text, float width_px);
 void coloured_text(const ImVec4& colour, const char* text);
 void dim_text(PanelContext& context, const char* text);
 // A dim label and a value in two columns, the second at `column` font heights or after a longer label.

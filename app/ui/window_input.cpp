@@ -50,16 +50,21 @@ int panel_key_of(std::string_view chord) {
 void WindowInput::press(MouseButton button, const Pointer& at) {
   is_alone_ = false;
   show_pointer(at);
-  if (is_over_view(at.pixel))
+  if (is_over_view(at.pixel)) {
     ViewInput::press(button, at);
-  else
+  } else {
+    catch_up();
     gui_.button(static_cast<int>(button), true);
+    catch_up();
+    is_held_by_panels_ = true;
+  }
   show_event();
 }
 
 Outcome WindowInput::release(MouseButton button, const Pointer& at) {
   show_pointer(at);
   gui_.button(static_cast<int>(button), false);
+  if (std::exchange(is_held_by_panels_, false)) catch_up();
   Outcome outcome = ViewInput::release(button, at);
   show_event();
   return outcome;
@@ -88,7 +93,8 @@ Outcome WindowInput::open_menu(const Navigation::Click& click) {
 }
 
 Outcome WindowInput::key_down(const std::string& chord, bool is_again) {
-  if (catch_up_ && gui_.awaits_frame()) catch_up_();
+  if (catch_up_ && gui_.awaits_frame(session_)) catch_up_();
+  navigation_.forget_click();
   return press_key(chord, is_again, input_presets()[session_.input_preset]);
 }
 

@@ -15,8 +15,8 @@ namespace ryosen {
 class WindowInput : public ViewInput {
  public:
   // `lay_out` is for those who send events faster than frames come: panels see events in frames, one before and one behind.
-  // A window, whose frames come by themselves, gives `catch_up`: it lays out frames until the panels have seen all keys,
-  // for a key behind one that may close a panel.
+  // A window, whose frames come by themselves, gives `catch_up`: it lays out frames until the panels have seen all
+  // keys, for a key behind one that may open or close a panel, and for presses on panels.
   WindowInput(Gui& gui, Session& session, std::function<void()> lay_out = {}, std::function<void()> catch_up = {})
       : ViewInput(session), gui_(gui), lay_out_(std::move(lay_out)), catch_up_(std::move(catch_up)) {}
 
@@ -56,11 +56,16 @@ class WindowInput : public ViewInput {
   void show_event() const {
     if (lay_out_) lay_out_();
   }
+  // A panel sees the press where it was made, though the pointer should go on before the next frame.
+  void catch_up() const {
+    if (catch_up_) catch_up_();
+  }
 
   Gui& gui_;
   std::function<void()> lay_out_, catch_up_;
   Size window_{1, 1};
-  bool is_alone_ = false;  // lone_key is down, and nothing else has been since
+  bool is_held_by_panels_ = false;  // a button was pressed there
+  bool is_alone_ = false;           // lone_key is down, and nothing else has been since
 };
 
 }  // namespace ryosen

@@ -1,15 +1,32 @@
 // Parallel loops over ranges and tasks on a small thread pool.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <thread>
 
 namespace ryosen {
 
+// While one lives, threads_for() counts on this many processors and starts threads for any work, however small: so that
+// results can be compared between numbers of threads. One at a time.
+class ThreadCount {
+ public:
+  explicit ThreadCount(unsigned threads) { forced.store(threads); }
+  ~ThreadCount() { forced.store(0); }
+  ThreadCount(const ThreadCount&) = delete;
+  ThreadCount& operator=(const ThreadCount&) = delete;
+
+  static unsigned of_now() { return forced.load(std::memory_order_relaxed); }
+
+ private:
+  inline static std::atomic<unsigned> forced{0};
+};
+
 // How many threads are worth starting for this many steps: one for small work, otherwise up to two.
 inline unsigned threads_for(std::size_t steps) {
   constexpr std::size_t worth_a_thread = 100000;
+  if (const unsigned forced = ThreadCount::of_now()) return steps >= forced ? forced : 1;
   return steps >= worth_a_thread && std::thread::hardware_concurrency() > 1 ? 2 : 1;
 }
 

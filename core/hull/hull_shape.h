@@ -30,7 +30,7 @@ struct HullList {
 void add_hull(std::span<const glm::dvec3> points, const ConvexHull& hull, HullFaces faces, HullList& to);
 HullList hull_list(std::span<const glm::dvec3> points, const ConvexHull& hull, HullFaces faces);
 
-// "The hull has dimension 2: a polygon of 5 vertices."
+// "All points lie in a plane: the hull is a polygon of 5 vertices (dimension 2)."
 Text hull_sentence(const ConvexHull& hull);
 // "Volume 1, area 6." Empty below dimension 2.
 Text size_sentence(const ConvexHull& hull, const HullSize& size);

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <set>
+
 #include "core/base/count_text.h"
 #include "core/hull/hull_steps.h"
 
@@ -33,6 +36,14 @@ Text text_of_rest(const HullStep& step) {
                     "点 " + p + " からはどの面も見えず、面 " + witness + " の平面上にあるため、何も変わりません。"};
 }
 
+// How many of the made elements go with another one.
+std::size_t count_united(const HullStep& step) {
+  std::set<std::uint32_t> united;
+  for (const auto& [one, other] : step.united) united.insert({one, other});
+  return static_cast<std::size_t>(
+      std::count_if(step.made.begin(), step.made.end(), [&](std::uint32_t made) { return united.contains(made); }));
+}
+
 Text text_of_extending(const HullStep& step) {
   const std::string p = std::to_string(step.point), seen = std::to_string(step.seen.size()),
                     horizon = std::to_string(step.horizon.size());
@@ -43,7 +54,7 @@ Text text_of_extending(const HullStep& step) {
                 ", and each end of this chain is joined to it by an edge.",
             "点 " + p + " から稜線 " + seen + " 本が見えます。それらを削除し、その両端を点と稜線で結びます。"};
     if (!step.united.empty())
-      text = text + count_text(step.united.size(),
+      text = text + count_text(count_united(step),
                                " One of these lies on the line of the edge beside it, and is one edge with it.",
                                " # of these lie on the line of the edge beside them, and are one edge with it.",
                                "うち # 本は隣の稜線と一直線上にあり、一本の稜線にまとまります。");
@@ -54,7 +65,7 @@ Text text_of_extending(const HullStep& step) {
           "点 " + p + " から面 " + seen + " 枚が見えます。それらを削除し、ホライゾンの稜線 " + horizon +
               " 本のそれぞれと点を結んで新しい面を作ります。"};
   if (!step.united.empty())
-    text = text + count_text(step.united.size(),
+    text = text + count_text(count_united(step),
                              " One of them lies in the plane of its neighbour, and is one facet with it.",
                              " # of them lie in the plane of their neighbour, and are one facet with it.",
                              "うち # 枚は隣の面と同一平面上にあり、一枚の面にまとまります。");

@@ -37,14 +37,15 @@ struct HullStep {
   // seen from outside, by the twins. In a plane the half-edges before and behind the seen ones.
   std::vector<std::uint32_t> horizon = {};
   std::vector<std::uint32_t> made = {};  // elements: in space one for each edge of the horizon, in a plane two
-  // A made element and the one beside it that stays, where they lie in one plane, or line: one facet, or edge, of the hull.
+  // A made element and the one beside it, which stays or is made too, where they lie in one plane, or line: one facet, or
+  // edge, of the hull.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> united = {};
   std::uint32_t witness = no_index;               // of on_face the element, of equal the vertex
   std::vector<DcelChange> changes = {};           // in the order in which they were written
   std::size_t half_edge_rows = 0, face_rows = 0;  // how many rows these tables had before it
 };
 
-// "Point 12 sees 3 faces; its horizon has 5 edges, and 5 faces are made."
+// "Point 12 sees 3 faces: they go, and each of the 5 edges of the horizon makes a face with it."
 Text caption(const HullStep& step);
 
 // Writes the changes of a step into a copy of the records before it, or takes them back from those behind it.

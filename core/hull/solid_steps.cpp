@@ -120,9 +120,13 @@ void SolidSteps::make_faces(Index p) {
     pair(along[k], horizon[k]);
   }
   for (std::size_t k = 0; k < count; ++k) pair(next_of(along[k]), next_of(next_of(along[(k + 1) % count])));
-  for (std::size_t k = 0; k < count; ++k)
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t after = (k + 1) % count;
     if (side(step().made[k], origin(next_of(next_of(horizon[k])))) == 0)
       step().united.emplace_back(step().made[k], face_of(horizon[k]));
+    if (side(step().made[k], origin(next_of(along[after]))) == 0)
+      step().united.emplace_back(step().made[k], step().made[after]);
+  }
 }
 
 Index SolidSteps::new_element_of(Index p) const {

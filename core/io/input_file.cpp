@@ -73,6 +73,13 @@ bool is_handed_over(const std::filesystem::path& path) {
   return name == "/dev/stdin" || name.starts_with("/dev/fd/") || name.starts_with("/proc/self/fd/");
 }
 
+// A device that ends: the null device, or a terminal at which somebody types.
+bool ends_like_a_pipe(int descriptor, const struct stat& status) {
+  struct stat null;
+  if (!S_ISCHR(status.st_mode)) return false;
+  return ::isatty(descriptor) == 1 || (::stat("/dev/null", &null) == 0 && null.st_rdev == status.st_rdev);
+}
+
 // Opens without blocking, and gets the file type. Returns the descriptor, or -1 with an error.
 int open_input(const std::filesystem::path& path, struct stat& status, int& error) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
@@ -84,7 +91,7 @@ int open_input(const std::filesystem::path& path, struct stat& status, int& erro
     error = errno;
   else if (S_ISDIR(status.st_mode))
     error = EISDIR;
-  else if (S_ISFIFO(status.st_mode) && is_handed_over(path))
+  else if (is_handed_over(path) && (S_ISFIFO(status.st_mode) || ends_like_a_pipe(descriptor, status)))
     error = ::fcntl(descriptor, F_SETFL, 0) == 0 ? 0 : errno;  // back to blocking reads: the writer may be slower
   else if (!S_ISREG(status.st_mode))
     error = not_a_file;

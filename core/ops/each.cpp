@@ -8,6 +8,7 @@
 #include "core/mesh/copies.h"
 #include "core/mesh/find_element.h"
 #include "core/mesh/names.h"
+#include "core/ops/lines/arguments.h"
 #include "core/ops/lines/syntax.h"
 
 namespace ryosen {
@@ -108,6 +109,7 @@ class Calls {
     return true;
   }
 
+  void arguments(Words arguments) { arguments_ = arguments; }
   const Mesh& mesh() const { return edit_.mesh(); }
   EachResult& result() { return result_; }
 
@@ -144,6 +146,20 @@ class Calls {
   EachResult result_;
 };
 
+// Each point once, and the sum never larger than the largest of them.
+glm::dvec3 middle_of_vertices(const Mesh& mesh, std::span<const Element> elements) {
+  IndexSet seen;
+  glm::dvec3 middle(0);
+  double n = 0;
+  for (const Element& e : elements) {
+    if (e.kind != Element::Kind::vertex || seen.contains(point(mesh, e.vertex()).index)) continue;
+    seen.insert(point(mesh, e.vertex()).index);
+    ++n;
+    middle = middle * ((n - 1) / n) + mesh.position(e.vertex()) / n;
+  }
+  return middle;
+}
+
 }  // namespace
 
 std::size_t EachResult::refusals() const {
@@ -172,6 +188,16 @@ EachResult apply_to_each(Edit& edit, const OpInfo& op, std::span<const Element> 
     taken.pop_back();
   }
   std::sort(taken.begin(), taken.end());
+  // In the middle of all of them, not of two at a time.
+  std::string middle;
+  std::string_view place;
+  if (into_last && last.kind == Element::Kind::vertex && arguments.size() == 1 && arguments[0] == "mid") {
+    std::vector<Element> all = taken;
+    all.push_back(last);
+    middle = format_place(middle_of_vertices(edit.mesh(), all));
+    place = middle;
+    calls.arguments({&place, 1});
+  }
   for (std::size_t i = 0; i < taken.size(); ++i) {
     if (!progress.go_on(i, taken.size())) break;
     if (!calls.call(taken[i], into_last ? &last : nullptr)) break;

@@ -31,7 +31,7 @@ bool takes(const OpInfo& op, Element::Kind kind, std::span<const std::string_vie
 
 // Within one edit, in ascending order of kinds and slots, whatever their order is; a halfedge is the edge in its
 // direction. Edges with the same subject (op.h) are one: what is done for the first is done for all. With OnSelection::into_last each element but the last is called together with the last, which comes first, or with
-// what has taken its place. `strict`: warnings refuse too. Cost: that of the calls. Cancelled: the edit is not to be
+// what has taken its place; `mid` is then the middle of all these vertices. `strict`: warnings refuse too. Cost: that of the calls. Cancelled: the edit is not to be
 // committed.
 EachResult apply_to_each(Edit& edit, const OpInfo& op, std::span<const Element> elements,
                          std::span<const std::string_view> arguments, bool strict, Progress& progress);

@@ -179,12 +179,19 @@ Parsed<Weld> Weld::parse(const Mesh& mesh, std::span<const std::string_view> arg
     op.a = in.vertex();
     op.b = in.vertex();
   }
+  if (in.word("mid")) {
+    op.place = Place::middle;
+  } else if (!op.first && !in.failed() && !in.at_end()) {
+    op.place = Place::point;
+    op.target = in.place();
+  }
   return in.result(op);
 }
 
 std::string Weld::command(const Mesh& mesh) const {
-  if (first) return "weld " + name_of(mesh, first) + " " + name_of(mesh, second);
-  return "weld " + name_of_copy(mesh, a) + " " + name_of_copy(mesh, b);
+  const std::string where = place == Place::first ? "" : place == Place::middle ? " mid" : " " + format_place(target);
+  if (first) return "weld " + name_of(mesh, first) + " " + name_of(mesh, second) + where;
+  return "weld " + name_of_copy(mesh, a) + " " + name_of_copy(mesh, b) + where;
 }
 
 Verdict Weld::check(const Mesh& mesh) const {
@@ -215,6 +222,17 @@ std::vector<Reason> Weld::warnings(const Mesh& mesh) const {
 
 namespace {
 
+glm::dvec3 place_of(const Mesh& m, const Weld& op, Vertex goes, Vertex stays) {
+  if (op.place == Weld::Place::point) return op.target;
+  return op.place == Weld::Place::middle ? point_between(m.position(stays), m.position(goes), 0.5) : m.position(stays);
+}
+
+void move_whole(Edit& edit, Sheets& sheets, Vertex v, const glm::dvec3& to) {
+  if (edit.mesh().position(v) == to) return;
+  move_point(edit, v, to);
+  for_each_copy(edit.mesh(), v, [&](Vertex copy) { sheets.changed_around(copy); });
+}
+
 // Makes all vertices of one point copies of the other, with its position and values.
 void unite_points(Edit& edit, Sheets& sheets, Vertex goes, Vertex stays) {
   const Mesh& m = edit.mesh();
@@ -241,7 +259,11 @@ OpEffect Weld::apply(Edit& edit) const {
   Pairs pairs;
   if (first) pairs = pairs_of_edges(m, first, second);
   if (!first && !is_one_point) pairs = {{b, a}};
-  for (const auto& [goes, stays] : pairs) unite_points(edit, sheets, goes, stays);
+  for (const auto& [goes, stays] : pairs) {
+    move_whole(edit, sheets, stays, place_of(m, *this, goes, stays));
+    unite_points(edit, sheets, goes, stays);
+  }
+  if (is_one_point) move_whole(edit, sheets, a, place_of(m, *this, b, a));
   std::vector<Vertex> touched;
   for (const auto& [goes, stays] : pairs) {
     for (Vertex v : {goes, stays})

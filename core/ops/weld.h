@@ -5,7 +5,8 @@
 //      o----x----o          o----x----o
 //
 // polygon list: b is replaced by a. For edges A-B and C-D: the ends are replaced so that the two faces traverse the
-//               edge in opposite directions. The lower number stays; the position is that of A, or of A-B.
+//               edge in opposite directions. The lower number stays; the position is that of A, or of A-B, with `mid`
+//               halfway to what is merged into it, or the one that is given. Values stay those of A.
 // needs: no face contains both vertices; edges from both to the same point have one face in each direction. Edges: one
 //        face each. No duplicate faces result. Two copies of one point: both have a gap, and no common neighbour.
 // changes: V - 1 (2 for edges without a common end), E - the pairs of edges that are merged, on points; F stays.
@@ -17,22 +18,27 @@
 namespace ryosen {
 
 struct Weld {
+  enum class Place { first, middle, point };
+
   Vertex a, b;             // two vertices
   Halfedge first, second;  // or two edges
+  Place place = Place::first;
+  glm::dvec3 target{};  // for Place::point
 
-  static constexpr OpInfo info{"weld",
-                               "Weld",
-                               "縫合",
-                               "A B | A-B C-D",
-                               "merges two vertices, or two boundary edges",
-                               "二つの頂点、または二本の境界稜線を一つにする",
-                               '\0',
-                               OpTargetKind::selection,
-                               OpGroup::join,
-                               "merge",
-                               Topology::may_change,
-                               Subject::edge,
-                               OnSelection::into_last};
+  static constexpr OpInfo info{
+      "weld",
+      "Weld",
+      "縫合",
+      "A B [mid|X,Y,Z] | A-B C-D [mid]",
+      "merges two vertices, or two boundary edges, at the place of the first, in the middle or anywhere",
+      "二つの頂点、または二本の境界稜線を、最初の位置、中央、または指定の位置で一つにする",
+      '\0',
+      OpTargetKind::selection,
+      OpGroup::join,
+      "merge",
+      Topology::may_change,
+      Subject::edge,
+      OnSelection::into_last};
 
   static Parsed<Weld> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Weld at(const Mesh&, const OpTarget&) { return {}; }

@@ -1,6 +1,7 @@
 #include "core/steps/hull_sequence.h"
 
 #include <algorithm>
+#include <set>
 
 #include "core/mesh/names.h"
 #include "core/steps/hull_kernel.h"
@@ -20,15 +21,16 @@ class Telling {
     Step told{caption(step), {}, {}, step.seen.empty() ? hull_text : horizon_text, {}, {}};
     const std::string made = std::to_string(hull_.made_so_far());
     told.caption =
-        told.caption + (step.is_planar ? Text{" Edges made so far: " + made, "これまでに作った稜線の数 " + made}
-                                       : Text{" Faces made so far: " + made, "これまでに作った面の数 " + made});
+        told.caption + (step.is_planar
+                            ? Text{" Edges made so far: " + made + ".", "これまでに作った稜線の数 " + made + "。"}
+                            : Text{" Faces made so far: " + made + ".", "これまでに作った面の数 " + made + "。"});
     mark_what_was(told, step);
     for (const DcelChange& change : step.changes) {
       if (told.rows.size() >= RecordedSteps::most_rows) break;
       told.rows.push_back(row_of(change));
     }
     kernel_.follow(step, hull_.records());
-    for (const auto& [one, other] : step.united) mark_united(told, step, one, other);
+    mark_united(told, step);
     steps_.push_back(std::move(told));
     positions_.push_back(kernel_.position());
   }
@@ -70,15 +72,13 @@ class Telling {
     return places;
   }
 
-  // In front of the other marks, so that it is seen: the edge between them in one plane, both edges on one line.
-  void mark_united(Step& told, const HullStep& step, std::uint32_t one, std::uint32_t other) {
+  // In front of the other marks, so that it is seen.
+  void mark_united(Step& told, const HullStep& step) {
+    std::set<std::uint32_t> rows;
+    for (const auto& [one, other] : step.united) rows.insert({one, other});
     std::vector<Mark> marks;
-    if (step.is_planar) {
-      for (const std::uint32_t row : {one, other}) marks.push_back({Role::united, edge(kernel_.halfedge(row))});
-    } else {
-      marks.push_back({Role::united, kernel_.face(one)});
-      marks.push_back({Role::united, kernel_.face(other)});
-    }
+    for (const std::uint32_t row : rows)
+      marks.push_back({Role::united, step.is_planar ? Element(edge(kernel_.halfedge(row))) : kernel_.face(row)});
     if (told.marks.size() + marks.size() <= most_marks)
       told.marks.insert(told.marks.begin() + 1, marks.begin(), marks.end());
   }

@@ -62,7 +62,7 @@ class PairPlay {
       add_face(f);
       for (std::uint32_t side = list_.offsets[f]; side < list_.offsets[f + 1]; ++side) search(side);
     }
-    cut();
+    end_as_the_kernel(mesh);
     return std::make_unique<RecordedSteps>(mesh, std::move(steps_), list_.remark());
   }
 
@@ -140,23 +140,37 @@ class PairPlay {
     return names.empty() ? std::nullopt : std::optional(names);
   }
 
-  // Only two sides that run against each other, and no third, are a pair to the kernel.
-  void cut() {
+  // Where more than two sides lie on an edge, or it is cut in the mesh, the kernel's pairs are not those of the text.
+  void end_as_the_kernel(const Mesh& mesh) {
+    std::vector<std::uint32_t> side_of(mesh.halfedge_slots(), no_index);
+    for (std::uint32_t side = 0; side < list_.sides.size(); ++side) side_of[list_.sides[side].halfedge.index] = side;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> edges;
     for (std::uint32_t side = 0; side < list_.sides.size(); ++side)
       edges[std::minmax(list_.sides[side].from, list_.sides[side].to)].push_back(side);
+    const auto pair_in_mesh = [&](std::uint32_t side) { return side_of[twin(list_.sides[side].halfedge).index]; };
     for (const auto& [ends, sides] : edges) {
-      if (sides.size() < 3) continue;
-      const std::string n = std::to_string(sides.size()),
-                        edge = std::to_string(ends.first) + "-" + std::to_string(ends.second);
-      Step& step =
-          begin({edge + " has " + n + " sides: the text keeps the pairs it found last, Ryosen cuts the edge.",
-                 edge + " には半稜線が " + n + " 本：テキストは最後に見つけた対を残し、Ryosen は稜線を切り離す。"});
+      const bool differs = std::any_of(sides.begin(), sides.end(),
+                                       [&](std::uint32_t side) { return pairs_[side] != pair_in_mesh(side); });
+      if (sides.size() < 3 && !differs) continue;
+      const std::string name = std::to_string(ends.first) + "-" + std::to_string(ends.second);
+      Step& step = begin(text_of_cut(name, sides.size()));
       for (const std::uint32_t side : sides) {
-        step.marks.push_back({Role::missing, list_.sides[side].halfedge});
-        set_pair(step, side, no_index);
+        const std::uint32_t pair = pair_in_mesh(side);
+        step.marks.push_back({pair == no_index ? Role::missing : Role::answer, list_.sides[side].halfedge});
+        set_pair(step, side, pair);
+        if (pair == no_index || pair < side) continue;
+        step.caption = step.caption + Text{"; " + list_.name(side) + " and " + list_.name(pair) + " stay joined",
+                                           "。" + list_.name(side) + " と " + list_.name(pair) + " はつながる"};
       }
     }
+  }
+
+  static Text text_of_cut(const std::string& edge, std::size_t sides) {
+    if (sides < 3)
+      return {edge + " is cut in the mesh: there its sides are no pair", edge + " はメッシュでは切り離されている"};
+    const std::string n = std::to_string(sides);
+    return {edge + " has " + n + " sides: the text keeps the pairs it found last, Ryosen cuts the edge",
+            edge + " には半稜線が " + n + " 本：テキストは最後に見つけた対を残し、Ryosen は稜線を切り離す"};
   }
 
   SideList list_;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/mesh/names.h"
+#include "core/mesh/name_failure.h"
 #include "core/steps/step.h"
 
 namespace ryosen::steps {
@@ -19,8 +19,7 @@ inline Failure refusal_of(Text sentence) { return make_failure(ExitCode::refused
 template <class Handle>
 Result<Handle> named_element(Named<Handle> named) {
   if (named.ok()) return named.element;
-  if (named.error == NameError::deleted) return refusal_of(std::move(named.sentence));
-  return make_failure(ExitCode::usage, "element_unknown", std::move(named.sentence));
+  return failure_of_name(named.error, std::move(named.sentence));
 }
 
 // "v1 v2 v3"; of many the first ones and how many there are.

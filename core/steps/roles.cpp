@@ -17,7 +17,7 @@ constexpr std::array role_rows{
     RoleRow{Role::missing, "missing", RoleLook::bad, false, "where a link is missing", "リンクのない所"},
     RoleRow{Role::visible, "visible", RoleLook::bad, false, "what the point sees", "点から見えるもの"},
     RoleRow{Role::horizon, "horizon", RoleLook::other, false, "the border of what the point sees",
-            "見える面の境界（地平線）"},
+            "見える面の境界（ホライゾン）"},
     RoleRow{Role::united, "united", RoleLook::quiet, false, "what lies in one plane, or on one line",
             "同じ平面（直線）上にあるもの"},
     RoleRow{Role::l1, "(1)", RoleLook::main, true, "halfedge (1) of the figure", "図の半稜線 (1)"},

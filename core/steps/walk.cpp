@@ -20,22 +20,40 @@ const forms::FormRow& usual_form(const Mesh& mesh) {
   return forms::why_unsuitable(mesh, table_5) ? *forms::find_form("ryosen") : table_5;
 }
 
-Text counted(const char* en, const char* ja, const std::vector<Element>& found, std::size_t records) {
+// How many were found, "neighbour" or "corner", and which.
+Text counted(const std::string& en, const std::string& ja, const std::vector<Element>& found, std::size_t records) {
   const std::string n = std::to_string(found.size()), names = names_text(found), r = std::to_string(records);
-  return {n + " " + en + ": " + names + "; " + r + " records were read",
-          std::string(ja) + " " + n + " 個：" + names + "。読んだデータは " + r + " 個"};
+  const Text read{"; " + r + (records == 1 ? " record was read" : " records were read"),
+                  "。読んだデータは " + r + " 個"};
+  if (found.empty()) return Text{"no " + en, ja + "なし"} + read;
+  return Text{n + " " + en + (found.size() == 1 ? ": " : "s: ") + names, ja + " " + n + " 個：" + names} + read;
 }
 
 const Text counter_clockwise_text{"Counter-clockwise: ", "反時計回りに："},
     clockwise_text{"Clockwise: ", "時計回りに："}, round_text{": round once", "：一周した"},
     boundary_text{": here is the boundary", "：境界"};
 
-// What a walk finds around a vertex. Every way goes counter-clockwise up to a gap, and then clockwise from the start.
+// What a walk finds around a point. Every way goes counter-clockwise up to a gap, and then clockwise from the start; where
+// the point has copies, from each to the next.
 class RingWalk {
  public:
-  RingWalk(LinkWalk& walk, Vertex v) : walk_(walk), v_(v) {}
+  RingWalk(LinkWalk& walk, Vertex v, bool holds_copies) : walk_(walk), v_(v), holds_copies_(holds_copies) {}
 
+  // By points, each once.
   std::vector<Element> run() {
+    const Vertex first = v_;
+    const bool has_copies = holds_copies_ && walk_.mesh().next_copy(v_) != v_;
+    do {
+      go_round();
+      if (has_copies)
+        v_ = walk_.follow(v_, "next_copy", Tell::own, {"The point has another copy: ", "点の次の複製："}).vertex();
+    } while (v_ != first);
+    if (has_copies) walk_.add_to_last({": all copies are visited", "：複製をすべて巡った"});
+    return std::move(found_);
+  }
+
+ private:
+  void go_round() {
     if (walk_.stores(Element::Kind::vertex, "halfedge"))
       by_halfedges();
     else if (walk_.stores(Element::Kind::vertex, "edge"))
@@ -44,14 +62,13 @@ class RingWalk {
       by_faces();
     else
       by_search();
-    return std::move(found_);
   }
 
- private:
   void add(Element neighbour) {
-    if (std::find(found_.begin(), found_.end(), neighbour) != found_.end()) return;
+    const Element point = walk_.mesh().copy_point(neighbour.vertex());
+    if (std::find(found_.begin(), found_.end(), point) != found_.end()) return;
     walk_.mark_last(Role::answer, neighbour);
-    found_.push_back(neighbour);
+    found_.push_back(point);
   }
 
   // By twin(prev(h)), and from the first one by next(twin(h)).
@@ -158,6 +175,7 @@ class RingWalk {
 
   LinkWalk& walk_;
   Vertex v_;
+  bool holds_copies_;
   std::vector<Element> found_;
 };
 
@@ -251,8 +269,8 @@ Made play_walk(const Mesh& mesh, Arguments arguments) {
                                              "vertex_vertices で数を示せます）。"});
   // Without copies it is the point that has a ring.
   const Vertex asked = (*form)->holds_copies ? *v : mesh.copy_point(*v);
-  const std::vector<Element> found = RingWalk(walk, asked).run();
-  walk.say(counted("neighbours", "隣接頂点", found, walk.records()), found);
+  const std::vector<Element> found = RingWalk(walk, asked, (*form)->holds_copies).run();
+  walk.say(counted("neighbour", "隣接頂点", found, walk.records()), found);
   return std::move(walk).done(on_form(**form));
 }
 
@@ -266,7 +284,7 @@ Made play_loop(const Mesh& mesh, Arguments arguments) {
   if (!form) return form.failure();
   LinkWalk walk(mesh, **form, loop_text);
   const std::vector<Element> corners = corners_of_face(walk, *f);
-  walk.say(counted("corners", "角", corners, walk.records()), corners);
+  walk.say(counted("corner", "角", corners, walk.records()), corners);
   return std::move(walk).done(on_form(**form));
 }
 

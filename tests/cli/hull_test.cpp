@@ -117,6 +117,7 @@ TEST_F(HullCommand, reads_standard_input) {
   };
   EXPECT_EQ(dimension(points), 3);
   EXPECT_EQ(dimension(nothing), -1);
+  EXPECT_EQ(dimension("/dev/null"), -1);
 }
 
 TEST_F(HullCommand, refuses_what_is_not_finite_unless_it_may_be_left_out) {

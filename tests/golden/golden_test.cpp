@@ -180,26 +180,32 @@ int count_coloured(const Image& picture, Rgba colour) {
 
 class GoldenTest : public testing::TestWithParam<Golden> {};
 
-void expect_golden(const Golden& golden) {
-  const test::TemporaryFolder folder;
+void expect_looks(const Golden& golden, const std::string& written) {
   const std::string reference = std::string(RYOSEN_SOURCE_DIR) + "/assets/golden/" + golden.name + ".png";
-  const std::string written = folder.at("picture.png");
-  const bool updates = std::getenv("RYOSEN_UPDATE_GOLDEN") != nullptr;
-  std::vector<std::string> arguments{"shot", test::asset(golden.mesh), "--backend", "osmesa", "-o", written};
-  arguments.insert(arguments.end(), golden.flags.begin(), golden.flags.end());
-  if (!updates) arguments.insert(arguments.end(), {"--compare", reference});
-  const test::ProgramRun run = test::run_program(arguments);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-
   const Result<Image> picture = read_png(written);
   ASSERT_TRUE(picture);
   for (const Seen& seen : golden.seen)
     EXPECT_GE(count_coloured(*picture, seen.drawn.colour(golden.theme)), seen.least) << seen.drawn.name();
   for (const Drawn& drawn : golden.unseen)
     EXPECT_EQ(count_coloured(*picture, drawn.colour(golden.theme)), 0) << drawn.name();
-  if (updates) {
+  if (std::getenv("RYOSEN_UPDATE_GOLDEN")) {
     ASSERT_TRUE(write_png(*picture, reference));
   }
+  const Result<Image> expected = read_png(reference);
+  ASSERT_TRUE(expected);
+  const Result<ImageDifference> difference = compare(*expected, *picture);
+  ASSERT_TRUE(difference);
+  EXPECT_LE(difference->share, 0.002) << "of the pixels differ";
+}
+
+void expect_golden(const Golden& golden) {
+  const test::TemporaryFolder folder;
+  const std::string written = folder.at("picture.png");
+  std::vector<std::string> arguments{"shot", test::asset(golden.mesh), "--backend", "osmesa", "-o", written};
+  arguments.insert(arguments.end(), golden.flags.begin(), golden.flags.end());
+  const test::ProgramRun run = test::run_program(arguments);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  expect_looks(golden, written);
 }
 
 TEST_P(GoldenTest, looks_as_it_did) { expect_golden(GetParam()); }
@@ -213,6 +219,30 @@ TEST(GoldenBeside, two_meshes_lie_beside_each_other_before_one_camera) {
   expect_golden({"beside", "stanford_bunny.obj", {"--panels", "--show", "none", "--script", script}});
   const std::string plain = folder.write("plain.ryosen", "compare " + test::asset("torus.off") + "\n");
   expect_golden({"beside_plain", "cube.obj", {"--size", small, "--script", plain}});
+}
+
+// A step as `steps` draws it, with its caption: what comes, what a link changes at, the point.
+TEST(GoldenSteps, look_as_they_did) {
+  const std::vector<Golden> steps{
+      {"hull_horizon", "ball.off", {"hull", "random", "3", "20"}, {{Role::legal, 3000}, {Role::hover, 1000}}},
+      {"hull_coplanar", "cube.obj", {"hull", "as_given", "4"}, {{Role::legal, 3000}, {Role::hover, 1000}}},
+      {"hull_plane",
+       "ball.off",
+       {"hull", "random", "1", "project=z", "10"},
+       {{Role::legal, 1000}, {Role::hover, 1000}}},
+  };
+  for (const Golden& golden : steps) {
+    SCOPED_TRACE(golden.name);
+    const test::TemporaryFolder folder;
+    const std::string written = folder.at("picture.png");
+    std::vector<std::string> arguments{"steps"};
+    arguments.insert(arguments.end(), golden.flags.begin(), golden.flags.end() - 1);
+    arguments.insert(arguments.end(), {test::asset(golden.mesh), "--at", golden.flags.back(), "-o", written});
+    const test::ProgramRun run = test::run_program(arguments);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    expect_looks(golden, written);
+    EXPECT_GE(count_coloured(*read_png(written), style(Role::selected, Theme::dark).colour), 40) << "the point";
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Pictures, GoldenTest, testing::ValuesIn(goldens),

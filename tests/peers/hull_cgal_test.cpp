@@ -10,7 +10,7 @@
 #include <set>
 
 #include "core/hull/convex_hull.h"
-#include "core/io/formats.h"
+#include "tests/peers/point_sets.h"
 
 namespace ryosen {
 namespace {
@@ -48,10 +48,10 @@ TEST(hull_cgal, finds_the_same_extreme_points_of_random_ones) {
     }
 }
 
-TEST(hull_cgal, finds_the_same_extreme_points_of_the_bunny) {
-  const Result<MeshFile> bunny = read_mesh_file(RYOSEN_SOURCE_DIR "/assets/stanford_bunny.obj");
-  ASSERT_TRUE(bunny);
-  EXPECT_EQ(extreme_places(bunny->mesh.positions), cgal_places(bunny->mesh.positions));
+TEST(hull_cgal, finds_the_same_extreme_points_of_real_meshes) {
+  const std::vector<test::PointSet> sets = test::solid_point_sets();
+  EXPECT_GE(sets.size(), 10u);
+  for (const test::PointSet& set : sets) EXPECT_TRUE(extreme_places(set.points) == cgal_places(set.points)) << set.name;
 }
 
 }  // namespace

@@ -87,6 +87,16 @@ TEST_F(ChangeOnDiskTest, is_read_again_by_a_button_after_a_question_where_edits_
   press("Keepmine");
   EXPECT_FALSE(is_told("Keepmine"));
   EXPECT_EQ(session().mesh().live().vertices, 3u);
+  EXPECT_TRUE(session().document().is_modified()) << "no file holds it";
+  laid_.gui.run(session(), "new");
+  EXPECT_TRUE(is_told("Discard")) << "it asks before that is lost";
+  EXPECT_EQ(session().mesh().live().vertices, 3u);
+}
+
+TEST_F(ChangeOnDiskTest, is_a_loss_where_the_file_is_gone) {
+  std::filesystem::remove(file_);
+  session().look_at_disk();
+  EXPECT_TRUE(session().document().is_modified());
 }
 
 TEST_F(ChangeOnDiskTest, is_not_replaced_by_a_save_unless_that_is_wanted) {

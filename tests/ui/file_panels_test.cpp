@@ -50,13 +50,22 @@ TEST_F(FilePanels, a_file_that_cannot_be_read_is_said_why_where_it_was_chosen) {
 TEST_F(FilePanels, a_file_that_cannot_be_written_is_said_why_and_its_name_stays) {
   show("save");
   click(name_field);
-  for (const char c : std::string_view("xyz")) gui.character(static_cast<unsigned>(c));
+  for (const char c : std::string_view("x.yz")) gui.character(static_cast<unsigned>(c));
   frames(2);
   click(accept_button);
   EXPECT_EQ(session.open_panel, "save");
   expect_reason_in_panel();
-  EXPECT_GE(DrawnText(gui).count("xyz"), 1u);
+  EXPECT_GE(DrawnText(gui).count("x.yz"), 1u);
   EXPECT_EQ(folder_.names(), std::vector<std::string>{"cube.obj"});
+}
+
+TEST_F(FilePanels, a_name_without_an_ending_is_that_of_a_file_as_the_open_one) {
+  show("save");
+  gui.text("xyz");  // in place of the name that is offered
+  frames(2);
+  click(accept_button);
+  EXPECT_EQ(session.open_panel, "");
+  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"cube.obj", "xyz.obj"}));
 }
 
 TEST_F(FilePanels, the_question_before_a_loss_says_why_saving_failed) {
@@ -86,6 +95,21 @@ TEST_F(FilePanels, the_second_press_of_a_double_click_on_a_folder_is_none_on_wha
   EXPECT_EQ(session.open_panel, "open");
   click(first_entry);
   EXPECT_EQ(session.document().path(), folder_.at("inner/torus.off")) << "a double click on a file opens it";
+}
+
+TEST_F(FilePanels, above_a_folder_that_was_typed_with_its_slash_lies_what_it_is_in) {
+  folder_.write("inner/torus.off", test::read_file(test::asset("torus.off")));
+  show("open");
+  gui.text("inner/");
+  frames(2);
+  gui.key(ImGuiKey_Enter, true);
+  gui.key(ImGuiKey_Enter, false);
+  frames(3);
+  ASSERT_NE(DrawnText(gui).place("torus.off").x, -1e9) << "the folder was entered";
+  click(DrawnText(gui).place("Folderabove"));
+  frames(2);
+  EXPECT_NE(DrawnText(gui).place("inner/").x, -1e9);
+  EXPECT_TRUE(gui.owns_keys()) << "typing goes on";
 }
 
 }  // namespace

@@ -32,6 +32,10 @@ TEST(intersections, are_searched_for_on_request_and_selected_as_all_problems_are
   EXPECT_EQ(found(session), 2u);
   ASSERT_TRUE(session.run("select self_intersection").done());
   EXPECT_EQ(session.selection, (std::vector<Element>{Face(0), Face(1)}));
+  for (const char* face : {"f0", "f1"}) {
+    ASSERT_TRUE(session.run(std::string("select self_intersection ") + face).done());
+    EXPECT_EQ(session.selection.size(), 2u) << face << " with what it meets";
+  }
   ASSERT_TRUE(session.run("self_intersections off").done());
   EXPECT_EQ(found(session), 0u);
   EXPECT_EQ(session.run("self_intersections on").exit_code, ExitCode::usage);

@@ -1,6 +1,7 @@
 // Where the panels lie: hidden, folded, on the other side, in columns of another width, or behind tabs.
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>  // how far a column scrolls
 
 #include "app/editor/layout.h"
 #include "app/ui/window_input.h"
@@ -42,6 +43,37 @@ class LayoutTest : public testing::Test, protected test::Laid {
   WindowInput input_{gui, session, [this] { frames(1); }};
   double now_s_ = 1;
 };
+
+TEST_F(LayoutTest, the_left_column_fits_a_window_of_usual_height_whatever_is_broken) {
+  const auto scrolls = [] { return ImGui::FindWindowByName("##left")->ScrollMax.y; };
+  for (const char* file : {"torus.off", "cube.obj", "fin.obj", "bow_tie.obj", "collinear.obj", "klein_bottle.off"})
+    for (const char* language : {"language en", "language ja"}) {
+      open(file);
+      run(language);
+      frames(3);
+      EXPECT_EQ(scrolls(), 0) << file << ", " << language;
+    }
+}
+
+TEST_F(LayoutTest, what_says_nothing_stands_behind_one_row_where_the_column_is_too_long) {
+  LayoutTest::size_ = {1280, 600};
+  frames(4);
+  EXPECT_FALSE(is_seen("Duplicate"));
+  click(place("more,noneofithere"));
+  frames(4);
+  EXPECT_TRUE(is_seen("Duplicate"));
+  click(place("fewer"));
+  frames(4);
+  EXPECT_FALSE(is_seen("Duplicate"));
+  run("delete f0");
+  EXPECT_TRUE(is_seen("Boundary")) << "there is one";
+  run("show seams on");
+  EXPECT_TRUE(is_seen("Seams")) << "it was switched";
+  LayoutTest::size_ = {1280, 1000};
+  frames(4);
+  EXPECT_TRUE(is_seen("Duplicate"));
+  EXPECT_FALSE(is_seen("noneofithere"));
+}
 
 TEST_F(LayoutTest, a_click_on_a_header_folds_its_panel_and_another_unfolds_it) {
   ASSERT_TRUE(is_seen("Non-manifold"));

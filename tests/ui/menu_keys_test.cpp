@@ -117,6 +117,25 @@ TEST_F(MenuKeys, a_palette_that_was_just_used_opens_again_at_once) {
   EXPECT_EQ(session.document().position(), 0u) << "its field has the keyboard and was empty";
 }
 
+TEST_F(MenuKeys, keys_that_come_faster_than_frames_go_where_they_were_meant) {
+  const auto tap = [&](const std::string& chord) {
+    input_.key_down(chord);
+    input_.key_up(chord);
+  };
+  ASSERT_TRUE(session.run("split 0-1").done());
+  for (const char* chord : {"F10", "Right", "Enter"}) tap(chord);
+  frames(4);
+  EXPECT_EQ(session.document().position(), 0u) << "undo, the first entry of Edit";
+  for (const char* chord : {"F10", "Right", "Right", "Right", "Down", "Down", "Escape", "4"}) tap(chord);
+  frames(4);
+  EXPECT_FALSE(gui.has_menu(session));
+  EXPECT_EQ(session.mode, PickMode::halfedge) << "the view has the keys again";
+  tap("F3");
+  tap("4");  // a letter of the field, no command
+  frames(4);
+  EXPECT_EQ(session.open_panel, "command");
+}
+
 TEST_F(MenuKeys, the_palette_cuts_no_name_short_for_a_long_line) {
   press("F3");
   write("divide");

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "app/editor/keys.h"
+#include "app/editor/view_switches.h"
 #include "app/ui/headless.h"
 #include "core/analysis/invariants.h"
 #include "tests/support/app/program.h"
@@ -110,7 +111,7 @@ class MonkeyTest : public testing::TestWithParam<const char*> {
     ASSERT_TRUE(made);
     headless_ = std::move(made).value();
     session_ = std::make_unique<Session>(std::make_unique<Document>());
-    session_->gizmo_kind = GizmoKind::move;  // as in a window
+    begin_as_window(*session_);
     // The letters of both languages are there for good.
     for (const char* line : {"language ja", "language en"}) {
       session_->run(line);

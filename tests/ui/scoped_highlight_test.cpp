@@ -120,14 +120,15 @@ TEST_F(ScopedHighlightTest, may_mark_a_kind_of_problem_that_another_marks_too) {
 }
 
 TEST_F(ScopedHighlightTest, has_a_row_in_the_panel_that_switches_it) {
-  test::Laid laid("cube.obj");
+  constexpr Size high{1280, 1000};  // where the panel leaves no row out
+  test::Laid laid("cube.obj", high);
   const auto press = [&] { laid.click({16, test::DrawnText(laid.gui).place(row_.name_en).y}); };
   press();
   EXPECT_TRUE(laid.session.shown.contains("first"));
   press();
   EXPECT_FALSE(laid.session.shown.contains("first"));
 
-  auto headless = Headless::make({.backend = Backend::osmesa, .size = test::window, .panels = true});
+  auto headless = Headless::make({.backend = Backend::osmesa, .size = high, .panels = true});
   ASSERT_TRUE(headless);
   const auto session = open_session("cube.obj");
   (*headless)->place_view(*session);

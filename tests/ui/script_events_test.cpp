@@ -121,10 +121,10 @@ class PanelEvents : public testing::Test {
 };
 
 TEST_F(PanelEvents, reach_the_rows_of_panels_and_the_view_between_them) {
-  run(*session_, {"press left 100,132", "release left 100,132"});
+  run(*session_, {"press left 100,114", "release left 100,114"});
   EXPECT_FALSE(session_->tool.empty()) << "a row of the tools";
   const Camera before = session_->camera;
-  run(*session_, {"press left 100,132", "move 160,132", "release left 160,132", "wheel 1 100,132"});
+  run(*session_, {"press left 100,114", "move 160,114", "release left 160,114", "wheel 1 100,114"});
   EXPECT_EQ(session_->camera.eye, before.eye) << "over a panel nothing navigates";
   run(*session_, {"press left 640,560", "move 700,580", "release left 700,580"});
   EXPECT_NE(session_->camera.eye, before.eye);

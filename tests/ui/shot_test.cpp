@@ -140,5 +140,13 @@ TEST(shot, the_editor_names_it_where_there_is_no_display) {
   EXPECT_EQ(run_program({"view", asset("nosuch.obj")}).exit_code, 3);
 }
 
+TEST(shot, cuts_across_the_camera_that_is_asked_for) {
+  const test::TemporaryFolder folder;
+  const std::string mesh = asset("cube.obj"), script = folder.write("s.txt", "view left\nclip view\n");
+  ASSERT_EQ(shot(mesh, folder.at("flags.png"), {"--view", "left", "--clip", "view"}), 0);
+  ASSERT_EQ(shot(mesh, folder.at("script.png"), {"--script", script}), 0);
+  EXPECT_EQ(test::read_file(folder.at("flags.png")), test::read_file(folder.at("script.png")));
+}
+
 }  // namespace
 }  // namespace ryosen

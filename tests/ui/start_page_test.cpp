@@ -39,7 +39,8 @@ class StartPageTest : public testing::Test, protected test::Laid {
 
 TEST_F(StartPageTest, offers_shapes_and_goes_away_once_there_is_a_mesh) {
   ASSERT_TRUE(has("ordropafilehere"));
-  EXPECT_TRUE(has("Undo:Ctrl+Z"));
+  for (const char* told : {"Undo:Ctrl+Z", "Save:Ctrl+S", "pressCtocollapse", "pressG,movethepointer"})
+    EXPECT_TRUE(has(told)) << told;
   take("Dodecahedron");
   EXPECT_EQ(session.mesh().live().faces, 12u);
   EXPECT_FALSE(has("ordropafilehere"));

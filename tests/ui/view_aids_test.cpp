@@ -180,5 +180,34 @@ TEST_F(ViewAidsTest, rings_shrink_where_there_are_many) {
     expect_followed(line);
 }
 
+// How many pixels are another in the one picture, though nothing of the surface lies within `reach` pixels of them.
+int different_off_the_surface(const Image& a, const Image& b, const IdImage& ids, int reach) {
+  const auto is_near = [&](int x, int y) {
+    for (int v = std::max(0, y - reach); v <= std::min(ids.size.height - 1, y + reach); ++v)
+      for (int u = std::max(0, x - reach); u <= std::min(ids.size.width - 1, x + reach); ++u)
+        if (ids.face[static_cast<std::size_t>(v) * static_cast<std::size_t>(ids.size.width) +
+                     static_cast<std::size_t>(u)] != no_index)
+          return true;
+    return false;
+  };
+  int count = 0;
+  for (int y = 0; y < ids.size.height; ++y)
+    for (int x = 0; x < ids.size.width; ++x) count += a.at(x, y) != b.at(x, y) && !is_near(x, y);
+  return count;
+}
+
+TEST_F(ViewAidsTest, lines_end_at_the_cut_where_the_surface_does) {
+  open("cube.obj", {640, 480});
+  picture(R"(camera {"eye":[1.9,1.4,1.6],"target":[0.5,0.5,0.5],"up":[0,0,1]})");
+  for (const char* const cut : {"clip x", "clip -y", "clip z"}) {
+    const Image surface = picture(cut);
+    const IdImage ids = headless_->read_ids();
+    const Image arrows = picture("links all");
+    EXPECT_GT(different(surface, arrows, whole), 500) << cut;
+    EXPECT_EQ(different_off_the_surface(surface, arrows, ids, 9), 0) << cut;
+    picture("links off");
+  }
+}
+
 }  // namespace
 }  // namespace ryosen

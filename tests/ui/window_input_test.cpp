@@ -12,7 +12,7 @@ namespace {
 
 using test::window;
 
-constexpr glm::dvec2 in_view{640, 560}, on_panel{100, 132};  // on a face of the torus; on a row of the tools
+constexpr glm::dvec2 in_view{640, 560}, on_panel{100, 114};  // on a face of the torus; on a row of the tools
 
 class WindowInputTest : public testing::Test {
  protected:
@@ -124,6 +124,44 @@ TEST_F(WindowInputTest, a_double_click_sets_the_centre_with_select_and_edits_twi
     EXPECT_EQ(session_.document().position() > before, edits);
     now_s_ += 10;
   }
+}
+
+TEST_F(WindowInputTest, a_key_between_two_clicks_makes_them_two) {
+  const glm::dvec3 target = session_.camera.target;
+  session_.run("mode face");
+  press(in_view);
+  release(in_view);
+  input_.key_down("A");
+  input_.key_up("A");
+  press(in_view);
+  release(in_view);
+  EXPECT_EQ(session_.camera.target, target);
+  EXPECT_EQ(session_.selection.size(), 1u);
+}
+
+TEST_F(WindowInputTest, a_click_may_move_as_far_as_the_display_is_fine) {
+  session_.run("mode face");
+  const glm::dvec2 away = in_view + glm::dvec2(6, 0);
+  for (const double scale : {1.0, 2.0}) {
+    session_.selection.clear();
+    session_.display_scale = scale;
+    press(in_view);
+    input_.move({away});
+    release(away);
+    EXPECT_EQ(session_.selection.size(), scale == 1 ? 0u : 1u) << scale;
+  }
+}
+
+// A window, whose frames may come after all of it.
+TEST_F(WindowInputTest, a_click_on_a_panel_is_where_it_was_made_though_the_pointer_goes_on_at_once) {
+  WindowInput fast(gui_, session_, {}, [this] { frames(3); });
+  fast.resize(window);
+  fast.move({on_panel});
+  fast.press(MouseButton::left, {on_panel});
+  fast.release(MouseButton::left, {on_panel});
+  fast.move({in_view});
+  frames(2);
+  EXPECT_NE(session_.tool, "") << "the row of the tool was clicked";
 }
 
 TEST(gui, takes_another_scale_while_it_runs) {
@@ -255,6 +293,21 @@ TEST_F(WindowInputTest, a_menu_takes_the_keys_and_escape_closes_it) {
   frames(4);
   EXPECT_FALSE(gui_.has_menu(session_));
   EXPECT_EQ(session_.selection.size(), 1u) << "one step at a time";
+}
+
+TEST_F(WindowInputTest, a_key_of_ones_own_asks_before_edits_are_lost) {
+  session_.run("split 0-1");
+  const std::uint32_t vertices = session_.mesh().live().vertices;
+  for (const std::string& command :
+       std::vector<std::string>{"new", "start", "open " + test::asset("cube.obj"), "reload"}) {
+    session_.run("bind Ctrl+K " + command);
+    input_.key_down("Ctrl+K");
+    frames(3);
+    EXPECT_EQ(session_.mesh().live().vertices, vertices) << command;
+    EXPECT_EQ(session_.open_panel, panel_opened_by(PanelOpener::loss).id) << command;
+    session_.run("panel none");
+    frames(2);
+  }
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <sstream>
 #include <thread>
 #include <utility>
 
@@ -16,8 +15,7 @@
 #include "core/mesh/circulate.h"
 #include "core/mesh/names.h"
 #include "tests/support/app/laid.h"
-#include "tests/support/app/process.h"
-#include "tests/support/app/program.h"
+#include "tests/support/app/real_window.h"
 
 namespace ryosen {
 namespace {
@@ -26,90 +24,7 @@ using namespace std::chrono_literals;
 using test::Process;
 using test::wait_for;
 
-bool is_installed(const char* program) {
-  return std::system(("command -v " + std::string(program) + " >/dev/null 2>&1").c_str()) == 0;
-}
-
-// What the editor says about the picture it showed last (RYOSEN_FRAME_LOG).
-struct Frame {
-  long number = 0, pixels = 0;
-  double took_ms = 0;
-  long vertices = 0, history = -1;
-  std::string hover;
-  bool is_held = false;
-  long selected = 0;
-  glm::dvec3 eye{0};
-};
-
-class WindowTest : public testing::Test {
- protected:
-  void SetUp() override {
-    for (const char* program : {"Xvfb", "xdotool"})
-      if (!is_installed(program)) GTEST_SKIP() << program << " is not installed; tests/run.sh installs it";
-    display_ = std::make_unique<Process>(
-        std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", "1400x900x24", "-nolisten", "tcp"},
-        std::vector<std::string>{}, folder_.at("display"));
-    ASSERT_TRUE(wait_for([&] { return !test::read_file(folder_.at("display")).empty(); })) << "Xvfb did not start";
-    number_ = std::to_string(std::stoi(test::read_file(folder_.at("display"))));
-  }
-
-  void open(const std::string& mesh) {
-    editor_ = std::make_unique<Process>(
-        std::vector<std::string>{RYOSEN_PROGRAM, mesh},
-        std::vector<std::string>{"DISPLAY=:" + number_, "RYOSEN_FRAME_LOG=" + folder_.at("frames"), "LC_ALL=C",
-                                 "XDG_STATE_HOME=" + state_.path().string(),
-                                 "XDG_CONFIG_HOME=" + config_.path().string()},
-        "/dev/null", folder_.at("err"));
-    ASSERT_TRUE(wait_for([&] { return last().number > 0; })) << "no picture appeared";
-  }
-
-  // Opens the command window and runs a line there.
-  void type(const std::string& line) const {
-    const long before = last().number;
-    xdotool("mousemove 640 400 key F3");
-    ASSERT_TRUE(wait_for([&] { return last().number > before; })) << "the command window did not open";
-    std::this_thread::sleep_for(300ms);  // until its field has the keys
-    xdotool("type --delay 20 '" + line + "'");
-    xdotool("key Return");
-  }
-
-  // Sends the signal and expects the answer: soon, with code 8 and a sentence.
-  void expect_end_by(int signal) {
-    const auto start = std::chrono::steady_clock::now();
-    editor_->end_by(signal);
-    EXPECT_LT(std::chrono::steady_clock::now() - start, 1s) << "a busy machine may take its time; else it is 0.2 s";
-    EXPECT_EQ(editor_->exit_code(), 8);
-    const std::string err = test::read_file(folder_.at("err"));
-    EXPECT_NE(err.find("The editor was ended; edits that are not saved are offered again at its next start."),
-              std::string::npos)
-        << err;
-    std::filesystem::remove(folder_.at("frames"));
-  }
-
-  void xdotool(const std::string& words) const {
-    ASSERT_EQ(std::system(("DISPLAY=:" + number_ + " xdotool " + words).c_str()), 0) << words;
-  }
-
-  Frame last() const {
-    if (!folder_.has("frames")) return {};
-    const std::string log = test::read_file(folder_.at("frames"));
-    const std::size_t end = log.rfind('\n');
-    if (end == std::string::npos) return {};
-    const std::size_t begin = end == 0 ? std::string::npos : log.rfind('\n', end - 1);
-    std::istringstream line(log.substr(begin == std::string::npos ? 0 : begin + 1));
-    Frame frame;
-    std::string word;
-    long ignored = 0;
-    line >> word >> frame.number >> word >> frame.pixels >> word >> frame.took_ms >> word >> frame.vertices >> word >>
-        ignored >> word >> ignored >> word >> frame.history >> word >> frame.hover >> word >> frame.is_held >> word >>
-        frame.selected >> word >> frame.eye.x >> frame.eye.y >> frame.eye.z;
-    return frame;
-  }
-
-  test::TemporaryFolder folder_, state_, config_;
-  std::unique_ptr<Process> display_, editor_;
-  std::string number_;
-};
+class WindowTest : public test::RealWindow {};
 
 TEST_F(WindowTest, hover_click_and_undo) {
   open(test::asset("stanford_bunny.obj"));
@@ -357,6 +272,9 @@ TEST_F(WindowTest, keeps_what_the_user_prefers_for_the_next_time) {
   type("panel totals off");
   ASSERT_TRUE(wait_for([&] { return kept("layout", "panel totals off\n"); }));
   EXPECT_TRUE(kept("recent", mesh));
+  std::this_thread::sleep_for(300ms);
+  type("axes off");
+  ASSERT_TRUE(wait_for([&] { return kept("preferences", "axes off\n"); }));
   xdotool("mousemove 640 400 key ctrl+q");
   ASSERT_TRUE(wait_for([&] { return editor_->is_over(); }));
   std::filesystem::remove(folder_.at("frames"));
@@ -364,6 +282,21 @@ TEST_F(WindowTest, keeps_what_the_user_prefers_for_the_next_time) {
   xdotool("mousemove 640 400 key ctrl+k");
   EXPECT_TRUE(wait_for([&] { return last().history == 1; })) << "the key is not known any more";
   EXPECT_TRUE(kept("layout", "panel totals off\n"));
+}
+
+class SmallDisplay : public test::RealWindow {
+ protected:
+  std::string screen() const override { return "640x480x24"; }
+};
+
+TEST_F(SmallDisplay, has_a_window_that_is_no_larger) {
+  open(test::asset("torus.off"));
+  ASSERT_EQ(std::system(("DISPLAY=:" + number_ + " xdotool search --name torus getwindowgeometry --shell >" +
+                         folder_.at("geometry"))
+                            .c_str()),
+            0);
+  const std::string geometry = test::read_file(folder_.at("geometry"));
+  EXPECT_NE(geometry.find("WIDTH=640\nHEIGHT=480"), std::string::npos) << geometry;
 }
 
 TEST_F(WindowTest, ends_when_asked_to) {

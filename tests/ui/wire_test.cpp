@@ -42,14 +42,14 @@ std::string sheet(int n, bool has_large) {
     for (int x = 0; x <= n; ++x) text += "v " + std::to_string(x) + " " + std::to_string(y) + " 0\n";
   const auto corner = [&](int x, int y) { return " " + std::to_string(y * (n + 1) + x + 1); };
   const int low = n / 2 - 1, high = n / 2 + 2;
-  const auto square = [&](int x, int y, int side) {
+  const auto patch = [&](int x, int y, int side) {
     text += "f" + corner(x, y) + corner(x + side, y) + corner(x + side, y + side) + "\n";
     text += "f" + corner(x, y) + corner(x + side, y + side) + corner(x, y + side) + "\n";
   };
   for (int y = 0; y < n; ++y)
     for (int x = 0; x < n; ++x)
-      if (!has_large || x < low || x >= high || y < low || y >= high) square(x, y, 1);
-  if (has_large) square(low, low, 3);
+      if (!has_large || x < low || x >= high || y < low || y >= high) patch(x, y, 1);
+  if (has_large) patch(low, low, 3);
   return text;
 }
 

@@ -174,11 +174,6 @@ void CommandPanel::take(PanelContext& context, const PaletteEntry& entry) {
 }
 
 void CommandPanel::run(PanelContext& context, const std::string& line) {
-  // What would lose changes asks first.
-  const auto call = call_of(line);
-  if (context.session.document().is_modified() && call && call->row.effect == Effect::replaces &&
-      !fault_of_command(line))
-    return context.leave({false, {}, line});
   const std::string own = context.session.open_panel;
   if (!context.run(line).done()) {
     takes_keys_ = true;

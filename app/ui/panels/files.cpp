@@ -88,6 +88,7 @@ bool FileBrowser::is_listed(const fs::path& file) const {
 
 void FileBrowser::enter(const fs::path& folder) {
   folder_ = folder.lexically_normal();
+  if (!folder_.has_filename() && folder_.has_relative_path()) folder_ = folder_.parent_path();  // a slash at its end
   entries_ = entries_of_folder(folder_, [&](const fs::path& file) { return is_listed(file); });
 }
 
@@ -149,11 +150,14 @@ void FileBrowser::follow_keys(ImGuiInputTextCallbackData& data) {
 bool FileBrowser::draw_name(PanelContext& context) {
   if (std::exchange(takes_keys_, false)) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  const bool entered =
-      ImGui::InputTextWithHint("##name", context.text(UiText::file_name), &name_,
-                               ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
-                                   ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackHistory,
-                               &FileBrowser::edit, this);
+  const bool entered = ImGui::InputTextWithHint(
+      "##name",
+      use_.writes ? context.text("File name; OBJ where it has no ending", "ファイル名（拡張子がなければ OBJ）")
+                  : context.text(UiText::file_name),
+      &name_,
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
+          ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackHistory,
+      &FileBrowser::edit, this);
   takes_keys_ = takes_keys_ || entered;
   return entered;
 }
@@ -185,6 +189,11 @@ void FileBrowser::accept(PanelContext& context) {
     return enter(path);
   }
   if (use_.replaces && context.session.document().is_modified()) return context.leave({false, path});
+  if (use_.writes && path.extension().empty()) {  // as the file that is open
+    const std::string usual = context.session.document().path().extension().string();
+    name_ += usual.empty() ? ".obj" : usual;
+    return accept(context);
+  }
   const std::string line = std::string(use_.command) + " " + file_argument(path.string());
   if (!use_.writes) return carry_out(context, line);
   const bool replaces = fs::exists(path, ignored) && path != replaces_;
@@ -201,7 +210,10 @@ void FileBrowser::accept(PanelContext& context) {
 
 void FileBrowser::draw(PanelContext& context) {
   if (ImGui::IsWindowAppearing()) begin(context.session.document());
-  if (ImGui::Button(context.text(UiText::folder_up))) enter(folder_.parent_path());
+  if (ImGui::Button(context.text(UiText::folder_up))) {
+    enter(folder_.parent_path());
+    takes_keys_ = true;
+  }
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
   fitted_text(folder_.string(), ImGui::GetContentRegionAvail().x);

@@ -34,21 +34,56 @@ void draw_highlight(PanelContext& context, const HighlightRow& row) {
   ImGui::PopID();
 }
 
-// What is highlighted, how it is drawn, and how much of it there is: problems first, then what is none.
-void draw_highlights(PanelContext& context) {
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 2 * context.scale});
-  const auto is_there = [&](const HighlightRow& row) {
-    return !row.is_on_request() || context.session.highlights().count(row) > 0;
-  };
+// Problems first, then what is none.
+std::vector<const HighlightRow*> rows_that_are_there(Session& session) {
+  std::vector<const HighlightRow*> rows;
   for (const HighlightRow& row : highlight_table())
-    if (!row.kinds.empty() && is_there(row)) draw_highlight(context, row);
+    if (!row.kinds.empty() && (!row.is_on_request() || session.highlights().count(row) > 0)) rows.push_back(&row);
   for (const HighlightRow& row : highlight_table())
-    if (row.kinds.empty()) draw_highlight(context, row);
-  ImGui::PopStyleVar();
+    if (row.kinds.empty()) rows.push_back(&row);
+  return rows;
 }
+
+// What is highlighted, how it is drawn, and how much of it there is. Where the column is too long for its window, the
+// rows that say nothing stand behind one, until that is unfolded: there is none of it, and nobody has switched it.
+class HighlightsPanel : public Panel {
+ public:
+  void draw(PanelContext& context) override {
+    Session& session = context.session;
+    const HighlightSets& sets = session.highlights();
+    const auto says_something = [&](const HighlightRow& row) {
+      return (sets.keeps(row) && sets.count(row) > 0) ||
+             session.shown.contains(std::string(row.id)) != row.is_shown_at_first();
+    };
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 2 * context.scale});
+    int left_out = 0;
+    for (const HighlightRow* row : rows_that_are_there(session))
+      if (context.state.is_tight && !shows_all_ && !says_something(*row))
+        ++left_out;
+      else
+        draw_highlight(context, *row);
+    if (!context.state.is_tight) shows_all_ = false;
+    if (left_out > 0 || shows_all_) draw_switch(context, left_out);
+    ImGui::PopStyleVar();
+  }
+
+ private:
+  void draw_switch(PanelContext& context, int left_out) {
+    const float top = ImGui::GetCursorPosY();
+    const std::string n = std::to_string(left_out);
+    const std::string name = shows_all_                                 ? context.text("fewer", "折りたたむ")
+                             : context.language() == Language::japanese ? "ほか " + n + " 種（該当なし）"
+                                                                        : n + " more, none of it here";
+    if (row(context, name.c_str(), "", false)) shows_all_ = !shows_all_;
+    const float pitch = ImGui::GetCursorPosY() - top;
+    context.state.saved_px += static_cast<float>(left_out - 1) * pitch;
+  }
+
+  bool shows_all_ = false;
+};
 
 }  // namespace
 
-std::unique_ptr<Panel> make_highlights_panel() { return panel_of(draw_highlights); }
+std::unique_ptr<Panel> make_highlights_panel() { return std::make_unique<HighlightsPanel>(); }
 
 }  // namespace ryosen

@@ -39,7 +39,7 @@ class PracticePanel : public Panel {
 };
 
 void PracticePanel::ask(const Session& session) {
-  const QuestionKind kind = kind_.value_or(question_kinds()[seed_ % question_kinds().size()].kind);
+  const QuestionKind kind = kind_.value_or(kind_of_seed(seed_));
   const Question question = make_question(session.mesh(), kind, seed_);
   asked_ = {question,          solve(session.mesh(), question), answer_choices(question),
             session.selection, session.document().serial(),     session.document().revision()};

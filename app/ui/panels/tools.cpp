@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 
 #include "app/editor/commands.h"
 #include "app/editor/pick_modes.h"
@@ -121,11 +122,19 @@ void draw_modes(PanelContext& context) {
                                    {PickMode::face, UiText::face},
                                    {PickMode::halfedge, UiText::halfedge}};
   static_assert(rows_are_in_order(modes, &Mode::mode));
-  const float gap = 4 * context.scale, width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  // In one line where there is room for the words, each with as much beside it; else in two.
+  constexpr std::size_t n = std::size(modes);
+  const float gap = 3 * context.scale, room = ImGui::GetContentRegionAvail().x;
+  const auto width_of = [&](std::size_t i) { return ImGui::CalcTextSize(context.text(modes[i].name)).x; };
+  float words = 0;
+  for (std::size_t i = 0; i < n; ++i) words += width_of(i);
+  const float beside = (room - words - (n - 1) * gap) / n;
+  const bool is_one_line = beside >= 3 * context.scale;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 1 * context.scale});
-  for (std::size_t i = 0; i < std::size(modes); ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     const bool is_active = context.session.mode == modes[i].mode;
-    if (i % 2 == 1) ImGui::SameLine(0, gap);
+    const float width = is_one_line ? std::floor(width_of(i) + beside) : (room - gap) / 2;
+    if (is_one_line ? i > 0 : i % 2 == 1) ImGui::SameLine(0, gap);
     if (is_active) {
       ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_FrameBgActive));
       ImGui::PushStyleColor(ImGuiCol_Text, context.colours().accent);

@@ -98,4 +98,18 @@ bool edit_at_random(Mesh& mesh, Journal& journal, Dice& dice) {
   return done;
 }
 
+std::optional<std::size_t> random_step(Mesh& mesh, Journal& journal, Dice& dice, int sides,
+                                       const std::function<bool(int thrown)>& edit) {
+  const int thrown = dice.below(sides);
+  if (thrown == 0 && journal.can_undo()) {
+    journal.undo(mesh);
+    return journal.position();
+  }
+  if (thrown == 1 && journal.can_redo()) {
+    journal.redo(mesh);
+    return journal.position() - 1;
+  }
+  return edit(thrown) ? std::optional(journal.size() - 1) : std::nullopt;
+}
+
 }  // namespace ryosen::test

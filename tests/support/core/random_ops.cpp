@@ -71,7 +71,8 @@ AnyOp random_make_face(const Mesh& mesh, Vertex v, Dice& dice) {
 AnyOp random_weld(const Mesh& mesh, Vertex v, Dice& dice) {
   if (dice.one_in(3)) return Weld{{}, {}, random_halfedge(mesh, dice), random_halfedge(mesh, dice)};
   if (has_copies(mesh, v) && dice.one_in(2)) return Weld{v, mesh.next_copy(v), {}, {}};
-  return Weld{v, partner(mesh, v, dice), {}, {}};
+  const auto place = v.index % 3 == 0 ? Weld::Place::middle : Weld::Place::first;
+  return Weld{v, partner(mesh, v, dice), {}, {}, place};
 }
 
 AnyOp random_split(const Mesh& mesh, Vertex v, Dice& dice) {

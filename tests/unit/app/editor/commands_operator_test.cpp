@@ -171,6 +171,24 @@ TEST(on_selection, welds_into_the_last_and_fills_each_hole_once) {
   EXPECT_EQ(apart->mesh().position(Vertex(8)), glm::dvec3(6, 0, 0)) << "at the place of the last one";
 }
 
+TEST(on_selection, welds_in_the_middle_of_all_as_one_entry) {
+  const auto session = session_opened("cube.obj");
+  for (const char* place : {"5,0,0", "6,3,0", "7,0,6", "0,1,2"}) session->run(std::string("make_vertex ") + place);
+  const std::uint64_t before = session->mesh().hash();
+  session->run("select v8 v11 v10 v9");
+  ASSERT_TRUE(session->run("weld selected mid").done());
+  EXPECT_EQ(session->mesh().live().vertices, 9u);
+  EXPECT_EQ(session->mesh().position(Vertex(8)), glm::dvec3(4.5, 1, 2));
+  EXPECT_EQ(session->document().history().size(), 5u);
+  EXPECT_EQ(session->log().back(), "weld selected mid");
+  session->run("undo");
+  EXPECT_EQ(session->mesh().hash(), before);
+  ASSERT_TRUE(session->run("weld v8 v9 1,2,3").done());
+  EXPECT_EQ(session->mesh().position(Vertex(8)), glm::dvec3(1, 2, 3));
+  ASSERT_TRUE(session->run("weld v10 v11 mid").done());
+  EXPECT_EQ(session->mesh().position(Vertex(10)), glm::dvec3(3.5, 0.5, 4));
+}
+
 TEST(on_selection, says_what_was_refused_and_what_is_missing) {
   const auto session = session_opened("cube.obj");
   for (const OpInfo& op : all_ops()) {

@@ -18,6 +18,7 @@
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/random_meshes.h"
+#include "tests/support/core/shapes.h"
 
 namespace ryosen {
 namespace {
@@ -103,6 +104,40 @@ TEST(practice, next_twin_and_valence_are_what_the_polygons_say) {
     }
   }
   EXPECT_GE(asked, questions());
+}
+
+// At a point with copies the edges of all are counted, as every form counts them from the list of faces.
+TEST(practice, valence_is_that_of_the_point) {
+  const test::Polygons cones = [] {
+    test::Polygons faces;
+    for (std::uint32_t i = 0; i < 6; ++i) {
+      faces.push_back({0, 1 + i, 1 + (i + 1) % 6});
+      faces.push_back({0, 7 + i, 7 + (i + 1) % 6});
+    }
+    return faces;
+  }();
+  int at_copies = 0, at_sheets = 0;
+  for (const test::Polygons& faces : {cones, test::two_tetrahedra_on_an_edge(), test::fin(), test::bow_tie()}) {
+    const Mesh mesh = test::make_mesh(faces);
+    std::map<std::uint32_t, std::set<std::uint32_t>> ends;
+    for (const std::vector<std::uint32_t>& face : faces)
+      for (std::size_t i = 0; i < face.size(); ++i) {
+        ends[face[i]].insert(face[(i + 1) % face.size()]);
+        ends[face[(i + 1) % face.size()]].insert(face[i]);
+      }
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+      const Question question = make_question(mesh, QuestionKind::valence, seed);
+      const Vertex v = question.about.vertex();
+      const Solution solution = solve(mesh, question);
+      EXPECT_EQ(solution.answers[0], std::to_string(ends[mesh.copy_point(v).index].size())) << question.asks.en;
+      EXPECT_EQ(solution.witnesses.size(), ends[mesh.copy_point(v).index].size());
+      EXPECT_EQ(question.asks.en.find("copies") != std::string::npos, has_copies(mesh, v));
+      at_copies += has_copies(mesh, v) ? 1 : 0;
+      at_sheets += question.asks.en.find("count once") != std::string::npos ? 1 : 0;
+    }
+  }
+  EXPECT_GT(at_copies, 50);
+  EXPECT_GT(at_sheets, 10);
 }
 
 // What a field must hold; nothing where any of several would do, which is then looked at.
@@ -253,6 +288,9 @@ TEST(practice, command_judges_answers) {
   EXPECT_EQ(kinds.size(), question_kinds().size());
   EXPECT_EQ(test::run_program({"practice", "--kind", "x"}).exit_code, 2);
   EXPECT_EQ(test::run_program({"practice", "--seed", "-1"}).exit_code, 2);
+  const test::ProgramRun none = test::run_program({"practice", "--count", "0", "--json"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_NE(none.err.find("1 to 100000"), std::string::npos) << none.err;
   EXPECT_EQ(test::run_program({"practice", test::asset("isolated_vertex.obj")}).exit_code, 0);
 }
 

@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "app/editor/view_switches.h"
+
 namespace ryosen {
 namespace {
 
 TEST(preferences, are_set_by_a_command_each_and_begin_as_their_rows_say) {
   Session session(std::make_unique<Document>());
+  begin_as_window(session);
   for (const PreferenceRow& row : preference_table()) {
     const std::string id(row.field.id);
     EXPECT_EQ(row.value(session), row.field.initial) << id;

@@ -19,6 +19,31 @@ int different_pixels(const Image& a, const Image& bare_a, const Image& b, const 
   return n;
 }
 
+class ViewportTest : public testing::Test {
+ protected:
+  ViewportTest() : context_(make_headless_context(Backend::osmesa).value()), viewport_(Viewport::make().value()) {}
+
+  static std::unique_ptr<Session> opened(const std::string& asset, Size size = {320, 240}) {
+    auto session = std::make_unique<Session>(Document::open(test::asset(asset)).value());
+    session->view = size;
+    session->frame_all();
+    return session;
+  }
+  // What follows the session from the last picture.
+  Image picture(Session& session) {
+    viewport_->follow(session);
+    viewport_->draw();
+    return viewport_->view().read_pixels();
+  }
+  Image picture(Session& session, const std::string& line) {
+    EXPECT_TRUE(session.run(line).done()) << line;
+    return picture(session);
+  }
+
+  std::unique_ptr<Context> context_;
+  std::unique_ptr<Viewport> viewport_;
+};
+
 // A random operator line, an undo or a redo.
 std::string random_line(const Session& session, std::mt19937& random) {
   if (random() % 5 == 0) return "undo";
@@ -31,146 +56,86 @@ std::string random_line(const Session& session, std::mt19937& random) {
   return command_of(mesh, ops[random() % 3]);
 }
 
-TEST(viewport, what_follows_edits_looks_like_what_is_drawn_anew) {
-  auto context = make_headless_context(Backend::osmesa);
-  ASSERT_TRUE(context);
-  auto made = Viewport::make();
-  ASSERT_TRUE(made);
-  Viewport& viewport = **made;
+TEST_F(ViewportTest, what_follows_edits_looks_like_what_is_drawn_anew) {
   std::mt19937 random(5);
   int edits = 0;
   const char* const names[] = {"fin.obj",     "moebius.off",      "torus.off",     "ball.off",
                                "bow_tie.obj", "hanging_pair.obj", "two_quads.obj", "klein_bottle.off"};
   for (std::size_t i = 0; i < std::size(names); ++i) {
     const std::string name = names[i];
-    auto document = Document::open(test::asset(name));
-    ASSERT_TRUE(document);
-    Session session(std::move(document).value());
-    session.view = {320, 240};
-    session.frame_all();
-    ASSERT_TRUE(session.run("show all").done());
+    const std::unique_ptr<Session> opened_session = opened(name);
+    Session& session = *opened_session;
     ASSERT_TRUE(session.run(i % 2 == 0 ? "shading flat" : "shading smooth").done());
-    const auto picture = [&](const char* show) {
-      EXPECT_TRUE(session.run(show).done());
-      viewport.follow(session);
-      viewport.draw();
-      return viewport.view().read_pixels();
-    };
-    viewport.forget();
-    picture("show all");
+    viewport_->forget();
+    picture(session, "show all");
     for (int step = 0; step < 60; ++step) {
       // What is hidden, changed and shown again without a picture between is not the same any more.
       if (step % 6 == 2) {
         EXPECT_TRUE(session.run("show creases off").done());
       }
       edits += session.run(random_line(session, random)).done();
-      const Image followed = picture("show all");
+      const Image followed = picture(session, "show all");
       if (step % 6 != 5) continue;
-      const Image bare = picture("show all off");
-      viewport.forget();
-      const Image bare_anew = picture("show all off");
-      ASSERT_LE(different_pixels(followed, bare, picture("show all"), bare_anew), 20) << name << " step " << step;
+      const Image bare = picture(session, "show all off");
+      viewport_->forget();
+      const Image bare_anew = picture(session, "show all off");
+      ASSERT_LE(different_pixels(followed, bare, picture(session, "show all"), bare_anew), 20)
+          << name << " step " << step;
     }
   }
   EXPECT_GT(edits, 100);
 }
 
-TEST(viewport, a_log_that_is_replayed_gives_the_same_hash_and_the_same_final_picture) {
-  auto context = make_headless_context(Backend::osmesa);
-  ASSERT_TRUE(context);
-  auto made = Viewport::make();
-  ASSERT_TRUE(made);
-  Viewport& viewport = **made;
+TEST_F(ViewportTest, a_log_that_is_replayed_gives_the_same_hash_and_the_same_final_picture) {
   std::mt19937 random(11);
-  for (const char* const name : {"fin.obj", "torus.off", "ball.off"}) {  // whose faces lie apart
-    const auto begun = [&] {
-      auto session = std::make_unique<Session>(Document::open(test::asset(name)).value());
-      session->view = {320, 240};
-      session->frame_all();
-      return session;
-    };
-    const auto picture = [&](Session& session) {
-      viewport.follow(session);
-      viewport.draw();
-      return viewport.view().read_pixels();
-    };
-    const auto session = begun();
-    viewport.forget();
+  for (const char* const name : {"fin.obj", "torus.off", "ball.off", "klein_bottle.off", "moebius.off"}) {
+    const auto session = opened(name);
+    viewport_->forget();
     int edits = 0;
     for (int step = 0; step < 40; ++step) {
       edits += session->run(random_line(*session, random)).done();
       picture(*session);
     }
     EXPECT_GT(edits, 15) << name;
-    const Image last = picture(*session);
-    const auto again = begun();
+    const Image last = picture(*session), bare = picture(*session, "show all off");
+    const auto again = opened(name);
     for (const std::string& line : session->log()) ASSERT_TRUE(again->run(line).done()) << name << ": " << line;
     EXPECT_EQ(again->mesh().hash(), session->mesh().hash()) << name;
-    viewport.forget();
+    viewport_->forget();
     const Image replayed = picture(*again);
-    int different = 0;  // an edit may lay faces in one place, where the first one drawn is seen
-    for (std::size_t i = 0; i < last.pixels.size(); ++i) different += last.pixels[i] != replayed.pixels[i];
-    EXPECT_LE(different, 20) << name;
+    EXPECT_LE(different_pixels(last, bare, replayed, picture(*again, "show all off")), 20) << name;
   }
 }
 
-TEST(viewport, a_coloured_surface_follows_edits_as_if_drawn_anew) {
-  auto context = make_headless_context(Backend::osmesa);
-  ASSERT_TRUE(context);
-  auto made = Viewport::make();
-  ASSERT_TRUE(made);
-  Viewport& viewport = **made;
+TEST_F(ViewportTest, a_coloured_surface_follows_edits_as_if_drawn_anew) {
   std::mt19937 random(7);
   for (const char* const map : {"edge_length", "valence", "dihedral", "area", "sides"}) {
-    auto document = Document::open(test::asset("ball.off"));
-    ASSERT_TRUE(document);
-    Session session(std::move(document).value());
-    session.view = {240, 200};
-    session.frame_all();
-    const auto picture = [&] {
-      viewport.follow(session);
-      viewport.draw();
-      return viewport.view().read_pixels();
-    };
-    ASSERT_TRUE(session.run("show all off").done());
-    const Image bare = picture();
-    ASSERT_TRUE(session.run(std::string("colours ") + map).done());
-    EXPECT_NE(picture().pixels, bare.pixels) << map;
+    const std::unique_ptr<Session> opened_session = opened("ball.off", {240, 200});
+    Session& session = *opened_session;
+    viewport_->forget();
+    const Image bare = picture(session, "show all off");
+    EXPECT_NE(picture(session, std::string("colours ") + map).pixels, bare.pixels) << map;
     int edits = 0;
     for (int step = 0; step < 25; ++step) {
       edits += session.run(random_line(session, random)).done();
-      const Image followed = picture();
-      viewport.forget();
-      ASSERT_EQ(followed.pixels, picture().pixels) << map << " step " << step;
+      const Image followed = picture(session);
+      viewport_->forget();
+      ASSERT_EQ(followed.pixels, picture(session).pixels) << map << " step " << step;
     }
     EXPECT_GT(edits, 5);
-    ASSERT_TRUE(session.run("colours off").done());
-    const Image off = picture();
-    viewport.forget();
-    EXPECT_EQ(off.pixels, picture().pixels);
+    const Image off = picture(session, "colours off");
+    viewport_->forget();
+    EXPECT_EQ(off.pixels, picture(session).pixels);
   }
 }
 
-TEST(viewport, handles_and_guides_that_come_and_go_are_drawn_as_in_a_full_redraw) {
-  auto context = make_headless_context(Backend::osmesa);
-  ASSERT_TRUE(context);
-  auto made = Viewport::make();
-  ASSERT_TRUE(made);
-  Viewport& viewport = **made;
-  auto document = Document::open(test::asset("torus.off"));
-  ASSERT_TRUE(document);
-  Session session(std::move(document).value());
-  session.view = {320, 240};
-  session.frame_all();
-  const auto picture = [&] {
-    viewport.follow(session);
-    viewport.draw();
-    return viewport.view().read_pixels();
-  };
+TEST_F(ViewportTest, handles_and_guides_that_come_and_go_are_drawn_as_in_a_full_redraw) {
+  const std::unique_ptr<Session> opened_session = opened("torus.off");
+  Session& session = *opened_session;
   for (const char* line : {"mode vertex", "select v0 v1 v7"}) ASSERT_TRUE(session.run(line).done());
-  const Image bare = picture();
+  const Image bare = picture(session);
   ASSERT_TRUE(session.run("gizmo move").done());
-  EXPECT_TRUE(picture().pixels != bare.pixels) << "handles are drawn";
+  EXPECT_TRUE(picture(session).pixels != bare.pixels) << "handles are drawn";
   const auto middle = project(session.camera, session.view, session.gizmo()->middle);
   const auto at = [&](double x, double y) {
     return std::to_string(middle->pixel.x + x) + "," + std::to_string(middle->pixel.y + y);
@@ -194,9 +159,9 @@ TEST(viewport, handles_and_guides_that_come_and_go_are_drawn_as_in_a_full_redraw
                                "gizmo off"};
   for (const std::string& line : lines) {
     EXPECT_TRUE(session.run(line).done()) << line;
-    const Image followed = picture();
-    viewport.view().draw(PixelRect::all(session.view));
-    EXPECT_TRUE(followed.pixels == viewport.view().read_pixels().pixels) << line;
+    const Image followed = picture(session);
+    viewport_->view().draw(PixelRect::all(session.view));
+    EXPECT_TRUE(followed.pixels == viewport_->view().read_pixels().pixels) << line;
   }
 }
 

@@ -94,20 +94,11 @@ TEST(problem_sets, are_kept_current_through_edits_undo_and_redo) {
     if (Neighbourhood around(mesh); true) loops.search(around, sets.of(ProblemKind::boundary_loop));
     for (int step = 0; step < 25; ++step) {
       const ProblemSets before = sets;
-      std::size_t transaction = 0;
-      const int what = dice.below(4);
-      if (what == 0 && journal.can_undo()) {
-        journal.undo(mesh);
-        transaction = journal.position();
-      } else if (what == 1 && journal.can_redo()) {
-        journal.redo(mesh);
-        transaction = journal.position() - 1;
-      } else {
-        if (!edit_at_random(mesh, journal, dice)) continue;
-        transaction = journal.size() - 1;
-      }
+      const auto transaction =
+          random_step(mesh, journal, dice, 4, [&](int) { return edit_at_random(mesh, journal, dice); });
+      if (!transaction) continue;
       ++edits;
-      sets.update(mesh, journal, transaction);
+      sets.update(mesh, journal, *transaction);
       const ProblemSets fresh(mesh);
       Neighbourhood around(mesh);
       for (const ProblemRow& row : problem_table())

@@ -184,23 +184,14 @@ void walk(Mesh mesh, std::uint64_t seed, Walked& walked) {
   HighlightSets sets = whole_search(mesh);
   for (int step = 0; step < 20; ++step) {
     std::array<Numbers, 2> expected{edges_of(sets, creases()).to_vector(), edges_of(sets, seams()).to_vector()};
-    std::size_t transaction = journal.size();
-    const int what = dice.below(6);
-    if (what == 0 && journal.can_undo()) {
-      journal.undo(mesh);
-      transaction = journal.position();
-    } else if (what == 1 && journal.can_redo()) {
-      journal.redo(mesh);
-      transaction = journal.position() - 1;
-    } else {
-      const bool done = what == 2   ? change_a_value(mesh, journal, dice)
-                        : what == 3 ? edit_at_random(mesh, journal, dice)
-                                    : try_apply(mesh, &journal, random_op(mesh, dice));
-      if (!done) continue;
-      transaction = journal.size() - 1;
-    }
+    const auto transaction = random_step(mesh, journal, dice, 6, [&](int thrown) {
+      return thrown == 2   ? change_a_value(mesh, journal, dice)
+             : thrown == 3 ? edit_at_random(mesh, journal, dice)
+                           : try_apply(mesh, &journal, random_op(mesh, dice));
+    });
+    if (!transaction) continue;
     ++walked.edits;
-    sets.update(mesh, journal, transaction);
+    sets.update(mesh, journal, *transaction);
     const HighlightSets fresh = whole_search(mesh);
     ASSERT_EQ(edges_of(sets, creases()).to_vector(), edges_of(fresh, creases()).to_vector())
         << "seed " << seed << " step " << step;

@@ -66,22 +66,13 @@ void follow_edits(Mesh mesh, const ColourMap& map, std::uint64_t seed, int& edit
   Journal journal;
   MapValues values(mesh, map);
   for (int step = 0; step < 12; ++step) {
-    std::size_t transaction = journal.size();
-    const int what = dice.below(5);
-    if (what == 0 && journal.can_undo()) {
-      journal.undo(mesh);
-      transaction = journal.position();
-    } else if (what == 1 && journal.can_redo()) {
-      journal.redo(mesh);
-      transaction = journal.position() - 1;
-    } else {
-      if (!(what == 2 ? edit_at_random(mesh, journal, dice) : try_apply(mesh, &journal, random_op(mesh, dice))))
-        continue;
-      transaction = journal.size() - 1;
-    }
+    const auto transaction = random_step(mesh, journal, dice, 5, [&](int thrown) {
+      return thrown == 2 ? edit_at_random(mesh, journal, dice) : try_apply(mesh, &journal, random_op(mesh, dice));
+    });
+    if (!transaction) continue;
     ++edits;
     std::vector<double> listed(values.all().begin(), values.all().end());
-    const auto changed = values.update(mesh, journal, transaction);
+    const auto changed = values.update(mesh, journal, *transaction);
     ASSERT_TRUE(same_values(values, MapValues(mesh, map))) << map.id << " seed " << seed << " step " << step;
     if (!changed) continue;
     listed.resize(values.all().size(), missing_value);

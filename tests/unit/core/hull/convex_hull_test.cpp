@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <random>
 
+#include "core/base/parallel.h"
 #include "core/geometry/predicates.h"
 #include "tests/support/core/brute_hull.h"
 #include "tests/support/core/long_run.h"
@@ -276,6 +278,27 @@ TEST(convex_hull, is_cancelled) {
   Progress progress([](double) { return false; });
   EXPECT_EQ(convex_hull(points, progress), ConvexHull());
   EXPECT_TRUE(progress.is_cancelled());
+}
+
+// Enough points that those inside are sifted out first.
+TEST(convex_hull, is_the_same_for_every_number_of_threads) {
+  for (const bool on_sphere : {false, true}) {
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    std::vector<glm::dvec3> points;
+    while (points.size() < 40000) {
+      const glm::dvec3 p(normal(random), normal(random), normal(random));
+      points.push_back(on_sphere ? p / std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z) : p);
+    }
+    points[7].x = std::numeric_limits<double>::infinity();
+    std::optional<ConvexHull> first;
+    for (const unsigned threads : {1u, 2u, 3u, 8u}) {
+      const ThreadCount count(threads);
+      const ConvexHull hull = convex_hull(points);
+      if (!first) first = hull;
+      EXPECT_EQ(hull, *first) << threads;
+    }
+  }
 }
 
 }  // namespace

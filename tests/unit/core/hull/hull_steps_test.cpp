@@ -60,6 +60,25 @@ std::set<Edge2> boundary_of(const DcelRecords& records, const std::vector<std::u
   return boundary;
 }
 
+// Faces beside each other in one plane of which one is made, by asking each made one.
+std::set<Edge2> coplanar_with(const DcelRecords& after, const std::vector<std::uint32_t>& made,
+                              const std::vector<glm::dvec3>& points) {
+  std::set<Edge2> pairs;
+  for (const std::uint32_t f : made) {
+    const auto c = corners_of(after, f);
+    std::uint32_t h = after.faces[f].outer_component;
+    for (int k = 0; k < 3; ++k, h = after.half_edges[h].next) {
+      const std::uint32_t beside = after.half_edges[after.half_edges[h].twin].face;
+      const auto d = corners_of(after, beside);
+      if (std::all_of(d.begin(), d.end(), [&](std::uint32_t p) {
+            return orient3d(points[c[0]], points[c[1]], points[c[2]], points[p]) == 0;
+          }))
+        pairs.insert(std::minmax(f, beside));
+    }
+  }
+  return pairs;
+}
+
 // What a step says of the records before it.
 void expect_sound(const HullStep& step, const DcelRecords& before, const std::vector<glm::dvec3>& points) {
   std::vector<std::uint32_t> seen;
@@ -103,6 +122,11 @@ TEST_P(HullStepsOf, are_sound_and_can_be_taken_back) {
     DcelRecords after = before;
     apply(*step, after);
     ASSERT_EQ(after, steps.records());
+    if (step->kind == HullStep::Kind::extend) {
+      std::set<Edge2> pairs;
+      for (const auto& [one, other] : step->united) pairs.insert(std::minmax(one, other));
+      ASSERT_EQ(pairs, coplanar_with(after, step->made, points_));
+    }
     take_back(*step, after);
     ASSERT_EQ(after, before);
     apply(*step, before);

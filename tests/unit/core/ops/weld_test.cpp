@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include "core/analysis/figures.h"
 #include "core/mesh/copies.h"
 #include "tests/support/core/proof.h"
@@ -46,6 +48,22 @@ TEST(weld, two_boundary_edges) {
   const glm::dvec3 place = far.position(Vertex(4));
   apply_and_prove(far, "weld 4-5 1-2");
   EXPECT_EQ(far.position(Vertex(1)), place) << "the place is that of the first edge";
+}
+
+TEST(weld, in_the_middle_or_anywhere) {
+  Mesh edges = make_mesh(slit(false));
+  const glm::dvec3 one = edges.position(Vertex(1)), two = edges.position(Vertex(2)), four = edges.position(Vertex(4)),
+                   five = edges.position(Vertex(5));
+  EXPECT_EQ(apply_and_prove(edges, "weld 1-2 4-5 mid"), (Change{.v = -2, .e = -1, .s = -1, .b = -1}));
+  EXPECT_LT(glm::distance(edges.position(Vertex(1)), (one + four) / 2.0), 1e-12);
+  EXPECT_LT(glm::distance(edges.position(Vertex(2)), (two + five) / 2.0), 1e-12);
+  Mesh slit_at_one = make_mesh(slit(true));
+  apply_and_prove(slit_at_one, "weld 2 5 7,8,9");
+  EXPECT_EQ(slit_at_one.position(Vertex(2)), glm::dvec3(7, 8, 9));
+  Mesh fans = make_mesh(bow_tie());
+  const glm::dvec3 place = fans.position(Vertex(0));
+  apply_and_prove(fans, "weld v0@f0 v0@f1 mid");
+  EXPECT_EQ(fans.position(Vertex(0)), place) << "one point has one place";
 }
 
 TEST(weld, edges_with_a_common_end_close_the_gap) {
@@ -125,6 +143,8 @@ TEST(weld, parse_errors) {
   EXPECT_EQ(parse_error(mesh, "weld 1"), NameError::malformed);
   EXPECT_EQ(parse_error(mesh, "weld 1 2-0"), NameError::malformed);
   EXPECT_EQ(parse_error(mesh, "weld 1-2 4-5 3"), NameError::malformed);
+  EXPECT_EQ(parse_error(mesh, "weld 1-2 4-5 0,0,0"), NameError::malformed) << "two places would be needed";
+  EXPECT_EQ(parse_error(mesh, "weld 1 4 middle"), NameError::malformed);
   EXPECT_EQ(parse_error(mesh, "weld 1-2 4-9"), NameError::never_existed);
   apply_and_prove(mesh, "delete v4");
   EXPECT_EQ(parse_error(mesh, "weld 1 4"), NameError::deleted);

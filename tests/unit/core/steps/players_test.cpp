@@ -14,6 +14,7 @@
 #include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
 #include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
 #include "core/mesh/names.h"
 #include "core/ops/all.h"
 #include "core/steps/all.h"
@@ -137,14 +138,12 @@ SidePartners partners_of(Sequence& sequence, const Mesh& mesh) {
 }
 
 SidePartners pairing_of_kernel(const Mesh& mesh) {
-  IndexedMesh list;
-  const forms::Polygons polygons = forms::polygons_of(mesh, forms::Numbering(mesh));
-  list.positions = polygons.positions;
-  list.corners = polygons.corners;
-  list.face_offsets = polygons.offsets;
-  for (const PairingMethod& method : pairing_methods())
-    if (method.id == "in_use") return method.pair(list);
-  return {};
+  std::vector<std::uint32_t> corner_of(mesh.halfedge_slots(), no_index);
+  const std::vector<Halfedge> corners = forms::corner_halfedges(mesh);
+  for (std::uint32_t c = 0; c < corners.size(); ++c) corner_of[corners[c].index] = c;
+  SidePartners partners;
+  for (const Halfedge h : corners) partners.push_back(corner_of[twin(h).index]);
+  return partners;
 }
 
 TEST(pair_steps, end_with_the_pairing_of_the_kernel) {
@@ -152,6 +151,7 @@ TEST(pair_steps, end_with_the_pairing_of_the_kernel) {
   for (const char* const name : {"tetrahedron.off", "fan.obj", "cube.obj", "three_tri_edge.off", "misoriented.obj",
                                  "moebius.off", "torus.off", "duplicate_face.obj", "bow_tie.obj"})
     meshes.push_back(asset_mesh(name));
+  meshes.push_back(make_mesh(two_tetrahedra_on_an_edge()));
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const SeededMesh random = seeded_mesh(seed);
     Mesh mesh = make_mesh(random.faces, random.points);
@@ -160,6 +160,28 @@ TEST(pair_steps, end_with_the_pairing_of_the_kernel) {
   for (const Mesh& mesh : meshes)
     for (const char* const method : {"brute_force", "vertex_lists", "hash_16", "hash", "sparse_matrix"})
       EXPECT_EQ(partners_of(*played("pair", mesh, {method}), mesh), pairing_of_kernel(mesh)) << method;
+}
+
+// Each tetrahedron keeps the pairs of its own sides, which the text gives away.
+TEST(pair_steps, say_which_sides_of_a_cut_edge_stay_joined) {
+  const Mesh mesh = make_mesh(two_tetrahedra_on_an_edge());
+  const auto sequence = played("pair", mesh, {"hash"});
+  const std::string last = sequence->at(sequence->size()).caption.en;
+  EXPECT_NE(last.find("4 sides"), std::string::npos) << last;
+  std::size_t joined = 0;
+  for (std::size_t at = last.find("stay joined"); at != last.npos; at = last.find("stay joined", at + 1)) ++joined;
+  EXPECT_EQ(joined, 2u) << last;
+}
+
+// The face that makes an edge one of three lies behind those that are played.
+TEST(pair_steps, know_that_an_edge_is_cut_by_faces_that_are_not_played) {
+  Polygons faces{{0, 1, 2}, {1, 0, 3}};
+  for (std::uint32_t f = 0; f < 1000; ++f) faces.push_back({5 + 3 * f, 6 + 3 * f, 7 + 3 * f});
+  faces.push_back({0, 1, 4});
+  const auto sequence = played("pair", make_mesh(faces), {"hash"});
+  const Step last = sequence->at(sequence->size());
+  EXPECT_NE(last.caption.en.find("0-1 is cut in the mesh"), std::string::npos) << last.caption.en;
+  EXPECT_EQ(last.rows.size(), 2u);
 }
 
 // Rings are loops of their faces: their sides are paired as all others, by each method, and in the building too.
@@ -439,7 +461,9 @@ TEST(walk_steps, visit_the_one_ring_and_the_loop) {
     for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) {
       const auto sequence = played("walk", mesh, {"v" + std::to_string(v)});
       std::set<Element> expected, found;
-      for (const Vertex w : neighbours(mesh, Vertex(v))) expected.insert(w);
+      for_each_copy(mesh, Vertex(v), [&](Vertex copy) {
+        for (const Vertex w : neighbours(mesh, copy)) expected.insert(mesh.copy_point(w));
+      });
       for (const steps::Mark& mark : sequence->at(sequence->size()).marks)
         if (mark.role == steps::Role::answer) found.insert(mark.element);
       EXPECT_EQ(found, expected) << name << " v" << v;
@@ -480,14 +504,11 @@ TEST(walk_steps, visit_the_same_on_every_form) {
       for (std::uint32_t v = 0; v < mesh.vertex_slots(); v += 1 + mesh.vertex_slots() / 16) {
         const auto sequence = played("walk", mesh, {"v" + std::to_string(v), std::string(form.id)});
         const std::vector<Element> found = answers_of(sequence->at(sequence->size()));
-        // Most forms hold points: the rings of all copies are one.
-        const auto held = [&](Vertex w) { return form.holds_copies ? w : mesh.copy_point(w); };
+        // The rings of all copies are one, by points.
         std::set<Element> expected;
-        Vertex copy(v);
-        do {
-          for (const Vertex w : neighbours(mesh, copy)) expected.insert(held(w));
-          copy = form.holds_copies ? copy : mesh.next_copy(copy);
-        } while (copy != Vertex(v));
+        for_each_copy(mesh, Vertex(v), [&](Vertex copy) {
+          for (const Vertex w : neighbours(mesh, copy)) expected.insert(mesh.copy_point(w));
+        });
         EXPECT_EQ(std::set<Element>(found.begin(), found.end()), expected) << v;
         EXPECT_EQ(found.size(), expected.size()) << "each once";
         walked.insert(form.id);
@@ -510,6 +531,23 @@ TEST(walk_steps, visit_the_same_on_every_form) {
   EXPECT_EQ(walked.size(), forms::all_forms().size());
   EXPECT_EQ(looped.size(), forms::all_forms().size());
   EXPECT_EQ(play("walk", asset_mesh("fan.obj"), {"v0", "x"}).failure().exit_code, ExitCode::usage);
+}
+
+// A point with copies has the ring of all of them, and one without an edge has none.
+TEST(walk_steps, count_what_there_is) {
+  const auto last_of = [](const Mesh& mesh, const char* vertex) {
+    const auto sequence = played("walk", mesh, {vertex});
+    return sequence->at(sequence->size()).caption;
+  };
+  Polygons cones;
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    cones.push_back({0, 1 + i, 1 + (i + 1) % 6});
+    cones.push_back({0, 7 + i, 7 + (i + 1) % 6});
+  }
+  const Text around = last_of(make_mesh(cones), "v0");
+  EXPECT_EQ(around.en.substr(0, around.en.find(':')), "12 neighbours");
+  EXPECT_EQ(last_of(make_mesh({}, 3), "v0").en, "no neighbour; 1 record was read");
+  EXPECT_EQ(last_of(make_mesh({}, 3), "v0").ja, "隣接頂点なし。読んだデータは 1 個");
 }
 
 // Lists of faces are read whole, and what is linked is not.

@@ -1,0 +1,100 @@
+#include "tests/support/app/real_window.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+#include <thread>
+
+namespace ryosen::test {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+bool is_installed(const char* program) {
+  return std::system(("command -v " + std::string(program) + " >/dev/null 2>&1").c_str()) == 0;
+}
+
+}  // namespace
+
+std::string words_of(glm::dvec2 pixel) {
+  return std::to_string(std::lround(pixel.x)) + " " + std::to_string(std::lround(pixel.y));
+}
+
+void RealWindow::SetUp() {
+  for (const char* program : {"Xvfb", "xdotool"})
+    if (!is_installed(program)) GTEST_SKIP() << program << " is not installed; tests/run.sh installs it";
+  display_ = std::make_unique<Process>(
+      std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", screen(), "-nolisten", "tcp"},
+      std::vector<std::string>{}, folder_.at("display"));
+  ASSERT_TRUE(wait_for([&] { return !read_file(folder_.at("display")).empty(); })) << "Xvfb did not start";
+  number_ = std::to_string(std::stoi(read_file(folder_.at("display"))));
+}
+
+void RealWindow::open(const std::string& mesh) {
+  editor_ = std::make_unique<Process>(
+      std::vector<std::string>{RYOSEN_PROGRAM, mesh},
+      std::vector<std::string>{"DISPLAY=:" + number_, "RYOSEN_FRAME_LOG=" + folder_.at("frames"), "LC_ALL=C",
+                               "XDG_STATE_HOME=" + state_.path().string(),
+                               "XDG_CONFIG_HOME=" + config_.path().string()},
+      "/dev/null", folder_.at("err"));
+  ASSERT_TRUE(wait_for([&] { return last().number > 0; })) << "no picture appeared";
+}
+
+void RealWindow::type(const std::string& line) const {
+  const long before = last().number;
+  xdotool("mousemove 640 400 key F3");
+  ASSERT_TRUE(wait_for([&] { return last().number > before; })) << "the command window did not open";
+  std::this_thread::sleep_for(300ms);  // until its field has the keys
+  xdotool("type --delay 20 '" + line + "'");
+  xdotool("key Return");
+}
+
+void RealWindow::xdotool(const std::string& words) const {
+  ASSERT_EQ(std::system(("DISPLAY=:" + number_ + " xdotool " + words).c_str()), 0) << words;
+}
+
+void RealWindow::drag(glm::dvec2 from, glm::dvec2 to, const std::string& keys, int button) const {
+  std::istringstream held(keys);
+  std::string down, up, key;
+  while (held >> key) {
+    down += " keydown " + key;
+    up += " keyup " + key;
+  }
+  const std::string which = std::to_string(button);
+  xdotool("mousemove " + words_of(from) + down + " mousedown " + which + " mousemove " +
+          words_of(from * 0.5 + to * 0.5) + " mousemove " + words_of(to) + " mouseup " + which + up);
+}
+
+Frame RealWindow::last() const {
+  if (!folder_.has("frames")) return {};
+  const std::string log = read_file(folder_.at("frames"));
+  const std::size_t end = log.rfind('\n');
+  if (end == std::string::npos) return {};
+  const std::size_t begin = end == 0 ? std::string::npos : log.rfind('\n', end - 1);
+  std::istringstream line(log.substr(begin == std::string::npos ? 0 : begin + 1));
+  Frame frame;
+  std::string word;
+  line >> word >> frame.number >> word >> frame.pixels >> word >> frame.took_ms >> word >> frame.vertices >> word >>
+      frame.edges >> word >> frame.faces >> word >> frame.history >> word >> frame.hover >> word >> frame.is_held >>
+      word >> frame.selected >> word >> frame.eye.x >> frame.eye.y >> frame.eye.z;
+  return frame;
+}
+
+bool RealWindow::shows(const std::function<bool(const Frame&)>& condition, std::chrono::seconds limit) {
+  return wait_for([&] { return condition(last()); }, limit);
+}
+
+void RealWindow::expect_end_by(int signal) {
+  const auto start = std::chrono::steady_clock::now();
+  editor_->end_by(signal);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, 1s) << "a busy machine may take its time; else it is 0.2 s";
+  EXPECT_EQ(editor_->exit_code(), 8);
+  const std::string err = read_file(folder_.at("err"));
+  EXPECT_NE(err.find("The editor was ended; edits that are not saved are offered again at its next start."),
+            std::string::npos)
+      << err;
+  std::filesystem::remove(folder_.at("frames"));
+}
+
+}  // namespace ryosen::test

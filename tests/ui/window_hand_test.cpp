@@ -1,0 +1,339 @@
+// Each gesture of the hand in the real window: where on an edge, the table of input, selecting, operators on a selection,
+// moving; by mouse and keys, and what came of it in the picture's account and in the file that is saved.
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "core/io/formats.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/names.h"
+#include "tests/support/app/laid.h"
+#include "tests/support/app/real_window.h"
+
+namespace ryosen {
+namespace {
+
+using test::Frame;
+using test::wait_for;
+using test::words_of;
+
+class WindowHand : public test::RealWindow {
+ protected:
+  void open_copy(const std::string& asset) {
+    file_ = folder_.copy(test::asset(asset), asset);
+    was_ = test::read_file(file_);
+    open(file_);
+    // The same panels about the same file, to know where it shows what.
+    laid_ = std::make_unique<test::Laid>("cube.obj", Size{1280, 800});
+    ASSERT_TRUE(session().run("open " + file_).done());
+    laid_->gui.place_view(session(), {1280, 800});
+    session().frame_all();
+  }
+  Session& session() { return laid_->session; }
+
+  glm::dvec2 pixel_of(const glm::dvec3& place) {
+    return glm::round(project(session().camera, session().view, place)->pixel + session().view_origin);
+  }
+  // A place at a share of an edge that is seen and long on the screen.
+  struct OnEdge {
+    glm::dvec2 pixel{0};
+    Edge edge;
+    glm::dvec3 from{0}, to{0};
+  };
+  OnEdge on_edge(double share, int which = 0) {
+    const Mesh& m = session().mesh();
+    for (std::uint32_t i = 0; i < m.edge_slots(); ++i) {
+      const auto [a, b] = ends(m, Edge(i));
+      const glm::dvec3 from = m.position(a), to = m.position(b);
+      if (glm::distance(pixel_of(from), pixel_of(to)) < 60) continue;
+      const glm::dvec2 pixel = pixel_of(from + share * (to - from));
+      const auto picked = session().pick(pixel, PickMode::edge);
+      if (picked && picked->element == Element(Edge(i)) && which-- == 0) return {pixel, Edge(i), from, to};
+    }
+    ADD_FAILURE() << "no such edge is seen";
+    return {};
+  }
+  glm::dvec2 on_face() {
+    const Mesh& m = session().mesh();
+    for (std::uint32_t i = 0; i < m.face_slots(); ++i) {
+      glm::dvec3 middle(0);
+      for (const Vertex v : vertices_around(m, Face(i))) middle += m.position(v) / double(corner_count(m, Face(i)));
+      const auto picked = session().pick(pixel_of(middle), PickMode::face);
+      if (picked && picked->element == Element(Face(i))) return pixel_of(middle);
+    }
+    ADD_FAILURE() << "no face is seen";
+    return {};
+  }
+  // Two corners of a box around all of the mesh, beside it.
+  std::pair<glm::dvec2, glm::dvec2> around_all() {
+    glm::dvec2 low(1e9), high(-1e9);
+    for (const glm::dvec3& place : session().mesh().positions()) {
+      low = glm::min(low, pixel_of(place));
+      high = glm::max(high, pixel_of(place));
+    }
+    return {low - 6.0, high + 6.0};
+  }
+
+  bool has_selected(long n) {
+    return shows([n](const Frame& frame) { return frame.selected == n; });
+  }
+  bool is_at(long entry) {
+    return shows([entry](const Frame& frame) { return frame.history == entry; });
+  }
+  // The file as the editor writes it now.
+  Mesh saved() {
+    std::filesystem::remove(file_);
+    xdotool("key ctrl+s");
+    EXPECT_TRUE(wait_for([&] { return std::filesystem::exists(file_); })) << "it was not saved";
+    auto document = Document::open(file_);
+    EXPECT_TRUE(document);
+    return document ? document.value()->mesh() : Mesh();
+  }
+  static bool has_point(const Mesh& m, const glm::dvec3& place, double within = 1e-9) {
+    for (const glm::dvec3& p : m.positions())
+      if (glm::distance(p, place) < within) return true;
+    return false;
+  }
+
+  std::string file_, was_;
+  std::unique_ptr<test::Laid> laid_;
+};
+
+TEST_F(WindowHand, a_split_is_where_the_pointer_is_and_a_collapse_goes_to_the_end_whose_third_it_is) {
+  open_copy("cube.obj");
+  const OnEdge at = on_edge(0.31);
+  xdotool("mousemove 640 100 key d mousemove " + words_of(at.pixel) + " click 1");
+  ASSERT_TRUE(is_at(1)) << "nothing was split";
+  const Mesh split = saved();
+  EXPECT_EQ(split.live().vertices, 9u);
+  const bool is_there = has_point(split, at.from + 0.3 * (at.to - at.from));
+  EXPECT_TRUE(is_there) << "at the tenth that is nearest";
+  xdotool("key ctrl+z");
+  ASSERT_TRUE(is_at(0));
+
+  const OnEdge end = on_edge(0.2);
+  xdotool("key c mousemove " + words_of(end.pixel + glm::dvec2(1, 0)) + " mousemove " + words_of(end.pixel) +
+          " click 1");
+  ASSERT_TRUE(is_at(1)) << "nothing was collapsed";
+  const Mesh to_end = saved();
+  EXPECT_EQ(to_end.live().vertices, 7u);
+  EXPECT_TRUE(has_point(to_end, end.from)) << "the end that is pointed at stays";
+  EXPECT_FALSE(has_point(to_end, end.to));
+  xdotool("key ctrl+z");
+  ASSERT_TRUE(is_at(0));
+
+  const OnEdge middle = on_edge(0.5);
+  xdotool("mousemove " + words_of(middle.pixel) + " click 1");
+  ASSERT_TRUE(is_at(1));
+  EXPECT_TRUE(has_point(saved(), 0.5 * (middle.from + middle.to))) << "over the middle third it is the middle";
+}
+
+TEST_F(WindowHand, drags_turn_pan_and_select_whatever_comes_behind_them_at_once) {
+  open_copy("torus.off");
+  const auto [low, high] = around_all();
+  const auto is_turned = [&](glm::dvec3 eye) { return shows([eye](const Frame& frame) { return frame.eye != eye; }); };
+  const glm::dvec2 at = on_face();
+  const glm::dvec3 eye = last().eye;
+  drag(at, at + glm::dvec2(80, 20));
+  ASSERT_TRUE(is_turned(eye)) << "a drag turns";
+  EXPECT_EQ(last().selected, 0);
+  for (const auto& [keys, button] : {std::pair("shift", 1), std::pair("", 3), std::pair("shift", 2)}) {
+    xdotool("key Home");
+    ASSERT_TRUE(wait_for([&] { return glm::length(last().eye) > 0; }));
+    const glm::dvec3 before = last().eye;
+    drag(at, at + glm::dvec2(60, 10), keys, button);
+    ASSERT_TRUE(is_turned(before)) << keys << " and button " << button;
+    EXPECT_EQ(last().selected, 0) << keys << " and button " << button;
+  }
+  xdotool("key Home key 3");
+  // The pointer has gone on before the window looks at the press: several times, since that is a race.
+  for (int i = 0; i < 6; ++i) {
+    xdotool("key Home key ctrl+shift+a");
+    ASSERT_TRUE(has_selected(0));
+    drag(low, high, "ctrl shift");
+    ASSERT_TRUE(shows([](const Frame& frame) { return frame.selected > 0; })) << "the box selected nothing, time " << i;
+    EXPECT_LT(last().selected, 96) << "what is behind is not";
+  }
+  drag(low, high, "ctrl shift alt");
+  ASSERT_TRUE(has_selected(96)) << "with Alt through the surface";
+  xdotool("key ctrl+shift+a");
+  ASSERT_TRUE(has_selected(0));
+  xdotool("key b");
+  drag(low, high);
+  ASSERT_TRUE(shows([](const Frame& frame) { return frame.selected > 0; })) << "B and a drag";
+  xdotool("key ctrl+shift+a");
+  ASSERT_TRUE(has_selected(0));
+  xdotool("key shift+b mousemove " + words_of(low) + " mousedown 1 mousemove " + words_of({high.x, low.y}) +
+          " mousemove " + words_of(high) + " mousemove " + words_of({low.x, high.y}) + " mouseup 1");
+  ASSERT_TRUE(shows([](const Frame& frame) { return frame.selected > 0; })) << "a lasso";
+  EXPECT_EQ(last().history, 0);
+  xdotool("key z");
+  xdotool("key w");
+  xdotool("key Escape");
+  EXPECT_TRUE(has_selected(0)) << "Esc at last selects nothing";
+}
+
+TEST_F(WindowHand, keys_delete_dissolve_weld_fill_and_hide_what_is_selected) {
+  open_copy("torus.off");
+  const auto faces = [&](long n) { return shows([n](const Frame& frame) { return frame.faces == n; }); };
+  const std::string face = words_of(on_face());
+  xdotool("key 3 mousemove " + face + " click 1");
+  ASSERT_TRUE(has_selected(1));
+  xdotool("key x");
+  ASSERT_TRUE(faces(95)) << "X deletes";
+  EXPECT_EQ(last().history, 1);
+  xdotool("key ctrl+z");
+  ASSERT_TRUE(faces(96));
+  EXPECT_TRUE(has_selected(1)) << "undo brings the selection back";
+  xdotool("key Delete");
+  ASSERT_TRUE(faces(95)) << "Delete deletes";
+  xdotool("key ctrl+z");
+  ASSERT_TRUE(faces(96));
+  ASSERT_TRUE(has_selected(1));
+  xdotool("key h");
+  ASSERT_TRUE(has_selected(0)) << "H hides it";
+  xdotool("key ctrl+h");
+  const OnEdge edge = on_edge(0.5);
+  xdotool("key 2 mousemove " + words_of(edge.pixel) + " click 1");
+  ASSERT_TRUE(has_selected(1));
+  xdotool("key shift+x");
+  ASSERT_TRUE(faces(95)) << "Shift+X dissolves the edge";
+  xdotool("key ctrl+z");
+  ASSERT_TRUE(faces(96));
+  // A vertex of a hole's two sides: the hole is made by deleting a face, and filled again.
+  xdotool("key 3 mousemove " + face + " click 1");
+  ASSERT_TRUE(has_selected(1));
+  xdotool("key ctrl+2");
+  ASSERT_TRUE(has_selected(3)) << "its edges";
+  xdotool("key ctrl+shift+a");
+  ASSERT_TRUE(has_selected(0)) << "the handles of the selection would be clicked";
+  xdotool("key 3 mousemove " + face + " click 1 key x");
+  ASSERT_TRUE(faces(95));
+  xdotool("key 2");
+  type("select boundary_loop");
+  ASSERT_TRUE(has_selected(3));
+  xdotool("mousemove 640 60 key f");
+  ASSERT_TRUE(faces(96)) << "F fills the hole";
+}
+
+TEST_F(WindowHand, loops_rings_what_is_linked_and_neighbours_are_selected_by_keys) {
+  file_ = folder_.at("grid.obj");
+  ASSERT_EQ(test::run_program({"grid", "-o", file_, "--columns", "6", "--rows", "4"}).exit_code, 0);
+  open(file_);
+  laid_ = std::make_unique<test::Laid>("cube.obj", Size{1280, 800});
+  ASSERT_TRUE(session().run("open " + file_).done());
+  laid_->gui.place_view(session(), {1280, 800});
+  session().frame_all();
+  const auto selected_here = [&](const std::string& line) {
+    EXPECT_TRUE(session().run(line).done());
+    return static_cast<long>(session().selection.size());
+  };
+  const OnEdge at = on_edge(0.5, 7);
+  const std::string select = "select " + name_of(session().mesh(), at.edge),
+                    click = "mousemove " + words_of(at.pixel) + " click 1";
+  for (const auto& [key, line] : {std::pair("l", "select loop"), std::pair("shift+l", "select ring"),
+                                  std::pair("k", "select linked"), std::pair("plus", "select grow")}) {
+    selected_here("mode edge");
+    selected_here(select);
+    xdotool("key ctrl+shift+a key 2 " + click);
+    ASSERT_TRUE(has_selected(1));
+    xdotool(std::string("key ") + key);
+    const long expected = selected_here(line);
+    EXPECT_GT(expected, 1) << line;
+    EXPECT_TRUE(has_selected(expected)) << line << " by the key " << key << ": " << last().selected << ", not "
+                                        << expected;
+  }
+  xdotool("key minus");
+  const long fewer = selected_here("select shrink");
+  EXPECT_TRUE(has_selected(fewer)) << last().selected << ", not " << fewer;
+  xdotool("keydown alt " + click + " keyup alt");
+  selected_here(select);
+  EXPECT_TRUE(has_selected(selected_here("select loop"))) << "Alt and a click";
+}
+
+TEST_F(WindowHand, an_operator_on_a_selection_is_one_entry_and_leaves_what_it_refused) {
+  open_copy("torus.off");
+  xdotool("mousemove 640 60 key 3 key a");
+  ASSERT_TRUE(has_selected(96));
+  type("poke selected");
+  ASSERT_TRUE(shows([](const Frame& frame) { return frame.faces == 3 * 96; }));
+  EXPECT_EQ(last().history, 1);
+  xdotool("mousemove 640 60 key ctrl+z");
+  ASSERT_TRUE(shows([](const Frame& frame) { return frame.faces == 96; }));
+  xdotool("key 2 key a");
+  ASSERT_TRUE(has_selected(144));
+  type("collapse selected");
+  ASSERT_TRUE(is_at(1));
+  ASSERT_TRUE(session().run("mode edge").done() && session().run("select all").done());
+  ASSERT_TRUE(session().run("collapse selected").done());
+  EXPECT_EQ(last().faces, session().mesh().live().faces) << "as the command does it";
+  EXPECT_EQ(last().selected, static_cast<long>(session().selection.size()));
+  EXPECT_GT(last().selected, 0) << "what was refused stays selected";
+}
+
+TEST_F(WindowHand, typed_numbers_move_turn_and_scale_exactly_and_escape_costs_nothing) {
+  open_copy("cube.obj");
+  const Mesh before = session().mesh();
+  xdotool("mousemove 640 400 key 3 key a");
+  ASSERT_TRUE(has_selected(6));
+  const auto each_is = [&](const Mesh& m, auto moved) {
+    for (std::uint32_t i = 0; i < before.vertex_slots(); ++i)
+      if (glm::distance(m.position(Vertex(i)), moved(before.position(Vertex(i)))) > 1e-9) return false;
+    return m.vertex_slots() == before.vertex_slots();
+  };
+  xdotool("key g mousemove 700 450 mousemove 760 500 key Escape");
+  xdotool("mousemove 640 400 key g key x type 0.5");
+  xdotool("key Return");
+  ASSERT_TRUE(is_at(1)) << "what was given up is no entry, what was ended is one";
+  EXPECT_TRUE(each_is(saved(), [](glm::dvec3 p) { return p + glm::dvec3(0.5, 0, 0); }));
+  xdotool("key ctrl+z");
+  ASSERT_TRUE(is_at(0));
+  xdotool("key shift+s type 2");
+  xdotool("key Return");
+  ASSERT_TRUE(is_at(1));
+  const glm::dvec3 middle = 0.125 * [&] {
+    glm::dvec3 sum(0);
+    for (const glm::dvec3& p : before.positions()) sum += p;
+    return sum;
+  }();
+  EXPECT_TRUE(each_is(saved(), [&](glm::dvec3 p) { return middle + 2.0 * (p - middle); }));
+  xdotool("key ctrl+z");
+  ASSERT_TRUE(is_at(0));
+  xdotool("key r key z type 90");
+  xdotool("key Return");
+  ASSERT_TRUE(is_at(1));
+  EXPECT_TRUE(each_is(saved(), [&](glm::dvec3 p) {
+    const glm::dvec3 d = p - middle;
+    return middle + glm::dvec3(-d.y, d.x, d.z);
+  }));
+  xdotool("key ctrl+z");
+  ASSERT_TRUE(is_at(0));
+  // By the pointer, ended by a click; the right button gives it up.
+  xdotool("mousemove 640 400 key g mousemove 700 400 click 3");
+  xdotool("mousemove 640 400 key g mousemove 660 400 mousemove 700 400 click 1");
+  ASSERT_TRUE(is_at(1)) << "a click ends it";
+  EXPECT_FALSE(each_is(saved(), [](glm::dvec3 p) { return p; }));
+}
+
+TEST_F(WindowHand, menus_open_by_f10_or_alt_alone_and_the_right_button_shows_what_fits) {
+  open_copy("cube.obj");
+  type("split 0-1");
+  ASSERT_TRUE(is_at(1));
+  xdotool("mousemove 640 60 key F10 key Right key Return");
+  ASSERT_TRUE(is_at(0)) << "the first entry of Edit is undo";
+  xdotool("key alt key Right key Return");
+  ASSERT_TRUE(is_at(1)) << "Alt alone opens them too; undo cannot be done, so that redo is the first";
+  xdotool("key F10 key Right key Escape");
+  xdotool("key ctrl+z");
+  ASSERT_TRUE(is_at(0)) << "the keys are the view's again";
+  xdotool("key 3 mousemove " + words_of(on_face()) + " click 3");
+  ASSERT_TRUE(has_selected(1)) << "what the menu is about";
+  EXPECT_EQ(last().history, 0);
+  xdotool("key --delay 150 Escape key g key z type 1");
+  xdotool("key Return");
+  EXPECT_TRUE(is_at(1)) << "the menu has gone";
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -314,8 +314,9 @@ TEST(distance, of_fans_asks_for_few_triangles) {
     return from_indexed(listed(std::move(positions), faces));
   };
   const auto looked_at = [&](std::uint32_t n) {
-    const MeasuredSurface flat(fan(n, 0)), cone(fan(n, 1));
-    const TriangleTree tree = cone.tree(1);
+    const Mesh cone = fan(n, 1);  // above the places
+    const MeasuredSurface surface(cone);
+    const TriangleTree tree = surface.tree(1);
     std::uint64_t count = 0;
     Dice dice(3);
     for (int i = 0; i < 400; ++i) {

@@ -20,7 +20,8 @@ struct Line {
   LineStyle style = LineStyle::solid;
   float width_px = 2;
   float hidden = faintly;
-  bool arrow = false;  // with an arrow head at b
+  bool arrow = false;      // with an arrow head at b
+  bool thins_out = false;  // a third as wide as it is long on the screen, down to a pixel: of many that lie dense
   friend bool operator==(const Line&, const Line&) = default;
 };
 

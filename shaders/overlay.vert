@@ -16,6 +16,7 @@ flat out vec4 places;    // of the two ends in rendered pixels
 flat out vec3 measures;  // half the width or the radius in rendered pixels, kind, style
 
 const int kind_ghost = 0, kind_line = 1, kind_arrow = 2, kind_point = 3;
+const int last_style = 3;  // of lines
 const vec4 nowhere = vec4(2.0, 2.0, 2.0, 1.0);
 
 vec3 view_place(vec3 place) { return (view_from_buffer * vec4(place, 1.0)).xyz; }
@@ -69,6 +70,11 @@ vec4 line(vec3 from, vec3 to, float width, int kind, int corner) {
   vec3 pa = on_screen(lifted(a, lift)), pb = on_screen(lifted(b, lift));
   vec2 along = pb.xy - pa.xy;
   float length_px = max(length(along), 1e-4);
+  if (measures.z > float(last_style)) {  // it thins out
+    measures.z -= float(last_style + 1);
+    measures.x = min(half_width, max(0.17 * length_px, 0.5 * pixel_scale));
+    reach -= half_width - measures.x;
+  }
   along = length_px > 1e-4 ? along / length_px : vec2(1.0, 0.0);
   vec2 across = vec2(-along.y, along.x);
   bool at_end = corner == 1 || corner == 2 || corner == 4;

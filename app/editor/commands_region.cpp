@@ -39,7 +39,7 @@ Outcome select_in(Session& session, const RegionCall& call, const ScreenRegion& 
                                       "メッシュの準備中です。少し待ってからやり直してください"});
   const Elements found =
       session.picker().pick_region(session.mesh(), session.camera, session.view, region, session.mode, depth);
-  put_into_selection(session.selection, found, call.how);
+  put_into_selection(session.selection.changed(), found, call.how);
   Outcome outcome;
   outcome.sentence = count_text(session.selection.size(), "one element is selected", "# elements are selected",
                                 "# 個を選択しています");

@@ -181,7 +181,7 @@ Outcome run_select(Session& session, Words arguments, std::string_view) {
   Elements found;
   if (Outcome outcome = find_named(session, "select", asked.names, found); !outcome.done()) return outcome;
   if (asked.problem) found = session.about(*asked.problem, found[0]);
-  put_into_selection(session.selection, found, asked.how);
+  put_into_selection(session.selection.changed(), found, asked.how);
   return {};
 }
 

@@ -79,9 +79,10 @@ const EdgeRuleRow* find_rule(std::string_view id) {
 }
 
 void select_under(Session& session, const EdgeAccount& account, EdgeRule rule) {
-  session.selection.clear();
+  Elements found;
   for (std::uint32_t i = 0; i < account.rules.size(); ++i)
-    if (account.rules[i] == static_cast<std::uint8_t>(rule)) session.selection.emplace_back(Edge(i));
+    if (account.rules[i] == static_cast<std::uint8_t>(rule)) found.emplace_back(Edge(i));
+  session.selection = std::move(found);
 }
 
 }  // namespace

@@ -83,6 +83,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   selections.clear();
   colouring.reset();
   measures.clear();
+  links.forget_trail();
   player.reset();
   levels.reset();
   cut.reset();
@@ -123,6 +124,7 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
   if (change == Document::Change::trial_ended) forget_gesture();
   const TouchedElements touched = touched_elements(m, journal, transaction);
   hidden_.follow(m, touched);
+  if (touched.everything) links.forget_trail();
   const bool is_trial = change == Document::Change::tried || change == Document::Change::trial_ended;
   const bool has_normals =
       !is_trial && change != Document::Change::undone && document_->history()[transaction].has_normals;
@@ -181,16 +183,16 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
     if (!is_kept) euler_.reset();
   }
   if (change == Document::Change::made)
-    selections.made(transaction, selection, m, touched.everything, journal.lengths_before(transaction));
-  if (change == Document::Change::undone) selections.undone(transaction, selection, m, touched.everything);
-  if (change == Document::Change::redone) selections.redone(transaction, selection, m, touched.everything);
+    selections.made(transaction, selection.changed(), m, touched.everything, journal.lengths_before(transaction));
+  if (change == Document::Change::undone) selections.undone(transaction, selection.changed(), m, touched.everything);
+  if (change == Document::Change::redone) selections.redone(transaction, selection.changed(), m, touched.everything);
   if (change == Document::Change::tried && touched.everything) {
     selection.clear();
     measures.clear();
   }
-  if (change == Document::Change::tried) drop_lost(selection, m, false);
+  if (change == Document::Change::tried) drop_lost(selection.changed(), m, false);
   if (change == Document::Change::trial_ended) bring_back();
-  drop_hidden(selection);
+  drop_hidden(selection.changed());
   if (is_verdict_held_)
     ask_held_verdict_again();
   else if (hover_)
@@ -293,7 +295,7 @@ Outcome Session::run(const std::string& line) {
     forget_derived();  // some of it may be half made
     if (document_->serial() == serial) {
       document_->take_back(position);
-      drop_lost(selection, mesh(), false);
+      drop_lost(selection.changed(), mesh(), false);
     }
     return failed(ExitCode::out_of_memory, out_of_memory().message.text);
   }

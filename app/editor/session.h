@@ -23,6 +23,7 @@
 #include "app/editor/recovery.h"
 #include "app/editor/repair_trials.h"
 #include "app/editor/run_files.h"
+#include "app/editor/selection.h"
 #include "app/editor/selection_memory.h"
 #include "app/editor/transform_gesture.h"
 #include "core/algo/measure/other_surface.h"
@@ -102,7 +103,7 @@ class Session {
   std::string asked_line;       // of an operator: each click adds an element to it (asking.h); empty for none
   std::set<std::string> shown;  // ids of the highlight table
   // Each entry of the history remembers what was selected around it, and brings it back.
-  std::vector<Element> selection;
+  Selection selection;
   SelectionMemory selections;
   std::optional<Colouring> colouring;
   DrawnLinks links;                     // as arrows in the view
@@ -204,6 +205,8 @@ class Session {
   Outcome begin_gesture(PointTransform::Kind kind);
   // Extrudes the selected faces and moves them: one command in the end, and nothing where it is given up.
   Outcome begin_pull();
+  // Splits an edge and moves its new vertex, in the same way: that under the tool in hand, else the one that is selected.
+  Outcome begin_split();
   const TransformGesture* gesture() const;  // null: none goes on
   void follow_gesture(glm::dvec2 pixel, Modifiers modifiers);
   std::optional<Outcome> gesture_key(const std::string& chord);  // none: there is no gesture
@@ -342,6 +345,7 @@ class Session {
   Outcome select_along(glm::dvec2 pixel, Modifiers modifiers);
   Outcome apply_at(const OpTarget& target, const std::string& id);
   void look_at(glm::dvec2 pixel, Modifiers modifiers);
+  const LinkArrow* arrow_at(glm::dvec2 pixel, const OpInfo* info, Modifiers modifiers);
   OpTarget target_of(const Picked& picked, Modifiers modifiers) const;
   void ask_held_verdict_again();
 
@@ -398,7 +402,7 @@ class Session {
   const HandleRow* pointed_handle_ = nullptr;
   const AxisEnd* pointed_axis_end_ = nullptr;
   struct Middle {
-    Elements of;
+    std::uint64_t selection = 0;  // by its stamp
     std::uint64_t document = 0, revision = 0;
     glm::dvec3 place{0};
   };

@@ -63,7 +63,7 @@ void Session::follow_hiding(const HiddenElements::Parts& changed) {
     }
   }
   if (highlights_) note_marks(looks_touched(m, changed));
-  drop_hidden(selection);
+  drop_hidden(selection.changed());
   if (!hover_) return;
   if (is_verdict_held_ && hidden_.hides(m, hover_->picked.element)) release_verdict();
   point_at(hover_->pixel, hover_->modifiers);

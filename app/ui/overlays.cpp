@@ -18,16 +18,18 @@ namespace {
 // Adds elements to an overlay in one style.
 class Painter {
  public:
-  Painter(const Session& session, Overlay& overlay, const Style& style, float hidden = faintly, double room = 0)
+  Painter(const Session& session, Overlay& overlay, const Style& style, float hidden = faintly, double room = 0,
+          bool thins_out = false)
       : m_(session.mesh()),
         places_(session.drawn_positions()),
         overlay_(overlay),
         style_(style),
         hidden_(hidden),
-        room_(room) {}
+        room_(room),
+        thins_out_(thins_out) {}
 
   void line(const glm::dvec3& a, const glm::dvec3& b, bool arrow = false) {
-    overlay_.lines.push_back({a, b, style_.colour, style_.line, style_.width_px, hidden_, arrow});
+    overlay_.lines.push_back({a, b, style_.colour, style_.line, style_.width_px, hidden_, arrow, thins_out_});
   }
   void point(const glm::dvec3& at) {
     overlay_.points.push_back({at, style_.colour, style_.point, style_.radius_px, hidden_, room_});
@@ -68,6 +70,7 @@ class Painter {
   Style style_;
   float hidden_;
   double room_;
+  bool thins_out_;
 };
 
 // The ghost of what an operator would do, whole in front of the old surface: what stays thin, what goes thinly dashed, what
@@ -202,10 +205,13 @@ static void draw_last(const Session& session, Theme theme, Overlay& overlay) {
 
 Overlay selection_overlay(const Session& session, Theme theme) {
   Overlay overlay;
-  Painter painter(session, overlay, style(Role::selected, theme));
-  constexpr std::ptrdiff_t most_outlines = 60;  // the surface fills them
+  // Of very many those behind are hidden by those before, and dense ones need not be wide to be seen.
+  constexpr std::size_t many = 1000, very_many = 20000;
+  const std::size_t n = session.selection.size();
+  Painter painter(session, overlay, style(Role::selected, theme), n > very_many ? 0 : faintly, 0, n > many);
+  constexpr std::size_t most_outlines = 60;  // the surface fills them
   const auto is_face = [](const Element& e) { return e.kind == Element::Kind::face; };
-  const bool has_outlines = std::count_if(session.selection.begin(), session.selection.end(), is_face) <= most_outlines;
+  const bool has_outlines = session.selection.count(Element::Kind::face) <= most_outlines;
   const bool has_arrow = session.links.is_on(session);  // of the selected halfedge, in its face
   const auto is_drawn = [&](const Element& e) {
     return (has_outlines || !is_face(e)) &&

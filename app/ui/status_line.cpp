@@ -31,7 +31,7 @@ std::vector<Hint> hints_of_gesture(const PanelContext& context, const TransformG
 }
 
 // "2 vertices, 1 face"
-Text counted(const Elements& selection) {
+Text counted(const Selection& selection) {
   Text told;
   constexpr struct {
     Element::Kind kind;
@@ -41,10 +41,10 @@ Text counted(const Elements& selection) {
                {Element::Kind::halfedge, "1 halfedge", "# halfedges", "半稜線 #"},
                {Element::Kind::face, "1 face", "# faces", "面 #"}};
   for (const auto& [kind, one_en, many_en, many_ja] : words) {
-    const auto n = std::count_if(selection.begin(), selection.end(), [&](const Element& e) { return e.kind == kind; });
+    const std::size_t n = selection.count(kind);
     if (n == 0) continue;
     if (!told.en.empty()) told = told + Text{", ", "、"};
-    told = told + count_text(static_cast<std::size_t>(n), one_en, many_en, many_ja);
+    told = told + count_text(n, one_en, many_en, many_ja);
   }
   return told;
 }

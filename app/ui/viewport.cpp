@@ -221,7 +221,7 @@ void Viewport::follow_mesh(Session& session) {
   const Mesh& mesh = session.mesh();
   session.picker();  // from now on the session says which triangles change
   Session::DrawnChanges changes = session.take_drawn_changes();
-  const bool other_selection = selection_ != session.selection;
+  const bool other_selection = selection_ != session.selection.stamp();
   if (other_selection) follow_selected_faces(session, changes);
   const FaceTints tints(session, selected_faces_);
   const bool anew = mesh_of_ != &session.document() || changes.everything ||
@@ -331,7 +331,7 @@ void Viewport::follow_highlights(Session& session) {
 
 void Viewport::follow_overlays(Session& session) {
   selection_stale_ |=
-      highlights_stale_ || selection_ != session.selection || draws_links_ != session.links.is_on(session);
+      highlights_stale_ || selection_ != session.selection.stamp() || draws_links_ != session.links.is_on(session);
   draws_links_ = session.links.is_on(session);
   if (!session.preparing()) follow_highlights(session);
   normal_lines_.follow(session, *view_);
@@ -350,7 +350,7 @@ void Viewport::follow_overlays(Session& session) {
     view_->set_overlay(Layer::account, account_overlay(session, settings_.theme));
   account_ = drawn;
   selection_stale_ = false;
-  selection_ = session.selection;
+  selection_ = session.selection.stamp();
   view_->set_overlay(Layer::links, links_overlay(session, settings_.theme));
   view_->set_overlay(Layer::hover, hover_overlay(session, settings_.theme));
   view_->set_overlay(Layer::handles, gizmo_overlay(session, settings_.theme));

@@ -93,7 +93,7 @@ class Viewport {
   bool highlights_stale_ = true;                    // all of them
   bool selection_stale_ = true;
   bool draws_links_ = false;
-  std::vector<Element> selection_;
+  std::uint64_t selection_ = 0;                        // by its stamp
   std::vector<Elements> measures_;                     // as they were drawn
   IndexSet selected_faces_;                            // as they were drawn
   std::pair<std::uint64_t, std::uint64_t> account_{};  // the document and the revision of that which was drawn

@@ -24,6 +24,11 @@ constexpr std::size_t group_size = 128;
 float packed(Kind kind, int style) { return static_cast<float>(kind + 4 * style); }
 Kind kind_of(const OverlayElement& element) { return static_cast<Kind>(static_cast<int>(element.texels[2].w) & 3); }
 
+bool thins_out(const OverlayElement& element) {
+  const int style = static_cast<int>(element.texels[2].w) / 4;
+  return kind_of(element) != point_kind && style >= static_cast<int>(enum_count<LineStyle>);
+}
+
 bool has_finite_places(const OverlayElement& element) {
   for (int i = 0; i < 3; ++i)
     if (!is_finite(glm::vec3(element.texels[i]))) return false;
@@ -66,7 +71,8 @@ OverlayBuffer::Elements OverlayBuffer::converted(const Overlay& overlay, const B
   }
   for (const Line& l : overlay.lines) {
     const glm::vec3 a = space.from_mesh(l.a);
-    const float kind = packed(l.arrow ? arrow_kind : line_kind, static_cast<int>(l.style));
+    const int style = static_cast<int>(l.style) + (l.thins_out ? static_cast<int>(enum_count<LineStyle>) : 0);
+    const float kind = packed(l.arrow ? arrow_kind : line_kind, style);
     add(1, {{{a, l.width_px}, {space.from_mesh(l.b), l.hidden}, {a, kind}, unit(l.colour)}});
   }
   for (const Point& p : overlay.points) {
@@ -134,6 +140,7 @@ void OverlayBuffer::write(Group& group, std::span<const OverlayElement> fresh, s
   gpu_.write(group.first + from, fresh.subspan(from));
   group.count = static_cast<std::uint32_t>(fresh.size());
   group.bounds = {};
+  group.thins_out = std::all_of(fresh.begin(), fresh.end(), thins_out);
   group.shows_hidden = group.is_placed = group.has_placed_elements = false;
   for (const OverlayElement& element : fresh) {
     group.bounds.box.add(element.box());
@@ -220,13 +227,21 @@ OverlayPass::Selection OverlayPass::select(const Frame& frame, const OverlayBuff
   const PixelRect rect{frame.rect.x0 / scale, frame.rect.y0 / scale, (frame.rect.x1 + scale - 1) / scale,
                        (frame.rect.y1 + scale - 1) / scale};
   Selection selection;
+  std::uint32_t thinning = 1;
+  if (frame.thinning > 1) {
+    constexpr std::size_t most_moving = 30000;
+    std::size_t many = 0;
+    overlay.for_each_group([&](const OverlayBuffer::Group& group) { many += group.thins_out ? group.count : 0; });
+    thinning = static_cast<std::uint32_t>(many / most_moving) + 1;
+  }
   const auto add = [&](std::uint32_t first, std::uint32_t count, bool shows_hidden) {
     selection.all.add(6 * first, 6 * count);
     if (shows_hidden) selection.behind.add(6 * first, 6 * count);
   };
   overlay.for_each_group([&](const OverlayBuffer::Group& group) {
     if (!overlap(overlay.place(group, frame.clip_from_buffer, size), rect)) return;
-    if (!partial) return add(group.first, group.count, group.shows_hidden);
+    const std::uint32_t step = group.thins_out ? thinning : 1;
+    if (!partial) return add(group.first, (group.count + step - 1) / step, group.shows_hidden);
     // Elements of a group may be far apart, so test each one against a partial rectangle.
     for (std::uint32_t i = group.first; i < group.first + group.count; ++i)
       if (overlap(overlay.place(group, i, frame.clip_from_buffer, size), rect)) add(i, 1, group.shows_hidden);

@@ -55,6 +55,7 @@ class OverlayBuffer {
     std::uint32_t count = 0;
     std::uint32_t room = 0;
     TouchedBox bounds;
+    bool thins_out = false;     // all are lines that do
     bool shows_hidden = false;  // some element is visible where the surface occludes it
     mutable bool is_placed = false, has_placed_elements = false;
     mutable PixelRect place;
@@ -99,7 +100,7 @@ class OverlayPass {
   static Result<OverlayPass> make();
 
   // Draws what can touch the frame's rectangle: first the occluded parts, faintly, then the visible ones. What belongs to
-  // the mesh is cut as that is.
+  // the mesh is cut as that is. Where the surface is thinned, so are lines that thin out.
   enum class Of { mesh, view };
   void draw(const Frame& frame, const OverlayBuffer& overlay, Of of = Of::mesh) const;
 

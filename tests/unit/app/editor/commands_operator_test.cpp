@@ -147,7 +147,7 @@ TEST(on_selection, the_log_does_the_same_again) {
       Dice dice(seed + 100);
       session->selection = some_elements(session->mesh(), dice);
       if (op.on_selection != OnSelection::each)
-        session->selection.resize(std::min<std::size_t>(session->selection.size(), 3));
+        session->selection.changed().resize(std::min<std::size_t>(session->selection.size(), 3));
       session->run(std::string(op.id) + " selected");
       for (const std::string& line : session->log()) ASSERT_TRUE(again->run(line).done()) << line;
       ASSERT_EQ(session->mesh().hash(), again->mesh().hash()) << op.id << ", seed " << seed;

@@ -130,7 +130,7 @@ TEST(fly, costs_no_square_of_the_valence) {
   auto document = Document::open(folder.write("fan.off", text));
   ASSERT_TRUE(document);
   Session session(std::move(document).value());
-  for (std::uint32_t f = 0; f < 20000; ++f) session.selection.emplace_back(Face(f));
+  for (std::uint32_t f = 0; f < 20000; ++f) session.selection.changed().emplace_back(Face(f));
   fly_to(session, session.selection);  // else 40 GB
 }
 

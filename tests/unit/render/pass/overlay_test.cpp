@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <random>
 
@@ -22,7 +23,10 @@ class Parts {
   Overlay some(std::uint32_t most) {
     Overlay overlay;
     const auto colour = [&] { return rgb(below(0x1000000), 120); };
-    for (std::uint32_t i = below(most); i > 0; --i) overlay.lines.push_back({place(), place(), colour()});
+    for (std::uint32_t i = below(most); i > 0; --i) {
+      overlay.lines.push_back({place(), place(), colour()});
+      overlay.lines.back().thins_out = below(2) == 0;
+    }
     for (std::uint32_t i = below(most); i > 0; --i) overlay.points.push_back({place(), colour()});
     for (std::uint32_t i = below(most / 4); i > 0; --i)
       overlay.ghosts.push_back({{place(), place(), place()}, colour()});
@@ -94,6 +98,46 @@ TEST(overlay_parts, only_what_changed_is_drawn_again) {
   const PixelRect rect = view->draw();
   EXPECT_FALSE(rect.empty());
   EXPECT_LT(rect.x1, 160);
+}
+
+int coloured(View& view, double length, bool thins_out, LineStyle style = LineStyle::solid) {
+  Overlay overlay;
+  overlay.lines.push_back({{-0.5 * length, 0, 0}, {0.5 * length, 0, 0}, rgb(0xFF00FF), style, 6});
+  overlay.lines[0].thins_out = thins_out;
+  view.set_overlay(Layer::highlights, overlay);
+  view.draw();
+  const Image picture = view.read_pixels();
+  return static_cast<int>(std::count_if(picture.pixels.begin(), picture.pixels.end(),
+                                        [](const Rgba& p) { return p[0] > 180 && p[1] < 90 && p[2] > 180; }));
+}
+
+TEST(overlay, lines_thin_out_where_they_are_short) {
+  const auto view = front_view(square_scene(1), view_size, 2.4);
+  EXPECT_EQ(coloured(*view, 1, true), coloured(*view, 1, false)) << "a long line is as wide as ever";
+  EXPECT_EQ(coloured(*view, 1, true, LineStyle::dotted), coloured(*view, 1, false, LineStyle::dotted))
+      << "and as styled";
+  const int thin = coloured(*view, 0.08, true);
+  EXPECT_GT(thin, 5);
+  EXPECT_LT(2 * thin, coloured(*view, 0.08, false)) << "one of 8 pixels is not";
+}
+
+TEST(overlay, of_many_lines_that_thin_out_a_part_is_drawn_while_the_surface_is_thinned) {
+  const auto view = front_view(square_scene(1), view_size, 2.4);
+  Overlay overlay;
+  for (int i = 0; i < 100000; ++i) {
+    const double y = i * 1e-5 - 0.5;
+    overlay.lines.push_back({{-0.5, y, 0}, {-0.49, y, 0}, rgb(0xFF00FF, 8)});
+    overlay.lines.back().thins_out = true;
+  }
+  view->set_overlay(Layer::highlights, overlay);
+  view->draw();
+  const Image whole = view->read_pixels();
+  view->set_thinning(2);
+  view->draw();
+  EXPECT_NE(view->read_pixels(), whole);
+  view->set_thinning(1);
+  view->draw();
+  EXPECT_EQ(view->read_pixels(), whole) << "at rest all are there";
 }
 
 }  // namespace

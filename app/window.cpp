@@ -177,6 +177,9 @@ class Editor {
         if (!next && (session_.preparing() || session_.trials().share() || gui_.waits_for_work()))
           next = std::chrono::milliseconds(100);
       }
+      if (!next)
+        if (const auto seconds = gui_.seconds_to_step())
+          next = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*seconds));
       if (keep_user_files()) continue;
       // The text cursor blinks; otherwise wait for events.
       if (next && *next == Clock::duration(0))

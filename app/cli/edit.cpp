@@ -85,7 +85,7 @@ class EditRun {
 
   void take(Step& step) {
     // Warnings name elements as before the operator.
-    if (find_op(split_words(step.line.text)[0])) session_.end_trial();
+    if (const auto call = call_of(step.line.text); call && !call->row.keeps_trial) session_.end_trial();
     const Parsed<AnyOp> parsed =
         find_op(split_words(step.line.text)[0]) ? parse_line(session_.mesh(), step.line.text) : Parsed<AnyOp>();
     if (parsed.op && console_.json)

@@ -41,7 +41,7 @@ std::string help_of(const Subcommand& command, const Console& console) {
 
 std::string help_of_program(const Console& console) {
   std::string text(console.text("Ryosen: a halfedge mesh editor that explains itself\n\n",
-                                "Ryosen（稜線）：理由を説明するハーフエッジ・メッシュエディタ\n\n"));
+                                "Ryosen（稜線）：理由を説明する半稜線メッシュエディタ\n\n"));
   Columns columns, algorithms;
   for (const Subcommand& command : subcommands())
     (command.is_algorithm ? algorithms : columns).add(usage_of(command), console.text(command.en, command.ja));

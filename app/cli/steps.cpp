@@ -7,6 +7,7 @@
 #include "app/cli/contract/steps.h"
 #include "app/cli/outputs.h"
 #include "app/cli/subcommands.h"
+#include "app/editor/fly.h"
 #include "app/editor/playing.h"
 #include "app/ui/headless.h"
 #include "core/mesh/names.h"
@@ -152,6 +153,8 @@ std::optional<Failure> draw_step(std::unique_ptr<Document> document, const std::
   const Outcome begun = begin_playing(session, words);
   if (!begun.done()) return make_failure(begun.exit_code, code_of(begun), begun.sentence);
   session.player->go_to(session.document(), at);
+  if (const steps::Step* const step = session.player->step(); step && !step->marks.empty())
+    if (const Element about = step->marks[0].element; is_alive(session.mesh(), about)) keep_in_sight(session, about);
   const Status written = write_png((*headless)->picture(session), path);
   return written ? std::nullopt : std::optional(written.failure());
 }

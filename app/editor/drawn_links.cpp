@@ -11,6 +11,7 @@
 #include "core/mesh/find_element.h"
 #include "core/mesh/middle.h"
 #include "core/pick/screen_segment.h"
+#include "core/view/clip_plane.h"
 
 namespace ryosen {
 
@@ -231,7 +232,7 @@ std::vector<Halfedge> halfedges_in_view(const Session& session) {
     const glm::dvec2 middle = 0.5 * (a->pixel + b->pixel);
     if (!(middle.x >= 0 && middle.y >= 0 && middle.x < session.view.width && middle.y < session.view.height)) continue;
     const double length = glm::length(a->pixel - b->pixel);
-    if (length >= DrawnLinks::least_px) edges.emplace_back(-length, i);
+    if (length >= DrawnLinks::least_px * session.size_scale()) edges.emplace_back(-length, i);
   }
   constexpr std::size_t most_edges = DrawnLinks::most / 2;
   if (edges.size() > most_edges) {
@@ -269,27 +270,31 @@ const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
     return arrows_;
   }
   const Document& document = session.document();
-  Key key{document.serial(), document.revision(),      trail_, shown, session.camera,
-          session.view,      session.selection.stamp()};
-  const bool hides = !session.hidden().empty();  // what, may change without a trace here
-  if (key_ && *key_ == key && !hides) return arrows_;
-  if (hides)
-    key_.reset();
-  else
-    key_ = std::move(key);
+  const Selection& selection = session.selection;
+  const Key key{.serial = document.serial(),
+                .revision = document.revision(),
+                .hidden = session.hidden().revision(),
+                .trail = trail_revision_,
+                .shown = shown,
+                .camera = session.camera,
+                .view = session.view,
+                .scale = session.size_scale(),
+                .selection = selection.stamp()};
+  if (key_ && *key_ == key) return arrows_;
+  key_ = key;
   arrows_.clear();
   ArrowMaker make(session);
   const auto lives = [&](const Element& e) {
     return is_alive(session.mesh(), e) && !session.hidden().hides(session.mesh(), e);
   };
-  if (!session.selection.empty() && lives(session.selection[0]))
-    LinksOf(session, make, arrows_).add(session.selection[0]);
-  const bool goes_on = !trail_.empty() && session.selection == std::vector<Element>{trail_.back()};
+  if (!selection.empty() && lives(selection[0])) LinksOf(session, make, arrows_).add(selection[0]);
+  const bool goes_on = !trail_.empty() && selection.size() == 1 && selection[0] == Element(trail_.back());
   std::vector<Halfedge> drawn;
   for (const LinkArrow& arrow : arrows_) drawn.push_back(arrow.halfedge);
   const auto add = [&](Halfedge h, LinkRole role) {
+    if (!lives(h)) return;
     const Face f = session.mesh().face(h);
-    if (!lives(h) || (f && session.hidden().hides(session.mesh(), f))) return;
+    if (f && session.hidden().hides(session.mesh(), f)) return;
     if (std::find(drawn.begin(), drawn.end(), h) != drawn.end()) return;
     if (auto arrow = make.of(h, role)) arrows_.push_back(std::move(*arrow));
   };
@@ -303,30 +308,40 @@ const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
   return arrows_;
 }
 
-Halfedge DrawnLinks::at(Session& session, glm::dvec2 pixel) {
+const LinkArrow* DrawnLinks::at(Session& session, glm::dvec2 pixel) {
   constexpr double within_px = 4;
   const ScreenProjection screen(session.camera, session.view);
   const bool hides = session.settings.xray == Xray::off;
-  Halfedge nearest;
-  double least = within_px;
+  const std::optional<ClipPlane> clip = session.clip_plane();
+  const LinkArrow* nearest = nullptr;
+  double least = within_px * session.size_scale();
   for (const LinkArrow& arrow : of(session)) {
-    if (!arrow.halfedge) continue;
-    const auto near = screen.nearest_on_segment(arrow.from, arrow.to, pixel);
+    const auto part = kept(arrow.from, arrow.to, clip);
+    if (!arrow.halfedge || !part) continue;
+    const glm::dvec3 way = arrow.to - arrow.from, from = arrow.from + part->first * way,
+                     to = arrow.from + part->last * way;
+    const auto near = screen.nearest_on_segment(from, to, pixel);
     if (!near || near->distance_px >= least) continue;
-    const glm::dvec3 place = arrow.from + near->along * (arrow.to - arrow.from);
+    const glm::dvec3 place = from + near->along * (to - from);
     const auto at = screen.project(place);
     if (!at || (hides && !session.picker().is_seen(session.mesh(), session.camera, session.view, *at, place, arrow.on)))
       continue;
     least = near->distance_px;
-    nearest = arrow.halfedge;
+    nearest = &arrow;
   }
   return nearest;
+}
+
+void DrawnLinks::forget_trail() {
+  trail_.clear();
+  ++trail_revision_;
 }
 
 void DrawnLinks::walked(Halfedge from, Halfedge to) {
   constexpr std::size_t most_steps = 500;
   if (trail_.empty() || trail_.back() != from || trail_.size() >= most_steps) trail_ = {from};
   trail_.push_back(to);
+  ++trail_revision_;
 }
 
 }  // namespace ryosen

@@ -50,26 +50,31 @@ class DrawnLinks {
   bool is_on(const Session& session) const;
   // As the session is now; kept until it changes. Cost: with `all` the edges, else those around the selection.
   const std::vector<LinkArrow>& of(const Session& session);
-  // The halfedge whose arrow is drawn within a few pixels of a pixel of the view, and is not hidden by the surface there.
-  Halfedge at(Session& session, glm::dvec2 pixel);
+  // The arrow of a halfedge that is drawn within a few pixels of a pixel of the view: neither cut off nor hidden by the
+  // surface there. Null where there is none; valid until of() is asked again.
+  const LinkArrow* at(Session& session, glm::dvec2 pixel);
 
   // A step from one halfedge to the next: the trail goes on where the last one ended, else it begins anew.
   void walked(Halfedge from, Halfedge to);
   const std::vector<Halfedge>& trail() const { return trail_; }
+  // Of another mesh it means nothing.
+  void forget_trail();
 
  private:
+  // All that they depend on.
   struct Key {
-    std::uint64_t serial = 0, revision = 0;
-    std::vector<Halfedge> trail;
+    std::uint64_t serial = 0, revision = 0, hidden = 0, trail = 0;
     LinksShown shown = LinksShown::off;
     Camera camera;
     Size view;
+    double scale = 1;
     std::uint64_t selection = 0;  // by its stamp
     friend bool operator==(const Key&, const Key&) = default;
   };
   std::optional<Key> key_;
   std::vector<LinkArrow> arrows_;
   std::vector<Halfedge> trail_;
+  std::uint64_t trail_revision_ = 0;
 };
 
 }  // namespace ryosen

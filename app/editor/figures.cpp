@@ -36,13 +36,14 @@ constexpr Figure figure_rows[] = {
      "From listing 4: the halfedges (1) to (3) and (4) to (6) are the first two faces, (7) to (10) lie around them; "
      "each "
      "end has six neighbours.",
-     "プログラムコード 4 から。ハーフエッジ (1)〜(3) と (4)〜(6) が最初の二面、(7)〜(10) がその外側。両端の次数は 6。"},
+     "プログラムコード 4 から。半稜線 (1)〜(3) と (4)〜(6) が最初の二面、(7)〜(10) がその外側。両端の次数は 6。"},
     {"000-13", "Figure 13: the edge 0-1 is swapped", "図13：稜線交換（0-1）", "As figure 12.", "図12 と同じ。"},
     {"000-14", "Figure 14: the edge 0-1 may not collapse", "図14：稜線削除で問題が生じる稜線（0-1）",
      "The rule below it: three vertices are neighbours of both ends. The third, v2, lies outside the triangle that "
      "holds "
      "v3, so that two triangles would hang on one edge.",
-     "図の下の規則から。両端に共通する隣接頂点が三つあり、三つ目は v2。削除すると三角形が稜線にぶら下がる。"},
+     "図の下の規則から。両端に共通する隣接頂点が三つあり、三つ目の v2 は v3 "
+     "のある三角形の外側。削除すると二つの三角形が一つの稜線にぶら下がる。"},
     {"000-15", "Figure 15: the edge 0-1 may not be swapped", "図15：稜線交換で問題が生じる稜線（0-1）",
      "The rule above it: the new ends, v2 and v3, are joined by an edge already.",
      "図の上の規則から。交換後の両端 v2 と v3 がすでに稜線で結ばれている。"},

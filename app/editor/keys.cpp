@@ -38,6 +38,8 @@ const KeyRow first_keys[] = {
     {"F", "either make_face selected | fill selected", "make a face on the vertices, or fill holes at the edges",
      "選択した頂点に面を張る、または稜線の穴を埋める"},
     {"E", "gesture extrude", "extrude the selected faces and move them", "選択した面を押し出して動かす"},
+    {"Shift+E", "gesture split", "split the edge under the tool, or the selected one, and move the vertex",
+     "ツールの下または選択した稜線を分け、その頂点を動かす"},
     {"G", "gesture move", "move the selection: then X Y Z N, digits, O, Ctrl, Enter or a click, Escape",
      "選択を移動（X Y Z N、数字、O、Ctrl。Enter かクリックで確定、Escape で中止）"},
     {"R", "gesture turn", "turn the selection", "選択を回転"},

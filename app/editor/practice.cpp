@@ -54,13 +54,29 @@ std::string full_name(const Mesh& mesh, Element e) {
   return name == slot ? slot : slot + " (" + name + ")";
 }
 
-Question ask_for_record(const Mesh& mesh, Draws& draws) {
+// The records of a form: given, or built.
+class RecordsOfForm {
+ public:
+  RecordsOfForm(const Mesh& mesh, const forms::FormRow& row, AllRecords given) {
+    for (const forms::Records& records : given)
+      if (&records.row() == &row) found_ = &records;
+    if (!found_) found_ = &built_.emplace(mesh, row);
+  }
+  const forms::Records& operator*() const { return *found_; }
+  const forms::Records* operator->() const { return found_; }
+
+ private:
+  std::optional<forms::Records> built_;
+  const forms::Records* found_ = nullptr;
+};
+
+Question ask_for_record(const Mesh& mesh, Draws& draws, AllRecords given) {
   const std::span<const forms::FormRow> rows = forms::all_forms();
   const auto has_links = [](const forms::Field& field) { return !field.is_list && field.links.size() == 1; };
   for (;;) {
     const forms::FormRow& row = rows[draws.below(rows.size())];
-    if (why_unsuitable(mesh, row)) continue;
-    const forms::Records records(mesh, row);
+    const RecordsOfForm records(mesh, row, given);
+    if (!records->form()) continue;
     for (int tries = 0; tries < 20; ++tries) {
       Element e;
       switch (draws.below(4)) {
@@ -76,7 +92,7 @@ Question ask_for_record(const Mesh& mesh, Draws& draws) {
         default:
           e = draw_one<Halfedge>(mesh, mesh.halfedge_slots(), draws);
       }
-      const forms::ElementRecord record = records.of(e);
+      const forms::ElementRecord record = records->of(e);
       std::vector<const forms::Field*> fields;
       for (const forms::Field& field : record.fields)
         if (has_links(field)) fields.push_back(&field);
@@ -143,9 +159,9 @@ Solution solve_link(const Mesh& mesh, Halfedge h, Halfedge answer, Text why) {
   return {{slot_name(answer)}, Element(answer), std::move(why), {h, answer, mesh.from(answer)}};
 }
 
-Solution solve_record(const Mesh& mesh, const Question& question) {
+Solution solve_record(const Mesh& mesh, const Question& question, AllRecords given) {
   const forms::FormRow& row = *forms::find_form(question.form);
-  const forms::ElementRecord record = forms::Records(mesh, row).of(question.about);
+  const forms::ElementRecord record = RecordsOfForm(mesh, row, given)->of(question.about);
   const auto field = std::find_if(record.fields.begin(), record.fields.end(),
                                   [&](const forms::Field& f) { return f.key == question.field; });
   const Element link = field->links[0];
@@ -226,9 +242,9 @@ const QuestionKindRow* find_question_kind(std::string_view id) {
 // Drawn apart from the question itself and from the figure.
 QuestionKind kind_of_seed(std::uint64_t seed) { return kind_rows[Draws(~seed).below(std::size(kind_rows))].kind; }
 
-Question make_question(const Mesh& mesh, QuestionKind kind, std::uint64_t seed) {
+Question make_question(const Mesh& mesh, QuestionKind kind, std::uint64_t seed, AllRecords records) {
   Draws draws(seed);
-  if (kind == QuestionKind::record) return ask_for_record(mesh, draws);
+  if (kind == QuestionKind::record) return ask_for_record(mesh, draws, records);
   if (kind == QuestionKind::legal) return ask_for_verdict(mesh, draws);
   if (kind == QuestionKind::valence) {
     const Vertex v = draw_one<Vertex>(mesh, mesh.vertex_slots(), draws);
@@ -241,7 +257,7 @@ Question make_question(const Mesh& mesh, QuestionKind kind, std::uint64_t seed) 
   return {kind, h, {"Which halfedge is the twin of " + name + "?", name + " の対の半稜線はどれですか。"}, {}, {}, {}};
 }
 
-Solution solve(const Mesh& mesh, const Question& question) {
+Solution solve(const Mesh& mesh, const Question& question, AllRecords records) {
   const Halfedge h = question.about.halfedge();
   switch (question.kind) {
     case QuestionKind::next: {
@@ -260,7 +276,7 @@ Solution solve(const Mesh& mesh, const Question& question) {
                          "親稜線 " + name + " のもう一方で、逆向きの " + to + " です。"});
     }
     case QuestionKind::record:
-      return solve_record(mesh, question);
+      return solve_record(mesh, question, records);
     case QuestionKind::legal:
       return solve_verdict(mesh, question);
     case QuestionKind::valence:

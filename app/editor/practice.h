@@ -10,6 +10,7 @@
 
 #include "core/base/element.h"
 #include "core/base/message.h"
+#include "core/forms/records.h"
 #include "core/mesh/mesh.h"
 
 namespace ryosen {
@@ -41,10 +42,11 @@ struct Solution {
   std::vector<Element> witnesses;
 };
 
-// The same seed asks the same of the same mesh. The mesh must have an edge, and for a record a face. Cost: for a record that
-// of building one form, else O(slots).
-Question make_question(const Mesh& mesh, QuestionKind kind, std::uint64_t seed);
-Solution solve(const Mesh& mesh, const Question& question);
+// The same seed asks the same of the same mesh. The mesh must have an edge, and for a record a face. Where the records of
+// all forms of the mesh are not given, a question about one builds forms. Else the cost is that of what is at one element.
+using AllRecords = std::span<const forms::Records>;
+Question make_question(const Mesh& mesh, QuestionKind kind, std::uint64_t seed, AllRecords records = {});
+Solution solve(const Mesh& mesh, const Question& question, AllRecords records = {});
 // Answers to choose from, right and wrong ones: yes and the rules that may forbid the operator, or numbers. Empty where an
 // element is asked for.
 struct AnswerChoice {

@@ -1,39 +1,78 @@
 #include "app/editor/record_book.h"
 
 #include <system_error>
+#include <utility>
 
 #include "core/forms/all.h"
 
 namespace ryosen {
 
-void RecordBook::begin(const Document& document) {
-  wait();
-  is_begun_ = true;
-  is_done_ = false;
-  thrown_ = nullptr;
+RecordBook::~RecordBook() {
+  if (built_) built_->is_cancelled = true;
+  if (thread_.joinable()) thread_.join();
+}
+
+void RecordBook::ask(const Document& document) {
   serial_ = document.serial();
   revision_ = document.revision();
-  auto mesh = std::make_shared<const Mesh>(document.mesh());
+  is_asked_ = true;
+  if (!built_) return begin(document);
+  if (built_->is_of(serial_, revision_) && !built_->is_cancelled) return;
+  built_->is_cancelled = true;
+  if (built_->is_done) begin(document);
+}
+
+template <class Work>
+void RecordBook::go_on_with(Work work) {
+  if (thread_.joinable()) thread_.join();
+  const auto shared = std::make_shared<Work>(std::move(work));
   try {
-    thread_ = std::thread([this, mesh] { build(*mesh); });
+    thread_ = std::thread([shared] { (*shared)(); });
   } catch (const std::system_error&) {
-    build(*mesh);
+    (*shared)();
   }
 }
 
-void RecordBook::build(const Mesh& mesh) {
+void RecordBook::begin(const Document& document) {
+  std::shared_ptr<Build> old = std::exchange(built_, std::make_shared<Build>());
+  built_->serial = document.serial();
+  built_->revision = document.revision();
+  auto mesh = std::make_shared<const Mesh>(document.mesh());
+  go_on_with([old = std::move(old), work = built_, mesh]() mutable {
+    old.reset();
+    build(*work, *mesh);
+  });
+}
+
+void RecordBook::build(Build& build, const Mesh& mesh) {
   try {
-    records_.clear();
-    for (const forms::FormRow& row : forms::all_forms()) records_.emplace_back(mesh, row);
+    for (const forms::FormRow& row : forms::all_forms()) {
+      if (build.is_cancelled) break;
+      build.records.emplace_back(mesh, row);
+    }
   } catch (...) {
-    thrown_ = std::current_exception();
+    build.thrown = std::current_exception();
   }
-  is_done_ = true;
+  build.is_done = true;
+}
+
+void RecordBook::wait_for(const Document& document) {
+  for (ask(document); !is_ready(); ask(document))
+    if (thread_.joinable()) thread_.join();
 }
 
 std::span<const forms::Records> RecordBook::records() const {
-  if (thrown_) std::rethrow_exception(thrown_);
-  return records_;
+  if (built_->thrown) std::rethrow_exception(built_->thrown);
+  return built_->records;
+}
+
+bool RecordBook::rest() {
+  is_asked_ = false;
+  if (!built_) return true;
+  built_->is_cancelled = true;
+  if (!built_->is_done) return false;
+  go_on_with([old = std::exchange(built_, nullptr)]() mutable { old.reset(); });
+  return true;
 }
 
 }  // namespace ryosen

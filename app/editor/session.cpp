@@ -83,6 +83,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   selections.clear();
   colouring.reset();
   measures.clear();
+  links.forget_trail();
   player.reset();
   levels.reset();
   cut.reset();
@@ -123,6 +124,7 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
   if (change == Document::Change::trial_ended) forget_gesture();
   const TouchedElements touched = touched_elements(m, journal, transaction);
   hidden_.follow(m, touched);
+  if (touched.everything) links.forget_trail();
   const bool is_trial = change == Document::Change::tried || change == Document::Change::trial_ended;
   const bool has_normals =
       !is_trial && change != Document::Change::undone && document_->history()[transaction].has_normals;

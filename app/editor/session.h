@@ -209,6 +209,8 @@ class Session {
   Outcome begin_gesture(PointTransform::Kind kind);
   // Extrudes the selected faces and moves them: one command in the end, and nothing where it is given up.
   Outcome begin_pull();
+  // Splits an edge and moves its new vertex, in the same way: that under the tool in hand, else the one that is selected.
+  Outcome begin_split();
   const TransformGesture* gesture() const;  // null: none goes on
   void follow_gesture(glm::dvec2 pixel, Modifiers modifiers);
   std::optional<Outcome> gesture_key(const std::string& chord);  // none: there is no gesture
@@ -347,6 +349,7 @@ class Session {
   Outcome select_along(glm::dvec2 pixel, Modifiers modifiers);
   Outcome apply_at(const OpTarget& target, const std::string& id);
   void look_at(glm::dvec2 pixel, Modifiers modifiers);
+  const LinkArrow* arrow_at(glm::dvec2 pixel, const OpInfo* info, Modifiers modifiers);
   OpTarget target_of(const Picked& picked, Modifiers modifiers) const;
   void ask_held_verdict_again();
 

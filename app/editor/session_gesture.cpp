@@ -7,8 +7,10 @@
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/mesh/names.h"
 #include "core/ops/lines/arguments.h"
 #include "core/ops/rules/face_geometry.h"
+#include "core/ops/split_edge.h"
 
 namespace ryosen {
 
@@ -20,7 +22,11 @@ struct Session::Gesturing {
   std::vector<Face> spoilt;
   glm::dvec2 pixel{0};  // of the window, where the pointer was last
   Modifiers modifiers = {};
-  std::string extrusion = {};  // of one that pulls faces out: by nothing, on trial
+  struct Pull {
+    std::string line, by_nothing;    // the line of the operator, up to how far, and the word for not at all
+    std::optional<glm::dvec3> from;  // where it takes a place in place of a way, that which the way begins at
+  };
+  std::optional<Pull> pull = {};  // of one that moves what an operator makes, which is on trial
 };
 
 namespace {
@@ -174,15 +180,19 @@ bool Session::widen_gesture(double steps) {
 Outcome Session::end_gesture() {
   if (!gesturing_) return {};
   const Gesturing& g = *gesturing_;
-  std::vector<std::string> lines{g.transform.line(mesh())};
-  if (!g.extrusion.empty()) {
-    const auto by = g.transform.movement();
-    lines = by ? std::vector{g.extrusion + format_place(*by)} : std::vector{g.extrusion + "0", lines[0]};
-  }
   const bool does_nothing = g.transform.does_nothing();
+  std::vector<std::string> lines;
+  if (!does_nothing) lines.push_back(g.transform.line(mesh()));
+  if (g.pull && (!does_nothing || g.pull->from)) {
+    const auto by = does_nothing ? std::nullopt : g.transform.movement();
+    const std::string start = g.pull->line + g.pull->by_nothing;
+    if (by)
+      lines = {g.pull->line + format_place(g.pull->from ? *g.pull->from + *by : *by)};
+    else
+      lines.insert(lines.begin(), start);
+  }
   cancel_gesture();
   Outcome outcome;
-  if (does_nothing) return outcome;
   for (const std::string& line : lines)
     if (outcome.done()) outcome = run(line);
   return outcome;
@@ -206,8 +216,35 @@ Outcome Session::begin_pull() {
   const Outcome outcome = document_->try_out(*extrusion.op);
   if (!outcome.done()) return outcome;
   begin_gesture_with(PointTransform::Kind::move, std::move(faces));
-  gesturing_->extrusion = std::move(line);
+  gesturing_->pull = {std::move(line), "0", {}};
   gesture_key("N");
+  return outcome;
+}
+
+// Where the pointer is on the edge, else in its middle; from there the new vertex follows the pointer.
+Outcome Session::begin_split() {
+  const std::optional<Hover> pointed = hover_;
+  end_trial();
+  cancel_gesture();
+  OpTarget target;
+  if (pointed && pointed->op && pointed->picked.element.kind == Element::Kind::edge)
+    target = target_of(pointed->picked, {.shift = true});
+  else if (selection.size() == 1 && selection[0].kind == Element::Kind::edge)
+    target.halfedge = halfedge(selection[0].edge());
+  else if (selection.size() == 1 && selection[0].kind == Element::Kind::halfedge)
+    target.halfedge = selection[0].halfedge();
+  if (!is_there(mesh(), target.halfedge))
+    return failed(ExitCode::refused, {"select an edge first", "先に稜線を一つ選択してください"});
+  const SplitEdge split = SplitEdge::at(mesh(), target);
+  const Vertex end = mesh().to(split.halfedge);
+  const glm::dvec3 place = split.position(mesh());
+  const std::string line = "split " + name_to_choose(mesh(), split.halfedge) + " ";
+  const Outcome outcome = document_->try_out(split);
+  if (!outcome.done()) return outcome;
+  const Halfedge h = split.halfedge;
+  const Vertex made = mesh().to(h) == end ? mesh().from(h) : mesh().to(h);
+  begin_gesture_with(PointTransform::Kind::move, {made});
+  gesturing_->pull = {line, format_double(split.along), place};
   return outcome;
 }
 

@@ -99,20 +99,34 @@ void Session::ask_held_verdict_again() {
   hover_.reset();
 }
 
+// The arrow that a click would select, whatever the mode; null where it would not select one.
+const LinkArrow* Session::arrow_at(glm::dvec2 pixel, const OpInfo* info, Modifiers modifiers) {
+  const bool selects = !info && asked_line.empty() && !modifiers.shift && !modifiers.ctrl && !modifiers.alt;
+  if (!selects || preparing() || document_->is_on_trial()) return nullptr;
+  return links.at(*this, pixel - view_origin);
+}
+
 void Session::look_at(glm::dvec2 pixel, Modifiers modifiers) {
   hover_.reset();
   pointed_axis_end_ = axis_end_at(pixel);
   pointed_handle_ = pointed_axis_end_ ? nullptr : handle_at(pixel, modifiers);
   if (pointed_handle_ || pointed_axis_end_) return;
   const OpInfo* info = find_op(tool);
-  const auto picked = pick(pixel, pointed_sort());
-  if (!picked) return;
   Hover hover;
   hover.pixel = pixel;
   hover.modifiers = modifiers;
-  hover.picked = *picked;
+  if (const LinkArrow* const arrow = arrow_at(pixel, info, modifiers)) {
+    hover.picked = {.element = arrow->halfedge,
+                    .halfedge = arrow->halfedge,
+                    .face = arrow->on,
+                    .place = 0.5 * (arrow->from + arrow->to)};
+  } else if (const auto picked = pick(pixel, pointed_sort())) {
+    hover.picked = *picked;
+  } else {
+    return;
+  }
   if (info && is_tool(*info)) {
-    hover.op = op_at(mesh(), tool, target_of(*picked, modifiers));
+    hover.op = op_at(mesh(), tool, target_of(hover.picked, modifiers));
     hover.preview = document_->preview(*hover.op);
   }
   hover_ = std::move(hover);
@@ -212,8 +226,8 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers
   if (!asked_line.empty() && with_tool.empty()) return answer(*this, pixel);
   const OpInfo* info = find_op(with_tool);
   if (!info && click_selects(modifiers) != ClickSelects::element) return select_along(pixel, modifiers);
-  if (!info && !modifiers.shift && !modifiers.ctrl && !preparing())
-    if (const Halfedge arrow = links.at(*this, pixel - view_origin)) return run("select " + slot_name(arrow));
+  if (const LinkArrow* const arrow = arrow_at(pixel, info, modifiers))
+    return run("select " + slot_name(arrow->halfedge));
   const auto picked = pick(pixel, pick_mode(info, mode));
   const bool extends = !info && (modifiers.shift || modifiers.ctrl);
   if (!picked) {

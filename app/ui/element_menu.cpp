@@ -76,6 +76,10 @@ void gesture_items(PanelContext& context) {
   const auto is_face = [](const Element& e) { return e.kind == Element::Kind::face; };
   if (std::any_of(context.session.selection.begin(), context.session.selection.end(), is_face))
     item("Extrude and move", "押し出して移動", "gesture extrude");
+  const Elements& selection = context.session.selection;
+  if (selection.size() == 1 &&
+      (selection[0].kind == Element::Kind::edge || selection[0].kind == Element::Kind::halfedge))
+    item("Split and move", "分けて移動", "gesture split");
   ImGui::Separator();
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/editor/commands.h"
+#include "app/editor/playing.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {
@@ -142,6 +143,25 @@ void Gui::frame(Session& session, Size window, double seconds) {
       state_.waiting.push_back(std::move(waiting));
     else
       context(session).run_from(waiting.line, waiting.asks_again);
+  play_on(session);
+  if (!std::exchange(state_.wants_records, false) && !state_.records.rest()) state_.waits_for_work = true;
+}
+
+// Whatever panels are shown.
+void Gui::play_on(Session& session) {
+  constexpr double seconds_per_step = 0.8;
+  if (!session.player || !session.player->is_running) return next_step_at_.reset();
+  const double now = ImGui::GetTime();
+  if (!next_step_at_) next_step_at_ = now + seconds_per_step;
+  if (now < *next_step_at_) return;
+  next_step_at_ = now + seconds_per_step;
+  run(session, "steps forward");
+}
+
+std::optional<double> Gui::seconds_to_step() const {
+  ImGui::SetCurrentContext(imgui_);
+  if (!next_step_at_) return std::nullopt;
+  return std::max(0.0, *next_step_at_ - ImGui::GetTime());
 }
 
 bool Gui::progress_frame(Language language, Size window, double seconds, double share) {

@@ -4,6 +4,7 @@
 
 #include <glm/vec2.hpp>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -89,14 +90,17 @@ class Gui {
   // True between begin and end of a frame, when no other can be laid out.
   bool is_laying_out() const { return state_.is_laying_out; }
   bool wants_quit() const { return state_.wants_quit; }
-  // Lines wait for further frames, or what is laid out has not settled after an input or a command.
   // A panel waits for what is found beside the frames: a further one now and then shows it when it is there.
   bool waits_for_work() const { return state_.waits_for_work; }
+  // Until what is played goes on by itself, in a frame then; none where nothing does.
+  std::optional<double> seconds_to_step() const;
+  // Lines wait for further frames, or what is laid out has not settled after an input or a command.
   bool wants_frames() const { return !state_.waiting.empty() || state_.unsettled_frames > 0; }
 
  private:
   PanelContext context(Session& session);
   void begin_frame(Size window, double seconds);
+  void play_on(Session& session);
   void end_frame();
   ImGuiContext* imgui_;
   float display_scale_;
@@ -108,6 +112,7 @@ class Gui {
   Fonts fonts_;
   bool has_fonts_ = false, has_japanese_ = false;
   Theme theme_ = Theme::dark;
+  std::optional<double> next_step_at_;  // by the time of frames
   bool is_down_[3] = {}, was_pressed_[3] = {};
   std::string laid_out_panel_;                 // that was open over the view in the last frame
   std::set<int> unseen_keys_, released_keys_;  // pressed since the last frame, and those already released

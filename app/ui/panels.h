@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/editor/panel_list.h"
+#include "app/editor/record_book.h"
 #include "app/editor/session.h"
 #include "app/ui/fonts.h"
 #include "app/ui/style.h"
@@ -48,6 +49,8 @@ struct GuiState {
   std::string asked_key;      // its chord
   bool shows_japanese = false;  // a panel has Japanese words to show, whatever the language
   bool waits_for_work = false;  // a panel draws what is found beside the frames, when it is there
+  RecordBook records;           // of all forms, for the panels that show them
+  bool wants_records = false;   // one of them is drawn in this frame
   std::string begun_command;    // what the command window takes into its field when it is open
 
   // A panel may need this many frames to open, to settle its size, or to close.
@@ -111,6 +114,10 @@ std::unique_ptr<Panel> panel_of(void (*draw)(PanelContext& context), ImVec2 size
 std::unique_ptr<Panel> panel_of_lines(void (*draw)(PanelContext& context), float lines);
 // One of each, in the order of panel_list() as it stands in panels.def.
 std::vector<std::unique_ptr<Panel>> make_panels();
+
+// The forms of the mesh as it is, built beside the frames, where there are many faces when a button is pressed. Null while
+// they are not there: it has drawn why not.
+const RecordBook* records_of_mesh(PanelContext& context);
 
 // The parts around the columns.
 void draw_menu(PanelContext& context);

@@ -127,7 +127,7 @@ bool element_links(PanelContext& context, const std::vector<Element>& elements) 
 
 bool row(PanelContext& context, const char* label, const char* right, bool is_active, float free_px) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFontSize() + 2 * context.scale;
+  const float width = ImGui::GetContentRegionAvail().x, height = row_pitch(context) - ImGui::GetStyle().ItemSpacing.y;
   ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_FrameBgActive));
   const bool clicked = ImGui::Selectable("##row", is_active, 0, {width, height});
   ImGui::PopStyleColor();
@@ -150,16 +150,20 @@ bool row(PanelContext& context, const char* label, const char* right, bool is_ac
   return clicked;
 }
 
-void begin_rows(const char* id, float rows, float width_px) {
-  ImGui::BeginChild(id, {width_px, rows * ImGui::GetTextLineHeightWithSpacing()}, false, ImGuiWindowFlags_NavFlattened);
+float row_pitch(const PanelContext& context) { return ImGui::GetTextLineHeightWithSpacing() + 2 * context.scale; }
+
+void begin_rows(const char* id, float rows, float width_px, float pitch) {
+  if (pitch == 0) pitch = ImGui::GetTextLineHeightWithSpacing();
+  ImGui::BeginChild(id, {width_px, rows * pitch}, false, ImGuiWindowFlags_NavFlattened);
 }
 
 void begin_rows_within(const char* id, float height_px, float width_px) {
   begin_rows(id, std::max(std::floor(height_px / ImGui::GetTextLineHeightWithSpacing()), 1.f), width_px);
 }
 
-void end_rows() {
-  const float pitch = ImGui::GetTextLineHeightWithSpacing(), now = ImGui::GetScrollY();
+void end_rows(float pitch) {
+  if (pitch == 0) pitch = ImGui::GetTextLineHeightWithSpacing();
+  const float now = ImGui::GetScrollY();
   float& before = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("scroll"));
   // On to the next whole row in the direction of the wheel.
   const float whole = (now > before ? std::ceil(now / pitch - 0.01f) : std::floor(now / pitch + 0.01f)) * pitch;
@@ -169,10 +173,11 @@ void end_rows() {
 }
 
 void list_of_rows(const char* id, std::size_t count, std::size_t most, const std::function<void(std::size_t)>& draw,
-                  std::optional<float> scrolls_to) {
-  begin_rows(id, static_cast<float>(std::min(count, most)));
+                  std::optional<float> scrolls_to, float pitch) {
+  if (pitch == 0) pitch = ImGui::GetTextLineHeightWithSpacing();
+  begin_rows(id, static_cast<float>(std::min(count, most)), 0, pitch);
   ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(count), ImGui::GetTextLineHeightWithSpacing());
+  clipper.Begin(static_cast<int>(count), pitch);
   while (clipper.Step()) {
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
       ImGui::PushID(i);
@@ -181,7 +186,7 @@ void list_of_rows(const char* id, std::size_t count, std::size_t most, const std
     }
   }
   if (scrolls_to) ImGui::SetScrollY(*scrolls_to);
-  end_rows();
+  end_rows(pitch);
 }
 
 std::string fitted(std::string_view text, float width_px) {

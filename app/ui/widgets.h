@@ -25,14 +25,17 @@ bool element_links(PanelContext& context, const std::vector<Element>& elements);
 // A full-width row with a text on the left and a dim one on the right, that leaves some pixels free behind it; true when
 // clicked.
 bool row(PanelContext& context, const char* label, const char* right, bool is_active, float free_px = 0);
-// A part of a panel as high as so many lines of text, which scrolls by whole ones. end_rows() must follow.
-void begin_rows(const char* id, float rows, float width_px = 0);
+// From the top of one such row to that of the next.
+float row_pitch(const PanelContext& context);
+// A part of a panel as high as so many lines of text, which scrolls by whole ones; rows of another pitch say which.
+// end_rows() must follow.
+void begin_rows(const char* id, float rows, float width_px = 0, float pitch = 0);
 // As many as fit into a height.
 void begin_rows_within(const char* id, float height_px, float width_px = 0);
-void end_rows();
+void end_rows(float pitch = 0);
 // A list of rows, as high as there are or as these: draws those that are seen by draw(i), and scrolls to a place.
 void list_of_rows(const char* id, std::size_t count, std::size_t most, const std::function<void(std::size_t)>& draw,
-                  std::optional<float> scrolls_to = {});
+                  std::optional<float> scrolls_to = {}, float pitch = 0);
 // A text, or as much of it as is no wider, with an ellipsis.
 std::string fitted(std::string_view text, float width_px);
 // A line of text that fits the panel, the whole beside it when it is hovered.

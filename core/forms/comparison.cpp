@@ -78,7 +78,7 @@ namespace {
 constexpr std::array size_claims{
     SizeClaim{"halfedge", "triangle_soup",
               "The texts (2.3) say that halfedges take less memory than a set of polygons; here they take more.",
-              "テキスト（2.3 節）ではハーフエッジはポリゴンセットよりメモリ効率が良いとされますが、ここでは逆です。",
+              "テキスト（2.3 節）では半稜線はポリゴンセットよりメモリ効率が良いとされますが、ここでは逆です。",
               "Of triangles with bare coordinates the links take more than the repeated coordinates: in the 32-bit "
               "arrays used "
               "here, and with the pointers and lists of the texts' listings too (180 bytes per face against 96). With "

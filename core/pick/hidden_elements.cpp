@@ -1,6 +1,8 @@
 #include "core/pick/hidden_elements.h"
 
 #include <algorithm>
+#include <atomic>
+#include <utility>
 
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
@@ -67,30 +69,42 @@ IndexSet all_but(const std::vector<Handle>& some, std::uint32_t slots, Is is) {
   return all;
 }
 
+std::uint64_t next_revision() {
+  static std::atomic<std::uint64_t> last = 0;
+  return ++last;
+}
+
 }  // namespace
+
+Parts HiddenElements::noted(Parts changed) {
+  if (!changed.empty()) revision_ = next_revision();
+  return changed;
+}
 
 Parts HiddenElements::hide(const Mesh& mesh, std::span<const Element> elements) {
   Parts parts = parts_at(mesh, elements);
   insert_all(faces_, parts.faces);
   insert_all(wires_, parts.wires);
   insert_all(isolated_, parts.isolated);
-  return parts;
+  return noted(std::move(parts));
 }
 
 Parts HiddenElements::isolate(const Mesh& mesh, std::span<const Element> elements) {
   const Parts kept = parts_at(mesh, elements);
-  return {exchange<Face>(faces_, all_but(kept.faces, mesh.face_slots(), [&](Face f) { return mesh.is_alive(f); })),
-          exchange<Edge>(wires_, all_but(kept.wires, mesh.edge_slots(), [&](Edge e) { return is_live_wire(mesh, e); })),
-          exchange<Vertex>(isolated_, all_but(kept.isolated, mesh.vertex_slots(),
-                                              [&](Vertex v) { return is_live_isolated(mesh, v); }))};
+  return noted(
+      {exchange<Face>(faces_, all_but(kept.faces, mesh.face_slots(), [&](Face f) { return mesh.is_alive(f); })),
+       exchange<Edge>(wires_, all_but(kept.wires, mesh.edge_slots(), [&](Edge e) { return is_live_wire(mesh, e); })),
+       exchange<Vertex>(isolated_, all_but(kept.isolated, mesh.vertex_slots(),
+                                           [&](Vertex v) { return is_live_isolated(mesh, v); }))});
 }
 
 Parts HiddenElements::show_all() {
-  return {exchange<Face>(faces_, {}), exchange<Edge>(wires_, {}), exchange<Vertex>(isolated_, {})};
+  return noted({exchange<Face>(faces_, {}), exchange<Edge>(wires_, {}), exchange<Vertex>(isolated_, {})});
 }
 
 void HiddenElements::follow(const Mesh& mesh, const TouchedElements& touched) {
   if (empty()) return;
+  revision_ = next_revision();
   if (touched.everything) {
     *this = HiddenElements();
     return;

@@ -1,6 +1,7 @@
 // What of a mesh is hidden: neither drawn nor picked, nor in the way of what lies behind.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,9 @@ class HiddenElements {
   // After an edit: what is deleted, or of another sort now, is hidden no more. Where columns were replaced, nothing is.
   void follow(const Mesh& mesh, const TouchedElements& touched);
 
+  // Another number after each change, unique among those of this process; 0 as long as there was none.
+  std::uint64_t revision() const { return revision_; }
+
   // By themselves.
   std::vector<Element> elements() const;
   bool empty() const { return faces_.empty() && wires_.empty() && isolated_.empty(); }
@@ -46,10 +50,12 @@ class HiddenElements {
   bool hides(const Mesh& mesh, const Element& e) const;
 
  private:
+  Parts noted(Parts changed);
   bool hides_sheet(const Mesh& mesh, Edge e) const;
   bool hides_copy(const Mesh& mesh, Vertex v) const;
 
   IndexSet faces_, wires_, isolated_;
+  std::uint64_t revision_ = 0;
 };
 
 }  // namespace ryosen

@@ -23,7 +23,7 @@ constexpr std::array steps_rows{
              "テキストの稜線交換を一行ずつ、カーネルの結果とともに", false, play_swap, choices_of_swap},
     StepsRow{"split3", "H[,H...]", "edge split on 3i+j", "3i+j の辺細分",
              "text 003's split of halfedges by their numbers, with its map",
-             "半辺番号での辺細分（テキスト 003）とそのマップ", false, play_split3, choices_of_split3},
+             "半稜線の番号での辺細分（テキスト 003）とそのマップ", false, play_split3, choices_of_split3},
     StepsRow{"walk", "V [FORM]", "one-ring", "1 近傍", "around a vertex, link by link, on a form of `ryosen forms`",
              "頂点の周りをリンクごとに（形状表現も選べる）", false, play_walk, choices_of_walk},
     StepsRow{"loop", "F [FORM]", "loop", "ループ", "around a face, link by link, on a form of `ryosen forms`",

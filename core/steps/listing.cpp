@@ -333,7 +333,7 @@ Made play_listing(const Mesh& mesh, Arguments arguments, std::string_view id, vo
 }
 
 Choices edges_to_offer(const Mesh& mesh, Selected selection) {
-  if (forms::why_unsuitable(mesh, *forms::find_form("opposite_map"))) return {};
+  if (!may_offer(mesh, "opposite_map")) return {};
   const auto name = [&](Edge e) {
     return Choices{{std::to_string(mesh.from(halfedge(e)).index) + "-" + std::to_string(mesh.to(halfedge(e)).index)}};
   };

@@ -4,9 +4,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/forms/all.h"
 #include "core/mesh/name_failure.h"
 #include "core/steps/step.h"
 
@@ -31,6 +33,14 @@ std::string names_text(const Elements& elements) {
   for (const Element element : elements)
     if (count++ < most) text += (text.empty() ? "" : " ") + slot_name(element);
   return count > most ? text + " ... (" + std::to_string(count) + ")" : text;
+}
+
+// Whether to offer what takes this form of the mesh. Of a large mesh that is not asked, since it takes too long for a list of
+// choices; to play it then says why not.
+inline constexpr std::uint32_t most_faces_asked = 5000;
+inline bool may_offer(const Mesh& mesh, std::string_view form) {
+  if (mesh.live().faces == 0) return false;
+  return mesh.live().faces > most_faces_asked || !forms::why_unsuitable(mesh, *forms::find_form(form));
 }
 
 // Marks of one role, at most so many.

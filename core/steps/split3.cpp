@@ -156,8 +156,8 @@ class SplitPlay {
         {"Halfedge " + h + (turns ? " is turned to " + own + ", which leaves the smaller vertex" : std::string()) +
              ": side " + key_text(side) + " of face " + std::to_string(n.fa) +
              (n.is_boundary ? ", a boundary" : ", beside face " + std::to_string(n.fb)),
-         "半辺 " + h + (turns ? "：小さい頂点から出る " + own + " に替える" : std::string()) + "：面 " +
-             std::to_string(n.fa) + " の半辺 " + key_text(side) +
+         "半稜線 " + h + (turns ? "：小さい頂点から出る " + own + " に替える" : std::string()) + "：面 " +
+             std::to_string(n.fa) + " の半稜線 " + key_text(side) +
              (n.is_boundary ? "（境界）" : "、隣は面 " + std::to_string(n.fb))},
         at);
     mark(faces, Role::asked, side);
@@ -244,7 +244,7 @@ class SplitPlay {
       mark(step, Role::missing, side);
     }
     step.caption = {"Nothing is taken out of the map: its dead keys, of sides that are no more, are " + dead,
-                    "マップからは何も消さない。もう無い半辺の死んだキー：" + dead};
+                    "マップからは何も消さない。もう無い半稜線の死んだキー：" + dead};
     steps_.push_back(std::move(step));
     positions_behind_.push_back(journal_.position());
   }
@@ -294,14 +294,14 @@ Made play_split3(const Mesh& mesh, Arguments arguments) {
   const auto numbers = numbers_of(arguments);
   if (!numbers || numbers->empty())
     return usage_of({"'split3 H' takes numbers 3i+j of halfedges, one split after the other, as in split3 1,4.",
-                     "split3 H の H は半辺の番号 3i+j です（続けて細分するには split3 1,4）。"});
+                     "split3 H の H は半稜線の番号 3i+j です（続けて細分するには split3 1,4）。"});
   if (const auto why = forms::why_unsuitable(mesh, *forms::find_form("opposite_map"))) return refusal_of(*why);
   SplitPlay play(mesh);
   for (const std::uint32_t number : *numbers) {
     if (number >= play.halfedges()) {
       const std::string n = std::to_string(play.halfedges());
       return usage_of({"There is no halfedge " + std::to_string(number) + " then; there are " + n + ", from 0.",
-                       "その時点で半辺 " + std::to_string(number) + " はありません（0 から " + n + " 本）。"});
+                       "その時点で半稜線 " + std::to_string(number) + " はありません（0 から " + n + " 本）。"});
     }
     play.split(number);
   }
@@ -309,8 +309,7 @@ Made play_split3(const Mesh& mesh, Arguments arguments) {
 }
 
 Choices choices_of_split3(const Mesh& mesh, Selected) {
-  if (mesh.live().faces == 0 || forms::why_unsuitable(mesh, *forms::find_form("opposite_map"))) return {};
-  return {{"1"}};
+  return may_offer(mesh, "opposite_map") ? Choices{{"1"}} : Choices();
 }
 
 }  // namespace ryosen::steps

@@ -239,9 +239,8 @@ Result<const forms::FormRow*> wanted_form(const Mesh& mesh, Arguments arguments)
 
 // On each form that can hold the mesh, the usual one first; on a large mesh that alone, since it takes time to see which can.
 Choices choices_on_forms(const Mesh& mesh, const std::string& element) {
-  constexpr std::uint32_t most_faces = 5000;
   Choices choices{{element}};
-  if (mesh.live().faces > most_faces) return choices;
+  if (mesh.live().faces > most_faces_asked) return choices;
   for (const forms::FormRow& row : forms::all_forms())
     if (!forms::why_unsuitable(mesh, row)) choices.push_back({element, std::string(row.id)});
   return choices;

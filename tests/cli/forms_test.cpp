@@ -196,19 +196,19 @@ TEST(forms_records, of_nothing_known_are_refused) {
 // As `why` says it of the same name.
 TEST(forms_records, of_a_name_that_fits_several_say_so) {
   const std::string file = asset("three_tri_edge.off");
-  const auto code_of = [](const std::vector<std::string>& words) { return run_program(words).line()["code"]; };
+  const auto said = [](const std::vector<std::string>& words) { return run_program(words).line()["messages"][0]; };
   for (const auto& [name, code] : std::vector<std::pair<std::string, std::string>>{
            {"0-1", "name_ambiguous"}, {"0-99", "element_unknown"}, {"x", "line_malformed"}}) {
-    const ProgramRun forms = run_program({"forms", file, "--element", name, "--json"}),
-                     why = run_program({"why", file, "--op", "collapse", "--edge", name, "--json"});
-    EXPECT_EQ(forms.line()["code"], code) << name;
-    EXPECT_EQ(forms.line()["en"], why.line()["en"]) << name;
+    const Json forms = said({"forms", file, "--element", name, "--json"}),
+               why = said({"why", file, "--op", "collapse", "--edge", name, "--json"});
+    EXPECT_EQ(forms["code"], code) << name;
+    EXPECT_EQ(forms["en"], why["en"]) << name;
     for (const std::vector<std::string>& words :
          {std::vector<std::string>{"why", file, "--op", "collapse", "--edge", name, "--json"},
           {"measure", file, name, "--json"},
           {"steps", "collapse", name, file, "--json"}}) {
       EXPECT_EQ(run_program(words).exit_code, 2) << words[0];
-      EXPECT_EQ(code_of(words), code) << words[0];
+      EXPECT_EQ(said(words)["code"], code) << words[0];
     }
   }
 }

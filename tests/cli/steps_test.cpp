@@ -116,6 +116,15 @@ TEST(steps_command, refuses_what_cannot_be_played) {
   for (const auto& [line, exit_code] : wrong) EXPECT_EQ(run_program(line).exit_code, exit_code) << line.back();
 }
 
+// The pointer moves what a split makes, also where no window is.
+TEST(edit_command, splits_an_edge_at_any_place_by_the_pointer) {
+  const ProgramRun run = run_program({"edit", asset("fan.obj"), "--do",
+                                      "view front; select 0-1; move 500,300; gesture split; move 560,350; press left "
+                                      "560,350; release left 560,350; expect V 8; expect F 8; undo; expect V 7",
+                                      "-q"});
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+}
+
 TEST(steps_command, draws_the_step_with_its_marks) {
   TemporaryFolder folder;
   const std::string fan = asset("fan.obj");

@@ -228,7 +228,7 @@ TEST(GoldenBeside, two_meshes_lie_beside_each_other_before_one_camera) {
 // A step as `steps` draws it, with its caption: what comes, what a link changes at, the point.
 TEST(GoldenSteps, look_as_they_did) {
   const std::vector<Golden> steps{
-      {"hull_horizon", "ball.off", {"hull", "random", "3", "20"}, {{Role::legal, 3000}, {Role::hover, 1000}}},
+      {"hull_horizon", "ball.off", {"hull", "random", "3", "24"}, {{Role::legal, 3000}, {Role::hover, 1000}}},
       {"hull_coplanar", "cube.obj", {"hull", "as_given", "4"}, {{Role::legal, 3000}, {Role::hover, 1000}}},
       {"hull_plane",
        "ball.off",

@@ -98,6 +98,53 @@ TEST_F(LinksTest, are_each_selected_by_a_click) {
   EXPECT_LT(clicked, all.size());
 }
 
+// What the pointer shows is what the click selects, whatever the mode; and only what is drawn.
+TEST_F(LinksTest, are_pointed_at_as_they_are_clicked) {
+  for (const char* const mode : {"mode vertex", "mode edge", "mode face", "mode halfedge"}) {
+    open("fan.obj", {"view front", "links all", "tool none", mode});
+    for (const LinkArrow& arrow : std::vector<LinkArrow>(arrows())) {
+      session_.point_at(pixel_of(arrow));
+      ASSERT_TRUE(session_.hover());
+      EXPECT_EQ(session_.hover()->picked.element, Element(arrow.halfedge)) << mode;
+    }
+    ASSERT_TRUE(session_.run("tool split").done());
+    session_.point_at(pixel_of(arrows()[0]));
+    EXPECT_TRUE(!session_.hover() || session_.hover()->picked.element.kind == Element::Kind::edge)
+        << "a tool takes its own";
+  }
+}
+
+TEST_F(LinksTest, are_not_clicked_where_they_are_cut_off) {
+  open("cube.obj", {"view iso", "links all", "xray on", "clip x"});
+  const ClipPlane plane = *session_.clip_plane();
+  std::size_t cut = 0, seen = 0;
+  for (const LinkArrow& arrow : std::vector<LinkArrow>(arrows())) {
+    const LinkArrow* const at = session_.links.at(session_, pixel_of(arrow) - session_.view_origin);
+    const bool is_cut = plane.cuts(arrow.from) && plane.cuts(arrow.to);
+    EXPECT_FALSE(is_cut && at && at->halfedge == arrow.halfedge) << "h" << arrow.halfedge.index;
+    EXPECT_FALSE(at && plane.cuts(at->from) && plane.cuts(at->to));
+    (is_cut ? cut : seen) += 1;
+  }
+  EXPECT_GT(cut, 4u);
+  EXPECT_GT(seen, 4u);
+}
+
+TEST_F(LinksTest, are_reached_from_twice_as_far_where_all_is_twice_as_large) {
+  open("fan.obj", {"view front", "links all"});
+  const auto outside = std::find_if(arrows().begin(), arrows().end(), [](const LinkArrow& a) { return !a.on; });
+  ASSERT_NE(outside, arrows().end());
+  const glm::dvec2 inside = pixel_of(*outside) - session_.view_origin, middle(450, 350),
+                   way = (inside - middle) / glm::length(inside - middle);
+  const auto reach = [&] {
+    double away = 0;
+    while (away < 40 && session_.links.at(session_, inside + away * way)) away += 0.25;
+    return away;
+  };
+  const double once = reach();
+  session_.display_scale = 2;
+  EXPECT_GT(reach(), 1.5 * once);
+}
+
 TEST_F(LinksTest, of_a_halfedge_are_its_links) {
   open("fan.obj", {"view front", "mode halfedge", "select 0-1"});
   const Halfedge h = find_edge(session_.mesh(), "0-1").element;
@@ -164,6 +211,36 @@ TEST_F(LinksTest, are_walked_and_the_trail_stays) {
   EXPECT_EQ(find(LinkRole::trail), nullptr) << "elsewhere it is not shown";
   ASSERT_TRUE(session_.run("walk next").done());
   EXPECT_EQ(session_.links.trail().size(), 2u) << "and begins anew";
+}
+
+TEST_F(LinksTest, the_trail_ends_with_its_mesh) {
+  open("cube.obj", {"mode halfedge", "select h18", "walk next", "walk twin"});
+  const Element end = session_.selection[0];
+  open("two_quads.obj", {"mode halfedge"});
+  EXPECT_TRUE(session_.links.trail().empty());
+  if (end.index < session_.mesh().halfedge_slots()) {
+    session_.selection = {end};
+    EXPECT_EQ(find(LinkRole::trail), nullptr);
+  }
+  // What a step shows may have fewer halfedges than the trail.
+  open("cube.obj", {"mode halfedge", "select h22", "walk next", "walk twin", "steps script triangle", "steps at 3"});
+  session_.selection = {session_.links.trail().back()};
+  arrows();
+  SUCCEED();
+}
+
+// Only what changes makes them anew: also while something is hidden.
+TEST_F(LinksTest, are_kept_while_something_is_hidden) {
+  open("torus.off", {"links all", "hide f3"});
+  const LinkArrow* const first = arrows().data();
+  const std::size_t count = arrows().size();
+  const_cast<LinkArrow*>(first)->label = {"kept", "kept"};
+  EXPECT_EQ(arrows()[0].label.en, "kept");
+  ASSERT_TRUE(session_.run("hide f4").done());
+  EXPECT_NE(arrows()[0].label.en, "kept");
+  EXPECT_NE(arrows().size(), count);
+  ASSERT_TRUE(session_.run("unhide").done());
+  EXPECT_GT(arrows().size(), count);
 }
 
 TEST_F(LinksTest, are_at_most_two_thousand_and_follow_edits) {

@@ -1,6 +1,9 @@
 // The panel of records: what it draws is what the command prints, its links select, and large meshes wait to be asked.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "app/editor/record_book.h"
 #include "core/forms/all.h"
 #include "core/mesh/names.h"
@@ -100,15 +103,37 @@ TEST(record_book, builds_beside_the_frames_once_for_a_revision) {
   ASSERT_TRUE(document);
   RecordBook book;
   EXPECT_FALSE(book.is_of(**document));
-  book.begin(**document);
+  book.ask(**document);
   EXPECT_TRUE(book.is_of(**document));
-  book.wait();
+  book.wait_for(**document);
   ASSERT_TRUE(book.is_ready());
   ASSERT_EQ(book.records().size(), forms::all_forms().size());
   for (const forms::Records& records : book.records()) {
     const auto alone = forms::Records((*document)->mesh(), records.row()).of(Face(5));
     EXPECT_EQ(records.of(Face(5)).fields.size(), alone.fields.size());
   }
+}
+
+// Asking never waits, however often the mesh changes meanwhile; what is there in the end is that of the last one.
+TEST(record_book, follows_edits_without_waiting) {
+  Session session(Document::open(test::asset("stanford_bunny.obj")).value());
+  Document* const document = &session.document();
+  RecordBook book;
+  const auto begin = std::chrono::steady_clock::now();
+  book.wait_for(*document);
+  const auto whole = std::chrono::steady_clock::now() - begin;
+  for (int i = 0; i < 5; ++i) {
+    ASSERT_TRUE(session.run("split h0").done());
+    const auto before = std::chrono::steady_clock::now();
+    book.ask(*document);
+    EXPECT_LT(std::chrono::steady_clock::now() - before, whole / 2) << "it takes a copy of the mesh at most";
+    EXPECT_FALSE(book.is_ready());
+  }
+  book.wait_for(*document);
+  EXPECT_FALSE(book.records()[0].of(Face(document->mesh().face_slots() - 1)).none);
+  while (!book.rest()) std::this_thread::yield();
+  EXPECT_FALSE(book.is_ready());
+  EXPECT_FALSE(book.is_of(*document));
 }
 
 }  // namespace

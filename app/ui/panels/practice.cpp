@@ -24,8 +24,10 @@ class PracticePanel : public Panel {
     Elements selected;  // when it was asked
     std::uint64_t serial, revision;
   };
-  void ask(const Session& session);
+  // False while what it takes is not there.
+  bool ask(PanelContext& context);
   void choose_kind(PanelContext& context);
+  void draw_question(PanelContext& context);
   void draw_choices(PanelContext& context);
   void draw_answer_field(PanelContext& context);
   void take_click(const Session& session);
@@ -38,13 +40,22 @@ class PracticePanel : public Panel {
   std::optional<bool> right_;  // what was answered last
 };
 
-void PracticePanel::ask(const Session& session) {
+bool PracticePanel::ask(PanelContext& context) {
+  const Session& session = context.session;
   const QuestionKind kind = kind_.value_or(kind_of_seed(seed_));
-  const Question question = make_question(session.mesh(), kind, seed_);
-  asked_ = {question,          solve(session.mesh(), question), answer_choices(question),
-            session.selection, session.document().serial(),     session.document().revision()};
+  const RecordBook* const book = kind == QuestionKind::record ? records_of_mesh(context) : nullptr;
+  if (kind == QuestionKind::record && !book) return false;
+  const AllRecords records = book ? book->records() : AllRecords();
+  const Question question = make_question(session.mesh(), kind, seed_, records);
+  asked_ = {question,
+            solve(session.mesh(), question, records),
+            answer_choices(question),
+            session.selection,
+            session.document().serial(),
+            session.document().revision()};
   word_.fill(0);
   right_.reset();
+  return true;
 }
 
 void PracticePanel::choose_kind(PanelContext& context) {
@@ -81,15 +92,18 @@ void PracticePanel::draw_choices(PanelContext& context) {
     }
     return;
   }
-  list_of_rows("choices", choices.size(), 9, [&](std::size_t i) {
-    const AnswerChoice& choice = choices[i];
-    const std::string& says = choice.says.in(context.language());
-    ImGui::PushID(choice.word.c_str());
-    if (row(context, fitted(says, ImGui::GetContentRegionAvail().x).c_str(), "", choice.word == word_.data()))
-      answer(choice);
-    tip(says + "\n" + choice.word);
-    ImGui::PopID();
-  });
+  list_of_rows(
+      "choices", choices.size(), 9,
+      [&](std::size_t i) {
+        const AnswerChoice& choice = choices[i];
+        const std::string& says = choice.says.in(context.language());
+        ImGui::PushID(choice.word.c_str());
+        if (row(context, fitted(says, ImGui::GetContentRegionAvail().x).c_str(), "", choice.word == word_.data()))
+          answer(choice);
+        tip(says + "\n" + choice.word);
+        ImGui::PopID();
+      },
+      {}, row_pitch(context));
 }
 
 void PracticePanel::draw_answer_field(PanelContext& context) {
@@ -132,19 +146,24 @@ void PracticePanel::draw(PanelContext& context) {
   choose_kind(context);
   const bool is_stale =
       asked_ && (asked_->serial != session.document().serial() || asked_->revision != session.document().revision());
-  if (!asked_ || is_stale) ask(session);
+  if (is_stale) asked_.reset();
+  context.state.wants_records |= asked_ && asked_->question.kind == QuestionKind::record;
+  if (asked_ || ask(context)) draw_question(context);
+  if (ImGui::Button(context.text("Next question", "次の問題"), {ImGui::GetContentRegionAvail().x, 0})) {
+    ++seed_;
+    asked_.reset();
+  }
+}
+
+void PracticePanel::draw_question(PanelContext& context) {
   wrapped_text(asked_->question.asks.in(context.language()).c_str());
   ImGui::PushID("about");
   element_links(context, {asked_->question.about});
   ImGui::PopID();
-  take_click(session);
+  take_click(context.session);
   draw_choices(context);
   draw_answer_field(context);
   if (right_) draw_judgement(context);
-  if (ImGui::Button(context.text("Next question", "次の問題"), {ImGui::GetContentRegionAvail().x, 0})) {
-    ++seed_;
-    ask(session);
-  }
 }
 
 }  // namespace

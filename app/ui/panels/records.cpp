@@ -1,6 +1,5 @@
 #include <utility>
 
-#include "app/editor/record_book.h"
 #include "app/editor/record_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
@@ -11,25 +10,18 @@ namespace ryosen {
 
 namespace {
 
-// On larger meshes a button asks for the forms; on smaller ones they take less than a frame.
-constexpr std::uint32_t most_unasked = 100'000, most_at_once = 1'000;
-
-// What each form of the source texts stores of the selected element, or else of the one under the pointer. The forms are
-// those of one revision, built beside the frames.
+// What each form of the source texts stores of the selected element, or else of the one under the pointer.
 class RecordsPanel : public Panel {
  public:
   void draw(PanelContext& context) override;
 
  private:
   std::optional<Element> element(const Session& session);
-  // Whether the forms of the mesh as it is are there; else it has drawn why not.
-  bool has_forms(PanelContext& context);
   void choose_form(PanelContext& context);
   void draw_record(PanelContext& context, const forms::Records& records, Element element);
   void draw_line(PanelContext& context, const RecordLine& line);
   void draw_value(PanelContext& context, const RecordLine& line, std::size_t i);
 
-  RecordBook book_;
   const forms::FormRow* shown_ = nullptr;  // null: all
   std::string chosen_;                     // the line of a link that was clicked in this frame
 };
@@ -37,25 +29,6 @@ class RecordsPanel : public Panel {
 std::optional<Element> RecordsPanel::element(const Session& session) {
   if (!session.selection.empty()) return session.selection[0];
   return session.hover() ? std::optional(session.hover()->picked.element) : std::nullopt;
-}
-
-bool RecordsPanel::has_forms(PanelContext& context) {
-  const Session& session = context.session;
-  if (!book_.is_of(session.document())) {
-    if (session.mesh().live().faces > most_unasked) {
-      dim_text(context, context.text("Over 100,000 faces: the forms are built when you ask for them.",
-                                     "10 万面を超えるため、ボタンを押したときに構築します。"));
-      if (!ImGui::Button(context.text("Build the forms", "形状表現を構築"), {ImGui::GetContentRegionAvail().x, 0}))
-        return false;
-    }
-    book_.begin(session.document());
-    // A picture is not drawn again when they are there.
-    if (!context.session.trials().in_background || session.mesh().live().faces <= most_at_once) book_.wait();
-  }
-  if (book_.is_ready()) return true;
-  context.state.waits_for_work = true;
-  dim_text(context, context.text("Building the forms...", "形状表現を構築中..."));
-  return false;
 }
 
 void RecordsPanel::choose_form(PanelContext& context) {
@@ -120,6 +93,7 @@ void RecordsPanel::draw_record(PanelContext& context, const forms::Records& reco
 }
 
 void RecordsPanel::draw(PanelContext& context) {
+  context.state.wants_records = true;
   const std::optional<Element> asked = element(context.session);
   if (!asked || !is_alive(context.session.mesh(), *asked))
     return dim_text(context, context.text("Point at an element, or select one.", "要素を指すか、選択してください。"));
@@ -127,10 +101,11 @@ void RecordsPanel::draw(PanelContext& context) {
   const std::string name = name_of(context.session.mesh(), *asked), slot = slot_name(*asked);
   wrapped_text((name == slot ? name : name + "   " + slot).c_str());
   ImGui::PopFont();
-  if (!has_forms(context)) return;
+  const RecordBook* const book = records_of_mesh(context);
+  if (!book) return;
   choose_form(context);
   chosen_.clear();
-  for (const forms::Records& records : book_.records())
+  for (const forms::Records& records : book->records())
     if (shown_ == nullptr || shown_ == &records.row()) draw_record(context, records, *asked);
   if (!chosen_.empty()) context.run(chosen_);
 }

@@ -10,8 +10,6 @@ namespace ryosen {
 
 namespace {
 
-constexpr double seconds_per_step = 0.8;
-
 // What is played step by step: what there is to play, the way through it, and what the step does.
 class StepsPanel : public Panel {
  public:
@@ -23,9 +21,7 @@ class StepsPanel : public Panel {
   const std::vector<steps::Choices>& choices(const Session& session);
   void draw_ways(PanelContext& context, const Player& player);
   void draw_step(PanelContext& context, Player& player);
-  void go_on(PanelContext& context, const Player& player);
 
-  std::optional<double> next_at_;  // when it goes forward by itself
   std::vector<steps::Choices> choices_;
   std::uint64_t serial_ = 0, revision_ = 0;  // of what they were asked
   std::uint64_t selection_ = 0;              // by its stamp
@@ -115,17 +111,20 @@ void StepsPanel::draw_ways(PanelContext& context, const Player& player) {
 
 void draw_cells(PanelContext& context, const std::vector<steps::RowChange>& cells) {
   const std::string none = context.text("none", "なし");
-  list_of_rows("cells", cells.size(), 9, [&](std::size_t i) {
-    const steps::RowChange& cell = cells[i];
-    const std::string is = cell.new_value.value_or(none);
-    const std::string values = cell.old_value == cell.new_value ? is : cell.old_value.value_or(none) + " > " + is;
-    const std::string label = cell.row + " " + cell.field;
-    ImGui::PushID(static_cast<int>(i));
-    const std::string shown = fitted(values, 0.6f * ImGui::GetContentRegionAvail().x);
-    row(context, label.c_str(), shown.c_str(), cell.old_value != cell.new_value);
-    tip(cell.table + " " + label + ": " + values);
-    ImGui::PopID();
-  });
+  list_of_rows(
+      "cells", cells.size(), 9,
+      [&](std::size_t i) {
+        const steps::RowChange& cell = cells[i];
+        const std::string is = cell.new_value.value_or(none);
+        const std::string values = cell.old_value == cell.new_value ? is : cell.old_value.value_or(none) + " > " + is;
+        const std::string label = cell.row + " " + cell.field;
+        ImGui::PushID(static_cast<int>(i));
+        const std::string shown = fitted(values, 0.6f * ImGui::GetContentRegionAvail().x);
+        row(context, label.c_str(), shown.c_str(), cell.old_value != cell.new_value);
+        tip(cell.table + " " + label + ": " + values);
+        ImGui::PopID();
+      },
+      {}, row_pitch(context));
 }
 
 // Each role once, with its elements.
@@ -152,15 +151,18 @@ void draw_tables(PanelContext& context, Player& player) {
   dim_text(context, (first + ", " + std::to_string(rows.size())).c_str());
   auto at = rows.begin();
   std::size_t place = 0;
-  list_of_rows("table", rows.size(), 12, [&](std::size_t i) {
-    std::advance(at, static_cast<std::ptrdiff_t>(i) - static_cast<std::ptrdiff_t>(place));
-    place = i;
-    std::string fields;
-    for (const auto& [field, value] : at->second) fields += (fields.empty() ? "" : ", ") + field + " " + value;
-    const float room = 0.75f * ImGui::GetContentRegionAvail().x;
-    row(context, at->first.c_str(), fitted(fields, room).c_str(), false);
-    tip(at->first + ": " + fields);
-  });
+  list_of_rows(
+      "table", rows.size(), 12,
+      [&](std::size_t i) {
+        std::advance(at, static_cast<std::ptrdiff_t>(i) - static_cast<std::ptrdiff_t>(place));
+        place = i;
+        std::string fields;
+        for (const auto& [field, value] : at->second) fields += (fields.empty() ? "" : ", ") + field + " " + value;
+        const float room = 0.75f * ImGui::GetContentRegionAvail().x;
+        row(context, at->first.c_str(), fitted(fields, room).c_str(), false);
+        tip(at->first + ": " + fields);
+      },
+      {}, row_pitch(context));
 }
 
 // The number that grows with the steps, and where in it the position is.
@@ -202,16 +204,6 @@ void StepsPanel::draw_step(PanelContext& context, Player& player) {
   dim_text(context, source.c_str());
 }
 
-void StepsPanel::go_on(PanelContext& context, const Player& player) {
-  if (!player.is_running) return next_at_.reset();
-  const double now = ImGui::GetTime();
-  if (!next_at_) next_at_ = now + seconds_per_step;
-  context.state.unsettle();  // so that further frames come
-  if (now < *next_at_) return;
-  next_at_ = now + seconds_per_step;
-  context.run("steps forward");
-}
-
 void StepsPanel::draw(PanelContext& context) {
   const std::shared_ptr<Player> player = context.session.player;
   if (!player) return draw_choice(context);
@@ -227,7 +219,6 @@ void StepsPanel::draw(PanelContext& context) {
     dim_text(context, remark.in(context.language()).c_str());
   draw_curve(context, *player);
   draw_step(context, *player);
-  go_on(context, *player);
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ bool CollapseSurface::any_changed_corner(Halfedge h, const glm::dvec3& place, Lo
     if (states_[mesh_.from(end).index].place == place) continue;
     Halfedge corner = end;
     do {
+      ++looked_at_;
       if (const Face f = mesh_.face(corner); f && f != left && f != right && look(corner)) return true;
       corner = mesh_.counter_clockwise(corner);
     } while (corner != end);

@@ -64,6 +64,7 @@ CollapseSurface::CollapseSurface(const Mesh& mesh, const CollapseLimits& limits)
       if (has_copies(mesh_, v) || !is_finite(mesh_.position(v))) flags |= pinned;
     }
   });
+  find_large_faces();
   find_features();
   sum_planes();
 }
@@ -88,7 +89,7 @@ void CollapseSurface::find_features() {
   }
 }
 
-glm::dvec3 CollapseSurface::area_vector(Face f, Vertex a, Vertex b, const glm::dvec3& place) const {
+glm::dvec3 CollapseSurface::summed_area_vector(Face f, Vertex a, Vertex b, const glm::dvec3& place) const {
   const auto at = [&](Halfedge h) {
     const Vertex v = mesh_.from(h);
     return v == a || v == b ? place : states_[v.index].place;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "core/algo/edge_rules.h"
@@ -22,8 +23,8 @@ struct CollapseLimits {
   BoundaryMode boundary = BoundaryMode::weighted;
   double error = std::numeric_limits<double>::infinity();  // in units of the mesh
   double turn_rad = 1.5707963267948966;                    // a collapse turns a normal by less; at most a quarter turn
-  double smallest_angle_rad = 0;    // no face gets a smaller one, or one smaller than it had where that was less
-  std::vector<std::uint8_t> fixed;  // by vertex slot: not 0, it stays; empty: none has to
+  double smallest_angle_rad = 0;         // no face gets a smaller one, or one smaller than it had where that was less
+  std::vector<std::uint8_t> fixed = {};  // by vertex slot: not 0, it stays; empty: none has to
 };
 
 // Which end an edge may lose.
@@ -84,6 +85,8 @@ class CollapseSurface {
   // Whether a face would turn too far, lose its area or get too small an angle if it were swapped.
   bool swap_spoils_face(Halfedge h) const;
 
+  // Before each collapse: what it makes of the faces of many corners.
+  void follow_large_faces(Halfedge h, const Placing& placing);
   // `kept` now stands for `gone` too and has come to the position.
   void merge(Vertex gone, Vertex kept, const glm::dvec3& position);
   // An edge that took the place of another one between the same points.
@@ -97,10 +100,11 @@ class CollapseSurface {
     std::uint16_t merges_of_a, merges_of_b;
     friend bool operator==(const History&, const History&) = default;
   };
-  History history(Halfedge h) const {
-    const Vertex a = mesh_.from(h), b = mesh_.to(h);
-    return {a, b, states_[a.index].merges, states_[b.index].merges};
-  }
+  History history(Halfedge h) const { return history(mesh_.from(h), mesh_.to(h)); }
+  History history(Vertex a, Vertex b) const { return {a, b, states_[a.index].merges, states_[b.index].merges}; }
+
+  // So many corners of faces were looked at so far to see what collapses would make of them.
+  std::uint64_t looked_at() const { return looked_at_; }
 
   void prefetch_ends(Edge e) const;
   void prefetch_place(Vertex v) const { prefetch_cell(states_.data(), v.index); }
@@ -118,13 +122,22 @@ class CollapseSurface {
   enum VertexFlag : std::uint8_t { fixed = 1, on_locked_boundary = 2, on_feature = 4, pinned = 8 };
   enum EdgeFlag : std::uint8_t { feature = 1 };
 
+  // A face of so many corners that its area is kept and changed with its corners.
+  struct LargeFace {
+    glm::dvec3 area_vector;
+    std::size_t corners, changes = 0;  // changes since it was summed
+  };
+
+  void find_large_faces();
   void find_features();
   void sum_planes();
   void sum_planes_at(Vertex v);
   void add_edge_plane(Quadric& sum, Halfedge h, double weight) const;
   // Twice the area of a face along its normal, with the ends of an edge at a place.
   glm::dvec3 area_vector(Face f, Vertex a, Vertex b, const glm::dvec3& place) const;
-  glm::dvec3 area_vector(Face f) const { return area_vector(f, Vertex(), Vertex(), {}); }
+  glm::dvec3 area_vector(Face f) const;
+  // The same, corner by corner.
+  glm::dvec3 summed_area_vector(Face f, Vertex a, Vertex b, const glm::dvec3& place) const;
   std::optional<EdgeRule> hold(Vertex v, bool along_feature) const;
   bool turns_too_far(const glm::dvec3& before, const glm::dvec3& after) const;
   bool turns_small_face(Halfedge corner, const glm::dvec3& position) const;
@@ -138,6 +151,8 @@ class CollapseSurface {
   double error_, turn_cosine_, angle_cosine_;
   ColumnVector<State> states_;            // by vertex
   std::vector<std::uint8_t> edge_flags_;  // none where there is no seam
+  std::unordered_map<Face, LargeFace> large_faces_;
+  mutable std::uint64_t looked_at_ = 0;
 };
 
 }  // namespace ryosen

@@ -7,7 +7,7 @@
 namespace ryosen {
 
 // from(h) goes, to(h) stays where it is. quick_collapse(mesh, h) must have said legal. `drop(stays, goes)` is told of each
-// edge that goes for another one between the same points. Cost: the valence of both ends.
+// edge that goes for another one between the same points. Cost: the valence of the one that goes.
 template <class Drop>
 void plain_collapse(Edit& edit, Halfedge h, Drop drop) {
   const Mesh& m = edit.mesh();
@@ -16,11 +16,12 @@ void plain_collapse(Edit& edit, Halfedge h, Drop drop) {
   const HalfedgeLinks left = m.links(h), right = m.links(o);
   const Halfedge left_going = left.face ? left.prev : Halfedge(), right_going = right.face ? right.next : Halfedge();
   const Halfedge first = m.counter_clockwise(h);
+  Halfedge outside;  // that will leave the vertex that stays, of those that leave the other one
   for (Halfedge g = first; g != h;) {
     const Halfedge next = m.counter_clockwise(g);
-    if (!left.face || g != twin(left_going)) {
-      if (g != right_going) edit.set_from(g, kept);
-    }
+    const bool goes = left.face && g == twin(left_going);
+    if (m.is_outside(g)) outside = goes ? left.next : g;
+    if (!goes && g != right_going) edit.set_from(g, kept);
     g = next;
   }
   // `going` ends or starts at the vertex that goes, `staying` takes the place of its twin.
@@ -45,14 +46,9 @@ void plain_collapse(Edit& edit, Halfedge h, Drop drop) {
   if (left.face) close(left.prev, left.next, left_apex, left.face);
   if (right.face) close(right.next, right.prev, right_apex, right.face);
   // The vertex that stays stores a boundary halfedge, if it has one.
-  const Halfedge some = left.face ? left.next : m.next(left.prev);
   Halfedge hold = m.halfedge(kept);
-  if (hold == o || !m.is_alive(hold)) hold = some;
-  for (Halfedge g = some;;) {
-    if (m.is_outside(g)) hold = g;
-    g = m.counter_clockwise(g);
-    if (g == some) break;
-  }
+  if (hold == o || !m.is_alive(hold)) hold = left.face ? left.next : m.next(left.prev);
+  if (outside && !m.is_outside(hold)) hold = outside;
   edit.set_halfedge(kept, hold);
   edit.remove(edge(h));
   edit.remove(gone);

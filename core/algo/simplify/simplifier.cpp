@@ -20,6 +20,16 @@ namespace {
 // Levels from one cost to twice that cost, as a power of two: fewer are faster, more are nearer to the least error.
 constexpr std::array<unsigned, 3> level_bits{0, 1, 6};
 
+// Without copies, wires and rings.
+bool has_only_triangles(const Mesh& mesh) {
+  if (mesh.has_copies() || mesh.has_rings()) return false;
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
+    if (const Face f(i); mesh.is_alive(f) && !is_triangle(mesh, mesh.halfedge(f))) return false;
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i)
+    if (const Edge e(i); mesh.is_alive(e) && mesh.is_wire(e)) return false;
+  return true;
+}
+
 bool has_values(const Mesh& mesh, ElementKind kind) {
   return std::any_of(mesh.attributes().begin(), mesh.attributes().end(),
                      [&](const AttributeColumn& column) { return column.element == kind; });
@@ -37,7 +47,8 @@ Simplifier::Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyG
       is_blocked_(mesh_.edge_slots()),
       has_blocked_(mesh_.vertex_slots()),
       has_corner_values_(!corner_attributes(mesh_).empty()),
-      has_vertex_values_(has_values(mesh_, ElementKind::vertex)) {
+      has_vertex_values_(has_values(mesh_, ElementKind::vertex)),
+      has_triangles_alone_(has_only_triangles(mesh_)) {
   if (goal.no_self_intersections) guard_.emplace(mesh_);
   if (!steps) edit_.emplace(mesh, nullptr);
 }
@@ -100,9 +111,16 @@ bool Simplifier::find_further(Progress& progress) {
 Simplifier::Legality Simplifier::legality(Halfedge h) const {
   const QuickAnswer quick = quick_collapse(mesh_, h);
   if (quick != QuickAnswer::unknown) return quick == QuickAnswer::legal ? Legality::plain : Legality::none;
-  return CollapseEdge{h}.is_legal(mesh_) || CollapseEdge{twin(h)}.is_legal(mesh_) ? Legality::by_kernel
-                                                                                  : Legality::none;
+  const bool is_at_hub = is_plain_at_hub(h);
+  if (is_at_hub) {
+    const QuickAnswer at_hub = collapse_at_hub(h);
+    if (at_hub != QuickAnswer::unknown) return at_hub == QuickAnswer::legal ? Legality::at_hub : Legality::none;
+  }
+  if (!kernel_allows(h) && !kernel_allows(twin(h))) return Legality::none;
+  return is_at_hub ? Legality::at_hub : Legality::by_kernel;
 }
+
+bool Simplifier::kernel_allows(Halfedge h) const { return CollapseEdge{h}.judge(mesh_, known_).legal(); }
 
 // One of a batch, after others of it have collapsed.
 Simplifier::Answer Simplifier::try_again(const Candidate& candidate) {
@@ -159,7 +177,8 @@ Simplifier::Answer Simplifier::try_place(const Freedom& freedom, const Placing& 
     return Answer::later;
   }
   if (makes_faces_meet(freedom, placing)) return Answer::refused;
-  collapse(freedom, placing, legality == Legality::plain && !has_corner_values_);
+  const bool is_plain = legality != Legality::by_kernel && !has_corner_values_;
+  collapse(freedom, placing, is_plain ? legality : Legality::by_kernel);
   return Answer::done;
 }
 
@@ -167,18 +186,28 @@ bool Simplifier::makes_faces_meet(const Freedom& freedom, const Placing& placing
   return guard_ && guard_->would_meet(freedom.halfedge, surface_.position_of(placing));
 }
 
-void Simplifier::collapse(const Freedom& freedom, const Placing& placing, bool is_plain) {
+// From the vertex that goes to the one that stays.
+Halfedge Simplifier::directed(const Freedom& freedom, Legality legality) {
   Halfedge h = freedom.halfedge;
+  // What goes is walked around.
+  if (legality == Legality::at_hub && !freedom.is_anchored && is_hub(mesh_.from(h))) return twin(h);
+  if (legality != Legality::by_kernel) return h;
+  if (!kernel_allows(h)) h = twin(h);
+  return known_.has_several_fans(mesh_, mesh_.from(h)) ? twin(h) : h;
+}
+
+void Simplifier::collapse(const Freedom& freedom, const Placing& placing, Legality legality) {
+  const Halfedge h = directed(freedom, legality);
   error_max_ = std::max(error_max_, surface_.error_of(h, placing));
-  if (!is_plain) {
-    if (!CollapseEdge{h}.is_legal(mesh_)) h = twin(h);
-    h = CollapseEdge{h}.directed(mesh_);
-  }
   const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
   const std::array<Face, 2> sides{mesh_.face(h), mesh_.face(twin(h))};
   const std::array<Vertex, 2> apexes{mesh_.from(mesh_.prev(h)), mesh_.from(mesh_.prev(twin(h)))};
+  if (legality == Legality::by_kernel)
+    for (Face f : sides)
+      if (f && !known_.is_one_simple_loop(mesh_, f)) known_.forget(f);
+  surface_.follow_large_faces(h, placing);
   if (steps_) edit_.emplace(writable_, steps_);
-  write_collapse(h, placing, is_plain);
+  write_collapse(h, placing, legality != Legality::by_kernel);
   if (steps_) {
     edit_->commit();
     edit_.reset();
@@ -224,17 +253,6 @@ void Simplifier::block(Edge e) {
   for (unsigned side : {0u, 1u}) has_blocked_[mesh_.from(halfedge(e, side)).index] = 1;
 }
 
-// A vertex of so many edges that not all of them can be asked whenever something changes at one.
-bool Simplifier::is_hub(Vertex v) const {
-  constexpr int most = 64;
-  int count = 0;
-  for (Halfedge h = mesh_.halfedge(v); ++count <= most;) {
-    h = mesh_.counter_clockwise(h);
-    if (h == mesh_.halfedge(v)) return false;
-  }
-  return true;
-}
-
 // What edges around a vertex and around its neighbours ask has changed: their levels are in the past or still to come. Of
 // a hub only those to what has changed; find_further() asks the others in the end.
 void Simplifier::unblock_around(Vertex v, const std::array<Vertex, 2>& apexes) {
@@ -271,14 +289,22 @@ EdgeRule Simplifier::rule_of(Edge e) const {
   if (legality(halfedge(e)) == Legality::none) return EdgeRule::structure;
   EdgeRule last = EdgeRule::structure;
   const auto add = [&](const Placing& placing) {
-    EdgeRule rule = refusal(freedom, placing).value_or(EdgeRule::free);
     const bool is_at_anchor = freedom.is_possible && placing.at == mesh_.to(freedom.halfedge);
-    if (freedom.is_anchored && !is_at_anchor) rule = std::min(rule, freedom.held_by);
+    const bool is_held = freedom.is_anchored && !is_at_anchor;
+    EdgeRule rule = is_held ? freedom.held_by : EdgeRule::free;
+    // It costs the valence to see whether faces turn: that is not asked where it would tell nothing.
+    if (!surface_.is_within_error(freedom.halfedge, placing)) rule = std::min(rule, EdgeRule::error);
+    if (rule <= last) return;
+    if (rule >= EdgeRule::normal) rule = std::min(rule, refusal(freedom, placing).value_or(EdgeRule::free));
     last = std::max(last, rule);
   };
   const Freedom unheld{freedom.halfedge};
+  const std::array<Placing, 3> others = surface_.others(unheld);
+  // First those that move no hub.
+  for (const Placing& other : others)
+    if (other.at && is_hub(other.at)) add(other);
   add(surface_.lowest(unheld));
-  for (const Placing& other : surface_.others(unheld)) add(other);
+  for (const Placing& other : others) add(other);
   return last;
 }
 

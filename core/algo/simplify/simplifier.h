@@ -8,7 +8,9 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/algo/simplify/collapse_surface.h"
@@ -17,6 +19,8 @@
 #include "core/algo/simplify/small_parts.h"
 #include "core/base/progress.h"
 #include "core/mesh/edit.h"
+#include "core/ops/rules/local_facts.h"
+#include "core/ops/rules/plain_check.h"
 
 namespace ryosen {
 
@@ -45,6 +49,7 @@ class Simplifier {
   std::size_t removed_parts() const { return removed_parts_; }
   std::size_t swaps() const { return swaps_; }
   std::size_t asked() const { return asked_; }
+  std::uint64_t looked_at() const { return surface_.looked_at(); }
   // The largest error of all collapses, in units of the mesh.
   double error_max() const { return surface_.scale().restored_length(error_max_); }
   bool is_at_goal() const { return mesh_.live().faces <= goal_.faces; }
@@ -55,7 +60,7 @@ class Simplifier {
 
  private:
   enum class Answer { done, later, refused };
-  enum class Legality { none, plain, by_kernel };  // plain: as plain_collapse.h does it
+  enum class Legality { none, plain, at_hub, by_kernel };  // plain, also at a hub: as plain_collapse.h does it
 
   // An edge that is on the level of its cost.
   struct Candidate {
@@ -85,8 +90,16 @@ class Simplifier {
   Answer try_edge(const Freedom& freedom, const Placing& lowest);
   Answer try_place(const Freedom& freedom, const Placing& placing, Legality legality);
   Legality legality(Halfedge h) const;
+  bool kernel_allows(Halfedge h) const;
+  // Whether an edge at a hub differs from any other between triangles by the valence alone.
+  bool is_plain_at_hub(Halfedge h) const;
+  // As quick_collapse(), without walking around the hub.
+  QuickAnswer collapse_at_hub(Halfedge h) const;
+  bool shares_neighbours_with_hub(Halfedge h) const;
+  bool are_joined(Vertex v, Vertex hub) const;
   bool makes_faces_meet(const Freedom& freedom, const Placing& placing) const;
-  void collapse(const Freedom& freedom, const Placing& placing, bool is_plain);
+  void collapse(const Freedom& freedom, const Placing& placing, Legality legality);
+  Halfedge directed(const Freedom& freedom, Legality legality);
   void write_collapse(Halfedge h, const Placing& placing, bool is_plain);
   void collapse_by_kernel(Halfedge h, const Placing& placing, const glm::dvec3& position);
   void block(Edge e);
@@ -108,6 +121,16 @@ class Simplifier {
   std::vector<std::uint8_t> is_blocked_;   // by edge
   std::vector<std::uint8_t> has_blocked_;  // by vertex: perhaps one of its edges is
   bool has_corner_values_, has_vertex_values_;
+  bool has_triangles_alone_;  // and no copies
+  // What a legal collapse leaves as it is: a vertex that stays has one fan or several as before, and a face that is one
+  // simple loop stays one. So no hub and no large face is walked around again for each of its edges.
+  mutable LocalFacts known_;
+  // Two hubs: an edge between them, or none as long as neither has taken in anything.
+  struct HubPair {
+    Edge edge;
+    CollapseSurface::History history;
+  };
+  mutable std::map<std::pair<Vertex, Vertex>, HubPair> hub_pairs_;
   std::size_t collapses_ = 0, asked_ = 0, removed_parts_ = 0, swaps_ = 0;
   double error_max_ = 0;
   bool minds_input_ = true;  // until nothing else can collapse

@@ -125,8 +125,8 @@ std::optional<CollapseFigures> by_kernel(const Mesh& mesh) {
 }
 
 constexpr std::array ways{
-    CollapseWay{"halfedge_lists", "halfedge, with the listing's lists", "ハーフエッジ（テキストのリスト）", in_lists},
-    CollapseWay{"halfedge", "halfedge, in arrays", "ハーフエッジ（配列）", in_arrays},
+    CollapseWay{"halfedge_lists", "halfedge, with the listing's lists", "半稜線（テキストのリスト）", in_lists},
+    CollapseWay{"halfedge", "halfedge, in arrays", "半稜線（配列）", in_arrays},
     CollapseWay{"ryosen", "Ryosen, with its check", "Ryosen（判定も含む）", by_kernel},
 };
 

@@ -30,4 +30,10 @@ std::uint32_t LocalFacts::corner_count(const Mesh& mesh, Face f) {
   return known->second;
 }
 
+void LocalFacts::forget(Face f) {
+  one_simple_loop_.erase(f);
+  equal_face_.erase(f);
+  corner_count_.erase(f);
+}
+
 }  // namespace ryosen

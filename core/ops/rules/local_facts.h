@@ -8,7 +8,7 @@
 
 namespace ryosen {
 
-// Valid while the mesh does not change. The first question about a vertex or face costs its valence or its corners.
+// Valid while the mesh does not change, but for what is forgotten. The first question about a vertex or face costs its valence or its corners.
 class LocalFacts {
  public:
   // See mesh/copies.h.
@@ -17,6 +17,7 @@ class LocalFacts {
   bool is_one_simple_loop(const Mesh& mesh, Face f);
   bool has_equal_face(const Mesh& mesh, Face f);
   std::uint32_t corner_count(const Mesh& mesh, Face f);
+  void forget(Face f);
 
  private:
   std::unordered_map<Vertex, bool> several_fans_;

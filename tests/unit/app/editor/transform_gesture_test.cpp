@@ -168,6 +168,47 @@ TEST_F(GestureTest, extruding_is_one_entry_along_the_normal_of_the_faces_or_noth
   EXPECT_EQ(session_->mesh().hash(), hash);
 }
 
+// Anywhere: where the pointer leaves it, as one entry.
+TEST_F(GestureTest, splitting_puts_the_vertex_wherever_the_pointer_leaves_it) {
+  const std::uint64_t hash = session_->mesh().hash();
+  run({"mode edge", "select 0-1", "key Shift+E"});
+  ASSERT_TRUE(session_->gesture());
+  run({"key Escape"});
+  EXPECT_EQ(session_->mesh().hash(), hash);
+  EXPECT_TRUE(session_->document().history().empty());
+  run({"select 0-1", "move 500,300", "key Shift+E", "move 560,350"});
+  const Vertex made = session_->gesture()->moved()[0].point;
+  const glm::dvec3 shown = session_->drawn_positions()[made.index];
+  run({"press left 560,350", "release left 560,350"});
+  EXPECT_FALSE(session_->gesture());
+  ASSERT_EQ(session_->document().history().size(), 1u);
+  EXPECT_TRUE(session_->document().history()[0].command.starts_with("split 0-1 "));
+  EXPECT_NEAR(glm::length(session_->mesh().position(made) - shown), 0, 1e-12) << "what was shown is what is there";
+  const glm::dvec3 &a = session_->mesh().position(Vertex(0)), &b = session_->mesh().position(Vertex(1));
+  EXPECT_GT(glm::length(glm::cross(shown - a, b - a)), 0.01 * glm::dot(b - a, b - a)) << "beside the edge";
+  const auto again = open();
+  for (const std::string& line : session_->log()) ASSERT_TRUE(again->run(line).done()) << line;
+  EXPECT_EQ(again->mesh().hash(), session_->mesh().hash());
+  run({"undo"});
+  EXPECT_EQ(session_->mesh().hash(), hash);
+}
+
+// With the tool in hand it begins where the pointer is on the edge; not moved, it is a split there.
+TEST_F(GestureTest, splitting_begins_under_the_tool) {
+  const Mesh& mesh = session_->mesh();
+  run({"tool split"});
+  const auto seen = session_->pick({478, 488}, PickMode::edge);
+  ASSERT_TRUE(seen);
+  run({"move 478,488", "key Shift+E", "key Enter"});
+  ASSERT_EQ(session_->document().history().size(), 1u);
+  EXPECT_TRUE(session_->document().history()[0].command.starts_with("split "));
+  const Vertex made(mesh.vertex_slots() - 1);
+  EXPECT_LT(glm::length(project(session_->camera, session_->view, mesh.position(made))->pixel - glm::dvec2(478, 488)),
+            pick_radius_px + 1);
+  run({"tool none", "select none"});
+  EXPECT_EQ(session_->run("gesture split").exit_code, ExitCode::refused);
+}
+
 TEST_F(GestureTest, extruding_that_is_given_up_leaves_what_can_be_redone_and_what_is_saved) {
   run({"mode face", "select f0 f1", "poke f9", "poke f10", "undo"});
   const std::string saved = testing::TempDir() + "given_up.off";

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/algo/simplify/remaining_edges.h"
 #include "core/algo/simplify/simplify.h"
 #include "core/pick/nearest.h"
 #include "tests/support/core/random_meshes.h"
@@ -82,6 +83,93 @@ TEST(simplifier, asks_few_edges_of_a_hub_for_each_collapse) {
   };
   EXPECT_LT(asked_per_collapse(1000), 40);
   EXPECT_LT(asked_per_collapse(2000), 40);
+}
+
+// A circle of n places as one face, or as a fan around a hub that lies so high.
+Mesh circle(std::uint32_t n, std::optional<double> height) {
+  IndexedMesh source;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double angle = 6.283185307179586 * i / n;
+    source.positions.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    if (!height) source.corners.push_back(i);
+    if (height)
+      for (const std::uint32_t corner : {n, i, (i + 1) % n}) source.corners.push_back(corner);
+    if (height || i + 1 == n) source.face_offsets.push_back(static_cast<std::uint32_t>(source.corners.size()));
+  }
+  if (height) source.positions.emplace_back(0.0, 0.0, *height);
+  return from_indexed(source);
+}
+
+// The edges that were asked, and the corners looked at for them and for the account of all that are left.
+double work(Mesh mesh, const CollapseLimits& limits, const SimplifyGoal& goal) {
+  Simplifier simplifier(mesh, limits, goal);
+  Progress unheard;
+  simplifier.run(unheard);
+  find_remaining(mesh, simplifier, unheard);
+  return static_cast<double>(simplifier.asked()) + static_cast<double>(simplifier.looked_at());
+}
+
+TEST(simplifier, work_on_large_faces_and_hubs_grows_no_faster_than_n_log_n) {
+  struct Limited {
+    const char* name;
+    CollapseLimits limits;
+    double share;
+  };
+  const std::vector<Limited> all{{"a half", {}, 0.5},
+                                 {"none", {}, 0},
+                                 {"locked", {.boundary = BoundaryMode::locked}, 0},
+                                 {"error", {.error = 0}, 0},
+                                 {"turn", {.turn_rad = 0.1}, 0},
+                                 {"angle", {.smallest_angle_rad = 0.1}, 0}};
+  for (const std::optional<double> height : {std::optional<double>(), std::optional(0.0), std::optional(1.0)})
+    for (const Limited& limited : all) {
+      const auto work_on = [&](std::uint32_t n) {
+        Mesh mesh = circle(n, height);
+        return work(std::move(mesh), limited.limits, {.faces = static_cast<std::size_t>(limited.share * n)});
+      };
+      const std::string name = std::string(limited.name) + " at " + (height ? std::to_string(*height) : "one face");
+      const double one = work_on(2000), two = work_on(4000), four = work_on(8000);
+      EXPECT_LT(two, 2.4 * one) << name << ": " << one << " " << two << " " << four;
+      EXPECT_LT(four, 2.4 * two) << name << ": " << one << " " << two << " " << four;
+    }
+}
+
+TEST(simplifier, is_as_sound_at_hubs_and_large_faces_as_elsewhere) {
+  for (const double height : {0.0, 0.5}) go_all_the_way(circle(200, height), "a fan");
+  go_all_the_way(circle(300, std::nullopt), "one face");
+  const auto squeeze = [](Mesh mesh) {
+    Edit edit(mesh, nullptr);
+    for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+      const glm::dvec3 p = mesh.position(Vertex(i));
+      edit.set_position(Vertex(i), p * (1 + 0.3 * (i * 7 % 5)) + glm::dvec3(0, 0, 0.1 * (i * 3 % 7)));
+    }
+    return mesh;
+  };
+  go_all_the_way(squeeze(circle(200, 0.5)), "a rough fan");
+  go_all_the_way(squeeze(circle(300, std::nullopt)), "a rough face");
+  // Two hubs on one circle, and two large faces with squares between.
+  Polygons cones, prism(2);
+  for (std::uint32_t i = 0; i < 150; ++i) {
+    const std::uint32_t k = (i + 1) % 150;
+    cones.push_back({150, i, k});
+    cones.push_back({151, k, i});
+    prism[0].push_back(149 - i);
+    prism[1].push_back(150 + i);
+    prism.push_back({i, k, 150 + k, 150 + i});
+  }
+  const auto round = [](const Polygons& faces, bool is_prism) {
+    IndexedMesh source = indexed(faces);
+    source.positions.clear();
+    for (std::uint32_t i = 0; i < (is_prism ? 300 : 150); ++i) {
+      const double angle = 6.283185307179586 * (i % 150) / 150;
+      source.positions.emplace_back(std::cos(angle), std::sin(angle), i / 150);
+    }
+    if (!is_prism) source.positions.insert(source.positions.end(), {{0, 0, 1}, {0, 0, -1}});
+    return from_indexed(source);
+  };
+  go_all_the_way(round(cones, false), "two cones");
+  go_all_the_way(squeeze(round(cones, false)), "two rough cones");
+  go_all_the_way(round(prism, true), "a prism");
 }
 
 // By brute force over the places of the input.

@@ -120,6 +120,8 @@ class AlgorithmRun {
   // Gives the call the values on this mesh.
   std::optional<Failure> look_up_values(Call& call) {
     ReadValues found = call.values.on(document_.mesh());
+    if (found.lacks_extent)
+      return make_failure(ExitCode::refused, "mesh_refused", {found.sentence.en + ".", found.sentence.ja + "。"});
     if (!found.values) return usage_failure("bad_value", {found.sentence.en + ".", found.sentence.ja + "。"});
     call.values = std::move(*found.values);
     return std::nullopt;

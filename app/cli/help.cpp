@@ -7,13 +7,14 @@
 #include "app/cli/exit_codes.h"
 #include "app/cli/subcommands.h"
 #include "app/editor/script.h"
+#include "app/editor/text_places.h"
 
 namespace ryosen::cli {
 
 namespace {
 
 // What `help` knows besides commands.
-constexpr std::string_view json_topic = "json";
+constexpr std::string_view json_topic = "json", texts_topic = "texts";
 
 std::string usage_of(const Subcommand& command) {
   std::string usage = "ryosen " + std::string(command.id);
@@ -73,6 +74,28 @@ std::string json_line_of(const Subcommand& command) {
   return line_of(json);
 }
 
+// A line of three parts for each place.
+void show_text_places(const Console& console) {
+  for (const TextPlace& place : text_places()) {
+    if (console.json) {
+      Record<text_place_shape> json;
+      json["text"] = place.text;
+      Record<sentence_shape> name, where;
+      name.put(place.place_en, place.place_ja);
+      where.put(place.where_en, place.where_ja);
+      json["place"] = std::move(name).json();
+      json["commands"] = place.lines.empty() ? Json() : Json(place.lines);
+      json["where"] = std::move(where).json();
+      console.print(line_of(json));
+      continue;
+    }
+    std::string text =
+        std::string(place.text) + "  " + std::string(console.text(place.place_en, place.place_ja)) + "\n";
+    if (!place.lines.empty()) text.append("     ").append(place.lines) += "\n";
+    console.print(text + "     " + std::string(console.text(place.where_en, place.where_ja)) + "\n");
+  }
+}
+
 }  // namespace
 
 ExitCode show_help(const std::optional<Subcommand>& command, const Console& console) {
@@ -93,7 +116,11 @@ ExitCode help_command(const Arguments& arguments, const Console& console) {
     show_contract(console);
     return ExitCode::done;
   }
-  std::vector<std::string> known{std::string(json_topic)};
+  if (name == texts_topic) {
+    show_text_places(console);
+    return ExitCode::done;
+  }
+  std::vector<std::string> known{std::string(json_topic), std::string(texts_topic)};
   for (const Subcommand& command : subcommands()) known.emplace_back(command.id);
   return console.fail(usage_failure(
       "unknown_command", Text{"'" + name + "' is not a command.", "「" + name + "」というコマンドはありません。"} +

@@ -299,9 +299,10 @@ std::vector<Subcommand> table() {
                  doctor_command,
                  doctor_contract},
       Subcommand{"help",
-                 "[COMMAND|json]",
-                 "what the program and its commands do; json: every key and code that they print",
-                 "プログラムとコマンドの使い方（json：出力するキーとコードのすべて）",
+                 "[COMMAND|json|texts]",
+                 "what the program and its commands do; json: every key and code that they print; texts: where each "
+                 "figure of the source texts is found",
+                 "プログラムとコマンドの使い方（json：出力するキーとコードのすべて、texts：テキストの図表がある場所）",
                  {},
                  nullptr,
                  help_command,

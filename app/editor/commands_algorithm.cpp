@@ -38,7 +38,8 @@ void unless_memory_lacks(SayMore say_more) {
 Outcome run_recipe(Session& session, const std::string& list) {
   const RepairCall call = read_repairs(list).call;
   for (const RecipeStep& step : call.steps)
-    if (const ReadValues found = step.values.on(session.mesh()); !found.values) return usage_error(found.sentence);
+    if (const ReadValues found = step.values.on(session.mesh()); !found.values)
+      return failed(found.lacks_extent ? ExitCode::refused : ExitCode::usage, found.sentence);
   Outcome outcome;
   outcome.performed = "repair " + list;
   RecipeEvents events;
@@ -84,6 +85,7 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
   const ReadValues given = read_values(row.parameters, words);
   if (!given.values) return usage_error(id + ": " + given.sentence.en, id + "：" + given.sentence.ja);
   const ReadValues found = given.values->on(session.mesh());
+  if (found.lacks_extent) return failed(ExitCode::refused, behind(id, found.sentence));
   if (!found.values) return no_element(session.document(), id + " " + found.name, found.error, found.sentence);
   const bool has_bare_value = !words.empty() && words[0].find('=') == std::string_view::npos;
   const std::string values = given.values->line(has_bare_value);

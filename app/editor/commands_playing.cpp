@@ -4,6 +4,7 @@
 #include "app/editor/command_functions.h"
 #include "app/editor/panel_list.h"
 #include "app/editor/playing.h"
+#include "app/editor/words.h"
 
 namespace ryosen {
 
@@ -91,7 +92,16 @@ std::optional<Text> fault_of_steps(Words arguments, const std::string&) {
   return row ? std::nullopt : std::optional(row.failure().message.text);
 }
 
-Outcome run_steps(Session& session, Words arguments, std::string_view) {
+// The words that call what is played; the name of a script may have blanks.
+std::vector<std::string> called_words(Session& session, Words arguments, std::string_view whole) {
+  const auto row = find_played(arguments[0]);
+  if (arguments.size() < 2 || !row || !(*row)->plays_script) return {arguments.begin(), arguments.end()};
+  std::string name = file_name(behind_word(without_blanks(whole)));
+  if (is_script_file(name)) session.files.reads(name, FileRole::script);
+  return {std::string(arguments[0]), std::move(name)};
+}
+
+Outcome run_steps(Session& session, Words arguments, std::string_view whole) {
   if (const auto fault = fault_of_steps(arguments, {})) return usage_error(*fault);
   if (arguments[0] == "close") {
     end_playing(session);
@@ -99,8 +109,7 @@ Outcome run_steps(Session& session, Words arguments, std::string_view) {
   }
   const PlayerWay* const way = find_way(arguments[0]);
   if (!way && arguments[0] != "at") {
-    const std::vector<std::string> words(arguments.begin(), arguments.end());
-    Outcome outcome = begin_playing(session, words);
+    Outcome outcome = begin_playing(session, called_words(session, arguments, whole));
     if (!outcome.done()) return outcome;
     session.show(panel_opened_by(PanelOpener::played), true);
     outcome.sentence = session.player->remark();

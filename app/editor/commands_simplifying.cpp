@@ -45,7 +45,7 @@ Outcome begin_levels(Session& session, Words words) {
   session.end_trial();
   const ParameterValues values = as_of_simplify(*given.values);
   const ReadValues found = values.on(session.mesh());
-  if (!found.values) return failed(ExitCode::usage, found.sentence);
+  if (!found.values) return failed(found.lacks_extent ? ExitCode::refused : ExitCode::usage, found.sentence);
   Progress progress(session.on_progress);
   BuiltLevels built = build_levels(session.mesh(), *found.values, progress);
   if (built.refused) return failed(ExitCode::refused, behind("levels", *built.refused));

@@ -7,6 +7,7 @@
 #include "app/editor/levels.h"
 #include "app/editor/script.h"
 #include "app/editor/session.h"
+#include "app/editor/words.h"
 #include "core/io/input_file.h"
 #include "core/steps/players.h"
 
@@ -56,6 +57,8 @@ Result<const steps::StepsRow*> find_played(std::string_view word) {
                 "「" + std::string(word) + "」という再生はありません（" + known + "）。" + hint.ja});
 }
 
+bool is_script_file(std::string_view name) { return name != history_word && !find_built_in_script(name); }
+
 Result<std::unique_ptr<steps::Sequence>> make_played(const Mesh& mesh, std::span<const std::string> words) {
   const Result<const steps::StepsRow*> row = find_played(words.empty() ? std::string_view() : words[0]);
   if (!row) return row.failure();
@@ -64,7 +67,7 @@ Result<std::unique_ptr<steps::Sequence>> make_played(const Mesh& mesh, std::span
 }
 
 Result<std::unique_ptr<steps::Sequence>> make_played(const Document& document, std::span<const std::string> words) {
-  if (words.size() != 2 || words[1] != "history") return make_played(document.mesh(), words);
+  if (words.size() != 2 || words[1] != history_word) return make_played(document.mesh(), words);
   const Result<const steps::StepsRow*> row = find_played(words[0]);
   if (!row) return row.failure();
   if (!(*row)->plays_script) return make_played(document.mesh(), words);
@@ -117,7 +120,7 @@ Outcome begin_playing(Session& session, std::span<const std::string> words) {
   Result<std::unique_ptr<steps::Sequence>> sequence = make_played(document, words);
   if (!sequence) return failed(sequence.failure());
   std::string call;
-  for (const std::string& word : words) call += (call.empty() ? "" : " ") + word;
+  for (const std::string& word : words) call += call.empty() ? word : " " + file_argument(word);
   session.player = std::make_shared<Player>(std::move(call), std::move(sequence).value(), document);
   // What begins with nothing is looked at as it ends.
   if (document.mesh().live().vertices == 0) {

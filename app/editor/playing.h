@@ -19,6 +19,11 @@ class Session;
 // Its row; a failure names those that there are.
 Result<const steps::StepsRow*> find_played(std::string_view word);
 
+// What `script` takes in place of the name of an exercise or a file.
+inline constexpr std::string_view history_word = "history";
+// Whether that is a file.
+bool is_script_file(std::string_view name);
+
 // The steps that the words call on a mesh. A script is an exercise by its id, which begins with an empty mesh, or a file,
 // which goes on from this one.
 Result<std::unique_ptr<steps::Sequence>> make_played(const Mesh& mesh, std::span<const std::string> words);

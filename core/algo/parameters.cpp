@@ -213,8 +213,22 @@ std::optional<Text> ParameterValues::fault_of_missing(
   return std::nullopt;
 }
 
+namespace {
+
+ReadValues of_no_extent(const ParameterRow& row, const std::string& share) {
+  const std::string id(row.id);
+  return {std::nullopt,
+          NameError::none,
+          {},
+          {"all points of the mesh are at one place or there are none, so that " + id + " " + share + " is no length",
+           "メッシュの点がないか一か所にあり、対角線の長さが 0 のため、" + id + " の " + share + " は長さになりません"},
+          true};
+}
+
+}  // namespace
+
 ReadValues ParameterValues::on(const Mesh& mesh) const {
-  ReadValues read{*this, NameError::none, {}, {}};
+  ReadValues read{*this, NameError::none, {}, {}, false};
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     if (!values_[i]) continue;
     ParameterValue& value = *read.values->values_[i];
@@ -222,6 +236,7 @@ ReadValues ParameterValues::on(const Mesh& mesh) const {
       value.number = share_of_diagonal(mesh, value.number / 100);
       value.is_percent = false;
       value.was_percent = true;
+      if (value.number == 0 && !is_in_range(rows_[i], 0)) return of_no_extent(rows_[i], this->text_at(i));
       if (!std::isfinite(value.number) || !is_in_range(rows_[i], value.number))
         return {std::nullopt, NameError::malformed, {}, fault_of_value(rows_[i], text_at(i), rows_[i].id)};
     }

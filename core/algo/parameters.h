@@ -113,6 +113,7 @@ struct ReadValues {
   NameError error = NameError::none;
   std::string name;  // of the element that is not there
   Text sentence;
+  bool lacks_extent = false;  // a length is a share of the diagonal, and that of this mesh is 0
 };
 
 // `name=value` words in any order; a first word without `=` is the value of the first parameter.

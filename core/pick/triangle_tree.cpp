@@ -54,6 +54,7 @@ TriangleTree::TriangleTree(std::span<const glm::dvec3> positions, std::span<cons
   take(positions, triangles, sorted(positions, triangles, scale), scale);
   choose_origin();
   add_levels();
+  turn_slender_nodes();
 }
 
 std::vector<std::uint32_t> TriangleTree::sorted(std::span<const glm::dvec3> positions,
@@ -164,26 +165,44 @@ class TriangleTree::NearQuery {
  public:
   using Bound = float;
 
-  NearQuery(const glm::dvec3& p, double reach)
-      : x_(Float4::all(static_cast<float>(p.x))),
+  NearQuery(const TriangleTree& tree, const glm::dvec3& p)
+      : tree_(tree),
+        p_(p),
+        x_(Float4::all(static_cast<float>(p.x))),
         y_(Float4::all(static_cast<float>(p.y))),
         z_(Float4::all(static_cast<float>(p.z))),
-        slack_(0x1p-21 * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), reach})) {}
+        slack_(0x1p-20 * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), tree.reach_})) {}
 
   std::array<float, width> distances(const Node& node) const {
+    if (node.turn != no_index) return turned_distances(node, tree_.turns_[node.turn]);
     return floats_of(square(node, 0, x_) + square(node, 1, y_) + square(node, 2, z_));
   }
   float limit(double squared_distance) const { return limit_for(squared_distance, slack_); }
   double slack() const { return slack_; }
 
  private:
-  static Float4 square(const Node& node, std::size_t axis, Float4 place) {
+  static Float4 square(const std::array<float, width>& lowest, const std::array<float, width>& highest, Float4 place) {
     const Float4 gap =
-        larger(larger(Float4::load(node.lowest[axis].data()) - place, place - Float4::load(node.highest[axis].data())),
-               Float4::all(0.0f));
+        larger(larger(Float4::load(lowest.data()) - place, place - Float4::load(highest.data())), Float4::all(0.0f));
     return gap * gap;
   }
+  static Float4 square(const Node& node, std::size_t axis, Float4 place) {
+    return square(node.lowest[axis], node.highest[axis], place);
+  }
 
+  std::array<float, width> turned_distances(const Node& node, const Turn& turn) const {
+    const glm::dvec3 p = turn.axes * p_;
+    Float4 within =
+        square(node, 0, Float4::all(static_cast<float>(p.x))) + square(node, 1, Float4::all(static_cast<float>(p.y)));
+    for (std::size_t way = 0; way < 2; ++way) {
+      const Float4 place = Float4::all(static_cast<float>(glm::dot(turn.across[way], glm::dvec2(p))));
+      within = larger(within, square(turn.lowest[way], turn.highest[way], place));
+    }
+    return floats_of(within + square(node, 2, Float4::all(static_cast<float>(p.z))));
+  }
+
+  const TriangleTree& tree_;
+  glm::dvec3 p_;
   Float4 x_, y_, z_;
   double slack_;
 };
@@ -193,15 +212,16 @@ class TriangleTree::FarQuery {
  public:
   using Bound = double;
 
-  explicit FarQuery(const glm::dvec3& p)
-      : p_(p), slack_(0x1p-48 * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)})) {}
+  FarQuery(const TriangleTree& tree, const glm::dvec3& p)
+      : tree_(tree), p_(p), slack_(0x1p-47 * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)})) {}
 
   std::array<double, width> distances(const Node& node) const {
+    const glm::dvec3 p = node.turn == no_index ? p_ : tree_.turns_[node.turn].axes * p_;
     std::array<double, width> result;
     for (std::size_t child = 0; child < width; ++child) {
       double sum = 0;
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double x = p_[static_cast<int>(axis)];
+        const double x = p[static_cast<int>(axis)];
         const double gap = std::max({double(node.lowest[axis][child]) - x, x - double(node.highest[axis][child]), 0.0});
         sum += gap * gap;
       }
@@ -215,6 +235,7 @@ class TriangleTree::FarQuery {
   }
 
  private:
+  const TriangleTree& tree_;
   glm::dvec3 p_;
   double slack_;
 };
@@ -225,11 +246,18 @@ bool TriangleTree::is_far(const glm::dvec3& local) const {
 
 TriangleTree::Near TriangleTree::nearest(const glm::dvec3& p, std::uint32_t hint) const {
   const glm::dvec3 local = p - origin_;
-  return is_far(local) ? nearest(FarQuery(local), p, hint) : nearest(NearQuery(local, reach_), p, hint);
+  return is_far(local) ? nearest(FarQuery(*this, local), p, hint) : nearest(NearQuery(*this, local), p, hint);
+}
+
+std::size_t TriangleTree::triangles_asked_for(const glm::dvec3& p) const {
+  std::size_t asked = 0;
+  nearest(NearQuery(*this, p - origin_), p, no_index, &asked);
+  return asked;
 }
 
 template <class Query>
-TriangleTree::Near TriangleTree::nearest(const Query& query, const glm::dvec3& p, std::uint32_t hint) const {
+TriangleTree::Near TriangleTree::nearest(const Query& query, const glm::dvec3& p, std::uint32_t hint,
+                                         std::size_t* asked) const {
   using Bound = typename Query::Bound;
   struct Entry {
     std::uint32_t node;
@@ -263,6 +291,7 @@ TriangleTree::Near TriangleTree::nearest(const Query& query, const glm::dvec3& p
     }
     for (std::size_t i = count; i-- > 0 && open[i].bound < limit;) {
       if (open[i].node == hint) continue;
+      if (asked) ++*asked;
       const double square = squared(way(p, open[i].node));
       if (!(square < best_square)) continue;
       best_square = square;
@@ -287,7 +316,7 @@ void TriangleTree::nearest(std::span<const glm::dvec3> points, std::span<Near> n
       continue;
     }
     const std::uint32_t hint = near[i].triangle;
-    const NearQuery query(p - origin_, reach_);
+    const NearQuery query(*this, p - origin_);
     double best_square = near[i].distance * near[i].distance;
     float limit = query.limit(best_square);
     for (std::size_t k = 0; k < count; ++k) {
@@ -315,14 +344,24 @@ bool TriangleTree::find_shared(std::span<const glm::dvec3> points, std::span<Nea
     reach = std::max(reach, near[i].distance);
   }
   const Box box = box_of(points);
-  const FloatBox around = rounded_outwards(box.lowest - origin_, box.highest - origin_);
-  const std::array<float, 4> low = floats_of(around.lowest), high = floats_of(around.highest);
-  const float limit = limit_for(reach * reach, 0x1p-21 * 16 * reach_);
+  const glm::dvec3 middle = box.middle() - origin_, half = 0.5 * (box.highest - box.lowest);
+  const auto bounds_of = [](const glm::dvec3& m, const glm::dvec3& h) {
+    const FloatBox around = rounded_outwards(m - h, m + h);
+    return std::pair(floats_of(around.lowest), floats_of(around.highest));
+  };
+  const auto plain = bounds_of(middle, half);
+  const float limit = limit_for(reach * reach, 0x1p-20 * 16 * reach_);
   SmallStack<std::uint32_t> stack;
   stack.push(static_cast<std::uint32_t>(nodes_.size()) - 1);
   while (!stack.empty()) {
     const std::uint32_t number = stack.pop();
     const Node& node = nodes_[number];
+    std::pair<std::array<float, 4>, std::array<float, 4>> around = plain;
+    if (node.turn != no_index) {
+      const glm::dmat3& turn = turns_[node.turn].axes;
+      around = bounds_of(turn * middle, glm::dmat3(glm::abs(turn[0]), glm::abs(turn[1]), glm::abs(turn[2])) * half);
+    }
+    const auto& [low, high] = around;
     Float4 sum = Float4::all(0.0f);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const Float4 gap = larger(larger(Float4::load(node.lowest[axis].data()) - Float4::all(high[axis]),
@@ -346,7 +385,8 @@ bool TriangleTree::find_shared(std::span<const glm::dvec3> points, std::span<Nea
 
 std::size_t TriangleTree::bytes() const {
   return points_.capacity() * sizeof(glm::dvec3) + corners_.capacity() * sizeof(corners_[0]) +
-         owners_.capacity() * sizeof(std::uint32_t) + nodes_.capacity() * sizeof(Node);
+         owners_.capacity() * sizeof(std::uint32_t) + nodes_.capacity() * sizeof(Node) +
+         turns_.capacity() * sizeof(turns_[0]);
 }
 
 }  // namespace ryosen

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -18,8 +20,9 @@ namespace ryosen {
 // order. Coordinates are those given times a scale that is a power of two; choose one that brings them to at most about 1.
 //
 // Every node has four children; which ones follows from its number, halves of each range being parted at the median along
-// the widest axis. Built in O(n log n), 30 to 60 bytes per triangle. A query takes O(log n) where the nearest triangles are
-// few. It answers the same whatever was asked before.
+// the widest axis. Nodes of long narrow triangles have boxes that lie along these, so that a point in the middle of a fan is
+// not in the boxes of all its spokes. Built in O(n log n), 30 to 60 bytes per triangle. A query takes O(log n) where the
+// nearest triangles are few. It answers the same whatever was asked before.
 class TriangleTree {
  public:
   TriangleTree() = default;
@@ -47,6 +50,8 @@ class TriangleTree {
   Near nearest(const glm::dvec3& p, std::uint32_t hint = no_index) const;
   // Of several points that lie near each other. `near` holds a hint for each, and then the answer.
   void nearest(std::span<const glm::dvec3> points, std::span<Near> near) const;
+  // Of how many triangles the distance is computed to find the nearest one, without a hint.
+  std::size_t triangles_asked_for(const glm::dvec3& p) const;
   double distance(const glm::dvec3& p, std::uint32_t t) const { return glm::length(way(p, t)); }
   // p minus its nearest point on the triangle.
   glm::dvec3 way(const glm::dvec3& p, std::uint32_t t) const {
@@ -58,12 +63,25 @@ class TriangleTree {
 
  private:
   static constexpr std::uint32_t width = 4;
-  // Bounds of four children in the tree's frame, (p - origin_); an absent one is empty. `first`: the first child, a
-  // triangle in nodes of the lowest level.
+  // Bounds of four children in the tree's frame, (p - origin_), or turned into one of `turns_`; an absent one is empty.
+  // `first`: the first child, a triangle in nodes of the lowest level.
   struct alignas(16) Node {
     std::array<std::array<float, width>, 3> lowest, highest;
     std::uint32_t first;
     std::uint32_t has_triangles;
+    std::uint32_t turn = no_index;  // by place in turns_; none: the axes are those of the places
+  };
+  // A node whose boxes lie along what is in them. Beside them the children lie between lines in the plane of the first two
+  // axes, two ways: along the sides of what narrows to a point.
+  struct Turn {
+    glm::dmat3 axes;  // in rows
+    std::array<glm::dvec2, 2> across;
+    std::array<std::array<float, width>, 2> lowest, highest;  // of the places along `across`
+  };
+  // What of the triangles a node stands for.
+  struct Content {
+    std::uint32_t begin, end;
+    double area;
   };
   static constexpr std::size_t most_shared = 48;  // nodes with triangles looked at for several points together
   class NearQuery;
@@ -71,7 +89,7 @@ class TriangleTree {
 
   bool is_far(const glm::dvec3& local) const;
   template <class Query>
-  Near nearest(const Query& query, const glm::dvec3& p, std::uint32_t hint) const;
+  Near nearest(const Query& query, const glm::dvec3& p, std::uint32_t hint, std::size_t* asked = nullptr) const;
   bool find_shared(std::span<const glm::dvec3> points, std::span<Near> near,
                    std::array<std::uint32_t, most_shared>& shared, std::size_t& count) const;
   std::vector<std::uint32_t> sorted(std::span<const glm::dvec3> positions, std::span<const Primitive> triangles,
@@ -80,11 +98,15 @@ class TriangleTree {
             std::span<const std::uint32_t> order, double scale);
   void choose_origin();
   void add_levels();
+  void turn_slender_nodes();
+  Content content_of(const Node& node, std::span<const Content> below) const;
+  void turn(Node& node, const Content& content, std::span<const Content> below);
 
   ColumnVector<glm::dvec3> points_;
   ColumnVector<std::array<std::uint32_t, 3>> corners_;
   std::vector<std::uint32_t> owners_;
   ColumnVector<Node> nodes_;  // level after level from the lowest; the root is the last
+  std::vector<Turn> turns_;
   glm::dvec3 origin_{0.0};
   double reach_ = 0;  // largest magnitude of a coordinate in the frame
 };

@@ -35,6 +35,17 @@ TEST_F(Algorithms, a_share_of_the_diagonal_is_a_length_however_large_the_mesh_is
   EXPECT_NEAR(report["parameters"]["distance"].get<double>(), 1.414e197, 1e195);
 }
 
+TEST_F(Algorithms, refuse_a_share_of_no_diagonal_and_faces_where_edges_are_meant) {
+  const std::string one_place = folder_.write("one.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n");
+  const ProgramRun share = run_program({"remesh", one_place, "--length", "5%", "--json"});
+  EXPECT_EQ(share.exit_code, 6);
+  EXPECT_NE(share.line()["messages"][0]["en"].get<std::string>().find("length 5% is no length"), std::string::npos);
+  const ProgramRun sharp = run_program({"subdivide", asset("cube.obj"), "--sharp", "f0", "--json"});
+  EXPECT_EQ(sharp.exit_code, 2);
+  EXPECT_NE(sharp.line()["messages"][0]["en"].get<std::string>().find("f0 is a face"), std::string::npos);
+  EXPECT_EQ(run_program({"subdivide", asset("cube.obj"), "--sharp", "0-1"}).exit_code, 0);
+}
+
 TEST_F(Algorithms, are_subcommands_with_a_flag_for_each_parameter) {
   const std::string input = asset("moebius.off"), output = folder_.at("o.off");
   const std::string all = run_here({"help", "--lang", "en"}).out;

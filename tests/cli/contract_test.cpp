@@ -79,6 +79,7 @@ void sweep_command_lines(Sweep& sweep) {
       {"doctor"},
       {"help"},
       {"help", "json"},
+      {"help", "texts"},
       {"--version"},
       {"forms", mesh},
       {"forms", mesh, "--element", "0-1"},

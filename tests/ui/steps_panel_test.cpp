@@ -161,6 +161,33 @@ TEST_F(StepsPanelTest, the_history_is_a_script_too) {
   EXPECT_EQ(session.mesh().live().vertices, 8u);
 }
 
+TEST_F(StepsPanelTest, a_script_may_have_a_name_with_blanks) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("two words.ryosen", "split 0-1\n");
+  for (const std::string& line : {"steps script " + file, "steps script \"" + file + "\""}) {
+    ASSERT_TRUE(say(line).done()) << line;
+    EXPECT_EQ(session.player->size(), 1u);
+    ASSERT_TRUE(say("steps " + session.player->call()).done()) << "the call is a line that does it again";
+  }
+  EXPECT_FALSE(session.files.may_write(file, FileRole::picture)) << "no picture takes its place";
+}
+
+// By the frames alone, also where its panel is folded or not shown.
+TEST_F(StepsPanelTest, plays_on_without_its_panel) {
+  ASSERT_TRUE(say("steps loop f0").done());
+  ASSERT_TRUE(say("panel steps off").done());
+  EXPECT_FALSE(gui.seconds_to_step());
+  ASSERT_TRUE(say("steps play").done());
+  ASSERT_TRUE(gui.seconds_to_step());
+  EXPECT_LE(*gui.seconds_to_step(), 0.8);
+  frames(60);
+  EXPECT_GE(session.player->position(), 1u);
+  EXPECT_FALSE(gui.wants_frames()) << "between the steps nothing is to be laid out";
+  ASSERT_TRUE(say("steps pause").done());
+  frames(1);
+  EXPECT_FALSE(gui.seconds_to_step());
+}
+
 TEST_F(StepsPanelTest, refuses_what_is_not_there) {
   EXPECT_EQ(say("steps forward").exit_code, ExitCode::refused);
   EXPECT_EQ(say("steps nonsense").exit_code, ExitCode::usage);

@@ -81,6 +81,18 @@ inline constexpr JsonKey list_keys[] = {
 inline constexpr Shape list_shape{"list", "help json: one per table whose ids stand in values.",
                                   "help json：値に現れる識別子の表ごとに一行。", list_keys};
 
-inline constexpr Contract help_contract{.lines = {&usage_shape, &contract_shape, &list_shape}};
+inline constexpr JsonKey text_place_keys[] = {
+    {"text", "string", "Which of the source texts.", "どのテキストか。"},
+    {"place", "object", "The figure, table, problem or listing.", "図、表、問題、コードの名前。",
+     objects(sentence_shape)},
+    {"commands", "string or null", "What shows it in a new window, separated by \"; \"; null for nothing.",
+     "新しいウィンドウで表示するコマンド（\"; \" 区切り）。なければ null。"},
+    {"where", "object", "Where to look then, or why it is not there.", "どこを見るか、またはない理由。",
+     objects(sentence_shape)},
+};
+inline constexpr Shape text_place_shape{"text_place", "help texts: one per figure, table, problem and listing.",
+                                        "help texts：図、表、問題、コードごとに一行。", text_place_keys};
+
+inline constexpr Contract help_contract{.lines = {&usage_shape, &contract_shape, &list_shape, &text_place_shape}};
 
 }  // namespace ryosen::cli

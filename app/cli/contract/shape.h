@@ -88,7 +88,7 @@ struct Shape {
 
 // What a command may print and end with, in addition to shared_contract.
 struct Contract {
-  std::array<const Shape*, 3> lines = {};  // each object is one line; null where there are fewer
+  std::array<const Shape*, 4> lines = {};  // each object is one line; null where there are fewer
   std::array<ExitCode, 6> exits = {};      // filled up with done
 };
 

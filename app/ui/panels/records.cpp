@@ -93,7 +93,8 @@ void RecordsPanel::draw_record(PanelContext& context, const forms::Records& reco
 }
 
 void RecordsPanel::draw(PanelContext& context) {
-  context.state.wants_records = true;
+  // Those of an older mesh are given back, also while nothing is pointed at.
+  context.state.wants_records |= context.state.records.is_of(context.session.document());
   const std::optional<Element> asked = element(context.session);
   if (!asked || !is_alive(context.session.mesh(), *asked))
     return dim_text(context, context.text("Point at an element, or select one.", "要素を指すか、選択してください。"));

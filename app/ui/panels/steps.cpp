@@ -65,8 +65,8 @@ void StepsPanel::draw_choice(PanelContext& context) {
           offer(name_of_exercise(script).in(context.language()),
                 std::string(steps_row.id) + " " + std::string(script.id), help);
       if (!session.document().history().empty())
-        offer(context.text("The history of this mesh", "このメッシュの履歴"), std::string(steps_row.id) + " history",
-              help);
+        offer(context.text("The history of this mesh", "このメッシュの履歴"),
+              std::string(steps_row.id) + " " + std::string(history_word), help);
       continue;
     }
     const auto row_number = static_cast<std::size_t>(&steps_row - steps::all_steps().data());

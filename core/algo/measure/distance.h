@@ -27,7 +27,8 @@ struct DistanceOptions {
 // hausdorff is an upper bound of the largest distance of all points of the surface, hausdorff - hausdorff_gap one that a
 // point was found to have: [Tang09]'s branch and bound, except that a part between several nearest triangles is bounded by
 // cutting it where their distances are equal. The gap is at most the wanted share, or 1e-10 of the size of the meshes, unless
-// the work grows out of proportion to theirs. All up to the rounding of coordinates, about 1e-15 of the largest.
+// the work grows out of proportion to theirs. The bound is rounded up, by 1e-15 of it where the length is not exact; all
+// up to the rounding of coordinates, about 1e-15 of the largest.
 struct OneWayDistance {
   double mean = 0, rms = 0, hausdorff = 0, hausdorff_gap = 0;
   glm::dvec3 from{0.0}, to{0.0};  // where the largest distance was found, and the nearest point there

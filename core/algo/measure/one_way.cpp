@@ -17,6 +17,18 @@ using Nearest = TriangleTree::Near;
 
 double area_of(const TrianglePlaces& t) { return 0.5 * glm::length(glm::cross(t[1] - t[0], t[2] - t[0])); }
 
+// What rounding may take from a length that is computed from coordinates, as a share.
+constexpr double rounding = 0x1p-50;
+
+bool has_exact_length(const glm::dvec3& way) {
+  const double square = glm::dot(way, way), length = std::sqrt(square);
+  if (std::fma(length, length, -square) != 0) return false;
+  // One coordinate alone, or squares that add up without rounding.
+  const double x = way.x * way.x, y = way.y * way.y, z = way.z * way.z;
+  return std::fma(way.x, way.x, -x) == 0 && std::fma(way.y, way.y, -y) == 0 && std::fma(way.z, way.z, -z) == 0 &&
+         (x + y) - x == y && (x + y) - y == x && square - (x + y) == z && square - z == x + y;
+}
+
 // A triangle of the surface, or one of the equal parts of a large one, that is sampled in cells * cells equal cells.
 struct SampledPiece {
   std::uint32_t triangle, parts, part, cells;
@@ -58,12 +70,13 @@ class OneWay {
     way.samples = sums_.samples;
     way.mean = sums_.distance / sums_.weight;
     way.rms = std::sqrt(sums_.square / sums_.weight);
-    way.hausdorff = bound_;
-    way.hausdorff_gap = bound_ - farthest_;
     way.from = place_;
     const std::uint32_t on = from_.nearest(place_).triangle;
     way.face = Face(from_.owner(on));
-    way.to = place_ - to_.way(place_, to_.nearest(place_).triangle);
+    const glm::dvec3 longest = to_.way(place_, to_.nearest(place_).triangle);
+    way.to = place_ - longest;
+    way.hausdorff = bound_ == farthest_ && has_exact_length(longest) ? bound_ : bound_ * (1 + rounding);
+    way.hausdorff_gap = way.hausdorff - farthest_;
     return true;
   }
 
@@ -149,22 +162,42 @@ class OneWay {
         const std::uint32_t hint = along > 0  ? lattice.back().triangle
                                    : line > 0 ? lattice[lattice.size() - line].triangle
                                               : near_[corners[0]].triangle;
-        lattice.push_back(nearest_of(to_, lattice_point(places, piece.cells, line, along), hint));
+        if (piece.parts == 1 && is_corner(piece, line, along))
+          lattice.push_back(near_[corners[line == 0 ? 0 : along == 0 ? 1 : 2]]);
+        else
+          lattice.push_back(nearest_of(to_, lattice_point(places, piece.cells, line, along), hint));
       }
   }
 
-  // The points of a small piece lie near each other, and each near to what is nearest to one of its corners.
+  // The points of a small piece lie near each other, and each near to what is nearest to one of its corners. The corners
+  // themselves are known.
   void ask_at_once(const SampledPiece& piece, const TrianglePlaces& places, std::vector<Nearest>& lattice) const {
     const auto& corners = from_.corners(piece.triangle);
-    std::array<glm::dvec3, (most_cells_at_once + 1) * (most_cells_at_once + 2) / 2> points;
+    constexpr std::size_t most = (most_cells_at_once + 1) * (most_cells_at_once + 2) / 2;
+    std::array<glm::dvec3, most> points;
+    std::array<Nearest, most> near;
+    std::size_t count = 0;
     for (std::uint32_t line = 0; line <= piece.cells; ++line)
       for (std::uint32_t along = 0; along <= line; ++along) {
         const std::size_t nearer = 2 * line < piece.cells ? 0 : 2 * along < line ? 1 : 2;
-        points[lattice.size()] = lattice_point(places, piece.cells, line, along);
-        lattice.push_back({0, near_[corners[nearer]].triangle});
+        lattice.push_back(near_[corners[nearer]]);
+        if (is_corner(piece, line, along)) continue;
+        points[count] = lattice_point(places, piece.cells, line, along);
+        near[count++] = {0, near_[corners[nearer]].triangle};
       }
-    to_.nearest(std::span(points).first(lattice.size()), lattice);
-    for (Nearest& near : lattice) near.distance = without_rounding(near.distance);
+    to_.nearest(std::span(points).first(count), std::span(near).first(count));
+    std::size_t next = 0;
+    for (std::uint32_t line = 0; line <= piece.cells; ++line)
+      for (std::uint32_t along = 0; along <= line; ++along) {
+        if (is_corner(piece, line, along)) continue;
+        lattice[lattice_index(line, along)] = {without_rounding(near[next].distance), near[next].triangle};
+        ++next;
+      }
+  }
+
+  // Of a piece that is a whole triangle.
+  static bool is_corner(const SampledPiece& piece, std::uint32_t line, std::uint32_t along) {
+    return line == 0 || (line == piece.cells && (along == 0 || along == line));
   }
 
   static std::size_t lattice_index(std::uint32_t line, std::uint32_t along) {

@@ -253,28 +253,6 @@ void Simplifier::block(Edge e) {
   for (unsigned side : {0u, 1u}) has_blocked_[mesh_.from(halfedge(e, side)).index] = 1;
 }
 
-// What edges around a vertex and around its neighbours ask has changed: their levels are in the past or still to come. Of
-// a hub only those to what has changed; find_further() asks the others in the end.
-void Simplifier::unblock_around(Vertex v, const std::array<Vertex, 2>& apexes) {
-  const auto unblock = [&](Edge e) {
-    if (!is_blocked_[e.index]) return;
-    is_blocked_[e.index] = 0;
-    queue_.add(e.index, queue_.current());
-  };
-  const auto unblock_all = [&](Vertex w) {
-    has_blocked_[w.index] = 0;
-    for (Halfedge h : outgoing(mesh_, w)) unblock(edge(h));
-  };
-  if (!is_hub(v)) {
-    if (has_blocked_[v.index]) unblock_all(v);
-    for (Halfedge h : outgoing(mesh_, v))
-      if (const Vertex w = mesh_.to(h); has_blocked_[w.index]) is_hub(w) ? unblock(edge(h)) : unblock_all(w);
-    return;
-  }
-  for (Vertex apex : apexes)
-    if (apex && mesh_.is_alive(apex) && has_blocked_[apex.index] && !is_hub(apex)) unblock_all(apex);
-}
-
 std::optional<EdgeRule> Simplifier::refusal(const Freedom& freedom, const Placing& placing) const {
   const Halfedge h = freedom.halfedge;
   if (surface_.turns_face(h, placing)) return EdgeRule::normal;

@@ -6,8 +6,9 @@
 namespace ryosen::smooth {
 
 struct KeptVolume {
-  std::size_t parts = 0;       // got their volume back
-  std::size_t open_parts = 0;  // have none: they are not closed, or not consistently oriented
+  std::size_t parts = 0;         // got their volume back, but for 1e-9 of it
+  std::size_t open_parts = 0;    // have none: they are not closed, or not consistently oriented
+  std::size_t failed_parts = 0;  // no length up to their size gives it back; they stay as they are
 };
 
 // For each closed part of the mesh of which a point has a share, moves its points along their normals, by their shares and

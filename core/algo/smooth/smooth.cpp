@@ -45,6 +45,7 @@ class Smoother {
       const KeptVolume kept = keep_volume(mesh_, scale_, shares_, start, places_);
       result.kept_parts = kept.parts;
       result.open_parts = kept.open_parts;
+      result.failed_parts = kept.failed_parts;
     }
     result.places = std::move(places_);
     for (std::uint32_t i = 0; i < result.places.size(); ++i) {

@@ -33,8 +33,8 @@ struct Options {
 };
 
 struct Smoothed {
-  Places places;                               // per vertex slot; that of a point stands for its copies
-  std::size_t kept_parts = 0, open_parts = 0;  // as in KeptVolume
+  Places places;  // per vertex slot; that of a point stands for its copies
+  std::size_t kept_parts = 0, open_parts = 0, failed_parts = 0;  // as in KeptVolume
   bool is_cancelled = false;
 };
 

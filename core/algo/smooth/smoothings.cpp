@@ -63,6 +63,9 @@ Text volume_text(const smooth::Smoothed& made) {
     text = text + count_text(made.open_parts, "; one part has no volume, since it is not closed",
                              "; # parts have no volume, since they are not closed",
                              "（閉じていない部分 # 個には体積がない）");
+  if (made.failed_parts > 0)
+    text = text + count_text(made.failed_parts, "; one part could not get its volume back",
+                             "; # parts could not get their volume back", "（部分 # 個の体積は元に戻せない）");
   return text;
 }
 

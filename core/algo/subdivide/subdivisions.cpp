@@ -4,6 +4,7 @@
 
 #include "core/algo/subdivide/subdivide.h"
 #include "core/base/count_text.h"
+#include "core/mesh/names.h"
 
 namespace ryosen {
 
@@ -33,6 +34,14 @@ subdivide::Options options_of(const ParameterValues& values) {
   return options;
 }
 
+std::optional<Text> fault_of_sharp(const Mesh& mesh, const subdivide::Options& options) {
+  for (const Element& e : options.sharp)
+    if (e.kind == Element::Kind::face)
+      return Text{name_of(mesh, e) + " is a face; sharp takes edges and vertices",
+                  name_of(mesh, e) + " は面です（sharp には稜線と頂点を指定します）"};
+  return std::nullopt;
+}
+
 AlgorithmResult subdivide_mesh(Edit& edit, const AlgorithmInput& input, Progress& progress) {
   AlgorithmResult result;
   const std::size_t before = edit.mesh().live().faces;
@@ -41,6 +50,7 @@ AlgorithmResult subdivide_mesh(Edit& edit, const AlgorithmInput& input, Progress
     return result;
   }
   const subdivide::Options options = options_of(input.values);
+  if ((result.fault = fault_of_sharp(edit.mesh(), options))) return result;
   subdivide::Subdivided made = subdivide::subdivided(edit.mesh(), options, progress);
   if (made.is_cancelled) return result;
   if (made.fault) {

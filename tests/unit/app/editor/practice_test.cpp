@@ -116,8 +116,15 @@ TEST(practice, valence_is_that_of_the_point) {
     }
     return faces;
   }();
-  int at_copies = 0, at_sheets = 0;
-  for (const test::Polygons& faces : {cones, test::two_tetrahedra_on_an_edge(), test::fin(), test::bow_tie()}) {
+  int at_copies = 0, at_sheets = 0, asked = 0;
+  std::vector<test::Polygons> lists{cones, test::two_tetrahedra_on_an_edge(), test::fin(), test::bow_tie()};
+  for (std::uint64_t seed = 1; static_cast<int>(lists.size()) < questions() / 100; ++seed) {
+    test::SeededMesh random = test::seeded_mesh(seed);
+    const Mesh mesh = test::make_mesh(random.faces, random.points);
+    const bool holds_all = mesh.live().faces == random.faces.size() && !mesh.has_rings();
+    if (!random.faces.empty() && holds_all) lists.push_back(std::move(random.faces));
+  }
+  for (const test::Polygons& faces : lists) {
     const Mesh mesh = test::make_mesh(faces);
     std::map<std::uint32_t, std::set<std::uint32_t>> ends;
     for (const std::vector<std::uint32_t>& face : faces)
@@ -132,10 +139,12 @@ TEST(practice, valence_is_that_of_the_point) {
       EXPECT_EQ(solution.answers[0], std::to_string(ends[mesh.copy_point(v).index].size())) << question.asks.en;
       EXPECT_EQ(solution.witnesses.size(), ends[mesh.copy_point(v).index].size());
       EXPECT_EQ(question.asks.en.find("copies") != std::string::npos, has_copies(mesh, v));
+      ++asked;
       at_copies += has_copies(mesh, v) ? 1 : 0;
       at_sheets += question.asks.en.find("count once") != std::string::npos ? 1 : 0;
     }
   }
+  EXPECT_GE(asked, questions());
   EXPECT_GT(at_copies, 50);
   EXPECT_GT(at_sheets, 10);
 }

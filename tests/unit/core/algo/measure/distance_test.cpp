@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "core/algo/measure/measured_surface.h"
 #include "core/indexed/from_indexed.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/slow_distance.h"
@@ -277,6 +278,55 @@ TEST(distance, of_every_ugly_mesh_from_a_shaken_copy_is_bounded_by_the_shaking) 
     EXPECT_LE(found.rms, found.hausdorff) << family.id;
     EXPECT_LE(found.mean, found.rms * (1 + 1e-12)) << family.id;
   }
+}
+
+// Between two corners, whose distance is known to more digits.
+TEST(distance, is_rounded_up) {
+  Dice dice(11);
+  for (int i = 0; i < 200; ++i) {
+    const glm::dvec3 p(4 + dice.unit(), dice.unit(), dice.unit()), q(dice.unit(), dice.unit(), dice.unit());
+    // Behind p and q, seen from the other.
+    const IndexedMesh a = listed({p, p - glm::dvec3(1, 0.01, 0), p - glm::dvec3(1, 0, 0.01)}, {{0, 1, 2}});
+    const IndexedMesh b = listed({q, q - glm::dvec3(1, 0.01, 0), q - glm::dvec3(1, 0, 0.01)}, {{0, 1, 2}});
+    const SurfaceDistance found = measured(a, b);
+    long double square = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const long double way = static_cast<long double>(p[axis]) - static_cast<long double>(q[axis]);
+      square += way * way;
+    }
+    EXPECT_GE(static_cast<long double>(found.forward.hausdorff), std::sqrt(square));
+    EXPECT_LE(found.forward.hausdorff, static_cast<double>(std::sqrt(square)) * (1 + 1e-5));
+  }
+  const IndexedMesh here = flat_grid(1, false, 0), above = flat_grid(1, false, 0.75);
+  EXPECT_EQ(measured(here, above).hausdorff, 0.75) << "what is exact stays so";
+}
+
+// In a circle of n spokes a point near the middle is in the boxes of many.
+TEST(distance, of_fans_asks_for_few_triangles) {
+  const auto fan = [](std::uint32_t n, double height) {
+    std::vector<glm::dvec3> positions{{0, 0, height}};
+    FaceLists faces;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double angle = 6.283185307179586 * i / n;
+      positions.emplace_back(std::cos(angle), std::sin(angle), 0);
+      faces.push_back({0, 1 + i, 1 + (i + 1) % n});
+    }
+    return from_indexed(listed(std::move(positions), faces));
+  };
+  const auto looked_at = [&](std::uint32_t n) {
+    const Mesh cone = fan(n, 1);  // above the places
+    const MeasuredSurface surface(cone);
+    const TriangleTree tree = surface.tree(1);
+    std::uint64_t count = 0;
+    Dice dice(3);
+    for (int i = 0; i < 400; ++i) {
+      const double radius = std::pow(0.5, 4 * (0.5 + 0.5 * dice.unit())), angle = 3.2 * dice.unit();
+      count += tree.triangles_asked_for({radius * std::cos(angle), radius * std::sin(angle), 0});
+    }
+    return static_cast<double>(count) / 400;
+  };
+  EXPECT_LT(looked_at(2000), 40);
+  EXPECT_LT(looked_at(8000), 80) << "but for those that are as near within the rounding of boxes";
 }
 
 TEST(distance, ends_where_it_is_cancelled) {

@@ -48,11 +48,11 @@ TEST(Smooth, waves_on_a_closed_grid_fade_by_their_frequency) {
     const Mesh mesh = placed(torus_grid(rows, columns), places);
     const double a = turn * k / columns, b = turn * l / rows;  // its squares have a diagonal
     const double frequency = 1 - (std::cos(a) + std::cos(b) + std::cos(a + b)) / 3;
-    const auto expect = [&](const Options& options, double factor) {
+    const auto expect = [&, name = std::to_string(k) + " " + std::to_string(l)](const Options& options, double factor) {
       const std::vector<glm::dvec3> after = smoothed_places(mesh, options);
       for (std::size_t i = 0; i < places.size(); ++i) {
         const glm::dvec3 wanted(factor * places[i].x, factor * places[i].y, 3);
-        EXPECT_LT(glm::distance(after[i], wanted), 1e-10) << k << " " << l;
+        EXPECT_LT(glm::distance(after[i], wanted), 1e-10) << name;
       }
     };
     const Options uniform{.weights = WeightKind::uniform, .steps = 5, .strength = 0.4};
@@ -194,6 +194,39 @@ TEST(Smooth, shares_and_the_volume_of_each_part) {
   EXPECT_GT(run_algorithm(some, journal, "smooth steps=1 select=v0 falloff=0.5").changed, 3u);
   EXPECT_EQ(one.position(Vertex(0)), some.position(Vertex(0)));
   EXPECT_EQ(before.vertices, compute_figures(mesh).vertices);
+}
+
+TEST(Smooth, gives_the_volume_back_exactly_or_says_that_it_cannot) {
+  struct Case {
+    const char* shape;
+    const char* line;
+  };
+  for (const Case& one : {Case{"cube", "smooth keep_volume=on"}, Case{"cube", "smooth keep_volume=on steps=1"},
+                          Case{"cube", "smooth keep_volume=on steps=100 strength=1 weights=uniform"},
+                          Case{"sphere", "smooth keep_volume=on steps=1000 strength=1 weights=uniform"},
+                          Case{"sphere", "smooth keep_volume=on method=implicit strength=1e12 steps=3"},
+                          Case{"sphere", "smooth keep_volume=on method=taubin steps=40"},
+                          Case{"torus", "smooth keep_volume=on steps=20"}}) {
+    Mesh mesh = made_by(one.shape);
+    Mesh alone = mesh;
+    Journal journal;
+    const double volume = *compute_figures(mesh).volume;
+    const AlgorithmResult result = run_algorithm(mesh, journal, one.line);
+    const double after = *compute_figures(mesh).volume;
+    if (result.text.en.find("one part kept its volume") != std::string::npos) {
+      EXPECT_NEAR(after, volume, 1e-9 * volume) << one.shape << " " << one.line;
+      continue;
+    }
+    EXPECT_NE(result.text.en.find("one part could not get its volume back"), std::string::npos) << result.text.en;
+    std::string without = one.line;
+    without.erase(without.find(" keep_volume=on"), 15);
+    run_algorithm(alone, journal, without);
+    for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+      EXPECT_EQ(mesh.position(Vertex(i)), alone.position(Vertex(i))) << one.shape << " " << one.line;
+  }
+  Mesh cube = made_by("cube");
+  Journal journal;
+  EXPECT_NE(run_algorithm(cube, journal, "smooth keep_volume=on").text.en.find("kept its volume"), std::string::npos);
 }
 
 TEST(Smooth, copies_and_what_is_not_finite_stay) {

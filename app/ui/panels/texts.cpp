@@ -1,0 +1,68 @@
+// Where each figure, table, problem and listing of the source texts is found; a click shows it.
+#include "app/editor/script.h"
+#include "app/editor/text_places.h"
+#include "app/ui/panels.h"
+#include "app/ui/widgets.h"
+
+namespace ryosen {
+
+namespace {
+
+class TextsPanel : public Panel {
+ public:
+  void draw(PanelContext& context) override;
+  ImVec2 size() const override { return {940, 560}; }
+};
+
+// Where edits would be lost it asks first, and shows nothing yet.
+void show(PanelContext& context, const TextPlace& place) {
+  context.session.open_panel.clear();
+  if (context.session.document().is_modified()) return context.leave({false, {}, "new"});
+  context.run("new");
+  for (const ScriptLine& line : split_script(place.lines))
+    if (!context.run(line.text).done()) return;
+}
+
+void draw_place(PanelContext& context, const TextPlace& place) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  const std::string name = context.text(place.place_en, place.place_ja),
+                    shown = fitted(name, ImGui::GetContentRegionAvail().x);
+  if (place.lines.empty())
+    dim_text(context, shown.c_str());
+  else if (link(context, shown.c_str()))
+    show(context, place);
+  tip(place.lines.empty() ? name : name + "\n" + std::string(place.lines));
+  ImGui::TableNextColumn();
+  wrapped_text(context.text(place.where_en, place.where_ja));
+}
+
+void TextsPanel::draw(PanelContext& context) {
+  dim_text(context, context.text("A click shows it, in place of the mesh that is open.",
+                                 "クリックすると、開いているメッシュの代わりに表示する。"));
+  begin_rows_within("places", ImGui::GetContentRegionAvail().y);
+  std::string_view text;
+  for (const TextPlace& place : text_places()) {
+    if (place.text != text) {
+      if (!text.empty()) ImGui::EndTable();
+      text = place.text;
+      ImGui::PushFont(context.fonts.bold);
+      ImGui::TextUnformatted((context.text("Text ", "テキスト ") + std::string(text)).c_str());
+      ImGui::PopFont();
+      if (!ImGui::BeginTable(std::string(text).c_str(), 2)) break;
+      ImGui::TableSetupColumn("place", ImGuiTableColumnFlags_WidthStretch, 1);
+      ImGui::TableSetupColumn("where", ImGuiTableColumnFlags_WidthStretch, 1.1f);
+    }
+    ImGui::PushID(&place);
+    draw_place(context, place);
+    ImGui::PopID();
+  }
+  ImGui::EndTable();
+  end_rows();
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_texts_panel() { return std::make_unique<TextsPanel>(); }
+
+}  // namespace ryosen

@@ -74,15 +74,21 @@ void ColoursPanel::draw_legend(PanelContext& context) {
     list->AddRectFilled({x, at.y}, {x + 1, at.y + height}, colour_of(*map, range, value));
   }
   ImGui::Dummy({width, height});
-  const auto tick = [&](double value, float share, const char* sign = "") {
-    const std::string text = sign + short_number(value) + std::string(sign_of(map->unit));
-    const float room = ImGui::CalcTextSize(text.c_str()).x;
-    const float x = at.x + share * (width - room);
-    list->AddText({x, at.y + height}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+  const auto words = [&](double value, const char* sign = "") {
+    return sign + short_number(value) + std::string(sign_of(map->unit));
   };
-  tick(range.low, 0, figures_.lowest < range.low ? "< " : "");
-  tick(0.5 * range.low + 0.5 * range.high, 0.5f);
-  tick(range.high, 1, figures_.highest > range.high ? "> " : "");
+  const auto room = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+  const auto tick = [&](const std::string& text, float share) {
+    list->AddText({at.x + share * (width - room(text)), at.y + height}, ImGui::GetColorU32(ImGuiCol_Text),
+                  text.c_str());
+  };
+  const std::string low = words(range.low, figures_.lowest < range.low ? "< " : ""),
+                    middle = words(0.5 * range.low + 0.5 * range.high),
+                    high = words(range.high, figures_.highest > range.high ? "> " : "");
+  tick(low, 0);
+  const float gap = 6 * context.scale, beside = (width - room(middle)) / 2 - gap;
+  if (room(low) <= beside && room(high) <= beside) tick(middle, 0.5f);
+  tick(high, 1);
   ImGui::Dummy({width, ImGui::GetTextLineHeight()});
 }
 

@@ -104,7 +104,7 @@ constexpr TextPlace places[] = {
      "「一手ずつ」パネル。ほかはヘルプの演習と assets/exercises。"},
     {"003", "mesh_image11: part of a mesh in the plane", "mesh_image11：平面のメッシュの一部",
      "grid columns=4 rows=3; triangulate", "In the view; any mesh will do.", "ビュー。どのメッシュでもよい。"},
-    {"003", "image22, image23: edges and halfedges", "image22、image23：辺と半稜線", "figure 003-image22; links all",
+    {"003", "image22, image23: edges and halfedges", "image22、image23：稜線と半稜線", "figure 003-image22; links all",
      "In the view; green arrows have no opposite.", "ビュー。緑の矢印に対はない。"},
     {"003", "mesh_image21: the numbers 3i+j", "mesh_image21：番号 3i+j",
      "figure 003-image22; links all; numbers corners", "In the view, in the text's two colours.",

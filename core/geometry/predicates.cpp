@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/geometry/exact_sum.h"
+#include "core/geometry/exact_determinant.h"
 #include "core/geometry/is_finite.h"
 
 namespace ryosen {
@@ -90,23 +90,9 @@ int determinant_by_expansion(const Tails& u, const Tails& v, const Tails& w) {
   return sum.sign();
 }
 
-// The determinant of three places, which may be subtracted.
-void add_determinant(exact::ProductSum<3>& sum, const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& w,
-                     bool negate) {
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    sum.add_product(u[i], v[j], w[k], negate);
-    sum.add_product(u[i], v[k], w[j], !negate);
-  }
-}
-
-// Of the rows a - d, b - d, c - d, expanded into four determinants of three points each.
 int determinant_by_accumulator(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
   exact::ProductSum<3> sum;
-  add_determinant(sum, a, b, c, false);
-  add_determinant(sum, b, c, d, true);
-  add_determinant(sum, a, c, d, false);
-  add_determinant(sum, a, b, d, true);
+  exact::add_determinant_from(sum, a, b, c, d);
   return sum.sign();
 }
 
@@ -116,7 +102,7 @@ int determinant_by_accumulator(const Difference& u, const Difference& v, const D
   for (const bool a : {false, true})
     for (const bool b : {false, true})
       for (const bool c : {false, true})
-        add_determinant(sum, a ? u.from : u.to, b ? v.from : v.to, c ? w.from : w.to, (a != b) != c);
+        exact::add_determinant(sum, a ? u.from : u.to, b ? v.from : v.to, c ? w.from : w.to, (a != b) != c);
   return sum.sign();
 }
 

@@ -3,17 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/exact_determinant.h"
+
 namespace ryosen {
 
 namespace {
-
-void add_determinant(exact::ProductSum<3>& sum, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    sum.add_product(a[i], b[j], c[k], false);
-    sum.add_product(a[i], b[k], c[j], true);
-  }
-}
 
 // The corners whose mean is the tip of the cone; a triangle needs but one.
 class Tips {
@@ -75,9 +69,10 @@ std::optional<int> RoundedVolume::sign() const {
 void ExactVolume::add(std::span<const glm::dvec3> polygon) {
   const Tips tips(polygon);
   exact::ProductSum<3>& sum = sums_[tips.all().size()];
-  if (polygon.size() == 3) return add_determinant(sum, polygon[0], polygon[1], polygon[2]);
+  if (polygon.size() == 3) return exact::add_determinant(sum, polygon[0], polygon[1], polygon[2]);
   for (std::size_t i = 0; i < polygon.size(); ++i)
-    for (const glm::dvec3& tip : tips.all()) add_determinant(sum, tip, polygon[i], polygon[(i + 1) % polygon.size()]);
+    for (const glm::dvec3& tip : tips.all())
+      exact::add_determinant(sum, tip, polygon[i], polygon[(i + 1) % polygon.size()]);
 }
 
 int ExactVolume::sign() const {

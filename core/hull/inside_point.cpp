@@ -1,21 +1,8 @@
 #include "core/hull/inside_point.h"
 
-#include "core/geometry/exact_sum.h"
+#include "core/geometry/exact_determinant.h"
 
 namespace ryosen::hull {
-
-namespace {
-
-void add_determinant(exact::ProductSum<3>& sum, const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& w,
-                     bool negate) {
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    sum.add_product(u[i], v[j], w[k], negate);
-    sum.add_product(u[i], v[k], w[j], !negate);
-  }
-}
-
-}  // namespace
 
 InsidePoint::InsidePoint(const std::array<glm::dvec3, 4>& corners) : corners_(corners) {
   glm::dvec3 middle(0.0);
@@ -30,12 +17,7 @@ InsidePoint::InsidePoint(const std::array<glm::dvec3, 4>& corners) : corners_(co
 // The sum over the corners a of the determinants of a - d, b - d, c - d: four times that of their mean.
 int InsidePoint::side_of_mean(const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) const {
   exact::ProductSum<3> sum;
-  for (const glm::dvec3& a : corners_) {
-    add_determinant(sum, a, b, c, false);
-    add_determinant(sum, b, c, d, true);
-    add_determinant(sum, a, c, d, false);
-    add_determinant(sum, a, b, d, true);
-  }
+  for (const glm::dvec3& a : corners_) exact::add_determinant_from(sum, a, b, c, d);
   return -sum.sign();
 }
 

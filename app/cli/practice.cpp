@@ -9,6 +9,7 @@
 #include "app/editor/figures.h"
 #include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
+#include "core/mesh/name_failure.h"
 #include "core/mesh/names.h"
 
 namespace ryosen::cli {
@@ -130,6 +131,8 @@ ExitCode practice_command(const Arguments& arguments, const Console& console) {
     const QuestionKind kind = wanted ? wanted->kind : kind_of_seed(each);
     const Question question = make_question(asked.mesh, kind, each);
     const Solution solution = solve(asked.mesh, question);
+    if (const Text doubt = given ? doubt_about(asked.mesh, solution, *given) : Text(); !doubt.en.empty())
+      return console.fail(failure_of_name(NameError::ambiguous, doubt), asked.name);
     all_right &= !given || is_right(asked.mesh, solution, *given);
     console.print(console.json ? json_line_of(asked, each, question, solution, given)
                                : text_of(asked, question, solution, given, console));

@@ -106,7 +106,7 @@ class LinksOf {
     arrow_to(middle, middle + make_.size(f) * make_.normal(f), LinkRole::normal, {},
              link_text("normal", "法線", Face()));
     add_loop(m_.halfedge(f), LinkRole::around, true);
-    for (const Halfedge ring : forms::inner_loops(m_, f)) add_loop(ring, LinkRole::ring, false);
+    for (const Halfedge inner : forms::inner_loops(m_, f)) add_loop(inner, LinkRole::ring, false);
   }
   void add_loop(Halfedge start, LinkRole role, bool is_outer) {
     std::size_t n = 1;

@@ -54,6 +54,8 @@ struct AnswerChoice {
   Text says;
 };
 std::vector<AnswerChoice> answer_choices(const Question& question);
+// Why a word is neither right nor wrong yet: it names several elements, and which. Else empty.
+Text doubt_about(const Mesh& mesh, const Solution& solution, std::string_view word);
 // Whether a word is one of the answers, or names the element that is.
 bool is_right(const Mesh& mesh, const Solution& solution, std::string_view word);
 

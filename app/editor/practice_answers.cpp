@@ -133,14 +133,34 @@ std::vector<AnswerChoice> answer_choices(const Question& question) {
   return choices;
 }
 
+namespace {
+
+// The element that a word names as an answer; none where it is none or several.
+NamedElement named_by(const Mesh& mesh, const Solution& solution, std::string_view word) {
+  if (solution.element->kind != Element::Kind::halfedge) return find_element(mesh, word);
+  const Named<Halfedge> named = find_edge(mesh, word);  // 1-2 means the halfedge from 1 to 2 here
+  if (!named.ok()) return {{}, named.error, named.sentence};
+  return word.starts_with('e') ? NamedElement() : NamedElement{named.element, {}, {}};
+}
+
+bool is_answer(const Solution& solution, std::string_view word) {
+  return std::find(solution.answers.begin(), solution.answers.end(), word) != solution.answers.end();
+}
+
+bool is_number(std::string_view word) { return word.find_first_not_of("0123456789") == word.npos; }
+
+}  // namespace
+
+Text doubt_about(const Mesh& mesh, const Solution& solution, std::string_view word) {
+  if (!solution.element || is_answer(solution, word) || is_number(word)) return {};
+  const NamedElement named = named_by(mesh, solution, word);
+  return named.error == NameError::ambiguous ? named.sentence : Text{};
+}
+
 bool is_right(const Mesh& mesh, const Solution& solution, std::string_view word) {
-  if (std::find(solution.answers.begin(), solution.answers.end(), word) != solution.answers.end()) return true;
-  if (!solution.element || word.find_first_not_of("0123456789") == word.npos) return false;
-  if (solution.element->kind == Element::Kind::halfedge) {
-    const Named<Halfedge> named = find_edge(mesh, word);  // 1-2 means the halfedge from 1 to 2 here
-    return named.ok() && !word.starts_with('e') && named.element == solution.element->halfedge();
-  }
-  const NamedElement named = find_element(mesh, word);
+  if (is_answer(solution, word)) return true;
+  if (!solution.element || is_number(word)) return false;
+  const NamedElement named = named_by(mesh, solution, word);
   return named.element && *named.element == *solution.element;
 }
 

@@ -37,7 +37,8 @@ class PracticePanel : public Panel {
   std::optional<QuestionKind> kind_;  // none: any
   std::optional<Asked> asked_;
   std::array<char, 64> word_{};
-  std::optional<bool> right_;  // what was answered last
+  Text doubt_;                 // about what was answered last
+  std::optional<bool> right_;  // whether it is right
 };
 
 bool PracticePanel::ask(PanelContext& context) {
@@ -54,6 +55,7 @@ bool PracticePanel::ask(PanelContext& context) {
             session.document().serial(),
             session.document().revision()};
   word_.fill(0);
+  doubt_ = {};
   right_.reset();
   return true;
 }
@@ -113,8 +115,11 @@ void PracticePanel::draw_answer_field(PanelContext& context) {
   tip(context.text("h3, 1-2, v4, a number, none, yes, or the rule that forbids it; or click the element in the view.",
                    "h3、1-2、v4、数、none、yes、または禁じる規則。画面で要素をクリックしても答えられます。"));
   ImGui::SameLine();
-  if (ImGui::Button(context.text("Answer", "答える"), {button, 0}) || entered)
-    right_ = is_right(context.session.mesh(), asked_->solution, word_.data());
+  if (ImGui::Button(context.text("Answer", "答える"), {button, 0}) || entered) {
+    doubt_ = doubt_about(context.session.mesh(), asked_->solution, word_.data());
+    if (doubt_.en.empty()) right_ = is_right(context.session.mesh(), asked_->solution, word_.data());
+  }
+  if (!doubt_.en.empty()) wrapped_text(doubt_.in(context.language()).c_str());
 }
 
 // What is selected since the question was asked is an answer, if it is of the kind that is asked for.

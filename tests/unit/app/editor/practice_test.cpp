@@ -11,6 +11,7 @@
 #include "core/forms/all.h"
 #include "core/forms/polygons.h"
 #include "core/indexed/from_indexed.h"
+#include "core/io/formats.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/names.h"
@@ -276,6 +277,28 @@ TEST(practice, takes_names_and_slots_and_never_a_wrong_one) {
     for (const char* const nonsense : {"", "x", "-", "h", "e0", "yes", "0"})
       EXPECT_FALSE(is_right(mesh, solution, nonsense));
   }
+}
+
+// Three faces share the edge 0-1, so that its name alone means three edges.
+TEST(practice, a_name_of_several_elements_is_in_doubt) {
+  const Mesh mesh = from_indexed(read_mesh_file(test::asset("three_tri_edge.off"))->mesh);
+  int doubted = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const Solution solution = solve(mesh, make_question(mesh, QuestionKind::twin, seed));
+    const Halfedge right = solution.element->halfedge();
+    const std::string name =
+        std::to_string(point(mesh, mesh.from(right)).index) + "-" + std::to_string(point(mesh, mesh.to(right)).index);
+    EXPECT_TRUE(is_right(mesh, solution, slot_name(right)));
+    EXPECT_TRUE(doubt_about(mesh, solution, slot_name(right)).en.empty());
+    const bool is_doubted = !doubt_about(mesh, solution, name).en.empty();
+    EXPECT_NE(is_right(mesh, solution, name), is_doubted) << name;
+    doubted += is_doubted;
+  }
+  EXPECT_GT(doubted, 0);
+  const test::ProgramRun run = test::run_program(
+      {"practice", test::asset("three_tri_edge.off"), "--kind", "twin", "--count", "60", "--answer", "0-1", "--json"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.lines().back()["messages"][0]["code"], "name_ambiguous");
 }
 
 TEST(practice, command_judges_answers) {

@@ -4,10 +4,9 @@
 # non-manifold edges, turned faces, self-intersections (ryosen check). Distances are measured by measure_quality, which has
 # nothing of any of them.
 #   tests/bench/quality.sh PROGRAM_FOLDER [MESH...]
-# PROGRAM_FOLDER holds ryosen, simplify_ours, simplify_peers and measure_quality. Without meshes: the bunny, and the 20
-# largest files below
-# ../shared/meshes where that is there. METHODS names some of "ryosen ryosen-2
-# meshoptimizer garland-heckbert lindstrom-turk", of which the second is Ryosen with effort 2.
+# PROGRAM_FOLDER holds ryosen, simplify_ours, simplify_peers and measure_quality. Without meshes: the bunny, and where they
+# are there the dragon of ../shared/assets and the 20 largest files below ../shared/meshes. METHODS names some of "ryosen
+# ryosen-2 meshoptimizer garland-heckbert lindstrom-turk", of which the second is Ryosen with effort 2.
 set -eu
 programs=$1
 shift

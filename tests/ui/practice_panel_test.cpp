@@ -87,5 +87,26 @@ TEST(help_menu, plays_the_exercises_and_the_figures) {
   EXPECT_EQ(laid.session.player->call(), "script cube_with_hole");
 }
 
+// A click on a place of the texts shows it; where edits would be lost it asks.
+TEST(help_menu, shows_what_is_clicked_in_the_list_of_the_texts) {
+  test::Laid laid("fan.obj");
+  const auto take = [&](std::string_view text) {
+    ASSERT_TRUE(laid.session.run("panel texts").done());
+    laid.frames(3);
+    laid.click(test::DrawnText(laid.gui).place(text));
+    laid.frames(3);
+  };
+  take("Figure3:partsofapolygonmodel");
+  EXPECT_EQ(laid.session.mesh().live().faces, 4u);
+  EXPECT_TRUE(laid.session.open_panel.empty());
+  EXPECT_EQ(laid.session.settings.numbers, Numbers::all);
+  take("Table3");
+  EXPECT_EQ(laid.session.selection.size(), 1u);
+  ASSERT_TRUE(laid.session.run("poke f0").done());
+  take("Figure11:thefileofatorus");
+  EXPECT_EQ(laid.session.mesh().live().faces, 6u) << "the edited mesh is there";
+  EXPECT_EQ(laid.session.open_panel, panel_opened_by(PanelOpener::loss).id);
+}
+
 }  // namespace
 }  // namespace ryosen

@@ -1,4 +1,8 @@
 // Where each figure, table, problem and listing of the source texts is found; a click shows it.
+#include <algorithm>
+#include <span>
+#include <vector>
+
 #include "app/editor/script.h"
 #include "app/editor/text_places.h"
 #include "app/ui/panels.h"
@@ -12,18 +16,36 @@ class TextsPanel : public Panel {
  public:
   void draw(PanelContext& context) override;
   ImVec2 size() const override { return {940, 560}; }
+
+ private:
+  void draw_place(PanelContext& context, const TextPlace& place);
+  void show(PanelContext& context, const TextPlace& place);
+
+  const TextPlace* shown_ = nullptr;  // last
 };
 
+// Whether nothing was done but what shows a place.
+bool is_as_shown(const Document& document, const TextPlace* place) {
+  if (!place) return false;
+  const std::vector<ScriptLine> lines = split_script(place->lines);
+  const std::span<const HistoryEntry> history = document.history();
+  return document.path().empty() && std::all_of(history.begin(), history.end(), [&](const HistoryEntry& entry) {
+           return std::any_of(lines.begin(), lines.end(), [&](const auto& line) { return line.text == entry.command; });
+         });
+}
+
 // Where edits would be lost it asks first, and shows nothing yet.
-void show(PanelContext& context, const TextPlace& place) {
+void TextsPanel::show(PanelContext& context, const TextPlace& place) {
+  const Document& document = context.session.document();
   context.session.open_panel.clear();
-  if (context.session.document().is_modified()) return context.leave({false, {}, "new"});
-  context.run("new");
+  if (document.is_modified() && !is_as_shown(document, shown_)) return context.leave({false, {}, "new"});
+  shown_ = &place;
+  context.run_from("new", {});  // without asking again
   for (const ScriptLine& line : split_script(place.lines))
     if (!context.run(line.text).done()) return;
 }
 
-void draw_place(PanelContext& context, const TextPlace& place) {
+void TextsPanel::draw_place(PanelContext& context, const TextPlace& place) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const std::string name = context.text(place.place_en, place.place_ja),

@@ -100,7 +100,9 @@ bool Simplifier::find_further(Progress& progress) {
   for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
     if (i % 256 == 0 && !progress.go_on()) return false;
     const Edge e(i);
-    if (!mesh_.is_alive(e) || mesh_.is_wire(e) || rule_of(e) != EdgeRule::free) continue;
+    if (!mesh_.is_alive(e) || mesh_.is_wire(e) || !surface_.freedom(halfedge(e)).is_possible ||
+        rule_of(e) != EdgeRule::free)
+      continue;
     is_blocked_[i] = 0;
     queue_.add(i, 0);
     found = true;
@@ -253,13 +255,13 @@ void Simplifier::block(Edge e) {
   for (unsigned side : {0u, 1u}) has_blocked_[mesh_.from(halfedge(e, side)).index] = 1;
 }
 
-std::optional<EdgeRule> Simplifier::refusal(const Freedom& freedom, const Placing& placing) const {
+// The first rule that refuses it; `none` is said where none before that does.
+EdgeRule Simplifier::refusal(const Freedom& freedom, const Placing& placing, EdgeRule none) const {
   const Halfedge h = freedom.halfedge;
-  if (surface_.turns_face(h, placing)) return EdgeRule::normal;
+  if (none <= EdgeRule::normal || surface_.turns_face(h, placing)) return std::min(none, EdgeRule::normal);
   if (surface_.narrows_face(h, placing.place)) return EdgeRule::angle;
   if (!surface_.is_within_error(h, placing)) return EdgeRule::error;
-  if (makes_faces_meet(freedom, placing)) return EdgeRule::self_intersection;
-  return std::nullopt;
+  return none > EdgeRule::self_intersection && makes_faces_meet(freedom, placing) ? EdgeRule::self_intersection : none;
 }
 
 EdgeRule Simplifier::rule_of(Edge e) const {
@@ -273,8 +275,7 @@ EdgeRule Simplifier::rule_of(Edge e) const {
     // It costs the valence to see whether faces turn: that is not asked where it would tell nothing.
     if (!surface_.is_within_error(freedom.halfedge, placing)) rule = std::min(rule, EdgeRule::error);
     if (rule <= last) return;
-    if (rule >= EdgeRule::normal) rule = std::min(rule, refusal(freedom, placing).value_or(EdgeRule::free));
-    last = std::max(last, rule);
+    last = std::max(last, refusal(freedom, placing, rule));
   };
   const Freedom unheld{freedom.halfedge};
   const std::array<Placing, 3> others = surface_.others(unheld);

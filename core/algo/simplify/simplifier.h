@@ -105,7 +105,7 @@ class Simplifier {
   void block(Edge e);
   bool is_hub(Vertex v) const;
   void unblock_around(Vertex v, const std::array<Vertex, 2>& apexes);
-  std::optional<EdgeRule> refusal(const Freedom& freedom, const Placing& placing) const;
+  EdgeRule refusal(const Freedom& freedom, const Placing& placing, EdgeRule none) const;
 
   Mesh& writable_;
   const Mesh& mesh_;

@@ -24,6 +24,13 @@ const char* behind_letter(const char* at, const char* end) {
   return at;
 }
 
+// The beginning of the letter that ends there.
+const char* at_letter(const char* end) {
+  do --end;
+  while (!begins_letter(*end));
+  return end;
+}
+
 // No line begins with one of these.
 bool is_closing(std::string_view text) {
   for (const std::string_view mark : {"、", "。", "）", "」"})
@@ -33,15 +40,16 @@ bool is_closing(std::string_view text) {
 
 // Between kana and kanji a line may end anywhere: takes as many of them as fit, where ImGui would end at a blank before.
 const char* with_kanji(const char* begin, const char* at, const char* end, float width_px) {
-  const char* before = at;
   while (at < end) {
     const char* next = std::find_if(at, end, [](char c) { return c != ' '; });
     if (next == end || static_cast<unsigned char>(*next) < 0xE3) return at;
     next = behind_letter(next, end);
     if (ImGui::CalcTextSize(begin, next).x > width_px) break;
-    before = std::exchange(at, next);
+    at = next;
   }
-  return before > begin && is_closing({at, static_cast<std::size_t>(end - at)}) ? before : at;
+  const char* before = at;
+  while (before > begin && is_closing({before, static_cast<std::size_t>(end - before)})) before = at_letter(before);
+  return before > begin ? before : at;
 }
 
 // Where a line that begins at a letter ends when it is no wider than that; at least one letter.
@@ -264,6 +272,15 @@ void tip_shown(std::string_view text) {
   const float before = panel.Pos.x, behind = all.x - panel.Pos.x - panel.Size.x;
   const float room = std::max(before, behind) - 2 * gap - 2 * ImGui::GetStyle().WindowPadding.x;
   const bool is_beside = room > 8 * em;
+  const float width = is_beside ? std::min(22 * em, room) : 22 * em;
+  if (!is_beside) {  // above what it is about: what follows there may be clicked next
+    const float wide = std::min(width, ImGui::CalcTextSize(text.data(), text.data() + text.size()).x) +
+                       2 * ImGui::GetStyle().WindowPadding.x;
+    const bool has_room = first.y > 5 * em;
+    ImGui::SetNextWindowPos(
+        {std::max(0.f, std::min(first.x, all.x - wide)), has_room ? first.y - gap : last.y + 4 * em}, 0,
+        {0, has_room ? 1.f : 0.f});
+  }
   if (is_beside) {
     const bool goes_right = behind >= before, hangs = first.y < 0.6f * all.y;
     ImGui::SetNextWindowPos(
@@ -272,7 +289,7 @@ void tip_shown(std::string_view text) {
   }
   ImGui::BeginTooltip();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-  wrapped_text(text, is_beside ? std::min(22 * em, room) : 22 * em);
+  wrapped_text(text, width);
   ImGui::PopStyleVar();
   ImGui::EndTooltip();
 }

@@ -10,6 +10,7 @@
 #include "core/mesh/copies.h"
 #include "core/ops/lines/arguments.h"
 #include "core/ops/rules/corner_values.h"
+#include "core/ops/rules/face_geometry.h"
 #include "core/ops/rules/face_lists.h"
 #include "core/ops/rules/pinch.h"
 #include "core/ops/rules/sheets.h"

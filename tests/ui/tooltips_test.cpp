@@ -87,6 +87,22 @@ TEST(tooltips, say_what_each_letter_of_the_sum_counts) {
   }
 }
 
+TEST(tooltips, do_not_cover_what_stands_below_in_a_small_window) {
+  Laid laid("cube.obj", {640, 480});
+  ASSERT_TRUE(laid.session.run("start").done());
+  laid.frames(3);
+  const glm::dvec2 row = DrawnText(laid.gui).place("Acubewithonethrough-hole");
+  laid.gui.pointer(row);
+  laid.frames(3);
+  ASSERT_TRUE(is_told());
+  for (const ImGuiWindow* const one : GImGui->Windows)
+    if (one->Active && (one->Flags & ImGuiWindowFlags_Tooltip) != 0) {
+      EXPECT_LT(one->Pos.y + one->Size.y, row.y);
+      EXPECT_GE(one->Pos.x, 0);
+      EXPECT_LE(one->Pos.x + one->Size.x, 640);
+    }
+}
+
 TEST(totals, say_why_a_mesh_has_more_vertices_than_points) {
   Laid laid("three_tri_edge.off", test::tall_window);
   const auto held = [&](const char* text) { return DrawnText(laid.gui).count(text); };

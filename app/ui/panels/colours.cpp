@@ -63,7 +63,8 @@ void ColoursPanel::draw_choice(PanelContext& context) {
 
 // The colours from the low end to the high one, with a value below each end and the middle.
 void ColoursPanel::draw_legend(PanelContext& context) {
-  const auto& [map, range] = *context.session.colouring;
+  const ColourMap* const map = context.session.colouring->map;
+  const MapRange range = context.session.colouring->range;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = 12 * context.scale;
   ImDrawList* const list = ImGui::GetWindowDrawList();
@@ -93,7 +94,8 @@ void ColoursPanel::draw_legend(PanelContext& context) {
 }
 
 void ColoursPanel::follow_drag(PanelContext& context, float left, float width) {
-  const auto& [map, range] = *context.session.colouring;
+  const ColourMap* const map = context.session.colouring->map;
+  const MapRange range = context.session.colouring->range;
   // The bars at the ends hold what lies beyond the range too.
   const auto edge_of = [&](std::size_t bar) {
     if (bar == 0) return std::min(range.low, figures_.lowest);
@@ -121,7 +123,8 @@ void ColoursPanel::follow_drag(PanelContext& context, float left, float width) {
 }
 
 void ColoursPanel::draw_histogram(PanelContext& context) {
-  const auto& [map, range] = *context.session.colouring;
+  const ColourMap* const map = context.session.colouring->map;
+  const MapRange range = context.session.colouring->range;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = 64 * context.scale;
   ImGui::InvisibleButton("histogram", {width, height});
@@ -149,7 +152,8 @@ void ColoursPanel::draw_histogram(PanelContext& context) {
 
 // Which part of the values the colours are spread over, and the other choice.
 void ColoursPanel::draw_range(PanelContext& context) {
-  const auto& [map, range] = *context.session.colouring;
+  const ColourMap* const map = context.session.colouring->map;
+  const MapRange range = context.session.colouring->range;
   const MapRange whole = whole_range(*map, figures_), first = first_range(*map, figures_);
   if (whole == first) return;
   const std::string line = "colours " + std::string(map->id);

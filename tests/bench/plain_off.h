@@ -17,16 +17,17 @@ struct Triangles {
   std::vector<std::array<std::uint32_t, 3>> faces;
 };
 
-// Leaves out faces of another number of corners. Ends the program where the file is no OFF.
+// Leaves out faces of another number of corners, and what stands behind the places of vertices. Ends the program where the
+// file is no OFF.
 inline Triangles read_off(const char* path) {
   std::ifstream file(path, std::ios::binary);
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  const char* at = text.c_str();
-  if (text.compare(0, 3, "OFF") != 0) {
+  const std::size_t header = text.find("OFF");  // STOFF, COFF ...
+  if (header > 4) {
     std::fprintf(stderr, "%s is no OFF\n", path);
     std::exit(2);
   }
-  at += 3;
+  const char* at = text.c_str() + header + 3;
   char* end = nullptr;
   const auto number = [&] {
     while (*at == '#' || *at == ' ' || *at == '\n' || *at == '\r')
@@ -42,8 +43,13 @@ inline Triangles read_off(const char* path) {
   mesh.points.resize(static_cast<std::size_t>(number()));
   const auto faces = static_cast<std::size_t>(number());
   number();
-  for (auto& p : mesh.points)
+  const auto end_line = [&] {
+    while (*at != '\n' && *at != '\0') ++at;
+  };
+  for (auto& p : mesh.points) {
     for (double& x : p) x = number();
+    end_line();
+  }
   for (std::size_t f = 0; f < faces; ++f) {
     const auto corners = static_cast<std::size_t>(number());
     std::array<std::uint32_t, 3> face{};
@@ -52,7 +58,7 @@ inline Triangles read_off(const char* path) {
       if (i < 3) face[i] = corner;
     }
     if (corners == 3) mesh.faces.push_back(face);
-    while (*at != '\n' && *at != '\0') ++at;  // colours
+    end_line();  // colours
   }
   return mesh;
 }

@@ -9,6 +9,7 @@
 #include "app/cli/subcommands.h"
 #include "app/editor/fly.h"
 #include "app/editor/playing.h"
+#include "app/editor/view_switches.h"
 #include "app/ui/headless.h"
 #include "core/mesh/names.h"
 #include "core/ops/all.h"
@@ -144,12 +145,13 @@ Result<std::size_t> wanted_step(const std::string& word, std::size_t size) {
 
 // The view of the editor on the step, with its marks and caption.
 std::optional<Failure> draw_step(std::unique_ptr<Document> document, const std::vector<std::string>& words,
-                                 std::size_t at, const std::string& path, const Console& console) {
+                                 std::size_t at, std::size_t numbers, const std::string& path, const Console& console) {
   const auto headless = Headless::make({.size = {1280, 720}});
   if (!headless) return headless.failure();
   Session session(std::move(document));
   session.language = console.language;
   (*headless)->place_view(session);
+  find_view_switch("numbers")->set(session, numbers);
   const Outcome begun = begin_playing(session, words);
   if (!begun.done()) return make_failure(begun.exit_code, code_of(begun), begun.sentence);
   session.player->go_to(session.document(), at);
@@ -176,11 +178,23 @@ Failure failure_of(steps::Sequence& sequence) {
                       std::move(sentence));
 }
 
+// Whose numbers stand in the picture: the value of the switch of the view.
+Result<std::size_t> wanted_numbers(const Arguments& arguments) {
+  const std::string* const word = arguments.value("--numbers");
+  if (!word) return std::size_t{0};
+  const ViewSwitch& row = *find_view_switch("numbers");
+  if (const auto value = find_value(row, *word)) return *value;
+  return usage_failure("bad_value", {"--numbers is one of " + ids_of(row.values) + ", not '" + *word + "'.",
+                                     "--numbers は " + ids_of(row.values) + " のいずれかです（" + *word + "）。"});
+}
+
 ExitCode print_steps(const Arguments& arguments, const PlayCall& call, std::unique_ptr<Document> document,
                      const Console& console) {
   const Result<std::unique_ptr<steps::Sequence>> played = make_played(*document, call.words);
   if (!played) return console.fail(played.failure(), call.file.value_or(""));
   steps::Sequence& sequence = **played;
+  const Result<std::size_t> numbers = wanted_numbers(arguments);
+  if (!numbers) return console.fail(numbers.failure());
   std::size_t first = 1, last = sequence.size();
   if (const std::string* const at = arguments.value("--at")) {
     const Result<std::size_t> number = wanted_step(*at, sequence.size());
@@ -201,7 +215,7 @@ ExitCode print_steps(const Arguments& arguments, const PlayCall& call, std::uniq
                                : step_text(step, i, sequence.size(), console));
   }
   if (const std::string* const path = arguments.value("-o"))
-    if (const auto failure = draw_step(std::move(document), call.words, last, *path, console))
+    if (const auto failure = draw_step(std::move(document), call.words, last, *numbers, *path, console))
       return console.fail(*failure);
   if (sequence.stop() && last == sequence.size()) return console.fail(failure_of(sequence), call.words.back());
   console.conclude("", ExitCode::done);

@@ -267,6 +267,8 @@ std::vector<Subcommand> table() {
                      {"--at", "N", false, "this step alone, from 1", "この手順だけ（1 から）"},
                      {"-o", "PNG", false, "a picture of this step, else of the last one",
                       "この手順（省くと最後）の画像の出力先"},
+                     {"--numbers", ids_of(find_view_switch("numbers")->values), false,
+                      "whose numbers are written into it; else none", "画像に書く番号の種類（省くと書かない）"},
                      overwrite,
                  },
                  steps_topic,

@@ -90,6 +90,20 @@ class NumberLabels {
     return sum / corners;
   }
 
+  // Of the loop of a halfedge that bounds a hole of its face, which lies away from it.
+  std::optional<glm::dvec3> middle_of_ring(Halfedge h) const {
+    const Face f = m_.face(h);
+    if (!f || !m_.has_rings(f)) return std::nullopt;
+    glm::dvec3 sum(0);
+    double corners = 0;
+    for (const Halfedge other : loop(m_, h)) {
+      if (other == m_.halfedge(f)) return std::nullopt;
+      sum += middle(m_.from(other));
+      ++corners;
+    }
+    return sum / corners;
+  }
+
   // Beside its vertex, so that both are seen.
   Label label_of(Vertex v) const { return {.at = middle(v), .shift_px = {0, -13}}; }
   Label label_of(Edge e) const { return {.at = middle(e)}; }
@@ -98,6 +112,7 @@ class NumberLabels {
   Label label_of(Halfedge h) const {
     constexpr double inwards = 0.25;
     const glm::dvec3 at = middle(h);
+    if (const auto ring = middle_of_ring(h)) return {.at = at - inwards * (*ring - at), .own = m_.face(h)};
     if (const Face f = m_.face(h)) return {.at = at + inwards * (middle(f) - at), .own = f};
     const Face across = m_.face(twin(h));
     return {.at = across ? at - inwards * (middle(across) - at) : at};

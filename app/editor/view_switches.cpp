@@ -254,6 +254,12 @@ std::vector<ViewSwitch>& switch_rows() {
 
 std::span<const ViewSwitch> view_switches() { return switch_rows(); }
 
+const ViewSwitch* find_view_switch(std::string_view id) {
+  for (const ViewSwitch& row : view_switches())
+    if (row.id == id) return &row;
+  return nullptr;
+}
+
 std::string ids_of(std::span<const SwitchValue> values) {
   std::string ids;
   for (const SwitchValue& value : values) ids.append(ids.empty() ? "" : "|").append(value.id);

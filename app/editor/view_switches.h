@@ -48,6 +48,7 @@ struct ViewSwitch {
 
 // In the order of the menu. Valid until a row comes or goes.
 std::span<const ViewSwitch> view_switches();
+const ViewSwitch* find_view_switch(std::string_view id);
 // "dark|light"
 std::string ids_of(std::span<const SwitchValue> values);
 std::optional<std::size_t> find_value(const ViewSwitch& row, std::string_view id);

@@ -182,6 +182,7 @@ void end_rows(float pitch) {
 
 void list_of_rows(const char* id, std::size_t count, std::size_t most, const std::function<void(std::size_t)>& draw,
                   std::optional<float> scrolls_to, float pitch) {
+  if (count == 0) return;  // a child of no height would take all there is
   if (pitch == 0) pitch = ImGui::GetTextLineHeightWithSpacing();
   begin_rows(id, static_cast<float>(std::min(count, most)), 0, pitch);
   ImGuiListClipper clipper;

@@ -117,6 +117,7 @@ class ListingPlay {
       edit.commit();
       if (is_complete_) compare(step);
     }
+    keep_labels();
     steps_.push_back(std::move(step));
     positions_.push_back(journal_.position());
     return std::make_unique<RecordedSteps>(std::move(mesh_), std::move(journal_), std::move(steps_),
@@ -153,6 +154,16 @@ class ListingPlay {
     steps_.push_back({std::move(caption), {}, {}, code_4(line), {}});
     positions_.push_back(0);
     return steps_.back();
+  }
+
+  // Those of the figure stay while the code runs, behind what a step is about.
+  void keep_labels() {
+    const std::vector<Mark> labels = steps_.front().marks;
+    for (std::size_t i = 1; i < steps_.size(); ++i)
+      for (const Mark& label : labels)
+        if (std::none_of(steps_[i].marks.begin(), steps_[i].marks.end(),
+                         [&](const Mark& mark) { return mark.element == label.element && row_of(mark.role).is_label; }))
+          steps_[i].marks.push_back(label);
   }
 
   // The figure before anything is done.

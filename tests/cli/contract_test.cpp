@@ -89,6 +89,7 @@ void sweep_command_lines(Sweep& sweep) {
       {"steps", "script"},
       {"steps", "collapse 0-1", asset("cube.obj")},
       {"steps", "hull", mesh},
+      {"steps", "hull", mesh, "--numbers", "x"},
       {"steps", "nonsense", mesh},
       {"practice", "--count", "10"},
       {"practice", mesh, "--seed", "3", "--answer", "h1"},

@@ -1,6 +1,7 @@
 // Links as arrows: they lie inside their faces, twins side by side; each is labelled, selected by a click, and walked along.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <map>
 #include <set>
@@ -272,6 +273,27 @@ TEST_F(LinksTest, and_all_numbers_overlap_nowhere) {
       expect_no_overlap();
       EXPECT_GT(placed().size(), 10u) << name << numbers;
     }
+}
+
+// Also around a hole, where the middle of the face lies on the other side of the edge.
+TEST_F(LinksTest, are_nearest_to_their_own_numbers) {
+  open("figures/000-4b.obj", {"view front", "links all", "numbers halfedges"});
+  int of_rings = 0;
+  for (const PlacedLabel& label : placed()) {
+    const glm::dvec2 middle =
+        session_.view_origin + glm::dvec2(label.corner) + 0.5 * glm::dvec2(label.size.width, label.size.height);
+    const Halfedge h(static_cast<std::uint32_t>(std::stoul(label.text.substr(1))));
+    const Face f = session_.mesh().face(h);
+    if (!f || !session_.mesh().has_rings(f)) continue;
+    const auto& all = arrows();
+    const auto nearest = std::min_element(all.begin(), all.end(), [&](const LinkArrow& a, const LinkArrow& b) {
+      return glm::distance(pixel_of(a), middle) < glm::distance(pixel_of(b), middle);
+    });
+    EXPECT_EQ(nearest->halfedge, h) << label.text;
+    const auto sides = loop(session_.mesh(), session_.mesh().halfedge(f));
+    of_rings += std::find(sides.begin(), sides.end(), h) == sides.end();
+  }
+  EXPECT_EQ(of_rings, 4) << "all of the ring in front";
 }
 
 TEST_F(LinksTest, tell_the_face_of_every_halfedge_that_is_selected) {

@@ -40,6 +40,21 @@ class StepsPanelTest : public testing::Test, protected test::Laid {
   WindowInput input_{gui, session, [this] { frames(1); }};
 };
 
+TEST_F(StepsPanelTest, no_gap_stands_where_no_cell_changes) {
+  ASSERT_TRUE(say("panel steps").done());
+  ASSERT_TRUE(say("steps collapse 0-1").done());
+  int without = 0;
+  for (std::size_t i = 1; i <= session.player->size() && without < 3; ++i) {
+    ASSERT_TRUE(say("steps at " + std::to_string(i)).done());
+    const steps::Step& step = *session.player->step();
+    if (!step.rows.empty() || !step.source || step.marks.empty()) continue;
+    ++without;
+    const test::DrawnText drawn(gui);
+    EXPECT_LT(drawn.place("Text000").y - drawn.place("Play").y, 0.6f * static_cast<float>(size_.height)) << i;
+  }
+  EXPECT_GT(without, 0);
+}
+
 TEST_F(StepsPanelTest, every_row_and_script_is_offered_and_goes_forth_and_back) {
   ASSERT_TRUE(say("panel steps").done());
   EXPECT_TRUE(has("Acube"));

@@ -326,9 +326,9 @@ class Editor {
     last_frame_ = now;
   }
 
-  // Until all that came in has been done.
+  // Until all that came in has been done, though not until a panel rests that goes on by itself.
   void catch_up() {
-    for (int i = 0; i < settling_frames || gui_.wants_frames(); ++i) lay_out(Clock::now());
+    for (int i = 0; i < settling_frames || (i < 2 * settling_frames && gui_.wants_frames()); ++i) lay_out(Clock::now());
   }
 
   // Lays out a frame, redraws what changed, and presents it if anything did.

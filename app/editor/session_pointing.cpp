@@ -144,6 +144,20 @@ const std::vector<std::string>& Session::hover_remedy() {
   return remedy_;
 }
 
+const std::vector<EdgeVerdict>* Session::tool_verdicts() {
+  const OpInfo* const info = find_op(tool);
+  if (!shows_verdicts || !info || info->target != OpTargetKind::edge || preparing() || gesturing_) {
+    tool_verdicts_.reset();
+    return nullptr;
+  }
+  const bool is_known = tool_verdicts_ && tool_verdicts_->tool == tool &&
+                        tool_verdicts_->document == document_->serial() &&
+                        tool_verdicts_->revision == document_->revision();
+  if (!is_known)
+    tool_verdicts_ = ToolVerdicts{tool, document_->serial(), document_->revision(), edge_verdicts(mesh(), *info)};
+  return &tool_verdicts_->of_edges;
+}
+
 std::vector<std::string> Session::names_of(const Elements& elements) const {
   std::vector<std::string> names;
   for (const Element& element : elements)

@@ -224,6 +224,23 @@ Overlay selection_overlay(const Session& session, Theme theme) {
   return overlay;
 }
 
+Overlay verdicts_overlay(Session& session, Theme theme) {
+  constexpr std::size_t many = 1000;
+  Overlay overlay;
+  const std::vector<EdgeVerdict>* const verdicts = session.tool_verdicts();
+  if (!verdicts) return overlay;
+  const auto draw = [&](EdgeVerdict verdict, Role role) {
+    Style looks = style(role, theme);
+    looks.width_px = 2;
+    Painter painter(session, overlay, looks, 0, 0, verdicts->size() > many);
+    for (std::uint32_t i = 0; i < verdicts->size(); ++i)
+      if ((*verdicts)[i] == verdict && !session.hidden().hides(session.mesh(), Edge(i))) painter.draw(Edge(i));
+  };
+  draw(EdgeVerdict::legal, Role::legal);
+  draw(EdgeVerdict::refused, Role::refused);  // on top, where edges lie dense
+  return overlay;
+}
+
 Overlay measures_overlay(const Session& session, Theme theme) {
   Overlay overlay;
   const Style looks = style(Role::witness, theme);

@@ -14,6 +14,8 @@ Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, 
                           Theme theme, double room);
 Overlay selection_overlay(const Session& session, Theme theme);
 // The ways along which was measured, where all elements of it are still there.
+// Nothing where the verdicts of the tool are not to be shown.
+Overlay verdicts_overlay(Session& session, Theme theme);
 Overlay measures_overlay(const Session& session, Theme theme);
 // The elements of the step that is played, by their roles; nothing where the mesh is no longer the one it is about.
 Overlay step_overlay(const Session& session, Theme theme);

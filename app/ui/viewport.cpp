@@ -254,6 +254,7 @@ void Viewport::follow_mesh(Session& session) {
   drawn_crease_deg_ = session.crease_deg;
   shown_ = session.shown;
   normal_lines_.note(session, changes, anew);
+  verdicts_stale_ |= anew || changes.hiding;
   marked_ = std::move(changes.marks);
   highlights_stale_ |= anew || changes.searched;
   selection_stale_ = true;
@@ -329,10 +330,21 @@ void Viewport::follow_highlights(Session& session) {
   marked_.clear();
 }
 
+void Viewport::follow_verdicts(Session& session) {
+  verdicts_stale_ |= highlights_stale_;
+  std::tuple<std::string, std::uint64_t, std::uint64_t> now;
+  if (session.tool_verdicts()) now = {session.tool, session.document().serial(), session.document().revision()};
+  if (verdicts_stale_ || verdicts_ != now)
+    view_->set_overlay(Layer::verdicts, verdicts_overlay(session, settings_.theme));
+  verdicts_ = std::move(now);
+  verdicts_stale_ = false;
+}
+
 void Viewport::follow_overlays(Session& session) {
   selection_stale_ |=
       highlights_stale_ || selection_ != session.selection.stamp() || draws_links_ != session.links.is_on(session);
   draws_links_ = session.links.is_on(session);
+  follow_verdicts(session);
   if (!session.preparing()) follow_highlights(session);
   normal_lines_.follow(session, *view_);
   if (selection_stale_) view_->set_overlay(Layer::selection, selection_overlay(session, settings_.theme));

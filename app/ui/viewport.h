@@ -6,6 +6,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -57,6 +58,7 @@ class Viewport {
   std::optional<FramePace::Clock::duration> time_to_own_frame(FramePace::Clock::time_point now) const;
   // Adds the faces that have come into the selection or left it to what has changed.
   void follow_selected_faces(Session& session, Session::DrawnChanges& changes);
+  void follow_verdicts(Session& session);
   void follow_overlays(Session& session);
   void follow_highlights(Session& session);
   void follow_mark(Session& session, const HighlightRow& row, Mark mark);
@@ -93,6 +95,9 @@ class Viewport {
   bool highlights_stale_ = true;                    // all of them
   bool selection_stale_ = true;
   bool draws_links_ = false;
+  // The tool whose verdicts were drawn, empty for none, and of which document and revision.
+  std::tuple<std::string, std::uint64_t, std::uint64_t> verdicts_;
+  bool verdicts_stale_ = true;
   std::uint64_t selection_ = 0;                        // by its stamp
   std::vector<Elements> measures_;                     // as they were drawn
   IndexSet selected_faces_;                            // as they were drawn

@@ -363,7 +363,7 @@ class OneWay {
       if (a.bound != b.bound) return a.bound > b.bound;
       return a.piece != b.piece ? a.piece < b.piece : a.cell < b.cell;
     });
-    std::uint64_t steps_left = 4000000 + 4 * sums_.samples;
+    std::uint64_t steps_left = 500000 + 2 * sums_.samples;
     std::size_t next = 0;
     for (std::size_t at_once = 64; next < open_.size(); at_once = std::min<std::size_t>(2 * at_once, 8192)) {
       if (double(open_[next].bound) <= enough_.from(farthest_) || steps_left == 0) break;

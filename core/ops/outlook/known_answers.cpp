@@ -47,17 +47,29 @@ std::optional<std::uint64_t> KnownAnswers::subject(const Mesh& mesh, const AnyOp
   return std::uint64_t{point(mesh, mesh.from(h)).index} << 32u | point(mesh, mesh.to(h)).index;
 }
 
-Answer KnownAnswers::ask(Mesh& mesh, const AnyOp& op, bool geometry) {
+// Calls add_warnings(answer, whether it is about more than the edge) for a new answer that is legal.
+template <class Warn>
+Answer KnownAnswers::ask(const Mesh& mesh, const AnyOp& op, const Warn& add_warnings) {
   const std::optional<std::uint64_t> about = subject(mesh, op);
   if (about)
     if (const auto known = answers_.find(*about); known != answers_.end()) return known->second;
   Answer answer{check(mesh, op, facts_), {}};
-  if (geometry && answer.verdict.legal())
-    answer.warnings = !about && reaches_further(mesh, op, most_looked_at)
-                          ? std::vector<Reason>{{Rule::shape_unseen, {}}}
-                          : preview(mesh, journal_, op).warnings;
+  if (answer.verdict.legal()) add_warnings(answer, about.has_value());
   if (about && holds_for_all(answer, op)) answers_.emplace(*about, answer);
   return answer;
+}
+
+Answer KnownAnswers::ask(Mesh& mesh, const AnyOp& op, bool geometry) {
+  return ask(mesh, op, [&](Answer& answer, bool is_shared) {
+    if (!geometry) return;
+    answer.warnings = !is_shared && reaches_further(mesh, op, most_looked_at)
+                          ? std::vector<Reason>{{Rule::shape_unseen, {}}}
+                          : preview(mesh, journal_, op).warnings;
+  });
+}
+
+Answer KnownAnswers::ask(const Mesh& mesh, const AnyOp& op) {
+  return ask(mesh, op, [](Answer&, bool) {});
 }
 
 }  // namespace ryosen

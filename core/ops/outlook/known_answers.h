@@ -25,8 +25,12 @@ class KnownAnswers {
  public:
   // With the warnings of a preview, or with none. The mesh is byte-equal afterwards.
   Answer ask(Mesh& mesh, const AnyOp& op, bool geometry);
+  // With none; all questions must be of this kind.
+  Answer ask(const Mesh& mesh, const AnyOp& op);
 
  private:
+  template <class Warn>
+  Answer ask(const Mesh& mesh, const AnyOp& op, const Warn& add_warnings);
   std::optional<std::uint64_t> subject(const Mesh& mesh, const AnyOp& op);
   Halfedge first_of_cycle(const Mesh& mesh, Halfedge h);
 

@@ -129,6 +129,21 @@ TEST_F(ViewportTest, a_coloured_surface_follows_edits_as_if_drawn_anew) {
   }
 }
 
+TEST_F(ViewportTest, verdicts_on_all_edges_follow_the_tool_edits_and_what_is_hidden) {
+  const auto session = opened("moebius.off");
+  Image last = picture(*session, "tool swap");
+  for (const char* line : {"key V", "tool collapse", "poke f5", "undo", "hide f3", "theme light", "unhide",
+                           "tool poke", "tool split", "key V"}) {
+    const Image followed = picture(*session, line);
+    EXPECT_TRUE(followed.pixels != last.pixels) << line;
+    viewport_->forget();
+    last = picture(*session);
+    EXPECT_TRUE(followed.pixels == last.pixels) << line;
+  }
+  EXPECT_EQ(session->tool_verdicts(), nullptr);
+  EXPECT_TRUE(last.pixels == picture(*session, "tool none").pixels) << "the tool alone shows nothing";
+}
+
 TEST_F(ViewportTest, handles_and_guides_that_come_and_go_are_drawn_as_in_a_full_redraw) {
   const std::unique_ptr<Session> opened_session = opened("torus.off");
   Session& session = *opened_session;

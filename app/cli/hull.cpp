@@ -104,6 +104,7 @@ class HullRun {
       progress.begin_part(report_.hulls.size(), parts.size());
       MadeHull& made = report_.hulls.emplace_back();
       made.points = part.size();
+      made.first = part.empty() ? 0 : part[0];
       made.hull = hull_of_some(report_.points, part, progress);
       made.size = hull_size(report_.points, made.hull);
       if (report_.wishes.measure) made.extent = hull_extent(report_.points, made.hull, progress);

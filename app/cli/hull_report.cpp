@@ -131,12 +131,10 @@ std::string HullReport::json_line(ExitCode code, const std::string* output, cons
 
 std::string HullReport::text(const std::string* output, const Console& console) const {
   std::string text;
-  if (wishes.per_component) text = console.text(whole_sentence(hulls)) + "\n";
+  const bool are_several = hulls.size() != 1;
+  if (are_several) text = console.text(whole_sentence(hulls)) + "\n";
   for (const MadeHull& made : hulls) {
-    if (wishes.per_component) {
-      const std::uint32_t first = made.hull.vertices.empty() ? 0 : made.hull.vertices[0];
-      text += "\nv" + std::to_string(first) + ": ";
-    }
+    if (are_several) text += "\nv" + std::to_string(made.first) + ": ";
     text += lines_of_hull(made, wishes, console);
   }
   return text + written_text(output, console);

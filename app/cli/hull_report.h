@@ -18,7 +18,8 @@ struct HullWishes {
 };
 
 struct MadeHull {
-  std::size_t points = 0;  // of which it is the hull
+  std::size_t points = 0;   // of which it is the hull
+  std::uint32_t first = 0;  // the lowest of them
   ConvexHull hull;
   HullSize size;
   HullExtent extent;

@@ -16,6 +16,7 @@
 #include "core/io/edited_file.h"
 #include "core/io/elements.h"
 #include "core/io/file_target.h"
+#include "core/io/safe_write.h"
 #include "core/mesh/copies.h"
 
 namespace ryosen {

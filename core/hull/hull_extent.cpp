@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "core/hull/affine_basis.h"
 #include "core/hull/antipodes.h"
@@ -183,6 +184,20 @@ bool Measuring::measure_solid(Progress& progress) {
   return measure_edges(antipodes, progress);
 }
 
+// A hull whose points are numbered by its extreme ones, in the same order: of a small hull among very many points the
+// tables by point stay small.
+struct OwnNumbers {
+  OwnNumbers(std::span<const glm::dvec3> points, const ConvexHull& given) : hull(given) {
+    for (const Index i : given.vertices) places.push_back(points[i]);
+    std::iota(hull.vertices.begin(), hull.vertices.end(), Index{0});
+    for (Index& corner : hull.corners)
+      corner = static_cast<Index>(std::lower_bound(given.vertices.begin(), given.vertices.end(), corner) -
+                                  given.vertices.begin());
+  }
+  std::vector<glm::dvec3> places;
+  ConvexHull hull;
+};
+
 std::string names_of(const std::vector<Index>& points) {
   constexpr std::size_t most = 8;
   std::string names;
@@ -195,16 +210,33 @@ std::string names_of(const std::vector<Index>& points) {
 
 HullExtent hull_extent(std::span<const glm::dvec3> points, const ConvexHull& hull, Progress& progress) {
   if (hull.dimension < 1) return {};
-  Measuring measuring(points, hull);
+  const OwnNumbers own(points, hull);
+  Measuring measuring(own.places, own.hull);
   if (hull.dimension == 1) measuring.measure_segment();
   if (hull.dimension == 2) measuring.measure_polygon();
   if (hull.dimension == 3 && !measuring.measure_solid(progress)) return {};
-  return std::move(measuring).extent();
+  HullExtent extent = std::move(measuring).extent();
+  for (std::vector<Index>* const numbers : {&extent.farthest, &extent.between[0], &extent.between[1]})
+    for (Index& i : *numbers) i = hull.vertices[i];
+  return extent;
 }
 
 HullExtent hull_extent(std::span<const glm::dvec3> points, const ConvexHull& hull) {
   Progress progress;
   return hull_extent(points, hull, progress);
+}
+
+HullExtent extremes(const HullExtent& one, const HullExtent& other) {
+  HullExtent both = one;
+  if (!other.farthest.empty() && (one.farthest.empty() || other.diameter > one.diameter)) {
+    both.farthest = other.farthest;
+    both.diameter = other.diameter;
+  }
+  if (!other.between[0].empty() && (one.between[0].empty() || other.width < one.width)) {
+    both.between = other.between;
+    both.width = other.width;
+  }
+  return both;
 }
 
 Text extent_sentence(const HullExtent& extent) {

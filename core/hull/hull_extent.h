@@ -34,7 +34,10 @@ struct HullExtent {
 HullExtent hull_extent(std::span<const glm::dvec3> points, const ConvexHull& hull, Progress& progress);
 HullExtent hull_extent(std::span<const glm::dvec3> points, const ConvexHull& hull);
 
-// "Farthest: v3 and v7, 2.5 apart; smallest width 1.25, between face v0 v1 v2 and v7." Empty below dimension 1.
+// The farthest pair of either, and the smallest width of those that have one: of several hulls the extremes.
+HullExtent extremes(const HullExtent& one, const HullExtent& other);
+
+// "Farthest apart: v3 and v7, 2.5. Smallest width: 1.25, between v0 v1 v2 and v7." Empty below dimension 1.
 Text extent_sentence(const HullExtent& extent);
 
 }  // namespace ryosen

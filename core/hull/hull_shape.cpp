@@ -86,8 +86,8 @@ Text size_sentence(const ConvexHull& hull, const HullSize& size) {
 Text hulls_sentence(std::size_t count, std::size_t vertices, std::size_t facets, const HullSize& size) {
   const std::string parts = std::to_string(count), v = std::to_string(vertices), f = std::to_string(facets),
                     volume = hull::in_short(size.volume), area = hull::in_short(size.area);
-  return {"The hulls of " + parts + " components have " + v + " vertices and " + f + " facets. Volume " + volume +
-              ", area " + area + " together.",
+  return {"The hulls of " + parts + " components have " + v + (vertices == 1 ? " vertex and " : " vertices and ") + f +
+              (facets == 1 ? " facet" : " facets") + ". Volume " + volume + ", area " + area + " together.",
           "連結成分 " + parts + " 個の凸包は、合わせて頂点 " + v + " 個、面 " + f + " 枚です。体積の和 " + volume +
               "、面積の和 " + area + "。"};
 }

@@ -12,23 +12,23 @@ Text text_of_begin(const HullStep& step) {
   if (step.is_planar)
     return {"Three points that are not on a line make the first triangle.",
             "一直線上にない 3 点で最初の三角形を作ります。"};
-  return {"Four points that span space make the first four faces.", "空間を張る 4 点で最初の四面体を作ります。"};
+  return {"Four points that span space make the first four faces.", "空間を張る 4 点で最初の 4 面を作ります。"};
 }
 
 // Why the point changes nothing.
-Text text_of_rest(const HullStep& step) {
-  const std::string p = std::to_string(step.point), witness = std::to_string(step.witness);
+Text text_of_rest(const HullStep& step, const std::string& witness) {
+  const std::string p = std::to_string(step.point);
   if (step.kind == HullStep::Kind::equal)
     return {"Point " + p + " lies at the place of vertex " + witness + ": it changes nothing.",
             "点 " + p + " は頂点 " + witness + " と同じ位置にあるため、何も変わりません。"};
   const bool is_inside = step.kind == HullStep::Kind::inside;
   if (step.is_planar)
-    return is_inside ? Text{"Point " + p + " sees no edge: it lies inside and changes nothing.",
-                            "点 " + p + " からはどの稜線も見えません。内部にあるため何も変わりません。"}
-                     : Text{"Point " + p + " sees no edge and lies on the line of half-edge e" + witness +
-                                ": it changes nothing.",
-                            "点 " + p + " からはどの稜線も見えず、半稜線 e" + witness +
-                                " の直線上にあるため、何も変わりません。"};
+    return is_inside
+               ? Text{"Point " + p + " sees no edge: it lies inside and changes nothing.",
+                      "点 " + p + " からはどの稜線も見えません。内部にあるため何も変わりません。"}
+               : Text{"Point " + p + " sees no edge and lies on the line of edge " + witness + ": it changes nothing.",
+                      "点 " + p + " からはどの稜線も見えず、稜線 " + witness +
+                          " の直線上にあるため、何も変わりません。"};
   return is_inside
              ? Text{"Point " + p + " sees no face: it lies inside and changes nothing.",
                     "点 " + p + " からはどの面も見えません。内部にあるため何も変わりません。"}
@@ -74,9 +74,11 @@ Text text_of_extending(const HullStep& step) {
 
 }  // namespace
 
-Text caption(const HullStep& step) {
+Text caption(const HullStep& step, const std::string& witness) {
   if (step.kind == HullStep::Kind::begin) return text_of_begin(step);
-  return step.kind == HullStep::Kind::extend ? text_of_extending(step) : text_of_rest(step);
+  return step.kind == HullStep::Kind::extend
+             ? text_of_extending(step)
+             : text_of_rest(step, witness.empty() ? std::to_string(step.witness) : witness);
 }
 
 }  // namespace ryosen

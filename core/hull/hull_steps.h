@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -46,7 +47,8 @@ struct HullStep {
 };
 
 // "Point 12 sees 3 faces: they go, and each of the 5 edges of the horizon makes a face with it."
-Text caption(const HullStep& step);
+// `witness`: how the element or the vertex is called; else by its row in the records.
+Text caption(const HullStep& step, const std::string& witness = {});
 
 // Writes the changes of a step into a copy of the records before it, or takes them back from those behind it.
 inline void apply(const HullStep& step, forms::DcelRecords& records) { apply_changes(step.changes, records); }

@@ -184,7 +184,8 @@ double largest_coordinate(std::span<const glm::dvec3> points) {
   for_each_part(static_cast<Index>(points.size()), parts, [&](unsigned part, Index begin, Index end) {
     double of_part = 0;
     for (Index i = begin; i < end; ++i)
-      of_part = std::max({of_part, std::abs(points[i].x), std::abs(points[i].y), std::abs(points[i].z)});
+      if (is_finite(points[i]))
+        of_part = std::max({of_part, std::abs(points[i].x), std::abs(points[i].y), std::abs(points[i].z)});
     largest[part] = of_part;
   });
   return *std::max_element(largest.begin(), largest.end());

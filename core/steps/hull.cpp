@@ -20,6 +20,13 @@ std::vector<glm::dvec3> points_of(const Mesh& mesh) {
   return points;
 }
 
+// Whether a point that was deleted lies before one that is there, so that these have other numbers among themselves.
+bool are_renumbered(const Mesh& mesh, std::size_t points) {
+  std::uint32_t end = mesh.vertex_slots();
+  while (end > 0 && (!mesh.is_alive(Vertex(end - 1)) || point(mesh, Vertex(end - 1)) != Vertex(end - 1))) --end;
+  return end != points;
+}
+
 Failure no_such_order() {
   return usage_of(
       {"'hull [ORDER [SEED]] [project=AXIS]' takes random, as_given or farthest, a number for random, and x, y, "
@@ -72,14 +79,17 @@ Made play_hull(const Mesh& mesh, Arguments arguments) {
                            "), so there is nothing to play; ryosen hull gives their hull.",
                        "点が平面を張らないため（次元 " + std::to_string(dimension) +
                            "）、再生する手順がありません。凸包は ryosen hull で得られます。"});
-  return std::unique_ptr<Sequence>(std::make_unique<HullSequence>(std::move(points), wishes->order, wishes->seed));
+  const bool renumbered = are_renumbered(mesh, points.size());
+  auto sequence = std::make_unique<HullSequence>(std::move(points), wishes->order, wishes->seed);
+  if (renumbered)
+    sequence->add_remark(
+        {" They are numbered anew, without those that were deleted.", "削除した点を除き、番号を付け直しています。"});
+  return std::unique_ptr<Sequence>(std::move(sequence));
 }
 
 Choices choices_of_hull(const Mesh& mesh, Selected) {
-  std::vector<glm::dvec3> some;  // enough to see in most meshes what they span
-  for (std::uint32_t i = 0; i < mesh.vertex_slots() && some.size() < 256; ++i)
-    if (mesh.is_alive(Vertex(i))) some.push_back(mesh.position(Vertex(i)));
-  const int dimension = HullSteps(some, HullOrder::as_given).dimension();
+  const std::vector<glm::dvec3> points = points_of(mesh);
+  const int dimension = HullSteps(points, HullOrder::as_given).dimension();
   if (dimension < 2) return {};
   Choices choices;
   for (const HullOrderRow& row : hull_orders()) choices.push_back({std::string(row.id)});

@@ -18,18 +18,23 @@ class Telling {
   explicit Telling(HullSteps& hull) : hull_(hull), kernel_(hull.records(), hull.dimension() == 2) {}
 
   void tell(const HullStep& step) {
-    Step told{caption(step), {}, {}, step.seen.empty() ? hull_text : horizon_text, {}, {}};
+    const std::optional<Element> witness = witness_of(step);
+    Step told{caption(step, witness ? slot_name(*witness) : ""), {}, {},
+              step.seen.empty() ? hull_text : horizon_text,      {}, {}};
     const std::string made = std::to_string(hull_.made_so_far());
     told.caption =
         told.caption + (step.is_planar
                             ? Text{" Edges made so far: " + made + ".", "これまでに作った稜線の数 " + made + "。"}
                             : Text{" Faces made so far: " + made + ".", "これまでに作った面の数 " + made + "。"});
     mark_what_was(told, step);
+    if (witness) add_mark(told, Role::compared, *witness);
     for (const DcelChange& change : step.changes) {
       if (told.rows.size() >= RecordedSteps::most_rows) break;
       told.rows.push_back(row_of(change));
     }
+    const ElementCounts before = kernel_.mesh().live();
     kernel_.follow(step, hull_.records());
+    if (!step.made.empty()) told.delta = delta_of(step, before, kernel_.mesh().live());
     mark_united(told, step);
     steps_.push_back(std::move(told));
     positions_.push_back(kernel_.position());
@@ -44,6 +49,23 @@ class Telling {
     if (step.marks.size() < most_marks) step.marks.push_back({role, element});
   }
 
+  // By the sum V - E + F + B = 2 S of one closed surface, or one face with its boundary loop, beside points by themselves,
+  // each of which is a B and an S.
+  static Delta delta_of(const HullStep& step, const ElementCounts& before, const ElementCounts& after) {
+    const int e = static_cast<int>(after.edges) - static_cast<int>(before.edges),
+              f = static_cast<int>(after.faces) - static_cast<int>(before.faces),
+              surfaces = step.kind == HullStep::Kind::begin ? 1 : 0, loops = step.is_planar ? surfaces : 0,
+              alone = f - e + loops - 2 * surfaces;
+    return {.v = 0, .e = e, .f = f, .b = alone + loops, .h = 0, .s = alone + surfaces, .g = 0};
+  }
+
+  // Beside what the point lies that changes nothing.
+  std::optional<Element> witness_of(const HullStep& step) const {
+    if (step.kind == HullStep::Kind::equal) return Vertex(step.witness);
+    if (step.kind != HullStep::Kind::on_face) return std::nullopt;
+    return step.is_planar ? Element(edge(kernel_.halfedge(step.witness))) : Element(kernel_.face(step.witness));
+  }
+
   // On the mesh before the step, which still has all that the point sees.
   void mark_what_was(Step& told, const HullStep& step) {
     told.marks.push_back({Role::asked, Vertex(step.point)});
@@ -55,10 +77,6 @@ class Telling {
       if (told.gone.size() < most_marks) told.gone.push_back({Role::visible, outline(step, row)});
     }
     for (const std::uint32_t h : step.horizon) add_mark(told, Role::horizon, edge(kernel_.halfedge(h)));
-    if (step.kind == HullStep::Kind::on_face)
-      add_mark(told, Role::compared,
-               step.is_planar ? Element(edge(kernel_.halfedge(step.witness))) : Element(kernel_.face(step.witness)));
-    if (step.kind == HullStep::Kind::equal) add_mark(told, Role::compared, Vertex(step.witness));
   }
 
   // The old places of what the point sees: a triangle, or an edge.
@@ -149,12 +167,14 @@ const Mesh& HullSequence::mesh_at(std::size_t i) { return load(stretch_of(i)).me
 
 Text HullSequence::remark() const {
   const std::string points = std::to_string(points_.size());
-  Text text{"The hull of " + points + " points", points + " 点の凸包。"};
-  if (!is_known()) return text + Text{": steps are made as they are asked for.", "手順は求められたときに作ります。"};
+  const Text text{"The hull of " + points + " points", points + " 点の凸包。"};
+  if (!is_known())
+    return text + Text{": steps are made as they are asked for.", "手順は求められたときに作ります。"} + more_;
   const std::string made = std::to_string(made_.back());
-  return now_.dimension() == 2
-             ? text + Text{"; all steps make " + made + " edges.", "全手順で稜線を " + made + " 本作ります。"}
-             : text + Text{"; all steps make " + made + " faces.", "全手順で面を " + made + " 枚作ります。"};
+  const Text all = now_.dimension() == 2
+                       ? Text{"; all steps make " + made + " edges.", "全手順で稜線を " + made + " 本作ります。"}
+                       : Text{"; all steps make " + made + " faces.", "全手順で面を " + made + " 枚作ります。"};
+  return text + all + more_;
 }
 
 std::optional<Curve> HullSequence::curve() const {

@@ -24,6 +24,7 @@ class HullSequence : public Sequence {
   const Mesh& mesh_at(std::size_t i) override;
   bool edits() const override { return true; }
   Text remark() const override;
+  void add_remark(const Text& more) { more_ = more; }
   std::optional<Curve> curve() const override;
 
  private:
@@ -37,6 +38,7 @@ class HullSequence : public Sequence {
   bool is_known() const { return made_.size() == size_; }
 
   std::vector<glm::dvec3> points_;
+  Text more_;                    // to be remarked
   HullSteps now_;                // the builder where it stands
   std::vector<HullSteps> kept_;  // copies in ascending states, the first before all steps
   std::size_t keep_every_;

@@ -52,8 +52,13 @@ struct Hulls {
   HullList list;
   std::size_t vertices = 0, facets = 0, left = 0, count = 0;
   HullSize size;
-  Text text;  // of the last one
+  HullExtent extent;  // the extremes, where they are asked for
+  Text text;          // of the last one
 };
+
+Text joined(const Text& one, const Text& other) {
+  return other.en.empty() ? one : one + Text{" " + other.en, other.ja};
+}
 
 void add(Hulls& all, std::span<const glm::dvec3> places, const ConvexHull& hull, const ParameterValues& values,
          Progress& progress) {
@@ -64,12 +69,8 @@ void add(Hulls& all, std::span<const glm::dvec3> places, const ConvexHull& hull,
   all.size.volume += size.volume;
   all.size.area += size.area;
   ++all.count;
-  const auto append = [&](const Text& text) {
-    if (!text.en.empty()) all.text = all.text + Text{" " + text.en, text.ja};
-  };
-  all.text = hull_sentence(hull);
-  append(size_sentence(hull, size));
-  if (values.flag("measure")) append(extent_sentence(hull_extent(places, hull, progress)));
+  all.text = joined(hull_sentence(hull), size_sentence(hull, size));
+  if (values.flag("measure")) all.extent = extremes(all.extent, hull_extent(places, hull, progress));
 }
 
 AlgorithmResult hull(Edit& edit, const AlgorithmInput& input, Progress& progress) {
@@ -89,7 +90,8 @@ AlgorithmResult hull(Edit& edit, const AlgorithmInput& input, Progress& progress
   AlgorithmResult result;
   result.changed = added.counts.vertices;
   result.left = all.left;
-  result.text = all.count == 1 ? all.text : hulls_sentence(all.count, all.vertices, all.facets, all.size);
+  result.text = joined(all.count == 1 ? all.text : hulls_sentence(all.count, all.vertices, all.facets, all.size),
+                       extent_sentence(all.extent));
   if (result.left > 0) {
     const std::string left = std::to_string(result.left);
     result.text = result.text + Text{" Points that are not finite were left out: " + left + ".",

@@ -219,14 +219,9 @@ class PlanarStepsOf : public testing::TestWithParam<std::tuple<int, HullOrder>> 
 // Half-edges within the face from which the point lies strictly outside, by asking each with the normal of three corners.
 std::set<std::uint32_t> edges_seen(const DcelRecords& records, const std::vector<glm::dvec3>& points, std::uint32_t p) {
   const auto corner = [&](std::uint32_t h) { return points[records.half_edges[h].origin]; };
-  std::uint32_t start = no_index;
   std::set<std::uint32_t> all, seen;
   for (std::uint32_t h = 0; h < records.half_edges.size(); ++h)
-    if (records.half_edges[h].face != no_index) all.insert(start = h);
-  // A point off the plane, above the side from which the face is counter-clockwise.
-  std::uint32_t b = records.half_edges[start].next;
-  while (are_collinear(corner(start), corner(records.half_edges[start].next), corner(b)))
-    b = records.half_edges[b].next;
+    if (records.half_edges[h].face != no_index) all.insert(h);
   for (const std::uint32_t h : all) {
     const glm::dvec3 from = corner(h), to = corner(records.half_edges[h].next);
     int sign = 0, inner = 0;
@@ -238,6 +233,19 @@ std::set<std::uint32_t> edges_seen(const DcelRecords& records, const std::vector
     if (sign * inner < 0) seen.insert(h);
   }
   return seen;
+}
+
+// Half-edges behind each other on one line of which one is made, by asking each made one.
+std::set<Edge2> collinear_with(const DcelRecords& after, const std::vector<std::uint32_t>& made,
+                               const std::vector<glm::dvec3>& points) {
+  const auto begin_of = [&](std::uint32_t h) { return points[after.half_edges[h].origin]; };
+  std::set<Edge2> pairs;
+  for (const std::uint32_t h : made)
+    for (const std::uint32_t first : {h, after.half_edges[h].prev}) {
+      const std::uint32_t second = after.half_edges[first].next, third = after.half_edges[second].next;
+      if (are_collinear(begin_of(first), begin_of(second), begin_of(third))) pairs.insert(std::minmax(first, second));
+    }
+  return pairs;
 }
 
 TEST_P(PlanarStepsOf, are_sound_and_can_be_taken_back) {
@@ -264,6 +272,11 @@ TEST_P(PlanarStepsOf, are_sound_and_can_be_taken_back) {
     DcelRecords after = before;
     apply(*step, after);
     ASSERT_EQ(after, steps.records());
+    if (step->kind == HullStep::Kind::extend) {
+      std::set<Edge2> pairs;
+      for (const auto& [one, other] : step->united) pairs.insert(std::minmax(one, other));
+      ASSERT_EQ(pairs, collinear_with(after, step->made, points_));
+    }
     expect_goes_back(*step, after, before);
     if (HasFatalFailure()) return;
     ASSERT_EQ(in_use(after).faces.size(), 1u);
@@ -301,7 +314,7 @@ TEST(hull_steps, a_copy_goes_on_from_the_same_state) {
   }
 }
 
-// A corner that every other one is beside, and points along a curve all of whose pairs are edges: whoever hands all
+// Points along a curve all of whose pairs are edges: whoever hands all
 // points over all new faces takes n^2 of them; these n points take about 30 hand-overs each.
 TEST(hull_steps, of_bad_shapes_make_few_faces) {
   std::vector<glm::dvec3> moments;

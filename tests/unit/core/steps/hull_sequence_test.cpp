@@ -8,6 +8,7 @@
 
 #include "core/geometry/predicates.h"
 #include "core/mesh/circulate.h"
+#include "core/mesh/names.h"
 #include "tests/support/core/step_checks.h"
 
 namespace ryosen {
@@ -94,6 +95,8 @@ TEST_P(HullSequenceOf, plays_and_its_horizon_is_the_border_of_what_is_seen) {
     const Step step = sequence.at(i);
     SCOPED_TRACE(step.caption.en);
     ASSERT_EQ(step.marks[0].role, Role::asked);
+    for (const Element& beside : marked(step, Role::compared))
+      ASSERT_NE(step.caption.en.find(" " + slot_name(beside)), std::string::npos) << "called as it is marked";
     const glm::dvec3 p = points[step.marks[0].element.index];
     if (is_flat)
       expect_horizon_in_plane(sequence.mesh_at(i - 1), step, p);

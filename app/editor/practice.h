@@ -49,8 +49,8 @@ Question make_question(const Mesh& mesh, QuestionKind kind, std::uint64_t seed, 
 Solution solve(const Mesh& mesh, const Question& question, AllRecords records = {});
 // What is said of a wrong answer.
 Text verdict_on_wrong(const Solution& solution);
-// Answers to choose from, right and wrong ones: yes and the rules that may forbid the operator, or numbers up to past the
-// right one. Empty where an element is asked for.
+// Answers to choose from, right and wrong ones: yes and the rules that may forbid the operator, or numbers, at most 43,
+// among which the right one is. Empty where an element is asked for.
 struct AnswerChoice {
   std::string word;
   Text says;

@@ -125,9 +125,10 @@ Text verdict_on_wrong(const Solution& solution) {
 std::vector<AnswerChoice> answer_choices(const Question& question, const Solution& solution) {
   std::vector<AnswerChoice> choices;
   if (question.kind == QuestionKind::valence) {
-    // Past the right one, so that the last is not always it.
-    const int last = std::max(12, std::stoi(solution.answers.front()) + 3);
-    for (int n = 0; n <= last; ++n) choices.push_back({std::to_string(n), {std::to_string(n), std::to_string(n)}});
+    // Past the right one, so that the last is not always it; from 0 on while those are few.
+    const int right = std::stoi(solution.answers.front()), first = right < 40 ? 0 : (right / 10 - 1) * 10;
+    const int last = first == 0 ? std::max(12, right + 3) : first + 30;
+    for (int n = first; n <= last; ++n) choices.push_back({std::to_string(n), {std::to_string(n), std::to_string(n)}});
   }
   if (question.kind != QuestionKind::legal) return choices;
   choices.push_back({"yes", {"Yes, it may.", "できます。"}});

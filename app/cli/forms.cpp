@@ -141,12 +141,8 @@ std::string pairing_text(const Comparison& comparison, const Console& console) {
 std::string sources_text(const Comparison& comparison, const Console& console) {
   std::string text(console.text("The source texts' own code for collapse and swap is written for closed triangles:\n",
                                 "テキストの稜線削除・稜線交換のコードは閉じた三角形メッシュ用です：\n"));
-  for (const forms::SourceReport& report : comparison.texts) {
-    text += "  " + std::string(report.operation);
-    text += report.place == "boundary_edge" ? console.text(" on a boundary edge: ", "（境界の稜線）：")
-                                            : console.text(" beside the boundary: ", "（境界の隣）：");
-    text += console.text(report.outcome.sentence) + "\n";
-  }
+  for (const forms::SourceReport& report : comparison.texts)
+    text += "  " + console.text(report.what + Text{": ", "："} + report.outcome.sentence) + "\n";
   return text;
 }
 

@@ -84,9 +84,7 @@ std::string text_of(const Asked& asked, const Question& question, const Solution
   if (right)
     text += console.text("  Right. ", "  正解です。");
   else
-    text.append(console.text("  No: ", "  違います。正解は "))
-        .append(solution.answers.front())
-        .append(console.text(". ", "。"));
+    text += "  " + console.text(verdict_on_wrong(solution)) + std::string(console.text(" ", ""));
   text += console.text(solution.why);
   for (std::size_t i = 0; i < solution.witnesses.size(); ++i)
     text += (i == 0 ? " (" : ", ") + slot_name(solution.witnesses[i]);

@@ -138,6 +138,9 @@ Result<std::size_t> wanted_step(const std::string& word, std::size_t size) {
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (error == std::errc() && end == word.data() + word.size() && number >= 1 && number <= size) return number;
+  if (size == 0)
+    return usage_failure("bad_value",
+                         {"There is no step that --at could name.", "--at で指定できる手順がありません。"});
   const std::string n = std::to_string(size);
   return usage_failure("bad_value", {"--at takes the number of a step, from 1 to " + n + " here.",
                                      "--at は手順の番号です（ここでは 1 から " + n + "）。"});

@@ -47,13 +47,15 @@ struct Solution {
 using AllRecords = std::span<const forms::Records>;
 Question make_question(const Mesh& mesh, QuestionKind kind, std::uint64_t seed, AllRecords records = {});
 Solution solve(const Mesh& mesh, const Question& question, AllRecords records = {});
-// Answers to choose from, right and wrong ones: yes and the rules that may forbid the operator, or numbers. Empty where an
-// element is asked for.
+// What is said of a wrong answer.
+Text verdict_on_wrong(const Solution& solution);
+// Answers to choose from, right and wrong ones: yes and the rules that may forbid the operator, or numbers, at most 43,
+// among which the right one is. Empty where an element is asked for.
 struct AnswerChoice {
   std::string word;
   Text says;
 };
-std::vector<AnswerChoice> answer_choices(const Question& question);
+std::vector<AnswerChoice> answer_choices(const Question& question, const Solution& solution);
 // Why a word is neither right nor wrong yet: it names several elements, and which. Else empty.
 Text doubt_about(const Mesh& mesh, const Solution& solution, std::string_view word);
 // Whether a word is one of the answers, or names the element that is.

@@ -117,17 +117,27 @@ Solution solve(const Mesh& mesh, const Question& question, AllRecords records) {
   return {};
 }
 
-std::vector<AnswerChoice> answer_choices(const Question& question) {
+Text verdict_on_wrong(const Solution& solution) {
+  const std::string& right = solution.answers.front();
+  return {"No, the right answer is " + right + ".", "違います。正解は " + right + " です。"};
+}
+
+std::vector<AnswerChoice> answer_choices(const Question& question, const Solution& solution) {
   std::vector<AnswerChoice> choices;
-  if (question.kind == QuestionKind::valence)
-    for (int n = 0; n <= 12; ++n) choices.push_back({std::to_string(n), {std::to_string(n), std::to_string(n)}});
+  if (question.kind == QuestionKind::valence) {
+    // Past the right one, so that the last is not always it; from 0 on while those are few.
+    const int right = std::stoi(solution.answers.front()), first = right < 40 ? 0 : (right / 10 - 1) * 10;
+    const int last = first == 0 ? std::max(12, right + 3) : first + 30;
+    for (int n = first; n <= last; ++n) choices.push_back({std::to_string(n), {std::to_string(n), std::to_string(n)}});
+  }
   if (question.kind != QuestionKind::legal) return choices;
   choices.push_back({"yes", {"Yes, it may.", "できます。"}});
   const std::string_view asked = split_words(question.line).front();
   for (const RuleText& rule : rule_table()) {
-    if (rule.severity != RuleSeverity::refuse || rule.id == "deleted") continue;
+    if (rule.severity != RuleSeverity::refuse) continue;
+    // What all operators refuse is an element that is gone, and those that are asked about are there.
     const std::vector<std::string_view> breakers = split_words(rule.operators);
-    if (breakers.empty() || std::find(breakers.begin(), breakers.end(), asked) != breakers.end())
+    if (std::find(breakers.begin(), breakers.end(), asked) != breakers.end())
       choices.push_back({std::string(rule.id), {std::string(rule.en), std::string(rule.ja)}});
   }
   return choices;

@@ -24,12 +24,15 @@ void RecordBook::ask(const Document& document) {
 
 template <class Work>
 void RecordBook::go_on_with(Work work) {
-  if (thread_.joinable()) thread_.join();
-  const auto shared = std::make_shared<Work>(std::move(work));
-  try {
-    thread_ = std::thread([shared] { (*shared)(); });
-  } catch (const std::system_error&) {
+  const auto run = [before = std::make_shared<std::thread>(std::move(thread_)),
+                    shared = std::make_shared<Work>(std::move(work))] {
+    if (before->joinable()) before->join();
     (*shared)();
+  };
+  try {
+    thread_ = std::thread(run);
+  } catch (const std::system_error&) {
+    run();
   }
 }
 

@@ -15,7 +15,7 @@
 namespace ryosen {
 
 // All forms of a revision of a document are built beside the frames, from a copy of its mesh: once, and only for the last
-// revision that was asked for. Nothing here waits but wait_for() and the end.
+// revision that was asked for. Nothing here waits but wait_for() and the end, where a thread is to be had.
 class RecordBook {
  public:
   RecordBook() = default;
@@ -50,7 +50,7 @@ class RecordBook {
     bool is_whole() const { return is_done && !is_cancelled; }
   };
   static void build(Build& build, const Mesh& mesh);
-  // The thread is at its end. What was built before is destroyed by the next one, since that takes time too.
+  // On a thread that first waits for the one before it: that may still be destroying what was built, which takes time too.
   template <class Work>
   void go_on_with(Work work);
   void begin(const Document& document);

@@ -23,7 +23,7 @@ constexpr TextPlace places[] = {
      "Step by step: each form's way, and how many records it reads.",
      "「一手ずつ」パネル：各形状表現での求め方と読むデータの数。"},
     {"000", "Tables 1 and 2, code 1", "表1、表2、プログラムコード1", "figure 000-3; select f0; panel records on",
-     "Records: triangle soup and indexed face set.", "データパネルの三角形の集合とインデックスフェースセット。"},
+     "Records: triangle soup and indexed face set.", "データパネルの三角形スープとインデックスフェースセット。"},
     {"000", "Figure 6: the order of corners and the normal", "図6：頂点の巡回方向と法線",
      "figure 000-3; links selection; select f0", "In the view: the loop in its order, and the normal.",
      "ビュー：面のループの順番と法線の矢印。"},

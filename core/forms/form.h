@@ -135,7 +135,10 @@ struct FormRow {
   std::unique_ptr<Form> (*make)(const Mesh& mesh);
 };
 
-// Why the mesh is unsuitable, naming the first offending element; none if it is suitable. O(n).
-std::optional<Text> why_unsuitable(const Mesh& mesh, const FormRow& row);
+// Why the mesh does not meet the needs, naming the first offending element; none if it is suitable. O(n).
+std::optional<Text> why_unsuitable(const Mesh& mesh, std::uint32_t needs);
+inline std::optional<Text> why_unsuitable(const Mesh& mesh, const FormRow& row) {
+  return why_unsuitable(mesh, row.needs);
+}
 
 }  // namespace ryosen::forms

@@ -144,9 +144,9 @@ static_assert(rows_are_in_order(relation_rows, &RelationRow::relation));
 
 std::span<const RelationRow> relations() { return relation_rows; }
 
-std::optional<Text> why_unsuitable(const Mesh& mesh, const FormRow& row) {
+std::optional<Text> why_unsuitable(const Mesh& mesh, std::uint32_t needs) {
   for (const Check& check : checks)
-    if (row.needs & check.need)
+    if (needs & check.need)
       if (Reason reason = check.find(mesh)) return reason;
   return {};
 }

@@ -152,10 +152,17 @@ std::vector<SourceReport> sources_on_boundaries() {
   const HalfedgeTable table = inner_halfedges(from_indexed(std::move(two_triangles)));
   constexpr std::uint32_t boundary = 0, inner = 1;
   std::vector<SourceReport> reports;
-  for (const auto& [id, operation] : {std::pair("collapse", &source_collapse), std::pair("swap", &source_swap)}) {
+  struct Operation {
+    std::string id, ja;
+    SourceOutcome (*run)(HalfedgeTable& table, std::uint32_t halfedge);
+  };
+  static const std::array operations{Operation{"collapse", "稜線削除", source_collapse},
+                                     Operation{"swap", "稜線交換", source_swap}};
+  for (const auto& [id, ja, run] : operations) {
     HalfedgeTable at_edge = table, beside = table;
-    reports.push_back({id, "boundary_edge", operation(at_edge, boundary)});
-    reports.push_back({id, "beside_boundary", operation(beside, inner)});
+    reports.push_back(
+        {id, "boundary_edge", {id + " on a boundary edge", ja + "（境界の稜線）"}, run(at_edge, boundary)});
+    reports.push_back({id, "beside_boundary", {id + " beside the boundary", ja + "（境界の隣）"}, run(beside, inner)});
   }
   return reports;
 }

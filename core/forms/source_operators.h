@@ -31,6 +31,7 @@ SourceOutcome source_swap(HalfedgeTable& table, std::uint32_t halfedge);
 struct SourceReport {
   std::string_view operation;  // collapse, swap
   std::string_view place;      // boundary_edge, beside_boundary
+  Text what;                   // both in words
   SourceOutcome outcome;
 };
 std::vector<SourceReport> sources_on_boundaries();

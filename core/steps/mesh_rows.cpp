@@ -80,7 +80,7 @@ void add_differences(Element element, const StoredRecord& was, const StoredRecor
     RowChange row{std::string(table_of(element.kind)), slot_name(element), std::string(fields[i]), {}, {}};
     if (was.is_there) row.old_value = was.values[i];
     if (is.is_there) row.new_value = is.values[i];
-    if (row.old_value != row.new_value || was.is_there != is.is_there) rows.push_back(std::move(row));
+    if (row.old_value != row.new_value) rows.push_back(std::move(row));
   }
 }
 

@@ -45,7 +45,7 @@ Delta difference(const EulerPoincare& was, const EulerPoincare& is) {
   return delta;
 }
 
-// What is seen of a halfedge is its edge: that is marked where both halves are alike.
+// What came, what went, and what has other values.
 void add_marks(const std::vector<Element>& elements, const std::vector<StoredRecord>& was, const Mesh& mesh,
                std::vector<Mark>& marks) {
   for (std::size_t i = 0; i < elements.size() && marks.size() < RecordedSteps::most_rows; ++i) {

@@ -76,7 +76,7 @@ class RecordedSteps : public Sequence {
   Text remark() const override { return remark_; }
 
  private:
-  std::size_t position_behind(std::size_t i) const { return i == 0 ? first_ : positions_[i - 1]; }
+  std::size_t position_behind(std::size_t i) const { return i == 0 ? 0 : positions_[i - 1]; }
   void go_to(std::size_t position);
   void add_changes(Step& step, std::size_t from, std::size_t to);
 
@@ -84,7 +84,6 @@ class RecordedSteps : public Sequence {
   Journal journal_;
   std::vector<Step> steps_;
   std::vector<std::size_t> positions_;
-  std::size_t first_ = 0;
   Text remark_;
 };
 

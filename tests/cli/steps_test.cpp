@@ -102,6 +102,14 @@ TEST(steps_command, tells_one_step_and_says_it_in_words) {
     EXPECT_EQ(run_program({"steps", "walk", "v0", fan, "--at", wrong}).exit_code, 2) << wrong;
 }
 
+TEST(steps_command, of_an_empty_script_are_none) {
+  TemporaryFolder folder;
+  const std::string script = folder.write("s.ryosen", "# nothing\n"), mesh = asset("tetrahedron.off");
+  const ProgramRun run = run_program({"steps", "script", script, mesh, "--at", "1", "--json"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.line()["messages"][0]["en"], "There is no step that --at could name.") << run.out;
+}
+
 TEST(steps_command, refuses_what_cannot_be_played) {
   const std::string cube = asset("cube.obj");
   const std::vector<std::pair<std::vector<std::string>, int>> wrong = {{{"steps"}, 2},

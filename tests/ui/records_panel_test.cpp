@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <thread>
 
 #include "app/editor/record_book.h"
@@ -137,6 +138,29 @@ TEST(record_book, follows_edits_without_waiting) {
   while (!book.rest()) std::this_thread::yield();
   EXPECT_FALSE(book.is_ready());
   EXPECT_FALSE(book.is_of(*document));
+}
+
+// What was built is given back while the next is already asked for.
+TEST(record_book, asks_without_waiting_for_what_rests) {
+  using Clock = std::chrono::steady_clock;
+  Session session(Document::open(test::asset("stanford_bunny.obj")).value());
+  const Document& document = session.document();
+  auto book = std::make_optional<RecordBook>();
+  book->wait_for(document);
+  Clock::duration asked = Clock::duration::max();
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_TRUE(book->rest());
+    const auto begin = Clock::now();
+    book->ask(document);
+    asked = std::min(asked, Clock::now() - begin);
+    EXPECT_FALSE(book->is_ready());
+    book->wait_for(document);
+    EXPECT_EQ(book->records().size(), forms::all_forms().size());
+  }
+  const auto begin = Clock::now();
+  book.reset();
+  const Clock::duration freed = Clock::now() - begin;
+  EXPECT_LT(asked, freed / 4) << "it takes a copy of the mesh at most";
 }
 
 }  // namespace

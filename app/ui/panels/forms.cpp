@@ -89,10 +89,7 @@ void draw_pairing_times(PanelContext& context, const forms::Comparison& comparis
 void draw_texts(PanelContext& context, const forms::Comparison& comparison) {
   dim_text(context, context.text("The source texts' own code at a border", "境界でのテキストのコード"));
   for (const forms::SourceReport& report : comparison.texts) {
-    const bool on_edge = report.place == "boundary_edge";
-    const std::string place =
-        on_edge ? context.text("on a boundary edge", "境界の稜線") : context.text("beside the boundary", "境界の隣");
-    wrapped_text((std::string(report.operation) + ", " + place).c_str());
+    wrapped_text(report.what.in(context.language()).c_str());
     tip(report.outcome.sentence.in(context.language()));
     dim_text(context, report.outcome.changed_before
                           ? context.text("undefined, half done", "途中まで書き換えて未定義動作")

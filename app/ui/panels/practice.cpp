@@ -50,10 +50,11 @@ bool PracticePanel::ask(PanelContext& context) {
   const Question question = make_question(session.mesh(), kind, seed_, records);
   asked_ = {question,
             solve(session.mesh(), question, records),
-            answer_choices(question),
+            {},
             session.selection,
             session.document().serial(),
             session.document().revision()};
+  asked_->choices = answer_choices(question, asked_->solution);
   word_.fill(0);
   doubt_ = {};
   right_.reset();
@@ -135,8 +136,7 @@ void PracticePanel::draw_judgement(PanelContext& context) {
   if (*right_)
     coloured_text(context.colours().legal, context.text("Right.", "正解です。"));
   else
-    coloured_text(context.colours().warning,
-                  (context.text("No: ", "違います。正解は ") + asked_->solution.answers.front()).c_str());
+    coloured_text(context.colours().warning, verdict_on_wrong(asked_->solution).in(context.language()).c_str());
   wrapped_text(asked_->solution.why.in(context.language()).c_str());
   ImGui::PushID("why");
   element_links(context, asked_->solution.witnesses);

@@ -143,7 +143,7 @@ void draw_roles(PanelContext& context, const steps::Step& step) {
   }
 }
 
-// The tables as they stand, that of the step's first cell open.
+// The table of the step's first cell as it stands, behind a header that is closed at first.
 void draw_tables(PanelContext& context, Player& player) {
   const std::string& first = player.step()->rows.front().table;
   if (!ImGui::CollapsingHeader(context.text("The whole table", "表全体"))) return;
@@ -212,8 +212,9 @@ void StepsPanel::draw(PanelContext& context) {
   tip(context.text("A click ends it, and shows what else there is to play.",
                    "クリックすると終わり、ほかに再生できるものを表示します。"));
   if (!player->fits(context.session.document()))
-    coloured_text(context.colours().warning, context.text("The mesh has changed since; play it again.",
-                                                          "再生を始めた後にメッシュが変わりました。"));
+    coloured_text(context.colours().warning,
+                  context.text("The mesh has changed since; play it again.",
+                               "再生を始めた後にメッシュが変わりました。再生し直してください。"));
   draw_ways(context, *player);
   if (const Text remark = player->remark(); !remark.en.empty())
     dim_text(context, remark.in(context.language()).c_str());

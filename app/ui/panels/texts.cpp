@@ -64,22 +64,26 @@ void TextsPanel::draw(PanelContext& context) {
                                  "クリックすると、開いているメッシュの代わりに表示する。"));
   begin_rows_within("places", ImGui::GetContentRegionAvail().y);
   std::string_view text;
+  bool is_open = false;  // the table of the text
   for (const TextPlace& place : text_places()) {
     if (place.text != text) {
-      if (!text.empty()) ImGui::EndTable();
+      if (is_open) ImGui::EndTable();
       text = place.text;
       ImGui::PushFont(context.fonts.bold);
       ImGui::TextUnformatted((context.text("Text ", "テキスト ") + std::string(text)).c_str());
       ImGui::PopFont();
-      if (!ImGui::BeginTable(std::string(text).c_str(), 2)) break;
-      ImGui::TableSetupColumn("place", ImGuiTableColumnFlags_WidthStretch, 1);
-      ImGui::TableSetupColumn("where", ImGuiTableColumnFlags_WidthStretch, 1.1f);
+      is_open = ImGui::BeginTable(std::string(text).c_str(), 2);
+      if (is_open) {
+        ImGui::TableSetupColumn("place", ImGuiTableColumnFlags_WidthStretch, 1);
+        ImGui::TableSetupColumn("where", ImGuiTableColumnFlags_WidthStretch, 1.1f);
+      }
     }
+    if (!is_open) continue;
     ImGui::PushID(&place);
     draw_place(context, place);
     ImGui::PopID();
   }
-  ImGui::EndTable();
+  if (is_open) ImGui::EndTable();
   end_rows();
 }
 

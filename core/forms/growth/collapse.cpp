@@ -71,8 +71,7 @@ class Lists {
 };
 
 std::optional<CollapseFigures> by_listing(const Mesh& mesh, bool has_lists) {
-  const FormRow& row = *find_form("halfedge");
-  if (why_unsuitable(mesh, row) || why_unsuitable(mesh, *find_form("opposite_array"))) return {};
+  if (why_unsuitable(mesh, find_form("halfedge")->needs | triangles)) return {};
   const std::vector<Halfedge> edges = edges_to_collapse(mesh), corners = corner_halfedges(mesh);
   if (edges.empty()) return {};
   std::vector<std::uint32_t> corner_of(mesh.halfedge_slots(), no_index);

@@ -150,6 +150,24 @@ TEST(practice, valence_is_that_of_the_point) {
   EXPECT_GT(at_sheets, 10);
 }
 
+// However many edges meet there, the right number is among those to choose from, and so is a wrong one past it.
+TEST(practice, numbers_to_choose_from_reach_past_the_right_one) {
+  for (const std::uint32_t spokes : {3u, 12u, 20u, 39u, 40u, 100u, 1009u}) {
+    const Mesh mesh = test::make_mesh(test::closed_fan(spokes));
+    Question question;
+    question.kind = QuestionKind::valence;
+    question.about = Vertex(0);
+    const std::vector<AnswerChoice> choices = answer_choices(question, solve(mesh, question));
+    EXPECT_LT(std::stoul(choices.front().word), spokes);
+    EXPECT_GT(std::stoul(choices.back().word), spokes);
+    EXPECT_LE(choices.size(), 43u);
+    EXPECT_EQ(std::count_if(choices.begin(), choices.end(),
+                            [&](const AnswerChoice& choice) { return choice.word == std::to_string(spokes); }),
+              1)
+        << spokes;
+  }
+}
+
 // What a field must hold; nothing where any of several would do, which is then looked at.
 std::optional<std::string> expected_link(const Mesh& mesh, const Sides& sides, const Question& question,
                                          const std::string& answer) {
@@ -247,7 +265,7 @@ TEST(practice, verdicts_are_those_of_doing_it_on_the_polygons) {
       EXPECT_FALSE(solution.answers.empty());
       EXPECT_TRUE(may || !solution.witnesses.empty()) << question.line;
       // What may be chosen holds every right answer, and each of the others is called wrong.
-      const std::vector<AnswerChoice> choices = answer_choices(question);
+      const std::vector<AnswerChoice> choices = answer_choices(question, solution);
       for (const std::string& answer : solution.answers)
         if (answer != "legal" && answer != "はい") {
           EXPECT_TRUE(std::any_of(choices.begin(), choices.end(), [&](const auto& c) { return c.word == answer; }))

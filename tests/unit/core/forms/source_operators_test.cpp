@@ -147,6 +147,11 @@ TEST(texts_operators, reports_both_places_for_both) {
     EXPECT_FALSE(report.outcome.completed);
     EXPECT_EQ(report.outcome.pair_of_edge_missing, report.place == "boundary_edge");
     EXPECT_EQ(report.outcome.changed_before, report.place == "beside_boundary");
+    const bool on_edge = report.place == "boundary_edge", collapses = report.operation == "collapse";
+    EXPECT_EQ(report.what.en,
+              std::string(report.operation) + (on_edge ? " on a boundary edge" : " beside the boundary"));
+    EXPECT_EQ(report.what.ja,
+              std::string(collapses ? "稜線削除" : "稜線交換") + (on_edge ? "（境界の稜線）" : "（境界の隣）"));
   }
 }
 

@@ -20,6 +20,7 @@ std::optional<std::string_view> file_of(const CommandLine& line) {
 
 ExitCode run_command(const CommandLine& line) {
   prepare_last_words(line.console, file_of(line));
+  let_signals_in();
   if (line.wants_help) return show_help(line.command, line.console);
   if (line.failure) {
     const ExitCode code = line.console.fail(*line.failure);

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <span>
 
 #include "app/cli/last_words.h"
 #include "core/base/uninterrupted.h"
@@ -40,12 +41,18 @@ void start_patience() {
   ::setitimer(ITIMER_REAL, &patience, nullptr);
 }
 
+sigset_t set_of(std::span<const int> signals) {
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int signal : signals) sigaddset(&set, signal);
+  return set;
+}
+
 // Also within the handler of an alarm.
 void let_alarms_in() {
-  sigset_t alarm;
-  sigemptyset(&alarm);
-  sigaddset(&alarm, SIGALRM);
-  ::pthread_sigmask(SIG_UNBLOCK, &alarm, nullptr);
+  constexpr int alarm[] = {SIGALRM};
+  const sigset_t set = set_of(alarm);
+  ::pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
 }
 
 // Flushes what is printed so far, before these words; its reader may sleep.
@@ -107,8 +114,8 @@ void answer_signals() {
   struct sigaction handling {};
   handling.sa_handler = answer;
   handling.sa_flags = SA_RESTART;
-  sigemptyset(&handling.sa_mask);
-  for (const int signal : ending_signals) sigaddset(&handling.sa_mask, signal);
+  handling.sa_mask = set_of(ending_signals);
+  ::pthread_sigmask(SIG_BLOCK, &handling.sa_mask, nullptr);
   for (const int signal : ending_signals) {
     struct sigaction before {};
     if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;
@@ -116,6 +123,11 @@ void answer_signals() {
   }
   ::sigaction(SIGALRM, &handling, nullptr);
   let_alarms_in();
+}
+
+void let_signals_in() {
+  const sigset_t set = set_of(ending_signals);
+  ::pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
 }
 
 void begin_another_step() {

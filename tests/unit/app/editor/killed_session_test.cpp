@@ -73,6 +73,7 @@ Death walk_and_die(const std::string& file, const std::filesystem::path& folder,
   if (child == 0) {
     ::dup2(::open("/dev/null", O_WRONLY), STDERR_FILENO);
     cli::answer_signals();
+    cli::let_signals_in();
     cli::end_window_by_signals();
     const auto session = open(file);
     Autosave autosave(folder);

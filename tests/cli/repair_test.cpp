@@ -244,7 +244,7 @@ TEST(repair, help_lists_every_repair_with_what_it_solves) {
 
 TEST(repair, an_interrupt_cancels_it_and_nothing_is_written) {
   const TemporaryFolder folder;
-  Process repair({RYOSEN_PROGRAM, "repair", folder.write("band.obj", band_around_holes()), "-o", folder.at("o.obj"),
+  Process repair({RYOSEN_PROGRAM, "repair", folder.write("band.obj", bands_around_holes()), "-o", folder.at("o.obj"),
                   "--kinds", "orient,fill_holes", "--lang", "en"},
                  {}, folder.at("out"), folder.at("err"));
   const auto has_begun = [&] { return read_file(folder.at("out")).find("orient: ") != std::string::npos; };
@@ -258,7 +258,7 @@ TEST(repair, an_interrupt_cancels_it_and_nothing_is_written) {
 
 TEST(repair, cancelled_in_a_session_leaves_mesh_and_history_as_they_were) {
   const TemporaryFolder folder;
-  auto document = Document::open(folder.write("band.obj", band_around_holes()));
+  auto document = Document::open(folder.write("band.obj", bands_around_holes()));
   ASSERT_TRUE(document.ok());
   Session session(std::move(document).value());
   const std::uint64_t before = session.mesh().hash();

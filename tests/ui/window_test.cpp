@@ -241,7 +241,7 @@ TEST_F(WindowTest, after_a_crash_the_next_start_brings_the_edits_back) {
 }
 
 TEST_F(WindowTest, shows_long_work_and_lets_it_be_cancelled) {
-  open(folder_.write("band.obj", test::band_around_holes()));
+  open(folder_.write("band.obj", test::bands_around_holes()));
   const long vertices = last().vertices;
   type("repair fill_holes");
   const auto is_shown = [&] { return test::read_file(folder_.at("frames")).find("progress ") != std::string::npos; };
@@ -329,7 +329,7 @@ TEST_F(WindowTest, a_signal_ends_it_and_leaves_its_edits_to_be_recovered) {
 
 // Nothing was edited, so that there is nothing to recover; and what is at work is not waited for.
 TEST_F(WindowTest, a_signal_ends_it_while_it_works) {
-  open(folder_.write("band.obj", test::band_around_holes()));
+  open(folder_.write("band.obj", test::bands_around_holes()));
   type("repair fill_holes");
   const auto is_shown = [&] { return test::read_file(folder_.at("frames")).find("progress ") != std::string::npos; };
   ASSERT_TRUE(wait_for(is_shown)) << "no progress is shown";

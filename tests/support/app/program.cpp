@@ -151,20 +151,21 @@ std::vector<std::string> TemporaryFolder::names() const {
   return names;
 }
 
-std::string band_around_holes() {
-  constexpr int sides = 3000;
+std::string bands_around_holes() {
+  constexpr int bands = 12, sides = 3000;
   std::string text;
-  for (int z = 0; z < 2; ++z)
+  for (int z = 0; z < 2 * bands; ++z)
     for (int i = 0; i < sides; ++i) {
       const double angle = 2 * M_PI * i / sides;
       text += "v " + std::to_string(100 * std::cos(angle)) + " " + std::to_string(100 * std::sin(angle)) + " " +
               std::to_string(z) + "\n";
     }
-  for (int i = 1; i <= sides; ++i) {
-    const int next = i % sides + 1;
-    text += "f " + std::to_string(i) + " " + std::to_string(next) + " " + std::to_string(next + sides) + " " +
-            std::to_string(i + sides) + "\n";
-  }
+  for (int band = 0; band < bands; ++band)
+    for (int i = 1; i <= sides; ++i) {
+      const int low = 2 * band * sides, next = i % sides + 1;
+      text += "f " + std::to_string(low + i) + " " + std::to_string(low + next) + " " +
+              std::to_string(low + next + sides) + " " + std::to_string(low + i + sides) + "\n";
+    }
   return text;
 }
 

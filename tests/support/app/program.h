@@ -56,8 +56,8 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-// OBJ text of a band of squares around two round holes, which take seconds to fill.
-std::string band_around_holes();
+// OBJ text of bands of squares, each around two round holes, which take seconds to fill.
+std::string bands_around_holes();
 std::string read_file(const std::filesystem::path& path);
 // A mesh of the assets folder.
 std::string asset(const std::string& name);

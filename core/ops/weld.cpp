@@ -190,7 +190,9 @@ Parsed<Weld> Weld::parse(const Mesh& mesh, std::span<const std::string_view> arg
 }
 
 std::string Weld::command(const Mesh& mesh) const {
-  const std::string where = place == Place::first ? "" : place == Place::middle ? " mid" : " " + format_place(target);
+  const std::string where = place == Place::middle            ? " mid"
+                            : place == Place::point && !first ? " " + format_place(target)
+                                                              : "";
   if (first) return "weld " + name_of(mesh, first) + " " + name_of(mesh, second) + where;
   return "weld " + name_of_copy(mesh, a) + " " + name_of_copy(mesh, b) + where;
 }
@@ -224,7 +226,7 @@ std::vector<Reason> Weld::warnings(const Mesh& mesh) const {
 namespace {
 
 glm::dvec3 place_of(const Mesh& m, const Weld& op, Vertex goes, Vertex stays) {
-  if (op.place == Weld::Place::point) return op.target;
+  if (op.place == Weld::Place::point && !op.first) return op.target;
   return op.place == Weld::Place::middle ? point_between(m.position(stays), m.position(goes), 0.5) : m.position(stays);
 }
 

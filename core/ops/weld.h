@@ -23,7 +23,7 @@ struct Weld {
   Vertex a, b;             // two vertices
   Halfedge first, second;  // or two edges
   Place place = Place::first;
-  glm::dvec3 target{};  // for Place::point
+  glm::dvec3 target{};  // for Place::point, which edges do not know: there it is as `first`
 
   static constexpr OpInfo info{
       "weld",

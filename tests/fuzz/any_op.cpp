@@ -123,7 +123,11 @@ void fill(Op& op, const Mesh& mesh, Bytes& bytes) {
   if constexpr (requires { op.element; }) op.element = any_element(mesh, bytes);
   if constexpr (requires { op.back; }) op.back = bytes.coin();
   if constexpr (requires { op.along; }) op.along = static_cast<double>(bytes.byte()) / 255;
-  if constexpr (requires { op.place; }) op.place = static_cast<decltype(op.place)>(bytes.below(5));
+  if constexpr (requires { op.place; }) {
+    constexpr std::size_t places = requires { Op::Place::automatic; }
+    ? 5 : 3;
+    op.place = static_cast<decltype(op.place)>(bytes.below(5) % places);
+  }
   if constexpr (
       requires { op.position; } && !requires { op.place; })
     op.position = any_place(mesh, bytes);

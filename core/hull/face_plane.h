@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <span>
 
 #include "core/geometry/predicates.h"
 
@@ -21,6 +23,16 @@ struct FacePlane {
     return normal.x * (p.x - base.x) + normal.y * (p.y - base.y) + normal.z * (p.z - base.z);
   }
 };
+
+// By axis, the largest distance of two of these points, at least one.
+inline glm::dvec3 reach_of(std::span<const glm::dvec3> points) {
+  glm::dvec3 low(points[0]), high(points[0]);
+  for (const glm::dvec3& p : points) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  return high - low;
+}
 
 // Of the plane through three points, counter-clockwise seen from above. `reach`: by axis at least the distance of any
 // two points that are asked about.

@@ -1,5 +1,6 @@
 #include "core/hull/insertion_order.h"
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 #include <random>
@@ -12,15 +13,20 @@ namespace ryosen {
 namespace {
 
 constexpr std::array orders{
-    HullOrderRow{HullOrder::as_given, "as_given", "as given", "与えられた順"},
-    HullOrderRow{HullOrder::random, "random", "random", "ランダム"},
-    HullOrderRow{HullOrder::farthest, "farthest", "farthest first", "最も遠い点から"},
+    HullOrderRow{HullOrder::as_given, "as_given"},
+    HullOrderRow{HullOrder::random, "random"},
+    HullOrderRow{HullOrder::farthest, "farthest"},
 };
 static_assert(rows_are_in_order(orders, &HullOrderRow::order));
 
 }  // namespace
 
 std::span<const HullOrderRow> hull_orders() { return orders; }
+
+const HullOrderRow* find_hull_order(std::string_view id) {
+  const auto row = std::find_if(orders.begin(), orders.end(), [&](const HullOrderRow& r) { return r.id == id; });
+  return row == orders.end() ? nullptr : &*row;
+}
 
 std::vector<std::uint32_t> shuffled_numbers(std::uint32_t count, std::uint64_t seed) {
   std::vector<std::uint32_t> numbers(count);

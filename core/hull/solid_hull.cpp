@@ -39,12 +39,7 @@ class Builder {
  public:
   Builder(std::span<const glm::dvec3> points, Progress& progress)
       : points_(points), progress_(progress), next_(points.size(), no_index) {
-    glm::dvec3 low(points[0]), high(points[0]);
-    for (const glm::dvec3& p : points) {
-      low = glm::min(low, p);
-      high = glm::max(high, p);
-    }
-    reach_ = high - low;
+    reach_ = reach_of(points);
     most_work_ = points.size() * (8 + 4 * static_cast<std::size_t>(std::bit_width(points.size())));
   }
 

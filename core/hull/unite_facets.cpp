@@ -20,12 +20,7 @@ class Uniter {
  public:
   Uniter(std::span<const glm::dvec3> points, std::span<const HullTriangle> triangles)
       : points_(points), triangles_(triangles), is_done_(triangles.size()) {
-    glm::dvec3 low(points[0]), high(points[0]);
-    for (const glm::dvec3& p : points) {
-      low = glm::min(low, p);
-      high = glm::max(high, p);
-    }
-    reach_ = high - low;
+    reach_ = reach_of(points);
   }
 
   FacetList unite() {

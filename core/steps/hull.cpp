@@ -1,6 +1,5 @@
 // The incremental convex hull of text 004: for each point the faces that it sees, their horizon, the faces that go and
 // those that come, in the records of the text's DCEL and, beside it, on the kernel; in a plane the same with edges.
-#include <algorithm>
 #include <charconv>
 
 #include "core/hull/projection.h"
@@ -52,10 +51,8 @@ std::optional<Wishes> read_wishes(Arguments arguments) {
   }
   if (arguments.size() > 2) return {};
   if (!arguments.empty()) {
-    const auto rows = hull_orders();
-    const auto row =
-        std::find_if(rows.begin(), rows.end(), [&](const HullOrderRow& r) { return r.id == arguments[0]; });
-    if (row == rows.end()) return {};
+    const HullOrderRow* const row = find_hull_order(arguments[0]);
+    if (!row) return {};
     wishes.order = row->order;
   }
   if (arguments.size() == 2) {

@@ -4,7 +4,7 @@
 
 #include "core/analysis/figures.h"
 #include "core/indexed/to_indexed.h"
-#include "core/io/formats.h"
+#include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/kernel_sum.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
@@ -34,12 +34,6 @@ void expect(const Mesh& mesh, const Terms& terms) {
 }
 
 std::string reason(const Mesh& mesh) { return why_no_genus(mesh, euler_poincare(mesh)).en; }
-
-Mesh asset_surface(const std::string& name) {
-  Result<MeshFile> file = read_mesh_file(RYOSEN_SOURCE_DIR "/assets/" + name);
-  EXPECT_TRUE(file) << name;
-  return from_indexed(std::move(file->mesh));
-}
 
 void apply_lines(Mesh& mesh, std::initializer_list<const char*> lines) {
   for (const char* line : lines) {
@@ -77,14 +71,14 @@ TEST(euler_poincare, has_no_handles_where_the_mesh_is_not_manifold_and_says_wher
 
 TEST(euler_poincare, has_no_handles_where_the_surface_is_one_sided) {
   for (const char* name : {"projective_plane.off", "klein_bottle.off", "moebius.off"}) {
-    const Mesh mesh = asset_surface(name);
+    const Mesh mesh = asset_mesh(name);
     const EulerPoincare terms = euler_poincare(mesh);
     EXPECT_FALSE(terms.genus) << name;
     EXPECT_EQ(terms.no_genus, NoGenus::one_sided) << name;
     EXPECT_TRUE(reason(mesh).starts_with("one-sided: ")) << reason(mesh);
     EXPECT_EQ(terms.parts, 1);
   }
-  expect(asset_surface("projective_plane.off"), {6, 15, 10, 0, 0, 0, 0, 1, std::nullopt});
+  expect(asset_mesh("projective_plane.off"), {6, 15, 10, 0, 0, 0, 0, 1, std::nullopt});
 }
 
 TEST(euler_poincare, is_counted_over_faces_that_disagree_but_can_be_turned) {

@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <numbers>
 
 #include "core/analysis/shells.h"
 #include "core/indexed/to_indexed.h"
-#include "core/io/formats.h"
+#include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/pairs_by_asking_all.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/random_meshes.h"
@@ -20,12 +21,6 @@ namespace ryosen {
 namespace {
 
 using namespace test;
-
-Mesh asset_of_kind(const std::string& name) {
-  Result<MeshFile> file = read_mesh_file(RYOSEN_SOURCE_DIR "/assets/" + name);
-  EXPECT_TRUE(file) << name;
-  return from_indexed(std::move(file->mesh));
-}
 
 std::string id_of(const Mesh& mesh) {
   const KindOfMesh kind = find_kind(mesh, ProblemSets(mesh));
@@ -64,14 +59,14 @@ TEST(mesh_kind, each_kind_has_a_mesh_and_names_its_element) {
   EXPECT_EQ(id_of(make_mesh(bow_tie())), "non_manifold");
   EXPECT_EQ(reason_of(make_mesh(bow_tie())), "The faces at v0 form 2 fans.");
   for (const char* one_sided : {"moebius.off", "klein_bottle.off", "projective_plane.off"})
-    EXPECT_EQ(id_of(asset_of_kind(one_sided)), "one_sided") << one_sided;
-  EXPECT_EQ(id_of(asset_of_kind("misoriented.obj")), "misoriented");
+    EXPECT_EQ(id_of(asset_mesh(one_sided)), "one_sided") << one_sided;
+  EXPECT_EQ(id_of(asset_mesh("misoriented.obj")), "misoriented");
   EXPECT_EQ(id_of(make_mesh(two_quads())), "surface");
   EXPECT_EQ(reason_of(make_mesh(two_quads())), "Edge 0-4 has a face on one side only.");
   EXPECT_EQ(id_of(Boxes().cube(0, 1, true).mesh()), "inside_out");
   EXPECT_EQ(reason_of(Boxes().cube(0, 1, true).mesh()), "The faces of the shell of f0 look inwards.");
   EXPECT_EQ(id_of(Boxes().cube(0, 1).mesh()), "solid");
-  EXPECT_EQ(id_of(asset_of_kind("torus.off")), "solid");
+  EXPECT_EQ(id_of(asset_mesh("torus.off")), "solid");
   Mesh wire = make_mesh({}, 3);
   EXPECT_EQ(id_of(wire), "points");
   Edit edit(wire, nullptr);

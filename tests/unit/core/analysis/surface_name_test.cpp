@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "core/analysis/invariants.h"
-#include "core/io/formats.h"
 #include "core/mesh/circulate.h"
 #include "core/ops/all.h"
+#include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 
@@ -13,12 +13,6 @@ namespace ryosen {
 namespace {
 
 using namespace test;
-
-Mesh asset_mesh(const std::string& name) {
-  Result<MeshFile> file = read_mesh_file(RYOSEN_SOURCE_DIR "/assets/" + name);
-  EXPECT_TRUE(file) << name;
-  return from_indexed(std::move(file->mesh));
-}
 
 std::string name_of_surface(const Mesh& mesh) {
   const auto name = surface_name(compute_figures(mesh));

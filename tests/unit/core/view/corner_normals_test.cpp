@@ -8,17 +8,15 @@
 #include <numbers>
 
 #include "core/indexed/from_indexed.h"
-#include "core/io/formats.h"
 #include "core/view/packed_normal.h"
+#include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/random_edits.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {
 namespace {
 
-Mesh asset_mesh(const std::string& name) {
-  return from_indexed(read_mesh_file(std::string(RYOSEN_SOURCE_DIR) + "/assets/" + name).value().mesh);
-}
+using namespace test;
 
 // Calls visit(slot, k, normal) for each corner of each triangle that is used.
 template <class Visit>

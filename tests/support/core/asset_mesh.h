@@ -1,0 +1,13 @@
+// The meshes of the assets folder.
+#pragma once
+
+#include <string>
+
+#include "core/mesh/mesh.h"
+
+namespace ryosen::test {
+
+// What a file of assets holds; a test that asks for one that is not there fails.
+Mesh asset_mesh(const std::string& name);
+
+}  // namespace ryosen::test

@@ -1,7 +1,6 @@
 #include "core/geometry/predicates.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -59,36 +58,6 @@ bool is_safe_cubed(double value) {
   return value == 0.0 || (size >= 0x1p-250 && size <= 0x1p+250);
 }
 bool is_safe_cubed(const glm::dvec3& p) { return is_safe_cubed(p.x) && is_safe_cubed(p.y) && is_safe_cubed(p.z); }
-
-using Tails = std::array<exact::Pair, 3>;  // of x, y, z
-
-Tails difference(const glm::dvec3& p, const glm::dvec3& q) {
-  return {exact::two_sum(p.x, -q.x), exact::two_sum(p.y, -q.y), exact::two_sum(p.z, -q.z)};
-}
-
-// Adds x y z of the three pairs, negated on request. Zero terms are skipped: nearly all low parts are zero.
-void add_product(exact::Expansion<192>& sum, const exact::Pair& x, const exact::Pair& y, const exact::Pair& z,
-                 bool negate) {
-  for (const double a : {x.low, x.high}) {
-    if (a == 0.0) continue;
-    for (const double b : {y.low, y.high}) {
-      if (b == 0.0) continue;
-      for (const double c : {z.low, z.high})
-        if (c != 0.0) sum.add_product(negate ? -a : a, b, c);
-    }
-  }
-}
-
-// Sign of the determinant of three rows.
-int determinant_by_expansion(const Tails& u, const Tails& v, const Tails& w) {
-  exact::Expansion<192> sum;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    add_product(sum, u[i], v[j], w[k], false);
-    add_product(sum, u[i], v[k], w[j], true);
-  }
-  return sum.sign();
-}
 
 int determinant_by_accumulator(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
   exact::ProductSum<3> sum;
@@ -162,7 +131,7 @@ int orient2d(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
 int orient3d(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
   if (const int sign = sure_determinant_sign(a - d, b - d, c - d)) return -sign;
   if (is_safe_cubed(a) && is_safe_cubed(b) && is_safe_cubed(c) && is_safe_cubed(d))
-    return -determinant_by_expansion(difference(a, d), difference(b, d), difference(c, d));
+    return -exact::determinant(exact::difference(a, d), exact::difference(b, d), exact::difference(c, d)).sign();
   if (!is_finite(a) || !is_finite(b) || !is_finite(c) || !is_finite(d)) return 0;
   return -determinant_by_accumulator(a, b, c, d);
 }
@@ -170,7 +139,9 @@ int orient3d(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, cons
 int determinant_sign(const Difference& u, const Difference& v, const Difference& w) {
   if (const int sign = sure_determinant_sign(u.to - u.from, v.to - v.from, w.to - w.from)) return sign;
   if (is_safe_cubed(u) && is_safe_cubed(v) && is_safe_cubed(w))
-    return determinant_by_expansion(difference(u.to, u.from), difference(v.to, v.from), difference(w.to, w.from));
+    return exact::determinant(exact::difference(u.to, u.from), exact::difference(v.to, v.from),
+                              exact::difference(w.to, w.from))
+        .sign();
   if (!is_finite_difference(u) || !is_finite_difference(v) || !is_finite_difference(w)) return 0;
   return determinant_by_accumulator(u, v, w);
 }

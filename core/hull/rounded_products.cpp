@@ -1,9 +1,8 @@
 #include "core/hull/rounded_products.h"
 
-#include <array>
 #include <cmath>
 
-#include "core/geometry/exact_sum.h"
+#include "core/geometry/exact_determinant.h"
 
 namespace ryosen::hull {
 
@@ -12,13 +11,7 @@ namespace {
 // Less of the size of the terms than this is left, and too many of its bits are wrong.
 constexpr double much_cancelled = 1e-3;
 
-using Parts = std::array<exact::Pair, 3>;
-
-Parts exact_difference(const glm::dvec3& p, const glm::dvec3& q) {
-  return {exact::two_sum(p.x, -q.x), exact::two_sum(p.y, -q.y), exact::two_sum(p.z, -q.z)};
-}
-
-double exact_component(const Parts& u, const Parts& v, std::size_t j, std::size_t k) {
+double exact_component(const exact::Difference3& u, const exact::Difference3& v, std::size_t j, std::size_t k) {
   exact::Expansion<16> sum;
   for (const double a : {u[j].low, u[j].high})
     for (const double b : {v[k].low, v[k].high})
@@ -26,22 +19,6 @@ double exact_component(const Parts& u, const Parts& v, std::size_t j, std::size_
   for (const double a : {u[k].low, u[k].high})
     for (const double b : {v[j].low, v[j].high})
       if (a != 0 && b != 0) sum.add_product(-a, b);
-  return sum.rounded();
-}
-
-double exact_determinant(const Parts& u, const Parts& v, const Parts& w) {
-  exact::Expansion<192> sum;
-  const auto add = [&](const exact::Pair& x, const exact::Pair& y, const exact::Pair& z, double sign) {
-    for (const double a : {x.low, x.high})
-      for (const double b : {y.low, y.high})
-        for (const double c : {z.low, z.high})
-          if (a != 0 && b != 0 && c != 0) sum.add_product(sign * a, b, c);
-  };
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    add(u[i], v[j], w[k], 1);
-    add(u[i], v[k], w[j], -1);
-  }
   return sum.rounded();
 }
 
@@ -58,7 +35,7 @@ glm::dvec3 normal_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3&
     is_sure = is_sure && std::abs(normal[i]) >= much_cancelled * (std::abs(one) + std::abs(other));
   }
   if (is_sure) return normal;
-  const Parts exact_u = exact_difference(b, a), exact_v = exact_difference(c, a);
+  const exact::Difference3 exact_u = exact::difference(b, a), exact_v = exact::difference(c, a);
   for (int i = 0; i < 3; ++i)
     normal[i] =
         exact_component(exact_u, exact_v, static_cast<std::size_t>((i + 1) % 3), static_cast<std::size_t>((i + 2) % 3));
@@ -75,7 +52,7 @@ double six_volumes_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3
     size += std::abs(u[i]) * (std::abs(one) + std::abs(other));
   }
   if (std::abs(sum) >= much_cancelled * size) return sum;
-  return exact_determinant(exact_difference(b, a), exact_difference(c, a), exact_difference(d, a));
+  return exact::determinant(exact::difference(b, a), exact::difference(c, a), exact::difference(d, a)).rounded();
 }
 
 }  // namespace ryosen::hull

@@ -222,8 +222,8 @@ void CollapseSurface::prefetch_ends(Edge e) const {
     const std::uint32_t v = mesh_.from(halfedge(e, side)).index;
     if (v >= states_.size()) return;
     const char* const state = reinterpret_cast<const char*>(states_.data() + v);
-    __builtin_prefetch(state);
-    __builtin_prefetch(state + 64);
+    prefetch_line(state);
+    prefetch_line(state + 64);
   }
 }
 

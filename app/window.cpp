@@ -3,18 +3,20 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/editor/autosave.h"
 #include "app/editor/keys.h"
 #include "app/editor/user_files.h"
 #include "app/editor/user_folders.h"
 #include "app/editor/view_switches.h"
-#include "app/glfw.h"
+#include "app/glfw_window.h"
 #include "app/ui/gui.h"
 #include "app/ui/viewport.h"
 #include "app/ui/window_input.h"
 #include "app/window_cursor.h"
-#include "app/window_keys.h"
 #include "render/canvas.h"
 #include "render/context/context.h"
 #include "render/gl/api.h"
@@ -22,112 +24,6 @@
 namespace ryosen {
 
 namespace {
-
-Failure no_window(std::string cause) {
-  if (cause.empty()) cause = "no display";
-  return make_failure(
-      ExitCode::no_backend, "no_display",
-      {"No window can be opened here (" + cause + "). `ryosen shot FILE -o PNG --panels` makes a picture without one.",
-       "ここではウィンドウを開けません（" + cause +
-           "）。`ryosen shot FILE -o PNG --panels` なら画面なしで画像を作れます。"});
-}
-
-// Only called after load_glfw() has succeeded.
-const Glfw& glfw() { return *load_glfw(); }
-
-std::string glfw_error() {
-  const char* words = nullptr;
-  glfw().get_error(&words);
-  return words ? words : "";
-}
-
-// Of a new window at scale 1: no larger than the display has room for.
-Size first_size() {
-  Size size{1280, 800};
-  GLFWmonitor* const monitor = glfw().get_primary_monitor();
-  if (!monitor) return size;
-  int x = 0, y = 0, width = 0, height = 0;
-  float across = 1, down = 1;
-  glfw().get_monitor_workarea(monitor, &x, &y, &width, &height);
-  glfw().get_monitor_content_scale(monitor, &across, &down);
-  if (width > 0 && across > 0) size.width = std::min(size.width, static_cast<int>(static_cast<float>(width) / across));
-  if (height > 0 && down > 0) size.height = std::min(size.height, static_cast<int>(static_cast<float>(height) / down));
-  return size;
-}
-
-// GLFW and one window with its OpenGL 3.3 context, current on this thread.
-class GlfwWindow {
- public:
-  static Result<std::unique_ptr<GlfwWindow>> make() {
-    if (!load_glfw()) return no_window("libglfw.so.3 is missing");
-    std::unique_ptr<GlfwWindow> made(new GlfwWindow);
-    made->is_up_ = glfw().init() == GLFW_TRUE;
-    if (!made->is_up_) return no_window(glfw_error());
-    glfw().window_hint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfw().window_hint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfw().window_hint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfw().window_hint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfw().window_hint(GLFW_DEPTH_BITS, 0);
-    glfw().window_hint(GLFW_STENCIL_BITS, 0);
-    glfw().window_hint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    const Size size = first_size();
-    made->handle_ = glfw().create_window(size.width, size.height, "Ryosen", nullptr, nullptr);
-    if (!made->handle_) return no_window(glfw_error());
-    glfw().make_context_current(made->handle_);
-    glfw().swap_interval(1);
-    double x = 0, y = 0;
-    glfw().get_cursor_pos(made->handle_, &x, &y);
-    made->moved_to(x, y);
-    if (!load_gl(glfw().get_proc_address)) return no_window("no OpenGL 3.3");
-    return made;
-  }
-  ~GlfwWindow() {
-    if (handle_) glfw().destroy_window(handle_);
-    if (is_up_) glfw().terminate();
-  }
-
-  GLFWwindow* handle() const { return handle_; }
-  Size size() const {
-    Size size;
-    glfw().get_framebuffer_size(handle_, &size.width, &size.height);
-    return {std::max(size.width, 1), std::max(size.height, 1)};
-  }
-  float scale() const {
-    float x = 1, y = 1;
-    glfw().get_window_content_scale(handle_, &x, &y);
-    return std::max(1.f, x);
-  }
-  // GLFW gives screen coordinates, which may be coarser than pixels.
-  glm::dvec2 to_pixels(double x, double y) const {
-    int width = 1, height = 1;
-    glfw().get_window_size(handle_, &width, &height);
-    const Size pixels = size();
-    return {x * pixels.width / std::max(width, 1), y * pixels.height / std::max(height, 1)};
-  }
-  // Where the last event that was handled has put the pointer. It may be elsewhere by now: a press belongs to where it was
-  // made, however many events are waiting behind it.
-  Pointer pointer() const { return pointer_at(pointer_px_); }
-  Pointer moved_to(double x, double y) {
-    pointer_px_ = to_pixels(x, y);
-    return pointer();
-  }
-
- private:
-  GlfwWindow() = default;
-  Pointer pointer_at(glm::dvec2 pixel) const {
-    const auto holds = [&](int left, int right) {
-      return glfw().get_key(handle_, left) == GLFW_PRESS || glfw().get_key(handle_, right) == GLFW_PRESS;
-    };
-    const Modifiers modifiers{holds(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
-                              holds(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
-                              holds(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)};
-    return {pixel, modifiers, glfw().get_time()};
-  }
-
-  GLFWwindow* handle_ = nullptr;
-  glm::dvec2 pointer_px_{0};
-  bool is_up_ = false;
-};
 
 class Editor {
  public:
@@ -158,7 +54,6 @@ class Editor {
         [](void* w, const char* text) { glfw().set_clipboard_string(static_cast<GLFWwindow*>(w), text); });
     if (!said.en.empty()) gui_.keep(session_, failed(ExitCode::input_malformed, said));
     if (gui_.prepare(session_)) canvas_->set_fonts(gui_.fonts());  // of the size that the user prefers
-    set_callbacks();
     resize();
     session_.frame_all();
     session_.autosave = &autosave_;
@@ -217,77 +112,77 @@ class Editor {
   static constexpr std::chrono::milliseconds patience{300};
   static constexpr int settling_frames = 3;  // a panel may need this many to settle its size
 
-  static Editor& of(GLFWwindow* window) { return *static_cast<Editor*>(glfw().get_window_user_pointer(window)); }
-
-  void set_callbacks() {
-    GLFWwindow* const w = window_.handle();
-    glfw().set_window_user_pointer(w, this);
-    glfw().set_framebuffer_size_callback(w, [](GLFWwindow* x, int, int) { of(x).resize(); });
-    glfw().set_window_content_scale_callback(w, [](GLFWwindow* x, float, float) { of(x).resize(); });
-    glfw().set_window_focus_callback(w, [](GLFWwindow* x, int focused) {
-      if (of(x).is_working_) return;
-      if (focused)
-        of(x).session_.look_at_disk();
-      else
-        of(x).input_.let_go();
-    });
-    glfw().set_window_refresh_callback(w, [](GLFWwindow* x) { of(x).must_present_ = true; });
-    glfw().set_window_close_callback(w, [](GLFWwindow* x) {
-      glfw().set_window_should_close(x, GLFW_FALSE);
-      of(x).is_working_ ? of(x).cancel_work() : of(x).session_.quit();
-    });
-    glfw().set_cursor_pos_callback(w, [](GLFWwindow* x, double px, double py) {
-      const Pointer at = of(x).window_.moved_to(px, py);
-      of(x).is_working_ ? of(x).gui_.pointer(at.pixel) : of(x).input_.move(at);
-    });
-    glfw().set_cursor_enter_callback(w, [](GLFWwindow* x, int entered) {
-      if (!entered && !of(x).is_working_) of(x).input_.leave();
-    });
-    glfw().set_mouse_button_callback(
-        w, [](GLFWwindow* x, int button, int action, int) { of(x).button(button, action == GLFW_PRESS); });
-    glfw().set_scroll_callback(w, [](GLFWwindow* x, double, double steps) {
-      if (!of(x).is_working_) of(x).input_.wheel(steps, of(x).window_.pointer());
-    });
-    glfw().set_key_callback(
-        w, [](GLFWwindow* x, int key, int place, int action, int mods) { of(x).key(key, place, action, mods); });
-    glfw().set_char_callback(w, [](GLFWwindow* x, unsigned code) {
-      if (!of(x).is_working_) of(x).gui_.character(code);
-    });
-    glfw().set_drop_callback(w, [](GLFWwindow* x, int count, const char** paths) {
-      if (count > 0 && !of(x).is_working_) of(x).gui_.leave(of(x).session_, {false, paths[0]});
-    });
+  // All that has happened since the last time, in its order.
+  void handle_events() {
+    while (const std::optional<WindowEvent> event = window_.take_event()) {
+      handle(*event);
+      if (is_working_) end_work();
+    }
   }
 
-  // Input is ignored while an operation runs: the mesh is in an intermediate state.
+  void handle(const WindowEvent& event) {
+    switch (event.kind) {
+      case WindowEvent::Kind::resized:
+        return resize();
+      case WindowEvent::Kind::focused:
+        session_.look_at_disk();
+        return;
+      case WindowEvent::Kind::unfocused:
+        return input_.let_go();
+      case WindowEvent::Kind::close_asked:
+        return session_.quit();
+      case WindowEvent::Kind::moved:
+        return input_.move(event.at);
+      case WindowEvent::Kind::left:
+        return input_.leave();
+      case WindowEvent::Kind::button:
+        if (event.way == WindowEvent::Way::down)
+          input_.press(event.button, event.at);
+        else
+          input_.release(event.button, event.at);
+        return;
+      case WindowEvent::Kind::wheel:
+        return input_.wheel(event.steps, event.at);
+      case WindowEvent::Kind::key:
+        if (event.way == WindowEvent::Way::up)
+          input_.key_up(event.chord);
+        else
+          input_.key_down(event.chord, event.way == WindowEvent::Way::again);
+        return input_.point(event.at);
+      case WindowEvent::Kind::character:
+        return gui_.character(event.character);
+      case WindowEvent::Kind::dropped:
+        return gui_.leave(session_, {false, event.path});
+    }
+  }
+
+  // The mesh is in an intermediate state: only the window of the progress has input. Keys that are let go are seen behind
+  // the work; how large the window is and which buttons are up, too.
+  void handle_at_work(const WindowEvent& event) {
+    const bool is_down = event.way == WindowEvent::Way::down;
+    switch (event.kind) {
+      case WindowEvent::Kind::close_asked:
+        return cancel_work();
+      case WindowEvent::Kind::moved:
+        return gui_.pointer(event.at.pixel);
+      case WindowEvent::Kind::button:
+        return gui_.button(static_cast<int>(event.button), is_down);
+      case WindowEvent::Kind::key:
+        if (event.way == WindowEvent::Way::up) let_go_at_work_.push_back(event.chord);
+        if (is_down && key_of(event.chord) == "Escape") cancel_work();
+        return;
+      default:
+        return;
+    }
+  }
+
   void resize() {
-    if (is_working_) return;
     const Size size = window_.size();
     canvas_->resize(size);
     gui_.set_scale(window_.scale());
     session_.display_scale = window_.scale();
     gui_.place_view(session_, size);
     input_.resize(size);
-  }
-
-  void button(int number, bool is_down) {
-    if (number > GLFW_MOUSE_BUTTON_MIDDLE) return;
-    if (is_working_) return gui_.button(number, is_down);
-    const auto which = static_cast<MouseButton>(number);  // GLFW's order
-    if (is_down)
-      input_.press(which, window_.pointer());
-    else
-      input_.release(which, window_.pointer());
-  }
-
-  void key(int key, int place, int action, int modifiers) {
-    if (is_working_ && key == GLFW_KEY_ESCAPE && action == GLFW_PRESS) cancel_work();
-    if (is_working_ && action != GLFW_RELEASE) return;
-    const std::string chord = chord_of_glfw(key, modifiers, glfw().get_key_name(key, place));
-    if (action == GLFW_RELEASE)
-      input_.key_up(chord);
-    else
-      input_.key_down(chord, action == GLFW_REPEAT);
-    input_.point(window_.pointer());
   }
 
   void cancel_work() { is_cancelled_ = true; }
@@ -304,6 +199,7 @@ class Editor {
     }
     if (now - work_began_ < patience) return true;
     glfw().poll_events();
+    while (const std::optional<WindowEvent> event = window_.take_event()) handle_at_work(*event);
     if (gui_.progress_frame(session_.language, canvas_->size(), 0.05, share)) cancel_work();
     canvas_->draw_over(gui_.draw_data());
     canvas_->present(0);
@@ -312,10 +208,10 @@ class Editor {
     return !is_cancelled_;
   }
 
-  // After an operation with progress display: the window may have been resized and buttons released.
   void end_work() {
     is_working_ = false;
     input_.let_go();
+    for (const std::string& chord : std::exchange(let_go_at_work_, {})) input_.key_up(chord);
     resize();
   }
 
@@ -333,6 +229,7 @@ class Editor {
 
   // Lays out a frame, redraws what changed, and presents it if anything did.
   void show() {
+    handle_events();
     const Clock::time_point start = Clock::now();
     session_.prepare();
     lay_out(start);
@@ -342,9 +239,9 @@ class Editor {
     const std::int64_t pixels = compose();
     show_title();
     cursor_.show(window_.handle(), gui_.pointer_shape());
-    if (pixels == 0 && !must_present_) return;
+    const bool is_exposed = window_.take_exposure();
+    if (pixels == 0 && !is_exposed) return;
     canvas_->present(0);
-    must_present_ = false;
     glFinish();
     viewport_->took(Clock::now() - drawing);
     const double took_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -397,10 +294,10 @@ class Editor {
   std::ofstream log_;
   std::uint64_t frames_ = 0;
   bool is_working_ = false, is_cancelled_ = false;
+  std::vector<std::string> let_go_at_work_;  // keys
   Clock::time_point work_began_;
   Clock::time_point looked_at_disk_;
   Clock::time_point last_frame_ = Clock::now();
-  bool must_present_ = true;
 };
 
 }  // namespace

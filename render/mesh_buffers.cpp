@@ -168,7 +168,10 @@ void MeshBuffers::set_units(const Program& program) {
   program.set("corner_normals", 3);
   program.set("corner_colours", 4);
   program.set("cluster_sizes", 5);
+  program.set("cluster_numbers", 6);
 }
+
+void MeshBuffers::bind_clusters(std::span<const std::uint32_t> numbers) const { drawn_clusters_.bind(numbers, 6); }
 
 DrawBox MeshBuffers::bounds() const {
   DrawBox box;

@@ -13,6 +13,7 @@
 
 #include "core/pick/surface_triangles.h"
 #include "render/gl/buffer.h"
+#include "render/gl/number_lists.h"
 #include "render/gl/program.h"
 #include "render/screen.h"
 
@@ -97,6 +98,10 @@ class MeshBuffers {
 
   // Binds the textures read by mesh.glsl to the units that set_units() assigns to a program.
   void bind() const;
+  // The clusters that the next draw goes through.
+  void bind_clusters(std::span<const std::uint32_t> numbers) const;
+  // Those that have been written.
+  std::uint32_t slots() const { return static_cast<std::uint32_t>(source_of_slot_.size()); }
   static void set_units(const Program& program);
 
   Paint paint() const { return paint_; }
@@ -153,6 +158,7 @@ class MeshBuffers {
   TexelArray<glm::uvec4> gpu_colours_;    // by slot, likewise
   TexelArray<std::uint8_t> gpu_tints_;
   TexelArray<float> gpu_sizes_;  // of the triangles of each cluster
+  mutable NumberLists drawn_clusters_;
   Paint paint_ = Paint::none;
 };
 

@@ -1,9 +1,14 @@
-// Reads a mesh from texture buffers: vertex number n of a draw is corner n % 3 of the triangle in slot n / 3 * thinning.
+// Reads a mesh from texture buffers: a draw goes through the clusters of a list, or every so many-th triangle of each, and
+// vertex number n is corner n % 3 of its triangle number n / 3.
 uniform samplerBuffer positions;   // in buffer space
 uniform usamplerBuffer triangles;  // three vertex numbers, then face * 8 + edge bits
 uniform mat4 clip_from_buffer;
 uniform vec4 clip_plane;  // what is kept is on the side where it is above 0
+uniform usamplerBuffer cluster_numbers;  // those that are drawn, in their order
+uniform int slots;     // of triangles; behind the last the memory may hold anything
 uniform int thinning;  // every so many-th triangle is drawn
+
+const int cluster_slots = 128;
 
 const vec4 nowhere = vec4(2.0, 2.0, 2.0, 1.0);  // outside of the view
 
@@ -19,8 +24,10 @@ Corner read_corner() {
   Corner corner;
   int drawn = gl_VertexID / 3;
   corner.number = gl_VertexID - 3 * drawn;
-  corner.slot = drawn * thinning;
-  uvec4 triangle = texelFetch(triangles, corner.slot);
+  int in_cluster = cluster_slots / thinning;
+  int place = drawn / in_cluster;
+  corner.slot = int(texelFetch(cluster_numbers, place).r) * cluster_slots + (drawn - place * in_cluster) * thinning;
+  uvec4 triangle = corner.slot < slots ? texelFetch(triangles, corner.slot) : uvec4(0u);
   corner.places[0] = texelFetch(positions, int(triangle.x)).xyz;
   corner.places[1] = texelFetch(positions, int(triangle.y)).xyz;
   corner.places[2] = texelFetch(positions, int(triangle.z)).xyz;

@@ -1,6 +1,8 @@
 #version 330 core
-// Lines, points and ghost triangles. Vertex number n of a draw is corner n % 6 of the two triangles of element n / 6.
+// Lines, points and ghost triangles. Vertex number n of a draw is corner n % 6 of the two triangles of element number
+// n / 6 of a list.
 uniform samplerBuffer elements;  // four texels each, see OverlayElement
+uniform usamplerBuffer element_numbers;  // of those that are drawn, in their order
 uniform mat4 view_from_buffer;
 uniform mat4 clip_from_view;
 uniform vec2 size_px;
@@ -105,8 +107,9 @@ vec4 point(vec3 at, float radius, int corner) {
 }
 
 void main() {
-  int element = gl_VertexID / 6;
-  int corner = gl_VertexID - 6 * element;
+  int listed = gl_VertexID / 6;
+  int corner = gl_VertexID - 6 * listed;
+  int element = int(texelFetch(element_numbers, listed).r);
   vec4 texel[3];
   for (int i = 0; i < 3; ++i) texel[i] = texelFetch(elements, 4 * element + i);
   colour = texelFetch(elements, 4 * element + 3);

@@ -6,8 +6,6 @@ out vec2 barycentric;
 flat out float edge_bits;
 out float size_here;  // of the triangles around, in pixels
 
-const int cluster_slots = 128;
-
 void pass_wire(Corner corner) {
   edge_bits = float(corner.edge_bits);
   barycentric = vec2(corner.number == 0 ? 1.0 : 0.0, corner.number == 1 ? 1.0 : 0.0);

@@ -217,6 +217,7 @@ Result<OverlayPass> OverlayPass::make() {
 OverlayPass::OverlayPass(Program program) : program_(std::move(program)), no_attributes_("overlay") {
   program_.use();
   program_.set("elements", 0);
+  program_.set("element_numbers", 1);
 }
 
 OverlayPass::Selection OverlayPass::select(const Frame& frame, const OverlayBuffer& overlay) {
@@ -234,24 +235,27 @@ OverlayPass::Selection OverlayPass::select(const Frame& frame, const OverlayBuff
     overlay.for_each_group([&](const OverlayBuffer::Group& group) { many += group.thins_out ? group.count : 0; });
     thinning = static_cast<std::uint32_t>(many / most_moving) + 1;
   }
-  const auto add = [&](std::uint32_t first, std::uint32_t count, bool shows_hidden) {
-    selection.all.add(6 * first, 6 * count);
-    if (shows_hidden) selection.behind.add(6 * first, 6 * count);
+  std::vector<std::uint32_t> behind;
+  const auto add = [&](std::uint32_t element, bool shows_hidden) {
+    selection.numbers.push_back(element);
+    if (shows_hidden) behind.push_back(element);
   };
   overlay.for_each_group([&](const OverlayBuffer::Group& group) {
     if (!overlap(overlay.place(group, frame.clip_from_buffer, size), rect)) return;
     const std::uint32_t step = group.thins_out ? thinning : 1;
-    if (!partial) return add(group.first, (group.count + step - 1) / step, group.shows_hidden);
+    const std::uint32_t end = group.first + (partial ? group.count : (group.count + step - 1) / step);
     // Elements of a group may be far apart, so test each one against a partial rectangle.
-    for (std::uint32_t i = group.first; i < group.first + group.count; ++i)
-      if (overlap(overlay.place(group, i, frame.clip_from_buffer, size), rect)) add(i, 1, group.shows_hidden);
+    for (std::uint32_t i = group.first; i < end; ++i)
+      if (!partial || overlap(overlay.place(group, i, frame.clip_from_buffer, size), rect)) add(i, group.shows_hidden);
   });
+  selection.behind = behind.size();
+  selection.numbers.insert(selection.numbers.begin(), behind.begin(), behind.end());
   return selection;
 }
 
-void OverlayPass::draw(const Frame& frame, const OverlayBuffer& overlay, Of of) const {
+void OverlayPass::draw(const Frame& frame, const OverlayBuffer& overlay, Of of) {
   const Selection selection = select(frame, overlay);
-  if (selection.all.empty()) return;
+  if (selection.numbers.empty()) return;
   program_.use();
   pass_settings(program_, frame);
   program_.set("view_from_buffer", frame.view_from_buffer);
@@ -267,20 +271,24 @@ void OverlayPass::draw(const Frame& frame, const OverlayBuffer& overlay, Of of) 
   program_.set("clip_plane", is_cut ? frame.clip_plane : glm::vec4(0, 0, 0, 1));
   if (is_cut) glEnable(GL_CLIP_DISTANCE0);
   overlay.bind(0);
+  drawn_.bind(selection.numbers, 1);
+  const auto issue = [](std::size_t first, std::size_t end) {
+    glDrawArrays(GL_TRIANGLES, static_cast<GLint>(6 * first), static_cast<GLsizei>(6 * (end - first)));
+  };
   glBindVertexArray(no_attributes_.id());
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_FALSE);
-  if (!selection.behind.empty()) {
+  if (selection.behind > 0) {
     glDepthFunc(GL_GREATER);
     program_.set("hidden_pass", 1.0f);
-    selection.behind.draw();
+    issue(0, selection.behind);
   }
   glDepthFunc(GL_LEQUAL);
   program_.set("hidden_pass", 0.0f);
-  selection.all.draw();
+  issue(selection.behind, selection.numbers.size());
   glDisable(GL_CLIP_DISTANCE0);
 }
 

@@ -11,7 +11,7 @@
 #include "core/base/result.h"
 #include "render/gl/buffer.h"
 #include "render/gl/program.h"
-#include "render/gl/vertex_runs.h"
+#include "render/gl/number_lists.h"
 #include "render/mesh_buffers.h"
 #include "render/overlay.h"
 #include "render/pass/frame.h"
@@ -102,11 +102,13 @@ class OverlayPass {
   // Draws what can touch the frame's rectangle: first the occluded parts, faintly, then the visible ones. What belongs to
   // the mesh is cut as that is. Where the surface is thinned, so are lines that thin out.
   enum class Of { mesh, view };
-  void draw(const Frame& frame, const OverlayBuffer& overlay, Of of = Of::mesh) const;
+  void draw(const Frame& frame, const OverlayBuffer& overlay, Of of = Of::mesh);
 
  private:
+  // The elements that can touch it, in drawing order; before them, once more, those that are visible where occluded.
   struct Selection {
-    VertexRuns all, behind;  // everything, and what is visible where occluded
+    std::vector<std::uint32_t> numbers;
+    std::size_t behind = 0;
   };
   static Selection select(const Frame& frame, const OverlayBuffer& overlay);
 
@@ -114,6 +116,7 @@ class OverlayPass {
 
   Program program_;
   VertexArray no_attributes_;
+  NumberLists drawn_;
 };
 
 }  // namespace ryosen

@@ -5,14 +5,13 @@
 #include <vector>
 
 #include "core/base/enum_table.h"
-#include "render/gl/vertex_runs.h"
 #include "render/palette.h"
 #include "render/pass/linear.h"
 
 namespace ryosen {
 namespace {
 
-static_assert(MeshBuffers::cluster_size == 128, "as in wire_out.glsl");
+static_assert(MeshBuffers::cluster_size == 128, "as in mesh.glsl");
 // As in tint.frag.
 static_assert(enum_count<FacePattern> == 5 && static_cast<int>(FacePattern::diagonal) == 1 &&
               static_cast<int>(FacePattern::chessboard) == 2 && static_cast<int>(FacePattern::horizontal) == 3 &&
@@ -104,16 +103,14 @@ void SurfacePass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<co
 
 void draw_clusters(const Program& program, const Frame& frame, const MeshBuffers& mesh,
                    std::span<const std::uint32_t> clusters, std::uint32_t thinning) {
+  if (clusters.empty()) return;
   program.set("thinning", static_cast<int>(thinning));
+  program.set("slots", static_cast<int>(mesh.slots()));
   program.set("clip_plane", frame.clip_plane);
-  VertexRuns runs;
-  for (const std::uint32_t number : clusters) {
-    const Cluster& cluster = mesh.clusters()[number];
-    runs.add(3 * (cluster.first / thinning), 3 * ((cluster.count + thinning - 1) / thinning));
-  }
-  if (runs.empty()) return;
+  mesh.bind_clusters(clusters);
   if (frame.is_cut) glEnable(GL_CLIP_DISTANCE0);
-  runs.draw();
+  const std::size_t triangles = clusters.size() * (MeshBuffers::cluster_size / thinning);
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * triangles));
   glDisable(GL_CLIP_DISTANCE0);
 }
 

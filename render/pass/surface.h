@@ -39,8 +39,8 @@ class SurfacePass {
   VertexArray no_attributes_;
 };
 
-// Issues the triangles of clusters, or every so many-th, as vertices 3 * slot / thinning + corner, and tells the shader in
-// use; a vertex array must be bound. `thinning` divides the size of a cluster. Of what the frame's plane cuts, what is kept.
+// Issues the triangles of clusters, or every so many-th, in one draw, and tells the shader in use (mesh.glsl); a vertex array
+// must be bound. `thinning` divides the size of a cluster. Of what the frame's plane cuts, what is kept.
 void draw_clusters(const Program& program, const Frame& frame, const MeshBuffers& mesh,
                    std::span<const std::uint32_t> clusters, std::uint32_t thinning);
 

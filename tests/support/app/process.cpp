@@ -1,6 +1,8 @@
 #include "tests/support/app/process.h"
 
+#include <sys/resource.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -29,7 +31,18 @@ Process::~Process() {
   if (id_ > 0 && !is_over()) end_by(SIGTERM);
 }
 
-bool Process::is_over() { return is_over_ || (is_over_ = waitpid(id_, &status_, WNOHANG) == id_); }
+bool Process::is_over() { return is_over_ || (is_over_ = wait4(id_, &status_, WNOHANG, &usage_) == id_); }
+
+std::chrono::duration<double> Process::processor_time() {
+  if (is_over()) {
+    const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+    return std::chrono::duration<double>(seconds(usage_.ru_utime) + seconds(usage_.ru_stime));
+  }
+  clockid_t clock{};
+  timespec time{};
+  if (clock_getcpuclockid(id_, &clock) == 0) clock_gettime(clock, &time);
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
 
 void Process::send(int signal) {
   if (!is_over()) kill(id_, signal);
@@ -48,7 +61,7 @@ bool Process::handles(int signal) const {
 }
 
 int Process::wait() {
-  if (!is_over_) is_over_ = waitpid(id_, &status_, 0) == id_;
+  if (!is_over_) is_over_ = wait4(id_, &status_, 0, &usage_) == id_;
   return exit_code();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/types.h>
 
 #include <chrono>
@@ -28,6 +29,8 @@ class Process {
   void send(int signal);
   // Sends a signal and waits for the end.
   void end_by(int signal);
+  // What it has taken of the processors by now, or had at its end.
+  std::chrono::duration<double> processor_time();
   // Waits for the end. The exit code; -1 where a signal ended it.
   int wait();
   int exit_code() const;
@@ -35,6 +38,7 @@ class Process {
  private:
   pid_t id_ = -1;
   int status_ = 0;
+  rusage usage_{};
   bool is_over_ = false;
 };
 

@@ -45,7 +45,7 @@ class RealWindow : public testing::Test {
   Frame last() const;
   // Whether the picture says so within some seconds.
   bool shows(const std::function<bool(const Frame&)>& condition, std::chrono::seconds limit = std::chrono::seconds(15));
-  // Sends the signal and expects the answer: soon, with code 8 and a sentence.
+  // Sends the signal and expects the answer: without going on, with code 8 and a sentence.
   void expect_end_by(int signal);
 
   TemporaryFolder folder_, state_, config_;

@@ -9,12 +9,13 @@ namespace ryosen::test {
 using steps::Sequence;
 using steps::Step;
 
-Result<std::unique_ptr<Sequence>> play(std::string_view id, const Mesh& mesh, const PlayArguments& arguments) {
+Result<std::unique_ptr<Sequence>> play_or_refuse(std::string_view id, const Mesh& mesh,
+                                                 const PlayArguments& arguments) {
   return steps::find_steps(id)->make(mesh, arguments);
 }
 
 std::unique_ptr<Sequence> played(std::string_view id, const Mesh& mesh, const PlayArguments& arguments) {
-  auto sequence = play(id, mesh, arguments);
+  auto sequence = play_or_refuse(id, mesh, arguments);
   EXPECT_TRUE(sequence.ok()) << id << ": " << sequence.failure().message.text.en;
   return std::move(sequence).value();
 }

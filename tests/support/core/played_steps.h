@@ -14,7 +14,8 @@ namespace ryosen::test {
 
 using PlayArguments = std::vector<std::string>;
 
-Result<std::unique_ptr<steps::Sequence>> play(std::string_view id, const Mesh& mesh, const PlayArguments& arguments);
+Result<std::unique_ptr<steps::Sequence>> play_or_refuse(std::string_view id, const Mesh& mesh,
+                                                        const PlayArguments& arguments);
 
 // The same where it must succeed.
 std::unique_ptr<steps::Sequence> played(std::string_view id, const Mesh& mesh, const PlayArguments& arguments);

@@ -66,18 +66,18 @@ TEST(steps, arguments_that_do_not_fit_are_usage_in_both_languages) {
                                                                     {"hull", {"project=w"}},
                                                                     {"hull", {"project=x", "random"}}};
   for (const auto& [id, arguments] : wrong) {
-    const auto sequence = play(id, mesh, arguments);
+    const auto sequence = play_or_refuse(id, mesh, arguments);
     ASSERT_FALSE(sequence.ok()) << id;
     EXPECT_EQ(sequence.failure().exit_code, ExitCode::usage) << id;
     EXPECT_NE(sequence.failure().message.text.en, sequence.failure().message.text.ja) << id;
   }
   for (const auto& [id, arguments] : std::vector<std::pair<std::string, PlayArguments>>{
            {"collapse", {"0-1"}}, {"swap", {"0-1"}}, {"split3", {"1"}}}) {
-    const auto sequence = play(id, make_mesh(cube()), arguments);
+    const auto sequence = play_or_refuse(id, make_mesh(cube()), arguments);
     ASSERT_FALSE(sequence.ok()) << id;
     EXPECT_EQ(sequence.failure().exit_code, ExitCode::refused) << id;
   }
-  EXPECT_EQ(play("build", Mesh(), {}).failure().exit_code, ExitCode::refused);
+  EXPECT_EQ(play_or_refuse("build", Mesh(), {}).failure().exit_code, ExitCode::refused);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST(walk_steps, visit_the_same_on_every_form) {
     const Mesh mesh = asset_mesh(name);
     for (const forms::FormRow& form : forms::all_forms()) {
       if (forms::why_unsuitable(mesh, form)) {
-        EXPECT_EQ(play("walk", mesh, {"v0", std::string(form.id)}).failure().exit_code, ExitCode::refused);
+        EXPECT_EQ(play_or_refuse("walk", mesh, {"v0", std::string(form.id)}).failure().exit_code, ExitCode::refused);
         continue;
       }
       SCOPED_TRACE(std::string(name) + " " + std::string(form.id));
@@ -97,7 +97,7 @@ TEST(walk_steps, visit_the_same_on_every_form) {
   }
   EXPECT_EQ(walked.size(), forms::all_forms().size());
   EXPECT_EQ(looped.size(), forms::all_forms().size());
-  EXPECT_EQ(play("walk", asset_mesh("fan.obj"), {"v0", "x"}).failure().exit_code, ExitCode::usage);
+  EXPECT_EQ(play_or_refuse("walk", asset_mesh("fan.obj"), {"v0", "x"}).failure().exit_code, ExitCode::usage);
 }
 
 // A point with copies has the ring of all of them, and one without an edge has none.
@@ -133,8 +133,8 @@ TEST(walk_steps, say_how_many_records_they_read) {
 
 TEST(walk_steps, refuse_to_show_a_search_through_many_faces) {
   const Mesh mesh = make_mesh(torus_grid(30, 30));
-  EXPECT_EQ(play("walk", mesh, {"v0", "indexed_face_set"}).failure().exit_code, ExitCode::refused);
-  EXPECT_TRUE(play("walk", mesh, {"v0", "face_adjacency"}).ok());
+  EXPECT_EQ(play_or_refuse("walk", mesh, {"v0", "indexed_face_set"}).failure().exit_code, ExitCode::refused);
+  EXPECT_TRUE(play_or_refuse("walk", mesh, {"v0", "face_adjacency"}).ok());
 }
 
 }  // namespace

@@ -85,9 +85,15 @@ std::string queries_text(std::span<const GrowthCurve> curves, const Console& con
 std::string text_of(std::span<const GrowthCurve> curves, const std::vector<Mesh>& meshes, const Console& console) {
   const std::string least = std::to_string(meshes.front().live().faces),
                     most = std::to_string(meshes.back().live().faces);
-  return console.text(Text{"Growth from " + least + " to " + most +
-                               " faces, as a slope: 0 stays, 1 grows in proportion, 2 with the square.\n",
-                           least + " 面から " + most + " 面までの増え方（傾き：0 は一定、1 は比例、2 は二乗）\n"}) +
+  const Text one_size{"Measured at one size alone, " + most +
+                          " faces: too few to be cut into growing parts, so that there are no slopes.\n",
+                      most + " 面の一つの大きさだけで測りました（分割して増やすには面が足りず、傾きはありません）。\n"};
+  return console.text(
+             meshes.size() == 1
+                 ? one_size
+                 : Text{"Growth from " + least + " to " + most +
+                            " faces, as a slope: 0 stays, 1 grows in proportion, 2 with the square.\n",
+                        least + " 面から " + most + " 面までの増え方（傾き：0 は一定、1 は比例、2 は二乗）\n"}) +
          slopes_text(curves, GrowthOf::pairing, console) + queries_text(curves, console) +
          slopes_text(curves, GrowthOf::collapse, console);
 }

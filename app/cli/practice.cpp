@@ -131,6 +131,8 @@ ExitCode practice_command(const Arguments& arguments, const Console& console) {
     const Solution solution = solve(asked.mesh, question);
     if (const Text doubt = given ? doubt_about(asked.mesh, solution, *given) : Text(); !doubt.en.empty())
       return console.fail(failure_of_name(NameError::ambiguous, doubt), asked.name);
+    if (const Text fault = given ? why_no_answer(asked.mesh, question, solution, *given) : Text(); !fault.en.empty())
+      return console.fail(usage_failure("bad_value", fault), asked.name);
     all_right &= !given || is_right(asked.mesh, solution, *given);
     console.print(console.json ? json_line_of(asked, each, question, solution, given)
                                : text_of(asked, question, solution, given, console));

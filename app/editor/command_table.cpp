@@ -249,10 +249,14 @@ const std::vector<CommandRow>& last_rows() {
       {.id = "account",
        .syntax = account_syntax(),
        .help_en =
-           "tells under which rule how many edges stand that the last simplification left, or selects those of one",
-       .help_ja = "直前の簡略化で残った稜線を、残った理由ごとに数える（理由を付けるとその稜線を選択する）",
+           "tells under which rule how many edges stand that the last simplification, or the level of detail that "
+           "is shown, left, or selects those of one",
+       .help_ja = "直前の簡略化、または表示中の詳細度で残った稜線を、残った理由ごとに数える（理由を付けるとその稜線を選"
+                  "択する）",
        .effect = Effect::none,
        .run = run_account,
+       .is_long = true,
+       .keeps_trial = true,
        .fault = fault_of_account},
       {.id = "self_intersections",
        .syntax = "[off]",

@@ -73,9 +73,22 @@ std::vector<std::string> with_names(Words words, const std::vector<std::string>&
   return meant;
 }
 
+// The word `selected` alone is the value of the first parameter: of elements, or none.
+std::optional<Text> fault_of_selected(const AlgorithmRow& row, Words words) {
+  const auto takes_elements = [](const ParameterRow& p) { return p.kind == ParameterKind::elements; };
+  if (words.empty() || words[0] != "selected" || row.parameters.empty() || takes_elements(row.parameters[0])) return {};
+  const auto elements = std::find_if(row.parameters.begin(), row.parameters.end(), takes_elements);
+  if (elements == row.parameters.end())
+    return Text{"it takes no elements, so that 'selected' means nothing", "要素を取らないため、selected は使えません"};
+  const std::string whole = std::string(elements->id) + "=selected";
+  return Text{"'selected' alone is no value of " + std::string(row.parameters[0].id) + "; write " + whole,
+              "selected だけでは " + std::string(row.parameters[0].id) + " の値になりません。" + whole + " と書きます"};
+}
+
 // `call` is what stands before the values. A first value without its name stays so.
 Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_words, const std::string& call) {
   const std::string id(row.id);
+  if (const auto fault = fault_of_selected(row, given_words)) return usage_error(behind(row.id, *fault));
   if (session.selection.empty() && std::any_of(given_words.begin(), given_words.end(), means_selection))
     return failed(ExitCode::refused, {id + ": nothing is selected", id + "：選択がありません"});
   std::vector<std::string> names;
@@ -93,7 +106,9 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
   outcome.performed = call + (values.empty() ? "" : " " + values);
   const FirstSlots before(session.mesh());
   const bool was_empty = session.mesh().live() == ElementCounts();
-  auto result = session.document().run(row, *found.values, outcome.performed, session.on_progress, row.accounts);
+  // Who wants it later asks for it (make_account).
+  const bool wants_account = row.accounts && session.is_shown(panel_opened_by(PanelOpener::levelled));
+  auto result = session.document().run(row, *found.values, outcome.performed, session.on_progress, wants_account);
   if (!result) return cancelled();
   if (result->fault) return usage_error(id + ": " + result->fault->en, id + "：" + result->fault->ja);
   if (result->refused)
@@ -116,6 +131,7 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
 
 CommandRow row_of(const AlgorithmRow& algorithm) {
   const auto fault = [&algorithm](Words given, const std::string&) -> std::optional<Text> {
+    if (auto alone = fault_of_selected(algorithm, given)) return behind(algorithm.id, *alone);
     const std::vector<std::string> meant = with_names(given, {"v0"});  // any name does here
     const std::vector<std::string_view> words(meant.begin(), meant.end());
     ReadValues read = read_values(algorithm.parameters, words);

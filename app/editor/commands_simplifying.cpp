@@ -131,10 +131,11 @@ std::optional<Text> fault_of_account(Words arguments, const std::string&) {
 
 Outcome run_account(Session& session, Words arguments, std::string_view) {
   if (const auto fault = fault_of_account(arguments, {})) return usage_error(*fault);
-  const EdgeAccount* const account = session.account();
-  if (!account)
+  if (line_to_account_for(session).empty())
     return failed(ExitCode::refused, {"there is no account; simplify makes one, until the next change",
                                       "内訳がありません。simplify の直後、次の変更までの間だけ示せます"});
+  const EdgeAccount* const account = make_account(session);
+  if (!account) return cancelled();
   session.show(panel_opened_by(PanelOpener::levelled), true);
   Outcome outcome;
   if (!arguments.empty()) {

@@ -205,6 +205,20 @@ std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const Para
   return result;
 }
 
+std::optional<AlgorithmResult> Document::account_of(const AlgorithmRow& row, const ParameterValues& values,
+                                                    Progress::Report report) {
+  Mesh mesh = is_on_trial() ? without_trial() : before_last_entry();
+  const ReadValues found = values.on(mesh);
+  if (!found.values) return std::nullopt;
+  const std::vector<Vertex> used = used_beside_the_mesh(file_, tables_.quarantine, mesh_.file_vertices());
+  const std::vector<Vertex> on_lines = vertices_on_lines(file_, mesh_.file_vertices());
+  Progress progress(std::move(report));
+  Edit edit(mesh, nullptr);
+  AlgorithmResult result = row.run(edit, {*found.values, used, tables_.quarantine.size(), on_lines, true}, progress);
+  if (progress.is_cancelled()) return std::nullopt;
+  return result;
+}
+
 BesideRepairs Document::beside_repairs() const {
   const std::size_t vertices = mesh_.file_vertices();
   return {tables_.quarantine, used_beside_the_mesh(file_, tables_.quarantine, vertices),
@@ -304,6 +318,26 @@ Outcome Document::try_out(const AnyOp& op) {
   }
   notify(trial_, 0, Change::tried);
   return {};
+}
+
+std::optional<AlgorithmResult> Document::try_out(const AlgorithmRow& row, const ParameterValues& values,
+                                                 Progress::Report report) {
+  end_trial();
+  AlgorithmResult result;
+  {
+    Progress progress(std::move(report));
+    Edit edit(writable(), &trial_);
+    const std::vector<Vertex> used = used_beside_the_mesh(file_, tables_.quarantine, mesh_.file_vertices());
+    const std::vector<Vertex> on_lines = vertices_on_lines(file_, mesh_.file_vertices());
+    FindingCounts counts{};
+    if (row.is_repair()) counts = count_findings(mesh_, on_lines);
+    result = run_guarded(edit, row, {values, used, tables_.quarantine.size(), on_lines}, progress, counts);
+    if (progress.is_cancelled()) return std::nullopt;
+    if (result.changed == 0) return result;
+    edit.commit();
+  }
+  notify(trial_, 0, Change::tried);
+  return result;
 }
 
 void Document::show_on_trial(MeshColumns columns) {
@@ -414,6 +448,21 @@ Mesh Document::without_trial() const {
   Mesh mesh = mesh_;
   if (is_on_trial()) Journal(trial_).undo(mesh);
   return mesh;
+}
+
+// The way back needs no memory. Nobody is told: it is as it was.
+Mesh Document::before_last_entry() {
+  if (!journal_.can_undo()) return mesh_;
+  journal_.undo(writable());
+  Mesh before;
+  try {
+    before = mesh_;
+  } catch (const std::bad_alloc&) {
+    journal_.redo(mesh_);
+    throw;
+  }
+  journal_.redo(mesh_);
+  return before;
 }
 
 MeshFile Document::contents() const {

@@ -88,6 +88,10 @@ class Document {
   // None where `progress` cancels it: nothing has changed then. The values are those on this mesh.
   std::optional<AlgorithmResult> run(const AlgorithmRow& row, const ParameterValues& values, std::string command,
                                      Progress::Report progress = {}, bool wants_account = false);
+  // What that would say of its account where it began with the mesh that the last entry of the history began with, or of
+  // the document's where another is on trial. Nothing changes. None where it is cancelled or the values do not fit.
+  std::optional<AlgorithmResult> account_of(const AlgorithmRow& row, const ParameterValues& values,
+                                            Progress::Report progress = {});
   // The same for a recipe, whatever its rounds: one entry of the history or none. The result comes without
   // its mesh, which is that of the document.
   std::optional<RecipeResult> run(std::span<const RecipeStep> recipe, std::string command,
@@ -106,6 +110,9 @@ class Document {
   // Does an operator on trial, beside the history: until the next change, or until the trial is ended, the mesh is as if
   // it had been applied. Undo, redo and what is saved stay as they are.
   Outcome try_out(const AnyOp& op);
+  // The same with an algorithm; nothing is on trial where it changes nothing. None where it is cancelled.
+  std::optional<AlgorithmResult> try_out(const AlgorithmRow& row, const ParameterValues& values,
+                                         Progress::Report progress = {});
   // The same with any other mesh, whole.
   void show_on_trial(MeshColumns columns);
   bool is_on_trial() const { return trial_.position() > 0; }
@@ -158,6 +165,7 @@ class Document {
 
  private:
   Mesh without_trial() const;
+  Mesh before_last_entry();
   Mesh& writable() {
     end_trial();
     if (before_writing) before_writing();

@@ -43,10 +43,12 @@ void add_step(Session& session, std::vector<Label>& labels) {
   const Text caption = step ? step->caption : Text{player.call(), player.call()};
   const std::string number = std::to_string(player.position()) + "/" + std::to_string(player.size()) + "  ";
   int row = 0;
-  for (std::string& line : broken_lines(number + caption.in(session.language), session.view.width - 2 * margin_px))
+  const double left = session.covered_px.x + margin_px;
+  const double room = session.view.width - session.covered_px.x - session.covered_px.y - 2 * margin_px;
+  for (std::string& line : broken_lines(number + caption.in(session.language), room))
     labels.push_back({.text = std::move(line),
                       .priority = legend_priority,
-                      .shift_px = {margin_px, margin_px + (row++ + 0.5) * row_px},
+                      .shift_px = {left, margin_px + (row++ + 0.5) * row_px},
                       .pixel = glm::dvec2(0, 0),
                       .begins_there = true});
   if (!step) return;

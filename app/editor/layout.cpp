@@ -29,11 +29,11 @@ void Layout::put(const PanelRow& panel, PanelPlace side) {
     moved.insert(std::string(panel.id));
 }
 
-bool Layout::is_empty(PanelPlace side) const {
+std::size_t Layout::count(PanelPlace side) const {
   const auto rows = panel_list();
-  return std::none_of(rows.begin(), rows.end(), [&](const PanelRow& row) {
+  return static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [&](const PanelRow& row) {
     return row.place != PanelPlace::over && side_of(row) == side && is_shown(row);
-  });
+  }));
 }
 
 std::vector<std::string> Layout::commands() const {

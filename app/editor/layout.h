@@ -1,6 +1,7 @@
 // How the panels of the columns lie beside the view: what the commands `panel` and `columns` change.
 #pragma once
 
+#include <cstddef>
 #include <set>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ struct Layout {
   std::set<std::string> folded;    // to their headers
   std::set<std::string> moved;     // to the other side than their rows say
   std::string flyout;              // of tabs, the one that is open over the view; empty for none
+  std::string wanted;              // somebody asked for this one just now: its column scrolls to it; empty for none
   // Of the columns, at scale 1.
   int left_px = 240, right_px = 292;
 
@@ -29,7 +31,9 @@ struct Layout {
   // Of the left or the right column.
   int& width_px(PanelPlace side) { return side == PanelPlace::left ? left_px : right_px; }
   int width_px(PanelPlace side) const { return side == PanelPlace::left ? left_px : right_px; }
-  bool is_empty(PanelPlace side) const;
+  // Panels shown on a side.
+  std::size_t count(PanelPlace side) const;
+  bool is_empty(PanelPlace side) const { return count(side) == 0; }
 
   // The commands that bring it about, beginning with a layout as at first. What is open over the view is not kept.
   std::vector<std::string> commands() const;

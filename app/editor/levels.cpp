@@ -1,6 +1,7 @@
 #include "app/editor/levels.h"
 
 #include "app/editor/session.h"
+#include "core/algo/algorithms.h"
 
 namespace ryosen {
 
@@ -52,6 +53,30 @@ std::string ShownLevels::line() const {
 void end_levels(Session& session) {
   if (session.levels) session.levels->end(session.document());
   session.levels.reset();
+}
+
+std::string line_to_account_for(const Session& session) {
+  const Document& document = session.document();
+  if (session.levels && session.levels->is_shown(document)) return session.levels->line();
+  if (document.is_on_trial() || document.position() == 0) return {};
+  const std::string& line = document.history()[document.position() - 1].command;
+  const AlgorithmRow* const row = find_algorithm(line.substr(0, line.find(' ')));
+  return row && row->accounts ? line : std::string();
+}
+
+const EdgeAccount* make_account(Session& session) {
+  if (session.account()) return session.account();
+  const std::string line = line_to_account_for(session);
+  if (line.empty()) return nullptr;
+  const std::vector<std::string_view> words = split_words(line);
+  const AlgorithmRow& row = *find_algorithm(words[0]);
+  const ReadValues given = read_values(row.parameters, std::span(words).subspan(1));
+  if (!given.values) return nullptr;
+  auto result = session.document().account_of(row, *given.values, session.on_progress);
+  if (!result || !result->account || result->account->rules.empty()) return nullptr;
+  session.keep_account({session.document().serial(), session.document().revision(), std::move(result->account->rules),
+                        std::move(result->account->remaining)});
+  return session.account();
 }
 
 }  // namespace ryosen

@@ -49,11 +49,18 @@ class ShownLevels {
 
 void end_levels(Session& session);
 
-// Under which rule each edge stands that the last simplification left, until the next change.
+// The line that has made what is shown, where it accounts for the edges that it left: of the level of detail, else the last
+// one of the history. Empty where there is none.
+std::string line_to_account_for(const Session& session);
+
+// Under which rule each edge stands that it left, until the next change.
 struct EdgeAccount {
   std::uint64_t serial, revision;   // of the document
   std::vector<std::uint8_t> rules;  // by edge slot, as EdgeRule, or no_rule
   std::vector<std::size_t> counts;  // by rule, counted on points
 };
+
+// Finds it where it is not there yet, at the cost of that line. Null where there is none, or it was cancelled.
+const EdgeAccount* make_account(Session& session);
 
 }  // namespace ryosen

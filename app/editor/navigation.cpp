@@ -14,10 +14,11 @@ constexpr double double_click_s = 0.4;
 constexpr double wheel_step = 1.15;      // zoom factor per wheel step
 constexpr double drag_doubles_px = 120;  // length of a zoom drag that doubles the size
 
-// The place of the mesh at a pixel: on a face, else on an edge or a vertex near by.
+// The place of the mesh at a pixel, of that which is seen there: on a face, else on an edge or a vertex near by.
 std::optional<glm::dvec3> place_under(Session& session, glm::dvec2 pixel) {
+  Session& part = session.part_at(pixel);
   for (const PickMode what : {PickMode::face, PickMode::edge, PickMode::vertex})
-    if (const auto picked = session.pick_drawn(pixel, what)) return picked->place;
+    if (const auto picked = part.pick_drawn(pixel, what)) return picked->place;
   return std::nullopt;
 }
 
@@ -40,7 +41,8 @@ double nearest_depth(Session& session) {
 // The point that the view moves about or towards, for a pixel.
 glm::dvec3 held_at(Session& session, glm::dvec2 pixel) {
   if (const auto place = place_under(session, pixel)) return *place;
-  return place_at(session.camera, session.view, pixel - session.view_origin, nearest_depth(session));
+  Session& part = session.part_at(pixel);
+  return place_at(part.camera, part.view, pixel - part.view_origin, nearest_depth(part));
 }
 
 glm::dvec3 centre_of_orbit(Session& session, glm::dvec2 pixel) {

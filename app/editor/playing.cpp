@@ -122,8 +122,8 @@ Outcome begin_playing(Session& session, std::span<const std::string> words) {
   std::string call;
   for (const std::string& word : words) call += call.empty() ? word : " " + file_argument(word);
   session.player = std::make_shared<Player>(std::move(call), std::move(sequence).value(), document);
-  // What begins with nothing is looked at as it ends.
-  if (document.mesh().live().vertices == 0) {
+  if (session.player->begins_with_nothing()) {
+    if (document.mesh().live().vertices > 0) session.player->camera_before = session.camera;
     session.player->go_to(document, session.player->size());
     session.frame_all();
   }
@@ -144,6 +144,7 @@ Outcome not_on_a_step(const Session& session) {
 
 void end_playing(Session& session) {
   if (session.player) session.player->end(session.document());
+  if (session.player && session.player->camera_before) session.camera = *session.player->camera_before;
   session.player.reset();
 }
 

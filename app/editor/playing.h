@@ -11,6 +11,7 @@
 #include "app/editor/document.h"
 #include "core/steps/all.h"
 #include "core/steps/tables.h"
+#include "core/view/camera.h"
 
 namespace ryosen {
 
@@ -52,6 +53,9 @@ class Player {
   const steps::Tables& tables() { return tables_.at(position_); }
   static constexpr std::size_t most_with_tables = 5000;
   bool is_running = false;  // a frontend goes forward from time to time
+  // What it begins with has nothing to be looked at: it is looked at as it ends, and then as the mesh was before.
+  bool begins_with_nothing() const { return sequence_->edits() && sequence_->mesh_at(0).live().vertices == 0; }
+  std::optional<Camera> camera_before;
 
   // Whether the document is the one that it was made for, at the same place of its history.
   bool fits(const Document& document) const;

@@ -58,6 +58,8 @@ struct AnswerChoice {
 std::vector<AnswerChoice> answer_choices(const Question& question, const Solution& solution);
 // Why a word is neither right nor wrong yet: it names several elements, and which. Else empty.
 Text doubt_about(const Mesh& mesh, const Solution& solution, std::string_view word);
+// Why a word cannot be an answer, right or wrong: it is none of the kind that is asked for. Else empty.
+Text why_no_answer(const Mesh& mesh, const Question& question, const Solution& solution, std::string_view word);
 // Whether a word is one of the answers, or names the element that is.
 bool is_right(const Mesh& mesh, const Solution& solution, std::string_view word);
 

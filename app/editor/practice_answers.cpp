@@ -157,7 +157,7 @@ bool is_answer(const Solution& solution, std::string_view word) {
   return std::find(solution.answers.begin(), solution.answers.end(), word) != solution.answers.end();
 }
 
-bool is_number(std::string_view word) { return word.find_first_not_of("0123456789") == word.npos; }
+bool is_number(std::string_view word) { return !word.empty() && word.find_first_not_of("0123456789") == word.npos; }
 
 }  // namespace
 
@@ -165,6 +165,34 @@ Text doubt_about(const Mesh& mesh, const Solution& solution, std::string_view wo
   if (!solution.element || is_answer(solution, word) || is_number(word)) return {};
   const NamedElement named = named_by(mesh, solution, word);
   return named.error == NameError::ambiguous ? named.sentence : Text{};
+}
+
+Text why_no_answer(const Mesh& mesh, const Question& question, const Solution& solution, std::string_view word) {
+  const std::string said(word);
+  const auto wanted = [&](const char* en, const char* ja) {
+    return Text{"'" + said + "' is no answer: " + en, "「" + said + "」は答えになりません。" + ja};
+  };
+  if (is_answer(solution, word)) return {};
+  switch (question.kind) {
+    case QuestionKind::valence:
+      return is_number(word) ? Text() : wanted("a number is asked for.", "数を答えてください。");
+    case QuestionKind::legal: {
+      const std::vector<AnswerChoice> choices = answer_choices(question, solution);
+      const bool is_known =
+          word == "no" || word == "legal" || word == "はい" || word == "いいえ" ||
+          std::any_of(choices.begin(), choices.end(), [&](const AnswerChoice& choice) { return choice.word == word; });
+      return is_known ? Text() : wanted("yes, or the id of a rule that forbids it.", "yes か、禁じる規則の id です。");
+    }
+    case QuestionKind::record:
+      if (is_number(word) || word == "none" || word == "なし") return {};
+      break;
+    default:
+      break;
+  }
+  return find_element(mesh, word).error == NameError::malformed
+             ? wanted("the name of an element is asked for, such as h3, 1-2, v4 or f5.",
+                      "h3、1-2、v4、f5 のような要素の名前です。")
+             : Text();
 }
 
 bool is_right(const Mesh& mesh, const Solution& solution, std::string_view word) {

@@ -45,6 +45,7 @@ bool Session::is_at_start() const {
 }
 
 void Session::show(const PanelRow& panel, bool on) {
+  if (on && panel.place != PanelPlace::over) layout.wanted = panel.id;
   if (is_shown(panel) == on) return;
   if (panel.place == PanelPlace::over)
     open_panel = on ? panel.id : "";

@@ -97,6 +97,7 @@ class Session {
   glm::dvec2 pointer{-1e9};              // where it was last
   Size view{1280, 720};
   glm::dvec2 view_origin{0};  // of the view in the picture or window; pixels are relative to the latter
+  glm::dvec2 covered_px{0};   // of its width, at its left and its right, by what a tab has opened over it
   // Sets both of all of the picture that is not covered by panels: this one has the left half where a mesh stands beside it.
   void place_view(Size whole, glm::dvec2 origin);
   std::string tool;  // id of an operator, or empty: select
@@ -148,6 +149,8 @@ class Session {
   bool has_beside() const { return beside_ != nullptr; }
   // Null where there is none; up to date with what is looked at and how.
   Session* beside();
+  // This, or the mesh beside it where a pixel of the picture or window lies in its part.
+  Session& part_at(glm::dvec2 pixel);
   // That of the mesh beside, or that this one stands beside; null where there is none.
   std::shared_ptr<const OtherSurface> other_surface();
 

@@ -41,8 +41,17 @@ Session* Session::beside() {
   other.display_scale = display_scale;
   other.samples = samples;
   other.cut = cut;
+  other.mode = pointed_sort();
   if (colouring && colouring->map->against) other.map_values();  // where this mesh has changed
   return &other;
+}
+
+Session& Session::part_at(glm::dvec2 pixel) {
+  Session* const other = beside();
+  if (!other) return *this;
+  const glm::dvec2 inside = pixel - other->view_origin;
+  const bool is_there = inside.x >= 0 && inside.y >= 0 && inside.x < other->view.width && inside.y < other->view.height;
+  return is_there ? *other : *this;
 }
 
 std::shared_ptr<const OtherSurface> Session::surface() {

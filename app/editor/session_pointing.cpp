@@ -32,6 +32,15 @@ PickMode pick_mode(const OpInfo* tool, PickMode mode) {
   }
 }
 
+// A click on a mesh that stands beside the open one.
+Outcome only_looked_at(const Session& beside) {
+  const std::string name = beside.document().path().filename().string();
+  return failed(
+      ExitCode::refused,
+      {name + " is shown here to be compared with: nothing of it is selected or changed. Open it to work on it.",
+       name + " は比較のために表示しています。選択や編集をするには開いてください。"});
+}
+
 }  // namespace
 
 // Only the picked element; the others are none.
@@ -60,10 +69,12 @@ void Session::point_away() {
   pointed_handle_ = nullptr;
   pointed_axis_end_ = nullptr;
   if (!is_verdict_held_) hover_.reset();
+  if (beside_) beside_->point_away();
 }
 
 std::optional<Gizmo> Session::gizmo() const {
-  if (gizmo_kind == GizmoKind::none || !tool.empty() || selection.empty() || gesturing_ || band) return std::nullopt;
+  if (gizmo_kind == GizmoKind::none || !tool.empty() || selection.empty() || gesturing_ || band || shows_step())
+    return std::nullopt;
   if (middle_.document != document_->serial() || middle_.revision != document_->revision() ||
       middle_.selection != selection.stamp())
     middle_ = {selection.stamp(), document_->serial(), document_->revision(),
@@ -108,6 +119,8 @@ const LinkArrow* Session::arrow_at(glm::dvec2 pixel, const OpInfo* info, Modifie
 
 void Session::look_at(glm::dvec2 pixel, Modifiers modifiers) {
   hover_.reset();
+  if (beside_) beside_->point_away();
+  if (Session& part = part_at(pixel); &part != this) return part.point_at(pixel);
   pointed_axis_end_ = axis_end_at(pixel);
   pointed_handle_ = pointed_axis_end_ ? nullptr : handle_at(pixel, modifiers);
   if (pointed_handle_ || pointed_axis_end_) return;
@@ -222,6 +235,7 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers
   cancel_gesture();  // what is pointed at is the mesh as it is
   release_verdict();
   if (const AxisEnd* const end = axis_end_at(pixel)) return run(line_of(*end, camera));
+  if (Session& part = part_at(pixel); &part != this) return only_looked_at(part);
   if (shows_step()) return not_on_a_step(*this);
   if (!asked_line.empty() && with_tool.empty()) return answer(*this, pixel);
   const OpInfo* info = find_op(with_tool);
@@ -231,7 +245,7 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers
   const auto picked = pick(pixel, pick_mode(info, mode));
   const bool extends = !info && (modifiers.shift || modifiers.ctrl);
   if (!picked) {
-    if (!extends) selection.clear();
+    if (!extends && !info) selection.clear();
     if (!info) return {};
     const PickModeRow& sort = pick_modes[static_cast<std::size_t>(pick_mode(info, mode))];
     return failed(ExitCode::found_problems,

@@ -16,10 +16,13 @@ namespace ryosen {
 
 namespace {
 
-void draw_over(PanelContext& context, const PanelRow& row, Panel& panel) {
-  if (!begin_over(context, row, panel.size())) return;
-  panel.draw(context);
-  end_over();
+void draw_over(PanelContext& context, OwnPanel& own) {
+  const bool is_over = begin_over(context, own.row, own.panel->size(), own.panel->leaves_view());
+  if (is_over) {
+    own.panel->draw(context);
+    end_over();
+  }
+  if (std::exchange(own.was_over, is_over) && !is_over) own.panel->closed(context);
 }
 
 // ImGui itself does not ask whether there was memory.
@@ -87,6 +90,7 @@ bool Gui::prepare(const Session& session) {
   unsigned char* alpha = nullptr;
   int width = 0, height = 0;
   ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&alpha, &width, &height);
+  whole_lines_.learn(*ImGui::GetIO().Fonts);
   has_fonts_ = true;
   has_japanese_ = japanese;
   return true;
@@ -112,6 +116,7 @@ void Gui::begin_frame(Size window, double seconds) {
 
 void Gui::end_frame() {
   ImGui::Render();
+  whole_lines_.keep(*ImGui::GetDrawData());
   for (const int key : released_keys_) ImGui::GetIO().KeysDown[key] = false;
   unseen_keys_.clear();
   released_keys_.clear();
@@ -128,14 +133,19 @@ void Gui::frame(Session& session, Size window, double seconds) {
   PanelContext panel_context = context(session);
   draw_menu(panel_context);
   columns_.draw(panel_context, areas_of(session.layout, window, size_), panels_);
+  session.covered_px = columns_.covered_px(view_area(window, session.layout));
   draw_status(panel_context);
   draw_notes(panel_context);
   start_.draw(panel_context);
   draw_pointer_tip(panel_context);
   draw_band(panel_context);
   draw_element_menu(panel_context);
-  for (const OwnPanel& own : panels_)
-    if (own.row.place == PanelPlace::over) draw_over(panel_context, own.row, *own.panel);
+  for (OwnPanel& own : panels_)
+    if (own.row.place == PanelPlace::over) draw_over(panel_context, own);
+  // Read when the frame ends.
+  const bool leaves_view = std::any_of(panels_.begin(), panels_.end(),
+                                       [](const OwnPanel& own) { return own.was_over && own.panel->leaves_view(); });
+  ImGui::GetStyle().Colors[ImGuiCol_ModalWindowDimBg] = leaves_view ? ImVec4() : ui_colours(theme_).backdrop;
   state_.is_laying_out = false;
   end_frame();
   for (WaitingLine& waiting : std::exchange(state_.waiting, {}))

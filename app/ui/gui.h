@@ -12,6 +12,7 @@
 #include "app/ui/panels.h"
 #include "app/ui/side_columns.h"
 #include "app/ui/start_page.h"
+#include "app/ui/whole_lines.h"
 
 struct ImGuiContext;
 struct ImDrawData;
@@ -109,6 +110,7 @@ class Gui {
   std::vector<OwnPanel> panels_;
   SideColumns columns_;
   StartPage start_;
+  WholeLines whole_lines_;
   Fonts fonts_;
   bool has_fonts_ = false, has_japanese_ = false;
   Theme theme_ = Theme::dark;

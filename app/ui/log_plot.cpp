@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "app/ui/widgets.h"
 
@@ -21,7 +23,7 @@ float list_width(const LogPlot& plot, float width_px) {
   float names = 0;
   for (const LogCurve& curve : plot.curves)
     names = std::max(names, ImGui::CalcTextSize((curve.name + curve.slope).c_str()).x);
-  return std::min(names + 3 * em(), width_px - least_axes_ems * em());
+  return std::min(names + 4 * em(), width_px - least_axes_ems * em());
 }
 
 // Powers of ten around all numbers, at least one decade.
@@ -59,19 +61,71 @@ ImU32 colour_of(std::size_t i, Theme theme) {
   return ImGui::ColorConvertFloat4ToU32({r, g, b, 1});
 }
 
-void draw_point(ImDrawList& list, ImVec2 at, std::size_t i, ImU32 colour) {
-  const float r = 0.24f * em();
-  switch (i % 4) {
-    case 0:
-      return list.AddCircleFilled(at, r, colour, 12);
-    case 1:
-      return list.AddRectFilled({at.x - r, at.y - r}, {at.x + r, at.y + r}, colour);
-    case 2:
-      return list.AddTriangleFilled({at.x, at.y - 1.2f * r}, {at.x + 1.2f * r, at.y + r}, {at.x - 1.2f * r, at.y + r},
-                                    colour);
-    default:
-      return list.AddQuadFilled({at.x, at.y - 1.4f * r}, {at.x + 1.4f * r, at.y}, {at.x, at.y + 1.4f * r},
-                                {at.x - 1.4f * r, at.y}, colour);
+// A shape around its middle, of a radius of 1: a closed outline, filled or not, or else strokes from corner to corner.
+struct PlotMark {
+  enum class Kind : std::uint8_t { filled, outline, strokes } kind;
+  std::vector<ImVec2> corners;
+};
+
+std::vector<ImVec2> regular_corners(int corners, float size, float turn) {
+  std::vector<ImVec2> all;
+  for (int k = 0; k < corners; ++k) {
+    const float angle = 6.2831853f * (static_cast<float>(k) + turn) / static_cast<float>(corners);
+    all.emplace_back(size * std::sin(angle), -size * std::cos(angle));
+  }
+  return all;
+}
+
+// So many that no two curves of a plot share one; neighbours in the list look least alike.
+const std::vector<PlotMark>& plot_marks() {
+  using Kind = PlotMark::Kind;
+  static const std::vector<PlotMark> all = [] {
+    std::vector<PlotMark> some;
+    for (const Kind kind : {Kind::filled, Kind::outline}) {
+      some.push_back({kind, regular_corners(12, 1, 0)});       // a disc
+      some.push_back({kind, regular_corners(4, 1.3f, 0.5f)});  // a square
+      some.push_back({kind, regular_corners(3, 1.4f, 0)});     // a triangle that points up
+      some.push_back({kind, regular_corners(4, 1.4f, 0)});     // a diamond
+      some.push_back({kind, regular_corners(3, 1.4f, 0.5f)});  // one that points down
+    }
+    const ImVec2 up(0, -1.4f), down(0, 1.4f), left(-1.4f, 0), right(1.4f, 0);
+    some.push_back({Kind::strokes, {up, down, left, right}});
+    some.push_back({Kind::strokes, {{-1, -1}, {1, 1}, {-1, 1}, {1, -1}}});
+    some.push_back({Kind::strokes, {up, down, {-1.2f, -0.7f}, {1.2f, 0.7f}, {-1.2f, 0.7f}, {1.2f, -0.7f}}});
+    some.push_back({Kind::strokes, {{-1.2f, -0.6f}, {1.2f, -0.6f}, {-1.2f, 0.6f}, {1.2f, 0.6f}}});
+    return some;
+  }();
+  return all;
+}
+
+void draw_plot_mark(ImDrawList& list, ImVec2 at, std::size_t i, ImU32 colour) {
+  const PlotMark& mark = plot_marks()[i % plot_marks().size()];
+  const float r = 0.24f * em(), thick = 0.13f * em();
+  std::vector<ImVec2> corners;
+  for (const ImVec2& corner : mark.corners) corners.emplace_back(at.x + r * corner.x, at.y + r * corner.y);
+  const int n = static_cast<int>(corners.size());
+  if (mark.kind == PlotMark::Kind::filled) return list.AddConvexPolyFilled(corners.data(), n, colour);
+  if (mark.kind == PlotMark::Kind::outline)
+    return list.AddPolyline(corners.data(), n, colour, ImDrawFlags_Closed, thick);
+  for (std::size_t k = 0; k + 1 < corners.size(); k += 2) list.AddLine(corners[k], corners[k + 1], colour, thick);
+}
+
+// From point to point, whole or in dashes.
+void draw_plot_way(ImDrawList& list, std::span<const ImVec2> points, std::size_t i, ImU32 colour) {
+  const float thick = 0.12f * em(), dash = 0.5f * em(), gap = 0.35f * em();
+  if (i % 2 == 0) return list.AddPolyline(points.data(), static_cast<int>(points.size()), colour, 0, thick);
+  float along = 0;  // from the beginning of a dash
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    const ImVec2 a = points[k], way(points[k + 1].x - a.x, points[k + 1].y - a.y);
+    const float length = std::hypot(way.x, way.y);
+    for (float done = 0; done < length;) {
+      const float step = std::min((along < dash ? dash : dash + gap) - along, length - done), share = 1 / length;
+      if (along < dash)
+        list.AddLine({a.x + way.x * done * share, a.y + way.y * done * share},
+                     {a.x + way.x * (done + step) * share, a.y + way.y * (done + step) * share}, colour, thick);
+      done += step;
+      along = along + step >= dash + gap - 1e-3f ? 0 : along + step;
+    }
   }
 }
 
@@ -142,8 +196,8 @@ class PlotDrawing {
     std::vector<ImVec2> drawn;
     for (const glm::dvec2& point : plot_.curves[i].points)
       if (point.x > 0 && point.y > 0) drawn.emplace_back(x_of(point.x), y_of(point.y));
-    list_.AddPolyline(drawn.data(), static_cast<int>(drawn.size()), colour, 0, 0.12f * em());
-    for (const ImVec2& at : drawn) draw_point(list_, at, i, colour);
+    draw_plot_way(list_, drawn, i, colour);
+    for (const ImVec2& at : drawn) draw_plot_mark(list_, at, i, colour);
   }
 
   void draw_list() {
@@ -152,10 +206,12 @@ class PlotDrawing {
     for (std::size_t i = 0; i < plot_.curves.size(); ++i) {
       at.y += line_px();
       const LogCurve& curve = plot_.curves[i];
-      draw_point(list_, {at.x + 0.5f * em(), at.y + 0.5f * em()}, i, colour_of(i, theme_));
+      const ImVec2 sample[] = {{at.x, at.y + 0.5f * em()}, {at.x + 1.9f * em(), at.y + 0.5f * em()}};
+      draw_plot_way(list_, sample, i, colour_of(i, theme_));
+      draw_plot_mark(list_, {at.x + 0.95f * em(), at.y + 0.5f * em()}, i, colour_of(i, theme_));
       const float slope_px = ImGui::CalcTextSize(curve.slope.c_str()).x;
-      const std::string name = fitted(curve.name, list_right_ - at.x - 1.8f * em() - slope_px);
-      list_.AddText({at.x + 1.3f * em(), at.y}, text(), name.c_str());
+      const std::string name = fitted(curve.name, list_right_ - at.x - 2.8f * em() - slope_px);
+      list_.AddText({at.x + 2.3f * em(), at.y}, text(), name.c_str());
       list_.AddText({list_right_ - slope_px, at.y}, text(), curve.slope.c_str());
     }
   }

@@ -151,7 +151,10 @@ void draw_view_menu(PanelContext& context) {
   }
   ImGui::Separator();
   draw_switches(context);
-  panel_items(context, PanelMenu::view);
+  if (ImGui::BeginMenu(context.text("Panels", "パネル"))) {
+    panel_items(context, PanelMenu::view);
+    ImGui::EndMenu();
+  }
 }
 
 void draw_add_menu(PanelContext& context) {

@@ -12,6 +12,7 @@ struct OwnPanel {
   PanelRow row;
   std::unique_ptr<Panel> panel;
   std::unique_ptr<ScopedPanel> added;  // null for those of the list
+  bool was_over = false;               // drawn over the view in the last frame
 };
 
 // What a click on the header does.

@@ -2,6 +2,7 @@
 
 #include "app/editor/command_syntax.h"
 #include "app/editor/commands.h"
+#include "app/editor/pick_modes.h"
 #include "app/editor/words.h"
 
 namespace ryosen {
@@ -53,9 +54,13 @@ Outcome PanelContext::keep(Outcome outcome) {
   if (outcome.done() && !outcome.performed.empty())
     state.last_outcome = {outcome.performed + ": " + ryosen::text(UiText::done, Language::english),
                           outcome.performed + "：" + ryosen::text(UiText::done, Language::japanese)};
-  if (outcome.done() && !outcome.performed.empty() && !outcome.sentence.en.empty())
+  state.last_short = {};
+  if (outcome.done() && !outcome.performed.empty() && !outcome.sentence.en.empty()) {
+    const std::string id = outcome.performed.substr(0, outcome.performed.find(' '));
     state.last_outcome = {outcome.performed + ": " + outcome.sentence.en,
                           outcome.performed + "：" + outcome.sentence.ja};
+    state.last_short = {id + ": " + outcome.sentence.en, id + "：" + outcome.sentence.ja};
+  }
   return outcome;
 }
 
@@ -106,7 +111,20 @@ Outcome PanelContext::run_from(const std::string& line, const std::string& panel
 }
 
 Outcome PanelContext::click(const Navigation::Click& click) {
-  return keep(session.click(click.pixel, session.tool, click.modifiers));
+  Outcome outcome = session.click(click.pixel, session.tool, click.modifiers);
+  // Of the mesh something is there, but nothing that can be selected now.
+  const bool misses = outcome.done() && session.tool.empty() && session.selection.empty() &&
+                      outcome.performed.empty() && outcome.sentence.en.empty() && session.mode != PickMode::face;
+  if (misses && session.pick(click.pixel, PickMode::face)) {
+    const PickModeRow& sort = pick_modes[static_cast<std::size_t>(session.mode)];
+    Outcome told;
+    told.sentence = Text{std::string(sort.point_en), std::string(sort.point_ja)} +
+                    Text{" 1 to 4 choose what a click selects: vertices, edges, faces, halfedges.",
+                         "1〜4 で選ぶもの（頂点、稜線、面、半稜線）を切り替えます。"};
+    keep(std::move(told));
+    return outcome;
+  }
+  return keep(std::move(outcome));
 }
 
 Outcome PanelContext::open(PanelOpener opener) { return run("panel " + std::string(panel_opened_by(opener).id)); }

@@ -34,6 +34,7 @@ struct WaitingLine {
 // What the panels share beside the session. What one of them alone remembers are members of its own.
 struct GuiState {
   Text last_outcome;  // of the last command that was sent from here
+  Text last_short;    // the same without the command's values, where there is no room for them; may be empty
   Outcome::Kind last_kind = Outcome::Kind::done;
   bool wants_quit = false;  // confirmed
   bool is_laying_out = false;
@@ -102,6 +103,10 @@ class Panel {
   virtual ~Panel() = default;
   // The content, within the column or window that it has.
   virtual void draw(PanelContext& context) = 0;
+  // It was drawn in the last frame and is not any more.
+  virtual void closed(PanelContext& context) { static_cast<void>(context); }
+  // Over the view: at its right end, and the view is not dimmed, so that what it does can be seen there.
+  virtual bool leaves_view() const { return false; }
   // At scale 1, over the view; a column gives as much as is needed.
   virtual ImVec2 size() const { return {560, 360}; }
   // In a column: how many lines it always takes, so that what is below stays where it is when the content follows the

@@ -11,6 +11,10 @@ namespace ryosen {
 
 bool draw_parameter_field(PanelContext& context, const ParameterRow& row, std::string& text) {
   const std::string id = "##" + std::string(row.id);
+  const char* const of_selection = context.text("Selection", "選択中の要素");
+  const bool takes_elements = row.kind == ParameterKind::elements;
+  const float button = ImGui::CalcTextSize(of_selection).x + 2 * ImGui::GetStyle().FramePadding.x;
+  ImGui::SetNextItemWidth(takes_elements ? -button - ImGui::GetStyle().ItemSpacing.x : -1);
   if (row.kind == ParameterKind::flag) {
     bool is_on = text == "on";
     if (ImGui::Checkbox(id.c_str(), &is_on)) text = is_on ? "on" : "off";
@@ -28,10 +32,11 @@ bool draw_parameter_field(PanelContext& context, const ParameterRow& row, std::s
   }
   const bool entered =
       ImGui::InputText(id.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  if (row.kind != ParameterKind::elements) return entered;
+  if (!takes_elements) return entered;
   ImGui::SameLine();
-  if (ImGui::Button(context.text("Selection", "選択中の要素"))) {
+  if (ImGui::Button(of_selection)) {
     text.clear();
+    context.session.end_trial();  // what is shown before it is run has no selection
     for (const std::string& name : context.session.selected_names()) text += (text.empty() ? "" : ",") + name;
   }
   return entered;

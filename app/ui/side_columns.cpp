@@ -55,11 +55,22 @@ bool lies_in(const PanelContext& context, const PanelRow& row, PanelPlace side) 
 
 }  // namespace
 
+// Scrolls the column so that a panel which was drawn from here on is seen whole, or from its header on where it is higher
+// than the column; until it lies in a frame where it lay in the one before.
+void SideColumns::show_wanted(PanelContext& context, float begin, float height) {
+  const float end = ImGui::GetCursorPosY(), scroll = ImGui::GetScrollY();
+  ImGui::SetScrollY(std::min(begin, std::max(scroll, end - height)));
+  const bool is_settled = begin == std::exchange(wanted_begin_, begin) && end == std::exchange(wanted_end_, end);
+  if (!is_settled) return context.state.unsettle();
+  context.session.layout.wanted.clear();
+  wanted_begin_ = wanted_end_ = -1;
+}
+
 void SideColumns::draw_column(PanelContext& context, PanelPlace side, const Areas& areas,
                               std::vector<OwnPanel>& panels) {
   const PixelRect& area = areas.column(side);
   if (area.empty()) return;
-  if (areas.has_tabs) return draw_tabs(context, side, area);
+  if (areas.has_tabs) return draw_tabs(context, side, area, tab_lanes(areas, side, context.scale));
   const bool is_left = side == PanelPlace::left;
   const float border = std::round(border_px * context.scale), x = static_cast<float>(area.x0);
   ImGui::SetNextWindowPos({is_left ? x : x + border, static_cast<float>(area.y0)});
@@ -71,8 +82,12 @@ void SideColumns::draw_column(PanelContext& context, PanelPlace side, const Area
   bool& is_tight = is_tight_[is_left ? 0 : 1];
   context.state.is_tight = is_tight;
   context.state.saved_px = 0;
-  for (OwnPanel& own : panels)
-    if (lies_in(context, own.row, side)) draw_framed(context, own, HeaderClick::folds);
+  for (OwnPanel& own : panels) {
+    if (!lies_in(context, own.row, side)) continue;
+    const float begin = ImGui::GetCursorPosY();
+    draw_framed(context, own, HeaderClick::folds);
+    if (context.session.layout.wanted == own.row.id) show_wanted(context, begin, static_cast<float>(area.height()));
+  }
   // By what the whole would need, so that it does not come and go.
   const float whole = ImGui::GetCursorPosY() + context.state.saved_px;
   if (std::exchange(is_tight, whole > static_cast<float>(area.height())) != context.state.is_tight)
@@ -111,9 +126,18 @@ void SideColumns::draw_flyout(PanelContext& context, const Areas& areas, std::ve
 }
 
 void SideColumns::draw(PanelContext& context, const Areas& areas, std::vector<OwnPanel>& panels) {
+  // Behind a tab a panel is shown by being opened.
+  if (std::string& wanted = context.session.layout.wanted; areas.has_tabs && !wanted.empty())
+    context.session.layout.flyout = std::exchange(wanted, {});
   draw_column(context, PanelPlace::left, areas, panels);
   draw_column(context, PanelPlace::right, areas, panels);
   draw_flyout(context, areas, panels);
+}
+
+glm::dvec2 SideColumns::covered_px(const PixelRect& view) const {
+  if (flyout_size_.x <= 0) return {0, 0};
+  const bool is_left = flyout_at_.x <= static_cast<float>(view.x0);
+  return is_left ? glm::dvec2(flyout_size_.x, 0) : glm::dvec2(0, flyout_size_.x);
 }
 
 bool SideColumns::covers(glm::dvec2 pixel) const {

@@ -13,18 +13,22 @@ namespace ryosen {
 class SideColumns {
  public:
   void draw(PanelContext& context, const Areas& areas, std::vector<OwnPanel>& panels);
-  // Whether the panel that a tab has opened lies over a pixel.
+  // How much of the view's width the panel that a tab has opened covers, at its left and at its right.
+  glm::dvec2 covered_px(const PixelRect& view) const;
+  // Whether that panel lies over a pixel.
   bool covers(glm::dvec2 pixel) const;
 
  private:
   void draw_column(PanelContext& context, PanelPlace side, const Areas& areas, std::vector<OwnPanel>& panels);
+  void show_wanted(PanelContext& context, float begin, float height);
   void draw_flyout(PanelContext& context, const Areas& areas, std::vector<OwnPanel>& panels);
 
   bool is_tight_[2] = {};                       // the left and the right column, as they were in the last frame
   ImVec2 flyout_at_{0, 0}, flyout_size_{0, 0};  // of the last frame
+  float wanted_begin_ = -1, wanted_end_ = -1;   // of the panel that is scrolled to, as it lay in the last frame
 };
 
-// A strip of tabs, one for each panel of the column.
-void draw_tabs(PanelContext& context, PanelPlace side, const PixelRect& area);
+// Strips of tabs, one tab for each panel of the column.
+void draw_tabs(PanelContext& context, PanelPlace side, const PixelRect& area, int lanes);
 
 }  // namespace ryosen

@@ -36,7 +36,7 @@ std::string drag_for(const PanelContext& context, Gesture gesture) {
   return row == preset.drags.end() ? "" : name_of(*row).in(context.language());
 }
 
-void draw_hints(PanelContext& context) {
+std::vector<std::string> hints_of_start(const PanelContext& context) {
   const bool ja = context.language() == Language::japanese;
   const std::string orbit = drag_for(context, Gesture::orbit), pan = drag_for(context, Gesture::pan),
                     undo = chord_of(context.session, "undo"), save = chord_of(context.session, "save"),
@@ -49,14 +49,16 @@ void draw_hints(PanelContext& context) {
                "（辺細分）を押し、稜線を指すと結果が見え、クリックで実行します。"
          : "Edit: press " + collapse + " to collapse or " + split + " to split, point at an edge and click.";
   const std::string moving =
-      ja ? "動かす：クリックで選び、矢印をドラッグするか、" + move + " を押してから動かしてクリックします。"
-         : "Move: click to select, then drag an arrow, or press " + move + ", move the pointer and click.";
+      ja ? "動かす：Esc で道具を置き、クリックで選び、矢印をドラッグするか、" + move +
+               " を押してから動かしてクリックします。"
+         : "Move: Esc puts the tool away, a click selects; drag an arrow, or press " + move + ", move, click.";
   const std::string take_back = ja ? "戻す：" + undo + "（正確に元へ戻ります）。保存：" + save + "。"
                                    : "Undo: " + undo + " takes back every edit exactly. Save: " + save + ".";
-  dim_text(context, look.c_str());
-  dim_text(context, edit.c_str());
-  dim_text(context, moving.c_str());
-  dim_text(context, take_back.c_str());
+  return {look, edit, moving, take_back};
+}
+
+void draw_hints(PanelContext& context) {
+  for (const std::string& hint : hints_of_start(context)) dim_text(context, hint.c_str());
 }
 
 }  // namespace
@@ -75,13 +77,16 @@ void StartPage::entry(PanelContext& context, const std::string& name, const std:
   ImGui::PopStyleVar();
   ImGui::EndDisabled();
   entries_.push_back({line, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
-  if (has_keys_ && focus_ + 1 == entries_.size()) {
-    ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
-                                        ImGui::GetColorU32(context.colours().accent), 4 * context.scale, 0,
-                                        2 * context.scale);
-    ImGui::SetScrollHereY();
-  }
+  mark_focus(context);
   ImGui::PopID();
+}
+
+void StartPage::mark_focus(PanelContext& context) const {
+  if (!has_keys_ || focus_ + 1 != entries_.size()) return;
+  ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                                      ImGui::GetColorU32(context.colours().accent), 4 * context.scale, 0,
+                                      2 * context.scale);
+  ImGui::SetScrollHereY();
 }
 
 void StartPage::look_for_recent(const std::vector<std::string>& files) {
@@ -93,11 +98,11 @@ void StartPage::look_for_recent(const std::vector<std::string>& files) {
   for (const std::string& file : files) recent_.emplace_back(file, std::filesystem::is_regular_file(file, ignored));
 }
 
-void StartPage::draw_recent(PanelContext& context) {
+void StartPage::draw_recent(PanelContext& context, std::size_t most) {
   look_for_recent(context.session.recent);
-  if (recent_.empty()) return;
+  if (recent_.empty() || most == 0) return;
   heading(context, context.text("Recent files", "最近のファイル"));
-  for (const auto& [file, is_there] : recent_) {
+  for (const auto& [file, is_there] : std::span(recent_).first(std::min(most, recent_.size()))) {
     const std::string name = std::filesystem::path(file).filename().string();
     const std::string gone = context.text(" (not there any more)", "（見つかりません）");
     entry(context, is_there ? name : name + gone, is_there ? "open " + file_argument(file) : "", true);
@@ -105,11 +110,11 @@ void StartPage::draw_recent(PanelContext& context) {
   }
 }
 
-void StartPage::draw_beginnings(PanelContext& context) {
+void StartPage::draw_beginnings(PanelContext& context, std::size_t most_recent) {
   entry(context, context.text("New, an empty mesh", "新規（空のメッシュ）"), "new", true);
   entry(context, context.text("Open...", "開く..."), "panel open", true);
   dim_text(context, context.text("or drop a file here", "またはここにファイルをドロップ"));
-  draw_recent(context);
+  draw_recent(context, most_recent);
 }
 
 // As many in a line as there is room for.
@@ -126,6 +131,9 @@ void StartPage::draw_shapes(PanelContext& context) {
     entry(context, name, line_of(row, ParameterValues()), false);
     tip(context.text(row.help_en, row.help_ja));
   }
+}
+
+void StartPage::draw_exercises(PanelContext& context) {
   heading(context, context.text("An exercise, step by step", "演習（一手ずつ）"));
   for (const ExerciseScript& exercise : exercise_scripts()) {
     entry(context, name_of_exercise(exercise).in(context.language()), "exercise " + std::string(exercise.id), true);
@@ -155,6 +163,11 @@ void StartPage::draw_figures(PanelContext& context) {
   }
 }
 
+void StartPage::take(const Entry& entry) {
+  taken_ = entry.line;
+  part_ = entry.opens.value_or(part_);
+}
+
 // To the nearest entry in the direction, by what is drawn.
 void StartPage::follow_keys() {
   const ImVec2 steps[] = {{0, -1}, {0, 1}, {-1, 0}, {1, 0}};
@@ -162,10 +175,7 @@ void StartPage::follow_keys() {
   focus_ = std::min(focus_, entries_.size() - 1);
   for (std::size_t k = 0; k < taken_keys.size(); ++k) {
     if (!ImGui::IsKeyPressed(taken_keys[k].second)) continue;
-    if (k == 4) {
-      if (has_keys_) taken_ = entries_[focus_].line;
-      return;
-    }
+    if (k == 4) return has_keys_ ? take(entries_[focus_]) : void();
     if (!std::exchange(has_keys_, true)) return;  // the first press shows where it is
     const ImVec2 from = middle(entries_[focus_]);
     float nearest = 0;
@@ -174,7 +184,7 @@ void StartPage::follow_keys() {
       const ImVec2 at = middle(entries_[i]), by(at.x - from.x, at.y - from.y);
       const float along = by.x * steps[k].x + by.y * steps[k].y;
       const float aside = std::abs(by.x * steps[k].y) + std::abs(by.y * steps[k].x);
-      if (along < 4 || entries_[i].line.empty()) continue;
+      if (along < 4 || (entries_[i].line.empty() && !entries_[i].opens)) continue;
       const float cost = along + (k < 2 ? 0.3f : 3.f) * aside;
       if (found != focus_ && cost >= nearest) continue;
       found = i;
@@ -182,6 +192,63 @@ void StartPage::follow_keys() {
     }
     focus_ = found;
   }
+}
+
+void StartPage::draw_whole(PanelContext& context) {
+  if (ImGui::BeginTable("ways", 2, ImGuiTableFlags_SizingStretchSame)) {
+    ImGui::TableNextColumn();
+    draw_beginnings(context, recent_.max_size());
+    ImGui::TableNextColumn();
+    draw_shapes(context);
+    draw_exercises(context);
+    ImGui::EndTable();
+  }
+  draw_figures(context);
+  ImGui::Separator();
+  draw_hints(context);
+}
+
+// The hints keep their place at the bottom, whatever part is shown.
+void StartPage::draw_tabs(PanelContext& context, float height) {
+  const struct {
+    Part part;
+    const char* name;
+  } tabs[] = {{Part::beginnings, context.text("Files", "ファイル")},
+              {Part::shapes, context.text("Shapes", "基本形状")},
+              {Part::exercises, context.text("Exercises", "演習")},
+              {Part::figures, context.text("Figures", "図")}};
+  for (const auto& [part, name] : tabs) {
+    if (part != tabs[0].part) ImGui::SameLine();
+    const bool is_shown = part == part_;
+    ImGui::PushStyleColor(ImGuiCol_Button,
+                          ImGui::GetStyleColorVec4(is_shown ? ImGuiCol_ButtonActive : ImGuiCol_Header));
+    const bool is_taken = ImGui::Button(name);
+    ImGui::PopStyleColor();
+    entries_.push_back({{}, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), part});
+    mark_focus(context);
+    if (is_taken) take(entries_.back());
+  }
+  const float width = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.y;
+  float hints = ImGui::GetStyle().WindowPadding.y + 2 * gap;
+  for (const std::string& hint : hints_of_start(context)) hints += wrapped_size(hint, width).y + gap;
+  const float room = height - hints - ImGui::GetCursorPosY(), row = ImGui::GetFrameHeightWithSpacing();
+  const float recent = room - 2 * row - 2 * ImGui::GetTextLineHeightWithSpacing();
+  switch (part_) {
+    case Part::beginnings:
+      draw_beginnings(context, static_cast<std::size_t>(std::max(recent / row, 0.f)));
+      break;
+    case Part::shapes:
+      draw_shapes(context);
+      break;
+    case Part::exercises:
+      draw_exercises(context);
+      break;
+    case Part::figures:
+      draw_figures(context);
+  }
+  ImGui::SetCursorPosY(std::max(height - hints, ImGui::GetCursorPosY()));
+  ImGui::Separator();
+  draw_hints(context);
 }
 
 void StartPage::draw(PanelContext& context) {
@@ -206,17 +273,16 @@ void StartPage::draw(PanelContext& context) {
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoMove);
   entries_.clear();
   taken_.clear();
+  const Measured now{width, ImGui::GetFontSize(), context.language(), session.recent.size()};
+  const bool is_known = measured_ == now;
   heading(context, context.text("Ryosen: where do you want to begin?", "稜線：何から始めますか"));
-  if (ImGui::BeginTable("ways", 2, ImGuiTableFlags_SizingStretchSame)) {
-    ImGui::TableNextColumn();
-    draw_beginnings(context);
-    ImGui::TableNextColumn();
-    draw_shapes(context);
-    ImGui::EndTable();
-  }
-  draw_figures(context);
-  ImGui::Separator();
-  draw_hints(context);
+  if (is_known && whole_height_ > room.y)
+    draw_tabs(context, room.y);
+  else
+    draw_whole(context);
+  if (!is_known || whole_height_ <= room.y) whole_height_ = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y;
+  if (!is_known) context.state.unsettle();
+  measured_ = now;
   const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   context.state.notes.push_back({static_cast<int>(at.x), static_cast<int>(at.y), static_cast<int>(at.x + size.x),
                                  static_cast<int>(at.y + size.y)});

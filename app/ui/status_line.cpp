@@ -100,15 +100,19 @@ void draw_hints(PanelContext& context, const std::vector<Hint>& hints, float roo
   }
 }
 
-// At the right, with an ellipsis where it does not fit.
+// At the right; where it does not fit without the values of the command, or with an ellipsis, and then whole in a tooltip.
 void draw_said(PanelContext& context, const std::string& said, float end, float room) {
   const ImVec4 colour = context.state.last_kind == Outcome::Kind::done      ? context.colours().legal
                         : context.state.last_kind == Outcome::Kind::refused ? context.colours().refused
                                                                             : context.colours().warning;
-  ImGui::SetCursorPosX(end - std::min(room, ImGui::CalcTextSize(said.c_str()).x));
+  const std::string& brief = context.state.last_short.in(context.language());
+  const bool is_brief = !brief.empty() && ImGui::CalcTextSize(said.c_str()).x > room;
+  const std::string shown = fitted(is_brief ? brief : said, room);
+  ImGui::SetCursorPosX(end - std::min(room, ImGui::CalcTextSize(shown.c_str()).x));
   ImGui::PushStyleColor(ImGuiCol_Text, colour);
-  fitted_text(said, room);
+  ImGui::TextUnformatted(shown.c_str());
   ImGui::PopStyleColor();
+  if (shown != said) tip(said);
 }
 
 void draw_line(PanelContext& context, float width, float padding) {

@@ -28,6 +28,19 @@ void turned_text(ImVec2 middle, const std::string& text, ImU32 colour, bool upwa
   }
 }
 
+// The most that one of these heights may be so that together, with gaps between them, they fit into a room.
+float most_of_each(const std::vector<float>& heights, float room, float gap) {
+  std::vector<float> by_size = heights;
+  std::sort(by_size.begin(), by_size.end());
+  float left = room - gap;
+  for (std::size_t i = 0; i < by_size.size(); ++i) {
+    const float share = left / static_cast<float>(by_size.size() - i) - gap;
+    if (by_size[i] > share) return share;
+    left -= by_size[i] + gap;
+  }
+  return room;
+}
+
 // A click opens the panel, another closes it.
 void draw_tab(PanelContext& context, PanelPlace side, const PanelRow& row, ImVec2 size, float letters) {
   const bool is_open = context.session.layout.flyout == row.id;
@@ -53,14 +66,15 @@ void draw_tab(PanelContext& context, PanelPlace side, const PanelRow& row, ImVec
 
 }  // namespace
 
-void draw_tabs(PanelContext& context, PanelPlace side, const PixelRect& area) {
+void draw_tabs(PanelContext& context, PanelPlace side, const PixelRect& area, int lanes) {
   std::vector<const PanelRow*> rows;
   const Layout& layout = context.session.layout;
   for (const PanelRow& row : panel_list())
     if (row.place != PanelPlace::over && layout.side_of(row) == side && layout.is_shown(row)) rows.push_back(&row);
   const float gap = 3 * context.scale, ends = 9 * context.scale;
+  const std::size_t in_lane = (rows.size() + static_cast<std::size_t>(lanes) - 1) / static_cast<std::size_t>(lanes);
   const ImVec2 size{static_cast<float>(area.width()), static_cast<float>(area.height())};
-  const float most = (size.y - gap) / static_cast<float>(std::max<std::size_t>(rows.size(), 1)) - gap;
+  const float width = (size.x - gap) / static_cast<float>(lanes) - gap;
   ImGui::SetNextWindowPos({static_cast<float>(area.x0), static_cast<float>(area.y0)});
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
@@ -70,10 +84,18 @@ void draw_tabs(PanelContext& context, PanelPlace side, const PixelRect& area) {
   ImGui::Begin(side == PanelPlace::left ? "##left" : "##right", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing);
-  for (const PanelRow* const row : rows) {
-    const float wanted = ImGui::CalcTextSize(context.short_title(*row)).x + 2 * ends;
-    const float height = std::max(std::floor(std::min(wanted, most)), 1.f);
-    draw_tab(context, side, *row, {size.x - 2 * gap, height}, height - ends);
+  for (std::size_t first = 0; first < rows.size(); first += in_lane) {
+    std::vector<float> heights;
+    for (std::size_t i = first; i < std::min(first + in_lane, rows.size()); ++i)
+      heights.push_back(ImGui::CalcTextSize(context.short_title(*rows[i])).x + 2 * ends);
+    const float most = most_of_each(heights, size.y, gap);
+    float y = gap;
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+      const float height = std::max(std::floor(std::min(heights[i], most)), 1.f);
+      ImGui::SetCursorPos({gap + static_cast<float>(first / in_lane) * (width + gap), y});
+      draw_tab(context, side, *rows[first + i], {width, height}, height - ends);
+      y += height + gap;
+    }
   }
   ImGui::End();
   ImGui::PopStyleVar(4);

@@ -1,9 +1,8 @@
 #include "app/ui/widgets.h"
 
-#include <imgui_internal.h>  // which window a tooltip belongs to
+#include <imgui_internal.h>  // that the keyboard chooses in a window
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -63,21 +62,36 @@ const char* end_of_line(const char* begin, const char* end, float width_px) {
   return at == begin && at < end ? behind_letter(at, end) : with_kanji(begin, at, end, width_px);
 }
 
+// Calls each(begin, end) of every line of a text no wider than that; at least once.
+template <class Each>
+void for_each_line(std::string_view text, float width_px, Each each) {
+  const char *at = text.data(), *const end = at + text.size();
+  do {
+    const char* const line_end = end_of_line(at, end, width_px);
+    each(at, line_end);
+    at = line_end;
+    while (at < end && *at == ' ') ++at;
+    if (at < end && *at == '\n') ++at;
+  } while (at < end);
+}
+
 }  // namespace
 
 void wrapped_text(const char* text) { wrapped_text(text, ImGui::GetContentRegionAvail().x); }
 
 void wrapped_text(std::string_view text, float width_px) {
-  const char *at = text.data(), *const end = at + text.size();
   ImGui::BeginGroup();
-  do {
-    const char* const line_end = end_of_line(at, end, width_px);
-    ImGui::TextUnformatted(at, line_end);
-    at = line_end;
-    while (at < end && *at == ' ') ++at;
-    if (at < end && *at == '\n') ++at;
-  } while (at < end);
+  for_each_line(text, width_px, [](const char* begin, const char* end) { ImGui::TextUnformatted(begin, end); });
   ImGui::EndGroup();
+}
+
+ImVec2 wrapped_size(std::string_view text, float width_px) {
+  ImVec2 size(0, -ImGui::GetStyle().ItemSpacing.y);
+  for_each_line(text, width_px, [&](const char* begin, const char* end) {
+    const ImVec2 line = ImGui::CalcTextSize(begin, end);
+    size = {std::max(size.x, line.x), size.y + line.y + ImGui::GetStyle().ItemSpacing.y};
+  });
+  return size;
 }
 
 void coloured_text(const ImVec4& colour, const char* text) {
@@ -217,14 +231,15 @@ void fitted_text(const std::string& text, float width_px) {
   if (shown != text) tip(text);
 }
 
-bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size) {
+bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size, bool leaves_view) {
   const bool wanted = context.session.open_panel == row.id;
   const std::string name = context.title(row) + ("###" + std::string(row.id));
   if (!wanted && !ImGui::IsPopupOpen(name.c_str())) return false;
   if (!ImGui::IsPopupOpen(name.c_str())) ImGui::OpenPopup(name.c_str());
   const ImVec2 all = ImGui::GetIO().DisplaySize;
   const ImVec2 scaled{std::min(size.x * context.scale, all.x - 20), std::min(size.y * context.scale, all.y - 20)};
-  ImGui::SetNextWindowPos({std::floor((all.x - scaled.x) / 2), std::floor((all.y - scaled.y) / 2)});
+  const float left = leaves_view ? all.x - scaled.x - 10 : std::floor((all.x - scaled.x) / 2);
+  ImGui::SetNextWindowPos({left, std::floor((all.y - scaled.y) / 2)});
   ImGui::SetNextWindowSize(scaled);
   bool stays_open = true;
   const bool is_shown = ImGui::BeginPopupModal(name.c_str(), &stays_open,
@@ -260,39 +275,6 @@ std::string short_number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
   return text[0] == '-' ? "\u2212" + std::string(text + 1) : std::string(text);
-}
-
-void tip(std::string_view text, ImGuiHoveredFlags hovered) {
-  if (ImGui::IsItemHovered(hovered)) tip_shown(text);
-}
-
-void tip_shown(std::string_view text) {
-  const ImGuiWindow& panel = *ImGui::GetCurrentWindow()->RootWindow;
-  const ImVec2 all = ImGui::GetIO().DisplaySize, first = ImGui::GetItemRectMin(), last = ImGui::GetItemRectMax();
-  const float em = ImGui::GetFontSize(), gap = em / 2;
-  const float before = panel.Pos.x, behind = all.x - panel.Pos.x - panel.Size.x;
-  const float room = std::max(before, behind) - 2 * gap - 2 * ImGui::GetStyle().WindowPadding.x;
-  const bool is_beside = room > 8 * em;
-  const float width = is_beside ? std::min(22 * em, room) : 22 * em;
-  if (!is_beside) {  // above what it is about: what follows there may be clicked next
-    const float wide = std::min(width, ImGui::CalcTextSize(text.data(), text.data() + text.size()).x) +
-                       2 * ImGui::GetStyle().WindowPadding.x;
-    const bool has_room = first.y > 5 * em;
-    ImGui::SetNextWindowPos(
-        {std::max(0.f, std::min(first.x, all.x - wide)), has_room ? first.y - gap : last.y + 4 * em}, 0,
-        {0, has_room ? 1.f : 0.f});
-  }
-  if (is_beside) {
-    const bool goes_right = behind >= before, hangs = first.y < 0.6f * all.y;
-    ImGui::SetNextWindowPos(
-        {goes_right ? panel.Pos.x + panel.Size.x + gap : panel.Pos.x - gap, hangs ? first.y : last.y}, 0,
-        {goes_right ? 0.f : 1.f, hangs ? 0.f : 1.f});
-  }
-  ImGui::BeginTooltip();
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-  wrapped_text(text, width);
-  ImGui::PopStyleVar();
-  ImGui::EndTooltip();
 }
 
 }  // namespace ryosen

@@ -14,6 +14,8 @@ namespace ryosen {
 void wrapped_text(const char* text);
 // The same at a width.
 void wrapped_text(std::string_view text, float width_px);
+// How large that would be.
+ImVec2 wrapped_size(std::string_view text, float width_px);
 void coloured_text(const ImVec4& colour, const char* text);
 void dim_text(PanelContext& context, const char* text);
 // A dim label and a value in two columns, the second at `column` font heights or after a longer label.
@@ -41,9 +43,10 @@ std::string fitted(std::string_view text, float width_px);
 // A line of text that fits the panel, the whole beside it when it is hovered.
 void fitted_text(const std::string& text, float width_px);
 
-// A panel in the middle over everything else, while session.open_panel names it. False when there is nothing to fill;
+// A panel over everything else, while session.open_panel names it: in the middle, or at the right where it leaves the view
+// to be seen. False when there is nothing to fill;
 // else end_over() must follow.
-bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size);
+bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size, bool leaves_view = false);
 void end_over();
 
 // The chord of the key that sends a command, or nothing.

@@ -61,7 +61,7 @@ constexpr std::array built_in{
                  .tint = FaceTint{FacePattern::diagonal, 0.7f}},
     HighlightRow{.id = "hanging",
                  .name_en = "Hanging pairs",
-                 .name_ja = "縮退",
+                 .name_ja = "背中合わせ",
                  .legend_en = "Pairs of triangles that lie back to back and hang on one edge at most.",
                  .legend_ja = "背中合わせに重なり、高々一本の稜線でつながる三角形の組。",
                  .kinds = {Kind::hanging_pair},

@@ -62,6 +62,12 @@ TEST(form_growth_command, writes_the_curves_in_both_themes_and_languages) {
   for (std::size_t i = 1; i < pictures.size(); ++i) EXPECT_FALSE(pictures[i] == pictures[0]) << i;
 }
 
+TEST(form_growth_command, says_where_a_mesh_has_one_size_alone) {
+  const std::string small = run_program({"forms", asset("tetrahedron.off"), "--growth", "--lang", "en"}).out;
+  EXPECT_EQ(small.find("Measured at one size alone, 4 faces: too few"), 0u) << small;
+  EXPECT_EQ(run_program({"forms", asset("torus.off"), "--growth", "--lang", "en"}).out.find("Growth from "), 0u);
+}
+
 TEST(form_growth_command, takes_only_what_goes_together) {
   TemporaryFolder folder;
   const std::string mesh = asset("torus.off"), empty = folder.write("empty.off", "OFF\n0 0 0\n");

@@ -1,10 +1,14 @@
 // The panel of growth: it measures beside the frames when its button is pressed, and can be cancelled.
 #include <gtest/gtest.h>
 
+#include <imgui.h>
+
 #include <chrono>
+#include <set>
 #include <thread>
 
 #include "app/editor/growth_work.h"
+#include "app/ui/log_plot.h"
 #include "core/forms/pairing.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
@@ -69,6 +73,30 @@ TEST(growth_work, runs_beside_and_keeps_what_it_found_before) {
   work.begin(nullptr);
   work.cancel();
   EXPECT_EQ(work.curves().size(), found);
+}
+
+// The places of what is drawn of a plot with so many curves, of which this one alone has a point.
+std::vector<std::pair<float, float>> drawn_with_point_of(std::size_t k, std::size_t curves) {
+  LogPlot plot{"", "", "", "", std::vector<LogCurve>(curves)};
+  plot.curves[k].points = {{10, 10}};
+  ImDrawList list(ImGui::GetDrawListSharedData());
+  list._ResetForNewFrame();
+  list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+  list.PushClipRectFullScreen();
+  draw_log_plot(list, {0, 0}, 600, plot, Theme::dark);
+  std::vector<std::pair<float, float>> places;
+  for (const ImDrawVert& vertex : list.VtxBuffer) places.emplace_back(vertex.pos.x, vertex.pos.y);
+  return places;
+}
+
+TEST_F(GrowthPanelTest, each_curve_has_a_mark_of_its_own_without_its_colour) {
+  gui.prepare(session);
+  ImGui::NewFrame();                  // there is a font
+  constexpr std::size_t curves = 14;  // as many as a plot of queries has
+  std::set<std::vector<std::pair<float, float>>> marks;
+  for (std::size_t k = 0; k < curves; ++k) marks.insert(drawn_with_point_of(k, curves));
+  ImGui::EndFrame();
+  EXPECT_EQ(marks.size(), curves);
 }
 
 }  // namespace

@@ -151,6 +151,33 @@ TEST_F(LayoutTest, the_columns_take_widths_within_limits_and_the_view_keeps_its_
   EXPECT_TRUE(session.log().empty());
 }
 
+TEST_F(LayoutTest, a_panel_that_is_asked_for_is_scrolled_to) {
+  LayoutTest::size_ = {1280, 800};
+  open("fin.obj");
+  for (const char* line : {"select f0", "poke f0"}) run(line);
+  for (const PanelRow& row : panel_list()) {
+    if (row.place == PanelPlace::over) continue;
+    ASSERT_TRUE(session.run("panel " + std::string(row.id) + " on").done());
+    frames(6);
+    const char* const column = session.layout.side_of(row) == PanelPlace::left ? "##left" : "##right";
+    const float scrolled = ImGui::FindWindowByName(column)->Scroll.y;
+    const glm::dvec2 title = place(row.title_en);
+    EXPECT_GE(title.y, view().y0) << row.id;
+    EXPECT_LT(title.y, view().y1 - 20) << row.id << ", the whole header";
+    frames(3);
+    EXPECT_EQ(ImGui::FindWindowByName(column)->Scroll.y, scrolled) << "it stays there";
+    EXPECT_EQ(session.layout.wanted, "") << row.id;
+  }
+  const PixelRect column = areas_of(session.layout, {1280, 800}, 1).right;
+  gui.pointer({(column.x0 + column.x1) / 2.0, column.y0 + 100.0});
+  gui.wheel(50);
+  frames(4);
+  EXPECT_EQ(ImGui::FindWindowByName("##right")->Scroll.y, 0) << "it may be scrolled away again";
+  run("levels");
+  EXPECT_GE(place("Levels of detail").y, view().y0);
+  EXPECT_LT(place("Levels of detail").y, view().y1 - 20) << "whatever opens it";
+}
+
 TEST_F(LayoutTest, its_commands_bring_it_back) {
   EXPECT_TRUE(session.layout.commands().empty());
   const std::vector<std::string> lines{"panel tools right", "panel totals off", "panel history fold",
@@ -207,6 +234,15 @@ TEST_F(NarrowWindow, a_tab_opens_its_panel_and_another_click_closes_it) {
   EXPECT_EQ(session.layout.flyout, "");
   run("panel tools flyout");
   EXPECT_TRUE(is_seen("Collapse edge"));
+}
+
+TEST_F(NarrowWindow, a_panel_that_is_asked_for_is_opened_behind_its_tab) {
+  run("panel colours on");
+  EXPECT_EQ(session.layout.flyout, "colours");
+  run("panel none");
+  run("levels");
+  EXPECT_EQ(session.layout.flyout, "levels");
+  EXPECT_TRUE(is_seen("Keep this level"));
 }
 
 TEST_F(NarrowWindow, a_click_into_the_view_closes_what_a_tab_has_opened_and_does_nothing_else) {

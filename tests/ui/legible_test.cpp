@@ -44,9 +44,10 @@ TEST_P(LegibleTest, no_text_is_cut_or_lies_over_another_in_either_language) {
     laid.frames(4);
     const DrawnText text(laid.gui);
     EXPECT_EQ(text.cut_sideways(), "") << where;
+    EXPECT_EQ(text.cut_in_height(), "") << where;
     EXPECT_EQ(text.overlapping(), "") << where;
   };
-  for (const std::string& mesh : {test::asset("fin.obj"), soup}) {
+  for (const std::string& mesh : {test::asset("fin.obj"), test::asset("torus.off"), soup}) {
     ASSERT_TRUE(laid.session.run("open " + file_argument(mesh)).done());
     laid.session.run("select f0");
     for (const std::string language : {"en", "ja"}) {
@@ -132,6 +133,17 @@ TEST(legible, a_long_sentence_ends_with_an_ellipsis_and_is_whole_when_it_is_poin
     laid.frames(3);
     EXPECT_EQ(DrawnText(laid.gui).count(std::string(200, 'x')), 1u) << width;
   }
+}
+
+TEST(legible, a_result_that_is_longer_than_its_line_leaves_out_the_values_that_were_given) {
+  Laid laid("torus.off", {1280, 800});
+  laid.gui.run(laid.session, "simplify faces=60");
+  laid.frames(3);
+  EXPECT_EQ(DrawnText(laid.gui).count("no_self_intersections"), 0u);
+  EXPECT_EQ(DrawnText(laid.gui).count("simplify: From 96 to 60 faces."), 1u) << laid.gui.said().en;
+  laid.gui.pointer({1200, 790});
+  laid.frames(3);
+  EXPECT_GE(DrawnText(laid.gui).count("no_self_intersections"), 1u) << "the whole beside the pointer";
 }
 
 TEST(legible, lists_end_with_whole_rows_however_they_are_scrolled) {

@@ -2,6 +2,7 @@
 #include "app/ui/start_page.h"
 
 #include <gtest/gtest.h>
+#include <imgui_internal.h>  // how far it scrolls
 
 #include <fstream>
 
@@ -39,7 +40,7 @@ class StartPageTest : public testing::Test, protected test::Laid {
 
 TEST_F(StartPageTest, offers_shapes_and_goes_away_once_there_is_a_mesh) {
   ASSERT_TRUE(has("ordropafilehere"));
-  for (const char* told : {"Undo:Ctrl+Z", "Save:Ctrl+S", "pressCtocollapse", "pressG,movethepointer"})
+  for (const char* told : {"Undo:Ctrl+Z", "Save:Ctrl+S", "pressCtocollapse", "pressG,move,click"})
     EXPECT_TRUE(has(told)) << told;
   take("Dodecahedron");
   EXPECT_EQ(session.mesh().live().faces, 12u);
@@ -113,6 +114,43 @@ TEST_F(StartPageTest, cuts_nothing_in_either_language_and_in_small_windows) {
       EXPECT_EQ(text.cut_sideways(), "") << size.width << language;
       EXPECT_EQ(text.overlapping(), "") << size.width << language;
     }
+}
+
+TEST_F(StartPageTest, has_its_parts_behind_tabs_in_a_small_window_and_hides_nothing_below) {
+  size_ = {640, 480};
+  session.recent.assign(10, test::asset("torus.off"));
+  const auto is_whole = [&](const char* what) {
+    frames(4);
+    EXPECT_EQ(ImGui::FindWindowByName("##start")->ScrollMax.y, 0) << what;
+    EXPECT_EQ(test::DrawnText(gui).cut_in_height() + test::DrawnText(gui).cut_sideways(), "") << what;
+    EXPECT_EQ(test::DrawnText(gui).overlapping(), "") << what;
+  };
+  ASSERT_TRUE(session.run("language ja").done());
+  is_whole("Japanese");
+  ASSERT_TRUE(session.run("language en").done());
+  for (const char* const part : {"Shapes", "Exercises", "Figures", "Files"}) {
+    frames(4);
+    take(part);
+    is_whole(part);
+    for (const char* told : {"Undo:Ctrl+Z", "Save:Ctrl+S", "pressCtocollapse"}) EXPECT_TRUE(has(told)) << part;
+  }
+  EXPECT_TRUE(has("New,anemptymesh"));
+  take("Shapes");
+  EXPECT_FALSE(has("New,anemptymesh"));
+  take("Octahedron");
+  EXPECT_EQ(session.mesh().live().faces, 8u);
+}
+
+TEST_F(StartPageTest, keys_go_through_the_tabs_too) {
+  size_ = {640, 480};
+  frames(4);
+  key("Right");  // shows where it is: at the first tab
+  key("Right");
+  key("Enter");
+  EXPECT_TRUE(has("Octahedron"));
+  key("Down");
+  key("Enter");
+  EXPECT_GT(session.mesh().live().faces, 0u);
 }
 
 TEST(start_page, is_in_pictures_with_panels_only) {

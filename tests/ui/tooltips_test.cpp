@@ -87,20 +87,52 @@ TEST(tooltips, say_what_each_letter_of_the_sum_counts) {
   }
 }
 
-TEST(tooltips, do_not_cover_what_stands_below_in_a_small_window) {
-  Laid laid("cube.obj", {640, 480});
-  ASSERT_TRUE(laid.session.run("start").done());
-  laid.frames(3);
-  const glm::dvec2 row = DrawnText(laid.gui).place("Acubewithonethrough-hole");
-  laid.gui.pointer(row);
-  laid.frames(3);
-  ASSERT_TRUE(is_told());
+// The tooltip that lies over an item of the window under the pointer, or over one a row above or below that.
+std::string covered_neighbour(const Laid& laid) {
+  const ImGuiWindow* const under = GImGui->HoveredWindow;
+  if (!under) return "";
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  const float row = ImGui::GetFrameHeightWithSpacing();
+  const ImRect panel = under->RootWindow->Rect();
+  const ImRect near(panel.Min.x, at.y - row, panel.Max.x, at.y + row), all(ImVec2(0, 0), ImGui::GetIO().DisplaySize);
   for (const ImGuiWindow* const one : GImGui->Windows)
-    if (one->Active && (one->Flags & ImGuiWindowFlags_Tooltip) != 0) {
-      EXPECT_LT(one->Pos.y + one->Size.y, row.y);
-      EXPECT_GE(one->Pos.x, 0);
-      EXPECT_LE(one->Pos.x + one->Size.x, 640);
+    if (one->Active && !one->Hidden && (one->Flags & ImGuiWindowFlags_Tooltip) != 0 &&
+        (near.Overlaps(one->Rect()) || !all.Contains(one->Rect())))
+      return std::string(under->Name) + " " + laid.session.layout.flyout + " at " + std::to_string(int(at.x)) + "," +
+             std::to_string(int(at.y)) + "; ";
+  return "";
+}
+
+TEST(tooltips, cover_neither_the_row_above_nor_the_one_below_in_any_window) {
+  for (const Size size : {Size{640, 480}, Size{1280, 800}}) {
+    Laid laid("fin.obj", size);
+    std::size_t told = 0;
+    const auto look = [&](const std::string& what) {
+      laid.frames(4);
+      std::string covered;
+      for (double y = 30; y < size.height - 25; y += 13)
+        for (const double x : {0.12, 0.45, 0.8}) {
+          laid.gui.pointer({std::floor(x * size.width), y});
+          laid.frames(2);
+          told += is_told() ? 1 : 0;
+          covered += covered_neighbour(laid);
+        }
+      EXPECT_EQ(covered, "") << what << " " << size.width;
+    };
+    for (const char* const language : {"language en", "language ja"}) {
+      laid.open("fin.obj");
+      ASSERT_TRUE(laid.session.run(language).done());
+      for (const PanelRow& row : panel_list()) {
+        const bool asks = row.opened_by == PanelOpener::asked_values;
+        ASSERT_TRUE(laid.session.run(asks ? "values simplify" : "panel " + std::string(row.id) + " on").done());
+        if (row.place == PanelPlace::over || size.width < 900) look(std::string(row.id) + " " + language);
+        ASSERT_TRUE(laid.session.run("panel none").done());
+      }
+      ASSERT_TRUE(laid.session.run("start").done());
+      look(std::string("start page ") + language);
     }
+    EXPECT_GT(told, 40u) << "there are any";
+  }
 }
 
 TEST(totals, say_why_a_mesh_has_more_vertices_than_points) {

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "core/mesh/copies.h"
+#include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/core/scatter_algorithm.h"
 
@@ -23,8 +24,10 @@ class ValuesPanel : public testing::Test, protected test::Laid {
     frames(2);
   }
 
-  // In a window with one field.
-  static constexpr glm::dvec2 selection_button{780, 483}, run_button{430, 541};
+  void press_button(std::string_view name) {
+    click(test::DrawnText(gui).last_place(name));
+    frames(2);
+  }
 
   const ScopedAlgorithm scatter_{test::scatter_row()};
 };
@@ -62,9 +65,8 @@ TEST_F(ValuesPanel, takes_the_selection_for_elements) {
   ASSERT_TRUE(session.run("select v1 v3").done());
   ASSERT_TRUE(session.run("values mark").done());
   frames(3);
-  click(selection_button);
-  click(run_button);
-  frames(2);
+  press_button("Selection");
+  press_button("Run");
   EXPECT_EQ(gui.said().en, "mark at=v1,v3: Moved.");
   EXPECT_EQ(session.mesh().position(Vertex(3)), glm::dvec3(9, 9, 9));
 }
@@ -87,16 +89,15 @@ TEST_F(ValuesPanel, tells_the_copies_of_a_point_apart) {
   ASSERT_NE(names.find('@'), std::string::npos);
   ASSERT_TRUE(session.run("values lift").done());
   frames(3);
-  click(selection_button);
-  click(run_button);
-  frames(2);
+  press_button("Selection");
+  press_button("Run");
   EXPECT_NE(gui.said().en.find("at=" + names), std::string::npos) << gui.said().en;
 }
 
 TEST_F(ValuesPanel, offers_all_algorithms_before_one_is_asked_for) {
   ASSERT_TRUE(session.run("panel values").done());
   frames(3);
-  click({400, 459});
+  press_button(algorithm_table().front().name_en);
   EXPECT_EQ(session.asked_algorithm, algorithm_table().front().id);
 }
 
@@ -127,6 +128,57 @@ TEST_F(ValuesPanel, gives_way_to_another_and_begins_anew) {
   ASSERT_TRUE(session.run("cancel").done());
   frames(3);
   EXPECT_FALSE(gui.owns_pointer(session, {1280, 1000}, {640, 500}));
+}
+
+TEST_F(ValuesPanel, shows_beforehand_what_is_quick_and_takes_it_back) {
+  const std::uint64_t hash = session.mesh().hash();
+  ASSERT_TRUE(session.run("values subdivide").done());
+  frames(4);
+  EXPECT_TRUE(session.document().is_on_trial());
+  const std::size_t once = session.mesh().live().faces;
+  EXPECT_GT(once, 6u);
+  EXPECT_EQ(session.document().position(), 0u);
+  EXPECT_FALSE(session.document().is_modified());
+  press(ImGuiKey_Tab);  // from the scheme to the steps
+  type("2");
+  frames(2);
+  EXPECT_GT(session.mesh().live().faces, once) << "with what was just written";
+  press_button("Preview");
+  EXPECT_EQ(session.mesh().hash(), hash) << "it is switched off";
+  press_button("Preview");
+  EXPECT_TRUE(session.document().is_on_trial());
+  ASSERT_TRUE(session.run("cancel").done());
+  frames(3);
+  EXPECT_EQ(session.mesh().hash(), hash) << "it is given up";
+  EXPECT_FALSE(session.document().is_on_trial());
+}
+
+TEST_F(ValuesPanel, runs_what_it_has_shown) {
+  ASSERT_TRUE(session.run("values subdivide").done());
+  frames(4);
+  const std::uint64_t shown = session.mesh().hash();
+  ASSERT_TRUE(session.document().is_on_trial());
+  press_button("Run");
+  frames(3);
+  EXPECT_FALSE(session.document().is_on_trial());
+  EXPECT_EQ(session.mesh().hash(), shown);
+  EXPECT_EQ(session.document().position(), 1u);
+  ASSERT_EQ(session.log().size(), 1u);
+}
+
+TEST_F(ValuesPanel, keeps_what_runs_it_in_sight_in_a_small_window) {
+  size_ = {640, 480};
+  for (const AlgorithmRow& row : algorithm_table()) {
+    if (row.parameters.empty()) continue;
+    ASSERT_TRUE(session.run("values " + std::string(row.id)).done());
+    frames(4);
+    const test::DrawnText text(gui);
+    EXPECT_GT(text.last_place("Run").y, 0) << row.id;
+    EXPECT_LT(text.last_place("Run").y, 470) << row.id;
+    EXPECT_GE(text.count(row.name_en), 1u) << row.id;
+    ASSERT_TRUE(session.run("panel none").done());
+    frames(3);
+  }
 }
 
 }  // namespace

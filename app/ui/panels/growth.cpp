@@ -89,6 +89,9 @@ void GrowthPanel::draw(PanelContext& context) {
   const std::span<const forms::GrowthCurve> curves = work_.curves();
   if (curves.empty()) return;
   choose_curves(context);
+  if (curves.front().points.size() == 1)
+    dim_text(context, context.text("Too few faces to be cut into growing parts: one size, no slopes.",
+                                   "分割して増やすには面が足りません（一つの大きさだけ、傾きなし）。"));
   const LogPlot plot = growth_plot(curves, of_, relation_, axis_, context.language());
   const float width = ImGui::GetContentRegionAvail().x;
   const ImVec2 corner = ImGui::GetCursorScreenPos(), size = size_of_plot(plot, width);

@@ -53,6 +53,16 @@ void draw_rule(PanelContext& context, const EdgeRuleRow& rule, std::size_t count
   ImGui::Unindent(side + 6 * context.scale);
 }
 
+// It costs as much as the simplification.
+void draw_asking(PanelContext& context) {
+  if (line_to_account_for(context.session).empty()) return;
+  ImGui::Separator();
+  if (ImGui::Button(context.text("What holds the edges left?", "残った稜線の理由"), {-1, 0})) context.run("account");
+  tip(context.text("Finds for each edge that is left the first rule that holds it, and counts them.",
+                   "残った稜線ごとに、残った最初の理由を求めて数えます。") +
+      std::string("\naccount"));
+}
+
 void draw_levels(PanelContext& context) {
   const std::shared_ptr<ShownLevels> levels = context.session.levels;  // a press may take it away
   if (levels && levels->fits(context.session.document())) {
@@ -64,7 +74,7 @@ void draw_levels(PanelContext& context) {
         std::string("\nlevels"));
   }
   const EdgeAccount* const account = context.session.account();
-  if (!account) return;
+  if (!account) return draw_asking(context);
   ImGui::Separator();
   dim_text(context, context.text("What holds the edges that are left", "残った稜線とその理由"));
   const std::vector<std::size_t> counts = account->counts;

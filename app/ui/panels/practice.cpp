@@ -118,6 +118,8 @@ void PracticePanel::draw_answer_field(PanelContext& context) {
   ImGui::SameLine();
   if (ImGui::Button(context.text("Answer", "答える"), {button, 0}) || entered) {
     doubt_ = doubt_about(context.session.mesh(), asked_->solution, word_.data());
+    if (doubt_.en.empty())
+      doubt_ = why_no_answer(context.session.mesh(), asked_->question, asked_->solution, word_.data());
     if (doubt_.en.empty()) right_ = is_right(context.session.mesh(), asked_->solution, word_.data());
   }
   if (!doubt_.en.empty()) wrapped_text(doubt_.in(context.language()).c_str());

@@ -1,6 +1,9 @@
 // What the window keeps for the next time: a field per row of the table of preferences.
 #include "app/editor/preferences.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/ui/panels.h"
 #include "app/ui/parameter_field.h"
 #include "app/ui/widgets.h"
@@ -64,8 +67,9 @@ void PreferencesPanel::draw(PanelContext& context) {
     edited_.clear();
     fault_ = {};
   }
-  const float below = 2.2f * ImGui::GetFrameHeightWithSpacing();
-  ImGui::BeginChild("rows", {0, -below}, false, ImGuiWindowFlags_NavFlattened);
+  const float pitch = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+  const float room = ImGui::GetContentRegionAvail().y - 2.2f * ImGui::GetFrameHeightWithSpacing();
+  begin_rows("rows", std::max(std::floor(room / pitch), 1.f), 0, pitch);
   if (ImGui::BeginTable("preferences", 3)) {
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 1);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 1.6f);
@@ -73,7 +77,7 @@ void PreferencesPanel::draw(PanelContext& context) {
     for (const PreferenceRow& row : preference_table()) draw_row(context, row);
     ImGui::EndTable();
   }
-  ImGui::EndChild();
+  end_rows(pitch);
   if (fault_.en.empty())
     dim_text(context, context.text("Kept for the next time, as are the panels and their places.",
                                    "次回も使います。パネルの配置も同様です。"));

@@ -43,7 +43,7 @@ void RecordsPanel::choose_form(PanelContext& context) {
 
 void RecordsPanel::draw_value(PanelContext& context, const RecordLine& line, std::size_t i) {
   const bool leads = !line.links.empty() && line.links[i].index != no_index;
-  if (!leads) return ImGui::TextUnformatted(line.values[i].c_str());
+  if (!leads) return wrapped_text(line.values[i].c_str());
   const Mesh& mesh = context.session.mesh();
   ImGui::PushID(static_cast<int>(i));
   if (link(context, line.values[i].c_str())) {
@@ -63,7 +63,7 @@ void RecordsPanel::draw_line(PanelContext& context, const RecordLine& line) {
     if (ImGui::GetItemRectMax().x + gap + ImGui::CalcTextSize(text.c_str()).x < right_edge) ImGui::SameLine(0, gap);
   };
   ImGui::PushID(line.key.c_str());
-  ImGui::TextUnformatted(line.key.c_str());
+  wrapped_text(line.key.c_str());
   go_on(line.word);
   if (needs_japanese(line.word.c_str()) && !std::exchange(context.state.shows_japanese, true)) context.state.unsettle();
   dim_text(context, line.word.c_str());

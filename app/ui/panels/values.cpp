@@ -1,6 +1,7 @@
 // The values of an algorithm: one field per parameter, as its row describes it.
 #include <utility>
 
+#include "app/editor/algorithm_preview.h"
 #include "app/editor/commands.h"
 #include "app/ui/panels.h"
 #include "app/ui/parameter_field.h"
@@ -14,39 +15,74 @@ namespace {
 class ValuesPanel : public Panel {
  public:
   void draw(PanelContext& context) override;
-  ImVec2 size() const override { return {560, 160 + 88 * static_cast<float>(texts_.size())}; }
+  void closed(PanelContext& context) override { preview_.end(context.session); }
+  bool leaves_view() const override { return true; }
+  ImVec2 size() const override { return {380, texts_.empty() ? 420 : 190 + 60 * static_cast<float>(texts_.size())}; }
 
  private:
   // True when Enter was pressed in a field.
-  bool draw_fields(PanelContext& context, const AlgorithmRow& row, bool begins);
+  bool draw_fields(PanelContext& context, const AlgorithmRow& row, bool begins, float below);
+  void draw_algorithms(PanelContext& context);
+  void draw_preview(PanelContext& context, const AlgorithmRow& row, const ReadValues& read);
 
   std::string algorithm_;           // its id
   bool has_run_ = false;            // with these values; where that failed, the reason stands beside them
   bool takes_keys_ = false;         // the first field is to have the keyboard, where this is asked again
   std::vector<std::string> texts_;  // what stands in the fields of its parameters
+  AlgorithmPreview preview_;
+  bool has_preview_ = true;  // wanted, where it is quick
 };
 
-bool ValuesPanel::draw_fields(PanelContext& context, const AlgorithmRow& row, bool begins) {
+// Between what the algorithm does and what runs it, which stay in sight.
+bool ValuesPanel::draw_fields(PanelContext& context, const AlgorithmRow& row, bool begins, float below) {
   bool entered = false;
-  for (std::size_t i = 0; i < row.parameters.size(); ++i) {
-    const ParameterRow& parameter = row.parameters[i];
-    ImGui::Dummy({0, 4 * context.scale});
-    ImGui::TextUnformatted(context.text(parameter.name_en, parameter.name_ja));
-    if (i == 0 && begins) ImGui::SetKeyboardFocusHere();
-    entered = draw_parameter_field(context, parameter, texts_[i]) || entered;
-    tip(context.text(parameter.help_en, parameter.help_ja));
-    dim_text(context, described(parameter).in(context.language()).c_str());
+  ImGui::BeginChild("fields", {0, -below}, false, ImGuiWindowFlags_NavFlattened);
+  if (ImGui::BeginTable("parameters", 2)) {
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 1);
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 2.6f);
+    for (std::size_t i = 0; i < row.parameters.size(); ++i) {
+      const ParameterRow& parameter = row.parameters[i];
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      ImGui::AlignTextToFramePadding();
+      wrapped_text(context.text(parameter.name_en, parameter.name_ja));
+      tip(context.text(parameter.help_en, parameter.help_ja));
+      ImGui::TableNextColumn();
+      if (i == 0 && begins) ImGui::SetKeyboardFocusHere();
+      entered = draw_parameter_field(context, parameter, texts_[i]) || entered;
+      tip(context.text(parameter.help_en, parameter.help_ja));
+      dim_text(context, described(parameter).in(context.language()).c_str());
+    }
+    ImGui::EndTable();
   }
+  ImGui::EndChild();
   return entered;
+}
+
+// Whether what the fields say is shown in the view, and what it would come to.
+void ValuesPanel::draw_preview(PanelContext& context, const AlgorithmRow& row, const ReadValues& read) {
+  const bool is_offered = preview_.is_offered(context.session);
+  ImGui::BeginDisabled(!is_offered);
+  ImGui::SameLine();
+  ImGui::Checkbox(context.text("Preview", "プレビュー"), &has_preview_);
+  ImGui::EndDisabled();
+  tip(context.text("Shows in the view what it would do, where that is quick: on meshes of at most 20,000 faces.",
+                   "実行結果をビューに示します（20,000 面までの、すぐ終わるものだけ）。"),
+      ImGuiHoveredFlags_AllowWhenDisabled);
+  if (has_preview_ && read.values && is_offered)
+    preview_.show(context.session, row, *read.values);
+  else
+    preview_.end(context.session);
+}
+
+void ValuesPanel::draw_algorithms(PanelContext& context) {
+  for (const AlgorithmRow& other : algorithm_table())
+    if (link(context, context.text(other.name_en, other.name_ja))) context.run("values " + std::string(other.id));
 }
 
 void ValuesPanel::draw(PanelContext& context) {
   const AlgorithmRow* const row = find_algorithm(context.session.asked_algorithm);
-  if (!row) {
-    for (const AlgorithmRow& other : algorithm_table())
-      if (link(context, context.text(other.name_en, other.name_ja))) context.run("values " + std::string(other.id));
-    return;
-  }
+  if (!row) return draw_algorithms(context);
   const bool has_failed = algorithm_ == row->id && has_run_ && context.state.last_kind != Outcome::Kind::done;
   const bool begins = algorithm_ != row->id || ImGui::IsWindowAppearing();
   if (begins && !has_failed) {
@@ -55,18 +91,27 @@ void ValuesPanel::draw(PanelContext& context) {
     texts_.clear();
     for (const ParameterRow& parameter : row->parameters) texts_.emplace_back(parameter.initial);
   }
-  ImGui::PushTextWrapPos(0);
+  ImGui::PushFont(context.fonts.bold);
   ImGui::TextUnformatted(context.text(row->name_en, row->name_ja));
+  ImGui::PopFont();
   dim_text(context, context.text(row->help_en, row->help_ja));
-  const bool entered = draw_fields(context, *row, begins || std::exchange(takes_keys_, false));
-  const ReadValues read = read_fields(row->parameters, texts_);
-  ImGui::Dummy({0, 8 * context.scale});
+  ImGui::Separator();
+  ReadValues read = read_fields(row->parameters, texts_);
+  const std::string fault = !read.values ? read.sentence.in(context.language())
+                            : has_failed ? context.state.last_outcome.in(context.language())
+                                         : "";
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const std::string& told = fault.empty() ? preview_.told().in(context.language()) : fault;
+  const float lines = wrapped_size(told, ImGui::GetContentRegionAvail().x).y + style.ItemSpacing.y;
+  const float below = ImGui::GetFrameHeightWithSpacing() + 2 * style.ItemSpacing.y + (told.empty() ? 0 : lines);
+  const bool entered = draw_fields(context, *row, begins || std::exchange(takes_keys_, false), below);
+  read = read_fields(row->parameters, texts_);  // with what was just written
+  ImGui::Separator();
+  if (!told.empty()) coloured_text(fault.empty() ? context.colours().dim : context.colours().warning, told.c_str());
   ImGui::BeginDisabled(!read.values);
   const bool pressed = ImGui::Button(context.text("Run", "実行"), {120 * context.scale, 0});
   ImGui::EndDisabled();
-  if (!read.values) coloured_text(context.colours().warning, read.sentence.in(context.language()).c_str());
-  if (has_failed) coloured_text(context.colours().warning, context.state.last_outcome.in(context.language()).c_str());
-  ImGui::PopTextWrapPos();
+  draw_preview(context, *row, read);
   if (!read.values || !(pressed || entered)) return;
   has_run_ = takes_keys_ = true;
   context.run_from(line_of(*row, *read.values), context.session.open_panel);

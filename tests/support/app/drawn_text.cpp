@@ -34,7 +34,7 @@ DrawnText::DrawnText(const Gui& gui) {
         const int k = list.IdxBuffer[static_cast<int>(command.IdxOffset + n)] + static_cast<int>(command.VtxOffset);
         if (is_read[static_cast<std::size_t>(k)] || k + 2 >= list.VtxBuffer.Size) continue;
         const auto letter = letters.find({list.VtxBuffer[k].uv.x, list.VtxBuffer[k].uv.y});
-        if (letter == letters.end()) continue;
+        if (letter == letters.end() || (list.VtxBuffer[k].col & IM_COL32_A_MASK) == 0) continue;
         is_read[static_cast<std::size_t>(k)] = true;
         const ImVec2 &corner = list.VtxBuffer[k].pos, &across = list.VtxBuffer[k + 2].pos;
         text_ += letter->second < 128 ? static_cast<char>(letter->second) : '?';
@@ -94,6 +94,11 @@ std::size_t DrawnText::count(std::string_view text) const {
 
 glm::dvec2 DrawnText::place(std::string_view text) const {
   const std::size_t at = text_.find(without_spaces(text));
+  return at == std::string::npos ? glm::dvec2(-1e9) : places_[at];
+}
+
+glm::dvec2 DrawnText::last_place(std::string_view text) const {
+  const std::size_t at = text_.rfind(without_spaces(text));
   return at == std::string::npos ? glm::dvec2(-1e9) : places_[at];
 }
 

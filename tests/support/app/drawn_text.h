@@ -19,6 +19,8 @@ class DrawnText {
   std::size_t count(std::string_view text) const;
   // The middle of its first character, where it was drawn first; outside of every window if nowhere.
   glm::dvec2 place(std::string_view text) const;
+  // The same where it was drawn last: on top.
+  glm::dvec2 last_place(std::string_view text) const;
   // The text whose letters are cut off at the sides, or above or below, of what they are drawn in.
   std::string cut_sideways() const;
   std::string cut_in_height() const;

@@ -145,5 +145,24 @@ TEST(playing, players_differ_though_one_takes_the_place_of_the_other) {
   EXPECT_NE(session->player->serial(), first);
 }
 
+TEST(playing, what_begins_with_nothing_is_seen_whole_whatever_was_looked_at) {
+  const auto session = playing_session("cube.obj");
+  session->run("view top");
+  const Camera before = session->camera;
+  do_all(*session, {"steps script cube_with_hole", "steps last"});
+  const Mesh& mesh = session->mesh();
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+    const auto at = project(session->camera, session->view, mesh.position(Vertex(i)));
+    ASSERT_TRUE(at) << i;
+    EXPECT_TRUE(at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x < session->view.width &&
+                at->pixel.y < session->view.height)
+        << i;
+  }
+  do_all(*session, {"steps close"});
+  EXPECT_EQ(session->camera, before);
+  do_all(*session, {"steps walk v0"});
+  EXPECT_EQ(session->camera, before) << "on the mesh that is open nobody moves it";
+}
+
 }  // namespace
 }  // namespace ryosen

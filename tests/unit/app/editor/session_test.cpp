@@ -235,6 +235,18 @@ TEST(session, nothing_selected_is_said_when_it_was_to_be_framed) {
   EXPECT_EQ(session->run("frame selected").sentence.en, "");
 }
 
+TEST(session, says_how_what_is_selected_is_given_where_another_value_comes_first) {
+  Session session(std::move(Document::open(test::asset("cube.obj"))).value());
+  ASSERT_TRUE(session.run("select v0 v1 v2 v5").done());
+  const Outcome outcome = session.run("hull selected");
+  EXPECT_EQ(outcome.exit_code, ExitCode::usage);
+  EXPECT_NE(outcome.sentence.en.find("elements=selected"), std::string::npos) << outcome.sentence.en;
+  EXPECT_EQ(outcome.sentence.en.find("v0"), std::string::npos) << "no word that nobody wrote: " << outcome.sentence.en;
+  EXPECT_NE(session.run("torus selected").sentence.en.find("takes no elements"), std::string::npos);
+  EXPECT_TRUE(session.run("hull elements=selected").done());
+  EXPECT_TRUE(session.run("duplicate selected").done()) << "its first value is elements";
+}
+
 TEST(session, exit_codes_of_commands) {
   const auto session = sheet_session();
   const auto code = [&](const char* line) { return session->run(line).exit_code; };

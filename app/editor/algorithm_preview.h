@@ -1,0 +1,32 @@
+// What an algorithm would do with the values that are in its fields, shown in the view before it is run.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "app/editor/session.h"
+#include "core/algo/algorithms.h"
+
+namespace ryosen {
+
+// On trial, beside the history. Only what is quick is shown: on meshes that are not large, and cancelled where it takes
+// longer than somebody who types would wait.
+class AlgorithmPreview {
+ public:
+  bool is_offered(const Session& session) const;
+  // Shows it, unless it is what is shown; values that do not fit the mesh show nothing.
+  void show(Session& session, const AlgorithmRow& row, const ParameterValues& values);
+  // Takes it back, where nothing else has taken its place.
+  void end(Session& session);
+  // Of what was shown last: what the algorithm says of it, or why nothing is shown. Empty where nothing was.
+  const Text& told() const { return told_; }
+
+ private:
+  bool is_shown(const Session& session) const;
+
+  std::string line_;                         // that is shown
+  std::uint64_t serial_ = 0, revision_ = 0;  // of the document, with that on trial
+  Text told_;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,54 @@
+// Tooltips, where they cover nothing that is to be clicked next.
+#include <imgui_internal.h>  // which window an item belongs to
+
+#include <algorithm>
+
+#include "app/ui/widgets.h"
+
+namespace ryosen {
+
+namespace {
+
+// Where what is told of an item goes where there is no room beside its panel: a row above it, so that what follows may be
+// clicked next, else a row below it. So that both its neighbours are seen.
+ImVec2 place_over_panel(ImVec2 first, ImVec2 last, ImVec2 size) {
+  const ImVec2 all = ImGui::GetIO().DisplaySize;
+  const float row = ImGui::GetFrameHeightWithSpacing(), above = first.y - row - size.y, below = last.y + row;
+  const bool goes_above = above >= 0 || first.y > all.y - last.y;
+  return {std::max(0.f, std::min(first.x, all.x - size.x)), goes_above ? std::max(above, 0.f) : below};
+}
+
+}  // namespace
+
+void tip(std::string_view text, ImGuiHoveredFlags hovered) {
+  if (ImGui::IsItemHovered(hovered)) tip_shown(text);
+}
+
+void tip_shown(std::string_view text) {
+  const ImGuiWindow& panel = *ImGui::GetCurrentWindow()->RootWindow;
+  const ImVec2 all = ImGui::GetIO().DisplaySize, first = ImGui::GetItemRectMin(), last = ImGui::GetItemRectMax();
+  const float em = ImGui::GetFontSize(), gap = em / 2;
+  const float before = panel.Pos.x, behind = all.x - panel.Pos.x - panel.Size.x;
+  const float room = std::max(before, behind) - 2 * gap - 2 * ImGui::GetStyle().WindowPadding.x;
+  const bool is_beside = room > 8 * em;
+  const float width = is_beside ? std::min(22 * em, room) : 22 * em;
+  if (!is_beside) {
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    const ImVec2 inside = wrapped_size(text, width), padding = ImGui::GetStyle().WindowPadding;
+    ImGui::PopStyleVar();
+    ImGui::SetNextWindowPos(place_over_panel(first, last, {inside.x + 2 * padding.x, inside.y + 2 * padding.y}));
+  }
+  if (is_beside) {
+    const bool goes_right = behind >= before, hangs = first.y < 0.6f * all.y;
+    ImGui::SetNextWindowPos(
+        {goes_right ? panel.Pos.x + panel.Size.x + gap : panel.Pos.x - gap, hangs ? first.y : last.y}, 0,
+        {goes_right ? 0.f : 1.f, hangs ? 0.f : 1.f});
+  }
+  ImGui::BeginTooltip();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  wrapped_text(text, width);
+  ImGui::PopStyleVar();
+  ImGui::EndTooltip();
+}
+
+}  // namespace ryosen

@@ -141,6 +141,13 @@ void reserve_little_where_limited() {
   for (std::size_t i = 0; i < stack; i += page) room[i] = 0;
 }
 
+bool may_fit_in_memory(double bytes) {
+  const double all = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  if (!(bytes <= all)) return false;
+  const auto need = static_cast<std::uint64_t>(bytes);
+  return !lack_of_memory({}, {need, need, need});
+}
+
 std::string memory_text(std::uint64_t bytes) {
   const double mib = static_cast<double>(bytes) / (1 << 20);
   if (mib < 1024) return std::to_string(std::llround(std::ceil(mib))) + " MiB";

@@ -36,6 +36,9 @@ struct ControlGroups {
 // none where no limit does, which is no promise. O(1); allocates little.
 std::optional<Failure> lack_of_memory(const Text& what, const MemoryNeed& need, const ControlGroups& groups = {});
 
+// Whether the machine has so much memory and no limit leaves less: no promise either.
+bool may_fit_in_memory(double bytes);
+
 // "300 MiB", "2.4 GiB".
 std::string memory_text(std::uint64_t bytes);
 

@@ -244,20 +244,34 @@ bool TriangleTree::is_far(const glm::dvec3& local) const {
   return std::max({std::abs(local.x), std::abs(local.y), std::abs(local.z)}) > 16 * reach_;
 }
 
+namespace {
+
+constexpr auto any_triangle = [](std::uint32_t) { return true; };
+
+}  // namespace
+
 TriangleTree::Near TriangleTree::nearest(const glm::dvec3& p, std::uint32_t hint) const {
   const glm::dvec3 local = p - origin_;
-  return is_far(local) ? nearest(FarQuery(*this, local), p, hint) : nearest(NearQuery(*this, local), p, hint);
+  return is_far(local) ? nearest(FarQuery(*this, local), p, hint, any_triangle)
+                       : nearest(NearQuery(*this, local), p, hint, any_triangle);
+}
+
+TriangleTree::Near TriangleTree::nearest_facing(const glm::dvec3& p, const glm::dvec3& direction) const {
+  const glm::dvec3 local = p - origin_;
+  const auto faces = [&](std::uint32_t t) { return glm::dot(area_normal(t), direction) > 0; };
+  return is_far(local) ? nearest(FarQuery(*this, local), p, no_index, faces)
+                       : nearest(NearQuery(*this, local), p, no_index, faces);
 }
 
 std::size_t TriangleTree::triangles_asked_for(const glm::dvec3& p) const {
   std::size_t asked = 0;
-  nearest(NearQuery(*this, p - origin_), p, no_index, &asked);
+  nearest(NearQuery(*this, p - origin_), p, no_index, [&](std::uint32_t) { return ++asked, true; });
   return asked;
 }
 
-template <class Query>
+template <class Query, class IsAsked>
 TriangleTree::Near TriangleTree::nearest(const Query& query, const glm::dvec3& p, std::uint32_t hint,
-                                         std::size_t* asked) const {
+                                         const IsAsked& is_asked) const {
   using Bound = typename Query::Bound;
   struct Entry {
     std::uint32_t node;
@@ -290,8 +304,7 @@ TriangleTree::Near TriangleTree::nearest(const Query& query, const glm::dvec3& p
       continue;
     }
     for (std::size_t i = count; i-- > 0 && open[i].bound < limit;) {
-      if (open[i].node == hint) continue;
-      if (asked) ++*asked;
+      if (open[i].node == hint || !is_asked(open[i].node)) continue;
       const double square = squared(way(p, open[i].node));
       if (!(square < best_square)) continue;
       best_square = square;

@@ -48,11 +48,18 @@ class TriangleTree {
   // Of a finite point in the same scale. `hint`: a triangle that is near, if one is known; the nearer, the faster. Of
   // several nearest triangles any. The tree is not empty.
   Near nearest(const glm::dvec3& p, std::uint32_t hint = no_index) const;
+  // The nearest of those whose normal is at less than a right angle to the direction; none where there is none.
+  Near nearest_facing(const glm::dvec3& p, const glm::dvec3& direction) const;
   // Of several points that lie near each other. `near` holds a hint for each, and then the answer.
   void nearest(std::span<const glm::dvec3> points, std::span<Near> near) const;
   // Of how many triangles the distance is computed to find the nearest one, without a hint.
   std::size_t triangles_asked_for(const glm::dvec3& p) const;
   double distance(const glm::dvec3& p, std::uint32_t t) const { return glm::length(way(p, t)); }
+  // Twice the area along the normal.
+  glm::dvec3 area_normal(std::uint32_t t) const {
+    const auto [a, b, c] = places(t);
+    return glm::cross(b - a, c - a);
+  }
   // p minus its nearest point on the triangle.
   glm::dvec3 way(const glm::dvec3& p, std::uint32_t t) const {
     const auto& [a, b, c] = corners_[t];
@@ -88,8 +95,8 @@ class TriangleTree {
   class FarQuery;
 
   bool is_far(const glm::dvec3& local) const;
-  template <class Query>
-  Near nearest(const Query& query, const glm::dvec3& p, std::uint32_t hint, std::size_t* asked = nullptr) const;
+  template <class Query, class IsAsked>
+  Near nearest(const Query& query, const glm::dvec3& p, std::uint32_t hint, const IsAsked& is_asked) const;
   bool find_shared(std::span<const glm::dvec3> points, std::span<Near> near,
                    std::array<std::uint32_t, most_shared>& shared, std::size_t& count) const;
   std::vector<std::uint32_t> sorted(std::span<const glm::dvec3> positions, std::span<const Primitive> triangles,

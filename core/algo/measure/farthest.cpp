@@ -1,116 +1,11 @@
 #include "core/algo/measure/farthest.h"
 
 #include <algorithm>
-#include <limits>
-#include <vector>
+
+#include "core/algo/measure/cut_cell.h"
+#include "core/base/parallel.h"
 
 namespace ryosen {
-
-namespace {
-
-// Distances from the triangles that are nearest to the corners of a cell.
-class CellBound {
- public:
-  CellBound(const TriangleTree& to, const FarthestCell& cell, double wanted) : to_(to), cell_(cell), wanted_(wanted) {}
-
-  // A distance from one triangle is convex, so that it is nowhere larger than at one of the corners.
-  double from_one() {
-    double least = unknown;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t t = cell_.near[i].triangle;
-      if (is_repeated(i)) continue;
-      double most = cell_.near[i].distance;
-      for (std::size_t k = 0; k < 3; ++k)
-        if (cell_.near[k].triangle != t) most = std::max(most, distance(cell_.corners[k], t));
-      least = std::min(least, most);
-    }
-    return least;
-  }
-
-  // The cell in two parts, or three, each as far from the triangle that is nearest at its corner of the cell. Gives up where
-  // that cannot be as little as wanted.
-  double from_several() {
-    for (std::size_t i = 0; i < 3; ++i)
-      if (cell_.near[(i + 1) % 3].triangle == cell_.near[(i + 2) % 3].triangle) return from_two(i);
-    return from_three();
-  }
-
- private:
-  static constexpr double unknown = std::numeric_limits<double>::infinity();
-
-  // A point at which two triangles are about as far, and how far the farther one is.
-  struct Cut {
-    glm::dvec3 place{0.0};
-    double distance = 0;
-  };
-
-  bool is_repeated(std::size_t i) const {
-    for (std::size_t k = 0; k < i; ++k)
-      if (cell_.near[k].triangle == cell_.near[i].triangle) return true;
-    return false;
-  }
-  double distance(const glm::dvec3& p, std::uint32_t t) const { return without_rounding(to_.distance(p, t)); }
-
-  // Between a place that is nearer to all of `here` than to `there` and one where that is the other way round. Ends early
-  // where a distance that is wanted was reached, or cannot be.
-  template <class Here>
-  Cut cut(glm::dvec3 a, glm::dvec3 b, const Here& here, std::uint32_t there) const {
-    Cut best{a, unknown};
-    for (int step = 0; step < 48; ++step) {
-      const glm::dvec3 middle = 0.5 * a + 0.5 * b;
-      const double from_here = here(middle), from_there = distance(middle, there);
-      const double farther = std::max(from_here, from_there);
-      if (farther < best.distance) best = {middle, farther};
-      if (farther <= wanted_ || std::min(from_here, from_there) > wanted_) return best;
-      (from_here < from_there ? a : b) = middle;
-    }
-    return best;
-  }
-  // On the side between two corners.
-  Cut cut_side(std::size_t i, std::size_t k) const {
-    const std::uint32_t t = cell_.near[i].triangle;
-    return cut(
-        cell_.corners[i], cell_.corners[k], [&](const glm::dvec3& p) { return distance(p, t); },
-        cell_.near[k].triangle);
-  }
-
-  double at_corners() const {
-    return std::max({cell_.near[0].distance, cell_.near[1].distance, cell_.near[2].distance});
-  }
-
-  // Corner i has a triangle of its own, the two others have one together, which is that of i + 1.
-  double from_two(std::size_t i) const {
-    const std::size_t k = (i + 1) % 3, l = (i + 2) % 3;
-    const double first = cut_side(i, k).distance;
-    return first > wanted_ ? unknown : std::max({at_corners(), first, cut_side(i, l).distance});
-  }
-
-  // Cuts the three sides, and then the line on which the triangles of corners 0 and 1 are as far, where 2's is.
-  double from_three() const {
-    const Cut side = cut_side(0, 1), second = cut_side(1, 2), third = cut_side(2, 0);
-    const double sides = std::max({at_corners(), side.distance, second.distance, third.distance});
-    if (sides > wanted_) return unknown;
-    const std::uint32_t t0 = cell_.near[0].triangle, t1 = cell_.near[1].triangle, t2 = cell_.near[2].triangle;
-    const glm::dvec3& last = cell_.corners[2];
-    const bool leaves_by_second = distance(last, t0) <= distance(last, t1);
-    const auto from_one = [&](const glm::dvec3& p) { return distance(p, leaves_by_second ? t1 : t0); };
-    const Cut end = cut(cell_.corners[leaves_by_second ? 1 : 0], last, from_one, leaves_by_second ? t0 : t1);
-    const auto from_both = [&](const glm::dvec3& p) { return std::max(distance(p, t0), distance(p, t1)); };
-    return std::max(sides, cut(side.place, end.place, from_both, t2).distance);
-  }
-
-  const TriangleTree& to_;
-  const FarthestCell& cell_;
-  const double wanted_;
-};
-
-}  // namespace
-
-double bound_of(const TriangleTree& to, const FarthestCell& cell, double wanted) {
-  CellBound bound(to, cell, wanted);
-  const double of_one = bound.from_one();
-  return of_one > wanted ? std::min(of_one, bound.from_several()) : of_one;
-}
 
 namespace {
 
@@ -118,46 +13,107 @@ struct OpenCell {
   FarthestCell cell;
   double bound;
 };
+bool is_nearer(const OpenCell& a, const OpenCell& b) { return a.bound < b.bound; }
 
-std::size_t longest_side(const TrianglePlaces& t) {
-  std::size_t longest = 0;
-  double length = -1;
-  for (std::size_t i = 0; i < 3; ++i)
-    if (const double square = squared(t[(i + 1) % 3] - t[i]); square > length) length = square, longest = i;
-  return longest;
+// What comes of one cell after some steps.
+struct Looked {
+  Farthest farthest;
+  std::vector<OpenCell> open;  // at first the cell
+  std::uint32_t steps = 0;
+};
+
+void look_through(Looked& one, const TriangleTree& to, FarEnough enough, std::uint32_t most_steps) {
+  while (!one.open.empty() && one.steps < most_steps) {
+    const OpenCell here = one.open.back();
+    one.open.pop_back();
+    const double wanted = enough.from(one.farthest.distance);
+    if (here.bound <= wanted) {
+      one.farthest.bound = std::max(one.farthest.bound, here.bound);
+      continue;
+    }
+    ++one.steps;
+    const CellParts parts = cut_cell(to, here.cell);
+    for (std::size_t i = 0; i < parts.new_places; ++i) one.farthest.note(parts.places[i], parts.distances[i]);
+    const std::size_t first = one.open.size();
+    for (std::size_t i = 0; i < parts.count; ++i)
+      one.open.push_back({parts.cells[i], std::min(here.bound, bound_of(to, parts.cells[i], wanted))});
+    std::sort(one.open.begin() + static_cast<std::ptrdiff_t>(first), one.open.end(), is_nearer);
+  }
 }
+
+class Search {
+ public:
+  Search(Farthest& farthest, const TriangleTree& to, const FarCells& cells, FarEnough enough)
+      : farthest_(farthest), to_(to), cells_(cells), enough_(enough) {}
+
+  bool run(std::uint64_t most_steps, unsigned threads, Progress& progress) {
+    constexpr std::uint32_t steps_at_once = 256;
+    for (std::size_t at_once = 64; most_steps > 0; at_once = std::min<std::size_t>(2 * at_once, 8192)) {
+      if (!progress.go_on()) return false;
+      std::vector<Looked> looked = next_ones(at_once);
+      if (looked.empty()) break;
+      const auto tasks = static_cast<unsigned>((looked.size() + 7) / 8);
+      for_each_task(tasks, threads, [&](unsigned task) {
+        for (std::size_t i = task * std::size_t{8}; i < std::min(looked.size(), (task + std::size_t{1}) * 8); ++i)
+          look_through(looked[i], to_, enough_, steps_at_once);
+      });
+      for (const Looked& one : looked) {
+        take(one);
+        most_steps -= std::min<std::uint64_t>(most_steps, one.steps + 1);
+      }
+    }
+    farthest_.bound = std::max({farthest_.bound, farthest_.distance, largest_bound()});
+    return true;
+  }
+
+ private:
+  double bound_of_next() const { return next_ < cells_.count ? cells_.bound(next_) : -1; }
+  double bound_of_rest() const { return rest_.empty() ? -1 : rest_.front().bound; }
+  double largest_bound() const { return std::max(bound_of_next(), bound_of_rest()); }
+
+  // The farthest ones; none where all are near enough.
+  std::vector<Looked> next_ones(std::size_t most) {
+    std::vector<Looked> ones;
+    const double wanted = enough_.from(farthest_.distance);
+    while (ones.size() < most && largest_bound() > wanted) {
+      Looked& one = ones.emplace_back();
+      one.farthest.distance = farthest_.distance;
+      if (bound_of_next() >= bound_of_rest()) {
+        one.open.push_back({cells_.cell(next_), cells_.bound(next_)});
+        ++next_;
+      } else {
+        std::pop_heap(rest_.begin(), rest_.end(), is_nearer);
+        one.open.push_back(rest_.back());
+        rest_.pop_back();
+      }
+      for (std::size_t i = 0; i < 3; ++i)
+        one.farthest.note(one.open[0].cell.corners[i], one.open[0].cell.near[i].distance);
+    }
+    return ones;
+  }
+
+  void take(const Looked& one) {
+    farthest_.bound = std::max(farthest_.bound, one.farthest.bound);
+    farthest_.note(one.farthest.place, one.farthest.distance);
+    for (const OpenCell& open : one.open) {
+      rest_.push_back(open);
+      std::push_heap(rest_.begin(), rest_.end(), is_nearer);
+    }
+  }
+
+  Farthest& farthest_;
+  const TriangleTree& to_;
+  const FarCells& cells_;
+  const FarEnough enough_;
+  std::size_t next_ = 0;
+  std::vector<OpenCell> rest_;  // of cells that took many steps; a heap, the farthest on top
+};
 
 }  // namespace
 
-FarthestFound farthest_in(const TriangleTree& to, const FarthestCell& cell, double found, FarEnough enough,
-                          std::uint32_t most_steps) {
-  FarthestFound result{0.0, found};
-  const auto note = [&](const glm::dvec3& place, double distance) {
-    if (distance > result.distance) result = {result.bound, distance, place, true, result.steps};
-  };
-  for (std::size_t i = 0; i < 3; ++i) note(cell.corners[i], cell.near[i].distance);
-  std::vector<OpenCell> open{{cell, bound_of(to, cell, enough.from(result.distance))}};
-  while (!open.empty()) {
-    const OpenCell here = open.back();
-    open.pop_back();
-    if (here.bound <= enough.from(result.distance) || result.steps >= most_steps) {
-      result.bound = std::max(result.bound, here.bound);
-      continue;
-    }
-    ++result.steps;
-    const std::size_t i = longest_side(here.cell.corners), k = (i + 1) % 3;
-    const glm::dvec3 middle = 0.5 * here.cell.corners[i] + 0.5 * here.cell.corners[k];
-    const TriangleTree::Near near = nearest_of(to, middle, here.cell.near[i].triangle);
-    note(middle, near.distance);
-    std::array<OpenCell, 2> halves{here, here};
-    halves[0].cell.corners[k] = halves[1].cell.corners[i] = middle;
-    halves[0].cell.near[k] = halves[1].cell.near[i] = near;
-    for (OpenCell& half : halves)
-      half.bound = std::min(here.bound, bound_of(to, half.cell, enough.from(result.distance)));
-    if (halves[0].bound > halves[1].bound) std::swap(halves[0], halves[1]);  // the farther one first
-    open.insert(open.end(), halves.begin(), halves.end());
-  }
-  return result;
+bool search_farthest(Farthest& farthest, const TriangleTree& to, const FarCells& cells, FarEnough enough,
+                     std::uint64_t most_steps, unsigned threads, Progress& progress) {
+  return Search(farthest, to, cells, enough).run(most_steps, threads, progress);
 }
 
 }  // namespace ryosen

@@ -1,28 +1,13 @@
-// How far a triangle is at most from a surface: bounds, and their refinement.
+// The search for the point of a surface that is farthest from another.
 #pragma once
 
-#include <array>
-#include <cstdint>
+#include <functional>
+#include <vector>
 
-#include "core/algo/measure/subtriangles.h"
-#include "core/pick/triangle_tree.h"
+#include "core/algo/measure/cell_bound.h"
+#include "core/base/progress.h"
 
 namespace ryosen {
-
-// Distances that are no more than the rounding of coordinates of magnitude 1 count as none.
-inline double without_rounding(double distance) { return distance < 0x1p-50 ? 0.0 : distance; }
-
-inline TriangleTree::Near nearest_of(const TriangleTree& to, const glm::dvec3& p, std::uint32_t hint) {
-  TriangleTree::Near near = to.nearest(p, hint);
-  near.distance = without_rounding(near.distance);
-  return near;
-}
-
-// A triangle of the surface that is measured, with what is nearest to its corners.
-struct FarthestCell {
-  TrianglePlaces corners;
-  std::array<TriangleTree::Near, 3> near;
-};
 
 // When a bound above a distance that occurs is good enough: by a share of that, or by an absolute amount.
 struct FarEnough {
@@ -30,19 +15,27 @@ struct FarEnough {
   double from(double found) const { return found + std::max(found * share, amount); }
 };
 
-// No point of the cell is farther from `to` than this. It tries harder the longer it is not at most `wanted`.
-double bound_of(const TriangleTree& to, const FarthestCell& cell, double wanted);
+// What is known so far: a point and its distance, and of what is looked through no point is farther than the bound.
+struct Farthest {
+  double distance = 0, bound = 0;
+  glm::dvec3 place{0.0};
 
-struct FarthestFound {
-  double bound = 0;         // of all points of the cell
-  double distance = 0;      // that a point was found to have; that given at first where none has more
-  glm::dvec3 place{0.0};    // that point, unless none has more
-  bool is_farther = false;  // than given at first
-  std::uint32_t steps = 0;
+  void note(const glm::dvec3& at, double far) {
+    if (far > distance) distance = far, place = at;
+  }
 };
-// Halves the cell until the bound is at most `enough` of the largest distance found, in it or before (`found`), or after
-// so many steps.
-FarthestFound farthest_in(const TriangleTree& to, const FarthestCell& cell, double found, FarEnough enough,
-                          std::uint32_t most_steps);
+
+// Cells that are still to be looked through: their bounds, the largest first, and each cell when its turn has come.
+struct FarCells {
+  std::size_t count = 0;
+  std::function<double(std::size_t)> bound;
+  std::function<FarthestCell(std::size_t)> cell;
+};
+
+// Cuts cells (cut_cell.h), those with the largest bounds first, until no bound is more than enough, or after so many steps:
+// then the bound is the largest of those that are left. The answer is the same for any number of threads. False where
+// `progress` cancels.
+bool search_farthest(Farthest& farthest, const TriangleTree& to, const FarCells& cells, FarEnough enough,
+                     std::uint64_t most_steps, unsigned threads, Progress& progress);
 
 }  // namespace ryosen

@@ -3,19 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
-#include <vector>
 
-#include "core/algo/measure/farthest.h"
+#include "core/algo/measure/surface_samples.h"
 #include "core/base/parallel.h"
 
 namespace ryosen {
 
 namespace {
-
-using Nearest = TriangleTree::Near;
-
-double area_of(const TrianglePlaces& t) { return 0.5 * glm::length(glm::cross(t[1] - t[0], t[2] - t[0])); }
 
 // What rounding may take from a length that is computed from coordinates, as a share.
 constexpr double rounding = 0x1p-50;
@@ -29,388 +23,43 @@ bool has_exact_length(const glm::dvec3& way) {
          (x + y) - x == y && (x + y) - y == x && square - (x + y) == z && square - z == x + y;
 }
 
-// A triangle of the surface, or one of the equal parts of a large one, that is sampled in cells * cells equal cells.
-struct SampledPiece {
-  std::uint32_t triangle, parts, part, cells;
-};
-
-struct SampleSums {
-  double weight = 0, distance = 0, square = 0;
-  std::uint64_t samples = 0;
-};
-
-// A cell whose bound may be larger than the largest distance found. Bounds are floats that are not below it.
-struct OpenSample {
-  std::uint32_t piece, cell;
-  float bound;
-  std::array<std::uint32_t, 3> near;  // what is nearest to its corners
-};
-
-// What one part of the pieces yields.
-struct SampledPart {
-  SampleSums sums;
-  double farthest = 0, closed = 0;  // the largest distance found, and the largest bound of cells that are not open
-  glm::dvec3 place{0.0};
-  std::vector<OpenSample> open;
-};
-
-class OneWay {
- public:
-  OneWay(const TriangleTree& from, const TriangleTree& to, const DistanceOptions& options)
-      : from_(from),
-        to_(to),
-        options_(options),
-        enough_{options.gap, 2e-10 * std::max(from.reach(), to.reach()) + 0x1p-50} {}
-
-  bool run(OneWayDistance& way, Progress& progress) {
-    threads_ = options_.threads ? options_.threads : threads_for(from_.size() + options_.samples);
-    cut_into_pieces();
-    if (!ask_points(progress) || !sample(progress) || !refine(progress)) return false;
-    way.area = area_;
-    way.samples = sums_.samples;
-    way.mean = sums_.distance / sums_.weight;
-    way.rms = std::sqrt(sums_.square / sums_.weight);
-    way.from = place_;
-    const std::uint32_t on = from_.nearest(place_).triangle;
-    way.face = Face(from_.owner(on));
-    const glm::dvec3 longest = to_.way(place_, to_.nearest(place_).triangle);
-    way.to = place_ - longest;
-    way.hausdorff = bound_ == farthest_ && has_exact_length(longest) ? bound_ : bound_ * (1 + rounding);
-    way.hausdorff_gap = way.hausdorff - farthest_;
-    return true;
-  }
-
- private:
-  static constexpr std::uint32_t most_cells = 64;         // per side of a piece
-  static constexpr std::uint32_t most_cells_at_once = 5;  // of a piece whose points are asked about together
-  static constexpr std::uint32_t points_per_part = 2048, samples_per_part = 2048, parts_per_round = 32;
-  static constexpr double share_of_points = 0.25, share_of_samples = 0.75;
-
-  // Cells of about the same area each.
-  void cut_into_pieces() {
-    std::vector<double> areas(from_.size());
-    for (std::uint32_t t = 0; t < from_.size(); ++t) area_ += areas[t] = area_of(from_.places(t));
-    const double of_cell = area_ / static_cast<double>(options_.samples);
-    pieces_.reserve(from_.size());
-    part_begins_ = {0};
-    std::uint64_t in_part = 0;
-    for (std::uint32_t t = 0; t < from_.size(); ++t) {
-      const double sides = area_ > 0 ? std::clamp(std::round(std::sqrt(areas[t] / of_cell)), 1.0, 16384.0) : 1.0;
-      const std::uint32_t parts = static_cast<std::uint32_t>(std::ceil(sides / most_cells));
-      const std::uint32_t cells = static_cast<std::uint32_t>(std::ceil(sides / parts));
-      for (std::uint32_t part = 0; part < parts * parts; ++part) {
-        pieces_.push_back({t, parts, part, cells});
-        in_part += std::uint64_t{cells} * cells;
-        if (in_part < samples_per_part) continue;
-        part_begins_.push_back(static_cast<std::uint32_t>(pieces_.size()));
-        in_part = 0;
-      }
-    }
-    if (in_part > 0) part_begins_.push_back(static_cast<std::uint32_t>(pieces_.size()));
-  }
-
-  // Calls work(part) for all parts below count, some at once, and tells of it in between.
-  template <class Work>
-  bool in_rounds(std::size_t count, double begin, double end, Progress& progress, const Work& work) const {
-    for (std::size_t first = 0; first < count; first += parts_per_round) {
-      const double share = begin + (end - begin) * static_cast<double>(first) / static_cast<double>(count);
-      if (!progress.go_on(static_cast<std::size_t>(share * 1000), 1000)) return false;
-      for_each_task(static_cast<unsigned>(std::min<std::size_t>(parts_per_round, count - first)), threads_,
-                    [&](unsigned i) { work(first + i); });
-    }
-    return true;
-  }
-
-  // The distances at the corners of the triangles.
-  bool ask_points(Progress& progress) {
-    const auto points = static_cast<std::uint32_t>(from_.points().size());
-    near_.resize(points);
-    const std::uint32_t parts = (points + points_per_part - 1) / points_per_part;
-    if (!in_rounds(parts, 0, share_of_points, progress, [&](std::size_t part) {
-          const auto begin = static_cast<std::uint32_t>(part) * points_per_part;
-          std::uint32_t hint = no_index;
-          for (std::uint32_t i = begin; i < std::min(points, begin + points_per_part); ++i) {
-            near_[i] = nearest_of(to_, from_.points()[i], hint);
-            hint = near_[i].triangle;
-          }
-        }))
-      return false;
-    place_ = from_.points()[0];
-    for (std::uint32_t i = 0; i < points; ++i)
-      if (near_[i].distance > farthest_) {
-        farthest_ = near_[i].distance;
-        place_ = from_.points()[i];
-      }
-    return true;
-  }
-
-  TrianglePlaces places_of(const SampledPiece& piece) const {
-    return subtriangle(from_.places(piece.triangle), piece.parts, piece.part);
-  }
-
-  // What is nearest to the lattice points of a piece, line by line.
-  void ask_lattice(const SampledPiece& piece, const TrianglePlaces& places, std::vector<Nearest>& lattice) const {
-    lattice.clear();
-    const auto& corners = from_.corners(piece.triangle);
-    if (piece.parts == 1 && piece.cells == 1) {
-      for (const std::uint32_t corner : corners) lattice.push_back(near_[corner]);
-      return;
-    }
-    if (piece.parts == 1 && piece.cells <= most_cells_at_once) return ask_at_once(piece, places, lattice);
-    for (std::uint32_t line = 0; line <= piece.cells; ++line)
-      for (std::uint32_t along = 0; along <= line; ++along) {
-        const std::uint32_t hint = along > 0  ? lattice.back().triangle
-                                   : line > 0 ? lattice[lattice.size() - line].triangle
-                                              : near_[corners[0]].triangle;
-        if (piece.parts == 1 && is_corner(piece, line, along))
-          lattice.push_back(near_[corners[line == 0 ? 0 : along == 0 ? 1 : 2]]);
-        else
-          lattice.push_back(nearest_of(to_, lattice_point(places, piece.cells, line, along), hint));
-      }
-  }
-
-  // The points of a small piece lie near each other, and each near to what is nearest to one of its corners. The corners
-  // themselves are known.
-  void ask_at_once(const SampledPiece& piece, const TrianglePlaces& places, std::vector<Nearest>& lattice) const {
-    const auto& corners = from_.corners(piece.triangle);
-    constexpr std::size_t most = (most_cells_at_once + 1) * (most_cells_at_once + 2) / 2;
-    std::array<glm::dvec3, most> points;
-    std::array<Nearest, most> near;
-    std::size_t count = 0;
-    for (std::uint32_t line = 0; line <= piece.cells; ++line)
-      for (std::uint32_t along = 0; along <= line; ++along) {
-        const std::size_t nearer = 2 * line < piece.cells ? 0 : 2 * along < line ? 1 : 2;
-        lattice.push_back(near_[corners[nearer]]);
-        if (is_corner(piece, line, along)) continue;
-        points[count] = lattice_point(places, piece.cells, line, along);
-        near[count++] = {0, near_[corners[nearer]].triangle};
-      }
-    to_.nearest(std::span(points).first(count), std::span(near).first(count));
-    std::size_t next = 0;
-    for (std::uint32_t line = 0; line <= piece.cells; ++line)
-      for (std::uint32_t along = 0; along <= line; ++along) {
-        if (is_corner(piece, line, along)) continue;
-        lattice[lattice_index(line, along)] = {without_rounding(near[next].distance), near[next].triangle};
-        ++next;
-      }
-  }
-
-  // Of a piece that is a whole triangle.
-  static bool is_corner(const SampledPiece& piece, std::uint32_t line, std::uint32_t along) {
-    return line == 0 || (line == piece.cells && (along == 0 || along == line));
-  }
-
-  static std::size_t lattice_index(std::uint32_t line, std::uint32_t along) {
-    return std::size_t{line} * (line + 1) / 2 + along;
-  }
-
-  // The cells of a piece with what is nearest to their corners: visit(number, cell).
-  template <class Visit>
-  static void for_each_cell(const SampledPiece& piece, const TrianglePlaces& places,
-                            const std::vector<Nearest>& lattice, const Visit& visit) {
-    std::uint32_t number = 0;
-    const auto at = [&](std::uint32_t line, std::uint32_t along) { return lattice[lattice_index(line, along)]; };
-    for (std::uint32_t line = 0; line < piece.cells; ++line)
-      for (std::uint32_t place = 0; place <= 2 * line; ++place, ++number) {
-        const std::uint32_t along = place / 2;
-        FarthestCell cell{subtriangle(places, piece.cells, number), {}};
-        if (place % 2 == 0)
-          cell.near = {at(line, along), at(line + 1, along), at(line + 1, along + 1)};
-        else
-          cell.near = {at(line, along), at(line + 1, along + 1), at(line, along + 1)};
-        visit(number, cell);
-      }
-  }
-
-  // Cells that are asked about together, since they lie near each other.
-  struct SampleBlock {
-    static constexpr std::size_t size = 16;
-    struct Pending {
-      std::uint32_t piece, index;
-      double weight, bound;  // the bound is of the whole piece
-      FarthestCell cell;
-    };
-    std::array<Pending, size> pending;
-    std::array<glm::dvec3, size> middles;
-    std::array<Nearest, size> near;
-    std::size_t count = 0;
-  };
-
-  void sample_piece(std::uint32_t number, std::vector<Nearest>& lattice, SampleBlock& block, SampledPart& part) const {
-    const SampledPiece& piece = pieces_[number];
-    const TrianglePlaces places = places_of(piece);
-    ask_lattice(piece, places, lattice);
-    const double weight = area_ > 0 ? area_of(places) / (double(piece.cells) * piece.cells) : 1;
-    const double bound = piece.cells > 1 ? bound_by_middle(places) : std::numeric_limits<double>::infinity();
-    for_each_cell(piece, places, lattice, [&](std::uint32_t index, const FarthestCell& cell) {
-      if (block.count == SampleBlock::size) finish(block, part);
-      const auto nearer = std::min_element(cell.near.begin(), cell.near.end(),
-                                           [](const Nearest& a, const Nearest& b) { return a.distance < b.distance; });
-      block.middles[block.count] = (cell.corners[0] + cell.corners[1] + cell.corners[2]) / 3.0;
-      block.near[block.count] = *nearer;
-      block.pending[block.count++] = {number, index, weight, bound, cell};
-    });
-  }
-
-  // A piece that lies along one triangle: so far from that which is nearest to its middle.
-  double bound_by_middle(const TrianglePlaces& places) const {
-    return bound_by((nearest_of(to_, (places[0] + places[1] + places[2]) / 3.0, no_index)).triangle, places);
-  }
-  double bound_by(std::uint32_t triangle, const TrianglePlaces& places) const {
-    double bound = 0;
-    for (const glm::dvec3& corner : places) bound = std::max(bound, without_rounding(to_.distance(corner, triangle)));
-    return bound;
-  }
-
-  void finish(SampleBlock& block, SampledPart& part) const {
-    to_.nearest(std::span(block.middles).first(block.count), std::span(block.near).first(block.count));
-    for (std::size_t i = 0; i < block.count; ++i) {
-      block.near[i].distance = without_rounding(block.near[i].distance);
-      add_sample(block.pending[i], block.middles[i], block.near[i], part);
-    }
-    block.count = 0;
-  }
-
-  void add_sample(const SampleBlock::Pending& sample, const glm::dvec3& middle, const Nearest& near,
-                  SampledPart& part) const {
-    const auto add = [&](double weight, double distance) {
-      part.sums.distance += weight * distance;
-      part.sums.square += weight * distance * distance;
-    };
-    add(0.75 * sample.weight, near.distance);
-    for (std::size_t i = 0; i < 3; ++i) {
-      add(sample.weight / 12, sample.cell.near[i].distance);
-      note(part, sample.cell.near[i].distance, sample.cell.corners[i]);
-    }
-    note(part, near.distance, middle);
-    part.sums.weight += sample.weight;
-    ++part.sums.samples;
-    const double wanted = enough_.from(part.farthest);
-    const double bound = sample.bound <= wanted ? sample.bound : quick_bound(sample.cell, middle, near, wanted);
-    if (bound > wanted)
-      part.open.push_back({sample.piece,
-                           sample.index,
-                           above(bound),
-                           {sample.cell.near[0].triangle, sample.cell.near[1].triangle, sample.cell.near[2].triangle}});
-    else
-      part.closed = std::max(part.closed, bound);
-  }
-
-  static void note(SampledPart& part, double distance, const glm::dvec3& place) {
-    if (!(distance > part.farthest)) return;
-    part.farthest = distance;
-    part.place = place;
-  }
-  static float above(double bound) {
-    return std::nextafter(static_cast<float>(bound), std::numeric_limits<float>::infinity());
-  }
-
-  // By the way from the middle to the farthest corner where that is little enough, else by the nearest triangles.
-  double quick_bound(const FarthestCell& cell, const glm::dvec3& middle, const Nearest& near, double wanted) const {
-    double reach = 0;
-    for (const glm::dvec3& corner : cell.corners) reach = std::max(reach, squared(corner - middle));
-    const double by_reach = near.distance + std::sqrt(reach);
-    if (by_reach <= wanted) return by_reach;
-    const double by_middle = bound_by(near.triangle, cell.corners);
-    if (by_middle <= wanted) return by_middle;
-    return std::min({by_reach, by_middle, bound_of(to_, cell, wanted)});
-  }
-
-  bool sample(Progress& progress) {
-    const std::size_t parts = part_begins_.size() - 1;
-    std::vector<SampledPart> results(parts);
-    if (!in_rounds(parts, share_of_points, share_of_samples, progress, [&](std::size_t i) {
-          results[i].farthest = farthest_;
-          std::vector<Nearest> lattice;
-          SampleBlock block;
-          for (std::uint32_t piece = part_begins_[i]; piece < part_begins_[i + 1]; ++piece)
-            sample_piece(piece, lattice, block, results[i]);
-          finish(block, results[i]);
-        }))
-      return false;
-    for (const SampledPart& part : results) {
-      sums_.weight += part.sums.weight;
-      sums_.distance += part.sums.distance;
-      sums_.square += part.sums.square;
-      sums_.samples += part.sums.samples;
-      if (part.farthest > farthest_) {
-        farthest_ = part.farthest;
-        place_ = part.place;
-      }
-    }
-    for (const SampledPart& part : results) {
-      bound_ = std::max(bound_, part.closed);
-      for (const OpenSample& open : part.open)
-        if (double(open.bound) > enough_.from(farthest_))
-          open_.push_back(open);
-        else
-          bound_ = std::max(bound_, double(open.bound));
-    }
-    return true;
-  }
-
-  FarthestCell cell_of(const OpenSample& open) const {
-    const SampledPiece& piece = pieces_[open.piece];
-    FarthestCell cell{subtriangle(places_of(piece), piece.cells, open.cell), {}};
-    for (std::size_t i = 0; i < 3; ++i)
-      cell.near[i] = {without_rounding(to_.distance(cell.corners[i], open.near[i])), open.near[i]};
-    return cell;
-  }
-
-  // Refines the cells with the largest bounds first, some at once; what one of them finds serves the next ones.
-  bool refine(Progress& progress) {
-    std::sort(open_.begin(), open_.end(), [](const OpenSample& a, const OpenSample& b) {
-      if (a.bound != b.bound) return a.bound > b.bound;
-      return a.piece != b.piece ? a.piece < b.piece : a.cell < b.cell;
-    });
-    std::uint64_t steps_left = 500000 + 2 * sums_.samples;
-    std::size_t next = 0;
-    for (std::size_t at_once = 64; next < open_.size(); at_once = std::min<std::size_t>(2 * at_once, 8192)) {
-      if (double(open_[next].bound) <= enough_.from(farthest_) || steps_left == 0) break;
-      if (!progress.go_on(static_cast<std::size_t>(1000 * share_of_samples), 1000)) return false;
-      const std::size_t count = std::min(at_once, open_.size() - next);
-      const auto most = static_cast<std::uint32_t>(std::min<std::uint64_t>(1 << 20, steps_left));
-      std::vector<FarthestFound> found(count);
-      const auto tasks = static_cast<unsigned>((count + 7) / 8);
-      for_each_task(tasks, threads_, [&](unsigned task) {
-        for (std::size_t i = task * std::size_t{8}; i < std::min(count, (task + std::size_t{1}) * 8); ++i)
-          found[i] = farthest_in(to_, cell_of(open_[next + i]), farthest_, enough_, most);
-      });
-      for (const FarthestFound& one : found) {
-        bound_ = std::max(bound_, one.bound);
-        steps_left -= std::min<std::uint64_t>(steps_left, one.steps + 1);
-        if (!(one.distance > farthest_)) continue;
-        farthest_ = one.distance;
-        place_ = one.place;
-      }
-      next += count;
-    }
-    if (next < open_.size()) bound_ = std::max(bound_, double(open_[next].bound));
-    bound_ = std::max(bound_, farthest_);
-    return true;
-  }
-
-  const TriangleTree& from_;
-  const TriangleTree& to_;
-  const DistanceOptions& options_;
-  const FarEnough enough_;
-  unsigned threads_ = 1;
-  std::vector<SampledPiece> pieces_;
-  std::vector<std::uint32_t> part_begins_;
-  double area_ = 0;
-  std::vector<Nearest> near_;  // to the points of `from_`
-  SampleSums sums_;
-  std::vector<OpenSample> open_;
-  double farthest_ = 0;  // the largest distance found
-  double bound_ = 0;     // of all cells that need no more work
-  glm::dvec3 place_{0.0};
-};
+// The cells whose bounds the samples left open.
+bool search_open_cells(SurfaceSamples& samples, const TriangleTree& from, const TriangleTree& to, FarEnough enough,
+                       unsigned threads, Progress& progress) {
+  std::vector<OpenSample>& open = samples.open;
+  std::sort(open.begin(), open.end(), [](const OpenSample& a, const OpenSample& b) {
+    if (a.bound != b.bound) return a.bound > b.bound;
+    return a.piece != b.piece ? a.piece < b.piece : a.cell < b.cell;
+  });
+  const FarCells cells{open.size(), [&](std::size_t i) { return double(open[i].bound); },
+                       [&](std::size_t i) { return samples.cell(from, to, open[i]); }};
+  const std::uint64_t most_steps = 2000000 + 8 * samples.sums.samples;
+  return search_farthest(samples.farthest, to, cells, enough, most_steps, threads, progress);
+}
 
 }  // namespace
 
 bool measure_one_way(OneWayDistance& way, const TriangleTree& from, const TriangleTree& to,
                      const DistanceOptions& options, Progress& progress) {
-  return OneWay(from, to, options).run(way, progress);
+  const FarEnough enough{options.gap, 2e-10 * std::max(from.reach(), to.reach()) + 0x1p-50};
+  const unsigned threads = options.threads ? options.threads : threads_for(from.size() + options.samples);
+  SurfaceSamples samples;
+  if (!take_samples(samples, from, to, options, enough, threads, progress) ||
+      !progress.go_on(static_cast<std::size_t>(1000 * share_of_samples), 1000) ||
+      !search_open_cells(samples, from, to, enough, threads, progress))
+    return false;
+  const auto& [distance, bound, place] = samples.farthest;
+  way.area = samples.area;
+  way.samples = samples.sums.samples;
+  way.mean = samples.sums.distance / samples.sums.weight;
+  way.rms = std::sqrt(samples.sums.square / samples.sums.weight);
+  way.from = place;
+  way.face = Face(from.owner(from.nearest(place).triangle));
+  const glm::dvec3 longest = to.way(place, to.nearest(place).triangle);
+  way.to = place - longest;
+  way.hausdorff = bound == distance && has_exact_length(longest) ? bound : bound * (1 + rounding);
+  way.hausdorff_gap = way.hausdorff - distance;
+  return true;
 }
 
 }  // namespace ryosen

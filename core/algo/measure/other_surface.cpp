@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "core/algo/measure/farthest.h"
+#include "core/algo/measure/cell_bound.h"
 #include "core/geometry/is_finite.h"
 
 namespace ryosen {

@@ -1,39 +1,73 @@
 #include "core/algo/remesh/remesh.h"
 
 #include <cmath>
+#include <cstdio>
 
 #include "core/algo/cut_faces.h"
 #include "core/algo/remesh/remesher.h"
 #include "core/algo/unit_scale.h"
+#include "core/analysis/self_intersections.h"
+#include "core/base/resource_limits.h"
 
 namespace ryosen::remesh {
 
 namespace {
 
-// About how many triangles come of it, by the area and the features that are divided.
-double expected_triangles(const Mesh& mesh, const Options& options) {
-  double area = 0;
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
-    if (mesh.is_alive(Face(i))) {
-      const double twice = glm::length(area_normal(corners_of(mesh, mesh.halfedge(Face(i)))));
-      if (std::isfinite(twice)) area += twice / 2;
-    }
-  double longest = 0;
+// About how many triangles come of a length of 1, and how many edges of the longest feature; of another length its square
+// and itself less.
+struct ExpectedSize {
+  double triangles = 0, edges = 0;
+
+  double of_length(double length) const { return triangles / (length * length) + edges / length; }
+};
+ExpectedSize expected_size(const Mesh& mesh, const Target& target, double length) {
+  ExpectedSize size;
+  constexpr double of_even = 0.433;  // the area of a triangle whose sides are 1
+  const auto share = [&](Vertex v) { return target.length_at(v) / length; };
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+    if (!mesh.is_alive(Face(i))) continue;
+    const Halfedge h = mesh.halfedge(Face(i));
+    const double area = glm::length(area_normal(corners_of(mesh, h))) / 2;
+    if (!std::isfinite(area)) continue;
+    for (const Halfedge corner : loop(mesh, h)) size.triangles += area / 3 / of_even / std::pow(share(mesh.from(corner)), 2);
+  }
   for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
     if (!mesh.is_alive(Edge(i))) continue;
     const auto [a, b] = ends(mesh, Edge(i));
-    const double length = glm::distance(mesh.position(a), mesh.position(b));
-    if (std::isfinite(length)) longest = std::max(longest, length);
+    const double edge = glm::distance(mesh.position(a), mesh.position(b));
+    if (std::isfinite(edge)) size.edges = std::max(size.edges, edge / std::min(share(a), share(b)));
   }
-  return area / (options.length * options.length * 0.433) + longest / options.length;
+  return size;
 }
 
-std::optional<Text> fault_of_length(const Mesh& mesh, const Options& options) {
-  constexpr double most = 3e8;  // elements of a mesh are numbered with 32 bits
-  const double count = expected_triangles(mesh, options);
-  if (count < most) return std::nullopt;
-  return Text{"so short a length would make more triangles than a mesh can number; take a longer one",
-              "この長さでは三角形の数がメッシュの上限を超えます。もっと長くしてください"};
+// What there is room for. Elements of a mesh are numbered with 32 bits.
+bool fits(double triangles) {
+  constexpr double most = 3e8, bytes_per_triangle = 500;
+  return triangles < most && may_fit_in_memory(bytes_per_triangle * triangles);
+}
+
+// Rounded up to three digits.
+std::string length_text(double length) {
+  const double step = std::pow(10.0, std::floor(std::log10(length)) - 2);
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", std::ceil(length / step) * step);
+  return text;
+}
+
+std::optional<Text> fault_of_length(const Mesh& mesh, const Target& target, const Options& options, double scale) {
+  const ExpectedSize size = expected_size(mesh, target, options.length);
+  const auto is_enough = [&](double length) { return fits(size.of_length(length)); };
+  if (is_enough(options.length)) return std::nullopt;
+  double low = options.length, high = 2 * low;
+  while (!is_enough(high)) low = high, high *= 2;
+  for (int step = 0; step < 20; ++step) {
+    const double middle = 0.5 * low + 0.5 * high;
+    (is_enough(middle) ? high : low) = middle;
+  }
+  const std::string least = length_text(high / scale);
+  return Text{"so short a length would make more triangles than there is room for; the shortest that fits here is about " +
+                  least,
+              "この長さでは三角形が多くなりすぎてメモリに収まりません。ここで収まる最小の長さは約 " + least + " です"};
 }
 
 bool run_rounds(Remesher& remesher, std::size_t rounds, Progress& progress) {
@@ -63,6 +97,68 @@ MeshColumns unscaled(const Mesh& mesh, const Mesh& before, double scale) {
   return columns;
 }
 
+// Where faces of a mesh meet.
+std::vector<Box> crossings_of(const Mesh& mesh, Progress& progress) {
+  constexpr std::size_t most = 100000;
+  std::vector<Box> boxes;
+  const auto found = find_self_intersections(mesh, most, 0, progress);
+  if (!found) return boxes;
+  for (const FacePair& pair : found->pairs) {
+    Box box;
+    for (const Face f : {pair.first, pair.second})
+      for (const glm::dvec3& p : corners_of(mesh, mesh.halfedge(f))) box.add(p);
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+// Remeshing in attempts, each of which watches more closely than the one before.
+class Attempts {
+ public:
+  Attempts(const Mesh& triangles, const Options& options, const Target& target)
+      : start_(triangles), options_(options), target_(target), watched_(options.length), known_(options.length) {}
+
+  // Until no faces meet that did not.
+  void run(Remeshed& result, Progress& progress) {
+    constexpr int most = 4;
+    for (int attempt = 0; attempt < most; ++attempt) {
+      Mesh work = start_;
+      Edit edit(work, nullptr);
+      Remesher remesher(edit, find_features(work, options_.feature_angle_rad), target_, watched_, surface_);
+      result.is_cancelled = !run_rounds(remesher, options_.rounds, progress);
+      edit.commit();
+      result.refused = remesher.refused();
+      if (result.is_cancelled || !watches_more(work, attempt + 2 == most, progress)) {
+        result.is_cancelled |= progress.is_cancelled();
+        result.columns = work.columns();
+        return;
+      }
+    }
+  }
+
+ private:
+  bool watches_more(const Mesh& made, bool all, Progress& progress) {
+    if (watched_.is_all()) return false;
+    std::vector<Box> crossings = crossings_of(made, progress);
+    if (crossings.empty()) return false;
+    if (watched_.is_empty())
+      for (const Box& box : crossings_of(start_, progress)) {
+        known_.add(box);
+        surface_ = CrossingGuard::Surface::perhaps_with_crossings;
+      }
+    std::erase_if(crossings, [&](const Box& box) { return known_.contains(box.middle()); });
+    for (const Box& box : crossings) watched_.add(box);
+    if (all) watched_.add_all();
+    return !crossings.empty() && !progress.is_cancelled();
+  }
+
+  const Mesh& start_;
+  const Options& options_;
+  const Target& target_;
+  WatchedPlaces watched_, known_;  // known: where faces met before
+  CrossingGuard::Surface surface_ = CrossingGuard::Surface::without_crossings;
+};
+
 }  // namespace
 
 Remeshed remeshed(const Mesh& mesh, const Options& options, Progress& progress) {
@@ -73,16 +169,16 @@ Remeshed remeshed(const Mesh& mesh, const Options& options, Progress& progress) 
   Options own = options;
   own.length *= scale;
   own.tolerance *= scale;
-  Mesh work = scaled(mesh, scale);
-  Edit edit(work, nullptr);
-  const std::vector<Face> polygons = polygons_of_mesh(work);
+  Mesh triangles = scaled(mesh, scale);
+  Edit edit(triangles, nullptr);
+  const std::vector<Face> polygons = polygons_of_mesh(triangles);
   result.cut_faces = polygons.size();
-  if ((result.fault = cut_faces(edit, polygons)) || (result.fault = fault_of_length(work, own))) return result;
-  const Target target(work, {own.length, own.adaptive, own.tolerance});
-  Remesher remesher(edit, find_features(work, own.feature_angle_rad), target);
-  result.is_cancelled = !run_rounds(remesher, own.rounds, progress);
+  if ((result.fault = cut_faces(edit, polygons))) return result;
   edit.commit();
-  if (!result.is_cancelled) result.columns = unscaled(work, mesh, scale);
+  const Target target(triangles, {own.length, own.adaptive, own.tolerance});
+  if ((result.fault = fault_of_length(triangles, target, own, scale))) return result;
+  Attempts(triangles, own, target).run(result, progress);
+  if (!result.is_cancelled) result.columns = unscaled(Mesh(std::move(result.columns)), mesh, scale);
   return result;
 }
 

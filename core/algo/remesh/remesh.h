@@ -21,11 +21,14 @@ struct Options {
 struct Remeshed {
   MeshColumns columns;
   std::size_t cut_faces = 0;  // polygons, cut into triangles first
+  std::size_t refused = 0;    // steps that would have made faces meet
   bool is_cancelled = false;
   std::optional<Text> fault = {};
 };
 
-// Rounds of remesher.h. Elements that stay keep their numbers, new ones come behind them. O(rounds times n log n).
+// Rounds of remesher.h. Elements that stay keep their numbers, new ones come behind them. Of a surface without
+// self-intersections comes one without: where faces meet in the end, it begins again and watches these places, and at last
+// all of them. A length for which there is no room is a fault. O(rounds times n log n).
 Remeshed remeshed(const Mesh& mesh, const Options& options, Progress& progress);
 
 struct Swapped {

@@ -16,6 +16,7 @@ namespace {
 constexpr double longest_share = 4.0 / 3, shortest_share = 4.0 / 5;
 constexpr double cosine_of_turn = 0.5;  // of 60 degrees
 constexpr double sliver_sine = 0.34;    // of 20 degrees: no pass but the splits makes a narrower triangle of wider ones
+constexpr double share_of_reach = 0.25;  // of the length: how far the surface as it was may be from it as it becomes
 constexpr std::size_t between_reports = 256;
 
 // Those on both sides of an edge, and those that a swap makes of them.
@@ -40,8 +41,13 @@ SwappedTriangles triangles_at(const Mesh& mesh, Halfedge h) {
 
 }  // namespace
 
-Remesher::Remesher(Edit& edit, Features features, const Target& target)
-    : edit_(edit), mesh_(edit.mesh()), features_(std::move(features)), target_(target) {
+Remesher::Remesher(Edit& edit, Features features, const Target& target, const WatchedPlaces& watched,
+                   CrossingGuard::Surface surface)
+    : edit_(edit),
+      mesh_(edit.mesh()),
+      features_(std::move(features)),
+      target_(target),
+      keeper_(mesh_, features_, target.shortest_length() / 2, watched, surface) {
   for (std::uint32_t i = 0; i < mesh_.vertex_slots(); ++i) wanted_.push_back(target.length_at(Vertex(i)));
   nearby_.assign(mesh_.vertex_slots(), no_index);
 }
@@ -75,25 +81,27 @@ bool Remesher::split_long(Progress& progress) {
   constexpr int most_passes = 64;  // of which each halves the longest; more would only follow rounding
   for (int pass = 0; pass < most_passes; ++pass) {
     const std::vector<Edge> edges = edges_by_length(true, is_long);
-    std::size_t done = 0;
+    std::size_t done = 0, asked = 0;
     for (const Edge e : edges) {
-      if (done % between_reports == 0 && !progress.go_on()) return false;
+      if (asked++ % between_reports == 0 && !progress.go_on()) return false;
       // Another sheet of the same edge may have split it already.
       if (!is_long(e, length_of(e)) || !SplitEdge{halfedge(e)}.check(mesh_).legal()) continue;
-      split(e);
-      ++done;
+      done += try_split(e) ? 1 : 0;
     }
     if (done == 0) break;
   }
   return true;
 }
 
-void Remesher::split(Edge e) {
+bool Remesher::try_split(Edge e) {
+  const SplitEdge split{halfedge(e)};
+  if (!keeper_.allows_split(split.halfedge, split.position(mesh_))) return false;
   const Vertex a = point(mesh_, mesh_.from(halfedge(e))), b = point(mesh_, mesh_.to(halfedge(e)));
   const bool was_feature = is_feature(e);
-  const double length = (wanted_[a.index] + wanted_[b.index]) / 2;
-  const std::uint32_t first = mesh_.vertex_slots();
-  SplitEdge{halfedge(e)}.apply(edit_);
+  const double length = (wanted_[a.index] + wanted_[b.index]) / 2, chord = length_of(e);
+  const std::uint32_t first = mesh_.vertex_slots(), first_face = mesh_.face_slots();
+  split.apply(edit_);
+  keeper_.split(Vertex(first), Face(first_face));
   features_.edges.resize(mesh_.edge_slots(), 0);
   features_.vertices.resize(mesh_.vertex_slots(), was_feature ? 1 : 0);
   wanted_.resize(mesh_.vertex_slots(), length);
@@ -103,14 +111,31 @@ void Remesher::split(Edge e) {
       const Vertex end = point(mesh_, mesh_.to(h));
       features_.edges[edge(h).index] = was_feature && (end == a || end == b) ? 1 : 0;
     }
-  if (was_feature) return;
+  if (was_feature) return true;
   // Half way along a chord the surface may lie elsewhere.
   const Vertex middle(first);
-  const auto nearest = target_.nearest(mesh_.position(middle), nearby_[first]);
-  if (!nearest) return;
+  const auto nearest = target_.nearest(mesh_.position(middle), normal_of(middle), nearby_[first]);
+  // Not so far that the halves would be nearly as long as the whole.
+  if (!nearest || glm::distance(nearest->place, mesh_.position(middle)) > 0.4 * chord) return true;
   wanted_[first] = nearest->length;
   nearby_[first] = nearest->triangle;
-  if (faces_stay(middle, nearest->place)) edit_.set_position(middle, nearest->place);
+  try_move(middle, nearest->place);
+  return true;
+}
+
+glm::dvec3 Remesher::normal_of(Vertex v) const {
+  glm::dvec3 sum(0);
+  for (const Halfedge h : outgoing(mesh_, v))
+    if (!mesh_.is_outside(h)) sum += area_normal(corners_of(mesh_, h));
+  return sum;
+}
+
+bool Remesher::try_move(Vertex v, const glm::dvec3& place) {
+  if (place == mesh_.position(v)) return true;
+  if (!faces_stay(v, place) || !keeper_.allows_move(v, place, share_of_reach * wanted_[v.index])) return false;
+  edit_.set_position(v, place);
+  keeper_.moved(v);
+  return true;
 }
 
 // Of the faces around v none turns away when it lies at `place`.
@@ -145,18 +170,30 @@ bool Remesher::try_collapse(Edge e) {
   Halfedge h = halfedge(e);
   if (is_fixed(mesh_.from(h))) h = twin(h);
   const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
+  if (is_fixed(kept)) return try_collapse(h, mesh_.position(kept));
+  const glm::dvec3 middle = 0.5 * mesh_.position(gone) + 0.5 * mesh_.position(kept);
+  const auto nearest = target_.nearest(middle, normal_of(gone) + normal_of(kept), nearby_[kept.index]);
+  const bool is_near = nearest && glm::distance(nearest->place, middle) < wanted(e);
+  return (is_near && try_collapse(h, nearest->place)) || try_collapse(h, mesh_.position(kept)) ||
+         try_collapse(h, mesh_.position(gone));
+}
+
+bool Remesher::try_collapse(Halfedge h, const glm::dvec3& place) {
+  const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
   const bool stays = is_fixed(kept);
-  const glm::dvec3 place = stays ? mesh_.position(kept) : 0.5 * mesh_.position(gone) + 0.5 * mesh_.position(kept);
   if (!may_collapse(h, place)) return false;
   const CollapseEdge collapse{h, stays ? CollapseEdge::Place::end : CollapseEdge::Place::point, place};
   if (!collapse.is_legal(mesh_)) return false;
+  const double length = stays ? wanted_[kept.index] : std::min(wanted_[gone.index], wanted_[kept.index]);
+  if (!keeper_.allows_collapse(h, place, share_of_reach * length)) return false;
   // The edges that vanish may be marked where those that stay are not.
   for (const Halfedge side : {h, twin(h)}) {
     const Edge one = edge(mesh_.prev(side)), other = edge(mesh_.next(side));
     if (is_feature(one) || is_feature(other)) features_.edges[one.index] = features_.edges[other.index] = 1;
   }
   collapse.apply(edit_);
-  if (!stays) wanted_[kept.index] = std::min(wanted_[gone.index], wanted_[kept.index]);
+  keeper_.collapsed();
+  wanted_[kept.index] = length;
   return true;
 }
 
@@ -204,9 +241,7 @@ bool Remesher::try_swap(Edge e, std::vector<int>& valences) {
   if (error(a, -1) + error(b, -1) + error(c, 1) + error(d, 1) >= now) return false;
   const SwappedTriangles t = triangles_at(mesh_, h);
   if (!t.keep_facing() || t.makes_slivers()) return false;
-  const SwapEdge swap{h};
-  if (!swap.is_legal(mesh_)) return false;
-  swap.apply(edit_);
+  if (!swap_if_allowed(h)) return false;
   --valences[a.index];
   --valences[b.index];
   ++valences[c.index];
@@ -231,38 +266,42 @@ bool Remesher::try_swap_sliver(Edge e) {
   const SwappedTriangles t = triangles_at(mesh_, halfedge(e));
   constexpr double clearly = 1.1;
   if (t.sine_before() >= sliver_sine || t.sine_after() < clearly * t.sine_before() || !t.keep_facing()) return false;
-  const SwapEdge swap{halfedge(e)};
-  if (!swap.is_legal(mesh_)) return false;
+  return swap_if_allowed(halfedge(e));
+}
+
+bool Remesher::swap_if_allowed(Halfedge h) {
+  const SwapEdge swap{h};
+  if (!swap.is_legal(mesh_) || !keeper_.allows_swap(h, share_of_reach * wanted(edge(h)))) return false;
   swap.apply(edit_);
+  keeper_.swapped(h);
   return true;
+}
+
+std::optional<Remesher::Relaxed> Remesher::relaxed(Vertex v) {
+  glm::dvec3 sum(0), normal(0);
+  double weights = 0;
+  for (const Halfedge h : outgoing(mesh_, v)) {
+    const Corners c = corners_of(mesh_, h);
+    const glm::dvec3 area = area_normal(c);
+    const double length = wanted_[mesh_.to(h).index] + wanted_[mesh_.from(mesh_.prev(h)).index];
+    const double weight = glm::length(area) / (target_.is_adaptive() ? length * length : 1);
+    sum += weight * (c[0] + c[1] + c[2]) / 3.0;
+    normal += area;
+    weights += weight;
+  }
+  const glm::dvec3& here = mesh_.position(v);
+  if (!(weights > 0)) return std::nullopt;
+  normal = unit_or_zero(normal);
+  const glm::dvec3 mean = sum / weights;
+  const auto nearest = target_.nearest(mean + glm::dot(normal, here - mean) * normal, normal, nearby_[v.index]);
+  if (!nearest || glm::distance(nearest->place, here) > wanted_[v.index]) return std::nullopt;
+  nearby_[v.index] = nearest->triangle;
+  return Relaxed{nearest->place, nearest->length};
 }
 
 bool Remesher::relax(Progress& progress) {
   const std::uint32_t n = mesh_.vertex_slots();
-  std::vector<glm::dvec3> places(mesh_.positions().begin(), mesh_.positions().end());
-  std::vector<double> lengths = wanted_;
-  const auto relaxed = [&](Vertex v) {
-    glm::dvec3 sum(0), normal(0);
-    double weights = 0;
-    for (const Halfedge h : outgoing(mesh_, v)) {
-      const Corners c = corners_of(mesh_, h);
-      const glm::dvec3 area = area_normal(c);
-      const double length = wanted_[mesh_.to(h).index] + wanted_[mesh_.from(mesh_.prev(h)).index];
-      const double weight = glm::length(area) / (target_.is_adaptive() ? length * length : 1);
-      sum += weight * (c[0] + c[1] + c[2]) / 3.0;
-      normal += area;
-      weights += weight;
-    }
-    const glm::dvec3& here = mesh_.position(v);
-    if (!(weights > 0)) return;
-    normal = unit_or_zero(normal);
-    const glm::dvec3 mean = sum / weights;
-    const auto nearest = target_.nearest(mean + glm::dot(normal, here - mean) * normal, nearby_[v.index]);
-    if (!nearest) return;
-    nearby_[v.index] = nearest->triangle;
-    places[v.index] = nearest->place;
-    lengths[v.index] = nearest->length;
-  };
+  std::vector<std::optional<Relaxed>> found(n);
   constexpr std::uint32_t block = 1 << 15;
   for (std::uint32_t first = 0; first < n; first += block) {
     if (!progress.go_on()) return false;
@@ -270,13 +309,12 @@ bool Remesher::relax(Progress& progress) {
     for_each_part(count, count > 2000 ? threads_for(1000000) : 1,
                   [&](unsigned, std::uint32_t begin, std::uint32_t end) {
                     for (Vertex v(first + begin); v.index < first + end; ++v.index)
-                      if (mesh_.is_alive(v) && !is_fixed(v)) relaxed(v);
+                      if (mesh_.is_alive(v) && !is_fixed(v)) found[v.index] = relaxed(v);
                   });
   }
   for (Vertex v(0); v.index < n; ++v.index) {
-    if (!mesh_.is_alive(v) || is_fixed(v) || !faces_stay(v, places[v.index])) continue;
-    edit_.set_position(v, places[v.index]);
-    wanted_[v.index] = lengths[v.index];
+    if (v.index % block == 0 && !progress.go_on()) return false;
+    if (found[v.index] && try_move(v, found[v.index]->place)) wanted_[v.index] = found[v.index]->length;
   }
   return progress.go_on();
 }

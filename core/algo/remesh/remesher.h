@@ -5,21 +5,24 @@
 
 #include "core/algo/remesh/features.h"
 #include "core/algo/remesh/sizing.h"
+#include "core/algo/remesh/surface_keeper.h"
 #include "core/base/progress.h"
 #include "core/mesh/edit.h"
 
 namespace ryosen::remesh {
 
 // Of triangles. Feature edges are split alone, feature points never move; everything else stays on the surface that the
-// target holds. Each pass goes over the edges in a fixed order, so the result does not depend on threads; false: cancelled.
+// target holds, and no step is done that the keeper refuses: points of the surface as it was stay within a quarter of the
+// length of the surface as it becomes. Each pass goes over the edges in a fixed order, so the result does not depend on threads; false: cancelled.
 class Remesher {
  public:
-  Remesher(Edit& edit, Features features, const Target& target);
+  Remesher(Edit& edit, Features features, const Target& target, const WatchedPlaces& watched,
+           CrossingGuard::Surface surface);
 
   // Splits edges longer than 4/3 of what is wanted, the longest first, until there is none.
   bool split_long(Progress& progress);
   // Collapses edges shorter than 4/5 of it, the shortest first, where the kernel allows it, no longer edge than 4/3 comes
-  // of it and no face turns by 60 degrees: into the middle, or into an end that stays.
+  // of it and no face turns by 60 degrees: into the middle or else an end, or into the end that stays.
   bool collapse_short(Progress& progress);
   // Swaps edges where that brings valences nearer to 6, and 4 at boundaries, and no face turns by 60 degrees.
   bool swap_for_valence(Progress& progress);
@@ -29,6 +32,9 @@ class Remesher {
   // surface; not where a face would turn by 60 degrees or become a sliver.
   bool relax(Progress& progress);
 
+  // How many steps were refused since faces would have met.
+  std::size_t refused() const { return keeper_.refused(); }
+
  private:
   bool is_feature(Edge e) const { return features_.edges[e.index] != 0; }
   bool is_fixed(Vertex v) const { return features_.vertices[v.index] != 0; }
@@ -37,18 +43,29 @@ class Remesher {
   // By length, those that `is_wanted`.
   template <class IsWanted>
   std::vector<Edge> edges_by_length(bool longest_first, const IsWanted& is_wanted) const;
-  void split(Edge e);
+  bool try_split(Edge e);
   bool try_collapse(Edge e);
+  bool try_collapse(Halfedge h, const glm::dvec3& place);
   bool may_collapse(Halfedge h, const glm::dvec3& place) const;
   bool try_swap(Edge e, std::vector<int>& valences);
   bool try_swap_sliver(Edge e);
+  bool swap_if_allowed(Halfedge h);
   int valence_error(Vertex v, int valence) const;
+  glm::dvec3 normal_of(Vertex v) const;
+  // Where on the surface, and how long edges are to be there.
+  struct Relaxed {
+    glm::dvec3 place;
+    double length;
+  };
+  std::optional<Relaxed> relaxed(Vertex v);
   bool faces_stay(Vertex v, const glm::dvec3& place) const;
+  bool try_move(Vertex v, const glm::dvec3& place);
 
   Edit& edit_;
   const Mesh& mesh_;
   Features features_;
   const Target& target_;
+  SurfaceKeeper keeper_;
   std::vector<double> wanted_;         // per vertex
   std::vector<std::uint32_t> nearby_;  // per vertex, a triangle of the target; no_index where none is known
 };

@@ -17,6 +17,12 @@ Text cut_text(std::size_t cut_faces) {
                     "（先に面 # 個を三角形に分割）");
 }
 
+Text refused_text(std::size_t refused) {
+  if (refused == 0) return {};
+  return count_text(refused, "; one step was left out since faces would have met",
+                    "; # steps were left out since faces would have met", "（面どうしが交わる操作 # 回は行わず）");
+}
+
 AlgorithmResult remesh_mesh(Edit& edit, const AlgorithmInput& input, Progress& progress) {
   const Mesh& mesh = edit.mesh();
   const ParameterValues& values = input.values;
@@ -39,7 +45,7 @@ AlgorithmResult remesh_mesh(Edit& edit, const AlgorithmInput& input, Progress& p
   result.changed = made.columns.live.faces;
   const std::string after = std::to_string(made.columns.live.faces);
   result.text = Text{before + " faces became " + after, "面 " + before + " 個が " + after + " 個になりました"} +
-                cut_text(made.cut_faces) + Text{".", "。"};
+                cut_text(made.cut_faces) + refused_text(made.refused) + Text{".", "。"};
   edit.replace(std::move(made.columns));
   return result;
 }

@@ -71,9 +71,12 @@ Target::Target(const Mesh& mesh, const SizeOptions& options) : options_(options)
   }
 }
 
-std::optional<Target::Nearest> Target::nearest(const glm::dvec3& place, std::uint32_t hint) const {
+std::optional<Target::Nearest> Target::nearest(const glm::dvec3& place, const glm::dvec3& direction,
+                                               std::uint32_t hint) const {
   if (tree_.is_empty() || !is_finite(place)) return std::nullopt;
-  const std::uint32_t triangle = tree_.nearest(place, hint).triangle;
+  std::uint32_t triangle = tree_.nearest(place, hint).triangle;
+  if (glm::dot(tree_.area_normal(triangle), direction) < 0) triangle = tree_.nearest_facing(place, direction).triangle;
+  if (triangle == no_index) return std::nullopt;
   if (!is_adaptive()) return Nearest{place - tree_.way(place, triangle), options_.length, triangle};
   const auto& [a, b, c] = tree_.corners(triangle);
   const NearestPlace near = nearest_place(tree_.points(), Primitive::triangle(a, b, c, 0), place);

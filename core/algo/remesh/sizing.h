@@ -28,9 +28,12 @@ class Target {
     double length;
     std::uint32_t triangle;  // a number that is a good hint for places near this one
   };
-  // None where there is no surface, and for a place that is not finite.
-  std::optional<Nearest> nearest(const glm::dvec3& place, std::uint32_t hint = no_index) const;
+  // The nearest place where the surface faces a direction: so what lies on one sheet does not come to another. None where
+  // there is no such place, and for a place that is not finite.
+  std::optional<Nearest> nearest(const glm::dvec3& place, const glm::dvec3& direction,
+                                 std::uint32_t hint = no_index) const;
   double length_at(Vertex v) const { return lengths_.empty() ? options_.length : lengths_[v.index]; }
+  double shortest_length() const { return is_adaptive() ? options_.length / 8 : options_.length; }
   bool is_adaptive() const { return !lengths_.empty(); }
 
  private:

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/algo/simplify/collapse_surface.h"
-#include "core/algo/simplify/crossing_guard.h"
+#include "core/algo/crossing_guard.h"
 #include "core/algo/simplify/level_queue.h"
 #include "core/algo/simplify/small_parts.h"
 #include "core/base/progress.h"

@@ -1,7 +1,5 @@
 #include "core/algo/subdivide/subdivide.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <new>
@@ -49,10 +47,7 @@ std::optional<Text> fault_of_size(const Mesh& mesh, const Options& options) {
     size = size.refined(options.scheme);
     if (2 * size.edges > most_halfedges) return too_large(options.steps, step);
   }
-  const double bytes = size.bytes() + 2 * before.bytes();
-  const double all = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
-  const auto need = static_cast<std::uint64_t>(bytes);
-  if (bytes > all || lack_of_memory({}, {need, need, need})) throw std::bad_alloc();
+  if (!may_fit_in_memory(size.bytes() + 2 * before.bytes())) throw std::bad_alloc();
   return std::nullopt;
 }
 

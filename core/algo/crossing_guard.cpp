@@ -1,0 +1,203 @@
+#include "core/algo/crossing_guard.h"
+
+#include <algorithm>
+
+#include "core/geometry/box.h"
+#include "core/geometry/predicates.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/view/frustum.h"
+
+namespace ryosen {
+
+namespace {
+
+Primitive primitive_of(const Mesh& mesh, Face f) {
+  const Halfedge h = mesh.halfedge(f);
+  for (Vertex v : vertices_around(mesh, f))
+    if (!is_finite(mesh.position(v))) return {};
+  return Primitive::triangle(mesh.from(h).index, mesh.to(h).index, mesh.from(mesh.prev(h)).index, f.index);
+}
+
+bool is_flat(const NumberedTriangle& t) { return are_collinear(t.places[0], t.places[1], t.places[2]); }
+
+// Its six sides as planes.
+Frustum sides_of(const Box& box) {
+  Frustum sides;
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dvec3 along{0.0};
+    along[axis] = 1;
+    sides.add({along, -box.lowest[axis]});
+    sides.add({-along, box.highest[axis]});
+  }
+  return sides;
+}
+
+}  // namespace
+
+CrossingGuard::CrossingGuard(const Mesh& mesh, Surface surface)
+    : mesh_(mesh), may_cross_(surface == Surface::perhaps_with_crossings) {
+  std::vector<Primitive> primitives(mesh.face_slots());
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
+    if (const Face f(i); mesh.is_alive(f)) primitives[i] = primitive_of(mesh, f);
+  tree_.build(mesh.positions(), std::move(primitives));
+}
+
+bool CrossingGuard::Step::concerns(Face f) const {
+  return std::find(gone.begin(), gone.end(), f) != gone.end() ||
+         std::any_of(changed.begin(), changed.end(), [&](const Changed& c) { return c.face == f; });
+}
+
+NumberedTriangle CrossingGuard::triangle(Face f) const {
+  NumberedTriangle t;
+  std::size_t i = 0;
+  for (Vertex v : vertices_around(mesh_, f)) {
+    t.places[i] = mesh_.position(v);
+    t.numbers[i++] = point(mesh_, v).index;
+  }
+  return t;
+}
+
+NumberedTriangle CrossingGuard::triangle(Halfedge h) const {
+  NumberedTriangle t;
+  std::size_t i = 0;
+  for (const Vertex v : {mesh_.from(h), mesh_.to(h), mesh_.from(mesh_.prev(h))}) {
+    t.places[i] = mesh_.position(v);
+    t.numbers[i++] = point(mesh_, v).index;
+  }
+  return t;
+}
+
+void CrossingGuard::begin() const {
+  step_.changed.clear();
+  step_.gone.clear();
+  loses_area_ = false;
+}
+
+void CrossingGuard::change(const NumberedTriangle& t, Face f) const {
+  if (!is_flat(t))
+    step_.changed.push_back({f, t});
+  else if (!is_flat(triangle(f)))
+    loses_area_ = true;
+}
+
+bool CrossingGuard::would_meet(Halfedge h, const glm::dvec3& position) const {
+  const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
+  begin();
+  for (const Face f : {mesh_.face(h), mesh_.face(twin(h))})
+    if (f) step_.gone.push_back(f);
+  for (Halfedge end : {h, twin(h)}) {
+    if (end != h && mesh_.position(kept) == position) continue;
+    for (const Face f : faces_around(mesh_, mesh_.from(end))) {
+      if (!f || f == mesh_.face(h) || f == mesh_.face(twin(h))) continue;
+      NumberedTriangle t = triangle(f);
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (t.numbers[i] != point(mesh_, gone).index && t.numbers[i] != point(mesh_, kept).index) continue;
+        t.numbers[i] = point(mesh_, kept).index;
+        t.places[i] = position;
+      }
+      change(t, f);
+    }
+  }
+  return would_meet();
+}
+
+bool CrossingGuard::would_meet(Vertex v, const glm::dvec3& position) const {
+  begin();
+  for (const Face f : faces_around(mesh_, v)) {
+    if (!f) continue;
+    NumberedTriangle t = triangle(f);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (t.numbers[i] == point(mesh_, v).index) t.places[i] = position;
+    change(t, f);
+  }
+  return would_meet();
+}
+
+bool CrossingGuard::would_meet_swapped(Halfedge h) const {
+  begin();
+  const NumberedTriangle left = triangle(h), right = triangle(twin(h));  // a b c and b a d
+  const auto made = [](const NumberedTriangle& own, const NumberedTriangle& other) {
+    return NumberedTriangle{{own.places[2], own.places[0], other.places[2]},
+                            {own.numbers[2], own.numbers[0], other.numbers[2]}};
+  };
+  change(made(left, right), mesh_.face(h));
+  change(made(right, left), mesh_.face(twin(h)));
+  return would_meet();
+}
+
+bool CrossingGuard::would_meet_split(Halfedge h, const glm::dvec3& position) const {
+  begin();
+  const bool is_cut = is_cut_on_points(mesh_, h);
+  for (const Halfedge sheet : is_cut ? sheets_between(mesh_, mesh_.from(h), mesh_.to(h)) : std::vector{h})
+    for (const Halfedge side : {sheet, twin(sheet)}) {
+      if (mesh_.is_outside(side)) continue;
+      for (const std::size_t replaced : {0u, 1u}) {
+        NumberedTriangle t = triangle(side);
+        t.places[replaced] = position;
+        t.numbers[replaced] = mesh_.vertex_slots();
+        change(t, mesh_.face(side));
+      }
+    }
+  return would_meet();
+}
+
+// A face without area before meets none; so it is not among those that `before` counts.
+bool CrossingGuard::would_meet() const {
+  if (loses_area_) return true;
+  const std::size_t most = may_cross_ ? 1000 : 1, after = meetings(step_.changed, most);
+  if (after == 0 || !may_cross_) return after > 0;
+  std::vector<Changed> before;
+  for (const Changed& one : step_.changed) before.push_back({one.face, triangle(one.face)});
+  for (const Face f : step_.gone) before.push_back({f, triangle(f)});
+  std::erase_if(before, [](const Changed& one) { return is_flat(one.triangle); });
+  return after > meetings(before, most);
+}
+
+std::size_t CrossingGuard::meetings(const std::vector<Changed>& faces, std::size_t most) const {
+  find_near(faces);
+  std::size_t found = 0;
+  const auto boxed = [](const Changed& one) { return box_of(one.triangle.places); };
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    for (std::size_t k = i + 1; k < faces.size(); ++k)
+      if (meet_elsewhere(faces[i].triangle, faces[k].triangle) && ++found == most) return found;
+    const Box box = boxed(faces[i]);
+    for (const Changed& other : near_)
+      if (box.overlaps(boxed(other)) && meet_elsewhere(faces[i].triangle, other.triangle) && ++found == most)
+        return found;
+  }
+  return found;
+}
+
+// The faces in the box around these that the step leaves as they are.
+void CrossingGuard::find_near(const std::vector<Changed>& faces) const {
+  near_.clear();
+  if (faces.empty()) return;
+  Box around;
+  for (const Changed& one : faces)
+    for (const glm::dvec3& p : one.triangle.places) around.add(p);
+  tree_.visit_frustum(mesh_.positions(), sides_of(around), [&](std::uint32_t slot) {
+    if (step_.concerns(Face(slot))) return;
+    const NumberedTriangle other = triangle(Face(slot));
+    if (!is_flat(other)) near_.push_back({Face(slot), other});
+  });
+}
+
+void CrossingGuard::follow(Face f) {
+  tree_.insert(mesh_.positions(), f.index, primitive_of(mesh_, f));
+  if (tree_.is_worn()) tree_.rebuild(mesh_.positions());
+}
+
+void CrossingGuard::follow(Vertex kept) {
+  for (Face f : faces_around(mesh_, kept))
+    if (f) tree_.insert(mesh_.positions(), f.index, primitive_of(mesh_, f));
+  if (tree_.is_worn()) tree_.rebuild(mesh_.positions());
+}
+
+void CrossingGuard::follow_move(Vertex moved) {
+  for (Face f : faces_around(mesh_, moved))
+    if (f) tree_.update(mesh_.positions(), f.index);
+  if (tree_.is_worn()) tree_.rebuild(mesh_.positions());
+}
+
+}  // namespace ryosen

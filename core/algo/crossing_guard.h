@@ -1,0 +1,71 @@
+// Keeps a surface of triangles free of self-intersections while its edges collapse and swap and its vertices move: exactly,
+// in the sense of find_self_intersections.
+#pragma once
+
+#include <vector>
+
+#include "core/geometry/triangles_meet.h"
+#include "core/mesh/mesh.h"
+#include "core/pick/bvh.h"
+
+namespace ryosen {
+
+class CrossingGuard {
+ public:
+  enum class Surface { without_crossings, perhaps_with_crossings };
+
+  // Of a mesh of triangles. On one that has crossings a step may make as many as it takes away. O(n log n).
+  explicit CrossingGuard(const Mesh& mesh, Surface surface = Surface::without_crossings);
+
+  // Whether faces would meet elsewhere than at what they share if from(h) became to(h) there. A face that would lose its
+  // area counts too. Cost: the faces around both ends, and those near them.
+  bool would_meet(Halfedge h, const glm::dvec3& position) const;
+  // The same if v moved there.
+  bool would_meet(Vertex v, const glm::dvec3& position) const;
+  // The same if the edge of h, between two triangles, were swapped.
+  bool would_meet_swapped(Halfedge h) const;
+  // The same if it were split there, in all its sheets.
+  bool would_meet_split(Halfedge h, const glm::dvec3& position) const;
+
+  // The vertex stands for another one too, and has come to its place, or has new faces: those around it are up to date.
+  void follow(Vertex kept);
+  // It has moved, and that is all.
+  void follow_move(Vertex moved);
+  // A face that has other corners.
+  void follow(Face f);
+  // A face that is gone.
+  void forget(Face f) { tree_.erase(f.index); }
+
+ private:
+  struct Changed {
+    Face face;
+    NumberedTriangle triangle;
+  };
+  // What a step does: faces that change, and those that go.
+  struct Step {
+    std::vector<Changed> changed;
+    std::vector<Face> gone;
+
+    bool concerns(Face f) const;
+  };
+
+  NumberedTriangle triangle(Face f) const;
+  // The triangle at a halfedge, from its start on.
+  NumberedTriangle triangle(Halfedge h) const;
+  void begin() const;
+  void change(const NumberedTriangle& t, Face f) const;
+  bool would_meet() const;
+  // How many pairs of faces one of which is among these meet elsewhere, at most so many.
+  std::size_t meetings(const std::vector<Changed>& faces, std::size_t most) const;
+  void find_near(const std::vector<Changed>& faces) const;
+
+  const Mesh& mesh_;
+  Bvh tree_;  // slots are faces
+  bool may_cross_;
+  // Of the step that is judged.
+  mutable Step step_;
+  mutable bool loses_area_ = false;
+  mutable std::vector<Changed> near_;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,102 @@
+#include "core/algo/remesh/covered_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/geometry/point_triangle.h"
+
+namespace ryosen::remesh {
+
+namespace {
+
+// Of the angle between the normals of a point and of its face: past a right angle, since on a narrow rim both sides are
+// at one to the normal.
+constexpr double least_cosine = -0.3;
+
+}  // namespace
+
+CoveredPoints::CoveredPoints(const Mesh& mesh, const Features& features, double spacing) {
+  first_.assign(mesh.face_slots(), no_index);
+  for (Vertex v(0); v.index < mesh.vertex_slots(); ++v.index)
+    if (mesh.is_alive(v) && !features.vertices[v.index]) add_vertex(mesh, v);
+  for (Edge e(0); e.index < mesh.edge_slots(); ++e.index)
+    if (mesh.is_alive(e) && !features.edges[e.index]) add_edge(mesh, e, spacing);
+}
+
+void CoveredPoints::add_vertex(const Mesh& mesh, Vertex v) {
+  glm::dvec3 sum(0);
+  double size = 0;
+  for (const Halfedge h : outgoing(mesh, v)) {
+    const glm::dvec3 area = area_normal(corners_of(mesh, h));
+    sum += area;
+    size += glm::length(area);
+  }
+  const glm::dvec3 normal = glm::length(sum) > 0.3 * size ? unit_or_zero(sum) : glm::dvec3(0);
+  Face best;
+  double most = -2;
+  for (const Halfedge h : outgoing(mesh, v))
+    if (const double cosine = glm::dot(unit_normal(mesh, h), normal); cosine > most) {
+      most = cosine;
+      best = mesh.face(h);
+    }
+  points_.push_back({mesh.position(v), most > least_cosine ? normal : glm::dvec3(0), 0, no_index});
+  give(static_cast<std::uint32_t>(points_.size() - 1), best);
+}
+
+void CoveredPoints::add_edge(const Mesh& mesh, Edge e, double spacing) {
+  const Halfedge h = halfedge(e);
+  const glm::dvec3 &a = mesh.position(mesh.from(h)), &b = mesh.position(mesh.to(h));
+  const auto parts = static_cast<std::uint32_t>(std::clamp(std::ceil(glm::distance(a, b) / spacing), 1.0, 10000.0));
+  const glm::dvec3 normal = unit_or_zero(unit_normal(mesh, h) + unit_normal(mesh, twin(h)));
+  for (std::uint32_t i = 1; i < parts; ++i) {
+    const double along = double(i) / parts;
+    points_.push_back({(1 - along) * a + along * b, normal, 0, no_index});
+    give(static_cast<std::uint32_t>(points_.size() - 1), mesh.face(h));
+  }
+}
+
+void CoveredPoints::give(std::uint32_t point, Face f) {
+  if (first_.size() <= f.index) first_.resize(f.index + 1, no_index);
+  points_[point].next = first_[f.index];
+  first_[f.index] = point;
+}
+
+bool CoveredPoints::would_stay(std::span<const Face> old, std::span<const Made> made, double reach) {
+  answers_.clear();
+  normals_.clear();
+  made_.clear();
+  old_.assign(old.begin(), old.end());
+  if (made.size() > most_faces) return false;
+  for (const Made& one : made) {
+    normals_.push_back(unit_or_zero(area_normal(one.corners)));
+    made_.push_back(one.face);
+  }
+  for (const Face f : old)
+    for (std::uint32_t i = f.index < first_.size() ? first_[f.index] : no_index; i != no_index; i = points_[i].next) {
+      const Point& point = points_[i];
+      Answer answer{i, no_index, std::numeric_limits<double>::infinity()};
+      for (std::uint32_t k = 0; k < made.size(); ++k) {
+        if (glm::dot(normals_[k], point.normal) < least_cosine) continue;
+        const auto& [a, b, c] = made[k].corners;
+        const glm::dvec3 way = way_from_triangle(a, b, c, point.place);
+        if (const double square = glm::dot(way, way); square < answer.distance) answer = {i, k, square};
+      }
+      if (answer.made == no_index) return false;
+      answer.distance = std::sqrt(answer.distance);
+      if (answer.distance > std::max(reach, point.distance)) return false;
+      answers_.push_back(answer);
+    }
+  return true;
+}
+
+void CoveredPoints::hand_over() {
+  for (const Face f : old_)
+    if (f.index < first_.size()) first_[f.index] = no_index;
+  for (const Answer& answer : answers_) {
+    points_[answer.point].distance = answer.distance;
+    give(answer.point, made_[answer.made]);
+  }
+}
+
+}  // namespace ryosen::remesh

@@ -1,0 +1,57 @@
+// The points of the surface as it was, each with the face of the surface as it becomes that lies where it was.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/algo/remesh/features.h"
+#include "core/algo/remesh/triangle_shape.h"
+
+namespace ryosen::remesh {
+
+// So no thin part can be eaten step by step, and no sheet taken for another: whatever becomes of the faces, each point stays
+// near one of them that faces its way.
+class CoveredPoints {
+ public:
+  // Faces of a step, each as it becomes.
+  struct Made {
+    Face face;
+    Corners corners;
+  };
+
+  // Of a mesh of triangles the vertices that may move, and points on edges that are no features, each at most `spacing` from
+  // the next. O(n).
+  CoveredPoints(const Mesh& mesh, const Features& features, double spacing);
+
+  // Whether each point of the old faces lies within reach of one of the made ones, or no farther than it lay. No more than
+  // most_faces are judged: so a step costs what it costs, and a hub stays where it is. Many points times faces.
+  bool would_stay(std::span<const Face> old, std::span<const Made> made, double reach);
+  // What was judged last comes to be. Faces that are no longer there are among the old ones.
+  void hand_over();
+
+  static constexpr std::size_t most_faces = 64;
+
+ private:
+  struct Point {
+    glm::dvec3 place, normal;  // the normal is 0 where the faces around go all ways
+    double distance;           // from its face
+    std::uint32_t next;        // of the same face
+  };
+  struct Answer {
+    std::uint32_t point, made;
+    double distance;
+  };
+  void add_vertex(const Mesh& mesh, Vertex v);
+  void add_edge(const Mesh& mesh, Edge e, double spacing);
+  void give(std::uint32_t point, Face f);
+
+  std::vector<Point> points_;
+  std::vector<std::uint32_t> first_;  // per face slot
+  // Of the step that was judged.
+  std::vector<Answer> answers_;
+  std::vector<Face> old_, made_;
+  std::vector<glm::dvec3> normals_;
+};
+
+}  // namespace ryosen::remesh

@@ -1,0 +1,123 @@
+// Remeshing of what is thinner than the length: nothing is torn, eaten or made to cross.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <glm/geometric.hpp>
+
+#include "core/algo/measure/distance.h"
+#include "core/algo/remesh/remesh.h"
+#include "core/analysis/figures.h"
+#include "core/analysis/invariants.h"
+#include "core/analysis/self_intersections.h"
+#include "core/indexed/from_indexed.h"
+#include "core/io/formats.h"
+#include "core/mesh/circulate.h"
+#include "tests/support/core/long_run.h"
+#include "tests/support/core/run_algorithm.h"
+#include "tests/support/core/shapes.h"
+
+namespace ryosen::test {
+namespace {
+
+double mean_edge(const Mesh& mesh) {
+  double sum = 0;
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+    if (!mesh.is_alive(Edge(i))) continue;
+    const auto [a, b] = ends(mesh, Edge(i));
+    sum += glm::distance(mesh.position(a), mesh.position(b));
+  }
+  return sum / mesh.live().edges;
+}
+
+Mesh made_by_lines(std::initializer_list<const char*> lines) {
+  Mesh mesh;
+  Journal journal;
+  for (const char* const line : lines) EXPECT_GT(run_algorithm(mesh, journal, line).changed, 0u) << line;
+  return mesh;
+}
+
+Mesh read(const std::filesystem::path& path) {
+  auto file = read_mesh_file(path);
+  EXPECT_TRUE(file) << path;
+  return file ? from_indexed(file->mesh) : Mesh();
+}
+
+// What is the same whatever the length, and how near the surfaces are.
+void expect_same_surface(const Mesh& before, const Mesh& after, double length) {
+  const auto broken = check_invariants(after);
+  ASSERT_FALSE(broken) << broken->sentence;
+  const Figures old = compute_figures(before), now = compute_figures(after);
+  EXPECT_EQ(now.euler_characteristic, old.euler_characteristic);
+  EXPECT_EQ(now.components, old.components);
+  EXPECT_EQ(now.boundary_loops, old.boundary_loops);
+  EXPECT_EQ(now.manifold, old.manifold);
+  EXPECT_EQ(now.closed, old.closed);
+  // Where sheets cross, nearest places may be on either.
+  const bool was_free = find_self_intersections(before, 1).count == 0;
+  if (was_free) {
+    EXPECT_EQ(find_self_intersections(after, 1).count, 0u);
+  }
+  Progress unheard;
+  const auto distance = surface_distance(before, after, {.gap = 0.05, .samples = 2000}, unheard);
+  EXPECT_LT(distance->forward.hausdorff, (was_free ? 0.4 : 1.2) * length) << "eaten";
+  EXPECT_LT(distance->backward.hausdorff, (was_free ? 0.6 : 1.2) * length) << "torn";
+}
+
+void expect_any_length_is_fine(const Mesh& mesh, const std::string& name) {
+  for (const double times : {0.2, 0.5, 1.0, 2.0, 5.0})
+    for (const bool adaptive : {false, true}) {
+      if (times < 0.5 && !is_long_run() && mesh.live().faces > 200) continue;
+      SCOPED_TRACE(name + ", " + std::to_string(times) + " times the mean edge" + (adaptive ? ", adaptive" : ""));
+      if (adaptive && times < 2) continue;
+      const double length = times * mean_edge(mesh);
+      Progress unheard;
+      remesh::Remeshed made = remesh::remeshed(
+          mesh, {.length = length, .adaptive = adaptive, .tolerance = length / 20, .feature_angle_rad = 0.785}, unheard);
+      ASSERT_FALSE(made.fault);
+      expect_same_surface(mesh, Mesh(std::move(made.columns)), length);
+    }
+}
+
+TEST(RemeshThin, parts_thinner_than_the_length_stay) {
+  expect_any_length_is_fine(made_by_lines({"sphere", "scale axis=0,0,1 factor=0.02"}), "a smooth plate");
+  expect_any_length_is_fine(made_by_lines({"cube", "scale axis=0,0,1 factor=0.02", "subdivide scheme=midpoint steps=3"}),
+                            "a plate with edges");
+  expect_any_length_is_fine(made_by_lines({"torus radius=1 tube=0.03"}), "a thin torus");
+  expect_any_length_is_fine(made_by_lines({"cone radius=0.1 height=1", "subdivide scheme=midpoint steps=1"}), "a cone");
+}
+
+TEST(RemeshThin, sheets_nearer_than_the_length_do_not_meet) {
+  expect_any_length_is_fine(made_by_lines({"sphere radius=1", "sphere radius=1.01"}), "two spheres");
+  expect_any_length_is_fine(made_by_lines({"sphere radius=1", "scale axis=0,0,1 factor=0.02", "sphere radius=1.05"}),
+                            "a plate in a sphere");
+}
+
+TEST(RemeshThin, meshes_of_files_stay_what_they_are) {
+  namespace fs = std::filesystem;
+  for (const char* const name : {"ball.off", "torus.off", "tetrahedron.off", "cube.obj", "moebius.off", "klein_bottle.off"})
+    expect_any_length_is_fine(read(fs::path(RYOSEN_SOURCE_DIR "/assets") / name), name);
+  const fs::path known = RYOSEN_SHARED_DIR "/meshes/known";
+  if (!fs::exists(known)) return;
+  for (const char* const name : {"annulus.off", "cube_quad.off", "cube_tri.off", "moebius5.off", "two_tets_disjoint.off"})
+    expect_any_length_is_fine(read(known / name), name);
+}
+
+// A tongue with a smooth rim whose sheets lie nearer to each other than the length: what projecting to the nearest point of
+// the surface, or collapsing into middles, ate from the tip.
+TEST(RemeshThin, a_tongue_keeps_its_tip) {
+  const Mesh tongue = made_by_lines({"sphere radius=1", "subdivide scheme=loop steps=1", "scale axis=0,1,0 factor=0.3",
+                                     "scale axis=0,0,1 factor=0.03"});
+  for (const double length : {0.1, 0.2, 0.3}) {
+    Progress unheard;
+    remesh::Remeshed made = remesh::remeshed(tongue, {.length = length, .feature_angle_rad = 3.2}, unheard);
+    const Mesh mesh(std::move(made.columns));
+    expect_same_surface(tongue, mesh, length);
+    double reach = 0;
+    for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+      if (mesh.is_alive(Vertex(i))) reach = std::max(reach, mesh.position(Vertex(i)).x);
+    EXPECT_GT(reach, 1 - 0.3 * length);
+  }
+}
+
+}  // namespace
+}  // namespace ryosen::test

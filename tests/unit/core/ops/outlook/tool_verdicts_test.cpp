@@ -69,7 +69,7 @@ TEST(tool_verdicts, follow_edits_as_if_all_were_asked_again) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Mesh mesh = seed % 2 == 0 ? test::random_kernel_mesh(seed) : test::random_complex(seed);
     Journal journal;
-    test::Dice dice(seed);
+    Dice dice(seed);
     std::vector<ToolVerdicts> followed;
     for (const OpInfo& op : all_ops())
       for (const Element::Kind sort : sorts)

@@ -10,11 +10,11 @@ namespace ryosen {
 
 namespace {
 
-constexpr std::uint32_t block_slots = 512, most_blocks = no_index / block_slots / 2;
+constexpr std::uint32_t in_block = 512, most_blocks = no_index / in_block / 2;
 
-std::uint32_t blocks_for(std::uint32_t slots) { return (slots + block_slots - 1) / block_slots; }
+std::uint32_t blocks_for(std::uint32_t slots) { return (slots + in_block - 1) / in_block; }
 
-std::uint32_t slots_of(const ToolVerdicts& verdicts) { return static_cast<std::uint32_t>(verdicts.all().size()); }
+std::uint32_t elements_of(const ToolVerdicts& verdicts) { return static_cast<std::uint32_t>(verdicts.all().size()); }
 
 }  // namespace
 
@@ -37,7 +37,7 @@ void VerdictLayer::begin(Session& session, View& view, const ToolVerdicts* verdi
 
 // The refused ones on top, where elements lie dense.
 void VerdictLayer::draw_block(Session& session, View& view, const ToolVerdicts& verdicts, std::uint32_t block) const {
-  const std::uint32_t first = block * block_slots, end = std::min(first + block_slots, slots_);
+  const std::uint32_t first = block * in_block, end = std::min(first + in_block, slots_);
   const auto draw = [&](ElementVerdict which, std::uint32_t part) {
     view.set_overlay_part(Layer::verdicts, part,
                           verdicts_overlay(session, verdicts, which, first, end, theme_, room_));
@@ -51,7 +51,7 @@ void VerdictLayer::follow_slots(View& view, std::uint32_t slots) {
   for (; drawn_ > blocks_for(slots); --drawn_)
     for (const std::uint32_t part : {drawn_ - 1, most_blocks + drawn_ - 1})
       view.set_overlay_part(Layer::verdicts, part, {});
-  drawn_ = std::min(drawn_, std::min(slots, slots_) / block_slots);
+  drawn_ = std::min(drawn_, std::min(slots, slots_) / in_block);
   slots_ = slots;
 }
 
@@ -62,16 +62,16 @@ void VerdictLayer::follow(Session& session, View& view) {
   if (is_stale_ || !verdicts || serial_ != verdicts->serial() || theme_ != session.settings.theme)
     begin(session, view, verdicts);
   if (!verdicts) return;
-  follow_slots(view, slots_of(*verdicts));
+  follow_slots(view, elements_of(*verdicts));
   std::uint32_t last = no_index;
   for (const std::uint32_t slot : verdicts->take_asked_again()) {
-    const std::uint32_t block = slot / block_slots;
+    const std::uint32_t block = slot / in_block;
     if (block < drawn_ && block != last) draw_block(session, view, *verdicts, block);
     last = block;
   }
   const std::uint32_t blocks = blocks_for(slots_), before = drawn_;
   const auto is_asked = [&](std::uint32_t block) {
-    return verdicts->asked() >= std::min(slots_, (block + 1) * block_slots);
+    return verdicts->asked() >= std::min(slots_, (block + 1) * in_block);
   };
   while (drawn_ < blocks && is_asked(drawn_) && (!session.asks_in_slices || drawn_ < before + most_at_once))
     draw_block(session, view, *verdicts, drawn_++);

@@ -47,6 +47,7 @@ class Editor {
       return write_png(canvas_->read_pixels(), path);
     };
     session_.trials().in_background = true;
+    session_.asks_in_slices = true;
     session_.on_progress = [this](double share) { return show_progress(share); };
     if (const char* const path = std::getenv("RYOSEN_FRAME_LOG")) log_.open(path, std::ios::app);
     gui_.set_clipboard(
@@ -254,6 +255,9 @@ class Editor {
   // What is shown may be a part of it. Between frames only: a panel that is being laid out has nothing to be drawn.
   void draw_whole() {
     if (gui_.is_laying_out()) return;
+    session_.asks_in_slices = false;
+    viewport_->follow(session_);
+    session_.asks_in_slices = true;
     viewport_->hurry();
     while (!viewport_->is_finished()) compose();
   }

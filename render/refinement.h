@@ -26,6 +26,8 @@ class Refinement {
   bool is_done() const { return !next_tile() && parts_.empty(); }
   // What is to be refined next; none if all is. Unless it is told to be halved, it counts as done.
   std::optional<Part> take();
+  // A part is taken again next, after all.
+  void put_back(const Part& part) { parts_.push_back(part); }
   // A part was too much at once: its halves come next.
   void halve(const Part& part);
 

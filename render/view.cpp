@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 #include <limits>
+#include <utility>
 
 #include "core/base/parallel.h"
 
@@ -93,6 +94,7 @@ View::View(Passes passes)
       rendered_("rendered", picture_formats, true),
       resolved_("resolved", picture_formats, false),
       fine_("fine", picture_formats, true) {
+  is_shown_.fill(true);
   resize(size_);
 }
 
@@ -164,7 +166,17 @@ void View::set_tints(std::span<const DrawnTint> tints) {
 void View::set_overlay(Layer layer, const Overlay& overlay) {
   std::vector<TouchedBox> touched;
   overlays_[static_cast<std::size_t>(layer)].set(overlay, mesh_.space(), touched);
-  changed(touched);
+  if (is_shown_[static_cast<std::size_t>(layer)]) changed(touched);
+}
+
+void View::show_layer(Layer layer, bool shown) {
+  bool& is_shown = is_shown_[static_cast<std::size_t>(layer)];
+  if (std::exchange(is_shown, shown) != shown && overlays_[static_cast<std::size_t>(layer)].has_elements())
+    all_changed();
+}
+
+void View::reserve_overlay(Layer layer, std::size_t elements) {
+  overlays_[static_cast<std::size_t>(layer)].reserve(elements);
 }
 
 void View::set_labels(std::span<const DrawnLabel> texts) {
@@ -174,7 +186,7 @@ void View::set_labels(std::span<const DrawnLabel> texts) {
 void View::set_overlay_part(Layer layer, std::uint32_t part, const Overlay& overlay) {
   std::vector<TouchedBox> touched;
   overlays_[static_cast<std::size_t>(layer)].set_part(part, overlay, mesh_.space(), touched);
-  changed(touched);
+  if (is_shown_[static_cast<std::size_t>(layer)]) changed(touched);
 }
 
 void View::set_mesh(const TriangleSource& source) {
@@ -305,6 +317,7 @@ PixelRect View::draw() {
   dirty_.clear();
   redrawn_.clear();
   triangles_drawn_ = triangles_hidden_ = 0;
+  refining_effort_ = 0;
   while (!waiting_.empty() && (most_triangles_ == 0 || triangles_drawn_ < most_triangles_)) {
     const PixelRect rect = take_waiting();
     if (most_triangles_ != 0 && triangles_drawn_ != 0 &&
@@ -326,8 +339,9 @@ void View::draw_all(const Frame& frame, const DrawTarget& target, std::span<cons
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   draw_scene(frame, target, clusters);
   for (std::size_t i = 0; i < layer_count; ++i)
-    passes_.overlay.draw(frame, overlays_[i],
-                         static_cast<Layer>(i) <= Layer::hover ? OverlayPass::Of::mesh : OverlayPass::Of::view);
+    if (is_shown_[i])
+      passes_.overlay.draw(frame, overlays_[i],
+                           static_cast<Layer>(i) <= Layer::hover ? OverlayPass::Of::mesh : OverlayPass::Of::view);
 }
 
 void View::draw_scene(const Frame& frame, const DrawTarget& target, std::span<const std::uint32_t> clusters) {
@@ -377,28 +391,6 @@ void View::draw(const PixelRect& asked) {
   passes_.labels.draw(picture(), rect);
   refinement_.spoil(rect);
   dirty_.remove_inside(rect);
-}
-
-void View::refine() {
-  constexpr int scale = Refinement::samples, tile_px = Refinement::tile_px;
-  auto part = refinement_.take();
-  while (part && is_too_much(part->rect, most_triangles_ / 4)) {
-    refinement_.halve(*part);
-    part = refinement_.take();
-  }
-  if (!part) return;
-  const PixelRect rect = part->rect;
-  fine_.resize({tile_px * scale, tile_px * scale});
-  Frame f = frame(rect, scale);
-  const DrawTarget target(fine_, f.size, {part->tile.x0 * scale, part->tile.y0 * scale});
-  f.lower_left = target.lower_left();
-  const std::vector<std::uint32_t> clusters = places_.inside(mesh_.clusters(), rect);
-  draw_all(f, target, clusters);
-  for (const std::uint32_t cluster : clusters) triangles_drawn_ += mesh_.clusters()[cluster].count;
-  Framebuffer& picture = supersample_ > 1 ? resolved_ : rendered_;
-  passes_.resolve.draw(fine_, scale, picture, rect, f.lower_left / scale);
-  passes_.labels.draw(picture, rect);
-  redrawn_.add(rect);
 }
 
 Image View::read_pixels() const {

@@ -74,12 +74,21 @@ class View {
   // changes is drawn with those of resize() at first. No effect where they are as many.
   void set_refining(bool refines) { refines_ = refines; }
   bool is_refined() const { return !can_refine_ || (is_drawn() && refinement_.is_done()); }
+  // Such a draw() refines parts of at most so much effort together, which is about nanoseconds of one core; one part at
+  // least, of a few pixels where it must be. 0, as at first: a tile.
+  void set_most_refining(double effort) { most_refining_ = effort; }
+  // Of what the last draw() refined.
+  double refining_effort() const { return refining_effort_; }
   // What the numbers of the faces' tints mean, from 1 on.
   void set_tints(std::span<const DrawnTint> tints);
   // Replaces the content of a layer.
   void set_overlay(Layer layer, const Overlay& overlay);
   // Replaces a numbered part of a layer, at the cost of that part; see OverlayBuffer::set_part.
   void set_overlay_part(Layer layer, std::uint32_t part, const Overlay& overlay);
+  // Whether a layer is drawn, at first each. What changes in one that is not costs no redraw.
+  void show_layer(Layer layer, bool shown);
+  // So many elements will come: their memory is not moved again and again meanwhile.
+  void reserve_overlay(Layer layer, std::size_t elements);
   // The texts over the picture, in its pixels, and their glyphs; see LabelsPass.
   void set_labels(std::span<const DrawnLabel> texts);
   void set_label_fonts(ImFontAtlas& atlas) { passes_.labels.set_fonts(atlas); }
@@ -143,6 +152,9 @@ class View {
   // Draws the surface, the ground and the overlays into a rectangle of the frame.
   void draw_all(const Frame& frame, const DrawTarget& target, std::span<const std::uint32_t> clusters);
   void refine();
+  void refine(const Refinement::Part& part);
+  // Of refining this rectangle, with what of the overlays lies there.
+  double effort_of(const PixelRect& rect) const;
   // Takes the next rectangle that waits, halved until it has no more triangles than one draw() may draw.
   PixelRect take_waiting();
   // Whether more triangles are in it than these, so that it is to be halved; 0: never.
@@ -151,6 +163,7 @@ class View {
   Passes passes_;
   MeshBuffers mesh_;
   std::array<OverlayBuffer, layer_count> overlays_;
+  std::array<bool, layer_count> is_shown_{};
   Framebuffer rendered_;
   Framebuffer resolved_;
   Framebuffer fine_;  // a tile of the refinement
@@ -166,6 +179,7 @@ class View {
   bool transparent_ = false, refines_ = false, can_refine_ = true;
   std::uint32_t thinning_ = 1;
   std::size_t most_triangles_ = 0, triangles_drawn_ = 0, triangles_hidden_ = 0;
+  double most_refining_ = 0, refining_effort_ = 0;
   DirtyRects dirty_, redrawn_;
   std::vector<PixelRect> waiting_;  // what draw() has left, the next one last; may overlap
   bool planes_stale_ = true;        // near, far and the cluster order are out of date

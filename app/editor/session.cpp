@@ -1,6 +1,7 @@
 #include "app/editor/session.h"
 
 #include <cassert>
+#include <chrono>
 #include <new>
 #include <utility>
 
@@ -105,6 +106,7 @@ void Session::forget_derived() {
   euler_.reset();
   kind_.reset();
   hover_.reset();
+  tool_verdicts_.reset();
   gesturing_.reset();
   release_verdict();
   drawn_changes_ = DrawnChanges();
@@ -147,6 +149,10 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
     for (Vertex v : touched.moved) drawn_changes_.vertices.push_back(v.index);
     for (Face f : touched.faces) drawn_changes_.faces.push_back(f.index);
   }
+  if (tool_verdicts_ && touched.everything)
+    tool_verdicts_.reset();
+  else if (tool_verdicts_ && !is_trial)
+    tool_verdicts_->follow(m, touched);
   if (!is_trial) {
     update_map_values(transaction);
   } else if (map_values_) {  // a trial is no transaction of the history
@@ -370,6 +376,7 @@ void Session::prepare() {
   constexpr std::uint32_t least_faces = 200000;  // less is not felt
   trials_.follow(*document_);
   if (beside_) beside_->prepare();
+  ask_slice_of_verdicts();
   if (preparation_ && preparation_->is_done()) finish_preparation();
   if (preparation_ || highlights_ || mesh().live().faces < least_faces) return;
   if (unprepared_revision_ == document_->revision()) return;
@@ -378,6 +385,13 @@ void Session::prepare() {
   for (const HighlightRow& row : highlight_table())
     if (row.has_predicate() && shown.contains(std::string(row.id))) beside.shown.push_back(&row);
   preparation_ = std::make_unique<Preparation>(mesh(), picker(), std::move(beside));
+}
+
+void Session::ask_slice_of_verdicts() {
+  if (!asks_in_slices || !tool_verdicts()) return;
+  constexpr std::chrono::milliseconds slice{4};
+  const auto end = std::chrono::steady_clock::now() + slice;
+  tool_verdicts_->ask(mesh(), [&] { return std::chrono::steady_clock::now() < end; });
 }
 
 void Session::finish_preparation() {

@@ -33,7 +33,7 @@
 #include "core/analysis/self_intersections.h"
 #include "core/highlights/highlight_sets.h"
 #include "core/highlights/map_values.h"
-#include "core/ops/outlook/edge_verdicts.h"
+#include "core/ops/outlook/tool_verdicts.h"
 #include "core/pick/picker.h"
 #include "core/view/clip_plane.h"
 #include "core/view/corner_normals.h"
@@ -137,7 +137,7 @@ class Session {
 
   // The axes in the corner of the view, where a switch shows them and there is room; the end that is at a pixel of the
   // picture or window, and the one that the pointer is on. A click on one looks from there.
-  bool shows_verdicts = false;  // of the tool in hand, on all edges
+  bool shows_verdicts = false;  // of the tool in hand, on all elements that it acts on
   bool shows_axes = false;
   std::optional<CornerAxes> axes_in_corner() const;
   const AxisEnd* axis_end_at(glm::dvec2 pixel) const;
@@ -201,8 +201,14 @@ class Session {
   // The remedy for the operator under the pointer; empty if none was found. Computed on demand, because candidates are
   // tried out, and cached while operator and mesh are unchanged.
   const std::vector<std::string>& hover_remedy();
-  // Of the tool in hand on all edges, by their slots; null where they are not to be shown. Kept until the next change.
-  const std::vector<EdgeVerdict>* tool_verdicts();
+  // Of the tool in hand on all elements that it acts on; null where they are not to be shown. Kept up with edits. Complete,
+  // but for a window, which asks a slice of them in prepare().
+  ToolVerdicts* tool_verdicts();
+  bool asks_in_slices = false;
+  // The share that is asked while that goes on.
+  std::optional<double> asking_verdicts() const {
+    return tool_verdicts_ && !tool_verdicts_->is_complete() ? std::optional(tool_verdicts_->share()) : std::nullopt;
+  }
   // A click: applies the tool to what is under the pixel, or selects it. With Shift a tool puts things exactly where the
   // pointer is.
   Outcome click(glm::dvec2 pixel, const std::string& with_tool, Modifiers modifiers = {});
@@ -335,6 +341,7 @@ class Session {
   void log_line(Outcome& outcome, std::string line);
   // Updates what is derived from the mesh; forgets it where there is no memory for that.
   void finish_preparation();
+  void ask_slice_of_verdicts();
   void follow(const Journal& journal, std::size_t transaction, Document::Change change);
   void update_derived(const Journal& journal, std::size_t transaction, Document::Change change);
   void forget_derived();
@@ -408,12 +415,7 @@ class Session {
   std::optional<Hover> hover_;
   const HandleRow* pointed_handle_ = nullptr;
   const AxisEnd* pointed_axis_end_ = nullptr;
-  struct ToolVerdicts {
-    std::string tool;
-    std::uint64_t document = 0, revision = 0;
-    std::vector<EdgeVerdict> of_edges;
-  };
-  std::optional<ToolVerdicts> tool_verdicts_;
+  std::unique_ptr<ToolVerdicts> tool_verdicts_;
   struct Middle {
     std::uint64_t selection = 0;  // by its stamp
     std::uint64_t document = 0, revision = 0;

@@ -157,18 +157,22 @@ const std::vector<std::string>& Session::hover_remedy() {
   return remedy_;
 }
 
-const std::vector<EdgeVerdict>* Session::tool_verdicts() {
+// While another mesh is on trial, or the selection is moved, they are kept for what comes back.
+ToolVerdicts* Session::tool_verdicts() {
   const OpInfo* const info = find_op(tool);
-  if (!shows_verdicts || !info || info->target != OpTargetKind::edge || preparing() || gesturing_) {
+  if (!shows_verdicts || !info || !is_tool(*info) || preparing()) {
     tool_verdicts_.reset();
     return nullptr;
   }
-  const bool is_known = tool_verdicts_ && tool_verdicts_->tool == tool &&
-                        tool_verdicts_->document == document_->serial() &&
-                        tool_verdicts_->revision == document_->revision();
-  if (!is_known)
-    tool_verdicts_ = ToolVerdicts{tool, document_->serial(), document_->revision(), edge_verdicts(mesh(), *info)};
-  return &tool_verdicts_->of_edges;
+  if (gesturing_ || document_->is_on_trial()) return nullptr;
+  const PickMode pointed = pick_mode(info, mode);
+  const Element::Kind sort = pointed == PickMode::vertex ? Element::Kind::vertex
+                             : pointed == PickMode::face ? Element::Kind::face
+                                                         : Element::Kind::edge;
+  if (!tool_verdicts_ || &tool_verdicts_->op() != info || tool_verdicts_->sort() != sort)
+    tool_verdicts_ = std::make_unique<ToolVerdicts>(mesh(), *info, sort);
+  if (!asks_in_slices) tool_verdicts_->ask(mesh());
+  return tool_verdicts_.get();
 }
 
 std::vector<std::string> Session::names_of(const Elements& elements) const {

@@ -42,4 +42,13 @@ void FramePace::took(std::uint32_t thinning, std::size_t triangles, Clock::durat
   known = 0.5 * known + 0.5 * nanoseconds(time) / static_cast<double>(triangles);
 }
 
+double FramePace::effort_of_refining() const { return nanoseconds(refining_frame) / refining_ns_; }
+
+void FramePace::took_refining(double effort, Clock::duration time) {
+  if (effort <= 0) return;
+  const double now_ns = std::clamp(nanoseconds(time) / effort, 0.01, 20.0);
+  const double weight = now_ns > refining_ns_ ? 0.5 : 0.1;
+  refining_ns_ += weight * (now_ns - refining_ns_);
+}
+
 }  // namespace ryosen

@@ -33,10 +33,18 @@ class FramePace {
   // A frame, thinned so, drew so many triangles in this time. Few triangles tell nothing.
   void took(std::uint32_t thinning, std::size_t triangles, Clock::duration time);
 
+  // A frame that refines the picture is meant to take so long; half as much again is not too much.
+  static constexpr std::chrono::milliseconds refining_frame{5};
+  // How much effort it has time for, as the view counts it.
+  double effort_of_refining() const;
+  // One of so much effort took this time. What is slower than known counts at once.
+  void took_refining(double effort, Clock::duration time);
+
  private:
   std::optional<Camera> camera_;
   Clock::time_point moved_at_;
   double moving_ns_ = 130, resting_ns_ = 130;  // per triangle; at first what a software renderer needs on two cores
+  double refining_ns_ = 1;                     // of each unit of effort
 };
 
 }  // namespace ryosen

@@ -39,14 +39,17 @@ class Painter {
   void draw(Halfedge h) { line(place(m_.from(h)), place(m_.to(h)), true); }
   // The outline of a face and a mark in its middle, so that degenerate faces are visible too.
   void draw(Face f, bool mark = true) {
+    for (Halfedge h : halfedges_around(m_, f)) draw(edge(h));
+    if (mark) draw_mark(f);
+  }
+  void draw_mark(Vertex v) { draw(v); }
+  void draw_mark(Edge e) { draw(e); }
+  // In its middle.
+  void draw_mark(Face f) {
     glm::dvec3 sum{};
     double corners = 0;
-    for (Halfedge h : halfedges_around(m_, f)) {
-      draw(edge(h));
-      sum += place(m_.from(h));
-      ++corners;
-    }
-    if (mark) point(sum / corners);
+    for (Vertex v : vertices_around(m_, f)) sum += place(v), ++corners;
+    point(sum / corners);
   }
   void draw(const Element& e) {
     switch (e.kind) {
@@ -224,20 +227,22 @@ Overlay selection_overlay(const Session& session, Theme theme) {
   return overlay;
 }
 
-Overlay verdicts_overlay(Session& session, Theme theme) {
+Overlay verdicts_overlay(const Session& session, const ToolVerdicts& verdicts, ElementVerdict which,
+                         std::uint32_t first, std::uint32_t end, Theme theme, double room) {
   constexpr std::size_t many = 1000;
   Overlay overlay;
-  const std::vector<EdgeVerdict>* const verdicts = session.tool_verdicts();
-  if (!verdicts) return overlay;
-  const auto draw = [&](EdgeVerdict verdict, Role role) {
-    Style looks = style(role, theme);
-    looks.width_px = 2;
-    Painter painter(session, overlay, looks, 0, 0, verdicts->size() > many);
-    for (std::uint32_t i = 0; i < verdicts->size(); ++i)
-      if ((*verdicts)[i] == verdict && !session.hidden().hides(session.mesh(), Edge(i))) painter.draw(Edge(i));
+  Style looks = style(which == ElementVerdict::legal ? Role::legal : Role::refused, theme);
+  looks.width_px = 2;
+  Painter painter(session, overlay, looks, 0, room, verdicts.all().size() > many);
+  const auto draw = [&](const auto element) {
+    if (!session.hidden().hides(session.mesh(), element)) painter.draw_mark(element);
   };
-  draw(EdgeVerdict::legal, Role::legal);
-  draw(EdgeVerdict::refused, Role::refused);  // on top, where edges lie dense
+  for (std::uint32_t i = first; i < end; ++i) {
+    if (verdicts.all()[i] != which) continue;
+    if (verdicts.sort() == Element::Kind::edge) draw(Edge(i));
+    if (verdicts.sort() == Element::Kind::vertex) draw(Vertex(i));
+    if (verdicts.sort() == Element::Kind::face) draw(Face(i));
+  }
   return overlay;
 }
 

@@ -13,9 +13,11 @@ namespace ryosen {
 Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, std::uint32_t first, std::uint32_t end,
                           Theme theme, double room);
 Overlay selection_overlay(const Session& session, Theme theme);
+// The elements of such a verdict with slot numbers from first to before end: edges as lines, vertices and the middles of
+// faces as points, which have so much room.
+Overlay verdicts_overlay(const Session& session, const ToolVerdicts& verdicts, ElementVerdict which,
+                         std::uint32_t first, std::uint32_t end, Theme theme, double room);
 // The ways along which was measured, where all elements of it are still there.
-// Nothing where the verdicts of the tool are not to be shown.
-Overlay verdicts_overlay(Session& session, Theme theme);
 Overlay measures_overlay(const Session& session, Theme theme);
 // The elements of the step that is played, by their roles; nothing where the mesh is no longer the one it is about.
 Overlay step_overlay(const Session& session, Theme theme);

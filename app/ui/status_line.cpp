@@ -1,5 +1,6 @@
 // What each button of the mouse does now, and what the last command said.
 #include <algorithm>
+#include <cmath>
 
 #include "app/editor/asking.h"
 #include "app/ui/panels.h"
@@ -75,6 +76,8 @@ std::vector<Hint> hints_of(const PanelContext& context) {
                           {context.text("Drag", "ドラッグ"), drag(MouseButton::left)},
                           {context.text("Right drag", "右ドラッグ"), drag(MouseButton::right)},
                           {context.text(UiText::wheel), help_of(Gesture::zoom).in(context.language())}};
+  if (const auto asked = context.session.asking_verdicts())
+    hints.insert(hints.begin(), {context.text("Verdicts", "判定"), std::to_string(std::lround(100 * *asked)) + " %"});
   if (!context.session.selection.empty())
     hints.insert(hints.begin(),
                  {context.text("Selected", "選択中"), counted(context.session.selection).in(context.language())});

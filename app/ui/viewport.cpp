@@ -9,6 +9,7 @@
 #include "app/ui/axes_overlay.h"
 #include "app/ui/gizmo_overlay.h"
 #include "app/ui/overlays.h"
+#include "app/ui/point_room.h"
 #include "app/ui/surface_paint.h"
 #include "core/base/sort_unique.h"
 #include "core/geometry/box.h"
@@ -93,23 +94,15 @@ std::uint32_t drawing_place(const HighlightRow& row, Mark mark) {
   return static_cast<std::uint32_t>(static_cast<std::size_t>(below) * (drawing_places / most_highlights) + within);
 }
 
-// How much room points at the members of a mark have, as if they were even over a surface as large as the two longer sides
-// of their bounds, in whole octaves, so that an edit seldom changes it; none for other members, and where they are few.
-// Linear.
+// Of points at the members of a mark; none for other members. Linear.
 double room_of(Session& session, Mark mark) {
-  constexpr std::size_t few = 100;
+  if (mark.sort != Element::Kind::vertex) return 0;
   const IndexSet& members = session.highlights().of(mark);
-  if (mark.sort != Element::Kind::vertex || members.size() < few) return 0;
   Box bounds;
   members.for_each([&](std::uint32_t i) {
     if (is_finite(session.drawn_positions()[i])) bounds.add(session.drawn_positions()[i]);
   });
-  if (bounds.is_empty()) return 0;
-  const glm::dvec3 size = bounds.highest - bounds.lowest;
-  const double smallest = std::min({size.x, size.y, size.z}), largest = std::max({size.x, size.y, size.z});
-  const double middle = size.x + size.y + size.z - smallest - largest, count = static_cast<double>(members.size());
-  const double room = std::max(std::sqrt(largest * middle / count), largest / count);
-  return room > 0 && std::isfinite(room) ? std::exp2(std::round(std::log2(room))) : 0;
+  return room_of_points(bounds, members.size());
 }
 
 }  // namespace
@@ -188,6 +181,7 @@ void Viewport::keep_pace(const Session& session, FramePace::Clock::time_point no
   const bool is_moving = pace_.time_to_rest(now).has_value();
   view_->set_thinning(is_moving ? pace_.thinning(view_->triangles_in_view()) : 1);
   view_->set_most_triangles(is_moving ? 0 : pace_.triangles_of_slice());
+  view_->set_most_refining(pace_.effort_of_refining());
   if (!view_->is_drawn()) changed_at_ = now;
   view_->set_refining(now - changed_at_ >= FramePace::rest_after);
   if (beside_) beside_->keep_pace(session, now);
@@ -195,6 +189,7 @@ void Viewport::keep_pace(const Session& session, FramePace::Clock::time_point no
 
 void Viewport::took(FramePace::Clock::duration time) {
   pace_.took(view_->thinning(), view_->triangles_drawn(), time);
+  pace_.took_refining(view_->refining_effort(), time);
   if (beside_) beside_->took(time);
 }
 
@@ -204,7 +199,7 @@ std::optional<FramePace::Clock::duration> Viewport::time_to_next_frame(FramePace
 }
 
 std::optional<FramePace::Clock::duration> Viewport::time_to_own_frame(FramePace::Clock::time_point now) const {
-  if (!view_->is_drawn()) return FramePace::Clock::duration(0);
+  if (!view_->is_drawn() || verdict_layer_.is_waiting()) return FramePace::Clock::duration(0);
   if (view_->thinning() != 1) return pace_.time_to_rest(now).value_or(FramePace::Clock::duration(0));
   if (view_->is_refined()) return std::nullopt;
   return std::max(FramePace::Clock::duration(0), changed_at_ + FramePace::rest_after - now);
@@ -213,6 +208,7 @@ std::optional<FramePace::Clock::duration> Viewport::time_to_own_frame(FramePace:
 void Viewport::hurry() {
   view_->set_thinning(1);
   view_->set_most_triangles(0);
+  view_->set_most_refining(0);
   view_->set_refining(true);
   if (beside_) beside_->hurry();
 }
@@ -254,7 +250,7 @@ void Viewport::follow_mesh(Session& session) {
   drawn_crease_deg_ = session.crease_deg;
   shown_ = session.shown;
   normal_lines_.note(session, changes, anew);
-  verdicts_stale_ |= anew || changes.hiding;
+  if (anew || changes.hiding) verdict_layer_.forget();
   marked_ = std::move(changes.marks);
   highlights_stale_ |= anew || changes.searched;
   selection_stale_ = true;
@@ -330,21 +326,11 @@ void Viewport::follow_highlights(Session& session) {
   marked_.clear();
 }
 
-void Viewport::follow_verdicts(Session& session) {
-  verdicts_stale_ |= highlights_stale_;
-  std::tuple<std::string, std::uint64_t, std::uint64_t> now;
-  if (session.tool_verdicts()) now = {session.tool, session.document().serial(), session.document().revision()};
-  if (verdicts_stale_ || verdicts_ != now)
-    view_->set_overlay(Layer::verdicts, verdicts_overlay(session, settings_.theme));
-  verdicts_ = std::move(now);
-  verdicts_stale_ = false;
-}
-
 void Viewport::follow_overlays(Session& session) {
   selection_stale_ |=
       highlights_stale_ || selection_ != session.selection.stamp() || draws_links_ != session.links.is_on(session);
   draws_links_ = session.links.is_on(session);
-  follow_verdicts(session);
+  verdict_layer_.follow(session, *view_);
   if (!session.preparing()) follow_highlights(session);
   normal_lines_.follow(session, *view_);
   if (selection_stale_) view_->set_overlay(Layer::selection, selection_overlay(session, settings_.theme));

@@ -6,7 +6,6 @@
 #include <memory>
 #include <set>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include "app/ui/frame_pace.h"
 #include "app/ui/label_layer.h"
 #include "app/ui/normal_lines.h"
+#include "app/ui/verdict_layer.h"
 #include "render/canvas.h"
 #include "render/view.h"
 
@@ -58,7 +58,6 @@ class Viewport {
   std::optional<FramePace::Clock::duration> time_to_own_frame(FramePace::Clock::time_point now) const;
   // Adds the faces that have come into the selection or left it to what has changed.
   void follow_selected_faces(Session& session, Session::DrawnChanges& changes);
-  void follow_verdicts(Session& session);
   void follow_overlays(Session& session);
   void follow_highlights(Session& session);
   void follow_mark(Session& session, const HighlightRow& row, Mark mark);
@@ -70,6 +69,7 @@ class Viewport {
   std::unique_ptr<Viewport> beside_;
   LabelLayer labels_;
   NormalLines normal_lines_;
+  VerdictLayer verdict_layer_;
   FramePace pace_;
   FramePace::Clock::time_point changed_at_;
   ViewSettings settings_;
@@ -95,9 +95,6 @@ class Viewport {
   bool highlights_stale_ = true;                    // all of them
   bool selection_stale_ = true;
   bool draws_links_ = false;
-  // The tool whose verdicts were drawn, empty for none, and of which document and revision.
-  std::tuple<std::string, std::uint64_t, std::uint64_t> verdicts_;
-  bool verdicts_stale_ = true;
   std::uint64_t selection_ = 0;                        // by its stamp
   std::vector<Elements> measures_;                     // as they were drawn
   IndexSet selected_faces_;                            // as they were drawn

@@ -54,6 +54,8 @@ class GpuArray {
     buffer_.write(first * sizeof(T), values.data(), values.size_bytes());
     return moved;
   }
+  // True if the storage changed.
+  bool reserve(std::size_t count) { return buffer_.reserve(count * sizeof(T)); }
   // As write(), of `count` values that put(T*) writes where they stay: drivers that draw in main memory hold no copy.
   template <class Put>
   bool fill(std::size_t first, std::size_t count, const Put& put) {
@@ -87,6 +89,9 @@ class TexelArray {
 
   void write(std::size_t first, std::span<const T> values) {
     if (array_.write(first, values)) attach();
+  }
+  void reserve(std::size_t count) {
+    if (array_.reserve(count)) attach();
   }
   template <class Put>
   void fill(std::size_t first, std::size_t count, const Put& put) {

@@ -1,7 +1,9 @@
 #include "render/pass/overlay.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "core/base/enum_table.h"
 #include "core/geometry/is_finite.h"
@@ -37,10 +39,19 @@ bool has_finite_places(const OverlayElement& element) {
 
 }  // namespace
 
+std::span<const glm::vec4> OverlayElement::corners() const {
+  const Kind kind = kind_of(*this);
+  return std::span(texels).first(kind == ghost_kind ? 3 : kind == point_kind ? 1 : 2);
+}
+
 DrawBox OverlayElement::box() const {
   DrawBox result;
-  for (int i = 0; i < 3; ++i) result.add(glm::vec3(texels[i]));
+  for (const glm::vec4& corner : corners()) result.add(glm::vec3(corner));
   return result;
+}
+
+float OverlayElement::length() const {
+  return kind_of(*this) == point_kind ? 0 : glm::length(glm::vec3(texels[1]) - glm::vec3(texels[0]));
 }
 
 float OverlayElement::reach_px() const {
@@ -142,7 +153,9 @@ void OverlayBuffer::write(Group& group, std::span<const OverlayElement> fresh, s
   group.bounds = {};
   group.thins_out = std::all_of(fresh.begin(), fresh.end(), thins_out);
   group.shows_hidden = group.is_placed = group.has_placed_elements = false;
+  group.length = 0;
   for (const OverlayElement& element : fresh) {
+    group.length += element.length() / static_cast<float>(fresh.size());
     group.bounds.box.add(element.box());
     group.bounds.reach_px = std::max(group.bounds.reach_px, element.reach_px());
     group.shows_hidden |= element.texels[1].w > 0;
@@ -177,6 +190,37 @@ void OverlayBuffer::close_gaps() {
   gpu_.write(0, elements_);
 }
 
+bool OverlayBuffer::has_elements() const {
+  return std::any_of(groups_.begin(), groups_.end(), [](const auto& groups) { return !groups.empty(); });
+}
+
+void OverlayBuffer::reserve(std::size_t elements) {
+  elements_.reserve(elements);
+  places_.reserve(elements);
+  gpu_.reserve(elements);
+}
+
+OverlayBuffer::Share OverlayBuffer::share_inside(const Frame& whole, const PixelRect& rect) const {
+  const auto area = [](const PixelRect& r) { return double(r.width()) * double(r.height()); };
+  Share share;
+  for_each_group([&](const Group& group) {
+    const PixelRect& at = place(group, whole.clip_from_buffer, whole.size);
+    const PixelRect both = intersection(at, rect);
+    if (both.empty()) return;
+    const double elements = group.count * area(both) / area(at);
+    const glm::vec3 middle = 0.5f * (group.bounds.box.min + group.bounds.box.max);
+    const double depth = -(whole.view_from_buffer * glm::vec4(middle, 1)).z;
+    const double distance = whole.ortho ? 1 : std::max<double>(depth, whole.near_distance);
+    const double length_px = group.length / (double(whole.units_per_pixel) * distance);
+    double across_px = display_scale_ * group.bounds.reach_px;
+    if (group.thins_out) across_px = std::min(across_px, std::max(0.34 * length_px, double(display_scale_)) + 1);
+    const double longest = std::max(both.width(), both.height());
+    share.elements += elements;
+    share.pixels += elements * across_px * (std::min(length_px, longest) + across_px);
+  });
+  return share;
+}
+
 DrawBox OverlayBuffer::bounds() const {
   DrawBox box;
   for_each_group([&](const Group& group) { box.add(group.bounds.box); });
@@ -193,8 +237,13 @@ const PixelRect& OverlayBuffer::place(const Group& group, const glm::mat4& clip_
 const PixelRect& OverlayBuffer::place(const Group& group, std::uint32_t element, const glm::mat4& clip_from_buffer,
                                       Size size) const {
   if (!group.has_placed_elements)
-    for (std::uint32_t i = group.first; i < group.first + group.count; ++i)
-      places_[i] = screen_bounds(elements_[i].box(), clip_from_buffer, size, display_scale_ * elements_[i].reach_px());
+    for (std::uint32_t i = group.first; i < group.first + group.count; ++i) {
+      std::array<glm::vec3, 3> corners;
+      std::size_t n = 0;
+      for (const glm::vec4& corner : elements_[i].corners()) corners[n++] = glm::vec3(corner);
+      places_[i] = screen_bounds(std::span(corners).first(n), clip_from_buffer, size,
+                                 display_scale_ * elements_[i].reach_px());
+    }
   group.has_placed_elements = true;
   return places_[element];
 }

@@ -25,7 +25,10 @@ struct OverlayElement {
   glm::vec4 texels[4];
   friend bool operator==(const OverlayElement&, const OverlayElement&) = default;
 
+  // Its ends, the place of a point, or the corners of a ghost.
+  std::span<const glm::vec4> corners() const;
   DrawBox box() const;
+  float length() const;    // of a line, in buffer space
   float reach_px() const;  // how far in pixels it may extend beyond its box, at display scale 1
 };
 
@@ -55,6 +58,7 @@ class OverlayBuffer {
     std::uint32_t count = 0;
     std::uint32_t room = 0;
     TouchedBox bounds;
+    float length = 0;           // of a line of it, in buffer space, in the mean
     bool thins_out = false;     // all are lines that do
     bool shows_hidden = false;  // some element is visible where the surface occludes it
     mutable bool is_placed = false, has_placed_elements = false;
@@ -67,6 +71,15 @@ class OverlayBuffer {
       for (const Group& group : groups) visit(group);
   }
   DrawBox bounds() const;
+  bool has_elements() const;
+  void reserve(std::size_t elements);
+
+  // About how many elements are drawn in a rectangle of the picture, as if those of a group were even over it, and how many
+  // pixels they cover there together. Costs the groups.
+  struct Share {
+    double elements = 0, pixels = 0;
+  };
+  Share share_inside(const Frame& whole, const PixelRect& rect) const;
 
   // The bounding rectangle of a group or element in a picture of the given size. Cached until forget_places().
   const PixelRect& place(const Group& group, const glm::mat4& clip_from_buffer, Size size) const;

@@ -254,19 +254,26 @@ void refined_tile(benchmark::State& state, Source source, std::vector<std::strin
     viewport.took(std::chrono::duration_cast<FramePace::Clock::duration>(std::chrono::duration<double>(time)));
     return time;
   };
-  std::vector<double> times;
+  std::vector<double> times, pictures;
+  double picture = 0;
   for (auto _ : state) {
+    if (viewport.view().is_refined()) {
+      pictures.push_back(picture);
+      picture = 0;
+    }
     if (viewport.view().is_refined())
       session->camera = orbited(session->camera, {3, 1}, session->view, session->camera.target);
     do frame();
     while (!viewport.view().is_drawn());
     times.push_back(frame());
+    picture += times.back();
     state.SetIterationTime(times.back());
   }
   state.counters["median_ms"] = 1e3 * median(times);
   std::sort(times.begin(), times.end());
   state.counters["of_20_19_below_ms"] = 1e3 * times[times.size() * 19 / 20];
   state.counters["most_ms"] = 1e3 * times.back();
+  state.counters["picture_ms"] = 1e3 * (pictures.size() < 2 ? picture : pictures.back());  // or what there is of one
 }
 
 BENCHMARK_CAPTURE(smooth_frame, bunny, bunny)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(40);

@@ -31,10 +31,9 @@ bool holds_for_all(const Answer& answer, const AnyOp& op) {
 }  // namespace
 
 Halfedge KnownAnswers::first_of_cycle(const Mesh& mesh, Halfedge h) {
-  if (first_of_cycle_.empty()) first_of_cycle_.resize(2 * std::size_t{mesh.edge_slots()});
-  if (!first_of_cycle_[h.index])
-    for (Halfedge side : loop(mesh, h)) first_of_cycle_[side.index] = h;
-  return first_of_cycle_[h.index];
+  if (const auto known = first_of_cycle_.find(h); known != first_of_cycle_.end()) return known->second;
+  for (Halfedge side : loop(mesh, h)) first_of_cycle_[side] = h;
+  return h;
 }
 
 // None if the edge shares its subject with no other one.

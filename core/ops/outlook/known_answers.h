@@ -36,7 +36,7 @@ class KnownAnswers {
 
   std::unordered_map<std::uint64_t, Answer> answers_;
   LocalFacts facts_;
-  std::vector<Halfedge> first_of_cycle_;  // of each boundary halfedge asked about, the first of its cycle
+  std::unordered_map<Halfedge, Halfedge> first_of_cycle_;  // of each boundary halfedge of the cycles asked about
   Journal journal_;                       // of previews; nothing is committed
 };
 

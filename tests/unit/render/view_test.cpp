@@ -503,6 +503,54 @@ TEST(view, refined_is_the_picture_with_several_samples) {
     }
 }
 
+TEST(view, is_refined_in_parts_of_no_more_effort_than_they_may_take) {
+  Scene ball = sphere_scene(60);
+  const auto view = full_view(ball, view_size, Xray::off);
+  Overlay dense;
+  for (const auto& t : ball.triangles)
+    dense.lines.push_back({ball.positions[t[0]], ball.positions[t[1]], rgb(0xE69F00), LineStyle::solid, 3, 0, false, true});
+  view->set_overlay(Layer::selection, dense);
+  view->draw();
+  const int tiles = refine(*view);
+  const Image at_once = view->read_pixels();
+  int fewer = tiles;
+  for (const double most : {4e6, 1e6}) {
+    view->draw(PixelRect::all(view->size()));
+    view->set_most_refining(most);
+    view->set_refining(true);
+    int parts = 0;
+    for (; !view->is_refined(); ++parts) {
+      view->draw();
+      EXPECT_LE(view->refining_effort(), most);
+      EXPECT_GT(view->refining_effort(), 0);
+    }
+    view->set_refining(false);
+    EXPECT_GT(parts, fewer) << most;
+    fewer = parts;
+    EXPECT_TRUE(view->read_pixels() == at_once) << most;
+  }
+}
+
+TEST(view, a_layer_that_is_not_shown_costs_no_redraw_until_it_is) {
+  Scene ball = sphere_scene(16);
+  const auto view = full_view(ball, view_size, Xray::off);
+  view->draw();
+  const Image with = view->read_pixels();
+  view->show_layer(Layer::highlights, false);
+  view->draw();
+  const Image without = view->read_pixels();
+  EXPECT_FALSE(with == without);
+  Overlay other;
+  other.points.push_back({ball.positions[3], rgb(0x56B4E9), PointShape::disc, 6});
+  view->set_overlay_part(Layer::highlights, 100, other);
+  EXPECT_TRUE(view->is_drawn());
+  view->set_overlay_part(Layer::highlights, 100, {});
+  view->show_layer(Layer::highlights, true);
+  EXPECT_FALSE(view->is_drawn());
+  view->draw();
+  EXPECT_TRUE(view->read_pixels() == with);
+}
+
 TEST(view, a_part_that_changed_is_refined_as_the_whole_is) {
   Scene ball = sphere_scene(40);
   const auto view = full_view(ball, view_size, Xray::off);

@@ -28,6 +28,17 @@ TEST(frame_pace, slices_by_what_slices_took) {
   EXPECT_NEAR(static_cast<double>(pace.triangles_of_slice()), 400000, 100);
 }
 
+TEST(frame_pace, refines_by_what_refining_took) {
+  FramePace pace;
+  EXPECT_NEAR(pace.effort_of_refining(), 5e6, 1);
+  pace.took_refining(4e6, 12ms);  // three times as slow as known: less at once
+  EXPECT_NEAR(pace.effort_of_refining(), 2.5e6, 1);
+  for (int i = 0; i < 100; ++i) pace.took_refining(1e6, 500us);
+  EXPECT_NEAR(pace.effort_of_refining(), 10e6, 1e4);
+  pace.took_refining(0, 1s);  // was none
+  EXPECT_NEAR(pace.effort_of_refining(), 10e6, 1e4);
+}
+
 TEST(frame_pace, the_camera_rests_when_it_has_stood_still) {
   FramePace pace;
   const FramePace::Clock::time_point start;

@@ -10,6 +10,7 @@
 #include "core/algo/measure/measured_surface.h"
 #include "core/indexed/from_indexed.h"
 #include "tests/support/core/random_meshes.h"
+#include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/slow_distance.h"
 #include "tests/support/core/ugly_meshes.h"
 
@@ -159,6 +160,25 @@ TEST(distance, of_the_same_surface_cut_otherwise_is_rounding) {
     EXPECT_LE(found.hausdorff, 2e-10) << n;
     EXPECT_LE(found.rms, 1e-15) << n;
   }
+}
+
+// Long triangles on fine ones, sheets far nearer to each other than either are large: each cell lies over many.
+TEST(distance, has_a_tight_bound_where_surfaces_lie_along_each_other) {
+  const auto plate = [](const char* more) {
+    Mesh mesh = made_by("cube");
+    Journal journal;
+    run_algorithm(mesh, journal, "scale axis=0,0,1 factor=0.02");
+    run_algorithm(mesh, journal, "subdivide scheme=midpoint steps=3");
+    run_algorithm(mesh, journal, more);
+    return mesh;
+  };
+  const Mesh coarse = plate("unite_planar"), fine = plate("remesh length=0.05"), apart = plate("translate by=0,0,0.001");
+  Progress unheard;
+  const auto along = surface_distance(coarse, fine, {}, unheard);
+  EXPECT_LT(along->hausdorff, 1e-8);
+  const auto shifted = surface_distance(fine, apart, {}, unheard);
+  EXPECT_NEAR(shifted->hausdorff, 0.001, 1e-8);
+  EXPECT_LT(shifted->hausdorff_gap, 1e-8);
 }
 
 TEST(distance, of_a_shifted_plane_is_the_shift) {

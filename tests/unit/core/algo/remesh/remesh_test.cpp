@@ -174,7 +174,15 @@ TEST(Remesh, garbage_is_refused_with_a_sentence) {
   EXPECT_FALSE(read_values(row.parameters, {}).values) << "the length must be given";
   Mesh sphere = made_by("sphere");
   Journal journal;
-  EXPECT_TRUE(run_algorithm(sphere, journal, "remesh length=1e-300").fault);
+  for (const char* line : {"remesh length=1e-300", "remesh length=1e-9", "remesh length=1e-5 adaptive=on"}) {
+    const auto fault = run_algorithm(sphere, journal, line).fault;
+    ASSERT_TRUE(fault) << line;
+    const std::size_t at = fault->en.rfind(' ');
+    const double shortest = std::stod(fault->en.substr(at));
+    EXPECT_GT(shortest, 1e-5) << fault->en;
+    EXPECT_LT(shortest, 0.1) << fault->en;
+    EXPECT_NE(fault->ja.find(fault->en.substr(at + 1)), std::string::npos);
+  }
   EXPECT_FALSE(run_algorithm(sphere, journal, "remesh length=1e300").fault);
   Mesh empty;
   EXPECT_TRUE(run_algorithm(empty, journal, "remesh length=1").refused);

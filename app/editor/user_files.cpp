@@ -141,6 +141,7 @@ void UserFiles::begin_layout(Session& session, Text& said) {
     else
       session.run(line.text);
   }
+  session.layout.wanted.clear();  // nobody asks for one of them now
   layout_.is_broken = !broken.en.empty();
   if (!layout_.is_broken) return;
   session.layout = at_first;

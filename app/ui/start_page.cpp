@@ -51,7 +51,7 @@ std::vector<std::string> hints_of_start(const PanelContext& context) {
   const std::string moving =
       ja ? "動かす：Esc で道具を置き、クリックで選び、矢印をドラッグするか、" + move +
                " を押してから動かしてクリックします。"
-         : "Move: Esc puts the tool away, a click selects; drag an arrow, or press " + move + ", move, click.";
+         : "Move: Esc puts the tool away; click, drag an arrow or press " + move + ", move, click.";
   const std::string take_back = ja ? "戻す：" + undo + "（正確に元へ戻ります）。保存：" + save + "。"
                                    : "Undo: " + undo + " takes back every edit exactly. Save: " + save + ".";
   return {look, edit, moving, take_back};

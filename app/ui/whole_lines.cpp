@@ -9,7 +9,7 @@ namespace ryosen {
 namespace {
 
 // What of a line may be cut: no letter reaches there.
-constexpr float free_share = 0.12f;
+constexpr float free_above = 0.12f, free_below = 0.03f;  // shares of its height
 
 std::uint64_t place_key(float u, float v) {
   return std::uint64_t{std::bit_cast<std::uint32_t>(u)} << 32 | std::bit_cast<std::uint32_t>(v);
@@ -36,8 +36,9 @@ void WholeLines::keep(ImDrawData& drawn) const {
         const auto glyph = glyphs_.find(place_key(corner[0].uv.x, corner[0].uv.y));
         const bool is_upright = corner[0].pos.y == corner[1].pos.y && corner[0].pos.x < corner[1].pos.x;
         if (glyph == glyphs_.end() || !is_upright) continue;
-        const float free = free_share * glyph->second.height, top = corner[0].pos.y - glyph->second.top;
-        const bool is_cut = top + free < command.ClipRect.y || top + glyph->second.height - free > command.ClipRect.w;
+        const float height = glyph->second.height, top = corner[0].pos.y - glyph->second.top;
+        const bool is_cut = top + free_above * height < command.ClipRect.y ||
+                            top + (1 - free_below) * height > command.ClipRect.w;
         if (!is_cut) continue;
         for (int k = 0; k < 4; ++k) corner[k].col &= ~IM_COL32_A_MASK;
       }

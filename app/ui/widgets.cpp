@@ -241,10 +241,16 @@ bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size, bool le
   const float left = leaves_view ? all.x - scaled.x - 10 : std::floor((all.x - scaled.x) / 2);
   ImGui::SetNextWindowPos({left, std::floor((all.y - scaled.y) / 2)});
   ImGui::SetNextWindowSize(scaled);
+  // What lies behind it is not dimmed: a border tells where it ends.
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize,
+                      leaves_view ? std::max(std::round(1.5f * context.scale), 1.f) : 0);
+  ImGui::PushStyleColor(ImGuiCol_Border, context.colours().dim);
   bool stays_open = true;
   const bool is_shown = ImGui::BeginPopupModal(name.c_str(), &stays_open,
                                                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
   // Its first field or button can be pressed at once.
   if (is_shown && ImGui::IsWindowAppearing()) GImGui->NavDisableHighlight = false;
   if (is_shown && wanted) return true;

@@ -16,6 +16,7 @@
 #include "core/algo/remesh/remesh.h"
 #include "core/algo/smooth/smooth.h"
 #include "core/algo/subdivide/subdivide.h"
+#include "core/analysis/self_intersections.h"
 #include "core/indexed/from_indexed.h"
 #include "core/mesh/circulate.h"
 #include "tests/bench/bench_meshes.h"
@@ -94,20 +95,27 @@ double mean_length(const Mesh& mesh) {
   return sum / mesh.edge_slots();
 }
 
-// How far the lengths spread and how many valences are 6, of both results.
-void print_quality(const char* who, const SurfaceQuality& q) {
-  std::printf("  %-8s faces %zu, lengths %.3f +- %.3f of the wanted one, smallest angle %.1f, valence 6 %.1f %%\n", who,
-              q.faces, q.mean_length, q.spread, q.smallest_angle_deg, 100 * q.valence_six);
+// Lengths in shares of the wanted one, angles in degrees; how far from the input, and how many pairs of faces meet.
+void print_quality(const char* who, const Mesh& made, const Mesh& source, double length) {
+  const SurfaceQuality q = quality_of(made, length);
+  Progress unheard;
+  const auto distance = surface_distance(source, made, {.gap = 0.01}, unheard);
+  std::printf("  %-8s %8zu %7.3f %7.3f %7.1f %7.1f %6.2f%% %6.1f%% %6.1f%% %8.4f %8.4f %6zu\n", who, q.faces, q.mean_length,
+              q.spread, q.smallest_angle_deg, q.mean_angle_deg, 100 * q.narrow, 100 * q.valence_six,
+              100 * q.valence_near_six, 100 * distance->rms / distance->diagonal,
+              100 * distance->hausdorff / distance->diagonal, find_self_intersections(made).count);
 }
 
-void compare_remeshing(const std::string& name, const IndexedMesh& source, int turns, unsigned rounds) {
+void compare_remeshing(const std::string& name, const IndexedMesh& source, double lengths, int turns, unsigned rounds) {
   const Mesh mesh = from_indexed(source);
   const SurfacesPeer peer(source);
-  const double length = mean_length(mesh);
+  const double length = lengths * mean_length(mesh);
   MeshColumns ours;
-  SurfaceQuality theirs;
+  IndexedMesh theirs;
+  char title[64];
+  std::snprintf(title, sizeof title, "remesh %s %gx, rounds %u", name.c_str(), lengths, rounds);
   compare(
-      "remesh " + name + ", rounds " + std::to_string(rounds), turns,
+      title, turns,
       [&] {
         return milliseconds([&] {
           Progress unheard;
@@ -117,8 +125,10 @@ void compare_remeshing(const std::string& name, const IndexedMesh& source, int t
       },
       [&] { return peer.milliseconds_of_remeshing(length, rounds, theirs); });
   if (ours.positions.empty()) return;
-  print_quality("ryosen", quality_of(Mesh(std::move(ours)), length));
-  print_quality("CGAL", theirs);
+  std::printf("  %-8s %8s %7s %7s %7s %7s %7s %7s %7s %8s %8s %6s\n", "", "faces", "length", "spread", "angle", "mean",
+              "below30", "six", "5 to 7", "rms %", "max %", "cross");
+  print_quality("ryosen", Mesh(std::move(ours)), mesh, length);
+  print_quality("CGAL", from_indexed(theirs), mesh, length);
 }
 
 // Of the dragon from itself after two steps of smoothing.
@@ -151,8 +161,10 @@ int main(int argc, char** argv) {
   std::printf("%-32s %9s %9s %8s %8s\n", "milliseconds, medians", "ryosen", "CGAL", "ratio", "bar");
   compare_steps("bunny", bunny(), 5);
   compare_steps("dragon", dragon(), 5);
-  compare_remeshing("bunny", bunny(), 3, 1);
-  compare_remeshing("bunny", bunny(), 3, 5);
+  compare_remeshing("bunny", bunny(), 1, 3, 1);
+  compare_remeshing("bunny", bunny(), 1, 3, 5);
+  compare_remeshing("bunny", bunny(), 2, 3, 5);
+  compare_remeshing("bunny", bunny(), 5, 3, 5);
   compare_distance();
   if (wanted_words.empty() || wanted_words.front() == "growth") print_surface_growth();
 }

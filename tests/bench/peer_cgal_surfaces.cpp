@@ -42,31 +42,39 @@ IndexedMesh list_of(const PeerSurface& mesh) {
 SurfaceQuality quality_of(const Mesh& mesh, double wanted_length) {
   SurfaceQuality quality;
   quality.faces = mesh.live().faces;
-  double sum = 0, squares = 0, count = 0, six = 0;
   quality.smallest_angle_deg = 180;
+  double sum = 0, squares = 0, count = 0;
   for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
-    const Halfedge h(i);
-    if (!mesh.is_alive(h)) continue;
-    const glm::dvec3 a = mesh.position(mesh.from(h)), b = mesh.position(mesh.to(h));
-    const double length = glm::distance(a, b) / wanted_length;
+    if (!mesh.is_alive(Halfedge(i))) continue;
+    const double length =
+        glm::distance(mesh.position(mesh.from(Halfedge(i))), mesh.position(mesh.to(Halfedge(i)))) / wanted_length;
     sum += length;
     squares += length * length;
     ++count;
-    if (mesh.is_outside(h)) continue;
-    const glm::dvec3 c = mesh.position(mesh.from(mesh.prev(h)));
-    const double angle = std::atan2(glm::length(glm::cross(b - a, c - a)), glm::dot(b - a, c - a)) * 57.29577951308232;
-    quality.smallest_angle_deg = std::min(quality.smallest_angle_deg, angle);
+  }
+  quality.mean_length = sum / count;
+  quality.spread = std::sqrt(std::max(0.0, squares / count - quality.mean_length * quality.mean_length));
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+    if (!mesh.is_alive(Face(i))) continue;
+    double smallest = 180;
+    for (const Halfedge h : loop(mesh, mesh.halfedge(Face(i)))) {
+      const glm::dvec3 a = mesh.position(mesh.from(h)), b = mesh.position(mesh.to(h)),
+                       c = mesh.position(mesh.from(mesh.prev(h)));
+      smallest = std::min(smallest, std::atan2(glm::length(glm::cross(b - a, c - a)), glm::dot(b - a, c - a)) *
+                                        57.29577951308232);
+    }
+    quality.smallest_angle_deg = std::min(quality.smallest_angle_deg, smallest);
+    quality.mean_angle_deg += smallest / quality.faces;
+    quality.narrow += smallest < 30 ? 1.0 / quality.faces : 0;
   }
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
     const Vertex v(i);
     if (!mesh.is_alive(v) || mesh.is_isolated(v)) continue;
     int valence = 0;
     for ([[maybe_unused]] const Halfedge h : outgoing(mesh, v)) ++valence;
-    six += valence == 6 ? 1 : 0;
+    quality.valence_six += valence == 6 ? 1.0 / mesh.live().vertices : 0;
+    quality.valence_near_six += valence >= 5 && valence <= 7 ? 1.0 / mesh.live().vertices : 0;
   }
-  quality.mean_length = sum / count;
-  quality.spread = std::sqrt(std::max(0.0, squares / count - quality.mean_length * quality.mean_length));
-  quality.valence_six = six / mesh.live().vertices;
   return quality;
 }
 
@@ -96,13 +104,13 @@ double SurfacesPeer::milliseconds_of_step(char scheme) const {
   return since(start);
 }
 
-double SurfacesPeer::milliseconds_of_remeshing(double length, unsigned rounds, SurfaceQuality& quality) const {
+double SurfacesPeer::milliseconds_of_remeshing(double length, unsigned rounds, IndexedMesh& made) const {
   PeerSurface copy = data_->mesh;
   const auto start = PeerClock::now();
   CGAL::Polygon_mesh_processing::isotropic_remeshing(copy.faces(), length, copy,
                                                      CGAL::parameters::number_of_iterations(rounds));
   const double time = since(start);
-  quality = quality_of(from_indexed(list_of(copy)), length);
+  made = list_of(copy);
   return time;
 }
 

@@ -11,8 +11,9 @@ namespace ryosen::bench {
 struct SurfaceQuality {
   std::size_t faces = 0;
   double mean_length = 0, spread = 0;  // in shares of the wanted length: the mean and the standard deviation
-  double smallest_angle_deg = 0;
-  double valence_six = 0;  // the share of the vertices
+  double smallest_angle_deg = 0, mean_angle_deg = 0;  // the smallest of all, and the mean of the smallest of each triangle
+  double narrow = 0;                                  // the share of triangles with an angle below 30 degrees
+  double valence_six = 0, valence_near_six = 0;       // the share of the vertices; of those of 5 to 7
 };
 SurfaceQuality quality_of(const Mesh& mesh, double wanted_length);
 
@@ -25,7 +26,7 @@ class SurfacesPeer {
 
   // Of one step on a copy, which is not counted; by the first letter of the scheme: L, C or s.
   double milliseconds_of_step(char scheme) const;
-  double milliseconds_of_remeshing(double length, unsigned rounds, SurfaceQuality& quality) const;
+  double milliseconds_of_remeshing(double length, unsigned rounds, IndexedMesh& made) const;
 
  private:
   struct Data;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>  // the border of a window
 
 #include <cstdlib>
 
@@ -312,6 +313,7 @@ TEST(progress_window, is_cancelled_by_its_button_alone) {
     return gui.progress_frame(Language::english, test::window, 0.05, 0.4);
   };
   for (int i = 0; i < 3; ++i) EXPECT_FALSE(step());
+  EXPECT_GT(ImGui::FindWindowByName("###progress")->WindowBorderSize, 0) << "it ends somewhere, whatever lies behind";
   const glm::dvec2 middle(test::window.width / 2.0, test::window.height / 2.0);
   const auto click = [&](glm::dvec2 pixel) {
     gui.pointer(pixel);

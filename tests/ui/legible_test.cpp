@@ -54,9 +54,14 @@ TEST_P(LegibleTest, no_text_is_cut_or_lies_over_another_in_either_language) {
       ASSERT_TRUE(laid.session.run("language " + language).done());
       is_legible(mesh + " " + language);
       for (const PanelRow& row : panel_list()) {
-        if (row.place == PanelPlace::over || !areas_of({}, size, scale).has_tabs) continue;
-        ASSERT_TRUE(laid.session.run("panel " + std::string(row.id) + " flyout").done());
+        const bool has_tabs = areas_of({}, size, scale).has_tabs;
+        if (row.place == PanelPlace::over || (!has_tabs && row.shown_at_first())) continue;
+        const std::string panel = "panel " + std::string(row.id);
+        ASSERT_TRUE(laid.session.run(panel + (has_tabs ? " flyout" : " on")).done());
         is_legible(mesh + " " + language + " " + std::string(row.id));
+        if (!has_tabs) {
+          ASSERT_TRUE(laid.session.run(panel + " off").done());
+        }
       }
       for (const PanelRow& row : panel_list()) {
         if (row.place != PanelPlace::over) continue;
@@ -74,10 +79,11 @@ TEST_P(LegibleTest, no_text_is_cut_or_lies_over_another_in_either_language) {
 
 INSTANTIATE_TEST_SUITE_P(Windows, LegibleTest,
                          testing::Values(WindowCase{{640, 480}, 1}, WindowCase{{900, 700}, 1},
-                                         WindowCase{{1280, 1400}, 1}, WindowCase{{2560, 1600}, 2}),
+                                         WindowCase{{1280, 800}, 1}, WindowCase{{1280, 1400}, 1},
+                                         WindowCase{{2560, 1600}, 2}),
                          [](const auto& test) {
-                           return std::to_string(test.param.size.width) + "_at_" +
-                                  std::to_string(static_cast<int>(test.param.scale));
+                           return std::to_string(test.param.size.width) + "x" + std::to_string(test.param.size.height) +
+                                  "_at_" + std::to_string(static_cast<int>(test.param.scale));
                          });
 
 TEST(legible, problems_remedies_and_measured_forms_fit_a_narrow_column) {

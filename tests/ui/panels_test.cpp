@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/editor/commands.h"
+#include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 
 namespace ryosen {
@@ -107,23 +108,30 @@ TEST_F(PanelsTest, one_of_another_program_is_known_to_the_command_and_its_help_w
   EXPECT_EQ(session.run("panel face_curve").exit_code, ExitCode::usage);
 }
 
-TEST_F(PanelsTest, one_of_another_program_is_the_last_of_the_view_menu) {
+TEST_F(PanelsTest, one_of_another_program_is_the_last_of_the_panels_in_the_view_menu) {
   auto made = std::make_unique<FacesPanel>();
   FacesPanel& panel = *made;
   gui.add_panel(faces_row, std::move(made));
   frames(3);
-  const auto press_last_entry = [&](bool until_hidden) {
-    for (double y = 710; y > 200 && session.layout.switched.empty() == until_hidden; y -= 8) {
-      click(view_menu);
-      click({200, y});
-    }
+  const auto press_its_entry = [&] {
+    click(view_menu);
+    click(test::DrawnText(gui).last_place("Panels"));
+    const test::DrawnText menu(gui);
+    const double y = menu.last_place("Facesovertime").y;
+    for (const PanelRow& row : panel_list())
+      if (row.menu == PanelMenu::view && row.id != faces_row.id) {
+        std::string shown(row.title_en);
+        std::erase(shown, ' ');
+        EXPECT_LT(menu.last_place(shown).y, y) << shown;
+      }
+    click(menu.last_place("Facesovertime"));
   };
-  press_last_entry(true);
+  press_its_entry();
   EXPECT_EQ(session.layout.switched, std::set<std::string>{"face_curve"});
   const std::size_t seen = panel.faces_.size();
   frames(3);
   EXPECT_EQ(panel.faces_.size(), seen) << "it is not drawn while it is hidden";
-  press_last_entry(false);
+  press_its_entry();
   EXPECT_TRUE(session.layout.switched.empty());
   EXPECT_GT(panel.faces_.size(), seen);
 }

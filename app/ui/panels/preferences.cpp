@@ -15,7 +15,8 @@ namespace {
 class PreferencesPanel : public Panel {
  public:
   void draw(PanelContext& context) override;
-  ImVec2 size() const override { return {560, 330}; }
+  // Of all rows at the usual size of letters.
+  ImVec2 size() const override { return {560, 110 + 27 * static_cast<float>(preference_table().size())}; }
 
  private:
   void draw_row(PanelContext& context, const PreferenceRow& row);

@@ -12,7 +12,7 @@ namespace {
 
 // Of the angle between the normals of a point and of its face: past a right angle, since on a narrow rim both sides are
 // at one to the normal.
-constexpr double least_cosine = -0.3;
+constexpr double least_facing = -0.3;
 
 }  // namespace
 
@@ -40,7 +40,7 @@ void CoveredPoints::add_vertex(const Mesh& mesh, Vertex v) {
       most = cosine;
       best = mesh.face(h);
     }
-  points_.push_back({mesh.position(v), most > least_cosine ? normal : glm::dvec3(0), 0, no_index});
+  points_.push_back({mesh.position(v), most > least_facing ? normal : glm::dvec3(0), 0, no_index});
   give(static_cast<std::uint32_t>(points_.size() - 1), best);
 }
 
@@ -77,7 +77,7 @@ bool CoveredPoints::would_stay(std::span<const Face> old, std::span<const Made> 
       const Point& point = points_[i];
       Answer answer{i, no_index, std::numeric_limits<double>::infinity()};
       for (std::uint32_t k = 0; k < made.size(); ++k) {
-        if (glm::dot(normals_[k], point.normal) < least_cosine) continue;
+        if (glm::dot(normals_[k], point.normal) < least_facing) continue;
         const auto& [a, b, c] = made[k].corners;
         const glm::dvec3 way = way_from_triangle(a, b, c, point.place);
         if (const double square = glm::dot(way, way); square < answer.distance) answer = {i, k, square};

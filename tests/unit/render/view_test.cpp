@@ -514,7 +514,7 @@ TEST(view, is_refined_in_parts_of_no_more_effort_than_they_may_take) {
   const int tiles = refine(*view);
   const Image at_once = view->read_pixels();
   int fewer = tiles;
-  for (const double most : {4e6, 1e6}) {
+  for (const double most : {6e6, 3e6}) {
     view->draw(PixelRect::all(view->size()));
     view->set_most_refining(most);
     view->set_refining(true);

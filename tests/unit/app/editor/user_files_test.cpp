@@ -37,15 +37,17 @@ class KeptByUser : public testing::Test {
 
 TEST_F(KeptByUser, is_as_it_was_left_the_next_time) {
   open({"theme light", "prefer scale 1.5", "language ja", "bind Ctrl+K shot", "bind G none", "panel history off",
-        "panel totals right", "columns left 300"});
+        "panel growth on", "panel totals right", "columns left 300"});
   EXPECT_EQ(open({}).en, "");
   EXPECT_EQ(session_->settings.theme, Theme::light);
   EXPECT_EQ(session_->ui_scale, 1.5);
   EXPECT_EQ(session_->language, Language::japanese);
   const std::vector<KeyBinding> own{{"Ctrl+K", "shot"}, {"G", ""}};
   EXPECT_EQ(session_->bindings, own);
-  const std::vector<std::string> layout{"panel totals right", "panel history off", "columns left 300"};
+  const std::vector<std::string> layout{"panel totals right", "panel history off", "panel growth on",
+                                        "columns left 300"};
   EXPECT_EQ(session_->layout.commands(), layout);
+  EXPECT_EQ(session_->layout.wanted, "") << "they are shown as they were, none is opened";
   EXPECT_NE(content("preferences").find("\ntheme light\n"), std::string::npos) << content("preferences");
 }
 

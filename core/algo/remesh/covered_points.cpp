@@ -62,40 +62,62 @@ void CoveredPoints::give(std::uint32_t point, Face f) {
   first_[f.index] = point;
 }
 
-bool CoveredPoints::would_stay(std::span<const Face> old, std::span<const Made> made, double reach) {
+bool CoveredPoints::faces(const Point& point, std::size_t change) const {
+  if (changes_[change].kind == Change::Kind::goes) return false;
+  const glm::dvec3& normal = normals_[change];
+  const double product = glm::dot(normal, point.normal);
+  return product >= 0 || product >= least_facing * glm::length(normal);
+}
+
+double CoveredPoints::distance(const Point& point, std::size_t change) const {
+  const auto& [a, b, c] = changes_[change].corners;
+  return glm::length(way_from_triangle(a, b, c, point.place));
+}
+
+// Of one of the points of a face. Its own face is taken where it is near enough, without a look at the others.
+bool CoveredPoints::find_answer(std::uint32_t i, std::size_t own, double reach, double near_enough) {
+  const Point& point = points_[i];
+  const bool has_own = faces(point, own);
+  double own_distance = std::numeric_limits<double>::infinity();
+  if (has_own) {
+    if (const double most = point.distance + changes_[own].moved; most <= reach) {
+      answers_.push_back({i, changes_[own].face, most});
+      return true;
+    }
+    own_distance = distance(point, own);
+  }
+  Answer answer{i, changes_[own].face, own_distance};
+  for (std::size_t k = 0; k < changes_.size() && answer.distance > near_enough; ++k)
+    if (k != own && faces(point, k))
+      if (const double found = distance(point, k); found < answer.distance) answer = {i, changes_[k].face, found};
+  if (!(answer.distance <= std::max(reach, point.distance))) return false;
+  answers_.push_back(answer);
+  return true;
+}
+
+bool CoveredPoints::would_stay(std::span<const Change> changes, double reach, double near_enough) {
   answers_.clear();
   normals_.clear();
-  made_.clear();
-  old_.assign(old.begin(), old.end());
-  if (made.size() > most_faces) return false;
-  for (const Made& one : made) {
-    normals_.push_back(unit_or_zero(area_normal(one.corners)));
-    made_.push_back(one.face);
+  old_.clear();
+  changes_ = changes;
+  if (changes.size() > most_faces) return false;
+  for (const Change& change : changes)
+    normals_.push_back(change.kind == Change::Kind::goes ? glm::dvec3(0) : area_normal(change.corners));
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    const Face f = changes[k].face;
+    if (changes[k].kind == Change::Kind::comes_or_stays || f.index >= first_.size()) continue;
+    old_.push_back(f);
+    for (std::uint32_t i = first_[f.index]; i != no_index; i = points_[i].next)
+      if (!find_answer(i, k, reach, near_enough)) return false;
   }
-  for (const Face f : old)
-    for (std::uint32_t i = f.index < first_.size() ? first_[f.index] : no_index; i != no_index; i = points_[i].next) {
-      const Point& point = points_[i];
-      Answer answer{i, no_index, std::numeric_limits<double>::infinity()};
-      for (std::uint32_t k = 0; k < made.size(); ++k) {
-        if (glm::dot(normals_[k], point.normal) < least_facing) continue;
-        const auto& [a, b, c] = made[k].corners;
-        const glm::dvec3 way = way_from_triangle(a, b, c, point.place);
-        if (const double square = glm::dot(way, way); square < answer.distance) answer = {i, k, square};
-      }
-      if (answer.made == no_index) return false;
-      answer.distance = std::sqrt(answer.distance);
-      if (answer.distance > std::max(reach, point.distance)) return false;
-      answers_.push_back(answer);
-    }
   return true;
 }
 
 void CoveredPoints::hand_over() {
-  for (const Face f : old_)
-    if (f.index < first_.size()) first_[f.index] = no_index;
+  for (const Face f : old_) first_[f.index] = no_index;
   for (const Answer& answer : answers_) {
     points_[answer.point].distance = answer.distance;
-    give(answer.point, made_[answer.made]);
+    give(answer.point, answer.face);
   }
 }
 

@@ -14,20 +14,24 @@ namespace ryosen::remesh {
 // near one of them that faces its way.
 class CoveredPoints {
  public:
-  // Faces of a step, each as it becomes.
-  struct Made {
+  // A face of a step.
+  struct Change {
+    enum class Kind { goes, becomes, comes_or_stays };
     Face face;
-    Corners corners;
+    Kind kind;
+    Corners corners;   // as it becomes
+    double moved = 0;  // how far a corner of one that becomes moves at most: from its points it comes no farther away
   };
 
   // Of a mesh of triangles the vertices that may move, and points on edges that are no features, each at most `spacing` from
   // the next. O(n).
   CoveredPoints(const Mesh& mesh, const Features& features, double spacing);
 
-  // Whether each point of the old faces lies within reach of one of the made ones, or no farther than it lay. No more than
-  // most_faces are judged: so a step costs what it costs, and a hub stays where it is. Many points times faces.
-  bool would_stay(std::span<const Face> old, std::span<const Made> made, double reach);
-  // What was judged last comes to be. Faces that are no longer there are among the old ones.
+  // Whether each point of the faces that go or become lies within reach of one of the step, or no farther than it lay. No
+  // more than most_faces are judged: so a step costs what it costs, and a hub stays where it is. Of those within reach one
+  // that is near enough is as good as the nearest. Many points times faces.
+  bool would_stay(std::span<const Change> changes, double reach, double near_enough);
+  // What was judged last comes to be.
   void hand_over();
 
   static constexpr std::size_t most_faces = 64;
@@ -35,13 +39,17 @@ class CoveredPoints {
  private:
   struct Point {
     glm::dvec3 place, normal;  // the normal is 0 where the faces around go all ways
-    double distance;           // from its face
+    double distance;           // from its face, or more
     std::uint32_t next;        // of the same face
   };
   struct Answer {
-    std::uint32_t point, made;
+    std::uint32_t point;
+    Face face;
     double distance;
   };
+  bool faces(const Point& point, std::size_t change) const;
+  double distance(const Point& point, std::size_t change) const;
+  bool find_answer(std::uint32_t point, std::size_t change, double reach, double near_enough);
   void add_vertex(const Mesh& mesh, Vertex v);
   void add_edge(const Mesh& mesh, Edge e, double spacing);
   void give(std::uint32_t point, Face f);
@@ -49,9 +57,10 @@ class CoveredPoints {
   std::vector<Point> points_;
   std::vector<std::uint32_t> first_;  // per face slot
   // Of the step that was judged.
+  std::span<const Change> changes_;
   std::vector<Answer> answers_;
-  std::vector<Face> old_, made_;
-  std::vector<glm::dvec3> normals_;
+  std::vector<Face> old_;
+  std::vector<glm::dvec3> normals_;  // per change
 };
 
 }  // namespace ryosen::remesh

@@ -29,9 +29,11 @@ struct SwappedTriangles {
         if (!keeps_facing(area_normal(old), area_normal(made), cosine_of_turn)) return false;
     return true;
   }
+  bool has_sliver_before() const { return is_narrower(before[0], sliver_sine) || is_narrower(before[1], sliver_sine); }
+  bool has_sliver_after() const { return is_narrower(after[0], sliver_sine) || is_narrower(after[1], sliver_sine); }
   double sine_before() const { return std::min(smallest_sine(before[0]), smallest_sine(before[1])); }
   double sine_after() const { return std::min(smallest_sine(after[0]), smallest_sine(after[1])); }
-  bool makes_slivers() const { return sine_after() < sliver_sine && sine_after() < sine_before(); }
+  bool makes_slivers() const { return has_sliver_after() && sine_after() < sine_before(); }
 };
 SwappedTriangles triangles_at(const Mesh& mesh, Halfedge h) {
   const glm::dvec3 &a = mesh.position(mesh.from(h)), &b = mesh.position(mesh.to(h)),
@@ -47,9 +49,11 @@ Remesher::Remesher(Edit& edit, Features features, const Target& target, const Wa
       mesh_(edit.mesh()),
       features_(std::move(features)),
       target_(target),
-      keeper_(mesh_, features_, target.shortest_length() / 2, watched, surface) {
-  for (std::uint32_t i = 0; i < mesh_.vertex_slots(); ++i) wanted_.push_back(target.length_at(Vertex(i)));
-  nearby_.assign(mesh_.vertex_slots(), no_index);
+      keeper_(mesh_, features_, target.shortest_length(), watched, surface) {
+  for (Vertex v(0); v.index < mesh_.vertex_slots(); ++v.index) {
+    wanted_.push_back(target.length_at(v));
+    nearby_.push_back(target.hint_at(v));
+  }
 }
 
 double Remesher::length_of(Edge e) const {
@@ -146,8 +150,7 @@ bool Remesher::faces_stay(Vertex v, const glm::dvec3& place) const {
     const glm::dvec3 before = area_normal(corners);
     corners[0] = place;
     if (!keeps_facing(before, area_normal(corners), cosine_of_turn)) return false;
-    if (const double sine = smallest_sine(corners); sine < sliver_sine && sine < smallest_sine(corners_of(mesh_, h)))
-      return false;
+    if (is_narrower(corners, sliver_sine) && smallest_sine(corners) < smallest_sine(corners_of(mesh_, h))) return false;
   }
   return true;
 }
@@ -171,11 +174,17 @@ bool Remesher::try_collapse(Edge e) {
   if (is_fixed(mesh_.from(h))) h = twin(h);
   const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
   if (is_fixed(kept)) return try_collapse(h, mesh_.position(kept));
+  if (!CollapseEdge{h}.is_legal(mesh_)) return false;
+  // Beside the chord the surface lies near: what cannot be done at its middle, cannot be done there.
   const glm::dvec3 middle = 0.5 * mesh_.position(gone) + 0.5 * mesh_.position(kept);
-  const auto nearest = target_.nearest(middle, normal_of(gone) + normal_of(kept), nearby_[kept.index]);
-  const bool is_near = nearest && glm::distance(nearest->place, middle) < wanted(e);
-  return (is_near && try_collapse(h, nearest->place)) || try_collapse(h, mesh_.position(kept)) ||
-         try_collapse(h, mesh_.position(gone));
+  if (may_collapse(h, middle)) {
+    const auto nearest = target_.nearest(middle, normal_of(gone) + normal_of(kept), nearby_[kept.index]);
+    if (nearest && glm::distance(nearest->place, middle) < wanted(e) && try_collapse(h, nearest->place)) {
+      nearby_[kept.index] = nearest->triangle;
+      return true;
+    }
+  }
+  return try_collapse(h, mesh_.position(kept)) || try_collapse(h, mesh_.position(gone));
 }
 
 bool Remesher::try_collapse(Halfedge h, const glm::dvec3& place) {
@@ -265,7 +274,7 @@ bool Remesher::swap_slivers(Progress& progress) {
 bool Remesher::try_swap_sliver(Edge e) {
   const SwappedTriangles t = triangles_at(mesh_, halfedge(e));
   constexpr double clearly = 1.1;
-  if (t.sine_before() >= sliver_sine || t.sine_after() < clearly * t.sine_before() || !t.keep_facing()) return false;
+  if (!t.has_sliver_before() || t.sine_after() < clearly * t.sine_before() || !t.keep_facing()) return false;
   return swap_if_allowed(halfedge(e));
 }
 

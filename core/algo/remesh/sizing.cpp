@@ -45,6 +45,14 @@ double length_for(double curvature, const SizeOptions& options) {
   return std::clamp(std::sqrt(std::max(0.0, square)), options.length / 8, options.length);
 }
 
+// Whether the foot of the normal is inside a triangle and no farther than a distance.
+bool lies_over(const glm::dvec3& p, const Corners& c, double distance) {
+  const glm::dvec3 ab = c[1] - c[0], ac = c[2] - c[0], ap = p - c[0], normal = glm::cross(ab, ac);
+  const double sum = glm::dot(normal, normal), height = glm::dot(ap, normal);
+  const double of_b = glm::dot(glm::cross(ap, ac), normal), of_c = glm::dot(glm::cross(ab, ap), normal);
+  return of_b > 0 && of_c > 0 && of_b + of_c < sum && height * height <= distance * distance * sum;
+}
+
 }  // namespace
 
 Target::Target(const Mesh& mesh, const SizeOptions& options) : options_(options) {
@@ -58,6 +66,9 @@ Target::Target(const Mesh& mesh, const SizeOptions& options) : options_(options)
     if (is_there) triangles.push_back(Primitive::triangle(corners[0].index, corners[1].index, corners[2].index, i));
   }
   tree_ = TriangleTree(mesh.positions(), triangles, 1);
+  hints_.assign(mesh.vertex_slots(), no_index);
+  for (std::uint32_t t = 0; t < tree_.size(); ++t)
+    for (const Halfedge h : loop(mesh, mesh.halfedge(Face(tree_.owner(t))))) hints_[mesh.from(h).index] = t;
   if (!options.adaptive) return;
   const std::vector<double> curvatures = largest_curvatures(mesh);
   for (const double curvature : curvatures) lengths_.push_back(length_for(curvature, options));
@@ -74,7 +85,10 @@ Target::Target(const Mesh& mesh, const SizeOptions& options) : options_(options)
 std::optional<Target::Nearest> Target::nearest(const glm::dvec3& place, const glm::dvec3& direction,
                                                std::uint32_t hint) const {
   if (tree_.is_empty() || !is_finite(place)) return std::nullopt;
-  std::uint32_t triangle = tree_.nearest(place, hint).triangle;
+  constexpr double of_length = 0.1;
+  std::uint32_t triangle = hint;
+  if (hint == no_index || !lies_over(place, tree_.places(hint), of_length * shortest_length()))
+    triangle = tree_.nearest(place, hint).triangle;
   if (glm::dot(tree_.area_normal(triangle), direction) < 0) triangle = tree_.nearest_facing(place, direction).triangle;
   if (triangle == no_index) return std::nullopt;
   if (!is_adaptive()) return Nearest{place - tree_.way(place, triangle), options_.length, triangle};

@@ -28,10 +28,12 @@ class Target {
     double length;
     std::uint32_t triangle;  // a number that is a good hint for places near this one
   };
-  // The nearest place where the surface faces a direction: so what lies on one sheet does not come to another. None where
-  // there is no such place, and for a place that is not finite.
+  // The nearest place where the surface faces a direction: so what lies on one sheet does not come to another. Of a place
+  // right over the hint, and near, that in the hint. None where there is no such place, and for a place that is not finite.
   std::optional<Nearest> nearest(const glm::dvec3& place, const glm::dvec3& direction,
                                  std::uint32_t hint = no_index) const;
+  // A hint for the place of a vertex of the mesh; no_index where there is none.
+  std::uint32_t hint_at(Vertex v) const { return hints_[v.index]; }
   double length_at(Vertex v) const { return lengths_.empty() ? options_.length : lengths_[v.index]; }
   double shortest_length() const { return is_adaptive() ? options_.length / 8 : options_.length; }
   bool is_adaptive() const { return !lengths_.empty(); }
@@ -39,6 +41,7 @@ class Target {
  private:
   SizeOptions options_;
   TriangleTree tree_;
+  std::vector<std::uint32_t> hints_;   // per vertex
   std::vector<double> lengths_;        // per vertex; empty where all are alike
   std::vector<double> point_lengths_;  // the same per point of the tree
 };

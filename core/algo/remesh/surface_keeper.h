@@ -32,8 +32,12 @@ class SurfaceKeeper {
   std::size_t refused() const { return refused_; }
 
  private:
-  void begin() { old_.clear(), made_.clear(); }
-  void add(Face f, const Corners& corners) { old_.push_back(f), made_.push_back({f, corners}); }
+  using Kind = CoveredPoints::Change::Kind;
+  void add(Face f, Kind kind, const Corners& corners = {}, double moved = 0) {
+    changes_.push_back({f, kind, corners, moved});
+  }
+  // Those around a vertex but for two, as they become when it comes to a place; false where they are too many.
+  bool add_around(Vertex v, const glm::dvec3& place, Face left = {}, Face right = {});
   bool is_watched(const glm::dvec3& place) const { return guard_ && watched_.contains(place); }
   bool refuses(bool would_meet);
 
@@ -42,9 +46,7 @@ class SurfaceKeeper {
   CoveredPoints points_;
   std::optional<CrossingGuard> guard_;
   std::size_t refused_ = 0;
-  // Of the step asked about.
-  std::vector<Face> old_;
-  std::vector<CoveredPoints::Made> made_;
+  std::vector<CoveredPoints::Change> changes_;  // of the step asked about
 };
 
 }  // namespace ryosen::remesh

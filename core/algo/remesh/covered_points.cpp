@@ -18,37 +18,44 @@ constexpr double least_facing = -0.3;
 
 CoveredPoints::CoveredPoints(const Mesh& mesh, const Features& features, double spacing) {
   first_.assign(mesh.face_slots(), no_index);
+  FaceNormals area_normals(mesh.face_slots(), glm::dvec3(0));
+  for (Face f(0); f.index < mesh.face_slots(); ++f.index)
+    if (mesh.is_alive(f)) area_normals[f.index] = area_normal(corners_of(mesh, mesh.halfedge(f)));
+  points_.reserve(2 * mesh.live().vertices);
   for (Vertex v(0); v.index < mesh.vertex_slots(); ++v.index)
-    if (mesh.is_alive(v) && !features.vertices[v.index]) add_vertex(mesh, v);
+    if (mesh.is_alive(v) && !features.vertices[v.index]) add_vertex(mesh, area_normals, v);
   for (Edge e(0); e.index < mesh.edge_slots(); ++e.index)
-    if (mesh.is_alive(e) && !features.edges[e.index]) add_edge(mesh, e, spacing);
+    if (mesh.is_alive(e) && !features.edges[e.index]) add_edge(mesh, area_normals, e, spacing);
 }
 
-void CoveredPoints::add_vertex(const Mesh& mesh, Vertex v) {
+void CoveredPoints::add_vertex(const Mesh& mesh, const FaceNormals& area_normals, Vertex v) {
   glm::dvec3 sum(0);
-  double size = 0;
+  double size = 0, most = -2;
+  Face best;
   for (const Halfedge h : outgoing(mesh, v)) {
-    const glm::dvec3 area = area_normal(corners_of(mesh, h));
+    const glm::dvec3& area = area_normals[mesh.face(h).index];
     sum += area;
     size += glm::length(area);
   }
   const glm::dvec3 normal = glm::length(sum) > 0.3 * size ? unit_or_zero(sum) : glm::dvec3(0);
-  Face best;
-  double most = -2;
-  for (const Halfedge h : outgoing(mesh, v))
-    if (const double cosine = glm::dot(unit_normal(mesh, h), normal); cosine > most) {
+  for (const Halfedge h : outgoing(mesh, v)) {
+    const glm::dvec3& area = area_normals[mesh.face(h).index];
+    if (const double cosine = glm::dot(unit_or_zero(area), normal); cosine > most) {
       most = cosine;
       best = mesh.face(h);
     }
+  }
   points_.push_back({mesh.position(v), most > least_facing ? normal : glm::dvec3(0), 0, no_index});
   give(static_cast<std::uint32_t>(points_.size() - 1), best);
 }
 
-void CoveredPoints::add_edge(const Mesh& mesh, Edge e, double spacing) {
+void CoveredPoints::add_edge(const Mesh& mesh, const FaceNormals& area_normals, Edge e, double spacing) {
   const Halfedge h = halfedge(e);
   const glm::dvec3 &a = mesh.position(mesh.from(h)), &b = mesh.position(mesh.to(h));
   const auto parts = static_cast<std::uint32_t>(std::clamp(std::ceil(glm::distance(a, b) / spacing), 1.0, 10000.0));
-  const glm::dvec3 normal = unit_or_zero(unit_normal(mesh, h) + unit_normal(mesh, twin(h)));
+  if (parts == 1) return;
+  const glm::dvec3 normal = unit_or_zero(unit_or_zero(area_normals[mesh.face(h).index]) +
+                                         unit_or_zero(area_normals[mesh.face(twin(h)).index]));
   for (std::uint32_t i = 1; i < parts; ++i) {
     const double along = double(i) / parts;
     points_.push_back({(1 - along) * a + along * b, normal, 0, no_index});
@@ -62,11 +69,13 @@ void CoveredPoints::give(std::uint32_t point, Face f) {
   first_[f.index] = point;
 }
 
+bool CoveredPoints::are_at_one(const glm::dvec3& area_normal, const Point& point) {
+  const double product = glm::dot(area_normal, point.normal);
+  return product >= 0 || product >= least_facing * glm::length(area_normal);
+}
+
 bool CoveredPoints::faces(const Point& point, std::size_t change) const {
-  if (changes_[change].kind == Change::Kind::goes) return false;
-  const glm::dvec3& normal = normals_[change];
-  const double product = glm::dot(normal, point.normal);
-  return product >= 0 || product >= least_facing * glm::length(normal);
+  return changes_[change].kind != Change::Kind::goes && are_at_one(normals_[change], point);
 }
 
 double CoveredPoints::distance(const Point& point, std::size_t change) const {
@@ -100,6 +109,7 @@ bool CoveredPoints::would_stay(std::span<const Change> changes, double reach, do
   normals_.clear();
   old_.clear();
   changes_ = changes;
+  is_move_ = false;
   if (changes.size() > most_faces) return false;
   for (const Change& change : changes)
     normals_.push_back(change.kind == Change::Kind::goes ? glm::dvec3(0) : area_normal(change.corners));
@@ -113,8 +123,28 @@ bool CoveredPoints::would_stay(std::span<const Change> changes, double reach, do
   return true;
 }
 
+void CoveredPoints::begin_move(double moved) {
+  old_.clear();
+  answers_.clear();
+  is_move_ = true;
+  moved_ = moved;
+}
+
+bool CoveredPoints::keeps_points(Face f, const glm::dvec3& area_normal, double reach) {
+  if (f.index >= first_.size()) return true;
+  old_.push_back(f);
+  for (std::uint32_t i = first_[f.index]; i != no_index; i = points_[i].next)
+    if (!(points_[i].distance + moved_ <= reach) || !are_at_one(area_normal, points_[i])) return false;
+  return true;
+}
+
 void CoveredPoints::hand_over() {
-  for (const Face f : old_) first_[f.index] = no_index;
+  for (const Face f : old_) {
+    if (is_move_)
+      for (std::uint32_t i = first_[f.index]; i != no_index; i = points_[i].next) points_[i].distance += moved_;
+    else
+      first_[f.index] = no_index;
+  }
   for (const Answer& answer : answers_) {
     points_[answer.point].distance = answer.distance;
     give(answer.point, answer.face);

@@ -31,6 +31,9 @@ class CoveredPoints {
   // more than most_faces are judged: so a step costs what it costs, and a hub stays where it is. Of those within reach one
   // that is near enough is as good as the nearest. Many points times faces.
   bool would_stay(std::span<const Change> changes, double reach, double near_enough);
+  // The same of the faces around a vertex that moves so far, one after the other, by bounds alone: false says nothing.
+  void begin_move(double moved);
+  bool keeps_points(Face f, const glm::dvec3& area_normal, double reach);
   // What was judged last comes to be.
   void hand_over();
 
@@ -47,11 +50,13 @@ class CoveredPoints {
     Face face;
     double distance;
   };
+  using FaceNormals = std::vector<glm::dvec3>;
+  static bool are_at_one(const glm::dvec3& area_normal, const Point& point);
   bool faces(const Point& point, std::size_t change) const;
   double distance(const Point& point, std::size_t change) const;
   bool find_answer(std::uint32_t point, std::size_t change, double reach, double near_enough);
-  void add_vertex(const Mesh& mesh, Vertex v);
-  void add_edge(const Mesh& mesh, Edge e, double spacing);
+  void add_vertex(const Mesh& mesh, const FaceNormals& area_normals, Vertex v);
+  void add_edge(const Mesh& mesh, const FaceNormals& area_normals, Edge e, double spacing);
   void give(std::uint32_t point, Face f);
 
   std::vector<Point> points_;
@@ -60,7 +65,9 @@ class CoveredPoints {
   std::span<const Change> changes_;
   std::vector<Answer> answers_;
   std::vector<Face> old_;
-  std::vector<glm::dvec3> normals_;  // per change
+  std::vector<glm::dvec3> normals_;  // per change, by area
+  bool is_move_ = false;             // each face keeps its points
+  double moved_ = 0;
 };
 
 }  // namespace ryosen::remesh

@@ -287,18 +287,21 @@ bool Remesher::swap_if_allowed(Halfedge h) {
 }
 
 std::optional<Remesher::Relaxed> Remesher::relaxed(Vertex v) {
+  const glm::dvec3& here = mesh_.position(v);
   glm::dvec3 sum(0), normal(0);
   double weights = 0;
-  for (const Halfedge h : outgoing(mesh_, v)) {
-    const Corners c = corners_of(mesh_, h);
+  Vertex first = mesh_.to(mesh_.halfedge(v));
+  for (const Halfedge h : outgoing(mesh_, v)) {  // counter-clockwise: the next triangle begins where this one ends
+    const Vertex second = mesh_.from(mesh_.prev(h));
+    const Corners c{here, mesh_.position(first), mesh_.position(second)};
     const glm::dvec3 area = area_normal(c);
-    const double length = wanted_[mesh_.to(h).index] + wanted_[mesh_.from(mesh_.prev(h)).index];
-    const double weight = glm::length(area) / (target_.is_adaptive() ? length * length : 1);
+    double weight = glm::length(area);
+    if (target_.is_adaptive()) weight /= std::pow(wanted_[first.index] + wanted_[second.index], 2);
     sum += weight * (c[0] + c[1] + c[2]) / 3.0;
     normal += area;
     weights += weight;
+    first = second;
   }
-  const glm::dvec3& here = mesh_.position(v);
   if (!(weights > 0)) return std::nullopt;
   normal = unit_or_zero(normal);
   const glm::dvec3 mean = sum / weights;

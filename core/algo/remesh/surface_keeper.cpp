@@ -63,9 +63,22 @@ void SurfaceKeeper::collapsed() {
       guard_->follow(change.face);
 }
 
+bool SurfaceKeeper::keeps_points(Vertex v, const glm::dvec3& place, double reach) {
+  points_.begin_move(glm::distance(place, mesh_.position(v)));
+  for (const Halfedge out : outgoing(mesh_, v)) {
+    if (mesh_.is_outside(out)) continue;
+    Corners corners = corners_of(mesh_, out);
+    corners[0] = place;
+    if (!points_.keeps_points(mesh_.face(out), area_normal(corners), reach)) return false;
+  }
+  return true;
+}
+
 bool SurfaceKeeper::allows_move(Vertex v, const glm::dvec3& place, double reach) {
-  changes_.clear();
-  if (!add_around(v, place) || !points_.would_stay(changes_, reach, 0.5 * reach)) return false;
+  if (!keeps_points(v, place, reach)) {
+    changes_.clear();
+    if (!add_around(v, place) || !points_.would_stay(changes_, reach, 0.5 * reach)) return false;
+  }
   return !is_watched(place) || !refuses(guard_->would_meet(v, place));
 }
 

@@ -36,6 +36,8 @@ class SurfaceKeeper {
   void add(Face f, Kind kind, const Corners& corners = {}, double moved = 0) {
     changes_.push_back({f, kind, corners, moved});
   }
+  // Whether it is plain that each face around a vertex keeps its points if that moves.
+  bool keeps_points(Vertex v, const glm::dvec3& place, double reach);
   // Those around a vertex but for two, as they become when it comes to a place; false where they are too many.
   bool add_around(Vertex v, const glm::dvec3& place, Face left = {}, Face right = {});
   bool is_watched(const glm::dvec3& place) const { return guard_ && watched_.contains(place); }

@@ -46,6 +46,12 @@ for kind in $checked; do
     -E "^oracle_|oracle\.|agrees_on_all_triangle_sets|reasons_table|laws|pinch|real_meshes|shared_meshes|plain_check|[Ff]orms|all_pairs_are_welded|whole_numbers_on_grids"
 done
 
+# In a long run what happens in windows, too: events, panels, pictures, and the walk of a monkey over ten meshes.
+if [ -n "${RYOSEN_LONG:-}" ]; then
+  build "$root/build/fuzz" test_app
+  ctest --test-dir "$root/build/fuzz" --output-on-failure -j "$(nproc)" -L app -R "Monkey|gui|Window|Viewport"
+fi
+
 # Both builds compute the same to the last bit and, in a long run, say the same about every file.
 [ "$compared" = hashes ] || build "$root/build/fuzz" ryosen
 for kind in release fuzz; do

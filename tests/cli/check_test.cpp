@@ -455,8 +455,8 @@ TEST(check, names_the_line_of_a_vertex) {
             "3 0 2 3\n3 0 1 2\n"},
            {"a.txt", "5 2\n0 0 0\nnan 0 0\n1 0 0\n0 1 0\n9 9 9\n1 3 4\n1 2 3\n"}}) {
     const Json report = run_program({"check", folder.write(name, text), "--json"}).line();
-    const auto line_of_text = [&](const std::string& words) {
-      return std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find(words)), '\n') + 1;
+    const auto line_of_text = [&all = text](const std::string& words) {
+      return std::count(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.find(words)), '\n') + 1;
     };
     std::size_t found = 0;
     for (const Json& problem : report["problems"]) {

@@ -69,8 +69,8 @@ TEST(repair, counts_by_what_the_format_of_the_output_can_hold) {
       "0 0 0\n1 0 0\n0 1 0\n5 5 5\n6 6 6\n3 0 1 2\n3 4\n");
   for (const auto& [input, kept, lost, loss] : {std::tuple{lines, "o.obj", "o.off", "loses_elements"},
                                                 std::tuple{edges, "o.ply", "o.obj", "loses_extra_elements"}}) {
-    const auto repair = [&](const std::string& path, const std::string& kinds) {
-      return run_program({"repair", path, "-o", folder.at(kinds + lost), "--overwrite", "--kinds", kinds, "--json"});
+    const auto repair = [&, name = lost](const std::string& path, const std::string& kinds) {
+      return run_program({"repair", path, "-o", folder.at(kinds + name), "--overwrite", "--kinds", kinds, "--json"});
     };
     const Json left = repair(input, "default").line();
     EXPECT_EQ(left["problems"][0]["kind"], "isolated_vertex") << left;

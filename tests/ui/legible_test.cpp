@@ -39,8 +39,8 @@ TEST_P(LegibleTest, no_text_is_cut_or_lies_over_another_in_either_language) {
   const std::string soup = folder.write("soup.off", soup_of_triangles(5000));
   const auto [size, scale] = GetParam();
   Laid laid("fin.obj", size, scale);
-  const auto is_legible = [&](const std::string& where) {
-    laid.gui.pointer({size.width / 2.0, size.height / 2.0});
+  const auto is_legible = [&, width = size.width, height = size.height](const std::string& where) {
+    laid.gui.pointer({width / 2.0, height / 2.0});
     laid.frames(4);
     const DrawnText text(laid.gui);
     EXPECT_EQ(text.cut_sideways(), "") << where;

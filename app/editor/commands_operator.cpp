@@ -88,17 +88,17 @@ Text in_words(std::string_view syntax) {
 }
 
 Outcome nothing_selected(const OpInfo& op) {
-  const std::string id(op.id);
+  const std::string en(op.name_en), ja(op.name_ja);
   const Text kinds = op.on_selection == OnSelection::all ? in_words(op.syntax) : kinds_taken(op);
-  return failed(ExitCode::refused, {id + " selected: nothing is selected that it works on; select " + kinds.en,
-                                    id + " selected：対象となる要素が選択されていません。選択するもの：" + kinds.ja});
+  return failed(ExitCode::refused, {en + ": nothing is selected that it works on; select " + kinds.en,
+                                    ja + "：対象となる要素が選択されていません。選択するもの：" + kinds.ja});
 }
 
 Outcome does_not_fit(const OpInfo& op) {
-  const std::string id(op.id);
+  const std::string en(op.name_en), ja(op.name_ja);
   const Text wanted = in_words(op.syntax);
-  return failed(ExitCode::refused, {id + " selected: what is selected does not fit; it takes " + wanted.en,
-                                    id + " selected：選択された要素が合いません。必要なもの：" + wanted.ja});
+  return failed(ExitCode::refused, {en + ": what is selected does not fit; it takes " + wanted.en,
+                                    ja + "：選択された要素が合いません。必要なもの：" + wanted.ja});
 }
 
 // "12 done. 3 refused: RULE. 2 were deleted before their turn."

@@ -106,6 +106,7 @@ void Session::forget_derived() {
   euler_.reset();
   kind_.reset();
   hover_.reset();
+  pointed_handle_ = nullptr;
   tool_verdicts_.reset();
   gesturing_.reset();
   release_verdict();

@@ -37,6 +37,14 @@ TEST_F(InspectorPanel, an_edge_of_two_faces_is_misoriented_and_one_of_three_not_
   }
 }
 
+TEST_F(InspectorPanel, a_normal_has_no_more_digits_than_are_seen) {
+  const std::string file =
+      folder_.write("flat.off", "OFF\n3 1 0\n0.1 0.2 0.30000000000000004\n1.1 0.3 0.3\n0.4 1.7 0.3\n3 0 1 2\n");
+  ASSERT_TRUE(gui.run(session, "open " + file_argument(file)).done());
+  ASSERT_TRUE(gui.run(session, "select f0").done());
+  EXPECT_EQ(drawn("001"), 1u) << "0 0 1";
+}
+
 TEST_F(InspectorPanel, what_to_point_at_is_what_the_tool_applies_to) {
   for (const auto& [line, text] : {std::pair("tool collapse", "Point at an edge."),
                                    {"tool poke", "Point at a face."},

@@ -16,6 +16,9 @@ std::string place_text(const glm::dvec3& p) {
   return short_number(p.x) + "  " + short_number(p.y) + "  " + short_number(p.z);
 }
 
+// Of a direction no more digits are told than are seen.
+std::string direction_text(const glm::dvec3& d) { return place_text(glm::round(1e4 * d) / 1e4 + 0.0); }
+
 // The vector area of the face.
 glm::dvec3 area_vector(const Mesh& m, Face f) { return vector_area(FacePolygon(m, f).keyhole_walk()); }
 
@@ -120,7 +123,7 @@ class Inspector {
     const glm::dvec3 n = area_vector(m_, f);
     const double area = glm::length(n);
     value(UiText::area, short_number(area));
-    if (area > 0) value(UiText::normal, place_text(n / area));
+    if (area > 0) value(UiText::normal, direction_text(n / area));
     std::vector<Element> corners, around;
     for (Vertex v : vertices_around(m_, f)) corners.push_back(v);
     for (Face g : neighbour_faces(m_, f))

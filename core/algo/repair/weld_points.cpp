@@ -181,7 +181,7 @@ class Welding {
 AlgorithmResult result_of(const Welded& welded) {
   AlgorithmResult result{welded.points, welded.left.size(), {}};
   add_left(result.left_for,
-           {"to join them there would make the surface unsound, or they are not on a boundary",
+           {"joining them there would make the surface unsound, or they are not on a boundary",
             "統合すると曲面が不健全になるか、境界上にないため"},
            welded.left);
   result.text = count_text(welded.points, "One point was welded to another", "# points were welded to others",

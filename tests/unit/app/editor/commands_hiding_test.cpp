@@ -104,6 +104,9 @@ TEST(hiding, what_is_hidden_is_neither_picked_nor_in_the_way) {
   run(*session, {"unhide"});
   EXPECT_EQ(session->pick(pixel, PickMode::face)->element, Element(Face(met[0])));
 
+  EXPECT_EQ(session->run("box 1,1 2,2").sentence.en,
+            "nothing lies wholly in there and is seen; 0 elements are selected");
+  EXPECT_EQ(session->run("box 1,1 2,2 through").sentence.en, "nothing lies wholly in there; 0 elements are selected");
   run(*session, {"mode face", "hide f0..f9", "box 0,0 640,480 through"});
   EXPECT_EQ(session->selection.size(), session->mesh().live().faces - 10);
   run(*session, {"isolate f0..f9"});

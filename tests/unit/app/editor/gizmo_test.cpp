@@ -117,6 +117,8 @@ TEST_F(GizmoTest, the_pointer_finds_a_handle_before_an_element_and_elsewhere_the
   EXPECT_FALSE(session_->hover());
   run({"move " + text(pixel_of(HandleWay::x)) + " Shift"});
   EXPECT_FALSE(session_->pointed_handle()) << "Shift adds to the selection there";
+  run({"move " + text(pixel_of(HandleWay::x)), "open \"" + test::asset("cube.obj") + "\""});
+  EXPECT_FALSE(session_->pointed_handle()) << "another mesh has none at first";
   const Camera camera = session_->camera;
   run({"press left 20,20", "move 80,60", "release left 80,60"});
   EXPECT_NE(session_->camera, camera);

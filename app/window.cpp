@@ -238,13 +238,17 @@ class Editor {
     viewport_->keep_pace(session_, start);
     const Clock::time_point drawing = Clock::now();
     const std::int64_t pixels = compose();
+    if (pixels > 0) {
+      glFinish();
+      // Without what it takes to show it, which is the same for any part of the picture.
+      viewport_->took(Clock::now() - drawing);
+    }
     show_title();
     cursor_.show(window_.handle(), gui_.pointer_shape());
     const bool is_exposed = window_.take_exposure();
     if (pixels == 0 && !is_exposed) return;
     canvas_->present(0);
     glFinish();
-    viewport_->took(Clock::now() - drawing);
     const double took_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     glfw().swap_buffers(window_.handle());
     log_frame(pixels, took_ms);

@@ -64,6 +64,32 @@ TEST_F(AddMenu, selects_what_was_added) {
   const std::uint32_t before = session.mesh().live().faces;
   ASSERT_TRUE(session.run("sphere").done());
   EXPECT_EQ(session.selection.size(), session.mesh().live().faces - before);
+  // Its preview, which the fields show, is not what was there before.
+  ASSERT_TRUE(session.run("values torus").done());
+  frames(3);
+  ASSERT_TRUE(session.document().is_on_trial());
+  const std::uint32_t shown = session.mesh().live().faces;
+  gui.key(ImGuiKey_Enter, true);
+  gui.key(ImGuiKey_Enter, false);
+  frames(4);
+  EXPECT_EQ(session.mesh().live().faces, shown);
+  EXPECT_FALSE(session.document().is_on_trial());
+  EXPECT_EQ(session.selection.size(), 512u);
+}
+
+TEST_F(AddMenu, takes_a_share_of_the_diagonal_without_what_its_preview_adds) {
+  ASSERT_TRUE(session.run("values sphere").done());
+  frames(3);
+  for (const char c : std::string_view("200%")) gui.character(static_cast<unsigned>(c));
+  frames(2);
+  ASSERT_TRUE(session.document().is_on_trial());
+  gui.key(ImGuiKey_Enter, true);
+  gui.key(ImGuiKey_Enter, false);
+  frames(4);
+  const auto fresh = std::make_unique<Session>(Document::open(test::asset("cube.obj")).value());
+  ASSERT_TRUE(fresh->run("sphere 200%").done());
+  const Vertex last(session.mesh().vertex_slots() - 1);
+  EXPECT_EQ(session.mesh().position(last), fresh->mesh().position(last));
 }
 
 }  // namespace

@@ -136,6 +136,33 @@ TEST_F(MenuKeys, keys_that_come_faster_than_frames_go_where_they_were_meant) {
   EXPECT_EQ(session.open_panel, "command");
 }
 
+TEST_F(MenuKeys, the_palette_takes_the_first_that_it_finds_where_the_line_is_none) {
+  press("F3");
+  write("simpl");
+  EXPECT_TRUE(shows("levels [NAME=VALUE ...]|at FACES|keep|close")) << "there are several";
+  press("Enter");
+  EXPECT_EQ(session.open_panel, "values") << gui.said().en;
+  EXPECT_EQ(session.asked_algorithm, "simplify");
+  press("Escape");
+  press("F3");
+  write("simplify");  // a command, though one that lacks what its fields ask for
+  press("Enter");
+  EXPECT_EQ(session.open_panel, "values") << gui.said().en;
+  press("Escape");
+  press("F3");
+  write("mean curv");
+  press("Enter");
+  EXPECT_EQ(session.log().size(), 0u);
+  EXPECT_EQ(session.open_panel, "");
+  EXPECT_TRUE(shows("Mean curvature"));
+  press("F3");
+  write("no such thing");
+  EXPECT_TRUE(shows("Nothing is found by these words."));
+  press("Enter");
+  EXPECT_EQ(session.open_panel, "command");
+  EXPECT_FALSE(gui.said().en.empty());
+}
+
 TEST_F(MenuKeys, the_palette_cuts_no_name_short_for_a_long_line) {
   press("F3");
   write("divide");

@@ -16,7 +16,7 @@ namespace ryosen {
 
 namespace {
 
-// A line with what it may say; Enter carries it out.
+// A line with what it may say; Enter carries it out, or what is found first where it is no line.
 class CommandPanel : public Panel {
  public:
   void draw(PanelContext& context) override;
@@ -26,6 +26,7 @@ class CommandPanel : public Panel {
   void follow_keys(ImGuiInputTextCallbackData& data);
   void find();
   void draw_found(PanelContext& context);
+  std::optional<std::size_t> meant() const;
   void enter(PanelContext& context);
   void take(PanelContext& context, const PaletteEntry& entry);
   void run(PanelContext& context, const std::string& line);
@@ -97,6 +98,9 @@ void CommandPanel::type(std::string line) {
 void CommandPanel::draw_found(PanelContext& context) {
   const float pitch = ImGui::GetTextLineHeightWithSpacing(), indent = 10 * context.scale;
   begin_rows_within("suggestions", ImGui::GetContentRegionAvail().y);
+  if (found_.empty())
+    dim_text(context, context.text("Nothing is found by these words.", "この言葉では見つかりません。"));
+  const auto enters = meant();
   std::optional<std::size_t> taken;
   for (std::size_t i = 0; i < found_.size(); ++i) {
     const PaletteEntry& entry = found_[i];
@@ -106,7 +110,7 @@ void CommandPanel::draw_found(PanelContext& context) {
     const std::string right = name == entry.line ? chord_of(context.session, entry.line) : entry.line;
     const float top = ImGui::GetCursorPosY();
     ImGui::PushID(entry.line.c_str());
-    if (row(context, shown.c_str(), right.c_str(), is_chosen)) taken = i;
+    if (row(context, shown.c_str(), right.c_str(), enters == i)) taken = i;
     ImGui::PopID();
     if (is_chosen) ImGui::SetScrollHereY();
     const std::string& help = entry.help.in(context.language());
@@ -155,16 +159,22 @@ void CommandPanel::draw(PanelContext& context) {
   if (entered) enter(context);
 }
 
-// What is chosen, or the line as it stands, or the only thing that it can mean.
+// Of what was found, that which Enter takes: what is chosen, else the first, where the line as it stands says nothing or
+// lacks what the first asks for. None where the line is carried out.
+std::optional<std::size_t> CommandPanel::meant() const {
+  if (chosen_ >= 0) return static_cast<std::size_t>(chosen_);
+  const std::string line(without_blanks(typed_));
+  if (line.empty() || found_.empty()) return std::nullopt;
+  const bool is_bare = found_[0].line == line;
+  const bool asks = is_bare && (find_op(line) || (find_algorithm(line) && fault_of_command(line)));
+  if (call_of(line) && !asks) return std::nullopt;
+  return 0;
+}
+
 void CommandPanel::enter(PanelContext& context) {
   takes_keys_ = true;
-  if (chosen_ >= 0) return take(context, PaletteEntry(found_[static_cast<std::size_t>(chosen_)]));
-  if (split_words(typed_).empty()) return;
-  const bool is_bare_operator = find_op(without_blanks(typed_)) != nullptr;
-  const bool is_line = call_of(typed_) && !is_bare_operator;
-  const bool is_meant = !found_.empty() && (found_.size() == 1 || found_[0].line == without_blanks(typed_));
-  if (!is_line && is_meant) return take(context, PaletteEntry(found_[0]));
-  run(context, typed_);
+  if (const auto i = meant()) return take(context, PaletteEntry(found_[*i]));
+  if (!split_words(typed_).empty()) run(context, typed_);
 }
 
 void CommandPanel::take(PanelContext& context, const PaletteEntry& entry) {

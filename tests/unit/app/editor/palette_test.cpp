@@ -47,6 +47,8 @@ TEST(palette, finds_by_any_word_in_either_language_best_first) {
   EXPECT_EQ(first_for("稜線削除"), "collapse");
   EXPECT_EQ(first_for("histor"), "panel history");
   EXPECT_EQ(first_for("履歴"), "panel history");
+  EXPECT_EQ(first_for("mean curvature"), "colours mean_curvature");
+  EXPECT_EQ(first_for("平均曲率"), "colours mean_curvature");
   EXPECT_TRUE(find_in_palette("no such thing").empty());
   EXPECT_EQ(find_in_palette("").size(), palette_entries().size());
   for (const PaletteEntry& entry : find_in_palette("boundary")) {

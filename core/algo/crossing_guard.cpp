@@ -21,18 +21,6 @@ Primitive primitive_of(const Mesh& mesh, Face f) {
 
 bool is_flat(const NumberedTriangle& t) { return are_collinear(t.places[0], t.places[1], t.places[2]); }
 
-// Its six sides as planes.
-Frustum sides_of(const Box& box) {
-  Frustum sides;
-  for (int axis = 0; axis < 3; ++axis) {
-    glm::dvec3 along{0.0};
-    along[axis] = 1;
-    sides.add({along, -box.lowest[axis]});
-    sides.add({-along, box.highest[axis]});
-  }
-  return sides;
-}
-
 }  // namespace
 
 CrossingGuard::CrossingGuard(const Mesh& mesh, Surface surface)
@@ -176,7 +164,7 @@ void CrossingGuard::find_near(const std::vector<Changed>& faces) const {
   Box around;
   for (const Changed& one : faces)
     for (const glm::dvec3& p : one.triangle.places) around.add(p);
-  tree_.visit_frustum(mesh_.positions(), sides_of(around), [&](std::uint32_t slot) {
+  tree_.visit_frustum(mesh_.positions(), frustum_of_box(around), [&](std::uint32_t slot) {
     if (step_.concerns(Face(slot))) return;
     const NumberedTriangle other = triangle(Face(slot));
     if (!is_flat(other)) near_.push_back({Face(slot), other});

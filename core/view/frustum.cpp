@@ -4,6 +4,17 @@
 
 namespace ryosen {
 
+Frustum frustum_of_box(const Box& box) {
+  Frustum sides;
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dvec3 along{0.0};
+    along[axis] = 1;
+    sides.add({along, -box.lowest[axis]});
+    sides.add({-along, box.highest[axis]});
+  }
+  return sides;
+}
+
 Frustum frustum_of_rectangle(const glm::dmat4& clip_from_world, const glm::dvec2& lowest, const glm::dvec2& highest) {
   const glm::dmat4 rows = glm::transpose(clip_from_world);
   Frustum result;

@@ -8,6 +8,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "core/geometry/box.h"
+
 namespace ryosen {
 
 // The points p with dot(plane.xyz, p) + plane.w >= 0 for the first `count` planes; without planes all of space.
@@ -18,6 +20,9 @@ struct Frustum {
 
   void add(const glm::dvec4& plane) { planes[count++] = plane; }
 };
+
+// The inside of a box.
+Frustum frustum_of_box(const Box& box);
 
 // The region seen through a screen rectangle, given by two corners in normalized device coordinates (-1 to 1, y up).
 // Bounded by the near plane of an OpenGL projection, not by the far plane.

@@ -135,7 +135,7 @@ Timed timed(Work work) {
 Timed run_ours(const Mesh& mesh, std::size_t faces, unsigned effort) {
   return timed([&] {
     Mesh work = mesh;
-    Simplifier simplifier(work, {}, {.faces = faces, .effort = effort});
+    Simplifier simplifier(work, {}, {.faces = faces, .effort = effort}, nullptr, &mesh);
     Progress unheard;
     simplifier.run(unheard);
     return [work = std::move(work)] { return soup_of(work); };

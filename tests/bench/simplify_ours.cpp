@@ -46,7 +46,7 @@ int main(int count, char** words) {
   const Clock::time_point begin = Clock::now();
   Mesh work = mesh;
   Progress unheard;
-  Simplifier(work, {}, goal).run(unheard);
+  Simplifier(work, {}, goal, nullptr, &mesh).run(unheard);
   const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   plain::write_off(words[2], triangles_of(work));
   std::printf("%.4f\n", seconds);

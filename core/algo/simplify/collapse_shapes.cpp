@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/algo/simplify/collapse_surface.h"
+#include "core/mesh/circulate.h"
 
 namespace ryosen {
 
@@ -108,6 +109,41 @@ bool CollapseSurface::swap_spoils_face(Halfedge h) const {
   if (angle_cosine_ > 1) return false;
   const double after = std::max(largest_cosine(c, a, d), largest_cosine(d, b, c));
   return after > angle_cosine_ && after > std::max(largest_cosine(a, b, c), largest_cosine(b, a, d));
+}
+
+bool CollapseSurface::may_look_against_input(Face f) const {
+  // Of the normals that a vertex stands for, the length of their sum is this share of the sum of their lengths or less where
+  // it is folded; and what looks clearly along a normal has at least this cosine.
+  constexpr double folded = 0.6, clear_cosine = 0.1;
+  const Halfedge h = mesh_.halfedge(f);
+  const std::array<const State*, 3> corners{&states_[mesh_.from(h).index], &states_[mesh_.to(h).index],
+                                            &states_[mesh_.from(mesh_.prev(h)).index]};
+  const glm::dvec3 own = glm::cross(corners[1]->place - corners[0]->place, corners[2]->place - corners[0]->place);
+  const double length = glm::length(own);
+  return std::any_of(corners.begin(), corners.end(), [&](const State* corner) {
+    const glm::dvec3 normal = corner->normal;
+    const double sum = glm::length(normal);
+    return !(sum > folded * corner->quadric.weight) || !(glm::dot(own, normal) > clear_cosine * length * sum);
+  });
+}
+
+double CollapseSurface::error_of_move(Vertex v, const glm::dvec3& position) const {
+  const Quadric& quadric = states_[v.index].quadric;
+  return quadric.weight > 0 ? std::sqrt(quadric.at(scale_.scaled(position)) / quadric.weight) : 0;
+}
+
+bool CollapseSurface::move_spoils_face(Vertex v, const glm::dvec3& position, Face mended) const {
+  const glm::dvec3 p = place(v), q = scale_.scaled(position);
+  for (Halfedge corner : outgoing(mesh_, v)) {
+    if (mesh_.is_outside(corner)) continue;
+    const glm::dvec3 &x = place(mesh_.to(corner)), &y = place(mesh_.from(mesh_.prev(corner)));
+    const glm::dvec3 after = glm::cross(x - q, y - q);
+    if (!(glm::dot(after, after) > 0)) return true;
+    if (mesh_.face(corner) != mended && turns_too_far(glm::cross(x - p, y - p), after)) return true;
+    const double narrowest = angle_cosine_ > 1 ? 0 : largest_cosine(q, x, y);
+    if (narrowest > angle_cosine_ && narrowest > largest_cosine(p, x, y)) return true;
+  }
+  return false;
 }
 
 }  // namespace ryosen

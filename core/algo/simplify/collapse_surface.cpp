@@ -217,6 +217,11 @@ void CollapseSurface::merge(Vertex gone, Vertex kept, const glm::dvec3& position
   stays.flags |= static_cast<std::uint8_t>(goes.flags & (on_feature | on_locked_boundary));
 }
 
+void CollapseSurface::move(Vertex v, const glm::dvec3& position) {
+  states_[v.index].place = scale_.scaled(position);
+  ++states_[v.index].merges;
+}
+
 void CollapseSurface::prefetch_ends(Edge e) const {
   for (unsigned side : {0u, 1u}) {
     const std::uint32_t v = mesh_.from(halfedge(e, side)).index;

@@ -77,6 +77,12 @@ class CollapseSurface {
   glm::dvec3 position_of(const Placing& placing) const {
     return placing.at ? mesh_.position(placing.at) : scale_.restored(placing.place);
   }
+  // Whether a triangle does not clearly look the way of all that its corners stand for, or that is itself folded.
+  bool may_look_against_input(Face f) const;
+  // A vertex alone, moved: its error, scaled, and whether a face around it would lose its area, get too small an angle or
+  // turn too far; but for one that is to turn.
+  double error_of_move(Vertex v, const glm::dvec3& position) const;
+  bool move_spoils_face(Vertex v, const glm::dvec3& position, Face mended) const;
   // Whether one would get too small an angle.
   bool narrows_face(Halfedge h, const glm::dvec3& place) const;
 
@@ -89,6 +95,8 @@ class CollapseSurface {
   void follow_large_faces(Halfedge h, const Placing& placing);
   // `kept` now stands for `gone` too and has come to the position.
   void merge(Vertex gone, Vertex kept, const glm::dvec3& position);
+  // A vertex alone has come to the position.
+  void move(Vertex v, const glm::dvec3& position);
   // An edge that took the place of another one between the same points.
   void take_over(Edge stays, Edge goes) {
     if (!edge_flags_.empty()) edge_flags_[stays.index] |= static_cast<std::uint8_t>(edge_flags_[goes.index] & feature);

@@ -37,13 +37,15 @@ bool has_values(const Mesh& mesh, ElementKind kind) {
 
 }  // namespace
 
-Simplifier::Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyGoal& goal, Journal* steps)
+Simplifier::Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyGoal& goal, Journal* steps,
+                       const Mesh* input)
     : writable_(mesh),
       mesh_(mesh),
       steps_(steps),
       goal_(goal),
       surface_(mesh_, limits),
       queue_(level_bits[goal.effort]),
+      input_(input),
       is_blocked_(mesh_.edge_slots()),
       has_blocked_(mesh_.vertex_slots()),
       has_corner_values_(!corner_attributes(mesh_).empty()),
@@ -51,6 +53,8 @@ Simplifier::Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyG
       has_triangles_alone_(has_only_triangles(mesh_)) {
   if (goal.no_self_intersections) guard_.emplace(mesh_);
   if (!steps) edit_.emplace(mesh, nullptr);
+  if (input_ && !steps && !guard_ && has_triangles_alone_ && !has_corner_values_ && goal.effort > 0)
+    merged_into_.resize(mesh_.vertex_slots());
 }
 
 void Simplifier::fill_queue() {
@@ -74,6 +78,7 @@ bool Simplifier::run(Progress& progress) {
   if (swaps && (swaps_ = swap_nearer(*edit_, surface_, samples, progress)) > 0 && !is_at_goal() &&
       find_further(progress) && !collapse_all(progress))
     return false;
+  if (!merged_into_.empty() && is_at_goal() && !mend_turned(progress)) return false;
   if (goal_.removes_small_parts && !is_at_goal()) remove_small_parts();
   return progress.go_on();
 }
@@ -230,6 +235,7 @@ void Simplifier::write_collapse(Halfedge h, const Placing& placing, bool is_plai
   if (has_vertex_values_)
     blend_vertex_values(*edit_, gone, kept,
                         closest_parameter(surface_.place(gone), surface_.place(kept), placing.place), kept);
+  if (!merged_into_.empty()) merged_into_[gone.index] = kept;
   if (!is_plain) return collapse_by_kernel(h, placing, position);
   plain_collapse(*edit_, h, [&](Edge stays, Edge goes) { surface_.take_over(stays, goes); });
   edit_->set_position(kept, position);

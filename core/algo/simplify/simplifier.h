@@ -13,8 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/algo/simplify/collapse_surface.h"
 #include "core/algo/crossing_guard.h"
+#include "core/algo/simplify/collapse_surface.h"
+#include "core/algo/simplify/input_sides.h"
 #include "core/algo/simplify/level_queue.h"
 #include "core/algo/simplify/small_parts.h"
 #include "core/base/progress.h"
@@ -39,8 +40,11 @@ struct SimplifyGoal {
 class Simplifier {
  public:
   // Collapses edges of this mesh, each as an entry of a journal where there is one; without one what it writes is final,
-  // so that it is to be a copy. Both must outlive it.
-  Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyGoal& goal, Journal* steps = nullptr);
+  // so that it is to be a copy. `input`: the mesh as it is, to stay so: with it faces that have come to look against it
+  // are mended when the goal is reached, where there are but triangles without values at their corners, neither a journal
+  // nor anything to keep apart, and the effort is more than 0. All must outlive it.
+  Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyGoal& goal, Journal* steps = nullptr,
+             const Mesh* input = nullptr);
 
   // Until the goal is reached or no edge can collapse; false where it was cancelled.
   bool run(Progress& progress);
@@ -48,6 +52,9 @@ class Simplifier {
   std::size_t collapses() const { return collapses_; }
   std::size_t removed_parts() const { return removed_parts_; }
   std::size_t swaps() const { return swaps_; }
+  // So many faces had come to look against the input, and so many still do.
+  std::size_t turned() const { return turned_; }
+  std::size_t still_turned() const { return still_turned_; }
   std::size_t asked() const { return asked_; }
   std::uint64_t looked_at() const { return surface_.looked_at(); }
   // The largest error of all collapses, in units of the mesh.
@@ -83,6 +90,20 @@ class Simplifier {
   // Removes them, the smallest first, until the goal is reached.
   void remove_small_parts();
   void remove(const SmallPart& part);
+  // Swaps edges, moves vertices and collapses further until no face looks against the input or none of that helps
+  // (simplifier_turned.cpp). False where it was cancelled.
+  bool mend_turned(Progress& progress);
+  std::vector<Face> find_turned();
+  bool is_turned(const std::array<glm::dvec3, 3>& triangle) const { return sides_->is_turned(triangle); }
+  bool is_turned(Face f) const;
+  Vertex mend(Face f);
+  bool swap_mends(Halfedge h);
+  std::vector<glm::dvec3> ways_of(Vertex v, Face f) const;
+  bool move_mends(Vertex v, Face f, const std::vector<glm::dvec3>& ways, bool may_pass_on);
+  Vertex collapse_mends(Halfedge side);
+  // How many faces around a vertex look against the input when it is at a position.
+  std::size_t turned_around(Vertex v, const glm::dvec3& position) const;
+  bool turns_fewer(Halfedge h, const Placing& placing) const;
   bool take_batch();
   void ask(Edge e);
   void warm_rings() const;
@@ -116,6 +137,9 @@ class Simplifier {
   LevelQueue queue_;
   std::vector<Candidate> batch_;  // whose turn it is
   std::optional<CrossingGuard> guard_;
+  const Mesh* input_;
+  std::vector<Vertex> merged_into_;  // by vertex that went, where faces that look against the input are to be mended
+  std::optional<InputSides> sides_;
   // Parts that can collapse no further by their sizes, each by one of its vertices; a heap, the smallest on top.
   std::vector<std::pair<double, Vertex>> noted_parts_;
   std::vector<std::uint8_t> is_blocked_;   // by edge
@@ -131,7 +155,8 @@ class Simplifier {
     CollapseSurface::History history;
   };
   mutable std::map<std::pair<Vertex, Vertex>, HubPair> hub_pairs_;
-  std::size_t collapses_ = 0, asked_ = 0, removed_parts_ = 0, swaps_ = 0;
+  std::size_t collapses_ = 0, asked_ = 0, removed_parts_ = 0, swaps_ = 0, turned_ = 0, still_turned_ = 0,
+              passed_on_ = 0;
   double error_max_ = 0;
   bool minds_input_ = true;  // until nothing else can collapse
 };

@@ -131,7 +131,8 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   const std::size_t before = edit.mesh().live().faces + input.quarantined;
   const std::size_t wanted = faces_wanted(values, work.live().faces + input.quarantined);
   const SimplifyGoal goal = goal_of(values, wanted - std::min(wanted, input.quarantined));
-  Simplifier simplifier(work, limits_of(work, values), goal);
+  const std::optional<Mesh> cut = prepared.is_triangulated ? std::optional(work) : std::nullopt;
+  Simplifier simplifier(work, limits_of(work, values), goal, nullptr, cut ? &*cut : &edit.mesh());
   Account& account = result.account.emplace();
   if (!simplifier.run(progress)) {
     account = {Stop::cancelled, false};

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <random>
 
 #include "core/algo/simplify/remaining_edges.h"
 #include "core/algo/simplify/simplify.h"
@@ -210,6 +211,53 @@ TEST(simplifier, loses_less_with_more_effort_and_swaps_soundly) {
     const SeededMesh seeded = seeded_mesh(seed);
     go_all_the_way(make_mesh(seeded.faces, seeded.points), "seed " + std::to_string(seed), true, " effort=2");
   }
+}
+
+// A sheet whose points are strewn about, so that it is folded here and there.
+Mesh crumpled(std::uint32_t side) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-0.6, 0.6);
+  Mesh mesh = sheet(side, wave);
+  Edit edit(mesh, nullptr);
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+    edit.set_position(Vertex(i), mesh.position(Vertex(i)) + glm::dvec3(unit(random), unit(random), unit(random)));
+  edit.commit();
+  return mesh;
+}
+
+std::size_t count_turned(const Mesh& input, const Mesh& mesh) {
+  const InputSides sides(input, std::vector<std::uint8_t>(input.vertex_slots(), 1));
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+    if (!mesh.is_alive(Face(i))) continue;
+    const Halfedge h = mesh.halfedge(Face(i));
+    count += sides.is_turned(
+        {mesh.position(mesh.from(h)), mesh.position(mesh.to(h)), mesh.position(mesh.from(mesh.prev(h)))});
+  }
+  return count;
+}
+
+TEST(simplifier, mends_faces_that_look_against_the_input_where_it_is_folded) {
+  const Mesh input = crumpled(60);
+  Progress unheard;
+  std::vector<std::size_t> turned;
+  for (const Mesh* compared : {static_cast<const Mesh*>(nullptr), &input}) {
+    Mesh work = input;
+    const CollapseLimits limits;
+    Simplifier simplifier(work, limits, {.faces = input.live().faces / 3}, nullptr, compared);
+    EXPECT_TRUE(simplifier.run(unheard));
+    EXPECT_TRUE(simplifier.is_at_goal());
+    EXPECT_LE(simplifier.still_turned(), simplifier.turned());
+    turned.push_back(count_turned(input, work));
+    const auto broken = check_invariants(work);
+    ASSERT_FALSE(broken) << broken->sentence;
+    const Figures was = compute_figures(input), is = compute_figures(work);
+    EXPECT_EQ(is.euler_characteristic, was.euler_characteristic);
+    EXPECT_EQ(is[ProblemKind::nonmanifold_edge], 0u);
+    EXPECT_EQ(simplifier.turned() > 0, compared != nullptr);
+  }
+  EXPECT_GT(turned[0], 20u) << "else there was nothing to mend";
+  EXPECT_LT(2 * turned[1], turned[0]);
 }
 
 TEST(simplifier, has_levels_with_the_bytes_that_it_makes_itself) {

@@ -1,0 +1,34 @@
+// Which way the surface looked before it was simplified, at some of its places: to tell faces that have come to look
+// against it.
+//
+// Where a part is folded, or two sheets lie nearer to each other than the error, a face may come to lie nearer to what
+// looks the other way. Neither its own turns nor the normals that its corners stand for tell that; only the input does.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+#include "core/pick/bvh.h"
+
+namespace ryosen {
+
+class InputSides {
+ public:
+  // Of the triangles with an area at some vertices of a mesh of triangles, which must stay as it is. Cost: n log n in those.
+  InputSides(const Mesh& input, const std::vector<std::uint8_t>& is_asked_about);
+
+  // Whether of these the one nearest to the middle of a triangle looks 90 degrees or more away from it; where several are
+  // as near, whether one of them does. A triangle without area looks nowhere. Cost: O(log n).
+  bool is_turned(const std::array<glm::dvec3, 3>& triangle) const;
+
+ private:
+  bool looks_against(Face f, const glm::dvec3& normal) const;
+
+  const Mesh& input_;
+  Bvh tree_;
+};
+
+}  // namespace ryosen

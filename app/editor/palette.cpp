@@ -78,7 +78,8 @@ std::vector<PaletteEntry> palette_entries() {
   for (const PanelRow& row : panel_list())
     add({"panel " + std::string(row.id), name_in(row.title_en, row.title_ja), {}, ""});
   for (const ColourMap& map : colour_maps())
-    add({"colours " + std::string(map.id), name_in(map.name_en, map.name_ja), name_in(map.legend_en, map.legend_ja), ""});
+    add({"colours " + std::string(map.id), name_in(map.name_en, map.name_ja), name_in(map.legend_en, map.legend_ja),
+         ""});
   for (const KeyRow& row : key_table()) add({row.command, name_in(row.help_en, row.help_ja), {}, ""});
   for (const CommandRow& row : command_table()) {
     const std::string id(row.id);

@@ -32,7 +32,7 @@ void ViewInput::press(MouseButton button, const Pointer& at) {
           ? session_.handle_at(at.pixel, at.modifiers)
           : nullptr;
   if (handle) {
-    held_handle_ = HeldHandle{handle, at.pixel};
+    held_handle_ = HeldHandle{handle, at.pixel, at.modifiers};
     return;
   }
   band_modifiers_ = at.modifiers;
@@ -57,12 +57,20 @@ void ViewInput::drag_handle(const Pointer& at) {
 // The gesture may have been ended before, by a key or the other button.
 Outcome ViewInput::let_go_of_handle(const Pointer& at) {
   Outcome outcome;
-  if (std::exchange(held_handle_, std::nullopt)->has_begun && session_.gesture()) {
+  const HeldHandle held = *std::exchange(held_handle_, std::nullopt);
+  if (held.has_begun && session_.gesture()) {
     session_.follow_gesture(at.pixel, at.modifiers);
     outcome = end_gesture();
+  } else if (!held.has_begun && !is_dragging() && clicks_through(held)) {
+    navigation_.press(MouseButton::left, held.start, held.modifiers, Gesture::orbit, session_.size_scale());
+    outcome = end_click(navigation_.release(MouseButton::left, at.pixel, at.now_s));
   }
   point(at);
   return outcome;
+}
+
+bool ViewInput::clicks_through(const HeldHandle& held) {
+  return (session_.selection.size() == 1 || held.modifiers.ctrl) && session_.pick(held.start, session_.pointed_sort());
 }
 
 void ViewInput::give_up_drags() {
@@ -92,18 +100,19 @@ Outcome ViewInput::release(MouseButton button, const Pointer& at) {
     session_.armed_gesture.reset();
     outcome = run(line);
   }
-  // A panel may have been opened since the press.
-  if (ended && is_over_view(ended->pixel)) {
-    if (ended->button == MouseButton::right)
-      outcome = open_menu(*ended);
-    else if (ended->is_double && session_.tool.empty() &&
-             !session_.axis_end_at(ended->pixel))  // with a tool two quick clicks are two edits
-      set_centre(session_, ended->pixel);
-    else
-      outcome = click(*ended);
-  }
+  if (ended) outcome = end_click(ended);
   point(at);
   return outcome;
+}
+
+Outcome ViewInput::end_click(const std::optional<Navigation::Click>& ended) {
+  // A panel may have been opened since the press.
+  if (!ended || !is_over_view(ended->pixel)) return {};
+  if (ended->button == MouseButton::right) return open_menu(*ended);
+  // With a tool two quick clicks are two edits.
+  if (!ended->is_double || !session_.tool.empty() || session_.axis_end_at(ended->pixel)) return click(*ended);
+  set_centre(session_, ended->pixel);
+  return {};
 }
 
 void ViewInput::move(const Pointer& at) {

@@ -46,10 +46,14 @@ class ViewInput : public Input {
   struct HeldHandle {
     const HandleRow* row;
     glm::dvec2 start;
+    Modifiers modifiers;
     bool has_begun = false;
   };
   void drag_handle(const Pointer& at);
   Outcome let_go_of_handle(const Pointer& at);
+  // What lies under the handle is clicked, where no selection of several is lost by that.
+  bool clicks_through(const HeldHandle& held);
+  Outcome end_click(const std::optional<Navigation::Click>& click);
 
   std::optional<HeldHandle> held_handle_;
 

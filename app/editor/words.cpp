@@ -1,6 +1,8 @@
 #include "app/editor/words.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cstdio>
 
 namespace ryosen {
 
@@ -19,6 +21,29 @@ std::string_view without_blanks(std::string_view text) {
 std::string_view behind_word(std::string_view line) {
   line = without_blanks(line);
   return without_blanks(line.substr(std::min(line.find_first_of(blanks), line.size())));
+}
+
+std::string with_short_numbers(std::string_view line) {
+  std::string shown;
+  for (std::size_t at = 0; at < line.size();) {
+    const bool begins = at == 0 || std::string_view(" ,=(").find(line[at - 1]) != std::string_view::npos;
+    double value = 0;
+    const char* const begin = line.data() + at;
+    const auto [end, error] = std::from_chars(begin, line.data() + line.size(), value);
+    const std::string_view number(begin, begins && error == std::errc() ? end : begin);
+    const bool is_whole_word =
+        end == line.data() + line.size() || std::string_view(" ,)%;:").find(*end) != std::string_view::npos;
+    const bool is_exact = number.find_first_of(".e") == std::string_view::npos && number != "-0";
+    if (number.empty() || !is_whole_word || is_exact) {
+      shown += line[at++];
+      continue;
+    }
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value == 0 ? 0.0 : value);
+    shown += text;
+    at += number.size();
+  }
+  return shown;
 }
 
 std::string file_argument(std::string_view name) {

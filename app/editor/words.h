@@ -19,6 +19,9 @@ std::string file_argument(std::string_view name);
 // literal.
 std::string file_name(std::string_view argument);
 
+// The line as it is shown: numbers that are values by themselves, with a point or an exponent, to six digits, and 0 for -0.
+std::string with_short_numbers(std::string_view line);
+
 // The sentence with a full stop, unless it ends as a question.
 Text closed(Text sentence);
 

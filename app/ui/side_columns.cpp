@@ -88,10 +88,12 @@ void SideColumns::draw_column(PanelContext& context, PanelPlace side, const Area
     draw_framed(context, own, HeaderClick::folds);
     if (context.session.layout.wanted == own.row.id) show_wanted(context, begin, static_cast<float>(area.height()));
   }
-  // By what the whole would need, so that it does not come and go.
-  const float whole = ImGui::GetCursorPosY() + context.state.saved_px;
-  if (std::exchange(is_tight, whole > static_cast<float>(area.height())) != context.state.is_tight)
-    context.state.unsettle();
+  // By what the whole would need, so that it does not come and go. What leaves no room for a scroll bar is wrapped anew
+  // where there is one, and may need some lines fewer without it.
+  const float whole = ImGui::GetCursorPosY() + context.state.saved_px, height = static_cast<float>(area.height());
+  const bool needs_more = is_tight ? whole + 3 * ImGui::GetTextLineHeightWithSpacing() > height
+                                   : whole > height || ImGui::GetScrollMaxY() > 0;
+  if (std::exchange(is_tight, needs_more) != context.state.is_tight) context.state.unsettle();
   context.state.is_tight = false;
   ImGui::End();
   draw_border(context, side, area);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/editor/asking.h"
+#include "app/editor/words.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 #include "core/base/count_text.h"
@@ -103,14 +104,16 @@ void draw_hints(PanelContext& context, const std::vector<Hint>& hints, float roo
   }
 }
 
-// At the right; where it does not fit without the values of the command, or with an ellipsis, and then whole in a tooltip.
+// At the right, with short numbers; where it does not fit without the values of the command, or with an ellipsis. What is
+// not shown as it was said is whole in a tooltip.
 void draw_said(PanelContext& context, const std::string& said, float end, float room) {
   const ImVec4 colour = context.state.last_kind == Outcome::Kind::done      ? context.colours().legal
                         : context.state.last_kind == Outcome::Kind::refused ? context.colours().refused
                                                                             : context.colours().warning;
   const std::string& brief = context.state.last_short.in(context.language());
-  const bool is_brief = !brief.empty() && ImGui::CalcTextSize(said.c_str()).x > room;
-  const std::string shown = fitted(is_brief ? brief : said, room);
+  const std::string told = with_short_numbers(said);
+  const bool is_brief = !brief.empty() && ImGui::CalcTextSize(told.c_str()).x > room;
+  const std::string shown = fitted(is_brief ? with_short_numbers(brief) : told, room);
   ImGui::SetCursorPosX(end - std::min(room, ImGui::CalcTextSize(shown.c_str()).x));
   ImGui::PushStyleColor(ImGuiCol_Text, colour);
   ImGui::TextUnformatted(shown.c_str());
@@ -127,7 +130,7 @@ void draw_line(PanelContext& context, float width, float padding) {
   float hinted = 0;
   for (const Hint& hint : hints) hinted += width_of(hint) + hint_gap();
   // What was said comes before the hints.
-  const float least = 0.75f * all, wanted = ImGui::CalcTextSize(said.c_str()).x;
+  const float least = 0.75f * all, wanted = ImGui::CalcTextSize(with_short_numbers(said).c_str()).x;
   const float room = std::min(wanted, std::max(all - hinted, least));
   const ImVec2 begin = ImGui::GetCursorPos();
   draw_hints(context, hints, all - room - hint_gap());

@@ -296,6 +296,16 @@ TEST(gui, done_is_said_of_what_was_done_and_of_nothing_else) {
   EXPECT_EQ(laid.gui.said().en, "");
 }
 
+TEST(gui, a_command_is_shown_with_short_numbers_and_kept_with_all_digits) {
+  Laid laid("cube.obj", {1600, 900});
+  const std::string line = "extrude f1 -0,-0.0,-0.16395576831283612";
+  ASSERT_TRUE(laid.gui.run(laid.session, line).done());
+  laid.frames(3);
+  EXPECT_EQ(test::DrawnText(laid.gui).count("extrude f1 0,0,-0.163956"), 2u) << "in the history and in the last line";
+  EXPECT_EQ(test::DrawnText(laid.gui).count("0.16395576"), 0u);
+  EXPECT_EQ(laid.session.log(), std::vector<std::string>{"extrude f1 -0,-0,-0.16395576831283612"});
+}
+
 TEST(gui, a_dropped_file_is_opened_whatever_its_name) {
   const test::TemporaryFolder folder;
   Laid laid("torus.off");

@@ -55,6 +55,25 @@ TEST_F(LayoutTest, the_left_column_fits_a_window_of_usual_height_whatever_is_bro
     }
 }
 
+TEST_F(LayoutTest, a_column_that_scrolls_by_little_leaves_out_what_says_nothing) {
+  const auto scrolls = [] { return ImGui::FindWindowByName("##left")->ScrollMax.y > 0; };
+  open("fin.obj");
+  int folded = 0, whole = 0;
+  for (int height = 700; height <= 960; height += 2) {
+    LayoutTest::size_ = {1280, height};
+    frames(6);
+    const bool leaves_out = is_seen("noneofithere");
+    EXPECT_FALSE(scrolls() && !leaves_out) << height;
+    for (int n = 0; n < 4; ++n) {
+      frames(1);
+      EXPECT_EQ(is_seen("noneofithere"), leaves_out) << height << ": it comes and goes";
+    }
+    (leaves_out ? folded : whole) += 1;
+  }
+  EXPECT_GT(folded, 0);
+  EXPECT_GT(whole, 0);
+}
+
 TEST_F(LayoutTest, what_says_nothing_stands_behind_one_row_where_the_column_is_too_long) {
   LayoutTest::size_ = {1280, 600};
   frames(4);

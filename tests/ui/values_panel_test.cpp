@@ -53,6 +53,17 @@ TEST_F(ValuesPanel, runs_what_its_fields_say_when_the_frame_is_laid_out) {
   EXPECT_EQ(session.mesh().live().vertices, 8u);
 }
 
+TEST_F(ValuesPanel, tells_only_what_a_field_takes_that_does_not_show_it) {
+  ASSERT_TRUE(gui.run(session, "values simplify").done());
+  frames(3);
+  const auto drawn = [&](std::string_view text) { return test::DrawnText(gui).count(text); };
+  EXPECT_EQ(drawn("onoroff"), 0u) << "a check box";
+  EXPECT_EQ(drawn("oneoffree"), 0u) << "a list";
+  EXPECT_EQ(drawn("oneofFaces,Ratio,Errormustbegiven"), 1u) << "below all fields, not under each of the three";
+  EXPECT_EQ(drawn("oneoffaces,ratio,error"), 0u);
+  EXPECT_EQ(drawn("aratiofrom0to1"), 1u);
+}
+
 TEST_F(ValuesPanel, takes_the_selection_for_elements) {
   AlgorithmRow mark = test::scatter_row();
   mark.id = "mark";

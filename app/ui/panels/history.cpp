@@ -1,3 +1,4 @@
+#include "app/editor/words.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
@@ -43,7 +44,7 @@ void HistoryPanel::draw(PanelContext& context) {
       [&](std::size_t place) {
         const std::string label =
             place == 0 ? context.text(UiText::as_read) : session.document().history()[place - 1].command;
-        const std::string shown = fitted(label, ImGui::GetContentRegionAvail().x);
+        const std::string shown = fitted(with_short_numbers(label), ImGui::GetContentRegionAvail().x);
         if (place > position) ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
         if (ImGui::Selectable((shown + "###entry").c_str(), place == position)) target = place;
         if (place > position) ImGui::PopStyleColor();

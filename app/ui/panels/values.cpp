@@ -11,13 +11,24 @@ namespace ryosen {
 
 namespace {
 
+bool shows_what_it_takes(const ParameterRow& row) {
+  return row.kind == ParameterKind::flag || row.kind == ParameterKind::choice;
+}
+
+// What a field takes, where it does not show that itself; which of several must be given stands below all of them.
+std::string hint_of(const PanelContext& context, const ParameterRow& row) {
+  if (shows_what_it_takes(row)) return {};
+  const bool may_lack = row.initial.empty() && !row.is_required && row.one_of.empty();
+  return expected_value(row).in(context.language()) + (may_lack ? context.text("; may be left out", "、省略可") : "");
+}
+
 // One field per parameter of the algorithm that is asked for; without one, all of them to choose from.
 class ValuesPanel : public Panel {
  public:
   void draw(PanelContext& context) override;
   void closed(PanelContext& context) override { preview_.end(context.session); }
   bool leaves_view() const override { return true; }
-  ImVec2 size() const override { return {380, texts_.empty() ? 420 : 190 + 60 * static_cast<float>(texts_.size())}; }
+  ImVec2 size() const override;
 
  private:
   // True when Enter was pressed in a field.
@@ -33,13 +44,21 @@ class ValuesPanel : public Panel {
   bool has_preview_ = true;  // wanted, where it is quick
 };
 
+ImVec2 ValuesPanel::size() const {
+  const AlgorithmRow* const row = find_algorithm(algorithm_);
+  if (!row) return {380, 420};
+  float height = 190;
+  for (const ParameterRow& parameter : row->parameters) height += shows_what_it_takes(parameter) ? 32 : 60;
+  return {380, height};
+}
+
 // Between what the algorithm does and what runs it, which stay in sight.
 bool ValuesPanel::draw_fields(PanelContext& context, const AlgorithmRow& row, bool begins, float below) {
   bool entered = false;
   ImGui::BeginChild("fields", {0, -below}, false, ImGuiWindowFlags_NavFlattened);
   if (ImGui::BeginTable("parameters", 2)) {
-    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 1);
-    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 2.6f);
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 1.3f);
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 2.4f);
     for (std::size_t i = 0; i < row.parameters.size(); ++i) {
       const ParameterRow& parameter = row.parameters[i];
       ImGui::TableNextRow();
@@ -51,7 +70,7 @@ bool ValuesPanel::draw_fields(PanelContext& context, const AlgorithmRow& row, bo
       if (i == 0 && begins) ImGui::SetKeyboardFocusHere();
       entered = draw_parameter_field(context, parameter, texts_[i]) || entered;
       tip(context.text(parameter.help_en, parameter.help_ja));
-      dim_text(context, described(parameter).in(context.language()).c_str());
+      if (const std::string hint = hint_of(context, parameter); !hint.empty()) dim_text(context, hint.c_str());
     }
     ImGui::EndTable();
   }

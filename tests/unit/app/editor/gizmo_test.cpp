@@ -33,9 +33,8 @@ class GizmoTest : public testing::Test {
     for (const GizmoHandle& handle : gizmo->handles) {
       if (handle.row->way != way) continue;
       const glm::dvec3 place = way == HandleWay::free ? gizmo->middle
-                               : handle.plate.empty()
-                                   ? (handle.strokes[0].a + handle.strokes[0].b) * 0.5
-                                   : (handle.plate[0] + handle.plate[2]) * 0.5;
+                               : handle.plate.empty() ? (handle.strokes[0].a + handle.strokes[0].b) * 0.5
+                                                      : (handle.plate[0] + handle.plate[2]) * 0.5;
       return project(session_->camera, session_->view, place)->pixel + session_->view_origin;
     }
     ADD_FAILURE() << "the handle is not there";
@@ -98,6 +97,51 @@ TEST_F(GizmoTest, escape_takes_back_and_a_click_does_nothing) {
   EXPECT_TRUE(session_->document().history().empty());
   EXPECT_EQ(session_->selection, selected);
   EXPECT_EQ(session_->camera, camera);
+}
+
+// The neighbours of what was clicked mostly lie under the handles that come there with it.
+TEST_F(GizmoTest, a_click_goes_through_to_what_lies_under_a_handle_where_no_more_than_one_is_selected) {
+  const auto click = [&](glm::dvec2 at, const std::string& modifiers = "") {
+    run({"press left " + text(at) + modifiers, "release left " + text(at) + modifiers});
+  };
+  run({"mode face", "select f20"});
+  std::optional<Element> below;
+  glm::dvec2 at{0};
+  const auto gizmo = session_->gizmo();
+  for (const GizmoHandle& handle : gizmo->handles) {
+    if (handle.strokes.empty() || handle.row->way == HandleWay::free) continue;
+    const auto seen = project(session_->camera, session_->view, handle.strokes[0].b);
+    at = seen->pixel + session_->view_origin;
+    const auto picked = session_->pick(at, PickMode::face);
+    if (picked && picked->element != Element(Face(20))) below = picked->element;
+    if (below) break;
+  }
+  ASSERT_TRUE(below) << "no handle lies before another face";
+  ASSERT_TRUE(session_->handle_at(at, {}));
+  click(at);
+  EXPECT_EQ(session_->selection, Elements{*below});
+
+  run({"select f20 f21"});
+  const Elements both = session_->selection;
+  const glm::dvec2 over = pixel_of(HandleWay::y);
+  click(over);
+  EXPECT_EQ(session_->selection, both) << "a selection of several is not lost by a touch";
+  EXPECT_TRUE(session_->document().history().empty());
+}
+
+TEST_F(GizmoTest, a_double_click_makes_the_centre_though_the_first_brings_handles_there) {
+  run({"mode face", "select f20"});
+  const auto seen = session_->pick(pixel_of(HandleWay::free), PickMode::face);
+  ASSERT_TRUE(seen);
+  session_->selection = Elements{seen->element};
+  const glm::dvec2 at = pixel_of(HandleWay::free) + glm::dvec2(10, 0);  // on the ring of the handle across the view
+  const auto picked = session_->pick(at, PickMode::face);
+  ASSERT_TRUE(picked);
+  run({"select none", "press left " + text(at), "release left " + text(at)});
+  EXPECT_EQ(session_->selection, Elements{picked->element});
+  ASSERT_TRUE(session_->handle_at(at, {}));
+  run({"press left " + text(at), "release left " + text(at)});
+  EXPECT_NEAR(glm::distance(session_->camera.target, picked->place), 0, 1e-6);
 }
 
 TEST_F(GizmoTest, ctrl_snaps_to_the_grid) {

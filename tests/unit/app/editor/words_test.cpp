@@ -16,6 +16,16 @@ TEST(words, without_blanks_and_behind_word) {
   EXPECT_EQ(behind_word(" save"), "");
 }
 
+TEST(words, numbers_are_shown_short_and_names_as_they_are) {
+  EXPECT_EQ(with_short_numbers("extrude f1 -0,-0,-0.16395576831283612"), "extrude f1 0,0,-0.163956");
+  EXPECT_EQ(with_short_numbers("translate by=0.0014944814655063268,-1e-17,2 elements=v4,v7: 2 moved."),
+            "translate by=0.00149448,-1e-17,2 elements=v4,v7: 2 moved.");
+  for (const char* const same :
+       {"collapse 29161-29331 mid", "points seed=123456789", "scale 50%", "split 0-1 0.25", "select 12-0 h1234567890",
+        "", "open a-0.1234567890.obj", "export 0.1234567890.obj", "open 1e5.obj", "v0.12345678", "by=1,2,3"})
+    EXPECT_EQ(with_short_numbers(same), same);
+}
+
 TEST(words, file_names_as_they_are_typed) {
   EXPECT_EQ(file_name(" my mesh.obj "), "my mesh.obj");
   EXPECT_EQ(file_name("\" my;mesh#1.obj\""), " my;mesh#1.obj");

@@ -112,7 +112,7 @@ class NumberLabels {
   Label label_of(Halfedge h) const {
     constexpr double inwards = 0.25;
     const glm::dvec3 at = middle(h);
-    if (const auto ring = middle_of_ring(h)) return {.at = at - inwards * (*ring - at), .own = m_.face(h)};
+    if (const auto around = middle_of_ring(h)) return {.at = at - inwards * (*around - at), .own = m_.face(h)};
     if (const Face f = m_.face(h)) return {.at = at + inwards * (middle(f) - at), .own = f};
     const Face across = m_.face(twin(h));
     return {.at = across ? at - inwards * (middle(across) - at) : at};

@@ -48,7 +48,7 @@ ImVec2 ValuesPanel::size() const {
   const AlgorithmRow* const row = find_algorithm(algorithm_);
   if (!row) return {380, 420};
   float height = 190;
-  for (const ParameterRow& parameter : row->parameters) height += shows_what_it_takes(parameter) ? 32 : 60;
+  for (const ParameterRow& parameter : row->parameters) height += shows_what_it_takes(parameter) ? 32.f : 60.f;
   return {380, height};
 }
 

@@ -325,15 +325,16 @@ Outcome Session::run_line(const std::string& line) {
   [[maybe_unused]] const std::uint64_t serial = document_->serial();
   [[maybe_unused]] const std::size_t position = document_->position(), entries = document_->history().size();
   [[maybe_unused]] const std::size_t logged = log_.size();
+  [[maybe_unused]] const bool was_on_trial = document_->is_on_trial();
   // What is needed once the command is done is made before.
   if (log_.size() + 2 > log_.capacity()) log_.reserve(2 * log_.size() + 2);
   std::string entry, usual = row->effect == Effect::none ? std::string() : std::string(without_blanks(line));
   entry.reserve(2 * line.size() + 256);
   Outcome outcome = row->run(*this, Words(words).subspan(1), std::string_view(line).substr(after_id));
-  // A row that says `none` of a command that changes the mesh would leave it out of the log.
-  assert(
-      row->effect != Effect::none || log_.size() > logged ||
-      (document_->serial() == serial && document_->position() == position && document_->history().size() == entries));
+  // A row that says `none` of a command that changes the mesh would leave it out of the log; what is on trial is in none.
+  assert(row->effect != Effect::none || log_.size() > logged ||
+         (document_->position() == position && document_->history().size() == entries &&
+          (document_->serial() == serial || was_on_trial || document_->is_on_trial())));
   if (!outcome.done() || row->effect == Effect::none) return outcome;
   if (row->effect == Effect::edits || row->effect == Effect::steps)
     if (outcome.performed.empty()) outcome.performed = std::move(usual);

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -101,8 +102,9 @@ class Simplifier {
   std::vector<glm::dvec3> ways_of(Vertex v, Face f) const;
   bool move_mends(Vertex v, Face f, const std::vector<glm::dvec3>& ways, bool may_pass_on);
   Vertex collapse_mends(Halfedge side);
-  // How many faces around a vertex look against the input when it is at a position.
-  std::size_t turned_around(Vertex v, const glm::dvec3& position) const;
+  // How many faces around a vertex look against the input when it is at a position; counted up to what is enough to know.
+  std::size_t turned_around(Vertex v, const glm::dvec3& position,
+                            std::size_t enough = std::numeric_limits<std::size_t>::max()) const;
   bool turns_fewer(Halfedge h, const Placing& placing) const;
   bool take_batch();
   void ask(Edge e);

@@ -120,12 +120,12 @@ bool Simplifier::swap_mends(Halfedge h) {
   return true;
 }
 
-std::size_t Simplifier::turned_around(Vertex v, const glm::dvec3& position) const {
+std::size_t Simplifier::turned_around(Vertex v, const glm::dvec3& position, std::size_t enough) const {
   std::size_t count = 0;
   for (Halfedge corner : outgoing(mesh_, v))
     if (!mesh_.is_outside(corner) &&
         is_turned({position, mesh_.position(mesh_.to(corner)), mesh_.position(mesh_.from(mesh_.prev(corner)))}))
-      ++count;
+      if (++count == enough) break;
   return count;
 }
 
@@ -161,7 +161,7 @@ bool Simplifier::move_mends(Vertex v, Face f, const std::vector<glm::dvec3>& way
       const glm::dvec3 position = here + share * way;
       const double error = surface_.error_of_move(v, position);
       if (!(error <= least) || surface_.move_spoils_face(v, position, f) || (may_pass_on && turns_this(position)) ||
-          turned_around(v, position) > most)
+          turned_around(v, position, most + 1) > most)
         continue;
       least = error;
       best = position;

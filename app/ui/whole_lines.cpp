@@ -37,8 +37,8 @@ void WholeLines::keep(ImDrawData& drawn) const {
         const bool is_upright = corner[0].pos.y == corner[1].pos.y && corner[0].pos.x < corner[1].pos.x;
         if (glyph == glyphs_.end() || !is_upright) continue;
         const float height = glyph->second.height, top = corner[0].pos.y - glyph->second.top;
-        const bool is_cut = top + free_above * height < command.ClipRect.y ||
-                            top + (1 - free_below) * height > command.ClipRect.w;
+        const bool is_cut =
+            top + free_above * height < command.ClipRect.y || top + (1 - free_below) * height > command.ClipRect.w;
         if (!is_cut) continue;
         for (int k = 0; k < 4; ++k) corner[k].col &= ~IM_COL32_A_MASK;
       }

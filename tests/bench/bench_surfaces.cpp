@@ -100,8 +100,8 @@ void print_quality(const char* who, const Mesh& made, const Mesh& source, double
   const SurfaceQuality q = quality_of(made, length);
   Progress unheard;
   const auto distance = surface_distance(source, made, {.gap = 0.01}, unheard);
-  std::printf("  %-8s %8zu %7.3f %7.3f %7.1f %7.1f %6.2f%% %6.1f%% %6.1f%% %8.4f %8.4f %6zu\n", who, q.faces, q.mean_length,
-              q.spread, q.smallest_angle_deg, q.mean_angle_deg, 100 * q.narrow, 100 * q.valence_six,
+  std::printf("  %-8s %8zu %7.3f %7.3f %7.1f %7.1f %6.2f%% %6.1f%% %6.1f%% %8.4f %8.4f %6zu\n", who, q.faces,
+              q.mean_length, q.spread, q.smallest_angle_deg, q.mean_angle_deg, 100 * q.narrow, 100 * q.valence_six,
               100 * q.valence_near_six, 100 * distance->rms / distance->diagonal,
               100 * distance->hausdorff / distance->diagonal, find_self_intersections(made).count);
 }

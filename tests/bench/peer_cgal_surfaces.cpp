@@ -60,8 +60,8 @@ SurfaceQuality quality_of(const Mesh& mesh, double wanted_length) {
     for (const Halfedge h : loop(mesh, mesh.halfedge(Face(i)))) {
       const glm::dvec3 a = mesh.position(mesh.from(h)), b = mesh.position(mesh.to(h)),
                        c = mesh.position(mesh.from(mesh.prev(h)));
-      smallest = std::min(smallest, std::atan2(glm::length(glm::cross(b - a, c - a)), glm::dot(b - a, c - a)) *
-                                        57.29577951308232);
+      smallest = std::min(
+          smallest, std::atan2(glm::length(glm::cross(b - a, c - a)), glm::dot(b - a, c - a)) * 57.29577951308232);
     }
     quality.smallest_angle_deg = std::min(quality.smallest_angle_deg, smallest);
     quality.mean_angle_deg += smallest / quality.faces;

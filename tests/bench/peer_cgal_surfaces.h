@@ -11,9 +11,10 @@ namespace ryosen::bench {
 struct SurfaceQuality {
   std::size_t faces = 0;
   double mean_length = 0, spread = 0;  // in shares of the wanted length: the mean and the standard deviation
-  double smallest_angle_deg = 0, mean_angle_deg = 0;  // the smallest of all, and the mean of the smallest of each triangle
-  double narrow = 0;                                  // the share of triangles with an angle below 30 degrees
-  double valence_six = 0, valence_near_six = 0;       // the share of the vertices; of those of 5 to 7
+  double smallest_angle_deg = 0,
+         mean_angle_deg = 0;                     // the smallest of all, and the mean of the smallest of each triangle
+  double narrow = 0;                             // the share of triangles with an angle below 30 degrees
+  double valence_six = 0, valence_near_six = 0;  // the share of the vertices; of those of 5 to 7
 };
 SurfaceQuality quality_of(const Mesh& mesh, double wanted_length);
 

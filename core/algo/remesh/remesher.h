@@ -13,7 +13,8 @@ namespace ryosen::remesh {
 
 // Of triangles. Feature edges are split alone, feature points never move; everything else stays on the surface that the
 // target holds, and no step is done that the keeper refuses: points of the surface as it was stay within a quarter of the
-// length of the surface as it becomes. Each pass goes over the edges in a fixed order, so the result does not depend on threads; false: cancelled.
+// length of the surface as it becomes. Each pass goes over the edges in a fixed order, so the result does not depend on
+// threads; false: cancelled.
 class Remesher {
  public:
   Remesher(Edit& edit, Features features, const Target& target, const WatchedPlaces& watched,

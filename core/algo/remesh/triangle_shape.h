@@ -33,7 +33,8 @@ inline bool keeps_facing(const glm::dvec3& before, const glm::dvec3& after, doub
   if (!(square > 0)) return true;
   // No root where the sign of the cosine is at least 0.
   const double squares = square * glm::dot(after, after);
-  if (least_cosine >= 0 && squares > tiny) return product > 0 && product * product > least_cosine * least_cosine * squares;
+  if (least_cosine >= 0 && squares > tiny)
+    return product > 0 && product * product > least_cosine * least_cosine * squares;
   const double lengths = glm::length(before) * glm::length(after);
   return lengths > 0 && product > least_cosine * lengths;
 }

@@ -55,8 +55,7 @@ std::vector<Face> Simplifier::find_turned() {
   for (std::uint32_t i = 0; i < merged_into_.size(); ++i) {
     Vertex v(i);
     while (merged_into_[v.index]) v = merged_into_[v.index];
-    for (Vertex w(i); w != v;) w = std::exchange(merged_into_[w.index],
-                                                 v);  // a shorter way for the others
+    for (Vertex w(i); w != v;) w = std::exchange(merged_into_[w.index], v);  // a shorter way for the others
     is_near[i] = is_near[v.index];
   }
   sides_.emplace(*input_, is_near);

@@ -508,7 +508,8 @@ TEST(view, is_refined_in_parts_of_no_more_effort_than_they_may_take) {
   const auto view = full_view(ball, view_size, Xray::off);
   Overlay dense;
   for (const auto& t : ball.triangles)
-    dense.lines.push_back({ball.positions[t[0]], ball.positions[t[1]], rgb(0xE69F00), LineStyle::solid, 3, 0, false, true});
+    dense.lines.push_back(
+        {ball.positions[t[0]], ball.positions[t[1]], rgb(0xE69F00), LineStyle::solid, 3, 0, false, true});
   view->set_overlay(Layer::selection, dense);
   view->draw();
   const int tiles = refine(*view);

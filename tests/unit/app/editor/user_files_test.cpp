@@ -84,7 +84,8 @@ TEST_F(KeptByUser, broken_preferences_are_a_sentence_and_the_defaults_and_are_pu
 }
 
 TEST_F(KeptByUser, broken_lines_of_every_kind_are_told_with_their_place) {
-  for (const char* line : {"theme", "theme dark light", "theme purple", "bind", "bind Q", "bind Q nonsense", "scale 0"}) {
+  for (const char* line :
+       {"theme", "theme dark light", "theme purple", "bind", "bind Q", "bind Q nonsense", "scale 0"}) {
     write("preferences", std::string("# remark\n") + line + "\n");
     EXPECT_NE(open({}).en.find("preferences:2: "), std::string::npos) << line;
   }
@@ -118,8 +119,7 @@ TEST_F(KeptByUser, a_folder_that_cannot_be_written_is_said_once) {
 }
 
 TEST_F(KeptByUser, the_last_ten_files_the_latest_first) {
-  for (int i = 0; i < 12; ++i)
-    open({}, folder_.copy(test::asset("torus.off"), "torus " + std::to_string(i) + ".off"));
+  for (int i = 0; i < 12; ++i) open({}, folder_.copy(test::asset("torus.off"), "torus " + std::to_string(i) + ".off"));
   open({}, folder_.at("torus 5.off"));
   ASSERT_EQ(session_->recent.size(), UserFiles::most_recent);
   EXPECT_EQ(session_->recent[0], folder_.at("torus 5.off"));

@@ -105,7 +105,7 @@ PolygonList random_list(std::uint64_t seed) {
 }
 
 TEST(verdict_oracle, reading_gives_the_same_copies) {
-  for (std::uint64_t seed = 0; seed < 20000; ++seed) {
+  for (std::uint64_t seed = 0; seed < (test::is_long_run() ? 20000u : 6000u); ++seed) {
     const PolygonList points = random_list(seed);
     const oracle::CopyList expected = oracle::read_copies(points);
     const Mesh mesh = kernel_mesh(points, seed);
@@ -119,7 +119,7 @@ TEST(verdict_oracle, reading_gives_the_same_copies) {
 TEST(verdict_oracle, every_operation_on_every_edge) {
   std::uint64_t meshes = 0;
   int verdicts = 0, reports = 0;
-  const std::uint64_t seeds = test::is_long_run() ? 20000 : 8000;
+  const std::uint64_t seeds = test::is_long_run() ? 20000 : 2500;
   for (std::uint64_t seed = 0; seed < seeds && reports < max_oracle_reports; ++seed) {
     const PolygonList points = random_list(seed);
     const Mesh mesh = kernel_mesh(points, seed);
@@ -134,12 +134,12 @@ TEST(verdict_oracle, every_operation_on_every_edge) {
     ++meshes;
   }
   EXPECT_EQ(meshes, seeds);
-  EXPECT_GT(verdicts, 400000);
+  EXPECT_GT(verdicts, 125000);
 }
 
 TEST(verdict_oracle, larger_manifolds) {
   int reports = 0;
-  for (std::uint64_t seed = 0; seed < 30 && reports < max_oracle_reports; ++seed) {
+  for (std::uint64_t seed = 0; seed < (test::is_long_run() ? 30u : 12u) && reports < max_oracle_reports; ++seed) {
     RandomMesh random = random_manifold(seed, 30 + static_cast<int>(seed));
     const PolygonList points = oracle::polygon_list(random.points, std::move(random.faces));
     const oracle::Figures figures = oracle::figures_of(points);
@@ -155,7 +155,7 @@ TEST(verdict_oracle, larger_manifolds) {
 
 TEST(verdict_oracle, legal_operations_give_the_list_of_the_oracle) {
   int reports = 0, applied = 0;
-  const std::uint64_t seeds = test::is_long_run() ? 5000 : 2000;
+  const std::uint64_t seeds = test::is_long_run() ? 5000 : 700;
   for (std::uint64_t seed = 0; seed < seeds && reports < max_oracle_reports; ++seed) {
     const PolygonList points = random_list(seed);
     Mesh mesh = kernel_mesh(points, seed);
@@ -169,14 +169,14 @@ TEST(verdict_oracle, legal_operations_give_the_list_of_the_oracle) {
       ADD_FAILURE() << "seed " << seed << ": " << to_text(operation) << " on " << to_text(points) << "\n    " << wrong;
     }
   }
-  EXPECT_GT(applied, 20000);
+  EXPECT_GT(applied, 7000);
 }
 
 // After edits the mesh has dead slots and copies in other slots than a reader gives them; verdicts depend on the points
 // alone.
 TEST(verdict_oracle, verdicts_after_edits_are_those_of_the_saved_mesh) {
   int reports = 0, steps = 0;
-  for (std::uint64_t seed = 0; seed < 400 && reports < max_oracle_reports; ++seed) {
+  for (std::uint64_t seed = 0; seed < (test::is_long_run() ? 400u : 130u) && reports < max_oracle_reports; ++seed) {
     Mesh mesh = kernel_mesh(random_list(seed), seed);
     Journal journal;
     Dice dice(seed);
@@ -195,7 +195,7 @@ TEST(verdict_oracle, verdicts_after_edits_are_those_of_the_saved_mesh) {
       ++steps;
     }
   }
-  EXPECT_GT(steps, 2000);
+  EXPECT_GT(steps, 650);
 }
 
 }  // namespace

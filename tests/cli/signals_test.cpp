@@ -115,13 +115,13 @@ TEST(signals, end_every_long_command_soon_and_leave_nothing) {
   std::mt19937 random(seed);
   std::printf("seed %u\n", seed);
   std::fflush(stdout);  // or each process would print it again
-  const int moments = is_long_run() ? 50 : 1;
+  const int moments = is_long_run() ? 150 : 2;
   std::vector<Seconds> times;
   for (const std::vector<std::string>& words : long_lines()) {
     LongCommand command(words);
-    for (const int signal : all_signals) {
-      for (int i = 0; i < moments; ++i)
-        times.push_back(command.interrupt(signal, std::uniform_real_distribution<>(0, 1)(random), (random() & 1) != 0));
+    for (int i = 0; i < moments; ++i) {
+      const int signal = all_signals[times.size() % std::size(all_signals)];
+      times.push_back(command.interrupt(signal, std::uniform_real_distribution<>(0, 1)(random), (random() & 1) != 0));
       if (testing::Test::HasFailure()) return;
     }
   }

@@ -30,15 +30,18 @@ checked=property
 guided=OFF
 fuzz_seconds=0
 compared=hashes
+# clang takes a quarter less time where it inlines only what makes the code smaller.
+level="-O1 -mllvm -inline-threshold=0 -Wno-unused-command-line-argument"
 if [ -n "${RYOSEN_LONG:-}" ]; then
   sanitizers=address,undefined
   checked="property core"
   guided=ON
   fuzz_seconds=240
+  level=-O1
   compared="hashes reports"
 fi
 cmake -S "$root" -B "$root/build/fuzz" -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
-  -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DRYOSEN_FUZZ=ON -DRYOSEN_FUZZ_GUIDED=$guided \
+  -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=$level" -DRYOSEN_FUZZ=ON -DRYOSEN_FUZZ_GUIDED=$guided \
   -DRYOSEN_CHECKED=ON -DRYOSEN_SANITIZE=$sanitizers >&2
 for kind in $checked; do
   build "$root/build/fuzz" "test_$kind" hashes fuzz_targets

@@ -110,7 +110,7 @@ TEST(tooltips, cover_neither_the_row_above_nor_the_one_below_in_any_window) {
     const auto look = [&](const std::string& what) {
       laid.frames(4);
       std::string covered;
-      for (double y = 30; y < size.height - 25; y += 13)
+      for (double y = 30; y < size.height - 25; y += 17)
         for (const double x : {0.12, 0.45, 0.8}) {
           laid.gui.pointer({std::floor(x * size.width), y});
           laid.frames(2);

@@ -20,7 +20,7 @@ using glm::dvec2;
 using glm::dvec3;
 using test_shapes::BigInteger;
 
-int runs(int in_short) { return test::is_long_run() ? 7 * in_short : in_short; }
+int runs(int in_short) { return test::is_long_run() ? 14 * in_short : in_short; }
 
 int oracle(const dvec2& a, const dvec2& b, const dvec2& c) {
   const BigInteger cx = BigInteger::scaled(c.x);
@@ -101,7 +101,7 @@ TEST(predicates, extremes_of_the_double_range) {
                                          -1.0, 1e160, 1e300, -1e300, huge,     -huge,  huge / 2};
   std::mt19937_64 random(3);
   std::uniform_int_distribution<std::size_t> pick(0, values.size() - 1);
-  for (int i = 0; i < runs(3000); ++i) {
+  for (int i = 0; i < runs(1500); ++i) {
     const auto value = [&] { return values[pick(random)]; };
     expect_all_orders({value(), value()}, {value(), value()}, {value(), value()});
   }
@@ -115,7 +115,7 @@ TEST(predicates, expansions_and_accumulator_give_the_same_signs) {
   std::uniform_int_distribution<int> small(-3, 3);
   std::uniform_int_distribution<int> exponent(-60, 60);
   const auto value = [&] { return std::ldexp(small(random), exponent(random)); };
-  for (int i = 0; i < runs(3000); ++i) {
+  for (int i = 0; i < runs(1500); ++i) {
     exact::Expansion<16> expansion;
     exact::ProductAccumulator accumulator;
     BigInteger sum;
@@ -143,15 +143,15 @@ TEST(predicates, collinear_points_in_space_agree_with_integers) {
   std::mt19937_64 random(5);
   std::uniform_int_distribution<int> grid(-2, 2);
   int flat = 0;
-  for (int i = 0; i < runs(6000); ++i) {
+  for (int i = 0; i < runs(3000); ++i) {
     const double scale = i % 3 == 0 ? 1e300 : i % 3 == 1 ? std::numeric_limits<double>::denorm_min() : 0.1;
     const auto point = [&] { return dvec3(grid(random), grid(random), grid(random)) * scale; };
     const dvec3 a = point(), b = point(), c = point();
     EXPECT_EQ(are_collinear(a, b, c), oracle_collinear(a, b, c));
     flat += are_collinear(a, b, c);
   }
-  EXPECT_GT(flat, runs(6000) / 40);
-  EXPECT_LT(flat, runs(6000) * 3 / 4);
+  EXPECT_GT(flat, runs(3000) / 40);
+  EXPECT_LT(flat, runs(3000) * 3 / 4);
 }
 
 // The determinant of the rows b - a, c - a, d - a in integers.
@@ -180,7 +180,7 @@ void expect_sides(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d
 TEST(predicates, the_side_of_a_plane_agrees_with_integers) {
   EXPECT_EQ(orient3d({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), 1);
   std::mt19937_64 random(6);
-  for (int i = 0; i < runs(500); ++i) {
+  for (int i = 0; i < runs(250); ++i) {
     const auto point = [&] { return dvec3(any_double(random), any_double(random), any_double(random)); };
     expect_sides(point(), point(), point(), point());
   }
@@ -214,7 +214,7 @@ TEST(predicates, sides_of_planes_at_the_extremes_of_the_double_range) {
                                          2.0, -1.0, 1e100, 1e160,     1e300,  huge,   -huge};
   std::mt19937_64 random(8);
   std::uniform_int_distribution<std::size_t> pick(0, values.size() - 1);
-  for (int i = 0; i < runs(800); ++i) {
+  for (int i = 0; i < runs(400); ++i) {
     const auto point = [&] { return dvec3(values[pick(random)], values[pick(random)], values[pick(random)]); };
     expect_sides(point(), point(), point(), point());
   }
@@ -269,7 +269,7 @@ TEST(predicates, signs_of_differences_agree_with_integers) {
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   std::uniform_int_distribution<int> small(-2, 2), exponent(-1074, 1020);
   const double step = std::numeric_limits<double>::epsilon();
-  for (int round = 0; round < runs(800); ++round) {
+  for (int round = 0; round < runs(400); ++round) {
     const int kind = round % 4;
     const double scale = std::ldexp(1.0, exponent(random));
     const auto value = [&] {

@@ -81,7 +81,7 @@ void compare(unsigned seed, std::uint32_t most, int steps) {
 
 TEST(overlay_parts, look_as_if_drawn_at_once) { compare(1, 12, 150); }
 
-TEST(overlay_parts, large_ones_move_within_the_buffer) { compare(2, 1500, 25); }
+TEST(overlay_parts, large_ones_move_within_the_buffer) { compare(2, 1500, 12); }
 
 TEST(overlay_parts, only_what_changed_is_drawn_again) {
   const auto view = front_view(square_scene(1), view_size, 2.4);

@@ -44,7 +44,7 @@ class FramePace {
   std::optional<Camera> camera_;
   Clock::time_point moved_at_;
   double moving_ns_ = 130, resting_ns_ = 130;  // per triangle; at first what a software renderer needs on two cores
-  double refining_ns_ = 1;                     // of each unit of effort
+  double refining_ns_ = 2;                     // of each unit of effort; at first what a slow machine needs
 };
 
 }  // namespace ryosen

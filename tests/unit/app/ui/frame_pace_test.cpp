@@ -30,9 +30,9 @@ TEST(frame_pace, slices_by_what_slices_took) {
 
 TEST(frame_pace, refines_by_what_refining_took) {
   FramePace pace;
-  EXPECT_NEAR(pace.effort_of_refining(), 5e6, 1);
-  pace.took_refining(4e6, 12ms);  // three times as slow as known: less at once
   EXPECT_NEAR(pace.effort_of_refining(), 2.5e6, 1);
+  pace.took_refining(2e6, 12ms);  // three times as slow as known: less at once
+  EXPECT_NEAR(pace.effort_of_refining(), 1.25e6, 1);
   for (int i = 0; i < 100; ++i) pace.took_refining(1e6, 500us);
   EXPECT_NEAR(pace.effort_of_refining(), 10e6, 1e4);
   pace.took_refining(0, 1s);  // was none

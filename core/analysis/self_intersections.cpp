@@ -112,7 +112,7 @@ class Search {
         surface_(mesh),
         sizes_(surface_),
         most_(most),
-        threads_(threads == 0 ? threads_for(surface_.slots()) : threads),
+        threads_(threads == 0 ? threads_for(steps_for_each * surface_.slots()) : threads),
         tree_(surface_, threads_),
         meeting_(surface_) {}
 
@@ -137,6 +137,7 @@ class Search {
  private:
   // None depends on the number of threads, so the pairs kept do not.
   static constexpr std::uint32_t part_of_nodes = 256, part_of_large = 64, tasks = 8;
+  static constexpr std::size_t steps_for_each = 16;  // of a triangle's place in the tree, and of the search for what meets it
   static constexpr std::size_t enough = 1 << 15;  // pairs that a part holds before it stops
 
   // Calls search_one(task, part, keeps) for each number below `count`, which begins what is left of the part.

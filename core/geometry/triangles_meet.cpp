@@ -1,5 +1,7 @@
 #include "core/geometry/triangles_meet.h"
 
+#include <cmath>
+
 #include "core/geometry/predicates.h"
 
 namespace ryosen {
@@ -71,9 +73,23 @@ bool meet_apart(const Corners& a, const Corners& b) {
   return has_side_that_meets(a, a_sides, b) || has_side_that_meets(b, b_sides, a);
 }
 
+// Whether a plane through a corner that triangles share has each of them on a side of its own. The bound is that of a sum
+// of three products of differences with room to spare, and larger than what underflows; of what overflows it is infinite.
+// False says nothing.
+bool are_surely_parted_at(const glm::dvec3& corner, const std::array<glm::dvec3, 2>& a,
+                          const std::array<glm::dvec3, 2>& b) {
+  const glm::dvec3 normal = (a[0] - corner) + (a[1] - corner) - (b[0] - corner) - (b[1] - corner);
+  const auto is_surely_above = [&](const glm::dvec3& p, double sign) {
+    const double x = normal.x * (p.x - corner.x), y = normal.y * (p.y - corner.y), z = normal.z * (p.z - corner.z);
+    return sign * (x + y + z) > 0x1p-50 * (std::abs(x) + std::abs(y) + std::abs(z)) + 1e-290;
+  };
+  return is_surely_above(a[0], 1) && is_surely_above(a[1], 1) && is_surely_above(b[0], -1) && is_surely_above(b[1], -1);
+}
+
 // With one common corner, i of one and j of the other: the ray from it through any other common point leaves one
 // triangle first, and the opposite side it leaves through meets the other triangle.
 bool meet_beside_corner(const Corners& a, std::size_t i, const Corners& b, std::size_t j) {
+  if (are_surely_parted_at(a[i], {a[(i + 1) % 3], a[(i + 2) % 3]}, {b[(j + 1) % 3], b[(j + 2) % 3]})) return false;
   const auto side_meets = [](const Corners& one, std::size_t corner, const Corners& other) {
     const glm::dvec3 &p = one[(corner + 1) % 3], &q = one[(corner + 2) % 3];
     return meets(p, orient3d(other[0], other[1], other[2], p), q, orient3d(other[0], other[1], other[2], q), other);
@@ -81,11 +97,12 @@ bool meet_beside_corner(const Corners& a, std::size_t i, const Corners& b, std::
   return side_meets(a, i, b) || side_meets(b, j, a);
 }
 
-// With a common side: only if the triangles are coplanar and folded onto each other.
+// With a common side: only if the triangles are coplanar and folded onto each other. Along no axis are they seen on both
+// sides of it then; of flat parts that tells quickly.
 bool overlap_beside_side(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& a, const glm::dvec3& b) {
-  if (orient3d(p, q, a, b) != 0) return false;
-  const int axis = view_axis({p, q, a});
-  return cross_component_sign(p, q, a, axis) == cross_component_sign(p, q, b, axis);
+  for (int axis = 0; axis < 3; ++axis)
+    if (cross_component_sign(p, q, a, axis) * cross_component_sign(p, q, b, axis) < 0) return false;
+  return orient3d(p, q, a, b) == 0;
 }
 
 // Whether the segment opposite corner k is a side.

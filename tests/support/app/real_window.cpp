@@ -24,8 +24,9 @@ std::string words_of(glm::dvec2 pixel) {
 void RealWindow::SetUp() {
   for (const char* program : {"Xvfb", "xdotool"})
     if (!is_installed(program)) GTEST_SKIP() << program << " is not installed; tests/run.sh installs it";
+  // Without -noreset it begins anew when its last client has gone, and whoever comes meanwhile is not answered.
   display_ = std::make_unique<Process>(
-      std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", screen(), "-nolisten", "tcp"},
+      std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", screen(), "-nolisten", "tcp", "-noreset"},
       std::vector<std::string>{}, folder_.at("display"));
   ASSERT_TRUE(wait_for([&] { return !read_file(folder_.at("display")).empty(); })) << "Xvfb did not start";
   number_ = std::to_string(std::stoi(read_file(folder_.at("display"))));

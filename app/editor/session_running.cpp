@@ -1,0 +1,77 @@
+// A command line is carried out, and kept in the log.
+#include <cassert>
+#include <new>
+#include <utility>
+
+#include "app/editor/autosave.h"
+#include "app/editor/commands.h"
+#include "app/editor/levels.h"
+#include "app/editor/playing.h"
+#include "app/editor/session.h"
+#include "app/editor/words.h"
+#include "core/base/out_of_memory.h"
+
+namespace ryosen {
+
+Outcome Session::run(const std::string& line) {
+  const std::uint64_t serial = document_->serial();
+  const std::size_t position = document_->position();
+  try {
+    return run_line(line);
+  } catch (const std::bad_alloc&) {
+    forget_derived();  // some of it may be half made
+    if (document_->serial() == serial) {
+      document_->take_back(position);
+      drop_lost(selection.changed(), mesh(), false);
+    }
+    return failed(ExitCode::out_of_memory, out_of_memory().message.text);
+  }
+}
+
+Outcome Session::run_line(const std::string& line) {
+  const std::vector<std::string_view> words = split_words(line);
+  if (words.empty()) return {};
+  const auto row = find_command_row(words[0]);
+  if (!row) return unknown_command(words[0]);
+  const std::size_t after_id = static_cast<std::size_t>(words[0].data() - line.data()) + words[0].size();
+  if (row->effect != Effect::none) {
+    cancel_gesture();
+    end_playing(*this);
+    end_levels(*this);
+  } else if (!row->keeps_trial) {
+    end_trial();
+  }
+  [[maybe_unused]] const std::uint64_t serial = document_->serial();
+  [[maybe_unused]] const std::size_t position = document_->position(), entries = document_->history().size();
+  [[maybe_unused]] const std::size_t logged = log_.size();
+  [[maybe_unused]] const bool was_on_trial = document_->is_on_trial();
+  // What is needed once the command is done is made before.
+  if (log_.size() + 2 > log_.capacity()) log_.reserve(2 * log_.size() + 2);
+  std::string entry, usual = row->effect == Effect::none ? std::string() : std::string(without_blanks(line));
+  entry.reserve(2 * line.size() + 256);
+  Outcome outcome = row->run(*this, Words(words).subspan(1), std::string_view(line).substr(after_id));
+  // A row that says `none` of a command that changes the mesh would leave it out of the log; what is on trial is in none.
+  assert(row->effect != Effect::none || log_.size() > logged ||
+         (document_->position() == position && document_->history().size() == entries &&
+          (document_->serial() == serial || was_on_trial || document_->is_on_trial())));
+  if (!outcome.done() || row->effect == Effect::none) return outcome;
+  if (row->effect == Effect::edits || row->effect == Effect::steps)
+    if (outcome.performed.empty()) outcome.performed = std::move(usual);
+  if (outcome.performed.empty()) return outcome;
+  if (!outcome.selecting.empty()) log_line(outcome, std::move(outcome.selecting));
+  entry = outcome.performed;
+  log_line(outcome, std::move(entry));
+  return outcome;
+}
+
+void Session::log_line(Outcome& outcome, std::string line) {
+  log_.push_back(std::move(line));
+  if (!autosave) return;
+  try {
+    if (const auto warning = autosave->note(*this, log_.back())) outcome.say(*warning);
+  } catch (const std::bad_alloc&) {
+    autosave->stop();
+  }
+}
+
+}  // namespace ryosen

@@ -158,10 +158,7 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
     forget_hidden();
     highlights_->update(m, journal, transaction);
     drawn_changes_.everything |= highlights_->changed_everything();
-    for (const Marked& marked : highlights_->changes()) {
-      if (marked.mark.sort == Element::Kind::face) drawn_changes_.faces.push_back(marked.index);
-      drawn_changes_.marks.push_back(marked);
-    }
+    for (const Marked& marked : highlights_->changes()) note_mark(marked);
     note_marks(touched);
     // A mark at a point is hidden with all its copies, wherever they are.
     drawn_changes_.searched |= !hidden_.empty() && m.has_copies();

@@ -352,6 +352,7 @@ class Session {
   }
   Camera framing(const Mesh& mesh, const Camera& from) const;
   void note_marks(const TouchedElements& touched);
+  void note_mark(Marked marked);
   void update_map_values(std::size_t transaction);
   void follow_hiding(const HiddenElements::Parts& changed);
   void forget_hidden();
@@ -372,6 +373,9 @@ class Session {
   void follow_what_moves();
   void show_gesture();
   void note_gesture();
+  // Problems that depend on places, of the faces that a gesture changes: as they are drawn, or as they are.
+  void judge_as_drawn();
+  void judge_as_is();
   std::optional<glm::dvec3> place_to_snap_to(glm::dvec2 pixel);
 
   std::shared_ptr<const OtherSurface> surface();  // made anew where the mesh is another

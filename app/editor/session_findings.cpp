@@ -54,6 +54,11 @@ void Session::update_map_values(std::size_t transaction) {
   }
 }
 
+void Session::note_mark(Marked marked) {
+  if (marked.mark.sort == Element::Kind::face) drawn_changes_.faces.push_back(marked.index);
+  drawn_changes_.marks.push_back(marked);
+}
+
 // Records members of the highlights that may have moved.
 void Session::note_marks(const TouchedElements& touched) {
   const Mesh& m = mesh();
@@ -91,7 +96,10 @@ void Session::forget_hidden() {
 
 const HighlightSets& Session::highlights() {
   finish_preparation();
-  if (!highlights_) highlights_.emplace(mesh(), 0, vertices_on_lines(document_->file(), mesh().file_vertices()));
+  if (!highlights_) {
+    highlights_.emplace(mesh(), 0, vertices_on_lines(document_->file(), mesh().file_vertices()));
+    judge_as_drawn();
+  }
   forget_hidden();
   for (const HighlightRow& row : highlight_table()) {
     if (highlights_->keeps(row) || !shown.contains(std::string(row.id))) continue;
@@ -177,6 +185,7 @@ void Session::finish_preparation() {
     return;
   }
   highlights_ = std::move(found.highlights);
+  judge_as_drawn();
   boundary_loops_ = std::move(found.boundary_loops);
   euler_ = std::move(found.euler);
   kind_ = std::move(found.kind);

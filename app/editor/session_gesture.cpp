@@ -1,5 +1,6 @@
 // A gesture that moves, turns or scales the selection: what the view shows meanwhile, and how it ends.
 #include <algorithm>
+#include <iterator>
 #include <new>
 
 #include "app/editor/commands.h"
@@ -25,6 +26,7 @@ struct Session::Gesturing {
   struct Pull {
     std::string line, by_nothing;    // the line of the operator, up to how far, and the word for not at all
     std::optional<glm::dvec3> from;  // where it takes a place in place of a way, that which the way begins at
+    std::vector<Face> made = {};     // without extent until something is moved; ascending
   };
   std::optional<Pull> pull = {};  // of one that moves what an operator makes, which is on trial
 };
@@ -59,6 +61,17 @@ std::vector<Face> spoilt_faces(const Mesh& mesh, std::span<const Face> faces, st
   for (const std::vector<Element>* list : {&doubts.turned, &doubts.degenerate})
     for (const Element& e : *list) spoilt.push_back(e.face());
   return spoilt;
+}
+
+// By `judged(row, face)`, of faces that are there.
+template <class Judged, class Changed>
+void judge_faces(HighlightSets& sets, const Mesh& mesh, std::span<const Face> faces, Judged judged, Changed changed) {
+  for (const ProblemRow& row : problem_table()) {
+    if (!row.face_at) continue;
+    for (const Face f : faces)
+      if (sets.put_member(row, f.index, mesh.exists(f) && mesh.is_alive(f) && judged(row, f)))
+        changed({mark_of(row.kind), f.index});
+  }
 }
 
 }  // namespace
@@ -106,6 +119,7 @@ void Session::begin_gesture_with(PointTransform::Kind kind, Elements elements) {
 void Session::follow_what_moves() {
   Gesturing& g = *gesturing_;
   note_gesture();
+  judge_as_is();
   const std::span<const glm::dvec3> places = mesh().positions();
   for (const Vertex v : g.touched.moved) g.places[v.index] = places[v.index];
   g.touched = touched_by(mesh(), g.transform.moved());
@@ -123,7 +137,28 @@ void Session::show_gesture() {
     for_each_copy(mesh(), each.point, [&](Vertex copy) { g.places[copy.index] = place; });
   }
   g.spoilt = spoilt_faces(mesh(), g.touched.faces, g.places);
+  judge_as_drawn();
   note_gesture();
+}
+
+// What an operator made and nothing has moved yet would not be there if the gesture ended now.
+void Session::judge_as_drawn() {
+  if (!gesturing_ || !highlights_) return;
+  const Gesturing& g = *gesturing_;
+  const bool is_unmoved = g.pull && g.transform.does_nothing();
+  const auto judged = [&](const ProblemRow& row, Face f) {
+    if (is_unmoved && std::binary_search(g.pull->made.begin(), g.pull->made.end(), f)) return false;
+    return row.face_at(mesh(), f, g.places);
+  };
+  judge_faces(*highlights_, mesh(), g.touched.faces, judged, [&](Marked marked) { note_mark(marked); });
+}
+
+void Session::judge_as_is() {
+  if (!gesturing_ || !highlights_) return;
+  judge_faces(
+      *highlights_, mesh(), gesturing_->touched.faces,
+      [&](const ProblemRow& row, Face f) { return row.face_at(mesh(), f, mesh().positions()); },
+      [&](Marked marked) { note_mark(marked); });
 }
 
 void Session::note_gesture() {
@@ -215,8 +250,13 @@ Outcome Session::begin_pull() {
   if (!extrusion.op) return no_element(document(), line + "0", extrusion.error, extrusion.sentence);
   const Outcome outcome = document_->try_out(*extrusion.op);
   if (!outcome.done()) return outcome;
+  std::vector<Face> pulled, made;
+  for (const Element& e : faces) pulled.push_back(e.face());
+  std::sort(pulled.begin(), pulled.end());
   begin_gesture_with(PointTransform::Kind::move, std::move(faces));
-  gesturing_->pull = {std::move(line), "0", {}};
+  const std::vector<Face>& touched = gesturing_->touched.faces;
+  std::set_difference(touched.begin(), touched.end(), pulled.begin(), pulled.end(), std::back_inserter(made));
+  gesturing_->pull = {std::move(line), "0", {}, std::move(made)};
   gesture_key("N");
   return outcome;
 }
@@ -251,6 +291,7 @@ Outcome Session::begin_split() {
 // The view is as it was. One that pulls faces out is still to be taken back by the document.
 void Session::forget_gesture() {
   if (!gesturing_) return;
+  judge_as_is();
   note_gesture();
   gesturing_.reset();
 }

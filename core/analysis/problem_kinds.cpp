@@ -76,23 +76,26 @@ bool surely_not_collinear(const glm::dvec3& a, const glm::dvec3& b, const glm::d
   return differ(u.y * v.z, u.z * v.y) || differ(u.z * v.x, u.x * v.z) || differ(u.x * v.y, u.y * v.x);
 }
 
-bool is_degenerate_face(Neighbourhood& around, Face f) {
-  const Mesh& mesh = around.mesh();
+bool is_degenerate_at(const Mesh& mesh, Face f, std::span<const glm::dvec3> places) {
   const Halfedge first = mesh.halfedge(f), second = mesh.next(first);
-  const glm::dvec3& a = mesh.position(mesh.from(first));
-  if (surely_not_collinear(a, mesh.position(mesh.from(second)), mesh.position(mesh.to(second)))) {
+  const glm::dvec3& a = places[mesh.from(first).index];
+  if (surely_not_collinear(a, places[mesh.from(second).index], places[mesh.to(second).index])) {
     // Not degenerate, and a coordinate that is not finite makes no difference to that.
     return false;
   }
   glm::dvec3 b = a;
   for (Vertex v : vertices_around(mesh, f)) {
-    const glm::dvec3& p = mesh.position(v);
+    const glm::dvec3& p = places[v.index];
     if (!is_finite(p)) return false;
     if (b == a) b = p;
   }
   for (Vertex v : vertices_around(mesh, f))
-    if (!are_collinear(a, b, mesh.position(v))) return false;
+    if (!are_collinear(a, b, places[v.index])) return false;
   return true;
+}
+
+bool is_degenerate_face(Neighbourhood& around, Face f) {
+  return is_degenerate_at(around.mesh(), f, around.mesh().positions());
 }
 
 bool is_quarantined(const QuarantinedFace&, std::uint32_t) { return true; }
@@ -171,7 +174,8 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .figure = "degenerate_area",
      .figure_en = "Faces whose corners lie on a line.",
      .figure_ja = "面積ゼロの面の数。",
-     .face = is_degenerate_face},
+     .face = is_degenerate_face,
+     .face_at = is_degenerate_at},
     {.kind = ProblemKind::duplicate_face,
      .id = "duplicate_face",
      .severity = problem,

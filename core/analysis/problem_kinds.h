@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -59,6 +60,9 @@ struct ProblemRow {
   bool (*edge)(Neighbourhood&, Edge) = nullptr;
   bool (*face)(Neighbourhood&, Face) = nullptr;
   bool (*quarantined)(const QuarantinedFace&, std::uint32_t file_vertices) = nullptr;
+  // What `face` would say if the vertices were at these places, while they are moved and nothing is done yet; null where
+  // places make no difference.
+  bool (*face_at)(const Mesh&, Face, std::span<const glm::dvec3> places) = nullptr;
   // Takes a search of its own that nobody makes unasked (find_self_intersections).
   bool is_on_request = false;
   // Speaks of vertices for themselves: the line in the file is theirs, not that of a face there.

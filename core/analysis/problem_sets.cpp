@@ -104,10 +104,13 @@ void ProblemSets::find_further(Neighbourhood& around) {
   }
 }
 
-void ProblemSets::set(const ProblemRow& row, std::uint32_t index, bool is_member) {
+bool ProblemSets::put_member(const ProblemRow& row, std::uint32_t index, bool is_member) {
   IndexSet& members = set_for(row, index);
-  if (!(is_member ? members.insert(index) : members.erase(index))) return;
-  if (&members != &only_on_lines_) changes_.push_back({row.kind, index, is_member});
+  return (is_member ? members.insert(index) : members.erase(index)) && &members != &only_on_lines_;
+}
+
+void ProblemSets::set(const ProblemRow& row, std::uint32_t index, bool is_member) {
+  if (put_member(row, index, is_member)) changes_.push_back({row.kind, index, is_member});
 }
 
 void ProblemSets::put_findings(ProblemKind kind, std::span<const std::uint32_t> found) {

@@ -30,6 +30,10 @@ class ProblemSets {
   // update drops them, because nobody searches again.
   void put_findings(ProblemKind kind, std::span<const std::uint32_t> found);
 
+  // Puts an element in or takes it out, until an update asks about it: for one that is only shown elsewhere as yet
+  // (ProblemRow::face_at). True where that makes a difference; changes() is not told.
+  bool put_member(const ProblemRow& row, std::uint32_t index, bool is_member);
+
   // Slot numbers of vertices, edges or faces, by the predicate that the kind's row has; empty for kinds that are found
   // in the quarantine. An edge that is several sheets, or a point that has copies, is in it once.
   const IndexSet& of(ProblemKind kind) const { return sets_[static_cast<std::size_t>(kind)]; }

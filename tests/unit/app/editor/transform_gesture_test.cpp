@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "app/editor/commands.h"
 #include "app/editor/view_input.h"
 #include "app/ui/headless.h"
+#include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "tests/support/app/program.h"
 
@@ -77,6 +79,44 @@ TEST_F(GestureTest, typed_numbers_and_axes_are_exact) {
   run({"undo", "key Shift+S", "key 2", "key Enter"});
   EXPECT_TRUE(session_->log().back().starts_with("scale factor=2 about=")) << session_->log().back();
   EXPECT_EQ(session_->document().history().size(), 1u);
+}
+
+std::uint32_t flat_faces(Session& session) { return session.highlights().count(ProblemKind::degenerate_area); }
+
+// While faces are pulled out their sides are where they are drawn, not where the operator on trial has put them.
+TEST_F(GestureTest, lists_no_face_that_only_the_trial_leaves_without_area) {
+  session_->set_document(std::move(Document::open(test::asset("cube.obj"))).value());
+  EXPECT_EQ(flat_faces(*session_), 0u);
+  run({"mode face", "select f0", "move 600,300", "key E"});
+  EXPECT_EQ(session_->mesh().live().faces, 10u);
+  EXPECT_EQ(flat_faces(*session_), 0u) << "nothing has been pulled yet, and it would end as nothing";
+  run({"move 700,350"});
+  ASSERT_TRUE(session_->gesture());
+  EXPECT_EQ(flat_faces(*session_), 0u);
+  run({"key Escape"});
+  EXPECT_EQ(session_->mesh().live().faces, 6u);
+  EXPECT_EQ(flat_faces(*session_), 0u);
+  run({"key E", "move 640,420", "key Enter"});
+  EXPECT_EQ(session_->document().history().size(), 1u);
+  EXPECT_EQ(flat_faces(*session_), 0u);
+}
+
+TEST_F(GestureTest, lists_faces_that_it_flattens_until_it_is_given_up) {
+  session_->set_document(std::move(Document::open(test::asset("cube.obj"))).value());
+  run({"mode face", "select all", "triangulate selected", "mode vertex", "select v0", "move 600,300"});
+  const Mesh& mesh = session_->mesh();
+  ASSERT_EQ(mesh.position(Vertex(1)) - mesh.position(Vertex(0)), glm::dvec3(1, 0, 0));
+  ASSERT_TRUE(find_halfedge(mesh, Vertex(0), Vertex(1)));
+  session_->highlights();
+  session_->take_drawn_changes();
+  run({"key G", "key X", "key 1"});
+  EXPECT_EQ(flat_faces(*session_), 2u) << "those at the edge that has no length any more";
+  const std::vector<Session::Marked> marks = session_->take_drawn_changes().marks;
+  EXPECT_GE(std::count_if(marks.begin(), marks.end(),
+                          [](const Session::Marked& m) { return m.mark.sort == Element::Kind::face; }),
+            2);
+  run({"key Escape"});
+  EXPECT_EQ(flat_faces(*session_), 0u);
 }
 
 TEST_F(GestureTest, the_pointer_stays_at_what_it_took_hold_of) {

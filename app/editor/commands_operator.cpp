@@ -47,6 +47,8 @@ Text kinds_taken(const OpInfo& op) {
     if (!told.en.empty()) told = told + Text{" or ", "または"};
     told = told + Text{en, ja};
   }
+  if (op.in_place_of)
+    told = told + Text{", or ", "、または"} + Text{std::string(op.in_place_of->en), std::string(op.in_place_of->ja)};
   return told;
 }
 
@@ -209,7 +211,7 @@ bool fits_selection(const Session& session, const OpInfo& op) {
   const Elements& selected = session.selection;
   const auto is_taken = [&](const Element& e) { return takes(op, e.kind, {}); };
   if (selected.empty() || op.on_selection == OnSelection::none) return false;
-  if (op.on_selection != OnSelection::all) return std::any_of(selected.begin(), selected.end(), is_taken);
+  if (op.on_selection != OnSelection::all) return !called_with(session.mesh(), op, selected, {}).taken.empty();
   constexpr std::size_t most = 1000;  // with more, only those count that it takes any number of
   if (selected.size() > most) return std::any_of(selected.begin(), selected.end(), is_taken);
   const std::vector<std::string> names = names_for(session, op, {});

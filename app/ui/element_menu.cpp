@@ -15,10 +15,11 @@ namespace ryosen {
 
 namespace {
 
-bool works_on(const OpInfo& op, const Elements& selection) {
+bool works_on(const OpInfo& op, const Session& session) {
+  const Elements& selection = session.selection;
   if (op.on_selection == OnSelection::none || selection.empty()) return false;
-  if (op.on_selection != OnSelection::each) return selection.size() > 1 || takes(op, selection[0].kind, {});
-  return std::any_of(selection.begin(), selection.end(), [&](const Element& e) { return takes(op, e.kind, {}); });
+  if (op.on_selection == OnSelection::all) return selection.size() > 1 || takes(op, selection[0].kind, {});
+  return !called_with(session.mesh(), op, selection, {}).taken.empty();
 }
 
 // Of one element alone it is known before whether it may be done.
@@ -58,7 +59,9 @@ void place_item(PanelContext& context, const OpInfo& op) {
 void middle_item(PanelContext& context, const OpInfo& op) {
   const Elements& selection = context.session.selection;
   constexpr std::string_view middle[] = {"mid"};
-  if (op.on_selection != OnSelection::into_last || !takes(op, selection.back().kind, middle)) return;
+  if (op.on_selection != OnSelection::into_last ||
+      called_with(context.session.mesh(), op, selection, middle).taken.empty())
+    return;
   const std::string line = std::string(op.id) + " selected mid", chord = chord_of(context.session, line);
   const std::string label =
       std::string(context.text(op.name_en, op.name_ja)) + context.text(" in the middle", "（中央）");
@@ -100,7 +103,7 @@ void draw_element_menu(PanelContext& context) {
   ImGui::Separator();
   if (!context.session.selection.empty()) gesture_items(context);
   for (const OpInfo& op : all_ops())
-    if (works_on(op, context.session.selection)) {
+    if (works_on(op, context.session)) {
       operator_item(context, op);
       place_item(context, op);
       middle_item(context, op);

@@ -195,6 +195,21 @@ void take_spike_away(Edit& edit, Vertex v, const std::vector<Halfedge>& chain, O
 
 }  // namespace
 
+std::vector<Element> edges_between_faces(const Mesh& mesh, std::span<const Element> selected) {
+  std::vector<Face> faces;
+  for (const Element& e : selected)
+    if (e.kind == Element::Kind::face) faces.push_back(e.face());
+  sort_unique(faces);
+  std::vector<Edge> edges;
+  for (const Face f : faces)
+    for (const Halfedge h : halfedges_around(mesh, f)) {
+      const Face other = mesh.face(twin(h));
+      if (other && f < other && std::binary_search(faces.begin(), faces.end(), other)) edges.push_back(edge(h));
+    }
+  sort_unique(edges);
+  return {edges.begin(), edges.end()};
+}
+
 Parsed<Dissolve> Dissolve::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
   ArgumentReader in(mesh, arguments, info.syntax);
   Dissolve op;

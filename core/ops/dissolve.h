@@ -24,6 +24,10 @@ namespace ryosen {
 
 class LocalFacts;
 
+// The edges between different ones of the selected faces, ascending.
+std::vector<Element> edges_between_faces(const Mesh& mesh, std::span<const Element> selected);
+inline constexpr InPlaceOf edges_of_faces_side_by_side{edges_between_faces, "faces side by side", "隣り合う面"};
+
 struct Dissolve {
   Halfedge halfedge;   // the edge, or
   Vertex vertex = {};  // the vertex
@@ -32,13 +36,16 @@ struct Dissolve {
                                "Dissolve",
                                "溶解",
                                "A-B|vN",
-                               "unites the faces at an edge or around a vertex",
-                               "稜線の両側または頂点の周りの面を一つにまとめる",
+                               "unites the faces at an edge or around a vertex, or all that are selected side by side",
+                               "稜線の両側または頂点の周りの面、または隣り合う選択面をすべて一つにまとめる",
                                '\0',
                                OpTargetKind::edge,
                                OpGroup::join,
                                "",
-                               Topology::kept};
+                               Topology::kept,
+                               Subject::edge,
+                               OnSelection::each,
+                               &edges_of_faces_side_by_side};
 
   static Parsed<Dissolve> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Dissolve at(const Mesh&, const OpTarget& target) { return {target.halfedge}; }

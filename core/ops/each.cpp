@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 #include "core/analysis/index_set.h"
 #include "core/mesh/circulate.h"
@@ -75,6 +76,12 @@ std::vector<Halfedge> with_same_subject(const Mesh& mesh, Subject subject, Halfe
   return same;
 }
 
+// The halfedge between two vertices, on points; none where no edge joins them.
+Halfedge halfedge_between(const Mesh& mesh, Vertex from, Vertex to) {
+  const std::vector<Halfedge> sheets = sheets_between(mesh, from, to);
+  return sheets.empty() ? Halfedge() : sheets.front();
+}
+
 class Calls {
  public:
   Calls(Edit& edit, const OpInfo& op, Words arguments, bool strict)
@@ -86,13 +93,17 @@ class Calls {
     const std::vector<Halfedge> at = asked_at(mesh(), e);
     if (subjects_.is_done(at)) return ++result_.done, true;
     if (const Rule* const rule = subjects_.refused(at)) return refuse(e, *rule), true;
-    const Parsed<AnyOp> parsed = read(e, with);
+    Parsed<AnyOp> parsed = read(e, with);
     if (!parsed.op) {
       result_.error = parsed.error;
       result_.sentence = parsed.sentence;
       return false;
     }
-    const auto rule = broken_rule(*parsed.op);
+    auto rule = broken_rule(*parsed.op);
+    if (const auto along = rule && with ? read_along_edge(e, *with) : std::nullopt) {
+      parsed.op = along;
+      rule = broken_rule(*along);
+    }
     Halfedge side = halfedge_of(*parsed.op);
     if (op_.subject == Subject::cycle && !rule && !mesh().is_outside(side)) side = twin(side);
     std::vector<Halfedge> same;
@@ -103,13 +114,23 @@ class Calls {
       refuse(e, *rule);
       return true;
     }
-    apply(edit_, *parsed.op);
+    ryosen::apply(edit_, *parsed.op);
     subjects_.done(same);
     ++result_.done;
     return true;
   }
 
   void arguments(Words arguments) { arguments_ = arguments; }
+  // What was refused, to be asked again.
+  std::vector<Element> take_refused() {
+    std::vector<Element> all;
+    for (const EachResult::Refused& refused : result_.refused)
+      all.insert(all.end(), refused.elements.begin(), refused.elements.end());
+    result_.refused.clear();
+    subjects_ = {};
+    std::sort(all.begin(), all.end());
+    return all;
+  }
   const Mesh& mesh() const { return edit_.mesh(); }
   EachResult& result() { return result_; }
 
@@ -121,6 +142,17 @@ class Calls {
     words.push_back(name);
     words.insert(words.end(), arguments_.begin(), arguments_.end());
     return parse_op(mesh(), op_.id, words);
+  }
+  // The operator that does the same along the edge between the two, if there is one and the row names such an operator.
+  std::optional<AnyOp> read_along_edge(const Element& e, const Element& with) const {
+    if (op_.along_edge.empty() || e.kind != Element::Kind::vertex || with.kind != Element::Kind::vertex)
+      return std::nullopt;
+    const Halfedge h = halfedge_between(mesh(), e.vertex(), with.vertex());
+    if (!h) return std::nullopt;
+    const std::string name = "h" + std::to_string(h.index);
+    std::vector<std::string_view> words{name};
+    words.insert(words.end(), arguments_.begin(), arguments_.end());
+    return parse_op(mesh(), op_.along_edge, words).op;
   }
   std::string name_of_one(const Element& e) const {
     return e.kind == Element::Kind::vertex ? quick_name(mesh(), e) : name_of(mesh(), e);
@@ -176,33 +208,61 @@ bool takes(const OpInfo& op, Element::Kind kind, Words arguments) {
   return !first_misfit(op.syntax, words);
 }
 
+CalledWith called_with(const Mesh& mesh, const OpInfo& op, std::span<const Element> elements, Words arguments) {
+  CalledWith with;
+  for (const Element& e : elements) (takes(op, e.kind, arguments) ? with.taken : with.others).push_back(e);
+  const std::size_t least = op.on_selection == OnSelection::into_last ? 2 : 1;
+  if (!op.in_place_of || with.taken.size() >= least) return with;
+  std::vector<Element> found = op.in_place_of->elements(mesh, elements);
+  if (found.size() < least) return with;
+  return {std::move(found), {}, true};
+}
+
+namespace {
+
+// In ascending order; again those that were refused, as long as anything is done, where `is_in_place`.
+// There `strict` does all or nothing: no selection of what was done would say the same without it.
+void call_in_turn(Calls& calls, std::vector<Element> taken, bool is_in_place, bool strict, Element* last,
+                  Progress& progress) {
+  std::sort(taken.begin(), taken.end());
+  const std::size_t all = taken.size();
+  while (true) {
+    const std::size_t done = calls.result().done;
+    for (std::size_t i = 0; i < taken.size(); ++i) {
+      if (!progress.go_on(all - taken.size() + i, all)) return;
+      if (!calls.call(taken[i], last)) return;
+      if (last && !is_alive(calls.mesh(), *last)) *last = taken[i];  // the lower number has stayed
+    }
+    if (!is_in_place || calls.result().refusals() == 0 || calls.result().done == done) break;
+    taken = calls.take_refused();
+  }
+  if (is_in_place) calls.result().done += std::exchange(calls.result().gone, 0);
+  if (is_in_place && strict && calls.result().refusals() > 0) calls.result().done = 0;
+}
+
+}  // namespace
+
 EachResult apply_to_each(Edit& edit, const OpInfo& op, std::span<const Element> elements, Words arguments, bool strict,
                          Progress& progress) {
   Calls calls(edit, op, arguments, strict);
-  std::vector<Element> taken;
-  for (const Element& e : elements) (takes(op, e.kind, arguments) ? taken : calls.result().others).push_back(e);
+  CalledWith with = called_with(edit.mesh(), op, elements, arguments);
+  std::vector<Element>& taken = with.taken;
+  calls.result().others = std::move(with.others);
   Element last;
   const bool into_last = op.on_selection == OnSelection::into_last && !taken.empty();
+  // In the middle of all of them, not of two at a time.
+  std::string middle;
+  std::string_view place;
+  if (into_last && taken.back().kind == Element::Kind::vertex && arguments.size() == 1 && arguments[0] == "mid") {
+    middle = format_place(middle_of_vertices(edit.mesh(), taken));
+    place = middle;
+    calls.arguments({&place, 1});
+  }
   if (into_last) {
     last = taken.back();
     taken.pop_back();
   }
-  std::sort(taken.begin(), taken.end());
-  // In the middle of all of them, not of two at a time.
-  std::string middle;
-  std::string_view place;
-  if (into_last && last.kind == Element::Kind::vertex && arguments.size() == 1 && arguments[0] == "mid") {
-    std::vector<Element> all = taken;
-    all.push_back(last);
-    middle = format_place(middle_of_vertices(edit.mesh(), all));
-    place = middle;
-    calls.arguments({&place, 1});
-  }
-  for (std::size_t i = 0; i < taken.size(); ++i) {
-    if (!progress.go_on(i, taken.size())) break;
-    if (!calls.call(taken[i], into_last ? &last : nullptr)) break;
-    if (into_last && !is_alive(edit.mesh(), last)) last = taken[i];  // the lower number has stayed
-  }
+  call_in_turn(calls, std::move(taken), with.is_in_place, strict, into_last ? &last : nullptr, progress);
   return std::move(calls.result());
 }
 

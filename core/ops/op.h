@@ -53,6 +53,12 @@ enum class Subject { edge, points, cycle };
 // their order, or one for each but the last, with the last before it.
 enum class OnSelection { none, each, all, into_last };
 
+// What an operator works on where too little of a selection is what it takes: elements that belong to the selected ones.
+struct InPlaceOf {
+  std::vector<Element> (*elements)(const Mesh& mesh, std::span<const Element> selected);
+  std::string_view en, ja;  // what may be selected for that: "faces side by side"
+};
+
 struct OpInfo {
   std::string_view id;
   std::string_view name_en, name_ja;
@@ -65,6 +71,9 @@ struct OpInfo {
   Topology topology = Topology::may_change;
   Subject subject = Subject::edge;
   OnSelection on_selection = OnSelection::each;
+  const InPlaceOf* in_place_of = nullptr;
+  // With into_last: the operator that does the same where an edge joins the two.
+  std::string_view along_edge = "";
 };
 
 // Whether an operator is a tool, which acts on the clicked element.

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "core/analysis/index_set.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/lines/arguments.h"
@@ -169,6 +170,25 @@ void check_edges_to_weld(const Mesh& m, Halfedge first, Halfedge second, Verdict
 }
 
 }  // namespace
+
+std::vector<Element> vertices_of_elements(const Mesh& mesh, std::span<const Element> selected) {
+  std::vector<Element> vertices;
+  IndexSet seen;
+  const auto add = [&](Vertex v) {
+    if (seen.insert(v.index)) vertices.emplace_back(v);
+  };
+  for (const Element& e : selected) {
+    if (e.kind == Element::Kind::vertex) add(e.vertex());
+    if (e.kind == Element::Kind::edge || e.kind == Element::Kind::halfedge) {
+      const Halfedge h = e.kind == Element::Kind::edge ? halfedge(e.edge()) : e.halfedge();
+      add(mesh.from(h));
+      add(mesh.to(h));
+    }
+    if (e.kind == Element::Kind::face)
+      for (const Vertex v : vertices_around(mesh, e.face())) add(v);
+  }
+  return vertices;
+}
 
 Parsed<Weld> Weld::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
   ArgumentReader in(mesh, arguments, info.syntax);

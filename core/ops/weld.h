@@ -17,6 +17,11 @@
 
 namespace ryosen {
 
+// The vertices of the selected elements, in their order, each once.
+std::vector<Element> vertices_of_elements(const Mesh& mesh, std::span<const Element> selected);
+inline constexpr InPlaceOf all_their_vertices{vertices_of_elements, "faces, for all of their vertices",
+                                              "面（その頂点すべて）"};
+
 struct Weld {
   enum class Place { first, middle, point };
 
@@ -30,15 +35,19 @@ struct Weld {
       "Weld",
       "縫合",
       "A B [mid|X,Y,Z] | A-B C-D [mid]",
-      "merges two vertices, or two boundary edges, at the place of the first, in the middle or anywhere",
-      "二つの頂点、または二本の境界稜線を、最初の位置、中央、または指定の位置で一つにする",
+      "merges two vertices, or two boundary edges, at the place of the first, in the middle or anywhere; of what is "
+      "selected the vertices into the last, those of faces too",
+      "二つの頂点、または二本の境界稜線を、最初の位置、中央、または指定の位置で一つにする。選択した頂点（面ではその頂"
+      "点）は最後の頂点にまとめる",
       '\0',
       OpTargetKind::selection,
       OpGroup::join,
       "merge",
       Topology::may_change,
       Subject::edge,
-      OnSelection::into_last};
+      OnSelection::into_last,
+      &all_their_vertices,
+      "collapse"};
 
   static Parsed<Weld> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Weld at(const Mesh&, const OpTarget&) { return {}; }

@@ -154,6 +154,8 @@ TEST(on_selection, the_log_does_the_same_again) {
     }
 }
 
+Vertex to_of_last(const Mesh& mesh, Face f) { return mesh.from(mesh.prev(mesh.halfedge(f))); }
+
 TEST(on_selection, welds_into_the_last_and_fills_each_hole_once) {
   const auto cubes = session_opened("cube.obj");
   cubes->run("delete f0");
@@ -187,6 +189,44 @@ TEST(on_selection, welds_in_the_middle_of_all_as_one_entry) {
   EXPECT_EQ(session->mesh().position(Vertex(8)), glm::dvec3(1, 2, 3));
   ASSERT_TRUE(session->run("weld v10 v11 mid").done());
   EXPECT_EQ(session->mesh().position(Vertex(10)), glm::dvec3(3.5, 0.5, 4));
+}
+
+// As whoever knows other editors expects of selected faces: the edges between them go, with the vertices that only they had.
+TEST(on_selection, dissolves_selected_faces_into_one_as_one_entry) {
+  const auto session = session_opened("cube.obj");
+  ASSERT_TRUE(session->run("new").done());
+  ASSERT_TRUE(session->run("grid columns=3 rows=3").done());
+  const std::uint64_t before = session->mesh().hash();
+  ASSERT_TRUE(session->run("select f0..f8").done());
+  const Outcome outcome = session->run("dissolve selected");
+  ASSERT_TRUE(outcome.done()) << outcome.sentence.en;
+  EXPECT_TRUE(outcome.reasons.empty()) << outcome.sentence.en;
+  EXPECT_EQ(session->mesh().live(), (ElementCounts{12, 12, 1}));
+  EXPECT_EQ(session->document().history().size(), 2u);
+  EXPECT_EQ(session->selection, Elements{Face(0)});
+  const std::vector<std::string> log = session->log();
+  const auto again = session_opened("cube.obj");
+  for (const std::string& line : log) ASSERT_TRUE(again->run(line).done()) << line;
+  EXPECT_EQ(again->mesh().hash(), session->mesh().hash());
+  session->run("undo");
+  EXPECT_EQ(session->mesh().hash(), before);
+  ASSERT_TRUE(session->run("select f0 f8").done());
+  EXPECT_EQ(session->run("dissolve selected").exit_code, ExitCode::refused) << "they have no edge in common";
+}
+
+TEST(on_selection, welds_the_vertices_of_selected_faces_into_the_last) {
+  const auto session = session_opened("cube.obj");
+  ASSERT_TRUE(session->run("select f0").done());
+  const Vertex last = to_of_last(session->mesh(), Face(0));
+  const glm::dvec3 place = session->mesh().position(last);
+  const Outcome outcome = session->run("weld selected");
+  ASSERT_TRUE(outcome.done()) << outcome.sentence.en;
+  EXPECT_TRUE(outcome.reasons.empty()) << outcome.sentence.en;
+  EXPECT_EQ(session->mesh().live(), (ElementCounts{5, 8, 5})) << "a pyramid";
+  EXPECT_EQ(session->document().history().size(), 1u);
+  EXPECT_EQ(session->mesh().position(last), place);
+  session->run("undo");
+  EXPECT_EQ(session->mesh().live().vertices, 8u);
 }
 
 TEST(on_selection, says_what_was_refused_and_what_is_missing) {

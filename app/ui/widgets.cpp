@@ -9,90 +9,9 @@
 #include <utility>
 
 #include "app/editor/keys.h"
-#include "core/base/enum_table.h"
+#include "app/ui/letters.h"
 
 namespace ryosen {
-
-namespace {
-
-bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
-
-const char* behind_letter(const char* at, const char* end) {
-  do ++at;
-  while (at < end && !begins_letter(*at));
-  return at;
-}
-
-// The beginning of the letter that ends there.
-const char* at_letter(const char* end) {
-  do --end;
-  while (!begins_letter(*end));
-  return end;
-}
-
-// No line begins with one of these.
-bool is_closing(std::string_view text) {
-  for (const std::string_view mark : {"、", "。", "）", "」"})
-    if (text.starts_with(mark)) return true;
-  return false;
-}
-
-// Between kana and kanji a line may end anywhere: takes as many of them as fit, where ImGui would end at a blank before.
-const char* with_kanji(const char* begin, const char* at, const char* end, float width_px) {
-  while (at < end) {
-    const char* next = std::find_if(at, end, [](char c) { return c != ' '; });
-    if (next == end || static_cast<unsigned char>(*next) < 0xE3) return at;
-    next = behind_letter(next, end);
-    if (ImGui::CalcTextSize(begin, next).x > width_px) break;
-    at = next;
-  }
-  const char* before = at;
-  while (before > begin && is_closing({before, static_cast<std::size_t>(end - before)})) before = at_letter(before);
-  return before > begin ? before : at;
-}
-
-// Where a line that begins at a letter ends when it is no wider than that; at least one letter.
-const char* end_of_line(const char* begin, const char* end, float width_px) {
-  end = std::find(begin, end, '\n');
-  const char* at = ImGui::GetFont()->CalcWordWrapPositionA(1, begin, end, width_px);
-  // ImGui ends lines behind points too, also those of numbers and file names.
-  const char* blank = at;
-  while (blank > begin && *blank != ' ') --blank;
-  if (at < end && *at != ' ' && blank > begin && static_cast<unsigned char>(*at) < 0x80) at = blank;
-  return at == begin && at < end ? behind_letter(at, end) : with_kanji(begin, at, end, width_px);
-}
-
-// Calls each(begin, end) of every line of a text no wider than that; at least once.
-template <class Each>
-void for_each_line(std::string_view text, float width_px, Each each) {
-  const char *at = text.data(), *const end = at + text.size();
-  do {
-    const char* const line_end = end_of_line(at, end, width_px);
-    each(at, line_end);
-    at = line_end;
-    while (at < end && *at == ' ') ++at;
-    if (at < end && *at == '\n') ++at;
-  } while (at < end);
-}
-
-}  // namespace
-
-void wrapped_text(const char* text) { wrapped_text(text, ImGui::GetContentRegionAvail().x); }
-
-void wrapped_text(std::string_view text, float width_px) {
-  ImGui::BeginGroup();
-  for_each_line(text, width_px, [](const char* begin, const char* end) { ImGui::TextUnformatted(begin, end); });
-  ImGui::EndGroup();
-}
-
-ImVec2 wrapped_size(std::string_view text, float width_px) {
-  ImVec2 size(0, -ImGui::GetStyle().ItemSpacing.y);
-  for_each_line(text, width_px, [&](const char* begin, const char* end) {
-    const ImVec2 line = ImGui::CalcTextSize(begin, end);
-    size = {std::max(size.x, line.x), size.y + line.y + ImGui::GetStyle().ItemSpacing.y};
-  });
-  return size;
-}
 
 void coloured_text(const ImVec4& colour, const char* text) {
   ImGui::PushStyleColor(ImGuiCol_Text, colour);
@@ -147,17 +66,23 @@ bool element_links(PanelContext& context, const std::vector<Element>& elements) 
   return true;
 }
 
+bool marked_row(PanelContext& context, bool is_active, float height_px) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_FrameBgActive));
+  const bool clicked = ImGui::Selectable("##row", is_active, 0, {ImGui::GetContentRegionAvail().x, height_px});
+  ImGui::PopStyleColor();
+  if (is_active)
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y}, {at.x + 3 * context.scale, at.y + height_px},
+                                              ImGui::GetColorU32(context.colours().accent), 2);
+  return clicked;
+}
+
 bool row(PanelContext& context, const char* label, const char* right, bool is_active, float free_px) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = row_pitch(context) - ImGui::GetStyle().ItemSpacing.y;
-  ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_FrameBgActive));
-  const bool clicked = ImGui::Selectable("##row", is_active, 0, {width, height});
-  ImGui::PopStyleColor();
+  const bool clicked = marked_row(context, is_active, height);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float line = at.y + std::floor((height - ImGui::GetFontSize()) / 2);
-  if (is_active)
-    list.AddRectFilled({at.x, at.y}, {at.x + 3 * context.scale, at.y + height},
-                       ImGui::GetColorU32(context.colours().accent), 2);
   const float begin = at.x + 10 * context.scale;
   float end = at.x + width - 8 * context.scale - free_px;
   if (right && *right) {
@@ -239,7 +164,9 @@ bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size, bool le
   const ImVec2 all = ImGui::GetIO().DisplaySize;
   const ImVec2 scaled{std::min(size.x * context.scale, all.x - 20), std::min(size.y * context.scale, all.y - 20)};
   const float left = leaves_view ? all.x - scaled.x - 10 : std::floor((all.x - scaled.x) / 2);
-  ImGui::SetNextWindowPos({left, std::floor((all.y - scaled.y) / 2)});
+  // One that leaves the view to be seen begins below the menus, however high it is: its fields are where they were.
+  const float menus = ImGui::GetFrameHeight() + 10, middle = std::floor((all.y - scaled.y) / 2);
+  ImGui::SetNextWindowPos({left, leaves_view ? std::min(menus, 2 * middle - 10) : middle});
   ImGui::SetNextWindowSize(scaled);
   // What lies behind it is not dimmed: a border tells where it ends.
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize,

@@ -27,6 +27,11 @@ bool element_links(PanelContext& context, const std::vector<Element>& elements);
 // A full-width row with a text on the left and a dim one on the right, that leaves some pixels free behind it; true when
 // clicked.
 bool row(PanelContext& context, const char* label, const char* right, bool is_active, float free_px = 0);
+// What lies below the texts of such a row, so high: marked, or lit where the pointer is; true when clicked.
+bool marked_row(PanelContext& context, bool is_active, float height_px);
+// A row with a text that is wrapped at a width, and how many lines that takes.
+bool wrapped_row(PanelContext& context, std::string_view text, bool is_active, float width_px);
+float lines_of_wrapped_row(PanelContext& context, std::string_view text, float width_px);
 // From the top of one such row to that of the next.
 float row_pitch(const PanelContext& context);
 // A part of a panel as high as so many lines of text, which scrolls by whole ones; rows of another pitch say which.

@@ -2,6 +2,8 @@
 // the textbooks build is in the menu Help.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "app/editor/exercises.h"
 #include "app/editor/playing.h"
 #include "app/editor/practice.h"
@@ -47,6 +49,27 @@ TEST_F(PracticePanelTest, takes_a_click_on_a_rule) {
     take("Nextquestion");
     ++seed_;
     EXPECT_FALSE(has("Right."));
+  }
+}
+
+// Two answers that begin alike could not be told apart by their beginnings.
+TEST_F(PracticePanelTest, shows_the_answers_whole) {
+  for (int n = 0; n < 4; ++n) {
+    const Question question = go_to(QuestionKind::legal);
+    std::set<std::string> unseen;
+    for (const AnswerChoice& choice : answer_choices(question, solve(session.mesh(), question)))
+      for (const std::string_view word : split_words(choice.says.en)) unseen.emplace(word);
+    gui.pointer(test::DrawnText(gui).place("Yes,itmay."));
+    for (int notch = 0; notch < 12; ++notch) {
+      const test::DrawnText text(gui);
+      std::erase_if(unseen, [&](const std::string& word) { return text.count(word) > 0; });
+      EXPECT_EQ(text.cut_sideways(), "");
+      gui.wheel(-1);
+      frames(2);
+    }
+    EXPECT_TRUE(unseen.empty()) << *unseen.begin() << " in " << question.line;
+    take("Nextquestion");
+    ++seed_;
   }
 }
 

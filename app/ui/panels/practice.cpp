@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <optional>
@@ -95,18 +96,20 @@ void PracticePanel::draw_choices(PanelContext& context) {
     }
     return;
   }
-  list_of_rows(
-      "choices", choices.size(), 9,
-      [&](std::size_t i) {
-        const AnswerChoice& choice = choices[i];
-        const std::string& says = choice.says.in(context.language());
-        ImGui::PushID(choice.word.c_str());
-        if (row(context, fitted(says, ImGui::GetContentRegionAvail().x).c_str(), "", choice.word == word_.data()))
-          answer(choice);
-        tip(says + "\n" + choice.word);
-        ImGui::PopID();
-      },
-      {}, row_pitch(context));
+  // With room for a scroll bar, so that the lines stay as they are where there is one.
+  constexpr float most_lines = 16;
+  const float width = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize;
+  float lines = 0;
+  for (const AnswerChoice& choice : choices)
+    lines += lines_of_wrapped_row(context, choice.says.in(context.language()), width);
+  begin_rows("choices", std::min(lines, most_lines));
+  for (const AnswerChoice& choice : choices) {
+    ImGui::PushID(choice.word.c_str());
+    if (wrapped_row(context, choice.says.in(context.language()), choice.word == word_.data(), width)) answer(choice);
+    tip(choice.word);
+    ImGui::PopID();
+  }
+  end_rows();
 }
 
 void PracticePanel::draw_answer_field(PanelContext& context) {

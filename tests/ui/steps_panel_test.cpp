@@ -55,9 +55,23 @@ TEST_F(StepsPanelTest, no_gap_stands_where_no_cell_changes) {
   EXPECT_GT(without, 0);
 }
 
+// However much there is to play, the panels below stay in sight.
+TEST_F(StepsPanelTest, the_list_of_what_there_is_to_play_has_a_height_of_its_own) {
+  ASSERT_TRUE(say("panel steps").done());
+  ASSERT_TRUE(say("panel history on").done());
+  const test::DrawnText text(gui);
+  EXPECT_LT(text.place("History").y - text.place("Stepbystep").y, 320);
+  EXPECT_EQ(text.cut_in_height(), "");
+}
+
 TEST_F(StepsPanelTest, every_row_and_script_is_offered_and_goes_forth_and_back) {
   ASSERT_TRUE(say("panel steps").done());
   EXPECT_TRUE(has("Acube"));
+  gui.pointer(test::DrawnText(gui).place("Acube"));
+  for (int notch = 0; notch < 60 && !has("walkv0"); ++notch) {
+    gui.wheel(-1);
+    frames(2);
+  }
   EXPECT_TRUE(has("walkv0"));
   const std::uint64_t hash = session.mesh().hash();
   const auto expect_playing = [&](const std::string& call) {

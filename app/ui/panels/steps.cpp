@@ -16,6 +16,11 @@ class StepsPanel : public Panel {
   void draw(PanelContext& context) override;
 
  private:
+  struct Offered {
+    std::string label, call;  // no call: it stands above others
+    const char* help;
+  };
+  std::vector<Offered> offers(PanelContext& context);
   void draw_choice(PanelContext& context);
   // What the rows of the table offer, asked once for a revision and selection.
   const std::vector<steps::Choices>& choices(const Session& session);
@@ -48,35 +53,52 @@ std::string call_text(const steps::StepsRow& row, const std::vector<std::string>
 }
 
 // Scripts by name, the rest as it fits the mesh and the selection.
-void StepsPanel::draw_choice(PanelContext& context) {
-  const Session& session = context.session;
-  const auto offer = [&](const std::string& label, const std::string& call, const char* help) {
-    ImGui::PushID(call.c_str());
-    if (row(context, label.c_str(), "", false)) context.run("steps " + call);
-    tip(std::string(help) + "\nsteps " + call);
-    ImGui::PopID();
-  };
+std::vector<StepsPanel::Offered> StepsPanel::offers(PanelContext& context) {
+  std::vector<Offered> all;
   for (const steps::StepsRow& steps_row : steps::all_steps()) {
     const char* const help = context.text(steps_row.help_en, steps_row.help_ja);
-    dim_text(context, context.text(steps_row.en, steps_row.ja));
+    const auto add = [&](std::string label, std::string call) {
+      all.push_back({std::move(label), std::move(call), help});
+    };
+    add(context.text(steps_row.en, steps_row.ja), "");
+    const std::string begin = std::string(steps_row.id) + " ";
     if (steps_row.plays_script) {
       for (const std::span<const ExerciseScript> scripts : {exercise_scripts(), figure_scripts()})
         for (const ExerciseScript& script : scripts)
-          offer(name_of_exercise(script).in(context.language()),
-                std::string(steps_row.id) + " " + std::string(script.id), help);
-      if (!session.document().history().empty())
-        offer(context.text("The history of this mesh", "このメッシュの履歴"),
-              std::string(steps_row.id) + " " + std::string(history_word), help);
+          add(name_of_exercise(script).in(context.language()), begin + std::string(script.id));
+      if (!context.session.document().history().empty())
+        add(context.text("The history of this mesh", "このメッシュの履歴"), begin + std::string(history_word));
       continue;
     }
     const auto row_number = static_cast<std::size_t>(&steps_row - steps::all_steps().data());
-    for (const std::vector<std::string>& arguments : choices(session)[row_number]) {
+    for (const std::vector<std::string>& arguments : choices(context.session)[row_number]) {
       const std::string call = call_text(steps_row, arguments);
-      offer(call, call, help);
+      add(call, call);
     }
-    if (choices(session)[row_number].empty())
-      dim_text(context, context.text("  not on this mesh", "  このメッシュでは再生できません"));
+    if (choices(context.session)[row_number].empty())
+      add(context.text("  not on this mesh", "  このメッシュでは再生できません"), "");
   }
+  return all;
+}
+
+// In a list of its own height, so that the panels below stay in sight.
+void StepsPanel::draw_choice(PanelContext& context) {
+  const std::vector<Offered> all = offers(context);
+  list_of_rows(
+      "choice", all.size(), 12,
+      [&](std::size_t i) {
+        const Offered& offered = all[i];
+        if (offered.call.empty()) {
+          ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
+          fitted_text(offered.label, ImGui::GetContentRegionAvail().x);
+          ImGui::PopStyleColor();
+          ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 2 * context.scale);  // as far apart as the others
+          return;
+        }
+        if (row(context, offered.label.c_str(), "", false)) context.run("steps " + offered.call);
+        tip(std::string(offered.help) + "\nsteps " + offered.call);
+      },
+      {}, row_pitch(context));
 }
 
 void StepsPanel::draw_ways(PanelContext& context, const Player& player) {

@@ -18,6 +18,13 @@ ImVec2 place_over_panel(ImVec2 first, ImVec2 last, ImVec2 size) {
   return {std::max(0.f, std::min(first.x, all.x - size.x)), goes_above ? std::max(above, 0.f) : below};
 }
 
+// Where the keyboard is at an item, the next ones are those around it: as far away from it as can be.
+ImVec2 place_away(ImVec2 first, ImVec2 last, ImVec2 size) {
+  const ImVec2 all = ImGui::GetIO().DisplaySize;
+  const bool goes_below = all.y - last.y >= first.y;
+  return {std::max(0.f, std::min(first.x, all.x - size.x)), goes_below ? all.y - size.y : 0};
+}
+
 }  // namespace
 
 void tip(std::string_view text, ImGuiHoveredFlags hovered) {
@@ -26,7 +33,9 @@ void tip(std::string_view text, ImGuiHoveredFlags hovered) {
 
 void tip_shown(std::string_view text) {
   const ImGuiWindow& panel = *ImGui::GetCurrentWindow()->RootWindow;
-  const ImVec2 all = ImGui::GetIO().DisplaySize, first = ImGui::GetItemRectMin(), last = ImGui::GetItemRectMax();
+  const ImVec2 all = ImGui::GetIO().DisplaySize, first = ImGui::GetItemRectMin();
+  ImVec2 last = ImGui::GetItemRectMax();
+  last.y = std::min(last.y, all.y);  // of what is scrolled, a part may lie below the window
   const float em = ImGui::GetFontSize(), gap = em / 2;
   const float before = panel.Pos.x, behind = all.x - panel.Pos.x - panel.Size.x;
   const float room = std::max(before, behind) - 2 * gap - 2 * ImGui::GetStyle().WindowPadding.x;
@@ -36,7 +45,9 @@ void tip_shown(std::string_view text) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     const ImVec2 inside = wrapped_size(text, width), padding = ImGui::GetStyle().WindowPadding;
     ImGui::PopStyleVar();
-    ImGui::SetNextWindowPos(place_over_panel(first, last, {inside.x + 2 * padding.x, inside.y + 2 * padding.y}));
+    const ImVec2 size{inside.x + 2 * padding.x, inside.y + 2 * padding.y};
+    const bool is_of_keyboard = GImGui->NavDisableMouseHover;
+    ImGui::SetNextWindowPos(is_of_keyboard ? place_away(first, last, size) : place_over_panel(first, last, size));
   }
   if (is_beside) {
     const bool goes_right = behind >= before, hangs = first.y < 0.6f * all.y;

@@ -135,6 +135,31 @@ TEST(tooltips, cover_neither_the_row_above_nor_the_one_below_in_any_window) {
   }
 }
 
+// Whoever goes through a window by the keyboard reads the next rows, on both sides.
+TEST(tooltips, of_what_has_the_keyboard_lie_three_rows_away) {
+  Laid laid("cube.obj", {640, 480});
+  ASSERT_TRUE(laid.session.run("panel preferences").done());
+  laid.frames(4);
+  std::size_t told = 0;
+  for (std::size_t i = 0; i + 1 < preference_table().size(); ++i) {
+    laid.gui.key(ImGuiKey_DownArrow, true);
+    laid.frames(1);
+    laid.gui.key(ImGuiKey_DownArrow, false);
+    laid.frames(3);
+    const ImGuiWindow& window = *GImGui->NavWindow;
+    const ImRect item = window.NavRectRel[ImGuiNavLayer_Main];
+    const float row = ImGui::GetFrameHeightWithSpacing(), first = window.Pos.y + item.Min.y - 2.5f * row,
+                last = window.Pos.y + item.Max.y + 2.5f * row;
+    for (const ImGuiWindow* const one : GImGui->Windows) {
+      if (!one->Active || one->Hidden || (one->Flags & ImGuiWindowFlags_Tooltip) == 0) continue;
+      ++told;
+      EXPECT_TRUE(one->Rect().Max.y <= first || one->Rect().Min.y >= last) << i;
+      EXPECT_LE(one->Rect().Max.y, 480) << i;
+    }
+  }
+  EXPECT_GT(told, 5u);
+}
+
 TEST(totals, say_why_a_mesh_has_more_vertices_than_points) {
   Laid laid("three_tri_edge.off", test::tall_window);
   const auto held = [&](const char* text) { return DrawnText(laid.gui).count(text); };

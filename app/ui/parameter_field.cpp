@@ -1,5 +1,7 @@
 #include "app/ui/parameter_field.h"
 
+#include <imgui_internal.h>  // who has the keyboard
+
 #include <algorithm>
 
 #include "app/ui/widgets.h"
@@ -9,22 +11,36 @@
 
 namespace ryosen {
 
-bool draw_parameter_field(PanelContext& context, const ParameterRow& row, std::string& text) {
+namespace {
+
+// Enter, taken from the item with this id, which has the keyboard, before it is drawn.
+bool takes_enter(const std::string& id) {
+  ImGuiContext& imgui = *GImGui;
+  if (imgui.NavActivateId != ImGui::GetID(id.c_str()) || !ImGui::IsKeyPressed(ImGuiKey_Enter, false)) return false;
+  imgui.NavActivateId = imgui.NavActivateDownId = imgui.NavActivatePressedId = 0;
+  return true;
+}
+
+}  // namespace
+
+bool draw_parameter_field(PanelContext& context, const ParameterRow& row, std::string& text, EnterAt enter) {
   const std::string id = "##" + std::string(row.id);
   const char* const of_selection = context.text("Selection", "選択中の要素");
   const bool takes_elements = row.kind == ParameterKind::elements;
   const float button = ImGui::CalcTextSize(of_selection).x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SetNextItemWidth(takes_elements ? -button - ImGui::GetStyle().ItemSpacing.x : -1);
+  const bool is_pressed = row.kind == ParameterKind::flag || row.kind == ParameterKind::choice;
+  const bool runs = is_pressed && enter == EnterAt::runs && takes_enter(id);
   if (row.kind == ParameterKind::flag) {
     bool is_on = text == "on";
     if (ImGui::Checkbox(id.c_str(), &is_on)) text = is_on ? "on" : "off";
-    return false;
+    return runs;
   }
   const auto chosen =
       std::find_if(row.choices.begin(), row.choices.end(), [&](const Choice& c) { return c.id == text; });
   if (row.kind == ParameterKind::choice) {
     const char* const shown = chosen == row.choices.end() ? "" : context.text(chosen->en, chosen->ja);
-    if (!ImGui::BeginCombo(id.c_str(), shown)) return false;
+    if (!ImGui::BeginCombo(id.c_str(), shown)) return runs;
     for (const Choice& choice : row.choices)
       if (ImGui::Selectable(context.text(choice.en, choice.ja), choice.id == text)) text = choice.id;
     ImGui::EndCombo();

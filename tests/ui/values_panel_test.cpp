@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <optional>
+
 #include "core/mesh/copies.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
@@ -162,6 +164,36 @@ TEST_F(ValuesPanel, shows_beforehand_what_is_quick_and_takes_it_back) {
   frames(3);
   EXPECT_EQ(session.mesh().hash(), hash) << "it is given up";
   EXPECT_FALSE(session.document().is_on_trial());
+}
+
+// The space bar opens a list or ticks a box; Enter runs, as in every other field.
+TEST_F(ValuesPanel, runs_by_enter_in_a_list) {
+  ASSERT_TRUE(session.run("values subdivide").done());
+  frames(4);
+  press(ImGuiKey_Space);
+  EXPECT_GT(test::DrawnText(gui).count("Catmull"), 0u) << "its list is open";
+  press(ImGuiKey_Escape);
+  frames(2);
+  ASSERT_EQ(session.open_panel, "values");
+  press(ImGuiKey_Enter);
+  frames(3);
+  EXPECT_EQ(session.document().position(), 1u);
+  EXPECT_EQ(session.open_panel, "");
+}
+
+// Its fields are where they were when another algorithm was asked for.
+TEST_F(ValuesPanel, begins_at_the_same_place_for_all_algorithms) {
+  std::optional<glm::dvec2> first;
+  for (const char* const id : {"subdivide", "simplify", "smooth"}) {
+    ASSERT_TRUE(session.run(std::string("values ") + id).done());
+    frames(4);
+    const glm::dvec2 at = test::DrawnText(gui).last_place("Values");
+    ASSERT_GT(at.x, 0);
+    if (!first) first = at;
+    EXPECT_EQ(at, *first) << id;
+    ASSERT_TRUE(session.run("panel none").done());
+    frames(3);
+  }
 }
 
 TEST_F(ValuesPanel, runs_what_it_has_shown) {

@@ -68,7 +68,7 @@ bool ValuesPanel::draw_fields(PanelContext& context, const AlgorithmRow& row, bo
       tip(context.text(parameter.help_en, parameter.help_ja));
       ImGui::TableNextColumn();
       if (i == 0 && begins) ImGui::SetKeyboardFocusHere();
-      entered = draw_parameter_field(context, parameter, texts_[i]) || entered;
+      entered = draw_parameter_field(context, parameter, texts_[i], EnterAt::runs) || entered;
       tip(context.text(parameter.help_en, parameter.help_ja));
       if (const std::string hint = hint_of(context, parameter); !hint.empty()) dim_text(context, hint.c_str());
     }

@@ -35,6 +35,11 @@ enum class Effect {
 // not become the document's.
 enum class FileAccess { none, reads, writes, writes_part };
 
+// A call of a command that has a name of its own, as a menu shows it.
+struct NamedCall {
+  std::string_view line, en, ja;
+};
+
 struct CommandRow {
   std::string_view id;
   std::string syntax;
@@ -59,6 +64,7 @@ struct CommandRow {
   // The line that it sends, where it stands for another one; empty where there is none.
   std::string (*sends)(Words arguments) = nullptr;
   std::string (*ids)() = nullptr;  // what ID in the syntax stands for, where the help names it
+  std::vector<NamedCall> named = {};
 };
 
 // All commands: operators, those of the editor, and algorithms.

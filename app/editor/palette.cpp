@@ -46,6 +46,21 @@ std::optional<int> distance(const PaletteEntry& entry, std::string_view typed) {
   return line.starts_with(asked) ? 1 : worst;
 }
 
+// The first clause of a sentence, as a title.
+std::string title_of(std::string_view help, std::string_view ends) {
+  std::string title(help.substr(0, help.find_first_of(ends)));
+  while (title.ends_with(' ')) title.pop_back();
+  if (!title.empty() && title[0] >= 'a' && title[0] <= 'z') title[0] = static_cast<char>(title[0] - 'a' + 'A');
+  return title;
+}
+
+// In the words of its help where no other table names it.
+Text title_of(const CommandRow& row) {
+  std::size_t end = row.help_ja.size();
+  for (const std::string_view mark : {"（", "：", "。"}) end = std::min(end, row.help_ja.find(mark));
+  return {title_of(row.help_en, ";:("), std::string(row.help_ja.substr(0, end))};
+}
+
 // A command whose id has been typed, with a blank behind it.
 std::optional<PaletteEntry> begun(std::string_view typed) {
   const std::size_t end = typed.find(' ');
@@ -82,8 +97,8 @@ std::vector<PaletteEntry> palette_entries() {
          ""});
   for (const KeyRow& row : key_table()) add({row.command, name_in(row.help_en, row.help_ja), {}, ""});
   for (const CommandRow& row : command_table()) {
-    const std::string id(row.id);
-    add({id, {id, id}, name_in(row.help_en, row.help_ja), row.syntax});
+    for (const NamedCall& call : row.named) add({std::string(call.line), name_in(call.en, call.ja), {}, ""});
+    add({std::string(row.id), title_of(row), name_in(row.help_en, row.help_ja), row.syntax});
   }
   return entries;
 }

@@ -11,12 +11,12 @@ namespace ryosen {
 
 struct PaletteEntry {
   std::string line;  // what it says, without arguments that are not known yet
-  Text name;         // as menus have it; where they have none, the id
+  Text name;         // as menus have it; where they have none, what it does in a few words
   Text help;         // may be empty
   std::string syntax;
 };
 
-// One for each line that the tables of commands, operators, algorithms, switches, views, selectors, panels, colour maps
+// One for each line that the tables of commands and what they name, operators, algorithms, switches, views, selectors, panels, colour maps
 // and keys have.
 std::vector<PaletteEntry> palette_entries();
 

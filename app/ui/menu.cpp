@@ -47,7 +47,9 @@ void draw_file_menu(PanelContext& context) {
   item(context, context.text("New", "新規"), "new");
   panel_items(context, PanelMenu::file_read, "...");
   draw_recent_menu(context);
-  if (context.session.has_beside()) item(context, context.text("Stop comparing", "比較を終える"), "compare off");
+  const auto compare = find_command_row("compare");
+  if (context.session.has_beside() && compare)
+    for (const NamedCall& call : compare->named) item(context, context.text(call.en, call.ja), std::string(call.line));
   ImGui::Separator();
   item(context, UiText::save, "save", !context.session.document().path().empty());
   panel_items(context, PanelMenu::file_write, "...");

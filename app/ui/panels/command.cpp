@@ -42,6 +42,15 @@ class CommandPanel : public Panel {
   bool goes_to_end_ = false;
 };
 
+// What a help says beyond its beginning, which is the name.
+std::string beyond_name(const std::string& help, const std::string& name) {
+  if (name.empty() || help.size() < name.size() || help.substr(1, name.size() - 1) != name.substr(1)) return help;
+  std::string_view rest = std::string_view(help).substr(name.size());
+  for (const std::string_view mark : {";", ":", "：", "。"})
+    if (rest.starts_with(mark)) rest.remove_prefix(mark.size());
+  return std::string(without_blanks(rest));
+}
+
 int CommandPanel::edit(ImGuiInputTextCallbackData* data) {
   static_cast<CommandPanel*>(data->UserData)->follow_keys(*data);
   return 0;
@@ -106,8 +115,9 @@ void CommandPanel::draw_found(PanelContext& context) {
     const PaletteEntry& entry = found_[i];
     const bool is_chosen = chosen_ == static_cast<int>(i);
     const std::string& name = entry.name.in(context.language());
-    const std::string shown = name == entry.line ? entry.line + " " + entry.syntax : name;
-    const std::string right = name == entry.line ? chord_of(context.session, entry.line) : entry.line;
+    const std::string usage = entry.syntax.empty() ? entry.line : entry.line + " " + entry.syntax;
+    const std::string shown = name == entry.line ? usage : name;
+    const std::string right = name == entry.line ? chord_of(context.session, entry.line) : usage;
     const float top = ImGui::GetCursorPosY();
     ImGui::PushID(entry.line.c_str());
     if (row(context, shown.c_str(), right.c_str(), enters == i)) taken = i;
@@ -115,15 +125,16 @@ void CommandPanel::draw_found(PanelContext& context) {
     if (is_chosen) ImGui::SetScrollHereY();
     const std::string& help = entry.help.in(context.language());
     if (found_.size() == 1) {
-      if (!entry.syntax.empty()) dim_text(context, (entry.line + " " + entry.syntax).c_str());
+      if (!entry.syntax.empty()) dim_text(context, usage.c_str());
       if (!help.empty()) dim_text(context, help.c_str());
       break;
     }
     ImGui::SetCursorPosY(top + pitch);
-    if (help.empty()) continue;
+    const std::string more = beyond_name(help, name);
+    if (more.empty()) continue;
     ImGui::Indent(indent);
     ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
-    fitted_text(help, ImGui::GetContentRegionAvail().x);
+    fitted_text(more, ImGui::GetContentRegionAvail().x);
     ImGui::PopStyleColor();
     ImGui::Unindent(indent);
     ImGui::SetCursorPosY(top + 2 * pitch);

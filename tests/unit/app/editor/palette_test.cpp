@@ -49,6 +49,8 @@ TEST(palette, finds_by_any_word_in_either_language_best_first) {
   EXPECT_EQ(first_for("履歴"), "panel history");
   EXPECT_EQ(first_for("mean curvature"), "colours mean_curvature");
   EXPECT_EQ(first_for("平均曲率"), "colours mean_curvature");
+  EXPECT_EQ(first_for("stop comparing"), "compare off");
+  EXPECT_EQ(first_for("比較を終える"), "compare off");
   EXPECT_TRUE(find_in_palette("no such thing").empty());
   EXPECT_EQ(find_in_palette("").size(), palette_entries().size());
   for (const PaletteEntry& entry : find_in_palette("boundary")) {
@@ -56,6 +58,18 @@ TEST(palette, finds_by_any_word_in_either_language_best_first) {
     std::transform(all.begin(), all.end(), all.begin(), [](unsigned char c) { return std::tolower(c); });
     EXPECT_NE(all.find("boundary"), all.npos) << entry.line;
   }
+}
+
+// Whoever looks for something does not know what it is called in scripts.
+TEST(palette, every_entry_is_named_in_words) {
+  for (const PaletteEntry& entry : palette_entries()) {
+    EXPECT_NE(entry.name.ja, entry.line);
+    EXPECT_EQ(entry.name.en.find_first_of("|["), std::string::npos) << entry.name.en;
+    EXPECT_TRUE(entry.name.en != entry.line || entry.line.find_first_of("0123456789_") == std::string::npos)
+        << entry.line;
+  }
+  EXPECT_EQ(entry_of("compare").name.en, "Shows the mesh of a file beside the open one, by the same camera");
+  EXPECT_EQ(entry_of("compare").name.ja, "ファイルのメッシュを同じ視点で隣に並べる");
 }
 
 TEST(palette, shows_the_syntax_of_what_is_begun) {

@@ -22,6 +22,7 @@ struct Line {
   float hidden = faintly;
   bool arrow = false;      // with an arrow head at b
   bool thins_out = false;  // a third as wide as it is long on the screen, down to a pixel: of many that lie dense
+  bool is_rim = false;     // a pixel larger on all sides, the head too: what is drawn below such a line as its border
   friend bool operator==(const Line&, const Line&) = default;
 };
 

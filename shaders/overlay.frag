@@ -10,7 +10,7 @@ uniform vec4 outline_colour;  // around points
 layout(location = 0) out vec4 result;
 
 const int kind_ghost = 0, kind_line = 1, kind_arrow = 2, kind_point = 3;
-const int dashed = 1, dash_dot = 2, dotted = 3;
+const int dashed = 1, dash_dot = 2, dotted = 3, style_bits = 3, rim_flag = 8;
 const int ring = 1, cross_shape = 2, diamond = 3, square = 4;
 
 // Share of a pixel covered by a shape whose edge is this far away; negative inside.
@@ -22,7 +22,9 @@ float to_stroke(float s, float middle, float on, float period) {
   return abs(t - period * floor(t / period + 0.5)) - 0.5 * on;
 }
 
-float line(int style, bool arrow) {
+float line(int code, bool arrow) {
+  int style = code & style_bits;
+  float rim = (code & rim_flag) != 0 ? pixel_scale : 0.0;  // so much larger
   vec2 p = picture_pixel(), a = places.xy, b = places.zw;
   float extent = length(b - a), half_width = measures.x;
   vec2 along = extent > 1e-4 ? (b - a) / extent : vec2(1.0, 0.0);
@@ -33,10 +35,10 @@ float line(int style, bool arrow) {
     float length_px = min(7.0 * half_width + 5.0 * pixel_scale, 0.7 * extent);
     float to_tip = extent - s;
     const vec2 slope = vec2(0.9138, 0.4061);  // of the head's sides, 24 degrees
-    head = coverage(max(across * slope.x - to_tip * slope.y, to_tip - length_px));
+    head = coverage(max(across * slope.x - to_tip * slope.y, to_tip - length_px) - rim);
     shaft_end = extent - 0.8 * length_px;
   }
-  float shaft = coverage(length(vec2(max(max(-s, s - shaft_end), 0.0), across)) - half_width);
+  float shaft = coverage(length(vec2(max(max(-s, s - shaft_end), 0.0), across)) - half_width - rim);
   float width = 2.0 * half_width;
   float period = width * (style == dotted ? 2.0 : style == dash_dot ? 6.0 : 3.4);
   // Long lines carry the pattern centred; short ones, which are links of chains, take it from their place on the

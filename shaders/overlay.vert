@@ -18,7 +18,7 @@ flat out vec4 places;    // of the two ends in rendered pixels
 flat out vec3 measures;  // half the width or the radius in rendered pixels, kind, style
 
 const int kind_ghost = 0, kind_line = 1, kind_arrow = 2, kind_point = 3;
-const int last_style = 3;  // of lines
+const int style_bits = 3, thin_flag = 4, rim_flag = 8;  // of lines
 const vec4 nowhere = vec4(2.0, 2.0, 2.0, 1.0);
 
 vec3 view_place(vec3 place) { return (view_from_buffer * vec4(place, 1.0)).xyz; }
@@ -66,14 +66,16 @@ vec4 line(vec3 from, vec3 to, float width, int kind, int corner) {
   }
   if (perspective > 0.5) kept /= vec2(-a.z, -b.z);  // what is linear on the screen, as places are there
   float half_width = 0.5 * width * pixel_scale;
+  int code = int(measures.z);
   float reach = (kind == kind_arrow ? 4.0 * half_width + 3.0 * pixel_scale : half_width) + 1.0;
   // The head of an arrow reaches far to both sides at one depth: on a steep face the surface would hide half of it.
+  if ((code & rim_flag) != 0) reach += pixel_scale;
   float lift = 2.0 + 0.5 * width + (kind == kind_arrow ? reach / pixel_scale : 0.0);
   vec3 pa = on_screen(lifted(a, lift)), pb = on_screen(lifted(b, lift));
   vec2 along = pb.xy - pa.xy;
   float length_px = max(length(along), 1e-4);
-  if (measures.z > float(last_style)) {  // it thins out
-    measures.z -= float(last_style + 1);
+  measures.z = float(code & (style_bits | rim_flag));
+  if ((code & thin_flag) != 0) {
     measures.x = min(half_width, max(0.17 * length_px, 0.5 * pixel_scale));
     reach -= half_width - measures.x;
   }

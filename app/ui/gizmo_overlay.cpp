@@ -31,7 +31,7 @@ class HandlePainter {
   void draw(std::span<const GizmoStroke> strokes, Rgba colour, float width_px) {
     const Rgba rim = palette(theme_).outline;
     for (const GizmoStroke& s : strokes)
-      overlay_.lines.push_back({s.a, s.b, rim, LineStyle::solid, width_px + 2, 0, s.arrow});
+      overlay_.lines.push_back({s.a, s.b, rim, LineStyle::solid, width_px, 0, s.arrow, false, true});
     for (const GizmoStroke& s : strokes)
       overlay_.lines.push_back({s.a, s.b, colour, LineStyle::solid, width_px, behind_surface, s.arrow});
   }

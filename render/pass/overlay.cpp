@@ -26,10 +26,14 @@ constexpr std::size_t group_size = 128;
 float packed(Kind kind, int style) { return static_cast<float>(kind + 4 * style); }
 Kind kind_of(const OverlayElement& element) { return static_cast<Kind>(static_cast<int>(element.texels[2].w) & 3); }
 
-bool thins_out(const OverlayElement& element) {
-  const int style = static_cast<int>(element.texels[2].w) / 4;
-  return kind_of(element) != point_kind && style >= static_cast<int>(enum_count<LineStyle>);
+// Above the styles of a line, as overlay.vert reads them.
+constexpr int thin_flag = 4, rim_flag = 8;
+static_assert(enum_count<LineStyle> <= thin_flag);
+
+bool has_flag(const OverlayElement& element, int flag) {
+  return kind_of(element) != point_kind && ((static_cast<int>(element.texels[2].w) / 4) & flag) != 0;
 }
+bool thins_out(const OverlayElement& element) { return has_flag(element, thin_flag); }
 
 bool has_finite_places(const OverlayElement& element) {
   for (int i = 0; i < 3; ++i)
@@ -55,7 +59,7 @@ float OverlayElement::length() const {
 }
 
 float OverlayElement::reach_px() const {
-  const float size = texels[0].w;
+  const float size = texels[0].w + (has_flag(*this, rim_flag) ? 2.f : 0.f);
   switch (kind_of(*this)) {
     case ghost_kind:
       return 1;
@@ -82,7 +86,7 @@ OverlayBuffer::Elements OverlayBuffer::converted(const Overlay& overlay, const B
   }
   for (const Line& l : overlay.lines) {
     const glm::vec3 a = space.from_mesh(l.a);
-    const int style = static_cast<int>(l.style) + (l.thins_out ? static_cast<int>(enum_count<LineStyle>) : 0);
+    const int style = static_cast<int>(l.style) + (l.thins_out ? thin_flag : 0) + (l.is_rim ? rim_flag : 0);
     const float kind = packed(l.arrow ? arrow_kind : line_kind, style);
     add(1, {{{a, l.width_px}, {space.from_mesh(l.b), l.hidden}, {a, kind}, unit(l.colour)}});
   }
@@ -241,8 +245,8 @@ const PixelRect& OverlayBuffer::place(const Group& group, std::uint32_t element,
       std::array<glm::vec3, 3> corners;
       std::size_t n = 0;
       for (const glm::vec4& corner : elements_[i].corners()) corners[n++] = glm::vec3(corner);
-      places_[i] = screen_bounds(std::span(corners).first(n), clip_from_buffer, size,
-                                 display_scale_ * elements_[i].reach_px());
+      places_[i] =
+          screen_bounds(std::span(corners).first(n), clip_from_buffer, size, display_scale_ * elements_[i].reach_px());
     }
   group.has_placed_elements = true;
   return places_[element];

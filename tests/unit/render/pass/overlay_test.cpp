@@ -121,6 +121,39 @@ TEST(overlay, lines_thin_out_where_they_are_short) {
   EXPECT_LT(2 * thin, coloured(*view, 0.08, false)) << "one of 8 pixels is not";
 }
 
+// The border of an arrow is as wide before its tip and beside its head as beside its shaft: nothing looks like a second one.
+TEST(overlay, the_rim_of_an_arrow_lies_all_round_it) {
+  const auto view = front_view(square_scene(1), view_size, 2.4);
+  Overlay overlay;
+  overlay.lines.push_back({{-0.5, 0, 0}, {0.5, 0, 0}, rgb(0x00FF00), LineStyle::solid, 4, 0, true, false, true});
+  overlay.lines.push_back({{-0.5, 0, 0}, {0.5, 0, 0}, rgb(0xFF00FF), LineStyle::solid, 4, 0, true});
+  view->set_overlay(Layer::highlights, overlay);
+  view->draw();
+  const Image picture = view->read_pixels();
+  const auto at = [&](int x, int y) { return picture.pixels[static_cast<std::size_t>(y * view_size.width + x)]; };
+  const auto is_arrow = [&](int x, int y) { return at(x, y)[0] > 128 && at(x, y)[1] < 128; };
+  const auto is_rim = [&](int x, int y) { return at(x, y)[0] < 128 && at(x, y)[1] > 150 && at(x, y)[2] < 128; };
+  int columns = 0, most = 0, lopsided = 0;
+  for (int x = 0; x < view_size.width; ++x) {
+    int above = 0, below = 0, within = 0;
+    for (int y = 0; y < view_size.height; ++y) {
+      within += is_arrow(x, y);
+      (y < view_size.height / 2 ? above : below) += is_rim(x, y);
+    }
+    if (within == 0) continue;
+    ++columns;
+    most = std::max({most, above, below});
+    lopsided += std::abs(above - below) > 1;
+  }
+  EXPECT_GT(columns, 80);
+  EXPECT_LE(most, 5) << "behind the head it is cut across";
+  EXPECT_EQ(lopsided, 0);
+  int before_tip = 0;
+  for (int x = view_size.width / 2; x < view_size.width; ++x) before_tip += is_rim(x, view_size.height / 2);
+  EXPECT_GE(before_tip, 1) << "before the tip";
+  EXPECT_LE(before_tip, 4);
+}
+
 TEST(overlay, of_many_lines_that_thin_out_a_part_is_drawn_while_the_surface_is_thinned) {
   const auto view = front_view(square_scene(1), view_size, 2.4);
   Overlay overlay;

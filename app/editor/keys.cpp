@@ -56,6 +56,7 @@ const KeyRow first_keys[] = {
     {"Ctrl+Z", "undo", "undo", "元に戻す", false, true},
     {"Ctrl+Shift+Z", "redo", "redo", "やり直す", false, true},
     {"Ctrl+Y", "redo", "redo", "やり直す", false, true},
+    {"Ctrl+N", "new", "begin with an empty mesh", "空のメッシュから始める"},
     {"Ctrl+O", "panel open", "open a file", "ファイルを開く"},
     {"Ctrl+S", "save", "save", "保存"},
     {"Ctrl+Shift+S", "panel save", "save under another name", "名前を付けて保存"},

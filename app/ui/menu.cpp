@@ -25,14 +25,14 @@ void item(PanelContext& context, UiText name, const std::string& line, bool enab
   item(context, context.text(name), line, enabled, ticked);
 }
 
-// The panels of a menu: opens one over the view, ticks those of the columns that are shown.
-void panel_items(PanelContext& context, PanelMenu menu, const char* behind = "") {
+// The panels of a menu: what opens one over the view ends in dots, those of the columns are ticked where they are shown.
+void panel_items(PanelContext& context, PanelMenu menu) {
   for (const PanelRow& row : panel_list()) {
     if (row.menu != menu) continue;
-    const std::string name = std::string(context.title(row)) + behind, line = "panel " + std::string(row.id);
-    const bool is_ticked = row.place != PanelPlace::over && context.session.is_shown(row);
-    const char* const switched = row.place == PanelPlace::over ? "" : is_ticked ? " off" : " on";
-    item(context, name.c_str(), line + switched, true, is_ticked);
+    const bool is_over = row.place == PanelPlace::over, is_ticked = !is_over && context.session.is_shown(row);
+    const std::string name = std::string(context.title(row)) + (is_over ? "..." : "");
+    const char* const switched = is_over ? "" : is_ticked ? " off" : " on";
+    item(context, name.c_str(), "panel " + std::string(row.id) + switched, true, is_ticked);
   }
 }
 
@@ -45,21 +45,24 @@ void draw_recent_menu(PanelContext& context) {
 void draw_file_menu(PanelContext& context) {
   item(context, context.text("Start page", "開始画面"), "start");
   item(context, context.text("New", "新規"), "new");
-  panel_items(context, PanelMenu::file_read, "...");
+  panel_items(context, PanelMenu::file_read);
   draw_recent_menu(context);
   const auto compare = find_command_row("compare");
   if (context.session.has_beside() && compare)
     for (const NamedCall& call : compare->named) item(context, context.text(call.en, call.ja), std::string(call.line));
   ImGui::Separator();
   item(context, UiText::save, "save", !context.session.document().path().empty());
-  panel_items(context, PanelMenu::file_write, "...");
+  panel_items(context, PanelMenu::file_write);
   ImGui::Separator();
   item(context, UiText::quit, "quit");
 }
 
 void algorithm_item(PanelContext& context, const AlgorithmRow& row) {
-  item(context, context.text(row.name_en, row.name_ja),
-       row.parameters.empty() ? line_of(row, ParameterValues()) : "values " + std::string(row.id));
+  const std::string name = context.text(row.name_en, row.name_ja);
+  if (row.parameters.empty())
+    item(context, name.c_str(), line_of(row, ParameterValues()));
+  else
+    item(context, (name + "...").c_str(), "values " + std::string(row.id));
 }
 
 void draw_edit_menu(PanelContext& context) {

@@ -66,10 +66,10 @@ bool element_links(PanelContext& context, const std::vector<Element>& elements) 
   return true;
 }
 
-bool marked_row(PanelContext& context, bool is_active, float height_px) {
+bool marked_row(PanelContext& context, bool is_active, float height_px, ImGuiSelectableFlags flags) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_FrameBgActive));
-  const bool clicked = ImGui::Selectable("##row", is_active, 0, {ImGui::GetContentRegionAvail().x, height_px});
+  const bool clicked = ImGui::Selectable("##row", is_active, flags, {ImGui::GetContentRegionAvail().x, height_px});
   ImGui::PopStyleColor();
   if (is_active)
     ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y}, {at.x + 3 * context.scale, at.y + height_px},

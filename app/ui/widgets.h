@@ -28,8 +28,8 @@ bool element_links(PanelContext& context, const std::vector<Element>& elements);
 // clicked.
 bool row(PanelContext& context, const char* label, const char* right, bool is_active, float free_px = 0);
 // What lies below the texts of such a row, so high: marked, or lit where the pointer is; true when clicked.
-bool marked_row(PanelContext& context, bool is_active, float height_px);
-// A row with a text that is wrapped at a width, and how many lines that takes.
+bool marked_row(PanelContext& context, bool is_active, float height_px, ImGuiSelectableFlags flags = 0);
+// A row with a text that is wrapped at a width, a dot before its first line, and how many lines that takes.
 bool wrapped_row(PanelContext& context, std::string_view text, bool is_active, float width_px);
 float lines_of_wrapped_row(PanelContext& context, std::string_view text, float width_px);
 // From the top of one such row to that of the next.

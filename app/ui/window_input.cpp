@@ -45,6 +45,11 @@ int panel_key_of(std::string_view chord) {
   return -1;
 }
 
+// F1 to F12, which no entry of a menu takes.
+bool is_function_key(std::string_view chord) {
+  return chord.size() > 1 && chord[0] == 'F' && chord[1] >= '1' && chord[1] <= '9';
+}
+
 }  // namespace
 
 void WindowInput::press(MouseButton button, const Pointer& at) {
@@ -112,8 +117,9 @@ Outcome WindowInput::act_on(const std::string& chord, bool is_again, const Input
   const auto row = find_key(chord, preset, session_.bindings);
   if (gui_.has_menu(session_)) {
     const bool opens_menus = row && row->command == find_key(lone_key, preset)->command;
-    if (chord == "Escape" || opens_menus) gui_.close_menus();
-    return {};
+    const bool is_done_behind = row && !opens_menus && is_function_key(chord);
+    if (chord == "Escape" || opens_menus || is_done_behind) gui_.close_menus();
+    return is_done_behind ? gui_.run(session_, row->command) : Outcome();
   }
   if (session_.gesture() && !gui_.owns_keys()) return gui_.keep(session_, *session_.gesture_key(chord));
   if (gui_.has_start(session_) && !gui_.owns_keys() && StartPage::takes(chord)) return {};

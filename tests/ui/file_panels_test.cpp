@@ -97,6 +97,22 @@ TEST_F(FilePanels, the_second_press_of_a_double_click_on_a_folder_is_none_on_wha
   EXPECT_EQ(session.document().path(), folder_.at("inner/torus.off")) << "a double click on a file opens it";
 }
 
+TEST_F(FilePanels, a_name_is_none_of_the_next_folder_unless_it_is_written_there) {
+  folder_.write("inner/torus.off", test::read_file(test::asset("torus.off")));
+  const glm::dvec2 nowhere = DrawnText(gui).place("notdrawnanywhere");
+  for (const std::string panel : {"open", "save"}) {
+    show(panel);
+    const std::size_t title = DrawnText(gui).count("cube.obj");
+    click(DrawnText(gui).place("inner/"));
+    frames(3);
+    ASSERT_NE(DrawnText(gui).place("torus.off"), nowhere) << "the folder was entered";
+    // Of the field and the row of the list, the field is left where it is for a file to be written.
+    EXPECT_EQ(DrawnText(gui).count("cube.obj"), title - (panel == "open" ? 2 : 1)) << panel;
+    ASSERT_TRUE(gui.run(session, "panel none").done());
+    frames(3);
+  }
+}
+
 TEST_F(FilePanels, above_a_folder_that_was_typed_with_its_slash_lies_what_it_is_in) {
   folder_.write("inner/torus.off", test::read_file(test::asset("torus.off")));
   show("open");

@@ -42,6 +42,7 @@ class FileBrowser : public Panel {
   fs::path chosen() const { return folder_ / without_tilde(name_); }
   void begin(const Document& document);
   void enter(const fs::path& folder);
+  void go_to(const fs::path& folder);
   bool is_listed(const fs::path& file) const;
   bool draw_entries(PanelContext& context);
   bool draw_name(PanelContext& context);
@@ -92,6 +93,12 @@ void FileBrowser::enter(const fs::path& folder) {
   entries_ = entries_of_folder(folder_, [&](const fs::path& file) { return is_listed(file); });
 }
 
+// What is read is chosen in each folder anew; what is written keeps the name that it was given.
+void FileBrowser::go_to(const fs::path& folder) {
+  if (!use_.writes) name_.clear();
+  enter(folder);
+}
+
 // A click takes the name or enters the folder, a double click takes the file itself. True when a file was double clicked.
 bool FileBrowser::draw_entries(PanelContext& context) {
   bool is_chosen = false;
@@ -100,9 +107,15 @@ bool FileBrowser::draw_entries(PanelContext& context) {
   const bool was_entered = pressed_s_ > entered_s_ + ImGui::GetIO().MouseDoubleClickTime;
   for (const FolderEntry& entry : entries_) {
     const std::string label = entry.name + (entry.is_folder ? "/" : "");
-    if (entry.is_folder) ImGui::PushStyleColor(ImGuiCol_Text, context.colours().accent);
     const bool is_named = label == name_ || entry.name == name_;
-    const bool is_pressed = ImGui::Selectable(label.c_str(), is_named, ImGuiSelectableFlags_AllowDoubleClick);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::PushID(label.c_str());
+    const bool is_pressed =
+        marked_row(context, is_named, ImGui::GetTextLineHeight(), ImGuiSelectableFlags_AllowDoubleClick);
+    ImGui::PopID();
+    const ImU32 colour =
+        entry.is_folder ? ImGui::GetColorU32(context.colours().accent) : ImGui::GetColorU32(ImGuiCol_Text);
+    ImGui::GetWindowDrawList()->AddText({at.x + 8 * context.scale, at.y}, colour, label.c_str());
     if (is_named && std::exchange(shows_chosen_, false)) ImGui::SetScrollHereY();
     if (is_pressed && was_entered) {
       if (entry.is_folder) {
@@ -112,10 +125,9 @@ bool FileBrowser::draw_entries(PanelContext& context) {
         is_chosen = ImGui::IsMouseDoubleClicked(0);
       }
     }
-    if (entry.is_folder) ImGui::PopStyleColor();
   }
   if (!next.empty()) {
-    enter(next);
+    go_to(next);
     entered_s_ = ImGui::GetTime();
   }
   return is_chosen;
@@ -211,7 +223,7 @@ void FileBrowser::accept(PanelContext& context) {
 void FileBrowser::draw(PanelContext& context) {
   if (ImGui::IsWindowAppearing()) begin(context.session.document());
   if (ImGui::Button(context.text(UiText::folder_up))) {
-    enter(folder_.parent_path());
+    go_to(folder_.parent_path());
     takes_keys_ = true;
   }
   ImGui::SameLine();

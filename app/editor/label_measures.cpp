@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 
 #include "app/editor/labels.h"
@@ -54,11 +55,15 @@ void add_map_legend(Session& session, std::vector<Label>& labels) {
                       .least_width_px = ground ? width_px : 0,
                       .ground = ground});
   };
+  std::array<double, steps> values;
+  for (int i = 0; i < steps; ++i) values[i] = std::lerp(range.low, range.high, double(i) / (steps - 1));
+  const std::vector<std::string> numbers = numbers_alike(values);
   for (int i = 0; i < steps; ++i) {
-    const double value = std::lerp(range.low, range.high, double(i) / (steps - 1));
+    const double value = values[i];
     const bool is_more = i == 0 ? extent.low < range.low : i == steps - 1 && extent.high > range.high;
     const std::string sign = is_more ? (i == 0 ? "< " : "> ") : "";
-    add(i, sign + short_value(value, map->unit), colour_at(map->scale, place_on_scale(*map, range, value)));
+    add(i, sign + numbers[i] + std::string(sign_of(map->unit)),
+        colour_at(map->scale, place_on_scale(*map, range, value)));
   }
   add(steps, std::string(session.language == Language::japanese ? map->name_ja : map->name_en), std::nullopt);
 }

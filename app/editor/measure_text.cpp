@@ -1,6 +1,7 @@
 #include "app/editor/measure_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "core/mesh/find_element.h"
@@ -11,6 +12,36 @@ std::string value_text(double value, MapUnit unit) {
   char digits[40];
   std::snprintf(digits, sizeof digits, "%.9g", value);
   return digits + std::string(sign_of(unit));
+}
+
+std::vector<std::string> numbers_alike(std::span<const double> values) {
+  std::vector<std::string> texts;
+  char text[400];
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  if (values.empty() || !(*most - *least > 0) || !std::isfinite(*most - *least)) {
+    for (const double value : values) {
+      std::snprintf(text, sizeof text, "%.6g", value);
+      texts.push_back(text);
+    }
+    return texts;
+  }
+  const auto power = [](double value) { return static_cast<int>(std::floor(std::log10(value))); };
+  const int size = power(std::max(std::abs(*least), std::abs(*most)));
+  const bool has_power = size < -3 || size > 6;
+  const double unit = has_power ? std::pow(10.0, size) : 1;
+  int digits = std::clamp(3 - power(*most - *least) + (has_power ? size : 0), 0, 15);
+  for (const double value : values) {
+    std::snprintf(text, sizeof text, "%.*f", digits, value / unit + 0.0);
+    texts.push_back(text);
+  }
+  const auto ends_in_zero = [](const std::string& each) { return each.back() == '0'; };
+  for (; digits > 0 && std::all_of(texts.begin(), texts.end(), ends_in_zero); --digits)
+    for (std::string& each : texts) each.pop_back();
+  for (std::string& each : texts) {
+    if (each.back() == '.') each.pop_back();
+    if (has_power && each != "0") each += "e" + std::to_string(size);
+  }
+  return texts;
 }
 
 Text text_of(const Measurement& found) {

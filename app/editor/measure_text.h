@@ -8,6 +8,8 @@ namespace ryosen {
 
 // Nine significant digits, and the sign of the unit.
 std::string value_text(double value, MapUnit unit);
+// Numbers that stand side by side: in one notation, with as many digits as tell them apart to a thousandth of their range.
+std::vector<std::string> numbers_alike(std::span<const double> values);
 // "distance 1.5, angle 90°"
 Text text_of(const Measurement& found);
 // "Edge length: 1 to 2, mean 1.5, median 1.4, of 12"

@@ -1,8 +1,11 @@
 // What the surface is coloured by: its legend, the histogram as a tool to select with, and what was measured.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include "app/editor/measure_text.h"
+#include "app/editor/words.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
@@ -75,17 +78,18 @@ void ColoursPanel::draw_legend(PanelContext& context) {
     list->AddRectFilled({x, at.y}, {x + 1, at.y + height}, colour_of(*map, range, value));
   }
   ImGui::Dummy({width, height});
-  const auto words = [&](double value, const char* sign = "") {
-    return sign + short_number(value) + std::string(sign_of(map->unit));
+  const std::vector<std::string> numbers =
+      numbers_alike(std::array{range.low, std::midpoint(range.low, range.high), range.high});
+  const auto words = [&](std::size_t i, const char* sign = "") {
+    return sign + numbers[i] + std::string(sign_of(map->unit));
   };
   const auto room = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
   const auto tick = [&](const std::string& text, float share) {
     list->AddText({at.x + share * (width - room(text)), at.y + height}, ImGui::GetColorU32(ImGuiCol_Text),
                   text.c_str());
   };
-  const std::string low = words(range.low, figures_.lowest < range.low ? "< " : ""),
-                    middle = words(0.5 * range.low + 0.5 * range.high),
-                    high = words(range.high, figures_.highest > range.high ? "> " : "");
+  const std::string low = words(0, figures_.lowest < range.low ? "< " : ""), middle = words(1),
+                    high = words(2, figures_.highest > range.high ? "> " : "");
   tick(low, 0);
   const float gap = 6 * context.scale, beside = (width - room(middle)) / 2 - gap;
   if (room(low) <= beside && room(high) <= beside) tick(middle, 0.5f);
@@ -109,10 +113,9 @@ void ColoursPanel::follow_drag(PanelContext& context, float left, float width) {
   const std::size_t first = std::min(bar, grabbed_.value_or(bar)), last = std::max(bar, grabbed_.value_or(bar));
   std::uint64_t count = 0;
   for (std::size_t i = first; i <= last; ++i) count += bars_[i];
-  const std::string low = value_text(edge_of(first), MapUnit::none),
-                    high = value_text(edge_of(last + 1), MapUnit::none);
+  const std::vector<std::string> ends = numbers_alike(std::array{edge_of(first), edge_of(last + 1)});
   if (is_hovered)
-    ImGui::SetTooltip("%s .. %s%s: %s", low.c_str(), high.c_str(), std::string(sign_of(map->unit)).c_str(),
+    ImGui::SetTooltip("%s .. %s%s: %s", ends[0].c_str(), ends[1].c_str(), std::string(sign_of(map->unit)).c_str(),
                       grouped(static_cast<std::int64_t>(count)).c_str());
   if (!ImGui::IsItemDeactivated() || !grabbed_) return;
   grabbed_.reset();
@@ -184,7 +187,7 @@ void ColoursPanel::draw(PanelContext& context) {
     count_again(session);
     draw_histogram(context);
     draw_legend(context);
-    dim_text(context, text_of(*session.colouring->map, figures_).in(context.language()).c_str());
+    dim_text(context, with_short_numbers(text_of(*session.colouring->map, figures_).in(context.language())).c_str());
     draw_range(context);
   }
   ImGui::BeginDisabled(session.selection.empty());

@@ -144,7 +144,11 @@ void draw_inspector(PanelContext& context) {
   if (session.selection.empty() && !session.hover()) return dim_text(context, context.text(UiText::nothing_picked));
   const Element element = session.selection.empty() ? session.hover()->picked.element : session.selection[0];
   Inspector(context).draw(element);
-  if (session.selection.size() > 1) ImGui::TextDisabled("+%zu", session.selection.size() - 1);
+  if (session.selection.size() < 2) return;
+  const std::string n = grouped(static_cast<std::int64_t>(session.selection.size() - 1));
+  dim_text(context, context.language() == Language::japanese
+                        ? ("他 " + n + " 個。輪は最後に選んだ要素（縫合先）です。").c_str()
+                        : ("+" + n + "; the ring marks the last one, into which others are welded.").c_str());
 }
 
 }  // namespace

@@ -1,0 +1,31 @@
+#include "app/editor/measure_text.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace ryosen {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+TEST(numbers_alike, have_as_many_digits_as_tell_them_apart) {
+  EXPECT_EQ(numbers_alike(std::array{1.28117766, 1.29241401}), (Texts{"1.28118", "1.29241"}));
+  EXPECT_EQ(numbers_alike(std::array{0.0, 90.0, 180.0}), (Texts{"0", "90", "180"}));
+  EXPECT_EQ(numbers_alike(std::array{0.25, 0.5, 1.0}), (Texts{"0.25", "0.50", "1.00"}));
+  EXPECT_EQ(numbers_alike(std::array{-1.5, 0.0, 1.5}), (Texts{"-1.5", "0.0", "1.5"}));
+}
+
+TEST(numbers_alike, have_one_notation) {
+  EXPECT_EQ(numbers_alike(std::array{9.419e-05, 1.2559e-04, 0.000157}), (Texts{"0.9419e-4", "1.2559e-4", "1.5700e-4"}));
+  EXPECT_EQ(numbers_alike(std::array{0.0, 5e-9}), (Texts{"0", "5e-9"}));
+  EXPECT_EQ(numbers_alike(std::array{2e7, 3e7}), (Texts{"2e7", "3e7"}));
+}
+
+TEST(numbers_alike, are_told_whole_where_they_are_one) {
+  EXPECT_EQ(numbers_alike(std::array{0.125, 0.125}), (Texts{"0.125", "0.125"}));
+  EXPECT_TRUE(numbers_alike({}).empty());
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -47,6 +47,25 @@ std::unique_ptr<Panel> panel_of_lines(void (*draw)(PanelContext& context), float
   return std::make_unique<PanelOfFunction>(draw, ImVec2(), lines);
 }
 
+namespace {
+
+// As the window calls it.
+Text name_of_command(const std::string& id) {
+  if (const OpInfo* const op = find_op(id)) return {std::string(op->name_en), std::string(op->name_ja)};
+  if (const AlgorithmRow* const row = find_algorithm(id)) return {std::string(row->name_en), std::string(row->name_ja)};
+  return {id, id};
+}
+
+// Of a refusal that begins with its line, the reasons alone; else nothing.
+Text without_line(const Outcome& outcome, const Mesh& mesh) {
+  Text told;
+  for (const Text& sentence : describe_first(mesh, outcome.reasons))
+    told = told.en.empty() ? sentence : told + Text{" ", ""} + sentence;
+  return outcome.sentence.en.ends_with(told.en) ? told : Text();
+}
+
+}  // namespace
+
 Outcome PanelContext::keep(Outcome outcome) {
   state.unsettle();
   state.last_kind = outcome.kind;
@@ -56,11 +75,12 @@ Outcome PanelContext::keep(Outcome outcome) {
                           outcome.performed + "：" + ryosen::text(UiText::done, Language::japanese)};
   state.last_short = {};
   if (outcome.done() && !outcome.performed.empty() && !outcome.sentence.en.empty()) {
-    const std::string id = outcome.performed.substr(0, outcome.performed.find(' '));
     state.last_outcome = {outcome.performed + ": " + outcome.sentence.en,
                           outcome.performed + "：" + outcome.sentence.ja};
-    state.last_short = {id + ": " + outcome.sentence.en, id + "：" + outcome.sentence.ja};
+    const Text name = name_of_command(outcome.performed.substr(0, outcome.performed.find(' ')));
+    state.last_short = {name.en + ": " + outcome.sentence.en, name.ja + "：" + outcome.sentence.ja};
   }
+  if (outcome.kind == Outcome::Kind::refused) state.last_short = without_line(outcome, session.mesh());
   return outcome;
 }
 

@@ -137,7 +137,12 @@ void draw_notes(PanelContext& context);
 void draw_element_menu(PanelContext& context);
 // What a drag that selects has drawn so far.
 void draw_band(PanelContext& context);
+// How far work has come, or what it is where that is not known.
+struct WorkShown {
+  std::optional<double> share;
+  Text says = {};
+};
 // Over everything while long work goes on; true when it is to be cancelled. The session is not looked at.
-bool draw_progress_window(Language language, float scale, double share);
+bool draw_progress_window(Language language, float scale, const WorkShown& work);
 
 }  // namespace ryosen

@@ -30,17 +30,30 @@ bool is_closing(std::string_view text) {
   return false;
 }
 
-// Between kana and kanji a line may end anywhere: takes as many of them as fit, where ImGui would end at a blank before.
+// No line ends with one of these.
+bool is_opening(std::string_view letter) { return letter == "（" || letter == "「"; }
+
+bool is_kanji(char c) { return static_cast<unsigned char>(c) >= 0xE3; }
+
+// Between kana and kanji a line may end anywhere: takes as many of them as fit, and the Latin words that they follow
+// without a blank, where ImGui would end at a blank before.
 const char* with_kanji(const char* begin, const char* at, const char* end, float width_px) {
   while (at < end) {
     const char* next = std::find_if(at, end, [](char c) { return c != ' '; });
-    if (next == end || static_cast<unsigned char>(*next) < 0xE3) return at;
-    next = behind_letter(next, end);
+    if (next == end) return at;
+    if (is_kanji(*next)) {
+      next = behind_letter(next, end);
+    } else {
+      next = std::find_if(next, end, [](char c) { return c == ' ' || is_kanji(c); });
+      if (next == end || *next == ' ') return at;  // ImGui has seen that it does not fit
+    }
     if (ImGui::CalcTextSize(begin, next).x > width_px) break;
     at = next;
   }
   const char* before = at;
   while (before > begin && is_closing({before, static_cast<std::size_t>(end - before)})) before = at_letter(before);
+  while (before > begin && is_opening({at_letter(before), static_cast<std::size_t>(before - at_letter(before))}))
+    before = at_letter(before);
   return before > begin ? before : at;
 }
 
@@ -89,10 +102,12 @@ ImVec2 wrapped_size(std::string_view text, float width_px) {
 
 bool wrapped_row(PanelContext& context, std::string_view text, bool is_active, float width_px) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float indent = 10 * context.scale, pitch = ImGui::GetTextLineHeightWithSpacing();
+  const float indent = 12 * context.scale, pitch = ImGui::GetTextLineHeightWithSpacing();
   const float height = wrapped_size(text, width_px - indent).y;
   const bool clicked = marked_row(context, is_active, height);
   ImVec2 line{at.x + indent, at.y};
+  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 0.4f * indent, at.y + 0.55f * ImGui::GetFontSize()},
+                                              2 * context.scale, ImGui::GetColorU32(context.colours().dim));
   for_each_line(text, width_px - indent, [&](const char* begin, const char* end) {
     ImGui::GetWindowDrawList()->AddText(line, ImGui::GetColorU32(ImGuiCol_Text), begin, end);
     line.y += pitch;
@@ -101,7 +116,7 @@ bool wrapped_row(PanelContext& context, std::string_view text, bool is_active, f
 }
 
 float lines_of_wrapped_row(PanelContext& context, std::string_view text, float width_px) {
-  const float height = wrapped_size(text, width_px - 10 * context.scale).y + ImGui::GetStyle().ItemSpacing.y;
+  const float height = wrapped_size(text, width_px - 12 * context.scale).y + ImGui::GetStyle().ItemSpacing.y;
   return std::round(height / ImGui::GetTextLineHeightWithSpacing());
 }
 

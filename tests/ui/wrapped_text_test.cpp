@@ -1,0 +1,43 @@
+// Where lines end within a panel.
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <cmath>
+
+#include "app/ui/widgets.h"
+#include "tests/support/app/laid.h"
+
+namespace ryosen {
+namespace {
+
+class WrappedText : public testing::Test, protected test::Laid {
+ protected:
+  WrappedText() : Laid("cube.obj") {
+    EXPECT_TRUE(session.run("language ja").done());
+    frames(3);
+  }
+  static float width(const char* text) { return std::ceil(ImGui::CalcTextSize(text).x); }
+  static long lines(const char* text, float width_px) {
+    return std::lround((wrapped_size(text, width_px).y + ImGui::GetStyle().ItemSpacing.y) /
+                       ImGui::GetTextLineHeightWithSpacing());
+  }
+};
+
+// Latin letters that kanji follow without a blank are no reason to begin a new line.
+TEST_F(WrappedText, fills_lines_of_kanji_with_latin_letters_between_them) {
+  const float room = width("稜線を消すには C（稜線削除）か D（辺細分）を押し");
+  EXPECT_EQ(lines("稜線を消すには C（稜線削除）か D（辺細分）を押し、稜線を指すと結果が見えます", room), 2);
+}
+
+TEST_F(WrappedText, ends_no_line_with_a_bracket_that_opens) {
+  const float room = width("稜線を消す（");
+  EXPECT_EQ(wrapped_size("稜線を消す（削除）", room).x, ImGui::CalcTextSize("稜線を消す").x) << "the bracket goes on";
+}
+
+TEST_F(WrappedText, leaves_latin_words_whole) {
+  EXPECT_EQ(wrapped_size("稜線 collapse 削除", width("稜線 colla")).x, ImGui::CalcTextSize("collapse").x);
+  EXPECT_EQ(lines("one two three", width("one two")), 2);
+}
+
+}  // namespace
+}  // namespace ryosen

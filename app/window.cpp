@@ -13,6 +13,7 @@
 #include "app/editor/user_folders.h"
 #include "app/editor/view_switches.h"
 #include "app/glfw_window.h"
+#include "app/opening.h"
 #include "app/ui/gui.h"
 #include "app/ui/viewport.h"
 #include "app/ui/window_input.h"
@@ -62,6 +63,24 @@ class Editor {
     // Why the folder cannot be read is said to whoever asks for the list.
     if (list_lost_sessions(session_) && !session_.lost.empty())
       session_.show(panel_opened_by(PanelOpener::lost_sessions), true);
+  }
+
+  // Shows an empty view until the file is read. Given up, it goes on without it.
+  Status open(const std::filesystem::path& file) {
+    show_empty();
+    if (log_.is_open()) log_ << "reading " << file.string() << std::endl;
+    opening_.emplace(file);
+    is_cancelled_ = false;
+    const Clock::time_point began = Clock::now();
+    while (!opening_->is_done(std::chrono::milliseconds(30)) && !is_cancelled_)
+      if (Clock::now() - began > patience) show_work({{}, opening_->told()});
+    end_work();
+    if (is_cancelled_) return success();
+    Result<std::unique_ptr<Document>> document = opening_->take();
+    if (!document) return document.failure();
+    session_.set_document(std::move(document).value());
+    session_.frame_all();
+    return success();
   }
 
   void run() {
@@ -199,14 +218,28 @@ class Editor {
       work_began_ = now;
     }
     if (now - work_began_ < patience) return true;
+    show_work({share});
+    if (log_.is_open()) log_ << "progress " << share << std::endl;
+    return !is_cancelled_;
+  }
+
+  void show_work(const WorkShown& work) {
     glfw().poll_events();
     while (const std::optional<WindowEvent> event = window_.take_event()) handle_at_work(*event);
-    if (gui_.progress_frame(session_.language, canvas_->size(), 0.05, share)) cancel_work();
+    if (gui_.progress_frame(session_.language, canvas_->size(), 0.05, work)) cancel_work();
     canvas_->draw_over(gui_.draw_data());
     canvas_->present(0);
     glfw().swap_buffers(window_.handle());
-    if (log_.is_open()) log_ << "progress " << share << std::endl;
-    return !is_cancelled_;
+  }
+
+  void show_empty() {
+    session_.begins_empty = true;
+    catch_up();
+    viewport_->follow(session_);
+    compose();
+    canvas_->present(0);
+    glfw().swap_buffers(window_.handle());
+    session_.begins_empty = false;
   }
 
   void end_work() {
@@ -297,6 +330,7 @@ class Editor {
   WindowInput input_{gui_, session_, {}, [this] { catch_up(); }};
   UserFiles user_files_;
   Autosave autosave_{recovery_folder()};
+  std::optional<Opening> opening_;  // that of the command line; where it was given up it ends with the window
   std::string title_;
   WindowCursor cursor_;
   std::ofstream log_;
@@ -311,20 +345,30 @@ class Editor {
 }  // namespace
 
 Status run_window(const WindowOptions& options) {
+  const bool shows_reading = is_long_to_open(options.file);
   auto document = std::make_unique<Document>();
-  if (!options.file.empty()) {
+  if (!options.file.empty() && !shows_reading) {
     Result<std::unique_ptr<Document>> opened = Document::open(options.file);
     if (!opened) return opened.failure();
     document = std::move(opened).value();
   }
-  if (auto lack = lack_of_memory_for_context()) return std::move(*lack);
+  // What is wrong with the file is said before what is wrong with the display.
+  const auto failing = [&](Failure failure) -> Status {
+    if (shows_reading)
+      if (auto opened = Document::open(options.file); !opened) return opened.failure();
+    return failure;
+  };
+  if (auto lack = lack_of_memory_for_context()) return failing(std::move(*lack));
   Result<std::unique_ptr<GlfwWindow>> window = GlfwWindow::make();
-  if (!window) return window.failure();
+  if (!window) return failing(window.failure());
   Result<std::unique_ptr<Viewport>> viewport = Viewport::make();
-  if (!viewport) return viewport.failure();
+  if (!viewport) return failing(viewport.failure());
   Result<std::unique_ptr<Canvas>> canvas = Canvas::make();
-  if (!canvas) return canvas.failure();
-  Editor(**window, std::move(document), std::move(viewport).value(), std::move(canvas).value(), options).run();
+  if (!canvas) return failing(canvas.failure());
+  Editor editor(**window, std::move(document), std::move(viewport).value(), std::move(canvas).value(), options);
+  if (shows_reading)
+    if (Status opened = editor.open(options.file); !opened) return opened;
+  editor.run();
   return success();
 }
 

@@ -174,9 +174,9 @@ std::optional<double> Gui::seconds_to_step() const {
   return std::max(0.0, *next_step_at_ - ImGui::GetTime());
 }
 
-bool Gui::progress_frame(Language language, Size window, double seconds, double share) {
+bool Gui::progress_frame(Language language, Size window, double seconds, const WorkShown& work) {
   begin_frame(window, seconds);
-  const bool wants_cancel = draw_progress_window(language, size_.scale, share);
+  const bool wants_cancel = draw_progress_window(language, size_.scale, work);
   end_frame();
   return wants_cancel;
 }

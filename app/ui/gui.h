@@ -49,7 +49,7 @@ class Gui {
   void frame(Session& session, Size window, double seconds);
   // Lays out only the progress window of a long operation, without reading the mesh. True if the user cancels. Call it
   // between frames.
-  bool progress_frame(Language language, Size window, double seconds, double share);
+  bool progress_frame(Language language, Size window, double seconds, const WorkShown& work);
   const ImDrawData& draw_data() const;
   ImFontAtlas& fonts() const;
 

@@ -8,7 +8,23 @@
 
 namespace ryosen {
 
-bool draw_progress_window(Language language, float scale, double share) {
+namespace {
+
+// Of work whose end is not known: goes from side to side.
+void draw_going_on() {
+  const ImVec2 at = ImGui::GetCursorScreenPos(), size{ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight() / 3};
+  const double half = std::fmod(ImGui::GetTime() / 1.2, 2.0);
+  const float share = static_cast<float>(half < 1 ? half : 2 - half), block = 0.25f * size.x;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), 2);
+  const float left = at.x + share * (size.x - block);
+  list.AddRectFilled({left, at.y}, {left + block, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_PlotHistogram), 2);
+  ImGui::Dummy(size);
+}
+
+}  // namespace
+
+bool draw_progress_window(Language language, float scale, const WorkShown& work) {
   const auto in = [&](const char* en, const char* ja) { return language == Language::japanese ? ja : en; };
   const ImVec2 all = ImGui::GetIO().DisplaySize, size{360 * scale, 110 * scale};
   ImGui::SetNextWindowPos({std::floor((all.x - size.x) / 2), std::floor((all.y - size.y) / 2)});
@@ -22,7 +38,12 @@ bool draw_progress_window(Language language, float scale, double share) {
                    ImGuiWindowFlags_NoSavedSettings);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
-  ImGui::ProgressBar(static_cast<float>(share), {-1, 0});
+  if (work.share) {
+    ImGui::ProgressBar(static_cast<float>(*work.share), {-1, 0});
+  } else {
+    fitted_text(work.says.in(language), ImGui::GetContentRegionAvail().x);
+    draw_going_on();
+  }
   ImGui::Dummy({0, 6 * scale});
   const bool wants_cancel = ImGui::Button(in("Cancel (Esc)", "中止 (Esc)"), {120 * scale, 0});
   ImGui::End();

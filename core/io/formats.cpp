@@ -4,6 +4,7 @@
 #include <cassert>
 #include <fstream>
 
+#include "core/base/interruption.h"
 #include "core/io/file_target.h"
 #include "core/io/gzip.h"
 #include "core/io/input_file.h"
@@ -135,13 +136,16 @@ Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const Format*
   if (taken_for) *taken_for = nullptr;
   Result<FileBytes> whole = read_whole_file(path);
   if (!whole) return std::move(whole).failure();
+  stop_if_interrupted();
   const bool is_misnamed = has_gzip_name(path) && !whole->view().empty() && !is_gzip(whole->view());
   const Result<FileBytes> bytes = unpacked(std::move(whole).value(), path);
   if (!bytes) return bytes.failure();
   const Result<const Format*> format = recognise(bytes->view(), path);
   if (!format) return format.failure();
   if (taken_for) *taken_for = *format;
+  stop_if_interrupted();
   Result<MeshFile> file = read_mesh(bytes->view(), **format, path);
+  stop_if_interrupted();
   if (!file) return file;
   const Format* const by_name = format_of_extension(path);
   if (by_name && by_name != *format) {

@@ -320,7 +320,7 @@ TEST(progress_window, is_cancelled_by_its_button_alone) {
   Gui gui(1);
   const auto step = [&] {
     gui.prepare(session);
-    return gui.progress_frame(Language::english, test::window, 0.05, 0.4);
+    return gui.progress_frame(Language::english, test::window, 0.05, {0.4});
   };
   for (int i = 0; i < 3; ++i) EXPECT_FALSE(step());
   EXPECT_GT(ImGui::FindWindowByName("###progress")->WindowBorderSize, 0) << "it ends somewhere, whatever lies behind";

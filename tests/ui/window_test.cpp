@@ -53,6 +53,17 @@ TEST_F(WindowTest, hover_click_and_undo) {
   ASSERT_TRUE(wait_for([&] { return last().history == 1; }));
 }
 
+// What takes a while to be read is not waited for behind a black window.
+TEST_F(WindowTest, shows_itself_before_a_large_file_is_read) {
+  open(test::asset("stanford_bunny.obj"));
+  const std::string log = test::read_file(folder_.at("frames"));
+  const std::size_t reading = log.find("reading ");
+  ASSERT_NE(reading, log.npos) << log;
+  EXPECT_LT(reading, log.find("frame 1 "));
+  EXPECT_EQ(last().vertices, 34834);
+  EXPECT_EQ(last().history, 0);
+}
+
 // Where the window shows the middle of an edge that is seen, as a session with the same panels says.
 std::string on_an_edge(const std::string& asset) {
   test::Laid laid(asset, {1280, 800});

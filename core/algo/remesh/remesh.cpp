@@ -7,6 +7,7 @@
 #include "core/algo/remesh/remesher.h"
 #include "core/algo/unit_scale.h"
 #include "core/analysis/self_intersections.h"
+#include "core/base/parallel.h"
 #include "core/base/resource_limits.h"
 
 namespace ryosen::remesh {
@@ -20,10 +21,10 @@ struct ExpectedSize {
 
   double of_length(double length) const { return triangles / (length * length) + edges / length; }
 };
-ExpectedSize expected_size(const Mesh& mesh, const Target& target, double length) {
+ExpectedSize expected_size(const Mesh& mesh, const Sizing& sizing) {
   ExpectedSize size;
   constexpr double of_even = 0.433;  // the area of a triangle whose sides are 1
-  const auto share = [&](Vertex v) { return target.length_at(v) / length; };
+  const auto share = [&](Vertex v) { return sizing.length_at(v) / sizing.longest(); };
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     if (!mesh.is_alive(Face(i))) continue;
     const Halfedge h = mesh.halfedge(Face(i));
@@ -54,11 +55,11 @@ std::string length_text(double length) {
   return text;
 }
 
-std::optional<Text> fault_of_length(const Mesh& mesh, const Target& target, const Options& options, double scale) {
-  const ExpectedSize size = expected_size(mesh, target, options.length);
+std::optional<Text> fault_of_length(const Mesh& mesh, const Sizing& sizing, double scale) {
+  const ExpectedSize size = expected_size(mesh, sizing);
   const auto is_enough = [&](double length) { return fits(size.of_length(length)); };
-  if (is_enough(options.length)) return std::nullopt;
-  double low = options.length, high = 2 * low;
+  if (is_enough(sizing.longest())) return std::nullopt;
+  double low = sizing.longest(), high = 2 * low;
   while (!is_enough(high)) low = high, high *= 2;
   for (int step = 0; step < 20; ++step) {
     const double middle = 0.5 * low + 0.5 * high;
@@ -112,11 +113,31 @@ std::vector<Box> crossings_of(const Mesh& mesh, Progress& progress) {
   return boxes;
 }
 
+// What is known of a surface before it changes.
+class Start {
+ public:
+  Start(const Mesh& triangles, const Sizing& sizing, double feature_angle_rad) {
+    do_beside([&] { target_.emplace(triangles, sizing); },
+              [&] {
+                features_ = find_features(triangles, feature_angle_rad);
+                points_.emplace(triangles, features_, sizing.shortest());
+              });
+  }
+  const Target& target() const { return *target_; }
+  const Features& features() const { return features_; }
+  const CoveredPoints& points() const { return *points_; }
+
+ private:
+  std::optional<Target> target_;
+  Features features_;
+  std::optional<CoveredPoints> points_;
+};
+
 // Remeshing in attempts, each of which watches more closely than the one before.
 class Attempts {
  public:
-  Attempts(const Mesh& triangles, const Options& options, const Target& target)
-      : start_(triangles), options_(options), target_(target), watched_(options.length), known_(options.length) {}
+  Attempts(const Mesh& triangles, const Options& options, const Start& known)
+      : start_(triangles), options_(options), known_(known), watched_(options.length), met_(options.length) {}
 
   // Until no faces meet that did not.
   void run(Remeshed& result, Progress& progress) {
@@ -124,10 +145,11 @@ class Attempts {
     for (int attempt = 0; attempt < most; ++attempt) {
       Mesh work = start_;
       Edit edit(work, nullptr);
-      Remesher remesher(edit, find_features(work, options_.feature_angle_rad), target_, watched_, surface_);
+      SurfaceKeeper keeper(work, known_.points(), watched_, surface_);
+      Remesher remesher(edit, known_.features(), known_.target(), keeper);
       result.is_cancelled = !run_rounds(remesher, options_.rounds, progress);
       edit.commit();
-      result.refused = remesher.refused();
+      result.refused = keeper.refused();
       if (result.is_cancelled || !watches_more(work, attempt + 2 == most, progress)) {
         result.is_cancelled |= progress.is_cancelled();
         result.columns = work.columns();
@@ -143,10 +165,10 @@ class Attempts {
     if (crossings.empty()) return false;
     if (watched_.is_empty())
       for (const Box& box : crossings_of(start_, progress)) {
-        known_.add(box);
+        met_.add(box);
         surface_ = CrossingGuard::Surface::perhaps_with_crossings;
       }
-    std::erase_if(crossings, [&](const Box& box) { return known_.contains(box.middle()); });
+    std::erase_if(crossings, [&](const Box& box) { return met_.contains(box.middle()); });
     for (const Box& box : crossings) watched_.add(box);
     if (all) watched_.add_all();
     return !crossings.empty() && !progress.is_cancelled();
@@ -154,8 +176,8 @@ class Attempts {
 
   const Mesh& start_;
   const Options& options_;
-  const Target& target_;
-  WatchedPlaces watched_, known_;  // known: where faces met before
+  const Start& known_;
+  WatchedPlaces watched_, met_;  // met: where faces did before
   CrossingGuard::Surface surface_ = CrossingGuard::Surface::without_crossings;
 };
 
@@ -175,9 +197,10 @@ Remeshed remeshed(const Mesh& mesh, const Options& options, Progress& progress) 
   result.cut_faces = polygons.size();
   if ((result.fault = cut_faces(edit, polygons))) return result;
   edit.commit();
-  const Target target(triangles, {own.length, own.adaptive, own.tolerance});
-  if ((result.fault = fault_of_length(triangles, target, own, scale))) return result;
-  Attempts(triangles, own, target).run(result, progress);
+  const Sizing sizing(triangles, {own.length, own.adaptive, own.tolerance});
+  if ((result.fault = fault_of_length(triangles, sizing, scale))) return result;
+  const Start start(triangles, sizing, own.feature_angle_rad);
+  Attempts(triangles, own, start).run(result, progress);
   if (!result.is_cancelled) result.columns = unscaled(Mesh(std::move(result.columns)), mesh, scale);
   return result;
 }

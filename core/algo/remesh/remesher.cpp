@@ -7,51 +7,26 @@
 #include "core/mesh/copies.h"
 #include "core/ops/collapse_edge.h"
 #include "core/ops/split_edge.h"
-#include "core/ops/swap_edge.h"
 
 namespace ryosen::remesh {
 
 namespace {
 
 constexpr double longest_share = 4.0 / 3, shortest_share = 4.0 / 5;
-constexpr double cosine_of_turn = 0.5;  // of 60 degrees
-constexpr double sliver_sine = 0.34;    // of 20 degrees: no pass but the splits makes a narrower triangle of wider ones
-constexpr double share_of_reach = 0.25;  // of the length: how far the surface as it was may be from it as it becomes
-constexpr std::size_t between_reports = 256;
-
-// Those on both sides of an edge, and those that a swap makes of them.
-struct SwappedTriangles {
-  std::array<Corners, 2> before, after;
-
-  bool keep_facing() const {
-    for (const Corners& old : before)
-      for (const Corners& made : after)
-        if (!keeps_facing(area_normal(old), area_normal(made), cosine_of_turn)) return false;
-    return true;
-  }
-  bool has_sliver_before() const { return is_narrower(before[0], sliver_sine) || is_narrower(before[1], sliver_sine); }
-  bool has_sliver_after() const { return is_narrower(after[0], sliver_sine) || is_narrower(after[1], sliver_sine); }
-  double sine_before() const { return std::min(smallest_sine(before[0]), smallest_sine(before[1])); }
-  double sine_after() const { return std::min(smallest_sine(after[0]), smallest_sine(after[1])); }
-  bool makes_slivers() const { return has_sliver_after() && sine_after() < sine_before(); }
-};
-SwappedTriangles triangles_at(const Mesh& mesh, Halfedge h) {
-  const glm::dvec3 &a = mesh.position(mesh.from(h)), &b = mesh.position(mesh.to(h)),
-                   &c = mesh.position(mesh.from(mesh.prev(h))), &d = mesh.position(mesh.from(mesh.prev(twin(h))));
-  return {{Corners{a, b, c}, Corners{b, a, d}}, {Corners{c, d, b}, Corners{d, c, a}}};
-}
 
 }  // namespace
 
-Remesher::Remesher(Edit& edit, Features features, const Target& target, const WatchedPlaces& watched,
-                   CrossingGuard::Surface surface)
+Remesher::Remesher(Edit& edit, Features features, const Target& target, SurfaceKeeper& keeper)
     : edit_(edit),
       mesh_(edit.mesh()),
       features_(std::move(features)),
       target_(target),
-      keeper_(mesh_, features_, target.shortest_length(), watched, surface) {
+      keeper_(keeper),
+      judge_(keeper) {
+  wanted_.reserve(mesh_.vertex_slots());
+  nearby_.reserve(mesh_.vertex_slots());
   for (Vertex v(0); v.index < mesh_.vertex_slots(); ++v.index) {
-    wanted_.push_back(target.length_at(v));
+    wanted_.push_back(target.sizing().length_at(v));
     nearby_.push_back(target.hint_at(v));
   }
 }
@@ -68,12 +43,22 @@ double Remesher::wanted(Edge e) const {
 
 template <class IsWanted>
 std::vector<Edge> Remesher::edges_by_length(bool longest_first, const IsWanted& is_wanted) const {
-  std::vector<std::pair<double, std::uint32_t>> found;
-  for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
-    if (!mesh_.is_alive(Edge(i)) || mesh_.is_wire(Edge(i))) continue;
-    const double length = length_of(Edge(i));
-    if (std::isfinite(length) && is_wanted(Edge(i), length)) found.emplace_back(longest_first ? -length : length, i);
-  }
+  using Found = std::vector<std::pair<double, std::uint32_t>>;
+  const std::uint32_t n = mesh_.edge_slots();
+  constexpr std::size_t steps_for_each = 16;
+  const unsigned threads = threads_for(steps_for_each * n), parts = 4 * threads;
+  std::vector<Found> by_part(parts);
+  for_each_task(parts, threads, [&](unsigned part) {
+    for (Edge e(part_begin(n, part, parts)); e.index < part_begin(n, part + 1, parts); ++e.index) {
+      if (!mesh_.is_alive(e) || mesh_.is_wire(e)) continue;
+      const double length = length_of(e);
+      if (std::isfinite(length) && is_wanted(e, length))
+        by_part[part].emplace_back(longest_first ? -length : length, e.index);
+    }
+  });
+  Found found = std::move(by_part.front());
+  for (std::size_t part = 1; part < by_part.size(); ++part)
+    found.insert(found.end(), by_part[part].begin(), by_part[part].end());
   std::sort(found.begin(), found.end());
   std::vector<Edge> edges;
   for (const auto& [length, i] : found) edges.emplace_back(i);
@@ -123,7 +108,7 @@ bool Remesher::try_split(Edge e) {
   if (!nearest || glm::distance(nearest->place, mesh_.position(middle)) > 0.4 * chord) return true;
   wanted_[first] = nearest->length;
   nearby_[first] = nearest->triangle;
-  try_move(middle, nearest->place);
+  try_move(middle, nearest->place, judge_);
   return true;
 }
 
@@ -134,11 +119,11 @@ glm::dvec3 Remesher::normal_of(Vertex v) const {
   return sum;
 }
 
-bool Remesher::try_move(Vertex v, const glm::dvec3& place) {
+bool Remesher::try_move(Vertex v, const glm::dvec3& place, SurfaceKeeper::MoveJudge& judge) {
   if (place == mesh_.position(v)) return true;
-  if (!faces_stay(v, place) || !keeper_.allows_move(v, place, share_of_reach * wanted_[v.index])) return false;
+  if (!faces_stay(v, place) || !judge.allows(v, place, share_of_reach * wanted_[v.index])) return false;
   edit_.set_position(v, place);
-  keeper_.moved(v);
+  judge.moved(v);
   return true;
 }
 
@@ -227,108 +212,6 @@ bool Remesher::may_collapse(Halfedge h, const glm::dvec3& place) const {
     }
   }
   return true;
-}
-
-int Remesher::valence_error(Vertex v, int valence) const { return std::abs(valence - (mesh_.is_boundary(v) ? 4 : 6)); }
-
-bool Remesher::swap_for_valence(Progress& progress) {
-  std::vector<int> valences(mesh_.vertex_slots(), 0);
-  for (std::uint32_t i = 0; i < mesh_.halfedge_slots(); ++i)
-    if (mesh_.is_alive(Halfedge(i))) ++valences[mesh_.from(Halfedge(i)).index];
-  for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
-    if (i % (between_reports * 16) == 0 && !progress.go_on()) return false;
-    if (mesh_.is_alive(Edge(i)) && !is_feature(Edge(i))) try_swap(Edge(i), valences);
-  }
-  return true;
-}
-
-bool Remesher::try_swap(Edge e, std::vector<int>& valences) {
-  const Halfedge h = halfedge(e), o = twin(h);
-  const Vertex a = mesh_.from(h), b = mesh_.to(h), c = mesh_.from(mesh_.prev(h)), d = mesh_.from(mesh_.prev(o));
-  const auto error = [&](Vertex v, int more) { return valence_error(v, valences[v.index] + more); };
-  const int now = error(a, 0) + error(b, 0) + error(c, 0) + error(d, 0);
-  if (error(a, -1) + error(b, -1) + error(c, 1) + error(d, 1) >= now) return false;
-  const SwappedTriangles t = triangles_at(mesh_, h);
-  if (!t.keep_facing() || t.makes_slivers()) return false;
-  if (!swap_if_allowed(h)) return false;
-  --valences[a.index];
-  --valences[b.index];
-  ++valences[c.index];
-  ++valences[d.index];
-  return true;
-}
-
-bool Remesher::swap_slivers(Progress& progress) {
-  constexpr int most_turns = 8;
-  std::size_t swapped = 1;
-  for (int turn = 0; turn < most_turns && swapped > 0; ++turn) {
-    swapped = 0;
-    for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
-      if (i % (between_reports * 16) == 0 && !progress.go_on()) return false;
-      if (mesh_.is_alive(Edge(i)) && !is_feature(Edge(i))) swapped += try_swap_sliver(Edge(i)) ? 1 : 0;
-    }
-  }
-  return true;
-}
-
-bool Remesher::try_swap_sliver(Edge e) {
-  const SwappedTriangles t = triangles_at(mesh_, halfedge(e));
-  constexpr double clearly = 1.1;
-  if (!t.has_sliver_before() || t.sine_after() < clearly * t.sine_before() || !t.keep_facing()) return false;
-  return swap_if_allowed(halfedge(e));
-}
-
-bool Remesher::swap_if_allowed(Halfedge h) {
-  const SwapEdge swap{h};
-  if (!swap.is_legal(mesh_) || !keeper_.allows_swap(h, share_of_reach * wanted(edge(h)))) return false;
-  swap.apply(edit_);
-  keeper_.swapped(h);
-  return true;
-}
-
-std::optional<Remesher::Relaxed> Remesher::relaxed(Vertex v) {
-  const glm::dvec3& here = mesh_.position(v);
-  glm::dvec3 sum(0), normal(0);
-  double weights = 0;
-  Vertex first = mesh_.to(mesh_.halfedge(v));
-  for (const Halfedge h : outgoing(mesh_, v)) {  // counter-clockwise: the next triangle begins where this one ends
-    const Vertex second = mesh_.from(mesh_.prev(h));
-    const Corners c{here, mesh_.position(first), mesh_.position(second)};
-    const glm::dvec3 area = area_normal(c);
-    double weight = glm::length(area);
-    if (target_.is_adaptive()) weight /= std::pow(wanted_[first.index] + wanted_[second.index], 2);
-    sum += weight * (c[0] + c[1] + c[2]) / 3.0;
-    normal += area;
-    weights += weight;
-    first = second;
-  }
-  if (!(weights > 0)) return std::nullopt;
-  normal = unit_or_zero(normal);
-  const glm::dvec3 mean = sum / weights;
-  const auto nearest = target_.nearest(mean + glm::dot(normal, here - mean) * normal, normal, nearby_[v.index]);
-  if (!nearest || glm::distance(nearest->place, here) > wanted_[v.index]) return std::nullopt;
-  nearby_[v.index] = nearest->triangle;
-  return Relaxed{nearest->place, nearest->length};
-}
-
-bool Remesher::relax(Progress& progress) {
-  const std::uint32_t n = mesh_.vertex_slots();
-  std::vector<std::optional<Relaxed>> found(n);
-  constexpr std::uint32_t block = 1 << 15;
-  for (std::uint32_t first = 0; first < n; first += block) {
-    if (!progress.go_on()) return false;
-    const std::uint32_t count = std::min(block, n - first);
-    for_each_part(count, count > 2000 ? threads_for(1000000) : 1,
-                  [&](unsigned, std::uint32_t begin, std::uint32_t end) {
-                    for (Vertex v(first + begin); v.index < first + end; ++v.index)
-                      if (mesh_.is_alive(v) && !is_fixed(v)) found[v.index] = relaxed(v);
-                  });
-  }
-  for (Vertex v(0); v.index < n; ++v.index) {
-    if (v.index % block == 0 && !progress.go_on()) return false;
-    if (found[v.index] && try_move(v, found[v.index]->place)) wanted_[v.index] = found[v.index]->length;
-  }
-  return progress.go_on();
 }
 
 }  // namespace ryosen::remesh

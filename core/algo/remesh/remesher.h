@@ -1,11 +1,14 @@
 // The passes of isotropic remeshing [Botsch04], by the kernel's operators and their verdicts.
 #pragma once
 
+#include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "core/algo/remesh/features.h"
-#include "core/algo/remesh/sizing.h"
 #include "core/algo/remesh/surface_keeper.h"
+#include "core/algo/remesh/target.h"
 #include "core/base/progress.h"
 #include "core/mesh/edit.h"
 
@@ -17,8 +20,7 @@ namespace ryosen::remesh {
 // threads; false: cancelled.
 class Remesher {
  public:
-  Remesher(Edit& edit, Features features, const Target& target, const WatchedPlaces& watched,
-           CrossingGuard::Surface surface);
+  Remesher(Edit& edit, Features features, const Target& target, SurfaceKeeper& keeper);
 
   // Splits edges longer than 4/3 of what is wanted, the longest first, until there is none.
   bool split_long(Progress& progress);
@@ -33,10 +35,13 @@ class Remesher {
   // surface; not where a face would turn by 60 degrees or become a sliver.
   bool relax(Progress& progress);
 
-  // How many steps were refused since faces would have met.
-  std::size_t refused() const { return keeper_.refused(); }
-
  private:
+  static constexpr double cosine_of_turn = 0.5;  // of 60 degrees
+  static constexpr double sliver_sine = 0.34;    // of 20 degrees: no pass but the splits makes a narrower triangle of wider ones
+  static constexpr double share_of_reach = 0.25;  // of the length: how far the surface as it was may be from it as it becomes
+  static constexpr std::size_t between_reports = 256;
+  struct SwappedTriangles;
+
   bool is_feature(Edge e) const { return features_.edges[e.index] != 0; }
   bool is_fixed(Vertex v) const { return features_.vertices[v.index] != 0; }
   double length_of(Edge e) const;
@@ -48,6 +53,7 @@ class Remesher {
   bool try_collapse(Edge e);
   bool try_collapse(Halfedge h, const glm::dvec3& place);
   bool may_collapse(Halfedge h, const glm::dvec3& place) const;
+  SwappedTriangles triangles_at(Halfedge h) const;
   bool try_swap(Edge e, std::vector<int>& valences);
   bool try_swap_sliver(Edge e);
   bool swap_if_allowed(Halfedge h);
@@ -57,16 +63,20 @@ class Remesher {
   struct Relaxed {
     glm::dvec3 place;
     double length;
+    std::uint32_t part;  // of the surface, which none of the vertices around leaves; no_index where one does
   };
-  std::optional<Relaxed> relaxed(Vertex v);
+  std::optional<Relaxed> relaxed(Vertex v, const std::vector<std::uint32_t>& parts);
+  std::pair<std::vector<std::uint32_t>, std::uint32_t> parts_of_surface() const;
+  void move(std::span<const Vertex> vertices, const std::vector<std::optional<Relaxed>>& found);
   bool faces_stay(Vertex v, const glm::dvec3& place) const;
-  bool try_move(Vertex v, const glm::dvec3& place);
+  bool try_move(Vertex v, const glm::dvec3& place, SurfaceKeeper::MoveJudge& judge);
 
   Edit& edit_;
   const Mesh& mesh_;
   Features features_;
   const Target& target_;
-  SurfaceKeeper keeper_;
+  SurfaceKeeper& keeper_;
+  SurfaceKeeper::MoveJudge judge_;
   std::vector<double> wanted_;         // per vertex
   std::vector<std::uint32_t> nearby_;  // per vertex, a triangle of the target; no_index where none is known
 };

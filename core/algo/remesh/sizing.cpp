@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
-
-#include "core/geometry/is_finite.h"
-#include "core/pick/nearest.h"
 
 namespace ryosen::remesh {
 
@@ -45,57 +43,11 @@ double length_for(double curvature, const SizeOptions& options) {
   return std::clamp(std::sqrt(std::max(0.0, square)), options.length / 8, options.length);
 }
 
-// Whether the foot of the normal is inside a triangle and no farther than a distance.
-bool lies_over(const glm::dvec3& p, const Corners& c, double distance) {
-  const glm::dvec3 ab = c[1] - c[0], ac = c[2] - c[0], ap = p - c[0], normal = glm::cross(ab, ac);
-  const double sum = glm::dot(normal, normal), height = glm::dot(ap, normal);
-  const double of_b = glm::dot(glm::cross(ap, ac), normal), of_c = glm::dot(glm::cross(ab, ap), normal);
-  return of_b > 0 && of_c > 0 && of_b + of_c < sum && height * height <= distance * distance * sum;
-}
-
 }  // namespace
 
-Target::Target(const Mesh& mesh, const SizeOptions& options) : options_(options) {
-  std::vector<Primitive> triangles;
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-    if (!mesh.is_alive(Face(i))) continue;
-    const Halfedge h = mesh.halfedge(Face(i));
-    const std::array corners{mesh.from(h), mesh.to(h), mesh.from(mesh.prev(h))};
-    const bool is_there =
-        std::all_of(corners.begin(), corners.end(), [&](Vertex v) { return is_finite(mesh.position(v)); });
-    if (is_there) triangles.push_back(Primitive::triangle(corners[0].index, corners[1].index, corners[2].index, i));
-  }
-  tree_ = TriangleTree(mesh.positions(), triangles, 1);
-  hints_.assign(mesh.vertex_slots(), no_index);
-  for (std::uint32_t t = 0; t < tree_.size(); ++t)
-    for (const Halfedge h : loop(mesh, mesh.halfedge(Face(tree_.owner(t))))) hints_[mesh.from(h).index] = t;
+Sizing::Sizing(const Mesh& mesh, const SizeOptions& options) : options_(options) {
   if (!options.adaptive) return;
-  const std::vector<double> curvatures = largest_curvatures(mesh);
-  for (const double curvature : curvatures) lengths_.push_back(length_for(curvature, options));
-  point_lengths_.resize(tree_.points().size());
-  for (std::uint32_t t = 0; t < tree_.size(); ++t) {
-    Halfedge h = mesh.halfedge(Face(tree_.owner(t)));
-    for (const std::uint32_t point : tree_.corners(t)) {
-      point_lengths_[point] = lengths_[mesh.from(h).index];
-      h = mesh.next(h);
-    }
-  }
-}
-
-std::optional<Target::Nearest> Target::nearest(const glm::dvec3& place, const glm::dvec3& direction,
-                                               std::uint32_t hint) const {
-  if (tree_.is_empty() || !is_finite(place)) return std::nullopt;
-  constexpr double of_length = 0.1;
-  std::uint32_t triangle = hint;
-  if (hint == no_index || !lies_over(place, tree_.places(hint), of_length * shortest_length()))
-    triangle = tree_.nearest(place, hint).triangle;
-  if (glm::dot(tree_.area_normal(triangle), direction) < 0) triangle = tree_.nearest_facing(place, direction).triangle;
-  if (triangle == no_index) return std::nullopt;
-  if (!is_adaptive()) return Nearest{place - tree_.way(place, triangle), options_.length, triangle};
-  const auto& [a, b, c] = tree_.corners(triangle);
-  const NearestPlace near = nearest_place(tree_.points(), Primitive::triangle(a, b, c, 0), place);
-  const glm::dvec3 lengths(point_lengths_[a], point_lengths_[b], point_lengths_[c]);
-  return Nearest{near.place, glm::dot(near.barycentric, lengths), triangle};
+  for (const double curvature : largest_curvatures(mesh)) lengths_.push_back(length_for(curvature, options));
 }
 
 }  // namespace ryosen::remesh

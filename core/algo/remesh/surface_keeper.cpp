@@ -8,13 +8,15 @@ namespace ryosen::remesh {
 
 namespace {
 
+using Kind = CoveredStep::Change::Kind;
+
 constexpr double any_way = std::numeric_limits<double>::infinity(), anywhere = std::numeric_limits<double>::max();
 
 }  // namespace
 
-SurfaceKeeper::SurfaceKeeper(const Mesh& mesh, const Features& features, double spacing, const WatchedPlaces& watched,
+SurfaceKeeper::SurfaceKeeper(const Mesh& mesh, CoveredPoints points, const WatchedPlaces& watched,
                              CrossingGuard::Surface surface)
-    : mesh_(mesh), watched_(watched), points_(mesh, features, spacing) {
+    : mesh_(mesh), watched_(watched), points_(std::move(points)), step_(points_) {
   if (!watched.is_empty()) guard_.emplace(mesh, surface);
 }
 
@@ -23,15 +25,15 @@ bool SurfaceKeeper::refuses(bool would_meet) {
   return would_meet;
 }
 
-bool SurfaceKeeper::add_around(Vertex v, const glm::dvec3& place, Face left, Face right) {
+bool SurfaceKeeper::add_around(Changes& changes, Vertex v, const glm::dvec3& place, Face left, Face right) const {
   const double moved = glm::distance(place, mesh_.position(v));
   for (const Halfedge out : outgoing(mesh_, v)) {
     const Face f = mesh_.face(out);
     if (!f || f == left || f == right) continue;
-    if (changes_.size() > CoveredPoints::most_faces) return false;
+    if (changes.size() > CoveredStep::most_faces) return false;
     Corners corners = corners_of(mesh_, out);
     corners[0] = place;
-    add(f, Kind::becomes, corners, moved);
+    changes.push_back({f, Kind::becomes, corners, moved});
   }
   return true;
 }
@@ -40,51 +42,58 @@ bool SurfaceKeeper::allows_collapse(Halfedge h, const glm::dvec3& place, double 
   const Face left = mesh_.face(h), right = mesh_.face(twin(h));
   changes_.clear();
   for (const Face f : {left, right})
-    if (f) add(f, Kind::goes);
-  if (!add_around(mesh_.from(h), place, left, right)) return false;
+    if (f) changes_.push_back({f, Kind::goes, {}});
+  if (!add_around(changes_, mesh_.from(h), place, left, right)) return false;
   if (place != mesh_.position(mesh_.to(h))) {
-    if (!add_around(mesh_.to(h), place, left, right)) return false;
+    if (!add_around(changes_, mesh_.to(h), place, left, right)) return false;
   } else {
     // Those that stay as they are beside those that go may take points of these.
     for (const Halfedge beside : {twin(mesh_.next(h)), twin(mesh_.prev(twin(h)))})
-      if (const Face f = mesh_.face(beside)) add(f, Kind::comes_or_stays, corners_of(mesh_, beside));
+      if (const Face f = mesh_.face(beside)) changes_.push_back({f, Kind::comes_or_stays, corners_of(mesh_, beside)});
   }
-  if (!points_.would_stay(changes_, reach, 0.5 * reach)) return false;
+  if (!step_.would_stay(changes_, reach, 0.5 * reach)) return false;
   return !is_watched(place) || !refuses(guard_->would_meet(h, place));
 }
 
 void SurfaceKeeper::collapsed() {
-  points_.hand_over();
+  step_.hand_over();
   if (!guard_) return;
-  for (const CoveredPoints::Change& change : changes_)
+  for (const CoveredStep::Change& change : changes_)
     if (change.kind == Kind::goes)
       guard_->forget(change.face);
     else
       guard_->follow(change.face);
 }
 
-bool SurfaceKeeper::keeps_points(Vertex v, const glm::dvec3& place, double reach) {
-  points_.begin_move(glm::distance(place, mesh_.position(v)));
-  for (const Halfedge out : outgoing(mesh_, v)) {
-    if (mesh_.is_outside(out)) continue;
-    Corners corners = corners_of(mesh_, out);
+bool SurfaceKeeper::may_move_beside() {
+  points_.make_room(mesh_.face_slots());
+  return !guard_;
+}
+
+// Whether it is plain that each face around keeps its points.
+bool SurfaceKeeper::MoveJudge::keeps_points(Vertex v, const glm::dvec3& place, double reach) {
+  const Mesh& mesh = keeper_.mesh_;
+  step_.begin_move(glm::distance(place, mesh.position(v)));
+  for (const Halfedge out : outgoing(mesh, v)) {
+    if (mesh.is_outside(out)) continue;
+    Corners corners = corners_of(mesh, out);
     corners[0] = place;
-    if (!points_.keeps_points(mesh_.face(out), area_normal(corners), reach)) return false;
+    if (!step_.keeps_points(mesh.face(out), area_normal(corners), reach)) return false;
   }
   return true;
 }
 
-bool SurfaceKeeper::allows_move(Vertex v, const glm::dvec3& place, double reach) {
+bool SurfaceKeeper::MoveJudge::allows(Vertex v, const glm::dvec3& place, double reach) {
   if (!keeps_points(v, place, reach)) {
     changes_.clear();
-    if (!add_around(v, place) || !points_.would_stay(changes_, reach, 0.5 * reach)) return false;
+    if (!keeper_.add_around(changes_, v, place) || !step_.would_stay(changes_, reach, 0.5 * reach)) return false;
   }
-  return !is_watched(place) || !refuses(guard_->would_meet(v, place));
+  return !keeper_.is_watched(place) || !keeper_.refuses(keeper_.guard_->would_meet(v, place));
 }
 
-void SurfaceKeeper::moved(Vertex v) {
-  points_.hand_over();
-  if (guard_) guard_->follow_move(v);
+void SurfaceKeeper::MoveJudge::moved(Vertex v) {
+  step_.hand_over();
+  if (keeper_.guard_) keeper_.guard_->follow_move(v);
 }
 
 bool SurfaceKeeper::allows_swap(Halfedge h, double reach) {
@@ -92,14 +101,14 @@ bool SurfaceKeeper::allows_swap(Halfedge h, double reach) {
   const glm::dvec3 &a = mesh_.position(mesh_.from(h)), &b = mesh_.position(mesh_.to(h)),
                    &c = mesh_.position(mesh_.from(mesh_.prev(h))), &d = mesh_.position(mesh_.from(mesh_.prev(o)));
   changes_.clear();
-  add(mesh_.face(h), Kind::becomes, {c, a, d}, any_way);
-  add(mesh_.face(o), Kind::becomes, {d, b, c}, any_way);
-  if (!points_.would_stay(changes_, reach, 0.5 * reach)) return false;
+  changes_.push_back({mesh_.face(h), Kind::becomes, {c, a, d}, any_way});
+  changes_.push_back({mesh_.face(o), Kind::becomes, {d, b, c}, any_way});
+  if (!step_.would_stay(changes_, reach, 0.5 * reach)) return false;
   return !is_watched(0.5 * a + 0.5 * b) || !refuses(guard_->would_meet_swapped(h));
 }
 
 void SurfaceKeeper::swapped(Halfedge h) {
-  points_.hand_over();
+  step_.hand_over();
   if (!guard_) return;
   guard_->follow(mesh_.face(h));
   guard_->follow(mesh_.face(twin(h)));
@@ -114,8 +123,9 @@ void SurfaceKeeper::split(Vertex first_copy, Face first_new) {
     changes_.clear();
     for (const Halfedge out : outgoing(mesh_, v))
       if (const Face f = mesh_.face(out))
-        add(f, f.index < first_new.index ? Kind::becomes : Kind::comes_or_stays, corners_of(mesh_, out), any_way);
-    if (points_.would_stay(changes_, anywhere, 0)) points_.hand_over();
+        changes_.push_back(
+            {f, f.index < first_new.index ? Kind::becomes : Kind::comes_or_stays, corners_of(mesh_, out), any_way});
+    if (step_.would_stay(changes_, anywhere, 0)) step_.hand_over();
     if (guard_) guard_->follow(v);
   }
 }

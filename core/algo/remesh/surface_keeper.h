@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "core/algo/crossing_guard.h"
-#include "core/algo/remesh/covered_points.h"
+#include "core/algo/remesh/covered_step.h"
 #include "core/algo/remesh/watched_places.h"
 
 namespace ryosen::remesh {
@@ -13,14 +13,13 @@ namespace ryosen::remesh {
 // than a reach (covered_points.h); and in the places that are watched none may make faces meet (crossing_guard.h).
 class SurfaceKeeper {
  public:
-  // Of a mesh of triangles, with points so far from each other. Nothing is watched where `watched` is empty.
-  SurfaceKeeper(const Mesh& mesh, const Features& features, double spacing, const WatchedPlaces& watched,
-                CrossingGuard::Surface surface);
+  // Of a mesh of triangles, with its points. Nothing is watched where `watched` is empty.
+  SurfaceKeeper(const Mesh& mesh, CoveredPoints points, const WatchedPlaces& watched, CrossingGuard::Surface surface);
+  SurfaceKeeper(const SurfaceKeeper&) = delete;
+  SurfaceKeeper& operator=(const SurfaceKeeper&) = delete;
 
   bool allows_collapse(Halfedge h, const glm::dvec3& place, double reach);
   void collapsed();
-  bool allows_move(Vertex v, const glm::dvec3& place, double reach);
-  void moved(Vertex v);
   bool allows_swap(Halfedge h, double reach);
   void swapped(Halfedge h);
   // Into halves that meet at `place`, which is on the edge but for rounding.
@@ -28,18 +27,30 @@ class SurfaceKeeper {
   // The middle, and the copies of it behind it; the first of the faces that are new.
   void split(Vertex first_copy, Face first_new);
 
+  // Moves of vertices. Where may_move_beside() is true, several threads may have a judge each, as long as none moves a
+  // vertex that has a face in common with one that another moves.
+  class MoveJudge {
+   public:
+    explicit MoveJudge(SurfaceKeeper& keeper) : keeper_(keeper), step_(keeper.points_) {}
+    bool allows(Vertex v, const glm::dvec3& place, double reach);
+    void moved(Vertex v);
+
+   private:
+    bool keeps_points(Vertex v, const glm::dvec3& place, double reach);
+
+    SurfaceKeeper& keeper_;
+    CoveredStep step_;
+    std::vector<CoveredStep::Change> changes_;
+  };
+  bool may_move_beside();
+
   // How many steps were refused since faces would have met.
   std::size_t refused() const { return refused_; }
 
  private:
-  using Kind = CoveredPoints::Change::Kind;
-  void add(Face f, Kind kind, const Corners& corners = {}, double moved = 0) {
-    changes_.push_back({f, kind, corners, moved});
-  }
-  // Whether it is plain that each face around a vertex keeps its points if that moves.
-  bool keeps_points(Vertex v, const glm::dvec3& place, double reach);
+  using Changes = std::vector<CoveredStep::Change>;
   // Those around a vertex but for two, as they become when it comes to a place; false where they are too many.
-  bool add_around(Vertex v, const glm::dvec3& place, Face left = {}, Face right = {});
+  bool add_around(Changes& changes, Vertex v, const glm::dvec3& place, Face left = {}, Face right = {}) const;
   bool is_watched(const glm::dvec3& place) const { return guard_ && watched_.contains(place); }
   bool refuses(bool would_meet);
 
@@ -48,7 +59,9 @@ class SurfaceKeeper {
   CoveredPoints points_;
   std::optional<CrossingGuard> guard_;
   std::size_t refused_ = 0;
-  std::vector<CoveredPoints::Change> changes_;  // of the step asked about
+  // Of the step asked about, if it is no move.
+  CoveredStep step_;
+  Changes changes_;
 };
 
 }  // namespace ryosen::remesh

@@ -15,6 +15,7 @@
 #include "core/analysis/figures.h"
 #include "core/analysis/invariants.h"
 #include "core/analysis/self_intersections.h"
+#include "core/base/parallel.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "tests/support/core/run_algorithm.h"
@@ -120,6 +121,23 @@ TEST(Remesh, features_keep_their_points_to_the_bit) {
     EXPECT_NEAR(compute_figures(other).area, compute_figures(shape).area, 0.02 * compute_figures(shape).area) << line;
     EXPECT_EQ(compute_figures(other).boundary_loops, compute_figures(shape).boundary_loops) << line;
     EXPECT_EQ(find_self_intersections(other).count, 0u) << line;
+  }
+}
+
+// The points of one part of a large surface move beside those of another.
+TEST(Remesh, parts_of_a_large_surface_do_not_depend_on_threads) {
+  Mesh torus = made_by("torus radius=2 tube=0.7 segments=100 tube_segments=32");
+  Journal journal;
+  run_algorithm(torus, journal, "subdivide scheme=midpoint");
+  ASSERT_GT(2 * torus.live().faces, 3u << 13) << "quads, as triangles those of more than three parts";
+  std::optional<MeshColumns> alone;
+  for (const unsigned threads : {1u, 3u}) {
+    const ThreadCount count(threads);
+    const Mesh made = remeshed_by(torus, "length=0.045 rounds=1 feature_angle=180");
+    if (!alone)
+      alone = made.columns();
+    else
+      EXPECT_EQ(made.columns(), *alone);
   }
 }
 

@@ -1,63 +1,12 @@
 #include "render/view.h"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/ext/matrix_transform.hpp>
-#include <limits>
 #include <utility>
-
-#include "core/base/parallel.h"
 
 namespace ryosen {
 namespace {
 
 constexpr PixelFormat picture_formats[] = {PixelFormat::rgba8};
-
-// The camera as it stands in buffer space, where no mesh is large or small.
-Camera in_buffer(Camera camera, const BufferSpace& space) {
-  camera.eye = space.place_from_mesh(camera.eye);
-  camera.target = space.place_from_mesh(camera.target);
-  if (camera.ortho_height) *camera.ortho_height *= space.scale;
-  return camera;
-}
-
-glm::dmat4 view_from_buffer(const Camera& camera, const BufferSpace& space) {
-  return view_from_mesh(in_buffer(camera, space));
-}
-
-struct DepthRange {
-  double nearest = std::numeric_limits<double>::infinity();
-  double farthest = -std::numeric_limits<double>::infinity();
-
-  void add(const DrawBox& box, const glm::dmat4& view) {
-    if (box.empty()) return;
-    const glm::dvec4 depth_row(view[0][2], view[1][2], view[2][2], view[3][2]);
-    for (unsigned i = 0; i < 8; ++i) {
-      const glm::dvec4 corner((i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y,
-                              (i & 4) ? box.max.z : box.min.z, 1.0);
-      const double depth = -glm::dot(depth_row, corner);
-      nearest = std::min(nearest, depth);
-      farthest = std::max(farthest, depth);
-    }
-  }
-};
-
-DepthRange depths_of(std::span<const Cluster> clusters, const glm::dmat4& view) {
-  constexpr std::size_t steps_per_cluster = 20;  // of work for each cluster
-  const auto count = static_cast<std::uint32_t>(clusters.size());
-  std::vector<DepthRange> parts(threads_for(count * steps_per_cluster));
-  for_each_part(count, static_cast<unsigned>(parts.size()), [&](unsigned t, std::uint32_t begin, std::uint32_t end) {
-    DepthRange range;
-    for (std::uint32_t i = begin; i < end; ++i) range.add(clusters[i].box, view);
-    parts[t] = range;
-  });
-  DepthRange all;
-  for (const DepthRange& part : parts) {
-    all.nearest = std::min(all.nearest, part.nearest);
-    all.farthest = std::max(all.farthest, part.farthest);
-  }
-  return all;
-}
 
 }  // namespace
 
@@ -209,21 +158,6 @@ void View::update_mesh(const TriangleSource& source, std::span<const std::uint32
   changed(touched);
 }
 
-void View::changed(std::span<const TouchedBox> touched) {
-  if (planes_stale_ || touched.empty()) return;
-  const Frame whole = frame(PixelRect::all(size_), 1);
-  DepthRange range;
-  for (const TouchedBox& t : touched) {
-    dirty_.add(screen_bounds(t.box, whole.clip_from_buffer, size_, display_scale_ * t.reach_px + 1));
-    range.add(t.box, glm::dmat4(whole.view_from_buffer));
-  }
-  // If something moved outside the near and far planes, they must change and everything be redrawn.
-  if (range.farthest > far_ || (range.nearest < near_ && range.nearest > 0)) {
-    planes_stale_ = true;
-    all_changed();
-  }
-}
-
 void View::follow_camera() {
   if (!planes_stale_) return;
   place_planes();
@@ -238,159 +172,9 @@ void View::follow_ground() {
   all_changed();
 }
 
-void View::place_planes() {
-  const glm::dmat4 view = view_from_buffer(camera_, mesh_.space());
-  DepthRange range = depths_of(mesh_.clusters(), view);
-  for (const OverlayBuffer& overlay : overlays_) range.add(overlay.bounds(), view);
-  const Camera camera = in_buffer(camera_, mesh_.space());
-  const double target = length_of(camera.target - camera.eye);
-  if (!(range.nearest <= range.farthest)) range = {0.5 * target, 1.5 * target};
-  const double slack = 0.01 * (range.farthest - range.nearest) + 1e-3 * target;
-  far_ = range.farthest + slack;
-  near_ = range.nearest - slack;
-  if (!camera_.ortho_height) {
-    // Perspective needs a near plane in front of the eye, closer as the eye gets closer to its target.
-    far_ = std::max(far_, 1e-6 * target);
-    near_ = std::max(near_, std::min(0.01 * target, 0.5 * far_));
-  }
-  for (OverlayBuffer& overlay : overlays_) overlay.forget_places();
-  places_.place_all(mesh_.clusters(), thinning_, view, frame(PixelRect::all(size_), 1).clip_from_buffer, size_);
-  planes_stale_ = false;
-}
-
-Frame View::frame(const PixelRect& rect, int scale) const {
-  const double aspect = double(size_.width) / double(size_.height);
-  const Camera camera = in_buffer(camera_, mesh_.space());
-  const glm::dmat4 view = view_from_buffer(camera_, mesh_.space());
-  const glm::dmat4 clip = clip_from_view(camera, aspect, near_, far_);
-  Frame f;
-  f.clip_from_buffer = glm::mat4(clip * view);
-  f.view_from_buffer = glm::mat4(view);
-  f.clip_from_view = glm::mat4(clip);
-  f.ortho = camera.ortho_height.has_value();
-  f.near_distance = static_cast<float>(near_);
-  f.size = {size_.width * scale, size_.height * scale};
-  f.units_per_pixel = static_cast<float>(units_per_pixel(camera, f.size, 1));
-  f.rect = {rect.x0 * scale, rect.y0 * scale, rect.x1 * scale, rect.y1 * scale};
-  f.pixel_scale = static_cast<float>(scale);
-  f.display_scale = display_scale_;
-  f.thinning = thinning_;
-  f.is_cut = clip_.has_value();
-  if (clip_) {
-    const double offset = -clip_->beyond(mesh_.space().origin) * mesh_.space().scale;
-    f.clip_plane = glm::vec4(-clip_->normal, offset);
-  }
-  f.settings = settings_;
-  return f;
-}
-
 std::size_t View::triangles_in_view() {
   follow_camera();
   return places_.triangles_inside(mesh_.clusters(), PixelRect::all(size_));
-}
-
-bool View::is_too_much(const PixelRect& rect, std::size_t most_triangles) const {
-  constexpr int least = 16;  // pixels; below, halving gains nothing
-  return most_triangles != 0 && std::max(rect.width(), rect.height()) >= 2 * least &&
-         places_.triangles_inside(mesh_.clusters(), rect) / thinning_ > most_triangles;
-}
-
-PixelRect View::take_waiting() {
-  while (is_too_much(waiting_.back(), most_triangles_)) {
-    PixelRect &rest = waiting_.back(), part = rest;
-    const bool is_wide = rest.width() > rest.height();
-    if (is_wide)
-      part.x1 = rest.x0 = (rest.x0 + rest.x1) / 2;
-    else
-      part.y1 = rest.y0 = (rest.y0 + rest.y1) / 2;
-    waiting_.push_back(part);
-  }
-  const PixelRect next = waiting_.back();
-  waiting_.pop_back();
-  return next;
-}
-
-PixelRect View::draw() {
-  follow_camera();
-  follow_ground();
-  waiting_.insert(waiting_.end(), dirty_.rects().begin(), dirty_.rects().end());
-  dirty_.clear();
-  redrawn_.clear();
-  triangles_drawn_ = triangles_hidden_ = 0;
-  refining_effort_ = 0;
-  while (!waiting_.empty() && (most_triangles_ == 0 || triangles_drawn_ < most_triangles_)) {
-    const PixelRect rect = take_waiting();
-    if (most_triangles_ != 0 && triangles_drawn_ != 0 &&
-        triangles_drawn_ + places_.triangles_inside(mesh_.clusters(), rect) / thinning_ > most_triangles_) {
-      waiting_.push_back(rect);
-      break;
-    }
-    redrawn_.add(rect);
-    draw(rect);
-  }
-  if (redrawn_.empty() && refines_ && !is_refined()) refine();
-  return redrawn_.bounds();
-}
-
-void View::draw_all(const Frame& frame, const DrawTarget& target, std::span<const std::uint32_t> clusters) {
-  target.bind(frame.rect);
-  glDepthMask(GL_TRUE);
-  glClearColor(0, 0, 0, 0);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  draw_scene(frame, target, clusters);
-  for (std::size_t i = 0; i < layer_count; ++i)
-    if (is_shown_[i])
-      passes_.overlay.draw(frame, overlays_[i],
-                           static_cast<Layer>(i) <= Layer::hover ? OverlayPass::Of::mesh : OverlayPass::Of::view);
-}
-
-void View::draw_scene(const Frame& frame, const DrawTarget& target, std::span<const std::uint32_t> clusters) {
-  const bool is_xray = frame.settings.xray == Xray::on;
-  if (!is_xray) {
-    draw_surface(frame, target, clusters);
-    passes_.cut.draw(frame, mesh_, clusters);
-  }
-  if (!transparent_) passes_.background.draw(frame);
-  if (frame.settings.ground == GroundGrid::on) passes_.grid.draw(frame, ground_);
-  if (is_xray) passes_.xray.draw(frame, mesh_, clusters, tints_);
-}
-
-void View::draw_surface(const Frame& frame, const DrawTarget& target, std::span<const std::uint32_t> clusters) {
-  // To look costs about as much as to draw so many triangles, and some for each pixel.
-  constexpr std::size_t worth_looking = 100000, worth_pixels = 4, most_looks = 4;
-  const std::size_t pixels = std::size_t(frame.rect.width()) * std::size_t(frame.rect.height());
-  const std::size_t least = std::max(worth_looking, pixels / worth_pixels) * thinning_ / MeshBuffers::cluster_size;
-  const std::size_t part = std::max(least / 2, clusters.size() / most_looks);
-  std::vector<std::uint32_t> left(clusters.begin(), clusters.end());
-  while (left.size() > std::max(least, part)) {
-    passes_.surface.draw(frame, mesh_, std::span(left).first(part), tints_);
-    left.erase(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(part));
-    occlusion_.read(target, frame.rect);
-    const int scale = static_cast<int>(frame.pixel_scale);
-    triangles_hidden_ +=
-        places_.remove_hidden(mesh_.clusters(), occlusion_, frame.clip_from_buffer, scale, left) / thinning_;
-    target.bind(frame.rect);
-  }
-  passes_.surface.draw(frame, mesh_, left, tints_);
-}
-
-void View::draw(const PixelRect& asked) {
-  PixelRect rect = intersection(asked, PixelRect::all(size_));
-  follow_ground();
-  if (planes_stale_) {
-    place_planes();
-    rect = PixelRect::all(size_);
-  }
-  if (rect.empty()) return;
-  const std::vector<std::uint32_t> clusters = places_.inside(mesh_.clusters(), rect);
-  std::size_t triangles = 0;
-  for (const std::uint32_t cluster : clusters) triangles += mesh_.clusters()[cluster].count;
-  triangles_drawn_ += triangles / thinning_;
-  draw_all(frame(rect, supersample_), DrawTarget(rendered_), clusters);
-  if (supersample_ > 1) passes_.resolve.draw(rendered_, supersample_, resolved_, rect);
-  passes_.labels.draw(picture(), rect);
-  refinement_.spoil(rect);
-  dirty_.remove_inside(rect);
 }
 
 Image View::read_pixels() const {

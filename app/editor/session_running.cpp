@@ -43,7 +43,7 @@ Outcome Session::run_line(const std::string& line) {
   }
   [[maybe_unused]] const std::uint64_t serial = document_->serial();
   [[maybe_unused]] const std::size_t position = document_->position(), entries = document_->history().size();
-  [[maybe_unused]] const std::size_t logged = log_.size();
+  [[maybe_unused]] const std::size_t logged = lines_logged_;
   [[maybe_unused]] const bool was_on_trial = document_->is_on_trial();
   // What is needed once the command is done is made before.
   if (log_.size() + 2 > log_.capacity()) log_.reserve(2 * log_.size() + 2);
@@ -51,7 +51,7 @@ Outcome Session::run_line(const std::string& line) {
   entry.reserve(2 * line.size() + 256);
   Outcome outcome = row->run(*this, Words(words).subspan(1), std::string_view(line).substr(after_id));
   // A row that says `none` of a command that changes the mesh would leave it out of the log; what is on trial is in none.
-  assert(row->effect != Effect::none || log_.size() > logged ||
+  assert(row->effect != Effect::none || lines_logged_ > logged ||
          (document_->position() == position && document_->history().size() == entries &&
           (document_->serial() == serial || was_on_trial || document_->is_on_trial())));
   if (!outcome.done() || row->effect == Effect::none) return outcome;
@@ -66,6 +66,7 @@ Outcome Session::run_line(const std::string& line) {
 
 void Session::log_line(Outcome& outcome, std::string line) {
   log_.push_back(std::move(line));
+  ++lines_logged_;
   if (!autosave) return;
   try {
     if (const auto warning = autosave->note(*this, log_.back())) outcome.say(*warning);

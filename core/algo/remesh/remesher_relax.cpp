@@ -60,7 +60,9 @@ void Remesher::move(std::span<const Vertex> vertices, const std::vector<std::opt
 bool Remesher::relax(Progress& progress) {
   const std::uint32_t n = mesh_.vertex_slots();
   const unsigned threads = threads_for(steps_for_each * mesh_.live().vertices);
-  const auto [parts, count] = parts_of_surface();
+  const auto surface = parts_of_surface();
+  const std::vector<std::uint32_t>& parts = surface.first;
+  const std::uint32_t count = surface.second;
   std::vector<std::optional<Relaxed>> found(n);
   constexpr std::uint32_t block = 1 << 15;
   for (std::uint32_t first = 0; first < n; first += block) {

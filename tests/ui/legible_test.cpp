@@ -146,7 +146,7 @@ TEST(legible, a_result_that_is_longer_than_its_line_leaves_out_the_values_that_w
   laid.gui.run(laid.session, "simplify faces=60");
   laid.frames(3);
   EXPECT_EQ(DrawnText(laid.gui).count("no_self_intersections"), 0u);
-  EXPECT_EQ(DrawnText(laid.gui).count("simplify: From 96 to 60 faces."), 1u) << laid.gui.said().en;
+  EXPECT_EQ(DrawnText(laid.gui).count("Simplify: From 96 to 60 faces."), 1u) << laid.gui.said().en;
   laid.gui.pointer({1200, 790});
   laid.frames(3);
   EXPECT_GE(DrawnText(laid.gui).count("no_self_intersections"), 1u) << "the whole beside the pointer";

@@ -146,10 +146,10 @@ TEST(tooltips, of_what_has_the_keyboard_lie_three_rows_away) {
     laid.frames(1);
     laid.gui.key(ImGuiKey_DownArrow, false);
     laid.frames(3);
-    const ImGuiWindow& window = *GImGui->NavWindow;
-    const ImRect item = window.NavRectRel[ImGuiNavLayer_Main];
-    const float row = ImGui::GetFrameHeightWithSpacing(), first = window.Pos.y + item.Min.y - 2.5f * row,
-                last = window.Pos.y + item.Max.y + 2.5f * row;
+    const ImGuiWindow& list = *GImGui->NavWindow;
+    const ImRect item = list.NavRectRel[ImGuiNavLayer_Main];
+    const float row = ImGui::GetFrameHeightWithSpacing(), first = list.Pos.y + item.Min.y - 2.5f * row,
+                last = list.Pos.y + item.Max.y + 2.5f * row;
     for (const ImGuiWindow* const one : GImGui->Windows) {
       if (!one->Active || one->Hidden || (one->Flags & ImGuiWindowFlags_Tooltip) == 0) continue;
       ++told;

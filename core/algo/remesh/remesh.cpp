@@ -30,7 +30,10 @@ ExpectedSize expected_size(const Mesh& mesh, const Sizing& sizing) {
     const Halfedge h = mesh.halfedge(Face(i));
     const double area = glm::length(area_normal(corners_of(mesh, h))) / 2;
     if (!std::isfinite(area)) continue;
-    for (const Halfedge corner : loop(mesh, h)) size.triangles += area / 3 / of_even / std::pow(share(mesh.from(corner)), 2);
+    for (const Halfedge corner : loop(mesh, h)) {
+      const double part = share(mesh.from(corner));
+      size.triangles += area / (3 * of_even * part * part);
+    }
   }
   for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
     if (!mesh.is_alive(Edge(i))) continue;
@@ -66,9 +69,10 @@ std::optional<Text> fault_of_length(const Mesh& mesh, const Sizing& sizing, doub
     (is_enough(middle) ? high : low) = middle;
   }
   const std::string least = length_text(high / scale);
-  return Text{"so short a length would make more triangles than there is room for; the shortest that fits here is about " +
-                  least,
-              "この長さでは三角形が多くなりすぎてメモリに収まりません。ここで収まる最小の長さは約 " + least + " です"};
+  return Text{
+      "so short a length would make more triangles than there is room for; the shortest that fits here is about " +
+          least,
+      "この長さでは三角形が多くなりすぎてメモリに収まりません。ここで収まる最小の長さは約 " + least + " です"};
 }
 
 bool run_rounds(Remesher& remesher, std::size_t rounds, Progress& progress) {

@@ -9,13 +9,26 @@ namespace ryosen::remesh {
 
 namespace {
 
-// Whether the foot of the normal is inside a triangle and no farther than a distance.
-bool lies_over(const glm::dvec3& p, const Corners& c, double distance) {
-  const glm::dvec3 ab = c[1] - c[0], ac = c[2] - c[0], ap = p - c[0], normal = glm::cross(ab, ac);
-  const double sum = glm::dot(normal, normal), height = glm::dot(ap, normal);
-  const double of_b = glm::dot(glm::cross(ap, ac), normal), of_c = glm::dot(glm::cross(ab, ap), normal);
-  return of_b > 0 && of_c > 0 && of_b + of_c < sum && height * height <= distance * distance * sum;
-}
+// Where the foot of the normal from a place lies in a triangle: the weights of the corners, times `sum`.
+struct Foot {
+  std::array<double, 3> weights;
+  double sum, height;  // the height times the root of the sum
+
+  Foot(const glm::dvec3& p, const Corners& c) {
+    const glm::dvec3 ab = c[1] - c[0], ac = c[2] - c[0], ap = p - c[0], normal = glm::cross(ab, ac);
+    sum = glm::dot(normal, normal);
+    height = glm::dot(ap, normal);
+    const double of_b = glm::dot(glm::cross(ap, ac), normal), of_c = glm::dot(glm::cross(ab, ap), normal);
+    weights = {sum - (of_b + of_c), of_b, of_c};
+  }
+  bool is_inside() const { return weights[0] > 0 && weights[1] > 0 && weights[2] > 0; }
+  bool is_within(double distance) const { return height * height <= distance * distance * sum; }
+  // The side that it lies beyond, farthest in shares of the triangle.
+  std::size_t side() const {
+    const auto least = static_cast<std::size_t>(std::min_element(weights.begin(), weights.end()) - weights.begin());
+    return (least + 1) % 3;
+  }
+};
 
 }  // namespace
 
@@ -34,6 +47,7 @@ Target::Target(const Mesh& mesh, const Sizing& sizing) : sizing_(sizing) {
   hints_.assign(mesh.vertex_slots(), no_index);
   for (std::uint32_t t = 0; t < tree_.size(); ++t)
     for (const Halfedge h : loop(mesh, mesh.halfedge(Face(tree_.owner(t))))) hints_[mesh.from(h).index] = t;
+  find_neighbours(mesh);
   if (!sizing.is_adaptive()) return;
   point_lengths_.resize(tree_.points().size());
   for (std::uint32_t t = 0; t < tree_.size(); ++t) {
@@ -45,13 +59,39 @@ Target::Target(const Mesh& mesh, const Sizing& sizing) : sizing_(sizing) {
   }
 }
 
+void Target::find_neighbours(const Mesh& mesh) {
+  std::vector<std::uint32_t> number(mesh.face_slots(), no_index);
+  for (std::uint32_t t = 0; t < tree_.size(); ++t) number[tree_.owner(t)] = t;
+  beside_.resize(tree_.size());
+  for (std::uint32_t t = 0; t < tree_.size(); ++t) {
+    Halfedge h = mesh.halfedge(Face(tree_.owner(t)));
+    for (std::uint32_t& other : beside_[t]) {
+      const Face f = mesh.face(twin(h));
+      other = f ? number[f.index] : no_index;
+      h = mesh.next(h);
+    }
+  }
+}
+
+// Whether few steps lead to a triangle under a place, and near; to the last one in any case.
+bool Target::comes_under(const glm::dvec3& place, std::uint32_t& triangle) const {
+  constexpr int most_steps = 4;
+  constexpr double of_length = 0.1;
+  for (int step = 0; step < most_steps; ++step) {
+    const Foot foot(place, tree_.places(triangle));
+    if (foot.is_inside()) return foot.is_within(of_length * sizing_.shortest());
+    const std::uint32_t next = beside_[triangle][foot.side()];
+    if (next == no_index) return false;
+    triangle = next;
+  }
+  return false;
+}
+
 std::optional<Target::Nearest> Target::nearest(const glm::dvec3& place, const glm::dvec3& direction,
                                                std::uint32_t hint) const {
   if (tree_.is_empty() || !is_finite(place)) return std::nullopt;
-  constexpr double of_length = 0.1;
   std::uint32_t triangle = hint;
-  if (hint == no_index || !lies_over(place, tree_.places(hint), of_length * sizing_.shortest()))
-    triangle = tree_.nearest(place, hint).triangle;
+  if (hint == no_index || !comes_under(place, triangle)) triangle = tree_.nearest(place, triangle).triangle;
   if (glm::dot(tree_.area_normal(triangle), direction) < 0) triangle = tree_.nearest_facing(place, direction).triangle;
   if (triangle == no_index) return std::nullopt;
   if (!sizing_.is_adaptive()) return Nearest{place - tree_.way(place, triangle), sizing_.longest(), triangle};

@@ -1,6 +1,7 @@
 // The surface as it was, to which new points are brought back, with the wanted length at each of its points.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -21,7 +22,8 @@ class Target {
     std::uint32_t triangle;  // a number that is a good hint for places near this one
   };
   // The nearest place where the surface faces a direction: so what lies on one sheet does not come to another. Of a place
-  // right over the hint, and near, that in the hint. None where there is no such place, and for a place that is not finite.
+  // right over the hint or a triangle few steps from it, and near, that in this. None where there is no such place, and for
+  // a place that is not finite.
   std::optional<Nearest> nearest(const glm::dvec3& place, const glm::dvec3& direction,
                                  std::uint32_t hint = no_index) const;
   // A hint for the place of a vertex of the mesh; no_index where there is none.
@@ -31,10 +33,14 @@ class Target {
   const Sizing& sizing() const { return sizing_; }
 
  private:
+  void find_neighbours(const Mesh& mesh);
+  bool comes_under(const glm::dvec3& place, std::uint32_t& triangle) const;
+
   const Sizing& sizing_;
   TriangleTree tree_;
-  std::vector<std::uint32_t> hints_;   // per vertex
-  std::vector<double> point_lengths_;  // per point of the tree; empty where all are alike
+  std::vector<std::array<std::uint32_t, 3>> beside_;  // per triangle those across its sides, from the first corner on
+  std::vector<std::uint32_t> hints_;                  // per vertex
+  std::vector<double> point_lengths_;                 // per point of the tree; empty where all are alike
 };
 
 }  // namespace ryosen::remesh

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/analysis/overlap_tree.h"
 #include "core/geometry/box.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/circulate.h"
@@ -31,9 +32,12 @@ CrossingGuard::CrossingGuard(const Mesh& mesh, Surface surface)
   tree_.build(mesh.positions(), std::move(primitives));
 }
 
-bool CrossingGuard::Step::concerns(Face f) const {
-  return std::find(gone.begin(), gone.end(), f) != gone.end() ||
-         std::any_of(changed.begin(), changed.end(), [&](const Changed& c) { return c.face == f; });
+void CrossingGuard::Step::begin(std::uint32_t face_slots) {
+  changed.clear();
+  gone.clear();
+  if (++number == 0) last.clear();  // all numbers were there
+  number = std::max(number, 1u);
+  last.resize(std::max<std::size_t>(last.size(), face_slots), 0);
 }
 
 NumberedTriangle CrossingGuard::triangle(Face f) const {
@@ -57,23 +61,27 @@ NumberedTriangle CrossingGuard::triangle(Halfedge h) const {
 }
 
 void CrossingGuard::begin() const {
-  step_.changed.clear();
-  step_.gone.clear();
+  step_.begin(mesh_.face_slots());
   loses_area_ = false;
 }
 
 void CrossingGuard::change(const NumberedTriangle& t, Face f) const {
-  if (!is_flat(t))
+  if (!is_flat(t)) {
     step_.changed.push_back({f, t});
-  else if (!is_flat(triangle(f)))
+    step_.mark(f);
+  } else if (!is_flat(triangle(f))) {
     loses_area_ = true;
+  }
 }
 
 bool CrossingGuard::would_meet(Halfedge h, const glm::dvec3& position) const {
   const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
   begin();
   for (const Face f : {mesh_.face(h), mesh_.face(twin(h))})
-    if (f) step_.gone.push_back(f);
+    if (f) {
+      step_.gone.push_back(f);
+      step_.mark(f);
+    }
   for (Halfedge end : {h, twin(h)}) {
     if (end != h && mesh_.position(kept) == position) continue;
     for (const Face f : faces_around(mesh_, mesh_.from(end))) {
@@ -143,7 +151,10 @@ bool CrossingGuard::would_meet() const {
 }
 
 std::size_t CrossingGuard::meetings(const std::vector<Changed>& faces, std::size_t most) const {
+  constexpr std::size_t many_pairs = 1 << 14;
   find_near(faces);
+  if (faces.size() * (faces.size() / 2 + near_.size()) > many_pairs && faces.size() > 64)
+    return meetings_by_tree(faces, most);
   std::size_t found = 0;
   const auto boxed = [](const Changed& one) { return box_of(one.triangle.places); };
   for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -154,6 +165,46 @@ std::size_t CrossingGuard::meetings(const std::vector<Changed>& faces, std::size
       if (box.overlaps(boxed(other)) && meet_elsewhere(faces[i].triangle, other.triangle) && ++found == most)
         return found;
   }
+  return found;
+}
+
+std::size_t CrossingGuard::meetings_by_tree(const std::vector<Changed>& faces, std::size_t most) const {
+  // Where one is enough it is mostly found between neighbours around the vertex.
+  for (std::size_t i = 1; most == 1 && i < faces.size(); ++i)
+    if (meet_elsewhere(faces[i - 1].triangle, faces[i].triangle)) return 1;
+  std::vector<std::pair<std::uint32_t, glm::dvec3>> corners;
+  const auto for_all = [&](const auto& visit) {
+    for (const Changed& one : faces) visit(one.triangle);
+    for (const Changed& one : near_) visit(one.triangle);
+  };
+  for_all([&](const NumberedTriangle& t) {
+    for (std::size_t k = 0; k < 3; ++k) corners.emplace_back(t.numbers[k], t.places[k]);
+  });
+  const auto by_number = [](const auto& a, const auto& b) { return a.first < b.first; };
+  std::sort(corners.begin(), corners.end(), by_number);
+  corners.erase(
+      std::unique(corners.begin(), corners.end(), [](const auto& a, const auto& b) { return a.first == b.first; }),
+      corners.end());
+  std::vector<glm::dvec3> places;
+  for (const auto& corner : corners) places.push_back(corner.second);
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for_all([&](const NumberedTriangle& t) {
+    std::array<std::uint32_t, 3>& own = triangles.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k)
+      own[k] = static_cast<std::uint32_t>(
+          std::lower_bound(corners.begin(), corners.end(), std::pair(t.numbers[k], glm::dvec3(0)), by_number) -
+          corners.begin());
+  });
+  const NumberedSurface surface(std::move(places), std::move(triangles));
+  const OverlapTree tree(surface, 1);
+  std::size_t found = 0;
+  const auto is_of_step = [&](std::uint32_t a, std::uint32_t b) { return a < faces.size() || b < faces.size(); };
+  const auto counts = [&](std::uint32_t a, std::uint32_t b) {
+    found += meet_elsewhere(surface.triangle(a), surface.triangle(b)) ? 1 : 0;
+    return found < most;
+  };
+  for (std::uint32_t node = 0; node < tree.node_count(); ++node)
+    if (!tree.visit_pairs(node, is_of_step, counts)) break;
   return found;
 }
 

@@ -18,7 +18,7 @@ class CrossingGuard {
   explicit CrossingGuard(const Mesh& mesh, Surface surface = Surface::without_crossings);
 
   // Whether faces would meet elsewhere than at what they share if from(h) became to(h) there. A face that would lose its
-  // area counts too. Cost: the faces around both ends, and those near them.
+  // area counts too. Cost: n log n of the faces around both ends and those near them.
   bool would_meet(Halfedge h, const glm::dvec3& position) const;
   // The same if v moved there.
   bool would_meet(Vertex v, const glm::dvec3& position) const;
@@ -45,8 +45,13 @@ class CrossingGuard {
   struct Step {
     std::vector<Changed> changed;
     std::vector<Face> gone;
+    // By face: the number of the step that it was last of.
+    std::vector<std::uint32_t> last;
+    std::uint32_t number = 0;
 
-    bool concerns(Face f) const;
+    void begin(std::uint32_t face_slots);
+    void mark(Face f) { last[f.index] = number; }
+    bool concerns(Face f) const { return last[f.index] == number; }
   };
 
   NumberedTriangle triangle(Face f) const;
@@ -57,6 +62,8 @@ class CrossingGuard {
   bool would_meet() const;
   // How many pairs of faces one of which is among these meet elsewhere, at most so many.
   std::size_t meetings(const std::vector<Changed>& faces, std::size_t most) const;
+  // The same of very many, by a tree.
+  std::size_t meetings_by_tree(const std::vector<Changed>& faces, std::size_t most) const;
   void find_near(const std::vector<Changed>& faces) const;
 
   const Mesh& mesh_;

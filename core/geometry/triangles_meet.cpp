@@ -1,6 +1,7 @@
 #include "core/geometry/triangles_meet.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "core/geometry/predicates.h"
 
@@ -77,8 +78,7 @@ bool meet_apart(const Corners& a, const Corners& b) {
 // of three products of differences with room to spare, and larger than what underflows; of what overflows it is infinite.
 // False says nothing.
 bool are_surely_parted_at(const glm::dvec3& corner, const std::array<glm::dvec3, 2>& a,
-                          const std::array<glm::dvec3, 2>& b) {
-  const glm::dvec3 normal = (a[0] - corner) + (a[1] - corner) - (b[0] - corner) - (b[1] - corner);
+                          const std::array<glm::dvec3, 2>& b, const glm::dvec3& normal) {
   const auto is_surely_above = [&](const glm::dvec3& p, double sign) {
     const double x = normal.x * (p.x - corner.x), y = normal.y * (p.y - corner.y), z = normal.z * (p.z - corner.z);
     return sign * (x + y + z) > 0x1p-50 * (std::abs(x) + std::abs(y) + std::abs(z)) + 1e-290;
@@ -86,15 +86,38 @@ bool are_surely_parted_at(const glm::dvec3& corner, const std::array<glm::dvec3,
   return is_surely_above(a[0], 1) && is_surely_above(a[1], 1) && is_surely_above(b[0], -1) && is_surely_above(b[1], -1);
 }
 
+// The plane across the difference of both ways from the corner, and of spokes that lie near each other and are not equally
+// long, across that of their directions.
+bool are_surely_parted_at(const glm::dvec3& corner, const std::array<glm::dvec3, 2>& a,
+                          const std::array<glm::dvec3, 2>& b) {
+  const glm::dvec3 to_a = (a[0] - corner) + (a[1] - corner), to_b = (b[0] - corner) + (b[1] - corner);
+  if (are_surely_parted_at(corner, a, b, to_a - to_b)) return true;
+  const double longer = std::sqrt(glm::dot(to_b, to_b) / glm::dot(to_a, to_a));
+  return are_surely_parted_at(corner, a, b, longer * to_a - to_b);
+}
+
 // With one common corner, i of one and j of the other: the ray from it through any other common point leaves one
 // triangle first, and the opposite side it leaves through meets the other triangle.
 bool meet_beside_corner(const Corners& a, std::size_t i, const Corners& b, std::size_t j) {
   if (are_surely_parted_at(a[i], {a[(i + 1) % 3], a[(i + 2) % 3]}, {b[(j + 1) % 3], b[(j + 2) % 3]})) return false;
-  const auto side_meets = [](const Corners& one, std::size_t corner, const Corners& other) {
-    const glm::dvec3 &p = one[(corner + 1) % 3], &q = one[(corner + 2) % 3];
-    return meets(p, orient3d(other[0], other[1], other[2], p), q, orient3d(other[0], other[1], other[2], q), other);
+  // The side across from the corner, and where its ends are seen from the other triangle.
+  struct Side {
+    const glm::dvec3 &p, &q;
+    int of_p, of_q;
+
+    Side(const Corners& one, std::size_t corner, const Corners& other)
+        : p(one[(corner + 1) % 3]),
+          q(one[(corner + 2) % 3]),
+          of_p(orient3d(other[0], other[1], other[2], p)),
+          of_q(orient3d(other[0], other[1], other[2], q)) {}
+    bool is_beside() const { return of_p * of_q > 0; }
   };
-  return side_meets(a, i, b) || side_meets(b, j, a);
+  // All of a triangle but the corner may lie beside the plane of the other.
+  const Side of_a(a, i, b);
+  if (of_a.is_beside()) return false;
+  const Side of_b(b, j, a);
+  if (of_b.is_beside()) return false;
+  return meets(of_a.p, of_a.of_p, of_a.q, of_a.of_q, b) || meets(of_b.p, of_b.of_p, of_b.q, of_b.of_q, a);
 }
 
 // With a common side: only if the triangles are coplanar and folded onto each other. Along no axis are they seen on both

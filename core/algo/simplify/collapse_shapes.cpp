@@ -16,20 +16,73 @@ bool CollapseSurface::turns_too_far(const glm::dvec3& before, const glm::dvec3& 
   return !(product > 0) || product * product < turn_cosine_ * turn_cosine_ * square * glm::dot(after, after);
 }
 
-template <class Look>
-bool CollapseSurface::any_changed_corner(Halfedge h, const glm::dvec3& place, Look look) const {
+namespace {
+
+// Squares of twice an area, scaled: of sides shorter than about a millionth.
+constexpr double small_square = 1e-24;
+
+}  // namespace
+
+// The normal of a triangle of that height over the opposite side turns by an angle whose sine is at most the move by the
+// height.
+double CollapseSurface::safe_move(Vertex v) const {
+  constexpr double share = 0.9;  // what is left of an area is not small, and rounding does not matter
+  const double sine = std::sqrt(std::max(0.0, 1 - turn_cosine_ * turn_cosine_));
+  double least = std::numeric_limits<double>::infinity();
+  for (Halfedge corner : outgoing(mesh_, v)) {
+    ++looked_at_;
+    const Face f = mesh_.face(corner);
+    if (!f) continue;
+    const Halfedge next = mesh_.next(corner), prev = mesh_.prev(corner);
+    if (mesh_.next(next) != prev || mesh_.has_rings(f)) return 0;
+    const glm::dvec3 &p = place(v), &x = place(mesh_.from(next)), &y = place(mesh_.from(prev)), side = y - x;
+    const glm::dvec3 twice_area = glm::cross(side, p - x);
+    const double square = glm::dot(twice_area, twice_area);
+    if (!((1 - share) * (1 - share) * square > 2 * small_square)) return 0;
+    least = std::min(least, std::sqrt(square / glm::dot(side, side)));
+  }
+  return share * sine * least;
+}
+
+CollapseSurface::HubFacts* CollapseSurface::facts_of_hub(Vertex v) const {
+  if (!is_still_) return nullptr;
+  const auto [found, is_new] = hubs_.try_emplace(v);
+  if (is_new) found->second.safe_move = safe_move(v);
+  return &found->second;
+}
+
+template <class Look, class FactsOf>
+bool CollapseSurface::any_changed_corner(Halfedge h, const glm::dvec3& place, Look look, FactsOf facts_of) const {
+  constexpr int many = 64;
   const auto is_vanishing = [&](Halfedge side) {
     return !mesh_.is_outside(side) && !mesh_.has_rings(mesh_.face(side)) &&
            mesh_.next(mesh_.next(side)) == mesh_.prev(side);
   };
   const Face left = is_vanishing(h) ? mesh_.face(h) : Face(),
              right = is_vanishing(twin(h)) ? mesh_.face(twin(h)) : Face();
+  const auto is_it = [&](Halfedge corner) {
+    ++looked_at_;
+    const Face f = mesh_.face(corner);
+    return f && f != left && f != right && look(corner);
+  };
   for (Halfedge end : {h, twin(h)}) {
-    if (states_[mesh_.from(end).index].place == place) continue;
+    const glm::dvec3& from = states_[mesh_.from(end).index].place;
+    if (from == place) continue;
     Halfedge corner = end;
+    HubFacts* facts = nullptr;
+    int looked = 0;
     do {
-      ++looked_at_;
-      if (const Face f = mesh_.face(corner); f && f != left && f != right && look(corner)) return true;
+      if (looked++ == many) {
+        facts = facts_of(mesh_.from(end));
+        if (facts && glm::distance(from, place) <= facts->safe_move) break;
+        if (facts && std::any_of(facts->turned.begin(), facts->turned.end(),
+                                 [&](Halfedge other) { return other && is_it(other); }))
+          return true;
+      }
+      if (is_it(corner)) {
+        if (facts) facts->turned[facts->turns++ % facts->turned.size()] = corner;
+        return true;
+      }
       corner = mesh_.counter_clockwise(corner);
     } while (corner != end);
   }
@@ -51,12 +104,10 @@ bool CollapseSurface::turns_small_face(Halfedge corner, const glm::dvec3& positi
 }
 
 bool CollapseSurface::turns_face(Halfedge h, const Placing& placing, bool minds_input) const {
-  // Squares of twice an area, scaled: of sides shorter than about a millionth.
-  constexpr double small_square = 1e-24;
   const glm::dvec3& place = placing.place;
   const Vertex a = mesh_.from(h), b = mesh_.to(h);
   const glm::vec3 together = states_[a.index].normal + states_[b.index].normal;
-  return any_changed_corner(h, place, [&](Halfedge corner) {
+  const auto turns = [&](Halfedge corner) {
     const Face f = mesh_.face(corner);
     const Halfedge next = mesh_.next(corner), prev = mesh_.prev(corner);
     if (mesh_.next(next) != prev || mesh_.has_rings(f))
@@ -71,7 +122,8 @@ bool CollapseSurface::turns_face(Halfedge h, const Placing& placing, bool minds_
     if (!minds_input) return false;
     const glm::vec3 others = x.normal + y.normal;
     return !(glm::dot(after, glm::dvec3(others + together)) > 0) && glm::dot(before, glm::dvec3(others + p.normal)) > 0;
-  });
+  };
+  return any_changed_corner(h, place, turns, [&](Vertex v) { return minds_input ? nullptr : facts_of_hub(v); });
 }
 
 namespace {
@@ -89,14 +141,15 @@ double largest_cosine(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3
 
 bool CollapseSurface::narrows_face(Halfedge h, const glm::dvec3& place) const {
   if (angle_cosine_ > 1) return false;
-  return any_changed_corner(h, place, [&](Halfedge corner) {
+  const auto narrows = [&](Halfedge corner) {
     const Halfedge next = mesh_.next(corner), prev = mesh_.prev(corner);
     if (mesh_.next(next) != prev) return false;  // angles are those of triangles
     const glm::dvec3 &p = states_[mesh_.from(corner).index].place, &x = states_[mesh_.from(next).index].place,
                      &y = states_[mesh_.from(prev).index].place;
     const double after = largest_cosine(place, x, y);
     return after > angle_cosine_ && after > largest_cosine(p, x, y);
-  });
+  };
+  return any_changed_corner(h, place, narrows, [](Vertex) -> HubFacts* { return nullptr; });
 }
 
 bool CollapseSurface::swap_spoils_face(Halfedge h) const {

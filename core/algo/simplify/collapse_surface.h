@@ -111,6 +111,22 @@ class CollapseSurface {
   History history(Halfedge h) const { return history(mesh_.from(h), mesh_.to(h)); }
   History history(Vertex a, Vertex b) const { return {a, b, states_[a.index].merges, states_[b.index].merges}; }
 
+  // While one lives nothing changes, and what is learnt of a hub is kept: how far it may move without turning a face, and
+  // which faces turn. So edges of a hub are asked one after the other without walking around it for each.
+  class Standstill {
+   public:
+    explicit Standstill(const CollapseSurface& surface) : surface_(surface) { surface_.is_still_ = true; }
+    ~Standstill() {
+      surface_.is_still_ = false;
+      surface_.hubs_.clear();
+    }
+    Standstill(const Standstill&) = delete;
+    Standstill& operator=(const Standstill&) = delete;
+
+   private:
+    const CollapseSurface& surface_;
+  };
+
   // So many corners of faces were looked at so far to see what collapses would make of them.
   std::uint64_t looked_at() const { return looked_at_; }
 
@@ -149,9 +165,19 @@ class CollapseSurface {
   std::optional<EdgeRule> hold(Vertex v, bool along_feature) const;
   bool turns_too_far(const glm::dvec3& before, const glm::dvec3& after) const;
   bool turns_small_face(Halfedge corner, const glm::dvec3& position) const;
-  // Calls look(face corner) for what changes its shape until it returns true.
-  template <class Look>
-  bool any_changed_corner(Halfedge h, const glm::dvec3& place, Look look) const;
+  // What is known of a vertex of many edges, while it is still.
+  struct HubFacts {
+    double safe_move = 0;               // so far it may move, scaled, and no face around it turns too far
+    std::array<Halfedge, 16> turned{};  // corners of faces that did by other moves, the last ones
+    std::uint32_t turns = 0;
+  };
+  HubFacts* facts_of_hub(Vertex v) const;
+  // Calls look(face corner) for what changes its shape until it returns true. Of a vertex of many edges facts_of(vertex) is
+  // asked for what may tell it sooner.
+  template <class Look, class FactsOf>
+  bool any_changed_corner(Halfedge h, const glm::dvec3& place, Look look, FactsOf facts_of) const;
+  // How far a vertex may move, scaled, such that no face around it turns too far; 0 where it takes more to tell.
+  double safe_move(Vertex v) const;
 
   const Mesh& mesh_;
   ScaledPlaces scale_;
@@ -161,6 +187,8 @@ class CollapseSurface {
   std::vector<std::uint8_t> edge_flags_;  // none where there is no seam
   std::unordered_map<Face, LargeFace> large_faces_;
   mutable std::uint64_t looked_at_ = 0;
+  mutable bool is_still_ = false;
+  mutable std::unordered_map<Vertex, HubFacts> hubs_;
 };
 
 }  // namespace ryosen

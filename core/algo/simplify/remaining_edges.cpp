@@ -42,6 +42,7 @@ void for_each_edge_of(std::span<const Sheet> sheets, Visit visit) {
 
 std::vector<std::uint8_t> find_remaining(const Mesh& mesh, const Simplifier& simplifier, Progress& progress) {
   std::vector<std::uint8_t> rules(mesh.edge_slots(), no_rule);
+  const CollapseSurface::Standstill still = simplifier.standstill();
   for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
     if (i % 256 == 0 && !progress.go_on()) return rules;
     if (const Edge e(i); mesh.is_alive(e) && !mesh.is_wire(e) && !is_bridge(mesh, halfedge(e)))

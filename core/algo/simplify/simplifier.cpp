@@ -102,6 +102,7 @@ bool Simplifier::collapse_all(Progress& progress) {
 bool Simplifier::find_further(Progress& progress) {
   minds_input_ = false;
   bool found = false;
+  const CollapseSurface::Standstill still(surface_);
   for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
     if (i % 256 == 0 && !progress.go_on()) return false;
     const Edge e(i);

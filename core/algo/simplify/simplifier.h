@@ -62,6 +62,8 @@ class Simplifier {
   double error_max() const { return surface_.scale().restored_length(error_max_); }
   bool is_at_goal() const { return mesh_.live().faces <= goal_.faces; }
 
+  // As long as one lives nothing may change, and rule_of() is asked of many edges.
+  CollapseSurface::Standstill standstill() const { return CollapseSurface::Standstill(surface_); }
   // The first rule under which an edge is held: every place in either direction is refused by it or by one before it.
   // Free where there is one that is not.
   EdgeRule rule_of(Edge e) const;

@@ -37,10 +37,10 @@ class Remesher {
 
  private:
   static constexpr double cosine_of_turn = 0.5;  // of 60 degrees
-  static constexpr double sliver_sine =
-      0.34;  // of 20 degrees: no pass but the splits makes a narrower triangle of wider ones
-  static constexpr double share_of_reach =
-      0.25;  // of the length: how far the surface as it was may be from it as it becomes
+  // Of 20 degrees: no pass but the splits makes a narrower triangle of wider ones.
+  static constexpr double sliver_sine = 0.34;
+  // Of the length: how far the surface as it was may be from it as it becomes.
+  static constexpr double share_of_reach = 0.25;
   static constexpr std::size_t between_reports = 256;
   struct SwappedTriangles;
 

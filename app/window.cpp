@@ -1,8 +1,6 @@
 #include "app/window.h"
 
 #include <chrono>
-#include <cstdlib>
-#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +10,7 @@
 #include "app/editor/user_files.h"
 #include "app/editor/user_folders.h"
 #include "app/editor/view_switches.h"
+#include "app/frame_log.h"
 #include "app/glfw_window.h"
 #include "app/opening.h"
 #include "app/ui/gui.h"
@@ -50,7 +49,6 @@ class Editor {
     session_.trials().in_background = true;
     session_.asks_in_slices = true;
     session_.on_progress = [this](double share) { return show_progress(share); };
-    if (const char* const path = std::getenv("RYOSEN_FRAME_LOG")) log_.open(path, std::ios::app);
     gui_.set_clipboard(
         window.handle(), [](void* w) { return glfw().get_clipboard_string(static_cast<GLFWwindow*>(w)); },
         [](void* w, const char* text) { glfw().set_clipboard_string(static_cast<GLFWwindow*>(w), text); });
@@ -68,7 +66,7 @@ class Editor {
   // Shows an empty view until the file is read. Given up, it goes on without it.
   Status open(const std::filesystem::path& file) {
     show_empty();
-    if (log_.is_open()) log_ << "reading " << file.string() << std::endl;
+    log_.reading(file);
     opening_.emplace(file);
     is_cancelled_ = false;
     const Clock::time_point began = Clock::now();
@@ -219,7 +217,7 @@ class Editor {
     }
     if (now - work_began_ < patience) return true;
     show_work({share});
-    if (log_.is_open()) log_ << "progress " << share << std::endl;
+    log_.progress(share);
     return !is_cancelled_;
   }
 
@@ -284,7 +282,7 @@ class Editor {
     glFinish();
     const double took_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     glfw().swap_buffers(window_.handle());
-    log_frame(pixels, took_ms);
+    log_.frame(session_, pixels, took_ms);
   }
 
   std::int64_t compose() { return canvas_->compose(viewport_->placed(), gui_.draw_data()); }
@@ -308,20 +306,6 @@ class Editor {
     title_ = title;
   }
 
-  std::string hovered() const {
-    if (session_.pointed_handle() || session_.pointed_axis_end()) return "handle";
-    return session_.hover() ? name_of(session_.mesh(), session_.hover()->picked.element) : "-";
-  }
-
-  void log_frame(std::int64_t pixels, double took_ms) {
-    if (!log_.is_open()) return;
-    const ElementCounts live = session_.mesh().live();
-    log_ << "frame " << ++frames_ << " pixels " << pixels << " ms " << took_ms << " V " << live.vertices << " E "
-         << live.edges << " F " << live.faces << " history " << session_.document().position() << " hover " << hovered()
-         << " held " << session_.is_verdict_held() << " selected " << session_.selection.size() << " eye "
-         << session_.camera.eye.x << ' ' << session_.camera.eye.y << ' ' << session_.camera.eye.z << std::endl;
-  }
-
   GlfwWindow& window_;
   Session session_;
   std::unique_ptr<Viewport> viewport_;
@@ -333,8 +317,7 @@ class Editor {
   std::optional<Opening> opening_;  // that of the command line; where it was given up it ends with the window
   std::string title_;
   WindowCursor cursor_;
-  std::ofstream log_;
-  std::uint64_t frames_ = 0;
+  FrameLog log_;
   bool is_working_ = false, is_cancelled_ = false;
   std::vector<std::string> let_go_at_work_;  // keys
   Clock::time_point work_began_;

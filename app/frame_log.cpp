@@ -1,0 +1,40 @@
+#include "app/frame_log.h"
+
+#include <cstdlib>
+#include <string>
+
+#include "core/mesh/names.h"
+
+namespace ryosen {
+
+namespace {
+
+std::string hovered(const Session& session) {
+  if (session.pointed_handle() || session.pointed_axis_end()) return "handle";
+  return session.hover() ? name_of(session.mesh(), session.hover()->picked.element) : "-";
+}
+
+}  // namespace
+
+FrameLog::FrameLog() {
+  if (const char* const path = std::getenv("RYOSEN_FRAME_LOG")) log_.open(path, std::ios::app);
+}
+
+void FrameLog::reading(const std::filesystem::path& file) {
+  if (log_.is_open()) log_ << "reading " << file.string() << std::endl;
+}
+
+void FrameLog::progress(double share) {
+  if (log_.is_open()) log_ << "progress " << share << std::endl;
+}
+
+void FrameLog::frame(const Session& session, std::int64_t pixels, double took_ms) {
+  if (!log_.is_open()) return;
+  const ElementCounts live = session.mesh().live();
+  log_ << "frame " << ++frames_ << " pixels " << pixels << " ms " << took_ms << " V " << live.vertices << " E "
+       << live.edges << " F " << live.faces << " history " << session.document().position() << " hover "
+       << hovered(session) << " held " << session.is_verdict_held() << " selected " << session.selection.size()
+       << " eye " << session.camera.eye.x << ' ' << session.camera.eye.y << ' ' << session.camera.eye.z << std::endl;
+}
+
+}  // namespace ryosen

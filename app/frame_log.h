@@ -1,0 +1,26 @@
+// What the window tells those who test or time it, where RYOSEN_FRAME_LOG names a file: a line for each presented frame.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+
+#include "app/editor/session.h"
+
+namespace ryosen {
+
+class FrameLog {
+ public:
+  FrameLog();
+
+  void reading(const std::filesystem::path& file);
+  void progress(double share);
+  // The pixels that were drawn, the time that took, and what is shown.
+  void frame(const Session& session, std::int64_t pixels, double took_ms);
+
+ private:
+  std::ofstream log_;
+  std::uint64_t frames_ = 0;
+};
+
+}  // namespace ryosen

@@ -23,15 +23,6 @@ namespace ryosen {
 
 namespace {
 
-Text join(const std::vector<Text>& texts) {
-  Text all;
-  for (const Text& text : texts) {
-    all.en += (all.en.empty() ? "" : " ") + text.en;
-    all.ja += text.ja;
-  }
-  return all;
-}
-
 // Whether an argument is not syntactically an element name (a number or keyword).
 bool is_value(std::string_view argument) {
   return find_vertex(Mesh(), argument).error == NameError::malformed &&
@@ -69,52 +60,6 @@ std::uint64_t next_serial() {
 }
 
 }  // namespace
-
-void Outcome::say(const Text& more) {
-  sentence.en += (sentence.en.empty() ? "" : " ") + more.en;
-  sentence.ja += more.ja;
-}
-
-Code code_of(const Outcome& outcome) {
-  if (outcome.exit_code == ExitCode::refused) return "refused";
-  return outcome.exit_code == ExitCode::out_of_memory ? Code("out_of_memory") : Code("command_failed");
-}
-
-Outcome failed(ExitCode exit_code, Text sentence) {
-  Outcome outcome;
-  outcome.kind = Outcome::Kind::failed;
-  outcome.exit_code = exit_code;
-  outcome.sentence = std::move(sentence);
-  return outcome;
-}
-
-std::vector<std::string> names_of(const Mesh& mesh, const std::vector<Element>& elements) {
-  std::vector<std::string> names;
-  names.reserve(elements.size());
-  for (const Element& element : elements) names.push_back(name_of(mesh, element));
-  return names;
-}
-
-Text describe(const Mesh& mesh, const Reason& reason) {
-  const RuleText& rule = text_of(reason.rule);
-  Text text{std::string(rule.en), std::string(rule.ja)};
-  std::string witnesses;
-  for (const std::string& name : names_of(mesh, reason.witnesses)) witnesses += (witnesses.empty() ? "" : ", ") + name;
-  if (witnesses.empty()) return text;
-  text.en += " (" + witnesses + ")";
-  text.ja += "（" + witnesses + "）";
-  return text;
-}
-
-std::vector<Text> describe_first(const Mesh& mesh, const std::vector<Reason>& reasons) {
-  constexpr std::size_t most = 8;
-  std::vector<Text> sentences;
-  for (std::size_t i = 0; i < reasons.size() && i < most; ++i) sentences.push_back(describe(mesh, reasons[i]));
-  if (reasons.size() <= most) return sentences;
-  sentences.push_back(count_text(reasons.size() - most, "There is one more reason.", "There are # more reasons.",
-                                 "理由はほかに # 件あります。"));
-  return sentences;
-}
 
 Document::Document() : Document(MeshFile()) {}
 
@@ -281,123 +226,6 @@ MeshFile Document::part(std::span<const Element> elements) const {
   return file;
 }
 
-void Document::make_room_in_history() {
-  if (history_.size() == history_.capacity()) history_.reserve(2 * history_.size() + 1);
-}
-
-void Document::committed(std::string command, OtherQuarantine other, bool has_normals) {
-  const std::size_t transaction = journal_.position() - 1;
-  history_.resize(transaction);
-  other_quarantine_.erase(other_quarantine_.lower_bound(transaction), other_quarantine_.end());
-  history_.push_back({std::move(command), has_normals});
-  if (!other.empty()) {
-    other_quarantine_.merge(other);
-    exchange_quarantine(transaction);
-  }
-  if (saved_position_ >= journal_.position()) saved_position_ = no_index;  // that position can no longer be reached
-  notify(journal_, transaction, Change::made);
-}
-
-void Document::exchange_quarantine(std::size_t transaction) {
-  const auto other = other_quarantine_.find(transaction);
-  if (other != other_quarantine_.end()) std::swap(tables_.quarantine, other->second);
-}
-
-void Document::notify(const Journal& journal, std::size_t transaction, Change change) {
-  ++revision_;
-  for (const Listener& listener : listeners_) listener(journal, transaction, change);
-}
-
-Outcome Document::try_out(const AnyOp& op) {
-  Verdict verdict = check(mesh_, op);
-  if (!verdict.legal()) return refuse(op, std::move(verdict.reasons));
-  {
-    Edit edit(writable(), &trial_);
-    ryosen::apply(edit, op);
-    edit.commit();
-  }
-  notify(trial_, 0, Change::tried);
-  return {};
-}
-
-std::optional<AlgorithmResult> Document::try_out(const AlgorithmRow& row, const ParameterValues& values,
-                                                 Progress::Report report) {
-  end_trial();
-  AlgorithmResult result;
-  {
-    Progress progress(std::move(report));
-    Edit edit(writable(), &trial_);
-    const std::vector<Vertex> used = used_beside_the_mesh(file_, tables_.quarantine, mesh_.file_vertices());
-    const std::vector<Vertex> on_lines = vertices_on_lines(file_, mesh_.file_vertices());
-    FindingCounts counts{};
-    if (row.is_repair()) counts = count_findings(mesh_, on_lines);
-    result = run_guarded(edit, row, {values, used, tables_.quarantine.size(), on_lines}, progress, counts);
-    if (progress.is_cancelled()) return std::nullopt;
-    if (result.changed == 0) return result;
-    edit.commit();
-  }
-  notify(trial_, 0, Change::tried);
-  return result;
-}
-
-void Document::show_on_trial(MeshColumns columns) {
-  {
-    Edit edit(writable(), &trial_);
-    edit.replace(std::move(columns));
-    edit.commit();
-  }
-  notify(trial_, 0, Change::tried);
-}
-
-void Document::end_trial() {
-  if (!is_on_trial()) return;
-  if (before_writing) before_writing();
-  trial_.undo(mesh_);
-  notify(trial_, 0, Change::trial_ended);
-  trial_.clear();
-}
-
-bool Document::undo() {
-  if (!journal_.can_undo()) return false;
-  journal_.undo(writable());
-  exchange_quarantine(journal_.position());
-  notify(journal_, journal_.position(), Change::undone);
-  return true;
-}
-
-bool Document::redo() {
-  if (!journal_.can_redo()) return false;
-  journal_.redo(writable());
-  exchange_quarantine(journal_.position() - 1);
-  notify(journal_, journal_.position() - 1, Change::redone);
-  return true;
-}
-
-void Document::go_to(std::size_t position) {
-  while (journal_.position() > position && undo()) {
-  }
-  while (journal_.position() < position && redo()) {
-  }
-}
-
-void Document::take_back(std::size_t position) {
-  if (is_on_trial()) {
-    if (before_writing) before_writing();
-    trial_.withdraw(mesh_);
-    ++revision_;
-  }
-  while (journal_.position() > position && !journal_.is_last_redone()) {
-    const std::size_t transaction = journal_.position() - 1;
-    if (before_writing) before_writing();
-    journal_.withdraw(mesh_);
-    exchange_quarantine(transaction);
-    other_quarantine_.erase(other_quarantine_.lower_bound(transaction), other_quarantine_.end());
-    history_.resize(transaction);
-    ++revision_;
-  }
-  go_to(position);
-}
-
 std::optional<Text> Document::quarantine_text(std::span<const std::string_view> arguments) const {
   return ryosen::quarantine_text(tables_.quarantine, arguments);
 }
@@ -442,27 +270,6 @@ Document::Elsewhere Document::exists_elsewhere(NameError error, std::span<const 
   }
   go_back();
   return found;
-}
-
-Mesh Document::without_trial() const {
-  Mesh mesh = mesh_;
-  if (is_on_trial()) Journal(trial_).undo(mesh);
-  return mesh;
-}
-
-// The way back needs no memory. Nobody is told: it is as it was.
-Mesh Document::before_last_entry() {
-  if (!journal_.can_undo()) return mesh_;
-  journal_.undo(writable());
-  Mesh before;
-  try {
-    before = mesh_;
-  } catch (const std::bad_alloc&) {
-    journal_.redo(mesh_);
-    throw;
-  }
-  journal_.redo(mesh_);
-  return before;
 }
 
 MeshFile Document::contents() const {

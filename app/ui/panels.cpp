@@ -58,9 +58,7 @@ Text name_of_command(const std::string& id) {
 
 // Of a refusal that begins with its line, the reasons alone; else nothing.
 Text without_line(const Outcome& outcome, const Mesh& mesh) {
-  Text told;
-  for (const Text& sentence : describe_first(mesh, outcome.reasons))
-    told = told.en.empty() ? sentence : told + Text{" ", ""} + sentence;
+  Text told = join(describe_first(mesh, outcome.reasons));
   return outcome.sentence.en.ends_with(told.en) ? told : Text();
 }
 

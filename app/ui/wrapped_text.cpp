@@ -34,6 +34,7 @@ bool is_closing(std::string_view text) {
 bool is_opening(std::string_view letter) { return letter == "（" || letter == "「"; }
 
 bool is_kanji(char c) { return static_cast<unsigned char>(c) >= 0xE3; }
+bool is_latin(char c) { return c > ' ' && c <= '~'; }
 
 // Between kana and kanji a line may end anywhere: takes as many of them as fit, and the Latin words that they follow
 // without a blank, where ImGui would end at a blank before.
@@ -51,7 +52,11 @@ const char* with_kanji(const char* begin, const char* at, const char* end, float
     at = next;
   }
   const char* before = at;
-  while (before > begin && is_closing({before, static_cast<std::size_t>(end - before)})) before = at_letter(before);
+  while (before > begin && is_closing({before, static_cast<std::size_t>(end - before)})) {
+    before = at_letter(before);
+    while (before > begin && is_latin(*before) && is_latin(before[-1]))
+      --before;  // a word or number goes on as a whole
+  }
   while (before > begin && is_opening({at_letter(before), static_cast<std::size_t>(before - at_letter(before))}))
     before = at_letter(before);
   return before > begin ? before : at;

@@ -35,6 +35,8 @@ TEST_F(WrappedText, ends_no_line_with_a_bracket_that_opens) {
 }
 
 TEST_F(WrappedText, leaves_latin_words_whole) {
+  EXPECT_EQ(wrapped_size("平均曲率 1073.84、平均", width("平均曲率 1073.84")).x, width("1073.84、平均"))
+      << "a number is not cut where a line may not begin behind it";
   EXPECT_EQ(wrapped_size("稜線 collapse 削除", width("稜線 colla")).x, ImGui::CalcTextSize("collapse").x);
   EXPECT_EQ(lines("one two three", width("one two")), 2);
 }

@@ -23,8 +23,8 @@ struct WindowOptions {
 //
 // Every edit is recorded for crash recovery (see editor/autosave.h); at the start, recoverable sessions are offered.
 //
-// With RYOSEN_FRAME_LOG=FILE in the environment a line of FILE says that a file is being read, and each presented frame appends a line to FILE: its number, the pixels
-// drawn, the time taken, and the state of the document.
+// With RYOSEN_FRAME_LOG=FILE in the environment a line of FILE says that a file is being read, and each presented frame
+// appends a line to FILE: its number, the pixels drawn, the time taken, and the state of the document.
 Status run_window(const WindowOptions& options);
 
 }  // namespace ryosen

@@ -16,8 +16,8 @@ struct PaletteEntry {
   std::string syntax;
 };
 
-// One for each line that the tables of commands and what they name, operators, algorithms, switches, views, selectors, panels, colour maps
-// and keys have.
+// One for each line that the tables of commands and what they name, operators, algorithms, switches, views, selectors,
+// panels, colour maps and keys have.
 std::vector<PaletteEntry> palette_entries();
 
 // The entries in which each word of what was typed is found, in either language, without regard to case; best first:

@@ -137,7 +137,8 @@ class Search {
  private:
   // None depends on the number of threads, so the pairs kept do not.
   static constexpr std::uint32_t part_of_nodes = 256, part_of_large = 64, tasks = 8;
-  static constexpr std::size_t steps_for_each = 16;  // of a triangle's place in the tree, and of the search for what meets it
+  // Of a triangle's place in the tree, and of the search for what meets it.
+  static constexpr std::size_t steps_for_each = 16;
   static constexpr std::size_t enough = 1 << 15;  // pairs that a part holds before it stops
 
   // Calls search_one(task, part, keeps) for each number below `count`, which begins what is left of the part.

@@ -23,7 +23,9 @@ class HighlightSets {
   std::uint32_t count(ProblemKind kind) const { return problems_.count(kind); }
   // See ProblemSets.
   void put_findings(ProblemKind kind, std::span<const std::uint32_t> found) { problems_.put_findings(kind, found); }
-  bool put_member(const ProblemRow& row, std::uint32_t index, bool is_member) { return problems_.put_member(row, index, is_member); }
+  bool put_member(const ProblemRow& row, std::uint32_t index, bool is_member) {
+    return problems_.put_member(row, index, is_member);
+  }
   ElementCounts counts_on_points(const Mesh& mesh) const { return problems_.counts_on_points(mesh); }
 
   // Whether the sets of a highlight are there. Those of problems are; what predicates of its own mark is searched for by

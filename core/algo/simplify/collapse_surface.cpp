@@ -20,6 +20,15 @@ namespace {
 constexpr double crease_weight = 10;
 // Of the square of an edge's length, so that where nothing is lost by any collapse the short edges go first.
 constexpr double length_share = 1e-9;
+
+// What decides the order. The mean square times the root of the weight lies between the sum of squares, by which horns and
+// legs of small faces go before a dent in a wide flank, and the mean, by which every small part is kept at the cost of all
+// others. Over nine meshes the root mean square distance stays the same at 50 and 10 percent of the faces and is a twelfth
+// less at 1.
+double cost_of(double squares, double weight, const glm::dvec3& along) {
+  return weight > 0 ? (squares + length_share * weight * glm::dot(along, along)) / std::sqrt(weight) : 0;
+}
+
 // A face that turns by less than a right angle does so by more than rounding.
 constexpr double least_cosine = 1e-9;
 
@@ -166,7 +175,7 @@ Placing CollapseSurface::at_place(const Freedom& freedom, const glm::dvec3& plac
   const glm::dvec3 along = states_[a.index].place - states_[b.index].place;
   const Quadric &qa = states_[a.index].quadric, &qb = states_[b.index].quadric;
   const double squares = qa.at(place) + qb.at(place);
-  return {place, squares, squares + length_share * (qa.weight + qb.weight) * glm::dot(along, along), at};
+  return {place, squares, cost_of(squares, qa.weight + qb.weight, along), at};
 }
 
 Placing CollapseSurface::lowest(const Freedom& freedom) const {
@@ -177,7 +186,7 @@ Placing CollapseSurface::lowest(const Freedom& freedom) const {
   const Quadric sum = states_[a.index].quadric + states_[b.index].quadric;
   const glm::dvec3 place = sum.lowest(middle);
   const double squares = sum.at(place);
-  return {place, squares, squares + length_share * sum.weight * glm::dot(along, along)};
+  return {place, squares, cost_of(squares, sum.weight, along)};
 }
 
 double CollapseSurface::lowest_cost(Halfedge h) const {

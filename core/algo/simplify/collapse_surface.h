@@ -39,7 +39,7 @@ struct Freedom {
 struct Placing {
   glm::dvec3 place;
   double squares;        // the sum of the quadrics of both ends there
-  double cost;           // the same and a little for a long edge: what decides the order
+  double cost;           // of these and a little for a long edge: what decides the order
   Vertex at = Vertex();  // the end whose place it is
 };
 

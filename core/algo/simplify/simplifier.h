@@ -1,7 +1,7 @@
 // Simplification by collapses of edges, the one of least error first [Garland97].
 //
-// An edge waits on a level of its cost, which is a lower bound: what its ends stand for only grows. It is asked anew when
-// its turn comes, and goes to a higher level or collapses. One that is refused is blocked until something around it
+// An edge waits on a level of its cost, which nearly is a lower bound: what its ends stand for only grows. It is asked anew
+// when its turn comes, and goes to a higher level or collapses. One that is refused is blocked until something around it
 // changes. So nothing is written to the queue where a neighbour collapses. Edges of a level are taken many at once
 // (simplifier_batch.cpp); what one of them asked is asked again where a collapse of another has changed it.
 #pragma once

@@ -1,6 +1,7 @@
 // The fields of an algorithm's values: one per parameter of its row, whatever the row is.
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>  // its windows
 
 #include <optional>
 
@@ -191,6 +192,21 @@ TEST_F(ValuesPanel, begins_at_the_same_place_for_all_algorithms) {
     ASSERT_GT(at.x, 0);
     if (!first) first = at;
     EXPECT_EQ(at, *first) << id;
+    ASSERT_TRUE(session.run("panel none").done());
+    frames(3);
+  }
+}
+
+TEST_F(ValuesPanel, is_as_high_as_its_fields) {
+  for (const char* const id : {"subdivide", "simplify"}) {
+    ASSERT_TRUE(session.run(std::string("values ") + id).done());
+    frames(8);
+    const ImGuiWindow* fields = nullptr;
+    for (const ImGuiWindow* const one : GImGui->Windows)
+      if (one->Active && std::string_view(one->Name).find("/fields") != std::string_view::npos) fields = one;
+    ASSERT_TRUE(fields);
+    EXPECT_EQ(fields->ScrollMax.y, 0) << id;
+    EXPECT_LT(fields->Size.y - fields->ContentSize.y, 60) << id << ", and leaves no empty part";
     ASSERT_TRUE(session.run("panel none").done());
     frames(3);
   }

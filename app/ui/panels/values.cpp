@@ -1,4 +1,6 @@
 // The values of an algorithm: one field per parameter, as its row describes it.
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/editor/algorithm_preview.h"
@@ -31,12 +33,14 @@ class ValuesPanel : public Panel {
   ImVec2 size() const override;
 
  private:
-  // True when Enter was pressed in a field.
+  // True when Enter was pressed in a field. `below` is what stands behind them.
   bool draw_fields(PanelContext& context, const AlgorithmRow& row, bool begins, float below);
+  void fit_height(PanelContext& context, float height_px);
   void draw_algorithms(PanelContext& context);
   void draw_preview(PanelContext& context, const AlgorithmRow& row, const ReadValues& read);
 
   std::string algorithm_;           // its id
+  float height_ = 0;                // that all of its fields take, at scale 1; 0 as long as it is not known
   bool has_run_ = false;            // with these values; where that failed, the reason stands beside them
   bool takes_keys_ = false;         // the first field is to have the keyboard, where this is asked again
   std::vector<std::string> texts_;  // what stands in the fields of its parameters
@@ -46,15 +50,22 @@ class ValuesPanel : public Panel {
 
 ImVec2 ValuesPanel::size() const {
   const AlgorithmRow* const row = find_algorithm(algorithm_);
-  if (!row) return {380, 420};
+  if (!row) return {410, 420};
+  if (height_ > 0) return {410, height_};
   float height = 190;
   for (const ParameterRow& parameter : row->parameters) height += shows_what_it_takes(parameter) ? 32.f : 60.f;
-  return {380, height};
+  return {410, height};
+}
+
+void ValuesPanel::fit_height(PanelContext& context, float height_px) {
+  const float height = std::ceil(height_px / context.scale);
+  if (std::exchange(height_, height) != height) context.state.unsettle();
 }
 
 // Between what the algorithm does and what runs it, which stay in sight.
 bool ValuesPanel::draw_fields(PanelContext& context, const AlgorithmRow& row, bool begins, float below) {
   bool entered = false;
+  const float top = ImGui::GetCursorPosY();
   ImGui::BeginChild("fields", {0, -below}, false, ImGuiWindowFlags_NavFlattened);
   if (ImGui::BeginTable("parameters", 2)) {
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 1.3f);
@@ -74,7 +85,11 @@ bool ValuesPanel::draw_fields(PanelContext& context, const AlgorithmRow& row, bo
     }
     ImGui::EndTable();
   }
+  const float fields = ImGui::GetCursorPosY() + ImGui::GetScrollY();
   ImGui::EndChild();
+  // With room for a sentence of two lines, so that the height stays when one comes.
+  const float least = 2 * ImGui::GetFrameHeightWithSpacing() + 2 * ImGui::GetTextLineHeightWithSpacing();
+  fit_height(context, top + fields + std::max(below, least) + ImGui::GetStyle().WindowPadding.y);
   return entered;
 }
 
@@ -106,6 +121,7 @@ void ValuesPanel::draw(PanelContext& context) {
   const bool begins = algorithm_ != row->id || ImGui::IsWindowAppearing();
   if (begins && !has_failed) {
     has_run_ = false;
+    if (algorithm_ != row->id) height_ = 0;
     algorithm_ = row->id;
     texts_.clear();
     for (const ParameterRow& parameter : row->parameters) texts_.emplace_back(parameter.initial);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/editor/large_files.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {
@@ -37,10 +38,10 @@ TEST(opening, may_be_given_up_at_any_time) {
 }
 
 TEST(opening, tells_the_long_ones_by_their_size) {
-  EXPECT_TRUE(is_long_to_open(test::asset("stanford_bunny.obj")));
-  EXPECT_FALSE(is_long_to_open(test::asset("cube.obj")));
-  EXPECT_FALSE(is_long_to_open("/dev/stdin"));
-  EXPECT_FALSE(is_long_to_open("no such file"));
+  EXPECT_TRUE(is_long_to_read(test::asset("stanford_bunny.obj")));
+  EXPECT_FALSE(is_long_to_read(test::asset("cube.obj")));
+  EXPECT_FALSE(is_long_to_read("/dev/stdin"));
+  EXPECT_FALSE(is_long_to_read("no such file"));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "app/editor/commands.h"
 #include "app/ui/panels.h"
 #include "app/ui/parameter_field.h"
+#include "app/ui/whole_rows.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {
@@ -40,6 +41,7 @@ class ValuesPanel : public Panel {
   void draw_preview(PanelContext& context, const AlgorithmRow& row, const ReadValues& read);
 
   std::string algorithm_;           // its id
+  WholeRows rows_;
   float height_ = 0;                // that all of its fields take, at scale 1; 0 as long as it is not known
   bool has_run_ = false;            // with these values; where that failed, the reason stands beside them
   bool takes_keys_ = false;         // the first field is to have the keyboard, where this is asked again
@@ -66,7 +68,7 @@ void ValuesPanel::fit_height(PanelContext& context, float height_px) {
 bool ValuesPanel::draw_fields(PanelContext& context, const AlgorithmRow& row, bool begins, float below) {
   bool entered = false;
   const float top = ImGui::GetCursorPosY();
-  ImGui::BeginChild("fields", {0, -below}, false, ImGuiWindowFlags_NavFlattened);
+  rows_.begin("fields", std::max(1.f, ImGui::GetContentRegionAvail().y - below));
   if (ImGui::BeginTable("parameters", 2)) {
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 1.3f);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 2.4f);
@@ -74,6 +76,7 @@ bool ValuesPanel::draw_fields(PanelContext& context, const AlgorithmRow& row, bo
       const ParameterRow& parameter = row.parameters[i];
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
+      rows_.row();
       ImGui::AlignTextToFramePadding();
       wrapped_text(context.text(parameter.name_en, parameter.name_ja));
       tip(context.text(parameter.help_en, parameter.help_ja));
@@ -85,11 +88,10 @@ bool ValuesPanel::draw_fields(PanelContext& context, const AlgorithmRow& row, bo
     }
     ImGui::EndTable();
   }
-  const float fields = ImGui::GetCursorPosY() + ImGui::GetScrollY();
-  ImGui::EndChild();
+  rows_.end();
   // With room for a sentence of two lines, so that the height stays when one comes.
   const float least = 2 * ImGui::GetFrameHeightWithSpacing() + 2 * ImGui::GetTextLineHeightWithSpacing();
-  fit_height(context, top + fields + std::max(below, least) + ImGui::GetStyle().WindowPadding.y);
+  fit_height(context, top + rows_.height() + std::max(below, least) + ImGui::GetStyle().WindowPadding.y);
   return entered;
 }
 

@@ -3,22 +3,12 @@
 #include <cstdio>
 #include <utility>
 
+#include "app/editor/large_files.h"
 #include "core/base/interruption.h"
 
 namespace ryosen {
 
-namespace {
-
-std::uintmax_t bytes_of(const std::filesystem::path& file) {
-  std::error_code fault;
-  const std::uintmax_t bytes =
-      std::filesystem::is_regular_file(file, fault) ? std::filesystem::file_size(file, fault) : 0;
-  return fault ? 0 : bytes;
-}
-
-}  // namespace
-
-Opening::Opening(std::filesystem::path file) : file_(std::move(file)), bytes_(bytes_of(file_)) {
+Opening::Opening(std::filesystem::path file) : file_(std::move(file)), bytes_(bytes_of_plain_file(file_)) {
   found_ = std::async(std::launch::async, [this] {
     const Interruptible while_wanted(&is_unwanted_);
     return Document::open(file_);
@@ -26,7 +16,7 @@ Opening::Opening(std::filesystem::path file) : file_(std::move(file)), bytes_(by
 }
 
 Opening::~Opening() {
-  is_unwanted_ = true;
+  give_up();
   if (found_.valid()) found_.wait();
 }
 
@@ -36,7 +26,5 @@ Text Opening::told() const {
   const std::string name = file_.filename().string();
   return {"Reading " + name + ", " + size, name + " を読み込み中（" + size + "）"};
 }
-
-bool is_long_to_open(const std::filesystem::path& file) { return bytes_of(file) > 1000000; }
 
 }  // namespace ryosen

@@ -23,6 +23,8 @@ class Opening {
   bool is_done(std::chrono::milliseconds within) const { return found_.wait_for(within) == std::future_status::ready; }
   // Waits for it. Once.
   Result<std::unique_ptr<Document>> take() { return found_.get(); }
+  // Nobody wants it any more: it ends as soon as it can, and nobody may take it.
+  void give_up() { is_unwanted_ = true; }
   // What is being done: the file, and how large it is.
   Text told() const;
 
@@ -32,8 +34,5 @@ class Opening {
   std::atomic<bool> is_unwanted_ = false;
   std::future<Result<std::unique_ptr<Document>>> found_;
 };
-
-// Whether reading a file takes so long that one wants to be told: of another kind than a plain file it is not known.
-bool is_long_to_open(const std::filesystem::path& file);
 
 }  // namespace ryosen

@@ -7,6 +7,7 @@
 
 #include "app/editor/autosave.h"
 #include "app/editor/keys.h"
+#include "app/editor/large_files.h"
 #include "app/editor/user_files.h"
 #include "app/editor/user_folders.h"
 #include "app/editor/view_switches.h"
@@ -48,6 +49,9 @@ class Editor {
     };
     session_.trials().in_background = true;
     session_.asks_in_slices = true;
+    session_.read_document = [this](const std::filesystem::path& file) {
+      return is_long_to_read(file) && !gui_.is_laying_out() ? read_beside(file) : Document::open(file);
+    };
     session_.on_progress = [this](double share) { return show_progress(share); };
     gui_.set_clipboard(
         window.handle(), [](void* w) { return glfw().get_clipboard_string(static_cast<GLFWwindow*>(w)); },
@@ -66,16 +70,8 @@ class Editor {
   // Shows an empty view until the file is read. Given up, it goes on without it.
   Status open(const std::filesystem::path& file) {
     show_empty();
-    log_.reading(file);
-    opening_.emplace(file);
-    is_cancelled_ = false;
-    const Clock::time_point began = Clock::now();
-    while (!opening_->is_done(std::chrono::milliseconds(30)) && !is_cancelled_)
-      if (Clock::now() - began > patience) show_work({{}, opening_->told()});
-    end_work();
-    if (is_cancelled_) return success();
-    Result<std::unique_ptr<Document>> document = opening_->take();
-    if (!document) return document.failure();
+    Result<std::unique_ptr<Document>> document = read_beside(file);
+    if (!document) return document.failure().exit_code == ExitCode::cancelled ? success() : document.failure();
     session_.set_document(std::move(document).value());
     session_.frame_all();
     return success();
@@ -221,6 +217,23 @@ class Editor {
     return !is_cancelled_;
   }
 
+  // Says meanwhile what is read. What was given up ends beside the frames, at the latest with the window.
+  Result<std::unique_ptr<Document>> read_beside(const std::filesystem::path& file) {
+    std::erase_if(given_up_, [](const auto& opening) { return opening->is_done({}); });
+    log_.reading(file);
+    auto opening = std::make_unique<Opening>(file);
+    is_working_ = true;
+    is_cancelled_ = false;
+    const Clock::time_point began = Clock::now();
+    while (!opening->is_done(std::chrono::milliseconds(30)) && !is_cancelled_)
+      if (Clock::now() - began > patience) show_work({{}, opening->told()});
+    end_work();
+    if (!is_cancelled_) return opening->take();
+    opening->give_up();
+    given_up_.push_back(std::move(opening));
+    return Failure{ExitCode::cancelled, {}};
+  }
+
   void show_work(const WorkShown& work) {
     glfw().poll_events();
     while (const std::optional<WindowEvent> event = window_.take_event()) handle_at_work(*event);
@@ -314,7 +327,7 @@ class Editor {
   WindowInput input_{gui_, session_, {}, [this] { catch_up(); }};
   UserFiles user_files_;
   Autosave autosave_{recovery_folder()};
-  std::optional<Opening> opening_;  // that of the command line; where it was given up it ends with the window
+  std::vector<std::unique_ptr<Opening>> given_up_;  // that were read
   std::string title_;
   WindowCursor cursor_;
   FrameLog log_;
@@ -328,7 +341,7 @@ class Editor {
 }  // namespace
 
 Status run_window(const WindowOptions& options) {
-  const bool shows_reading = is_long_to_open(options.file);
+  const bool shows_reading = is_long_to_read(options.file);
   auto document = std::make_unique<Document>();
   if (!options.file.empty() && !shows_reading) {
     Result<std::unique_ptr<Document>> opened = Document::open(options.file);

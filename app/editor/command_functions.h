@@ -87,4 +87,9 @@ RunCommand run_prefer, run_bind;
 FaultOfCommand fault_of_bind;
 RunCommand run_panel, run_menu, run_columns, run_values, run_language, run_cancel, run_quit;
 
+// Whether the file is a large one.
+bool opening_takes_long(Words arguments);
+// Of a file that could not be read, or whose reading was given up.
+Outcome not_read(const Failure& failure, const std::string& name);
+
 }  // namespace ryosen

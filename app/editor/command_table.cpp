@@ -30,6 +30,7 @@ const std::vector<CommandRow>& first_rows() {
        .help_ja = "メッシュを開く",
        .effect = Effect::replaces,
        .run = run_open,
+       .may_take_long = opening_takes_long,
        .file = FileAccess::reads,
        .fault = fault_of_open},
       {.id = "reload",

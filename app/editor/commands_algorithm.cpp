@@ -81,8 +81,7 @@ std::optional<Text> fault_of_selected(const AlgorithmRow& row, Words words) {
   if (elements == row.parameters.end())
     return Text{"it takes no elements, so that 'selected' means nothing", "要素を取らないため、selected は使えません"};
   const std::string whole = std::string(elements->id) + "=selected";
-  return Text{"'selected' alone is no value of " + std::string(row.parameters[0].id) + "; write " + whole,
-              "selected だけでは " + std::string(row.parameters[0].id) + " の値になりません。" + whole + " と書きます"};
+  return Text{"what is selected is given by its name, " + whole, "選択した要素は " + whole + " と名前をつけて指定します"};
 }
 
 // `call` is what stands before the values. A first value without its name stays so.

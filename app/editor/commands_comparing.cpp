@@ -1,6 +1,5 @@
 // The command `compare`: another mesh beside the open one.
 #include "app/editor/command_functions.h"
-#include "app/editor/message_place.h"
 #include "app/editor/words.h"
 
 namespace ryosen {
@@ -16,8 +15,8 @@ Outcome run_compare(Session& session, Words arguments, std::string_view whole) {
     return {};
   }
   const std::string name = file_name(whole);
-  auto document = Document::open(name);
-  if (!document) return failed(document.failure().exit_code, text_with_place(document.failure().message, name));
+  auto document = session.read_document(name);
+  if (!document) return not_read(document.failure(), name);
   session.files.reads(name, FileRole::mesh);
   session.put_beside(std::make_unique<Session>(std::move(document).value()));
   return {};

@@ -4,6 +4,7 @@
 #include "app/editor/exercises.h"
 #include "app/editor/figures.h"
 #include "app/editor/first_slots.h"
+#include "app/editor/large_files.h"
 #include "app/editor/message_place.h"
 #include "app/editor/script.h"
 #include "app/editor/words.h"
@@ -48,11 +49,23 @@ std::optional<Text> fault_of_open(Words arguments, const std::string&) {
   return arguments.empty() ? std::optional(wrong_arguments("open").sentence) : std::nullopt;
 }
 
+bool opening_takes_long(Words arguments) {
+  if (arguments.empty()) return false;
+  const char* const begin = arguments.front().data();  // the words are parts of one line
+  const char* const end = arguments.back().data() + arguments.back().size();
+  return is_long_to_read(file_name({begin, static_cast<std::size_t>(end - begin)}));
+}
+
+Outcome not_read(const Failure& failure, const std::string& name) {
+  if (failure.exit_code == ExitCode::cancelled) return cancelled();
+  return failed(failure.exit_code, text_with_place(failure.message, name));
+}
+
 Outcome run_open(Session& session, Words arguments, std::string_view whole) {
   if (arguments.empty()) return wrong_arguments("open");
   const std::string name = file_name(whole);
-  auto document = Document::open(name);
-  if (!document) return failed(document.failure().exit_code, text_with_place(document.failure().message, name));
+  auto document = session.read_document(name);
+  if (!document) return not_read(document.failure(), name);
   session.set_document(std::move(document).value());
   return performed("open " + file_argument(name));
 }

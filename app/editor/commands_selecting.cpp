@@ -41,6 +41,20 @@ Selecting read_selecting(Words arguments) {
   return asked;
 }
 
+// The kinds of problems and the selectors that a word may stand for: those that it is a part of, else the one that it is
+// a slip of.
+Text meant_by(std::string_view word) {
+  std::vector<std::string> known;
+  for (const ProblemRow& row : problem_table()) known.emplace_back(row.id);
+  for (const Selector& row : selectors()) known.emplace_back(row.id);
+  Text ids;
+  for (const std::string& id : known)
+    if (word.size() > 2 && id.find(word) != id.npos)
+      ids = ids + (ids.en.empty() ? Text() : Text{" or ", " か "}) + Text{id, id};
+  if (ids.en.empty()) return did_you_mean(word, known);
+  return Text{"; did you mean ", "。"} + ids + Text{"?", " ですか？"};
+}
+
 std::optional<Text> fault_of(const Selecting& asked) {
   if (asked.how != SelectHow::anew && asked.names.empty()) return wrong_arguments("select").sentence;
   if (asked.is_kept) return asked.names.size() == 1 ? std::nullopt : std::optional(wrong_arguments("select").sentence);
@@ -56,7 +70,8 @@ std::optional<Text> fault_of(const Selecting& asked) {
   if (asked.problem && asked.names.empty() && !is_kept)
     return Text{"select: " + std::string(asked.problem->id) + " is not kept; name the element",
                 "select：" + std::string(asked.problem->id) + " は一覧を保持していません。要素名を付けてください"};
-  return fault_of_names("select", asked.names);
+  const auto fault = fault_of_names("select", asked.names);
+  return fault && asked.names.size() == 1 ? std::optional(*fault + meant_by(asked.names[0])) : fault;
 }
 
 Elements all_of(Session& session, const ProblemRow& problem) {

@@ -1,6 +1,7 @@
 #include "app/editor/measure_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -54,14 +55,32 @@ Text text_of(const Measurement& found) {
   return text;
 }
 
-Text text_of(const ColourMap& map, const MapFigures& figures) {
-  const auto value = [&](double v) { return value_text(v, map.unit); };
-  const std::string low = value(figures.lowest), high = value(figures.highest), mean = value(figures.mean),
-                    median = value(figures.median), count = std::to_string(figures.count);
+namespace {
+
+// The lowest value, the highest, the mean and the median, as they are written.
+Text figures_text(const ColourMap& map, const MapFigures& figures, std::span<const std::string> values) {
+  const std::string &low = values[0], &high = values[1], &mean = values[2], &median = values[3];
+  const std::string count = std::to_string(figures.count);
   return {
       std::string(map.name_en) + ": " + low + " to " + high + ", mean " + mean + ", median " + median + ", of " + count,
       std::string(map.name_ja) + "：" + low + " ～ " + high + "、平均 " + mean + "、中央値 " + median + "、個数 " +
           count};
+}
+
+}  // namespace
+
+Text text_of(const ColourMap& map, const MapFigures& figures) {
+  std::vector<std::string> values;
+  for (const double value : {figures.lowest, figures.highest, figures.mean, figures.median})
+    values.push_back(value_text(value, map.unit));
+  return figures_text(map, figures, values);
+}
+
+Text short_text_of(const ColourMap& map, const MapFigures& figures) {
+  std::vector<std::string> values =
+      numbers_alike(std::array{figures.lowest, figures.highest, figures.mean, figures.median});
+  for (std::string& value : values) value += sign_of(map.unit);
+  return figures_text(map, figures, values);
 }
 
 Text measured_text(const Mesh& mesh, std::span<const Element> elements) {

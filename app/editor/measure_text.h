@@ -14,6 +14,8 @@ std::vector<std::string> numbers_alike(std::span<const double> values);
 Text text_of(const Measurement& found);
 // "Edge length: 1 to 2, mean 1.5, median 1.4, of 12"
 Text text_of(const ColourMap& map, const MapFigures& figures);
+// The same as it is shown: the numbers in one notation, as the ends of a legend.
+Text short_text_of(const ColourMap& map, const MapFigures& figures);
 // Of elements as they are now; that one of them is gone, where that is so.
 Text measured_text(const Mesh& mesh, std::span<const Element> elements);
 

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/session.h"
+#include "core/geometry/box.h"
 
 namespace ryosen {
 
@@ -45,9 +46,24 @@ glm::dvec3 held_at(Session& session, glm::dvec2 pixel) {
   return place_at(part.camera, part.view, pixel - part.view_origin, nearest_depth(part));
 }
 
+// What is looked at, where nothing was pressed. The wheel may have left the target before or behind all there is: then
+// the middle of the mesh, or, where that is out of sight, the middle of the view as deep as its nearest surface.
+glm::dvec3 middle_of_what_is_seen(Session& session) {
+  const Camera& camera = session.camera;
+  const Box box = box_of_finite(session.mesh().positions());
+  if (box.is_empty() || box.encloses({camera.target, camera.target})) return camera.target;
+  const auto at = project(camera, session.view, box.middle());
+  const bool is_seen = at && at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x <= session.view.width &&
+                       at->pixel.y <= session.view.height;
+  if (is_seen) return box.middle();
+  return place_at(camera, session.view, glm::dvec2(session.view.width, session.view.height) / 2.0,
+                  nearest_depth(session));
+}
+
 glm::dvec3 centre_of_orbit(Session& session, glm::dvec2 pixel) {
   if (session.orbit_about == OrbitAbout::centre) return session.camera.target;
-  return place_under(session, pixel).value_or(session.camera.target);
+  const auto place = place_under(session, pixel);
+  return place ? *place : middle_of_what_is_seen(session);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ void RecordBook::go_on_with(Work work) {
     (*shared)();
   };
   try {
-    thread_ = std::thread(run);
+    thread_ = start_(run);
   } catch (const std::system_error&) {
     run();
   }

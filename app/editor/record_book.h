@@ -4,9 +4,11 @@
 #include <atomic>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <span>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "app/editor/document.h"
@@ -18,7 +20,11 @@ namespace ryosen {
 // revision that was asked for. Nothing here waits but wait_for() and the end, where a thread is to be had.
 class RecordBook {
  public:
+  // Begins work on a thread of its own; throws std::system_error where there is none to be had.
+  using Start = std::function<std::thread(std::function<void()> work)>;
+
   RecordBook() = default;
+  explicit RecordBook(Start start) : start_(std::move(start)) {}
   ~RecordBook();
   RecordBook(const RecordBook&) = delete;
   RecordBook& operator=(const RecordBook&) = delete;
@@ -55,6 +61,7 @@ class RecordBook {
   void go_on_with(Work work);
   void begin(const Document& document);
 
+  Start start_ = [](std::function<void()> work) { return std::thread(std::move(work)); };
   bool is_asked_ = false;
   std::uint64_t serial_ = 0, revision_ = 0;  // that were asked for last
   std::shared_ptr<Build> built_;             // done, or what the thread is at

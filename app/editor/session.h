@@ -182,6 +182,9 @@ class Session {
   // window has its own events, so that what is said there in its command panel goes to the view.
   Input& input();
   std::weak_ptr<Input> frontend_input;
+  // How files of meshes are read; a frontend that shows meanwhile what is read sets another way. One that was given up
+  // fails as cancelled.
+  std::function<Result<std::unique_ptr<Document>>(const std::filesystem::path&)> read_document = Document::open;
   // Progress reports of long operations, may cancel them; set by the frontend.
   Progress::Report on_progress;
   // Ends the session; set by the window.

@@ -26,13 +26,15 @@ std::string_view behind_word(std::string_view line) {
 std::string with_short_numbers(std::string_view line) {
   std::string shown;
   for (std::size_t at = 0; at < line.size();) {
-    const bool begins = at == 0 || std::string_view(" ,=(").find(line[at - 1]) != std::string_view::npos;
+    const auto is_beyond_latin = [](char c) { return static_cast<unsigned char>(c) >= 0x80; };  // as what Japanese has
+    const bool begins = at == 0 || is_beyond_latin(line[at - 1]) ||
+                        std::string_view(" ,=(").find(line[at - 1]) != std::string_view::npos;
     double value = 0;
     const char* const begin = line.data() + at;
     const auto [end, error] = std::from_chars(begin, line.data() + line.size(), value);
     const std::string_view number(begin, begins && error == std::errc() ? end : begin);
-    const bool is_whole_word =
-        end == line.data() + line.size() || std::string_view(" ,)%;:").find(*end) != std::string_view::npos;
+    const bool is_whole_word = end == line.data() + line.size() || is_beyond_latin(*end) ||
+                               std::string_view(" ,)%;:").find(*end) != std::string_view::npos;
     const bool is_exact = number.find_first_of(".e") == std::string_view::npos && number != "-0";
     if (number.empty() || !is_whole_word || is_exact) {
       shown += line[at++];

@@ -37,11 +37,13 @@ struct AlgorithmInput {
 struct LeftForReason {
   Text reason;                    // a clause: "every patch would ..."
   std::vector<Element> elements;  // one for each thing left, which names it
+  bool names_them = false;        // the reason says what they are
 };
 
 // Adds one where there are such elements.
-inline void add_left(std::vector<LeftForReason>& left_for, Text reason, std::vector<Element> elements) {
-  if (!elements.empty()) left_for.push_back({std::move(reason), std::move(elements)});
+inline void add_left(std::vector<LeftForReason>& left_for, Text reason, std::vector<Element> elements,
+                     bool names_them = false) {
+  if (!elements.empty()) left_for.push_back({std::move(reason), std::move(elements), names_them});
 }
 
 // Why an algorithm with a goal came to its end.

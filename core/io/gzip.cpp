@@ -8,6 +8,7 @@
 #include <new>
 #include <optional>
 
+#include "core/base/interruption.h"
 #include "core/io/reporter.h"
 
 namespace ryosen {
@@ -15,6 +16,7 @@ namespace {
 
 constexpr int gzip_window = 15 + 16;                        // the largest window, with gzip header and checksum
 constexpr std::size_t most_at_once = std::size_t{1} << 30;  // zlib counts in 32 bits
+constexpr std::size_t most_between_stops = std::size_t{1} << 22;  // of what is unpacked
 
 // Sequential decompression over all members of a gzip file.
 class Inflater {
@@ -30,7 +32,10 @@ class Inflater {
   // failure.
   std::size_t read(char* room, std::size_t size) {
     std::size_t done = 0;
-    while (done < size && !is_at_end_ && !failure_) done += step(room + done, std::min(size - done, most_at_once));
+    while (done < size && !is_at_end_ && !failure_) {
+      stop_if_interrupted();
+      done += step(room + done, std::min(size - done, most_between_stops));
+    }
     return done;
   }
 

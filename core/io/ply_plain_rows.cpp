@@ -6,6 +6,7 @@
 #include <cstring>
 #include <vector>
 
+#include "core/base/interruption.h"
 #include "core/base/parallel.h"
 #include "core/mesh/column_memory.h"
 
@@ -97,6 +98,7 @@ template <class ReadRow>
 PlainRows read_in_blocks(std::vector<Block>& blocks, unsigned threads, std::size_t first, std::size_t most,
                          const ReadRow& read_row) {
   for_each_task(static_cast<unsigned>(blocks.size()), threads, [&](unsigned i) {
+    stop_if_interrupted();
     Block& block = blocks[i];
     if (block.first < first + most) read_rows(block, first + most - block.first, read_row);  // else it is of others
   });

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/base/interruption.h"
+
 namespace ryosen {
 namespace {
 
@@ -75,6 +77,7 @@ bool TextLines::next(TextLine& line) {
   if (at_ == end_) return false;
   line_begin_ = at_;
   const std::string_view text = take();
+  stop_if_interrupted(static_cast<std::uint32_t>(count_));
   line.number = count_;
   const bool goes_on = join_continuations_ && !text.empty() && text.back() == '\\' && !is_comment(text);
   is_joined_ = goes_on || !has_plain_end_;

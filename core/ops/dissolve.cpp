@@ -11,18 +11,12 @@
 #include "core/ops/rules/corner_values.h"
 #include "core/ops/rules/face_lists.h"
 #include "core/ops/rules/plain_faces.h"
+#include "core/ops/rules/shared_chain.h"
 #include "core/ops/rules/surgery.h"
 
 namespace ryosen {
 
 namespace {
-
-// The chain of edges from h on through vertices with exactly two edges; h first.
-std::vector<Halfedge> chain_from(const Mesh& m, Halfedge h) {
-  std::vector<Halfedge> chain{h};
-  while (has_two_edges(m, m.to(chain.back())) && m.next(chain.back()) != h) chain.push_back(m.next(chain.back()));
-  return chain;
-}
 
 // What is removed: edges and the vertices between them, and the faces that are merged.
 struct Plan {
@@ -41,9 +35,7 @@ void add_chain(const Mesh& m, std::vector<Halfedge> chain, Plan& plan) {
 
 Plan plan_of_edge(const Mesh& m, Halfedge h) {
   Plan plan;
-  const std::vector<Halfedge> back = chain_from(m, twin(h));
-  // A closed chain has no end to start at.
-  add_chain(m, chain_from(m, has_two_edges(m, m.to(back.back())) ? h : twin(back.back())), plan);
+  add_chain(m, chain_through(m, h), plan);
   std::sort(plan.faces.begin(), plan.faces.end());
   return plan;
 }
@@ -163,12 +155,6 @@ void remove_inner_vertices(Edit& edit, const std::vector<Halfedge>& chain, const
     edit.remove(v);
     effect.deleted.push_back(v);
   }
-}
-
-std::vector<Vertex> inner_vertices(const Mesh& m, const std::vector<Halfedge>& chain) {
-  std::vector<Vertex> inner;
-  for (std::size_t i = 1; i < chain.size(); ++i) inner.push_back(m.from(chain[i]));
-  return inner;
 }
 
 void unite_along(Edit& edit, const std::vector<Halfedge>& chain, OpEffect& effect) {

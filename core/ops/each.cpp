@@ -9,6 +9,7 @@
 #include "core/mesh/copies.h"
 #include "core/mesh/find_element.h"
 #include "core/mesh/names.h"
+#include "core/ops/dissolve_series.h"
 #include "core/ops/lines/arguments.h"
 #include "core/ops/lines/syntax.h"
 
@@ -85,7 +86,7 @@ Halfedge halfedge_between(const Mesh& mesh, Vertex from, Vertex to) {
 class Calls {
  public:
   Calls(Edit& edit, const OpInfo& op, Words arguments, bool strict)
-      : edit_(edit), op_(op), arguments_(arguments), strict_(strict) {}
+      : edit_(edit), op_(op), arguments_(arguments), strict_(strict), dissolves_(edit) {}
 
   // False where the arguments cannot be.
   bool call(const Element& e, const Element* with) {
@@ -114,7 +115,7 @@ class Calls {
       refuse(e, *rule);
       return true;
     }
-    ryosen::apply(edit_, *parsed.op);
+    apply(*parsed.op);
     subjects_.done(same);
     ++result_.done;
     return true;
@@ -133,6 +134,8 @@ class Calls {
   }
   const Mesh& mesh() const { return edit_.mesh(); }
   EachResult& result() { return result_; }
+  // After the last call.
+  void settle() { dissolves_.settle(); }
 
  private:
   Parsed<AnyOp> read(const Element& e, const Element* with) const {
@@ -157,7 +160,17 @@ class Calls {
   std::string name_of_one(const Element& e) const {
     return e.kind == Element::Kind::vertex ? quick_name(mesh(), e) : name_of(mesh(), e);
   }
-  std::optional<Rule> broken_rule(const AnyOp& op) const {
+  void apply(const AnyOp& op) {
+    if (const auto* const dissolve = std::get_if<Dissolve>(&op))
+      dissolves_.apply(*dissolve);
+    else
+      ryosen::apply(edit_, op);
+  }
+  std::optional<Rule> broken_rule(const AnyOp& op) {
+    if (const auto* const dissolve = std::get_if<Dissolve>(&op)) {
+      const auto rule = dissolves_.broken_rule(*dissolve);
+      return rule || !strict_ ? rule : dissolves_.doubt(*dissolve);
+    }
     if (const Verdict verdict = check(mesh(), op); !verdict.legal()) return verdict.reasons[0].rule;
     if (!strict_) return std::nullopt;
     const std::vector<Reason> doubts = warnings(mesh(), op);
@@ -174,6 +187,7 @@ class Calls {
   const OpInfo& op_;
   Words arguments_;
   bool strict_;
+  DissolveSeries dissolves_;
   AskedSubjects subjects_;
   EachResult result_;
 };
@@ -263,6 +277,7 @@ EachResult apply_to_each(Edit& edit, const OpInfo& op, std::span<const Element> 
     taken.pop_back();
   }
   call_in_turn(calls, std::move(taken), with.is_in_place, strict, into_last ? &last : nullptr, progress);
+  calls.settle();
   return std::move(calls.result());
 }
 

@@ -1,8 +1,11 @@
 // The fields of an algorithm's values: one per parameter of its row, whatever the row is.
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>  // its windows
 
+#include <algorithm>
 #include <optional>
+#include <set>
 
 #include "core/mesh/copies.h"
 #include "tests/support/app/drawn_text.h"
@@ -25,6 +28,35 @@ class ValuesPanel : public testing::Test, protected test::Laid {
     gui.key(key, false);
     frames(2);
   }
+
+  // What its rows are in; null where it is not there.
+  static const ImGuiWindow* fields_window() {
+    for (const ImGuiWindow* const one : GImGui->Windows)
+      if (one->Active && std::string_view(one->Name).find("/fields") != std::string_view::npos) return one;
+    return nullptr;
+  }
+
+  // Whether the frame of a field reaches over this height by more than a hair.
+  static bool is_cut(const ImGuiWindow& fields, float y) {
+    const ImDrawList& drawn = *fields.DrawList;
+    const ImU32 frame = ImGui::ColorConvertFloat4ToU32(ImGui::GetStyle().Colors[ImGuiCol_FrameBg]);
+    for (const ImDrawCmd& command : drawn.CmdBuffer)
+      for (unsigned i = 0; i + 2 < command.ElemCount; i += 3) {
+        float low = 1e9f, high = -1e9f;
+        bool is_frame = true;
+        for (unsigned k = 0; k < 3; ++k) {
+          const int index = drawn.IdxBuffer[static_cast<int>(command.IdxOffset + i + k)];
+          const ImDrawVert& corner = drawn.VtxBuffer[index + static_cast<int>(command.VtxOffset)];
+          low = std::min(low, corner.pos.y);
+          high = std::max(high, corner.pos.y);
+          is_frame = is_frame && corner.col == frame;
+        }
+        frames_seen += is_frame ? 1 : 0;
+        if (is_frame && low < y - 2 && high > y + 2) return true;
+      }
+    return false;
+  }
+  static inline int frames_seen = 0;
 
   void press_button(std::string_view name) {
     click(test::DrawnText(gui).last_place(name));
@@ -194,6 +226,42 @@ TEST_F(ValuesPanel, begins_at_the_same_place_for_all_algorithms) {
     ASSERT_TRUE(session.run("panel none").done());
     frames(3);
   }
+}
+
+TEST_F(ValuesPanel, is_as_high_as_its_fields) {
+  for (const char* const id : {"subdivide", "simplify"}) {
+    ASSERT_TRUE(session.run(std::string("values ") + id).done());
+    frames(8);
+    const ImGuiWindow* const fields = fields_window();
+    ASSERT_TRUE(fields);
+    EXPECT_EQ(fields->ScrollMax.y, 0) << id;
+    EXPECT_LT(fields->Size.y - fields->ContentSize.y, 60) << id << ", and leaves no empty part";
+    ASSERT_TRUE(session.run("panel none").done());
+    frames(3);
+  }
+}
+
+TEST_F(ValuesPanel, scrolls_by_whole_rows) {
+  size_ = {640, 480};
+  ASSERT_TRUE(session.run("values simplify").done());
+  frames(6);
+  std::set<float> tops;
+  for (const double steps : {0.0, -0.3, -0.3, -1.0, -1.0, 0.4, -30.0, 1.0, 30.0}) {
+    const ImGuiWindow* fields = fields_window();
+    ASSERT_TRUE(fields);
+    gui.pointer({fields->Pos.x + 20, fields->Pos.y + 0.5f * fields->Size.y});
+    frames(2);
+    gui.wheel(steps);
+    frames(6);
+    fields = fields_window();
+    ASSERT_TRUE(fields);
+    tops.insert(fields->Scroll.y);
+    EXPECT_FALSE(is_cut(*fields, fields->InnerClipRect.Min.y)) << steps;
+    EXPECT_FALSE(is_cut(*fields, fields->InnerClipRect.Max.y)) << steps;
+  }
+  EXPECT_GT(frames_seen, 50) << "else nothing was looked at";
+  EXPECT_GT(tops.size(), 3u) << "it scrolls";
+  EXPECT_EQ(*tops.begin(), 0) << "and back to the top";
 }
 
 TEST_F(ValuesPanel, runs_what_it_has_shown) {

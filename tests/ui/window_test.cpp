@@ -206,16 +206,17 @@ TEST_F(WindowTest, selects_and_converts_by_mouse_and_keys) {
 TEST_F(WindowTest, draws_nothing_when_nothing_changes) {
   open(test::asset("torus.off"));
   xdotool("mousemove 640 400");
-  // It settles and is refined, part after part, however long a busy machine takes for that; then it rests.
+  // It settles and is refined, part after part, for seconds of processor time, which a busy machine may give it in minutes;
+  // then it rests.
   long before = -1;
   ASSERT_TRUE(wait_for(
       [&] {
         before = last().number;
         std::this_thread::sleep_for(1s);
-        return last().number == before;
+        return last().number == before || editor_->processor_time() > 60s;
       },
-      60s))
-      << "it never rests";
+      300s));
+  EXPECT_EQ(last().number, before) << "it never rests";
   // Showing a part takes as long as showing them all: where that counted as what refining it costs, the parts became ever
   // smaller, thousands of frames for this window.
   EXPECT_LT(before, 1500) << "it is refined in parts that are too small";
@@ -251,6 +252,14 @@ TEST_F(WindowTest, after_a_crash_the_next_start_brings_the_edits_back) {
   ASSERT_TRUE(wait_for([&] { return editor_->is_over(); }));
   EXPECT_EQ(editor_->exit_code(), 0);
   EXPECT_TRUE(state_.names().empty()) << "nothing is left to recover";
+}
+
+TEST_F(WindowTest, goes_on_while_a_large_file_is_opened_in_it) {
+  open(test::asset("torus.off"));
+  EXPECT_EQ(test::read_file(folder_.at("frames")).find("reading "), std::string::npos);
+  type("open " + test::asset("stanford_bunny.obj"));
+  ASSERT_TRUE(wait_for([&] { return last().vertices == 34834; })) << "it was not opened";
+  EXPECT_NE(test::read_file(folder_.at("frames")).find("reading "), std::string::npos) << "nor beside the frames";
 }
 
 TEST_F(WindowTest, shows_long_work_and_lets_it_be_cancelled) {

@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "app/editor/measure_text.h"
-#include "app/editor/words.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
@@ -187,7 +186,7 @@ void ColoursPanel::draw(PanelContext& context) {
     count_again(session);
     draw_histogram(context);
     draw_legend(context);
-    dim_text(context, with_short_numbers(text_of(*session.colouring->map, figures_).in(context.language())).c_str());
+    dim_text(context, short_text_of(*session.colouring->map, figures_).in(context.language()).c_str());
     draw_range(context);
   }
   ImGui::BeginDisabled(session.selection.empty());

@@ -1,10 +1,13 @@
 // The values of an algorithm: one field per parameter, as its row describes it.
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/editor/algorithm_preview.h"
 #include "app/editor/commands.h"
 #include "app/ui/panels.h"
 #include "app/ui/parameter_field.h"
+#include "app/ui/whole_rows.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {
@@ -31,12 +34,15 @@ class ValuesPanel : public Panel {
   ImVec2 size() const override;
 
  private:
-  // True when Enter was pressed in a field.
+  // True when Enter was pressed in a field. `below` is what stands behind them.
   bool draw_fields(PanelContext& context, const AlgorithmRow& row, bool begins, float below);
+  void fit_height(PanelContext& context, float height_px);
   void draw_algorithms(PanelContext& context);
   void draw_preview(PanelContext& context, const AlgorithmRow& row, const ReadValues& read);
 
   std::string algorithm_;           // its id
+  WholeRows rows_;
+  float height_ = 0;                // that all of its fields take, at scale 1; 0 as long as it is not known
   bool has_run_ = false;            // with these values; where that failed, the reason stands beside them
   bool takes_keys_ = false;         // the first field is to have the keyboard, where this is asked again
   std::vector<std::string> texts_;  // what stands in the fields of its parameters
@@ -46,16 +52,23 @@ class ValuesPanel : public Panel {
 
 ImVec2 ValuesPanel::size() const {
   const AlgorithmRow* const row = find_algorithm(algorithm_);
-  if (!row) return {380, 420};
+  if (!row) return {410, 420};
+  if (height_ > 0) return {410, height_};
   float height = 190;
   for (const ParameterRow& parameter : row->parameters) height += shows_what_it_takes(parameter) ? 32.f : 60.f;
-  return {380, height};
+  return {410, height};
+}
+
+void ValuesPanel::fit_height(PanelContext& context, float height_px) {
+  const float height = std::ceil(height_px / context.scale);
+  if (std::exchange(height_, height) != height) context.state.unsettle();
 }
 
 // Between what the algorithm does and what runs it, which stay in sight.
 bool ValuesPanel::draw_fields(PanelContext& context, const AlgorithmRow& row, bool begins, float below) {
   bool entered = false;
-  ImGui::BeginChild("fields", {0, -below}, false, ImGuiWindowFlags_NavFlattened);
+  const float top = ImGui::GetCursorPosY();
+  rows_.begin("fields", std::max(1.f, ImGui::GetContentRegionAvail().y - below));
   if (ImGui::BeginTable("parameters", 2)) {
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 1.3f);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 2.4f);
@@ -63,6 +76,7 @@ bool ValuesPanel::draw_fields(PanelContext& context, const AlgorithmRow& row, bo
       const ParameterRow& parameter = row.parameters[i];
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
+      rows_.row();
       ImGui::AlignTextToFramePadding();
       wrapped_text(context.text(parameter.name_en, parameter.name_ja));
       tip(context.text(parameter.help_en, parameter.help_ja));
@@ -74,7 +88,10 @@ bool ValuesPanel::draw_fields(PanelContext& context, const AlgorithmRow& row, bo
     }
     ImGui::EndTable();
   }
-  ImGui::EndChild();
+  rows_.end();
+  // With room for a sentence of two lines, so that the height stays when one comes.
+  const float least = 2 * ImGui::GetFrameHeightWithSpacing() + 2 * ImGui::GetTextLineHeightWithSpacing();
+  fit_height(context, top + rows_.height() + std::max(below, least) + ImGui::GetStyle().WindowPadding.y);
   return entered;
 }
 
@@ -106,6 +123,7 @@ void ValuesPanel::draw(PanelContext& context) {
   const bool begins = algorithm_ != row->id || ImGui::IsWindowAppearing();
   if (begins && !has_failed) {
     has_run_ = false;
+    if (algorithm_ != row->id) height_ = 0;
     algorithm_ = row->id;
     texts_.clear();
     for (const ParameterRow& parameter : row->parameters) texts_.emplace_back(parameter.initial);

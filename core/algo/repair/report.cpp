@@ -4,6 +4,7 @@
 
 #include "core/algo/repair/guard.h"
 #include "core/analysis/problems.h"
+#include "core/base/count_text.h"
 #include "core/mesh/find_element.h"
 #include "core/mesh/names.h"
 
@@ -60,7 +61,7 @@ void add_untold(RepairReport& report, const RepairCall& call, std::span<const Al
     const bool is_wrong = problem.row().severity == ProblemSeverity::problem;
     const bool is_meant = call.in_rounds ? is_wrong || has_repair : is_for(call, problem.kind);
     if (is_meant && !is_told(call, results, problem.row()))
-      add_left(report.left, reason_of(call, problem.row()), std::move(problem.elements));
+      add_left(report.left, reason_of(call, problem.row()), std::move(problem.elements), true);
   }
 }
 
@@ -135,19 +136,48 @@ std::optional<RepairReport> try_repair(Mesh mesh, const RepairCall& call, const 
   return report;
 }
 
-Text told(const LeftForReason& left, const Mesh& mesh) {
+namespace {
+
+// The first few that live.
+Text names_of(std::span<const Element> elements, const Mesh& mesh) {
   constexpr std::size_t most_names = 3;
   Text names;
   std::size_t named = 0;
-  for (const Element& element : left.elements) {
+  for (const Element& element : elements) {
     if (named == most_names) break;
     if (!is_alive(mesh, element)) continue;
     const std::string name = name_of(mesh, element);
     names = names + (named++ == 0 ? Text() : Text{", ", "、"}) + Text{name, name};
   }
-  if (named > 0 && named < left.elements.size()) names = names + Text{", ...", "…"};
+  if (named > 0 && named < elements.size()) names = names + Text{", ...", "…"};
+  return names;
+}
+
+Text counted(std::span<const Element> elements) {
+  switch (elements.front().kind) {
+    case Element::Kind::vertex:
+      return count_text(elements.size(), "one vertex", "# vertices", "頂点 # 個");
+    case Element::Kind::face:
+      return count_text(elements.size(), "one face", "# faces", "面 # 枚");
+    default:
+      return count_text(elements.size(), "one edge", "# edges", "稜線 # 本");
+  }
+}
+
+// What is left, and why: "2 vertices (v3, v7): joining them would ...".
+Text told_with_subject(const LeftForReason& left, const Mesh& mesh) {
+  if (left.names_them) return told(left, mesh);
+  const Text names = names_of(left.elements, mesh);
+  const Text named = names.en.empty() ? Text() : Text{" (", "（"} + names + Text{")", "）"};
+  return counted(left.elements) + named + Text{": ", "："} + left.reason;
+}
+
+}  // namespace
+
+Text told(const LeftForReason& left, const Mesh& mesh) {
+  const Text names = names_of(left.elements, mesh);
   const std::string n = std::to_string(left.elements.size());
-  const Text between = named > 0 ? Text{": ", "："} : Text();
+  const Text between = names.en.empty() ? Text() : Text{": ", "："};
   return left.reason + Text{" (" + n, "（" + n} + between + names + Text{")", "）"};
 }
 
@@ -164,7 +194,7 @@ Text told(const RepairReport& report, const Mesh& mesh) {
   Text left;
   for (const LeftForReason& one : report.left)
     if (text.en.find(one.reason.en) == text.en.npos)  // an algorithm may have said it itself
-      left = left + (left.en.empty() ? Text() : Text{"; ", "、"}) + told(one, mesh);
+      left = left + (left.en.empty() ? Text() : Text{"; ", "、"}) + told_with_subject(one, mesh);
   if (!left.en.empty()) add_text(text, Text{"Left: ", "残り："} + left + Text{".", "。"});
   return text;
 }

@@ -57,7 +57,7 @@ bool is_seam(const Mesh& mesh, Halfedge h) {
 }
 
 // Merges the corner `first`, the ones across the removed edges in sequence, and `last`, whose edge stays.
-void merge_corner_values(Edit& edit, std::span<const Edge> edges_that_go) {
+void merge_corner_values(Edit& edit, std::span<const Edge> edges_that_go, const NumberOfFace& number) {
   const Mesh& m = edit.mesh();
   const auto goes = [&](Halfedge h) { return std::binary_search(edges_that_go.begin(), edges_that_go.end(), edge(h)); };
   CornerWriter corners(edit);
@@ -68,7 +68,7 @@ void merge_corner_values(Edit& edit, std::span<const Edge> edges_that_go) {
       Halfedge kept = first, last = first;
       while (goes(last)) {
         last = m.next(twin(last));
-        if (m.face(last) <= m.face(kept)) kept = last;
+        if (number(m.face(last)) <= number(m.face(kept))) kept = last;
       }
       for (std::size_t k = 0; k < corners.count() && kept != last; ++k) corners.set(k, last, corners.index(k, kept));
     }

@@ -1,6 +1,7 @@
 // Updates of attributes (texture coordinates, normals, face and vertex values) by operators.
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "core/mesh/attribute.h"
@@ -31,8 +32,10 @@ class CornerWriter {
 bool is_seam(const Mesh& mesh, Halfedge h);
 
 // Call before removing these edges (sorted) and merging the faces at them. Corners that will be merged take the values
-// of the corner in the lowest-numbered face.
-void merge_corner_values(Edit& edit, std::span<const Edge> edges_that_go);
+// of the corner in the lowest-numbered face; `number` says by which number a face goes.
+using NumberOfFace = std::function<std::uint32_t(Face)>;
+void merge_corner_values(
+    Edit& edit, std::span<const Edge> edges_that_go, const NumberOfFace& number = [](Face f) { return f.index; });
 
 // Copies the material, group and other face values.
 void copy_face_values(Edit& edit, Face from, Face to);

@@ -36,4 +36,11 @@ void LocalFacts::forget(Face f) {
   corner_count_.erase(f);
 }
 
+void LocalFacts::united(Face stays, Face goes, std::uint32_t corners) {
+  forget(goes);
+  one_simple_loop_[stays] = true;
+  equal_face_[stays] = false;
+  corner_count_[stays] = corners;
+}
+
 }  // namespace ryosen

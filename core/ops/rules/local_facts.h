@@ -8,7 +8,8 @@
 
 namespace ryosen {
 
-// Valid while the mesh does not change, but for what is forgotten. The first question about a vertex or face costs its valence or its corners.
+// Valid while the mesh does not change, but for what is forgotten. The first question about a vertex or face costs its
+// valence or its corners.
 class LocalFacts {
  public:
   // See mesh/copies.h.
@@ -18,6 +19,8 @@ class LocalFacts {
   bool has_equal_face(const Mesh& mesh, Face f);
   std::uint32_t corner_count(const Mesh& mesh, Face f);
   void forget(Face f);
+  // One of two faces has taken the other in, is a simple loop of so many corners, and no other face is on its points.
+  void united(Face stays, Face goes, std::uint32_t corners);
 
  private:
   std::unordered_map<Vertex, bool> several_fans_;

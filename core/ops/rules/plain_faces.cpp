@@ -8,25 +8,54 @@
 
 namespace ryosen {
 
+namespace {
+
+// Whether a third face may lie on the points of two: it is at one of them, has as many corners, and each of its own
+// touches one of the two.
+bool may_lie_on_both(const Mesh& m, Face third, Face f, Face g, std::uint32_t corners, LocalFacts& known,
+                     std::uint64_t& looks) {
+  if (!third || third == f || third == g || known.corner_count(m, third) < corners) return false;
+  for (const Vertex v : vertices_around(m, third)) {
+    ++looks;
+    if (!touches(m, f, v) && !touches(m, g, v)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Union judge_union(const Mesh& m, std::span<const Halfedge> chain, LocalFacts& known, std::uint64_t* looks) {
+  std::uint64_t looked = 0;
+  std::uint64_t& look = looks ? *looks : looked;
+  const Face f = m.face(chain.front()), g = m.face(twin(chain.front()));
+  for (const Face face : {f, g})
+    if (!known.is_one_simple_loop(m, face) || known.has_equal_face(m, face)) return Union::unsure;
+  const auto taken = static_cast<std::uint32_t>(2 * chain.size());
+  const std::uint32_t both = known.corner_count(m, f) + known.corner_count(m, g);
+  if (both < taken + 3) return Union::touching;
+  const bool left_is_larger = known.corner_count(m, f) > known.corner_count(m, g);
+  // The way of the smaller face past the chain, whose ends both have.
+  const Halfedge from = left_is_larger ? twin(chain.front()) : chain.back(),
+                 to = left_is_larger ? twin(chain.back()) : chain.front();
+  const Face larger = left_is_larger ? f : g;
+  std::vector<std::uint32_t> united{m.to(from).index, m.from(to).index};
+  for (Halfedge corner = m.next(m.next(from)); corner != to && m.prev(corner) != to; corner = m.next(corner)) {
+    ++look;
+    if (touches(m, larger, m.from(corner))) return Union::touching;
+    united.push_back(m.from(corner).index);
+  }
+  const bool is_unsure = any_of_copies(m, loneliest_point(m, united), [&](Vertex copy) {
+    for (const Face third : faces_around(m, copy))
+      if (may_lie_on_both(m, third, f, g, both - taken, known, look)) return true;
+    return false;
+  });
+  return is_unsure ? Union::unsure : Union::plain;
+}
+
 bool unite_plainly(const Mesh& m, Halfedge h, LocalFacts& known) {
   const Face f = m.face(h), g = m.face(twin(h));
   if (!f || !g || f == g || is_cut_on_points(m, h)) return false;
-  for (Face face : {f, g})
-    if (!known.is_one_simple_loop(m, face) || known.has_equal_face(m, face)) return false;
-  const bool left_is_larger = known.corner_count(m, f) > known.corner_count(m, g);
-  const Halfedge side = left_is_larger ? twin(h) : h;  // of the smaller face
-  const Face larger = m.face(twin(side));
-  std::vector<std::uint32_t> united{m.from(side).index, m.to(side).index};  // corners of both, as many as are looked at
-  for (Halfedge corner = m.next(m.next(side)); corner != side; corner = m.next(corner)) {
-    if (touches(m, larger, m.from(corner))) return false;
-    united.push_back(m.from(corner).index);
-  }
-  const std::uint32_t corners_after = known.corner_count(m, f) + known.corner_count(m, g) - 2;
-  return !any_of_copies(m, loneliest_point(m, united), [&](Vertex copy) {
-    for (Face third : faces_around(m, copy))
-      if (third && third != f && third != g && known.corner_count(m, third) >= corners_after) return true;
-    return false;
-  });
+  return judge_union(m, {&h, 1}, known) == Union::plain;
 }
 
 namespace {

@@ -48,10 +48,10 @@ Halfedge link_inside(Edit& edit, Halfedge into_a, Halfedge into_b) {
   return h;
 }
 
+// The ends hold what they held: a halfedge of the chain has a face, so none of them stood for a gap.
 Face unite_faces(Edit& edit, std::span<const Halfedge> chain) {
   const Mesh& m = edit.mesh();
   const Halfedge first = chain.front(), last = chain.back();
-  const Vertex a = m.from(first), b = m.to(last);
   const Face stays = std::min(m.face(first), m.face(twin(first)));
   const bool left_stays = m.face(first) == stays;
   const Halfedge inside = left_stays ? first : twin(first), outside = twin(inside);
@@ -73,8 +73,6 @@ Face unite_faces(Edit& edit, std::span<const Halfedge> chain) {
   move_rings(edit, goes, stays);
   for (Halfedge h : chain) unlink_edge(edit, h);
   edit.remove(goes);
-  hold_outside(edit, a);
-  hold_outside(edit, b);
   return goes;
 }
 

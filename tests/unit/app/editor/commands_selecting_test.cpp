@@ -74,6 +74,17 @@ TEST(selecting, says_what_is_wrong_or_missing) {
   }
 }
 
+TEST(selecting, says_what_a_word_may_stand_for) {
+  const auto session = a_torus();
+  const auto said = [&](const char* line) { return session->run(line).sentence; };
+  EXPECT_TRUE(said("select boundary").en.ends_with("did you mean boundary_loop?")) << said("select boundary").en;
+  EXPECT_TRUE(said("select degenerate").en.ends_with("degenerate_repeat or degenerate_area?"));
+  EXPECT_NE(said("select nonmanifold").en.find("nonmanifold_edge or nonmanifold_vertex?"), std::string::npos);
+  EXPECT_NE(said("select sharpp").en.find("did you mean sharp?"), std::string::npos);
+  EXPECT_NE(said("select boundary").ja.find("boundary_loop"), std::string::npos);
+  EXPECT_EQ(said("select nonsense").en.find("mean"), std::string::npos);
+}
+
 TEST(selecting, toggles_and_adds_many_at_once) {
   const auto session = a_torus();
   session->run("select f3 f1");

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/session.h"
+#include "core/geometry/box.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {
@@ -102,6 +103,22 @@ TEST(navigation, drags_hold_on_to_the_point_that_was_pressed) {
     EXPECT_LT(glm::length(now - on_torus - (is_pan ? glm::dvec2(160, -72) : glm::dvec2(0))), 0.5);
     EXPECT_NE(session->camera.target, target);
   }
+}
+
+// The wheel goes by what lies under the pointer, which may leave the target far before all there is.
+TEST(navigation, a_drag_beside_the_mesh_turns_about_what_is_seen_wherever_the_target_is) {
+  const glm::dvec2 beside(3, 3);
+  const auto session = torus();
+  Camera& camera = session->camera;
+  camera.target = camera.eye + 0.01 * (camera.target - camera.eye);
+  const glm::dvec3 centre = box_of(session->mesh().positions()).middle(), eye = camera.eye;
+  const glm::dvec2 before = project(camera, session->view, centre)->pixel;
+  ASSERT_FALSE(session->pick(beside, PickMode::face));
+  Navigation navigation;
+  navigation.press(MouseButton::left, beside, {}, gesture_of(input_presets()[0], MouseButton::left, {}));
+  for (int i = 1; i <= 8; ++i) navigation.move(*session, beside + glm::dvec2(20, 0) * double(i));
+  EXPECT_GT(glm::length(camera.eye - eye), 0.1 * glm::length(centre - eye)) << "it has turned";
+  EXPECT_LT(glm::length(project(camera, session->view, centre)->pixel - before), 0.5);
 }
 
 TEST(navigation, a_switch_turns_about_the_centre) {

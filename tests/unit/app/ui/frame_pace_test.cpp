@@ -39,6 +39,16 @@ TEST(frame_pace, refines_by_what_refining_took) {
   EXPECT_NEAR(pace.effort_of_refining(), 10e6, 1e4);
 }
 
+// What a part waits for is no cost of what is in it.
+TEST(frame_pace, refines_in_no_ever_smaller_parts_where_each_waits_for_a_processor) {
+  FramePace pace;
+  for (int i = 0; i < 200; ++i) {
+    const double effort = pace.effort_of_refining();
+    pace.took_refining(effort, 10ms + std::chrono::nanoseconds(static_cast<std::int64_t>(2 * effort)));
+  }
+  EXPECT_GE(pace.effort_of_refining(), 6e5);
+}
+
 TEST(frame_pace, the_camera_rests_when_it_has_stood_still) {
   FramePace pace;
   const FramePace::Clock::time_point start;

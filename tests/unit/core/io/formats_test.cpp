@@ -2,6 +2,10 @@
 
 #include <unistd.h>
 
+#include <atomic>
+
+#include "core/base/interruption.h"
+#include "core/io/gzip.h"
 #include "tests/unit/core/io/io_helpers.h"
 
 namespace ryosen {
@@ -235,6 +239,20 @@ TEST(formats, own_files_come_back_the_same_in_every_format_that_holds_them) {
     }
   }
   EXPECT_GE(files, 4u);
+}
+
+// Not at the end of what is going on: that may be seconds away.
+TEST(formats, reading_that_nobody_wants_ends_within_a_stage) {
+  const Result<MeshFile> bunny = read_mesh_file(RYOSEN_SOURCE_DIR "/assets/stanford_bunny.obj");
+  ASSERT_TRUE(bunny.ok());
+  const std::atomic<bool> is_unwanted = true;
+  for (const char* const id : {"obj", "off"}) {
+    const Format& format = *find_format(id);
+    const std::string bytes = bytes_of(*bunny, format);
+    const Interruptible reading(&is_unwanted);
+    EXPECT_THROW(read_mesh(bytes, format, "bunny"), Interrupted) << id;
+    EXPECT_THROW(unpack_gzip(pack_gzip(bytes)), Interrupted) << id;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,152 @@
+#include "core/ops/dissolve_series.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/ops/rules/corner_values.h"
+#include "core/ops/rules/plain_faces.h"
+#include "core/ops/rules/shared_chain.h"
+#include "core/ops/rules/surgery.h"
+
+namespace ryosen {
+
+Face DissolveSeries::number(Face slot) const {
+  const auto found = numbers_.find(slot);
+  return found == numbers_.end() ? slot : found->second;
+}
+
+// Grows with each change of one of the two.
+std::uint64_t DissolveSeries::changes(Face f, Face g) const {
+  const auto of = [&](Face face) {
+    const auto found = changes_.find(face);
+    return found == changes_.end() ? std::uint64_t{0} : found->second;
+  };
+  return std::max(of(f), of(g));
+}
+
+std::uint64_t DissolveSeries::key(Face f, Face g) const {
+  const auto [low, high] = std::minmax(f.index, g.index);
+  return std::uint64_t{low} << 32 | high;
+}
+
+const Rule* DissolveSeries::known_refusal(Face f, Face g) const {
+  const auto found = refused_.find(key(f, g));
+  return found != refused_.end() && found->second.at == changes(f, g) ? &found->second.rule : nullptr;
+}
+
+void DissolveSeries::refuse(Face f, Face g, Rule rule) {
+  refused_.insert_or_assign(key(f, g), Refusal{rule, changes(f, g)});
+}
+
+std::optional<Rule> DissolveSeries::broken_rule(const Dissolve& op) {
+  plain_.clear();
+  if (op.vertex.is_none() && is_there(mesh(), op.halfedge)) return broken_rule_of_edge(op.halfedge);
+  const Verdict verdict = op.check(mesh());
+  return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
+}
+
+// In the order in which check() refuses.
+std::optional<Rule> DissolveSeries::broken_rule_of_edge(Halfedge h) {
+  const Mesh& m = mesh();
+  const Face f = m.face(h), g = m.face(twin(h));
+  if (!f || !g) return Rule::boundary;
+  if (f == g) return Rule::same_face;
+  if (is_cut_on_points(m, h)) return Rule::copies;
+  if (const Rule* const known = known_refusal(f, g)) return *known;
+  std::vector<Halfedge> chain = chain_through(m, h);
+  looks_ += chain.size();
+  for (const Halfedge side : chain)
+    if (is_cut_on_points(m, side) || (side != chain[0] && has_copies(m, m.from(side)))) return Rule::copies;
+  const Union both = judge_union(m, chain, known_, &looks_);
+  if (both == Union::plain) {
+    plain_ = std::move(chain);
+    return std::nullopt;
+  }
+  if (both == Union::touching) {
+    refuse(f, g, Rule::loop);
+    return Rule::loop;
+  }
+  looks_ += known_.corner_count(m, f) + known_.corner_count(m, g);
+  const Verdict verdict = Dissolve{h}.check(m);
+  return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
+}
+
+// Faces that may be united have one chain between them, so that what is said of it is said of the two.
+std::optional<Rule> DissolveSeries::doubt(const Dissolve& op) {
+  const std::vector<Reason> doubts = op.warnings(mesh());
+  if (doubts.empty()) return std::nullopt;
+  if (!plain_.empty()) refuse(mesh().face(plain_[0]), mesh().face(twin(plain_[0])), doubts[0].rule);
+  return doubts[0].rule;
+}
+
+void DissolveSeries::apply(const Dissolve& op) {
+  if (!plain_.empty()) {
+    unite(plain_);
+    plain_.clear();
+    return;
+  }
+  settle();
+  op.apply(edit_);
+}
+
+void DissolveSeries::unite(const std::vector<Halfedge>& chain) {
+  const Mesh& m = mesh();
+  std::vector<Edge> edges;
+  for (const Halfedge h : chain) edges.push_back(edge(h));
+  std::sort(edges.begin(), edges.end());
+  merge_corner_values(edit_, edges, [&](Face f) { return number(f).index; });
+
+  const Face left = m.face(chain[0]), right = m.face(twin(chain[0]));
+  const std::uint32_t of_left = known_.corner_count(m, left), of_right = known_.corner_count(m, right);
+  const Face large = of_left < of_right ? right : left, small = large == left ? right : left;
+  const Face numbers[] = {number(left), number(right)};
+  const bool left_stays = numbers[0] < numbers[1];
+  // The common face begins where the one whose number stays began.
+  Halfedge start = m.halfedge(left_stays ? left : right);
+  const Halfedge past = left_stays ? m.next(twin(chain.front())) : m.next(chain.back());
+  for (const Halfedge h : chain)
+    if (start == (left_stays ? h : twin(h))) start = past;
+  give_corners(small, large);
+  const std::vector<Vertex> inner = inner_vertices(m, chain);
+  for (const Halfedge h : chain) unlink_edge(edit_, h);
+  for (const Vertex v : inner) edit_.remove(v);
+  edit_.set_halfedge(large, start);
+
+  const Face stays = left_stays ? numbers[0] : numbers[1];
+  for (const Face slot : {left, right, numbers[0], numbers[1]})
+    if (slot != large && slot != stays && m.is_alive(slot)) edit_.remove(slot);
+  numbers_.erase(small);
+  numbers_[large] = stays;
+  known_.united(large, small, of_left + of_right - static_cast<std::uint32_t>(2 * chain.size()));
+  changes_.erase(small);
+  changes_[large] = ++change_;
+}
+
+void DissolveSeries::give_corners(Face from, Face to) {
+  for (const Halfedge h : loop(mesh(), mesh().halfedge(from))) {
+    ++looks_;
+    edit_.set_face(h, to);
+  }
+}
+
+void DissolveSeries::settle() {
+  for (const auto& [slot, stays] : numbers_) {
+    if (slot == stays) continue;
+    give_corners(slot, stays);
+    edit_.set_halfedge(stays, mesh().halfedge(slot));
+    edit_.remove(slot);
+  }
+  forget_all();
+}
+
+void DissolveSeries::forget_all() {
+  known_ = {};
+  numbers_.clear();
+  changes_.clear();
+  refused_.clear();
+  plain_.clear();
+}
+
+}  // namespace ryosen

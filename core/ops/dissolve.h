@@ -28,6 +28,9 @@ class LocalFacts;
 std::vector<Element> edges_between_faces(const Mesh& mesh, std::span<const Element> selected);
 inline constexpr InPlaceOf edges_of_faces_side_by_side{edges_between_faces, "faces side by side", "隣り合う面"};
 
+// See dissolve_series.h.
+std::unique_ptr<OpSeries> dissolves_in_series(Edit& edit);
+
 struct Dissolve {
   Halfedge halfedge;   // the edge, or
   Vertex vertex = {};  // the vertex
@@ -45,7 +48,9 @@ struct Dissolve {
                                Topology::kept,
                                Subject::edge,
                                OnSelection::each,
-                               &edges_of_faces_side_by_side};
+                               &edges_of_faces_side_by_side,
+                               "",
+                               dissolves_in_series};
 
   static Parsed<Dissolve> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Dissolve at(const Mesh&, const OpTarget& target) { return {target.halfedge}; }

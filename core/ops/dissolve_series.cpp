@@ -5,6 +5,7 @@
 
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/ops/op_series.h"
 #include "core/ops/rules/corner_values.h"
 #include "core/ops/rules/plain_faces.h"
 #include "core/ops/rules/shared_chain.h"
@@ -148,5 +149,23 @@ void DissolveSeries::forget_all() {
   refused_.clear();
   plain_.clear();
 }
+
+namespace {
+
+class Dissolves : public OpSeries {
+ public:
+  explicit Dissolves(Edit& edit) : series_(edit) {}
+  std::optional<Rule> broken_rule(const AnyOp& op) override { return series_.broken_rule(std::get<Dissolve>(op)); }
+  std::optional<Rule> doubt(const AnyOp& op) override { return series_.doubt(std::get<Dissolve>(op)); }
+  void apply(const AnyOp& op) override { series_.apply(std::get<Dissolve>(op)); }
+  void settle() override { series_.settle(); }
+
+ private:
+  DissolveSeries series_;
+};
+
+}  // namespace
+
+std::unique_ptr<OpSeries> dissolves_in_series(Edit& edit) { return std::make_unique<Dissolves>(edit); }
 
 }  // namespace ryosen

@@ -1,6 +1,7 @@
 #include "core/ops/each.h"
 
 #include <algorithm>
+#include <memory>
 #include <unordered_map>
 #include <utility>
 
@@ -9,9 +10,9 @@
 #include "core/mesh/copies.h"
 #include "core/mesh/find_element.h"
 #include "core/mesh/names.h"
-#include "core/ops/dissolve_series.h"
 #include "core/ops/lines/arguments.h"
 #include "core/ops/lines/syntax.h"
+#include "core/ops/op_series.h"
 
 namespace ryosen {
 
@@ -83,10 +84,32 @@ Halfedge halfedge_between(const Mesh& mesh, Vertex from, Vertex to) {
   return sheets.empty() ? Halfedge() : sheets.front();
 }
 
+// Each call by itself.
+class OneByOne : public OpSeries {
+ public:
+  explicit OneByOne(Edit& edit) : edit_(edit) {}
+  std::optional<Rule> broken_rule(const AnyOp& op) override {
+    const Verdict verdict = check(edit_.mesh(), op);
+    return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
+  }
+  std::optional<Rule> doubt(const AnyOp& op) override {
+    const std::vector<Reason> doubts = warnings(edit_.mesh(), op);
+    return doubts.empty() ? std::nullopt : std::optional(doubts[0].rule);
+  }
+  void apply(const AnyOp& op) override { ryosen::apply(edit_, op); }
+
+ private:
+  Edit& edit_;
+};
+
+std::unique_ptr<OpSeries> series_of(const OpInfo& op, Edit& edit) {
+  return op.in_series ? op.in_series(edit) : std::make_unique<OneByOne>(edit);
+}
+
 class Calls {
  public:
   Calls(Edit& edit, const OpInfo& op, Words arguments, bool strict)
-      : edit_(edit), op_(op), arguments_(arguments), strict_(strict), dissolves_(edit) {}
+      : edit_(edit), op_(op), arguments_(arguments), strict_(strict), series_(series_of(op, edit)) {}
 
   // False where the arguments cannot be.
   bool call(const Element& e, const Element* with) {
@@ -115,7 +138,7 @@ class Calls {
       refuse(e, *rule);
       return true;
     }
-    apply(*parsed.op);
+    series_->apply(*parsed.op);
     subjects_.done(same);
     ++result_.done;
     return true;
@@ -135,7 +158,7 @@ class Calls {
   const Mesh& mesh() const { return edit_.mesh(); }
   EachResult& result() { return result_; }
   // After the last call.
-  void settle() { dissolves_.settle(); }
+  void settle() { series_->settle(); }
 
  private:
   Parsed<AnyOp> read(const Element& e, const Element* with) const {
@@ -160,21 +183,9 @@ class Calls {
   std::string name_of_one(const Element& e) const {
     return e.kind == Element::Kind::vertex ? quick_name(mesh(), e) : name_of(mesh(), e);
   }
-  void apply(const AnyOp& op) {
-    if (const auto* const dissolve = std::get_if<Dissolve>(&op))
-      dissolves_.apply(*dissolve);
-    else
-      ryosen::apply(edit_, op);
-  }
   std::optional<Rule> broken_rule(const AnyOp& op) {
-    if (const auto* const dissolve = std::get_if<Dissolve>(&op)) {
-      const auto rule = dissolves_.broken_rule(*dissolve);
-      return rule || !strict_ ? rule : dissolves_.doubt(*dissolve);
-    }
-    if (const Verdict verdict = check(mesh(), op); !verdict.legal()) return verdict.reasons[0].rule;
-    if (!strict_) return std::nullopt;
-    const std::vector<Reason> doubts = warnings(mesh(), op);
-    return doubts.empty() ? std::nullopt : std::optional(doubts[0].rule);
+    const auto rule = series_->broken_rule(op);
+    return rule || !strict_ ? rule : series_->doubt(op);
   }
   void refuse(const Element& e, Rule rule) {
     const auto same = [&](const EachResult::Refused& r) { return r.rule == rule; };
@@ -187,7 +198,7 @@ class Calls {
   const OpInfo& op_;
   Words arguments_;
   bool strict_;
-  DissolveSeries dissolves_;
+  std::unique_ptr<OpSeries> series_;
   AskedSubjects subjects_;
   EachResult result_;
 };

@@ -19,6 +19,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -59,6 +60,8 @@ struct InPlaceOf {
   std::string_view en, ja;  // what may be selected for that: "faces side by side"
 };
 
+class OpSeries;
+
 struct OpInfo {
   std::string_view id;
   std::string_view name_en, name_ja;
@@ -74,6 +77,8 @@ struct OpInfo {
   const InPlaceOf* in_place_of = nullptr;
   // With into_last: the operator that does the same where an edge joins the two.
   std::string_view along_edge = "";
+  // Many calls one after another, where that costs less than each by itself (op_series.h).
+  std::unique_ptr<OpSeries> (*in_series)(Edit&) = nullptr;
 };
 
 // Whether an operator is a tool, which acts on the clicked element.

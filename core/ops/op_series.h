@@ -1,0 +1,25 @@
+// Many calls of one operator, one after another: what the row of an operator may do at less cost than call by call.
+#pragma once
+
+#include <optional>
+
+#include "core/ops/all.h"
+
+namespace ryosen {
+
+// Says and does the same as check(), warnings() and apply() of each call in its turn. In between nothing else changes the
+// mesh, and element numbers of faces may be others until settle().
+class OpSeries {
+ public:
+  virtual ~OpSeries() = default;
+  // The first rule that it breaks.
+  virtual std::optional<Rule> broken_rule(const AnyOp& op) = 0;
+  // The first warning about a legal one.
+  virtual std::optional<Rule> doubt(const AnyOp& op) = 0;
+  // The one that was asked about last, which is legal.
+  virtual void apply(const AnyOp& op) = 0;
+  // After the last call.
+  virtual void settle() {}
+};
+
+}  // namespace ryosen

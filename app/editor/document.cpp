@@ -127,6 +127,15 @@ std::optional<EachResult> Document::apply_to_each(const OpInfo& op, std::span<co
   return result;
 }
 
+AlgorithmResult Document::run_in(Edit& edit, const AlgorithmRow& row, const ParameterValues& values, bool wants_account,
+                                 Progress& progress) const {
+  const std::vector<Vertex> used = used_beside_the_mesh(file_, tables_.quarantine, mesh_.file_vertices());
+  const std::vector<Vertex> on_lines = vertices_on_lines(file_, mesh_.file_vertices());
+  FindingCounts counts{};
+  if (row.is_repair()) counts = count_findings(mesh_, on_lines);
+  return run_guarded(edit, row, {values, used, tables_.quarantine.size(), on_lines, wants_account}, progress, counts);
+}
+
 std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const ParameterValues& values,
                                              std::string command, Progress::Report report, bool wants_account) {
   AlgorithmResult result;
@@ -134,12 +143,7 @@ std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const Para
   {
     Progress progress(std::move(report));
     Edit edit(writable(), &journal_);
-    const std::vector<Vertex> used = used_beside_the_mesh(file_, tables_.quarantine, mesh_.file_vertices());
-    const std::vector<Vertex> on_lines = vertices_on_lines(file_, mesh_.file_vertices());
-    FindingCounts counts{};
-    if (row.is_repair()) counts = count_findings(mesh_, on_lines);
-    result =
-        run_guarded(edit, row, {values, used, tables_.quarantine.size(), on_lines, wants_account}, progress, counts);
+    result = run_in(edit, row, values, wants_account, progress);
     if (progress.is_cancelled()) return std::nullopt;
     if (result.changed == 0) return result;
     if (result.drops_quarantined) other[journal_.position()];

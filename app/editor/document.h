@@ -146,6 +146,9 @@ class Document {
     return mesh_;
   }
   Outcome refuse(const AnyOp& op, std::vector<Reason> reasons);
+  // An algorithm in an edit of this mesh, with what it has to know of the file.
+  AlgorithmResult run_in(Edit& edit, const AlgorithmRow& row, const ParameterValues& values, bool wants_account,
+                         Progress& progress) const;
   using OtherQuarantine = std::map<std::size_t, std::vector<QuarantinedFace>>;  // by transaction
 
   // So that committed() finds room for one entry more.

@@ -4,8 +4,6 @@
 #include <utility>
 
 #include "app/editor/document.h"
-#include "core/algo/repair/guard.h"
-#include "core/io/elements.h"
 
 namespace ryosen {
 
@@ -55,11 +53,7 @@ std::optional<AlgorithmResult> Document::try_out(const AlgorithmRow& row, const 
   {
     Progress progress(std::move(report));
     Edit edit(writable(), &trial_);
-    const std::vector<Vertex> used = used_beside_the_mesh(file_, tables_.quarantine, mesh_.file_vertices());
-    const std::vector<Vertex> on_lines = vertices_on_lines(file_, mesh_.file_vertices());
-    FindingCounts counts{};
-    if (row.is_repair()) counts = count_findings(mesh_, on_lines);
-    result = run_guarded(edit, row, {values, used, tables_.quarantine.size(), on_lines}, progress, counts);
+    result = run_in(edit, row, values, false, progress);
     if (progress.is_cancelled()) return std::nullopt;
     if (result.changed == 0) return result;
     edit.commit();

@@ -8,13 +8,15 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 . "$root/app/setup.sh"
 configure_arguments=
 peers=OFF
+long_packages=
 if [ "${1:-}" = --long ]; then
   export RYOSEN_LONG=1
   peers=ON
+  long_packages=$peer_packages
 fi
 
 # shellcheck disable=SC2086
-ensure_packages $build_packages $test_packages
+ensure_packages $build_packages $test_packages $long_packages
 # g++ takes a tenth less time where it collects its garbage later.
 cmake -S "$root" -B "$root/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DRYOSEN_TESTS=ON \
   -DRYOSEN_PEERS=$peers -DCMAKE_CXX_FLAGS=--param=ggc-min-heapsize=524288 >&2
@@ -58,7 +60,8 @@ done
 # In a long run what happens in windows, too: events, panels, pictures, and the walk of a monkey over ten meshes.
 if [ -n "${RYOSEN_LONG:-}" ]; then
   build "$root/build/fuzz" test_app
-  ctest --test-dir "$root/build/fuzz" --output-on-failure -j "$(nproc)" -L app -R "Monkey|gui|Window|Viewport"
+  LSAN_OPTIONS="suppressions=$root/tests/support/osmesa_leaks.txt:print_suppressions=0" \
+    ctest --test-dir "$root/build/fuzz" --output-on-failure -j "$(nproc)" -L app -R "Monkey|gui|Window|Viewport"
 fi
 
 # Both builds compute the same to the last bit and, in a long run, say the same about every file.

@@ -3,7 +3,7 @@
 namespace ryosen {
 namespace {
 
-constexpr PixelFormat formats[] = {PixelFormat::rgba8};
+constexpr PixelFormat window_formats[] = {PixelFormat::rgba8};
 
 }  // namespace
 
@@ -13,7 +13,7 @@ Result<std::unique_ptr<Canvas>> Canvas::make() {
   return std::unique_ptr<Canvas>(new Canvas(std::move(*ui)));
 }
 
-Canvas::Canvas(UiPass ui) : ui_(std::move(ui)), target_("window", formats, false) { resize({1, 1}); }
+Canvas::Canvas(UiPass ui) : ui_(std::move(ui)), target_("window", window_formats, false) { resize({1, 1}); }
 
 void Canvas::resize(Size size) {
   target_.resize({std::max(size.width, 1), std::max(size.height, 1)});

@@ -118,8 +118,8 @@ void RecordedSteps::add_changes(Step& step, std::size_t from, std::size_t to) {
     }
   sort_unique(elements);
   go_to(from);
-  const bool is_known = step.delta.has_value();
-  const EulerPoincare terms = is_known ? EulerPoincare() : euler_poincare(mesh_);
+  std::optional<EulerPoincare> terms;
+  if (!step.delta) terms = euler_poincare(mesh_);
   std::vector<StoredRecord> was;
   for (const Element element : elements) was.push_back(stored_record(mesh_, element));
   go_to(to);
@@ -130,7 +130,7 @@ void RecordedSteps::add_changes(Step& step, std::size_t from, std::size_t to) {
   rows.resize(rows.size() - left_out);
   step.rows.insert(step.rows.end(), rows.begin(), rows.end());
   add_marks(elements, was, mesh_, step.marks);
-  if (!is_known) step.delta = difference(terms, euler_poincare(mesh_));
+  if (terms) step.delta = difference(*terms, euler_poincare(mesh_));
   const Text changes = text_of(*step.delta);
   const bool is_sentence = step.caption.en.ends_with('.');
   step.caption = step.caption + Text{(is_sentence ? " " : ": ") + changes.en, (is_sentence ? "" : "：") + changes.ja};

@@ -5,7 +5,7 @@
 namespace ryosen {
 namespace {
 
-constexpr PixelFormat formats[] = {PixelFormat::r32ui, PixelFormat::r32f};
+constexpr PixelFormat id_formats[] = {PixelFormat::r32ui, PixelFormat::r32f};
 
 }  // namespace
 
@@ -15,7 +15,7 @@ Result<IdsPass> IdsPass::make() {
   return IdsPass(std::move(*program));
 }
 
-IdsPass::IdsPass(Program program) : program_(std::move(program)), no_attributes_("ids"), target_("ids", formats, true) {
+IdsPass::IdsPass(Program program) : program_(std::move(program)), no_attributes_("ids"), target_("ids", id_formats, true) {
   MeshBuffers::set_units(program_);
 }
 

@@ -17,9 +17,9 @@ namespace ryosen {
 namespace {
 
 // What is drawn: because of the pointer, or as a highlight, which its id names.
-struct Drawn {
-  Drawn(Role drawn_role) : role(drawn_role) {}
-  Drawn(const char* highlight) : row(find_highlight(highlight)), role(Role::hover) {}
+struct DrawnColour {
+  DrawnColour(Role drawn_role) : role(drawn_role) {}
+  DrawnColour(const char* highlight) : row(find_highlight(highlight)), role(Role::hover) {}
   Rgba colour(Theme theme) const { return row ? style(row->looks, theme).colour : style(role, theme).colour; }
 
   std::string name() const { return row ? std::string(row->id) : "role " + std::to_string(static_cast<int>(role)); }
@@ -30,7 +30,7 @@ struct Drawn {
 
 // What must be seen: at least this many pixels about as that is coloured.
 struct Seen {
-  Drawn drawn;
+  DrawnColour drawn;
   int least;
 };
 
@@ -38,7 +38,7 @@ struct Golden {
   std::string name, mesh;
   std::vector<std::string> flags;
   std::vector<Seen> seen = {};
-  std::vector<Drawn> unseen = {};
+  std::vector<DrawnColour> unseen = {};
   Theme theme = Theme::dark;
 
   friend void PrintTo(const Golden& golden, std::ostream* out) { *out << golden.name; }
@@ -193,7 +193,7 @@ void expect_looks(const Golden& golden, const std::string& written) {
   ASSERT_TRUE(picture);
   for (const Seen& seen : golden.seen)
     EXPECT_GE(count_coloured(*picture, seen.drawn.colour(golden.theme)), seen.least) << seen.drawn.name();
-  for (const Drawn& drawn : golden.unseen)
+  for (const DrawnColour& drawn : golden.unseen)
     EXPECT_EQ(count_coloured(*picture, drawn.colour(golden.theme)), 0) << drawn.name();
   if (std::getenv("RYOSEN_UPDATE_GOLDEN")) {
     ASSERT_TRUE(write_png(*picture, reference));

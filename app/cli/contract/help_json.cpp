@@ -43,7 +43,7 @@ std::vector<int> exits_of(const Contract& contract) {
   return codes;
 }
 
-Json to_json(const JsonKey& row) {
+Json described(const JsonKey& row) {
   Record<key_shape> json;
   json["key"] = row.id;
   json["type"] = row.type;
@@ -55,13 +55,13 @@ Json to_json(const JsonKey& row) {
   return std::move(json).json();
 }
 
-Json to_json(const PrintedObject& object) {
+Json described(const PrintedObject& object) {
   Record<object_shape> json;
   json["object"] = object.shape->id;
   json["is_line"] = object.is_line;
   json.put(object.shape->en, object.shape->ja);
   json["keys"] = Json::array();
-  for (const JsonKey& row : object.shape->all_keys()) json["keys"].push_back(to_json(row));
+  for (const JsonKey& row : object.shape->all_keys()) json["keys"].push_back(described(row));
   return std::move(json).json();
 }
 
@@ -69,7 +69,7 @@ std::string contract_line(const Json& command, const std::vector<PrintedObject>&
   Record<contract_shape> json;
   json["command"] = command;
   json["objects"] = Json::array();
-  for (const PrintedObject& object : printed) json["objects"].push_back(to_json(object));
+  for (const PrintedObject& object : printed) json["objects"].push_back(described(object));
   json["exit_codes"] = exits_of(contract);
   return line_of(json);
 }

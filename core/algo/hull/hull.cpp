@@ -14,7 +14,7 @@ namespace {
 using Numbers = std::vector<std::uint32_t>;
 
 // The points that are meant, by slot, one list for each hull.
-std::vector<Numbers> points_meant(const Mesh& mesh, const ParameterValues& values) {
+std::vector<Numbers> numbers_meant(const Mesh& mesh, const ParameterValues& values) {
   const bool is_apart = values.flag("per_component");
   if (values.has("elements") || is_apart) {
     const Part part = part_of(mesh, values.has("elements") ? values.elements("elements") : all_elements(mesh));
@@ -75,7 +75,7 @@ void add(Hulls& all, std::span<const glm::dvec3> places, const ConvexHull& hull,
 
 AlgorithmResult hull(Edit& edit, const AlgorithmInput& input, Progress& progress) {
   const ParameterValues& values = input.values;
-  const std::vector<Numbers> lists = points_meant(edit.mesh(), values);
+  const std::vector<Numbers> lists = numbers_meant(edit.mesh(), values);
   const std::vector<glm::dvec3> places = places_of(edit.mesh(), lists, values.choice("project"));
   Hulls all;
   for (const Numbers& list : lists) {

@@ -85,7 +85,7 @@ void expect_right(const Polygon& polygon, Flat flat = Flat::never) {
 }
 
 // The xy plane put into another plane by exchanging and mirroring coordinates, which keeps them exact.
-Polygon turned(const Polygon& polygon, int way) {
+Polygon turned_by(const Polygon& polygon, int way) {
   Polygon result = polygon;
   for (dvec3& p : result) {
     if (way % 3 == 1) p = {p.y, 5.0, p.x};
@@ -130,7 +130,7 @@ TEST(triangulate, every_axis_and_both_sides) {
   const Polygon shape = test_shapes::comb(5, 3);
   for (int way = 0; way < 6; ++way) {
     for (const bool reversed : {false, true}) {
-      Polygon polygon = turned(shape, way);
+      Polygon polygon = turned_by(shape, way);
       if (reversed) std::reverse(polygon.begin(), polygon.end());
       const Triangles triangles = triangles_of(polygon);
       ASSERT_EQ(triangles.size(), polygon.size() - 2);

@@ -17,7 +17,7 @@ namespace ryosen {
 namespace {
 
 using glm::dvec3;
-using testing::Scene;
+using test::Scene;
 
 std::optional<RayHit> cast_all(const Scene& scene, const Ray& ray) {
   const RayCaster caster(ray);
@@ -127,7 +127,7 @@ TEST(bvh, random_soups_of_any_size_and_place) {
                                              {50.0, dvec3(7)},  {1e-9, dvec3(1, 2, 3)}};
   for (const auto& [size, center] : frames) {
     for (const std::size_t count : {1u, 2u, 5u, 300u, 3000u}) {
-      const Scene scene = testing::soup(count, static_cast<unsigned>(count), size, center);
+      const Scene scene = test::soup(count, static_cast<unsigned>(count), size, center);
       Bvh bvh;
       bvh.build(scene.positions, scene.primitives);
       ASSERT_EQ(find_defect(bvh, scene.positions), nullptr);
@@ -184,7 +184,7 @@ TEST(bvh, empty_and_single) {
 }
 
 TEST(bvh, places_that_are_not_finite_are_left_out_until_they_are) {
-  Scene scene = testing::soup(50, 4);
+  Scene scene = test::soup(50, 4);
   const dvec3 before = scene.positions[3];
   scene.positions[3].y = std::numeric_limits<double>::quiet_NaN();
   Bvh bvh;
@@ -235,7 +235,7 @@ void edit_at_random(Bvh& bvh, Scene& scene, std::mt19937& random, int count, dou
 
 TEST(bvh, stays_right_through_random_edits) {
   for (unsigned seed = 0; seed < 6; ++seed) {
-    Scene scene = testing::soup(seed == 0 ? 1 : 400 * seed, seed);
+    Scene scene = test::soup(seed == 0 ? 1 : 400 * seed, seed);
     Bvh bvh;
     bvh.build(scene.positions, scene.primitives);
     std::mt19937 random(seed);
@@ -256,7 +256,7 @@ TEST(bvh, stays_right_through_random_edits) {
 }
 
 TEST(bvh, primitives_far_outside_the_first_frame) {
-  Scene scene = testing::soup(100, 1);
+  Scene scene = test::soup(100, 1);
   Bvh bvh;
   bvh.build(scene.positions, scene.primitives);
   for (const double size : {1e3, 1e9, 1e20, 1e60, 1e150}) {
@@ -295,7 +295,7 @@ TEST(bvh, many_equal_and_strung_out_primitives) {
 }
 
 TEST(bvh, the_bunny_agrees_with_the_plain_loop_before_and_after_edits) {
-  Scene scene = testing::read_triangles(RYOSEN_SOURCE_DIR "/assets/stanford_bunny.obj");
+  Scene scene = test::read_triangles(RYOSEN_SOURCE_DIR "/assets/stanford_bunny.obj");
   ASSERT_EQ(scene.primitives.size(), 69451u);
   Bvh bvh;
   const auto start = std::chrono::steady_clock::now();

@@ -13,7 +13,7 @@
 
 #include "core/pick/primitive.h"
 
-namespace ryosen::testing {
+namespace ryosen::test {
 
 struct Scene {
   std::vector<glm::dvec3> positions;
@@ -66,4 +66,4 @@ inline Scene read_triangles(const std::string& file) {
   return scene;
 }
 
-}  // namespace ryosen::testing
+}  // namespace ryosen::test

@@ -10,10 +10,10 @@
 namespace ryosen {
 namespace {
 
-constexpr Size view{640, 360};
+constexpr Size window{640, 360};
 constexpr double aspect = 640.0 / 360;
 
-void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-12) {
+void expect_close(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-12) {
   EXPECT_LE(glm::length(a - b), tolerance)
       << a.x << " " << a.y << " " << a.z << " | " << b.x << " " << b.y << " " << b.z;
 }
@@ -37,12 +37,12 @@ TEST(camera, ray_through_a_projected_point_meets_it) {
   for (const bool ortho : {false, true}) {
     const Camera camera = slanted(ortho);
     for (const glm::dvec3& p : cloud({0, 0, 0}, 1)) {
-      const auto screen = project(camera, view, p);
+      const auto screen = project(camera, window, p);
       ASSERT_TRUE(screen);
-      const Ray ray = ray_through(camera, view, screen->pixel);
+      const Ray ray = ray_through(camera, window, screen->pixel);
       EXPECT_NEAR(glm::length(ray.direction), 1, 1e-14);
       const double along = glm::dot(p - ray.origin, ray.direction);
-      expect_near(ray.origin + along * ray.direction, p);
+      expect_close(ray.origin + along * ray.direction, p);
     }
   }
 }
@@ -53,9 +53,9 @@ TEST(camera, projection_agrees_with_the_matrices) {
     const glm::dmat4 clip = clip_from_view(camera, aspect, 0.5, 50) * view_from_mesh(camera);
     for (const glm::dvec3& p : cloud({0, 0, 0}, 1)) {
       const glm::dvec4 c = clip * glm::dvec4(p, 1.0);
-      const auto screen = project(camera, view, p);
-      EXPECT_NEAR(screen->pixel.x, (c.x / c.w + 1) / 2 * view.width, 1e-9);
-      EXPECT_NEAR(screen->pixel.y, (1 - c.y / c.w) / 2 * view.height, 1e-9);
+      const auto screen = project(camera, window, p);
+      EXPECT_NEAR(screen->pixel.x, (c.x / c.w + 1) / 2 * window.width, 1e-9);
+      EXPECT_NEAR(screen->pixel.y, (1 - c.y / c.w) / 2 * window.height, 1e-9);
     }
   }
 }
@@ -77,7 +77,7 @@ TEST(camera, fitted_points_touch_the_margin_and_no_more) {
       const Camera camera = fitted(slanted(ortho), points, aspect, 0.1);
       glm::dvec2 low(1e9), high(-1e9);
       for (const glm::dvec3& p : points) {
-        const auto screen = project(camera, view, p);
+        const auto screen = project(camera, window, p);
         ASSERT_TRUE(screen);
         low = glm::min(low, screen->pixel);
         high = glm::max(high, screen->pixel);
@@ -107,7 +107,7 @@ TEST(camera, fitting_odd_inputs_leaves_a_usable_camera) {
       }
       for (const glm::dvec3& p : points) {
         if (std::isnan(p.x)) continue;
-        const auto screen = project(front, view, p);
+        const auto screen = project(front, window, p);
         ASSERT_TRUE(screen);
         EXPECT_NEAR(screen->pixel.x, 320, 321);
       }
@@ -121,7 +121,7 @@ glm::dvec3 point_beside(const Camera& camera) {
   return camera.target - 0.4 * glm::length(camera.target - camera.eye) * a.forward + 0.3 * a.right + 0.2 * a.up;
 }
 
-glm::dvec2 pixel_of(const Camera& camera, const glm::dvec3& p) { return project(camera, view, p)->pixel; }
+glm::dvec2 pixel_of(const Camera& camera, const glm::dvec3& p) { return project(camera, window, p)->pixel; }
 
 TEST(camera, zoom_keeps_its_point_in_the_view_and_never_goes_through_it) {
   for (const bool ortho : {false, true}) {
@@ -131,15 +131,15 @@ TEST(camera, zoom_keeps_its_point_in_the_view_and_never_goes_through_it) {
     for (int notch = 0; notch < 60; ++notch) {
       const Camera closer = zoomed(camera, 1.15, fixed);
       EXPECT_NEAR(glm::length(pixel_of(closer, fixed) - pixel), 0, 1e-6);
-      EXPECT_NEAR(units_per_pixel(closer, view, depth_of(closer, fixed)) * 1.15,
-                  units_per_pixel(camera, view, depth_of(camera, fixed)), 1e-12);
+      EXPECT_NEAR(units_per_pixel(closer, window, depth_of(closer, fixed)) * 1.15,
+                  units_per_pixel(camera, window, depth_of(camera, fixed)), 1e-12);
       if (!ortho) {
         EXPECT_NEAR(depth_of(closer, fixed) * 1.15, depth_of(camera, fixed), 1e-12);
       }
       EXPECT_GT(depth_of(closer, fixed), 0);
       camera = closer;
     }
-    expect_near(zoomed(zoomed(camera, 3, fixed), 1 / 3.0, fixed).eye, camera.eye, 1e-12);
+    expect_close(zoomed(zoomed(camera, 3, fixed), 1 / 3.0, fixed).eye, camera.eye, 1e-12);
   }
 }
 
@@ -147,7 +147,7 @@ TEST(camera, pan_keeps_what_was_grabbed_under_the_pointer) {
   for (const bool ortho : {false, true}) {
     const Camera camera = slanted(ortho);
     for (const glm::dvec3& grabbed : {camera.target, point_beside(camera)}) {
-      const glm::dvec2 to = pixel_of(panned(camera, {30, -12}, view, grabbed), grabbed);
+      const glm::dvec2 to = pixel_of(panned(camera, {30, -12}, window, grabbed), grabbed);
       EXPECT_NEAR(glm::length(to - pixel_of(camera, grabbed) - glm::dvec2(30, -12)), 0, 1e-9);
     }
   }
@@ -159,7 +159,7 @@ TEST(camera, orbit_keeps_its_point_in_the_view) {
     const glm::dvec3 about = point_beside(camera);
     Camera turned = camera;
     for (int i = 0; i < 40; ++i) {
-      turned = orbited(turned, {17, -5}, view, about);
+      turned = orbited(turned, {17, -5}, window, about);
       EXPECT_NEAR(glm::length(pixel_of(turned, about) - pixel_of(camera, about)), 0, 1e-6);
       EXPECT_NEAR(glm::length(turned.eye - about), glm::length(camera.eye - about), 1e-9);
       EXPECT_NEAR(glm::length(turned.target - turned.eye), glm::length(camera.target - camera.eye), 1e-9);
@@ -172,17 +172,17 @@ TEST(camera, orbit_keeps_distance_and_stops_at_the_poles) {
   const double distance = glm::length(camera.target - camera.eye);
   Camera turned = camera;
   for (int i = 0; i < 100; ++i) {
-    turned = orbited(turned, {13, 9}, view, camera.target);
+    turned = orbited(turned, {13, 9}, window, camera.target);
     EXPECT_EQ(turned.target, camera.target);
     EXPECT_NEAR(glm::length(turned.target - turned.eye), distance, 1e-9);
     EXPECT_GE(axes(turned).up.y, -1e-9);
   }
   EXPECT_NEAR(axes(turned).forward.y, -1, 1e-6);
   // Back again, sideways only: a full turn is four half views.
-  const Camera around = orbited(camera, {4.0 * view.height / 2, 0}, view, camera.target);
-  expect_near(around.eye, camera.eye, 1e-9);
+  const Camera around = orbited(camera, {4.0 * window.height / 2, 0}, window, camera.target);
+  expect_close(around.eye, camera.eye, 1e-9);
   // Dragging to the right brings the left side to the front: the eye goes left.
-  EXPECT_LT(glm::dot(orbited(camera, {5, 0}, view, camera.target).eye - camera.eye, axes(camera).right), 0);
+  EXPECT_LT(glm::dot(orbited(camera, {5, 0}, window, camera.target).eye - camera.eye, axes(camera).right), 0);
 }
 
 TEST(camera, a_new_centre_moves_the_eye_parallel_to_the_view) {
@@ -193,14 +193,14 @@ TEST(camera, a_new_centre_moves_the_eye_parallel_to_the_view) {
     EXPECT_EQ(centre.target, point);
     EXPECT_NEAR(glm::dot(centre.eye - camera.eye, axes(camera).forward), 0, 1e-12);
     EXPECT_NEAR(glm::length(axes(centre).forward - axes(camera).forward), 0, 1e-12);
-    EXPECT_NEAR(glm::length(pixel_of(centre, point) - glm::dvec2(view.width, view.height) / 2.0), 0, 1e-6);
+    EXPECT_NEAR(glm::length(pixel_of(centre, point) - glm::dvec2(window.width, window.height) / 2.0), 0, 1e-6);
   }
 }
 
 TEST(camera, a_pixel_and_a_depth_are_a_place) {
   for (const bool ortho : {false, true}) {
     const Camera camera = slanted(ortho);
-    const glm::dvec3 place = place_at(camera, view, {500, 90}, 1.25);
+    const glm::dvec3 place = place_at(camera, window, {500, 90}, 1.25);
     EXPECT_NEAR(glm::length(pixel_of(camera, place) - glm::dvec2(500, 90)), 0, 1e-9);
     EXPECT_NEAR(depth_of(camera, place), 1.25, 1e-12);
   }
@@ -209,15 +209,16 @@ TEST(camera, a_pixel_and_a_depth_are_a_place) {
 TEST(camera, switching_the_projection_keeps_the_target_as_large) {
   const Camera camera = slanted(false);
   const Camera ortho = with_ortho(camera, true);
-  EXPECT_NEAR(units_per_pixel(ortho, view, 1), units_per_pixel(camera, view, glm::length(camera.target - camera.eye)),
+  EXPECT_NEAR(units_per_pixel(ortho, window, 1),
+              units_per_pixel(camera, window, glm::length(camera.target - camera.eye)),
               1e-12);
-  expect_near(with_ortho(ortho, false).eye, camera.eye, 1e-12);
+  expect_close(with_ortho(ortho, false).eye, camera.eye, 1e-12);
 }
 
 TEST(camera, points_behind_the_eye_are_not_projected) {
   const Camera camera = slanted(false);
-  EXPECT_FALSE(project(camera, view, camera.eye + (camera.eye - camera.target)));
-  EXPECT_TRUE(project(slanted(true), view, camera.eye + (camera.eye - camera.target)));
+  EXPECT_FALSE(project(camera, window, camera.eye + (camera.eye - camera.target)));
+  EXPECT_TRUE(project(slanted(true), window, camera.eye + (camera.eye - camera.target)));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace ryosen {
 namespace {
 
-constexpr Size view_size{320, 240};
+constexpr Size overlay_size{320, 240};
 
 class Parts {
  public:
@@ -51,7 +51,7 @@ Overlay joined(const std::map<std::uint32_t, Overlay>& parts) {
 // Parts that come, grow, shrink and go, drawn piece by piece and all at once.
 void compare(unsigned seed, std::uint32_t most, int steps) {
   const Scene scene = square_scene(2);
-  const auto by_parts = front_view(scene, view_size, 2.4), at_once = front_view(scene, view_size, 2.4);
+  const auto by_parts = front_view(scene, overlay_size, 2.4), at_once = front_view(scene, overlay_size, 2.4);
   Parts dice(seed);
   std::map<std::uint32_t, Overlay> parts;
   for (int step = 0; step < steps; ++step) {
@@ -84,7 +84,7 @@ TEST(overlay_parts, look_as_if_drawn_at_once) { compare(1, 12, 150); }
 TEST(overlay_parts, large_ones_move_within_the_buffer) { compare(2, 1500, 12); }
 
 TEST(overlay_parts, only_what_changed_is_drawn_again) {
-  const auto view = front_view(square_scene(1), view_size, 2.4);
+  const auto view = front_view(square_scene(1), overlay_size, 2.4);
   Overlay left, right;
   left.points.push_back({{-0.5, 0, 0}, rgb(0xFF00FF)});
   right.points.push_back({{0.5, 0, 0}, rgb(0xFF00FF)});
@@ -112,7 +112,7 @@ int coloured(View& view, double length, bool thins_out, LineStyle style = LineSt
 }
 
 TEST(overlay, lines_thin_out_where_they_are_short) {
-  const auto view = front_view(square_scene(1), view_size, 2.4);
+  const auto view = front_view(square_scene(1), overlay_size, 2.4);
   EXPECT_EQ(coloured(*view, 1, true), coloured(*view, 1, false)) << "a long line is as wide as ever";
   EXPECT_EQ(coloured(*view, 1, true, LineStyle::dotted), coloured(*view, 1, false, LineStyle::dotted))
       << "and as styled";
@@ -123,22 +123,22 @@ TEST(overlay, lines_thin_out_where_they_are_short) {
 
 // The border of an arrow is as wide before its tip and beside its head as beside its shaft: nothing looks like a second one.
 TEST(overlay, the_rim_of_an_arrow_lies_all_round_it) {
-  const auto view = front_view(square_scene(1), view_size, 2.4);
+  const auto view = front_view(square_scene(1), overlay_size, 2.4);
   Overlay overlay;
   overlay.lines.push_back({{-0.5, 0, 0}, {0.5, 0, 0}, rgb(0x00FF00), LineStyle::solid, 4, 0, true, false, true});
   overlay.lines.push_back({{-0.5, 0, 0}, {0.5, 0, 0}, rgb(0xFF00FF), LineStyle::solid, 4, 0, true});
   view->set_overlay(Layer::highlights, overlay);
   view->draw();
   const Image picture = view->read_pixels();
-  const auto at = [&](int x, int y) { return picture.pixels[static_cast<std::size_t>(y * view_size.width + x)]; };
+  const auto at = [&](int x, int y) { return picture.pixels[static_cast<std::size_t>(y * overlay_size.width + x)]; };
   const auto is_arrow = [&](int x, int y) { return at(x, y)[0] > 128 && at(x, y)[1] < 128; };
   const auto is_rim = [&](int x, int y) { return at(x, y)[0] < 128 && at(x, y)[1] > 150 && at(x, y)[2] < 128; };
   int columns = 0, across = 0, lopsided = 0;  // across: where it is cut across behind the head
-  for (int x = 0; x < view_size.width; ++x) {
+  for (int x = 0; x < overlay_size.width; ++x) {
     int above = 0, below = 0, within = 0;
-    for (int y = 0; y < view_size.height; ++y) {
+    for (int y = 0; y < overlay_size.height; ++y) {
       within += is_arrow(x, y);
-      (y < view_size.height / 2 ? above : below) += is_rim(x, y);
+      (y < overlay_size.height / 2 ? above : below) += is_rim(x, y);
     }
     if (within == 0) continue;
     ++columns;
@@ -149,13 +149,13 @@ TEST(overlay, the_rim_of_an_arrow_lies_all_round_it) {
   EXPECT_LE(across, 3) << "behind the head it is no wider than elsewhere";
   EXPECT_EQ(lopsided, 0);
   int before_tip = 0;
-  for (int x = view_size.width / 2; x < view_size.width; ++x) before_tip += is_rim(x, view_size.height / 2);
+  for (int x = overlay_size.width / 2; x < overlay_size.width; ++x) before_tip += is_rim(x, overlay_size.height / 2);
   EXPECT_GE(before_tip, 1) << "before the tip";
   EXPECT_LE(before_tip, 4);
 }
 
 TEST(overlay, of_many_lines_that_thin_out_a_part_is_drawn_while_the_surface_is_thinned) {
-  const auto view = front_view(square_scene(1), view_size, 2.4);
+  const auto view = front_view(square_scene(1), overlay_size, 2.4);
   Overlay overlay;
   for (int i = 0; i < 100000; ++i) {
     const double y = i * 1e-5 - 0.5;

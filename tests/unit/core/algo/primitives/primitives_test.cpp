@@ -63,7 +63,7 @@ double area_of_polygon(double corners, double radius) {
   return corners / 2 * std::sin(2 * pi / corners) * radius * radius;
 }
 
-struct Primitive {
+struct MadeShape {
   std::string line;
   Counts counts;
   std::size_t open_edges;
@@ -71,8 +71,8 @@ struct Primitive {
   double volume;  // of a closed one
 };
 
-std::vector<Primitive> grids() {
-  std::vector<Primitive> all;
+std::vector<MadeShape> grids() {
+  std::vector<MadeShape> all;
   for (const auto& [c, r] : {std::pair<std::size_t, std::size_t>{1, 1}, {1, 4}, {10, 10}, {7, 3}, {1000, 1}})
     all.push_back({"grid width=3 depth=0.5 columns=" + std::to_string(c) + " rows=" + std::to_string(r),
                    {(c + 1) * (r + 1), c * (r + 1) + r * (c + 1), c * r},
@@ -82,8 +82,8 @@ std::vector<Primitive> grids() {
   return all;
 }
 
-std::vector<Primitive> solids() {
-  std::vector<Primitive> all{{"cube", {8, 12, 6}, 0, 2, 8}, {"cube size=3", {8, 12, 6}, 0, 2, 27}};
+std::vector<MadeShape> solids() {
+  std::vector<MadeShape> all{{"cube", {8, 12, 6}, 0, 2, 8}, {"cube size=3", {8, 12, 6}, 0, 2, 27}};
   for (const double r : {1.0, 0.125, 7.5}) {
     const std::string radius = " radius=" + format_double(r);
     const double phi = std::numbers::phi, edge = r / std::sqrt(phi * phi + 1) * 2, cube = r * r * r;
@@ -97,8 +97,8 @@ std::vector<Primitive> solids() {
   return all;
 }
 
-std::vector<Primitive> spheres() {
-  std::vector<Primitive> all;
+std::vector<MadeShape> spheres() {
+  std::vector<MadeShape> all;
   for (const auto& [s, b] : {std::pair<std::size_t, std::size_t>{3, 2}, {4, 2}, {3, 3}, {32, 16}, {5, 40}, {64, 3}}) {
     double volume = 0;  // of slices between two circles
     for (std::size_t i = 0; i < b; ++i) {
@@ -116,8 +116,8 @@ std::vector<Primitive> spheres() {
   return all;
 }
 
-std::vector<Primitive> with_caps() {
-  std::vector<Primitive> all;
+std::vector<MadeShape> with_caps() {
+  std::vector<MadeShape> all;
   for (const std::size_t s : {3u, 4u, 5u, 32u, 1000u}) {
     const std::string values = " radius=0.5 height=3 segments=" + std::to_string(s) + " caps=";
     const double cylinder = 3 * area_of_polygon(static_cast<double>(s), 0.5);
@@ -131,8 +131,8 @@ std::vector<Primitive> with_caps() {
   return all;
 }
 
-std::vector<Primitive> tori() {
-  std::vector<Primitive> all;
+std::vector<MadeShape> tori() {
+  std::vector<MadeShape> all;
   for (const auto& [s, t] : {std::pair<std::size_t, std::size_t>{3, 3}, {3, 8}, {32, 16}, {17, 4}})
     for (const double tube : {0.01, 0.25, 1.9})
       all.push_back(
@@ -146,8 +146,8 @@ std::vector<Primitive> tori() {
   return all;
 }
 
-std::vector<Primitive> all_primitives() {
-  std::vector<Primitive> all;
+std::vector<MadeShape> all_primitives() {
+  std::vector<MadeShape> all;
   for (const auto& some : {grids(), solids(), spheres(), with_caps(), tori()})
     all.insert(all.end(), some.begin(), some.end());
   return all;
@@ -155,8 +155,8 @@ std::vector<Primitive> all_primitives() {
 
 TEST(primitives, have_the_counts_and_the_surface_that_their_values_say) {
   std::map<std::string_view, int> tried;
-  const std::vector<Primitive> all = all_primitives();
-  for (const Primitive& p : all) {
+  const std::vector<MadeShape> all = all_primitives();
+  for (const MadeShape& p : all) {
     SCOPED_TRACE(p.line);
     ++tried[split_words(p.line)[0]];
     const IndexedMesh list = to_indexed(made_by(p.line)).mesh;
@@ -175,7 +175,7 @@ TEST(primitives, have_the_counts_and_the_surface_that_their_values_say) {
 }
 
 TEST(primitives, have_no_problem_and_nothing_that_meets) {
-  for (const Primitive& p : all_primitives()) {
+  for (const MadeShape& p : all_primitives()) {
     SCOPED_TRACE(p.line);
     const Mesh mesh = made_by(p.line);
     const auto broken = check_invariants(mesh);

@@ -18,7 +18,6 @@ namespace {
 
 using smooth::BoundaryRule;
 using smooth::Method;
-using smooth::Options;
 using smooth::WeightKind;
 
 constexpr double turn = 2 * std::numbers::pi;
@@ -29,7 +28,8 @@ Mesh placed(const Polygons& faces, const std::vector<glm::dvec3>& places) {
   return from_indexed(list);
 }
 
-std::vector<glm::dvec3> smoothed_places(const Mesh& mesh, const Options& options, std::vector<double> shares = {}) {
+std::vector<glm::dvec3> smoothed_places(const Mesh& mesh, const smooth::Options& options,
+                                        std::vector<double> shares = {}) {
   Progress unheard;
   if (shares.empty()) shares.assign(mesh.vertex_slots(), 1.0);
   return smooth::smoothed(mesh, options, shares, unheard).places;
@@ -48,20 +48,21 @@ TEST(Smooth, waves_on_a_closed_grid_fade_by_their_frequency) {
     const Mesh mesh = placed(torus_grid(rows, columns), places);
     const double a = turn * k / columns, b = turn * l / rows;  // its squares have a diagonal
     const double frequency = 1 - (std::cos(a) + std::cos(b) + std::cos(a + b)) / 3;
-    const auto expect = [&, name = std::to_string(k) + " " + std::to_string(l)](const Options& options, double factor) {
+    const auto expect = [&, name = std::to_string(k) + " " + std::to_string(l)](const smooth::Options& options,
+                                                                                double factor) {
       const std::vector<glm::dvec3> after = smoothed_places(mesh, options);
       for (std::size_t i = 0; i < places.size(); ++i) {
         const glm::dvec3 wanted(factor * places[i].x, factor * places[i].y, 3);
         EXPECT_LT(glm::distance(after[i], wanted), 1e-10) << name;
       }
     };
-    const Options uniform{.weights = WeightKind::uniform, .steps = 5, .strength = 0.4};
+    const smooth::Options uniform{.weights = WeightKind::uniform, .steps = 5, .strength = 0.4};
     expect(uniform, std::pow(1 - 0.4 * frequency, 5));
-    Options implicit = uniform;
+    smooth::Options implicit = uniform;
     implicit.method = Method::implicit;
     implicit.strength = 20;
     expect(implicit, std::pow(1 + 20 * frequency, -5));
-    Options taubin = uniform;
+    smooth::Options taubin = uniform;
     taubin.method = Method::taubin;
     const double back = 1 / (0.1 - 1 / 0.4);
     expect(taubin, std::pow((1 - 0.4 * frequency) * (1 - back * frequency), 5));
@@ -256,7 +257,7 @@ TEST(Smooth, copies_and_what_is_not_finite_stay) {
 TEST(Smooth, the_size_of_the_mesh_does_not_matter) {
   const Mesh sphere = made_by("sphere");
   for (const Method method : {Method::laplace, Method::implicit, Method::taubin}) {
-    const Options options{.method = method, .steps = 3, .keeps_volume = true};
+    const smooth::Options options{.method = method, .steps = 3, .keeps_volume = true};
     const std::vector<glm::dvec3> plain = smoothed_places(sphere, options);
     for (const double size : {0x1p-900, 0x1p900}) {
       MeshColumns scaled = sphere.columns();

@@ -23,12 +23,11 @@
 namespace ryosen::test {
 namespace {
 
-using subdivide::Options;
 using subdivide::Scheme;
 
 constexpr std::array all_schemes{Scheme::loop, Scheme::catmull_clark, Scheme::midpoint, Scheme::sqrt3};
 
-Mesh made(const Mesh& mesh, const Options& options) {
+Mesh made(const Mesh& mesh, const subdivide::Options& options) {
   Progress unheard;
   subdivide::Subdivided result = subdivide::subdivided(mesh, options, unheard);
   EXPECT_FALSE(result.fault) << result.fault->en;
@@ -149,7 +148,7 @@ TEST(Subdivide, the_limit_of_a_vertex_is_the_same_from_every_level) {
       for (const bool has_creases : {false, true}) {
         SCOPED_TRACE(std::string(shape.name) + " " + std::to_string(int(scheme)) + (has_creases ? " creased" : ""));
         const Mesh mesh = shaken(shape.faces, shape.points);
-        Options options{.scheme = scheme, .steps = 2, .to_limit = true};
+        subdivide::Options options{.scheme = scheme, .steps = 2, .to_limit = true};
         if (has_creases) options.crease_angle_rad = 1.2;
         const Mesh once = made(mesh, options);
         options.steps = 4;
@@ -159,7 +158,7 @@ TEST(Subdivide, the_limit_of_a_vertex_is_the_same_from_every_level) {
 }
 
 // A sheet with a bump, and on it a crease that begins and ends within.
-Options with_darts(const Mesh& mesh, Scheme scheme) {
+subdivide::Options with_darts(const Mesh& mesh, Scheme scheme) {
   const auto edge_between = [&](std::uint32_t a, std::uint32_t b) {
     return Element(edge(find_halfedge(mesh, Vertex(a), Vertex(b))));
   };
@@ -173,12 +172,12 @@ Mesh bumpy_sheet(bool triangles) {
 TEST(Subdivide, the_limit_of_a_dart_is_the_same_from_every_level) {
   for (const Scheme scheme : {Scheme::loop, Scheme::catmull_clark}) {
     const Mesh mesh = bumpy_sheet(scheme == Scheme::loop);
-    Options options = with_darts(mesh, scheme);
+    subdivide::Options options = with_darts(mesh, scheme);
     options.to_limit = true;
     const Mesh once = made(mesh, options);
     options.steps = 4;
     EXPECT_LT(distance(once, made(mesh, options), once.vertex_slots()), 1e-13);
-    Options far = with_darts(mesh, scheme);
+    subdivide::Options far = with_darts(mesh, scheme);
     far.steps = 7;
     EXPECT_LT(glm::distance(made(mesh, far).position(Vertex(14)), once.position(Vertex(14))), 1e-4)
         << "a step towards it";
@@ -217,11 +216,11 @@ double apart(const std::vector<glm::dvec3>& some, const std::vector<glm::dvec3>&
 }
 
 TEST(Subdivide, limit_normals_are_those_of_the_faces_of_ever_finer_levels) {
-  const auto expect_normals = [](const Mesh& mesh, Options options, const char* name) {
+  const auto expect_normals = [](const Mesh& mesh, subdivide::Options options, const char* name) {
     SCOPED_TRACE(std::string(name) + " " + std::to_string(int(options.scheme)));
     options.to_limit = true;
     const Mesh here = made(mesh, options);
-    Options finer = options;
+    subdivide::Options finer = options;
     std::array<double, 2> errors{};
     for (const std::size_t more : {2u, 4u}) {
       finer.steps = options.steps + more;
@@ -244,7 +243,7 @@ TEST(Subdivide, limit_normals_are_those_of_the_faces_of_ever_finer_levels) {
     expect_normals(bumpy_sheet(triangles), {.scheme = scheme, .steps = 2}, "sheet");
     expect_normals(made_by("cube"), {.scheme = scheme, .steps = 2, .crease_angle_rad = 1.2}, "corners");
     const Mesh mesh = bumpy_sheet(triangles);
-    Options options = with_darts(mesh, scheme);
+    subdivide::Options options = with_darts(mesh, scheme);
     options.steps = 2;
     expect_normals(mesh, options, "darts");
   }
@@ -325,7 +324,7 @@ TEST(Subdivide, an_affine_map_may_come_before_or_behind) {
       const Mesh mesh = shaken(shape.faces, shape.points);
       MeshColumns moved = mesh.columns();
       for (glm::dvec3& p : moved.positions) p = map(p);
-      const Options options{.scheme = scheme, .steps = 2, .sharp = {Edge(0)}, .sharp_steps = 1.5};
+      const subdivide::Options options{.scheme = scheme, .steps = 2, .sharp = {Edge(0)}, .sharp_steps = 1.5};
       const Mesh behind = made(mesh, options), before = made(Mesh(moved), options);
       for (std::uint32_t i = 0; i < behind.vertex_slots(); ++i)
         EXPECT_LT(glm::distance(map(behind.position(Vertex(i))), before.position(Vertex(i))), 1e-12) << shape.name;
@@ -467,7 +466,7 @@ TEST(Subdivide, texture_colours_and_names_are_carried_along) {
   list.materials.index = {0, 1};
   const Mesh mesh = from_indexed(list);
   for (const Scheme scheme : all_schemes) {
-    Options options{.scheme = scheme, .steps = 2};
+    subdivide::Options options{.scheme = scheme, .steps = 2};
     // All stays where it is, so that linear values are still the places.
     for (std::uint32_t i = 0; i < 6; ++i) options.sharp.emplace_back(Vertex(i));
     const Mesh finer = made(mesh, options);
@@ -529,7 +528,7 @@ TEST(Subdivide, what_cannot_be_is_refused_with_a_sentence) {
     const std::string_view word = words;
     EXPECT_FALSE(read_values(row.parameters, std::span(&word, 1)).values) << words;
   }
-  const auto fault = [&](const Options& options) {
+  const auto fault = [&](const subdivide::Options& options) {
     Progress unheard;
     return subdivide::subdivided(mesh, options, unheard).fault;
   };

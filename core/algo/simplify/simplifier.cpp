@@ -73,9 +73,9 @@ bool Simplifier::run(Progress& progress) {
   if (is_at_goal()) return progress.go_on();
   fill_queue();
   const bool swaps = goal_.effort == 2 && !steps_ && !guard_;
-  const std::vector<glm::dvec3> samples = swaps ? sample_places(surface_) : std::vector<glm::dvec3>();
+  const SurfaceBefore before = swaps ? surface_before(surface_) : SurfaceBefore();
   if (!collapse_all(progress)) return false;
-  if (swaps && (swaps_ = swap_nearer(*edit_, surface_, samples, progress)) > 0 && !is_at_goal() &&
+  if (swaps && (swaps_ = swap_nearer(*edit_, surface_, before, progress)) > 0 && !is_at_goal() &&
       find_further(progress) && !collapse_all(progress))
     return false;
   if (!merged_into_.empty() && is_at_goal() && !mend_turned(progress)) return false;

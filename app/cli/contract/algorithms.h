@@ -101,8 +101,10 @@ inline constexpr JsonKey account_keys[] = {
      words("goal error blocked cancelled")},
     {"remaining", "object", "By rule the number of edges that it holds as the first; they add up to edges.",
      "最初に当てはまる規則ごとの稜線の数。合計は edges。", ids_of(Ids::edge_rules)},
-    {"error_max", "number or null", "The largest error, a distance in units; null where it is not measured.",
-     "誤差の最大値（座標の単位の距離）。測らないとき null。"},
+    {"error_max", "number or null",
+     "The largest error of a vertex, in units: the root of the mean square of its distances from planes, no bound for "
+     "points of the surface; null where it is not measured.",
+     "頂点の誤差の最大値（座標の単位）。平面との距離の二乗平均平方根で、面上の点の上限ではない。測らないとき null。"},
     {"distance", "object or null",
      "How far the result is from the input; null without --distance, and where there is nothing to measure.",
      "結果の入力からの距離。--distance がないとき、測るものがないとき null。", objects(result_distance_shape)},

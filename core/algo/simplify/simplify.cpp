@@ -77,8 +77,8 @@ std::optional<Text> why_faces_cannot_be_kept_apart(const Mesh& mesh, Progress& p
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
     if (const Face f(i); mesh.is_alive(f) && (!is_triangle(mesh, mesh.halfedge(f)) || mesh.has_rings(f)))
       return Text{
-          name_of(mesh, f) + " is no triangle, so that faces cannot be kept from meeting; triangulate=on does",
-          name_of(mesh, f) + " が三角形でないため、面の交差を防げません（triangulate=on で三角形に分割できます）"};
+          name_of(mesh, f) + " is no triangle, so that faces cannot be kept from meeting; with triangulate it is cut first",
+          name_of(mesh, f) + " が三角形でないため、面の交差を防げません（triangulate を指定すると先に三角形に分割します）"};
   const auto found = find_self_intersections(mesh, 0, 0, progress);
   const std::size_t pairs = found ? found->count : 0;  // cancelled: no matter
   if (pairs == 0) return std::nullopt;

@@ -263,6 +263,13 @@ TriangleTree::Near TriangleTree::nearest_facing(const glm::dvec3& p, const glm::
                        : nearest(NearQuery(*this, local), p, no_index, faces);
 }
 
+TriangleTree::Near TriangleTree::nearest_of(const glm::dvec3& p,
+                                            const std::function<bool(std::uint32_t)>& is_asked) const {
+  const glm::dvec3 local = p - origin_;
+  return is_far(local) ? nearest(FarQuery(*this, local), p, no_index, is_asked)
+                       : nearest(NearQuery(*this, local), p, no_index, is_asked);
+}
+
 std::size_t TriangleTree::triangles_asked_for(const glm::dvec3& p) const {
   std::size_t asked = 0;
   nearest(NearQuery(*this, p - origin_), p, no_index, [&](std::uint32_t) { return ++asked, true; });

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -50,6 +51,8 @@ class TriangleTree {
   Near nearest(const glm::dvec3& p, std::uint32_t hint = no_index) const;
   // The nearest of those whose normal is at less than a right angle to the direction; none where there is none.
   Near nearest_facing(const glm::dvec3& p, const glm::dvec3& direction) const;
+  // The nearest of those that `is_asked`; none where there is none.
+  Near nearest_of(const glm::dvec3& p, const std::function<bool(std::uint32_t)>& is_asked) const;
   // Of several points that lie near each other. `near` holds a hint for each, and then the answer.
   void nearest(std::span<const glm::dvec3> points, std::span<Near> near) const;
   // Of how many triangles the distance is computed to find the nearest one, without a hint.

@@ -5,6 +5,7 @@
 
 #include "core/algo/cut_faces.h"
 #include "core/algo/remesh/remesher.h"
+#include "core/algo/shared_values.h"
 #include "core/algo/unit_scale.h"
 #include "core/analysis/self_intersections.h"
 #include "core/base/parallel.h"
@@ -152,6 +153,7 @@ class Attempts {
       SurfaceKeeper keeper(work, known_.points(), watched_, surface_);
       Remesher remesher(edit, known_.features(), known_.target(), keeper);
       result.is_cancelled = !run_rounds(remesher, options_.rounds, progress);
+      if (!result.is_cancelled) remesher.take_values(start_);
       edit.commit();
       result.refused = keeper.refused();
       if (result.is_cancelled || !watches_more(work, attempt + 2 == most, progress)) {
@@ -200,6 +202,7 @@ Remeshed remeshed(const Mesh& mesh, const Options& options, Progress& progress) 
   const std::vector<Face> polygons = polygons_of_mesh(triangles);
   result.cut_faces = polygons.size();
   if ((result.fault = cut_faces(edit, polygons))) return result;
+  share_equal_values(edit);
   edit.commit();
   const Sizing sizing(triangles, {own.length, own.adaptive, own.tolerance});
   if ((result.fault = fault_of_length(triangles, sizing, scale))) return result;

@@ -16,10 +16,11 @@ constexpr double longest_share = 4.0 / 3, shortest_share = 4.0 / 5;
 
 }  // namespace
 
-Remesher::Remesher(Edit& edit, Features features, const Target& target, SurfaceKeeper& keeper)
+Remesher::Remesher(Edit& edit, const Features& features, const Target& target, SurfaceKeeper& keeper)
     : edit_(edit),
       mesh_(edit.mesh()),
-      features_(std::move(features)),
+      begun_with_(features),
+      features_(features),
       target_(target),
       keeper_(keeper),
       judge_(keeper) {
@@ -101,6 +102,7 @@ bool Remesher::try_split(Edge e) {
       features_.edges[edge(h).index] = was_feature && (end == a || end == b) ? 1 : 0;
     }
   if (was_feature) return true;
+  share_corner_values(Vertex(first));
   // Half way along a chord the surface may lie elsewhere.
   const Vertex middle(first);
   const auto nearest = target_.nearest(mesh_.position(middle), normal_of(middle), nearby_[first]);

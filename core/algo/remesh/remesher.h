@@ -20,7 +20,8 @@ namespace ryosen::remesh {
 // threads; false: cancelled.
 class Remesher {
  public:
-  Remesher(Edit& edit, Features features, const Target& target, SurfaceKeeper& keeper);
+  // The features, to which it adds its own, and the target are of the mesh as it is; they and the keeper outlive it.
+  Remesher(Edit& edit, const Features& features, const Target& target, SurfaceKeeper& keeper);
 
   // Splits edges longer than 4/3 of what is wanted, the longest first, until there is none.
   bool split_long(Progress& progress);
@@ -34,6 +35,9 @@ class Remesher {
   // Moves points within the plane across their normal to the mean of the triangles around, by their areas, and back to the
   // surface; not where a face would turn by 60 degrees or become a sliver.
   bool relax(Progress& progress);
+  // Gives each point that is no feature the values (colours, texture) of the surface as it was, there where it has come to
+  // lie; feature edges were only divided, so theirs are right. `before`: the mesh of the target.
+  void take_values(const Mesh& before);
 
  private:
   static constexpr double cosine_of_turn = 0.5;  // of 60 degrees
@@ -70,11 +74,15 @@ class Remesher {
   std::optional<Relaxed> relaxed(Vertex v, const std::vector<std::uint32_t>& parts);
   std::pair<std::vector<std::uint32_t>, std::uint32_t> parts_of_surface() const;
   void move(std::span<const Vertex> vertices, const std::vector<std::optional<Relaxed>>& found);
+  // One value for all corners of a vertex within a chart: by it collapses know the chart.
+  void share_corner_values(Vertex v);
+  std::vector<std::optional<Target::Share>> shares(const Mesh& before) const;
   bool faces_stay(Vertex v, const glm::dvec3& place) const;
   bool try_move(Vertex v, const glm::dvec3& place, SurfaceKeeper::MoveJudge& judge);
 
   Edit& edit_;
   const Mesh& mesh_;
+  const Features& begun_with_;
   Features features_;
   const Target& target_;
   SurfaceKeeper& keeper_;

@@ -101,4 +101,17 @@ std::optional<Target::Nearest> Target::nearest(const glm::dvec3& place, const gl
   return Nearest{near.place, glm::dot(near.barycentric, lengths), triangle};
 }
 
+std::optional<Target::Share> Target::share(const glm::dvec3& place, const glm::dvec3& direction, std::uint32_t hint,
+                                           const std::function<bool(Face)>& may_be) const {
+  const auto found = nearest(place, direction, hint);
+  if (!found) return std::nullopt;
+  std::uint32_t triangle = found->triangle;
+  if (!may_be(Face(tree_.owner(triangle))))
+    triangle = tree_.nearest_of(place, [&](std::uint32_t t) { return may_be(Face(tree_.owner(t))); }).triangle;
+  if (triangle == no_index) return std::nullopt;
+  const auto& [a, b, c] = tree_.corners(triangle);
+  const glm::dvec3 weights = nearest_place(tree_.points(), Primitive::triangle(a, b, c, 0), place).barycentric;
+  return Share{Face(tree_.owner(triangle)), {weights.x, weights.y, weights.z}};
+}
+
 }  // namespace ryosen::remesh

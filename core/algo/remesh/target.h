@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,14 @@ class Target {
   // a place that is not finite.
   std::optional<Nearest> nearest(const glm::dvec3& place, const glm::dvec3& direction,
                                  std::uint32_t hint = no_index) const;
+  // A face of the mesh, and the shares of its corners from its halfedge on.
+  struct Share {
+    Face face;
+    std::array<double, 3> weights;
+  };
+  // Of the place of nearest(), or of the nearest one in a face that `may_be`.
+  std::optional<Share> share(const glm::dvec3& place, const glm::dvec3& direction, std::uint32_t hint,
+                             const std::function<bool(Face)>& may_be) const;
   // A hint for the place of a vertex of the mesh; no_index where there is none.
   std::uint32_t hint_at(Vertex v) const { return hints_[v.index]; }
   // Those with near numbers lie near each other.

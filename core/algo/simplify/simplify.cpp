@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/algo/simplify/remaining_edges.h"
-#include "core/algo/simplify/shared_values.h"
+#include "core/algo/shared_values.h"
 #include "core/algo/simplify/simplifier.h"
 #include "core/algo/transform/moved_points.h"
 #include "core/analysis/self_intersections.h"

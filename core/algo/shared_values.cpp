@@ -1,4 +1,4 @@
-#include "core/algo/simplify/shared_values.h"
+#include "core/algo/shared_values.h"
 
 #include <string_view>
 #include <unordered_map>

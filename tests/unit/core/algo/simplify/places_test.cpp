@@ -8,6 +8,18 @@
 namespace ryosen::test {
 namespace {
 
+TEST(SimplifyPlaces, values_at_boundaries_and_seams_are_those_of_the_place) {
+  constexpr double across = 100 * 4e-15;  // of rounding, where values lie beyond the seam
+  for (const char* const boundary : {"weighted", "free", "locked"})
+    for (const char* const words : {" faces=100", " faces=20", " faces=9", " faces=100 effort=0", " faces=60 effort=2"})
+      for (const double seam : {no_seam, 0.5}) {
+        const std::string line = "boundary=" + std::string(boundary) + words;
+        Mesh mesh = valued_sheet(20, seam, some_turn());
+        ASSERT_GT(simplified(mesh, line).changed, 0u);
+        EXPECT_LT(worst_value(mesh, seam, some_turn()), across) << line << ", seam " << seam;
+      }
+}
+
 // How far a point lies at most from the unit square in its plane, and the area.
 struct Drift {
   double most = 0, area = 0;

@@ -21,6 +21,9 @@ constexpr double crease_weight = 10;
 // Of the square of an edge's length, so that where nothing is lost by any collapse the short edges go first.
 constexpr double length_share = 1e-9;
 
+// Of the weight: less than this of squares is that of a place where all planes meet, but for rounding.
+constexpr double flat_share = 1e-13;
+
 // What decides the order. The mean square times the root of the weight lies between the sum of squares, by which horns and
 // legs of small faces go before a dent in a wide flank, and the mean, by which every small part is kept at the cost of all
 // others. Over nine meshes the root mean square distance stays the same at 50 and 10 percent of the faces and is a twelfth
@@ -172,7 +175,9 @@ Freedom CollapseSurface::freedom(Halfedge h) const {
 
 Placing CollapseSurface::at_place(const Freedom& freedom, const glm::dvec3& place, Vertex at) const {
   const Vertex a = mesh_.from(freedom.halfedge), b = mesh_.to(freedom.halfedge);
-  const glm::dvec3 along = states_[a.index].place - states_[b.index].place;
+  const glm::dvec3 &pa = states_[a.index].place, &pb = states_[b.index].place, along = pa - pb;
+  // A place that rounding brings to an end is that of the end to the bit.
+  if (!at) at = place == pa ? a : place == pb ? b : Vertex();
   const Quadric &qa = states_[a.index].quadric, &qb = states_[b.index].quadric;
   const double squares = qa.at(place) + qb.at(place);
   return {place, squares, cost_of(squares, qa.weight + qb.weight, along), at};
@@ -186,7 +191,17 @@ Placing CollapseSurface::lowest(const Freedom& freedom) const {
   const Quadric sum = states_[a.index].quadric + states_[b.index].quadric;
   const glm::dvec3 place = sum.lowest(middle);
   const double squares = sum.at(place);
+  if (squares <= flat_share * sum.weight && place != middle) return lowest_on_flat(freedom, sum, place);
+  if (place == pa || place == pb) return at_place(freedom, place);
   return {place, squares, cost_of(squares, sum.weight, along)};
+}
+
+// Where all planes meet within rounding: an end that is in all of them, so that flat and straight parts keep their corners
+// to the bit. Elsewhere what keeps a place near the edge has moved it by a share of its way, which is taken back.
+Placing CollapseSurface::lowest_on_flat(const Freedom& freedom, const Quadric& sum, const glm::dvec3& place) const {
+  for (const Vertex end : {mesh_.from(freedom.halfedge), mesh_.to(freedom.halfedge)})
+    if (sum.is_lowest(states_[end.index].place)) return at_place(freedom, states_[end.index].place, end);
+  return at_place(freedom, sum.lowest(sum.lowest(place)));
 }
 
 double CollapseSurface::lowest_cost(Halfedge h) const {

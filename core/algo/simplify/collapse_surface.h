@@ -162,6 +162,7 @@ class CollapseSurface {
   glm::dvec3 area_vector(Face f) const;
   // The same, corner by corner.
   glm::dvec3 summed_area_vector(Face f, Vertex a, Vertex b, const glm::dvec3& place) const;
+  Placing lowest_on_flat(const Freedom& freedom, const Quadric& sum, const glm::dvec3& place) const;
   std::optional<EdgeRule> hold(Vertex v, bool along_feature) const;
   bool turns_too_far(const glm::dvec3& before, const glm::dvec3& after) const;
   bool turns_small_face(Halfedge corner, const glm::dvec3& position) const;

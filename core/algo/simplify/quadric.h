@@ -49,6 +49,9 @@ struct Quadric {
   // The sum at a place; never negative.
   double at(const glm::dvec3& p) const { return std::max(0.0, glm::dot(p, times(p) + 2.0 * b) + c); }
 
+  // Whether the slope at a place is that of rounding, so that no other one is lower. Places are about 1 in size.
+  bool is_lowest(const glm::dvec3& place) const { return is_rounding(times(place) + b); }
+
   // The place of the least sum; where planes leave it open, as on a flat or straight part, the one nearest to `near`. A
   // small share of the trace on the diagonal of A makes both one equation, which is solved by LDL'.
   glm::dvec3 lowest(const glm::dvec3& near) const {
@@ -57,6 +60,7 @@ struct Quadric {
     if (!(trace > 0)) return near;
     const double held = share * trace;
     const glm::dvec3 r = -(times(near) + b);
+    if (is_rounding(r)) return near;
     const double d0 = xx + held, l10 = xy / d0, l20 = xz / d0;
     const double d1 = yy + held - l10 * xy, e = yz - l20 * xy, l21 = e / d1;
     const double d2 = zz + held - l20 * xz - l21 * e;
@@ -66,6 +70,13 @@ struct Quadric {
     x.y = y1 / d1 - l21 * x.z;
     x.x = r.x / d0 - l10 * x.y - l20 * x.z;
     return near + x;
+  }
+
+ private:
+  bool is_rounding(const glm::dvec3& slope) const {
+    constexpr double share = 1e-13;
+    const double most = share * (xx + yy + zz);
+    return glm::dot(slope, slope) <= most * most;
   }
 };
 

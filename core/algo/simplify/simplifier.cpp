@@ -4,13 +4,13 @@
 
 #include "core/algo/simplify/nearer_swaps.h"
 #include "core/algo/simplify/plain_collapse.h"
+#include "core/algo/simplify/ring_values.h"
 #include "core/base/parallel.h"
 #include "core/mesh/attribute.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/collapse_edge.h"
 #include "core/ops/rules/corner_values.h"
-#include "core/ops/rules/face_geometry.h"
 #include "core/ops/rules/plain_check.h"
 
 namespace ryosen {
@@ -233,13 +233,21 @@ void Simplifier::collapse(const Freedom& freedom, const Placing& placing, Legali
 void Simplifier::write_collapse(Halfedge h, const Placing& placing, bool is_plain) {
   const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
   const glm::dvec3 position = surface_.position_of(placing);
-  if (has_vertex_values_)
-    blend_vertex_values(*edit_, gone, kept,
-                        closest_parameter(surface_.place(gone), surface_.place(kept), placing.place), kept);
+  carry_values(h, placing);
   if (!merged_into_.empty()) merged_into_[gone.index] = kept;
   if (!is_plain) return collapse_by_kernel(h, placing, position);
   plain_collapse(*edit_, h, [&](Edge stays, Edge goes) { surface_.take_over(stays, goes); });
   edit_->set_position(kept, position);
+}
+
+// Before the collapse; corners at an end the collapse itself gives what they need.
+void Simplifier::carry_values(Halfedge h, const Placing& placing) {
+  const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
+  if (placing.at == kept || !(has_vertex_values_ || has_corner_values_)) return;
+  if (placing.at) return blend_vertex_values(*edit_, gone, gone, 0, kept);
+  const RingValues values(surface_, h, placing.place);
+  values.write_corners(*edit_, h);
+  values.write_vertex(*edit_, kept);
 }
 
 void Simplifier::collapse_by_kernel(Halfedge h, const Placing& placing, const glm::dvec3& position) {

@@ -126,6 +126,7 @@ class Simplifier {
   void collapse(const Freedom& freedom, const Placing& placing, Legality legality);
   Halfedge directed(const Freedom& freedom, Legality legality);
   void write_collapse(Halfedge h, const Placing& placing, bool is_plain);
+  void carry_values(Halfedge h, const Placing& placing);
   void collapse_by_kernel(Halfedge h, const Placing& placing, const glm::dvec3& position);
   void block(Edge e);
   bool is_hub(Vertex v) const;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/algo/simplify/ring_values.h"
 #include "core/algo/simplify/simplifier.h"
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
@@ -166,6 +167,7 @@ bool Simplifier::move_mends(Vertex v, Face f, const std::vector<glm::dvec3>& way
       best = position;
     }
   if (!best) return false;
+  if (has_vertex_values_) RingValues(surface_, v, surface_.scale().scaled(*best)).write_vertex(*edit_, v);
   edit_->set_position(v, *best);
   surface_.move(v, *best);
   error_max_ = std::max(error_max_, least);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/algo/simplify/remaining_edges.h"
 #include "core/algo/shared_values.h"
+#include "core/algo/simplify/remaining_edges.h"
 #include "core/algo/simplify/simplifier.h"
 #include "core/algo/transform/moved_points.h"
 #include "core/analysis/self_intersections.h"

@@ -2,6 +2,10 @@
 //
 // Corner values (texture coordinates, normals) of a new vertex are blended within each face for itself, so seams stay;
 // vertex colours are blended between the vertices; new faces have the material and group of the face they lie in.
+//
+// Values do not follow the masks of the places: those of vertices that are there stay, new ones are means. So a chart keeps
+// its outline in the texture, and no value leaves what its face had; but where a mask moves a point to the side, as at the
+// corner of a boundary, which comes inwards, its values are those of the place where it was.
 #pragma once
 
 #include "core/algo/subdivide/split_links.h"

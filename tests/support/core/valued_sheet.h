@@ -60,6 +60,7 @@ inline double worst_value(const Mesh& mesh, double seam = no_seam, const glm::dm
     double middle = 0, corners = 0;
     for (const Halfedge corner : loop(mesh, h))
       middle += (glm::transpose(turn) * mesh.position(mesh.from(corner))).x, ++corners;
+    if (std::abs(middle / corners - seam) < 1e-9) continue;  // a needle along the seam may be of either side
     const glm::dvec3 p = mesh.position(mesh.from(h)), chart(middle / corners > seam ? across_seam : 0, 0, 0);
     const auto value = attribute_value<glm::dvec3>(mesh.attributes()[texture.pool_column],
                                                    mesh.attributes()[texture.index_column].data[h.index]);

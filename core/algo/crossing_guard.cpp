@@ -7,6 +7,7 @@
 #include "core/geometry/predicates.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/mesh/triangle_corners.h"
 #include "core/view/frustum.h"
 
 namespace ryosen {
@@ -40,23 +41,10 @@ void CrossingGuard::Step::begin(std::uint32_t face_slots) {
   last.resize(std::max<std::size_t>(last.size(), face_slots), 0);
 }
 
-NumberedTriangle CrossingGuard::triangle(Face f) const {
-  NumberedTriangle t;
-  std::size_t i = 0;
-  for (Vertex v : vertices_around(mesh_, f)) {
-    t.places[i] = mesh_.position(v);
-    t.numbers[i++] = point(mesh_, v).index;
-  }
-  return t;
-}
-
 NumberedTriangle CrossingGuard::triangle(Halfedge h) const {
-  NumberedTriangle t;
+  NumberedTriangle t{corners_of(mesh_, h), {}};
   std::size_t i = 0;
-  for (const Vertex v : {mesh_.from(h), mesh_.to(h), mesh_.from(mesh_.prev(h))}) {
-    t.places[i] = mesh_.position(v);
-    t.numbers[i++] = point(mesh_, v).index;
-  }
+  for (const Vertex v : {mesh_.from(h), mesh_.to(h), mesh_.from(mesh_.prev(h))}) t.numbers[i++] = point(mesh_, v).index;
   return t;
 }
 

@@ -54,7 +54,7 @@ class CrossingGuard {
     bool concerns(Face f) const { return last[f.index] == number; }
   };
 
-  NumberedTriangle triangle(Face f) const;
+  NumberedTriangle triangle(Face f) const { return triangle(mesh_.halfedge(f)); }
   // The triangle at a halfedge, from its start on.
   NumberedTriangle triangle(Halfedge h) const;
   void begin() const;

@@ -1,6 +1,7 @@
 // The standard attributes of a mesh and typed access to their values.
 #pragma once
 
+#include <array>
 #include <cstring>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -29,6 +30,13 @@ T attribute_value(const AttributeColumn& column, std::uint32_t index) {
   T value;
   std::memcpy(&value, column.data.data() + std::size_t{index} * column.words, sizeof(T));
   return value;
+}
+// A value as the words of a column.
+template <class T>
+std::array<std::uint32_t, sizeof(T) / sizeof(std::uint32_t)> attribute_words(const T& value) {
+  std::array<std::uint32_t, sizeof(T) / sizeof(std::uint32_t)> words;
+  std::memcpy(words.data(), &value, sizeof(T));
+  return words;
 }
 
 // A corner column with its pool, as indices into Mesh::attributes().

@@ -2,21 +2,16 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "core/mesh/circulate.h"
+#include "core/mesh/triangle_corners.h"
 
 namespace ryosen::remesh {
 
-using Corners = std::array<glm::dvec3, 3>;
+using Corners = TriangleCorners;
 
-[[gnu::always_inline]] inline Corners corners_of(const Mesh& mesh, Halfedge h) {
-  return {mesh.position(mesh.from(h)), mesh.position(mesh.to(h)), mesh.position(mesh.from(mesh.prev(h)))};
-}
-// Twice the area along the normal.
-[[gnu::always_inline]] inline glm::dvec3 area_normal(const Corners& c) { return glm::cross(c[1] - c[0], c[2] - c[0]); }
 // Of length 1, or 0 where there is no area.
 inline glm::dvec3 unit_or_zero(const glm::dvec3& n) {
   const double length = glm::length(n);

@@ -11,13 +11,6 @@ namespace {
 
 using Words = std::span<const std::uint32_t>;
 
-template <class T>
-std::array<std::uint32_t, sizeof(T) / sizeof(std::uint32_t)> words_of(const T& value) {
-  std::array<std::uint32_t, sizeof(T) / sizeof(std::uint32_t)> words;
-  std::memcpy(words.data(), &value, sizeof value);
-  return words;
-}
-
 // The sum of the values at the indices by their weights. Numbers without a weight may be infinite.
 template <class T>
 T mixed(const AttributeColumn& column, const std::array<std::uint32_t, 3>& at, const std::array<double, 3>& weights) {
@@ -63,7 +56,7 @@ void ShareWriter::write_vertex_values(Vertex v, const std::array<Vertex, 3>& cor
     const AttributeColumn& column = before_.attributes()[k];
     if (column.element != ElementKind::vertex) continue;
     if (share.weights[nearest] != 1 && column.words == sizeof(glm::dvec4) / sizeof(std::uint32_t))
-      edit_.set_attribute(k, v.index, words_of(mixed<glm::dvec4>(column, at, share.weights)));
+      edit_.set_attribute(k, v.index, attribute_words(mixed<glm::dvec4>(column, at, share.weights)));
     else
       edit_.set_attribute(k, v.index,
                           Words(column.data).subspan(std::size_t{at[nearest]} * column.words, column.words));
@@ -79,7 +72,7 @@ std::uint32_t ShareWriter::value_of(const CornerAttribute& attribute, const std:
   if (share.weights[nearest] == 1 || (at[0] == at[1] && at[1] == at[2])) return at[nearest];
   if (std::find(at.begin(), at.end(), no_index) != at.end()) return no_index;
   const AttributeColumn& pool = before_.attributes()[attribute.pool_column];
-  return edit_.append_value(attribute.pool_column, words_of(mixed<glm::dvec3>(pool, at, share.weights)));
+  return edit_.append_value(attribute.pool_column, attribute_words(mixed<glm::dvec3>(pool, at, share.weights)));
 }
 
 }  // namespace ryosen::remesh

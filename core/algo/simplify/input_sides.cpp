@@ -5,19 +5,10 @@
 
 #include "core/geometry/point_triangle.h"
 #include "core/mesh/circulate.h"
+#include "core/mesh/triangle_corners.h"
 #include "core/view/frustum.h"
 
 namespace ryosen {
-
-namespace {
-
-glm::dvec3 normal_of(const std::array<glm::dvec3, 3>& t) { return glm::cross(t[1] - t[0], t[2] - t[0]); }
-
-std::array<glm::dvec3, 3> corners_of(const Mesh& mesh, Halfedge h) {
-  return {mesh.position(mesh.from(h)), mesh.position(mesh.to(h)), mesh.position(mesh.from(mesh.prev(h)))};
-}
-
-}  // namespace
 
 InputSides::InputSides(const Mesh& input, const std::vector<std::uint8_t>& is_asked_about) : input_(input) {
   std::vector<Primitive> faces;
@@ -28,7 +19,7 @@ InputSides::InputSides(const Mesh& input, const std::vector<std::uint8_t>& is_as
       const std::uint32_t b = input.to(h).index, c = input.from(input.prev(h)).index;
       // Each once, at the first of its vertices.
       if ((is_asked_about[b] && b < i) || (is_asked_about[c] && c < i)) continue;
-      const glm::dvec3 normal = normal_of(corners_of(input, h));
+      const glm::dvec3 normal = area_normal(corners_of(input, h));
       if (glm::dot(normal, normal) > 0) faces.push_back(Primitive::triangle(i, b, c, input.face(h).index));
     }
   }
@@ -36,12 +27,12 @@ InputSides::InputSides(const Mesh& input, const std::vector<std::uint8_t>& is_as
 }
 
 bool InputSides::looks_against(Face f, const glm::dvec3& normal) const {
-  const glm::dvec3 own = normal_of(corners_of(input_, input_.halfedge(f)));
+  const glm::dvec3 own = area_normal(corners_of(input_, input_.halfedge(f)));
   return glm::dot(own, own) > 0 && !(glm::dot(own, normal) > 0);
 }
 
-bool InputSides::is_turned(const std::array<glm::dvec3, 3>& triangle) const {
-  const glm::dvec3 normal = normal_of(triangle), middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+bool InputSides::is_turned(const TriangleCorners& triangle) const {
+  const glm::dvec3 normal = area_normal(triangle), middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
   if (!(glm::dot(normal, normal) > 0)) return false;
   const auto hit = tree_.nearest(input_.positions(), middle, std::numeric_limits<double>::infinity());
   if (!hit) return false;

@@ -12,13 +12,6 @@ namespace {
 
 constexpr std::size_t most_around = 48;  // faces of a vertex, to either side
 
-template <class T>
-std::array<std::uint32_t, sizeof(T) / sizeof(std::uint32_t)> words_of(const T& value) {
-  std::array<std::uint32_t, sizeof(T) / sizeof(std::uint32_t)> words;
-  std::memcpy(words.data(), &value, sizeof value);
-  return words;
-}
-
 // From a, so that equal values stay to the bit.
 template <class T, class ValueAt>
 T mixed(const RingPlace& place, const ValueAt& value_at) {
@@ -79,7 +72,7 @@ void RingValues::write_vertex(Edit& edit, Vertex to) const {
     const auto value_at = [&](std::size_t i) {
       return attribute_value<glm::dvec4>(column, mesh.from(place->corners[i]).index);
     };
-    edit.set_attribute(k, to.index, words_of(mixed<glm::dvec4>(*place, value_at)));
+    edit.set_attribute(k, to.index, attribute_words(mixed<glm::dvec4>(*place, value_at)));
   }
 }
 
@@ -113,7 +106,7 @@ void RingValues::write_corners(Edit& edit, Halfedge h) const {
         return attribute_value<glm::dvec3>(mesh.attributes()[attribute.pool_column], index(place->corners[i]));
       };
       const auto value = mixed<glm::dvec3>(*place, value_at);
-      chart.made = edit.append_value(attribute.pool_column, words_of(value));
+      chart.made = edit.append_value(attribute.pool_column, attribute_words(value));
     }
     for (const Vertex end : {gone, kept})
       for (const Halfedge corner : outgoing(mesh, end)) {

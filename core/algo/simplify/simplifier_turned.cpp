@@ -11,26 +11,20 @@
 #include "core/algo/simplify/simplifier.h"
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
+#include "core/mesh/triangle_corners.h"
 #include "core/ops/swap_edge.h"
 
 namespace ryosen {
 
 namespace {
 
-using Triangle = std::array<glm::dvec3, 3>;
-
 std::array<Halfedge, 3> sides_of(const Mesh& mesh, Face f) {
   const Halfedge h = mesh.halfedge(f);
   return {h, mesh.next(h), mesh.prev(h)};
 }
 
-Triangle triangle_of(const Mesh& mesh, Face f) {
-  const auto [a, b, c] = sides_of(mesh, f);
-  return {mesh.position(mesh.from(a)), mesh.position(mesh.from(b)), mesh.position(mesh.from(c))};
-}
-
 // Ways as long as its longest side, in 26 directions.
-std::vector<glm::dvec3> all_around(const Triangle& t) {
+std::vector<glm::dvec3> all_around(const TriangleCorners& t) {
   const double length = std::max({glm::length(t[1] - t[0]), glm::length(t[2] - t[1]), glm::length(t[0] - t[2])});
   std::vector<glm::dvec3> ways;
   for (int x : {-1, 0, 1})
@@ -42,7 +36,7 @@ std::vector<glm::dvec3> all_around(const Triangle& t) {
 
 }  // namespace
 
-bool Simplifier::is_turned(Face f) const { return is_turned(triangle_of(mesh_, f)); }
+bool Simplifier::is_turned(Face f) const { return is_turned(corners_of(mesh_, mesh_.halfedge(f))); }
 
 // The input is only looked at where a face may be turned: where its corners and their neighbours came from.
 std::vector<Face> Simplifier::find_turned() {
@@ -101,7 +95,7 @@ Vertex Simplifier::mend(Face f) {
   for (Halfedge side : sides)
     if (const Vertex v = collapse_mends(side)) return v;
   if (passed_on_ == most_passed_on) return {};
-  const std::vector<glm::dvec3> ways = all_around(triangle_of(mesh_, f));
+  const std::vector<glm::dvec3> ways = all_around(corners_of(mesh_, mesh_.halfedge(f)));
   for (Halfedge side : sides)
     if (const Vertex v = mesh_.from(side); move_mends(v, f, ways, true)) {
       ++passed_on_;
@@ -134,8 +128,8 @@ std::vector<glm::dvec3> Simplifier::ways_of(Vertex v, Face f) const {
   const glm::dvec3 here = mesh_.position(v);
   std::vector<glm::dvec3> ways{input_->position(v) - here};
   for (Halfedge h : outgoing(mesh_, v)) ways.push_back(mesh_.position(mesh_.to(h)) - here);
-  const auto [a, b, c] = triangle_of(mesh_, f);
-  const glm::dvec3 normal = glm::cross(b - a, c - a), away = glm::length(b - a) / glm::length(normal) * normal;
+  const TriangleCorners t = corners_of(mesh_, mesh_.halfedge(f));
+  const glm::dvec3 normal = area_normal(t), away = glm::length(t[1] - t[0]) / glm::length(normal) * normal;
   ways.insert(ways.end(), {away, -away});
   return ways;
 }
@@ -148,7 +142,7 @@ bool Simplifier::move_mends(Vertex v, Face f, const std::vector<glm::dvec3>& way
   const glm::dvec3 here = mesh_.position(v);
   const std::array<Halfedge, 3> sides = sides_of(mesh_, f);
   const auto turns_this = [&](const glm::dvec3& position) {
-    Triangle t = triangle_of(mesh_, f);
+    TriangleCorners t = corners_of(mesh_, sides[0]);
     for (std::size_t i = 0; i < 3; ++i)
       if (mesh_.from(sides[i]) == v) t[i] = position;
     return is_turned(t);

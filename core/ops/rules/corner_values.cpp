@@ -1,20 +1,9 @@
 #include "core/ops/rules/corner_values.h"
 
 #include <algorithm>
-#include <array>
 #include <glm/vec4.hpp>
 
 namespace ryosen {
-
-namespace {
-
-template <class T>
-std::span<const std::uint32_t> words_of(const T& value, std::array<std::uint32_t, sizeof(T) / 4>& buffer) {
-  std::memcpy(buffer.data(), &value, sizeof(T));
-  return buffer;
-}
-
-}  // namespace
 
 std::uint32_t CornerWriter::index(std::size_t attribute, Halfedge corner) const {
   return edit_.mesh().attributes()[attributes_[attribute].index_column].data[corner.index];
@@ -31,8 +20,7 @@ std::uint32_t CornerWriter::blend(std::size_t attribute, std::uint32_t a, std::u
   const std::size_t pool = attributes_[attribute].pool_column;
   const AttributeColumn& column = edit_.mesh().attributes()[pool];
   const auto va = attribute_value<glm::dvec3>(column, a), vb = attribute_value<glm::dvec3>(column, b);
-  std::array<std::uint32_t, 6> words;
-  return edit_.append_value(pool, words_of(va + t * (vb - va), words));
+  return edit_.append_value(pool, attribute_words(va + t * (vb - va)));
 }
 
 std::uint32_t CornerWriter::mean(std::size_t attribute, std::span<const Halfedge> at) {
@@ -48,8 +36,7 @@ std::uint32_t CornerWriter::mean(std::size_t attribute, std::span<const Halfedge
   for (Halfedge h : at)
     mean += attribute_value<glm::dvec3>(edit_.mesh().attributes()[pool], index(attribute, h)) /
             static_cast<double>(at.size());
-  std::array<std::uint32_t, 6> words;
-  return edit_.append_value(pool, words_of(mean, words));
+  return edit_.append_value(pool, attribute_words(mean));
 }
 
 bool is_seam(const Mesh& mesh, Halfedge h) {
@@ -92,9 +79,8 @@ void blend_vertex_values(Edit& edit, Vertex a, Vertex b, double t, Vertex to) {
     std::vector<std::uint32_t> words(begin, begin + column.words);
     if (column.words == sizeof(glm::dvec4) / 4) {
       const auto va = attribute_value<glm::dvec4>(column, a.index), vb = attribute_value<glm::dvec4>(column, b.index);
-      std::array<std::uint32_t, 8> blended;
-      const auto span = words_of(va + t * (vb - va), blended);
-      words.assign(span.begin(), span.end());
+      const auto blended = attribute_words(va + t * (vb - va));
+      words.assign(blended.begin(), blended.end());
     }
     edit.set_attribute(k, to.index, words);
   }
@@ -107,8 +93,7 @@ void mean_vertex_values(Edit& edit, std::span<const Vertex> from, Vertex to) {
     if (column.element != ElementKind::vertex || column.words != sizeof(glm::dvec4) / 4) continue;
     glm::dvec4 mean{};
     for (Vertex v : from) mean += attribute_value<glm::dvec4>(column, v.index) / static_cast<double>(from.size());
-    std::array<std::uint32_t, 8> words;
-    edit.set_attribute(k, to.index, words_of(mean, words));
+    edit.set_attribute(k, to.index, attribute_words(mean));
   }
 }
 

@@ -180,8 +180,10 @@ class Calls {
     words.insert(words.end(), arguments_.begin(), arguments_.end());
     return parse_op(mesh(), op_.along_edge, words).op;
   }
+  // A vertex by its slot, which is enough where it stands for its point: a name that tells copies apart costs as many
+  // looks as there are.
   std::string name_of_one(const Element& e) const {
-    return e.kind == Element::Kind::vertex ? quick_name(mesh(), e) : name_of(mesh(), e);
+    return e.kind == Element::Kind::vertex ? "v" + std::to_string(e.index) : name_of(mesh(), e);
   }
   std::optional<Rule> broken_rule(const AnyOp& op) {
     const auto rule = series_->broken_rule(op);

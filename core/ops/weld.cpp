@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -12,17 +11,14 @@
 #include "core/ops/lines/arguments.h"
 #include "core/ops/rules/corner_values.h"
 #include "core/ops/rules/face_geometry.h"
-#include "core/ops/rules/face_lists.h"
 #include "core/ops/rules/pinch.h"
 #include "core/ops/rules/sheets.h"
 #include "core/ops/rules/surgery.h"
+#include "core/ops/rules/weld_judge.h"
 
 namespace ryosen {
 
 namespace {
-
-// Removed points, each with the one it is merged into.
-using Pairs = std::vector<std::pair<Vertex, Vertex>>;
 
 // The boundary halfedge, over all sheets, of an edge with one face.
 Halfedge boundary_half(const Mesh& m, Halfedge h) {
@@ -30,98 +26,6 @@ Halfedge boundary_half(const Mesh& m, Halfedge h) {
     if (m.is_outside(sheet) != m.is_outside(twin(sheet))) return outside_half(m, sheet);
   return Halfedge();
 }
-
-// Checks the polygon list after the weld, around the welded points.
-class WeldJudge {
- public:
-  WeldJudge(const Mesh& m, const Pairs& pairs, Verdict& verdict) : m_(m), verdict_(verdict) {
-    for (const auto& [goes, stays] : pairs) {
-      becomes_[goes] = stays;
-      welded_.insert({goes, stays});
-    }
-  }
-
-  void judge() {
-    gather_faces();
-    for (Face f : faces_) check_corners(f);
-    check_edges();
-    if (verdict_.legal()) check_duplicates();
-  }
-
- private:
-  Vertex after(Vertex p) const {
-    const auto found = becomes_.find(p);
-    return found == becomes_.end() ? p : found->second;
-  }
-
-  std::vector<std::uint32_t> points_before(Face f) const { return point_set(loops_of(m_, f).corners); }
-  std::vector<std::uint32_t> points_after(Face f) const {
-    std::vector<std::uint32_t> points;
-    for (std::uint32_t p : points_before(f)) points.push_back(after(Vertex(p)).index);
-    return point_set(points);
-  }
-
-  void gather_faces() {
-    for (Vertex p : welded_)
-      for_each_copy(m_, p, [&](Vertex copy) {
-        for (Face f : faces_around(m_, copy))
-          if (f) faces_.insert(f);
-      });
-  }
-
-  void check_corners(Face f) {
-    if (points_after(f).size() == points_before(f).size()) return;
-    for (const auto& [goes, stays] : becomes_) verdict_.refuse(Rule::common_face, {f, goes, stays});
-  }
-
-  // Edges that become coincident must be the two sides of a gap.
-  void check_edges() {
-    struct Joined {
-      std::set<std::pair<Vertex, Vertex>> pairs;
-      std::vector<Edge> edges;
-      std::uint32_t forward = 0, backward = 0;
-      bool wire = false;
-    };
-    std::map<std::pair<Vertex, Vertex>, Joined> joined;
-    for (Vertex p : welded_)
-      for_each_copy(m_, p, [&](Vertex copy) {
-        for (Halfedge h : outgoing(m_, copy)) {
-          const Vertex q = point(m_, m_.to(h));
-          Joined& at = joined[{after(p), after(q)}];
-          at.pairs.insert({p, q});
-          at.edges.push_back(edge(h));
-          at.forward += !m_.is_outside(h);
-          at.backward += !m_.is_outside(twin(h));
-          at.wire |= m_.is_wire(edge(h));
-        }
-      });
-    for (auto& [ends, at] : joined) {
-      const bool seen_from_other_end = ends.first > ends.second && joined.contains({ends.second, ends.first});
-      if (ends.first == ends.second) {
-        if (m_.is_wire(at.edges[0])) verdict_.refuse(Rule::edge_exists, {at.edges[0]});
-      } else if (at.pairs.size() > 1 && !seen_from_other_end && (at.wire || at.forward != 1 || at.backward != 1)) {
-        verdict_.reasons.push_back({Rule::common_neighbour, {ends.second}});
-        std::sort(at.edges.begin(), at.edges.end());
-        for (Edge e : at.edges) verdict_.reasons.back().witnesses.push_back(e);
-      }
-    }
-  }
-
-  void check_duplicates() {
-    std::map<std::vector<std::uint32_t>, std::vector<Face>> on;
-    for (Face f : faces_) on[points_after(f)].push_back(f);
-    for (const auto& [points, faces] : on)
-      for (std::size_t i = 1; i < faces.size(); ++i)
-        if (points_before(faces[i]) != points_before(faces[0]))
-          verdict_.refuse(Rule::duplicate_face, {faces[0], faces[i]});
-  }
-
-  const Mesh& m_;
-  Verdict& verdict_;
-  std::map<Vertex, Vertex> becomes_;
-  std::set<Vertex> welded_;
-  std::set<Face> faces_;
-};
 
 // Checks merging two copies of one point into one vertex.
 void check_copies(const Mesh& m, Vertex a, Vertex b, Verdict& verdict) {
@@ -134,17 +38,36 @@ void check_copies(const Mesh& m, Vertex a, Vertex b, Verdict& verdict) {
       verdict.refuse(Rule::common_neighbour, {point(m, m.to(h)), edge(find_halfedge(m, a, m.to(h))), edge(h)});
 }
 
-// Whether both have a gap and no common neighbour.
+// Whether an edge joins the two vertices. Cost: twice the lower of their valences.
+bool have_edge(const Mesh& m, Vertex v, Vertex w) {
+  const auto around_v = outgoing(m, v), around_w = outgoing(m, w);
+  auto at_v = around_v.begin(), at_w = around_w.begin();
+  for (; at_v != around_v.end() && at_w != around_w.end(); ++at_v, ++at_w)
+    if (m.to(*at_v) == w || m.to(*at_w) == v) return true;
+  return false;
+}
+
+// The one of lower valence first.
+std::pair<Vertex, Vertex> by_valence(const Mesh& m, Vertex a, Vertex b) {
+  const auto around_a = outgoing(m, a), around_b = outgoing(m, b);
+  auto at_a = around_a.begin(), at_b = around_b.begin();
+  for (; at_a != around_a.end() && at_b != around_b.end(); ++at_a) ++at_b;
+  return at_a == around_a.end() ? std::pair(a, b) : std::pair(b, a);
+}
+
+// Whether both have a gap and no common neighbour: whether check_copies() has nothing against them.
 bool can_be_one(const Mesh& m, Vertex a, Vertex b) {
-  Verdict verdict;
-  check_copies(m, a, b, verdict);
-  return verdict.legal() && !m.is_isolated(a) && !m.is_isolated(b);
+  for (Vertex v : {a, b})
+    if (m.is_isolated(v) || !m.is_boundary(v)) return false;
+  const auto [few, many] = by_valence(m, a, b);
+  const auto to_few = neighbours(m, few);
+  return std::none_of(to_few.begin(), to_few.end(), [&, other = many](Vertex v) { return have_edge(m, v, other); });
 }
 
 // The pairs of points merged by an edge weld; those of the first edge stay.
-Pairs pairs_of_edges(const Mesh& m, Halfedge first, Halfedge second) {
+WeldPairs pairs_of_edges(const Mesh& m, Halfedge first, Halfedge second) {
   const Halfedge h = boundary_half(m, first), g = boundary_half(m, second);
-  Pairs pairs;
+  WeldPairs pairs;
   for (const auto& [goes, stays] : {std::pair(m.to(g), m.from(h)), std::pair(m.from(g), m.to(h))})
     if (!same_point(m, goes, stays)) pairs.emplace_back(point(m, goes), point(m, stays));
   return pairs;
@@ -166,7 +89,7 @@ void check_edges_to_weld(const Mesh& m, Halfedge first, Halfedge second, Verdict
   // ends.
   for (const auto& [x, y] : {std::pair(m.from(h), m.from(g)), std::pair(m.to(h), m.to(g))})
     if (same_point(m, x, y)) return verdict.refuse(Rule::common_face, {m.face(twin(h)), point(m, x)});
-  WeldJudge(m, pairs_of_edges(m, first, second), verdict).judge();
+  judge_weld(m, pairs_of_edges(m, first, second), verdict);
 }
 
 }  // namespace
@@ -230,12 +153,12 @@ Verdict Weld::check(const Mesh& mesh) const {
   else if (same_point(mesh, a, b))
     check_copies(mesh, a, b, verdict);
   else
-    WeldJudge(mesh, {{point(mesh, b), point(mesh, a)}}, verdict).judge();
+    judge_weld(mesh, {{point(mesh, b), point(mesh, a)}}, verdict);
   return verdict;
 }
 
 std::vector<Reason> Weld::warnings(const Mesh& mesh) const {
-  Pairs pairs;
+  WeldPairs pairs;
   if (first) pairs = pairs_of_edges(mesh, first, second);
   if (!first && !same_point(mesh, a, b)) pairs = {{point(mesh, b), point(mesh, a)}};
   std::vector<Reason> reasons;
@@ -279,7 +202,7 @@ OpEffect Weld::apply(Edit& edit) const {
   assert(check(m).legal());
   Sheets sheets(edit);
   const bool is_one_point = !first && same_point(m, a, b);
-  Pairs pairs;
+  WeldPairs pairs;
   if (first) pairs = pairs_of_edges(m, first, second);
   if (!first && !is_one_point) pairs = {{b, a}};
   for (const auto& [goes, stays] : pairs) {

@@ -1,6 +1,7 @@
 #include "core/ops/rules/face_lists.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 #include "core/base/sort_unique.h"
 
@@ -83,12 +84,13 @@ bool has_points(const Mesh& mesh, Face f, std::span<const std::uint32_t> points)
 std::vector<Face> faces_on(const Mesh& mesh, std::span<const std::uint32_t> points, std::span<const Face> except,
                            std::size_t most) {
   std::vector<Face> found;
+  std::unordered_set<Face> seen;  // a face with bridges may visit a point more than once
   const auto is_in = [](std::span<const Face> faces, Face f) {
     return std::find(faces.begin(), faces.end(), f) != faces.end();
   };
   any_of_copies(mesh, loneliest_point(mesh, points), [&](Vertex copy) {
     for (Face f : faces_around(mesh, copy)) {
-      if (!f || is_in(except, f) || is_in(found, f) || !has_points(mesh, f, points)) continue;
+      if (!f || is_in(except, f) || !has_points(mesh, f, points) || !seen.insert(f).second) continue;
       found.push_back(f);
       if (found.size() == most) return true;
     }

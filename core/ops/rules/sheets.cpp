@@ -41,6 +41,14 @@ std::vector<Vertex> live_copies(const Mesh& m, std::span<const Vertex> given) {
   return found;
 }
 
+// Like leave_copies(); where v is the copy after the other one, which is lower, without a walk around all of them.
+void leave_copies_of(Edit& edit, Vertex lower, Vertex v) {
+  const Mesh& m = edit.mesh();
+  if (m.next_copy(lower) != v) return leave_copies(edit, v);
+  edit.set_copy_links(lower, m.next_copy(v), point(m, v));
+  edit.set_copy_links(v, v, v);
+}
+
 bool has_one_face(const Mesh& m, Halfedge h) { return m.is_outside(h) != m.is_outside(twin(h)); }
 
 }  // namespace
@@ -121,7 +129,7 @@ void Sheets::join_corner(Halfedge into, Halfedge out) {
     edit_.connect(into, out);
     edit_.connect(before, after);
     rename(moved, stays);
-    leave_copies(edit_, goes);
+    leave_copies_of(edit_, stays, goes);
     edit_.remove(goes);
     effect_.deleted.push_back(goes);
     hold_outside(edit_, stays);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/algo/repair/report.h"
 #include "core/analysis/figures.h"
 #include "core/analysis/self_intersections.h"
 #include "core/indexed/from_indexed.h"
@@ -210,6 +211,24 @@ TEST(repairs, duplicates_of_another_shape_stay) {
   EXPECT_EQ(result.left, 1u);
   EXPECT_FALSE(mesh.is_alive(Face(1)));
   EXPECT_TRUE(mesh.is_alive(Face(0)) && mesh.is_alive(Face(2)));
+}
+
+// The reason is a clause about something that is not in it.
+TEST(repairs, a_report_says_what_is_left_before_it_says_why) {
+  const Mesh mesh = from_indexed(indexed({{0, 1, 2, 3}, {2, 1, 0, 3}, {0, 2, 1, 3}}));
+  RepairReport report{1, {"One went.", "一枚"}, {}, {}};
+  add_left(report.left, {"it turns the other way", "逆向きのため"}, {Face(2)});
+  EXPECT_EQ(told(report, mesh).en, "One went. Left: one face (f2): it turns the other way.");
+  EXPECT_EQ(told(report, mesh).ja, "一枚残り：面 1 枚（f2）：逆向きのため。");
+  add_left(report.left, {"they are needed", "必要なため"}, {Vertex(0), Vertex(1), Vertex(2), Vertex(3)});
+  EXPECT_TRUE(told(report, mesh).en.ends_with(
+      "Left: one face (f2): it turns the other way; 4 vertices (v0, v1, v2, ...): they are needed."))
+      << told(report, mesh).en;
+  report.left.clear();
+  add_left(report.left, {"Boundary loop: this repair leaves it", "境界"}, {halfedge(Edge(0), 0), halfedge(Edge(1), 0)},
+           true);
+  EXPECT_TRUE(told(report, mesh).en.ends_with("Left: Boundary loop: this repair leaves it (2: 0-1, 0-2)."))
+      << "a reason that names them needs no other subject: " << told(report, mesh).en;
 }
 
 // The upper part of a sphere, as fine as `n` says, up to a latitude; a hole is left around the pole.

@@ -14,6 +14,10 @@ std::string hovered(const Session& session) {
   return session.hover() ? name_of(session.mesh(), session.hover()->picked.element) : "-";
 }
 
+std::string first_selected(const Session& session) {
+  return session.selection.empty() ? "-" : name_of(session.mesh(), session.selection[0]);
+}
+
 }  // namespace
 
 FrameLog::FrameLog() {
@@ -34,7 +38,8 @@ void FrameLog::frame(const Session& session, std::int64_t pixels, double took_ms
   log_ << "frame " << ++frames_ << " pixels " << pixels << " ms " << took_ms << " V " << live.vertices << " E "
        << live.edges << " F " << live.faces << " history " << session.document().position() << " hover "
        << hovered(session) << " held " << session.is_verdict_held() << " selected " << session.selection.size()
-       << " eye " << session.camera.eye.x << ' ' << session.camera.eye.y << ' ' << session.camera.eye.z << std::endl;
+       << " eye " << session.camera.eye.x << ' ' << session.camera.eye.y << ' ' << session.camera.eye.z << " first "
+       << first_selected(session) << std::endl;
 }
 
 }  // namespace ryosen

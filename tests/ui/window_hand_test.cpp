@@ -8,6 +8,7 @@
 #include "core/io/formats.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/names.h"
+#include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/app/real_window.h"
 
@@ -127,6 +128,52 @@ TEST_F(WindowHand, a_split_is_where_the_pointer_is_and_a_collapse_goes_to_the_en
   xdotool("mousemove " + words_of(middle.pixel) + " click 1");
   ASSERT_TRUE(is_at(1));
   EXPECT_TRUE(has_point(saved(), 0.5 * (middle.from + middle.to))) << "over the middle third it is the middle";
+}
+
+// Each step is looked up in the mesh; the same steps beside the window say where the eye has to be.
+TEST_F(WindowHand, halfedges_are_clicked_walked_by_arrows_and_followed_by_links_and_the_camera) {
+  open_copy("torus.off");
+  const Mesh& m = session().mesh();
+  const auto is_first = [&](Halfedge h) {
+    return shows([name = name_of(m, h)](const Frame& frame) { return frame.first == name && frame.selected == 1; });
+  };
+  const glm::dvec2 at = on_edge(0.5).pixel + glm::dvec2(0, 3);
+  const auto picked = session().pick(at, PickMode::halfedge);
+  ASSERT_TRUE(picked && picked->element.kind == Element::Kind::halfedge);
+  Halfedge h = picked->element.halfedge();
+  xdotool("key 4 mousemove " + words_of(at) + " click 1");
+  ASSERT_TRUE(is_first(h)) << "not the one that was clicked, but " << last().first;
+  for (const std::string& line : {std::string("mode halfedge"), "select h" + std::to_string(h.index)})
+    ASSERT_TRUE(session().run(line).done()) << line;
+
+  const auto walk = [&](const char* key, Halfedge to) {
+    xdotool(std::string("key ") + key);
+    ASSERT_TRUE(session().run(std::string("key ") + key).done());
+    h = to;
+    ASSERT_TRUE(is_first(h)) << key << " leads to " << last().first;
+  };
+  walk("Right", m.next(h));
+  walk("Left", m.prev(h));
+  walk("Up", twin(h));
+  walk("Down", m.counter_clockwise(h));
+
+  // What stands behind the word in the panel.
+  laid_->frames(3);
+  const glm::dvec2 word = test::DrawnText(laid_->gui).place("twin" + name_of(m, twin(h)));
+  ASSERT_GT(word.x, 0) << "the panel has no such link";
+  const double behind_the_word = 90;
+  xdotool("mousemove " + words_of(word + glm::dvec2(behind_the_word, 0)) + " click 1");
+  ASSERT_TRUE(is_first(twin(h))) << "the link does not select";
+  h = twin(h);
+
+  const glm::dvec3 eye = last().eye;
+  for (int i = 0; i < 20 && last().eye == eye; ++i) {  // along a strip of triangles
+    walk("Right", m.next(h));
+    walk("Up", twin(h));
+    walk("Left", m.prev(h));
+    walk("Up", twin(h));
+  }
+  EXPECT_NE(last().eye, eye) << "the camera does not follow to where the next one is hidden";
 }
 
 TEST_F(WindowHand, drags_turn_pan_and_select_whatever_comes_behind_them_at_once) {

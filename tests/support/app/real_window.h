@@ -23,6 +23,7 @@ struct Frame {
   bool is_held = false;
   long selected = 0;
   glm::dvec3 eye{0};
+  std::string first;  // of what is selected
 };
 
 // "640 400", as xdotool takes a pixel.

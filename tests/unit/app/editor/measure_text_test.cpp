@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "core/highlights/colour_maps.h"
+
 namespace ryosen {
 namespace {
 
@@ -25,6 +27,12 @@ TEST(numbers_alike, have_one_notation) {
 TEST(numbers_alike, are_told_whole_where_they_are_one) {
   EXPECT_EQ(numbers_alike(std::array{0.125, 0.125}), (Texts{"0.125", "0.125"}));
   EXPECT_TRUE(numbers_alike({}).empty());
+}
+
+TEST(short_text_of, a_map_has_one_notation_for_all_its_figures) {
+  const MapFigures figures{.count = 9, .lowest = 0.25, .highest = 1, .mean = 2.0 / 3, .median = 1};
+  const std::string text = short_text_of(*find_colour_map("edge_length"), figures).en;
+  EXPECT_NE(text.find(": 0.2500 to 1.0000, mean 0.6667, median 1.0000, of 9"), std::string::npos) << text;
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ std::uint64_t looks_at(std::uint32_t n) {
     refused += !verdict.legal();
     if (!verdict.legal()) continue;
     Edit edit(mesh, nullptr);
-    Weld{last, Vertex(i)}.apply(edit);
+    Weld{last, Vertex(i), {}, {}}.apply(edit);
     edit.commit();
   }
   EXPECT_EQ(refused, 3 * (n - 1)) << "the rest of each tetrahedron";

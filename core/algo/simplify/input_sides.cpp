@@ -43,6 +43,7 @@ bool InputSides::is_turned(const TriangleCorners& triangle) const {
   bool found = false;
   tree_.visit_frustum(input_.positions(), frustum_of_box({hit->place - reach, hit->place + reach}),
                       [&](std::uint32_t slot) {
+                        ++looks_;
                         const Face f(tree_.primitive(slot).owner);
                         if (found || !looks_against(f, normal)) return;
                         const auto [a, b, c] = corners_of(input_, input_.halfedge(f));

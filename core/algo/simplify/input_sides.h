@@ -21,14 +21,18 @@ class InputSides {
   InputSides(const Mesh& input, const std::vector<std::uint8_t>& is_asked_about);
 
   // Whether of these the one nearest to the middle of a triangle looks 90 degrees or more away from it; where several are
-  // as near, whether one of them does. A triangle without area looks nowhere. Cost: O(log n).
+  // as near, whether one of them does. A triangle without area looks nowhere. Cost: O(log n),
+  // and what looks() says.
   bool is_turned(const std::array<glm::dvec3, 3>& triangle) const;
+  // What that has cost so far: so many triangles were near the nearest place. As many slivers lie around a hub.
+  std::size_t looks() const { return looks_; }
 
  private:
   bool looks_against(Face f, const glm::dvec3& normal) const;
 
   const Mesh& input_;
   Bvh tree_;
+  mutable std::size_t looks_ = 0;
 };
 
 }  // namespace ryosen

@@ -57,7 +57,7 @@ class Simplifier {
   std::size_t turned() const { return turned_; }
   std::size_t still_turned() const { return still_turned_; }
   std::size_t asked() const { return asked_; }
-  std::uint64_t looked_at() const { return surface_.looked_at(); }
+  std::uint64_t looked_at() const { return surface_.looked_at() + (sides_ ? sides_->looks() : 0); }
   // The largest error of all collapses, in units of the mesh.
   double error_max() const { return surface_.scale().restored_length(error_max_); }
   bool is_at_goal() const { return mesh_.live().faces <= goal_.faces; }
@@ -99,10 +99,12 @@ class Simplifier {
   std::vector<Face> find_turned();
   bool is_turned(const std::array<glm::dvec3, 3>& triangle) const { return sides_->is_turned(triangle); }
   bool is_turned(Face f) const;
-  Vertex mend(Face f);
+  // How much is looked at for that.
+  bool may_look_further() const;
+  bool mend(Face f, std::vector<Face>& changed);
   bool swap_mends(Halfedge h);
   std::vector<glm::dvec3> ways_of(Vertex v, Face f) const;
-  bool move_mends(Vertex v, Face f, const std::vector<glm::dvec3>& ways, bool may_pass_on);
+  bool move_mends(Vertex v, Face f, bool may_pass_on);
   Vertex collapse_mends(Halfedge side);
   // How many faces around a vertex look against the input when it is at a position; counted up to what is enough to know.
   std::size_t turned_around(Vertex v, const glm::dvec3& position,

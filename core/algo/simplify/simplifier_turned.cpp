@@ -1,6 +1,7 @@
 // How a simplifier mends faces that have come to look against the input (input_sides.h): few do, and where they do
 // small changes nearby are enough. None of these breaks a limit that holds for collapses, but that the face mended may turn
-// back as far as it likes.
+// back as far as it likes. Where the input alternates from face to face nearly all do; so this ends where it has looked at
+// the input too often, and leaves hubs as they are.
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
@@ -34,7 +35,13 @@ std::vector<glm::dvec3> all_around(const TriangleCorners& t) {
   return ways;
 }
 
+constexpr std::size_t fewest_looks = std::size_t{1} << 18, looks_per_face = 32;
+
 }  // namespace
+
+bool Simplifier::may_look_further() const {
+  return sides_->looks() < fewest_looks + looks_per_face * input_->live().faces;
+}
 
 bool Simplifier::is_turned(Face f) const { return is_turned(corners_of(mesh_, mesh_.halfedge(f))); }
 
@@ -44,9 +51,12 @@ std::vector<Face> Simplifier::find_turned() {
   std::vector<std::uint8_t> is_near(mesh_.vertex_slots());
   for (std::uint32_t i = 0; i < mesh_.face_slots(); ++i)
     if (const Face f(i); mesh_.is_alive(f) && surface_.may_look_against_input(f)) found.push_back(f);
+  std::vector<Vertex> corners;
   for (Face f : found)
-    for (Halfedge side : sides_of(mesh_, f))
-      for (Halfedge h : outgoing(mesh_, mesh_.from(side))) is_near[mesh_.to(h).index] = 1;
+    for (Halfedge side : sides_of(mesh_, f)) corners.push_back(mesh_.from(side));
+  sort_unique(corners);
+  for (Vertex v : corners)
+    for (Halfedge h : outgoing(mesh_, v)) is_near[mesh_.to(h).index] = 1;
   for (std::uint32_t i = 0; i < merged_into_.size(); ++i) {
     Vertex v(i);
     while (merged_into_[v.index]) v = merged_into_[v.index];
@@ -54,7 +64,7 @@ std::vector<Face> Simplifier::find_turned() {
     is_near[i] = is_near[v.index];
   }
   sides_.emplace(*input_, is_near);
-  std::erase_if(found, [&](Face f) { return !is_turned(f); });
+  std::erase_if(found, [&](Face f) { return !may_look_further() || !is_turned(f); });
   return found;
 }
 
@@ -67,41 +77,44 @@ bool Simplifier::mend_turned(Progress& progress) {
     std::vector<Face> left;
     for (Face f : turned) {
       if (!progress.go_on()) return false;
-      if (!mesh_.is_alive(f) || !is_turned(f)) continue;
-      const Vertex changed = mend(f);
-      is_mending |= bool(changed);
-      if (!changed)
-        left.push_back(f);
-      else
-        for (Face g : faces_around(mesh_, changed))
-          if (g) left.push_back(g);
+      if (!mesh_.is_alive(f) || (may_look_further() && !is_turned(f))) continue;
+      const bool is_changed = may_look_further() && mend(f, left);
+      is_mending |= is_changed;
+      if (!is_changed) left.push_back(f);
     }
     sort_unique(left);
-    std::erase_if(left, [&](Face f) { return !mesh_.is_alive(f) || !is_turned(f); });
+    std::erase_if(left, [&](Face f) { return !mesh_.is_alive(f) || (may_look_further() && !is_turned(f)); });
     turned = std::move(left);
   }
   still_turned_ = turned.size();
   return progress.go_on();
 }
 
-// A vertex around which something was changed, none where nothing helps.
-Vertex Simplifier::mend(Face f) {
+// Whether something was changed; adds the faces that have.
+bool Simplifier::mend(Face f, std::vector<Face>& changed) {
   constexpr std::size_t most_passed_on = 16;
   const std::array<Halfedge, 3> sides = sides_of(mesh_, f);
+  const auto add_around = [&](Vertex v) {
+    for (Face g : faces_around(mesh_, v))
+      if (g) changed.push_back(g);
+    return true;
+  };
   for (Halfedge side : sides)
-    if (swap_mends(side)) return mesh_.from(side);
-  for (Halfedge side : sides)
-    if (const Vertex v = mesh_.from(side); move_mends(v, f, ways_of(v, f), false)) return v;
-  for (Halfedge side : sides)
-    if (const Vertex v = collapse_mends(side)) return v;
-  if (passed_on_ == most_passed_on) return {};
-  const std::vector<glm::dvec3> ways = all_around(corners_of(mesh_, mesh_.halfedge(f)));
-  for (Halfedge side : sides)
-    if (const Vertex v = mesh_.from(side); move_mends(v, f, ways, true)) {
-      ++passed_on_;
-      return v;
+    if (swap_mends(side)) {
+      changed.insert(changed.end(), {mesh_.face(side), mesh_.face(twin(side))});
+      return true;
     }
-  return {};
+  for (Halfedge side : sides)
+    if (const Vertex v = mesh_.from(side); move_mends(v, f, false)) return add_around(v);
+  for (Halfedge side : sides)
+    if (const Vertex v = collapse_mends(side)) return add_around(v);
+  if (passed_on_ == most_passed_on) return false;
+  for (Halfedge side : sides)
+    if (const Vertex v = mesh_.from(side); move_mends(v, f, true)) {
+      ++passed_on_;
+      return add_around(v);
+    }
+  return false;
 }
 
 bool Simplifier::swap_mends(Halfedge h) {
@@ -136,9 +149,10 @@ std::vector<glm::dvec3> Simplifier::ways_of(Vertex v, Face f) const {
 
 // By a part of a way or a little back: of the places where fewer faces look against the input, the one of the least
 // error. Or of those where another face does instead of this one, which may be easier to mend.
-bool Simplifier::move_mends(Vertex v, Face f, const std::vector<glm::dvec3>& ways, bool may_pass_on) {
+bool Simplifier::move_mends(Vertex v, Face f, bool may_pass_on) {
   constexpr std::array shares{0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.75, 0.9, -0.05, -0.1, -0.25, -0.5};
-  if (!surface_.is_free(v)) return false;
+  if (!surface_.is_free(v) || is_hub(v)) return false;
+  const std::vector<glm::dvec3> ways = may_pass_on ? all_around(corners_of(mesh_, mesh_.halfedge(f))) : ways_of(v, f);
   const glm::dvec3 here = mesh_.position(v);
   const std::array<Halfedge, 3> sides = sides_of(mesh_, f);
   const auto turns_this = [&](const glm::dvec3& position) {
@@ -152,6 +166,7 @@ bool Simplifier::move_mends(Vertex v, Face f, const std::vector<glm::dvec3>& way
   std::optional<glm::dvec3> best;
   for (const glm::dvec3& way : ways)
     for (const double share : shares) {
+      if (!may_look_further()) return false;
       const glm::dvec3 position = here + share * way;
       const double error = surface_.error_of_move(v, position);
       if (!(error <= least) || surface_.move_spoils_face(v, position, f) || (may_pass_on && turns_this(position)) ||
@@ -190,6 +205,7 @@ Vertex Simplifier::collapse_mends(Halfedge side) {
   const Freedom freedom = surface_.freedom(side);
   if (!freedom.is_possible || mesh_.live().faces + goal_.faces / 100 < goal_.faces + 2) return {};
   const Halfedge h = freedom.halfedge;
+  if (is_hub(mesh_.from(h)) || is_hub(mesh_.to(h))) return {};
   const Legality legality = this->legality(h);
   if (legality == Legality::none) return {};
   std::vector<Placing> places{surface_.lowest(freedom)};

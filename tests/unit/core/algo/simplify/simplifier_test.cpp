@@ -151,6 +151,23 @@ TEST(simplifier, account_of_two_hubs_grows_no_faster_than_n_log_n) {
   EXPECT_LT(four, 2.4 * two) << one << " " << two << " " << four;
 }
 
+// Where the input alternates from spoke to spoke, half of what is left looks against it, and no mending helps.
+TEST(simplifier, mending_at_two_hubs_grows_no_faster_than_n_log_n) {
+  const auto looks = [](std::uint32_t n) {
+    const Mesh input = rough_cones(n);
+    Mesh mesh = input;
+    const CollapseLimits limits;
+    Simplifier simplifier(mesh, limits, {.faces = n / 5}, nullptr, &input);
+    Progress unheard;
+    simplifier.run(unheard);
+    EXPECT_GT(simplifier.turned(), 20u) << "else there was nothing to mend";
+    return static_cast<double>(simplifier.looked_at());
+  };
+  const double one = looks(625), two = looks(1250), four = looks(2500);
+  EXPECT_LT(two, 2.4 * one) << one << " " << two << " " << four;
+  EXPECT_LT(four, 2.4 * two) << one << " " << two << " " << four;
+}
+
 TEST(simplifier, is_as_sound_at_hubs_and_large_faces_as_elsewhere) {
   for (const double height : {0.0, 0.5}) go_all_the_way(circle(200, height), "a fan");
   go_all_the_way(circle(300, std::nullopt), "one face");

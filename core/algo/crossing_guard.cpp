@@ -8,30 +8,17 @@
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/triangle_corners.h"
-#include "core/view/frustum.h"
 
 namespace ryosen {
 
 namespace {
-
-Primitive primitive_of(const Mesh& mesh, Face f) {
-  const Halfedge h = mesh.halfedge(f);
-  for (Vertex v : vertices_around(mesh, f))
-    if (!is_finite(mesh.position(v))) return {};
-  return Primitive::triangle(mesh.from(h).index, mesh.to(h).index, mesh.from(mesh.prev(h)).index, f.index);
-}
 
 bool is_flat(const NumberedTriangle& t) { return are_collinear(t.places[0], t.places[1], t.places[2]); }
 
 }  // namespace
 
 CrossingGuard::CrossingGuard(const Mesh& mesh, Surface surface)
-    : mesh_(mesh), may_cross_(surface == Surface::perhaps_with_crossings) {
-  std::vector<Primitive> primitives(mesh.face_slots());
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
-    if (const Face f(i); mesh.is_alive(f)) primitives[i] = primitive_of(mesh, f);
-  tree_.build(mesh.positions(), std::move(primitives));
-}
+    : mesh_(mesh), faces_(mesh), may_cross_(surface == Surface::perhaps_with_crossings) {}
 
 void CrossingGuard::Step::begin(std::uint32_t face_slots) {
   changed.clear();
@@ -196,35 +183,19 @@ std::size_t CrossingGuard::meetings_by_tree(const std::vector<Changed>& faces, s
   return found;
 }
 
-// The faces in the box around these that the step leaves as they are.
+// The faces near these that the step leaves as they are.
 void CrossingGuard::find_near(const std::vector<Changed>& faces) const {
   near_.clear();
-  if (faces.empty()) return;
-  Box around;
-  for (const Changed& one : faces)
-    for (const glm::dvec3& p : one.triangle.places) around.add(p);
-  tree_.visit_frustum(mesh_.positions(), frustum_of_box(around), [&](std::uint32_t slot) {
-    if (step_.concerns(Face(slot))) return;
-    const NumberedTriangle other = triangle(Face(slot));
-    if (!is_flat(other)) near_.push_back({Face(slot), other});
-  });
-}
-
-void CrossingGuard::follow(Face f) {
-  tree_.insert(mesh_.positions(), f.index, primitive_of(mesh_, f));
-  if (tree_.is_worn()) tree_.rebuild(mesh_.positions());
-}
-
-void CrossingGuard::follow(Vertex kept) {
-  for (Face f : faces_around(mesh_, kept))
-    if (f) tree_.insert(mesh_.positions(), f.index, primitive_of(mesh_, f));
-  if (tree_.is_worn()) tree_.rebuild(mesh_.positions());
-}
-
-void CrossingGuard::follow_move(Vertex moved) {
-  for (Face f : faces_around(mesh_, moved))
-    if (f) tree_.update(mesh_.positions(), f.index);
-  if (tree_.is_worn()) tree_.rebuild(mesh_.positions());
+  places_.clear();
+  found_.clear();
+  for (const Changed& one : faces) places_.push_back(one.triangle.places);
+  faces_.find(places_, found_);
+  looks_ += found_.size();
+  for (const Face f : found_) {
+    if (step_.concerns(f)) continue;
+    const NumberedTriangle other = triangle(f);
+    if (!is_flat(other)) near_.push_back({f, other});
+  }
 }
 
 }  // namespace ryosen

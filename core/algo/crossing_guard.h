@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "core/algo/near_faces.h"
 #include "core/geometry/triangles_meet.h"
 #include "core/mesh/mesh.h"
-#include "core/pick/bvh.h"
 
 namespace ryosen {
 
@@ -28,13 +28,16 @@ class CrossingGuard {
   bool would_meet_split(Halfedge h, const glm::dvec3& position) const;
 
   // The vertex stands for another one too, and has come to its place, or has new faces: those around it are up to date.
-  void follow(Vertex kept);
+  void follow(Vertex kept) { faces_.follow(kept); }
   // It has moved, and that is all.
-  void follow_move(Vertex moved);
+  void follow_move(Vertex moved) { faces_.follow_move(moved); }
   // A face that has other corners.
-  void follow(Face f);
+  void follow(Face f) { faces_.follow(f); }
   // A face that is gone.
-  void forget(Face f) { tree_.erase(f.index); }
+  void forget(Face f) { faces_.forget(f); }
+
+  // How many faces it has found near those that a step would change.
+  std::uint64_t looks() const { return looks_; }
 
  private:
   struct Changed {
@@ -67,12 +70,15 @@ class CrossingGuard {
   void find_near(const std::vector<Changed>& faces) const;
 
   const Mesh& mesh_;
-  Bvh tree_;  // slots are faces
+  NearFaces faces_;
   bool may_cross_;
   // Of the step that is judged.
   mutable Step step_;
   mutable bool loses_area_ = false;
   mutable std::vector<Changed> near_;
+  mutable std::vector<TriangleCorners> places_;
+  mutable std::vector<Face> found_;
+  mutable std::uint64_t looks_ = 0;
 };
 
 }  // namespace ryosen

@@ -57,7 +57,9 @@ class Simplifier {
   std::size_t turned() const { return turned_; }
   std::size_t still_turned() const { return still_turned_; }
   std::size_t asked() const { return asked_; }
-  std::uint64_t looked_at() const { return surface_.looked_at() + (sides_ ? sides_->looks() : 0); }
+  std::uint64_t looked_at() const {
+    return surface_.looked_at() + (sides_ ? sides_->looks() : 0) + (guard_ ? guard_->looks() : 0);
+  }
   // The largest error of all collapses, in units of the mesh.
   double error_max() const { return surface_.scale().restored_length(error_max_); }
   bool is_at_goal() const { return mesh_.live().faces <= goal_.faces; }

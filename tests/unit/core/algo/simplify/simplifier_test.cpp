@@ -168,6 +168,32 @@ TEST(simplifier, mending_at_two_hubs_grows_no_faster_than_n_log_n) {
   EXPECT_LT(four, 2.4 * two) << one << " " << two << " " << four;
 }
 
+TEST(simplifier, keeping_two_hubs_free_of_crossings_grows_no_faster_than_n_log_n) {
+  const auto looks = [](std::uint32_t n) {
+    Polygons faces;
+    for (std::uint32_t i = 0; i < n; ++i)
+      for (const std::uint32_t hub : {n, n + 1})
+        faces.push_back({hub, hub == n ? i : (i + 1) % n, hub == n ? (i + 1) % n : i});
+    IndexedMesh source = indexed(faces);
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double angle = 6.283185307179586 * i / n;
+      source.positions[i] = {std::cos(angle), std::sin(angle), 0};
+    }
+    source.positions[n] = {0, 0, 1};
+    source.positions[n + 1] = {0, 0, -1};
+    Mesh mesh = from_indexed(source);
+    const CollapseLimits limits;
+    Simplifier simplifier(mesh, limits, {.faces = 100, .no_self_intersections = true});
+    Progress unheard;
+    simplifier.run(unheard);
+    EXPECT_TRUE(simplifier.is_at_goal());
+    return static_cast<double>(simplifier.looked_at());
+  };
+  const double one = looks(500), two = looks(1000), four = looks(2000);
+  EXPECT_LT(two, 2.4 * one) << one << " " << two << " " << four;
+  EXPECT_LT(four, 2.4 * two) << one << " " << two << " " << four;
+}
+
 TEST(simplifier, is_as_sound_at_hubs_and_large_faces_as_elsewhere) {
   for (const double height : {0.0, 0.5}) go_all_the_way(circle(200, height), "a fan");
   go_all_the_way(circle(300, std::nullopt), "one face");

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "app/cli/json.h"
+#include "core/algo/edge_rules.h"
 #include "core/base/out_of_memory.h"
 
 namespace ryosen::cli {
@@ -66,7 +67,7 @@ void write_whole(int descriptor, std::string_view bytes) noexcept {
 
 }  // namespace
 
-void prepare_last_words(const Console& console, std::optional<std::string_view> file) {
+void prepare_last_words(const Console& console, std::optional<std::string_view> file, bool has_goal) {
   static PreparedLines& lines = *new PreparedLines;  // for ever: a signal may come at the very end
   prepared_lines = nullptr;
   concluding_code = -1;
@@ -76,7 +77,10 @@ void prepare_last_words(const Console& console, std::optional<std::string_view> 
     PreparedLine& line = lines[i];
     line.on_stderr = console.shown_line(message, file.value_or(std::string_view()));
     line.on_stdout.clear();
-    if (console.json && row.exit_code != ExitCode::done) line.on_stdout = line_of(error_object(message, file));
+    if (!console.json || row.exit_code == ExitCode::done) continue;
+    Json object = error_object(message, file);
+    if (has_goal && row.exit_code == ExitCode::cancelled) object["stopped"] = id_of(Stop::cancelled);
+    line.on_stdout = line_of(object);
   }
   prepared_lines = &lines;
 }

@@ -7,6 +7,7 @@
 #include "app/cli/last_words.h"
 #include "app/cli/signals.h"
 #include "app/cli/subcommands.h"
+#include "core/algo/algorithms.h"
 
 namespace ryosen::cli {
 
@@ -19,7 +20,8 @@ std::optional<std::string_view> file_of(const CommandLine& line) {
 }
 
 ExitCode run_command(const CommandLine& line) {
-  prepare_last_words(line.console, file_of(line));
+  const AlgorithmRow* const algorithm = line.command ? find_algorithm(line.command->id) : nullptr;
+  prepare_last_words(line.console, file_of(line), algorithm && algorithm->accounts);
   let_signals_in();
   if (line.wants_help) return show_help(line.command, line.console);
   if (line.failure) {

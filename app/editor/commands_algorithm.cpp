@@ -107,7 +107,7 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
   const FirstSlots before(session.mesh());
   const bool was_empty = session.mesh().live() == ElementCounts();
   // Who wants it later asks for it (make_account).
-  const bool wants_account = row.accounts && session.is_shown(panel_opened_by(PanelOpener::levelled));
+  const bool wants_account = row.accounts_for_edges && session.is_shown(panel_opened_by(PanelOpener::levelled));
   auto result = session.document().run(row, *found.values, outcome.performed, session.on_progress, wants_account);
   if (!result) return cancelled();
   if (result->fault) return usage_error(id + ": " + result->fault->en, id + "：" + result->fault->ja);

@@ -145,8 +145,9 @@ Outcome run_account(Session& session, Words arguments, std::string_view) {
   for (const EdgeRuleRow& row : edge_rules) {
     const std::size_t count = account->counts[static_cast<std::size_t>(row.rule)];
     if (count == 0) continue;
-    const std::string one = std::string(row.id) + " " + std::to_string(count);
-    outcome.sentence = outcome.sentence.en.empty() ? Text{one, one} : outcome.sentence + Text{", " + one, "、" + one};
+    const std::string number = std::to_string(count);
+    const Text one{std::string(row.id) + " " + number, std::string(row.name_ja) + " " + number};
+    outcome.sentence = outcome.sentence.en.empty() ? one : outcome.sentence + Text{", ", "、"} + one;
   }
   return outcome;
 }

@@ -61,7 +61,7 @@ std::string line_to_account_for(const Session& session) {
   if (document.is_on_trial() || document.position() == 0) return {};
   const std::string& line = document.history()[document.position() - 1].command;
   const AlgorithmRow* const row = find_algorithm(line.substr(0, line.find(' ')));
-  return row && row->accounts ? line : std::string();
+  return row && row->accounts_for_edges ? line : std::string();
 }
 
 const EdgeAccount* make_account(Session& session) {

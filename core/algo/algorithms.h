@@ -94,6 +94,7 @@ struct AlgorithmRow {
   bool adds_points = false;    // points by themselves are what is wanted, and no fault of the result
   // Has a goal and tells in its result's account how it ended: its subcommand ends with 1 where it stopped before.
   bool accounts = false;
+  bool accounts_for_edges = false;  // and for each edge that is left, by the rule that holds it
   // The program has a command of this name, which prints what other algorithms do not have.
   bool has_own_subcommand = false;
 

@@ -233,10 +233,11 @@ ReadValues ParameterValues::on(const Mesh& mesh) const {
     if (!values_[i]) continue;
     ParameterValue& value = *read.values->values_[i];
     if (value.is_percent) {
+      const bool is_none = value.number == 0;
       value.number = share_of_diagonal(mesh, value.number / 100);
       value.is_percent = false;
       value.was_percent = true;
-      if (value.number == 0 && !is_in_range(rows_[i], 0)) return of_no_extent(rows_[i], this->text_at(i));
+      if (value.number == 0 && !is_none && !is_in_range(rows_[i], 0)) return of_no_extent(rows_[i], this->text_at(i));
       if (!std::isfinite(value.number) || !is_in_range(rows_[i], value.number))
         return {std::nullopt, NameError::malformed, {}, fault_of_value(rows_[i], text_at(i), rows_[i].id)};
     }

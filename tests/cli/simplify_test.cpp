@@ -166,6 +166,7 @@ TEST_F(Simplify, ends_with_8_and_writes_nothing_where_it_is_cancelled) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   process.end_by(SIGINT);
   EXPECT_EQ(process.exit_code(), 8) << read_file(folder_.at("told"));
+  EXPECT_EQ(Json::parse(read_file(folder_.at("printed")))["stopped"], "cancelled");
   EXPECT_FALSE(std::filesystem::exists(output_));
 }
 

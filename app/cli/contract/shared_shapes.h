@@ -29,6 +29,8 @@ inline constexpr JsonKey failure_keys[] = {
      "check が不正なファイルに推定した形式。それ以外は null。", ids_of(Ids::formats)},
     {"status", "string", "Always error.", "常に error。", words("error")},
     {"messages", "array of object", "The failure.", "失敗の内容。", objects(message_shape)},
+    {"stopped", "string", "Why it ended; there only where an algorithm with a goal was cancelled.",
+     "終了の理由。目標のあるアルゴリズムが中止されたときだけある。", optional(words("cancelled"))},
 };
 inline constexpr Shape failure_shape{"failure", "Stands for a file or a command line that was refused.",
                                      "ファイルまたはコマンド行が受け付けられなかったときの行。", failure_keys};

@@ -37,15 +37,19 @@ AlgorithmResult remesh_mesh(Edit& edit, const AlgorithmInput& input, Progress& p
                           .rounds = values.count("rounds"),
                           .feature_angle_rad = values.angle_rad("feature_angle")};
   if (!values.has("tolerance")) options.tolerance = options.length / 20;
-  const std::string before = std::to_string(mesh.live().faces);
+  const std::size_t before = mesh.live().faces;
   remesh::Remeshed made = remesh::remeshed(mesh, options, progress);
   if (made.is_cancelled) return result;
   if ((result.fault = std::move(made.fault))) return result;
   result.account.emplace();
   result.changed = made.columns.live.faces;
   const std::string after = std::to_string(made.columns.live.faces);
-  result.text = Text{before + " faces became " + after, "面 " + before + " 個が " + after + " 個になりました"} +
+  result.text = count_text(before, "One face became " + after, "# faces became " + after,
+                           "面 # 個が " + after + " 個になりました") +
                 cut_text(made.cut_faces) + refused_text(made.refused) + Text{".", "。"};
+  if (values.has("tolerance") && !options.adaptive)
+    result.text = result.text + Text{" The tolerance counts only where lengths are adaptive.",
+                                     "許容誤差は、曲率に適応させるときだけ効きます。"};
   edit.replace(std::move(made.columns));
   return result;
 }
@@ -75,7 +79,9 @@ AlgorithmResult unite_planar_regions(Edit& edit, const AlgorithmInput& input, Pr
   result.changed = united.regions;
   result.left = united.left.size();
   const std::string faces = std::to_string(united.faces);
-  result.text = count_text(united.regions, "One region of " + faces + " faces became a polygon.",
+  result.text = Text{"No region of several faces is planar.", "多角形にまとめられる平らな領域はありません。"};
+  if (united.regions > 0)
+    result.text = count_text(united.regions, "One region of " + faces + " faces became a polygon.",
                            "# regions with " + faces + " faces in all became polygons.",
                            "合わせて面 " + faces + " 個の領域 # 個を多角形にまとめました。");
   std::vector<Element> left(united.left.begin(), united.left.end());
@@ -113,9 +119,9 @@ AlgorithmRow remesh_row() {
                       .kind = ParameterKind::length,
                       .name_en = "Tolerance",
                       .name_ja = "許容誤差",
-                      .help_en = "of adaptive lengths: how far a triangle may leave the surface; else a twentieth of "
-                                 "the length",
-                      .help_ja = "適応時に三角形が曲面から離れてよい距離（省くと長さの二十分の一）",
+                      .help_en = "of adaptive lengths: about how far triangles leave the surface, no bound; else a "
+                                 "twentieth of the length",
+                      .help_ja = "適応時に三角形が曲面から離れる距離の目安（上限ではない。省くと長さの二十分の一）",
                       .smallest = 0,
                       .excludes_smallest = true},
                      {.id = "rounds",

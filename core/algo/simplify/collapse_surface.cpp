@@ -165,7 +165,8 @@ std::optional<EdgeRule> CollapseSurface::hold(Vertex v, bool along_feature) cons
 }
 
 Freedom CollapseSurface::freedom(Halfedge h) const {
-  const bool along_feature = is_feature(edge(h));
+  // Along one whose other side is gone, a vertex would take values to where their chart has none.
+  const bool along_feature = is_feature(edge(h)) && !is_boundary(mesh_, h);
   const auto a = hold(mesh_.from(h), along_feature), b = hold(mesh_.to(h), along_feature);
   if (a && b) return {h, true, std::max(*a, *b), false};
   if (a) return {twin(h), true, *a, true};

@@ -8,6 +8,7 @@
 #include "core/algo/simplify/simplifier.h"
 #include "core/algo/transform/moved_points.h"
 #include "core/analysis/self_intersections.h"
+#include "core/base/count_text.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/names.h"
@@ -88,8 +89,8 @@ std::optional<Text> why_faces_cannot_be_kept_apart(const Mesh& mesh, Progress& p
 }
 
 Text text_of(std::size_t before, std::size_t after, const Account& account) {
-  const std::string a = std::to_string(before), b = std::to_string(after);
-  Text text{"From " + a + " to " + b + " faces", "面 " + a + " 枚から " + b + " 枚へ"};
+  const std::string a = std::to_string(before);
+  Text text = Text{"From " + a + " to ", "面 " + a + " 個から "} + count_text(after, "one face", "# faces", "# 個へ");
   if (account.stopped == Stop::error) return text + Text{"; more would go beyond the error.", "（許容誤差まで）。"};
   if (account.stopped == Stop::blocked)
     return text + Text{"; no edge that is left can collapse.", "（残りの稜線はどれも縮約できません）。"};

@@ -124,7 +124,8 @@ std::vector<AlgorithmRow> simplify_rows() {
            .keeps_geometry = false,
            .solves = {},
            .run = simplify,
-           .accounts = true}};
+           .accounts = true,
+           .accounts_for_edges = true}};
 }
 
 }  // namespace ryosen

@@ -66,8 +66,9 @@ std::optional<Text> fault_of_limit(const Mesh& mesh, const Creases& creases, con
   if (!options.to_limit || options.scheme == Scheme::midpoint) return std::nullopt;
   const bool is_sharp = has_sharp_edges(creases);
   if (is_sharp && options.sharp_steps && *options.sharp_steps > static_cast<double>(options.steps))
-    return Text{"the limit is known once no edge is sharp for a number of steps any more; take more steps",
-                "極限位置は、段数を限った折り目がなくなってから求まります。段数を増やしてください"};
+    return Text{"the limit is known once no edge is sharp for a number of steps any more; take as many steps, or let the "
+                "edges stay sharp",
+                "極限位置は、段数を限った折り目がなくなってから求まります。段数をそれ以上にするか、常に鋭くしてください"};
   if (options.scheme == Scheme::sqrt3 && options.steps % 2 != 0 && (is_sharp || has_outside(mesh)))
     return Text{"at boundaries and creases the sqrt(3) scheme has a limit after an even number of steps; take one more",
                 "sqrt(3) の境界や折り目での極限位置は偶数回で求まります。もう一回増やしてください"};

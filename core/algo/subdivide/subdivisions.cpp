@@ -59,8 +59,9 @@ AlgorithmResult subdivide_mesh(Edit& edit, const AlgorithmInput& input, Progress
   }
   result.account.emplace();
   result.changed = std::max<std::size_t>(made.columns.live.faces, 1);
-  const std::string old_count = std::to_string(before), count = std::to_string(made.columns.live.faces);
-  result.text = {old_count + " faces became " + count, "面 " + old_count + " 個が " + count + " 個になりました"};
+  const std::string count = std::to_string(made.columns.live.faces);
+  result.text = count_text(before, "One face became " + count, "# faces became " + count,
+                           "面 # 個が " + count + " 個になりました");
   if (made.cut_faces > 0)
     result.text = result.text + count_text(made.cut_faces, "; one face was cut into triangles first",
                                            "; # faces were cut into triangles first", "（先に面 # 個を三角形に分割）");
@@ -69,6 +70,9 @@ AlgorithmResult subdivide_mesh(Edit& edit, const AlgorithmInput& input, Progress
                                            "; # edges where the texture is torn stayed creases",
                                            "（テクスチャの継ぎ目の稜線 # 本は折り目のまま）");
   result.text = result.text + Text{".", "。"};
+  if (options.sharp_steps && options.sharp.empty() && !options.crease_angle_rad)
+    result.text = result.text + Text{" No edges are named that would be sharp for some steps.",
+                                     "回数だけ鋭くする稜線は指定されていません。"};
   result.has_normals = options.to_limit && options.scheme != subdivide::Scheme::midpoint;
   edit.replace(std::move(made.columns));
   return result;

@@ -83,7 +83,7 @@ Death walk_and_die(const std::string& file, const std::filesystem::path& folder,
   const char mark = '.';
   if (child == 0) {
     ::dup2(::open("/dev/null", O_WRONLY), STDERR_FILENO);
-    cli::prepare_last_words({}, std::nullopt);  // what other tests of this process have concluded is not its own
+    cli::prepare_last_words({}, std::nullopt, false);  // what other tests of this process have concluded is not its own
     cli::answer_signals();
     cli::let_signals_in();
     cli::end_window_by_signals();

@@ -121,6 +121,10 @@ TEST_F(LevelsTest, account_of_a_simplification_is_there_until_the_next_change) {
   ASSERT_TRUE(say("redo").done());
   EXPECT_NE(say("account").sentence.en.find("free " + free), std::string::npos) << "it is the same again";
   EXPECT_EQ(session_.mesh().hash(), hash);
+  for (const std::string other : {"subdivide", "smooth", "remesh length=0.5"}) {
+    ASSERT_TRUE(say(other).done());
+    EXPECT_EQ(say("account").exit_code, ExitCode::refused) << "of edges " << other << " tells nothing";
+  }
 }
 
 TEST_F(LevelsTest, account_is_made_at_once_where_its_panel_is_shown) {

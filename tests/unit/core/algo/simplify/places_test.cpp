@@ -20,6 +20,40 @@ TEST(SimplifyPlaces, values_at_boundaries_and_seams_are_those_of_the_place) {
       }
 }
 
+// How far texture coordinates lie at most from the places of their points, seen from above.
+double worst_from_above(const Mesh& mesh, double seam) {
+  const CornerAttribute texture = corner_attributes(mesh).front();
+  double worst = 0;
+  for (Halfedge h(0); h.index < mesh.halfedge_slots(); ++h.index) {
+    if (!mesh.is_alive(h) || mesh.is_outside(h)) continue;
+    double middle = 0;
+    for (const Halfedge corner : loop(mesh, h)) middle += mesh.position(mesh.from(corner)).x / 3;
+    if (std::abs(middle - seam) < 1e-9) continue;  // a needle along the seam may be of either side
+    const auto value = attribute_value<glm::dvec3>(mesh.attributes()[texture.pool_column],
+                                                   mesh.attributes()[texture.index_column].data[h.index]);
+    const glm::dvec3 p = mesh.position(mesh.from(h));
+    worst = std::max(worst, glm::distance(glm::dvec2(value), glm::dvec2(p.x + (middle > seam ? across_seam : 0), p.y)));
+  }
+  return worst;
+}
+
+// A seam that a retreating boundary has laid open ends there: what lies beyond it does not come along.
+TEST(SimplifyPlaces, values_at_the_ends_of_seams_stay_at_a_free_boundary) {
+  constexpr double seam = 0.5, most = 0.04;  // less than an edge: what a place is beside the surface counts, too
+  for (const double waves : {3.0, 5.0, 7.0, 9.0})
+    for (const char* const words : {"faces=120", "faces=60", "faces=60 effort=0", "faces=60 effort=2"}) {
+      Mesh mesh = valued_sheet(20, seam);
+      Edit edit(mesh, nullptr);
+      for (Vertex v(0); v.index < mesh.vertex_slots(); ++v.index) {
+        const glm::dvec3 p = mesh.position(v);
+        edit.set_position(v, {p.x, p.y, 0.1 * std::sin(waves * p.x) * std::cos((waves - 2) * p.y)});
+      }
+      edit.commit();
+      ASSERT_GT(simplified(mesh, std::string("boundary=free ") + words).changed, 0u);
+      EXPECT_LT(worst_from_above(mesh, seam), most) << words << ", " << waves;
+    }
+}
+
 // How far a point lies at most from the unit square in its plane, and the area.
 struct Drift {
   double most = 0, area = 0;

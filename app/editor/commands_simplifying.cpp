@@ -7,6 +7,7 @@
 #include "app/editor/playing.h"
 #include "core/algo/edge_rules.h"
 #include "core/algo/simplify/simplify.h"
+#include "core/io/elements.h"
 #include "core/mesh/find_element.h"
 
 namespace ryosen {
@@ -47,7 +48,8 @@ Outcome begin_levels(Session& session, Words words) {
   const ReadValues found = values.on(session.mesh());
   if (!found.values) return failed(found.lacks_extent ? ExitCode::refused : ExitCode::usage, found.sentence);
   Progress progress(session.on_progress);
-  BuiltLevels built = build_levels(session.mesh(), *found.values, progress);
+  const std::vector<Vertex> on_lines = vertices_on_lines(session.document().file(), session.mesh().file_vertices());
+  BuiltLevels built = build_levels(session.mesh(), {.values = *found.values, .on_lines = on_lines}, progress);
   if (built.refused) return failed(ExitCode::refused, behind("levels", *built.refused));
   if (!built.levels) return cancelled();
   session.levels = std::make_shared<ShownLevels>(std::move(built.levels), values, session.document());

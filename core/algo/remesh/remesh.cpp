@@ -121,10 +121,11 @@ std::vector<Box> crossings_of(const Mesh& mesh, Progress& progress) {
 // What is known of a surface before it changes.
 class Start {
  public:
-  Start(const Mesh& triangles, const Sizing& sizing, double feature_angle_rad) {
+  Start(const Mesh& triangles, const Sizing& sizing, const Options& options) {
     do_beside([&] { target_.emplace(triangles, sizing); },
               [&] {
-                features_ = find_features(triangles, feature_angle_rad);
+                features_ = find_features(triangles, options.feature_angle_rad);
+                for (const Vertex v : options.on_lines) features_.vertices[v.index] = 1;
                 points_.emplace(triangles, features_, sizing.shortest());
               });
   }
@@ -206,7 +207,7 @@ Remeshed remeshed(const Mesh& mesh, const Options& options, Progress& progress) 
   edit.commit();
   const Sizing sizing(triangles, {own.length, own.adaptive, own.tolerance});
   if ((result.fault = fault_of_length(triangles, sizing, scale))) return result;
-  const Start start(triangles, sizing, own.feature_angle_rad);
+  const Start start(triangles, sizing, own);
   Attempts(triangles, own, start).run(result, progress);
   if (!result.is_cancelled) result.columns = unscaled(Mesh(std::move(result.columns)), mesh, scale);
   return result;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 
 #include "core/algo/remesh/sizing.h"
 #include "core/base/message.h"
@@ -16,6 +17,7 @@ struct Options {
   double tolerance = 0;   // of adaptive ones, above 0
   std::size_t rounds = 5;
   double feature_angle_rad = 0.8;
+  std::span<const Vertex> on_lines = {};  // something beside the mesh hangs on them, so that they stay
 };
 
 struct Remeshed {

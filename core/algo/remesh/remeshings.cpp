@@ -35,7 +35,8 @@ AlgorithmResult remesh_mesh(Edit& edit, const AlgorithmInput& input, Progress& p
                           .adaptive = values.flag("adaptive"),
                           .tolerance = values.has("tolerance") ? values.length("tolerance") : 0,
                           .rounds = values.count("rounds"),
-                          .feature_angle_rad = values.angle_rad("feature_angle")};
+                          .feature_angle_rad = values.angle_rad("feature_angle"),
+                          .on_lines = input.on_lines};
   if (!values.has("tolerance")) options.tolerance = options.length / 20;
   const std::size_t before = mesh.live().faces;
   remesh::Remeshed made = remesh::remeshed(mesh, options, progress);

@@ -76,6 +76,7 @@ CollapseSurface::CollapseSurface(const Mesh& mesh, const CollapseLimits& limits)
       if (has_copies(mesh_, v) || !is_finite(mesh_.position(v))) flags |= pinned;
     }
   });
+  for (const Vertex v : limits.on_lines) states_[v.index].flags |= pinned;
   find_large_faces();
   find_features();
   sum_planes();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct CollapseLimits {
   double turn_rad = 1.5707963267948966;                    // a collapse turns a normal by less; at most a quarter turn
   double smallest_angle_rad = 0;         // no face gets a smaller one, or one smaller than it had where that was less
   std::vector<std::uint8_t> fixed = {};  // by vertex slot: not 0, it stays; empty: none has to
+  std::span<const Vertex> on_lines = {};  // something beside the mesh hangs on them, so that they stay, too
 };
 
 // Which end an edge may lose.

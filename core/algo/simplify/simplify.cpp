@@ -61,7 +61,8 @@ std::vector<std::uint8_t> fixed_vertices(const Mesh& mesh, const ParameterValues
   return fixed;
 }
 
-CollapseLimits limits_of(const Mesh& mesh, const ParameterValues& values) {
+CollapseLimits limits_of(const Mesh& mesh, const AlgorithmInput& input) {
+  const ParameterValues& values = input.values;
   CollapseLimits limits;
   const std::string_view boundary = values.choice("boundary");
   limits.boundary = boundary == "free"     ? BoundaryMode::free
@@ -71,6 +72,7 @@ CollapseLimits limits_of(const Mesh& mesh, const ParameterValues& values) {
   limits.turn_rad = values.angle_rad("max_turn");
   limits.smallest_angle_rad = values.angle_rad("min_angle");
   limits.fixed = fixed_vertices(mesh, values);
+  limits.on_lines = input.on_lines;
   return limits;
 }
 
@@ -133,7 +135,7 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   const std::size_t wanted = faces_wanted(values, work.live().faces + input.quarantined);
   const SimplifyGoal goal = goal_of(values, wanted - std::min(wanted, input.quarantined));
   const std::optional<Mesh> cut = prepared.is_triangulated ? std::optional(work) : std::nullopt;
-  Simplifier simplifier(work, limits_of(work, values), goal, nullptr, cut ? &*cut : &edit.mesh());
+  Simplifier simplifier(work, limits_of(work, input), goal, nullptr, cut ? &*cut : &edit.mesh());
   Account& account = result.account.emplace();
   if (!simplifier.run(progress)) {
     account = {Stop::cancelled, false};
@@ -159,10 +161,11 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   return result;
 }
 
-BuiltLevels build_levels(const Mesh& mesh, const ParameterValues& values, Progress& progress) {
+BuiltLevels build_levels(const Mesh& mesh, const AlgorithmInput& input, Progress& progress) {
+  const ParameterValues& values = input.values;
   Prepared prepared = prepare(mesh, values, progress);
   if (prepared.refused) return {nullptr, prepared.refused};
-  const CollapseLimits limits = limits_of(prepared.work, values);
+  const CollapseLimits limits = limits_of(prepared.work, input);
   auto levels = std::make_unique<DetailLevels>(std::move(prepared.work));
   if (!levels->build(limits, goal_of(values, faces_wanted(values, mesh.live().faces)), progress)) levels.reset();
   return {std::move(levels)};

@@ -21,7 +21,7 @@ struct BuiltLevels {
   std::unique_ptr<DetailLevels> levels;
   std::optional<Text> refused = {};
 };
-BuiltLevels build_levels(const Mesh& mesh, const ParameterValues& values, Progress& progress);
+BuiltLevels build_levels(const Mesh& mesh, const AlgorithmInput& input, Progress& progress);
 
 std::vector<AlgorithmRow> simplify_rows();
 

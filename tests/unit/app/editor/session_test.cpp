@@ -109,6 +109,36 @@ TEST(session, picker_highlights_and_totals_follow_edits_as_if_made_anew) {
   }
 }
 
+TEST(session, lines_hang_on_the_surface_as_before_when_it_is_simplified_or_remeshed) {
+  constexpr std::uint32_t side = 8;
+  MeshFile file;
+  for (std::uint32_t i = 0; i < (side + 1) * (side + 1); ++i)
+    file.mesh.positions.emplace_back(i % (side + 1), i / (side + 1), 0.1 * (i % 3));
+  for (std::uint32_t i = 0; i < side * side; ++i) {
+    const std::uint32_t a = i / side * (side + 1) + i % side;
+    file.mesh.corners.insert(file.mesh.corners.end(), {a, a + 1, a + side + 2, a, a + side + 2, a + side + 1});
+    file.mesh.face_offsets.insert(file.mesh.face_offsets.end(), {6 * i + 3, 6 * i + 6});
+  }
+  constexpr std::uint32_t inner = 40, outer = 4;
+  const auto end = static_cast<std::uint32_t>(file.mesh.positions.size());
+  file.mesh.positions.emplace_back(4, 4, 5);
+  file.elements.items = {{.before_face = 0, .first = 0, .count = 3}};
+  file.elements.vertices = {inner, end, outer};
+  const std::vector<glm::dvec3> places = file.mesh.positions;
+  Session session(std::make_unique<Document>(std::move(file)));
+  for (const char* line : {"simplify faces=0 boundary=free", "simplify faces=0 effort=2", "remesh length=3",
+                           "levels boundary=free; levels at 0; levels keep"}) {
+    for (const ScriptLine& part : split_script(line)) ASSERT_TRUE(session.run(part.text).done()) << line;
+    EXPECT_LT(session.mesh().live().vertices, places.size() - 10) << line;
+    for (const std::uint32_t on_line : {inner, outer}) {
+      ASSERT_TRUE(session.mesh().is_alive(Vertex(on_line))) << line;
+      EXPECT_FALSE(session.mesh().is_isolated(Vertex(on_line))) << line;
+      EXPECT_EQ(session.mesh().position(Vertex(on_line)), places[on_line]) << line;
+    }
+    ASSERT_TRUE(session.run("undo").done()) << line;
+  }
+}
+
 TEST(session, vertices_on_lines_are_not_isolated_whatever_is_edited) {
   MeshFile file;
   for (int i = 0; i < 6; ++i) file.mesh.positions.push_back({i, i * i, 0});

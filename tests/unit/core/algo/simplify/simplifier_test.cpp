@@ -339,7 +339,7 @@ TEST(simplifier, has_levels_with_the_bytes_that_it_makes_itself) {
     return *read_values(find_algorithm("simplify")->parameters, split_words(line)).values->on(input).values;
   };
   Progress unheard;
-  const BuiltLevels built = build_levels(input, values("faces=0 boundary=locked"), unheard);
+  const BuiltLevels built = build_levels(input, {values("faces=0 boundary=locked")}, unheard);
   ASSERT_TRUE(built.levels);
   for (const std::size_t faces : {400u, 250u, 99u}) {
     Mesh mesh = input;
@@ -347,7 +347,7 @@ TEST(simplifier, has_levels_with_the_bytes_that_it_makes_itself) {
     built.levels->go_to(built.levels->level_of(faces));
     EXPECT_EQ(built.levels->mesh().columns(), mesh.columns()) << faces;
   }
-  EXPECT_TRUE(build_levels(Mesh(), values("faces=0"), unheard).refused);
+  EXPECT_TRUE(build_levels(Mesh(), {values("faces=0")}, unheard).refused);
 }
 
 TEST(simplifier, leaves_the_mesh_as_it_is_wherever_it_is_cancelled) {

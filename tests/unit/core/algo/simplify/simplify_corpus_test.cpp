@@ -17,7 +17,7 @@ void expect_sound_on_the_way(const Mesh& mesh, const std::string& name) {
   const ParameterValues values =
       *read_values(find_algorithm("simplify")->parameters, split_words("faces=0")).values->on(mesh).values;
   Progress unheard;
-  const BuiltLevels built = build_levels(mesh, values, unheard);
+  const BuiltLevels built = build_levels(mesh, {values}, unheard);
   if (!built.levels) return;
   const MeshColumns before = built.levels->mesh().columns();
   const std::size_t last = built.levels->last(), step = std::max<std::size_t>(100, last / 200);

@@ -133,7 +133,9 @@ Curvature curvature_at(Neighbourhood& around, Vertex v) {
   rows.reserve(points.size());
   for (const Vertex w : points) {
     const glm::dvec3 way = (mesh.position(w) - here) / size;
-    const double x = glm::dot(way, first), y = glm::dot(way, second);
+    // As far as in space: the height of a circle is a square then.
+    const double ahead = glm::dot(way, first), aside = glm::dot(way, second), flat = std::hypot(ahead, aside);
+    const double stretch = flat > 0 ? glm::length(way) / flat : 1, x = stretch * ahead, y = stretch * aside;
     rows.push_back({x, y, x * x, x * y, y * y, x * x * x, x * x * y, x * y * y, y * y * y, glm::dot(way, normal)});
   }
   struct Terms {

@@ -3,7 +3,8 @@
 // A polynomial height over the tangent plane is fitted to the points of two rings of edges by least squares [Cazals05]. Where
 // these points are those of a smooth surface the error falls with the square of their spacing h, whatever the triangles
 // look like; at boundaries, where points lie on one side only, and at few points, with h. What is known of areas and
-// angles alone does not converge on irregular meshes.
+// angles alone does not converge on irregular meshes. In the tangent plane a point counts as far away as it is in space: of a
+// sphere the height is the square of that over the diameter, so that coarse meshes of round things are right, too.
 #pragma once
 
 #include <limits>

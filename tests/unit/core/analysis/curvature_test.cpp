@@ -161,8 +161,21 @@ TEST(Curvature, of_a_sphere_of_icosahedra_is_that_of_the_sphere) {
       EXPECT_GT(order(*before, errors.inside, 2), 1.8) << steps;
     }
     before = errors.inside;
+    EXPECT_LT(before->most, 1e-3) << steps;
   }
-  EXPECT_LT(before->most, 3e-3);
+  EXPECT_LT(before->most, 1e-5);
+}
+
+TEST(Curvature, of_a_coarse_torus_is_nearly_that_of_the_torus) {
+  const Mesh mesh = made_by("torus radius=1 tube=0.4 segments=16 tube_segments=8");
+  Neighbourhood around(mesh);
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+    const glm::dvec3 p = mesh.position(Vertex(i));
+    const double from_axis = std::hypot(p.x, p.z), outwards = (from_axis - 1) / 0.4;
+    const Curvature found = curvature_at(around, Vertex(i));
+    EXPECT_NEAR(found.largest, 1 / 0.4, 0.06) << i;
+    EXPECT_NEAR(found.smallest, outwards / from_axis, 0.2) << i;
+  }
 }
 
 Curvature at(const Mesh& mesh, Vertex v) {

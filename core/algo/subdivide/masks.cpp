@@ -80,7 +80,7 @@ void place_vertices(const Mesh& mesh, Places& places, const Place& place) {
 }
 
 template <class Smooth>
-Places limit_places(const Mesh& mesh, const Creases& creases, Scheme scheme, const Smooth& smooth) {
+Places limit_by(const Mesh& mesh, const Creases& creases, Scheme scheme, const Smooth& smooth) {
   Places places;
   make_room(places, mesh.vertex_slots());
   const auto dart = [&](Vertex v) {
@@ -125,7 +125,7 @@ void loop_places(const Mesh& mesh, const Creases& creases, Places& places) {
 }
 
 Places loop_limit(const Mesh& mesh, const Creases& creases) {
-  return limit_places(mesh, creases, Scheme::loop, [&](Vertex v) { return around<loop_limit_weight>(mesh, v); });
+  return limit_by(mesh, creases, Scheme::loop, [&](Vertex v) { return around<loop_limit_weight>(mesh, v); });
 }
 
 void catmull_clark_places(const Mesh& mesh, const Creases& creases, const std::vector<std::uint32_t>& centre_of,
@@ -156,7 +156,7 @@ void catmull_clark_places(const Mesh& mesh, const Creases& creases, const std::v
 }
 
 Places catmull_clark_limit(const Mesh& mesh, const Creases& creases) {
-  return limit_places(mesh, creases, Scheme::catmull_clark, [&](Vertex v) {
+  return limit_by(mesh, creases, Scheme::catmull_clark, [&](Vertex v) {
     const double n = valence(mesh, v), share = 1 / (n * (n + 5));
     glm::dvec3 sum = (n / (n + 5)) * mesh.position(v);
     for (const Halfedge h : outgoing(mesh, v)) {
@@ -190,7 +190,7 @@ void sqrt3_places(const Mesh& mesh, const Creases& creases, bool cuts_creases, P
 }
 
 Places sqrt3_limit(const Mesh& mesh, const Creases& creases) {
-  return limit_places(mesh, creases, Scheme::sqrt3, [&](Vertex v) { return around<sqrt3_limit_weight>(mesh, v); });
+  return limit_by(mesh, creases, Scheme::sqrt3, [&](Vertex v) { return around<sqrt3_limit_weight>(mesh, v); });
 }
 
 glm::dvec3 third_of_crease(const Mesh& mesh, const Creases& creases, Vertex a, Vertex b) {
@@ -199,6 +199,20 @@ glm::dvec3 third_of_crease(const Mesh& mesh, const Creases& creases, Vertex a, V
   if (at.rule != VertexRule::crease) return near * (2.0 / 3) + far / 3.0;
   const glm::dvec3& before = mesh.position(at.along[0] == b ? at.along[1] : at.along[0]);
   return near * (16.0 / 27) + (before / 27.0 + far * (10.0 / 27));
+}
+
+Places split_places(const Mesh& mesh, const Creases& creases, Scheme scheme, const SplitNumbers& numbers) {
+  Places places;
+  if (scheme == Scheme::loop) loop_places(mesh, creases, places);
+  if (scheme == Scheme::catmull_clark) catmull_clark_places(mesh, creases, numbers.centre_of(), places);
+  if (scheme == Scheme::midpoint)
+    midpoint_places(mesh, numbers.centre_of(), numbers.split() == Split::into_quads, places);
+  return places;
+}
+
+Places limit_places(const Mesh& mesh, const Creases& creases, Scheme scheme) {
+  if (scheme == Scheme::loop) return loop_limit(mesh, creases);
+  return scheme == Scheme::catmull_clark ? catmull_clark_limit(mesh, creases) : sqrt3_limit(mesh, creases);
 }
 
 }  // namespace ryosen::subdivide

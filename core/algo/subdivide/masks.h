@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "core/algo/subdivide/creases.h"
+#include "core/algo/subdivide/split_links.h"
+#include "core/algo/subdivide/subdivide.h"
 
 namespace ryosen::subdivide {
 
@@ -49,5 +51,10 @@ void sqrt3_places(const Mesh& mesh, const Creases& creases, bool cuts_creases, P
 Places sqrt3_limit(const Mesh& mesh, const Creases& creases);
 // On a crease from a to b the new vertex nearer to a: (1 16 10)/27 with what lies before a on the crease, (2 1)/3 at its end.
 glm::dvec3 third_of_crease(const Mesh& mesh, const Creases& creases, Vertex a, Vertex b);
+
+// By scheme, but for sqrt(3): of vertices, edges and living faces, as `numbers` has them.
+Places split_places(const Mesh& mesh, const Creases& creases, Scheme scheme, const SplitNumbers& numbers);
+// By scheme, but for midpoint, of which all vertices stay: where vertices come to in the end.
+Places limit_places(const Mesh& mesh, const Creases& creases, Scheme scheme);
 
 }  // namespace ryosen::subdivide

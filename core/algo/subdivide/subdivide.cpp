@@ -66,9 +66,10 @@ std::optional<Text> fault_of_limit(const Mesh& mesh, const Creases& creases, con
   if (!options.to_limit || options.scheme == Scheme::midpoint) return std::nullopt;
   const bool is_sharp = has_sharp_edges(creases);
   if (is_sharp && options.sharp_steps && *options.sharp_steps > static_cast<double>(options.steps))
-    return Text{"the limit is known once no edge is sharp for a number of steps any more; take as many steps, or let the "
-                "edges stay sharp",
-                "極限位置は、段数を限った折り目がなくなってから求まります。段数をそれ以上にするか、常に鋭くしてください"};
+    return Text{
+        "the limit is known once no edge is sharp for a number of steps any more; take as many steps, or let the "
+        "edges stay sharp",
+        "極限位置は、段数を限った折り目がなくなってから求まります。段数をそれ以上にするか、常に鋭くしてください"};
   if (options.scheme == Scheme::sqrt3 && options.steps % 2 != 0 && (is_sharp || has_outside(mesh)))
     return Text{"at boundaries and creases the sqrt(3) scheme has a limit after an even number of steps; take one more",
                 "sqrt(3) の境界や折り目での極限位置は偶数回で求まります。もう一回増やしてください"};
@@ -132,11 +133,8 @@ MeshColumns split_step(const Mesh& mesh, Creases& creases, Scheme scheme, Split 
   MeshColumns next;
   const SplitNumbers numbers(mesh, split);
   link_split(mesh, numbers, next);
-  if (scheme == Scheme::loop) loop_places(mesh, creases, next.positions);
-  if (scheme == Scheme::catmull_clark) catmull_clark_places(mesh, creases, numbers.centre_of(), next.positions);
-  if (scheme == Scheme::midpoint)
-    midpoint_places(mesh, numbers.centre_of(), split == Split::into_quads, next.positions);
-  carry_split(mesh, numbers, next);
+  next.positions = split_places(mesh, creases, scheme, numbers);
+  carry_split(mesh, creases, scheme, numbers, next);
   link_copies(
       mesh, 1, [&](Halfedge h, unsigned) { return numbers.on_edge(h); }, next);
   const auto parts = [](Edge e, const auto& visit) {
@@ -166,7 +164,7 @@ MeshColumns sqrt3_step(const Mesh& mesh, Creases& creases, bool cuts_creases) {
     for (const Halfedge side : {h, twin(h)})
       next.positions[numbers.third(side, 0).index] = third_of_crease(mesh, creases, mesh.from(side), mesh.to(side));
   }
-  carry_sqrt3(mesh, numbers, next);
+  carry_sqrt3(mesh, creases, cuts_creases, numbers, next);
   link_copies(
       mesh, cuts_creases ? 2 : 0, [&](Halfedge h, unsigned i) { return numbers.third(h, i); }, next);
   const auto parts = [&](Edge e, const auto& visit) {
@@ -181,11 +179,6 @@ bool has_polygons(const Mesh& mesh) {
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
     if (mesh.is_alive(Face(i)) && !is_triangle(mesh, mesh.halfedge(Face(i)))) return true;
   return false;
-}
-
-Places limit_of(const Mesh& mesh, const Creases& creases, Scheme scheme) {
-  if (scheme == Scheme::loop) return loop_limit(mesh, creases);
-  return scheme == Scheme::catmull_clark ? catmull_clark_limit(mesh, creases) : sqrt3_limit(mesh, creases);
 }
 
 // Where sums of coordinates may overflow, which they do nowhere else.
@@ -239,7 +232,8 @@ Subdivided subdivided(const Mesh& mesh, const Options& options, Progress& progre
   if (options.to_limit) {
     result.columns = level.columns();
     if (options.scheme != Scheme::midpoint) {
-      result.columns.positions = limit_of(level, creases, options.scheme);
+      carry_to_limit(level, creases, options.scheme, result.columns);
+      result.columns.positions = limit_places(level, creases, options.scheme);
       put_normals(result.columns, limit_normals(level, creases, options.scheme));
     }
   }

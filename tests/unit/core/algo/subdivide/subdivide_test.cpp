@@ -489,6 +489,74 @@ TEST(Subdivide, texture_colours_and_names_are_carried_along) {
   }
 }
 
+// Texture coordinates and colours that are the places stay so, whatever a mask does to an irregular sheet; a slit in it ends
+// in a vertex with one value.
+TEST(Subdivide, values_stay_where_they_are_on_the_surface) {
+  constexpr std::uint32_t side = 6;
+  Dice dice(5);
+  IndexedMesh list;
+  for (std::uint32_t i = 0; i < (side + 1) * (side + 1); ++i)
+    list.positions.emplace_back(i % (side + 1) + 0.4 * dice.unit(), i / (side + 1) + 0.4 * dice.unit(), 0);
+  for (std::uint32_t i = 0; i < side * side; ++i) {
+    const std::uint32_t a = i / side * (side + 1) + i % side, c = a + side + 2;
+    if (i % 3 == 0) {
+      list.corners.insert(list.corners.end(), {a, a + 1, c, c - 1});
+      list.face_offsets.push_back(static_cast<std::uint32_t>(list.corners.size()));
+      continue;
+    }
+    list.corners.insert(list.corners.end(), {a, a + 1, c, a, c, c - 1});
+    for (const std::size_t end : {list.corners.size() - 3, list.corners.size()})
+      list.face_offsets.push_back(static_cast<std::uint32_t>(end));
+  }
+  list.texcoords.pool = list.positions;
+  list.texcoords.index = list.corners;
+  for (const glm::dvec3& p : list.positions) list.vertex_colours.emplace_back(p, 0.3);
+  for (const Scheme scheme : all_schemes)
+    for (const bool to_limit : {false, true}) {
+      const subdivide::Options options{.scheme = scheme, .steps = 2, .to_limit = to_limit};
+      const IndexedMesh out = to_indexed(made(from_indexed(list), options), file_tables(list)).mesh;
+      ASSERT_EQ(out.texcoords.index.size(), out.corners.size());
+      for (std::size_t c = 0; c < out.corners.size(); ++c)
+        EXPECT_LT(glm::distance(out.texcoords.pool[out.texcoords.index[c]], out.positions[out.corners[c]]), 1e-13);
+      for (std::size_t v = 0; v < out.positions.size(); ++v) {
+        EXPECT_LT(glm::distance(glm::dvec3(out.vertex_colours[v]), out.positions[v]), 1e-13);
+        EXPECT_EQ(out.vertex_colours[v].w, 0.3) << "equal values stay to the bit";
+      }
+    }
+}
+
+// A chart is torn along one inner edge: its end has one value, which is that of its place; the other has two.
+TEST(Subdivide, values_at_the_end_of_a_slit_are_those_of_the_place) {
+  IndexedMesh list;
+  for (std::uint32_t i = 0; i < 25; ++i)
+    list.positions.emplace_back(i % 5 + 0.1 * (i * 7 % 4), i / 5 + 0.1 * (i % 3), 0);
+  for (std::uint32_t i = 0; i < 16; ++i) {
+    const std::uint32_t a = i / 4 * 5 + i % 4;
+    list.corners.insert(list.corners.end(), {a, a + 1, a + 6, a, a + 6, a + 5});
+    list.face_offsets.insert(list.face_offsets.end(), {6 * i + 3, 6 * i + 6});
+  }
+  list.texcoords.pool = list.positions;
+  list.texcoords.index = list.corners;
+  // From the left side to the middle, 12: those above it at 10 and 11 lie in another place of the texture.
+  for (const std::uint32_t v : {10u, 11u}) {
+    for (std::size_t c = 6 * 8; c < list.corners.size(); ++c)
+      if (list.corners[c] == v) list.texcoords.index[c] = static_cast<std::uint32_t>(list.texcoords.pool.size());
+    list.texcoords.pool.push_back(list.positions[v] + glm::dvec3(0, 0.2, 0));
+  }
+  for (const Scheme scheme : {Scheme::loop, Scheme::catmull_clark}) {
+    const IndexedMesh out =
+        to_indexed(made(from_indexed(list), {.scheme = scheme, .steps = 1}), file_tables(list)).mesh;
+    // The mask at 12 has half a share of the one value of 11 and half of the other, which lies 0.2 further.
+    for (std::size_t c = 0; c < out.corners.size(); ++c) {
+      const glm::dvec3 off = out.texcoords.pool[out.texcoords.index[c]] - out.positions[out.corners[c]];
+      if (out.corners[c] != 12) continue;
+      EXPECT_LT(std::abs(off.x), 1e-14);
+      EXPECT_GT(off.y, 0.001);
+      EXPECT_LT(off.y, 0.02);
+    }
+  }
+}
+
 TEST(Subdivide, faces_with_rings_and_deleted_elements_are_taken_care_of) {
   Mesh mesh = made_by("cube");
   Journal journal;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/algo/smooth/boundary_slide.h"
 #include "core/algo/smooth/implicit_step.h"
 #include "core/algo/smooth/keep_volume.h"
 #include "core/algo/unit_scale.h"
@@ -14,10 +15,6 @@
 namespace ryosen::smooth {
 
 namespace {
-
-struct Sliding {
-  std::uint32_t point, before, after;
-};
 
 class Smoother {
  public:
@@ -66,6 +63,7 @@ class Smoother {
       if (options_.boundary == BoundaryRule::sliding) add_sliding(v);
       shares_[i] = 0;
     }
+    slide_.emplace(std::move(sliding_), places_);
   }
 
   bool ends_a_wire_or_fan(Vertex v) const {
@@ -85,23 +83,7 @@ class Smoother {
     const glm::dvec3 come = places_[v.index] - places_[before], go = places_[after] - places_[v.index];
     const double product = glm::dot(come, go), lengths = glm::length(come) * glm::length(go);
     if (product * product * 2 < lengths * lengths || product <= 0) return;  // it bends by more than 45 degrees
-    sliding_.push_back({v.index, before, after});
-    slide_shares_.push_back(shares_[v.index]);
-  }
-
-  // Towards the middle of the neighbours, but only along the line through both.
-  void slide(double strength) {
-    Places moved;
-    moved.reserve(sliding_.size());
-    for (std::size_t i = 0; i < sliding_.size(); ++i) {
-      const Sliding& s = sliding_[i];
-      const glm::dvec3 &here = places_[s.point], along = places_[s.after] - places_[s.before];
-      const glm::dvec3 middle = 0.5 * places_[s.before] + 0.5 * places_[s.after];
-      const double square = glm::dot(along, along);
-      const double part = square > 0 ? glm::dot(middle - here, along) / square : 0;
-      moved.push_back(here + (slide_shares_[i] * strength * part) * along);
-    }
-    for (std::size_t i = 0; i < sliding_.size(); ++i) places_[sliding_[i].point] = moved[i];
+    sliding_.push_back({v.index, before, after, shares_[v.index]});
   }
 
   bool take_step(Progress& progress) {
@@ -117,7 +99,7 @@ class Smoother {
       case Method::implicit:
         break;
     }
-    slide(std::min(s, 1.0));
+    slide_->step(std::min(s, 1.0), places_);
     laplacian_.weigh(triangles_, places_);
     std::vector<double> strengths = shares_;
     for (double& share : strengths) share *= s;
@@ -135,8 +117,7 @@ class Smoother {
         next[i] = here + (shares_[i] * strength) * (laplacian_.mean(i, places_, here) - here);
       }
     });
-    slide(strength);
-    for (const Sliding& s : sliding_) next[s.point] = places_[s.point];
+    slide_->step(strength, next);
     places_ = std::move(next);
   }
 
@@ -147,8 +128,8 @@ class Smoother {
   std::vector<Triangle> triangles_;
   Laplacian laplacian_;
   Places places_;  // scaled
-  std::vector<Sliding> sliding_;
-  std::vector<double> slide_shares_;
+  std::vector<BoundarySlide::Point> sliding_;
+  std::optional<BoundarySlide> slide_;
 };
 
 }  // namespace

@@ -18,8 +18,8 @@
 namespace ryosen::smooth {
 
 enum class Method { laplace, implicit, taubin };
-// locked: its points stay. sliding: they move along the boundary, towards the middle of their neighbours on it; where it
-// bends by more than 45 degrees they stay. free: they move as all others.
+// locked: its points stay. sliding: they move along the curve that the boundary was, towards the middle of their neighbours
+// on it; where it bends by more than 45 degrees they stay. free: they move as all others.
 enum class BoundaryRule { locked, sliding, free };
 
 struct Options {

@@ -109,9 +109,10 @@ ParameterRow choice_row(std::string_view id, std::string_view name_en, std::stri
 
 std::vector<ParameterRow> smoothing_parameters() {
   return {
-      choice_row("method", "Method", "方法",
-                 "laplace moves towards the neighbours, implicit takes large steps at once, taubin does not shrink",
-                 "laplace は近傍へ動かし、implicit は大きな一歩を安定に進め、taubin は縮めない", method_choices),
+      choice_row(
+          "method", "Method", "方法",
+          "laplace moves towards the neighbours, implicit takes large steps at once, taubin hardly shrinks or grows",
+          "laplace は近傍へ動かし、implicit は大きな一歩を安定に進め、taubin はほとんど縮まない", method_choices),
       {.id = "steps",
        .kind = ParameterKind::count,
        .name_en = "Steps",
@@ -125,15 +126,15 @@ std::vector<ParameterRow> smoothing_parameters() {
        .kind = ParameterKind::number,
        .name_en = "Strength",
        .name_ja = "強さ",
-       .help_en = "the share of the way to the neighbours; of implicit steps any number",
-       .help_ja = "近傍へ動く割合（陰解法では任意の正の数）",
+       .help_en = "the share of the way to the neighbours, at most 1; of implicit steps any number",
+       .help_ja = "近傍へ動く割合（1 以下。陰解法では任意の正の数）",
        .initial = "0.5",
        .smallest = 0,
        .largest = 1e12,
        .excludes_smallest = true},
       choice_row("weights", "Weights", "重み",
-                 "how much each neighbour counts: by the angles across from it, or all alike",
-                 "近傍の重み：向かいの角の余接、またはすべて等しく", weight_choices),
+                 "how much each neighbour counts: by the angles across from it (not below 0), or all alike",
+                 "近傍の重み：向かいの角の余接（負は 0）、またはすべて等しく", weight_choices),
       choice_row("boundary", "Boundary", "境界",
                  "boundary vertices stay, move along the boundary (its corners stay), or move as all others",
                  "境界の頂点を固定するか、境界に沿って動かす（角は固定）か、他と同じに動かす", boundary_choices),

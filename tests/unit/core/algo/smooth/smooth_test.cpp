@@ -153,6 +153,44 @@ TEST(Smooth, boundaries_stay_slide_or_move) {
   }
 }
 
+// Of a disc whose boundary is a loop of uneven edges, and of one in which two points of it are held by sharp corners.
+TEST(Smooth, sliding_points_stay_on_the_curve_that_the_boundary_was) {
+  constexpr std::uint32_t n = 24;
+  for (const bool has_corners : {false, true}) {
+    Polygons faces;
+    std::vector<glm::dvec3> places;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double angle = (i + 0.3 * std::sin(5.0 * i)) * 2 * std::numbers::pi / n;
+      const bool is_corner = has_corners && i % 12 == 0;
+      places.emplace_back((is_corner ? 1.5 : 1.0) *
+                          glm::dvec3(std::cos(angle), std::sin(angle), 0.2 * std::cos(2 * angle)));
+      faces.push_back({n, i, (i + 1) % n});
+    }
+    places.emplace_back(0, 0, 0);
+    const Mesh mesh = placed(faces, places);
+    for (const Method method : {Method::laplace, Method::implicit, Method::taubin}) {
+      const std::vector<glm::dvec3> after =
+          smoothed_places(mesh, {.method = method, .boundary = BoundaryRule::sliding, .steps = 300});
+      const auto way = [&](std::size_t i) { return glm::distance(after[i], after[(i + 1) % n]); };
+      for (std::size_t i = 0; i < n; ++i) {
+        double least = 1;
+        for (std::size_t k = 0; k < n; ++k) {
+          const glm::dvec3 &a = places[k], along = places[(k + 1) % n] - a;
+          const double t = std::clamp(glm::dot(after[i] - a, along) / glm::dot(along, along), 0.0, 1.0);
+          least = std::min(least, glm::distance(after[i], a + t * along));
+        }
+        EXPECT_LT(least, 1e-14) << i << " " << int(method);
+        if (has_corners && i % 12 == 0) {
+          EXPECT_EQ(after[i], places[i]);
+        }
+        if (!has_corners && method == Method::laplace) {
+          EXPECT_NEAR(way(i), way((i + 1) % n), 0.01) << "evenly in the end";
+        }
+      }
+    }
+  }
+}
+
 // What is linear over the plane has no curvature: with cotangents nothing there moves, however uneven the triangles.
 TEST(Smooth, by_cotangents_a_plane_stays_as_it_is) {
   Polygons faces;

@@ -45,6 +45,19 @@ TEST_F(InspectorPanel, a_normal_has_no_more_digits_than_are_seen) {
   EXPECT_EQ(drawn("001"), 1u) << "0 0 1";
 }
 
+TEST_F(InspectorPanel, an_edge_that_a_simplification_left_tells_its_rule) {
+  ASSERT_TRUE(gui.run(session, "simplify faces=0 triangulate=on max_turn=20").done());
+  ASSERT_TRUE(gui.run(session, "account").done());
+  ASSERT_TRUE(gui.run(session, "select none").done());
+  EXPECT_EQ(drawn("left by"), 0u);
+  ASSERT_TRUE(gui.run(session, "account normal").done());
+  EXPECT_EQ(drawn("left by"), 1u);
+  EXPECT_EQ(drawn("turn too far"), 1u);
+  ASSERT_TRUE(gui.run(session, "undo").done());
+  ASSERT_TRUE(gui.run(session, "select e0").done());
+  EXPECT_EQ(drawn("left by"), 0u);
+}
+
 TEST_F(InspectorPanel, what_to_point_at_is_what_the_tool_applies_to) {
   for (const auto& [line, text] : {std::pair("tool collapse", "Point at an edge."),
                                    {"tool poke", "Point at a face."},

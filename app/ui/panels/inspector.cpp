@@ -2,8 +2,10 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "app/editor/levels.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
+#include "core/algo/edge_rules.h"
 #include "core/geometry/polygon_normal.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/face_polygon.h"
@@ -85,6 +87,7 @@ class Inspector {
   void draw(Edge e) {
     const auto [a, b] = ends(m_, e);
     const auto [left, right] = faces(m_, e);
+    tell_rule(e);
     value(UiText::length, short_number(glm::length(m_.position(b) - m_.position(a))));
     const PointEdge on_points = point_edge(m_, halfedge(e));
     if (on_points.is_boundary()) note(UiText::boundary);
@@ -97,6 +100,15 @@ class Inspector {
       if (!f.is_none()) sides.push_back(f);
     links(UiText::faces, sides);
     links(UiText::halfedges, {halfedge(e, 0), halfedge(e, 1)});
+  }
+
+  // Why a simplification left it, where that is known.
+  void tell_rule(Edge e) {
+    const EdgeAccount* const account = context_.session.account();
+    if (!account || account->rules[e.index] == no_rule) return;
+    const EdgeRuleRow& rule = edge_rules[account->rules[e.index]];
+    labelled(context_, context_.text("left by", "残る理由"), context_.text(rule.name_en.data(), rule.name_ja.data()));
+    dim_text(context_, context_.text(rule.en.data(), rule.ja.data()));
   }
 
   // The dihedral angle: 180 degrees if coplanar, less at a ridge, more in a valley.

@@ -183,8 +183,7 @@ bool FlatRegions::holds(const Region& region, std::uint32_t number, const Triang
   const glm::dvec2 place = seen({middle, middle, middle}, region)[0];
   const Corners covering = seen(to_.places(below), region);
   for (std::size_t i = 0; i < 3; ++i)
-    if (!(sign(triangle[i], triangle[(i + 1) % 3], place) > 0) ||
-        sign(covering[i], covering[(i + 1) % 3], place) < 0)
+    if (!(sign(triangle[i], triangle[(i + 1) % 3], place) > 0) || sign(covering[i], covering[(i + 1) % 3], place) < 0)
       return false;
   return !is_entered(region, triangle);
 }

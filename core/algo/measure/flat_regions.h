@@ -27,7 +27,7 @@ class FlatRegions {
     std::size_t dropped = 0;  // the axis along which it is seen
     double turn = 1;          // the sign of its triangles seen so
     glm::dvec3 middle{0.0};
-    double uneven = 0;        // how far a corner is from the plane
+    double uneven = 0;                                  // how far a corner is from the plane
     std::uint32_t begin = 0, end = 0, root = no_index;  // in sides_, in nodes_
   };
   struct Node {
@@ -38,7 +38,8 @@ class FlatRegions {
 
   std::vector<std::array<std::uint32_t, 3>> find_neighbours() const;
   void grow(std::uint32_t from, const std::vector<std::array<std::uint32_t, 3>>& neighbours);
-  void add_border(std::span<const std::uint32_t> triangles, const std::vector<std::array<std::uint32_t, 3>>& neighbours);
+  void add_border(std::span<const std::uint32_t> triangles,
+                  const std::vector<std::array<std::uint32_t, 3>>& neighbours);
   std::uint32_t add_node(std::uint32_t begin, std::uint32_t end);
   Corners seen(const TrianglePlaces& places, const Region& region) const;
   bool holds(const Region& region, std::uint32_t number, const TrianglePlaces& places, std::uint32_t hint) const;

@@ -172,7 +172,8 @@ TEST(distance, has_a_tight_bound_where_surfaces_lie_along_each_other) {
     run_algorithm(mesh, journal, more);
     return mesh;
   };
-  const Mesh coarse = plate("unite_planar"), fine = plate("remesh length=0.05"), apart = plate("translate by=0,0,0.001");
+  const Mesh coarse = plate("unite_planar"), fine = plate("remesh length=0.05"),
+             apart = plate("translate by=0,0,0.001");
   Progress unheard;
   const auto along = surface_distance(coarse, fine, {}, unheard);
   EXPECT_LT(along->hausdorff, 1e-8);

@@ -177,6 +177,7 @@ bool FlatRegions::holds(const Region& region, std::uint32_t number, const Triang
   if (!(sign(corners[0], corners[1], corners[2]) != 0)) return false;
   Corners triangle = corners;
   if (sign(corners[0], corners[1], corners[2]) < 0) std::swap(triangle[1], triangle[2]);
+  if (is_entered(region, triangle)) return false;
   const glm::dvec3 middle = (places[0] + places[1] + places[2]) / 3.0;
   const std::uint32_t below = to_.nearest(middle, hint).triangle;
   if (region_of_[below] != number) return false;
@@ -185,7 +186,7 @@ bool FlatRegions::holds(const Region& region, std::uint32_t number, const Triang
   for (std::size_t i = 0; i < 3; ++i)
     if (!(sign(triangle[i], triangle[(i + 1) % 3], place) > 0) || sign(covering[i], covering[(i + 1) % 3], place) < 0)
       return false;
-  return !is_entered(region, triangle);
+  return true;
 }
 
 double FlatRegions::bound_of(const FarthestCell& cell) const {

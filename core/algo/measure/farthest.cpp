@@ -74,7 +74,7 @@ class Search {
         farthest_.cuts += one.steps;
       }
       // Worth their cost by then.
-      if (!regions_ && farthest_.cuts > 4096 + to_.size() / 4) regions_.emplace(to_);
+      if (!regions_ && farthest_.cuts > 4096 + 2 * std::uint64_t{to_.size()}) regions_.emplace(to_);
     }
     farthest_.bound = std::max({farthest_.bound, farthest_.distance, largest_bound()});
     return true;

@@ -1,8 +1,11 @@
 #include "core/algo/measure/farthest.h"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include "core/algo/measure/cut_cell.h"
+#include "core/algo/measure/flat_regions.h"
 #include "core/base/parallel.h"
 
 namespace ryosen {
@@ -22,7 +25,15 @@ struct Looked {
   std::uint32_t steps = 0;
 };
 
-void look_through(Looked& one, const TriangleTree& to, FarEnough enough, std::uint32_t most_steps) {
+double bound_of(const TriangleTree& to, const FlatRegions* regions, const FarthestCell& cell, double wanted) {
+  const double bound = bound_of(to, cell, wanted);
+  return bound > wanted && regions ? std::min(bound, regions->bound_of(cell)) : bound;
+}
+
+void look_through(Looked& one, const TriangleTree& to, const FlatRegions* regions, FarEnough enough,
+                  std::uint32_t most_steps) {
+  // It may have come from where regions were not known.
+  if (regions) one.open.back().bound = std::min(one.open.back().bound, regions->bound_of(one.open.back().cell));
   while (!one.open.empty() && one.steps < most_steps) {
     const OpenCell here = one.open.back();
     one.open.pop_back();
@@ -36,7 +47,7 @@ void look_through(Looked& one, const TriangleTree& to, FarEnough enough, std::ui
     for (std::size_t i = 0; i < parts.new_places; ++i) one.farthest.note(parts.places[i], parts.distances[i]);
     const std::size_t first = one.open.size();
     for (std::size_t i = 0; i < parts.count; ++i)
-      one.open.push_back({parts.cells[i], std::min(here.bound, bound_of(to, parts.cells[i], wanted))});
+      one.open.push_back({parts.cells[i], std::min(here.bound, bound_of(to, regions, parts.cells[i], wanted))});
     std::sort(one.open.begin() + static_cast<std::ptrdiff_t>(first), one.open.end(), is_nearer);
   }
 }
@@ -55,12 +66,15 @@ class Search {
       const auto tasks = static_cast<unsigned>((looked.size() + 7) / 8);
       for_each_task(tasks, threads, [&](unsigned task) {
         for (std::size_t i = task * std::size_t{8}; i < std::min(looked.size(), (task + std::size_t{1}) * 8); ++i)
-          look_through(looked[i], to_, enough_, steps_at_once);
+          look_through(looked[i], to_, regions_ ? &*regions_ : nullptr, enough_, steps_at_once);
       });
       for (const Looked& one : looked) {
         take(one);
         most_steps -= std::min<std::uint64_t>(most_steps, one.steps + 1);
+        farthest_.cuts += one.steps;
       }
+      // Worth their cost by then.
+      if (!regions_ && farthest_.cuts > 4096 + 2 * std::uint64_t{to_.size()}) regions_.emplace(to_);
     }
     farthest_.bound = std::max({farthest_.bound, farthest_.distance, largest_bound()});
     return true;
@@ -105,6 +119,7 @@ class Search {
   const TriangleTree& to_;
   const FarCells& cells_;
   const FarEnough enough_;
+  std::optional<FlatRegions> regions_;
   std::size_t next_ = 0;
   std::vector<OpenCell> rest_;  // of cells that took many steps; a heap, the farthest on top
 };

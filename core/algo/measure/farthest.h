@@ -19,6 +19,7 @@ struct FarEnough {
 struct Farthest {
   double distance = 0, bound = 0;
   glm::dvec3 place{0.0};
+  std::uint64_t cuts = 0;  // so many cells were cut for it
 
   void note(const glm::dvec3& at, double far) {
     if (far > distance) distance = far, place = at;

@@ -48,7 +48,8 @@ bool measure_one_way(OneWayDistance& way, const TriangleTree& from, const Triang
       !progress.go_on(static_cast<std::size_t>(1000 * share_of_samples), 1000) ||
       !search_open_cells(samples, from, to, enough, threads, progress))
     return false;
-  const auto& [distance, bound, place] = samples.farthest;
+  const auto& [distance, bound, place, cuts] = samples.farthest;
+  way.cuts = cuts;
   way.area = samples.area;
   way.samples = samples.sums.samples;
   way.mean = samples.sums.distance / samples.sums.weight;

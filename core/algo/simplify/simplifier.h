@@ -58,7 +58,7 @@ class Simplifier {
   std::size_t still_turned() const { return still_turned_; }
   std::size_t asked() const { return asked_; }
   std::uint64_t looked_at() const {
-    return surface_.looked_at() + (sides_ ? sides_->looks() : 0) + (guard_ ? guard_->looks() : 0);
+    return surface_.looked_at() + warmed_ + (sides_ ? sides_->looks() : 0) + (guard_ ? guard_->looks() : 0);
   }
   // The largest error of all collapses, in units of the mesh.
   double error_max() const { return surface_.scale().restored_length(error_max_); }
@@ -114,7 +114,7 @@ class Simplifier {
   bool turns_fewer(Halfedge h, const Placing& placing) const;
   bool take_batch();
   void ask(Edge e);
-  void warm_rings() const;
+  void warm_rings();
   Answer try_again(const Candidate& candidate);
   Answer try_edge(const Freedom& freedom, const Placing& lowest);
   Answer try_place(const Freedom& freedom, const Placing& placing, Legality legality);
@@ -166,6 +166,7 @@ class Simplifier {
   mutable std::map<std::pair<Vertex, Vertex>, HubPair> hub_pairs_;
   std::size_t collapses_ = 0, asked_ = 0, removed_parts_ = 0, swaps_ = 0, turned_ = 0, still_turned_ = 0,
               passed_on_ = 0;
+  std::uint64_t warmed_ = 0;  // edges around the ends of those that were about to collapse
   double error_max_ = 0;
   bool minds_input_ = true;  // until nothing else can collapse
 };

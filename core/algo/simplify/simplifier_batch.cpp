@@ -16,6 +16,7 @@ constexpr std::size_t links_ahead = 16, ends_ahead = 8;
 // A walk around a vertex.
 struct Walk {
   Halfedge start, at;
+  std::size_t steps = 0;
 };
 
 }  // namespace
@@ -44,15 +45,17 @@ void Simplifier::ask(Edge e) {
     batch_.push_back({e, freedom, lowest, surface_.history(freedom.halfedge)});
 }
 
-// Asks from memory what the collapses of a batch will walk along: around both ends of each, several walks together.
-void Simplifier::warm_rings() const {
-  constexpr std::size_t together = 16;
+// Asks from memory what the collapses of a batch will walk along: around both ends of each, several walks together. Around a
+// hub nothing walks for each of its edges, so that this does not either.
+void Simplifier::warm_rings() {
+  constexpr std::size_t together = 16, most_steps = 64;
   std::array<Walk, together> walks;
   std::size_t next = 0, active = 0;
   const std::size_t all = 2 * batch_.size();
   const auto begin = [&](Walk& walk) {
     const Halfedge h = batch_[next / 2].freedom.halfedge;
     walk.start = walk.at = next++ % 2 == 0 ? h : twin(h);
+    walk.steps = 0;
   };
   while (active < together && next < all) begin(walks[active++]);
   while (active > 0)
@@ -61,7 +64,8 @@ void Simplifier::warm_rings() const {
       surface_.prefetch_place(mesh_.to(walk.at));
       walk.at = twin(mesh_.prev(walk.at));
       prefetch(mesh_, walk.at);
-      if (walk.at != walk.start) {
+      ++warmed_;
+      if (walk.at != walk.start && ++walk.steps < most_steps) {
         ++i;
       } else if (next < all) {
         begin(walk);

@@ -172,7 +172,8 @@ TEST(distance, has_a_tight_bound_where_surfaces_lie_along_each_other) {
     run_algorithm(mesh, journal, more);
     return mesh;
   };
-  const Mesh coarse = plate("unite_planar"), fine = plate("remesh length=0.05"), apart = plate("translate by=0,0,0.001");
+  const Mesh coarse = plate("unite_planar"), fine = plate("remesh length=0.05"),
+             apart = plate("translate by=0,0,0.001");
   Progress unheard;
   const auto along = surface_distance(coarse, fine, {}, unheard);
   EXPECT_LT(along->hausdorff, 1e-8);
@@ -347,6 +348,41 @@ TEST(distance, of_fans_asks_for_few_triangles) {
   };
   EXPECT_LT(looked_at(2000), 40);
   EXPECT_LT(looked_at(8000), 80) << "but for those that are as near within the rounding of boxes";
+}
+
+// Two discs cut into triangles in their own ways have n * n pairs of triangles that lie above each other.
+TEST(distance, of_flat_discs_cuts_few_cells_however_they_are_cut_into_triangles) {
+  const auto disc = [](std::uint32_t n, double turn, bool is_fan) {
+    std::vector<glm::dvec3> positions;
+    FaceLists faces;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double angle = turn + 6.283185307179586 * i / n;
+      positions.emplace_back(std::cos(angle), std::sin(angle), 0);
+    }
+    if (is_fan) positions.emplace_back(0, 0, 0);
+    if (!is_fan) faces.emplace_back();
+    for (std::uint32_t i = 0; i < n; ++i)
+      if (is_fan)
+        faces.push_back({n, i, (i + 1) % n});
+      else
+        faces[0].push_back(i);
+    return from_indexed(listed(std::move(positions), faces));
+  };
+  Progress none;
+  for (const auto& [turn, is_fan] : {std::pair(0.0, true), std::pair(0.001, false)}) {
+    std::uint64_t before = 0;
+    for (const std::uint32_t n : {300u, 600u, 1200u}) {
+      const auto found =
+          surface_distance(disc(n, 0, false), disc(n, turn, is_fan), DistanceOptions{.samples = 1}, none);
+      const std::uint64_t cuts = found->forward.cuts + found->backward.cuts;
+      EXPECT_LT(found->hausdorff_gap, 1e-9) << n;
+      EXPECT_LT(cuts, 40000 + 40 * n) << n;
+      if (n > 300) {
+        EXPECT_LT(cuts, 2.6 * static_cast<double>(before) + 20000) << n;
+      }
+      before = cuts;
+    }
+  }
 }
 
 TEST(distance, ends_where_it_is_cancelled) {

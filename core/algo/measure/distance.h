@@ -31,8 +31,8 @@ struct DistanceOptions {
 // up to the rounding of coordinates, about 1e-15 of the largest.
 struct OneWayDistance {
   double mean = 0, rms = 0, hausdorff = 0, hausdorff_gap = 0;
-  glm::dvec3 from{0.0}, to{0.0};  // where the largest distance was found, and the nearest point there
-  Face face;                      // that `from` is on
+  glm::dvec3 from{0.0}, to{0.0};        // where the largest distance was found, and the nearest point there
+  Face face;                            // that `from` is on
   std::uint64_t samples = 0, cuts = 0;  // cuts: of cells whose bound was not good enough
   double area = 0;
   std::size_t faces = 0, left_out = 0;  // measured; not measured since a corner is not finite

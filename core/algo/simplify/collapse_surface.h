@@ -24,8 +24,8 @@ struct CollapseLimits {
   BoundaryMode boundary = BoundaryMode::weighted;
   double error = std::numeric_limits<double>::infinity();  // in units of the mesh
   double turn_rad = 1.5707963267948966;                    // a collapse turns a normal by less; at most a quarter turn
-  double smallest_angle_rad = 0;         // no face gets a smaller one, or one smaller than it had where that was less
-  std::vector<std::uint8_t> fixed = {};  // by vertex slot: not 0, it stays; empty: none has to
+  double smallest_angle_rad = 0;          // no face gets a smaller one, or one smaller than it had where that was less
+  std::vector<std::uint8_t> fixed = {};   // by vertex slot: not 0, it stays; empty: none has to
   std::span<const Vertex> on_lines = {};  // something beside the mesh hangs on them, so that they stay, too
 };
 

@@ -233,7 +233,7 @@ void NearFaces::put(Face f, std::uint32_t at, Halfedge corner) {
 }
 
 void NearFaces::enlarge(std::uint32_t hub, const TriangleCorners& corners) {
-  Box own = box_of(corners), all = own;
+  Box all = box_of(corners);
   const bool is_known = around_hubs_.primitive(hub).size() > 0;
   if (is_known) all.add(Box{ends_[2 * hub], ends_[2 * hub + 1]});
   if (is_known && all.lowest == ends_[2 * hub] && all.highest == ends_[2 * hub + 1]) return;

@@ -84,28 +84,6 @@ Halfedge halfedge_between(const Mesh& mesh, Vertex from, Vertex to) {
   return sheets.empty() ? Halfedge() : sheets.front();
 }
 
-// Each call by itself.
-class OneByOne : public OpSeries {
- public:
-  explicit OneByOne(Edit& edit) : edit_(edit) {}
-  std::optional<Rule> broken_rule(const AnyOp& op) override {
-    const Verdict verdict = check(edit_.mesh(), op);
-    return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
-  }
-  std::optional<Rule> doubt(const AnyOp& op) override {
-    const std::vector<Reason> doubts = warnings(edit_.mesh(), op);
-    return doubts.empty() ? std::nullopt : std::optional(doubts[0].rule);
-  }
-  void apply(const AnyOp& op) override { ryosen::apply(edit_, op); }
-
- private:
-  Edit& edit_;
-};
-
-std::unique_ptr<OpSeries> series_of(const OpInfo& op, Edit& edit) {
-  return op.in_series ? op.in_series(edit) : std::make_unique<OneByOne>(edit);
-}
-
 class Calls {
  public:
   Calls(Edit& edit, const OpInfo& op, Words arguments, bool strict)

@@ -84,28 +84,6 @@ Halfedge halfedge_between(const Mesh& mesh, Vertex from, Vertex to) {
   return sheets.empty() ? Halfedge() : sheets.front();
 }
 
-// Each call by itself.
-class OneByOne : public OpSeries {
- public:
-  explicit OneByOne(Edit& edit) : edit_(edit) {}
-  std::optional<Rule> broken_rule(const AnyOp& op) override {
-    const Verdict verdict = check(edit_.mesh(), op);
-    return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
-  }
-  std::optional<Rule> doubt(const AnyOp& op) override {
-    const std::vector<Reason> doubts = warnings(edit_.mesh(), op);
-    return doubts.empty() ? std::nullopt : std::optional(doubts[0].rule);
-  }
-  void apply(const AnyOp& op) override { ryosen::apply(edit_, op); }
-
- private:
-  Edit& edit_;
-};
-
-std::unique_ptr<OpSeries> series_of(const OpInfo& op, Edit& edit) {
-  return op.in_series ? op.in_series(edit) : std::make_unique<OneByOne>(edit);
-}
-
 class Calls {
  public:
   Calls(Edit& edit, const OpInfo& op, Words arguments, bool strict)
@@ -247,6 +225,15 @@ CalledWith called_with(const Mesh& mesh, const OpInfo& op, std::span<const Eleme
 
 namespace {
 
+// What may stand for the last one after it was called with another, the first that lives: itself, the other one, or what
+// is left of their points, where both were bare copies.
+std::vector<Element> heirs_of(const Mesh& mesh, const Element& last, const Element& other) {
+  std::vector<Element> heirs{last, other};
+  for (const Element& e : {last, other})
+    if (e.kind == Element::Kind::vertex && is_alive(mesh, e)) heirs.emplace_back(point(mesh, e.vertex()));
+  return heirs;
+}
+
 // In ascending order; again those that were refused, as long as anything is done, where `is_in_place`.
 // There `strict` does all or nothing: no selection of what was done would say the same without it.
 void call_in_turn(Calls& calls, std::vector<Element> taken, bool is_in_place, bool strict, Element* last,
@@ -257,8 +244,10 @@ void call_in_turn(Calls& calls, std::vector<Element> taken, bool is_in_place, bo
     const std::size_t done = calls.result().done;
     for (std::size_t i = 0; i < taken.size(); ++i) {
       if (!progress.go_on(all - taken.size() + i, all)) return;
+      const std::vector<Element> heirs = last ? heirs_of(calls.mesh(), *last, taken[i]) : std::vector<Element>();
       if (!calls.call(taken[i], last)) return;
-      if (last && !is_alive(calls.mesh(), *last)) *last = taken[i];  // the lower number has stayed
+      const auto lives = [&](const Element& e) { return is_alive(calls.mesh(), e); };
+      if (last) *last = *std::find_if(heirs.begin(), heirs.end(), lives);
     }
     if (!is_in_place || calls.result().refusals() == 0 || calls.result().done == done) break;
     taken = calls.take_refused();

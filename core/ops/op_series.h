@@ -1,6 +1,7 @@
 // Many calls of one operator, one after another: what the row of an operator may do at less cost than call by call.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "core/ops/all.h"
@@ -21,5 +22,20 @@ class OpSeries {
   // After the last call.
   virtual void settle() {}
 };
+
+// Each call by itself.
+class OneByOne : public OpSeries {
+ public:
+  explicit OneByOne(Edit& edit) : edit_(edit) {}
+  std::optional<Rule> broken_rule(const AnyOp& op) override;
+  std::optional<Rule> doubt(const AnyOp& op) override;
+  void apply(const AnyOp& op) override { ryosen::apply(edit_, op); }
+
+ protected:
+  Edit& edit_;
+};
+
+// The one that the row of the operator names, else each call by itself.
+std::unique_ptr<OpSeries> series_of(const OpInfo& op, Edit& edit);
 
 }  // namespace ryosen

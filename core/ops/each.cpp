@@ -247,7 +247,7 @@ void call_in_turn(Calls& calls, std::vector<Element> taken, bool is_in_place, bo
       const std::vector<Element> heirs = last ? heirs_of(calls.mesh(), *last, taken[i]) : std::vector<Element>();
       if (!calls.call(taken[i], last)) return;
       const auto lives = [&](const Element& e) { return is_alive(calls.mesh(), e); };
-      if (last) *last = *std::find_if(heirs.begin(), heirs.end(), lives);
+      if (const auto heir = std::find_if(heirs.begin(), heirs.end(), lives); heir != heirs.end()) *last = *heir;
     }
     if (!is_in_place || calls.result().refusals() == 0 || calls.result().done == done) break;
     taken = calls.take_refused();

@@ -9,6 +9,7 @@
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/lines/arguments.h"
+#include "core/ops/op_series.h"
 #include "core/ops/rules/corner_values.h"
 #include "core/ops/rules/face_geometry.h"
 #include "core/ops/rules/pinch.h"
@@ -33,6 +34,8 @@ void check_copies(const Mesh& m, Vertex a, Vertex b, Verdict& verdict) {
     if (!m.is_isolated(v) && !m.is_boundary(v)) verdict.refuse(Rule::no_gap, {v, m.face(m.halfedge(v))});
   std::set<Vertex> at_a;
   for (Vertex v : neighbours(m, a)) at_a.insert(v);
+  for (Halfedge h : outgoing(m, b))
+    if (m.to(h) == a) verdict.refuse(Rule::edge_exists, {edge(h)});
   for (Halfedge h : outgoing(m, b))
     if (at_a.contains(m.to(h)))
       verdict.refuse(Rule::common_neighbour, {point(m, m.to(h)), edge(find_halfedge(m, a, m.to(h))), edge(h)});
@@ -59,6 +62,7 @@ std::pair<Vertex, Vertex> by_valence(const Mesh& m, Vertex a, Vertex b) {
 bool can_be_one(const Mesh& m, Vertex a, Vertex b) {
   for (Vertex v : {a, b})
     if (m.is_isolated(v) || !m.is_boundary(v)) return false;
+  if (have_edge(m, a, b)) return false;
   const auto [few, many] = by_valence(m, a, b);
   const auto to_few = neighbours(m, few);
   return std::none_of(to_few.begin(), to_few.end(), [&, other = many](Vertex v) { return have_edge(m, v, other); });
@@ -195,35 +199,103 @@ void make_one(Edit& edit, Sheets& sheets, Vertex a, Vertex b) {
   sheets.join_corner(m.prev(m.halfedge(a)), m.halfedge(b));
 }
 
+// After the two points have become one, which this vertex belongs to.
+void know(const Mesh& m, Vertex v, bool has_new_fan, SettledPoint& known) {
+  const bool is_new = known.at.is_none();
+  known.at = v;
+  if (is_new) for_each_copy(m, v, [&](Vertex copy) { known.unsettled.push_back(copy); });
+  if (has_new_fan) known.unsettled.push_back(v);
+}
+
+void forget(SettledPoint& known) { known = {{}, {}, {}, known.looks}; }
+
+// What is looked at where two points become one: all of the one that comes, and what has changed at the other one.
+std::vector<Vertex> take_joined(const Mesh& m, Vertex comes, SettledPoint& known) {
+  std::vector<Vertex> joined = std::exchange(known.changed, {});
+  std::erase_if(joined, [&](Vertex v) { return !m.is_alive(v); });
+  for_each_copy(m, comes, [&](Vertex copy) { joined.push_back(copy); });
+  return joined;
+}
+
 }  // namespace
 
 OpEffect Weld::apply(Edit& edit) const {
+  SettledPoint unknown;
+  return apply(edit, unknown);
+}
+
+OpEffect Weld::apply(Edit& edit, SettledPoint& known) const {
   const Mesh& m = edit.mesh();
   assert(check(m).legal());
   Sheets sheets(edit);
-  const bool is_one_point = !first && same_point(m, a, b);
+  const bool is_one_point = !first && same_point(m, a, b), are_two_points = !first && !is_one_point;
   WeldPairs pairs;
   if (first) pairs = pairs_of_edges(m, first, second);
-  if (!first && !is_one_point) pairs = {{b, a}};
+  if (are_two_points) pairs = {{b, a}};
+  bool is_known = are_two_points && known.at && m.is_alive(known.at) && same_point(m, known.at, a);
+  std::vector<Vertex> joined, touched;
+  if (is_known) joined = take_joined(m, b, known);
   for (const auto& [goes, stays] : pairs) {
     move_whole(edit, sheets, stays, place_of(m, *this, goes, stays));
     unite_points(edit, sheets, goes, stays);
   }
-  if (is_one_point) move_whole(edit, sheets, a, place_of(m, *this, b, a));
-  std::vector<Vertex> touched;
+  if (is_one_point) {
+    move_whole(edit, sheets, a, place_of(m, *this, b, a));
+    pairs = {{a, b}};
+  }
   for (const auto& [goes, stays] : pairs) {
     for (Vertex v : {goes, stays})
-      if (m.is_isolated(v) && has_copies(m, v)) sheets.remove_vertex(v);
+      if (m.is_isolated(v) && has_copies(m, v)) {
+        sheets.remove_vertex(v);
+        is_known = false;  // another one may have taken its number
+      }
     touched.push_back(std::min(goes, stays));
   }
-  if (is_one_point) {
-    for (Vertex v : {a, b})
-      if (m.is_isolated(v) && has_copies(m, v)) sheets.remove_vertex(v);
-    touched.push_back(std::min(a, b));
+  if (is_known) {
+    sheets.settle_joined(std::move(joined), known);
+  } else {
+    sheets.settle(touched);
+    forget(known);
   }
-  sheets.settle(touched);
-  if (!first && m.is_alive(a) && m.is_alive(b) && can_be_one(m, a, b)) make_one(edit, sheets, a, b);
+  known.looks += sheets.looks();
+  const bool are_one = !first && m.is_alive(a) && m.is_alive(b) && can_be_one(m, a, b);
+  if (are_one) make_one(edit, sheets, a, b);
+  if (are_two_points) know(m, m.is_alive(a) ? a : b, are_one, known);
   return sheets.finish();
 }
+
+namespace {
+
+// Knows what has come together at the last point from call to call.
+class Welds : public OneByOne {
+ public:
+  using OneByOne::OneByOne;
+  void apply(const AnyOp& op) override {
+    if (const Weld* const weld = std::get_if<Weld>(&op))
+      weld->apply(edit_, known_);
+    else
+      collapse(op);
+  }
+
+ private:
+  // Along the edge between the two.
+  void collapse(const AnyOp& op) {
+    const Mesh& m = edit_.mesh();
+    const Halfedge h = halfedge_of(op);
+    const Vertex both[] = {m.from(h), m.to(h)};
+    ryosen::apply(edit_, op);
+    if (!known_.at) return;
+    const bool is_there = m.is_alive(known_.at);
+    for (const Vertex v : both)
+      if (m.is_alive(v) && is_there && same_point(m, v, known_.at)) return known_.changed.push_back(v);
+    forget(known_);
+  }
+
+  SettledPoint known_;
+};
+
+}  // namespace
+
+std::unique_ptr<OpSeries> welds_in_series(Edit& edit) { return std::make_unique<Welds>(edit); }
 
 }  // namespace ryosen

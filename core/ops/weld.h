@@ -13,6 +13,8 @@
 // inverse: separate_fans and detach.
 #pragma once
 
+#include <memory>
+
 #include "core/ops/op.h"
 
 namespace ryosen {
@@ -21,6 +23,10 @@ namespace ryosen {
 std::vector<Element> vertices_of_elements(const Mesh& mesh, std::span<const Element> selected);
 inline constexpr InPlaceOf all_their_vertices{vertices_of_elements, "faces, for all of their vertices",
                                               "面（その頂点すべて）"};
+
+struct SettledPoint;
+// Each costs what is near the vertex that is welded into the last, not what has come together there.
+std::unique_ptr<OpSeries> welds_in_series(Edit& edit);
 
 struct Weld {
   enum class Place { first, middle, point };
@@ -47,7 +53,8 @@ struct Weld {
       Subject::edge,
       OnSelection::into_last,
       &all_their_vertices,
-      "collapse"};
+      "collapse",
+      welds_in_series};
 
   static Parsed<Weld> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Weld at(const Mesh&, const OpTarget&) { return {}; }
@@ -56,6 +63,8 @@ struct Weld {
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  // The same where the point of `a` may be known from the call before (rules/sheets.h), and is known for the next one.
+  OpEffect apply(Edit& edit, SettledPoint& known) const;
 };
 
 }  // namespace ryosen

@@ -21,6 +21,7 @@ class CollapseJudge {
 
   Verdict judge() {
     check_wire();
+    check_other_wires();
     check_inner_edge();
     check_closed_cuts();
     check_apexes();
@@ -44,6 +45,13 @@ class CollapseJudge {
     if (!m_.is_wire(edge(h_))) return;
     if (count_fans(m_, gone_) > 0 && has_fans_on_point(kept_)) verdict_.refuse(Rule::joins_fans, {gone_, kept_});
     if (m_.next(h_) == twin(h_) && m_.prev(h_) == twin(h_)) verdict_.refuse(Rule::lone_edge, {edge(h_)});
+  }
+
+  // Another wire between the two points would begin and end at one.
+  void check_other_wires() {
+    for (Halfedge g : outgoing(m_, gone_))
+      if (g != h_ && m_.is_wire(edge(g)) && same_point(m_, m_.to(g), kept_))
+        verdict_.refuse(Rule::edge_exists, {edge(g)});
   }
 
   void check_inner_edge() {

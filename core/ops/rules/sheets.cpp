@@ -30,17 +30,6 @@ std::vector<Halfedge> cycle_of(const Mesh& m, Halfedge start) {
   return found;
 }
 
-// The live copies of the points, each given by any of them, ascending.
-std::vector<Vertex> live_copies(const Mesh& m, std::span<const Vertex> given) {
-  std::vector<Vertex> points, found;
-  for (Vertex v : given)
-    if (m.is_alive(v)) points.push_back(point(m, v));
-  sort_unique(points);
-  for (Vertex p : points) for_each_copy(m, p, [&](Vertex copy) { found.push_back(copy); });
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
 // Like leave_copies(); where v is the copy after the other one, which is lower, without a walk around all of them.
 void leave_copies_of(Edit& edit, Vertex lower, Vertex v) {
   const Mesh& m = edit.mesh();
@@ -52,6 +41,16 @@ void leave_copies_of(Edit& edit, Vertex lower, Vertex v) {
 bool has_one_face(const Mesh& m, Halfedge h) { return m.is_outside(h) != m.is_outside(twin(h)); }
 
 }  // namespace
+
+std::vector<Vertex> live_copies(const Mesh& m, std::span<const Vertex> given) {
+  std::vector<Vertex> points, found;
+  for (Vertex v : given)
+    if (m.is_alive(v)) points.push_back(point(m, v));
+  sort_unique(points);
+  for (Vertex p : points) for_each_copy(m, p, [&](Vertex copy) { found.push_back(copy); });
+  std::sort(found.begin(), found.end());
+  return found;
+}
 
 std::vector<Face> faces_of_sheet(const Mesh& mesh, Face f, std::size_t enough,
                                  const std::function<bool(Face)>& is_last) {
@@ -307,12 +306,13 @@ bool Sheets::is_closed_cut(Halfedge h) const {
 }
 
 // Edges with two faces that reading would cut. Their other ends are added to the vertices.
-std::vector<Halfedge> Sheets::sheets_to_open(std::vector<Vertex>& vertices) const {
+std::vector<Halfedge> Sheets::sheets_to_open(std::vector<Vertex>& vertices) {
   const Mesh& m = edit_.mesh();
   std::vector<Halfedge> found;
   std::unordered_set<Vertex> met(vertices.begin(), vertices.end());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     for (Halfedge h : outgoing(m, vertices[i])) {
+      ++looks_;
       if (m.is_outside(h) || m.is_outside(twin(h)) || !is_cut_on_points(m, h) || is_closed_cut(h)) continue;
       found.push_back(std::min(h, twin(h)));
       if (met.insert(m.to(h)).second) vertices.push_back(m.to(h));
@@ -323,12 +323,13 @@ std::vector<Halfedge> Sheets::sheets_to_open(std::vector<Vertex>& vertices) cons
 }
 
 // Finds the ends of double edges (two edges between the same vertices), which can result from merging vertices.
-void Sheets::add_double_ends(std::span<const Vertex> vertices, std::vector<Vertex>& found) const {
+void Sheets::add_double_ends(std::span<const Vertex> vertices, std::vector<Vertex>& found) {
   const Mesh& m = edit_.mesh();
   std::vector<Vertex> ends;
   for (Vertex v : vertices) {
     ends.clear();
     for (Vertex end : neighbours(m, v)) ends.push_back(end);
+    looks_ += ends.size();
     std::sort(ends.begin(), ends.end());
     for (std::size_t i = 1; i < ends.size(); ++i)
       if (ends[i] == ends[i - 1]) found.insert(found.end(), {v, ends[i]});
@@ -336,11 +337,12 @@ void Sheets::add_double_ends(std::span<const Vertex> vertices, std::vector<Verte
 }
 
 // Edges with one face each whose points have exactly two faces, in opposite directions: reading would join them.
-std::vector<Halfedge> Sheets::sheets_to_join(std::span<const Vertex> vertices) const {
+std::vector<Halfedge> Sheets::sheets_to_join(std::span<const Vertex> vertices) {
   const Mesh& m = edit_.mesh();
   std::vector<Halfedge> found;
   for (Vertex v : vertices) {
     for (Halfedge h : outgoing(m, v)) {
+      ++looks_;
       if (!has_one_face(m, h)) continue;
       const PointEdge faces = point_edge(m, h);
       if (faces.forward == 1 && faces.backward == 1) found.push_back(h);
@@ -372,6 +374,7 @@ void Sheets::close_double_edges(Vertex v) {
   std::vector<std::pair<Vertex, Halfedge>> ends;
   if (m.is_alive(v))
     for (Halfedge h : outgoing(m, v)) ends.emplace_back(m.to(h), h);
+  looks_ += ends.size();
   std::sort(ends.begin(), ends.end());
   for (std::size_t i = 1; i < ends.size(); ++i) {
     Halfedge h = ends[i].second, other = ends[i - 1].second;

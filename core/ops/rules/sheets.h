@@ -30,6 +30,9 @@ struct Fan {
   bool is_closed() const { return first.is_none(); }
 };
 
+// The live copies of the points, each given by any of them, ascending.
+std::vector<Vertex> live_copies(const Mesh& mesh, std::span<const Vertex> given);
+
 // Ascending by lowest face. O(valence).
 std::vector<Fan> fans_at(const Mesh& mesh, Vertex v);
 
@@ -40,6 +43,15 @@ std::vector<Face> faces_of_sheet(const Mesh& mesh, Face f,
 // The same, but also stops after the first face that satisfies `is_last`.
 std::vector<Face> faces_of_sheet(const Mesh& mesh, Face f, std::size_t enough,
                                  const std::function<bool(Face)>& is_last);
+
+// What is known of a point that others are joined to, one after another: all around it is as settle() leaves it, but for
+// what is listed.
+struct SettledPoint {
+  Vertex at;                      // one of its copies; none: nothing is known
+  std::vector<Vertex> changed;    // vertices of it around which something else has changed since then
+  std::vector<Vertex> unsettled;  // vertices that may have several fans
+  std::uint64_t looks = 0;        // halfedges that were looked at so far: what the work is measured by
+};
 
 // The surgery of one operator. Records what was created, deleted and changed; finish() returns it.
 class Sheets {
@@ -63,6 +75,9 @@ class Sheets {
   // anything was cut or joined, every vertex gets one fan. Points may be given by any live copy; dead vertices are
   // skipped.
   void settle(std::span<const Vertex> points);
+  // The same around a known point that these vertices have become copies of. Cost: what is around them and around what
+  // is listed, which is kept.
+  void settle_joined(std::vector<Vertex> joined, SettledPoint& known);
   // Deletes an isolated vertex. If it is the representative of its point, another copy takes over the number.
   void remove_vertex(Vertex v) { remove_vertices({&v, 1}); }
   // The same for several, given in descending order. Cost: the copies of their points, once.
@@ -76,13 +91,17 @@ class Sheets {
   void changed(Face f);
   void changed_around(Vertex v);
   OpEffect finish();
+  // Halfedges that were looked at to find what is to be cut and joined.
+  std::uint64_t looks() const { return looks_; }
 
  private:
   void rename(std::span<const Halfedge> leaving, Vertex v);
   bool is_closed_cut(Halfedge h) const;
-  std::vector<Halfedge> sheets_to_open(std::vector<Vertex>& vertices) const;
-  std::vector<Halfedge> sheets_to_join(std::span<const Vertex> vertices) const;
-  void add_double_ends(std::span<const Vertex> vertices, std::vector<Vertex>& found) const;
+  std::vector<Halfedge> sheets_to_open(std::vector<Vertex>& vertices);
+  std::vector<Halfedge> sheets_to_join(std::span<const Vertex> vertices);
+  std::vector<Halfedge> first_halves(std::span<const Halfedge> halves, Vertex at) const;
+  std::vector<Vertex> left_at(const SettledPoint& known, std::span<const Vertex> touched);
+  void add_double_ends(std::span<const Vertex> vertices, std::vector<Vertex>& found);
   // Joins two edges with one face each, on opposite sides, into one.
   void close_pair(Halfedge h, Halfedge other);
   void join_sheet(Halfedge h);
@@ -92,6 +111,7 @@ class Sheets {
   Edit& edit_;
   ColumnLengths before_;
   OpEffect effect_;
+  std::uint64_t looks_ = 0;
 };
 
 }  // namespace ryosen

@@ -1,0 +1,90 @@
+// Sheets::settle_joined(): settle() for a point that grows, without a look at what has come to it before.
+#include <algorithm>
+
+#include "core/base/sort_unique.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/ops/rules/sheets.h"
+
+namespace ryosen {
+
+// Of edges that are to be joined the halves that settle() meets first, in its order: by vertex, then around it.
+std::vector<Halfedge> Sheets::first_halves(std::span<const Halfedge> halves, Vertex at) const {
+  const Mesh& m = edit_.mesh();
+  std::vector<Halfedge> first;
+  for (const Halfedge h : halves) {
+    Halfedge met = h;
+    if (same_point(m, m.from(h), at))
+      for (const Halfedge sheet : sheets_between(m, m.from(h), m.to(h)))
+        if (!m.is_wire(edge(sheet)) && m.from(sheet) < m.from(met)) met = sheet;
+    first.push_back(met);
+  }
+  sort_unique(first);
+  std::stable_sort(first.begin(), first.end(), [&](Halfedge a, Halfedge b) { return m.from(a) < m.from(b); });
+  for (auto begin = first.begin(); begin != first.end();) {
+    const auto end = std::find_if(begin, first.end(), [&](Halfedge h) { return m.from(h) != m.from(*begin); });
+    std::vector<Halfedge> in_order;
+    if (end - begin > 1)
+      for (const Halfedge h : outgoing(m, m.from(*begin)))
+        if (std::binary_search(begin, end, h)) in_order.push_back(h);
+    std::copy(in_order.begin(), in_order.end(), begin);
+    begin = end;
+  }
+  return first;
+}
+
+// The vertices that settle() would look at where something is cut or joined, less those of the point that are settled.
+std::vector<Vertex> Sheets::left_at(const SettledPoint& known, std::span<const Vertex> touched) {
+  const Mesh& m = edit_.mesh();
+  std::vector<Vertex> here, others, all;
+  const auto add = [&](Vertex v) { (same_point(m, v, known.at) ? here : others).push_back(v); };
+  for (const Vertex v : known.unsettled)
+    if (m.is_alive(v)) here.push_back(v);
+  std::for_each(touched.begin(), touched.end(), add);
+  const auto gather = [&] {
+    all = live_copies(m, others);
+    all.insert(all.end(), here.begin(), here.end());
+    sort_unique(all);
+  };
+  gather();
+  for (const Vertex v : all)
+    for (const Halfedge h : outgoing(m, v)) {
+      ++looks_;
+      if (is_cut_on_points(m, h)) add(m.to(h));
+    }
+  gather();
+  return all;
+}
+
+void Sheets::settle_joined(std::vector<Vertex> joined, SettledPoint& known) {
+  const Mesh& m = edit_.mesh();
+  std::sort(joined.begin(), joined.end());
+  known.unsettled.insert(known.unsettled.end(), joined.begin(), joined.end());
+  const std::vector<Halfedge> to_open = sheets_to_open(joined),
+                              to_join = first_halves(sheets_to_join(joined), known.at);
+  std::vector<Vertex> touched;
+  for (Halfedge h : to_open) touched.insert(touched.end(), {m.from(h), m.to(h)});
+  for (Halfedge h : to_join)
+    for (Halfedge sheet : sheets_between(m, m.from(h), m.to(h)))
+      touched.insert(touched.end(), {m.from(sheet), m.to(sheet)});
+  add_double_ends(joined, touched);
+  if (touched.empty()) return;
+  std::vector<Vertex> all = left_at(known, touched);
+  const std::uint32_t slots = m.vertex_slots();
+  for (Halfedge h : to_open) open(h);
+  for (Vertex v : all) separate(v);
+  for (Halfedge h : to_join) join_sheet(h);
+  all.insert(all.end(), joined.begin(), joined.end());
+  for (std::uint32_t i = slots; i < m.vertex_slots(); ++i) all.push_back(Vertex(i));
+  std::erase_if(all, [&](Vertex v) { return !m.is_alive(v); });
+  std::vector<Vertex> doubled;
+  add_double_ends(all, doubled);
+  all.insert(all.end(), doubled.begin(), doubled.end());
+  sort_unique(all);
+  for (Vertex v : all) close_double_edges(v);
+  known.unsettled.clear();
+  for (Vertex v : all)
+    if (m.is_alive(v) && fans_at(m, v).size() > 1) known.unsettled.push_back(v);
+}
+
+}  // namespace ryosen

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/mesh/circulate.h"
+#include "core/mesh/hubs.h"
 #include "core/view/frustum.h"
 
 namespace ryosen {
@@ -96,23 +97,12 @@ NearFaces::NearFaces(const Mesh& mesh) : mesh_(mesh), spots_(mesh.face_slots()) 
     if (const Face f(i); mesh.is_alive(f)) primitives[i] = primitive_of(mesh, f);
   std::vector<Vertex> hubs;
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
-    if (const Vertex v(i); mesh.is_alive(v) && has_many_faces(v)) hubs.push_back(v);
+    if (const Vertex v(i); mesh.is_alive(v) && !mesh.is_isolated(v) && is_hub(mesh, v)) hubs.push_back(v);
   for (Vertex v : hubs)
     for (Face f : faces_around(mesh, v))
       if (f) primitives[f.index] = {};
   tree_.build(mesh.positions(), std::move(primitives));
   for (Vertex v : hubs) follow(v);
-}
-
-bool NearFaces::has_many_faces(Vertex v) const {
-  constexpr int most = 64;
-  if (mesh_.is_isolated(v)) return false;
-  int count = 0;
-  for (Halfedge h = mesh_.halfedge(v); ++count <= most;) {
-    h = mesh_.counter_clockwise(h);
-    if (h == mesh_.halfedge(v)) return false;
-  }
-  return true;
 }
 
 // Beside hubs triangles are long and thin, and less lies in them than in their boxes.
@@ -143,7 +133,7 @@ void NearFaces::find(std::span<const TriangleCorners> triangles, std::vector<Fac
 void NearFaces::follow(Vertex v, bool has_only_moved) {
   if (const std::uint32_t hub = hub_of(v); hub != no_hub) {
     if (hubs_[hub].place != mesh_.position(v)) move_hub(hub, mesh_.position(v));
-  } else if (!has_only_moved && has_many_faces(v)) {
+  } else if (!has_only_moved && !mesh_.is_isolated(v) && is_hub(mesh_, v)) {
     make_hub(v);
   }
   for (Face f : faces_around(mesh_, v))

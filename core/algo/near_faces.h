@@ -48,7 +48,6 @@ class NearFaces {
   };
 
   void follow(Vertex v, bool has_only_moved);
-  bool has_many_faces(Vertex v) const;
   std::uint32_t hub_of(Vertex v) const { return v.index < hub_of_.size() ? hub_of_[v.index] : no_hub; }
   // The hub that a face belongs to, with the corner that lies there.
   std::uint32_t hub_of(Face f, Halfedge& corner) const;

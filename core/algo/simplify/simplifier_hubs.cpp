@@ -2,19 +2,11 @@
 #include "core/algo/simplify/simplifier.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/mesh/hubs.h"
 
 namespace ryosen {
 
-// A vertex of so many edges that not all of them can be asked whenever something changes at one.
-bool Simplifier::is_hub(Vertex v) const {
-  constexpr int most = 64;
-  int count = 0;
-  for (Halfedge h = mesh_.halfedge(v); ++count <= most;) {
-    h = mesh_.counter_clockwise(h);
-    if (h == mesh_.halfedge(v)) return false;
-  }
-  return true;
-}
+bool Simplifier::is_hub(Vertex v) const { return ryosen::is_hub(mesh_, v); }
 
 // What edges around a vertex and around its neighbours ask has changed: their levels are in the past or still to come. Of
 // a hub only those to what has changed; find_further() asks the others in the end.

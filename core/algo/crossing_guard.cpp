@@ -186,10 +186,10 @@ std::size_t CrossingGuard::meetings_by_tree(const std::vector<Changed>& faces, s
 // The faces near these that the step leaves as they are.
 void CrossingGuard::find_near(const std::vector<Changed>& faces) const {
   near_.clear();
-  places_.clear();
+  asked_.clear();
   found_.clear();
-  for (const Changed& one : faces) places_.push_back(one.triangle.places);
-  faces_.find(places_, found_);
+  for (const Changed& one : faces) asked_.push_back(one.triangle);
+  faces_.find(asked_, found_);
   looks_ += found_.size();
   for (const Face f : found_) {
     if (step_.concerns(f)) continue;

@@ -76,7 +76,7 @@ class CrossingGuard {
   mutable Step step_;
   mutable bool loses_area_ = false;
   mutable std::vector<Changed> near_;
-  mutable std::vector<TriangleCorners> places_;
+  mutable std::vector<NumberedTriangle> asked_;
   mutable std::vector<Face> found_;
   mutable std::uint64_t looks_ = 0;
 };

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
 #include "core/mesh/hubs.h"
 #include "core/view/frustum.h"
 
@@ -40,9 +41,9 @@ void add_sector(Frustum& cone, const glm::dvec3& a, const glm::dvec3& b, double 
     cone.add(glm::dvec4(inwards, beside + plane_rounding));
 }
 
-// A triangle as thick as rounding; all of space where it is too large or small for that.
+// A triangle as thick as rounding; its box where it is too large or small for that.
 Frustum slab_of(const TriangleCorners& t) {
-  Frustum slab;
+  Frustum slab = frustum_of_box(box_of(t));
   const std::array<glm::dvec3, 3> sides{t[1] - t[0], t[2] - t[1], t[0] - t[2]};
   const glm::dvec3 normal = glm::cross(sides[0], sides[1]);
   const double longest = std::max({glm::length(sides[0]), glm::length(sides[1]), glm::length(sides[2])});
@@ -56,14 +57,16 @@ Frustum slab_of(const TriangleCorners& t) {
   return slab;
 }
 
-// The directions from a place in which a triangle lies; perhaps some more, all of them where that cannot be told.
-Frustum cone_of(const TriangleCorners& triangle, const glm::dvec3& from) {
+// The directions from a point in which a triangle lies; perhaps some more, all of them where that cannot be told, and
+// where another point of the triangle lies at its place.
+Frustum cone_of(const NumberedTriangle& triangle, std::uint32_t point, const glm::dvec3& from) {
   Frustum cone;
   std::array<glm::dvec3, 3> d;
-  for (std::size_t i = 0; i < 3; ++i) d[i] = direction(from, triangle[i]);
+  for (std::size_t i = 0; i < 3; ++i) d[i] = direction(from, triangle.places[i]);
   if (!is_finite(d[0]) || !is_finite(d[1]) || !is_finite(d[2])) return cone;
   for (std::size_t i = 0; i < 3; ++i)
     if (d[i] == glm::dvec3(0)) {
+      if (triangle.numbers[i] != point) return cone;
       const glm::dvec3 &a = d[(i + 1) % 3], &b = d[(i + 2) % 3];
       if (is_somewhere(a) && is_somewhere(b)) add_sector(cone, a, b, 0);
       return cone;
@@ -106,24 +109,25 @@ NearFaces::NearFaces(const Mesh& mesh) : mesh_(mesh), spots_(mesh.face_slots()) 
 }
 
 // Beside hubs triangles are long and thin, and less lies in them than in their boxes.
-void NearFaces::find(std::span<const TriangleCorners> triangles, std::vector<Face>& found) const {
+void NearFaces::find(std::span<const NumberedTriangle> triangles, std::vector<Face>& found) const {
   constexpr std::size_t few = 64;
   const bool each = !hubs_.empty() && triangles.size() <= few;
   Box around;
-  for (const TriangleCorners& t : triangles) around.add(box_of(t));
+  for (const NumberedTriangle& t : triangles) around.add(box_of(t.places));
   if (around.is_empty()) return;
   const auto first = static_cast<std::ptrdiff_t>(found.size());
   const Frustum inside = frustum_of_box(around), everywhere;
   auto add = [&](std::uint32_t slot) { found.emplace_back(slot); };
   if (!each) tree_.visit_frustum(mesh_.positions(), inside, add);
   for (std::size_t i = 0; each && i < triangles.size(); ++i)
-    tree_.visit_frustum(mesh_.positions(), slab_of(triangles[i]), add);
+    tree_.visit_frustum(mesh_.positions(), slab_of(triangles[i].places), add);
   around_hubs_.visit_frustum(ends_, inside, [&](std::uint32_t slot) {
     const Hub& hub = hubs_[slot];
+    const std::uint32_t own = mesh_.is_alive(hub.vertex) ? point(mesh_, hub.vertex).index : no_index;
     auto add_held = [&](std::uint32_t held) { found.emplace_back(hub.tree.primitive(held).owner); };
     if (!each) hub.tree.visit_frustum(hub.directions, everywhere, add_held);
     for (std::size_t i = 0; each && i < triangles.size(); ++i)
-      hub.tree.visit_frustum(hub.directions, cone_of(triangles[i], hub.place), add_held);
+      hub.tree.visit_frustum(hub.directions, cone_of(triangles[i], own, hub.place), add_held);
   });
   if (!each) return;
   std::sort(found.begin() + first, found.end());
@@ -159,7 +163,7 @@ void NearFaces::forget(Face f) {
 void NearFaces::make_hub(Vertex v) {
   hub_of_.resize(std::max<std::size_t>(hub_of_.size(), mesh_.vertex_slots()), no_hub);
   hub_of_[v.index] = static_cast<std::uint32_t>(hubs_.size());
-  hubs_.emplace_back().place = mesh_.position(v);
+  hubs_.push_back({v, mesh_.position(v)});
   ends_.resize(2 * hubs_.size());
 }
 
@@ -170,8 +174,7 @@ void NearFaces::move_hub(std::uint32_t hub, const glm::dvec3& place) {
   hubs_[hub].tree.visit_frustum(hubs_[hub].directions, everywhere,
                                 [&](std::uint32_t slot) { held.emplace_back(hubs_[hub].tree.primitive(slot).owner); });
   for (Face f : held) spots_[f.index] = {};
-  hubs_[hub] = {};
-  hubs_[hub].place = place;
+  hubs_[hub] = {hubs_[hub].vertex, place};
   around_hubs_.erase(hub);
   for (Face f : held)
     if (mesh_.is_alive(f)) put(f);
@@ -230,6 +233,7 @@ void NearFaces::enlarge(std::uint32_t hub, const TriangleCorners& corners) {
   ends_[2 * hub] = all.lowest;
   ends_[2 * hub + 1] = all.highest;
   around_hubs_.insert(ends_, hub, Primitive::segment(2 * hub, 2 * hub + 1, hub));
+  if (around_hubs_.is_worn()) around_hubs_.rebuild(ends_);
 }
 
 }  // namespace ryosen

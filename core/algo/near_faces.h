@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/geometry/box.h"
+#include "core/geometry/triangles_meet.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/triangle_corners.h"
 #include "core/pick/bvh.h"
@@ -19,9 +20,10 @@ class NearFaces {
   // O(n log n). Faces with places that are not finite are found by none.
   explicit NearFaces(const Mesh& mesh);
 
-  // Adds each face that meets one of these, and others near them, once. Cost where they are few: O(log n) for each, and
-  // what is found.
-  void find(std::span<const TriangleCorners> triangles, std::vector<Face>& found) const;
+  // Adds each face that meets one of these elsewhere than at points of the same number, and others near them, once. Numbers
+  // are those of points of the mesh; others stand for new ones. Cost where they are few: O(log n) for each, and what is
+  // found.
+  void find(std::span<const NumberedTriangle> triangles, std::vector<Face>& found) const;
 
   // A vertex has moved, or has other faces: those around it are up to date. Cost: O(log n) for each of its faces.
   void follow(Vertex v) { follow(v, false); }
@@ -37,11 +39,12 @@ class NearFaces {
 
   // A vertex of many faces, of which it holds those that are in no other hub.
   struct Hub {
+    Vertex vertex;
     glm::dvec3 place{0};
     // By slot two, in which the corners of a face lie from the place. The largest coordinate of each is 1, of either sign.
-    std::vector<glm::dvec3> directions;
-    Bvh tree;  // a segment between them; the owner is the face
-    std::vector<std::uint32_t> free_slots;
+    std::vector<glm::dvec3> directions{};
+    Bvh tree{};  // a segment between them; the owner is the face
+    std::vector<std::uint32_t> free_slots{};
   };
   struct Spot {
     std::uint32_t hub = no_hub, slot = 0;

@@ -140,7 +140,7 @@ void Bvh::visit_frustum_nodes(std::span<const glm::dvec3> positions, const Frust
     double x, y, z, w;
     std::array<std::uint8_t, 3> corner;  // indices of its coordinates among the six bounds of a box
   };
-  std::array<LocalPlane, 6> local{};
+  std::array<LocalPlane, Frustum::most_planes> local{};
   for (std::size_t i = 0; i < frustum.count; ++i) {
     const glm::dvec3 normal(frustum.planes[i]);
     const double offset = glm::dot(normal, origin_) + frustum.planes[i].w;

@@ -15,7 +15,8 @@ namespace ryosen {
 // The points p with dot(plane.xyz, p) + plane.w >= 0 for the first `count` planes; without planes all of space.
 // Planes need no unit length.
 struct Frustum {
-  std::array<glm::dvec4, 6> planes{};
+  static constexpr std::size_t most_planes = 12;
+  std::array<glm::dvec4, most_planes> planes{};
   std::size_t count = 0;
 
   void add(const glm::dvec4& plane) { planes[count++] = plane; }

@@ -82,7 +82,8 @@ class Smoother {
                         before = point(mesh_, mesh_.from(mesh_.prev(out))).index;
     const glm::dvec3 come = places_[v.index] - places_[before], go = places_[after] - places_[v.index];
     const double product = glm::dot(come, go), lengths = glm::length(come) * glm::length(go);
-    if (product * product * 2 < lengths * lengths || product <= 0) return;  // it bends by more than 45 degrees
+    // It bends by more than 45 degrees, or a neighbour is nowhere.
+    if (!(product > 0) || !(product * product * 2 >= lengths * lengths)) return;
     sliding_.push_back({v.index, before, after, shares_[v.index]});
   }
 

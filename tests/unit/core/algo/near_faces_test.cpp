@@ -35,6 +35,13 @@ Mesh two_hubs(std::uint32_t n, double height) {
   return from_indexed(source);
 }
 
+NumberedTriangle numbered(const Mesh& mesh, Face f) {
+  NumberedTriangle t{corners_of(mesh, mesh.halfedge(f)), {}};
+  std::size_t i = 0;
+  for (const Vertex v : vertices_around(mesh, f)) t.numbers[i++] = v.index;
+  return t;
+}
+
 class Watched {
  public:
   Watched(Mesh mesh, std::uint64_t seed) : mesh_(std::move(mesh)), near_(mesh_), dice_(seed) {}
@@ -64,20 +71,22 @@ class Watched {
     edit.commit();
     near_.follow(kept);
   }
-  // Triangles at a hub, in the plane of faces, along edges and anywhere.
-  TriangleCorners any_triangle() {
-    TriangleCorners t;
-    for (glm::dvec3& p : t) {
-      p = mesh_.position(any_vertex());
-      if (dice_.one_in(2)) p = 0.5 * p + 0.5 * mesh_.position(any_vertex());
-      if (dice_.one_in(3)) p += 0.1 * any_way();
+  // Triangles at a hub, in the plane of faces, along edges and anywhere; of points of the mesh and of others in their
+  // places.
+  NumberedTriangle any_triangle() {
+    NumberedTriangle t;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const Vertex v = any_vertex();
+      put(t, i, v);
+      if (dice_.one_in(2)) move(t, i, 0.5 * t.places[i] + 0.5 * mesh_.position(any_vertex()));
+      if (dice_.one_in(3)) move(t, i, t.places[i] + 0.1 * any_way());
     }
     const Vertex v = any_vertex();
-    if (dice_.one_in(2)) t[0] = mesh_.position(dice_.one_in(2) ? mesh_.to(mesh_.halfedge(v)) : v);
+    if (dice_.one_in(2)) put(t, 0, dice_.one_in(2) ? mesh_.to(mesh_.halfedge(v)) : v);
     return t;
   }
   // The faces that one of them meets are found, and none twice; returns how many those are, and adds what was found.
-  std::size_t check(const std::vector<TriangleCorners>& triangles, std::size_t& sum) {
+  std::size_t check(const std::vector<NumberedTriangle>& triangles, std::size_t& sum) {
     std::vector<Face> found;
     near_.find(triangles, found);
     std::sort(found.begin(), found.end());
@@ -94,22 +103,19 @@ class Watched {
 
  private:
   glm::dvec3 any_way() { return glm::dvec3(dice_.unit(), dice_.unit(), dice_.unit()) - 0.5; }
-  bool meets(Face f, const std::vector<TriangleCorners>& triangles) const {
-    NumberedTriangle own{corners_of(mesh_, mesh_.halfedge(f)), {}};
-    std::uint32_t number = 0;
-    const auto numbered = [&](NumberedTriangle& t) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        t.numbers[i] = number++;
-        for (std::size_t k = 0; k < 3; ++k)
-          if (&t != &own && t.places[i] == own.places[k]) t.numbers[i] = own.numbers[k];
-      }
-    };
-    numbered(own);
+  void put(NumberedTriangle& t, std::uint32_t corner, Vertex v) {
+    t.places[corner] = mesh_.position(v);
+    t.numbers[corner] = dice_.one_in(8) ? mesh_.vertex_slots() + corner : v.index;
+  }
+  void move(NumberedTriangle& t, std::uint32_t corner, const glm::dvec3& place) {
+    t.places[corner] = place;
+    t.numbers[corner] = mesh_.vertex_slots() + corner;
+  }
+  bool meets(Face f, const std::vector<NumberedTriangle>& triangles) const {
+    const NumberedTriangle own = numbered(mesh_, f);
     if (are_collinear(own.places[0], own.places[1], own.places[2])) return false;
-    return std::any_of(triangles.begin(), triangles.end(), [&](const TriangleCorners& places) {
-      NumberedTriangle other{places, {}};
-      numbered(other);
-      return !are_collinear(places[0], places[1], places[2]) && meet_elsewhere(own, other);
+    return std::any_of(triangles.begin(), triangles.end(), [&](const NumberedTriangle& other) {
+      return !are_collinear(other.places[0], other.places[1], other.places[2]) && meet_elsewhere(own, other);
     });
   }
 
@@ -125,7 +131,7 @@ TEST(near_faces, holds_all_that_meet_while_hubs_move_and_collapse) {
     constexpr int steps = 400;
     for (int step = 0; step < steps; ++step) {
       step % 3 == 0 ? watched.collapse_any() : watched.move_any();
-      std::vector<TriangleCorners> triangles;
+      std::vector<NumberedTriangle> triangles;
       for (int i = 0; i <= step % 4; ++i) triangles.push_back(watched.any_triangle());
       met += watched.check(triangles, found);
     }
@@ -141,7 +147,7 @@ TEST(near_faces, are_few_where_a_triangle_touches_a_hub_of_many) {
       const NearFaces near(mesh);
       for (std::uint32_t i = 0; i < 4 * n; ++i) {
         std::vector<Face> found;
-        near.find(std::vector{corners_of(mesh, mesh.halfedge(Face(i)))}, found);
+        near.find(std::vector{numbered(mesh, Face(i))}, found);
         EXPECT_GE(found.size(), 4u);
         EXPECT_LE(found.size(), 60u) << n << " " << i;
       }

@@ -5,10 +5,12 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 #include <random>
 
 #include "core/analysis/figures.h"
+#include "core/geometry/is_finite.h"
 #include "core/mesh/copies.h"
 #include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/shapes.h"
@@ -188,6 +190,26 @@ TEST(Smooth, sliding_points_stay_on_the_curve_that_the_boundary_was) {
         }
       }
     }
+  }
+}
+
+TEST(Smooth, points_beside_one_that_is_nowhere_do_not_slide) {
+  constexpr std::uint32_t n = 24;
+  Polygons faces;
+  std::vector<glm::dvec3> places;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double angle = (i + 0.3 * std::sin(5.0 * i)) * 2 * std::numbers::pi / n;
+    places.emplace_back(std::cos(angle), std::sin(angle), 0);
+    faces.push_back({n, i, (i + 1) % n});
+  }
+  places.emplace_back(0, 0, 0);
+  places[7].x = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<glm::dvec3> after =
+      smoothed_places(placed(faces, places), {.boundary = BoundaryRule::sliding, .steps = 20});
+  for (std::uint32_t i = 0; i < n; ++i) {
+    if (i == 7) continue;
+    EXPECT_TRUE(is_finite(after[i])) << i;
+    EXPECT_EQ(after[i] == places[i], i == 6 || i == 8) << i;
   }
 }
 

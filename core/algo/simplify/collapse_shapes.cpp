@@ -166,13 +166,15 @@ bool CollapseSurface::swap_spoils_face(Halfedge h) const {
 
 bool CollapseSurface::may_look_against_input(Face f) const {
   // Of the normals that a vertex stands for, the length of their sum is this share of the sum of their lengths or less where
-  // it is folded; and what looks clearly along a normal has at least this cosine.
-  constexpr double folded = 0.6, clear_cosine = 0.1;
+  // it is folded; and what looks clearly along a normal has at least this cosine, a narrow face more.
+  constexpr double folded = 0.6, narrow = 0.1;
   const Halfedge h = mesh_.halfedge(f);
   const std::array<const State*, 3> corners{&states_[mesh_.from(h).index], &states_[mesh_.to(h).index],
                                             &states_[mesh_.from(mesh_.prev(h)).index]};
-  const glm::dvec3 own = glm::cross(corners[1]->place - corners[0]->place, corners[2]->place - corners[0]->place);
-  const double length = glm::length(own);
+  const glm::dvec3 u = corners[1]->place - corners[0]->place, v = corners[2]->place - corners[0]->place, w = v - u;
+  const glm::dvec3 own = glm::cross(u, v);
+  const double length = glm::length(own), longest = std::max({glm::dot(u, u), glm::dot(v, v), glm::dot(w, w)});
+  const double clear_cosine = length > narrow * longest ? 0.1 : 0.5;
   return std::any_of(corners.begin(), corners.end(), [&](const State* corner) {
     const glm::dvec3 normal = corner->normal;
     const double sum = glm::length(normal);

@@ -247,11 +247,12 @@ OpEffect Weld::apply(Edit& edit, SettledPoint& known) const {
     for (Vertex v : {goes, stays})
       if (m.is_isolated(v) && has_copies(m, v)) {
         sheets.remove_vertex(v);
-        is_known = false;  // another one may have taken its number
+        is_known = is_known && !m.is_alive(v) && m.is_alive(known.at);  // else another one has its number
       }
     touched.push_back(std::min(goes, stays));
   }
   if (is_known) {
+    std::erase_if(joined, [&](Vertex v) { return !m.is_alive(v); });
     sheets.settle_joined(std::move(joined), known);
   } else {
     sheets.settle(touched);
@@ -260,7 +261,8 @@ OpEffect Weld::apply(Edit& edit, SettledPoint& known) const {
   known.looks += sheets.looks();
   const bool are_one = !first && m.is_alive(a) && m.is_alive(b) && can_be_one(m, a, b);
   if (are_one) make_one(edit, sheets, a, b);
-  if (are_two_points) know(m, m.is_alive(a) ? a : b, are_one, known);
+  // Where an isolated vertex has come and gone, nothing was looked at.
+  if (are_two_points && (is_known || m.is_alive(touched.front()))) know(m, m.is_alive(a) ? a : b, are_one, known);
   return sheets.finish();
 }
 

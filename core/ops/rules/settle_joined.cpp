@@ -60,8 +60,9 @@ void Sheets::settle_joined(std::vector<Vertex> joined, SettledPoint& known) {
   const Mesh& m = edit_.mesh();
   std::sort(joined.begin(), joined.end());
   known.unsettled.insert(known.unsettled.end(), joined.begin(), joined.end());
-  const std::vector<Halfedge> to_open = sheets_to_open(joined),
-                              to_join = first_halves(sheets_to_join(joined), known.at);
+  std::vector<Halfedge> to_open = sheets_to_open(joined);
+  const std::vector<Halfedge> to_join = first_halves(sheets_to_join(joined), known.at);
+  open_beside(to_join, to_open);
   std::vector<Vertex> touched;
   for (Halfedge h : to_open) touched.insert(touched.end(), {m.from(h), m.to(h)});
   for (Halfedge h : to_join)
@@ -81,7 +82,7 @@ void Sheets::settle_joined(std::vector<Vertex> joined, SettledPoint& known) {
   add_double_ends(all, doubled);
   all.insert(all.end(), doubled.begin(), doubled.end());
   sort_unique(all);
-  for (Vertex v : all) close_double_edges(v);
+  close_double_edges(all);
   known.unsettled.clear();
   for (Vertex v : all)
     if (m.is_alive(v) && fans_at(m, v).size() > 1) known.unsettled.push_back(v);

@@ -98,6 +98,7 @@ class Sheets {
   void rename(std::span<const Halfedge> leaving, Vertex v);
   bool is_closed_cut(Halfedge h) const;
   std::vector<Halfedge> sheets_to_open(std::vector<Vertex>& vertices);
+  void open_beside(std::span<const Halfedge> to_join, std::vector<Halfedge>& to_open);
   std::vector<Halfedge> sheets_to_join(std::span<const Vertex> vertices);
   std::vector<Halfedge> first_halves(std::span<const Halfedge> halves, Vertex at) const;
   std::vector<Vertex> left_at(const SettledPoint& known, std::span<const Vertex> touched);
@@ -106,6 +107,8 @@ class Sheets {
   void close_pair(Halfedge h, Halfedge other);
   void join_sheet(Halfedge h);
   void close_double_edges(Vertex v);
+  // At these, and at the copies that closing makes of them for wires: those are added.
+  void close_double_edges(std::vector<Vertex>& vertices);
   void drop(Edge e);
 
   Edit& edit_;

@@ -212,7 +212,7 @@ class Editor {
       work_began_ = now;
     }
     if (now - work_began_ < patience) return true;
-    show_work({share});
+    show_work({share, session_.at_work()});
     log_.progress(share);
     return !is_cancelled_;
   }

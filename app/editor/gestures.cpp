@@ -60,7 +60,7 @@ constexpr struct {
 };
 
 constexpr InputPreset presets[] = {
-    {"ryosen", "Mouse as in Ryosen", "マウス操作：稜線", ryosen_drags, {}},
+    {"ryosen", "Mouse as in Ryosen", "マウス操作：Ryosen", ryosen_drags, {}},
     {"blender", "Mouse as in Blender", "マウス操作：Blender", blender_drags, blender_keys},
     {"meshlab", "Mouse as in MeshLab", "マウス操作：MeshLab", meshlab_drags, {}},
 };

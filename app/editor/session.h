@@ -85,6 +85,8 @@ class Session {
 
   // Executes a command line (see commands.h) and logs it if done. Never throws on user input.
   Outcome run(const std::string& line);
+  // What is carried out at the moment, by its name.
+  Text at_work() const;
   // The command lines executed so far: a script that reproduces the state.
   const std::vector<std::string>& log() const { return log_; }
 
@@ -431,6 +433,7 @@ class Session {
   mutable Middle middle_;  // of the selection, as it was last asked for
   bool is_verdict_held_ = false;
   std::vector<std::string> log_;
+  std::string running_;             // the first word of the line that is carried out
   std::size_t lines_logged_ = 0;     // in logs of earlier documents too
   std::vector<std::string> remedy_;  // for remedy_line_ at remedy_revision_
   std::string remedy_line_;

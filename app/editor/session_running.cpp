@@ -9,6 +9,7 @@
 #include "app/editor/playing.h"
 #include "app/editor/session.h"
 #include "app/editor/words.h"
+#include "core/algo/algorithms.h"
 #include "core/base/out_of_memory.h"
 
 namespace ryosen {
@@ -19,6 +20,7 @@ Outcome Session::run(const std::string& line) {
   try {
     return run_line(line);
   } catch (const std::bad_alloc&) {
+    running_.clear();
     forget_derived();  // some of it may be half made
     if (document_->serial() == serial) {
       document_->take_back(position);
@@ -49,7 +51,9 @@ Outcome Session::run_line(const std::string& line) {
   if (log_.size() + 2 > log_.capacity()) log_.reserve(2 * log_.size() + 2);
   std::string entry, usual = row->effect == Effect::none ? std::string() : std::string(without_blanks(line));
   entry.reserve(2 * line.size() + 256);
+  const std::string outer = std::exchange(running_, std::string(row->id));
   Outcome outcome = row->run(*this, Words(words).subspan(1), std::string_view(line).substr(after_id));
+  running_ = outer;
   // A row that says `none` of a command that changes the mesh would leave it out of the log; what is on trial is in none.
   assert(row->effect != Effect::none || lines_logged_ > logged ||
          (document_->position() == position && document_->history().size() == entries &&
@@ -62,6 +66,12 @@ Outcome Session::run_line(const std::string& line) {
   entry = outcome.performed;
   log_line(outcome, std::move(entry));
   return outcome;
+}
+
+Text Session::at_work() const {
+  if (const AlgorithmRow* const row = find_algorithm(running_)) return {std::string(row->name_en), std::string(row->name_ja)};
+  if (const OpInfo* const op = find_op(running_)) return {std::string(op->name_en), std::string(op->name_ja)};
+  return {running_, running_};
 }
 
 void Session::log_line(Outcome& outcome, std::string line) {

@@ -139,8 +139,8 @@ void draw_element_menu(PanelContext& context);
 void draw_band(PanelContext& context);
 // How far work has come, or what it is where that is not known.
 struct WorkShown {
-  std::optional<double> share;
-  Text says = {};
+  std::optional<double> share;  // none: nobody knows
+  Text says = {};               // what is done
 };
 // Over everything while long work goes on; true when it is to be cancelled. The session is not looked at.
 bool draw_progress_window(Language language, float scale, const WorkShown& work);

@@ -22,6 +22,15 @@ void draw_going_on() {
   ImGui::Dummy(size);
 }
 
+// What is done, and how much of it is.
+std::string title_of(const WorkShown& work, Language language) {
+  const bool is_japanese = language == Language::japanese;
+  if (!work.share) return is_japanese ? "処理中" : "At work";
+  const std::string percent = std::to_string(static_cast<int>(100 * *work.share)) + "%";
+  const std::string name = work.says.en.empty() ? is_japanese ? "処理中" : "At work" : work.says.in(language);
+  return name + (is_japanese ? "：" : ": ") + percent;
+}
+
 }  // namespace
 
 bool draw_progress_window(Language language, float scale, const WorkShown& work) {
@@ -33,13 +42,13 @@ bool draw_progress_window(Language language, float scale, const WorkShown& work)
   // Whatever lies behind it, it is seen where it ends.
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(std::round(2 * scale), 1.f));
   ImGui::PushStyleColor(ImGuiCol_Border, ImGui::GetStyleColorVec4(ImGuiCol_NavHighlight));
-  ImGui::Begin((std::string(in("At work", "処理中")) + "###progress").c_str(), nullptr,
+  ImGui::Begin((title_of(work, language) + "###progress").c_str(), nullptr,
                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                    ImGuiWindowFlags_NoSavedSettings);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   if (work.share) {
-    ImGui::ProgressBar(static_cast<float>(*work.share), {-1, 0});
+    ImGui::ProgressBar(static_cast<float>(*work.share), {-1, 0}, "");
   } else {
     fitted_text(work.says.in(language), ImGui::GetContentRegionAvail().x);
     draw_going_on();

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/analysis/neighbourhood.h"
+#include "core/analysis/problem_kinds.h"
 #include "core/mesh/circulate.h"
 #include "core/ops/rules/shorten_seam.h"
 #include "core/ops/rules/turn_faces.h"
@@ -119,10 +120,17 @@ class Choice {
 
   // Flips the smaller of the two sets.
   void keep_majority() {
-    std::size_t count = 0;
-    for (Face f : component_) count += turned_[f.index];
-    const bool is_even = 2 * count == component_.size();
-    if (2 * count < component_.size() || (is_even && !turned_[component_[0].index])) return;
+    const auto is_degenerate = row_of(ProblemKind::degenerate_area).face;
+    std::size_t all = 0, count = 0;
+    for (Face f : component_) {
+      if (is_degenerate(around_, f)) continue;
+      ++all;
+      count += turned_[f.index];
+    }
+    if (all == 0)
+      for (Face f : component_) ++all, count += turned_[f.index];
+    const bool is_even = 2 * count == all;
+    if (2 * count < all || (is_even && !turned_[component_[0].index])) return;
     for (Face f : component_) turned_[f.index] = !turned_[f.index];
   }
 

@@ -5,12 +5,12 @@
 //     +<----+<----+          +<----+---->+
 //
 // polygon list: some faces are reversed (the first corner stays); in each component the smaller set of faces is
-//               flipped, on a tie the one without the lowest face. Neighbours are the two faces of an edge with exactly
-//               two. A non-orientable component (a Moebius strip) keeps a seam of misoriented edges. There patches
-//               (faces connected through consistent neighbours) and single faces are flipped while the seam gets
-//               shorter: once starting from the current orientation, once from a breadth-first orientation from the
-//               lowest face; the shorter result is taken if it beats the current seam, otherwise the component is
-//               unchanged.
+//               flipped, on a tie the one without the lowest face; faces without area count where there are no others.
+//               Neighbours are the two faces of an edge with exactly two. A non-orientable component (a Moebius strip)
+//               keeps a seam of misoriented edges. There patches (faces connected through consistent neighbours) and
+//               single faces are flipped while the seam gets shorter: once starting from the current orientation, once
+//               from a breadth-first orientation from the lowest face; the shorter result is taken if it beats the
+//               current seam, otherwise the component is unchanged.
 // needs: neighbours disagree that could agree, or a seam can be shortened.
 // changes: V, E and B of the stored mesh decrease as cut edges close; on points only the number of misoriented edges
 //          decreases, to zero on each orientable component.

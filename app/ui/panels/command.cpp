@@ -177,7 +177,8 @@ std::optional<std::size_t> CommandPanel::meant() const {
   const std::string line(without_blanks(typed_));
   if (line.empty() || found_.empty()) return std::nullopt;
   const bool is_bare = found_[0].line == line;
-  const bool asks = is_bare && (find_op(line) || (find_algorithm(line) && fault_of_command(line)));
+  const AlgorithmRow* const algorithm = find_algorithm(line);
+  const bool asks = is_bare && (find_op(line) || (algorithm && !algorithm->parameters.empty()));
   if (call_of(line) && !asks) return std::nullopt;
   return 0;
 }

@@ -91,6 +91,17 @@ TEST(orient, shapes_and_random_meshes_end_as_the_oracle_wants) {
   }
 }
 
+TEST(orient, faces_without_area_give_way) {
+  // One triangle, and on two of its sides two that lie on a line and are turned against it.
+  IndexedMesh list = indexed({{0, 1, 3}, {0, 1, 2}, {3, 0, 4}}, 5);
+  list.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 2, 0}};
+  Mesh mesh = from_indexed(list);
+  ASSERT_EQ(misoriented_edges(mesh), 2);
+  apply_and_prove(mesh, Orient{});
+  EXPECT_EQ(misoriented_edges(mesh), 0);
+  EXPECT_EQ(list_of(mesh, true).faces[0], (oracle::Corners{0, 1, 3}));
+}
+
 TEST(orient, components_are_judged_each_for_itself) {
   // A Klein bottle whose seam stays, and a torus with a turned face, which is put right.
   Polygons faces = klein_grid(6, 5), torus = torus_grid(3, 4);

@@ -69,7 +69,8 @@ Outcome Session::run_line(const std::string& line) {
 }
 
 Text Session::at_work() const {
-  if (const AlgorithmRow* const row = find_algorithm(running_)) return {std::string(row->name_en), std::string(row->name_ja)};
+  if (const AlgorithmRow* const row = find_algorithm(running_))
+    return {std::string(row->name_en), std::string(row->name_ja)};
   if (const OpInfo* const op = find_op(running_)) return {std::string(op->name_en), std::string(op->name_ja)};
   return {running_, running_};
 }

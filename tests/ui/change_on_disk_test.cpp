@@ -54,6 +54,16 @@ TEST_F(ChangeOnDiskTest, is_told_over_the_view_in_both_languages) {
   EXPECT_TRUE(is_told("shape.objisgonefromthedisk."));
 }
 
+TEST_F(ChangeOnDiskTest, can_be_replaced_where_the_window_is_closed) {
+  run("move_vertex v0 0,0,1");
+  write(square);
+  laid_.gui.leave(session(), {true, {}});
+  EXPECT_TRUE(is_told("Anotherprogramhaschangedthefile"));
+  laid_.click(DrawnText(laid_.gui).place("Replaceit"));
+  EXPECT_TRUE(laid_.gui.wants_quit());
+  EXPECT_NE(on_disk().find("v 0 0 1"), std::string::npos) << on_disk();
+}
+
 TEST_F(ChangeOnDiskTest, is_read_again_with_the_view_as_it_was) {
   run("view top");
   const Camera camera = session().camera;

@@ -184,6 +184,12 @@ TEST_F(MenuKeys, the_palette_takes_the_first_that_it_finds_where_the_line_is_non
   EXPECT_EQ(session.open_panel, "values") << gui.said().en;
   press("Escape");
   press("F3");
+  write("smooth");  // lacks nothing, and asks all the same, as the menu does
+  press("Enter");
+  EXPECT_EQ(session.open_panel, "values") << gui.said().en;
+  EXPECT_EQ(session.asked_algorithm, "smooth");
+  press("Escape");
+  press("F3");
   write("mean curv");
   press("Enter");
   EXPECT_EQ(session.log().size(), 0u);

@@ -181,7 +181,8 @@ class Welding {
 AlgorithmResult result_of(const Welded& welded) {
   AlgorithmResult result{welded.points, welded.left.size(), {}};
   add_left(result.left_for,
-           {"points at one place stay apart where joining them would make the surface unsound, or where they lie on no boundary",
+           {"points at one place stay apart where joining them would make the surface unsound, or where they lie on no "
+            "boundary",
             "同じ位置の点でも、統合すると曲面が不健全になる場合や境界上にない場合は統合しません"},
            welded.left);
   result.text = count_text(welded.points, "One point was welded to another", "# points were welded to others",

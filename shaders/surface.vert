@@ -24,4 +24,7 @@ void main() {
                                   : vec3(min(mix(dot(light, vec3(0.3333)), 1.0, paint_floor), 1.0));
 #endif
   gl_Position = clip_place(corner);
+  // Of two faces in one place the one that is seen from its front is seen, not by turns one and the other.
+  const float behind = 8e-6;
+  if (!seen_front) gl_Position.z += behind * gl_Position.w;
 }

@@ -1,4 +1,4 @@
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 #include "app/editor/labels.h"
@@ -41,10 +41,10 @@ void add_measures(Session& session, std::vector<Label>& labels) {
 }
 
 void add_map_legend(Session& session, std::vector<Label>& labels) {
-  constexpr int steps = 7;
   constexpr double row_px = 17, margin_px = 12, width_px = 84;
   const auto [map, range] = *session.colouring;
   const MapRange extent = session.map_extent();
+  const int steps = range.low < range.high ? 7 : 1;
   const glm::dvec2 corner(0, session.view.height);
   const auto add = [&](int row, std::string text, std::optional<std::uint32_t> ground) {
     labels.push_back({.text = std::move(text),
@@ -55,8 +55,8 @@ void add_map_legend(Session& session, std::vector<Label>& labels) {
                       .least_width_px = ground ? width_px : 0,
                       .ground = ground});
   };
-  std::array<double, steps> values;
-  for (int i = 0; i < steps; ++i) values[i] = std::lerp(range.low, range.high, double(i) / (steps - 1));
+  std::vector<double> values;
+  for (int i = 0; i < steps; ++i) values.push_back(std::lerp(range.low, range.high, i / std::max(steps - 1.0, 1.0)));
   const std::vector<std::string> numbers = numbers_alike(values);
   for (int i = 0; i < steps; ++i) {
     const double value = values[i];

@@ -25,8 +25,8 @@ enum class PanelOpener {
   levelled,       // the command `levels`, or `account`
 };
 
-// Before anybody has said anything.
-enum class PanelAtFirst { shown, hidden };
+// Before anybody has said anything. Held: shown, and the first of its column stays in view where that is scrolled.
+enum class PanelAtFirst { shown, hidden, held };
 
 // What is in it while the findings of a large mesh are being searched for (Session::prepare): itself if it reads the mesh
 // alone, else how far the search is.
@@ -43,7 +43,7 @@ struct PanelRow {
   std::string_view help_en = "", help_ja = "";    // what it is for, in a sentence
   std::string_view short_en = "", short_ja = "";  // for a tab, where the title is long
 
-  bool shown_at_first() const { return at_first == PanelAtFirst::shown; }
+  bool shown_at_first() const { return at_first != PanelAtFirst::hidden; }
 };
 
 // The lines of panels.def in their order, behind them what was added. Valid until another is added or taken away.

@@ -55,15 +55,59 @@ bool lies_in(const PanelContext& context, const PanelRow& row, PanelPlace side) 
 
 }  // namespace
 
+// Over the upper end of a column that is scrolled; drawn after all else that lies in it, so that it is seen.
+void SideColumns::draw_over(PanelContext& context, OwnPanel& own, float begin, float& height_px) {
+  const float x = ImGui::GetCursorPosX(), end = ImGui::GetCursorPosY();
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {x, begin});
+  ImGui::SetCursorPos({0, ImGui::GetScrollY()});
+  ImGui::BeginChild(
+      "held", {x + ImGui::GetWindowContentRegionMax().x, begin + height_px}, false,
+      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::PopStyleVar();
+  const ImVec2 from = ImGui::GetWindowPos(), size = ImGui::GetWindowSize(), to{from.x + size.x, from.y + size.y};
+  const float line = std::max(context.scale, 1.f);
+  ImGui::GetWindowDrawList()->AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_WindowBg));
+  ImGui::GetWindowDrawList()->AddRectFilled({from.x, to.y - line}, to, ImGui::GetColorU32(ImGuiCol_Separator));
+  const float top = ImGui::GetCursorPosY();
+  draw_framed(context, own, HeaderClick::folds);
+  const float height = ImGui::GetCursorPosY() - top;
+  ImGui::EndChild();
+  ImGui::SetCursorPosY(end);
+  if (std::exchange(height_px, height) != height) context.state.unsettle();
+}
+
 // Scrolls the column so that a panel which was drawn from here on is seen whole, or from its header on where it is higher
 // than the column; until it lies in a frame where it lay in the one before.
-void SideColumns::show_wanted(PanelContext& context, float begin, float height) {
+void SideColumns::show_wanted(PanelContext& context, float begin, float height, float kept_px) {
   const float end = ImGui::GetCursorPosY(), scroll = ImGui::GetScrollY();
-  ImGui::SetScrollY(std::min(begin, std::max(scroll, end - height)));
+  ImGui::SetScrollY(std::min(begin - kept_px, std::max(scroll, end - height)));
   const bool is_settled = begin == std::exchange(wanted_begin_, begin) && end == std::exchange(wanted_end_, end);
   if (!is_settled) return context.state.unsettle();
   context.session.layout.wanted.clear();
   wanted_begin_ = wanted_end_ = -1;
+}
+
+// The first one stays in view where the column is scrolled, if it is one that is held and leaves room enough.
+void SideColumns::draw_panels(PanelContext& context, PanelPlace side, float height, std::vector<OwnPanel>& panels) {
+  float& held_px = held_px_[side == PanelPlace::left ? 0 : 1];
+  const float first = ImGui::GetCursorPosY();
+  OwnPanel* over = nullptr;
+  float kept_px = 0;
+  for (OwnPanel& own : panels) {
+    if (!lies_in(context, own.row, side)) continue;
+    const float begin = ImGui::GetCursorPosY();
+    const bool is_held = own.row.at_first == PanelAtFirst::held && begin == first && 2 * held_px < height;
+    if (is_held && held_px > 0 && ImGui::GetScrollY() > 0) {
+      over = &own;
+      ImGui::SetCursorPosY(begin + held_px);
+    } else {
+      draw_framed(context, own, HeaderClick::folds);
+      if (own.row.at_first == PanelAtFirst::held) held_px = ImGui::GetCursorPosY() - begin;
+    }
+    if (is_held) kept_px = held_px;
+    if (context.session.layout.wanted == own.row.id) show_wanted(context, begin, height, kept_px);
+  }
+  if (over) draw_over(context, *over, first, held_px);
 }
 
 void SideColumns::draw_column(PanelContext& context, PanelPlace side, const Areas& areas,
@@ -82,12 +126,7 @@ void SideColumns::draw_column(PanelContext& context, PanelPlace side, const Area
   bool& is_tight = is_tight_[is_left ? 0 : 1];
   context.state.is_tight = is_tight;
   context.state.saved_px = 0;
-  for (OwnPanel& own : panels) {
-    if (!lies_in(context, own.row, side)) continue;
-    const float begin = ImGui::GetCursorPosY();
-    draw_framed(context, own, HeaderClick::folds);
-    if (context.session.layout.wanted == own.row.id) show_wanted(context, begin, static_cast<float>(area.height()));
-  }
+  draw_panels(context, side, static_cast<float>(area.height()), panels);
   // By what the whole would need, so that it does not come and go. What leaves no room for a scroll bar is wrapped anew
   // where there is one, and may need some lines fewer without it.
   const float whole = ImGui::GetCursorPosY() + context.state.saved_px, height = static_cast<float>(area.height());

@@ -20,9 +20,12 @@ class SideColumns {
 
  private:
   void draw_column(PanelContext& context, PanelPlace side, const Areas& areas, std::vector<OwnPanel>& panels);
-  void show_wanted(PanelContext& context, float begin, float height);
+  void draw_over(PanelContext& context, OwnPanel& own, float begin, float& height_px);
+  void draw_panels(PanelContext& context, PanelPlace side, float height, std::vector<OwnPanel>& panels);
+  void show_wanted(PanelContext& context, float begin, float height, float kept_px);
   void draw_flyout(PanelContext& context, const Areas& areas, std::vector<OwnPanel>& panels);
 
+  float held_px_[2] = {};                       // how high the panel is that stays in view
   bool is_tight_[2] = {};                       // the left and the right column, as they were in the last frame
   ImVec2 flyout_at_{0, 0}, flyout_size_{0, 0};  // of the last frame
   float wanted_begin_ = -1, wanted_end_ = -1;   // of the panel that is scrolled to, as it lay in the last frame

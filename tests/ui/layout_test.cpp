@@ -170,6 +170,20 @@ TEST_F(LayoutTest, the_columns_take_widths_within_limits_and_the_view_keeps_its_
   EXPECT_TRUE(session.log().empty());
 }
 
+TEST_F(LayoutTest, what_a_click_would_do_stays_in_view_where_its_column_is_scrolled) {
+  const glm::dvec2 before = place("Underthepointer");
+  ASSERT_GT(before.y, 0);
+  for (const char* line : {"colours edge_length", "panel levels on", "panel records on", "panel records"}) run(line);
+  frames(6);
+  ASSERT_GT(ImGui::FindWindowByName("##right")->Scroll.y, 50);
+  EXPECT_EQ(place("Underthepointer"), before);
+  const float end = ImGui::FindWindowByName("##right")->Size.y;
+  session.layout.wanted = "inspector";
+  frames(6);
+  EXPECT_GT(place("Inspector").y, before.y + 100) << "below what stays";
+  EXPECT_LT(place("Inspector").y, end);
+}
+
 TEST_F(LayoutTest, a_panel_that_is_asked_for_is_scrolled_to) {
   LayoutTest::size_ = {1280, 800};
   open("fin.obj");

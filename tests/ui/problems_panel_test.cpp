@@ -222,5 +222,13 @@ TEST_F(ProblemsPanel, a_press_on_a_quarantined_face_says_why_it_is_set_aside_and
   EXPECT_EQ(DrawnText(gui).count(gui.said().en), 2u) << "in the status line and beside the pointer";
 }
 
+TEST_F(ProblemsPanel, claims_nothing_of_a_mesh_that_is_not_there) {
+  EXPECT_TRUE(is_drawn("Noproblemsfound."));
+  ASSERT_TRUE(session.run("new").done());
+  frames(3);
+  EXPECT_FALSE(is_drawn("Noproblemsfound."));
+  EXPECT_TRUE(is_drawn("Thereisnomeshyet."));
+}
+
 }  // namespace
 }  // namespace ryosen

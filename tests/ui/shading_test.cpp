@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "app/ui/headless.h"
@@ -151,6 +152,26 @@ TEST_F(ShadingTest, draws_normals_as_lines_that_follow_edits) {
     EXPECT_TRUE(picture(which) == lines) << which;
   }
   EXPECT_TRUE(picture("normals off") == bare);
+}
+
+// Two triangles back to back in one place: from wherever they are seen one shows its front.
+TEST_F(ShadingTest, shows_the_front_where_a_front_and_a_back_lie_in_one_place) {
+  const test::TemporaryFolder folder;
+  open(folder.write("both.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n"));
+  std::size_t fronts = 0, backs = 0;
+  for (int i = 0; i < 60; ++i) {
+    const double turn = 2.4 * i, lean = std::cos(1.7 * i), away = 2 + i % 7;
+    session_.camera.target = {0.3, 0.3, 0};
+    session_.camera.eye = session_.camera.target + away * glm::dvec3(std::cos(turn), std::sin(turn), lean);
+    const Image picture = headless_->picture(session_);
+    for (int y = 0; y < picture.size.height; ++y)
+      for (int x = 0; x < picture.size.width; ++x) {
+        const Rgba at = picture.at(x, y);
+        if (at[3] == 255) ++(at[0] > at[2] + 25 ? backs : fronts);
+      }
+  }
+  EXPECT_GT(fronts, 100000u);
+  EXPECT_EQ(backs, 0u);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "app/editor/command_syntax.h"
 #include "app/editor/commands.h"
+#include "app/editor/labels.h"
 #include "app/editor/measure_text.h"
 #include "tests/support/app/program.h"
 #include "tests/support/core/shapes.h"
@@ -43,6 +44,19 @@ TEST(commands_measuring, colours_show_the_middle_of_the_values_first_and_all_whe
   EXPECT_EQ(session.map_extent(), (MapRange{figures.lowest, figures.highest}));
   ASSERT_TRUE(session.run("move_vertex v0 9,9,9").done());
   EXPECT_GT(session.map_extent().high, figures.highest) << "followed";
+}
+
+TEST(commands_measuring, a_legend_of_equal_values_says_the_value_once) {
+  const auto session = measured_cube();
+  ASSERT_TRUE(session->run("colours edge_length").done());
+  std::vector<Label> labels;
+  add_map_legend(*session, labels);
+  ASSERT_EQ(labels.size(), 2u);
+  EXPECT_EQ(labels[0].text, "1");
+  ASSERT_TRUE(session->run("colours edge_length 0 2").done());
+  labels.clear();
+  add_map_legend(*session, labels);
+  EXPECT_EQ(labels.size(), 8u);
 }
 
 TEST(commands_measuring, wrong_maps_and_ranges_are_refused_with_the_right_ones) {

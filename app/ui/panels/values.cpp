@@ -40,7 +40,7 @@ class ValuesPanel : public Panel {
   void draw_algorithms(PanelContext& context);
   void draw_preview(PanelContext& context, const AlgorithmRow& row, const ReadValues& read);
 
-  std::string algorithm_;           // its id
+  std::string algorithm_;  // its id
   WholeRows rows_;
   float height_ = 0;                // that all of its fields take, at scale 1; 0 as long as it is not known
   bool has_run_ = false;            // with these values; where that failed, the reason stands beside them
@@ -98,9 +98,13 @@ bool ValuesPanel::draw_fields(PanelContext& context, const AlgorithmRow& row, bo
 // Whether what the fields say is shown in the view, and what it would come to.
 void ValuesPanel::draw_preview(PanelContext& context, const AlgorithmRow& row, const ReadValues& read) {
   const bool is_offered = preview_.is_offered(context.session);
+  bool none = false;
   ImGui::BeginDisabled(!is_offered);
   ImGui::SameLine();
-  ImGui::Checkbox(context.text("Preview", "プレビュー"), &has_preview_);
+  ImGui::Checkbox(context.session.is_dear_to_try()
+                      ? context.text("Preview (up to 20,000 faces)", "プレビュー（20,000 面まで）")
+                      : context.text("Preview", "プレビュー"),
+                  is_offered ? &has_preview_ : &none);
   ImGui::EndDisabled();
   tip(context.text("Shows in the view what it would do, where that is quick: on meshes of at most 20,000 faces.",
                    "実行結果をビューに示します（20,000 面までの、すぐ終わるものだけ）。"),

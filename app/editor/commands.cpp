@@ -90,4 +90,10 @@ Text not_an_operator(std::string_view word) {
          did_you_mean(word, ids);
 }
 
+Text name_of_command(std::string_view id) {
+  if (const OpInfo* const op = find_op(id)) return {std::string(op->name_en), std::string(op->name_ja)};
+  if (const AlgorithmRow* const row = find_algorithm(id)) return {std::string(row->name_en), std::string(row->name_ja)};
+  return {std::string(id), std::string(id)};
+}
+
 }  // namespace ryosen

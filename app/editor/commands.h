@@ -71,6 +71,8 @@ struct CommandRow {
 std::vector<CommandRow> command_table();
 // By id or alias.
 std::optional<CommandRow> find_command_row(std::string_view id);
+// As the window calls it: an operator or an algorithm by its name, others by their id.
+Text name_of_command(std::string_view id);
 
 // The help, with the ids behind it that the row lists.
 std::string help_of(const CommandRow& row, Language language);

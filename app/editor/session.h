@@ -433,7 +433,7 @@ class Session {
   mutable Middle middle_;  // of the selection, as it was last asked for
   bool is_verdict_held_ = false;
   std::vector<std::string> log_;
-  std::string running_;             // the first word of the line that is carried out
+  std::string running_;              // the first word of the line that is carried out
   std::size_t lines_logged_ = 0;     // in logs of earlier documents too
   std::vector<std::string> remedy_;  // for remedy_line_ at remedy_revision_
   std::string remedy_line_;

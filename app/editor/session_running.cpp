@@ -9,7 +9,6 @@
 #include "app/editor/playing.h"
 #include "app/editor/session.h"
 #include "app/editor/words.h"
-#include "core/algo/algorithms.h"
 #include "core/base/out_of_memory.h"
 
 namespace ryosen {
@@ -68,12 +67,7 @@ Outcome Session::run_line(const std::string& line) {
   return outcome;
 }
 
-Text Session::at_work() const {
-  if (const AlgorithmRow* const row = find_algorithm(running_))
-    return {std::string(row->name_en), std::string(row->name_ja)};
-  if (const OpInfo* const op = find_op(running_)) return {std::string(op->name_en), std::string(op->name_ja)};
-  return {running_, running_};
-}
+Text Session::at_work() const { return name_of_command(running_); }
 
 void Session::log_line(Outcome& outcome, std::string line) {
   log_.push_back(std::move(line));

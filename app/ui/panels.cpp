@@ -49,13 +49,6 @@ std::unique_ptr<Panel> panel_of_lines(void (*draw)(PanelContext& context), float
 
 namespace {
 
-// As the window calls it.
-Text name_of_command(const std::string& id) {
-  if (const OpInfo* const op = find_op(id)) return {std::string(op->name_en), std::string(op->name_ja)};
-  if (const AlgorithmRow* const row = find_algorithm(id)) return {std::string(row->name_en), std::string(row->name_ja)};
-  return {id, id};
-}
-
 // Of a refusal that begins with its line, the reasons alone; else nothing.
 Text without_line(const Outcome& outcome, const Mesh& mesh) {
   Text told = join(describe_first(mesh, outcome.reasons));

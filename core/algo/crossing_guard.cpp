@@ -5,6 +5,7 @@
 #include "core/analysis/overlap_tree.h"
 #include "core/geometry/box.h"
 #include "core/geometry/predicates.h"
+#include "core/geometry/surely_apart.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/triangle_corners.h"
@@ -137,7 +138,8 @@ std::size_t CrossingGuard::meetings(const std::vector<Changed>& faces, std::size
       if (meet_elsewhere(faces[i].triangle, faces[k].triangle) && ++found == most) return found;
     const Box box = boxed(faces[i]);
     for (const Changed& other : near_)
-      if (box.overlaps(boxed(other)) && meet_elsewhere(faces[i].triangle, other.triangle) && ++found == most)
+      if (box.overlaps(boxed(other)) && !are_surely_apart(faces[i].triangle.places, other.triangle.places) &&
+          meet_elsewhere(faces[i].triangle, other.triangle) && ++found == most)
         return found;
   }
   return found;

@@ -70,7 +70,7 @@ class CrossingGuard {
   void find_near(const std::vector<Changed>& faces) const;
 
   const Mesh& mesh_;
-  NearFaces faces_;
+  mutable NearFaces faces_;
   bool may_cross_;
   // Of the step that is judged.
   mutable Step step_;

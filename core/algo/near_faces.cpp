@@ -109,7 +109,8 @@ NearFaces::NearFaces(const Mesh& mesh) : mesh_(mesh), spots_(mesh.face_slots()) 
 }
 
 // Beside hubs triangles are long and thin, and less lies in them than in their boxes.
-void NearFaces::find(std::span<const NumberedTriangle> triangles, std::vector<Face>& found) const {
+void NearFaces::find(std::span<const NumberedTriangle> triangles, std::vector<Face>& found) {
+  if (tree_.is_worn()) tree_.rebuild(mesh_.positions());
   constexpr std::size_t few = 64;
   const bool each = !hubs_.empty() && triangles.size() <= few;
   Box around;
@@ -118,11 +119,13 @@ void NearFaces::find(std::span<const NumberedTriangle> triangles, std::vector<Fa
   const auto first = static_cast<std::ptrdiff_t>(found.size());
   const Frustum inside = frustum_of_box(around), everywhere;
   auto add = [&](std::uint32_t slot) { found.emplace_back(slot); };
+  if (around_hubs_.is_worn()) around_hubs_.rebuild(ends_);
   if (!each) tree_.visit_frustum(mesh_.positions(), inside, add);
   for (std::size_t i = 0; each && i < triangles.size(); ++i)
     tree_.visit_frustum(mesh_.positions(), slab_of(triangles[i].places), add);
   around_hubs_.visit_frustum(ends_, inside, [&](std::uint32_t slot) {
-    const Hub& hub = hubs_[slot];
+    Hub& hub = hubs_[slot];
+    if (hub.tree.is_worn()) hub.tree.rebuild(hub.directions);
     const std::uint32_t own = mesh_.is_alive(hub.vertex) ? point(mesh_, hub.vertex).index : no_index;
     auto add_held = [&](std::uint32_t held) { found.emplace_back(hub.tree.primitive(held).owner); };
     if (!each) hub.tree.visit_frustum(hub.directions, everywhere, add_held);
@@ -142,12 +145,6 @@ void NearFaces::follow(Vertex v, bool has_only_moved) {
   }
   for (Face f : faces_around(mesh_, v))
     if (f) put(f, has_only_moved);
-  if (tree_.is_worn()) tree_.rebuild(mesh_.positions());
-}
-
-void NearFaces::follow(Face f) {
-  put(f);
-  if (tree_.is_worn()) tree_.rebuild(mesh_.positions());
 }
 
 void NearFaces::forget(Face f) {
@@ -221,7 +218,6 @@ void NearFaces::put(Face f, std::uint32_t at, Halfedge corner) {
   const TriangleCorners corners = corners_of(mesh_, corner);
   for (std::uint32_t i : {0u, 1u}) hub.directions[2 * spot.slot + i] = direction(hub.place, corners[i + 1]);
   hub.tree.insert(hub.directions, spot.slot, Primitive::segment(2 * spot.slot, 2 * spot.slot + 1, f.index));
-  if (hub.tree.is_worn()) hub.tree.rebuild(hub.directions);
   enlarge(at, corners);
 }
 
@@ -233,7 +229,6 @@ void NearFaces::enlarge(std::uint32_t hub, const TriangleCorners& corners) {
   ends_[2 * hub] = all.lowest;
   ends_[2 * hub + 1] = all.highest;
   around_hubs_.insert(ends_, hub, Primitive::segment(2 * hub, 2 * hub + 1, hub));
-  if (around_hubs_.is_worn()) around_hubs_.rebuild(ends_);
 }
 
 }  // namespace ryosen

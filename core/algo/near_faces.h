@@ -22,15 +22,15 @@ class NearFaces {
 
   // Adds each face that meets one of these elsewhere than at points of the same number, and others near them, once. Numbers
   // are those of points of the mesh; others stand for new ones. Cost where they are few: O(log n) for each, and what is
-  // found.
-  void find(std::span<const NumberedTriangle> triangles, std::vector<Face>& found) const;
+  // found; and now and then what puts the trees in order, O(n log n) after n changes.
+  void find(std::span<const NumberedTriangle> triangles, std::vector<Face>& found);
 
   // A vertex has moved, or has other faces: those around it are up to date. Cost: O(log n) for each of its faces.
   void follow(Vertex v) { follow(v, false); }
   // The same if it has moved, and that is all.
   void follow_move(Vertex v) { follow(v, true); }
   // A face that is new or has other corners.
-  void follow(Face f);
+  void follow(Face f) { put(f); }
   // A face that is gone.
   void forget(Face f);
 

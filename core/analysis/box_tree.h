@@ -19,6 +19,8 @@ class BoxTree {
     if (!boxes_.empty()) build(0, static_cast<std::uint32_t>(boxes_.size()));
   }
 
+  bool is_empty() const { return boxes_.empty(); }
+
   // Calls visit(number) for each box that may(box) lets through, which it must do for every box around one that it lets
   // through, until visit returns false; then so does this.
   template <class May, class Visit>

@@ -44,9 +44,10 @@ class Bvh {
   void build(std::span<const glm::dvec3> positions, std::vector<Primitive> primitives);
   // The same, told by the share of the primitives that have their place. Cancelled: false, and the tree is empty.
   bool build(std::span<const glm::dvec3> positions, std::vector<Primitive> primitives, Progress& progress);
-  // Rebuilds from the current primitives; worthwhile when is_worn(): after changes to a third of them.
+  // Rebuilds from the current primitives; worthwhile when is_worn(): after changes to a third of them, of which one that
+  // only moves counts by how far it leads out of its box.
   void rebuild(std::span<const glm::dvec3> positions);
-  bool is_worn() const { return changes_ > 64 && changes_ > live_ / 3; }
+  bool is_worn() const { return changes_ > 64 && changes_ > static_cast<double>(live_) / 3; }
 
   // Puts a primitive into a slot, free or occupied; memory grows with the largest slot number.
   void insert(std::span<const glm::dvec3> positions, std::uint32_t slot, const Primitive& primitive);
@@ -141,7 +142,7 @@ class Bvh {
   double scale_ = 1.0;
   double reach_ = 0.0;  // largest magnitude in any box so far, in the tree's frame
   std::size_t live_ = 0;
-  std::size_t changes_ = 0;
+  double changes_ = 0;
 };
 
 }  // namespace ryosen

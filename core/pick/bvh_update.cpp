@@ -15,16 +15,22 @@ constexpr float largest_local = 1e15f;
 // If a leaf's box grows by more than this factor when a vertex moves, the primitive is reinserted elsewhere.
 constexpr float most_growth = 4.0f;
 
+// By how much two boxes together are larger than one, as a share of it, at most 1.
+float share_beside(const FloatBox& box, const FloatBox& other) {
+  const float area = half_area(box), beside = half_area(united(box, other)) - area;
+  return beside < area ? beside / area : 1.0f;
+}
+
 }  // namespace
 
 void Bvh::insert(std::span<const glm::dvec3> positions, std::uint32_t slot, const Primitive& primitive) {
-  erase(slot);
+  if (primitive.size() == 0) return erase(slot);
   if (primitives_.size() <= slot) {
     primitives_.resize(slot + 1);
     leaf_of_.resize(slot + 1, no_index);
   }
   primitives_[slot] = primitive;
-  if (primitive.size() != 0 && is_finite(positions, primitive)) link_slot(positions, slot);
+  update(positions, slot);  // what takes the place of another mostly lies there
 }
 
 void Bvh::erase(std::uint32_t slot) {
@@ -47,7 +53,7 @@ void Bvh::update(std::span<const glm::dvec3> positions, std::uint32_t slot) {
     unlink_slot(slot);
     return link_slot(positions, slot);
   }
-  ++changes_;
+  changes_ += is_same(old_box, new_box) ? 0.0 : static_cast<double>(share_beside(old_box, new_box));
   reach_ = std::max(reach_, static_cast<double>(largest_magnitude(new_box)));
   set_box(leaf, new_box);
   if (leaf != 0 && !is_same(old_box, new_box)) refit_upwards(parent(leaf), false);

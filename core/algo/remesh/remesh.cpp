@@ -7,9 +7,11 @@
 #include "core/algo/remesh/remesher.h"
 #include "core/algo/shared_values.h"
 #include "core/algo/unit_scale.h"
+#include "core/analysis/box_tree.h"
 #include "core/analysis/self_intersections.h"
 #include "core/base/parallel.h"
 #include "core/base/resource_limits.h"
+#include "core/geometry/common_part.h"
 
 namespace ryosen::remesh {
 
@@ -103,19 +105,38 @@ MeshColumns unscaled(const Mesh& mesh, const Mesh& before, double scale) {
   return columns;
 }
 
-// Where faces of a mesh meet.
-std::vector<Box> crossings_of(const Mesh& mesh, Progress& progress) {
+// Two faces that meet: the box of both, and of the part that they have in common.
+struct Crossing {
+  Box faces, common;
+};
+
+std::vector<Crossing> crossings_of(const Mesh& mesh, Progress& progress) {
   constexpr std::size_t most = 100000;
-  std::vector<Box> boxes;
+  std::vector<Crossing> crossings;
   const auto found = find_self_intersections(mesh, most, 0, progress);
-  if (!found) return boxes;
+  if (!found) return crossings;
   for (const FacePair& pair : found->pairs) {
-    Box box;
-    for (const Face f : {pair.first, pair.second})
-      for (const glm::dvec3& p : corners_of(mesh, mesh.halfedge(f))) box.add(p);
-    boxes.push_back(box);
+    const TriangleCorners a = corners_of(mesh, mesh.halfedge(pair.first)),
+                          b = corners_of(mesh, mesh.halfedge(pair.second));
+    Crossing crossing{box_of(a), box_of_common_part(a, b)};
+    crossing.faces.add(box_of(b));
+    if (crossing.common.is_empty()) crossing.common = crossing.faces;
+    crossings.push_back(crossing);
   }
-  return boxes;
+  return crossings;
+}
+
+// The places at which faces meet, and those that lie within a reach of them.
+BoxTree places_of(const std::vector<Crossing>& crossings, double reach) {
+  std::vector<Box> boxes;
+  for (const Crossing& crossing : crossings)
+    boxes.push_back({crossing.common.lowest - reach, crossing.common.highest + reach});
+  return BoxTree(std::move(boxes));
+}
+
+bool holds(const BoxTree& places, const glm::dvec3& place) {
+  const Box point{place, place};
+  return !places.visit([&](const Box& box) { return box.encloses(point); }, [](std::uint32_t) { return false; });
 }
 
 // What is known of a surface before it changes.
@@ -143,7 +164,7 @@ class Start {
 class Attempts {
  public:
   Attempts(const Mesh& triangles, const Options& options, const Start& known)
-      : start_(triangles), options_(options), known_(known), watched_(options.length), met_(options.length) {}
+      : start_(triangles), options_(options), known_(known), watched_(options.length) {}
 
   // Until no faces meet that did not.
   void run(Remeshed& result, Progress& progress) {
@@ -168,15 +189,12 @@ class Attempts {
  private:
   bool watches_more(const Mesh& made, bool all, Progress& progress) {
     if (watched_.is_all()) return false;
-    std::vector<Box> crossings = crossings_of(made, progress);
+    std::vector<Crossing> crossings = crossings_of(made, progress);
     if (crossings.empty()) return false;
-    if (watched_.is_empty())
-      for (const Box& box : crossings_of(start_, progress)) {
-        met_.add(box);
-        surface_ = CrossingGuard::Surface::perhaps_with_crossings;
-      }
-    std::erase_if(crossings, [&](const Box& box) { return met_.contains(box.middle()); });
-    for (const Box& box : crossings) watched_.add(box);
+    if (watched_.is_empty()) met_ = places_of(crossings_of(start_, progress), options_.length);
+    if (!met_.is_empty()) surface_ = CrossingGuard::Surface::perhaps_with_crossings;
+    std::erase_if(crossings, [&](const Crossing& crossing) { return holds(met_, crossing.common.middle()); });
+    for (const Crossing& crossing : crossings) watched_.add(crossing.faces);
     if (all) watched_.add_all();
     return !crossings.empty() && !progress.is_cancelled();
   }
@@ -184,7 +202,8 @@ class Attempts {
   const Mesh& start_;
   const Options& options_;
   const Start& known_;
-  WatchedPlaces watched_, met_;  // met: where faces did before
+  WatchedPlaces watched_;
+  BoxTree met_;  // where faces did before
   CrossingGuard::Surface surface_ = CrossingGuard::Surface::without_crossings;
 };
 

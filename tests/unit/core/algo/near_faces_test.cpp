@@ -144,7 +144,7 @@ TEST(near_faces, are_few_where_a_triangle_touches_a_hub_of_many) {
   for (const double height : {1.0, 0.0})
     for (const std::uint32_t n : {400u, 1600u}) {
       const Mesh mesh = two_hubs(n, height);
-      const NearFaces near(mesh);
+      NearFaces near(mesh);
       for (std::uint32_t i = 0; i < 4 * n; ++i) {
         std::vector<Face> found;
         near.find(std::vector{numbered(mesh, Face(i))}, found);

@@ -255,6 +255,22 @@ TEST(bvh, stays_right_through_random_edits) {
   }
 }
 
+// What only trembles stays where it was; what leaves its box does not.
+TEST(bvh, is_worn_by_how_far_things_go) {
+  Scene scene = test::soup(1000, 1);
+  Bvh bvh;
+  bvh.build(scene.positions, scene.primitives);
+  const auto move_all = [&](const dvec3& way) {
+    for (dvec3& p : scene.positions) p += way;
+    for (std::uint32_t slot = 0; slot < scene.primitives.size(); ++slot) bvh.update(scene.positions, slot);
+  };
+  for (int turn = 0; turn < 10; ++turn) move_all(dvec3(turn % 2 == 0 ? 1e-5 : -1e-5));
+  EXPECT_FALSE(bvh.is_worn());
+  for (int turn = 0; turn < 10; ++turn) move_all(dvec3(0.05));
+  EXPECT_TRUE(bvh.is_worn());
+  EXPECT_STREQ(find_defect(bvh, scene.positions), nullptr);
+}
+
 TEST(bvh, primitives_far_outside_the_first_frame) {
   Scene scene = test::soup(100, 1);
   Bvh bvh;

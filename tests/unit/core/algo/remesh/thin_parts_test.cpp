@@ -10,8 +10,10 @@
 #include "core/analysis/invariants.h"
 #include "core/analysis/self_intersections.h"
 #include "core/indexed/from_indexed.h"
+#include "core/indexed/to_indexed.h"
 #include "core/io/formats.h"
 #include "core/mesh/circulate.h"
+#include "core/mesh/middle.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/shapes.h"
@@ -90,6 +92,30 @@ TEST(RemeshThin, sheets_nearer_than_the_length_do_not_meet) {
   expect_any_length_is_fine(made_by_lines({"sphere radius=1", "sphere radius=1.01"}), "two spheres");
   expect_any_length_is_fine(made_by_lines({"sphere radius=1", "scale axis=0,0,1 factor=0.02", "sphere radius=1.05"}),
                             "a plate in a sphere");
+}
+
+// Two large triangles that cross, with two spheres in their boxes but away from where they do: that they meet excuses no
+// others.
+TEST(RemeshThin, faces_that_met_before_excuse_none_elsewhere) {
+  IndexedMesh indexed = to_indexed(made_by_lines({"sphere radius=1", "sphere radius=1.01"})).mesh;
+  constexpr glm::dvec3 corner(-1.2);
+  for (const glm::dvec3& sides : {glm::dvec3(6, 6, 6), glm::dvec3(6.5, 6.5, 5)}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      indexed.corners.push_back(static_cast<std::uint32_t>(indexed.positions.size()));
+      indexed.positions.push_back(corner);
+      indexed.positions.back()[axis] += sides[axis];
+    }
+    indexed.face_offsets.push_back(static_cast<std::uint32_t>(indexed.corners.size()));
+  }
+  const Mesh mesh = from_indexed(std::move(indexed));
+  ASSERT_EQ(find_self_intersections(mesh, 10).count, 1u);
+  for (const double length : {0.2, 0.3, 0.5}) {
+    Progress unheard;
+    remesh::Remeshed made = remesh::remeshed(mesh, {.length = length, .feature_angle_rad = 0.785}, unheard);
+    const Mesh after(std::move(made.columns));
+    for (const FacePair& pair : find_self_intersections(after, 10000).pairs)
+      for (const Face f : {pair.first, pair.second}) EXPECT_GT(glm::length(middle_of(after, f)), 1.2) << length;
+  }
 }
 
 TEST(RemeshThin, meshes_of_files_stay_what_they_are) {

@@ -56,9 +56,10 @@ OpTarget Session::target_of(const Picked& picked, Modifiers modifiers) const {
   return target;
 }
 
-PickMode Session::pointed_sort() const {
+PickMode Session::pointed_sort(Modifiers modifiers) const {
   if (!asked_line.empty()) return asked_for(asked_line).value_or(mode);
-  return pick_mode(find_op(tool), mode);
+  const OpInfo* const info = find_op(tool);
+  return !info && click_selects(modifiers) != ClickSelects::element ? PickMode::edge : pick_mode(info, mode);
 }
 
 void Session::point_at(glm::dvec2 pixel, Modifiers modifiers) {
@@ -133,7 +134,8 @@ void Session::look_at(glm::dvec2 pixel, Modifiers modifiers) {
                     .halfedge = arrow->halfedge,
                     .face = arrow->on,
                     .place = 0.5 * (arrow->from + arrow->to)};
-  } else if (const auto picked = pick(pixel, pointed_sort())) {
+  } else if (const PickMode sort = pointed_sort(modifiers);
+             const auto picked = info ? pick(pixel, sort) : pick_to_select(pixel, sort)) {
     hover.picked = *picked;
   } else {
     return;
@@ -198,37 +200,14 @@ Outcome Session::apply_at(const OpTarget& target, const std::string& id) {
   return run(command_of(mesh(), op_at(mesh(), id, target)));
 }
 
-// The edge under the pointer, else the side of the face there that is nearest to it; none over the background.
-Edge Session::edge_near(glm::dvec2 pixel) {
-  if (const auto picked = pick(pixel, PickMode::edge)) return picked->element.edge();
-  const auto picked = pick(pixel, PickMode::face);
-  if (!picked) return {};
-  Edge nearest;
-  double least = 0;
-  const glm::dvec2 at = pixel - view_origin;
-  for (const Halfedge h : halfedges_around(mesh(), picked->element.face())) {
-    const auto a = project(camera, view, mesh().position(mesh().from(h)));
-    const auto b = project(camera, view, mesh().position(mesh().to(h)));
-    if (!a || !b) continue;
-    const glm::dvec2 along = b->pixel - a->pixel;
-    const double squared = std::max(glm::dot(along, along), 1e-30);
-    const double share = std::clamp(glm::dot(at - a->pixel, along) / squared, 0.0, 1.0);
-    const double distance = glm::length(at - a->pixel - share * along);
-    if (nearest && distance >= least) continue;
-    nearest = edge(h);
-    least = distance;
-  }
-  return nearest;
-}
-
 // The loop or the ring of that edge, whatever the mode.
 Outcome Session::select_along(glm::dvec2 pixel, Modifiers modifiers) {
-  const Edge at = edge_near(pixel);
-  if (!at) {
+  const auto picked = pick_to_select(pixel, PickMode::edge);
+  if (!picked) {
     if (!modifiers.shift) selection.clear();
     return {};
   }
-  const Element first(at);
+  const Element first = picked->element;
   Elements found = click_selects(modifiers) == ClickSelects::ring ? edge_rings(mesh(), {&first, 1})
                                                                   : edge_loops(mesh(), {&first, 1});
   drop_hidden(found);
@@ -246,7 +225,7 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers
   if (!info && click_selects(modifiers) != ClickSelects::element) return select_along(pixel, modifiers);
   if (const LinkArrow* const arrow = arrow_at(pixel, info, modifiers))
     return run("select " + slot_name(arrow->halfedge));
-  const auto picked = pick(pixel, pick_mode(info, mode));
+  const auto picked = info ? pick(pixel, pick_mode(info, mode)) : pick_to_select(pixel, mode);
   const bool extends = !info && (modifiers.shift || modifiers.ctrl);
   if (!picked) {
     if (!extends && !info) selection.clear();
@@ -269,7 +248,7 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers
 
 void Session::select_for_menu(glm::dvec2 pixel) {
   cancel_gesture();
-  auto picked = pick(pixel, mode);
+  auto picked = pick_to_select(pixel, mode);
   if (!picked) picked = pick(pixel, PickMode::face);
   if (!picked || std::find(selection.begin(), selection.end(), picked->element) != selection.end()) return;
   run("select " + name_to_select(mesh(), picked->element));
@@ -279,11 +258,18 @@ std::optional<Picked> Session::pick(glm::dvec2 pixel, PickMode what) {
   return document_->is_on_trial() ? std::nullopt : pick_drawn(pixel, what);
 }
 
-std::optional<Picked> Session::pick_drawn(glm::dvec2 pixel, PickMode what) {
+std::optional<Picked> Session::pick_to_select(glm::dvec2 pixel, PickMode what) {
+  constexpr double reach_px = 4 * pick_radius_px;
+  auto picked = pick(pixel, what);
+  if (!picked && what != PickMode::face && pick(pixel, PickMode::face)) picked = pick_drawn(pixel, what, reach_px);
+  return picked;
+}
+
+std::optional<Picked> Session::pick_drawn(glm::dvec2 pixel, PickMode what, double radius_px) {
   const glm::dvec2 inside = pixel - view_origin;
   if (inside.x < 0 || inside.y < 0 || inside.x >= view.width || inside.y >= view.height) return std::nullopt;
   if (preparation_) return std::nullopt;
-  return picker().pick(mesh(), camera, view, inside, what, pick_depth(), pick_radius_px * size_scale());
+  return picker().pick(mesh(), camera, view, inside, what, pick_depth(), radius_px * size_scale());
 }
 
 Picker::Depth Session::pick_depth() const {

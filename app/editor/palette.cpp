@@ -19,7 +19,7 @@ namespace {
 Text name_in(std::string_view en, std::string_view ja) { return {std::string(en), std::string(ja)}; }
 
 // How well a word of what was typed fits; the lower the better.
-enum Fit { line_itself, begins_name, begins_word_of_name, begins_word_of_help, inside_name, inside_help };
+enum Fit { line_itself, begins_line, begins_name, begins_word_of_name, begins_word_of_help, inside_name, inside_help };
 
 // None where a word is missing.
 std::optional<Fit> fit_of(const PaletteEntry& entry, std::string_view typed) {
@@ -28,6 +28,7 @@ std::optional<Fit> fit_of(const PaletteEntry& entry, std::string_view typed) {
   const auto any_name = [&](auto is) { return std::any_of(std::begin(names), std::end(names), is); };
   if (!has_words(names[0] + " " + names[1] + " " + names[2] + " " + help, asked)) return std::nullopt;
   if (names[0] == asked) return line_itself;
+  if (names[0].starts_with(asked)) return begins_line;
   if (any_name([&](const std::string& name) { return name.starts_with(asked); })) return begins_name;
   Fit worst = begins_name;
   for (const std::string_view word : split_words(asked)) {

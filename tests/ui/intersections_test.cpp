@@ -86,7 +86,7 @@ TEST(intersections, are_asked_for_and_listed_in_the_problems_panel) {
   laid.click(DrawnText(laid.gui).place("Search for self-intersections"));
   laid.frames(4);
   EXPECT_EQ(found(laid.session), 2u);
-  EXPECT_EQ(DrawnText(laid.gui).count("2  Face that meets another"), 1u);
+  EXPECT_EQ(DrawnText(laid.gui).count("2  faces that meet others"), 1u);
   EXPECT_EQ(DrawnText(laid.gui).count("Search for self-intersections"), 0u);
   EXPECT_EQ(DrawnText(laid.gui).count("Intersecting"), 1u);
 }

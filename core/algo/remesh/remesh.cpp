@@ -110,11 +110,11 @@ struct Crossing {
   Box faces, common;
 };
 
-std::vector<Crossing> crossings_of(const Mesh& mesh, Progress& progress) {
-  constexpr std::size_t most = 100000;
+// None if there are more, or cancelled.
+std::optional<std::vector<Crossing>> crossings_of(const Mesh& mesh, std::size_t most, Progress& progress) {
   std::vector<Crossing> crossings;
   const auto found = find_self_intersections(mesh, most, 0, progress);
-  if (!found) return crossings;
+  if (!found || !found->is_all()) return std::nullopt;
   for (const FacePair& pair : found->pairs) {
     const TriangleCorners a = corners_of(mesh, mesh.halfedge(pair.first)),
                           b = corners_of(mesh, mesh.halfedge(pair.second));
@@ -188,15 +188,20 @@ class Attempts {
 
  private:
   bool watches_more(const Mesh& made, bool all, Progress& progress) {
+    constexpr std::size_t most_before = 100000, most_after = 20 * most_before;  // the same crossing on smaller faces
     if (watched_.is_all()) return false;
-    std::vector<Crossing> crossings = crossings_of(made, progress);
-    if (crossings.empty()) return false;
-    if (watched_.is_empty()) met_ = places_of(crossings_of(start_, progress), options_.length);
+    auto crossings = crossings_of(made, most_after, progress);
+    if (!crossings || crossings->empty()) return false;
+    if (watched_.is_empty()) {
+      const auto before = crossings_of(start_, most_before, progress);
+      if (!before) return false;
+      met_ = places_of(*before, options_.length);
+    }
     if (!met_.is_empty()) surface_ = CrossingGuard::Surface::perhaps_with_crossings;
-    std::erase_if(crossings, [&](const Crossing& crossing) { return holds(met_, crossing.common.middle()); });
-    for (const Crossing& crossing : crossings) watched_.add(crossing.faces);
+    std::erase_if(*crossings, [&](const Crossing& crossing) { return holds(met_, crossing.common.middle()); });
+    for (const Crossing& crossing : *crossings) watched_.add(crossing.faces);
     if (all) watched_.add_all();
-    return !crossings.empty() && !progress.is_cancelled();
+    return !crossings->empty() && !progress.is_cancelled();
   }
 
   const Mesh& start_;

@@ -30,7 +30,8 @@ struct Remeshed {
 
 // Rounds of remesher.h. Elements that stay keep their numbers, new ones come behind them. Of a surface without
 // self-intersections comes one without: where faces meet in the end, it begins again and watches these places, and at last
-// all of them. A length for which there is no room is a fault. O(rounds times n log n).
+// all of them. Of one in which faces meet comes one in which none meet elsewhere, unless more than 100,000 pairs do, or two
+// million then: those are let be. A length for which there is no room is a fault. O(rounds times n log n).
 Remeshed remeshed(const Mesh& mesh, const Options& options, Progress& progress);
 
 struct Swapped {

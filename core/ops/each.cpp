@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -122,6 +123,15 @@ class Calls {
     return true;
   }
 
+  // Only by the operator that does the same along the edge between them; false where it may not or there is none.
+  bool call_along_edge(const Element& e, const Element& with) {
+    const auto along = read_along_edge(e, with);
+    if (!along || broken_rule(*along)) return false;
+    series_->apply(*along);
+    ++result_.done;
+    return true;
+  }
+
   void arguments(Words arguments) { arguments_ = arguments; }
   // What was refused, to be asked again.
   std::vector<Element> take_refused() {
@@ -234,6 +244,53 @@ std::vector<Element> heirs_of(const Mesh& mesh, const Element& last, const Eleme
   return heirs;
 }
 
+// What stands for the last one from now on.
+void hand_on(const Mesh& mesh, std::span<const Element> heirs, Element& last) {
+  const auto heir = std::find_if(heirs.begin(), heirs.end(), [&](const Element& e) { return is_alive(mesh, e); });
+  if (heir != heirs.end()) last = *heir;
+}
+
+// Those of a set to which edges lead from the point of a vertex, as the vertices there or what stands for their points.
+std::vector<Element> beside(const Mesh& mesh, const Element& e, const std::set<Element>& among) {
+  std::vector<Element> found;
+  for_each_copy(mesh, e.vertex(), [&](Vertex copy) {
+    if (mesh.is_isolated(copy)) return;
+    for (const Halfedge h : outgoing(mesh, copy))
+      for (const Vertex v : {mesh.to(h), point(mesh, mesh.to(h))})
+        if (among.contains(Element(v))) found.emplace_back(v);
+  });
+  return found;
+}
+
+// First those to which edges lead from the last one, and on from there, in ascending order as far as they are reached; again
+// those that were refused, as long as anything is done. What was done is taken out. So a patch comes together without being
+// pinched: joined out of turn, its vertices would keep each other apart.
+void call_along_edges(Calls& calls, std::vector<Element>& taken, Element& last, Progress& progress) {
+  const Mesh& mesh = calls.mesh();
+  const auto is_vertex = [](const Element& e) { return e.kind == Element::Kind::vertex; };
+  if (!is_vertex(last) || !std::all_of(taken.begin(), taken.end(), is_vertex)) return;
+  std::set<Element> left(taken.begin(), taken.end()), next, refused;
+  const std::vector<Element> first = beside(mesh, last, left);
+  next.insert(first.begin(), first.end());
+  for (bool has_done = false; progress.go_on(taken.size() - left.size(), taken.size());) {
+    if (next.empty() && std::exchange(has_done, false)) next.swap(refused);
+    if (next.empty()) break;
+    const Element e = next.extract(next.begin()).value();
+    if (!is_alive(mesh, e) || !are_joined(mesh, e.vertex(), last.vertex())) continue;
+    const std::vector<Element> around = beside(mesh, e, left), heirs = heirs_of(mesh, last, e);
+    if (calls.call_along_edge(e, last)) {
+      hand_on(mesh, heirs, last);
+      left.erase(e);
+      for (const Element& other : around)
+        if (!refused.contains(other)) next.insert(other);
+      has_done = true;
+    } else {
+      refused.insert(e);
+    }
+  }
+  std::erase_if(taken, [&](const Element& e) { return !left.contains(e); });
+}
+
 // In ascending order; again those that were refused, as long as anything is done, where `is_in_place`.
 // There `strict` does all or nothing: no selection of what was done would say the same without it.
 void call_in_turn(Calls& calls, std::vector<Element> taken, bool is_in_place, bool strict, Element* last,
@@ -246,8 +303,7 @@ void call_in_turn(Calls& calls, std::vector<Element> taken, bool is_in_place, bo
       if (!progress.go_on(all - taken.size() + i, all)) return;
       const std::vector<Element> heirs = last ? heirs_of(calls.mesh(), *last, taken[i]) : std::vector<Element>();
       if (!calls.call(taken[i], last)) return;
-      const auto lives = [&](const Element& e) { return is_alive(calls.mesh(), e); };
-      if (const auto heir = std::find_if(heirs.begin(), heirs.end(), lives); heir != heirs.end()) *last = *heir;
+      if (last) hand_on(calls.mesh(), heirs, *last);
     }
     if (!is_in_place || calls.result().refusals() == 0 || calls.result().done == done) break;
     taken = calls.take_refused();
@@ -277,6 +333,7 @@ EachResult apply_to_each(Edit& edit, const OpInfo& op, std::span<const Element> 
   if (into_last) {
     last = taken.back();
     taken.pop_back();
+    if (!op.along_edge.empty()) call_along_edges(calls, taken, last, progress);
   }
   call_in_turn(calls, std::move(taken), with.is_in_place, strict, into_last ? &last : nullptr, progress);
   calls.settle();

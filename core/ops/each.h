@@ -41,9 +41,10 @@ CalledWith called_with(const Mesh& mesh, const OpInfo& op, std::span<const Eleme
 // Within one edit, in ascending order of kinds and slots, whatever their order is; a halfedge is the edge in its
 // direction. Edges with the same subject (op.h) are one: what is done for the first is done for all. With
 // OnSelection::into_last each element but the last is called together with the last, which comes first, or with what has
-// taken its place; `mid` is then the middle of all these vertices. Those that stand in place of others are asked again as
-// long as that does anything, and count as done where they have gone with another one. `strict`: warnings refuse too.
-// Cost: that of the calls. Cancelled: the edit is not to be committed.
+// taken its place; vertices that edges join to it come first, along these, so that a patch of a surface is not pinched.
+// `mid` is then the middle of all these vertices. Those that stand in place of others are asked again as long as that does
+// anything, and count as done where they have gone with another one. `strict`: warnings refuse too. Cost: that of the calls.
+// Cancelled: the edit is not to be committed.
 EachResult apply_to_each(Edit& edit, const OpInfo& op, std::span<const Element> elements,
                          std::span<const std::string_view> arguments, bool strict, Progress& progress);
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/analysis/figures.h"
 #include "core/analysis/invariants.h"
 #include "core/mesh/copies.h"
 #include "tests/support/core/shapes.h"
@@ -24,7 +25,8 @@ void apply_line(Mesh& mesh, std::string_view op, std::vector<std::string_view> a
 TEST(each, welds_on_into_the_point_of_bare_copies) {
   Mesh mesh = make_mesh({{0, 1, 2}, {0, 3, 4}, {5, 6, 7}, {5, 8, 9}}, 10);
   for (const std::string_view face : {"f1", "f3"}) apply_line(mesh, "delete_loop", {face});
-  for (const std::string_view wire : {"10-3", "4-10", "3-4", "11-8", "9-11", "8-9"}) apply_line(mesh, "delete_edge", {wire});
+  for (const std::string_view wire : {"10-3", "4-10", "3-4", "11-8", "9-11", "8-9"})
+    apply_line(mesh, "delete_edge", {wire});
   apply_line(mesh, "make_vertex", {"7,7,7"});
   ASSERT_TRUE(mesh.is_isolated(Vertex(10)) && same_point(mesh, Vertex(10), Vertex(0)));
   ASSERT_TRUE(mesh.is_isolated(Vertex(11)) && same_point(mesh, Vertex(11), Vertex(5)));
@@ -39,6 +41,38 @@ TEST(each, welds_on_into_the_point_of_bare_copies) {
   EXPECT_TRUE(same_point(mesh, Vertex(0), Vertex(5)));
   const auto broken = check_invariants(mesh);
   EXPECT_FALSE(broken) << broken->sentence;
+}
+
+// A patch of quads on a torus comes together in one point, whichever of its vertices is the last: nothing is pinched.
+TEST(each, welds_a_patch_into_one_point_of_a_whole_surface) {
+  constexpr std::uint32_t rows = 8, columns = 9;
+  for (const std::uint32_t width : {1u, 2u, 3u})
+    for (std::uint32_t last = 0; last <= 2 * width + 1; ++last) {
+      SCOPED_TRACE(std::to_string(width) + " quads, last " + std::to_string(last));
+      const auto id = [&](std::uint32_t i, std::uint32_t j) { return i % rows * columns + j % columns; };
+      Polygons quads;
+      for (std::uint32_t i = 0; i < rows; ++i)
+        for (std::uint32_t j = 0; j < columns; ++j)
+          quads.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)});
+      Mesh mesh = make_mesh(quads, rows * columns);
+      std::vector<Element> patch;
+      for (std::uint32_t i = 0; i <= width; ++i)
+        for (std::uint32_t j = 0; j <= 2; ++j) patch.emplace_back(Vertex(i * columns + j));
+      std::swap(patch[last], patch.back());
+      Edit edit(mesh, nullptr);
+      Progress unheard;
+      const EachResult result = apply_to_each(edit, Weld::info, patch, {}, false, unheard);
+      edit.commit();
+      EXPECT_EQ(result.done, patch.size() - 1);
+      EXPECT_EQ(result.refusals(), 0u);
+      const Figures figures = compute_figures(mesh);
+      EXPECT_TRUE(figures.manifold && figures.closed);
+      EXPECT_EQ(figures.euler_characteristic, 0);
+      EXPECT_EQ(mesh.live().vertices, rows * columns + 1 - patch.size());
+      EXPECT_EQ(mesh.live().faces, rows * columns - 2 * width);
+      const auto broken = check_invariants(mesh);
+      EXPECT_FALSE(broken) << broken->sentence;
+    }
 }
 
 }  // namespace

@@ -36,12 +36,56 @@ std::optional<Rule> call(Mesh& mesh, const AnyOp& op) {
   return std::nullopt;
 }
 
-// Into the last; where that may not be and an edge joins the two, along the edge.
+// The vertex that stands for the last one after it was called with another: where both have gone, what is left of their
+// points.
+void hand_on(const Mesh& mesh, Vertex& last, std::initializer_list<Vertex> heirs) {
+  for (const Vertex heir : heirs)
+    if (!mesh.is_alive(last)) last = heir;
+}
+
+bool is_joined_as_itself(const Mesh& mesh, Vertex v, Vertex last) {
+  bool is_joined = false;
+  for_each_copy(mesh, last, [&](Vertex copy) {
+    if (mesh.is_isolated(copy)) return;
+    for (const Halfedge h : outgoing(mesh, copy)) is_joined |= mesh.to(h) == v || point(mesh, mesh.to(h)) == v;
+  });
+  return is_joined;
+}
+
+// Along the edges that lead to the last one, those with the lowest number first; what may not be is asked again when there is
+// no other and something was done since.
+std::size_t collapsed_into(Mesh& mesh, std::vector<Element>& left, Vertex& last) {
+  std::size_t done = 0, before = 0;
+  std::vector<Element> refused;
+  while (true) {
+    const auto next = std::find_if(left.begin(), left.end(), [&](const Element& e) {
+      return std::find(refused.begin(), refused.end(), e) == refused.end() && mesh.is_alive(e.vertex()) &&
+             is_joined_as_itself(mesh, e.vertex(), last);
+    });
+    if (next == left.end()) {
+      if (done == before) return done;
+      before = done;
+      refused.clear();
+      continue;
+    }
+    const Vertex v = next->vertex(), points[] = {point(mesh, last), point(mesh, v)};
+    if (call(mesh, CollapseEdge{sheets_between(mesh, v, last).front()})) {
+      refused.push_back(*next);
+      continue;
+    }
+    left.erase(next);
+    hand_on(mesh, last, {v, points[0], points[1]});
+    ++done;
+  }
+}
+
+// Into the last: first along edges, then by welding; where that may not be and an edge joins the two, along the edge.
 Done one_after_another(Mesh& mesh, std::vector<Element> selected) {
   Vertex last = selected.back().vertex();
   selected.pop_back();
   std::sort(selected.begin(), selected.end());
   Done done;
+  done.done = collapsed_into(mesh, selected, last);
   for (const Element& e : selected) {
     const Vertex v = e.vertex();
     if (!mesh.is_alive(v)) {
@@ -57,9 +101,7 @@ Done one_after_another(Mesh& mesh, std::vector<Element> selected) {
       done.refused[*rule].push_back(e);
     else
       ++done.done;
-    // Where both have gone, what is left of their points stands for them.
-    for (const Vertex heir : {v, points[0], points[1]})
-      if (!mesh.is_alive(last)) last = heir;
+    hand_on(mesh, last, {v, points[0], points[1]});
   }
   return done;
 }

@@ -56,13 +56,20 @@ void draw_change_on_disk(PanelContext& context, ImVec2 top) {
   });
 }
 
-// Which of two meshes beside each other is which.
+// Which of two meshes beside each other is which: both may be of the same file.
+std::string name_beside(const PanelContext& context, const Session& one) {
+  const std::string name = one.document().path().filename().string();
+  const std::string faces = grouped(one.mesh().live().faces);
+  const char* const edited = one.document().is_modified() ? context.text(", edited", "（編集中）") : "";
+  return name + edited + ": " + Text{faces + " faces", "面 " + faces}.in(context.language());
+}
+
 void draw_names(PanelContext& context) {
   Session& session = context.session;
   const Session* const other = session.beside();
   if (!other) return;
   for (const Session* const one : {static_cast<const Session*>(&session), other}) {
-    const std::string name = one->document().path().filename().string();
+    const std::string name = name_beside(context, *one);
     const float margin = 8 * context.scale, gap = 3 * context.scale;
     const ImVec2 at{static_cast<float>(one->view_origin.x) + margin, static_cast<float>(one->view_origin.y) + margin};
     const ImVec2 size = ImGui::CalcTextSize(name.c_str());

@@ -308,7 +308,7 @@ struct RuleLooks {
   EdgeRule rule;
   std::uint32_t dark, light;  // 0xRRGGBB
   LineStyle line;
-  float width_px;
+  float width_px;  // 0: not drawn, as held by nothing are mostly nearly all
 };
 constexpr RuleLooks rule_looks[] = {
     {EdgeRule::structure, 0xE69F00, 0xB36B00, LineStyle::solid, 2.4f},
@@ -318,7 +318,7 @@ constexpr RuleLooks rule_looks[] = {
     {EdgeRule::error, 0xFF6F61, 0xB3261E, LineStyle::solid, 2.4f},
     {EdgeRule::selection, 0xB59CFF, 0x5B3FA8, LineStyle::dashed, 2.4f},
     {EdgeRule::self_intersection, 0xFFFFFF, 0x202020, LineStyle::dotted, 2.4f},
-    {EdgeRule::free, 0x2BD9A0, 0x007A58, LineStyle::solid, 1.6f},
+    {EdgeRule::free, 0x2BD9A0, 0x007A58, LineStyle::solid, 0},
 };
 static_assert(rows_are_in_order(rule_looks, &RuleLooks::rule));
 
@@ -335,7 +335,8 @@ Overlay account_overlay(const Session& session, Theme theme) {
   if (!account || !session.is_shown(panel_opened_by(PanelOpener::levelled))) return overlay;
   for (std::uint32_t i = 0; i < account->rules.size(); ++i) {
     const Edge e(i);
-    if (account->rules[i] == no_rule || session.hidden().hides(session.mesh(), Element(e))) continue;
+    if (account->rules[i] == no_rule || rule_looks[account->rules[i]].width_px == 0) continue;
+    if (session.hidden().hides(session.mesh(), Element(e))) continue;
     const auto rule = static_cast<EdgeRule>(account->rules[i]);
     const RuleLooks& looks = rule_looks[account->rules[i]];
     const auto [a, b] = ends(session.mesh(), e);

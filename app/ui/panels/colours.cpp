@@ -22,6 +22,7 @@ class ColoursPanel : public Panel {
   void draw_choice(PanelContext& context);
   void draw_legend(PanelContext& context);
   void draw_histogram(PanelContext& context);
+  void draw_figures(PanelContext& context);
   void draw_range(PanelContext& context);
   void follow_drag(PanelContext& context, float left, float width);
   void draw_measures(PanelContext& context);
@@ -31,7 +32,9 @@ class ColoursPanel : public Panel {
   std::uint64_t counted_serial_ = 0, counted_revision_ = 0;
   std::vector<std::uint32_t> bars_;
   MapFigures figures_;
-  std::optional<std::size_t> grabbed_;  // the bar where a drag began
+  float figures_height_ = 0;                                      // the most that they have taken
+  std::pair<const ColourMap*, float> figures_place_{nullptr, 0};  // of this map, in this width
+  std::optional<std::size_t> grabbed_;                            // the bar where a drag began
 };
 
 ImU32 colour_of(const ColourMap& map, MapRange range, double value) {
@@ -179,6 +182,17 @@ void ColoursPanel::draw_measures(PanelContext& context) {
   if (ImGui::Button(context.text("Clear measures", "計測を消す"))) context.run("measure clear");
 }
 
+// In as much room as it has taken so far: what is below, as the slider that changes the values, does not jump with them.
+void ColoursPanel::draw_figures(PanelContext& context) {
+  const ColourMap* const map = context.session.colouring->map;
+  const std::pair<const ColourMap*, float> place(map, ImGui::GetContentRegionAvail().x);
+  const float top = ImGui::GetCursorPosY();
+  dim_text(context, short_text_of(*map, figures_).in(context.language()).c_str());
+  const float height = ImGui::GetCursorPosY() - top;
+  figures_height_ = std::exchange(figures_place_, place) == place ? std::max(figures_height_, height) : height;
+  ImGui::SetCursorPosY(top + figures_height_);
+}
+
 void ColoursPanel::draw(PanelContext& context) {
   Session& session = context.session;
   draw_choice(context);
@@ -186,7 +200,7 @@ void ColoursPanel::draw(PanelContext& context) {
     count_again(session);
     draw_histogram(context);
     draw_legend(context);
-    dim_text(context, short_text_of(*session.colouring->map, figures_).in(context.language()).c_str());
+    draw_figures(context);
     draw_range(context);
   }
   ImGui::BeginDisabled(session.selection.empty());

@@ -1,5 +1,6 @@
 // How the cost of every command grows with ugly meshes, each as a whole process: processor time at n, 2n and 4n, the
-// order of growth between them, the size of the answer, and the peak of memory beside 64 MiB + 64 times the file.
+// order of growth between them, the size of the answer (what it prints and writes), and the peak of memory beside
+// 64 MiB + 64 times the file and the answer.
 //   bench_growth [FAMILY|COMMAND...]   only those whose family or command contains one of the words
 // Ends with 1 if a process died or ran into the limit of time.
 #include <unistd.h>
@@ -100,14 +101,23 @@ class Growth {
     const fs::path answer = folder_ / "answer";
     const ProcessCost cost = run_program(command.arguments, answer, most_seconds);
     row.seconds[i] = cost.cost.cpu / 1e3;
-    row.answer[i] = static_cast<double>(fs::file_size(answer));
+    row.answer[i] = static_cast<double>(fs::file_size(answer)) + written_by(command);
     row.peak_bytes = std::max(row.peak_bytes, cost.peak_bytes);
-    const double allowed = 64 * (1048576.0 + static_cast<double>(fs::file_size(command.arguments[1])));
+    const double allowed = 64 * (1048576.0 + static_cast<double>(fs::file_size(command.arguments[1])) + row.answer[i]);
     row.peak_share = std::max(row.peak_share, cost.peak_bytes / allowed);
     if (WIFSIGNALED(cost.status))
       row.fault = row.seconds[i] >= most_seconds - 1 ? "too slow" : "signal " + std::to_string(WTERMSIG(cost.status));
     else if (WEXITSTATUS(cost.status) == 2 || WEXITSTATUS(cost.status) == 70)
       row.fault = "ends with " + std::to_string(WEXITSTATUS(cost.status));
+  }
+
+  // The size of what it has written behind `-o`, which is gone then.
+  static double written_by(const GrowthCommand& command) {
+    const auto option = std::find(command.arguments.begin(), command.arguments.end(), "-o");
+    if (option == command.arguments.end() || !fs::exists(*std::next(option))) return 0;
+    const auto size = static_cast<double>(fs::file_size(*std::next(option)));
+    fs::remove(*std::next(option));
+    return size;
   }
 
   static void print_heading(const char* title) {

@@ -105,32 +105,34 @@ MeshColumns unscaled(const Mesh& mesh, const Mesh& before, double scale) {
   return columns;
 }
 
-// Two faces that meet: the box of both, and of the part that they have in common.
+// The pairs of faces that meet; none if there are more, or cancelled.
+std::optional<std::vector<FacePair>> crossings_of(const Mesh& mesh, std::size_t most, Progress& progress) {
+  auto found = find_self_intersections(mesh, most, 0, progress);
+  if (!found || !found->is_all()) return std::nullopt;
+  return std::move(found->pairs);
+}
+
+// Of two faces that meet: the box of both, and of the part that they have in common.
 struct Crossing {
   Box faces, common;
 };
 
-// None if there are more, or cancelled.
-std::optional<std::vector<Crossing>> crossings_of(const Mesh& mesh, std::size_t most, Progress& progress) {
-  std::vector<Crossing> crossings;
-  const auto found = find_self_intersections(mesh, most, 0, progress);
-  if (!found || !found->is_all()) return std::nullopt;
-  for (const FacePair& pair : found->pairs) {
-    const TriangleCorners a = corners_of(mesh, mesh.halfedge(pair.first)),
-                          b = corners_of(mesh, mesh.halfedge(pair.second));
-    Crossing crossing{box_of(a), box_of_common_part(a, b)};
-    crossing.faces.add(box_of(b));
-    if (crossing.common.is_empty()) crossing.common = crossing.faces;
-    crossings.push_back(crossing);
-  }
-  return crossings;
+Crossing crossing_of(const Mesh& mesh, const FacePair& pair) {
+  const TriangleCorners a = corners_of(mesh, mesh.halfedge(pair.first)),
+                        b = corners_of(mesh, mesh.halfedge(pair.second));
+  Crossing crossing{box_of(a), box_of_common_part(a, b)};
+  crossing.faces.add(box_of(b));
+  if (crossing.common.is_empty()) crossing.common = crossing.faces;
+  return crossing;
 }
 
 // The places at which faces meet, and those that lie within a reach of them.
-BoxTree places_of(const std::vector<Crossing>& crossings, double reach) {
+BoxTree places_of(const Mesh& mesh, std::span<const FacePair> pairs, double reach) {
   std::vector<Box> boxes;
-  for (const Crossing& crossing : crossings)
-    boxes.push_back({crossing.common.lowest - reach, crossing.common.highest + reach});
+  for (const FacePair& pair : pairs) {
+    const Box common = crossing_of(mesh, pair).common;
+    boxes.push_back({common.lowest - reach, common.highest + reach});
+  }
   return BoxTree(std::move(boxes));
 }
 
@@ -190,18 +192,23 @@ class Attempts {
   bool watches_more(const Mesh& made, bool all, Progress& progress) {
     constexpr std::size_t most_before = 100000, most_after = 20 * most_before;  // the same crossing on smaller faces
     if (watched_.is_all()) return false;
-    auto crossings = crossings_of(made, most_after, progress);
-    if (!crossings || crossings->empty()) return false;
+    const auto pairs = crossings_of(made, most_after, progress);
+    if (!pairs || pairs->empty()) return false;
     if (watched_.is_empty()) {
       const auto before = crossings_of(start_, most_before, progress);
       if (!before) return false;
-      met_ = places_of(*before, options_.length);
+      met_ = places_of(start_, *before, options_.length);
     }
     if (!met_.is_empty()) surface_ = CrossingGuard::Surface::perhaps_with_crossings;
-    std::erase_if(*crossings, [&](const Crossing& crossing) { return holds(met_, crossing.common.middle()); });
-    for (const Crossing& crossing : *crossings) watched_.add(crossing.faces);
-    if (all) watched_.add_all();
-    return !crossings->empty() && !progress.is_cancelled();
+    bool is_new = false;
+    for (const FacePair& pair : *pairs) {
+      const Crossing crossing = crossing_of(made, pair);
+      if (holds(met_, crossing.common.middle())) continue;
+      watched_.add(crossing.faces);
+      is_new = true;
+    }
+    if (is_new && all) watched_.add_all();
+    return is_new && !progress.is_cancelled();
   }
 
   const Mesh& start_;

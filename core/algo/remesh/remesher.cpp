@@ -68,8 +68,8 @@ std::vector<Edge> Remesher::edges_by_length(bool longest_first, const IsWanted& 
 
 bool Remesher::split_long(Progress& progress) {
   const auto is_long = [&](Edge e, double length) { return length > longest_share * wanted(e); };
-  constexpr int most_passes = 64;  // of which each halves the longest; more would only follow rounding
-  std::vector<std::uint8_t> is_refused;  // by edge: the keeper would say the same again
+  constexpr int most_passes = 64;        // of which each halves the longest; more would only follow rounding
+  std::vector<std::uint8_t> is_refused;  // by edge: what was asked would be answered the same again
   for (int pass = 0; pass < most_passes; ++pass) {
     const std::vector<Edge> edges = edges_by_length(true, is_long);
     std::size_t done = 0, asked = 0;
@@ -77,9 +77,13 @@ bool Remesher::split_long(Progress& progress) {
     for (const Edge e : edges) {
       if (asked++ % between_reports == 0 && !progress.go_on()) return false;
       // Another sheet of the same edge may have split it already.
-      if (is_refused[e.index] || !is_long(e, length_of(e)) || !SplitEdge{halfedge(e)}.check(mesh_).legal()) continue;
-      is_refused[e.index] = try_split(e) ? 0 : 1;
-      done += 1 - is_refused[e.index];
+      if (is_refused[e.index] || !is_long(e, length_of(e))) continue;
+      if (SplitEdge{halfedge(e)}.check(mesh_).legal() && try_split(e)) {
+        ++done;
+        continue;
+      }
+      for (const Halfedge sheet : sheets_between(mesh_, mesh_.from(halfedge(e)), mesh_.to(halfedge(e))))
+        is_refused[edge(sheet).index] = 1;
     }
     if (done == 0) break;
   }

@@ -1,7 +1,7 @@
 #include "app/ui/gui.h"
 
 #include <imgui.h>
-#include <imgui_internal.h>  // closing of menus
+#include <imgui_internal.h>  // closing of menus, and where Tab goes
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +23,16 @@ void draw_over(PanelContext& context, OwnPanel& own) {
     end_over();
   }
   if (std::exchange(own.was_over, is_over) && !is_over) own.panel->closed(context);
+}
+
+// Tab goes on from what has the keyboard, which ImGui does from fields alone: from a button it would begin anew. What it
+// comes to is marked.
+void go_on_by_tab(bool had_keyboard) {
+  ImGuiContext& imgui = *GImGui;
+  const ImGuiNavMoveFlags of_key = imgui.NavMoveFlags & (ImGuiNavMoveFlags_Tabbing | ImGuiNavMoveFlags_FocusApi);
+  if (!imgui.NavMoveSubmitted || of_key != ImGuiNavMoveFlags_Tabbing) return;
+  if (imgui.NavTabbingDir == 0 && had_keyboard) imgui.NavTabbingDir = 1;
+  imgui.NavDisableHighlight = false;
 }
 
 // ImGui itself does not ask whether there was memory.
@@ -111,7 +121,9 @@ void Gui::begin_frame(Size window, double seconds) {
                          : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
   const bool enters = io.KeysDown[ImGuiKey_Enter] && io.KeysDownDuration[ImGuiKey_Enter] < 0;
   if (walks && enters) io.NavInputs[ImGuiNavInput_Activate] = 1;
+  const bool has_keyboard = GImGui->NavId != 0 && GImGui->NavIdIsAlive;
   ImGui::NewFrame();
+  if (walks) go_on_by_tab(has_keyboard);
 }
 
 void Gui::end_frame() {

@@ -34,6 +34,7 @@ bool link(PanelContext& context, const char* text) {
   const ImVec2 at = ImGui::GetCursorScreenPos(), size = ImGui::CalcTextSize(text);
   const bool clicked = ImGui::InvisibleButton(text, size);
   const bool hovered = ImGui::IsItemHovered();
+  ImGui::RenderNavHighlight({at, {at.x + size.x, at.y + size.y}}, ImGui::GetItemID());
   const ImU32 colour = ImGui::GetColorU32(context.colours().accent);
   ImGui::GetWindowDrawList()->AddText(at, colour, text);
   if (hovered) {
@@ -180,7 +181,10 @@ bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size, bool le
   ImGui::PopStyleVar();
   // Its first field or button can be pressed at once.
   if (is_shown && ImGui::IsWindowAppearing()) GImGui->NavDisableHighlight = false;
-  if (is_shown && wanted) return true;
+  if (is_shown && wanted) {
+    ImGui::PushItemFlag(ImGuiItemFlags_Inputable, true);  // all that can be pressed or written into: Tab stops there
+    return true;
+  }
   if (is_shown) {
     ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
@@ -190,7 +194,15 @@ bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size, bool le
   return false;
 }
 
-void end_over() { ImGui::EndPopup(); }
+void end_over() {
+  ImGui::PopItemFlag();
+  ImGui::EndPopup();
+}
+
+void go_on_from_field() {
+  ImGui::SetKeyboardFocusHere();
+  GImGui->NavDisableHighlight = false;
+}
 
 std::string chord_of(const Session& session, std::string_view command) {
   for (const KeyRow& key : key_table(input_presets()[session.input_preset], session.bindings))

@@ -31,7 +31,7 @@ constexpr FileUse to_save{"save", "Save", "保存", true, false, true};
 constexpr FileUse to_save_selected{"save_selected", "Save", "保存", true, false, false};
 
 // A folder, what is in it, and the name in the field, which has the keyboard: Up and Down go through the entries, Tab
-// completes a path, Enter takes it.
+// completes a path and goes on where there is no more of it, Enter takes it.
 class FileBrowser : public Panel {
  public:
   explicit FileBrowser(const FileUse& use) : use_(use) {}
@@ -57,6 +57,7 @@ class FileBrowser : public Panel {
   std::vector<FolderEntry> entries_;
   std::string name_;
   bool takes_keys_ = false;    // the field is to have the keyboard
+  bool goes_on_ = false;       // from the field, by Tab
   bool shows_chosen_ = false;  // the list is to show the entry of this name
   // What the next press of the button does all the same: replace this existing file, lose this in this file.
   fs::path replaces_, loses_;
@@ -144,8 +145,11 @@ void FileBrowser::follow_keys(ImGuiInputTextCallbackData& data) {
     data.InsertChars(0, name.c_str());
   };
   const std::string typed(data.Buf, static_cast<std::size_t>(data.BufTextLen));
-  if (data.EventFlag == ImGuiInputTextFlags_CallbackCompletion)
-    return put(completed_path(typed, folder_, [&](const fs::path& file) { return is_listed(file); }));
+  if (data.EventFlag == ImGuiInputTextFlags_CallbackCompletion) {
+    const std::string path = completed_path(typed, folder_, [&](const fs::path& file) { return is_listed(file); });
+    goes_on_ = path == typed;
+    return goes_on_ ? void() : put(path);
+  }
   if (data.EventFlag != ImGuiInputTextFlags_CallbackHistory || entries_.empty()) return;
   const auto at = std::find_if(entries_.begin(), entries_.end(), [&](const FolderEntry& entry) {
     return entry.name == typed || entry.name + "/" == typed;
@@ -171,6 +175,7 @@ bool FileBrowser::draw_name(PanelContext& context) {
           ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackHistory,
       &FileBrowser::edit, this);
   takes_keys_ = takes_keys_ || entered;
+  if (std::exchange(goes_on_, false)) go_on_from_field();
   return entered;
 }
 

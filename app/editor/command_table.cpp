@@ -40,6 +40,7 @@ const std::vector<CommandRow>& first_rows() {
        .effect = Effect::replaces,
        .run = run_reload,
        .is_long = true,
+       .reads_again = true,
        .fault = no_fault},
       of_view({"keep_mine", "", "lets the next save replace the file, though another program has changed it",
                "他のプログラムが変更したファイルでも、次の保存で上書きする", Effect::none, run_keep_mine}),

@@ -115,6 +115,8 @@ class Document {
   // Takes the file as it is for that from now on, so that the next save may replace it.
   void take_file_as_known() { on_disk_ = FileState::of(path_); }
   bool is_modified() const { return saved_position_ != journal_.position(); }
+  // How many edits lie between the mesh and what is saved; none where no position of the history is.
+  std::optional<std::size_t> unsaved_edits() const;
   // Marks every history position as unsaved.
   void mark_unsaved();
   // The file holds what the mesh is now, though it may have been changed since (see mark_unsaved).

@@ -91,6 +91,11 @@ void Document::end_trial() {
   trial_.clear();
 }
 
+std::optional<std::size_t> Document::unsaved_edits() const {
+  if (saved_position_ == no_index) return std::nullopt;
+  return std::max(saved_position_, position()) - std::min(saved_position_, position());
+}
+
 bool Document::undo() {
   if (!journal_.can_undo()) return false;
   journal_.undo(writable());

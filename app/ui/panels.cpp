@@ -141,6 +141,11 @@ Outcome PanelContext::click(const Navigation::Click& click) {
 
 Outcome PanelContext::open(PanelOpener opener) { return run("panel " + std::string(panel_opened_by(opener).id)); }
 
+bool PendingLeave::reads_again() const {
+  const auto call = call_of(command);
+  return call && call->row.reads_again;
+}
+
 void PanelContext::begin_command(std::string line) {
   state.begun_command = std::move(line);
   open(PanelOpener::begun_line);

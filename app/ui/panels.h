@@ -22,6 +22,7 @@ struct PendingLeave {
   bool quits = false;
   std::filesystem::path opens;  // empty: an empty mesh
   std::string command{};        // where not empty, the one that does it, in place of the above
+  bool reads_again() const;     // what is in the file of the mesh
 };
 
 // A line that was sent while a frame is laid out, and how many further ones come before it is carried out.

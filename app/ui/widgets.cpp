@@ -199,7 +199,7 @@ void end_over() {
   ImGui::EndPopup();
 }
 
-void go_on_from_field() {
+void give_keyboard_to_next() {
   ImGui::SetKeyboardFocusHere();
   GImGui->NavDisableHighlight = false;
 }

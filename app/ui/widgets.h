@@ -53,8 +53,8 @@ void fitted_text(const std::string& text, float width_px);
 // else end_over() must follow.
 bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size, bool leaves_view = false);
 void end_over();
-// Gives the keyboard to what is drawn next, as Tab does where nothing takes it.
-void go_on_from_field();
+// Gives the keyboard to what is drawn next, marked, without pressing it.
+void give_keyboard_to_next();
 
 // The chord of the key that sends a command, or nothing.
 std::string chord_of(const Session& session, std::string_view command);

@@ -1,5 +1,6 @@
 // A file that another program changes while it is open here: noticed, offered again, and not replaced unasked.
 #include <gtest/gtest.h>
+#include <imgui.h>
 
 #include <fstream>
 
@@ -90,7 +91,7 @@ TEST_F(ChangeOnDiskTest, is_read_again_by_a_button_after_a_question_where_edits_
   session().look_at_disk();
   press("Reload");
   EXPECT_EQ(session().open_panel, panel_opened_by(PanelOpener::loss).id);
-  press("Discard");
+  press("Reloadandlose1edit");
   EXPECT_EQ(session().mesh().live().vertices, 3u);
   write(square);
   session().look_at_disk();
@@ -101,6 +102,51 @@ TEST_F(ChangeOnDiskTest, is_read_again_by_a_button_after_a_question_where_edits_
   laid_.gui.run(session(), "new");
   EXPECT_TRUE(is_told("Discard")) << "it asks before that is lost";
   EXPECT_EQ(session().mesh().live().vertices, 3u);
+}
+
+// Who reads it again wants what the other program has written.
+TEST_F(ChangeOnDiskTest, is_never_replaced_by_enter_in_the_question_about_it) {
+  const auto press = [&](int key) {
+    laid_.gui.key(key, true);
+    laid_.gui.key(key, false);
+    laid_.frames(4);
+  };
+  run("move_vertex v0 0,0,1");
+  run("move_vertex v0 0,0,2");
+  write(square);
+  session().look_at_disk();
+  for (const bool quits : {false, true}) {
+    if (quits)
+      laid_.gui.leave(session(), {true, {}});
+    else
+      laid_.gui.run(session(), "reload");
+    laid_.frames(4);
+    EXPECT_EQ(is_told("Replaceit"), quits);
+    press(ImGuiKey_Enter);
+    EXPECT_EQ(session().open_panel, "") << "Cancel has the keyboard";
+    EXPECT_FALSE(laid_.gui.wants_quit());
+    EXPECT_EQ(on_disk(), square);
+    EXPECT_EQ(session().document().unsaved_edits(), 2u);
+  }
+  laid_.gui.run(session(), "reload");
+  EXPECT_TRUE(is_told("Reloadandlose2edits"));
+  laid_.click(DrawnText(laid_.gui).place("Saveminee"));
+  EXPECT_EQ(session().open_panel, panel_opened_by(PanelOpener::unnamed_save).id);
+  EXPECT_EQ(on_disk(), square);
+}
+
+// It may change while the question is open.
+TEST_F(ChangeOnDiskTest, takes_the_keyboard_from_the_button_that_would_replace_it) {
+  run("move_vertex v0 0,0,1");
+  laid_.gui.leave(session(), {true, {}});
+  laid_.frames(4);
+  write(square);
+  session().look_at_disk();
+  laid_.frames(4);
+  laid_.gui.key(ImGuiKey_Enter, true);
+  laid_.frames(3);
+  EXPECT_EQ(on_disk(), square);
+  EXPECT_EQ(session().open_panel, "");
 }
 
 TEST_F(ChangeOnDiskTest, is_a_loss_where_the_file_is_gone) {

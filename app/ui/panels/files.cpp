@@ -175,7 +175,7 @@ bool FileBrowser::draw_name(PanelContext& context) {
           ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackHistory,
       &FileBrowser::edit, this);
   takes_keys_ = takes_keys_ || entered;
-  if (std::exchange(goes_on_, false)) go_on_from_field();
+  if (std::exchange(goes_on_, false)) give_keyboard_to_next();
   return entered;
 }
 

@@ -59,11 +59,20 @@ Elements find_all(const Mesh& mesh, Selected, Element::Kind sort, ValueRange) {
   return those(mesh, sort, [](auto) { return true; });
 }
 
+// Of each kind that is selected, all others.
 Elements find_others(const Mesh& mesh, Selected selection, Element::Kind sort, ValueRange) {
   ElementSet selected(selection);
   for (const Element& e : selection)  // a copy stands for its point
     if (e.kind == Element::Kind::vertex) selected.insert(point(mesh, e.vertex()));
-  return those(mesh, sort, [&](auto element) { return !selected.contains(element); });
+  Elements others;
+  for (const Element::Kind kind :
+       {Element::Kind::vertex, Element::Kind::halfedge, Element::Kind::edge, Element::Kind::face}) {
+    const auto is_of_kind = [&](const Element& e) { return e.kind == kind; };
+    if (selection.empty() ? kind != sort : std::none_of(selection.begin(), selection.end(), is_of_kind)) continue;
+    const Elements found = those(mesh, kind, [&](auto element) { return !selected.contains(element); });
+    others.insert(others.end(), found.begin(), found.end());
+  }
+  return others;
 }
 
 Elements of_valence(const Mesh& mesh, Selected, Element::Kind, ValueRange value) {

@@ -41,7 +41,7 @@ struct Selector {
   std::optional<Element::Kind> turns_into = std::nullopt;
 };
 
-// `sort` is what elements `all` and `invert` are about, and no other row.
+// `sort` is what elements `all` is about, and `invert` where nothing is selected, and no other row.
 std::span<const Selector> selectors();
 const Selector* find_selector(std::string_view id);
 // "sides N|N..M|N..|..M"

@@ -48,6 +48,21 @@ TEST(selecting, is_about_the_elements_of_the_mode) {
   }
 }
 
+TEST(selecting, the_others_are_those_of_what_is_selected_in_any_mode) {
+  auto document = Document::open(test::asset("cube.obj"));
+  ASSERT_TRUE(document);
+  Session session(std::move(document).value());
+  ASSERT_TRUE(session.run("mode edge").done());
+  ASSERT_TRUE(session.run("select f0 f1 v3").done());
+  ASSERT_TRUE(session.run("select invert").done());
+  EXPECT_EQ(session.selection.count(Element::Kind::face), 4u);
+  EXPECT_EQ(session.selection.count(Element::Kind::vertex), 7u);
+  EXPECT_EQ(session.selection.count(Element::Kind::edge), 0u);
+  ASSERT_TRUE(session.run("select none").done());
+  ASSERT_TRUE(session.run("select invert").done());
+  EXPECT_EQ(session.selection.count(Element::Kind::edge), 12u) << "of nothing all that the mode picks";
+}
+
 TEST(selecting, finds_all_problems_of_a_kind) {
   auto document = Document::open(test::asset("stanford_bunny.obj"));
   ASSERT_TRUE(document);

@@ -93,6 +93,8 @@ std::string file_of(const CommandCall& call);
 std::string called(const AlgorithmRow& algorithm, bool as_repair = false);
 // The line that selects what a row of the table of selectors finds, with its usual value.
 std::string select_line(const Selector& row);
+// The line that selects all that has a problem, or what the one at an element is about; never that of a selector.
+std::string select_line(const ProblemRow& row, std::string_view element = {});
 // The line that runs an algorithm with these values.
 std::string line_of(const AlgorithmRow& algorithm, const ParameterValues& values);
 

@@ -23,12 +23,22 @@ struct Selecting {
   const ProblemRow* problem = nullptr;
   const Selector* selector = nullptr;
   bool is_kept = false;
+  bool is_wrong = false;  // it says a problem, and none that there is
   Words names;  // of elements or ranges of them; the values of a selector; the name of a selection that was kept
 };
+
+// Before the id of a problem, which a selector may have too.
+constexpr std::string_view of_problem = "problem";
 
 Selecting read_selecting(Words arguments) {
   Selecting asked{.names = arguments};
   const std::string_view first = arguments.empty() ? "" : arguments[0];
+  if (first == of_problem) {
+    asked.names = arguments.subspan(std::min<std::size_t>(arguments.size(), 2));
+    if (arguments.size() == 2 || arguments.size() == 3) asked.problem = find_problem_row(arguments[1]);
+    asked.is_wrong = !asked.problem;
+    return asked;
+  }
   if (first == "add" || first == "toggle") {
     asked.how = first == "add" ? SelectHow::add : SelectHow::toggle;
     asked.names = arguments.subspan(1);
@@ -56,6 +66,7 @@ Text meant_by(std::string_view word) {
 }
 
 std::optional<Text> fault_of(const Selecting& asked) {
+  if (asked.is_wrong) return wrong_arguments("select").sentence;
   if (asked.how != SelectHow::anew && asked.names.empty()) return wrong_arguments("select").sentence;
   if (asked.is_kept) return asked.names.size() == 1 ? std::nullopt : std::optional(wrong_arguments("select").sentence);
   if (asked.selector) {
@@ -155,13 +166,18 @@ std::optional<Text> fault_of_names(std::string_view command, Words names) {
 }
 
 std::string select_syntax() {
-  std::string syntax = "[add|toggle] NAME...|A..B|PROBLEM [NAME]|kept NAME";
+  std::string syntax = "[add|toggle] NAME...|A..B|[problem] PROBLEM [NAME]|kept NAME";
   for (const Selector& row : selectors()) syntax += "|" + syntax_of(row);
   return syntax;
 }
 
 std::string select_line(const Selector& row) {
   return "select " + std::string(row.id) + (row.usual.empty() ? "" : " " + std::string(row.usual));
+}
+
+std::string select_line(const ProblemRow& row, std::string_view element) {
+  const std::string line = "select " + std::string(of_problem) + " " + std::string(row.id);
+  return element.empty() ? line : line + " " + std::string(element);
 }
 
 void put_into_selection(Elements& selection, std::span<const Element> elements, SelectHow how) {

@@ -94,7 +94,7 @@ void draw_select_problems(PanelContext& context) {
   const HighlightSets& sets = context.session.highlights();
   for (const ProblemRow& row : problem_table())
     if (row.is_local() || row.is_on_request)
-      item(context, context.text(row.name_en, row.name_ja), "select " + std::string(row.id), sets.count(row.kind) > 0);
+      item(context, context.text(row.name_en, row.name_ja), select_line(row), sets.count(row.kind) > 0);
   ImGui::EndMenu();
 }
 

@@ -97,7 +97,7 @@ void go_to(PanelContext& context, const ProblemRow& row, Element element) {
     context.keep(std::move(told));
     return;
   }
-  context.run("select " + std::string(row.id) + " " + name_to_select(context.session.mesh(), element));
+  context.run(select_line(row, name_to_select(context.session.mesh(), element)));
   if (!context.session.selection.empty()) context.run("frame selected");
 }
 

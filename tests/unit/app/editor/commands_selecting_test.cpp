@@ -74,6 +74,32 @@ TEST(selecting, finds_all_problems_of_a_kind) {
   EXPECT_EQ(session.run("select quarantined_face").exit_code, ExitCode::usage) << "they are not in the mesh";
 }
 
+// Each row of the menu of problems sends its own line, though a selector may have the same id, and has no other's key.
+TEST(selecting, every_problem_has_a_line_of_its_own) {
+  auto document = Document::open(test::asset("cube.obj"));
+  ASSERT_TRUE(document);
+  Session session(std::move(document).value());
+  for (const char* line : {"new", "grid columns=3 rows=3", "delete f4", "unite_planar"})
+    ASSERT_TRUE(session.run(line).done()) << line;
+  std::size_t shared = 0;
+  for (const ProblemRow& row : problem_table()) {
+    if (!row.is_local() && !row.is_on_request) continue;
+    const std::string line = select_line(row);
+    for (const KeyRow& key : key_table()) EXPECT_NE(key.command, line);
+    ASSERT_TRUE(session.run(line).done()) << line;
+    EXPECT_EQ(session.selection.size(), session.highlights().count(row.kind)) << line;
+    shared += find_selector(row.id) ? 1 : 0;
+    if (row.kind != ProblemKind::ring) continue;
+    ASSERT_EQ(session.selection.size(), 1u);
+    const std::string face = session.selected_names()[0];
+    EXPECT_EQ(face[0], 'f') << "and no edge";
+    ASSERT_TRUE(session.run(select_line(row, face)).done());
+  }
+  EXPECT_GT(shared, 0u) << "else nothing was tried";
+  EXPECT_EQ(session.run("select problem").exit_code, ExitCode::usage);
+  EXPECT_EQ(session.run("select problem nonsense").exit_code, ExitCode::usage);
+}
+
 TEST(selecting, says_what_is_wrong_or_missing) {
   const auto session = a_torus();
   for (const char* line : {"select sides x", "select shorter", "select shorter -1", "select all 3", "select loop 2",
